@@ -1,0 +1,20 @@
+import { defineConfig } from "playwright/test";
+import { browser, servers } from "./tests/support/browser.ts";
+
+export default defineConfig({
+  testDir: "tests/visual",
+  outputDir: "test-results/visual",
+  fullyParallel: false,
+  // SwiftShader uses every core by itself: a second worker brings nothing.
+  workers: 1,
+  forbidOnly: Boolean(process.env.CI),
+  reporter: "list",
+  snapshotPathTemplate: "{testDir}/goldens/{arg}{ext}",
+  timeout: 60_000,
+  expect: {
+    timeout: 15_000,
+    toHaveScreenshot: { animations: "disabled", threshold: 0.1, maxDiffPixelRatio: 0.002 },
+  },
+  use: browser,
+  webServer: [servers.page, servers.library, servers.sources],
+});

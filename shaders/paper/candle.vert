@@ -1,0 +1,26 @@
+#version 300 es
+// The candle: a model scaled and carried through the room, always upright.
+#include "lib/precision.glsl"
+#include "lib/frame.glsl"
+
+layout(location = 0) in vec3 aPosition;
+layout(location = 1) in vec3 aNormal;
+layout(location = 2) in vec4 aTangent;
+layout(location = 3) in vec2 aUv;
+
+uniform vec4 uWorldFromModel;  // foot of the candle, m; w: metres per unit
+
+out vec3 vPositionWorld;
+out vec3 vNormalWorld;
+out vec4 vTangentWorld;
+out vec2 vUv;
+out float vHeight;  // in the model
+
+void main() {
+  vPositionWorld = uWorldFromModel.xyz + aPosition * uWorldFromModel.w;
+  vNormalWorld = aNormal;
+  vTangentWorld = aTangent;
+  vUv = aUv;
+  vHeight = aPosition.y;
+  gl_Position = frame.clipFromWorld * vec4(vPositionWorld, 1.0);
+}

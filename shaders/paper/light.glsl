@@ -1,0 +1,14 @@
+// The paper's point light: a colour without a unit, and a fall-off that reaches the whole room.
+
+layout(std140) uniform Light {
+  vec3 position;     // m
+  float attenuates;  // 1 or 0
+  vec3 color;        // linear Rec. 709
+  float flatShading; // 1 or 0
+} light;
+
+float attenuation(float distance) {
+  return light.attenuates > 0.5
+    ? 1.0 / (1.0 + 0.09 * distance + 0.032 * distance * distance)
+    : 1.0;
+}

@@ -1,0 +1,45 @@
+#version 300 es
+// The room by the paper's lighting: Lambert and Blinn-Phong in tangent space, attenuated.
+// In:  albedo (sRGB), normal, and occlusion/roughness maps.   Out: display colour.
+#include "lib/precision.glsl"
+#include "lib/frame.glsl"
+#include "paper/light.glsl"
+#include "lib/relief.glsl"
+#include "lib/display.glsl"
+
+const float SPECULAR = 0.5;
+const float EXPONENT = 16.0;
+
+uniform sampler2D uAlbedo;
+uniform sampler2D uNormal;
+uniform sampler2D uOcclusionRoughness;
+uniform vec4 uBaseColor;
+
+in vec3 vPositionWorld;
+in vec3 vNormalWorld;
+in vec4 vTangentWorld;
+in vec2 vUv;
+
+out vec4 oColor;
+
+vec3 surfaceNormal() {
+  if (light.flatShading > 0.5) return facetNormal(vPositionWorld);
+  if (frame.normalMaps > 0.5) return reliefNormal(uNormal, vUv, vNormalWorld, vTangentWorld);
+  return normalize(vNormalWorld);
+}
+
+void main() {
+  vec3 albedo = texture(uAlbedo, vUv).rgb * uBaseColor.rgb;
+  vec2 occlusionRoughness = texture(uOcclusionRoughness, vUv).rg;
+  vec3 normal = surfaceNormal();
+  vec3 toLight = light.position - vPositionWorld;
+  float distance = length(toLight);
+  vec3 lightDirection = toLight / max(distance, 1e-3);  // the flame is over 1 mm thick
+  vec3 halfway = normalize(lightDirection + normalize(frame.eyePosition - vPositionWorld));
+  float diffuse = max(dot(normal, lightDirection), 0.0) * occlusionRoughness.r;
+  // The paper's highlight is as strong everywhere; a roughness map says where a wall is dull.
+  float gloss = 1.0 - occlusionRoughness.g;
+  float specular = SPECULAR * gloss * pow(max(dot(normal, halfway), 0.0), EXPONENT) * step(1e-3, diffuse);
+  vec3 color = (albedo * diffuse + albedo * specular) * light.color * attenuation(distance);
+  oColor = display(color * frame.exposure, gl_FragCoord.xy);
+}

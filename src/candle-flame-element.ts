@@ -1,0 +1,638 @@
+import type { AssetError } from "./assets/load-model.js";
+import { closeModel, type Model } from "./assets/model.js";
+import { CandleFlame, type Models, type Stats } from "./candle-flame.js";
+import { STYLE } from "./element-style.js";
+import { FirstPersonInput } from "./input/first-person-input.js";
+import {
+  allFeatures,
+  FEATURES,
+  type Feature,
+  type Features,
+  type Look,
+  parseChoice,
+  parseNumber,
+  type Quality,
+  SETTINGS,
+  type SettingName,
+} from "./settings.js";
+import { moveCamera, placeCandle, takeCandle } from "./world/world.js";
+
+export type { Feature, Features, Look, Quality, Stats };
+
+export interface Camera {
+  /** Metres; the origin is on the floor, amid the room. */
+  readonly position: readonly [number, number, number];
+  /** Radians, counter-clockwise from above; 0 looks along -Z. */
+  readonly yaw: number;
+  /** Radians, up positive. */
+  readonly pitch: number;
+}
+
+export type ErrorType = "webgl-unavailable" | "asset" | "shader" | "context-lost";
+
+export interface ErrorDetail {
+  readonly type: ErrorType;
+  readonly message: string;
+  readonly cause: unknown;
+}
+
+export interface CandleFlameEventMap {
+  progress: CustomEvent<{ readonly totalProgress: number }>;
+  load: CustomEvent<null>;
+  error: CustomEvent<ErrorDetail>;
+  play: CustomEvent<null>;
+  pause: CustomEvent<null>;
+  place: CustomEvent<null>;
+  take: CustomEvent<null>;
+  camerachange: CustomEvent<null>;
+  contextlost: CustomEvent<null>;
+  contextrestored: CustomEvent<null>;
+}
+
+/** Models that the built-in room is made of, under `asset-base`. */
+const MODELS = { room: "models/paper-room.glb", candle: "models/paper-candle.glb" } as const;
+
+// Where there is no DOM (a server that renders pages), the module still loads.
+const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
+
+/**
+ * A candle in a dark room.
+ *
+ * @attr look - which renderer: the paper's final product, or its before
+ * @attr controls - first-person controls; without it the element takes no input and no focus
+ * @attr quality - auto, low, medium, high, ultra
+ * @attr paused - no time passes; a frame is drawn only when something changes
+ * @attr seed - same seed, same steps, same pixels on the same renderer
+ * @attr exposure - compensation in EV
+ * @attr particles - particles that the flame keeps alive; 0 is the look's own count
+ * @csspart canvas - the picture
+ * @csspart poster - the picture until the first frame
+ * @csspart progress - the bar that shows loading
+ * @csspart error - the sentence shown when there can be no picture
+ */
+export class CandleFlameElement extends Base {
+  static readonly observedAttributes: readonly string[] = Object.keys(SETTINGS);
+
+  /** Resolves after the first frame with all assets; rejects with the error that `error` reports. */
+  ready: Promise<void>;
+
+  readonly #internals: ElementInternals;
+  readonly #poster: HTMLImageElement;
+  readonly #progress: HTMLElement;
+  readonly #failure: HTMLElement;
+  readonly #features: Features = allFeatures();
+  readonly #featureSwitches: Features;
+  #settleReady: { resolve: () => void; reject: (error: Error) => void };
+  #connection: AbortController | null = null;
+  #canvas: HTMLCanvasElement | null = null;
+  #candle: CandleFlame | null = null;
+  #models: Models | null = null;
+  #isVisible = true;
+  #drawRequest = 0;
+  #shownCamera = "";
+
+  constructor() {
+    super();
+    this.#internals = this.attachInternals();
+    this.#internals.role = "img";
+    const root = this.attachShadow({ mode: "open" });
+    const sheet = new CSSStyleSheet();
+    sheet.replaceSync(STYLE);
+    root.adoptedStyleSheets = [sheet];
+    this.#poster = document.createElement("img");
+    this.#poster.part.add("poster");
+    this.#poster.alt = "";
+    this.#poster.hidden = true;
+    this.#progress = document.createElement("div");
+    this.#progress.part.add("progress");
+    this.#progress.hidden = true;
+    this.#failure = document.createElement("div");
+    this.#failure.part.add("error");
+    this.#failure.role = "alert";
+    this.#failure.hidden = true;
+    root.append(this.#poster, this.#progress, this.#failure);
+    this.#featureSwitches = this.#makeFeatureSwitches();
+    this.#settleReady = { resolve: () => {}, reject: () => {} };
+    this.ready = this.#promiseReady();
+  }
+
+  connectedCallback(): void {
+    for (const name of ["paused", "lit"] as const) this.#upgrade(name);
+    for (const name of Object.keys(SETTINGS)) this.#upgrade(camelCase(name));
+    this.#applyInteraction();
+    if (!this.#connection) void this.#start();
+  }
+
+  disconnectedCallback(): void {
+    // A move within the page disconnects and connects in one task: nothing should restart then.
+    queueMicrotask(() => {
+      if (!this.isConnected) this.#stop();
+    });
+  }
+
+  attributeChangedCallback(name: SettingName): void {
+    if (name === "poster") this.#showPoster(!this.#candle);
+    if (name === "alt" || name === "controls") this.#applyInteraction();
+    if (name === "max-pixel-ratio") this.#resize();
+    if (!this.#candle) return;
+    this.#candle.options = this.#options();
+    if (name === "paused" || name === "controls") this.#applyMotion();
+    this.#requestDraw();
+  }
+
+  // A property set before the element was defined hides the accessor: set it again through it.
+  #upgrade(name: string): void {
+    if (!Object.hasOwn(this, name)) return;
+    const element = this as unknown as Record<string, unknown>;
+    const value = element[name];
+    delete element[name];
+    element[name] = value;
+  }
+
+  get look(): Look {
+    return parseChoice(SETTINGS.look, this.getAttribute("look"));
+  }
+  set look(value: Look) {
+    this.setAttribute("look", value);
+  }
+
+  get quality(): Quality {
+    return parseChoice(SETTINGS.quality, this.getAttribute("quality"));
+  }
+  set quality(value: Quality) {
+    this.setAttribute("quality", value);
+  }
+
+  get controls(): boolean {
+    return this.hasAttribute("controls");
+  }
+  set controls(value: boolean) {
+    this.toggleAttribute("controls", Boolean(value));
+  }
+
+  get paused(): boolean {
+    return this.hasAttribute("paused");
+  }
+  set paused(value: boolean) {
+    this.toggleAttribute("paused", Boolean(value));
+  }
+
+  get seed(): number {
+    return parseNumber(SETTINGS.seed, this.getAttribute("seed"));
+  }
+  set seed(value: number) {
+    this.setAttribute("seed", String(value));
+  }
+
+  get exposure(): number {
+    return parseNumber(SETTINGS.exposure, this.getAttribute("exposure"));
+  }
+  set exposure(value: number) {
+    this.setAttribute("exposure", String(value));
+  }
+
+  get particles(): number {
+    return parseNumber(SETTINGS.particles, this.getAttribute("particles"));
+  }
+  set particles(value: number) {
+    this.setAttribute("particles", String(value));
+  }
+
+  get maxPixelRatio(): number {
+    return parseNumber(SETTINGS["max-pixel-ratio"], this.getAttribute("max-pixel-ratio"));
+  }
+  set maxPixelRatio(value: number) {
+    this.setAttribute("max-pixel-ratio", String(value));
+  }
+
+  get assetBase(): string {
+    return this.getAttribute("asset-base") ?? "";
+  }
+  set assetBase(value: string) {
+    this.setAttribute("asset-base", value);
+  }
+
+  get poster(): string {
+    return this.getAttribute("poster") ?? "";
+  }
+  set poster(value: string) {
+    this.setAttribute("poster", value);
+  }
+
+  get alt(): string {
+    return this.getAttribute("alt") ?? SETTINGS.alt.default;
+  }
+  set alt(value: string) {
+    this.setAttribute("alt", value);
+  }
+
+  /** Techniques that can be switched off, one by one: `element.features.drift = false`. */
+  get features(): Features {
+    return this.#featureSwitches;
+  }
+  set features(value: Partial<Features>) {
+    for (const name of Object.keys(FEATURES) as Feature[]) {
+      if (value?.[name] !== undefined) this.#featureSwitches[name] = value[name];
+    }
+  }
+
+  #makeFeatureSwitches(): Features {
+    const switches = {} as Features;
+    for (const name of Object.keys(FEATURES) as Feature[]) {
+      Object.defineProperty(switches, name, {
+        enumerable: true,
+        get: () => this.#features[name],
+        set: (value: unknown) => {
+          this.#features[name] = Boolean(value);
+          this.#candle?.setFeature(name, Boolean(value));
+          this.#requestDraw();
+        },
+      });
+    }
+    return Object.seal(switches);
+  }
+
+  get camera(): Camera {
+    const player = this.#candle?.world.player;
+    if (!player) return { position: [0, 0, 0], yaw: 0, pitch: 0 };
+    const [x, y, z] = player.position;
+    return { position: [x, y, z], yaw: player.yaw, pitch: player.pitch };
+  }
+  set camera(value: Partial<Camera>) {
+    if (!this.#candle) return;
+    const camera = this.camera;
+    const { position = camera.position, yaw = camera.yaw, pitch = camera.pitch } = value ?? {};
+    moveCamera(this.#candle.world, position, Number(yaw), Number(pitch));
+    this.#reportCamera();
+    this.#requestDraw();
+  }
+
+  /** Seconds simulated since `reset()`. */
+  get currentTime(): number {
+    return this.#candle?.currentTime ?? 0;
+  }
+
+  /** Whether the candle is in the hand; else it stands in the room. */
+  get held(): boolean {
+    return this.#candle?.world.candle.isHeld ?? true;
+  }
+
+  /** Numbers of the last frame. */
+  get stats(): Stats {
+    return (
+      this.#candle?.stats ?? {
+        fps: 0,
+        frameMs: 0,
+        cpuMs: 0,
+        gpuMs: null,
+        drawCalls: 0,
+        triangles: 0,
+        particles: 0,
+        width: 0,
+        height: 0,
+        resolutionScale: 1,
+        quality: "low",
+        gpuObjects: 0,
+        gpuBytes: 0,
+      }
+    );
+  }
+
+  play(): void {
+    this.paused = false;
+  }
+
+  pause(): void {
+    this.paused = true;
+  }
+
+  /** Advances by exactly this many seconds, then draws; works while paused. */
+  step(seconds: number): void {
+    const isTime = Number.isFinite(seconds) && seconds > 0;
+    this.#candle?.step(isTime ? seconds : 0);
+    this.#afterFrame();
+  }
+
+  /** Time 0, as if new; with a seed, another chance. */
+  reset(seed?: number): void {
+    if (seed !== undefined) this.seed = seed;
+    this.#candle?.reset();
+    this.#reportCamera();
+    this.#requestDraw();
+  }
+
+  /** Puts the candle down ahead. */
+  place(): void {
+    if (this.#candle && placeCandle(this.#candle.world)) this.#emit("place", null);
+    this.#requestDraw();
+  }
+
+  /** Takes the candle up, where it is within reach. */
+  take(): void {
+    if (this.#candle && takeCandle(this.#candle.world)) this.#emit("take", null);
+    this.#requestDraw();
+  }
+
+  /** Goes in, as a click does: takes the focus and asks for the pointer. Needs `controls`. */
+  enter(): void {
+    this.#candle?.input?.enter();
+  }
+
+  /** The picture as of this moment. */
+  toBlob(type = "image/png", quality?: number): Promise<Blob> {
+    const canvas = this.#canvas;
+    return new Promise((resolve, reject) => {
+      if (!canvas || !this.#candle) {
+        reject(new Error("There is no picture yet: wait for `ready`."));
+        return;
+      }
+      // The browser owns the pixels after the task that drew them, so they are drawn again.
+      this.#candle.draw();
+      canvas.toBlob(
+        (blob) => (blob ? resolve(blob) : reject(new Error(`No picture of type ${type}.`))),
+        type,
+        quality,
+      );
+    });
+  }
+
+  /** Linear RGB of canvas pixels, origin top left. It waits for the GPU. */
+  readRadiance(x: number, y: number, width: number, height: number): Float32Array {
+    return this.#candle?.readRadiance(x, y, width, height) ?? new Float32Array(width * height * 3);
+  }
+
+  override addEventListener<Type extends keyof CandleFlameEventMap>(
+    type: Type,
+    listener: (this: CandleFlameElement, event: CandleFlameEventMap[Type]) => void,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  override addEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  override addEventListener(
+    type: string,
+    listener: unknown,
+    options?: boolean | AddEventListenerOptions,
+  ): void {
+    super.addEventListener(type, listener as EventListener, options);
+  }
+
+  #emit<Type extends keyof CandleFlameEventMap>(
+    type: Type,
+    detail: CandleFlameEventMap[Type]["detail"],
+  ): void {
+    this.dispatchEvent(new CustomEvent(type, { detail }));
+  }
+
+  #promiseReady(): Promise<void> {
+    const ready = new Promise<void>((resolve, reject) => {
+      this.#settleReady = { resolve, reject };
+    });
+    ready.catch(() => {}); // whoever does not await it has the event
+    return ready;
+  }
+
+  async #start(): Promise<void> {
+    this.#connection = new AbortController();
+    const { signal } = this.#connection;
+    this.#failure.hidden = true;
+    this.#showPoster(true);
+    this.#internals.states.add("loading");
+    try {
+      const canvas = this.#createCanvas(signal);
+      const models = await this.#load(signal);
+      if (signal.aborted) return closeModels(models);
+      this.#models = models;
+      this.#candle = new CandleFlame(canvas, models, this.#features, this.#options());
+      this.#candle.onFrame = () => this.#afterFrame();
+      this.#resize();
+      this.#candle.draw();
+      this.#reveal(signal);
+    } catch (error) {
+      if (!signal.aborted) this.#fail(error as Error);
+    }
+  }
+
+  #createCanvas(signal: AbortSignal): HTMLCanvasElement {
+    // A context once given back cannot be had again from the same canvas, so each life has its own.
+    const canvas = document.createElement("canvas");
+    canvas.part.add("canvas");
+    canvas.addEventListener("webglcontextlost", this.#contextLost, { signal });
+    canvas.addEventListener("webglcontextrestored", this.#contextRestored, { signal });
+    this.shadowRoot?.prepend(canvas);
+    this.#canvas = canvas;
+    return canvas;
+  }
+
+  async #load(signal: AbortSignal): Promise<Models> {
+    const { loadModel } = await import("./assets/load-model.js");
+    const shares: Record<keyof Models, number> = { room: 0, candle: 0 };
+    const load = (name: keyof Models): Promise<Model> =>
+      loadModel(new URL(MODELS[name], this.#assetRoot()).href, {
+        signal,
+        onProgress: (share) => {
+          shares[name] = Math.max(shares[name], share);
+          if (!signal.aborted) this.#showProgress((shares.room * 3 + shares.candle) / 4);
+        },
+      });
+    const loaded = await Promise.allSettled([load("room"), load("candle")]);
+    const [room, candle] = loaded.map((result) => {
+      if (result.status === "fulfilled") return result.value;
+      for (const other of loaded) if (other.status === "fulfilled") closeModel(other.value);
+      throw result.reason;
+    }) as [Model, Model];
+    return { room, candle };
+  }
+
+  #assetRoot(): string {
+    const module = new URL(".", import.meta.url).href;
+    if (this.assetBase === "") return module;
+    const base = this.assetBase.endsWith("/") ? this.assetBase : `${this.assetBase}/`;
+    return new URL(base, document.baseURI).href;
+  }
+
+  #reveal(signal: AbortSignal): void {
+    this.#progress.hidden = true;
+    this.#showPoster(false);
+    this.#internals.states.delete("loading");
+    this.#observe(signal);
+    this.#applyMotion();
+    this.#emit("load", null);
+    this.#settleReady.resolve();
+  }
+
+  #observe(signal: AbortSignal): void {
+    const size = new ResizeObserver(() => {
+      this.#resize();
+      this.#candle?.draw();
+    });
+    size.observe(this);
+    const visibility = new IntersectionObserver(([entry]) => {
+      this.#isVisible = entry?.isIntersecting ?? true;
+      this.#applyMotion();
+    });
+    visibility.observe(this);
+    const motion = matchMedia("(prefers-reduced-motion: reduce)");
+    motion.addEventListener("change", () => this.attributeChangedCallback("look"), { signal });
+    signal.addEventListener("abort", () => {
+      size.disconnect();
+      visibility.disconnect();
+    });
+  }
+
+  #stop(): void {
+    this.#release();
+    this.ready = this.#promiseReady();
+  }
+
+  #release(): void {
+    this.#connection?.abort();
+    this.#connection = null;
+    cancelAnimationFrame(this.#drawRequest);
+    this.#drawRequest = 0;
+    this.#candle?.dispose();
+    this.#candle = null;
+    if (this.#models) closeModels(this.#models);
+    this.#models = null;
+    this.#canvas?.remove();
+    this.#canvas = null;
+    this.#internals.states.clear();
+  }
+
+  /** No picture: a sentence instead, with the poster behind it. Nothing is thrown at the page. */
+  #fail(error: Error): void {
+    this.#release();
+    this.#connection = new AbortController();
+    this.#progress.hidden = true;
+    const sentence = document.createElement("p");
+    sentence.textContent = error.message;
+    this.#failure.replaceChildren(sentence);
+    this.#failure.hidden = false;
+    this.#showPoster(true);
+    this.#settleReady.reject(error);
+    this.#emit("error", { type: typeOf(error), message: error.message, cause: error });
+  }
+
+  readonly #contextLost = (event: Event): void => {
+    event.preventDefault(); // asks the browser to give it back
+    this.#candle?.pause();
+    this.#emit("contextlost", null);
+  };
+
+  readonly #contextRestored = (): void => {
+    try {
+      this.#candle?.restore();
+      this.#applyMotion();
+      this.#emit("contextrestored", null);
+    } catch (error) {
+      this.#fail(error as Error);
+    }
+  };
+
+  #options() {
+    const { look, seed, quality, exposure, particles } = this;
+    const isStill = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    return { look, seed, quality, exposure, particles, isStill };
+  }
+
+  #applyMotion(): void {
+    const candle = this.#candle;
+    if (!candle) return;
+    const isWalking = this.#internals.states.has("walking");
+    const runs = !this.paused && this.#isVisible;
+    const { states } = this.#internals;
+    if (runs !== states.has("playing")) {
+      if (runs) states.add("playing");
+      else states.delete("playing");
+      this.#emit(runs ? "play" : "pause", null);
+    }
+    if (runs) candle.play();
+    else candle.pause();
+    if (this.controls && !candle.input && this.#canvas) {
+      candle.input = new FirstPersonInput(this, this.#canvas, (isIn) => {
+        if (isIn) states.add("walking");
+        else states.delete("walking");
+      });
+    } else if (!this.controls && candle.input) {
+      candle.input.dispose();
+      candle.input = null;
+      if (isWalking) states.delete("walking");
+    }
+  }
+
+  #applyInteraction(): void {
+    this.#internals.ariaLabel = this.alt;
+    // Interactive, it is a region to enter; passive, a picture.
+    this.#internals.role = this.controls ? "application" : "img";
+    if (this.controls && !this.hasAttribute("tabindex")) this.tabIndex = 0;
+    if (!this.controls && this.getAttribute("tabindex") === "0") this.removeAttribute("tabindex");
+  }
+
+  #resize(): void {
+    if (!this.#candle) return;
+    const ratio = Math.min(devicePixelRatio, this.maxPixelRatio);
+    this.#candle.resize(
+      Math.max(1, this.clientWidth * ratio),
+      Math.max(1, this.clientHeight * ratio),
+    );
+  }
+
+  #requestDraw(): void {
+    if (!this.#candle || this.#drawRequest !== 0) return;
+    this.#drawRequest = requestAnimationFrame(() => {
+      this.#drawRequest = 0;
+      this.#candle?.draw();
+    });
+  }
+
+  #afterFrame(): void {
+    this.#reportCamera();
+  }
+
+  #reportCamera(): void {
+    const { position, yaw, pitch } = this.camera;
+    const key = `${position} ${yaw} ${pitch}`;
+    if (key === this.#shownCamera) return;
+    this.#shownCamera = key;
+    this.#emit("camerachange", null);
+  }
+
+  #showProgress(totalProgress: number): void {
+    this.#progress.hidden = false;
+    this.#progress.style.transform = `scaleX(${totalProgress})`;
+    this.#emit("progress", { totalProgress });
+  }
+
+  #showPoster(isShown: boolean): void {
+    this.#poster.hidden = !isShown || this.poster === "";
+    if (isShown && this.poster !== "") this.#poster.src = this.poster;
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "candle-flame": CandleFlameElement;
+  }
+}
+
+function closeModels({ room, candle }: Models): void {
+  closeModel(room);
+  closeModel(candle);
+}
+
+function typeOf(error: Error): ErrorType {
+  const types: Readonly<Record<string, ErrorType>> = {
+    WebGLUnavailableError: "webgl-unavailable",
+    ShaderError: "shader",
+    ContextLostError: "context-lost",
+  } satisfies Record<string, ErrorType>;
+  return types[error.name] ?? ("asset" satisfies ErrorType);
+}
+
+function camelCase(name: string): string {
+  return name.replace(/-(.)/g, (_, letter: string) => letter.toUpperCase());
+}
+
+export type { AssetError };

@@ -1,0 +1,259 @@
+import type { Model } from "./assets/model.js";
+import { Gpu } from "./gl/gpu.js";
+import type { FirstPersonInput } from "./input/first-person-input.js";
+import { candleLight } from "./light/candle-light.js";
+import { PaperRenderer } from "./render/paper/paper-renderer.js";
+import { type Tier, tierOf } from "./render/tier.js";
+import type { Features, Look, Quality } from "./settings.js";
+import { STILL } from "./world/intent.js";
+import { withCount } from "./world/particle-layer.js";
+import { advance, createWorld, currentTime, type World } from "./world/world.js";
+
+/** Longest time that a live frame makes up for, in seconds: after a hidden tab, resume. */
+const MAX_FRAME = 1 / 20;
+/** Weight of the newest frame in the running mean of frame times. */
+const SMOOTHING = 0.1;
+
+export interface Models {
+  readonly room: Model;
+  readonly candle: Model;
+}
+
+/** Everything about a candle that its owner may set at any time. */
+export interface Options {
+  readonly look: Look;
+  readonly seed: number;
+  readonly quality: Quality;
+  /** EV */
+  readonly exposure: number;
+  /** Particles alive; 0 is the look's own count. */
+  readonly particles: number;
+  /** No flicker, for those who asked their system for less motion. */
+  readonly isStill: boolean;
+}
+
+export interface Stats {
+  readonly fps: number;
+  readonly frameMs: number;
+  readonly cpuMs: number;
+  readonly gpuMs: number | null;
+  readonly drawCalls: number;
+  readonly triangles: number;
+  readonly particles: number;
+  readonly width: number;
+  readonly height: number;
+  readonly resolutionScale: number;
+  readonly quality: Tier["name"];
+  readonly gpuObjects: number;
+  readonly gpuBytes: number;
+}
+
+/**
+ * Input, world, light and renderer, put together on one canvas.
+ *
+ * The world lives as long as this does; the GPU and its renderer come and go with the context.
+ */
+export class CandleFlame {
+  world: World;
+  input: FirstPersonInput | null = null;
+  /** Called after each frame that the animation loop has drawn. */
+  onFrame: () => void = () => {};
+  readonly #canvas: HTMLCanvasElement;
+  readonly #models: Models;
+  readonly #features: Features;
+  #options: Options;
+  #gpu: Gpu;
+  #tier: Tier;
+  #renderer: PaperRenderer;
+  /** CSS size times device pixel ratio, before the tier's scale. */
+  #pixels = { width: 1, height: 1 };
+  #request = 0;
+  #lastTime = Number.NaN;
+  #frameMs = Number.NaN;
+  #cpuMs = 0;
+
+  constructor(canvas: HTMLCanvasElement, models: Models, features: Features, options: Options) {
+    this.#canvas = canvas;
+    this.#models = models;
+    this.#features = { ...features };
+    this.#options = options;
+    this.world = createWorld(options.look, options.seed);
+    this.#gpu = new Gpu(canvas);
+    this.#tier = tierOf(options.quality, this.#gpu.renderer);
+    this.#renderer = this.#createRenderer();
+  }
+
+  #createRenderer(): PaperRenderer {
+    const renderer = new PaperRenderer(this.#gpu, this.#models, this.#tier);
+    renderer.resize(this.#canvas.width, this.#canvas.height);
+    this.#follow(renderer);
+    return renderer;
+  }
+
+  #follow(renderer: PaperRenderer): void {
+    const { layers } = this.world.stage;
+    const counted =
+      this.#options.particles > 0 ? withCount(layers, this.#options.particles) : layers;
+    const drifting = this.#features.drift
+      ? counted
+      : counted.map((layer) => ({ ...layer, drift: 0 }));
+    renderer.follow(this.world, drifting);
+  }
+
+  /** After a lost context was given back: the same world, seen by a new GPU. */
+  restore(): void {
+    this.#gpu = new Gpu(this.#canvas);
+    this.#renderer = this.#createRenderer();
+    this.draw();
+  }
+
+  set options(options: Options) {
+    const { look, seed, quality, particles } = this.#options;
+    this.#options = options;
+    if (options.look !== look) this.#changeLook(options);
+    else if (options.seed !== seed) this.reset();
+    else if (options.particles !== particles) this.#follow(this.#renderer);
+    if (options.quality !== quality) {
+      this.#tier = tierOf(options.quality, this.#gpu.renderer);
+      this.#gpu.clearObjects();
+      this.#fitCanvas();
+      this.#renderer = this.#createRenderer();
+    }
+  }
+
+  /** The visitor stays where he is, at the same moment. */
+  #changeLook({ look, seed }: Options): void {
+    const { player, timeline, remainder } = this.world;
+    this.world = createWorld(look, seed, timeline.tick);
+    this.world.remainder = remainder;
+    Object.assign(this.world.player, player);
+    advance(this.world, STILL, 0);
+    this.#follow(this.#renderer);
+  }
+
+  setFeature(name: keyof Features, isOn: boolean): void {
+    this.#features[name] = isOn;
+    if (name === "drift") this.#follow(this.#renderer);
+  }
+
+  get currentTime(): number {
+    return currentTime(this.world);
+  }
+
+  /** Time 0, as if new. */
+  reset(): void {
+    this.world = createWorld(this.#options.look, this.#options.seed);
+    this.#follow(this.#renderer);
+  }
+
+  /** Device pixels that the element covers. */
+  resize(width: number, height: number): void {
+    this.#pixels = { width, height };
+    if (this.#fitCanvas()) this.#renderer.resize(this.#canvas.width, this.#canvas.height);
+  }
+
+  #fitCanvas(): boolean {
+    const { resolutionScale } = this.#tier;
+    const width = Math.max(1, Math.round(this.#pixels.width * resolutionScale));
+    const height = Math.max(1, Math.round(this.#pixels.height * resolutionScale));
+    if (width === this.#canvas.width && height === this.#canvas.height) return false;
+    this.#canvas.width = width;
+    this.#canvas.height = height;
+    return true;
+  }
+
+  /** One frame. Tests, the bench and the animation loop all come here. */
+  step(seconds: number): void {
+    const begin = performance.now();
+    advance(this.world, this.input?.read() ?? STILL, seconds);
+    this.draw();
+    this.#cpuMs = performance.now() - begin;
+  }
+
+  /** The picture of this very moment. Nothing is drawn while the context is lost. */
+  draw(): void {
+    if (this.#gpu.isLost) return;
+    this.#gpu.beginFrame();
+    const light = candleLight(this.world, this.#features, this.#options.isStill);
+    this.#renderer.render(this.world, light, {
+      features: this.#features,
+      exposure: this.#options.exposure,
+    });
+    this.#gpu.endFrame();
+  }
+
+  play(): void {
+    if (this.#request !== 0) return;
+    this.#lastTime = Number.NaN;
+    this.#request = requestAnimationFrame(this.#frame);
+  }
+
+  pause(): void {
+    cancelAnimationFrame(this.#request);
+    this.#request = 0;
+  }
+
+  readonly #frame = (milliseconds: DOMHighResTimeStamp): void => {
+    this.#request = requestAnimationFrame(this.#frame);
+    const elapsed = milliseconds - this.#lastTime;
+    this.#lastTime = milliseconds;
+    if (elapsed > 0) {
+      const mean = Number.isNaN(this.#frameMs) ? elapsed : this.#frameMs;
+      this.#frameMs = mean + (elapsed - mean) * SMOOTHING;
+    }
+    this.step(elapsed > 0 ? Math.min(elapsed / 1000, MAX_FRAME) : 0);
+    this.onFrame();
+  };
+
+  /**
+   * Linear RGB before exposure, of the frame drawn anew, rows from the top; waits for the GPU.
+   *
+   * The paper's looks draw straight to the screen's colours, so theirs is the picture decoded.
+   */
+  readRadiance(x: number, y: number, width: number, height: number): Float32Array {
+    this.draw();
+    const bytes = this.#gpu.readCanvas(x, this.#canvas.height - y - height, width, height);
+    const radiance = new Float32Array(width * height * 3);
+    const gain = 1 / this.#renderer.displayGain(this.#options.exposure);
+    for (let row = 0; row < height; row++) {
+      for (let column = 0; column < width; column++) {
+        for (let channel = 0; channel < 3; channel++) {
+          const byte = bytes[((height - 1 - row) * width + column) * 4 + channel] ?? 0;
+          radiance[(row * width + column) * 3 + channel] = decodeSrgb(byte / 255) * gain;
+        }
+      }
+    }
+    return radiance;
+  }
+
+  get stats(): Stats {
+    const { drawCalls, triangles, objectCount, bytes, timer } = this.#gpu;
+    const { width, height } = this.#canvas;
+    return {
+      fps: Number.isNaN(this.#frameMs) ? 0 : 1000 / this.#frameMs,
+      frameMs: Number.isNaN(this.#frameMs) ? 0 : this.#frameMs,
+      cpuMs: this.#cpuMs,
+      gpuMs: timer.milliseconds,
+      drawCalls,
+      triangles,
+      particles: this.#features.particles ? this.#renderer.particles : 0,
+      width,
+      height,
+      resolutionScale: this.#tier.resolutionScale,
+      quality: this.#tier.name,
+      gpuObjects: objectCount,
+      gpuBytes: bytes,
+    };
+  }
+
+  dispose(): void {
+    this.pause();
+    this.input?.dispose();
+    this.#gpu.dispose();
+  }
+}
+
+/** IEC 61966-2-1. */
+function decodeSrgb(value: number): number {
+  return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
+}

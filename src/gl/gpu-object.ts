@@ -1,0 +1,19 @@
+/** Something that lives in GPU memory: born from `Gpu`, counted by it, and gone after `dispose()`. */
+export interface GpuObject {
+  readonly label: string;
+  /** Memory it takes, in bytes, as far as WebGL lets us know. */
+  readonly bytes: number;
+  dispose(): void;
+}
+
+/** The context was lost while something was being made. It is not the maker's fault: build again. */
+export class ContextLostError extends Error {
+  override readonly name = "ContextLostError";
+}
+
+/** What a `create*` call of WebGL gave, or the reason why it gave nothing. */
+export function created<T>(gl: WebGL2RenderingContext, object: T | null, label: string): T {
+  if (object !== null && !gl.isContextLost()) return object;
+  if (gl.isContextLost()) throw new ContextLostError(`${label}: the WebGL context is lost.`);
+  throw new Error(`${label}: WebGL is out of memory.`);
+}

@@ -1,0 +1,53 @@
+/** Queries in flight: results come a few frames late. */
+const RING = 4;
+
+/**
+ * GPU time of a frame, where the driver offers `EXT_disjoint_timer_query_webgl2`.
+ *
+ * Nothing waits: `milliseconds` is that of the newest frame whose result has arrived.
+ */
+export class GpuTimer {
+  milliseconds: number | null = null;
+  readonly #gl: WebGL2RenderingContext;
+  readonly #extension: { TIME_ELAPSED_EXT: number; GPU_DISJOINT_EXT: number } | null;
+  readonly #pending: WebGLQuery[] = [];
+  #isRunning = false;
+
+  constructor(gl: WebGL2RenderingContext) {
+    this.#gl = gl;
+    this.#extension = gl.getExtension("EXT_disjoint_timer_query_webgl2");
+  }
+
+  begin(): void {
+    if (!this.#extension) return;
+    this.#collect(this.#extension.GPU_DISJOINT_EXT);
+    if (this.#pending.length >= RING) return;
+    const query = this.#gl.createQuery();
+    if (!query) return;
+    this.#gl.beginQuery(this.#extension.TIME_ELAPSED_EXT, query);
+    this.#pending.push(query);
+    this.#isRunning = true;
+  }
+
+  end(): void {
+    if (!this.#extension || !this.#isRunning) return;
+    this.#gl.endQuery(this.#extension.TIME_ELAPSED_EXT);
+    this.#isRunning = false;
+  }
+
+  #collect(disjointFlag: number): void {
+    const gl = this.#gl;
+    const oldest = this.#pending[0];
+    if (!oldest || !gl.getQueryParameter(oldest, gl.QUERY_RESULT_AVAILABLE)) return;
+    const nanoseconds = gl.getQueryParameter(oldest, gl.QUERY_RESULT) as number;
+    // A disjoint clock (the GPU slept, or changed its frequency) makes the number meaningless.
+    if (!gl.getParameter(disjointFlag)) this.milliseconds = nanoseconds / 1e6;
+    gl.deleteQuery(oldest);
+    this.#pending.shift();
+  }
+
+  dispose(): void {
+    for (const query of this.#pending) this.#gl.deleteQuery(query);
+    this.#pending.length = 0;
+  }
+}

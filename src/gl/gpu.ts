@@ -1,0 +1,292 @@
+import { Buffer } from "./buffer.js";
+import { created, type GpuObject } from "./gpu-object.js";
+import { GpuTimer } from "./gpu-timer.js";
+import { Program, type ProgramOptions, type ShaderSource, type UniformValue } from "./program.js";
+import { RenderTarget, type RenderTargetOptions } from "./render-target.js";
+import { Texture, type TextureOptions } from "./texture.js";
+import { UniformBlock } from "./uniform-block.js";
+import { VertexArray, type VertexArrayOptions } from "./vertex-array.js";
+
+/** Where a draw lands: a target of ours, or the canvas. */
+export type Surface = RenderTarget | "canvas";
+
+/** All that a draw depends on. What is not said has the default given here, whatever ran before. */
+export interface Draw {
+  readonly program: Program;
+  readonly target: Surface;
+  readonly vertexArray: VertexArray;
+  readonly uniforms?: Readonly<Record<string, UniformValue>>;
+  readonly textures?: Readonly<Record<string, Texture>>;
+  readonly blocks?: Readonly<Record<string, UniformBlock>>;
+  /** Default: triangles. */
+  readonly primitive?: "triangles" | "points";
+  /** Vertices or indices drawn. Default: all. */
+  readonly count?: number;
+  /** Default: replace what is there. `premultiplied`: alpha 0 adds, alpha 1 covers. */
+  readonly blend?: "replace" | "premultiplied";
+  /** Default: none. */
+  readonly depth?: "none" | "test" | "test-and-write";
+  /** Faces not drawn. Default: back. */
+  readonly cull?: "none" | "back";
+}
+
+/** A vertex shader run for the sake of its outputs, captured in `into`. */
+export interface Transform {
+  readonly program: Program;
+  readonly vertexArray: VertexArray;
+  readonly uniforms: Readonly<Record<string, UniformValue>>;
+  readonly blocks: Readonly<Record<string, UniformBlock>>;
+  readonly into: Buffer;
+  readonly count: number;
+}
+
+/** WebGL2 is missing, or refused. */
+export class WebGLUnavailableError extends Error {
+  override readonly name = "WebGLUnavailableError";
+}
+
+/**
+ * A WebGL2 context and everything that lives in it.
+ *
+ * It alone makes GPU objects, so it can count them and free them all. `draw` alone touches GL state.
+ */
+export class Gpu {
+  /** Renderer as the driver names it, for choosing a tier and for reports. */
+  readonly renderer: string;
+  readonly timer: GpuTimer;
+  drawCalls = 0;
+  triangles = 0;
+  readonly #canvas: HTMLCanvasElement;
+  readonly #gl: WebGL2RenderingContext;
+  readonly #alive = new Set<GpuObject>();
+  readonly #feedback: WebGLTransformFeedback;
+
+  constructor(canvas: HTMLCanvasElement) {
+    // Multisampling of the default framebuffer is up to the browser; ours is in render targets.
+    // It keeps its alpha: a multisampled target can only be resolved to a canvas of its own format.
+    const gl = canvas.getContext("webgl2", {
+      alpha: true,
+      antialias: false,
+      depth: true,
+      premultipliedAlpha: true,
+      powerPreference: "high-performance",
+    });
+    if (!gl) throw new WebGLUnavailableError("This browser or graphics driver offers no WebGL 2.");
+    this.#gl = gl;
+    this.#canvas = canvas;
+    // Browsers do not re-enable extensions after a context loss (KhronosGroup/WebGL #2942), so they
+    // are asked for here, where the context is born.
+    gl.getExtension("EXT_color_buffer_float");
+    gl.getExtension("EXT_color_buffer_half_float");
+    gl.getExtension("OES_texture_float_linear");
+    const names = gl.getExtension("WEBGL_debug_renderer_info");
+    this.renderer = String(gl.getParameter(names?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER));
+    this.#feedback = created(gl, gl.createTransformFeedback(), "feedback");
+    this.timer = new GpuTimer(gl);
+  }
+
+  /** GPU objects alive. */
+  get objectCount(): number {
+    return this.#alive.size;
+  }
+
+  /** Memory of the objects alive and of the canvas, in bytes. */
+  get bytes(): number {
+    let bytes = this.#canvas.width * this.#canvas.height * 8;
+    for (const object of this.#alive) bytes += object.bytes;
+    return bytes;
+  }
+
+  get isLost(): boolean {
+    return this.#gl.isContextLost();
+  }
+
+  readonly #forget = (object: GpuObject): void => {
+    this.#alive.delete(object);
+  };
+
+  #keep<T extends GpuObject>(object: T): T {
+    this.#alive.add(object);
+    return object;
+  }
+
+  program(
+    label: string,
+    vertex: ShaderSource,
+    fragment: ShaderSource,
+    options: ProgramOptions = {},
+  ): Program {
+    return this.#keep(new Program(this.#gl, label, vertex, fragment, options, this.#forget));
+  }
+
+  /** @param contents data, or a size in bytes of a buffer of zeros. */
+  buffer(
+    label: string,
+    contents: ArrayBufferView | number,
+    usage: "static" | "dynamic" | "index" = "static",
+  ): Buffer {
+    return this.#keep(new Buffer(this.#gl, label, contents, usage, this.#forget));
+  }
+
+  vertexArray(label: string, options: VertexArrayOptions): VertexArray {
+    return this.#keep(new VertexArray(this.#gl, label, options, this.#forget));
+  }
+
+  texture(options: TextureOptions): Texture {
+    return this.#keep(new Texture(this.#gl, options, this.#forget));
+  }
+
+  renderTarget(options: RenderTargetOptions): RenderTarget {
+    return this.#keep(new RenderTarget(this.#gl, options, this.#forget));
+  }
+
+  /** A std140 block laid out as `program` declares it. */
+  uniformBlock(program: Program, name: string): UniformBlock {
+    return this.#keep(new UniformBlock(this.#gl, program, name, this.#forget));
+  }
+
+  /** Starts the counts of a frame. */
+  beginFrame(): void {
+    this.drawCalls = 0;
+    this.triangles = 0;
+    this.timer.begin();
+  }
+
+  endFrame(): void {
+    this.timer.end();
+  }
+
+  clear(target: Surface, color: readonly [number, number, number, number]): void {
+    const gl = this.#gl;
+    this.#bind(target);
+    gl.depthMask(true);
+    gl.clearColor(...color);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+  }
+
+  draw({
+    program,
+    target,
+    vertexArray,
+    uniforms = {},
+    textures = {},
+    blocks = {},
+    primitive = "triangles",
+    count = vertexArray.count,
+    blend = "replace",
+    depth = "none",
+    cull = "back",
+  }: Draw): void {
+    const gl = this.#gl;
+    this.#bind(target);
+    this.#use(program, uniforms, textures, blocks);
+    if (blend === "replace") {
+      gl.disable(gl.BLEND);
+    } else {
+      gl.enable(gl.BLEND);
+      gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    }
+    if (depth === "none") {
+      gl.disable(gl.DEPTH_TEST);
+    } else {
+      gl.enable(gl.DEPTH_TEST);
+      gl.depthMask(depth === "test-and-write");
+    }
+    if (cull === "back") gl.enable(gl.CULL_FACE);
+    else gl.disable(gl.CULL_FACE);
+    gl.bindVertexArray(vertexArray.handle);
+    const mode = primitive === "points" ? gl.POINTS : gl.TRIANGLES;
+    if (vertexArray.indexType) {
+      const type = vertexArray.indexType === "uint16" ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT;
+      gl.drawElements(mode, count, type, 0);
+    } else {
+      gl.drawArrays(mode, 0, count);
+    }
+    gl.bindVertexArray(null);
+    this.drawCalls++;
+    if (primitive === "triangles") this.triangles += count / 3;
+  }
+
+  transform({ program, vertexArray, uniforms, blocks, into, count }: Transform): void {
+    const gl = this.#gl;
+    this.#use(program, uniforms, {}, blocks);
+    gl.bindVertexArray(vertexArray.handle);
+    gl.enable(gl.RASTERIZER_DISCARD);
+    gl.bindTransformFeedback(gl.TRANSFORM_FEEDBACK, this.#feedback);
+    gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, into.handle);
+    gl.beginTransformFeedback(gl.POINTS);
+    gl.drawArrays(gl.POINTS, 0, count);
+    gl.endTransformFeedback();
+    gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, null);
+    gl.bindTransformFeedback(gl.TRANSFORM_FEEDBACK, null);
+    gl.disable(gl.RASTERIZER_DISCARD);
+    gl.bindVertexArray(null);
+    this.drawCalls++;
+  }
+
+  /** Copies a multisampled target of the canvas's size to the canvas. */
+  resolve(target: RenderTarget): void {
+    const gl = this.#gl;
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, target.framebuffer);
+    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
+    const { width, height } = target;
+    gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, null);
+  }
+
+  /**
+   * Pixels of the canvas, 8-bit RGBA, rows from the bottom up. Waits for the GPU.
+   *
+   * Only in the task that drew them: afterwards the browser owns the picture.
+   */
+  readCanvas(x: number, y: number, width: number, height: number): Uint8Array {
+    const gl = this.#gl;
+    const pixels = new Uint8Array(width * height * 4);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.readPixels(x, y, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    return pixels;
+  }
+
+  #bind(target: Surface): void {
+    const gl = this.#gl;
+    const isCanvas = target === "canvas";
+    gl.bindFramebuffer(gl.FRAMEBUFFER, isCanvas ? null : target.framebuffer);
+    if (isCanvas) gl.viewport(0, 0, this.#canvas.width, this.#canvas.height);
+    else gl.viewport(0, 0, target.width, target.height);
+  }
+
+  #use(
+    program: Program,
+    uniforms: Readonly<Record<string, UniformValue>>,
+    textures: Readonly<Record<string, Texture>>,
+    blocks: Readonly<Record<string, UniformBlock>>,
+  ): void {
+    const gl = this.#gl;
+    gl.useProgram(program.handle);
+    for (const name in uniforms) program.set(name, uniforms[name]!);
+    for (const [name, unit] of program.samplers) {
+      const texture = textures[name];
+      if (!texture) throw new Error(`${program.label} needs a texture ${name}.`);
+      gl.activeTexture(gl.TEXTURE0 + unit);
+      gl.bindTexture(gl.TEXTURE_2D, texture.handle);
+    }
+    for (const [name, binding] of program.blocks) {
+      const block = blocks[name];
+      if (!block) throw new Error(`${program.label} needs a block ${name}.`);
+      gl.bindBufferBase(gl.UNIFORM_BUFFER, binding, block.handle);
+    }
+  }
+
+  /** Frees every object, and keeps the context for others. */
+  clearObjects(): void {
+    for (const object of this.#alive) object.dispose();
+  }
+
+  /** Frees everything and gives the context back, so that the page's next one does not evict another. */
+  dispose(): void {
+    this.clearObjects();
+    this.timer.dispose();
+    this.#gl.deleteTransformFeedback(this.#feedback);
+    this.#gl.getExtension("WEBGL_lose_context")?.loseContext();
+  }
+}

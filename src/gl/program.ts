@@ -1,0 +1,184 @@
+import { ContextLostError, created, type GpuObject } from "./gpu-object.js";
+
+/** A shader stage after its includes; `files[n]` is what `#line _ n` refers to. */
+export interface ShaderSource {
+  readonly source: string;
+  readonly files: readonly string[];
+}
+
+export interface ProgramOptions {
+  /** Compile-time variants: `{ SHADOW_TAPS: 12 }` becomes `#define SHADOW_TAPS 12`. */
+  readonly defines?: Readonly<Record<string, number>>;
+  /** Outputs of the vertex stage that transform feedback captures, interleaved in this order. */
+  readonly feedback?: readonly string[];
+}
+
+export type UniformValue = number | Float32Array | Int32Array | Uint32Array | readonly number[];
+
+/** Sends a value to one uniform of the program in use. */
+type Uniform = (value: UniformValue) => void;
+
+/** A shader that does not compile or link. The message names the shader's own file and line. */
+export class ShaderError extends Error {
+  override readonly name = "ShaderError";
+}
+
+function compile(
+  gl: WebGL2RenderingContext,
+  type: number,
+  { source, files }: ShaderSource,
+  defines: Readonly<Record<string, number>>,
+): WebGLShader {
+  const shader = created(gl, gl.createShader(type), files[0] ?? "shader");
+  const lines = Object.entries(defines).map(([name, value]) => `#define ${name} ${value}`);
+  const [version = "", ...rest] = source.split("\n");
+  gl.shaderSource(shader, [version, ...lines, "#line 2 0", ...rest].join("\n"));
+  gl.compileShader(shader);
+  return shader;
+}
+
+function uniformOf(
+  gl: WebGL2RenderingContext,
+  location: WebGLUniformLocation,
+  type: number,
+): Uniform {
+  const list = (value: UniformValue) => (typeof value === "number" ? [value] : value);
+  const setters: Readonly<Record<number, Uniform>> = {
+    [gl.FLOAT]: (value) => gl.uniform1fv(location, list(value)),
+    [gl.FLOAT_VEC2]: (value) => gl.uniform2fv(location, list(value)),
+    [gl.FLOAT_VEC3]: (value) => gl.uniform3fv(location, list(value)),
+    [gl.FLOAT_VEC4]: (value) => gl.uniform4fv(location, list(value)),
+    [gl.FLOAT_MAT3]: (value) => gl.uniformMatrix3fv(location, false, list(value)),
+    [gl.FLOAT_MAT4]: (value) => gl.uniformMatrix4fv(location, false, list(value)),
+    [gl.INT]: (value) => gl.uniform1iv(location, list(value)),
+    [gl.UNSIGNED_INT]: (value) => gl.uniform1uiv(location, list(value)),
+    [gl.UNSIGNED_INT_VEC4]: (value) => gl.uniform4uiv(location, list(value)),
+  };
+  const setter = setters[type];
+  if (!setter) throw new Error(`Uniforms of type 0x${type.toString(16)} are not supported.`);
+  return setter;
+}
+
+// ANGLE, Mesa and Apple all write "ERROR: file:line: text".
+function explain(log: string, { files }: ShaderSource): string {
+  return log.replace(
+    /ERROR:\s*(\d+):(\d+):/g,
+    (_, file: string, line: string) => `shaders/${files[Number(file)] ?? files[0]}:${line}:`,
+  );
+}
+
+/** A linked program that knows its uniforms by name. */
+export class Program implements GpuObject {
+  readonly label: string;
+  readonly bytes = 0;
+  readonly handle: WebGLProgram;
+  readonly #gl: WebGL2RenderingContext;
+  readonly #uniforms = new Map<string, Uniform>();
+  readonly #samplers = new Map<string, number>();
+  readonly #blocks = new Map<string, number>();
+  readonly #forget: (object: GpuObject) => void;
+
+  constructor(
+    gl: WebGL2RenderingContext,
+    label: string,
+    vertex: ShaderSource,
+    fragment: ShaderSource,
+    { defines = {}, feedback = [] }: ProgramOptions,
+    forget: (object: GpuObject) => void,
+  ) {
+    this.#gl = gl;
+    this.#forget = forget;
+    const variant = Object.entries(defines).map(([name, value]) => `${name}=${value}`);
+    this.label = [label, ...variant].join(" ");
+    this.handle = created(gl, gl.createProgram(), this.label);
+    const stages = [
+      { source: vertex, shader: compile(gl, gl.VERTEX_SHADER, vertex, defines) },
+      { source: fragment, shader: compile(gl, gl.FRAGMENT_SHADER, fragment, defines) },
+    ];
+    for (const { shader } of stages) gl.attachShader(this.handle, shader);
+    if (feedback.length > 0) {
+      gl.transformFeedbackVaryings(this.handle, [...feedback], gl.INTERLEAVED_ATTRIBS);
+    }
+    gl.linkProgram(this.handle);
+    const linked = gl.getProgramParameter(this.handle, gl.LINK_STATUS) as boolean;
+    const log = linked ? "" : this.#reasonOfFailure(stages);
+    for (const { shader } of stages) gl.deleteShader(shader);
+    if (!linked) {
+      gl.deleteProgram(this.handle);
+      if (gl.isContextLost()) throw new ContextLostError(`${this.label}: the context is lost.`);
+      throw new ShaderError(`${this.label}: ${log}`);
+    }
+    this.#reflect();
+  }
+
+  #reasonOfFailure(stages: { source: ShaderSource; shader: WebGLShader }[]): string {
+    const gl = this.#gl;
+    for (const { source, shader } of stages) {
+      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) {
+        return explain(gl.getShaderInfoLog(shader) ?? "does not compile", source);
+      }
+    }
+    return gl.getProgramInfoLog(this.handle) ?? "does not link";
+  }
+
+  #reflect(): void {
+    const gl = this.#gl;
+    const samplers: number[] = [
+      gl.SAMPLER_2D,
+      gl.SAMPLER_3D,
+      gl.SAMPLER_CUBE,
+      gl.SAMPLER_2D_ARRAY,
+      gl.SAMPLER_2D_SHADOW,
+      gl.SAMPLER_CUBE_SHADOW,
+      gl.UNSIGNED_INT_SAMPLER_2D,
+    ];
+    gl.useProgram(this.handle);
+    const count = gl.getProgramParameter(this.handle, gl.ACTIVE_UNIFORMS) as number;
+    for (let i = 0; i < count; i++) {
+      const active = gl.getActiveUniform(this.handle, i)!;
+      const location = gl.getUniformLocation(this.handle, active.name);
+      if (location === null) continue; // a member of a block
+      if (samplers.includes(active.type)) {
+        gl.uniform1i(location, this.#samplers.size);
+        this.#samplers.set(active.name, this.#samplers.size);
+        continue;
+      }
+      const name = active.name.replace(/\[0\]$/, "");
+      this.#uniforms.set(name, uniformOf(gl, location, active.type));
+    }
+    const blocks = gl.getProgramParameter(this.handle, gl.ACTIVE_UNIFORM_BLOCKS) as number;
+    for (let i = 0; i < blocks; i++) {
+      gl.uniformBlockBinding(this.handle, i, i);
+      this.#blocks.set(gl.getActiveUniformBlockName(this.handle, i)!, i);
+    }
+  }
+
+  /** Texture unit of each sampler. */
+  get samplers(): ReadonlyMap<string, number> {
+    return this.#samplers;
+  }
+
+  /** Binding point of each uniform block. */
+  get blocks(): ReadonlyMap<string, number> {
+    return this.#blocks;
+  }
+
+  /** Names of the loose uniforms. */
+  get uniforms(): readonly string[] {
+    return [...this.#uniforms.keys()];
+  }
+
+  /** Sets a loose uniform of the program in use. An unknown name is the caller's mistake, so it throws. */
+  set(name: string, value: UniformValue): void {
+    const uniform = this.#uniforms.get(name);
+    if (!uniform) {
+      throw new Error(`${this.label} has no uniform ${name}; it has ${this.uniforms.join(", ")}.`);
+    }
+    uniform(value);
+  }
+
+  dispose(): void {
+    this.#gl.deleteProgram(this.handle);
+    this.#forget(this);
+  }
+}

@@ -1,0 +1,49 @@
+import type { Features } from "../settings.js";
+import type { Vec3 } from "../world/bounds.js";
+import { currentTime, flameCentre, type World } from "../world/world.js";
+
+/** What the flame is to a surface: a point that shines. */
+export interface PointLight {
+  /** Metres, in the room. */
+  readonly position: Vec3;
+  /** Linear Rec. 709; the paper's looks have no unit of light. */
+  readonly color: Vec3;
+  /** Whether it falls off with distance, by the paper's formula. */
+  readonly attenuates: boolean;
+}
+
+/** The paper's warm light. */
+const WARM = [2.0, 1.0, 0.5] as const;
+/** Its "before": plain white, as bright to the eye. */
+const WHITE = [1.2, 1.2, 1.2] as const;
+
+/**
+ * Flicker of the paper's looks, `I = I_base + ΔI sin(ωt)`.
+ *
+ * Far below what WCAG 2.3.1 calls a flash: ±4 % is less than half of its 10 % of full white.
+ */
+const FLICKER = 0.04;
+/** rad/s */
+const FLICKER_RATE = 2 * Math.PI * 2.3;
+
+/** The light of the paper's flame: amid its glowing particles, and moving with them. */
+export function candleLight(world: World, features: Features, isStill: boolean): PointLight {
+  const { stage } = world;
+  const { flame } = world.shown;
+  if (world.look === "original") {
+    const [x, y, z] = flame;
+    return { position: [x, y + 0.3 * stage.flameScale, z], color: [...WHITE], attenuates: false };
+  }
+  const centre = flameCentre(world, [0, 0, 0]);
+  const varies = features.flicker && !isStill;
+  const flicker = varies ? 1 + FLICKER * Math.sin(FLICKER_RATE * currentTime(world)) : 1;
+  return {
+    position: [
+      flame[0] + centre[0] * stage.flameScale,
+      flame[1] + centre[1] * stage.flameScale,
+      flame[2] + centre[2] * stage.flameScale,
+    ],
+    color: [WARM[0] * flicker, WARM[1] * flicker, WARM[2] * flicker],
+    attenuates: features.attenuation,
+  };
+}

@@ -1,0 +1,190 @@
+import candleFrag from "../../../shaders/paper/candle.frag";
+import candleVert from "../../../shaders/paper/candle.vert";
+import particleFrag from "../../../shaders/paper/particle.frag";
+import particleVert from "../../../shaders/paper/particle.vert";
+import roomFrag from "../../../shaders/paper/room.frag";
+import roomVert from "../../../shaders/paper/room.vert";
+import type { Model } from "../../assets/model.js";
+import type { Gpu, Surface as Target } from "../../gl/gpu.js";
+import type { Program } from "../../gl/program.js";
+import type { RenderTarget } from "../../gl/render-target.js";
+import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { PointLight } from "../../light/candle-light.js";
+import type { Features } from "../../settings.js";
+import type { ParticleLayer } from "../../world/particle-layer.js";
+import { layerKey } from "../../world/particles.js";
+import type { World } from "../../world/world.js";
+import { clipFromWorld, projectionScale } from "../camera.js";
+import { ParticleSystem, particleProgram } from "../particle-system.js";
+import { type Surface, uploadModel } from "../surface.js";
+import type { Tier } from "../tier.js";
+
+/** The paper's light has no unit; this shows its white wall at arm's length just below white. */
+const EXPOSURE = 0.62;
+/** Light of one particle where it is brightest, in display units. */
+const GLOW = { core: 0.085, haze: 0.012 } as const;
+
+export interface PaperModels {
+  readonly room: Model;
+  readonly candle: Model;
+}
+
+/** What the picture depends on beside the world. */
+export interface View {
+  readonly features: Features;
+  /** EV */
+  readonly exposure: number;
+}
+
+/**
+ * The paper's forward frame: room, candle, particles, straight to the screen's colours.
+ *
+ * "Dynamic Fire Effects Using OpenGL Rasterization Techniques": `paper` is its final product,
+ * `original` its "before".
+ */
+export class PaperRenderer {
+  readonly #gpu: Gpu;
+  readonly #tier: Tier;
+  readonly #frame: UniformBlock;
+  readonly #light: UniformBlock;
+  readonly #roomProgram: Program;
+  readonly #candleProgram: Program;
+  readonly #particleProgram: Program;
+  readonly #updateProgram: Program;
+  readonly #room: readonly Surface[];
+  readonly #candle: readonly Surface[];
+  #systems: ParticleSystem[] = [];
+  #target: RenderTarget | null = null;
+  #size = { width: 1, height: 1 };
+
+  constructor(gpu: Gpu, { room, candle }: PaperModels, tier: Tier) {
+    this.#gpu = gpu;
+    this.#tier = tier;
+    this.#roomProgram = gpu.program("paper/room", roomVert, roomFrag);
+    this.#candleProgram = gpu.program("paper/candle", candleVert, candleFrag);
+    this.#particleProgram = gpu.program("paper/particle", particleVert, particleFrag);
+    this.#updateProgram = particleProgram(gpu);
+    this.#frame = gpu.uniformBlock(this.#roomProgram, "Frame");
+    this.#light = gpu.uniformBlock(this.#roomProgram, "Light");
+    this.#room = uploadModel(gpu, room, tier);
+    this.#candle = uploadModel(gpu, candle, tier);
+  }
+
+  /** The picture's size in pixels; the canvas has it already. */
+  resize(width: number, height: number): void {
+    this.#size = { width, height };
+    this.#target?.dispose();
+    const { samples } = this.#tier;
+    this.#target =
+      samples > 0 ? this.#gpu.renderTarget({ label: "frame", width, height, samples }) : null;
+  }
+
+  /** Other particles: those of a new world, or more of them. They catch up in the next frame. */
+  follow({ seed }: World, layers: readonly ParticleLayer[]): void {
+    for (const system of this.#systems) system.dispose();
+    this.#systems = layers.map(
+      (layer, i) => new ParticleSystem(this.#gpu, this.#updateProgram, layer, layerKey(seed, i)),
+    );
+  }
+
+  /** Particle slots at work in the last frame. */
+  get particles(): number {
+    return this.#systems.reduce((sum, { count }) => sum + count, 0);
+  }
+
+  /** Factor from the paper's light to the screen's, at an exposure in EV. */
+  displayGain(exposure: number): number {
+    return EXPOSURE * 2 ** exposure;
+  }
+
+  render(world: World, light: PointLight, view: View): void {
+    const gpu = this.#gpu;
+    const target = this.#target ?? "canvas";
+    const { features } = view;
+    this.#updateBlocks(world, light, view);
+    if (features.particles) for (const system of this.#systems) system.follow(world.timeline);
+    gpu.clear(target, [0, 0, 0, 1]);
+    this.#drawRoom(target);
+    if (features.candle) this.#drawCandle(target, world);
+    if (features.particles) this.#drawParticles(target, world, features);
+    if (this.#target) gpu.resolve(this.#target);
+  }
+
+  #updateBlocks(world: World, light: PointLight, { features, exposure }: View): void {
+    const { player, look, shown } = world;
+    const { width, height } = this.#size;
+    this.#frame.update({
+      clipFromWorld: clipFromWorld(shown.eye, player.yaw, player.pitch, width / height),
+      eyePosition: shown.eye,
+      exposure: this.displayGain(exposure),
+      viewport: [width, height],
+      projectionScale: projectionScale(height),
+      normalMaps: features.normalMaps && look === "paper" ? 1 : 0,
+    });
+    this.#light.update({
+      position: light.position,
+      attenuates: light.attenuates ? 1 : 0,
+      color: light.color,
+      flatShading: look === "original" ? 1 : 0,
+    });
+  }
+
+  #drawRoom(target: Target): void {
+    for (const { vertexArray, textures, baseColor } of this.#room) {
+      this.#gpu.draw({
+        program: this.#roomProgram,
+        target,
+        vertexArray,
+        textures,
+        uniforms: { uBaseColor: baseColor },
+        blocks: { Frame: this.#frame, Light: this.#light },
+        depth: "test-and-write",
+      });
+    }
+  }
+
+  #drawCandle(target: Target, { shown, stage }: World): void {
+    const place = [shown.foot[0], shown.foot[1], shown.foot[2], stage.candleScale];
+    for (const { vertexArray, textures, baseColor } of this.#candle) {
+      this.#gpu.draw({
+        program: this.#candleProgram,
+        target,
+        vertexArray,
+        textures,
+        uniforms: { uBaseColor: baseColor, uWorldFromModel: place },
+        blocks: { Frame: this.#frame, Light: this.#light },
+        depth: "test-and-write",
+      });
+    }
+  }
+
+  #drawParticles(target: Target, world: World, features: Features): void {
+    const { stage, shown, look, remainder } = world;
+    const isFinal = look === "paper";
+    const place = [shown.flame[0], shown.flame[1], shown.flame[2], stage.flameScale];
+    for (const system of this.#systems) {
+      const isHaze = system.layer.name === "haze";
+      if (isHaze ? !features.hazeLayer : !features.core) continue;
+      this.#gpu.draw({
+        program: this.#particleProgram,
+        target,
+        vertexArray: system.vertexArray,
+        primitive: "points",
+        count: system.count,
+        uniforms: {
+          uWorldFromFlame: place,
+          uAhead: remainder,
+          uSize: system.layer.size * stage.flameScale,
+          uFading: isFinal ? 1 : 0,
+          uGradient: isFinal && features.gradient ? 1 : 0,
+          uHaze: isHaze ? 1 : 0,
+          uGlow: GLOW[system.layer.name],
+        },
+        blocks: { Frame: this.#frame },
+        blend: "premultiplied",
+        depth: "test",
+        cull: "none",
+      });
+    }
+  }
+}

@@ -1,0 +1,137 @@
+/**
+ * Every tunable of the element, once: the attribute's name, unit, range and default.
+ *
+ * The element, the page, the documentation and the tests read this table. A value that cannot be
+ * parsed or lies outside its range becomes the nearest legal value, or the default, as with HTML's
+ * own attributes.
+ */
+export interface NumberSetting {
+  readonly kind: "number";
+  readonly default: number;
+  readonly min: number;
+  readonly max: number;
+  readonly integer?: boolean;
+  /** SI, or what the attribute says at the DOM's edge. */
+  readonly unit: string;
+  readonly meaning: string;
+}
+
+export interface ChoiceSetting<Choice extends string = string> {
+  readonly kind: "choice";
+  readonly choices: readonly Choice[];
+  readonly default: Choice;
+  readonly meaning: string;
+}
+
+export interface FlagSetting {
+  readonly kind: "flag";
+  readonly meaning: string;
+}
+
+export interface TextSetting {
+  readonly kind: "text";
+  readonly default: string;
+  readonly meaning: string;
+}
+
+function choice<const Choice extends string>(
+  choices: readonly [Choice, ...Choice[]],
+  meaning: string,
+): ChoiceSetting<Choice> {
+  return { kind: "choice", choices, default: choices[0], meaning };
+}
+
+function number(
+  unit: string,
+  [initial, min, max]: readonly [number, number, number],
+  meaning: string,
+): NumberSetting {
+  return { kind: "number", unit, default: initial, min, max, meaning };
+}
+
+export const SETTINGS = {
+  look: choice(
+    ["paper", "original"],
+    "Which renderer: the paper's final product, or its “before”.",
+  ),
+  quality: choice(
+    ["auto", "low", "medium", "high", "ultra"],
+    "Resolution and multisampling; auto chooses by the renderer.",
+  ),
+  controls: {
+    kind: "flag",
+    meaning: "First-person controls; without it the element takes no input.",
+  },
+  paused: {
+    kind: "flag",
+    meaning: "No time passes; a frame is drawn only when something changes.",
+  },
+  seed: {
+    ...number("", [1, 0, 0xffffffff], "Same seed, same steps, same pixels on the same renderer."),
+    integer: true,
+  },
+  exposure: number("EV", [0, -8, 8], "Exposure compensation."),
+  particles: {
+    ...number(
+      "",
+      [0, 0, 1_000_000],
+      "Particles that the flame keeps alive; 0 is the look's own count.",
+    ),
+    integer: true,
+  },
+  "max-pixel-ratio": number("", [2, 0.25, 4], "Cap on device pixels per CSS pixel."),
+  "asset-base": {
+    kind: "text",
+    default: "",
+    meaning: "URL that models and textures are fetched from.",
+  },
+  poster: {
+    kind: "text",
+    default: "",
+    meaning: "Image shown until the first frame, or without WebGL 2.",
+  },
+  alt: {
+    kind: "text",
+    default: "A burning candle in a dark log room",
+    meaning: "Accessible name.",
+  },
+} as const satisfies Record<string, NumberSetting | ChoiceSetting | FlagSetting | TextSetting>;
+
+export type SettingName = keyof typeof SETTINGS;
+export type Look = (typeof SETTINGS.look.choices)[number];
+export type Quality = (typeof SETTINGS.quality.choices)[number];
+
+/** What an attribute's text means under its setting. `null` is an absent attribute. */
+export function parseNumber(setting: NumberSetting, text: string | null): number {
+  const value = Number.parseFloat(text ?? "");
+  if (!Number.isFinite(value)) return setting.default;
+  const inRange = Math.min(Math.max(value, setting.min), setting.max);
+  return setting.integer ? Math.trunc(inRange) : inRange;
+}
+
+export function parseChoice<Choice extends string>(
+  setting: ChoiceSetting<Choice>,
+  text: string | null,
+): Choice {
+  const word = text?.trim().toLowerCase();
+  return setting.choices.find((known) => known === word) ?? setting.default;
+}
+
+/** What a student may switch off, one technique at a time, to see its effect and its cost. */
+export const FEATURES = {
+  particles: "The flame's particles: update and drawing.",
+  core: "The core layer: small, bright, fast, short-lived.",
+  hazeLayer: "The haze layer: larger, slower, longer-lived, translucent.",
+  gradient: "Sprites shade from a bright centre to a transparent rim, and with height.",
+  attenuation: "Light falls off with distance.",
+  drift: "Particles are pushed sideways at random.",
+  flicker: "The light varies with time.",
+  normalMaps: "Relief of walls and wax.",
+  candle: "The candle itself.",
+} as const;
+export type Feature = keyof typeof FEATURES;
+export type Features = Record<Feature, boolean>;
+
+export function allFeatures(): Features {
+  return Object.fromEntries(Object.keys(FEATURES).map((name) => [name, true])) as Features;
+}

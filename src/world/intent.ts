@@ -1,0 +1,24 @@
+/** What the visitor wants, as of one frame. Input devices make it; the world obeys it. */
+export interface Intent {
+  /** Walking, -1 to 1 along and across the line of sight. */
+  readonly forward: number;
+  readonly right: number;
+  readonly runs: boolean;
+  /** Turning by keys or stick, -1 to 1, left positive. */
+  readonly turn: number;
+  /** Turned since the last frame, radians: yaw left positive, pitch up positive. */
+  readonly yaw: number;
+  readonly pitch: number;
+  /** The candle is to be put down, or taken up again. */
+  readonly placesOrTakes: boolean;
+}
+
+export const STILL: Intent = {
+  forward: 0,
+  right: 0,
+  runs: false,
+  turn: 0,
+  yaw: 0,
+  pitch: 0,
+  placesOrTakes: false,
+};

@@ -1,0 +1,103 @@
+import { GROUPS, type ParticleLayer } from "./particle-layer.js";
+import { pcg, signed, unit } from "./random.js";
+import { MEMORY, TICK, type Timeline } from "./timeline.js";
+
+/** Floats per particle: position, remaining life, velocity, life at birth. */
+export const FLOATS = 8;
+
+/** A number that makes one layer's chances differ from another's. */
+export function layerKey(seed: number, layer: number): number {
+  return pcg((seed + pcg(layer)) >>> 0);
+}
+
+/** What the kernel must know about one tick of one layer, beside the timeline. */
+export interface Births {
+  /** Number of the first birth, counted from time 0. */
+  readonly first: number;
+  readonly count: number;
+  /** Age of the first-born at the end of the tick, seconds; each later one is `1 / rate` younger. */
+  readonly age: number;
+}
+
+/** Births whose moment lies in (tick, tick + 1]. */
+export function birthsOf(layer: ParticleLayer, tick: number): Births {
+  // Counted from the start of the warm-up, so that no index is negative.
+  const end = layer.rate * (tick + 1 + MEMORY) * TICK;
+  const first = Math.floor(layer.rate * (tick + MEMORY) * TICK) + 1;
+  return { first, count: Math.floor(end) - first + 1, age: (end - first) / layer.rate };
+}
+
+/**
+ * The particle kernel on the CPU: twin of `shaders/particles/update.vert`, line by line.
+ *
+ * It is the oracle that the shader is tested against, and it carries the few particles whose
+ * whereabouts the CPU must know. Slots are ordered by group; `slots` counts from the first.
+ */
+export class Particles {
+  readonly layer: ParticleLayer;
+  readonly state: Float32Array;
+  readonly #key: number;
+  #tick: number;
+
+  constructor(layer: ParticleLayer, key: number, slots = layer.capacity) {
+    this.layer = layer;
+    this.#key = key;
+    this.#tick = Number.NEGATIVE_INFINITY;
+    this.state = new Float32Array(slots * FLOATS);
+  }
+
+  /** Catches up with the timeline. */
+  follow(timeline: Timeline): void {
+    this.#tick = Math.max(this.#tick, timeline.tick - MEMORY);
+    for (; this.#tick < timeline.tick; this.#tick++) this.#step(timeline, this.#tick);
+  }
+
+  #step(timeline: Timeline, tick: number): void {
+    const { layer, state } = this;
+    const { first, count, age: eldest } = birthsOf(layer, tick);
+    const groupSize = layer.capacity / GROUPS;
+    const firstSlot = first % layer.capacity;
+    const groups = timeline.groups(tick);
+    const tickKey = pcg((tick + this.#key) >>> 0);
+    const dragged = 1 - Math.exp(-layer.drag * TICK);
+    const stays = 1 - layer.follow;
+    for (let slot = 0, i = 0; i < state.length; slot++, i += FLOATS) {
+      const group = Math.floor(slot / groupSize);
+      const turn = (slot - group * groupSize) * GROUPS + group;
+      const birth = (turn + layer.capacity - firstSlot) % layer.capacity;
+      if (birth < count && group < groups) {
+        this.#bear(i, (first + birth) >>> 0, eldest - birth / layer.rate);
+        continue;
+      }
+      if (state[i + 3]! <= 0) continue;
+      const hash = pcg((slot + tickKey) >>> 0);
+      state[i + 4]! += layer.drift * TICK * signed(hash);
+      state[i + 5]! += layer.buoyancy * TICK;
+      state[i + 6]! += layer.drift * TICK * signed(pcg(hash));
+      for (let axis = 0; axis < 3; axis++) {
+        const wind = axis === 1 ? 0 : (timeline.wind(tick, axis) - state[i + 4 + axis]!) * dragged;
+        state[i + 4 + axis]! += wind;
+        state[i + axis]! += state[i + 4 + axis]! * TICK - timeline.way(tick, axis) * stays;
+      }
+      state[i + 3]! -= TICK;
+    }
+  }
+
+  #bear(i: number, birth: number, age: number): void {
+    const { layer, state } = this;
+    const h0 = pcg((birth + this.#key) >>> 0);
+    const h1 = pcg(h0);
+    const h2 = pcg(h1);
+    const h3 = pcg(h2);
+    const h4 = pcg(h3);
+    const [slow, fast] = layer.speed;
+    state[i + 4] = layer.sideSpeed * signed(h2);
+    state[i + 5] = slow + (fast - slow) * unit(h3);
+    state[i + 6] = layer.sideSpeed * signed(h4);
+    state[i + 7] = layer.life;
+    state[i] = layer.spawnRadius * signed(h0) + state[i + 4]! * age;
+    state[i + 1] = layer.spawnHeight + state[i + 5]! * age;
+    state[i + 2] = layer.spawnRadius * signed(h1) + state[i + 6]! * age;
+    state[i + 3] = layer.life - age;
+  }
+}

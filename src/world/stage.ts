@@ -1,0 +1,57 @@
+import type { Look } from "../settings.js";
+import type { Bounds } from "./bounds.js";
+import { ORIGINAL_LAYERS, PAPER_LAYERS, type ParticleLayer } from "./particle-layer.js";
+import type { Gait } from "./player.js";
+
+/** What a look asks of the world: the room's size, and how candle and flame stand in it. Metres. */
+export interface Stage {
+  readonly room: Bounds;
+  /** Whether walls stop the visitor. */
+  readonly isSolid: boolean;
+  readonly gait: Gait;
+  readonly eyeHeight: number;
+  /** Where the visitor starts, and the way he faces. */
+  readonly spawn: readonly [number, number, number];
+  readonly yaw: number;
+  /** Metres per unit of the candle's model, which is 1 high. */
+  readonly candleScale: number;
+  /** Metres per unit of the particle layers. */
+  readonly flameScale: number;
+  /** Height of the flame's foot above the candle's, in units of the model. */
+  readonly wick: number;
+  /** Foot of the candle: seen from the eye when held (right, up, ahead), or in the room. */
+  readonly hold: readonly [number, number, number];
+  readonly stand: readonly [number, number, number] | null;
+  readonly layers: readonly ParticleLayer[];
+}
+
+/** No wall comes nearer to the eye than this, in metres (the paper's number). */
+export const WALL_MARGIN = 0.5;
+
+// The box is 10 x 10 m as the paper's; its height is ours: a ceiling at 10 m would be night sky.
+const PAPER: Stage = {
+  room: { min: [-5, 0, -5], max: [5, 3.2, 5] },
+  isSolid: true,
+  gait: { walk: 2, run: 4 },
+  eyeHeight: 1.6,
+  spawn: [1.2, 1.6, 2.6],
+  yaw: 0.35,
+  candleScale: 0.26,
+  flameScale: 0.125,
+  wick: 1.03,
+  hold: [0.17, -0.4, 0.5],
+  stand: null,
+  layers: PAPER_LAYERS,
+};
+
+export const STAGES: Readonly<Record<Look, Stage>> = {
+  paper: PAPER,
+  original: {
+    ...PAPER,
+    isSolid: false,
+    candleScale: 1,
+    flameScale: 0.5,
+    stand: [0, 0, 0],
+    layers: ORIGINAL_LAYERS,
+  },
+};

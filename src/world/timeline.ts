@@ -1,0 +1,54 @@
+import { GROUPS } from "./particle-layer.js";
+
+/** Length of the simulation's step, in seconds. */
+export const TICK = 1 / 120;
+/** Ticks remembered. Longer than any particle lives, so that particles can be replayed from it. */
+export const MEMORY = 256;
+
+/**
+ * What happened to the emitter in each of the last ticks.
+ *
+ * Particles are a pure function of it: a GPU that lost its buffers, or begins late, replays the
+ * memory and has the same particles as one that watched all along.
+ */
+export class Timeline {
+  /** Ticks recorded so far. Negative ones warmed the flame up before time 0. */
+  tick: number;
+  readonly #way = new Float32Array(MEMORY * 3);
+  readonly #wind = new Float32Array(MEMORY * 3);
+  readonly #groups = new Uint8Array(MEMORY);
+
+  constructor(tick: number) {
+    this.tick = tick;
+  }
+
+  /**
+   * @param way how far the emitter moved in this tick, in its own unit
+   * @param wind air's velocity relative to the emitter, in its unit per second
+   * @param groups groups of slots in which particles are born, 0 to `GROUPS`
+   */
+  record(way: ArrayLike<number>, wind: ArrayLike<number>, groups: number): void {
+    const slot = this.#slot(this.tick);
+    this.#way.set(way, slot * 3);
+    this.#wind.set(wind, slot * 3);
+    this.#groups[slot] = Math.min(groups, GROUPS);
+    this.tick++;
+  }
+
+  groups(tick: number): number {
+    return this.#groups[this.#slot(tick)] ?? 0;
+  }
+
+  /** Component 0, 1 or 2 of the emitter's way in a tick. */
+  way(tick: number, axis: number): number {
+    return this.#way[this.#slot(tick) * 3 + axis] ?? 0;
+  }
+
+  wind(tick: number, axis: number): number {
+    return this.#wind[this.#slot(tick) * 3 + axis] ?? 0;
+  }
+
+  #slot(tick: number): number {
+    return tick & (MEMORY - 1);
+  }
+}

@@ -1,0 +1,183 @@
+import type { Look } from "../settings.js";
+import { inset, keepInside, type Vec3 } from "./bounds.js";
+import { type Candle, holdCandle, isWithinGrasp, place } from "./candle.js";
+import { type Intent, STILL } from "./intent.js";
+import { GROUPS } from "./particle-layer.js";
+import { FLOATS, layerKey, Particles } from "./particles.js";
+import { look as lookAround, MAX_PITCH, type Player, walk } from "./player.js";
+import { STAGES, type Stage, WALL_MARGIN } from "./stage.js";
+import { MEMORY, TICK, Timeline } from "./timeline.js";
+
+/** Distance from the eye at which the flame has lost a group of particles, metres each. */
+const LOD_DISTANCE = 2.5;
+
+/** Everything there is, without a picture of it. It knows no screen, no GPU and no clock. */
+export interface World {
+  readonly look: Look;
+  readonly stage: Stage;
+  readonly seed: number;
+  readonly player: Player;
+  readonly candle: Candle;
+  /** Foot of the flame, metres. */
+  readonly emitter: Vec3;
+  /** Where things are at the moment of the picture, up to a tick after the state above. Metres. */
+  readonly shown: { readonly eye: Vec3; readonly foot: Vec3; readonly flame: Vec3 };
+  readonly timeline: Timeline;
+  /** Every fourth particle of the brightest layer: where the flame is, for the light. */
+  readonly sample: Particles;
+  /** Time asked for and not yet simulated, seconds, less than a tick. */
+  remainder: number;
+}
+
+/**
+ * A world whose flame has burnt for a while, so that it is whole at once.
+ *
+ * @param age ticks that count as simulated, for a world that takes over from another
+ */
+export function createWorld(look: Look, seed: number, age = 0): World {
+  const stage = STAGES[look];
+  const brightest = stage.layers.length - 1;
+  const layer = stage.layers[brightest];
+  if (!layer) throw new Error(`The look “${look}” has no particle layers.`);
+  const world: World = {
+    look,
+    stage,
+    seed,
+    player: { position: [...stage.spawn], velocity: [0, 0, 0], yaw: stage.yaw, pitch: 0 },
+    candle: { position: [...(stage.stand ?? stage.spawn)], isHeld: stage.stand === null },
+    emitter: [0, 0, 0],
+    shown: { eye: [0, 0, 0], foot: [0, 0, 0], flame: [0, 0, 0] },
+    timeline: new Timeline(age - MEMORY),
+    sample: new Particles(layer, layerKey(seed, brightest), layer.capacity / GROUPS),
+    remainder: 0,
+  };
+  settle(world);
+  for (let i = 0; i < MEMORY; i++) tick(world, STILL);
+  show(world);
+  return world;
+}
+
+/** Seconds simulated since the beginning. */
+export function currentTime({ timeline, remainder }: World): number {
+  return timeline.tick * TICK + remainder;
+}
+
+/** Lets time pass, in whole ticks; what is left over is carried to the next call. */
+export function advance(world: World, intent: Intent, seconds: number): void {
+  lookAround(world.player, intent);
+  if (intent.placesOrTakes) placeOrTake(world);
+  // 144 x 1/144 must be one second: the error of a sum is far below a thousandth of a tick.
+  const ticks = Math.floor((world.remainder + seconds) / TICK + 1e-3);
+  world.remainder = Math.max(0, world.remainder + seconds - ticks * TICK);
+  if (world.remainder < TICK * 1e-3) world.remainder = 0;
+  if (ticks === 0) settle(world);
+  for (let i = 0; i < ticks; i++) tick(world, intent);
+  show(world);
+}
+
+/** Puts the camera somewhere: inside the walls if there are any. Metres and radians. */
+export function moveCamera(
+  world: World,
+  position: ArrayLike<number>,
+  yaw: number,
+  pitch: number,
+): void {
+  const { player } = world;
+  for (const axis of [0, 1, 2] as const) {
+    const value = Number(position[axis]);
+    if (!Number.isNaN(value)) player.position[axis] = value;
+    player.velocity[axis] = 0;
+  }
+  const walls = wallsOf(world);
+  if (walls) keepInside(player.position, walls);
+  if (Number.isFinite(yaw)) player.yaw = yaw;
+  if (Number.isFinite(pitch)) player.pitch = Math.min(Math.max(pitch, -MAX_PITCH), MAX_PITCH);
+  settle(world);
+  show(world);
+}
+
+/** Puts the candle down. False if it stands already. */
+export function placeCandle(world: World): boolean {
+  const { candle, player, stage } = world;
+  if (!candle.isHeld) return false;
+  place(candle, player, stage);
+  settle(world);
+  show(world);
+  return true;
+}
+
+/** Takes the candle up. False if it is held, or out of reach, or belongs where it stands. */
+export function takeCandle(world: World): boolean {
+  const { candle, player, stage } = world;
+  if (candle.isHeld || stage.stand !== null || !isWithinGrasp(candle, player)) return false;
+  candle.isHeld = true;
+  settle(world);
+  show(world);
+  return true;
+}
+
+function placeOrTake(world: World): void {
+  if (!placeCandle(world)) takeCandle(world);
+}
+
+/** Middle of the flame's glowing particles, from the emitter, in the emitter's unit. */
+export function flameCentre({ sample }: World, out: Vec3): Vec3 {
+  let weight = 0;
+  out[0] = out[1] = out[2] = 0;
+  for (let i = 0; i < sample.state.length; i += FLOATS) {
+    const alpha = Math.max(0, (sample.state[i + 3] ?? 0) / sample.layer.life);
+    weight += alpha;
+    for (const axis of [0, 1, 2] as const) out[axis] += alpha * (sample.state[i + axis] ?? 0);
+  }
+  for (const axis of [0, 1, 2] as const) out[axis] /= Math.max(weight, 1e-6);
+  return out;
+}
+
+/** Groups of particles worth having at the emitter's distance from the eye. */
+export function levelOfDetail({ emitter, player, stage }: World): number {
+  const [x, y, z] = player.position;
+  const distance = Math.hypot(emitter[0] - x, emitter[1] - y, emitter[2] - z);
+  // A flame twice as large is as large from twice as far.
+  const lost = Math.floor((distance * 0.125) / (LOD_DISTANCE * stage.flameScale));
+  return Math.max(1, GROUPS - lost);
+}
+
+function tick(world: World, intent: Intent): void {
+  const { stage, player, emitter, timeline } = world;
+  const before: Vec3 = [emitter[0], emitter[1], emitter[2]];
+  walk(player, intent, stage.gait, wallsOf(world), TICK);
+  settle(world);
+  const way = [0, 1, 2].map(
+    (axis) => ((emitter[axis] ?? 0) - (before[axis] ?? 0)) / stage.flameScale,
+  );
+  const wind = way.map((length) => -length / TICK);
+  timeline.record(way, wind, levelOfDetail(world));
+  world.sample.follow(timeline);
+}
+
+function wallsOf({ stage }: World) {
+  return stage.isSolid ? inset(stage.room, WALL_MARGIN) : null;
+}
+
+/** Brings candle and flame to where the visitor is. */
+function settle({ candle, player, stage, emitter }: World): void {
+  if (candle.isHeld) holdCandle(candle, player, stage);
+  emitter[0] = candle.position[0];
+  emitter[1] = candle.position[1] + stage.wick * stage.candleScale;
+  emitter[2] = candle.position[2];
+}
+
+/** Lets the picture run ahead of the last tick by the time left over, so that motion is smooth. */
+function show(world: World): void {
+  const { player, candle, emitter, shown, remainder } = world;
+  for (const axis of [0, 1, 2] as const) {
+    shown.eye[axis] = player.position[axis] + player.velocity[axis] * remainder;
+  }
+  const walls = wallsOf(world);
+  if (walls) keepInside(shown.eye, walls);
+  for (const axis of [0, 1, 2] as const) {
+    const carried = candle.isHeld ? shown.eye[axis] - player.position[axis] : 0;
+    shown.foot[axis] = candle.position[axis] + carried;
+    shown.flame[axis] = emitter[axis] + carried;
+  }
+}

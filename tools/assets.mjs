@@ -1,0 +1,57 @@
+import { existsSync, mkdirSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { Worker } from "node:worker_threads";
+import { writeManifest } from "./textures/manifest.mjs";
+import { materials } from "./textures/materials.mjs";
+
+/**
+ * Makes public/textures/ from its seeds and lists what public/ holds in manifest.json:
+ *
+ *     node tools/assets.mjs               every set
+ *     node tools/assets.mjs logs plaster  just these
+ *     node tools/assets.mjs --manifest    none; only the list
+ */
+
+const WORKERS = 2;
+const publicFolder = fileURLToPath(new URL("../public/", import.meta.url));
+const folder = `${publicFolder}textures`;
+
+function chosen(names) {
+  if (names.includes("--manifest")) return [];
+  if (names.length === 0) return materials.map((material) => material.name);
+  for (const name of names) {
+    if (!materials.some((material) => material.name === name)) {
+      throw new Error(
+        `No texture set "${name}"; there are ${materials.map((m) => m.name).join(", ")}.`,
+      );
+    }
+  }
+  return names;
+}
+
+function make(names) {
+  const waiting = [...names];
+  const workers = Array.from({ length: Math.min(WORKERS, waiting.length) }, () => {
+    const worker = new Worker(new URL("./textures/worker.mjs", import.meta.url), {
+      workerData: { folder },
+    });
+    return new Promise((resolve, reject) => {
+      const next = () => {
+        const name = waiting.shift();
+        if (name) worker.postMessage(name);
+        else worker.terminate().then(resolve);
+      };
+      worker.on("error", reject);
+      worker.on("message", (name) => {
+        console.log(name);
+        next();
+      });
+      next();
+    });
+  });
+  return Promise.all(workers);
+}
+
+if (!existsSync(folder)) mkdirSync(folder, { recursive: true });
+await make(chosen(process.argv.slice(2)));
+writeManifest(publicFolder, materials);

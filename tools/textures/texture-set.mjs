@@ -1,0 +1,16 @@
+import { mapsFromSurface } from "./maps.mjs";
+import { materials } from "./materials.mjs";
+
+/**
+ * One texture set, from its seed alone: `{ resolution, albedo, normal, orm }`, RGB bytes, top row
+ * first. At less than its own size a set has the same features, only fewer texels.
+ */
+export function textureSet(name, resolution) {
+  const material = materials.find((candidate) => candidate.name === name);
+  if (!material) {
+    throw new Error(
+      `No texture set "${name}"; there are ${materials.map((m) => m.name).join(", ")}.`,
+    );
+  }
+  return mapsFromSurface(material.synthesize(resolution ?? material.size));
+}

@@ -1,0 +1,56 @@
+import { readFileSync } from "node:fs";
+import { relative, resolve } from "node:path";
+import type { Plugin } from "vite";
+
+const ROOT = resolve(import.meta.dirname, "../shaders");
+
+/** One shader stage after its includes, with the files that `#line` numbers refer to. */
+interface Resolved {
+  source: string;
+  files: string[];
+}
+
+// Comments go, line breaks stay: an error of a released build still names the right line.
+function stripComments(source: string): string {
+  return source
+    .replace(/\/\*[\s\S]*?\*\//g, (comment) => comment.replace(/[^\n]/g, ""))
+    .replace(/[ \t]*\/\/.*$/gm, "")
+    .replace(/^[ \t]+/gm, "");
+}
+
+/**
+ * Expands `#include "lib/noise.glsl"`, from the shaders' root, each file once.
+ *
+ * `#line 1 n` before and after each included text makes the compiler say `n:line`, which the program
+ * turns back into a file name. In GLSL ES 3.00 `#line` numbers the line after it.
+ */
+export function resolveShader(file: string, files: string[] = []): Resolved {
+  const index = files.push(relative(ROOT, file)) - 1;
+  const source = readFileSync(file, "utf8")
+    .split("\n")
+    .map((line, number) => {
+      const include = /^\s*#include\s+"([^"]+)"/.exec(line)?.[1];
+      if (include === undefined) return line;
+      const path = resolve(ROOT, include);
+      if (files.includes(relative(ROOT, path))) return "";
+      const included = files.length;
+      return `#line 1 ${included}\n${resolveShader(path, files).source}\n#line ${number + 2} ${index}`;
+    })
+    .join("\n");
+  return { source, files };
+}
+
+/** Imports `.vert`, `.frag` and `.glsl` files as `{ source, files }`. */
+export function glsl({ minify }: { minify: boolean }): Plugin {
+  return {
+    name: "glsl",
+    enforce: "pre",
+    load(id) {
+      const file = id.split("?")[0] ?? id;
+      if (!/\.(vert|frag|glsl)$/.test(file)) return null;
+      const { source, files } = resolveShader(file);
+      for (const name of files) this.addWatchFile(resolve(ROOT, name));
+      return `export default ${JSON.stringify({ source: minify ? stripComments(source) : source, files })}`;
+    },
+  };
+}
