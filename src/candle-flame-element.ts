@@ -1,8 +1,9 @@
 import type { AssetError } from "./assets/load-model.js";
 import { closeModel, type Model } from "./assets/model.js";
-import { CandleFlame, type Models, type Stats } from "./candle-flame.js";
+import { CandleFlame, type Stats } from "./candle-flame.js";
 import { STYLE } from "./element-style.js";
 import { FirstPersonInput } from "./input/first-person-input.js";
+import type { Models } from "./render/renderer.js";
 import {
   allFeatures,
   FEATURES,

@@ -1,8 +1,7 @@
-import type { Model } from "./assets/model.js";
 import { Gpu } from "./gl/gpu.js";
 import type { FirstPersonInput } from "./input/first-person-input.js";
-import { candleLight } from "./light/candle-light.js";
 import { PaperRenderer } from "./render/paper/paper-renderer.js";
+import type { Models, Renderer } from "./render/renderer.js";
 import { type Tier, tierOf } from "./render/tier.js";
 import type { Features, Look, Quality } from "./settings.js";
 import { STILL } from "./world/intent.js";
@@ -13,11 +12,6 @@ import { advance, createWorld, currentTime, type World } from "./world/world.js"
 const MAX_FRAME = 1 / 20;
 /** Weight of the newest frame in the running mean of frame times. */
 const SMOOTHING = 0.1;
-
-export interface Models {
-  readonly room: Model;
-  readonly candle: Model;
-}
 
 /** Everything about a candle that its owner may set at any time. */
 export interface Options {
@@ -64,7 +58,7 @@ export class CandleFlame {
   #options: Options;
   #gpu: Gpu;
   #tier: Tier;
-  #renderer: PaperRenderer;
+  #renderer: Renderer;
   /** CSS size times device pixel ratio, before the tier's scale. */
   #pixels = { width: 1, height: 1 };
   #request = 0;
@@ -83,14 +77,14 @@ export class CandleFlame {
     this.#renderer = this.#createRenderer();
   }
 
-  #createRenderer(): PaperRenderer {
+  #createRenderer(): Renderer {
     const renderer = new PaperRenderer(this.#gpu, this.#models, this.#tier);
     renderer.resize(this.#canvas.width, this.#canvas.height);
     this.#follow(renderer);
     return renderer;
   }
 
-  #follow(renderer: PaperRenderer): void {
+  #follow(renderer: Renderer): void {
     const { layers } = this.world.stage;
     const counted =
       this.#options.particles > 0 ? withCount(layers, this.#options.particles) : layers;
@@ -174,11 +168,8 @@ export class CandleFlame {
   draw(): void {
     if (this.#gpu.isLost) return;
     this.#gpu.beginFrame();
-    const light = candleLight(this.world, this.#features, this.#options.isStill);
-    this.#renderer.render(this.world, light, {
-      features: this.#features,
-      exposure: this.#options.exposure,
-    });
+    const { exposure, isStill } = this.#options;
+    this.#renderer.render(this.world, { features: this.#features, exposure, isStill });
     this.#gpu.endFrame();
   }
 
@@ -205,25 +196,10 @@ export class CandleFlame {
     this.onFrame();
   };
 
-  /**
-   * Linear RGB before exposure, of the frame drawn anew, rows from the top; waits for the GPU.
-   *
-   * The paper's looks draw straight to the screen's colours, so theirs is the picture decoded.
-   */
+  /** Linear RGB before exposure and tone mapping, drawn anew; rows from the top. Waits for the GPU. */
   readRadiance(x: number, y: number, width: number, height: number): Float32Array {
     this.draw();
-    const bytes = this.#gpu.readCanvas(x, this.#canvas.height - y - height, width, height);
-    const radiance = new Float32Array(width * height * 3);
-    const gain = 1 / this.#renderer.displayGain(this.#options.exposure);
-    for (let row = 0; row < height; row++) {
-      for (let column = 0; column < width; column++) {
-        for (let channel = 0; channel < 3; channel++) {
-          const byte = bytes[((height - 1 - row) * width + column) * 4 + channel] ?? 0;
-          radiance[(row * width + column) * 3 + channel] = decodeSrgb(byte / 255) * gain;
-        }
-      }
-    }
-    return radiance;
+    return this.#renderer.readRadiance(x, y, width, height);
   }
 
   get stats(): Stats {
@@ -251,9 +227,4 @@ export class CandleFlame {
     this.input?.dispose();
     this.#gpu.dispose();
   }
-}
-
-/** IEC 61966-2-1. */
-function decodeSrgb(value: number): number {
-  return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
 }

@@ -1,5 +1,6 @@
 import {
   type BufferAttribute,
+  DoubleSide,
   type InterleavedBufferAttribute,
   LoadingManager,
   type Mesh,
@@ -105,6 +106,7 @@ function readMesh(mesh: Mesh, materials: Map<ThreeMaterial, Material>): Part {
     uvs: geometry.getAttribute("uv")
       ? floats(geometry.getAttribute("uv"))
       : new Float32Array(count * 2),
+    colors: null,
     indices: indicesOf(geometry.index, count),
   };
 }
@@ -153,6 +155,10 @@ function readMaterial(three: ThreeMaterial): Material {
     baseColor: [r, g, b, three.opacity],
     roughness: material.roughness,
     metallic: material.metalness,
+    normalScale: material.normalScale.x,
+    isDoubleSided: three.side === DoubleSide,
+    alphaMode: three.alphaTest > 0 ? "mask" : three.transparent ? "blend" : "opaque",
+    alphaCutoff: three.alphaTest,
     albedo: bitmapOf(material.map),
     normal: bitmapOf(material.normalMap),
     occlusionRoughnessMetallic: bitmapOf(material.roughnessMap ?? material.aoMap),

@@ -15,6 +15,8 @@ export interface Part {
   /** xyz and the bitangent's sign. */
   readonly tangents: Float32Array;
   readonly uvs: Float32Array;
+  /** rgba, linear; null where the model has none. */
+  readonly colors: Float32Array | null;
   readonly indices: Uint16Array | Uint32Array;
 }
 
@@ -24,17 +26,31 @@ export interface Material {
   readonly baseColor: readonly [number, number, number, number];
   readonly roughness: number;
   readonly metallic: number;
-  readonly albedo: ImageBitmap | null;
-  readonly normal: ImageBitmap | null;
+  readonly normalScale: number;
+  readonly isDoubleSided: boolean;
+  readonly alphaMode: "opaque" | "mask" | "blend";
+  /** Opacity below which a masked material is not there. */
+  readonly alphaCutoff: number;
+  readonly albedo: Picture | null;
+  readonly normal: Picture | null;
   /** Red: occlusion, green: roughness, blue: metallic. */
-  readonly occlusionRoughnessMetallic: ImageBitmap | null;
+  readonly occlusionRoughnessMetallic: Picture | null;
 }
+
+/** A decoded picture: the browser's, or RGBA bytes, rows from the top. */
+export type Picture =
+  | ImageBitmap
+  | { readonly width: number; readonly height: number; readonly data: Uint8Array };
 
 /** Frees the pictures. The model is of no use afterwards. */
 export function closeModel({ parts }: Model): void {
   for (const { material } of parts) {
-    material.albedo?.close();
-    material.normal?.close();
-    material.occlusionRoughnessMetallic?.close();
+    close(material.albedo);
+    close(material.normal);
+    close(material.occlusionRoughnessMetallic);
   }
+}
+
+function close(picture: Picture | null): void {
+  if (picture && "close" in picture) picture.close();
 }

@@ -4,11 +4,12 @@ import { GpuTimer } from "./gpu-timer.js";
 import { Program, type ProgramOptions, type ShaderSource, type UniformValue } from "./program.js";
 import { RenderTarget, type RenderTargetOptions } from "./render-target.js";
 import { Texture, type TextureOptions } from "./texture.js";
+import { TextureView, type TextureViewOptions } from "./texture-view.js";
 import { UniformBlock } from "./uniform-block.js";
 import { VertexArray, type VertexArrayOptions } from "./vertex-array.js";
 
-/** Where a draw lands: a target of ours, or the canvas. */
-export type Surface = RenderTarget | "canvas";
+/** Where a draw lands: textures of ours, or the canvas. */
+export type Surface = RenderTarget | TextureView | "canvas";
 
 /** All that a draw depends on. What is not said has the default given here, whatever ran before. */
 export interface Draw {
@@ -19,7 +20,7 @@ export interface Draw {
   readonly textures?: Readonly<Record<string, Texture>>;
   readonly blocks?: Readonly<Record<string, UniformBlock>>;
   /** Default: triangles. */
-  readonly primitive?: "triangles" | "points";
+  readonly primitive?: "triangles" | "strip" | "points";
   /** Vertices or indices drawn. Default: all. */
   readonly count?: number;
   /** Default: replace what is there. `premultiplied`: alpha 0 adds, alpha 1 covers. */
@@ -140,6 +141,10 @@ export class Gpu {
     return this.#keep(new RenderTarget(this.#gl, options, this.#forget));
   }
 
+  textureView(options: TextureViewOptions): TextureView {
+    return this.#keep(new TextureView(this.#gl, options, this.#forget));
+  }
+
   /** A std140 block laid out as `program` declares it. */
   uniformBlock(program: Program, name: string): UniformBlock {
     return this.#keep(new UniformBlock(this.#gl, program, name, this.#forget));
@@ -195,7 +200,8 @@ export class Gpu {
     if (cull === "back") gl.enable(gl.CULL_FACE);
     else gl.disable(gl.CULL_FACE);
     gl.bindVertexArray(vertexArray.handle);
-    const mode = primitive === "points" ? gl.POINTS : gl.TRIANGLES;
+    const modes = { triangles: gl.TRIANGLES, strip: gl.TRIANGLE_STRIP, points: gl.POINTS };
+    const mode = modes[primitive];
     if (vertexArray.indexType) {
       const type = vertexArray.indexType === "uint16" ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT;
       gl.drawElements(mode, count, type, 0);
@@ -224,14 +230,14 @@ export class Gpu {
     this.drawCalls++;
   }
 
-  /** Copies a multisampled target of the canvas's size to the canvas. */
-  resolve(target: RenderTarget): void {
+  /** Copies a multisampled target to a surface of its size and format. */
+  resolve(target: RenderTarget, to: Surface): void {
     const gl = this.#gl;
     gl.bindFramebuffer(gl.READ_FRAMEBUFFER, target.framebuffer);
-    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
+    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, to === "canvas" ? null : to.framebuffer);
     const { width, height } = target;
     gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
-    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, null);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 
   /**
@@ -245,6 +251,29 @@ export class Gpu {
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.readPixels(x, y, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
     return pixels;
+  }
+
+  /** Linear RGB of a floating-point target, rows from the top. Waits for the GPU. */
+  readRadiance(
+    target: RenderTarget,
+    x: number,
+    y: number,
+    width: number,
+    height: number,
+  ): Float32Array {
+    const gl = this.#gl;
+    const texels = new Float32Array(width * height * 4);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
+    gl.readPixels(x, target.height - y - height, width, height, gl.RGBA, gl.FLOAT, texels);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    const rgb = new Float32Array(width * height * 3);
+    for (let row = 0; row < height; row++) {
+      for (let column = 0; column < width; column++) {
+        const from = ((height - 1 - row) * width + column) * 4;
+        rgb.set(texels.subarray(from, from + 3), (row * width + column) * 3);
+      }
+    }
+    return rgb;
   }
 
   #bind(target: Surface): void {
@@ -268,7 +297,7 @@ export class Gpu {
       const texture = textures[name];
       if (!texture) throw new Error(`${program.label} needs a texture ${name}.`);
       gl.activeTexture(gl.TEXTURE0 + unit);
-      gl.bindTexture(gl.TEXTURE_2D, texture.handle);
+      gl.bindTexture(texture.target, texture.handle);
     }
     for (const [name, binding] of program.blocks) {
       const block = blocks[name];

@@ -1,49 +1,80 @@
 import { created, type GpuObject } from "./gpu-object.js";
+import { FORMATS, Texture, type TextureFormat } from "./texture.js";
 
 export interface RenderTargetOptions {
   readonly label: string;
   readonly width: number;
   readonly height: number;
-  /** Samples per pixel, as many as the device has at most. */
-  readonly samples: number;
+  /** Formats of the colour attachments, in the order of the shader's outputs. */
+  readonly color: readonly TextureFormat[];
+  /** `texture` can be sampled afterwards; `buffer` cannot. Default: none. */
+  readonly depth?: "none" | "buffer" | "texture";
+  /** Samples per pixel, as many as the device has at most. Above 1 it can only be resolved. */
+  readonly samples?: number;
+  readonly filter?: "nearest" | "linear";
 }
 
-/** A multisampled 8-bit colour and depth surface, to be resolved to the canvas. */
+/** A surface that passes draw to: textures to read afterwards, or samples to resolve. */
 export class RenderTarget implements GpuObject {
   readonly label: string;
   readonly bytes: number;
   readonly width: number;
   readonly height: number;
-  readonly samples: number;
   readonly framebuffer: WebGLFramebuffer;
+  /** One for each colour format; empty where there are several samples per pixel. */
+  readonly colors: readonly Texture[];
+  readonly depth: Texture | null = null;
   readonly #renderbuffers: WebGLRenderbuffer[] = [];
   readonly #gl: WebGL2RenderingContext;
   readonly #forget: (object: GpuObject) => void;
 
   constructor(
     gl: WebGL2RenderingContext,
-    { label, width, height, samples }: RenderTargetOptions,
+    options: RenderTargetOptions,
     forget: (object: GpuObject) => void,
   ) {
+    const { label, width, height, color, depth = "none", filter = "linear" } = options;
     this.#gl = gl;
     this.#forget = forget;
     this.label = label;
     this.width = width;
     this.height = height;
-    this.samples = Math.min(samples, gl.getParameter(gl.MAX_SAMPLES) as number);
-    this.bytes = width * height * this.samples * 8;
+    const samples = Math.min(options.samples ?? 1, gl.getParameter(gl.MAX_SAMPLES) as number);
     this.framebuffer = created(gl, gl.createFramebuffer(), label);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
-    for (const [format, attachment] of [
-      [gl.RGBA8, gl.COLOR_ATTACHMENT0],
-      [gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT],
-    ] as const) {
-      const renderbuffer = created(gl, gl.createRenderbuffer(), label);
-      gl.bindRenderbuffer(gl.RENDERBUFFER, renderbuffer);
-      gl.renderbufferStorageMultisample(gl.RENDERBUFFER, this.samples, format, width, height);
-      gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, renderbuffer);
-      this.#renderbuffers.push(renderbuffer);
+    const texture = (name: string, format: TextureFormat, how: "nearest" | "linear") =>
+      new Texture(
+        gl,
+        { label: `${label}/${name}`, format, source: { width, height }, filter: how },
+        () => {},
+      );
+    this.colors = samples > 1 ? [] : color.map((format, i) => texture(String(i), format, filter));
+    if (depth === "texture" && samples <= 1) {
+      this.depth = texture("depth", "DEPTH_COMPONENT24", "nearest");
     }
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
+    for (const [i, { handle }] of this.colors.entries()) {
+      gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0 + i, gl.TEXTURE_2D, handle, 0);
+    }
+    if (this.depth) {
+      gl.framebufferTexture2D(
+        gl.FRAMEBUFFER,
+        gl.DEPTH_ATTACHMENT,
+        gl.TEXTURE_2D,
+        this.depth.handle,
+        0,
+      );
+    }
+    if (samples > 1) {
+      for (const [i, format] of color.entries()) {
+        this.#renderbuffer(gl.COLOR_ATTACHMENT0 + i, gl[format], samples);
+      }
+    }
+    if (depth !== "none" && !this.depth) {
+      this.#renderbuffer(gl.DEPTH_ATTACHMENT, gl.DEPTH_COMPONENT24, samples);
+    }
+    gl.drawBuffers(color.map((_, i) => gl.COLOR_ATTACHMENT0 + i));
+    const texel = color.reduce((sum, format) => sum + FORMATS[format].bytes, 0);
+    this.bytes = width * height * samples * (texel + (depth === "none" ? 0 : 4));
     const status = gl.checkFramebufferStatus(gl.FRAMEBUFFER);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     if (status !== gl.FRAMEBUFFER_COMPLETE && !gl.isContextLost()) {
@@ -52,8 +83,30 @@ export class RenderTarget implements GpuObject {
     }
   }
 
+  /** The first colour attachment. */
+  get color(): Texture {
+    const [first] = this.colors;
+    if (!first) throw new Error(`${this.label} holds samples: resolve it to read it.`);
+    return first;
+  }
+
+  #renderbuffer(attachment: GLenum, format: GLenum, samples: number): void {
+    const gl = this.#gl;
+    const renderbuffer = created(gl, gl.createRenderbuffer(), this.label);
+    gl.bindRenderbuffer(gl.RENDERBUFFER, renderbuffer);
+    if (samples > 1) {
+      gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, format, this.width, this.height);
+    } else {
+      gl.renderbufferStorage(gl.RENDERBUFFER, format, this.width, this.height);
+    }
+    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, renderbuffer);
+    this.#renderbuffers.push(renderbuffer);
+  }
+
   dispose(): void {
     for (const renderbuffer of this.#renderbuffers) this.#gl.deleteRenderbuffer(renderbuffer);
+    for (const texture of this.colors) texture.dispose();
+    this.depth?.dispose();
     this.#gl.deleteFramebuffer(this.framebuffer);
     this.#forget(this);
   }

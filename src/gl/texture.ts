@@ -1,21 +1,34 @@
 import { created, type GpuObject } from "./gpu-object.js";
 
-/** Storage of one texel: GL's internal format, what uploads it, and its size in bytes. */
+/** Storage of one texel: what uploads it, and its size in bytes. Keys are GL's internal formats. */
 export const FORMATS = {
+  R8: { upload: "RED", type: "UNSIGNED_BYTE", bytes: 1 },
+  RG8: { upload: "RG", type: "UNSIGNED_BYTE", bytes: 2 },
   RGBA8: { upload: "RGBA", type: "UNSIGNED_BYTE", bytes: 4 },
   SRGB8_ALPHA8: { upload: "RGBA", type: "UNSIGNED_BYTE", bytes: 4 },
+  R16F: { upload: "RED", type: "HALF_FLOAT", bytes: 2 },
+  RG16F: { upload: "RG", type: "HALF_FLOAT", bytes: 4 },
   RGBA16F: { upload: "RGBA", type: "HALF_FLOAT", bytes: 8 },
+  R32F: { upload: "RED", type: "FLOAT", bytes: 4 },
   RGBA32F: { upload: "RGBA", type: "FLOAT", bytes: 16 },
+  DEPTH_COMPONENT24: { upload: "DEPTH_COMPONENT", type: "UNSIGNED_INT", bytes: 4 },
 } as const;
 export type TextureFormat = keyof typeof FORMATS;
+
+/** Pixels, rows from the top as in a picture file. */
+export interface Pixels {
+  readonly width: number;
+  readonly height: number;
+  readonly data: ArrayBufferView;
+}
 
 export interface TextureOptions {
   readonly label: string;
   readonly format: TextureFormat;
   /** Pixels, or a size for a texture that a pass will draw. */
-  readonly source:
-    | ImageBitmap
-    | { readonly width: number; readonly height: number; readonly data?: ArrayBufferView };
+  readonly source: ImageBitmap | Pixels | { readonly width: number; readonly height: number };
+  /** A cube has six square faces; layers make it three-dimensional. Default: a plain picture. */
+  readonly shape?: "2d" | "cube" | { readonly layers: number };
   /** Trilinear, with mipmaps made on the GPU. */
   readonly mipmaps?: boolean;
   readonly filter?: "nearest" | "linear";
@@ -24,69 +37,88 @@ export interface TextureOptions {
   readonly anisotropy?: number;
 }
 
-/** A two-dimensional texture of immutable storage: a new size means a new texture. */
+/** A texture of immutable storage: a new size means a new texture. */
 export class Texture implements GpuObject {
   readonly label: string;
   readonly bytes: number;
   readonly width: number;
   readonly height: number;
   readonly handle: WebGLTexture;
+  /** GL's binding point. */
+  readonly target: GLenum;
   readonly #gl: WebGL2RenderingContext;
   readonly #forget: (object: GpuObject) => void;
 
   constructor(
     gl: WebGL2RenderingContext,
-    {
-      label,
-      format,
-      source,
-      mipmaps = false,
-      filter = "linear",
-      wrap = "clamp",
-      anisotropy = 1,
-    }: TextureOptions,
+    options: TextureOptions,
     forget: (object: GpuObject) => void,
   ) {
+    const { label, format, source, shape = "2d", mipmaps = false } = options;
+    const { width, height } = source;
     this.#gl = gl;
     this.#forget = forget;
     this.label = label;
-    this.width = source.width;
-    this.height = source.height;
-    const levels = mipmaps ? Math.floor(Math.log2(Math.max(source.width, source.height))) + 1 : 1;
-    const { upload, type, bytes } = FORMATS[format];
-    this.bytes = Math.ceil(source.width * source.height * bytes * (mipmaps ? 4 / 3 : 1));
+    this.width = width;
+    this.height = height;
+    const layers = typeof shape === "object" ? shape.layers : shape === "cube" ? 6 : 1;
+    const texels = width * height * layers * (mipmaps ? 4 / 3 : 1);
+    this.bytes = Math.ceil(texels * FORMATS[format].bytes);
     this.handle = created(gl, gl.createTexture(), label);
+    this.target =
+      typeof shape === "object"
+        ? gl.TEXTURE_3D
+        : shape === "cube"
+          ? gl.TEXTURE_CUBE_MAP
+          : gl.TEXTURE_2D;
     gl.activeTexture(gl.TEXTURE0);
-    gl.bindTexture(gl.TEXTURE_2D, this.handle);
-    gl.texStorage2D(gl.TEXTURE_2D, levels, gl[format], source.width, source.height);
+    gl.bindTexture(this.target, this.handle);
+    const levels = mipmaps ? Math.floor(Math.log2(Math.max(width, height))) + 1 : 1;
+    if (typeof shape === "object") {
+      gl.texStorage3D(this.target, levels, gl[format], width, height, layers);
+    } else {
+      gl.texStorage2D(this.target, levels, gl[format], width, height);
+    }
+    this.#upload(options, layers);
+    if (mipmaps) gl.generateMipmap(this.target);
+    this.#sample(options);
+    gl.bindTexture(this.target, null);
+  }
+
+  #upload({ format, source }: TextureOptions, layers: number): void {
+    const gl = this.#gl;
+    const { upload, type } = FORMATS[format];
+    const { width, height } = source;
+    // Rows of one or two bytes a texel need not end on a multiple of four.
+    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
     if ("close" in source) {
-      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, gl[upload], gl[type], source);
-    } else if (source.data) {
-      const { width, height, data } = source;
-      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl[upload], gl[type], data);
+      gl.texSubImage2D(this.target, 0, 0, 0, gl[upload], gl[type], source);
+    } else if ("data" in source && this.target === gl.TEXTURE_3D) {
+      const { data } = source;
+      gl.texSubImage3D(this.target, 0, 0, 0, 0, width, height, layers, gl[upload], gl[type], data);
+    } else if ("data" in source) {
+      gl.texSubImage2D(this.target, 0, 0, 0, width, height, gl[upload], gl[type], source.data);
     }
-    if (mipmaps) gl.generateMipmap(gl.TEXTURE_2D);
-    const minification =
-      filter === "nearest" ? gl.NEAREST : mipmaps ? gl.LINEAR_MIPMAP_LINEAR : gl.LINEAR;
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, minification);
+  }
+
+  #sample({ mipmaps, filter = "linear", wrap = "clamp", anisotropy = 1 }: TextureOptions): void {
+    const gl = this.#gl;
+    const { target } = this;
+    const magnification = filter === "nearest" ? gl.NEAREST : gl.LINEAR;
     gl.texParameteri(
-      gl.TEXTURE_2D,
-      gl.TEXTURE_MAG_FILTER,
-      filter === "nearest" ? gl.NEAREST : gl.LINEAR,
+      target,
+      gl.TEXTURE_MIN_FILTER,
+      mipmaps ? gl.LINEAR_MIPMAP_LINEAR : magnification,
     );
+    gl.texParameteri(target, gl.TEXTURE_MAG_FILTER, magnification);
     const edge = wrap === "repeat" ? gl.REPEAT : gl.CLAMP_TO_EDGE;
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, edge);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, edge);
+    gl.texParameteri(target, gl.TEXTURE_WRAP_S, edge);
+    gl.texParameteri(target, gl.TEXTURE_WRAP_T, edge);
+    gl.texParameteri(target, gl.TEXTURE_WRAP_R, edge);
     const extension = anisotropy > 1 ? gl.getExtension("EXT_texture_filter_anisotropic") : null;
-    if (extension) {
-      const most = gl.getParameter(extension.MAX_TEXTURE_MAX_ANISOTROPY_EXT) as number;
-      gl.texParameterf(
-        gl.TEXTURE_2D,
-        extension.TEXTURE_MAX_ANISOTROPY_EXT,
-        Math.min(anisotropy, most),
-      );
-    }
-    gl.bindTexture(gl.TEXTURE_2D, null);
+    if (!extension) return;
+    const most = gl.getParameter(extension.MAX_TEXTURE_MAX_ANISOTROPY_EXT) as number;
+    gl.texParameterf(target, extension.TEXTURE_MAX_ANISOTROPY_EXT, Math.min(anisotropy, most));
   }
 
   dispose(): void {

@@ -1,6 +1,6 @@
-import type { Material, Model, Part } from "../assets/model.js";
+import type { Material, Model, Part, Picture } from "../assets/model.js";
 import type { Gpu } from "../gl/gpu.js";
-import type { Texture } from "../gl/texture.js";
+import type { Texture, TextureFormat } from "../gl/texture.js";
 import type { VertexArray } from "../gl/vertex-array.js";
 
 /** Taps of anisotropic filtering: floors and walls are mostly seen at grazing angles. */
@@ -11,6 +11,9 @@ export interface Surface {
   readonly name: string;
   readonly vertexArray: VertexArray;
   readonly baseColor: readonly [number, number, number, number];
+  /** Roughness, metallic, scale of the relief, opacity below which there is nothing. */
+  readonly parameters: readonly [number, number, number, number];
+  readonly isDoubleSided: boolean;
   readonly textures: {
     readonly uAlbedo: Texture;
     readonly uNormal: Texture;
@@ -24,19 +27,24 @@ export function uploadModel(
   model: Model,
   { anisotropy }: { anisotropy: boolean },
 ): Surface[] {
-  const textures = new Map<ImageBitmap, Texture>();
-  const plain = (label: string, texel: readonly [number, number, number]) =>
+  const known = new Map<Picture, Texture>();
+  const plain = (label: string, ...texel: readonly [number, number, number]) =>
     gpu.texture({
       label,
       format: "RGBA8",
       source: { width: 1, height: 1, data: Uint8Array.of(...texel, 255) },
     });
-  const white = plain("white", [255, 255, 255]);
-  const flat = plain("flat normal", [128, 128, 255]);
-  const picture = (label: string, format: "RGBA8" | "SRGB8_ALPHA8", source: ImageBitmap) => {
-    const known = textures.get(source);
-    if (known) return known;
-    const texture = gpu.texture({
+  const white = plain("white", 255, 255, 255);
+  const flat = plain("flat normal", 128, 128, 255);
+  const texture = (
+    label: string,
+    format: TextureFormat,
+    source: Picture | null,
+  ): Texture | null => {
+    if (!source) return null;
+    const before = known.get(source);
+    if (before) return before;
+    const made = gpu.texture({
       label,
       format,
       source,
@@ -44,47 +52,55 @@ export function uploadModel(
       wrap: "repeat",
       anisotropy: anisotropy ? ANISOTROPY : 1,
     });
-    textures.set(source, texture);
-    return texture;
+    known.set(source, made);
+    return made;
   };
-  const upload = ({ name, material, ...part }: Part): Surface => ({
-    name,
-    vertexArray: uploadTriangles(gpu, name, part),
-    baseColor: material.baseColor,
-    textures: {
-      uAlbedo: pictureOr(white, material, "albedo", "SRGB8_ALPHA8"),
-      uNormal: pictureOr(flat, material, "normal", "RGBA8"),
-      uOcclusionRoughness: pictureOr(white, material, "occlusionRoughnessMetallic", "RGBA8"),
-    },
-  });
-  const pictureOr = (
-    stand_in: Texture,
-    material: Material,
-    map: "albedo" | "normal" | "occlusionRoughnessMetallic",
-    format: "RGBA8" | "SRGB8_ALPHA8",
-  ) => {
-    const source = material[map];
-    return source ? picture(`${material.name}/${map}`, format, source) : stand_in;
+  const upload = (part: Part): Surface => {
+    const { material } = part;
+    const label = (map: string) => `${material.name}/${map}`;
+    const packed = material.occlusionRoughnessMetallic;
+    return {
+      name: part.name,
+      vertexArray: uploadTriangles(gpu, part),
+      baseColor: material.baseColor,
+      parameters: parametersOf(material),
+      isDoubleSided: material.isDoubleSided,
+      textures: {
+        uAlbedo: texture(label("albedo"), "SRGB8_ALPHA8", material.albedo) ?? white,
+        // Two channels: the third of a unit vector follows from them.
+        uNormal: texture(label("normal"), sizeOfNormals(material.normal), material.normal) ?? flat,
+        uOcclusionRoughness: texture(label("occlusion"), "RGBA8", packed) ?? white,
+      },
+    };
   };
   return model.parts.map(upload);
 }
 
-function uploadTriangles(
-  gpu: Gpu,
-  name: string,
-  part: Pick<Part, "positions" | "normals" | "tangents" | "uvs" | "indices">,
-): VertexArray {
+// Pixels decoded in a script come with four channels, and WebGL does not repack those.
+function sizeOfNormals(picture: Picture | null): TextureFormat {
+  return picture && "data" in picture ? "RGBA8" : "RG8";
+}
+
+function parametersOf({ roughness, metallic, normalScale, alphaMode, alphaCutoff }: Material) {
+  const nothingBelow = alphaMode === "opaque" ? 0 : alphaMode === "mask" ? alphaCutoff : 0.5;
+  return [roughness, metallic, normalScale, nothingBelow] as const;
+}
+
+function uploadTriangles(gpu: Gpu, part: Part): VertexArray {
+  const { name, positions, normals, tangents, uvs, indices } = part;
+  const colors = part.colors ?? new Float32Array((positions.length / 3) * 4).fill(1);
   return gpu.vertexArray(name, {
     attributes: {
-      0: { buffer: gpu.buffer(`${name}/positions`, part.positions), size: 3 },
-      1: { buffer: gpu.buffer(`${name}/normals`, part.normals), size: 3 },
-      2: { buffer: gpu.buffer(`${name}/tangents`, part.tangents), size: 4 },
-      3: { buffer: gpu.buffer(`${name}/uvs`, part.uvs), size: 2 },
+      0: { buffer: gpu.buffer(`${name}/positions`, positions), size: 3 },
+      1: { buffer: gpu.buffer(`${name}/normals`, normals), size: 3 },
+      2: { buffer: gpu.buffer(`${name}/tangents`, tangents), size: 4 },
+      3: { buffer: gpu.buffer(`${name}/uvs`, uvs), size: 2 },
+      4: { buffer: gpu.buffer(`${name}/colors`, colors), size: 4 },
     },
     indices: {
-      buffer: gpu.buffer(`${name}/indices`, part.indices, "index"),
-      type: part.indices instanceof Uint16Array ? "uint16" : "uint32",
+      buffer: gpu.buffer(`${name}/indices`, indices, "index"),
+      type: indices instanceof Uint16Array ? "uint16" : "uint32",
     },
-    count: part.indices.length,
+    count: indices.length,
   });
 }

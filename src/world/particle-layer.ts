@@ -88,7 +88,7 @@ export const PAPER_LAYERS: readonly ParticleLayer[] = [
     drag: 0.12,
     follow: 1,
     life: 0.7,
-    size: 0.3,
+    size: 0.26,
   },
 ];
 

@@ -17,8 +17,8 @@ export interface Stage {
   readonly candleScale: number;
   /** Metres per unit of the particle layers. */
   readonly flameScale: number;
-  /** Height of the flame's foot above the candle's, in units of the model. */
-  readonly wick: number;
+  /** Foot of the flame, from the candle's, in units of the model. */
+  readonly wick: readonly [number, number, number];
   /** Foot of the candle: seen from the eye when held (right, up, ahead), or in the room. */
   readonly hold: readonly [number, number, number];
   readonly stand: readonly [number, number, number] | null;
@@ -38,7 +38,7 @@ const PAPER: Stage = {
   yaw: 0.35,
   candleScale: 0.26,
   flameScale: 0.125,
-  wick: 1.03,
+  wick: [0.01, 1.03, 0.005],
   hold: [0.17, -0.4, 0.5],
   stand: null,
   layers: PAPER_LAYERS,

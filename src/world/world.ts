@@ -66,10 +66,10 @@ export function currentTime({ timeline, remainder }: World): number {
 export function advance(world: World, intent: Intent, seconds: number): void {
   lookAround(world.player, intent);
   if (intent.placesOrTakes) placeOrTake(world);
-  // 144 x 1/144 must be one second: the error of a sum is far below a thousandth of a tick.
-  const ticks = Math.floor((world.remainder + seconds) / TICK + 1e-3);
+  // 144 x 1/144 must be one second: the error of a sum is far below a millionth of a tick.
+  const ticks = Math.floor((world.remainder + seconds) / TICK + 1e-6);
   world.remainder = Math.max(0, world.remainder + seconds - ticks * TICK);
-  if (world.remainder < TICK * 1e-3) world.remainder = 0;
+  if (world.remainder < TICK * 1e-6) world.remainder = 0;
   if (ticks === 0) settle(world);
   for (let i = 0; i < ticks; i++) tick(world, intent);
   show(world);
@@ -85,7 +85,7 @@ export function moveCamera(
   const { player } = world;
   for (const axis of [0, 1, 2] as const) {
     const value = Number(position[axis]);
-    if (!Number.isNaN(value)) player.position[axis] = value;
+    if (Number.isFinite(value)) player.position[axis] = value;
     player.velocity[axis] = 0;
   }
   const walls = wallsOf(world);
@@ -162,9 +162,9 @@ function wallsOf({ stage }: World) {
 /** Brings candle and flame to where the visitor is. */
 function settle({ candle, player, stage, emitter }: World): void {
   if (candle.isHeld) holdCandle(candle, player, stage);
-  emitter[0] = candle.position[0];
-  emitter[1] = candle.position[1] + stage.wick * stage.candleScale;
-  emitter[2] = candle.position[2];
+  for (const axis of [0, 1, 2] as const) {
+    emitter[axis] = candle.position[axis] + stage.wick[axis] * stage.candleScale;
+  }
 }
 
 /** Lets the picture run ahead of the last tick by the time left over, so that motion is smooth. */

@@ -4,37 +4,26 @@ import particleFrag from "../../../shaders/paper/particle.frag";
 import particleVert from "../../../shaders/paper/particle.vert";
 import roomFrag from "../../../shaders/paper/room.frag";
 import roomVert from "../../../shaders/paper/room.vert";
-import type { Model } from "../../assets/model.js";
 import type { Gpu, Surface as Target } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
-import type { PointLight } from "../../light/candle-light.js";
+import { candleLight } from "../../light/candle-light.js";
 import type { Features } from "../../settings.js";
 import type { ParticleLayer } from "../../world/particle-layer.js";
 import { layerKey } from "../../world/particles.js";
 import type { World } from "../../world/world.js";
 import { clipFromWorld, projectionScale } from "../camera.js";
 import { ParticleSystem, particleProgram } from "../particle-system.js";
+import type { Models, Renderer } from "../renderer.js";
 import { type Surface, uploadModel } from "../surface.js";
 import type { Tier } from "../tier.js";
+import type { View } from "../view.js";
 
 /** The paper's light has no unit; this shows its white wall at arm's length just below white. */
 const EXPOSURE = 0.62;
 /** Light of one particle where it is brightest, in display units. */
-const GLOW = { core: 0.085, haze: 0.012 } as const;
-
-export interface PaperModels {
-  readonly room: Model;
-  readonly candle: Model;
-}
-
-/** What the picture depends on beside the world. */
-export interface View {
-  readonly features: Features;
-  /** EV */
-  readonly exposure: number;
-}
+const GLOW = { core: 0.2, haze: 0.012 } as const;
 
 /**
  * The paper's forward frame: room, candle, particles, straight to the screen's colours.
@@ -42,7 +31,7 @@ export interface View {
  * "Dynamic Fire Effects Using OpenGL Rasterization Techniques": `paper` is its final product,
  * `original` its "before".
  */
-export class PaperRenderer {
+export class PaperRenderer implements Renderer {
   readonly #gpu: Gpu;
   readonly #tier: Tier;
   readonly #frame: UniformBlock;
@@ -56,8 +45,10 @@ export class PaperRenderer {
   #systems: ParticleSystem[] = [];
   #target: RenderTarget | null = null;
   #size = { width: 1, height: 1 };
+  /** From the paper's light to the screen's, in the last frame. */
+  #gain = EXPOSURE;
 
-  constructor(gpu: Gpu, { room, candle }: PaperModels, tier: Tier) {
+  constructor(gpu: Gpu, { room, candle }: Models, tier: Tier) {
     this.#gpu = gpu;
     this.#tier = tier;
     this.#roomProgram = gpu.program("paper/room", roomVert, roomFrag);
@@ -76,7 +67,16 @@ export class PaperRenderer {
     this.#target?.dispose();
     const { samples } = this.#tier;
     this.#target =
-      samples > 0 ? this.#gpu.renderTarget({ label: "frame", width, height, samples }) : null;
+      samples > 0
+        ? this.#gpu.renderTarget({
+            label: "frame",
+            width,
+            height,
+            color: ["RGBA8"],
+            depth: "buffer",
+            samples,
+          })
+        : null;
   }
 
   /** Other particles: those of a new world, or more of them. They catch up in the next frame. */
@@ -92,35 +92,32 @@ export class PaperRenderer {
     return this.#systems.reduce((sum, { count }) => sum + count, 0);
   }
 
-  /** Factor from the paper's light to the screen's, at an exposure in EV. */
-  displayGain(exposure: number): number {
-    return EXPOSURE * 2 ** exposure;
-  }
-
-  render(world: World, light: PointLight, view: View): void {
+  render(world: World, view: View): void {
     const gpu = this.#gpu;
     const target = this.#target ?? "canvas";
     const { features } = view;
-    this.#updateBlocks(world, light, view);
+    this.#updateBlocks(world, view);
     if (features.particles) for (const system of this.#systems) system.follow(world.timeline);
     gpu.clear(target, [0, 0, 0, 1]);
     this.#drawRoom(target);
     if (features.candle) this.#drawCandle(target, world);
     if (features.particles) this.#drawParticles(target, world, features);
-    if (this.#target) gpu.resolve(this.#target);
+    if (this.#target) gpu.resolve(this.#target, "canvas");
   }
 
-  #updateBlocks(world: World, light: PointLight, { features, exposure }: View): void {
+  #updateBlocks(world: World, { features, exposure, isStill }: View): void {
     const { player, look, shown } = world;
+    this.#gain = EXPOSURE * 2 ** exposure;
     const { width, height } = this.#size;
     this.#frame.update({
       clipFromWorld: clipFromWorld(shown.eye, player.yaw, player.pitch, width / height),
       eyePosition: shown.eye,
-      exposure: this.displayGain(exposure),
+      exposure: this.#gain,
       viewport: [width, height],
       projectionScale: projectionScale(height),
       normalMaps: features.normalMaps && look === "paper" ? 1 : 0,
     });
+    const light = candleLight(world, features, isStill);
     this.#light.update({
       position: light.position,
       attenuates: light.attenuates ? 1 : 0,
@@ -187,4 +184,25 @@ export class PaperRenderer {
       });
     }
   }
+
+  /** There is no buffer of light here: the picture is decoded, and its exposure taken back. */
+  readRadiance(x: number, y: number, width: number, height: number): Float32Array {
+    const bytes = this.#gpu.readCanvas(x, this.#size.height - y - height, width, height);
+    const radiance = new Float32Array(width * height * 3);
+    for (let row = 0; row < height; row++) {
+      for (let column = 0; column < width; column++) {
+        const from = ((height - 1 - row) * width + column) * 4;
+        for (let channel = 0; channel < 3; channel++) {
+          const linear = decodeSrgb((bytes[from + channel] ?? 0) / 255);
+          radiance[(row * width + column) * 3 + channel] = linear / this.#gain;
+        }
+      }
+    }
+    return radiance;
+  }
+}
+
+/** IEC 61966-2-1. */
+function decodeSrgb(value: number): number {
+  return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
 }

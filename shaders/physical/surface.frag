@@ -1,0 +1,76 @@
+#version 300 es
+// A solid surface in the flame's light.
+// In:  base colour (sRGB), normal, occlusion/roughness/metallic maps.   Out: radiance, cd/m².
+// Vertex colour is occlusion baked into the model (red), 1 where there is none.
+#include "lib/precision.glsl"
+#include "lib/frame.glsl"
+#include "lib/ggx.glsl"
+#include "lib/relief.glsl"
+#include "physical/light.glsl"
+
+// A flame is no point: nearer than this the inverse square would not hold. Metres.
+const float NEAREST = 0.01;
+
+uniform sampler2D uAlbedo;
+uniform sampler2D uNormal;
+uniform sampler2D uOcclusionRoughness;
+uniform vec4 uBaseColor;
+uniform vec4 uSurface;  // roughness, metallic, normal scale, alpha below which nothing is
+
+in vec3 vPositionWorld;
+in vec3 vNormalWorld;
+in vec4 vTangentWorld;
+in vec2 vUv;
+in vec4 vColor;
+
+out vec4 oRadiance;
+
+vec3 surfaceNormal() {
+  vec3 normal = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
+  if (frame.normalMaps < 0.5) return normal;
+  vec3 relief = reliefNormal(uNormal, vUv, normal, vTangentWorld);
+  return normalize(mix(normal, relief, uSurface.z));
+}
+
+// Karis 2013, "Real Shading in Unreal Engine 4": the point of the capsule nearest to the mirrored
+// ray stands for all of it, and its width widens the highlight.
+vec3 towardsHighlight(vec3 toLight, vec3 mirrored) {
+  float along = dot(mirrored, toLight);
+  float offAxis = toLight.y - along * mirrored.y;
+  float climb = clamp(-offAxis / max(1.0 - mirrored.y * mirrored.y, 1e-3), -light.halfHeight, light.halfHeight);
+  return toLight + vec3(0.0, climb, 0.0);
+}
+
+void main() {
+  vec4 baseColor = texture(uAlbedo, vUv) * uBaseColor;
+  if (baseColor.a < uSurface.w) discard;
+  vec3 packed = texture(uOcclusionRoughness, vUv).rgb;
+  float occlusion = packed.r * vColor.r;
+  float roughness = clamp(packed.g * uSurface.x, 0.03, 1.0);
+  float metallic = packed.b * uSurface.y;
+  vec3 normal = surfaceNormal();
+  vec3 view = normalize(frame.eyePosition - vPositionWorld);
+  float NoV = max(abs(dot(normal, view)), 1e-3);
+
+  vec3 toLight = light.position - vPositionWorld;
+  float distanceSquared = max(dot(toLight, toLight), NEAREST * NEAREST);
+  vec3 L = toLight * inversesqrt(distanceSquared);
+  float NoL = max(dot(normal, L), 0.0);
+  vec3 irradiance = light.intensity * (NoL / distanceSquared);
+
+  vec3 highlight = towardsHighlight(toLight, reflect(-view, normal));
+  vec3 S = normalize(highlight);
+  vec3 H = normalize(S + view);
+  float alpha = roughness * roughness;
+  float width = light.radius / max(length(highlight), NEAREST);
+  float widened = clamp(alpha + 0.5 * width, 0.0, 1.0);
+  float NoS = max(dot(normal, S), 0.0);
+  vec3 f0 = mix(vec3(0.04), baseColor.rgb, metallic);
+  vec3 fresnel = fresnelSchlick(f0, max(dot(S, H), 0.0));
+  float lobe = distributionGgx(widened, max(dot(normal, H), 0.0)) * visibilitySmith(alpha, NoV, NoS);
+  float narrowing = (alpha * alpha) / (widened * widened);
+  vec3 specular = fresnel * lobe * narrowing * NoS * light.intensity / distanceSquared;
+  vec3 diffuse = baseColor.rgb * (1.0 - metallic) * (1.0 - fresnel) / PI * irradiance;
+  // What the relief and the model hide from the flame is hidden softly; ambient light follows.
+  oRadiance = vec4((diffuse + specular) * occlusion, 1.0);
+}

@@ -1,0 +1,63 @@
+import { created, type GpuObject } from "./gpu-object.js";
+import type { Texture } from "./texture.js";
+
+/** Which image of each texture: a face of a cube, or a layer of a three-dimensional one. */
+export interface TextureViewOptions {
+  readonly label: string;
+  readonly textures: readonly Texture[];
+  /** Face 0-5 in GL's order (+X -X +Y -Y +Z -Z), or layer. */
+  readonly image: number;
+  /** A depth buffer of its own, or one shared with the views of the other images. */
+  readonly depth?: Texture;
+}
+
+/** A face or a layer of textures, to draw to. It does not own the textures. */
+export class TextureView implements GpuObject {
+  readonly label: string;
+  readonly bytes = 0;
+  readonly width: number;
+  readonly height: number;
+  readonly framebuffer: WebGLFramebuffer;
+  readonly #gl: WebGL2RenderingContext;
+  readonly #forget: (object: GpuObject) => void;
+
+  constructor(
+    gl: WebGL2RenderingContext,
+    { label, textures, image, depth }: TextureViewOptions,
+    forget: (object: GpuObject) => void,
+  ) {
+    const [first] = textures;
+    if (!first) throw new Error(`${label}: nothing to draw to.`);
+    this.#gl = gl;
+    this.#forget = forget;
+    this.label = label;
+    this.width = first.width;
+    this.height = first.height;
+    this.framebuffer = created(gl, gl.createFramebuffer(), label);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
+    for (const [i, { target, handle }] of textures.entries()) {
+      const attachment = gl.COLOR_ATTACHMENT0 + i;
+      if (target === gl.TEXTURE_3D) {
+        gl.framebufferTextureLayer(gl.FRAMEBUFFER, attachment, handle, 0, image);
+      } else {
+        const face = gl.TEXTURE_CUBE_MAP_POSITIVE_X + image;
+        gl.framebufferTexture2D(gl.FRAMEBUFFER, attachment, face, handle, 0);
+      }
+    }
+    if (depth) {
+      gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.TEXTURE_2D, depth.handle, 0);
+    }
+    gl.drawBuffers(textures.map((_, i) => gl.COLOR_ATTACHMENT0 + i));
+    const status = gl.checkFramebufferStatus(gl.FRAMEBUFFER);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    if (status !== gl.FRAMEBUFFER_COMPLETE && !gl.isContextLost()) {
+      this.dispose();
+      throw new Error(`${label}: framebuffer incomplete (0x${status.toString(16)})`);
+    }
+  }
+
+  dispose(): void {
+    this.#gl.deleteFramebuffer(this.framebuffer);
+    this.#forget(this);
+  }
+}

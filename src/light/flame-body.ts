@@ -1,0 +1,112 @@
+import type { Rgb } from "./color.js";
+import { luma } from "./color.js";
+import { sootRadiance } from "./soot.js";
+
+/** Texels of the body: radius by height. */
+export const BODY_SIZE = { width: 64, height: 128 } as const;
+/** The table reaches this far beyond the luminous edge, in radii: the blue cup hugs the outside. */
+export const BODY_REACH = 1.25;
+
+/** Hottest soot, kelvin: two-colour pyrometry of candles finds 1670 to 1800. */
+const HOTTEST = 1750;
+/** Colour of the base's CH* and C2* bands, linear Rec. 709 with luma 1. */
+const BLUE: Rgb = [0.28, 0.75, 5.6];
+/** Luminance of the blue cup seen edge-on against that of the brightest soot. */
+const BLUE_SHARE = 0.012;
+
+/**
+ * A candle flame at rest, as a figure of revolution.
+ *
+ * A laminar sheet, not a turbulent fire: a shell of soot that is thin and hollow below and closes to
+ * the axis above, a dark zone round the wick, and a blue cup that hugs the outside of the base.
+ * Emission per metre of the way through it (linear Rec. 709, luma in cd/m² per metre) and extinction
+ * (1/m), over height (rows, base to tip) and radius (columns, axis to `BODY_REACH` radii).
+ */
+export interface FlameBody {
+  readonly texels: Float32Array;
+  /** Metres, from the base to the tip. */
+  readonly height: number;
+  /** Largest radius, metres. */
+  readonly radius: number;
+  /** Candela, in every horizontal direction alike: the flame is all but transparent. */
+  readonly luminousIntensity: number;
+  /** Linear Rec. 709 with luma 1. */
+  readonly color: Rgb;
+  /** Height of the centre of the light above the base, metres. */
+  readonly centre: number;
+}
+
+const smooth = (low: number, high: number, x: number): number => {
+  const t = Math.min(Math.max((x - low) / (high - low), 0), 1);
+  return t * t * (3 - 2 * t);
+};
+
+/** Outline: radius over height, both as shares. A teardrop, widest at a third of its height. */
+export function outline(height: number): number {
+  const below = Math.sin(Math.min(height / 0.34, 1) * (Math.PI / 2)) ** 0.55;
+  const above = height < 0.34 ? 1 : (1 - ((height - 0.34) / 0.66) ** 1.75) ** 1.05;
+  return 0.12 + 0.88 * below * Math.max(above, 0) - 0.12 * smooth(0.3, 1, height);
+}
+
+/** Soot, temperature in kelvin and blue light at a height and a radius, both as shares. */
+function at(height: number, radius: number) {
+  // The shell: where fuel meets air. Low it is thin and at the rim; the hollow closes by 0.55.
+  const hollow = 1 - smooth(0.12, 0.58, height);
+  const middle = 0.8 * hollow;
+  const thickness = 0.16 + 0.42 * (1 - hollow);
+  const shell = Math.exp(-(((radius - middle) / thickness) ** 2));
+  const edge = 1 - smooth(0.72, 1.0, radius);
+  const rise = smooth(0.1, 0.42, height) * (1 - 0.75 * smooth(0.72, 1.0, height));
+  const soot = shell * edge * rise;
+  const temperature =
+    HOTTEST - 170 * (1 - smooth(0.3, 0.9, radius)) * hollow - 190 * smooth(0.75, 1, height);
+  const cup =
+    Math.exp(-(((radius - 0.96) / 0.13) ** 2)) *
+    smooth(0, 0.03, height) *
+    (1 - smooth(0.1, 0.3, height));
+  return { soot, temperature, cup };
+}
+
+/**
+ * Bakes the body of a flame.
+ *
+ * @param height metres from base to tip
+ * @param radius largest radius of the luminous zone, metres
+ * @param luminousIntensity candela
+ */
+export function flameBody(height: number, radius: number, luminousIntensity: number): FlameBody {
+  const { width, height: rows } = BODY_SIZE;
+  const texels = new Float32Array(width * rows * 4);
+  const sum: [number, number, number] = [0, 0, 0];
+  let moment = 0;
+  for (let row = 0; row < rows; row++) {
+    const t = (row + 0.5) / rows;
+    const outer = radius * outline(t);
+    for (let column = 0; column < width; column++) {
+      const share = ((column + 0.5) / width) * BODY_REACH;
+      const { soot, temperature, cup } = at(t, share);
+      const glow = sootRadiance(temperature);
+      const i = (row * width + column) * 4;
+      const ring = 2 * Math.PI * (share * outer) * ((outer * BODY_REACH) / width) * (height / rows);
+      for (const channel of [0, 1, 2] as const) {
+        const blue = cup * BLUE_SHARE * BLUE[channel] * luma(sootRadiance(HOTTEST));
+        texels[i + channel] = soot * glow[channel] + blue;
+        sum[channel] += (texels[i + channel] ?? 0) * ring;
+      }
+      texels[i + 3] = soot;
+      moment += luma([texels[i] ?? 0, texels[i + 1] ?? 0, texels[i + 2] ?? 0]) * ring * t * height;
+    }
+  }
+  // Emission integrated over the volume is intensity: scaled, the picture gives what was asked for.
+  const total = luma(sum);
+  const scale = luminousIntensity / total;
+  for (let i = 0; i < texels.length; i++) texels[i] = (texels[i] ?? 0) * scale;
+  return {
+    texels,
+    height,
+    radius,
+    luminousIntensity,
+    color: [sum[0] / total, sum[1] / total, sum[2] / total],
+    centre: moment / total,
+  };
+}

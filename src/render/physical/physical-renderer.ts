@@ -1,0 +1,189 @@
+import displayFrag from "../../../shaders/physical/display.frag";
+import flameFrag from "../../../shaders/physical/flame.frag";
+import flameVert from "../../../shaders/physical/flame.vert";
+import fullscreenVert from "../../../shaders/physical/fullscreen.vert";
+import surfaceFrag from "../../../shaders/physical/surface.frag";
+import surfaceVert from "../../../shaders/physical/surface.vert";
+import type { Gpu } from "../../gl/gpu.js";
+import type { Program } from "../../gl/program.js";
+import type { RenderTarget } from "../../gl/render-target.js";
+import type { Texture } from "../../gl/texture.js";
+import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { VertexArray } from "../../gl/vertex-array.js";
+import { adaptation, CANDLE_WHITE, ILLUMINANT_A } from "../../light/color.js";
+import { BODY_SIZE, outline } from "../../light/flame-body.js";
+import { flameLight, TAPER } from "../../light/flame-light.js";
+import type { World } from "../../world/world.js";
+import { clipFromWorld, projectionScale } from "../camera.js";
+import type { Models, Renderer } from "../renderer.js";
+import { type Surface, uploadModel } from "../surface.js";
+import type { Tier } from "../tier.js";
+import type { View } from "../view.js";
+
+/** From cd/m² to the display's scale, where middle grey is 0.18: a wall of 0.08 cd/m² lands there. */
+const EXPOSURE = 2.2;
+/** Steps of the march through the flame. */
+const FLAME_STEPS: Readonly<Record<Tier["name"], number>> = {
+  low: 12,
+  medium: 24,
+  high: 40,
+  ultra: 64,
+};
+const BLACK = [0, 0, 0, 1] as const;
+
+/**
+ * The room as a real flame lights it, in candela and metres: linear and high in range until `display`.
+ */
+export class PhysicalRenderer implements Renderer {
+  readonly particles = 0;
+  readonly #gpu: Gpu;
+  readonly #tier: Tier;
+  readonly #surfaceProgram: Program;
+  readonly #flameProgram: Program;
+  readonly #displayProgram: Program;
+  readonly #frame: UniformBlock;
+  readonly #light: UniformBlock;
+  readonly #flame: UniformBlock;
+  readonly #room: readonly Surface[];
+  readonly #candle: readonly Surface[];
+  readonly #body: Texture;
+  readonly #outline: Texture;
+  readonly #hull: VertexArray;
+  readonly #screen: VertexArray;
+  readonly #adaptation = adaptation(CANDLE_WHITE, ILLUMINANT_A);
+  #samples: RenderTarget | null = null;
+  #radiance: RenderTarget | null = null;
+  #size = { width: 1, height: 1 };
+
+  constructor(gpu: Gpu, { room, candle }: Models, tier: Tier) {
+    this.#gpu = gpu;
+    this.#tier = tier;
+    this.#surfaceProgram = gpu.program("physical/surface", surfaceVert, surfaceFrag);
+    this.#flameProgram = gpu.program("physical/flame", flameVert, flameFrag);
+    this.#displayProgram = gpu.program("physical/display", fullscreenVert, displayFrag);
+    this.#frame = gpu.uniformBlock(this.#surfaceProgram, "Frame");
+    this.#light = gpu.uniformBlock(this.#surfaceProgram, "Light");
+    this.#flame = gpu.uniformBlock(this.#flameProgram, "Flame");
+    this.#room = uploadModel(gpu, room, tier);
+    this.#candle = uploadModel(gpu, candle, tier);
+    this.#body = gpu.texture({
+      label: "flame/body",
+      format: "RGBA32F",
+      source: { ...BODY_SIZE, data: TAPER.texels },
+    });
+    this.#outline = gpu.texture({
+      label: "flame/outline",
+      format: "R32F",
+      source: {
+        width: BODY_SIZE.height,
+        height: 1,
+        data: Float32Array.from({ length: BODY_SIZE.height }, (_, i) =>
+          outline((i + 0.5) / BODY_SIZE.height),
+        ),
+      },
+    });
+    this.#hull = gpu.vertexArray("flame/hull", { attributes: {}, count: 14 });
+    this.#screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
+  }
+
+  resize(width: number, height: number): void {
+    const { samples } = this.#tier;
+    this.#size = { width, height };
+    this.#samples?.dispose();
+    this.#radiance?.dispose();
+    const size = { width, height, color: ["RGBA16F"] as const, depth: "buffer" as const };
+    this.#samples =
+      samples > 1 ? this.#gpu.renderTarget({ label: "frame samples", ...size, samples }) : null;
+    this.#radiance = this.#gpu.renderTarget({ label: "radiance", ...size });
+  }
+
+  /** The body of the flame is no particles. */
+  follow(): void {}
+
+  render(world: World, view: View): void {
+    if (!this.#radiance) return;
+    const target = this.#samples ?? this.#radiance;
+    this.#updateBlocks(world, view);
+    this.#gpu.clear(target, BLACK);
+    this.#drawSurfaces(target, this.#room, [0, 0, 0, 0]);
+    if (view.features.candle) {
+      const [x, y, z] = world.shown.foot;
+      this.#drawSurfaces(target, this.#candle, [x, y, z, world.player.yaw]);
+    }
+    this.#drawFlame(target);
+    if (this.#samples) this.#gpu.resolve(this.#samples, this.#radiance);
+    this.#gpu.draw({
+      program: this.#displayProgram,
+      target: "canvas",
+      vertexArray: this.#screen,
+      textures: { uRadiance: this.#radiance.color },
+      uniforms: { uAdaptation: this.#adaptation },
+      blocks: { Frame: this.#frame },
+    });
+  }
+
+  #updateBlocks(world: World, { features, exposure }: View): void {
+    const { player, shown } = world;
+    const { width, height } = this.#size;
+    this.#frame.update({
+      clipFromWorld: clipFromWorld(shown.eye, player.yaw, player.pitch, width / height),
+      eyePosition: shown.eye,
+      exposure: EXPOSURE * 2 ** exposure,
+      viewport: [width, height],
+      projectionScale: projectionScale(height),
+      normalMaps: features.normalMaps ? 1 : 0,
+    });
+    const light = flameLight(world, TAPER);
+    this.#light.update({
+      position: light.position,
+      halfHeight: light.halfHeight,
+      intensity: light.intensity,
+      radius: light.radius,
+    });
+    const [x, y, z] = shown.flame;
+    this.#flame.update({
+      base: [x, y, z],
+      radius: TAPER.radius,
+      tip: [x, y + TAPER.height, z],
+      steps: FLAME_STEPS[this.#tier.name],
+    });
+  }
+
+  #drawSurfaces(
+    target: RenderTarget,
+    surfaces: readonly Surface[],
+    place: readonly [number, number, number, number],
+  ): void {
+    for (const { vertexArray, textures, baseColor, parameters, isDoubleSided } of surfaces) {
+      this.#gpu.draw({
+        program: this.#surfaceProgram,
+        target,
+        vertexArray,
+        textures,
+        uniforms: { uBaseColor: baseColor, uPlace: place, uSurface: parameters },
+        blocks: { Frame: this.#frame, Light: this.#light },
+        depth: "test-and-write",
+        cull: isDoubleSided ? "none" : "back",
+      });
+    }
+  }
+
+  #drawFlame(target: RenderTarget): void {
+    this.#gpu.draw({
+      program: this.#flameProgram,
+      target,
+      vertexArray: this.#hull,
+      primitive: "strip",
+      textures: { uBody: this.#body, uOutline: this.#outline },
+      blocks: { Frame: this.#frame, Flame: this.#flame },
+      blend: "premultiplied",
+      depth: "test",
+      cull: "none",
+    });
+  }
+
+  readRadiance(x: number, y: number, width: number, height: number): Float32Array {
+    if (!this.#radiance) return new Float32Array(width * height * 3);
+    return this.#gpu.readRadiance(this.#radiance, x, y, width, height);
+  }
+}

@@ -1,0 +1,10 @@
+import type { Features } from "../settings.js";
+
+/** What a picture depends on beside the world. */
+export interface View {
+  readonly features: Features;
+  /** Compensation, EV. */
+  readonly exposure: number;
+  /** No flicker and no sway, for those who asked their system for less motion. */
+  readonly isStill: boolean;
+}
