@@ -1,4 +1,34 @@
+import { brass } from "./materials/brass.mjs";
+import { iron } from "./materials/iron.mjs";
+import { leather } from "./materials/leather.mjs";
+import { linen } from "./materials/linen.mjs";
+import { logends } from "./materials/logends.mjs";
 import { logs } from "./materials/logs.mjs";
+import { masonry } from "./materials/masonry.mjs";
+import { paper } from "./materials/paper.mjs";
+import { pewter } from "./materials/pewter.mjs";
+import { planks } from "./materials/planks.mjs";
+import { plaster } from "./materials/plaster.mjs";
+import { stone } from "./materials/stone.mjs";
+import { trim } from "./materials/trim.mjs";
+import { wax } from "./materials/wax.mjs";
+import { wool } from "./materials/wool.mjs";
 
 /** Every texture set, in the order of how much of the room it covers. */
-export const materials = [logs];
+export const materials = [
+  logs,
+  planks,
+  plaster,
+  trim,
+  stone,
+  masonry,
+  logends,
+  wool,
+  linen,
+  paper,
+  leather,
+  wax,
+  brass,
+  pewter,
+  iron,
+];

@@ -1,4 +1,4 @@
-import { dirname, join } from "node:path";
+import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import sharp from "sharp";
 import { linearFromSrgb, srgbFromLinear } from "./pigment.mjs";
@@ -165,7 +165,7 @@ const filmic = (x) => (x < 0.5 ? x : 1 - 0.5 / (1 + (x - 0.5) / 0.5));
 
 export async function preview(name, tile, folder = textures, extension = "avif") {
   const levels = await readSet(folder, name, extension);
-  const view = { width: 960, height: 560, fieldOfView: 60 };
+  const view = { width: 720, height: 420, fieldOfView: 60 };
   const t = tile;
   const wall = render(levels, t, {
     ...view,
@@ -185,8 +185,8 @@ export async function preview(name, tile, folder = textures, extension = "avif")
     exposure: 0.17 * t * t,
   });
   const tiled = render(levels, t, {
-    width: 960,
-    height: 960,
+    width: 720,
+    height: 720,
     fieldOfView: 20,
     eye: [t, -t, 5.67 * t],
     target: [t, -t, 0],
@@ -195,11 +195,11 @@ export async function preview(name, tile, folder = textures, extension = "avif")
     exposure: 75 * t * t,
   });
   const file = join("/tmp", `${name}-preview.png`);
-  await sharp({ create: { width: 1920, height: 1120, channels: 3, background: "black" } })
+  await sharp({ create: { width: 1440, height: 840, channels: 3, background: "black" } })
     .composite([
       { ...wall, left: 0, top: 0 },
-      { ...close, left: 0, top: 560 },
-      { ...tiled, left: 960, top: 80 },
+      { ...close, left: 0, top: 420 },
+      { ...tiled, left: 720, top: 60 },
     ])
     .png()
     .toFile(file);
@@ -212,4 +212,3 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const { tile } = materials.find((material) => material.name === name);
   console.log(await preview(name, tile, folder ?? textures, extension ?? "avif"));
 }
-void dirname;

@@ -13,22 +13,13 @@ export function latewood(years, seed) {
   return strength * smoothstep(0.3, 0.86, season) * (1 - smoothstep(0.93, 1, season));
 }
 
-/** Fibres along `along`, counted across by `across`: three widths, about -1..1. */
-export function fibre(along, across, seed) {
-  return (
-    0.5 * noise(along / 45, across / 1.7, seed) +
-    0.35 * noise(along / 90, across / 3.1, seed + 1) +
-    0.3 * noise(along / 22, across / 1.1, seed + 2)
-  );
-}
-
-const knotState = { across: 0, inside: 0, radius: 9, halo: 0, swell: 0, star: 0 };
+const knotState = { across: 0, inside: 0, radius: 9, halo: 0, swell: 0, star: 0, rim: 0 };
 
 /**
  * How knots bend the grain at (along, across). Fibres follow the stream lines of a flow past a
  * cylinder, the branch. Returned, and reused by the next call: the bent `across`; how far `inside` a
  * knot; the distance from its centre in knot radii; its dark `halo`; the `swell` round it; the drying
- * `star` crossing it.
+ * `star` crossing it; how dark its `rim` of bark is on this side.
  */
 export function bendRoundKnots(along, across, knots, period) {
   const state = knotState;
@@ -61,11 +52,14 @@ export function bendRoundKnots(along, across, knots, period) {
     if (inside > state.inside) {
       state.inside = inside;
       state.radius = distance / knot.radius;
-      const angle = Math.atan2(dy, dx) + 0.25 * noise(distance / 6, 0.5, knot.seed + 1);
-      const arms = 3 + (knot.seed % 3);
+      // A heart-shake or two: cracks from the pith, of one to four arms.
+      const angle = Math.atan2(dy, dx) + 0.6 * noise(distance / 7, 0.5, knot.seed + 1);
+      const arms = 1 + (knot.seed % 4);
       const arm = Math.abs(Math.sin((arms * angle) / 2 + knot.seed)) * distance;
-      const width = knot.crack * (1 - 0.75 * state.radius);
-      state.star = inside * (1 - smoothstep(0.5 * width, width + 0.5, arm));
+      const reachOfCrack = 1 - 0.9 * state.radius + 0.5 * noise(2 * angle, 0.5, knot.seed + 2);
+      const width = knot.crack * Math.max(0, reachOfCrack);
+      state.star = inside * Math.min(1, width) * (1 - smoothstep(0.5 * width, width + 0.6, arm));
+      state.rim = 0.5 + 0.5 * noise(Math.cos(angle) * 1.3, Math.sin(angle) * 1.3, knot.seed + 3);
     }
   }
   return state;
@@ -77,7 +71,7 @@ export function knotShape(next, seed, smallest, largest) {
   return {
     radius: smallest + (largest - smallest) * size * size,
     stretch: next(1, 1.35),
-    crack: next(0.6, 2.2),
+    crack: next(0.3, 1.9),
     seed: hash(Math.floor(next(0, 65536)), 1, seed) & 0xffff,
   };
 }

@@ -1,7 +1,8 @@
+import { chinking } from "../chinking.mjs";
 import { bell, clamp, fractalNoise, mix, noise, randomStream, smoothstep } from "../noise.mjs";
 import { cover, glaze, pigment, scale, set } from "../pigment.mjs";
 import { synthesizeSurface, weather } from "../surface.mjs";
-import { bendRoundKnots, checkDepth, fibre, knotShape, latewood } from "../wood.mjs";
+import { bendRoundKnots, checkDepth, knotShape, latewood } from "../wood.mjs";
 
 /**
  * A wall of peeled round logs, weathered to grey and blond, chinked with lime mortar. Eight logs of
@@ -15,13 +16,15 @@ const PITCH = TILE / LOGS;
 /** Share of the logs' roundness drawn into the normals; the mesh is to carry the rest. */
 const ROUNDNESS = 0.55;
 
-const BLOND = pigment(0xbcaa8c);
+/** Height of the bed of mortar: where the logs come to 79 mm from their crowns. */
+const BED = -ROUNDNESS * 0.5 * PITCH * (1 - Math.cos(Math.asin(0.79))) - 1.5;
+
+const BLOND = pigment(0xbbab90);
 const LATE = pigment(0x8e7a5f);
 const SILVER = pigment(0xa9a59b);
 const BARK = pigment(0x55463a);
 const KNOT = pigment(0x54463a);
 const SHADOW = pigment(0x1d1a17);
-const LIME = pigment(0xcfcabd);
 const DUST = pigment(0xaaa69c);
 const SOOT = [0.5, 0.48, 0.46];
 
@@ -70,7 +73,7 @@ function growLog(index, seed) {
     twist: next(-9, 9),
     yearWidth: next(1.7, 3.2),
     tone: next(0.78, 1.16),
-    silver: next(0.1, 0.95),
+    silver: next(0.25, 1),
     bark: next(-0.25, 0.15),
     facets: next(0.5, 1.1),
   };
@@ -98,25 +101,6 @@ function drawknife(x, arc, log) {
   return -0.55 * log.facets * lowest;
 }
 
-/** Height of the mortar in a joint: tooled hollow, bellied here and there, dragged by the trowel. */
-function chinkDepth(x, y, joint, seed) {
-  const off = (y - joint.y) / 24;
-  const base = -ROUNDNESS * 0.5 * PITCH * (1 - Math.cos(Math.asin(0.79)));
-  const hollow = off * off;
-  const drag =
-    along(x, 13, y / 3.5, seed + 3, 3) * smoothstep(-0.3, 0.5, along(x, 7, 0.5, seed + 5, 2));
-  return (
-    base -
-    1.5 +
-    1.8 * Math.min(hollow, 1) -
-    14 * Math.max(0, Math.abs(off) - 1.25) +
-    2.4 * along(x, 7, joint.index * 3.1, seed + 1, 3) +
-    0.9 * along(x, 30, y / 26, seed + 2, 4) +
-    0.7 * drag +
-    0.13 * noise((x / TILE) * 420, y / 3.8, seed + 4, 420)
-  );
-}
-
 function paintWood(color, wood) {
   set(color, BLOND);
   cover(color, LATE, clamp(0.22 + 0.6 * wood.late + 0.3 * wood.fibre + 0.2 * wood.streak));
@@ -127,7 +111,7 @@ function paintWood(color, wood) {
   cover(color, KNOT, clamp(0.42 * wood.halo * wood.halo + 0.5 * wood.inside));
   if (wood.inside > 0) {
     scale(color, 1 - 0.35 * wood.inside * wood.knotRing);
-    scale(color, 1 - 0.55 * wood.inside * bell(wood.knotRadius - 0.96, 0.09));
+    scale(color, 1 - 0.75 * wood.rim * wood.inside * bell(wood.knotRadius - 0.96, 0.09));
   }
   cover(color, SHADOW, clamp(0.93 * Math.max(wood.check, wood.star)));
 }
@@ -135,6 +119,7 @@ function paintWood(color, wood) {
 function sampler(seed) {
   const logs = Array.from({ length: LOGS }, (_, index) => growLog(index, seed));
   const wood = {};
+  const mortar = chinking(LOGS, TILE, seed);
   return (x, y, texel) => {
     const index = Math.floor(y / PITCH);
     const log = logs[index];
@@ -192,11 +177,12 @@ function sampler(seed) {
 
     const side = y < (index + 0.5) * PITCH ? 0 : 1;
     const jointIndex = (index + side) % LOGS;
-    const joint = { index: jointIndex, y: (index + side) * PITCH };
-    const mortar = chinkDepth(x, y, joint, seed * 31 + jointIndex * 17);
-    const proud = mortar - height;
+    const off = y - (index + side) * PITCH;
+    const joint = mortar(x, off, jointIndex);
+    const mortarHeight = BED + joint.height;
+    const proud = mortarHeight - height;
     const smear =
-      0.5 * along(x, 60, y / 9, seed + 19, 3) +
+      0.5 * along(x, 60, off / 9, seed + 19 + jointIndex, 3) +
       0.7 * along(x, 14, jointIndex * 2.7 + side * 9, seed + 20, 2);
     const chink = smoothstep(-0.5, 0.9, proud + 1.5 * smear);
     // Mortar shrinks from the wood as it dries, and parts from one side of it here and there.
@@ -216,6 +202,7 @@ function sampler(seed) {
     wood.knotRadius = knot.radius;
     wood.check = check;
     wood.star = knot.star;
+    wood.rim = knot.rim;
     const color = texel.albedo;
     paintWood(color, wood);
 
@@ -223,20 +210,14 @@ function sampler(seed) {
       smoothstep(0.25, -0.95, height01) * (0.55 + 0.45 * along(x, 9, arc / 25, s + 17, 3));
     cover(color, DUST, clamp(0.38 * dusty * (1 - check)));
     const sooty =
-      smoothstep(-0.1, 0.5, along(x, 4, y / 300, seed + 22, 5)) * 0.4 +
+      smoothstep(-0.1, 0.5, fractalNoise((x / TILE) * 4, (y / TILE) * 5, seed + 22, 5, 4, 5)) *
+        0.4 +
       smoothstep(0.45, 1, Math.abs(height01)) * 0.5;
     glaze(color, SOOT, clamp(sooty));
 
-    if (chink > 0) {
-      const stain = along(x, 7, y / 160, seed + 23, 4);
-      const lime = wood.lime ?? (wood.lime = [0, 0, 0]);
-      set(lime, LIME);
-      scale(lime, 0.9 + 0.16 * stain + 0.1 * along(x, 120, y / 8, seed + 24, 2));
-      glaze(lime, SOOT, clamp(0.25 + 0.5 * stain));
-      cover(color, lime, chink);
-    }
+    cover(color, joint.albedo, chink);
     cover(color, SHADOW, 0.75 * parted);
-    height = mix(height, Math.max(height, mortar), chink) - 2.2 * parted;
+    height = mix(height, Math.max(height, mortarHeight), chink) - 2.2 * parted;
 
     texel.height = height;
     const timber =
@@ -248,7 +229,7 @@ function sampler(seed) {
       0.1 * knot.inside +
       0.12 * bark -
       0.05 * cut;
-    texel.roughness = mix(timber, 0.93, Math.max(chink, check));
+    texel.roughness = mix(mix(timber, 0.95, check), joint.roughness, chink);
     texel.metallic = 0;
   };
 }
