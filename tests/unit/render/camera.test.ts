@@ -1,0 +1,59 @@
+import { type mat4, vec4 } from "gl-matrix";
+import { describe, expect, test } from "vitest";
+import { clipFromWorld, FIELD_OF_VIEW, projectionScale } from "../../../src/render/camera.ts";
+import type { Vec3 } from "../../../src/world/bounds.ts";
+import { STILL } from "../../../src/world/intent.ts";
+import { type Player, walk } from "../../../src/world/player.ts";
+
+const EYE: Vec3 = [1, 1.6, -2];
+
+/** Where a point of the room lands in the picture, -1 to 1, and how far ahead it is. */
+function project(matrix: mat4, [x, y, z]: Vec3) {
+  const clip = vec4.transformMat4(vec4.create(), [x, y, z, 1], matrix) as number[];
+  return { x: clip[0]! / clip[3]!, y: clip[1]! / clip[3]!, ahead: clip[3]! };
+}
+
+describe("the camera", () => {
+  test.each([0, 0.9, Math.PI / 2, -2.4, Math.PI])(
+    "looks where the visitor walks, at yaw %d",
+    (yaw) => {
+      const player: Player = { position: [...EYE], velocity: [0, 0, 0], yaw, pitch: 0 };
+      walk(player, { ...STILL, forward: 1 }, { walk: 2, run: 4 }, null, 3);
+      const { x, y, ahead } = project(clipFromWorld(EYE, yaw, 0, 16 / 9), player.position);
+      expect(x).toBeCloseTo(0, 5);
+      expect(y).toBeCloseTo(0, 5);
+      expect(ahead).toBeGreaterThan(5);
+    },
+  );
+
+  test("has what is right on the right and what is above above", () => {
+    const { x, y } = project(clipFromWorld(EYE, 0, 0, 1), [1.2, 1.9, -4]);
+    expect(x).toBeGreaterThan(0);
+    expect(y).toBeGreaterThan(0);
+  });
+
+  test("looks up for positive pitch, left for positive yaw", () => {
+    const ahead: Vec3 = [1, 1.6, -4];
+    expect(project(clipFromWorld(EYE, 0, 0.2, 1), ahead).y).toBeLessThan(-0.1);
+    expect(project(clipFromWorld(EYE, 0.2, 0, 1), ahead).x).toBeGreaterThan(0.1);
+  });
+
+  test("sees the paper's 45 degrees across the picture's shorter side", () => {
+    expect(FIELD_OF_VIEW).toBe(Math.PI / 4);
+    const reach = 2 * Math.tan(FIELD_OF_VIEW / 2);
+    const top: Vec3 = [1, 1.6 + reach, -4];
+    const right: Vec3 = [1 + reach, 1.6, -4];
+    for (const aspect of [1, 16 / 9]) {
+      expect(project(clipFromWorld(EYE, 0, 0, aspect), top).y).toBeCloseTo(1, 5);
+    }
+    for (const aspect of [0.46, 0.7, 1]) {
+      expect(project(clipFromWorld(EYE, 0, 0, aspect), right).x).toBeCloseTo(1, 5);
+    }
+  });
+
+  test("knows how many pixels a metre takes", () => {
+    const above: Vec3 = [1, 2.6, -7];
+    const { y } = project(clipFromWorld(EYE, 0, 0, 1), above);
+    expect((y / 2) * 720).toBeCloseTo(projectionScale(720) / 5, 2);
+  });
+});

@@ -1,0 +1,2 @@
+#version 300 es
+#include "../tests/unit/tools/shaders/no-such-file.glsl"

@@ -1,0 +1,118 @@
+import { describe, expect, test } from "vitest";
+import { SETTINGS } from "../../../src/settings.ts";
+import { type Intent, STILL } from "../../../src/world/intent.ts";
+import { GROUPS } from "../../../src/world/particle-layer.ts";
+import { FLOATS } from "../../../src/world/particles.ts";
+import { TICK } from "../../../src/world/timeline.ts";
+import { advance, createWorld, currentTime, type World } from "../../../src/world/world.ts";
+import { chance } from "../chance.ts";
+
+const LOOKS = SETTINGS.look.choices;
+const WALKING: Intent = { ...STILL, forward: 1, right: 0.3, turn: 0.4, runs: true };
+
+function advanced(world: World, seconds: number, times: number, intent = STILL): World {
+  for (let i = 0; i < times; i++) advance(world, intent, seconds);
+  return world;
+}
+
+/** All that a picture of the world shows. */
+function shownOf({ player, candle, emitter, shown, timeline, sample, remainder }: World) {
+  return {
+    player,
+    candle,
+    emitter,
+    shown,
+    tick: timeline.tick,
+    particles: sample.state,
+    remainder,
+  };
+}
+
+describe("time (P7)", () => {
+  test.each(LOOKS)("is the same world at 30, 60 and 144 Hz, standing or walking: %s", (look) => {
+    for (const intent of [STILL, WALKING]) {
+      const worlds = [30, 60, 144].map((rate) =>
+        shownOf(advanced(createWorld(look, 5), 1 / rate, rate, intent)),
+      );
+      expect(worlds[0]?.tick).toBe(120);
+      expect(worlds[0]?.remainder).toBe(0);
+      expect(worlds[1]).toEqual(worlds[0]);
+      expect(worlds[2]).toEqual(worlds[0]);
+    }
+  });
+
+  test("is the same world through frames of any length", () => {
+    const between = chance(3);
+    const world = createWorld("paper", 5);
+    let left = 1;
+    while (left > 0.06) {
+      const seconds = between(0, 0.05);
+      advance(world, WALKING, seconds);
+      left -= seconds;
+    }
+    advance(world, WALKING, left);
+    const whole = advanced(createWorld("paper", 5), 1, 1, WALKING);
+    expect(world.timeline.tick).toBe(120);
+    expect(world.player).toEqual(whole.player);
+    expect(world.sample.state).toEqual(whole.sample.state);
+  });
+
+  test.each([
+    ["a tick", TICK],
+    ["a little less than a tick", TICK * 0.9995],
+    ["a little more than a tick", TICK * 1.0005],
+    ["far less than a tick", 1e-4],
+    ["a frame at 144 Hz", 1 / 144],
+    ["a frame at 60 Hz", 1 / 60],
+    ["no round number", 0.0314159],
+  ])("sums what it was given, in steps of %s", (_, seconds) => {
+    const world = createWorld("paper", 1);
+    expect(currentTime(world)).toBe(0);
+    for (let i = 1; i <= 2000; i++) {
+      advance(world, STILL, seconds);
+      expect(Math.abs(currentTime(world) - i * seconds)).toBeLessThan(1e-6);
+    }
+  });
+
+  test("does not pass in a step of nothing", () => {
+    const world = advanced(createWorld("paper", 1), 1 / 60, 10, WALKING);
+    const before = structuredClone(shownOf(world));
+    advance(world, STILL, 0);
+    expect(shownOf(world)).toEqual(before);
+  });
+
+  test("shows a walker between the ticks where he will be", () => {
+    const world = advanced(createWorld("paper", 1), 1, 1, { ...STILL, forward: 1 });
+    const { position, velocity } = world.player;
+    advance(world, { ...STILL, forward: 1 }, TICK / 2);
+    expect(world.remainder).toBeCloseTo(TICK / 2, 9);
+    for (const axis of [0, 1, 2] as const) {
+      const ahead = velocity[axis] * (TICK / 2);
+      expect(world.shown.eye[axis] - position[axis]).toBeCloseTo(ahead, 9);
+      expect(world.shown.flame[axis] - world.emitter[axis]).toBeCloseTo(ahead, 9);
+      expect(world.shown.foot[axis] - world.candle.position[axis]).toBeCloseTo(ahead, 9);
+    }
+    expect(Math.hypot(...velocity)).toBeGreaterThan(1);
+  });
+});
+
+describe("birth", () => {
+  test.each(LOOKS)("is of a flame already whole: %s", (look) => {
+    const { sample, stage } = createWorld(look, 1);
+    const living = sample.state.filter((value, i) => i % FLOATS === 3 && value > 0).length;
+    const layer = stage.layers.at(-1)!;
+    expect(Math.abs(living - (layer.rate * layer.life) / GROUPS)).toBeLessThanOrEqual(1);
+  });
+
+  test.each(LOOKS)("at an age gives the world that has grown that old: %s", (look) => {
+    const grown = shownOf(advanced(createWorld(look, 9), 10, 1));
+    expect(grown.tick).toBe(1200);
+    expect(shownOf(createWorld(look, 9, 1200))).toEqual(grown);
+  });
+
+  test("of the same seed is of the same flame, of another seed of another", () => {
+    const flame = (seed: number) => advanced(createWorld("paper", seed), 0.5, 1).sample.state;
+    expect(flame(3)).toEqual(flame(3));
+    expect(flame(3)).not.toEqual(flame(4));
+  });
+});

@@ -1,0 +1,149 @@
+import { describe, expect, test } from "vitest";
+import { SETTINGS } from "../../../src/settings.ts";
+import { type Intent, STILL } from "../../../src/world/intent.ts";
+import { GROUPS } from "../../../src/world/particle-layer.ts";
+import { STAGES } from "../../../src/world/stage.ts";
+import { TICK } from "../../../src/world/timeline.ts";
+import {
+  advance,
+  createWorld,
+  flameCentre,
+  levelOfDetail,
+  moveCamera,
+  placeCandle,
+  takeCandle,
+} from "../../../src/world/world.ts";
+
+const LOOKS = SETTINGS.look.choices;
+const WALKING: Intent = { ...STILL, forward: 1, right: 0.3, turn: 0.4, runs: true };
+
+describe("the flame (L1)", () => {
+  test("stands on the wick, a little above its foot", () => {
+    const world = createWorld("paper", 1);
+    const { emitter, candle, stage } = world;
+    for (const axis of [0, 1, 2] as const) {
+      const wick = stage.wick[axis] * stage.candleScale;
+      expect(emitter[axis] - candle.position[axis]).toBeCloseTo(wick, 9);
+    }
+    expect(emitter[1]).toBeGreaterThan(candle.position[1] + stage.candleScale);
+    const [x, y, z] = flameCentre(world, [0, 0, 0]);
+    expect(Math.hypot(x, z)).toBeLessThan(0.05);
+    expect(y).toBeGreaterThan(0.1);
+    expect(y).toBeLessThan(0.6);
+  });
+
+  test("leans back when carried, and is upright again when it stands", () => {
+    const world = createWorld("paper", 1);
+    moveCamera(world, [0, 1.6, 4], 0, 0);
+    const lean = () => flameCentre(world, [0, 0, 0])[2];
+    advance(world, { ...STILL, forward: 1, runs: true }, 1.2);
+    expect(lean()).toBeGreaterThan(0.1); // he walks along -Z
+    advance(world, STILL, 3);
+    expect(Math.abs(lean())).toBeLessThan(0.03);
+  });
+
+  test("is not torn off when the visitor is put elsewhere", () => {
+    const world = createWorld("paper", 1);
+    const still = createWorld("paper", 1);
+    moveCamera(world, [-3, 1.6, -3], 2, 0);
+    advance(world, STILL, 0.5);
+    advance(still, STILL, 0.5);
+    expect(world.sample.state).toEqual(still.sample.state);
+  });
+});
+
+describe("placing and taking", () => {
+  test("leaves the candle where it was put while the visitor walks on", () => {
+    const world = createWorld("paper", 1);
+    expect(placeCandle(world)).toBe(true);
+    const foot = [...world.candle.position];
+    const { flame } = structuredClone(world.shown);
+    advance(world, { ...STILL, forward: -1 }, 0.5 + TICK / 2);
+    expect(world.remainder).toBeGreaterThan(TICK / 4);
+    expect(world.shown.flame).toEqual(flame);
+    expect(world.candle.position).toEqual(foot);
+    expect(world.shown.foot).toEqual(foot);
+    expect(foot[1]).toBe(STAGES.paper.room.min[1]);
+  });
+
+  test("only puts down what is held, and only takes up what is near", () => {
+    const world = createWorld("paper", 1);
+    expect(takeCandle(world)).toBe(false);
+    expect(placeCandle(world)).toBe(true);
+    expect(placeCandle(world)).toBe(false);
+    moveCamera(world, [-4, 1.6, -4], 0, 0);
+    expect(takeCandle(world)).toBe(false);
+    const [x, , z] = world.candle.position;
+    moveCamera(world, [x, 1.6, z + 0.5], 0, 0);
+    expect(takeCandle(world)).toBe(true);
+    expect(world.candle.isHeld).toBe(true);
+    expect(world.candle.position[1]).toBeCloseTo(1.2, 9);
+  });
+
+  test("happens once for each wish, in turns", () => {
+    const world = createWorld("paper", 1);
+    const wish = { ...STILL, placesOrTakes: true };
+    const held = [1, 2, 3].map(() => {
+      advance(world, wish, 1 / 30);
+      return world.candle.isHeld;
+    });
+    expect(held).toEqual([false, true, false]);
+  });
+
+  test("does not tear the flame off its wick", () => {
+    const world = createWorld("paper", 1);
+    const still = createWorld("paper", 1);
+    placeCandle(world);
+    advance(world, STILL, 0.5);
+    advance(still, STILL, 0.5);
+    expect(world.sample.state).toEqual(still.sample.state);
+  });
+
+  test("is no part of the original, whose candle stands", () => {
+    const world = createWorld("original", 1);
+    const foot = [...world.candle.position];
+    expect(world.candle.isHeld).toBe(false);
+    expect(placeCandle(world)).toBe(false);
+    expect(takeCandle(world)).toBe(false);
+    moveCamera(world, [0, 1.6, 0.5], 0, 0);
+    expect(takeCandle(world)).toBe(false);
+    advance(world, WALKING, 1);
+    expect(world.candle.position).toEqual(foot);
+  });
+});
+
+describe("level of detail (F4)", () => {
+  test.each(LOOKS)("falls with distance, group by group, and never below one: %s", (look) => {
+    const world = createWorld(look, 1);
+    placeCandle(world);
+    const [x, y, z] = world.emitter;
+    const levels: number[] = [];
+    for (let distance = 0.3; distance < 300; distance += 0.1) {
+      world.player.position.splice(0, 3, x + distance, y, z);
+      levels.push(levelOfDetail(world));
+    }
+    expect(levels).toEqual(levels.toSorted((a, b) => b - a));
+    expect([...new Set(levels)]).toEqual([4, 3, 2, 1]);
+  });
+
+  test("is full in the hand", () => {
+    expect(levelOfDetail(createWorld("paper", 1))).toBe(GROUPS);
+  });
+
+  test("is what the timeline remembers", () => {
+    const world = createWorld("paper", 1);
+    moveCamera(world, [4, 1.6, 4], -Math.PI / 4, 0);
+    placeCandle(world);
+    moveCamera(world, [-4, 1.6, -4], 0, 0);
+    advance(world, STILL, 0.5);
+    expect(world.timeline.groups(world.timeline.tick - 1)).toBe(1);
+  });
+
+  test("keeps the sample's group, so that the light stays", () => {
+    const world = createWorld("paper", 1);
+    placeCandle(world);
+    world.player.position.splice(0, 3, -4.5, 1.6, -4.5);
+    advance(world, STILL, 3);
+    expect(flameCentre(world, [0, 0, 0])[1]).toBeGreaterThan(0.1);
+  });
+});
