@@ -1,0 +1,150 @@
+import type { CandleFlameElement, Feature, Look } from "../../candle-flame-element.js";
+import { FEATURES, SETTINGS } from "../../settings.js";
+
+export type ComparisonState = "closed" | "loading" | "open";
+
+/** Longest time that one frame makes up for, in seconds: after a hidden tab, resume. */
+const MAX_FRAME = 1 / 20;
+/** What the two rooms do not have in common. */
+const OWN: readonly string[] = ["look", "controls", "paused", "alt"];
+const SHARED = Object.keys(SETTINGS).filter((name) => !OWN.includes(name));
+
+/**
+ * A second room over the first, in another look, seen from the same place at the same time.
+ *
+ * Both are paused and stepped by one loop. The visitor stands in the first; whatever he does or sets
+ * there is done to the second. The second exists while the comparison is open.
+ */
+export class Comparison {
+  /** Called when it opens or closes; with a sentence when it closed because a room failed. */
+  onChange: (failure: string) => void = () => {};
+  readonly #room: CandleFlameElement;
+  readonly #stage: HTMLElement;
+  readonly #observer = new MutationObserver(() => this.#copyAttributes());
+  #second: CandleFlameElement | null = null;
+  #open = new AbortController();
+  #wasPaused = false;
+  #wasHeld = true;
+  #state: ComparisonState = "closed";
+  #request = 0;
+  #lastTime = Number.NaN;
+  #frameMs = Number.NaN;
+
+  constructor(room: CandleFlameElement, stage: HTMLElement) {
+    this.#room = room;
+    this.#stage = stage;
+  }
+
+  get state(): ComparisonState {
+    return this.#state;
+  }
+
+  /** Time from frame to frame, milliseconds; `null` while there is none, since both are paused. */
+  get frameMs(): number | null {
+    return this.#state === "open" && this.#frameMs > 0 ? this.#frameMs : null;
+  }
+
+  /** The second room's. */
+  set look(look: Look) {
+    if (this.#second) this.#second.look = look;
+  }
+
+  open(look: Look): void {
+    if (this.#second) return;
+    const second = document.createElement("candle-flame");
+    this.#second = second;
+    this.#state = "loading";
+    this.#copyAttributes();
+    second.look = look;
+    second.paused = true;
+    second.className = "second";
+    second.ariaHidden = "true"; // the same room once more: the divider says what is where
+    this.#open = new AbortController();
+    const { signal } = this.#open;
+    second.addEventListener("load", () => this.#begin(second, signal), { signal });
+    for (const room of [this.#room, second]) {
+      room.addEventListener("error", ({ detail }) => this.close(detail.message), { signal });
+    }
+    this.#stage.append(second);
+    this.onChange("");
+  }
+
+  #begin(second: CandleFlameElement, signal: AbortSignal): void {
+    const room = this.#room;
+    this.#state = "open";
+    this.#copyAttributes();
+    this.#wasPaused = room.paused;
+    room.pause();
+    // The same moment for both is the beginning; the visitor stays where he is.
+    const { camera } = room;
+    room.reset();
+    room.camera = camera;
+    second.camera = room.camera;
+    this.#wasHeld = room.held;
+    this.#observer.observe(room, { attributeFilter: SHARED });
+    this.#lastTime = Number.NaN;
+    this.#request = requestAnimationFrame(this.#frame);
+    signal.addEventListener("abort", () => {
+      cancelAnimationFrame(this.#request);
+      this.#observer.disconnect();
+      room.paused = this.#wasPaused;
+    });
+    this.onChange("");
+  }
+
+  close(failure = ""): void {
+    if (!this.#second) return;
+    this.#open.abort();
+    this.#second.remove();
+    this.#second = null;
+    this.#state = "closed";
+    this.onChange(failure);
+  }
+
+  readonly #frame = (milliseconds: DOMHighResTimeStamp): void => {
+    this.#request = requestAnimationFrame(this.#frame);
+    this.#frameMs = milliseconds - this.#lastTime;
+    this.#lastTime = milliseconds;
+    this.#step(this.#frameMs > 0 ? Math.min(this.#frameMs / 1000, MAX_FRAME) : 0);
+  };
+
+  #step(seconds: number): void {
+    const second = this.#second;
+    if (!second) return;
+    this.#copyFeatures(second);
+    this.#room.step(seconds);
+    this.#copyCamera(second);
+    this.#copyCandle(second);
+    second.step(seconds);
+  }
+
+  #copyAttributes(): void {
+    for (const name of SHARED) {
+      const value = this.#room.getAttribute(name);
+      if (value === this.#second?.getAttribute(name)) continue;
+      if (value === null) this.#second?.removeAttribute(name);
+      else this.#second?.setAttribute(name, value);
+    }
+  }
+
+  #copyFeatures(second: CandleFlameElement): void {
+    const { features } = this.#room;
+    for (const name of Object.keys(FEATURES) as Feature[]) {
+      if (second.features[name] !== features[name]) second.features[name] = features[name];
+    }
+  }
+
+  // Not by `camerachange`: each room stands at its door again after a reset, and says nothing.
+  #copyCamera(second: CandleFlameElement): void {
+    const { camera } = this.#room;
+    if (JSON.stringify(camera) !== JSON.stringify(second.camera)) second.camera = camera;
+  }
+
+  #copyCandle(second: CandleFlameElement): void {
+    const { held } = this.#room;
+    if (held === this.#wasHeld) return;
+    this.#wasHeld = held;
+    if (held) second.take();
+    else second.place();
+  }
+}

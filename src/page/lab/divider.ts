@@ -1,0 +1,85 @@
+/** Steps of the keys, in per cent of the stage's width. */
+const STEP = 2;
+const LEAP = 10;
+
+/** The line between two pictures: dragged, or moved by the keys that any slider has. */
+export class Divider {
+  readonly #line: HTMLElement;
+  readonly #labels: readonly [HTMLElement, HTMLElement];
+  readonly #stage: HTMLElement;
+  #names: readonly [string, string] = ["", ""];
+  #percent = 50;
+
+  /** @param onEscape called on Esc, while the divider has the focus */
+  constructor(stage: HTMLElement, onEscape: () => void) {
+    this.#stage = stage;
+    this.#line = document.createElement("div");
+    this.#line.className = "divider";
+    this.#line.role = "slider";
+    this.#line.tabIndex = 0;
+    this.#line.ariaLabel = "Divider between the two looks";
+    this.#line.ariaOrientation = "horizontal";
+    this.#line.ariaValueMin = "0";
+    this.#line.ariaValueMax = "100";
+    this.#labels = [document.createElement("span"), document.createElement("span")];
+    this.#line.append(...this.#labels);
+    this.#line.addEventListener("pointerdown", (event) => {
+      this.#line.setPointerCapture(event.pointerId);
+    });
+    this.#line.addEventListener("pointermove", (event) => {
+      if (this.#line.hasPointerCapture(event.pointerId)) this.#moveTo(event.clientX);
+    });
+    this.#line.addEventListener("keydown", (event) => {
+      if (event.key === "Escape") onEscape();
+      else if (!this.#pressKey(event.key)) return;
+      event.preventDefault();
+    });
+  }
+
+  /** @param names of what is on the left, and on the right */
+  show(names: readonly [string, string]): void {
+    this.#names = names;
+    this.#labels[0].textContent = names[0];
+    this.#labels[1].textContent = names[1];
+    if (!this.#line.isConnected) this.#stage.append(this.#line);
+    this.#set(this.#percent);
+  }
+
+  hide(): void {
+    this.#line.remove();
+  }
+
+  focus(): void {
+    this.#line.focus();
+  }
+
+  #moveTo(clientX: number): void {
+    const { left, width } = this.#stage.getBoundingClientRect();
+    this.#set(((clientX - left) / width) * 100);
+  }
+
+  #pressKey(key: string): boolean {
+    const targets: Readonly<Record<string, number>> = {
+      ArrowLeft: this.#percent - STEP,
+      ArrowDown: this.#percent - STEP,
+      ArrowRight: this.#percent + STEP,
+      ArrowUp: this.#percent + STEP,
+      PageDown: this.#percent - LEAP,
+      PageUp: this.#percent + LEAP,
+      Home: 0,
+      End: 100,
+    };
+    const target = targets[key];
+    if (target === undefined) return false;
+    this.#set(target);
+    return true;
+  }
+
+  #set(percent: number): void {
+    this.#percent = Math.min(Math.max(percent, 0), 100);
+    const shown = Math.round(this.#percent);
+    this.#line.ariaValueNow = String(shown);
+    this.#line.ariaValueText = `${this.#names[0]} ${shown} %, ${this.#names[1]} ${100 - shown} %`;
+    this.#stage.style.setProperty("--divider", `${this.#percent}%`);
+  }
+}

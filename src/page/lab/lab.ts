@@ -1,0 +1,68 @@
+import "./lab.css";
+import type { CandleFlameElement } from "../../candle-flame-element.js";
+import { find } from "../find.js";
+import { Comparison } from "./comparison.js";
+import { ComparisonSection } from "./comparison-section.js";
+import { FeatureSwitches } from "./feature-switches.js";
+import markup from "./lab.html?raw";
+import { LadderSection } from "./ladder-section.js";
+import { ReadOut } from "./read-out.js";
+import { SettingsForm } from "./settings-form.js";
+
+/** The side panel: the paper's two tables, live, and everything about the room that can be set. */
+export class Lab {
+  readonly #panel: HTMLElement;
+  readonly #button: HTMLButtonElement;
+  readonly #ladder: LadderSection;
+  readonly #readOut: ReadOut;
+
+  /** @param button shows and hides the panel, and says which */
+  constructor(room: CandleFlameElement, stage: HTMLElement, button: HTMLButtonElement) {
+    const template = document.createElement("template");
+    template.innerHTML = markup;
+    this.#panel = find(template.content, ".lab", HTMLElement);
+    this.#button = button;
+    // After the stage, so that the Tab key comes from the button that opens it straight to it.
+    stage.after(this.#panel);
+    button.setAttribute("aria-controls", this.#panel.id);
+
+    const section = (name: string) => find(this.#panel, `.${name}`, HTMLDetailsElement);
+    const comparison = new Comparison(room, stage);
+    const techniques = find(section("techniques"), "fieldset", HTMLFieldSetElement);
+    const settings = find(section("settings"), "fieldset", HTMLFieldSetElement);
+    const switches = new FeatureSwitches(room, techniques);
+    const form = new SettingsForm(room, settings);
+    const looks = new ComparisonSection(section("comparison"), room, stage, comparison);
+    this.#readOut = new ReadOut(room, find(section("last-frame"), "dl", HTMLElement), comparison);
+    this.#ladder = new LadderSection(section("ladder"), room);
+    this.#ladder.onChange = (isRunning) => {
+      // What is being measured must not change meanwhile.
+      if (isRunning) comparison.close();
+      for (const controls of [techniques, settings]) controls.disabled = isRunning;
+      looks.isDisabled = isRunning;
+      switches.refresh();
+    };
+    new MutationObserver(() => {
+      form.refresh();
+      looks.refresh();
+    }).observe(room, { attributes: true });
+
+    find(this.#panel, ".close", HTMLButtonElement).addEventListener("click", () => this.toggle());
+    this.#panel.addEventListener("keydown", (event) => {
+      if (event.key === "Escape") this.toggle();
+    });
+  }
+
+  toggle(): void {
+    const opens = this.#panel.hidden;
+    this.#panel.hidden = !opens;
+    this.#button.ariaExpanded = String(opens);
+    if (opens) {
+      this.#readOut.start();
+    } else {
+      this.#ladder.stop();
+      this.#readOut.stop();
+      this.#button.focus();
+    }
+  }
+}

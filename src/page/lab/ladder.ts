@@ -1,0 +1,137 @@
+import type { CandleFlameElement, Feature, Features } from "../../candle-flame-element.js";
+
+/** A step of the paper's Table 1: what it adds, and what it cost there. */
+export interface Rung {
+  readonly name: string;
+  readonly adds: readonly Feature[];
+  readonly paper: { readonly milliseconds: number; readonly framesPerSecond: number };
+}
+
+/** "Dynamic Fire Effects Using OpenGL Rasterization Techniques", Table 1. */
+export const RUNGS: readonly Rung[] = [
+  { name: "no particles", adds: [], paper: { milliseconds: 2.1, framesPerSecond: 475 } },
+  {
+    name: "+ basic emission",
+    adds: ["particles", "core", "hazeLayer"],
+    paper: { milliseconds: 4.5, framesPerSecond: 222 },
+  },
+  {
+    name: "+ gradient shading",
+    adds: ["gradient"],
+    paper: { milliseconds: 5.2, framesPerSecond: 192 },
+  },
+  {
+    name: "+ attenuation",
+    adds: ["attenuation"],
+    paper: { milliseconds: 6.7, framesPerSecond: 149 },
+  },
+  { name: "+ drift", adds: ["drift"], paper: { milliseconds: 7.5, framesPerSecond: 133 } },
+];
+
+const TIME_STEP = 1 / 60;
+/** Length to aim at for one burst of frames, in milliseconds: the page does not answer meanwhile. */
+const BURST = 50;
+const FEWEST_FRAMES = 4;
+const MOST_FRAMES = 120;
+
+export interface Climb {
+  readonly rounds: number;
+  readonly signal: AbortSignal;
+  /** Called after each burst, with each rung's median so far, in milliseconds. */
+  readonly onProgress: (share: number, medians: readonly number[]) => void;
+}
+
+export interface Measurement {
+  /** Median frame time of each rung, milliseconds. */
+  readonly medians: readonly number[];
+  /** Frames in one burst. */
+  readonly frames: number;
+}
+
+/**
+ * Measures the frame time on each rung, in the paper's look.
+ *
+ * Rounds go up and down the ladder in turn, so that a machine that warms up or slows down favours no
+ * rung. Rejects when the signal aborts. Either way the element is left as it was found.
+ */
+export async function climb(
+  element: CandleFlameElement,
+  { rounds, signal, onProgress }: Climb,
+): Promise<Measurement> {
+  const restore = remember(element);
+  try {
+    element.pause();
+    element.look = "paper";
+    await nextFrame(signal);
+    const frames = framesThatFit(element);
+    const times: number[][] = RUNGS.map(() => []);
+    let medians: number[] = [];
+    for (let round = 0; round < rounds; round++) {
+      for (let i = 0; i < RUNGS.length; i++) {
+        const rung = round % 2 === 0 ? i : RUNGS.length - 1 - i;
+        await nextFrame(signal);
+        standOn(element, rung);
+        times[rung]?.push(burst(element, frames));
+        medians = times.map(median);
+        onProgress((round * RUNGS.length + i + 1) / (rounds * RUNGS.length), medians);
+      }
+    }
+    return { medians, frames };
+  } finally {
+    restore();
+  }
+}
+
+function remember(element: CandleFlameElement): () => void {
+  const features: Features = { ...element.features };
+  const look = element.getAttribute("look");
+  const wasPaused = element.paused;
+  return () => {
+    switchTo(element, features);
+    if (look === null) element.removeAttribute("look");
+    else element.setAttribute("look", look);
+    element.paused = wasPaused;
+  };
+}
+
+function standOn(element: CandleFlameElement, rung: number): void {
+  const features: Partial<Features> = {};
+  RUNGS.forEach(({ adds }, i) => {
+    for (const feature of adds) features[feature] = i <= rung;
+  });
+  switchTo(element, features);
+}
+
+function switchTo(element: CandleFlameElement, features: Partial<Features>): void {
+  for (const [name, isOn] of Object.entries(features) as [Feature, boolean][]) {
+    if (element.features[name] !== isOn) element.features[name] = isOn;
+  }
+}
+
+function framesThatFit(element: CandleFlameElement): number {
+  standOn(element, RUNGS.length - 1);
+  const frames = Math.round(BURST / burst(element, FEWEST_FRAMES));
+  return Math.min(Math.max(frames, FEWEST_FRAMES), MOST_FRAMES);
+}
+
+/** Mean time of a frame, in milliseconds. */
+function burst(element: CandleFlameElement, frames: number): number {
+  // One frame for what the last change brought with it. Reading a pixel waits for the GPU.
+  element.step(TIME_STEP);
+  element.readRadiance(0, 0, 1, 1);
+  const begin = performance.now();
+  for (let i = 1; i < frames; i++) element.step(TIME_STEP);
+  element.readRadiance(0, 0, 1, 1); // draws the last frame
+  return (performance.now() - begin) / frames;
+}
+
+function median(values: readonly number[]): number {
+  const sorted = values.toSorted((a, b) => a - b);
+  const middle = (sorted.length - 1) / 2;
+  return ((sorted[Math.floor(middle)] ?? NaN) + (sorted[Math.ceil(middle)] ?? NaN)) / 2;
+}
+
+async function nextFrame(signal: AbortSignal): Promise<void> {
+  await new Promise(requestAnimationFrame);
+  signal.throwIfAborted();
+}

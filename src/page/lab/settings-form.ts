@@ -1,0 +1,75 @@
+import type { CandleFlameElement } from "../../candle-flame-element.js";
+import { type ChoiceSetting, type NumberSetting, SETTINGS } from "../../settings.js";
+
+const SHOWN = ["look", "quality", "seed", "exposure", "particles"] as const;
+type Shown = (typeof SHOWN)[number];
+
+/** How fine a slider is, in the setting's own unit. */
+const SLIDER_STEP = 0.1;
+
+type Control = HTMLInputElement | HTMLSelectElement;
+
+/** A control for each setting worth playing with, made from the table of settings. */
+export class SettingsForm {
+  readonly #element: CandleFlameElement;
+  readonly #controls = new Map<Shown, Control>();
+  readonly #outputs = new Map<Shown, HTMLOutputElement>();
+
+  constructor(element: CandleFlameElement, form: HTMLElement) {
+    this.#element = element;
+    for (const name of SHOWN) form.append(this.#row(name, SETTINGS[name]));
+    this.refresh();
+  }
+
+  #row(name: Shown, setting: ChoiceSetting | NumberSetting): HTMLElement {
+    const row = document.createElement("div");
+    row.className = "setting";
+    const label = document.createElement("label");
+    label.htmlFor = `setting-${name}`;
+    label.textContent = name;
+    const control = setting.kind === "choice" ? select(setting.choices) : numberInput(setting);
+    control.id = label.htmlFor;
+    control.setAttribute("aria-describedby", `meaning-${name}`);
+    control.addEventListener(control.type === "range" ? "input" : "change", () => {
+      this.#element.setAttribute(name, control.value);
+      this.refresh(); // what the element made of it
+    });
+    this.#controls.set(name, control);
+    row.append(label, control);
+    if (setting.kind === "number" && setting.unit !== "") {
+      const output = document.createElement("output");
+      output.htmlFor.add(control.id);
+      this.#outputs.set(name, output);
+      row.append(output);
+    }
+    const meaning = document.createElement("p");
+    meaning.id = `meaning-${name}`;
+    meaning.textContent = setting.meaning;
+    row.append(meaning);
+    return row;
+  }
+
+  refresh(): void {
+    for (const [name, control] of this.#controls) control.value = String(this.#element[name]);
+    for (const [name, output] of this.#outputs) {
+      const setting: ChoiceSetting | NumberSetting = SETTINGS[name];
+      const unit = setting.kind === "number" ? setting.unit : "";
+      output.value = `${this.#element[name]} ${unit}`;
+    }
+  }
+}
+
+function select(choices: readonly string[]): HTMLSelectElement {
+  const select = document.createElement("select");
+  for (const choice of choices) select.add(new Option(choice, choice));
+  return select;
+}
+
+function numberInput({ min, max, integer }: NumberSetting): HTMLInputElement {
+  const input = document.createElement("input");
+  input.type = integer ? "number" : "range";
+  input.min = String(min);
+  input.max = String(max);
+  input.step = String(integer ? 1 : SLIDER_STEP);
+  return input;
+}
