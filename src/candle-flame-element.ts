@@ -91,6 +91,8 @@ export class CandleFlameElement extends Base {
   #isVisible = true;
   #drawRequest = 0;
   #shownCamera = "";
+  /** Set before there is a world to see. */
+  #awaitedCamera: Partial<Camera> | null = null;
 
   constructor() {
     super();
@@ -120,6 +122,7 @@ export class CandleFlameElement extends Base {
   connectedCallback(): void {
     for (const name of ["paused", "lit"] as const) this.#upgrade(name);
     for (const name of Object.keys(SETTINGS)) this.#upgrade(camelCase(name));
+    for (const name of ["features", "camera"] as const) this.#upgrade(name);
     this.#applyInteraction();
     if (!this.#connection) void this.#start();
   }
@@ -138,6 +141,7 @@ export class CandleFlameElement extends Base {
     if (!this.#candle) return;
     this.#candle.options = this.#options();
     if (name === "paused" || name === "controls") this.#applyMotion();
+    this.#reportCamera(); // another seed begins anew, another look may have other walls
     this.#requestDraw();
   }
 
@@ -260,12 +264,19 @@ export class CandleFlameElement extends Base {
     return { position: [x, y, z], yaw: player.yaw, pitch: player.pitch };
   }
   set camera(value: Partial<Camera>) {
-    if (!this.#candle) return;
-    const camera = this.camera;
-    const { position = camera.position, yaw = camera.yaw, pitch = camera.pitch } = value ?? {};
-    moveCamera(this.#candle.world, position, Number(yaw), Number(pitch));
+    if (!this.#candle) {
+      this.#awaitedCamera = { ...this.#awaitedCamera, ...value };
+      return;
+    }
+    this.#moveCamera(this.#candle, value);
     this.#reportCamera();
     this.#requestDraw();
+  }
+
+  #moveCamera({ world }: CandleFlame, value: Partial<Camera> | null): void {
+    const { camera } = this;
+    const { position, yaw, pitch } = { ...camera, ...value };
+    moveCamera(world, position ?? camera.position, Number(yaw), Number(pitch));
   }
 
   /** Seconds simulated since `reset()`. */
@@ -408,6 +419,10 @@ export class CandleFlameElement extends Base {
       this.#models = models;
       this.#candle = new CandleFlame(canvas, models, this.#features, this.#options());
       this.#candle.onFrame = () => this.#afterFrame();
+      this.#candle.onCandleMoved = () => this.#emit(this.held ? "take" : "place", null);
+      this.#moveCamera(this.#candle, this.#awaitedCamera);
+      this.#awaitedCamera = null;
+      this.#shownCamera = this.#cameraKey;
       this.#resize();
       this.#candle.draw();
       this.#reveal(signal);
@@ -592,9 +607,13 @@ export class CandleFlameElement extends Base {
     this.#reportCamera();
   }
 
-  #reportCamera(): void {
+  get #cameraKey(): string {
     const { position, yaw, pitch } = this.camera;
-    const key = `${position} ${yaw} ${pitch}`;
+    return `${position} ${yaw} ${pitch}`;
+  }
+
+  #reportCamera(): void {
+    const key = this.#cameraKey;
     if (key === this.#shownCamera) return;
     this.#shownCamera = key;
     this.#emit("camerachange", null);

@@ -6,7 +6,7 @@ import { type Tier, tierOf } from "./render/tier.js";
 import type { Features, Look, Quality } from "./settings.js";
 import { STILL } from "./world/intent.js";
 import { withCount } from "./world/particle-layer.js";
-import { advance, createWorld, currentTime, type World } from "./world/world.js";
+import { advance, createWorld, currentTime, moveCamera, type World } from "./world/world.js";
 
 /** Longest time that a live frame makes up for, in seconds: after a hidden tab, resume. */
 const MAX_FRAME = 1 / 20;
@@ -52,6 +52,8 @@ export class CandleFlame {
   input: FirstPersonInput | null = null;
   /** Called after each frame that the animation loop has drawn. */
   onFrame: () => void = () => {};
+  /** Called when the visitor's input has put the candle down, or taken it up. */
+  onCandleMoved: () => void = () => {};
   readonly #canvas: HTMLCanvasElement;
   readonly #models: Models;
   readonly #features: Features;
@@ -74,7 +76,12 @@ export class CandleFlame {
     this.world = createWorld(options.look, options.seed);
     this.#gpu = new Gpu(canvas);
     this.#tier = tierOf(options.quality, this.#gpu.renderer);
-    this.#renderer = this.#createRenderer();
+    try {
+      this.#renderer = this.#createRenderer();
+    } catch (error) {
+      this.#gpu.dispose(); // nobody else will know of it
+      throw error;
+    }
   }
 
   #createRenderer(): Renderer {
@@ -115,13 +122,12 @@ export class CandleFlame {
     }
   }
 
-  /** The visitor stays where he is, at the same moment. */
+  /** The visitor stays where he is, or inside the new look's walls, at the same moment. */
   #changeLook({ look, seed }: Options): void {
     const { player, timeline, remainder } = this.world;
     this.world = createWorld(look, seed, timeline.tick);
     this.world.remainder = remainder;
-    Object.assign(this.world.player, player);
-    advance(this.world, STILL, 0);
+    moveCamera(this.world, player.position, player.yaw, player.pitch);
     this.#follow(this.#renderer);
   }
 
@@ -147,9 +153,10 @@ export class CandleFlame {
   }
 
   #fitCanvas(): boolean {
-    const { resolutionScale } = this.#tier;
-    const width = Math.max(1, Math.round(this.#pixels.width * resolutionScale));
-    const height = Math.max(1, Math.round(this.#pixels.height * resolutionScale));
+    const longest = Math.max(this.#pixels.width, this.#pixels.height);
+    const scale = Math.min(this.#tier.resolutionScale, this.#gpu.longestSide / longest);
+    const width = Math.max(1, Math.round(this.#pixels.width * scale));
+    const height = Math.max(1, Math.round(this.#pixels.height * scale));
     if (width === this.#canvas.width && height === this.#canvas.height) return false;
     this.#canvas.width = width;
     this.#canvas.height = height;
@@ -159,9 +166,11 @@ export class CandleFlame {
   /** One frame. Tests, the bench and the animation loop all come here. */
   step(seconds: number): void {
     const begin = performance.now();
+    const { isHeld } = this.world.candle;
     advance(this.world, this.input?.read() ?? STILL, seconds);
     this.draw();
     this.#cpuMs = performance.now() - begin;
+    if (this.world.candle.isHeld !== isHeld) this.onCandleMoved();
   }
 
   /** The picture of this very moment. Nothing is drawn while the context is lost. */

@@ -1,8 +1,10 @@
-import { existsSync, mkdirSync } from "node:fs";
+import { mkdirSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { Worker } from "node:worker_threads";
+import { writeLossless } from "./textures/image-files.mjs";
 import { writeManifest } from "./textures/manifest.mjs";
 import { materials } from "./textures/materials.mjs";
+import { textureSet } from "./textures/texture-set.mjs";
 
 /**
  * Makes public/textures/ from its seeds and lists what public/ holds in manifest.json:
@@ -10,6 +12,7 @@ import { materials } from "./textures/materials.mjs";
  *     node tools/assets.mjs               every set
  *     node tools/assets.mjs logs plaster  just these
  *     node tools/assets.mjs --manifest    none; only the list
+ *     node tools/assets.mjs --fixture     the small set that a test makes again and compares
  */
 
 const WORKERS = 2;
@@ -17,7 +20,7 @@ const publicFolder = fileURLToPath(new URL("../public/", import.meta.url));
 const folder = `${publicFolder}textures`;
 
 function chosen(names) {
-  if (names.includes("--manifest")) return [];
+  if (names.includes("--manifest") || names.includes("--fixture")) return [];
   if (names.length === 0) return materials.map((material) => material.name);
   for (const name of names) {
     if (!materials.some((material) => material.name === name)) {
@@ -52,6 +55,16 @@ function make(names) {
   return Promise.all(workers);
 }
 
-if (!existsSync(folder)) mkdirSync(folder, { recursive: true });
+const FIXTURE = { name: "plaster", resolution: 256 };
+
+async function writeFixture() {
+  const fixtures = fileURLToPath(new URL("../tests/fixtures/", import.meta.url));
+  mkdirSync(fixtures, { recursive: true });
+  const { name, resolution } = FIXTURE;
+  await writeLossless(fixtures, `${name}-${resolution}`, textureSet(name, resolution));
+}
+
+mkdirSync(folder, { recursive: true });
 await make(chosen(process.argv.slice(2)));
+if (process.argv.includes("--fixture")) await writeFixture();
 writeManifest(publicFolder, materials);

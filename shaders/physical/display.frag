@@ -10,11 +10,11 @@
 const float CONTRAST = 1.3;
 const float MIDDLE_GREY = 0.18;
 // Stops above white at which a light loses its hue, and at which none is left.
-const float BLEACH_BEGIN = 3.0;
-const float BLEACH_END = 16.0;
+const float BLEACH_BEGIN = 6.0;
+const float BLEACH_END = 21.0;
 
 uniform sampler2D uRadiance;
-uniform mat3 uAdaptation;
+uniform vec3 uAdaptation;
 
 in vec2 vUv;
 
@@ -33,6 +33,6 @@ vec3 tone(vec3 color) {
 
 void main() {
   vec3 radiance = texture(uRadiance, vUv).rgb;
-  vec3 adapted = max(uAdaptation * radiance, 0.0) * frame.exposure;
+  vec3 adapted = radiance * uAdaptation * frame.exposure;
   oColor = vec4(encodeSrgb(tone(adapted)) + dither(gl_FragCoord.xy), 1.0);
 }

@@ -49,5 +49,6 @@ void main() {
     radiance += transmittance * body.rgb * stride;
     transmittance *= exp(-body.a * stride);
   }
-  oRadiance = vec4(radiance, 1.0 - transmittance);
+  // The largest half float is 65504.
+  oRadiance = vec4(min(radiance, 6e4), 1.0 - transmittance);
 }

@@ -15,6 +15,7 @@ uniform sampler2D uAlbedo;
 uniform sampler2D uNormal;
 uniform sampler2D uOcclusionRoughness;
 uniform vec4 uBaseColor;
+uniform float uRim;     // wax: height of the candle's rim, m; far below the room for all else
 uniform vec4 uSurface;  // roughness, metallic, normal scale, alpha below which nothing is
 
 in vec3 vPositionWorld;
@@ -39,6 +40,20 @@ vec3 towardsHighlight(vec3 toLight, vec3 mirrored) {
   float offAxis = toLight.y - along * mirrored.y;
   float climb = clamp(-offAxis / max(1.0 - mirrored.y * mirrored.y, 1e-3), -light.halfHeight, light.halfHeight);
   return toLight + vec3(0.0, climb, 0.0);
+}
+
+// Light that entered the wax at its top and comes out of its side, as if it faded evenly with depth.
+// Diffusion lengths of white paraffin, m.
+const vec3 DIFFUSION_LENGTH = vec3(0.0136, 0.0105, 0.0070);
+// Share of the light on the top that finds its way out below it.
+const float WAX_TRANSMITTANCE = 0.06;
+
+vec3 waxGlow(vec3 albedo) {
+  float depth = max(uRim - vPositionWorld.y, 0.0);
+  if (depth > 0.3) return vec3(0.0);
+  float above = max(light.position.y - uRim, NEAREST);
+  vec3 onTop = light.intensity / (above * above + 1e-4);
+  return albedo * onTop * exp(-depth / DIFFUSION_LENGTH) * (WAX_TRANSMITTANCE / PI);
 }
 
 void main() {
@@ -72,5 +87,5 @@ void main() {
   vec3 specular = fresnel * lobe * narrowing * NoS * light.intensity / distanceSquared;
   vec3 diffuse = baseColor.rgb * (1.0 - metallic) * (1.0 - fresnel) / PI * irradiance;
   // What the relief and the model hide from the flame is hidden softly; ambient light follows.
-  oRadiance = vec4((diffuse + specular) * occlusion, 1.0);
+  oRadiance = vec4((diffuse + specular) * occlusion + waxGlow(baseColor.rgb), 1.0);
 }

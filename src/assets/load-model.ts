@@ -1,171 +1,146 @@
-import {
-  type BufferAttribute,
-  DoubleSide,
-  type InterleavedBufferAttribute,
-  LoadingManager,
-  type Mesh,
-  MeshStandardMaterial,
-  type Object3D,
-  type Texture,
-  type Material as ThreeMaterial,
-  Vector3,
-} from "three";
-import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
-import type { Material, Model, Part } from "./model.js";
+import { AssetError, assetError, Flaw } from "./asset-error.js";
+import { BufferBytes } from "./buffer-bytes.js";
+import { Decoders } from "./decoders.js";
+import { fetchBytes } from "./fetch-bytes.js";
+import { openContainer } from "./glb.js";
+import { type GltfDocument, readDocument } from "./gltf-document.js";
+import type { Model } from "./model.js";
+import { Pictures } from "./pictures.js";
+import { type PlacedMaterial, readMaterial } from "./read-material.js";
+import { readScene } from "./read-scene.js";
+import { readWarnings } from "./read-warnings.js";
+import { buildScene } from "./three-scene.js";
 
-/** A model or texture that could not be had. The message is a sentence for the visitor. */
-export class AssetError extends Error {
-  override readonly name = "AssetError";
-}
+export { AssetError };
 
 export interface LoadOptions {
   readonly signal: AbortSignal;
   /** Called with the share done, 0 to 1. */
   readonly onProgress: (share: number) => void;
+  /** Where the decoders for Draco and KTX2 lie, with a slash at the end. */
+  readonly decoderBase?: string | URL;
 }
 
-/** Bytes of the model file count for this share of the progress, its pictures for the rest. */
+/** Bytes of the model file count for this share of the progress, the rest for the rest. */
 const FILE_SHARE = 0.3;
 
-/** Fetches and decodes a glTF file and its pictures. Rejects with an `AssetError` that names the file. */
-export async function loadModel(url: string, { signal, onProgress }: LoadOptions): Promise<Model> {
-  const bytes = await fetchBytes(url, signal, (share) => onProgress(share * FILE_SHARE));
-  const missing: string[] = [];
-  const manager = new LoadingManager();
-  manager.onProgress = (_, loaded, total) => {
-    onProgress(FILE_SHARE + (1 - FILE_SHARE) * (loaded / Math.max(total, 1)));
-  };
-  manager.onError = (failed) => missing.push(failed);
-  const gltf = await new GLTFLoader(manager)
-    .parseAsync(bytes, new URL(".", url).href)
-    .catch((cause: unknown) => {
-      throw new AssetError(`${url} is not a model that can be read.`, { cause });
-    });
-  const model = readScene(gltf.scene);
-  if (missing.length > 0) throw new AssetError(`The texture ${missing[0]} could not be loaded.`);
-  if (model.parts.length === 0) throw new AssetError(`${url} holds no geometry.`);
-  signal.throwIfAborted();
-  onProgress(1);
-  return model;
-}
-
-async function fetchBytes(
-  url: string,
-  signal: AbortSignal,
-  onProgress: (share: number) => void,
-): Promise<ArrayBuffer> {
-  const response = await fetch(url, { signal }).catch((cause: unknown) => {
+/**
+ * Fetches and decodes a glTF file, its buffers and its pictures. Rejects with an `AssetError` that
+ * names the file, or with the signal's reason; then nothing is left open.
+ */
+export async function loadModel(url: string, options: LoadOptions): Promise<Model> {
+  const { signal } = options;
+  const file = fileName(url);
+  try {
     signal.throwIfAborted();
-    throw new AssetError(`${url} could not be fetched.`, { cause });
-  });
-  if (!response.ok) throw new AssetError(`${url} could not be fetched: ${response.status}.`);
-  const total = Number(response.headers.get("content-length") ?? 0);
-  if (!response.body) return response.arrayBuffer();
-  const chunks: Uint8Array[] = [];
-  let received = 0;
-  const reader = response.body.getReader();
-  for (let read = await reader.read(); !read.done; read = await reader.read()) {
-    chunks.push(read.value);
-    received += read.value.byteLength;
-    // With compression on the way the length counts other bytes than we do.
-    if (total > 0) onProgress(Math.min(1, received / total));
+    const model = await load(url, file, options);
+    if (model.warnings.length > 0) console.warn(`${file}: ${model.warnings.join(" ")}`);
+    return model;
+  } catch (error) {
+    signal.throwIfAborted();
+    throw assetError(file, error);
   }
-  return new Blob(chunks as BlobPart[]).arrayBuffer();
 }
 
-function readScene(scene: Object3D): Model {
-  const parts: Part[] = [];
-  const anchors: Record<string, [number, number, number]> = {};
-  const materials = new Map<ThreeMaterial, Material>();
-  scene.updateMatrixWorld(true);
-  scene.traverse((node) => {
-    if ("isMesh" in node) {
-      parts.push(readMesh(node as Mesh, materials));
-    } else if (node.name !== "" && node.children.length === 0) {
-      anchors[node.name] = new Vector3().setFromMatrixPosition(node.matrixWorld).toArray();
-    }
+async function load(
+  url: string,
+  file: string,
+  { signal, onProgress, decoderBase }: LoadOptions,
+): Promise<Model> {
+  const address = addressOf(url, window.location.href);
+  const bytes = await fetchBytes(address, {
+    signal,
+    onProgress: (share) => onProgress(share * FILE_SHARE),
   });
-  return { parts, anchors };
-}
-
-function readMesh(mesh: Mesh, materials: Map<ThreeMaterial, Material>): Part {
-  const { geometry, matrixWorld } = mesh;
-  const three = mesh.material as ThreeMaterial; // glTF has one material a mesh
-  const material = materials.get(three) ?? readMaterial(three);
-  materials.set(three, material);
-  geometry.applyMatrix4(matrixWorld);
-  if (!geometry.getAttribute("normal")) geometry.computeVertexNormals();
-  const count = geometry.getAttribute("position").count;
-  const tangents = geometry.getAttribute("tangent");
-  return {
-    name: mesh.name,
-    material,
-    positions: floats(geometry.getAttribute("position")),
-    normals: floats(geometry.getAttribute("normal")),
-    tangents: tangents ? floats(tangents) : anyTangents(floats(geometry.getAttribute("normal"))),
-    uvs: geometry.getAttribute("uv")
-      ? floats(geometry.getAttribute("uv"))
-      : new Float32Array(count * 2),
-    colors: null,
-    indices: indicesOf(geometry.index, count),
-  };
-}
-
-function floats(attribute: BufferAttribute | InterleavedBufferAttribute): Float32Array {
-  const size = attribute.itemSize;
-  const out = new Float32Array(attribute.count * size);
-  for (let i = 0; i < attribute.count; i++) {
-    for (let k = 0; k < size; k++) out[i * size + k] = attribute.getComponent(i, k);
-  }
-  return out;
-}
-
-/** Some direction across each normal, for surfaces without texture coordinates to follow. */
-function anyTangents(normals: Float32Array): Float32Array {
-  const tangents = new Float32Array((normals.length / 3) * 4);
-  const normal = new Vector3();
-  for (let i = 0; i < normals.length / 3; i++) {
-    normal.fromArray(normals, i * 3);
-    const across = new Vector3(
-      Math.abs(normal.x) < 0.9 ? 1 : 0,
-      Math.abs(normal.x) < 0.9 ? 0 : 1,
-      0,
+  const { json, binary } = openContainer(bytes);
+  const document = readDocument(json);
+  // Built from a variable: a bundler would take a literal for a file of its own.
+  const module = import.meta.url;
+  const decoders = new Decoders(new URL(decoderBase ?? "decoders/", module), signal);
+  const resolve = (uri: string) => addressOf(uri, address.href);
+  const bufferBytes = new BufferBytes(document, { binary, decoders, resolve, signal });
+  const pictures = new Pictures(document, bufferBytes, { file, decoders, resolve, signal });
+  const report = stages(document, onProgress);
+  try {
+    const warnings = new Set(readWarnings(document));
+    const [materials, scene] = await orAborted(
+      Promise.all([
+        readMaterials(document, pictures, warnings, report),
+        buildScene(document, bufferBytes, decoders).finally(report),
+      ]),
+      signal,
     );
-    across
-      .cross(normal)
-      .normalize()
-      .toArray(tangents, i * 4);
-    tangents[i * 4 + 3] = 1;
+    const read = readScene(scene, materials);
+    onProgress(1);
+    signal.throwIfAborted();
+    return { ...read, warnings: [...warnings, ...pictures.warnings] };
+  } catch (error) {
+    pictures.close();
+    throw error;
+  } finally {
+    decoders.dispose();
   }
-  return tangents;
 }
 
-function indicesOf(index: BufferAttribute | null, count: number): Uint16Array | Uint32Array {
-  const array = index?.array;
-  if (array instanceof Uint16Array || array instanceof Uint32Array) return array;
-  if (array) return Uint16Array.from(array);
-  return Uint32Array.from({ length: count }, (_, i) => i);
+/** Those that something seen wears. */
+async function readMaterials(
+  document: GltfDocument,
+  pictures: Pictures,
+  warnings: Set<string>,
+  report: () => void,
+): Promise<Map<number, PlacedMaterial>> {
+  const materials = new Map<number, PlacedMaterial>();
+  const readOne = async (index: number) => {
+    const entry = document.materials[index];
+    if (entry) materials.set(index, await readMaterial(document, entry, pictures, warnings));
+    report();
+  };
+  await Promise.all(wornMaterials(document).map(readOne));
+  return materials;
 }
 
-function readMaterial(three: ThreeMaterial): Material {
-  const material = three instanceof MeshStandardMaterial ? three : new MeshStandardMaterial();
-  const { r, g, b } = material.color;
-  return {
-    name: three.name,
-    baseColor: [r, g, b, three.opacity],
-    roughness: material.roughness,
-    metallic: material.metalness,
-    normalScale: material.normalScale.x,
-    isDoubleSided: three.side === DoubleSide,
-    alphaMode: three.alphaTest > 0 ? "mask" : three.transparent ? "blend" : "opaque",
-    alphaCutoff: three.alphaTest,
-    albedo: bitmapOf(material.map),
-    normal: bitmapOf(material.normalMap),
-    occlusionRoughnessMetallic: bitmapOf(material.roughnessMap ?? material.aoMap),
+function wornMaterials({ meshes, nodes }: GltfDocument): number[] {
+  const primitives = nodes.flatMap(({ mesh }) => meshes[mesh ?? -1]?.primitives ?? []);
+  const worn = primitives.map(({ material }) => material);
+  return [...new Set(worn)].filter((material) => material !== undefined);
+}
+
+/** Counts the materials and the geometry, each as one step from the file's share to the whole. */
+function stages(document: GltfDocument, onProgress: (share: number) => void): () => void {
+  const count = wornMaterials(document).length + 2;
+  let done = 0;
+  return () => {
+    done++;
+    onProgress(FILE_SHARE + (1 - FILE_SHARE) * (done / count));
   };
 }
 
-function bitmapOf(texture: Texture | null): ImageBitmap | null {
-  const image: unknown = texture?.image;
-  return image instanceof ImageBitmap ? image : null;
+/** The work, or the signal's reason as soon as it aborts: decoders cannot be told to stop. */
+function orAborted<Value>(work: Promise<Value>, signal: AbortSignal): Promise<Value> {
+  return new Promise((resolve, reject) => {
+    const abort = () => reject(signal.reason);
+    if (signal.aborted) abort();
+    signal.addEventListener("abort", abort, { once: true });
+    work.then(resolve, reject).finally(() => signal.removeEventListener("abort", abort));
+  });
+}
+
+function addressOf(url: string, base: string): URL {
+  try {
+    return new URL(url, base);
+  } catch (cause) {
+    throw new Flaw(`has an address that is none: ${url.slice(0, 80)}`, { cause });
+  }
+}
+
+/** The last part of the path, as a visitor would write it. */
+function fileName(url: string): string {
+  if (/^(data|blob):/.test(url)) return "The model";
+  const path = url.split(/[?#]/)[0] ?? "";
+  const last = path.split("/").filter(Boolean).pop() ?? url;
+  try {
+    return decodeURIComponent(last);
+  } catch {
+    return last;
+  }
 }

@@ -1,56 +1,89 @@
 /** What a model file holds, as plain typed arrays in the model's own coordinates: metres, +Y up. */
 export interface Model {
   readonly parts: readonly Part[];
-  /** Where named nodes without geometry stand. */
-  readonly anchors: Readonly<Record<string, readonly [number, number, number]>>;
+  /** Named nodes with nothing to see below them: places for things of ours, by their names. */
+  readonly anchors: Readonly<Record<string, Anchor>>;
+  /** The box around all positions, metres. */
+  readonly bounds: Box;
+  /** Sentences about what the file asks for and does not get. */
+  readonly warnings: readonly string[];
 }
 
-/** Triangles of one material, transforms applied. */
+export interface Anchor {
+  /** Metres. */
+  readonly position: readonly [number, number, number];
+  /** Where its -Z points on the floor: radians, counter-clockwise from above, 0 along -Z. */
+  readonly yaw: number;
+}
+
+export interface Box {
+  readonly min: readonly [number, number, number];
+  readonly max: readonly [number, number, number];
+}
+
+/** Triangles of one material, transforms applied; counter-clockwise ones face the eye. */
 export interface Part {
   readonly name: string;
   readonly material: Material;
-  /** xyz */
+  /** xyz, metres. */
   readonly positions: Float32Array;
+  /** xyz of length 1. */
   readonly normals: Float32Array;
-  /** xyz and the bitangent's sign. */
+  /** xyz of length 1 and the bitangent's sign. */
   readonly tangents: Float32Array;
+  /** uv of every map but the occlusion, (0, 0) at the picture's top left; zeros where there are none. */
   readonly uvs: Float32Array;
-  /** rgba, linear; null where the model has none. */
+  /** uv of the material's `occlusion`, where that lies otherwise than the other maps. */
+  readonly occlusionUvs: Float32Array | null;
+  /** rgba, linear Rec. 709 and opacity, 0 to 1; multiplies the base colour. */
   readonly colors: Float32Array | null;
+  /** Three to a triangle. */
   readonly indices: Uint16Array | Uint32Array;
 }
+
+/** Rows from the top, red, green, blue and alpha of 8 bits where they are bytes; alpha is not multiplied in. */
+export type Picture =
+  | ImageBitmap
+  | { readonly width: number; readonly height: number; readonly data: Uint8Array };
 
 export interface Material {
   readonly name: string;
   /** Linear Rec. 709 and opacity; multiplies the albedo map. */
   readonly baseColor: readonly [number, number, number, number];
+  /** Multiplies the map's green. */
   readonly roughness: number;
+  /** Multiplies the map's blue. */
   readonly metallic: number;
+  /** Multiplies x and y of the normal map. */
   readonly normalScale: number;
+  /** How much of the occlusion counts, 0 to 1; 0 where the material has none, whatever a map's red holds. */
+  readonly occlusionStrength: number;
+  /** Whether the triangles are seen from behind, too. */
   readonly isDoubleSided: boolean;
+  /** Opacity: ignored, all or nothing at `alphaCutoff`, or mixed. */
   readonly alphaMode: "opaque" | "mask" | "blend";
-  /** Opacity below which a masked material is not there. */
+  /** Opacity below which a mask leaves a hole. */
   readonly alphaCutoff: number;
+  /** sRGB and opacity. */
   readonly albedo: Picture | null;
+  /** Tangent space, +Y up in the picture, as glTF has it. */
   readonly normal: Picture | null;
-  /** Red: occlusion, green: roughness, blue: metallic. */
+  /** Red: occlusion (unless `occlusion` has it), green: roughness, blue: metallic. */
   readonly occlusionRoughnessMetallic: Picture | null;
+  /** Red: occlusion, where it is another picture or lies by `Part.occlusionUvs`. */
+  readonly occlusion: Picture | null;
 }
-
-/** A decoded picture: the browser's, or RGBA bytes, rows from the top. */
-export type Picture =
-  | ImageBitmap
-  | { readonly width: number; readonly height: number; readonly data: Uint8Array };
 
 /** Frees the pictures. The model is of no use afterwards. */
 export function closeModel({ parts }: Model): void {
   for (const { material } of parts) {
-    close(material.albedo);
-    close(material.normal);
-    close(material.occlusionRoughnessMetallic);
+    const { albedo, normal, occlusionRoughnessMetallic, occlusion } = material;
+    for (const picture of [albedo, normal, occlusionRoughnessMetallic, occlusion]) {
+      if (picture) closePicture(picture);
+    }
   }
 }
 
-function close(picture: Picture | null): void {
-  if (picture && "close" in picture) picture.close();
+export function closePicture(picture: Picture): void {
+  if ("close" in picture) picture.close();
 }

@@ -54,6 +54,8 @@ export class WebGLUnavailableError extends Error {
 export class Gpu {
   /** Renderer as the driver names it, for choosing a tier and for reports. */
   readonly renderer: string;
+  /** Pixels of the longest side that canvas and targets can have. */
+  readonly longestSide: number;
   readonly timer: GpuTimer;
   drawCalls = 0;
   triangles = 0;
@@ -83,6 +85,11 @@ export class Gpu {
     const names = gl.getExtension("WEBGL_debug_renderer_info");
     this.renderer = String(gl.getParameter(names?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER));
     this.#feedback = created(gl, gl.createTransformFeedback(), "feedback");
+    this.longestSide = Math.min(
+      gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) as number,
+      gl.getParameter(gl.MAX_TEXTURE_SIZE) as number,
+      ...(gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array),
+    );
     this.timer = new GpuTimer(gl);
   }
 

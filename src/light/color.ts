@@ -4,8 +4,6 @@ export type Rgb = readonly [red: number, green: number, blue: number];
 /** A 3 x 3 matrix by rows. */
 type Rows = readonly [Rgb, Rgb, Rgb];
 
-/** CIE 1931 chromaticity of a candle's light: Planckian, 1875 K. */
-export const CANDLE_WHITE = [0.5405, 0.4105] as const;
 /** CIE 1931 chromaticity of illuminant A: the tungsten lamp that eyes and screens take for warm white. */
 export const ILLUMINANT_A = [0.4476, 0.4075] as const;
 
@@ -20,18 +18,6 @@ const RGB_FROM_XYZ: Rows = [
   [-0.969266, 1.8760108, 0.041556],
   [0.0556434, -0.2040259, 1.0572252],
 ];
-// Lam 1985, "Metamerism and Colour Constancy" (Bradford).
-const CONE_FROM_XYZ: Rows = [
-  [0.8951, 0.2664, -0.1614],
-  [-0.7502, 1.7135, 0.0367],
-  [0.0389, -0.0685, 1.0296],
-];
-const XYZ_FROM_CONE: Rows = [
-  [0.9869929, -0.1470543, 0.1599627],
-  [0.4323053, 0.5183603, 0.0492912],
-  [-0.0085287, 0.0400428, 0.9684867],
-];
-
 function apply(rows: Rows, [x, y, z]: Rgb): Rgb {
   return rows.map((row) => row[0] * x + row[1] * y + row[2] * z) as unknown as Rgb;
 }
@@ -45,30 +31,30 @@ export function luma([red, green, blue]: Rgb): number {
   return 0.2126729 * red + 0.7151522 * green + 0.072175 * blue;
 }
 
+/** Linear Rec. 709 of a chromaticity, with luma 1. */
+function whiteOf(chromaticity: readonly [number, number]): Rgb {
+  return apply(RGB_FROM_XYZ, xyzOf(chromaticity));
+}
+
 /**
- * Chromatic adaptation of linear Rec. 709: what `from` lit looks as if `to` had lit it.
+ * Least blue of a light, as a share of its red.
  *
- * @param from CIE 1931 xy of the light that is there
- * @param to CIE 1931 xy of the light that the eye is to believe in
- * @returns a 3 x 3 matrix by columns, for GLSL
+ * Candlelight lies on the edge of Rec. 709, where blue is 0 and blue things could not differ from grey
+ * ones. This little keeps them apart, and moves the light by less than du'v' = 0.003.
  */
-export function adaptation(
-  from: readonly [number, number],
-  to: readonly [number, number],
-): Float32Array {
-  const source = apply(CONE_FROM_XYZ, xyzOf(from));
-  const destination = apply(CONE_FROM_XYZ, xyzOf(to));
-  const columns = ([0, 1, 2] as const).flatMap((axis) => {
-    const unit: Rgb = [Number(axis === 0), Number(axis === 1), Number(axis === 2)];
-    const cone = apply(CONE_FROM_XYZ, apply(XYZ_FROM_RGB, unit));
-    const adapted: Rgb = [
-      (cone[0] * destination[0]) / source[0],
-      (cone[1] * destination[1]) / source[1],
-      (cone[2] * destination[2]) / source[2],
-    ];
-    return [...apply(RGB_FROM_XYZ, apply(XYZ_FROM_CONE, adapted))];
-  });
-  return Float32Array.from(columns);
+export const LEAST_BLUE = 0.004;
+
+/**
+ * Chromatic adaptation of linear Rec. 709, channel by channel (von Kries 1902): what a candle lit looks
+ * as if illuminant A had lit it. Factors whose effect on candlelight leaves luma as it is.
+ *
+ * @param candle colour of the light, with luma 1
+ *
+ * Adapting in cone space (Bradford) would make up blue from red and green, and turns all wood salmon.
+ */
+export function adaptation(candle: Rgb): Rgb {
+  const lamp = whiteOf(ILLUMINANT_A);
+  return [lamp[0] / candle[0], lamp[1] / candle[1], lamp[2] / candle[2]];
 }
 
 /** CIE 1976 u'v' of linear Rec. 709. */

@@ -12,7 +12,7 @@ const HOTTEST = 1750;
 /** Colour of the base's CH* and C2* bands, linear Rec. 709 with luma 1. */
 const BLUE: Rgb = [0.28, 0.75, 5.6];
 /** Luminance of the blue cup seen edge-on against that of the brightest soot. */
-const BLUE_SHARE = 0.012;
+const BLUE_SHARE = 0.006;
 
 /**
  * A candle flame at rest, as a figure of revolution.
@@ -53,10 +53,10 @@ function at(height: number, radius: number) {
   // The shell: where fuel meets air. Low it is thin and at the rim; the hollow closes by 0.55.
   const hollow = 1 - smooth(0.12, 0.58, height);
   const middle = 0.8 * hollow;
-  const thickness = 0.16 + 0.42 * (1 - hollow);
+  const thickness = 0.17 + 0.75 * (1 - hollow);
   const shell = Math.exp(-(((radius - middle) / thickness) ** 2));
-  const edge = 1 - smooth(0.72, 1.0, radius);
-  const rise = smooth(0.1, 0.42, height) * (1 - 0.75 * smooth(0.72, 1.0, height));
+  const edge = 1 - smooth(0.62, 1.0, radius);
+  const rise = smooth(0.08, 0.4, height) * (1 - 0.6 * smooth(0.75, 1.0, height));
   const soot = shell * edge * rise;
   const temperature =
     HOTTEST - 170 * (1 - smooth(0.3, 0.9, radius)) * hollow - 190 * smooth(0.75, 1, height);

@@ -1,4 +1,4 @@
-import type { Rgb } from "./color.js";
+import { LEAST_BLUE, luma, type Rgb } from "./color.js";
 
 /**
  * Light of glowing soot, every 100 K from 1000 K to 2500 K: linear Rec. 709 with red at 1, and the
@@ -7,7 +7,7 @@ import type { Rgb } from "./color.js";
  * Soot particles are smaller than light is long, so that their emissivity goes as 1/λ (Rayleigh), and
  * their light is bluer than a black body's. Planck's law times 1/λ, against the tabulated CIE 1931
  * observer (the fit of Wyman, Sloan and Shirley 2013 is off by du'v' = 0.02 for embers). Blue below 0
- * is outside of the screen's colours, and is set to 0.
+ * is outside of the screen's colours; see `LEAST_BLUE`.
  */
 const TABLE: readonly (readonly [green: number, blue: number, luminance: number])[] = [
   [0.0191, 0, 2.416],
@@ -41,6 +41,7 @@ export function sootRadiance(temperature: number): Rgb {
   const blue = coldBlue + (hotBlue - coldBlue) * share;
   // Over 100 K luminance grows severalfold, and evenly so in its logarithm.
   const luminance = coldLuminance * (hotLuminance / coldLuminance) ** share;
-  const scale = luminance / (0.2126729 + 0.7151522 * green + 0.072175 * blue);
-  return [scale, green * scale, blue * scale];
+  const rgb: Rgb = [1, green, Math.max(blue, LEAST_BLUE)];
+  const scale = luminance / luma(rgb);
+  return [rgb[0] * scale, rgb[1] * scale, rgb[2] * scale];
 }

@@ -1,14 +1,16 @@
 import { mat4 } from "gl-matrix";
 import type { Vec3 } from "../world/bounds.js";
 
-/** Vertical field of view, radians: the paper's 45 degrees. */
+/** Field of view across the picture's shorter side, radians: the paper's 45 degrees. */
 export const FIELD_OF_VIEW = Math.PI / 4;
 const NEAR = 0.05;
 const FAR = 60;
 
 /** Clip space from world space, for an eye (metres) that looks along -Z at yaw and pitch 0. */
 export function clipFromWorld(eye: Vec3, yaw: number, pitch: number, aspect: number): mat4 {
-  const clipFromView = mat4.perspective(mat4.create(), FIELD_OF_VIEW, aspect, NEAR, FAR);
+  // A phone held upright sees more of floor and ceiling, instead of losing the candle at its side.
+  const height = 2 * Math.atan(Math.tan(FIELD_OF_VIEW / 2) / Math.min(aspect, 1));
+  const clipFromView = mat4.perspective(mat4.create(), height, aspect, NEAR, FAR);
   const viewFromWorld = mat4.create();
   mat4.rotateX(viewFromWorld, viewFromWorld, -pitch);
   mat4.rotateY(viewFromWorld, viewFromWorld, -yaw);
@@ -16,7 +18,7 @@ export function clipFromWorld(eye: Vec3, yaw: number, pitch: number, aspect: num
   return mat4.multiply(mat4.create(), clipFromView, viewFromWorld);
 }
 
-/** Pixels that a thing 1 m wide covers at a distance of 1 m. */
-export function projectionScale(height: number): number {
-  return height / (2 * Math.tan(FIELD_OF_VIEW / 2));
+/** Pixels that a thing 1 m wide covers at a distance of 1 m, by the picture's shorter side. */
+export function projectionScale(shorterSide: number): number {
+  return shorterSide / (2 * Math.tan(FIELD_OF_VIEW / 2));
 }

@@ -43,8 +43,8 @@ export class ParticleSystem {
   #next: Half;
   #tick = Number.NEGATIVE_INFINITY;
   #groups = GROUPS;
-  /** Tick up to which particles of group `n` can be alive. */
-  readonly #aliveUntil = new Float64Array(GROUPS);
+  /** Tick up to which group `n` is moved: until both halves of the buffer hold none of it alive. */
+  readonly #movedUntil = new Float64Array(GROUPS);
   readonly #tickKeys = new Uint32Array(MAX_TICKS);
   readonly #births = new Uint32Array(MAX_TICKS * 4);
   readonly #way = new Float32Array(MAX_TICKS * 4);
@@ -100,7 +100,9 @@ export class ParticleSystem {
 
   /** Catches up with the timeline. */
   follow(timeline: Timeline): void {
-    this.#tick = Math.max(this.#tick, timeline.tick - MEMORY);
+    // Whatever was born before that is dead by now.
+    const lifetime = Math.ceil(this.layer.life / TICK) + 1;
+    this.#tick = Math.max(this.#tick, timeline.tick - Math.min(MEMORY, lifetime));
     while (this.#tick < timeline.tick) {
       const ticks = Math.min(MAX_TICKS, timeline.tick - this.#tick);
       for (let i = 0; i < ticks; i++) this.#describe(timeline, this.#tick + i, i);
@@ -139,8 +141,10 @@ export class ParticleSystem {
       this.#wind[i * 4 + axis] = timeline.wind(tick, axis);
     }
     this.#way[i * 4 + 3] = births.age;
-    for (let group = 0; group < groups; group++) this.#aliveUntil[group] = tick + layer.life / TICK;
-    this.#groups = this.#aliveUntil.findLastIndex((until) => until >= tick) + 1;
+    // The last dies within its life; then two more passes, each of MAX_TICKS at most.
+    const until = tick + layer.life / TICK + 2 * MAX_TICKS;
+    for (let group = 0; group < groups; group++) this.#movedUntil[group] = until;
+    this.#groups = this.#movedUntil.findLastIndex((until) => until >= tick) + 1;
   }
 
   /** Copies the particles back, `FLOATS` each: for tests, since it waits for the GPU. */

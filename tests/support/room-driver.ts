@@ -1,17 +1,51 @@
+import { createHash } from "node:crypto";
 import type { Page } from "playwright/test";
-import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
+import sharp from "sharp";
+import type {
+  Camera,
+  CandleFlameElement,
+  Features,
+  Stats,
+} from "../../src/candle-flame-element.ts";
 
 export const LIBRARY = "http://127.0.0.1:4174/";
 
 /** Attributes of the element under test; `""` sets a flag. */
 export type Attributes = Readonly<Record<string, string>>;
 
-function html(attributes: Attributes, width: number, height: number): string {
+export interface Picture {
+  readonly width: number;
+  readonly height: number;
+  readonly data: Buffer;
+}
+
+export interface Opening {
+  /** CSS pixels of the element's box. Small ones are quick: every step draws. */
+  readonly width?: number;
+  readonly height?: number;
+  readonly paused?: boolean;
+  /** More of the page, after the element. */
+  readonly after?: string;
+}
+
+function html(attributes: Attributes, { width = 640, height = 360, after = "" }: Opening): string {
   const list = Object.entries(attributes).map(([name, value]) => `${name}="${value}"`);
   return `<!doctype html><html lang="en"><meta charset="utf-8"><title>test</title>
     <style>body { margin: 0; background: #000 } candle-flame { width: ${width}px; height: ${height}px; aspect-ratio: auto }</style>
     <candle-flame ${list.join(" ")}></candle-flame>
-    <script type="module" src="/define.js"></script></html>`;
+    <script type="module" src="/define.js"></script>${after}</html>`;
+}
+
+/** What the page complained of, as it happens: exceptions, rejections, console and WebGL errors. */
+export function complaintsOf(page: Page): readonly string[] {
+  const complaints: string[] = [];
+  page.on("pageerror", (error) => complaints.push(String(error)));
+  page.on("console", (message) => {
+    // WebGL's own errors come as warnings; so does its advice on speed, which is none.
+    const isError = message.type() === "error" || /INVALID_|OUT_OF_MEMORY/.test(message.text());
+    if (isError) complaints.push(message.text());
+  });
+  return complaints;
 }
 
 /**
@@ -21,35 +55,45 @@ function html(attributes: Attributes, width: number, height: number): string {
  */
 export class RoomDriver {
   readonly page: Page;
+  readonly complaints: readonly string[];
 
   constructor(page: Page) {
     this.page = page;
+    this.complaints = complaintsOf(page);
   }
 
   /** Opens the element, paused unless told otherwise, and waits for its first frame. */
-  async open(
-    attributes: Attributes = {},
-    { width = 640, height = 360, paused = true } = {},
-  ): Promise<this> {
-    await this.load(attributes, { width, height, paused });
-    await this.page
-      .locator("candle-flame")
-      .evaluate((element: CandleFlameElement) => element.ready);
+  async open(attributes: Attributes = {}, opening: Opening = {}): Promise<this> {
+    await this.load(attributes, opening);
+    await this.evaluate((element) => element.ready);
     return this;
   }
 
   /** The same, without waiting: for elements that are to fail. */
-  async load(
-    attributes: Attributes = {},
-    { width = 640, height = 360, paused = true } = {},
-  ): Promise<this> {
-    const body = html(paused ? { paused: "", ...attributes } : attributes, width, height);
+  async load(attributes: Attributes = {}, opening: Opening = {}): Promise<this> {
+    const { paused = true } = opening;
+    const body = html(paused ? { paused: "", ...attributes } : attributes, opening);
     await this.page.route(`${LIBRARY}room.html`, (route) =>
       route.fulfill({ contentType: "text/html", body }),
     );
     await this.page.goto(`${LIBRARY}room.html`);
     await this.page.waitForFunction(() => customElements.get("candle-flame") !== undefined);
     return this;
+  }
+
+  /** Brings an opened element back to its defaults, paused at time 0. */
+  restore(): Promise<void> {
+    return this.evaluate((element) => {
+      element.blur();
+      element.paused = true;
+      for (const name of element.getAttributeNames()) {
+        if (name !== "paused") element.removeAttribute(name);
+      }
+      for (const name of Object.keys(element.features) as (keyof Features)[]) {
+        element.features[name] = true;
+      }
+      element.reset();
+    });
   }
 
   /** Runs a function on the element in the page. */
@@ -63,6 +107,20 @@ export class RoomDriver {
       .evaluate(run as never, argument as never) as Promise<Result>;
   }
 
+  set(attributes: Attributes): Promise<void> {
+    return this.evaluate((element, attributes) => {
+      for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+    }, attributes);
+  }
+
+  switchFeatures(features: Partial<Features>): Promise<void> {
+    return this.evaluate((element, features) => {
+      for (const name of Object.keys(features) as (keyof Features)[]) {
+        element.features[name] = features[name] ?? true;
+      }
+    }, features);
+  }
+
   step(seconds: number, times = 1): Promise<void> {
     return this.evaluate(
       (element, { seconds, times }) => {
@@ -72,17 +130,41 @@ export class RoomDriver {
     );
   }
 
-  /** A hash of the picture's pixels. */
-  pixels(): Promise<string> {
-    return this.evaluate(async (element) => {
-      const bitmap = await createImageBitmap(await element.toBlob());
-      const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
-      const context = canvas.getContext("2d");
-      if (!context) throw new Error("no 2D canvas");
-      context.drawImage(bitmap, 0, 0);
-      const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
-      const digest = await crypto.subtle.digest("SHA-256", data);
-      return [...new Uint8Array(digest)].map((byte) => byte.toString(16).padStart(2, "0")).join("");
+  /** Stands somewhere, looks somewhere. */
+  stand(camera: Partial<Camera>): Promise<void> {
+    return this.evaluate((element, camera) => {
+      element.camera = { ...element.camera, ...camera };
+    }, camera);
+  }
+
+  camera(): Promise<Camera> {
+    return this.evaluate((element) => element.camera);
+  }
+
+  stats(): Promise<Stats> {
+    return this.evaluate((element) => element.stats);
+  }
+
+  isWalking(): Promise<boolean> {
+    return this.evaluate((element) => element.matches(":state(walking)"));
+  }
+
+  /** The picture's pixels, 8-bit RGBA, rows from the top. */
+  async picture(): Promise<Picture> {
+    const png = await this.evaluate(async (element) => {
+      const bytes = new Uint8Array(await (await element.toBlob()).arrayBuffer());
+      return bytes.reduce((text, byte) => text + String.fromCharCode(byte), "");
     });
+    const { data, info } = await sharp(Buffer.from(png, "latin1"))
+      .ensureAlpha()
+      .raw()
+      .toBuffer({ resolveWithObject: true });
+    return { width: info.width, height: info.height, data };
+  }
+
+  /** A hash of the picture's pixels. */
+  async pixels(): Promise<string> {
+    const { data } = await this.picture();
+    return createHash("sha256").update(data).digest("hex");
   }
 }

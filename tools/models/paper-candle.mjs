@@ -41,19 +41,34 @@ function profile(distance) {
   return [profileEnd - distance, 0];
 }
 
+const column = (2 * Math.PI) / segments;
 const drips = [
-  { angle: 0.55, end: 0.33, halfWidth: 0.05, thickness: 0.017, sway: 0.05 },
-  { angle: 2.5, end: 0.51, halfWidth: 0.055, thickness: 0.02, sway: -0.06 },
-  { angle: 4.45, end: 0.2, halfWidth: 0.046, thickness: 0.014, sway: 0.03 },
+  { angle: 6 * column, end: 0.33, halfWidth: 0.042, thickness: 0.017, sway: 0.05 },
+  { angle: 25 * column, end: 0.51, halfWidth: 0.048, thickness: 0.02, sway: -0.06 },
+  { angle: 45 * column, end: 0.2, halfWidth: 0.038, thickness: 0.014, sway: 0.03 },
 ];
+const gathering = 0.7;
+
+const alongDrip = (drip, distance) => Math.min(Math.max(distance, 0), drip.end);
+const swayOf = (drip, distance) => drip.sway * Math.sin((4 * alongDrip(drip, distance)) / drip.end);
+
+/** Sixty-four columns are few for a drip: they gather about it at half their spacing, and follow it. */
+function columnAngle(distance, angle) {
+  let gathered = angle;
+  for (const drip of drips) {
+    const beside = angleBetween(angle, drip.angle);
+    const window = Math.max(0, 1 - (beside / gathering) ** 2) ** 2;
+    gathered += window * (swayOf(drip, distance) - 0.5 * beside);
+  }
+  return gathered;
+}
 
 /** Wax that ran from the rim and set: a stem, and the bead that had just stopped at its end. */
 function dripThickness(distance, angle) {
   let thickest = 0;
   for (const drip of drips) {
-    const along = Math.min(Math.max(distance, 0), drip.end);
-    const middle = drip.angle + drip.sway * Math.sin((4 * along) / drip.end);
-    const beside = radius * angleBetween(angle, middle);
+    const along = alongDrip(drip, distance);
+    const beside = radius * angleBetween(angle, drip.angle + swayOf(drip, distance));
     const fromMiddle = Math.hypot(beside, 0.7 * (distance - along));
     const stem = smoothstep(0, 0.08, along);
     const bead = smoothstep(drip.end - 0.16, drip.end, along);
@@ -82,7 +97,8 @@ function swelling(distance, angle) {
   return 0.0012 * waves * fade;
 }
 
-function waxPoint(distance, angle) {
+function waxPoint(distance, evenAngle) {
+  const angle = columnAngle(distance, evenAngle);
   const [fromAxis, up] = profile(distance);
   const step = 1e-5;
   const [beforeAxis, beforeUp] = profile(distance - step);
@@ -101,13 +117,19 @@ const around = (fromAxis, up, angle) => [
   fromAxis * Math.cos(angle),
 ];
 
-const wrapped = (distance, turn) => [turn * textureRepeats, distance / tile];
+const wrapped = (distance, turn) => {
+  const angle = columnAngle(distance, 2 * Math.PI * turn);
+  return [(angle / (2 * Math.PI)) * textureRepeats, distance / tile];
+};
 const fromAbove = (_distance, _turn, [x, , z]) => [x / tile, z / tile];
 const fromBelow = (_distance, _turn, [x, , z]) => [x / tile, -z / tile];
 
 // Wound polar, the texture would shrink to a point on the axis; laid flat it keeps its scale. The two
 // meet inside the rim, where the eye does not follow the silhouette.
 const dishSeam = -0.03;
+const stemRings = [0.06, 0.1, 0.14, 0.29, 0.42, 0.455, 0.72];
+const beadRings = drips.flatMap(({ end }) => evenly(end - 0.02, end + 0.076, 6));
+const sideRings = [...stemRings, ...beadRings].sort((a, b) => a - b);
 const surface = { segments, point: waxPoint };
 const wax = joined(
   lathe({ ...surface, distances: evenly(-dishRadius, dishSeam, 8), texcoord: fromAbove }),
@@ -116,8 +138,8 @@ const wax = joined(
     distances: [
       ...evenly(dishSeam, 0, 2),
       ...evenly(0, rimEnd, 4).slice(1),
-      ...evenly(rimEnd, 0.63, 25).slice(1),
-      ...evenly(0.63, sideEnd, 2).slice(1),
+      ...sideRings,
+      sideEnd,
       ...evenly(sideEnd, footEnd, 2).slice(1),
     ],
     texcoord: wrapped,

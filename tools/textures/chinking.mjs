@@ -63,7 +63,10 @@ export function chinking(joints, tile, seed) {
     const sand = noise((x / tile) * 560, off / 2.9, s + 4, 560);
     const stones = cellular((x / tile) * 260, off / 6.2, s + 6, 260, 0);
     const stone = stones.id % 100 < 6 ? smoothstep(0.36, 0.1, stones.nearest) : 0;
-    const lost = stones.id % 100 > 95 ? smoothstep(0.12 + 0.004 * ((stones.id >>> 8) & 63), 0.08, stones.nearest) : 0;
+    const lost =
+      stones.id % 100 > 95
+        ? smoothstep(0.12 + 0.004 * ((stones.id >>> 8) & 63), 0.08, stones.nearest)
+        : 0;
     const spalled = smoothstep(0.5, 0.56, along(10, off / 40, 7, 4));
     const crack = crackDepth(x, off, cracked[joint], tile);
 

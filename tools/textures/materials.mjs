@@ -4,7 +4,6 @@ import { leather } from "./materials/leather.mjs";
 import { linen } from "./materials/linen.mjs";
 import { logends } from "./materials/logends.mjs";
 import { logs } from "./materials/logs.mjs";
-import { masonry } from "./materials/masonry.mjs";
 import { paper } from "./materials/paper.mjs";
 import { pewter } from "./materials/pewter.mjs";
 import { planks } from "./materials/planks.mjs";
@@ -21,7 +20,6 @@ export const materials = [
   plaster,
   trim,
   stone,
-  masonry,
   logends,
   wool,
   linen,

@@ -2,8 +2,7 @@ import { cellular, clamp, fractalNoise, hash, smoothstep } from "./noise.mjs";
 import { cover, pigment, scale, set } from "./pigment.mjs";
 
 /**
- * Hammer-dressed field stone in cool greys, shared by single stones and by masonry. Lengths in mm;
- * everything repeats after `period` both ways, or not at all where it is zero.
+ * Hammer-dressed field stone in cool greys. Lengths in mm; everything repeats after `period` both ways.
  */
 
 const LIGHT = pigment(0xa0a29e);
@@ -17,11 +16,9 @@ const WARM = [1.06, 1, 0.9];
 
 /** Noise of about `wavelength` mm that repeats with the period. */
 function grain(x, y, wavelength, seed, octaves, period, stretch = 1) {
-  const cycles = period ? Math.max(1, Math.round(period / wavelength)) : 0;
-  const cyclesX = period ? Math.max(1, Math.round(period / (wavelength * stretch))) : 0;
-  const scaleX = period ? cyclesX / period : 1 / (wavelength * stretch);
-  const scaleY = period ? cycles / period : 1 / wavelength;
-  return fractalNoise(x * scaleX, y * scaleY, seed, octaves, cyclesX, cycles);
+  const across = Math.max(1, Math.round(period / (wavelength * stretch)));
+  const down = Math.max(1, Math.round(period / wavelength));
+  return fractalNoise((x / period) * across, (y / period) * down, seed, octaves, across, down);
 }
 
 /**
@@ -29,26 +26,24 @@ function grain(x, y, wavelength, seed, octaves, period, stretch = 1) {
  * round scattered points. About -1..1.
  */
 function spalls(x, y, size, seed, period) {
-  const cells = period ? Math.round(period / size) : 0;
-  const unit = period ? period / cells : size;
+  const cells = Math.round(period / size);
+  const unit = period / cells;
   const column = Math.floor(x / unit);
   const row = Math.floor(y / unit);
   let lowest = 9;
   for (let j = row - 1; j <= row + 1; j++) {
     for (let i = column - 1; i <= column + 1; i++) {
-      const bits = cells
-        ? hash(((i % cells) + cells) % cells, ((j % cells) + cells) % cells, seed)
-        : hash(i, j, seed);
+      const bits = hash(((i % cells) + cells) % cells, ((j % cells) + cells) % cells, seed);
       const dx = x / unit - i - (bits & 255) / 256;
       const dy = y / unit - j - ((bits >>> 8) & 255) / 256;
-      const dip = (((bits >>> 16) & 255) / 255 - 0.5) * 0.9;
+      const dip = (((bits >>> 16) & 255) / 255 - 0.5) * 0.75;
       const turn = ((bits >>> 24) / 255) * 2 * Math.PI;
       const flat =
-        dip * (Math.cos(turn) * dx + Math.sin(turn) * dy) + 0.55 * (dx * dx + dy * dy) + 0.25 * dip;
+        dip * (Math.cos(turn) * dx + Math.sin(turn) * dy) + 0.75 * (dx * dx + dy * dy) + 0.25 * dip;
       if (flat < lowest) lowest = flat;
     }
   }
-  return 2.5 * lowest - 0.3;
+  return 2.2 * lowest - 0.3;
 }
 
 const face = {
@@ -79,8 +74,8 @@ export function rockFace(x, y, { bed, layered, seed, period }) {
   );
   face.vein =
     smoothstep(0.022, 0.004, ribbon) * smoothstep(0.15, 0.6, grain(x, y, 150, seed + 9, 1, period));
-  const cells = period ? Math.round(period / 13) : 0;
-  const unit = period ? period / cells : 13;
+  const cells = Math.round(period / 13);
+  const unit = period / cells;
   const pick = cellular(x / unit, y / unit, seed + 15, cells, cells);
   face.pecked = pick.id % 100 < 12 ? smoothstep(0.3, 0.05, pick.nearest) : 0;
   face.relief =
@@ -96,7 +91,7 @@ export function rockFace(x, y, { bed, layered, seed, period }) {
 /** Colours a face: limestone, shading into banded gneiss with `layered` and into granite with `speckled`. */
 export function paintRock(color, rock, { layered, speckled, warm, tone }) {
   set(color, DARK);
-  cover(color, LIGHT, clamp(0.55 + 0.42 * rock.mottle + 0.12 * rock.speckle + 0.15 * rock.bands));
+  cover(color, LIGHT, clamp(0.55 + 0.42 * rock.mottle + 0.2 * rock.speckle + 0.15 * rock.bands));
   if (layered > 0) {
     const band = clamp(0.5 + 0.45 * rock.bands + 0.4 * rock.mottle);
     for (let c = 0; c < 3; c++) {
@@ -113,6 +108,6 @@ export function paintRock(color, rock, { layered, speckled, warm, tone }) {
     cover(color, QUARTZ, 0.45 * speckled * smoothstep(0.5, 0.75, rock.crystal));
   }
   cover(color, QUARTZ, 0.5 * rock.vein);
-  scale(color, tone * (1 + 0.1 * rock.mottle + 0.07 * rock.sand + 0.1 * rock.pecked));
+  scale(color, tone * (1 + 0.1 * rock.mottle + 0.11 * rock.sand + 0.1 * rock.pecked));
   for (let c = 0; c < 3; c++) color[c] *= 1 + (WARM[c] - 1) * warm;
 }

@@ -49,10 +49,6 @@ export class Divider {
     this.#line.remove();
   }
 
-  focus(): void {
-    this.#line.focus();
-  }
-
   #moveTo(clientX: number): void {
     const { left, width } = this.#stage.getBoundingClientRect();
     this.#set(((clientX - left) / width) * 100);

@@ -57,7 +57,7 @@ export class LadderChart {
     this.#rows.forEach(({ milliseconds, framesPerSecond, multiple, bar, paperBar }, i) => {
       const time = medians[i];
       milliseconds.textContent = formatMilliseconds(time);
-      framesPerSecond.textContent = format(time && 1000 / time, 0);
+      framesPerSecond.textContent = formatRate(time && 1000 / time);
       multiple.textContent = formatMultiple(multiples[i]);
       bar.style.inlineSize = share(multiples[i], longest);
       paperBar.style.inlineSize = share(PAPER_MULTIPLES[i], longest);
@@ -71,6 +71,10 @@ function share(value: number | undefined, whole: number): string {
 
 export function formatMilliseconds(value: number | undefined): string {
   return format(value, (value ?? 0) < 10 ? 2 : (value ?? 0) < 100 ? 1 : 0);
+}
+
+function formatRate(value: number | undefined): string {
+  return format(value, (value ?? 0) < 10 ? 1 : 0);
 }
 
 function formatMultiple(value: number | undefined): string {

@@ -114,7 +114,7 @@ export class PaperRenderer implements Renderer {
       eyePosition: shown.eye,
       exposure: this.#gain,
       viewport: [width, height],
-      projectionScale: projectionScale(height),
+      projectionScale: projectionScale(Math.min(width, height)),
       normalMaps: features.normalMaps && look === "paper" ? 1 : 0,
     });
     const light = candleLight(world, features, isStill);

@@ -10,7 +10,7 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import { adaptation, CANDLE_WHITE, ILLUMINANT_A } from "../../light/color.js";
+import { adaptation } from "../../light/color.js";
 import { BODY_SIZE, outline } from "../../light/flame-body.js";
 import { flameLight, TAPER } from "../../light/flame-light.js";
 import type { World } from "../../world/world.js";
@@ -21,7 +21,7 @@ import type { Tier } from "../tier.js";
 import type { View } from "../view.js";
 
 /** From cd/m² to the display's scale, where middle grey is 0.18: a wall of 0.08 cd/m² lands there. */
-const EXPOSURE = 2.2;
+const EXPOSURE = 7;
 /** Steps of the march through the flame. */
 const FLAME_STEPS: Readonly<Record<Tier["name"], number>> = {
   low: 12,
@@ -50,7 +50,7 @@ export class PhysicalRenderer implements Renderer {
   readonly #outline: Texture;
   readonly #hull: VertexArray;
   readonly #screen: VertexArray;
-  readonly #adaptation = adaptation(CANDLE_WHITE, ILLUMINANT_A);
+  readonly #adaptation = adaptation(TAPER.color);
   #samples: RenderTarget | null = null;
   #radiance: RenderTarget | null = null;
   #size = { width: 1, height: 1 };
@@ -105,10 +105,15 @@ export class PhysicalRenderer implements Renderer {
     const target = this.#samples ?? this.#radiance;
     this.#updateBlocks(world, view);
     this.#gpu.clear(target, BLACK);
-    this.#drawSurfaces(target, this.#room, [0, 0, 0, 0]);
+    this.#drawSurfaces(target, this.#room, [0, 0, 0, 0], -1e3);
     if (view.features.candle) {
       const [x, y, z] = world.shown.foot;
-      this.#drawSurfaces(target, this.#candle, [x, y, z, world.player.yaw]);
+      this.#drawSurfaces(
+        target,
+        this.#candle,
+        [x, y, z, world.player.yaw],
+        world.shown.flame[1] - 0.008,
+      );
     }
     this.#drawFlame(target);
     if (this.#samples) this.#gpu.resolve(this.#samples, this.#radiance);
@@ -153,6 +158,7 @@ export class PhysicalRenderer implements Renderer {
     target: RenderTarget,
     surfaces: readonly Surface[],
     place: readonly [number, number, number, number],
+    rim: number,
   ): void {
     for (const { vertexArray, textures, baseColor, parameters, isDoubleSided } of surfaces) {
       this.#gpu.draw({
@@ -160,7 +166,7 @@ export class PhysicalRenderer implements Renderer {
         target,
         vertexArray,
         textures,
-        uniforms: { uBaseColor: baseColor, uPlace: place, uSurface: parameters },
+        uniforms: { uBaseColor: baseColor, uPlace: place, uSurface: parameters, uRim: rim },
         blocks: { Frame: this.#frame, Light: this.#light },
         depth: "test-and-write",
         cull: isDoubleSided ? "none" : "back",

@@ -24,7 +24,7 @@ function sampler(seed) {
     const line = scratch(x, y);
     const dented = over(x, y, TILE, 9, seed + 45, 2);
 
-    texel.height = 0.012 * turned + 0.12 * dented + 0.002 * grain - 0.03 * line - 0.015 * spots;
+    texel.height = 0.02 * turned + 0.12 * dented + 0.002 * grain - 0.03 * line - 0.015 * spots;
     const color = texel.albedo;
     set(color, BRASS);
     cover(color, PATINA, clamp(0.55 * dull + 0.2 * finger + 0.1 * turned));
@@ -41,6 +41,7 @@ export const brass = {
   size: 512,
   tile: 0.3,
   seed: 61,
+  quality: { normal: 95 },
   synthesize(resolution, seed = this.seed) {
     return synthesizeSurface({ resolution, tile: this.tile }, sampler(seed));
   },

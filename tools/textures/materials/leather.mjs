@@ -60,6 +60,7 @@ export const leather = {
   size: 512,
   tile: 0.4,
   seed: 97,
+  quality: { albedo: 50, normal: 75, orm: 58 },
   synthesize(resolution, seed = this.seed) {
     const surface = synthesizeSurface({ resolution, tile: this.tile }, sampler(seed));
     return weather(surface, { radius: 1.5, depth: 0.5, dirt: [0.6, 0.58, 0.56], roughness: 0.08 });

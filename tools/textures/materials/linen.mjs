@@ -75,6 +75,7 @@ export const linen = {
   size: 1024,
   tile: 0.4,
   seed: 83,
+  quality: { albedo: 45, normal: 55, orm: 45 },
   synthesize(resolution, seed = this.seed) {
     return synthesizeSurface({ resolution, tile: this.tile }, sampler(seed));
   },

@@ -88,7 +88,7 @@ function sampler(seed) {
       0.012 * Math.max(0, fromMiddle - 88) ** 2 +
       0.1 * rays -
       6 * split;
-    texel.height = mix(wood, -1.5 + 1.8 * shaggy + 0.3 * torn, bark);
+    texel.height = mix(wood, -1.5 + 1.8 * shaggy + 0.1 * torn, bark);
 
     const color = texel.albedo;
     set(color, SAP);
@@ -124,6 +124,7 @@ export const logends = {
   size: 512,
   tile: 0.2,
   seed: 53,
+  quality: { normal: 72 },
   synthesize(resolution, seed = this.seed) {
     const sample = sampler(seed);
     const surface = synthesizeSurface({ resolution, tile: this.tile }, (x, y, texel) => {

@@ -107,7 +107,7 @@ function sampler(seed) {
 
 export const paper = {
   name: "paper",
-  size: 512,
+  size: 1024,
   tile: 0.3,
   seed: 101,
   synthesize(resolution, seed = this.seed) {

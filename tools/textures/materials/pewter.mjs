@@ -24,7 +24,7 @@ function sampler(seed) {
     const dent = hit.id % 100 < 22 ? smoothstep(0.3, 0, hit.nearest) : 0;
 
     texel.height =
-      0.01 * turned +
+      0.018 * turned +
       0.2 * over(x, y, TILE, 7, seed + 45, 2) +
       0.004 * grain -
       0.03 * line -
@@ -45,6 +45,7 @@ export const pewter = {
   size: 512,
   tile: 0.3,
   seed: 71,
+  quality: { normal: 95 },
   synthesize(resolution, seed = this.seed) {
     return synthesizeSurface({ resolution, tile: this.tile }, sampler(seed));
   },

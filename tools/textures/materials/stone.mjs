@@ -50,6 +50,7 @@ export const stone = {
   size: 1024,
   tile: 1.6,
   seed: 41,
+  quality: { normal: 70 },
   synthesize(resolution, seed = this.seed) {
     const surface = synthesizeSurface({ resolution, tile: this.tile }, sampler(seed));
     return weather(surface, {

@@ -88,6 +88,7 @@ export const wool = {
   size: 1024,
   tile: 1,
   seed: 89,
+  quality: { albedo: 50, normal: 60, orm: 46 },
   synthesize(resolution, seed = this.seed) {
     return synthesizeSurface({ resolution, tile: this.tile }, sampler(seed));
   },

@@ -1,0 +1,85 @@
+import { Flaw } from "./asset-error.js";
+import type { Decoders } from "./decoders.js";
+import { fetchBytes } from "./fetch-bytes.js";
+import type { GltfDocument } from "./gltf-document.js";
+
+/** The bytes of a document's buffer views, fetched and decompressed when first asked for, and kept. */
+export class BufferBytes {
+  readonly #document: GltfDocument;
+  readonly #binary: Uint8Array<ArrayBuffer> | null;
+  readonly #decoders: Decoders;
+  readonly #resolve: (uri: string) => URL;
+  readonly #signal: AbortSignal;
+  readonly #buffers = new Map<number, Promise<Uint8Array<ArrayBuffer>>>();
+  readonly #views = new Map<number, Promise<Uint8Array<ArrayBuffer>>>();
+
+  constructor(
+    document: GltfDocument,
+    options: {
+      /** What a .glb file holds beside its JSON. */
+      readonly binary: Uint8Array<ArrayBuffer> | null;
+      readonly decoders: Decoders;
+      readonly resolve: (uri: string) => URL;
+      readonly signal: AbortSignal;
+    },
+  ) {
+    this.#document = document;
+    this.#binary = options.binary;
+    this.#decoders = options.decoders;
+    this.#resolve = options.resolve;
+    this.#signal = options.signal;
+  }
+
+  view(index: number): Promise<Uint8Array<ArrayBuffer>> {
+    return kept(this.#views, index, () => this.#readView(index));
+  }
+
+  async #readView(index: number): Promise<Uint8Array<ArrayBuffer>> {
+    const view = this.#document.views[index];
+    if (!view) throw new Flaw(`is broken: it has no bufferViews[${index}]`);
+    const buffer = await kept(this.#buffers, view.buffer, () => this.#readBuffer(view.buffer));
+    const { byteOffset, byteLength, meshopt } = view;
+    if (!meshopt) return buffer.subarray(byteOffset, byteOffset + byteLength);
+    const source = buffer.subarray(byteOffset, byteOffset + meshopt.byteLength);
+    return this.#decoders.meshopt(source, meshopt);
+  }
+
+  async #readBuffer(index: number): Promise<Uint8Array<ArrayBuffer>> {
+    const { uri, byteLength } = this.#document.buffers[index] ?? { uri: undefined, byteLength: 0 };
+    const bytes = await this.#sourceOf(index, uri);
+    if (bytes.byteLength < byteLength) {
+      throw new Flaw(
+        `is cut short: ${bytes.byteLength} of ${byteLength} bytes of its buffer ${index} are there`,
+      );
+    }
+    return bytes;
+  }
+
+  async #sourceOf(index: number, uri: string | undefined): Promise<Uint8Array<ArrayBuffer>> {
+    if (uri !== undefined) {
+      return fetchBytes(this.#resolve(uri), { signal: this.#signal }).catch((cause: unknown) => {
+        if (!(cause instanceof Flaw)) throw cause;
+        throw new Flaw(`needs a buffer that is not to be had: ${nameOf(uri)} ${cause.message}`, {
+          cause,
+        });
+      });
+    }
+    if (index === 0 && this.#binary) return this.#binary;
+    throw new Flaw(`lacks its buffer ${index}`);
+  }
+}
+
+/** A name for a part of a file, short enough for a sentence. */
+export function nameOf(uri: string): string {
+  return uri.startsWith("data:") ? "embedded data" : (uri.split("/").pop() ?? uri);
+}
+
+function kept<Value>(
+  values: Map<number, Promise<Value>>,
+  index: number,
+  make: () => Promise<Value>,
+): Promise<Value> {
+  const value = values.get(index) ?? make();
+  values.set(index, value);
+  return value;
+}

@@ -1,0 +1,101 @@
+import { Flaw } from "./asset-error.js";
+
+/** What a visitor's machine and patience are spared, bytes. */
+const MOST_BYTES = 50e6;
+const MEGABYTE = 1e6;
+
+/** Types that are surely no model, buffer or decoder. */
+const FOREIGN_TYPE = /^(text\/(html|css|javascript)|image|video|audio|font)\b/;
+
+export interface FetchOptions {
+  readonly signal: AbortSignal;
+  /** What a server may not answer with, by content type. */
+  readonly isForeign?: (type: string) => boolean;
+  readonly onProgress?: (share: number) => void;
+}
+
+/** Fetches a file, or throws a `Flaw`, or the signal's reason. */
+export async function fetchBytes(
+  url: URL,
+  { signal, onProgress = () => {}, isForeign = (type) => FOREIGN_TYPE.test(type) }: FetchOptions,
+): Promise<Uint8Array<ArrayBuffer>> {
+  if (url.protocol === "data:") return embeddedBytes(url.href);
+  const response = await fetch(url, { signal }).catch((cause: unknown) => {
+    signal.throwIfAborted();
+    throw new Flaw("could not be fetched", { cause });
+  });
+  const total = Number(response.headers.get("content-length") ?? 0);
+  try {
+    checkResponse(response, total, isForeign);
+    return await readBody(response, total, onProgress);
+  } catch (error) {
+    response.body?.cancel().catch(() => {});
+    signal.throwIfAborted();
+    if (error instanceof Flaw) throw error;
+    throw new Flaw("broke off while it was fetched", { cause: error });
+  }
+}
+
+function checkResponse(
+  response: Response,
+  total: number,
+  isForeign: (type: string) => boolean,
+): void {
+  if (!response.ok) {
+    const reason = `${response.status} ${response.statusText}`.trim();
+    throw new Flaw(`could not be fetched: the server answers ${reason}`);
+  }
+  const type = response.headers.get("content-type")?.split(";")[0]?.trim().toLowerCase() ?? "";
+  if (isForeign(type)) {
+    const what = type === "text/html" ? "a web page" : "something else";
+    throw new Flaw(`is ${what}, says its server (${type})`);
+  }
+  if (total > MOST_BYTES) throw tooLarge(`${(total / MEGABYTE).toFixed(0)} MB`);
+}
+
+async function readBody(
+  response: Response,
+  total: number,
+  onProgress: (share: number) => void,
+): Promise<Uint8Array<ArrayBuffer>> {
+  if (!response.body) return new Uint8Array(await response.arrayBuffer());
+  const chunks: Uint8Array[] = [];
+  let received = 0;
+  const reader = response.body.getReader();
+  try {
+    for (let read = await reader.read(); !read.done; read = await reader.read()) {
+      chunks.push(read.value);
+      received += read.value.byteLength;
+      if (received > MOST_BYTES) throw tooLarge("more");
+      // With compression on the way the length counts other bytes than we do.
+      if (total > 0) onProgress(Math.min(1, received / total));
+    }
+  } finally {
+    reader.releaseLock();
+  }
+  const bytes = new Uint8Array(received);
+  let offset = 0;
+  for (const chunk of chunks) {
+    bytes.set(chunk, offset);
+    offset += chunk.byteLength;
+  }
+  return bytes;
+}
+
+const tooLarge = (size: string) =>
+  new Flaw(`is too large: ${size}, where ${MOST_BYTES / MEGABYTE} MB are the limit`);
+
+/** A data URL's bytes. Not by `fetch`, which a page's content security policy may forbid it. */
+function embeddedBytes(url: string): Uint8Array<ArrayBuffer> {
+  const comma = url.indexOf(",");
+  const data = url.slice(comma + 1);
+  try {
+    if (!/;base64$/i.test(url.slice(0, comma))) {
+      return new TextEncoder().encode(decodeURIComponent(data));
+    }
+    const binary = atob(decodeURIComponent(data));
+    return Uint8Array.from(binary, (character) => character.charCodeAt(0));
+  } catch (cause) {
+    throw new Flaw("is embedded, but not in base64 that can be read", { cause });
+  }
+}

@@ -1,0 +1,244 @@
+import { Flaw } from "./asset-error.js";
+import { type Accessor, type BufferView, readAccessors, readViews } from "./gltf-accessors.js";
+import { type Mesh, readMeshes } from "./gltf-meshes.js";
+import { JsonEntry } from "./json-entry.js";
+
+/**
+ * The part of a glTF file that is used here, each reference and number checked: a parser that reads
+ * it cannot be led round in circles or out of bounds.
+ */
+export interface GltfDocument {
+  /** Nodes of the scene shown that have no parent. */
+  readonly roots: readonly number[];
+  readonly nodes: readonly Node[];
+  readonly meshes: readonly Mesh[];
+  readonly skins: readonly Skin[];
+  readonly accessors: readonly Accessor[];
+  readonly views: readonly BufferView[];
+  readonly buffers: readonly GltfBuffer[];
+  /** Read by `read-material.ts` and `pictures.ts`, where they are used. */
+  readonly materials: readonly JsonEntry[];
+  readonly textures: readonly JsonEntry[];
+  readonly images: readonly JsonEntry[];
+  readonly samplers: readonly JsonEntry[];
+  readonly extensionsUsed: readonly string[];
+  readonly sceneCount: number;
+  readonly hasAnimations: boolean;
+}
+
+export interface Node {
+  readonly name: string;
+  readonly children: readonly number[];
+  readonly mesh: number | undefined;
+  /** Whether it has no mesh at all, not even one of lines. */
+  readonly isEmpty: boolean;
+  readonly skin: number | undefined;
+  readonly weights: readonly number[] | undefined;
+  readonly matrix: readonly number[] | undefined;
+  readonly translation: readonly number[] | undefined;
+  readonly rotation: readonly number[] | undefined;
+  readonly scale: readonly number[] | undefined;
+  /** Accessors of EXT_mesh_gpu_instancing. */
+  readonly instances: Readonly<Record<string, number>> | undefined;
+}
+
+export interface Skin {
+  readonly joints: readonly number[];
+  readonly inverseBindMatrices: number | undefined;
+}
+
+export interface GltfBuffer {
+  readonly uri: string | undefined;
+  readonly byteLength: number;
+}
+
+/** Deeper trees are no scenes, and a parser that recurses runs out of stack. */
+const MOST_DEPTH = 500;
+const MOST_NODES = 100_000;
+const MOST_TRIANGLES = 5e6;
+/** What so many triangles need that share no corner: a small file can ask for no more than a large one. */
+const MOST_VERTICES = 3 * MOST_TRIANGLES;
+
+export function readDocument(json: unknown): GltfDocument {
+  const root = new JsonEntry(json, "");
+  const version = root.entry("asset")?.string("version");
+  if (version === undefined) throw new Flaw("is no glTF: it does not say of which version it is");
+  if (!version.startsWith("2.")) throw new Flaw(`is glTF ${version}, and only glTF 2 can be read`);
+
+  const buffers = root.entries("buffers").map((buffer) => ({
+    uri: buffer.string("uri"),
+    byteLength: buffer.whole("byteLength") ?? 0,
+  }));
+  const views = readViews(root.entries("bufferViews"), buffers);
+  const accessors = readAccessors(root.entries("accessors"), views);
+  const materials = root.entries("materials");
+  const meshes = readMeshes(root.entries("meshes"), { accessors, views, materials });
+  const nodeEntries = root.entries("nodes");
+  checkCount("nodes", nodeEntries.length, MOST_NODES);
+  const skins = root.entries("skins").map((skin) => readSkin(skin, nodeEntries.length, accessors));
+  const nodes = nodeEntries.map((node) =>
+    readNode(node, { count: nodeEntries.length, meshes, skins, accessors }),
+  );
+  const scenes = root.entries("scenes");
+  const roots = rootsOf(root, scenes, nodes);
+  checkTree(nodes, roots);
+  checkTriangles(nodes, meshes, accessors);
+  return {
+    roots,
+    nodes,
+    meshes,
+    skins,
+    accessors,
+    views,
+    buffers,
+    materials,
+    textures: root.entries("textures"),
+    images: root.entries("images"),
+    samplers: root.entries("samplers"),
+    extensionsUsed: root.strings("extensionsUsed"),
+    sceneCount: scenes.length,
+    hasAnimations: root.entries("animations").length > 0,
+  };
+}
+
+function readNode(
+  entry: JsonEntry,
+  {
+    count,
+    meshes,
+    skins,
+    accessors,
+  }: {
+    count: number;
+    meshes: readonly Mesh[];
+    skins: readonly Skin[];
+    accessors: readonly Accessor[];
+  },
+): Node {
+  const index = entry.index("mesh", meshes.length);
+  const mesh = index === undefined ? undefined : meshes[index];
+  const isSeen = mesh !== undefined && mesh.primitives.length > 0;
+  return {
+    name: entry.string("name") ?? "",
+    children: entry.indices("children", count),
+    mesh: isSeen ? index : undefined,
+    isEmpty: mesh === undefined,
+    skin: isSeen ? entry.index("skin", skins.length) : undefined,
+    weights: isSeen ? entry.numbers("weights") : undefined,
+    matrix: entry.numbers("matrix", 16),
+    translation: entry.numbers("translation", 3),
+    rotation: unit(entry.numbers("rotation", 4)),
+    scale: entry.numbers("scale", 3),
+    instances: isSeen ? readInstances(entry, accessors) : undefined,
+  };
+}
+
+function unit(quaternion: number[] | undefined): number[] | undefined {
+  const length = Math.hypot(...(quaternion ?? []));
+  return length > 0 ? quaternion?.map((component) => component / length) : undefined;
+}
+
+const INSTANCE_TYPES = { TRANSLATION: "VEC3", ROTATION: "VEC4", SCALE: "VEC3" } as const;
+
+function readInstances(node: JsonEntry, accessors: readonly Accessor[]) {
+  const attributes = node.extension("EXT_mesh_gpu_instancing")?.entry("attributes");
+  if (!attributes) return undefined;
+  const instances: Record<string, number> = {};
+  const counts = new Set<number>();
+  for (const [name, type] of Object.entries(INSTANCE_TYPES)) {
+    const index = attributes.index(name, accessors.length);
+    const accessor = index === undefined ? undefined : accessors[index];
+    if (index === undefined || !accessor) continue;
+    if (accessor.type !== type) throw attributes.wrong(name, `is not of ${type}`);
+    instances[name] = index;
+    counts.add(accessor.count);
+  }
+  if (counts.size > 1) throw attributes.wrong("TRANSLATION", "has another count than its fellows");
+  return counts.size === 1 ? instances : undefined;
+}
+
+function readSkin(entry: JsonEntry, nodeCount: number, accessors: readonly Accessor[]): Skin {
+  const joints = entry.indices("joints", nodeCount);
+  if (joints.length === 0) throw entry.wrong("joints", "is empty");
+  const inverseBindMatrices = entry.index("inverseBindMatrices", accessors.length);
+  if (inverseBindMatrices !== undefined) {
+    const matrices = accessors[inverseBindMatrices];
+    if (matrices?.type !== "MAT4" || matrices.componentType !== 5126) {
+      throw entry.wrong("inverseBindMatrices", "is not of matrices");
+    }
+    if (matrices.count < joints.length) {
+      throw entry.wrong("inverseBindMatrices", "has fewer matrices than there are joints");
+    }
+  }
+  return { joints, inverseBindMatrices };
+}
+
+/** Of several scenes the one the file prefers; a file without scenes shows all it has. */
+function rootsOf(root: JsonEntry, scenes: readonly JsonEntry[], nodes: readonly Node[]): number[] {
+  const scene = scenes[root.index("scene", scenes.length) ?? 0];
+  if (scene) return [...new Set(scene.indices("nodes", nodes.length))];
+  const children = new Set(nodes.flatMap((node) => node.children));
+  return nodes.flatMap((_, index) => (children.has(index) ? [] : [index]));
+}
+
+function checkTree(nodes: readonly Node[], roots: readonly number[]): void {
+  const parents = new Map<number, number>();
+  for (const [parent, { children }] of nodes.entries()) {
+    for (const child of children) {
+      if (parents.has(child)) throw new Flaw(`is broken: nodes[${child}] has two parents`);
+      parents.set(child, parent);
+    }
+  }
+  checkAscent(nodes.length, parents);
+  for (const root of roots) {
+    if (parents.has(root)) throw new Flaw(`is broken: nodes[${root}] is a root and has a parent`);
+  }
+}
+
+/** Every node has at most one parent, so going up from it ends, or comes round. */
+function checkAscent(count: number, parents: ReadonlyMap<number, number>): void {
+  const depths = new Map<number, number>();
+  for (let start = 0; start < count; start++) {
+    const path: number[] = [];
+    const onPath = new Set<number>();
+    let node: number | undefined = start;
+    while (node !== undefined && !depths.has(node)) {
+      if (onPath.has(node)) throw new Flaw(`is broken: nodes[${node}] is its own ancestor`);
+      onPath.add(node);
+      path.push(node);
+      node = parents.get(node);
+    }
+    let depth = node === undefined ? 0 : (depths.get(node) ?? 0);
+    for (const below of path.reverse()) depths.set(below, ++depth);
+    if (depth > MOST_DEPTH) throw new Flaw(`is too deep: more than ${MOST_DEPTH} nodes in nodes`);
+  }
+}
+
+function checkTriangles(
+  nodes: readonly Node[],
+  meshes: readonly Mesh[],
+  accessors: readonly Accessor[],
+): void {
+  const countOf = (accessor: number | undefined) => accessors[accessor ?? -1]?.count ?? 0;
+  let triangles = 0;
+  let vertices = 0;
+  for (const { mesh, instances } of nodes) {
+    const copies = instances ? countOf(Object.values(instances)[0]) : 1;
+    for (const primitive of meshes[mesh ?? -1]?.primitives ?? []) {
+      triangles += primitive.triangles * copies;
+      vertices += countOf(primitive.attributes.POSITION) * copies;
+    }
+  }
+  checkTriangleCount(triangles);
+  checkCount("vertices", vertices, MOST_VERTICES);
+}
+
+export function checkTriangleCount(triangles: number): void {
+  checkCount("triangles", triangles, MOST_TRIANGLES);
+}
+
+function checkCount(what: string, count: number, most: number): void {
+  if (count <= most) return;
+  const million = (value: number) => `${+(value / 1e6).toPrecision(3)} million`;
+  throw new Flaw(`has too many ${what}: ${million(count)}, where ${million(most)} are the limit`);
+}

@@ -1,0 +1,118 @@
+import { Flaw } from "./asset-error.js";
+
+/** One object of a JSON file that nobody vouches for; each field is asked for by its type. */
+export class JsonEntry {
+  readonly #fields: Readonly<Record<string, unknown>>;
+  readonly #place: string;
+
+  /** @param place where it stands in the file, for the sentence that says what is wrong */
+  constructor(value: unknown, place: string) {
+    if (typeof value !== "object" || value === null || Array.isArray(value)) {
+      throw new Flaw(`is broken: ${place} is not an object`);
+    }
+    this.#fields = value as Record<string, unknown>;
+    this.#place = place;
+  }
+
+  names(): string[] {
+    return Object.keys(this.#fields);
+  }
+
+  has(name: string): boolean {
+    return Object.hasOwn(this.#fields, name);
+  }
+
+  wrong(name: string, what: string): Flaw {
+    return new Flaw(`is broken: ${this.#placeOf(name)} ${what}`);
+  }
+
+  string(name: string): string | undefined {
+    const value = this.#field(name);
+    return typeof value === "string" ? value : undefined;
+  }
+
+  boolean(name: string): boolean {
+    return this.#field(name) === true;
+  }
+
+  number(name: string): number | undefined {
+    const value = this.#field(name);
+    if (value === undefined) return undefined;
+    if (!isNumber(value)) throw this.wrong(name, "is not a number");
+    return value;
+  }
+
+  /** A whole number from 0. */
+  whole(name: string): number | undefined {
+    const value = this.#field(name);
+    if (value === undefined) return undefined;
+    if (!isWhole(value)) throw this.wrong(name, "is not a whole number");
+    return value;
+  }
+
+  /** The number of an entry in a list of so many. */
+  index(name: string, count: number): number | undefined {
+    const value = this.whole(name);
+    if (value !== undefined && value >= count) throw this.wrong(name, "names what is not there");
+    return value;
+  }
+
+  indices(name: string, count: number): number[] {
+    return this.#list(name).map((value) => {
+      if (!isWhole(value) || value >= count) throw this.wrong(name, "names what is not there");
+      return value;
+    });
+  }
+
+  /** So many numbers; any number of them without a count. */
+  numbers(name: string, count?: number): number[] | undefined {
+    if (!this.has(name)) return undefined;
+    const values = this.#list(name);
+    if (!values.every(isNumber)) throw this.wrong(name, "holds what is not a number");
+    if (count !== undefined && values.length !== count) {
+      throw this.wrong(name, `does not hold ${count} numbers`);
+    }
+    return values;
+  }
+
+  strings(name: string): string[] {
+    return this.#list(name).filter((value) => typeof value === "string");
+  }
+
+  entry(name: string): JsonEntry | undefined {
+    const value = this.#field(name);
+    return value === undefined ? undefined : new JsonEntry(value, this.#placeOf(name));
+  }
+
+  entries(name: string): JsonEntry[] {
+    return this.#list(name).map(
+      (value, index) => new JsonEntry(value, `${this.#placeOf(name)}[${index}]`),
+    );
+  }
+
+  /** An extension of this object. */
+  extension(name: string): JsonEntry | undefined {
+    return this.entry("extensions")?.entry(name);
+  }
+
+  #field(name: string): unknown {
+    return this.has(name) ? this.#fields[name] : undefined;
+  }
+
+  #list(name: string): unknown[] {
+    const value = this.#field(name);
+    if (value === undefined) return [];
+    if (!Array.isArray(value)) throw this.wrong(name, "is not a list");
+    return value;
+  }
+
+  #placeOf(name: string): string {
+    return this.#place === "" ? name : `${this.#place}.${name}`;
+  }
+}
+
+const isNumber = (value: unknown): value is number =>
+  typeof value === "number" && Number.isFinite(value);
+
+const isWhole = (value: unknown): value is number =>
+  Number.isSafeInteger(value) && Number(value) >= 0;

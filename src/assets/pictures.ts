@@ -1,0 +1,134 @@
+import { assetError, Flaw } from "./asset-error.js";
+import { type BufferBytes, nameOf } from "./buffer-bytes.js";
+import type { Decoders } from "./decoders.js";
+import { fetchBytes } from "./fetch-bytes.js";
+import type { GltfDocument } from "./gltf-document.js";
+import { closePicture, type Picture } from "./model.js";
+
+/** Pixels of a side; more than a wall shows by candlelight, and than some GPUs take. */
+const LONGEST_SIDE = 4096;
+
+/** Sources of a texture that the browser decodes itself, the smallest first. */
+const SOURCES = ["EXT_texture_avif", "EXT_texture_webp"] as const;
+
+const KTX2_IDENTIFIER = [0xab, 0x4b, 0x54, 0x58, 0x20, 0x32, 0x30, 0xbb];
+
+/** The decoded pictures of a file: each image once, and all of them closed if the model fails. */
+export class Pictures {
+  readonly #file: string;
+  readonly #document: GltfDocument;
+  readonly #bytes: BufferBytes;
+  readonly #decoders: Decoders;
+  readonly #resolve: (uri: string) => URL;
+  readonly #signal: AbortSignal;
+  readonly #images = new Map<number, Promise<Picture>>();
+  readonly warnings = new Set<string>();
+  #isClosed = false;
+
+  constructor(
+    document: GltfDocument,
+    bytes: BufferBytes,
+    options: {
+      readonly file: string;
+      readonly decoders: Decoders;
+      readonly resolve: (uri: string) => URL;
+      readonly signal: AbortSignal;
+    },
+  ) {
+    this.#document = document;
+    this.#bytes = bytes;
+    this.#file = options.file;
+    this.#decoders = options.decoders;
+    this.#resolve = options.resolve;
+    this.#signal = options.signal;
+  }
+
+  /** The picture of a texture, or null where it has none of a kind that is known. */
+  async texture(index: number): Promise<Picture | null> {
+    const images = this.#imagesOf(index);
+    if (images.length === 0) {
+      this.warnings.add("A texture without a picture of a known kind is left out.");
+      return null;
+    }
+    let failure: unknown;
+    for (const image of images) {
+      try {
+        return await this.#image(image);
+      } catch (error) {
+        failure ??= error;
+      }
+    }
+    throw failure;
+  }
+
+  /** Closes those that are there and those to come. */
+  close(): void {
+    this.#isClosed = true;
+    for (const image of this.#images.values()) image.then(closePicture).catch(() => {});
+  }
+
+  /** In the order in which they are tried. */
+  #imagesOf(index: number): number[] {
+    const texture = this.#document.textures[index];
+    const count = this.#document.images.length;
+    const sources = [
+      ...SOURCES.map((name) => texture?.extension(name)?.index("source", count)),
+      texture?.index("source", count),
+      // Its decoder has to be fetched first, for a picture that ends as the same plain pixels.
+      texture?.extension("KHR_texture_basisu")?.index("source", count),
+    ];
+    return sources.filter((source) => source !== undefined);
+  }
+
+  #image(index: number): Promise<Picture> {
+    const image = this.#images.get(index) ?? this.#readImage(index);
+    this.#images.set(index, image);
+    return image;
+  }
+
+  async #readImage(index: number): Promise<Picture> {
+    const image = this.#document.images[index];
+    const uri = image?.string("uri");
+    const view = image?.index("bufferView", this.#document.views.length);
+    const name = image?.string("name") ?? (uri === undefined ? `number ${index}` : nameOf(uri));
+    // What is wrong with a buffer is wrong with the file, not with this picture.
+    const inside = view === undefined ? null : await this.#bytes.view(view);
+    try {
+      const picture = await this.#decode(inside ?? (await this.#fetch(uri)), name);
+      if (this.#isClosed) closePicture(picture);
+      return picture;
+    } catch (cause) {
+      this.#signal.throwIfAborted();
+      throw assetError(`The texture ${name} of ${this.#file}`, cause);
+    }
+  }
+
+  #fetch(uri: string | undefined): Promise<Uint8Array<ArrayBuffer>> {
+    if (uri === undefined) throw new Flaw("is missing");
+    const isForeign = (type: string) => /^(text|video|audio|font)\//.test(type);
+    return fetchBytes(this.#resolve(uri), { signal: this.#signal, isForeign });
+  }
+
+  async #decode(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<Picture> {
+    if (KTX2_IDENTIFIER.every((byte, i) => bytes[i] === byte)) return this.#decoders.ktx2(bytes);
+    // Its colours and its opacity as they are in the file: they may be normals.
+    const asStored = { premultiplyAlpha: "none", colorSpaceConversion: "none" } as const;
+    const bitmap = await createImageBitmap(new Blob([bytes]), asStored).catch((cause: unknown) => {
+      throw new Flaw("is not a picture that can be read", { cause });
+    });
+    const { width, height } = bitmap;
+    const shrink = LONGEST_SIDE / Math.max(width, height);
+    if (shrink >= 1) return bitmap;
+    this.warnings.add(`The texture ${name} is shrunk from ${width} x ${height} pixels.`);
+    try {
+      return await createImageBitmap(bitmap, {
+        ...asStored,
+        resizeWidth: Math.max(1, Math.round(width * shrink)),
+        resizeHeight: Math.max(1, Math.round(height * shrink)),
+        resizeQuality: "high",
+      });
+    } finally {
+      bitmap.close();
+    }
+  }
+}

@@ -1,0 +1,142 @@
+import type { GltfDocument } from "./gltf-document.js";
+import type { JsonEntry } from "./json-entry.js";
+import type { Material } from "./model.js";
+import type { Pictures } from "./pictures.js";
+import {
+  isSamePlacement,
+  type Placement,
+  readTextureUse,
+  type TextureUse,
+  UNTURNED,
+} from "./texture-placement.js";
+
+/** A material, and how its maps lie on the surfaces that wear it. */
+export interface PlacedMaterial {
+  readonly material: Material;
+  readonly placement: Placement;
+  /** Where the occlusion lies otherwise than the rest. */
+  readonly occlusionPlacement: Placement | null;
+}
+
+const MIRRORED_REPEAT = 33648;
+
+/**
+ * What a surface without a material wears. glTF's own default is a rough metal, which by a single
+ * flame is all but black; this is the same as plaster.
+ */
+export const BARE: PlacedMaterial = {
+  material: {
+    name: "",
+    baseColor: [1, 1, 1, 1],
+    roughness: 1,
+    metallic: 0,
+    normalScale: 1,
+    occlusionStrength: 0,
+    isDoubleSided: false,
+    alphaMode: "opaque",
+    alphaCutoff: 0.5,
+    albedo: null,
+    normal: null,
+    occlusionRoughnessMetallic: null,
+    occlusion: null,
+  },
+  placement: UNTURNED,
+  occlusionPlacement: null,
+};
+
+/** Reads a material and its pictures; what it cannot have is added to the warnings. */
+export async function readMaterial(
+  document: GltfDocument,
+  entry: JsonEntry,
+  pictures: Pictures,
+  warnings: Set<string>,
+): Promise<PlacedMaterial> {
+  const name = entry.string("name") ?? "";
+  const use = (of: JsonEntry | undefined, map: string) => {
+    const found = readTextureUse(of?.entry(map), document.textures.length);
+    if (found && isMirrored(document, found.texture)) {
+      warnings.add("Textures that repeat in mirror images repeat plainly.");
+    }
+    return found;
+  };
+  const surface = readSurface(entry);
+  const albedo = use(surface.entry, surface.albedo);
+  const metallicRoughness = use(entry.entry("pbrMetallicRoughness"), "metallicRoughnessTexture");
+  const normal = use(entry, "normalTexture");
+  const occlusion = use(entry, "occlusionTexture");
+
+  const placement = (albedo ?? normal ?? metallicRoughness ?? occlusion)?.placement ?? UNTURNED;
+  const lies = (map: TextureUse | null) =>
+    map === null || isSamePlacement(map.placement, placement);
+  const pictureOf = (map: TextureUse | null, what: string) => {
+    if (map === null) return null;
+    if (lies(map)) return pictures.texture(map.texture);
+    warnings.add(
+      `The ${what} map of material "${name}" lies otherwise than its colour and is left out.`,
+    );
+    return null;
+  };
+  const isPacked =
+    occlusion !== null && occlusion.texture === metallicRoughness?.texture && lies(occlusion);
+  const [albedoPicture, normalPicture, packedPicture, occlusionPicture] = await Promise.all([
+    pictureOf(albedo, "colour"),
+    pictureOf(normal, "normal"),
+    pictureOf(metallicRoughness, "roughness"),
+    occlusion && !isPacked ? pictures.texture(occlusion.texture) : null,
+  ]);
+  const isShared = occlusionPicture !== null && occlusionPicture === packedPicture;
+  const occlusionApart = isShared && lies(occlusion) ? null : occlusionPicture;
+  return {
+    material: {
+      name,
+      baseColor: surface.baseColor,
+      roughness: surface.roughness,
+      metallic: surface.metallic,
+      normalScale: normal?.amount ?? 1,
+      occlusionStrength: share(occlusion?.amount ?? 0),
+      isDoubleSided: entry.boolean("doubleSided"),
+      ...readAlpha(entry),
+      albedo: albedoPicture,
+      normal: normalPicture,
+      occlusionRoughnessMetallic: packedPicture,
+      occlusion: occlusionApart,
+    },
+    placement,
+    occlusionPlacement: occlusionApart && !lies(occlusion) ? (occlusion?.placement ?? null) : null,
+  };
+}
+
+const share = (value: number) => Math.min(1, Math.max(0, value));
+
+function readSurface(entry: JsonEntry) {
+  const glossy = entry.extension("KHR_materials_pbrSpecularGlossiness");
+  const plain = entry.entry("pbrMetallicRoughness");
+  const factor = glossy?.numbers("diffuseFactor", 4) ?? plain?.numbers("baseColorFactor", 4);
+  const [red = 1, green = 1, blue = 1, opacity = 1] = (factor ?? []).map(share);
+  return {
+    entry: glossy ?? plain,
+    albedo: glossy ? "diffuseTexture" : "baseColorTexture",
+    baseColor: [red, green, blue, opacity] as const,
+    roughness: share(
+      glossy
+        ? 1 - (glossy.number("glossinessFactor") ?? 1)
+        : (plain?.number("roughnessFactor") ?? 1),
+    ),
+    metallic: glossy ? 0 : share(plain?.number("metallicFactor") ?? 1),
+  };
+}
+
+function readAlpha(entry: JsonEntry): Pick<Material, "alphaMode" | "alphaCutoff"> {
+  const modes = { MASK: "mask", BLEND: "blend" } as const;
+  const mode = entry.string("alphaMode");
+  return {
+    alphaMode: mode === "MASK" || mode === "BLEND" ? modes[mode] : "opaque",
+    alphaCutoff: share(entry.number("alphaCutoff") ?? 0.5),
+  };
+}
+
+function isMirrored(document: GltfDocument, texture: number): boolean {
+  const sampler = document.textures[texture]?.index("sampler", document.samplers.length);
+  const entry = document.samplers[sampler ?? -1];
+  return [entry?.whole("wrapS"), entry?.whole("wrapT")].includes(MIRRORED_REPEAT);
+}

@@ -1,0 +1,163 @@
+import {
+  type BufferAttribute,
+  type BufferGeometry,
+  type InstancedMesh,
+  type InterleavedBufferAttribute,
+  Matrix4,
+  type Mesh,
+  type SkinnedMesh,
+} from "three";
+import { Flaw } from "./asset-error.js";
+import type { Part } from "./model.js";
+import type { PlacedMaterial } from "./read-material.js";
+import { bareTangents, tangentsOf } from "./tangents.js";
+import { type Placement, placedUvs } from "./texture-placement.js";
+import { blended, type Moves, moved, type Vertices } from "./vertices.js";
+
+type Attribute = BufferAttribute | InterleavedBufferAttribute;
+
+/** Triangles that get a vertex of their own for each corner; beyond, they share smooth normals. */
+const MOST_FLAT_TRIANGLES = 300_000;
+
+/** A mesh as plain arrays, where it stands and in its rest pose; null where nothing of it is seen. */
+export function readPart(
+  mesh: Mesh,
+  name: string,
+  { material, placement, occlusionPlacement }: PlacedMaterial,
+): Part | null {
+  const geometry = withNormals(mesh.geometry);
+  const position = geometry.getAttribute("position");
+  const indices = indicesOf(geometry, position.count);
+  const moves = matricesOf(mesh, geometry);
+  if (indices.length === 0 || moves.all.length === 0) return null;
+  const uvs = (placed: Placement | null) => {
+    const uv = placed && geometry.getAttribute(uvName(placed.uvSet));
+    return placed && uv ? placedUvs(floats(uv), placed) : null;
+  };
+  const tangent = geometry.getAttribute("tangent");
+  const color = geometry.getAttribute("color");
+  const vertices = moved(
+    {
+      positions: morphedPositions(mesh, geometry),
+      normals: floats(geometry.getAttribute("normal")),
+      tangents: tangent ? floats(tangent) : null,
+      uvs: uvs(placement),
+      occlusionUvs: uvs(occlusionPlacement),
+      colors: color ? colorsOf(color) : null,
+      indices,
+    },
+    moves,
+  );
+  return { name, material, ...finished(vertices, material.normal !== null) };
+}
+
+const uvName = (set: number) => (set === 0 ? "uv" : set < 4 ? `uv${set}` : `texcoord_${set}`);
+
+function finished(vertices: Vertices, hasRelief: boolean) {
+  const { positions, normals, tangents, uvs, indices } = vertices;
+  const count = positions.length / 3;
+  return {
+    ...vertices,
+    tangents:
+      tangents ??
+      (hasRelief && uvs ? tangentsOf({ positions, normals, uvs, indices }) : bareTangents(normals)),
+    uvs: uvs ?? new Float32Array(count * 2),
+    indices: count <= 0xffff ? Uint16Array.from(indices) : indices,
+  };
+}
+
+/** glTF wants flat triangles where the normals are missing: specification, section 3.7.2.1. */
+function withNormals(geometry: BufferGeometry): BufferGeometry {
+  if (geometry.getAttribute("normal")) return geometry;
+  const corners = geometry.index?.count ?? 0;
+  const isShared = corners > 0 && corners / 3 <= MOST_FLAT_TRIANGLES;
+  if (isShared) indicesOf(geometry, geometry.getAttribute("position").count);
+  const flat = isShared ? geometry.toNonIndexed() : geometry.clone();
+  flat.deleteAttribute("tangent"); // of no use without the normals they were made for
+  flat.computeVertexNormals();
+  return flat;
+}
+
+function indicesOf({ index }: BufferGeometry, count: number): Uint32Array {
+  const corners = index?.count ?? count;
+  const indices = new Uint32Array(corners - (corners % 3));
+  for (let i = 0; i < indices.length; i++) {
+    const vertex = index ? index.getX(i) : i;
+    if (vertex >= count) throw new Flaw(`is broken: a triangle has vertex ${vertex} of ${count}`);
+    indices[i] = vertex;
+  }
+  return indices;
+}
+
+function floats(attribute: Attribute): Float32Array {
+  const { count, itemSize } = attribute;
+  const isPlain =
+    attribute.array instanceof Float32Array && attribute.array.length === count * itemSize;
+  if (isPlain) return attribute.array as Float32Array;
+  const values = new Float32Array(count * itemSize);
+  for (let i = 0; i < count; i++) {
+    for (let k = 0; k < itemSize; k++) values[i * itemSize + k] = attribute.getComponent(i, k);
+  }
+  return values;
+}
+
+/** Colours of three or four numbers, of which some exporters forget that they are normalized. */
+function colorsOf(attribute: Attribute): Float32Array {
+  const values = floats(attribute);
+  const { itemSize, normalized, array } = attribute;
+  const isCount = !normalized && !(array instanceof Float32Array);
+  const whole = !isCount ? 1 : array.BYTES_PER_ELEMENT === 1 ? 0xff : 0xffff;
+  const colors = new Float32Array(attribute.count * 4).fill(1);
+  for (let i = 0; i < attribute.count; i++) {
+    for (let k = 0; k < itemSize; k++) {
+      const value = (values[i * itemSize + k] ?? 0) / whole;
+      colors[i * 4 + k] = value > 0 ? Math.min(value, 1) : 0;
+    }
+  }
+  return colors;
+}
+
+function morphedPositions(mesh: Mesh, geometry: BufferGeometry): Float32Array {
+  const base = floats(geometry.getAttribute("position"));
+  const targets = geometry.morphAttributes.position ?? [];
+  if (targets.length === 0) return base;
+  const positions = base.slice();
+  for (const [t, target] of targets.entries()) {
+    const weight = mesh.morphTargetInfluences?.[t] ?? 0;
+    if (weight === 0) continue;
+    const offsets = floats(target);
+    for (let i = 0; i < positions.length; i++) {
+      positions[i] = (positions[i] ?? 0) + weight * (offsets[i] ?? 0);
+    }
+  }
+  return positions;
+}
+
+/** Where a mesh stands: for each of its instances, or for each of its vertices if it has bones. */
+function matricesOf(mesh: Mesh, geometry: BufferGeometry): Moves {
+  if (isSkinned(mesh)) return { each: "vertex", all: skinMatrices(mesh, geometry) };
+  if (!isInstanced(mesh)) return { each: "instance", all: [mesh.matrixWorld] };
+  const all = Array.from({ length: mesh.count }, (_, i) => {
+    const instance = new Matrix4();
+    mesh.getMatrixAt(i, instance);
+    return instance.premultiply(mesh.matrixWorld);
+  });
+  return { each: "instance", all };
+}
+
+const isSkinned = (mesh: Mesh): mesh is SkinnedMesh =>
+  "isSkinnedMesh" in mesh && Boolean((mesh as SkinnedMesh).skeleton);
+
+const isInstanced = (mesh: Mesh): mesh is InstancedMesh => "isInstancedMesh" in mesh;
+
+/** glTF's bones take the place of the mesh's own node: specification, section 3.7.3.3. */
+function skinMatrices({ skeleton }: SkinnedMesh, geometry: BufferGeometry): Matrix4[] {
+  const bones = skeleton.bones.map((bone, i) =>
+    new Matrix4().multiplyMatrices(bone.matrixWorld, skeleton.boneInverses[i] ?? new Matrix4()),
+  );
+  const joints = floats(geometry.getAttribute("skinIndex"));
+  const weights = floats(geometry.getAttribute("skinWeight"));
+  return Array.from({ length: joints.length / 4 }, (_, i) =>
+    blended(bones, joints.subarray(i * 4, i * 4 + 4), weights.subarray(i * 4, i * 4 + 4)),
+  );
+}

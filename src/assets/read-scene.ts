@@ -1,0 +1,85 @@
+import { type Group, type Mesh, type Object3D, Vector3 } from "three";
+import { Flaw } from "./asset-error.js";
+import { checkTriangleCount } from "./gltf-document.js";
+import type { Anchor, Box, Part } from "./model.js";
+import { BARE, type PlacedMaterial } from "./read-material.js";
+import { readPart } from "./read-part.js";
+
+const LARGEST = 10_000; // metres
+const SMALLEST = 0.001; // metres
+
+/** The triangles of a scene and the places it names. */
+export function readScene(
+  scene: Group,
+  materials: ReadonlyMap<number, PlacedMaterial>,
+): { parts: Part[]; anchors: Record<string, Anchor>; bounds: Box } {
+  const parts: Part[] = [];
+  const anchors = new Map<string, Anchor>();
+  scene.traverse((node) => {
+    if ("isMesh" in node) {
+      const mesh = node as Mesh;
+      // The default material has no name, and 0 would be one.
+      const { name } = mesh.material as { readonly name: string };
+      const material = name === "" ? BARE : (materials.get(Number(name)) ?? BARE);
+      const part = readPart(mesh, nameOf(mesh), material);
+      if (part) parts.push(part);
+    } else if (isPlace(node) && !anchors.has(nameOf(node))) {
+      anchors.set(nameOf(node), anchorAt(node));
+    }
+  });
+  checkTriangleCount(parts.reduce((sum, { indices }) => sum + indices.length / 3, 0));
+  return { parts, anchors: Object.fromEntries(anchors), bounds: boundsOf(parts) };
+}
+
+/** The node's name as the file has it, which three keeps beside the one it makes unique. */
+function nameOf(object: Object3D): string {
+  const own: unknown = object.userData.name ?? object.parent?.userData.name;
+  return typeof own === "string" ? own : object.name;
+}
+
+/** Named, with no mesh at or below it, and no bone. */
+function isPlace(node: Object3D): boolean {
+  if (typeof node.userData.name !== "string" || "isBone" in node) return false;
+  let isEmpty = true;
+  node.traverse((below) => {
+    if (below.userData.isEmpty !== true) isEmpty = false;
+  });
+  return isEmpty;
+}
+
+function anchorAt({ matrixWorld }: Object3D): Anchor {
+  const position = new Vector3().setFromMatrixPosition(matrixWorld);
+  const forward = new Vector3().setFromMatrixColumn(matrixWorld, 2).negate();
+  // Straight up or down it points nowhere on the floor.
+  const isLevel = Math.hypot(forward.x, forward.z) > 1e-6 * forward.length();
+  return {
+    position: position.toArray(),
+    yaw: isLevel ? Math.atan2(-forward.x, -forward.z) : 0,
+  };
+}
+
+function boundsOf(parts: readonly Part[]): Box {
+  if (parts.length === 0) throw new Flaw("holds no geometry");
+  const min = new Vector3(Infinity, Infinity, Infinity);
+  const max = new Vector3(-Infinity, -Infinity, -Infinity);
+  const position = new Vector3();
+  for (const { positions } of parts) {
+    for (let i = 0; i < positions.length; i += 3) {
+      position.fromArray(positions, i);
+      min.min(position);
+      max.max(position);
+    }
+  }
+  const size = Math.max(...new Vector3().subVectors(max, min).toArray());
+  const farthest = Math.max(...[...min.toArray(), ...max.toArray()].map(Math.abs));
+  if (size > LARGEST) {
+    throw new Flaw(`is ${(size / 1000).toPrecision(3)} km large; glTF counts in metres`);
+  }
+  if (farthest > LARGEST) {
+    throw new Flaw(`stands ${(farthest / 1000).toPrecision(3)} km from its origin`);
+  }
+  if (size < SMALLEST) {
+    throw new Flaw(`is ${(size * 1000).toPrecision(3)} mm large; glTF counts in metres`);
+  }
+  return { min: min.toArray(), max: max.toArray() };
+}

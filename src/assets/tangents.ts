@@ -1,0 +1,83 @@
+import { Vector3 } from "three";
+
+interface Surface {
+  readonly positions: Float32Array;
+  readonly normals: Float32Array;
+  readonly uvs: Float32Array;
+  readonly indices: Uint32Array;
+}
+
+/**
+ * Tangents along u, with the sign of the bitangent, which glTF has point up in the picture (towards
+ * smaller v). Lengyel 2001, "Computing Tangent Space Basis Vectors for an Arbitrary Mesh".
+ */
+export function tangentsOf({ positions, normals, uvs, indices }: Surface): Float32Array {
+  const count = positions.length / 3;
+  const alongU = new Float32Array(count * 3);
+  const alongV = new Float32Array(count * 3);
+  for (let i = 0; i < indices.length; i += 3) {
+    const corners = indices.subarray(i, i + 3);
+    const slopes = slopesOf(positions, uvs, corners);
+    if (!slopes) continue;
+    for (const corner of corners) {
+      add(alongU, corner, slopes.u);
+      add(alongV, corner, slopes.v);
+    }
+  }
+  const tangents = bareTangents(normals);
+  const normal = new Vector3();
+  const tangent = new Vector3();
+  const down = new Vector3();
+  for (let i = 0; i < count; i++) {
+    normal.fromArray(normals, i * 3);
+    tangent.fromArray(alongU, i * 3);
+    tangent.addScaledVector(normal, -normal.dot(tangent));
+    if (!(tangent.lengthSq() > 0)) continue;
+    tangent.normalize().toArray(tangents, i * 4);
+    down.fromArray(alongV, i * 3);
+    tangents[i * 4 + 3] = normal.cross(tangent).dot(down) > 0 ? -1 : 1;
+  }
+  return tangents;
+}
+
+const vectors = Array.from({ length: 5 }, () => new Vector3());
+
+/** Metres a triangle goes with u and with v, both as long as its area is large in metres. */
+function slopesOf(positions: Float32Array, uvs: Float32Array, corners: Uint32Array) {
+  const [a = 0, b = 0, c = 0] = corners;
+  const [origin, edge1, edge2, u, v] = vectors as [Vector3, Vector3, Vector3, Vector3, Vector3];
+  origin.fromArray(positions, a * 3);
+  edge1.fromArray(positions, b * 3).sub(origin);
+  edge2.fromArray(positions, c * 3).sub(origin);
+  const uvOf = (corner: number, k: number) => uvs[corner * 2 + k] ?? 0;
+  const [u1, v1] = [uvOf(b, 0) - uvOf(a, 0), uvOf(b, 1) - uvOf(a, 1)];
+  const [u2, v2] = [uvOf(c, 0) - uvOf(a, 0), uvOf(c, 1) - uvOf(a, 1)];
+  const turn = Math.sign(u1 * v2 - u2 * v1);
+  if (turn === 0) return null;
+  const area = origin.crossVectors(edge1, edge2).length();
+  u.copy(edge1).multiplyScalar(v2).addScaledVector(edge2, -v1).multiplyScalar(turn);
+  v.copy(edge2).multiplyScalar(u1).addScaledVector(edge1, -u2).multiplyScalar(turn);
+  return { u: u.setLength(area), v: v.setLength(area) };
+}
+
+function add(sums: Float32Array, vertex: number, { x, y, z }: Vector3): void {
+  for (const [k, value] of [x, y, z].entries()) {
+    sums[vertex * 3 + k] = (sums[vertex * 3 + k] ?? 0) + value;
+  }
+}
+
+/** Some direction across each normal, for surfaces without texture coordinates to follow. */
+export function bareTangents(normals: Float32Array): Float32Array {
+  const count = normals.length / 3;
+  const tangents = new Float32Array(count * 4);
+  const normal = new Vector3();
+  const across = new Vector3();
+  for (let i = 0; i < count; i++) {
+    normal.fromArray(normals, i * 3);
+    const isAlongX = Math.abs(normal.x) >= 0.9;
+    across.set(isAlongX ? 0 : 1, isAlongX ? 1 : 0, 0).cross(normal);
+    across.normalize().toArray(tangents, i * 4);
+    tangents[i * 4 + 3] = 1;
+  }
+  return tangents;
+}

@@ -1,0 +1,62 @@
+import { Flaw } from "./asset-error.js";
+import type { JsonEntry } from "./json-entry.js";
+
+/** How a texture lies on a surface: by which uv set, and how that is turned, scaled and moved. */
+export interface Placement {
+  readonly uvSet: number;
+  /** KHR_texture_transform: radians. */
+  readonly rotation: number;
+  readonly scale: readonly [number, number];
+  readonly offset: readonly [number, number];
+}
+
+export const UNTURNED: Placement = { uvSet: 0, rotation: 0, scale: [1, 1], offset: [0, 0] };
+
+/** What a material says of one of its textures. */
+export interface TextureUse {
+  readonly texture: number;
+  readonly placement: Placement;
+  /** A normal map's scale or an occlusion map's strength. */
+  readonly amount: number;
+}
+
+export function readTextureUse(
+  entry: JsonEntry | undefined,
+  textureCount: number,
+): TextureUse | null {
+  const texture = entry?.index("index", textureCount);
+  if (!entry || texture === undefined) return null;
+  const transform = entry.extension("KHR_texture_transform");
+  const [scaleU = 1, scaleV = 1] = transform?.numbers("scale", 2) ?? [];
+  const [offsetU = 0, offsetV = 0] = transform?.numbers("offset", 2) ?? [];
+  return {
+    texture,
+    placement: {
+      uvSet: transform?.whole("texCoord") ?? entry.whole("texCoord") ?? 0,
+      rotation: transform?.number("rotation") ?? 0,
+      scale: [scaleU, scaleV],
+      offset: [offsetU, offsetV],
+    },
+    amount: entry.number("scale") ?? entry.number("strength") ?? 1,
+  };
+}
+
+export function isSamePlacement(a: Placement, b: Placement): boolean {
+  return JSON.stringify(a) === JSON.stringify(b);
+}
+
+/** The uv that sample an unturned texture alike. */
+export function placedUvs(uvs: Float32Array, { rotation, scale, offset }: Placement): Float32Array {
+  const placed = new Float32Array(uvs.length);
+  const cos = Math.cos(rotation);
+  const sin = Math.sin(rotation);
+  for (let i = 0; i < uvs.length; i += 2) {
+    const u = (uvs[i] ?? 0) * scale[0];
+    const v = (uvs[i + 1] ?? 0) * scale[1];
+    placed[i] = cos * u + sin * v + offset[0];
+    placed[i + 1] = cos * v - sin * u + offset[1];
+  }
+  if (!placed.every(Number.isFinite))
+    throw new Flaw("has texture coordinates that are not numbers");
+  return placed;
+}

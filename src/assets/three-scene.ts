@@ -1,0 +1,122 @@
+import type { Group } from "three";
+import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
+import type { BufferBytes } from "./buffer-bytes.js";
+import { type Decoders, inTime } from "./decoders.js";
+import { denseBytes } from "./gltf-accessors.js";
+import type { GltfDocument, Node } from "./gltf-document.js";
+import type { Primitive } from "./gltf-meshes.js";
+
+const DRACO = "KHR_draco_mesh_compression";
+const INSTANCING = "EXT_mesh_gpu_instancing";
+
+/**
+ * Has three build the scene's geometry. It is told of nothing else (no textures, no animations), and
+ * is given each accessor as a buffer view of its own. A mesh's material is named by its index, and a
+ * node's `userData.isEmpty` says whether it has no mesh.
+ */
+export async function buildScene(
+  document: GltfDocument,
+  bytes: BufferBytes,
+  decoders: Decoders,
+): Promise<Group> {
+  const loader = new GLTFLoader();
+  const isDraco = document.meshes.some(({ primitives }) => primitives.some(({ draco }) => draco));
+  if (isDraco) loader.setDRACOLoader(await decoders.draco());
+  const rawViews = document.views.length;
+  const readView = async (index: number): Promise<ArrayBuffer> => {
+    const accessor = document.accessors[index - rawViews];
+    if (!accessor) return (await bytes.view(index)).slice().buffer;
+    const dense = await denseBytes(accessor, document.views, (view) => bytes.view(view));
+    return dense.buffer;
+  };
+  loader.register(() => ({ name: "checked views", loadBufferView: readView }));
+  // It parses an object as well as text.
+  const parsing = loader.parseAsync(gltfFor(document, isDraco) as never, "");
+  const { scene } = await (isDraco ? inTime(parsing) : parsing).catch((cause: unknown) => {
+    throw isDraco ? decoders.failure("holds geometry that cannot be decoded", cause) : cause;
+  });
+  scene.updateMatrixWorld(true);
+  return scene as Group;
+}
+
+function gltfFor(document: GltfDocument, isDraco: boolean) {
+  const { nodes, meshes, skins, accessors, views, materials, roots } = document;
+  const posed = posedMeshes(document);
+  return {
+    asset: { version: "2.0" },
+    extensionsUsed: isDraco ? [DRACO] : [],
+    scene: 0,
+    scenes: [{ nodes: roots }],
+    nodes: nodes.map((node) => nodeFor(node, posed)),
+    meshes: meshes.map(({ name, primitives, weights }, index) => ({
+      name,
+      primitives: primitives.map((primitive) => primitiveFor(primitive, posed.has(index))),
+      weights: posed.has(index) ? weights : undefined,
+    })),
+    skins,
+    accessors: accessors.map(({ componentType, type, count, isNormalized }, index) => ({
+      bufferView: views.length + index,
+      componentType,
+      type,
+      count,
+      normalized: isNormalized,
+      // It warns where they are missing; nothing here asks for its boxes.
+      min: [0, 0, 0],
+      max: [0, 0, 0],
+    })),
+    bufferViews: [...views, ...accessors].map(() => ({})),
+    materials: materials.map((_, index) => ({ name: String(index) })),
+  };
+}
+
+function nodeFor(node: Node, posed: ReadonlySet<number>) {
+  const { name, children, mesh, skin, weights, matrix, translation, rotation, scale } = node;
+  return {
+    name: name === "" ? undefined : name,
+    children,
+    mesh,
+    skin,
+    weights: mesh !== undefined && posed.has(mesh) ? weights : undefined,
+    matrix,
+    translation,
+    rotation,
+    scale,
+    extras: { isEmpty: node.isEmpty },
+    extensions: node.instances && { [INSTANCING]: { attributes: node.instances } },
+  };
+}
+
+/** Meshes whose morph targets have a share in the rest pose; most have none, and need not be read. */
+function posedMeshes({ meshes, nodes }: GltfDocument): ReadonlySet<number> {
+  const isPose = (weights: readonly number[] = []) => weights.some((weight) => weight !== 0);
+  const posedByNode = new Set(
+    nodes.map(({ mesh, weights }) => (isPose(weights) ? mesh : undefined)),
+  );
+  const posed = meshes.flatMap(({ primitives, weights }, index) => {
+    const isMorphed = primitives.every(
+      ({ targets }) =>
+        targets.length > 0 && targets.every(({ POSITION }) => POSITION !== undefined),
+    );
+    return isMorphed && (isPose(weights) || posedByNode.has(index)) ? [index] : [];
+  });
+  return new Set(posed);
+}
+
+function primitiveFor(primitive: Primitive, isPosed: boolean) {
+  const { attributes, indices, mode, material, targets, draco } = primitive;
+  return {
+    attributes,
+    indices,
+    mode,
+    material,
+    targets: isPosed ? targets.map(({ POSITION }) => ({ POSITION })) : undefined,
+    extensions: draco && {
+      [DRACO]: {
+        bufferView: draco.view,
+        attributes: Object.fromEntries(
+          Object.entries(draco.attributes).filter(([name]) => name in attributes),
+        ),
+      },
+    },
+  };
+}

@@ -1,0 +1,166 @@
+/** Items in a leaf. */
+const LEAF = 4;
+/** From here on down halves are halves, whatever their shape: queries keep a stack of fixed size. */
+const UNBALANCED_DEPTH = 32;
+/** Deepest that a tree of 2³² items can then be. */
+export const MAX_DEPTH = UNBALANCED_DEPTH + 32;
+
+/**
+ * A tree of boxes around boxes: what a query meets is in the leaves whose boxes it meets.
+ *
+ * Nodes in depth-first order, so a node's first child follows it and `link` is its second; in a leaf,
+ * `link` is the first of its `count` items.
+ */
+export interface Bvh {
+  /** min xyz, max xyz */
+  readonly boxes: Float32Array;
+  readonly link: Uint32Array;
+  /** 0 in inner nodes. */
+  readonly count: Uint8Array;
+  /** Along which axis the second child lies beyond the first. */
+  readonly axis: Uint8Array;
+}
+
+/**
+ * Splits in the middle of the longest axis. A surface area heuristic finds better planes, but takes
+ * three times as long, and we cast a few dozen rays a frame, not millions.
+ *
+ * @param items min xyz, max xyz of each
+ * @returns the tree, and the order of the items that its leaves count in
+ */
+export function buildBvh(items: Float32Array): { bvh: Bvh; order: Uint32Array } {
+  const itemCount = items.length / 6;
+  const order = new Uint32Array(itemCount);
+  for (let i = 0; i < itemCount; i++) order[i] = i;
+  let boxes = new Float32Array(Math.max(16, itemCount >> 1) * 6);
+  let link = new Uint32Array(boxes.length / 6);
+  let count = new Uint8Array(link.length);
+  let axis = new Uint8Array(link.length);
+  let nodeCount = 0;
+
+  function addNode(): number {
+    if (nodeCount === link.length) {
+      boxes = grown(boxes, new Float32Array(boxes.length * 2));
+      link = grown(link, new Uint32Array(link.length * 2));
+      count = grown(count, new Uint8Array(count.length * 2));
+      axis = grown(axis, new Uint8Array(axis.length * 2));
+    }
+    return nodeCount++;
+  }
+
+  function build(first: number, end: number, depth: number): number {
+    const node = addNode();
+    if (end - first <= LEAF) {
+      link[node] = first;
+      count[node] = end - first;
+      encloseItems(boxes, node * 6, items, order, first, end);
+      return node;
+    }
+    const along = middles(items, order, first, end);
+    let beyond = (first + end) >> 1;
+    if (depth < UNBALANCED_DEPTH && middle.extent > 0) {
+      beyond = partition(items, order, first, end, along, middle.plane);
+    }
+    axis[node] = along;
+    const left = build(first, beyond, depth + 1);
+    const right = build(beyond, end, depth + 1);
+    link[node] = right;
+    for (let k = 0; k < 3; k++) {
+      boxes[node * 6 + k] = Math.min(boxes[left * 6 + k]!, boxes[right * 6 + k]!);
+      boxes[node * 6 + k + 3] = Math.max(boxes[left * 6 + k + 3]!, boxes[right * 6 + k + 3]!);
+    }
+    return node;
+  }
+
+  if (itemCount > 0) build(0, itemCount, 0);
+  const bvh = {
+    boxes: boxes.slice(0, nodeCount * 6),
+    link: link.slice(0, nodeCount),
+    count: count.slice(0, nodeCount),
+    axis: axis.slice(0, nodeCount),
+  };
+  return { bvh, order };
+}
+
+function grown<T extends Float32Array | Uint32Array | Uint8Array>(from: T, to: T): T {
+  to.set(from);
+  return to;
+}
+
+function encloseItems(
+  boxes: Float32Array,
+  box: number,
+  items: Float32Array,
+  order: Uint32Array,
+  first: number,
+  end: number,
+): void {
+  for (let k = 0; k < 3; k++) {
+    let low = Infinity;
+    let high = -Infinity;
+    for (let i = first; i < end; i++) {
+      low = Math.min(low, items[order[i]! * 6 + k]!);
+      high = Math.max(high, items[order[i]! * 6 + k + 3]!);
+    }
+    boxes[box + k] = low;
+    boxes[box + k + 3] = high;
+  }
+}
+
+/** Where the items' middles, doubled, are to be parted. */
+const middle = { plane: 0, extent: 0 };
+
+/** Returns the axis along which the items' middles are spread most, and fills `middle`. */
+function middles(items: Float32Array, order: Uint32Array, first: number, end: number): 0 | 1 | 2 {
+  let x0 = Infinity;
+  let y0 = Infinity;
+  let z0 = Infinity;
+  let x1 = -Infinity;
+  let y1 = -Infinity;
+  let z1 = -Infinity;
+  for (let i = first; i < end; i++) {
+    const at = order[i]! * 6;
+    const x = items[at]! + items[at + 3]!;
+    const y = items[at + 1]! + items[at + 4]!;
+    const z = items[at + 2]! + items[at + 5]!;
+    if (x < x0) x0 = x;
+    if (x > x1) x1 = x;
+    if (y < y0) y0 = y;
+    if (y > y1) y1 = y;
+    if (z < z0) z0 = z;
+    if (z > z1) z1 = z;
+  }
+  middle.extent = Math.max(x1 - x0, y1 - y0, z1 - z0);
+  if (middle.extent === x1 - x0) {
+    middle.plane = (x0 + x1) / 2;
+    return 0;
+  }
+  if (middle.extent === y1 - y0) {
+    middle.plane = (y0 + y1) / 2;
+    return 1;
+  }
+  middle.plane = (z0 + z1) / 2;
+  return 2;
+}
+
+/** Sorts the items to both sides of a plane, and returns the first beyond it; never all to one. */
+function partition(
+  items: Float32Array,
+  order: Uint32Array,
+  first: number,
+  end: number,
+  along: number,
+  plane: number,
+): number {
+  let left = first;
+  let right = end - 1;
+  while (left <= right) {
+    const item = order[left]!;
+    if (items[item * 6 + along]! + items[item * 6 + along + 3]! <= plane) left++;
+    else {
+      order[left] = order[right]!;
+      order[right--] = item;
+    }
+  }
+  return left === first || left === end ? (first + end) >> 1 : left;
+}

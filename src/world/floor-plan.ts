@@ -1,0 +1,248 @@
+import type { Bounds, Vec3 } from "./bounds.js";
+import { type FloorGrid, middleOf } from "./floor-grid.js";
+import { floorLevel } from "./floor-level.js";
+import { surveyFloor, WALKER_RADIUS } from "./floor-survey.js";
+import type { Solid } from "./solid.js";
+
+/** Longest stretch walked at once, metres. */
+const STRETCH = WALKER_RADIUS / 4;
+/** Pushes off what was met, until one is clear of it. */
+const PUSHES = 8;
+/** Two points of a corner within this are the same, metres. */
+const NEGLIGIBLE = 1e-5;
+/** Around a thing too small to stand in, metres: it is walked around instead. */
+const EXHIBIT_MARGIN = 2.5;
+const EXHIBIT_DISTANCE = 1.2;
+
+/**
+ * Where a walker can be in a room, and how he slides along what he meets.
+ *
+ * A grid tells which squares anything touches between ankle and head; its exact distance field tells
+ * how far the nearest is. Rounded down by half a square's diagonal and by what interpolation can add,
+ * it never promises more space than there is, so a walker who trusts it never overlaps a triangle.
+ */
+export class FloorPlan {
+  /** Height of the floor, metres. */
+  readonly floor: number;
+  /** Whether there is anything to stand on. Rooms without a floor are walked in all the same. */
+  readonly hasFloor: boolean;
+  /** Where the visitor starts: on the floor, free. Metres. */
+  readonly start: Readonly<Vec3>;
+  /** Whether it is too small to stand in, so that one walks around it. */
+  readonly isExhibit: boolean;
+  readonly #grid: FloorGrid;
+  /** Distance from the middle of each square to the nearest thing is at least this, metres. */
+  readonly #clearance: Float32Array;
+  /** Squares whose middle can be walked to from the start. */
+  readonly #isReachable: Uint8Array;
+  /** A round thing that has been put down: x, z, radius. */
+  #standing: readonly [number, number, number] | null = null;
+  /** Of the last point looked at: direction of growing clearance, per metre. */
+  readonly #gradient = { x: 0, z: 0 };
+  readonly #reached = { x: 0, z: 0, isTouching: false };
+
+  /** @param spawn where to start if it is free, or else near; at the floor's height or above it */
+  constructor(solid: Solid, spawn: Readonly<Vec3> | null = null) {
+    const from = spawn?.every(Number.isFinite) ? spawn : null;
+    this.floor = floorLevel(solid, from);
+    const { bounds } = solid;
+    const [x, z] = [(bounds.min[0] + bounds.max[0]) / 2, (bounds.min[2] + bounds.max[2]) / 2];
+    let target: readonly [number, number] = from ? [from[0], from[2]] : [x, z];
+    let survey = surveyFloor(solid, bounds, this.floor, target, from !== null);
+    this.isExhibit = survey === null;
+    if (!survey) {
+      const margin = EXHIBIT_MARGIN;
+      target = from ? target : [x, bounds.max[2] + EXHIBIT_DISTANCE];
+      const around: Bounds = {
+        min: [bounds.min[0] - margin, bounds.min[1], bounds.min[2] - margin],
+        max: [bounds.max[0] + margin, bounds.max[1], bounds.max[2] + margin],
+      };
+      survey = surveyFloor(solid, around, this.floor, target, true);
+    }
+    if (!survey) throw new RangeError("There is nowhere to stand in or around the room.");
+    this.#grid = survey.grid;
+    this.#clearance = survey.clearance;
+    this.#isReachable = survey.isReachable;
+    this.hasFloor = survey.hasFloor;
+    const start: Vec3 = [target[0], this.floor, target[1]];
+    if (from || this.isExhibit) this.settle(start);
+    else [start[0], start[2]] = middleOf(survey.grid, survey.start);
+    this.start = start;
+  }
+
+  /** Puts something round in the way, or takes it away again. Metres. */
+  setStanding(standing: readonly [x: number, z: number, radius: number] | null): void {
+    this.#standing = standing;
+  }
+
+  /** How far the nearest thing in the way is at least, metres. 0 or less outside the room. */
+  clearance(x: number, z: number): number {
+    return this.#look(x, z);
+  }
+
+  /** Whether a walker can be there, and can have walked there. */
+  isFree(x: number, z: number): boolean {
+    return this.#look(x, z) >= WALKER_RADIUS && this.#isReachableNear(x, z);
+  }
+
+  /**
+   * Walks straight on as far as it goes, and along what is met.
+   *
+   * The part of `velocity` that led into something is lost.
+   */
+  walk(position: Vec3, dx: number, dz: number, velocity?: Vec3): void {
+    const length = Math.hypot(dx, dz);
+    if (!(length > 0 && length < Infinity)) return;
+    const { cell, columns, rows } = this.#grid;
+    const reach = Math.min(length, (columns + rows) * cell);
+    const stretches = Math.ceil(reach / STRETCH);
+    const stepX = (dx / length) * (reach / stretches);
+    const stepZ = (dz / length) * (reach / stretches);
+    const reached = this.#reached;
+    let isBlocked = false;
+    for (let i = 0; i < stretches; i++) {
+      reached.isTouching = false;
+      isBlocked = !this.#slide(position[0], position[2], stepX, stepZ);
+      if (isBlocked) break;
+      const moved = Math.abs(reached.x - position[0]) + Math.abs(reached.z - position[2]);
+      position[0] = reached.x;
+      position[2] = reached.z;
+      // The next stretch is the same, and would end here too.
+      if (moved < NEGLIGIBLE * 0.1) break;
+    }
+    if (isBlocked) this.settle(position);
+    if (!velocity) return;
+    if (isBlocked) velocity[0] = velocity[2] = 0;
+    else if (reached.isTouching) this.#deflect(position, velocity);
+  }
+
+  /** Moves a position to the nearest free spot. Does nothing to one that is free. */
+  settle(position: Vec3): void {
+    const [x, , z] = position;
+    if (this.isFree(x, z)) return;
+    const nearest = this.#nearestSquare(x, z);
+    if (nearest < 0) return;
+    const [freeX, freeZ] = middleOf(this.#grid, nearest);
+    let free = 0;
+    let taken = Number.isFinite(x) && Number.isFinite(z) ? 1 : 0;
+    for (let i = 0; i < 24 && taken > 0; i++) {
+      const share = (free + taken) / 2;
+      if (this.isFree(freeX + (x - freeX) * share, freeZ + (z - freeZ) * share)) free = share;
+      else taken = share;
+    }
+    position[0] = taken > 0 ? freeX + (x - freeX) * free : freeX;
+    position[2] = taken > 0 ? freeZ + (z - freeZ) * free : freeZ;
+  }
+
+  /** Takes one stretch, pushed off whatever it leads into. False if that leads nowhere. */
+  #slide(x: number, z: number, dx: number, dz: number): boolean {
+    const reached = this.#reached;
+    reached.x = x + dx;
+    reached.z = z + dz;
+    for (let pushes = 0; pushes <= PUSHES; pushes++) {
+      const lack = WALKER_RADIUS - this.#look(reached.x, reached.z);
+      const away = Math.hypot(reached.x - x, reached.z - z);
+      if (lack <= 0) {
+        if (away <= 2 * STRETCH && this.#isReachableNear(reached.x, reached.z)) return true;
+        break;
+      }
+      reached.isTouching = true;
+      const steepness = Math.sqrt(this.#gradient.x ** 2 + this.#gradient.z ** 2);
+      if (steepness < 1e-3) break;
+      const push = Math.min((lack + NEGLIGIBLE) / steepness, STRETCH) / steepness;
+      reached.x += this.#gradient.x * push;
+      reached.z += this.#gradient.z * push;
+    }
+    // In a notch the pushes go back and forth: then along an axis, or not at all.
+    return this.#go(x + dx, z) || this.#go(x, z + dz);
+  }
+
+  #go(x: number, z: number): boolean {
+    if (!this.isFree(x, z)) return false;
+    this.#reached.x = x;
+    this.#reached.z = z;
+    return true;
+  }
+
+  /** Takes away the part of a velocity that leads into what is touched. */
+  #deflect([x, , z]: Vec3, velocity: Vec3): void {
+    this.#look(x, z);
+    const steepness = Math.sqrt(this.#gradient.x ** 2 + this.#gradient.z ** 2);
+    if (steepness < 1e-3) return;
+    const nx = this.#gradient.x / steepness;
+    const nz = this.#gradient.z / steepness;
+    const into = Math.min(0, velocity[0] * nx + velocity[2] * nz);
+    velocity[0] -= into * nx;
+    velocity[2] -= into * nz;
+  }
+
+  /** Interpolated clearance, metres; leaves its gradient behind. */
+  #look(x: number, z: number): number {
+    const { cell, columns, rows } = this.#grid;
+    const u = (x - this.#grid.x) / cell - 0.5;
+    const v = (z - this.#grid.z) / cell - 0.5;
+    const column = Math.floor(u);
+    const row = Math.floor(v);
+    const gradient = this.#gradient;
+    const field = this.#clearance;
+    gradient.x = gradient.z = 0;
+    if (!(column >= 0 && row >= 0 && column < columns - 1 && row < rows - 1)) return -cell;
+    const at = row * columns + column;
+    const s = u - column;
+    const t = v - row;
+    const a = field[at]!;
+    const b = field[at + 1]!;
+    const c = field[at + columns]!;
+    const d = field[at + columns + 1]!;
+    gradient.x = ((b - a) * (1 - t) + (d - c) * t) / cell;
+    gradient.z = ((c - a) * (1 - s) + (d - b) * s) / cell;
+    const clearance = (a * (1 - s) + b * s) * (1 - t) + (c * (1 - s) + d * s) * t;
+    if (!this.#standing) return clearance;
+    const [standingX, standingZ, radius] = this.#standing;
+    const distance = Math.hypot(x - standingX, z - standingZ);
+    if (distance - radius >= clearance) return clearance;
+    gradient.x = distance > 0 ? (x - standingX) / distance : 1;
+    gradient.z = distance > 0 ? (z - standingZ) / distance : 0;
+    return distance - radius;
+  }
+
+  /** Whether the roomiest of the four squares around a point can be walked to. */
+  #isReachableNear(x: number, z: number): boolean {
+    const { cell, columns } = this.#grid;
+    const column = Math.floor((x - this.#grid.x) / cell - 0.5);
+    const row = Math.floor((z - this.#grid.z) / cell - 0.5);
+    let at = row * columns + column;
+    const field = this.#clearance;
+    const beside = field[at + 1]! > field[at]! ? at + 1 : at;
+    const below = field[at + columns + 1]! > field[at + columns]! ? at + columns + 1 : at + columns;
+    at = field[below]! > field[beside]! ? below : beside;
+    return this.#isReachable[at] === 1;
+  }
+
+  /** The reachable square nearest to a point, clear of what stands; -1 if there is none. */
+  #nearestSquare(x: number, z: number): number {
+    const { cell, columns, rows } = this.#grid;
+    const toX = Number.isFinite(x) ? x : this.start[0];
+    const toZ = Number.isFinite(z) ? z : this.start[2];
+    let nearest = -1;
+    let least = Infinity;
+    for (let at = 0, row = 0; row < rows; row++) {
+      const dz = this.#grid.z + (row + 0.5) * cell - toZ;
+      for (let column = 0; column < columns; column++, at++) {
+        if (this.#isReachable[at] === 0) continue;
+        const dx = this.#grid.x + (column + 0.5) * cell - toX;
+        const square = dx * dx + dz * dz;
+        if (square >= least || this.#isUnderStanding(toX + dx, toZ + dz)) continue;
+        least = square;
+        nearest = at;
+      }
+    }
+    return nearest;
+  }
+
+  #isUnderStanding(x: number, z: number): boolean {
+    if (!this.#standing) return false;
+    const [standingX, standingZ, radius] = this.#standing;
+    return Math.hypot(x - standingX, z - standingZ) < radius + WALKER_RADIUS + NEGLIGIBLE;
+  }
+}

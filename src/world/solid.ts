@@ -1,0 +1,292 @@
+import type { Bounds, Vec3 } from "./bounds.js";
+import { type Bvh, buildBvh, MAX_DEPTH } from "./bvh.js";
+import { Footprint } from "./footprint.js";
+
+/** Metres, +Y up. */
+export interface Triangles {
+  /** xyz */
+  readonly positions: Float32Array;
+  readonly indices: Uint16Array | Uint32Array;
+}
+
+/** What a ray met. */
+export interface Hit {
+  distance: number;
+  /** Unit, on the side that the ray came from. */
+  readonly normal: Vec3;
+}
+
+/** Triangles kept of a larger room, the largest first: about 120 MB. */
+const MAX_TRIANGLES = 2_000_000;
+/**
+ * Rays meet triangles this share larger than they are, and boxes this much, in metres: neighbours whose
+ * corners were rounded to floats apart leave no seam to slip through.
+ */
+const SEAM = 1e-5;
+
+/**
+ * Everything in a room that can be touched: triangles without order or orientation.
+ *
+ * Queries allocate nothing. Triangles that are not finite are left out.
+ */
+export class Solid {
+  /** Nine coordinates each. */
+  readonly triangles: Float32Array;
+  readonly bounds: Bounds;
+  readonly #bvh: Bvh;
+  readonly #stack = new Uint32Array(MAX_DEPTH);
+  readonly #leaves: Uint32Array;
+  readonly #footprint = new Footprint();
+  readonly #hit: Hit = { distance: 0, normal: [0, 0, 0] };
+
+  constructor(parts: readonly Triangles[], maxTriangles = MAX_TRIANGLES) {
+    const soup = largest(gather(parts), maxTriangles);
+    const count = soup.length / 9;
+    const boxes = new Float32Array(count * 6);
+    for (let from = 0, to = 0; from < soup.length; from += 6, to += 3) {
+      for (let end = from + 3; from < end; from++, to++) {
+        boxes[to] = Math.min(soup[from]!, soup[from + 3]!, soup[from + 6]!);
+        boxes[to + 3] = Math.max(soup[from]!, soup[from + 3]!, soup[from + 6]!);
+      }
+    }
+    const { bvh, order } = buildBvh(boxes);
+    this.#bvh = bvh;
+    this.triangles = new Float32Array(count * 9);
+    for (let i = 0; i < count; i++) {
+      const from = order[i]! * 9;
+      for (let k = 0; k < 9; k++) this.triangles[i * 9 + k] = soup[from + k]!;
+    }
+    this.#leaves = new Uint32Array(this.#bvh.count.reduce((sum, n) => sum + (n > 0 ? 1 : 0), 0));
+    const [x0 = 0, y0 = 0, z0 = 0, x1 = 0, y1 = 0, z1 = 0] = this.#bvh.boxes;
+    this.bounds = { min: [x0, y0, z0], max: [x1, y1, z1] };
+  }
+
+  /**
+   * The nearest thing along a ray, from either side.
+   *
+   * @param direction unit
+   * @param hit filled and returned; without it, one that the next ray overwrites
+   */
+  raycast(
+    [ox, oy, oz]: Readonly<Vec3>,
+    [dx, dy, dz]: Readonly<Vec3>,
+    maxDistance: number,
+    hit: Hit = this.#hit,
+  ): Hit | null {
+    const { boxes, link, count, axis } = this.#bvh;
+    if (link.length === 0) return null;
+    // Not infinite, lest a ray in a face of a box meet 0 times infinity.
+    const ix = 1 / (dx || 1e-30);
+    const iy = 1 / (dy || 1e-30);
+    const iz = 1 / (dz || 1e-30);
+    const stack = this.#stack;
+    let height = 0;
+    let nearest = maxDistance;
+    let found = -1;
+    for (let node = 0; ; ) {
+      const box = node * 6;
+      const x0 = (boxes[box]! - SEAM - ox) * ix;
+      const x1 = (boxes[box + 3]! + SEAM - ox) * ix;
+      const y0 = (boxes[box + 1]! - SEAM - oy) * iy;
+      const y1 = (boxes[box + 4]! + SEAM - oy) * iy;
+      const z0 = (boxes[box + 2]! - SEAM - oz) * iz;
+      const z1 = (boxes[box + 5]! + SEAM - oz) * iz;
+      const enter = Math.max(Math.min(x0, x1), Math.min(y0, y1), Math.min(z0, z1), 0);
+      const leave = Math.min(Math.max(x0, x1), Math.max(y0, y1), Math.max(z0, z1), nearest);
+      if (enter <= leave) {
+        const items = count[node]!;
+        if (items === 0) {
+          const along = axis[node]!;
+          const isForward = (along === 0 ? dx : along === 1 ? dy : dz) >= 0;
+          stack[height++] = isForward ? link[node]! : node + 1;
+          node = isForward ? node + 1 : link[node]!;
+          continue;
+        }
+        for (let i = link[node]!, end = i + items; i < end; i++) {
+          const distance = this.#distance(i * 9, ox, oy, oz, dx, dy, dz);
+          if (distance <= nearest) {
+            nearest = distance;
+            found = i * 9;
+          }
+        }
+      }
+      if (height === 0) break;
+      node = stack[--height]!;
+    }
+    if (found < 0) return null;
+    hit.distance = nearest;
+    this.#facing(found, dx, dy, dz, hit.normal);
+    return hit;
+  }
+
+  /** Möller and Trumbore 1997, "Fast, Minimum Storage Ray/Triangle Intersection". NaN for a miss. */
+  #distance(
+    at: number,
+    ox: number,
+    oy: number,
+    oz: number,
+    dx: number,
+    dy: number,
+    dz: number,
+  ): number {
+    const t = this.triangles;
+    const ax = t[at]!;
+    const ay = t[at + 1]!;
+    const az = t[at + 2]!;
+    const ex = t[at + 3]! - ax;
+    const ey = t[at + 4]! - ay;
+    const ez = t[at + 5]! - az;
+    const fx = t[at + 6]! - ax;
+    const fy = t[at + 7]! - ay;
+    const fz = t[at + 8]! - az;
+    const px = dy * fz - dz * fy;
+    const py = dz * fx - dx * fz;
+    const pz = dx * fy - dy * fx;
+    const determinant = ex * px + ey * py + ez * pz;
+    const sx = ox - ax;
+    const sy = oy - ay;
+    const sz = oz - az;
+    const u = (sx * px + sy * py + sz * pz) / determinant;
+    if (!(u >= -SEAM && u <= 1 + SEAM)) return Number.NaN;
+    const qx = sy * ez - sz * ey;
+    const qy = sz * ex - sx * ez;
+    const qz = sx * ey - sy * ex;
+    const v = (dx * qx + dy * qy + dz * qz) / determinant;
+    if (!(v >= -SEAM && u + v <= 1 + SEAM)) return Number.NaN;
+    const distance = (fx * qx + fy * qy + fz * qz) / determinant;
+    return distance >= 0 ? distance : Number.NaN;
+  }
+
+  #facing(at: number, dx: number, dy: number, dz: number, normal: Vec3): void {
+    normalOf(this.triangles, at, normal);
+    if (normal[0] * dx + normal[1] * dy + normal[2] * dz <= 0) return;
+    for (const axis of [0, 1, 2] as const) normal[axis] = -normal[axis];
+  }
+
+  /** Whether anything is nearer than `radius` to an upright axis, or in between. */
+  overlapsCylinder([x, y, z]: Readonly<Vec3>, radius: number, height: number): boolean {
+    const { link, count } = this.#bvh;
+    const leaves = this.#meet(x - radius, y, z - radius, x + radius, y + height, z + radius);
+    for (let leaf = 0; leaf < leaves; leaf++) {
+      const node = this.#leaves[leaf]!;
+      for (let i = link[node]!, end = i + count[node]!; i < end; i++) {
+        if (!this.#footprint.take(this.triangles, i * 9, y, y + height)) continue;
+        if (this.#footprint.distanceTo(x, z) < radius) return true;
+      }
+    }
+    return false;
+  }
+
+  /** Share of the level way (dx, dz) that an upright cylinder can go before it touches anything. */
+  sweepCylinder(
+    [x, y, z]: Readonly<Vec3>,
+    dx: number,
+    dz: number,
+    radius: number,
+    height: number,
+  ): number {
+    const { link, count } = this.#bvh;
+    const leaves = this.#meet(
+      Math.min(x, x + dx) - radius,
+      y,
+      Math.min(z, z + dz) - radius,
+      Math.max(x, x + dx) + radius,
+      y + height,
+      Math.max(z, z + dz) + radius,
+    );
+    let share = 1;
+    for (let leaf = 0; leaf < leaves; leaf++) {
+      const node = this.#leaves[leaf]!;
+      for (let i = link[node]!, end = i + count[node]!; i < end; i++) {
+        if (!this.#footprint.take(this.triangles, i * 9, y, y + height)) continue;
+        share = Math.min(share, this.#footprint.sweep(x, z, dx, dz, radius));
+      }
+    }
+    return share;
+  }
+
+  /** Writes the leaves that meet a box to `#leaves`, and returns how many. */
+  #meet(x0: number, y0: number, z0: number, x1: number, y1: number, z1: number): number {
+    const { boxes, link, count } = this.#bvh;
+    if (link.length === 0) return 0;
+    const stack = this.#stack;
+    let height = 0;
+    let found = 0;
+    for (let node = 0; ; ) {
+      const box = node * 6;
+      const isMet =
+        boxes[box]! <= x1 &&
+        boxes[box + 3]! >= x0 &&
+        boxes[box + 1]! <= y1 &&
+        boxes[box + 4]! >= y0 &&
+        boxes[box + 2]! <= z1 &&
+        boxes[box + 5]! >= z0;
+      if (isMet && count[node] === 0) {
+        stack[height++] = link[node]!;
+        node++;
+        continue;
+      }
+      if (isMet) this.#leaves[found++] = node;
+      if (height === 0) return found;
+      node = stack[--height]!;
+    }
+  }
+}
+
+/** Unit normal of the nine coordinates from `at` on; its length before, twice the area, is returned. */
+export function normalOf(triangles: Float32Array, at: number, normal: Vec3): number {
+  const ex = triangles[at + 3]! - triangles[at]!;
+  const ey = triangles[at + 4]! - triangles[at + 1]!;
+  const ez = triangles[at + 5]! - triangles[at + 2]!;
+  const fx = triangles[at + 6]! - triangles[at]!;
+  const fy = triangles[at + 7]! - triangles[at + 1]!;
+  const fz = triangles[at + 8]! - triangles[at + 2]!;
+  const x = ey * fz - ez * fy;
+  const y = ez * fx - ex * fz;
+  const z = ex * fy - ey * fx;
+  const length = Math.sqrt(x * x + y * y + z * z);
+  const scale = length > 0 ? 1 / length : 0;
+  normal[0] = x * scale;
+  normal[1] = y * scale;
+  normal[2] = z * scale;
+  return length;
+}
+
+/** All triangles that are finite, nine coordinates each. */
+function gather(parts: readonly Triangles[]): Float32Array {
+  const most = parts.reduce((sum, { indices }) => sum + Math.floor(indices.length / 3), 0);
+  const soup = new Float32Array(most * 9);
+  let end = 0;
+  for (const { positions, indices } of parts) {
+    for (let i = 0; i + 2 < indices.length; i += 3) {
+      let sum = 0;
+      for (let corner = 0; corner < 3; corner++) {
+        const from = indices[i + corner]! * 3;
+        const to = end + corner * 3;
+        soup[to] = from < positions.length ? positions[from]! : Number.NaN;
+        soup[to + 1] = positions[from + 1]!;
+        soup[to + 2] = positions[from + 2]!;
+        sum += soup[to]! * 0 + soup[to + 1]! * 0 + soup[to + 2]! * 0;
+      }
+      // NaN if any is not finite, or if an index leads nowhere.
+      if (sum === 0) end += 9;
+    }
+  }
+  return end === soup.length ? soup : soup.slice(0, end);
+}
+
+function largest(soup: Float32Array, most: number): Float32Array {
+  const count = soup.length / 9;
+  if (count <= most) return soup;
+  const normal: Vec3 = [0, 0, 0];
+  const areas = Float32Array.from({ length: count }, (_, i) => normalOf(soup, i * 9, normal));
+  const least = areas.slice().sort()[count - most]!;
+  const kept = new Float32Array(most * 9);
+  let end = 0;
+  for (let i = 0; i < count && end < kept.length; i++) {
+    if (areas[i]! < least) continue;
+    kept.set(soup.subarray(i * 9, i * 9 + 9), end);
+    end += 9;
+  }
+  return kept.slice(0, end);
+}

@@ -1,0 +1,68 @@
+import { expect, type Page, type TestInfo, test } from "playwright/test";
+import type { Cell } from "./law.ts";
+import { BENCH_PAGE } from "./playwright.config.ts";
+import type { Effort } from "./scaling.ts";
+
+/** Most that our frame may cost, to the transform feedback control's. */
+const MOST_RATIO = 1.15;
+/** Most that our script may take of the main thread in a frame, in milliseconds. */
+const MOST_SCRIPT = 0.1;
+/** How far the peers' pictures may differ in covered pixels and in light, if they draw the same. */
+const TOLERANCE = 0.04;
+
+const EFFORT: Readonly<Record<number, Effort>> = {
+  800: { rounds: 60, frames: 10 },
+  10000: { rounds: 24, frames: 4 },
+  100000: { rounds: 12, frames: 2 },
+  1000000: { rounds: 3, frames: 1 },
+};
+
+const CELLS: readonly Cell[] = [2, 15].flatMap((pixels) =>
+  Object.keys(EFFORT).map((count) => ({ count: Number(count), pixels })),
+);
+
+async function open(page: Page): Promise<void> {
+  await page.goto(BENCH_PAGE);
+  await page.waitForFunction(() => "bench" in window);
+  expect(await page.evaluate(() => crossOriginIsolated)).toBe(true);
+}
+
+async function report(info: TestInfo, name: string, result: unknown): Promise<void> {
+  await info.attach(name, { body: JSON.stringify(result), contentType: "application/json" });
+}
+
+test("each of the paper's features costs something, and all of them less than they cost it", async ({
+  page,
+  browser,
+}, info) => {
+  await open(page);
+  const ladder = await page.evaluate(() => window.bench.measureLadder(12));
+  await report(info, "ladder", { browser: browser.version(), ...ladder });
+  const last = ladder.steps.at(-1);
+  expect(last?.multiple).toBeGreaterThan(1);
+  expect(last?.multiple).toBeLessThan(last?.paperMultiple ?? 0);
+});
+
+for (const cell of CELLS) {
+  const { count, pixels } = cell;
+  test(`${count} particles of ${pixels} px cost little more than the least they can`, async ({
+    page,
+  }, info) => {
+    await open(page);
+    const effort = EFFORT[count];
+    if (!effort) throw new Error(`Nobody said how often to measure ${count} particles.`);
+    const result = await page.evaluate(
+      ([cell, effort]) => window.bench.measureScaling(cell, effort),
+      [cell, effort] as const,
+    );
+    await report(info, "scaling", result);
+    const [ours, control] = result.peers;
+    for (const { name, covered, brightness } of result.peers) {
+      const coverage = covered / (control?.covered ?? 0);
+      expect(Math.abs(coverage - 1), `${name}: covered pixels`).toBeLessThan(TOLERANCE);
+      expect(Math.abs(brightness - 1), `${name}: light`).toBeLessThan(TOLERANCE);
+    }
+    expect(ours?.ratio).toBeLessThanOrEqual(MOST_RATIO);
+    expect(ours?.scriptMs).toBeLessThanOrEqual(MOST_SCRIPT);
+  });
+}

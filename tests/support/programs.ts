@@ -1,0 +1,122 @@
+import { loadModel } from "../../src/assets/load-model.ts";
+import { CandleFlame } from "../../src/candle-flame.ts";
+import { Gpu } from "../../src/gl/gpu.ts";
+import { Program, type ShaderSource } from "../../src/gl/program.ts";
+import { UniformBlock } from "../../src/gl/uniform-block.ts";
+import { allFeatures, type Look } from "../../src/settings.ts";
+
+/** What became of one program after some frames. */
+export interface ProgramReport {
+  readonly label: string;
+  /** Shader files of its two stages. */
+  readonly stages: readonly string[];
+  /** What compiler and linker said, beside success. */
+  readonly log: string;
+  /** Loose uniforms and block members that the driver finds active, and nobody set. */
+  readonly unset: readonly string[];
+  /** How many were set. */
+  readonly set: number;
+}
+
+/** Draws a look for a few frames, and tells of each program that took part. Runs in the browser. */
+export async function reportPrograms(look: Look): Promise<ProgramReport[]> {
+  const made: { program: Program; stages: string[]; set: Set<string> }[] = [];
+  const members = new Map<string, Set<string>>();
+  const original = {
+    program: Gpu.prototype.program,
+    set: Program.prototype.set,
+    update: UniformBlock.prototype.update,
+  };
+  Gpu.prototype.program = function (label, vertex, fragment, options) {
+    const program = original.program.call(this, label, vertex, fragment, options);
+    const stages = [vertex, fragment].map(({ files }) => files[0] ?? "");
+    made.push({ program, stages, set: new Set() });
+    return program;
+  };
+  Program.prototype.set = function (name, value) {
+    made.find(({ program }) => program === this)?.set.add(name);
+    original.set.call(this, name, value);
+  };
+  UniformBlock.prototype.update = function (values) {
+    const block = this.label.replace("block ", "");
+    const known = members.get(block) ?? new Set();
+    for (const name of Object.keys(values)) known.add(name);
+    members.set(block, known);
+    original.update.call(this, values);
+  };
+  try {
+    const canvas = document.createElement("canvas");
+    const candle = new CandleFlame(canvas, await loadModels(), allFeatures(), {
+      look,
+      seed: 1,
+      quality: "auto",
+      exposure: 0,
+      particles: 0,
+      isStill: false,
+    });
+    for (let i = 0; i < 3; i++) candle.step(1 / 60);
+    const gl = canvas.getContext("webgl2");
+    if (!gl) throw new Error("no WebGL 2");
+    const reports = made.map(({ program, stages, set }) => {
+      for (const name of program.samplers.keys()) set.add(name); // `Gpu.draw` insists on each
+      for (const [block, names] of members) for (const name of names) set.add(`${block}.${name}`);
+      const active = activeUniforms(gl, program.handle);
+      return {
+        label: program.label,
+        stages,
+        log: logOf(gl, program.handle),
+        unset: active.filter((name) => !set.has(name)),
+        set: active.filter((name) => set.has(name)).length,
+      };
+    });
+    candle.dispose();
+    return reports;
+  } finally {
+    Gpu.prototype.program = original.program;
+    Program.prototype.set = original.set;
+    UniformBlock.prototype.update = original.update;
+  }
+}
+
+/** The message of the error that a program of these sources throws; empty if it throws none. */
+export function complaintOf(vertex: ShaderSource, fragment: ShaderSource): string {
+  const gpu = new Gpu(document.createElement("canvas"));
+  try {
+    gpu.program("broken", vertex, fragment, { defines: { SAMPLES: 4, TAPS: 12 } });
+    return "";
+  } catch (error) {
+    return String(error);
+  } finally {
+    gpu.dispose();
+  }
+}
+
+async function loadModels() {
+  const { signal } = new AbortController();
+  const load = (name: string) =>
+    loadModel(new URL(`/models/paper-${name}.glb`, location.href).href, {
+      signal,
+      onProgress: () => {},
+    });
+  return { room: await load("room"), candle: await load("candle") };
+}
+
+function activeUniforms(gl: WebGL2RenderingContext, program: WebGLProgram): string[] {
+  const count = gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS) as number;
+  const names: string[] = [];
+  for (let i = 0; i < count; i++) {
+    const name = gl.getActiveUniform(program, i)?.name ?? "";
+    names.push(name.replace(/\[0\]$/, ""));
+  }
+  return names;
+}
+
+function logOf(gl: WebGL2RenderingContext, program: WebGLProgram): string {
+  const shaders = gl.getAttachedShaders(program) ?? [];
+  const logs = [
+    gl.getProgramInfoLog(program),
+    ...shaders.map((shader) => gl.getShaderInfoLog(shader)),
+  ];
+  const linked = gl.getProgramParameter(program, gl.LINK_STATUS) as boolean;
+  return [linked ? "" : "not linked", ...logs].filter(Boolean).join("\n");
+}

@@ -1,0 +1,332 @@
+import { readFileSync } from "node:fs";
+import type { Route } from "playwright/test";
+import { SETTINGS } from "../../src/settings.ts";
+import { graphicsErrors, lostContexts, recordContexts } from "../support/contexts.ts";
+import { RoomDriver } from "../support/room-driver.ts";
+import { serveSmallTextures } from "../support/small-textures.ts";
+import { expect, test } from "../support/test.ts";
+
+const TINY = { width: 32, height: 18 } as const;
+const PIXEL = "data:image/gif;base64,R0lGODlhAQABAIAAAP///wAAACwAAAAAAQABAAACAkQBADs=" as const;
+
+interface Failure {
+  readonly type: string;
+  readonly message: string;
+  /** How often the element told of it. */
+  readonly count: number;
+  readonly isCauseAnError: boolean;
+  /** Whether `ready` was rejected with the very cause. */
+  readonly isReadyRejectedWithIt: boolean;
+  readonly shown: string;
+  readonly isPosterShown: boolean;
+  readonly isLoading: boolean;
+}
+
+/** Waits for the element to fail, and tells how. */
+async function failureOf(room: RoomDriver): Promise<Failure> {
+  const failure = await room.evaluate(async (element) => {
+    const errors: { type: string; message: string; cause: unknown }[] = [];
+    element.addEventListener("error", ({ detail }) => errors.push(detail));
+    element.remove();
+    await new Promise((resolve) => setTimeout(resolve));
+    document.body.append(element);
+    const reason = await element.ready.then(
+      () => "it is ready",
+      (error: unknown) => error,
+    );
+    await new Promise((resolve) => setTimeout(resolve));
+    const part = (name: string) => element.shadowRoot?.querySelector(`[part~=${name}]`);
+    const [first] = errors;
+    const sentence = part("error");
+    return {
+      type: first?.type ?? "none",
+      message: first?.message ?? String(reason),
+      count: errors.length,
+      isCauseAnError: first?.cause instanceof Error,
+      isReadyRejectedWithIt: reason === first?.cause,
+      shown: sentence?.checkVisibility() ? (sentence.textContent ?? "") : "",
+      isPosterShown: part("poster")?.checkVisibility() ?? false,
+      isLoading: element.matches(":state(loading)"),
+    };
+  });
+  return failure;
+}
+
+/** What every failure has in common: it is told once, shown, and nothing is left hanging. */
+function expectFailure(failure: Failure, type: string, sentence: RegExp): void {
+  expect(failure).toEqual({
+    type,
+    message: expect.stringMatching(sentence),
+    count: 1,
+    isCauseAnError: true,
+    isReadyRejectedWithIt: true,
+    shown: failure.message,
+    isPosterShown: true,
+    isLoading: false,
+  });
+}
+
+/** Exceptions and rejections that nobody caught; the browser's own notes of a 404 are none. */
+const uncaught = (room: RoomDriver) =>
+  room.complaints.filter((text) => !text.startsWith("Failed to load resource"));
+
+const model = (name: string) => readFileSync(`public/models/paper-${name}.glb`);
+
+const FAILURES: readonly {
+  readonly name: string;
+  readonly files: RegExp;
+  readonly answer: (route: Route) => Promise<void>;
+  readonly sentence: RegExp;
+}[] = [
+  {
+    name: "A model that is not there",
+    files: /paper-room\.glb$/,
+    answer: (route) => route.fulfill({ status: 404, body: "not found" }),
+    sentence: /paper-room\.glb .*404.*\.$/,
+  },
+  {
+    name: "A model that the network drops",
+    files: /paper-candle\.glb$/,
+    answer: (route) => route.abort("connectionreset"),
+    sentence: /paper-candle\.glb .*\.$/,
+  },
+  {
+    name: "A model cut short in its header",
+    files: /paper-candle\.glb$/,
+    answer: (route) => route.fulfill({ body: model("candle").subarray(0, 10) }),
+    sentence: /paper-candle\.glb .*\.$/,
+  },
+  {
+    name: "A model cut short in its geometry",
+    files: /paper-candle\.glb$/,
+    answer: (route) => route.fulfill({ body: model("candle").subarray(0, 60_000) }),
+    sentence: /paper-candle\.glb .*\.$/,
+  },
+  {
+    name: "A page of text in a model's place",
+    files: /paper-room\.glb$/,
+    answer: (route) =>
+      route.fulfill({ contentType: "text/html", body: "<!doctype html><p>Welcome!</p>" }),
+    sentence: /paper-room\.glb .*\.$/,
+  },
+  {
+    name: "Text that calls itself a model",
+    files: /paper-room\.glb$/,
+    answer: (route) => route.fulfill({ contentType: "model/gltf-binary", body: "Welcome!" }),
+    sentence: /paper-room\.glb .*\.$/,
+  },
+  {
+    name: "An empty model",
+    files: /paper-room\.glb$/,
+    answer: (route) => route.fulfill({ body: "" }),
+    sentence: /paper-room\.glb .*\.$/,
+  },
+  {
+    name: "A texture that is not there",
+    files: /logs-normal\.\w+$/,
+    answer: (route) => route.fulfill({ status: 404, body: "not found" }),
+    sentence: /logs-normal\b.*\.$/,
+  },
+  {
+    name: "A texture that is no picture",
+    files: /logs-albedo\.\w+$/,
+    answer: (route) => route.fulfill({ contentType: "image/jpeg", body: "no picture" }),
+    sentence: /logs-albedo\b.*\.$/,
+  },
+];
+
+for (const { name, files, answer, sentence } of FAILURES) {
+  test(`${name} gives a sentence that names it, and no exception`, async ({ page }) => {
+    await serveSmallTextures(page);
+    await page.route(files, answer);
+    const room = await new RoomDriver(page).load({ poster: PIXEL }, TINY);
+    expectFailure(await failureOf(room), "asset", sentence);
+    expect(uncaught(room)).toEqual([]);
+  });
+}
+
+test("An element that failed works once its files are found and it is put back", async ({
+  page,
+}) => {
+  await serveSmallTextures(page);
+  const room = await new RoomDriver(page).load({ "asset-base": "/nowhere/" }, TINY);
+  await room.evaluate((element) => element.ready.catch(() => {}));
+  const state = await room.evaluate(async (element) => {
+    element.remove();
+    await new Promise((resolve) => setTimeout(resolve));
+    element.assetBase = "/";
+    document.body.append(element);
+    await element.ready;
+    element.step(1 / 60);
+    const sentence = element.shadowRoot?.querySelector("[part~=error]");
+    return { isShown: sentence?.checkVisibility(), time: element.currentTime };
+  });
+  expect(state).toEqual({ isShown: false, time: expect.closeTo(1 / 60, 9) });
+  expect((await room.stats()).drawCalls).toBeGreaterThan(0);
+  expect(uncaught(room)).toEqual([]);
+});
+
+test("A failed element takes every call without an exception", async ({ page }) => {
+  const room = await new RoomDriver(page).load({ "asset-base": "/nowhere/" }, TINY);
+  await room.evaluate(async (element) => {
+    await element.ready.catch(() => {});
+    element.step(1);
+    element.reset(2);
+    element.place();
+    element.take();
+    element.play();
+    element.enter();
+    element.camera = { position: [0, 1, 0], yaw: 0, pitch: 0 };
+    element.features.drift = false;
+    element.look = "original";
+    element.quality = "low";
+    element.controls = true;
+    element.style.width = "50px";
+  });
+  await page.evaluate(() => new Promise(requestAnimationFrame));
+  expect(await room.evaluate((element) => element.stats.drawCalls)).toBe(0);
+  expect(uncaught(room)).toEqual([]);
+});
+
+test("Without WebGL 2 there is a sentence and the poster", async ({ page }) => {
+  await page.addInitScript(() => {
+    HTMLCanvasElement.prototype.getContext = () => null;
+  });
+  const room = await new RoomDriver(page).load({ poster: PIXEL }, TINY);
+  expectFailure(await failureOf(room), "webgl-unavailable", /WebGL 2.*\.$/);
+  expect(uncaught(room)).toEqual([]);
+});
+
+test("A shader that the driver refuses is named, and its context is given back", async ({
+  page,
+}) => {
+  await recordContexts(page);
+  await serveSmallTextures(page);
+  await page.route(/\/candle-flame-element\d*\.js$/, async (route) => {
+    const response = await route.fetch();
+    const body = (await response.text()).replaceAll("float peak =", "flot peak =");
+    await route.fulfill({ response, body });
+  });
+  const room = await new RoomDriver(page).load({ poster: PIXEL }, TINY);
+  expectFailure(await failureOf(room), "shader", /shaders\/lib\/display\.glsl:\d+: 'flot'/);
+  expect(await lostContexts(page)).toEqual([true, true]);
+  expect(uncaught(room)).toEqual([]);
+});
+
+test("Boxes of one pixel, of none and of great length draw without an error", async ({ page }) => {
+  await recordContexts(page);
+  await serveSmallTextures(page);
+  const room = await new RoomDriver(page).open({}, { width: 1, height: 1 });
+  await room.step(1 / 60);
+  expect(await room.stats()).toMatchObject({ width: 1, height: 1 });
+  for (const { width, height, quality } of [
+    { width: 0, height: 0, quality: "medium" },
+    { width: 0, height: 20, quality: "high" },
+    { width: 5000, height: 20, quality: "medium" },
+    { width: 20, height: 5000, quality: "low" },
+    // Wider than the longest texture that SwiftShader knows.
+    { width: 9000, height: 2, quality: "medium" },
+    { width: 6000, height: 2, quality: "ultra" },
+  ] as const) {
+    await test.step(`${width} x ${height}, ${quality}`, async () => {
+      const drawn = await room.evaluate(
+        async (element, { width, height, quality }) => {
+          element.quality = quality;
+          element.style.width = `${width}px`;
+          element.style.height = `${height}px`;
+          await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+          element.step(1 / 60);
+          return (await element.toBlob()).size;
+        },
+        { width, height, quality },
+      );
+      expect(drawn).toBeGreaterThan(0);
+      expect(await graphicsErrors(page)).toEqual([]);
+      expect(room.complaints).toEqual([]);
+    });
+  }
+});
+
+test("A room that cannot be seen is there all the same, once it can", async ({ page }) => {
+  await serveSmallTextures(page);
+  const room = await new RoomDriver(page).load({}, TINY);
+  await room.evaluate((element) => {
+    element.hidden = true;
+    element.step(1 / 60);
+    return element.ready;
+  });
+  const size = await room.evaluate(async (element) => {
+    element.hidden = false;
+    await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+    const { width, height } = element.stats;
+    return [width, height];
+  });
+  expect(size).toEqual([32, 18]);
+  expect(room.complaints).toEqual([]);
+});
+
+/** A number in [0, 1) that depends on its index alone. */
+function chance(index: number): number {
+  let hash = Math.imul(index ^ 0x9e3779b9, 0x85ebca6b);
+  hash = Math.imul(hash ^ (hash >>> 13), 0xc2b2ae35);
+  return ((hash ^ (hash >>> 16)) >>> 0) / 2 ** 32;
+}
+
+const GARBAGE = [
+  "",
+  " ",
+  "NaN",
+  "-1",
+  "-0",
+  "1e999",
+  "-1e999",
+  "0x10",
+  "1,5",
+  "12 candles",
+  "null",
+  "undefined",
+  "[object Object]",
+  "<script>",
+  "../../..",
+  "🕯️",
+  "\u0000",
+  "٣",
+  "constructor",
+  "__proto__",
+  "a".repeat(5000),
+];
+
+test("Three hundred storms of nonsense in the attributes throw nothing and stop nothing", async ({
+  page,
+}) => {
+  await recordContexts(page);
+  await serveSmallTextures(page);
+  const room = await new RoomDriver(page).open({}, { width: 8, height: 8 });
+  const names = Object.keys(SETTINGS);
+  let drawn = 0;
+  const pick = <T>(list: readonly T[]): T => list[Math.floor(chance(drawn++) * list.length)] as T;
+  const storms = Array.from({ length: 300 }, () =>
+    Array.from({ length: 1 + Math.floor(chance(drawn++) * 5) }, () => {
+      const isRemoved = chance(drawn++) < 0.1;
+      return { name: pick(names), value: isRemoved ? null : pick(GARBAGE) };
+    }),
+  );
+  const time = await room.evaluate((element, storms) => {
+    element.reset();
+    for (const storm of storms) {
+      for (const { name, value } of storm) {
+        if (value === null) element.removeAttribute(name);
+        else element.setAttribute(name, value);
+      }
+      element.step(1 / 120);
+    }
+    for (const name of element.getAttributeNames()) element.removeAttribute(name);
+    element.paused = true;
+    element.reset();
+    element.step(1 / 60);
+    return element.currentTime;
+  }, storms);
+  expect(time).toBeCloseTo(1 / 60, 9);
+  expect(await graphicsErrors(page)).toEqual([]);
+  expect(room.complaints).toEqual([]);
+});

@@ -1,0 +1,99 @@
+import type { Feature } from "../../src/settings.ts";
+import { FEATURES } from "../../src/settings.ts";
+import { expect, test } from "../support/test.ts";
+
+/** What each switch takes from the paper's picture. */
+const SWITCHES = Object.keys(FEATURES) as Feature[];
+
+for (const feature of SWITCHES) {
+  test(`Without ${feature} the picture is another, and with it again the same`, async ({
+    room,
+  }) => {
+    await room.set({ look: "paper" });
+    await room.step(0.1); // near the crest of the flicker
+    const whole = await room.pixels();
+    await room.switchFeatures({ [feature]: false });
+    expect(await room.pixels()).not.toBe(whole);
+    await room.switchFeatures({ [feature]: true });
+    expect(await room.pixels()).toBe(whole);
+  });
+}
+
+test("Features are given as one object, or one by one, and unknown ones are refused", async ({
+  room,
+}) => {
+  const states = await room.evaluate((element) => {
+    element.features = { drift: false, core: false } as typeof element.features;
+    const { drift, core, hazeLayer } = element.features;
+    element.features.drift = true;
+    let refusal = "";
+    try {
+      Object.assign(element.features, { sparkle: true });
+    } catch (error) {
+      refusal = (error as Error).name;
+    }
+    return { drift, core, hazeLayer, driftAgain: element.features.drift, refusal };
+  });
+  expect(states).toEqual({
+    drift: false,
+    core: false,
+    hazeLayer: true,
+    driftAgain: true,
+    refusal: "TypeError",
+  });
+});
+
+test("The original has neither gradient, normal maps, flicker nor attenuation to switch", async ({
+  room,
+}) => {
+  await room.set({ look: "original" });
+  await room.step(0.1);
+  const whole = await room.pixels();
+  for (const feature of ["gradient", "normalMaps", "flicker", "attenuation"] as const) {
+    await room.switchFeatures({ [feature]: false });
+    expect(await room.pixels(), feature).toBe(whole);
+  }
+});
+
+test("Fewer particles burn the farther the candle is, and all of them again near it", async ({
+  room,
+}) => {
+  await room.set({ look: "paper" });
+  const counts: number[] = [];
+  const count = async () => {
+    await room.step(1 / 20, 40); // longer than any particle lives
+    counts.push((await room.stats()).particles);
+  };
+  await room.stand({ position: [4.5, 1.6, 4.5], yaw: -Math.PI / 4, pitch: 0 });
+  await count();
+  await room.evaluate((element) => element.place());
+  for (const [x, z] of [
+    [3, 3],
+    [0, 0],
+    [-4.5, -4.5],
+    [4.5, 4.5],
+  ] as const) {
+    await room.stand({ position: [x, 1.6, z] });
+    await count();
+  }
+  const [held = 0, near = 0, amid = 0, far = 0, back = 0] = counts;
+  expect(held).toBe(800);
+  expect(near).toBe(held);
+  expect(amid).toBeLessThan(near);
+  expect(far).toBeLessThan(amid);
+  expect(far).toBeGreaterThan(0);
+  expect(back).toBe(held);
+});
+
+test("Who asked for less motion has a flame that does not flicker", async ({ room }) => {
+  await room.page.emulateMedia({ reducedMotion: "reduce" });
+  try {
+    await room.set({ look: "paper" });
+    await room.step(0.1);
+    const still = await room.pixels();
+    await room.switchFeatures({ flicker: false });
+    expect(await room.pixels()).toBe(still);
+  } finally {
+    await room.page.emulateMedia({ reducedMotion: null });
+  }
+});

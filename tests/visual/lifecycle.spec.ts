@@ -1,0 +1,235 @@
+import type { Page } from "playwright/test";
+import { SETTINGS } from "../../src/settings.ts";
+import { graphicsErrors, lostContexts, recordContexts } from "../support/contexts.ts";
+import { RoomDriver } from "../support/room-driver.ts";
+import { serveSmallTextures } from "../support/small-textures.ts";
+import { expect, test } from "../support/test.ts";
+
+const TINY = { width: 32, height: 18 } as const;
+
+async function openRecorded(page: Page): Promise<RoomDriver> {
+  await recordContexts(page);
+  await serveSmallTextures(page);
+  return new RoomDriver(page).open({}, TINY);
+}
+
+test("Taken out and put back twenty times, an element leaves nothing behind", async ({ page }) => {
+  const room = await openRecorded(page);
+  // A neighbour, whose context the others' must never evict.
+  await page.evaluate(async () => {
+    const neighbour = document.createElement("candle-flame");
+    neighbour.id = "neighbour";
+    neighbour.paused = true;
+    neighbour.style.cssText = "width: 32px; height: 18px";
+    document.body.append(neighbour);
+    await neighbour.ready;
+    neighbour.addEventListener("contextlost", () =>
+      console.error("the neighbour lost its context"),
+    );
+  });
+  const { before, counts } = await page.evaluate(async () => {
+    const element = document.querySelector("candle-flame"); // the first
+    if (!element) throw new Error("no element");
+    const before = element.stats;
+    const counts: { gpuObjects: number; gpuBytes: number }[] = [];
+    for (let i = 0; i < 20; i++) {
+      element.remove();
+      await new Promise((resolve) => setTimeout(resolve));
+      document.body.append(element);
+      await element.ready;
+      const { gpuObjects, gpuBytes } = element.stats;
+      counts.push({ gpuObjects, gpuBytes });
+    }
+    return { before, counts };
+  });
+  const { gpuObjects, gpuBytes } = before;
+  expect(gpuObjects).toBeGreaterThan(20);
+  expect(counts).toEqual(Array.from({ length: 20 }, () => ({ gpuObjects, gpuBytes })));
+  // In order: its first context, the neighbour's, and one for each return.
+  const lost = await lostContexts(page);
+  expect(lost).toEqual([true, false, ...Array.from({ length: 19 }, () => true), false]);
+  expect(await page.evaluate(() => document.querySelectorAll("canvas").length)).toBe(0);
+  expect(await graphicsErrors(page)).toEqual([]);
+  expect(room.complaints).toEqual([]);
+});
+
+test("Resized twenty times, an element holds no more than before", async ({ page }) => {
+  const room = await openRecorded(page);
+  const before = await room.stats();
+  const sizes = await room.evaluate(async (element) => {
+    const sizes: string[] = [];
+    for (let i = 1; i <= 20; i++) {
+      element.style.width = `${32 + (i % 4) * 16}px`;
+      element.style.height = `${18 + (i % 3) * 12}px`;
+      // The observer of sizes runs within the frame, after its callbacks.
+      await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+      const { width, height, gpuObjects } = element.stats;
+      sizes.push(`${width}x${height} ${gpuObjects}`);
+    }
+    element.style.width = "32px";
+    element.style.height = "18px";
+    await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+    return sizes;
+  });
+  const expected = Array.from({ length: 20 }, (_, i) => {
+    const width = 32 + ((i + 1) % 4) * 16;
+    const height = 18 + ((i + 1) % 3) * 12;
+    return `${width}x${height} ${before.gpuObjects}`;
+  });
+  expect(sizes).toEqual(expected);
+  const { gpuObjects, gpuBytes } = await room.stats();
+  expect({ gpuObjects, gpuBytes }).toEqual({
+    gpuObjects: before.gpuObjects,
+    gpuBytes: before.gpuBytes,
+  });
+  expect(await graphicsErrors(page)).toEqual([]);
+  expect(room.complaints).toEqual([]);
+});
+
+test("Other looks, seeds, particles and qualities leave nothing behind either", async ({
+  page,
+}) => {
+  const room = await openRecorded(page);
+  const before = await room.stats();
+  await room.evaluate((element, looks) => {
+    for (let i = 0; i < 3; i++) {
+      for (const look of looks) element.look = look;
+      for (const quality of ["low", "high", "ultra", "medium"] as const) element.quality = quality;
+      element.particles = 500 + i;
+      element.seed = i;
+      element.features.drift = false;
+      element.features.drift = true;
+      element.step(1 / 60);
+    }
+    for (const name of element.getAttributeNames()) {
+      if (name !== "paused") element.removeAttribute(name);
+    }
+    element.step(1 / 60);
+  }, SETTINGS.look.choices);
+  const { gpuObjects, gpuBytes } = await room.stats();
+  expect({ gpuObjects, gpuBytes }).toEqual({
+    gpuObjects: before.gpuObjects,
+    gpuBytes: before.gpuBytes,
+  });
+  expect(await graphicsErrors(page)).toEqual([]);
+  expect(room.complaints).toEqual([]);
+});
+
+test("An element taken out while it loads gives its context back, and loads when put back", async ({
+  page,
+}) => {
+  const room = await openRecorded(page);
+  await page.evaluate(async () => {
+    const element = document.createElement("candle-flame");
+    element.paused = true;
+    document.body.append(element);
+    await new Promise((resolve) => element.addEventListener("progress", resolve, { once: true }));
+    element.remove();
+    await new Promise((resolve) => setTimeout(resolve));
+    if (element.shadowRoot?.querySelector("canvas")) throw new Error("a canvas is left");
+    document.body.append(element);
+    await element.ready;
+    element.step(1 / 60);
+    element.remove();
+    await new Promise((resolve) => setTimeout(resolve));
+  });
+  expect(await lostContexts(page)).toEqual([false, true]);
+  expect(room.complaints).toEqual([]);
+});
+
+test("An element moved within the page goes on as it was", async ({ page }) => {
+  const room = await openRecorded(page);
+  await room.step(0.2);
+  await room.stand({ yaw: 1 });
+  const before = await room.pixels();
+  const events = await room.evaluate(async (element) => {
+    const events: string[] = [];
+    for (const type of ["load", "progress", "error", "contextlost"] as const) {
+      element.addEventListener(type, () => events.push(type));
+    }
+    const elsewhere = document.createElement("section");
+    document.body.append(elsewhere);
+    elsewhere.append(element);
+    await new Promise((resolve) => setTimeout(resolve));
+    return events;
+  });
+  expect(events).toEqual([]);
+  expect(await room.pixels()).toBe(before);
+  expect(await room.evaluate((element) => element.currentTime)).toBeCloseTo(0.2, 9);
+  expect(await lostContexts(page)).toEqual([false]);
+  expect(room.complaints).toEqual([]);
+});
+
+for (const look of SETTINGS.look.choices) {
+  test(`A lost context given back shows the ${look} look's very same picture`, async ({ page }) => {
+    await recordContexts(page);
+    const room = await new RoomDriver(page).open({ look }, { width: 160, height: 90 });
+    await room.step(1 / 60, 20);
+    const picture = await room.pixels();
+    const { gpuObjects, gpuBytes } = await room.stats();
+    for (let loss = 0; loss < 2; loss++) {
+      const events = await room.evaluate(async (element) => {
+        const events: string[] = [];
+        const stop = new AbortController();
+        const happens = (type: "contextlost" | "contextrestored") =>
+          new Promise<void>((resolve) => {
+            const note = () => {
+              events.push(type);
+              resolve();
+            };
+            element.addEventListener(type, note, { signal: stop.signal });
+          });
+        const extension = contexts[0]?.getExtension("WEBGL_lose_context");
+        const lost = happens("contextlost");
+        const restored = happens("contextrestored");
+        extension?.loseContext();
+        await lost;
+        element.step(0); // nothing to draw on, and no harm
+        // The browser learns that it is wanted back only after the event's task.
+        await new Promise((resolve) => setTimeout(resolve));
+        extension?.restoreContext();
+        await restored;
+        stop.abort();
+        return events;
+      });
+      expect(events).toEqual(["contextlost", "contextrestored"]);
+      expect(await room.pixels()).toBe(picture);
+      expect(await room.stats()).toMatchObject({ gpuObjects, gpuBytes });
+    }
+    await room.step(1 / 60);
+    expect(await room.pixels()).not.toBe(picture);
+    expect(await graphicsErrors(page)).toEqual([]);
+    expect(room.complaints).toEqual([]);
+  });
+}
+
+test("A playing element stops while its context is lost, and plays on afterwards", async ({
+  page,
+}) => {
+  const room = await openRecorded(page);
+  const times = await room.evaluate(async (element) => {
+    const frames = async (count: number) => {
+      for (let i = 0; i < count; i++) await new Promise(requestAnimationFrame);
+    };
+    element.play();
+    await frames(3);
+    const extension = contexts[0]?.getExtension("WEBGL_lose_context");
+    const lost = new Promise((resolve) => element.addEventListener("contextlost", resolve));
+    extension?.loseContext();
+    await lost;
+    const times = [element.currentTime];
+    await frames(3);
+    times.push(element.currentTime);
+    const restored = new Promise((resolve) => element.addEventListener("contextrestored", resolve));
+    extension?.restoreContext();
+    await restored;
+    await frames(5);
+    times.push(element.currentTime);
+    element.pause();
+    return times;
+  });
+  const [lost = 0, still = 0, again = 0] = times;
+  expect(still).toBe(lost);
+  expect(again).toBeGreaterThan(lost);
+  expect(room.complaints).toEqual([]);
+});

@@ -1,0 +1,401 @@
+import { test as base, expect, type Locator, type Page } from "playwright/test";
+import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
+import { FEATURES, SETTINGS } from "../../src/settings.ts";
+import { complaintsOf } from "../support/room-driver.ts";
+
+const PAGE = "http://127.0.0.1:4173/";
+const POLICY = "default-src 'self'";
+
+/** The hosted page, under a policy that allows nothing inline and nothing from elsewhere. */
+class HostedPage {
+  readonly page: Page;
+  readonly room: Locator;
+  readonly enter: Locator;
+  readonly lab: Locator;
+
+  constructor(page: Page) {
+    this.page = page;
+    this.room = page.locator("candle-flame.room");
+    this.enter = page.getByRole("button", { name: "Walk in" });
+    this.lab = page.getByRole("complementary", { name: "Lab" });
+  }
+
+  async load(): Promise<void> {
+    await this.page.route(PAGE, async (route) => {
+      const response = await route.fetch();
+      const headers = { ...response.headers(), "content-security-policy": POLICY };
+      await route.fulfill({ response, headers });
+    });
+    const response = await this.page.goto(PAGE);
+    expect(response?.headers()["content-security-policy"]).toBe(POLICY);
+  }
+
+  /** Fewer pixels than by default: these tests are not about pictures. */
+  async open(): Promise<this> {
+    await this.load();
+    await this.evaluate((room) => {
+      room.quality = "low";
+      return room.ready;
+    });
+    return this;
+  }
+
+  evaluate<Result>(run: (room: CandleFlameElement) => Result | Promise<Result>): Promise<Result> {
+    return this.room.evaluate(run as never) as Promise<Result>;
+  }
+
+  isWalking(): Promise<boolean> {
+    return this.evaluate((room) => room.matches(":state(walking)"));
+  }
+
+  /** Opens the lab, and one of its sections. */
+  async openLab(title: string): Promise<Locator> {
+    await this.page.getByRole("button", { name: "Lab", exact: true }).click();
+    await expect(this.lab).toBeVisible();
+    return this.openSection(title);
+  }
+
+  async openSection(title: string): Promise<Locator> {
+    const section = this.lab.locator("details").filter({
+      has: this.page.locator("summary", { hasText: title }),
+    });
+    if ((await section.getAttribute("open")) === null) await section.locator("summary").click();
+    return section;
+  }
+}
+
+const test = base.extend<{ tolerated: RegExp; hosted: HostedPage }>({
+  tolerated: [/^$/, { option: true }],
+  hosted: async ({ page, tolerated }, use) => {
+    const complaints = complaintsOf(page);
+    await use(new HostedPage(page));
+    expect(complaints.filter((complaint) => !tolerated.test(complaint))).toEqual([]);
+  },
+});
+
+test.use({ viewport: { width: 320, height: 200 } });
+
+test("the page opens on a burning room, with one title and one way in", async ({ hosted }) => {
+  await hosted.open();
+  await expect(hosted.page.getByRole("heading", { level: 1 })).toBeVisible();
+  await expect(hosted.enter).toBeEnabled();
+  const time = await hosted.evaluate((room) => room.currentTime);
+  await expect.poll(() => hosted.evaluate((room) => room.currentTime)).toBeGreaterThan(time);
+  expect(await hosted.evaluate((room) => room.stats.particles)).toBeGreaterThan(0);
+});
+
+test("whoever walks in sees the room alone, until he comes back", async ({ hosted, page }) => {
+  await hosted.open();
+  await hosted.enter.click();
+  await expect.poll(() => hosted.isWalking()).toBe(true);
+  await expect
+    .poll(() => hosted.evaluate((room) => room.ownerDocument.pointerLockElement === room))
+    .toBe(true);
+  await expect(page.getByRole("heading", { level: 1 })).toBeHidden();
+  await expect(page.getByRole("button")).toHaveCount(0);
+  await page.keyboard.press("Escape");
+  await expect.poll(() => hosted.isWalking()).toBe(false);
+  await expect(hosted.enter).toBeVisible();
+});
+
+test("the page takes no key from whoever walks, with the lab open", async ({ hosted, page }) => {
+  await hosted.open();
+  await hosted.openLab("Settings");
+  await hosted.enter.click();
+  await expect.poll(() => hosted.isWalking()).toBe(true);
+  await expect(hosted.lab).toBeHidden();
+  const before = await hosted.evaluate((room) => room.camera.position[2]);
+  await page.keyboard.press("?");
+  await page.keyboard.down("w");
+  await expect
+    .poll(() => hosted.evaluate((room) => room.camera.position[2]))
+    .toBeLessThan(before - 0.2);
+  await page.keyboard.up("w");
+  await expect(page.getByRole("dialog")).toBeHidden();
+  await page.keyboard.press("Escape");
+  await expect(hosted.lab).toBeVisible();
+});
+
+test("help lists the controls, and opens and closes by keyboard", async ({ hosted, page }) => {
+  await hosted.open();
+  const button = page.getByRole("button", { name: "Help" });
+  await button.focus();
+  await page.keyboard.press("Enter");
+  const help = page.getByRole("dialog", { name: "In the room" });
+  await expect(help).toBeVisible();
+  await expect(help.locator("kbd")).toHaveText([
+    "Enter",
+    "Esc",
+    "W",
+    "A",
+    "S",
+    "D",
+    "Shift",
+    "Q",
+    "R",
+    "Home",
+    "End",
+    "F",
+  ]);
+  await page.keyboard.press("Escape");
+  await expect(help).toBeHidden();
+  await expect(button).toBeFocused();
+});
+
+test("the lab is fetched when it is asked for, and closes by keyboard", async ({
+  hosted,
+  page,
+}) => {
+  const scripts: string[] = [];
+  page.on("request", (request) => scripts.push(new URL(request.url()).pathname));
+  const isLab = (path: string) => /\/lab-[^/]*\.js$/.test(path);
+  await hosted.open();
+  expect(scripts.filter(isLab)).toEqual([]);
+  const button = page.getByRole("button", { name: "Lab", exact: true });
+  await button.focus();
+  await page.keyboard.press("Enter");
+  await expect(hosted.lab).toBeVisible();
+  expect(scripts.filter(isLab)).toHaveLength(1);
+  await expect(button).toHaveAttribute("aria-expanded", "true");
+  await page.keyboard.press("Tab");
+  await expect(hosted.lab.getByRole("button", { name: "Close the lab" })).toBeFocused();
+  await page.keyboard.press("Escape");
+  await expect(hosted.lab).toBeHidden();
+  await expect(button).toBeFocused();
+});
+
+test.describe("the ladder", () => {
+  test("has five measured rungs beside the paper's, and leaves no trace", async ({ hosted }) => {
+    await hosted.open();
+    await hosted.evaluate((room) => {
+      room.look = "original";
+      room.features.drift = false;
+      room.features.candle = false;
+    });
+    const state = () =>
+      hosted.evaluate(({ features, look, paused }) => ({ ...features, look, paused }));
+    const before = await state();
+    const ladder = await hosted.openLab("What each technique costs");
+    await ladder.getByLabel("Rounds").fill("1");
+    await ladder.getByRole("button", { name: "Measure" }).click();
+    await expect(ladder.getByRole("status")).toContainText("1 round of", { timeout: 30_000 });
+
+    const rows = ladder.getByRole("row").filter({ has: hosted.page.getByRole("rowheader") });
+    const rungs = (await rows.allInnerTexts()).map((text) => text.split(/\t|\n/));
+    expect(rungs.map(([name]) => name)).toEqual([
+      "no particles",
+      "+ basic emission",
+      "+ gradient shading",
+      "+ attenuation",
+      "+ drift",
+    ]);
+    expect(rungs.map((rung) => rung.slice(4).map(Number))).toEqual([
+      [2.1, 475, 1],
+      [4.5, 222, 2.14],
+      [5.2, 192, 2.48],
+      [6.7, 149, 3.19],
+      [7.5, 133, 3.57],
+    ]);
+    const baseline = Number(rungs[0]?.[1]);
+    for (const [, ...cells] of rungs) {
+      const [milliseconds = 0, framesPerSecond, multiple = 0] = cells.map(Number);
+      expect(milliseconds).toBeGreaterThan(0);
+      // As far as the digits shown allow.
+      expect(Math.abs(1000 / milliseconds - (framesPerSecond ?? 0))).toBeLessThan(1.5);
+      expect(multiple).toBeCloseTo(milliseconds / baseline, 1);
+    }
+    expect(await state()).toEqual(before);
+  });
+
+  test("can be left half way, and the flame burns on as before", async ({ hosted }) => {
+    await hosted.open();
+    const ladder = await hosted.openLab("What each technique costs");
+    await ladder.getByLabel("Rounds").fill("99");
+    await ladder.getByRole("button", { name: "Measure" }).click();
+    await expect.poll(() => ladder.getByRole("progressbar").evaluate(shareOf)).toBeGreaterThan(0);
+    expect(await hosted.evaluate((room) => room.paused)).toBe(true);
+    await ladder.getByRole("button", { name: "Stop" }).click();
+    await expect(ladder.getByRole("status")).toHaveText("Stopped before the end.");
+    expect(await hosted.evaluate((room) => room.paused)).toBe(false);
+    const features = await hosted.evaluate((room) => ({ ...room.features }));
+    expect(Object.values(features)).not.toContain(false);
+  });
+});
+
+test("the comparison shows two looks from one place at one time, while it is open", async ({
+  hosted,
+  page,
+}) => {
+  await hosted.open();
+  const section = await hosted.openLab("Before and after");
+  await section.getByRole("button", { name: "Compare" }).click();
+  const divider = page.getByRole("slider", { name: "Divider between the two looks" });
+  await expect(divider).toBeVisible();
+  const both = () =>
+    page.locator("candle-flame").evaluateAll((rooms: CandleFlameElement[]) =>
+      rooms.map(({ look, camera, currentTime, paused, seed }) => {
+        return { look, camera, currentTime, paused, seed };
+      }),
+    );
+  const looks = (await both()).map(({ look }) => look);
+  expect(looks).toEqual([SETTINGS.look.default, "original"]);
+  await expect(divider).toHaveText("originalpaper");
+
+  await test.step("step by step, wherever the visitor goes and whatever is set", async () => {
+    await hosted.evaluate((room) => {
+      room.camera = { position: [-2, 1.6, 1], yaw: 0.7, pitch: -0.3 };
+      room.seed = 7;
+      room.camera = { position: [-2, 1.6, 1], yaw: 0.7, pitch: -0.3 };
+    });
+    await expect.poll(async () => (await both())[0]?.currentTime).toBeGreaterThan(0.1);
+    const [first, second] = await both();
+    expect(second).toEqual({ ...first, look: "original" });
+    expect(first?.camera.yaw).toBeCloseTo(0.7);
+    expect(first?.paused).toBe(true);
+  });
+
+  await test.step("with a divider for keys and pointer", async () => {
+    await divider.focus();
+    await page.keyboard.press("ArrowLeft");
+    await expect(divider).toHaveAttribute("aria-valuenow", "48");
+    await page.keyboard.press("End");
+    await expect(divider).toHaveAttribute("aria-valuenow", "100");
+    await page.keyboard.press("Home");
+    await expect(divider).toHaveAttribute("aria-valuenow", "0");
+    await page.keyboard.press("PageUp");
+    await expect(divider).toHaveAttribute("aria-valuenow", "10");
+    const stage = await hosted.room.boundingBox();
+    const line = await divider.boundingBox();
+    if (!stage || !line) throw new Error("nothing to drag");
+    await page.mouse.move(line.x + line.width / 2, line.y + 20);
+    await page.mouse.down();
+    await page.mouse.move(stage.x + stage.width * 0.75, line.y + 30, { steps: 3 });
+    await page.mouse.up();
+    await expect(divider).toHaveAttribute("aria-valuenow", "75");
+    const clip = await page
+      .locator("candle-flame.second")
+      .evaluate((second) => getComputedStyle(second).clipPath);
+    expect(clip).toMatch(/^inset\(0px (calc\(25|25)/);
+  });
+
+  await divider.press("Escape");
+  await expect(page.locator("candle-flame")).toHaveCount(1);
+  await expect(divider).toBeHidden();
+  expect(await hosted.evaluate((room) => room.paused)).toBe(false);
+});
+
+test("techniques and settings change the room at once, and the numbers follow", async ({
+  hosted,
+}) => {
+  await hosted.open();
+  const techniques = await hosted.openLab("Techniques");
+  await expect(techniques.getByRole("checkbox")).toHaveCount(Object.keys(FEATURES).length);
+  for (const sentence of Object.values(FEATURES)) {
+    await expect(techniques.getByText(sentence)).toBeVisible();
+  }
+  const numbers = await hosted.openSection("The last frame");
+  const particles = numbers.getByRole("definition").nth(6);
+  await expect(particles).not.toHaveText("0");
+  await techniques.getByLabel(FEATURES.particles).uncheck();
+  expect(await hosted.evaluate((room) => room.features.particles)).toBe(false);
+  await expect(particles).toHaveText("0");
+
+  const settings = await hosted.openSection("Settings");
+  await settings.getByLabel("exposure").fill("-1.5");
+  expect(await hosted.evaluate((room) => room.exposure)).toBe(-1.5);
+  await expect(settings.getByText("-1.5 EV")).toBeVisible();
+  await settings.getByLabel("particles").fill("2000000");
+  await settings.getByLabel("particles").blur();
+  await expect(settings.getByLabel("particles")).toHaveValue(String(SETTINGS.particles.max));
+  // What is set elsewhere shows too.
+  await hosted.evaluate((room) => {
+    room.particles = 800;
+    room.look = "original";
+  });
+  await expect(settings.getByLabel("particles")).toHaveValue("800");
+  await expect(settings.getByLabel("look")).toHaveValue("original");
+});
+
+test.describe("on a wide screen", () => {
+  test.use({ viewport: { width: 760, height: 200 } });
+
+  test("the lab stands beside the room", async ({ hosted, page }) => {
+    await hosted.open();
+    await hosted.openLab("Techniques");
+    const lab = await hosted.lab.boundingBox();
+    const room = await hosted.room.boundingBox();
+    expect(room?.height).toBe(200);
+    expect((room?.x ?? 0) + (room?.width ?? 0)).toBe(lab?.x);
+    await page.emulateMedia({ reducedMotion: "reduce" });
+    await expect(hosted.lab).toHaveCSS("transition-duration", /^0s(, 0s)*$/);
+  });
+});
+
+test.describe("on a phone", () => {
+  test.use({ viewport: { width: 390, height: 600 }, hasTouch: true, isMobile: true });
+
+  test("the lab is a sheet below the room, and one taps to come back", async ({ hosted, page }) => {
+    // Phones have no pointer to lock.
+    await page.addInitScript(() => {
+      Element.prototype.requestPointerLock = () =>
+        Promise.reject(new DOMException("", "NotSupportedError"));
+    });
+    await hosted.open();
+    await hosted.enter.tap();
+    await expect.poll(() => hosted.isWalking()).toBe(true);
+    await page.getByRole("button", { name: "Come back" }).tap();
+    await expect.poll(() => hosted.isWalking()).toBe(false);
+    await hosted.openLab("What each technique costs");
+    const lab = await hosted.lab.boundingBox();
+    const room = await hosted.room.boundingBox();
+    expect(room?.width).toBe(390);
+    expect(room?.height).toBe(lab?.y);
+    const overflow = await hosted.lab
+      .locator(".sections")
+      .evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth);
+    expect(overflow).toBeLessThanOrEqual(0);
+  });
+});
+
+test("the page works from any folder of a site", async ({ hosted, page }) => {
+  const folder = `${PAGE}some/folder/`;
+  await page.route(`${folder}**`, async (route) => {
+    const url = route.request().url().replace(folder, PAGE);
+    await route.fulfill({ response: await route.fetch({ url }) });
+  });
+  const foreign: string[] = [];
+  page.on("request", (request) => {
+    if (!request.url().startsWith(folder) && !request.url().startsWith("blob:")) {
+      foreign.push(request.url());
+    }
+  });
+  await page.goto(folder);
+  await hosted.evaluate((room) => room.ready);
+  await hosted.openLab("Settings");
+  expect(foreign).toEqual([]);
+});
+
+test.describe("without its models", () => {
+  test.use({ tolerated: /404/ });
+
+  test("the page says so, and stays of use", async ({ hosted, page }) => {
+    await page.route("**/*.glb", (route) => route.fulfill({ status: 404 }));
+    await hosted.load();
+    await expect(page.getByRole("alert")).toContainText("could not be fetched");
+    await expect(hosted.enter).toBeHidden();
+    await page.getByRole("button", { name: "Help" }).click();
+    await expect(page.getByRole("dialog")).toBeVisible();
+    await page.keyboard.press("Escape");
+    const ladder = await hosted.openLab("What each technique costs");
+    await ladder.getByRole("button", { name: "Measure" }).click();
+    await expect(ladder.getByRole("status")).toContainText("could not be fetched");
+    const comparison = await hosted.openSection("Before and after");
+    await comparison.getByRole("button", { name: "Compare" }).click();
+    await expect(comparison.getByRole("status")).toContainText("could not be fetched");
+    await expect(page.locator("candle-flame")).toHaveCount(1);
+  });
+});
+
+function shareOf(progress: HTMLElement | SVGElement): number {
+  return (progress as HTMLProgressElement).value;
+}

@@ -1,0 +1,52 @@
+import type { Camera, Look } from "../../src/candle-flame-element.ts";
+
+/** One picture that must not change by accident. */
+export interface Scene {
+  readonly name: string;
+  readonly attributes: { readonly look: Look; readonly seed: string };
+  readonly camera: Camera;
+  /** Time simulated, seconds. */
+  readonly seconds: number;
+  /** Where the candle is put down first, as seen by a visitor who then goes to `camera`. */
+  readonly place?: Camera;
+}
+
+export const SCENES: readonly Scene[] = [
+  {
+    name: "paper-front",
+    attributes: { look: "paper", seed: "1" },
+    camera: { position: [1.2, 1.6, 2.6], yaw: 0.35, pitch: 0 },
+    seconds: 1,
+  },
+  {
+    name: "paper-close",
+    attributes: { look: "paper", seed: "1" },
+    place: { position: [0, 1.6, 0.9], yaw: 0, pitch: 0 },
+    camera: { position: [0.08, 0.5, 0.44], yaw: 0.18, pitch: -0.42 },
+    seconds: 1,
+  },
+  {
+    name: "paper-corner",
+    attributes: { look: "paper", seed: "2" },
+    camera: { position: [-3.4, 1.6, -3.6], yaw: 0.9, pitch: -0.1 },
+    seconds: 0.1,
+  },
+  {
+    name: "original-front",
+    attributes: { look: "original", seed: "1" },
+    camera: { position: [1.2, 1.6, 2.6], yaw: 0.35, pitch: 0 },
+    seconds: 1,
+  },
+  {
+    name: "original-close",
+    attributes: { look: "original", seed: "1" },
+    camera: { position: [0.15, 1.35, 0.95], yaw: 0.15, pitch: -0.1 },
+    seconds: 1,
+  },
+  {
+    name: "original-corner",
+    attributes: { look: "original", seed: "2" },
+    camera: { position: [-3.4, 1.6, -3.6], yaw: 0.9, pitch: -0.1 },
+    seconds: 0.1,
+  },
+];

@@ -1,0 +1,90 @@
+import { readdirSync, readFileSync } from "node:fs";
+import { dirname, join } from "node:path";
+import type { Page } from "playwright/test";
+import { type Look, SETTINGS } from "../../src/settings.ts";
+import { resolveShader } from "../../tools/vite-glsl.ts";
+import type { ProgramReport } from "../support/programs.ts";
+import { openSources } from "../support/sources.ts";
+import { expect, test } from "../support/test.ts";
+
+type Programs = typeof import("../support/programs.ts");
+const PROGRAMS = "/tests/support/programs.ts";
+const SHADERS = "shaders";
+
+/** Files that are a stage of their own, in these folders of `shaders/`. */
+function stagesIn(folders: ReadonlySet<string>): string[] {
+  return readdirSync(SHADERS, { recursive: true, encoding: "utf8" })
+    .filter((file) => /\.(vert|frag)$/.test(file) && folders.has(dirname(file)))
+    .sort();
+}
+
+function reportPrograms(page: Page, look: Look) {
+  return page.evaluate(
+    async ({ module, look }) => {
+      const { reportPrograms }: Programs = await import(module);
+      return reportPrograms(look);
+    },
+    { module: PROGRAMS, look },
+  );
+}
+
+/** What the compiler says of the room's program with one line of one of its files replaced. */
+function complaintAbout(page: Page, file: string, line: string, replacement: string) {
+  const vertex = resolveShader(join(SHADERS, "paper/room.vert"));
+  const fragment = resolveShader(join(SHADERS, "paper/room.frag"));
+  const broken = { ...fragment, source: fragment.source.replace(line, replacement) };
+  expect(broken.source, `${file} reads “${line}”`).not.toBe(fragment.source);
+  return page.evaluate(
+    async ({ module, vertex, broken }) => {
+      const { complaintOf }: Programs = await import(module);
+      return complaintOf(vertex, broken);
+    },
+    { module: PROGRAMS, vertex, broken },
+  );
+}
+
+function lineNumber(file: string, line: string): number {
+  return readFileSync(join(SHADERS, file), "utf8").split("\n").indexOf(line) + 1;
+}
+
+test.beforeEach(({ page }) => openSources(page));
+
+test("Every shader compiles and links without a word, and every uniform it has is set", async ({
+  page,
+}) => {
+  const reports: ProgramReport[] = [];
+  for (const look of SETTINGS.look.choices) reports.push(...(await reportPrograms(page, look)));
+  for (const { label, log, unset, set } of reports) {
+    expect.soft({ label, log, unset }).toEqual({ label, log: "", unset: [] });
+    expect.soft(set, label).toBeGreaterThan(0);
+  }
+  const compiled = new Set(reports.flatMap(({ stages }) => stages));
+  const folders = new Set([...compiled].map((file) => dirname(file)));
+  expect(folders).toContain("paper");
+  expect([...compiled].sort(), "no file lies idle").toEqual(stagesIn(folders));
+});
+
+test("A mistake in an included file is reported by that file's own name and line", async ({
+  page,
+}) => {
+  const line = "  float peak = max(max(linear.r, linear.g), linear.b);";
+  const complaint = await complaintAbout(page, "lib/display.glsl", line, "  float peak = maxx(1);");
+  expect(complaint).toContain("ShaderError: broken SAMPLES=4 TAPS=12: ");
+  expect(complaint).toContain(
+    `shaders/lib/display.glsl:${lineNumber("lib/display.glsl", line)}: 'maxx'`,
+  );
+});
+
+test("A mistake after the includes is reported by the shader's own name and line", async ({
+  page,
+}) => {
+  const line = "  vec3 normal = surfaceNormal();";
+  const complaint = await complaintAbout(page, "paper/room.frag", line, "  vec3 normal = 1;");
+  expect(complaint).toContain(`shaders/paper/room.frag:${lineNumber("paper/room.frag", line)}: '`);
+});
+
+test("Stages that do not fit together are reported by the program's name", async ({ page }) => {
+  const line = "in vec2 vUv;";
+  const complaint = await complaintAbout(page, "paper/room.frag", line, "flat in vec2 vUv;");
+  expect(complaint).toMatch(/^ShaderError: broken SAMPLES=4 TAPS=12: .*vUv/s);
+});

@@ -1,0 +1,41 @@
+/**
+ * What the cabin and the chamberstick are made of: a texture set of public/textures/, tinted or not,
+ * or a plain surface. Albedo in linear Rec. 709.
+ */
+const textured = (textures, { tint = [1, 1, 1], metallic = 0 } = {}) => ({
+  textures,
+  baseColor: tint,
+  roughness: 1,
+  metallic,
+});
+
+const plain = (baseColor, roughness) => ({ baseColor, roughness, metallic: 0 });
+
+export const materials = {
+  logs: textured("logs"),
+  logends: textured("logends"),
+  trim: textured("trim", { tint: [0.78, 0.76, 0.74] }),
+  pine: textured("trim"),
+  planks: textured("planks"),
+  plaster: textured("plaster"),
+  stone: textured("stone"),
+  "stone-sooty": textured("stone", { tint: [0.16, 0.15, 0.145] }),
+  brass: textured("brass", { metallic: 1 }),
+  iron: textured("iron", { metallic: 1 }),
+  pewter: textured("pewter", { metallic: 1 }),
+  linen: textured("linen"),
+  rush: textured("linen", { tint: [0.62, 0.52, 0.32] }),
+  broadcloth: textured("linen", { tint: [0.1, 0.125, 0.15] }),
+  wool: textured("wool"),
+  leather: textured("leather", { tint: [0.26, 0.17, 0.105] }),
+  "cloth-blue": textured("leather", { tint: [0.11, 0.2, 0.22] }),
+  "cloth-red": textured("leather", { tint: [0.3, 0.05, 0.042] }),
+  paper: textured("paper"),
+  wax: textured("wax"),
+  glass: plain([0.02, 0.02, 0.02], 0.05),
+  night: plain([0, 0, 0], 1),
+  charcoal: plain([0.018, 0.017, 0.016], 0.85),
+  ash: plain([0.36, 0.35, 0.34], 0.95),
+  pool: plain([0.8, 0.74, 0.6], 0.03),
+  wick: plain([0.012, 0.011, 0.01], 0.9),
+};

@@ -1,0 +1,1 @@
+export function packGlb(json: unknown, binary: Uint8Array): Buffer;

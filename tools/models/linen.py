@@ -1,0 +1,60 @@
+"""Linen: a cloth folded once and left over the table's edge, and a curtain half drawn."""
+
+from math import cos, pi, sin
+
+from chance import wander, wander_over
+from shapes import slab
+
+FOLDED = 0.006
+
+
+def hanging_cloth(width, on_table, drop):
+    """
+    Lies towards -X from the edge at x = 0, where the table's surface is at y = 0, and hangs beyond it.
+    """
+    turn = 0.012
+    bend = turn * pi / 2
+    length = on_table + bend + drop
+
+    def fold(along, across):
+        """How far the hanging part stands off: two soft flutes that grow downwards."""
+        depth = max(0.0, along - on_table - bend) / drop
+        flute = 0.5 + 0.5 * cos(2 * pi * (across * 1.6 + 0.15))
+        return depth * (0.026 * flute + 0.006 * wander(across * 5, "flute")) + 0.002 * depth
+
+    def surface(s, t):
+        along = length * s
+        across = t * width
+        crease = 0.006 * max(0, wander_over(along / 0.11 + 0.3 * t, across / 0.09, "crease") - 0.15)
+        crease += 0.0022 * max(0, 1 - abs(across / width - 0.5) * 16)
+        slant = 0.035 * (t - 0.5)
+        if along < on_table:
+            lift = FOLDED + crease * min(1, along / 0.03) * min(1, (on_table - along) / 0.03 + 0.2)
+            x, y = along - on_table, lift
+            z = across + slant * (on_table - along) / on_table
+        elif along < on_table + bend:
+            angle = (along - on_table) / turn
+            reach = turn + FOLDED
+            x, y, z = reach * sin(angle), FOLDED - reach + reach * cos(angle), across
+        else:
+            down = along - on_table - bend
+            x, y = turn + FOLDED + fold(along, t), -turn - down - 0.012 * t * down / drop
+            z = across + 0.02 * (t - 0.5) * down / drop
+        return x, y, -z
+
+    return slab(surface, 22, 14, FOLDED * 0.92, "linen", (length, width))
+
+
+def curtain(width, height):
+    """Hangs from y = 0 to -height over x = 0 to width, gathered in pleats that deepen downwards."""
+    pleats = 5.5
+
+    def surface(s, t):
+        down = 1 - t
+        phase = 2 * pi * pleats * s + 0.9 * wander(down * 2.2, "pleat", round(s * pleats))
+        swing = 0.35 + 0.65 * down
+        z = 0.026 * swing * sin(phase) + 0.012 * wander_over(s * 3, down * 2, "curtain")
+        x = width * (s + 0.018 * sin(2 * phase)) * (0.93 + 0.1 * down * down)
+        return x, -height * down - 0.008 * sin(phase * 0.5) * down, z
+
+    return slab(surface, 33, 7, 0.0016, "linen", (width * 2.1, height))
