@@ -24,6 +24,20 @@ const builds: Record<string, BuildOptions> = {
   },
 };
 
+// three's loaders name decoders of their own, which a library build would inline: almost a megabyte that
+// is never used, since ours are fetched from `decoders/`.
+const withoutBundledDecoders: Plugin = {
+  name: "without-bundled-decoders",
+  enforce: "pre",
+  transform: {
+    filter: { id: /three\/examples\/jsm\/loaders\/(DRACO|KTX2)Loader\.js/ },
+    handler: (code) => ({
+      code: code.replaceAll(/new URL\( '\.\.\/libs\/[^']+', import\.meta\.url \)/g, "''"),
+      map: null,
+    }),
+  },
+};
+
 // The element looks for its models and textures beside its own module.
 const shipAssets: Plugin = {
   name: "ship-assets",
@@ -35,7 +49,11 @@ const shipAssets: Plugin = {
 
 export default defineConfig(({ mode }) => ({
   base: "./",
-  plugins: [glsl({ minify: mode === "production" || mode === "lib" }), shipAssets],
+  plugins: [
+    glsl({ minify: mode === "production" || mode === "lib" }),
+    withoutBundledDecoders,
+    shipAssets,
+  ],
   build: builds[mode] ?? builds.page ?? {},
   server: { host: "127.0.0.1", port: 5173 },
   preview: { host: "127.0.0.1", port: 4173 },

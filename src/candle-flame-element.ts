@@ -1,8 +1,9 @@
 import type { AssetError } from "./assets/load-model.js";
-import { closeModel, type Model } from "./assets/model.js";
 import { CandleFlame, type Stats } from "./candle-flame.js";
 import { STYLE } from "./element-style.js";
 import { FirstPersonInput } from "./input/first-person-input.js";
+import { closeModels, loadModels, type Sources, sourcesOf } from "./model-loader.js";
+import { ReflectedAttributes } from "./reflected-attributes.js";
 import type { Models } from "./render/renderer.js";
 import {
   allFeatures,
@@ -10,10 +11,7 @@ import {
   type Feature,
   type Features,
   type Look,
-  parseChoice,
-  parseNumber,
   type Quality,
-  SETTINGS,
   type SettingName,
 } from "./settings.js";
 import { moveCamera, placeCandle, takeCandle } from "./world/world.js";
@@ -50,12 +48,6 @@ export interface CandleFlameEventMap {
   contextrestored: CustomEvent<null>;
 }
 
-/** Models that the built-in room is made of, under `asset-base`. */
-const MODELS = { room: "models/paper-room.glb", candle: "models/paper-candle.glb" } as const;
-
-// Where there is no DOM (a server that renders pages), the module still loads.
-const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
-
 /**
  * A candle in a dark room.
  *
@@ -71,9 +63,7 @@ const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
  * @csspart progress - the bar that shows loading
  * @csspart error - the sentence shown when there can be no picture
  */
-export class CandleFlameElement extends Base {
-  static readonly observedAttributes: readonly string[] = Object.keys(SETTINGS);
-
+export class CandleFlameElement extends ReflectedAttributes {
   /** Resolves after the first frame with all assets; rejects with the error that `error` reports. */
   ready: Promise<void>;
 
@@ -88,6 +78,8 @@ export class CandleFlameElement extends Base {
   #canvas: HTMLCanvasElement | null = null;
   #candle: CandleFlame | null = null;
   #models: Models | null = null;
+  #sources: Sources | null = null;
+  #loading: AbortController | null = null;
   #isVisible = true;
   #drawRequest = 0;
   #shownCamera = "";
@@ -120,9 +112,8 @@ export class CandleFlameElement extends Base {
   }
 
   connectedCallback(): void {
-    for (const name of ["paused", "lit"] as const) this.#upgrade(name);
-    for (const name of Object.keys(SETTINGS)) this.#upgrade(camelCase(name));
-    for (const name of ["features", "camera"] as const) this.#upgrade(name);
+    this.upgradeAttributes();
+    for (const name of ["features", "camera"] as const) this.upgrade(name);
     this.#applyInteraction();
     if (!this.#connection) void this.#start();
   }
@@ -139,96 +130,14 @@ export class CandleFlameElement extends Base {
     if (name === "alt" || name === "controls") this.#applyInteraction();
     if (name === "max-pixel-ratio") this.#resize();
     if (!this.#candle) return;
+    if (this.#connection && this.#hasOtherSources) {
+      void this.#exchange(this.#connection.signal);
+      return;
+    }
     this.#candle.options = this.#options();
     if (name === "paused" || name === "controls") this.#applyMotion();
     this.#reportCamera(); // another seed begins anew, another look may have other walls
     this.#requestDraw();
-  }
-
-  // A property set before the element was defined hides the accessor: set it again through it.
-  #upgrade(name: string): void {
-    if (!Object.hasOwn(this, name)) return;
-    const element = this as unknown as Record<string, unknown>;
-    const value = element[name];
-    delete element[name];
-    element[name] = value;
-  }
-
-  get look(): Look {
-    return parseChoice(SETTINGS.look, this.getAttribute("look"));
-  }
-  set look(value: Look) {
-    this.setAttribute("look", value);
-  }
-
-  get quality(): Quality {
-    return parseChoice(SETTINGS.quality, this.getAttribute("quality"));
-  }
-  set quality(value: Quality) {
-    this.setAttribute("quality", value);
-  }
-
-  get controls(): boolean {
-    return this.hasAttribute("controls");
-  }
-  set controls(value: boolean) {
-    this.toggleAttribute("controls", Boolean(value));
-  }
-
-  get paused(): boolean {
-    return this.hasAttribute("paused");
-  }
-  set paused(value: boolean) {
-    this.toggleAttribute("paused", Boolean(value));
-  }
-
-  get seed(): number {
-    return parseNumber(SETTINGS.seed, this.getAttribute("seed"));
-  }
-  set seed(value: number) {
-    this.setAttribute("seed", String(value));
-  }
-
-  get exposure(): number {
-    return parseNumber(SETTINGS.exposure, this.getAttribute("exposure"));
-  }
-  set exposure(value: number) {
-    this.setAttribute("exposure", String(value));
-  }
-
-  get particles(): number {
-    return parseNumber(SETTINGS.particles, this.getAttribute("particles"));
-  }
-  set particles(value: number) {
-    this.setAttribute("particles", String(value));
-  }
-
-  get maxPixelRatio(): number {
-    return parseNumber(SETTINGS["max-pixel-ratio"], this.getAttribute("max-pixel-ratio"));
-  }
-  set maxPixelRatio(value: number) {
-    this.setAttribute("max-pixel-ratio", String(value));
-  }
-
-  get assetBase(): string {
-    return this.getAttribute("asset-base") ?? "";
-  }
-  set assetBase(value: string) {
-    this.setAttribute("asset-base", value);
-  }
-
-  get poster(): string {
-    return this.getAttribute("poster") ?? "";
-  }
-  set poster(value: string) {
-    this.setAttribute("poster", value);
-  }
-
-  get alt(): string {
-    return this.getAttribute("alt") ?? SETTINGS.alt.default;
-  }
-  set alt(value: string) {
-    this.setAttribute("alt", value);
   }
 
   /** Techniques that can be switched off, one by one: `element.features.drift = false`. */
@@ -442,24 +351,40 @@ export class CandleFlameElement extends Base {
     return canvas;
   }
 
-  async #load(signal: AbortSignal): Promise<Models> {
-    const { loadModel } = await import("./assets/load-model.js");
-    const shares: Record<keyof Models, number> = { room: 0, candle: 0 };
-    const load = (name: keyof Models): Promise<Model> =>
-      loadModel(new URL(MODELS[name], this.#assetRoot()).href, {
-        signal,
-        onProgress: (share) => {
-          shares[name] = Math.max(shares[name], share);
-          if (!signal.aborted) this.#showProgress((shares.room * 3 + shares.candle) / 4);
-        },
-      });
-    const loaded = await Promise.allSettled([load("room"), load("candle")]);
-    const [room, candle] = loaded.map((result) => {
-      if (result.status === "fulfilled") return result.value;
-      for (const other of loaded) if (other.status === "fulfilled") closeModel(other.value);
-      throw result.reason;
-    }) as [Model, Model];
-    return { room, candle };
+  /** Fetches what look and `src` ask for; what was asked for before is no longer wanted. */
+  async #load(connection: AbortSignal): Promise<Models> {
+    this.#loading?.abort();
+    this.#loading = new AbortController();
+    const signal = AbortSignal.any([connection, this.#loading.signal]);
+    const root = this.#assetRoot();
+    this.#sources = sourcesOf(this.look, this.src, root);
+    return loadModels(this.#sources, root, signal, (share) => this.#showProgress(share));
+  }
+
+  get #hasOtherSources(): boolean {
+    const { room, candle } = sourcesOf(this.look, this.src, this.#assetRoot());
+    return room !== this.#sources?.room || candle !== this.#sources.candle;
+  }
+
+  /** Another room or candle: the old one stays until the new one has come, and if it does not come. */
+  async #exchange(connection: AbortSignal): Promise<void> {
+    const before = this.#sources;
+    try {
+      const models = await this.#load(connection);
+      const old = this.#models;
+      this.#models = models;
+      this.#candle?.show(models, this.#options());
+      if (old) closeModels(old);
+      this.#progress.hidden = true;
+      this.#reportCamera();
+      this.#requestDraw();
+      this.#emit("load", null);
+    } catch (error) {
+      if (connection.aborted || (error as Error).name === "AbortError") return;
+      this.#sources = before;
+      this.#progress.hidden = true;
+      this.#report(error as Error);
+    }
   }
 
   #assetRoot(): string {
@@ -528,6 +453,10 @@ export class CandleFlameElement extends Base {
     this.#failure.hidden = false;
     this.#showPoster(true);
     this.#settleReady.reject(error);
+    this.#report(error);
+  }
+
+  #report(error: Error): void {
     this.#emit("error", { type: typeOf(error), message: error.message, cause: error });
   }
 
@@ -548,9 +477,9 @@ export class CandleFlameElement extends Base {
   };
 
   #options() {
-    const { look, seed, quality, exposure, particles } = this;
+    const { look, src, seed, quality, exposure, particles } = this;
     const isStill = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    return { look, seed, quality, exposure, particles, isStill };
+    return { look, src, seed, quality, exposure, particles, isStill };
   }
 
   #applyMotion(): void {
@@ -637,11 +566,6 @@ declare global {
   }
 }
 
-function closeModels({ room, candle }: Models): void {
-  closeModel(room);
-  closeModel(candle);
-}
-
 function typeOf(error: Error): ErrorType {
   const types: Readonly<Record<string, ErrorType>> = {
     WebGLUnavailableError: "webgl-unavailable",
@@ -649,10 +573,6 @@ function typeOf(error: Error): ErrorType {
     ContextLostError: "context-lost",
   } satisfies Record<string, ErrorType>;
   return types[error.name] ?? ("asset" satisfies ErrorType);
-}
-
-function camelCase(name: string): string {
-  return name.replace(/-(.)/g, (_, letter: string) => letter.toUpperCase());
 }
 
 export type { AssetError };

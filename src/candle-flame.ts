@@ -1,11 +1,13 @@
 import { Gpu } from "./gl/gpu.js";
 import type { FirstPersonInput } from "./input/first-person-input.js";
 import { PaperRenderer } from "./render/paper/paper-renderer.js";
+import { PhysicalRenderer } from "./render/physical/physical-renderer.js";
 import type { Models, Renderer } from "./render/renderer.js";
 import { type Tier, tierOf } from "./render/tier.js";
 import type { Features, Look, Quality } from "./settings.js";
 import { STILL } from "./world/intent.js";
 import { withCount } from "./world/particle-layer.js";
+import { createRoom, type Room } from "./world/room.js";
 import { advance, createWorld, currentTime, moveCamera, type World } from "./world/world.js";
 
 /** Longest time that a live frame makes up for, in seconds: after a hidden tab, resume. */
@@ -22,7 +24,9 @@ export interface Options {
   readonly exposure: number;
   /** Particles alive; 0 is the look's own count. */
   readonly particles: number;
-  /** No flicker, for those who asked their system for less motion. */
+  /** URL of the visitor's own room, or empty for the built-in one. */
+  readonly src: string;
+  /** No flicker and no sway, for those who asked their system for less motion. */
   readonly isStill: boolean;
 }
 
@@ -55,7 +59,8 @@ export class CandleFlame {
   /** Called when the visitor's input has put the candle down, or taken it up. */
   onCandleMoved: () => void = () => {};
   readonly #canvas: HTMLCanvasElement;
-  readonly #models: Models;
+  #models: Models;
+  #room: Room | null;
   readonly #features: Features;
   #options: Options;
   #gpu: Gpu;
@@ -73,7 +78,8 @@ export class CandleFlame {
     this.#models = models;
     this.#features = { ...features };
     this.#options = options;
-    this.world = createWorld(options.look, options.seed);
+    this.#room = roomOf(models, options);
+    this.world = this.#createWorld();
     this.#gpu = new Gpu(canvas);
     this.#tier = tierOf(options.quality, this.#gpu.renderer);
     try {
@@ -85,7 +91,8 @@ export class CandleFlame {
   }
 
   #createRenderer(): Renderer {
-    const renderer = new PaperRenderer(this.#gpu, this.#models, this.#tier);
+    const Family = this.#options.look === "physical" ? PhysicalRenderer : PaperRenderer;
+    const renderer = new Family(this.#gpu, this.#models, this.#tier);
     renderer.resize(this.#canvas.width, this.#canvas.height);
     this.#follow(renderer);
     return renderer;
@@ -108,30 +115,51 @@ export class CandleFlame {
     this.draw();
   }
 
+  #createWorld(age = 0): World {
+    const { look, seed, isStill } = this.#options;
+    const world = createWorld(look, seed, { age, room: this.#room });
+    world.sways = !isStill;
+    return world;
+  }
+
   set options(options: Options) {
-    const { look, seed, quality, particles } = this.#options;
+    const before = this.#options;
     this.#options = options;
-    if (options.look !== look) this.#changeLook(options);
-    else if (options.seed !== seed) this.reset();
-    else if (options.particles !== particles) this.#follow(this.#renderer);
-    if (options.quality !== quality) {
-      this.#tier = tierOf(options.quality, this.#gpu.renderer);
-      this.#gpu.clearObjects();
-      this.#fitCanvas();
-      this.#renderer = this.#createRenderer();
-    }
+    this.world.sways = !options.isStill;
+    if (options.look !== before.look) this.#changeLook();
+    else if (options.seed !== before.seed) this.reset();
+    else if (options.particles !== before.particles) this.#follow(this.#renderer);
+    if (options.quality !== before.quality) this.#rebuild();
+  }
+
+  /** Other models, and what is to be done with them. The old ones are no longer used. */
+  show(models: Models, options: Options): void {
+    const room = models.room === this.#models.room ? this.#room : roomOf(models, options);
+    this.#models = models;
+    this.#options = options;
+    this.#room = room;
+    this.world = this.#createWorld(this.world.timeline.tick);
+    this.#rebuild();
+  }
+
+  #rebuild(): void {
+    this.#tier = tierOf(this.#options.quality, this.#gpu.renderer);
+    this.#gpu.clearObjects();
+    this.#fitCanvas();
+    this.#renderer = this.#createRenderer();
   }
 
   /** The visitor stays where he is, or inside the new look's walls, at the same moment. */
-  #changeLook({ look, seed }: Options): void {
+  #changeLook(): void {
     const { player, timeline, remainder } = this.world;
-    this.world = createWorld(look, seed, timeline.tick);
+    this.world = this.#createWorld(timeline.tick);
     this.world.remainder = remainder;
     moveCamera(this.world, player.position, player.yaw, player.pitch);
     this.#follow(this.#renderer);
   }
 
   setFeature(name: keyof Features, isOn: boolean): void {
+    if (this.#features[name] === isOn) return;
     this.#features[name] = isOn;
     if (name === "drift") this.#follow(this.#renderer);
   }
@@ -142,7 +170,7 @@ export class CandleFlame {
 
   /** Time 0, as if new. */
   reset(): void {
-    this.world = createWorld(this.#options.look, this.#options.seed);
+    this.world = this.#createWorld();
     this.#follow(this.#renderer);
   }
 
@@ -236,4 +264,10 @@ export class CandleFlame {
     this.input?.dispose();
     this.#gpu.dispose();
   }
+}
+
+/** The room to walk in: the paper's looks have their box, unless the visitor brought a room. */
+function roomOf({ room }: Models, { look, src }: Options): Room | null {
+  if (look !== "physical" && src === "") return null;
+  return createRoom(room.parts, room.anchors.spawn ?? null);
 }

@@ -51,9 +51,10 @@ function number(
 
 export const SETTINGS = {
   look: choice(
-    ["paper", "original"],
-    "Which renderer: the paper's final product, or its “before”.",
+    ["physical", "paper", "original"],
+    "Which renderer: light in real units, the paper's final product, or its “before”.",
   ),
+  src: { kind: "text", default: "", meaning: "URL of a .glb or .gltf that replaces the room." },
   quality: choice(
     ["auto", "low", "medium", "high", "ultra"],
     "Resolution and multisampling; auto chooses by the renderer.",
@@ -128,6 +129,7 @@ export const FEATURES = {
   flicker: "The light varies with time.",
   normalMaps: "Relief of walls and wax.",
   candle: "The candle itself.",
+  bloom: "Light scattered in the eye, around the flame.",
 } as const;
 export type Feature = keyof typeof FEATURES;
 export type Features = Record<Feature, boolean>;

@@ -17,6 +17,7 @@ uniform sampler2D uAlbedo;
 uniform sampler2D uNormal;
 uniform sampler2D uOcclusionRoughness;
 uniform vec4 uBaseColor;
+uniform float uOcclusion;  // how much of the map's occlusion counts
 
 in vec3 vPositionWorld;
 in vec3 vNormalWorld;
@@ -34,7 +35,7 @@ vec3 surfaceNormal() {
 
 void main() {
   vec3 albedo = texture(uAlbedo, vUv).rgb * uBaseColor.rgb;
-  float occlusion = texture(uOcclusionRoughness, vUv).r;
+  float occlusion = mix(1.0, texture(uOcclusionRoughness, vUv).r, uOcclusion);
   vec3 normal = surfaceNormal();
   vec3 toLight = light.position - vPositionWorld;
   float distance = length(toLight);

@@ -14,6 +14,7 @@ uniform sampler2D uAlbedo;
 uniform sampler2D uNormal;
 uniform sampler2D uOcclusionRoughness;
 uniform vec4 uBaseColor;
+uniform float uOcclusion;  // how much of the map's occlusion counts
 
 in vec3 vPositionWorld;
 in vec3 vNormalWorld;
@@ -36,7 +37,7 @@ void main() {
   float distance = length(toLight);
   vec3 lightDirection = toLight / max(distance, 1e-3);  // the flame is over 1 mm thick
   vec3 halfway = normalize(lightDirection + normalize(frame.eyePosition - vPositionWorld));
-  float diffuse = max(dot(normal, lightDirection), 0.0) * occlusionRoughness.r;
+  float diffuse = max(dot(normal, lightDirection), 0.0) * mix(1.0, occlusionRoughness.r, uOcclusion);
   // The paper's highlight is as strong everywhere; a roughness map says where a wall is dull.
   float gloss = 1.0 - occlusionRoughness.g;
   float specular = SPECULAR * gloss * pow(max(dot(normal, halfway), 0.0), EXPONENT) * step(1e-3, diffuse);

@@ -14,6 +14,8 @@ const float BLEACH_BEGIN = 6.0;
 const float BLEACH_END = 21.0;
 
 uniform sampler2D uRadiance;
+uniform sampler2D uBloom;
+uniform float uScattered;  // share of the light that eye and lens scatter
 uniform vec3 uAdaptation;
 
 in vec2 vUv;
@@ -32,7 +34,7 @@ vec3 tone(vec3 color) {
 }
 
 void main() {
-  vec3 radiance = texture(uRadiance, vUv).rgb;
+  vec3 radiance = mix(texture(uRadiance, vUv).rgb, texture(uBloom, vUv).rgb, uScattered);
   vec3 adapted = radiance * uAdaptation * frame.exposure;
   oColor = vec4(encodeSrgb(tone(adapted)) + dither(gl_FragCoord.xy), 1.0);
 }

@@ -50,5 +50,5 @@ void main() {
     transmittance *= exp(-body.a * stride);
   }
   // The largest half float is 65504.
-  oRadiance = vec4(min(radiance, 6e4), 1.0 - transmittance);
+  oRadiance = vec4(min(radiance, 3e4), 1.0 - transmittance);
 }

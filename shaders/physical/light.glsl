@@ -1,8 +1,35 @@
-// The flame as a lamp: an upright capsule, equally intense from all sides.
+// The flame as a lamp: an upright capsule, equally intense from all sides, on its candle.
 
 layout(std140) uniform Light {
   vec3 position;     // centre of the light, m
   float halfHeight;  // m
   vec3 intensity;    // cd
   float radius;      // m
+  vec2 axis;         // of the candle: x and z, m
+  float rim;         // height of the candle's top, m
+  float rimRadius;   // m
+  float pan;         // height of the holder's pan, m
+  float panRadius;   // m
 } light;
+
+// Share of a light at `from` that passes a level disc around the candle's axis on its way to `to`.
+float passDisc(vec3 from, vec3 to, float height, float radius) {
+  float way = (height - to.y) / max(from.y - to.y, 1e-4);
+  if (way <= 0.0 || way >= 1.0) return 1.0;
+  float away = distance(mix(to.xz, from.xz, way), light.axis);
+  float blur = light.radius * way + 1e-4;  // the flame's width, as the disc's edge throws it
+  return smoothstep(radius - blur, radius + blur, away);
+}
+
+// Share of the flame that candle and holder leave in sight. They are a centimetre from the light, too
+// near for a shadow map, and simple enough to do without: each is a disc. Three points of the flame.
+float pastCandle(vec3 position) {
+  if (position.y > light.rim) return 1.0;
+  float share = 0.0;
+  for (int i = -1; i <= 1; i++) {
+    vec3 from = light.position + vec3(0.0, float(i) * 0.7 * light.halfHeight, 0.0);
+    float pan = position.y < light.pan - 0.004 ? passDisc(from, position, light.pan, light.panRadius) : 1.0;
+    share += pan * passDisc(from, position, light.rim, light.rimRadius);
+  }
+  return share / 3.0;
+}

@@ -6,7 +6,10 @@
 #include "lib/frame.glsl"
 #include "lib/ggx.glsl"
 #include "lib/relief.glsl"
+#include "lib/random.glsl"
 #include "physical/light.glsl"
+#include "physical/soft-shadow.glsl"
+#include "physical/volume.glsl"
 
 // A flame is no point: nearer than this the inverse square would not hold. Metres.
 const float NEAREST = 0.01;
@@ -15,7 +18,8 @@ uniform sampler2D uAlbedo;
 uniform sampler2D uNormal;
 uniform sampler2D uOcclusionRoughness;
 uniform vec4 uBaseColor;
-uniform float uRim;     // wax: height of the candle's rim, m; far below the room for all else
+uniform float uWax;     // 1: light from within, 0: none
+uniform float uOcclusion;  // how much of the map's occlusion counts
 uniform vec4 uSurface;  // roughness, metallic, normal scale, alpha below which nothing is
 
 in vec3 vPositionWorld;
@@ -43,15 +47,15 @@ vec3 towardsHighlight(vec3 toLight, vec3 mirrored) {
 }
 
 // Light that entered the wax at its top and comes out of its side, as if it faded evenly with depth.
-// Diffusion lengths of white paraffin, m.
-const vec3 DIFFUSION_LENGTH = vec3(0.0136, 0.0105, 0.0070);
+// In a rod as thin as a taper more of it is lost through the side than in the wax itself: 14, 10.5 and
+// 7 mm in the thick of paraffin become these, m.
+const vec3 DIFFUSION_LENGTH = vec3(0.0092, 0.0078, 0.0056);
 // Share of the light on the top that finds its way out below it.
-const float WAX_TRANSMITTANCE = 0.06;
+const float WAX_TRANSMITTANCE = 0.02;
 
 vec3 waxGlow(vec3 albedo) {
-  float depth = max(uRim - vPositionWorld.y, 0.0);
-  if (depth > 0.3) return vec3(0.0);
-  float above = max(light.position.y - uRim, NEAREST);
+  float depth = max(light.rim - vPositionWorld.y, 0.0);
+  float above = max(light.position.y - light.rim, NEAREST);
   vec3 onTop = light.intensity / (above * above + 1e-4);
   return albedo * onTop * exp(-depth / DIFFUSION_LENGTH) * (WAX_TRANSMITTANCE / PI);
 }
@@ -60,7 +64,7 @@ void main() {
   vec4 baseColor = texture(uAlbedo, vUv) * uBaseColor;
   if (baseColor.a < uSurface.w) discard;
   vec3 packed = texture(uOcclusionRoughness, vUv).rgb;
-  float occlusion = packed.r * vColor.r;
+  float occlusion = mix(1.0, packed.r, uOcclusion) * vColor.r;
   float roughness = clamp(packed.g * uSurface.x, 0.03, 1.0);
   float metallic = packed.b * uSurface.y;
   vec3 normal = surfaceNormal();
@@ -71,7 +75,9 @@ void main() {
   float distanceSquared = max(dot(toLight, toLight), NEAREST * NEAREST);
   vec3 L = toLight * inversesqrt(distanceSquared);
   float NoL = max(dot(normal, L), 0.0);
-  vec3 irradiance = light.intensity * (NoL / distanceSquared);
+  float visible = NoL > 0.0 ? visibleShare(vPositionWorld, normalize(vNormalWorld), gl_FragCoord.xy) : 0.0;
+  vec3 intensity = light.intensity * (visible * pastCandle(vPositionWorld));
+  vec3 irradiance = intensity * (NoL / distanceSquared);
 
   vec3 highlight = towardsHighlight(toLight, reflect(-view, normal));
   vec3 S = normalize(highlight);
@@ -84,8 +90,14 @@ void main() {
   vec3 fresnel = fresnelSchlick(f0, max(dot(S, H), 0.0));
   float lobe = distributionGgx(widened, max(dot(normal, H), 0.0)) * visibilitySmith(alpha, NoV, NoS);
   float narrowing = (alpha * alpha) / (widened * widened);
-  vec3 specular = fresnel * lobe * narrowing * NoS * light.intensity / distanceSquared;
+  vec3 specular = fresnel * lobe * narrowing * NoS * intensity / distanceSquared;
   vec3 diffuse = baseColor.rgb * (1.0 - metallic) * (1.0 - fresnel) / PI * irradiance;
-  // What the relief and the model hide from the flame is hidden softly; ambient light follows.
-  oRadiance = vec4((diffuse + specular) * occlusion + waxGlow(baseColor.rgb), 1.0);
+  vec3 lifted = vPositionWorld + normal * 0.08;
+  vec3 bounced = indirectIrradiance(lifted, normal) * baseColor.rgb * (1.0 - metallic) / PI;
+  // What is mirrored is the room around, as softly as it is known.
+  vec3 mirrored = indirectIrradiance(lifted, reflect(-view, normal)) / PI;
+  bounced += mirrored * fresnelSchlick(f0, NoV) * (1.0 - 0.6 * roughness);
+  vec3 radiance = diffuse + specular + bounced * occlusion + waxGlow(baseColor.rgb) * uWax;
+  // A mirrored flame can be brighter than the largest half float, 65504.
+  oRadiance = vec4(min(radiance, 3e4), 1.0);
 }

@@ -61,7 +61,7 @@ export class Pictures {
     throw failure;
   }
 
-  /** Closes those that are there and those to come. */
+  /** Closes those that are there and those on their way; no other is begun. */
   close(): void {
     this.#isClosed = true;
     for (const image of this.#images.values()) image.then(closePicture).catch(() => {});
@@ -81,6 +81,8 @@ export class Pictures {
   }
 
   #image(index: number): Promise<Picture> {
+    // A picture begun after the others were closed would stay open.
+    if (this.#isClosed) throw new Flaw("was given up");
     const image = this.#images.get(index) ?? this.#readImage(index);
     this.#images.set(index, image);
     return image;
@@ -94,9 +96,7 @@ export class Pictures {
     // What is wrong with a buffer is wrong with the file, not with this picture.
     const inside = view === undefined ? null : await this.#bytes.view(view);
     try {
-      const picture = await this.#decode(inside ?? (await this.#fetch(uri)), name);
-      if (this.#isClosed) closePicture(picture);
-      return picture;
+      return await this.#decode(inside ?? (await this.#fetch(uri)), name);
     } catch (cause) {
       this.#signal.throwIfAborted();
       throw assetError(`The texture ${name} of ${this.#file}`, cause);

@@ -27,6 +27,8 @@ export interface Draw {
   readonly blend?: "replace" | "premultiplied";
   /** Default: none. */
   readonly depth?: "none" | "test" | "test-and-write";
+  /** Part of the target, in its pixels: x, y, width, height. Default: all of it. */
+  readonly viewport?: readonly [number, number, number, number];
   /** Faces not drawn. Default: back. */
   readonly cull?: "none" | "back";
 }
@@ -188,9 +190,11 @@ export class Gpu {
     blend = "replace",
     depth = "none",
     cull = "back",
+    viewport,
   }: Draw): void {
     const gl = this.#gl;
     this.#bind(target);
+    if (viewport) gl.viewport(...viewport);
     this.#use(program, uniforms, textures, blocks);
     if (blend === "replace") {
       gl.disable(gl.BLEND);

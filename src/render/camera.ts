@@ -7,9 +7,15 @@ const NEAR = 0.05;
 const FAR = 60;
 
 /** Clip space from world space, for an eye (metres) that looks along -Z at yaw and pitch 0. */
-export function clipFromWorld(eye: Vec3, yaw: number, pitch: number, aspect: number): mat4 {
+export function clipFromWorld(
+  eye: Vec3,
+  yaw: number,
+  pitch: number,
+  aspect: number,
+  fieldOfView = FIELD_OF_VIEW,
+): mat4 {
   // A phone held upright sees more of floor and ceiling, instead of losing the candle at its side.
-  const height = 2 * Math.atan(Math.tan(FIELD_OF_VIEW / 2) / Math.min(aspect, 1));
+  const height = 2 * Math.atan(Math.tan(fieldOfView / 2) / Math.min(aspect, 1));
   const clipFromView = mat4.perspective(mat4.create(), height, aspect, NEAR, FAR);
   const viewFromWorld = mat4.create();
   mat4.rotateX(viewFromWorld, viewFromWorld, -pitch);

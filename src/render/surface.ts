@@ -13,7 +13,11 @@ export interface Surface {
   readonly baseColor: readonly [number, number, number, number];
   /** Roughness, metallic, scale of the relief, opacity below which there is nothing. */
   readonly parameters: readonly [number, number, number, number];
+  /** How much of the map's occlusion counts, 0 to 1. */
+  readonly occlusionStrength: number;
   readonly isDoubleSided: boolean;
+  /** Whether light comes through it. */
+  readonly isWax: boolean;
   readonly textures: {
     readonly uAlbedo: Texture;
     readonly uNormal: Texture;
@@ -64,12 +68,22 @@ export function uploadModel(
       vertexArray: uploadTriangles(gpu, part),
       baseColor: material.baseColor,
       parameters: parametersOf(material),
+      // Where it lies apart from the other maps it is left out: shadows do its work.
+      occlusionStrength: material.occlusion ? 0 : material.occlusionStrength,
       isDoubleSided: material.isDoubleSided,
+      isWax: material.name === "wax" || material.name === "pool",
       textures: {
         uAlbedo: texture(label("albedo"), "SRGB8_ALPHA8", material.albedo) ?? white,
         // Two channels: the third of a unit vector follows from them.
-        uNormal: texture(label("normal"), sizeOfNormals(material.normal), material.normal) ?? flat,
-        uOcclusionRoughness: texture(label("occlusion"), "RGBA8", packed) ?? white,
+        uNormal:
+          texture(label("normal"), channels(material.normal, "RG8"), material.normal) ?? flat,
+        // What is no metal needs no third channel.
+        uOcclusionRoughness:
+          texture(
+            label("occlusion"),
+            channels(packed, material.metallic > 0 ? "RGBA8" : "RG8"),
+            packed,
+          ) ?? white,
       },
     };
   };
@@ -77,8 +91,8 @@ export function uploadModel(
 }
 
 // Pixels decoded in a script come with four channels, and WebGL does not repack those.
-function sizeOfNormals(picture: Picture | null): TextureFormat {
-  return picture && "data" in picture ? "RGBA8" : "RG8";
+function channels(picture: Picture | null, format: TextureFormat): TextureFormat {
+  return picture && "data" in picture ? "RGBA8" : format;
 }
 
 function parametersOf({ roughness, metallic, normalScale, alphaMode, alphaCutoff }: Material) {

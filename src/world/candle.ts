@@ -1,33 +1,57 @@
 import { inset, keepInside, type Vec3 } from "./bounds.js";
+import { findSpotAhead, findSpotInSight, type Reach, type Refusal, type Stand } from "./placing.js";
 import type { Player } from "./player.js";
+import type { Room } from "./room.js";
 import type { Stage } from "./stage.js";
 
-/** Farthest that the candle is put down, metres ahead of the feet. */
-const REACH = 0.9;
-/** Room that the candle needs around its axis, metres. */
+/** Farthest that the candle is put down on bare ground, metres ahead of the feet. */
+const ARM = 0.9;
+/** Room that the candle needs around its axis in a box, metres. */
 const CANDLE_MARGIN = 0.12;
 /** From this near to a candle that stands, it can be taken up. Metres, along the floor. */
 const GRASP = 1.6;
+/** What holder, candle and flame take up. */
+export const STAND: Stand = { radius: 0.07, height: 0.28 };
 
 /** The candle: in the hand, or standing in the room. Always upright. */
 export interface Candle {
   /** Its foot, metres. */
   readonly position: Vec3;
+  /** The way it is turned, radians. */
+  yaw: number;
   isHeld: boolean;
 }
 
-/** Where the hand holds the candle's foot. It turns with the head, but does not tilt with it. */
+/** Where a stiff hand holds the candle's foot. It turns with the head, but does not tilt with it. */
 export function holdCandle(candle: Candle, player: Player, stage: Stage): void {
   const [right, up, ahead] = stage.hold;
   putAhead(candle, player, right, ahead, stage);
   candle.position[1] = player.position[1] + up;
+  candle.yaw = player.yaw;
 }
 
-/** Puts the candle down on the floor, an arm's length ahead. */
-export function place(candle: Candle, player: Player, stage: Stage): void {
-  putAhead(candle, player, 0, REACH, stage);
+/** Puts the candle down on bare ground, an arm's length ahead. */
+export function placeOnGround(candle: Candle, player: Player, stage: Stage): void {
+  putAhead(candle, player, 0, ARM, stage);
   candle.position[1] = stage.room.min[1];
   candle.isHeld = false;
+}
+
+/** Puts the candle down where the visitor looks, or ahead of him if that is out of reach. */
+export function placeInRoom(candle: Candle, player: Player, { solid, plan }: Room): Refusal | null {
+  const { position: eye, yaw, pitch } = player;
+  const level = Math.cos(pitch);
+  const direction: Vec3 = [-Math.sin(yaw) * level, Math.sin(pitch), -Math.cos(yaw) * level];
+  const reach: Reach = { solid, plan, eye, direction, stand: STAND };
+  const spot: Vec3 = [0, 0, 0];
+  const refusal = findSpotInSight(reach, spot);
+  // A look at a wall, or past everything, means the surface ahead.
+  const meansAhead = refusal === "nothing within reach" || refusal === "too steep";
+  if (refusal !== null && !(meansAhead && findSpotAhead(reach, spot) === null)) return refusal;
+  for (const axis of [0, 1, 2] as const) candle.position[axis] = spot[axis];
+  candle.isHeld = false;
+  plan.setStanding([spot[0], spot[2], STAND.radius]);
+  return null;
 }
 
 export function isWithinGrasp(candle: Candle, player: Player): boolean {
@@ -48,8 +72,7 @@ function putAhead(
   candle.position[0] = eye[0] + right * cos - ahead * sin;
   candle.position[2] = eye[2] - right * sin - ahead * cos;
   if (!stage.isSolid) return;
-  const { room } = stage;
-  const { min, max } = inset(room, CANDLE_MARGIN);
+  const { min, max } = inset(stage.room, CANDLE_MARGIN);
   // Only the walls: the hand may be as low as the floor.
   keepInside(candle.position, {
     min: [min[0], Number.NEGATIVE_INFINITY, min[2]],

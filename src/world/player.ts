@@ -1,8 +1,8 @@
-import { type Bounds, keepInside, type Vec3 } from "./bounds.js";
+import type { Vec3 } from "./bounds.js";
+import { accelerate } from "./gait.js";
+import type { Ground } from "./ground.js";
 import type { Intent } from "./intent.js";
 
-/** Rate at which the walker takes up the pace asked for, 1/s: 95 % within a quarter of a second. */
-const AGILITY = 12;
 /** Turning by keys, rad/s. */
 const TURN_SPEED = 1.6;
 /** Looking straight up or down would leave no line of sight to walk along. */
@@ -40,22 +40,18 @@ export function walk(
   player: Player,
   { forward, right, runs, turn }: Intent,
   gait: Gait,
-  bounds: Bounds | null,
+  ground: Ground,
   seconds: number,
 ): void {
+  const { position, velocity } = player;
   player.yaw = wrapAngle(player.yaw + turn * TURN_SPEED * seconds);
   const length = Math.max(1, Math.hypot(forward, right));
   const pace = (runs ? gait.run : gait.walk) / length;
   const sin = Math.sin(player.yaw);
   const cos = Math.cos(player.yaw);
-  const wanted = [(right * cos - forward * sin) * pace, 0, (-right * sin - forward * cos) * pace];
-  const decay = Math.exp(-AGILITY * seconds);
-  for (const axis of [0, 2] as const) {
-    const excess = player.velocity[axis] - wanted[axis]!;
-    player.position[axis] += wanted[axis]! * seconds + (excess * (1 - decay)) / AGILITY;
-    player.velocity[axis] = wanted[axis]! + excess * decay;
-  }
-  if (bounds) keepInside(player.position, bounds, player.velocity);
+  const dx = accelerate(velocity, 0, (right * cos - forward * sin) * pace, seconds);
+  const dz = accelerate(velocity, 2, (-right * sin - forward * cos) * pace, seconds);
+  ground.walk(position, dx, dz, velocity);
 }
 
 function wrapAngle(angle: number): number {

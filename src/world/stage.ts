@@ -1,5 +1,6 @@
 import type { Look } from "../settings.js";
 import type { Bounds } from "./bounds.js";
+import { RUN, WALK } from "./gait.js";
 import { ORIGINAL_LAYERS, PAPER_LAYERS, type ParticleLayer } from "./particle-layer.js";
 import type { Gait } from "./player.js";
 
@@ -13,6 +14,9 @@ export interface Stage {
   /** Where the visitor starts, and the way he faces. */
   readonly spawn: readonly [number, number, number];
   readonly yaw: number;
+  readonly pitch: number;
+  /** Vertical, radians. */
+  readonly fieldOfView: number;
   /** Metres per unit of the candle's model, which is 1 high. */
   readonly candleScale: number;
   /** Metres per unit of the particle layers. */
@@ -36,6 +40,8 @@ const PAPER: Stage = {
   eyeHeight: 1.6,
   spawn: [1.2, 1.6, 2.6],
   yaw: 0.35,
+  pitch: 0,
+  fieldOfView: Math.PI / 4,
   candleScale: 0.26,
   flameScale: 0.125,
   wick: [0.01, 1.03, 0.005],
@@ -45,6 +51,17 @@ const PAPER: Stage = {
 };
 
 export const STAGES: Readonly<Record<Look, Stage>> = {
+  // The room is whatever model is loaded; the hold is low and to the side, so that shadows open away.
+  physical: {
+    ...PAPER,
+    gait: { walk: WALK, run: RUN },
+    pitch: -0.08,
+    fieldOfView: (56 * Math.PI) / 180,
+    candleScale: 1,
+    flameScale: 0.035,
+    wick: [0.0011, 0.2, 0.0003],
+    hold: [0.24, -0.34, 0.56],
+  },
   paper: PAPER,
   original: {
     ...PAPER,

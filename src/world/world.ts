@@ -1,10 +1,29 @@
 import type { Look } from "../settings.js";
-import { inset, keepInside, type Vec3 } from "./bounds.js";
-import { type Candle, holdCandle, isWithinGrasp, place } from "./candle.js";
+import { inset, type Vec3 } from "./bounds.js";
+import {
+  type Candle,
+  holdCandle,
+  isWithinGrasp,
+  placeInRoom,
+  placeOnGround,
+  STAND,
+} from "./candle.js";
+import {
+  advanceHand,
+  advanceStride,
+  calmHand,
+  createHand,
+  type Hand,
+  headBob,
+  holdOut,
+} from "./gait.js";
+import { type Ground, OPEN, walled } from "./ground.js";
 import { type Intent, STILL } from "./intent.js";
 import { GROUPS } from "./particle-layer.js";
 import { FLOATS, layerKey, Particles } from "./particles.js";
+import { canTake, type Refusal } from "./placing.js";
 import { look as lookAround, MAX_PITCH, type Player, walk } from "./player.js";
+import type { Room } from "./room.js";
 import { STAGES, type Stage, WALL_MARGIN } from "./stage.js";
 import { MEMORY, TICK, Timeline } from "./timeline.js";
 
@@ -16,7 +35,11 @@ export interface World {
   readonly look: Look;
   readonly stage: Stage;
   readonly seed: number;
+  /** The room as it can be touched; null in the paper's box, which the stage describes. */
+  readonly room: Room | null;
+  readonly ground: Ground;
   readonly player: Player;
+  readonly hand: Hand;
   readonly candle: Candle;
   /** Foot of the flame, metres. */
   readonly emitter: Vec3;
@@ -27,31 +50,50 @@ export interface World {
   readonly sample: Particles;
   /** Time asked for and not yet simulated, seconds, less than a tick. */
   remainder: number;
+  /** Moment of the stride, 0 to 1. */
+  stride: number;
+  /** Whether walking sways the head. */
+  sways: boolean;
+  /** Why the candle could not be put down when it was last tried; null if it could. */
+  refusal: Refusal | null;
 }
 
-/**
- * A world whose flame has burnt for a while, so that it is whole at once.
- *
- * @param age ticks that count as simulated, for a world that takes over from another
- */
-export function createWorld(look: Look, seed: number, age = 0): World {
+/** What a world is born with, beside its look and its seed. */
+export interface Birth {
+  /** Ticks that count as simulated, for a world that takes over from another. */
+  readonly age?: number;
+  readonly room?: Room | null;
+}
+
+/** A world whose flame has burnt for a while, so that it is whole at once. */
+export function createWorld(look: Look, seed: number, { age = 0, room = null }: Birth = {}): World {
   const stage = STAGES[look];
   const brightest = stage.layers.length - 1;
   const layer = stage.layers[brightest];
   if (!layer) throw new Error(`The look “${look}” has no particle layers.`);
+  const start: Vec3 = room ? [...room.start] : [...stage.spawn];
+  const yaw = room ? room.yaw : stage.yaw;
+  const isHeld = stage.stand === null;
   const world: World = {
     look,
     stage,
     seed,
-    player: { position: [...stage.spawn], velocity: [0, 0, 0], yaw: stage.yaw, pitch: 0 },
-    candle: { position: [...(stage.stand ?? stage.spawn)], isHeld: stage.stand === null },
+    room,
+    ground: room?.ground ?? (stage.isSolid ? walled(inset(stage.room, WALL_MARGIN)) : OPEN),
+    player: { position: start, velocity: [0, 0, 0], yaw, pitch: stage.pitch },
+    hand: createHand(yaw),
+    candle: { position: [...(stage.stand ?? start)], yaw, isHeld },
     emitter: [0, 0, 0],
     shown: { eye: [0, 0, 0], foot: [0, 0, 0], flame: [0, 0, 0] },
     timeline: new Timeline(age - MEMORY),
     sample: new Particles(layer, layerKey(seed, brightest), layer.capacity / GROUPS),
     remainder: 0,
+    stride: 0,
+    sways: true,
+    refusal: null,
   };
-  settle(world);
+  room?.plan.setStanding(null);
+  settle(world, 0);
   for (let i = 0; i < MEMORY; i++) tick(world, STILL);
   show(world);
   return world;
@@ -70,7 +112,7 @@ export function advance(world: World, intent: Intent, seconds: number): void {
   const ticks = Math.floor((world.remainder + seconds) / TICK + 1e-6);
   world.remainder = Math.max(0, world.remainder + seconds - ticks * TICK);
   if (world.remainder < TICK * 1e-6) world.remainder = 0;
-  if (ticks === 0) settle(world);
+  if (ticks === 0) settle(world, 0);
   for (let i = 0; i < ticks; i++) tick(world, intent);
   show(world);
 }
@@ -88,36 +130,42 @@ export function moveCamera(
     if (Number.isFinite(value)) player.position[axis] = value;
     player.velocity[axis] = 0;
   }
-  const walls = wallsOf(world);
-  if (walls) keepInside(player.position, walls);
+  world.ground.settle(player.position);
   if (Number.isFinite(yaw)) player.yaw = yaw;
   if (Number.isFinite(pitch)) player.pitch = Math.min(Math.max(pitch, -MAX_PITCH), MAX_PITCH);
-  settle(world);
+  calmHand(world.hand, player.yaw);
+  settle(world, 0);
   show(world);
 }
 
-/** Puts the candle down. False if it stands already. */
+/** Puts the candle down. False if it stands already, or if there is no place for it: see `refusal`. */
 export function placeCandle(world: World): boolean {
-  const { candle, player, stage } = world;
+  const { candle, player, stage, room } = world;
   if (!candle.isHeld) return false;
-  place(candle, player, stage);
-  settle(world);
+  world.refusal = room ? placeInRoom(candle, player, room) : null;
+  if (world.refusal !== null) return false;
+  if (!room) placeOnGround(candle, player, stage);
+  settle(world, 0);
   show(world);
   return true;
 }
 
 /** Takes the candle up. False if it is held, or out of reach, or belongs where it stands. */
 export function takeCandle(world: World): boolean {
-  const { candle, player, stage } = world;
-  if (candle.isHeld || stage.stand !== null || !isWithinGrasp(candle, player)) return false;
+  const { candle, player, stage, room } = world;
+  const isNear = room ? canTake(player.position, candle.position) : isWithinGrasp(candle, player);
+  if (candle.isHeld || stage.stand !== null || !isNear) return false;
   candle.isHeld = true;
-  settle(world);
+  room?.plan.setStanding(null);
+  calmHand(world.hand, player.yaw);
+  settle(world, 0);
   show(world);
   return true;
 }
 
 function placeOrTake(world: World): void {
-  if (!placeCandle(world)) takeCandle(world);
+  if (world.candle.isHeld) placeCandle(world);
+  else takeCandle(world);
 }
 
 /** Middle of the flame's glowing particles, from the emitter, in the emitter's unit. */
@@ -143,25 +191,37 @@ export function levelOfDetail({ emitter, player, stage }: World): number {
 }
 
 function tick(world: World, intent: Intent): void {
-  const { stage, player, emitter, timeline } = world;
+  const { stage, player, emitter, timeline, ground, hand } = world;
   const before: Vec3 = [emitter[0], emitter[1], emitter[2]];
-  walk(player, intent, stage.gait, wallsOf(world), TICK);
-  settle(world);
-  const way = [0, 1, 2].map(
-    (axis) => ((emitter[axis] ?? 0) - (before[axis] ?? 0)) / stage.flameScale,
-  );
+  const { position, velocity } = player;
+  const [x, , z] = position;
+  walk(player, intent, stage.gait, ground, TICK);
+  world.stride = advanceStride(world.stride, Math.hypot(position[0] - x, position[2] - z));
+  advanceHand(hand, player.yaw, velocity, TICK);
+  settle(world, TICK);
+  const way = before.map((old, axis) => ((emitter[axis] ?? 0) - old) / stage.flameScale);
   const wind = way.map((length) => -length / TICK);
   timeline.record(way, wind, levelOfDetail(world));
   world.sample.follow(timeline);
 }
 
-function wallsOf({ stage }: World) {
-  return stage.isSolid ? inset(stage.room, WALL_MARGIN) : null;
-}
-
 /** Brings candle and flame to where the visitor is. */
-function settle({ candle, player, stage, emitter }: World): void {
-  if (candle.isHeld) holdCandle(candle, player, stage);
+function settle({ candle, player, hand, stage, room, emitter }: World, seconds: number): void {
+  if (candle.isHeld && room) {
+    holdOut(
+      hand,
+      player.position,
+      player.yaw,
+      stage.hold,
+      room.solid,
+      STAND,
+      seconds,
+      candle.position,
+    );
+    candle.yaw = player.yaw;
+  } else if (candle.isHeld) {
+    holdCandle(candle, player, stage);
+  }
   for (const axis of [0, 1, 2] as const) {
     emitter[axis] = candle.position[axis] + stage.wick[axis] * stage.candleScale;
   }
@@ -169,15 +229,18 @@ function settle({ candle, player, stage, emitter }: World): void {
 
 /** Lets the picture run ahead of the last tick by the time left over, so that motion is smooth. */
 function show(world: World): void {
-  const { player, candle, emitter, shown, remainder } = world;
+  const { player, candle, emitter, shown, remainder, room } = world;
+  const { position, velocity, yaw } = player;
   for (const axis of [0, 1, 2] as const) {
-    shown.eye[axis] = player.position[axis] + player.velocity[axis] * remainder;
+    shown.eye[axis] = position[axis] + velocity[axis] * remainder;
   }
-  const walls = wallsOf(world);
-  if (walls) keepInside(shown.eye, walls);
+  world.ground.settle(shown.eye);
   for (const axis of [0, 1, 2] as const) {
-    const carried = candle.isHeld ? shown.eye[axis] - player.position[axis] : 0;
+    const carried = candle.isHeld ? shown.eye[axis] - position[axis] : 0;
     shown.foot[axis] = candle.position[axis] + carried;
     shown.flame[axis] = emitter[axis] + carried;
   }
+  if (!room || !world.sways) return;
+  const bob = headBob(world.stride, Math.hypot(velocity[0], velocity[2]), yaw, [0, 0, 0]);
+  for (const axis of [0, 1, 2] as const) shown.eye[axis] += bob[axis];
 }

@@ -52,6 +52,7 @@ export async function reportPrograms(look: Look): Promise<ProgramReport[]> {
       quality: "auto",
       exposure: 0,
       particles: 0,
+      src: "",
       isStill: false,
     });
     for (let i = 0; i < 3; i++) candle.step(1 / 60);

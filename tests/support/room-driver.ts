@@ -13,6 +13,9 @@ export const LIBRARY = "http://127.0.0.1:4174/";
 /** Attributes of the element under test; `""` sets a flag. */
 export type Attributes = Readonly<Record<string, string>>;
 
+/** Unless a test says otherwise: its room is quick to load and to draw. */
+const PAPER: Attributes = { look: "paper" };
+
 export interface Picture {
   readonly width: number;
   readonly height: number;
@@ -72,7 +75,7 @@ export class RoomDriver {
   /** The same, without waiting: for elements that are to fail. */
   async load(attributes: Attributes = {}, opening: Opening = {}): Promise<this> {
     const { paused = true } = opening;
-    const body = html(paused ? { paused: "", ...attributes } : attributes, opening);
+    const body = html({ ...PAPER, ...(paused ? { paused: "" } : {}), ...attributes }, opening);
     await this.page.route(`${LIBRARY}room.html`, (route) =>
       route.fulfill({ contentType: "text/html", body }),
     );
@@ -81,14 +84,15 @@ export class RoomDriver {
     return this;
   }
 
-  /** Brings an opened element back to its defaults, paused at time 0. */
+  /** Brings an opened element back to its defaults, in the paper's look, paused at time 0. */
   restore(): Promise<void> {
     return this.evaluate((element) => {
       element.blur();
       element.paused = true;
       for (const name of element.getAttributeNames()) {
-        if (name !== "paused") element.removeAttribute(name);
+        if (name !== "paused" && name !== "look") element.removeAttribute(name);
       }
+      element.look = "paper";
       for (const name of Object.keys(element.features) as (keyof Features)[]) {
         element.features[name] = true;
       }

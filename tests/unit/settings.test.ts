@@ -104,8 +104,8 @@ describe.each(choices)("the choice %s", (_, setting) => {
   });
 });
 
-test("the look is the paper's final product unless told otherwise", () => {
-  expect(SETTINGS.look.default).toBe("paper");
+test("the look is real light unless told otherwise", () => {
+  expect(SETTINGS.look.default).toBe("physical");
 });
 
 describe("features", () => {

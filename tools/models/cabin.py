@@ -12,22 +12,14 @@ import bpy  # noqa: F401  mathutils comes with it
 sys.path.insert(0, str(Path(__file__).parent))
 
 from chair import build_chair
+from chest import build_blanket, build_chest, build_chest_irons
+from coat import build_coat, build_hat, build_peg_rail
 from door import build_door, build_door_irons
 from door import build_night as build_night_outside_door
 from export import add_anchor, add_node, start, write
 from firewood import build_firewood
 from floor_and_ceiling import build_ceiling, build_dark, build_floor
-from furnishings import (
-    build_blanket,
-    build_chest,
-    build_chest_irons,
-    build_coat,
-    build_hat,
-    build_mirror,
-    build_peg_rail,
-    build_rug,
-    build_stool,
-)
+from furnishings import build_bench, build_mirror, build_rug, build_stool
 from hearth import build_hearth
 from mesh import Mesh
 from occlusion import bake, tree_of
@@ -81,7 +73,8 @@ THINGS = (
     ("chest irons", "chest", build_chest_irons, ("chest",)),
     ("blanket", "chest", build_blanket, ("chest",)),
     ("rug", "rug", build_rug, ("floor",)),
-    ("stool", "stool", build_stool, ("floor",)),
+    ("stool", "seats", build_stool, ("floor",)),
+    ("bench", "seats", build_bench, ("floor",)),
     ("peg rail", "fittings", build_peg_rail, ("walls",)),
     ("coat", "fittings", build_coat, ("peg rail",)),
     ("hat", "fittings", build_hat, ("peg rail",)),

@@ -33,8 +33,14 @@ def slat(height, depth, half, bow, tall, chance):
         nx, nz = -slope * 0.0045, 0.0045
         low, high = height - 0.42 * tall, height + rise
         rings.append(
-            [(x + nx, low + 0.003, z + nz), (x + nx, high - 0.003, z + nz), (x, high, z),
-             (x - nx, high - 0.003, z - nz), (x - nx, low + 0.003, z - nz), (x, low, z)]  # fmt: skip
+            [
+                (x + nx, low + 0.003, z + nz),
+                (x + nx, high - 0.003, z + nz),
+                (x, high, z),
+                (x - nx, high - 0.003, z - nz),
+                (x - nx, low + 0.003, z - nz),
+                (x, low, z),
+            ]
         )
     return loft(rings[::-1], "trim", Grain("trim", chance, 0))
 
@@ -92,9 +98,17 @@ def build_chair():
         rear = [(side * back * 1.02, 0.008, z_back + 0.03), (side * back, 0.24, z_back)]
         rear += [(side * back, SEAT, z_back), (side * back * 0.98, 0.72, z_back + 0.028)]
         rear += [(side * back * 0.96, 0.97, z_back + 0.075)]
-        mesh.include(tube(smooth_path(rear, 3), lambda share: 0.0185 - 0.005 * share**3, 10, "trim"))
-        finial = [(side * back * 0.96, 0.97, z_back + 0.075), (side * back * 0.957, 0.985, z_back + 0.078)]
-        finial += [(side * back * 0.955, 1.0, z_back + 0.081), (side * back * 0.952, 1.018, z_back + 0.085)]
+        mesh.include(
+            tube(smooth_path(rear, 3), lambda share: 0.0185 - 0.005 * share**3, 10, "trim")
+        )
+        finial = [
+            (side * back * 0.96, 0.97, z_back + 0.075),
+            (side * back * 0.957, 0.985, z_back + 0.078),
+        ]
+        finial += [
+            (side * back * 0.955, 1.0, z_back + 0.081),
+            (side * back * 0.952, 1.018, z_back + 0.085),
+        ]
         widths = (0.0115, 0.0165, 0.0155, 0.006)
         mesh.include(tube(finial, lambda s: widths[min(3, round(3 * s))], 10, "trim"))
         for height, thick in ((0.15, 0.0105), (0.29, 0.0115), (SEAT - 0.004, 0.013)):

@@ -26,18 +26,21 @@ COLLAR = 0.0525
 TOP = COLLAR + 0.15
 POOL = TOP - 0.0032
 WICK = [(0, POOL - 0.003, 0), (0.0001, POOL, 0), (0.0003, POOL + 0.0024, 0.0001)]
-WICK += [(0.0011, POOL + 0.0046, 0.0003), (0.0024, POOL + 0.0062, 0.0005), (0.0037, POOL + 0.0069, 0.0006)]
+WICK += [
+    (0.0011, POOL + 0.0046, 0.0003),
+    (0.0024, POOL + 0.0062, 0.0005),
+    (0.0037, POOL + 0.0069, 0.0006),
+]
 
 # Runs of wax: where round the candle, how far down they got, how wide, how thick.
 DRIPS = (
-    (0.5, 0.104, 0.0028, 0.0028),
-    (0.95, 0.157, 0.0021, 0.0019),
-    (1.9, 0.183, 0.0022, 0.0016),
-    (2.55, COLLAR + 0.002, 0.0031, 0.0033),
-    (2.98, 0.137, 0.0024, 0.0025),
-    (3.9, 0.119, 0.0027, 0.0026),
-    (4.32, 0.172, 0.0022, 0.0018),
-    (5.25, 0.127, 0.0026, 0.0024),
+    (2.2, 0.164, 0.0019, 0.0018),
+    (2.55, COLLAR + 0.002, 0.0027, 0.0033),
+    (2.93, 0.129, 0.0021, 0.0025),
+    (3.3, 0.18, 0.0017, 0.0013),
+    (5.2, 0.11, 0.0023, 0.0026),
+    (5.58, 0.169, 0.0018, 0.0016),
+    (0.55, 0.186, 0.0019, 0.0013),
 )
 
 
@@ -45,14 +48,47 @@ def holder():
     pan = [(0, 0.0014), (0.036, 0.0014), (0.041, 0.0004), (0.043, 0), (0.046, 0), (0.048, 0.001)]
     pan += [(0.0535, 0.0032), (0.0585, 0.0072), (0.0618, 0.0122), (0.0632, 0.0155)]
     pan += arc((0.0646, 0.0172), 0.0019, -0.9, 3.5, 9)
-    pan += [(0.0612, 0.0142), (0.0582, 0.0094), (0.0535, 0.006), (0.047, 0.0046), (0.034, 0.0042), (0.0225, 0.0044)]
-    foot = [(0.0205, 0.0052), (0.0198, 0.0068), (0.0185, 0.0078), (0.015, 0.0095), (0.0128, 0.0125), (0.0118, 0.0155)]
+    pan += [
+        (0.0612, 0.0142),
+        (0.0582, 0.0094),
+        (0.0535, 0.006),
+        (0.047, 0.0046),
+        (0.034, 0.0042),
+        (0.0225, 0.0044),
+    ]
+    foot = [
+        (0.0205, 0.0052),
+        (0.0198, 0.0068),
+        (0.0185, 0.0078),
+        (0.015, 0.0095),
+        (0.0128, 0.0125),
+        (0.0118, 0.0155),
+    ]
     knop = arc((0.0118, 0.0198), 0.0036, -1.2, 1.2, 6)
-    socket = [(0.0124, 0.0242), (0.0132, 0.0262), (0.0136, 0.0275), (0.0132, 0.0288), (0.0127, 0.0296)]
-    socket += [(0.0126, 0.0415), (0.0132, 0.0423), (0.0132, 0.0436), (0.0126, 0.0444), (0.0127, 0.047)]
+    socket = [
+        (0.0124, 0.0242),
+        (0.0132, 0.0262),
+        (0.0136, 0.0275),
+        (0.0132, 0.0288),
+        (0.0127, 0.0296),
+    ]
+    socket += [
+        (0.0126, 0.0415),
+        (0.0132, 0.0423),
+        (0.0132, 0.0436),
+        (0.0126, 0.0444),
+        (0.0127, 0.047),
+    ]
     collar = [(0.0142, 0.0488), (0.0178, 0.0503), (0.0212, 0.0518)]
     collar += arc((0.0217, 0.0529), 0.0011, -1.1, 2.4, 6)
-    collar += [(0.0185, 0.0528), (0.0145, 0.0518), (0.012, 0.0512), (0.0115, 0.0504), (0.0114, 0.047), (0.0114, SEAT - 0.001)]
+    collar += [
+        (0.0185, 0.0528),
+        (0.0145, 0.0518),
+        (0.012, 0.0512),
+        (0.0115, 0.0504),
+        (0.0114, 0.047),
+        (0.0114, SEAT - 0.001),
+    ]
     mesh = lathe([*pan, *foot, *knop, *socket, *collar, (0, SEAT - 0.001)], 40, "brass")
 
     ring = []
@@ -61,9 +97,10 @@ def holder():
         ring.append((0.0806 + 0.0168 * cos(angle), 0.0178 + 0.0158 * sin(angle), 0))
     mesh.include(tube(ring, 0.0019, 10, "brass", closed=True, squash=2.6))
     # A leaf for the thumb, cast on top of the ring.
-    leaf = smooth_path([(0.0655, 0.0325, 0), (0.076, 0.0352, 0), (0.087, 0.0364, 0), (0.0955, 0.0392, 0)], 4)
-    widths = lambda share: 0.00135 * (1 - 0.35 * share)  # noqa: E731
-    thumb = tube(leaf, widths, 12, "brass", squash=1.0)
+    leaf = smooth_path(
+        [(0.0655, 0.0325, 0), (0.076, 0.0352, 0), (0.087, 0.0364, 0), (0.0955, 0.0392, 0)], 4
+    )
+    thumb = tube(leaf, lambda share: 0.00135 * (1 - 0.35 * share), 12, "brass")
     for point in thumb.points:
         share = min(1, max(0, (point.x - 0.0645) / 0.032))
         point.z *= 2.6 + 3.6 * sin(pi * share**0.8) ** 1.5
@@ -72,16 +109,19 @@ def holder():
 
 def run_of_wax(angle, height):
     """How far wax stands off the candle's side at a place."""
-    off = 0.00012 * wander_over(angle * 2.2, height * 60, "wax") + 0.0001 * wander(height * 110, "dip")
+    off = 0.00012 * wander_over(angle * 2.2, height * 60, "wax") + 0.0001 * wander(
+        height * 110, "dip"
+    )
     for number, (place, bottom, width, thickness) in enumerate(DRIPS):
         path = place + 0.10 * wander(height * 34, "run", number)
         away = (angle - path + pi) % (2 * pi) - pi
         arc_away = away * CANDLE_RADIUS
         above = (height - bottom) / 0.0045
         end = 1 / (1 + exp(-4 * (above - 0.3)))
-        bead = 0.55 * exp(-((above - 0.9) ** 2) * 0.8)
+        bead = 0.7 * exp(-((above - 0.9) ** 2) * 0.8)
         beads = 0.18 * wander(height * 75, "beads", number)
-        body = 0.72 + beads + bead
+        # Near the flame the wax is still thin; it thickens as it cools on its way.
+        body = 0.4 + 0.3 * min(1, (TOP - height) / 0.03) + beads + bead
         off = max(off, thickness * body * end * exp(-((arc_away / width) ** 2) * 1.8))
     return off
 
@@ -95,7 +135,12 @@ def candle():
         outside.append((CANDLE_RADIUS - 0.0003 - taper, height))
         height += 0.0095 if height < COLLAR - 0.008 else 0.0029
     lip = arc((CANDLE_RADIUS - 0.0019, TOP - 0.0016), 0.0012, 0.1, 2.6, 6)
-    dish = [(0.0079, TOP - 0.0022), (0.0075, POOL - 0.0004), (0.006, POOL - 0.0035), (0, POOL - 0.005)]
+    dish = [
+        (0.0079, TOP - 0.0022),
+        (0.0075, POOL - 0.0004),
+        (0.006, POOL - 0.0035),
+        (0, POOL - 0.005),
+    ]
 
     def radius_at(angle, radius, height):
         turn = angle % (2 * pi)
@@ -109,12 +154,28 @@ def candle():
     for point in mesh.points:
         radius = Vector((point.x, point.z)).length
         if point.y > TOP - 0.0035 and radius > 0.0086:
-            point.y += 0.0009 * wander(2.2 * (1 + point.x / radius), "lip") - 0.25 * max(0, radius - 0.0112)
+            point.y += 0.0009 * wander(2.2 * (1 + point.x / radius), "lip") - 0.25 * max(
+                0, radius - 0.0112
+            )
     for number, (angle, distance, size, level) in enumerate(
-        ((2.52, 0.0155, 0.0042, COLLAR - 0.0006), (2.95, 0.0175, 0.0026, COLLAR + 0.0001), (0.7, 0.043, 0.0055, 0.0044))
+        (
+            (2.52, 0.0155, 0.0042, COLLAR - 0.0006),
+            (2.95, 0.0175, 0.0026, COLLAR + 0.0001),
+            (0.7, 0.043, 0.0055, 0.0044),
+        )
     ):
-        drop = [(0, -0.0006), (size, -0.0004), (size * 0.97, size * 0.16), (size * 0.75, size * 0.34), (size * 0.4, size * 0.43), (0, size * 0.45)]
-        uneven = lambda a, r, h, n=number: r * (1 + 0.16 * wander(a * 1.3, "drop", n) * sin(a / 2))  # noqa: E731
+        drop = [
+            (0, -0.0006),
+            (size, -0.0004),
+            (size * 0.97, size * 0.16),
+            (size * 0.75, size * 0.34),
+            (size * 0.4, size * 0.43),
+            (0, size * 0.45),
+        ]
+
+        def uneven(angle, radius, _height, number=number):
+            return radius * (1 + 0.16 * wander(angle * 1.3, "drop", number) * sin(angle / 2))
+
         blob = lathe(drop, 14, "wax", radius_at=uneven)
         mesh.include(blob, moved(distance * cos(angle), level, -distance * sin(angle)))
     return mesh
@@ -128,8 +189,11 @@ def pool():
 
 
 def wick():
-    widths = lambda share: 0.00105 - 0.0001 * sin(pi * share) + 0.0001 * wander(12 * share, "ply")  # noqa: E731
-    return tube(smooth_path(WICK, 3), widths, 7, "wick")
+
+    def radius(share):
+        return 0.00105 - 0.0001 * sin(pi * share) + 0.0001 * wander(12 * share, "ply")
+
+    return tube(smooth_path(WICK, 3), radius, 7, "wick")
 
 
 def main():

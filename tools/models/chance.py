@@ -6,7 +6,7 @@ MASK = 0xFFFFFFFF
 
 
 def hashed(*keys):
-    """A 32-bit integer that depends on every key (Wellons 2018, "Prospecting for Hash Functions")."""
+    """32 bits that depend on every key (Wellons 2018, "Prospecting for Hash Functions")."""
     state = 0x9E3779B9
     for key in keys:
         if isinstance(key, str):

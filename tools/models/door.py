@@ -20,7 +20,9 @@ LEDGE = 0.022
 
 
 def upright(length, width, thickness, chance, bevel=0.004):
-    board = timber(length, width, thickness, bevel, "trim", Grain("trim", chance, 0), [k / 5 for k in range(6)])
+    board = timber(
+        length, width, thickness, bevel, "trim", Grain("trim", chance, 0), [k / 5 for k in range(6)]
+    )
     return board.placed(turned(pi / 2, "Z") @ turned(pi / 2, "X"))
 
 
@@ -34,17 +36,23 @@ def build_door():
     for k in range(PLANKS):
         board = upright(height - 0.02, width - 0.002, THICKNESS, chance)
         x = (k - (PLANKS - 1) / 2) * width
-        mesh.include(board, moved(x, height / 2, FACE - THICKNESS / 2 + chance.between(-0.001, 0.001)))
+        mesh.include(
+            board, moved(x, height / 2, FACE - THICKNESS / 2 + chance.between(-0.001, 0.001))
+        )
     for y in LEDGES:
         ledge = timber(2 * clear - 0.06, 0.13, LEDGE, 0.006, "trim", Grain("trim", chance, 0))
         mesh.include(ledge, moved(0, y, FACE + LEDGE / 2 - 0.001) @ turned(pi / 2, "X"))
     for side in (-1, 1):
         jamb = upright(height + 0.05, CASING, CASING_DEPTH, chance)
-        place = moved(side * (half + CASING / 2 - 0.014), (height + 0.05) / 2, SEAT + CASING_DEPTH / 2)
+        place = moved(
+            side * (half + CASING / 2 - 0.014), (height + 0.05) / 2, SEAT + CASING_DEPTH / 2
+        )
         mesh.include(jamb, place)
         lining = box((0.02, height, 0.15), 0.003, "trim", Grain("trim", chance, 1))
         mesh.include(lining, moved(side * (half - 0.001), height / 2, SEAT + 0.004 - 0.075))
-    head = timber(2 * half + 2 * CASING + 0.02, CASING, CASING_DEPTH, 0.004, "trim", Grain("trim", chance, 0))
+    head = timber(
+        2 * half + 2 * CASING + 0.02, CASING, CASING_DEPTH, 0.004, "trim", Grain("trim", chance, 0)
+    )
     place = moved(0, height + CASING / 2 - 0.014, SEAT + CASING_DEPTH / 2 + 0.003)
     mesh.include(head, place @ turned(pi / 2, "X"))
     lining = box((2 * half, 0.02, 0.15), 0.003, "trim", Grain("trim", chance, 0))
@@ -68,7 +76,9 @@ def build_door_irons():
         for point in flattened.points:
             point.z = surface + 0.001 + 0.17 * (point.z - surface - 0.001)
         mesh.include(flattened)
-        tip = lathe([(0, -0.002), (0.024, -0.002), (0.025, 0.001), (0.022, 0.0035), (0, 0.004)], 12, "iron")
+        tip = lathe(
+            [(0, -0.002), (0.024, -0.002), (0.025, 0.001), (0.022, 0.0035), (0, 0.004)], 12, "iron"
+        )
         mesh.include(tip, moved(half - 0.6, y, surface) @ turned(pi / 2, "X"))
         pintle = [(0, -0.038), (0.009, -0.036), (0.0095, 0.036), (0, 0.038)]
         mesh.include(lathe(pintle, 8, "iron"), moved(half - 0.02, y, surface + 0.006))
@@ -79,11 +89,22 @@ def build_door_irons():
     x, y = -half + 0.085, 1.02
     plate = box((0.045, 0.2, 0.004), 0.0015, "iron", iron)
     mesh.include(plate, moved(x, y, FACE + 0.0015))
-    handle = [(x, y - 0.082, FACE + 0.001), (x, y - 0.07, FACE + 0.03), (x, y, FACE + 0.044), (x, y + 0.05, FACE + 0.03), (x, y + 0.062, FACE + 0.001)]  # fmt: skip
+    handle = [
+        (x, y - 0.082, FACE + 0.001),
+        (x, y - 0.07, FACE + 0.03),
+        (x, y, FACE + 0.044),
+        (x, y + 0.05, FACE + 0.03),
+        (x, y + 0.062, FACE + 0.001),
+    ]
     mesh.include(tube(smooth_path(handle, 3), 0.0065, 7, "iron"))
     bar = box((0.17, 0.022, 0.007), 0.002, "iron", iron)
     mesh.include(bar, moved(x - 0.005, y + 0.14, FACE + 0.0065) @ turned(-0.03, "Z"))
-    staple = [(x + 0.02, y + 0.118, FACE - 0.002), (x + 0.02, y + 0.118, FACE + 0.014), (x + 0.02, y + 0.162, FACE + 0.014), (x + 0.02, y + 0.162, FACE - 0.002)]  # fmt: skip
+    staple = [
+        (x + 0.02, y + 0.118, FACE - 0.002),
+        (x + 0.02, y + 0.118, FACE + 0.014),
+        (x + 0.02, y + 0.162, FACE + 0.014),
+        (x + 0.02, y + 0.162, FACE - 0.002),
+    ]
     mesh.include(tube(staple, 0.0035, 6, "iron"))
     return mesh.placed(PLACEMENT)
 

@@ -1,4 +1,4 @@
-"""Split and round billets stacked beside the hearth, bark on their sides and rings on their ends."""
+"""Round billets stacked beside the hearth, weathered on their sides, rings on their ends."""
 
 from math import cos, pi, sin
 
@@ -19,11 +19,21 @@ def billet(radius, key):
     row, start = (chance.index(BOARDS["logs"]) + 0.5) / BOARDS["logs"], chance.share()
     length = LENGTH + chance.between(-0.02, 0.02)
     rings = []
-    for z, grow in ((0, 0.96), (0.006, 1), (length * 0.5, 0.985), (length - 0.006, 1), (length, 0.965)):
+    for z, grow in (
+        (0, 0.96),
+        (0.006, 1),
+        (length * 0.5, 0.985),
+        (length - 0.006, 1),
+        (length, 0.965),
+    ):
         ring = []
         for k in range(SIDES):
             angle = 2 * pi * k / SIDES
-            r = radius * grow * (1 + 0.07 * wander(k * 0.9, chance.key) + 0.02 * wander(z * 9, chance.key, k))
+            r = (
+                radius
+                * grow
+                * (1 + 0.07 * wander(k * 0.9, chance.key) + 0.02 * wander(z * 9, chance.key, k))
+            )
             ring.append(mesh.add_point(r * cos(angle), r * sin(angle), z))
         rings.append((z, ring))
     for (z0, below), (z1, above) in zip(rings, rings[1:]):
@@ -53,7 +63,7 @@ def billet(radius, key):
 
 
 def build_firewood():
-    """Rolled into the corner of hearth and wall, each billet lying on two others or on the floor."""
+    """Stacked against the wall, each billet lying on two others or on the floor."""
     mesh = Mesh()
     radii = [0.058, 0.05, 0.062, 0.054, 0.047, 0.055, 0.049, 0.056, 0.043]
     lying = []

@@ -24,8 +24,8 @@ def build_floor():
 
 def add_board(mesh, chance, middle, level, facing, cuts):
     """
-    One board along X with its face at `level`, drawn by one whole row of the `planks` texture: face,
-    two eased edges and two sides. The texture's own gaps lie over those of the mesh.
+    One board along X with its face at `level`, drawn by one whole row of the `planks` texture:
+    face, two eased edges and two sides. The texture's own gaps lie over those of the mesh.
     """
     row, start = chance.index(ROWS), chance.share()
     gap = chance.between(0.0012, 0.0025)

@@ -10,7 +10,7 @@ FOLDED = 0.006
 
 def hanging_cloth(width, on_table, drop):
     """
-    Lies towards -X from the edge at x = 0, where the table's surface is at y = 0, and hangs beyond it.
+    Lies towards -X from the table's edge at x = 0, its surface at y = 0, and hangs beyond.
     """
     turn = 0.012
     bend = turn * pi / 2

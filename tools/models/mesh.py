@@ -12,7 +12,7 @@ CREASE = radians(52)
 
 
 class Mesh:
-    """Points and faces. Faces that share a point are shaded as one surface unless they meet in a crease."""
+    """Points and faces. Faces that share a point are shaded as one unless they meet in a crease."""
 
     def __init__(self):
         self.points = []
@@ -93,7 +93,7 @@ class Mesh:
         return vectors
 
     def corner_normals(self):
-        """A normal for each corner of each face: the mean, by area, of the faces round its point."""
+        """A normal for each corner of each face: the mean by area of the faces round it."""
         vectors = self.face_vectors()
         units = [vector.normalized() for vector in vectors]
         around = defaultdict(list)

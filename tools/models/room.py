@@ -26,7 +26,7 @@ class Wall:
             self.placement[row][3] = origin[row]
 
 
-# The courses of neighbouring walls are half a log apart, as they must be to lie in each other's notches.
+# Courses of neighbouring walls are half a log apart: each lies in the other's notches.
 NORTH = Wall("north", (0, 0, -DEPTH / 2), (1, 0, 0), (0, 0, 1), LENGTH, PITCH / 2)
 SOUTH = Wall("south", (0, 0, DEPTH / 2), (-1, 0, 0), (0, 0, -1), LENGTH, PITCH / 2)
 EAST = Wall("east", (LENGTH / 2, 0, 0), (0, 0, 1), (-1, 0, 0), DEPTH, 0)
@@ -35,7 +35,7 @@ WALLS = (NORTH, EAST, SOUTH, WEST)
 
 
 class Opening:
-    """A hole in a wall, its measures along and up that wall. Sides at whole joints of the courses."""
+    """A hole in a wall, measured along and up that wall, from joint to joint of the courses."""
 
     def __init__(self, wall, left, right, bottom, top):
         self.wall, self.left, self.right = wall, left, right

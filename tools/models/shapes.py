@@ -5,7 +5,7 @@ from math import cos, pi, sin
 from mathutils import Vector
 
 from mesh import Mesh
-from texturing import Projection, tile_of
+from texturing import tile_of
 
 
 def add_mapped(mesh, corners, material, mapping):
@@ -26,9 +26,7 @@ def box(size, bevel, material, mapping):
             for sz in (-1, 1):
                 signs = (sx, sy, sz)
                 for face in range(3):
-                    point = [
-                        signs[k] * (half[k] - (0 if k == face else bevel)) for k in range(3)
-                    ]
+                    point = [signs[k] * (half[k] - (0 if k == face else bevel)) for k in range(3)]
                     index[signs, face] = mesh.add_point(point)
 
     def facing(corners, outwards):
@@ -121,8 +119,8 @@ def timber(length, width, height, bevel, material, mapping, stations=None, shift
 
 def lathe(profile, sides, material, along_grain=False, radius_at=None, repeats=None):
     """
-    A profile of (radius, height), turned about Y. Going up the profile the outside is on the right; a
-    radius of zero closes an end. `radius_at(angle, radius, height)` makes it less than round.
+    A profile of (radius, height), turned about Y. Going up the profile the outside is on the
+    right; a radius of zero closes an end. `radius_at(angle, radius, height)` makes it less round.
     """
     mesh = Mesh()
     tile = tile_of(material)
@@ -241,7 +239,7 @@ def tube(path, radius, sides, material, closed=False, squash=1.0, along_grain=Tr
 
 
 def smooth_path(points, steps):
-    """A curve through the points (Catmull and Rom 1974, "A class of local interpolating splines")."""
+    """A curve through points (Catmull and Rom 1974, "A class of local interpolating splines")."""
     points = [Vector(point) for point in points]
     padded = [2 * points[0] - points[1], *points, 2 * points[-1] - points[-2]]
     curve = []
@@ -264,8 +262,8 @@ def smooth_path(points, steps):
 def slab(surface, columns, rows, thickness, material, size, printed=None):
     """
     A sheet with thickness. `surface(s, t)`, both 0 to 1, is its outside, which faces dP/ds x dP/dt;
-    `size` is its width and height in metres, for the texture, unless `printed(s, t)` says where a place is
-    in the picture.
+    `size` is its width and height in metres, for the texture, unless `printed(s, t)` says where a
+    place is in the picture.
     """
     mesh = Mesh()
     tile = tile_of(material)
@@ -308,7 +306,3 @@ def slab(surface, columns, rows, thickness, material, size, printed=None):
             material,
         )
     return mesh
-
-
-def projected(material, chance):
-    return Projection(material, chance)

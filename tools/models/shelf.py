@@ -4,8 +4,9 @@ from math import pi
 
 from book import row_of_books
 from chance import Chance
-from hearth import BREAST_FRONT, MANTEL_TOP
+from hearth import MANTEL_TOP
 from hearth import PLACEMENT as HEARTH
+from masonry import BREAST_FRONT
 from mesh import Mesh, moved, turned
 from room import NORTH
 from shapes import loft, timber
@@ -35,11 +36,19 @@ def build_shelf():
     mesh = Mesh()
     for level in LEVELS:
         board = timber(
-            LENGTH, DEPTH, THICKNESS, 0.003, "trim", Grain("trim", chance, 0), [k / 4 for k in range(5)]
+            LENGTH,
+            DEPTH,
+            THICKNESS,
+            0.003,
+            "trim",
+            Grain("trim", chance, 0),
+            [k / 4 for k in range(5)],
         )
         mesh.include(board, moved(0, level - THICKNESS / 2, DEPTH / 2 + 0.002))
         for side in (-1, 1):
-            mesh.include(bracket(chance), moved(side * (LENGTH / 2 - 0.14), level - THICKNESS + 0.001, 0.002))
+            mesh.include(
+                bracket(chance), moved(side * (LENGTH / 2 - 0.14), level - THICKNESS + 0.001, 0.002)
+            )
     return mesh.placed(PLACEMENT)
 
 
@@ -73,7 +82,9 @@ def build_shelf_books():
         (0.036, (0.15, 0.22), LEVELS[0], 0.1, "flat"),
         (0.026, (0.125, 0.185), LEVELS[0] + 0.0362, -0.16, "flat above"),
     ):
-        lying = row_of_books([(*size, thickness, "leather" if key == "flat" else "cloth-blue", 0)], key)
+        lying = row_of_books(
+            [(*size, thickness, "leather" if key == "flat" else "cloth-blue", 0)], key
+        )
         place = moved(left + 0.65, y, 0.105) @ turned(turn) @ turned(-pi / 2, "Z")
         mesh.include(lying, place @ moved(-thickness, 0, 0))
     return mesh.placed(PLACEMENT)

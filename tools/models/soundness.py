@@ -1,4 +1,4 @@
-"""Refuses a room that would look wrong: inside-out, floating, sunk in, or with broken texture coordinates."""
+"""What would look wrong in a room: things inside out, floating, or sunk into one another."""
 
 from collections import defaultdict
 from math import cos, isfinite, pi, sin, sqrt
@@ -24,7 +24,7 @@ def assert_finite(name, mesh):
 
 
 def inside_out(meshes, eyes, rays=3000):
-    """What shows its back to somebody in the room, counted by name, and the rays that hit nothing."""
+    """What shows its back to somebody inside, counted by name, and the rays that hit nothing."""
     names, points, polygons = [], [], []
     for name, mesh in meshes.items():
         base = len(points)

@@ -19,7 +19,9 @@ PLACEMENT = moved(0.5, 0, -0.05) @ turned(0.05)
 def leg_profile():
     """Foot, a long vase, a ring between two coves, and the neck below the square block."""
     profile = [(0, 0), (0.014, 0), (0.0185, 0.005), (0.021, 0.022), (0.0185, 0.04), (0.0145, 0.05)]
-    profile += [(0.019 + 0.016 * sin(pi * 0.55 * k / 6) ** 1.3, 0.06 + 0.36 * k / 6) for k in range(7)]
+    profile += [
+        (0.019 + 0.016 * sin(pi * 0.55 * k / 6) ** 1.3, 0.06 + 0.36 * k / 6) for k in range(7)
+    ]
     profile += [(0.034, 0.43), (0.025, 0.438), (0.025, 0.444)]
     profile += arc((0.025, 0.458), 0.013, -pi / 2, pi / 2, 5)
     profile += [(0.022, 0.478), (0.023, 0.497), (0.029, 0.522), (0.034, 0.55), (0.031, 0.566)]

@@ -1,4 +1,4 @@
-"""What was left on the table: a reader's place at its east end, a drink behind it, a cloth at the west."""
+"""What was left on the table: a reader's place, a drink behind it, a cloth at the other end."""
 
 from math import pi
 

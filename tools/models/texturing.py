@@ -1,4 +1,4 @@
-"""How a texture lies on a surface: its size, and where each piece of wood was cut from its sheet."""
+"""How a texture lies on a surface: its size, and where each piece was cut from its sheet."""
 
 # Metres that one tile of each texture set covers.
 TILE = {
@@ -69,12 +69,12 @@ class Grain:
         return point[along] / self.tile + self.start, self.middle + point[across] / self.tile
 
 
-# The `paper` texture holds a printed page in its upper left corner, and leaves on edge in its right half.
+# `paper` holds a printed page in its upper left corner, and leaves on edge in its right half.
 PAGE_TILE = TILE["paper"]
 
 
 class Leaves:
-    """Leaves seen on edge: they lie along the longer side of each face, and are stacked along one axis."""
+    """Leaves of a book seen on edge, stacked along one axis."""
 
     def __init__(self, stacked, half_size):
         self.stacked = stacked

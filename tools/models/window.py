@@ -59,9 +59,13 @@ def build_window():
         stile = box((FRAME, top - bottom, SASH_DEPTH), 0.004, "trim", Grain("trim", chance, 1))
         mesh.include(stile, moved(side * (inner - FRAME / 2), middle, sash_back))
     for y in (bottom + FRAME / 2, top - FRAME / 2):
-        rail = box((2 * (inner - FRAME), FRAME, SASH_DEPTH), 0.004, "trim", Grain("trim", chance, 0))
+        rail = box(
+            (2 * (inner - FRAME), FRAME, SASH_DEPTH), 0.004, "trim", Grain("trim", chance, 0)
+        )
         mesh.include(rail, moved(0, y, sash_back))
-    upright = box((BAR, top - bottom - 2 * FRAME, SASH_DEPTH - 0.006), 0.006, "trim", Grain("trim", chance, 1))
+    upright = box(
+        (BAR, top - bottom - 2 * FRAME, SASH_DEPTH - 0.006), 0.006, "trim", Grain("trim", chance, 1)
+    )
     mesh.include(upright, moved(0, middle, sash_back))
     for side in (-1, 1):
         width = inner - FRAME - BAR / 2

@@ -1,3 +1,4 @@
+import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import sharp from "sharp";
@@ -8,8 +9,8 @@ import { linearFromSrgb, srgbFromLinear } from "./pigment.mjs";
  *
  *     node tools/textures/preview.mjs logs [folder of pictures]
  *
- * writes NAME-preview.png: the wall from an angle, a close crop under grazing light, and 2 × 2 tiles
- * in even light, where seams and repetition show.
+ * writes NAME-preview.png to the temporary folder: the wall from an angle, a close crop under grazing
+ * light, and 2 × 2 tiles in even light, where seams and repetition show.
  */
 
 const textures = fileURLToPath(new URL("../../public/textures/", import.meta.url));
@@ -194,7 +195,7 @@ export async function preview(name, tile, folder = textures, extension = "avif")
     ambient: 0.03 / (t * t),
     exposure: 75 * t * t,
   });
-  const file = join("/tmp", `${name}-preview.png`);
+  const file = join(tmpdir(), `${name}-preview.png`);
   await sharp({ create: { width: 1440, height: 840, channels: 3, background: "black" } })
     .composite([
       { ...wall, left: 0, top: 0 },

@@ -127,13 +127,13 @@ export class PaperRenderer implements Renderer {
   }
 
   #drawRoom(target: Target): void {
-    for (const { vertexArray, textures, baseColor } of this.#room) {
+    for (const { vertexArray, textures, baseColor, occlusionStrength } of this.#room) {
       this.#gpu.draw({
         program: this.#roomProgram,
         target,
         vertexArray,
         textures,
-        uniforms: { uBaseColor: baseColor },
+        uniforms: { uBaseColor: baseColor, uOcclusion: occlusionStrength },
         blocks: { Frame: this.#frame, Light: this.#light },
         depth: "test-and-write",
       });
@@ -142,13 +142,13 @@ export class PaperRenderer implements Renderer {
 
   #drawCandle(target: Target, { shown, stage }: World): void {
     const place = [shown.foot[0], shown.foot[1], shown.foot[2], stage.candleScale];
-    for (const { vertexArray, textures, baseColor } of this.#candle) {
+    for (const { vertexArray, textures, baseColor, occlusionStrength } of this.#candle) {
       this.#gpu.draw({
         program: this.#candleProgram,
         target,
         vertexArray,
         textures,
-        uniforms: { uBaseColor: baseColor, uWorldFromModel: place },
+        uniforms: { uBaseColor: baseColor, uOcclusion: occlusionStrength, uWorldFromModel: place },
         blocks: { Frame: this.#frame, Light: this.#light },
         depth: "test-and-write",
       });

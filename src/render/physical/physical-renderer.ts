@@ -19,9 +19,12 @@ import type { Models, Renderer } from "../renderer.js";
 import { type Surface, uploadModel } from "../surface.js";
 import type { Tier } from "../tier.js";
 import type { View } from "../view.js";
+import { BloomPass } from "./bloom-pass.js";
+import { type IndirectDetail, IndirectPass, type IrradianceVolume } from "./indirect-pass.js";
+import { ShadowPass } from "./shadow-pass.js";
 
 /** From cd/m² to the display's scale, where middle grey is 0.18: a wall of 0.08 cd/m² lands there. */
-const EXPOSURE = 7;
+const EXPOSURE = 5.5;
 /** Steps of the march through the flame. */
 const FLAME_STEPS: Readonly<Record<Tier["name"], number>> = {
   low: 12,
@@ -29,6 +32,31 @@ const FLAME_STEPS: Readonly<Record<Tier["name"], number>> = {
   high: 40,
   ultra: 64,
 };
+/** Shadow cube: texels along an edge, taps that look for what casts it, taps that soften it. */
+const SHADOW: Readonly<Record<Tier["name"], { size: number; search: number; taps: number }>> = {
+  low: { size: 128, search: 4, taps: 6 },
+  medium: { size: 256, search: 8, taps: 12 },
+  high: { size: 512, search: 8, taps: 20 },
+  ultra: { size: 1024, search: 16, taps: 32 },
+};
+const INDIRECT: Readonly<Record<Tier["name"], IndirectDetail>> = {
+  low: { patches: 6, probes: [5, 3, 5], bounces: 5 },
+  medium: { patches: 8, probes: [6, 4, 6], bounces: 6 },
+  high: { patches: 16, probes: [8, 6, 8], bounces: 8 },
+  ultra: { patches: 16, probes: [10, 6, 10], bounces: 10 },
+};
+const BLOOM_LEVELS: Readonly<Record<Tier["name"], number>> = {
+  low: 3,
+  medium: 5,
+  high: 6,
+  ultra: 6,
+};
+/** Share of the light that the eye and the lens scatter. */
+const SCATTERED = 0.0006;
+/** The ring handle, along +X in the model, is turned towards the visitor's right hand. */
+const HANDLE_TURN = -1.1;
+/** What of the chamberstick stands in its own light: heights above its foot and radii, metres. */
+const CANDLE = { rim: 0.2015, rimRadius: 0.0105, pan: 0.018, panRadius: 0.066 } as const;
 const BLACK = [0, 0, 0, 1] as const;
 
 /**
@@ -44,6 +72,9 @@ export class PhysicalRenderer implements Renderer {
   readonly #frame: UniformBlock;
   readonly #light: UniformBlock;
   readonly #flame: UniformBlock;
+  readonly #shadow: ShadowPass;
+  readonly #indirect: IndirectPass;
+  readonly #bloom: BloomPass;
   readonly #room: readonly Surface[];
   readonly #candle: readonly Surface[];
   readonly #body: Texture;
@@ -58,7 +89,10 @@ export class PhysicalRenderer implements Renderer {
   constructor(gpu: Gpu, { room, candle }: Models, tier: Tier) {
     this.#gpu = gpu;
     this.#tier = tier;
-    this.#surfaceProgram = gpu.program("physical/surface", surfaceVert, surfaceFrag);
+    this.#surfaceProgram = gpu.program("physical/surface", surfaceVert, surfaceFrag, {
+      defines: { SHADOW_SEARCH: SHADOW[tier.name].search, SHADOW_TAPS: SHADOW[tier.name].taps },
+    });
+    this.#shadow = new ShadowPass(gpu, SHADOW[tier.name].size);
     this.#flameProgram = gpu.program("physical/flame", flameVert, flameFrag);
     this.#displayProgram = gpu.program("physical/display", fullscreenVert, displayFrag);
     this.#frame = gpu.uniformBlock(this.#surfaceProgram, "Frame");
@@ -84,6 +118,8 @@ export class PhysicalRenderer implements Renderer {
     });
     this.#hull = gpu.vertexArray("flame/hull", { attributes: {}, count: 14 });
     this.#screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
+    this.#indirect = new IndirectPass(gpu, this.#screen, room.bounds, INDIRECT[tier.name]);
+    this.#bloom = new BloomPass(gpu, this.#screen, BLOOM_LEVELS[tier.name]);
   }
 
   resize(width: number, height: number): void {
@@ -95,6 +131,7 @@ export class PhysicalRenderer implements Renderer {
     this.#samples =
       samples > 1 ? this.#gpu.renderTarget({ label: "frame samples", ...size, samples }) : null;
     this.#radiance = this.#gpu.renderTarget({ label: "radiance", ...size });
+    this.#bloom.resize(width, height);
   }
 
   /** The body of the flame is no particles. */
@@ -104,34 +141,48 @@ export class PhysicalRenderer implements Renderer {
     if (!this.#radiance) return;
     const target = this.#samples ?? this.#radiance;
     this.#updateBlocks(world, view);
+    const { position } = flameLight(world, TAPER);
+    const shadow = this.#shadow.render(this.#room, position);
+    const volume = this.#indirect.render(this.#room, this.#light, position);
     this.#gpu.clear(target, BLACK);
-    this.#drawSurfaces(target, this.#room, [0, 0, 0, 0], -1e3);
+    this.#drawSurfaces(target, this.#room, shadow, volume, [0, 0, 0, 0]);
     if (view.features.candle) {
       const [x, y, z] = world.shown.foot;
-      this.#drawSurfaces(
-        target,
-        this.#candle,
-        [x, y, z, world.player.yaw],
-        world.shown.flame[1] - 0.008,
-      );
+      this.#drawSurfaces(target, this.#candle, shadow, volume, [
+        x,
+        y,
+        z,
+        world.candle.yaw + HANDLE_TURN,
+      ]);
     }
     this.#drawFlame(target);
     if (this.#samples) this.#gpu.resolve(this.#samples, this.#radiance);
+    const radiance = this.#radiance.color;
+    const bloom = this.#bloom.render(radiance);
     this.#gpu.draw({
       program: this.#displayProgram,
       target: "canvas",
       vertexArray: this.#screen,
-      textures: { uRadiance: this.#radiance.color },
-      uniforms: { uAdaptation: this.#adaptation },
+      textures: { uRadiance: radiance, uBloom: bloom },
+      uniforms: {
+        uAdaptation: this.#adaptation,
+        uScattered: view.features.bloom ? SCATTERED : 0,
+      },
       blocks: { Frame: this.#frame },
     });
   }
 
   #updateBlocks(world: World, { features, exposure }: View): void {
-    const { player, shown } = world;
+    const { player, shown, stage } = world;
     const { width, height } = this.#size;
     this.#frame.update({
-      clipFromWorld: clipFromWorld(shown.eye, player.yaw, player.pitch, width / height),
+      clipFromWorld: clipFromWorld(
+        shown.eye,
+        player.yaw,
+        player.pitch,
+        width / height,
+        stage.fieldOfView,
+      ),
       eyePosition: shown.eye,
       exposure: EXPOSURE * 2 ** exposure,
       viewport: [width, height],
@@ -144,6 +195,11 @@ export class PhysicalRenderer implements Renderer {
       halfHeight: light.halfHeight,
       intensity: light.intensity,
       radius: light.radius,
+      axis: [shown.foot[0], shown.foot[2]],
+      rim: shown.foot[1] + CANDLE.rim,
+      rimRadius: features.candle ? CANDLE.rimRadius : 0,
+      pan: shown.foot[1] + CANDLE.pan,
+      panRadius: features.candle ? CANDLE.panRadius : 0,
     });
     const [x, y, z] = shown.flame;
     this.#flame.update({
@@ -157,17 +213,32 @@ export class PhysicalRenderer implements Renderer {
   #drawSurfaces(
     target: RenderTarget,
     surfaces: readonly Surface[],
+    shadow: Texture,
+    volume: IrradianceVolume,
     place: readonly [number, number, number, number],
-    rim: number,
   ): void {
-    for (const { vertexArray, textures, baseColor, parameters, isDoubleSided } of surfaces) {
+    for (const {
+      vertexArray,
+      textures,
+      baseColor,
+      parameters,
+      isDoubleSided,
+      isWax,
+      occlusionStrength,
+    } of surfaces) {
       this.#gpu.draw({
         program: this.#surfaceProgram,
         target,
         vertexArray,
-        textures,
-        uniforms: { uBaseColor: baseColor, uPlace: place, uSurface: parameters, uRim: rim },
-        blocks: { Frame: this.#frame, Light: this.#light },
+        textures: { ...textures, uShadow: shadow, ...volume.textures },
+        uniforms: {
+          uBaseColor: baseColor,
+          uPlace: place,
+          uSurface: parameters,
+          uOcclusion: occlusionStrength,
+          uWax: isWax ? 1 : 0,
+        },
+        blocks: { Frame: this.#frame, Light: this.#light, Volume: volume.block },
         depth: "test-and-write",
         cull: isDoubleSided ? "none" : "back",
       });

@@ -1,12 +1,17 @@
 import { describe, expect, test } from "vitest";
 import { inset, type Vec3 } from "../../../src/world/bounds.ts";
-import { type Candle, holdCandle, isWithinGrasp, place } from "../../../src/world/candle.ts";
+import {
+  type Candle,
+  holdCandle,
+  isWithinGrasp,
+  placeOnGround,
+} from "../../../src/world/candle.ts";
 import type { Player } from "../../../src/world/player.ts";
 import { STAGES, type Stage, WALL_MARGIN } from "../../../src/world/stage.ts";
 import { chance } from "../chance.ts";
 
 const STAGE = STAGES.paper;
-const candle = (): Candle => ({ position: [0, 0, 0], isHeld: true });
+const candle = (): Candle => ({ position: [0, 0, 0], yaw: 0, isHeld: true });
 const player = (position: Vec3, yaw = 0, pitch = 0): Player => ({
   position,
   velocity: [0, 0, 0],
@@ -85,7 +90,7 @@ describe("putting the candle down", () => {
   test("sets it on the floor, within reach ahead", () => {
     const visitor = player([0, 1.6, 0], 0.6);
     const placed = candle();
-    place(placed, visitor, STAGE);
+    placeOnGround(placed, visitor, STAGE);
     expect(placed.isHeld).toBe(false);
     const [right, , ahead] = seen(placed.position, visitor);
     expect(placed.position[1]).toBe(STAGE.room.min[1]);
@@ -97,7 +102,7 @@ describe("putting the candle down", () => {
   test("in front of a wall leaves it inside, and still within grasp", () => {
     const visitor = player([4.5, 1.6, 4.5], -Math.PI * 0.75);
     const placed = candle();
-    place(placed, visitor, STAGE);
+    placeOnGround(placed, visitor, STAGE);
     for (const axis of [0, 2] as const) {
       expect(placed.position[axis]).toBeLessThan(STAGE.room.max[axis] - 0.1);
     }
@@ -105,7 +110,7 @@ describe("putting the candle down", () => {
   });
 
   test("a candle across the room is out of grasp", () => {
-    const far: Candle = { position: [3, 0, 0], isHeld: false };
+    const far: Candle = { position: [3, 0, 0], yaw: 0, isHeld: false };
     expect(isWithinGrasp(far, player([0, 1.6, 0]))).toBe(false);
     expect(isWithinGrasp(far, player([2, 1.6, 0]))).toBe(true);
   });

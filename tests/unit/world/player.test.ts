@@ -1,5 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { type Bounds, inset } from "../../../src/world/bounds.ts";
+import { OPEN, walled } from "../../../src/world/ground.ts";
 import { type Intent, STILL } from "../../../src/world/intent.ts";
 import { look, MAX_PITCH, type Player, walk } from "../../../src/world/player.ts";
 import { STAGES, WALL_MARGIN } from "../../../src/world/stage.ts";
@@ -7,6 +8,7 @@ import { chance } from "../chance.ts";
 
 const { gait, room } = STAGES.paper;
 const WALLS = inset(room, WALL_MARGIN);
+const BOX = walled(WALLS);
 
 function standing(yaw = 0): Player {
   return { position: [0, 1.6, 0], velocity: [0, 0, 0], yaw, pitch: 0 };
@@ -27,8 +29,8 @@ describe("walking (I1)", () => {
   ] as const)("ends in the same place in one step as in many: he %s", (_, velocity, wish) => {
     const once: Player = { ...standing(0.7), velocity: [...velocity] };
     const often: Player = { ...standing(0.7), velocity: [...velocity] };
-    walk(once, wish, gait, null, 0.5);
-    for (let i = 0; i < 60; i++) walk(often, wish, gait, null, 1 / 120);
+    walk(once, wish, gait, OPEN, 0.5);
+    for (let i = 0; i < 60; i++) walk(often, wish, gait, OPEN, 1 / 120);
     for (const axis of [0, 1, 2] as const) {
       expect(Math.abs(once.position[axis] - often.position[axis])).toBeLessThan(1e-9);
       expect(Math.abs(once.velocity[axis] - often.velocity[axis])).toBeLessThan(1e-9);
@@ -41,7 +43,7 @@ describe("walking (I1)", () => {
   ])("reaches %s, no more, within half a second", (_, runs, speed) => {
     const player = standing();
     for (let i = 0; i < 60; i++) {
-      walk(player, intent({ forward: 1, runs }), gait, null, 1 / 120);
+      walk(player, intent({ forward: 1, runs }), gait, OPEN, 1 / 120);
       expect(speedOf(player)).toBeLessThanOrEqual(speed);
     }
     expect(speedOf(player)).toBeGreaterThan(0.99 * speed);
@@ -50,26 +52,26 @@ describe("walking (I1)", () => {
 
   test("is no faster across the diagonal", () => {
     const player = standing();
-    walk(player, intent({ forward: 1, right: 1 }), gait, null, 5);
+    walk(player, intent({ forward: 1, right: 1 }), gait, OPEN, 5);
     expect(speedOf(player)).toBeCloseTo(2, 9);
   });
 
   test("obeys a stick pushed half-way by half the speed", () => {
     const player = standing();
-    walk(player, intent({ forward: 0.5 }), gait, null, 5);
+    walk(player, intent({ forward: 0.5 }), gait, OPEN, 5);
     expect(speedOf(player)).toBeCloseTo(1, 9);
   });
 
   test("ends when the keys are let go", () => {
     const player: Player = { ...standing(), velocity: [2, 0, 0] };
-    walk(player, STILL, gait, null, 2);
+    walk(player, STILL, gait, OPEN, 2);
     expect(speedOf(player)).toBeLessThan(1e-9);
     expect(player.position[0]).toBeLessThan(0.25);
   });
 
   test("never leaves the floor", () => {
     const player: Player = { ...standing(), pitch: MAX_PITCH };
-    walk(player, intent({ forward: 1 }), gait, null, 1);
+    walk(player, intent({ forward: 1 }), gait, OPEN, 1);
     expect(player.position[1]).toBe(1.6);
   });
 
@@ -83,7 +85,7 @@ describe("walking (I1)", () => {
     ["right a quarter turn to the left is -Z", Math.PI / 2, { right: 1 }, [0, -1]],
   ])("%s", (_, yaw, wish, [x, z]) => {
     const player = standing(yaw);
-    walk(player, intent(wish), gait, null, 100);
+    walk(player, intent(wish), gait, OPEN, 100);
     const length = Math.hypot(...player.position.filter((_, axis) => axis !== 1));
     expect(player.position[0] / length).toBeCloseTo(x!, 9);
     expect(player.position[2] / length).toBeCloseTo(z!, 9);
@@ -120,7 +122,7 @@ describe("looking", () => {
   test("by keys is as fast at any frame rate", () => {
     const yaws = [30, 60, 144].map((rate) => {
       const player = standing();
-      for (let i = 0; i < rate; i++) walk(player, intent({ turn: 1 }), gait, null, 1 / rate);
+      for (let i = 0; i < rate; i++) walk(player, intent({ turn: 1 }), gait, OPEN, 1 / rate);
       return player.yaw;
     });
     expect(yaws[0]).toBeGreaterThan(1);
@@ -129,7 +131,7 @@ describe("looking", () => {
 
   test("by keys goes left for a positive turn, right for a negative", () => {
     const player = standing();
-    walk(player, intent({ turn: -1 }), gait, null, 0.1);
+    walk(player, intent({ turn: -1 }), gait, OPEN, 0.1);
     expect(player.yaw).toBeLessThan(0);
   });
 });
@@ -152,7 +154,7 @@ describe("collision (I2)", () => {
           turn: between(-1, 1),
           runs: between(0, 1) < 0.5,
         });
-        walk(player, wish, gait, WALLS, between(0, longest));
+        walk(player, wish, gait, BOX, between(0, longest));
         nearest = Math.min(nearest, gap(player, room));
         if (gap(player, WALLS) === 0) touched++;
       }
@@ -165,7 +167,7 @@ describe("collision (I2)", () => {
     const player = standing(0);
     player.position[2] = -4;
     const wish = intent({ forward: 1, right: 1 });
-    for (let i = 0; i < 120; i++) walk(player, wish, gait, WALLS, 1 / 120);
+    for (let i = 0; i < 120; i++) walk(player, wish, gait, BOX, 1 / 120);
     expect(player.position[2]).toBe(-4.5);
     expect(player.velocity[2]).toBe(0);
     expect(player.velocity[0]).toBeCloseTo(Math.SQRT2, 3);
@@ -174,14 +176,14 @@ describe("collision (I2)", () => {
 
   test("who turns away from a wall leaves it at once", () => {
     const player = standing(0);
-    walk(player, intent({ forward: 1, runs: true }), gait, WALLS, 60);
-    walk(player, intent({ forward: -1 }), gait, WALLS, 0.1);
+    walk(player, intent({ forward: 1, runs: true }), gait, BOX, 60);
+    walk(player, intent({ forward: -1 }), gait, BOX, 0.1);
     expect(player.position[2]).toBeGreaterThan(-4.5);
   });
 
   test("without walls, as in the original, he walks out", () => {
     const player = standing(0);
-    walk(player, intent({ forward: 1 }), gait, null, 10);
+    walk(player, intent({ forward: 1 }), gait, OPEN, 10);
     expect(player.position[2]).toBeLessThan(room.min[2]);
   });
 });

@@ -107,7 +107,7 @@ describe("birth", () => {
   test.each(LOOKS)("at an age gives the world that has grown that old: %s", (look) => {
     const grown = shownOf(advanced(createWorld(look, 9), 10, 1));
     expect(grown.tick).toBe(1200);
-    expect(shownOf(createWorld(look, 9, 1200))).toEqual(grown);
+    expect(shownOf(createWorld(look, 9, { age: 1200 }))).toEqual(grown);
   });
 
   test("of the same seed is of the same flame, of another seed of another", () => {

@@ -1,0 +1,59 @@
+import { closeModel, type Model } from "./assets/model.js";
+import type { Models } from "./render/renderer.js";
+import type { Look } from "./settings.js";
+
+/** Models that the built-in rooms are made of, under `asset-base`. */
+const BUILT_IN: Readonly<Record<Look, Readonly<Record<keyof Models, string>>>> = {
+  physical: { room: "models/cabin.glb", candle: "models/chamberstick.glb" },
+  paper: { room: "models/paper-room.glb", candle: "models/paper-candle.glb" },
+  original: { room: "models/paper-room.glb", candle: "models/paper-candle.glb" },
+};
+
+/** Where a look's models come from, as absolute URLs. */
+export type Sources = Readonly<Record<keyof Models, string>>;
+
+export function sourcesOf(look: Look, src: string, assetRoot: string): Sources {
+  const { room, candle } = BUILT_IN[look];
+  return {
+    room: src === "" ? new URL(room, assetRoot).href : new URL(src, document.baseURI).href,
+    candle: new URL(candle, assetRoot).href,
+  };
+}
+
+/**
+ * Fetches and decodes a look's models. three.js comes with the first of them.
+ *
+ * @param onProgress called with the share done, 0 to 1, never falling
+ */
+export async function loadModels(
+  sources: Sources,
+  assetRoot: string,
+  signal: AbortSignal,
+  onProgress: (share: number) => void,
+): Promise<Models> {
+  const { loadModel } = await import("./assets/load-model.js");
+  const shares = { room: 0, candle: 0 };
+  const load = (name: keyof Models): Promise<Model> =>
+    loadModel(sources[name], {
+      signal,
+      decoderBase: new URL("decoders/", assetRoot).href,
+      onProgress: (share) => {
+        shares[name] = Math.max(shares[name], share);
+        // The room is most of the way.
+        if (!signal.aborted) onProgress((shares.room * 3 + shares.candle) / 4);
+      },
+    });
+  const [room, candle] = await Promise.allSettled([load("room"), load("candle")]);
+  const reason = [room, candle].find((result) => result.status === "rejected")?.reason;
+  if (room.status === "fulfilled" && candle.status === "fulfilled" && !signal.aborted) {
+    return { room: room.value, candle: candle.value };
+  }
+  for (const result of [room, candle]) if (result.status === "fulfilled") closeModel(result.value);
+  signal.throwIfAborted();
+  throw reason;
+}
+
+export function closeModels({ room, candle }: Models): void {
+  closeModel(room);
+  closeModel(candle);
+}

@@ -1,0 +1,72 @@
+import downFrag from "../../../shaders/physical/bloom-down.frag";
+import upFrag from "../../../shaders/physical/bloom-up.frag";
+import fullscreenVert from "../../../shaders/physical/fullscreen.vert";
+import type { Gpu } from "../../gl/gpu.js";
+import type { Program } from "../../gl/program.js";
+import type { RenderTarget } from "../../gl/render-target.js";
+import type { Texture } from "../../gl/texture.js";
+import type { VertexArray } from "../../gl/vertex-array.js";
+
+/** How much of each level comes from the wider ones below it: the larger, the wider the halo. */
+const WIDER_SHARE = 0.7;
+
+/**
+ * Light scattered inside the lens and the eye: a pyramid of ever wider blurs, mixed from the widest up.
+ *
+ * Each step keeps the sum of light. Jimenez 2014, "Next Generation Post Processing in Call of Duty:
+ * Advanced Warfare".
+ */
+export class BloomPass {
+  readonly #gpu: Gpu;
+  readonly #down: Program;
+  readonly #up: Program;
+  readonly #screen: VertexArray;
+  readonly #levels: number;
+  #pyramid: RenderTarget[] = [];
+
+  constructor(gpu: Gpu, screen: VertexArray, levels: number) {
+    this.#gpu = gpu;
+    this.#screen = screen;
+    this.#levels = levels;
+    this.#down = gpu.program("physical/bloom-down", fullscreenVert, downFrag);
+    this.#up = gpu.program("physical/bloom-up", fullscreenVert, upFrag);
+  }
+
+  resize(width: number, height: number): void {
+    for (const level of this.#pyramid) level.dispose();
+    this.#pyramid = Array.from({ length: this.#levels }, (_, i) =>
+      this.#gpu.renderTarget({
+        label: `bloom/${i}`,
+        width: Math.max(1, width >> (i + 1)),
+        height: Math.max(1, height >> (i + 1)),
+        color: ["RGBA16F"],
+      }),
+    );
+  }
+
+  /** Radiance in, scattered radiance out, at half the size. */
+  render(radiance: Texture): Texture {
+    let source = radiance;
+    for (const target of this.#pyramid) {
+      this.#gpu.draw({
+        program: this.#down,
+        target,
+        vertexArray: this.#screen,
+        textures: { uSource: source },
+      });
+      source = target.color;
+    }
+    for (const target of this.#pyramid.toReversed().slice(1)) {
+      this.#gpu.draw({
+        program: this.#up,
+        target,
+        vertexArray: this.#screen,
+        textures: { uSource: source },
+        uniforms: { uShare: WIDER_SHARE },
+        blend: "premultiplied",
+      });
+      source = target.color;
+    }
+    return source;
+  }
+}
