@@ -2,6 +2,7 @@ import type { AssetError } from "./assets/load-model.js";
 import { CandleFlame, type Stats } from "./candle-flame.js";
 import { STYLE } from "./element-style.js";
 import { FirstPersonInput } from "./input/first-person-input.js";
+import type { FlameReport } from "./light/flame-light.js";
 import { closeModels, loadModels, type Sources, sourcesOf } from "./model-loader.js";
 import { ReflectedAttributes } from "./reflected-attributes.js";
 import type { Models } from "./render/renderer.js";
@@ -16,7 +17,7 @@ import {
 } from "./settings.js";
 import { moveCamera, placeCandle, takeCandle } from "./world/world.js";
 
-export type { Feature, Features, Look, Quality, Stats };
+export type { Feature, Features, FlameReport, Look, Quality, Stats };
 
 export interface Camera {
   /** Metres; the origin is on the floor, amid the room. */
@@ -196,6 +197,11 @@ export class CandleFlameElement extends ReflectedAttributes {
   /** Whether the candle is in the hand; else it stands in the room. */
   get held(): boolean {
     return this.#candle?.world.candle.isHeld ?? true;
+  }
+
+  /** The flame as of the last frame; its position is the centre of the light. Null before the first. */
+  get flame(): FlameReport | null {
+    return this.#candle?.flame ?? null;
   }
 
   /** Numbers of the last frame. */

@@ -1,5 +1,7 @@
 import { Gpu } from "./gl/gpu.js";
 import type { FirstPersonInput } from "./input/first-person-input.js";
+import { candleLight } from "./light/candle-light.js";
+import { type FlameReport, flameReport, paperFlameReport } from "./light/flame-light.js";
 import { PaperRenderer } from "./render/paper/paper-renderer.js";
 import { PhysicalRenderer } from "./render/physical/physical-renderer.js";
 import type { Models, Renderer } from "./render/renderer.js";
@@ -237,6 +239,13 @@ export class CandleFlame {
   readRadiance(x: number, y: number, width: number, height: number): Float32Array {
     this.draw();
     return this.#renderer.readRadiance(x, y, width, height);
+  }
+
+  /** The flame, as of the last frame. */
+  get flame(): FlameReport {
+    if (this.#options.look === "physical") return flameReport(this.world);
+    const light = candleLight(this.world, this.#features, this.#options.isStill);
+    return paperFlameReport(this.world, light.position);
   }
 
   get stats(): Stats {
