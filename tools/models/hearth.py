@@ -2,8 +2,6 @@
 
 from math import cos, pi, sin
 
-from mathutils import Vector
-
 from chance import Chance, wander_over
 from masonry import (
     BRESSUMMER_BOTTOM,
@@ -14,6 +12,7 @@ from masonry import (
     masonry,
     mortar,
 )
+from mathutils import Vector
 from mesh import Mesh, moved
 from room import HEARTH_MIDDLE, NORTH
 from shapes import add_mapped, arc, lathe, smooth_path, timber, tube

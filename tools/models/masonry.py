@@ -2,9 +2,8 @@
 
 from math import pi
 
-from mathutils import Vector
-
 from chance import Chance, wander_over
+from mathutils import Vector
 from mesh import Mesh, moved, turned
 from room import HEIGHT
 from shapes import add_mapped, box, loft

@@ -3,7 +3,6 @@
 from math import cos, pi, sin
 
 from mathutils import Vector
-
 from mesh import Mesh
 from texturing import tile_of
 

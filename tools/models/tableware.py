@@ -3,7 +3,6 @@
 from math import cos, pi, sin
 
 from mathutils import Vector
-
 from mesh import Mesh, moved, turned
 from shapes import arc, lathe, smooth_path, tube
 
