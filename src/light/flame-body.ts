@@ -10,9 +10,9 @@ export const BODY_REACH = 1.25;
 /** Hottest soot, kelvin: two-colour pyrometry of candles finds 1670 to 1800. */
 const HOTTEST = 1750;
 /** Colour of the base's CH* and C2* bands, linear Rec. 709 with luma 1. */
-const BLUE: Rgb = [0.28, 0.75, 5.6];
+const BLUE: Rgb = [0.45, 0.9, 3.6];
 /** Luminance of the blue cup seen edge-on against that of the brightest soot. */
-const BLUE_SHARE = 0.006;
+const BLUE_SHARE = 0.0009;
 
 /**
  * A candle flame at rest, as a figure of revolution.

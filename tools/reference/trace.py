@@ -1,0 +1,241 @@
+"""A view by Cycles: linear Rec. 709 whose luma is luminance, cd/m², as half floats."""
+
+import json
+import math
+import os
+import struct
+import sys
+import tempfile
+
+import bpy
+import exr
+import numpy
+from mathutils import Matrix, Vector
+
+ROOM_TO_BLENDER = Matrix(((1, 0, 0, 0), (0, 0, -1, 0), (0, 1, 0, 0), (0, 0, 0, 1)))
+PUBLIC = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../public")
+SAMPLES = int(os.environ.get("SAMPLES", "384"))
+# Spheres in the column that stands for the flame, which is optically thin: as bright from above as
+# from the side. An opaque ellipsoid would be four times too dim from above.
+LAMPS = 8
+LUMA = (0.2126729, 0.7151522, 0.072175)
+# Pixels around candle and flame that are not compared: half of a filter's width, and a little.
+MARGIN = 2
+
+
+def start():
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    scene = bpy.context.scene
+    scene.render.engine = "CYCLES"
+    scene.render.threads_mode = "FIXED"
+    scene.render.threads = 2
+    scene.cycles.device = "CPU"
+    scene.cycles.samples = SAMPLES
+    scene.cycles.use_adaptive_sampling = False
+    scene.cycles.seed = 1
+    scene.cycles.max_bounces = 16
+    scene.cycles.diffuse_bounces = 16
+    scene.cycles.glossy_bounces = 8
+    scene.cycles.sample_clamp_direct = 0
+    scene.cycles.sample_clamp_indirect = 0
+    scene.cycles.blur_glossy = 0.5
+    scene.cycles.caustics_reflective = True
+    scene.cycles.use_denoising = True
+    scene.cycles.denoiser = "OPENIMAGEDENOISE"
+    scene.cycles.denoising_input_passes = "RGB_ALBEDO_NORMAL"
+    scene.cycles.pixel_filter_type = "BOX"
+    scene.cycles.filter_width = 1.0
+    layer = bpy.context.view_layer
+    layer.use_pass_object_index = True
+    for name in ("diffuse_direct", "diffuse_indirect", "diffuse_color", "glossy_direct", "glossy_indirect", "glossy_color"):
+        setattr(layer, f"use_pass_{name}", True)
+    return scene
+
+
+def load(name, place=Matrix()):
+    path = os.path.join(PUBLIC, "models", name)
+    before = set(bpy.data.objects)
+    bpy.ops.import_scene.gltf(filepath=path)
+    added = [node for node in bpy.data.objects if node not in before]
+    for node in added:
+        node.matrix_world = place @ node.matrix_world
+        for slot in getattr(node, "material_slots", ()):
+            slot.material = material(path, slot.material.name.split(".")[0])
+    return added
+
+
+known = {}
+
+
+def material(path, name):
+    """Principled BSDF of a glTF material. The importer's own would not read AVIF, nor our occlusion."""
+    if (path, name) in known:
+        return known[path, name]
+    with open(path, "rb") as file:
+        (length,) = struct.unpack("<12xI", file.read(16))
+        document = json.loads(file.read(4 + length)[4:])
+    entry = next(m for m in document["materials"] if m["name"] == name)
+    surface = entry.get("pbrMetallicRoughness", {})
+    made = bpy.data.materials.new(f"reference-{name}")
+    made.use_nodes = True
+    nodes, link = made.node_tree.nodes, made.node_tree.links.new
+    shader = nodes["Principled BSDF"]
+    factor = surface.get("baseColorFactor", [1, 1, 1, 1])
+    roughness, metallic = surface.get("roughnessFactor", 1), surface.get("metallicFactor", 1)
+
+    def picture(use, is_color):
+        texture = document["textures"][use["index"]]
+        uri = document["images"][texture["source"]]["uri"]
+        node = nodes.new("ShaderNodeTexImage")
+        node.image = bpy.data.images.load(os.path.join(os.path.dirname(path), uri), check_existing=True)
+        node.image.colorspace_settings.name = "sRGB" if is_color else "Non-Color"
+        return node.outputs["Color"]
+
+    def times(value, number):
+        node = nodes.new("ShaderNodeMath")
+        node.operation = "MULTIPLY"
+        link(value, node.inputs[0])
+        node.inputs[1].default_value = number
+        return node.outputs[0]
+
+    shader.inputs["Base Color"].default_value = factor
+    if "baseColorTexture" in surface:
+        tint = nodes.new("ShaderNodeVectorMath")
+        tint.operation = "MULTIPLY"
+        link(picture(surface["baseColorTexture"], True), tint.inputs[0])
+        tint.inputs[1].default_value = factor[:3]
+        link(tint.outputs[0], shader.inputs["Base Color"])
+    shader.inputs["Roughness"].default_value = roughness
+    shader.inputs["Metallic"].default_value = metallic
+    if "metallicRoughnessTexture" in surface:
+        parts = nodes.new("ShaderNodeSeparateColor")
+        link(picture(surface["metallicRoughnessTexture"], False), parts.inputs[0])
+        link(times(parts.outputs["Green"], roughness), shader.inputs["Roughness"])
+        link(times(parts.outputs["Blue"], metallic), shader.inputs["Metallic"])
+    if "normalTexture" in entry:
+        relief = nodes.new("ShaderNodeNormalMap")
+        relief.inputs["Strength"].default_value = entry["normalTexture"].get("scale", 1)
+        link(picture(entry["normalTexture"], False), relief.inputs["Color"])
+        link(relief.outputs["Normal"], shader.inputs["Normal"])
+    known[path, name] = made
+    return made
+
+
+def add_lamps(scene, position, lamp):
+    peak = max(lamp["intensity"])
+    for i in range(LAMPS):
+        light = bpy.data.lights.new("flame", "POINT")
+        light.color = [channel / peak for channel in lamp["intensity"]]
+        light.energy = 4 * math.pi * peak / LAMPS
+        light.shadow_soft_size = lamp["radius"]
+        light.use_soft_falloff = False
+        node = bpy.data.objects.new("flame", light)
+        node.visible_camera = False
+        up = ((i + 0.5) / LAMPS * 2 - 1) * lamp["halfHeight"]
+        node.location = ROOM_TO_BLENDER @ Vector((position[0], position[1] + up, position[2]))
+        scene.collection.objects.link(node)
+
+
+def add_camera(scene, view):
+    camera = bpy.data.cameras.new("eye")
+    camera.sensor_fit = "VERTICAL"
+    camera.angle_y = math.radians(view["fieldOfView"])
+    camera.clip_start = 0.01
+    node = bpy.data.objects.new("eye", camera)
+    eye = view["camera"]
+    node.matrix_world = (
+        ROOM_TO_BLENDER
+        @ Matrix.Translation(eye["position"])
+        @ Matrix.Rotation(eye["yaw"], 4, "Y")
+        @ Matrix.Rotation(eye["pitch"], 4, "X")
+    )
+    scene.collection.objects.link(node)
+    scene.camera = node
+    scene.render.resolution_x, scene.render.resolution_y = view["width"], view["height"]
+    return node
+
+
+def render(scene):
+    settings = scene.render.image_settings
+    if hasattr(settings, "media_type"):
+        settings.media_type = "MULTI_LAYER_IMAGE"
+    settings.file_format = "OPEN_EXR_MULTILAYER"
+    settings.color_depth = "32"
+    settings.exr_codec = "NONE"
+    settings.use_exr_interleave = True
+    with tempfile.TemporaryDirectory() as folder:
+        scene.render.filepath = os.path.join(folder, "view.exr")
+        bpy.ops.render.render(write_still=True)
+        return exr.read(scene.render.filepath)
+
+
+def colour(images, name):
+    found = {key.rsplit(".", 2)[1] + "." + key[-1]: image for key, image in images.items()}
+    return numpy.stack([found[f"{name}.{channel}"] for channel in "RGB"], axis=-1)
+
+
+def left_out(view, index):
+    """Pixels of candle, holder and flame."""
+    mask = index > 0.5
+    eye, lamp = view["camera"], view["lamp"]
+    from_room = (
+        Matrix.Rotation(-eye["pitch"], 4, "X")
+        @ Matrix.Rotation(-eye["yaw"], 4, "Y")
+        @ Matrix.Translation([-x for x in eye["position"]])
+    )
+    x, y, z = view["flame"]["position"]
+    reach = lamp["reach"] * 1.3
+    scale = view["height"] / 2 / math.tan(math.radians(view["fieldOfView"]) / 2)
+    corners = []
+    for i in range(8):
+        up = lamp["base"] + lamp["height"] * (i & 1)
+        corner = Vector((x + reach * ((i & 2) - 1), y + up, z + reach * ((i & 4) / 2 - 1)))
+        seen = from_room @ corner
+        if seen.z < -0.05:
+            corners.append(
+                (view["width"] / 2 + scale * seen.x / -seen.z, view["height"] / 2 - scale * seen.y / -seen.z)
+            )
+    if corners:
+        columns, rows = zip(*corners)
+        low = [max(0, int(min(values))) for values in (rows, columns)]
+        high = [max(0, int(max(values)) + 1) for values in (rows, columns)]
+        mask[low[0] : high[0], low[1] : high[1]] = True
+    for _ in range(MARGIN):
+        wider = mask.copy()
+        wider[1:] |= mask[:-1]
+        wider[:-1] |= mask[1:]
+        wider[:, 1:] |= mask[:, :-1]
+        wider[:, :-1] |= mask[:, 1:]
+        mask = wider
+    return mask
+
+
+def main(view_path, folder):
+    with open(view_path) as file:
+        view = json.load(file)
+    scene = start()
+    load("cabin.glb")
+    x, y, z = view["candle"]["foot"]
+    place = ROOM_TO_BLENDER @ Matrix.Translation((x, y, z)) @ Matrix.Rotation(view["candle"]["turn"], 4, "Y") @ ROOM_TO_BLENDER.inverted()
+    for node in load("chamberstick.glb", place):
+        node.pass_index = 1
+    add_lamps(scene, view["flame"]["position"], view["lamp"])
+    add_camera(scene, view)
+    images = render(scene)
+    radiance = colour(images, "Combined")
+    if "REFERENCE_PASSES" in os.environ:
+        numpy.savez(
+            os.path.join(os.environ["REFERENCE_PASSES"], view["name"] + ".npz"),
+            **{key.split(".", 1)[1]: image for key, image in images.items()},
+        )
+    index = next(image for key, image in images.items() if "Index" in key)
+    halves = radiance.clip(0, 65504).astype("<f2")
+    # A negative sign of red marks what is not compared: candle, holder and flame.
+    halves[..., 0] = numpy.copysign(halves[..., 0], numpy.where(left_out(view, index), -1, 1))
+    halves.tofile(os.path.join(folder, view["name"] + ".bin"))
+    with open(os.path.join(folder, view["name"] + ".json"), "w") as file:
+        file.write(json.dumps(view, indent=2) + "\n")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
