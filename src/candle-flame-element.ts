@@ -15,6 +15,7 @@ import {
   type Quality,
   type SettingName,
 } from "./settings.js";
+import type { Refusal } from "./world/placing.js";
 import { moveCamera, placeCandle, takeCandle } from "./world/world.js";
 
 export type { Feature, Features, FlameReport, Look, Quality, Stats };
@@ -49,6 +50,13 @@ export interface CandleFlameEventMap {
   contextrestored: CustomEvent<null>;
 }
 
+const REFUSALS: Readonly<Record<Refusal, string>> = {
+  "nothing within reach": "There is nothing within reach to put the candle on.",
+  "too steep": "That is too steep for a candle.",
+  overhangs: "The candle would hang over the edge.",
+  "no room": "There is no room for the candle.",
+};
+
 /**
  * A candle in a dark room.
  *
@@ -62,6 +70,7 @@ export interface CandleFlameEventMap {
  * @csspart canvas - the picture
  * @csspart poster - the picture until the first frame
  * @csspart progress - the bar that shows loading
+ * @csspart hint - what the visitor should know for a moment
  * @csspart error - the sentence shown when there can be no picture
  */
 export class CandleFlameElement extends ReflectedAttributes {
@@ -72,6 +81,7 @@ export class CandleFlameElement extends ReflectedAttributes {
   readonly #poster: HTMLImageElement;
   readonly #progress: HTMLElement;
   readonly #failure: HTMLElement;
+  readonly #hint: HTMLElement;
   readonly #features: Features = allFeatures();
   readonly #featureSwitches: Features;
   #settleReady: { resolve: () => void; reject: (error: Error) => void };
@@ -106,7 +116,10 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.#failure.part.add("error");
     this.#failure.role = "alert";
     this.#failure.hidden = true;
-    root.append(this.#poster, this.#progress, this.#failure);
+    this.#hint = document.createElement("div");
+    this.#hint.part.add("hint");
+    this.#hint.role = "status";
+    root.append(this.#poster, this.#progress, this.#failure, this.#hint);
     this.#featureSwitches = this.#makeFeatureSwitches();
     this.#settleReady = { resolve: () => {}, reject: () => {} };
     this.ready = this.#promiseReady();
@@ -250,7 +263,10 @@ export class CandleFlameElement extends ReflectedAttributes {
 
   /** Puts the candle down ahead. */
   place(): void {
-    if (this.#candle && placeCandle(this.#candle.world)) this.#emit("place", null);
+    const world = this.#candle?.world;
+    if (!world?.candle.isHeld) return;
+    if (placeCandle(world)) this.#emit("place", null);
+    this.#tellRefusal();
     this.#requestDraw();
   }
 
@@ -335,6 +351,7 @@ export class CandleFlameElement extends ReflectedAttributes {
       this.#candle = new CandleFlame(canvas, models, this.#features, this.#options());
       this.#candle.onFrame = () => this.#afterFrame();
       this.#candle.onCandleMoved = () => this.#emit(this.held ? "take" : "place", null);
+      this.#candle.onRefused = () => this.#tellRefusal();
       this.#moveCamera(this.#candle, this.#awaitedCamera);
       this.#awaitedCamera = null;
       this.#shownCamera = this.#cameraKey;
@@ -552,6 +569,16 @@ export class CandleFlameElement extends ReflectedAttributes {
     if (key === this.#shownCamera) return;
     this.#shownCamera = key;
     this.#emit("camerachange", null);
+  }
+
+  /** Why the candle could not be put down, in a sentence that fades; nothing if it could. */
+  #tellRefusal(): void {
+    const refusal = this.#candle?.world.refusal ?? null;
+    this.#hint.replaceChildren();
+    if (refusal === null) return;
+    const sentence = document.createElement("p");
+    sentence.textContent = REFUSALS[refusal];
+    this.#hint.append(sentence);
   }
 
   #showProgress(totalProgress: number): void {

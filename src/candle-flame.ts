@@ -60,6 +60,8 @@ export class CandleFlame {
   onFrame: () => void = () => {};
   /** Called when the visitor's input has put the candle down, or taken it up. */
   onCandleMoved: () => void = () => {};
+  /** Called when the visitor wanted to put the candle down, and could not. */
+  onRefused: () => void = () => {};
   readonly #canvas: HTMLCanvasElement;
   #models: Models;
   #room: Room | null;
@@ -197,10 +199,12 @@ export class CandleFlame {
   step(seconds: number): void {
     const begin = performance.now();
     const { isHeld } = this.world.candle;
-    advance(this.world, this.input?.read() ?? STILL, seconds);
+    const intent = this.input?.read() ?? STILL;
+    advance(this.world, intent, seconds);
     this.draw();
     this.#cpuMs = performance.now() - begin;
     if (this.world.candle.isHeld !== isHeld) this.onCandleMoved();
+    if (intent.placesOrTakes && isHeld) this.onRefused();
   }
 
   /** The picture of this very moment. Nothing is drawn while the context is lost. */

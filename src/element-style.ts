@@ -30,6 +30,22 @@ canvas, [part="poster"] {
   background: var(--candle-flame-progress-color, #f0a54a);
   transform-origin: left;
 }
+[part="hint"] {
+  position: absolute;
+  inset-inline: 0;
+  inset-block-end: 12%;
+  pointer-events: none;
+  text-align: center;
+}
+[part="hint"] p {
+  display: inline-block;
+  margin: 0;
+  padding: 0.4rem 0.9rem;
+  border-radius: 0.5rem;
+  background: #140d08d9;
+  animation: hint 4s ease-in forwards;
+}
+@keyframes hint { 0%, 75% { opacity: 1 } 100% { opacity: 0 } }
 [part="error"] {
   position: absolute;
   inset: 0;

@@ -7,7 +7,7 @@
 #include "lib/display.glsl"
 
 // Contrast around middle grey, as film has it: candlelight without it looks like fog.
-const float CONTRAST = 1.3;
+const float CONTRAST = 1.35;
 const float MIDDLE_GREY = 0.18;
 // Stops above white over which a light loses its hue, and how much of it is lost in the end.
 const float BLEACH_STOPS = 11.0;

@@ -4,8 +4,11 @@ export type Rgb = readonly [red: number, green: number, blue: number];
 /** A 3 x 3 matrix by rows. */
 type Rows = readonly [Rgb, Rgb, Rgb];
 
-/** CIE 1931 chromaticity of illuminant A: the tungsten lamp that eyes and screens take for warm white. */
-export const ILLUMINANT_A = [0.4476, 0.4075] as const;
+/**
+ * CIE 1931 chromaticity that the eye believes candlelight to have, once it is used to it: a studio
+ * lamp of 3200 K. Illuminant A leaves cloth, wood and stone too much of one hue.
+ */
+export const ADAPTED_WHITE = [0.4234, 0.399] as const;
 
 // IEC 61966-2-1, D65.
 const XYZ_FROM_RGB: Rows = [
@@ -46,14 +49,14 @@ export const LEAST_BLUE = 0.004;
 
 /**
  * Chromatic adaptation of linear Rec. 709, channel by channel (von Kries 1902): what a candle lit looks
- * as if illuminant A had lit it. Factors whose effect on candlelight leaves luma as it is.
+ * as if a studio lamp had lit it. Factors whose effect on candlelight leaves luma as it is.
  *
  * @param candle colour of the light, with luma 1
  *
  * Adapting in cone space (Bradford) would make up blue from red and green, and turns all wood salmon.
  */
 export function adaptation(candle: Rgb): Rgb {
-  const lamp = whiteOf(ILLUMINANT_A);
+  const lamp = whiteOf(ADAPTED_WHITE);
   return [lamp[0] / candle[0], lamp[1] / candle[1], lamp[2] / candle[2]];
 }
 

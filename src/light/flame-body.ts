@@ -12,7 +12,7 @@ const HOTTEST = 1750;
 /** Colour of the base's CH* and C2* bands, linear Rec. 709 with luma 1. */
 const BLUE: Rgb = [0.45, 0.9, 3.6];
 /** Luminance of the blue cup seen edge-on against that of the brightest soot. */
-const BLUE_SHARE = 0.0009;
+const BLUE_SHARE = 0.00025;
 
 /**
  * A candle flame at rest, as a figure of revolution.
@@ -61,7 +61,8 @@ function at(height: number, radius: number) {
   const temperature =
     HOTTEST - 170 * (1 - smooth(0.3, 0.9, radius)) * hollow - 190 * smooth(0.75, 1, height);
   const cup =
-    Math.exp(-(((radius - 0.96) / 0.13) ** 2)) *
+    Math.exp(-(((radius - 0.88) / 0.12) ** 2)) *
+    (1 - smooth(0.95, 1.2, radius)) *
     smooth(0, 0.03, height) *
     (1 - smooth(0.1, 0.3, height));
   return { soot, temperature, cup };

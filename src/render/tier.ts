@@ -23,5 +23,5 @@ const SOFTWARE = /SwiftShader|llvmpipe|Basic Render|Software/i;
 /** The tier a quality asks for; `auto` goes by who draws. */
 export function tierOf(quality: Quality, renderer: string): Tier {
   if (quality !== "auto") return TIERS[quality];
-  return SOFTWARE.test(renderer) ? TIERS.medium : TIERS.high;
+  return SOFTWARE.test(renderer) ? TIERS.low : TIERS.high;
 }

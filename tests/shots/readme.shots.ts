@@ -1,18 +1,27 @@
 import { mkdirSync } from "node:fs";
 import { expect, test } from "playwright/test";
 import sharp from "sharp";
-import { type Attributes, RoomDriver } from "../support/room-driver.ts";
+import { RoomDriver } from "../support/room-driver.ts";
+import { lookingAt, type Shot, take } from "./shot.ts";
 
-/** A picture of the README: what is set, where the eye is, how long it has burnt. */
-interface Shot {
-  readonly name: string;
-  readonly attributes: Attributes;
-  readonly camera: { position: [number, number, number]; yaw: number; pitch: number };
-  readonly seconds: number;
-  readonly isPlaced?: boolean;
-}
+/** In the middle of the table's near half, from where one stands before it. */
+const ON_THE_TABLE = { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 } as const;
 
+/** The pictures of the README. */
 const SHOTS: readonly Shot[] = [
+  {
+    name: "cabin",
+    attributes: { look: "physical", quality: "high" },
+    camera: { position: [-1.55, 1.6, 1.3], yaw: -0.3 * Math.PI, pitch: -0.08 },
+    seconds: 1,
+  },
+  {
+    name: "cabin-table",
+    attributes: { look: "physical", quality: "high" },
+    place: ON_THE_TABLE,
+    camera: lookingAt([-0.85, 1.3, 1.1], [0.45, 0.85, -0.15]),
+    seconds: 1,
+  },
   {
     name: "paper",
     attributes: { look: "paper", quality: "high" },
@@ -28,9 +37,9 @@ const SHOTS: readonly Shot[] = [
   {
     name: "paper-placed",
     attributes: { look: "paper", quality: "high" },
+    place: { position: [1.1, 1.6, 1.2], yaw: 0.75, pitch: 0 },
     camera: { position: [2.2, 0.62, 2.4], yaw: 0.75, pitch: -0.12 },
     seconds: 1,
-    isPlaced: true,
   },
   {
     name: "original",
@@ -40,24 +49,15 @@ const SHOTS: readonly Shot[] = [
   },
 ];
 
-for (const { name, attributes, camera, seconds, isPlaced } of SHOTS) {
-  test(`shot: ${name}`, async ({ page }) => {
-    const room = await new RoomDriver(page).open(attributes, { width: 1280, height: 720 });
-    if (isPlaced) {
-      await room.evaluate((element) => {
-        element.camera = { position: [1.1, 1.6, 1.2], yaw: 0.75, pitch: 0 };
-        element.place();
-      });
-    }
-    await room.evaluate((element, camera) => {
-      element.camera = camera;
-    }, camera);
-    await room.step(seconds);
+for (const shot of SHOTS) {
+  test(`shot: ${shot.name}`, async ({ page }) => {
+    const room = await new RoomDriver(page).open(shot.attributes, { width: 1280, height: 720 });
+    const picture = await take(room, shot);
     mkdirSync("docs/shots", { recursive: true });
-    const picture = await page.screenshot();
     await sharp(picture)
       .jpeg({ quality: 88, chromaSubsampling: "4:4:4" })
-      .toFile(`docs/shots/${name}.jpg`);
+      .toFile(`docs/shots/${shot.name}.jpg`);
     expect((await sharp(picture).stats()).isOpaque).toBe(true);
+    expect(room.complaints).toEqual([]);
   });
 }

@@ -31,21 +31,31 @@ export const browser: NonNullable<PlaywrightTestConfig["use"]> = {
 
 const vite = "node node_modules/vite/bin/vite.js";
 
+/** First of three ports in a row; TEST_PORT names another where these are taken. */
+const PORT = Number(process.env.TEST_PORT ?? 4173);
+const origin = (port: number) => `http://127.0.0.1:${port}/`;
+
 /** The hosted page as built, the package as built, and the sources, for tests of what is inside. */
+export const ORIGINS = {
+  page: origin(PORT),
+  library: origin(PORT + 1),
+  sources: origin(PORT + 2),
+} as const;
+
 export const servers = {
   page: {
-    command: `${vite} preview --port 4173 --strictPort`,
-    url: "http://127.0.0.1:4173/",
+    command: `${vite} preview --port ${PORT} --strictPort`,
+    url: ORIGINS.page,
     reuseExistingServer: false,
   },
   library: {
-    command: `${vite} preview --outDir dist --port 4174 --strictPort`,
-    url: "http://127.0.0.1:4174/define.js",
+    command: `${vite} preview --outDir dist --port ${PORT + 1} --strictPort`,
+    url: `${ORIGINS.library}define.js`,
     reuseExistingServer: false,
   },
   sources: {
-    command: `${vite} --port 4175 --strictPort`,
-    url: "http://127.0.0.1:4175/",
+    command: `${vite} --port ${PORT + 2} --strictPort`,
+    url: ORIGINS.sources,
     reuseExistingServer: false,
   },
 };

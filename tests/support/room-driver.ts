@@ -5,10 +5,12 @@ import type {
   Camera,
   CandleFlameElement,
   Features,
+  Look,
   Stats,
 } from "../../src/candle-flame-element.ts";
+import { ORIGINS } from "./browser.ts";
 
-export const LIBRARY = "http://127.0.0.1:4174/";
+export const LIBRARY = ORIGINS.library;
 
 /** Attributes of the element under test; `""` sets a flag. */
 export type Attributes = Readonly<Record<string, string>>;
@@ -115,6 +117,18 @@ export class RoomDriver {
     return this.evaluate((element, attributes) => {
       for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
     }, attributes);
+  }
+
+  /** Changes to a look, and waits for its models where it has others. */
+  change(look: Look): Promise<void> {
+    return this.evaluate(async (element, look) => {
+      const hasOtherModels = (element.look === "physical") !== (look === "physical");
+      const loaded = new Promise((resolve) =>
+        element.addEventListener("load", resolve, { once: true }),
+      );
+      element.look = look;
+      if (hasOtherModels) await loaded;
+    }, look);
   }
 
   switchFeatures(features: Partial<Features>): Promise<void> {

@@ -1,6 +1,7 @@
 import type { Page } from "playwright/test";
+import { ORIGINS } from "./browser.ts";
 
-export const SOURCES = "http://127.0.0.1:4175/";
+export const SOURCES = ORIGINS.sources;
 
 /** An empty page of the development server, for tests that import what lies behind the element. */
 export async function openSources(page: Page): Promise<void> {

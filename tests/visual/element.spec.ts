@@ -20,6 +20,7 @@ const REFLECTIONS: readonly Reflection[] = [
     read: [
       ["original", "original"],
       [" Paper ", "paper"],
+      ["PHYSICAL", "physical"],
       ["vivid", SETTINGS.look.default],
     ],
     write: [["original", "original"]],
@@ -100,6 +101,13 @@ const REFLECTIONS: readonly Reflection[] = [
     write: [["other.png", "other.png"]],
   },
   {
+    attribute: "src",
+    property: "src",
+    fallback: "",
+    read: [["house.glb", "house.glb"]],
+    write: [["barn.gltf", "barn.gltf"]],
+  },
+  {
     attribute: "alt",
     property: "alt",
     fallback: SETTINGS.alt.default,
@@ -136,9 +144,9 @@ test("Every setting is an attribute and a property of the element", () => {
 for (const { attribute, property, fallback, read, write } of REFLECTIONS) {
   test(`The attribute ${attribute} and the property ${property} are one`, async ({ room }) => {
     const results = await room.evaluate(
-      (element, { attribute, property, read, write }) => {
+      (_, { attribute, property, read, write }) => {
+        const element = document.createElement("candle-flame");
         const properties = element as unknown as Record<string, unknown>;
-        element.removeAttribute(attribute);
         const absent = properties[property];
         const texts = read.map(([text]) => {
           element.setAttribute(attribute, text);

@@ -9,6 +9,7 @@ test("Loading is told of as it goes on, ends at 1, and ends with `load` and `rea
     const order: string[] = [];
     const bubbled: string[] = [];
     const element = document.createElement("candle-flame");
+    element.look = "paper";
     element.style.cssText = "width: 32px; height: 18px";
     for (const type of ["progress", "load", "error", "play", "pause", "camerachange"]) {
       element.addEventListener(type, () => order.push(type));
@@ -35,6 +36,7 @@ test("Loading is told of as it goes on, ends at 1, and ends with `load` and `rea
 test("A bar shows how far loading is, and is gone afterwards", async ({ room }) => {
   const { shown, left } = await room.page.evaluate(async () => {
     const element = document.createElement("candle-flame");
+    element.look = "paper";
     const bar = element.shadowRoot?.querySelector<HTMLElement>("[part~=progress]");
     const shown: number[] = [];
     element.addEventListener("progress", ({ detail }) => {
@@ -183,6 +185,7 @@ test("A camera set while the models load is where the first frame is seen from",
 }) => {
   const camera = await room.page.evaluate(async () => {
     const element = document.createElement("candle-flame");
+    element.look = "paper";
     element.style.cssText = "width: 32px; height: 18px";
     element.paused = true;
     document.body.append(element);

@@ -1,23 +1,48 @@
-import type { Feature } from "../../src/settings.ts";
-import { FEATURES } from "../../src/settings.ts";
+import { FEATURES, type Feature } from "../../src/settings.ts";
+import { RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
 
-/** What each switch takes from the paper's picture. */
-const SWITCHES = Object.keys(FEATURES) as Feature[];
+/** The paper's techniques, each a rung of its Table 1 or a line of its Table 2. */
+const OF_THE_PAPER: readonly Feature[] = [
+  "particles",
+  "core",
+  "hazeLayer",
+  "gradient",
+  "attenuation",
+  "drift",
+  "flicker",
+  "normalMaps",
+  "candle",
+];
+const OF_THE_PHYSICAL: readonly Feature[] = ["normalMaps", "candle", "bloom"];
 
-for (const feature of SWITCHES) {
-  test(`Without ${feature} the picture is another, and with it again the same`, async ({
+async function expectSwitch(room: RoomDriver, feature: Feature): Promise<void> {
+  const whole = await room.pixels();
+  await room.switchFeatures({ [feature]: false });
+  expect(await room.pixels(), `without ${feature}`).not.toBe(whole);
+  await room.switchFeatures({ [feature]: true });
+  expect(await room.pixels(), `with ${feature} again`).toBe(whole);
+}
+
+for (const feature of OF_THE_PAPER) {
+  test(`Without ${feature} the paper's picture is another, and with it again the same`, async ({
     room,
   }) => {
-    await room.set({ look: "paper" });
     await room.step(0.1); // near the crest of the flicker
-    const whole = await room.pixels();
-    await room.switchFeatures({ [feature]: false });
-    expect(await room.pixels()).not.toBe(whole);
-    await room.switchFeatures({ [feature]: true });
-    expect(await room.pixels()).toBe(whole);
+    await expectSwitch(room, feature);
   });
 }
+
+test("The physical picture is another without each of its own features", async ({ page }) => {
+  const room = await new RoomDriver(page).open({ look: "physical" }, { width: 64, height: 36 });
+  for (const feature of OF_THE_PHYSICAL) await expectSwitch(room, feature);
+  expect(room.complaints).toEqual([]);
+});
+
+test("Every feature is one that some look has", () => {
+  const known = new Set([...OF_THE_PAPER, ...OF_THE_PHYSICAL]);
+  expect([...known].sort()).toEqual(Object.keys(FEATURES).sort());
+});
 
 test("Features are given as one object, or one by one, and unknown ones are refused", async ({
   room,

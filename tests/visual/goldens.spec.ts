@@ -15,6 +15,7 @@ test.describe("The picture", () => {
   for (const { name, attributes, camera, seconds, place } of SCENES) {
     test(`of ${name} is as it was`, async () => {
       await room.restore();
+      await room.change(attributes.look);
       await room.set(attributes);
       if (place) {
         await room.stand(place);

@@ -1,9 +1,10 @@
 import { test as base, expect, type Locator, type Page } from "playwright/test";
 import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
 import { FEATURES, SETTINGS } from "../../src/settings.ts";
+import { ORIGINS } from "../support/browser.ts";
 import { complaintsOf } from "../support/room-driver.ts";
 
-const PAGE = "http://127.0.0.1:4173/";
+const PAGE = ORIGINS.page;
 const POLICY = "default-src 'self'";
 
 /** The hosted page, under a policy that allows nothing inline and nothing from elsewhere. */

@@ -1,9 +1,13 @@
-import type { Camera, Look } from "../../src/candle-flame-element.ts";
+import type { Camera, Look, Quality } from "../../src/candle-flame-element.ts";
 
 /** One picture that must not change by accident. */
 export interface Scene {
   readonly name: string;
-  readonly attributes: { readonly look: Look; readonly seed: string };
+  readonly attributes: {
+    readonly look: Look;
+    readonly seed: string;
+    readonly quality?: Quality;
+  };
   readonly camera: Camera;
   /** Time simulated, seconds. */
   readonly seconds: number;
@@ -48,5 +52,31 @@ export const SCENES: readonly Scene[] = [
     attributes: { look: "original", seed: "2" },
     camera: { position: [-3.4, 1.6, -3.6], yaw: 0.9, pitch: -0.1 },
     seconds: 0.1,
+  },
+  {
+    name: "cabin-spawn",
+    attributes: { look: "physical", seed: "1", quality: "medium" },
+    camera: { position: [-1.55, 1.6, 1.3], yaw: -0.3 * Math.PI, pitch: -0.08 },
+    seconds: 0.5,
+  },
+  {
+    name: "cabin-table",
+    attributes: { look: "physical", seed: "1", quality: "medium" },
+    place: { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 },
+    camera: { position: [-0.85, 1.3, 1.1], yaw: -0.805, pitch: -0.244 },
+    seconds: 0.5,
+  },
+  {
+    name: "cabin-hearth",
+    attributes: { look: "physical", seed: "1", quality: "medium" },
+    place: { position: [-0.5, 1.6, -0.5], yaw: 0, pitch: -1.27 },
+    camera: { position: [-0.3, 1.3, 0.6], yaw: 0.165, pitch: -0.202 },
+    seconds: 0.5,
+  },
+  {
+    name: "cabin-window",
+    attributes: { look: "physical", seed: "1", quality: "medium" },
+    camera: { position: [0.6, 1.5, -0.75], yaw: -1.45, pitch: -0.1 },
+    seconds: 0.5,
   },
 ];

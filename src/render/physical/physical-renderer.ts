@@ -24,7 +24,7 @@ import { type IndirectDetail, IndirectPass, type IrradianceVolume } from "./indi
 import { ShadowPass } from "./shadow-pass.js";
 
 /** From cd/m² to the display's scale, where middle grey is 0.18: a wall of 0.08 cd/m² lands there. */
-const EXPOSURE = 5.5;
+const EXPOSURE = 5;
 /** Steps of the march through the flame. */
 const FLAME_STEPS: Readonly<Record<Tier["name"], number>> = {
   low: 12,
@@ -35,7 +35,7 @@ const FLAME_STEPS: Readonly<Record<Tier["name"], number>> = {
 /** Shadow cube: texels along an edge, taps that look for what casts it, taps that soften it. */
 const SHADOW: Readonly<Record<Tier["name"], { size: number; search: number; taps: number }>> = {
   low: { size: 128, search: 4, taps: 6 },
-  medium: { size: 256, search: 8, taps: 12 },
+  medium: { size: 512, search: 8, taps: 12 },
   high: { size: 512, search: 8, taps: 20 },
   ultra: { size: 1024, search: 16, taps: 32 },
 };

@@ -1,0 +1,107 @@
+import { execFileSync } from "node:child_process";
+import { mkdirSync, readFileSync } from "node:fs";
+import { expect, test } from "playwright/test";
+import sharp from "sharp";
+import { RoomDriver } from "../support/room-driver.ts";
+import { lookingAt, type Shot, take } from "./shot.ts";
+
+interface Tile {
+  readonly name: string;
+  readonly picture: Buffer;
+}
+
+/** Writes pictures of one size in rows, each with its name. */
+async function writeSheet(file: string, tiles: readonly Tile[], columns: number): Promise<void> {
+  const { width = 0, height = 0 } = await sharp(tiles[0]?.picture).metadata();
+  const rows = Math.ceil(tiles.length / columns);
+  const overlays = tiles.flatMap(({ name, picture }, i) => {
+    const [left, top] = [(i % columns) * width, Math.floor(i / columns) * height];
+    const label = `<svg width="${width}" height="24"><text x="8" y="17" font-family="sans-serif"
+      font-size="13" fill="#fff" stroke="#000" stroke-width="3" paint-order="stroke">${name}</text></svg>`;
+    return [
+      { input: picture, left, top },
+      { input: Buffer.from(label), left, top: top + height - 24 },
+    ];
+  });
+  const size = { width: width * columns, height: height * rows, channels: 3 } as const;
+  mkdirSync("docs/shots", { recursive: true });
+  await sharp({ create: { ...size, background: "#000" } })
+    .composite(overlays)
+    .jpeg({ quality: 86, chromaSubsampling: "4:4:4" })
+    .toFile(file);
+}
+
+test("shot: every material under one grazing lamp", async () => {
+  test.setTimeout(600_000);
+  const { textures } = JSON.parse(readFileSync("public/manifest.json", "utf8"));
+  const names = Object.keys(textures);
+  expect(names.length).toBeGreaterThan(10);
+  const tiles: Tile[] = [];
+  for (const name of names) {
+    const command = ["tools/textures/preview.mjs", name];
+    const file = execFileSync(process.execPath, command, { encoding: "utf8" }).trim();
+    // The wall from an angle, and the close crop below it.
+    const picture = await sharp(file)
+      .extract({ left: 0, top: 0, width: 720, height: 840 })
+      .resize(384, 448)
+      .png()
+      .toBuffer();
+    tiles.push({ name, picture });
+  }
+  await writeSheet("docs/shots/materials.jpg", tiles, 5);
+});
+
+const TABLE = { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 } as const;
+
+const MODELS: readonly Omit<Shot, "attributes" | "seconds">[] = [
+  {
+    name: "chamberstick",
+    place: lookingAt([-0.45, 1.6, 0.1], [-0.02, 0.745, 0.1]),
+    camera: lookingAt([-0.42, 0.98, 0.3], [0.02, 0.86, 0.08]),
+  },
+  {
+    name: "table",
+    place: TABLE,
+    camera: lookingAt([-0.36, 1.45, 0.62], [0.55, 0.72, -0.1]),
+  },
+  {
+    name: "hearth",
+    place: lookingAt([-0.5, 1.6, -0.5], [-0.5, 0.0, -1.0]),
+    camera: lookingAt([-0.3, 1.3, 0.6], [-0.7, 0.8, -1.8]),
+  },
+  { name: "shelf", camera: lookingAt([1.2, 1.55, -1.1], [1.3, 1.45, -1.9]) },
+  {
+    name: "window",
+    place: lookingAt([1.55, 1.6, -0.4], [2.2, 0.46, -0.2]),
+    camera: lookingAt([0.9, 1.5, -0.6], [2.4, 1.1, -0.5]),
+  },
+  { name: "door", camera: lookingAt([-0.9, 1.5, 0.2], [-1.4, 1.0, 2.0]) },
+  { name: "coat", camera: lookingAt([0.1, 1.5, 0.8], [-0.3, 1.2, 2.0]) },
+  {
+    name: "chest",
+    place: lookingAt([1.55, 1.6, 0.2], [1.75, 0.0, 0.35]),
+    camera: lookingAt([1.2, 1.3, 0.6], [2.2, 0.35, -0.4]),
+  },
+  {
+    name: "ceiling",
+    place: TABLE,
+    camera: lookingAt([-1.2, 1.2, 1.2], [0.6, 2.4, -1.0]),
+  },
+  {
+    name: "bench",
+    place: lookingAt([-1.6, 1.6, 0.2], [-2.3, 0.44, 0.2]),
+    camera: lookingAt([-0.6, 1.4, 0.9], [-2.3, 0.8, -0.2]),
+  },
+];
+
+test("shot: every model by candlelight", async ({ page }) => {
+  test.setTimeout(600_000);
+  const attributes = { look: "physical", quality: "medium" };
+  const room = await new RoomDriver(page).open(attributes, { width: 640, height: 360 });
+  const tiles: Tile[] = [];
+  for (const model of MODELS) {
+    tiles.push({ name: model.name, picture: await take(room, { ...model, seconds: 0.5 }) });
+  }
+  await writeSheet("docs/shots/models.jpg", tiles, 2);
+  expect(room.complaints).toEqual([]);
+});

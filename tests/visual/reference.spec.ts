@@ -1,0 +1,140 @@
+import { readdirSync, readFileSync } from "node:fs";
+import type { Page } from "playwright/test";
+import type { Camera } from "../../src/candle-flame-element.ts";
+import { adaptation, luma } from "../../src/light/color.ts";
+import { TAPER } from "../../src/light/flame-light.ts";
+import { flip } from "../support/flip.ts";
+import { RoomDriver } from "../support/room-driver.ts";
+import { expect, test } from "../support/test.ts";
+
+/** A view as a path tracer sees it; see docs/reference/README.md. */
+interface View {
+  readonly name: string;
+  readonly width: number;
+  readonly height: number;
+  readonly camera: Camera;
+  /** Where the visitor stood to put the candle down; held if absent. */
+  readonly place?: Camera;
+  readonly flame: { readonly position: readonly [number, number, number] };
+}
+
+/** The largest errors allowed: relative error of luminance, and mean FLIP. */
+const LIMITS = { median: 0.08, high: 0.25, flip: 0.08 };
+/** Where we are not yet there: what is reached, rounded up. */
+const REACHED: Readonly<Record<string, typeof LIMITS>> = {};
+/** From cd/m² to the display, as the renderer exposes a room that nobody has looked at yet. */
+const EXPOSURE = 5.5;
+
+const FOLDER = new URL("../fixtures/reference/", import.meta.url);
+const views: View[] = readdirSync(FOLDER)
+  .filter((file) => file.endsWith(".json"))
+  .map((file) => JSON.parse(readFileSync(new URL(file, FOLDER), "utf8")));
+
+/** Radiance, and which pixels show neither candle nor flame: there the sign of red is positive. */
+function readReference(name: string) {
+  const bytes = readFileSync(new URL(`${name}.bin`, FOLDER));
+  const radiance = Float32Array.from({ length: bytes.length / 2 }, (_, i) =>
+    half(bytes.readUInt16LE(i * 2) & 0x7fff),
+  );
+  const isCompared = Array.from(
+    { length: radiance.length / 3 },
+    (_, pixel) => bytes.readUInt16LE(pixel * 6) < 0x8000,
+  );
+  return { radiance, isCompared };
+}
+
+function half(bits: number): number {
+  const exponent = bits >> 10;
+  const fraction = bits & 0x3ff;
+  return exponent === 0 ? fraction * 2 ** -24 : (1 + fraction / 1024) * 2 ** (exponent - 15);
+}
+
+/** Linear colours of the screen, as shaders/physical/display.frag makes them; black where not compared. */
+function shown(radiance: Float32Array, isCompared: readonly boolean[]): Float32Array {
+  const linear = new Float32Array(radiance.length);
+  const gains = adaptation(TAPER.color);
+  for (const [pixel, counts] of isCompared.entries()) {
+    if (!counts) continue;
+    const color = gains.map((gain, i) => (radiance[pixel * 3 + i] ?? 0) * gain * EXPOSURE);
+    const peak = Math.max(...color, 1e-9);
+    const level = 0.18 * (peak / 0.18) ** 1.3;
+    const tone = 1 - Math.exp((-level / (1 + 0.22 * level)) * 1.05);
+    const stops = Math.min(Math.max(Math.log2(peak) / 11, 0), 1);
+    const bleach = 0.93 * stops * stops * (3 - 2 * stops);
+    for (const [i, channel] of color.entries()) {
+      linear[pixel * 3 + i] = Math.max(channel / peak, 1e-3) ** (1 - bleach) * tone;
+    }
+  }
+  return linear;
+}
+
+function quantile(values: readonly number[], share: number): number {
+  const sorted = values.toSorted((a, b) => a - b);
+  return sorted[Math.floor(share * (sorted.length - 1))] ?? 0;
+}
+
+test.describe("Beside a path tracer's picture of the same room", () => {
+  let page: Page;
+  let room: RoomDriver;
+  test.beforeAll(async ({ browser }) => {
+    page = await browser.newPage();
+    room = await new RoomDriver(page).open(
+      { look: "physical", quality: "high" },
+      { width: 320, height: 180 },
+    );
+  });
+  test.afterAll(() => page.close());
+
+  test("there are five views or more", () => {
+    expect(views.length).toBeGreaterThanOrEqual(5);
+  });
+
+  for (const view of views) {
+    test(`the light of the view “${view.name}” is the same`, async () => {
+      const { name, width, height, flame } = view;
+      const ours = await room.evaluate((element, { camera, place, width, height }) => {
+        element.reset();
+        if (place) {
+          element.camera = place;
+          element.place();
+        }
+        element.camera = camera;
+        element.step(0);
+        const radiance = Array.from(element.readRadiance(0, 0, width, height));
+        return { radiance, position: element.flame?.position };
+      }, view);
+      for (const axis of [0, 1, 2] as const) {
+        expect(ours.position?.[axis], "the flame's place").toBeCloseTo(flame.position[axis], 3);
+      }
+      const { radiance, isCompared } = readReference(name);
+      const mine = Float32Array.from(ours.radiance);
+      const errors: number[] = [];
+      for (const [pixel, counts] of isCompared.entries()) {
+        if (!counts) continue;
+        const [theirs, our] = [radiance, mine].map((from) =>
+          luma([from[pixel * 3] ?? 0, from[pixel * 3 + 1] ?? 0, from[pixel * 3 + 2] ?? 0]),
+        ) as [number, number];
+        // Below a millionth of the brightest the tracer's own noise is all there is.
+        errors.push(Math.abs(our - theirs) / Math.max(theirs, 1e-5));
+      }
+      const [reference, displayed] = [radiance, mine].map((from) => ({
+        width,
+        height,
+        linear: shown(from, isCompared),
+      })) as [Parameters<typeof flip>[0], Parameters<typeof flip>[0]];
+      const differences = [...flip(reference, displayed)].filter((_, i) => isCompared[i]);
+      const measured = {
+        median: quantile(errors, 0.5),
+        high: quantile(errors, 0.9),
+        flip: differences.reduce((sum, x) => sum + x, 0) / differences.length,
+      };
+      const report = Object.entries(measured).map(([what, x]) => `${what} ${x.toFixed(3)}`);
+      console.log(`${name}: ${report.join(", ")}`);
+      const limits = REACHED[name] ?? LIMITS;
+      expect.soft(measured.median, "median error of luminance").toBeLessThanOrEqual(limits.median);
+      expect.soft(measured.high, "90th percentile of it").toBeLessThanOrEqual(limits.high);
+      expect.soft(measured.flip, "mean FLIP").toBeLessThanOrEqual(limits.flip);
+      expect(room.complaints).toEqual([]);
+    });
+  }
+});

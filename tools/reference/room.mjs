@@ -1,0 +1,50 @@
+import { readFileSync } from "node:fs";
+import { chromium } from "playwright";
+import { createServer, preview } from "vite";
+import { findBrowser } from "../find-browser.mjs";
+
+export const FIXTURES = new URL("../../tests/fixtures/reference/", import.meta.url);
+export const { width, height, views } = JSON.parse(
+  readFileSync(new URL("views.json", import.meta.url)),
+);
+
+/** Something of the sources: they are in TypeScript. */
+export async function readSource(path) {
+  const vite = await createServer({ server: { middlewareMode: true }, logLevel: "error" });
+  const module = await vite.ssrLoadModule(path);
+  await vite.close();
+  return module;
+}
+
+/** The element of the built package, for `use`, which is given what runs a function on it. */
+export async function withElement(quality, use) {
+  const server = await preview({
+    build: { outDir: "dist" },
+    preview: { port: 0, host: "127.0.0.1" },
+    logLevel: "error",
+  });
+  const base = `http://127.0.0.1:${server.httpServer.address().port}/`;
+  const { path, args } = await findBrowser();
+  const browser = await chromium.launch({
+    executablePath: path,
+    args: [...args, "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+  });
+  try {
+    const page = await browser.newPage({ viewport: { width, height } });
+    await page.route(`${base}reference.html`, (route) =>
+      route.fulfill({
+        contentType: "text/html",
+        body: `<!doctype html><style>body { margin: 0 } candle-flame { width: ${width}px; height: ${height}px }</style>
+          <candle-flame look="physical" quality="${quality}" paused></candle-flame>
+          <script type="module" src="/define.js"></script>`,
+      }),
+    );
+    await page.goto(`${base}reference.html`);
+    const element = page.locator("candle-flame");
+    await element.evaluate((element) => element.ready);
+    return await use((run, argument) => element.evaluate(run, argument));
+  } finally {
+    await browser.close();
+    await server.close();
+  }
+}
