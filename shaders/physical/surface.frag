@@ -93,7 +93,9 @@ void main() {
   vec3 specular = fresnel * lobe * narrowing * NoS * intensity / distanceSquared;
   vec3 diffuse = baseColor.rgb * (1.0 - metallic) * (1.0 - fresnel) / PI * irradiance;
   vec3 lifted = vPositionWorld + normal * 0.08;
-  vec3 bounced = indirectIrradiance(lifted, normal) * baseColor.rgb * (1.0 - metallic) / PI;
+  // What the surface mirrors does not reach the matt layer below.
+  vec3 matt = baseColor.rgb * (1.0 - metallic) * (1.0 - fresnelSchlick(f0, NoV));
+  vec3 bounced = indirectIrradiance(lifted, normal) * matt / PI;
   // What is mirrored is the room around, as softly as it is known.
   vec3 mirrored = indirectIrradiance(lifted, reflect(-view, normal)) / PI;
   bounced += mirrored * fresnelSchlick(f0, NoV) * (1.0 - 0.6 * roughness);

@@ -87,14 +87,14 @@ export class RoomDriver {
   }
 
   /** Brings an opened element back to its defaults, in the paper's look, paused at time 0. */
-  restore(): Promise<void> {
-    return this.evaluate((element) => {
+  async restore(): Promise<void> {
+    await this.change("paper");
+    await this.evaluate((element) => {
       element.blur();
       element.paused = true;
       for (const name of element.getAttributeNames()) {
         if (name !== "paused" && name !== "look") element.removeAttribute(name);
       }
-      element.look = "paper";
       for (const name of Object.keys(element.features) as (keyof Features)[]) {
         element.features[name] = true;
       }
@@ -167,13 +167,18 @@ export class RoomDriver {
     return this.evaluate((element) => element.matches(":state(walking)"));
   }
 
-  /** The picture's pixels, 8-bit RGBA, rows from the top. */
-  async picture(): Promise<Picture> {
-    const png = await this.evaluate(async (element) => {
+  /** The picture as a PNG file. */
+  async png(): Promise<Buffer> {
+    const text = await this.evaluate(async (element) => {
       const bytes = new Uint8Array(await (await element.toBlob()).arrayBuffer());
       return bytes.reduce((text, byte) => text + String.fromCharCode(byte), "");
     });
-    const { data, info } = await sharp(Buffer.from(png, "latin1"))
+    return Buffer.from(text, "latin1");
+  }
+
+  /** The picture's pixels, 8-bit RGBA, rows from the top. */
+  async picture(): Promise<Picture> {
+    const { data, info } = await sharp(await this.png())
       .ensureAlpha()
       .raw()
       .toBuffer({ resolveWithObject: true });
