@@ -1,7 +1,7 @@
 import { defineConfig } from "playwright/test";
 import { browser } from "../support/browser.ts";
 
-export const BENCH_PAGE = "http://127.0.0.1:4176/";
+export const BENCH_PAGE = "http://127.0.0.1:4377/";
 
 const vite = "node node_modules/vite/bin/vite.js";
 const config = "--config tests/bench/vite.config.ts";

@@ -1,6 +1,77 @@
+import { mkdirSync, writeFileSync } from "node:fs";
+import { cpus } from "node:os";
 import type { Reporter, TestCase, TestResult } from "playwright/types/testReporter";
+import { barChart } from "../../tools/chart.mjs";
+import type { Ladder } from "./ladder.ts";
+import type { Scaling } from "./scaling.ts";
+
+const FOLDER = "docs/bench";
+
+/** Prints what the bench measured, and keeps it as JSON and as charts. */
 export default class Report implements Reporter {
+  #ladder: Ladder | null = null;
+  readonly #scaling: Scaling[] = [];
+
   onTestEnd(_test: TestCase, { attachments }: TestResult): void {
-    for (const { name, body } of attachments) console.log(name, String(body));
+    for (const { name, body } of attachments) {
+      if (name === "ladder") this.#ladder = JSON.parse(String(body)) as Ladder;
+      if (name === "scaling") this.#scaling.push(JSON.parse(String(body)) as Scaling);
+    }
+  }
+
+  onEnd(): void {
+    const ladder = this.#ladder;
+    if (!ladder || this.#scaling.length === 0) return;
+    mkdirSync(FOLDER, { recursive: true });
+    const machine = {
+      cores: cpus().length,
+      model: cpus()[0]?.model,
+      date: new Date().toISOString(),
+    };
+    const results = { machine, ladder, scaling: this.#scaling };
+    writeFileSync(`${FOLDER}/results.json`, `${JSON.stringify(results, null, 2)}\n`);
+    const steps = ladder.steps.map(({ name, frameMs, multiple, paperMultiple }) => ({
+      step: name,
+      ms: Number(frameMs.toFixed(1)),
+      multiple: Number(multiple.toFixed(2)),
+      paper: Number(paperMultiple.toFixed(2)),
+    }));
+    console.table(steps);
+    const rows = this.#scaling.map(({ count, pixels, peers }) => ({
+      label: `${count.toLocaleString("en")} of ${pixels} px`,
+      values: peers.map(({ ratio }) => ratio),
+    }));
+    console.table(
+      this.#scaling.flatMap(({ count, pixels, peers }) =>
+        peers.map(({ name, frameMs, ratio, scriptMs }) => ({
+          particles: `${count} x ${pixels} px`,
+          peer: name,
+          "frame ms": Number(frameMs.toFixed(2)),
+          ratio: Number(ratio.toFixed(2)),
+          "script ms": Number(scriptMs.toFixed(3)),
+        })),
+      ),
+    );
+    writeFileSync(
+      `${FOLDER}/ladder.svg`,
+      barChart({
+        title: "What each technique costs",
+        unit: "multiples of the room without particles",
+        series: ["here", "the paper"],
+        rows: steps.map(({ step, multiple, paper }) => ({
+          label: step,
+          values: [multiple, paper],
+        })),
+      }),
+    );
+    writeFileSync(
+      `${FOLDER}/scaling.svg`,
+      barChart({
+        title: "Time of a frame of particles",
+        unit: "ratio to the transform feedback control",
+        series: this.#scaling[0]?.peers.map(({ name }) => name) ?? [],
+        rows,
+      }),
+    );
   }
 }

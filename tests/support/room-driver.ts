@@ -15,8 +15,8 @@ export const LIBRARY = ORIGINS.library;
 /** Attributes of the element under test; `""` sets a flag. */
 export type Attributes = Readonly<Record<string, string>>;
 
-/** Unless a test says otherwise: its room is quick to load and to draw. */
-const PAPER: Attributes = { look: "paper" };
+/** Unless a test says otherwise: a room that is quick to load and to draw, a pixel for a pixel. */
+const PAPER: Attributes = { look: "paper", quality: "medium" };
 
 export interface Picture {
   readonly width: number;
@@ -86,14 +86,16 @@ export class RoomDriver {
     return this;
   }
 
-  /** Brings an opened element back to its defaults, in the paper's look, paused at time 0. */
+  /** Brings an opened element back to how one opens, paused at time 0. */
   async restore(): Promise<void> {
     await this.change("paper");
     await this.evaluate((element) => {
       element.blur();
       element.paused = true;
+      element.quality = "medium";
+      const kept = ["paused", "look", "quality"];
       for (const name of element.getAttributeNames()) {
-        if (name !== "paused" && name !== "look") element.removeAttribute(name);
+        if (!kept.includes(name)) element.removeAttribute(name);
       }
       for (const name of Object.keys(element.features) as (keyof Features)[]) {
         element.features[name] = true;

@@ -97,8 +97,8 @@ const REFLECTIONS: readonly Reflection[] = [
     attribute: "poster",
     property: "poster",
     fallback: "",
-    read: [["still.jpg", "still.jpg"]],
-    write: [["other.png", "other.png"]],
+    read: [["data:,still", "data:,still"]],
+    write: [["data:,other", "data:,other"]],
   },
   {
     attribute: "src",
@@ -337,13 +337,21 @@ test.describe("The picture", () => {
     room,
   }) => {
     const sizes: number[][] = [];
-    for (const attributes of [{}, { "max-pixel-ratio": "0.5" }, { quality: "low" }]) {
+    for (const attributes of [
+      {},
+      { "max-pixel-ratio": "0.5" },
+      { quality: "low" },
+      { quality: "high" },
+      { quality: "auto" }, // without a GPU
+    ]) {
       await room.set(attributes);
       const { width, height, resolutionScale } = await room.stats();
       sizes.push([width, height, resolutionScale]);
     }
     expect(sizes).toEqual([
       [160, 90, 1],
+      [80, 45, 1],
+      [40, 23, 0.5],
       [80, 45, 1],
       [40, 23, 0.5],
     ]);

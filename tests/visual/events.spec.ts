@@ -132,7 +132,7 @@ test("Properties set before the element is defined hold when it is", async ({ pa
     <candle-flame style="width: 64px; height: 36px"></candle-flame>
     <script>
       Object.assign(document.querySelector("candle-flame"), {
-        look: "original", paused: true, seed: 12, exposure: -1, controls: true, alt: "Early",
+        look: "original", quality: "medium", paused: true, seed: 12, exposure: -1, controls: true, alt: "Early",
         maxPixelRatio: 0.5, camera: { position: [0, 1.5, 1], yaw: 0.25, pitch: 0.125 },
         features: { normalMaps: false },
       });

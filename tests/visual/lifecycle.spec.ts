@@ -102,7 +102,7 @@ test("Other looks, seeds, particles and qualities leave nothing behind either", 
       element.step(1 / 60);
     }
     for (const name of element.getAttributeNames()) {
-      if (name !== "paused" && name !== "look") element.removeAttribute(name);
+      if (!["paused", "look", "quality"].includes(name)) element.removeAttribute(name);
     }
     element.step(1 / 60);
   });
