@@ -15,7 +15,7 @@ const asText = (text) =>
  * @param series names, in the order of the values
  */
 export function barChart({ title, unit, rows, series }) {
-  const colors = ["#c8741a", "#7d8b99", "#b9a37c"];
+  const colors = ["#c8741a", "#7d8b99", "#3e5a4b"];
   const most = Math.max(...rows.flatMap(({ values }) => values));
   const scale = (WIDTH - LABEL - 90) / most;
   const step = ROW * 0.62 * series.length + 12;

@@ -16,3 +16,8 @@ float unit(uint hash) {
 float signedUnit(uint hash) {
   return unit(hash) * 2.0 - 1.0;
 }
+
+// Two numbers in [-1, 1), of 16 bits each.
+vec2 signedHalves(uint hash) {
+  return vec2(int(hash) >> 16, int(hash << 16) >> 16) * (1.0 / 32768.0);
+}

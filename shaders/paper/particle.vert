@@ -1,30 +1,63 @@
 #version 300 es
-// One particle of the paper's flame as a point sprite, sized in metres.
-#include "lib/precision.glsl"
-#include "lib/frame.glsl"
+// One particle of the paper's flame, moved and drawn as a point sprite, sized in metres.
+// Colour follows the height, to suggest temperature: found here, once a particle, not once a pixel.
+#include "particles/kernel.glsl"
 
-layout(location = 0) in vec4 aPositionLife;  // emitter's unit; life: seconds left
-layout(location = 1) in vec4 aVelocitySpan;  // span: life at birth, s
+const vec3 HOT = vec3(1.0, 0.90, 0.62);
+const vec3 WARM = vec3(1.0, 0.62, 0.18);
+const vec3 COOL = vec3(0.86, 0.22, 0.03);
+const vec3 BLUE = vec3(0.08, 0.17, 0.62);
+const vec3 UNIFORM_ORANGE = vec3(1.0, 0.5, 0.1);
+// Where many particles lie on each other their light nears this multiple of a single one's colour:
+// pure addition would clip to white wherever it is dense.
+const float DENSITY_LIMIT = 1.25;
 
-uniform vec4 uWorldFromFlame;  // emitter, m; w: metres per unit
-uniform float uAhead;          // s that the picture is ahead of the last tick
-uniform float uSize;           // diameter at birth, m
-uniform float uFading;         // 1 or 0: alpha and size shrink with remaining life
+uniform mat4 uClipFromFlame;  // from the emitter's unit
+uniform float uSize;          // diameter at birth, pixels at a distance of 1 m
+uniform float uAhead;         // s that the picture is ahead of the last tick
+uniform float uFading;        // 1 or 0: alpha and size shrink with remaining life
+uniform float uGlow;          // light of one particle, display units
 
-out float vAlpha;
-out float vHeight;  // above the emitter, in its unit
+// Premultiplied.
+flat out vec4 vCentre;
+flat out vec4 vRim;
+
+#if GRADIENT
+// Light fades from the centre as colour changes, so a rim's colour beyond the one wanted gives the
+// sprite as a whole the right mean.
+void shade(float height, float glow) {
+#if HAZE
+  float cooled = smoothstep(0.2, 0.9, height);
+  vec3 centre = mix(WARM, COOL, cooled);
+  vec3 rim = mix(mix(WARM, BLUE, 0.51), COOL, cooled);
+#else
+  float cooled = smoothstep(0.45, 1.0, height);
+  vec3 centre = mix(HOT, COOL, cooled);
+  vec3 warm = mix(WARM, COOL, cooled);
+  vec3 rim = mix(centre, warm, 1.27);
+  rim += smoothstep(0.14, -0.02, height) * (BLUE - mix(centre, warm, 0.78));
+#endif
+  vCentre = vec4(centre, 1.0 / DENSITY_LIMIT) * glow;
+  vRim = vec4(rim, 1.0 / DENSITY_LIMIT) * glow;
+}
+#else
+void shade(float height, float glow) {
+  vCentre = vec4(UNIFORM_ORANGE, 1.0) * glow;
+  vRim = vCentre;
+}
+#endif
 
 void main() {
-  float remaining = aPositionLife.w - uAhead;
-  if (remaining <= 0.0) {
+  moveParticle();
+  float left = remaining - uAhead;
+  if (left <= 0.0) {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside of the view: dead
     gl_PointSize = 1.0;
     return;
   }
-  float share = remaining / aVelocitySpan.w;
-  vec3 position = aPositionLife.xyz + aVelocitySpan.xyz * uAhead;
-  vAlpha = uFading > 0.5 ? share : 1.0;
-  vHeight = position.y;
-  gl_Position = frame.clipFromWorld * vec4(uWorldFromFlame.xyz + position * uWorldFromFlame.w, 1.0);
-  gl_PointSize = uSize * (uFading > 0.5 ? share : 1.0) * frame.projectionScale / gl_Position.w;
+  float share = mix(1.0, left / layer.life, uFading);
+  vec3 shown = position + velocity * uAhead;
+  shade(shown.y, share * uGlow);
+  gl_Position = uClipFromFlame * vec4(shown, 1.0);
+  gl_PointSize = uSize * share / gl_Position.w;
 }

@@ -31,6 +31,8 @@ export interface Draw {
   readonly viewport?: readonly [number, number, number, number];
   /** Faces not drawn. Default: back. */
   readonly cull?: "none" | "back";
+  /** Takes the outputs of the vertex shader that the program captures. Points without indices only. */
+  readonly into?: Buffer | undefined;
 }
 
 /** A vertex shader run for the sake of its outputs, captured in `into`. */
@@ -191,6 +193,7 @@ export class Gpu {
     depth = "none",
     cull = "back",
     viewport,
+    into,
   }: Draw): void {
     const gl = this.#gl;
     this.#bind(target);
@@ -216,6 +219,8 @@ export class Gpu {
     if (vertexArray.indexType) {
       const type = vertexArray.indexType === "uint16" ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT;
       gl.drawElements(mode, count, type, 0);
+    } else if (into) {
+      this.#capture(into, count);
     } else {
       gl.drawArrays(mode, 0, count);
     }
@@ -229,6 +234,14 @@ export class Gpu {
     this.#use(program, uniforms, {}, blocks);
     gl.bindVertexArray(vertexArray.handle);
     gl.enable(gl.RASTERIZER_DISCARD);
+    this.#capture(into, count);
+    gl.disable(gl.RASTERIZER_DISCARD);
+    gl.bindVertexArray(null);
+    this.drawCalls++;
+  }
+
+  #capture(into: Buffer, count: number): void {
+    const gl = this.#gl;
     gl.bindTransformFeedback(gl.TRANSFORM_FEEDBACK, this.#feedback);
     gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, into.handle);
     gl.beginTransformFeedback(gl.POINTS);
@@ -236,9 +249,6 @@ export class Gpu {
     gl.endTransformFeedback();
     gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, null);
     gl.bindTransformFeedback(gl.TRANSFORM_FEEDBACK, null);
-    gl.disable(gl.RASTERIZER_DISCARD);
-    gl.bindVertexArray(null);
-    this.drawCalls++;
   }
 
   /** Copies a multisampled target to a surface of its size and format. */

@@ -44,14 +44,17 @@ function uniformOf(
 ): Uniform {
   const list = (value: UniformValue) => (typeof value === "number" ? [value] : value);
   const setters: Readonly<Record<number, Uniform>> = {
-    [gl.FLOAT]: (value) => gl.uniform1fv(location, list(value)),
+    [gl.FLOAT]: (value) =>
+      typeof value === "number" ? gl.uniform1f(location, value) : gl.uniform1fv(location, value),
     [gl.FLOAT_VEC2]: (value) => gl.uniform2fv(location, list(value)),
     [gl.FLOAT_VEC3]: (value) => gl.uniform3fv(location, list(value)),
     [gl.FLOAT_VEC4]: (value) => gl.uniform4fv(location, list(value)),
     [gl.FLOAT_MAT3]: (value) => gl.uniformMatrix3fv(location, false, list(value)),
     [gl.FLOAT_MAT4]: (value) => gl.uniformMatrix4fv(location, false, list(value)),
-    [gl.INT]: (value) => gl.uniform1iv(location, list(value)),
-    [gl.UNSIGNED_INT]: (value) => gl.uniform1uiv(location, list(value)),
+    [gl.INT]: (value) =>
+      typeof value === "number" ? gl.uniform1i(location, value) : gl.uniform1iv(location, value),
+    [gl.UNSIGNED_INT]: (value) =>
+      typeof value === "number" ? gl.uniform1ui(location, value) : gl.uniform1uiv(location, value),
     [gl.UNSIGNED_INT_VEC4]: (value) => gl.uniform4uiv(location, list(value)),
   };
   const setter = setters[type];

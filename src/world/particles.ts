@@ -1,5 +1,5 @@
 import { GROUPS, type ParticleLayer } from "./particle-layer.js";
-import { pcg, signed, unit } from "./random.js";
+import { pcg, signedHigh, signedLow, unit } from "./random.js";
 import { MEMORY, TICK, type Timeline } from "./timeline.js";
 
 /** Floats per particle: position, remaining life, velocity, life at birth. */
@@ -71,9 +71,9 @@ export class Particles {
       }
       if (state[i + 3]! <= 0) continue;
       const hash = pcg((slot + tickKey) >>> 0);
-      state[i + 4]! += layer.drift * TICK * signed(hash);
+      state[i + 4]! += layer.drift * TICK * signedHigh(hash);
       state[i + 5]! += layer.buoyancy * TICK;
-      state[i + 6]! += layer.drift * TICK * signed(pcg(hash));
+      state[i + 6]! += layer.drift * TICK * signedLow(hash);
       for (let axis = 0; axis < 3; axis++) {
         const wind = axis === 1 ? 0 : (timeline.wind(tick, axis) - state[i + 4 + axis]!) * dragged;
         state[i + 4 + axis]! += wind;
@@ -88,16 +88,14 @@ export class Particles {
     const h0 = pcg((birth + this.#key) >>> 0);
     const h1 = pcg(h0);
     const h2 = pcg(h1);
-    const h3 = pcg(h2);
-    const h4 = pcg(h3);
     const [slow, fast] = layer.speed;
-    state[i + 4] = layer.sideSpeed * signed(h2);
-    state[i + 5] = slow + (fast - slow) * unit(h3);
-    state[i + 6] = layer.sideSpeed * signed(h4);
+    state[i + 4] = layer.sideSpeed * signedHigh(h1);
+    state[i + 5] = slow + (fast - slow) * unit(h2);
+    state[i + 6] = layer.sideSpeed * signedLow(h1);
     state[i + 7] = layer.life;
-    state[i] = layer.spawnRadius * signed(h0) + state[i + 4]! * age;
+    state[i] = layer.spawnRadius * signedHigh(h0) + state[i + 4]! * age;
     state[i + 1] = layer.spawnHeight + state[i + 5]! * age;
-    state[i + 2] = layer.spawnRadius * signed(h1) + state[i + 6]! * age;
+    state[i + 2] = layer.spawnRadius * signedLow(h0) + state[i + 6]! * age;
     state[i + 3] = layer.life - age;
   }
 }

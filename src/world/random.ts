@@ -18,3 +18,13 @@ export function unit(hash: number): number {
 export function signed(hash: number): number {
   return unit(hash) * 2 - 1;
 }
+
+/** The upper half of a hash as a number in [-1, 1): 16 bits. */
+export function signedHigh(hash: number): number {
+  return (hash >> 16) / 0x8000;
+}
+
+/** The lower half. */
+export function signedLow(hash: number): number {
+  return ((hash << 16) >> 16) / 0x8000;
+}

@@ -38,6 +38,7 @@ export async function measureLadder(rounds: number): Promise<Ladder> {
   const element = document.createElement("candle-flame");
   element.paused = true;
   element.look = "paper";
+  element.quality = "medium";
   element.assetBase = "/";
   document.body.replaceChildren(element);
   await element.ready;

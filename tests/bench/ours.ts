@@ -1,11 +1,11 @@
 import particleFrag from "../../shaders/paper/particle.frag";
 import particleVert from "../../shaders/paper/particle.vert";
 import { Gpu } from "../../src/gl/gpu.js";
-import { ParticleSystem, particleProgram } from "../../src/render/particle-system.js";
+import { FEEDBACK, ParticleSystem, particleProgram } from "../../src/render/particle-system.js";
 import { GROUPS, type ParticleLayer } from "../../src/world/particle-layer.js";
 import { layerKey } from "../../src/world/particles.js";
 import { MEMORY, TICK, Timeline } from "../../src/world/timeline.js";
-import { type Cell, FRAME, HEIGHT, LAW, sizeOf, VIEW, WIDTH } from "./law.js";
+import { type Cell, FRAME, LAW, sizeOf, VIEW } from "./law.js";
 import type { Peer } from "./peer.js";
 
 const STILL = [0, 0, 0];
@@ -21,14 +21,16 @@ export function ours(canvas: HTMLCanvasElement, cell: Cell): Peer {
   const gpu = new Gpu(canvas);
   const layer = layerOf(cell);
   const system = new ParticleSystem(gpu, particleProgram(gpu), layer, layerKey(1, 0));
-  const program = gpu.program("paper/particle", particleVert, particleFrag);
-  const block = gpu.uniformBlock(program, "Frame");
+  const program = gpu.program("paper/particle", particleVert, particleFrag, {
+    defines: { HAZE: 0, GRADIENT: 1 },
+    feedback: FEEDBACK,
+  });
   const timeline = new Timeline(-MEMORY);
-  const pass = (ticks: number) => {
+  const record = (ticks: number) => {
     for (let i = 0; i < ticks; i++) timeline.record(STILL, STILL, GROUPS);
-    system.follow(timeline);
   };
-  pass(MEMORY);
+  record(MEMORY);
+  const clipFromFlame = new Float32Array(VIEW.clipFromWorld);
   const gl = canvas.getContext("webgl2");
   if (!gl) throw new Error("The context is lost.");
   return {
@@ -36,32 +38,18 @@ export function ours(canvas: HTMLCanvasElement, cell: Cell): Peer {
     gl,
     glow: [1, 1, 1],
     frame() {
-      pass(FRAME / TICK);
-      block.update({
-        clipFromWorld: VIEW.clipFromWorld,
-        eyePosition: VIEW.eye,
-        exposure: 1,
-        viewport: [WIDTH, HEIGHT],
-        projectionScale: VIEW.projectionScale,
-        normalMaps: 1,
-      });
+      record(FRAME / TICK);
       gpu.clear("canvas", [0, 0, 0, 1]);
-      gpu.draw({
+      system.draw(timeline, {
         program,
         target: "canvas",
-        vertexArray: system.vertexArray,
-        primitive: "points",
-        count: system.count,
         uniforms: {
-          uWorldFromFlame: [0, 0, 0, 1],
+          uClipFromFlame: clipFromFlame,
+          uSize: layer.size * VIEW.projectionScale,
           uAhead: 0,
-          uSize: layer.size,
           uFading: 1,
-          uGradient: 1,
-          uHaze: 0,
           uGlow: this.glow[0],
         },
-        blocks: { Frame: block },
         blend: "premultiplied",
         depth: "test",
         cull: "none",

@@ -16,6 +16,8 @@ export interface PeerResult {
   readonly ratio: number;
   /** Update and draw, not waited for: time of the main thread. */
   readonly scriptMs: number;
+  /** The same in the best round: a busy machine can only add to it. */
+  readonly bestScriptMs: number;
   /** Share of the picture's pixels that any particle touches. */
   readonly covered: number;
   /** Mean light of the picture, to that of the transform feedback control. */
@@ -76,6 +78,7 @@ export function measureScaling(cell: Cell, { rounds, frames }: Effort): Scaling 
       frameMs: median(turns[i]!.map(({ frameMs }) => frameMs)),
       ratio: median(turns[i]!.map(({ frameMs }, round) => frameMs / control[round]!.frameMs)),
       scriptMs: median(turns[i]!.map(({ scriptMs }) => scriptMs)),
+      bestScriptMs: Math.min(...turns[i]!.map(({ scriptMs }) => scriptMs)),
       covered: pictures[i]!.covered,
       brightness: pictures[i]!.brightness / pictures[1]!.brightness,
     })),

@@ -48,7 +48,7 @@ test.each(INCLUDED)("%s is never compiled alone", (file) => {
 });
 
 test("the kernel and its twin count the same groups, and the same ticks in a pass", () => {
-  const kernel = codeOf("shaders/particles/update.vert");
+  const kernel = codeOf("shaders/particles/kernel.glsl");
   const system = codeOf("src/render/particle-system.ts");
   expect(/\bGROUPS = (\d+)u;/.exec(kernel)?.[1]).toBe(String(GROUPS));
   const ticks = /\bMAX_TICKS = (\d+);/;

@@ -1,3 +1,4 @@
+import { mat4 } from "gl-matrix";
 import candleFrag from "../../../shaders/paper/candle.frag";
 import candleVert from "../../../shaders/paper/candle.vert";
 import particleFrag from "../../../shaders/paper/particle.frag";
@@ -14,7 +15,7 @@ import type { ParticleLayer } from "../../world/particle-layer.js";
 import { layerKey } from "../../world/particles.js";
 import type { World } from "../../world/world.js";
 import { clipFromWorld, projectionScale } from "../camera.js";
-import { ParticleSystem, particleProgram } from "../particle-system.js";
+import { FEEDBACK, ParticleSystem, particleProgram } from "../particle-system.js";
 import type { Models, Renderer } from "../renderer.js";
 import { type Surface, uploadModel } from "../surface.js";
 import type { Tier } from "../tier.js";
@@ -22,8 +23,9 @@ import type { View } from "../view.js";
 
 /** The paper's light has no unit; this shows its white wall at arm's length just below white. */
 const EXPOSURE = 0.62;
-/** Light of one particle where it is brightest, in display units. */
+/** Light of one particle where it is brightest, in display units; without a gradient, its opacity. */
 const GLOW = { core: 0.2, haze: 0.012 } as const;
+const FLAT_GLOW = { core: 0.8, haze: 0.08 } as const;
 
 /**
  * The paper's forward frame: room, candle, particles, straight to the screen's colours.
@@ -38,11 +40,12 @@ export class PaperRenderer implements Renderer {
   readonly #light: UniformBlock;
   readonly #roomProgram: Program;
   readonly #candleProgram: Program;
-  readonly #particleProgram: Program;
+  readonly #particlePrograms = new Map<string, Program>();
   readonly #updateProgram: Program;
   readonly #room: readonly Surface[];
   readonly #candle: readonly Surface[];
   #systems: ParticleSystem[] = [];
+  #clipFromWorld = mat4.create();
   #target: RenderTarget | null = null;
   #size = { width: 1, height: 1 };
   /** From the paper's light to the screen's, in the last frame. */
@@ -53,7 +56,6 @@ export class PaperRenderer implements Renderer {
     this.#tier = tier;
     this.#roomProgram = gpu.program("paper/room", roomVert, roomFrag);
     this.#candleProgram = gpu.program("paper/candle", candleVert, candleFrag);
-    this.#particleProgram = gpu.program("paper/particle", particleVert, particleFrag);
     this.#updateProgram = particleProgram(gpu);
     this.#frame = gpu.uniformBlock(this.#roomProgram, "Frame");
     this.#light = gpu.uniformBlock(this.#roomProgram, "Light");
@@ -97,7 +99,6 @@ export class PaperRenderer implements Renderer {
     const target = this.#target ?? "canvas";
     const { features } = view;
     this.#updateBlocks(world, view);
-    if (features.particles) for (const system of this.#systems) system.follow(world.timeline);
     gpu.clear(target, [0, 0, 0, 1]);
     this.#drawRoom(target);
     if (features.candle) this.#drawCandle(target, world);
@@ -109,8 +110,9 @@ export class PaperRenderer implements Renderer {
     const { player, look, shown } = world;
     this.#gain = EXPOSURE * 2 ** exposure;
     const { width, height } = this.#size;
+    this.#clipFromWorld = clipFromWorld(shown.eye, player.yaw, player.pitch, width / height);
     this.#frame.update({
-      clipFromWorld: clipFromWorld(shown.eye, player.yaw, player.pitch, width / height),
+      clipFromWorld: this.#clipFromWorld,
       eyePosition: shown.eye,
       exposure: this.#gain,
       viewport: [width, height],
@@ -158,31 +160,49 @@ export class PaperRenderer implements Renderer {
   #drawParticles(target: Target, world: World, features: Features): void {
     const { stage, shown, look, remainder } = world;
     const isFinal = look === "paper";
-    const place = [shown.flame[0], shown.flame[1], shown.flame[2], stage.flameScale];
+    const hasGradient = isFinal && features.gradient;
+    const clipFromFlame = mat4.translate(mat4.create(), this.#clipFromWorld, shown.flame);
+    mat4.scale(clipFromFlame, clipFromFlame, [
+      stage.flameScale,
+      stage.flameScale,
+      stage.flameScale,
+    ]);
+    const { width, height } = this.#size;
+    const pixels = stage.flameScale * projectionScale(Math.min(width, height));
     for (const system of this.#systems) {
-      const isHaze = system.layer.name === "haze";
-      if (isHaze ? !features.hazeLayer : !features.core) continue;
-      this.#gpu.draw({
-        program: this.#particleProgram,
+      const { name, size } = system.layer;
+      if (name === "haze" ? !features.hazeLayer : !features.core) {
+        system.follow(world.timeline);
+        continue;
+      }
+      system.draw(world.timeline, {
+        program: this.#particleProgram(name === "haze", hasGradient),
         target,
-        vertexArray: system.vertexArray,
-        primitive: "points",
-        count: system.count,
         uniforms: {
-          uWorldFromFlame: place,
+          uClipFromFlame: new Float32Array(clipFromFlame),
+          uSize: size * pixels,
           uAhead: remainder,
-          uSize: system.layer.size * stage.flameScale,
           uFading: isFinal ? 1 : 0,
-          uGradient: isFinal && features.gradient ? 1 : 0,
-          uHaze: isHaze ? 1 : 0,
-          uGlow: GLOW[system.layer.name],
+          uGlow: hasGradient ? GLOW[name] : FLAT_GLOW[name],
         },
-        blocks: { Frame: this.#frame },
         blend: "premultiplied",
         depth: "test",
         cull: "none",
       });
     }
+  }
+
+  /** Compiled at its first use: a look needs one or two of the four. */
+  #particleProgram(isHaze: boolean, hasGradient: boolean): Program {
+    const defines = { HAZE: isHaze ? 1 : 0, GRADIENT: hasGradient ? 1 : 0 };
+    const key = JSON.stringify(defines);
+    let program = this.#particlePrograms.get(key);
+    if (!program) {
+      const options = { defines, feedback: FEEDBACK };
+      program = this.#gpu.program("paper/particle", particleVert, particleFrag, options);
+      this.#particlePrograms.set(key, program);
+    }
+    return program;
   }
 
   /** There is no buffer of light here: the picture is decoded, and its exposure taken back. */
