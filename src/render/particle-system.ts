@@ -47,12 +47,16 @@ export class ParticleSystem {
   #groups = GROUPS;
   /** Tick up to which group `n` is moved: until both halves of the buffer hold none of it alive. */
   readonly #movedUntil = new Float64Array(GROUPS);
-  readonly #tickKeys = new Uint32Array(MAX_TICKS);
-  readonly #births = new Uint32Array(MAX_TICKS);
-  readonly #eldest = new Float32Array(MAX_TICKS);
-  readonly #left = new Float32Array(MAX_TICKS * 3);
+  readonly #pass = new Uint32Array(4);
+  readonly #chances = new Uint32Array(MAX_TICKS * 4);
+  readonly #left = new Float32Array(MAX_TICKS * 4);
   readonly #blown = new Float32Array(MAX_TICKS * 2);
-  #pass: Readonly<Record<string, UniformValue>>;
+  readonly #uniforms: Readonly<Record<string, UniformValue>> = {
+    uPass: this.#pass,
+    uChances: this.#chances,
+    uLeft: this.#left,
+    uBlown: this.#blown,
+  };
 
   /** @param key what makes this layer's chances its own, see `layerKey` */
   constructor(gpu: Gpu, program: Program, layer: ParticleLayer, key: number) {
@@ -62,14 +66,6 @@ export class ParticleSystem {
     this.layer = layer;
     this.#from = this.#half("a");
     this.#to = this.#half("b");
-    this.#pass = {
-      uGroupSize: layer.capacity / GROUPS,
-      uTickKeys: this.#tickKeys,
-      uBirths: this.#births,
-      uEldest: this.#eldest,
-      uLeft: this.#left,
-      uBlown: this.#blown,
-    };
     this.#block = gpu.uniformBlock(program, "Layer");
     this.#block.update({
       tick: TICK,
@@ -83,6 +79,7 @@ export class ParticleSystem {
       lift: layer.buoyancy * TICK,
       push: layer.drift * TICK,
       kept: Math.exp(-layer.drag * TICK),
+      groupSize: layer.capacity / GROUPS,
     });
   }
 
@@ -127,7 +124,7 @@ export class ParticleSystem {
       count: this.count,
       // Between two ticks the last pass is drawn once more, and nothing kept.
       into: moves ? this.#to.buffer : undefined,
-      uniforms: { ...draw.uniforms, ...this.#pass },
+      uniforms: { ...draw.uniforms, ...this.#uniforms },
       blocks: { ...draw.blocks, Layer: this.#block },
     });
   }
@@ -138,7 +135,7 @@ export class ParticleSystem {
       vertexArray: this.#from.vertexArray,
       into: this.#to.buffer,
       count: this.count,
-      uniforms: this.#pass,
+      uniforms: this.#uniforms,
       blocks: { Layer: this.#block },
     });
   }
@@ -161,26 +158,20 @@ export class ParticleSystem {
       ticks++;
     }
     this.#keep(groups, this.#tick);
-    this.#pass = {
-      ...this.#pass,
-      uTicks: ticks,
-      uGroups: groups,
-      uFirstTurn: first % layer.capacity,
-      uFirstKey: (first + this.#key) >>> 0,
-    };
+    this.#pass.set([ticks, groups, first % layer.capacity, (first + this.#key) >>> 0]);
     return true;
   }
 
   #describe(timeline: Timeline, tick: number, i: number): void {
     const { layer } = this;
     const { count, age } = birthsOf(layer, tick);
-    this.#tickKeys[i] = pcg((tick + this.#key) >>> 0);
-    this.#births[i] = count;
-    this.#eldest[i] = age;
+    this.#chances[i * 4] = pcg((tick + this.#key) >>> 0);
+    this.#chances[i * 4 + 1] = count;
     const stays = 1 - layer.follow;
     for (let axis = 0; axis < 3; axis++) {
-      this.#left[i * 3 + axis] = timeline.way(tick, axis) * stays;
+      this.#left[i * 4 + axis] = timeline.way(tick, axis) * stays;
     }
+    this.#left[i * 4 + 3] = age;
     const dragged = 1 - Math.exp(-layer.drag * TICK);
     this.#blown[i * 2] = timeline.wind(tick, 0) * dragged;
     this.#blown[i * 2 + 1] = timeline.wind(tick, 2) * dragged;

@@ -161,6 +161,7 @@ export class PaperRenderer implements Renderer {
     const { stage, shown, look, remainder } = world;
     const isFinal = look === "paper";
     const hasGradient = isFinal && features.gradient;
+    const glow = hasGradient ? GLOW : FLAT_GLOW;
     const clipFromFlame = mat4.translate(mat4.create(), this.#clipFromWorld, shown.flame);
     mat4.scale(clipFromFlame, clipFromFlame, [
       stage.flameScale,
@@ -180,10 +181,7 @@ export class PaperRenderer implements Renderer {
         target,
         uniforms: {
           uClipFromFlame: new Float32Array(clipFromFlame),
-          uSize: size * pixels,
-          uAhead: remainder,
-          uFading: isFinal ? 1 : 0,
-          uGlow: hasGradient ? GLOW[name] : FLAT_GLOW[name],
+          uSprite: [size * pixels, glow[name], isFinal ? 1 : 0, remainder],
         },
         blend: "premultiplied",
         depth: "test",
