@@ -13,8 +13,10 @@ const vec3 UNIFORM_ORANGE = vec3(1.0, 0.5, 0.1);
 const float DENSITY_LIMIT = 1.25;
 
 uniform mat4 uClipFromFlame;  // from the emitter's unit
-uniform vec4 uSprite;         // diameter at birth, pixels at a distance of 1 m; light, display units;
-                              // 1 or 0: whether both shrink with remaining life; s after the last tick
+uniform float uSize;          // diameter at birth, pixels at a distance of 1 m
+uniform float uAhead;         // s that the picture is ahead of the last tick
+uniform float uFading;        // 1 or 0: alpha and size shrink with remaining life
+uniform float uGlow;          // light of one particle, display units
 
 // Premultiplied.
 flat out vec4 vCentre;
@@ -47,16 +49,15 @@ void shade(float height, float glow) {
 
 void main() {
   moveParticle();
-  float ahead = uSprite.w;
-  float left = remaining - ahead;
+  float left = remaining - uAhead;
   if (left <= 0.0) {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside of the view: dead
     gl_PointSize = 1.0;
     return;
   }
-  float share = mix(1.0, left / layer.life, uSprite.z);
-  vec3 shown = position + velocity * ahead;
-  shade(shown.y, uSprite.y * share);
+  float share = mix(1.0, left / layer.life, uFading);
+  vec3 shown = position + velocity * uAhead;
+  shade(shown.y, share * uGlow);
   gl_Position = uClipFromFlame * vec4(shown, 1.0);
-  gl_PointSize = uSprite.x * share / gl_Position.w;
+  gl_PointSize = uSize * share / gl_Position.w;
 }

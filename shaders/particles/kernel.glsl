@@ -29,15 +29,18 @@ layout(std140) uniform Layer {
   float lift;         // speed gained by buoyancy in a tick
   float push;         // most speed gained by drift in a tick
   float kept;         // share of the velocity that the wind leaves in a tick
-  float groupSize;    // slots of a group
 } layer;
 
-// Few calls set much: what a call costs the main thread, and not its length, is what counts.
-uniform uvec4 uPass;                // ticks, groups that bear, turn and key of the first birth
-uniform uvec4 uChances[MAX_TICKS];  // key of the tick, births in it
-uniform vec4 uLeft[MAX_TICKS];      // the emitter's way, as far as particles stay behind;
-                                    // w: age of the tick's first-born at its end, s
-uniform vec2 uBlown[MAX_TICKS];     // velocity taken up from the wind
+uniform int uTicks;
+uniform uint uGroupSize;          // slots of a group
+uniform uint uGroups;             // groups that bear
+uniform uint uFirstTurn;          // turn of the first birth of the pass
+uniform uint uFirstKey;           // its chances; the next birth's follow
+uniform uint uBirths[MAX_TICKS];  // births in the tick
+uniform float uEldest[MAX_TICKS]; // age of the first of them at its end, s
+uniform uint uTickKeys[MAX_TICKS];
+uniform vec3 uLeft[MAX_TICKS];    // the emitter's way, as far as particles stay behind
+uniform vec2 uBlown[MAX_TICKS];   // velocity taken up from the wind
 
 uint slot;
 vec3 position;
@@ -50,16 +53,16 @@ vec3 birthplace;
 vec3 launch;
 
 uint birthOfSlot() {
-  uint size = uint(layer.groupSize);
+  uint size = uGroupSize;
   uint group = uint(slot >= size) + uint(slot >= 2u * size) + uint(slot >= 3u * size);
   uint turn = (slot - group * size) * GROUPS + group;
-  uint number = turn - uPass.z + (turn < uPass.z ? GROUPS * size : 0u);
-  return group < uPass.y ? number : NEVER;
+  uint number = turn - uFirstTurn + (turn < uFirstTurn ? GROUPS * size : 0u);
+  return group < uGroups ? number : NEVER;
 }
 
 void conceive() {
   birth = birthOfSlot();
-  uint h0 = pcg(birth + uPass.w);
+  uint h0 = pcg(birth + uFirstKey);
   uint h1 = pcg(h0);
   vec2 place = layer.spawnRadius * signedHalves(h0);
   vec2 side = layer.sideSpeed * signedHalves(h1);
@@ -87,8 +90,8 @@ void moveParticle() {
   velocity = aVelocitySpan.xyz;
   remaining = aPositionLife.w;
   conceive();
-  advance(uChances[0].x, uChances[0].y, uLeft[0].w, uLeft[0].xyz, uBlown[0]);
-  if (uPass.x > 1u) advance(uChances[1].x, uChances[1].y, uLeft[1].w, uLeft[1].xyz, uBlown[1]);
+  advance(uTickKeys[0], uBirths[0], uEldest[0], uLeft[0], uBlown[0]);
+  if (uTicks > 1) advance(uTickKeys[1], uBirths[1], uEldest[1], uLeft[1], uBlown[1]);
   vPositionLife = vec4(position, remaining);
   vVelocitySpan = vec4(velocity, layer.life);
 }

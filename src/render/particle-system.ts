@@ -47,16 +47,12 @@ export class ParticleSystem {
   #groups = GROUPS;
   /** Tick up to which group `n` is moved: until both halves of the buffer hold none of it alive. */
   readonly #movedUntil = new Float64Array(GROUPS);
-  readonly #pass = new Uint32Array(4);
-  readonly #chances = new Uint32Array(MAX_TICKS * 4);
-  readonly #left = new Float32Array(MAX_TICKS * 4);
+  readonly #tickKeys = new Uint32Array(MAX_TICKS);
+  readonly #births = new Uint32Array(MAX_TICKS);
+  readonly #eldest = new Float32Array(MAX_TICKS);
+  readonly #left = new Float32Array(MAX_TICKS * 3);
   readonly #blown = new Float32Array(MAX_TICKS * 2);
-  readonly #uniforms: Readonly<Record<string, UniformValue>> = {
-    uPass: this.#pass,
-    uChances: this.#chances,
-    uLeft: this.#left,
-    uBlown: this.#blown,
-  };
+  #pass: Readonly<Record<string, UniformValue>>;
 
   /** @param key what makes this layer's chances its own, see `layerKey` */
   constructor(gpu: Gpu, program: Program, layer: ParticleLayer, key: number) {
@@ -66,6 +62,14 @@ export class ParticleSystem {
     this.layer = layer;
     this.#from = this.#half("a");
     this.#to = this.#half("b");
+    this.#pass = {
+      uGroupSize: layer.capacity / GROUPS,
+      uTickKeys: this.#tickKeys,
+      uBirths: this.#births,
+      uEldest: this.#eldest,
+      uLeft: this.#left,
+      uBlown: this.#blown,
+    };
     this.#block = gpu.uniformBlock(program, "Layer");
     this.#block.update({
       tick: TICK,
@@ -79,7 +83,6 @@ export class ParticleSystem {
       lift: layer.buoyancy * TICK,
       push: layer.drift * TICK,
       kept: Math.exp(-layer.drag * TICK),
-      groupSize: layer.capacity / GROUPS,
     });
   }
 
@@ -124,7 +127,7 @@ export class ParticleSystem {
       count: this.count,
       // Between two ticks the last pass is drawn once more, and nothing kept.
       into: moves ? this.#to.buffer : undefined,
-      uniforms: { ...draw.uniforms, ...this.#uniforms },
+      uniforms: { ...draw.uniforms, ...this.#pass },
       blocks: { ...draw.blocks, Layer: this.#block },
     });
   }
@@ -135,7 +138,7 @@ export class ParticleSystem {
       vertexArray: this.#from.vertexArray,
       into: this.#to.buffer,
       count: this.count,
-      uniforms: this.#uniforms,
+      uniforms: this.#pass,
       blocks: { Layer: this.#block },
     });
   }
@@ -158,20 +161,26 @@ export class ParticleSystem {
       ticks++;
     }
     this.#keep(groups, this.#tick);
-    this.#pass.set([ticks, groups, first % layer.capacity, (first + this.#key) >>> 0]);
+    this.#pass = {
+      ...this.#pass,
+      uTicks: ticks,
+      uGroups: groups,
+      uFirstTurn: first % layer.capacity,
+      uFirstKey: (first + this.#key) >>> 0,
+    };
     return true;
   }
 
   #describe(timeline: Timeline, tick: number, i: number): void {
     const { layer } = this;
     const { count, age } = birthsOf(layer, tick);
-    this.#chances[i * 4] = pcg((tick + this.#key) >>> 0);
-    this.#chances[i * 4 + 1] = count;
+    this.#tickKeys[i] = pcg((tick + this.#key) >>> 0);
+    this.#births[i] = count;
+    this.#eldest[i] = age;
     const stays = 1 - layer.follow;
     for (let axis = 0; axis < 3; axis++) {
-      this.#left[i * 4 + axis] = timeline.way(tick, axis) * stays;
+      this.#left[i * 3 + axis] = timeline.way(tick, axis) * stays;
     }
-    this.#left[i * 4 + 3] = age;
     const dragged = 1 - Math.exp(-layer.drag * TICK);
     this.#blown[i * 2] = timeline.wind(tick, 0) * dragged;
     this.#blown[i * 2 + 1] = timeline.wind(tick, 2) * dragged;

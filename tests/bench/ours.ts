@@ -36,7 +36,7 @@ export function ours(canvas: HTMLCanvasElement, cell: Cell): Peer {
   return {
     name: "candle-flame",
     gl,
-    glow: 1,
+    glow: [1, 1, 1],
     frame() {
       record(FRAME / TICK);
       gpu.clear("canvas", [0, 0, 0, 1]);
@@ -45,7 +45,10 @@ export function ours(canvas: HTMLCanvasElement, cell: Cell): Peer {
         target: "canvas",
         uniforms: {
           uClipFromFlame: clipFromFlame,
-          uSprite: [layer.size * VIEW.projectionScale, this.glow, 1, 0],
+          uSize: layer.size * VIEW.projectionScale,
+          uAhead: 0,
+          uFading: 1,
+          uGlow: this.glow[0],
         },
         blend: "premultiplied",
         depth: "test",

@@ -5,6 +5,6 @@ export interface Peer {
   /** Update and draw, submitted and not waited for. */
   frame(): void;
   /** Light of one sprite where it is brightest. */
-  glow: number;
+  glow: readonly [number, number, number];
   dispose(): void;
 }

@@ -54,13 +54,13 @@ const WARM_UP = 300;
 /** Frame times of ours and of both controls, interleaved: A B C, B C A, C A B, … */
 export function measureScaling(cell: Cell, { rounds, frames }: Effort): Scaling {
   warmUp();
-  const tint = meanTint();
+  const color = meanColor();
   const peers = PEERS.map((create) => create(canvas(), cell));
   const pictures = peers.map((peer, i) => {
-    peer.glow = faint(cell) * (i === 0 ? 1 : tint);
+    peer.glow = i === 0 ? FAINT : color;
     return pictureOf(peer);
   });
-  for (const peer of peers) peer.glow = 0.2;
+  for (const peer of peers) peer.glow = [0.2, 0.2, 0.2];
   const turns = peers.map((): Timing[] => []);
   for (let round = 0; round < rounds; round++) {
     for (let turn = 0; turn < peers.length; turn++) {
@@ -118,26 +118,25 @@ function warmUp(): void {
   }
 }
 
-/** So little light that no pixel nears saturation, and no less, for half floats. */
-function faint({ count }: Cell): number {
-  return Math.min(1e-3, 100 / count);
-}
+/** So little light that a million particles do not saturate. */
+const FAINT = [1e-3, 1e-3, 1e-3] as const;
 
 /**
- * How much brighter a sprite of ours is than a control's, all its colours taken together.
+ * One colour that is as bright as all of ours, for the controls.
  *
  * With it the light of a picture tells how many sprites of which size it has.
  */
-function meanTint(): number {
+function meanColor(): readonly [number, number, number] {
   const cell: Cell = { count: 10_000, pixels: 15 };
   const [mine, control] = [ours, stateless].map((create) => {
     const peer = create(canvas(), cell);
-    peer.glow = faint(cell);
+    peer.glow = FAINT;
     const { brightness } = pictureOf(peer);
     peer.dispose();
     return brightness;
   });
-  return mine! / control!;
+  const faint = (FAINT[0] * mine!) / control!;
+  return [faint, faint, faint];
 }
 
 /** What a frame shows, in linear floats. */

@@ -161,7 +161,6 @@ export class PaperRenderer implements Renderer {
     const { stage, shown, look, remainder } = world;
     const isFinal = look === "paper";
     const hasGradient = isFinal && features.gradient;
-    const glow = hasGradient ? GLOW : FLAT_GLOW;
     const clipFromFlame = mat4.translate(mat4.create(), this.#clipFromWorld, shown.flame);
     mat4.scale(clipFromFlame, clipFromFlame, [
       stage.flameScale,
@@ -181,7 +180,10 @@ export class PaperRenderer implements Renderer {
         target,
         uniforms: {
           uClipFromFlame: new Float32Array(clipFromFlame),
-          uSprite: [size * pixels, glow[name], isFinal ? 1 : 0, remainder],
+          uSize: size * pixels,
+          uAhead: remainder,
+          uFading: isFinal ? 1 : 0,
+          uGlow: hasGradient ? GLOW[name] : FLAT_GLOW[name],
         },
         blend: "premultiplied",
         depth: "test",

@@ -40,13 +40,13 @@ void show(vec3 position, float share) {
 /** A round sprite of one colour with the paper's fall-off. */
 export const SPRITE = `#version 300 es
 precision highp float;
-uniform float uGlow;
+uniform vec3 uGlow;
 flat in float vAlpha;
 out vec4 oColor;
 void main() {
   vec2 offset = gl_PointCoord * 2.0 - 1.0;
   float falloff = max(1.0 - dot(offset, offset), 0.0);
-  oColor = vec4(vec3(uGlow * falloff * falloff * vAlpha), 0.0);
+  oColor = vec4(uGlow * (falloff * falloff * vAlpha), 0.0);
 }`;
 
 export function contextOf(canvas: HTMLCanvasElement): WebGL2RenderingContext {

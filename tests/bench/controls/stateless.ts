@@ -35,13 +35,13 @@ export function stateless(canvas: HTMLCanvasElement, { count, pixels }: Cell): P
   return {
     name: "stateless",
     gl,
-    glow: 1,
+    glow: [1, 1, 1],
     frame() {
       gl.depthMask(true);
       gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
       gl.depthMask(false);
       gl.uniform1f(uTime, frame++ * FRAME);
-      gl.uniform1f(uGlow, this.glow);
+      gl.uniform3fv(uGlow, this.glow);
       gl.drawArrays(gl.POINTS, 0, count);
     },
     dispose: () => gl.getExtension("WEBGL_lose_context")?.loseContext(),

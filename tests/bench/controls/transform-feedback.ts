@@ -97,7 +97,7 @@ export function transformFeedback(canvas: HTMLCanvasElement, { count, pixels }: 
   return {
     name: "transform feedback",
     gl,
-    glow: 1,
+    glow: [1, 1, 1],
     frame() {
       gl.useProgram(update);
       gl.uniform1ui(uFrame, pcg(frame++));
@@ -116,7 +116,7 @@ export function transformFeedback(canvas: HTMLCanvasElement, { count, pixels }: 
       gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
       gl.depthMask(false);
       gl.useProgram(draw);
-      gl.uniform1f(uGlow, this.glow);
+      gl.uniform3fv(uGlow, this.glow);
       gl.bindVertexArray(now.vertexArray);
       gl.drawArrays(gl.POINTS, 0, count);
     },
