@@ -5,7 +5,7 @@ const SENSITIVITY = 0.0022;
 /** Browsers refuse to lock the pointer again for about this long after Esc, in milliseconds. */
 const LOCK_COOL_DOWN = 1300;
 
-/** What each key does, by its place on the keyboard, whatever the layout. */
+/** What each key does while it is held, by its place on the keyboard, whatever the layout. */
 const KEYS: Readonly<Record<string, keyof Pressed>> = {
   KeyW: "forward",
   ArrowUp: "forward",
@@ -19,8 +19,19 @@ const KEYS: Readonly<Record<string, keyof Pressed>> = {
   Home: "turnLeft",
   KeyR: "turnRight",
   End: "turnRight",
+  PageUp: "up",
+  PageDown: "down",
   ShiftLeft: "run",
   ShiftRight: "run",
+};
+
+type Wish = "placesOrTakes" | "togglesFlame" | "blows";
+
+/** What happens once, when the key goes down. */
+const WISHES: Readonly<Record<string, Wish>> = {
+  KeyE: "togglesFlame",
+  KeyB: "blows",
+  KeyF: "placesOrTakes",
 };
 
 interface Pressed {
@@ -30,6 +41,8 @@ interface Pressed {
   right: boolean;
   turnLeft: boolean;
   turnRight: boolean;
+  up: boolean;
+  down: boolean;
   run: boolean;
 }
 
@@ -41,6 +54,8 @@ function nothingPressed(): Pressed {
     right: false,
     turnLeft: false,
     turnRight: false,
+    up: false,
+    down: false,
     run: false,
   };
 }
@@ -60,7 +75,7 @@ export class FirstPersonInput {
   #pressed = nothingPressed();
   #yaw = 0;
   #pitch = 0;
-  #placesOrTakes = false;
+  #wishes: Partial<Record<Wish, true>> = {};
   #isIn = false;
   #wasLocked = false;
   #isFirstMove = false;
@@ -77,7 +92,7 @@ export class FirstPersonInput {
     host.addEventListener("keydown", this.#keyDown, { signal });
     host.addEventListener("keyup", this.#keyUp, { signal });
     host.addEventListener("blur", () => this.leave(), { signal });
-    canvas.addEventListener("click", () => this.enter(), { signal });
+    canvas.addEventListener("click", this.#click, { signal });
     canvas.addEventListener("pointerdown", this.#pointerDown, { signal });
     canvas.addEventListener("pointermove", this.#pointerMove, { signal });
     ownerDocument.addEventListener("pointerlockchange", this.#lockChange, { signal });
@@ -86,20 +101,21 @@ export class FirstPersonInput {
 
   /** What the visitor wants since the last call. */
   read(): Intent {
-    const { forward, back, left, right, turnLeft, turnRight, run } = this.#pressed;
+    const { forward, back, left, right, turnLeft, turnRight, up, down, run } = this.#pressed;
     const intent: Intent = {
       ...STILL,
       forward: Number(forward) - Number(back),
       right: Number(right) - Number(left),
       runs: run,
       turn: Number(turnLeft) - Number(turnRight),
+      tilt: Number(up) - Number(down),
       yaw: this.#yaw,
       pitch: this.#pitch,
-      placesOrTakes: this.#placesOrTakes,
+      ...this.#wishes,
     };
     this.#yaw = 0;
     this.#pitch = 0;
-    this.#placesOrTakes = false;
+    this.#wishes = {};
     return intent;
   }
 
@@ -141,6 +157,12 @@ export class FirstPersonInput {
     }
   }
 
+  /** The first click goes in; under a locked pointer, the next ones are for the flame. */
+  readonly #click = (): void => {
+    if (this.#isIn && this.#isLocked) this.#wishes.togglesFlame = true;
+    else this.enter();
+  };
+
   readonly #lockChange = (): void => {
     if (this.#isLocked) {
       this.#isFirstMove = true;
@@ -168,9 +190,10 @@ export class FirstPersonInput {
       return;
     }
     const action = KEYS[event.code];
+    const wish = WISHES[event.code];
     if (action) this.#pressed[action] = true;
-    else if (event.code === "KeyF") this.#placesOrTakes ||= !event.repeat;
-    else return;
+    else if (!wish) return;
+    else if (!event.repeat) this.#wishes[wish] = true;
     event.preventDefault();
   };
 

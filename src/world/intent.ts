@@ -6,11 +6,17 @@ export interface Intent {
   readonly runs: boolean;
   /** Turning by keys or stick, -1 to 1, left positive. */
   readonly turn: number;
+  /** Raising the view by keys or stick, -1 to 1, up positive. */
+  readonly tilt: number;
   /** Turned since the last frame, radians: yaw left positive, pitch up positive. */
   readonly yaw: number;
   readonly pitch: number;
   /** The candle is to be put down, or taken up again. */
   readonly placesOrTakes: boolean;
+  /** The flame is to be put out, or lit again. */
+  readonly togglesFlame: boolean;
+  /** A breath at the flame. */
+  readonly blows: boolean;
 }
 
 export const STILL: Intent = {
@@ -18,7 +24,10 @@ export const STILL: Intent = {
   right: 0,
   runs: false,
   turn: 0,
+  tilt: 0,
   yaw: 0,
   pitch: 0,
   placesOrTakes: false,
+  togglesFlame: false,
+  blows: false,
 };

@@ -3,8 +3,9 @@ import { accelerate } from "./gait.js";
 import type { Ground } from "./ground.js";
 import type { Intent } from "./intent.js";
 
-/** Turning by keys, rad/s. */
+/** Turning, and looking up or down, by keys or stick at its limit: rad/s. */
 const TURN_SPEED = 1.6;
+const TILT_SPEED = 1;
 /** Looking straight up or down would leave no line of sight to walk along. */
 export const MAX_PITCH = 1.5;
 
@@ -27,6 +28,10 @@ export interface Gait {
 /** Turns the head by what the pointer moved since the last frame. */
 export function look(player: Player, { yaw, pitch }: Intent): void {
   player.yaw = wrapAngle(player.yaw + yaw);
+  nod(player, pitch);
+}
+
+function nod(player: Player, pitch: number): void {
   player.pitch = Math.min(Math.max(player.pitch + pitch, -MAX_PITCH), MAX_PITCH);
 }
 
@@ -38,13 +43,14 @@ export function look(player: Player, { yaw, pitch }: Intent): void {
  */
 export function walk(
   player: Player,
-  { forward, right, runs, turn }: Intent,
+  { forward, right, runs, turn, tilt }: Intent,
   gait: Gait,
   ground: Ground,
   seconds: number,
 ): void {
   const { position, velocity } = player;
   player.yaw = wrapAngle(player.yaw + turn * TURN_SPEED * seconds);
+  nod(player, tilt * TILT_SPEED * seconds);
   const length = Math.max(1, Math.hypot(forward, right));
   const pace = (runs ? gait.run : gait.walk) / length;
   const sin = Math.sin(player.yaw);

@@ -69,6 +69,17 @@ describe("walking (I1)", () => {
     expect(player.position[0]).toBeLessThan(0.25);
   });
 
+  test("looks up by key at the same pace in one step as in many, and no higher than the pointer", () => {
+    const once = standing();
+    const often = standing();
+    walk(once, intent({ tilt: 0.5 }), gait, OPEN, 1);
+    for (let i = 0; i < 120; i++) walk(often, intent({ tilt: 0.5 }), gait, OPEN, 1 / 120);
+    expect(once.pitch).toBeCloseTo(0.5, 9);
+    expect(often.pitch).toBeCloseTo(once.pitch, 9);
+    walk(once, intent({ tilt: -1 }), gait, OPEN, 9);
+    expect(once.pitch).toBe(-MAX_PITCH);
+  });
+
   test("never leaves the floor", () => {
     const player: Player = { ...standing(), pitch: MAX_PITCH };
     walk(player, intent({ forward: 1 }), gait, OPEN, 1);
