@@ -1,6 +1,4 @@
 import displayFrag from "../../../shaders/physical/display.frag";
-import flameFrag from "../../../shaders/physical/flame.frag";
-import flameVert from "../../../shaders/physical/flame.vert";
 import fullscreenVert from "../../../shaders/physical/fullscreen.vert";
 import surfaceFrag from "../../../shaders/physical/surface.frag";
 import surfaceVert from "../../../shaders/physical/surface.vert";
@@ -11,7 +9,6 @@ import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { adaptation } from "../../light/color.js";
-import { BODY_SIZE, outline } from "../../light/flame-body.js";
 import { flameLight, TAPER } from "../../light/flame-light.js";
 import type { World } from "../../world/world.js";
 import { clipFromWorld, projectionScale } from "../camera.js";
@@ -20,18 +17,13 @@ import { type Surface, uploadModel } from "../surface.js";
 import type { Tier } from "../tier.js";
 import type { View } from "../view.js";
 import { BloomPass } from "./bloom-pass.js";
+import { FlamePass } from "./flame-pass.js";
 import { type IndirectDetail, IndirectPass, type IrradianceVolume } from "./indirect-pass.js";
+import { lightBlock } from "./light-block.js";
 import { ShadowPass } from "./shadow-pass.js";
 
 /** From cd/m² to the display's scale, where middle grey is 0.18: a wall of 0.08 cd/m² lands there. */
 const EXPOSURE = 5;
-/** Steps of the march through the flame. */
-const FLAME_STEPS: Readonly<Record<Tier["name"], number>> = {
-  low: 12,
-  medium: 24,
-  high: 40,
-  ultra: 64,
-};
 /** Shadow cube: texels along an edge, taps that look for what casts it, taps that soften it. */
 const SHADOW: Readonly<Record<Tier["name"], { size: number; search: number; taps: number }>> = {
   low: { size: 128, search: 4, taps: 6 },
@@ -55,8 +47,6 @@ const BLOOM_LEVELS: Readonly<Record<Tier["name"], number>> = {
 const SCATTERED = 0.0006;
 /** The ring handle, along +X in the model, is turned towards the visitor's right hand. */
 const HANDLE_TURN = -1.1;
-/** What of the chamberstick stands in its own light: heights above its foot and radii, metres. */
-const CANDLE = { rim: 0.2015, rimRadius: 0.0105, pan: 0.018, panRadius: 0.066 } as const;
 const BLACK = [0, 0, 0, 1] as const;
 
 /**
@@ -67,19 +57,15 @@ export class PhysicalRenderer implements Renderer {
   readonly #gpu: Gpu;
   readonly #tier: Tier;
   readonly #surfaceProgram: Program;
-  readonly #flameProgram: Program;
   readonly #displayProgram: Program;
   readonly #frame: UniformBlock;
   readonly #light: UniformBlock;
-  readonly #flame: UniformBlock;
+  readonly #flame: FlamePass;
   readonly #shadow: ShadowPass;
   readonly #indirect: IndirectPass;
   readonly #bloom: BloomPass;
   readonly #room: readonly Surface[];
   readonly #candle: readonly Surface[];
-  readonly #body: Texture;
-  readonly #outline: Texture;
-  readonly #hull: VertexArray;
   readonly #screen: VertexArray;
   readonly #adaptation = adaptation(TAPER.color);
   #samples: RenderTarget | null = null;
@@ -93,30 +79,12 @@ export class PhysicalRenderer implements Renderer {
       defines: { SHADOW_SEARCH: SHADOW[tier.name].search, SHADOW_TAPS: SHADOW[tier.name].taps },
     });
     this.#shadow = new ShadowPass(gpu, SHADOW[tier.name].size);
-    this.#flameProgram = gpu.program("physical/flame", flameVert, flameFrag);
     this.#displayProgram = gpu.program("physical/display", fullscreenVert, displayFrag);
     this.#frame = gpu.uniformBlock(this.#surfaceProgram, "Frame");
     this.#light = gpu.uniformBlock(this.#surfaceProgram, "Light");
-    this.#flame = gpu.uniformBlock(this.#flameProgram, "Flame");
+    this.#flame = new FlamePass(gpu);
     this.#room = uploadModel(gpu, room, tier);
     this.#candle = uploadModel(gpu, candle, tier);
-    this.#body = gpu.texture({
-      label: "flame/body",
-      format: "RGBA32F",
-      source: { ...BODY_SIZE, data: TAPER.texels },
-    });
-    this.#outline = gpu.texture({
-      label: "flame/outline",
-      format: "R32F",
-      source: {
-        width: BODY_SIZE.height,
-        height: 1,
-        data: Float32Array.from({ length: BODY_SIZE.height }, (_, i) =>
-          outline((i + 0.5) / BODY_SIZE.height),
-        ),
-      },
-    });
-    this.#hull = gpu.vertexArray("flame/hull", { attributes: {}, count: 14 });
     this.#screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
     this.#indirect = new IndirectPass(gpu, this.#screen, room.bounds, INDIRECT[tier.name]);
     this.#bloom = new BloomPass(gpu, this.#screen, BLOOM_LEVELS[tier.name]);
@@ -155,7 +123,7 @@ export class PhysicalRenderer implements Renderer {
         world.candle.yaw + HANDLE_TURN,
       ]);
     }
-    this.#drawFlame(target);
+    this.#flame.render(target, this.#frame, world, this.#tier.name);
     if (this.#samples) this.#gpu.resolve(this.#samples, this.#radiance);
     const radiance = this.#radiance.color;
     const bloom = this.#bloom.render(radiance);
@@ -189,25 +157,7 @@ export class PhysicalRenderer implements Renderer {
       projectionScale: projectionScale(height),
       normalMaps: features.normalMaps ? 1 : 0,
     });
-    const light = flameLight(world, TAPER);
-    this.#light.update({
-      position: light.position,
-      halfHeight: light.halfHeight,
-      intensity: light.intensity,
-      radius: light.radius,
-      axis: [shown.foot[0], shown.foot[2]],
-      rim: shown.foot[1] + CANDLE.rim,
-      rimRadius: features.candle ? CANDLE.rimRadius : 0,
-      pan: shown.foot[1] + CANDLE.pan,
-      panRadius: features.candle ? CANDLE.panRadius : 0,
-    });
-    const [x, y, z] = shown.flame;
-    this.#flame.update({
-      base: [x, y, z],
-      radius: TAPER.radius,
-      tip: [x, y + TAPER.height, z],
-      steps: FLAME_STEPS[this.#tier.name],
-    });
+    this.#light.update(lightBlock(world, features.candle));
   }
 
   #drawSurfaces(
@@ -243,20 +193,6 @@ export class PhysicalRenderer implements Renderer {
         cull: isDoubleSided ? "none" : "back",
       });
     }
-  }
-
-  #drawFlame(target: RenderTarget): void {
-    this.#gpu.draw({
-      program: this.#flameProgram,
-      target,
-      vertexArray: this.#hull,
-      primitive: "strip",
-      textures: { uBody: this.#body, uOutline: this.#outline },
-      blocks: { Frame: this.#frame, Flame: this.#flame },
-      blend: "premultiplied",
-      depth: "test",
-      cull: "none",
-    });
   }
 
   readRadiance(x: number, y: number, width: number, height: number): Float32Array {
