@@ -45,6 +45,8 @@ export interface Transform {
   readonly count: number;
 }
 
+const MODES = { triangles: "TRIANGLES", strip: "TRIANGLE_STRIP", points: "POINTS" } as const;
+
 /** WebGL2 is missing, or refused. */
 export class WebGLUnavailableError extends Error {
   override readonly name = "WebGLUnavailableError";
@@ -67,6 +69,9 @@ export class Gpu {
   readonly #gl: WebGL2RenderingContext;
   readonly #alive = new Set<GpuObject>();
   readonly #feedback: WebGLTransformFeedback;
+  /** What is switched on in GL: each call saved is a microsecond of the page's own thread. */
+  readonly #enabled = new Set<GLenum>();
+  #writesDepth = true;
 
   constructor(canvas: HTMLCanvasElement) {
     // Multisampling of the default framebuffer is up to the browser; ours is in render targets.
@@ -81,6 +86,7 @@ export class Gpu {
     if (!gl) throw new WebGLUnavailableError("This browser or graphics driver offers no WebGL 2.");
     this.#gl = gl;
     this.#canvas = canvas;
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     // Browsers do not re-enable extensions after a context loss (KhronosGroup/WebGL #2942), so they
     // are asked for here, where the context is born.
     gl.getExtension("EXT_color_buffer_float");
@@ -175,7 +181,7 @@ export class Gpu {
   clear(target: Surface, color: readonly [number, number, number, number]): void {
     const gl = this.#gl;
     this.#bind(target);
-    gl.depthMask(true);
+    this.#writeDepth(true);
     gl.clearColor(...color);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   }
@@ -199,23 +205,12 @@ export class Gpu {
     this.#bind(target);
     if (viewport) gl.viewport(...viewport);
     this.#use(program, uniforms, textures, blocks);
-    if (blend === "replace") {
-      gl.disable(gl.BLEND);
-    } else {
-      gl.enable(gl.BLEND);
-      gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-    }
-    if (depth === "none") {
-      gl.disable(gl.DEPTH_TEST);
-    } else {
-      gl.enable(gl.DEPTH_TEST);
-      gl.depthMask(depth === "test-and-write");
-    }
-    if (cull === "back") gl.enable(gl.CULL_FACE);
-    else gl.disable(gl.CULL_FACE);
+    this.#switch(gl.BLEND, blend === "premultiplied");
+    this.#switch(gl.DEPTH_TEST, depth !== "none");
+    if (depth !== "none") this.#writeDepth(depth === "test-and-write");
+    this.#switch(gl.CULL_FACE, cull === "back");
     gl.bindVertexArray(vertexArray.handle);
-    const modes = { triangles: gl.TRIANGLES, strip: gl.TRIANGLE_STRIP, points: gl.POINTS };
-    const mode = modes[primitive];
+    const mode = gl[MODES[primitive]];
     if (vertexArray.indexType) {
       const type = vertexArray.indexType === "uint16" ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT;
       gl.drawElements(mode, count, type, 0);
@@ -224,7 +219,6 @@ export class Gpu {
     } else {
       gl.drawArrays(mode, 0, count);
     }
-    gl.bindVertexArray(null);
     this.drawCalls++;
     if (primitive === "triangles") this.triangles += count / 3;
   }
@@ -236,8 +230,24 @@ export class Gpu {
     gl.enable(gl.RASTERIZER_DISCARD);
     this.#capture(into, count);
     gl.disable(gl.RASTERIZER_DISCARD);
-    gl.bindVertexArray(null);
     this.drawCalls++;
+  }
+
+  #switch(capability: GLenum, isOn: boolean): void {
+    if (this.#enabled.has(capability) === isOn) return;
+    if (isOn) {
+      this.#gl.enable(capability);
+      this.#enabled.add(capability);
+    } else {
+      this.#gl.disable(capability);
+      this.#enabled.delete(capability);
+    }
+  }
+
+  #writeDepth(isOn: boolean): void {
+    if (this.#writesDepth === isOn) return;
+    this.#gl.depthMask(isOn);
+    this.#writesDepth = isOn;
   }
 
   #capture(into: Buffer, count: number): void {

@@ -62,6 +62,28 @@ function uniformOf(
   return setter;
 }
 
+/** The same, silent where the program has the value already: GL keeps it from draw to draw. */
+function remembering(send: Uniform): Uniform {
+  let single = Number.NaN;
+  const list: number[] = [];
+  return (value) => {
+    if (typeof value === "number") {
+      if (value === single) return;
+      single = value;
+    } else {
+      let isSame = value.length === list.length;
+      for (let i = 0; i < value.length; i++) {
+        const component = value[i]!;
+        if (component === list[i]) continue;
+        list[i] = component;
+        isSame = false;
+      }
+      if (isSame) return;
+    }
+    send(value);
+  };
+}
+
 // ANGLE, Mesa and Apple all write "ERROR: file:line: text".
 function explain(log: string, { files }: ShaderSource): string {
   return log.replace(
@@ -147,7 +169,7 @@ export class Program implements GpuObject {
         continue;
       }
       const name = active.name.replace(/\[0\]$/, "");
-      this.#uniforms.set(name, uniformOf(gl, location, active.type));
+      this.#uniforms.set(name, remembering(uniformOf(gl, location, active.type)));
     }
     const blocks = gl.getProgramParameter(this.handle, gl.ACTIVE_UNIFORM_BLOCKS) as number;
     for (let i = 0; i < blocks; i++) {

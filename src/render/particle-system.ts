@@ -52,7 +52,8 @@ export class ParticleSystem {
   readonly #eldest = new Float32Array(MAX_TICKS);
   readonly #left = new Float32Array(MAX_TICKS * 3);
   readonly #blown = new Float32Array(MAX_TICKS * 2);
-  #pass: Readonly<Record<string, UniformValue>>;
+  /** Uniforms of the last pass, kept from pass to pass. */
+  readonly #pass: Record<string, UniformValue>;
 
   /** @param key what makes this layer's chances its own, see `layerKey` */
   constructor(gpu: Gpu, program: Program, layer: ParticleLayer, key: number) {
@@ -161,13 +162,10 @@ export class ParticleSystem {
       ticks++;
     }
     this.#keep(groups, this.#tick);
-    this.#pass = {
-      ...this.#pass,
-      uTicks: ticks,
-      uGroups: groups,
-      uFirstTurn: first % layer.capacity,
-      uFirstKey: (first + this.#key) >>> 0,
-    };
+    this.#pass.uTicks = ticks;
+    this.#pass.uGroups = groups;
+    this.#pass.uFirstTurn = first % layer.capacity;
+    this.#pass.uFirstKey = (first + this.#key) >>> 0;
     return true;
   }
 

@@ -56,10 +56,8 @@ export function measureScaling(cell: Cell, { rounds, frames }: Effort): Scaling 
   warmUp();
   const color = meanColor();
   const peers = PEERS.map((create) => create(canvas(), cell));
-  const pictures = peers.map((peer, i) => {
-    peer.glow = i === 0 ? FAINT : color;
-    return pictureOf(peer);
-  });
+  const covered = peers.map((peer) => pictureOf(peer).covered);
+  const brightness = brightnessOf(cell, color);
   for (const peer of peers) peer.glow = [0.2, 0.2, 0.2];
   const turns = peers.map((): Timing[] => []);
   for (let round = 0; round < rounds; round++) {
@@ -79,8 +77,8 @@ export function measureScaling(cell: Cell, { rounds, frames }: Effort): Scaling 
       ratio: median(turns[i]!.map(({ frameMs }, round) => frameMs / control[round]!.frameMs)),
       scriptMs: median(turns[i]!.map(({ scriptMs }) => scriptMs)),
       bestScriptMs: Math.min(...turns[i]!.map(({ scriptMs }) => scriptMs)),
-      covered: pictures[i]!.covered,
-      brightness: pictures[i]!.brightness / pictures[1]!.brightness,
+      covered: covered[i]!,
+      brightness: brightness[i]! / brightness[1]!,
     })),
   };
 }
@@ -137,6 +135,20 @@ function meanColor(): readonly [number, number, number] {
   });
   const faint = (FAINT[0] * mine!) / control!;
   return [faint, faint, faint];
+}
+
+/** Beyond so many, sums in half floats are too large to feel one sprite more. */
+const MOST_SUMMED = 100_000;
+
+/** Light of each peer's picture of the same cell, or of a cell as large as half floats can sum. */
+function brightnessOf({ count, pixels }: Cell, color: readonly [number, number, number]): number[] {
+  return PEERS.map((create, i) => {
+    const peer = create(canvas(), { count: Math.min(count, MOST_SUMMED), pixels });
+    peer.glow = i === 0 ? FAINT : color;
+    const { brightness } = pictureOf(peer);
+    peer.dispose();
+    return brightness;
+  });
 }
 
 /** What a frame shows, in linear floats. */
