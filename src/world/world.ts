@@ -1,4 +1,5 @@
 import type { Look } from "../settings.js";
+import { Air, CALM, type Wind } from "./air.js";
 import { inset, type Vec3 } from "./bounds.js";
 import {
   type Candle,
@@ -8,6 +9,8 @@ import {
   placeOnGround,
   STAND,
 } from "./candle.js";
+import { TAPER_WICK } from "./flame/burning.js";
+import { Flame } from "./flame/flame.js";
 import {
   advanceHand,
   advanceStride,
@@ -27,6 +30,7 @@ import type { Room } from "./room.js";
 import { STAGES, type Stage, WALL_MARGIN } from "./stage.js";
 import { MEMORY, TICK, Timeline } from "./timeline.js";
 
+const STANDING: Vec3 = [0, 0, 0];
 /** Distance from the eye at which the flame has lost a group of particles, metres each. */
 const LOD_DISTANCE = 2.5;
 
@@ -41,6 +45,8 @@ export interface World {
   readonly player: Player;
   readonly hand: Hand;
   readonly candle: Candle;
+  readonly air: Air;
+  readonly flame: Flame;
   /** Foot of the flame, metres. */
   readonly emitter: Vec3;
   /** Where things are at the moment of the picture, up to a tick after the state above. Metres. */
@@ -63,10 +69,18 @@ export interface Birth {
   /** Ticks that count as simulated, for a world that takes over from another. */
   readonly age?: number;
   readonly room?: Room | null;
+  readonly wind?: Wind;
+  /** Diameter of the wick, metres. */
+  readonly wick?: number;
+  readonly isLit?: boolean;
 }
 
 /** A world whose flame has burnt for a while, so that it is whole at once. */
-export function createWorld(look: Look, seed: number, { age = 0, room = null }: Birth = {}): World {
+export function createWorld(
+  look: Look,
+  seed: number,
+  { age = 0, room = null, wind = CALM, wick = TAPER_WICK, isLit = true }: Birth = {},
+): World {
   const stage = STAGES[look];
   const brightest = stage.layers.length - 1;
   const layer = stage.layers[brightest];
@@ -83,6 +97,8 @@ export function createWorld(look: Look, seed: number, { age = 0, room = null }: 
     player: { position: start, velocity: [0, 0, 0], yaw, pitch: stage.pitch },
     hand: createHand(yaw),
     candle: { position: [...(stage.stand ?? start)], yaw, isHeld },
+    air: new Air(seed, wind),
+    flame: new Flame(wick, isLit),
     emitter: [0, 0, 0],
     shown: { eye: [0, 0, 0], foot: [0, 0, 0], flame: [0, 0, 0] },
     timeline: new Timeline(age - MEMORY),
@@ -108,6 +124,8 @@ export function currentTime({ timeline, remainder }: World): number {
 export function advance(world: World, intent: Intent, seconds: number): void {
   lookAround(world.player, intent);
   if (intent.placesOrTakes) placeOrTake(world);
+  if (intent.togglesFlame) toggleFlame(world.flame);
+  if (intent.blows) blow(world, 1);
   // 144 x 1/144 must be one second: the error of a sum is far below a millionth of a tick.
   const ticks = Math.floor((world.remainder + seconds) / TICK + 1e-6);
   world.remainder = Math.max(0, world.remainder + seconds - ticks * TICK);
@@ -168,6 +186,31 @@ function placeOrTake(world: World): void {
   else takeCandle(world);
 }
 
+function toggleFlame(flame: Flame): void {
+  if (flame.isLit) flame.extinguish();
+  else flame.light();
+}
+
+/** Within this angle of the line of sight, radians, and this far a breath is meant for the flame. */
+const AIM = 0.7;
+const BREATH_REACH = 1.6;
+
+/** A breath from the eye: at the flame if it is ahead and near, else along the line of sight. */
+export function blow({ air, player, emitter }: World, strength: number): void {
+  const { position, yaw, pitch } = player;
+  const level = Math.cos(pitch);
+  const sight: Vec3 = [-Math.sin(yaw) * level, Math.sin(pitch), -Math.cos(yaw) * level];
+  const toFlame: Vec3 = [0, 0, 0];
+  for (const axis of [0, 1, 2] as const) toFlame[axis] = emitter[axis] - position[axis];
+  // The lowest third of the flame is what holds it on its wick.
+  toFlame[1] += 0.01;
+  const distance = Math.hypot(...toFlame);
+  for (const axis of [0, 1, 2] as const) toFlame[axis] /= Math.max(distance, 1e-6);
+  const ahead = toFlame[0] * sight[0] + toFlame[1] * sight[1] + toFlame[2] * sight[2];
+  const isMeant = distance < BREATH_REACH && ahead > Math.cos(AIM);
+  air.blow(position, isMeant ? toFlame : sight, strength);
+}
+
 /** Middle of the flame's glowing particles, from the emitter, in the emitter's unit. */
 export function flameCentre({ sample }: World, out: Vec3): Vec3 {
   let weight = 0;
@@ -191,7 +234,7 @@ export function levelOfDetail({ emitter, player, stage }: World): number {
 }
 
 function tick(world: World, intent: Intent): void {
-  const { stage, player, emitter, timeline, ground, hand } = world;
+  const { stage, player, emitter, timeline, ground, hand, air, flame } = world;
   const before: Vec3 = [emitter[0], emitter[1], emitter[2]];
   const { position, velocity } = player;
   const [x, , z] = position;
@@ -199,9 +242,14 @@ function tick(world: World, intent: Intent): void {
   world.stride = advanceStride(world.stride, Math.hypot(position[0] - x, position[2] - z));
   advanceHand(hand, player.yaw, velocity, TICK);
   settle(world, TICK);
+  const motion: Vec3 = [0, 0, 0];
+  for (const axis of [0, 1, 2] as const) motion[axis] = (emitter[axis] - before[axis]) / TICK;
+  air.advance((timeline.tick + 1) * TICK, position, velocity);
+  // The paper's flame has its own law of motion, and no air passes it.
+  flame.advance(emitter, world.look === "physical" ? motion : STANDING, air, !world.sways, TICK);
   const way = before.map((old, axis) => ((emitter[axis] ?? 0) - old) / stage.flameScale);
   const wind = way.map((length) => -length / TICK);
-  timeline.record(way, wind, levelOfDetail(world));
+  timeline.record(way, wind, flame.isLit ? levelOfDetail(world) : 0);
   world.sample.follow(timeline);
 }
 

@@ -1,0 +1,147 @@
+import type { Vec3 } from "./bounds.js";
+import { Gusts } from "./gusts.js";
+
+/** The draught in the room. */
+export interface Wind {
+  /** Mean, m/s. */
+  readonly speed: number;
+  /** Where it blows to, radians: 0 is -Z, counter-clockwise from above. */
+  readonly direction: number;
+  /** 0 steady to 1 squally. */
+  readonly gustiness: number;
+}
+
+export const CALM: Wind = { speed: 0, direction: 0, gustiness: 0 };
+
+/** Unrest of a squally wind, as a share of its mean along each axis. */
+const TURBULENCE = 0.6;
+/** A wind that is told to change does so at this rate, 1/s. */
+const VEERING = 3;
+
+/** Half-width of the visitor, who pushes the air out of his way. Metres. */
+const GIRTH = 0.22;
+/** From his feet to his crown, below and above the eye: there he ends, and so does what he pushes. */
+const BELOW_EYE = 1.6;
+const ABOVE_EYE = 0.15;
+
+/** Of a breath at full strength: speed at the lips, m/s, and the width of the mouth, m. */
+const BREATH_SPEED = 20;
+const MOUTH = 0.015;
+/** How long a breath lasts, and how long it takes to swell and to end. Seconds. */
+const BREATH = 0.45;
+const SWELL = 0.08;
+/** A round jet keeps its speed for this many widths of the mouth; then it goes as 1/distance. */
+const CORE = 6.2;
+/** Its half-width where the speed has fallen to 1/e, per metre of way. */
+const SPREAD = 0.107;
+
+/**
+ * The air in the room: a draught with gusts, what the visitor pushes aside as he walks, his breath.
+ *
+ * Velocities are those of the current tick. Pope 2000, "Turbulent Flows", gives the round jet.
+ */
+export class Air {
+  /** As it is asked for; the air follows within a second. */
+  wind: Wind;
+  readonly #gusts: Gusts;
+  readonly #mean: Vec3 = [0, 0, 0];
+  #unrest = 0;
+  #time = 0;
+  /** The visitor's eye, and how he moves. */
+  readonly #body: Vec3 = [0, 0, 0];
+  readonly #pace: Vec3 = [0, 0, 0];
+  readonly #lips: Vec3 = [0, 0, 0];
+  readonly #towards: Vec3 = [0, 0, -1];
+  #breathBegan = Number.NEGATIVE_INFINITY;
+  #breathSpeed = 0;
+
+  constructor(seed: number, wind: Wind) {
+    this.#gusts = new Gusts(seed);
+    this.wind = wind;
+    this.#veer(1);
+  }
+
+  /**
+   * A tick has passed.
+   *
+   * @param eye the visitor's, metres
+   * @param pace his velocity, m/s
+   */
+  advance(time: number, eye: Readonly<Vec3>, pace: Readonly<Vec3>): void {
+    this.#veer(1 - Math.exp(-VEERING * Math.max(0, time - this.#time)));
+    this.#time = time;
+    for (const axis of [0, 1, 2] as const) {
+      this.#body[axis] = eye[axis];
+      this.#pace[axis] = pace[axis];
+    }
+  }
+
+  #veer(share: number): void {
+    const { speed, direction, gustiness } = this.wind;
+    this.#mean[0] += (-speed * Math.sin(direction) - this.#mean[0]) * share;
+    this.#mean[2] += (-speed * Math.cos(direction) - this.#mean[2]) * share;
+    this.#unrest += (speed * gustiness * TURBULENCE - this.#unrest) * share;
+  }
+
+  /** A breath, from the lips along a direction of length 1. `strength` 1 blows out a candle at arm's length. */
+  blow(lips: Readonly<Vec3>, towards: Readonly<Vec3>, strength: number): void {
+    for (const axis of [0, 1, 2] as const) {
+      this.#lips[axis] = lips[axis];
+      this.#towards[axis] = towards[axis];
+    }
+    this.#breathBegan = this.#time;
+    this.#breathSpeed = BREATH_SPEED * strength;
+  }
+
+  /** Velocity of the air at a place, m/s, written to `out`. */
+  velocity(x: number, y: number, z: number, out: Vec3): Vec3 {
+    out[0] = this.#mean[0];
+    out[1] = this.#mean[1];
+    out[2] = this.#mean[2];
+    if (this.#unrest > 0) this.#gusts.add(this.#unrest, this.#time, x, y, z, out);
+    this.#addWake(x, y, z, out);
+    this.#addBreath(x, y, z, out);
+    return out;
+  }
+
+  /** Around a walking cylinder the air flows as a doublet, which has no divergence (Lamb 1932, 68). */
+  #addWake(x: number, y: number, z: number, out: Vec3): void {
+    const speed = Math.hypot(this.#pace[0], this.#pace[2]);
+    const height = y - this.#body[1];
+    if (speed < 1e-6 || height < -BELOW_EYE || height > ABOVE_EYE) return;
+    const dx = x - this.#body[0];
+    const dz = z - this.#body[2];
+    const squared = dx * dx + dz * dz;
+    const share = Math.min(1, (GIRTH * GIRTH) / Math.max(squared, 1e-9));
+    const along = share < 1 ? (2 * (dx * this.#pace[0] + dz * this.#pace[2])) / squared : 0;
+    const back = share < 1 ? -1 : 1;
+    out[0] += share * (along * dx + back * this.#pace[0]);
+    out[2] += share * (along * dz + back * this.#pace[2]);
+  }
+
+  #addBreath(x: number, y: number, z: number, out: Vec3): void {
+    const age = this.#time - this.#breathBegan;
+    if (age < 0 || age > BREATH + 1) return;
+    const dx = x - this.#lips[0];
+    const dy = y - this.#lips[1];
+    const dz = z - this.#lips[2];
+    const [tx, ty, tz] = this.#towards;
+    const way = dx * tx + dy * ty + dz * tz;
+    if (way <= 0) return;
+    // The front of a jet slows down as the jet does: the time to here is the integral of way/speed.
+    const reach = CORE * MOUTH;
+    const delay =
+      (Math.min(way, reach) + Math.max(0, way * way - reach * reach) / (2 * reach)) /
+      Math.max(this.#breathSpeed, 1e-3);
+    const since = age - delay;
+    if (since <= 0 || since >= BREATH) return;
+    const swell = Math.min(1, since / SWELL, (BREATH - since) / SWELL);
+    const aside = dx * dx + dy * dy + dz * dz - way * way;
+    const width = MOUTH / 2 + SPREAD * way;
+    const speed =
+      this.#breathSpeed * swell * Math.min(1, reach / way) * Math.exp(-aside / (width * width));
+    out[0] += speed * tx;
+    out[1] += speed * ty;
+    out[2] += speed * tz;
+  }
+}

@@ -1,0 +1,48 @@
+/**
+ * How a wick burns: laws between its width, its fuel and the size of the flame, all SI.
+ *
+ * Roper 1977, "The prediction of laminar jet diffusion flame sizes", has height linear in the rate of
+ * fuel; between his theory (0.28 mm per mg/min for paraffin) and a measured candle (0.40) we take 0.36.
+ */
+
+/** The wick of a household taper, m, and what it burns, kg/s: 0.105 g/min (Hamins et al. 2005). */
+export const TAPER_WICK = 0.002;
+export const TAPER_RATE = 0.105e-3 / 60;
+/** Height of the flame per rate of fuel, m per kg/s. */
+const HEIGHT_PER_RATE = 0.36e-3 / (1e-6 / 60);
+/** A wider wick burns more, though less than its area does. */
+const RATE_EXPONENT = 0.58;
+/** Between the wick and the edge of the flame: vapour that air has not yet met. Metres. */
+const SHEATH = 0.0032;
+/** Heat of burning paraffin, J/kg. */
+const HEAT = 43.5e6;
+
+/** What a wick of this diameter (m) burns in still air, kg/s. */
+export function fuelRate(wick: number): number {
+  return TAPER_RATE * (wick / TAPER_WICK) ** RATE_EXPONENT;
+}
+
+/** Height of a flame in still air that burns this much (kg/s), m. */
+export function flameHeight(rate: number): number {
+  return HEIGHT_PER_RATE * rate;
+}
+
+/** Largest radius of the luminous flame, m. `fuel` is the share of what its wick can burn. */
+export function flameRadius(wick: number, fuel: number): number {
+  return wick / 2 + SHEATH * fuel ** 0.4;
+}
+
+/** Upward acceleration of the gas on the axis, m/s²: Roper's w = √(2 a z). */
+export const BUOYANCY = 25;
+
+/**
+ * Fastest that the gas rises at a height (m) over a fire that burns this much (kg/s): what the plume
+ * of McCaffrey 1979, "Purely Buoyant Diffusion Flames", has in its flame and above it. m/s.
+ */
+export function topSpeed(rate: number, height: number): number {
+  const kilowatts = Math.max((rate * HEAT) / 1000, 1e-4);
+  return Math.min(
+    1.9 * kilowatts ** 0.2,
+    (1.1 * Math.cbrt(kilowatts)) / Math.cbrt(Math.max(height, 1e-3)),
+  );
+}

@@ -1,0 +1,175 @@
+import type { Air } from "../air.js";
+import type { Vec3 } from "../bounds.js";
+import { flameHeight, flameRadius, fuelRate } from "./burning.js";
+import { PARCELS, Spine, timeToRise } from "./spine.js";
+
+/** Heat makes vapour, and vapour heat: a small flame grows e-fold in this time. Seconds. */
+const GROWTH = 0.15;
+/** A match gives the wick this share of its fuel. */
+const SPARK = 0.03;
+/** Less than this share is no flame. */
+const LEAST = 0.035;
+/**
+ * Strain that a flame cannot follow, 1/s: air that passes it is gone before it has burnt. Hydrocarbons
+ * in air end at 300 to 500 (Tsuji 1982, "Counterflow Diffusion Flames").
+ */
+const EXTINCTION_STRAIN = 300;
+/** A remnant in the lee of the wick bears this share of it, so what was almost out is blown out easily. */
+const REMNANT_STRENGTH = 0.7;
+/** How fast it dies beyond the limit, 1/s for each limit that the strain is above it. */
+const DYING = 9;
+/** Draughts up to this share of the limit cost it nothing. */
+const UNNOTICED = 0.04;
+/** Fuel lost at the limit, and what shortens and narrows it there besides. */
+const COOLING = 0.5;
+const SHORTENING = 1;
+const NARROWING = 0.5;
+/** The flame takes this long to feel a change of the air. Seconds. */
+const INERTIA = 0.03;
+/** Where on its way up the flame meets the air that strains it: share of its height. */
+const STRAINED_AT = 0.25;
+
+/** The wick's tip in the flame, and the room, kelvin. */
+const GLOWING = 1120;
+const ROOM = 293;
+/** How fast it takes up the flame's heat, and loses it: dark (798 K, Draper) after five seconds. */
+const HEATING = 0.3;
+const FADING = 10;
+/** Below this no more wax evaporates, kelvin. */
+const DRY = 550;
+/** Share of the fuel that still evaporates just after the flame has gone out. */
+const AFTERGLOW = 0.3;
+
+/** The flame on its wick, at the current tick. Lengths in metres, from the foot of the flame. */
+export class Flame {
+  /** Diameter of the wick, metres. */
+  wick: number;
+  isLit: boolean;
+  /** Fuel that burns, as a share of what the wick gives in still air. */
+  fuel: number;
+  /** Strain by the air that passes, as a share of what puts the flame out. */
+  strain = 0;
+  /** Tip of the wick, kelvin. */
+  ember: number;
+  /** What modulates the fuel from outside: 1 for a flame that does not puff. */
+  pulse = 1;
+  readonly spine: Spine;
+  #spacing = 0;
+  #spacingOf = Number.NaN;
+  readonly #airspeed: Vec3 = [0, 0, 0];
+  readonly #flow: Vec3 = [0, 0, 0];
+
+  constructor(wick: number, isLit: boolean) {
+    this.wick = wick;
+    this.isLit = isLit;
+    this.fuel = isLit ? 1 : 0;
+    this.ember = isLit ? GLOWING : ROOM;
+    this.spine = new Spine(fuelRate(wick), this.#parcelSpacing());
+  }
+
+  /** What burns, kg/s. */
+  get rate(): number {
+    return this.fuel * this.pulse * fuelRate(this.wick);
+  }
+
+  /** Luminous length along the spine, metres. */
+  get height(): number {
+    return flameHeight(this.rate) / (1 + SHORTENING * this.#felt);
+  }
+
+  /** Largest luminous radius, metres. */
+  get radius(): number {
+    return flameRadius(this.wick, this.fuel) / (1 + NARROWING * this.#felt);
+  }
+
+  /** Wax that leaves the wick unburnt, kg/s: it condenses to smoke. */
+  get vapour(): number {
+    if (this.isLit) return 0;
+    const warmth = Math.max(0, (this.ember - DRY) / (GLOWING - DRY));
+    return AFTERGLOW * fuelRate(this.wick) * warmth ** 1.5;
+  }
+
+  get #felt(): number {
+    return Math.max(0, Math.min(this.strain, 1.5) - UNNOTICED);
+  }
+
+  /** Catches at the wick. False if it burns already. */
+  light(): boolean {
+    if (this.isLit) return false;
+    this.isLit = true;
+    this.fuel = Math.max(SPARK, this.vapour / fuelRate(this.wick));
+    this.strain = 0;
+    return true;
+  }
+
+  /** False if it is out already. */
+  extinguish(): boolean {
+    if (!this.isLit) return false;
+    this.isLit = false;
+    this.fuel = 0;
+    this.strain = 0;
+    return true;
+  }
+
+  /**
+   * Lets a tick pass.
+   *
+   * @param foot of the flame, metres, at the end of the tick
+   * @param motion of the foot, m/s
+   * @param isStill whether the flame is to stay upright
+   */
+  advance(
+    foot: Readonly<Vec3>,
+    motion: Readonly<Vec3>,
+    air: Air,
+    isStill: boolean,
+    seconds: number,
+  ): void {
+    const target = this.isLit ? GLOWING : ROOM;
+    const pace = this.isLit ? HEATING : FADING;
+    this.ember = target + (this.ember - target) * Math.exp(-seconds / pace);
+    const full = fuelRate(this.wick);
+    this.spine.advance(
+      foot,
+      motion,
+      Math.max(this.rate, 0.1 * full),
+      this.#parcelSpacing(),
+      isStill ? null : air,
+      seconds,
+    );
+    if (!this.isLit) return;
+    this.#strain(foot, motion, air, seconds);
+    this.#burn(seconds);
+  }
+
+  #strain(foot: Readonly<Vec3>, motion: Readonly<Vec3>, air: Air, seconds: number): void {
+    const flow = this.#flow;
+    air.velocity(foot[0], foot[1] + STRAINED_AT * this.height, foot[2], flow);
+    const share = 1 - Math.exp(-seconds / INERTIA);
+    for (const axis of [0, 1, 2] as const) {
+      this.#airspeed[axis] += (flow[axis] - motion[axis] - this.#airspeed[axis]) * share;
+    }
+    const [x, y, z] = this.#airspeed;
+    const width = 2 * flameRadius(this.wick, 1);
+    this.strain = Math.hypot(x, y, z) / width / EXTINCTION_STRAIN;
+  }
+
+  #burn(seconds: number): void {
+    const target = 1 - COOLING * Math.min(this.#felt, 1);
+    const strength = REMNANT_STRENGTH + (1 - REMNANT_STRENGTH) * Math.min(this.fuel, 1);
+    const excess = Math.max(0, this.strain / strength - 1);
+    const growth = (target - this.fuel) / GROWTH - DYING * excess;
+    this.fuel *= Math.exp(growth * seconds);
+    if (this.fuel < LEAST && excess > 0) this.extinguish();
+  }
+
+  /** Parcels reach half as far again as the flame does in still air. */
+  #parcelSpacing(): number {
+    if (this.wick !== this.#spacingOf) {
+      const rate = fuelRate(this.wick);
+      this.#spacing = timeToRise(1.5 * flameHeight(rate), rate) / (PARCELS - 1);
+      this.#spacingOf = this.wick;
+    }
+    return this.#spacing;
+  }
+}

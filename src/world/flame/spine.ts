@@ -1,0 +1,117 @@
+import type { Air } from "../air.js";
+import type { Vec3 } from "../bounds.js";
+import { BUOYANCY, topSpeed } from "./burning.js";
+
+/** Parcels of gas along the flame. */
+export const PARCELS = 24;
+/** The gas takes up the air's sideways speed at this rate, 1/s: viscosity works through 2 mm in 12 ms. */
+const ENTRAINMENT = 1 / 0.012;
+/** √z grows at this rate where the gas rises freely, √m/s. */
+const CLIMB = Math.sqrt(BUOYANCY / 2);
+
+/**
+ * The middle of the flame as a streakline: parcels of gas that left the wick one after another.
+ *
+ * Each has risen by the measured law since, and been carried by the air around it. So the flame lags
+ * when it is carried, leans in a wind and straightens within the time that gas takes from base to tip:
+ * there is no spring to tune.
+ */
+export class Spine {
+  /** x, y, z of each parcel from the foot of the flame, the youngest first, metres. */
+  readonly positions = new Float64Array(PARCELS * 3);
+  /** x and z of each parcel's velocity in the room, m/s. */
+  readonly #drift = new Float64Array(PARCELS * 2);
+  /** Age of the youngest, seconds. */
+  #youngest = 0;
+  readonly #air: Vec3 = [0, 0, 0];
+
+  /** Upright and at rest, as in still air. */
+  constructor(rate: number, spacing: number) {
+    for (let i = 0; i < PARCELS; i++) {
+      let left = i * spacing;
+      const at = i * 3 + 1;
+      while (left > 1e-9) {
+        const step = Math.min(left, 0.002);
+        this.positions[at] = risen(this.positions[at] ?? 0, step, rate, 0);
+        left -= step;
+      }
+    }
+  }
+
+  /**
+   * Lets a tick pass.
+   *
+   * @param foot of the flame, metres, at the end of the tick
+   * @param motion of the foot, m/s
+   * @param rate of fuel, kg/s
+   * @param spacing seconds between two parcels
+   * @param air what carries the gas; null holds it still
+   */
+  advance(
+    foot: Readonly<Vec3>,
+    motion: Readonly<Vec3>,
+    rate: number,
+    spacing: number,
+    air: Air | null,
+    seconds: number,
+  ): void {
+    for (let i = 0; i < PARCELS; i++) this.#carry(i, foot, motion, rate, air, seconds);
+    const age = this.#youngest + seconds;
+    const born = Math.min(Math.floor(age / spacing + 1e-9), PARCELS);
+    this.#youngest = Math.max(0, age - Math.floor(age / spacing + 1e-9) * spacing);
+    if (born === 0) return;
+    this.positions.copyWithin(born * 3, 0, (PARCELS - born) * 3);
+    this.#drift.copyWithin(born * 2, 0, (PARCELS - born) * 2);
+    for (let i = 0; i < born; i++) {
+      this.positions.fill(0, i * 3, i * 3 + 3);
+      this.#drift[i * 2] = air ? motion[0] : 0;
+      this.#drift[i * 2 + 1] = air ? motion[2] : 0;
+      this.#carry(i, foot, motion, rate, air, this.#youngest + i * spacing);
+    }
+  }
+
+  #carry(
+    i: number,
+    foot: Readonly<Vec3>,
+    motion: Readonly<Vec3>,
+    rate: number,
+    air: Air | null,
+    seconds: number,
+  ): void {
+    const { positions } = this;
+    const at = i * 3;
+    const height = positions[at + 1] ?? 0;
+    if (!air) {
+      positions[at] = positions[at + 2] = 0;
+      positions[at + 1] = risen(height, seconds, rate, 0);
+      return;
+    }
+    const x = positions[at] ?? 0;
+    const z = positions[at + 2] ?? 0;
+    const flow = air.velocity(foot[0] + x, foot[1] + height, foot[2] + z, this.#air);
+    positions[at + 1] = risen(height, seconds, rate, flow[1] - motion[1]);
+    const left = Math.exp(-ENTRAINMENT * seconds);
+    const lagging = (1 - left) / ENTRAINMENT;
+    const behindX = (this.#drift[i * 2] ?? 0) - flow[0];
+    const behindZ = (this.#drift[i * 2 + 1] ?? 0) - flow[2];
+    positions[at] = x + (flow[0] - motion[0]) * seconds + behindX * lagging;
+    positions[at + 2] = z + (flow[2] - motion[2]) * seconds + behindZ * lagging;
+    this.#drift[i * 2] = flow[0] + behindX * left;
+    this.#drift[i * 2 + 1] = flow[2] + behindZ * left;
+  }
+}
+
+/** Where gas at a height is after a while, metres. Exact where it rises freely. */
+export function risen(height: number, seconds: number, rate: number, updraught: number): number {
+  const free = (Math.sqrt(height) + CLIMB * seconds) ** 2;
+  const capped = height + topSpeed(rate, height) * seconds;
+  return Math.max(0, Math.min(free, capped) + updraught * seconds);
+}
+
+/** How long gas takes to rise to a height, seconds. */
+export function timeToRise(height: number, rate: number): number {
+  const STEP = 0.0005;
+  let seconds = 0;
+  for (let z = 0; z < height && seconds < 5; z = risen(z, STEP, rate, 0)) seconds += STEP;
+  return seconds;
+}
