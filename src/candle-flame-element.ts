@@ -1,9 +1,9 @@
 import type { AssetError } from "./assets/load-model.js";
-import { CandleFlame, type Stats } from "./candle-flame.js";
+import { CandleFlame, Gpu, type Stats } from "./candle-flame.js";
 import { STYLE } from "./element-style.js";
 import { FirstPersonInput } from "./input/first-person-input.js";
 import type { FlameReport } from "./light/flame-light.js";
-import { closeModels, loadModels, type Sources, sourcesOf } from "./model-loader.js";
+import { areSame, closeModels, loadModels, type Sources, sourcesOf } from "./model-loader.js";
 import { ReflectedAttributes } from "./reflected-attributes.js";
 import type { Models } from "./render/renderer.js";
 import {
@@ -50,6 +50,16 @@ export interface CandleFlameEventMap {
   contextrestored: CustomEvent<null>;
 }
 
+/** What is on show, which while other models are fetched is not what the attributes say. */
+interface Shown {
+  readonly look: Look;
+  readonly src: string;
+  readonly sources: Sources;
+}
+
+/** Attributes that other models may come with. */
+const CHOOSING: readonly SettingName[] = ["look", "src", "asset-base"];
+
 const REFUSALS: Readonly<Record<Refusal, string>> = {
   "nothing within reach": "There is nothing within reach to put the candle on.",
   "too steep": "That is too steep for a candle.",
@@ -88,8 +98,12 @@ export class CandleFlameElement extends ReflectedAttributes {
   #connection: AbortController | null = null;
   #canvas: HTMLCanvasElement | null = null;
   #candle: CandleFlame | null = null;
+  /** Until the candle takes it. It is made before anything is fetched, which may be in vain. */
+  #gpu: Gpu | null = null;
   #models: Models | null = null;
-  #sources: Sources | null = null;
+  #shown: Shown | null = null;
+  /** Being fetched. */
+  #wanted: Sources | null = null;
   #loading: AbortController | null = null;
   #isVisible = true;
   #drawRequest = 0;
@@ -129,7 +143,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.upgradeAttributes();
     for (const name of ["features", "camera"] as const) this.upgrade(name);
     this.#applyInteraction();
-    if (!this.#connection) void this.#start();
+    if (!this.#connection) this.#start();
   }
 
   disconnectedCallback(): void {
@@ -143,13 +157,16 @@ export class CandleFlameElement extends ReflectedAttributes {
     if (name === "poster") this.#showPoster(!this.#candle);
     if (name === "alt" || name === "controls") this.#applyInteraction();
     if (name === "max-pixel-ratio") this.#resize();
+    if (CHOOSING.includes(name)) this.#chooseModels();
+    this.#apply();
+  }
+
+  #apply(): void {
     if (!this.#candle) return;
-    if (this.#connection && this.#hasOtherSources) {
-      void this.#exchange(this.#connection.signal);
-      return;
-    }
-    this.#candle.options = this.#options();
-    if (name === "paused" || name === "controls") this.#applyMotion();
+    this.#use((candle) => {
+      candle.options = this.#options();
+    });
+    this.#applyMotion();
     this.#reportCamera(); // another seed begins anew, another look may have other walls
     this.#requestDraw();
   }
@@ -171,8 +188,9 @@ export class CandleFlameElement extends ReflectedAttributes {
         enumerable: true,
         get: () => this.#features[name],
         set: (value: unknown) => {
+          if (this.#features[name] === Boolean(value)) return;
           this.#features[name] = Boolean(value);
-          this.#candle?.setFeature(name, Boolean(value));
+          this.#use((candle) => candle.setFeature(name, Boolean(value)));
           this.#requestDraw();
         },
       });
@@ -249,14 +267,14 @@ export class CandleFlameElement extends ReflectedAttributes {
   /** Advances by exactly this many seconds, then draws; works while paused. */
   step(seconds: number): void {
     const isTime = Number.isFinite(seconds) && seconds > 0;
-    this.#candle?.step(isTime ? seconds : 0);
+    this.#use((candle) => candle.step(isTime ? seconds : 0));
     this.#afterFrame();
   }
 
   /** Time 0, as if new; with a seed, another chance. */
   reset(seed?: number): void {
     if (seed !== undefined) this.seed = seed;
-    this.#candle?.reset();
+    this.#use((candle) => candle.reset());
     this.#reportCamera();
     this.#requestDraw();
   }
@@ -285,12 +303,12 @@ export class CandleFlameElement extends ReflectedAttributes {
   toBlob(type = "image/png", quality?: number): Promise<Blob> {
     const canvas = this.#canvas;
     return new Promise((resolve, reject) => {
+      // The browser owns the pixels after the task that drew them, so they are drawn again.
+      this.#draw();
       if (!canvas || !this.#candle) {
         reject(new Error("There is no picture yet: wait for `ready`."));
         return;
       }
-      // The browser owns the pixels after the task that drew them, so they are drawn again.
-      this.#candle.draw();
       canvas.toBlob(
         (blob) => (blob ? resolve(blob) : reject(new Error(`No picture of type ${type}.`))),
         type,
@@ -301,7 +319,8 @@ export class CandleFlameElement extends ReflectedAttributes {
 
   /** Linear RGB of canvas pixels, origin top left. It waits for the GPU. */
   readRadiance(x: number, y: number, width: number, height: number): Float32Array {
-    return this.#candle?.readRadiance(x, y, width, height) ?? new Float32Array(width * height * 3);
+    const radiance = this.#use((candle) => candle.readRadiance(x, y, width, height));
+    return radiance ?? new Float32Array(width * height * 3);
   }
 
   override addEventListener<Type extends keyof CandleFlameEventMap>(
@@ -337,30 +356,42 @@ export class CandleFlameElement extends ReflectedAttributes {
     return ready;
   }
 
-  async #start(): Promise<void> {
+  #start(): void {
     this.#connection = new AbortController();
     const { signal } = this.#connection;
     this.#failure.hidden = true;
     this.#showPoster(true);
     this.#internals.states.add("loading");
     try {
-      const canvas = this.#createCanvas(signal);
-      const models = await this.#load(signal);
-      if (signal.aborted) return closeModels(models);
-      this.#models = models;
-      this.#candle = new CandleFlame(canvas, models, this.#features, this.#options());
-      this.#candle.onFrame = () => this.#afterFrame();
-      this.#candle.onCandleMoved = () => this.#emit(this.held ? "take" : "place", null);
-      this.#candle.onRefused = () => this.#tellRefusal();
-      this.#moveCamera(this.#candle, this.#awaitedCamera);
-      this.#awaitedCamera = null;
-      this.#shownCamera = this.#cameraKey;
-      this.#resize();
-      this.#candle.draw();
-      this.#reveal(signal);
+      this.#gpu = new Gpu(this.#createCanvas(signal));
+      void this.#fetch(signal);
     } catch (error) {
-      if (!signal.aborted) this.#fail(error as Error);
+      this.#fail(error as Error);
     }
+  }
+
+  #begin(models: Models, connection: AbortSignal): void {
+    if (!this.#canvas) return;
+    this.#gpu ??= new Gpu(this.#canvas);
+    const candle = new CandleFlame(
+      this.#canvas,
+      this.#gpu,
+      models,
+      this.#features,
+      this.#options(),
+    );
+    this.#candle = candle;
+    this.#gpu = null;
+    candle.onFrame = () => this.#afterFrame();
+    candle.onFailure = (error) => this.#failAtShader(error);
+    candle.onCandleMoved = () => this.#emit(this.held ? "take" : "place", null);
+    candle.onRefused = () => this.#tellRefusal();
+    this.#moveCamera(candle, this.#awaitedCamera);
+    this.#awaitedCamera = null;
+    this.#shownCamera = this.#cameraKey;
+    this.#resize();
+    this.#draw();
+    if (this.#candle) this.#reveal(connection);
   }
 
   #createCanvas(signal: AbortSignal): HTMLCanvasElement {
@@ -374,40 +405,67 @@ export class CandleFlameElement extends ReflectedAttributes {
     return canvas;
   }
 
-  /** Fetches what look and `src` ask for; what was asked for before is no longer wanted. */
-  async #load(connection: AbortSignal): Promise<Models> {
+  get #asked(): Sources {
+    return sourcesOf(this.look, this.src, this.#assetRoot());
+  }
+
+  /** Another look, room or base: at once if its models are there, else when they have come. */
+  #chooseModels(): void {
+    if (!this.#connection || !this.#canvas) return;
+    if (areSame(this.#asked, this.#shown?.sources)) {
+      this.#loading?.abort();
+      this.#wanted = null;
+      this.#progress.hidden = true;
+      this.#shown = { look: this.look, src: this.src, sources: this.#asked };
+    } else if (!areSame(this.#asked, this.#wanted)) {
+      void this.#fetch(this.#connection.signal);
+    }
+  }
+
+  /**
+   * Fetches what look and `src` ask for; what was asked for before is no longer wanted. What is on show
+   * stays until the new models have come, and if they do not come.
+   */
+  async #fetch(connection: AbortSignal): Promise<void> {
     this.#loading?.abort();
     this.#loading = new AbortController();
     const signal = AbortSignal.any([connection, this.#loading.signal]);
-    const root = this.#assetRoot();
-    this.#sources = sourcesOf(this.look, this.src, root);
-    return loadModels(this.#sources, root, signal, (share) => this.#showProgress(share));
-  }
-
-  get #hasOtherSources(): boolean {
-    const { room, candle } = sourcesOf(this.look, this.src, this.#assetRoot());
-    return room !== this.#sources?.room || candle !== this.#sources.candle;
-  }
-
-  /** Another room or candle: the old one stays until the new one has come, and if it does not come. */
-  async #exchange(connection: AbortSignal): Promise<void> {
-    const before = this.#sources;
+    const sources = this.#asked;
+    this.#wanted = sources;
     try {
-      const models = await this.#load(connection);
-      const old = this.#models;
-      this.#models = models;
-      this.#candle?.show(models, this.#options());
-      if (old) closeModels(old);
-      this.#progress.hidden = true;
-      this.#reportCamera();
-      this.#requestDraw();
-      this.#emit("load", null);
+      const models = await loadModels(sources, this.#assetRoot(), signal, (share) =>
+        this.#showProgress(share),
+      );
+      if (signal.aborted) return closeModels(models);
+      this.#wanted = null;
+      this.#shown = { look: this.look, src: this.src, sources };
+      this.#show(models, connection);
     } catch (error) {
-      if (connection.aborted || (error as Error).name === "AbortError") return;
-      this.#sources = before;
+      if (signal.aborted) return;
+      this.#wanted = null;
+      if (!this.#candle) {
+        this.#fail(error as Error);
+        return;
+      }
       this.#progress.hidden = true;
       this.#report(error as Error);
     }
+  }
+
+  #show(models: Models, connection: AbortSignal): void {
+    const old = this.#models;
+    this.#models = models;
+    if (!old) {
+      this.#begin(models, connection);
+      return;
+    }
+    this.#use((candle) => candle.show(models, this.#options()));
+    closeModels(old);
+    if (!this.#candle) return;
+    this.#progress.hidden = true;
+    this.#reportCamera();
+    this.#requestDraw();
+    this.#emit("load", null);
   }
 
   #assetRoot(): string {
@@ -430,7 +488,7 @@ export class CandleFlameElement extends ReflectedAttributes {
   #observe(signal: AbortSignal): void {
     const size = new ResizeObserver(() => {
       this.#resize();
-      this.#candle?.draw();
+      this.#draw();
     });
     size.observe(this);
     const visibility = new IntersectionObserver(([entry]) => {
@@ -439,7 +497,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     });
     visibility.observe(this);
     const motion = matchMedia("(prefers-reduced-motion: reduce)");
-    motion.addEventListener("change", () => this.attributeChangedCallback("look"), { signal });
+    motion.addEventListener("change", () => this.#apply(), { signal });
     signal.addEventListener("abort", () => {
       size.disconnect();
       visibility.disconnect();
@@ -448,16 +506,20 @@ export class CandleFlameElement extends ReflectedAttributes {
 
   #stop(): void {
     this.#release();
+    this.#settleReady.reject(new DOMException("The element was taken out.", "AbortError"));
     this.ready = this.#promiseReady();
   }
 
   #release(): void {
     this.#connection?.abort();
     this.#connection = null;
-    cancelAnimationFrame(this.#drawRequest);
-    this.#drawRequest = 0;
+    this.#forgetRequest();
     this.#candle?.dispose();
     this.#candle = null;
+    this.#gpu?.dispose();
+    this.#gpu = null;
+    this.#shown = null;
+    this.#wanted = null;
     if (this.#models) closeModels(this.#models);
     this.#models = null;
     this.#canvas?.remove();
@@ -479,12 +541,29 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.#report(error);
   }
 
+  /** Does something with the candle, if there is one. */
+  #use<Result>(action: (candle: CandleFlame) => Result): Result | undefined {
+    try {
+      return this.#candle ? action(this.#candle) : undefined;
+    } catch (error) {
+      this.#failAtShader(error as Error);
+      return undefined;
+    }
+  }
+
+  /** A shader that the driver refuses may turn up late: a look or a tier compiles its own. */
+  #failAtShader(error: Error): void {
+    if (typeOf(error) !== "shader") throw error;
+    this.#fail(error);
+  }
+
   #report(error: Error): void {
     this.#emit("error", { type: typeOf(error), message: error.message, cause: error });
   }
 
   readonly #contextLost = (event: Event): void => {
     event.preventDefault(); // asks the browser to give it back
+    this.#gpu = null; // of no use any more: a context given back begins anew
     this.#candle?.pause();
     this.#emit("contextlost", null);
   };
@@ -500,7 +579,8 @@ export class CandleFlameElement extends ReflectedAttributes {
   };
 
   #options() {
-    const { look, src, seed, quality, exposure, particles } = this;
+    const { seed, quality, exposure, particles } = this;
+    const { look, src } = this.#shown ?? this;
     const isStill = matchMedia("(prefers-reduced-motion: reduce)").matches;
     return { look, src, seed, quality, exposure, particles, isStill };
   }
@@ -539,23 +619,31 @@ export class CandleFlameElement extends ReflectedAttributes {
   }
 
   #resize(): void {
-    if (!this.#candle) return;
     const ratio = Math.min(devicePixelRatio, this.maxPixelRatio);
-    this.#candle.resize(
-      Math.max(1, this.clientWidth * ratio),
-      Math.max(1, this.clientHeight * ratio),
-    );
+    const width = Math.max(1, this.clientWidth * ratio);
+    const height = Math.max(1, this.clientHeight * ratio);
+    this.#use((candle) => candle.resize(width, height));
   }
 
+  /** At the next frame, unless something draws before that anyway. */
   #requestDraw(): void {
-    if (!this.#candle || this.#drawRequest !== 0) return;
-    this.#drawRequest = requestAnimationFrame(() => {
-      this.#drawRequest = 0;
-      this.#candle?.draw();
-    });
+    const isPlaying = this.#internals.states.has("playing");
+    if (!this.#candle || isPlaying || this.#drawRequest !== 0) return;
+    this.#drawRequest = requestAnimationFrame(() => this.#draw());
+  }
+
+  #draw(): void {
+    this.#use((candle) => candle.draw());
+    this.#forgetRequest();
+  }
+
+  #forgetRequest(): void {
+    cancelAnimationFrame(this.#drawRequest);
+    this.#drawRequest = 0;
   }
 
   #afterFrame(): void {
+    this.#forgetRequest();
     this.#reportCamera();
   }
 
@@ -566,7 +654,7 @@ export class CandleFlameElement extends ReflectedAttributes {
 
   #reportCamera(): void {
     const key = this.#cameraKey;
-    if (key === this.#shownCamera) return;
+    if (!this.#candle || key === this.#shownCamera) return;
     this.#shownCamera = key;
     this.#emit("camerachange", null);
   }

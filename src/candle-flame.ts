@@ -12,6 +12,8 @@ import { withCount } from "./world/particle-layer.js";
 import { createRoom, type Room } from "./world/room.js";
 import { advance, createWorld, currentTime, moveCamera, type World } from "./world/world.js";
 
+export { Gpu };
+
 /** Longest time that a live frame makes up for, in seconds: after a hidden tab, resume. */
 const MAX_FRAME = 1 / 20;
 /** Weight of the newest frame in the running mean of frame times. */
@@ -58,6 +60,8 @@ export class CandleFlame {
   input: FirstPersonInput | null = null;
   /** Called after each frame that the animation loop has drawn. */
   onFrame: () => void = () => {};
+  /** Called when a frame of the animation loop could not be drawn, which ends the loop. */
+  onFailure: (error: Error) => void = () => {};
   /** Called when the visitor's input has put the candle down, or taken it up. */
   onCandleMoved: () => void = () => {};
   /** Called when the visitor wanted to put the candle down, and could not. */
@@ -77,21 +81,23 @@ export class CandleFlame {
   #frameMs = Number.NaN;
   #cpuMs = 0;
 
-  constructor(canvas: HTMLCanvasElement, models: Models, features: Features, options: Options) {
+  /** @param gpu of the canvas; from now on this disposes of it */
+  constructor(
+    canvas: HTMLCanvasElement,
+    gpu: Gpu,
+    models: Models,
+    features: Features,
+    options: Options,
+  ) {
     this.#canvas = canvas;
     this.#models = models;
     this.#features = { ...features };
     this.#options = options;
     this.#room = roomOf(models, options);
     this.world = this.#createWorld();
-    this.#gpu = new Gpu(canvas);
+    this.#gpu = gpu;
     this.#tier = tierOf(options.quality, this.#gpu.renderer);
-    try {
-      this.#renderer = this.#createRenderer();
-    } catch (error) {
-      this.#gpu.dispose(); // nobody else will know of it
-      throw error;
-    }
+    this.#renderer = this.#createRenderer();
   }
 
   #createRenderer(): Renderer {
@@ -103,6 +109,7 @@ export class CandleFlame {
   }
 
   #follow(renderer: Renderer): void {
+    if (this.#gpu.isLost) return; // the renderer to come will
     const { layers } = this.world.stage;
     const counted =
       this.#options.particles > 0 ? withCount(layers, this.#options.particles) : layers;
@@ -115,7 +122,7 @@ export class CandleFlame {
   /** After a lost context was given back: the same world, seen by a new GPU. */
   restore(): void {
     this.#gpu = new Gpu(this.#canvas);
-    this.#renderer = this.#createRenderer();
+    this.#rebuild();
     this.draw();
   }
 
@@ -147,6 +154,7 @@ export class CandleFlame {
   }
 
   #rebuild(): void {
+    if (this.#gpu.isLost) return; // it is built anew once the context is given back
     this.#tier = tierOf(this.#options.quality, this.#gpu.renderer);
     this.#gpu.clearObjects();
     this.#fitCanvas();
@@ -181,7 +189,8 @@ export class CandleFlame {
   /** Device pixels that the element covers. */
   resize(width: number, height: number): void {
     this.#pixels = { width, height };
-    if (this.#fitCanvas()) this.#renderer.resize(this.#canvas.width, this.#canvas.height);
+    if (this.#fitCanvas() && !this.#gpu.isLost)
+      this.#renderer.resize(this.#canvas.width, this.#canvas.height);
   }
 
   #fitCanvas(): boolean {
@@ -235,7 +244,13 @@ export class CandleFlame {
       const mean = Number.isNaN(this.#frameMs) ? elapsed : this.#frameMs;
       this.#frameMs = mean + (elapsed - mean) * SMOOTHING;
     }
-    this.step(elapsed > 0 ? Math.min(elapsed / 1000, MAX_FRAME) : 0);
+    try {
+      this.step(elapsed > 0 ? Math.min(elapsed / 1000, MAX_FRAME) : 0);
+    } catch (error) {
+      this.pause();
+      this.onFailure(error as Error);
+      return;
+    }
     this.onFrame();
   };
 

@@ -20,6 +20,10 @@ export function sourcesOf(look: Look, src: string, assetRoot: string): Sources {
   };
 }
 
+export function areSame(one: Sources, other: Sources | null | undefined): boolean {
+  return one.room === other?.room && one.candle === other.candle;
+}
+
 /**
  * Fetches and decodes a look's models. three.js comes with the first of them.
  *

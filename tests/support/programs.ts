@@ -46,7 +46,7 @@ export async function reportPrograms(look: Look): Promise<ProgramReport[]> {
   };
   try {
     const canvas = document.createElement("canvas");
-    const candle = new CandleFlame(canvas, await loadModels(), allFeatures(), {
+    const candle = new CandleFlame(canvas, new Gpu(canvas), await loadModels(), allFeatures(), {
       look,
       seed: 1,
       quality: "auto",

@@ -192,8 +192,13 @@ test("Without WebGL 2 there is a sentence and the poster", async ({ page }) => {
   await page.addInitScript(() => {
     HTMLCanvasElement.prototype.getContext = () => null;
   });
+  const models: string[] = [];
+  page.on("request", (request) => {
+    if (request.url().endsWith(".glb")) models.push(request.url());
+  });
   const room = await new RoomDriver(page).load({ poster: PIXEL }, TINY);
   expectFailure(await failureOf(room), "webgl-unavailable", /WebGL 2.*\.$/);
+  expect(models, "nothing is fetched in vain").toEqual([]);
   expect(uncaught(room)).toEqual([]);
 });
 

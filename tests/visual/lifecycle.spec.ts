@@ -137,8 +137,117 @@ test("An element taken out while it loads gives its context back, and loads when
     element.remove();
     await new Promise((resolve) => setTimeout(resolve));
   });
-  expect(await lostContexts(page)).toEqual([false, true]);
+  expect(await lostContexts(page)).toEqual([false, true, true]);
   expect(room.complaints).toEqual([]);
+});
+
+test("Whoever waits for an element that is taken out is told so, and can wait once more", async ({
+  room,
+}) => {
+  const told = await room.page.evaluate(async () => {
+    const element = document.createElement("candle-flame");
+    element.look = "paper";
+    element.paused = true;
+    element.style.cssText = "width: 32px; height: 18px";
+    document.body.append(element);
+    const { ready } = element;
+    element.remove();
+    const reason = await ready.catch(({ name }: Error) => name);
+    const isNew = element.ready !== ready;
+    document.body.append(element);
+    await element.ready;
+    element.remove();
+    return { reason, isNew };
+  });
+  expect(told).toEqual({ reason: "AbortError", isNew: true });
+});
+
+test("What is set while another look loads is done to the one on show", async ({ page }) => {
+  await serveSmallTextures(page);
+  let release = () => {};
+  const released = new Promise<void>((resolve) => {
+    release = resolve;
+  });
+  await page.route(/cabin\.glb$/, async (route) => {
+    await released;
+    await route.continue();
+  });
+  const room = await new RoomDriver(page).open({ exposure: "1" }, TINY);
+  const bright = await room.pixels();
+  await room.set({ exposure: "0" });
+  await room.set({ look: "physical", exposure: "1", seed: "1" });
+  expect(await room.pixels()).toBe(bright);
+  const loads = await room.evaluate(async (element) => {
+    let loads = 0;
+    element.addEventListener("load", () => loads++);
+    element.look = "paper"; // after all
+    await new Promise((resolve) => setTimeout(resolve));
+    return loads;
+  });
+  expect(loads, "it is there already").toBe(0);
+  expect(await room.pixels()).toBe(bright);
+  release();
+  await room.change("physical");
+  expect(await room.pixels()).not.toBe(bright);
+  expect(room.complaints).toEqual([]);
+});
+
+test("A look set while the first one loads is the one that comes", async ({ room }) => {
+  await room.set({ look: "original" });
+  const isSame = await room.evaluate(async (first) => {
+    const second = document.createElement("candle-flame");
+    second.paused = true;
+    second.quality = "medium";
+    second.style.cssText = "width: 160px; height: 90px";
+    document.body.append(second);
+    second.look = "original";
+    await second.ready;
+    const [one, other] = await Promise.all(
+      [first, second].map(async (element) => (await element.toBlob()).arrayBuffer()),
+    );
+    second.remove();
+    return String(new Uint8Array(one ?? [])) === String(new Uint8Array(other ?? []));
+  });
+  expect(isSame).toBe(true);
+});
+
+test("However much is set, one frame shows it", async ({ room }) => {
+  const frames = await room.evaluate(async (element) => {
+    let clears = 0;
+    const { prototype } = WebGL2RenderingContext;
+    const { clear } = prototype;
+    prototype.clear = function (mask) {
+      clears++;
+      clear.call(this, mask);
+    };
+    const inTwoFrames = async (change: () => void) => {
+      clears = 0;
+      change();
+      for (let i = 0; i < 2; i++) await new Promise(requestAnimationFrame);
+      return clears;
+    };
+    try {
+      element.camera = { ...element.camera, yaw: 0.4 };
+      const one = await inTwoFrames(() => element.step(0));
+      const set = await inTwoFrames(() => {
+        element.camera = { ...element.camera, yaw: 0.5 };
+        element.features.drift = false;
+        element.exposure = 0.5;
+      });
+      const stepped = await inTwoFrames(() => {
+        element.camera = { ...element.camera, yaw: 0.6 };
+        element.features.drift = true;
+        element.step(1 / 60);
+      });
+      const same = await inTwoFrames(() => {
+        element.features.drift = true;
+      });
+      return [set / one, stepped / one, same];
+    } finally {
+      prototype.clear = clear;
+    }
+  });
+  expect(frames).toEqual([1, 1, 0]);
 });
 
 test("An element moved within the page goes on as it was", async ({ page }) => {
