@@ -1,7 +1,8 @@
 import type { AssetError } from "./assets/load-model.js";
 import { CandleFlame, Gpu, type Stats } from "./candle-flame.js";
 import { STYLE } from "./element-style.js";
-import { FirstPersonInput } from "./input/first-person-input.js";
+import { Hint } from "./hint.js";
+import { type Device, FirstPersonInput } from "./input/first-person-input.js";
 import type { FlameReport } from "./light/flame-light.js";
 import { areSame, closeModels, loadModels, type Sources, sourcesOf } from "./model-loader.js";
 import { ReflectedAttributes } from "./reflected-attributes.js";
@@ -45,6 +46,8 @@ export interface CandleFlameEventMap {
   pause: CustomEvent<null>;
   place: CustomEvent<null>;
   take: CustomEvent<null>;
+  enter: CustomEvent<null>;
+  leave: CustomEvent<null>;
   camerachange: CustomEvent<null>;
   contextlost: CustomEvent<null>;
   contextrestored: CustomEvent<null>;
@@ -73,6 +76,8 @@ const REFUSALS: Readonly<Record<Refusal, string>> = {
  * @attr look - which renderer: the paper's final product, or its before
  * @attr controls - first-person controls; without it the element takes no input and no focus
  * @attr quality - auto, low, medium, high, ultra
+ * @attr sensitivity - how far the view turns for a movement of the mouse or a finger
+ * @attr motion - auto, reduced, full; auto follows the visitor's system
  * @attr paused - no time passes; a frame is drawn only when something changes
  * @attr seed - same seed, same steps, same pixels on the same renderer
  * @attr exposure - compensation in EV
@@ -91,7 +96,7 @@ export class CandleFlameElement extends ReflectedAttributes {
   readonly #poster: HTMLImageElement;
   readonly #progress: HTMLElement;
   readonly #failure: HTMLElement;
-  readonly #hint: HTMLElement;
+  readonly #hint = new Hint();
   readonly #features: Features = allFeatures();
   readonly #featureSwitches: Features;
   #settleReady: { resolve: () => void; reject: (error: Error) => void };
@@ -130,10 +135,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.#failure.part.add("error");
     this.#failure.role = "alert";
     this.#failure.hidden = true;
-    this.#hint = document.createElement("div");
-    this.#hint.part.add("hint");
-    this.#hint.role = "status";
-    root.append(this.#poster, this.#progress, this.#failure, this.#hint);
+    root.append(this.#poster, this.#progress, this.#failure, this.#hint.element);
     this.#featureSwitches = this.#makeFeatureSwitches();
     this.#settleReady = { resolve: () => {}, reject: () => {} };
     this.ready = this.#promiseReady();
@@ -156,6 +158,9 @@ export class CandleFlameElement extends ReflectedAttributes {
   attributeChangedCallback(name: SettingName): void {
     if (name === "poster") this.#showPoster(!this.#candle);
     if (name === "alt" || name === "controls") this.#applyInteraction();
+    if (name === "sensitivity" && this.#candle?.input) {
+      this.#candle.input.sensitivity = this.sensitivity;
+    }
     if (name === "max-pixel-ratio") this.#resize();
     if (CHOOSING.includes(name)) this.#chooseModels();
     this.#apply();
@@ -579,9 +584,10 @@ export class CandleFlameElement extends ReflectedAttributes {
   };
 
   #options() {
-    const { seed, quality, exposure, particles } = this;
+    const { seed, quality, exposure, particles, motion } = this;
     const { look, src } = this.#shown ?? this;
-    const isStill = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    const wantsLess = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    const isStill = motion === "reduced" || (motion === "auto" && wantsLess);
     return { look, src, seed, quality, exposure, particles, isStill };
   }
 
@@ -599,10 +605,10 @@ export class CandleFlameElement extends ReflectedAttributes {
     if (runs) candle.play();
     else candle.pause();
     if (this.controls && !candle.input && this.#canvas) {
-      candle.input = new FirstPersonInput(this, this.#canvas, (isIn) => {
-        if (isIn) states.add("walking");
-        else states.delete("walking");
-      });
+      candle.input = new FirstPersonInput(this, this.#canvas, (isIn, device) =>
+        this.#goInOrOut(isIn, device),
+      );
+      candle.input.sensitivity = this.sensitivity;
     } else if (!this.controls && candle.input) {
       candle.input.dispose();
       candle.input = null;
@@ -610,10 +616,21 @@ export class CandleFlameElement extends ReflectedAttributes {
     }
   }
 
+  #goInOrOut(isIn: boolean, device: Device): void {
+    if (isIn) this.#internals.states.add("walking");
+    else this.#internals.states.delete("walking");
+    if (isIn) this.#hint.tellControls(device);
+    else this.#hint.tell(null);
+    this.#emit(isIn ? "enter" : "leave", null);
+  }
+
   #applyInteraction(): void {
     this.#internals.ariaLabel = this.alt;
     // Interactive, it is a region to enter; passive, a picture.
     this.#internals.role = this.controls ? "application" : "img";
+    this.#internals.ariaDescription = this.controls
+      ? "Press Enter to walk in, and Escape to leave."
+      : null;
     if (this.controls && !this.hasAttribute("tabindex")) this.tabIndex = 0;
     if (!this.controls && this.getAttribute("tabindex") === "0") this.removeAttribute("tabindex");
   }
@@ -662,11 +679,7 @@ export class CandleFlameElement extends ReflectedAttributes {
   /** Why the candle could not be put down, in a sentence that fades; nothing if it could. */
   #tellRefusal(): void {
     const refusal = this.#candle?.world.refusal ?? null;
-    this.#hint.replaceChildren();
-    if (refusal === null) return;
-    const sentence = document.createElement("p");
-    sentence.textContent = REFUSALS[refusal];
-    this.#hint.append(sentence);
+    this.#hint.tell(refusal && REFUSALS[refusal]);
   }
 
   #showProgress(totalProgress: number): void {

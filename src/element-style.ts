@@ -20,7 +20,12 @@ canvas, [part="poster"] {
 }
 [part="poster"] { object-fit: cover; }
 :host(:state(loading)) canvas { visibility: hidden; }
-:host(:state(walking)) canvas { touch-action: none; }
+:host(:state(walking)) canvas {
+  touch-action: none;
+  user-select: none;
+  -webkit-user-select: none;
+  -webkit-touch-callout: none;
+}
 [hidden] { display: none !important; }
 [part="progress"] {
   position: absolute;
@@ -32,20 +37,41 @@ canvas, [part="poster"] {
 }
 [part="hint"] {
   position: absolute;
-  inset-inline: 0;
-  inset-block-end: 12%;
+  inset-inline: 1rem;
+  inset-block-end: calc(1.5rem + env(safe-area-inset-bottom));
   pointer-events: none;
   text-align: center;
+  text-wrap: balance;
 }
 [part="hint"] p {
   display: inline-block;
   margin: 0;
-  padding: 0.4rem 0.9rem;
-  border-radius: 0.5rem;
-  background: #140d08d9;
-  animation: hint 4s ease-in forwards;
+  padding: 0.5rem 1rem;
+  border-radius: 2px;
+  background: #0b0705cc;
+  color: #e4d5bd;
+  font-size: 0.9375rem;
+  animation: hint 5s ease-in forwards;
 }
-@keyframes hint { 0%, 75% { opacity: 1 } 100% { opacity: 0 } }
+[part="hint"] .controls { animation-duration: 8s; }
+[part="hint"] kbd {
+  display: inline-block;
+  min-inline-size: 1.7em;
+  margin-inline: 0.1em;
+  padding-inline: 0.4em;
+  border: 1px solid #f3e7d340;
+  border-radius: 2px;
+  font: 0.8em/1.6 system-ui, sans-serif;
+}
+@keyframes hint { 0%, 80% { opacity: 1 } 100% { opacity: 0 } }
+@media (prefers-contrast: more) {
+  [part="hint"] p, [part="error"] p { background: #000; color: #fff; outline: 1px solid; }
+  :host(:focus-visible) { outline-width: 4px; outline-color: #fff; }
+}
+@media (forced-colors: active) {
+  [part="hint"] p, [part="error"] p { outline: 1px solid; }
+  [part="progress"] { background: Highlight; }
+}
 [part="error"] {
   position: absolute;
   inset: 0;

@@ -1,4 +1,11 @@
-import { type Look, parseChoice, parseNumber, type Quality, SETTINGS } from "./settings.js";
+import {
+  type Look,
+  type Motion,
+  parseChoice,
+  parseNumber,
+  type Quality,
+  SETTINGS,
+} from "./settings.js";
 
 // Where there is no DOM (a server that renders pages), the module still loads.
 const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
@@ -33,6 +40,20 @@ export class ReflectedAttributes extends Base {
   }
   set paused(value: boolean) {
     this.toggleAttribute("paused", Boolean(value));
+  }
+
+  get sensitivity(): number {
+    return parseNumber(SETTINGS.sensitivity, this.getAttribute("sensitivity"));
+  }
+  set sensitivity(value: number) {
+    this.setAttribute("sensitivity", String(value));
+  }
+
+  get motion(): Motion {
+    return parseChoice(SETTINGS.motion, this.getAttribute("motion"));
+  }
+  set motion(value: Motion) {
+    this.setAttribute("motion", value);
   }
 
   get seed(): number {

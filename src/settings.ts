@@ -63,6 +63,15 @@ export const SETTINGS = {
     kind: "flag",
     meaning: "First-person controls; without it the element takes no input.",
   },
+  sensitivity: number(
+    "",
+    [1, 0.1, 5],
+    "How far the view turns for a movement of the mouse or a finger.",
+  ),
+  motion: choice(
+    ["auto", "reduced", "full"],
+    "Sway and flicker: auto follows the visitor's system; reduced gives a still flame.",
+  ),
   paused: {
     kind: "flag",
     meaning: "No time passes; a frame is drawn only when something changes.",
@@ -100,6 +109,7 @@ export const SETTINGS = {
 
 export type SettingName = keyof typeof SETTINGS;
 export type Look = (typeof SETTINGS.look.choices)[number];
+export type Motion = (typeof SETTINGS.motion.choices)[number];
 export type Quality = (typeof SETTINGS.quality.choices)[number];
 
 /** What an attribute's text means under its setting. `null` is an absent attribute. */

@@ -1,122 +1,102 @@
 import { type Intent, STILL } from "../world/intent.js";
+import { Gamepads, type Pad } from "./gamepads.js";
+import { Keyboard } from "./keyboard.js";
+import { Touch } from "./touch.js";
 
 /** Radians turned per CSS pixel of pointer movement. */
 const SENSITIVITY = 0.0022;
 /** Browsers refuse to lock the pointer again for about this long after Esc, in milliseconds. */
 const LOCK_COOL_DOWN = 1300;
 
-/** What each key does while it is held, by its place on the keyboard, whatever the layout. */
-const KEYS: Readonly<Record<string, keyof Pressed>> = {
-  KeyW: "forward",
-  ArrowUp: "forward",
-  KeyS: "back",
-  ArrowDown: "back",
-  KeyA: "left",
-  ArrowLeft: "left",
-  KeyD: "right",
-  ArrowRight: "right",
-  KeyQ: "turnLeft",
-  Home: "turnLeft",
-  KeyR: "turnRight",
-  End: "turnRight",
-  PageUp: "up",
-  PageDown: "down",
-  ShiftLeft: "run",
-  ShiftRight: "run",
-};
-
-type Wish = "placesOrTakes" | "togglesFlame" | "blows";
-
-/** What happens once, when the key goes down. */
-const WISHES: Readonly<Record<string, Wish>> = {
-  KeyE: "togglesFlame",
-  KeyB: "blows",
-  KeyF: "placesOrTakes",
-};
-
-interface Pressed {
-  forward: boolean;
-  back: boolean;
-  left: boolean;
-  right: boolean;
-  turnLeft: boolean;
-  turnRight: boolean;
-  up: boolean;
-  down: boolean;
-  run: boolean;
-}
-
-function nothingPressed(): Pressed {
-  return {
-    forward: false,
-    back: false,
-    left: false,
-    right: false,
-    turnLeft: false,
-    turnRight: false,
-    up: false,
-    down: false,
-    run: false,
-  };
-}
+/** What the visitor has in hand. */
+export type Device = "mouse" | "keyboard" | "touch" | "gamepad";
 
 /**
- * Keyboard, mouse and touch, as an intent per frame.
+ * Keyboard, mouse, touch and gamepad, as an intent per frame.
  *
- * It listens to its host alone, and only while the visitor is in: from a click or Enter until Esc or
- * the loss of focus. The mouse looks while the pointer is locked; where a browser refuses the lock,
- * dragging looks instead.
+ * It listens to its host alone, and only while the visitor is in: from a click, a tap, Enter or a
+ * gamepad's A until Esc or the loss of focus. The mouse looks while the pointer is locked; where a
+ * browser refuses the lock, dragging looks instead.
  */
 export class FirstPersonInput {
+  /** Factor to how far mouse and fingers turn the view. */
+  sensitivity = 1;
   readonly #host: HTMLElement;
   readonly #canvas: HTMLCanvasElement;
   readonly #listening = new AbortController();
-  readonly #onEntered: (isIn: boolean) => void;
-  #pressed = nothingPressed();
+  readonly #onEntered: (isIn: boolean, device: Device) => void;
+  readonly #keyboard = new Keyboard();
+  readonly #touch = new Touch();
+  readonly #gamepads = new Gamepads();
   #yaw = 0;
   #pitch = 0;
-  #wishes: Partial<Record<Wish, true>> = {};
+  #clicks = false;
   #isIn = false;
+  #isTouched = false;
   #wasLocked = false;
   #isFirstMove = false;
   #unlockedAt = Number.NEGATIVE_INFINITY;
   #lockTimer = 0;
 
-  /** @param onEntered called when the visitor goes in, and when he leaves */
-  constructor(host: HTMLElement, canvas: HTMLCanvasElement, onEntered: (isIn: boolean) => void) {
+  /** @param onEntered called when the visitor goes in, by which device, and when he leaves */
+  constructor(
+    host: HTMLElement,
+    canvas: HTMLCanvasElement,
+    onEntered: (isIn: boolean, device: Device) => void,
+  ) {
     this.#host = host;
     this.#canvas = canvas;
     this.#onEntered = onEntered;
     const { signal } = this.#listening;
     const { ownerDocument } = host;
     host.addEventListener("keydown", this.#keyDown, { signal });
-    host.addEventListener("keyup", this.#keyUp, { signal });
+    host.addEventListener("keyup", (event) => this.#keyboard.lift(event), { signal });
     host.addEventListener("blur", () => this.leave(), { signal });
     canvas.addEventListener("click", this.#click, { signal });
     canvas.addEventListener("pointerdown", this.#pointerDown, { signal });
     canvas.addEventListener("pointermove", this.#pointerMove, { signal });
+    canvas.addEventListener("pointerup", this.#pointerUp, { signal });
+    canvas.addEventListener("pointercancel", this.#pointerUp, { signal });
+    canvas.addEventListener("contextmenu", this.#contextMenu, { signal });
+    ownerDocument.addEventListener("pointerdown", this.#pointerDownAnywhere, { signal });
     ownerDocument.addEventListener("pointerlockchange", this.#lockChange, { signal });
     ownerDocument.addEventListener("visibilitychange", () => this.#release(), { signal });
   }
 
   /** What the visitor wants since the last call. */
   read(): Intent {
-    const { forward, back, left, right, turnLeft, turnRight, up, down, run } = this.#pressed;
+    const pad = this.#readGamepads();
+    const keys = this.#keyboard.read();
+    const fingers = this.#touch.read();
+    const sum = (name: "forward" | "right" | "turn" | "tilt") =>
+      Math.min(1, Math.max(-1, keys[name] + fingers[name] + pad[name]));
     const intent: Intent = {
-      ...STILL,
-      forward: Number(forward) - Number(back),
-      right: Number(right) - Number(left),
-      runs: run,
-      turn: Number(turnLeft) - Number(turnRight),
-      tilt: Number(up) - Number(down),
-      yaw: this.#yaw,
-      pitch: this.#pitch,
-      ...this.#wishes,
+      forward: sum("forward"),
+      right: sum("right"),
+      turn: sum("turn"),
+      tilt: sum("tilt"),
+      runs: keys.runs || fingers.runs || pad.runs,
+      yaw: this.#yaw + fingers.yaw,
+      pitch: this.#pitch + fingers.pitch,
+      placesOrTakes: keys.placesOrTakes || fingers.placesOrTakes || pad.placesOrTakes,
+      togglesFlame: this.#clicks || keys.togglesFlame || fingers.togglesFlame || pad.togglesFlame,
+      blows: keys.blows || pad.blows,
     };
     this.#yaw = 0;
     this.#pitch = 0;
-    this.#wishes = {};
+    this.#clicks = false;
     return intent;
+  }
+
+  /** The gamepad goes in where the host has the focus, and leaves; it counts while the visitor is in. */
+  #readGamepads(): Intent {
+    const { activeElement } = this.#host.getRootNode() as Document | ShadowRoot;
+    const isMeant = this.#isIn || activeElement === this.#host;
+    const intent = this.#gamepads.read(isMeant ? connectedGamepads() : []);
+    const wasIn = this.#isIn;
+    if (!wasIn && this.#gamepads.enters) this.#goIn("gamepad");
+    if (wasIn && this.#gamepads.leaves) this.leave();
+    return wasIn && this.#isIn ? intent : STILL;
   }
 
   get #isLocked(): boolean {
@@ -124,17 +104,22 @@ export class FirstPersonInput {
     return root.pointerLockElement === this.#canvas;
   }
 
-  /** Goes in, and asks for the pointer. */
+  /** Goes in, and asks for the pointer where there is a mouse. */
   enter(): void {
-    this.#host.focus({ preventScroll: true });
-    if (!this.#isIn) {
-      this.#isIn = true;
-      this.#onEntered(true);
-    }
-    if (this.#isLocked) return;
+    const hasMouse = !this.#isTouched && matchMedia("(any-pointer: fine)").matches;
+    this.#goIn(hasMouse ? "mouse" : "touch");
+    if (!hasMouse || this.#isLocked) return;
     const wait = Math.max(0, this.#unlockedAt + LOCK_COOL_DOWN - performance.now());
     clearTimeout(this.#lockTimer);
     this.#lockTimer = window.setTimeout(() => void this.#lock(), wait);
+  }
+
+  #goIn(device: Device): void {
+    this.#host.focus({ preventScroll: true });
+    if (this.#isIn) return;
+    this.#isIn = true;
+    this.#gamepads.release();
+    this.#onEntered(true, device);
   }
 
   leave(): void {
@@ -143,7 +128,7 @@ export class FirstPersonInput {
     if (this.#isLocked) this.#host.ownerDocument.exitPointerLock();
     if (!this.#isIn) return;
     this.#isIn = false;
-    this.#onEntered(false);
+    this.#onEntered(false, "keyboard");
   }
 
   /** Raw mouse counts where the system has them, else accelerated ones; refused, dragging remains. */
@@ -159,8 +144,8 @@ export class FirstPersonInput {
 
   /** The first click goes in; under a locked pointer, the next ones are for the flame. */
   readonly #click = (): void => {
-    if (this.#isIn && this.#isLocked) this.#wishes.togglesFlame = true;
-    else this.enter();
+    if (this.#isIn && this.#isLocked) this.#clicks = true;
+    else if (!this.#isIn || !this.#isTouched) this.enter();
   };
 
   readonly #lockChange = (): void => {
@@ -175,38 +160,35 @@ export class FirstPersonInput {
   };
 
   #release(): void {
-    this.#pressed = nothingPressed();
+    this.#keyboard.release();
+    this.#touch.release();
+    this.#gamepads.release();
   }
 
   readonly #keyDown = (event: KeyboardEvent): void => {
     if (event.code === "Enter" && !this.#isIn) {
       event.preventDefault();
+      this.#isTouched = false;
       this.enter();
       return;
     }
     if (!this.#isIn || event.ctrlKey || event.metaKey || event.altKey) return;
-    if (event.code === "Escape") {
-      this.leave();
-      return;
-    }
-    const action = KEYS[event.code];
-    const wish = WISHES[event.code];
-    if (action) this.#pressed[action] = true;
-    else if (!wish) return;
-    else if (!event.repeat) this.#wishes[wish] = true;
-    event.preventDefault();
-  };
-
-  readonly #keyUp = (event: KeyboardEvent): void => {
-    const action = KEYS[event.code];
-    if (action) this.#pressed[action] = false;
+    if (event.code === "Escape") this.leave();
+    else if (this.#keyboard.press(event)) event.preventDefault();
   };
 
   readonly #pointerDown = (event: PointerEvent): void => {
-    if (this.#isIn && !this.#isLocked) this.#canvas.setPointerCapture(event.pointerId);
+    this.#isTouched = event.pointerType === "touch";
+    if (!this.#isIn || this.#isLocked) return;
+    this.#canvas.setPointerCapture(event.pointerId);
+    if (this.#isTouched) this.#touch.down(event, this.#canvas.getBoundingClientRect());
   };
 
   readonly #pointerMove = (event: PointerEvent): void => {
+    if (event.pointerType === "touch") {
+      this.#touch.move(event, this.sensitivity);
+      return;
+    }
     const isDragging = this.#isIn && event.buttons !== 0;
     if (!this.#isLocked && !isDragging) return;
     // The first move after a lock can jump (three.js #16874), and so can mice that report faster than
@@ -216,12 +198,33 @@ export class FirstPersonInput {
       this.#isFirstMove = false;
       return;
     }
-    this.#yaw -= event.movementX * SENSITIVITY;
-    this.#pitch -= event.movementY * SENSITIVITY;
+    this.#yaw -= event.movementX * SENSITIVITY * this.sensitivity;
+    this.#pitch -= event.movementY * SENSITIVITY * this.sensitivity;
+  };
+
+  readonly #pointerUp = (event: PointerEvent): void => this.#touch.up(event);
+
+  /** A finger held still is for the candle, not for a menu. */
+  readonly #contextMenu = (event: Event): void => {
+    if (this.#isIn && this.#isTouched) event.preventDefault();
+  };
+
+  /** Not every browser takes the focus away when a finger touches something else. */
+  readonly #pointerDownAnywhere = (event: PointerEvent): void => {
+    if (!event.composedPath().includes(this.#host)) this.leave();
   };
 
   dispose(): void {
     this.leave();
     this.#listening.abort();
+  }
+}
+
+/** Gamepads that the browser shows us: none before one of their buttons was pressed. */
+function connectedGamepads(): readonly (Pad | null)[] {
+  try {
+    return navigator.getGamepads?.() ?? [];
+  } catch {
+    return []; // a frame whose permissions policy forbids them
   }
 }

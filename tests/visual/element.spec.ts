@@ -64,6 +64,29 @@ const REFLECTIONS: readonly Reflection[] = [
     write: [[0.5, "0.5"]],
   },
   {
+    attribute: "sensitivity",
+    property: "sensitivity",
+    fallback: 1,
+    read: [
+      ["2.5", 2.5],
+      ["0", 0.1],
+      ["99", 5],
+      ["fast", 1],
+    ],
+    write: [[0.5, "0.5"]],
+  },
+  {
+    attribute: "motion",
+    property: "motion",
+    fallback: "auto",
+    read: [
+      ["reduced", "reduced"],
+      ["FULL", "full"],
+      ["none", "auto"],
+    ],
+    write: [["reduced", "reduced"]],
+  },
+  {
     attribute: "particles",
     property: "particles",
     fallback: 0,

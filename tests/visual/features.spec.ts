@@ -118,6 +118,12 @@ test("Who asked for less motion has a flame that does not flicker", async ({ roo
     const still = await room.pixels();
     await room.switchFeatures({ flicker: false });
     expect(await room.pixels()).toBe(still);
+    await room.set({ motion: "full" });
+    await room.switchFeatures({ flicker: true });
+    expect(await room.pixels()).not.toBe(still);
+    await room.page.emulateMedia({ reducedMotion: null });
+    await room.set({ motion: "reduced" });
+    expect(await room.pixels()).toBe(still);
   } finally {
     await room.page.emulateMedia({ reducedMotion: null });
   }

@@ -1,0 +1,69 @@
+import { type Intent, STILL } from "../world/intent.js";
+import type { Wish } from "./wish.js";
+
+/** Share of a stick's way that worn springs leave it at; it means nothing. */
+const DEAD_ZONE = 0.15;
+/** Exponent of the looking stick: fine near the middle, fast at the rim. */
+const LOOK_CURVE = 1.6;
+
+/** Places of the W3C's standard gamepad. Those of any other layout are anybody's guess. */
+const AXES = { right: 0, back: 1, turnRight: 2, down: 3 } as const;
+const BUTTONS = { a: 0, b: 1, x: 2, y: 3, rightTrigger: 7, leftStick: 10 } as const;
+
+const ONCE: readonly (readonly [button: number, wish: Wish])[] = [
+  [BUTTONS.a, "togglesFlame"],
+  [BUTTONS.x, "placesOrTakes"],
+  [BUTTONS.y, "blows"],
+];
+
+/** What we read of a `Gamepad`. */
+export interface Pad {
+  readonly mapping: string;
+  readonly axes: readonly number[];
+  readonly buttons: readonly { readonly pressed: boolean }[];
+}
+
+/** A stick without its dead zone, which is round: the rim stays at length 1 in every direction. */
+export function beyondDeadZone(x: number, y: number, exponent = 1): [x: number, y: number] {
+  const length = Math.hypot(x, y);
+  if (!(length > DEAD_ZONE)) return [0, 0];
+  const share = Math.min(1, (length - DEAD_ZONE) / (1 - DEAD_ZONE)) ** exponent;
+  return [(x / length) * share, (y / length) * share];
+}
+
+/** The first standard gamepad, as an intent: left stick walks, right stick looks, buttons act once. */
+export class Gamepads {
+  #pressed: readonly boolean[] = [];
+  /** Whether the button to go in, or to leave, went down since the last reading. */
+  enters = false;
+  leaves = false;
+
+  /** Buttons that are down already mean nothing until they come up. */
+  release(): void {
+    this.#pressed = Array<boolean>(BUTTONS.leftStick + 1).fill(true);
+  }
+
+  read(pads: readonly (Pad | null)[]): Intent {
+    const pad = pads.find((pad) => pad?.mapping === "standard");
+    this.enters = false;
+    this.leaves = false;
+    if (!pad) return STILL;
+    const before = this.#pressed;
+    this.#pressed = pad.buttons.map(({ pressed }) => pressed);
+    const goesDown = (button: number) => this.#pressed[button] === true && !before[button];
+    this.enters = goesDown(BUTTONS.a);
+    this.leaves = goesDown(BUTTONS.b);
+    const axis = (index: number) => pad.axes[index] ?? 0;
+    const [right, back] = beyondDeadZone(axis(AXES.right), axis(AXES.back));
+    const [turn, down] = beyondDeadZone(axis(AXES.turnRight), axis(AXES.down), LOOK_CURVE);
+    return {
+      ...STILL,
+      forward: -back,
+      right,
+      turn: -turn,
+      tilt: -down,
+      runs: [BUTTONS.leftStick, BUTTONS.rightTrigger].some((button) => this.#pressed[button]),
+      ...Object.fromEntries(ONCE.map(([button, wish]) => [wish, goesDown(button)])),
+    };
+  }
+}

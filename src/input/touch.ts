@@ -1,0 +1,124 @@
+import { type Intent, STILL } from "../world/intent.js";
+import type { Wish } from "./wish.js";
+
+/** Way of a thumb for full walking pace, CSS pixels; further out one runs. */
+const REACH = 60;
+const RUN_REACH = 105;
+/** A thumb at rest trembles by this share of its reach. */
+const DEAD_ZONE = 0.15;
+/** Radians turned per CSS pixel of a finger: half a turn across a phone held upright. */
+const SENSITIVITY = 0.006;
+/** A finger that goes no further than this has not moved, CSS pixels. */
+const STEADY = 12;
+/** Longest tap, longest time between two of them, and shortest hold, milliseconds. */
+const TAP = 250;
+const DOUBLE_TAP = 350;
+const HOLD = 550;
+/** Two taps further apart than this are two taps, CSS pixels. */
+const SAME_PLACE = 48;
+
+interface Finger {
+  readonly startX: number;
+  readonly startY: number;
+  readonly began: number;
+  readonly walks: boolean;
+  x: number;
+  y: number;
+  isSteady: boolean;
+}
+
+/**
+ * Fingers as an intent.
+ *
+ * A finger put down in the left half is a stick that walks, with its middle where it touched; in the
+ * right half it drags the view. Two quick taps are for the flame; a finger held still on the right puts
+ * the candle down or takes it up.
+ */
+export class Touch {
+  readonly #fingers = new Map<number, Finger>();
+  #lastTap: { x: number; y: number; time: number } | null = null;
+  #yaw = 0;
+  #pitch = 0;
+  #wishes: Partial<Record<Wish, true>> = {};
+  #holdTimer: ReturnType<typeof setTimeout> | undefined;
+
+  /** @param box where the zones are, in client coordinates */
+  down({ pointerId, clientX, clientY, timeStamp }: PointerEvent, box: DOMRect): void {
+    const walks = clientX < box.left + box.width / 2;
+    const finger: Finger = {
+      startX: clientX,
+      startY: clientY,
+      began: timeStamp,
+      walks,
+      x: clientX,
+      y: clientY,
+      isSteady: true,
+    };
+    this.#fingers.set(pointerId, finger);
+    if (walks) return;
+    clearTimeout(this.#holdTimer);
+    this.#holdTimer = setTimeout(() => {
+      if (finger.isSteady && this.#fingers.get(pointerId) === finger) {
+        this.#wishes.placesOrTakes = true;
+      }
+    }, HOLD);
+  }
+
+  move({ pointerId, clientX, clientY }: PointerEvent, sensitivity: number): void {
+    const finger = this.#fingers.get(pointerId);
+    if (!finger) return;
+    if (!finger.walks) {
+      this.#yaw -= (clientX - finger.x) * SENSITIVITY * sensitivity;
+      this.#pitch -= (clientY - finger.y) * SENSITIVITY * sensitivity;
+    }
+    finger.x = clientX;
+    finger.y = clientY;
+    const way = Math.hypot(clientX - finger.startX, clientY - finger.startY);
+    if (way > STEADY) finger.isSteady = false;
+  }
+
+  up({ pointerId, clientX: x, clientY: y, timeStamp: time, type }: PointerEvent): void {
+    const finger = this.#fingers.get(pointerId);
+    this.#fingers.delete(pointerId);
+    const isTap = type === "pointerup" && finger?.isSteady && time - finger.began < TAP;
+    if (!isTap) return;
+    const last = this.#lastTap;
+    const isSecond =
+      last !== null &&
+      time - last.time < DOUBLE_TAP &&
+      Math.hypot(x - last.x, y - last.y) < SAME_PLACE;
+    if (isSecond) this.#wishes.togglesFlame = true;
+    this.#lastTap = isSecond ? null : { x, y, time };
+  }
+
+  release(): void {
+    clearTimeout(this.#holdTimer);
+    this.#fingers.clear();
+    this.#lastTap = null;
+  }
+
+  read(): Intent {
+    let [forward, right, runs] = [0, 0, false];
+    for (const finger of this.#fingers.values()) {
+      if (!finger.walks) continue;
+      const [dx, dy] = [finger.x - finger.startX, finger.y - finger.startY];
+      const way = Math.hypot(dx, dy);
+      const share = Math.min(1, Math.max(0, (way / REACH - DEAD_ZONE) / (1 - DEAD_ZONE)));
+      if (share > 0) [forward, right] = [(-dy / way) * share, (dx / way) * share];
+      runs = way > RUN_REACH;
+    }
+    const intent: Intent = {
+      ...STILL,
+      forward,
+      right,
+      runs,
+      yaw: this.#yaw,
+      pitch: this.#pitch,
+      ...this.#wishes,
+    };
+    this.#yaw = 0;
+    this.#pitch = 0;
+    this.#wishes = {};
+    return intent;
+  }
+}

@@ -1,0 +1,186 @@
+import type { Page } from "playwright/test";
+import { RoomDriver } from "../support/room-driver.ts";
+import { serveSmallTextures } from "../support/small-textures.ts";
+import { expect, test } from "../support/test.ts";
+
+const TALL = `<button>elsewhere</button><div style="height: 3000px"></div>`;
+const LOOKS_ALONG = { position: [0, 1.6, 3], yaw: 0, pitch: 0 } as const;
+
+async function openControls(page: Page): Promise<RoomDriver> {
+  await serveSmallTextures(page);
+  const opening = { width: 160, height: 90, after: TALL };
+  const room = await new RoomDriver(page).open({ look: "paper", controls: "" }, opening);
+  await room.stand(LOOKS_ALONG);
+  return room;
+}
+
+const hintOf = (room: RoomDriver) =>
+  room.evaluate((element) => {
+    const hint = element.shadowRoot?.querySelector<HTMLElement>("[part=hint]");
+    return hint?.textContent?.replaceAll(/\s+/g, " ").trim();
+  });
+
+test.describe("Fingers", () => {
+  test.use({ hasTouch: true, viewport: { width: 320, height: 480 } });
+
+  test("scroll the page before they go in, then walk, look and come back", async ({ page }) => {
+    const room = await openControls(page);
+    const client = await page.context().newCDPSession(page);
+    const fingers = (type: string, ...points: readonly (readonly [x: number, y: number])[]) =>
+      client.send("Input.dispatchTouchEvent", {
+        type: type as "touchStart",
+        touchPoints: points.map(([x, y], id) => ({ x, y, id })),
+      });
+    const touchAction = () =>
+      room.evaluate((element) => {
+        const canvas = element.shadowRoot?.querySelector("canvas");
+        return canvas && getComputedStyle(canvas).touchAction;
+      });
+    const told = await room.evaluate((element) => {
+      const told: string[] = [];
+      element.addEventListener("enter", () => told.push("enter"));
+      element.addEventListener("leave", () => told.push("leave"));
+      Object.assign(globalThis, { told });
+      return told;
+    });
+    expect(told).toEqual([]);
+
+    expect(await touchAction()).toBe("auto");
+    await fingers("touchStart", [120, 45]);
+    for (const y of [30, 15, 2]) await fingers("touchMove", [120, y]);
+    await fingers("touchEnd");
+    await room.step(0.1);
+    expect(await room.camera()).toEqual(LOOKS_ALONG);
+    expect(await room.isWalking()).toBe(false);
+
+    await page.evaluate(() => scrollTo(0, 0));
+    await page.touchscreen.tap(80, 45);
+    await expect.poll(() => room.isWalking()).toBe(true);
+    expect(await page.evaluate(() => document.pointerLockElement)).toBeNull();
+    expect(await touchAction()).toBe("none");
+    expect(await hintOf(room)).toMatch(/^Walk with the left thumb/);
+
+    await fingers("touchStart", [40, 80], [120, 45]);
+    await fingers("touchMove", [40, 20], [140, 35]);
+    await room.step(0.5);
+    const { position, yaw, pitch } = await room.camera();
+    expect(position[2]).toBeLessThan(2.5);
+    expect(yaw).toBeCloseTo(-20 * 0.006, 6);
+    expect(pitch).toBeCloseTo(10 * 0.006, 6);
+    await fingers("touchEnd");
+    expect(await page.evaluate(() => scrollY)).toBe(0);
+
+    await page.touchscreen.tap(200, 300); // beside the element
+    await expect.poll(() => room.isWalking()).toBe(false);
+    expect(await page.evaluate(() => Reflect.get(globalThis, "told"))).toEqual(["enter", "leave"]);
+    expect(await hintOf(room)).toBe("");
+    expect(room.complaints).toEqual([]);
+  });
+});
+
+test("A gamepad goes in where the focus is, walks, looks, and leaves", async ({ page }) => {
+  await page.addInitScript(() => {
+    const pad = {
+      mapping: "standard",
+      axes: [0, 0, 0, 0],
+      buttons: Array.from({ length: 17 }, () => ({ pressed: false })),
+    };
+    Object.assign(globalThis, { pad });
+    navigator.getGamepads = () => [pad] as unknown as Gamepad[];
+  });
+  const room = await openControls(page);
+  const hold = (axes: readonly number[], pressed: readonly number[] = []) =>
+    page.evaluate(
+      ({ axes, pressed }) => {
+        const { pad } = globalThis as unknown as {
+          pad: { axes: readonly number[]; buttons: { pressed: boolean }[] };
+        };
+        pad.axes = axes;
+        pad.buttons.forEach((button, i) => {
+          button.pressed = pressed.includes(i);
+        });
+      },
+      { axes, pressed },
+    );
+  const still = [0.1, -0.1, 0.05, 0];
+
+  await hold([0, -1, 1, 0], [0]);
+  await room.step(0.5);
+  expect(await room.camera()).toEqual(LOOKS_ALONG); // it has no focus
+  expect(await room.isWalking()).toBe(false);
+
+  await hold(still);
+  await room.evaluate((element) => element.focus());
+  await room.step(0.1);
+  await hold(still, [0]);
+  await room.step(0.1);
+  expect(await room.isWalking()).toBe(true);
+  expect(await hintOf(room)).toMatch(/^Left stick walks/);
+  await hold(still);
+  await room.step(0.5);
+  expect(await room.camera()).toEqual(LOOKS_ALONG); // worn springs
+  await hold([0, -1, 0, -1]);
+  await room.step(0.5);
+  const { position, pitch } = await room.camera();
+  expect(position[2]).toBeLessThan(2.5);
+  expect(pitch).toBeCloseTo(0.5, 3);
+  await hold(still, [2]);
+  await room.step(0.1);
+  expect(await room.evaluate((element) => element.held)).toBe(false);
+  await hold(still, [1]);
+  await room.step(0.1);
+  expect(await room.isWalking()).toBe(false);
+  expect(room.complaints).toEqual([]);
+});
+
+test("The keyboard alone looks up and down and says what it can", async ({ page }) => {
+  const room = await openControls(page);
+  await page.keyboard.press("Tab");
+  await page.keyboard.press("Enter");
+  expect(await room.isWalking()).toBe(true);
+  expect(await hintOf(room)).toMatch(/^WASD walk.* F for the candle, Esc leaves$/);
+  await page.keyboard.down("PageDown");
+  await room.step(0.5);
+  await page.keyboard.up("PageDown");
+  expect((await room.camera()).pitch).toBeCloseTo(-0.5, 6);
+  expect(await page.evaluate(() => scrollY)).toBe(0);
+  const client = await page.context().newCDPSession(page);
+  const { nodes } = await client.send("Accessibility.getFullAXTree");
+  const application = nodes.find(({ role }) => role?.value === "application");
+  expect(application?.description?.value).toBe("Press Enter to walk in, and Escape to leave.");
+  const status = nodes.find(({ role }) => role?.value === "status");
+  expect(status?.properties?.find(({ name }) => name === "live")?.value.value).toBe("polite");
+  expect(room.complaints).toEqual([]);
+});
+
+test("The sensitivity is how far the mouse turns the view", async ({ page }) => {
+  await page.addInitScript(() => {
+    Element.prototype.requestPointerLock = () =>
+      Promise.reject(new DOMException("refused", "SecurityError"));
+  });
+  const room = await openControls(page);
+  await room.set({ sensitivity: "3" });
+  await page.mouse.click(80, 45);
+  expect(await room.isWalking()).toBe(true);
+  await page.mouse.down();
+  await page.mouse.move(90, 45);
+  await page.mouse.up();
+  await room.step(0);
+  expect((await room.camera()).yaw).toBeCloseTo(-10 * 0.0022 * 3, 6);
+});
+
+test("Contrast and forced colours reach the hint", async ({ page }) => {
+  const room = await openControls(page);
+  await room.evaluate((element) => element.enter());
+  const hint = () =>
+    room.evaluate((element) => {
+      const line = element.shadowRoot?.querySelector("[part=hint] p");
+      const { backgroundColor, outlineStyle } = getComputedStyle(line as Element);
+      return { backgroundColor, outlineStyle };
+    });
+  expect((await hint()).outlineStyle).toBe("none");
+  await page.emulateMedia({ contrast: "more" });
+  expect(await hint()).toEqual({ backgroundColor: "rgb(0, 0, 0)", outlineStyle: "solid" });
+  await page.emulateMedia({ contrast: null, forcedColors: "active" });
+  expect((await hint()).outlineStyle).toBe("solid");
+});
