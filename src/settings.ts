@@ -139,9 +139,44 @@ export const FEATURES = {
   flicker: "The light varies with time.",
   normalMaps: "Relief of walls and wax.",
   candle: "The candle itself.",
+  volume: "The flame's body, gathered along each ray; its light stays.",
+  shadows: "What stands in the light's way, softly, as wide and high as the flame is.",
+  indirect: "Light that comes from the room's surfaces, after any number of bounces.",
+  specular: "Highlights: what is smooth mirrors the flame and the room.",
+  translucency: "The top of the candle glows from within.",
   bloom: "Light scattered in the eye, around the flame.",
+  adaptation: "The eye takes candlelight for nearly white.",
+  toneMap: "Bright light bends towards white, as on film; else it is clipped.",
 } as const;
 export type Feature = keyof typeof FEATURES;
+
+/** What each look has of them. */
+export const FEATURES_OF: Readonly<Record<Look, readonly Feature[]>> = {
+  physical: [
+    "volume",
+    "candle",
+    "shadows",
+    "indirect",
+    "specular",
+    "translucency",
+    "normalMaps",
+    "bloom",
+    "adaptation",
+    "toneMap",
+  ],
+  paper: [
+    "particles",
+    "core",
+    "hazeLayer",
+    "gradient",
+    "attenuation",
+    "drift",
+    "flicker",
+    "normalMaps",
+    "candle",
+  ],
+  original: ["particles", "core", "candle"],
+};
 export type Features = Record<Feature, boolean>;
 
 export function allFeatures(): Features {

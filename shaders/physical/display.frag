@@ -17,6 +17,7 @@ uniform sampler2D uRadiance;
 uniform sampler2D uBloom;
 uniform float uScattered;  // share of the light that eye and lens scatter
 uniform vec3 uAdaptation;
+uniform float uTone;  // 1: tone as film has it, 0: clipped
 
 in vec2 vUv;
 
@@ -36,7 +37,8 @@ vec3 tone(vec3 color) {
 
 vec3 shown(vec2 uv) {
   vec3 radiance = mix(texture(uRadiance, uv).rgb, texture(uBloom, uv).rgb, uScattered);
-  return encodeSrgb(tone(radiance * uAdaptation * frame.exposure));
+  vec3 exposed = radiance * uAdaptation * frame.exposure;
+  return encodeSrgb(uTone > 0.5 ? tone(exposed) : min(exposed, 1.0));
 }
 
 // The samples of a pixel were averaged as light, where one that saw the flame outshines all others, so

@@ -20,6 +20,7 @@ uniform sampler2D uOcclusionRoughness;
 uniform vec4 uBaseColor;
 uniform float uWax;     // 1: light from within, 0: none
 uniform float uOcclusion;  // how much of the map's occlusion counts
+uniform vec3 uShown;    // 1 or 0: shadows, bounced light, highlights
 uniform vec4 uSurface;  // roughness, metallic, normal scale, alpha below which nothing is
 
 in vec3 vPositionWorld;
@@ -76,7 +77,7 @@ void main() {
   vec3 L = toLight * inversesqrt(distanceSquared);
   float NoL = max(dot(normal, L), 0.0);
   float visible = NoL > 0.0 ? visibleShare(vPositionWorld, normalize(vNormalWorld), gl_FragCoord.xy) : 0.0;
-  vec3 intensity = light.intensity * (visible * pastCandle(vPositionWorld));
+  vec3 intensity = light.intensity * mix(1.0, visible * pastCandle(vPositionWorld), uShown.x);
   vec3 irradiance = intensity * (NoL / distanceSquared);
 
   vec3 highlight = towardsHighlight(toLight, reflect(-view, normal));
@@ -90,7 +91,7 @@ void main() {
   vec3 fresnel = fresnelSchlick(f0, max(dot(S, H), 0.0));
   float lobe = distributionGgx(widened, max(dot(normal, H), 0.0)) * visibilitySmith(alpha, NoV, NoS);
   float narrowing = (alpha * alpha) / (widened * widened);
-  vec3 specular = fresnel * lobe * narrowing * NoS * intensity / distanceSquared;
+  vec3 specular = fresnel * lobe * narrowing * NoS * intensity / distanceSquared * uShown.z;
   vec3 diffuse = baseColor.rgb * (1.0 - metallic) * (1.0 - fresnel) / PI * irradiance;
   vec3 lifted = vPositionWorld + normal * 0.08;
   // What the surface mirrors does not reach the matt layer below.
@@ -98,7 +99,8 @@ void main() {
   vec3 bounced = indirectIrradiance(lifted, normal) * matt / PI;
   // What is mirrored is the room around, as softly as it is known.
   vec3 mirrored = indirectIrradiance(lifted, reflect(-view, normal)) / PI;
-  bounced += mirrored * fresnelSchlick(f0, NoV) * (1.0 - 0.6 * roughness);
+  bounced += mirrored * fresnelSchlick(f0, NoV) * (1.0 - 0.6 * roughness) * uShown.z;
+  bounced *= uShown.y;
   vec3 radiance = diffuse + specular + bounced * occlusion + waxGlow(baseColor.rgb) * uWax;
   // A mirrored flame can be brighter than the largest half float, 65504.
   oRadiance = vec4(min(radiance, 3e4), 1.0);

@@ -1,20 +1,6 @@
-import { FEATURES, type Feature } from "../../src/settings.ts";
+import { FEATURES, FEATURES_OF, type Feature } from "../../src/settings.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
-
-/** The paper's techniques, each a rung of its Table 1 or a line of its Table 2. */
-const OF_THE_PAPER: readonly Feature[] = [
-  "particles",
-  "core",
-  "hazeLayer",
-  "gradient",
-  "attenuation",
-  "drift",
-  "flicker",
-  "normalMaps",
-  "candle",
-];
-const OF_THE_PHYSICAL: readonly Feature[] = ["normalMaps", "candle", "bloom"];
 
 async function expectSwitch(room: RoomDriver, feature: Feature): Promise<void> {
   const whole = await room.pixels();
@@ -24,7 +10,7 @@ async function expectSwitch(room: RoomDriver, feature: Feature): Promise<void> {
   expect(await room.pixels(), `with ${feature} again`).toBe(whole);
 }
 
-for (const feature of OF_THE_PAPER) {
+for (const feature of FEATURES_OF.paper) {
   test(`Without ${feature} the paper's picture is another, and with it again the same`, async ({
     room,
   }) => {
@@ -34,13 +20,13 @@ for (const feature of OF_THE_PAPER) {
 }
 
 test("The physical picture is another without each of its own features", async ({ page }) => {
-  const room = await new RoomDriver(page).open({ look: "physical" }, { width: 64, height: 36 });
-  for (const feature of OF_THE_PHYSICAL) await expectSwitch(room, feature);
+  const room = await new RoomDriver(page).open({ look: "physical" }, { width: 96, height: 54 });
+  for (const feature of FEATURES_OF.physical) await expectSwitch(room, feature);
   expect(room.complaints).toEqual([]);
 });
 
 test("Every feature is one that some look has", () => {
-  const known = new Set([...OF_THE_PAPER, ...OF_THE_PHYSICAL]);
+  const known = new Set(Object.values(FEATURES_OF).flat());
   expect([...known].sort()).toEqual(Object.keys(FEATURES).sort());
 });
 
@@ -68,16 +54,14 @@ test("Features are given as one object, or one by one, and unknown ones are refu
   });
 });
 
-test("The original has neither gradient, normal maps, flicker nor attenuation to switch", async ({
-  room,
-}) => {
+test("The original has fewer techniques to switch, and says which", async ({ room }) => {
   await room.set({ look: "original" });
   await room.step(0.1);
+  for (const feature of FEATURES_OF.original) await expectSwitch(room, feature);
   const whole = await room.pixels();
-  for (const feature of ["gradient", "normalMaps", "flicker", "attenuation"] as const) {
-    await room.switchFeatures({ [feature]: false });
-    expect(await room.pixels(), feature).toBe(whole);
-  }
+  const others = FEATURES_OF.paper.filter((name) => !FEATURES_OF.original.includes(name));
+  await room.switchFeatures(Object.fromEntries(others.map((name) => [name, false])));
+  expect(await room.pixels()).toBe(whole);
 });
 
 test("Fewer particles burn the farther the candle is, and all of them again near it", async ({

@@ -1,13 +1,15 @@
 import type { CandleFlameElement, Feature } from "../../candle-flame-element.js";
-import { FEATURES } from "../../settings.js";
+import { FEATURES, FEATURES_OF } from "../../settings.js";
 
-/** A checkbox for each technique, with its sentence. */
+/** A checkbox for each technique of the look on show, with its sentence. */
 export class FeatureSwitches {
   readonly #element: CandleFlameElement;
-  readonly #boxes = new Map<Feature, HTMLInputElement>();
+  readonly #list: HTMLElement;
+  readonly #rows = new Map<Feature, { label: HTMLElement; box: HTMLInputElement }>();
 
   constructor(element: CandleFlameElement, list: HTMLElement) {
     this.#element = element;
+    this.#list = list;
     for (const [name, sentence] of Object.entries(FEATURES) as [Feature, string][]) {
       const box = document.createElement("input");
       box.type = "checkbox";
@@ -15,17 +17,23 @@ export class FeatureSwitches {
       box.addEventListener("change", () => {
         element.features[name] = box.checked;
       });
-      this.#boxes.set(name, box);
       const label = document.createElement("label");
       const meaning = document.createElement("span");
       meaning.textContent = sentence;
       label.append(box, name, meaning);
-      list.append(label);
+      this.#rows.set(name, { label, box });
     }
     this.refresh();
   }
 
   refresh(): void {
-    for (const [name, box] of this.#boxes) box.checked = this.#element.features[name];
+    const { features, look } = this.#element;
+    for (const [name, { box }] of this.#rows) box.checked = features[name];
+    const labels = FEATURES_OF[look].flatMap((name) => this.#rows.get(name)?.label ?? []);
+    const isSame = labels.every((label, i) => label === this.#list.children[i]);
+    // What stays keeps the focus.
+    if (!isSame || labels.length !== this.#list.childElementCount) {
+      this.#list.replaceChildren(...labels);
+    }
   }
 }

@@ -43,6 +43,7 @@ export class Lab {
       switches.refresh();
     };
     new MutationObserver(() => {
+      switches.refresh();
       form.refresh();
       looks.refresh();
     }).observe(room, { attributes: true });

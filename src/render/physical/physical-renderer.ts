@@ -113,17 +113,17 @@ export class PhysicalRenderer implements Renderer {
     const shadow = this.#shadow.render(this.#room, position);
     const volume = this.#indirect.render(this.#room, this.#light, position);
     this.#gpu.clear(target, BLACK);
-    this.#drawSurfaces(target, this.#room, shadow, volume, [0, 0, 0, 0]);
+    this.#drawSurfaces(target, view, this.#room, shadow, volume, [0, 0, 0, 0]);
     if (view.features.candle) {
       const [x, y, z] = world.shown.foot;
-      this.#drawSurfaces(target, this.#candle, shadow, volume, [
+      this.#drawSurfaces(target, view, this.#candle, shadow, volume, [
         x,
         y,
         z,
         world.candle.yaw + HANDLE_TURN,
       ]);
     }
-    this.#flame.render(target, this.#frame, world, this.#tier.name);
+    if (view.features.volume) this.#flame.render(target, this.#frame, world, this.#tier.name);
     if (this.#samples) this.#gpu.resolve(this.#samples, this.#radiance);
     const radiance = this.#radiance.color;
     const bloom = this.#bloom.render(radiance);
@@ -133,7 +133,8 @@ export class PhysicalRenderer implements Renderer {
       vertexArray: this.#screen,
       textures: { uRadiance: radiance, uBloom: bloom },
       uniforms: {
-        uAdaptation: this.#adaptation,
+        uAdaptation: view.features.adaptation ? this.#adaptation : [1, 1, 1],
+        uTone: view.features.toneMap ? 1 : 0,
         uScattered: view.features.bloom ? SCATTERED : 0,
       },
       blocks: { Frame: this.#frame },
@@ -162,11 +163,14 @@ export class PhysicalRenderer implements Renderer {
 
   #drawSurfaces(
     target: RenderTarget,
+    { features }: View,
     surfaces: readonly Surface[],
     shadow: Texture,
     volume: IrradianceVolume,
     place: readonly [number, number, number, number],
   ): void {
+    const { shadows, indirect, specular, translucency } = features;
+    const shown = [shadows ? 1 : 0, indirect ? 1 : 0, specular ? 1 : 0];
     for (const {
       vertexArray,
       textures,
@@ -186,7 +190,8 @@ export class PhysicalRenderer implements Renderer {
           uPlace: place,
           uSurface: parameters,
           uOcclusion: occlusionStrength,
-          uWax: isWax ? 1 : 0,
+          uWax: isWax && translucency ? 1 : 0,
+          uShown: shown,
         },
         blocks: { Frame: this.#frame, Light: this.#light, Volume: volume.block },
         depth: "test-and-write",
