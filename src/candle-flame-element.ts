@@ -1,12 +1,12 @@
 import type { AssetError } from "./assets/load-model.js";
-import { CandleFlame, Gpu, type Stats } from "./candle-flame.js";
+import { CandleFlame, type Stats } from "./candle-flame.js";
 import { STYLE } from "./element-style.js";
 import { Hint } from "./hint.js";
 import { type Device, FirstPersonInput } from "./input/first-person-input.js";
 import type { FlameReport } from "./light/flame-light.js";
-import { areSame, closeModels, loadModels, type Sources, sourcesOf } from "./model-loader.js";
 import { ReflectedAttributes } from "./reflected-attributes.js";
-import type { Models } from "./render/renderer.js";
+import { areSame, loadScene, type Scene, type SceneRequest } from "./scenes/scene.js";
+import { createScreen, type Screen } from "./scenes/screen.js";
 import {
   allFeatures,
   FEATURES,
@@ -53,13 +53,6 @@ export interface CandleFlameEventMap {
   contextrestored: CustomEvent<null>;
 }
 
-/** What is on show, which while other models are fetched is not what the attributes say. */
-interface Shown {
-  readonly look: Look;
-  readonly src: string;
-  readonly sources: Sources;
-}
-
 /** Attributes that other models may come with. */
 const CHOOSING: readonly SettingName[] = ["look", "src", "asset-base"];
 
@@ -104,11 +97,12 @@ export class CandleFlameElement extends ReflectedAttributes {
   #canvas: HTMLCanvasElement | null = null;
   #candle: CandleFlame | null = null;
   /** Until the candle takes it. It is made before anything is fetched, which may be in vain. */
-  #gpu: Gpu | null = null;
-  #models: Models | null = null;
-  #shown: Shown | null = null;
+  #screen: Screen | null = null;
+  #scene: Scene | null = null;
+  /** What is on show, which while something else is fetched is not what the attributes say. */
+  #shown: SceneRequest | null = null;
   /** Being fetched. */
-  #wanted: Sources | null = null;
+  #wanted: SceneRequest | null = null;
   #loading: AbortController | null = null;
   #isVisible = true;
   #drawRequest = 0;
@@ -368,25 +362,21 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.#showPoster(true);
     this.#internals.states.add("loading");
     try {
-      this.#gpu = new Gpu(this.#createCanvas(signal));
+      this.#screen = createScreen(this.scene, this.#createCanvas());
+      const { source } = this.#screen;
+      source.addEventListener("webglcontextlost", this.#contextLost, { signal });
+      source.addEventListener("webglcontextrestored", this.#contextRestored, { signal });
       void this.#fetch(signal);
     } catch (error) {
       this.#fail(error as Error);
     }
   }
 
-  #begin(models: Models, connection: AbortSignal): void {
-    if (!this.#canvas) return;
-    this.#gpu ??= new Gpu(this.#canvas);
-    const candle = new CandleFlame(
-      this.#canvas,
-      this.#gpu,
-      models,
-      this.#features,
-      this.#options(),
-    );
+  #begin(scene: Scene, connection: AbortSignal): void {
+    if (!this.#screen) return;
+    const candle = new CandleFlame(this.#screen, scene, this.#features, this.#options());
     this.#candle = candle;
-    this.#gpu = null;
+    this.#screen = null;
     candle.onFrame = () => this.#afterFrame();
     candle.onFailure = (error) => this.#failAtShader(error);
     candle.onCandleMoved = () => this.#emit(this.held ? "take" : "place", null);
@@ -399,29 +389,28 @@ export class CandleFlameElement extends ReflectedAttributes {
     if (this.#candle) this.#reveal(connection);
   }
 
-  #createCanvas(signal: AbortSignal): HTMLCanvasElement {
+  #createCanvas(): HTMLCanvasElement {
     // A context once given back cannot be had again from the same canvas, so each life has its own.
     const canvas = document.createElement("canvas");
     canvas.part.add("canvas");
-    canvas.addEventListener("webglcontextlost", this.#contextLost, { signal });
-    canvas.addEventListener("webglcontextrestored", this.#contextRestored, { signal });
     this.shadowRoot?.prepend(canvas);
     this.#canvas = canvas;
     return canvas;
   }
 
-  get #asked(): Sources {
-    return sourcesOf(this.look, this.src, this.#assetRoot());
+  get #asked(): SceneRequest {
+    const { scene, look, src } = this;
+    return { scene, look, src, assetRoot: this.#assetRoot() };
   }
 
   /** Another look, room or base: at once if its models are there, else when they have come. */
   #chooseModels(): void {
     if (!this.#connection || !this.#canvas) return;
-    if (areSame(this.#asked, this.#shown?.sources)) {
+    if (areSame(this.#asked, this.#shown)) {
       this.#loading?.abort();
       this.#wanted = null;
       this.#progress.hidden = true;
-      this.#shown = { look: this.look, src: this.src, sources: this.#asked };
+      this.#shown = this.#asked;
     } else if (!areSame(this.#asked, this.#wanted)) {
       void this.#fetch(this.#connection.signal);
     }
@@ -435,16 +424,15 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.#loading?.abort();
     this.#loading = new AbortController();
     const signal = AbortSignal.any([connection, this.#loading.signal]);
-    const sources = this.#asked;
-    this.#wanted = sources;
+    const wanted = this.#asked;
+    this.#wanted = wanted;
     try {
-      const models = await loadModels(sources, this.#assetRoot(), signal, (share) =>
-        this.#showProgress(share),
-      );
-      if (signal.aborted) return closeModels(models);
+      const onProgress = (share: number) => this.#showProgress(share);
+      const scene = await loadScene(wanted, { signal, onProgress });
+      if (signal.aborted) return scene.close();
       this.#wanted = null;
-      this.#shown = { look: this.look, src: this.src, sources };
-      this.#show(models, connection);
+      this.#shown = this.#asked;
+      this.#show(scene, connection);
     } catch (error) {
       if (signal.aborted) return;
       this.#wanted = null;
@@ -457,15 +445,15 @@ export class CandleFlameElement extends ReflectedAttributes {
     }
   }
 
-  #show(models: Models, connection: AbortSignal): void {
-    const old = this.#models;
-    this.#models = models;
+  #show(scene: Scene, connection: AbortSignal): void {
+    const old = this.#scene;
+    this.#scene = scene;
     if (!old) {
-      this.#begin(models, connection);
+      this.#begin(scene, connection);
       return;
     }
-    this.#use((candle) => candle.show(models, this.#options()));
-    closeModels(old);
+    this.#use((candle) => candle.show(scene, this.#options()));
+    old.close();
     if (!this.#candle) return;
     this.#progress.hidden = true;
     this.#reportCamera();
@@ -521,12 +509,12 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.#forgetRequest();
     this.#candle?.dispose();
     this.#candle = null;
-    this.#gpu?.dispose();
-    this.#gpu = null;
+    this.#screen?.dispose();
+    this.#screen = null;
     this.#shown = null;
     this.#wanted = null;
-    if (this.#models) closeModels(this.#models);
-    this.#models = null;
+    this.#scene?.close();
+    this.#scene = null;
     this.#canvas?.remove();
     this.#canvas = null;
     this.#internals.states.clear();
@@ -568,13 +556,13 @@ export class CandleFlameElement extends ReflectedAttributes {
 
   readonly #contextLost = (event: Event): void => {
     event.preventDefault(); // asks the browser to give it back
-    this.#gpu = null; // of no use any more: a context given back begins anew
     this.#candle?.pause();
     this.#emit("contextlost", null);
   };
 
   readonly #contextRestored = (): void => {
     try {
+      this.#screen?.renew();
       this.#candle?.restore();
       this.#applyMotion();
       this.#emit("contextrestored", null);
@@ -585,10 +573,10 @@ export class CandleFlameElement extends ReflectedAttributes {
 
   #options() {
     const { seed, quality, exposure, particles, motion } = this;
-    const { look, src } = this.#shown ?? this;
+    const { look } = this.#shown ?? this;
     const wantsLess = matchMedia("(prefers-reduced-motion: reduce)").matches;
     const isStill = motion === "reduced" || (motion === "auto" && wantsLess);
-    return { look, src, seed, quality, exposure, particles, isStill };
+    return { look, seed, quality, exposure, particles, isStill };
   }
 
   #applyMotion(): void {

@@ -1,18 +1,14 @@
-import { Gpu } from "./gl/gpu.js";
 import type { FirstPersonInput } from "./input/first-person-input.js";
 import { candleLight } from "./light/candle-light.js";
 import { type FlameReport, flameReport, paperFlameReport } from "./light/flame-light.js";
-import { PaperRenderer } from "./render/paper/paper-renderer.js";
-import { PhysicalRenderer } from "./render/physical/physical-renderer.js";
-import type { Models, Renderer } from "./render/renderer.js";
+import type { Renderer } from "./render/renderer.js";
 import { type Tier, tierOf } from "./render/tier.js";
+import type { Scene } from "./scenes/scene.js";
+import type { Screen } from "./scenes/screen.js";
 import type { Features, Look, Quality } from "./settings.js";
 import { STILL } from "./world/intent.js";
 import { withCount } from "./world/particle-layer.js";
-import { createRoom, type Room } from "./world/room.js";
 import { advance, createWorld, currentTime, moveCamera, type World } from "./world/world.js";
-
-export { Gpu };
 
 /** Longest time that a live frame makes up for, in seconds: after a hidden tab, resume. */
 const MAX_FRAME = 1 / 20;
@@ -28,8 +24,6 @@ export interface Options {
   readonly exposure: number;
   /** Particles alive; 0 is the look's own count. */
   readonly particles: number;
-  /** URL of the visitor's own room, or empty for the built-in one. */
-  readonly src: string;
   /** No flicker and no sway, for those who asked their system for less motion. */
   readonly isStill: boolean;
 }
@@ -51,7 +45,7 @@ export interface Stats {
 }
 
 /**
- * Input, world, light and renderer, put together on one canvas.
+ * Input, world, light and renderer, put together on one screen.
  *
  * The world lives as long as this does; the GPU and its renderer come and go with the context.
  */
@@ -66,12 +60,10 @@ export class CandleFlame {
   onCandleMoved: () => void = () => {};
   /** Called when the visitor wanted to put the candle down, and could not. */
   onRefused: () => void = () => {};
-  readonly #canvas: HTMLCanvasElement;
-  #models: Models;
-  #room: Room | null;
+  readonly #screen: Screen;
+  #scene: Scene;
   readonly #features: Features;
   #options: Options;
-  #gpu: Gpu;
   #tier: Tier;
   #renderer: Renderer;
   /** CSS size times device pixel ratio, before the tier's scale. */
@@ -81,35 +73,27 @@ export class CandleFlame {
   #frameMs = Number.NaN;
   #cpuMs = 0;
 
-  /** @param gpu of the canvas; from now on this disposes of it */
-  constructor(
-    canvas: HTMLCanvasElement,
-    gpu: Gpu,
-    models: Models,
-    features: Features,
-    options: Options,
-  ) {
-    this.#canvas = canvas;
-    this.#models = models;
+  /** @param screen from now on this disposes of it */
+  constructor(screen: Screen, scene: Scene, features: Features, options: Options) {
+    this.#screen = screen;
+    this.#scene = scene;
     this.#features = { ...features };
     this.#options = options;
-    this.#room = roomOf(models, options);
     this.world = this.#createWorld();
-    this.#gpu = gpu;
-    this.#tier = tierOf(options.quality, this.#gpu.renderer);
+    this.#tier = tierOf(options.quality, screen.gpu.renderer);
     this.#renderer = this.#createRenderer();
   }
 
   #createRenderer(): Renderer {
-    const Family = this.#options.look === "physical" ? PhysicalRenderer : PaperRenderer;
-    const renderer = new Family(this.#gpu, this.#models, this.#tier);
-    renderer.resize(this.#canvas.width, this.#canvas.height);
+    const { width, height } = this.#screen.canvas;
+    const renderer = this.#scene.createRenderer(this.#screen, this.#tier, this.#options.look);
+    renderer.resize(width, height);
     this.#follow(renderer);
     return renderer;
   }
 
   #follow(renderer: Renderer): void {
-    if (this.#gpu.isLost) return; // the renderer to come will
+    if (this.#screen.gpu.isLost) return; // the renderer to come will
     const { layers } = this.world.stage;
     const counted =
       this.#options.particles > 0 ? withCount(layers, this.#options.particles) : layers;
@@ -121,14 +105,15 @@ export class CandleFlame {
 
   /** After a lost context was given back: the same world, seen by a new GPU. */
   restore(): void {
-    this.#gpu = new Gpu(this.#canvas);
+    this.#screen.renew();
     this.#rebuild();
     this.draw();
   }
 
   #createWorld(age = 0): World {
     const { look, seed, isStill } = this.#options;
-    const world = createWorld(look, seed, { age, room: this.#room });
+    const { room, stage } = this.#scene;
+    const world = createWorld(look, seed, { age, room, stage });
     world.sways = !isStill;
     return world;
   }
@@ -143,20 +128,18 @@ export class CandleFlame {
     if (options.quality !== before.quality) this.#rebuild();
   }
 
-  /** Other models, and what is to be done with them. The old ones are no longer used. */
-  show(models: Models, options: Options): void {
-    const room = models.room === this.#models.room ? this.#room : roomOf(models, options);
-    this.#models = models;
+  /** Another scene on the same screen, and what is to be done with it. The old one is no longer used. */
+  show(scene: Scene, options: Options): void {
+    this.#scene = scene;
     this.#options = options;
-    this.#room = room;
     this.world = this.#createWorld(this.world.timeline.tick);
     this.#rebuild();
   }
 
   #rebuild(): void {
-    if (this.#gpu.isLost) return; // it is built anew once the context is given back
-    this.#tier = tierOf(this.#options.quality, this.#gpu.renderer);
-    this.#gpu.clearObjects();
+    if (this.#screen.gpu.isLost) return; // it is built anew once the context is given back
+    this.#tier = tierOf(this.#options.quality, this.#screen.gpu.renderer);
+    this.#screen.clear();
     this.#fitCanvas();
     this.#renderer = this.#createRenderer();
   }
@@ -189,18 +172,19 @@ export class CandleFlame {
   /** Device pixels that the element covers. */
   resize(width: number, height: number): void {
     this.#pixels = { width, height };
-    if (this.#fitCanvas() && !this.#gpu.isLost)
-      this.#renderer.resize(this.#canvas.width, this.#canvas.height);
+    const { gpu, canvas } = this.#screen;
+    if (this.#fitCanvas() && !gpu.isLost) this.#renderer.resize(canvas.width, canvas.height);
   }
 
   #fitCanvas(): boolean {
+    const { canvas } = this.#screen;
     const longest = Math.max(this.#pixels.width, this.#pixels.height);
-    const scale = Math.min(this.#tier.resolutionScale, this.#gpu.longestSide / longest);
+    const scale = Math.min(this.#tier.resolutionScale, this.#screen.gpu.longestSide / longest);
     const width = Math.max(1, Math.round(this.#pixels.width * scale));
     const height = Math.max(1, Math.round(this.#pixels.height * scale));
-    if (width === this.#canvas.width && height === this.#canvas.height) return false;
-    this.#canvas.width = width;
-    this.#canvas.height = height;
+    if (width === canvas.width && height === canvas.height) return false;
+    canvas.width = width;
+    canvas.height = height;
     return true;
   }
 
@@ -218,11 +202,13 @@ export class CandleFlame {
 
   /** The picture of this very moment. Nothing is drawn while the context is lost. */
   draw(): void {
-    if (this.#gpu.isLost) return;
-    this.#gpu.beginFrame();
+    const { gpu } = this.#screen;
+    if (gpu.isLost) return;
+    gpu.beginFrame();
     const { exposure, isStill } = this.#options;
     this.#renderer.render(this.world, { features: this.#features, exposure, isStill });
-    this.#gpu.endFrame();
+    gpu.endFrame();
+    this.#screen.present();
   }
 
   play(): void {
@@ -268,8 +254,8 @@ export class CandleFlame {
   }
 
   get stats(): Stats {
-    const { drawCalls, triangles, objectCount, bytes, timer } = this.#gpu;
-    const { width, height } = this.#canvas;
+    const { drawCalls, triangles, objectCount, bytes, timer } = this.#screen.gpu;
+    const { width, height } = this.#screen.canvas;
     return {
       fps: Number.isNaN(this.#frameMs) ? 0 : 1000 / this.#frameMs,
       frameMs: Number.isNaN(this.#frameMs) ? 0 : this.#frameMs,
@@ -290,12 +276,6 @@ export class CandleFlame {
   dispose(): void {
     this.pause();
     this.input?.dispose();
-    this.#gpu.dispose();
+    this.#screen.dispose();
   }
-}
-
-/** The room to walk in: the paper's looks have their box, unless the visitor brought a room. */
-function roomOf({ room }: Models, { look, src }: Options): Room | null {
-  if (look !== "physical" && src === "") return null;
-  return createRoom(room.parts, room.anchors.spawn ?? null);
 }

@@ -4,6 +4,7 @@ import {
   parseChoice,
   parseNumber,
   type Quality,
+  type SceneName,
   SETTINGS,
 } from "./settings.js";
 
@@ -13,6 +14,20 @@ const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
 /** The element's attributes as properties: text becomes what `SETTINGS` says it means, and back. */
 export class ReflectedAttributes extends Base {
   static readonly observedAttributes: readonly string[] = Object.keys(SETTINGS);
+
+  get scene(): SceneName {
+    return parseChoice(SETTINGS.scene, this.getAttribute("scene"));
+  }
+  set scene(value: SceneName) {
+    this.setAttribute("scene", value);
+  }
+
+  get loading(): "eager" | "lazy" {
+    return parseChoice(SETTINGS.loading, this.getAttribute("loading"));
+  }
+  set loading(value: "eager" | "lazy") {
+    this.setAttribute("loading", value);
+  }
 
   get look(): Look {
     return parseChoice(SETTINGS.look, this.getAttribute("look"));

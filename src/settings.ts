@@ -50,6 +50,10 @@ function number(
 }
 
 export const SETTINGS = {
+  scene: choice(
+    ["room", "candle"],
+    "A room to walk in, or the candle alone over the page's own background.",
+  ),
   look: choice(
     ["physical", "paper", "original"],
     "Which renderer: light in real units, the paper's final product, or its “before”.",
@@ -95,6 +99,10 @@ export const SETTINGS = {
     default: "",
     meaning: "URL that models and textures are fetched from.",
   },
+  loading: choice(
+    ["eager", "lazy"],
+    "Lazy: nothing is fetched or compiled until the element is near the viewport.",
+  ),
   poster: {
     kind: "text",
     default: "",
@@ -110,6 +118,7 @@ export const SETTINGS = {
 export type SettingName = keyof typeof SETTINGS;
 export type Look = (typeof SETTINGS.look.choices)[number];
 export type Motion = (typeof SETTINGS.motion.choices)[number];
+export type SceneName = (typeof SETTINGS.scene.choices)[number];
 export type Quality = (typeof SETTINGS.quality.choices)[number];
 
 /** What an attribute's text means under its setting. `null` is an absent attribute. */

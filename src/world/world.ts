@@ -69,6 +69,8 @@ export interface Birth {
   /** Ticks that count as simulated, for a world that takes over from another. */
   readonly age?: number;
   readonly room?: Room | null;
+  /** How candle and flame stand, if not as the look has it. */
+  readonly stage?: Stage | null;
   readonly wind?: Wind;
   /** Diameter of the wick, metres. */
   readonly wick?: number;
@@ -79,9 +81,9 @@ export interface Birth {
 export function createWorld(
   look: Look,
   seed: number,
-  { age = 0, room = null, wind = CALM, wick = TAPER_WICK, isLit = true }: Birth = {},
+  { age = 0, room = null, stage: own, wind = CALM, wick = TAPER_WICK, isLit = true }: Birth = {},
 ): World {
-  const stage = STAGES[look];
+  const stage = own ?? STAGES[look];
   const brightest = stage.layers.length - 1;
   const layer = stage.layers[brightest];
   if (!layer) throw new Error(`The look “${look}” has no particle layers.`);

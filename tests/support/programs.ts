@@ -1,8 +1,9 @@
-import { loadModel } from "../../src/assets/load-model.ts";
 import { CandleFlame } from "../../src/candle-flame.ts";
 import { Gpu } from "../../src/gl/gpu.ts";
 import { Program, type ShaderSource } from "../../src/gl/program.ts";
 import { UniformBlock } from "../../src/gl/uniform-block.ts";
+import { loadScene, type Scene } from "../../src/scenes/scene.ts";
+import { createScreen } from "../../src/scenes/screen.ts";
 import { allFeatures, type Look } from "../../src/settings.ts";
 
 /** What became of one program after some frames. */
@@ -46,13 +47,14 @@ export async function reportPrograms(look: Look): Promise<ProgramReport[]> {
   };
   try {
     const canvas = document.createElement("canvas");
-    const candle = new CandleFlame(canvas, new Gpu(canvas), await loadModels(), allFeatures(), {
+    const scene = await loadPaperRoom();
+    const screen = createScreen("room", canvas);
+    const candle = new CandleFlame(screen, scene, allFeatures(), {
       look,
       seed: 1,
       quality: "auto",
       exposure: 0,
       particles: 0,
-      src: "",
       isStill: false,
     });
     for (let i = 0; i < 3; i++) candle.step(1 / 60);
@@ -92,14 +94,14 @@ export function complaintOf(vertex: ShaderSource, fragment: ShaderSource): strin
   }
 }
 
-async function loadModels() {
+/** Its models are the smallest, and every look can draw them. */
+function loadPaperRoom(): Promise<Scene> {
+  const assetRoot = new URL("/", location.href).href;
   const { signal } = new AbortController();
-  const load = (name: string) =>
-    loadModel(new URL(`/models/paper-${name}.glb`, location.href).href, {
-      signal,
-      onProgress: () => {},
-    });
-  return { room: await load("room"), candle: await load("candle") };
+  return loadScene(
+    { scene: "room", look: "paper", src: "", assetRoot },
+    { signal, onProgress: () => {} },
+  );
 }
 
 function activeUniforms(gl: WebGL2RenderingContext, program: WebGLProgram): string[] {

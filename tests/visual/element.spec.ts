@@ -14,6 +14,27 @@ interface Reflection {
 
 const REFLECTIONS: readonly Reflection[] = [
   {
+    attribute: "scene",
+    property: "scene",
+    fallback: "room",
+    read: [
+      ["candle", "candle"],
+      ["CANDLE ", "candle"],
+      ["cabin", "room"],
+    ],
+    write: [["candle", "candle"]],
+  },
+  {
+    attribute: "loading",
+    property: "loading",
+    fallback: "eager",
+    read: [
+      ["lazy", "lazy"],
+      ["auto", "eager"],
+    ],
+    write: [["lazy", "lazy"]],
+  },
+  {
     attribute: "look",
     property: "look",
     fallback: SETTINGS.look.default,

@@ -1,6 +1,7 @@
-import { closeModel, type Model } from "./assets/model.js";
-import type { Models } from "./render/renderer.js";
-import type { Look } from "./settings.js";
+import { closeModel, type Model } from "../assets/model.js";
+import type { Models } from "../render/renderer.js";
+import type { Look } from "../settings.js";
+import type { Loading } from "./scene.js";
 
 /** Models that the built-in rooms are made of, under `asset-base`. */
 const BUILT_IN: Readonly<Record<Look, Readonly<Record<keyof Models, string>>>> = {
@@ -20,22 +21,13 @@ export function sourcesOf(look: Look, src: string, assetRoot: string): Sources {
   };
 }
 
-export function areSame(one: Sources, other: Sources | null | undefined): boolean {
-  return one.room === other?.room && one.candle === other.candle;
-}
-
-/**
- * Fetches and decodes a look's models. three.js comes with the first of them.
- *
- * @param onProgress called with the share done, 0 to 1, never falling
- */
+/** Fetches and decodes a look's models. three.js comes with the first of them. */
 export async function loadModels(
   sources: Sources,
   assetRoot: string,
-  signal: AbortSignal,
-  onProgress: (share: number) => void,
+  { signal, onProgress }: Loading,
 ): Promise<Models> {
-  const { loadModel } = await import("./assets/load-model.js");
+  const { loadModel } = await import("../assets/load-model.js");
   const shares = { room: 0, candle: 0 };
   const load = (name: keyof Models): Promise<Model> =>
     loadModel(sources[name], {

@@ -1,0 +1,23 @@
+import { PaperRenderer } from "../render/paper/paper-renderer.js";
+import { PhysicalRenderer } from "../render/physical/physical-renderer.js";
+import { createRoom } from "../world/room.js";
+import { closeModels, loadModels, sourcesOf } from "./room-models.js";
+import type { Loading, Scene, SceneRequest } from "./scene.js";
+
+/** The candle in a room to walk in. */
+export async function loadRoom(request: SceneRequest, loading: Loading): Promise<Scene> {
+  const { look, src, assetRoot } = request;
+  const models = await loadModels(sourcesOf(look, src, assetRoot), assetRoot, loading);
+  const { parts, anchors } = models.room;
+  // The paper's looks have their box, unless the visitor brought a room.
+  const isBox = look !== "physical" && src === "";
+  return {
+    room: isBox ? null : createRoom(parts, anchors.spawn ?? null),
+    stage: null,
+    createRenderer: ({ gpu }, tier, look) =>
+      look === "physical"
+        ? new PhysicalRenderer(gpu, models, tier)
+        : new PaperRenderer(gpu, models, tier),
+    close: () => closeModels(models),
+  };
+}

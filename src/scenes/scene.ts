@@ -1,0 +1,46 @@
+import type { Renderer } from "../render/renderer.js";
+import type { Tier } from "../render/tier.js";
+import type { Look, SceneName } from "../settings.js";
+import type { Room } from "../world/room.js";
+import type { Stage } from "../world/stage.js";
+import type { Screen } from "./screen.js";
+
+/** What is there to see, fetched and decoded. */
+export interface Scene {
+  /** The room to walk in; null where there is none, or where the stage describes it. */
+  readonly room: Room | null;
+  /** How candle and flame stand, if not as the look has it. */
+  readonly stage: Stage | null;
+  createRenderer(screen: Screen, tier: Tier, look: Look): Renderer;
+  /** Frees what was fetched. */
+  close(): void;
+}
+
+/** All that decides what is fetched. */
+export interface SceneRequest {
+  readonly scene: SceneName;
+  readonly look: Look;
+  /** URL of the visitor's own room, or empty for the built-in one. */
+  readonly src: string;
+  /** URL of the folder that built-in models lie in. */
+  readonly assetRoot: string;
+}
+
+/** Whether two requests ask for the same files. */
+export function areSame(one: SceneRequest, other: SceneRequest | null | undefined): boolean {
+  const key = ({ scene, look, src, assetRoot }: SceneRequest) =>
+    JSON.stringify([scene, look === "physical", src, assetRoot]);
+  return !!other && key(one) === key(other);
+}
+
+export interface Loading {
+  readonly signal: AbortSignal;
+  /** Called with the share done, 0 to 1, never falling. */
+  readonly onProgress: (share: number) => void;
+}
+
+/** Fetches a scene, and first the code that it needs: each scene is a chunk of its own. */
+export async function loadScene(request: SceneRequest, loading: Loading): Promise<Scene> {
+  const { loadRoom } = await import("./room-scene.js");
+  return loadRoom(request, loading);
+}
