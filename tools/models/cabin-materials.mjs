@@ -12,10 +12,10 @@ const textured = (textures, { tint = [1, 1, 1], metallic = 0 } = {}) => ({
 const plain = (baseColor, roughness) => ({ baseColor, roughness, metallic: 0 });
 
 export const materials = {
-  logs: textured("logs"),
+  logs: textured("logs", { tint: [0.83, 0.92, 1] }),
   logends: textured("logends"),
   trim: textured("trim", { tint: [0.78, 0.76, 0.74] }),
-  pine: textured("trim"),
+  pine: textured("trim", { tint: [0.97, 0.98, 1] }),
   planks: textured("planks"),
   plaster: textured("plaster"),
   stone: textured("stone"),
@@ -23,12 +23,12 @@ export const materials = {
   brass: textured("brass", { metallic: 1 }),
   iron: textured("iron", { metallic: 1 }),
   pewter: textured("pewter", { metallic: 1 }),
-  linen: textured("linen"),
+  linen: textured("linen", { tint: [0.91, 0.97, 1] }),
   rush: textured("linen", { tint: [0.62, 0.52, 0.32] }),
   broadcloth: textured("linen", { tint: [0.1, 0.125, 0.15] }),
   wool: textured("wool"),
   leather: textured("leather", { tint: [0.26, 0.17, 0.105] }),
-  "cloth-blue": textured("leather", { tint: [0.11, 0.2, 0.22] }),
+  "cloth-blue": textured("leather", { tint: [0.075, 0.19, 0.24] }),
   "cloth-red": textured("leather", { tint: [0.3, 0.05, 0.042] }),
   paper: textured("paper"),
   wax: textured("wax"),
