@@ -11,10 +11,11 @@ import bpy
 import exr
 import numpy
 from mathutils import Matrix, Vector
+from quiet import quiet
 
 ROOM_TO_BLENDER = Matrix(((1, 0, 0, 0), (0, 0, -1, 0), (0, 1, 0, 0), (0, 0, 0, 1)))
 PUBLIC = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../public")
-SAMPLES = int(os.environ.get("SAMPLES", "384"))
+SAMPLES = int(os.environ.get("SAMPLES", "128"))
 # Spheres in the column that stands for the flame, which is optically thin: as bright from above as
 # from the side. An opaque ellipsoid would be four times too dim from above.
 LAMPS = 8
@@ -40,13 +41,13 @@ def start():
     scene.cycles.sample_clamp_indirect = 0
     scene.cycles.blur_glossy = 0.5
     scene.cycles.caustics_reflective = True
-    scene.cycles.use_denoising = True
-    scene.cycles.denoiser = "OPENIMAGEDENOISE"
-    scene.cycles.denoising_input_passes = "RGB_ALBEDO_NORMAL"
+    scene.cycles.use_denoising = False
     scene.cycles.pixel_filter_type = "BOX"
     scene.cycles.filter_width = 1.0
     layer = bpy.context.view_layer
     layer.use_pass_object_index = True
+    layer.use_pass_normal = True
+    layer.use_pass_position = True
     for name in ("diffuse_direct", "diffuse_indirect", "diffuse_color", "glossy_direct", "glossy_indirect", "glossy_color"):
         setattr(layer, f"use_pass_{name}", True)
     return scene
@@ -169,9 +170,19 @@ def render(scene):
         return exr.read(scene.render.filepath)
 
 
-def colour(images, name):
+def colour(images, name, channels="RGB"):
     found = {key.rsplit(".", 2)[1] + "." + key[-1]: image for key, image in images.items()}
-    return numpy.stack([found[f"{name}.{channel}"] for channel in "RGB"], axis=-1)
+    return numpy.stack([found[f"{name}.{channel}"] for channel in channels], axis=-1)
+
+
+def assembled(images):
+    """The picture from its parts: what has bounced is quiet, textures and direct light are as traced."""
+    normal, position = colour(images, "Normal", "XYZ"), colour(images, "Position", "XYZ")
+    radiance = colour(images, "Combined")
+    for part in ("Diffuse", "Glossy"):
+        bounced, reflectance = colour(images, f"{part} Indirect"), colour(images, f"{part} Color")
+        radiance += (quiet(bounced, normal, position) - bounced) * reflectance
+    return radiance
 
 
 def left_out(view, index):
@@ -222,7 +233,7 @@ def main(view_path, folder):
     add_lamps(scene, view["flame"]["position"], view["lamp"])
     add_camera(scene, view)
     images = render(scene)
-    radiance = colour(images, "Combined")
+    radiance = assembled(images)
     if "REFERENCE_PASSES" in os.environ:
         numpy.savez(
             os.path.join(os.environ["REFERENCE_PASSES"], view["name"] + ".npz"),
