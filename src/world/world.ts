@@ -26,9 +26,14 @@ import { GROUPS } from "./particle-layer.js";
 import { FLOATS, layerKey, Particles } from "./particles.js";
 import { canTake, type Refusal } from "./placing.js";
 import { look as lookAround, MAX_PITCH, type Player, walk } from "./player.js";
+import { Fumes } from "./plume/fumes.js";
 import type { Room } from "./room.js";
 import { STAGES, type Stage, WALL_MARGIN } from "./stage.js";
 import { MEMORY, TICK, Timeline } from "./timeline.js";
+
+/** Ticks that hot air is given to rise before the world is first seen; and ticks of each of its steps. */
+const WARMING = 60;
+const FUMES_EVERY = 2;
 
 const STANDING: Vec3 = [0, 0, 0];
 /** Distance from the eye at which the flame has lost a group of particles, metres each. */
@@ -47,6 +52,8 @@ export interface World {
   readonly candle: Candle;
   readonly air: Air;
   readonly flame: Flame;
+  /** Hot air and smoke; null in the paper's looks, whose flame heats nothing. */
+  fumes: Fumes | null;
   /** Foot of the flame, metres. */
   readonly emitter: Vec3;
   /** Where things are at the moment of the picture, up to a tick after the state above. Metres. */
@@ -101,6 +108,7 @@ export function createWorld(
     candle: { position: [...(stage.stand ?? start)], yaw, isHeld },
     air: new Air(seed, wind),
     flame: new Flame(wick, isLit),
+    fumes: null,
     emitter: [0, 0, 0],
     shown: { eye: [0, 0, 0], foot: [0, 0, 0], flame: [0, 0, 0] },
     timeline: new Timeline(age - MEMORY),
@@ -112,7 +120,12 @@ export function createWorld(
   };
   room?.plan.setStanding(null);
   settle(world, 0);
-  for (let i = 0; i < MEMORY; i++) tick(world, STILL);
+  for (let i = 0; i < MEMORY; i++) {
+    if (look === "physical" && i === MEMORY - WARMING) {
+      world.fumes = new Fumes(seed, world.emitter);
+    }
+    tick(world, STILL);
+  }
   show(world);
   return world;
 }
@@ -249,6 +262,9 @@ function tick(world: World, intent: Intent): void {
   air.advance((timeline.tick + 1) * TICK, position, velocity);
   // The paper's flame has its own law of motion, and no air passes it.
   flame.advance(emitter, world.look === "physical" ? motion : STANDING, air, !world.sways, TICK);
+  if (timeline.tick % FUMES_EVERY === 0) {
+    world.fumes?.step(flame, emitter, world.sways ? air : null);
+  }
   const way = before.map((old, axis) => ((emitter[axis] ?? 0) - old) / stage.flameScale);
   const wind = way.map((length) => -length / TICK);
   timeline.record(way, wind, flame.isLit ? levelOfDetail(world) : 0);

@@ -15,7 +15,7 @@ const RATE_EXPONENT = 0.58;
 /** Between the wick and the edge of the flame: vapour that air has not yet met. Metres. */
 const SHEATH = 0.0032;
 /** Heat of burning paraffin, J/kg. */
-const HEAT = 43.5e6;
+export const HEAT = 43.5e6;
 
 /** What a wick of this diameter (m) burns in still air, kg/s. */
 export function fuelRate(wick: number): number {

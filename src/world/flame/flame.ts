@@ -30,15 +30,15 @@ const INERTIA = 0.03;
 const STRAINED_AT = 0.25;
 
 /** The wick's tip in the flame, and the room, kelvin. */
-const GLOWING = 1120;
-const ROOM = 293;
+export const GLOWING = 1120;
+export const ROOM = 293;
 /** How fast it takes up the flame's heat, and loses it: dark (798 K, Draper) after five seconds. */
 const HEATING = 0.3;
 const FADING = 10;
 /** Below this no more wax evaporates, kelvin. */
 const DRY = 550;
 /** Share of the fuel that still evaporates just after the flame has gone out. */
-const AFTERGLOW = 0.3;
+export const AFTERGLOW = 0.3;
 
 /** The flame on its wick, at the current tick. Lengths in metres, from the foot of the flame. */
 export class Flame {

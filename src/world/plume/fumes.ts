@@ -1,0 +1,68 @@
+import type { Air } from "../air.js";
+import type { Vec3 } from "../bounds.js";
+import { fuelRate, HEAT } from "../flame/burning.js";
+import { AFTERGLOW, type Flame, GLOWING, ROOM } from "../flame/flame.js";
+import { PLUME_STEP, Plume } from "./plume.js";
+import { Smoke } from "./smoke.js";
+
+/** Share of a flame's heat that rises with its gas; the rest shines, and melts the wax. */
+const CONVECTED = 0.72;
+/** Where it is set free: share of the flame's height. */
+const BURNING = 0.8;
+/** What a wick gives off to the air just after its flame is out, W, and over which length, m. */
+const EMBER_POWER = 2.4;
+const EMBER_HEIGHT = 0.012;
+/** The end of the wick, from the foot of the flame. Metres. */
+const WICK_END = 0.004;
+/** Farther than anyone carries a candle in a step: it was put elsewhere, into air at rest. Metres. */
+const JUMP = 0.3;
+/** After this long the glowing wick smokes at its full, seconds. */
+const KINDLING = 0.12;
+
+/** What the flame does to the air: hot gas that rises, and smoke when it is out. Nobody runs it unseen. */
+export class Fumes {
+  readonly plume = new Plume();
+  readonly smoke: Smoke;
+  /** Share of the smoke that a wick gives off at most. */
+  #strength = 0;
+  readonly #wind: Vec3 = [0, 0, 0];
+  readonly #wick: Vec3 = [0, 0, 0];
+
+  constructor(seed: number, foot: Readonly<Vec3>) {
+    this.smoke = new Smoke(seed);
+    this.plume.calm(foot, this.#wind);
+  }
+
+  /**
+   * Lets one `PLUME_STEP` pass.
+   *
+   * @param foot of the flame, metres
+   * @param air around, or null where it is to stay at rest
+   */
+  step(flame: Flame, foot: Readonly<Vec3>, air: Air | null): void {
+    const { origin } = this.plume;
+    const wind = this.#wind;
+    const warmth = flame.vapour / (AFTERGLOW * fuelRate(flame.wick));
+    if (!flame.isLit && warmth === 0 && this.smoke.count === 0) {
+      origin[1] = Number.NEGATIVE_INFINITY; // all is cold: the next flame begins in air at rest
+      return;
+    }
+    if (air) air.velocity(foot[0], foot[1], foot[2], wind);
+    else wind.fill(0);
+    if (Math.hypot(foot[0] - origin[0], foot[1] - origin[1], foot[2] - origin[2]) > JUMP) {
+      this.plume.calm(foot, wind);
+    }
+    const wick = this.#wick;
+    wick[0] = foot[0];
+    wick[1] = foot[1] + WICK_END;
+    wick[2] = foot[2];
+    if (flame.isLit) {
+      this.plume.step(foot, wind, CONVECTED * HEAT * flame.rate, BURNING * flame.height);
+    } else {
+      const hotter = (flame.ember - ROOM) / (GLOWING - ROOM);
+      this.plume.step(foot, wind, EMBER_POWER * hotter, EMBER_HEIGHT);
+    }
+    this.#strength += ((warmth - this.#strength) * PLUME_STEP) / KINDLING;
+    this.smoke.step(this.plume, wick, warmth > 0 ? this.#strength : 0);
+  }
+}

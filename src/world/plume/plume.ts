@@ -1,0 +1,428 @@
+import type { Vec3 } from "../bounds.js";
+import { carry, carryAmount } from "./advection.js";
+import { type Axis, rising, symmetric } from "./axis.js";
+import { PressureSolver } from "./pressure.js";
+
+/** Length of the air's own step, seconds: every other tick of the world. */
+export const PLUME_STEP = 1 / 60;
+
+/** Temperature of the room, kelvin. */
+export const ROOM_TEMPERATURE = 293;
+/** Density times specific heat of the room's air, J/(m³ K). */
+const HEAT_CAPACITY = 1.2 * 1005;
+/** m/s² */
+const GRAVITY = 9.81;
+/** Kinematic viscosity of the room's air, m²/s. */
+const VISCOSITY = 4e-5;
+/** Of air: how much faster heat spreads than motion, upside down. */
+const PRANDTL = 0.7;
+
+/** What has left the grid goes on, and comes to rest over about this way, metres. */
+const FADING = 0.35;
+
+/** Floats per level of `Plume.column`. */
+export const COLUMN_FLOATS = 5;
+/** Less heat than this is part of no column. */
+const FAINT = 0.004;
+
+/** The air's extent and fineness around its origin. */
+export interface PlumeGrid {
+  readonly x: Axis;
+  readonly y: Axis;
+  readonly z: Axis;
+}
+
+/** 17 x 36 x 17 cells, 25 cm wide and 51 cm high; 7 mm small around the flame. */
+export function plumeGrid(): PlumeGrid {
+  return {
+    x: symmetric(0.007, 1.17, 8),
+    y: rising(-0.035, 0.008, 1.03, 36),
+    z: symmetric(0.007, 1.17, 8),
+  };
+}
+
+/** A component of velocity: it lives on the faces across its axis. */
+type Component = 0 | 1 | 2;
+/** What lives in the middles of the cells comes after the three components. */
+const MIDDLES = 3;
+
+/**
+ * The air around a flame: an incompressible fluid that heat makes rise.
+ *
+ * Velocities (m/s, in the room) lie on the faces of the cells, the excess of temperature (in units of
+ * the room's own) in their middles. The grid rides with the flame, and everything around it is wind.
+ * Harlow and Welch 1965, "Numerical Calculation of Time-Dependent Viscous Incompressible Flow", for the
+ * staggered grid; Boussinesq 1903 for the buoyancy.
+ */
+export class Plume {
+  readonly grid: PlumeGrid;
+  /** Velocities along x, y and z. */
+  readonly velocities: readonly [Float32Array, Float32Array, Float32Array];
+  /** T / T0 - 1 */
+  readonly heat: Float32Array;
+  /** Where the grid's origin is in the room, metres. */
+  readonly origin: Vec3 = [0, 0, 0];
+  readonly #before: readonly [Float32Array, Float32Array, Float32Array];
+  readonly #way: Float32Array;
+  readonly #pressure: PressureSolver;
+  readonly #wind: Vec3 = [0, 0, 0];
+  readonly #counts: readonly [number, number, number];
+  readonly #rulers: readonly [Axis, Axis, Axis];
+  /** Values along each axis, and from one to the next: of each component, and in the `MIDDLES`. */
+  readonly #sizes: readonly Vec3[];
+  readonly #strides: readonly Vec3[];
+  /** Of a cell along x: what the neighbours on its lower and upper side weigh as it spreads. */
+  readonly #lower: Float64Array;
+  readonly #upper: Float64Array;
+
+  constructor(grid: PlumeGrid = plumeGrid()) {
+    this.grid = grid;
+    const counts = [grid.x.count, grid.y.count, grid.z.count] as const;
+    this.#counts = counts;
+    this.#rulers = [grid.x, grid.y, grid.z];
+    this.#sizes = [0, 1, 2, MIDDLES].map(
+      (axis) => counts.map((n, i) => (i === axis ? n + 1 : n)) as unknown as Vec3,
+    );
+    this.#strides = this.#sizes.map(([nx, ny]) => [1, nx, nx * ny]);
+    const { widths, spans } = grid.x;
+    this.#lower = widths.map((width, i) => PLUME_STEP / (width * spans[i]!));
+    this.#upper = widths.map((width, i) => PLUME_STEP / (width * spans[i + 1]!));
+    const faces = (axis: Component) =>
+      new Float32Array(counts.reduce((size, n, i) => size * (i === axis ? n + 1 : n), 1));
+    this.velocities = [faces(0), faces(1), faces(2)];
+    this.#before = [faces(0), faces(1), faces(2)];
+    this.heat = new Float32Array(counts[0] * counts[1] * counts[2]);
+    this.#way = new Float32Array(Math.max(...this.velocities.map(({ length }) => length)));
+    this.#pressure = new PressureSolver(grid);
+  }
+
+  /** Nothing but wind, m/s, around an origin, metres. */
+  calm(origin: Readonly<Vec3>, wind: Readonly<Vec3>): void {
+    for (const axis of [0, 1, 2] as const) {
+      this.velocities[axis].fill(wind[axis]);
+      this.origin[axis] = origin[axis];
+      this.#wind[axis] = wind[axis];
+    }
+    this.heat.fill(0);
+    this.#pressure.forget();
+  }
+
+  /**
+   * One `PLUME_STEP`.
+   *
+   * @param origin where the flame is now, metres
+   * @param wind of the room around, m/s
+   * @param power of what heats it, W: an upright rod of hot gas above the origin
+   * @param height of the rod, metres
+   */
+  step(origin: Readonly<Vec3>, wind: Readonly<Vec3>, power: number, height: number): void {
+    const { velocities } = this;
+    for (const axis of [0, 1, 2] as const) {
+      const flow = velocities[axis];
+      // A wind that changes is pushed by the room's pressure, which reaches all of this air at once.
+      const change = wind[axis] - this.#wind[axis];
+      if (change !== 0) for (let at = 0; at < flow.length; at++) flow[at]! += change;
+      this.#before[axis].set(flow);
+      this.#wind[axis] = wind[axis];
+    }
+    // The grid's own motion: a flame carried through still air stands in a wind.
+    for (const along of [0, 1, 2] as const) {
+      const ride = (origin[along] - this.origin[along]) / PLUME_STEP;
+      for (const axis of [0, 1, 2] as const) {
+        this.#carry(axis, along, ride, wind[axis]);
+      }
+      this.#carryHeat(along, ride);
+    }
+    for (const axis of [0, 1, 2] as const) this.origin[axis] = origin[axis];
+    if (power > 0) this.#warm(power, height);
+    this.#spread();
+    this.#lift();
+    this.#pressure.project(velocities);
+  }
+
+  /** Velocity of the air somewhere in the room, m/s. Away from the grid it fades to the wind's. */
+  velocity(x: number, y: number, z: number, out: Vec3): Vec3 {
+    const { grid, origin } = this;
+    const px = grid.x.place(x - origin[0]);
+    const py = grid.y.place(y - origin[1]);
+    const pz = grid.z.place(z - origin[2]);
+    const [nx, ny, nz] = this.#counts;
+    const [u, v, w] = this.velocities;
+    out[0] = between(u, nx + 1, ny, nz, px, py - 0.5, pz - 0.5);
+    out[1] = between(v, nx, ny + 1, nz, px - 0.5, py, pz - 0.5);
+    out[2] = between(w, nx, ny, nz + 1, px - 0.5, py - 0.5, pz);
+    if (px >= 0 && py >= 0 && pz >= 0 && px <= nx && py <= ny && pz <= nz) return out;
+    const beyond = Math.hypot(
+      beside(x - origin[0], grid.x),
+      beside(y - origin[1], grid.y),
+      beside(z - origin[2], grid.z),
+    );
+    const share = Math.exp(-beyond / FADING);
+    for (const axis of [0, 1, 2] as const) {
+      out[axis] = this.#wind[axis] + (out[axis] - this.#wind[axis]) * share;
+    }
+    return out;
+  }
+
+  /** Temperature somewhere in the room, kelvin. */
+  temperature(x: number, y: number, z: number): number {
+    const { grid, origin } = this;
+    const px = grid.x.place(x - origin[0]) - 0.5;
+    const py = grid.y.place(y - origin[1]) - 0.5;
+    const pz = grid.z.place(z - origin[2]) - 0.5;
+    const [nx, ny, nz] = this.#counts;
+    const isInside = px > -0.5 && py > -0.5 && pz > -0.5 && px < nx && py < ny && pz < nz;
+    const excess = isInside ? between(this.heat, nx, ny, nz, px, py, pz) : 0;
+    return ROOM_TEMPERATURE * (1 + excess);
+  }
+
+  /**
+   * The hot column, level by level from below: middle along x, y, z (metres, in the room), breadth
+   * (standard deviation, metres), and how much of the air is missing there (m²), since it is hot and thin.
+   *
+   * @param out `COLUMN_FLOATS` for each level of the grid
+   */
+  column(out: Float32Array): void {
+    const { x, y, z } = this.grid;
+    const { heat, origin } = this;
+    const [nx, ny, nz] = this.#counts;
+    for (let j = 0; j < ny; j++) {
+      let missing = 0;
+      let sumX = 0;
+      let sumZ = 0;
+      let squares = 0;
+      for (let k = 0; k < nz; k++) {
+        const row = nx * (j + ny * k);
+        const cz = 0.5 * (z.edges[k]! + z.edges[k + 1]!);
+        for (let i = 0; i < nx; i++) {
+          const h = heat[row + i]!;
+          if (h < FAINT) continue;
+          const thin = (h / (1 + h)) * x.widths[i]! * z.widths[k]!;
+          const cx = 0.5 * (x.edges[i]! + x.edges[i + 1]!);
+          missing += thin;
+          sumX += thin * cx;
+          sumZ += thin * cz;
+          squares += thin * (cx * cx + cz * cz);
+        }
+      }
+      const share = 1 / Math.max(missing, 1e-12);
+      const mx = sumX * share;
+      const mz = sumZ * share;
+      const at = j * COLUMN_FLOATS;
+      out[at] = origin[0] + mx;
+      out[at + 1] = origin[1] + 0.5 * (y.edges[j]! + y.edges[j + 1]!);
+      out[at + 2] = origin[2] + mz;
+      out[at + 3] = Math.sqrt(Math.max(0.5 * (squares * share - mx * mx - mz * mz), 1e-6));
+      out[at + 4] = missing;
+    }
+  }
+
+  /** Largest share by which a cell's inflow and outflow differ, against the fastest flow. For tests. */
+  divergence(): number {
+    return this.#pressure.divergence(this.velocities);
+  }
+
+  /** Carries a velocity component along one axis. */
+  #carry(axis: Component, along: Component, ride: number, outside: number): void {
+    const sizes = this.#sizes[axis]!;
+    const strides = this.#strides[axis]!;
+    this.#findWay(axis, along, ride, sizes);
+    const inner = along === 0 ? 1 : 0;
+    const outer = along === 2 ? 1 : 2;
+    carry(
+      this.velocities[axis],
+      this.#way,
+      sizes[along],
+      strides[along],
+      sizes[inner],
+      strides[inner],
+      sizes[outer],
+      strides[outer],
+      outside,
+    );
+  }
+
+  /** How far each value of a velocity component has come along an axis, in cells. */
+  #findWay(axis: Component, along: Component, ride: number, [nx, ny, nz]: Vec3): void {
+    const counts = this.#counts;
+    const way = this.#way;
+    const flow = this.#before[along];
+    const isFace = axis === along;
+    const ruler = this.#rulers[along]!;
+    const lengths = isFace ? ruler.spans : ruler.widths;
+    const strides = this.#strides[along]!;
+    const [, rowLength, planeLength] = strides;
+    // Flow that lives on other faces is the mean of the four around.
+    const ahead = isFace ? 0 : strides[along];
+    const aside = isFace ? 0 : strides[axis];
+    const last = counts[axis];
+    let at = 0;
+    for (let k = 0; k < nz; k++) {
+      for (let j = 0; j < ny; j++) {
+        for (let i = 0; i < nx; i++, at++) {
+          let near = i + j * rowLength + k * planeLength;
+          let far = near;
+          if (aside !== 0) {
+            const n = axis === 0 ? i : axis === 1 ? j : k;
+            if (n > 0) far -= aside;
+            if (n === last) near = far;
+          }
+          const speed =
+            0.25 * (flow[near]! + flow[near + ahead]! + flow[far]! + flow[far + ahead]!);
+          const n = along === 0 ? i : along === 1 ? j : k;
+          way[at] = ((speed - ride) * PLUME_STEP) / lengths[n]!;
+        }
+      }
+    }
+  }
+
+  #carryHeat(along: Component, ride: number): void {
+    const counts = this.#counts;
+    const way = this.#way;
+    const flow = this.#before[along];
+    const { spans, widths } = this.#rulers[along]!;
+    const sizes = this.#sizes[along]!;
+    let at = 0;
+    for (let k = 0; k < sizes[2]; k++) {
+      for (let j = 0; j < sizes[1]; j++) {
+        for (let i = 0; i < sizes[0]; i++, at++) {
+          const n = along === 0 ? i : along === 1 ? j : k;
+          way[at] = ((flow[at]! - ride) * PLUME_STEP) / spans[n]!;
+        }
+      }
+    }
+    const inner = along === 0 ? 1 : 0;
+    const outer = along === 2 ? 1 : 2;
+    carryAmount(
+      this.heat,
+      way,
+      widths,
+      this.#strides[MIDDLES]!,
+      this.#strides[along]!,
+      along,
+      inner,
+      outer,
+      counts[inner]!,
+      counts[outer]!,
+    );
+  }
+
+  /** Heat and upward motion spread to the cooler, slower air beside them, the hotter the faster. */
+  #spread(): void {
+    const { z } = this.grid;
+    const { heat } = this;
+    const [, v] = this.velocities;
+    const warm = this.#way;
+    const [ease, fast] = this.#before;
+    warm.set(heat);
+    fast.set(v);
+    // Halves, so that two neighbours add up to their mean.
+    for (let at = 0; at < heat.length; at++) {
+      const hotter = 1 + Math.max(heat[at]!, 0);
+      ease[at] = 0.5 * VISCOSITY * hotter * Math.sqrt(hotter);
+    }
+    const [nx, ny, nz] = this.#counts;
+    const plane = nx * ny;
+    const vPlane = nx * (ny + 1);
+    for (let k = 1; k < nz - 1; k++) {
+      const nearer = PLUME_STEP / (z.widths[k]! * z.spans[k]!);
+      const farther = PLUME_STEP / (z.widths[k]! * z.spans[k + 1]!);
+      for (let j = 1; j < ny - 1; j++) {
+        const row = nx * (j + ny * k);
+        const vRow = nx * (j + (ny + 1) * k);
+        for (let i = 1; i < nx - 1; i++) {
+          const at = row + i;
+          const h = warm[at]!;
+          const d = ease[at]!;
+          const west = (d + ease[at - 1]!) * this.#lower[i]!;
+          const east = (d + ease[at + 1]!) * this.#upper[i]!;
+          const front = (d + ease[at - plane]!) * nearer;
+          const back = (d + ease[at + plane]!) * farther;
+          heat[at] =
+            h +
+            (west * (warm[at - 1]! - h) +
+              east * (warm[at + 1]! - h) +
+              front * (warm[at - plane]! - h) +
+              back * (warm[at + plane]! - h)) /
+              PRANDTL;
+          const up = vRow + i;
+          const f = fast[up]!;
+          v[up] =
+            f +
+            west * (fast[up - 1]! - f) +
+            east * (fast[up + 1]! - f) +
+            front * (fast[up - vPlane]! - f) +
+            back * (fast[up + vPlane]! - f);
+        }
+      }
+    }
+  }
+
+  #warm(power: number, height: number): void {
+    const { x, y, z } = this.grid;
+    const i = x.count >> 1;
+    const k = z.count >> 1;
+    const area = x.widths[i]! * z.widths[k]!;
+    const gain = (power * PLUME_STEP) / (HEAT_CAPACITY * ROOM_TEMPERATURE * area * height);
+    for (let j = 0; j < y.count; j++) {
+      const top = Math.min(y.edges[j + 1]!, height);
+      const share = (top - Math.max(y.edges[j]!, 0)) / y.widths[j]!;
+      if (share <= 0) continue;
+      const at = i + x.count * (j + y.count * k);
+      this.heat[at]! += gain * share;
+    }
+  }
+
+  #lift(): void {
+    const { x, y, z } = this.grid;
+    const [, v] = this.velocities;
+    const { heat } = this;
+    const half = 0.5 * GRAVITY * PLUME_STEP;
+    for (let k = 0; k < z.count; k++) {
+      for (let j = 1; j < y.count; j++) {
+        const below = x.count * (j - 1 + y.count * k);
+        const face = x.count * (j + (y.count + 1) * k);
+        for (let i = 0; i < x.count; i++) {
+          v[face + i]! += half * (heat[below + i]! + heat[below + x.count + i]!);
+        }
+      }
+    }
+  }
+}
+
+/** How far a place lies beyond the ends of an axis, metres. */
+function beside(x: number, { low, high }: Axis): number {
+  return Math.max(low - x, 0, x - high);
+}
+
+/** Trilinear; places are counted from the first value, and outside the nearest one counts. */
+function between(
+  field: Float32Array,
+  nx: number,
+  ny: number,
+  nz: number,
+  x: number,
+  y: number,
+  z: number,
+): number {
+  const cx = x < 0 ? 0 : x > nx - 1 ? nx - 1 : x;
+  const cy = y < 0 ? 0 : y > ny - 1 ? ny - 1 : y;
+  const cz = z < 0 ? 0 : z > nz - 1 ? nz - 1 : z;
+  const i = Math.min(cx | 0, nx - 2);
+  const j = Math.min(cy | 0, ny - 2);
+  const k = Math.min(cz | 0, nz - 2);
+  const fx = cx - i;
+  const fy = cy - j;
+  const fz = cz - k;
+  const at = i + nx * (j + ny * k);
+  const up = at + nx;
+  const back = at + nx * ny;
+  const upBack = back + nx;
+  const near = field[at]! + (field[at + 1]! - field[at]!) * fx;
+  const nearUp = field[up]! + (field[up + 1]! - field[up]!) * fx;
+  const far = field[back]! + (field[back + 1]! - field[back]!) * fx;
+  const farUp = field[upBack]! + (field[upBack + 1]! - field[upBack]!) * fx;
+  const low = near + (nearUp - near) * fy;
+  const high = far + (farUp - far) * fy;
+  return low + (high - low) * fz;
+}
