@@ -58,7 +58,7 @@ export class FirstPersonInput {
     canvas.addEventListener("pointerup", this.#pointerUp, { signal });
     canvas.addEventListener("pointercancel", this.#pointerUp, { signal });
     canvas.addEventListener("contextmenu", this.#contextMenu, { signal });
-    ownerDocument.addEventListener("pointerdown", this.#pointerDownAnywhere, { signal });
+    ownerDocument.addEventListener("click", this.#clickAnywhere, { signal, capture: true });
     ownerDocument.addEventListener("pointerlockchange", this.#lockChange, { signal });
     ownerDocument.addEventListener("visibilitychange", () => this.#release(), { signal });
   }
@@ -209,8 +209,12 @@ export class FirstPersonInput {
     if (this.#isIn && this.#isTouched) event.preventDefault();
   };
 
-  /** Not every browser takes the focus away when a finger touches something else. */
-  readonly #pointerDownAnywhere = (event: PointerEvent): void => {
+  /**
+   * Not every browser takes the focus away when a finger touches something else. Before that hears of
+   * the click, since it may be a button to go in; not when the finger comes down, or what the page then
+   * hides would no longer get the click.
+   */
+  readonly #clickAnywhere = (event: MouseEvent): void => {
     if (!event.composedPath().includes(this.#host)) this.leave();
   };
 

@@ -53,7 +53,15 @@ test.describe("Fingers", () => {
     expect(await room.camera()).toEqual(LOOKS_ALONG);
     expect(await room.isWalking()).toBe(false);
 
-    await page.evaluate(() => scrollTo(0, 0));
+    // The page went with the finger, and may still be coasting.
+    await expect.poll(() => page.evaluate(() => scrollY)).toBeGreaterThan(0);
+    const scrollBack = () =>
+      page.evaluate(() => {
+        const before = scrollY;
+        scrollTo(0, 0);
+        return before;
+      });
+    for (let rests = 0; rests < 3; ) rests = (await scrollBack()) === 0 ? rests + 1 : 0;
     await page.touchscreen.tap(80, 45);
     await expect.poll(() => room.isWalking()).toBe(true);
     expect(await page.evaluate(() => document.pointerLockElement)).toBeNull();
