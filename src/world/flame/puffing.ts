@@ -1,0 +1,58 @@
+/** Widest source over which a flame stands still, m: solved ones do at 10 mm, and hardly puff at 20. */
+export const STILL_WIDTH = 0.017;
+/** Share of √(g/D) that a flame puffs at: the mean of the solver's three widths. */
+const STROUHAL = 0.47;
+/** Exponent of growth in a cycle, far above the threshold: from how fast the solved 10 mm calm down. */
+const GROWTH = 0.72;
+/** Amplitude of the luminous volume far above the threshold, as a share of its mean. */
+const SATURATION = 0.28;
+/** What the air always disturbs it by, so that it can begin. */
+const TREMBLE = 1e-3;
+
+/** How often a flame puffs over a source this wide (m), Hz. */
+export function puffingFrequency(width: number, gravity = 9.81): number {
+  return STROUHAL * Math.sqrt(gravity / width);
+}
+
+/**
+ * Puffing of a wide flame: its neck is an oscillator that excites itself.
+ *
+ * Stuart and Landau's equation, dA/dt = (s + iw) A - l |A|² A, which every flow obeys just above the
+ * threshold of such an instability (Landau 1944, "On the Problem of Turbulence"). Threshold, frequency
+ * and saturation are those of the axisymmetric solver in tools/puffing. Below the threshold s < 0 and
+ * what disturbs it dies away: a candle has no tone of its own.
+ */
+export class Puffing {
+  /** Share of its mean by which the luminous volume is off it: the amplitude's real part. */
+  real = TREMBLE;
+  imaginary = 0;
+
+  /** Lets seconds pass over a source of this width, m. Exact for any step. */
+  advance(width: number, seconds: number, gravity = 9.81): void {
+    const frequency = puffingFrequency(width, gravity);
+    const excess = 1 - STILL_WIDTH / width;
+    const rate = GROWTH * frequency * Math.max(excess, -3);
+    const size = Math.hypot(this.real, this.imaginary);
+    const grown = Math.exp(rate * seconds);
+    // Bernoulli's equation of |A|²; at the threshold growth and saturation vanish together.
+    const limit = SATURATION * SATURATION * Math.max(excess, 0);
+    const squared = size * size;
+    const brake = limit > 0 ? 1 + (squared / limit) * (grown * grown - 1) : 1;
+    const change = grown / Math.sqrt(brake);
+    const turn = 2 * Math.PI * frequency * seconds;
+    const cos = Math.cos(turn) * change;
+    const sin = Math.sin(turn) * change;
+    const { real, imaginary } = this;
+    this.real = real * cos - imaginary * sin;
+    this.imaginary = real * sin + imaginary * cos;
+    const left = size * change;
+    // Air is never perfectly still, and where the flame can puff, it will.
+    if (excess > 0 && left < TREMBLE) this.real += TREMBLE - left;
+    if (excess <= 0 && left < 1e-6) this.real = this.imaginary = 0;
+  }
+
+  /** Luminous volume as a share of its mean; exactly 1 where the flame stands still. */
+  get pulse(): number {
+    return 1 + this.real;
+  }
+}
