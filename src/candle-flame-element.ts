@@ -56,6 +56,9 @@ export interface CandleFlameEventMap {
 /** Attributes that other models may come with. */
 const CHOOSING: readonly SettingName[] = ["look", "src", "asset-base"];
 
+const NO_PHYSICAL_LOOK =
+  "This graphics driver cannot hold light in real units, so the room is drawn in the paper's look.";
+
 const REFUSALS: Readonly<Record<Refusal, string>> = {
   "nothing within reach": "There is nothing within reach to put the candle on.",
   "too steep": "That is too steep for a candle.",
@@ -98,6 +101,8 @@ export class CandleFlameElement extends ReflectedAttributes {
   #candle: CandleFlame | null = null;
   /** Until the candle takes it. It is made before anything is fetched, which may be in vain. */
   #screen: Screen | null = null;
+  /** Whether this GPU can hold the light of the physical look. */
+  #holdsLight = true;
   #scene: Scene | null = null;
   /** What is on show, which while something else is fetched is not what the attributes say. */
   #shown: SceneRequest | null = null;
@@ -363,7 +368,8 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.#internals.states.add("loading");
     try {
       this.#screen = createScreen(this.scene, this.#createCanvas());
-      const { source } = this.#screen;
+      const { source, gpu } = this.#screen;
+      this.#holdsLight = gpu.drawsToHalfFloats;
       source.addEventListener("webglcontextlost", this.#contextLost, { signal });
       source.addEventListener("webglcontextrestored", this.#contextRestored, { signal });
       void this.#fetch(signal);
@@ -398,9 +404,14 @@ export class CandleFlameElement extends ReflectedAttributes {
     return canvas;
   }
 
+  /** The look asked for, or the nearest that can be drawn here. */
+  get #drawnLook(): Look {
+    return this.look === "physical" && !this.#holdsLight ? "paper" : this.look;
+  }
+
   get #asked(): SceneRequest {
-    const { scene, look, src } = this;
-    return { scene, look, src, assetRoot: this.#assetRoot() };
+    const { scene, src } = this;
+    return { scene, look: this.#drawnLook, src, assetRoot: this.#assetRoot() };
   }
 
   /** Another look, room or base: at once if its models are there, else when they have come. */
@@ -474,6 +485,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.#internals.states.delete("loading");
     this.#observe(signal);
     this.#applyMotion();
+    if (this.#drawnLook !== this.look) this.#hint.tell(NO_PHYSICAL_LOOK);
     this.#emit("load", null);
     this.#settleReady.resolve();
   }

@@ -62,6 +62,8 @@ export class Gpu {
   readonly renderer: string;
   /** Pixels of the longest side that canvas and targets can have. */
   readonly longestSide: number;
+  /** Whether targets can be of half floats, with or without all others. */
+  readonly drawsToHalfFloats: boolean;
   readonly timer: GpuTimer;
   drawCalls = 0;
   triangles = 0;
@@ -89,8 +91,9 @@ export class Gpu {
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     // Browsers do not re-enable extensions after a context loss (KhronosGroup/WebGL #2942), so they
     // are asked for here, where the context is born.
-    gl.getExtension("EXT_color_buffer_float");
-    gl.getExtension("EXT_color_buffer_half_float");
+    const full = gl.getExtension("EXT_color_buffer_float");
+    const half = gl.getExtension("EXT_color_buffer_half_float");
+    this.drawsToHalfFloats = full !== null || half !== null;
     gl.getExtension("OES_texture_float_linear");
     const names = gl.getExtension("WEBGL_debug_renderer_info");
     this.renderer = String(gl.getParameter(names?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER));

@@ -1,6 +1,6 @@
 import { CandleFlame } from "../../src/candle-flame.ts";
 import { Gpu } from "../../src/gl/gpu.ts";
-import { Program, type ShaderSource } from "../../src/gl/program.ts";
+import { Program, type ProgramOptions, type ShaderSource } from "../../src/gl/program.ts";
 import { UniformBlock } from "../../src/gl/uniform-block.ts";
 import { loadScene, type Scene } from "../../src/scenes/scene.ts";
 import { createScreen } from "../../src/scenes/screen.ts";
@@ -79,6 +79,42 @@ export async function reportPrograms(look: Look): Promise<ProgramReport[]> {
     Program.prototype.set = original.set;
     UniformBlock.prototype.update = original.update;
   }
+}
+
+/** What a program says with a word too many at the end of either of its stages. */
+export interface Breakage {
+  readonly file: string;
+  readonly complaint: string;
+}
+
+/** Breaks each stage of each program that a look has, one by one. */
+export async function breakPrograms(look: Look): Promise<Breakage[]> {
+  const made: (readonly [ShaderSource, ShaderSource, ProgramOptions])[] = [];
+  const { program } = Gpu.prototype;
+  Gpu.prototype.program = function (label, vertex, fragment, options = {}) {
+    made.push([vertex, fragment, options]);
+    return program.call(this, label, vertex, fragment, options);
+  };
+  try {
+    await reportPrograms(look);
+  } finally {
+    Gpu.prototype.program = program;
+  }
+  const gpu = new Gpu(document.createElement("canvas"));
+  const broken = (stage: ShaderSource) => ({ ...stage, source: `${stage.source}surplus;` });
+  const breakages = made.flatMap(([vertex, fragment, options]) => {
+    const attempt = (v: ShaderSource, f: ShaderSource, { files: [file = ""] }: ShaderSource) => {
+      try {
+        gpu.program("broken", v, f, options).dispose();
+        return { file, complaint: "" };
+      } catch (error) {
+        return { file, complaint: String(error) };
+      }
+    };
+    return [attempt(broken(vertex), fragment, vertex), attempt(vertex, broken(fragment), fragment)];
+  });
+  gpu.dispose();
+  return breakages;
 }
 
 /** The message of the error that a program of these sources throws; empty if it throws none. */

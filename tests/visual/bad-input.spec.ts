@@ -1,5 +1,5 @@
 import { readFileSync } from "node:fs";
-import type { Route } from "playwright/test";
+import type { Page, Route } from "playwright/test";
 import { SETTINGS } from "../../src/settings.ts";
 import { graphicsErrors, lostContexts, recordContexts } from "../support/contexts.ts";
 import { RoomDriver } from "../support/room-driver.ts";
@@ -216,6 +216,103 @@ test("A shader that the driver refuses is named, and its context is given back",
   expectFailure(await failureOf(room), "shader", /shaders\/lib\/display\.glsl:\d+: 'flot'/);
   expect(new Set(await lostContexts(page))).toEqual(new Set([true]));
   expect(uncaught(room)).toEqual([]);
+});
+
+test("A shader refused at a later change ends in a sentence and the poster, not in black", async ({
+  page,
+}) => {
+  await page.addInitScript(() => {
+    const { prototype } = WebGL2RenderingContext;
+    const { shaderSource } = prototype;
+    prototype.shaderSource = function (shader, source) {
+      const refused: unknown = Reflect.get(globalThis, "refused");
+      const isRefused = typeof refused === "string" && source.includes(refused);
+      shaderSource.call(this, shader, isRefused ? `${source}surplus;` : source);
+    };
+  });
+  await serveSmallTextures(page);
+  const room = await new RoomDriver(page).open({ look: "physical", poster: PIXEL }, TINY);
+  const failing = (refused: string, change: string) =>
+    room.evaluate(
+      async (element, { refused, change }) => {
+        Object.assign(globalThis, { refused });
+        const failed = new Promise<{ type: string; message: string }>((resolve) =>
+          element.addEventListener("error", ({ detail }) => resolve(detail), { once: true }),
+        );
+        if (change === "gradient") element.features.gradient = false;
+        else element.setAttribute("quality", change);
+        const { type, message } = await failed;
+        Object.assign(globalThis, { refused: null });
+        const part = (name: string) => element.shadowRoot?.querySelector(`[part~=${name}]`);
+        return {
+          type,
+          message,
+          shown: part("error")?.textContent,
+          isPosterShown: part("poster")?.checkVisibility(),
+          hasCanvas: part("canvas") !== null,
+        };
+      },
+      { refused, change },
+    );
+  const expected = (file: string) => {
+    const message = expect.stringMatching(`shaders/${file}:\\d+: 'surplus'`);
+    return { type: "shader", message, shown: message, isPosterShown: true, hasCanvas: false };
+  };
+  const tier = await failing("#define SHADOW_TAPS 6", "low");
+  expect(tier).toEqual(expected("physical/surface.vert"));
+  await room.evaluate(async (element) => {
+    element.remove();
+    await new Promise((resolve) => setTimeout(resolve));
+    element.look = "paper";
+    document.body.append(element);
+    await element.ready;
+  });
+  // Compiled when it is drawn for the first time.
+  expect(await failing("#define GRADIENT 0", "gradient")).toEqual(expected("paper/particle.vert"));
+  expect(uncaught(room)).toEqual([]);
+});
+
+test.describe("Where targets cannot hold floats", () => {
+  const withhold = (page: Page, names: readonly string[]) =>
+    page.addInitScript((names) => {
+      const { prototype } = WebGL2RenderingContext;
+      const { getExtension } = prototype;
+      prototype.getExtension = function (this: WebGL2RenderingContext, name: string) {
+        return names.includes(name) ? null : Reflect.apply(getExtension, this, [name]);
+      } as typeof getExtension;
+    }, names);
+
+  test("half floats do", async ({ page }) => {
+    await recordContexts(page);
+    await withhold(page, ["EXT_color_buffer_float"]);
+    await serveSmallTextures(page);
+    const room = await new RoomDriver(page).open({ look: "physical" }, TINY);
+    const brightest = await room.evaluate((element) =>
+      Math.max(...element.readRadiance(0, 0, 32, 18)),
+    );
+    expect(brightest, "the flame, cd/m²").toBeGreaterThan(10);
+    expect(await graphicsErrors(page)).toEqual([]);
+    expect(room.complaints).toEqual([]);
+  });
+
+  test("and without those either, the room is the paper's, and a sentence says so", async ({
+    page,
+  }) => {
+    await withhold(page, ["EXT_color_buffer_float", "EXT_color_buffer_half_float"]);
+    const models: string[] = [];
+    page.on("request", (request) => {
+      if (request.url().endsWith(".glb")) models.push(new URL(request.url()).pathname);
+    });
+    await serveSmallTextures(page);
+    const room = await new RoomDriver(page).open({ look: "physical" }, TINY);
+    const hint = page.locator("candle-flame").locator("[part~=hint]");
+    await expect(hint).toHaveText(/^\s*This graphics driver .* paper's look\.\s*$/);
+    expect(models.sort()).toEqual(["/models/paper-candle.glb", "/models/paper-room.glb"]);
+    const picture = await room.pixels();
+    await room.set({ look: "paper" });
+    expect(await room.pixels()).toBe(picture);
+    expect(room.complaints).toEqual([]);
+  });
 });
 
 test("Boxes of one pixel, of none and of great length draw without an error", async ({ page }) => {

@@ -64,6 +64,25 @@ test("Every shader compiles and links without a word, and every uniform it has i
   expect([...compiled].sort(), "no file lies idle").toEqual(stagesIn(folders));
 });
 
+for (const look of ["physical", "paper"] as const) {
+  test(`A mistake in any shader of the ${look} look is reported by its file and line`, async ({
+    page,
+  }) => {
+    const breakages = await page.evaluate(
+      async ({ module, look }) => {
+        const { breakPrograms }: Programs = await import(module);
+        return breakPrograms(look);
+      },
+      { module: PROGRAMS, look },
+    );
+    expect(breakages.length).toBeGreaterThan(6);
+    for (const { file, complaint } of breakages) {
+      const lines = readFileSync(join(SHADERS, file), "utf8").split("\n").length;
+      expect.soft(complaint, file).toContain(`: shaders/${file}:${lines}: 'surplus'`);
+    }
+  });
+}
+
 test("A mistake in an included file is reported by that file's own name and line", async ({
   page,
 }) => {
