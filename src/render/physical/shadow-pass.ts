@@ -32,6 +32,8 @@ export class ShadowPass {
       format: "R16F",
       source,
       shape: "cube",
+      // A mean of what casts a shadow and what lies behind it is the distance of nothing.
+      filter: "nearest",
     });
     const depth = gpu.texture({
       label: "shadow/depth",
