@@ -333,6 +333,45 @@ test("techniques and settings change the room at once, and the numbers follow", 
   await expect(settings.getByLabel("look")).toHaveValue("original");
 });
 
+test("the spot meter reads the light where pointer or keys point to", async ({ hosted, page }) => {
+  await hosted.open();
+  await hosted.evaluate((room) => room.pause());
+  const meter = await hosted.openLab("Spot meter");
+  const value = (name: string) =>
+    meter
+      .locator("dl > div")
+      .filter({ hasText: new RegExp(`^${name}`) })
+      .getByRole("definition");
+  await expect(value("luminance")).toHaveText(/^[\d.,]+ cd\/m²$/);
+  const spot = page.getByRole("application", { name: "Spot of the meter" });
+  const stage = await hosted.room.boundingBox();
+  if (!stage) throw new Error("no room");
+  await page.mouse.move(stage.x + stage.width * 0.25, stage.y + stage.height * 0.5);
+  await expect(spot).toHaveAttribute("style", /left: 25%/);
+  await spot.focus();
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("Shift+ArrowDown");
+  await expect(spot).toHaveAttribute("style", /left: 26%; top: 60%/);
+  // Paused, the picture is the same: the meter must show what the element says of that spot.
+  const luminance = await hosted.evaluate((room) => {
+    const { width, height } = room.stats;
+    const [x, y] = [Math.round(width * 0.26 - 2.5), Math.round(height * 0.6 - 2.5)];
+    const light = room.readRadiance(x, y, 5, 5);
+    const weights = [0.2126729, 0.7151522, 0.072175];
+    return light.reduce((sum, channel, i) => sum + channel * (weights[i % 3] ?? 0), 0) / 25;
+  });
+  expect(luminance).toBeGreaterThan(0);
+  const shown = Number.parseFloat((await value("luminance").innerText()).replace(",", ""));
+  expect(Math.abs(shown / luminance - 1)).toBeLessThan(0.01);
+  await meter.getByLabel("albedo").fill("1");
+  const lux = Number.parseFloat((await value("illuminance").innerText()).replace(",", ""));
+  expect(Math.abs(lux / (Math.PI * luminance) - 1)).toBeLessThan(0.01);
+  await expect(value("chromaticity")).toHaveText(/^x 0\.\d{3}, y 0\.\d{3}$/);
+  await expect(value("temperature")).toHaveText(/^1\d{3} K$/);
+  await meter.locator("summary").click();
+  await expect(spot).toHaveCount(0);
+});
+
 test.describe("on a wide screen", () => {
   test.use({ viewport: { width: 760, height: 200 } });
 

@@ -8,6 +8,7 @@ import markup from "./lab.html?raw";
 import { LadderSection } from "./ladder-section.js";
 import { ReadOut } from "./read-out.js";
 import { SettingsForm } from "./settings-form.js";
+import { SpotMeter } from "./spot-meter.js";
 
 /** The side panel: the paper's two tables, live, and everything about the room that can be set. */
 export class Lab {
@@ -15,6 +16,7 @@ export class Lab {
   readonly #button: HTMLButtonElement;
   readonly #ladder: LadderSection;
   readonly #readOut: ReadOut;
+  readonly #meter: SpotMeter;
 
   /** @param button shows and hides the panel, and says which */
   constructor(room: CandleFlameElement, stage: HTMLElement, button: HTMLButtonElement) {
@@ -34,6 +36,7 @@ export class Lab {
     const form = new SettingsForm(room, settings);
     const looks = new ComparisonSection(section("comparison"), room, stage, comparison);
     this.#readOut = new ReadOut(room, find(section("last-frame"), "dl", HTMLElement), comparison);
+    this.#meter = new SpotMeter(section("meter"), room, stage);
     this.#ladder = new LadderSection(section("ladder"), room);
     this.#ladder.onChange = (isRunning) => {
       // What is being measured must not change meanwhile.
@@ -58,6 +61,7 @@ export class Lab {
     const opens = this.#panel.hidden;
     this.#panel.hidden = !opens;
     this.#button.ariaExpanded = String(opens);
+    this.#meter.refresh(Boolean(opens));
     if (opens) {
       this.#readOut.start();
     } else {
