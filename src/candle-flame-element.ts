@@ -14,6 +14,7 @@ import {
   type Features,
   type Look,
   type Quality,
+  type SceneName,
   type SettingName,
 } from "./settings.js";
 import type { Refusal } from "./world/placing.js";
@@ -92,6 +93,7 @@ export class CandleFlameElement extends ReflectedAttributes {
   readonly #poster: HTMLImageElement;
   readonly #progress: HTMLElement;
   readonly #failure: HTMLElement;
+  readonly #glow: HTMLElement;
   readonly #hint = new Hint();
   readonly #features: Features = allFeatures();
   readonly #featureSwitches: Features;
@@ -103,6 +105,7 @@ export class CandleFlameElement extends ReflectedAttributes {
   #screen: Screen | null = null;
   /** Whether this GPU can hold the light of the physical look. */
   #holdsLight = true;
+  #scenery: SceneName | null = null;
   #scene: Scene | null = null;
   /** What is on show, which while something else is fetched is not what the attributes say. */
   #shown: SceneRequest | null = null;
@@ -134,7 +137,9 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.#failure.part.add("error");
     this.#failure.role = "alert";
     this.#failure.hidden = true;
-    root.append(this.#poster, this.#progress, this.#failure, this.#hint.element);
+    this.#glow = document.createElement("div");
+    this.#glow.part.add("glow");
+    root.append(this.#glow, this.#poster, this.#progress, this.#failure, this.#hint.element);
     this.#featureSwitches = this.#makeFeatureSwitches();
     this.#settleReady = { resolve: () => {}, reject: () => {} };
     this.ready = this.#promiseReady();
@@ -161,6 +166,7 @@ export class CandleFlameElement extends ReflectedAttributes {
       this.#candle.input.sensitivity = this.sensitivity;
     }
     if (name === "max-pixel-ratio") this.#resize();
+    if (name === "scene" && this.#connection && this.scene !== this.#scenery) this.#restart();
     if (CHOOSING.includes(name)) this.#chooseModels();
     this.#apply();
   }
@@ -366,7 +372,9 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.#failure.hidden = true;
     this.#showPoster(true);
     this.#internals.states.add("loading");
+    if (this.scene === "candle") this.#internals.states.add("alone");
     try {
+      this.#scenery = this.scene;
       this.#screen = createScreen(this.scene, this.#createCanvas());
       const { source, gpu } = this.#screen;
       this.#holdsLight = gpu.drawsToHalfFloats;
@@ -507,6 +515,12 @@ export class CandleFlameElement extends ReflectedAttributes {
       size.disconnect();
       visibility.disconnect();
     });
+  }
+
+  /** Another scene is drawn elsewhere, by other code: as if the element had been taken out and put back. */
+  #restart(): void {
+    this.#stop();
+    this.#start();
   }
 
   #stop(): void {
@@ -652,6 +666,7 @@ export class CandleFlameElement extends ReflectedAttributes {
   #draw(): void {
     this.#use((candle) => candle.draw());
     this.#forgetRequest();
+    this.#shine();
   }
 
   #forgetRequest(): void {
@@ -662,6 +677,16 @@ export class CandleFlameElement extends ReflectedAttributes {
   #afterFrame(): void {
     this.#forgetRequest();
     this.#reportCamera();
+    this.#shine();
+  }
+
+  /** Lets the glow on the page follow the flame, in steps too small to see. */
+  #shine(): void {
+    if (!this.#internals.states.has("alone")) return;
+    const { luminousIntensity = 0 } = this.flame ?? {};
+    const intensity = (Math.round(Math.min(luminousIntensity, 1) * 64) / 64).toString();
+    if (this.#glow.style.getPropertyValue("--intensity") === intensity) return;
+    this.#glow.style.setProperty("--intensity", intensity);
   }
 
   get #cameraKey(): string {

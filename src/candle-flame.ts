@@ -204,6 +204,7 @@ export class CandleFlame {
   draw(): void {
     const { gpu } = this.#screen;
     if (gpu.isLost) return;
+    this.#screen.prepare();
     gpu.beginFrame();
     const { exposure, isStill } = this.#options;
     this.#renderer.render(this.world, { features: this.#features, exposure, isStill });

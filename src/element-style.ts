@@ -10,6 +10,20 @@ export const STYLE = `
   color: #f3e7d3;
   font: 1rem/1.5 system-ui, sans-serif;
 }
+:host(:state(alone)) { overflow: visible; background: none; isolation: isolate; }
+[part="glow"] { display: none; }
+:host(:state(alone)) [part="glow"] {
+  display: block;
+  position: absolute;
+  z-index: -1;
+  inset: 30% auto auto 50%;
+  inline-size: 1px;
+  block-size: 1px;
+  border-radius: 50%;
+  pointer-events: none;
+  opacity: calc(clamp(0, var(--candle-flame-glow, 0), 1) * var(--intensity, 0));
+  box-shadow: 0 0 120px 60px rgb(255 176 84 / 0.5), 0 0 320px 160px rgb(255 150 60 / 0.35);
+}
 :host([hidden]) { display: none; }
 :host(:focus-visible) { outline: 2px solid #f3c98b; outline-offset: 2px; }
 canvas, [part="poster"] {

@@ -29,7 +29,7 @@ export interface SceneRequest {
 /** Whether two requests ask for the same files. */
 export function areSame(one: SceneRequest, other: SceneRequest | null | undefined): boolean {
   const key = ({ scene, look, src, assetRoot }: SceneRequest) =>
-    JSON.stringify([scene, look === "physical", src, assetRoot]);
+    scene === "candle" ? assetRoot : JSON.stringify([look === "physical", src, assetRoot]);
   return !!other && key(one) === key(other);
 }
 
@@ -41,6 +41,10 @@ export interface Loading {
 
 /** Fetches a scene, and first the code that it needs: each scene is a chunk of its own. */
 export async function loadScene(request: SceneRequest, loading: Loading): Promise<Scene> {
+  if (request.scene === "candle") {
+    const { loadLoneCandle } = await import("./candle-scene.js");
+    return loadLoneCandle(request, loading);
+  }
   const { loadRoom } = await import("./room-scene.js");
   return loadRoom(request, loading);
 }

@@ -1,0 +1,58 @@
+#version 300 es
+// From the candle's light to the page: exposure, adaptation, tone, sRGB, and how much it covers.
+// In:  radiance, cd/m², premultiplied.   Out: display colour, premultiplied: light covers the page as
+// much as it outshines it, so no channel is above alpha, and every compositor agrees on the result.
+#include "lib/precision.glsl"
+#include "lib/frame.glsl"
+#include "lib/display.glsl"
+
+uniform sampler2D uRadiance;
+uniform vec3 uAdaptation;
+uniform vec4 uHalo;  // centre of the light (x, y) and half height, in heights of the picture; strength
+uniform vec3 uHaloColor;
+
+in vec2 vUv;
+
+out vec4 oColor;
+
+const float CONTRAST = 1.35;
+const float MIDDLE_GREY = 0.18;
+const float BLEACH_STOPS = 11.0;
+const float BLEACH = 0.93;
+
+vec3 tone(vec3 color) {
+  float peak = max(max(color.r, color.g), color.b);
+  if (peak <= 0.0) return vec3(0.0);
+  vec3 hue = color / peak;
+  float level = MIDDLE_GREY * pow(peak / MIDDLE_GREY, CONTRAST);
+  float bent = level / (1.0 + 0.22 * level);
+  float shown = 1.0 - exp(-bent * 1.05);
+  float bleach = BLEACH * smoothstep(0.0, BLEACH_STOPS, log2(peak));
+  return pow(max(hue, vec3(1e-3)), vec3(1.0 - bleach)) * shown;
+}
+
+vec3 shown(vec3 radiance) {
+  return encodeSrgb(tone(radiance * uAdaptation * frame.exposure));
+}
+
+// Light scattered in the eye falls off with the square of the angle (Vos 1984, "Disability glare").
+// It ends before the picture does, so that no box is seen.
+float halo(vec2 uv) {
+  float aspect = frame.viewport.x / frame.viewport.y;
+  vec2 away = (uv - uHalo.xy) * vec2(aspect, 1.0);
+  away.y -= clamp(away.y, -uHalo.z, uHalo.z);
+  vec2 margin = smoothstep(vec2(0.0), vec2(0.12), uv) * smoothstep(vec2(0.0), vec2(0.12), 1.0 - uv);
+  float reach = length(away) / min(aspect, 1.0);
+  return uHalo.w * exp(-reach * 7.0) / (1.0 + reach * reach * 900.0) * margin.x * margin.y;
+}
+
+void main() {
+  vec4 light = texture(uRadiance, vUv);
+  vec3 solid = light.a > 0.0 ? shown(light.rgb / light.a) * light.a : vec3(0.0);
+  vec3 color = mix(shown(light.rgb), solid, smoothstep(0.3, 0.6, light.a));
+  vec3 glare = uHaloColor * halo(vUv);
+  color = color + glare * (1.0 - color);
+  color = max(color + dither(gl_FragCoord.xy) * step(0.004, color), 0.0);
+  float cover = max(light.a, max(max(color.r, color.g), color.b));
+  oColor = min(vec4(color, cover), 1.0);
+}

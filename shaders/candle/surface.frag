@@ -1,0 +1,81 @@
+#version 300 es
+// The candle alone, in the light of its own flame and of an even room that nobody sees.
+// In:  base colour (sRGB), normal, occlusion/roughness/metallic maps.   Out: radiance, cd/m²; alpha 1.
+#include "lib/precision.glsl"
+#include "lib/frame.glsl"
+#include "lib/photometry.glsl"
+#include "lib/ggx.glsl"
+#include "lib/relief.glsl"
+#include "physical/light.glsl"
+
+const float NEAREST = 0.01;  // a flame is no point, m
+
+uniform sampler2D uAlbedo;
+uniform sampler2D uNormal;
+uniform sampler2D uOcclusionRoughness;
+uniform vec4 uBaseColor;
+uniform vec3 uLamp;        // colour that the eye is used to, luma 1
+uniform float uWax;        // 1: light from within, 0: none
+uniform float uOcclusion;  // how much of the map's occlusion counts
+uniform vec4 uSurface;     // roughness, metallic, normal scale, alpha below which nothing is
+
+in vec3 vPositionWorld;
+in vec3 vNormalWorld;
+in vec4 vTangentWorld;
+in vec2 vUv;
+in vec4 vColor;
+
+out vec4 oRadiance;
+
+// Lost through the side of a taper more than in the wax itself, m.
+const vec3 DIFFUSION_LENGTH = vec3(0.0092, 0.0078, 0.0056);
+const float WAX_TRANSMITTANCE = 0.02;
+
+// Radiance of the surroundings, cd/m²: lamplight, bright above and in front.
+vec3 surroundings(vec3 direction) {
+  float up = smoothstep(-0.6, 0.9, direction.y);
+  float front = pow(max(dot(direction, normalize(vec3(-0.5, 0.5, 0.7))), 0.0), 3.0);
+  return uLamp * (mix(0.02, 0.06, up) + 0.14 * front);
+}
+
+vec3 waxGlow(vec3 albedo) {
+  float depth = max(light.rim - vPositionWorld.y, 0.0);
+  float above = max(light.position.y - light.rim, NEAREST);
+  vec3 onTop = light.intensity / (above * above + 1e-4);
+  return albedo * onTop * exp(-depth / DIFFUSION_LENGTH) * (WAX_TRANSMITTANCE / PI);
+}
+
+void main() {
+  vec4 baseColor = texture(uAlbedo, vUv) * uBaseColor;
+  if (baseColor.a < uSurface.w) discard;
+  vec3 packed = texture(uOcclusionRoughness, vUv).rgb;
+  float occlusion = mix(1.0, packed.r, uOcclusion) * vColor.r;
+  float roughness = clamp(packed.g * uSurface.x, 0.03, 1.0);
+  float metallic = packed.b * uSurface.y;
+  vec3 normal = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
+  if (frame.normalMaps > 0.5) {
+    normal = normalize(mix(normal, reliefNormal(uNormal, vUv, normal, vTangentWorld), uSurface.z));
+  }
+  vec3 view = normalize(frame.eyePosition - vPositionWorld);
+  float NoV = max(abs(dot(normal, view)), 1e-3);
+  vec3 toLight = light.position - vPositionWorld;
+  float distanceSquared = max(dot(toLight, toLight), NEAREST * NEAREST);
+  vec3 L = toLight * inversesqrt(distanceSquared);
+  float NoL = max(dot(normal, L), 0.0);
+  vec3 H = normalize(L + view);
+  vec3 irradiance = light.intensity * (pastCandle(vPositionWorld) * NoL / distanceSquared);
+  float alpha = roughness * roughness;
+  float width = light.radius * inversesqrt(distanceSquared);
+  float widened = clamp(alpha + 0.5 * width, 0.0, 1.0);
+  vec3 f0 = mix(vec3(0.04), baseColor.rgb, metallic);
+  vec3 fresnel = fresnelSchlick(f0, max(dot(L, H), 0.0));
+  float lobe = distributionGgx(widened, max(dot(normal, H), 0.0)) * visibilitySmith(alpha, NoV, NoL);
+  float narrowing = (alpha * alpha) / (widened * widened);
+  vec3 specular = fresnel * lobe * narrowing * irradiance;
+  vec3 matt = baseColor.rgb * (1.0 - metallic);
+  vec3 diffuse = matt * (1.0 - fresnel) / PI * irradiance;
+  vec3 around = surroundings(mix(reflect(-view, normal), normal, roughness * 0.7));
+  vec3 ambient = matt * surroundings(normal) + fresnelSchlick(f0, NoV) * around;
+  vec3 radiance = diffuse + specular + ambient * occlusion + waxGlow(baseColor.rgb) * uWax;
+  oRadiance = vec4(min(radiance, 3e4), 1.0);  // the largest half float is 65504
+}

@@ -1,0 +1,176 @@
+import { assetError, Flaw } from "./asset-error.js";
+import { fetchBytes } from "./fetch-bytes.js";
+import { openContainer } from "./glb.js";
+import type { Material, Model, Part, Picture } from "./model.js";
+
+/** What our own files hold of glTF, and no more. */
+interface OwnDocument {
+  readonly accessors: readonly {
+    readonly bufferView: number;
+    readonly byteOffset?: number;
+    readonly componentType: 5121 | 5123 | 5126;
+    readonly count: number;
+    readonly type: "SCALAR" | "VEC2" | "VEC3" | "VEC4";
+    readonly min?: readonly [number, number, number];
+    readonly max?: readonly [number, number, number];
+  }[];
+  readonly bufferViews: readonly { readonly byteOffset?: number }[];
+  readonly meshes: readonly {
+    readonly name: string;
+    readonly primitives: readonly {
+      readonly attributes: Readonly<Record<string, number>>;
+      readonly indices: number;
+      readonly material: number;
+    }[];
+  }[];
+  readonly materials: readonly OwnMaterial[];
+  readonly textures: readonly {
+    readonly source: number;
+    readonly extensions?: { readonly EXT_texture_avif?: { readonly source: number } };
+  }[];
+  readonly images: readonly { readonly uri: string }[];
+}
+
+interface OwnMaterial {
+  readonly name: string;
+  readonly pbrMetallicRoughness: {
+    readonly baseColorFactor?: readonly [number, number, number, number];
+    readonly roughnessFactor?: number;
+    readonly metallicFactor?: number;
+    readonly baseColorTexture?: { readonly index: number };
+    readonly metallicRoughnessTexture?: { readonly index: number };
+  };
+  readonly normalTexture?: { readonly index: number };
+}
+
+const SIZES = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 } as const;
+/** The file counts for this share of the progress, its pictures for the rest. */
+const FILE_SHARE = 0.6;
+
+/**
+ * Reads a model that our own tools have made: packed, baked, one binary chunk, pictures beside it.
+ *
+ * It needs nothing of three.js, which reads what strangers bring.
+ */
+export async function readOwnModel(
+  url: URL,
+  signal: AbortSignal,
+  onProgress: (share: number) => void,
+): Promise<Model> {
+  const file = url.pathname.split("/").at(-1) ?? "";
+  try {
+    const bytes = await fetchBytes(url, {
+      signal,
+      onProgress: (share) => onProgress(share * FILE_SHARE),
+    });
+    const { json, binary } = openContainer(bytes);
+    if (!binary) throw new Flaw("has no binary chunk");
+    const document = json as OwnDocument;
+    const pictures = new Map<number, Promise<Picture>>();
+    const picture = (texture: { readonly index: number } | undefined) => {
+      if (!texture) return null;
+      const known =
+        pictures.get(texture.index) ?? readPicture(document, texture.index, url, signal);
+      pictures.set(texture.index, known);
+      return known;
+    };
+    const materials = await Promise.all(
+      document.materials.map((material) => readMaterial(material, picture)),
+    );
+    onProgress(1);
+    return modelOf(document, binary, materials);
+  } catch (error) {
+    signal.throwIfAborted();
+    throw assetError(file, error);
+  }
+}
+
+async function readPicture(
+  { textures, images }: OwnDocument,
+  index: number,
+  base: URL,
+  signal: AbortSignal,
+): Promise<Picture> {
+  const texture = textures[index];
+  const asStored = { premultiplyAlpha: "none", colorSpaceConversion: "none" } as const;
+  const read = async (source: number | undefined) => {
+    const uri = images[source ?? -1]?.uri;
+    if (uri === undefined) throw new Flaw("names a picture that is missing");
+    const bytes = await fetchBytes(new URL(uri, base), { signal, isForeign: () => false });
+    return createImageBitmap(new Blob([bytes]), asStored);
+  };
+  const small = texture?.extensions?.EXT_texture_avif?.source;
+  return read(small ?? texture?.source).catch(() => {
+    signal.throwIfAborted();
+    return read(texture?.source);
+  });
+}
+
+async function readMaterial(
+  { name, pbrMetallicRoughness: pbr, normalTexture }: OwnMaterial,
+  picture: (texture: { readonly index: number } | undefined) => Promise<Picture> | null,
+): Promise<Material> {
+  const [albedo, packed, normal] = await Promise.all([
+    picture(pbr.baseColorTexture),
+    picture(pbr.metallicRoughnessTexture),
+    picture(normalTexture),
+  ]);
+  return {
+    name,
+    baseColor: pbr.baseColorFactor ?? [1, 1, 1, 1],
+    roughness: pbr.roughnessFactor ?? 1,
+    metallic: pbr.metallicFactor ?? 1,
+    normalScale: 1,
+    occlusionStrength: packed ? 1 : 0,
+    isDoubleSided: false,
+    alphaMode: "opaque",
+    alphaCutoff: 0.5,
+    albedo,
+    normal,
+    occlusionRoughnessMetallic: packed,
+    occlusion: null,
+  };
+}
+
+function modelOf(
+  document: OwnDocument,
+  binary: Uint8Array<ArrayBuffer>,
+  materials: readonly Material[],
+): Model {
+  const read = (index: number | undefined) => {
+    const accessor = document.accessors[index ?? -1];
+    const view = document.bufferViews[accessor?.bufferView ?? -1];
+    if (!accessor || !view) throw new Flaw("lacks an accessor");
+    const count = accessor.count * SIZES[accessor.type];
+    const begin = (view.byteOffset ?? 0) + (accessor.byteOffset ?? 0);
+    const types = { 5121: Uint8Array, 5123: Uint16Array, 5126: Float32Array };
+    const Type = types[accessor.componentType];
+    // Copied, so that it begins on a multiple of its size and outlives the file.
+    const end = begin + count * Type.BYTES_PER_ELEMENT;
+    return new Type(binary.slice(begin, end).buffer);
+  };
+  const floats = (index: number | undefined) => {
+    const values = read(index);
+    return values instanceof Uint8Array
+      ? Float32Array.from(values, (value) => value / 255)
+      : Float32Array.from(values);
+  };
+  const parts = document.meshes.flatMap(({ name, primitives }) =>
+    primitives.map(({ attributes, indices, material }): Part => {
+      const worn = materials[material];
+      if (!worn) throw new Flaw("lacks a material");
+      return {
+        name,
+        material: worn,
+        positions: floats(attributes.POSITION),
+        normals: floats(attributes.NORMAL),
+        tangents: floats(attributes.TANGENT),
+        uvs: floats(attributes.TEXCOORD_0),
+        occlusionUvs: null,
+        colors: floats(attributes.COLOR_0),
+        indices: Uint16Array.from(read(indices)),
+      };
+    }),
+  );
+  return { parts, anchors: {}, bounds: { min: [0, 0, 0], max: [0, 0, 0] }, warnings: [] };
+}

@@ -1,0 +1,27 @@
+import { closeModel, type Model } from "../assets/model.js";
+import { readOwnModel } from "../assets/own-model.js";
+import { LoneCandleRenderer } from "../render/candle/lone-candle-renderer.js";
+import { STAGES } from "../world/stage.js";
+import type { Loading, Scene, SceneRequest } from "./scene.js";
+
+/** Bare ground, on which the candle stands and nobody walks. */
+const STAGE = { ...STAGES.physical, isSolid: false, stand: [0, 0, 0] } as const;
+
+/** The candle alone, whatever the look. */
+export async function loadLoneCandle(
+  { assetRoot }: SceneRequest,
+  { signal, onProgress }: Loading,
+): Promise<Scene> {
+  const url = new URL("models/chamberstick.glb", assetRoot);
+  const model: Model = await readOwnModel(url, signal, onProgress);
+  return {
+    room: null,
+    stage: STAGE,
+    createRenderer: (screen, tier) => {
+      const renderer = new LoneCandleRenderer(screen.gpu, model, tier);
+      screen.own(renderer);
+      return renderer;
+    },
+    close: () => closeModel(model),
+  };
+}

@@ -1,0 +1,225 @@
+import type { Page } from "playwright/test";
+import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
+import { lostContexts, recordContexts } from "../support/contexts.ts";
+import { complaintsOf, LIBRARY } from "../support/room-driver.ts";
+import { expect, test } from "../support/test.ts";
+
+/** A page of the built package; what it fetched is noted. */
+async function open(
+  page: Page,
+  body: string,
+): Promise<{ complaints: readonly string[]; fetched: string[] }> {
+  const complaints = complaintsOf(page);
+  const fetched: string[] = [];
+  page.on("request", (request) => fetched.push(new URL(request.url()).pathname));
+  await recordContexts(page);
+  await page.route(`${LIBRARY}candles.html`, (route) =>
+    route.fulfill({
+      contentType: "text/html",
+      body: `<!doctype html><meta charset="utf-8"><title>candles</title>
+        <style>body { margin: 0 } candle-flame { aspect-ratio: auto }</style>${body}
+        <script type="module" src="/define.js"></script>`,
+    }),
+  );
+  await page.goto(`${LIBRARY}candles.html`);
+  await page.waitForFunction(() => customElements.get("candle-flame") !== undefined);
+  return { complaints, fetched };
+}
+
+test("A candle alone stands whole in a box of any shape, and nothing lies beside it", async ({
+  page,
+}) => {
+  const { complaints, fetched } = await open(
+    page,
+    `<candle-flame scene="candle" paused quality="medium"></candle-flame>`,
+  );
+  for (const [width, height] of [
+    [60, 240],
+    [120, 120],
+    [240, 60],
+  ] as const) {
+    const found = await page.locator("candle-flame").evaluate(
+      async (element: CandleFlameElement, [width, height]) => {
+        element.style.cssText = `width: ${width}px; height: ${height}px`;
+        await element.ready;
+        await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+        element.features.bloom = false; // its halo fades to nothing, and is no candle
+        const canvas = element.shadowRoot?.querySelector("canvas");
+        element.step(0);
+        const paper = canvas?.getContext("2d");
+        const { data } = paper?.getImageData(0, 0, width, height) ?? { data: [] };
+        const seen = { left: width, right: 0, top: height, bottom: 0, solid: 0 };
+        for (let y = 0; y < height; y++) {
+          for (let x = 0; x < width; x++) {
+            const alpha = data[(y * width + x) * 4 + 3] ?? 0;
+            if (alpha === 255) seen.solid++;
+            if (alpha < 8) continue;
+            seen.left = Math.min(seen.left, x);
+            seen.right = Math.max(seen.right, x);
+            seen.top = Math.min(seen.top, y);
+            seen.bottom = Math.max(seen.bottom, y);
+          }
+        }
+        return seen;
+      },
+      [width, height] as [number, number],
+    );
+    const name = `${width} x ${height}`;
+    expect(found.left, name).toBeGreaterThan(0.02 * width);
+    expect(found.right, name).toBeLessThan(0.98 * width);
+    expect(found.top, name).toBeGreaterThan(0.02 * height);
+    expect(found.bottom, name).toBeLessThan(0.98 * height);
+    // It fills the box one way or the other.
+    const share = Math.max((found.right - found.left) / width, (found.bottom - found.top) / height);
+    expect(share, name).toBeGreaterThan(0.7);
+    expect(found.solid, name).toBeGreaterThan(100);
+  }
+  const files = fetched.filter((path) => /models|load-model|room-scene/.test(path));
+  expect(files, "no room, and nothing that loads one").toEqual(["/models/chamberstick.glb"]);
+  expect(complaints).toEqual([]);
+});
+
+test("Over any background the candle is the same, and its light only adds to the page", async ({
+  page,
+}) => {
+  const { complaints } = await open(
+    page,
+    `<candle-flame scene="candle" paused quality="medium" style="width: 120px; height: 160px"></candle-flame>`,
+  );
+  const pixels = async (background: string) => {
+    await page.locator("body").evaluate((body, value) => {
+      body.style.background = value;
+    }, background);
+    const clip = { x: 0, y: 0, width: 120, height: 160 };
+    const png = await page.screenshot({ clip });
+    return page.evaluate(async (base64) => {
+      const picture = await (await fetch(`data:image/png;base64,${base64}`)).blob();
+      const bitmap = await createImageBitmap(picture);
+      const paper = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
+      paper?.drawImage(bitmap, 0, 0);
+      return [...(paper?.getImageData(0, 0, bitmap.width, bitmap.height).data ?? [])];
+    }, png.toString("base64"));
+  };
+  await page.locator("candle-flame").evaluate((element: CandleFlameElement) => element.ready);
+  const [black, white] = [await pixels("#000"), await pixels("#fff")];
+  let solid = 0;
+  let clear = 0;
+  let uneven = 0;
+  for (let i = 0; i < black.length; i += 4) {
+    const [onBlack, onWhite] = [black.slice(i, i + 3), white.slice(i, i + 3)];
+    if (onBlack.every((value, c) => Math.abs(value - (onWhite[c] ?? 0)) <= 1)) solid++;
+    if (onBlack.every((value) => value === 0) && onWhite.every((value) => value === 255)) clear++;
+    // Premultiplied: what is left of the page is the same share of each channel, and never negative.
+    const left = onBlack.map((value, c) => (onWhite[c] ?? 0) - value);
+    if (Math.max(...left) - Math.min(...left) > 2 || Math.min(...left) < -1) uneven++;
+  }
+  expect(solid).toBeGreaterThan(1000);
+  expect(clear).toBeGreaterThan(2000);
+  expect(uneven).toBe(0);
+  expect(complaints).toEqual([]);
+});
+
+test("Twenty-four candles share one context, and those out of sight sleep", async ({ page }) => {
+  const one = `<candle-flame scene="candle" quality="low" style="width: 40px; height: 40px; margin-bottom: 23px"></candle-flame>`;
+  const { complaints, fetched } = await open(page, one.repeat(24));
+  const frames = await page.evaluate(async () => {
+    const elements = [...document.querySelectorAll("candle-flame")];
+    await Promise.all(elements.map(({ ready }) => ready));
+    const times = () => elements.map(({ currentTime }) => currentTime);
+    const frames = async (count: number) => {
+      for (let i = 0; i < count; i++) await new Promise(requestAnimationFrame);
+    };
+    const isSettled = () =>
+      elements.every(
+        (element) =>
+          element.matches(":state(playing)") === element.getBoundingClientRect().top < innerHeight,
+      );
+    while (!isSettled()) await frames(1); // the browser tells of sight a frame late
+    const before = times();
+    await frames(4);
+    const after = times();
+    return elements.map((element, i) => ({
+      isSeen: element.getBoundingClientRect().top < innerHeight,
+      moves: (after[i] ?? 0) > (before[i] ?? 0),
+    }));
+  });
+  expect(frames.some(({ isSeen }) => isSeen)).toBe(true);
+  expect(frames.some(({ isSeen }) => !isSeen)).toBe(true);
+  for (const { isSeen, moves } of frames) expect(moves).toBe(isSeen);
+  expect(await lostContexts(page)).toEqual([false]);
+  expect(fetched.length).toBeGreaterThan(0);
+  // Taken out one by one, the last gives the context back.
+  await page.evaluate(async () => {
+    for (const element of document.querySelectorAll("candle-flame")) element.remove();
+    await new Promise((resolve) => setTimeout(resolve));
+  });
+  expect(await lostContexts(page)).toEqual([true]);
+  expect(complaints).toEqual([]);
+});
+
+test("A shared context that is lost comes back for all, and the scene may change", async ({
+  page,
+}) => {
+  const one = `<candle-flame scene="candle" paused quality="low" style="width: 40px; height: 40px"></candle-flame>`;
+  const { complaints } = await open(page, one.repeat(2));
+  const { same, objects } = await page.evaluate(async () => {
+    const elements = [...document.querySelectorAll("candle-flame")];
+    await Promise.all(elements.map(({ ready }) => ready));
+    const pictures = () =>
+      elements.map((element) => {
+        element.step(0);
+        return element.shadowRoot?.querySelector("canvas")?.toDataURL();
+      });
+    const before = pictures();
+    const objects = [elements[0]?.stats.gpuObjects];
+    const extension = contexts[0]?.getExtension("WEBGL_lose_context");
+    const told = (type: "contextlost" | "contextrestored") =>
+      Promise.all(
+        elements.map(
+          (element) =>
+            new Promise((resolve) => element.addEventListener(type, resolve, { once: true })),
+        ),
+      );
+    const lost = told("contextlost");
+    extension?.loseContext();
+    await lost;
+    await new Promise((resolve) => setTimeout(resolve));
+    const restored = told("contextrestored");
+    extension?.restoreContext();
+    await restored;
+    objects.push(elements[0]?.stats.gpuObjects);
+    return { same: JSON.stringify(pictures()) === JSON.stringify(before), objects };
+  });
+  expect(same).toBe(true);
+  expect(objects[0]).toBeGreaterThan(10);
+  expect(objects[1]).toBe(objects[0]);
+  // A room has a context of its own; back among candles, it is given back.
+  await page.evaluate(async () => {
+    const [element] = document.querySelectorAll("candle-flame");
+    if (!element) throw new Error("no element");
+    element.look = "paper";
+    element.scene = "room";
+    await element.ready;
+    element.scene = "candle";
+    await element.ready;
+  });
+  expect(await lostContexts(page)).toEqual([false, true]);
+  expect(complaints).toEqual([]);
+});
+
+test("The candle's warm glow lies on the page if the page asks for it", async ({ page }) => {
+  await open(
+    page,
+    `<div style="padding: 100px"><candle-flame scene="candle" paused quality="low" style="width: 40px; height: 40px"></candle-flame></div>`,
+  );
+  const opacity = (glow: string) =>
+    page.locator("candle-flame").evaluate(async (element: CandleFlameElement, glow) => {
+      await element.ready;
+      element.style.setProperty("--candle-flame-glow", glow);
+      const layer = element.shadowRoot?.querySelector("[part~=glow]");
+      return Number(layer && getComputedStyle(layer).opacity);
+    }, glow);
+  expect(await opacity("")).toBe(0);
+  expect(await opacity("0.5")).toBeGreaterThan(0.3);
+  expect(await opacity("7")).toBeLessThanOrEqual(1);
+});
