@@ -10,6 +10,7 @@ layout(std140) uniform Light {
   float rimRadius;   // m
   float pan;         // height of the holder's pan, m
   float panRadius;   // m
+  vec3 vantage;      // that captures were made from, near the centre of the light, m
 } light;
 
 // Share of a light at `from` that passes a level disc around the candle's axis on its way to `to`.

@@ -22,6 +22,6 @@ void main() {
   float distanceSquared = max(dot(toLight, toLight), 1e-4);  // the flame is 1 cm wide
   float NoL = max(dot(surfel.normal, toLight) * inversesqrt(distanceSquared), 0.0);
   vec3 irradiance = light.intensity * (NoL / distanceSquared * pastCandle(surfel.position));
-  irradiance += indirectIrradiance(surfel.position + surfel.normal * 0.05, surfel.normal);
+  irradiance += irradianceFrom(surroundingsAt(surfel.position + surfel.normal * 0.05), surfel.normal);
   oRadiosity = vec4(texelFetch(uPatchColor, texel, 0).rgb * irradiance, 1.0);
 }

@@ -96,11 +96,12 @@ void main() {
   vec3 lifted = vPositionWorld + normal * 0.08;
   // What the surface mirrors does not reach the matt layer below.
   vec3 matt = baseColor.rgb * (1.0 - metallic) * (1.0 - fresnelSchlick(f0, NoV));
-  vec3 bounced = indirectIrradiance(lifted, normal) * matt / PI;
+  Surroundings surroundings = surroundingsAt(lifted);
+  vec3 bounced = irradianceFrom(surroundings, normal) * matt / PI;
   // What is mirrored is the room around, as softly as it is known.
-  vec3 mirrored = indirectIrradiance(lifted, reflect(-view, normal)) / PI;
+  vec3 mirrored = irradianceFrom(surroundings, reflect(-view, normal)) / PI;
   bounced += mirrored * fresnelSchlick(f0, NoV) * (1.0 - 0.6 * roughness) * uShown.z;
-  bounced *= uShown.y;
+  bounced *= light.intensity * uShown.y;
   vec3 radiance = diffuse + specular + bounced * occlusion + waxGlow(baseColor.rgb) * uWax;
   // A mirrored flame can be brighter than the largest half float, 65504.
   oRadiance = vec4(min(radiance, 3e4), 1.0);

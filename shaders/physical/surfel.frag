@@ -2,13 +2,13 @@
 // What the flame sees, coarsely: the surfaces that will light the rest of the room.
 // Out: base colour; normal and distance from the flame (m, 0 where there is nothing).
 #include "lib/precision.glsl"
+#include "lib/relief.glsl"
 
 uniform vec3 uLight;
 uniform vec4 uBaseColor;
 uniform sampler2D uAlbedo;
 
 in vec3 vPositionWorld;
-in vec3 vNormalWorld;
 in vec2 vUv;
 
 layout(location = 0) out vec4 oBaseColor;
@@ -16,8 +16,7 @@ layout(location = 1) out vec4 oNormalDistance;
 
 void main() {
   vec3 fromLight = vPositionWorld - uLight;
-  // Interpolated between opposite faces a normal can vanish.
-  vec3 normal = dot(vNormalWorld, vNormalWorld) > 1e-6 ? normalize(vNormalWorld) : -normalize(fromLight);
+  vec3 normal = facetNormal(vPositionWorld);
   oBaseColor = vec4(texture(uAlbedo, vUv).rgb * uBaseColor.rgb, 1.0);
   oNormalDistance = vec4(faceforward(normal, fromLight, normal), length(fromLight));
 }

@@ -3,18 +3,15 @@
 #include "lib/precision.glsl"
 
 layout(location = 0) in vec3 aPosition;
-layout(location = 1) in vec3 aNormal;
 layout(location = 3) in vec2 aUv;
 
 uniform mat4 uClipFromWorld;
 
 out vec3 vPositionWorld;
-out vec3 vNormalWorld;
 out vec2 vUv;
 
 void main() {
   vPositionWorld = aPosition;
-  vNormalWorld = aNormal;
   vUv = aUv;
   gl_Position = uClipFromWorld * vec4(aPosition, 1.0);
 }

@@ -33,7 +33,7 @@ Surfel surfelAt(ivec2 texel, int size) {
   direction *= inversesqrt(squared);
   float facing = max(dot(stored.xyz, -direction), 0.15);  // a grazing patch is not endless
   Surfel surfel;
-  surfel.position = light.position + direction * stored.w;
+  surfel.position = light.vantage + direction * stored.w;
   surfel.normal = stored.xyz;
   surfel.area = solidAngle * stored.w * stored.w / facing;
   surfel.distance = stored.w;

@@ -1,4 +1,4 @@
-// Light that comes from the room's surfaces, at every place: radiance in spherical harmonics of
+// Light that comes from the room's surfaces, at every place, for 1 cd of the flame's: radiance in spherical harmonics of
 // degree 1, three textures, one for each channel, (mean, x, y, z) in each texel.
 // A grid of probes, flattened: planes of constant z lie side by side along x.
 
@@ -24,25 +24,34 @@ float irradianceOf(vec4 harmonics, vec3 normal) {
   return max(PI * Y0 * harmonics.x + (2.0 * PI / 3.0) * Y1 * dot(harmonics.yzw, normal), 0.0);
 }
 
-vec3 planeIrradiance(vec2 inPlane, float plane, vec3 normal) {
-  vec2 uv = vec2((plane * volume.columns + inPlane.x) / (volume.columns * volume.planes), inPlane.y / volume.rows);
-  return vec3(
-    irradianceOf(textureLod(uVolumeRed, uv, 0.0), normal),
-    irradianceOf(textureLod(uVolumeGreen, uv, 0.0), normal),
-    irradianceOf(textureLod(uVolumeBlue, uv, 0.0), normal)
-  );
-}
+// Radiance from all around a place, in spherical harmonics for each channel.
+struct Surroundings {
+  vec4 red;
+  vec4 green;
+  vec4 blue;
+};
 
-// Light arriving from the room's surfaces, lx.
-vec3 indirectIrradiance(vec3 position, vec3 normal) {
+// For 1 cd of the flame's.
+Surroundings surroundingsAt(vec3 position) {
   vec3 count = vec3(volume.columns, volume.rows, volume.planes);
   vec3 place = (position - volume.corner) / volume.extent * count;
   vec2 inPlane = clamp(place.xy, vec2(0.5), count.xy - 0.5);
   float depth = clamp(place.z - 0.5, 0.0, count.z - 1.001);
   float plane = floor(depth);
-  return mix(
-    planeIrradiance(inPlane, plane, normal),
-    planeIrradiance(inPlane, plane + 1.0, normal),
-    depth - plane
+  vec2 near = vec2((plane * count.x + inPlane.x) / (count.x * count.z), inPlane.y / count.y);
+  vec2 far = near + vec2(1.0 / count.z, 0.0);
+  float share = depth - plane;
+  return Surroundings(
+    mix(textureLod(uVolumeRed, near, 0.0), textureLod(uVolumeRed, far, 0.0), share),
+    mix(textureLod(uVolumeGreen, near, 0.0), textureLod(uVolumeGreen, far, 0.0), share),
+    mix(textureLod(uVolumeBlue, near, 0.0), textureLod(uVolumeBlue, far, 0.0), share)
+  );
+}
+
+vec3 irradianceFrom(Surroundings surroundings, vec3 normal) {
+  return vec3(
+    irradianceOf(surroundings.red, normal),
+    irradianceOf(surroundings.green, normal),
+    irradianceOf(surroundings.blue, normal)
   );
 }

@@ -23,6 +23,8 @@ export interface Draw {
   readonly primitive?: "triangles" | "strip" | "points";
   /** Vertices or indices drawn. Default: all. */
   readonly count?: number;
+  /** Index that they begin at. Default: 0. */
+  readonly first?: number;
   /** Default: replace what is there. `premultiplied`: alpha 0 adds, alpha 1 covers. */
   readonly blend?: "replace" | "premultiplied";
   /** Default: none. */
@@ -198,6 +200,7 @@ export class Gpu {
     blocks = {},
     primitive = "triangles",
     count = vertexArray.count,
+    first = 0,
     blend = "replace",
     depth = "none",
     cull = "back",
@@ -216,11 +219,11 @@ export class Gpu {
     const mode = gl[MODES[primitive]];
     if (vertexArray.indexType) {
       const type = vertexArray.indexType === "uint16" ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT;
-      gl.drawElements(mode, count, type, 0);
+      gl.drawElements(mode, count, type, first * (type === gl.UNSIGNED_SHORT ? 2 : 4));
     } else if (into) {
       this.#capture(into, count);
     } else {
-      gl.drawArrays(mode, 0, count);
+      gl.drawArrays(mode, first, count);
     }
     this.drawCalls++;
     if (primitive === "triangles") this.triangles += count / 3;

@@ -11,8 +11,9 @@ import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Bounds, Vec3 } from "../../world/bounds.js";
-import type { Surface } from "../surface.js";
+import type { Casters } from "./casters.js";
 import { clipFromFace, FACES } from "./cube.js";
+import type { LightAtVantage } from "./light-block.js";
 
 /** How finely indirect light is known. */
 export interface IndirectDetail {
@@ -34,15 +35,13 @@ export interface IrradianceVolume {
   };
 }
 
-/** The flame moves by less than this without the bounced light changing visibly, metres. */
-const STILL = 0.002;
-
 /**
  * Light that has bounced off the room, without any precomputation.
  *
  * The flame sees the room as a few hundred patches; probes gather their light, patches gather the
  * probes', and so on for a number of bounces. It starts from darkness each time, so the result depends
- * on where the flame is and on nothing that was drawn before.
+ * on where the flame is and on nothing that was drawn before. Light adds up, so a flame that flickers
+ * changes only what the result is multiplied by.
  */
 export class IndirectPass {
   readonly #gpu: Gpu;
@@ -55,7 +54,9 @@ export class IndirectPass {
   readonly #surfels: RenderTarget;
   readonly #radiosity: RenderTarget;
   readonly #volumes: readonly [RenderTarget, RenderTarget];
-  #lastLight: Vec3 = [Number.NaN, 0, 0];
+  readonly #light: UniformBlock;
+  /** What the volume was made from. */
+  #lastLight = "";
 
   constructor(gpu: Gpu, screen: VertexArray, { min, max }: Bounds, detail: IndirectDetail) {
     this.#gpu = gpu;
@@ -64,6 +65,7 @@ export class IndirectPass {
     this.#surfelProgram = gpu.program("physical/surfel", surfelVert, surfelFrag);
     this.#radiosityProgram = gpu.program("physical/radiosity", fullscreenVert, radiosityFrag);
     this.#probeProgram = gpu.program("physical/probe", fullscreenVert, probeFrag);
+    this.#light = gpu.uniformBlock(this.#radiosityProgram, "Light");
     const [columns, rows, planes] = detail.probes;
     this.#block = gpu.uniformBlock(this.#probeProgram, "Volume");
     this.#block.update({
@@ -97,15 +99,19 @@ export class IndirectPass {
     this.#volumes = [volume("volume"), volume("volume before")];
   }
 
-  /** @param light block of `physical/light.glsl`, whose position is `position` (metres) */
-  render(surfaces: readonly Surface[], light: UniformBlock, position: Vec3): IrradianceVolume {
-    const [x, y, z] = this.#lastLight;
-    const moved = Math.hypot(position[0] - x, position[1] - y, position[2] - z);
-    if (!(moved < STILL)) {
-      this.#lastLight = [...position];
-      this.#capture(surfaces, position);
+  /**
+   * Light that the room throws back for each candela of the flame's.
+   *
+   * @param light members of the block of `physical/light.glsl`, of a flame at its vantage
+   */
+  render(casters: Casters, light: LightAtVantage): IrradianceVolume {
+    const key = JSON.stringify(light);
+    if (key !== this.#lastLight) {
+      this.#lastLight = key;
+      this.#light.update(light);
+      this.#capture(casters, light.position);
       this.#gpu.clear(this.#volumes[0], [0, 0, 0, 0]);
-      for (let bounce = 0; bounce < this.#detail.bounces; bounce++) this.#bounce(light, bounce);
+      for (let bounce = 0; bounce < this.#detail.bounces; bounce++) this.#bounce(bounce);
     }
     return this.#result(this.#detail.bounces);
   }
@@ -120,31 +126,23 @@ export class IndirectPass {
     };
   }
 
-  #capture(surfaces: readonly Surface[], light: Vec3): void {
+  #capture(casters: Casters, vantage: Vec3): void {
     const size = this.#detail.patches;
     this.#gpu.clear(this.#surfels, [0, 0, 0, 0]);
     for (const face of FACES.keys()) {
-      const clipFromWorld = clipFromFace(face, light, mat4.create());
-      for (const { vertexArray, textures, baseColor } of surfaces) {
-        this.#gpu.draw({
-          program: this.#surfelProgram,
-          target: this.#surfels,
-          viewport: [face * size, 0, size, size],
-          vertexArray,
-          textures: { uAlbedo: textures.uAlbedo },
-          uniforms: {
-            uClipFromWorld: clipFromWorld as Float32Array,
-            uLight: light,
-            uBaseColor: baseColor,
-          },
-          depth: "test-and-write",
-          cull: "none",
-        });
-      }
+      const clipFromWorld = clipFromFace(face, vantage, mat4.create()) as Float32Array;
+      casters.drawColored(face, vantage, {
+        program: this.#surfelProgram,
+        target: this.#surfels,
+        viewport: [face * size, 0, size, size],
+        uniforms: { uClipFromWorld: clipFromWorld, uLight: vantage },
+        depth: "test-and-write",
+        cull: "none",
+      });
     }
   }
 
-  #bounce(light: UniformBlock, bounce: number): void {
+  #bounce(bounce: number): void {
     const [patchColor, normalDistance] = this.#surfels.colors;
     if (!patchColor || !normalDistance) throw new Error("A patch has a colour and a place.");
     const before = this.#result(bounce);
@@ -157,14 +155,14 @@ export class IndirectPass {
         uNormalDistance: normalDistance,
         ...before.textures,
       },
-      blocks: { Light: light, Volume: this.#block },
+      blocks: { Light: this.#light, Volume: this.#block },
     });
     this.#gpu.draw({
       program: this.#probeProgram,
       target: this.#volumes[bounce % 2 === 0 ? 1 : 0],
       vertexArray: this.#screen,
       textures: { uNormalDistance: normalDistance, uRadiosity: this.#radiosity.color },
-      blocks: { Light: light, Volume: this.#block },
+      blocks: { Light: this.#light, Volume: this.#block },
     });
   }
 }

@@ -1,4 +1,6 @@
 import { flameLight, TAPER } from "../../light/flame-light.js";
+import { onGrid, vantage } from "../../light/vantage.js";
+import type { Vec3 } from "../../world/bounds.js";
 import type { World } from "../../world/world.js";
 
 /** What of the chamberstick stands in its own light: heights above its foot and radii, metres. */
@@ -10,6 +12,7 @@ export function lightBlock(world: World, showsCandle: boolean) {
   const { position, halfHeight, intensity, radius } = flameLight(world, TAPER);
   return {
     position,
+    vantage: vantage(world.shown.flame, position),
     halfHeight,
     intensity,
     radius,
@@ -18,5 +21,25 @@ export function lightBlock(world: World, showsCandle: boolean) {
     rimRadius: showsCandle ? CANDLE.rimRadius : 0,
     pan: foot[1] + CANDLE.pan,
     panRadius: showsCandle ? CANDLE.panRadius : 0,
+  };
+}
+
+/** A light of 1 cd for each colour, where captures are made. */
+export interface LightAtVantage extends Readonly<Record<string, number | readonly number[]>> {
+  readonly position: Vec3;
+}
+
+/** The same flame as its captures see it: what flickers is taken to the grid that they are made on. */
+export function lightAtVantage(world: World, showsCandle: boolean): LightAtVantage {
+  const light = lightBlock(world, showsCandle);
+  return {
+    ...light,
+    position: light.vantage,
+    halfHeight: onGrid(light.halfHeight),
+    intensity: [1, 1, 1],
+    radius: onGrid(light.radius),
+    axis: light.axis.map(onGrid),
+    rim: onGrid(light.rim),
+    pan: onGrid(light.pan),
   };
 }

@@ -9,7 +9,7 @@ import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { adaptation } from "../../light/color.js";
-import { flameLight, TAPER } from "../../light/flame-light.js";
+import { TAPER } from "../../light/flame-light.js";
 import type { World } from "../../world/world.js";
 import { clipFromWorld, projectionScale } from "../camera.js";
 import type { Models, Renderer } from "../renderer.js";
@@ -17,9 +17,10 @@ import { type Surface, uploadModel } from "../surface.js";
 import type { Tier } from "../tier.js";
 import type { View } from "../view.js";
 import { BloomPass } from "./bloom-pass.js";
+import { Casters } from "./casters.js";
 import { FlamePass } from "./flame-pass.js";
 import { type IndirectDetail, IndirectPass, type IrradianceVolume } from "./indirect-pass.js";
-import { lightBlock } from "./light-block.js";
+import { lightAtVantage, lightBlock } from "./light-block.js";
 import { ShadowPass } from "./shadow-pass.js";
 
 /** From cd/m² to the display's scale, where middle grey is 0.18: a wall of 0.08 cd/m² lands there. */
@@ -36,6 +37,13 @@ const INDIRECT: Readonly<Record<Tier["name"], IndirectDetail>> = {
   medium: { patches: 8, probes: [6, 4, 6], bounces: 6 },
   high: { patches: 16, probes: [8, 6, 8], bounces: 8 },
   ultra: { patches: 16, probes: [10, 6, 10], bounces: 10 },
+};
+/** What of the room may be left out where it throws shadows and light, metres. */
+const CASTER_DETAIL: Readonly<Record<Tier["name"], number>> = {
+  low: 0.03,
+  medium: 0.01,
+  high: 0,
+  ultra: 0,
 };
 const BLOOM_LEVELS: Readonly<Record<Tier["name"], number>> = {
   low: 3,
@@ -61,6 +69,7 @@ export class PhysicalRenderer implements Renderer {
   readonly #frame: UniformBlock;
   readonly #light: UniformBlock;
   readonly #flame: FlamePass;
+  readonly #casters: Casters;
   readonly #shadow: ShadowPass;
   readonly #indirect: IndirectPass;
   readonly #bloom: BloomPass;
@@ -85,6 +94,7 @@ export class PhysicalRenderer implements Renderer {
     this.#flame = new FlamePass(gpu);
     this.#room = uploadModel(gpu, room, tier);
     this.#candle = uploadModel(gpu, candle, tier);
+    this.#casters = new Casters(gpu, room, this.#room, CASTER_DETAIL[tier.name]);
     this.#screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
     this.#indirect = new IndirectPass(gpu, this.#screen, room.bounds, INDIRECT[tier.name]);
     this.#bloom = new BloomPass(gpu, this.#screen, BLOOM_LEVELS[tier.name]);
@@ -109,9 +119,9 @@ export class PhysicalRenderer implements Renderer {
     if (!this.#radiance) return;
     const target = this.#samples ?? this.#radiance;
     this.#updateBlocks(world, view);
-    const { position } = flameLight(world, TAPER);
-    const shadow = this.#shadow.render(this.#room, position);
-    const volume = this.#indirect.render(this.#room, this.#light, position);
+    const light = lightAtVantage(world, view.features.candle);
+    const shadow = this.#shadow.render(this.#casters, light.position);
+    const volume = this.#indirect.render(this.#casters, light);
     this.#gpu.clear(target, BLACK);
     this.#drawSurfaces(target, view, this.#room, shadow, volume, [0, 0, 0, 0]);
     if (view.features.candle) {

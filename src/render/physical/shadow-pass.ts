@@ -6,11 +6,9 @@ import type { Program } from "../../gl/program.js";
 import type { Texture } from "../../gl/texture.js";
 import type { TextureView } from "../../gl/texture-view.js";
 import type { Vec3 } from "../../world/bounds.js";
-import type { Surface } from "../surface.js";
+import type { Casters } from "./casters.js";
 import { clipFromFace, FACES } from "./cube.js";
 
-/** The flame moves by less than this without anyone seeing it in the shadows, metres. */
-const STILL = 0.0005;
 /** Farther than anything. */
 const NOTHING = [1e4, 0, 0, 1] as const;
 
@@ -20,7 +18,7 @@ export class ShadowPass {
   readonly #program: Program;
   readonly #distances: Texture;
   readonly #faces: readonly TextureView[];
-  #lastLight: Vec3 = [Number.NaN, 0, 0];
+  #lastVantage: Vec3 = [Number.NaN, 0, 0];
 
   /** @param size texels along an edge of the cube */
   constructor(gpu: Gpu, size: number) {
@@ -46,24 +44,20 @@ export class ShadowPass {
     );
   }
 
-  /** Distances from the light, metres, in a cube. */
-  render(surfaces: readonly Surface[], light: Vec3): Texture {
-    const [x, y, z] = this.#lastLight;
-    if (Math.hypot(light[0] - x, light[1] - y, light[2] - z) < STILL) return this.#distances;
-    this.#lastLight = [...light];
+  /** Distances from the vantage, metres, in a cube: drawn anew where it is another than before. */
+  render(casters: Casters, vantage: Vec3): Texture {
+    if (vantage.every((x, axis) => x === this.#lastVantage[axis])) return this.#distances;
+    this.#lastVantage = [...vantage];
     for (const [face, target] of this.#faces.entries()) {
-      const clipFromWorld = clipFromFace(face, light, mat4.create());
+      const clipFromWorld = clipFromFace(face, vantage, mat4.create()) as Float32Array;
       this.#gpu.clear(target, NOTHING);
-      for (const { vertexArray } of surfaces) {
-        this.#gpu.draw({
-          program: this.#program,
-          target,
-          vertexArray,
-          uniforms: { uClipFromWorld: clipFromWorld as Float32Array, uLight: light },
-          depth: "test-and-write",
-          cull: "none",
-        });
-      }
+      casters.draw(face, vantage, {
+        program: this.#program,
+        target,
+        uniforms: { uClipFromWorld: clipFromWorld, uLight: vantage },
+        depth: "test-and-write",
+        cull: "none",
+      });
     }
     return this.#distances;
   }
