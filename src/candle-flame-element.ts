@@ -106,6 +106,8 @@ export class CandleFlameElement extends ReflectedAttributes {
   /** Whether this GPU can hold the light of the physical look. */
   #holdsLight = true;
   #scenery: SceneName | null = null;
+  /** Ends the wait of a lazy element. */
+  #approach: (() => void) | null = null;
   #scene: Scene | null = null;
   /** What is on show, which while something else is fetched is not what the attributes say. */
   #shown: SceneRequest | null = null;
@@ -166,7 +168,8 @@ export class CandleFlameElement extends ReflectedAttributes {
       this.#candle.input.sensitivity = this.sensitivity;
     }
     if (name === "max-pixel-ratio") this.#resize();
-    if (name === "scene" && this.#connection && this.scene !== this.#scenery) this.#restart();
+    if (name === "loading" && this.loading === "eager") this.#approach?.();
+    if (name === "scene" && this.#canvas && this.scene !== this.#scenery) this.#restart();
     if (CHOOSING.includes(name)) this.#chooseModels();
     this.#apply();
   }
@@ -372,6 +375,28 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.#failure.hidden = true;
     this.#showPoster(true);
     this.#internals.states.add("loading");
+    if (this.loading === "lazy") this.#awaitSight(signal);
+    else this.#open(signal);
+  }
+
+  /** Nothing is fetched, compiled or drawn before the visitor is a screen away. */
+  #awaitSight(signal: AbortSignal): void {
+    const sight = new IntersectionObserver(
+      (entries) => {
+        if (entries.some(({ isIntersecting }) => isIntersecting)) this.#approach?.();
+      },
+      { rootMargin: "100%" },
+    );
+    this.#approach = () => {
+      this.#approach = null;
+      sight.disconnect();
+      if (!signal.aborted) this.#open(signal);
+    };
+    sight.observe(this);
+    signal.addEventListener("abort", () => sight.disconnect());
+  }
+
+  #open(signal: AbortSignal): void {
     if (this.scene === "candle") this.#internals.states.add("alone");
     try {
       this.#scenery = this.scene;
@@ -532,6 +557,7 @@ export class CandleFlameElement extends ReflectedAttributes {
   #release(): void {
     this.#connection?.abort();
     this.#connection = null;
+    this.#approach = null;
     this.#forgetRequest();
     this.#candle?.dispose();
     this.#candle = null;

@@ -223,3 +223,23 @@ test("The candle's warm glow lies on the page if the page asks for it", async ({
   expect(await opacity("0.5")).toBeGreaterThan(0.3);
   expect(await opacity("7")).toBeLessThanOrEqual(1);
 });
+
+test("A lazy element fetches and asks for nothing until the visitor is near", async ({ page }) => {
+  const { complaints, fetched } = await open(
+    page,
+    `<div style="height: 3000px"></div>
+     <candle-flame scene="candle" loading="lazy" paused quality="low" style="width: 40px; height: 40px"></candle-flame>`,
+  );
+  const candle = page.locator("candle-flame");
+  await page.evaluate(async () => {
+    for (let i = 0; i < 5; i++) await new Promise(requestAnimationFrame);
+  });
+  const early = fetched.filter((path) => /models|scene/.test(path));
+  expect(early).toEqual([]);
+  expect(await lostContexts(page)).toEqual([]);
+  await page.evaluate(() => scrollTo(0, 2600));
+  await candle.evaluate((element: CandleFlameElement) => element.ready);
+  expect(fetched).toContain("/models/chamberstick.glb");
+  expect(await lostContexts(page)).toEqual([false]);
+  expect(complaints).toEqual([]);
+});
