@@ -2,6 +2,7 @@ import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync } from "node:fs";
 import { expect, test } from "playwright/test";
 import sharp from "sharp";
+import { FEATURES_OF } from "../../src/settings.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { lookingAt, type Shot, take } from "./shot.ts";
 
@@ -53,6 +54,9 @@ test("shot: every material under one grazing lamp", async () => {
 
 const TABLE = { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 } as const;
 
+/** Near enough for wax and flame, far enough for shadows on wall and table. */
+const BESIDE_THE_CANDLE = lookingAt([-0.42, 1.12, 0.5], [0.25, 0.84, -0.1]);
+
 const MODELS: readonly Omit<Shot, "attributes" | "seconds">[] = [
   {
     name: "chamberstick",
@@ -103,5 +107,22 @@ test("shot: every model by candlelight", async ({ page }) => {
     tiles.push({ name: model.name, picture: await take(room, { ...model, seconds: 0.5 }) });
   }
   await writeSheet("docs/shots/models.jpg", tiles, 2);
+  expect(room.complaints).toEqual([]);
+});
+
+test("shot: the physical look without each of its techniques", async ({ page }) => {
+  test.setTimeout(600_000);
+  const attributes = { look: "physical", quality: "medium" };
+  const room = await new RoomDriver(page).open(attributes, { width: 480, height: 270 });
+  const whole = { name: "all", place: TABLE, camera: BESIDE_THE_CANDLE, seconds: 0.5 };
+  const tiles: Tile[] = [{ name: "with all", picture: await take(room, whole) }];
+  for (const feature of FEATURES_OF.physical) {
+    await room.switchFeatures({ [feature]: false });
+    await room.step(0);
+    const picture = await page.locator("candle-flame").screenshot();
+    tiles.push({ name: `without ${feature}`, picture });
+    await room.switchFeatures({ [feature]: true });
+  }
+  await writeSheet("docs/shots/techniques.jpg", tiles, 3);
   expect(room.complaints).toEqual([]);
 });
