@@ -1,6 +1,7 @@
 /// <reference types="vitest/config" />
-import { cpSync } from "node:fs";
+import { cpSync, writeFileSync } from "node:fs";
 import { type BuildOptions, defineConfig, type Plugin } from "vite";
+import { manifest } from "./tools/elements-manifest.ts";
 import { glsl } from "./tools/vite-glsl.ts";
 
 const shared: BuildOptions = { target: "es2022", sourcemap: true };
@@ -44,6 +45,7 @@ const shipAssets: Plugin = {
   apply: (_, { mode }) => mode === "lib",
   closeBundle() {
     cpSync("public", "dist", { recursive: true });
+    writeFileSync("dist/custom-elements.json", `${JSON.stringify(manifest(), null, 2)}\n`);
   },
 };
 

@@ -1,0 +1,32 @@
+// What a lone candle costs a page: the code that `scene="candle"` reaches, gzipped, as the package ships it.
+import { readFileSync } from "node:fs";
+import { resolve } from "node:path";
+import { gzipSync } from "node:zlib";
+
+const LIMIT = 60_000;
+/** Chunks that are fetched for `scene="candle"`: the element's own, and this one. */
+const ENTRIES = ["define.js", "candle-scene.js"];
+
+const reached = new Map();
+function reach(name) {
+  if (reached.has(name)) return;
+  const code = readFileSync(resolve("dist", name), "utf8");
+  reached.set(name, { code, bytes: gzipSync(code, { level: 9 }).length });
+  for (const [, path] of code.matchAll(/^(?:import|export)[^"'`;]*["'`]\.\/([^"'`]+)["'`]/gm))
+    reach(path);
+}
+for (const name of ENTRIES) reach(name);
+
+let total = 0;
+for (const [name, { bytes }] of reached) {
+  total += bytes;
+  console.log(`${String(bytes).padStart(7)}  ${name}`);
+}
+console.log(`${String(total).padStart(7)}  bytes of ${LIMIT}`);
+const strangers = [...reached].filter(
+  ([name, { code }]) =>
+    /room|load-model|Loader/.test(name) || /BufferGeometry|\beval\(|new Function/.test(code),
+);
+for (const [name] of strangers) console.error(`${name} has no business in a lone candle`);
+// Fewer chunks than this would mean that imports were not found.
+if (total > LIMIT || strangers.length > 0 || reached.size < 4) process.exit(1);
