@@ -243,3 +243,31 @@ test("A lazy element fetches and asks for nothing until the visitor is near", as
   expect(await lostContexts(page)).toEqual([false]);
   expect(complaints).toEqual([]);
 });
+
+test("It works under a policy that allows nothing from elsewhere and no code from text", async ({
+  page,
+}) => {
+  const complaints = complaintsOf(page);
+  const origins = new Set<string>();
+  page.on("request", (request) => origins.add(new URL(request.url()).origin));
+  await page.route(`${LIBRARY}strict.html`, (route) =>
+    route.fulfill({
+      contentType: "text/html",
+      headers: { "content-security-policy": "default-src 'self'" },
+      body: `<!doctype html><meta charset="utf-8"><title>strict</title>
+        <candle-flame scene="candle" paused quality="low"></candle-flame>
+        <candle-flame look="paper" paused quality="low"></candle-flame>
+        <script type="module" src="/define.js"></script>`,
+    }),
+  );
+  await page.goto(`${LIBRARY}strict.html`);
+  const lit = await page.evaluate(async () => {
+    await customElements.whenDefined("candle-flame");
+    const elements = [...document.querySelectorAll("candle-flame")];
+    await Promise.all(elements.map(({ ready }) => ready));
+    return elements.map(({ flame }) => flame?.lit);
+  });
+  expect(lit).toEqual([true, true]);
+  expect([...origins]).toEqual([new URL(LIBRARY).origin]);
+  expect(complaints).toEqual([]);
+});
