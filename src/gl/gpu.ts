@@ -267,13 +267,15 @@ export class Gpu {
     gl.bindTransformFeedback(gl.TRANSFORM_FEEDBACK, null);
   }
 
-  /** Copies a multisampled target to a surface of its size and format. */
+  /** Copies a multisampled target to a surface of its size and format; with depth that can be read there. */
   resolve(target: RenderTarget, to: Surface): void {
     const gl = this.#gl;
     gl.bindFramebuffer(gl.READ_FRAMEBUFFER, target.framebuffer);
     gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, to === "canvas" ? null : to.framebuffer);
     const { width, height } = target;
-    gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+    const depth = to !== "canvas" && "depth" in to && to.depth ? gl.DEPTH_BUFFER_BIT : 0;
+    const bits = gl.COLOR_BUFFER_BIT | depth;
+    gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, bits, gl.NEAREST);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 

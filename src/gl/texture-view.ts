@@ -5,13 +5,13 @@ import type { Texture } from "./texture.js";
 export interface TextureViewOptions {
   readonly label: string;
   readonly textures: readonly Texture[];
-  /** Face 0-5 in GL's order (+X -X +Y -Y +Z -Z), or layer. */
+  /** Face 0-5 in GL's order (+X -X +Y -Y +Z -Z), or layer; a plain picture has only 0. */
   readonly image: number;
   /** A depth buffer of its own, or one shared with the views of the other images. */
   readonly depth?: Texture;
 }
 
-/** A face or a layer of textures, to draw to. It does not own the textures. */
+/** Textures, or a face or a layer of them, to draw to. It does not own the textures. */
 export class TextureView implements GpuObject {
   readonly label: string;
   readonly bytes = 0;
@@ -39,6 +39,8 @@ export class TextureView implements GpuObject {
       const attachment = gl.COLOR_ATTACHMENT0 + i;
       if (target === gl.TEXTURE_3D) {
         gl.framebufferTextureLayer(gl.FRAMEBUFFER, attachment, handle, 0, image);
+      } else if (target === gl.TEXTURE_2D) {
+        gl.framebufferTexture2D(gl.FRAMEBUFFER, attachment, target, handle, 0);
       } else {
         const face = gl.TEXTURE_CUBE_MAP_POSITIVE_X + image;
         gl.framebufferTexture2D(gl.FRAMEBUFFER, attachment, face, handle, 0);

@@ -39,6 +39,7 @@ export interface TextureOptions {
 
 /** A texture of immutable storage: a new size means a new texture. */
 export class Texture implements GpuObject {
+  readonly #format: TextureFormat;
   readonly label: string;
   readonly bytes: number;
   readonly width: number;
@@ -58,6 +59,7 @@ export class Texture implements GpuObject {
     const { width, height } = source;
     this.#gl = gl;
     this.#forget = forget;
+    this.#format = format;
     this.label = label;
     this.width = width;
     this.height = height;
@@ -99,6 +101,17 @@ export class Texture implements GpuObject {
     } else if ("data" in source) {
       gl.texSubImage2D(this.target, 0, 0, 0, width, height, gl[upload], gl[type], source.data);
     }
+  }
+
+  /** Other texels of the same format, for a plain picture without mipmaps. */
+  update(data: ArrayBufferView): void {
+    const gl = this.#gl;
+    const { upload, type } = FORMATS[this.#format];
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(this.target, this.handle);
+    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+    gl.texSubImage2D(this.target, 0, 0, 0, this.width, this.height, gl[upload], gl[type], data);
+    gl.bindTexture(this.target, null);
   }
 
   #sample({ mipmaps, filter = "linear", wrap = "clamp", anisotropy = 1 }: TextureOptions): void {

@@ -58,6 +58,8 @@ export async function reportPrograms(look: Look): Promise<ProgramReport[]> {
       isStill: false,
     });
     for (let i = 0; i < 3; i++) candle.step(1 / 60);
+    candle.world.flame.extinguish(); // smoke has shaders of its own
+    candle.step(0.1);
     const gl = canvas.getContext("webgl2");
     if (!gl) throw new Error("no WebGL 2");
     const reports = made.map(({ program, stages, set }) => {

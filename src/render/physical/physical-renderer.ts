@@ -6,9 +6,11 @@ import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
+import type { TextureView } from "../../gl/texture-view.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { adaptation } from "../../light/color.js";
+import { ember } from "../../light/ember.js";
 import { TAPER } from "../../light/flame-light.js";
 import type { World } from "../../world/world.js";
 import { clipFromWorld, projectionScale } from "../camera.js";
@@ -19,9 +21,12 @@ import type { View } from "../view.js";
 import { BloomPass } from "./bloom-pass.js";
 import { Casters } from "./casters.js";
 import { FlamePass } from "./flame-pass.js";
+import { HazePass } from "./haze-pass.js";
 import { type IndirectDetail, IndirectPass, type IrradianceVolume } from "./indirect-pass.js";
 import { lightAtVantage, lightBlock } from "./light-block.js";
 import { ShadowPass } from "./shadow-pass.js";
+import { SmokePass } from "./smoke-pass.js";
+import type { Veil } from "./veil.js";
 
 /** From cd/m² to the display's scale, where middle grey is 0.18: a wall of 0.08 cd/m² lands there. */
 const EXPOSURE = 5;
@@ -69,6 +74,8 @@ export class PhysicalRenderer implements Renderer {
   readonly #frame: UniformBlock;
   readonly #light: UniformBlock;
   readonly #flame: FlamePass;
+  readonly #haze: HazePass;
+  readonly #smoke: SmokePass;
   readonly #casters: Casters;
   readonly #shadow: ShadowPass;
   readonly #indirect: IndirectPass;
@@ -79,6 +86,7 @@ export class PhysicalRenderer implements Renderer {
   readonly #adaptation = adaptation(TAPER.color);
   #samples: RenderTarget | null = null;
   #radiance: RenderTarget | null = null;
+  #veil: TextureView | null = null;
   #size = { width: 1, height: 1 };
 
   constructor(gpu: Gpu, { room, candle }: Models, tier: Tier) {
@@ -92,6 +100,8 @@ export class PhysicalRenderer implements Renderer {
     this.#frame = gpu.uniformBlock(this.#surfaceProgram, "Frame");
     this.#light = gpu.uniformBlock(this.#surfaceProgram, "Light");
     this.#flame = new FlamePass(gpu);
+    this.#haze = new HazePass(gpu);
+    this.#smoke = new SmokePass(gpu);
     this.#room = uploadModel(gpu, room, tier);
     this.#candle = uploadModel(gpu, candle, tier);
     this.#casters = new Casters(gpu, room, this.#room, CASTER_DETAIL[tier.name]);
@@ -105,10 +115,14 @@ export class PhysicalRenderer implements Renderer {
     this.#size = { width, height };
     this.#samples?.dispose();
     this.#radiance?.dispose();
-    const size = { width, height, color: ["RGBA16F"] as const, depth: "buffer" as const };
+    this.#veil?.dispose();
+    const size = { width, height, color: ["RGBA16F"] as const, depth: "texture" as const };
     this.#samples =
       samples > 1 ? this.#gpu.renderTarget({ label: "frame samples", ...size, samples }) : null;
     this.#radiance = this.#gpu.renderTarget({ label: "radiance", ...size });
+    const { color } = this.#radiance;
+    this.#veil = this.#gpu.textureView({ label: "veil", textures: [color], image: 0 });
+    this.#haze.resize(width, height);
     this.#bloom.resize(width, height);
   }
 
@@ -135,6 +149,7 @@ export class PhysicalRenderer implements Renderer {
     }
     if (view.features.volume) this.#flame.render(target, this.#frame, world, this.#tier.name);
     if (this.#samples) this.#gpu.resolve(this.#samples, this.#radiance);
+    this.#drawAir(world, view, volume);
     const radiance = this.#radiance.color;
     const bloom = this.#bloom.render(radiance);
     this.#gpu.draw({
@@ -207,6 +222,19 @@ export class PhysicalRenderer implements Renderer {
         depth: "test-and-write",
         cull: isDoubleSided ? "none" : "back",
       });
+    }
+  }
+
+  /** Hot air and smoke, over what is solid and before the lens. */
+  #drawAir(world: World, { features }: View, volume: IrradianceVolume): void {
+    const { fumes, flame } = world;
+    if (!fumes || !this.#radiance?.depth || !this.#veil) return;
+    const veil: Veil = { target: this.#veil, depth: this.#radiance.depth };
+    const { color } = this.#radiance;
+    const height = flame.isLit ? flame.height : 0;
+    if (features.haze) this.#haze.render(veil, color, fumes.plume, height, this.#frame);
+    if (features.smoke) {
+      this.#smoke.render(veil, fumes.smoke, ember(world), this.#frame, this.#light, volume);
     }
   }
 

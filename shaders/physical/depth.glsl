@@ -1,0 +1,18 @@
+// How far away the room is, for what floats in it.
+
+uniform sampler2D uDepth;
+
+// The camera's planes, m: src/render/camera.ts.
+const float NEAR_PLANE = 0.05;
+const float FAR_PLANE = 60.0;
+
+// Distance along the line of sight, m, of a depth in [0, 1].
+float distanceOf(float depth) {
+  return NEAR_PLANE * FAR_PLANE / (FAR_PLANE - depth * (FAR_PLANE - NEAR_PLANE));
+}
+
+// 1 in the open, 0 behind the room's surface, and a slope of some width (m) before it.
+float softly(float width) {
+  float room = distanceOf(texelFetch(uDepth, ivec2(gl_FragCoord.xy), 0).r);
+  return clamp((room - distanceOf(gl_FragCoord.z)) / width, 0.0, 1.0);
+}

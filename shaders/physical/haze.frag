@@ -1,0 +1,28 @@
+#version 300 es
+// What is behind the hot column, bent by it: thin air refracts less, so rays turn towards the cold.
+// In:  radiance of the room, cd/m².   Out: the same, from where the ray came.
+#include "lib/precision.glsl"
+#include "lib/frame.glsl"
+#include "physical/depth.glsl"
+
+uniform sampler2D uRadiance;
+
+in float vAcross;
+in float vBend;
+in vec2 vSideways;
+
+out vec4 oRadiance;
+
+void main() {
+  vec2 texel = 1.0 / vec2(textureSize(uRadiance, 0));
+  vec2 here = gl_FragCoord.xy * texel;
+  float column = distanceOf(gl_FragCoord.z);
+  float room = distanceOf(texture(uDepth, here).r);
+  // The nearer a thing is behind the column, the less way a bent ray has to stray.
+  float leverage = max(1.0 - column / room, 0.0);
+  float angle = vBend * vAcross * exp(0.5 - 0.5 * vAcross * vAcross) * leverage;
+  vec2 from = here + vSideways * (angle * frame.projectionScale) * texel;
+  // Nothing that stands before the column is bent, nor smeared into what is.
+  bool isBehind = distanceOf(texture(uDepth, from).r) > column;
+  oRadiance = texture(uRadiance, isBehind ? from : here);
+}

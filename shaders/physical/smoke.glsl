@@ -1,0 +1,35 @@
+// Light that fine droplets scatter towards the eye.
+// Needs lib/photometry.glsl, physical/light.glsl, physical/volume.glsl.
+#include "physical/night.glsl"
+
+// Droplets smaller than light is long scatter blue better than red.
+const vec3 SCATTERED = vec3(0.9, 1.0, 1.35);
+// How much more of it goes on ahead than back.
+const float FORWARD = 0.45;
+
+// Henyey and Greenstein 1941, "Diffuse Radiation in the Galaxy". 1/sr.
+float phase(float cosine) {
+  float g = FORWARD;
+  return (1.0 - g * g) / (4.0 * PI * pow(1.0 + g * g - 2.0 * g * cosine, 1.5));
+}
+
+vec3 fromPoint(vec3 intensity, vec3 toLight, vec3 toEye) {
+  float distanceSquared = dot(toLight, toLight);
+  float cosine = -dot(toLight, toEye) * inversesqrt(max(distanceSquared * dot(toEye, toEye), 1e-12));
+  return intensity * (phase(cosine) / max(distanceSquared, 2.5e-5));  // no nearer than 5 mm
+}
+
+// Light from all around, whose mean counts: a droplet has no front.
+vec3 fromRoom(vec3 position) {
+  vec3 up = indirectIrradiance(position, vec3(0.0, 1.0, 0.0));
+  vec3 down = indirectIrradiance(position, vec3(0.0, -1.0, 0.0));
+  return (up + down) / (2.0 * PI);
+}
+
+// Radiance of thick smoke at a place, cd/m².
+vec3 smokeRadiance(vec3 position, vec3 eye, vec3 ember, vec3 emberIntensity) {
+  vec3 toEye = eye - position;
+  vec3 flame = fromPoint(light.intensity, light.position - position, toEye) * pastCandle(position);
+  vec3 glow = fromPoint(emberIntensity, ember - position, toEye);
+  return SCATTERED * (flame + glow + fromRoom(position) + NIGHT);
+}

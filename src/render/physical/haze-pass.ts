@@ -1,0 +1,107 @@
+import copyFrag from "../../../shaders/physical/copy.frag";
+import hazeFrag from "../../../shaders/physical/haze.frag";
+import hazeVert from "../../../shaders/physical/haze.vert";
+import type { Gpu } from "../../gl/gpu.js";
+import type { Program } from "../../gl/program.js";
+import type { RenderTarget } from "../../gl/render-target.js";
+import type { Texture } from "../../gl/texture.js";
+import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { VertexArray } from "../../gl/vertex-array.js";
+import { COLUMN_FLOATS, type Plume, plumeGrid } from "../../world/plume/plume.js";
+import type { Veil } from "./veil.js";
+
+const LEVELS = plumeGrid().y.count;
+/** Refractive index of the room's air, less 1 (Ciddor 1996, 550 nm, 20 °C). */
+const REFRACTION = 2.72e-4;
+/**
+ * How many times stronger than nature: a candle turns a ray by 3e-4 rad at most, a fifth of a pixel
+ * where the eye, which has no pixels, just sees it.
+ */
+const MAGNIFIED = 16;
+/** Within the flame there is nothing behind the column but the flame: from here to there it begins. Metres. */
+const BEGINS = 0.7;
+const BEGUN = 1.6;
+
+/** Hot air over the flame, as it bends what is seen through it. */
+export class HazePass {
+  readonly #gpu: Gpu;
+  readonly #bend: Program;
+  readonly #copy: Program;
+  readonly #ribbon: VertexArray;
+  readonly #column = new Float32Array(LEVELS * COLUMN_FLOATS);
+  readonly #middles = new Float32Array(LEVELS * 4);
+  readonly #bends = new Float32Array(LEVELS);
+  #bent: RenderTarget | null = null;
+
+  constructor(gpu: Gpu) {
+    this.#gpu = gpu;
+    const defines = { LEVELS };
+    this.#bend = gpu.program("physical/haze", hazeVert, hazeFrag, { defines });
+    this.#copy = gpu.program("physical/haze-copy", hazeVert, copyFrag, { defines });
+    this.#ribbon = gpu.vertexArray("haze/ribbon", { attributes: {}, count: 2 * LEVELS });
+  }
+
+  resize(width: number, height: number): void {
+    this.#bent?.dispose();
+    this.#bent = this.#gpu.renderTarget({ label: "haze/bent", width, height, color: ["RGBA16F"] });
+  }
+
+  /**
+   * Bends what is behind the column, and touches no other pixel.
+   *
+   * @param flameHeight of the flame that burns at the column's foot, or 0, metres
+   */
+  render(
+    { target, depth }: Veil,
+    radiance: Texture,
+    plume: Plume,
+    flameHeight: number,
+    frame: UniformBlock,
+  ): void {
+    if (!this.#bent || !this.#measure(plume, flameHeight)) return;
+    const ribbon = {
+      vertexArray: this.#ribbon,
+      primitive: "strip",
+      uniforms: { uMiddle: this.#middles, uBend: this.#bends },
+      blocks: { Frame: frame },
+      cull: "none",
+    } as const;
+    this.#gpu.draw({
+      ...ribbon,
+      program: this.#bend,
+      target: this.#bent,
+      textures: { uRadiance: radiance, uDepth: depth },
+    });
+    this.#gpu.draw({
+      ...ribbon,
+      program: this.#copy,
+      target,
+      textures: { uSource: this.#bent.color },
+      uniforms: { uMiddle: this.#middles },
+    });
+  }
+
+  /** How much each level bends. False if none does so visibly. */
+  #measure(plume: Plume, flameHeight: number): boolean {
+    plume.column(this.#column);
+    let most = 0;
+    for (let level = 0; level < LEVELS; level++) {
+      const at = level * COLUMN_FLOATS;
+      const [x, y, z, breadth, missing] = this.#column.subarray(
+        at,
+        at + COLUMN_FLOATS,
+      ) as unknown as [number, number, number, number, number];
+      this.#middles.set([x, y, z, breadth], level * 4);
+      // A Gaussian column, whose gradient is steepest one breadth from the middle.
+      const steepest =
+        (REFRACTION * missing) / (breadth * breadth * Math.sqrt(2 * Math.PI * Math.E));
+      const above = y - plume.origin[1];
+      const share = (above / Math.max(flameHeight, 1e-3) - BEGINS) / (BEGUN - BEGINS);
+      const top = (LEVELS - 1 - level) / 6;
+      const shown = Math.min(Math.max(share, 0), 1) * Math.min(top, 1) * (above > 0 ? 1 : 0);
+      this.#bends[level] = MAGNIFIED * steepest * shown;
+      most = Math.max(most, MAGNIFIED * steepest * shown);
+    }
+    return most > 1e-4;
+  }
+}

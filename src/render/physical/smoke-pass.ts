@@ -1,0 +1,78 @@
+import smokeFrag from "../../../shaders/physical/smoke.frag";
+import smokeVert from "../../../shaders/physical/smoke.vert";
+import type { Gpu } from "../../gl/gpu.js";
+import type { Program } from "../../gl/program.js";
+import type { Texture } from "../../gl/texture.js";
+import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { VertexArray } from "../../gl/vertex-array.js";
+import type { Ember } from "../../light/ember.js";
+import { LINES, ROWS, SMOKE_FLOATS, type Smoke } from "../../world/plume/smoke.js";
+import type { IrradianceVolume } from "./indirect-pass.js";
+import type { Veil } from "./veil.js";
+
+/** Smoke of the wick: streaklines of droplets in what light there is. */
+export class SmokePass {
+  readonly #gpu: Gpu;
+  readonly #program: Program;
+  readonly #parcels: Texture;
+  readonly #ribbons: VertexArray;
+
+  constructor(gpu: Gpu) {
+    this.#gpu = gpu;
+    this.#program = gpu.program("physical/smoke", smokeVert, smokeFrag, {
+      defines: { LINES, ROWS },
+    });
+    this.#parcels = gpu.texture({
+      label: "smoke/parcels",
+      format: "RGBA32F",
+      source: { width: (LINES * SMOKE_FLOATS) / 4, height: ROWS },
+      filter: "nearest",
+    });
+    const indices = ribbonIndices();
+    this.#ribbons = gpu.vertexArray("smoke/ribbons", {
+      attributes: {},
+      indices: { buffer: gpu.buffer("smoke/indices", indices, "index"), type: "uint16" },
+      count: indices.length,
+    });
+  }
+
+  /** Mixes the smoke into a veil's radiance. Nothing is drawn where there is none. */
+  render(
+    { target, depth }: Veil,
+    smoke: Smoke,
+    ember: Ember,
+    frame: UniformBlock,
+    light: UniformBlock,
+    volume: IrradianceVolume,
+  ): void {
+    if (smoke.count < 2) return;
+    this.#parcels.update(smoke.parcels);
+    this.#gpu.draw({
+      program: this.#program,
+      target,
+      vertexArray: this.#ribbons,
+      count: (smoke.count - 1) * LINES * 6,
+      textures: { uParcels: this.#parcels, uDepth: depth, ...volume.textures },
+      uniforms: {
+        uNewest: smoke.newest,
+        uCount: smoke.count,
+        uEmber: ember.position,
+        uEmberIntensity: ember.intensity,
+      },
+      blocks: { Frame: frame, Light: light, Volume: volume.block },
+      blend: "premultiplied",
+      cull: "none",
+    });
+  }
+}
+
+/** Two triangles between each parcel and the older one on its line; the youngest first. */
+function ribbonIndices(): Uint16Array {
+  const indices = new Uint16Array((ROWS - 1) * LINES * 6);
+  for (let n = 0; n < (ROWS - 1) * LINES; n++) {
+    const young = 2 * n;
+    const old = 2 * (n + LINES);
+    indices.set([young, young + 1, old, old, young + 1, old + 1], n * 6);
+  }
+  return indices;
+}
