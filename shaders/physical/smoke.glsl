@@ -21,8 +21,9 @@ vec3 fromPoint(vec3 intensity, vec3 toLight, vec3 toEye) {
 
 // Light from all around, whose mean counts: a droplet has no front.
 vec3 fromRoom(vec3 position) {
-  vec3 up = indirectIrradiance(position, vec3(0.0, 1.0, 0.0));
-  vec3 down = indirectIrradiance(position, vec3(0.0, -1.0, 0.0));
+  Surroundings surroundings = surroundingsAt(position);
+  vec3 up = irradianceFrom(surroundings, vec3(0.0, 1.0, 0.0));
+  vec3 down = irradianceFrom(surroundings, vec3(0.0, -1.0, 0.0));
   return (up + down) / (2.0 * PI);
 }
 

@@ -77,7 +77,6 @@ export class HazePass {
       program: this.#copy,
       target,
       textures: { uSource: this.#bent.color },
-      uniforms: { uMiddle: this.#middles },
     });
   }
 
