@@ -59,5 +59,6 @@ export default defineConfig(({ mode }) => ({
   build: builds[mode] ?? builds.page ?? {},
   server: { host: "127.0.0.1", port: 5173 },
   preview: { host: "127.0.0.1", port: 4173 },
-  test: { environment: "node", include: ["tests/unit/**/*.test.ts"] },
+  // A world of ten seconds with its air takes some of them on a busy machine.
+  test: { environment: "node", include: ["tests/unit/**/*.test.ts"], testTimeout: 30_000 },
 }));

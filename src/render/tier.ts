@@ -11,7 +11,7 @@ export interface Tier {
 }
 
 const TIERS: Readonly<Record<Tier["name"], Tier>> = {
-  low: { name: "low", resolutionScale: 0.5, samples: 0, anisotropy: false },
+  low: { name: "low", resolutionScale: 0.5, samples: 4, anisotropy: false },
   medium: { name: "medium", resolutionScale: 1, samples: 2, anisotropy: true },
   high: { name: "high", resolutionScale: 1, samples: 4, anisotropy: true },
   ultra: { name: "ultra", resolutionScale: 1.5, samples: 4, anisotropy: true },

@@ -207,7 +207,7 @@ test("A shader that the driver refuses is named, and its context is given back",
 }) => {
   await recordContexts(page);
   await serveSmallTextures(page);
-  await page.route(/\/candle-flame-element\d*\.js$/, async (route) => {
+  await page.route(/\.js$/, async (route) => {
     const response = await route.fetch();
     const body = (await response.text()).replaceAll("float peak =", "flot peak =");
     await route.fulfill({ response, body });
