@@ -1,6 +1,8 @@
 import "../define.js";
 import { find } from "./find.js";
 import type { Lab } from "./lab/lab.js";
+import { SettingsForm } from "./settings-form.js";
+import { readShareLink, SHARED, writeShareLink } from "./share-link.js";
 
 const stage = find(document, ".stage", HTMLElement);
 const room = document.querySelector("candle-flame");
@@ -10,7 +12,13 @@ const enterButton = find(stage, ".enter", HTMLButtonElement);
 const hint = find(stage, ".hint", HTMLElement);
 const status = find(stage, ".status", HTMLElement);
 const help = find(document, ".help", HTMLDialogElement);
+const settings = find(document, ".settings-dialog", HTMLDialogElement);
 const labButton = find(stage, ".lab-button", HTMLButtonElement);
+const photoButton = find(stage, ".photo-button", HTMLButtonElement);
+const shareButton = find(stage, ".share-button", HTMLButtonElement);
+const fullScreenButton = find(stage, ".full-screen-button", HTMLButtonElement);
+const notice = find(stage, ".notice", HTMLElement);
+const link = find(stage, ".link", HTMLInputElement);
 
 enterButton.addEventListener("click", () => room.enter());
 // Where there are no keys there is no Esc; the room lets go of whoever looks elsewhere.
@@ -31,7 +39,69 @@ function welcome(isOpen: boolean): void {
   enterButton.disabled = !isOpen;
   enterButton.hidden = !isOpen;
   hint.hidden = !isOpen;
+  photoButton.disabled = !isOpen;
+  shareButton.disabled = !isOpen;
 }
+
+photoButton.addEventListener("click", async () => {
+  const url = URL.createObjectURL(await room.toBlob());
+  const download = document.createElement("a");
+  download.href = url;
+  download.download = "candle-flame.png";
+  download.click();
+  setTimeout(() => URL.revokeObjectURL(url), 60_000); // some browsers read it only later
+});
+
+/** The room as a link asks for it; without one, as it is by default. */
+function follow(hash: string): void {
+  const view = readShareLink(hash);
+  for (const name of SHARED) {
+    const text = view.settings[name];
+    if (text === undefined) room?.removeAttribute(name);
+    else room?.setAttribute(name, text);
+  }
+  if (room && view.camera) room.camera = view.camera;
+}
+follow(location.hash);
+window.addEventListener("hashchange", () => follow(location.hash));
+
+shareButton.addEventListener("click", async () => {
+  const settings = Object.fromEntries(SHARED.map((name) => [name, String(room[name])]));
+  history.replaceState(null, "", writeShareLink({ camera: room.camera, settings }));
+  notice.textContent = "";
+  link.hidden = true;
+  try {
+    await navigator.clipboard.writeText(location.href);
+    notice.textContent = "The link is copied.";
+  } catch {
+    // No clipboard without a secure origin and the visitor's leave.
+    link.value = location.href;
+    link.hidden = false;
+    link.select();
+  }
+});
+
+fullScreenButton.hidden = !document.fullscreenEnabled;
+fullScreenButton.addEventListener("click", () => {
+  const change = document.fullscreenElement
+    ? document.exitFullscreen()
+    : document.documentElement.requestFullscreen();
+  change.catch(() => {}); // the browser tells the visitor itself
+});
+document.addEventListener("fullscreenchange", () => {
+  fullScreenButton.ariaPressed = String(document.fullscreenElement !== null);
+});
+
+const form = new SettingsForm(room, find(settings, "fieldset", HTMLFieldSetElement), [
+  "quality",
+  "exposure",
+  "sensitivity",
+  "motion",
+]);
+find(stage, ".settings-button", HTMLButtonElement).addEventListener("click", () => {
+  form.refresh();
+  settings.showModal();
+});
 
 let lab: Promise<Lab> | null = null;
 labButton.addEventListener("click", async () => {

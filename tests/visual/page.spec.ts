@@ -1,3 +1,4 @@
+import { readFile } from "node:fs/promises";
 import { test as base, expect, type Locator, type Page } from "playwright/test";
 import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
 import { FEATURES, FEATURES_OF, SETTINGS } from "../../src/settings.ts";
@@ -21,19 +22,19 @@ class HostedPage {
     this.lab = page.getByRole("complementary", { name: "Lab" });
   }
 
-  async load(): Promise<void> {
+  async load(hash = ""): Promise<void> {
     await this.page.route(PAGE, async (route) => {
       const response = await route.fetch();
       const headers = { ...response.headers(), "content-security-policy": POLICY };
       await route.fulfill({ response, headers });
     });
-    const response = await this.page.goto(PAGE);
+    const response = await this.page.goto(PAGE + hash);
     expect(response?.headers()["content-security-policy"]).toBe(POLICY);
   }
 
   /** Fewer pixels than by default: these tests are not about pictures. */
-  async open(): Promise<this> {
-    await this.load();
+  async open(hash = ""): Promise<this> {
+    await this.load(hash);
     await this.evaluate((room) => {
       room.quality = "low";
       return room.ready;
@@ -146,6 +147,74 @@ test("help lists the controls, and opens and closes by keyboard", async ({ hoste
   await page.keyboard.press("Escape");
   await expect(help).toBeHidden();
   await expect(button).toBeFocused();
+});
+
+test.describe("what one sees", () => {
+  test.use({ viewport: { width: 320, height: 180 }, permissions: ["clipboard-write"] });
+
+  test("can be shared, kept, and set", async ({ hosted, page }) => {
+    await hosted.open("#look=paper&seed=7&camera=-1_0_1_0.5_-0.1&exposure=%&src=elsewhere.glb");
+    const seen = () =>
+      hosted.evaluate(({ look, seed, exposure, src, camera }) => {
+        return { look, seed, exposure, src, yaw: camera.yaw, pitch: camera.pitch };
+      });
+    const shared = { look: "paper", seed: 7, exposure: 0, src: "", yaw: 0.5, pitch: -0.1 };
+    expect(await seen()).toEqual(shared);
+
+    await test.step("settings act at once", async () => {
+      await page.getByRole("button", { name: "Settings" }).click();
+      const settings = page.getByRole("dialog", { name: "Settings" });
+      await settings.getByLabel("exposure").fill("-1.5");
+      await settings.getByLabel("motion").selectOption("reduced");
+      await settings.getByLabel("sensitivity").fill("2");
+      expect(
+        await hosted.evaluate(({ exposure, motion, sensitivity, quality }) => {
+          return { exposure, motion, sensitivity, quality };
+        }),
+      ).toEqual({ exposure: -1.5, motion: "reduced", sensitivity: 2, quality: "low" });
+      await expect(settings.getByLabel("quality")).toHaveValue("low");
+      await page.keyboard.press("Escape");
+      await expect(settings).toBeHidden();
+    });
+
+    await test.step("a photo is a PNG file", async () => {
+      const downloading = page.waitForEvent("download");
+      await page.getByRole("button", { name: "Photo" }).click();
+      const download = await downloading;
+      expect(download.suggestedFilename()).toBe("candle-flame.png");
+      const bytes = await readFile(await download.path());
+      expect(bytes.subarray(1, 4).toString()).toBe("PNG");
+    });
+
+    await test.step("the link is copied, or shown where that is refused", async () => {
+      const share = page.getByRole("button", { name: "Share" });
+      await share.click();
+      await expect(page.getByText("The link is copied.")).toBeVisible();
+      const hash = new URL(page.url()).hash;
+      expect(hash).toMatch(/^#camera=[-\d._]+&look=paper&seed=7&exposure=-1\.5&quality=low$/);
+      await page.evaluate(() => {
+        navigator.clipboard.writeText = () => Promise.reject(new Error("refused"));
+      });
+      await share.click();
+      await expect(page.getByLabel("Link to what you see")).toHaveValue(page.url());
+      await expect(page.getByText("The link is copied.")).toBeHidden();
+    });
+
+    await test.step("another link in the same tab is followed", async () => {
+      await page.evaluate(() => {
+        location.hash = "#look=paper&camera=0_0_0_1_0";
+      });
+      await expect.poll(seen).toEqual({ ...shared, seed: 1, yaw: 1, pitch: 0 });
+    });
+
+    await test.step("the whole screen shows it", async () => {
+      const button = page.getByRole("button", { name: "Full screen" });
+      await button.click();
+      await expect(button).toHaveAttribute("aria-pressed", "true");
+      await button.click();
+      await expect(button).toHaveAttribute("aria-pressed", "false");
+    });
+  });
 });
 
 test("the lab is fetched when it is asked for, and closes by keyboard", async ({

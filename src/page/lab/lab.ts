@@ -1,14 +1,16 @@
 import "./lab.css";
 import type { CandleFlameElement } from "../../candle-flame-element.js";
 import { find } from "../find.js";
+import { SettingsForm } from "../settings-form.js";
 import { Comparison } from "./comparison.js";
 import { ComparisonSection } from "./comparison-section.js";
 import { FeatureSwitches } from "./feature-switches.js";
 import markup from "./lab.html?raw";
 import { LadderSection } from "./ladder-section.js";
 import { ReadOut } from "./read-out.js";
-import { SettingsForm } from "./settings-form.js";
 import { SpotMeter } from "./spot-meter.js";
+
+const SHOWN = ["look", "quality", "seed", "exposure", "particles"] as const;
 
 /** The side panel: the paper's two tables, live, and everything about the room that can be set. */
 export class Lab {
@@ -33,7 +35,7 @@ export class Lab {
     const techniques = find(section("techniques"), "fieldset", HTMLFieldSetElement);
     const settings = find(section("settings"), "fieldset", HTMLFieldSetElement);
     const switches = new FeatureSwitches(room, techniques);
-    const form = new SettingsForm(room, settings);
+    const form = new SettingsForm(room, settings, SHOWN);
     const looks = new ComparisonSection(section("comparison"), room, stage, comparison);
     this.#readOut = new ReadOut(room, find(section("last-frame"), "dl", HTMLElement), comparison);
     this.#meter = new SpotMeter(section("meter"), room, stage);

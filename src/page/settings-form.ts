@@ -1,35 +1,39 @@
-import type { CandleFlameElement } from "../../candle-flame-element.js";
-import { type ChoiceSetting, type NumberSetting, SETTINGS } from "../../settings.js";
+import type { CandleFlameElement } from "../candle-flame-element.js";
+import { type ChoiceSetting, type NumberSetting, SETTINGS } from "../settings.js";
 
-const SHOWN = ["look", "quality", "seed", "exposure", "particles"] as const;
-type Shown = (typeof SHOWN)[number];
+/** Those that have a control. */
+type Shown = "look" | "quality" | "seed" | "exposure" | "particles" | "sensitivity" | "motion";
 
 /** How fine a slider is, in the setting's own unit. */
 const SLIDER_STEP = 0.1;
 
 type Control = HTMLInputElement | HTMLSelectElement;
 
-/** A control for each setting worth playing with, made from the table of settings. */
+/** A control for each of some settings, made from the table of settings. */
 export class SettingsForm {
   readonly #element: CandleFlameElement;
   readonly #controls = new Map<Shown, Control>();
   readonly #outputs = new Map<Shown, HTMLOutputElement>();
 
-  constructor(element: CandleFlameElement, form: HTMLElement) {
+  /** @param form where the controls go; its id begins theirs */
+  constructor(element: CandleFlameElement, form: HTMLElement, names: readonly Shown[]) {
     this.#element = element;
-    for (const name of SHOWN) form.append(this.#row(name, SETTINGS[name]));
+    for (const name of names) form.append(this.#row(form.id, name, SETTINGS[name]));
     this.refresh();
   }
 
-  #row(name: Shown, setting: ChoiceSetting | NumberSetting): HTMLElement {
+  #row(form: string, name: Shown, setting: ChoiceSetting | NumberSetting): HTMLElement {
     const row = document.createElement("div");
     row.className = "setting";
     const label = document.createElement("label");
-    label.htmlFor = `setting-${name}`;
+    label.htmlFor = `${form}-${name}`;
     label.textContent = name;
     const control = setting.kind === "choice" ? select(setting.choices) : numberInput(setting);
     control.id = label.htmlFor;
-    control.setAttribute("aria-describedby", `meaning-${name}`);
+    const meaning = document.createElement("p");
+    meaning.id = `${form}-${name}-meaning`;
+    meaning.textContent = setting.meaning;
+    control.setAttribute("aria-describedby", meaning.id);
     control.addEventListener(control.type === "range" ? "input" : "change", () => {
       this.#element.setAttribute(name, control.value);
       this.refresh(); // what the element made of it
@@ -42,9 +46,6 @@ export class SettingsForm {
       this.#outputs.set(name, output);
       row.append(output);
     }
-    const meaning = document.createElement("p");
-    meaning.id = `meaning-${name}`;
-    meaning.textContent = setting.meaning;
     row.append(meaning);
     return row;
   }

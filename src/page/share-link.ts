@@ -1,0 +1,62 @@
+import type { Camera } from "../candle-flame-element.js";
+import {
+  type ChoiceSetting,
+  type NumberSetting,
+  parseChoice,
+  parseNumber,
+  SETTINGS,
+} from "../settings.js";
+
+/** What a link carries beside the camera. */
+export const SHARED = ["look", "seed", "exposure", "quality"] as const;
+export type Shared = (typeof SHARED)[number];
+
+/** What is seen, and from where: the text of attributes, as far as they are not at their defaults. */
+export interface View {
+  readonly camera: Camera | null;
+  readonly settings: Readonly<Partial<Record<Shared, string>>>;
+}
+
+/** A tenth of a millimetre, and of a milliradian. */
+const DIGITS = 4;
+
+const NUMBER = /^-?\d{1,5}(\.\d{1,9})?$/;
+
+/** The view as a location's hash. */
+export function writeShareLink({ camera, settings }: View): string {
+  const words = new URLSearchParams();
+  if (camera) {
+    const numbers = [...camera.position, camera.yaw, camera.pitch];
+    words.set("camera", numbers.map((value) => Number(value.toFixed(DIGITS))).join("_"));
+  }
+  for (const name of SHARED) {
+    const text = meant(name, settings[name] ?? null);
+    if (text !== null) words.set(name, text);
+  }
+  return `#${words}`;
+}
+
+/** The view that a hash asks for. Anybody may have written it: what makes no sense is not there. */
+export function readShareLink(hash: string): View {
+  const words = new URLSearchParams(hash.replace(/^#/, ""));
+  const settings: Partial<Record<Shared, string>> = {};
+  for (const name of SHARED) {
+    const text = meant(name, words.get(name));
+    if (text !== null) settings[name] = text;
+  }
+  return { camera: readCamera(words.get("camera")), settings };
+}
+
+function readCamera(text: string | null): Camera | null {
+  const words = text?.split("_") ?? [];
+  if (words.length !== 5 || !words.every((word) => NUMBER.test(word))) return null;
+  const [x, y, z, yaw, pitch] = words.map(Number) as [number, number, number, number, number];
+  return { position: [x, y, z], yaw, pitch };
+}
+
+/** What the setting makes of a text; null where that is its default. */
+function meant(name: Shared, text: string | null): string | null {
+  const setting: ChoiceSetting | NumberSetting = SETTINGS[name];
+  const value = setting.kind === "number" ? parseNumber(setting, text) : parseChoice(setting, text);
+  return value === setting.default ? null : String(value);
+}

@@ -1,0 +1,64 @@
+import { describe, expect, test } from "vitest";
+import { readShareLink, SHARED, type View, writeShareLink } from "../../../src/page/share-link.ts";
+import { SETTINGS } from "../../../src/settings.ts";
+
+const NOTHING: View = { camera: null, settings: {} };
+
+test("a view survives the round trip", () => {
+  const view: View = {
+    camera: { position: [-2.25, 0, 1.5], yaw: 3.0417, pitch: -0.0001 },
+    settings: { look: "paper", seed: "4294967295", exposure: "-1.5", quality: "ultra" },
+  };
+  expect(readShareLink(writeShareLink(view))).toEqual(view);
+  expect(Object.keys(view.settings).toSorted()).toEqual([...SHARED].toSorted());
+});
+
+test("a camera is carried to a tenth of a millimetre", () => {
+  const camera = { position: [1 / 3, 1e-9, -1e-9], yaw: -2 / 3, pitch: 0.123456789 } as const;
+  const read = readShareLink(writeShareLink({ ...NOTHING, camera })).camera;
+  expect(read).toEqual({ position: [0.3333, 0, 0], yaw: -0.6667, pitch: 0.1235 });
+});
+
+test("what is at its default is not in the link", () => {
+  const settings = Object.fromEntries(SHARED.map((name) => [name, String(SETTINGS[name].default)]));
+  expect(writeShareLink({ camera: null, settings })).toBe("#");
+});
+
+test("a link needs no escapes", () => {
+  const camera = { position: [-1.5, 0, 2], yaw: 0.5, pitch: 0 } as const;
+  const hash = writeShareLink({ camera, settings: { exposure: "-2" } });
+  expect(hash).toBe("#camera=-1.5_0_2_0.5_0&exposure=-2");
+});
+
+describe("hostile hashes", () => {
+  test.each([
+    "",
+    "#",
+    "####",
+    "#=&=&&==",
+    "#%",
+    "#%E0%A4%A",
+    "#\0\ud800",
+    "#look=constructor&quality=__proto__",
+    "#__proto__=1&constructor=2&toString=3",
+    "#src=https://elsewhere.example/room.glb&asset-base=//elsewhere.example",
+    "#look=<img src=x onerror=alert(1)>",
+    "#seed=NaN&exposure=Infinity",
+    `#look=${"x".repeat(1_000_000)}`,
+    "&look=paper&".repeat(2).replaceAll("look", "LOOK"),
+  ])("say nothing (%#)", (hash) => {
+    expect(readShareLink(hash)).toEqual(NOTHING);
+  });
+
+  test.each(["1_2_3_4", "1_2_3_4_5_6", "____", "0_0_0_NaN_0", "0_0_Infinity_0_0", "1e999_0_0_0_0"])(
+    "name no camera by %s",
+    (camera) => expect(readShareLink(`#camera=${camera}`).camera).toBeNull(),
+  );
+
+  test("leave the good beside the bad, and numbers within their range", () => {
+    expect(readShareLink("#camera=here&unknown=1&look=PAPER&exposure=1e9&seed=-7")).toEqual({
+      camera: null,
+      settings: { look: "paper", exposure: String(SETTINGS.exposure.max), seed: "0" },
+    });
+  });
+});
