@@ -77,7 +77,7 @@ void advance(uint key, uint births, float eldest, vec3 left, vec2 blown) {
   remaining -= layer.tick;
   if (birth < births) {
     float age = eldest - float(birth) * layer.interval;
-    position = birthplace + launch * age;
+    position = birthplace + launch * age - left * (age / layer.tick);
     velocity = launch;
     remaining = layer.life - age;
   }

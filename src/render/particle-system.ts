@@ -180,8 +180,9 @@ export class ParticleSystem {
       this.#left[i * 3 + axis] = timeline.way(tick, axis) * stays;
     }
     const dragged = 1 - Math.exp(-layer.drag * TICK);
-    this.#blown[i * 2] = timeline.wind(tick, 0) * dragged;
-    this.#blown[i * 2 + 1] = timeline.wind(tick, 2) * dragged;
+    const airspeed = (axis: 0 | 2) => timeline.wind(tick, axis) + this.#left[i * 3 + axis]! / TICK;
+    this.#blown[i * 2] = airspeed(0) * dragged;
+    this.#blown[i * 2 + 1] = airspeed(2) * dragged;
   }
 
   #keep(groups: number, tick: number): void {

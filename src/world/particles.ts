@@ -67,6 +67,11 @@ export class Particles {
       const birth = (turn + layer.capacity - firstSlot) % layer.capacity;
       if (birth < count && group < groups) {
         this.#bear(i, (first + birth) >>> 0, eldest - birth / layer.rate);
+        // The emitter has moved on since.
+        const since = (eldest - birth / layer.rate) / TICK;
+        for (let axis = 0; axis < 3; axis++) {
+          state[i + axis]! -= timeline.way(tick, axis) * stays * since;
+        }
         continue;
       }
       if (state[i + 3]! <= 0) continue;
@@ -75,9 +80,11 @@ export class Particles {
       state[i + 5]! += layer.buoyancy * TICK;
       state[i + 6]! += layer.drift * TICK * signedLow(hash);
       for (let axis = 0; axis < 3; axis++) {
-        const wind = axis === 1 ? 0 : (timeline.wind(tick, axis) - state[i + 4 + axis]!) * dragged;
-        state[i + 4 + axis]! += wind;
-        state[i + axis]! += state[i + 4 + axis]! * TICK - timeline.way(tick, axis) * stays;
+        const left = timeline.way(tick, axis) * stays;
+        // The timeline's wind is what the emitter feels; who stays behind feels the room's.
+        const wind = timeline.wind(tick, axis) + left / TICK;
+        if (axis !== 1) state[i + 4 + axis]! += (wind - state[i + 4 + axis]!) * dragged;
+        state[i + axis]! += state[i + 4 + axis]! * TICK - left;
       }
       state[i + 3]! -= TICK;
     }

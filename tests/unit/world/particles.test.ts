@@ -126,6 +126,41 @@ describe("wind and the emitter's way", () => {
 
   const way = [0.01, -0.02, 0.03] as const;
 
+  test("what stays behind feels the room's wind, however fast the emitter is carried", () => {
+    // Still air: the emitter feels its own way as a wind.
+    const felt = [-way[0] / TICK, 0, -way[2] / TICK] as const;
+    const layer = { ...CORE, follow: 0, drift: 0, drag: 2 };
+    for (const [before, after] of oneTick(layer, { way, wind: felt })) {
+      for (const axis of [0, 2] as const) {
+        const kept = before.velocity[axis] * Math.exp(-layer.drag * TICK);
+        expect(after.velocity[axis]).toBeCloseTo(kept, 6);
+      }
+    }
+  });
+
+  test("what stays behind lies evenly along the emitter's way, not in a heap for each tick", () => {
+    const layer = {
+      ...CORE,
+      rate: 480,
+      capacity: 1000,
+      spawnRadius: 0,
+      sideSpeed: 0,
+      drift: 0,
+      drag: 0,
+      follow: 0,
+    };
+    const timeline = new Timeline(0);
+    const particles = new Particles(layer, KEY);
+    pass(timeline, 12, { way: [0.04, 0, 0] });
+    particles.follow(timeline);
+    const places = alive(particles).map(({ position }) => position[0]);
+    places.sort((a, b) => a - b);
+    for (const [i, place] of places.entries()) {
+      if (i > 0) expect(place - (places[i - 1] ?? 0)).toBeCloseTo(0.01, 5);
+    }
+    expect(places.length).toBeGreaterThan(40);
+  });
+
   test("particles that follow ride with the emitter", () => {
     for (const [before, after] of oneTick({ ...CORE, follow: 1 }, { way })) {
       for (const axis of [0, 1, 2] as const) {
