@@ -18,7 +18,7 @@ import {
   type SettingName,
 } from "./settings.js";
 import type { Refusal } from "./world/placing.js";
-import { moveCamera, placeCandle, takeCandle } from "./world/world.js";
+import { blow, moveCamera, placeCandle, takeCandle } from "./world/world.js";
 
 export type { Feature, Features, FlameReport, Look, Quality, Stats };
 
@@ -49,6 +49,8 @@ export interface CandleFlameEventMap {
   take: CustomEvent<null>;
   enter: CustomEvent<null>;
   leave: CustomEvent<null>;
+  light: CustomEvent<null>;
+  extinguish: CustomEvent<null>;
   camerachange: CustomEvent<null>;
   contextlost: CustomEvent<null>;
   contextrestored: CustomEvent<null>;
@@ -67,6 +69,8 @@ const REFUSALS: Readonly<Record<Refusal, string>> = {
   "no room": "There is no room for the candle.",
 };
 
+const OUT = "The candle is out.";
+
 /**
  * A candle in a dark room.
  *
@@ -76,6 +80,11 @@ const REFUSALS: Readonly<Record<Refusal, string>> = {
  * @attr sensitivity - how far the view turns for a movement of the mouse or a finger
  * @attr motion - auto, reduced, full; auto follows the visitor's system
  * @attr paused - no time passes; a frame is drawn only when something changes
+ * @attr unlit - the candle starts, or is put, out
+ * @attr wind - mean draught, m/s
+ * @attr wind-direction - where it blows to, degrees: 0 is -Z, counter-clockwise from above
+ * @attr gustiness - 0 steady to 1 squally
+ * @attr wick - diameter of the wick, mm
  * @attr seed - same seed, same steps, same pixels on the same renderer
  * @attr exposure - compensation in EV
  * @attr particles - particles that the flame keeps alive; 0 is the look's own count
@@ -149,7 +158,7 @@ export class CandleFlameElement extends ReflectedAttributes {
 
   connectedCallback(): void {
     this.upgradeAttributes();
-    for (const name of ["features", "camera"] as const) this.upgrade(name);
+    for (const name of ["features", "camera", "lit"] as const) this.upgrade(name);
     this.#applyInteraction();
     if (!this.#connection) this.#start();
   }
@@ -307,6 +316,51 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.#requestDraw();
   }
 
+  /** Whether the candle burns; writing lights it or puts it out. */
+  get lit(): boolean {
+    return this.#candle?.world.flame.isLit ?? !this.unlit;
+  }
+  set lit(value: boolean) {
+    if (value) this.light();
+    else this.extinguish();
+  }
+
+  /** A flame catches at the wick, and grows. */
+  light(): void {
+    this.#setLit(true);
+  }
+
+  /** The flame dies; the ember fades. */
+  extinguish(): void {
+    this.#setLit(false);
+  }
+
+  #setLit(isLit: boolean): void {
+    if (!this.#candle) {
+      this.unlit = !isLit;
+      return;
+    }
+    this.#candle.setLit(isLit);
+    this.#requestDraw();
+  }
+
+  /** A breath from the camera: the flame leans, and goes out if it is strong enough. */
+  blow(strength = 1): void {
+    if (this.#candle) blow(this.#candle.world, Math.max(0, Number(strength) || 0));
+  }
+
+  readonly #flameChanged = (): void => {
+    this.#showLit();
+    this.#emit(this.lit ? "light" : "extinguish", null);
+  };
+
+  #showLit(): void {
+    if (this.lit) this.#internals.states.add("lit");
+    else this.#internals.states.delete("lit");
+    const relight = this.controls ? `${OUT} Press E to light it.` : OUT;
+    this.#hint.tell(this.lit ? null : relight);
+  }
+
   /** Goes in, as a click does: takes the focus and asks for the pointer. Needs `controls`. */
   enter(): void {
     this.#candle?.input?.enter();
@@ -420,6 +474,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     candle.onFailure = (error) => this.#failAtShader(error);
     candle.onCandleMoved = () => this.#emit(this.held ? "take" : "place", null);
     candle.onRefused = () => this.#tellRefusal();
+    candle.onFlameChanged = this.#flameChanged;
     this.#moveCamera(candle, this.#awaitedCamera);
     this.#awaitedCamera = null;
     this.#shownCamera = this.#cameraKey;
@@ -516,6 +571,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.#progress.hidden = true;
     this.#showPoster(false);
     this.#internals.states.delete("loading");
+    this.#showLit();
     this.#observe(signal);
     this.#applyMotion();
     if (this.#drawnLook !== this.look) this.#hint.tell(NO_PHYSICAL_LOOK);
@@ -628,7 +684,21 @@ export class CandleFlameElement extends ReflectedAttributes {
     const { look } = this.#shown ?? this;
     const wantsLess = matchMedia("(prefers-reduced-motion: reduce)").matches;
     const isStill = motion === "reduced" || (motion === "auto" && wantsLess);
-    return { look, seed, quality, exposure, particles, isStill };
+    return {
+      look,
+      seed,
+      quality,
+      exposure,
+      particles,
+      isStill,
+      unlit: this.unlit,
+      wick: this.wick / 1000,
+      wind: {
+        speed: this.wind,
+        direction: (this.windDirection * Math.PI) / 180,
+        gustiness: this.gustiness,
+      },
+    };
   }
 
   #applyMotion(): void {

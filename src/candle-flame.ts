@@ -6,6 +6,7 @@ import { type Tier, tierOf } from "./render/tier.js";
 import type { Scene } from "./scenes/scene.js";
 import type { Screen } from "./scenes/screen.js";
 import type { Features, Look, Quality } from "./settings.js";
+import type { Wind } from "./world/air.js";
 import { STILL } from "./world/intent.js";
 import { withCount } from "./world/particle-layer.js";
 import { advance, createWorld, currentTime, moveCamera, type World } from "./world/world.js";
@@ -24,6 +25,10 @@ export interface Options {
   readonly exposure: number;
   /** Particles alive; 0 is the look's own count. */
   readonly particles: number;
+  readonly wind: Wind;
+  /** Diameter of the wick, metres. */
+  readonly wick: number;
+  readonly unlit: boolean;
   /** No flicker and no sway, for those who asked their system for less motion. */
   readonly isStill: boolean;
 }
@@ -58,6 +63,8 @@ export class CandleFlame {
   onFailure: (error: Error) => void = () => {};
   /** Called when the visitor's input has put the candle down, or taken it up. */
   onCandleMoved: () => void = () => {};
+  /** Called when the flame has caught, or gone out, by whatever cause. */
+  onFlameChanged: () => void = () => {};
   /** Called when the visitor wanted to put the candle down, and could not. */
   onRefused: () => void = () => {};
   readonly #screen: Screen;
@@ -110,10 +117,10 @@ export class CandleFlame {
     this.draw();
   }
 
-  #createWorld(age = 0): World {
-    const { look, seed, isStill } = this.#options;
+  #createWorld(age = 0, isLit = !this.#options.unlit): World {
+    const { look, seed, isStill, wind, wick } = this.#options;
     const { room, stage } = this.#scene;
-    const world = createWorld(look, seed, { age, room, stage });
+    const world = createWorld(look, seed, { age, room, stage, wind, wick, isLit });
     world.sways = !isStill;
     return world;
   }
@@ -121,18 +128,28 @@ export class CandleFlame {
   set options(options: Options) {
     const before = this.#options;
     this.#options = options;
+    const { air, flame } = this.world;
     this.world.sways = !options.isStill;
+    air.wind = options.wind;
+    flame.wick = options.wick;
     if (options.look !== before.look) this.#changeLook();
     else if (options.seed !== before.seed) this.reset();
     else if (options.particles !== before.particles) this.#follow(this.#renderer);
     if (options.quality !== before.quality) this.#rebuild();
+    if (options.unlit !== before.unlit) this.setLit(!options.unlit);
+  }
+
+  /** Lights the candle or puts it out, if it is not so already. */
+  setLit(isLit: boolean): void {
+    const { flame } = this.world;
+    if (isLit ? flame.light() : flame.extinguish()) this.onFlameChanged();
   }
 
   /** Another scene on the same screen, and what is to be done with it. The old one is no longer used. */
   show(scene: Scene, options: Options): void {
     this.#scene = scene;
     this.#options = options;
-    this.world = this.#createWorld(this.world.timeline.tick);
+    this.world = this.#createWorld(this.world.timeline.tick, this.world.flame.isLit);
     this.#rebuild();
   }
 
@@ -146,8 +163,8 @@ export class CandleFlame {
 
   /** The visitor stays where he is, or inside the new look's walls, at the same moment. */
   #changeLook(): void {
-    const { player, timeline, remainder } = this.world;
-    this.world = this.#createWorld(timeline.tick);
+    const { player, timeline, remainder, flame } = this.world;
+    this.world = this.#createWorld(timeline.tick, flame.isLit);
     this.world.remainder = remainder;
     moveCamera(this.world, player.position, player.yaw, player.pitch);
     this.#follow(this.#renderer);
@@ -165,7 +182,9 @@ export class CandleFlame {
 
   /** Time 0, as if new. */
   reset(): void {
+    const { isLit } = this.world.flame;
     this.world = this.#createWorld();
+    if (this.world.flame.isLit !== isLit) this.onFlameChanged();
     this.#follow(this.#renderer);
   }
 
@@ -192,10 +211,12 @@ export class CandleFlame {
   step(seconds: number): void {
     const begin = performance.now();
     const { isHeld } = this.world.candle;
+    const { isLit } = this.world.flame;
     const intent = this.input?.read() ?? STILL;
     advance(this.world, intent, seconds);
     this.draw();
     this.#cpuMs = performance.now() - begin;
+    if (this.world.flame.isLit !== isLit) this.onFlameChanged();
     if (this.world.candle.isHeld !== isHeld) this.onCandleMoved();
     if (intent.placesOrTakes && isHeld) this.onRefused();
   }

@@ -78,6 +78,41 @@ export class ReflectedAttributes extends Base {
     this.setAttribute("seed", String(value));
   }
 
+  get unlit(): boolean {
+    return this.hasAttribute("unlit");
+  }
+  set unlit(value: boolean) {
+    this.toggleAttribute("unlit", Boolean(value));
+  }
+
+  get wind(): number {
+    return parseNumber(SETTINGS.wind, this.getAttribute("wind"));
+  }
+  set wind(value: number) {
+    this.setAttribute("wind", String(value));
+  }
+
+  get windDirection(): number {
+    return parseNumber(SETTINGS["wind-direction"], this.getAttribute("wind-direction"));
+  }
+  set windDirection(value: number) {
+    this.setAttribute("wind-direction", String(value));
+  }
+
+  get gustiness(): number {
+    return parseNumber(SETTINGS.gustiness, this.getAttribute("gustiness"));
+  }
+  set gustiness(value: number) {
+    this.setAttribute("gustiness", String(value));
+  }
+
+  get wick(): number {
+    return parseNumber(SETTINGS.wick, this.getAttribute("wick"));
+  }
+  set wick(value: number) {
+    this.setAttribute("wick", String(value));
+  }
+
   get exposure(): number {
     return parseNumber(SETTINGS.exposure, this.getAttribute("exposure"));
   }

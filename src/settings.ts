@@ -84,6 +84,15 @@ export const SETTINGS = {
     ...number("", [1, 0, 0xffffffff], "Same seed, same steps, same pixels on the same renderer."),
     integer: true,
   },
+  unlit: { kind: "flag", meaning: "The candle starts, or is put, out." },
+  wind: number("m/s", [0.05, 0, 5], "Mean draught in the room."),
+  "wind-direction": number(
+    "degrees",
+    [0, -360, 360],
+    "Where the wind blows to: 0 is -Z, counter-clockwise from above.",
+  ),
+  gustiness: number("", [0.5, 0, 1], "How squally the wind is: 0 is steady."),
+  wick: number("mm", [2, 1, 50], "Diameter of the wick: a bigger one burns higher."),
   exposure: number("EV", [0, -8, 8], "Exposure compensation."),
   particles: {
     ...number(

@@ -3,52 +3,94 @@
 // In:  the body, over radius and height.   Out: radiance, cd/m², premultiplied by opacity.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
-#include "lib/random.glsl"
 #include "physical/flame.glsl"
 
-uniform sampler2D uBody;     // emission, cd/m² per m; alpha: extinction, 1/m
+uniform sampler2D uBody;     // soot's red and green, cd/m² per m; absorption, 1/m; blue bands, cd/m² per m
 uniform sampler2D uOutline;  // red: radius over height, share of the largest
 
-in vec3 vPositionWorld;
+in vec3 vPosition;
 
 out vec4 oRadiance;
 
-vec4 bodyAt(vec3 position) {
-  vec3 axis = flame.tip - flame.base;
-  float height = (position.y - flame.base.y) / axis.y;
-  if (height <= 0.0 || height >= 1.0) return vec4(0.0);
-  // The spine leaves the wick upright and bends above it.
-  vec2 centre = flame.base.xz + axis.xz * height * height;
-  float outer = flame.radius * texture(uOutline, vec2(height, 0.5)).r;
-  float share = length(position.xz - centre) / (max(outer, 1e-5) * BODY_REACH);
-  return share < 1.0 ? texture(uBody, vec2(share, height)) : vec4(0.0);
+// Linear Rec. 709 of the CH* and C2* bands, luma 1; blue of soot as a share of its red.
+const vec3 BLUE = vec3(0.45, 0.9, 3.6);
+const float LEAST_BLUE = 0.004;
+const float WICK_RADIUS = 0.0009;  // m
+
+// Table coordinates of a place: radius and height, as shares. Outside of 0 to 1 there is nothing.
+vec2 inBody(vec3 position) {
+  float last = float(NODES - 1);
+  float place = position.y / flame.top * last;
+  float inside = clamp(place, 0.0, last);
+  int node = int(clamp(floor(inside + 0.5), 1.0, last - 1.0));
+  float f = inside - float(node);
+  // A quadratic spline through the nodes, and its slope.
+  vec3 weight = vec3(0.5 * (0.5 - f) * (0.5 - f), 0.75 - f * f, 0.5 * (0.5 + f) * (0.5 + f));
+  vec3 slope = vec3(f - 0.5, -2.0 * f, f + 0.5);
+  vec4 a = flame.nodes[node - 1];
+  vec4 b = flame.nodes[node];
+  vec4 c = flame.nodes[node + 1];
+  vec4 rising = a * slope.x + b * slope.y + c * slope.z;
+  vec4 here = a * weight.x + b * weight.y + c * weight.z + rising * (place - inside);
+  vec3 tangent = normalize(vec3(rising.x, flame.top / last, rising.y));
+  // The section is round across the spine, not across the vertical.
+  vec2 aside = position.xz - here.xy;
+  float along = dot(aside, tangent.xz);
+  float height = here.z + along / flame.extent;
+  float outer = flame.radius * here.w * texture(uOutline, vec2(height, 0.5)).r;
+  float away = sqrt(max(dot(aside, aside) - along * along, 0.0));
+  return vec2(away / (max(outer, 1e-5) * BODY_REACH), height);
+}
+
+// Where a ray from `eye` enters and leaves the balls; nothing where it misses them all.
+vec2 within(vec3 eye, vec3 direction) {
+  vec2 span = vec2(1e9, -1e9);
+  for (int i = 0; i < BALLS; i++) {
+    vec3 fromBall = eye - flame.balls[i].xyz;
+    float b = dot(fromBall, direction);
+    vec3 aside = fromBall - b * direction;
+    float chord = flame.balls[i].w * flame.balls[i].w - dot(aside, aside);
+    if (chord <= 0.0) continue;
+    float half_ = sqrt(chord);
+    span = vec2(min(span.x, -b - half_), max(span.y, -b + half_));
+  }
+  return span;
+}
+
+// Distance to the wick, a straight rod from the foot, or far away if the ray misses it.
+float wickAhead(vec3 eye, vec3 direction) {
+  float squared = dot(flame.wick, flame.wick);
+  float d = dot(direction, flame.wick);
+  float e = dot(eye, flame.wick);
+  float a = squared - d * d;
+  float b = squared * dot(eye, direction) - e * d;
+  float c = squared * (dot(eye, eye) - WICK_RADIUS * WICK_RADIUS) - e * e;
+  float h = b * b - a * c;
+  if (h < 0.0 || a <= 0.0) return 1e9;
+  float way = (-b - sqrt(h)) / a;
+  float height = e + way * d;
+  return height > 0.0 && height < squared ? way : 1e9;
 }
 
 void main() {
-  vec3 direction = normalize(vPositionWorld - frame.eyePosition);
-  vec3 axis = flame.tip - flame.base;
-  // The way through a ball around the flame: never longer, and no face of the hull matters.
-  float reach = 0.5 * length(axis) + flame.radius * BODY_REACH;
-  vec3 fromCentre = frame.eyePosition - (flame.base + 0.5 * axis);
-  float b = dot(fromCentre, direction);
-  float chord = b * b - dot(fromCentre, fromCentre) + reach * reach;
-  if (chord <= 0.0) discard;
-  // Seen from the side only the slab around the axis counts.
-  vec2 flat_ = direction.xz;
-  float sideways = length(flat_);
-  float half_ = min(sqrt(chord), (flame.radius * BODY_REACH + length(axis.xz)) / max(sideways, 1e-3));
-  vec2 toAxis = (flame.base.xz + 0.5 * axis.xz) - frame.eyePosition.xz;
-  float middle = sideways > 0.05 ? dot(toAxis, flat_) / (sideways * sideways) : -b;
-  float begin = max(middle - half_, 0.0);
-  float stride = (middle + half_ - begin) / flame.steps;
-  uint seed = pcg(uint(gl_FragCoord.x) + pcg(uint(gl_FragCoord.y)));
+  vec3 eye = frame.eyePosition - flame.base;
+  vec3 direction = normalize(vPosition - eye);
+  vec2 span = within(eye, direction);
+  float begin = max(span.x, 0.0);
+  float end = min(span.y, wickAhead(eye, direction));
+  if (end <= begin) discard;
+  float stride = (end - begin) / flame.steps;
   vec3 radiance = vec3(0.0);
-  float transmittance = 1.0;
-  for (float i = 0.0; i < flame.steps; i++) {
-    vec4 body = bodyAt(frame.eyePosition + direction * (begin + (i + unit(seed)) * stride));
-    radiance += transmittance * body.rgb * stride;
-    transmittance *= exp(-body.a * stride);
+  float depth = 0.0;  // optical
+  for (float i = 0.5; i < flame.steps; i++) {
+    vec2 place = inBody(eye + direction * (begin + i * stride));
+    if (place.x >= 1.0 || place.y <= 0.0 || place.y >= 1.0) continue;
+    vec4 body = texture(uBody, place);
+    float absorbed = body.b * flame.soot * stride;
+    vec3 soot = vec3(body.rg, LEAST_BLUE * body.r) * flame.soot;
+    radiance += exp(-depth - 0.5 * absorbed) * stride * (soot + BLUE * (body.a * flame.blue));
+    depth += absorbed;
   }
   // The largest half float is 65504.
-  oRadiance = vec4(min(radiance, 3e4), 1.0 - transmittance);
+  oRadiance = vec4(min(radiance, 3e4), 1.0 - exp(-depth));
 }

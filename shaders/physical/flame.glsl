@@ -1,11 +1,19 @@
-// The flame's body in the room. It leans by shear: every height keeps its round section.
+// The flame's body in the room, bent along its spine. Lengths are in metres from its foot.
 
 // The table reaches this far beyond the luminous edge, in radii.
 const float BODY_REACH = 1.25;
+const int NODES = 16;
+const int BALLS = 8;
 
 layout(std140) uniform Flame {
-  vec3 base;     // m
-  float radius;  // m
-  vec3 tip;      // m
-  float steps;
+  vec3 base;      // its foot in the room, m
+  float steps;    // of the march
+  vec3 wick;      // tip of the wick, m
+  float top;      // height of the last node, m
+  float extent;   // luminous length along the spine, m
+  float radius;   // m
+  float soot;     // factors on the table
+  float blue;
+  vec4 nodes[NODES];  // evenly spaced in height: x, z (m), share of the length, factor on the radius
+  vec4 balls[BALLS];  // hold all of the body: centre, radius, m
 } flame;

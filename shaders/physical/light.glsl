@@ -1,4 +1,4 @@
-// The flame as a lamp: an upright capsule, equally intense from all sides, on its candle.
+// The flame as a lamp: a capsule, equally intense from all sides, on its candle.
 
 layout(std140) uniform Light {
   vec3 position;     // centre of the light, m
@@ -11,6 +11,7 @@ layout(std140) uniform Light {
   float pan;         // height of the holder's pan, m
   float panRadius;   // m
   vec3 vantage;      // that captures were made from, near the centre of the light, m
+  vec3 along;        // direction of the flame's axis, length 1
 } light;
 
 // Share of a light at `from` that passes a level disc around the candle's axis on its way to `to`.
@@ -28,7 +29,7 @@ float pastCandle(vec3 position) {
   if (position.y > light.rim) return 1.0;
   float share = 0.0;
   for (int i = -1; i <= 1; i++) {
-    vec3 from = light.position + vec3(0.0, float(i) * 0.7 * light.halfHeight, 0.0);
+    vec3 from = light.position + light.along * (float(i) * 0.7 * light.halfHeight);
     float pan = position.y < light.pan - 0.004 ? passDisc(from, position, light.pan, light.panRadius) : 1.0;
     share += pan * passDisc(from, position, light.rim, light.rimRadius);
   }

@@ -25,7 +25,7 @@ float visibleShare(vec3 position, vec3 normal, vec2 pixel) {
   vec3 lifted = fromVantage + normal * bias;
   float limit = length(lifted) - bias;
   vec3 across = normalize(vec3(direction.z, 0.0, -direction.x) + vec3(1e-4, 0.0, 0.0)) * light.radius;
-  vec3 along = vec3(0.0, light.halfHeight, 0.0);
+  vec3 along = light.along * light.halfHeight;
   // The flame has moved since the cube was made, by less than it is wide.
   vec3 shift = light.position - light.vantage;
   float turn = 6.2831853 * unit(pcg(uint(pixel.x) + pcg(uint(pixel.y))));

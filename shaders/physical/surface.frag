@@ -21,6 +21,7 @@ uniform vec4 uBaseColor;
 uniform float uWax;     // 1: light from within, 0: none
 uniform float uOcclusion;  // how much of the map's occlusion counts
 uniform vec3 uShown;    // 1 or 0: shadows, bounced light, highlights
+uniform vec3 uEmber;    // radiance of the wick's glowing tip, cd/m²; black for all else
 uniform vec4 uSurface;  // roughness, metallic, normal scale, alpha below which nothing is
 
 in vec3 vPositionWorld;
@@ -42,9 +43,10 @@ vec3 surfaceNormal() {
 // ray stands for all of it, and its width widens the highlight.
 vec3 towardsHighlight(vec3 toLight, vec3 mirrored) {
   float along = dot(mirrored, toLight);
-  float offAxis = toLight.y - along * mirrored.y;
-  float climb = clamp(-offAxis / max(1.0 - mirrored.y * mirrored.y, 1e-3), -light.halfHeight, light.halfHeight);
-  return toLight + vec3(0.0, climb, 0.0);
+  float steepness = dot(mirrored, light.along);
+  float offAxis = dot(toLight, light.along) - along * steepness;
+  float climb = clamp(-offAxis / max(1.0 - steepness * steepness, 1e-3), -light.halfHeight, light.halfHeight);
+  return toLight + light.along * climb;
 }
 
 // Light that entered the wax at its top and comes out of its side, as if it faded evenly with depth.
@@ -53,6 +55,10 @@ vec3 towardsHighlight(vec3 toLight, vec3 mirrored) {
 const vec3 DIFFUSION_LENGTH = vec3(0.0092, 0.0078, 0.0056);
 // Share of the light on the top that finds its way out below it.
 const float WAX_TRANSMITTANCE = 0.02;
+
+// The wick glows where it reaches out of the dark zone: heights above the candle's rim, m.
+const float EMBER_BEGINS = 0.0028;
+const float EMBER_FULL = 0.0052;
 
 vec3 waxGlow(vec3 albedo) {
   float depth = max(light.rim - vPositionWorld.y, 0.0);
@@ -103,6 +109,7 @@ void main() {
   bounced += mirrored * fresnelSchlick(f0, NoV) * (1.0 - 0.6 * roughness) * uShown.z;
   bounced *= light.intensity * uShown.y;
   vec3 radiance = diffuse + specular + bounced * occlusion + waxGlow(baseColor.rgb) * uWax;
+  radiance += uEmber * smoothstep(EMBER_BEGINS, EMBER_FULL, vPositionWorld.y - light.rim);
   // A mirrored flame can be brighter than the largest half float, 65504.
   oRadiance = vec4(min(radiance, 3e4), 1.0);
 }

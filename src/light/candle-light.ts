@@ -30,13 +30,19 @@ const FLICKER_RATE = 2 * Math.PI * 2.3;
 export function candleLight(world: World, features: Features, isStill: boolean): PointLight {
   const { stage } = world;
   const { flame } = world.shown;
+  const burning = world.flame.isLit ? Math.min(world.flame.fuel, 1) : 0;
   if (world.look === "original") {
     const [x, y, z] = flame;
-    return { position: [x, y + 0.3 * stage.flameScale, z], color: [...WHITE], attenuates: false };
+    return {
+      position: [x, y + 0.3 * stage.flameScale, z],
+      color: [WHITE[0] * burning, WHITE[1] * burning, WHITE[2] * burning],
+      attenuates: false,
+    };
   }
   const centre = flameCentre(world, [0, 0, 0]);
   const varies = features.flicker && !isStill;
-  const flicker = varies ? 1 + FLICKER * Math.sin(FLICKER_RATE * currentTime(world)) : 1;
+  const flicker =
+    burning * (varies ? 1 + FLICKER * Math.sin(FLICKER_RATE * currentTime(world)) : 1);
   return {
     position: [
       flame[0] + centre[0] * stage.flameScale,

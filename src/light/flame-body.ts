@@ -1,5 +1,4 @@
-import type { Rgb } from "./color.js";
-import { luma } from "./color.js";
+import { LEAST_BLUE, luma, type Rgb } from "./color.js";
 import { sootRadiance } from "./soot.js";
 
 /** Texels of the body: radius by height. */
@@ -10,17 +9,19 @@ export const BODY_REACH = 1.25;
 /** Hottest soot, kelvin: two-colour pyrometry of candles finds 1670 to 1800. */
 const HOTTEST = 1750;
 /** Colour of the base's CH* and C2* bands, linear Rec. 709 with luma 1. */
-const BLUE: Rgb = [0.45, 0.9, 3.6];
+export const BLUE: Rgb = [0.45, 0.9, 3.6];
 /** Luminance of the blue cup seen edge-on against that of the brightest soot. */
-const BLUE_SHARE = 0.00025;
+const BLUE_SHARE = 0.0002;
 
 /**
  * A candle flame at rest, as a figure of revolution.
  *
  * A laminar sheet, not a turbulent fire: a shell of soot that is thin and hollow below and closes to
  * the axis above, a dark zone round the wick, and a blue cup that hugs the outside of the base.
- * Emission per metre of the way through it (linear Rec. 709, luma in cd/m² per metre) and extinction
- * (1/m), over height (rows, base to tip) and radius (columns, axis to `BODY_REACH` radii).
+ *
+ * Texels, over height (rows, base to tip) and radius (columns, axis to `BODY_REACH` radii): soot's
+ * emission per metre, red and green (cd/m² per m, linear Rec. 709; its blue is `LEAST_BLUE` of red);
+ * its absorption, 1/m; luminance of the blue bands, cd/m² per m.
  */
 export interface FlameBody {
   readonly texels: Float32Array;
@@ -32,8 +33,13 @@ export interface FlameBody {
   readonly luminousIntensity: number;
   /** Linear Rec. 709 with luma 1. */
   readonly color: Rgb;
+  /** Linear Rec. 709 of soot alone, with luma 1. */
+  readonly sootColor: Rgb;
   /** Height of the centre of the light above the base, metres. */
   readonly centre: number;
+  /** Luminous intensity of each row, cd: of its soot, and of its blue bands. They add up to the whole. */
+  readonly sootRows: Float64Array;
+  readonly blueRows: Float64Array;
 }
 
 const smooth = (low: number, high: number, x: number): number => {
@@ -78,8 +84,10 @@ function at(height: number, radius: number) {
 export function flameBody(height: number, radius: number, luminousIntensity: number): FlameBody {
   const { width, height: rows } = BODY_SIZE;
   const texels = new Float32Array(width * rows * 4);
-  const sum: [number, number, number] = [0, 0, 0];
-  let moment = 0;
+  const sootRows = new Float64Array(rows);
+  const blueRows = new Float64Array(rows);
+  let [red, green, moment] = [0, 0, 0];
+  const hottest = luma(sootRadiance(HOTTEST));
   for (let row = 0; row < rows; row++) {
     const t = (row + 0.5) / rows;
     const outer = radius * outline(t);
@@ -89,25 +97,44 @@ export function flameBody(height: number, radius: number, luminousIntensity: num
       const glow = sootRadiance(temperature);
       const i = (row * width + column) * 4;
       const ring = 2 * Math.PI * (share * outer) * ((outer * BODY_REACH) / width) * (height / rows);
-      for (const channel of [0, 1, 2] as const) {
-        const blue = cup * BLUE_SHARE * BLUE[channel] * luma(sootRadiance(HOTTEST));
-        texels[i + channel] = soot * glow[channel] + blue;
-        sum[channel] += (texels[i + channel] ?? 0) * ring;
-      }
-      texels[i + 3] = soot;
-      moment += luma([texels[i] ?? 0, texels[i + 1] ?? 0, texels[i + 2] ?? 0]) * ring * t * height;
+      texels[i] = soot * glow[0];
+      texels[i + 1] = soot * glow[1];
+      texels[i + 2] = soot;
+      texels[i + 3] = cup * BLUE_SHARE * hottest;
+      red += soot * glow[0] * ring;
+      green += soot * glow[1] * ring;
+      sootRows[row] =
+        (sootRows[row] ?? 0) + soot * luma([glow[0], glow[1], LEAST_BLUE * glow[0]]) * ring;
+      blueRows[row] = (blueRows[row] ?? 0) + cup * BLUE_SHARE * hottest * ring;
     }
+    moment += ((sootRows[row] ?? 0) + (blueRows[row] ?? 0)) * t * height;
   }
+  const blue = sum(blueRows);
+  const soot = sum(sootRows);
+  const total = soot + blue;
   // Emission integrated over the volume is intensity: scaled, the picture gives what was asked for.
-  const total = luma(sum);
+  // By Kirchhoff's law absorption is emission over what a black body would give: it scales alike.
   const scale = luminousIntensity / total;
   for (let i = 0; i < texels.length; i++) texels[i] = (texels[i] ?? 0) * scale;
+  for (let row = 0; row < rows; row++) {
+    sootRows[row] = (sootRows[row] ?? 0) * scale;
+    blueRows[row] = (blueRows[row] ?? 0) * scale;
+  }
+  const sootRgb: Rgb = [red / soot, green / soot, (LEAST_BLUE * red) / soot];
+  const mixed = (channel: 0 | 1 | 2) => (sootRgb[channel] * soot + BLUE[channel] * blue) / total;
   return {
     texels,
     height,
     radius,
     luminousIntensity,
-    color: [sum[0] / total, sum[1] / total, sum[2] / total],
+    color: [mixed(0), mixed(1), mixed(2)],
+    sootColor: sootRgb,
     centre: moment / total,
+    sootRows,
+    blueRows,
   };
+}
+
+function sum(values: Float64Array): number {
+  return values.reduce((total, value) => total + value, 0);
 }

@@ -1,35 +1,71 @@
 import type { Vec3 } from "../world/bounds.js";
+import { flameHeight, flameRadius, TAPER_RATE, TAPER_WICK } from "../world/flame/burning.js";
 import type { World } from "../world/world.js";
-import { type FlameBody, flameBody } from "./flame-body.js";
+import { chromaticity, type Rgb } from "./color.js";
+import { BLUE, type FlameBody, flameBody } from "./flame-body.js";
+import { createShape, shapeFlame } from "./flame-shape.js";
+import { sootRadiance } from "./soot.js";
 
-/** The flame as surfaces see it: an upright capsule, equally intense from all sides. */
+/** The flame as surfaces see it: a capsule, equally intense from all sides. */
 export interface FlameLight {
   /** Centre of the light, metres. */
   readonly position: Vec3;
-  /** Metres. */
+  /** Direction of the capsule's axis, of length 1, and half of its height, metres. */
+  readonly axis: Vec3;
   readonly halfHeight: number;
   readonly radius: number;
   /** Candela, linear Rec. 709 whose luma is the luminous intensity. */
   readonly intensity: Vec3;
 }
 
-/** A good taper's flame: 35 mm high, 8 mm wide, the candle that the candela was named after. */
-export const TAPER: FlameBody = flameBody(0.038, 0.0042, 1);
+/** A good taper's flame, still: the candle that the candela was named after. */
+export const TAPER: FlameBody = flameBody(flameHeight(TAPER_RATE), flameRadius(TAPER_WICK, 1), 1);
 
-/** What the flame, drawn from the same body, is to the room. */
-export function flameLight({ shown }: World, body: FlameBody): FlameLight {
+/** The wick's glowing tip: how high it stands, and how much of it is seen from any side. m, m². */
+export const EMBER_HEIGHT = 0.0066;
+const EMBER_AREA = 3e-6;
+
+const scratch = createShape();
+
+/** What the flame, drawn from the same body, is to the room; what is left of it when it is out. */
+export function flameLight(world: Pick<World, "shown" | "flame">, body: FlameBody): FlameLight {
+  const { shown, flame } = world;
+  const shape = shapeFlame(flame, body, scratch);
+  const { centre, reach, sootIntensity, blueIntensity } = shape;
   const [x, y, z] = shown.flame;
-  const { color, luminousIntensity } = body;
+  if (!flame.isLit) {
+    const glow = emberRadiance(flame.ember);
+    return {
+      position: [x, y + EMBER_HEIGHT, z],
+      axis: [0, 1, 0],
+      halfHeight: 0.0005,
+      radius: 0.001,
+      intensity: [glow[0] * EMBER_AREA, glow[1] * EMBER_AREA, glow[2] * EMBER_AREA],
+    };
+  }
+  const soot = body.sootColor;
+  const halfHeight = Math.hypot(reach[0] ?? 0, reach[1] ?? 0, reach[2] ?? 0);
+  const part = (axis: 0 | 1 | 2) => (reach[axis] ?? 0) / Math.max(halfHeight, 1e-9);
+  const channel = (i: 0 | 1 | 2) => soot[i] * sootIntensity + BLUE[i] * blueIntensity;
   return {
-    position: [x, y + body.centre, z],
-    halfHeight: body.height * 0.36,
-    radius: body.radius * 0.8,
-    intensity: [
-      color[0] * luminousIntensity,
-      color[1] * luminousIntensity,
-      color[2] * luminousIntensity,
-    ],
+    position: [x + (centre[0] ?? 0), y + (centre[1] ?? 0), z + (centre[2] ?? 0)],
+    axis: [part(0), part(1), part(2)],
+    halfHeight,
+    radius: shape.radius * 0.8,
+    intensity: [channel(0), channel(1), channel(2)],
   };
+}
+
+/** Below 1000 K light falls by e for every 48 K. */
+function fading(temperature: number): number {
+  return Math.exp((temperature - 1000) / 48);
+}
+
+/** Radiance of the glowing wick, cd/m². */
+export function emberRadiance(temperature: number): Rgb {
+  const glow = sootRadiance(Math.max(temperature, 1000));
+  const share = temperature > 1000 ? 1 : fading(temperature);
+  return [glow[0] * share, glow[1] * share, glow[2] * share];
 }
 
 /** The flame as its page may ask about it. SI: metres, candela, kelvin, radians. */
@@ -45,35 +81,50 @@ export interface FlameReport {
   readonly tilt: number;
 }
 
-/** Soot glows as a black body of this temperature, kelvin: its emissivity goes as 1/λ. */
+/** Soot of a candle at rest glows as a black body of this temperature, kelvin: its emissivity goes as 1/λ. */
 const COLOR_TEMPERATURE = 1880;
 
 export function flameReport(world: World): FlameReport {
-  const { position } = flameLight(world, TAPER);
+  const { flame, shown } = world;
+  const { position, intensity } = flameLight(world, TAPER);
+  const shape = scratch;
+  const [dx, dy, dz] = [0, 1, 2].map((axis) => (position[axis] ?? 0) - (shown.flame[axis] ?? 0));
   return {
-    lit: true,
+    lit: flame.isLit,
     position,
-    height: TAPER.height,
-    width: 2 * TAPER.radius,
-    luminousIntensity: TAPER.luminousIntensity,
-    colorTemperature: COLOR_TEMPERATURE,
-    tilt: 0,
+    height: flame.isLit ? shape.length : 0,
+    width: flame.isLit ? 2 * shape.radius : 0,
+    luminousIntensity: flame.isLit
+      ? shape.sootIntensity + shape.blueIntensity
+      : 0.2126729 * intensity[0] + 0.7151522 * intensity[1] + 0.072175 * intensity[2],
+    colorTemperature: flame.isLit ? correlatedTemperature(intensity) : flame.ember,
+    tilt: flame.isLit ? Math.atan2(Math.hypot(dx ?? 0, dz ?? 0), dy ?? 1) : 0,
   };
+}
+
+/** McCamy 1992, "Correlated color temperature as an explicit function of chromaticity coordinates". */
+function correlatedTemperature(rgb: Rgb): number {
+  const [u, v] = chromaticity(rgb);
+  const x = (9 * u) / (6 * u - 16 * v + 12);
+  const y = (4 * v) / (6 * u - 16 * v + 12);
+  const n = (x - 0.332) / (0.1858 - y);
+  return 449 * n ** 3 + 3525 * n ** 2 + 6823.3 * n + 5520.33;
 }
 
 /** The same of the paper's flame, which has no unit of light: its extent is that of its particles. */
 export function paperFlameReport(world: World, position: Vec3): FlameReport {
-  const { stage, shown, sample } = world;
+  const { stage, shown, sample, flame } = world;
   const [dx, dy, dz] = [0, 1, 2].map((axis) => (position[axis] ?? 0) - (shown.flame[axis] ?? 0));
   const { speed, buoyancy, life, size } = sample.layer;
   const mean = (speed[0] + speed[1]) / 2;
+  const burning = flame.isLit ? Math.min(flame.fuel, 1) : 0;
   return {
-    lit: true,
+    lit: flame.isLit,
     position,
-    height: (mean * life + 0.5 * buoyancy * life * life) * stage.flameScale,
-    width: size * stage.flameScale,
-    luminousIntensity: 1,
+    height: flame.isLit ? (mean * life + 0.5 * buoyancy * life * life) * stage.flameScale : 0,
+    width: flame.isLit ? size * stage.flameScale : 0,
+    luminousIntensity: burning,
     colorTemperature: COLOR_TEMPERATURE,
-    tilt: Math.atan2(Math.hypot(dx ?? 0, dz ?? 0), dy ?? 1),
+    tilt: flame.isLit ? Math.atan2(Math.hypot(dx ?? 0, dz ?? 0), dy ?? 1) : 0,
   };
 }

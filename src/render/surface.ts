@@ -18,6 +18,8 @@ export interface Surface {
   readonly isDoubleSided: boolean;
   /** Whether light comes through it. */
   readonly isWax: boolean;
+  /** Whether its tip glows. */
+  readonly isWick: boolean;
   readonly textures: {
     readonly uAlbedo: Texture;
     readonly uNormal: Texture;
@@ -72,6 +74,7 @@ export function uploadModel(
       occlusionStrength: material.occlusion ? 0 : material.occlusionStrength,
       isDoubleSided: material.isDoubleSided,
       isWax: material.name === "wax" || material.name === "pool",
+      isWick: material.name === "wick",
       textures: {
         uAlbedo: texture(label("albedo"), "SRGB8_ALPHA8", material.albedo) ?? white,
         // Two channels: the third of a unit vector follows from them.

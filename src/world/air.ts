@@ -11,6 +11,7 @@ export interface Wind {
   readonly gustiness: number;
 }
 
+const NO_MOTION: Vec3 = [0, 0, 0];
 export const CALM: Wind = { speed: 0, direction: 0, gustiness: 0 };
 
 /** Unrest of a squally wind, as a share of its mean along each axis. */
@@ -24,9 +25,16 @@ const GIRTH = 0.22;
 const BELOW_EYE = 1.6;
 const ABOVE_EYE = 0.15;
 
+/** Who carries a candle keeps his other hand before it: the air around takes part in its motion. */
+const SHELTER = 0.4;
+/** How far around the flame, metres. */
+const SHELTERED = 0.12;
+
 /** Of a breath at full strength: speed at the lips, m/s, and the width of the mouth, m. */
 const BREATH_SPEED = 20;
 const MOUTH = 0.015;
+/** He bends towards the flame to blow: so near, or half of the way. Metres. */
+const BENDING = 0.25;
 /** How long a breath lasts, and how long it takes to swell and to end. Seconds. */
 const BREATH = 0.45;
 const SWELL = 0.08;
@@ -52,6 +60,9 @@ export class Air {
   readonly #pace: Vec3 = [0, 0, 0];
   readonly #lips: Vec3 = [0, 0, 0];
   readonly #towards: Vec3 = [0, 0, -1];
+  /** The flame that is carried, and the velocity that the air around it shares. */
+  readonly #carried: Vec3 = [0, 0, 0];
+  readonly #shelter: Vec3 = [0, 0, 0];
   #breathBegan = Number.NEGATIVE_INFINITY;
   #breathSpeed = 0;
 
@@ -66,13 +77,22 @@ export class Air {
    *
    * @param eye the visitor's, metres
    * @param pace his velocity, m/s
+   * @param flame foot of the flame, metres, and the velocity that he carries it with, m/s
    */
-  advance(time: number, eye: Readonly<Vec3>, pace: Readonly<Vec3>): void {
+  advance(
+    time: number,
+    eye: Readonly<Vec3>,
+    pace: Readonly<Vec3>,
+    flame: Readonly<Vec3> = eye,
+    carrying: Readonly<Vec3> = NO_MOTION,
+  ): void {
     this.#veer(1 - Math.exp(-VEERING * Math.max(0, time - this.#time)));
     this.#time = time;
     for (const axis of [0, 1, 2] as const) {
       this.#body[axis] = eye[axis];
       this.#pace[axis] = pace[axis];
+      this.#carried[axis] = flame[axis];
+      this.#shelter[axis] = carrying[axis] * SHELTER;
     }
   }
 
@@ -83,10 +103,15 @@ export class Air {
     this.#unrest += (speed * gustiness * TURBULENCE - this.#unrest) * share;
   }
 
-  /** A breath, from the lips along a direction of length 1. `strength` 1 blows out a candle at arm's length. */
-  blow(lips: Readonly<Vec3>, towards: Readonly<Vec3>, strength: number): void {
+  /**
+   * A breath along a direction of length 1. `strength` 1 blows out a candle at arm's length.
+   *
+   * @param distance of what it is meant for, from the eye, metres
+   */
+  blow(eye: Readonly<Vec3>, towards: Readonly<Vec3>, distance: number, strength: number): void {
+    const bent = Math.min(BENDING, distance / 2);
     for (const axis of [0, 1, 2] as const) {
-      this.#lips[axis] = lips[axis];
+      this.#lips[axis] = eye[axis] + towards[axis] * bent;
       this.#towards[axis] = towards[axis];
     }
     this.#breathBegan = this.#time;
@@ -100,6 +125,7 @@ export class Air {
     out[2] = this.#mean[2];
     if (this.#unrest > 0) this.#gusts.add(this.#unrest, this.#time, x, y, z, out);
     this.#addWake(x, y, z, out);
+    this.#addShelter(x, y, z, out);
     this.#addBreath(x, y, z, out);
     return out;
   }
@@ -117,6 +143,14 @@ export class Air {
     const back = share < 1 ? -1 : 1;
     out[0] += share * (along * dx + back * this.#pace[0]);
     out[2] += share * (along * dz + back * this.#pace[2]);
+  }
+
+  #addShelter(x: number, y: number, z: number, out: Vec3): void {
+    const dx = x - this.#carried[0];
+    const dy = y - this.#carried[1];
+    const dz = z - this.#carried[2];
+    const share = Math.exp(-(dx * dx + dy * dy + dz * dz) / (SHELTERED * SHELTERED));
+    for (const axis of [0, 1, 2] as const) out[axis] += share * this.#shelter[axis];
   }
 
   #addBreath(x: number, y: number, z: number, out: Vec3): void {

@@ -35,6 +35,8 @@ import { MEMORY, TICK, Timeline } from "./timeline.js";
 const WARMING = 60;
 const FUMES_EVERY = 2;
 
+/** Strongest wind that one can light a candle in, m/s. */
+const LIGHTABLE = 1;
 const STANDING: Vec3 = [0, 0, 0];
 /** Distance from the eye at which the flame has lost a group of particles, metres each. */
 const LOD_DISTANCE = 2.5;
@@ -106,7 +108,7 @@ export function createWorld(
     player: { position: start, velocity: [0, 0, 0], yaw, pitch: stage.pitch },
     hand: createHand(yaw),
     candle: { position: [...(stage.stand ?? start)], yaw, isHeld },
-    air: new Air(seed, wind),
+    air: new Air(seed, { ...wind, speed: Math.min(wind.speed, LIGHTABLE) }),
     flame: new Flame(wick, isLit),
     fumes: null,
     emitter: [0, 0, 0],
@@ -126,6 +128,8 @@ export function createWorld(
     }
     tick(world, STILL);
   }
+  // A gale comes up only then: the flame was lit in calm.
+  world.air.wind = wind;
   show(world);
   return world;
 }
@@ -223,7 +227,7 @@ export function blow({ air, player, emitter }: World, strength: number): void {
   for (const axis of [0, 1, 2] as const) toFlame[axis] /= Math.max(distance, 1e-6);
   const ahead = toFlame[0] * sight[0] + toFlame[1] * sight[1] + toFlame[2] * sight[2];
   const isMeant = distance < BREATH_REACH && ahead > Math.cos(AIM);
-  air.blow(position, isMeant ? toFlame : sight, strength);
+  air.blow(position, isMeant ? toFlame : sight, distance, strength);
 }
 
 /** Middle of the flame's glowing particles, from the emitter, in the emitter's unit. */
@@ -259,7 +263,8 @@ function tick(world: World, intent: Intent): void {
   settle(world, TICK);
   const motion: Vec3 = [0, 0, 0];
   for (const axis of [0, 1, 2] as const) motion[axis] = (emitter[axis] - before[axis]) / TICK;
-  air.advance((timeline.tick + 1) * TICK, position, velocity);
+  const time = (timeline.tick + 1) * TICK;
+  air.advance(time, position, velocity, emitter, world.candle.isHeld ? motion : STANDING);
   // The paper's flame has its own law of motion, and no air passes it.
   flame.advance(emitter, world.look === "physical" ? motion : STANDING, air, !world.sways, TICK);
   if (timeline.tick % FUMES_EVERY === 0) {

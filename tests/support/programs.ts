@@ -56,6 +56,9 @@ export async function reportPrograms(look: Look): Promise<ProgramReport[]> {
       exposure: 0,
       particles: 0,
       isStill: false,
+      unlit: false,
+      wick: 0.002,
+      wind: { speed: 0, direction: 0, gustiness: 0 },
     });
     for (let i = 0; i < 3; i++) candle.step(1 / 60);
     candle.world.flame.extinguish(); // smoke has shaders of its own

@@ -15,8 +15,13 @@ const FIELD_OF_VIEW = 56;
 const names = process.argv.slice(2);
 const wanted = names.length > 0 ? views.filter(({ name }) => names.includes(name)) : views;
 
+const { Flame } = await readSource("/src/world/flame/flame.ts");
+const { TAPER_WICK } = await readSource("/src/world/flame/burning.ts");
 const { flameLight, TAPER } = await readSource("/src/light/flame-light.ts");
-const { position: centre, ...emitter } = flameLight({ shown: { flame: [0, 0, 0] } }, TAPER);
+const { position: centre, ...emitter } = flameLight(
+  { shown: { flame: [0, 0, 0] }, flame: new Flame(TAPER_WICK, true) },
+  TAPER,
+);
 const lamp = { ...emitter, base: -centre[1], height: TAPER.height, reach: TAPER.radius };
 
 /** Where camera, flame and candle are in each view: the element itself says so. */

@@ -8,6 +8,8 @@ import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { BODY_SIZE, outline } from "../../light/flame-body.js";
 import { TAPER } from "../../light/flame-light.js";
+import { BALLS, createShape, shapeFlame } from "../../light/flame-shape.js";
+import type { Vec3 } from "../../world/bounds.js";
 import type { World } from "../../world/world.js";
 import type { Tier } from "../tier.js";
 
@@ -19,6 +21,13 @@ const STEPS: Readonly<Record<Tier["name"], number>> = {
   ultra: 64,
 };
 
+/** The ring handle, along +X in the model, is turned towards the visitor's right hand. */
+export const HANDLE_TURN = -1.1;
+/** Tip of the wick from the foot of the flame, in the model's frame, m. */
+const WICK_TIP = [0.0026, 0.0067, 0.0003] as const;
+/** Corners of the hull: six sides, two triangles each, between rings around the balls and its ends. */
+const CORNERS = (BALLS + 1) * 6 * 6;
+
 /** The flame's body, gathered along each pixel's ray within a hull around it. */
 export class FlamePass {
   readonly #gpu: Gpu;
@@ -27,6 +36,7 @@ export class FlamePass {
   readonly #body: Texture;
   readonly #outline: Texture;
   readonly #hull: VertexArray;
+  readonly #shape = createShape();
 
   constructor(gpu: Gpu) {
     this.#gpu = gpu;
@@ -48,28 +58,41 @@ export class FlamePass {
         ),
       },
     });
-    this.#hull = gpu.vertexArray("flame/hull", { attributes: {}, count: 14 });
+    this.#hull = gpu.vertexArray("flame/hull", { attributes: {}, count: CORNERS });
   }
 
   /** Radiance is added to the target, behind what stands in front of the flame. */
   render(target: RenderTarget, frame: UniformBlock, world: World, tier: Tier["name"]): void {
-    const [x, y, z] = world.shown.flame;
+    const shape = shapeFlame(world.flame, TAPER, this.#shape);
+    if (!(shape.soot + shape.blue > 0)) return;
     this.#flame.update({
-      base: [x, y, z],
-      radius: TAPER.radius,
-      tip: [x, y + TAPER.height, z],
+      base: world.shown.flame,
       steps: STEPS[tier],
+      wick: wickTip(world),
+      top: shape.top,
+      extent: shape.length,
+      radius: shape.radius,
+      soot: shape.soot,
+      blue: shape.blue,
+      "nodes[0]": shape.nodes,
+      "balls[0]": shape.balls,
     });
     this.#gpu.draw({
       program: this.#program,
       target,
       vertexArray: this.#hull,
-      primitive: "strip",
       textures: { uBody: this.#body, uOutline: this.#outline },
       blocks: { Frame: frame, Flame: this.#flame },
       blend: "premultiplied",
       depth: "test",
-      cull: "none",
     });
   }
+}
+
+/** The tip from the foot of the flame, as the candle is turned. Metres. */
+function wickTip({ candle }: World): Vec3 {
+  const [x, y, z] = WICK_TIP;
+  const sin = Math.sin(candle.yaw + HANDLE_TURN);
+  const cos = Math.cos(candle.yaw + HANDLE_TURN);
+  return [cos * x + sin * z, y, cos * z - sin * x];
 }

@@ -9,13 +9,14 @@ const CANDLE = { rim: 0.2015, rimRadius: 0.0105, pan: 0.018, panRadius: 0.066 } 
 /** The flame as the shaders' `Light` block has it; a hidden candle stands in no light. */
 export function lightBlock(world: World, showsCandle: boolean) {
   const { foot } = world.shown;
-  const { position, halfHeight, intensity, radius } = flameLight(world, TAPER);
+  const { position, axis: along, halfHeight, intensity, radius } = flameLight(world, TAPER);
   return {
     position,
     vantage: vantage(world.shown.flame, position),
     halfHeight,
     intensity,
     radius,
+    along,
     axis: [foot[0], foot[2]],
     rim: foot[1] + CANDLE.rim,
     rimRadius: showsCandle ? CANDLE.rimRadius : 0,
@@ -37,6 +38,7 @@ export function lightAtVantage(world: World, showsCandle: boolean): LightAtVanta
     position: light.vantage,
     halfHeight: onGrid(light.halfHeight),
     intensity: [1, 1, 1],
+    along: [0, 1, 0],
     radius: onGrid(light.radius),
     axis: light.axis.map(onGrid),
     rim: onGrid(light.rim),

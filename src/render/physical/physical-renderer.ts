@@ -11,7 +11,7 @@ import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { adaptation } from "../../light/color.js";
 import { ember } from "../../light/ember.js";
-import { TAPER } from "../../light/flame-light.js";
+import { emberRadiance, TAPER } from "../../light/flame-light.js";
 import type { World } from "../../world/world.js";
 import { clipFromWorld, projectionScale } from "../camera.js";
 import type { Models, Renderer } from "../renderer.js";
@@ -20,7 +20,7 @@ import type { Tier } from "../tier.js";
 import type { View } from "../view.js";
 import { BloomPass } from "./bloom-pass.js";
 import { Casters } from "./casters.js";
-import { FlamePass } from "./flame-pass.js";
+import { FlamePass, HANDLE_TURN } from "./flame-pass.js";
 import { HazePass } from "./haze-pass.js";
 import { type IndirectDetail, IndirectPass, type IrradianceVolume } from "./indirect-pass.js";
 import { lightAtVantage, lightBlock } from "./light-block.js";
@@ -58,8 +58,7 @@ const BLOOM_LEVELS: Readonly<Record<Tier["name"], number>> = {
 };
 /** Share of the light that the eye and the lens scatter. */
 const SCATTERED = 0.0006;
-/** The ring handle, along +X in the model, is turned towards the visitor's right hand. */
-const HANDLE_TURN = -1.1;
+const NO_EMBER = [0, 0, 0] as const;
 const BLACK = [0, 0, 0, 1] as const;
 
 /**
@@ -140,12 +139,9 @@ export class PhysicalRenderer implements Renderer {
     this.#drawSurfaces(target, view, this.#room, shadow, volume, [0, 0, 0, 0]);
     if (view.features.candle) {
       const [x, y, z] = world.shown.foot;
-      this.#drawSurfaces(target, view, this.#candle, shadow, volume, [
-        x,
-        y,
-        z,
-        world.candle.yaw + HANDLE_TURN,
-      ]);
+      const place = [x, y, z, world.candle.yaw + HANDLE_TURN] as const;
+      const ember = emberRadiance(world.flame.ember);
+      this.#drawSurfaces(target, view, this.#candle, shadow, volume, place, ember);
     }
     if (view.features.volume) this.#flame.render(target, this.#frame, world, this.#tier.name);
     if (this.#samples) this.#gpu.resolve(this.#samples, this.#radiance);
@@ -193,6 +189,7 @@ export class PhysicalRenderer implements Renderer {
     shadow: Texture,
     volume: IrradianceVolume,
     place: readonly [number, number, number, number],
+    ember: readonly [number, number, number] = NO_EMBER,
   ): void {
     const { shadows, indirect, specular, translucency } = features;
     const shown = [shadows ? 1 : 0, indirect ? 1 : 0, specular ? 1 : 0];
@@ -203,6 +200,7 @@ export class PhysicalRenderer implements Renderer {
       parameters,
       isDoubleSided,
       isWax,
+      isWick,
       occlusionStrength,
     } of surfaces) {
       this.#gpu.draw({
@@ -216,6 +214,7 @@ export class PhysicalRenderer implements Renderer {
           uSurface: parameters,
           uOcclusion: occlusionStrength,
           uWax: isWax && translucency ? 1 : 0,
+          uEmber: isWick ? ember : NO_EMBER,
           uShown: shown,
         },
         blocks: { Frame: this.#frame, Light: this.#light, Volume: volume.block },

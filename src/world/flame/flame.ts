@@ -13,11 +13,11 @@ const LEAST = 0.035;
  * Strain that a flame cannot follow, 1/s: air that passes it is gone before it has burnt. Hydrocarbons
  * in air end at 300 to 500 (Tsuji 1982, "Counterflow Diffusion Flames").
  */
-const EXTINCTION_STRAIN = 300;
+const EXTINCTION_STRAIN = 330;
 /** A remnant in the lee of the wick bears this share of it, so what was almost out is blown out easily. */
 const REMNANT_STRENGTH = 0.7;
 /** How fast it dies beyond the limit, 1/s for each limit that the strain is above it. */
-const DYING = 9;
+const DYING = 14;
 /** Draughts up to this share of the limit cost it nothing. */
 const UNNOTICED = 0.04;
 /** Fuel lost at the limit, and what shortens and narrows it there besides. */
@@ -96,9 +96,10 @@ export class Flame {
   /** Catches at the wick. False if it burns already. */
   light(): boolean {
     if (this.isLit) return false;
-    this.isLit = true;
     this.fuel = Math.max(SPARK, this.vapour / fuelRate(this.wick));
+    this.isLit = true;
     this.strain = 0;
+    this.#airspeed.fill(0); // the gust that put it out is long over
     return true;
   }
 
@@ -158,7 +159,9 @@ export class Flame {
     const target = 1 - COOLING * Math.min(this.#felt, 1);
     const strength = REMNANT_STRENGTH + (1 - REMNANT_STRENGTH) * Math.min(this.fuel, 1);
     const excess = Math.max(0, this.strain / strength - 1);
-    const growth = (target - this.fuel) / GROWTH - DYING * excess;
+    const mending = Math.max(0, 1 - this.strain / strength);
+    const lack = (target - this.fuel) / GROWTH;
+    const growth = (lack > 0 ? lack * mending : lack) - DYING * excess;
     this.fuel *= Math.exp(growth * seconds);
     if (this.fuel < LEAST && excess > 0) this.extinguish();
   }

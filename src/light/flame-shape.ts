@@ -1,0 +1,194 @@
+import { TAPER_RATE } from "../world/flame/burning.js";
+import type { Flame } from "../world/flame/flame.js";
+import { PARCELS } from "../world/flame/spine.js";
+import { BODY_REACH, BODY_SIZE, type FlameBody, outline } from "./flame-body.js";
+
+/** Places along the spine that the picture knows, evenly spaced in height. */
+export const NODES = 16;
+/** Balls that hold all of the body: what lies outside of them need not be marched through. */
+export const BALLS = 8;
+
+/** Soot takes time to grow: flames much shorter than this are blue. Metres. */
+const SOOT_LENGTH = 0.015;
+/** At the strain that puts it out, soot has fallen to 1/e of what the flame's length alone gives. */
+const SOOT_LOSS = 1;
+/** More of the fuel burns blue then, by this factor. */
+const BLUENESS = 2.5;
+
+/** How much of its fuel a flame turns to glowing soot: its length in metres, its strain as a share. */
+export function sootiness(length: number, strain: number): number {
+  return (1 - Math.exp(-((length / SOOT_LENGTH) ** 1.5))) * Math.exp(-SOOT_LOSS * strain);
+}
+
+/**
+ * The body of a flame as it is bent, stretched and dimmed at this moment: what is drawn, and what
+ * lights the room. Lengths in metres from the foot of the flame.
+ */
+export interface FlameShape {
+  /** Luminous length along the spine, and largest radius. */
+  length: number;
+  radius: number;
+  /** Height above the foot of the last node. */
+  top: number;
+  /** Factors on the table's soot and blue. */
+  soot: number;
+  blue: number;
+  /** Of each node: x, z, share of the length, factor on the radius. */
+  readonly nodes: Float32Array;
+  /** Of each ball: x, y, z, radius. */
+  readonly balls: Float32Array;
+  /** Candela: of soot and of the blue bands. */
+  sootIntensity: number;
+  blueIntensity: number;
+  /** Centre of the light. */
+  readonly centre: Float64Array;
+  /** From the centre to the upper end of the light, as a capsule. */
+  readonly reach: Float64Array;
+}
+
+export function createShape(): FlameShape {
+  return {
+    length: 0,
+    radius: 0,
+    top: 0,
+    soot: 0,
+    blue: 0,
+    nodes: new Float32Array(NODES * 4),
+    balls: new Float32Array(BALLS * 4),
+    sootIntensity: 0,
+    blueIntensity: 0,
+    centre: new Float64Array(3),
+    reach: new Float64Array(3),
+  };
+}
+
+/** Finest pieces that the spine is walked in. */
+const PIECES = 64;
+const path = new Float64Array((PIECES + 1) * 3);
+
+/** Bends, stretches and dims a body as the flame has it, into `shape`. Nothing is allocated. */
+export function shapeFlame(flame: Flame, body: FlameBody, shape: FlameShape): FlameShape {
+  const { height: length, radius, strain } = flame;
+  shape.length = length;
+  shape.radius = radius;
+  tracePath(flame.spine.positions, length);
+  placeNodes(shape);
+  // Light goes as the fuel that burns, and as the share of it that turns to soot.
+  const burning = (flame.isLit ? flame.rate : 0) / TAPER_RATE;
+  const sooty = sootiness(length, strain) / sootiness(body.height, 0);
+  const volume = (length / body.height) * (radius / body.radius) ** 2;
+  shape.soot = volume > 0 ? (burning * sooty) / volume : 0;
+  // The blue sheet is as thick and as bright on any flame: its light goes as its area.
+  shape.blue = burning > 0 ? (body.radius / radius) * (1 + BLUENESS * strain) : 0;
+  gatherLight(body, shape, volume);
+  placeBalls(shape);
+  return shape;
+}
+
+/** The middle of the flame from its foot to its tip, in pieces of equal length. */
+function tracePath(spine: Float64Array, length: number): void {
+  path.fill(0, 0, 3);
+  const step = length / PIECES;
+  let [x, y, z] = [0, 0, 0];
+  let parcel = 0;
+  let [dx, dy, dz] = [0, 1, 0];
+  for (let piece = 1; piece <= PIECES; piece++) {
+    let left = step;
+    while (left > 0) {
+      const at = parcel * 3;
+      const [toX, toY, toZ] = [
+        (spine[at] ?? 0) - x,
+        (spine[at + 1] ?? 0) - y,
+        (spine[at + 2] ?? 0) - z,
+      ];
+      const distance = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
+      // Parcels that have not risen, or sink, are passed over; past the last one it goes on straight.
+      const isNext = parcel < PARCELS && toY > 1e-7 && distance > 1e-7;
+      if (parcel < PARCELS && !isNext) {
+        parcel++;
+        continue;
+      }
+      if (isNext) [dx, dy, dz] = [toX / distance, toY / distance, toZ / distance];
+      const way = isNext ? Math.min(left, distance) : left;
+      x += dx * way;
+      y += dy * way;
+      z += dz * way;
+      left -= way;
+      if (isNext && way === distance) parcel++;
+    }
+    path[piece * 3] = x;
+    path[piece * 3 + 1] = y;
+    path[piece * 3 + 2] = z;
+  }
+}
+
+function placeNodes(shape: FlameShape): void {
+  const top = Math.max(path[PIECES * 3 + 1] ?? 0, 1e-5);
+  shape.top = top;
+  let piece = 0;
+  for (let node = 0; node < NODES; node++) {
+    const height = (top * node) / (NODES - 1);
+    while (piece < PIECES - 1 && (path[(piece + 1) * 3 + 1] ?? 0) < height) piece++;
+    const low = path[piece * 3 + 1] ?? 0;
+    const high = path[piece * 3 + 4] ?? 0;
+    const share = Math.min(Math.max((height - low) / Math.max(high - low, 1e-9), 0), 1);
+    const at = piece * 3;
+    shape.nodes[node * 4] = mix(path[at] ?? 0, path[at + 3] ?? 0, share);
+    shape.nodes[node * 4 + 1] = mix(path[at + 2] ?? 0, path[at + 5] ?? 0, share);
+    shape.nodes[node * 4 + 2] = (piece + share) / PIECES;
+    shape.nodes[node * 4 + 3] = 1;
+  }
+}
+
+/** Intensity, centre and extent of the light, integrated over the rows of the table. */
+function gatherLight(body: FlameBody, shape: FlameShape, volume: number): void {
+  const { sootRows, blueRows } = body;
+  const { centre, reach } = shape;
+  const rows = BODY_SIZE.height;
+  const [sootFactor, blueFactor] = [shape.soot * volume, shape.blue * volume];
+  let [soot, blue] = [0, 0];
+  centre.fill(0);
+  for (let row = 0; row < rows; row++) {
+    const ofSoot = (sootRows[row] ?? 0) * sootFactor;
+    const ofBlue = (blueRows[row] ?? 0) * blueFactor;
+    soot += ofSoot;
+    blue += ofBlue;
+    const at = Math.floor(((row + 0.5) / rows) * PIECES) * 3;
+    for (let axis = 0; axis < 3; axis++) {
+      centre[axis] = (centre[axis] ?? 0) + (ofSoot + ofBlue) * (path[at + axis] ?? 0);
+    }
+  }
+  shape.sootIntensity = soot;
+  shape.blueIntensity = blue;
+  const total = Math.max(soot + blue, 1e-12);
+  for (let axis = 0; axis < 3; axis++) centre[axis] = (centre[axis] ?? 0) / total;
+  // The capsule's ends: where the brightest nine tenths of the body begin and end.
+  const low = Math.round(0.2 * PIECES) * 3;
+  const high = Math.round(0.92 * PIECES) * 3;
+  for (let axis = 0; axis < 3; axis++) {
+    reach[axis] = ((path[high + axis] ?? 0) - (path[low + axis] ?? 0)) / 2;
+  }
+}
+
+function placeBalls(shape: FlameShape): void {
+  const stride = PIECES / BALLS;
+  for (let ball = 0; ball < BALLS; ball++) {
+    const first = ball * stride;
+    const middle = (first + stride / 2) * 3;
+    const at = ball * 4;
+    for (let axis = 0; axis < 3; axis++) shape.balls[at + axis] = path[middle + axis] ?? 0;
+    let radius = 0;
+    for (let piece = first; piece <= first + stride; piece++) {
+      const dx = (path[piece * 3] ?? 0) - (path[middle] ?? 0);
+      const dy = (path[piece * 3 + 1] ?? 0) - (path[middle + 1] ?? 0);
+      const dz = (path[piece * 3 + 2] ?? 0) - (path[middle + 2] ?? 0);
+      const outer = shape.radius * outline(piece / PIECES) * BODY_REACH;
+      radius = Math.max(radius, Math.sqrt(dx * dx + dy * dy + dz * dz + outer * outer));
+    }
+    shape.balls[at + 3] = radius;
+  }
+}
+
+function mix(from: number, to: number, share: number): number {
+  return from + (to - from) * share;
+}
