@@ -91,6 +91,11 @@ export class CandleFlame {
     this.#renderer = this.#createRenderer();
   }
 
+  /** On the page. */
+  get canvas(): HTMLCanvasElement {
+    return this.#screen.canvas;
+  }
+
   #createRenderer(): Renderer {
     const { width, height } = this.#screen.canvas;
     const renderer = this.#scene.createRenderer(this.#screen, this.#tier, this.#options.look);
