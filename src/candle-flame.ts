@@ -1,8 +1,9 @@
 import type { FirstPersonInput } from "./input/first-person-input.js";
 import { candleLight } from "./light/candle-light.js";
 import { type FlameReport, flameReport, paperFlameReport } from "./light/flame-light.js";
+import { AutoQuality, type Rung } from "./render/auto-quality.js";
 import type { Renderer } from "./render/renderer.js";
-import { type Tier, tierOf } from "./render/tier.js";
+import { type Tier, tierNamed } from "./render/tier.js";
 import type { Scene } from "./scenes/scene.js";
 import type { Screen } from "./scenes/screen.js";
 import type { Features, Look, Quality } from "./settings.js";
@@ -15,6 +16,8 @@ import { advance, createWorld, currentTime, moveCamera, type World } from "./wor
 const MAX_FRAME = 1 / 20;
 /** Weight of the newest frame in the running mean of frame times. */
 const SMOOTHING = 0.1;
+/** Where `auto` draws a picture that stays: the first, and any while no time passes. */
+const STILL_RUNG: Rung = { tier: "high", share: 1 };
 
 /** Everything about a candle that its owner may set at any time. */
 export interface Options {
@@ -67,11 +70,16 @@ export class CandleFlame {
   onFlameChanged: () => void = () => {};
   /** Called when the visitor wanted to put the candle down, and could not. */
   onRefused: () => void = () => {};
+  /** Called when the picture is of another quality or resolution than the one before. */
+  onQualityChanged: () => void = () => {};
   readonly #screen: Screen;
   #scene: Scene;
   readonly #features: Features;
   #options: Options;
+  readonly #auto: AutoQuality;
   #tier: Tier;
+  /** Of the tier's resolution. */
+  #share: number;
   #renderer: Renderer;
   /** CSS size times device pixel ratio, before the tier's scale. */
   #pixels = { width: 1, height: 1 };
@@ -87,13 +95,32 @@ export class CandleFlame {
     this.#features = { ...features };
     this.#options = options;
     this.world = this.#createWorld();
-    this.#tier = tierOf(options.quality, screen.gpu.renderer);
+    this.#auto = new AutoQuality(screen.gpu.renderer);
+    this.#tier = tierNamed(this.#rung.tier);
+    this.#share = this.#rung.share;
     this.#renderer = this.#createRenderer();
   }
 
-  /** On the page. */
-  get canvas(): HTMLCanvasElement {
-    return this.#screen.canvas;
+  /** What the next picture is to be drawn with. */
+  get #rung(): Rung {
+    const { quality } = this.#options;
+    if (quality !== "auto") return { tier: quality, share: 1 };
+    return this.#request === 0 ? STILL_RUNG : this.#auto.rung;
+  }
+
+  /** Turns to another tier or resolution, if the next picture is to have it. */
+  #chooseQuality(): void {
+    const { tier, share } = this.#rung;
+    const isOtherTier = tier !== this.#tier.name;
+    if (!isOtherTier && share === this.#share) return;
+    this.#tier = tierNamed(tier);
+    this.#share = share;
+    if (isOtherTier) this.#screen.clearUnshared();
+    const isOtherSize = this.#fitCanvas();
+    const { width, height } = this.#screen.canvas;
+    if (isOtherTier) this.#renderer = this.#createRenderer();
+    else if (isOtherSize) this.#renderer.resize(width, height);
+    this.onQualityChanged();
   }
 
   #createRenderer(): Renderer {
@@ -154,16 +181,21 @@ export class CandleFlame {
   show(scene: Scene, options: Options): void {
     this.#scene = scene;
     this.#options = options;
+    this.#auto.renew();
     this.world = this.#createWorld(this.world.timeline.tick, this.world.flame.isLit);
     this.#rebuild();
   }
 
   #rebuild(): void {
     if (this.#screen.gpu.isLost) return; // it is built anew once the context is given back
-    this.#tier = tierOf(this.#options.quality, this.#screen.gpu.renderer);
+    const before = { tier: this.#tier.name, share: this.#share };
+    const { tier, share } = this.#rung;
+    this.#tier = tierNamed(tier);
+    this.#share = share;
     this.#screen.clear();
     this.#fitCanvas();
     this.#renderer = this.#createRenderer();
+    if (before.tier !== tier || before.share !== share) this.onQualityChanged();
   }
 
   /** The visitor stays where he is, or inside the new look's walls, at the same moment. */
@@ -195,15 +227,21 @@ export class CandleFlame {
 
   /** Device pixels that the element covers. */
   resize(width: number, height: number): void {
+    const isOther = width !== this.#pixels.width || height !== this.#pixels.height;
     this.#pixels = { width, height };
+    if (isOther) this.#auto.renew();
     const { gpu, canvas } = this.#screen;
     if (this.#fitCanvas() && !gpu.isLost) this.#renderer.resize(canvas.width, canvas.height);
+  }
+
+  get #resolutionScale(): number {
+    return this.#tier.resolutionScale * this.#share;
   }
 
   #fitCanvas(): boolean {
     const { canvas } = this.#screen;
     const longest = Math.max(this.#pixels.width, this.#pixels.height);
-    const scale = Math.min(this.#tier.resolutionScale, this.#screen.gpu.longestSide / longest);
+    const scale = Math.min(this.#resolutionScale, this.#screen.gpu.longestSide / longest);
     const width = Math.max(1, Math.round(this.#pixels.width * scale));
     const height = Math.max(1, Math.round(this.#pixels.height * scale));
     if (width === canvas.width && height === canvas.height) return false;
@@ -230,6 +268,7 @@ export class CandleFlame {
   draw(): void {
     const { gpu } = this.#screen;
     if (gpu.isLost) return;
+    this.#chooseQuality();
     this.#screen.prepare();
     gpu.beginFrame();
     const { exposure, isStill } = this.#options;
@@ -256,6 +295,10 @@ export class CandleFlame {
     if (elapsed > 0) {
       const mean = Number.isNaN(this.#frameMs) ? elapsed : this.#frameMs;
       this.#frameMs = mean + (elapsed - mean) * SMOOTHING;
+    }
+    if (this.#options.quality === "auto") {
+      const { milliseconds } = this.#screen.gpu.timer;
+      this.#auto.take(elapsed / 1000, milliseconds === null ? null : milliseconds / 1000);
     }
     try {
       this.step(elapsed > 0 ? Math.min(elapsed / 1000, MAX_FRAME) : 0);
@@ -293,7 +336,7 @@ export class CandleFlame {
       particles: this.#features.particles ? this.#renderer.particles : 0,
       width,
       height,
-      resolutionScale: this.#tier.resolutionScale,
+      resolutionScale: this.#resolutionScale,
       quality: this.#tier.name,
       gpuObjects: objectCount,
       gpuBytes: bytes,

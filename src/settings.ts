@@ -61,7 +61,7 @@ export const SETTINGS = {
   src: { kind: "text", default: "", meaning: "URL of a .glb or .gltf that replaces the room." },
   quality: choice(
     ["auto", "low", "medium", "high", "ultra"],
-    "Resolution and multisampling; auto chooses by the renderer.",
+    "Resolution and detail; auto follows the renderer and the time that frames take.",
   ),
   controls: {
     kind: "flag",

@@ -66,12 +66,18 @@ export class Gpu {
   readonly longestSide: number;
   /** Whether targets can be of half floats, with or without all others. */
   readonly drawsToHalfFloats: boolean;
+  /** Whether textures of full floats can be read between their texels; those of half floats always can. */
+  readonly filtersFloats: boolean;
   readonly timer: GpuTimer;
   drawCalls = 0;
   triangles = 0;
   readonly #canvas: HTMLCanvasElement;
   readonly #gl: WebGL2RenderingContext;
   readonly #alive = new Set<GpuObject>();
+  /** What renderers share, by what it was made from. */
+  readonly #shared = new Map<unknown, unknown>();
+  readonly #sharedObjects = new Set<GpuObject>();
+  #isSharing = false;
   readonly #feedback: WebGLTransformFeedback;
   /** What is switched on in GL: each call saved is a microsecond of the page's own thread. */
   readonly #enabled = new Set<GLenum>();
@@ -96,7 +102,7 @@ export class Gpu {
     const full = gl.getExtension("EXT_color_buffer_float");
     const half = gl.getExtension("EXT_color_buffer_half_float");
     this.drawsToHalfFloats = full !== null || half !== null;
-    gl.getExtension("OES_texture_float_linear");
+    this.filtersFloats = gl.getExtension("OES_texture_float_linear") !== null;
     const names = gl.getExtension("WEBGL_debug_renderer_info");
     this.renderer = String(gl.getParameter(names?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER));
     this.#feedback = created(gl, gl.createTransformFeedback(), "feedback");
@@ -126,20 +132,41 @@ export class Gpu {
 
   readonly #forget = (object: GpuObject): void => {
     this.#alive.delete(object);
+    if (!this.#sharedObjects.delete(object)) return;
+    for (const [key, made] of this.#shared) if (made === object) this.#shared.delete(key);
   };
 
   #keep<T extends GpuObject>(object: T): T {
     this.#alive.add(object);
+    if (this.#isSharing) this.#sharedObjects.add(object);
     return object;
   }
 
+  /** What one renderer after another needs: made for the first of them, and there until all is cleared. */
+  share<T>(key: unknown, make: () => T): T {
+    if (this.#shared.has(key)) return this.#shared.get(key) as T;
+    const wasSharing = this.#isSharing;
+    this.#isSharing = true;
+    try {
+      const made = make();
+      this.#shared.set(key, made);
+      return made;
+    } finally {
+      this.#isSharing = wasSharing;
+    }
+  }
+
+  /** Compiled once for all that ask for the same. */
   program(
     label: string,
     vertex: ShaderSource,
     fragment: ShaderSource,
     options: ProgramOptions = {},
   ): Program {
-    return this.#keep(new Program(this.#gl, label, vertex, fragment, options, this.#forget));
+    const key = JSON.stringify([label, vertex.source, fragment.source, options]);
+    return this.share(key, () =>
+      this.#keep(new Program(this.#gl, label, vertex, fragment, options, this.#forget)),
+    );
   }
 
   /** @param contents data, or a size in bytes of a buffer of zeros. */
@@ -348,6 +375,12 @@ export class Gpu {
   /** Frees every object, and keeps the context for others. */
   clearObjects(): void {
     for (const object of this.#alive) object.dispose();
+    this.#shared.clear();
+  }
+
+  /** Frees what is not shared: the next renderer on this context takes the rest over. */
+  clearUnshared(): void {
+    for (const object of this.#alive) if (!this.#sharedObjects.has(object)) object.dispose();
   }
 
   /** Frees everything and gives the context back, so that the page's next one does not evict another. */

@@ -33,17 +33,19 @@ export interface TextureOptions {
   readonly mipmaps?: boolean;
   readonly filter?: "nearest" | "linear";
   readonly wrap?: "clamp" | "repeat";
-  /** Most anisotropic taps; 1 is plain trilinear. */
+  /** Most anisotropic taps; 1 is plain trilinear, 0 takes the nearest level. */
   readonly anisotropy?: number;
 }
 
 /** A texture of immutable storage: a new size means a new texture. */
 export class Texture implements GpuObject {
   readonly #format: TextureFormat;
+  #anisotropy = 1;
   readonly label: string;
   readonly bytes: number;
   readonly width: number;
   readonly height: number;
+  readonly hasMipmaps: boolean;
   readonly handle: WebGLTexture;
   /** GL's binding point. */
   readonly target: GLenum;
@@ -63,6 +65,7 @@ export class Texture implements GpuObject {
     this.label = label;
     this.width = width;
     this.height = height;
+    this.hasMipmaps = mipmaps;
     const layers = typeof shape === "object" ? shape.layers : shape === "cube" ? 6 : 1;
     const texels = width * height * layers * (mipmaps ? 4 / 3 : 1);
     this.bytes = Math.ceil(texels * FORMATS[format].bytes);
@@ -84,13 +87,28 @@ export class Texture implements GpuObject {
     this.#upload(options, layers);
     if (mipmaps) gl.generateMipmap(this.target);
     this.#sample(options);
+    this.#anisotropy = options.anisotropy ?? 1;
+    gl.bindTexture(this.target, null);
+  }
+
+  /** Another number of anisotropic taps, for a texture with mipmaps. */
+  set anisotropy(anisotropy: number) {
+    if (anisotropy === this.#anisotropy) return;
+    this.#anisotropy = anisotropy;
+    const gl = this.#gl;
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(this.target, this.handle);
+    this.#blendLevels(anisotropy);
     gl.bindTexture(this.target, null);
   }
 
   #upload({ format, source }: TextureOptions, layers: number): void {
     const gl = this.#gl;
-    const { upload, type } = FORMATS[format];
+    const { upload } = FORMATS[format];
     const { width, height } = source;
+    // The driver makes halves of floats.
+    const isFloats = "data" in source && source.data instanceof Float32Array;
+    const type = isFloats ? "FLOAT" : FORMATS[format].type;
     // Rows of one or two bytes a texel need not end on a multiple of four.
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
     if ("close" in source) {
@@ -118,20 +136,25 @@ export class Texture implements GpuObject {
     const gl = this.#gl;
     const { target } = this;
     const magnification = filter === "nearest" ? gl.NEAREST : gl.LINEAR;
-    gl.texParameteri(
-      target,
-      gl.TEXTURE_MIN_FILTER,
-      mipmaps ? gl.LINEAR_MIPMAP_LINEAR : magnification,
-    );
+    gl.texParameteri(target, gl.TEXTURE_MIN_FILTER, magnification);
     gl.texParameteri(target, gl.TEXTURE_MAG_FILTER, magnification);
     const edge = wrap === "repeat" ? gl.REPEAT : gl.CLAMP_TO_EDGE;
     gl.texParameteri(target, gl.TEXTURE_WRAP_S, edge);
     gl.texParameteri(target, gl.TEXTURE_WRAP_T, edge);
     gl.texParameteri(target, gl.TEXTURE_WRAP_R, edge);
-    const extension = anisotropy > 1 ? gl.getExtension("EXT_texture_filter_anisotropic") : null;
+    if (mipmaps) this.#blendLevels(anisotropy);
+  }
+
+  #blendLevels(anisotropy: number): void {
+    const gl = this.#gl;
+    const { target } = this;
+    const filter = anisotropy < 1 ? gl.LINEAR_MIPMAP_NEAREST : gl.LINEAR_MIPMAP_LINEAR;
+    gl.texParameteri(target, gl.TEXTURE_MIN_FILTER, filter);
+    const extension = gl.getExtension("EXT_texture_filter_anisotropic");
     if (!extension) return;
     const most = gl.getParameter(extension.MAX_TEXTURE_MAX_ANISOTROPY_EXT) as number;
-    gl.texParameterf(target, extension.TEXTURE_MAX_ANISOTROPY_EXT, Math.min(anisotropy, most));
+    const taps = Math.min(Math.max(anisotropy, 1), most);
+    gl.texParameterf(target, extension.TEXTURE_MAX_ANISOTROPY_EXT, taps);
   }
 
   dispose(): void {

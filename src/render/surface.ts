@@ -27,12 +27,22 @@ export interface Surface {
   };
 }
 
-/** Sends a model to the GPU, each picture once. */
+/** Sends a model to the GPU, each picture once, and each model once for all renderers. */
 export function uploadModel(
   gpu: Gpu,
   model: Model,
   { anisotropy }: { anisotropy: boolean },
-): Surface[] {
+): readonly Surface[] {
+  const surfaces = gpu.share(model, () => upload(gpu, model));
+  for (const { textures } of surfaces) {
+    for (const texture of Object.values(textures)) {
+      if (texture.hasMipmaps) texture.anisotropy = anisotropy ? ANISOTROPY : 1;
+    }
+  }
+  return surfaces;
+}
+
+function upload(gpu: Gpu, model: Model): readonly Surface[] {
   const known = new Map<Picture, Texture>();
   const plain = (label: string, ...texel: readonly [number, number, number]) =>
     gpu.texture({
@@ -56,12 +66,11 @@ export function uploadModel(
       source,
       mipmaps: true,
       wrap: "repeat",
-      anisotropy: anisotropy ? ANISOTROPY : 1,
     });
     known.set(source, made);
     return made;
   };
-  const upload = (part: Part): Surface => {
+  const uploadPart = (part: Part): Surface => {
     const { material } = part;
     const label = (map: string) => `${material.name}/${map}`;
     const packed = material.occlusionRoughnessMetallic;
@@ -90,7 +99,7 @@ export function uploadModel(
       },
     };
   };
-  return model.parts.map(upload);
+  return model.parts.map(uploadPart);
 }
 
 // Pixels decoded in a script come with four channels, and WebGL does not repack those.

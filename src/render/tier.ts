@@ -8,20 +8,24 @@ export interface Tier {
   /** Samples per pixel; 0 draws straight to the canvas. */
   readonly samples: number;
   readonly anisotropy: boolean;
+  /** Work for a pixel, as a share of what one takes at high. */
+  readonly pixelCost: number;
 }
 
 const TIERS: Readonly<Record<Tier["name"], Tier>> = {
-  low: { name: "low", resolutionScale: 0.5, samples: 4, anisotropy: false },
-  medium: { name: "medium", resolutionScale: 1, samples: 2, anisotropy: true },
-  high: { name: "high", resolutionScale: 1, samples: 4, anisotropy: true },
-  ultra: { name: "ultra", resolutionScale: 1.5, samples: 4, anisotropy: true },
+  low: { name: "low", resolutionScale: 0.5, samples: 4, anisotropy: false, pixelCost: 0.3 },
+  medium: { name: "medium", resolutionScale: 1, samples: 2, anisotropy: true, pixelCost: 0.7 },
+  high: { name: "high", resolutionScale: 1, samples: 4, anisotropy: true, pixelCost: 1 },
+  ultra: { name: "ultra", resolutionScale: 1.5, samples: 4, anisotropy: true, pixelCost: 1.3 },
 };
 
 /** Renderers that run on the CPU. */
 const SOFTWARE = /SwiftShader|llvmpipe|Basic Render|Software/i;
 
-/** The tier a quality asks for; `auto` goes by who draws. */
-export function tierOf(quality: Quality, renderer: string): Tier {
-  if (quality !== "auto") return TIERS[quality];
-  return SOFTWARE.test(renderer) ? TIERS.low : TIERS.high;
+export function isSoftware(renderer: string): boolean {
+  return SOFTWARE.test(renderer);
+}
+
+export function tierNamed(name: Tier["name"]): Tier {
+  return TIERS[name];
 }

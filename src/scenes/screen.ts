@@ -12,6 +12,8 @@ export interface Screen {
   own(object: { dispose(): void }): void;
   /** Frees what the renderer made on `gpu`; the context stays. */
   clear(): void;
+  /** The same, except what the next renderer of the same scene can take over. */
+  clearUnshared(): void;
   /** A new `gpu`, after a lost context was given back. */
   renew(): void;
   /** To be called before anything is drawn. */
@@ -42,6 +44,10 @@ class OwnScreen implements Screen {
 
   clear(): void {
     this.gpu.clearObjects();
+  }
+
+  clearUnshared(): void {
+    this.gpu.clearUnshared();
   }
 
   renew(): void {
@@ -99,7 +105,7 @@ class SharedScreen implements Screen {
     if (!paper) throw new Error("There is no canvas to draw on.");
     this.canvas = canvas;
     this.#paper = paper;
-    if (!house || house.gpu.isLost) house = new House();
+    house ??= new House();
     this.#house = house;
     house.users++;
   }
@@ -119,6 +125,10 @@ class SharedScreen implements Screen {
   clear(): void {
     for (const object of this.#owned) object.dispose();
     this.#owned.clear();
+  }
+
+  clearUnshared(): void {
+    this.clear();
   }
 
   renew(): void {

@@ -295,6 +295,22 @@ test.describe("Where targets cannot hold floats", () => {
     expect(room.complaints).toEqual([]);
   });
 
+  test("a flame whose table cannot be of full floats looks the same", async ({ page }) => {
+    await serveSmallTextures(page);
+    const seen: number[][] = [];
+    for (const withheld of [[], ["OES_texture_float_linear"]]) {
+      await withhold(page, withheld);
+      const room = await new RoomDriver(page).open({ scene: "candle" }, { width: 60, height: 90 });
+      seen.push(await room.evaluate((element) => [...element.readRadiance(0, 0, 60, 90)]));
+      expect(room.complaints).toEqual([]);
+    }
+    const [full = [], half = []] = seen;
+    const brightest = Math.max(...full);
+    expect(brightest, "cd/m²").toBeGreaterThan(1000);
+    const errors = half.map((x, i) => Math.abs(x - (full[i] ?? 0)) / brightest);
+    expect(Math.max(...errors)).toBeLessThan(0.01);
+  });
+
   test("and without those either, the room is the paper's, and a sentence says so", async ({
     page,
   }) => {

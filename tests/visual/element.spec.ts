@@ -85,63 +85,6 @@ const REFLECTIONS: readonly Reflection[] = [
     write: [[0.5, "0.5"]],
   },
   {
-    attribute: "wind",
-    property: "wind",
-    fallback: 0.05,
-    read: [
-      ["1.5", 1.5],
-      ["-1", 0],
-      ["99", 5],
-      ["breeze", 0.05],
-    ],
-    write: [[2, "2"]],
-  },
-  {
-    attribute: "wind-direction",
-    property: "windDirection",
-    fallback: 0,
-    read: [
-      ["90", 90],
-      ["-90", -90],
-      ["north", 0],
-    ],
-    write: [[180, "180"]],
-  },
-  {
-    attribute: "gustiness",
-    property: "gustiness",
-    fallback: 0.5,
-    read: [
-      ["0.25", 0.25],
-      ["-1", 0],
-      ["7", 1],
-      ["", 0.5],
-    ],
-    write: [[1, "1"]],
-  },
-  {
-    attribute: "wick",
-    property: "wick",
-    fallback: 2,
-    read: [
-      ["20", 20],
-      ["0", 1],
-      ["500", 50],
-      ["thick", 2],
-    ],
-    write: [[5, "5"]],
-  },
-  {
-    attribute: "unlit",
-    property: "unlit",
-    fallback: false,
-    read: [
-      ["", true],
-      ["false", true],
-    ],
-    write: [[true, ""]],
-  },
-  {
     attribute: "sensitivity",
     property: "sensitivity",
     fallback: 1,
@@ -443,7 +386,7 @@ test.describe("The picture", () => {
       { "max-pixel-ratio": "0.5" },
       { quality: "low" },
       { quality: "high" },
-      { quality: "auto" }, // without a GPU
+      { quality: "auto" }, // while no time passes
     ]) {
       await room.set(attributes);
       const { width, height, resolutionScale } = await room.stats();
@@ -454,8 +397,47 @@ test.describe("The picture", () => {
       [80, 45, 1],
       [40, 23, 0.5],
       [80, 45, 1],
-      [40, 23, 0.5],
+      [80, 45, 1],
     ]);
+  });
+
+  test("under auto is drawn at high while it rests, and as time allows while it plays", async ({
+    room,
+  }) => {
+    await room.set({ quality: "auto" });
+    const rests = await room.evaluate((element) => {
+      for (let i = 0; i < 5; i++) element.step(2); // however long that took
+      return element.stats;
+    });
+    expect(rests).toMatchObject({ quality: "high", resolutionScale: 1, width: 160 });
+    const told = await room.evaluate(async (element) => {
+      const told: { quality: string; gpuObjects: number; gpuBytes: number }[] = [];
+      const tells = () =>
+        new Promise<void>((resolve) => {
+          const note = () => {
+            // As of the frame that it is the first of.
+            requestAnimationFrame(() => {
+              const { quality, gpuObjects, gpuBytes } = element.stats;
+              told.push({ quality, gpuObjects, gpuBytes });
+              resolve();
+            });
+          };
+          element.addEventListener("qualitychange", note, { once: true });
+        });
+      for (let i = 0; i < 2; i++) {
+        const plays = tells();
+        element.play();
+        await plays;
+        const pauses = tells();
+        element.pause();
+        await pauses;
+      }
+      return told;
+    });
+    expect(told.map(({ quality }) => quality)).toEqual(["low", "high", "low", "high"]);
+    expect(told[2], "nothing is left of the quality before").toEqual(told[0]);
+    const { gpuObjects, gpuBytes } = rests;
+    expect(told[3]).toEqual({ quality: "high", gpuObjects, gpuBytes });
   });
 
   test("brightens with exposure", async ({ room }) => {

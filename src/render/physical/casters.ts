@@ -11,14 +11,14 @@ import { isInFace } from "./cube.js";
 /** Bytes of a float. */
 const FLOAT = 4;
 
-/** A model keeps its clusters, for the next GPU that asks as finely. */
-const known = new WeakMap<Model, { readonly detail: number; readonly clusters: Clusters }>();
+/** A model keeps its clusters by their detail, for the next GPU that asks as finely. */
+const known = new WeakMap<Model, Map<number, Clusters>>();
 
 function clustersOf(model: Model, detail: number): Clusters {
-  const before = known.get(model);
-  if (before?.detail === detail) return before.clusters;
-  const clusters = clusterTriangles(model.parts, detail);
-  known.set(model, { detail, clusters });
+  const details = known.get(model) ?? new Map<number, Clusters>();
+  known.set(model, details);
+  const clusters = details.get(detail) ?? clusterTriangles(model.parts, detail);
+  details.set(detail, clusters);
   return clusters;
 }
 

@@ -28,6 +28,9 @@ const WICK_TIP = [0.0026, 0.0067, 0.0003] as const;
 /** Corners of the hull: six sides, two triangles each, between rings around the balls and its ends. */
 const CORNERS = (BALLS + 1) * 6 * 6;
 
+/** Soot is brighter than the largest half float: where a table is of halves, it holds so much less. */
+const HALVED = 256;
+
 /** The flame's body, gathered along each pixel's ray within a hull around it. */
 export class FlamePass {
   readonly #gpu: Gpu;
@@ -37,19 +40,22 @@ export class FlamePass {
   readonly #outline: Texture;
   readonly #hull: VertexArray;
   readonly #shape = createShape();
+  /** From what the table holds to what is meant. */
+  readonly #scale: number;
 
   constructor(gpu: Gpu) {
     this.#gpu = gpu;
     this.#program = gpu.program("physical/flame", flameVert, flameFrag);
     this.#flame = gpu.uniformBlock(this.#program, "Flame");
+    this.#scale = gpu.filtersFloats ? 1 : HALVED;
     this.#body = gpu.texture({
       label: "flame/body",
-      format: "RGBA32F",
-      source: { ...BODY_SIZE, data: TAPER.texels },
+      format: gpu.filtersFloats ? "RGBA32F" : "RGBA16F",
+      source: { ...BODY_SIZE, data: TAPER.texels.map((x) => x / this.#scale) },
     });
     this.#outline = gpu.texture({
       label: "flame/outline",
-      format: "R32F",
+      format: gpu.filtersFloats ? "R32F" : "R16F",
       source: {
         width: BODY_SIZE.height,
         height: 1,
@@ -72,8 +78,8 @@ export class FlamePass {
       top: shape.top,
       extent: shape.length,
       radius: shape.radius,
-      soot: shape.soot,
-      blue: shape.blue,
+      soot: shape.soot * this.#scale,
+      blue: shape.blue * this.#scale,
       "nodes[0]": shape.nodes,
       "balls[0]": shape.balls,
     });
