@@ -1,10 +1,13 @@
 import type { AssetError } from "./assets/load-model.js";
 import { CandleFlame, type Stats } from "./candle-flame.js";
+import { guessDevicePixels, observeDevicePixels, type Size } from "./device-pixels.js";
 import { STYLE } from "./element-style.js";
-import { Hint } from "./hint.js";
+import { ContextLostError } from "./gl/gpu-object.js";
 import { type Device, FirstPersonInput } from "./input/first-person-input.js";
 import type { FlameReport } from "./light/flame-light.js";
+import { Overlay } from "./overlay.js";
 import { ReflectedAttributes } from "./reflected-attributes.js";
+import { type Guest, rooms } from "./scenes/places.js";
 import { areSame, loadScene, type Scene, type SceneRequest } from "./scenes/scene.js";
 import { createScreen, type Screen } from "./scenes/screen.js";
 import {
@@ -72,6 +75,12 @@ const REFUSALS: Readonly<Record<Refusal, string>> = {
 
 const OUT = "The candle is out.";
 
+/** How long the browser has to give a lost context back before the visitor is asked, in milliseconds. */
+const PATIENCE = 5000;
+const LOST = "The graphics driver has taken the picture away, and has not given it back.";
+const FULL =
+  "This page has as many rooms open as a browser can show. This one opens as soon as there is a place.";
+
 /**
  * A candle in a dark room.
  *
@@ -94,17 +103,20 @@ const OUT = "The candle is out.";
  * @csspart progress - the bar that shows loading
  * @csspart hint - what the visitor should know for a moment
  * @csspart error - the sentence shown when there can be no picture
+ * @csspart reload - the button that begins anew
+ * @csspart glow - the warm light on the page, with `scene="candle"`
+ * @slot poster - in place of the poster's image
+ * @slot progress - in place of the bar, while loading
+ * @slot hint - in place of the line that lists the controls
+ * @slot error - in place of the sentence
  */
 export class CandleFlameElement extends ReflectedAttributes {
   /** Resolves after the first frame with all assets; rejects with the error that `error` reports. */
   ready: Promise<void>;
 
   readonly #internals: ElementInternals;
-  readonly #poster: HTMLImageElement;
-  readonly #progress: HTMLElement;
-  readonly #failure: HTMLElement;
+  readonly #overlay: Overlay;
   readonly #glow: HTMLElement;
-  readonly #hint = new Hint();
   readonly #features: Features = allFeatures();
   readonly #featureSwitches: Features;
   #settleReady: { resolve: () => void; reject: (error: Error) => void };
@@ -124,8 +136,17 @@ export class CandleFlameElement extends ReflectedAttributes {
   /** Being fetched. */
   #wanted: SceneRequest | null = null;
   #loading: AbortController | null = null;
-  #isVisible = true;
+  /** In the viewport, as far as anyone knows. */
+  #isInSight = true;
+  /** Whether something changed that nobody could see. */
+  #isStale = false;
+  /** Of the canvas on the page; what the renderer draws may be fewer. */
+  #pixels: Size = { width: 1, height: 1 };
   #drawRequest = 0;
+  /** Runs out when a lost context does not come back. */
+  #patience = 0;
+  /** The room among those on the page, each of which takes a WebGL context. */
+  #guest: Guest | null = null;
   #shownCamera = "";
   /** Set before there is a world to see. */
   #awaitedCamera: Partial<Camera> | null = null;
@@ -138,20 +159,10 @@ export class CandleFlameElement extends ReflectedAttributes {
     const sheet = new CSSStyleSheet();
     sheet.replaceSync(STYLE);
     root.adoptedStyleSheets = [sheet];
-    this.#poster = document.createElement("img");
-    this.#poster.part.add("poster");
-    this.#poster.alt = "";
-    this.#poster.hidden = true;
-    this.#progress = document.createElement("div");
-    this.#progress.part.add("progress");
-    this.#progress.hidden = true;
-    this.#failure = document.createElement("div");
-    this.#failure.part.add("error");
-    this.#failure.role = "alert";
-    this.#failure.hidden = true;
     this.#glow = document.createElement("div");
     this.#glow.part.add("glow");
-    root.append(this.#glow, this.#poster, this.#progress, this.#failure, this.#hint.element);
+    root.append(this.#glow);
+    this.#overlay = new Overlay(root);
     this.#featureSwitches = this.#makeFeatureSwitches();
     this.#settleReady = { resolve: () => {}, reject: () => {} };
     this.ready = this.#promiseReady();
@@ -172,7 +183,7 @@ export class CandleFlameElement extends ReflectedAttributes {
   }
 
   attributeChangedCallback(name: SettingName): void {
-    if (name === "poster") this.#showPoster(!this.#candle);
+    if (name === "poster" && !this.#candle) this.#overlay.showPoster(this.poster);
     if (name === "alt" || name === "controls") this.#applyInteraction();
     if (name === "sensitivity" && this.#candle?.input) {
       this.#candle.input.sensitivity = this.sensitivity;
@@ -359,7 +370,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     if (this.lit) this.#internals.states.add("lit");
     else this.#internals.states.delete("lit");
     const relight = this.controls ? `${OUT} Press E to light it.` : OUT;
-    this.#hint.tell(this.lit ? null : relight);
+    this.#overlay.hint.tell(this.lit ? null : relight);
   }
 
   /** Goes in, as a click does: takes the focus and asks for the pointer. Needs `controls`. */
@@ -427,11 +438,34 @@ export class CandleFlameElement extends ReflectedAttributes {
   #start(): void {
     this.#connection = new AbortController();
     const { signal } = this.#connection;
-    this.#failure.hidden = true;
-    this.#showPoster(true);
+    this.#clearFailure();
+    this.#overlay.showPoster(this.poster);
     this.#internals.states.add("loading");
+    this.#watchSight(signal);
     if (this.loading === "lazy") this.#awaitSight(signal);
     else this.#open(signal);
+  }
+
+  /** Nothing moves where nobody looks. */
+  #watchSight(signal: AbortSignal): void {
+    const sight = new IntersectionObserver((entries) => {
+      this.#isInSight = entries.at(-1)?.isIntersecting ?? true;
+      this.#applySight();
+    });
+    sight.observe(this);
+    signal.addEventListener("abort", () => sight.disconnect());
+    const { ownerDocument } = this;
+    ownerDocument.addEventListener("visibilitychange", () => this.#applySight(), { signal });
+  }
+
+  get #isSeen(): boolean {
+    return this.#isInSight && this.ownerDocument.visibilityState === "visible";
+  }
+
+  #applySight(): void {
+    rooms.review();
+    this.#applyMotion();
+    if (this.#isSeen && this.#isStale) this.#draw();
   }
 
   /** Nothing is fetched, compiled or drawn before the visitor is a screen away. */
@@ -451,8 +485,28 @@ export class CandleFlameElement extends ReflectedAttributes {
     signal.addEventListener("abort", () => sight.disconnect());
   }
 
+  /** A room has to wait until the page has a context left; lone candles share one. */
   #open(signal: AbortSignal): void {
-    if (this.scene === "candle") this.#internals.states.add("alone");
+    if (this.scene === "candle") {
+      this.#internals.states.add("alone");
+      this.#enter(signal);
+      return;
+    }
+    const isSeen = () => this.#isSeen;
+    this.#guest = {
+      get isSeen() {
+        return isSeen();
+      },
+      enter: () => {
+        this.#clearFailure();
+        this.#enter(signal);
+      },
+      yield: () => this.#restart(),
+    };
+    if (!rooms.ask(this.#guest) && this.#guest) this.#showFailure(FULL, "status");
+  }
+
+  #enter(signal: AbortSignal): void {
     try {
       this.#scenery = this.scene;
       this.#screen = createScreen(this.scene, this.#createCanvas());
@@ -467,7 +521,7 @@ export class CandleFlameElement extends ReflectedAttributes {
   }
 
   #begin(scene: Scene, connection: AbortSignal): void {
-    if (!this.#screen) return;
+    if (!this.#screen || this.#screen.gpu.isLost) return; // it begins when the context is given back
     const candle = new CandleFlame(this.#screen, scene, this.#features, this.#options());
     this.#candle = candle;
     this.#screen = null;
@@ -480,6 +534,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.#moveCamera(candle, this.#awaitedCamera);
     this.#awaitedCamera = null;
     this.#shownCamera = this.#cameraKey;
+    this.#pixels = guessDevicePixels(candle.canvas);
     this.#resize();
     this.#draw();
     if (this.#candle) this.#reveal(connection);
@@ -510,7 +565,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     if (areSame(this.#asked, this.#shown)) {
       this.#loading?.abort();
       this.#wanted = null;
-      this.#progress.hidden = true;
+      this.#overlay.hideProgress();
       this.#shown = this.#asked;
     } else if (!areSame(this.#asked, this.#wanted)) {
       void this.#fetch(this.#connection.signal);
@@ -541,7 +596,7 @@ export class CandleFlameElement extends ReflectedAttributes {
         this.#fail(error as Error);
         return;
       }
-      this.#progress.hidden = true;
+      this.#overlay.hideProgress();
       this.#report(error as Error);
     }
   }
@@ -556,7 +611,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.#use((candle) => candle.show(scene, this.#options()));
     old.close();
     if (!this.#candle) return;
-    this.#progress.hidden = true;
+    this.#overlay.hideProgress();
     this.#reportCamera();
     this.#requestDraw();
     this.#emit("load", null);
@@ -570,38 +625,33 @@ export class CandleFlameElement extends ReflectedAttributes {
   }
 
   #reveal(signal: AbortSignal): void {
-    this.#progress.hidden = true;
-    this.#showPoster(false);
+    this.#overlay.hideProgress();
+    this.#overlay.hidePoster();
     this.#internals.states.delete("loading");
     this.#showLit();
     this.#observe(signal);
     this.#applyMotion();
-    if (this.#drawnLook !== this.look) this.#hint.tell(NO_PHYSICAL_LOOK);
+    if (this.#drawnLook !== this.look) this.#overlay.hint.tell(NO_PHYSICAL_LOOK);
     this.#emit("load", null);
     this.#settleReady.resolve();
   }
 
   #observe(signal: AbortSignal): void {
-    const size = new ResizeObserver(() => {
-      this.#resize();
-      this.#draw();
-    });
-    size.observe(this);
-    const visibility = new IntersectionObserver(([entry]) => {
-      this.#isVisible = entry?.isIntersecting ?? true;
-      this.#applyMotion();
-    });
-    visibility.observe(this);
+    if (this.#canvas) {
+      observeDevicePixels(this.#canvas, signal, (pixels) => {
+        this.#pixels = pixels;
+        this.#resize();
+        if (this.#isSeen) this.#draw();
+        else this.#isStale = true;
+      });
+    }
     const motion = matchMedia("(prefers-reduced-motion: reduce)");
     motion.addEventListener("change", () => this.#apply(), { signal });
-    signal.addEventListener("abort", () => {
-      size.disconnect();
-      visibility.disconnect();
-    });
   }
 
-  /** Another scene is drawn elsewhere, by other code: as if the element had been taken out and put back. */
+  /** As if the element had been taken out and put back; the visitor stays where he is. */
   #restart(): void {
+    if (this.#candle && this.scene === this.#scenery) this.#awaitedCamera = this.camera;
     this.#stop();
     this.#start();
   }
@@ -613,6 +663,7 @@ export class CandleFlameElement extends ReflectedAttributes {
   }
 
   #release(): void {
+    clearTimeout(this.#patience);
     this.#connection?.abort();
     this.#connection = null;
     this.#approach = null;
@@ -627,21 +678,44 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.#scene = null;
     this.#canvas?.remove();
     this.#canvas = null;
+    this.#isStale = false;
     this.#internals.states.clear();
+    const guest = this.#guest;
+    this.#guest = null;
+    if (guest) rooms.leave(guest);
   }
 
   /** No picture: a sentence instead, with the poster behind it. Nothing is thrown at the page. */
   #fail(error: Error): void {
     this.#release();
     this.#connection = new AbortController();
-    this.#progress.hidden = true;
-    const sentence = document.createElement("p");
-    sentence.textContent = error.message;
-    this.#failure.replaceChildren(sentence);
-    this.#failure.hidden = false;
-    this.#showPoster(true);
+    this.#overlay.hideProgress();
+    if (typeOf(error) === "context-lost") this.#offerReload();
+    else this.#showFailure(error.message, "alert");
+    this.#overlay.showPoster(this.poster);
     this.#settleReady.reject(error);
     this.#report(error);
+  }
+
+  #showFailure(
+    sentence: string,
+    urgency: "alert" | "status",
+    reload: (() => void) | null = null,
+  ): void {
+    this.#overlay.fail(sentence, urgency, reload);
+    this.#applyInteraction();
+  }
+
+  #clearFailure(): void {
+    this.#overlay.clearFailure();
+    this.#applyInteraction();
+  }
+
+  #offerReload(): void {
+    this.#showFailure(LOST, "alert", () => {
+      this.#restart();
+      if (this.controls) this.focus({ preventScroll: true }); // which the button takes with it
+    });
   }
 
   /** Does something with the candle, if there is one. */
@@ -667,14 +741,27 @@ export class CandleFlameElement extends ReflectedAttributes {
   readonly #contextLost = (event: Event): void => {
     event.preventDefault(); // asks the browser to give it back
     this.#candle?.pause();
+    this.#overlay.showPoster(this.poster);
+    clearTimeout(this.#patience);
+    this.#patience = window.setTimeout(() => {
+      this.#offerReload();
+      this.#report(new ContextLostError(LOST));
+    }, PATIENCE);
     this.#emit("contextlost", null);
   };
 
   readonly #contextRestored = (): void => {
+    clearTimeout(this.#patience);
     try {
       this.#screen?.renew();
-      this.#candle?.restore();
-      this.#applyMotion();
+      this.#clearFailure();
+      if (this.#candle) {
+        this.#candle.restore();
+        this.#overlay.hidePoster();
+        this.#applyMotion();
+      } else if (this.#scene && this.#connection) {
+        this.#begin(this.#scene, this.#connection.signal);
+      }
       this.#emit("contextrestored", null);
     } catch (error) {
       this.#fail(error as Error);
@@ -707,7 +794,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     const candle = this.#candle;
     if (!candle) return;
     const isWalking = this.#internals.states.has("walking");
-    const runs = !this.paused && this.#isVisible;
+    const runs = !this.paused && this.#isSeen;
     const { states } = this.#internals;
     if (runs !== states.has("playing")) {
       if (runs) states.add("playing");
@@ -731,15 +818,16 @@ export class CandleFlameElement extends ReflectedAttributes {
   #goInOrOut(isIn: boolean, device: Device): void {
     if (isIn) this.#internals.states.add("walking");
     else this.#internals.states.delete("walking");
-    if (isIn) this.#hint.tellControls(device);
-    else this.#hint.tell(null);
+    if (isIn) this.#overlay.hint.tellControls(device);
+    else this.#overlay.hint.tell(null);
     this.#emit(isIn ? "enter" : "leave", null);
   }
 
   #applyInteraction(): void {
     this.#internals.ariaLabel = this.alt;
-    // Interactive, it is a region to enter; passive, a picture.
-    this.#internals.role = this.controls ? "application" : "img";
+    // Interactive, it is a region to enter; passive, a picture, of which nothing can be read but its name.
+    const role = this.controls ? "application" : "img";
+    this.#internals.role = this.#overlay.isFailing ? "group" : role;
     this.#internals.ariaDescription = this.controls
       ? "Press Enter to walk in, and Escape to leave."
       : null;
@@ -748,20 +836,24 @@ export class CandleFlameElement extends ReflectedAttributes {
   }
 
   #resize(): void {
-    const ratio = Math.min(devicePixelRatio, this.maxPixelRatio);
-    const width = Math.max(1, this.clientWidth * ratio);
-    const height = Math.max(1, this.clientHeight * ratio);
-    this.#use((candle) => candle.resize(width, height));
+    const cap = Math.min(1, this.maxPixelRatio / devicePixelRatio);
+    const { width, height } = this.#pixels;
+    this.#use((candle) => candle.resize(Math.max(1, width * cap), Math.max(1, height * cap)));
   }
 
   /** At the next frame, unless something draws before that anyway. */
   #requestDraw(): void {
     const isPlaying = this.#internals.states.has("playing");
     if (!this.#candle || isPlaying || this.#drawRequest !== 0) return;
+    if (!this.#isSeen) {
+      this.#isStale = true;
+      return;
+    }
     this.#drawRequest = requestAnimationFrame(() => this.#draw());
   }
 
   #draw(): void {
+    this.#isStale = false;
     this.#use((candle) => candle.draw());
     this.#forgetRequest();
     this.#shine();
@@ -802,18 +894,12 @@ export class CandleFlameElement extends ReflectedAttributes {
   /** Why the candle could not be put down, in a sentence that fades; nothing if it could. */
   #tellRefusal(): void {
     const refusal = this.#candle?.world.refusal ?? null;
-    this.#hint.tell(refusal && REFUSALS[refusal]);
+    this.#overlay.hint.tell(refusal && REFUSALS[refusal]);
   }
 
   #showProgress(totalProgress: number): void {
-    this.#progress.hidden = false;
-    this.#progress.style.transform = `scaleX(${totalProgress})`;
+    this.#overlay.showProgress(totalProgress);
     this.#emit("progress", { totalProgress });
-  }
-
-  #showPoster(isShown: boolean): void {
-    this.#poster.hidden = !isShown || this.poster === "";
-    if (isShown && this.poster !== "") this.#poster.src = this.poster;
   }
 }
 

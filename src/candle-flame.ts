@@ -101,6 +101,11 @@ export class CandleFlame {
     this.#renderer = this.#createRenderer();
   }
 
+  /** On the page. */
+  get canvas(): HTMLCanvasElement {
+    return this.#screen.canvas;
+  }
+
   /** What the next picture is to be drawn with. */
   get #rung(): Rung {
     const { quality } = this.#options;

@@ -26,13 +26,14 @@ export const STYLE = `
 }
 :host([hidden]) { display: none; }
 :host(:focus-visible) { outline: 2px solid #f3c98b; outline-offset: 2px; }
-canvas, [part="poster"] {
+canvas, [part="poster"], ::slotted([slot="poster"]) {
   position: absolute;
   inset: 0;
   inline-size: 100%;
   block-size: 100%;
+  writing-mode: horizontal-tb;
 }
-[part="poster"] { object-fit: cover; }
+[part="poster"], ::slotted([slot="poster"]) { object-fit: cover; }
 :host(:state(loading)) canvas { visibility: hidden; }
 :host(:state(walking)) canvas {
   touch-action: none;
@@ -67,7 +68,7 @@ canvas, [part="poster"] {
   font-size: 0.9375rem;
   animation: hint 5s ease-in forwards;
 }
-[part="hint"] .controls { animation-duration: 8s; }
+[part="hint"] .controls, ::slotted([slot="hint"]) { animation: hint 8s ease-in forwards; }
 [part="hint"] kbd {
   display: inline-block;
   min-inline-size: 1.7em;
@@ -91,9 +92,22 @@ canvas, [part="poster"] {
   inset: 0;
   display: grid;
   place-content: center;
+  justify-items: center;
+  gap: 1rem;
   padding: 1.5rem;
   text-align: center;
   text-wrap: balance;
 }
 [part="error"] p { margin: 0; max-inline-size: 40ch; padding: 0.75rem 1rem; background: #140d08d9; border-radius: 0.5rem; }
+[part="reload"] {
+  padding: 0.5rem 1.25rem;
+  border: 1px solid #f3c98b;
+  border-radius: 2px;
+  background: #140d08;
+  color: #f3e7d3;
+  font: inherit;
+  cursor: pointer;
+}
+[part="reload"]:hover { background: #2a1c10; }
+[part="reload"]:focus-visible { outline: 2px solid #f3c98b; outline-offset: 2px; }
 `;

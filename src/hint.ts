@@ -41,36 +41,47 @@ const CONTROLS: Readonly<Record<Device, Words>> = {
 /**
  * What the visitor should know for a moment: a line over the picture that fades by itself.
  *
- * It is read aloud when it changes, politely; what has faded stays for whoever reads with the ears.
+ * It is read aloud when it changes, politely; what has faded stays for whoever reads with the ears. The page
+ * may have words of its own for the controls, in the slot `hint`.
  */
 export class Hint {
   readonly element = document.createElement("div");
+  readonly #controls = document.createElement("slot");
+  readonly #sentence = document.createElement("p");
 
   constructor() {
     this.element.part.add("hint");
     this.element.role = "status";
+    this.#controls.name = "hint";
+    this.#controls.hidden = true;
+    this.element.append(this.#controls);
   }
 
   /** One sentence, or nothing. */
   tell(sentence: string | null): void {
-    this.#show(sentence === null ? [] : [sentence]);
+    this.#clear();
+    if (sentence === null) return;
+    this.#sentence.textContent = sentence;
+    this.element.append(this.#sentence);
   }
 
   /** How to get about with what the visitor has in hand. */
   tellControls(device: Device): void {
-    this.#show(CONTROLS[device], "controls");
-  }
-
-  #show(words: Words, className = ""): void {
-    this.element.replaceChildren();
-    if (words.length === 0) return;
+    this.#clear();
     const line = document.createElement("p");
-    line.className = className;
-    for (const word of words) {
+    line.className = "controls";
+    for (const word of CONTROLS[device]) {
       if (typeof word === "string") line.append(` ${word} `);
       else line.append(...word.map(keyCap));
     }
-    this.element.append(line);
+    this.#controls.append(line);
+    this.#controls.hidden = false;
+  }
+
+  #clear(): void {
+    this.#sentence.remove();
+    this.#controls.replaceChildren();
+    this.#controls.hidden = true;
   }
 }
 

@@ -105,7 +105,7 @@ class SharedScreen implements Screen {
     if (!paper) throw new Error("There is no canvas to draw on.");
     this.canvas = canvas;
     this.#paper = paper;
-    house ??= new House();
+    if (!house || house.gpu.isLost) house = new House();
     this.#house = house;
     house.users++;
   }

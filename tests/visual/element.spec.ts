@@ -85,6 +85,63 @@ const REFLECTIONS: readonly Reflection[] = [
     write: [[0.5, "0.5"]],
   },
   {
+    attribute: "wind",
+    property: "wind",
+    fallback: 0.05,
+    read: [
+      ["1.5", 1.5],
+      ["-1", 0],
+      ["99", 5],
+      ["breeze", 0.05],
+    ],
+    write: [[2, "2"]],
+  },
+  {
+    attribute: "wind-direction",
+    property: "windDirection",
+    fallback: 0,
+    read: [
+      ["90", 90],
+      ["-90", -90],
+      ["north", 0],
+    ],
+    write: [[180, "180"]],
+  },
+  {
+    attribute: "gustiness",
+    property: "gustiness",
+    fallback: 0.5,
+    read: [
+      ["0.25", 0.25],
+      ["-1", 0],
+      ["7", 1],
+      ["", 0.5],
+    ],
+    write: [[1, "1"]],
+  },
+  {
+    attribute: "wick",
+    property: "wick",
+    fallback: 2,
+    read: [
+      ["20", 20],
+      ["0", 1],
+      ["500", 50],
+      ["thick", 2],
+    ],
+    write: [[5, "5"]],
+  },
+  {
+    attribute: "unlit",
+    property: "unlit",
+    fallback: false,
+    read: [
+      ["", true],
+      ["false", true],
+    ],
+    write: [[true, ""]],
+  },
+  {
     attribute: "sensitivity",
     property: "sensitivity",
     fallback: 1,

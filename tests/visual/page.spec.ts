@@ -1,104 +1,84 @@
 import { readFile } from "node:fs/promises";
-import { test as base, expect, type Locator, type Page } from "playwright/test";
 import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
 import { FEATURES, FEATURES_OF, SETTINGS } from "../../src/settings.ts";
-import { ORIGINS } from "../support/browser.ts";
-import { complaintsOf } from "../support/room-driver.ts";
+import { expect, PAGE, test } from "../support/hosted-page.ts";
 
-const PAGE = ORIGINS.page;
-const POLICY = "default-src 'self'";
+test("the page opens on a burning room, from any folder of a site", async ({ fresh }) => {
+  const { page } = fresh;
+  const folder = `${PAGE}some/folder/`;
+  const requests: string[] = [];
+  page.on("request", (request) => requests.push(request.url()));
+  await fresh.open("", folder);
 
-/** The hosted page, under a policy that allows nothing inline and nothing from elsewhere. */
-class HostedPage {
-  readonly page: Page;
-  readonly room: Locator;
-  readonly enter: Locator;
-  readonly lab: Locator;
+  await test.step("with one title and one way in", async () => {
+    await expect(page.getByRole("heading", { level: 1 })).toBeVisible();
+    await expect(fresh.enter).toBeEnabled();
+    const time = await fresh.evaluate((room) => room.currentTime);
+    await expect.poll(() => fresh.evaluate((room) => room.currentTime)).toBeGreaterThan(time);
+    expect(await fresh.evaluate((room) => room.stats.drawCalls)).toBeGreaterThan(0);
+    expect(await fresh.evaluate((room) => room.look)).toBe("physical");
+  });
 
-  constructor(page: Page) {
-    this.page = page;
-    this.room = page.locator("candle-flame.room");
-    this.enter = page.getByRole("button", { name: "Walk in" });
-    this.lab = page.getByRole("complementary", { name: "Lab" });
-  }
+  await fresh.evaluate((room) => room.pause());
+  await test.step("fetches the lab when it is asked for, and closes it by keyboard", async () => {
+    const isLab = (url: string) => /\/lab-[^/]*\.js$/.test(url);
+    expect(requests.filter(isLab)).toEqual([]);
+    const button = page.getByRole("button", { name: "Lab", exact: true });
+    await button.focus();
+    await page.keyboard.press("Enter");
+    await expect(fresh.lab).toBeVisible();
+    expect(requests.filter(isLab)).toHaveLength(1);
+    await expect(button).toHaveAttribute("aria-expanded", "true");
+    await page.keyboard.press("Tab");
+    await expect(fresh.lab.getByRole("button", { name: "Close the lab" })).toBeFocused();
+    await page.keyboard.press("Escape");
+    await expect(fresh.lab).toBeHidden();
+    await expect(button).toBeFocused();
+  });
 
-  async load(hash = ""): Promise<void> {
-    await this.page.route(PAGE, async (route) => {
-      const response = await route.fetch();
-      const headers = { ...response.headers(), "content-security-policy": POLICY };
-      await route.fulfill({ response, headers });
+  await test.step("and reads the light where pointer or keys point to", async () => {
+    const meter = await fresh.openLab("Spot meter");
+    const value = (name: string) =>
+      meter
+        .locator("dl > div")
+        .filter({ hasText: new RegExp(`^${name}`) })
+        .getByRole("definition");
+    await expect(value("luminance")).toHaveText(/^[\d.,]+ cd\/m²$/);
+    const spot = page.getByRole("application", { name: "Spot of the meter" });
+    const stage = await fresh.room.boundingBox();
+    if (!stage) throw new Error("no room");
+    await page.mouse.move(stage.x + stage.width * 0.25, stage.y + stage.height * 0.5);
+    await expect(spot).toHaveAttribute("style", /left: 25%/);
+    await spot.focus();
+    await page.keyboard.press("ArrowRight");
+    await page.keyboard.press("Shift+ArrowDown");
+    await expect(spot).toHaveAttribute("style", /left: 26%; top: 60%/);
+    // Paused, the picture is the same: the meter must show what the element says of that spot.
+    const luminance = await fresh.evaluate((room) => {
+      const { width, height } = room.stats;
+      const [x, y] = [Math.round(width * 0.26 - 2.5), Math.round(height * 0.6 - 2.5)];
+      const light = room.readRadiance(x, y, 5, 5);
+      const weights = [0.2126729, 0.7151522, 0.072175];
+      return light.reduce((sum, channel, i) => sum + channel * (weights[i % 3] ?? 0), 0) / 25;
     });
-    const response = await this.page.goto(PAGE + hash);
-    expect(response?.headers()["content-security-policy"]).toBe(POLICY);
-  }
+    expect(luminance).toBeGreaterThan(0);
+    const shown = Number.parseFloat((await value("luminance").innerText()).replace(",", ""));
+    expect(Math.abs(shown / luminance - 1)).toBeLessThan(0.01);
+    await meter.getByLabel("albedo").fill("1");
+    const lux = Number.parseFloat((await value("illuminance").innerText()).replace(",", ""));
+    expect(Math.abs(lux / (Math.PI * luminance) - 1)).toBeLessThan(0.01);
+    await expect(value("chromaticity")).toHaveText(/^x 0\.\d{3}, y 0\.\d{3}$/);
+    await expect(value("temperature")).toHaveText(/^1\d{3} K$/);
+    await meter.locator("summary").click();
+    await expect(spot).toHaveCount(0);
+  });
 
-  /** Fewer pixels than by default: these tests are not about pictures. */
-  async open(hash = ""): Promise<this> {
-    await this.load(hash);
-    await this.evaluate((room) => {
-      room.quality = "low";
-      return room.ready;
-    });
-    return this;
-  }
-
-  evaluate<Result>(run: (room: CandleFlameElement) => Result | Promise<Result>): Promise<Result> {
-    return this.room.evaluate(run as never) as Promise<Result>;
-  }
-
-  isWalking(): Promise<boolean> {
-    return this.evaluate((room) => room.matches(":state(walking)"));
-  }
-
-  /** Opens the lab, and one of its sections. */
-  async openLab(title: string): Promise<Locator> {
-    await this.page.getByRole("button", { name: "Lab", exact: true }).click();
-    await expect(this.lab).toBeVisible();
-    return this.openSection(title);
-  }
-
-  async openSection(title: string): Promise<Locator> {
-    const section = this.lab.locator("details").filter({
-      has: this.page.locator("summary", { hasText: title }),
-    });
-    if ((await section.getAttribute("open")) === null) await section.locator("summary").click();
-    return section;
-  }
-
-  /** The paper's look, whose room is quick to draw. */
-  async showPaper(): Promise<void> {
-    await this.evaluate(async (room) => {
-      const loaded = new Promise((resolve) =>
-        room.addEventListener("load", resolve, { once: true }),
-      );
-      room.look = "paper";
-      await loaded;
-    });
-  }
-}
-
-const test = base.extend<{ tolerated: RegExp; hosted: HostedPage }>({
-  tolerated: [/^$/, { option: true }],
-  hosted: async ({ page, tolerated }, use) => {
-    const complaints = complaintsOf(page);
-    await use(new HostedPage(page));
-    expect(complaints.filter((complaint) => !tolerated.test(complaint))).toEqual([]);
-  },
+  const foreign = requests.filter((url) => !url.startsWith(folder) && !url.startsWith("blob:"));
+  expect(foreign).toEqual([]);
 });
 
-test.use({ viewport: { width: 320, height: 200 } });
-
-test("the page opens on a burning room, with one title and one way in", async ({ hosted }) => {
-  await hosted.open();
-  await expect(hosted.page.getByRole("heading", { level: 1 })).toBeVisible();
-  await expect(hosted.enter).toBeEnabled();
-  const time = await hosted.evaluate((room) => room.currentTime);
-  await expect.poll(() => hosted.evaluate((room) => room.currentTime)).toBeGreaterThan(time);
-  expect(await hosted.evaluate((room) => room.stats.drawCalls)).toBeGreaterThan(0);
-});
-
-test("whoever walks in sees the room alone, until he comes back", async ({ hosted, page }) => {
-  await hosted.open();
+test("whoever walks in sees the room alone, until he comes back", async ({ hosted }) => {
+  const { page } = hosted;
   await hosted.enter.click();
   await expect.poll(() => hosted.isWalking()).toBe(true);
   await expect
@@ -111,8 +91,8 @@ test("whoever walks in sees the room alone, until he comes back", async ({ hoste
   await expect(hosted.enter).toBeVisible();
 });
 
-test("the page takes no key from whoever walks, with the lab open", async ({ hosted, page }) => {
-  await hosted.open();
+test("the page takes no key from whoever walks, with the lab open", async ({ hosted }) => {
+  const { page } = hosted;
   await hosted.openLab("Settings");
   await hosted.enter.click();
   await expect.poll(() => hosted.isWalking()).toBe(true);
@@ -129,8 +109,8 @@ test("the page takes no key from whoever walks, with the lab open", async ({ hos
   await expect(hosted.lab).toBeVisible();
 });
 
-test("help lists the controls, and opens and closes by keyboard", async ({ hosted, page }) => {
-  await hosted.open();
+test("help lists the controls, and opens and closes by keyboard", async ({ hosted }) => {
+  const { page } = hosted;
   const button = page.getByRole("button", { name: "Help" });
   await button.focus();
   await page.keyboard.press("Enter");
@@ -152,10 +132,11 @@ test("help lists the controls, and opens and closes by keyboard", async ({ hoste
 test.describe("what one sees", () => {
   test.use({ viewport: { width: 320, height: 180 }, permissions: ["clipboard-write"] });
 
-  test("can be shared, kept, and set", async ({ hosted, page }) => {
-    await hosted.open("#look=paper&seed=7&camera=-1_0_1_0.5_-0.1&exposure=%&src=elsewhere.glb");
+  test("can be shared, kept, and set", async ({ fresh }) => {
+    const { page } = fresh;
+    await fresh.open("#look=paper&seed=7&camera=-1_0_1_0.5_-0.1&exposure=%&src=elsewhere.glb");
     const seen = () =>
-      hosted.evaluate(({ look, seed, exposure, src, camera }) => {
+      fresh.evaluate(({ look, seed, exposure, src, camera }) => {
         return { look, seed, exposure, src, yaw: camera.yaw, pitch: camera.pitch };
       });
     const shared = { look: "paper", seed: 7, exposure: 0, src: "", yaw: 0.5, pitch: -0.1 };
@@ -168,7 +149,7 @@ test.describe("what one sees", () => {
       await settings.getByLabel("motion").selectOption("reduced");
       await settings.getByLabel("sensitivity").fill("2");
       expect(
-        await hosted.evaluate(({ exposure, motion, sensitivity, quality }) => {
+        await fresh.evaluate(({ exposure, motion, sensitivity, quality }) => {
           return { exposure, motion, sensitivity, quality };
         }),
       ).toEqual({ exposure: -1.5, motion: "reduced", sensitivity: 2, quality: "low" });
@@ -217,31 +198,8 @@ test.describe("what one sees", () => {
   });
 });
 
-test("the lab is fetched when it is asked for, and closes by keyboard", async ({
-  hosted,
-  page,
-}) => {
-  const scripts: string[] = [];
-  page.on("request", (request) => scripts.push(new URL(request.url()).pathname));
-  const isLab = (path: string) => /\/lab-[^/]*\.js$/.test(path);
-  await hosted.open();
-  expect(scripts.filter(isLab)).toEqual([]);
-  const button = page.getByRole("button", { name: "Lab", exact: true });
-  await button.focus();
-  await page.keyboard.press("Enter");
-  await expect(hosted.lab).toBeVisible();
-  expect(scripts.filter(isLab)).toHaveLength(1);
-  await expect(button).toHaveAttribute("aria-expanded", "true");
-  await page.keyboard.press("Tab");
-  await expect(hosted.lab.getByRole("button", { name: "Close the lab" })).toBeFocused();
-  await page.keyboard.press("Escape");
-  await expect(hosted.lab).toBeHidden();
-  await expect(button).toBeFocused();
-});
-
 test.describe("the ladder", () => {
   test("has five measured rungs beside the paper's, and leaves no trace", async ({ hosted }) => {
-    await hosted.open();
     await hosted.evaluate((room) => {
       room.look = "original";
       room.features.drift = false;
@@ -283,7 +241,6 @@ test.describe("the ladder", () => {
   });
 
   test("can be left half way, and the flame burns on as before", async ({ hosted }) => {
-    await hosted.open();
     const ladder = await hosted.openLab("What each technique costs");
     await ladder.getByLabel("Rounds").fill("99");
     await ladder.getByRole("button", { name: "Measure" }).click();
@@ -299,10 +256,8 @@ test.describe("the ladder", () => {
 
 test("the comparison shows two looks from one place at one time, while it is open", async ({
   hosted,
-  page,
 }) => {
-  await hosted.open();
-  await hosted.showPaper();
+  const { page } = hosted;
   const section = await hosted.openLab("Before and after");
   await section.getByRole("button", { name: "Compare" }).click();
   const divider = page.getByRole("slider", { name: "Divider between the two looks" });
@@ -363,8 +318,6 @@ test("the comparison shows two looks from one place at one time, while it is ope
 test("techniques and settings change the room at once, and the numbers follow", async ({
   hosted,
 }) => {
-  await hosted.open();
-  await hosted.showPaper();
   const techniques = await hosted.openLab("Techniques");
   const shown = await techniques
     .getByRole("checkbox")
@@ -396,119 +349,61 @@ test("techniques and settings change the room at once, and the numbers follow", 
   await expect(settings.getByLabel("look")).toHaveValue("original");
 });
 
-test("the spot meter reads the light where pointer or keys point to", async ({ hosted, page }) => {
-  await hosted.open();
-  await hosted.evaluate((room) => room.pause());
-  const meter = await hosted.openLab("Spot meter");
-  const value = (name: string) =>
-    meter
-      .locator("dl > div")
-      .filter({ hasText: new RegExp(`^${name}`) })
-      .getByRole("definition");
-  await expect(value("luminance")).toHaveText(/^[\d.,]+ cd\/m²$/);
-  const spot = page.getByRole("application", { name: "Spot of the meter" });
-  const stage = await hosted.room.boundingBox();
-  if (!stage) throw new Error("no room");
-  await page.mouse.move(stage.x + stage.width * 0.25, stage.y + stage.height * 0.5);
-  await expect(spot).toHaveAttribute("style", /left: 25%/);
-  await spot.focus();
-  await page.keyboard.press("ArrowRight");
-  await page.keyboard.press("Shift+ArrowDown");
-  await expect(spot).toHaveAttribute("style", /left: 26%; top: 60%/);
-  // Paused, the picture is the same: the meter must show what the element says of that spot.
-  const luminance = await hosted.evaluate((room) => {
-    const { width, height } = room.stats;
-    const [x, y] = [Math.round(width * 0.26 - 2.5), Math.round(height * 0.6 - 2.5)];
-    const light = room.readRadiance(x, y, 5, 5);
-    const weights = [0.2126729, 0.7151522, 0.072175];
-    return light.reduce((sum, channel, i) => sum + channel * (weights[i % 3] ?? 0), 0) / 25;
-  });
-  expect(luminance).toBeGreaterThan(0);
-  const shown = Number.parseFloat((await value("luminance").innerText()).replace(",", ""));
-  expect(Math.abs(shown / luminance - 1)).toBeLessThan(0.01);
-  await meter.getByLabel("albedo").fill("1");
-  const lux = Number.parseFloat((await value("illuminance").innerText()).replace(",", ""));
-  expect(Math.abs(lux / (Math.PI * luminance) - 1)).toBeLessThan(0.01);
-  await expect(value("chromaticity")).toHaveText(/^x 0\.\d{3}, y 0\.\d{3}$/);
-  await expect(value("temperature")).toHaveText(/^1\d{3} K$/);
-  await meter.locator("summary").click();
-  await expect(spot).toHaveCount(0);
-});
-
-test.describe("on a wide screen", () => {
-  test.use({ viewport: { width: 760, height: 200 } });
-
-  test("the lab stands beside the room", async ({ hosted, page }) => {
-    await hosted.open();
-    await hosted.openLab("Techniques");
-    const lab = await hosted.lab.boundingBox();
-    const room = await hosted.room.boundingBox();
-    expect(room?.height).toBe(200);
-    expect((room?.x ?? 0) + (room?.width ?? 0)).toBe(lab?.x);
-    await page.emulateMedia({ reducedMotion: "reduce" });
-    await expect(hosted.lab).toHaveCSS("transition-duration", /^0s(, 0s)*$/);
-  });
+test("on a wide screen the lab stands beside the room", async ({ hosted }) => {
+  const { page } = hosted;
+  await page.setViewportSize({ width: 760, height: 200 });
+  await hosted.openLab("Techniques");
+  const lab = await hosted.lab.boundingBox();
+  const room = await hosted.room.boundingBox();
+  expect(room?.height).toBe(200);
+  expect((room?.x ?? 0) + (room?.width ?? 0)).toBe(lab?.x);
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await expect(hosted.lab).toHaveCSS("transition-duration", /^0s(, 0s)*$/);
 });
 
 test.describe("on a phone", () => {
   test.use({ viewport: { width: 390, height: 600 }, hasTouch: true, isMobile: true });
 
-  test("the lab is a sheet below the room, and one taps to come back", async ({ hosted, page }) => {
+  test("the lab is a sheet below the room, and one taps to come back", async ({ fresh }) => {
+    const { page } = fresh;
     // Phones have no pointer to lock.
     await page.addInitScript(() => {
       Element.prototype.requestPointerLock = () =>
         Promise.reject(new DOMException("", "NotSupportedError"));
     });
-    await hosted.open();
-    await hosted.enter.tap();
-    await expect.poll(() => hosted.isWalking()).toBe(true);
+    await fresh.open();
+    await fresh.enter.tap();
+    await expect.poll(() => fresh.isWalking()).toBe(true);
     await page.getByRole("button", { name: "Come back" }).tap();
-    await expect.poll(() => hosted.isWalking()).toBe(false);
-    await hosted.openLab("What each technique costs");
-    const lab = await hosted.lab.boundingBox();
-    const room = await hosted.room.boundingBox();
+    await expect.poll(() => fresh.isWalking()).toBe(false);
+    await fresh.openLab("What each technique costs");
+    const lab = await fresh.lab.boundingBox();
+    const room = await fresh.room.boundingBox();
     expect(room?.width).toBe(390);
     expect(room?.height).toBe(lab?.y);
-    const overflow = await hosted.lab
+    const overflow = await fresh.lab
       .locator(".sections")
       .evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth);
     expect(overflow).toBeLessThanOrEqual(0);
   });
 });
 
-test("the page works from any folder of a site", async ({ hosted, page }) => {
-  const folder = `${PAGE}some/folder/`;
-  await page.route(`${folder}**`, async (route) => {
-    const url = route.request().url().replace(folder, PAGE);
-    await route.fulfill({ response: await route.fetch({ url }) });
-  });
-  const foreign: string[] = [];
-  page.on("request", (request) => {
-    if (!request.url().startsWith(folder) && !request.url().startsWith("blob:")) {
-      foreign.push(request.url());
-    }
-  });
-  await page.goto(folder);
-  await hosted.evaluate((room) => room.ready);
-  await hosted.openLab("Settings");
-  expect(foreign).toEqual([]);
-});
-
 test.describe("without its models", () => {
   test.use({ tolerated: /404/ });
 
-  test("the page says so, and stays of use", async ({ hosted, page }) => {
+  test("the page says so, and stays of use", async ({ fresh }) => {
+    const { page } = fresh;
     await page.route("**/*.glb", (route) => route.fulfill({ status: 404 }));
-    await hosted.load();
+    await fresh.load("");
     await expect(page.getByRole("alert")).toContainText("could not be fetched");
-    await expect(hosted.enter).toBeHidden();
+    await expect(fresh.enter).toBeHidden();
     await page.getByRole("button", { name: "Help" }).click();
     await expect(page.getByRole("dialog")).toBeVisible();
     await page.keyboard.press("Escape");
-    const ladder = await hosted.openLab("What each technique costs");
+    const ladder = await fresh.openLab("What each technique costs");
     await ladder.getByRole("button", { name: "Measure" }).click();
     await expect(ladder.getByRole("status")).toContainText("could not be fetched");
-    const comparison = await hosted.openSection("Before and after");
+    const comparison = await fresh.openSection("Before and after");
     await comparison.getByRole("button", { name: "Compare" }).click();
     await expect(comparison.getByRole("status")).toContainText("could not be fetched");
     await expect(page.locator("candle-flame")).toHaveCount(1);

@@ -1,0 +1,51 @@
+export interface Size {
+  readonly width: number;
+  readonly height: number;
+}
+
+/** Device pixels of an element's content box, near enough where the browser does not tell. */
+export function guessDevicePixels({ clientWidth, clientHeight }: Element): Size {
+  const ratio = devicePixelRatio;
+  return { width: Math.round(clientWidth * ratio), height: Math.round(clientHeight * ratio) };
+}
+
+/**
+ * Tells of an element's content box in device pixels, to the pixel: now, and whenever the element, the
+ * zoom or the monitor changes.
+ *
+ * A canvas of any other size would be resampled. Safari has no `device-pixel-content-box`; there it is
+ * a guess, which is off by a pixel where a box lies between pixels.
+ */
+export function observeDevicePixels(
+  element: Element,
+  signal: AbortSignal,
+  onChange: (size: Size) => void,
+): void {
+  let last = guessDevicePixels(element);
+  let isExact = true;
+  const tell = (size: Size): void => {
+    last = size;
+    onChange(size);
+  };
+  const observer = new ResizeObserver((entries) => {
+    const box = entries.at(-1)?.devicePixelContentBoxSize?.[0];
+    tell(box ? { width: box.inlineSize, height: box.blockSize } : guessDevicePixels(element));
+  });
+  try {
+    observer.observe(element, { box: "device-pixel-content-box" });
+  } catch {
+    isExact = false;
+    observer.observe(element);
+  }
+  signal.addEventListener("abort", () => observer.disconnect());
+  // On a monitor of another density the same box may have as many pixels as before.
+  const awaitRatio = (): void => {
+    const here = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
+    const moved = (): void => {
+      tell(isExact ? last : guessDevicePixels(element));
+      awaitRatio();
+    };
+    here.addEventListener("change", moved, { once: true, signal });
+  };
+  awaitRatio();
+}

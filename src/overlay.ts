@@ -1,0 +1,86 @@
+import { Hint } from "./hint.js";
+
+/**
+ * What lies over the picture: poster, bar, hint and failure, each of which the page may replace by a slot
+ * of that name, and style as a part of that name.
+ */
+export class Overlay {
+  readonly hint = new Hint();
+  readonly #posterSlot = slot("poster");
+  readonly #poster = document.createElement("img");
+  readonly #progressSlot = slot("progress");
+  readonly #progress = part("progress");
+  readonly #failure = part("error");
+  readonly #sentence = document.createElement("p");
+  readonly #reload = document.createElement("button");
+
+  constructor(root: ShadowRoot) {
+    this.#poster.part.add("poster");
+    this.#poster.alt = "";
+    this.#posterSlot.append(this.#poster);
+    this.#progressSlot.append(this.#progress);
+    const errorSlot = slot("error", true);
+    errorSlot.append(this.#sentence);
+    this.#reload.part.add("reload");
+    this.#reload.type = "button";
+    this.#reload.textContent = "Reload";
+    // The room beneath must not take them for a way in.
+    for (const type of ["keydown", "keyup"]) {
+      this.#reload.addEventListener(type, (event) => event.stopPropagation());
+    }
+    this.#failure.append(errorSlot);
+    this.#failure.hidden = true;
+    root.append(this.#posterSlot, this.#progressSlot, this.#failure, this.hint.element);
+  }
+
+  /** Whether there is a sentence in the picture's place. */
+  get isFailing(): boolean {
+    return !this.#failure.hidden;
+  }
+
+  showPoster(url: string): void {
+    this.#poster.hidden = url === "";
+    if (url !== "") this.#poster.src = url;
+    this.#posterSlot.hidden = false;
+  }
+
+  hidePoster(): void {
+    this.#posterSlot.hidden = true;
+  }
+
+  showProgress(totalProgress: number): void {
+    this.#progressSlot.hidden = false;
+    this.#progress.style.transform = `scaleX(${totalProgress})`;
+  }
+
+  hideProgress(): void {
+    this.#progressSlot.hidden = true;
+  }
+
+  /** A sentence instead of a picture, and where it helps a button that begins anew. */
+  fail(sentence: string, urgency: "alert" | "status", reload: (() => void) | null): void {
+    this.#failure.role = urgency;
+    this.#sentence.textContent = sentence;
+    this.#reload.onclick = reload;
+    if (reload) this.#failure.append(this.#reload);
+    else this.#reload.remove();
+    this.#failure.hidden = false;
+  }
+
+  clearFailure(): void {
+    this.#failure.hidden = true;
+  }
+}
+
+function slot(name: string, isShown = false): HTMLSlotElement {
+  const element = document.createElement("slot");
+  element.name = name;
+  element.hidden = !isShown;
+  return element;
+}
+
+function part(name: string): HTMLElement {
+  const element = document.createElement("div");
+  element.part.add(name);
+  return element;
+}
