@@ -61,7 +61,7 @@ export interface World {
   /** Where things are at the moment of the picture, up to a tick after the state above. Metres. */
   readonly shown: { readonly eye: Vec3; readonly foot: Vec3; readonly flame: Vec3 };
   readonly timeline: Timeline;
-  /** Every fourth particle of the brightest layer: where the flame is, for the light. */
+  /** Every fourth particle of the paper's brightest layer: where its flame is, for the light. */
   readonly sample: Particles;
   /** Time asked for and not yet simulated, seconds, less than a tick. */
   remainder: number;
@@ -273,7 +273,7 @@ function tick(world: World, intent: Intent): void {
   const way = before.map((old, axis) => ((emitter[axis] ?? 0) - old) / stage.flameScale);
   const wind = way.map((length) => -length / TICK);
   timeline.record(way, wind, flame.isLit ? levelOfDetail(world) : 0);
-  world.sample.follow(timeline);
+  if (world.look !== "physical") world.sample.follow(timeline);
 }
 
 /** Brings candle and flame to where the visitor is. */

@@ -3,6 +3,32 @@ import type { Vec3 } from "../bounds.js";
 /** Ghosts on either side of a line: what the outside has. */
 const GHOSTS = 4;
 const line = new Float32Array(128 + 2 * GHOSTS);
+/** Where each value of the line has come from: a place on it, ghosts included. */
+const origins = new Float64Array(128 + 2 * GHOSTS);
+const sums = new Float64Array(128 + 2 * GHOSTS + 1);
+
+/** The lines of a field along one axis, and where the flow along them is found. */
+export interface Lines {
+  /** Values of a line, and from each to the next. */
+  readonly count: number;
+  readonly stride: number;
+  /** Lines side by side, along the two other axes, and from each to the next. */
+  readonly inner: number;
+  readonly innerStride: number;
+  readonly outer: number;
+  readonly outerStride: number;
+  /** The same steps in the field of the flow. */
+  readonly flowStride: number;
+  readonly flowInner: number;
+  readonly flowOuter: number;
+  /** Back to the flow on the values' other side, where they lie on faces that it does not; else 0. */
+  readonly aside: number;
+  /** Whether those faces are counted by the inner lines, and the last of them. */
+  readonly isAsideInner: boolean;
+  readonly lastAside: number;
+  /** Cells that a flow of 1 m/s comes in a step, at each value of a line. */
+  readonly rates: Float64Array;
+}
 
 /**
  * Carries a field along one axis, in place: each line takes on what was upstream of it.
@@ -10,52 +36,92 @@ const line = new Float32Array(128 + 2 * GHOSTS);
  * Semi-Lagrangian (Stam 1999, "Stable Fluids"), one axis at a time, through four points instead of two
  * (Lagrange's cubic): linear interpolation is a hundred times as viscous as air.
  *
- * @param way cells that each value has come along the axis since the step before
- * @param count values of a line, and `stride` from each to the next
- * @param inner lines that lie `innerStride` apart, and so on
+ * @param flow along the axis, m/s
+ * @param ride of the grid itself, m/s
  * @param outside what flows in
  */
 export function carry(
   field: Float32Array,
-  way: Float32Array,
-  count: number,
-  stride: number,
-  inner: number,
-  innerStride: number,
-  outer: number,
-  outerStride: number,
+  flow: Float32Array,
+  lines: Lines,
+  ride: number,
   outside: number,
 ): void {
+  const { count, stride, inner, outer, innerStride, outerStride } = lines;
+  const { flowStride, flowInner, flowOuter, aside, isAsideInner, lastAside, rates } = lines;
   line.fill(outside, 0, GHOSTS);
   line.fill(outside, GHOSTS + count, count + 2 * GHOSTS);
-  const least = 1;
-  const most = count + 2 * GHOSTS - 3;
   for (let b = 0; b < outer; b++) {
     for (let a = 0; a < inner; a++) {
-      const start = a * innerStride + b * outerStride;
-      for (let n = 0, at = start; n < count; n++, at += stride) line[GHOSTS + n] = field[at]!;
-      for (let n = 0, at = start; n < count; n++, at += stride) {
-        let from = n + GHOSTS - way[at]!;
-        if (from < least) from = least;
-        else if (from > most) from = most;
-        const cell = from | 0;
-        const t = from - cell;
-        const s = 1 - t;
-        const f0 = line[cell - 1]!;
-        const f1 = line[cell]!;
-        const f2 = line[cell + 1]!;
-        const f3 = line[cell + 2]!;
-        // s (f1) + t (f2), less what the third differences bend.
-        field[at] =
-          s * f1 +
-          t * f2 -
-          (s * t * ((1 + s) * (f0 - 2 * f1 + f2) + (1 + t) * (f1 - 2 * f2 + f3))) / 6;
+      const near = a * flowInner + b * flowOuter;
+      if (aside === 0) {
+        traceFaces(flow, near, flowStride, rates, count, ride);
+      } else {
+        const face = isAsideInner ? a : b;
+        const far = face > 0 ? near - aside : near;
+        traceMiddles(flow, face === lastAside ? far : near, far, flowStride, rates, count, ride);
       }
+      fetchLine(field, a * innerStride + b * outerStride, stride, count);
     }
   }
 }
 
-const sums = new Float64Array(128 + 2 * GHOSTS + 1);
+/** Flow that lives where the values do. */
+function traceFaces(
+  flow: Float32Array,
+  start: number,
+  stride: number,
+  rates: Float64Array,
+  count: number,
+  ride: number,
+): void {
+  const most = count + 2 * GHOSTS - 3;
+  for (let n = 0, at = start; n < count; n++, at += stride) {
+    const from = n + GHOSTS - (flow[at]! - ride) * rates[n]!;
+    origins[n] = from < 1 ? 1 : from > most ? most : from;
+  }
+}
+
+/** Flow that lives on other faces is the mean of the four around. */
+function traceMiddles(
+  flow: Float32Array,
+  near: number,
+  far: number,
+  stride: number,
+  rates: Float64Array,
+  count: number,
+  ride: number,
+): void {
+  const most = count + 2 * GHOSTS - 3;
+  let before = flow[near]! + flow[far]!;
+  for (let n = 0, step = stride; n < count; n++, step += stride) {
+    const after = flow[near + step]! + flow[far + step]!;
+    const from = n + GHOSTS - (0.25 * (before + after) - ride) * rates[n]!;
+    origins[n] = from < 1 ? 1 : from > most ? most : from;
+    before = after;
+  }
+}
+
+function fetchLine(field: Float32Array, start: number, stride: number, count: number): void {
+  for (let n = 0, at = start; n < count; n++, at += stride) line[GHOSTS + n] = field[at]!;
+  for (let n = 0, at = start; n < count; n++, at += stride) {
+    const from = origins[n]!;
+    const cell = from | 0;
+    field[at] = through(line, cell, from - cell);
+  }
+}
+
+/** Lagrange's cubic between the second and the third of four values in a row. */
+function through(values: Float32Array | Float64Array, cell: number, t: number): number {
+  const s = 1 - t;
+  const f0 = values[cell - 1]!;
+  const f1 = values[cell]!;
+  const f2 = values[cell + 1]!;
+  const f3 = values[cell + 2]!;
+  // s (f1) + t (f2), less what the third differences bend.
+  const bend = (1 + s) * (f0 - 2 * f1 + f2) + (1 + t) * (f1 - 2 * f2 + f3);
+  return s * f1 + t * f2 - s * t * bend * (1 / 6);
+}
 
 /**
  * Carries an amount along one axis, in place, so that none is lost or made: what has passed each face is
@@ -64,31 +130,28 @@ const sums = new Float64Array(128 + 2 * GHOSTS + 1);
  * Lin and Rood 1996, "Multidimensional Flux-Form Semi-Lagrangian Transport Schemes", with the amounts
  * summed up along the line, and Lagrange's cubic through the sums. Nothing flows in from outside.
  *
- * @param field amount per cell's length, and `widths` of the cells
- * @param way cells that the flow through each face has come
- * @param strides from one cell to the next, along x, y and z; `wayStrides` from face to face
+ * @param field amount per cell's length, and `widths` of the cells along the axis
+ * @param faces of the cells along the axis, where the flow is
+ * @param strides from one cell to the next, along x, y and z
  * @param along which axis; the lines are numbered along the axes `inner` and `outer`
+ * @param ride of the grid itself, m/s
  */
 export function carryAmount(
   field: Float32Array,
-  way: Float32Array,
+  flow: Float32Array,
   widths: Float64Array,
+  faces: Lines,
   strides: Readonly<Vec3>,
-  wayStrides: Readonly<Vec3>,
   along: number,
   inner: number,
   outer: number,
-  innerCount: number,
-  outerCount: number,
+  ride: number,
 ): void {
   const stride = strides[along]!;
-  const wayStride = wayStrides[along]!;
   const count = widths.length;
   sums.fill(0, 0, GHOSTS + 1);
-  const least = 1;
-  const most = count + 2 * GHOSTS - 3;
-  for (let b = 0; b < outerCount; b++) {
-    for (let a = 0; a < innerCount; a++) {
+  for (let b = 0; b < faces.outer; b++) {
+    for (let a = 0; a < faces.inner; a++) {
       const start = a * strides[inner]! + b * strides[outer]!;
       let sum = 0;
       for (let n = 0, at = start; n < count; n++, at += stride) {
@@ -97,24 +160,14 @@ export function carryAmount(
       }
       if (sum === 0) continue;
       for (let n = GHOSTS + count + 1; n < count + 2 * GHOSTS; n++) sums[n] = sum;
-      const wayStart = a * wayStrides[inner]! + b * wayStrides[outer]!;
+      const face = a * faces.flowInner + b * faces.flowOuter;
+      traceFaces(flow, face, faces.flowStride, faces.rates, count + 1, ride);
       let below = 0;
-      for (let n = 0, face = wayStart; n <= count; n++, face += wayStride) {
-        let from = n + GHOSTS - way[face]!;
-        if (from < least) from = least;
-        else if (from > most) from = most;
+      for (let n = 0, at = start - stride; n <= count; n++, at += stride) {
+        const from = Math.min(origins[n]!, count + 2 * GHOSTS - 3);
         const cell = from | 0;
-        const t = from - cell;
-        const s = 1 - t;
-        const f0 = sums[cell - 1]!;
-        const f1 = sums[cell]!;
-        const f2 = sums[cell + 1]!;
-        const f3 = sums[cell + 2]!;
-        const passed =
-          s * f1 +
-          t * f2 -
-          (s * t * ((1 + s) * (f0 - 2 * f1 + f2) + (1 + t) * (f1 - 2 * f2 + f3))) / 6;
-        if (n > 0) field[start + (n - 1) * stride] = (passed - below) / widths[n - 1]!;
+        const passed = through(sums, cell, from - cell);
+        if (n > 0) field[at] = (passed - below) / widths[n - 1]!;
         below = passed;
       }
     }

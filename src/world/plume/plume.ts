@@ -1,5 +1,5 @@
 import type { Vec3 } from "../bounds.js";
-import { carry, carryAmount } from "./advection.js";
+import { carry, carryAmount, type Lines } from "./advection.js";
 import { type Axis, rising, symmetric } from "./axis.js";
 import { PressureSolver } from "./pressure.js";
 
@@ -43,6 +43,7 @@ export function plumeGrid(): PlumeGrid {
 
 /** A component of velocity: it lives on the faces across its axis. */
 type Component = 0 | 1 | 2;
+type Three<T> = readonly [T, T, T];
 /** What lives in the middles of the cells comes after the three components. */
 const MIDDLES = 3;
 
@@ -63,7 +64,9 @@ export class Plume {
   /** Where the grid's origin is in the room, metres. */
   readonly origin: Vec3 = [0, 0, 0];
   readonly #before: readonly [Float32Array, Float32Array, Float32Array];
-  readonly #way: Float32Array;
+  readonly #warmth: Float32Array;
+  /** Of each component, the lines along each axis. */
+  readonly #lines: readonly [Three<Lines>, Three<Lines>, Three<Lines>];
   readonly #pressure: PressureSolver;
   readonly #wind: Vec3 = [0, 0, 0];
   readonly #counts: readonly [number, number, number];
@@ -92,7 +95,10 @@ export class Plume {
     this.velocities = [faces(0), faces(1), faces(2)];
     this.#before = [faces(0), faces(1), faces(2)];
     this.heat = new Float32Array(counts[0] * counts[1] * counts[2]);
-    this.#way = new Float32Array(Math.max(...this.velocities.map(({ length }) => length)));
+    this.#warmth = new Float32Array(this.heat.length);
+    const linesOf = (axis: Component) =>
+      [this.#linesOf(axis, 0), this.#linesOf(axis, 1), this.#linesOf(axis, 2)] as const;
+    this.#lines = [linesOf(0), linesOf(1), linesOf(2)];
     this.#pressure = new PressureSolver(grid);
   }
 
@@ -128,10 +134,15 @@ export class Plume {
     // The grid's own motion: a flame carried through still air stands in a wind.
     for (const along of [0, 1, 2] as const) {
       const ride = (origin[along] - this.origin[along]) / PLUME_STEP;
+      const flow = this.#before[along];
       for (const axis of [0, 1, 2] as const) {
-        this.#carry(axis, along, ride, wind[axis]);
+        carry(velocities[axis], flow, this.#lines[axis][along], ride, wind[axis]);
       }
-      this.#carryHeat(along, ride);
+      const [inner, outer] = across(along);
+      const { widths } = this.#rulers[along];
+      const faces = this.#lines[along][along];
+      const strides = this.#strides[MIDDLES]!;
+      carryAmount(this.heat, flow, widths, faces, strides, along, inner, outer, ride);
     }
     for (const axis of [0, 1, 2] as const) this.origin[axis] = origin[axis];
     if (power > 0) this.#warm(power, height);
@@ -222,89 +233,29 @@ export class Plume {
     return this.#pressure.divergence(this.velocities);
   }
 
-  /** Carries a velocity component along one axis. */
-  #carry(axis: Component, along: Component, ride: number, outside: number): void {
+  /** The lines of a velocity component along an axis. */
+  #linesOf(axis: Component, along: Component): Lines {
+    const [inner, outer] = across(along);
     const sizes = this.#sizes[axis]!;
     const strides = this.#strides[axis]!;
-    this.#findWay(axis, along, ride, sizes);
-    const inner = along === 0 ? 1 : 0;
-    const outer = along === 2 ? 1 : 2;
-    carry(
-      this.velocities[axis],
-      this.#way,
-      sizes[along],
-      strides[along],
-      sizes[inner],
-      strides[inner],
-      sizes[outer],
-      strides[outer],
-      outside,
-    );
-  }
-
-  /** How far each value of a velocity component has come along an axis, in cells. */
-  #findWay(axis: Component, along: Component, ride: number, [nx, ny, nz]: Vec3): void {
-    const counts = this.#counts;
-    const way = this.#way;
-    const flow = this.#before[along];
-    const isFace = axis === along;
-    const ruler = this.#rulers[along]!;
-    const lengths = isFace ? ruler.spans : ruler.widths;
-    const strides = this.#strides[along]!;
-    const [, rowLength, planeLength] = strides;
-    // Flow that lives on other faces is the mean of the four around.
-    const ahead = isFace ? 0 : strides[along];
-    const aside = isFace ? 0 : strides[axis];
-    const last = counts[axis];
-    let at = 0;
-    for (let k = 0; k < nz; k++) {
-      for (let j = 0; j < ny; j++) {
-        for (let i = 0; i < nx; i++, at++) {
-          let near = i + j * rowLength + k * planeLength;
-          let far = near;
-          if (aside !== 0) {
-            const n = axis === 0 ? i : axis === 1 ? j : k;
-            if (n > 0) far -= aside;
-            if (n === last) near = far;
-          }
-          const speed =
-            0.25 * (flow[near]! + flow[near + ahead]! + flow[far]! + flow[far + ahead]!);
-          const n = along === 0 ? i : along === 1 ? j : k;
-          way[at] = ((speed - ride) * PLUME_STEP) / lengths[n]!;
-        }
-      }
-    }
-  }
-
-  #carryHeat(along: Component, ride: number): void {
-    const counts = this.#counts;
-    const way = this.#way;
-    const flow = this.#before[along];
+    const flowStrides = this.#strides[along]!;
     const { spans, widths } = this.#rulers[along]!;
-    const sizes = this.#sizes[along]!;
-    let at = 0;
-    for (let k = 0; k < sizes[2]; k++) {
-      for (let j = 0; j < sizes[1]; j++) {
-        for (let i = 0; i < sizes[0]; i++, at++) {
-          const n = along === 0 ? i : along === 1 ? j : k;
-          way[at] = ((flow[at]! - ride) * PLUME_STEP) / spans[n]!;
-        }
-      }
-    }
-    const inner = along === 0 ? 1 : 0;
-    const outer = along === 2 ? 1 : 2;
-    carryAmount(
-      this.heat,
-      way,
-      widths,
-      this.#strides[MIDDLES]!,
-      this.#strides[along]!,
-      along,
-      inner,
-      outer,
-      counts[inner]!,
-      counts[outer]!,
-    );
+    const lengths = axis === along ? spans : widths;
+    return {
+      count: sizes[along],
+      stride: strides[along],
+      inner: sizes[inner],
+      innerStride: strides[inner],
+      outer: sizes[outer],
+      outerStride: strides[outer],
+      flowStride: flowStrides[along],
+      flowInner: flowStrides[inner],
+      flowOuter: flowStrides[outer],
+      aside: axis === along ? 0 : flowStrides[axis],
+      isAsideInner: axis === inner,
+      lastAside: this.#counts[axis],
+      rates: lengths.map((length) => PLUME_STEP / length),
+    };
   }
 
   /** Heat and upward motion spread to the cooler, slower air beside them, the hotter the faster. */
@@ -312,7 +263,7 @@ export class Plume {
     const { z } = this.grid;
     const { heat } = this;
     const [, v] = this.velocities;
-    const warm = this.#way;
+    const warm = this.#warmth;
     const [ease, fast] = this.#before;
     warm.set(heat);
     fast.set(v);
@@ -388,6 +339,11 @@ export class Plume {
       }
     }
   }
+}
+
+/** The axes that lines along one lie side by side on. */
+function across(along: Component): readonly [inner: Component, outer: Component] {
+  return [along === 0 ? 1 : 0, along === 2 ? 1 : 2];
 }
 
 /** How far a place lies beyond the ends of an axis, metres. */

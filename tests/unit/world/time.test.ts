@@ -97,11 +97,18 @@ describe("time (P7)", () => {
 });
 
 describe("birth", () => {
-  test.each(LOOKS)("is of a flame already whole: %s", (look) => {
+  test.each(["paper", "original"] as const)("is of a flame already whole: %s", (look) => {
     const { sample, stage } = createWorld(look, 1);
     const living = sample.state.filter((value, i) => i % FLOATS === 3 && value > 0).length;
     const layer = stage.layers.at(-1)!;
     expect(Math.abs(living - (layer.rate * layer.life) / GROUPS)).toBeLessThanOrEqual(1);
+  });
+
+  test("is of a flame already whole, under hot air: physical", () => {
+    const { flame, fumes, emitter } = createWorld("physical", 1);
+    expect(flame.height).toBeGreaterThan(0.03);
+    const [x, y, z] = emitter;
+    expect(fumes?.plume.temperature(x, y + 0.2, z)).toBeGreaterThan(320);
   });
 
   test.each(LOOKS)("at an age gives the world that has grown that old: %s", (look) => {
