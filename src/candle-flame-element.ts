@@ -313,6 +313,16 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.#requestDraw();
   }
 
+  /** Takes over another's moment: its time, its camera, its candle, and whether it burns. */
+  mirror(other: CandleFlameElement): void {
+    const moment = other.#candle;
+    if (!moment) return;
+    this.#use((candle) => candle.mirror(moment));
+    this.#showLit();
+    this.#reportCamera();
+    this.#requestDraw();
+  }
+
   /** Puts the candle down ahead. */
   place(): void {
     const world = this.#candle?.world;

@@ -10,7 +10,14 @@ import type { Features, Look, Quality } from "./settings.js";
 import type { Wind } from "./world/air.js";
 import { STILL } from "./world/intent.js";
 import { withCount } from "./world/particle-layer.js";
-import { advance, createWorld, currentTime, moveCamera, type World } from "./world/world.js";
+import {
+  advance,
+  createWorld,
+  currentTime,
+  moveCamera,
+  standLike,
+  type World,
+} from "./world/world.js";
 
 /** Longest time that a live frame makes up for, in seconds: after a hidden tab, resume. */
 const MAX_FRAME = 1 / 20;
@@ -209,6 +216,16 @@ export class CandleFlame {
     this.world = this.#createWorld(timeline.tick, flame.isLit);
     this.world.remainder = remainder;
     moveCamera(this.world, player.position, player.yaw, player.pitch);
+    this.#follow(this.#renderer);
+  }
+
+  /** The moment of another candle, as far as the room here allows. */
+  mirror({ world: other }: CandleFlame): void {
+    const { player, timeline, remainder, flame } = other;
+    this.world = this.#createWorld(timeline.tick, flame.isLit);
+    this.world.remainder = remainder;
+    moveCamera(this.world, player.position, player.yaw, player.pitch);
+    standLike(this.world, other);
     this.#follow(this.#renderer);
   }
 

@@ -187,6 +187,21 @@ export function placeCandle(world: World): boolean {
   return true;
 }
 
+/** Puts the candle where another world's stands, if it does; in another room, ahead, if there is a place. */
+export function standLike(world: World, { candle, stage, room }: World): void {
+  const isFree = stage.stand === null && world.stage.stand === null;
+  if (candle.isHeld || !isFree) return;
+  if (room || world.room) {
+    placeCandle(world);
+    return;
+  }
+  for (const axis of [0, 1, 2] as const) world.candle.position[axis] = candle.position[axis];
+  world.candle.yaw = candle.yaw;
+  world.candle.isHeld = false;
+  settle(world, 0);
+  show(world);
+}
+
 /** Takes the candle up. False if it is held, or out of reach, or belongs where it stands. */
 export function takeCandle(world: World): boolean {
   const { candle, player, stage, room } = world;

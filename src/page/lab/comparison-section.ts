@@ -34,7 +34,7 @@ export class ComparisonSection {
       this.#left.add(new Option(look, look));
       this.#right.add(new Option(look, look));
     }
-    this.#left.value = SETTINGS.look.choices.findLast((look) => look !== room.look) ?? room.look;
+    this.#left.value = room.look;
     this.#left.addEventListener("change", () => {
       comparison.look = this.#leftLook;
       this.refresh();
@@ -67,7 +67,12 @@ export class ComparisonSection {
   #show(failure: string): void {
     const { state } = this.#comparison;
     const isClosed = state === "closed";
-    this.#right.value = this.#room.look;
+    const { look } = this.#room;
+    this.#right.value = look;
+    // A look beside itself is no comparison.
+    if (isClosed && this.#left.value === look) {
+      this.#left.value = SETTINGS.look.choices.findLast((other) => other !== look) ?? look;
+    }
     this.#button.ariaPressed = String(!isClosed);
     this.#button.textContent = isClosed ? "Compare" : "Stop comparing";
     this.#status.textContent = state === "loading" ? "Building the second room." : failure;

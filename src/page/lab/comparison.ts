@@ -75,11 +75,7 @@ export class Comparison {
     this.#copyAttributes();
     this.#wasPaused = room.paused;
     room.pause();
-    // The same moment for both is the beginning; the visitor stays where he is.
-    const { camera } = room;
-    room.reset();
-    room.camera = camera;
-    second.camera = room.camera;
+    second.mirror(room);
     this.#wasHeld = room.held;
     this.#observer.observe(room, { attributeFilter: SHARED });
     this.#lastTime = Number.NaN;
@@ -115,6 +111,7 @@ export class Comparison {
     this.#room.step(seconds);
     this.#copyCamera(second);
     this.#copyCandle(second);
+    if (second.lit !== this.#room.lit) second.lit = this.#room.lit;
     second.step(seconds);
   }
 

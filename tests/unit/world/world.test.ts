@@ -11,6 +11,7 @@ import {
   levelOfDetail,
   moveCamera,
   placeCandle,
+  standLike,
   takeCandle,
 } from "../../../src/world/world.ts";
 
@@ -145,5 +146,33 @@ describe("level of detail (F4)", () => {
     world.player.position.splice(0, 3, -4.5, 1.6, -4.5);
     advance(world, STILL, 3);
     expect(flameCentre(world, [0, 0, 0])[1]).toBeGreaterThan(0.1);
+  });
+});
+
+describe("a world that takes over another's candle", () => {
+  const standing = () => {
+    const other = createWorld("paper", 1);
+    moveCamera(other, [1, 1.6, -2], 0.5, 0);
+    placeCandle(other);
+    moveCamera(other, [-2, 1.6, 2], 0, 0);
+    return other;
+  };
+
+  test("has it stand on the same spot, with its flame", () => {
+    const other = standing();
+    const world = createWorld("paper", 1);
+    standLike(world, other);
+    expect(world.candle).toEqual(other.candle);
+    expect(world.emitter).toEqual(other.emitter);
+  });
+
+  test("keeps the original's, which nobody moves, and one that is carried", () => {
+    const original = createWorld("original", 1);
+    const { position } = createWorld("original", 1).candle;
+    standLike(original, standing());
+    expect(original.candle.position).toEqual(position);
+    const carried = createWorld("paper", 1);
+    standLike(carried, createWorld("paper", 1));
+    expect(carried.candle.isHeld).toBe(true);
   });
 });
