@@ -1,3 +1,4 @@
+import { readFileSync } from "node:fs";
 import { test as base, expect, type Locator, type Page } from "playwright/test";
 import type { CandleFlameElement, Feature } from "../../src/candle-flame-element.ts";
 import { ORIGINS, browser as options } from "./browser.ts";
@@ -10,6 +11,23 @@ const POLICY = "default-src 'self'";
 /** Small, and a look that is quick to load and to draw, for tests that are not about pictures. */
 const VIEWPORT = { width: 320, height: 200 };
 const QUICK = "#look=paper";
+
+const AXE = readFileSync("node_modules/axe-core/axe.min.js", "utf8");
+
+/** What axe finds wrong with a page as it stands: the rule, and where it is broken. */
+export async function findingsOf(page: Page): Promise<string[]> {
+  await page.evaluate(AXE);
+  return page.evaluate(async () => {
+    type Findings = {
+      violations: { id: string; nodes: { target: unknown; failureSummary?: string }[] }[];
+    };
+    const { axe } = window as unknown as { axe: { run(): Promise<Findings> } };
+    const { violations } = await axe.run();
+    return violations.flatMap(({ id, nodes }) =>
+      nodes.map(({ target, failureSummary }) => `${id}: ${target}: ${failureSummary}`),
+    );
+  });
+}
 
 /** The hosted page, under a policy that allows nothing inline and nothing from elsewhere. */
 export class HostedPage {
@@ -44,6 +62,7 @@ export class HostedPage {
     await this.load(hash, address);
     await this.evaluate((room) => {
       room.quality = "low";
+      room.maxPixelRatio = 0.5;
       return room.ready;
     });
     return this;
@@ -58,7 +77,15 @@ export class HostedPage {
       room.blur();
       for (const dialog of document.querySelectorAll("dialog")) dialog.close();
       for (const name of Object.keys(room.features) as Feature[]) room.features[name] = true;
-      const kept = ["class", "controls", "asset-base", "tabindex", "look", "quality"];
+      const kept = [
+        "class",
+        "controls",
+        "asset-base",
+        "tabindex",
+        "look",
+        "quality",
+        "max-pixel-ratio",
+      ];
       for (const name of room.getAttributeNames()) {
         if (!kept.includes(name)) room.removeAttribute(name);
       }
@@ -75,6 +102,11 @@ export class HostedPage {
 
   evaluate<Result>(run: (room: CandleFlameElement) => Result | Promise<Result>): Promise<Result> {
     return this.room.evaluate(run as never) as Promise<Result>;
+  }
+
+  /** What axe finds wrong with the page as it stands: the rule, and where it is broken. */
+  axe(): Promise<string[]> {
+    return findingsOf(this.page);
   }
 
   isWalking(): Promise<boolean> {
