@@ -1,8 +1,9 @@
 import "../define.js";
 import { find } from "./find.js";
 import type { Lab } from "./lab/lab.js";
+import { MicrophoneSwitch } from "./microphone-switch.js";
 import { SettingsForm } from "./settings-form.js";
-import { readShareLink, SHARED, writeShareLink } from "./share-link.js";
+import { readShareLink, SHARED, type Shared, writeShareLink } from "./share-link.js";
 
 const stage = find(document, ".stage", HTMLElement);
 const room = document.querySelector("candle-flame");
@@ -60,13 +61,19 @@ function follow(hash: string): void {
     if (text === undefined) room?.removeAttribute(name);
     else room?.setAttribute(name, text);
   }
+  // The visitor may have put out, or lit, what the attribute left alone.
+  if (room) room.lit = view.settings.unlit === undefined;
   if (room && view.camera) room.camera = view.camera;
 }
 follow(location.hash);
 window.addEventListener("hashchange", () => follow(location.hash));
 
 shareButton.addEventListener("click", async () => {
-  const settings = Object.fromEntries(SHARED.map((name) => [name, String(room[name])]));
+  const settings: Partial<Record<Shared, string>> = {};
+  for (const name of SHARED) {
+    const text = name === "unlit" ? (room.lit ? null : "") : room.getAttribute(name);
+    if (text !== null) settings[name] = text;
+  }
   history.replaceState(null, "", writeShareLink({ camera: room.camera, settings }));
   notice.textContent = "";
   link.hidden = true;
@@ -95,6 +102,10 @@ document.addEventListener("fullscreenchange", () => {
 const form = new SettingsForm(room, find(settings, "fieldset", HTMLFieldSetElement), [
   "quality",
   "exposure",
+  "wind",
+  "wind-direction",
+  "gustiness",
+  "wick",
   "sensitivity",
   "motion",
 ]);
@@ -102,6 +113,8 @@ find(stage, ".settings-button", HTMLButtonElement).addEventListener("click", () 
   form.refresh();
   settings.showModal();
 });
+
+new MicrophoneSwitch(room, find(settings, ".microphone", HTMLElement));
 
 let lab: Promise<Lab> | null = null;
 labButton.addEventListener("click", async () => {

@@ -2,10 +2,27 @@ import type { CandleFlameElement } from "../candle-flame-element.js";
 import { type ChoiceSetting, type NumberSetting, SETTINGS } from "../settings.js";
 
 /** Those that have a control. */
-type Shown = "look" | "quality" | "seed" | "exposure" | "particles" | "sensitivity" | "motion";
+type Shown =
+  | "look"
+  | "quality"
+  | "seed"
+  | "wind"
+  | "wind-direction"
+  | "gustiness"
+  | "wick"
+  | "exposure"
+  | "particles"
+  | "sensitivity"
+  | "motion";
 
 /** How fine a slider is, in the setting's own unit. */
 const SLIDER_STEP = 0.1;
+const SLIDER_STEPS: Readonly<Partial<Record<Shown, number>>> = {
+  wind: 0.05,
+  "wind-direction": 5,
+  gustiness: 0.05,
+  wick: 0.5,
+};
 
 type Control = HTMLInputElement | HTMLSelectElement;
 
@@ -27,8 +44,11 @@ export class SettingsForm {
     row.className = "setting";
     const label = document.createElement("label");
     label.htmlFor = `${form}-${name}`;
-    label.textContent = name;
-    const control = setting.kind === "choice" ? select(setting.choices) : numberInput(setting);
+    label.textContent = name.replace("-", " ");
+    const control =
+      setting.kind === "choice"
+        ? select(setting.choices)
+        : numberInput(setting, SLIDER_STEPS[name] ?? SLIDER_STEP);
     control.id = label.htmlFor;
     const meaning = document.createElement("p");
     meaning.id = `${form}-${name}-meaning`;
@@ -51,12 +71,16 @@ export class SettingsForm {
   }
 
   refresh(): void {
-    for (const [name, control] of this.#controls) control.value = String(this.#element[name]);
+    for (const [name, control] of this.#controls) control.value = this.#text(name);
     for (const [name, output] of this.#outputs) {
       const setting: ChoiceSetting | NumberSetting = SETTINGS[name];
       const unit = setting.kind === "number" ? setting.unit : "";
-      output.value = `${this.#element[name]} ${unit}`;
+      output.value = `${this.#text(name)} ${unit}`;
     }
+  }
+
+  #text(name: Shown): string {
+    return String(this.#element[name === "wind-direction" ? "windDirection" : name]);
   }
 }
 
@@ -66,11 +90,11 @@ function select(choices: readonly string[]): HTMLSelectElement {
   return select;
 }
 
-function numberInput({ min, max, integer }: NumberSetting): HTMLInputElement {
+function numberInput({ min, max, integer }: NumberSetting, sliderStep: number): HTMLInputElement {
   const input = document.createElement("input");
   input.type = integer ? "number" : "range";
   input.min = String(min);
   input.max = String(max);
-  input.step = String(integer ? 1 : SLIDER_STEP);
+  input.step = String(integer ? 1 : sliderStep);
   return input;
 }

@@ -1,6 +1,7 @@
 import type { Camera } from "../candle-flame-element.js";
 import {
   type ChoiceSetting,
+  type FlagSetting,
   type NumberSetting,
   parseChoice,
   parseNumber,
@@ -8,7 +9,17 @@ import {
 } from "../settings.js";
 
 /** What a link carries beside the camera. */
-export const SHARED = ["look", "seed", "exposure", "quality"] as const;
+export const SHARED = [
+  "look",
+  "seed",
+  "exposure",
+  "quality",
+  "wind",
+  "wind-direction",
+  "gustiness",
+  "wick",
+  "unlit",
+] as const;
 export type Shared = (typeof SHARED)[number];
 
 /** What is seen, and from where: the text of attributes, as far as they are not at their defaults. */
@@ -54,9 +65,10 @@ function readCamera(text: string | null): Camera | null {
   return { position: [x, y, z], yaw, pitch };
 }
 
-/** What the setting makes of a text; null where that is its default. */
+/** What the setting makes of a text; null where that is its default. A flag is set by any text. */
 function meant(name: Shared, text: string | null): string | null {
-  const setting: ChoiceSetting | NumberSetting = SETTINGS[name];
+  const setting: ChoiceSetting | NumberSetting | FlagSetting = SETTINGS[name];
+  if (setting.kind === "flag") return text === null ? null : "";
   const value = setting.kind === "number" ? parseNumber(setting, text) : parseChoice(setting, text);
   return value === setting.default ? null : String(value);
 }

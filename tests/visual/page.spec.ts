@@ -129,6 +129,91 @@ test("help lists the controls, and opens and closes by keyboard", async ({ hoste
   await expect(button).toBeFocused();
 });
 
+test("axe finds nothing, wherever the visitor is", async ({ hosted }) => {
+  const { page } = hosted;
+  const dialogs = [
+    ["Help", "In the room"],
+    ["Settings", "Settings"],
+  ] as const;
+  await hosted.evaluate((room) => room.pause());
+  expect(await hosted.axe(), "at the start").toEqual([]);
+  for (const [button, dialog] of dialogs) {
+    await page.getByRole("button", { name: button }).click();
+    await expect(page.getByRole("dialog", { name: dialog })).toBeVisible();
+    expect(await hosted.axe(), dialog).toEqual([]);
+    await page.keyboard.press("Escape");
+  }
+  await hosted.enter.click();
+  await expect.poll(() => hosted.isWalking()).toBe(true);
+  await expect(page.getByRole("heading", { level: 1 })).toBeHidden();
+  expect(await hosted.axe(), "walking").toEqual([]);
+  await page.keyboard.press("Escape");
+
+  await hosted.openLab("What each technique costs");
+  for (const title of ["Techniques", "Settings", "The last frame", "Spot meter"]) {
+    await hosted.openSection(title);
+  }
+  const comparison = await hosted.openSection("Before and after");
+  await expect(page.getByRole("application", { name: "Spot of the meter" })).toBeVisible();
+  expect(await hosted.axe(), "in the lab").toEqual([]);
+  await comparison.getByRole("button", { name: "Compare" }).click();
+  const divider = page.getByRole("slider", { name: "Divider" });
+  await expect(divider).toBeVisible();
+  expect(await hosted.axe(), "comparing").toEqual([]);
+  await divider.press("Escape");
+});
+
+test("blowing at the microphone blows, while the visitor lets it", async ({ hosted }) => {
+  const { page } = hosted;
+  const heard = () => page.evaluate(() => window.heard);
+  await hosted.evaluate((room) => {
+    window.heard = [];
+    room.blow = (strength) => void window.heard.push(strength ?? 1);
+    navigator.mediaDevices.getUserMedia = () =>
+      Promise.reject(new DOMException("", "NotAllowedError"));
+  });
+  await page.getByRole("button", { name: "Settings" }).click();
+  const button = page.getByRole("button", { name: "Blow with your breath" });
+  const settings = page.getByRole("dialog", { name: "Settings" });
+  await button.click();
+  await expect(settings.getByText("keeps the microphone from this page")).toBeVisible();
+  await expect(button).toHaveAttribute("aria-pressed", "false");
+
+  // A rumble at 60 Hz is as low and as loud as a breath.
+  await page.evaluate(() => {
+    navigator.mediaDevices.getUserMedia = async () => {
+      const context = new AudioContext();
+      const breath = new OscillatorNode(context, { frequency: 60 });
+      const microphone = context.createMediaStreamDestination();
+      breath.connect(microphone);
+      breath.start();
+      window.microphone = microphone.stream;
+      return microphone.stream;
+    };
+  });
+  await button.click();
+  await expect(button).toHaveAttribute("aria-pressed", "true");
+  await expect.poll(heard).not.toEqual([]);
+  expect(Math.max(...(await heard()))).toBe(1);
+  const isOn = () =>
+    page.evaluate(() => window.microphone.getTracks().some((track) => track.readyState === "live"));
+  expect(await isOn()).toBe(true);
+  await button.click();
+  await expect(button).toHaveAttribute("aria-pressed", "false");
+  expect(await isOn()).toBe(false);
+
+  await button.click();
+  await expect(button).toHaveAttribute("aria-pressed", "true");
+  await page.evaluate(() => {
+    Object.defineProperty(document, "hidden", { configurable: true, value: true });
+    document.dispatchEvent(new Event("visibilitychange"));
+    Reflect.deleteProperty(document, "hidden");
+  });
+  await expect(settings.getByText("switched off when you left")).toBeVisible();
+  expect(await isOn()).toBe(false);
+  await hosted.evaluate((room) => void Reflect.deleteProperty(room, "blow"));
+});
+
 test.describe("what one sees", () => {
   test.use({ viewport: { width: 320, height: 180 }, permissions: ["clipboard-write"] });
 
@@ -136,10 +221,19 @@ test.describe("what one sees", () => {
     const { page } = fresh;
     await fresh.open("#look=paper&seed=7&camera=-1_0_1_0.5_-0.1&exposure=%&src=elsewhere.glb");
     const seen = () =>
-      fresh.evaluate(({ look, seed, exposure, src, camera }) => {
-        return { look, seed, exposure, src, yaw: camera.yaw, pitch: camera.pitch };
+      fresh.evaluate(({ look, seed, exposure, src, camera, wick, lit }) => {
+        return { look, seed, exposure, src, wick, lit, yaw: camera.yaw, pitch: camera.pitch };
       });
-    const shared = { look: "paper", seed: 7, exposure: 0, src: "", yaw: 0.5, pitch: -0.1 };
+    const shared = {
+      look: "paper",
+      seed: 7,
+      exposure: 0,
+      src: "",
+      wick: 2,
+      lit: true,
+      yaw: 0.5,
+      pitch: -0.1,
+    };
     expect(await seen()).toEqual(shared);
 
     await test.step("settings act at once", async () => {
@@ -148,11 +242,21 @@ test.describe("what one sees", () => {
       await settings.getByLabel("exposure").fill("-1.5");
       await settings.getByLabel("motion").selectOption("reduced");
       await settings.getByLabel("sensitivity").fill("2");
+      await settings.getByLabel("wind", { exact: true }).fill("0.35");
+      await settings.getByLabel("wind direction").fill("-90");
+      await settings.getByLabel("gustiness").fill("0.8");
+      await settings.getByLabel("wick").fill("10");
+      await expect(settings.getByText("10 mm")).toBeVisible();
       expect(
         await fresh.evaluate(({ exposure, motion, sensitivity, quality }) => {
           return { exposure, motion, sensitivity, quality };
         }),
       ).toEqual({ exposure: -1.5, motion: "reduced", sensitivity: 2, quality: "low" });
+      expect(
+        await fresh.evaluate(({ wind, windDirection, gustiness, wick }) => {
+          return { wind, windDirection, gustiness, wick };
+        }),
+      ).toEqual({ wind: 0.35, windDirection: -90, gustiness: 0.8, wick: 10 });
       await expect(settings.getByLabel("quality")).toHaveValue("low");
       await page.keyboard.press("Escape");
       await expect(settings).toBeHidden();
@@ -168,11 +272,13 @@ test.describe("what one sees", () => {
     });
 
     await test.step("the link is copied, or shown where that is refused", async () => {
+      await fresh.evaluate((room) => room.extinguish());
       const share = page.getByRole("button", { name: "Share" });
       await share.click();
       await expect(page.getByText("The link is copied.")).toBeVisible();
       const hash = new URL(page.url()).hash;
-      expect(hash).toMatch(/^#camera=[-\d._]+&look=paper&seed=7&exposure=-1\.5&quality=low$/);
+      expect(hash).toMatch(/^#camera=[-\d._]+&look=paper&seed=7&exposure=-1\.5&quality=low&/);
+      expect(hash).toMatch(/&wind=0\.35&wind-direction=-90&gustiness=0\.8&wick=10&unlit=$/);
       await page.evaluate(() => {
         navigator.clipboard.writeText = () => Promise.reject(new Error("refused"));
       });
@@ -186,6 +292,12 @@ test.describe("what one sees", () => {
         location.hash = "#look=paper&camera=0_0_0_1_0";
       });
       await expect.poll(seen).toEqual({ ...shared, seed: 1, yaw: 1, pitch: 0 });
+      await page.evaluate(() => {
+        location.hash = "#look=paper&camera=0_0_0_1_0&wick=8&unlit=";
+      });
+      await expect
+        .poll(seen)
+        .toEqual({ ...shared, seed: 1, yaw: 1, pitch: 0, wick: 8, lit: false });
     });
 
     await test.step("the whole screen shows it", async () => {
@@ -259,15 +371,27 @@ test("the comparison shows two looks from one place at one time, while it is ope
 }) => {
   const { page } = hosted;
   const section = await hosted.openLab("Before and after");
+  await hosted.evaluate((room) => {
+    room.step(3);
+    room.place();
+  });
   await section.getByRole("button", { name: "Compare" }).click();
   const divider = page.getByRole("slider", { name: "Divider between the two looks" });
   await expect(divider).toBeVisible();
+  // The candle of the original stands amid its room for good.
+  const amid = "0.0 0.0";
   const both = () =>
     page.locator("candle-flame").evaluateAll((rooms: CandleFlameElement[]) =>
-      rooms.map(({ look, camera, currentTime, paused, seed }) => {
-        return { look, camera, currentTime, paused, seed };
+      rooms.map(({ look, camera, currentTime, paused, seed, held, flame }) => {
+        const [x, , z] = flame?.position ?? [];
+        const stands = held ? "in the hand" : `${x?.toFixed(1)} ${z?.toFixed(1)}`;
+        return { look, camera, currentTime, paused, seed, stands };
       }),
     );
+  const [here, there] = await both();
+  expect(here?.stands).not.toEqual(amid);
+  expect(there).toEqual({ ...here, look: "original", stands: amid });
+  expect(here?.currentTime).toBeGreaterThan(3);
   const looks = (await both()).map(({ look }) => look);
   expect(looks).toEqual(["paper", "original"]);
   await expect(divider).toHaveText("originalpaper");
@@ -280,7 +404,8 @@ test("the comparison shows two looks from one place at one time, while it is ope
     });
     await expect.poll(async () => (await both())[0]?.currentTime).toBeGreaterThan(0.1);
     const [first, second] = await both();
-    expect(second).toEqual({ ...first, look: "original" });
+    expect(first?.stands).toBe("in the hand");
+    expect(second).toEqual({ ...first, look: "original", stands: amid });
     expect(first?.camera.yaw).toBeCloseTo(0.7);
     expect(first?.paused).toBe(true);
   });
@@ -412,4 +537,12 @@ test.describe("without its models", () => {
 
 function shareOf(progress: HTMLElement | SVGElement): number {
   return (progress as HTMLProgressElement).value;
+}
+
+declare global {
+  interface Window {
+    /** Strengths of breaths. */
+    heard: number[];
+    microphone: MediaStream;
+  }
 }

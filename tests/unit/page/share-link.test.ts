@@ -7,7 +7,17 @@ const NOTHING: View = { camera: null, settings: {} };
 test("a view survives the round trip", () => {
   const view: View = {
     camera: { position: [-2.25, 0, 1.5], yaw: 3.0417, pitch: -0.0001 },
-    settings: { look: "paper", seed: "4294967295", exposure: "-1.5", quality: "ultra" },
+    settings: {
+      look: "paper",
+      seed: "4294967295",
+      exposure: "-1.5",
+      quality: "ultra",
+      wind: "0.4",
+      "wind-direction": "-90",
+      gustiness: "0",
+      wick: "12.5",
+      unlit: "",
+    },
   };
   expect(readShareLink(writeShareLink(view))).toEqual(view);
   expect(Object.keys(view.settings).toSorted()).toEqual([...SHARED].toSorted());
@@ -20,7 +30,11 @@ test("a camera is carried to a tenth of a millimetre", () => {
 });
 
 test("what is at its default is not in the link", () => {
-  const settings = Object.fromEntries(SHARED.map((name) => [name, String(SETTINGS[name].default)]));
+  const settings: Record<string, string> = {};
+  for (const name of SHARED) {
+    const setting = SETTINGS[name];
+    if ("default" in setting) settings[name] = String(setting.default);
+  }
   expect(writeShareLink({ camera: null, settings })).toBe("#");
 });
 
@@ -44,6 +58,7 @@ describe("hostile hashes", () => {
     "#src=https://elsewhere.example/room.glb&asset-base=//elsewhere.example",
     "#look=<img src=x onerror=alert(1)>",
     "#seed=NaN&exposure=Infinity",
+    "#wind=gale&wick=&wind-direction=[]&gustiness=NaN&Unlit=1&windDirection=90",
     `#look=${"x".repeat(1_000_000)}`,
     "&look=paper&".repeat(2).replaceAll("look", "LOOK"),
   ])("say nothing (%#)", (hash) => {
@@ -56,9 +71,20 @@ describe("hostile hashes", () => {
   );
 
   test("leave the good beside the bad, and numbers within their range", () => {
-    expect(readShareLink("#camera=here&unknown=1&look=PAPER&exposure=1e9&seed=-7")).toEqual({
+    expect(
+      readShareLink(
+        "#camera=here&unknown=1&look=PAPER&exposure=1e9&seed=-7&wick=99&wind=-1&unlit=no",
+      ),
+    ).toEqual({
       camera: null,
-      settings: { look: "paper", exposure: String(SETTINGS.exposure.max), seed: "0" },
+      settings: {
+        look: "paper",
+        exposure: String(SETTINGS.exposure.max),
+        seed: "0",
+        wick: "50",
+        wind: "0",
+        unlit: "",
+      },
     });
   });
 });

@@ -1,0 +1,81 @@
+import { describe, expect, test } from "vitest";
+import { BreathDetector, type Sound, soundOf } from "../../../src/page/breath.ts";
+import { pcg, signed } from "../../../src/world/random.ts";
+
+const RATE = 48_000;
+const SAMPLES = 2048;
+
+/** A second of a signal, scaled to a root mean square. */
+function signal(loudness: number, sample: (i: number) => number): Float32Array {
+  const samples = Float32Array.from({ length: RATE }, (_, i) => sample(i));
+  const rms = Math.sqrt(samples.reduce((sum, value) => sum + value * value, 0) / RATE);
+  return samples.map((value) => (value * loudness) / rms);
+}
+
+/** Turbulence at a microphone: noise whose power falls with the square of frequency. */
+function wind(loudness: number): Float32Array {
+  let level = 0;
+  return signal(loudness, (i) => {
+    level = level * 0.995 + signed(pcg(i));
+    return level;
+  });
+}
+
+/** A voice at 130 Hz whose vowel has its formants at these frequencies, Hz. */
+function vowel(loudness: number, formants: readonly number[]): Float32Array {
+  return signal(loudness, (i) => {
+    let sum = 0;
+    for (let harmonic = 1; harmonic < 25; harmonic++) {
+      const frequency = 130 * harmonic;
+      const gain = formants.reduce((g, f) => g + 1 / (1 + ((frequency - f) / 90) ** 2), 0.02);
+      sum += gain * Math.sin((2 * Math.PI * frequency * i) / RATE);
+    }
+    return sum;
+  });
+}
+
+const hiss = (loudness: number) => signal(loudness, (i) => signed(pcg(i)));
+
+/** Breaths heard in a second, in moments of 1/60 s. */
+function breaths(samples: Float32Array): number[] {
+  const detector = new BreathDetector();
+  const found: number[] = [];
+  for (let at = 0; at + SAMPLES <= RATE; at += RATE / 60) {
+    const sound = soundOf(samples.subarray(at, at + SAMPLES), RATE);
+    const strength = detector.hear(sound, 1 / 60);
+    if (strength > 0) found.push(strength);
+  }
+  return found;
+}
+
+test("blowing is a breath, felt anew three times a second, and stronger the louder", () => {
+  const soft = breaths(wind(0.1));
+  const strong = breaths(wind(0.35));
+  expect(strong).toHaveLength(3);
+  expect(Math.max(...soft)).toBeLessThan(0.6);
+  expect(Math.min(...strong)).toBeGreaterThan(0.6);
+  expect(Math.max(...strong)).toBeLessThanOrEqual(1);
+});
+
+describe("no breath is", () => {
+  test.each([
+    ["a spoken a", vowel(0.3, [700, 1200])],
+    ["a spoken e", vowel(0.3, [400, 2000])],
+    ["a spoken o", vowel(0.3, [500, 900])],
+    ["a spoken u", vowel(0.3, [300, 800])],
+    ["humming", vowel(0.3, [250, 1000])],
+    ["a hiss", hiss(0.3)],
+    ["wind far away", wind(0.02)],
+    ["silence", new Float32Array(RATE)],
+    ["a microphone's offset", new Float32Array(RATE).fill(0.4)],
+  ])("%s", (_, samples) => expect(breaths(samples)).toEqual([]));
+
+  test("a knock", () => {
+    const knock: Sound = { loudness: 0.8, lowShare: 0.9 };
+    const pause: Sound = { loudness: 0.01, lowShare: 0.9 };
+    const detector = new BreathDetector();
+    for (let i = 0; i < 40; i++) {
+      expect(detector.hear(i % 8 < 6 ? knock : pause, 1 / 60)).toBe(0);
+    }
+  });
+});
