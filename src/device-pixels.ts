@@ -22,19 +22,20 @@ export function observeDevicePixels(
   onChange: (size: Size) => void,
 ): void {
   let last = guessDevicePixels(element);
-  let isExact = true;
+  let isExact = false;
   const tell = (size: Size): void => {
     last = size;
     onChange(size);
   };
   const observer = new ResizeObserver((entries) => {
     const box = entries.at(-1)?.devicePixelContentBoxSize?.[0];
-    tell(box ? { width: box.inlineSize, height: box.blockSize } : guessDevicePixels(element));
+    const told = box && { width: box.inlineSize, height: box.blockSize };
+    isExact = told !== undefined && !isEmulated(told, element);
+    tell(told && isExact ? told : guessDevicePixels(element));
   });
   try {
     observer.observe(element, { box: "device-pixel-content-box" });
   } catch {
-    isExact = false;
     observer.observe(element);
   }
   signal.addEventListener("abort", () => observer.disconnect());
@@ -48,4 +49,11 @@ export function observeDevicePixels(
     here.addEventListener("change", moved, { once: true, signal });
   };
   awaitRatio();
+}
+
+/** Chromium 156 tells CSS pixels where a tool plays a monitor of another density (DevTools, test runners). */
+function isEmulated(told: Size, { clientWidth, clientHeight }: Element): boolean {
+  if (devicePixelRatio === 1) return false;
+  const { width, height } = told;
+  return Math.abs(width - clientWidth) <= 1 && Math.abs(height - clientHeight) <= 1;
 }
