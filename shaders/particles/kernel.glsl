@@ -23,6 +23,7 @@ layout(std140) uniform Layer {
   float life;         // s, more than MAX_TICKS ticks
   float spawnRadius;
   float spawnHeight;
+  float spawnDepth;   // most that a birth is above or below it
   float sideSpeed;
   float slowest;      // 1/s
   float fastest;
@@ -66,8 +67,9 @@ void conceive() {
   uint h1 = pcg(h0);
   vec2 place = layer.spawnRadius * signedHalves(h0);
   vec2 side = layer.sideSpeed * signedHalves(h1);
-  birthplace = vec3(place.x, layer.spawnHeight, place.y);
-  launch = vec3(side.x, mix(layer.slowest, layer.fastest, unit(pcg(h1))), side.y);
+  uint h2 = pcg(h1);
+  birthplace = vec3(place.x, layer.spawnHeight + layer.spawnDepth * signedHalves(h2).y, place.y);
+  launch = vec3(side.x, mix(layer.slowest, layer.fastest, unit(h2)), side.y);
 }
 
 void advance(uint key, uint births, float eldest, vec3 left, vec2 blown) {

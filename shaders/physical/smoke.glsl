@@ -3,7 +3,7 @@
 #include "physical/night.glsl"
 
 // Droplets smaller than light is long scatter blue better than red.
-const vec3 SCATTERED = vec3(0.9, 1.0, 1.35);
+const vec3 SCATTERED = vec3(0.95, 1.0, 1.1);
 // How much more of it goes on ahead than back.
 const float FORWARD = 0.45;
 
@@ -19,18 +19,16 @@ vec3 fromPoint(vec3 intensity, vec3 toLight, vec3 toEye) {
   return intensity * (phase(cosine) / max(distanceSquared, 2.5e-5));  // no nearer than 5 mm
 }
 
-// Light from all around, whose mean counts: a droplet has no front.
+// What the room throws back, from all around, whose mean counts: a droplet has no front.
 vec3 fromRoom(vec3 position) {
   Surroundings surroundings = surroundingsAt(position);
   vec3 up = irradianceFrom(surroundings, vec3(0.0, 1.0, 0.0));
   vec3 down = irradianceFrom(surroundings, vec3(0.0, -1.0, 0.0));
-  return (up + down) / (2.0 * PI);
+  return light.intensity * (up + down) / (2.0 * PI);
 }
 
-// Radiance of thick smoke at a place, cd/m².
-vec3 smokeRadiance(vec3 position, vec3 eye, vec3 ember, vec3 emberIntensity) {
-  vec3 toEye = eye - position;
-  vec3 flame = fromPoint(light.intensity, light.position - position, toEye) * pastCandle(position);
-  vec3 glow = fromPoint(emberIntensity, ember - position, toEye);
-  return SCATTERED * (flame + glow + fromRoom(position) + NIGHT);
+// Radiance of thick smoke at a place, cd/m². The light is the flame, or what glows of its wick.
+vec3 smokeRadiance(vec3 position, vec3 eye) {
+  vec3 direct = fromPoint(light.intensity, light.position - position, eye - position);
+  return SCATTERED * (direct * pastCandle(position) + fromRoom(position) + NIGHT);
 }

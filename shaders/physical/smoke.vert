@@ -16,8 +16,6 @@ const float LEAST_BREADTH = 0.55;
 uniform sampler2D uParcels;  // position, m; extinction's cross-section per metre, m | breadth, m
 uniform int uNewest;         // row of the youngest
 uniform int uCount;          // rows
-uniform vec3 uEmber;         // end of the wick, m
-uniform vec3 uEmberIntensity;  // cd
 
 out vec3 vRadiance;
 out float vThickness;  // optical, through the middle of the line
@@ -42,7 +40,7 @@ void main() {
   float drawn = max(breadth, LEAST_BREADTH * away / frame.projectionScale);
   // A line seen from its end is longer for the eye.
   vThickness = here.w / (drawn * sqrt(2.0 * PI) * max(sine, 0.3));
-  vRadiance = smokeRadiance(here.xyz, frame.eyePosition, uEmber, uEmberIntensity);
+  vRadiance = smokeRadiance(here.xyz, frame.eyePosition);
   vAcross = (float(side) * 2.0 - 1.0) * REACH;
   vec3 position = here.xyz + sideways / max(sine, 1e-4) * (vAcross * drawn);
   gl_Position = frame.clipFromWorld * vec4(position, 1.0);

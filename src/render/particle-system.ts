@@ -78,6 +78,7 @@ export class ParticleSystem {
       life: layer.life,
       spawnRadius: layer.spawnRadius,
       spawnHeight: layer.spawnHeight,
+      spawnDepth: layer.spawnDepth,
       sideSpeed: layer.sideSpeed,
       slowest: layer.speed[0],
       fastest: layer.speed[1],
@@ -153,10 +154,10 @@ export class ParticleSystem {
     if (this.#tick >= timeline.tick) return false;
     [this.#from, this.#to] = [this.#to, this.#from];
     const { first } = birthsOf(layer, this.#tick);
-    const groups = timeline.groups(this.#tick);
+    const groups = timeline.groups(this.#tick, layer.source);
     const end = Math.min(timeline.tick, this.#tick + MAX_TICKS);
     let ticks = 0;
-    while (this.#tick < end && timeline.groups(this.#tick) === groups) {
+    while (this.#tick < end && timeline.groups(this.#tick, layer.source) === groups) {
       this.#describe(timeline, this.#tick, ticks);
       this.#tick++;
       ticks++;

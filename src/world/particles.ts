@@ -57,7 +57,7 @@ export class Particles {
     const { first, count, age: eldest } = birthsOf(layer, tick);
     const groupSize = layer.capacity / GROUPS;
     const firstSlot = first % layer.capacity;
-    const groups = timeline.groups(tick);
+    const groups = timeline.groups(tick, layer.source);
     const tickKey = pcg((tick + this.#key) >>> 0);
     const dragged = 1 - Math.exp(-layer.drag * TICK);
     const stays = 1 - layer.follow;
@@ -101,7 +101,8 @@ export class Particles {
     state[i + 6] = layer.sideSpeed * signedLow(h1);
     state[i + 7] = layer.life;
     state[i] = layer.spawnRadius * signedHigh(h0) + state[i + 4]! * age;
-    state[i + 1] = layer.spawnHeight + state[i + 5]! * age;
+    const height = layer.spawnHeight + layer.spawnDepth * signedLow(h2);
+    state[i + 1] = height + state[i + 5]! * age;
     state[i + 2] = layer.spawnRadius * signedLow(h0) + state[i + 6]! * age;
     state[i + 3] = layer.life - age;
   }

@@ -1,7 +1,12 @@
 import type { Look } from "../settings.js";
 import type { Bounds } from "./bounds.js";
 import { RUN, WALK } from "./gait.js";
-import { ORIGINAL_LAYERS, PAPER_LAYERS, type ParticleLayer } from "./particle-layer.js";
+import {
+  ORIGINAL_LAYERS,
+  PAPER_LAYERS,
+  type ParticleLayer,
+  PHYSICAL_LAYERS,
+} from "./particle-layer.js";
 import type { Gait } from "./player.js";
 
 /** What a look asks of the world: the room's size, and how candle and flame stand in it. Metres. */
@@ -61,6 +66,7 @@ export const STAGES: Readonly<Record<Look, Stage>> = {
     flameScale: 0.035,
     wick: [0.0011, 0.2, 0.0003],
     hold: [0.24, -0.34, 0.56],
+    layers: PHYSICAL_LAYERS,
   },
   paper: PAPER,
   original: {

@@ -1,4 +1,4 @@
-import { GROUPS } from "./particle-layer.js";
+import { GROUPS, type ParticleSource } from "./particle-layer.js";
 
 /** Length of the simulation's step, in seconds. */
 export const TICK = 1 / 120;
@@ -17,6 +17,7 @@ export class Timeline {
   readonly #way = new Float32Array(MEMORY * 3);
   readonly #wind = new Float32Array(MEMORY * 3);
   readonly #groups = new Uint8Array(MEMORY);
+  readonly #spits = new Uint8Array(MEMORY);
 
   constructor(tick: number) {
     this.tick = tick;
@@ -25,18 +26,28 @@ export class Timeline {
   /**
    * @param way how far the emitter moved in this tick, in its own unit
    * @param wind air's velocity relative to the emitter, in its unit per second
-   * @param groups groups of slots in which particles are born, 0 to `GROUPS`
+   * @param groups groups of slots in which the flame bears particles, 0 to `GROUPS`
+   * @param isSpitting whether its wick spits
    */
-  record(way: ArrayLike<number>, wind: ArrayLike<number>, groups: number): void {
+  record(
+    way: ArrayLike<number>,
+    wind: ArrayLike<number>,
+    groups: number,
+    isSpitting = false,
+  ): void {
     const slot = this.#slot(this.tick);
     this.#way.set(way, slot * 3);
     this.#wind.set(wind, slot * 3);
     this.#groups[slot] = Math.min(groups, GROUPS);
+    this.#spits[slot] = isSpitting ? GROUPS : 0;
     this.tick++;
   }
 
-  groups(tick: number): number {
-    return this.#groups[this.#slot(tick)] ?? 0;
+  /** Groups that bear particles in a tick. */
+  groups(tick: number, source: ParticleSource = "flame"): number {
+    if (source === "room") return GROUPS;
+    const groups = source === "spit" ? this.#spits : this.#groups;
+    return groups[this.#slot(tick)] ?? 0;
   }
 
   /** Component 0, 1 or 2 of the emitter's way in a tick. */

@@ -28,6 +28,7 @@ import { canTake, type Refusal } from "./placing.js";
 import { look as lookAround, MAX_PITCH, type Player, walk } from "./player.js";
 import { Fumes } from "./plume/fumes.js";
 import type { Room } from "./room.js";
+import { isSpitting } from "./spits.js";
 import { STAGES, type Stage, WALL_MARGIN } from "./stage.js";
 import { MEMORY, TICK, Timeline } from "./timeline.js";
 
@@ -37,6 +38,8 @@ const FUMES_EVERY = 2;
 
 /** Strongest wind that one can light a candle in, m/s. */
 const LIGHTABLE = 1;
+/** A flame that burns less than this share of its fuel heats its wick too little to spit. */
+const SPITTING = 0.5;
 const STANDING: Vec3 = [0, 0, 0];
 /** Distance from the eye at which the flame has lost a group of particles, metres each. */
 const LOD_DISTANCE = 2.5;
@@ -286,9 +289,15 @@ function tick(world: World, intent: Intent): void {
     world.fumes?.step(flame, emitter, world.sways ? air : null);
   }
   const way = before.map((old, axis) => ((emitter[axis] ?? 0) - old) / stage.flameScale);
-  const wind = way.map((length) => -length / TICK);
-  timeline.record(way, wind, flame.isLit ? levelOfDetail(world) : 0);
-  if (world.look !== "physical") world.sample.follow(timeline);
+  // The paper's particles are in air at rest.
+  const flow: Vec3 = [0, 0, 0];
+  const isPhysical = world.look === "physical";
+  if (isPhysical && world.sways) air.velocity(emitter[0], emitter[1], emitter[2], flow);
+  const wind = way.map((length, axis) => (flow[axis] ?? 0) / stage.flameScale - length / TICK);
+  const burnsWell = world.sways && flame.isLit && flame.fuel > SPITTING;
+  const spits = burnsWell && isSpitting(world.seed, timeline.tick);
+  timeline.record(way, wind, flame.isLit ? levelOfDetail(world) : 0, spits);
+  if (!isPhysical) world.sample.follow(timeline);
 }
 
 /** Brings candle and flame to where the visitor is. */

@@ -13,7 +13,8 @@ const STILL = [0, 0, 0];
 function layerOf({ count, pixels }: Cell): ParticleLayer {
   const capacity = GROUPS * Math.ceil((count + 1) / GROUPS);
   const rate = count / LAW.life;
-  return { ...LAW, name: "core", capacity, rate, drag: 0.12, follow: 1, size: sizeOf(pixels) };
+  const ours = { name: "core", source: "flame", spawnDepth: 0, drag: 0.12, follow: 1 } as const;
+  return { ...LAW, ...ours, capacity, rate, size: sizeOf(pixels) };
 }
 
 /** Particles as the element has them, with nothing else in the picture. */

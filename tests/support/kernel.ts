@@ -51,7 +51,8 @@ function record(timeline: Timeline, { isCarried = false, wind = [0, 0, 0], group
     ? [0.02 * Math.sin(tick * 0.11), 0.01 * Math.sin(tick * 0.07), 0.02 * Math.cos(tick * 0.13)]
     : [0, 0, 0];
   const air = wind.map((speed, axis) => speed - (way[axis] ?? 0) / TICK);
-  timeline.record(way, air, groupsAt(tick, groups));
+  const count = groupsAt(tick, groups);
+  timeline.record(way, air, count, count > 0);
 }
 
 function groupsAt(tick: number, phases: Course["groups"] = [{ ticks: 1, count: 4 }]): number {

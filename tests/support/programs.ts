@@ -41,7 +41,7 @@ export async function reportPrograms(look: Look): Promise<ProgramReport[]> {
   UniformBlock.prototype.update = function (values) {
     const block = this.label.replace("block ", "");
     const known = members.get(block) ?? new Set();
-    for (const name of Object.keys(values)) known.add(name);
+    for (const name of Object.keys(values)) known.add(name.replace(/\[0\]$/, ""));
     members.set(block, known);
     original.update.call(this, values);
   };

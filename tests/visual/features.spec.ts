@@ -22,7 +22,9 @@ for (const feature of FEATURES_OF.paper) {
 test("The physical picture is another without each of its own features", async ({ page }) => {
   const room = await new RoomDriver(page).open({ look: "physical" }, { width: 96, height: 54 });
   for (const feature of FEATURES_OF.physical) {
-    if (feature !== "smoke") await expectSwitch(room, feature); // a lit candle has none: plume.spec.ts
+    // At rest and at this size there is none of it to be seen: plume.spec.ts.
+    if (feature === "smoke" || feature === "sparks" || feature === "dust") continue;
+    await expectSwitch(room, feature);
   }
   expect(room.complaints).toEqual([]);
 });

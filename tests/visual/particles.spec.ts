@@ -1,5 +1,10 @@
 import type { Page } from "playwright/test";
-import { PAPER_LAYERS, type ParticleLayer, withCount } from "../../src/world/particle-layer.ts";
+import {
+  PAPER_LAYERS,
+  type ParticleLayer,
+  PHYSICAL_LAYERS,
+  withCount,
+} from "../../src/world/particle-layer.ts";
 import { graphicsErrors, recordContexts } from "../support/contexts.ts";
 import type { Course } from "../support/kernel.ts";
 import { RoomDriver } from "../support/room-driver.ts";
@@ -119,6 +124,27 @@ test.describe("The shader and its twin on the CPU", () => {
       }
     });
   }
+
+  test("agree on the dust of the room, and on the sparks of a wick that spits now and then", async () => {
+    const alive: Readonly<Record<string, number>> = { dust: 120, spark: 13 };
+    for (const layer of PHYSICAL_LAYERS) {
+      const { worst, most, fewest } = await compareTwins(page, {
+        layer,
+        ticks: 360,
+        pace: [2, 3],
+        isCarried: true,
+        wind: [4, 0, -3],
+        groups: [
+          { ticks: 4, count: 4 },
+          { ticks: 116, count: 0 },
+        ],
+      });
+      expect(worst, layer.name).toBeLessThan(10 * TOLERANCE); // a room is hundreds of units wide
+      expect(most, layer.name).toBeGreaterThan((alive[layer.name] ?? 0) * 0.9);
+      expect(most, layer.name).toBeLessThan((alive[layer.name] ?? 0) * 1.1 + 2);
+      if (layer.source === "spit") expect(fewest).toBe(0);
+    }
+  });
 
   test("agree on 20,000 particles, of which many are born in every tick", async () => {
     for (const layer of withCount(PAPER_LAYERS, 20_000)) {

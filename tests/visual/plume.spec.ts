@@ -1,3 +1,5 @@
+import { isSpitting } from "../../src/world/spits.ts";
+import { TICK } from "../../src/world/timeline.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
 
@@ -23,6 +25,13 @@ test("A flame put out smokes for seconds, and no longer than twenty", async ({ p
   await room.step(2);
   const smoking = await withAndWithout();
   expect(smoking.whole, "smoke is seen").not.toBe(smoking.without);
+  const brightest = await room.evaluate((element) => {
+    const { width, height } = element.stats;
+    const light = element.readRadiance(0, 0, width, Math.floor(height / 2));
+    return light.reduce((most, value) => Math.max(most, value), 0);
+  });
+  expect(brightest, "it is lit by the ember and the night, and no more").toBeLessThan(0.02);
+  expect(brightest).toBeGreaterThan(5e-4);
   await room.step(18);
   const over = await withAndWithout();
   expect(over.whole, "all smoke has gone").toBe(over.without);
@@ -58,5 +67,50 @@ test("Hot air bends what is behind it, and nothing else", async ({ page }) => {
   expect(Math.max(...columns) - Math.min(...columns)).toBeLessThan(0.2 * width);
   expect(Math.min(...columns)).toBeGreaterThan(0.5 * width);
   expect(Math.max(...rows)).toBeLessThan(0.75 * height);
+  expect(room.complaints).toEqual([]);
+});
+
+test("Dust drifts through the light, and a wick that spits throws sparks", async ({ page }) => {
+  const spits = [...Array(1000).keys()].map((seed) => ({
+    seed,
+    tick: [...Array(60).keys()].find((tick) => isSpitting(seed, tick)) ?? Number.NaN,
+  }));
+  const { seed, tick } = spits.find(({ tick }) => tick > 0) ?? { seed: 0, tick: 0 };
+  const attributes = { look: "physical", quality: "low", seed: String(seed), motion: "full" };
+  const room = await new RoomDriver(page).open(attributes, { width: 320, height: 180 });
+  /** Whether light comes back as it was, how many pixels differ with a feature, and by how much at most. */
+  const changeBy = (feature: "dust" | "sparks") =>
+    room.evaluate((element, feature) => {
+      const { width, height } = element.stats;
+      const whole = element.readRadiance(0, 0, width, height);
+      element.features[feature] = false;
+      const without = element.readRadiance(0, 0, width, height);
+      element.features[feature] = true;
+      const again = element.readRadiance(0, 0, width, height);
+      const changes = whole.map((light, i) => Math.abs(light - (without[i] ?? 0)));
+      const isSame = whole.every((light, i) => light === again[i]);
+      const count = changes.filter((change) => change > 1e-3).length / 3;
+      return { isSame, count, most: changes.reduce((most, change) => Math.max(most, change), 0) };
+    }, feature);
+  const before = await changeBy("sparks");
+  expect(before.most, "a candle at peace throws none").toBe(0);
+  await room.step((tick + 6) * TICK);
+  const sparks = await changeBy("sparks");
+  expect(sparks.isSame).toBe(true);
+  expect(sparks.most, "a spark shines").toBeGreaterThan(0.1);
+  expect(sparks.count, "and is small").toBeLessThan(0.01 * 160 * 90);
+  const dust = await changeBy("dust");
+  expect(dust.isSame).toBe(true);
+  expect(dust.most, "a mote is seen").toBeGreaterThan(1e-3);
+  expect(dust.most, "and no firefly").toBeLessThan(2);
+  const isStill = await room.evaluate((element) => {
+    const { width, height } = element.stats;
+    element.motion = "reduced";
+    const before = element.readRadiance(0, 0, width, height);
+    element.features.dust = element.features.sparks = false;
+    const after = element.readRadiance(0, 0, width, height);
+    return before.every((light, i) => light === after[i]);
+  });
+  expect(isStill, "who asked for less motion sees neither").toBe(true);
   expect(room.complaints).toEqual([]);
 });

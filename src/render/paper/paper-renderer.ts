@@ -170,7 +170,8 @@ export class PaperRenderer implements Renderer {
     const { width, height } = this.#size;
     const pixels = stage.flameScale * projectionScale(Math.min(width, height));
     for (const system of this.#systems) {
-      const { name, size } = system.layer;
+      const { size } = system.layer;
+      const name = system.layer.name === "haze" ? "haze" : "core";
       if (name === "haze" ? !features.hazeLayer : !features.core) {
         system.follow(world.timeline);
         continue;

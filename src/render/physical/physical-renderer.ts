@@ -10,8 +10,8 @@ import type { TextureView } from "../../gl/texture-view.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { adaptation } from "../../light/color.js";
-import { ember } from "../../light/ember.js";
 import { emberRadiance, TAPER } from "../../light/flame-light.js";
+import type { ParticleLayer } from "../../world/particle-layer.js";
 import type { World } from "../../world/world.js";
 import { clipFromWorld, projectionScale } from "../camera.js";
 import type { Models, Renderer } from "../renderer.js";
@@ -24,6 +24,7 @@ import { FlamePass, HANDLE_TURN } from "./flame-pass.js";
 import { HazePass } from "./haze-pass.js";
 import { type IndirectDetail, IndirectPass, type IrradianceVolume } from "./indirect-pass.js";
 import { lightAtVantage, lightBlock } from "./light-block.js";
+import { MotesPass } from "./motes-pass.js";
 import { ShadowPass } from "./shadow-pass.js";
 import { SmokePass } from "./smoke-pass.js";
 import type { Veil } from "./veil.js";
@@ -65,7 +66,6 @@ const BLACK = [0, 0, 0, 1] as const;
  * The room as a real flame lights it, in candela and metres: linear and high in range until `display`.
  */
 export class PhysicalRenderer implements Renderer {
-  readonly particles = 0;
   readonly #gpu: Gpu;
   readonly #tier: Tier;
   readonly #surfaceProgram: Program;
@@ -75,6 +75,7 @@ export class PhysicalRenderer implements Renderer {
   readonly #flame: FlamePass;
   readonly #haze: HazePass;
   readonly #smoke: SmokePass;
+  readonly #motes: MotesPass;
   readonly #casters: Casters;
   readonly #shadow: ShadowPass;
   readonly #indirect: IndirectPass;
@@ -101,6 +102,7 @@ export class PhysicalRenderer implements Renderer {
     this.#flame = new FlamePass(gpu);
     this.#haze = new HazePass(gpu);
     this.#smoke = new SmokePass(gpu);
+    this.#motes = new MotesPass(gpu);
     this.#room = uploadModel(gpu, room, tier);
     this.#candle = uploadModel(gpu, candle, tier);
     this.#casters = new Casters(gpu, room, this.#room, CASTER_DETAIL[tier.name]);
@@ -125,8 +127,14 @@ export class PhysicalRenderer implements Renderer {
     this.#bloom.resize(width, height);
   }
 
-  /** The body of the flame is no particles. */
-  follow(): void {}
+  /** The body of the flame is no particles; dust and sparks are. */
+  follow(world: World, layers: readonly ParticleLayer[]): void {
+    this.#motes.follow(world, layers);
+  }
+
+  get particles(): number {
+    return this.#motes.particles;
+  }
 
   render(world: World, view: View): void {
     if (!this.#radiance) return;
@@ -225,15 +233,20 @@ export class PhysicalRenderer implements Renderer {
   }
 
   /** Hot air and smoke, over what is solid and before the lens. */
-  #drawAir(world: World, { features }: View, volume: IrradianceVolume): void {
+  #drawAir(world: World, { features, isStill }: View, volume: IrradianceVolume): void {
     const { fumes, flame } = world;
     if (!fumes || !this.#radiance?.depth || !this.#veil) return;
     const veil: Veil = { target: this.#veil, depth: this.#radiance.depth };
     const { color } = this.#radiance;
     const height = flame.isLit ? flame.height : 0;
-    if (features.haze) this.#haze.render(veil, color, fumes.plume, height, this.#frame);
-    if (features.smoke) {
-      this.#smoke.render(veil, fumes.smoke, ember(world), this.#frame, this.#light, volume);
+    const [frame, light] = [this.#frame, this.#light];
+    if (features.haze) this.#haze.render(veil, color, fumes.plume, height, frame);
+    if (features.dust && !isStill) {
+      this.#motes.render("dust", veil, world, frame, light, volume);
+    }
+    if (features.smoke) this.#smoke.render(veil, fumes.smoke, frame, light, volume);
+    if (features.sparks && !isStill) {
+      this.#motes.render("spark", veil, world, frame, light, volume);
     }
   }
 

@@ -5,7 +5,6 @@ import type { Program } from "../../gl/program.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import type { Ember } from "../../light/ember.js";
 import { LINES, ROWS, SMOKE_FLOATS, type Smoke } from "../../world/plume/smoke.js";
 import type { IrradianceVolume } from "./indirect-pass.js";
 import type { Veil } from "./veil.js";
@@ -40,7 +39,6 @@ export class SmokePass {
   render(
     { target, depth }: Veil,
     smoke: Smoke,
-    ember: Ember,
     frame: UniformBlock,
     light: UniformBlock,
     volume: IrradianceVolume,
@@ -56,8 +54,6 @@ export class SmokePass {
       uniforms: {
         uNewest: smoke.newest,
         uCount: smoke.count,
-        uEmber: ember.position,
-        uEmberIntensity: ember.intensity,
       },
       blocks: { Frame: frame, Light: light, Volume: volume.block },
       blend: "premultiplied",

@@ -95,6 +95,28 @@ describe("smoke after the flame is out", () => {
     expect(smokeOf(world).count).toBe(0);
   });
 
+  test("lights at once where it still is hot, and the flame grows through it", () => {
+    const lightAgain = (again: World, out: number) => {
+      again.flame.extinguish();
+      advance(again, STILL, out);
+      const { count } = smokeOf(again);
+      again.flame.light();
+      let seconds = 0;
+      while (again.flame.fuel < 0.5) {
+        advance(again, STILL, 1 / 60);
+        seconds += 1 / 60;
+      }
+      return { count, seconds, left: smokeOf(again).count };
+    };
+    const atOnce = lightAgain(createWorld("physical", 1, { wind: DRAUGHT }), 0.3);
+    const later = lightAgain(createWorld("physical", 1, { wind: DRAUGHT, isLit: false }), 0);
+    expect(atOnce.count).toBeGreaterThan(0);
+    expect(atOnce.left, "what has risen goes on").toBeGreaterThan(atOnce.count);
+    expect(later.left).toBe(0);
+    expect(atOnce.seconds).toBeLessThan(0.8 * later.seconds);
+    expect(later.seconds).toBeLessThan(1.5);
+  });
+
   test("is the same for the same seed, whatever the frame rate", () => {
     const after = (rate: number) => {
       const again = createWorld("physical", 1, { wind: DRAUGHT });
