@@ -9,7 +9,12 @@ const shared: BuildOptions = { target: "es2022", sourcemap: true };
 /** `vite build` makes the hosted page; `vite build --mode lib` makes the package. */
 const builds: Record<string, BuildOptions> = {
   // Hashed code beside the page in its own folder: `assets/` is ours, for models and textures.
-  page: { ...shared, outDir: "dist-page", assetsDir: "code" },
+  page: {
+    ...shared,
+    outDir: "dist-page",
+    assetsDir: "code",
+    rolldownOptions: { input: ["index.html", "use.html", "how.html"] },
+  },
   lib: {
     ...shared,
     outDir: "dist",

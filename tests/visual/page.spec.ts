@@ -124,6 +124,10 @@ test("help lists the controls, and opens and closes by keyboard", async ({ hoste
   ]);
   const keys = "Enter|Esc|W|A|S|D|Shift|Q|R|Home|End|Page Up|Page Down|E|B|F|A|B|X|Y";
   await expect(help.locator("kbd")).toHaveText(keys.split("|"));
+  const links = await help
+    .getByRole("link")
+    .evaluateAll((all: HTMLAnchorElement[]) => all.map(({ href }) => href));
+  expect(links).toEqual([`${PAGE}how.html`, `${PAGE}use.html`]);
   await page.keyboard.press("Escape");
   await expect(help).toBeHidden();
   await expect(button).toBeFocused();

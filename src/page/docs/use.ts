@@ -1,0 +1,44 @@
+import "../../define.js";
+import { find } from "../find.js";
+import { addCopyButton } from "./copy-button.js";
+import { LiveFigure } from "./live-figure.js";
+import { TryOut } from "./try-out.js";
+
+for (const figure of document.querySelectorAll<HTMLElement>("figure.live")) new LiveFigure(figure);
+for (const snippet of document.querySelectorAll<HTMLElement>(".snippet")) addCopyButton(snippet);
+
+const tried = document.querySelector<HTMLElementTagNameMap["candle-flame"]>("#tried");
+const glowing = document.querySelector<HTMLElement>(".glowing");
+if (!tried || !glowing) throw new Error("The page's markup lacks a candle.");
+new TryOut(
+  tried,
+  find(document, ".attributes", HTMLFormElement),
+  find(document, "#tried-snippet code", HTMLElement),
+);
+
+const log = find(document, ".events", HTMLElement);
+const EVENTS = ["load", "error", "play", "pause", "light", "extinguish", "place", "take"] as const;
+for (const type of EVENTS) {
+  tried.addEventListener(type, () => {
+    log.textContent = `event: ${type}`;
+  });
+}
+
+const DEEDS = ["blow", "extinguish", "light", "pause", "play", "reset"] as const;
+for (const name of DEEDS) {
+  const button = find(document, `#deeds [name=${name}]`, HTMLButtonElement);
+  const output = find(document, "#deeds output", HTMLOutputElement);
+  button.addEventListener("click", () => {
+    tried[name]();
+    output.value = tried.lit ? "lit" : "out";
+  });
+}
+
+const slider = find(document, ".glow", HTMLInputElement);
+const output = find(document, ".glow ~ output", HTMLOutputElement);
+const shine = () => {
+  glowing.style.setProperty("--candle-flame-glow", slider.value);
+  output.value = slider.value;
+};
+slider.addEventListener("input", shine);
+shine();

@@ -1,0 +1,109 @@
+import type { Locator, Page } from "playwright/test";
+import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
+import { SETTINGS } from "../../src/settings.ts";
+import { expect, type HostedPage, PAGE, test } from "../support/hosted-page.ts";
+
+test.use({
+  viewport: { width: 390, height: 500 },
+  permissions: ["clipboard-read", "clipboard-write"],
+});
+
+/** Opens a page of the documentation, from a folder of a site, under the policy of the hosted page. */
+async function read(fresh: HostedPage, name: string): Promise<Page> {
+  await fresh.load(name, `${PAGE}some/folder/`);
+  return fresh.page;
+}
+
+/** Brings a figure into sight, and waits for its first frame. */
+async function firstFrame(figure: Locator): Promise<CandleFlameElement["stats"]> {
+  await figure.scrollIntoViewIfNeeded();
+  return figure.locator("candle-flame").evaluate(async (element: CandleFlameElement) => {
+    element.quality = "low";
+    element.maxPixelRatio = 0.5;
+    await element.ready;
+    element.pause();
+    return element.stats;
+  });
+}
+
+const widthOf = (page: Page) => page.evaluate(() => document.documentElement.scrollWidth);
+
+test("“Use it” has snippets to copy, and every attribute to try", async ({ fresh }) => {
+  const page = await read(fresh, "use.html");
+  expect(await fresh.axe()).toEqual([]);
+  expect(await widthOf(page)).toBe(390);
+
+  await test.step("snippets copy", async () => {
+    const snippets = page.locator(".snippet");
+    const first = snippets.first();
+    await first.getByRole("button", { name: "Copy" }).click();
+    await expect(first.getByRole("button", { name: "Copied" })).toBeVisible();
+    const copied = await page.evaluate(() => navigator.clipboard.readText());
+    expect(copied).toContain('<candle-flame scene="candle"></candle-flame>');
+    await expect(page.locator(".snippet button")).toHaveCount(await snippets.count());
+  });
+
+  await test.step("attributes act, and are said in HTML", async () => {
+    const bench = page.locator(".bench");
+    expect((await firstFrame(bench.locator("figure"))).drawCalls).toBeGreaterThan(0);
+    const form = page.getByRole("form", { name: "Attributes" });
+    const names = await form
+      .locator("[name]")
+      .evaluateAll((all) => all.map((one) => one.getAttribute("name")));
+    expect(names).toEqual(Object.keys(SETTINGS));
+    await form.getByLabel("wind", { exact: true }).fill("0.4");
+    await form.getByLabel("unlit").check();
+    await form.getByLabel("quality").selectOption("auto");
+    await form.getByLabel("max-pixel-ratio").fill("2");
+    await form.getByLabel("paused").uncheck();
+    await expect(bench.locator(".snippet code")).toHaveText(
+      '<candle-flame scene="candle" unlit wind="0.4"></candle-flame>',
+    );
+    const candle = page.locator("#tried");
+    expect(await candle.evaluate(({ wind, lit }: CandleFlameElement) => ({ wind, lit }))).toEqual({
+      wind: 0.4,
+      lit: false,
+    });
+    await page.getByRole("button", { name: "light()" }).click();
+    await expect(bench.getByRole("log")).toHaveText("event: light");
+    expect(await candle.evaluate(({ lit }: CandleFlameElement) => lit)).toBe(true);
+  });
+});
+
+test("“How it works” has figures that are computed, and switches that act", async ({ fresh }) => {
+  const page = await read(fresh, "how.html");
+  expect(await fresh.axe()).toEqual([]);
+  expect(await widthOf(page)).toBe(390);
+  await expect(page.locator("article")).toHaveCount(11);
+  await expect(page.locator("article > figure.live > .window")).toHaveCount(11);
+
+  const figure = (name: string) => page.locator(`#${name} figure`);
+  expect((await firstFrame(figure("layers"))).particles).toBeGreaterThan(100);
+  const layers = figure("layers").locator("candle-flame");
+  expect(await layers.evaluate(({ held }: CandleFlameElement) => held)).toBe(false);
+  await figure("layers").getByLabel("the haze").uncheck();
+  expect(await layers.evaluate(({ features }: CandleFlameElement) => features.hazeLayer)).toBe(
+    false,
+  );
+
+  expect((await firstFrame(figure("body"))).drawCalls).toBeGreaterThan(0);
+  const body = figure("body").locator("candle-flame");
+  const height = () =>
+    body.evaluate((candle: CandleFlameElement) => {
+      candle.step(1);
+      return candle.flame?.height ?? 0;
+    });
+  const before = await height();
+  await figure("body").getByLabel("wick").fill("4");
+  await expect(figure("body").getByText("4 mm")).toBeVisible();
+  expect(await height()).toBeGreaterThan(before * 1.2);
+
+  await test.step("a room far away is given back, and comes again as it was", async () => {
+    await figure("eye").scrollIntoViewIfNeeded();
+    await expect(layers).toHaveCount(0);
+    await firstFrame(figure("layers"));
+    expect(
+      await layers.evaluate(({ features, held }: CandleFlameElement) => [features.hazeLayer, held]),
+    ).toEqual([false, false]);
+  });
+});
