@@ -33,7 +33,7 @@ export function flameLight(world: Pick<World, "shown" | "flame">, body: FlameBod
   const shape = shapeFlame(flame, body, scratch);
   const { centre, reach, sootIntensity, blueIntensity } = shape;
   const [x, y, z] = shown.flame;
-  if (!flame.isLit) {
+  if (!flame.isLit && flame.glow === 0) {
     const glow = emberRadiance(flame.ember);
     return {
       position: [x, y + EMBER_HEIGHT, z],
@@ -94,10 +94,11 @@ export function flameReport(world: World): FlameReport {
     position,
     height: flame.isLit ? shape.length : 0,
     width: flame.isLit ? 2 * shape.radius : 0,
-    luminousIntensity: flame.isLit
-      ? shape.sootIntensity + shape.blueIntensity
-      : 0.2126729 * intensity[0] + 0.7151522 * intensity[1] + 0.072175 * intensity[2],
-    colorTemperature: flame.isLit ? correlatedTemperature(intensity) : flame.ember,
+    luminousIntensity:
+      flame.glow > 0
+        ? shape.sootIntensity + shape.blueIntensity
+        : 0.2126729 * intensity[0] + 0.7151522 * intensity[1] + 0.072175 * intensity[2],
+    colorTemperature: flame.glow > 0 ? correlatedTemperature(intensity) : flame.ember,
     tilt: flame.isLit ? Math.atan2(Math.hypot(dx ?? 0, dz ?? 0), dy ?? 1) : 0,
   };
 }
@@ -117,7 +118,7 @@ export function paperFlameReport(world: World, position: Vec3): FlameReport {
   const [dx, dy, dz] = [0, 1, 2].map((axis) => (position[axis] ?? 0) - (shown.flame[axis] ?? 0));
   const { speed, buoyancy, life, size } = sample.layer;
   const mean = (speed[0] + speed[1]) / 2;
-  const burning = flame.isLit ? Math.min(flame.fuel, 1) : 0;
+  const burning = Math.min(flame.share, 1);
   return {
     lit: flame.isLit,
     position,

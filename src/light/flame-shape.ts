@@ -1,4 +1,3 @@
-import { TAPER_RATE } from "../world/flame/burning.js";
 import type { Flame } from "../world/flame/flame.js";
 import { PARCELS } from "../world/flame/spine.js";
 import { BODY_REACH, BODY_SIZE, type FlameBody, outline } from "./flame-body.js";
@@ -8,17 +7,8 @@ export const NODES = 16;
 /** Balls that hold all of the body: what lies outside of them need not be marched through. */
 export const BALLS = 8;
 
-/** Soot takes time to grow: flames much shorter than this are blue. Metres. */
-const SOOT_LENGTH = 0.015;
-/** At the strain that puts it out, soot has fallen to 1/e of what the flame's length alone gives. */
-const SOOT_LOSS = 1;
 /** More of the fuel burns blue then, by this factor. */
 const BLUENESS = 2.5;
-
-/** How much of its fuel a flame turns to glowing soot: its length in metres, its strain as a share. */
-export function sootiness(length: number, strain: number): number {
-  return (1 - Math.exp(-((length / SOOT_LENGTH) ** 1.5))) * Math.exp(-SOOT_LOSS * strain);
-}
 
 /**
  * The body of a flame as it is bent, stretched and dimmed at this moment: what is drawn, and what
@@ -68,18 +58,16 @@ const path = new Float64Array((PIECES + 1) * 3);
 
 /** Bends, stretches and dims a body as the flame has it, into `shape`. Nothing is allocated. */
 export function shapeFlame(flame: Flame, body: FlameBody, shape: FlameShape): FlameShape {
-  const { height: length, radius, strain } = flame;
+  const { height: length, radius, glow, felt, presence } = flame;
   shape.length = length;
   shape.radius = radius;
   tracePath(flame.spine.positions, length);
-  placeNodes(shape);
-  // Light goes as the fuel that burns, and as the share of it that turns to soot.
-  const burning = (flame.isLit ? flame.rate : 0) / TAPER_RATE;
-  const sooty = sootiness(length, strain) / sootiness(body.height, 0);
+  placeNodes(shape, flame);
   const volume = (length / body.height) * (radius / body.radius) ** 2;
-  shape.soot = volume > 0 ? (burning * sooty) / volume : 0;
+  // However its volume swings, the light is what the limiter lets by, in the picture and in the room.
+  shape.soot = volume > 0 ? glow / (volume * bulging(body, shape)) : 0;
   // The blue sheet is as thick and as bright on any flame: its light goes as its area.
-  shape.blue = burning > 0 ? (body.radius / radius) * (1 + BLUENESS * strain) : 0;
+  shape.blue = glow > 0 ? (body.radius / radius) * (1 + BLUENESS * felt) * presence : 0;
   gatherLight(body, shape, volume);
   placeBalls(shape);
   return shape;
@@ -122,7 +110,7 @@ function tracePath(spine: Float64Array, length: number): void {
   }
 }
 
-function placeNodes(shape: FlameShape): void {
+function placeNodes(shape: FlameShape, flame: Flame): void {
   const top = Math.max(path[PIECES * 3 + 1] ?? 0, 1e-5);
   shape.top = top;
   let piece = 0;
@@ -136,8 +124,28 @@ function placeNodes(shape: FlameShape): void {
     shape.nodes[node * 4] = mix(path[at] ?? 0, path[at + 3] ?? 0, share);
     shape.nodes[node * 4 + 1] = mix(path[at + 2] ?? 0, path[at + 5] ?? 0, share);
     shape.nodes[node * 4 + 2] = (piece + share) / PIECES;
-    shape.nodes[node * 4 + 3] = 1;
+    shape.nodes[node * 4 + 3] = flame.neck(height);
   }
+}
+
+/** Factor on the section of the body at a row, as it puffs. */
+function section({ nodes, top }: FlameShape, row: number): number {
+  const piece = Math.floor(((row + 0.5) / BODY_SIZE.height) * PIECES);
+  const place = Math.max(((path[piece * 3 + 1] ?? 0) / top) * (NODES - 1), 0);
+  const node = Math.min(Math.floor(place), NODES - 2);
+  const [low, high] = [nodes[node * 4 + 3] ?? 1, nodes[node * 4 + 7] ?? 1];
+  return mix(low, high, Math.min(place - node, 1)) ** 2;
+}
+
+/** The body's soot, as its sections swing, over what it is at rest. */
+function bulging({ sootRows }: FlameBody, shape: FlameShape): number {
+  let [swung, still] = [0, 0];
+  for (let row = 0; row < BODY_SIZE.height; row++) {
+    const soot = sootRows[row] ?? 0;
+    swung += soot * section(shape, row);
+    still += soot;
+  }
+  return swung / still;
 }
 
 /** Intensity, centre and extent of the light, integrated over the rows of the table. */
@@ -149,8 +157,9 @@ function gatherLight(body: FlameBody, shape: FlameShape, volume: number): void {
   let [soot, blue] = [0, 0];
   centre.fill(0);
   for (let row = 0; row < rows; row++) {
-    const ofSoot = (sootRows[row] ?? 0) * sootFactor;
-    const ofBlue = (blueRows[row] ?? 0) * blueFactor;
+    const swing = section(shape, row);
+    const ofSoot = (sootRows[row] ?? 0) * sootFactor * swing;
+    const ofBlue = (blueRows[row] ?? 0) * blueFactor * swing;
     soot += ofSoot;
     blue += ofBlue;
     const at = Math.floor(((row + 0.5) / rows) * PIECES) * 3;
@@ -172,6 +181,10 @@ function gatherLight(body: FlameBody, shape: FlameShape, volume: number): void {
 
 function placeBalls(shape: FlameShape): void {
   const stride = PIECES / BALLS;
+  let widest = 1;
+  for (let node = 0; node < NODES; node++) {
+    widest = Math.max(widest, shape.nodes[node * 4 + 3] ?? 1);
+  }
   for (let ball = 0; ball < BALLS; ball++) {
     const first = ball * stride;
     const middle = (first + stride / 2) * 3;
@@ -182,7 +195,7 @@ function placeBalls(shape: FlameShape): void {
       const dx = (path[piece * 3] ?? 0) - (path[middle] ?? 0);
       const dy = (path[piece * 3 + 1] ?? 0) - (path[middle + 1] ?? 0);
       const dz = (path[piece * 3 + 2] ?? 0) - (path[middle + 2] ?? 0);
-      const outer = shape.radius * outline(piece / PIECES) * BODY_REACH;
+      const outer = shape.radius * outline(piece / PIECES) * BODY_REACH * widest;
       radius = Math.max(radius, Math.sqrt(dx * dx + dy * dy + dz * dz + outer * outer));
     }
     shape.balls[at + 3] = radius;

@@ -2,10 +2,10 @@ import type { Vec3 } from "./bounds.js";
 import { pcg, signed, unit } from "./random.js";
 
 /** Waves that a gust is made of. */
-const WAVES = 12;
+const WAVES = 14;
 /** Frequencies of the slowest and the fastest, Hz: a room's air seldom changes faster. */
 const SLOWEST = 0.12;
-const FASTEST = 6;
+const FASTEST = 15;
 /** A wave of frequency f is this long times 1/f, m/s: eddies of a metre turn within seconds. */
 const TURNOVER = 0.45;
 /** Phases are kept apart by this step of the hash. */

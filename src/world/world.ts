@@ -283,15 +283,15 @@ function tick(world: World, intent: Intent): void {
   for (const axis of [0, 1, 2] as const) motion[axis] = (emitter[axis] - before[axis]) / TICK;
   const time = (timeline.tick + 1) * TICK;
   air.advance(time, position, velocity, emitter, world.candle.isHeld ? motion : STANDING);
-  // The paper's flame has its own law of motion, and no air passes it.
-  flame.advance(emitter, world.look === "physical" ? motion : STANDING, air, !world.sways, TICK);
+  // The paper's flame has its own law of motion: it is only lit and put out as the physical one is.
+  const isPhysical = world.look === "physical";
+  flame.advance(emitter, isPhysical ? motion : STANDING, air, !(world.sways && isPhysical), TICK);
   if (timeline.tick % FUMES_EVERY === 0) {
     world.fumes?.step(flame, emitter, world.sways ? air : null);
   }
   const way = before.map((old, axis) => ((emitter[axis] ?? 0) - old) / stage.flameScale);
   // The paper's particles are in air at rest.
   const flow: Vec3 = [0, 0, 0];
-  const isPhysical = world.look === "physical";
   if (isPhysical && world.sways) air.velocity(emitter[0], emitter[1], emitter[2], flow);
   const wind = way.map((length, axis) => (flow[axis] ?? 0) / stage.flameScale - length / TICK);
   const burnsWell = world.sways && flame.isLit && flame.fuel > SPITTING;

@@ -32,6 +32,23 @@ export function flameRadius(wick: number, fuel: number): number {
   return wick / 2 + SHEATH * fuel ** 0.4;
 }
 
+/** Soot takes time to grow: flames much shorter than this are blue. Metres. */
+const SOOT_LENGTH = 0.015;
+/** Air that passes burns soot away: by e for a third of the strain that puts the flame out. */
+const SOOT_LOSS = 3;
+
+/** How much of its fuel a flame turns to glowing soot: its length in metres, its strain as a share. */
+export function sootiness(length: number, strain: number): number {
+  return (1 - Math.exp(-((length / SOOT_LENGTH) ** 1.5))) * Math.exp(-SOOT_LOSS * strain);
+}
+
+const TAPER_SOOT = TAPER_RATE * sootiness(flameHeight(TAPER_RATE), 0);
+
+/** Light of a flame's soot as a share of a taper's in still air, from what it burns, kg/s. */
+export function sootLight(rate: number, length: number, strain: number): number {
+  return (rate * sootiness(length, strain)) / TAPER_SOOT;
+}
+
 /** Upward acceleration of the gas on the axis, m/s²: Roper's w = √(2 a z). */
 export const BUOYANCY = 25;
 
@@ -45,4 +62,11 @@ export function topSpeed(rate: number, height: number): number {
     1.9 * kilowatts ** 0.2,
     (1.1 * Math.cbrt(kilowatts)) / Math.cbrt(Math.max(height, 1e-3)),
   );
+}
+
+/** How long gas takes from the foot of a flame that burns this much (kg/s) to a height within it (m). */
+export function riseTime(rate: number, height: number): number {
+  const fastest = topSpeed(rate, 0);
+  const freely = Math.min(height, (fastest * fastest) / (2 * BUOYANCY));
+  return Math.sqrt((2 * freely) / BUOYANCY) + (height - freely) / fastest;
 }

@@ -1,12 +1,16 @@
 import type { Air } from "../air.js";
 import type { Vec3 } from "../bounds.js";
-import { flameHeight, flameRadius, fuelRate } from "./burning.js";
+import { flameHeight, flameRadius, fuelRate, riseTime, sootLight } from "./burning.js";
+import { Limiter } from "./limiter.js";
+import { Puffing, puffingFrequency } from "./puffing.js";
 import { PARCELS, Spine, timeToRise } from "./spine.js";
 
 /** Heat makes vapour, and vapour heat: a small flame grows e-fold in this time. Seconds. */
 const GROWTH = 0.15;
 /** A match gives the wick this share of its fuel. */
 const SPARK = 0.03;
+/** Vapour that is to catch has to gather first, and does so in this time. Seconds. */
+const GATHERING = 0.4;
 /** Less than this share is no flame. */
 const LEAST = 0.035;
 /**
@@ -25,7 +29,7 @@ const COOLING = 0.5;
 const SHORTENING = 1;
 const NARROWING = 0.5;
 /** The flame takes this long to feel a change of the air. Seconds. */
-const INERTIA = 0.03;
+const INERTIA = 0.012;
 /** Where on its way up the flame meets the air that strains it: share of its height. */
 const STRAINED_AT = 0.25;
 
@@ -35,6 +39,11 @@ export const ROOM = 293;
 /** How fast it takes up the flame's heat, and loses it: dark (798 K, Draper) after five seconds. */
 const HEATING = 0.3;
 const FADING = 10;
+/** Light left, as a share of a taper's, that nobody sees. */
+const UNSEEN = 2e-3;
+/** A puff narrows and widens the tip by this often its share of the volume, and what is below less. */
+const NECKING = 2;
+const NARROWEST = 0.4;
 /** Below this no more wax evaporates, kelvin. */
 const DRY = 550;
 /** Share of the fuel that still evaporates just after the flame has gone out. */
@@ -51,9 +60,18 @@ export class Flame {
   strain = 0;
   /** Tip of the wick, kelvin. */
   ember: number;
-  /** What modulates the fuel from outside: 1 for a flame that does not puff. */
-  pulse = 1;
+  /** Light of its soot as a share of a taper's in still air, as fast as it may change. */
+  glow: number;
   readonly spine: Spine;
+  /** Its neck, which swings by itself over a wide wick. */
+  readonly puffing = new Puffing();
+  readonly #limiter = new Limiter();
+  /** What lets it lean, flicker and puff; a still one only burns, or goes out. */
+  #isStill = false;
+  /** Once it is out: the share of fuel and the light that it had, and for how long it has been. */
+  #remains: number;
+  #lastGlow = 1;
+  #outFor = Number.POSITIVE_INFINITY;
   #spacing = 0;
   #spacingOf = Number.NaN;
   readonly #airspeed: Vec3 = [0, 0, 0];
@@ -63,7 +81,10 @@ export class Flame {
     this.wick = wick;
     this.isLit = isLit;
     this.fuel = isLit ? 1 : 0;
+    this.#remains = this.fuel;
     this.ember = isLit ? GLOWING : ROOM;
+    this.#limiter.settle(this.unlimited);
+    this.glow = this.#limiter.light;
     this.spine = new Spine(fuelRate(wick), this.#parcelSpacing());
   }
 
@@ -72,14 +93,35 @@ export class Flame {
     return this.fuel * this.pulse * fuelRate(this.wick);
   }
 
-  /** Luminous length along the spine, metres. */
+  /** Its volume as a share of its mean, as it puffs; exactly 1 of a candle. */
+  get pulse(): number {
+    return this.#isStill ? 1 : this.puffing.pulse;
+  }
+
+  /** Luminous length along the spine, metres; of what still glows after it went out, too. */
   get height(): number {
-    return flameHeight(this.rate) / (1 + SHORTENING * this.#felt);
+    const height = flameHeight(this.#extent * this.pulse * fuelRate(this.wick));
+    return height / (1 + SHORTENING * this.felt);
   }
 
   /** Largest luminous radius, metres. */
   get radius(): number {
-    return flameRadius(this.wick, this.fuel) / (1 + NARROWING * this.#felt);
+    return flameRadius(this.wick, this.#extent) / (1 + NARROWING * this.felt);
+  }
+
+  /** Factor on the radius at a height, m, as necks and bulges travel up with the gas. */
+  neck(height: number): number {
+    const { real, imaginary } = this.puffing;
+    if (this.#isStill || (real === 0 && imaginary === 0)) return 1;
+    const risen = riseTime(fuelRate(this.wick), height);
+    const angle = 2 * Math.PI * puffingFrequency(this.wick) * risen;
+    const wave = real * Math.cos(angle) + imaginary * Math.sin(angle);
+    return Math.max(1 + NECKING * wave * Math.min(height / this.height, 1), NARROWEST);
+  }
+
+  /** The share of fuel that it is as large for: out, it shrinks onto its wick, all but as bright as it was. */
+  get #extent(): number {
+    return this.isLit ? this.fuel : this.#remains * Math.sqrt(this.presence);
   }
 
   /** Wax that leaves the wick unburnt, kg/s: it condenses to smoke. */
@@ -89,14 +131,33 @@ export class Flame {
     return AFTERGLOW * fuelRate(this.wick) * warmth ** 1.5;
   }
 
-  get #felt(): number {
-    return Math.max(0, Math.min(this.strain, 1.5) - UNNOTICED);
+  /** Strain beyond the draughts that cost it nothing. */
+  get felt(): number {
+    return this.#isStill ? 0 : Math.max(0, Math.min(this.strain, 1.5) - UNNOTICED);
+  }
+
+  /** Light as a share of what this wick gives in still air. */
+  get share(): number {
+    const full = fuelRate(this.wick);
+    return this.glow / sootLight(full, flameHeight(full), 0);
+  }
+
+  /** 1 while it burns; once it is out, the share of its last light that is left. */
+  get presence(): number {
+    return this.isLit ? 1 : this.glow / this.#lastGlow;
+  }
+
+  /** Light of its soot as it would be if nothing kept it from flashing. */
+  get unlimited(): number {
+    return this.isLit ? sootLight(this.rate, this.height, this.felt) : 0;
   }
 
   /** Catches at the wick. False if it burns already. */
   light(): boolean {
     if (this.isLit) return false;
-    this.fuel = Math.max(SPARK, this.vapour / fuelRate(this.wick));
+    // Toggled in haste, it begins from a spark each time, and cannot flash.
+    const gathered = Math.min(this.#outFor / GATHERING, 1) ** 3;
+    this.fuel = Math.max(SPARK, (gathered * this.vapour) / fuelRate(this.wick));
     this.isLit = true;
     this.strain = 0;
     this.#airspeed.fill(0); // the gust that put it out is long over
@@ -107,8 +168,10 @@ export class Flame {
   extinguish(): boolean {
     if (!this.isLit) return false;
     this.isLit = false;
+    this.#remains = this.fuel;
+    this.#lastGlow = Math.max(this.glow, UNSEEN);
+    this.#outFor = 0;
     this.fuel = 0;
-    this.strain = 0;
     return true;
   }
 
@@ -117,7 +180,7 @@ export class Flame {
    *
    * @param foot of the flame, metres, at the end of the tick
    * @param motion of the foot, m/s
-   * @param isStill whether the flame is to stay upright
+   * @param isStill whether it is to stay upright and even
    */
   advance(
     foot: Readonly<Vec3>,
@@ -126,6 +189,9 @@ export class Flame {
     isStill: boolean,
     seconds: number,
   ): void {
+    this.#isStill = isStill;
+    if (isStill) this.puffing.calm();
+    else this.puffing.advance(this.wick, seconds);
     const target = this.isLit ? GLOWING : ROOM;
     const pace = this.isLit ? HEATING : FADING;
     this.ember = target + (this.ember - target) * Math.exp(-seconds / pace);
@@ -138,9 +204,14 @@ export class Flame {
       isStill ? null : air,
       seconds,
     );
-    if (!this.isLit) return;
-    this.#strain(foot, motion, air, seconds);
-    this.#burn(seconds);
+    if (this.isLit) {
+      this.#strain(foot, motion, air, seconds);
+      this.#burn(seconds);
+    } else {
+      this.#outFor += seconds;
+    }
+    this.#limiter.advance(this.unlimited, seconds);
+    this.glow = this.#limiter.light > UNSEEN ? this.#limiter.light : 0;
   }
 
   #strain(foot: Readonly<Vec3>, motion: Readonly<Vec3>, air: Air, seconds: number): void {
@@ -156,7 +227,7 @@ export class Flame {
   }
 
   #burn(seconds: number): void {
-    const target = 1 - COOLING * Math.min(this.#felt, 1);
+    const target = 1 - COOLING * Math.min(this.felt, 1);
     const strength = REMNANT_STRENGTH + (1 - REMNANT_STRENGTH) * Math.min(this.fuel, 1);
     const excess = Math.max(0, this.strain / strength - 1);
     const mending = Math.max(0, 1 - this.strain / strength);

@@ -51,6 +51,12 @@ export class Puffing {
     if (excess <= 0 && left < 1e-6) this.real = this.imaginary = 0;
   }
 
+  /** At rest, as over a narrow source. */
+  calm(): void {
+    this.real = TREMBLE;
+    this.imaginary = 0;
+  }
+
   /** Luminous volume as a share of its mean; exactly 1 where the flame stands still. */
   get pulse(): number {
     return 1 + this.real;

@@ -6,6 +6,9 @@ import { BUOYANCY, topSpeed } from "./burning.js";
 export const PARCELS = 24;
 /** The gas takes up the air's sideways speed at this rate, 1/s: viscosity works through 2 mm in 12 ms. */
 const ENTRAINMENT = 1 / 0.012;
+/** Up to this height above its foot gas clings to the wick, m, and at the foot feels this share of a wind. */
+const CLINGING = 0.004;
+const LEAST_FELT = 0.5;
 /** √z grows at this rate where the gas rises freely, √m/s. */
 const CLIMB = Math.sqrt(BUOYANCY / 2);
 
@@ -89,6 +92,10 @@ export class Spine {
     const x = positions[at] ?? 0;
     const z = positions[at + 2] ?? 0;
     const flow = air.velocity(foot[0] + x, foot[1] + height, foot[2] + z, this.#air);
+    const felt = LEAST_FELT + (1 - LEAST_FELT) * Math.min(height / CLINGING, 1);
+    for (const axis of [0, 1, 2] as const) {
+      flow[axis] = motion[axis] + (flow[axis] - motion[axis]) * felt;
+    }
     positions[at + 1] = risen(height, seconds, rate, flow[1] - motion[1]);
     const left = Math.exp(-ENTRAINMENT * seconds);
     const lagging = (1 - left) / ENTRAINMENT;

@@ -1,4 +1,6 @@
-import { expect, test } from "vitest";
+import { describe, expect, test } from "vitest";
+import { Air, CALM } from "../../../src/world/air.js";
+import { Flame } from "../../../src/world/flame/flame.js";
 import { Puffing, puffingFrequency } from "../../../src/world/flame/puffing.js";
 import { TICK } from "../../../src/world/timeline.js";
 import { strongest } from "../../../tools/puffing/measure.mjs";
@@ -58,4 +60,50 @@ test("it puffs alike at any step", () => {
   for (let i = 0; i < 1200; i++) fine.advance(0.03, 1 / 240);
   for (let i = 0; i < 300; i++) coarse.advance(0.03, 1 / 60);
   expect(fine.pulse).toBeCloseTo(coarse.pulse, 6);
+});
+
+describe("a flame over a wide wick in still air", () => {
+  /** Height and light, ten seconds of them. */
+  function burn(wick: number) {
+    const air = new Air(1, CALM);
+    const flame = new Flame(wick, true);
+    const seen = { heights: [] as number[], lights: [] as number[], necks: [] as number[] };
+    for (let tick = 0; tick < 20 / TICK; tick++) {
+      flame.advance([0, 1, 0], [0, 0, 0], air, false, TICK);
+      if (tick < 10 / TICK) continue;
+      seen.heights.push(flame.height);
+      seen.lights.push(flame.glow);
+      seen.necks.push(flame.neck(flame.height));
+    }
+    return seen;
+  }
+  const spread = (values: readonly number[]) => Math.max(...values) / Math.min(...values);
+
+  test("puffs at 1.5 / √D within a fifth, as D^-0.5", () => {
+    const widths = [0.02, 0.03, 0.05];
+    const frequencies = widths.map((width) => strongest(burn(width).heights, 1 / TICK));
+    for (const [i, width] of widths.entries()) {
+      expect(Math.abs(((frequencies[i] ?? 0) * Math.sqrt(width)) / 1.5 - 1)).toBeLessThan(0.2);
+    }
+    const exponent = Math.log((frequencies[2] ?? 0) / (frequencies[0] ?? 1)) / Math.log(2.5);
+    expect(Math.abs(exponent + 0.5)).toBeLessThan(0.1);
+  });
+
+  test("rises and falls, necks at its tip, and lights the room all but evenly", () => {
+    const { heights, lights, necks } = burn(0.05);
+    expect(spread(heights)).toBeGreaterThan(1.3);
+    expect(spread(necks)).toBeGreaterThan(1.5);
+    expect(spread(lights)).toBeLessThan(1.1);
+  });
+
+  test("does not puff as a candle, or where motion is reduced", () => {
+    const { heights, necks } = burn(0.002);
+    expect(spread(heights)).toBe(1);
+    expect(spread(necks)).toBe(1);
+    const flame = new Flame(0.05, true);
+    for (let tick = 0; tick < 500; tick++) {
+      flame.advance([0, 1, 0], [0, 0, 0], new Air(1, CALM), true, TICK);
+      expect(flame.pulse).toBe(1);
+    }
+  });
 });

@@ -1,0 +1,34 @@
+/** The light follows with two lags of this length, seconds: what is faster than 2.5 Hz fades. */
+const LAG = 1 / (2 * Math.PI * 2.5);
+/** What is faster still shows, by no more than this share either way. */
+const TREMBLE = 0.02;
+
+/**
+ * Light that may change as it likes, and never flashes.
+ *
+ * A room that brightens and darkens by a tenth more than three times a second can bring on a seizure
+ * (WCAG 2.2, success criterion 2.3.1), and flames that puff do so ten times a second. So light passes a
+ * low-pass of second order, critically damped, beside which only a tremble far below a tenth is let by.
+ */
+export class Limiter {
+  /** The light that is given. */
+  light = 0;
+  #first = 0;
+  #slow = 0;
+
+  /** Starts from a light that has been so for long. */
+  settle(light: number): void {
+    this.light = this.#first = this.#slow = light;
+  }
+
+  /** Lets seconds pass towards a light. Exact for any step in which it does not change. */
+  advance(target: number, seconds: number): void {
+    const lags = seconds / LAG;
+    const left = Math.exp(-lags);
+    const first = this.#first - target;
+    this.#first = target + first * left;
+    this.#slow = target + (this.#slow - target + first * lags) * left;
+    const most = TREMBLE * this.#slow;
+    this.light = this.#slow + Math.min(Math.max(target - this.#slow, -most), most);
+  }
+}
