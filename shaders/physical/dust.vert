@@ -2,6 +2,7 @@
 // A mote of dust in the flame's light, moved and drawn.
 #include "particles/kernel.glsl"
 #include "lib/frame.glsl"
+#include "lib/octahedral.glsl"
 #include "lib/photometry.glsl"
 #include "physical/light.glsl"
 #include "physical/volume.glsl"

@@ -1,44 +1,51 @@
 #version 300 es
-// The light at each probe: all patches, as they look from there.
-// Out: radiance in spherical harmonics of degree 1, a texture for each channel.
+// What each probe gets of the light that bounces for the first time: all patches that the flame sees, as
+// far as the probe sees them.
+// Out: three coefficients of radiance.
 #include "lib/precision.glsl"
+#include "lib/octahedral.glsl"
 #include "lib/photometry.glsl"
+#include "physical/harmonics.glsl"
 #include "physical/light.glsl"
 #include "physical/volume.glsl"
 #include "physical/surfels.glsl"
 
 uniform sampler2D uRadiosity;
 
-layout(location = 0) out vec4 oRed;
-layout(location = 1) out vec4 oGreen;
-layout(location = 2) out vec4 oBlue;
+layout(location = 0) out vec4 oFirst;
+layout(location = 1) out vec4 oSecond;
+layout(location = 2) out vec4 oThird;
 
 void main() {
-  vec2 texel = floor(gl_FragCoord.xy);
-  float plane = floor(texel.x / volume.columns);
-  vec3 cell = vec3(texel.x - plane * volume.columns, texel.y, plane) + 0.5;
-  vec3 position = volume.corner + volume.extent * cell / vec3(volume.columns, volume.rows, volume.planes);
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  ivec2 tile = ivec2(texel.x / TILE, texel.y);
+  int k = texel.x - tile.x * TILE;
+  vec3 position = texelFetch(uProbes, tile, 0).xyz;
   int size = textureSize(uNormalDistance, 0).y;
-  vec4 red = vec4(0.0);
-  vec4 green = vec4(0.0);
-  vec4 blue = vec4(0.0);
+  vec3 first = vec3(0.0);
+  vec3 second = vec3(0.0);
+  vec3 third = vec3(0.0);
   for (int y = 0; y < size; y++) {
     for (int x = 0; x < FACE_COUNT * size; x++) {
       Surfel surfel = surfelAt(ivec2(x, y), size);
       vec3 toward = surfel.position - position;
       float distanceSquared = max(dot(toward, toward), 1e-6);
-      vec3 direction = toward * inversesqrt(distanceSquared);
-      float facing = max(dot(surfel.normal, -direction), 0.0);
+      float reach = sqrt(distanceSquared);
+      vec3 direction = toward / reach;
+      float facing = dot(surfel.normal, -direction);
+      if (facing <= 0.0 || surfel.distance <= 0.0) continue;
       // A disc, not a point: near by it fills half of the view, and no more.
       float solidAngle = facing * surfel.area / (distanceSquared + surfel.area / PI);
-      vec4 harmonics = vec4(Y0, Y1 * direction) * (solidAngle / PI);
-      vec3 radiosity = texelFetch(uRadiosity, ivec2(x, y), 0).rgb;
-      red += harmonics * radiosity.r;
-      green += harmonics * radiosity.g;
-      blue += harmonics * radiosity.b;
+      // A patch is as far as what it is part of, give or take how much that slants.
+      vec2 sight = sightOf(tile, direction);
+      float seen = inSight(sight, reach - sight.g - 0.1);
+      vec3 light = texelFetch(uRadiosity, ivec2(x, y), 0).rgb * (solidAngle * seen * seen * seen / PI);
+      first += harmonic(k, direction) * light;
+      second += harmonic(k + 3, direction) * light;
+      third += harmonic(k + 6, direction) * light;
     }
   }
-  oRed = red;
-  oGreen = green;
-  oBlue = blue;
+  oFirst = vec4(first, 1.0);
+  oSecond = vec4(second, 1.0);
+  oThird = vec4(third, 1.0);
 }

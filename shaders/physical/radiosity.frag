@@ -1,10 +1,9 @@
 #version 300 es
-// What each patch sends back: its base colour times all the light that falls on it.
+// What each patch that the flame sees sends back of its light.
 // Out: radiosity, lm/m².
 #include "lib/precision.glsl"
 #include "lib/photometry.glsl"
 #include "physical/light.glsl"
-#include "physical/volume.glsl"
 #include "physical/surfels.glsl"
 
 uniform sampler2D uPatchColor;
@@ -18,10 +17,7 @@ void main() {
     oRadiosity = vec4(0.0);
     return;
   }
-  vec3 toLight = light.position - surfel.position;
-  float distanceSquared = max(dot(toLight, toLight), 1e-4);  // the flame is 1 cm wide
-  float NoL = max(dot(surfel.normal, toLight) * inversesqrt(distanceSquared), 0.0);
-  vec3 irradiance = light.intensity * (NoL / distanceSquared * pastCandle(surfel.position));
-  irradiance += irradianceFrom(surroundingsAt(surfel.position + surfel.normal * 0.05), surfel.normal);
+  // All of the light in the patch's solid angle falls on it, however it is turned.
+  vec3 irradiance = light.intensity * (surfel.solidAngle / surfel.area * pastCandle(surfel.position));
   oRadiosity = vec4(texelFetch(uPatchColor, texel, 0).rgb * irradiance, 1.0);
 }

@@ -1,5 +1,5 @@
 // Light that fine droplets scatter towards the eye.
-// Needs lib/photometry.glsl, physical/light.glsl, physical/volume.glsl.
+// Needs lib/octahedral.glsl, lib/photometry.glsl, physical/light.glsl, physical/volume.glsl.
 #include "physical/night.glsl"
 
 // Droplets smaller than light is long scatter blue better than red.
@@ -21,10 +21,8 @@ vec3 fromPoint(vec3 intensity, vec3 toLight, vec3 toEye) {
 
 // What the room throws back, from all around, whose mean counts: a droplet has no front.
 vec3 fromRoom(vec3 position) {
-  Surroundings surroundings = surroundingsAt(position);
-  vec3 up = irradianceFrom(surroundings, vec3(0.0, 1.0, 0.0));
-  vec3 down = irradianceFrom(surroundings, vec3(0.0, -1.0, 0.0));
-  return light.intensity * (up + down) / (2.0 * PI);
+  Surroundings sides = surroundingsAt(position, vec3(0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, -1.0, 0.0));
+  return (sides.one + sides.other) * light.intensity / (2.0 * PI);
 }
 
 // Radiance of thick smoke at a place, cd/m². The light is the flame, or what glows of its wick.

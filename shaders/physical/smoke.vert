@@ -3,6 +3,7 @@
 // In:  parcels, one row of them for each moment, two texels each.   Out: how thick the smoke is.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
+#include "lib/octahedral.glsl"
 #include "lib/photometry.glsl"
 #include "physical/light.glsl"
 #include "physical/volume.glsl"

@@ -5,6 +5,7 @@
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "lib/ggx.glsl"
+#include "lib/octahedral.glsl"
 #include "lib/relief.glsl"
 #include "lib/random.glsl"
 #include "physical/light.glsl"
@@ -102,13 +103,16 @@ void main() {
   vec3 lifted = vPositionWorld + normal * 0.08;
   // What the surface mirrors does not reach the matt layer below.
   vec3 matt = baseColor.rgb * (1.0 - metallic) * (1.0 - fresnelSchlick(f0, NoV));
-  Surroundings surroundings = surroundingsAt(lifted);
-  vec3 bounced = irradianceFrom(surroundings, normal) * matt / PI;
+  Surroundings surroundings = surroundingsAt(lifted, normal, normal, reflect(-view, normal));
+  vec3 around = surroundings.one * light.intensity;
+  // What hides the room from a crevice is lit as the crevice is, from half of its sides.
+  vec3 nearby = baseColor.rgb * (around + 0.5 * irradiance);
+  vec3 bounced = mix(nearby, around, occlusion) * matt / PI;
   // What is mirrored is the room around, as softly as it is known.
-  vec3 mirrored = irradianceFrom(surroundings, reflect(-view, normal)) / PI;
-  bounced += mirrored * fresnelSchlick(f0, NoV) * (1.0 - 0.6 * roughness) * uShown.z;
-  bounced *= light.intensity * uShown.y;
-  vec3 radiance = diffuse + specular + bounced * occlusion + waxGlow(baseColor.rgb) * uWax;
+  vec3 mirrored = surroundings.other * light.intensity / PI;
+  mirrored *= fresnelSchlick(f0, NoV) * (1.0 - 0.6 * roughness);
+  bounced = (bounced + mirrored * occlusion * uShown.z) * uShown.y;
+  vec3 radiance = diffuse + specular + bounced + waxGlow(baseColor.rgb) * uWax;
   radiance += uEmber * smoothstep(EMBER_BEGINS, EMBER_FULL, vPositionWorld.y - light.rim);
   // A mirrored flame can be brighter than the largest half float, 65504.
   oRadiance = vec4(min(radiance, 3e4), 1.0);

@@ -2,7 +2,6 @@
 // What the flame sees, coarsely: the surfaces that will light the rest of the room.
 // Out: base colour; normal and distance from the flame (m, 0 where there is nothing).
 #include "lib/precision.glsl"
-#include "lib/relief.glsl"
 
 uniform vec3 uLight;
 uniform vec4 uBaseColor;
@@ -16,7 +15,9 @@ layout(location = 1) out vec4 oNormalDistance;
 
 void main() {
   vec3 fromLight = vPositionWorld - uLight;
-  vec3 normal = facetNormal(vPositionWorld);
+  vec3 normal = cross(dFdx(vPositionWorld), dFdy(vPositionWorld));
+  // A triangle smaller than a pixel has no slope.
+  normal = dot(normal, normal) > 0.0 ? normalize(normal) : -normalize(fromLight);
   oBaseColor = vec4(texture(uAlbedo, vUv).rgb * uBaseColor.rgb, 1.0);
   oNormalDistance = vec4(faceforward(normal, fromLight, normal), length(fromLight));
 }

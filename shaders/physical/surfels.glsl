@@ -9,6 +9,7 @@ struct Surfel {
   vec3 position;  // m
   vec3 normal;
   float area;     // m²
+  float solidAngle;  // seen from the flame, sr
   float distance; // from the flame, m; 0 where there is nothing
 };
 
@@ -36,6 +37,7 @@ Surfel surfelAt(ivec2 texel, int size) {
   surfel.position = light.vantage + direction * stored.w;
   surfel.normal = stored.xyz;
   surfel.area = solidAngle * stored.w * stored.w / facing;
+  surfel.solidAngle = solidAngle;
   surfel.distance = stored.w;
   return surfel;
 }

@@ -1,6 +1,10 @@
-// Light that comes from the room's surfaces, at every place, for 1 cd of the flame's: radiance in spherical harmonics of
-// degree 1, three textures, one for each channel, (mean, x, y, z) in each texel.
-// A grid of probes, flattened: planes of constant z lie side by side along x.
+// Light that comes from the room's surfaces, at every place, for 1 cd of the flame's.
+// A grid of probes, flattened: planes of constant z lie side by side along x. Each is a tile of
+// `uVolume`, an octahedral map of irradiance, lx, by the way that a surface faces.
+// Needs lib/octahedral.glsl.
+//
+// After Majercik, Guertin, Nowrouzezahrai and McGuire 2019, "Dynamic Diffuse Global Illumination with
+// Ray-Traced Irradiance Fields": a probe counts where it faces the surface and where it is in sight.
 
 layout(std140) uniform Volume {
   vec3 corner;    // of the room, m
@@ -8,50 +12,71 @@ layout(std140) uniform Volume {
   vec3 extent;    // of the room, m
   float columns;  // probes along x
   float rows;     // probes along y
+  float looks;    // 1: probes count where they are in sight; 0: where they are near
 } volume;
 
-uniform sampler2D uVolumeRed;
-uniform sampler2D uVolumeGreen;
-uniform sampler2D uVolumeBlue;
+uniform sampler2D uVolume;
+uniform sampler2D uProbes;  // place of each, m; 1, or 0 for a probe that is buried
+uniform sampler2D uSights;  // mean and deviation of the distance that each sees, m, tiles of octahedral maps
 
-// Green 2003, "Spherical Harmonic Lighting: The Gritty Details": the first two bands.
-const float Y0 = 0.282095;
-const float Y1 = 0.488603;
+// Edges of the tiles, and the seam around what is inside of them: src/render/physical/probes.ts.
+const float SIGHT = 10.0;
+const float LIT = 8.0;
+const float SEAM = 1.0;
 
-// Ramamoorthi and Hanrahan 2001, "An Efficient Representation for Irradiance Environment Maps":
-// a cosine lobe keeps pi of the mean and 2 pi / 3 of the slope.
-float irradianceOf(vec4 harmonics, vec3 normal) {
-  return max(PI * Y0 * harmonics.x + (2.0 * PI / 3.0) * Y1 * dot(harmonics.yzw, normal), 0.0);
+// Where a probe's map has a direction, on the texture of all tiles.
+vec2 onTile(ivec2 tile, float edge, vec2 place) {
+  vec2 tiles = vec2(volume.columns * volume.planes, volume.rows);
+  return (vec2(tile) + (SEAM + place * (edge - 2.0 * SEAM)) / edge) / tiles;
 }
 
-// Radiance from all around a place, in spherical harmonics for each channel.
+// Mean and deviation of how far a probe sees in a direction, m.
+vec2 sightOf(ivec2 tile, vec3 direction) {
+  return textureLod(uSights, onTile(tile, SIGHT, onOctahedron(direction)), 0.0).rg;
+}
+
+// Share of what is at `reach` (m) that has nothing before it, at most: Chebyshev's bound.
+float inSight(vec2 sight, float reach) {
+  float beyond = max(reach - sight.r, 0.0);
+  float variance = max(sight.g * sight.g, 1e-3);
+  return variance / (variance + beyond * beyond);
+}
+
+// Irradiance of two surfaces that face two ways, lx.
 struct Surroundings {
-  vec4 red;
-  vec4 green;
-  vec4 blue;
+  vec3 one;
+  vec3 other;
 };
 
-// For 1 cd of the flame's.
-Surroundings surroundingsAt(vec3 position) {
+// For 1 cd of the flame's. `facing` is the normal of what is lit, or 0 in mid-air.
+Surroundings surroundingsAt(vec3 position, vec3 facing, vec3 one, vec3 other) {
   vec3 count = vec3(volume.columns, volume.rows, volume.planes);
-  vec3 place = (position - volume.corner) / volume.extent * count;
-  vec2 inPlane = clamp(place.xy, vec2(0.5), count.xy - 0.5);
-  float depth = clamp(place.z - 0.5, 0.0, count.z - 1.001);
-  float plane = floor(depth);
-  vec2 near = vec2((plane * count.x + inPlane.x) / (count.x * count.z), inPlane.y / count.y);
-  vec2 far = near + vec2(1.0 / count.z, 0.0);
-  float share = depth - plane;
-  return Surroundings(
-    mix(textureLod(uVolumeRed, near, 0.0), textureLod(uVolumeRed, far, 0.0), share),
-    mix(textureLod(uVolumeGreen, near, 0.0), textureLod(uVolumeGreen, far, 0.0), share),
-    mix(textureLod(uVolumeBlue, near, 0.0), textureLod(uVolumeBlue, far, 0.0), share)
-  );
-}
-
-vec3 irradianceFrom(Surroundings surroundings, vec3 normal) {
-  return vec3(
-    irradianceOf(surroundings.red, normal),
-    irradianceOf(surroundings.green, normal),
-    irradianceOf(surroundings.blue, normal)
-  );
+  vec3 place = clamp((position - volume.corner) / volume.extent * count - 0.5, vec3(0.0), count - 1.001);
+  vec3 cell = floor(place);
+  vec3 share = place - cell;
+  vec2 onOne = onOctahedron(one);
+  vec2 onOther = onOctahedron(other);
+  Surroundings sum = Surroundings(vec3(0.0), vec3(0.0));
+  float total = 0.0;
+  for (int corner = 0; corner < 8; corner++) {
+    vec3 step = vec3(corner & 1, (corner >> 1) & 1, corner >> 2);
+    vec3 at = cell + step;
+    ivec2 tile = ivec2(int(at.z * volume.columns + at.x), int(at.y));
+    vec3 shares = mix(1.0 - share, share, step);
+    float weight = max(shares.x * shares.y * shares.z, 1e-4);
+    if (volume.looks > 0.5) {
+      vec4 probe = texelFetch(uProbes, tile, 0);
+      vec3 away = position - probe.xyz;
+      float reach = max(length(away), 1e-4);
+      float turned = 0.5 - 0.5 * dot(away, facing) / reach;
+      float seen = inSight(sightOf(tile, away / reach), reach);
+      weight *= probe.w * (turned * turned + 0.1) * max(seen * seen * seen, 1e-4);
+      sum.other += weight * textureLod(uVolume, onTile(tile, LIT, onOther), 0.0).rgb;
+    }
+    sum.one += weight * textureLod(uVolume, onTile(tile, LIT, onOne), 0.0).rgb;
+    total += weight;
+  }
+  float scale = 1.0 / max(total, 1e-12);
+  // Where probes do not look around, they do not tell one way from another either: half of the taps.
+  return Surroundings(sum.one * scale, (volume.looks > 0.5 ? sum.other : sum.one) * scale);
 }

@@ -9,14 +9,15 @@ export async function loadRoom(request: SceneRequest, loading: Loading): Promise
   const { look, src, assetRoot } = request;
   const models = await loadModels(sourcesOf(look, src, assetRoot), assetRoot, loading);
   const { parts, anchors } = models.room;
+  const room = createRoom(parts, anchors.spawn ?? null);
   // The paper's looks have their box, unless the visitor brought a room.
   const isBox = look !== "physical" && src === "";
   return {
-    room: isBox ? null : createRoom(parts, anchors.spawn ?? null),
+    room: isBox ? null : room,
     stage: null,
     createRenderer: ({ gpu }, tier, look) =>
       look === "physical"
-        ? new PhysicalRenderer(gpu, models, tier)
+        ? new PhysicalRenderer(gpu, models, room.solid, tier)
         : new PaperRenderer(gpu, models, tier),
     close: () => closeModels(models),
   };

@@ -57,8 +57,8 @@ export interface Reach {
   readonly stand: Stand;
 }
 
-const gaze: Hit = { distance: 0, normal: [0, 0, 0] };
-const felt: Hit = { distance: 0, normal: [0, 0, 0] };
+const gaze: Hit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
+const felt: Hit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
 const from: Vec3 = [0, 0, 0];
 const sight: Vec3 = [0, 0, 0];
 

@@ -12,6 +12,8 @@ export interface Triangles {
 /** What a ray met. */
 export interface Hit {
   distance: number;
+  /** Number of the triangle, as the parts list them, one part after the other. */
+  triangle: number;
   /** Unit, on the side that the ray came from. */
   readonly normal: Vec3;
 }
@@ -34,13 +36,15 @@ export class Solid {
   readonly triangles: Float32Array;
   readonly bounds: Bounds;
   readonly #bvh: Bvh;
+  /** What number each triangle had before. */
+  readonly #numbers: Uint32Array;
   readonly #stack = new Uint32Array(MAX_DEPTH);
   readonly #leaves: Uint32Array;
   readonly #footprint = new Footprint();
-  readonly #hit: Hit = { distance: 0, normal: [0, 0, 0] };
+  readonly #hit: Hit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
 
   constructor(parts: readonly Triangles[], maxTriangles = MAX_TRIANGLES) {
-    const soup = largest(gather(parts), maxTriangles);
+    const { soup, numbers } = largest(gather(parts), maxTriangles);
     const count = soup.length / 9;
     const boxes = new Float32Array(count * 6);
     for (let from = 0, to = 0; from < soup.length; from += 6, to += 3) {
@@ -52,7 +56,9 @@ export class Solid {
     const { bvh, order } = buildBvh(boxes);
     this.#bvh = bvh;
     this.triangles = new Float32Array(count * 9);
+    this.#numbers = new Uint32Array(count);
     for (let i = 0; i < count; i++) {
+      this.#numbers[i] = numbers[order[i]!]!;
       const from = order[i]! * 9;
       for (let k = 0; k < 9; k++) this.triangles[i * 9 + k] = soup[from + k]!;
     }
@@ -115,6 +121,7 @@ export class Solid {
     }
     if (found < 0) return null;
     hit.distance = nearest;
+    hit.triangle = this.#numbers[found / 9]!;
     this.#facing(found, dx, dy, dz, hit.normal);
     return hit;
   }
@@ -252,13 +259,22 @@ export function normalOf(triangles: Float32Array, at: number, normal: Vec3): num
   return length;
 }
 
-/** All triangles that are finite, nine coordinates each. */
-function gather(parts: readonly Triangles[]): Float32Array {
+interface Soup {
+  /** Nine coordinates each. */
+  readonly soup: Float32Array;
+  /** What number each triangle had in its parts. */
+  readonly numbers: Uint32Array;
+}
+
+/** All triangles that are finite. */
+function gather(parts: readonly Triangles[]): Soup {
   const most = parts.reduce((sum, { indices }) => sum + Math.floor(indices.length / 3), 0);
   const soup = new Float32Array(most * 9);
+  const numbers = new Uint32Array(most);
   let end = 0;
+  let number = 0;
   for (const { positions, indices } of parts) {
-    for (let i = 0; i + 2 < indices.length; i += 3) {
+    for (let i = 0; i + 2 < indices.length; i += 3, number++) {
       let sum = 0;
       for (let corner = 0; corner < 3; corner++) {
         const from = indices[i + corner]! * 3;
@@ -269,24 +285,28 @@ function gather(parts: readonly Triangles[]): Float32Array {
         sum += soup[to]! * 0 + soup[to + 1]! * 0 + soup[to + 2]! * 0;
       }
       // NaN if any is not finite, or if an index leads nowhere.
-      if (sum === 0) end += 9;
+      if (sum !== 0) continue;
+      numbers[end / 9] = number;
+      end += 9;
     }
   }
-  return end === soup.length ? soup : soup.slice(0, end);
+  return end === soup.length ? { soup, numbers } : { soup: soup.slice(0, end), numbers };
 }
 
-function largest(soup: Float32Array, most: number): Float32Array {
+function largest({ soup, numbers }: Soup, most: number): Soup {
   const count = soup.length / 9;
-  if (count <= most) return soup;
+  if (count <= most) return { soup, numbers };
   const normal: Vec3 = [0, 0, 0];
   const areas = Float32Array.from({ length: count }, (_, i) => normalOf(soup, i * 9, normal));
   const least = areas.slice().sort()[count - most]!;
   const kept = new Float32Array(most * 9);
+  const keptNumbers = new Uint32Array(most);
   let end = 0;
   for (let i = 0; i < count && end < kept.length; i++) {
     if (areas[i]! < least) continue;
     kept.set(soup.subarray(i * 9, i * 9 + 9), end);
+    keptNumbers[end / 9] = numbers[i]!;
     end += 9;
   }
-  return kept.slice(0, end);
+  return { soup: kept.slice(0, end), numbers: keptNumbers };
 }

@@ -35,7 +35,7 @@ export async function withElement(quality, use) {
       route.fulfill({
         contentType: "text/html",
         body: `<!doctype html><style>body { margin: 0 } candle-flame { width: ${width}px; height: ${height}px }</style>
-          <candle-flame look="physical" quality="${quality}" paused></candle-flame>
+          <candle-flame look="physical" quality="${quality}" wind="0" paused></candle-flame>
           <script type="module" src="/define.js"></script>`,
       }),
     );

@@ -4,7 +4,7 @@ import sharp from "sharp";
 import { FIXTURES, height, readSource, width, withElement } from "./room.mjs";
 
 const SHEET = new URL("../../docs/reference/sheet.jpg", import.meta.url);
-const EXPOSURE = 5.5;
+const EXPOSURE = 5;
 const GAP = 4;
 /** Relative difference of luminance at which the colour is full. */
 const FULL = 0.5;
@@ -23,7 +23,7 @@ const encode = (x) => 255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4)
 function shown(color) {
   const seen = color.map((x, i) => x * gains[i] * EXPOSURE);
   const peak = Math.max(...seen, 1e-9);
-  const level = 0.18 * (peak / 0.18) ** 1.3;
+  const level = 0.18 * (peak / 0.18) ** 1.35;
   const tone = 1 - Math.exp((-level / (1 + 0.22 * level)) * 1.05);
   const stops = Math.min(Math.max(Math.log2(peak) / 11, 0), 1);
   const bleach = 0.93 * stops * stops * (3 - 2 * stops);

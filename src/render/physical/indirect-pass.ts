@@ -1,47 +1,64 @@
 import { mat4 } from "gl-matrix";
+import echoFrag from "../../../shaders/physical/echo.frag";
 import fullscreenVert from "../../../shaders/physical/fullscreen.vert";
+import gatherFrag from "../../../shaders/physical/gather.frag";
+import irradianceFrag from "../../../shaders/physical/irradiance.frag";
 import probeFrag from "../../../shaders/physical/probe.frag";
 import radiosityFrag from "../../../shaders/physical/radiosity.frag";
 import surfelFrag from "../../../shaders/physical/surfel.frag";
 import surfelVert from "../../../shaders/physical/surfel.vert";
+import type { Model } from "../../assets/model.js";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import type { Bounds, Vec3 } from "../../world/bounds.js";
+import type { Vec3 } from "../../world/bounds.js";
+import type { Solid } from "../../world/solid.js";
+import type { Surface } from "../surface.js";
 import type { Casters } from "./casters.js";
 import { clipFromFace, FACES } from "./cube.js";
 import type { LightAtVantage } from "./light-block.js";
+import { LIT, lookAround, type ProbeDetail, TILE } from "./probes.js";
+import { type SightTextures, uploadSights } from "./sight-textures.js";
 
 /** How finely indirect light is known. */
-export interface IndirectDetail {
+export interface IndirectDetail extends ProbeDetail {
   /** Patches along an edge of the cube around the flame. */
   readonly patches: number;
-  /** Probes along x, y, z. */
-  readonly probes: readonly [number, number, number];
   /** Times that light is passed on. */
   readonly bounces: number;
+  /** Whether a place is lit only by the probes in its sight; otherwise by all that are near. */
+  readonly looks: boolean;
+}
+
+/** The room whose surfaces pass light on. */
+export interface Echoing {
+  readonly model: Model;
+  readonly solid: Solid;
+  /** Of the model, in the order of its parts. */
+  readonly surfaces: readonly Surface[];
 }
 
 /** Indirect light everywhere in the room, for shaders that include `physical/volume.glsl`. */
 export interface IrradianceVolume {
   readonly block: UniformBlock;
   readonly textures: {
-    readonly uVolumeRed: Texture;
-    readonly uVolumeGreen: Texture;
-    readonly uVolumeBlue: Texture;
+    readonly uVolume: Texture;
+    readonly uProbes: Texture;
+    readonly uSights: Texture;
   };
 }
 
 /**
  * Light that has bounced off the room, without any precomputation.
  *
- * The flame sees the room as a few hundred patches; probes gather their light, patches gather the
- * probes', and so on for a number of bounces. It starts from darkness each time, so the result depends
- * on where the flame is and on nothing that was drawn before. Light adds up, so a flame that flickers
- * changes only what the result is multiplied by.
+ * The flame sees the room as a few hundred patches, and probes gather their light as far as they see them.
+ * Each probe knows what its rays meet, and gathers what that throws back of the probes' light, for a number
+ * of bounces. It starts from darkness each time, so the result depends on where the flame is and on nothing
+ * that was drawn before. Light adds up, so a flame that flickers changes only what the result is
+ * multiplied by.
  */
 export class IndirectPass {
   readonly #gpu: Gpu;
@@ -49,31 +66,45 @@ export class IndirectPass {
   readonly #surfelProgram: Program;
   readonly #radiosityProgram: Program;
   readonly #probeProgram: Program;
+  readonly #echoProgram: Program;
+  readonly #gatherProgram: Program;
+  readonly #irradianceProgram: Program;
   readonly #screen: VertexArray;
   readonly #block: UniformBlock;
   readonly #surfels: RenderTarget;
   readonly #radiosity: RenderTarget;
-  readonly #volumes: readonly [RenderTarget, RenderTarget];
+  readonly #echo: RenderTarget;
+  readonly #first: RenderTarget;
+  readonly #all: RenderTarget;
+  readonly #irradiance: RenderTarget;
   readonly #light: UniformBlock;
+  readonly #sights: SightTextures;
   /** What the volume was made from. */
   #lastLight = "";
 
-  constructor(gpu: Gpu, screen: VertexArray, { min, max }: Bounds, detail: IndirectDetail) {
+  constructor(gpu: Gpu, screen: VertexArray, room: Echoing, detail: IndirectDetail) {
     this.#gpu = gpu;
     this.#screen = screen;
     this.#detail = detail;
+    const defines = { RAYS: detail.rays };
     this.#surfelProgram = gpu.program("physical/surfel", surfelVert, surfelFrag);
     this.#radiosityProgram = gpu.program("physical/radiosity", fullscreenVert, radiosityFrag);
     this.#probeProgram = gpu.program("physical/probe", fullscreenVert, probeFrag);
+    this.#echoProgram = gpu.program("physical/echo", fullscreenVert, echoFrag, { defines });
+    this.#gatherProgram = gpu.program("physical/gather", fullscreenVert, gatherFrag, { defines });
+    this.#irradianceProgram = gpu.program("physical/irradiance", fullscreenVert, irradianceFrag);
     this.#light = gpu.uniformBlock(this.#radiosityProgram, "Light");
     const [columns, rows, planes] = detail.probes;
+    const { min, max } = room.model.bounds;
     this.#block = gpu.uniformBlock(this.#probeProgram, "Volume");
     this.#block.update({
       corner: min,
-      extent: [max[0] - min[0], max[1] - min[1], max[2] - min[2]],
+      // A floor without walls is a room, too.
+      extent: min.map((low, axis) => Math.max((max[axis] ?? low) - low, 0.01)),
       columns,
       rows,
       planes,
+      looks: detail.looks ? 1 : 0,
     });
     const patches = { width: detail.patches * FACES.length, height: detail.patches };
     this.#surfels = gpu.renderTarget({
@@ -83,20 +114,28 @@ export class IndirectPass {
       depth: "buffer",
       filter: "nearest",
     });
-    this.#radiosity = gpu.renderTarget({
-      label: "indirect/radiosity",
-      ...patches,
-      color: ["RGBA16F"],
+    const radiance = { color: ["RGBA16F"], filter: "nearest" } as const;
+    this.#radiosity = gpu.renderTarget({ label: "indirect/radiosity", ...patches, ...radiance });
+    const tiles = { width: columns * planes, height: rows };
+    const rays = { width: tiles.width * detail.rays, height: tiles.height * detail.rays };
+    this.#echo = gpu.renderTarget({ label: "indirect/echo", ...rays, ...radiance });
+    const harmonics = {
+      width: tiles.width * TILE,
+      height: tiles.height,
+      color: ["RGBA16F", "RGBA16F", "RGBA16F"],
       filter: "nearest",
+    } as const;
+    this.#first = gpu.renderTarget({ label: "indirect/first bounce", ...harmonics });
+    this.#all = gpu.renderTarget({ label: "indirect/all bounces", ...harmonics });
+    this.#irradiance = gpu.renderTarget({
+      label: "indirect/irradiance",
+      width: tiles.width * LIT,
+      height: tiles.height * LIT,
+      color: ["RGBA16F"],
     });
-    const volume = (name: string) =>
-      gpu.renderTarget({
-        label: `indirect/${name}`,
-        width: columns * planes,
-        height: rows,
-        color: ["RGBA16F", "RGBA16F", "RGBA16F"],
-      });
-    this.#volumes = [volume("volume"), volume("volume before")];
+    const { probes } = detail;
+    const seen = lookAround(room.solid, room.model, { probes, rays: detail.rays });
+    this.#sights = gpu.share(seen, () => uploadSights(gpu, seen, detail, room.surfaces));
   }
 
   /**
@@ -110,19 +149,12 @@ export class IndirectPass {
       this.#lastLight = key;
       this.#light.update(light);
       this.#capture(casters, light.position);
-      this.#gpu.clear(this.#volumes[0], [0, 0, 0, 0]);
-      for (let bounce = 0; bounce < this.#detail.bounces; bounce++) this.#bounce(bounce);
+      this.#bounceOnce();
+      for (let bounce = 1; bounce < this.#detail.bounces; bounce++) this.#bounceAgain();
     }
-    return this.#result(this.#detail.bounces);
-  }
-
-  #result(bounces: number): IrradianceVolume {
-    const { colors } = this.#volumes[bounces % 2 === 0 ? 0 : 1];
-    const [red, green, blue] = colors;
-    if (!red || !green || !blue) throw new Error("An irradiance volume has three channels.");
     return {
       block: this.#block,
-      textures: { uVolumeRed: red, uVolumeGreen: green, uVolumeBlue: blue },
+      textures: { uVolume: this.#irradiance.color, ...this.#sights.room },
     };
   }
 
@@ -142,27 +174,65 @@ export class IndirectPass {
     }
   }
 
-  #bounce(bounce: number): void {
+  #bounceOnce(): void {
     const [patchColor, normalDistance] = this.#surfels.colors;
     if (!patchColor || !normalDistance) throw new Error("A patch has a colour and a place.");
-    const before = this.#result(bounce);
     this.#gpu.draw({
       program: this.#radiosityProgram,
       target: this.#radiosity,
       vertexArray: this.#screen,
-      textures: {
-        uPatchColor: patchColor,
-        uNormalDistance: normalDistance,
-        ...before.textures,
-      },
-      blocks: { Light: this.#light, Volume: this.#block },
+      textures: { uPatchColor: patchColor, uNormalDistance: normalDistance },
+      blocks: { Light: this.#light },
     });
     this.#gpu.draw({
       program: this.#probeProgram,
-      target: this.#volumes[bounce % 2 === 0 ? 1 : 0],
+      target: this.#first,
       vertexArray: this.#screen,
-      textures: { uNormalDistance: normalDistance, uRadiosity: this.#radiosity.color },
+      textures: {
+        uNormalDistance: normalDistance,
+        uRadiosity: this.#radiosity.color,
+        ...this.#sights.room,
+      },
       blocks: { Light: this.#light, Volume: this.#block },
     });
+    this.#irradiate(this.#first);
   }
+
+  #bounceAgain(): void {
+    this.#gpu.draw({
+      program: this.#echoProgram,
+      target: this.#echo,
+      vertexArray: this.#screen,
+      textures: {
+        uVolume: this.#irradiance.color,
+        ...this.#sights.room,
+        ...this.#sights.rays,
+      },
+      blocks: { Volume: this.#block },
+    });
+    this.#gpu.draw({
+      program: this.#gatherProgram,
+      target: this.#all,
+      vertexArray: this.#screen,
+      textures: { ...harmonicsOf(this.#first), uEcho: this.#echo.color },
+    });
+    this.#irradiate(this.#all);
+  }
+
+  /** @param radiance its harmonics at each probe */
+  #irradiate(radiance: RenderTarget): void {
+    this.#gpu.draw({
+      program: this.#irradianceProgram,
+      target: this.#irradiance,
+      vertexArray: this.#screen,
+      textures: harmonicsOf(radiance),
+      blocks: { Volume: this.#block },
+    });
+  }
+}
+
+function harmonicsOf({ colors }: RenderTarget) {
+  const [uFirst, uSecond, uThird] = colors;
+  if (!uFirst || !uSecond || !uThird) throw new Error("Harmonics take three textures.");
+  return { uFirst, uSecond, uThird };
 }

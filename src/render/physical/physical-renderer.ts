@@ -12,6 +12,7 @@ import type { VertexArray } from "../../gl/vertex-array.js";
 import { adaptation } from "../../light/color.js";
 import { emberRadiance, TAPER } from "../../light/flame-light.js";
 import type { ParticleLayer } from "../../world/particle-layer.js";
+import type { Solid } from "../../world/solid.js";
 import type { World } from "../../world/world.js";
 import { clipFromWorld, projectionScale } from "../camera.js";
 import type { Models, Renderer } from "../renderer.js";
@@ -39,10 +40,10 @@ const SHADOW: Readonly<Record<Tier["name"], { size: number; search: number; taps
   ultra: { size: 1024, search: 16, taps: 32 },
 };
 const INDIRECT: Readonly<Record<Tier["name"], IndirectDetail>> = {
-  low: { patches: 6, probes: [5, 3, 5], bounces: 5 },
-  medium: { patches: 8, probes: [6, 4, 6], bounces: 6 },
-  high: { patches: 16, probes: [8, 6, 8], bounces: 8 },
-  ultra: { patches: 16, probes: [10, 6, 10], bounces: 10 },
+  low: { patches: 6, probes: [5, 3, 5], rays: 8, bounces: 4, looks: false },
+  medium: { patches: 8, probes: [6, 4, 6], rays: 10, bounces: 5, looks: true },
+  high: { patches: 16, probes: [8, 6, 8], rays: 12, bounces: 6, looks: true },
+  ultra: { patches: 16, probes: [10, 7, 10], rays: 12, bounces: 6, looks: true },
 };
 /** What of the room may be left out where it throws shadows and light, metres. */
 const CASTER_DETAIL: Readonly<Record<Tier["name"], number>> = {
@@ -89,7 +90,8 @@ export class PhysicalRenderer implements Renderer {
   #veil: TextureView | null = null;
   #size = { width: 1, height: 1 };
 
-  constructor(gpu: Gpu, { room, candle }: Models, tier: Tier) {
+  /** @param solid of the room, as it can be touched */
+  constructor(gpu: Gpu, { room, candle }: Models, solid: Solid, tier: Tier) {
     this.#gpu = gpu;
     this.#tier = tier;
     this.#surfaceProgram = gpu.program("physical/surface", surfaceVert, surfaceFrag, {
@@ -107,7 +109,8 @@ export class PhysicalRenderer implements Renderer {
     this.#candle = uploadModel(gpu, candle, tier);
     this.#casters = new Casters(gpu, room, this.#room, CASTER_DETAIL[tier.name]);
     this.#screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
-    this.#indirect = new IndirectPass(gpu, this.#screen, room.bounds, INDIRECT[tier.name]);
+    const echoing = { model: room, solid, surfaces: this.#room };
+    this.#indirect = new IndirectPass(gpu, this.#screen, echoing, INDIRECT[tier.name]);
     this.#bloom = new BloomPass(gpu, this.#screen, BLOOM_LEVELS[tier.name]);
   }
 

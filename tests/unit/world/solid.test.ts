@@ -91,10 +91,22 @@ describe("a ray", { timeout: 30_000 }, () => {
 
   test("fills what it is given, and each call its own", () => {
     const solid = new Solid([floorOf(4)]);
-    const mine: Hit = { distance: 0, normal: [0, 0, 0] };
+    const mine: Hit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
     expect(solid.raycast([0, 2, 0.5], DOWN, 9, mine)).toBe(mine);
     solid.raycast([0, 5, 0.5], DOWN, 9);
     expect(mine.distance).toBeCloseTo(2, 6);
+  });
+
+  test("names the triangle by its place in the parts, whatever order the tree keeps", () => {
+    const parts = [floorOf(4), quad([-2, 1, 2], [2, 1, 2], [2, 1, -2], [-2, 1, -2])];
+    const solid = new Solid(parts);
+    const from: Vec3 = [0.5, 2, 0.7];
+    const upper = solid.raycast(from, DOWN, 9)?.triangle ?? -1;
+    const lower = solid.raycast([0.5, 0.5, 0.7], DOWN, 9)?.triangle ?? -1;
+    const before = (parts[0]?.indices.length ?? 0) / 3;
+    expect(upper).toBeGreaterThanOrEqual(before);
+    expect(upper).toBeLessThan(before + 2);
+    expect(lower).toBeLessThan(before);
   });
 
   test("does not slip through the seams of a floor of 50 x 50 squares", () => {
