@@ -1,5 +1,6 @@
 import { expect, type Page, type TestInfo, test } from "playwright/test";
 import type { Cell } from "./law.ts";
+import type { TierName } from "./passes.ts";
 import { BENCH_PAGE } from "./playwright.config.ts";
 import type { Effort } from "./scaling.ts";
 
@@ -44,6 +45,28 @@ test("the paper's features cost something, and all of them together less than th
   expect(last?.multiple).toBeGreaterThan(1);
   expect(last?.multiple).toBeLessThan(last?.paperMultiple ?? 0);
 });
+
+/** Rounds by tier: the dearer the frame, the fewer. */
+const PASS_ROUNDS: Readonly<Record<TierName, number>> = { low: 24, medium: 8, high: 6, ultra: 4 };
+/** Most copies that a frame at low may cost: on two cores without a GPU that is 30 frames a second. */
+const MOST_COPIES = 16;
+
+for (const [quality, rounds] of Object.entries(PASS_ROUNDS) as [TierName, number][]) {
+  test(`a frame at ${quality} on a page of 1280 x 720, pass by pass`, async ({ page }, info) => {
+    await page.setViewportSize({ width: 1280, height: 720 });
+    await open(page);
+    const results = await page.evaluate(
+      ([quality, rounds]) => window.bench.measurePasses(quality, rounds),
+      [quality, rounds] as const,
+    );
+    await report(info, "passes", results);
+    for (const { frame, passes, doing } of results) {
+      expect(passes.length).toBeGreaterThan(3);
+      expect(frame.copies).toBeGreaterThan(0);
+      if (quality === "low") expect.soft(frame.copies, doing).toBeLessThanOrEqual(MOST_COPIES);
+    }
+  });
+}
 
 for (const cell of CELLS) {
   const { count, pixels } = cell;

@@ -3,6 +3,7 @@ import { cpus } from "node:os";
 import type { FullResult, Reporter, TestCase, TestResult } from "playwright/types/testReporter";
 import { barChart } from "../../tools/chart.mjs";
 import type { Ladder } from "./ladder.ts";
+import type { PassCost, Passes } from "./passes.ts";
 import type { Scaling } from "./scaling.ts";
 
 const FOLDER = "docs/bench";
@@ -11,15 +12,18 @@ const FOLDER = "docs/bench";
 export default class Report implements Reporter {
   #ladder: Ladder | null = null;
   readonly #scaling: Scaling[] = [];
+  readonly #passes: Passes[] = [];
 
   onTestEnd(_test: TestCase, { attachments }: TestResult): void {
     for (const { name, body } of attachments) {
       if (name === "ladder") this.#ladder = JSON.parse(String(body)) as Ladder;
+      if (name === "passes") this.#passes.push(...(JSON.parse(String(body)) as Passes[]));
       if (name === "scaling") this.#scaling.push(JSON.parse(String(body)) as Scaling);
     }
   }
 
   onEnd({ startTime }: FullResult): void {
+    this.#reportPasses();
     const ladder = this.#ladder;
     if (!ladder || this.#scaling.length === 0) return;
     mkdirSync(FOLDER, { recursive: true });
@@ -74,5 +78,32 @@ export default class Report implements Reporter {
         rows,
       }),
     );
+  }
+
+  /** Passes down, tiers across, in copies: as the README has it. */
+  #reportPasses(): void {
+    if (this.#passes.length === 0) return;
+    mkdirSync(FOLDER, { recursive: true });
+    writeFileSync(`${FOLDER}/passes.json`, `${JSON.stringify(this.#passes, null, 2)}\n`);
+    const names = new Set(this.#passes.flatMap(({ passes }) => passes.map(({ pass }) => pass)));
+    const cell = (cost: PassCost | undefined) => {
+      if (!cost) return "";
+      const { copies, gpuMs } = cost;
+      return `${copies.toFixed(1)}${gpuMs === null ? "" : ` (${gpuMs.toFixed(2)} ms)`}`;
+    };
+    const head = this.#passes.map(({ quality, doing, width, height }) =>
+      [quality, doing, `${width} x ${height}`].join(", "),
+    );
+    const rows = [...names].map((name) => [
+      name,
+      ...this.#passes.map(({ passes }) => cell(passes.find(({ pass }) => pass === name))),
+    ]);
+    const lines = [
+      ["copies", ...head],
+      head.concat("").map(() => "---"),
+      ...rows,
+      ["all passes", ...this.#passes.map(({ frame }) => cell(frame))],
+    ];
+    console.log(lines.map((line) => `| ${line.join(" | ")} |`).join("\n"));
   }
 }

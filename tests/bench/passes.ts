@@ -1,0 +1,325 @@
+import type { CandleFlameElement, Quality } from "../../src/candle-flame-element.js";
+import { type Draw, Gpu } from "../../src/gl/gpu.js";
+import { GpuTimer } from "../../src/gl/gpu-timer.js";
+import { isSoftware } from "../../src/render/tier.js";
+import { median } from "./statistics.js";
+
+export type TierName = Exclude<Quality, "auto">;
+
+/** What the visitor does. */
+export type Doing = "stands" | "walks";
+
+export interface PassCost {
+  readonly pass: string;
+  /** Full-screen copies of 640 x 360 pixels of RGBA8 that take as long. */
+  readonly copies: number;
+  /** Milliseconds by the GPU's own clock; null where there is none to be believed. */
+  readonly gpuMs: number | null;
+}
+
+/** Cost of one frame of the physical look on a page of 1280 x 720. */
+export interface Passes {
+  readonly renderer: string;
+  readonly quality: TierName;
+  readonly doing: Doing;
+  readonly width: number;
+  readonly height: number;
+  readonly rounds: number;
+  /** Time of a copy, milliseconds. */
+  readonly copyMs: number;
+  /** All passes. */
+  readonly frame: PassCost;
+  /** Each waited for by itself: a little more than its share of a frame that is waited for once. */
+  readonly passes: readonly PassCost[];
+}
+
+const PAGE = { width: 1280, height: 720 } as const;
+/** Where the visitor stands and looks at the candle on the table. */
+const PLACE = { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 } as const;
+const CAMERA = { position: [-0.85, 1.3, 1.1], yaw: -0.805, pitch: -0.244 } as const;
+const STRIDE = 0.02;
+const FRAME = 1 / 60;
+/** Copies in a row, so that waiting for them is nothing against them. */
+const COPIES = 6;
+/** A slow machine has fewer rounds, so that they end: time for each scene, milliseconds. */
+const PATIENCE = 25_000;
+const LEAST_ROUNDS = 3;
+
+/** Each pass of each frame in copies, copies and frames interleaved. */
+export async function measurePasses(quality: TierName, rounds: number): Promise<Passes[]> {
+  const element = document.createElement("candle-flame");
+  element.paused = true;
+  element.look = "physical";
+  element.quality = quality;
+  element.assetBase = "/";
+  element.style.cssText = `width: ${PAGE.width}px; height: ${PAGE.height}px`;
+  document.body.replaceChildren(element);
+  await element.ready;
+  const gl = element.shadowRoot?.querySelector("canvas")?.getContext("webgl2");
+  if (!gl) throw new Error("The element has no picture.");
+  const clock = new Clock(gl);
+  const results = [await measure(element, clock, { quality, doing: "walks", most: rounds })];
+  element.camera = PLACE;
+  element.place();
+  element.camera = CAMERA;
+  results.unshift(await measure(element, clock, { quality, doing: "stands", most: rounds }));
+  clock.dispose();
+  element.remove();
+  return results;
+}
+
+async function measure(
+  element: CandleFlameElement,
+  clock: Clock,
+  { quality, doing, most }: { quality: TierName; doing: Doing; most: number },
+): Promise<Passes> {
+  let strides = 0;
+  const frame = async () => {
+    if (doing === "stands") {
+      element.step(FRAME);
+      return;
+    }
+    const [x, y, z] = CAMERA.position;
+    const away = STRIDE * (strides++ % 2);
+    element.camera = { ...CAMERA, position: [x + away, y, z], yaw: CAMERA.yaw + away };
+    // Its own callback came before this one.
+    await new Promise(requestAnimationFrame);
+  };
+  if (doing === "walks") element.play();
+  for (let i = 0; i < 2; i++) await frame();
+  const copies: number[] = [];
+  const passes = new Map<string, Span[]>();
+  const end = performance.now() + PATIENCE;
+  let rounds = 0;
+  while (rounds < most && (rounds < LEAST_ROUNDS || performance.now() < end)) {
+    copies.push(clock.copy());
+    for (const [pass, span] of await clock.timeEach(frame)) {
+      const spans = passes.get(pass) ?? Array.from({ length: rounds }, () => NOTHING);
+      passes.set(pass, [...spans, span]);
+    }
+    rounds++;
+    for (const [pass, spans] of passes) {
+      if (spans.length < rounds) passes.set(pass, [...spans, NOTHING]);
+    }
+  }
+  element.pause();
+  const copyMs = median(copies);
+  const cost = (pass: string, spans: readonly Span[]): PassCost => ({
+    pass,
+    copies: mean(spans.map(({ ms }) => ms)) / copyMs,
+    gpuMs: clock.isReal ? mean(spans.map(({ gpuMs }) => gpuMs)) : null,
+  });
+  const costs = [...passes].map(([pass, spans]) => cost(pass, spans));
+  const { width, height } = element.stats;
+  return {
+    renderer: clock.renderer,
+    quality,
+    doing,
+    width,
+    height,
+    rounds,
+    copyMs,
+    frame: {
+      pass: "frame",
+      copies: costs.reduce((sum, { copies }) => sum + copies, 0),
+      gpuMs: clock.isReal ? costs.reduce((sum, { gpuMs }) => sum + (gpuMs ?? 0), 0) : null,
+    },
+    passes: costs,
+  };
+}
+
+/** Of all but the longest quarter, which something else on the machine disturbed. */
+function mean(values: readonly number[]): number {
+  const kept = values.toSorted((a, b) => a - b).slice(0, Math.ceil(values.length * 0.75));
+  return kept.reduce((sum, x) => sum + x, 0) / kept.length;
+}
+
+interface Span {
+  /** Until the GPU was done, milliseconds. */
+  readonly ms: number;
+  /** By its own clock, milliseconds; 0 where it has none. */
+  readonly gpuMs: number;
+}
+
+const NOTHING: Span = { ms: 0, gpuMs: 0 };
+
+/** Times what is drawn in a context, as a whole or pass by pass, and copies beside it. */
+class Clock {
+  readonly renderer: string;
+  readonly isReal: boolean;
+  readonly #gl: WebGL2RenderingContext;
+  readonly #timer: { TIME_ELAPSED_EXT: number } | null;
+  readonly #originals = {
+    draw: Gpu.prototype.draw,
+    resolve: Gpu.prototype.resolve,
+    begin: GpuTimer.prototype.begin,
+  };
+  readonly #copier: Copier;
+  readonly #pixel = new Uint8Array(4);
+  #passes: Map<string, { ms: number; queries: WebGLQuery[] }> | null = null;
+  #pass = "";
+  #begin = 0;
+  #query: WebGLQuery | null = null;
+
+  constructor(gl: WebGL2RenderingContext) {
+    this.#gl = gl;
+    const names = gl.getExtension("WEBGL_debug_renderer_info");
+    this.renderer = String(gl.getParameter(names?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER));
+    this.#timer = gl.getExtension("EXT_disjoint_timer_query_webgl2");
+    this.isReal = this.#timer !== null && !isSoftware(this.renderer);
+    this.#copier = new Copier();
+    const clock = this;
+    const { draw, resolve } = this.#originals;
+    Gpu.prototype.draw = function (how: Draw) {
+      clock.#enter(how.program.label.split(" ")[0] ?? "");
+      draw.call(this, how);
+    };
+    Gpu.prototype.resolve = function (...args) {
+      clock.#enter("resolve");
+      resolve.apply(this, args);
+    };
+    // Queries of one kind do not nest.
+    GpuTimer.prototype.begin = () => {};
+  }
+
+  /** Time of one copy, milliseconds. */
+  copy(): number {
+    return this.#copier.time();
+  }
+
+  /** Of each pass, in the order of the first draw. */
+  async timeEach(frame: () => Promise<void>): Promise<Map<string, Span>> {
+    this.#passes = new Map();
+    this.#pass = "";
+    await frame();
+    this.#enter("");
+    const passes = this.#passes;
+    this.#passes = null;
+    const spans = new Map<string, Span>();
+    for (const [pass, { ms, queries }] of passes) {
+      let gpuMs = 0;
+      for (const query of queries) gpuMs += await this.#read(query);
+      spans.set(pass, { ms, gpuMs });
+    }
+    return spans;
+  }
+
+  #enter(pass: string): void {
+    if (!this.#passes || pass === this.#pass) return;
+    if (this.#pass !== "") {
+      this.#endQuery();
+      this.#wait();
+      const known = this.#passes.get(this.#pass) ?? { ms: 0, queries: [] };
+      known.ms += performance.now() - this.#begin;
+      if (this.#query) known.queries.push(this.#query);
+      this.#passes.set(this.#pass, known);
+    } else this.#wait();
+    this.#pass = pass;
+    this.#query = pass === "" ? null : this.#beginQuery();
+    this.#begin = performance.now();
+  }
+
+  /** Chromium's `finish` returns before the GPU has; reading a pixel does not. */
+  #wait(): void {
+    const gl = this.#gl;
+    const bound = gl.getParameter(gl.FRAMEBUFFER_BINDING) as WebGLFramebuffer | null;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, this.#pixel);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, bound);
+  }
+
+  #beginQuery(): WebGLQuery | null {
+    if (!this.isReal || !this.#timer) return null;
+    const query = this.#gl.createQuery();
+    if (query) this.#gl.beginQuery(this.#timer.TIME_ELAPSED_EXT, query);
+    return query;
+  }
+
+  #endQuery(): void {
+    if (this.isReal && this.#timer) this.#gl.endQuery(this.#timer.TIME_ELAPSED_EXT);
+  }
+
+  async #read(query: WebGLQuery | null): Promise<number> {
+    if (!query) return 0;
+    const gl = this.#gl;
+    while (!gl.getQueryParameter(query, gl.QUERY_RESULT_AVAILABLE)) {
+      await new Promise((resolve) => setTimeout(resolve));
+    }
+    const nanoseconds = gl.getQueryParameter(query, gl.QUERY_RESULT) as number;
+    gl.deleteQuery(query);
+    return nanoseconds / 1e6;
+  }
+
+  dispose(): void {
+    const { draw, resolve, begin } = this.#originals;
+    Object.assign(Gpu.prototype, { draw, resolve });
+    GpuTimer.prototype.begin = begin;
+    this.#copier.dispose();
+  }
+}
+
+const COPY_VERTEX = `#version 300 es
+out vec2 vUv;
+void main() {
+  vUv = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0;
+  gl_Position = vec4(vUv * 2.0 - 1.0, 0.0, 1.0);
+}`;
+const COPY_FRAGMENT = `#version 300 es
+precision highp float;
+uniform sampler2D uSource;
+in vec2 vUv;
+out vec4 oColor;
+void main() { oColor = texture(uSource, vUv); }`;
+
+/** The unit: one texture of 640 x 360 pixels of RGBA8 copied to another, in a context of its own. */
+class Copier {
+  readonly #gl: WebGL2RenderingContext;
+  readonly #pixel = new Uint8Array(4);
+
+  constructor() {
+    const gl = document.createElement("canvas").getContext("webgl2");
+    if (!gl) throw new Error("There is no second context.");
+    this.#gl = gl;
+    const program = gl.createProgram();
+    for (const [type, source] of [
+      [gl.VERTEX_SHADER, COPY_VERTEX],
+      [gl.FRAGMENT_SHADER, COPY_FRAGMENT],
+    ] as const) {
+      const shader = gl.createShader(type);
+      if (!shader) throw new Error("There is no shader.");
+      gl.shaderSource(shader, source);
+      gl.compileShader(shader);
+      gl.attachShader(program, shader);
+    }
+    gl.linkProgram(program);
+    gl.useProgram(program);
+    const texture = () => {
+      const made = gl.createTexture();
+      gl.bindTexture(gl.TEXTURE_2D, made);
+      gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA8, 640, 360);
+      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR);
+      return made;
+    };
+    const target = texture();
+    texture();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, target, 0);
+    gl.viewport(0, 0, 640, 360);
+    this.time();
+  }
+
+  /** Milliseconds. */
+  time(): number {
+    const gl = this.#gl;
+    const wait = () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, this.#pixel);
+    wait();
+    const begin = performance.now();
+    for (let i = 0; i < COPIES; i++) gl.drawArrays(gl.TRIANGLES, 0, 3);
+    wait();
+    return (performance.now() - begin) / COPIES;
+  }
+
+  dispose(): void {
+    this.#gl.getExtension("WEBGL_lose_context")?.loseContext();
+  }
+}
