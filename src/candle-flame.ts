@@ -91,6 +91,8 @@ export class CandleFlame {
   /** CSS size times device pixel ratio, before the tier's scale. */
   #pixels = { width: 1, height: 1 };
   #request = 0;
+  /** Where eye and candle were in the last picture. */
+  #stand = "";
   #lastTime = Number.NaN;
   #frameMs = Number.NaN;
   #cpuMs = 0;
@@ -294,9 +296,19 @@ export class CandleFlame {
     this.#screen.prepare();
     gpu.beginFrame();
     const { exposure, isStill } = this.#options;
-    this.#renderer.render(this.world, { features: this.#features, exposure, isStill });
+    const isMoving = this.#hasMoved() && this.#request !== 0;
+    this.#renderer.render(this.world, { features: this.#features, exposure, isStill, isMoving });
     gpu.endFrame();
     this.#screen.present();
+  }
+
+  /** Whether eye or candle are elsewhere than when this was last asked. */
+  #hasMoved(): boolean {
+    const { player, candle, shown } = this.world;
+    const stand = [...shown.eye, player.yaw, player.pitch, ...shown.foot, candle.yaw].join(" ");
+    const hasMoved = stand !== this.#stand;
+    this.#stand = stand;
+    return hasMoved;
   }
 
   play(): void {

@@ -11,6 +11,7 @@
 #include "physical/light.glsl"
 #include "physical/soft-shadow.glsl"
 #include "physical/volume.glsl"
+#include "physical/wax.glsl"
 
 // A flame is no point: nearer than this the inverse square would not hold. Metres.
 const float NEAREST = 0.01;
@@ -50,23 +51,9 @@ vec3 towardsHighlight(vec3 toLight, vec3 mirrored) {
   return toLight + light.along * climb;
 }
 
-// Light that entered the wax at its top and comes out of its side, as if it faded evenly with depth.
-// In a rod as thin as a taper more of it is lost through the side than in the wax itself: 14, 10.5 and
-// 7 mm in the thick of paraffin become these, m.
-const vec3 DIFFUSION_LENGTH = vec3(0.0092, 0.0078, 0.0056);
-// Share of the light on the top that finds its way out below it.
-const float WAX_TRANSMITTANCE = 0.02;
-
 // The wick glows where it reaches out of the dark zone: heights above the candle's rim, m.
 const float EMBER_BEGINS = 0.0028;
 const float EMBER_FULL = 0.0052;
-
-vec3 waxGlow(vec3 albedo) {
-  float depth = max(light.rim - vPositionWorld.y, 0.0);
-  float above = max(light.position.y - light.rim, NEAREST);
-  vec3 onTop = light.intensity / (above * above + 1e-4);
-  return albedo * onTop * exp(-depth / DIFFUSION_LENGTH) * (WAX_TRANSMITTANCE / PI);
-}
 
 void main() {
   vec4 baseColor = texture(uAlbedo, vUv) * uBaseColor;
@@ -112,7 +99,7 @@ void main() {
   vec3 mirrored = surroundings.other * light.intensity / PI;
   mirrored *= fresnelSchlick(f0, NoV) * (1.0 - 0.6 * roughness);
   bounced = (bounced + mirrored * occlusion * uShown.z) * uShown.y;
-  vec3 radiance = diffuse + specular + bounced + waxGlow(baseColor.rgb) * uWax;
+  vec3 radiance = diffuse + specular + bounced + baseColor.rgb * waxGlow(vPositionWorld) * uWax;
   radiance += uEmber * smoothstep(EMBER_BEGINS, EMBER_FULL, vPositionWorld.y - light.rim);
   // A mirrored flame can be brighter than the largest half float, 65504.
   oRadiance = vec4(min(radiance, 3e4), 1.0);

@@ -11,6 +11,9 @@ import { VertexArray, type VertexArrayOptions } from "./vertex-array.js";
 /** Where a draw lands: textures of ours, or the canvas. */
 export type Surface = RenderTarget | TextureView | "canvas";
 
+/** Part of a surface, in its pixels: x, y, width, height. */
+export type Box = readonly [number, number, number, number];
+
 /** All that a draw depends on. What is not said has the default given here, whatever ran before. */
 export interface Draw {
   readonly program: Program;
@@ -30,7 +33,9 @@ export interface Draw {
   /** Default: none. */
   readonly depth?: "none" | "test" | "test-and-write";
   /** Part of the target, in its pixels: x, y, width, height. Default: all of it. */
-  readonly viewport?: readonly [number, number, number, number];
+  readonly viewport?: Box;
+  /** Part of the target outside of which nothing is drawn: x, y, width, height. Default: all of it. */
+  readonly scissor?: Box | undefined;
   /** Faces not drawn. Default: back. */
   readonly cull?: "none" | "back";
   /** Takes the outputs of the vertex shader that the program captures. Points without indices only. */
@@ -64,6 +69,7 @@ export class Gpu {
   readonly renderer: string;
   /** Pixels of the longest side that canvas and targets can have. */
   readonly longestSide: number;
+  readonly drawsToFloats: boolean;
   /** Whether targets can be of half floats, with or without all others. */
   readonly drawsToHalfFloats: boolean;
   /** Whether textures of full floats can be read between their texels; those of half floats always can. */
@@ -101,6 +107,7 @@ export class Gpu {
     // are asked for here, where the context is born.
     const full = gl.getExtension("EXT_color_buffer_float");
     const half = gl.getExtension("EXT_color_buffer_half_float");
+    this.drawsToFloats = full !== null;
     this.drawsToHalfFloats = full !== null || half !== null;
     this.filtersFloats = gl.getExtension("OES_texture_float_linear") !== null;
     const names = gl.getExtension("WEBGL_debug_renderer_info");
@@ -214,6 +221,7 @@ export class Gpu {
     const gl = this.#gl;
     this.#bind(target);
     this.#writeDepth(true);
+    this.#switch(gl.SCISSOR_TEST, false);
     gl.clearColor(...color);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   }
@@ -232,11 +240,14 @@ export class Gpu {
     depth = "none",
     cull = "back",
     viewport,
+    scissor,
     into,
   }: Draw): void {
     const gl = this.#gl;
     this.#bind(target);
     if (viewport) gl.viewport(...viewport);
+    this.#switch(gl.SCISSOR_TEST, scissor !== undefined);
+    if (scissor) gl.scissor(...scissor);
     this.#use(program, uniforms, textures, blocks);
     this.#switch(gl.BLEND, blend === "premultiplied");
     this.#switch(gl.DEPTH_TEST, depth !== "none");
@@ -300,6 +311,7 @@ export class Gpu {
     gl.bindFramebuffer(gl.READ_FRAMEBUFFER, target.framebuffer);
     gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, to === "canvas" ? null : to.framebuffer);
     const { width, height } = target;
+    this.#switch(gl.SCISSOR_TEST, false);
     const depth = to !== "canvas" && "depth" in to && to.depth ? gl.DEPTH_BUFFER_BIT : 0;
     const bits = gl.COLOR_BUFFER_BIT | depth;
     gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, bits, gl.NEAREST);

@@ -13,7 +13,7 @@ export interface Tier {
 }
 
 const TIERS: Readonly<Record<Tier["name"], Tier>> = {
-  low: { name: "low", resolutionScale: 0.5, samples: 4, anisotropy: false, pixelCost: 0.3 },
+  low: { name: "low", resolutionScale: 2 / 3, samples: 4, anisotropy: false, pixelCost: 0.3 },
   medium: { name: "medium", resolutionScale: 1, samples: 2, anisotropy: true, pixelCost: 0.7 },
   high: { name: "high", resolutionScale: 1, samples: 4, anisotropy: true, pixelCost: 1 },
   ultra: { name: "ultra", resolutionScale: 1.5, samples: 4, anisotropy: true, pixelCost: 1.3 },

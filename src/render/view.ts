@@ -5,6 +5,8 @@ export interface View {
   readonly features: Features;
   /** Compensation, EV. */
   readonly exposure: number;
+  /** Whether the eye or the candle has moved since the picture before, in a row that goes on. */
+  readonly isMoving: boolean;
   /** No flicker and no sway, for those who asked their system for less motion. */
   readonly isStill: boolean;
 }

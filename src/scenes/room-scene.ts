@@ -1,4 +1,5 @@
 import { PaperRenderer } from "../render/paper/paper-renderer.js";
+import { DeferredRenderer } from "../render/physical/deferred-renderer.js";
 import { PhysicalRenderer } from "../render/physical/physical-renderer.js";
 import { createRoom } from "../world/room.js";
 import { closeModels, loadModels, sourcesOf } from "./room-models.js";
@@ -15,10 +16,12 @@ export async function loadRoom(request: SceneRequest, loading: Loading): Promise
   return {
     room: isBox ? null : room,
     stage: null,
-    createRenderer: ({ gpu }, tier, look) =>
-      look === "physical"
-        ? new PhysicalRenderer(gpu, models, room.solid, tier)
-        : new PaperRenderer(gpu, models, tier),
+    createRenderer: ({ gpu }, tier, look) => {
+      if (look !== "physical") return new PaperRenderer(gpu, models, tier);
+      return tier.name === "low"
+        ? new DeferredRenderer(gpu, models, room.solid, tier)
+        : new PhysicalRenderer(gpu, models, room.solid, tier);
+    },
     close: () => closeModels(models),
   };
 }

@@ -258,8 +258,8 @@ test("A shader refused at a later change ends in a sentence and the poster, not 
     const message = expect.stringMatching(`shaders/${file}:\\d+: 'surplus'`);
     return { type: "shader", message, shown: message, isPosterShown: true, hasCanvas: false };
   };
-  const tier = await failing("#define SHADOW_TAPS 6", "low");
-  expect(tier).toEqual(expected("physical/surface.vert"));
+  const tier = await failing("#define SHADOW_TAPS 8", "low");
+  expect(tier).toEqual(expected("physical/fullscreen.vert"));
   await room.evaluate(async (element) => {
     element.remove();
     await new Promise((resolve) => setTimeout(resolve));

@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import type { Page } from "playwright/test";
-import { type Look, SETTINGS } from "../../src/settings.ts";
+import { type Look, type Quality, SETTINGS } from "../../src/settings.ts";
 import { resolveShader } from "../../tools/vite-glsl.ts";
 import type { ProgramReport } from "../support/programs.ts";
 import { openSources } from "../support/sources.ts";
@@ -18,13 +18,13 @@ function stagesIn(folders: ReadonlySet<string>): string[] {
     .sort();
 }
 
-function reportPrograms(page: Page, look: Look) {
+function reportPrograms(page: Page, look: Look, quality?: Quality) {
   return page.evaluate(
-    async ({ module, look }) => {
+    async ({ module, look, quality }) => {
       const { reportPrograms }: Programs = await import(module);
-      return reportPrograms(look);
+      return reportPrograms(look, quality);
     },
-    { module: PROGRAMS, look },
+    { module: PROGRAMS, look, quality },
   );
 }
 
@@ -54,6 +54,7 @@ test("Every shader compiles and links without a word, and every uniform it has i
 }) => {
   const reports: ProgramReport[] = [];
   for (const look of SETTINGS.look.choices) reports.push(...(await reportPrograms(page, look)));
+  reports.push(...(await reportPrograms(page, "physical", "low")));
   for (const { label, log, unset, set } of reports) {
     expect.soft({ label, log, unset }).toEqual({ label, log: "", unset: [] });
     expect.soft(set, label).toBeGreaterThan(0);

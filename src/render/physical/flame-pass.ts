@@ -4,6 +4,7 @@ import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
+import type { TextureView } from "../../gl/texture-view.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { BODY_SIZE, outline } from "../../light/flame-body.js";
@@ -68,7 +69,12 @@ export class FlamePass {
   }
 
   /** Radiance is added to the target, behind what stands in front of the flame. */
-  render(target: RenderTarget, frame: UniformBlock, world: World, tier: Tier["name"]): void {
+  render(
+    target: RenderTarget | TextureView,
+    frame: UniformBlock,
+    world: World,
+    tier: Tier["name"],
+  ): void {
     const shape = shapeFlame(world.flame, TAPER, this.#shape);
     if (!(shape.soot + shape.blue > 0)) return;
     this.#flame.update({

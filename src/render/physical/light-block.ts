@@ -30,6 +30,26 @@ export interface LightAtVantage extends Readonly<Record<string, number | readonl
   readonly position: Vec3;
 }
 
+/** Steps in which light on surfaces follows the flame, metres: less is not seen. */
+const LAMP_STEP = 0.0015;
+
+/** The same flame, 1 cd strong, as light on surfaces is worked out for: still while it hardly moves. */
+export function lampOf(world: World, showsCandle: boolean): LightAtVantage {
+  const light = lightBlock(world, showsCandle);
+  const step = (x: number) => Math.round(x / LAMP_STEP) * LAMP_STEP;
+  const [x, y, z] = light.position;
+  const along = light.along.map((share) => Math.round(share * 16) / 16);
+  const length = Math.hypot(...along) || 1;
+  return {
+    ...light,
+    position: [step(x), step(y), step(z)],
+    halfHeight: step(light.halfHeight),
+    intensity: [1, 1, 1],
+    radius: step(2 * light.radius) / 2,
+    along: along.map((share) => share / length),
+  };
+}
+
 /** The same flame as its captures see it: what flickers is taken to the grid that they are made on. */
 export function lightAtVantage(world: World, showsCandle: boolean): LightAtVantage {
   const light = lightBlock(world, showsCandle);

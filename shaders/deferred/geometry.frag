@@ -1,0 +1,54 @@
+#version 300 es
+// What the eye sees of the room, without its light: kept for as long as the eye stays where it is.
+// In:  base colour (sRGB), normal, occlusion/roughness/metallic maps.
+// Out: root of the albedo, as the relief catches the light; how the surface lies, roughness, what it is.
+#include "lib/precision.glsl"
+#include "lib/frame.glsl"
+#include "lib/octahedral.glsl"
+#include "lib/relief.glsl"
+#include "deferred/stored.glsl"
+
+uniform sampler2D uAlbedo;
+uniform sampler2D uNormal;
+uniform sampler2D uOcclusionRoughness;
+uniform vec4 uBaseColor;
+uniform float uWax;
+uniform float uOcclusion;  // how much of the map's occlusion counts
+uniform vec4 uSurface;     // roughness, metallic, normal scale, alpha below which nothing is
+uniform vec3 uVantage;     // of the flame, m
+
+in vec3 vPositionWorld;
+in vec3 vNormalWorld;
+in vec4 vTangentWorld;
+in vec2 vUv;
+in vec4 vColor;
+
+layout(location = 0) out vec4 oAlbedo;
+layout(location = 1) out vec4 oSurface;
+
+// Share of a surface's light that comes straight from the flame, and so shows its relief.
+const float STRAIGHT = 0.65;
+// Grazing light would turn relief to noise.
+const float LEAST_FACING = 0.25;
+
+void main() {
+  vec4 baseColor = texture(uAlbedo, vUv) * uBaseColor;
+#if MASKED
+  if (baseColor.a < uSurface.w) discard;
+#endif
+  vec3 packed = texture(uOcclusionRoughness, vUv).rgb;
+  vec3 normal = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
+  float caught = 1.0;
+  if (frame.normalMaps > 0.5) {
+    vec3 relief = reliefNormal(uNormal, vUv, normal, vTangentWorld);
+    vec3 L = normalize(uVantage - vPositionWorld);
+    float plain = max(dot(normal, L), LEAST_FACING);
+    float turned = max(dot(normal, L) + dot(relief - normal, L) * uSurface.z, 0.0);
+    caught = min(turned / plain + max(LEAST_FACING - dot(normal, L), 0.0), 1.6);
+  }
+  float occlusion = mix(1.0, packed.r, uOcclusion) * vColor.r;
+  float share = mix(occlusion, caught, STRAIGHT);
+  oAlbedo = vec4(sqrt(min(baseColor.rgb * share / BRIGHTEST, 1.0)), 0.0);
+  float kind = uWax > 0.5 ? WAX : packed.b * uSurface.y * METAL;
+  oSurface = vec4(onOctahedron(normal), clamp(packed.g * uSurface.x, 0.03, 1.0), kind);
+}

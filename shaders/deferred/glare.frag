@@ -1,0 +1,18 @@
+#version 300 es
+// A quarter of the picture, for the bloom of what is brightest in it.   Out: radiance, cd/m².
+#include "lib/precision.glsl"
+
+uniform sampler2D uSource;
+
+in vec2 vUv;
+
+out vec4 oRadiance;
+
+void main() {
+  vec2 texel = 1.0 / vec2(textureSize(uSource, 0));
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < 4; i++) {
+    sum += textureLod(uSource, vUv + vec2(i & 1, i >> 1) * 2.0 * texel - texel, 0.0).rgb;
+  }
+  oRadiance = vec4(sum * 0.25, 1.0);
+}

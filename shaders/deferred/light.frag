@@ -1,0 +1,73 @@
+#version 300 es
+// The light on what the eye sees, at a few pixels only: it varies slowly where surfaces do not.
+// In:  surfaces, depth, shadow cube, irradiance volume.
+// Out: for each cd of the flame's, what the albedo is to be multiplied by, cd/m², and what is added to it.
+#include "lib/precision.glsl"
+#include "lib/frame.glsl"
+#include "lib/ggx.glsl"
+#include "lib/octahedral.glsl"
+#include "lib/random.glsl"
+#include "physical/depth.glsl"
+#include "physical/light.glsl"
+#include "physical/soft-shadow.glsl"
+#include "physical/volume.glsl"
+#include "physical/wax.glsl"
+#include "deferred/stored.glsl"
+
+// A flame is no point: nearer than this the inverse square would not hold. Metres.
+const float NEAREST = 0.01;
+
+uniform sampler2D uSurfaces;
+uniform vec3 uShown;  // 1 or 0: shadows, bounced light, highlights
+uniform vec2 uSize;   // of the light, texels
+uniform mat4 uWorldFromClip;
+
+out vec4 oLight;
+
+void main() {
+  ivec2 pixel = pixelOf(ivec2(gl_FragCoord.xy), uSize, vec2(textureSize(uSurfaces, 0)));
+  float depth = texelFetch(uDepth, pixel, 0).r;
+  vec2 onScreen = (vec2(pixel) + 0.5) / vec2(textureSize(uSurfaces, 0));
+  vec4 placed = uWorldFromClip * vec4(vec3(onScreen, depth) * 2.0 - 1.0, 1.0);
+  vec3 position = placed.xyz / placed.w;
+  vec4 surface = texelFetch(uSurfaces, pixel, 0);
+  vec3 normal = normalize(octahedronAt(surface.rg));
+  float roughness = surface.b;
+  bool isWax = surface.a > 0.75;
+  float metallic = isWax ? 0.0 : surface.a / METAL;
+  vec3 view = normalize(frame.eyePosition - position);
+  float NoV = max(abs(dot(normal, view)), 1e-3);
+
+  vec3 toLight = light.position - position;
+  float distanceSquared = max(dot(toLight, toLight), NEAREST * NEAREST);
+  vec3 L = toLight * inversesqrt(distanceSquared);
+  float NoL = max(dot(normal, L), 0.0);
+  // Four turns of the taps side by side, which mixing smooths.
+  float visible = NoL > 0.0 ? visibleShare(position, normal, mod(floor(gl_FragCoord.xy), 2.0)) : 0.0;
+  float reaching = mix(1.0, visible * pastCandle(position), uShown.x) / distanceSquared;
+  vec3 H = normalize(L + view);
+  float NoH = max(dot(normal, H), 0.0);
+  float LoH = max(dot(L, H), 0.0);
+  float alpha = roughness * roughness;
+  float widened = clamp(alpha + 0.5 * light.radius * inversesqrt(distanceSquared), 0.0, 1.0);
+  float narrowing = (alpha * alpha) / (widened * widened);
+  float lobe = distributionGgx(widened, NoH) * visibilitySmith(alpha, NoV, NoL) * narrowing;
+  float mirrored = lobe * NoL * reaching * uShown.z;
+  float schlick = pow(1.0 - LoH, 5.0);
+  float plain = 0.04 + 0.96 * schlick;  // of what is no metal
+  vec3 perCandela = vec3((1.0 - metallic) * (1.0 - plain) / PI * NoL * reaching);
+  float added = (1.0 - metallic) * plain * mirrored;
+  perCandela += metallic * mirrored;
+
+  vec3 reflected = reflect(-view, normal);
+  Surroundings surroundings = surroundingsAt(position + normal * 0.08, normal, normal, reflected);
+  float grazing = pow(1.0 - NoV, 5.0);
+  float matt = (1.0 - metallic) * (1.0 - 0.04 - 0.96 * grazing) / PI;
+  perCandela += surroundings.one * (matt * uShown.y);
+  vec3 room = surroundings.other / PI;
+  room *= (1.0 - 0.6 * roughness) * uShown.y * uShown.z;
+  perCandela += metallic * room;
+  added += (1.0 - metallic) * (0.04 + 0.96 * grazing) * luma(room);
+  if (isWax) perCandela += waxGlow(position);
+  oLight = min(vec4(perCandela, added), 3e4);
+}

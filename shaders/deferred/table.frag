@@ -1,0 +1,14 @@
+#version 300 es
+// One layer of the table of the display's law.   Out: display colour, without noise.
+#include "lib/precision.glsl"
+#include "physical/shown.glsl"
+#include "deferred/table.glsl"
+
+uniform float uLayer;
+
+out vec4 oColor;
+
+void main() {
+  vec3 place = vec3(floor(gl_FragCoord.xy), uLayer) / (TABLE_SIZE - 1.0);
+  oColor = vec4(shown(place * place * TABLE_LIGHT), 1.0);
+}

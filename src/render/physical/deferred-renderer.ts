@@ -1,0 +1,359 @@
+import { mat4 } from "gl-matrix";
+import emberFrag from "../../../shaders/deferred/ember.frag";
+import glareFrag from "../../../shaders/deferred/glare.frag";
+import radianceFrag from "../../../shaders/deferred/radiance.frag";
+import copyFrag from "../../../shaders/physical/copy.frag";
+import displayFrag from "../../../shaders/physical/display.frag";
+import fullscreenVert from "../../../shaders/physical/fullscreen.vert";
+import surfaceVert from "../../../shaders/physical/surface.vert";
+import type { Box, Gpu } from "../../gl/gpu.js";
+import type { Program } from "../../gl/program.js";
+import type { RenderTarget } from "../../gl/render-target.js";
+import type { Texture } from "../../gl/texture.js";
+import type { TextureView } from "../../gl/texture-view.js";
+import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { VertexArray } from "../../gl/vertex-array.js";
+import { adaptation } from "../../light/color.js";
+import { emberRadiance, TAPER } from "../../light/flame-light.js";
+import { createShape, shapeFlame } from "../../light/flame-shape.js";
+import type { Solid } from "../../world/solid.js";
+import type { World } from "../../world/world.js";
+import { clipFromWorld, projectionScale } from "../camera.js";
+import type { Models, Renderer } from "../renderer.js";
+import { type Surface, uploadModel } from "../surface.js";
+import type { Tier } from "../tier.js";
+import type { View } from "../view.js";
+import { BloomPass } from "./bloom-pass.js";
+import { Casters } from "./casters.js";
+import { FlamePass, HANDLE_TURN } from "./flame-pass.js";
+import { GeometryPass, type Placed } from "./geometry-pass.js";
+import { type IndirectDetail, IndirectPass, type IrradianceVolume } from "./indirect-pass.js";
+import { lampOf, lightAtVantage, lightBlock } from "./light-block.js";
+import { LightPass } from "./light-pass.js";
+import { ShadowPass } from "./shadow-pass.js";
+import { ShowPass } from "./show-pass.js";
+import { SmokePass } from "./smoke-pass.js";
+
+/** From cd/m² to the display's scale, where middle grey is 0.18: a wall of 0.08 cd/m² lands there. */
+const EXPOSURE = 5;
+const SHADOW = { size: 128, search: 4, taps: 8 } as const;
+const INDIRECT: IndirectDetail = {
+  patches: 6,
+  probes: [5, 3, 5],
+  rays: 8,
+  bounces: 4,
+  looks: false,
+};
+/** What of the room may be left out where it throws shadows and light, metres. */
+const CASTER_DETAIL = 0.03;
+const BLOOM_LEVELS = 3;
+/** Pixels of the picture for one of what blooms, along each axis. */
+const GLARE = 4;
+/** Share of the light that the eye and the lens scatter. */
+const SCATTERED = 0.0006;
+/** Pixels around the flame that its light is mixed with. */
+const MARGIN = 3;
+/** The room itself, which stands where it was made. */
+const AT_ORIGIN = [0, 0, 0, 0] as const;
+
+/**
+ * The same light as that of `PhysicalRenderer`, where each pixel is dear: without a GPU.
+ *
+ * Surfaces are drawn sharply and kept while the eye stays where it is; their light, which varies slowly,
+ * is worked out at a third of that, and put on them straight to the screen. Where the flame burns the
+ * picture is drawn as elsewhere.
+ */
+export class DeferredRenderer implements Renderer {
+  readonly particles = 0;
+  readonly #gpu: Gpu;
+  readonly #frame: UniformBlock;
+  readonly #light: UniformBlock;
+  readonly #geometry: GeometryPass;
+  readonly #lightPass: LightPass;
+  readonly #show: ShowPass;
+  readonly #radianceProgram: Program;
+  readonly #emberProgram: Program;
+  readonly #glareProgram: Program;
+  readonly #copyProgram: Program;
+  readonly #displayProgram: Program;
+  readonly #flame: FlamePass;
+  readonly #smoke: SmokePass;
+  readonly #casters: Casters;
+  readonly #shadow: ShadowPass;
+  readonly #indirect: IndirectPass;
+  readonly #bloom: BloomPass;
+  readonly #room: readonly Surface[];
+  readonly #candle: readonly Surface[];
+  readonly #screen: VertexArray;
+  readonly #adaptation = adaptation(TAPER.color);
+  readonly #shape = createShape();
+  #radiance: RenderTarget | null = null;
+  #glare: RenderTarget | null = null;
+  /** The bloom, quicker to read. */
+  #halo: RenderTarget | null = null;
+  /** The radiance alone, and with the depth of the room. */
+  #veil: TextureView | null = null;
+  readonly #fires = new Map<Texture, TextureView>();
+  #size = { width: 1, height: 1 };
+  #clip = mat4.create();
+  /** Draws all of the radiance just shown. */
+  #complete: () => void = () => {};
+
+  /** @param solid of the room, as it can be touched */
+  constructor(gpu: Gpu, { room, candle }: Models, solid: Solid, tier: Tier) {
+    this.#gpu = gpu;
+    this.#screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
+    this.#lightPass = new LightPass(gpu, this.#screen, SHADOW);
+    this.#frame = this.#lightPass.frame;
+    this.#light = this.#lightPass.light;
+    this.#geometry = new GeometryPass(gpu, this.#screen);
+    this.#show = new ShowPass(gpu, this.#screen);
+    const program = (name: string, fragment: typeof glareFrag, vertex = fullscreenVert) =>
+      gpu.program(`deferred/${name}`, vertex, fragment);
+    this.#radianceProgram = program("radiance", radianceFrag);
+    this.#emberProgram = program("ember", emberFrag, surfaceVert);
+    this.#glareProgram = program("glare", glareFrag);
+    this.#copyProgram = program("copy", copyFrag);
+    this.#displayProgram = gpu.program("physical/display", fullscreenVert, displayFrag);
+    this.#flame = new FlamePass(gpu);
+    this.#smoke = new SmokePass(gpu);
+    this.#room = uploadModel(gpu, room, tier);
+    this.#candle = uploadModel(gpu, candle, tier);
+    this.#casters = new Casters(gpu, room, this.#room, CASTER_DETAIL);
+    this.#shadow = new ShadowPass(gpu, SHADOW.size);
+    this.#indirect = new IndirectPass(
+      gpu,
+      this.#screen,
+      { model: room, solid, surfaces: this.#room },
+      INDIRECT,
+    );
+    this.#bloom = new BloomPass(gpu, this.#screen, BLOOM_LEVELS);
+  }
+
+  resize(width: number, height: number): void {
+    this.#size = { width, height };
+    for (const old of [this.#veil, this.#radiance, this.#glare, this.#halo]) old?.dispose();
+    for (const fire of this.#fires.values()) fire.dispose();
+    this.#fires.clear();
+    this.#geometry.resize(width, height);
+    this.#lightPass.resize(width, height);
+    const color = ["RGBA16F"] as const;
+    this.#radiance = this.#gpu.renderTarget({ label: "radiance", width, height, color });
+    const quarter = {
+      width: Math.max(1, Math.ceil(width / GLARE)),
+      height: Math.max(1, Math.ceil(height / GLARE)),
+    };
+    this.#glare = this.#gpu.renderTarget({ label: "glare", ...quarter, color });
+    this.#halo = this.#gpu.renderTarget({
+      label: "halo",
+      width: Math.max(1, quarter.width >> 1),
+      height: Math.max(1, quarter.height >> 1),
+      color: [this.#lightPass.format],
+    });
+    const textures = [this.#radiance.color];
+    this.#veil = this.#gpu.textureView({ label: "veil", textures, image: 0 });
+    this.#bloom.resize(quarter.width, quarter.height);
+  }
+
+  /** The radiance with a depth that hides what is behind it. */
+  #fire(depth: Texture): TextureView {
+    const known = this.#fires.get(depth);
+    if (known) return known;
+    const textures = [this.#radiance!.color];
+    const fire = this.#gpu.textureView({ label: "fire", textures, image: 0, depth });
+    this.#fires.set(depth, fire);
+    return fire;
+  }
+
+  /** The body of the flame is no particles. */
+  follow(): void {}
+
+  render(world: World, view: View): void {
+    const { features } = view;
+    this.#updateBlocks(world, view);
+    const light = lightAtVantage(world, features.candle);
+    const shadow = this.#shadow.render(this.#casters, light.position);
+    const volume = this.#indirect.render(this.#casters, light);
+    const [x, y, z] = world.shown.foot;
+    const place = [x, y, z, world.candle.yaw + HANDLE_TURN] as const;
+    const placed: Placed[] = [{ surfaces: this.#room, place: AT_ORIGIN }];
+    if (features.candle) placed.unshift({ surfaces: this.#candle, place });
+    const paint = this.#geometry.render(placed, this.#frame, {
+      clip: this.#clip,
+      vantage: light.position,
+      features,
+      isMoving: view.isMoving,
+      lightSize: this.#lightPass.size,
+    });
+    const lamp = lampOf(world, features.candle);
+    const lit = this.#lightPass.render(paint, lamp, shadow, volume, this.#clip, features);
+    const picture = { uPainted: paint.painted, uLight: lit };
+    const fire = this.#fire(paint.paintedDepth);
+    const drawRadiance = (box: Box) => {
+      this.#gpu.draw({
+        program: this.#radianceProgram,
+        target: this.#veil!,
+        vertexArray: this.#screen,
+        textures: picture,
+        blocks: { Light: this.#light },
+        scissor: box,
+      });
+      if (features.candle) this.#drawEmber(world, place, paint.paintedDepth);
+      if (features.volume) this.#flame.render(fire, this.#frame, world, "low");
+      this.#drawSmoke(world, view, volume, paint.paintedDepth);
+    };
+    const box = this.#boxOfFlame(world, view);
+    drawRadiance(box);
+    this.#complete = () => drawRadiance(this.#whole);
+    const bloom = this.#drawBloom(box);
+    const scattered = features.bloom ? SCATTERED : 0;
+    const shown = {
+      uAdaptation: features.adaptation ? this.#adaptation : [1, 1, 1],
+      uTone: features.toneMap ? 1 : 0,
+    };
+    if (box[2] * box[3] < this.#size.width * this.#size.height) {
+      this.#show.render({ ...picture, uBloom: bloom }, scattered, shown, {
+        Frame: this.#frame,
+        Light: this.#light,
+      });
+    }
+    this.#gpu.draw({
+      program: this.#displayProgram,
+      target: "canvas",
+      vertexArray: this.#screen,
+      textures: { uRadiance: this.#radiance!.color, uBloom: bloom },
+      uniforms: { ...shown, uScattered: scattered },
+      blocks: { Frame: this.#frame },
+      scissor: inset(box, this.#whole),
+    });
+  }
+
+  get #whole(): Box {
+    return [0, 0, this.#size.width, this.#size.height];
+  }
+
+  #updateBlocks(world: World, { features, exposure }: View): void {
+    const { player, shown, stage } = world;
+    const { width, height } = this.#size;
+    const { yaw, pitch } = player;
+    this.#clip = clipFromWorld(shown.eye, yaw, pitch, width / height, stage.fieldOfView);
+    this.#frame.update({
+      clipFromWorld: this.#clip,
+      eyePosition: shown.eye,
+      exposure: EXPOSURE * 2 ** exposure,
+      viewport: [width, height],
+      projectionScale: projectionScale(height),
+      normalMaps: features.normalMaps ? 1 : 0,
+    });
+    this.#light.update(lightBlock(world, features.candle));
+  }
+
+  #drawEmber(world: World, place: readonly number[], depth: Texture): void {
+    const glow = emberRadiance(world.flame.ember);
+    if (!(glow[0] > 0)) return;
+    for (const { vertexArray, isWick } of this.#candle) {
+      if (!isWick) continue;
+      this.#gpu.draw({
+        program: this.#emberProgram,
+        target: this.#veil!,
+        vertexArray,
+        textures: { uDepth: depth },
+        uniforms: { uPlace: place, uEmber: glow },
+        blocks: { Frame: this.#frame, Light: this.#light },
+        blend: "premultiplied",
+      });
+    }
+  }
+
+  #drawSmoke(world: World, view: View, volume: IrradianceVolume, depth: Texture): void {
+    if (!this.#hasSmoke(world, view)) return;
+    const veil = { target: this.#veil!, depth };
+    const { smoke } = world.fumes!;
+    this.#smoke.render(veil, smoke, this.#frame, this.#light, volume);
+  }
+
+  #hasSmoke({ fumes }: World, { features }: View): boolean {
+    return features.smoke && fumes !== null && fumes.smoke.count >= 2;
+  }
+
+  /** The pixels that the flame covers; all of them while there is smoke. */
+  #boxOfFlame(world: World, view: View): Box {
+    if (this.#hasSmoke(world, view)) return this.#whole;
+    const { width, height } = this.#size;
+    const { balls } = shapeFlame(world.flame, TAPER, this.#shape);
+    const base = world.shown.flame;
+    let [left, bottom, right, top] = [width, height, 0, 0];
+    for (let ball = 0; ball < balls.length; ball += 4) {
+      // The hull around a ball is drawn a little wider than it.
+      const reach = balls[ball + 3]! * 1.4;
+      for (let corner = 0; corner < 8; corner++) {
+        const at = (axis: number) =>
+          base[axis]! + balls[ball + axis]! + ((corner >> axis) & 1 ? reach : -reach);
+        const [x, y, w] = onClip(this.#clip, at(0), at(1), at(2));
+        // Beside the eye it may be anywhere.
+        if (w < 0.01) return this.#whole;
+        left = Math.min(left, (0.5 + (0.5 * x) / w) * width);
+        right = Math.max(right, (0.5 + (0.5 * x) / w) * width);
+        bottom = Math.min(bottom, (0.5 + (0.5 * y) / w) * height);
+        top = Math.max(top, (0.5 + (0.5 * y) / w) * height);
+      }
+    }
+    // Whole cells of what blooms, and one more around them.
+    const begin = (at: number, length: number) =>
+      Math.min(Math.max((Math.floor((at - MARGIN) / GLARE) - 1) * GLARE, 0), length - 1);
+    const end = (at: number, from: number, length: number) =>
+      Math.min(Math.max((Math.ceil((at + MARGIN) / GLARE) + 1) * GLARE, from + 1), length);
+    const [x, y] = [begin(left, width), begin(bottom, height)];
+    return [x, y, end(right, x, width) - x, end(top, y, height) - y];
+  }
+
+  /** Of the flame alone: nothing else is bright enough. */
+  #drawBloom([x, y, width, height]: Box): Texture {
+    const [glare, halo] = [this.#glare!, this.#halo!];
+    const left = Math.floor(x / GLARE) + (x > 0 ? 1 : 0);
+    const bottom = Math.floor(y / GLARE) + (y > 0 ? 1 : 0);
+    const right = Math.floor((x + width) / GLARE) - (x + width < this.#size.width ? 1 : -1);
+    const top = Math.floor((y + height) / GLARE) - (y + height < this.#size.height ? 1 : -1);
+    const { color } = this.#radiance!;
+    this.#gpu.clear(glare, [0, 0, 0, 1]);
+    this.#copy(this.#glareProgram, glare, color, [
+      left,
+      bottom,
+      Math.max(right - left, 0),
+      Math.max(top - bottom, 0),
+    ]);
+    this.#copy(this.#copyProgram, halo, this.#bloom.render(glare.color));
+    return halo.color;
+  }
+
+  #copy(program: Program, target: RenderTarget, source: Texture, scissor?: Box): void {
+    this.#gpu.draw({
+      program,
+      target,
+      vertexArray: this.#screen,
+      textures: { uSource: source },
+      scissor,
+    });
+  }
+
+  readRadiance(x: number, y: number, width: number, height: number): Float32Array {
+    if (!this.#radiance) return new Float32Array(width * height * 3);
+    this.#complete();
+    return this.#gpu.readRadiance(this.#radiance, x, y, width, height);
+  }
+}
+
+/** Clip coordinates x, y and w. */
+function onClip(m: mat4, x: number, y: number, z: number): readonly [number, number, number] {
+  const row = (i: number) => m[i]! * x + m[i + 4]! * y + m[i + 8]! * z + m[i + 12]!;
+  return [row(0), row(1), row(3)];
+}
+
+/** Without the pixels whose neighbours were not drawn. */
+function inset([x, y, width, height]: Box, [, , fullWidth, fullHeight]: Box): Box {
+  const left = x === 0 ? 0 : 1;
+  const bottom = y === 0 ? 0 : 1;
+  const right = x + width === fullWidth ? 0 : 1;
+  const top = y + height === fullHeight ? 0 : 1;
+  return [x + left, y + bottom, width - left - right, height - bottom - top];
+}

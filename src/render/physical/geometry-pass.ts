@@ -1,0 +1,179 @@
+import type { mat4 } from "gl-matrix";
+import geometryFrag from "../../../shaders/deferred/geometry.frag";
+import guideFrag from "../../../shaders/deferred/guide.frag";
+import fullscreenVert from "../../../shaders/physical/fullscreen.vert";
+import surfaceVert from "../../../shaders/physical/surface.vert";
+import type { Gpu } from "../../gl/gpu.js";
+import type { Program } from "../../gl/program.js";
+import type { RenderTarget } from "../../gl/render-target.js";
+import type { Texture, TextureFormat } from "../../gl/texture.js";
+import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { VertexArray } from "../../gl/vertex-array.js";
+import type { Features } from "../../settings.js";
+import type { Vec3 } from "../../world/bounds.js";
+import type { Surface } from "../surface.js";
+
+const NOTHING = [0, 0, 0, 0] as const;
+/** Relief follows the flame in steps of this, metres. */
+const RELIEF_STEP = 0.05;
+
+/** Samples along each edge of a pixel, while the eye moves and when it rests. */
+const SAMPLES = { moving: 1, resting: 2 } as const;
+
+/** Surfaces, and where their model stands: x, y, z (m) and its turn about the vertical (rad). */
+export interface Placed {
+  readonly surfaces: readonly Surface[];
+  readonly place: readonly [number, number, number, number];
+}
+
+/** What is seen, without its light. */
+export interface Paint {
+  /** Root of the albedo as relief catches the light; alpha says where light is to be taken from. */
+  readonly painted: Texture;
+  /** How far away it is, pixel by pixel. */
+  readonly paintedDepth: Texture;
+  /** Of the samples: how the surface lies, roughness, what it is; depth. */
+  readonly surfaces: Texture;
+  readonly depth: Texture;
+  /** All that it depends on. */
+  readonly known: string;
+}
+
+/** All that the paint depends on, beside the surfaces. */
+export interface Sight {
+  readonly clip: mat4;
+  readonly vantage: Vec3;
+  readonly features: Features;
+  /** Whether the next picture will be another one anyway. */
+  readonly isMoving: boolean;
+  /** Texels of the light that the guide leads to. */
+  readonly lightSize: { readonly width: number; readonly height: number };
+}
+
+/** The room and the candle as surfaces, drawn anew only when they, the eye or the flame have moved. */
+export class GeometryPass {
+  readonly #gpu: Gpu;
+  readonly #screen: VertexArray;
+  readonly #guide: Program;
+  #moving: RenderTarget | null = null;
+  #resting: RenderTarget | null = null;
+  #painted: RenderTarget | null = null;
+  /** What was painted. */
+  #known = "";
+
+  constructor(gpu: Gpu, screen: VertexArray) {
+    this.#gpu = gpu;
+    this.#screen = screen;
+    this.#guide = gpu.program("deferred/guide", fullscreenVert, guideFrag, {
+      defines: { SAMPLES: SAMPLES.resting },
+    });
+  }
+
+  resize(width: number, height: number): void {
+    for (const old of [this.#moving, this.#resting, this.#painted]) old?.dispose();
+    this.#moving = null;
+    this.#resting = null;
+    this.#known = "";
+    this.#painted = this.#target("painted", { width, height }, ["RGBA8"]);
+  }
+
+  #target(
+    label: string,
+    size: { readonly width: number; readonly height: number },
+    color: readonly TextureFormat[],
+  ): RenderTarget {
+    const how = { depth: "texture", filter: "nearest" } as const;
+    return this.#gpu.renderTarget({ label, ...size, color, ...how });
+  }
+
+  /** Made when it is first needed: a picture that never moves, or never rests, needs only one. */
+  #surfaces(isMoving: boolean): RenderTarget {
+    if (!this.#painted) throw new Error("Surfaces have no size yet.");
+    const samples = isMoving ? SAMPLES.moving : SAMPLES.resting;
+    const size = { width: this.#painted.width * samples, height: this.#painted.height * samples };
+    const make = () => this.#target(`surfaces/${samples}`, size, ["RGBA8", "RGBA8"]);
+    if (isMoving) this.#moving ??= make();
+    else this.#resting ??= make();
+    return (isMoving ? this.#moving : this.#resting)!;
+  }
+
+  render(placed: readonly Placed[], frame: UniformBlock, sight: Sight): Paint {
+    const { clip, features, lightSize, isMoving } = sight;
+    const vantage = sight.vantage.map((x) => Math.round(x / RELIEF_STEP) * RELIEF_STEP);
+    const known = JSON.stringify([
+      isMoving,
+      [...clip],
+      features.normalMaps && vantage,
+      features.translucency,
+      lightSize,
+      placed.map(({ place }) => place),
+    ]);
+    const target = this.#surfaces(isMoving);
+    const [albedo, surfaces] = target.colors;
+    const { depth } = target;
+    if (!albedo || !surfaces || !depth) throw new Error("Surfaces have three textures.");
+    if (known !== this.#known) {
+      this.#known = known;
+      this.#gpu.clear(target, NOTHING);
+      for (const { surfaces, place } of placed) {
+        for (const surface of surfaces) {
+          for (const texture of Object.values(surface.textures)) {
+            if (texture.hasMipmaps) texture.anisotropy = isMoving ? 0 : 1;
+          }
+          this.#draw(target, surface, place, vantage, frame, features);
+        }
+      }
+      if (!isMoving) this.#drawGuide(albedo, surfaces, depth, lightSize);
+    }
+    const seen = isMoving ? target : this.#painted!;
+    return { painted: seen.color, paintedDepth: seen.depth!, surfaces, depth, known };
+  }
+
+  /** Which light each pixel is to take; one that moves takes what is around it. */
+  #drawGuide(
+    albedo: Texture,
+    surfaces: Texture,
+    depth: Texture,
+    { width, height }: Sight["lightSize"],
+  ): void {
+    const target = this.#painted!;
+    this.#gpu.clear(target, NOTHING);
+    this.#gpu.draw({
+      program: this.#guide,
+      target,
+      vertexArray: this.#screen,
+      textures: { uAlbedo: albedo, uSurfaces: surfaces, uDepth: depth },
+      uniforms: { uLightSize: [width, height] },
+      depth: "test-and-write",
+    });
+  }
+
+  #draw(
+    target: RenderTarget,
+    surface: Surface,
+    place: Placed["place"],
+    vantage: readonly number[],
+    frame: UniformBlock,
+    features: Features,
+  ): void {
+    // Whoever may be cut out costs all that is drawn later its early test of depth.
+    const defines = { MASKED: surface.parameters[3] > 0 ? 1 : 0 };
+    this.#gpu.draw({
+      program: this.#gpu.program("deferred/geometry", surfaceVert, geometryFrag, { defines }),
+      target,
+      vertexArray: surface.vertexArray,
+      textures: surface.textures,
+      uniforms: {
+        uBaseColor: surface.baseColor,
+        uPlace: place,
+        uSurface: surface.parameters,
+        uOcclusion: surface.occlusionStrength,
+        uWax: surface.isWax && features.translucency ? 1 : 0,
+        uVantage: vantage,
+      },
+      blocks: { Frame: frame },
+      depth: "test-and-write",
+      cull: surface.isDoubleSided ? "none" : "back",
+    });
+  }
+}

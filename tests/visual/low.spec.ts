@@ -1,0 +1,126 @@
+import type { Page } from "playwright/test";
+import sharp from "sharp";
+import { luma } from "../../src/light/color.ts";
+import type { Feature } from "../../src/settings.ts";
+import { RoomDriver } from "../support/room-driver.ts";
+import { serveSmallTextures } from "../support/small-textures.ts";
+import { expect, test } from "../support/test.ts";
+
+const BOX = { width: 480, height: 270 };
+const TABLE = { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 } as const;
+const CAMERA = { position: [-0.85, 1.3, 1.1], yaw: -0.805, pitch: -0.244 } as const;
+/** Parts of the picture whose mean light is compared. */
+const PARTS = { columns: 16, rows: 9 };
+
+let page: Page;
+let room: RoomDriver;
+
+test.beforeAll(async ({ browser }) => {
+  page = await browser.newPage();
+  await serveSmallTextures(page);
+  room = await new RoomDriver(page).open({ look: "physical", quality: "low" }, BOX);
+  await room.evaluate(
+    (element, { table, camera }) => {
+      element.camera = table;
+      element.place();
+      element.camera = camera;
+    },
+    { table: TABLE, camera: CAMERA },
+  );
+});
+test.afterAll(() => page.close());
+test.afterEach(() => expect(room.complaints).toEqual([]));
+
+/** Mean luminance of each part of the picture, cd/m². */
+async function luminances(): Promise<number[]> {
+  const { width, height } = await room.stats();
+  const radiance = await room.evaluate(
+    (element, [width, height]) => [...element.readRadiance(0, 0, width, height)],
+    [width, height] as const,
+  );
+  const { columns, rows } = PARTS;
+  const sums = Array.from({ length: columns * rows }, () => ({ light: 0, count: 0 }));
+  for (let i = 0; i < width * height; i++) {
+    const column = Math.floor(((i % width) * columns) / width);
+    const row = Math.floor((Math.floor(i / width) * rows) / height);
+    const part = sums[row * columns + column];
+    if (!part) continue;
+    part.light += luma([radiance[3 * i] ?? 0, radiance[3 * i + 1] ?? 0, radiance[3 * i + 2] ?? 0]);
+    part.count++;
+  }
+  return sums.map(({ light, count }) => light / count);
+}
+
+/** How much neighbouring pixels differ, steps of 8 bits, in a picture brought to some width. */
+async function detail(width: number): Promise<number> {
+  const { data, info } = await sharp(await room.png())
+    .resize(width, null, { kernel: "lanczos3" })
+    .greyscale()
+    .raw()
+    .toBuffer({ resolveWithObject: true });
+  let sum = 0;
+  for (let y = 1; y < info.height; y++) {
+    for (let x = 1; x < info.width; x++) {
+      const at = y * info.width + x;
+      const here = data[at] ?? 0;
+      sum += Math.abs(here - (data[at - 1] ?? 0)) + Math.abs(here - (data[at - info.width] ?? 0));
+    }
+  }
+  return sum / (info.width * info.height);
+}
+
+test("At low the room is as bright as at high everywhere, and nearly as sharp", async () => {
+  const { width } = await room.stats();
+  const low = { light: await luminances(), detail: await detail(width) };
+  await room.set({ quality: "high" });
+  const high = { light: await luminances(), detail: await detail(width) };
+  await room.set({ quality: "low" });
+  const typical = high.light.toSorted((a, b) => a - b)[high.light.length >> 1] ?? 0;
+  // What is all but black may be black.
+  const errors = high.light
+    .map((light, i) => Math.abs((low.light[i] ?? 0) - light) / (light + 0.25 * typical))
+    .sort((a, b) => a - b);
+  const [median = 1, most = 1] = [0.5, 0.9].map(
+    (share) => errors[Math.floor(errors.length * share)],
+  );
+  console.log(`light ${median.toFixed(3)}, ${most.toFixed(3)}; detail ${low.detail / high.detail}`);
+  expect(median).toBeLessThan(0.15);
+  expect(most).toBeLessThan(0.35);
+  expect(low.detail / high.detail).toBeGreaterThan(0.75);
+});
+
+test("At low a picture depends on nothing that was drawn before", async () => {
+  const picture = await room.pixels();
+  await room.stand({ yaw: 1 });
+  expect(await room.pixels()).not.toBe(picture);
+  await room.stand(CAMERA);
+  expect(await room.pixels()).toBe(picture);
+});
+
+test("At low each technique is seen, and can be switched off", async () => {
+  const lit: readonly Feature[] = [
+    "volume",
+    "candle",
+    "shadows",
+    "indirect",
+    "specular",
+    "translucency",
+    "normalMaps",
+    "bloom",
+    "adaptation",
+    "toneMap",
+  ];
+  const picture = await room.pixels();
+  for (const name of lit) {
+    await room.switchFeatures({ [name]: false });
+    expect(await room.pixels(), name).not.toBe(picture);
+    await room.switchFeatures({ [name]: true });
+  }
+  expect(await room.pixels()).toBe(picture);
+  await room.evaluate((element) => element.extinguish());
+  await room.step(0.5);
+  const smoke = await room.pixels();
+  await room.switchFeatures({ smoke: false });
+  expect(await room.pixels(), "smoke").not.toBe(smoke);
+  await room.switchFeatures({ smoke: true });
+});
