@@ -1,6 +1,4 @@
 // From linear light to the 8 bits of an sRGB screen.
-#include "lib/random.glsl"
-
 // Colours beyond the screen's keep their hue: the brightest channel bends towards 1, the others
 // keep their ratio to it. Below the knee nothing changes.
 vec3 compressHighlights(vec3 linear) {
@@ -18,13 +16,19 @@ vec3 encodeSrgb(vec3 linear) {
   return mix(high, low, lessThanEqual(linear, vec3(0.0031308)));
 }
 
-// Noise of one 8-bit step, triangular, so that dark gradients show no bands.
+// From evenly spread in [0, 1) to triangular in (-1, 1).
+vec3 triangular(vec3 even) {
+  vec3 centred = even * 2.0 - 1.0;
+  return sign(centred) * (1.0 - sqrt(1.0 - abs(centred)));
+}
+
+// Noise of one 8-bit step, triangular, so that dark gradients show no bands. A lattice rather than chance,
+// whose runs can be of any length: within a few pixels every value comes up.
+// Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences" (R2).
 vec3 dither(vec2 pixel) {
-  uint hash = pcg(uint(pixel.x) + pcg(uint(pixel.y)));
-  float r = unit(hash) + unit(pcg(hash)) - 1.0;
-  float g = unit(pcg(hash + 1u)) + unit(pcg(hash + 2u)) - 1.0;
-  float b = unit(pcg(hash + 3u)) + unit(pcg(hash + 4u)) - 1.0;
-  return vec3(r, g, b) / 255.0;
+  uint place = uint(pixel.x) * 3242174889u + uint(pixel.y) * 2447445414u;
+  uvec3 channels = place + uvec3(0u, 1431655765u, 2863311530u);
+  return triangular(vec3(channels >> 8) / 16777216.0) / 255.0;
 }
 
 vec4 display(vec3 linear, vec2 pixel) {
