@@ -296,8 +296,10 @@ export class CandleFlame {
     this.#screen.prepare();
     gpu.beginFrame();
     const { exposure, isStill } = this.#options;
+    const { gamut } = this.#screen;
     const isMoving = this.#hasMoved() && this.#request !== 0;
-    this.#renderer.render(this.world, { features: this.#features, exposure, isStill, isMoving });
+    const view = { features: this.#features, gamut, exposure, isStill, isMoving };
+    this.#renderer.render(this.world, view);
     gpu.endFrame();
     this.#screen.present();
   }

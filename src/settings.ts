@@ -167,6 +167,7 @@ export const FEATURES = {
   sparks: "Burning wax that the wick spits, now and then.",
   dust: "Motes that drift through the light.",
   bloom: "Light scattered in the eye, around the flame.",
+  autoExposure: "The eye opens in the dark and closes in the light, within seconds and limits.",
   adaptation: "The eye takes candlelight for nearly white.",
   toneMap: "Bright light bends towards white, as on film; else it is clipped.",
 } as const;
@@ -187,6 +188,7 @@ export const FEATURES_OF: Readonly<Record<Look, readonly Feature[]>> = {
     "sparks",
     "dust",
     "bloom",
+    "autoExposure",
     "adaptation",
     "toneMap",
   ],

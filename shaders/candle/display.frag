@@ -4,10 +4,12 @@
 // much as it outshines it, so no channel is above alpha, and every compositor agrees on the result.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
+#include "lib/photometry.glsl"
 #include "lib/display.glsl"
+#include "lib/adaptation.glsl"
+#include "lib/tone.glsl"
 
 uniform sampler2D uRadiance;
-uniform vec3 uAdaptation;
 uniform vec4 uHalo;  // centre of the light (x, y) and half height, in heights of the picture; strength
 uniform vec3 uHaloColor;
 
@@ -15,24 +17,8 @@ in vec2 vUv;
 
 out vec4 oColor;
 
-const float CONTRAST = 1.35;
-const float MIDDLE_GREY = 0.18;
-const float BLEACH_STOPS = 11.0;
-const float BLEACH = 0.93;
-
-vec3 tone(vec3 color) {
-  float peak = max(max(color.r, color.g), color.b);
-  if (peak <= 0.0) return vec3(0.0);
-  vec3 hue = color / peak;
-  float level = MIDDLE_GREY * pow(peak / MIDDLE_GREY, CONTRAST);
-  float bent = level / (1.0 + 0.22 * level);
-  float shown = 1.0 - exp(-bent * 1.05);
-  float bleach = BLEACH * smoothstep(0.0, BLEACH_STOPS, log2(peak));
-  return pow(max(hue, vec3(1e-3)), vec3(1.0 - bleach)) * shown;
-}
-
 vec3 shown(vec3 radiance) {
-  return encodeSrgb(tone(radiance * uAdaptation * frame.exposure));
+  return encodeSrgb(tone(adapted(radiance) * frame.exposure));
 }
 
 // Light scattered in the eye falls off with the square of the angle (Vos 1984, "Disability glare").

@@ -15,8 +15,11 @@ vec2 guided(vec2 uv, float stored) {
 }
 
 // cd/m².
-vec3 litAt(vec2 uv) {
-  vec4 painted = texelFetch(uPainted, ivec2(gl_FragCoord.xy), 0);
+vec3 litFrom(vec4 painted, vec2 uv) {
   vec4 lit = textureLod(uLight, guided(uv, painted.a), 0.0);
   return (BRIGHTEST * painted.rgb * painted.rgb * lit.rgb + lit.a) * light.intensity;
+}
+
+vec3 litAt(vec2 uv) {
+  return litFrom(texelFetch(uPainted, ivec2(gl_FragCoord.xy), 0), uv);
 }

@@ -6,17 +6,16 @@
 uniform sampler2D uSource;
 uniform float uShare;
 
-in vec2 vUv;
-
 out vec4 oRadiance;
 
 void main() {
   vec2 texel = 1.0 / vec2(textureSize(uSource, 0));
+  vec2 middle = 0.5 * gl_FragCoord.xy * texel;
   vec3 sum = vec3(0.0);
   for (int y = -1; y <= 1; y++) {
     for (int x = -1; x <= 1; x++) {
       float weight = float((2 - abs(x)) * (2 - abs(y)));
-      sum += weight * texture(uSource, vUv + vec2(x, y) * texel).rgb;
+      sum += weight * texture(uSource, middle + vec2(x, y) * texel).rgb;
     }
   }
   // Premultiplied blending: this level takes its share, the finer one keeps the rest.

@@ -3,20 +3,30 @@
 // In:  radiance, cd/m².   Out: display colour.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
-#include "lib/photometry.glsl"
 #include "physical/shown.glsl"
 
 uniform sampler2D uRadiance;
 uniform sampler2D uBloom;
+uniform vec2 uBloomShare;  // of the bloom's texture that the picture fills
 uniform float uScattered;  // share of the light that eye and lens scatter
 
 in vec2 vUv;
+flat in float vExposure;
 
 out vec4 oColor;
 
-vec3 shownAt(vec2 uv) {
-  vec3 radiance = mix(texture(uRadiance, uv).rgb, texture(uBloom, uv).rgb, uScattered);
-  return shown(radiance * frame.exposure);
+// Roughly the luma on the screen of a light, at a fraction of the cost.
+vec4 roughly(vec4 luminance) {
+  return sqrt(luminance / (luminance + 1.0));
+}
+
+vec4 luma(vec3 a, vec3 b, vec3 c, vec3 d) {
+  return max(vec4(luma(a), luma(b), luma(c), luma(d)), 0.0);
+}
+
+float range(vec4 values) {
+  return max(max(values.x, values.y), max(values.z, values.w)) -
+    min(min(values.x, values.y), min(values.z, values.w));
 }
 
 // The samples of a pixel were averaged as light, where one that saw the flame outshines all others, so
@@ -25,17 +35,21 @@ vec3 shownAt(vec2 uv) {
 vec3 smoothed(vec2 uv) {
   const float STEP = 0.12;  // of luma: less is no edge that anyone sees
   vec2 texel = 1.0 / frame.viewport;
-  vec3 here = shownAt(uv);
-  vec3 left = shownAt(uv - vec2(texel.x, 0.0));
-  vec3 right = shownAt(uv + vec2(texel.x, 0.0));
-  vec3 below = shownAt(uv - vec2(0.0, texel.y));
-  vec3 above = shownAt(uv + vec2(0.0, texel.y));
-  vec4 around = vec4(luma(left), luma(right), luma(below), luma(above));
-  float low = min(min(around.x, around.y), min(around.z, around.w));
-  float high = max(max(around.x, around.y), max(around.z, around.w));
-  if (high - low < STEP) return here;
+  vec3 glare = texture(uBloom, uv * uBloomShare).rgb * (vExposure * uScattered);
+  float kept = vExposure * (1.0 - uScattered);
+  vec3 here = shown(texture(uRadiance, uv).rgb * kept + glare);
+  vec3 left = texture(uRadiance, uv - vec2(texel.x, 0.0)).rgb * kept + glare;
+  vec3 right = texture(uRadiance, uv + vec2(texel.x, 0.0)).rgb * kept + glare;
+  vec3 below = texture(uRadiance, uv - vec2(0.0, texel.y)).rgb * kept + glare;
+  vec3 above = texture(uRadiance, uv + vec2(0.0, texel.y)).rgb * kept + glare;
+  if (range(roughly(luma(left, right, below, above))) < 0.5 * STEP) return here;
+  left = shown(left);
+  right = shown(right);
+  below = shown(below);
+  above = shown(above);
+  float edge = range(luma(left, right, below, above));
   vec3 mean = (left + right + below + above) * 0.25;
-  return mix(here, mean, 0.6 * smoothstep(STEP, 3.0 * STEP, high - low));
+  return mix(here, mean, 0.6 * smoothstep(STEP, 3.0 * STEP, edge));
 }
 
 void main() {

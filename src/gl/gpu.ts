@@ -121,6 +121,14 @@ export class Gpu {
     this.timer = new GpuTimer(gl);
   }
 
+  /** Primaries in which the canvas's colours are to be understood: those asked for, or sRGB's. */
+  paintIn(gamut: PredefinedColorSpace): PredefinedColorSpace {
+    const gl = this.#gl;
+    if (gl.drawingBufferColorSpace === undefined) return "srgb"; // Safari before 16.4
+    if (gl.drawingBufferColorSpace !== gamut) gl.drawingBufferColorSpace = gamut;
+    return gl.drawingBufferColorSpace;
+  }
+
   /** GPU objects alive. */
   get objectCount(): number {
     return this.#alive.size;
@@ -333,7 +341,7 @@ export class Gpu {
 
   /** Linear RGB of a floating-point target, rows from the top. Waits for the GPU. */
   readRadiance(
-    target: RenderTarget,
+    target: RenderTarget | TextureView,
     x: number,
     y: number,
     width: number,

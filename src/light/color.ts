@@ -2,13 +2,13 @@
 export type Rgb = readonly [red: number, green: number, blue: number];
 
 /** A 3 x 3 matrix by rows. */
-type Rows = readonly [Rgb, Rgb, Rgb];
+export type Rows = readonly [Rgb, Rgb, Rgb];
 
 /**
- * CIE 1931 chromaticity that the eye believes candlelight to have, once it is used to it: a studio
- * lamp of 3200 K. Illuminant A leaves cloth, wood and stone too much of one hue.
+ * CIE 1931 chromaticity that the eye believes candlelight to have, once it is used to it: a lamp of
+ * 3500 K. Illuminant A leaves cloth, wood and stone too much of one hue.
  */
-export const ADAPTED_WHITE = [0.4234, 0.399] as const;
+export const ADAPTED_WHITE = [0.4053, 0.3909] as const;
 
 // IEC 61966-2-1, D65.
 const XYZ_FROM_RGB: Rows = [
@@ -20,6 +20,12 @@ const RGB_FROM_XYZ: Rows = [
   [3.2404542, -1.5371385, -0.4985314],
   [-0.969266, 1.8760108, 0.041556],
   [0.0556434, -0.2040259, 1.0572252],
+];
+/** Linear Display P3 (SMPTE EG 432-1, D65) of linear Rec. 709. */
+export const P3_FROM_RGB: Rows = [
+  [0.8224621, 0.177538, 0],
+  [0.0331941, 0.9668058, 0],
+  [0.0170827, 0.0723974, 0.9105199],
 ];
 function apply(rows: Rows, [x, y, z]: Rgb): Rgb {
   return rows.map((row) => row[0] * x + row[1] * y + row[2] * z) as unknown as Rgb;
@@ -56,9 +62,17 @@ export const LEAST_BLUE = 0.004;
  * Adapting in cone space (Bradford) would make up blue from red and green, and turns all wood salmon.
  */
 export function adaptation(candle: Rgb): Rgb {
-  const lamp = whiteOf(ADAPTED_WHITE);
+  const lamp = adaptedWhite();
   return [lamp[0] / candle[0], lamp[1] / candle[1], lamp[2] / candle[2]];
 }
+
+/** What candlelight turns to by that, with luma 1. */
+export function adaptedWhite(): Rgb {
+  return whiteOf(ADAPTED_WHITE);
+}
+
+/** How much further than in nature a faint hue is shown from white; see shaders/lib/adaptation.glsl. */
+export const VIVIDNESS = 0.9;
 
 /** CIE 1976 u'v' of linear Rec. 709. */
 export function chromaticity(rgb: Rgb): readonly [u: number, v: number] {

@@ -65,7 +65,9 @@ function fading(temperature: number): number {
 export function emberRadiance(temperature: number): Rgb {
   const glow = sootRadiance(Math.max(temperature, 1000));
   const share = temperature > 1000 ? 1 : fading(temperature);
-  return [glow[0] * share, glow[1] * share, glow[2] * share];
+  // No more blue for its green than the flame has: with more, an eye used to the flame would see pink.
+  const blue = (glow[1] * TAPER.color[2]) / TAPER.color[1];
+  return [glow[0] * share, glow[1] * share, Math.min(glow[2], blue) * share];
 }
 
 /** The flame as its page may ask about it. SI: metres, candela, kelvin, radians. */

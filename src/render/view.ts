@@ -3,6 +3,8 @@ import type { Features } from "../settings.js";
 /** What a picture depends on beside the world. */
 export interface View {
   readonly features: Features;
+  /** What the screen can show. */
+  readonly gamut: PredefinedColorSpace;
   /** Compensation, EV. */
   readonly exposure: number;
   /** Whether the eye or the candle has moved since the picture before, in a row that goes on. */

@@ -8,6 +8,8 @@ export interface Screen {
   readonly source: HTMLCanvasElement;
   /** The canvas on the page. */
   readonly canvas: HTMLCanvasElement;
+  /** Colours that it can show, now: a window may move to another screen. */
+  readonly gamut: PredefinedColorSpace;
   /** Takes charge of what lives on `gpu`, to free it with the rest. */
   own(object: { dispose(): void }): void;
   /** Frees what the renderer made on `gpu`; the context stays. */
@@ -33,11 +35,16 @@ class OwnScreen implements Screen {
   gpu: Gpu;
   readonly source: HTMLCanvasElement;
   readonly canvas: HTMLCanvasElement;
+  readonly #wide = matchMedia("(color-gamut: p3)");
 
   constructor(canvas: HTMLCanvasElement) {
     this.source = canvas;
     this.canvas = canvas;
     this.gpu = new Gpu(canvas);
+  }
+
+  get gamut(): PredefinedColorSpace {
+    return this.#wide.matches ? "display-p3" : "srgb";
   }
 
   own(): void {}
@@ -95,6 +102,8 @@ let house: House | null = null;
 /** A plain canvas that takes copies of what is drawn in the shared context. */
 class SharedScreen implements Screen {
   readonly canvas: HTMLCanvasElement;
+  /** Pages are of sRGB's colours, and this lies upon one. */
+  readonly gamut = "srgb";
   readonly #house: House;
   readonly #paper: CanvasRenderingContext2D;
   readonly #owned = new Set<{ dispose(): void }>();

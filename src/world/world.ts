@@ -27,6 +27,7 @@ import { FLOATS, layerKey, Particles } from "./particles.js";
 import { canTake, type Refusal } from "./placing.js";
 import { look as lookAround, MAX_PITCH, type Player, walk } from "./player.js";
 import { Fumes } from "./plume/fumes.js";
+import { Pupil, type Sight } from "./pupil.js";
 import type { Room } from "./room.js";
 import { isSpitting } from "./spits.js";
 import { STAGES, type Stage, WALL_MARGIN } from "./stage.js";
@@ -35,6 +36,9 @@ import { MEMORY, TICK, Timeline } from "./timeline.js";
 /** Ticks that hot air is given to rise before the world is first seen; and ticks of each of its steps. */
 const WARMING = 60;
 const FUMES_EVERY = 2;
+/** Ticks from glance to glance of the adapting eye; middle of a flame from its foot, metres. */
+const GLANCE_EVERY = 2;
+const MIDDLE = 0.025;
 
 /** Strongest wind that one can light a candle in, m/s. */
 const LIGHTABLE = 1;
@@ -59,6 +63,8 @@ export interface World {
   readonly flame: Flame;
   /** Hot air and smoke; null in the paper's looks, whose flame heats nothing. */
   fumes: Fumes | null;
+  /** How the visitor's eye follows changes of the light; at rest in the paper's looks. */
+  readonly pupil: Pupil;
   /** Foot of the flame, metres. */
   readonly emitter: Vec3;
   /** Where things are at the moment of the picture, up to a tick after the state above. Metres. */
@@ -114,6 +120,7 @@ export function createWorld(
     air: new Air(seed, { ...wind, speed: Math.min(wind.speed, LIGHTABLE) }),
     flame: new Flame(wick, isLit),
     fumes: null,
+    pupil: new Pupil(),
     emitter: [0, 0, 0],
     shown: { eye: [0, 0, 0], foot: [0, 0, 0], flame: [0, 0, 0] },
     timeline: new Timeline(age - MEMORY),
@@ -133,6 +140,7 @@ export function createWorld(
   }
   // A gale comes up only then: the flame was lit in calm.
   world.air.wind = wind;
+  adapt(world);
   show(world);
   return world;
 }
@@ -165,6 +173,7 @@ export function moveCamera(
   pitch: number,
 ): void {
   const { player } = world;
+  const before = [...player.position, player.yaw, player.pitch];
   for (const axis of [0, 1, 2] as const) {
     const value = Number(position[axis]);
     if (Number.isFinite(value)) player.position[axis] = value;
@@ -175,6 +184,8 @@ export function moveCamera(
   if (Number.isFinite(pitch)) player.pitch = Math.min(Math.max(pitch, -MAX_PITCH), MAX_PITCH);
   calmHand(world.hand, player.yaw);
   settle(world, 0);
+  const after = [...player.position, player.yaw, player.pitch];
+  if (after.some((value, i) => value !== before[i])) adapt(world);
   show(world);
 }
 
@@ -196,6 +207,7 @@ export function standLike(world: World, { candle, stage, room }: World): void {
   if (candle.isHeld || !isFree) return;
   if (room || world.room) {
     placeCandle(world);
+    adapt(world);
     return;
   }
   for (const axis of [0, 1, 2] as const) world.candle.position[axis] = candle.position[axis];
@@ -214,6 +226,7 @@ export function takeCandle(world: World): boolean {
   room?.plan.setStanding(null);
   calmHand(world.hand, player.yaw);
   settle(world, 0);
+  notice(world);
   show(world);
   return true;
 }
@@ -286,6 +299,8 @@ function tick(world: World, intent: Intent): void {
   // The paper's flame has its own law of motion: it is only lit and put out as the physical one is.
   const isPhysical = world.look === "physical";
   flame.advance(emitter, isPhysical ? motion : STANDING, air, !(world.sways && isPhysical), TICK);
+  const seen = timeline.tick % GLANCE_EVERY === 0 ? sightOf(world) : null;
+  if (seen) world.pupil.advance(seen, GLANCE_EVERY * TICK);
   if (timeline.tick % FUMES_EVERY === 0) {
     world.fumes?.step(flame, emitter, world.sways ? air : null);
   }
@@ -298,6 +313,31 @@ function tick(world: World, intent: Intent): void {
   const spits = burnsWell && isSpitting(world.seed, timeline.tick);
   timeline.record(way, wind, flame.isLit ? levelOfDetail(world) : 0, spits);
   if (!isPhysical) world.sample.follow(timeline);
+}
+
+/** What the visitor's eye adapts to; null where there is no room to be seen in real light. */
+function sightOf({ look, room, player, stage, flame, emitter }: World): Sight | null {
+  if (look !== "physical" || !room) return null;
+  const [x, y, z] = emitter;
+  return {
+    solid: room.solid,
+    eye: player.position,
+    yaw: player.yaw,
+    pitch: player.pitch,
+    fieldOfView: stage.fieldOfView,
+    flame: [x, y + MIDDLE, z],
+    luminousIntensity: flame.glow,
+  };
+}
+
+function adapt(world: World): void {
+  const sight = sightOf(world);
+  if (sight) world.pupil.settle(sight);
+}
+
+function notice(world: World): void {
+  const sight = sightOf(world);
+  if (sight) world.pupil.notice(sight);
 }
 
 /** Brings candle and flame to where the visitor is. */

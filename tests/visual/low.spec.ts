@@ -107,6 +107,7 @@ test("At low each technique is seen, and can be switched off", async () => {
     "translucency",
     "normalMaps",
     "bloom",
+    "autoExposure",
     "adaptation",
     "toneMap",
   ];

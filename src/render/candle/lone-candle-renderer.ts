@@ -8,7 +8,7 @@ import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import { adaptation, luma } from "../../light/color.js";
+import { adaptation, adaptedWhite, luma, VIVIDNESS } from "../../light/color.js";
 import { flameLight, TAPER } from "../../light/flame-light.js";
 import type { World } from "../../world/world.js";
 import { clipFromWorld, projectionScale } from "../camera.js";
@@ -120,6 +120,8 @@ export class LoneCandleRenderer implements Renderer {
       textures: { uRadiance: this.#radiance.color },
       uniforms: {
         uAdaptation: this.#adaptation,
+        uWhite: adaptedWhite(),
+        uVividness: VIVIDNESS,
         uHalo: [x, y, Math.abs(top - y), features.bloom ? Math.min(candela, 2) * 0.55 : 0],
         uHaloColor: [1, 0.72, 0.36],
       },

@@ -99,6 +99,7 @@ export class PaperRenderer implements Renderer {
     const target = this.#target ?? "canvas";
     const { features } = view;
     this.#updateBlocks(world, view);
+    gpu.paintIn("srgb");
     gpu.clear(target, [0, 0, 0, 1]);
     this.#drawRoom(target);
     if (features.candle) this.#drawCandle(target, world);

@@ -7,6 +7,11 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 
+interface Size {
+  readonly width: number;
+  readonly height: number;
+}
+
 /** How much of each level comes from the wider ones below it: the larger, the wider the halo. */
 const WIDER_SHARE = 0.7;
 
@@ -37,8 +42,9 @@ export class BloomPass {
     this.#pyramid = Array.from({ length: this.#levels }, (_, i) =>
       this.#gpu.renderTarget({
         label: `bloom/${i}`,
-        width: Math.max(1, width >> (i + 1)),
-        height: Math.max(1, height >> (i + 1)),
+        // Half, rounded up: a texel of each level covers four of the one before.
+        width: Math.ceil(width / 2 ** (i + 1)),
+        height: Math.ceil(height / 2 ** (i + 1)),
         color: ["RGBA16F"],
       }),
     );
@@ -69,4 +75,9 @@ export class BloomPass {
     }
     return source;
   }
+}
+
+/** Share of a bloom of half the size, rounded up, that the picture fills. */
+export function shareOf(picture: Size, bloom: Size): readonly [number, number] {
+  return [picture.width / (2 * bloom.width), picture.height / (2 * bloom.height)];
 }

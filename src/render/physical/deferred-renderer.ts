@@ -1,9 +1,9 @@
 import { mat4 } from "gl-matrix";
 import emberFrag from "../../../shaders/deferred/ember.frag";
 import glareFrag from "../../../shaders/deferred/glare.frag";
+import meterFrag from "../../../shaders/deferred/meter.frag";
 import radianceFrag from "../../../shaders/deferred/radiance.frag";
 import copyFrag from "../../../shaders/physical/copy.frag";
-import displayFrag from "../../../shaders/physical/display.frag";
 import fullscreenVert from "../../../shaders/physical/fullscreen.vert";
 import surfaceVert from "../../../shaders/physical/surface.vert";
 import type { Box, Gpu } from "../../gl/gpu.js";
@@ -13,7 +13,6 @@ import type { Texture } from "../../gl/texture.js";
 import type { TextureView } from "../../gl/texture-view.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import { adaptation } from "../../light/color.js";
 import { emberRadiance, TAPER } from "../../light/flame-light.js";
 import { createShape, shapeFlame } from "../../light/flame-shape.js";
 import type { Solid } from "../../world/solid.js";
@@ -25,6 +24,8 @@ import type { Tier } from "../tier.js";
 import type { View } from "../view.js";
 import { BloomPass } from "./bloom-pass.js";
 import { Casters } from "./casters.js";
+import { DisplayPass, displayLaw, exposureIn, scatteredIn } from "./display-pass.js";
+import { ExposurePass } from "./exposure-pass.js";
 import { FlamePass, HANDLE_TURN } from "./flame-pass.js";
 import { GeometryPass, type Placed } from "./geometry-pass.js";
 import { type IndirectDetail, IndirectPass, type IrradianceVolume } from "./indirect-pass.js";
@@ -34,8 +35,6 @@ import { ShadowPass } from "./shadow-pass.js";
 import { ShowPass } from "./show-pass.js";
 import { SmokePass } from "./smoke-pass.js";
 
-/** From cd/m² to the display's scale, where middle grey is 0.18: a wall of 0.08 cd/m² lands there. */
-const EXPOSURE = 5;
 const SHADOW = { size: 128, search: 4, taps: 8 } as const;
 const INDIRECT: IndirectDetail = {
   patches: 6,
@@ -49,8 +48,6 @@ const CASTER_DETAIL = 0.03;
 const BLOOM_LEVELS = 3;
 /** Pixels of the picture for one of what blooms, along each axis. */
 const GLARE = 4;
-/** Share of the light that the eye and the lens scatter. */
-const SCATTERED = 0.0006;
 /** Pixels around the flame that its light is mixed with. */
 const MARGIN = 3;
 /** The room itself, which stands where it was made. */
@@ -75,7 +72,8 @@ export class DeferredRenderer implements Renderer {
   readonly #emberProgram: Program;
   readonly #glareProgram: Program;
   readonly #copyProgram: Program;
-  readonly #displayProgram: Program;
+  readonly #exposure: ExposurePass;
+  readonly #display: DisplayPass;
   readonly #flame: FlamePass;
   readonly #smoke: SmokePass;
   readonly #casters: Casters;
@@ -85,7 +83,6 @@ export class DeferredRenderer implements Renderer {
   readonly #room: readonly Surface[];
   readonly #candle: readonly Surface[];
   readonly #screen: VertexArray;
-  readonly #adaptation = adaptation(TAPER.color);
   readonly #shape = createShape();
   #radiance: RenderTarget | null = null;
   #glare: RenderTarget | null = null;
@@ -114,7 +111,8 @@ export class DeferredRenderer implements Renderer {
     this.#emberProgram = program("ember", emberFrag, surfaceVert);
     this.#glareProgram = program("glare", glareFrag);
     this.#copyProgram = program("copy", copyFrag);
-    this.#displayProgram = gpu.program("physical/display", fullscreenVert, displayFrag);
+    this.#exposure = new ExposurePass(gpu, this.#screen, meterFrag);
+    this.#display = new DisplayPass(gpu, this.#screen);
     this.#flame = new FlamePass(gpu);
     this.#smoke = new SmokePass(gpu);
     this.#room = uploadModel(gpu, room, tier);
@@ -146,8 +144,8 @@ export class DeferredRenderer implements Renderer {
     this.#glare = this.#gpu.renderTarget({ label: "glare", ...quarter, color });
     this.#halo = this.#gpu.renderTarget({
       label: "halo",
-      width: Math.max(1, quarter.width >> 1),
-      height: Math.max(1, quarter.height >> 1),
+      width: Math.ceil(quarter.width / 2),
+      height: Math.ceil(quarter.height / 2),
       color: [this.#lightPass.format],
     });
     const textures = [this.#radiance.color];
@@ -206,33 +204,26 @@ export class DeferredRenderer implements Renderer {
     drawRadiance(box);
     this.#complete = () => drawRadiance(this.#whole);
     const bloom = this.#drawBloom(box);
-    const scattered = features.bloom ? SCATTERED : 0;
-    const shown = {
-      uAdaptation: features.adaptation ? this.#adaptation : [1, 1, 1],
-      uTone: features.toneMap ? 1 : 0,
-    };
+    const lightBlocks = { Light: this.#light };
+    const exposure = this.#exposure.render(picture, world.pupil.lag, lightBlocks);
+    const law = displayLaw(this.#gpu, view);
     if (box[2] * box[3] < this.#size.width * this.#size.height) {
-      this.#show.render({ ...picture, uBloom: bloom }, scattered, shown, {
+      const how = { scattered: scatteredIn(view), metered: features.autoExposure };
+      this.#show.render({ ...picture, uBloom: bloom, uExposure: exposure }, how, law, {
         Frame: this.#frame,
-        Light: this.#light,
+        ...lightBlocks,
       });
     }
-    this.#gpu.draw({
-      program: this.#displayProgram,
-      target: "canvas",
-      vertexArray: this.#screen,
-      textures: { uRadiance: this.#radiance!.color, uBloom: bloom },
-      uniforms: { ...shown, uScattered: scattered },
-      blocks: { Frame: this.#frame },
-      scissor: inset(box, this.#whole),
-    });
+    const textures = { uRadiance: this.#radiance!.color, uBloom: bloom, uExposure: exposure };
+    this.#display.render(textures, [1, 1], view, this.#frame, inset(box, this.#whole));
   }
 
   get #whole(): Box {
     return [0, 0, this.#size.width, this.#size.height];
   }
 
-  #updateBlocks(world: World, { features, exposure }: View): void {
+  #updateBlocks(world: World, view: View): void {
+    const { features } = view;
     const { player, shown, stage } = world;
     const { width, height } = this.#size;
     const { yaw, pitch } = player;
@@ -240,7 +231,7 @@ export class DeferredRenderer implements Renderer {
     this.#frame.update({
       clipFromWorld: this.#clip,
       eyePosition: shown.eye,
-      exposure: EXPOSURE * 2 ** exposure,
+      exposure: exposureIn(view),
       viewport: [width, height],
       projectionScale: projectionScale(height),
       normalMaps: features.normalMaps ? 1 : 0,

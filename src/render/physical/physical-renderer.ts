@@ -1,5 +1,3 @@
-import displayFrag from "../../../shaders/physical/display.frag";
-import fullscreenVert from "../../../shaders/physical/fullscreen.vert";
 import surfaceFrag from "../../../shaders/physical/surface.frag";
 import surfaceVert from "../../../shaders/physical/surface.vert";
 import type { Gpu } from "../../gl/gpu.js";
@@ -9,8 +7,7 @@ import type { Texture } from "../../gl/texture.js";
 import type { TextureView } from "../../gl/texture-view.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import { adaptation } from "../../light/color.js";
-import { emberRadiance, TAPER } from "../../light/flame-light.js";
+import { emberRadiance } from "../../light/flame-light.js";
 import type { ParticleLayer } from "../../world/particle-layer.js";
 import type { Solid } from "../../world/solid.js";
 import type { World } from "../../world/world.js";
@@ -19,8 +16,10 @@ import type { Models, Renderer } from "../renderer.js";
 import { type Surface, uploadModel } from "../surface.js";
 import type { Tier } from "../tier.js";
 import type { View } from "../view.js";
-import { BloomPass } from "./bloom-pass.js";
+import { BloomPass, shareOf } from "./bloom-pass.js";
 import { Casters } from "./casters.js";
+import { DisplayPass, exposureIn } from "./display-pass.js";
+import { ExposurePass } from "./exposure-pass.js";
 import { FlamePass, HANDLE_TURN } from "./flame-pass.js";
 import { HazePass } from "./haze-pass.js";
 import { type IndirectDetail, IndirectPass, type IrradianceVolume } from "./indirect-pass.js";
@@ -30,8 +29,6 @@ import { ShadowPass } from "./shadow-pass.js";
 import { SmokePass } from "./smoke-pass.js";
 import type { Veil } from "./veil.js";
 
-/** From cd/m² to the display's scale, where middle grey is 0.18: a wall of 0.08 cd/m² lands there. */
-const EXPOSURE = 5;
 /** Shadow cube: texels along an edge, taps that look for what casts it, taps that soften it. */
 const SHADOW: Readonly<Record<Tier["name"], { size: number; search: number; taps: number }>> = {
   low: { size: 128, search: 4, taps: 6 },
@@ -58,8 +55,6 @@ const BLOOM_LEVELS: Readonly<Record<Tier["name"], number>> = {
   high: 6,
   ultra: 6,
 };
-/** Share of the light that the eye and the lens scatter. */
-const SCATTERED = 0.0006;
 const NO_EMBER = [0, 0, 0] as const;
 const BLACK = [0, 0, 0, 1] as const;
 
@@ -70,7 +65,6 @@ export class PhysicalRenderer implements Renderer {
   readonly #gpu: Gpu;
   readonly #tier: Tier;
   readonly #surfaceProgram: Program;
-  readonly #displayProgram: Program;
   readonly #frame: UniformBlock;
   readonly #light: UniformBlock;
   readonly #flame: FlamePass;
@@ -81,10 +75,11 @@ export class PhysicalRenderer implements Renderer {
   readonly #shadow: ShadowPass;
   readonly #indirect: IndirectPass;
   readonly #bloom: BloomPass;
+  readonly #exposure: ExposurePass;
+  readonly #display: DisplayPass;
   readonly #room: readonly Surface[];
   readonly #candle: readonly Surface[];
   readonly #screen: VertexArray;
-  readonly #adaptation = adaptation(TAPER.color);
   #samples: RenderTarget | null = null;
   #radiance: RenderTarget | null = null;
   #veil: TextureView | null = null;
@@ -98,7 +93,6 @@ export class PhysicalRenderer implements Renderer {
       defines: { SHADOW_SEARCH: SHADOW[tier.name].search, SHADOW_TAPS: SHADOW[tier.name].taps },
     });
     this.#shadow = new ShadowPass(gpu, SHADOW[tier.name].size);
-    this.#displayProgram = gpu.program("physical/display", fullscreenVert, displayFrag);
     this.#frame = gpu.uniformBlock(this.#surfaceProgram, "Frame");
     this.#light = gpu.uniformBlock(this.#surfaceProgram, "Light");
     this.#flame = new FlamePass(gpu);
@@ -112,6 +106,8 @@ export class PhysicalRenderer implements Renderer {
     const echoing = { model: room, solid, surfaces: this.#room };
     this.#indirect = new IndirectPass(gpu, this.#screen, echoing, INDIRECT[tier.name]);
     this.#bloom = new BloomPass(gpu, this.#screen, BLOOM_LEVELS[tier.name]);
+    this.#exposure = new ExposurePass(gpu, this.#screen);
+    this.#display = new DisplayPass(gpu, this.#screen);
   }
 
   resize(width: number, height: number): void {
@@ -159,21 +155,13 @@ export class PhysicalRenderer implements Renderer {
     this.#drawAir(world, view, volume);
     const radiance = this.#radiance.color;
     const bloom = this.#bloom.render(radiance);
-    this.#gpu.draw({
-      program: this.#displayProgram,
-      target: "canvas",
-      vertexArray: this.#screen,
-      textures: { uRadiance: radiance, uBloom: bloom },
-      uniforms: {
-        uAdaptation: view.features.adaptation ? this.#adaptation : [1, 1, 1],
-        uTone: view.features.toneMap ? 1 : 0,
-        uScattered: view.features.bloom ? SCATTERED : 0,
-      },
-      blocks: { Frame: this.#frame },
-    });
+    const exposure = this.#exposure.render({ uRadiance: radiance }, world.pupil.lag);
+    const textures = { uRadiance: radiance, uBloom: bloom, uExposure: exposure };
+    this.#display.render(textures, shareOf(this.#size, bloom), view, this.#frame);
   }
 
-  #updateBlocks(world: World, { features, exposure }: View): void {
+  #updateBlocks(world: World, view: View): void {
+    const { features } = view;
     const { player, shown, stage } = world;
     const { width, height } = this.#size;
     this.#frame.update({
@@ -185,7 +173,7 @@ export class PhysicalRenderer implements Renderer {
         stage.fieldOfView,
       ),
       eyePosition: shown.eye,
-      exposure: EXPOSURE * 2 ** exposure,
+      exposure: exposureIn(view),
       viewport: [width, height],
       projectionScale: projectionScale(height),
       normalMaps: features.normalMaps ? 1 : 0,

@@ -1,5 +1,6 @@
 import showFrag from "../../../shaders/deferred/show.frag";
 import tableFrag from "../../../shaders/deferred/table.frag";
+import displayVert from "../../../shaders/physical/display.vert";
 import fullscreenVert from "../../../shaders/physical/fullscreen.vert";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Program, UniformValue } from "../../gl/program.js";
@@ -23,7 +24,7 @@ export class ShowPass {
   constructor(gpu: Gpu, screen: VertexArray) {
     this.#gpu = gpu;
     this.#screen = screen;
-    this.#show = gpu.program("deferred/show", fullscreenVert, showFrag);
+    this.#show = gpu.program("deferred/show", displayVert, showFrag);
     this.#tabulate = gpu.program("deferred/table", fullscreenVert, tableFrag);
     this.#table = gpu.texture({
       label: "display's table",
@@ -35,8 +36,8 @@ export class ShowPass {
 
   /** @param law uniforms of `physical/shown.glsl` */
   render(
-    textures: Readonly<Record<"uPainted" | "uLight" | "uBloom", Texture>>,
-    scattered: number,
+    textures: Readonly<Record<"uPainted" | "uLight" | "uBloom" | "uExposure", Texture>>,
+    { scattered, metered }: { readonly scattered: number; readonly metered: boolean },
     law: Readonly<Record<string, UniformValue>>,
     blocks: Readonly<Record<string, UniformBlock>>,
   ): void {
@@ -46,7 +47,7 @@ export class ShowPass {
       target: "canvas",
       vertexArray: this.#screen,
       textures: { ...textures, uTable: this.#table },
-      uniforms: { uScattered: scattered },
+      uniforms: { uScattered: scattered, uMetered: metered ? 1 : 0 },
       blocks,
     });
   }

@@ -1,0 +1,24 @@
+// From light as the eye takes it to what a screen can show, linear. It only ever rises with the light,
+// and bends all channels by one factor, so that hues stay. What is far above white goes by gold to white.
+
+// Contrast around middle grey, as film has it: candlelight without it looks like fog.
+const float CONTRAST = 1.5;
+const float MIDDLE_GREY = 0.18;
+// Stops above white over which a light loses its hue, and how much of it is lost in the end.
+const float BLEACH_STOPS = 14.0;
+const float BLEACH = 0.93;
+// Share of green, from which on a light goes to gold at all: embers have less, and stay red.
+const vec2 GOLDEN = vec2(0.1, 0.45);
+
+vec3 tone(vec3 color) {
+  float peak = max(max(color.r, color.g), color.b);
+  if (peak <= 0.0) return vec3(0.0);
+  vec3 hue = max(color / peak, vec3(1e-3));
+  float level = MIDDLE_GREY * pow(peak / MIDDLE_GREY, CONTRAST);
+  float bent = level / (1.0 + 0.22 * level);
+  float shown = 1.0 - exp(-bent * 1.05);
+  // A mixture with white would go from orange by salmon; so green comes up before blue.
+  float bleach = BLEACH * smoothstep(0.0, BLEACH_STOPS, log2(peak));
+  bleach *= smoothstep(GOLDEN.x, GOLDEN.y, hue.g);
+  return pow(hue, 1.0 - vec3(bleach, bleach, bleach * bleach)) * shown;
+}

@@ -1,0 +1,88 @@
+import displayFrag from "../../../shaders/physical/display.frag";
+import displayVert from "../../../shaders/physical/display.vert";
+import type { Box, Gpu } from "../../gl/gpu.js";
+import type { Program, UniformValue } from "../../gl/program.js";
+import type { Texture } from "../../gl/texture.js";
+import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { VertexArray } from "../../gl/vertex-array.js";
+import { adaptation, adaptedWhite, P3_FROM_RGB, VIVIDNESS } from "../../light/color.js";
+import { TAPER } from "../../light/flame-light.js";
+import { EXPOSURE_LAW } from "../../world/pupil.js";
+import type { View } from "../view.js";
+
+/** Share of the light that the eye and the lens scatter. */
+const SCATTERED = 0.0006;
+/** From cd/m² to the display's white, where nothing meters. */
+const FIXED_EXPOSURE = 2 ** EXPOSURE_LAW.stops;
+const ADAPTATION = adaptation(TAPER.color);
+const WHITE = adaptedWhite();
+/** From linear Rec. 709 to the primaries of the screen, by columns. */
+const GAMUT: Readonly<Record<PredefinedColorSpace, readonly number[]>> = {
+  srgb: [1, 0, 0, 0, 1, 0, 0, 0, 1],
+  "display-p3": [0, 1, 2].flatMap((column) => P3_FROM_RGB.map((row) => row[column] ?? 0)),
+};
+
+/** Share of the light that this view scatters. */
+export function scatteredIn({ features }: Pick<View, "features">): number {
+  return features.bloom ? SCATTERED : 0;
+}
+
+/** What metered stops, or none, are multiplied with: `Frame.exposure`. */
+export function exposureIn({ features, exposure }: View): number {
+  return 2 ** exposure * (features.autoExposure ? 1 : FIXED_EXPOSURE);
+}
+
+/** Uniforms of `physical/shown.glsl`, for a canvas that from now on has these primaries. */
+export function displayLaw(
+  gpu: Gpu,
+  { features, gamut }: Pick<View, "features" | "gamut">,
+): Readonly<Record<string, UniformValue>> {
+  return {
+    uAdaptation: features.adaptation ? ADAPTATION : [1, 1, 1],
+    uWhite: features.adaptation ? WHITE : TAPER.color,
+    uVividness: features.adaptation ? VIVIDNESS : 0,
+    uTone: features.toneMap ? 1 : 0,
+    uGamut: GAMUT[gpu.paintIn(gamut)],
+  };
+}
+
+/** The end of the picture's light: from cd/m² to the canvas. */
+export class DisplayPass {
+  readonly #gpu: Gpu;
+  readonly #program: Program;
+  readonly #screen: VertexArray;
+
+  constructor(gpu: Gpu, screen: VertexArray) {
+    this.#gpu = gpu;
+    this.#screen = screen;
+    this.#program = gpu.program("physical/display", displayVert, displayFrag);
+  }
+
+  /**
+   * @param exposure one texel, stops
+   * @param bloomShare of the bloom's texture that the picture fills
+   * @param scissor part of the picture; all of it if absent
+   */
+  render(
+    textures: Readonly<Record<"uRadiance" | "uBloom" | "uExposure", Texture>>,
+    bloomShare: readonly [number, number],
+    view: Pick<View, "features" | "gamut">,
+    frame: UniformBlock,
+    scissor?: Box,
+  ): void {
+    this.#gpu.draw({
+      program: this.#program,
+      target: "canvas",
+      vertexArray: this.#screen,
+      textures,
+      uniforms: {
+        ...displayLaw(this.#gpu, view),
+        uMetered: view.features.autoExposure ? 1 : 0,
+        uBloomShare: bloomShare,
+        uScattered: scatteredIn(view),
+      },
+      blocks: { Frame: frame },
+      scissor,
+    });
+  }
+}

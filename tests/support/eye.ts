@@ -1,0 +1,109 @@
+import displayFrag from "../../shaders/physical/display.frag";
+import displayVert from "../../shaders/physical/display.vert";
+import { Gpu } from "../../src/gl/gpu.ts";
+import type { Texture } from "../../src/gl/texture.ts";
+import { BloomPass } from "../../src/render/physical/bloom-pass.ts";
+import { DisplayPass } from "../../src/render/physical/display-pass.ts";
+import { ExposurePass } from "../../src/render/physical/exposure-pass.ts";
+import { allFeatures, type Features } from "../../src/settings.ts";
+
+/** Linear Rec. 709, cd/m². */
+type Radiance = readonly [number, number, number];
+
+/** A picture made of colours, each as wide and high as asked, in a row. Runs in the browser. */
+export class Eye {
+  readonly #canvas = document.createElement("canvas");
+  readonly #gpu: Gpu;
+
+  constructor(width: number, height: number) {
+    this.#canvas.width = width;
+    this.#canvas.height = height;
+    this.#gpu = new Gpu(this.#canvas);
+  }
+
+  #picture(radianceAt: (x: number, y: number) => Radiance): Texture {
+    const { width, height } = this.#canvas;
+    const data = new Float32Array(width * height * 4);
+    for (let i = 0; i < width * height; i++) {
+      data.set([...radianceAt(i % width, Math.floor(i / width)), 1], i * 4);
+    }
+    const source = { width, height, data };
+    return this.#gpu.texture({ label: "picture", format: "RGBA32F", source });
+  }
+
+  /** 8-bit sRGB or, where asked for, Display P3: what the canvas has, and what a page that copies it sees. */
+  show(
+    radianceAt: (x: number, y: number) => Radiance,
+    stops: number,
+    gamut: PredefinedColorSpace = "srgb",
+    features: Partial<Features> = {},
+  ): { own: number[]; seen: number[] } {
+    const { width, height } = this.#canvas;
+    const gpu = this.#gpu;
+    const screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
+    const frame = gpu.uniformBlock(gpu.program("frame", displayVert, displayFrag), "Frame");
+    frame.update({
+      clipFromWorld: new Float32Array(16),
+      eyePosition: [0, 0, 0],
+      exposure: 1,
+      viewport: [width, height],
+      projectionScale: 1,
+      normalMaps: 1,
+    });
+    const picture = this.#picture(radianceAt);
+    const exposure = gpu.texture({
+      label: "exposure",
+      format: "R32F",
+      filter: "nearest",
+      source: { width: 1, height: 1, data: new Float32Array([stops]) },
+    });
+    const view = { features: { ...allFeatures(), bloom: false, ...features }, gamut };
+    const textures = { uRadiance: picture, uBloom: picture, uExposure: exposure };
+    new DisplayPass(gpu, screen).render(textures, [1, 1], view, frame);
+    const own = [...gpu.readCanvas(0, 0, width, height)];
+    const paper = new OffscreenCanvas(width, height).getContext("2d", { colorSpace: "srgb" });
+    paper?.drawImage(this.#canvas, 0, 0);
+    const seen = [...(paper?.getImageData(0, 0, width, height).data ?? [])];
+    gpu.clearObjects();
+    return { own, seen };
+  }
+
+  /** Sums of light over the pixels, before and after scattering. */
+  scatter(radianceAt: (x: number, y: number) => Radiance, levels: number): [number, number] {
+    const { width, height } = this.#canvas;
+    const gpu = this.#gpu;
+    const screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
+    const pass = new BloomPass(gpu, screen, levels);
+    pass.resize(width, height);
+    const scattered = pass.render(this.#picture(radianceAt));
+    const target = gpu.textureView({ label: "scattered", textures: [scattered], image: 0 });
+    const after = gpu
+      .readRadiance(target, 0, 0, target.width, target.height)
+      .reduce((sum, value) => sum + 4 * value, 0); // each covers four pixels
+    let before = 0;
+    for (let i = 0; i < width * height; i++) {
+      const [r, g, b] = radianceAt(i % width, Math.floor(i / width));
+      before += r + g + b;
+    }
+    gpu.clearObjects();
+    return [before, after];
+  }
+
+  /** Stops that the meter asks for. */
+  meter(radianceAt: (x: number, y: number) => Radiance, lag = 0): number {
+    const gpu = this.#gpu;
+    const screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
+    const exposure = new ExposurePass(gpu, screen).render(
+      { uRadiance: this.#picture(radianceAt) },
+      lag,
+    );
+    const target = gpu.textureView({ label: "exposure", textures: [exposure], image: 0 });
+    const [stops = Number.NaN] = gpu.readRadiance(target, 0, 0, 1, 1);
+    gpu.clearObjects();
+    return stops;
+  }
+
+  dispose(): void {
+    this.#gpu.dispose();
+  }
+}
