@@ -89,7 +89,7 @@ export const SETTINGS = {
   "wind-direction": number(
     "degrees",
     [0, -360, 360],
-    "Where the wind blows to: 0 is -Z, counter-clockwise from above.",
+    "Where the wind blows to: 0 is −Z, counter-clockwise from above.",
   ),
   gustiness: number("", [0.5, 0, 1], "How squally the wind is: 0 is steady."),
   wick: number("mm", [2, 1, 50], "Diameter of the wick: a bigger one burns higher."),

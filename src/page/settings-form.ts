@@ -75,7 +75,7 @@ export class SettingsForm {
     for (const [name, output] of this.#outputs) {
       const setting: ChoiceSetting | NumberSetting = SETTINGS[name];
       const unit = setting.kind === "number" ? setting.unit : "";
-      output.value = `${this.#text(name)} ${unit}`;
+      output.value = `${this.#text(name)}${unit === "degrees" ? "°" : ` ${unit}`}`;
     }
   }
 
