@@ -379,8 +379,12 @@ export class CandleFlameElement extends ReflectedAttributes {
   #showLit(): void {
     if (this.lit) this.#internals.states.add("lit");
     else this.#internals.states.delete("lit");
-    const relight = this.controls ? `${OUT} Press E to light it.` : OUT;
-    this.#overlay.hint.tell(this.lit ? null : relight);
+    this.#overlay.hint.tell(this.#outSentence);
+  }
+
+  get #outSentence(): string | null {
+    if (this.lit) return null;
+    return this.controls ? `${OUT} Press E to light it.` : OUT;
   }
 
   /** Goes in, as a click does: takes the focus and asks for the pointer. Needs `controls`. */
@@ -904,7 +908,9 @@ export class CandleFlameElement extends ReflectedAttributes {
   /** Why the candle could not be put down, in a sentence that fades; nothing if it could. */
   #tellRefusal(): void {
     const refusal = this.#candle?.world.refusal ?? null;
-    this.#overlay.hint.tell(refusal && REFUSALS[refusal]);
+    // Who stands in the dark must still be told how to end it.
+    const sentences = [refusal && REFUSALS[refusal], this.#outSentence].filter(Boolean);
+    this.#overlay.hint.tell(sentences.join(" ") || null);
   }
 
   #showProgress(totalProgress: number): void {

@@ -73,6 +73,17 @@ test("the page opens on a burning room, from any folder of a site", async ({ fre
     await expect(spot).toHaveCount(0);
   });
 
+  await test.step("and says that the candle is out, whatever else there is to say", async () => {
+    await fresh.evaluate((room) => {
+      room.extinguish();
+      room.camera = { ...room.camera, pitch: 1.4 };
+      room.place();
+    });
+    await expect(page.getByText("The candle is out. Press E to light it.")).toHaveText(
+      /^There is nothing within reach to put the candle on\. The candle is out/,
+    );
+  });
+
   const foreign = requests.filter((url) => !url.startsWith(folder) && !url.startsWith("blob:"));
   expect(foreign).toEqual([]);
 });
