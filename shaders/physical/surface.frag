@@ -16,6 +16,11 @@
 // A flame is no point: nearer than this the inverse square would not hold. Metres.
 const float NEAREST = 0.01;
 
+// Less of the sky than this is seen from a crevice.
+const float OPEN = 0.9;
+// How much of the light that passes falls on the sides of a crevice, on an average of ways to face.
+const float BESIDE = 0.3;
+
 uniform sampler2D uAlbedo;
 uniform sampler2D uNormal;
 uniform sampler2D uOcclusionRoughness;
@@ -70,9 +75,12 @@ void main() {
   float distanceSquared = max(dot(toLight, toLight), NEAREST * NEAREST);
   vec3 L = toLight * inversesqrt(distanceSquared);
   float NoL = max(dot(normal, L), 0.0);
-  float visible = NoL > 0.0 ? visibleShare(vPositionWorld, normalize(vNormalWorld), gl_FragCoord.xy) : 0.0;
+  // Crevices are lit by what is beside them, so the flame's light counts there whichever way they face.
+  bool isLit = NoL > 0.0 || occlusion < OPEN;
+  float visible = isLit ? visibleShare(vPositionWorld, normalize(vNormalWorld), gl_FragCoord.xy) : 0.0;
   vec3 intensity = light.intensity * mix(1.0, visible * pastCandle(vPositionWorld), uShown.x);
-  vec3 irradiance = intensity * (NoL / distanceSquared);
+  vec3 passing = intensity / distanceSquared;
+  vec3 irradiance = passing * NoL;
 
   vec3 highlight = towardsHighlight(toLight, reflect(-view, normal));
   vec3 S = normalize(highlight);
@@ -92,8 +100,8 @@ void main() {
   vec3 matt = baseColor.rgb * (1.0 - metallic) * (1.0 - fresnelSchlick(f0, NoV));
   Surroundings surroundings = surroundingsAt(lifted, normal, normal, reflect(-view, normal));
   vec3 around = surroundings.one * light.intensity;
-  // What hides the room from a crevice is lit as the crevice is, from half of its sides.
-  vec3 nearby = baseColor.rgb * (around + 0.5 * irradiance);
+  // What hides the room from a crevice is as far from the flame, and lit from half of its sides.
+  vec3 nearby = baseColor.rgb * (around + BESIDE * passing);
   vec3 bounced = mix(nearby, around, occlusion) * matt / PI;
   // What is mirrored is the room around, as softly as it is known.
   vec3 mirrored = surroundings.other * light.intensity / PI;
