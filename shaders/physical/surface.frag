@@ -24,6 +24,7 @@ const float BESIDE = 0.3;
 uniform sampler2D uAlbedo;
 uniform sampler2D uNormal;
 uniform sampler2D uOcclusionRoughness;
+uniform sampler2D uReflectance;
 uniform vec4 uBaseColor;
 uniform float uWax;     // 1: light from within, 0: none
 uniform float uOcclusion;  // how much of the map's occlusion counts
@@ -85,7 +86,7 @@ void main() {
   vec3 highlight = towardsHighlight(toLight, reflect(-view, normal));
   vec3 S = normalize(highlight);
   vec3 H = normalize(S + view);
-  float alpha = roughness * roughness;
+  float alpha = widenedByRelief(roughness * roughness, normal);
   float width = light.radius / max(length(highlight), NEAREST);
   float widened = clamp(alpha + 0.5 * width, 0.0, 1.0);
   float NoS = max(dot(normal, S), 0.0);
@@ -93,19 +94,19 @@ void main() {
   vec3 fresnel = fresnelSchlick(f0, max(dot(S, H), 0.0));
   float lobe = distributionGgx(widened, max(dot(normal, H), 0.0)) * visibilitySmith(alpha, NoV, NoS);
   float narrowing = (alpha * alpha) / (widened * widened);
-  vec3 specular = fresnel * lobe * narrowing * NoS * intensity / distanceSquared * uShown.z;
-  vec3 diffuse = baseColor.rgb * (1.0 - metallic) * (1.0 - fresnel) / PI * irradiance;
-  vec3 lifted = vPositionWorld + normal * 0.08;
+  Mirroring mirroring = mirroringOf(uReflectance, f0, sqrt(alpha), NoV);
+  vec3 specular = fresnel * mirroring.boost * lobe * narrowing * NoS * passing * uShown.z;
   // What the surface mirrors does not reach the matt layer below.
-  vec3 matt = baseColor.rgb * (1.0 - metallic) * (1.0 - fresnelSchlick(f0, NoV));
+  vec3 matt = baseColor.rgb * (1.0 - metallic) * (1.0 - mirroring.share);
+  vec3 diffuse = matt / PI * irradiance;
+  vec3 lifted = vPositionWorld + normal * 0.08;
   Surroundings surroundings = surroundingsAt(lifted, normal, normal, reflect(-view, normal));
   vec3 around = surroundings.one * light.intensity;
   // What hides the room from a crevice is as far from the flame, and lit from half of its sides.
   vec3 nearby = baseColor.rgb * (around + BESIDE * passing);
   vec3 bounced = mix(nearby, around, occlusion) * matt / PI;
   // What is mirrored is the room around, as softly as it is known.
-  vec3 mirrored = surroundings.other * light.intensity / PI;
-  mirrored *= fresnelSchlick(f0, NoV) * (1.0 - 0.6 * roughness);
+  vec3 mirrored = surroundings.other * light.intensity / PI * mirroring.share;
   bounced = (bounced + mirrored * occlusion * uShown.z) * uShown.y;
   vec3 radiance = diffuse + specular + bounced + baseColor.rgb * waxGlow(vPositionWorld) * uWax;
   radiance += uEmber * smoothstep(EMBER_BEGINS, EMBER_FULL, vPositionWorld.y - light.rim);

@@ -108,3 +108,33 @@ test("Stages that do not fit together are reported by the program's name", async
   const complaint = await complaintAbout(page, "paper/room.frag", line, "flat in vec2 vUv;");
   expect(complaint).toMatch(/^ShaderError: broken SAMPLES=4 TAPS=12: .*vUv/s);
 });
+
+test("Surfaces in light from all around give back all that they get: a white furnace", async ({
+  page,
+}) => {
+  const size = 12;
+  const found = await page.evaluate(
+    async ({ module, vertex, fragment, size }) => {
+      const { furnace }: typeof import("../support/furnace.ts") = await import(module);
+      return furnace(vertex, fragment, size);
+    },
+    {
+      module: "/tests/support/furnace.ts",
+      vertex: resolveShader(join(SHADERS, "physical/fullscreen.vert")),
+      fragment: resolveShader("tests/support/furnace.frag"),
+      size,
+    },
+  );
+  expect(found.length).toBe(size * size * 3);
+  const errors = { metal: 0, matt: 0, lost: 0 };
+  for (let i = 0; i < found.length; i += 3) {
+    errors.metal = Math.max(errors.metal, Math.abs((found[i] ?? 0) - 1));
+    errors.matt = Math.max(errors.matt, Math.abs((found[i + 1] ?? 0) - 1));
+    errors.lost = Math.max(errors.lost, 1 - (found[i + 2] ?? 0));
+  }
+  console.log(`furnace: ${JSON.stringify(errors)}`);
+  expect(errors.metal).toBeLessThan(0.02);
+  expect(errors.matt).toBeLessThan(0.02);
+  // Without what bounces between facets it would be a grey furnace.
+  expect(errors.lost).toBeGreaterThan(0.3);
+});

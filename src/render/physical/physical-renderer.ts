@@ -25,6 +25,7 @@ import { HazePass } from "./haze-pass.js";
 import { type IndirectDetail, IndirectPass, type IrradianceVolume } from "./indirect-pass.js";
 import { lightAtVantage, lightBlock } from "./light-block.js";
 import { MotesPass } from "./motes-pass.js";
+import { REFLECTANCES, tabulateReflectance } from "./reflectance.js";
 import { ShadowPass } from "./shadow-pass.js";
 import { SmokePass } from "./smoke-pass.js";
 import type { Veil } from "./veil.js";
@@ -74,6 +75,7 @@ export class PhysicalRenderer implements Renderer {
   readonly #casters: Casters;
   readonly #shadow: ShadowPass;
   readonly #indirect: IndirectPass;
+  readonly #reflectance: Texture;
   readonly #bloom: BloomPass;
   readonly #exposure: ExposurePass;
   readonly #display: DisplayPass;
@@ -105,6 +107,13 @@ export class PhysicalRenderer implements Renderer {
     this.#screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
     const echoing = { model: room, solid, surfaces: this.#room };
     this.#indirect = new IndirectPass(gpu, this.#screen, echoing, INDIRECT[tier.name]);
+    this.#reflectance = gpu.share("reflectance", () =>
+      gpu.texture({
+        label: "reflectance",
+        format: "RG16F",
+        source: { width: REFLECTANCES, height: REFLECTANCES, data: tabulateReflectance() },
+      }),
+    );
     this.#bloom = new BloomPass(gpu, this.#screen, BLOOM_LEVELS[tier.name]);
     this.#exposure = new ExposurePass(gpu, this.#screen);
     this.#display = new DisplayPass(gpu, this.#screen);
@@ -206,7 +215,12 @@ export class PhysicalRenderer implements Renderer {
         program: this.#surfaceProgram,
         target,
         vertexArray,
-        textures: { ...textures, uShadow: shadow, ...volume.textures },
+        textures: {
+          ...textures,
+          uShadow: shadow,
+          uReflectance: this.#reflectance,
+          ...volume.textures,
+        },
         uniforms: {
           uBaseColor: baseColor,
           uPlace: place,

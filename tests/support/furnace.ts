@@ -1,0 +1,28 @@
+import { Gpu } from "../../src/gl/gpu.ts";
+import type { ShaderSource } from "../../src/gl/program.ts";
+import { REFLECTANCES, tabulateReflectance } from "../../src/render/physical/reflectance.ts";
+
+/** What `furnace.frag` finds, three numbers for each of `size` x `size` surfaces. Runs in the browser. */
+export function furnace(vertex: ShaderSource, fragment: ShaderSource, size: number): number[] {
+  const gpu = new Gpu(document.createElement("canvas"));
+  const target = gpu.renderTarget({
+    label: "furnace",
+    width: size,
+    height: size,
+    color: ["RGBA16F"],
+  });
+  const uReflectance = gpu.texture({
+    label: "reflectance",
+    format: "RG16F",
+    source: { width: REFLECTANCES, height: REFLECTANCES, data: tabulateReflectance() },
+  });
+  gpu.draw({
+    program: gpu.program("furnace", vertex, fragment),
+    target,
+    vertexArray: gpu.vertexArray("screen", { attributes: {}, count: 3 }),
+    textures: { uReflectance },
+  });
+  const found = Array.from(gpu.readRadiance(target, 0, 0, size, size));
+  gpu.dispose();
+  return found;
+}
