@@ -17,6 +17,7 @@ uniform vec4 uBaseColor;
 uniform vec3 uLamp;        // colour that the eye is used to, luma 1
 uniform float uWax;        // 1: light from within, 0: none
 uniform float uOcclusion;  // how much of the map's occlusion counts
+uniform vec3 uEmber;       // radiance of the wick's glowing tip, cd/m²; black for all else
 uniform vec4 uSurface;     // roughness, metallic, normal scale, alpha below which nothing is
 
 in vec3 vPositionWorld;
@@ -77,5 +78,6 @@ void main() {
   vec3 around = surroundings(mix(reflect(-view, normal), normal, roughness * 0.7));
   vec3 ambient = matt * surroundings(normal) + fresnelSchlick(f0, NoV) * around;
   vec3 radiance = diffuse + specular + ambient * occlusion + waxGlow(baseColor.rgb) * uWax;
+  radiance += uEmber * emberShare(vPositionWorld);
   oRadiance = vec4(min(radiance, 3e4), 1.0);  // the largest half float is 65504
 }

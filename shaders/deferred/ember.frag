@@ -10,14 +10,11 @@ in vec3 vPositionWorld;
 
 out vec4 oRadiance;
 
-// The wick glows where it reaches out of the dark zone: heights above the candle's rim, m.
-const float EMBER_BEGINS = 0.0028;
-const float EMBER_FULL = 0.0052;
 // What lies so far before it hides it, m.
 const float HIDES = 0.004;
 
 void main() {
   float room = distanceOf(texelFetch(uDepth, ivec2(gl_FragCoord.xy), 0).r);
   float isSeen = step(distanceOf(gl_FragCoord.z) - HIDES, room);
-  oRadiance = vec4(uEmber * smoothstep(EMBER_BEGINS, EMBER_FULL, vPositionWorld.y - light.rim) * isSeen, 0.0);
+  oRadiance = vec4(uEmber * emberShare(vPositionWorld) * isSeen, 0.0);
 }

@@ -35,3 +35,12 @@ float pastCandle(vec3 position) {
   }
   return share / 3.0;
 }
+
+// The wick glows where it reaches out of the dark zone: heights above the candle's rim, m.
+const float EMBER_BEGINS = 0.0028;
+const float EMBER_FULL = 0.0052;
+
+// Share of the glow of the wick's tip at a place on the wick.
+float emberShare(vec3 position) {
+  return smoothstep(EMBER_BEGINS, EMBER_FULL, position.y - light.rim);
+}

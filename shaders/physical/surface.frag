@@ -57,10 +57,6 @@ vec3 towardsHighlight(vec3 toLight, vec3 mirrored) {
   return toLight + light.along * climb;
 }
 
-// The wick glows where it reaches out of the dark zone: heights above the candle's rim, m.
-const float EMBER_BEGINS = 0.0028;
-const float EMBER_FULL = 0.0052;
-
 void main() {
   vec4 baseColor = texture(uAlbedo, vUv) * uBaseColor;
   if (baseColor.a < uSurface.w) discard;
@@ -109,7 +105,7 @@ void main() {
   vec3 mirrored = surroundings.other * light.intensity / PI * mirroring.share;
   bounced = (bounced + mirrored * occlusion * uShown.z) * uShown.y;
   vec3 radiance = diffuse + specular + bounced + baseColor.rgb * waxGlow(vPositionWorld) * uWax;
-  radiance += uEmber * smoothstep(EMBER_BEGINS, EMBER_FULL, vPositionWorld.y - light.rim);
+  radiance += uEmber * emberShare(vPositionWorld);
   // A mirrored flame can be brighter than the largest half float, 65504.
   oRadiance = vec4(min(radiance, 3e4), 1.0);
 }

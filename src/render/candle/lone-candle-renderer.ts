@@ -9,7 +9,7 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { adaptation, adaptedWhite, luma, VIVIDNESS } from "../../light/color.js";
-import { flameLight, TAPER } from "../../light/flame-light.js";
+import { emberRadiance, flameLight, TAPER } from "../../light/flame-light.js";
 import type { World } from "../../world/world.js";
 import { clipFromWorld, projectionScale } from "../camera.js";
 import { FlamePass } from "../physical/flame-pass.js";
@@ -25,6 +25,7 @@ const EXPOSURE = 5;
 /** The ring handle, along +X in the model, is turned towards the eye. */
 const HANDLE_TURN = -1.1;
 const NOTHING = [0, 0, 0, 0] as const;
+const NO_EMBER = [0, 0, 0] as const;
 
 /** What all lone candles on one context share. */
 interface Shared {
@@ -93,7 +94,7 @@ export class LoneCandleRenderer implements Renderer {
     const { frame, light, flame, displayProgram, screen } = this.#shared;
     const target = this.#samples ?? this.#radiance;
     const { width, height } = this.#size;
-    const { eye, pitch, fieldOfView } = frameCandle(width / height);
+    const { eye, pitch, fieldOfView } = frameCandle(width / height, world.flame.wick);
     const clip = clipFromWorld(eye, 0, pitch, width / height, fieldOfView);
     frame.update({
       clipFromWorld: clip,
@@ -132,6 +133,7 @@ export class LoneCandleRenderer implements Renderer {
   #drawCandle(target: RenderTarget, world: World): void {
     const { surfaceProgram, candle, frame, light } = this.#shared;
     const [x, y, z] = world.shown.foot;
+    const ember = emberRadiance(world.flame.ember);
     for (const surface of candle) {
       this.#gpu.draw({
         program: surfaceProgram,
@@ -145,6 +147,7 @@ export class LoneCandleRenderer implements Renderer {
           uSurface: surface.parameters,
           uOcclusion: surface.occlusionStrength,
           uWax: surface.isWax ? 1 : 0,
+          uEmber: surface.isWick ? ember : NO_EMBER,
         },
         blocks: { Frame: frame, Light: light },
         depth: "test-and-write",

@@ -191,6 +191,27 @@ describe("out and in again", () => {
   });
 });
 
+test("where motion is reduced it stands still in any draught, and still goes out in a gale", () => {
+  const world = createWorld("physical", 1, { wind: wind(1, 1), wick: 0.05 });
+  world.fumes = null;
+  world.sways = false;
+  advance(world, STILL, 3);
+  const first = flameReport(world);
+  for (let i = 0; i < 60; i++) {
+    advance(world, STILL, 1 / 60);
+    const { height, luminousIntensity, tilt, width } = flameReport(world);
+    expect(tilt).toBeLessThan(1e-6);
+    expect(height).toBeCloseTo(first.height, 6);
+    expect(width).toBeCloseTo(first.width, 6);
+    expect(luminousIntensity).toBeCloseTo(first.luminousIntensity, 4);
+  }
+  const taper = createWorld("physical", 1);
+  taper.sways = false;
+  taper.air.wind = wind(4);
+  advance(taper, STILL, 1.5);
+  expect(taper.flame.isLit).toBe(false);
+});
+
 test("the same seed is the same flame at 30 and 144 Hz", () => {
   const at = (hertz: number) => {
     const world = createWorld("physical", 7, { wind: wind(0.3, 1) });

@@ -1,0 +1,213 @@
+import type { Page } from "playwright/test";
+import { FlashMeter } from "../support/flash.ts";
+import { plainRoom } from "../support/plain-room.ts";
+import { LIBRARY, RoomDriver } from "../support/room-driver.ts";
+import { expect, test } from "../support/test.ts";
+
+const ROOM = { min: [-3, 0, -3], max: [3, 3, 3] } as const;
+const STAGE_FIELD = (56 * Math.PI) / 180;
+
+/** An empty room of one reflectance. */
+async function openPlain(
+  page: Page,
+  albedo: number,
+  size: { width: number; height: number },
+  quality = "low",
+) {
+  const body = plainRoom(ROOM, [], albedo);
+  await page.route(`${LIBRARY}plain-room.glb`, (route) =>
+    route.fulfill({ contentType: "model/gltf-binary", body }),
+  );
+  const src = `${LIBRARY}plain-room.glb`;
+  return new RoomDriver(page).open({ look: "physical", quality, src }, size);
+}
+
+test("Light integrated over the picture is the flame's, from all sides, straight and leaning", async ({
+  page,
+}) => {
+  const size = { width: 160, height: 160 };
+  const room = await openPlain(page, 0, size, "medium");
+  await room.set({ wind: "0", gustiness: "0" });
+  const dark = ["candle", "specular", "indirect", "shadows", "smoke", "haze", "bloom"] as const;
+  await room.switchFeatures(Object.fromEntries(dark.map((name) => [name, false])));
+  for (const wind of [0, 0.5]) {
+    const shares = await room.evaluate(
+      (element, { wind, pixel, size }) => {
+        element.take();
+        element.camera = { position: [0, 1.6, 0.8], yaw: 0, pitch: -1.1 };
+        element.place();
+        element.wind = wind;
+        element.step(1.5);
+        const { flame } = element;
+        if (!flame || element.held) throw new Error("There is no flame that stands.");
+        const [x, y, z] = flame.position;
+        return [0, 1, 2, 3, 4, 5, 6, 7].map((eighth) => {
+          const yaw = (eighth * Math.PI) / 4;
+          const [sin, cos] = [Math.sin(yaw), Math.cos(yaw)];
+          element.camera = { position: [x + 0.45 * sin, y, z + 0.45 * cos], yaw, pitch: 0 };
+          const radiance = element.readRadiance(0, 0, size.width, size.height);
+          let sum = 0;
+          for (let i = 0; i < size.width * size.height; i++) {
+            const [red = 0, green = 0, blue = 0] = radiance.subarray(i * 3);
+            const u = ((i % size.width) + 0.5 - size.width / 2) * pixel;
+            const v = (Math.floor(i / size.width) + 0.5 - size.height / 2) * pixel;
+            // A pixel's solid angle, seen askew.
+            const angle = (pixel * pixel) / (1 + u * u + v * v) ** 1.5;
+            sum += (0.2126729 * red + 0.7151522 * green + 0.072175 * blue) * angle;
+          }
+          const [eyeX, eyeY, eyeZ] = element.camera.position;
+          const away = Math.hypot(x - eyeX, y - eyeY, z - eyeZ);
+          return (sum * away * away) / flame.luminousIntensity;
+        });
+      },
+      { wind, pixel: (2 * Math.tan(STAGE_FIELD / 2)) / size.height, size },
+    );
+    const found = `${wind} m/s: ${shares.map((share) => share.toFixed(3)).join(" ")}`;
+    console.log(found);
+    const mean = shares.reduce((total, share) => total + share / 8, 0);
+    for (const share of shares) {
+      expect(Math.abs(share - 1), found).toBeLessThan(0.1);
+      expect(Math.abs(share / mean - 1), found).toBeLessThan(0.05);
+    }
+  }
+  expect(room.complaints).toEqual([]);
+});
+
+/** Frames of seconds at 60 Hz, at half of the size and averaged; `deed` is done before each. */
+async function film(
+  room: RoomDriver,
+  seconds: number,
+  deeds: Readonly<Record<number, "light" | "extinguish">>,
+): Promise<FlashMeter> {
+  const [width, height] = [64, 48];
+  const meter = new FlashMeter(width, height);
+  const frames = Math.round(seconds * 60);
+  const text = await room.evaluate(
+    (element, { frames, deeds, width, height }) => {
+      const canvas = element.shadowRoot?.querySelector("canvas");
+      const paper = document.createElement("canvas").getContext("2d", { willReadFrequently: true });
+      if (!canvas || !paper) throw new Error("There is no canvas.");
+      let text = "";
+      for (let frame = 0; frame < frames; frame++) {
+        const deed = deeds[frame];
+        if (deed) element[deed]();
+        element.step(1 / 60);
+        paper.drawImage(canvas, 0, 0, width, height);
+        const { data } = paper.getImageData(0, 0, width, height);
+        for (let i = 0; i < data.length; i++) text += String.fromCharCode(data[i] ?? 0);
+      }
+      return btoa(text);
+    },
+    { frames, deeds, width, height },
+  );
+  const bytes = Buffer.from(text, "base64");
+  const length = width * height * 4;
+  for (let frame = 0; frame < frames; frame++) {
+    meter.look(bytes.subarray(frame * length, (frame + 1) * length), frame / 60);
+  }
+  return meter;
+}
+
+test.describe("No picture flashes", () => {
+  const SIZE = { width: 128, height: 96 };
+
+  test("physical: the widest wick in gusts, blown out, lit, and toggled in haste", async ({
+    page,
+  }) => {
+    const room = await openPlain(page, 0.8, SIZE);
+    await room.set({ wick: "50", wind: "0.5", gustiness: "1", exposure: "1" });
+    await room.evaluate((element) => {
+      element.camera = { position: [0, 1.6, -1.6], yaw: 0, pitch: -0.1 };
+    });
+    const deeds: Record<number, "light" | "extinguish"> = {};
+    for (let i = 0; i < 8; i++) deeds[70 + i * 8] = i % 2 === 0 ? "extinguish" : "light";
+    const { worst, isHarmful } = await film(room, 2.3, deeds);
+    console.log("physical", worst);
+    expect(isHarmful).toBe(false);
+    expect(room.complaints).toEqual([]);
+  });
+
+  test("paper and original: flickering, walked with, and toggled in haste", async ({ room }) => {
+    for (const look of ["paper", "original"] as const) {
+      await room.change(look);
+      const deeds: Record<number, "light" | "extinguish"> = {};
+      for (let i = 0; i < 10; i++) deeds[10 + i * 7] = i % 2 === 0 ? "extinguish" : "light";
+      const { worst, isHarmful } = await film(room, 1.4, deeds);
+      console.log(look, worst);
+      expect(isHarmful, look).toBe(false);
+    }
+  });
+});
+
+test("The flame is lit and put out by name, by key and by breath, and tells of it once", async ({
+  room,
+}) => {
+  const { page } = room;
+  await room.evaluate((element) => {
+    const told: string[] = [];
+    Object.assign(globalThis, { told });
+    for (const type of ["light", "extinguish"] as const) {
+      element.addEventListener(type, ({ bubbles }) =>
+        told.push(`${type} ${element.lit} ${bubbles}`),
+      );
+    }
+    element.controls = true;
+    element.focus();
+  });
+  /** What was told since it was last asked, and how the flame is. */
+  const told = () =>
+    room.evaluate((element) => ({
+      told: (globalThis as unknown as { told: string[] }).told.splice(0),
+      lit: element.lit,
+      shown: element.matches(":state(lit)"),
+      flame: element.flame?.lit,
+    }));
+  const burns = { lit: true, shown: true, flame: true };
+  const isOut = { lit: false, shown: false, flame: false };
+  expect(await told()).toEqual({ told: [], ...burns });
+  await room.evaluate((element) => {
+    element.extinguish();
+    element.lit = false;
+    element.extinguish();
+  });
+  expect(await told()).toEqual({ told: ["extinguish false false"], ...isOut });
+  await room.evaluate((element) => {
+    element.step(1);
+    element.lit = true;
+    element.light();
+  });
+  expect(await told()).toEqual({ told: ["light true false"], ...burns });
+  const { lit, dark } = await room.evaluate((element) => {
+    element.step(2);
+    const lit = element.flame;
+    element.unlit = true;
+    element.step(1);
+    return { lit, dark: element.flame };
+  });
+  expect(lit?.luminousIntensity).toBeGreaterThan(0.9);
+  expect(lit?.height).toBeGreaterThan(0.02);
+  expect(dark).toMatchObject({ lit: false, height: 0, width: 0, luminousIntensity: 0 });
+  expect(await told()).toEqual({ told: ["extinguish false false"], ...isOut });
+  await room.evaluate((element) => {
+    element.unlit = false;
+  });
+  expect(await told()).toEqual({ told: ["light true false"], ...burns });
+  await page.keyboard.press("Enter");
+  for (const [key, result] of [
+    ["KeyE", { told: ["extinguish false false"], ...isOut }],
+    ["KeyE", { told: ["light true false"], ...burns }],
+    ["KeyB", { told: ["extinguish false false"], ...isOut }],
+  ] as const) {
+    await page.keyboard.press(key);
+    await room.step(0.6);
+    await room.step(0.6);
+    expect(await told(), key).toEqual(result);
+  }
+  await room.evaluate((element) => {
+    element.light();
+    element.step(1);
+    element.blow(0.1);
+    element.step(1);
+  });
+  expect(await told(), "a faint breath").toEqual({ told: ["light true false"], ...burns });
+});
