@@ -15,6 +15,8 @@ import {
   FEATURES,
   type Feature,
   type Features,
+  INSPECTIONS,
+  type Inspection,
   type Look,
   type Quality,
   type SceneName,
@@ -23,7 +25,7 @@ import {
 import type { Refusal } from "./world/placing.js";
 import { blow, moveCamera, placeCandle, takeCandle } from "./world/world.js";
 
-export type { Feature, Features, FlameReport, Look, Quality, Stats };
+export type { Feature, Features, FlameReport, Inspection, Look, Quality, Stats };
 
 export interface Camera {
   /** Metres; the origin is on the floor, amid the room. */
@@ -118,6 +120,7 @@ export class CandleFlameElement extends ReflectedAttributes {
   readonly #overlay: Overlay;
   readonly #glow: HTMLElement;
   readonly #features: Features = allFeatures();
+  #inspect: Inspection = "picture";
   readonly #featureSwitches: Features;
   #settleReady: { resolve: () => void; reject: (error: Error) => void };
   #connection: AbortController | null = null;
@@ -170,7 +173,7 @@ export class CandleFlameElement extends ReflectedAttributes {
 
   connectedCallback(): void {
     this.upgradeAttributes();
-    for (const name of ["features", "camera", "lit"] as const) this.upgrade(name);
+    for (const name of ["features", "camera", "lit", "inspect"] as const) this.upgrade(name);
     this.#applyInteraction();
     if (!this.#connection) this.#start();
   }
@@ -230,6 +233,16 @@ export class CandleFlameElement extends ReflectedAttributes {
       });
     }
     return Object.seal(switches);
+  }
+
+  /** What is shown of each frame: the picture, or what a pass has left for the next. */
+  get inspect(): Inspection {
+    return this.#inspect;
+  }
+  set inspect(value: Inspection) {
+    this.#inspect = Object.hasOwn(INSPECTIONS, value) ? value : "picture";
+    if (this.#candle) this.#candle.inspect = this.#inspect;
+    this.#requestDraw();
   }
 
   get camera(): Camera {
@@ -539,6 +552,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     const candle = new CandleFlame(this.#screen, scene, this.#features, this.#options());
     this.#candle = candle;
     this.#screen = null;
+    candle.inspect = this.#inspect;
     candle.onFrame = () => this.#afterFrame();
     candle.onFailure = (error) => this.#failAtShader(error);
     candle.onCandleMoved = () => this.#emit(this.held ? "take" : "place", null);

@@ -6,7 +6,7 @@ import type { Renderer } from "./render/renderer.js";
 import { type Tier, tierNamed } from "./render/tier.js";
 import type { Scene } from "./scenes/scene.js";
 import type { Screen } from "./scenes/screen.js";
-import type { Features, Look, Quality } from "./settings.js";
+import type { Features, Inspection, Look, Quality } from "./settings.js";
 import type { Wind } from "./world/air.js";
 import { STILL } from "./world/intent.js";
 import { withCount } from "./world/particle-layer.js";
@@ -25,6 +25,7 @@ const MAX_FRAME = 1 / 20;
 const SMOOTHING = 0.1;
 /** Where `auto` draws a picture that stays: the first, and any while no time passes. */
 const STILL_RUNG: Rung = { tier: "high", share: 1 };
+const INSPECTION_RUNG: Rung = { tier: "medium", share: 1 };
 
 /** Everything about a candle that its owner may set at any time. */
 export interface Options {
@@ -67,6 +68,8 @@ export interface Stats {
 export class CandleFlame {
   world: World;
   input: FirstPersonInput | null = null;
+  /** What is shown of each frame. */
+  inspect: Inspection = "picture";
   /** Called after each frame that the animation loop has drawn. */
   onFrame: () => void = () => {};
   /** Called when a frame of the animation loop could not be drawn, which ends the loop. */
@@ -118,6 +121,9 @@ export class CandleFlame {
   /** What the next picture is to be drawn with. */
   get #rung(): Rung {
     const { quality } = this.#options;
+    const isLow = quality === "low" || (quality === "auto" && this.#auto.rung.tier === "low");
+    // Only the dearer tiers draw pass by pass.
+    if (this.inspect !== "picture" && isLow) return INSPECTION_RUNG;
     if (quality !== "auto") return { tier: quality, share: 1 };
     return this.#request === 0 ? STILL_RUNG : this.#auto.rung;
   }
@@ -298,7 +304,8 @@ export class CandleFlame {
     const { exposure, isStill } = this.#options;
     const { gamut } = this.#screen;
     const isMoving = this.#hasMoved() && this.#request !== 0;
-    const view = { features: this.#features, gamut, exposure, isStill, isMoving };
+    const { inspect } = this;
+    const view = { features: this.#features, gamut, exposure, isStill, isMoving, inspect };
     this.#renderer.render(this.world, view);
     gpu.endFrame();
     this.#screen.present();

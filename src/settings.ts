@@ -210,3 +210,24 @@ export type Features = Record<Feature, boolean>;
 export function allFeatures(): Features {
   return Object.fromEntries(Object.keys(FEATURES).map((name) => [name, true])) as Features;
 }
+
+/** What may be looked at instead of the picture, in the physical look: `element.inspect = "depth"`. */
+export const INSPECTIONS = {
+  picture: "What the eye sees.",
+  radiance:
+    "Luminance in false colour: from 0.001 cd/m² (black) by 0.1 (blue), 3 (green) and 100 (yellow) to 10,000 (white).",
+  exposure:
+    "Zones of a photograph, a stop each; grey is middle grey, red is burnt out, blue is lost in the dark.",
+  bloom: "Light scattered in the eye, before it is mixed in.",
+  normals: "Which way surfaces face: red to the right, green up, blue towards +Z.",
+  depth: "How far away things are: white is near, black 10 m away.",
+  "shadow-cube":
+    "How far the flame sees, in all directions, unfolded: the walls in a row, ceiling above, floor below.",
+  "irradiance-volume":
+    "Light from all around at each probe of the room, planes of them side by side.",
+  haze: "How far hot air moves what is behind it: reddish to the right, greenish up, grey nowhere.",
+  soot: "The flame's glowing soot alone.",
+  blue: "The flame's blue base alone: light of CH* and C2*.",
+  temperature: "Colour temperature of the flame's soot: from 1400 K (dark red) to 2000 K (white).",
+} as const;
+export type Inspection = keyof typeof INSPECTIONS;

@@ -7,6 +7,10 @@
 
 uniform sampler2D uRadiance;
 
+#if OFFSET
+const float FULL = 4.0;  // pixels that show in full colour
+#endif
+
 in float vAcross;
 in float vBend;
 in vec2 vSideways;
@@ -21,8 +25,13 @@ void main() {
   // The nearer a thing is behind the column, the less way a bent ray has to stray.
   float leverage = max(1.0 - column / room, 0.0);
   float angle = vBend * vAcross * exp(0.5 - 0.5 * vAcross * vAcross) * leverage;
-  vec2 from = here + vSideways * (angle * frame.projectionScale) * texel;
+  vec2 offset = vSideways * (angle * frame.projectionScale);
+  vec2 from = here + offset * texel;
   // Nothing that stands before the column is bent, nor smeared into what is.
   bool isBehind = distanceOf(texture(uDepth, from).r) > column;
+#if OFFSET
+  oRadiance = vec4(0.5 + (isBehind ? offset / FULL : vec2(0.0)), 0.5, 1.0);
+#else
   oRadiance = texture(uRadiance, isBehind ? from : here);
+#endif
 }

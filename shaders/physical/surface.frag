@@ -28,7 +28,7 @@ uniform sampler2D uReflectance;
 uniform vec4 uBaseColor;
 uniform float uWax;     // 1: light from within, 0: none
 uniform float uOcclusion;  // how much of the map's occlusion counts
-uniform vec3 uShown;    // 1 or 0: shadows, bounced light, highlights
+uniform vec4 uShown;    // 1 or 0: shadows, bounced light, highlights; normals instead of all light
 uniform vec3 uEmber;    // radiance of the wick's glowing tip, cd/m²; black for all else
 uniform vec4 uSurface;  // roughness, metallic, normal scale, alpha below which nothing is
 
@@ -107,5 +107,5 @@ void main() {
   vec3 radiance = diffuse + specular + bounced + baseColor.rgb * waxGlow(vPositionWorld) * uWax;
   radiance += uEmber * emberShare(vPositionWorld);
   // A mirrored flame can be brighter than the largest half float, 65504.
-  oRadiance = vec4(min(radiance, 3e4), 1.0);
+  oRadiance = vec4(uShown.w > 0.5 ? 0.5 + 0.5 * normal : min(radiance, 3e4), 1.0);
 }

@@ -78,6 +78,8 @@ export interface FlameReport {
   readonly height: number;
   readonly width: number;
   readonly luminousIntensity: number;
+  /** What of it is the blue base's, candela. */
+  readonly blueIntensity: number;
   readonly colorTemperature: number;
   /** From the vertical. */
   readonly tilt: number;
@@ -100,6 +102,7 @@ export function flameReport(world: World): FlameReport {
       flame.glow > 0
         ? shape.sootIntensity + shape.blueIntensity
         : 0.2126729 * intensity[0] + 0.7151522 * intensity[1] + 0.072175 * intensity[2],
+    blueIntensity: flame.glow > 0 ? shape.blueIntensity : 0,
     colorTemperature: flame.glow > 0 ? correlatedTemperature(intensity) : flame.ember,
     tilt: flame.isLit ? Math.atan2(Math.hypot(dx ?? 0, dz ?? 0), dy ?? 1) : 0,
   };
@@ -127,6 +130,7 @@ export function paperFlameReport(world: World, position: Vec3): FlameReport {
     height: flame.isLit ? (mean * life + 0.5 * buoyancy * life * life) * stage.flameScale : 0,
     width: flame.isLit ? size * stage.flameScale : 0,
     luminousIntensity: burning,
+    blueIntensity: 0,
     colorTemperature: COLOR_TEMPERATURE,
     tilt: flame.isLit ? Math.atan2(Math.hypot(dx ?? 0, dz ?? 0), dy ?? 1) : 0,
   };

@@ -1,4 +1,4 @@
-import type { Features } from "../settings.js";
+import type { Features, Inspection } from "../settings.js";
 
 /** What a picture depends on beside the world. */
 export interface View {
@@ -11,4 +11,6 @@ export interface View {
   readonly isMoving: boolean;
   /** No flicker and no sway, for those who asked their system for less motion. */
   readonly isStill: boolean;
+  /** What is shown of the frame; looks without passes show the picture. */
+  readonly inspect: Inspection;
 }

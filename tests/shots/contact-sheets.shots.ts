@@ -1,36 +1,11 @@
 import { execFileSync } from "node:child_process";
-import { mkdirSync, readFileSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import { expect, test } from "playwright/test";
 import sharp from "sharp";
 import { FEATURES_OF } from "../../src/settings.ts";
 import { RoomDriver } from "../support/room-driver.ts";
+import { type Tile, writeSheet } from "./sheet.ts";
 import { lookingAt, type Shot, take } from "./shot.ts";
-
-interface Tile {
-  readonly name: string;
-  readonly picture: Buffer;
-}
-
-/** Writes pictures of one size in rows, each with its name. */
-async function writeSheet(file: string, tiles: readonly Tile[], columns: number): Promise<void> {
-  const { width = 0, height = 0 } = await sharp(tiles[0]?.picture).metadata();
-  const rows = Math.ceil(tiles.length / columns);
-  const overlays = tiles.flatMap(({ name, picture }, i) => {
-    const [left, top] = [(i % columns) * width, Math.floor(i / columns) * height];
-    const label = `<svg width="${width}" height="24"><text x="8" y="17" font-family="sans-serif"
-      font-size="13" fill="#fff" stroke="#000" stroke-width="3" paint-order="stroke">${name}</text></svg>`;
-    return [
-      { input: picture, left, top },
-      { input: Buffer.from(label), left, top: top + height - 24 },
-    ];
-  });
-  const size = { width: width * columns, height: height * rows, channels: 3 } as const;
-  mkdirSync("docs/shots", { recursive: true });
-  await sharp({ create: { ...size, background: "#000" } })
-    .composite(overlays)
-    .jpeg({ quality: 86, chromaSubsampling: "4:4:4" })
-    .toFile(file);
-}
 
 test("shot: every material under one grazing lamp", async () => {
   test.setTimeout(600_000);

@@ -68,6 +68,11 @@ export async function reportPrograms(
     for (let i = 0; i < 3; i++) candle.step(1 / 60);
     candle.world.flame.extinguish(); // smoke has shaders of its own
     candle.step(0.1);
+    candle.world.flame.light();
+    for (const inspect of ["radiance", "haze"] as const) {
+      candle.inspect = inspect; // made when it is first looked at
+      candle.step(0.1);
+    }
     const gl = canvas.getContext("webgl2");
     if (!gl) throw new Error("no WebGL 2");
     const reports = made.map(({ program, stages, set }) => {

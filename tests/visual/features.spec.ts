@@ -1,4 +1,10 @@
-import { FEATURES, FEATURES_OF, type Feature } from "../../src/settings.ts";
+import {
+  FEATURES,
+  FEATURES_OF,
+  type Feature,
+  INSPECTIONS,
+  type Inspection,
+} from "../../src/settings.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
 
@@ -26,6 +32,30 @@ test("The physical picture is another without each of its own features", async (
     if (feature === "smoke" || feature === "sparks" || feature === "dust") continue;
     await expectSwitch(room, feature);
   }
+  expect(room.complaints).toEqual([]);
+});
+
+test("Each pass of the physical look can be looked at alone", async ({ page }) => {
+  const room = await new RoomDriver(page).open({ look: "physical" }, { width: 96, height: 54 });
+  const whole = await room.pixels();
+  const look = (name: Inspection) =>
+    room.evaluate((element, name) => {
+      element.inspect = name;
+    }, name);
+  const seen = new Map<string, string>();
+  for (const name of Object.keys(INSPECTIONS) as Inspection[]) {
+    await look(name);
+    const pixels = await room.pixels();
+    expect(seen.get(pixels), name).toBeUndefined();
+    seen.set(pixels, name);
+  }
+  expect(seen.get(whole)).toBe("picture");
+  await look("depth");
+  const { data } = await room.picture();
+  expect(Math.max(...data.filter((_, i) => i % 4 === 0))).toBeGreaterThan(150);
+  await look("nonsense" as Inspection);
+  expect(await room.evaluate((element) => element.inspect)).toBe("picture");
+  expect(await room.pixels()).toBe(whole);
   expect(room.complaints).toEqual([]);
 });
 

@@ -1,6 +1,6 @@
 import { readFile } from "node:fs/promises";
 import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
-import { FEATURES, FEATURES_OF, SETTINGS } from "../../src/settings.ts";
+import { FEATURES, FEATURES_OF, INSPECTIONS, SETTINGS } from "../../src/settings.ts";
 import { expect, PAGE, test } from "../support/hosted-page.ts";
 
 test("the page opens on a burning room, from any folder of a site", async ({ fresh }) => {
@@ -71,6 +71,31 @@ test("the page opens on a burning room, from any folder of a site", async ({ fre
     await expect(value("temperature")).toHaveText(/^1\d{3} K$/);
     await meter.locator("summary").click();
     await expect(spot).toHaveCount(0);
+  });
+
+  await test.step("shows what its passes leave, by keyboard, and the picture again at the end", async () => {
+    const passes = await fresh.openSection("Passes");
+    const list = passes.getByLabel("Show");
+    await expect(list.getByRole("option")).toHaveText(
+      Object.keys(INSPECTIONS).map((name) => name.replace("-", " ")),
+    );
+    await list.focus();
+    await page.keyboard.press("End");
+    expect(await fresh.evaluate((room) => room.inspect)).toBe("temperature");
+    await expect(passes.getByRole("status")).toHaveText(INSPECTIONS.temperature);
+  });
+
+  await test.step("and plots the flame's light and its spectrum", async () => {
+    const plot = await fresh.openSection("The flame's light");
+    await expect(plot.getByText(/^[\d.]+ cd now; .* lately\. 1\d{3} K\.$/)).toBeVisible();
+    const points = () => plot.locator(".course polyline").getAttribute("points");
+    const once = await points();
+    await fresh.evaluate((room) => room.step(0.5));
+    await expect.poll(points).not.toBe(once);
+    await expect(plot.locator(".spectrum polyline")).toHaveAttribute("points", /^0\.0,.* 400\.0,/);
+    await page.keyboard.press("Escape");
+    await expect(fresh.lab).toBeHidden();
+    expect(await fresh.evaluate((room) => room.inspect)).toBe("picture");
   });
 
   await test.step("and says that the candle is out, whatever else there is to say", async () => {

@@ -5,8 +5,10 @@ import { SettingsForm } from "../settings-form.js";
 import { Comparison } from "./comparison.js";
 import { ComparisonSection } from "./comparison-section.js";
 import { FeatureSwitches } from "./feature-switches.js";
+import { FlamePlot } from "./flame-plot.js";
 import markup from "./lab.html?raw";
 import { LadderSection } from "./ladder-section.js";
+import { PassViewer } from "./pass-viewer.js";
 import { ReadOut } from "./read-out.js";
 import { SpotMeter } from "./spot-meter.js";
 
@@ -19,6 +21,8 @@ export class Lab {
   readonly #ladder: LadderSection;
   readonly #readOut: ReadOut;
   readonly #meter: SpotMeter;
+  readonly #passes: PassViewer;
+  readonly #plot: FlamePlot;
 
   /** @param button shows and hides the panel, and says which */
   constructor(room: CandleFlameElement, stage: HTMLElement, button: HTMLButtonElement) {
@@ -39,6 +43,8 @@ export class Lab {
     const looks = new ComparisonSection(section("comparison"), room, stage, comparison);
     this.#readOut = new ReadOut(room, find(section("last-frame"), "dl", HTMLElement), comparison);
     this.#meter = new SpotMeter(section("meter"), room, stage);
+    this.#passes = new PassViewer(section("passes"), room);
+    this.#plot = new FlamePlot(section("flame-plot"), room);
     this.#ladder = new LadderSection(section("ladder"), room);
     this.#ladder.onChange = (isRunning) => {
       // What is being measured must not change meanwhile.
@@ -51,6 +57,7 @@ export class Lab {
       switches.refresh();
       form.refresh();
       looks.refresh();
+      this.#passes.refresh();
     }).observe(room, { attributes: true });
 
     find(this.#panel, ".close", HTMLButtonElement).addEventListener("click", () => this.toggle());
@@ -64,11 +71,13 @@ export class Lab {
     this.#panel.hidden = !opens;
     this.#button.ariaExpanded = String(opens);
     this.#meter.refresh(Boolean(opens));
+    this.#plot.refresh(Boolean(opens));
     if (opens) {
       this.#readOut.start();
     } else {
       this.#ladder.stop();
       this.#readOut.stop();
+      this.#passes.close();
       this.#button.focus();
     }
   }

@@ -14,6 +14,9 @@ import type { Vec3 } from "../../world/bounds.js";
 import type { World } from "../../world/world.js";
 import type { Tier } from "../tier.js";
 
+/** What of the flame is drawn. */
+export type FlamePart = "all" | "soot" | "blue";
+
 /** Steps of the march through the flame. */
 const STEPS: Readonly<Record<Tier["name"], number>> = {
   low: 12,
@@ -74,6 +77,7 @@ export class FlamePass {
     frame: UniformBlock,
     world: World,
     tier: Tier["name"],
+    part: FlamePart = "all",
   ): void {
     const shape = shapeFlame(world.flame, TAPER, this.#shape);
     if (!(shape.soot + shape.blue > 0)) return;
@@ -84,8 +88,8 @@ export class FlamePass {
       top: shape.top,
       extent: shape.length,
       radius: shape.radius,
-      soot: shape.soot * this.#scale,
-      blue: shape.blue * this.#scale,
+      soot: part === "blue" ? 0 : shape.soot * this.#scale,
+      blue: part === "soot" ? 0 : shape.blue * this.#scale,
       "nodes[0]": shape.nodes,
       "balls[0]": shape.balls,
     });

@@ -31,12 +31,16 @@ export class HazePass {
   readonly #column = new Float32Array(LEVELS * COLUMN_FLOATS);
   readonly #middles = new Float32Array(LEVELS * 4);
   readonly #bends = new Float32Array(LEVELS);
+  /** The same, showing how far it bends; made when it is first looked at. */
+  #offset: Program | null = null;
   #bent: RenderTarget | null = null;
 
   constructor(gpu: Gpu) {
     this.#gpu = gpu;
     const defines = { LEVELS };
-    this.#bend = gpu.program("physical/haze", hazeVert, hazeFrag, { defines });
+    this.#bend = gpu.program("physical/haze", hazeVert, hazeFrag, {
+      defines: { ...defines, OFFSET: 0 },
+    });
     this.#copy = gpu.program("physical/haze-copy", hazeVert, copyFrag, { defines });
     this.#ribbon = gpu.vertexArray("haze/ribbon", { attributes: {}, count: 2 * LEVELS });
   }
@@ -50,6 +54,7 @@ export class HazePass {
    * Bends what is behind the column, and touches no other pixel.
    *
    * @param flameHeight of the flame that burns at the column's foot, or 0, metres
+   * @param showsOffset how far, as a colour, instead of what is seen bent
    */
   render(
     { target, depth }: Veil,
@@ -57,6 +62,7 @@ export class HazePass {
     plume: Plume,
     flameHeight: number,
     frame: UniformBlock,
+    showsOffset = false,
   ): void {
     if (!this.#bent || !this.#measure(plume, flameHeight)) return;
     const ribbon = {
@@ -68,7 +74,7 @@ export class HazePass {
     } as const;
     this.#gpu.draw({
       ...ribbon,
-      program: this.#bend,
+      program: showsOffset ? this.#offsetProgram() : this.#bend,
       target: this.#bent,
       textures: { uRadiance: radiance, uDepth: depth },
     });
@@ -78,6 +84,12 @@ export class HazePass {
       target,
       textures: { uSource: this.#bent.color },
     });
+  }
+
+  #offsetProgram(): Program {
+    const defines = { LEVELS, OFFSET: 1 };
+    this.#offset ??= this.#gpu.program("physical/haze", hazeVert, hazeFrag, { defines });
+    return this.#offset;
   }
 
   /** How much each level bends. False if none does so visibly. */

@@ -8,6 +8,7 @@ import type { TextureView } from "../../gl/texture-view.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { emberRadiance } from "../../light/flame-light.js";
+import type { Inspection } from "../../settings.js";
 import type { ParticleLayer } from "../../world/particle-layer.js";
 import type { Solid } from "../../world/solid.js";
 import type { World } from "../../world/world.js";
@@ -20,9 +21,10 @@ import { BloomPass, shareOf } from "./bloom-pass.js";
 import { Casters } from "./casters.js";
 import { DisplayPass, exposureIn } from "./display-pass.js";
 import { ExposurePass } from "./exposure-pass.js";
-import { FlamePass, HANDLE_TURN } from "./flame-pass.js";
+import { type FlamePart, FlamePass, HANDLE_TURN } from "./flame-pass.js";
 import { HazePass } from "./haze-pass.js";
 import { type IndirectDetail, IndirectPass, type IrradianceVolume } from "./indirect-pass.js";
+import { InspectPass } from "./inspect-pass.js";
 import { lightAtVantage, lightBlock } from "./light-block.js";
 import { MotesPass } from "./motes-pass.js";
 import { REFLECTANCES, tabulateReflectance } from "./reflectance.js";
@@ -58,6 +60,8 @@ const BLOOM_LEVELS: Readonly<Record<Tier["name"], number>> = {
 };
 const NO_EMBER = [0, 0, 0] as const;
 const BLACK = [0, 0, 0, 1] as const;
+/** A haze that moves nothing, as a colour. */
+const NOT_MOVED = [0.5, 0.5, 0.5, 1] as const;
 
 /**
  * The room as a real flame lights it, in candela and metres: linear and high in range until `display`.
@@ -82,6 +86,8 @@ export class PhysicalRenderer implements Renderer {
   readonly #room: readonly Surface[];
   readonly #candle: readonly Surface[];
   readonly #screen: VertexArray;
+  /** Made when something is first looked at. */
+  #inspector: InspectPass | null = null;
   #samples: RenderTarget | null = null;
   #radiance: RenderTarget | null = null;
   #veil: TextureView | null = null;
@@ -152,20 +158,34 @@ export class PhysicalRenderer implements Renderer {
     const shadow = this.#shadow.render(this.#casters, light.position);
     const volume = this.#indirect.render(this.#casters, light);
     this.#gpu.clear(target, BLACK);
-    this.#drawSurfaces(target, view, this.#room, shadow, volume, [0, 0, 0, 0]);
-    if (view.features.candle) {
+    const { inspect } = view;
+    const part = partOf(inspect);
+    if (!part) this.#drawSurfaces(target, view, this.#room, shadow, volume, [0, 0, 0, 0]);
+    if (view.features.candle && !part) {
       const [x, y, z] = world.shown.foot;
       const place = [x, y, z, world.candle.yaw + HANDLE_TURN] as const;
       const ember = emberRadiance(world.flame.ember);
       this.#drawSurfaces(target, view, this.#candle, shadow, volume, place, ember);
     }
-    if (view.features.volume) this.#flame.render(target, this.#frame, world, this.#tier.name);
+    const isLit = inspect !== "normals";
+    if (isLit && view.features.volume) {
+      this.#flame.render(target, this.#frame, world, this.#tier.name, part ?? "all");
+    }
     if (this.#samples) this.#gpu.resolve(this.#samples, this.#radiance);
-    this.#drawAir(world, view, volume);
+    if (isLit && !part) this.#drawAir(world, view, volume);
     const radiance = this.#radiance.color;
     const bloom = this.#bloom.render(radiance);
     const exposure = this.#exposure.render({ uRadiance: radiance }, world.pupil.lag);
     const textures = { uRadiance: radiance, uBloom: bloom, uExposure: exposure };
+    const { depth } = this.#radiance;
+    if (inspect !== "picture" && depth) {
+      this.#inspector ??= new InspectPass(this.#gpu, this.#screen);
+      this.#inspector.render(view, { ...textures, uDepth: depth, uShadow: shadow }, volume, {
+        Frame: this.#frame,
+        Light: this.#light,
+      });
+      return;
+    }
     this.#display.render(textures, shareOf(this.#size, bloom), view, this.#frame);
   }
 
@@ -192,7 +212,7 @@ export class PhysicalRenderer implements Renderer {
 
   #drawSurfaces(
     target: RenderTarget,
-    { features }: View,
+    { features, inspect }: View,
     surfaces: readonly Surface[],
     shadow: Texture,
     volume: IrradianceVolume,
@@ -200,7 +220,8 @@ export class PhysicalRenderer implements Renderer {
     ember: readonly [number, number, number] = NO_EMBER,
   ): void {
     const { shadows, indirect, specular, translucency } = features;
-    const shown = [shadows ? 1 : 0, indirect ? 1 : 0, specular ? 1 : 0];
+    const showsNormals = inspect === "normals";
+    const shown = [shadows, indirect, specular, showsNormals].map(Number);
     for (const {
       vertexArray,
       textures,
@@ -238,13 +259,18 @@ export class PhysicalRenderer implements Renderer {
   }
 
   /** Hot air and smoke, over what is solid and before the lens. */
-  #drawAir(world: World, { features, isStill }: View, volume: IrradianceVolume): void {
+  #drawAir(world: World, { features, isStill, inspect }: View, volume: IrradianceVolume): void {
     const { fumes, flame } = world;
     if (!fumes || !this.#radiance?.depth || !this.#veil) return;
     const veil: Veil = { target: this.#veil, depth: this.#radiance.depth };
     const { color } = this.#radiance;
     const height = flame.isLit ? flame.height : 0;
     const [frame, light] = [this.#frame, this.#light];
+    if (inspect === "haze") {
+      this.#gpu.clear(veil.target, NOT_MOVED);
+      this.#haze.render(veil, color, fumes.plume, height, frame, true);
+      return;
+    }
     if (features.haze) this.#haze.render(veil, color, fumes.plume, height, frame);
     if (features.dust && !isStill) {
       this.#motes.render("dust", veil, world, frame, light, volume);
@@ -259,4 +285,10 @@ export class PhysicalRenderer implements Renderer {
     if (!this.#radiance) return new Float32Array(width * height * 3);
     return this.#gpu.readRadiance(this.#radiance, x, y, width, height);
   }
+}
+
+/** The part of the flame that is looked at alone; null where the room is seen. */
+function partOf(inspect: Inspection): FlamePart | null {
+  if (inspect === "soot" || inspect === "temperature") return "soot";
+  return inspect === "blue" ? "blue" : null;
 }
