@@ -6,6 +6,7 @@
 #include "physical/depth.glsl"
 
 uniform sampler2D uRadiance;
+uniform vec2 uCorner;  // of what is drawn, in the picture, pixels
 
 #if OFFSET
 const float FULL = 4.0;  // pixels that show in full colour
@@ -19,7 +20,7 @@ out vec4 oRadiance;
 
 void main() {
   vec2 texel = 1.0 / vec2(textureSize(uRadiance, 0));
-  vec2 here = gl_FragCoord.xy * texel;
+  vec2 here = (gl_FragCoord.xy + uCorner) * texel;
   float column = distanceOf(gl_FragCoord.z);
   float room = distanceOf(texture(uDepth, here).r);
   // The nearer a thing is behind the column, the less way a bent ray has to stray.

@@ -95,7 +95,7 @@ export class Gpu {
     const gl = canvas.getContext("webgl2", {
       alpha: true,
       antialias: false,
-      depth: true,
+      depth: false,
       premultipliedAlpha: true,
       powerPreference: "high-performance",
     });
@@ -136,7 +136,7 @@ export class Gpu {
 
   /** Memory of the objects alive and of the canvas, in bytes. */
   get bytes(): number {
-    let bytes = this.#canvas.width * this.#canvas.height * 8;
+    let bytes = this.#canvas.width * this.#canvas.height * 4;
     for (const object of this.#alive) bytes += object.bytes;
     return bytes;
   }

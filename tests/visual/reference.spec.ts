@@ -95,6 +95,32 @@ test.describe("Beside a path tracer's picture of the same room", () => {
     expect(views.length).toBeGreaterThanOrEqual(5);
   });
 
+  test("and at 1920 x 1080 it takes at most 256 MB of the GPU's memory", async () => {
+    const sizes = await room.evaluate(async (element) => {
+      const { width, height } = element.style;
+      const sizes: { pixels: number; bytes: number }[] = [];
+      for (const share of [0.5, 1]) {
+        element.style.width = `${320 * share}px`;
+        element.style.height = `${180 * share}px`;
+        // The observer of sizes runs within the frame, after its callbacks.
+        await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+        const { stats } = element;
+        sizes.push({ pixels: stats.width * stats.height, bytes: stats.gpuBytes });
+      }
+      Object.assign(element.style, { width, height });
+      return sizes;
+    });
+    const [half, whole] = sizes;
+    if (!half || !whole) throw new Error("Nothing was measured.");
+    expect(whole.pixels).toBe(320 * 180);
+    // Models and textures are there whatever the size; all else grows with the pixels.
+    const perPixel = (whole.bytes - half.bytes) / (whole.pixels - half.pixels);
+    const bytes = whole.bytes + perPixel * (1920 * 1080 - whole.pixels);
+    console.log(`${(bytes / 2 ** 20).toFixed(1)} MiB at 1920 x 1080`);
+    expect(bytes).toBeLessThanOrEqual(256 * 2 ** 20);
+    expect(bytes).toBeGreaterThan(64 * 2 ** 20);
+  });
+
   for (const view of views) {
     test(`the light of the view “${view.name}” is the same`, async () => {
       const { name, width, height, flame } = view;

@@ -307,24 +307,21 @@ export class DeferredRenderer implements Renderer {
     const top = Math.floor((y + height) / GLARE) - (y + height < this.#size.height ? 1 : -1);
     const { color } = this.#radiance!;
     this.#gpu.clear(glare, [0, 0, 0, 1]);
-    this.#copy(this.#glareProgram, glare, color, [
-      left,
-      bottom,
-      Math.max(right - left, 0),
-      Math.max(top - bottom, 0),
-    ]);
-    this.#copy(this.#copyProgram, halo, this.#bloom.render(glare.color));
-    return halo.color;
-  }
-
-  #copy(program: Program, target: RenderTarget, source: Texture, scissor?: Box): void {
     this.#gpu.draw({
-      program,
-      target,
+      program: this.#glareProgram,
+      target: glare,
       vertexArray: this.#screen,
-      textures: { uSource: source },
-      scissor,
+      textures: { uSource: color },
+      scissor: [left, bottom, Math.max(right - left, 0), Math.max(top - bottom, 0)],
     });
+    this.#gpu.draw({
+      program: this.#copyProgram,
+      target: halo,
+      vertexArray: this.#screen,
+      textures: { uSource: this.#bloom.render(glare.color) },
+      uniforms: { uCorner: [0, 0] },
+    });
+    return halo.color;
   }
 
   readRadiance(x: number, y: number, width: number, height: number): Float32Array {

@@ -21,6 +21,8 @@ const MAGNIFIED = 16;
 /** Within the flame there is nothing behind the column but the flame: from here to there it begins. Metres. */
 const BEGINS = 0.7;
 const BEGUN = 1.6;
+/** Bent one after another, from left to right, so that a copy of the whole picture need not be kept. */
+const STRIPS = 4;
 
 /** Hot air over the flame, as it bends what is seen through it. */
 export class HazePass {
@@ -34,6 +36,7 @@ export class HazePass {
   /** The same, showing how far it bends; made when it is first looked at. */
   #offset: Program | null = null;
   #bent: RenderTarget | null = null;
+  #size = { width: 1, height: 1 };
 
   constructor(gpu: Gpu) {
     this.#gpu = gpu;
@@ -47,7 +50,9 @@ export class HazePass {
 
   resize(width: number, height: number): void {
     this.#bent?.dispose();
-    this.#bent = this.#gpu.renderTarget({ label: "haze/bent", width, height, color: ["RGBA16F"] });
+    const part = { width: Math.ceil(width / STRIPS), height };
+    this.#size = { width, height };
+    this.#bent = this.#gpu.renderTarget({ label: "haze/bent", ...part, color: ["RGBA16F"] });
   }
 
   /**
@@ -72,18 +77,27 @@ export class HazePass {
       blocks: { Frame: frame },
       cull: "none",
     } as const;
-    this.#gpu.draw({
-      ...ribbon,
-      program: showsOffset ? this.#offsetProgram() : this.#bend,
-      target: this.#bent,
-      textures: { uRadiance: radiance, uDepth: depth },
-    });
-    this.#gpu.draw({
-      ...ribbon,
-      program: this.#copy,
-      target,
-      textures: { uSource: this.#bent.color },
-    });
+    const { width, height } = this.#size;
+    const strip = this.#bent.width;
+    for (let left = 0; left < width; left += strip) {
+      const uniforms = { ...ribbon.uniforms, uCorner: [left, 0] };
+      this.#gpu.draw({
+        ...ribbon,
+        program: showsOffset ? this.#offsetProgram() : this.#bend,
+        target: this.#bent,
+        textures: { uRadiance: radiance, uDepth: depth },
+        uniforms,
+        viewport: [-left, 0, width, height],
+      });
+      this.#gpu.draw({
+        ...ribbon,
+        program: this.#copy,
+        target,
+        textures: { uSource: this.#bent.color },
+        uniforms,
+        scissor: [left, 0, strip, height],
+      });
+    }
   }
 
   #offsetProgram(): Program {
