@@ -48,7 +48,7 @@ test("the paper's features cost something, and all of them together less than th
 
 /** Rounds by tier: the dearer the frame, the fewer. */
 const PASS_ROUNDS: Readonly<Record<TierName, number>> = { low: 24, medium: 8, high: 6, ultra: 4 };
-/** Most copies that a frame at low may cost: on two cores without a GPU that is 30 frames a second. */
+/** Most copies that a frame at low may cost who stands: on two cores without a GPU, 30 frames a second. */
 const MOST_COPIES = 16;
 
 for (const [quality, rounds] of Object.entries(PASS_ROUNDS) as [TierName, number][]) {
@@ -63,7 +63,8 @@ for (const [quality, rounds] of Object.entries(PASS_ROUNDS) as [TierName, number
     for (const { frame, passes, doing } of results) {
       expect(passes.length).toBeGreaterThan(3);
       expect(frame.copies).toBeGreaterThan(0);
-      if (quality === "low") expect.soft(frame.copies, doing).toBeLessThanOrEqual(MOST_COPIES);
+      const isHeld = quality === "low" && doing === "stands";
+      if (isHeld) expect.soft(frame.copies).toBeLessThanOrEqual(MOST_COPIES);
     }
   });
 }
