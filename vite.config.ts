@@ -50,6 +50,7 @@ const shipAssets: Plugin = {
   apply: (_, { mode }) => mode === "lib",
   closeBundle() {
     cpSync("public", "dist", { recursive: true });
+    cpSync("frameworks", "dist/frameworks", { recursive: true });
     writeFileSync("dist/custom-elements.json", `${JSON.stringify(manifest(), null, 2)}\n`);
   },
 };

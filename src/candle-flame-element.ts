@@ -25,6 +25,7 @@ import {
 import type { Refusal } from "./world/placing.js";
 import { blow, moveCamera, placeCandle, takeCandle } from "./world/world.js";
 
+export type * from "./framework-types.js";
 export type { Feature, Features, FlameReport, Inspection, Look, Quality, Stats };
 
 export interface Camera {
@@ -445,6 +446,24 @@ export class CandleFlameElement extends ReflectedAttributes {
     options?: boolean | AddEventListenerOptions,
   ): void {
     super.addEventListener(type, listener as EventListener, options);
+  }
+
+  override removeEventListener<Type extends keyof CandleFlameEventMap>(
+    type: Type,
+    listener: (this: CandleFlameElement, event: CandleFlameEventMap[Type]) => void,
+    options?: boolean | EventListenerOptions,
+  ): void;
+  override removeEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | EventListenerOptions,
+  ): void;
+  override removeEventListener(
+    type: string,
+    listener: unknown,
+    options?: boolean | EventListenerOptions,
+  ): void {
+    super.removeEventListener(type, listener as EventListener, options);
   }
 
   #emit<Type extends keyof CandleFlameEventMap>(

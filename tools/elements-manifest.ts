@@ -1,6 +1,92 @@
+import type { CandleFlameElement, CandleFlameEventMap } from "../src/candle-flame-element.ts";
 import { SETTINGS } from "../src/settings.ts";
 
 const TYPES = { number: "number", flag: "boolean", text: "string" } as const;
+
+const EVENTS: Readonly<Record<keyof CandleFlameEventMap, string>> = {
+  progress: "Loading goes on; detail.totalProgress is 0 to 1.",
+  load: "The first frame is there, or that of another look or room.",
+  error: "detail.type, detail.message and detail.cause say what failed.",
+  play: "Time passes from now on.",
+  pause: "Time stands still, for `paused` or for want of a visitor who sees it.",
+  light: "The candle was lit.",
+  extinguish: "The candle went out.",
+  place: "The candle was put down.",
+  take: "The candle was taken up.",
+  enter: "The visitor went in.",
+  leave: "The visitor left.",
+  qualitychange: "Another quality draws, by `quality` or by `auto`.",
+  camerachange: "The visitor moved, looked around or was moved.",
+  contextlost: "The graphics driver took the picture away.",
+  contextrestored: "The picture is back.",
+};
+
+type Method = {
+  [Name in keyof CandleFlameElement]-?: Name extends keyof HTMLElement
+    ? never
+    : CandleFlameElement[Name] extends (...parameters: never) => unknown
+      ? Name
+      : never;
+}[keyof CandleFlameElement];
+type Callback = "connectedCallback" | "disconnectedCallback" | "attributeChangedCallback";
+
+const METHODS: Readonly<Record<Exclude<Method, Callback>, string>> = {
+  play: "Lets time pass.",
+  pause: "Stops time.",
+  step: "Advances by exactly so many seconds, then draws; works while paused.",
+  reset: "Time 0, as if new; with a seed, another chance.",
+  light: "Lights the candle.",
+  extinguish: "Puts the candle out.",
+  place: "Puts the candle down ahead.",
+  take: "Takes the candle up.",
+  blow: "A breath from the camera.",
+  mirror: "Takes over another element's moment, visitor and candle.",
+  enter: "Goes in, as a click does.",
+  readRadiance: "Linear RGB of canvas pixels before exposure and tone mapping, cd/m².",
+  toBlob: "The picture, as of the last frame.",
+};
+
+/** Properties that are no attribute's. */
+const FIELDS = {
+  lit: { type: "boolean", meaning: "Whether the candle burns." },
+  held: { type: "boolean", meaning: "Whether the candle is in the hand.", readonly: true },
+  camera: { type: "Camera", meaning: "Where the visitor stands and looks: metres, radians." },
+  currentTime: { type: "number", meaning: "Seconds simulated since reset().", readonly: true },
+  ready: { type: "Promise<void>", meaning: "Resolves after the first frame.", readonly: true },
+  flame: { type: "FlameReport | null", meaning: "The flame, in SI units.", readonly: true },
+  stats: { type: "Stats", meaning: "Numbers of the last frame.", readonly: true },
+  features: { type: "Features", meaning: "Techniques that can be switched off, one by one." },
+} as const satisfies Partial<
+  Record<keyof CandleFlameElement, { type: string; meaning: string; readonly?: boolean }>
+>;
+
+const SLOTS = {
+  poster: "In place of the poster's image.",
+  progress: "In place of the bar, while loading.",
+  hint: "In place of the line that lists the controls.",
+  error: "In place of the sentence that says what failed.",
+} as const;
+
+const PARTS = {
+  canvas: "The picture.",
+  poster: "The image until the first frame, and without a picture.",
+  progress: "The bar that shows how far loading is.",
+  hint: "What the visitor should know for a moment.",
+  error: "What stands in the picture's place when there is none.",
+  reload: "The button that begins anew, where a lost picture does not come back.",
+  glow: 'The light that falls on the page, with `scene="candle"`.',
+} as const;
+
+const STATES = {
+  loading: "There is no picture yet.",
+  lit: "The candle burns.",
+  walking: "The visitor is in the room.",
+  playing: "Time passes.",
+  alone: "The candle stands alone on the page.",
+} as const;
+
+const described = (table: Readonly<Record<string, string>>) =>
+  Object.entries(table).map(([name, description]) => ({ name, description }));
 
 /** What editors learn of the tag: the custom elements manifest, schema 1.0.0, from the settings' table. */
 export function manifest() {
@@ -33,15 +119,26 @@ export function manifest() {
             description: "A candle in a dark room, or alone on the page.",
             superclass: { name: "HTMLElement" },
             attributes,
-            members: attributes.map(({ fieldName, description, type }) => ({
-              kind: "field",
-              name: fieldName,
-              description,
-              type,
-            })),
-            cssParts: ["canvas", "poster", "progress", "hint", "error", "glow"].map((name) => ({
-              name,
-            })),
+            members: [
+              ...attributes.map(({ fieldName, description, type }) => ({
+                kind: "field",
+                name: fieldName,
+                description,
+                type,
+              })),
+              ...Object.entries(FIELDS).map(([name, { type, meaning, ...flags }]) => ({
+                kind: "field",
+                name,
+                description: meaning,
+                type: { text: type },
+                ...flags,
+              })),
+              ...described(METHODS).map((method) => ({ kind: "method", ...method })),
+            ],
+            events: described(EVENTS).map((event) => ({ ...event, type: { text: "CustomEvent" } })),
+            slots: described(SLOTS),
+            cssParts: described(PARTS),
+            cssStates: described(STATES),
             cssProperties: [
               { name: "--candle-flame-progress-color", default: "#f0a54a" },
               { name: "--candle-flame-progress-height", default: "3px" },

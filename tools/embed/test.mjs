@@ -1,0 +1,181 @@
+// npm run test:embed: packs the package as it would be published, installs it into throw-away projects of
+// plain HTML, React, Vue, Svelte and a page rendered on a server, checks their types, builds them with Vite
+// and opens each in Chromium. Needs a registry for the frameworks; run before a release.
+import { execFileSync } from "node:child_process";
+import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { chromium } from "playwright";
+import { preview } from "vite";
+import { findBrowser } from "../find-browser.mjs";
+
+const VITE = JSON.parse(readFileSync("package.json", "utf8")).devDependencies.vite;
+// Checkers of templates need the JavaScript that TypeScript 7 no longer is.
+const TYPESCRIPT = "5.9.3";
+const REACT = {
+  react: "19.3.0",
+  "react-dom": "19.3.0",
+  "@types/react": "19.3.0",
+  "@types/react-dom": "19.3.0",
+};
+
+const PROJECTS = [
+  { name: "html", needs: {}, checks: [], builds: ["vite build"], loads: 2 },
+  { name: "react", needs: REACT, checks: ["tsc -p ."], builds: ["vite build"], loads: 1 },
+  {
+    name: "vue",
+    needs: { vue: "3.5.45", "@vitejs/plugin-vue": "6.0.11", "vue-tsc": "3.3.14" },
+    checks: ["vue-tsc -p ."],
+    builds: ["vite build"],
+    loads: 1,
+  },
+  {
+    name: "svelte",
+    needs: { svelte: "5.57.3", "@sveltejs/vite-plugin-svelte": "7.3.1", "svelte-check": "4.7.8" },
+    checks: ["svelte-check --fail-on-warnings"],
+    builds: ["vite build"],
+    loads: 1,
+  },
+  {
+    name: "ssr",
+    needs: REACT,
+    checks: ["tsc -p ."],
+    builds: ["vite build", "vite build --ssr server.tsx --outDir server"],
+    loads: 1,
+  },
+  // Types alone: React 18 neither sets properties nor listens.
+  {
+    name: "react18",
+    from: "react",
+    needs: { "@types/react": "18.3.8", "@types/react-dom": "18.3.0" },
+    checks: ["tsc -p ."],
+    builds: [],
+    loads: 0,
+  },
+];
+
+const chosen = process.argv.slice(2);
+const folder = mkdtempSync(join(tmpdir(), "embed-"));
+const run = (command, cwd) =>
+  execFileSync(command, { cwd, shell: true, stdio: ["ignore", "inherit", "inherit"] });
+
+function install({ name, from = name, needs }, tarball) {
+  const cwd = join(folder, name);
+  cpSync(resolve("tools/embed", from), cwd, { recursive: true });
+  const dependencies = {
+    "candle-flame": `file:${tarball}`,
+    vite: VITE,
+    typescript: TYPESCRIPT,
+    ...needs,
+  };
+  writeFileSync(
+    join(cwd, "package.json"),
+    JSON.stringify({ name, private: true, type: "module", dependencies }),
+  );
+  run("npm install --no-audit --no-fund --prefer-offline --loglevel=error", cwd);
+  // As the README says: a bundler takes the code, and the files beside it go where the site keeps its own.
+  for (const part of ["models", "textures"]) {
+    cpSync(
+      join(cwd, "node_modules/candle-flame/dist", part),
+      join(cwd, "public/candle-flame", part),
+      {
+        recursive: true,
+      },
+    );
+  }
+  return cwd;
+}
+
+async function renderOnServer(cwd) {
+  const { html } = await import(pathToFileURL(join(cwd, "server/server.js")));
+  if (!/<candle-flame[^>]* scene="candle"/.test(html)) throw new Error(`The server wrote ${html}`);
+  const file = join(cwd, "dist/index.html");
+  writeFileSync(file, readFileSync(file, "utf8").replace("<!--app-->", html));
+}
+
+/** What is wrong with the built project as a visitor meets it. */
+async function visit(browser, cwd, loads) {
+  const server = await preview({
+    root: cwd,
+    configFile: false,
+    logLevel: "error",
+    preview: { port: 0, host: "127.0.0.1" },
+  });
+  const { port } = server.httpServer.address();
+  const origin = `http://127.0.0.1:${port}`;
+  const page = await browser.newPage();
+  const faults = [];
+  page.on("pageerror", (error) => faults.push(String(error)));
+  page.on("console", (message) => {
+    if (message.type() === "error") faults.push(message.text());
+  });
+  page.on("request", (request) => {
+    const { protocol, origin: from } = new URL(request.url());
+    if (protocol.startsWith("http") && from !== origin) faults.push(`fetched ${request.url()}`);
+  });
+  page.on("response", (response) => {
+    if (response.status() >= 400) faults.push(`${response.status()} ${response.url()}`);
+  });
+  await page.goto(origin);
+  try {
+    const found = await page.evaluate(async () => {
+      await customElements.whenDefined("candle-flame");
+      while (!document.querySelector("candle-flame")) await new Promise(requestAnimationFrame);
+      const elements = [...document.querySelectorAll("candle-flame")];
+      await Promise.all(elements.map(({ ready }) => ready));
+      await new Promise((resolve) => setTimeout(resolve));
+      const [{ windDirection, stats, lit }] = elements;
+      return { windDirection, draws: stats.drawCalls > 0, lit, heard: globalThis.heard };
+    });
+    const expected = {
+      windDirection: 30,
+      draws: true,
+      lit: true,
+      heard: Array(loads).fill("load"),
+    };
+    if (JSON.stringify(found) !== JSON.stringify(expected))
+      faults.push(`found ${JSON.stringify(found)}`);
+  } catch (error) {
+    faults.push(String(error));
+  }
+  await page.close();
+  await server.close();
+  return faults;
+}
+
+const { path, args } = await findBrowser();
+const SWIFTSHADER = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+const browser = await chromium.launch({ executablePath: path, args: [...args, ...SWIFTSHADER] });
+let failed = 0;
+try {
+  mkdirSync(join(folder, "pack"));
+  run(`npm pack --loglevel=error --pack-destination ${join(folder, "pack")}`, ".");
+  const [{ filename }] = JSON.parse(
+    execFileSync("npm pack --dry-run --ignore-scripts --json --loglevel=error", {
+      shell: true,
+      encoding: "utf8",
+    }),
+  );
+  const tarball = join(folder, "pack", filename);
+  for (const project of PROJECTS) {
+    if (chosen.length > 0 && !chosen.includes(project.name)) continue;
+    let faults = [];
+    try {
+      const cwd = install(project, tarball);
+      for (const command of [...project.checks, ...project.builds]) run(`npx ${command}`, cwd);
+      if (project.name === "ssr") await renderOnServer(cwd);
+      if (project.loads > 0) faults = await visit(browser, cwd, project.loads);
+    } catch (error) {
+      faults.push(String(error));
+    }
+    if (faults.length > 0) failed++;
+    console.log(`${faults.length === 0 ? "✓" : "✗"} ${project.name}`);
+    for (const fault of faults) console.log(`    ${fault}`);
+  }
+} finally {
+  await browser.close();
+  if (process.env.KEEP) console.log(folder);
+  else rmSync(folder, { recursive: true, force: true });
+}
+process.exit(failed > 0 ? 1 : 0);
