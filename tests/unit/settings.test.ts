@@ -8,6 +8,7 @@ import {
   parseNumber,
   SETTINGS,
 } from "../../src/settings.ts";
+import { attributeStorms } from "../support/storms.ts";
 
 type Setting = (typeof SETTINGS)[keyof typeof SETTINGS];
 const entries = Object.entries(SETTINGS) as [string, Setting][];
@@ -102,6 +103,30 @@ describe.each(choices)("the choice %s", (_, setting) => {
       expect(parseChoice(setting, text)).toBe(setting.default);
     }
   });
+});
+
+test("ten thousand storms of nonsense leave every setting legal", () => {
+  const named = new Set<string>();
+  const isLegal = (name: keyof typeof SETTINGS, value: string | null) => {
+    const setting: Setting = SETTINGS[name];
+    if (setting.kind === "choice") {
+      return (setting.choices as readonly string[]).includes(
+        parseChoice<string>(setting as ChoiceSetting, value),
+      );
+    }
+    if (setting.kind !== "number") return true; // any text is, and a flag is there or not
+    const number = parseNumber(setting, value);
+    const isWhole = !("integer" in setting) || Number.isInteger(number);
+    return number >= setting.min && number <= setting.max && isWhole;
+  };
+  const illegal = attributeStorms(10_000)
+    .flat()
+    .filter(({ name, value }) => {
+      named.add(name);
+      return !isLegal(name, value);
+    });
+  expect(illegal).toEqual([]);
+  expect(named.size).toBe(entries.length);
 });
 
 test("the look is real light unless told otherwise", () => {
