@@ -26,7 +26,7 @@ const builds: Record<string, BuildOptions> = {
       },
       formats: ["es"],
     },
-    rolldownOptions: { output: { chunkFileNames: "[name].js" } },
+    rolldownOptions: { output: { chunkFileNames: "[name].js", minify: true } },
   },
 };
 

@@ -668,7 +668,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     const module = new URL(".", import.meta.url).href;
     if (this.assetBase === "") return module;
     const base = this.assetBase.endsWith("/") ? this.assetBase : `${this.assetBase}/`;
-    return new URL(base, document.baseURI).href;
+    return URL.canParse(base, document.baseURI) ? new URL(base, document.baseURI).href : module;
   }
 
   #reveal(signal: AbortSignal): void {
