@@ -10,5 +10,6 @@ out vec4 oColor;
 
 void main() {
   vec3 place = vec3(floor(gl_FragCoord.xy), uLayer) / (TABLE_SIZE - 1.0);
-  oColor = vec4(shown(place * place * TABLE_LIGHT), 1.0);
+  place *= place;
+  oColor = vec4(shownGraded(place * place * TABLE_LIGHT * uWhite), 1.0);
 }

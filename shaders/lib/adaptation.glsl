@@ -9,11 +9,10 @@ uniform float uVividness;  // how much further than in nature a faint hue is fro
 // small bright picture in a dark frame does not. So faint hues are moved away from white, in logarithms,
 // the more so the fainter. Strong ones stay, up to a limit: what is much bluer than the candle, as its
 // own base, would be a blue that no eye sees there. Luminance is kept.
-vec3 adapted(vec3 radiance) {
+vec3 graded(vec3 light) {
   const float FAINT = 0.95;
   const float STRONG = 1.4;
   const float BEYOND = 0.8;
-  vec3 light = max(radiance, 0.0) * uAdaptation;
   float luminance = luma(light);
   if (luminance <= 0.0) return vec3(0.0);
   vec3 hue = log(max(light / luminance, 1e-4) / uWhite);
@@ -22,4 +21,8 @@ vec3 adapted(vec3 radiance) {
   if (shown > STRONG) shown = STRONG + BEYOND * (1.0 - exp((STRONG - shown) / BEYOND));
   vec3 vivid = uWhite * exp(hue * (shown / distance_));
   return vivid * (luminance / luma(vivid));
+}
+
+vec3 adapted(vec3 radiance) {
+  return graded(max(radiance, 0.0) * uAdaptation);
 }

@@ -7,8 +7,13 @@
 uniform float uTone;  // 1: tone as film has it, 0: clipped
 uniform mat3 uGamut;  // from linear Rec. 709 to the screen's primaries
 
-// Exposed light in, where white is about 1.
-vec3 shown(vec3 light) {
-  vec3 seen = adapted(light);
+// Light in that the eye is used to the colour of, where white is about 1.
+vec3 shownGraded(vec3 light) {
+  vec3 seen = graded(light);
   return encodeSrgb(uGamut * (uTone > 0.5 ? tone(seen) : min(seen, 1.0)));
+}
+
+// Exposed light in.
+vec3 shown(vec3 light) {
+  return shownGraded(max(light, 0.0) * uAdaptation);
 }

@@ -1,11 +1,11 @@
 import displayFrag from "../../../shaders/physical/display.frag";
 import displayVert from "../../../shaders/physical/display.vert";
 import type { Box, Gpu } from "../../gl/gpu.js";
-import type { Program, UniformValue } from "../../gl/program.js";
+import type { Program } from "../../gl/program.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import { adaptation, adaptedWhite, P3_FROM_RGB, VIVIDNESS } from "../../light/color.js";
+import { adaptation, adaptedWhite, P3_FROM_RGB, type Rgb, VIVIDNESS } from "../../light/color.js";
 import { TAPER } from "../../light/flame-light.js";
 import { EXPOSURE_LAW } from "../../world/pupil.js";
 import type { View } from "../view.js";
@@ -15,6 +15,7 @@ const SCATTERED = 0.0006;
 /** From cd/m² to the display's white, where nothing meters. */
 const FIXED_EXPOSURE = 2 ** EXPOSURE_LAW.stops;
 const ADAPTATION = adaptation(TAPER.color);
+const UNADAPTED: Rgb = [1, 1, 1];
 const WHITE = adaptedWhite();
 /** From linear Rec. 709 to the primaries of the screen, by columns. */
 const GAMUT: Readonly<Record<PredefinedColorSpace, readonly number[]>> = {
@@ -33,18 +34,17 @@ export function exposureIn({ features, exposure }: View): number {
 }
 
 /** Uniforms of `physical/shown.glsl`, for a canvas that from now on has these primaries. */
-export function displayLaw(
-  gpu: Gpu,
-  { features, gamut }: Pick<View, "features" | "gamut">,
-): Readonly<Record<string, UniformValue>> {
+export function displayLaw(gpu: Gpu, { features, gamut }: Pick<View, "features" | "gamut">) {
   return {
-    uAdaptation: features.adaptation ? ADAPTATION : [1, 1, 1],
+    uAdaptation: features.adaptation ? ADAPTATION : UNADAPTED,
     uWhite: features.adaptation ? WHITE : TAPER.color,
     uVividness: features.adaptation ? VIVIDNESS : 0,
     uTone: features.toneMap ? 1 : 0,
     uGamut: GAMUT[gpu.paintIn(gamut)],
   };
 }
+
+export type DisplayLaw = ReturnType<typeof displayLaw>;
 
 /** The end of the picture's light: from cd/m² to the canvas. */
 export class DisplayPass {

@@ -3,10 +3,11 @@ import tableFrag from "../../../shaders/deferred/table.frag";
 import displayVert from "../../../shaders/physical/display.vert";
 import fullscreenVert from "../../../shaders/physical/fullscreen.vert";
 import type { Gpu } from "../../gl/gpu.js";
-import type { Program, UniformValue } from "../../gl/program.js";
+import type { Program } from "../../gl/program.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
+import type { DisplayLaw } from "./display-pass.js";
 
 /** Colours along an edge of the table: `TABLE_SIZE` of the shader. */
 const SIZE = 32;
@@ -34,11 +35,10 @@ export class ShowPass {
     });
   }
 
-  /** @param law uniforms of `physical/shown.glsl` */
   render(
     textures: Readonly<Record<"uPainted" | "uLight" | "uBloom" | "uExposure", Texture>>,
     { scattered, metered }: { readonly scattered: number; readonly metered: boolean },
-    law: Readonly<Record<string, UniformValue>>,
+    law: DisplayLaw,
     blocks: Readonly<Record<string, UniformBlock>>,
   ): void {
     this.#update(law);
@@ -47,12 +47,16 @@ export class ShowPass {
       target: "canvas",
       vertexArray: this.#screen,
       textures: { ...textures, uTable: this.#table },
-      uniforms: { uScattered: scattered, uMetered: metered ? 1 : 0 },
+      uniforms: {
+        uBalance: law.uAdaptation.map((gain, i) => gain / (law.uWhite[i] ?? 1)),
+        uScattered: scattered,
+        uMetered: metered ? 1 : 0,
+      },
       blocks,
     });
   }
 
-  #update(law: Readonly<Record<string, UniformValue>>): void {
+  #update({ uAdaptation: _, ...law }: DisplayLaw): void {
     const known = JSON.stringify(law);
     if (known === this.#known) return;
     this.#known = known;
