@@ -15,6 +15,35 @@ export interface Scene {
   readonly place?: Camera;
 }
 
+/** A view of the cabin, a visitor's. */
+type View = Pick<Scene, "name" | "camera" | "place">;
+
+const CABIN: readonly View[] = [
+  {
+    name: "spawn",
+    camera: { position: [-1.55, 1.6, 1.3], yaw: -0.3 * Math.PI, pitch: -0.08 },
+  },
+  {
+    name: "table",
+    place: { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 },
+    camera: { position: [-0.85, 1.3, 1.1], yaw: -0.805, pitch: -0.244 },
+  },
+  {
+    name: "hearth",
+    place: { position: [-0.5, 1.6, -0.5], yaw: 0, pitch: -1.27 },
+    camera: { position: [-0.3, 1.3, 0.6], yaw: 0.165, pitch: -0.202 },
+  },
+  {
+    name: "window",
+    camera: { position: [0.6, 1.5, -0.75], yaw: -1.45, pitch: -0.1 },
+  },
+  {
+    name: "close",
+    place: { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 },
+    camera: { position: [0, 1.08, 0.61], yaw: -0.7, pitch: -0.3 },
+  },
+];
+
 export const SCENES: readonly Scene[] = [
   {
     name: "paper-front",
@@ -53,30 +82,12 @@ export const SCENES: readonly Scene[] = [
     camera: { position: [-3.4, 1.6, -3.6], yaw: 0.9, pitch: -0.1 },
     seconds: 0.1,
   },
-  {
-    name: "cabin-spawn",
-    attributes: { look: "physical", seed: "1", quality: "medium" },
-    camera: { position: [-1.55, 1.6, 1.3], yaw: -0.3 * Math.PI, pitch: -0.08 },
-    seconds: 0.5,
-  },
-  {
-    name: "cabin-table",
-    attributes: { look: "physical", seed: "1", quality: "medium" },
-    place: { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 },
-    camera: { position: [-0.85, 1.3, 1.1], yaw: -0.805, pitch: -0.244 },
-    seconds: 0.5,
-  },
-  {
-    name: "cabin-hearth",
-    attributes: { look: "physical", seed: "1", quality: "medium" },
-    place: { position: [-0.5, 1.6, -0.5], yaw: 0, pitch: -1.27 },
-    camera: { position: [-0.3, 1.3, 0.6], yaw: 0.165, pitch: -0.202 },
-    seconds: 0.5,
-  },
-  {
-    name: "cabin-window",
-    attributes: { look: "physical", seed: "1", quality: "medium" },
-    camera: { position: [0.6, 1.5, -0.75], yaw: -1.45, pitch: -0.1 },
-    seconds: 0.5,
-  },
+  ...(["high", "low"] as const).flatMap((quality) =>
+    CABIN.map(({ name, ...view }) => ({
+      name: `cabin-${name}-${quality}`,
+      attributes: { look: "physical", seed: "1", quality } as const,
+      ...view,
+      seconds: 0.5,
+    })),
+  ),
 ];
