@@ -5,8 +5,8 @@ export default defineConfig({
   testDir: "tests/visual",
   outputDir: "test-results/visual",
   fullyParallel: false,
-  // SwiftShader uses every core by itself: a second worker brings nothing.
-  workers: 1,
+  // SwiftShader uses every core by itself, but pages that load, parse and simulate leave one idle.
+  workers: 2,
   forbidOnly: Boolean(process.env.CI),
   reporter: "list",
   snapshotPathTemplate: "{testDir}/goldens/{arg}{ext}",

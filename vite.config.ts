@@ -66,5 +66,11 @@ export default defineConfig(({ mode }) => ({
   server: { host: "127.0.0.1", port: 5173 },
   preview: { host: "127.0.0.1", port: 4173 },
   // A world of ten seconds with its air takes some of them on a busy machine.
-  test: { environment: "node", include: ["tests/unit/**/*.test.ts"], testTimeout: 30_000 },
+  test: {
+    environment: "node",
+    include: ["tests/unit/**/*.test.ts"],
+    testTimeout: 30_000,
+    // All cores: the default leaves one out, which of two is half.
+    maxWorkers: "100%",
+  },
 }));

@@ -89,6 +89,8 @@ test("Out of sight, in a hidden tab or paused, no frame is asked for and none is
   expect(await frames()).toEqual(awake);
 
   await room.evaluate((element) => element.pause());
+  // What was asked for before may still be drawn, and no more after it.
+  await expect.poll(frames, "paused").toEqual(asleep);
   expect(await frames(), "paused").toEqual(asleep);
   // What changed while it was paused and out of sight is there when it is seen.
   await page.evaluate(() => scrollTo(0, 2000));

@@ -55,13 +55,13 @@ test.describe("Fingers", () => {
 
     // The page went with the finger, and may still be coasting.
     await expect.poll(() => page.evaluate(() => scrollY)).toBeGreaterThan(0);
-    const scrollBack = () =>
-      page.evaluate(() => {
-        const before = scrollY;
+    await page.evaluate(async () => {
+      for (let rests = 0; rests < 10; ) {
+        rests = scrollY === 0 ? rests + 1 : 0;
         scrollTo(0, 0);
-        return before;
-      });
-    for (let rests = 0; rests < 3; ) rests = (await scrollBack()) === 0 ? rests + 1 : 0;
+        await new Promise(requestAnimationFrame);
+      }
+    });
     await page.touchscreen.tap(80, 45);
     await expect.poll(() => room.isWalking()).toBe(true);
     expect(await page.evaluate(() => document.pointerLockElement)).toBeNull();
