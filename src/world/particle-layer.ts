@@ -148,8 +148,8 @@ export const PHYSICAL_LAYERS: readonly ParticleLayer[] = [
   {
     name: "spark",
     source: "spit",
-    capacity: 184,
-    rate: 400,
+    capacity: 72,
+    rate: 150,
     spawnRadius: 0.04,
     spawnHeight: 0.15,
     spawnDepth: 0,
