@@ -8,8 +8,8 @@ import {
 import { RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
 
-async function expectSwitch(room: RoomDriver, feature: Feature): Promise<void> {
-  const whole = await room.pixels();
+/** Without a feature the picture is another than the whole one, and with it again the same. */
+async function expectSwitch(room: RoomDriver, feature: Feature, whole: string): Promise<void> {
   await room.switchFeatures({ [feature]: false });
   expect(await room.pixels(), `without ${feature}`).not.toBe(whole);
   await room.switchFeatures({ [feature]: true });
@@ -21,16 +21,17 @@ for (const feature of FEATURES_OF.paper) {
     room,
   }) => {
     await room.step(0.1); // near the crest of the flicker
-    await expectSwitch(room, feature);
+    await expectSwitch(room, feature, await room.pixels());
   });
 }
 
 test("The physical picture is another without each of its own features", async ({ page }) => {
   const room = await new RoomDriver(page).open({ look: "physical" }, { width: 96, height: 54 });
+  const whole = await room.pixels();
   for (const feature of FEATURES_OF.physical) {
     // At rest and at this size there is none of it to be seen: plume.spec.ts.
     if (feature === "smoke" || feature === "sparks" || feature === "dust") continue;
-    await expectSwitch(room, feature);
+    await expectSwitch(room, feature, whole);
   }
   expect(room.complaints).toEqual([]);
 });
@@ -91,7 +92,8 @@ test("Features are given as one object, or one by one, and unknown ones are refu
 test("The original has fewer techniques to switch, and says which", async ({ room }) => {
   await room.set({ look: "original" });
   await room.step(0.1);
-  for (const feature of FEATURES_OF.original) await expectSwitch(room, feature);
+  for (const feature of FEATURES_OF.original)
+    await expectSwitch(room, feature, await room.pixels());
   const whole = await room.pixels();
   const others = FEATURES_OF.paper.filter((name) => !FEATURES_OF.original.includes(name));
   await room.switchFeatures(Object.fromEntries(others.map((name) => [name, false])));

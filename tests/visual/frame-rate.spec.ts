@@ -1,4 +1,5 @@
 import { RoomDriver } from "../support/room-driver.ts";
+import { serveSmallTextures } from "../support/small-textures.ts";
 import { expect, test } from "../support/test.ts";
 
 /** What the element shows after a second from time 0, in steps as a display of this rate takes. */
@@ -41,6 +42,7 @@ test("A second of the physical look ends in the same pixels at 30, 60 and 144 Hz
   page,
 }) => {
   const room = new RoomDriver(page);
+  await serveSmallTextures(page);
   await room.open({ look: "physical", quality: "low" }, { width: 64, height: 36 });
   const end = await endOfSecond(room, 30);
   expect(await endOfSecond(room, 60)).toBe(end);

@@ -19,6 +19,7 @@ test("Taken out and put back twenty times, an element leaves nothing behind", as
   await page.evaluate(async () => {
     const neighbour = document.createElement("candle-flame");
     neighbour.id = "neighbour";
+    neighbour.look = "paper";
     neighbour.paused = true;
     neighbour.style.cssText = "width: 32px; height: 18px";
     document.body.append(neighbour);
@@ -276,6 +277,7 @@ test("An element moved within the page goes on as it was", async ({ page }) => {
 for (const look of SETTINGS.look.choices) {
   test(`A lost context given back shows the ${look} look's very same picture`, async ({ page }) => {
     await recordContexts(page);
+    await serveSmallTextures(page);
     const room = await new RoomDriver(page).open({ look }, { width: 96, height: 54 });
     await room.step(1 / 60, 8);
     const picture = await room.pixels();

@@ -1,9 +1,11 @@
 import { isSpitting } from "../../src/world/spits.ts";
 import { TICK } from "../../src/world/timeline.ts";
 import { RoomDriver } from "../support/room-driver.ts";
+import { serveSmallTextures } from "../support/small-textures.ts";
 import { expect, test } from "../support/test.ts";
 
 test("A flame put out smokes for seconds, and no longer than twenty", async ({ page }) => {
+  await serveSmallTextures(page);
   const options = { look: "physical", controls: "", quality: "low" };
   const room = await new RoomDriver(page).open(options, { width: 160, height: 90 });
   const withAndWithout = async () => {
@@ -88,6 +90,7 @@ test("Dust drifts through the light, and a wick that spits throws sparks", async
     tick: [...Array(60).keys()].find((tick) => isSpitting(seed, tick)) ?? Number.NaN,
   }));
   const { seed, tick } = spits.find(({ tick }) => tick > 0) ?? { seed: 0, tick: 0 };
+  await serveSmallTextures(page);
   const attributes = { look: "physical", quality: "medium", seed: String(seed), motion: "full" };
   const room = await new RoomDriver(page).open(attributes, { width: 160, height: 90 });
   /** How many pixels differ with a feature, and by how much at most. */
