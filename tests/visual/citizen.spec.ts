@@ -93,7 +93,18 @@ test("Out of sight, in a hidden tab or paused, no frame is asked for and none is
   await expect.poll(frames, "paused").toEqual(asleep);
   expect(await frames(), "paused").toEqual(asleep);
   // What changed while it was paused and out of sight is there when it is seen.
-  await page.evaluate(() => scrollTo(0, 2000));
+  await room.evaluate((element) => {
+    scrollTo(0, 2000);
+    // The element's own observer is older, and told first.
+    return new Promise<void>((resolve) => {
+      const sight = new IntersectionObserver((entries) => {
+        if (entries.at(-1)?.isIntersecting) return;
+        sight.disconnect();
+        resolve();
+      });
+      sight.observe(element);
+    });
+  });
   await room.set({ exposure: "-1" });
   expect(await frames()).toEqual(asleep);
   const drawn = () =>

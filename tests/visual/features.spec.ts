@@ -1,3 +1,4 @@
+import type { Page } from "playwright/test";
 import {
   FEATURES,
   FEATURES_OF,
@@ -25,39 +26,47 @@ for (const feature of FEATURES_OF.paper) {
   });
 }
 
-test("The physical picture is another without each of its own features", async ({ page }) => {
-  const room = await new RoomDriver(page).open({ look: "physical" }, { width: 96, height: 54 });
-  const whole = await room.pixels();
-  for (const feature of FEATURES_OF.physical) {
-    // At rest and at this size there is none of it to be seen: plume.spec.ts.
-    if (feature === "smoke" || feature === "sparks" || feature === "dust") continue;
-    await expectSwitch(room, feature, whole);
-  }
-  expect(room.complaints).toEqual([]);
-});
+test.describe("In the cabin", () => {
+  let page: Page;
+  let room: RoomDriver;
+  test.beforeAll(async ({ browser }) => {
+    page = await browser.newPage();
+    room = await new RoomDriver(page).open({ look: "physical" }, { width: 96, height: 54 });
+  });
+  test.afterAll(() => page.close());
 
-test("Each pass of the physical look can be looked at alone", async ({ page }) => {
-  const room = await new RoomDriver(page).open({ look: "physical" }, { width: 96, height: 54 });
-  const whole = await room.pixels();
-  const look = (name: Inspection) =>
-    room.evaluate((element, name) => {
-      element.inspect = name;
-    }, name);
-  const seen = new Map<string, string>();
-  for (const name of Object.keys(INSPECTIONS) as Inspection[]) {
-    await look(name);
-    const pixels = await room.pixels();
-    expect(seen.get(pixels), name).toBeUndefined();
-    seen.set(pixels, name);
-  }
-  expect(seen.get(whole)).toBe("picture");
-  await look("depth");
-  const { data } = await room.picture();
-  expect(Math.max(...data.filter((_, i) => i % 4 === 0))).toBeGreaterThan(150);
-  await look("nonsense" as Inspection);
-  expect(await room.evaluate((element) => element.inspect)).toBe("picture");
-  expect(await room.pixels()).toBe(whole);
-  expect(room.complaints).toEqual([]);
+  test("the physical picture is another without each of its own features", async () => {
+    const whole = await room.pixels();
+    for (const feature of FEATURES_OF.physical) {
+      // At rest and at this size there is none of it to be seen: plume.spec.ts.
+      if (feature === "smoke" || feature === "sparks" || feature === "dust") continue;
+      await expectSwitch(room, feature, whole);
+    }
+    expect(room.complaints).toEqual([]);
+  });
+
+  test("each pass of the physical look can be looked at alone", async () => {
+    const whole = await room.pixels();
+    const look = (name: Inspection) =>
+      room.evaluate((element, name) => {
+        element.inspect = name;
+      }, name);
+    const seen = new Map<string, string>();
+    for (const name of Object.keys(INSPECTIONS) as Inspection[]) {
+      await look(name);
+      const pixels = await room.pixels();
+      expect(seen.get(pixels), name).toBeUndefined();
+      seen.set(pixels, name);
+    }
+    expect(seen.get(whole)).toBe("picture");
+    await look("depth");
+    const { data } = await room.picture();
+    expect(Math.max(...data.filter((_, i) => i % 4 === 0))).toBeGreaterThan(150);
+    await look("nonsense" as Inspection);
+    expect(await room.evaluate((element) => element.inspect)).toBe("picture");
+    expect(await room.pixels()).toBe(whole);
+    expect(room.complaints).toEqual([]);
+  });
 });
 
 test("Every feature is one that some look has", () => {
