@@ -2,10 +2,13 @@ import type { Vec3 } from "../bounds.js";
 
 /** Ghosts on either side of a line: what the outside has. */
 const GHOSTS = 4;
-const line = new Float32Array(128 + 2 * GHOSTS);
+const line = new Float64Array(128 + 2 * GHOSTS);
 /** Where each value of the line has come from: a place on it, ghosts included. */
 const origins = new Float64Array(128 + 2 * GHOSTS);
 const sums = new Float64Array(128 + 2 * GHOSTS + 1);
+
+/** A line that nowhere has more than this of an amount has none. */
+const NOTHING = 1e-6;
 
 /** The lines of a field along one axis, and where the flow along them is found. */
 export interface Lines {
@@ -41,8 +44,8 @@ export interface Lines {
  * @param outside what flows in
  */
 export function carry(
-  field: Float32Array,
-  flow: Float32Array,
+  field: Float64Array,
+  flow: Float64Array,
   lines: Lines,
   ride: number,
   outside: number,
@@ -68,7 +71,7 @@ export function carry(
 
 /** Flow that lives where the values do. */
 function traceFaces(
-  flow: Float32Array,
+  flow: Float64Array,
   start: number,
   stride: number,
   rates: Float64Array,
@@ -84,7 +87,7 @@ function traceFaces(
 
 /** Flow that lives on other faces is the mean of the four around. */
 function traceMiddles(
-  flow: Float32Array,
+  flow: Float64Array,
   near: number,
   far: number,
   stride: number,
@@ -102,7 +105,7 @@ function traceMiddles(
   }
 }
 
-function fetchLine(field: Float32Array, start: number, stride: number, count: number): void {
+function fetchLine(field: Float64Array, start: number, stride: number, count: number): void {
   for (let n = 0, at = start; n < count; n++, at += stride) line[GHOSTS + n] = field[at]!;
   for (let n = 0, at = start; n < count; n++, at += stride) {
     const from = origins[n]!;
@@ -112,7 +115,7 @@ function fetchLine(field: Float32Array, start: number, stride: number, count: nu
 }
 
 /** Lagrange's cubic between the second and the third of four values in a row. */
-function through(values: Float32Array | Float64Array, cell: number, t: number): number {
+function through(values: Float64Array, cell: number, t: number): number {
   const s = 1 - t;
   const f0 = values[cell - 1]!;
   const f1 = values[cell]!;
@@ -137,8 +140,8 @@ function through(values: Float32Array | Float64Array, cell: number, t: number): 
  * @param ride of the grid itself, m/s
  */
 export function carryAmount(
-  field: Float32Array,
-  flow: Float32Array,
+  field: Float64Array,
+  flow: Float64Array,
   widths: Float64Array,
   faces: Lines,
   strides: Readonly<Vec3>,
@@ -154,11 +157,17 @@ export function carryAmount(
     for (let a = 0; a < faces.inner; a++) {
       const start = a * strides[inner]! + b * strides[outer]!;
       let sum = 0;
+      let most = 0;
       for (let n = 0, at = start; n < count; n++, at += stride) {
-        sum += field[at]! * widths[n]!;
+        const value = field[at]!;
+        most = Math.max(most, Math.abs(value));
+        sum += value * widths[n]!;
         sums[GHOSTS + n + 1] = sum;
       }
-      if (sum === 0) continue;
+      if (most < NOTHING) {
+        for (let n = 0, at = start; n < count; n++, at += stride) field[at] = 0;
+        continue;
+      }
       for (let n = GHOSTS + count + 1; n < count + 2 * GHOSTS; n++) sums[n] = sum;
       const face = a * faces.flowInner + b * faces.flowOuter;
       traceFaces(flow, face, faces.flowStride, faces.rates, count + 1, ride);

@@ -32,12 +32,12 @@ export interface PlumeGrid {
   readonly z: Axis;
 }
 
-/** 17 x 36 x 17 cells, 25 cm wide and 51 cm high; 7 mm small around the flame. */
+/** 15 x 31 x 15 cells, 24 cm wide and 51 cm high; 7 mm small around the flame. */
 export function plumeGrid(): PlumeGrid {
   return {
-    x: symmetric(0.007, 1.17, 8),
-    y: rising(-0.035, 0.008, 1.03, 36),
-    z: symmetric(0.007, 1.17, 8),
+    x: symmetric(0.007, 1.22, 7),
+    y: rising(-0.035, 0.008, 1.044, 31),
+    z: symmetric(0.007, 1.22, 7),
   };
 }
 
@@ -58,13 +58,13 @@ const MIDDLES = 3;
 export class Plume {
   readonly grid: PlumeGrid;
   /** Velocities along x, y and z. */
-  readonly velocities: readonly [Float32Array, Float32Array, Float32Array];
+  readonly velocities: readonly [Float64Array, Float64Array, Float64Array];
   /** T / T0 - 1 */
-  readonly heat: Float32Array;
+  readonly heat: Float64Array;
   /** Where the grid's origin is in the room, metres. */
   readonly origin: Vec3 = [0, 0, 0];
-  readonly #before: readonly [Float32Array, Float32Array, Float32Array];
-  readonly #warmth: Float32Array;
+  readonly #before: readonly [Float64Array, Float64Array, Float64Array];
+  readonly #warmth: Float64Array;
   /** Of each component, the lines along each axis. */
   readonly #lines: readonly [Three<Lines>, Three<Lines>, Three<Lines>];
   readonly #pressure: PressureSolver;
@@ -91,11 +91,11 @@ export class Plume {
     this.#lower = widths.map((width, i) => PLUME_STEP / (width * spans[i]!));
     this.#upper = widths.map((width, i) => PLUME_STEP / (width * spans[i + 1]!));
     const faces = (axis: Component) =>
-      new Float32Array(counts.reduce((size, n, i) => size * (i === axis ? n + 1 : n), 1));
+      new Float64Array(counts.reduce((size, n, i) => size * (i === axis ? n + 1 : n), 1));
     this.velocities = [faces(0), faces(1), faces(2)];
     this.#before = [faces(0), faces(1), faces(2)];
-    this.heat = new Float32Array(counts[0] * counts[1] * counts[2]);
-    this.#warmth = new Float32Array(this.heat.length);
+    this.heat = new Float64Array(counts[0] * counts[1] * counts[2]);
+    this.#warmth = new Float64Array(this.heat.length);
     const linesOf = (axis: Component) =>
       [this.#linesOf(axis, 0), this.#linesOf(axis, 1), this.#linesOf(axis, 2)] as const;
     this.#lines = [linesOf(0), linesOf(1), linesOf(2)];
@@ -269,8 +269,9 @@ export class Plume {
     fast.set(v);
     // Halves, so that two neighbours add up to their mean.
     for (let at = 0; at < heat.length; at++) {
-      const hotter = 1 + Math.max(heat[at]!, 0);
-      ease[at] = 0.5 * VISCOSITY * hotter * Math.sqrt(hotter);
+      const h = heat[at]!;
+      const hotter = 1 + h;
+      ease[at] = h > 0 ? 0.5 * VISCOSITY * hotter * Math.sqrt(hotter) : 0.5 * VISCOSITY;
     }
     const [nx, ny, nz] = this.#counts;
     const plane = nx * ny;
@@ -353,7 +354,7 @@ function beside(x: number, { low, high }: Axis): number {
 
 /** Trilinear; places are counted from the first value, and outside the nearest one counts. */
 function between(
-  field: Float32Array,
+  field: Float64Array,
   nx: number,
   ny: number,
   nz: number,

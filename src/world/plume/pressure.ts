@@ -16,21 +16,34 @@ export class PressureSolver {
   readonly #y: Axis;
   readonly #z: Axis;
   /** With a rim of the room's pressure, 0, all around. */
-  readonly #pressure: Float32Array;
-  readonly #excess: Float32Array;
+  readonly #pressure: Float64Array;
+  readonly #excess: Float64Array;
   /** What a cell's lower and upper neighbours along each axis weigh. */
-  readonly #weights: readonly (readonly [lower: Float64Array, upper: Float64Array])[];
+  readonly #weights: readonly [Weights, Weights, Weights];
+  /** Of each cell, what its six neighbours weigh together, upside down, and over-relaxed. */
+  readonly #shares: Float64Array;
+  /** Of each axis, 1 / width of its cells and 1 / span between them. */
+  readonly #perWidth: readonly [Float64Array, Float64Array, Float64Array];
+  readonly #perSpan: readonly [Float64Array, Float64Array, Float64Array];
 
   constructor({ x, y, z }: { readonly x: Axis; readonly y: Axis; readonly z: Axis }) {
     this.#x = x;
     this.#y = y;
     this.#z = z;
-    this.#pressure = new Float32Array((x.count + 2) * (y.count + 2) * (z.count + 2));
-    this.#excess = new Float32Array(x.count * y.count * z.count);
-    this.#weights = [x, y, z].map(({ widths, spans }) => [
-      widths.map((width, i) => 1 / (width * spans[i]!)),
-      widths.map((width, i) => 1 / (width * spans[i + 1]!)),
-    ]);
+    this.#pressure = new Float64Array((x.count + 2) * (y.count + 2) * (z.count + 2));
+    this.#excess = new Float64Array(x.count * y.count * z.count);
+    this.#weights = [weights(x), weights(y), weights(z)];
+    this.#perWidth = [inverse(x.widths), inverse(y.widths), inverse(z.widths)];
+    this.#perSpan = [inverse(x.spans), inverse(y.spans), inverse(z.spans)];
+    const [east, north, back] = this.#weights.map(({ lower, upper }) =>
+      lower.map((weight, i) => weight + upper[i]!),
+    ) as [Float64Array, Float64Array, Float64Array];
+    this.#shares = Float64Array.from(this.#excess, (_, cell) => {
+      const i = cell % x.count;
+      const j = Math.floor(cell / x.count) % y.count;
+      const k = Math.floor(cell / (x.count * y.count));
+      return PUSH / (east[i]! + north[j]! + back[k]!);
+    });
   }
 
   forget(): void {
@@ -38,7 +51,7 @@ export class PressureSolver {
   }
 
   /** Makes a flow keep its volume everywhere. */
-  project(velocities: readonly [Float32Array, Float32Array, Float32Array]): void {
+  project(velocities: readonly [Float64Array, Float64Array, Float64Array]): void {
     this.#diverge(velocities);
     for (let sweep = 0; sweep < SWEEPS; sweep++) {
       this.#relax(0);
@@ -47,7 +60,7 @@ export class PressureSolver {
     this.#push(velocities);
   }
 
-  divergence(velocities: readonly [Float32Array, Float32Array, Float32Array]): number {
+  divergence(velocities: readonly [Float64Array, Float64Array, Float64Array]): number {
     this.#diverge(velocities);
     const narrowest = this.#x.widths[this.#x.count >> 1]!;
     let most = 0;
@@ -58,22 +71,24 @@ export class PressureSolver {
   }
 
   /** Net outflow of each cell, 1/s. */
-  #diverge([u, v, w]: readonly [Float32Array, Float32Array, Float32Array]): void {
+  #diverge([u, v, w]: readonly [Float64Array, Float64Array, Float64Array]): void {
     const nx = this.#x.count;
     const ny = this.#y.count;
     const nz = this.#z.count;
+    const excess = this.#excess;
+    const [perX, perY, perZ] = this.#perWidth;
     let cell = 0;
     for (let k = 0; k < nz; k++) {
-      const deep = 1 / this.#z.widths[k]!;
+      const deep = perZ[k]!;
       for (let j = 0; j < ny; j++) {
-        const high = 1 / this.#y.widths[j]!;
+        const high = perY[j]!;
         const west = (nx + 1) * (j + ny * k);
         const south = nx * (j + (ny + 1) * k);
         const front = nx * (j + ny * k);
         const back = front + nx * ny;
         for (let i = 0; i < nx; i++, cell++) {
-          this.#excess[cell] =
-            (u[west + i + 1]! - u[west + i]!) / this.#x.widths[i]! +
+          excess[cell] =
+            (u[west + i + 1]! - u[west + i]!) * perX[i]! +
             (v[south + nx + i]! - v[south + i]!) * high +
             (w[back + i]! - w[front + i]!) * deep;
         }
@@ -89,54 +104,53 @@ export class PressureSolver {
     const plane = row * (ny + 2);
     const pressure = this.#pressure;
     const excess = this.#excess;
-    const [[west, east], [south, north], [front, back]] = this.#weights as [
-      [Float64Array, Float64Array],
-      [Float64Array, Float64Array],
-      [Float64Array, Float64Array],
-    ];
+    const shares = this.#shares;
+    const [
+      { lower: west, upper: east },
+      { lower: south, upper: north },
+      { lower: front, upper: back },
+    ] = this.#weights;
     for (let k = 0; k < nz; k++) {
       const f = front[k]!;
       const b = back[k]!;
       for (let j = 0; j < ny; j++) {
         const s = south[j]!;
         const n = north[j]!;
-        const others = f + b + s + n;
         const start = nx * (j + ny * k);
         const corner = 1 + row * (j + 1) + plane * (k + 1);
         for (let i = (color + j + k) & 1; i < nx; i += 2) {
           const at = corner + i;
-          const e = east[i]!;
-          const g = west[i]!;
           const sum =
-            e * pressure[at + 1]! +
-            g * pressure[at - 1]! +
+            east[i]! * pressure[at + 1]! +
+            west[i]! * pressure[at - 1]! +
             n * pressure[at + row]! +
             s * pressure[at - row]! +
             b * pressure[at + plane]! +
             f * pressure[at - plane]! -
             excess[start + i]!;
-          pressure[at]! += PUSH * (sum / (others + e + g) - pressure[at]!);
+          pressure[at] = (1 - PUSH) * pressure[at]! + shares[start + i]! * sum;
         }
       }
     }
   }
 
-  #push([u, v, w]: readonly [Float32Array, Float32Array, Float32Array]): void {
+  #push([u, v, w]: readonly [Float64Array, Float64Array, Float64Array]): void {
     const nx = this.#x.count;
     const ny = this.#y.count;
     const nz = this.#z.count;
     const row = nx + 2;
     const plane = row * (ny + 2);
     const pressure = this.#pressure;
+    const [perX, perY, perZ] = this.#perSpan;
     for (let k = 0; k <= nz; k++) {
-      const deep = 1 / this.#z.spans[k]!;
+      const deep = perZ[k]!;
       for (let j = 0; j <= ny; j++) {
-        const high = 1 / this.#y.spans[j]!;
+        const high = perY[j]!;
         const corner = 1 + row * (j + 1) + plane * (k + 1);
         if (j < ny && k < nz) {
           const west = (nx + 1) * (j + ny * k);
           for (let i = 0; i <= nx; i++) {
-            u[west + i]! -= (pressure[corner + i]! - pressure[corner + i - 1]!) / this.#x.spans[i]!;
+            u[west + i]! -= (pressure[corner + i]! - pressure[corner + i - 1]!) * perX[i]!;
           }
         }
         if (k < nz) {
@@ -154,4 +168,21 @@ export class PressureSolver {
       }
     }
   }
+}
+
+/** What the neighbours along an axis weigh. */
+interface Weights {
+  readonly lower: Float64Array;
+  readonly upper: Float64Array;
+}
+
+function weights({ widths, spans }: Axis): Weights {
+  return {
+    lower: widths.map((width, i) => 1 / (width * spans[i]!)),
+    upper: widths.map((width, i) => 1 / (width * spans[i + 1]!)),
+  };
+}
+
+function inverse(lengths: Float64Array): Float64Array {
+  return lengths.map((length) => 1 / length);
 }

@@ -144,7 +144,7 @@ describe("hot air in a draught", () => {
 
 describe("what the solver costs", () => {
   test("is a grid of few cells, and one step for two ticks", () => {
-    expect(new Plume().heat.length).toBeLessThanOrEqual(10_500);
+    expect(new Plume().heat.length).toBeLessThanOrEqual(7_000);
     expect(PLUME_STEP).toBe(1 / 60);
   });
 });
