@@ -1,3 +1,4 @@
+import { AssetError } from "../assets/asset-error.js";
 import { closeModel, type Model } from "../assets/model.js";
 import type { Models } from "../render/renderer.js";
 import type { Look } from "../settings.js";
@@ -16,9 +17,17 @@ export type Sources = Readonly<Record<keyof Models, string>>;
 export function sourcesOf(look: Look, src: string, assetRoot: string): Sources {
   const { room, candle } = BUILT_IN[look];
   return {
-    room: src === "" ? new URL(room, assetRoot).href : new URL(src, document.baseURI).href,
+    room: src === "" ? new URL(room, assetRoot).href : addressOf(src),
     candle: new URL(candle, assetRoot).href,
   };
+}
+
+/** Longest address that a sentence repeats. */
+const REPEATED = 80;
+
+function addressOf(src: string): string {
+  if (URL.canParse(src, document.baseURI)) return new URL(src, document.baseURI).href;
+  throw new AssetError(`The room's address is none that can be read: ${src.slice(0, REPEATED)}`);
 }
 
 /** Fetches and decodes a look's models. three.js comes with the first of them. */

@@ -1,3 +1,4 @@
+import { AssetError } from "../assets/asset-error.js";
 import type { Renderer } from "../render/renderer.js";
 import type { Tier } from "../render/tier.js";
 import type { Look, SceneName } from "../settings.js";
@@ -42,9 +43,19 @@ export interface Loading {
 /** Fetches a scene, and first the code that it needs: each scene is a chunk of its own. */
 export async function loadScene(request: SceneRequest, loading: Loading): Promise<Scene> {
   if (request.scene === "candle") {
-    const { loadLoneCandle } = await import("./candle-scene.js");
+    const { loadLoneCandle } = await import("./candle-scene.js").catch(missCode);
     return loadLoneCandle(request, loading);
   }
-  const { loadRoom } = await import("./room-scene.js");
+  const { loadRoom } = await import("./room-scene.js").catch(missCode);
   return loadRoom(request, loading);
+}
+
+/** Browsers name a chunk's address, and each in its own words; visitors need neither. */
+function missCode(cause: unknown): never {
+  throw new AssetError(
+    "A part of the program could not be fetched. Reload the page to try again.",
+    {
+      cause,
+    },
+  );
 }

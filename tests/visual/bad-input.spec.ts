@@ -79,12 +79,6 @@ const FAILURES: readonly {
   readonly sentence: RegExp;
 }[] = [
   {
-    name: "A model that is not there",
-    files: /paper-room\.glb$/,
-    answer: (route) => route.fulfill({ status: 404, body: "not found" }),
-    sentence: /paper-room\.glb .*404.*\.$/,
-  },
-  {
     name: "A model that the network drops",
     files: /paper-candle\.glb$/,
     answer: (route) => route.abort("connectionreset"),
@@ -101,13 +95,6 @@ const FAILURES: readonly {
     files: /paper-candle\.glb$/,
     answer: (route) => route.fulfill({ body: model("candle").subarray(0, 60_000) }),
     sentence: /paper-candle\.glb .*\.$/,
-  },
-  {
-    name: "A page of text in a model's place",
-    files: /paper-room\.glb$/,
-    answer: (route) =>
-      route.fulfill({ contentType: "text/html", body: "<!doctype html><p>Welcome!</p>" }),
-    sentence: /paper-room\.glb .*\.$/,
   },
   {
     name: "Text that calls itself a model",
@@ -144,6 +131,47 @@ for (const { name, files, answer, sentence } of FAILURES) {
     expect(uncaught(room)).toEqual([]);
   });
 }
+
+test("A room from an address that is none, or gone, or no room gives a sentence of ours, and leaves what was there", async ({
+  page,
+}) => {
+  await serveSmallTextures(page);
+  const room = await new RoomDriver(page).open({}, TINY);
+  const told = await room.evaluate(async (shown) => {
+    const failureOf = async (element: HTMLElementTagNameMap["candle-flame"], src: string) => {
+      const failed = new Promise<{ type: string; message: string }>((resolve) =>
+        element.addEventListener("error", ({ detail }) => resolve(detail), { once: true }),
+      );
+      element.src = src;
+      document.body.append(element);
+      const { type, message } = await failed;
+      return `${type}: ${message}`;
+    };
+    const told: Record<string, string> = {};
+    for (const src of ["http://[", "/gone.glb", "/room.html", "ftp://host/room.glb"]) {
+      told[src] = await failureOf(shown, src);
+    }
+    const fresh = document.createElement("candle-flame");
+    Object.assign(fresh, { look: "paper", quality: "low", paused: true });
+    fresh.style.cssText = "width: 32px; height: 18px";
+    const said = await failureOf(fresh, "http://[");
+    const sentence = fresh.shadowRoot?.querySelector("[part~=error] p")?.textContent;
+    fresh.remove();
+    shown.step(1 / 60);
+    return { ...told, said, sentence, stillThere: shown.stats.triangles > 0 };
+  });
+  const none = "The room's address is none that can be read: http://[";
+  expect(told).toEqual({
+    "http://[": `asset: ${none}`,
+    "/gone.glb": expect.stringMatching(/^asset: gone\.glb could not be fetched: .* 404.*\.$/),
+    "/room.html": "asset: room.html is a web page, says its server (text/html).",
+    "ftp://host/room.glb": "asset: room.glb could not be fetched.",
+    said: `asset: ${none}`,
+    sentence: none,
+    stillThere: true,
+  });
+  expect(uncaught(room).filter((text) => !text.includes("URL scheme"))).toEqual([]);
+});
 
 test("An element that failed works once its files are found and it is put back", async ({
   page,
