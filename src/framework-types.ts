@@ -41,6 +41,7 @@ export type CandleFlameProperties = {
   lit?: boolean | undefined;
   camera?: Partial<CandleFlameElement["camera"]> | undefined;
   features?: Partial<CandleFlameElement["features"]> | undefined;
+  inspect?: CandleFlameElement["inspect"] | undefined;
 };
 
 /** Listeners, as DOM spells them: `onprogress`. */

@@ -1,5 +1,6 @@
 import type { CandleFlameElement, CandleFlameEventMap } from "../src/candle-flame-element.ts";
-import { SETTINGS } from "../src/settings.ts";
+import type { ReflectedAttributes } from "../src/reflected-attributes.ts";
+import { INSPECTIONS, SETTINGS } from "../src/settings.ts";
 
 const TYPES = { number: "number", flag: "boolean", text: "string" } as const;
 
@@ -46,8 +47,16 @@ const METHODS: Readonly<Record<Exclude<Method, Callback>, string>> = {
   toBlob: "The picture, as of the last frame.",
 };
 
+type Own = Exclude<keyof CandleFlameElement, keyof HTMLElement>;
+type Attribute = keyof ReflectedAttributes;
+
 /** Properties that are no attribute's. */
-const FIELDS = {
+const FIELDS: Readonly<
+  Record<
+    Exclude<Own, Method | Callback | Attribute>,
+    { readonly type: string; readonly meaning: string; readonly readonly?: boolean }
+  >
+> = {
   lit: { type: "boolean", meaning: "Whether the candle burns." },
   held: { type: "boolean", meaning: "Whether the candle is in the hand.", readonly: true },
   camera: { type: "Camera", meaning: "Where the visitor stands and looks: metres, radians." },
@@ -56,9 +65,13 @@ const FIELDS = {
   flame: { type: "FlameReport | null", meaning: "The flame, in SI units.", readonly: true },
   stats: { type: "Stats", meaning: "Numbers of the last frame.", readonly: true },
   features: { type: "Features", meaning: "Techniques that can be switched off, one by one." },
-} as const satisfies Partial<
-  Record<keyof CandleFlameElement, { type: string; meaning: string; readonly?: boolean }>
->;
+  inspect: {
+    type: Object.keys(INSPECTIONS)
+      .map((name) => `"${name}"`)
+      .join(" | "),
+    meaning: "What is shown of each frame: the picture, or what a pass leaves for the next.",
+  },
+};
 
 const SLOTS = {
   poster: "In place of the poster's image.",
