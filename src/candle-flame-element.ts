@@ -158,7 +158,6 @@ export class CandleFlameElement extends ReflectedAttributes {
   constructor() {
     super();
     this.#internals = this.attachInternals();
-    this.#internals.role = "img";
     const root = this.attachShadow({ mode: "open" });
     const sheet = new CSSStyleSheet();
     sheet.replaceSync(STYLE);
@@ -393,12 +392,14 @@ export class CandleFlameElement extends ReflectedAttributes {
   #showLit(): void {
     if (this.lit) this.#internals.states.add("lit");
     else this.#internals.states.delete("lit");
-    this.#overlay.hint.tell(this.#outSentence);
+    this.#overlay.hint.tell(this.#outSentence, this.controls);
   }
 
   get #outSentence(): string | null {
     if (this.lit) return null;
-    return this.controls ? `${OUT} Press E to light it.` : OUT;
+    if (!this.controls) return OUT;
+    const hasFingersAlone = matchMedia("(hover: none)").matches;
+    return hasFingersAlone ? `${OUT} Tap twice to light it.` : `${OUT} Press E to light it.`;
   }
 
   /** Goes in, as a click does: takes the focus and asks for the pointer. Needs `controls`. */
@@ -593,6 +594,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     canvas.part.add("canvas");
     this.shadowRoot?.prepend(canvas);
     this.#canvas = canvas;
+    this.#applyInteraction();
     return canvas;
   }
 
@@ -866,15 +868,22 @@ export class CandleFlameElement extends ReflectedAttributes {
     if (isIn) this.#internals.states.add("walking");
     else this.#internals.states.delete("walking");
     if (isIn) this.#overlay.hint.tellControls(device);
-    else this.#overlay.hint.tell(null);
+    else this.#overlay.hint.tell(this.#outSentence, this.controls);
     this.#emit(isIn ? "enter" : "leave", null);
   }
 
   #applyInteraction(): void {
-    this.#internals.ariaLabel = this.alt;
-    // Interactive, it is a region to enter; passive, a picture, of which nothing can be read but its name.
-    const role = this.controls ? "application" : "img";
-    this.#internals.role = this.#overlay.isFailing ? "group" : role;
+    // Interactive, it is something to enter; passive, the canvas is a picture. Not the element itself:
+    // of a picture nothing is read but its name, and what the hint says must be.
+    const isPicture = !this.controls && !this.#overlay.isFailing;
+    const role = this.#overlay.isFailing ? "group" : "application";
+    this.#internals.role = isPicture ? null : role;
+    this.#internals.ariaLabel = isPicture ? null : this.alt;
+    this.#overlay.posterAlt = isPicture ? this.alt : "";
+    if (this.#canvas) {
+      this.#canvas.role = isPicture ? "img" : "presentation";
+      this.#canvas.ariaLabel = isPicture ? this.alt : null;
+    }
     this.#internals.ariaDescription = this.controls
       ? "Press Enter to walk in, and Escape to leave."
       : null;
@@ -943,7 +952,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     const refusal = this.#candle?.world.refusal ?? null;
     // Who stands in the dark must still be told how to end it.
     const sentences = [refusal && REFUSALS[refusal], this.#outSentence].filter(Boolean);
-    this.#overlay.hint.tell(sentences.join(" ") || null);
+    this.#overlay.hint.tell(sentences.join(" ") || null, this.controls && !this.lit);
   }
 
   #showProgress(totalProgress: number): void {

@@ -69,6 +69,7 @@ canvas, [part="poster"], ::slotted([slot="poster"]) {
   animation: hint 5s ease-in forwards;
 }
 [part="hint"] .controls, ::slotted([slot="hint"]) { animation: hint 8s ease-in forwards; }
+[part="hint"] .lasting { animation-name: dim; }
 [part="hint"] kbd {
   display: inline-block;
   min-inline-size: 1.7em;
@@ -79,6 +80,7 @@ canvas, [part="poster"], ::slotted([slot="poster"]) {
   font: 0.8em/1.6 system-ui, sans-serif;
 }
 @keyframes hint { 0%, 80% { opacity: 1 } 100% { opacity: 0 } }
+@keyframes dim { 0%, 80% { opacity: 1 } 100% { opacity: 0.6 } }
 @media (prefers-contrast: more) {
   [part="hint"] p, [part="error"] p { background: #000; color: #fff; outline: 1px solid; }
   :host(:focus-visible) { outline-width: 4px; outline-color: #fff; }

@@ -57,11 +57,12 @@ export class Hint {
     this.element.append(this.#controls);
   }
 
-  /** One sentence, or nothing. */
-  tell(sentence: string | null): void {
+  /** One sentence, or nothing; one that lasts grows faint, and stays until there is another. */
+  tell(sentence: string | null, lasts = false): void {
     this.#clear();
     if (sentence === null) return;
     this.#sentence.textContent = sentence;
+    this.#sentence.className = lasts ? "lasting" : "";
     this.element.append(this.#sentence);
   }
 

@@ -16,7 +16,6 @@ export class Overlay {
 
   constructor(root: ShadowRoot) {
     this.#poster.part.add("poster");
-    this.#poster.alt = "";
     this.#posterSlot.append(this.#poster);
     this.#progressSlot.append(this.#progress);
     const errorSlot = slot("error", true);
@@ -42,6 +41,11 @@ export class Overlay {
     this.#poster.hidden = url === "";
     if (url !== "") this.#poster.src = url;
     this.#posterSlot.hidden = false;
+  }
+
+  /** What the poster is called while it stands for the picture; nothing where something else says it. */
+  set posterAlt(alt: string) {
+    this.#poster.alt = alt;
   }
 
   hidePoster(): void {

@@ -276,27 +276,50 @@ test("A flag's property that is set to false takes the attribute away", async ({
   expect(left).toEqual([false, false]);
 });
 
-test("The alternative text is the picture's accessible name", async ({ room }) => {
-  await room.set({ alt: "A wee flame" });
-  const client = await room.page.context().newCDPSession(room.page);
+/** What a screen reader is given of the page, and what holds it. */
+async function spoken({
+  page,
+}: RoomDriver): Promise<
+  { readonly role: string; readonly name: string; readonly parent: string }[]
+> {
+  const client = await page.context().newCDPSession(page);
   const { nodes } = await client.send("Accessibility.getFullAXTree");
   await client.detach();
-  const picture = nodes.find(({ name }) => name?.value === "A wee flame");
-  expect(picture?.role?.value).toBe("image");
-});
+  const roles = new Map(nodes.map(({ nodeId, role }) => [nodeId, role?.value as string]));
+  const holder = (id = ""): string => {
+    const node = nodes.find(({ nodeId }) => nodeId === id);
+    const isBare = node?.ignored || ["generic", "paragraph"].includes(node?.role?.value);
+    return isBare ? holder(node?.parentId) : (roles.get(id) ?? "");
+  };
+  return nodes.flatMap(({ ignored, role, name, parentId }) =>
+    ignored ? [] : [{ role: role?.value, name: name?.value ?? "", parent: holder(parentId) }],
+  );
+}
 
-test("With controls the element is something to enter, without them a picture", async ({
+test("The alternative text is the accessible name, of a picture or of something to enter", async ({
   room,
 }) => {
-  const roleOf = async () => {
-    const client = await room.page.context().newCDPSession(room.page);
-    const { nodes } = await client.send("Accessibility.getFullAXTree");
-    await client.detach();
-    return nodes.find(({ name }) => name?.value === SETTINGS.alt.default)?.role?.value;
-  };
-  expect(await roleOf()).toBe("image");
+  await room.set({ alt: "A wee flame" });
+  const named = async () =>
+    (await spoken(room)).flatMap(({ role, name }) => (name === "A wee flame" ? [role] : []));
+  expect(await named()).toEqual(["image"]);
   await room.set({ controls: "" });
-  expect(await roleOf()).toBe("application");
+  expect(await named()).toEqual(["application"]);
+});
+
+test("What the hint says is read aloud, from a picture too", async ({ room }) => {
+  await room.evaluate((element) => element.extinguish());
+  const sentences = async () =>
+    (await spoken(room)).flatMap(({ role, name, parent }) =>
+      role === "StaticText" && parent === "status" ? [name] : [],
+    );
+  await expect.poll(sentences).toEqual(["The candle is out."]);
+  await room.set({ controls: "" });
+  await room.evaluate((element) => {
+    element.light();
+    element.extinguish();
+  });
+  await expect.poll(sentences).toEqual(["The candle is out. Press E to light it."]);
 });
 
 test.describe("The camera", () => {
