@@ -68,6 +68,10 @@ function follow(hash: string): void {
 follow(location.hash);
 window.addEventListener("hashchange", () => follow(location.hash));
 
+/** How long a notice stays, milliseconds. */
+const NOTICE = 6000;
+let noticeTimer = 0;
+
 shareButton.addEventListener("click", async () => {
   const settings: Partial<Record<Shared, string>> = {};
   for (const name of SHARED) {
@@ -75,11 +79,14 @@ shareButton.addEventListener("click", async () => {
     if (text !== null) settings[name] = text;
   }
   history.replaceState(null, "", writeShareLink({ camera: room.camera, settings }));
-  notice.textContent = "";
   link.hidden = true;
   try {
     await navigator.clipboard.writeText(location.href);
     notice.textContent = "The link is copied.";
+    clearTimeout(noticeTimer);
+    noticeTimer = window.setTimeout(() => {
+      notice.textContent = "";
+    }, NOTICE);
   } catch {
     // No clipboard without a secure origin and the visitor's leave.
     link.value = location.href;

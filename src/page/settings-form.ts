@@ -60,7 +60,7 @@ export class SettingsForm {
     });
     this.#controls.set(name, control);
     row.append(label, control);
-    if (setting.kind === "number" && setting.unit !== "") {
+    if (control.type === "range") {
       const output = document.createElement("output");
       output.htmlFor.add(control.id);
       this.#outputs.set(name, output);
@@ -75,7 +75,7 @@ export class SettingsForm {
     for (const [name, output] of this.#outputs) {
       const setting: ChoiceSetting | NumberSetting = SETTINGS[name];
       const unit = setting.kind === "number" ? setting.unit : "";
-      output.value = `${this.#text(name)}${unit === "degrees" ? "°" : ` ${unit}`}`;
+      output.value = `${this.#text(name)}${unit === "degrees" ? "°" : ` ${unit}`}`.trim();
     }
   }
 

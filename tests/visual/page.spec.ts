@@ -1,4 +1,5 @@
 import { readFile } from "node:fs/promises";
+import type { Page } from "playwright/test";
 import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
 import { FEATURES, FEATURES_OF, INSPECTIONS, SETTINGS } from "../../src/settings.ts";
 import { expect, PAGE, test } from "../support/hosted-page.ts";
@@ -550,6 +551,17 @@ test.describe("on a phone", () => {
       .locator(".sections")
       .evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth);
     expect(overflow).toBeLessThanOrEqual(0);
+
+    await test.step("and whatever is to be touched is as large as a fingertip", async () => {
+      for (const title of ["Techniques", "Settings"]) await fresh.openSection(title);
+      expect(await tooSmall(page)).toEqual([]);
+      await page.keyboard.press("Escape");
+      await page.getByRole("button", { name: "Settings" }).tap();
+      expect(await tooSmall(page)).toEqual([]);
+      const dialog = await page.getByRole("dialog").boundingBox();
+      const { height = 0 } = (await fresh.room.boundingBox()) ?? {};
+      expect(height, "the flame stays in sight while it is set").toBe(dialog?.y);
+    });
   });
 });
 
@@ -574,6 +586,22 @@ test.describe("without its models", () => {
     await expect(page.locator("candle-flame")).toHaveCount(1);
   });
 });
+
+/** What one would miss with a finger: under 44 CSS pixels, with the label that can be touched as well. */
+function tooSmall(page: Page): Promise<string[]> {
+  return page.evaluate(() => {
+    const all = document.querySelectorAll<HTMLElement>("button, select, input, summary, a");
+    return [...all].flatMap((control) => {
+      if (!control.checkVisibility()) return [];
+      const boxes = [control, control.closest("label") ?? control];
+      const side = (name: "width" | "height") =>
+        Math.max(...boxes.map((box) => box.getBoundingClientRect()[name]));
+      const [width, height] = [side("width"), side("height")];
+      const isLarge = width >= 44 && height >= 44;
+      return isLarge ? [] : [`${control.tagName} ${control.textContent} ${width} x ${height}`];
+    });
+  });
+}
 
 function shareOf(progress: HTMLElement | SVGElement): number {
   return (progress as HTMLProgressElement).value;
