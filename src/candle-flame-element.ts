@@ -22,6 +22,7 @@ import {
   type SceneName,
   type SettingName,
 } from "./settings.js";
+import { type Moment, momentOf, timeOf } from "./world/moment.js";
 import type { Refusal } from "./world/placing.js";
 import { blow, moveCamera, placeCandle, takeCandle } from "./world/world.js";
 
@@ -152,8 +153,10 @@ export class CandleFlameElement extends ReflectedAttributes {
   /** The room among those on the page, each of which takes a WebGL context. */
   #guest: Guest | null = null;
   #shownCamera = "";
-  /** Set before there is a world to see. */
+  /** Set before there is a world to see, or while that of another room is on its way. */
   #awaitedCamera: Partial<Camera> | null = null;
+  /** From where a room that had to give way goes on, and which room it is of. */
+  #asleep: { readonly moment: Moment; readonly of: SceneRequest } | null = null;
 
   constructor() {
     super();
@@ -195,6 +198,8 @@ export class CandleFlameElement extends ReflectedAttributes {
     if (name === "loading" && this.loading === "eager") this.#approach?.();
     if (name === "scene" && this.#canvas && this.scene !== this.#scenery) this.#restart();
     if (CHOOSING.includes(name)) this.#chooseModels();
+    if (name === "seed") this.#asleep = null;
+    if (name === "unlit") this.#dream({ isLit: !this.unlit });
     this.#apply();
   }
 
@@ -246,16 +251,14 @@ export class CandleFlameElement extends ReflectedAttributes {
   }
 
   get camera(): Camera {
-    const player = this.#candle?.world.player;
-    if (!player) return { position: [0, 0, 0], yaw: 0, pitch: 0 };
-    const [x, y, z] = player.position;
-    return { position: [x, y, z], yaw: player.yaw, pitch: player.pitch };
+    const player = this.#candle?.world.player ?? this.#asleep?.moment;
+    const { position = [0, 0, 0], yaw = 0, pitch = 0 } = player ?? {};
+    const [x, y, z] = position;
+    return { position: [x, y, z], yaw, pitch };
   }
   set camera(value: Partial<Camera>) {
-    if (!this.#candle) {
-      this.#awaitedCamera = { ...this.#awaitedCamera, ...value };
-      return;
-    }
+    if (!this.#candle || this.#wanted) this.#awaitedCamera = { ...this.#awaitedCamera, ...value };
+    if (!this.#candle) return;
     this.#moveCamera(this.#candle, value);
     this.#reportCamera();
     this.#requestDraw();
@@ -269,12 +272,14 @@ export class CandleFlameElement extends ReflectedAttributes {
 
   /** Seconds simulated since `reset()`. */
   get currentTime(): number {
-    return this.#candle?.currentTime ?? 0;
+    if (this.#candle) return this.#candle.currentTime;
+    return this.#asleep ? timeOf(this.#asleep.moment) : 0;
   }
 
   /** Whether the candle is in the hand; else it stands in the room. */
   get held(): boolean {
-    return this.#candle?.world.candle.isHeld ?? true;
+    if (this.#candle) return this.#candle.world.candle.isHeld;
+    return this.#asleep ? this.#asleep.moment.stand === null : true;
   }
 
   /** The flame as of the last frame; its position is the centre of the light. Null before the first. */
@@ -321,6 +326,7 @@ export class CandleFlameElement extends ReflectedAttributes {
   /** Time 0, as if new; with a seed, another chance. */
   reset(seed?: number): void {
     if (seed !== undefined) this.seed = seed;
+    this.#asleep = null;
     this.#use((candle) => candle.reset());
     this.#reportCamera();
     this.#requestDraw();
@@ -353,7 +359,8 @@ export class CandleFlameElement extends ReflectedAttributes {
 
   /** Whether the candle burns; writing lights it or puts it out. */
   get lit(): boolean {
-    return this.#candle?.world.flame.isLit ?? !this.unlit;
+    if (this.#candle) return this.#candle.world.flame.isLit;
+    return this.#asleep?.moment.isLit ?? !this.unlit;
   }
   set lit(value: boolean) {
     if (value) this.light();
@@ -373,10 +380,17 @@ export class CandleFlameElement extends ReflectedAttributes {
   #setLit(isLit: boolean): void {
     if (!this.#candle) {
       this.unlit = !isLit;
+      this.#dream({ isLit });
       return;
     }
     this.#candle.setLit(isLit);
     this.#requestDraw();
+  }
+
+  /** Changes what a sleeping room goes on from. */
+  #dream(change: Partial<Moment>): void {
+    if (!this.#asleep) return;
+    this.#asleep = { ...this.#asleep, moment: { ...this.#asleep.moment, ...change } };
   }
 
   /** A breath from the camera: the flame leans, and goes out if it is strong enough. */
@@ -579,6 +593,8 @@ export class CandleFlameElement extends ReflectedAttributes {
     candle.onRefused = () => this.#tellRefusal();
     candle.onFlameChanged = this.#flameChanged;
     candle.onQualityChanged = () => this.#emit("qualitychange", null);
+    if (this.#asleep) candle.resume(this.#asleep.moment, areSame(this.#asleep.of, this.#shown));
+    this.#asleep = null;
     this.#moveCamera(candle, this.#awaitedCamera);
     this.#awaitedCamera = null;
     this.#shownCamera = this.#cameraKey;
@@ -614,6 +630,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     if (areSame(this.#asked, this.#shown)) {
       this.#loading?.abort();
       this.#wanted = null;
+      this.#awaitedCamera = null;
       this.#overlay.hideProgress();
       this.#shown = this.#asked;
     } else if (!areSame(this.#asked, this.#wanted)) {
@@ -645,6 +662,7 @@ export class CandleFlameElement extends ReflectedAttributes {
         this.#fail(error as Error);
         return;
       }
+      this.#awaitedCamera = null;
       this.#overlay.hideProgress();
       this.#report(error as Error);
     }
@@ -657,7 +675,11 @@ export class CandleFlameElement extends ReflectedAttributes {
       this.#begin(scene, connection);
       return;
     }
-    this.#use((candle) => candle.show(scene, this.#options()));
+    this.#use((candle) => {
+      candle.show(scene, this.#options());
+      this.#moveCamera(candle, this.#awaitedCamera);
+    });
+    this.#awaitedCamera = null;
     old.close();
     if (!this.#candle) return;
     this.#overlay.hideProgress();
@@ -698,15 +720,20 @@ export class CandleFlameElement extends ReflectedAttributes {
     motion.addEventListener("change", () => this.#apply(), { signal });
   }
 
-  /** As if the element had been taken out and put back; the visitor stays where he is. */
+  /** As if the element had been taken out and put back, but time goes on from this moment. */
   #restart(): void {
-    if (this.#candle && this.scene === this.#scenery) this.#awaitedCamera = this.camera;
+    const asleep =
+      this.#candle && this.#shown
+        ? { moment: momentOf(this.#candle.world), of: this.#shown }
+        : this.#asleep;
     this.#stop();
+    this.#asleep = asleep;
     this.#start();
   }
 
   #stop(): void {
     this.#release();
+    this.#asleep = null;
     this.#settleReady.reject(new DOMException("The element was taken out.", "AbortError"));
     this.ready = this.#promiseReady();
   }

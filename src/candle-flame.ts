@@ -9,6 +9,7 @@ import type { Screen } from "./scenes/screen.js";
 import type { Features, Inspection, Look, Quality } from "./settings.js";
 import type { Wind } from "./world/air.js";
 import { STILL } from "./world/intent.js";
+import { type Moment, resume } from "./world/moment.js";
 import { withCount } from "./world/particle-layer.js";
 import {
   advance,
@@ -202,7 +203,7 @@ export class CandleFlame {
     this.#scene = scene;
     this.#options = options;
     this.#auto.renew();
-    this.world = this.#createWorld(this.world.timeline.tick, this.world.flame.isLit);
+    this.world = this.#sameTimeAs(this.world);
     this.#rebuild();
   }
 
@@ -218,22 +219,35 @@ export class CandleFlame {
     if (before.tier !== tier || before.share !== share) this.onQualityChanged();
   }
 
+  /** A new world at the moment of another, its visitor at the door. */
+  #sameTimeAs({ timeline, remainder, flame }: World): World {
+    const world = this.#createWorld(timeline.tick, flame.isLit);
+    world.remainder = remainder;
+    return world;
+  }
+
   /** The visitor stays where he is, or inside the new look's walls, at the same moment. */
   #changeLook(): void {
-    const { player, timeline, remainder, flame } = this.world;
-    this.world = this.#createWorld(timeline.tick, flame.isLit);
-    this.world.remainder = remainder;
+    const { player } = this.world;
+    this.world = this.#sameTimeAs(this.world);
     moveCamera(this.world, player.position, player.yaw, player.pitch);
     this.#follow(this.#renderer);
   }
 
   /** The moment of another candle, as far as the room here allows. */
   mirror({ world: other }: CandleFlame): void {
-    const { player, timeline, remainder, flame } = other;
-    this.world = this.#createWorld(timeline.tick, flame.isLit);
-    this.world.remainder = remainder;
+    const { player } = other;
+    this.world = this.#sameTimeAs(other);
     moveCamera(this.world, player.position, player.yaw, player.pitch);
     standLike(this.world, other);
+    this.#follow(this.#renderer);
+  }
+
+  /** Goes on from a moment that an earlier candle had here; in another room, at its door. */
+  resume(moment: Moment, isSameRoom: boolean): void {
+    this.world = this.#createWorld(moment.tick, moment.isLit);
+    this.world.remainder = moment.remainder;
+    if (isSameRoom) resume(this.world, moment);
     this.#follow(this.#renderer);
   }
 

@@ -210,10 +210,19 @@ export function standLike(world: World, { candle, stage, room }: World): void {
     adapt(world);
     return;
   }
-  for (const axis of [0, 1, 2] as const) world.candle.position[axis] = candle.position[axis];
-  world.candle.yaw = candle.yaw;
-  world.candle.isHeld = false;
+  putBack(world, candle.position, candle.yaw);
+}
+
+/** Stands the candle exactly where it stood before; not where it belongs elsewhere. */
+export function putBack(world: World, position: Readonly<Vec3>, yaw: number): void {
+  const { candle, stage, room } = world;
+  if (stage.stand !== null) return;
+  for (const axis of [0, 1, 2] as const) candle.position[axis] = position[axis];
+  candle.yaw = yaw;
+  candle.isHeld = false;
+  room?.plan.setStanding([position[0], position[2], STAND.radius]);
   settle(world, 0);
+  adapt(world);
   show(world);
 }
 

@@ -1,4 +1,5 @@
 import type { Page } from "playwright/test";
+import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
 import { browser as settings } from "../support/browser.ts";
 import { lostContexts, recordContexts } from "../support/contexts.ts";
 import { complaintsOf, LIBRARY, RoomDriver } from "../support/room-driver.ts";
@@ -389,11 +390,29 @@ test("More rooms than a browser has contexts wait with a sentence, and none in s
   });
 
   await test.step("a room that goes out of sight gives its place to one in sight", async () => {
-    await rooms.first().evaluate((element) => {
+    await rooms.first().evaluate((element: CandleFlameElement) => {
+      element.step(0.5);
+      element.extinguish();
+      element.camera = { yaw: 1 };
       element.style.cssText += "; position: absolute; top: 1500px";
     });
     await expect.poll(opened).toEqual([false, ...seven]);
     await expect(sentences).toHaveCount(1);
+  });
+
+  await test.step("and goes on where it was, once there is a place", async () => {
+    const moment = () =>
+      rooms.first().evaluate(({ currentTime, lit, camera }: CandleFlameElement) => ({
+        currentTime,
+        lit,
+        camera,
+      }));
+    const before = await moment();
+    expect(before).toEqual({ currentTime: 0.5, lit: false, camera: expect.anything() });
+    await rooms.last().evaluate((element) => element.remove());
+    await expect.poll(opened).toEqual(seven);
+    expect(await moment()).toEqual(before);
+    expect(before.camera.yaw).toBe(1);
   });
   expect(complaints).toEqual([]);
   await context.close();
