@@ -9,7 +9,7 @@
 #include "lib/random.glsl"
 #include "physical/depth.glsl"
 #include "physical/light.glsl"
-#include "physical/soft-shadow.glsl"
+#include "deferred/near-shadow.glsl"
 #include "physical/volume.glsl"
 #include "physical/wax.glsl"
 #include "deferred/stored.glsl"

@@ -72,9 +72,11 @@ void main() {
   float distanceSquared = max(dot(toLight, toLight), NEAREST * NEAREST);
   vec3 L = toLight * inversesqrt(distanceSquared);
   float NoL = max(dot(normal, L), 0.0);
+  vec3 facet = facetNormal(vPositionWorld);
+  facet = faceforward(facet, vPositionWorld - light.position, facet);
   // Crevices are lit by what is beside them, so the flame's light counts there whichever way they face.
   bool isLit = NoL > 0.0 || occlusion < OPEN;
-  float visible = isLit ? visibleShare(vPositionWorld, normalize(vNormalWorld), gl_FragCoord.xy) : 0.0;
+  float visible = isLit ? visibleShare(vPositionWorld, facet, gl_FragCoord.xy) : 0.0;
   vec3 intensity = light.intensity * mix(1.0, visible * pastCandle(vPositionWorld), uShown.x);
   vec3 passing = intensity / distanceSquared;
   vec3 irradiance = passing * NoL;
