@@ -1,14 +1,28 @@
 import type { AssetError } from "./assets/load-model.js";
-import { CandleFlame, type Stats } from "./candle-flame.js";
-import { guessDevicePixels, observeDevicePixels, type Size } from "./device-pixels.js";
-import { STYLE } from "./element-style.js";
+import { CandleFlame, type Options, type Stats } from "./candle-flame.js";
+import { Absence, type Camera, cameraOf, setCamera } from "./element/absence.js";
+import { watchContext } from "./element/context-watch.js";
+import { guessDevicePixels, observeDevicePixels, type Size } from "./element/device-pixels.js";
+import {
+  type CandleFlameEventMap,
+  type ErrorDetail,
+  type ErrorType,
+  TypedEvents,
+  typeOf,
+} from "./element/events.js";
+import { featureSwitches } from "./element/feature-switches.js";
+import { Glow } from "./element/glow.js";
+import { observeLessMotion, optionsOf } from "./element/options.js";
+import { Overlay } from "./element/overlay.js";
+import { SceneFetcher } from "./element/scene-fetcher.js";
+import { FULL, LOST, NO_PHYSICAL_LOOK, outSentence, REFUSALS } from "./element/sentences.js";
+import { Sight } from "./element/sight.js";
+import { STYLE } from "./element/style.js";
 import { ContextLostError } from "./gl/gpu-object.js";
 import { type Device, FirstPersonInput } from "./input/first-person-input.js";
 import type { FlameReport } from "./light/flame-light.js";
-import { Overlay } from "./overlay.js";
-import { ReflectedAttributes } from "./reflected-attributes.js";
 import { type Guest, rooms } from "./scenes/places.js";
-import { areSame, loadScene, type Scene, type SceneRequest } from "./scenes/scene.js";
+import type { Scene, SceneRequest } from "./scenes/scene.js";
 import { createScreen, type Screen } from "./scenes/screen.js";
 import {
   allFeatures,
@@ -22,105 +36,41 @@ import {
   type SceneName,
   type SettingName,
 } from "./settings.js";
-import { type Moment, momentOf, timeOf } from "./world/moment.js";
-import type { Refusal } from "./world/placing.js";
-import { blow, moveCamera, placeCandle, takeCandle } from "./world/world.js";
+import { momentOf } from "./world/moment.js";
+import { blow, placeCandle, takeCandle } from "./world/world.js";
 
 export type * from "./framework-types.js";
-export type { Feature, Features, FlameReport, Inspection, Look, Quality, Stats };
-
-export interface Camera {
-  /** Metres; the origin is on the floor, amid the room. */
-  readonly position: readonly [number, number, number];
-  /** Radians, counter-clockwise from above; 0 looks along -Z. */
-  readonly yaw: number;
-  /** Radians, up positive. */
-  readonly pitch: number;
-}
-
-export type ErrorType = "webgl-unavailable" | "asset" | "shader" | "context-lost";
-
-export interface ErrorDetail {
-  readonly type: ErrorType;
-  readonly message: string;
-  readonly cause: unknown;
-}
-
-export interface CandleFlameEventMap {
-  progress: CustomEvent<{ readonly totalProgress: number }>;
-  load: CustomEvent<null>;
-  error: CustomEvent<ErrorDetail>;
-  play: CustomEvent<null>;
-  pause: CustomEvent<null>;
-  place: CustomEvent<null>;
-  take: CustomEvent<null>;
-  enter: CustomEvent<null>;
-  leave: CustomEvent<null>;
-  light: CustomEvent<null>;
-  extinguish: CustomEvent<null>;
-  camerachange: CustomEvent<null>;
-  qualitychange: CustomEvent<null>;
-  contextlost: CustomEvent<null>;
-  contextrestored: CustomEvent<null>;
-}
+export type {
+  AssetError,
+  Camera,
+  CandleFlameEventMap,
+  ErrorDetail,
+  ErrorType,
+  Feature,
+  Features,
+  FlameReport,
+  Inspection,
+  Look,
+  Quality,
+  Stats,
+};
 
 /** Attributes that other models may come with. */
 const CHOOSING: readonly SettingName[] = ["look", "src", "asset-base"];
 
-const NO_PHYSICAL_LOOK =
-  "This graphics driver cannot hold light in real units, so the room is drawn in the paper's look.";
-
-const REFUSALS: Readonly<Record<Refusal, string>> = {
-  "nothing within reach": "There is nothing within reach to put the candle on.",
-  "too steep": "That is too steep for a candle.",
-  overhangs: "The candle would hang over the edge.",
-  "no room": "There is no room for the candle.",
-};
-
-const OUT = "The candle is out.";
-
-/** How long the browser has to give a lost context back before the visitor is asked, in milliseconds. */
-const PATIENCE = 5000;
-const LOST = "The graphics driver has taken the picture away, and has not given it back.";
-const FULL =
-  "This page has as many rooms open as a browser can show. This one opens as soon as there is a place.";
-
 /**
- * A candle in a dark room.
+ * `<candle-flame>`: a candle in a dark room, or alone on the page.
  *
- * @attr look - which renderer: the paper's final product, or its before
- * @attr controls - first-person controls; without it the element takes no input and no focus
- * @attr quality - auto, low, medium, high, ultra
- * @attr sensitivity - how far the view turns for a movement of the mouse or a finger
- * @attr motion - auto, reduced, full; auto follows the visitor's system
- * @attr paused - no time passes; a frame is drawn only when something changes
- * @attr unlit - the candle starts, or is put, out
- * @attr wind - mean draught, m/s
- * @attr wind-direction - where it blows to, degrees: 0 is -Z, counter-clockwise from above
- * @attr gustiness - 0 steady to 1 squally
- * @attr wick - diameter of the wick, mm
- * @attr seed - same seed, same steps, same pixels on the same renderer
- * @attr exposure - compensation in EV
- * @attr particles - particles that the flame keeps alive; 0 is the look's own count
- * @csspart canvas - the picture
- * @csspart poster - the picture until the first frame
- * @csspart progress - the bar that shows loading
- * @csspart hint - what the visitor should know for a moment
- * @csspart error - the sentence shown when there can be no picture
- * @csspart reload - the button that begins anew
- * @csspart glow - the warm light on the page, with `scene="candle"`
- * @slot poster - in place of the poster's image
- * @slot progress - in place of the bar, while loading
- * @slot hint - in place of the line that lists the controls
- * @slot error - in place of the sentence
+ * Its attributes are the table `SETTINGS`; its events, slots, parts, states and custom properties are told of
+ * by `custom-elements.json`, which `tools/elements-manifest.ts` writes.
  */
-export class CandleFlameElement extends ReflectedAttributes {
+export class CandleFlameElement extends TypedEvents {
   /** Resolves after the first frame with all assets; rejects with the error that `error` reports. */
   ready: Promise<void>;
 
   readonly #internals: ElementInternals;
   readonly #overlay: Overlay;
-  readonly #glow: HTMLElement;
+  readonly #glow = new Glow();
   readonly #features: Features = allFeatures();
   #inspect: Inspection = "picture";
   readonly #featureSwitches: Features;
@@ -133,30 +83,18 @@ export class CandleFlameElement extends ReflectedAttributes {
   /** Whether this GPU can hold the light of the physical look. */
   #holdsLight = true;
   #scenery: SceneName | null = null;
-  /** Ends the wait of a lazy element. */
-  #approach: (() => void) | null = null;
   #scene: Scene | null = null;
-  /** What is on show, which while something else is fetched is not what the attributes say. */
-  #shown: SceneRequest | null = null;
-  /** Being fetched. */
-  #wanted: SceneRequest | null = null;
-  #loading: AbortController | null = null;
-  /** In the viewport, as far as anyone knows. */
-  #isInSight = true;
+  #sight: Sight | null = null;
+  #fetcher: SceneFetcher | null = null;
+  readonly #absence = new Absence();
   /** Whether something changed that nobody could see. */
   #isStale = false;
   /** Of the canvas on the page; what the renderer draws may be fewer. */
   #pixels: Size = { width: 1, height: 1 };
   #drawRequest = 0;
-  /** Runs out when a lost context does not come back. */
-  #patience = 0;
   /** The room among those on the page, each of which takes a WebGL context. */
   #guest: Guest | null = null;
   #shownCamera = "";
-  /** Set before there is a world to see, or while that of another room is on its way. */
-  #awaitedCamera: Partial<Camera> | null = null;
-  /** From where a room that had to give way goes on, and which room it is of. */
-  #asleep: { readonly moment: Moment; readonly of: SceneRequest } | null = null;
 
   constructor() {
     super();
@@ -165,11 +103,12 @@ export class CandleFlameElement extends ReflectedAttributes {
     const sheet = new CSSStyleSheet();
     sheet.replaceSync(STYLE);
     root.adoptedStyleSheets = [sheet];
-    this.#glow = document.createElement("div");
-    this.#glow.part.add("glow");
-    root.append(this.#glow);
+    root.append(this.#glow.element);
     this.#overlay = new Overlay(root);
-    this.#featureSwitches = this.#makeFeatureSwitches();
+    this.#featureSwitches = featureSwitches(this.#features, (name, isOn) => {
+      this.#use((candle) => candle.setFeature(name, isOn));
+      this.#requestDraw();
+    });
     this.#settleReady = { resolve: () => {}, reject: () => {} };
     this.ready = this.#promiseReady();
   }
@@ -184,7 +123,9 @@ export class CandleFlameElement extends ReflectedAttributes {
   disconnectedCallback(): void {
     // A move within the page disconnects and connects in one task: nothing should restart then.
     queueMicrotask(() => {
-      if (!this.isConnected) this.#stop();
+      if (this.isConnected) return;
+      this.#absence.forgetTime();
+      this.#stop();
     });
   }
 
@@ -195,11 +136,11 @@ export class CandleFlameElement extends ReflectedAttributes {
       this.#candle.input.sensitivity = this.sensitivity;
     }
     if (name === "max-pixel-ratio") this.#resize();
-    if (name === "loading" && this.loading === "eager") this.#approach?.();
+    if (name === "loading" && this.loading === "eager") this.#sight?.stopWaiting();
     if (name === "scene" && this.#canvas && this.scene !== this.#scenery) this.#restart();
-    if (CHOOSING.includes(name)) this.#chooseModels();
-    if (name === "seed") this.#asleep = null;
-    if (name === "unlit") this.#dream({ isLit: !this.unlit });
+    if (CHOOSING.includes(name)) this.#fetcher?.follow();
+    if (name === "seed") this.#absence.forgetTime();
+    if (name === "unlit") this.#absence.isLit = !this.unlit;
     this.#apply();
   }
 
@@ -223,23 +164,6 @@ export class CandleFlameElement extends ReflectedAttributes {
     }
   }
 
-  #makeFeatureSwitches(): Features {
-    const switches = {} as Features;
-    for (const name of Object.keys(FEATURES) as Feature[]) {
-      Object.defineProperty(switches, name, {
-        enumerable: true,
-        get: () => this.#features[name],
-        set: (value: unknown) => {
-          if (this.#features[name] === Boolean(value)) return;
-          this.#features[name] = Boolean(value);
-          this.#use((candle) => candle.setFeature(name, Boolean(value)));
-          this.#requestDraw();
-        },
-      });
-    }
-    return Object.seal(switches);
-  }
-
   /** What is shown of each frame: the picture, or what a pass has left for the next. */
   get inspect(): Inspection {
     return this.#inspect;
@@ -251,35 +175,24 @@ export class CandleFlameElement extends ReflectedAttributes {
   }
 
   get camera(): Camera {
-    const player = this.#candle?.world.player ?? this.#asleep?.moment;
-    const { position = [0, 0, 0], yaw = 0, pitch = 0 } = player ?? {};
-    const [x, y, z] = position;
-    return { position: [x, y, z], yaw, pitch };
+    return this.#candle ? cameraOf(this.#candle) : this.#absence.camera;
   }
   set camera(value: Partial<Camera>) {
-    if (!this.#candle || this.#wanted) this.#awaitedCamera = { ...this.#awaitedCamera, ...value };
+    if (!this.#candle || this.#fetcher?.isFetching) this.#absence.want(value);
     if (!this.#candle) return;
-    this.#moveCamera(this.#candle, value);
+    setCamera(this.#candle, value);
     this.#reportCamera();
     this.#requestDraw();
   }
 
-  #moveCamera({ world }: CandleFlame, value: Partial<Camera> | null): void {
-    const { camera } = this;
-    const { position, yaw, pitch } = { ...camera, ...value };
-    moveCamera(world, position ?? camera.position, Number(yaw), Number(pitch));
-  }
-
   /** Seconds simulated since `reset()`. */
   get currentTime(): number {
-    if (this.#candle) return this.#candle.currentTime;
-    return this.#asleep ? timeOf(this.#asleep.moment) : 0;
+    return this.#candle?.currentTime ?? this.#absence.currentTime;
   }
 
   /** Whether the candle is in the hand; else it stands in the room. */
   get held(): boolean {
-    if (this.#candle) return this.#candle.world.candle.isHeld;
-    return this.#asleep ? this.#asleep.moment.stand === null : true;
+    return this.#candle?.world.candle.isHeld ?? this.#absence.isHeld;
   }
 
   /** The flame as of the last frame; its position is the centre of the light. Null before the first. */
@@ -326,7 +239,7 @@ export class CandleFlameElement extends ReflectedAttributes {
   /** Time 0, as if new; with a seed, another chance. */
   reset(seed?: number): void {
     if (seed !== undefined) this.seed = seed;
-    this.#asleep = null;
+    this.#absence.forgetTime();
     this.#use((candle) => candle.reset());
     this.#reportCamera();
     this.#requestDraw();
@@ -359,8 +272,7 @@ export class CandleFlameElement extends ReflectedAttributes {
 
   /** Whether the candle burns; writing lights it or puts it out. */
   get lit(): boolean {
-    if (this.#candle) return this.#candle.world.flame.isLit;
-    return this.#asleep?.moment.isLit ?? !this.unlit;
+    return this.#candle?.world.flame.isLit ?? this.#absence.isLit ?? !this.unlit;
   }
   set lit(value: boolean) {
     if (value) this.light();
@@ -380,17 +292,11 @@ export class CandleFlameElement extends ReflectedAttributes {
   #setLit(isLit: boolean): void {
     if (!this.#candle) {
       this.unlit = !isLit;
-      this.#dream({ isLit });
+      this.#absence.isLit = isLit;
       return;
     }
     this.#candle.setLit(isLit);
     this.#requestDraw();
-  }
-
-  /** Changes what a sleeping room goes on from. */
-  #dream(change: Partial<Moment>): void {
-    if (!this.#asleep) return;
-    this.#asleep = { ...this.#asleep, moment: { ...this.#asleep.moment, ...change } };
   }
 
   /** A breath from the camera: the flame leans, and goes out if it is strong enough. */
@@ -410,10 +316,7 @@ export class CandleFlameElement extends ReflectedAttributes {
   }
 
   get #outSentence(): string | null {
-    if (this.lit) return null;
-    if (!this.controls) return OUT;
-    const hasFingersAlone = matchMedia("(hover: none)").matches;
-    return hasFingersAlone ? `${OUT} Tap twice to light it.` : `${OUT} Press E to light it.`;
+    return this.lit ? null : outSentence(this.controls);
   }
 
   /** Goes in, as a click does: takes the focus and asks for the pointer. Needs `controls`. */
@@ -445,42 +348,6 @@ export class CandleFlameElement extends ReflectedAttributes {
     return radiance ?? new Float32Array(width * height * 3);
   }
 
-  override addEventListener<Type extends keyof CandleFlameEventMap>(
-    type: Type,
-    listener: (this: CandleFlameElement, event: CandleFlameEventMap[Type]) => void,
-    options?: boolean | AddEventListenerOptions,
-  ): void;
-  override addEventListener(
-    type: string,
-    listener: EventListenerOrEventListenerObject,
-    options?: boolean | AddEventListenerOptions,
-  ): void;
-  override addEventListener(
-    type: string,
-    listener: unknown,
-    options?: boolean | AddEventListenerOptions,
-  ): void {
-    super.addEventListener(type, listener as EventListener, options);
-  }
-
-  override removeEventListener<Type extends keyof CandleFlameEventMap>(
-    type: Type,
-    listener: (this: CandleFlameElement, event: CandleFlameEventMap[Type]) => void,
-    options?: boolean | EventListenerOptions,
-  ): void;
-  override removeEventListener(
-    type: string,
-    listener: EventListenerOrEventListenerObject,
-    options?: boolean | EventListenerOptions,
-  ): void;
-  override removeEventListener(
-    type: string,
-    listener: unknown,
-    options?: boolean | EventListenerOptions,
-  ): void {
-    super.removeEventListener(type, listener as EventListener, options);
-  }
-
   #emit<Type extends keyof CandleFlameEventMap>(
     type: Type,
     detail: CandleFlameEventMap[Type]["detail"],
@@ -502,48 +369,20 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.#clearFailure();
     this.#overlay.showPoster(this.poster);
     this.#internals.states.add("loading");
-    this.#watchSight(signal);
-    if (this.loading === "lazy") this.#awaitSight(signal);
+    this.#sight = new Sight(this, signal, () => this.#applySight(), this.#sight);
+    if (this.loading === "lazy") this.#sight.awaitApproach(() => this.#open(signal));
     else this.#open(signal);
   }
 
   /** Nothing moves where nobody looks. */
-  #watchSight(signal: AbortSignal): void {
-    const sight = new IntersectionObserver((entries) => {
-      this.#isInSight = entries.at(-1)?.isIntersecting ?? true;
-      this.#applySight();
-    });
-    sight.observe(this);
-    signal.addEventListener("abort", () => sight.disconnect());
-    const { ownerDocument } = this;
-    ownerDocument.addEventListener("visibilitychange", () => this.#applySight(), { signal });
-  }
-
   get #isSeen(): boolean {
-    return this.#isInSight && this.ownerDocument.visibilityState === "visible";
+    return this.#sight?.isSeen ?? true;
   }
 
   #applySight(): void {
     rooms.review();
     this.#applyMotion();
     if (this.#isSeen && this.#isStale) this.#draw();
-  }
-
-  /** Nothing is fetched, compiled or drawn before the visitor is a screen away. */
-  #awaitSight(signal: AbortSignal): void {
-    const sight = new IntersectionObserver(
-      (entries) => {
-        if (entries.some(({ isIntersecting }) => isIntersecting)) this.#approach?.();
-      },
-      { rootMargin: "100%" },
-    );
-    this.#approach = () => {
-      this.#approach = null;
-      sight.disconnect();
-      if (!signal.aborted) this.#open(signal);
-    };
-    sight.observe(this);
-    signal.addEventListener("abort", () => sight.disconnect());
   }
 
   /** A room has to wait until the page has a context left; lone candles share one. */
@@ -573,9 +412,21 @@ export class CandleFlameElement extends ReflectedAttributes {
       this.#screen = createScreen(this.scene, this.#createCanvas());
       const { source, gpu } = this.#screen;
       this.#holdsLight = gpu.drawsToHalfFloats;
-      source.addEventListener("webglcontextlost", this.#contextLost, { signal });
-      source.addEventListener("webglcontextrestored", this.#contextRestored, { signal });
-      void this.#fetch(signal);
+      watchContext(source, signal, {
+        onLost: () => this.#contextLost(),
+        onRestored: () => this.#contextRestored(),
+        onGivenUp: () => {
+          this.#offerReload();
+          this.#report(new ContextLostError(LOST));
+        },
+      });
+      this.#fetcher = new SceneFetcher(() => this.#asked, signal, {
+        onProgress: (share) => this.#showProgress(share),
+        onScene: (scene) => this.#show(scene, signal),
+        onFailure: (error) => this.#failToFetch(error),
+        onGivenUp: () => this.#stopAwaiting(),
+      });
+      void this.#fetcher.fetch();
     } catch (error) {
       this.#fail(error as Error);
     }
@@ -593,10 +444,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     candle.onRefused = () => this.#tellRefusal();
     candle.onFlameChanged = this.#flameChanged;
     candle.onQualityChanged = () => this.#emit("qualitychange", null);
-    if (this.#asleep) candle.resume(this.#asleep.moment, areSame(this.#asleep.of, this.#shown));
-    this.#asleep = null;
-    this.#moveCamera(candle, this.#awaitedCamera);
-    this.#awaitedCamera = null;
+    this.#absence.end(candle, this.#shown);
     this.#shownCamera = this.#cameraKey;
     this.#pixels = guessDevicePixels(candle.canvas);
     this.#resize();
@@ -624,48 +472,24 @@ export class CandleFlameElement extends ReflectedAttributes {
     return { scene, look: this.#drawnLook, src, assetRoot: this.#assetRoot() };
   }
 
-  /** Another look, room or base: at once if its models are there, else when they have come. */
-  #chooseModels(): void {
-    if (!this.#connection || !this.#canvas) return;
-    if (areSame(this.#asked, this.#shown)) {
-      this.#loading?.abort();
-      this.#wanted = null;
-      this.#awaitedCamera = null;
-      this.#overlay.hideProgress();
-      this.#shown = this.#asked;
-    } else if (!areSame(this.#asked, this.#wanted)) {
-      void this.#fetch(this.#connection.signal);
-    }
+  /** On show, which while something else is fetched is not what the attributes say. */
+  get #shown(): SceneRequest | null {
+    return this.#fetcher?.shown ?? null;
   }
 
-  /**
-   * Fetches what look and `src` ask for; what was asked for before is no longer wanted. What is on show
-   * stays until the new models have come, and if they do not come.
-   */
-  async #fetch(connection: AbortSignal): Promise<void> {
-    this.#loading?.abort();
-    this.#loading = new AbortController();
-    const signal = AbortSignal.any([connection, this.#loading.signal]);
-    const wanted = this.#asked;
-    this.#wanted = wanted;
-    try {
-      const onProgress = (share: number) => this.#showProgress(share);
-      const scene = await loadScene(wanted, { signal, onProgress });
-      if (signal.aborted) return scene.close();
-      this.#wanted = null;
-      this.#shown = this.#asked;
-      this.#show(scene, connection);
-    } catch (error) {
-      if (signal.aborted) return;
-      this.#wanted = null;
-      if (!this.#candle) {
-        this.#fail(error as Error);
-        return;
-      }
-      this.#awaitedCamera = null;
-      this.#overlay.hideProgress();
-      this.#report(error as Error);
+  #failToFetch(error: Error): void {
+    if (!this.#candle) {
+      this.#fail(error);
+      return;
     }
+    this.#stopAwaiting();
+    this.#report(error);
+  }
+
+  /** What was on its way does not come, or is not wanted after all. */
+  #stopAwaiting(): void {
+    this.#absence.forgetCamera();
+    this.#overlay.hideProgress();
   }
 
   #show(scene: Scene, connection: AbortSignal): void {
@@ -677,9 +501,8 @@ export class CandleFlameElement extends ReflectedAttributes {
     }
     this.#use((candle) => {
       candle.show(scene, this.#options());
-      this.#moveCamera(candle, this.#awaitedCamera);
+      this.#absence.end(candle, this.#shown);
     });
-    this.#awaitedCamera = null;
     old.close();
     if (!this.#candle) return;
     this.#overlay.hideProgress();
@@ -716,40 +539,33 @@ export class CandleFlameElement extends ReflectedAttributes {
         else this.#isStale = true;
       });
     }
-    const motion = matchMedia("(prefers-reduced-motion: reduce)");
-    motion.addEventListener("change", () => this.#apply(), { signal });
+    observeLessMotion(signal, () => this.#apply());
   }
 
   /** As if the element had been taken out and put back, but time goes on from this moment. */
   #restart(): void {
-    const asleep =
-      this.#candle && this.#shown
-        ? { moment: momentOf(this.#candle.world), of: this.#shown }
-        : this.#asleep;
+    const candle = this.#candle;
+    const shown = this.#shown;
     this.#stop();
-    this.#asleep = asleep;
+    if (candle && shown) this.#absence.fallAsleep(momentOf(candle.world), shown);
     this.#start();
   }
 
   #stop(): void {
     this.#release();
-    this.#asleep = null;
     this.#settleReady.reject(new DOMException("The element was taken out.", "AbortError"));
     this.ready = this.#promiseReady();
   }
 
   #release(): void {
-    clearTimeout(this.#patience);
     this.#connection?.abort();
     this.#connection = null;
-    this.#approach = null;
+    this.#fetcher = null;
     this.#forgetRequest();
     this.#candle?.dispose();
     this.#candle = null;
     this.#screen?.dispose();
     this.#screen = null;
-    this.#shown = null;
-    this.#wanted = null;
     this.#scene?.close();
     this.#scene = null;
     this.#canvas?.remove();
@@ -814,20 +630,13 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.#emit("error", { type: typeOf(error), message: error.message, cause: error });
   }
 
-  readonly #contextLost = (event: Event): void => {
-    event.preventDefault(); // asks the browser to give it back
+  #contextLost(): void {
     this.#candle?.pause();
     this.#overlay.showPoster(this.poster);
-    clearTimeout(this.#patience);
-    this.#patience = window.setTimeout(() => {
-      this.#offerReload();
-      this.#report(new ContextLostError(LOST));
-    }, PATIENCE);
     this.#emit("contextlost", null);
-  };
+  }
 
-  readonly #contextRestored = (): void => {
-    clearTimeout(this.#patience);
+  #contextRestored(): void {
     try {
       this.#screen?.renew();
       this.#clearFailure();
@@ -842,28 +651,10 @@ export class CandleFlameElement extends ReflectedAttributes {
     } catch (error) {
       this.#fail(error as Error);
     }
-  };
+  }
 
-  #options() {
-    const { seed, quality, exposure, particles, motion } = this;
-    const { look } = this.#shown ?? this;
-    const wantsLess = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    const isStill = motion === "reduced" || (motion === "auto" && wantsLess);
-    return {
-      look,
-      seed,
-      quality,
-      exposure,
-      particles,
-      isStill,
-      unlit: this.unlit,
-      wick: this.wick / 1000,
-      wind: {
-        speed: this.wind,
-        direction: (this.windDirection * Math.PI) / 180,
-        gustiness: this.gustiness,
-      },
-    };
+  #options(): Options {
+    return optionsOf(this, this.#shown?.look ?? this.look);
   }
 
   #applyMotion(): void {
@@ -953,13 +744,8 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.#shine();
   }
 
-  /** Lets the glow on the page follow the flame, in steps too small to see. */
   #shine(): void {
-    if (!this.#internals.states.has("alone")) return;
-    const { luminousIntensity = 0 } = this.flame ?? {};
-    const intensity = (Math.round(Math.min(luminousIntensity, 1) * 64) / 64).toString();
-    if (this.#glow.style.getPropertyValue("--intensity") === intensity) return;
-    this.#glow.style.setProperty("--intensity", intensity);
+    if (this.#internals.states.has("alone")) this.#glow.follow(this.flame?.luminousIntensity ?? 0);
   }
 
   get #cameraKey(): string {
@@ -993,14 +779,3 @@ declare global {
     "candle-flame": CandleFlameElement;
   }
 }
-
-function typeOf(error: Error): ErrorType {
-  const types: Readonly<Record<string, ErrorType>> = {
-    WebGLUnavailableError: "webgl-unavailable",
-    ShaderError: "shader",
-    ContextLostError: "context-lost",
-  } satisfies Record<string, ErrorType>;
-  return types[error.name] ?? ("asset" satisfies ErrorType);
-}
-
-export type { AssetError };

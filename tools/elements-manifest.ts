@@ -1,5 +1,5 @@
 import type { CandleFlameElement, CandleFlameEventMap } from "../src/candle-flame-element.ts";
-import type { ReflectedAttributes } from "../src/reflected-attributes.ts";
+import type { ReflectedAttributes } from "../src/element/reflected-attributes.ts";
 import { INSPECTIONS, SETTINGS } from "../src/settings.ts";
 
 const TYPES = { number: "number", flag: "boolean", text: "string" } as const;

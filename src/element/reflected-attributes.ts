@@ -6,7 +6,7 @@ import {
   type Quality,
   type SceneName,
   SETTINGS,
-} from "./settings.js";
+} from "../settings.js";
 
 // Where there is no DOM (a server that renders pages), the module still loads.
 const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);

@@ -1,4 +1,4 @@
-import type { Device } from "./input/first-person-input.js";
+import type { Device } from "../input/first-person-input.js";
 
 type Words = readonly (string | readonly string[])[];
 

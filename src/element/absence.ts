@@ -1,0 +1,87 @@
+import type { CandleFlame } from "../candle-flame.js";
+import { areSame, type SceneRequest } from "../scenes/scene.js";
+import { type Moment, timeOf } from "../world/moment.js";
+import { moveCamera } from "../world/world.js";
+
+export interface Camera {
+  /** Metres; the origin is on the floor, amid the room. */
+  readonly position: readonly [number, number, number];
+  /** Radians, counter-clockwise from above; 0 looks along -Z. */
+  readonly yaw: number;
+  /** Radians, up positive. */
+  readonly pitch: number;
+}
+
+const NOWHERE: Camera = { position: [0, 0, 0], yaw: 0, pitch: 0 };
+
+/**
+ * What is known and wanted of a world while there is none to see: before the first one, while a room that
+ * had to give way sleeps, and while another room is on its way.
+ */
+export class Absence {
+  #camera: Partial<Camera> | null = null;
+  /** From where a room goes on, and which room that is. */
+  #asleep: { readonly moment: Moment; readonly of: SceneRequest } | null = null;
+
+  get camera(): Camera {
+    const { position, yaw, pitch } = this.#asleep?.moment ?? NOWHERE;
+    return { position, yaw, pitch, ...this.#camera };
+  }
+
+  get currentTime(): number {
+    return this.#asleep ? timeOf(this.#asleep.moment) : 0;
+  }
+
+  get isHeld(): boolean {
+    return !this.#asleep?.moment.stand;
+  }
+
+  /** Null where nothing has burnt yet. */
+  get isLit(): boolean | null {
+    return this.#asleep?.moment.isLit ?? null;
+  }
+
+  set isLit(isLit: boolean) {
+    if (this.#asleep) this.#asleep = { ...this.#asleep, moment: { ...this.#asleep.moment, isLit } };
+  }
+
+  fallAsleep(moment: Moment, of: SceneRequest): void {
+    this.#asleep = { moment, of };
+  }
+
+  /** Time is to begin anew. */
+  forgetTime(): void {
+    this.#asleep = null;
+  }
+
+  /** The camera of the world to come. */
+  want(camera: Partial<Camera>): void {
+    this.#camera = { ...this.#camera, ...camera };
+  }
+
+  /** No other world is to come. */
+  forgetCamera(): void {
+    this.#camera = null;
+  }
+
+  /** The world is there: it goes on from where it was, as far as it is the same room, and as was wanted. */
+  end(candle: CandleFlame, shown: SceneRequest | null): void {
+    if (this.#asleep) candle.resume(this.#asleep.moment, areSame(this.#asleep.of, shown));
+    if (this.#camera) setCamera(candle, this.#camera);
+    this.#asleep = null;
+    this.#camera = null;
+  }
+}
+
+export function cameraOf({ world }: CandleFlame): Camera {
+  const { position, yaw, pitch } = world.player;
+  const [x, y, z] = position;
+  return { position: [x, y, z], yaw, pitch };
+}
+
+/** What is not given stays as it is; nonsense does, too. */
+export function setCamera(candle: CandleFlame, camera: Partial<Camera>): void {
+  const before = cameraOf(candle);
+  const { position, yaw, pitch } = { ...before, ...camera };
+  moveCamera(candle.world, position ?? before.position, Number(yaw), Number(pitch));
+}

@@ -1,0 +1,19 @@
+import type { Options } from "../candle-flame.js";
+import type { Look } from "../settings.js";
+import type { ReflectedAttributes } from "./reflected-attributes.js";
+
+const LESS_MOTION = "(prefers-reduced-motion: reduce)";
+
+/** What the attributes mean to the candle, in SI units. */
+export function optionsOf(element: ReflectedAttributes, look: Look): Options {
+  const { seed, quality, exposure, particles, motion, unlit, wick, gustiness } = element;
+  const isStill = motion === "reduced" || (motion === "auto" && matchMedia(LESS_MOTION).matches);
+  const direction = (element.windDirection * Math.PI) / 180;
+  const wind = { speed: element.wind, direction, gustiness };
+  return { look, seed, quality, exposure, particles, isStill, unlit, wick: wick / 1000, wind };
+}
+
+/** Tells when the visitor's system asks for less motion, or no longer does. */
+export function observeLessMotion(signal: AbortSignal, onChange: () => void): void {
+  matchMedia(LESS_MOTION).addEventListener("change", onChange, { signal });
+}
