@@ -15,8 +15,9 @@ vec3 tone(vec3 color) {
   if (peak <= 0.0) return vec3(0.0);
   vec3 hue = max(color / peak, vec3(1e-3));
   float level = MIDDLE_GREY * pow(peak / MIDDLE_GREY, CONTRAST);
-  float bent = level / (1.0 + 0.22 * level);
-  float shown = 1.0 - exp(-bent * 1.05);
+  // Reinhard et al. 2002, "Photographic Tone Reproduction for Digital Images": a table top by the candle
+  // is nearly as bright as a screen can be, and keeps its grain.
+  float shown = level / (1.0 + level);
   // A mixture with white would go from orange by salmon; so green comes up before blue.
   float bleach = BLEACH * smoothstep(0.0, BLEACH_STOPS, log2(peak));
   bleach *= smoothstep(GOLDEN.x, GOLDEN.y, hue.g);

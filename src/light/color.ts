@@ -72,7 +72,7 @@ export function adaptedWhite(): Rgb {
 }
 
 /** How much further than in nature a faint hue is shown from white; see shaders/lib/adaptation.glsl. */
-export const VIVIDNESS = 0.9;
+export const VIVIDNESS = 1.6;
 
 /** CIE 1976 u'v' of linear Rec. 709. */
 export function chromaticity(rgb: Rgb): readonly [u: number, v: number] {

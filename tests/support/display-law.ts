@@ -71,7 +71,7 @@ function toned(color: Rgb): Rgb {
   if (peak <= 0) return [0, 0, 0];
   const hue = map(color, (x) => Math.max(x / peak, 1e-3));
   const level = TONE.grey * (peak / TONE.grey) ** TONE.contrast;
-  const tone = 1 - Math.exp((-level / (1 + 0.22 * level)) * 1.05);
+  const tone = level / (1 + level);
   const [low = 0, high = 1] = TONE.golden;
   const bleach =
     TONE.bleach * smoothstep(0, TONE.bleachStops, Math.log2(peak)) * smoothstep(low, high, hue[1]);
