@@ -147,6 +147,7 @@ export class CandleFlame {
   #createRenderer(): Renderer {
     const { width, height } = this.#screen.canvas;
     const renderer = this.#scene.createRenderer(this.#screen, this.#tier, this.#options.look);
+    this.#screen.gpu.finishPrograms();
     renderer.resize(width, height);
     this.#follow(renderer);
     return renderer;

@@ -171,7 +171,7 @@ export class Gpu {
     }
   }
 
-  /** Compiled once for all that ask for the same. */
+  /** Compiled once for all that ask for the same; see `finishPrograms`. */
   program(
     label: string,
     vertex: ShaderSource,
@@ -182,6 +182,11 @@ export class Gpu {
     return this.share(key, () =>
       this.#keep(new Program(this.#gl, label, vertex, fragment, options, this.#forget)),
     );
+  }
+
+  /** Waits for all programs, which the driver compiles side by side. Throws if one is refused. */
+  finishPrograms(): void {
+    for (const object of this.#alive) if (object instanceof Program) object.finish();
   }
 
   /** @param contents data, or a size in bytes of a buffer of zeros. */

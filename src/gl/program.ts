@@ -92,11 +92,23 @@ function explain(log: string, { files }: ShaderSource): string {
   );
 }
 
-/** A linked program that knows its uniforms by name. */
+interface Stage {
+  readonly source: ShaderSource;
+  readonly shader: WebGLShader;
+}
+
+/**
+ * A linked program that knows its uniforms by name.
+ *
+ * The driver compiles while others are made: whether that went well is asked when somebody needs to know,
+ * since the answer is waited for.
+ */
 export class Program implements GpuObject {
   readonly label: string;
   readonly bytes = 0;
-  readonly handle: WebGLProgram;
+  readonly #handle: WebGLProgram;
+  /** Until they are linked. */
+  #stages: readonly Stage[];
   readonly #gl: WebGL2RenderingContext;
   readonly #uniforms = new Map<string, Uniform>();
   readonly #samplers = new Map<string, number>();
@@ -115,35 +127,48 @@ export class Program implements GpuObject {
     this.#forget = forget;
     const variant = Object.entries(defines).map(([name, value]) => `${name}=${value}`);
     this.label = [label, ...variant].join(" ");
-    this.handle = created(gl, gl.createProgram(), this.label);
-    const stages = [
+    this.#handle = created(gl, gl.createProgram(), this.label);
+    this.#stages = [
       { source: vertex, shader: compile(gl, gl.VERTEX_SHADER, vertex, defines) },
       { source: fragment, shader: compile(gl, gl.FRAGMENT_SHADER, fragment, defines) },
     ];
-    for (const { shader } of stages) gl.attachShader(this.handle, shader);
+    for (const { shader } of this.#stages) gl.attachShader(this.#handle, shader);
     if (feedback.length > 0) {
-      gl.transformFeedbackVaryings(this.handle, [...feedback], gl.INTERLEAVED_ATTRIBS);
+      gl.transformFeedbackVaryings(this.#handle, [...feedback], gl.INTERLEAVED_ATTRIBS);
     }
-    gl.linkProgram(this.handle);
-    const linked = gl.getProgramParameter(this.handle, gl.LINK_STATUS) as boolean;
+    gl.linkProgram(this.#handle);
+  }
+
+  /** Waits until it is linked. Throws what the compiler says if it cannot be; then it is disposed of. */
+  finish(): void {
+    if (this.#stages.length === 0) return;
+    const gl = this.#gl;
+    const stages = this.#stages;
+    this.#stages = [];
+    const linked = gl.getProgramParameter(this.#handle, gl.LINK_STATUS) as boolean;
     const log = linked ? "" : this.#reasonOfFailure(stages);
     for (const { shader } of stages) gl.deleteShader(shader);
     if (!linked) {
-      gl.deleteProgram(this.handle);
+      this.dispose();
       if (gl.isContextLost()) throw new ContextLostError(`${this.label}: the context is lost.`);
       throw new ShaderError(`${this.label}: ${log}`);
     }
     this.#reflect();
   }
 
-  #reasonOfFailure(stages: { source: ShaderSource; shader: WebGLShader }[]): string {
+  get handle(): WebGLProgram {
+    this.finish();
+    return this.#handle;
+  }
+
+  #reasonOfFailure(stages: readonly Stage[]): string {
     const gl = this.#gl;
     for (const { source, shader } of stages) {
       if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) {
         return explain(gl.getShaderInfoLog(shader) ?? "does not compile", source);
       }
     }
-    return gl.getProgramInfoLog(this.handle) ?? "does not link";
+    return gl.getProgramInfoLog(this.#handle) ?? "does not link";
   }
 
   #reflect(): void {
@@ -157,11 +182,11 @@ export class Program implements GpuObject {
       gl.SAMPLER_CUBE_SHADOW,
       gl.UNSIGNED_INT_SAMPLER_2D,
     ];
-    gl.useProgram(this.handle);
-    const count = gl.getProgramParameter(this.handle, gl.ACTIVE_UNIFORMS) as number;
+    gl.useProgram(this.#handle);
+    const count = gl.getProgramParameter(this.#handle, gl.ACTIVE_UNIFORMS) as number;
     for (let i = 0; i < count; i++) {
-      const active = gl.getActiveUniform(this.handle, i)!;
-      const location = gl.getUniformLocation(this.handle, active.name);
+      const active = gl.getActiveUniform(this.#handle, i)!;
+      const location = gl.getUniformLocation(this.#handle, active.name);
       if (location === null) continue; // a member of a block
       if (samplers.includes(active.type)) {
         gl.uniform1i(location, this.#samplers.size);
@@ -171,25 +196,28 @@ export class Program implements GpuObject {
       const name = active.name.replace(/\[0\]$/, "");
       this.#uniforms.set(name, remembering(uniformOf(gl, location, active.type)));
     }
-    const blocks = gl.getProgramParameter(this.handle, gl.ACTIVE_UNIFORM_BLOCKS) as number;
+    const blocks = gl.getProgramParameter(this.#handle, gl.ACTIVE_UNIFORM_BLOCKS) as number;
     for (let i = 0; i < blocks; i++) {
-      gl.uniformBlockBinding(this.handle, i, i);
-      this.#blocks.set(gl.getActiveUniformBlockName(this.handle, i)!, i);
+      gl.uniformBlockBinding(this.#handle, i, i);
+      this.#blocks.set(gl.getActiveUniformBlockName(this.#handle, i)!, i);
     }
   }
 
   /** Texture unit of each sampler. */
   get samplers(): ReadonlyMap<string, number> {
+    this.finish();
     return this.#samplers;
   }
 
   /** Binding point of each uniform block. */
   get blocks(): ReadonlyMap<string, number> {
+    this.finish();
     return this.#blocks;
   }
 
   /** Names of the loose uniforms. */
   get uniforms(): readonly string[] {
+    this.finish();
     return [...this.#uniforms.keys()];
   }
 
@@ -203,7 +231,9 @@ export class Program implements GpuObject {
   }
 
   dispose(): void {
-    this.#gl.deleteProgram(this.handle);
+    for (const { shader } of this.#stages) this.#gl.deleteShader(shader);
+    this.#stages = [];
+    this.#gl.deleteProgram(this.#handle);
     this.#forget(this);
   }
 }

@@ -120,7 +120,9 @@ export async function breakPrograms(look: Look): Promise<Breakage[]> {
   const breakages = made.flatMap(([vertex, fragment, options]) => {
     const attempt = (v: ShaderSource, f: ShaderSource, { files: [file = ""] }: ShaderSource) => {
       try {
-        gpu.program("broken", v, f, options).dispose();
+        const program = gpu.program("broken", v, f, options);
+        program.finish();
+        program.dispose();
         return { file, complaint: "" };
       } catch (error) {
         return { file, complaint: String(error) };
@@ -136,7 +138,7 @@ export async function breakPrograms(look: Look): Promise<Breakage[]> {
 export function complaintOf(vertex: ShaderSource, fragment: ShaderSource): string {
   const gpu = new Gpu(document.createElement("canvas"));
   try {
-    gpu.program("broken", vertex, fragment, { defines: { SAMPLES: 4, TAPS: 12 } });
+    gpu.program("broken", vertex, fragment, { defines: { SAMPLES: 4, TAPS: 12 } }).finish();
     return "";
   } catch (error) {
     return String(error);
