@@ -61,7 +61,7 @@ export async function climb(
   const restore = remember(element);
   try {
     element.pause();
-    element.look = "paper";
+    await turnToPaper(element, signal);
     await nextFrame(signal);
     const frames = framesThatFit(element);
     const times: number[][] = RUNGS.map(() => []);
@@ -79,6 +79,24 @@ export async function climb(
     return { medians, frames };
   } finally {
     restore();
+  }
+}
+
+/** The paper's room has models of its own, which have to come before there is anything to measure. */
+async function turnToPaper(element: CandleFlameElement, signal: AbortSignal): Promise<void> {
+  const hasOtherModels = element.look === "physical";
+  const stop = new AbortController();
+  const loaded = new Promise<void>((resolve, reject) => {
+    const options = { signal: stop.signal };
+    element.addEventListener("load", () => resolve(), options);
+    element.addEventListener("error", ({ detail }) => reject(new Error(detail.message)), options);
+    signal.addEventListener("abort", () => reject(signal.reason), options);
+  });
+  try {
+    element.look = "paper";
+    if (hasOtherModels) await loaded;
+  } finally {
+    stop.abort();
   }
 }
 

@@ -1,0 +1,74 @@
+import { afterAll, beforeAll, expect, test, vi } from "vitest";
+import type { CandleFlameElement } from "../../../src/candle-flame-element.ts";
+import { climb, RUNGS } from "../../../src/page/lab/ladder.ts";
+import { allFeatures } from "../../../src/settings.ts";
+
+/** As much of the element as is measured: its room comes when it is told to. */
+class Room extends EventTarget {
+  readonly features = allFeatures();
+  paused = false;
+  /** Looks that were on show while frames were drawn. */
+  readonly drawn = new Set<string>();
+  #look = "physical";
+  #shown = "physical";
+
+  get look(): string {
+    return this.#look;
+  }
+  set look(look: string) {
+    if ((look === "physical") === (this.#look === "physical")) this.#shown = look;
+    this.#look = look;
+  }
+  arrive(): void {
+    this.#shown = this.#look;
+    this.dispatchEvent(new Event("load"));
+  }
+  getAttribute(): string {
+    return this.#look;
+  }
+  setAttribute(_: string, look: string): void {
+    this.look = look;
+  }
+  pause(): void {
+    this.paused = true;
+  }
+  step(): void {
+    this.drawn.add(this.#shown);
+  }
+  readRadiance(): void {}
+}
+
+function begin(room: Room, signal = new AbortController().signal) {
+  return climb(room as unknown as CandleFlameElement, { rounds: 1, signal, onProgress: () => {} });
+}
+
+beforeAll(() => void vi.stubGlobal("requestAnimationFrame", (run: () => void) => setTimeout(run)));
+afterAll(() => void vi.unstubAllGlobals());
+
+test("from another look, nothing is measured before the paper's room is there", async () => {
+  const room = new Room();
+  const climbing = begin(room);
+  await new Promise((resolve) => setTimeout(resolve, 20));
+  expect(room.drawn).toEqual(new Set());
+  room.arrive();
+  expect((await climbing).medians).toHaveLength(RUNGS.length);
+  expect(room.drawn).toEqual(new Set(["paper"]));
+  expect([room.look, room.paused]).toEqual(["physical", false]);
+});
+
+test("who stops while the paper's room is on its way has his own again", async () => {
+  const room = new Room();
+  const stop = new AbortController();
+  const climbing = begin(room, stop.signal);
+  stop.abort(new Error("enough"));
+  await expect(climbing).rejects.toThrow("enough");
+  expect([room.look, room.paused, room.drawn.size]).toEqual(["physical", false, 0]);
+});
+
+test("a room that does not come says why", async () => {
+  const room = new Room();
+  const climbing = begin(room);
+  room.dispatchEvent(Object.assign(new Event("error"), { detail: { message: "no room." } }));
+  await expect(climbing).rejects.toThrow("no room.");
+  expect(room.look).toBe("physical");
+});
