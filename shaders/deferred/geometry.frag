@@ -17,11 +17,11 @@ uniform float uOcclusion;  // how much of the map's occlusion counts
 uniform vec4 uSurface;     // roughness, metallic, normal scale, alpha below which nothing is
 uniform vec3 uVantage;     // of the flame, m
 
-in vec3 vPositionWorld;
-in vec3 vNormalWorld;
-in vec4 vTangentWorld;
-in vec2 vUv;
-in vec4 vColor;
+centroid in vec3 vPositionWorld;
+centroid in vec3 vNormalWorld;
+centroid in vec4 vTangentWorld;
+centroid in vec2 vUv;
+centroid in vec4 vColor;
 
 layout(location = 0) out vec4 oAlbedo;
 layout(location = 1) out vec4 oSurface;

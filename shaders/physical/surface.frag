@@ -32,11 +32,12 @@ uniform vec4 uShown;    // 1 or 0: shadows, bounced light, highlights; normals i
 uniform vec3 uEmber;    // radiance of the wick's glowing tip, cd/m²; black for all else
 uniform vec4 uSurface;  // roughness, metallic, normal scale, alpha below which nothing is
 
-in vec3 vPositionWorld;
-in vec3 vNormalWorld;
-in vec4 vTangentWorld;
-in vec2 vUv;
-in vec4 vColor;
+// Where the pixel is covered: beyond the edge of a thin triangle nothing is known.
+centroid in vec3 vPositionWorld;
+centroid in vec3 vNormalWorld;
+centroid in vec4 vTangentWorld;
+centroid in vec2 vUv;
+centroid in vec4 vColor;
 
 out vec4 oRadiance;
 

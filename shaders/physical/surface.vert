@@ -11,11 +11,11 @@ layout(location = 4) in vec4 aColor;
 
 uniform vec4 uPlace;  // where the model's origin is, m; w: its turn about the vertical, rad
 
-out vec3 vPositionWorld;
-out vec3 vNormalWorld;
-out vec4 vTangentWorld;
-out vec2 vUv;
-out vec4 vColor;
+centroid out vec3 vPositionWorld;
+centroid out vec3 vNormalWorld;
+centroid out vec4 vTangentWorld;
+centroid out vec2 vUv;
+centroid out vec4 vColor;
 
 vec3 turned(vec3 v) {
   float c = cos(uPlace.w);
