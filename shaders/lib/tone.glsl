@@ -4,10 +4,11 @@
 // Contrast around middle grey, as film has it: candlelight without it looks like fog.
 const float CONTRAST = 1.5;
 const float MIDDLE_GREY = 0.18;
-// Stops above white over which a light loses its hue, and how much of it is lost in the end.
-const float BLEACH_STOPS = 14.0;
-const float BLEACH = 0.93;
-// Share of green, from which on a light goes to gold at all: embers have less, and stay red.
+// A light loses its hue by so much for every stop above white, from the second on; but never all of it.
+// The slope leaves a flame, ten to sixteen stops above, its gold rim around a yellow core.
+const float BLEACH = 0.053;
+const float MOST_BLEACH = 0.92;
+// Share of green or blue, from which on a light goes pale at all: embers have less, and stay red.
 const vec2 GOLDEN = vec2(0.1, 0.45);
 
 vec3 tone(vec3 color) {
@@ -19,7 +20,8 @@ vec3 tone(vec3 color) {
   // is nearly as bright as a screen can be, and keeps its grain.
   float shown = level / (1.0 + level);
   // A mixture with white would go from orange by salmon; so green comes up before blue.
-  float bleach = BLEACH * smoothstep(0.0, BLEACH_STOPS, log2(peak));
-  bleach *= smoothstep(GOLDEN.x, GOLDEN.y, hue.g);
+  float stops = max(log2(peak), 0.0);
+  float bleach = min(BLEACH * stops * stops / (stops + 1.0), MOST_BLEACH);
+  bleach *= smoothstep(GOLDEN.x, GOLDEN.y, max(hue.g, hue.b));
   return pow(hue, 1.0 - vec3(bleach, bleach, bleach * bleach)) * shown;
 }

@@ -12,8 +12,10 @@ in vec3 vPosition;
 
 out vec4 oRadiance;
 
-// Linear Rec. 709 of the CH* and C2* bands, luma 1; blue of soot as a share of its red.
-const vec3 BLUE = vec3(0.45, 0.9, 3.6);
+// The CH* and C2* bands, luma 1. Their linear Rec. 709 is (0.2, 1.05, 2.9), but candlelight is all but without
+// blue, and what turns it to white channel by channel brightens blue fifteen times as much as an eye's cones do.
+const vec3 BLUE = vec3(0.25, 1.3, 0.2);
+// Blue of soot as a share of its red.
 const float LEAST_BLUE = 0.004;
 const float WICK_RADIUS = 0.0009;  // m
 
@@ -91,6 +93,7 @@ void main() {
     radiance += exp(-depth - 0.5 * absorbed) * stride * (soot + BLUE * (body.a * flame.blue));
     depth += absorbed;
   }
-  // The largest half float is 65504.
-  oRadiance = vec4(min(radiance, 3e4), 1.0 - exp(-depth));
+  // The largest half float is 65504. A flame blown small comes near, and must not turn green there.
+  float peak = max(radiance.r, max(radiance.g, radiance.b));
+  oRadiance = vec4(radiance * min(1.0, 3e4 / max(peak, 1e-6)), 1.0 - exp(-depth));
 }

@@ -9,9 +9,9 @@ export const BODY_REACH = 1.25;
 /** Hottest soot, kelvin: two-colour pyrometry of candles finds 1670 to 1800. */
 const HOTTEST = 1750;
 /** Colour of the base's CH* and C2* bands, linear Rec. 709 with luma 1. */
-export const BLUE: Rgb = [0.45, 0.9, 3.6];
+export const BLUE: Rgb = [0.2, 1.05, 2.9];
 /** Luminance of the blue cup seen edge-on against that of the brightest soot. */
-const BLUE_SHARE = 0.0002;
+const BLUE_SHARE = 0.00002;
 
 /**
  * A candle flame at rest, as a figure of revolution.

@@ -7,11 +7,13 @@ import { RoomDriver } from "../support/room-driver.ts";
 import { type Tile, writeSheet } from "./sheet.ts";
 import { lookingAt } from "./shot.ts";
 
-const SIZE = { width: 720, height: 450 };
+const SIZE = { width: 1600, height: 1000 };
+/** Pixels of it for each of a tile's, at zoom 1. */
+const SCALE = SIZE.width / 720;
 /** Of the physical look, radians: src/world/stage.ts. */
 const FIELD_OF_VIEW = (56 * Math.PI) / 180;
 /** Between pictures nobody looks, and every step draws. */
-const UNSEEN = "0.25";
+const UNSEEN = "0.1";
 const TILE = { width: 320, height: 240 };
 
 /** On the table, and beneath the window. */
@@ -65,8 +67,8 @@ class FlameStudio {
     const png = await this.#room.png();
     await this.#room.set({ "max-pixel-ratio": UNSEEN });
     const [x, y] = onScreen(camera, position);
-    const width = Math.min(Math.round(TILE.width / zoom), SIZE.width);
-    const height = Math.min(Math.round(TILE.height / zoom), SIZE.height);
+    const width = Math.min(Math.round((TILE.width * SCALE) / zoom), SIZE.width);
+    const height = Math.min(Math.round((TILE.height * SCALE) / zoom), SIZE.height);
     const inside = (value: number, most: number) => Math.round(Math.min(Math.max(value, 0), most));
     const whole = await sharp(png).resize(SIZE.width, SIZE.height).toBuffer();
     const picture = await sharp(whole)
@@ -102,7 +104,7 @@ test("shot: the flame, what moves it, out and in again", async ({ page }) => {
   test.setTimeout(1_200_000);
   const attributes = {
     look: "physical",
-    quality: "medium",
+    quality: "high",
     controls: "",
     motion: "full",
     "max-pixel-ratio": UNSEEN,
@@ -116,7 +118,7 @@ test("shot: the flame, what moves it, out and in again", async ({ page }) => {
   await studio.begin(TABLE);
   await studio.look(BESIDE);
   await studio.take("still", 2);
-  await studio.take("still, seen from 10 cm", 4);
+  await studio.take("still, nearer", 5);
   await studio.look([-0.28, 0.5, 0.2]);
   await studio.take("from above", 2);
   for (const wind of ["0.1", "0.3", "0.5"]) {

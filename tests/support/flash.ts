@@ -166,8 +166,12 @@ class Reversals {
   }
 }
 
-/** IEC 61966-2-1. */
-function linear(byte = 0): number {
+/** IEC 61966-2-1, of each byte. */
+const LINEAR = Float64Array.from({ length: 256 }, (_, byte) => {
   const value = byte / 255;
   return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
+});
+
+function linear(byte = 0): number {
+  return LINEAR[byte] ?? 0;
 }

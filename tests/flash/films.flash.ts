@@ -1,0 +1,114 @@
+import { expect, test } from "playwright/test";
+import { FlashMeter } from "../support/flash.ts";
+import { type Attributes, RoomDriver } from "../support/room-driver.ts";
+import { SCREEN } from "./playwright.config.ts";
+
+const RATE = 60;
+const SECONDS = 10;
+/** What is judged: the picture, each of whose pixels is the mean of those it covers. */
+const SIZE = { width: SCREEN.width / 4, height: SCREEN.height / 4 };
+
+/** Each frame's deed: any of the element's own verbs. */
+type Deed = "light" | "extinguish" | "blow";
+
+interface Scenario {
+  readonly name: string;
+  readonly attributes: Attributes;
+  /** What is done before a frame. */
+  readonly deed: (frame: number) => Deed | null;
+}
+
+const STILL: Attributes = { wind: "0", gustiness: "0", wick: "2" };
+/** Keys cannot be struck faster: fifteen times a second. */
+const STROKE = 4;
+
+const SCENARIOS: readonly Scenario[] = [
+  { name: "still", attributes: STILL, deed: () => null },
+  {
+    name: "gusts of 1.5 m/s, lit again each second",
+    attributes: { ...STILL, wind: "1.5", gustiness: "1" },
+    deed: (frame) => (frame % RATE === 0 ? "light" : null),
+  },
+  {
+    name: "blown out, and lit two seconds later, again and again",
+    attributes: STILL,
+    deed: (frame) =>
+      frame % (4 * RATE) === 2 * RATE ? "blow" : frame % (4 * RATE) === 0 ? "light" : null,
+  },
+  {
+    name: "the widest wick, in gusts",
+    attributes: { wick: "50", wind: "0.5", gustiness: "1" },
+    deed: () => null,
+  },
+  {
+    name: "put out and lit as fast as keys can be struck",
+    attributes: STILL,
+    deed: (frame) =>
+      frame % (2 * STROKE) === 0 ? "extinguish" : frame % (2 * STROKE) === STROKE ? "light" : null,
+  },
+];
+
+/** The element's pictures for ten seconds, frame by frame, as a flash meter sees them. */
+async function film(room: RoomDriver, { attributes, deed }: Scenario): Promise<FlashMeter> {
+  const meter = new FlashMeter(SIZE.width, SIZE.height);
+  await room.evaluate((element) => {
+    element.reset();
+    element.light();
+  });
+  await room.set(attributes);
+  for (let second = 0; second < SECONDS; second++) {
+    const deeds = Array.from({ length: RATE }, (_, i) => deed(second * RATE + i));
+    const text = await room.evaluate(
+      async (element, { deeds, width, height }) => {
+        const canvas = element.shadowRoot?.querySelector("canvas");
+        const paper = new OffscreenCanvas(width, height).getContext("2d", {
+          willReadFrequently: true,
+        });
+        if (!canvas || !paper) throw new Error("There is no canvas.");
+        paper.imageSmoothingQuality = "high";
+        const frames = new Uint8Array(deeds.length * width * height * 4);
+        for (const [i, deed] of deeds.entries()) {
+          if (deed) element[deed]();
+          element.step(1 / 60);
+          paper.drawImage(canvas, 0, 0, width, height);
+          frames.set(paper.getImageData(0, 0, width, height).data, i * width * height * 4);
+        }
+        const reader = new FileReader();
+        reader.readAsDataURL(new Blob([frames]));
+        await new Promise((resolve) => reader.addEventListener("load", resolve, { once: true }));
+        return String(reader.result);
+      },
+      { deeds, ...SIZE },
+    );
+    const bytes = Buffer.from(text.slice(text.indexOf(",") + 1), "base64");
+    const length = SIZE.width * SIZE.height * 4;
+    expect(bytes.length).toBe(RATE * length);
+    for (let i = 0; i < RATE; i++) {
+      meter.look(bytes.subarray(i * length, (i + 1) * length), second + i / RATE);
+    }
+  }
+  return meter;
+}
+
+/** Half of the screen's pixels are enough of the cabin, which costs a hundred times the paper's room. */
+const LOOKS: Readonly<Record<string, Attributes>> = {
+  paper: { look: "paper", quality: "medium" },
+  original: { look: "original", quality: "medium" },
+  physical: { look: "physical", quality: "low", "max-pixel-ratio": "0.5" },
+};
+
+for (const [look, attributes] of Object.entries(LOOKS)) {
+  test(`${look}: ten seconds of anything do not flash`, async ({ page }) => {
+    const opening = { ...SCREEN };
+    const room = await new RoomDriver(page).open({ ...attributes, motion: "full" }, opening);
+    for (const scenario of SCENARIOS) {
+      const begin = Date.now();
+      const { worst, isHarmful } = await film(room, scenario);
+      const shares = Object.entries(worst).map(([kind, share]) => `${kind} ${share.toFixed(3)}`);
+      const took = ((Date.now() - begin) / 1000).toFixed(0);
+      console.log(`${look}, ${scenario.name}: ${shares.join(", ")} (${took} s)`);
+      expect(isHarmful, `${look}, ${scenario.name}`).toBe(false);
+    }
+    expect(room.complaints).toEqual([]);
+  });
+}
