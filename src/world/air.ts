@@ -1,5 +1,6 @@
 import type { Vec3 } from "./bounds.js";
 import { Gusts } from "./gusts.js";
+import { length2 } from "./length.js";
 
 /** The draught in the room. */
 export interface Wind {
@@ -88,11 +89,11 @@ export class Air {
   ): void {
     this.#veer(1 - Math.exp(-VEERING * Math.max(0, time - this.#time)));
     this.#time = time;
-    for (const axis of [0, 1, 2] as const) {
-      this.#body[axis] = eye[axis];
-      this.#pace[axis] = pace[axis];
-      this.#carried[axis] = flame[axis];
-      this.#shelter[axis] = carrying[axis] * SHELTER;
+    for (let axis = 0; axis < 3; axis++) {
+      this.#body[axis] = eye[axis]!;
+      this.#pace[axis] = pace[axis]!;
+      this.#carried[axis] = flame[axis]!;
+      this.#shelter[axis] = carrying[axis]! * SHELTER;
     }
   }
 
@@ -119,24 +120,28 @@ export class Air {
   }
 
   /** Velocity of the air at a place, m/s, written to `out`. */
-  velocity(x: number, y: number, z: number, out: Vec3): Vec3 {
+  velocity(place: Readonly<Vec3>, out: Vec3): Vec3 {
     out[0] = this.#mean[0];
     out[1] = this.#mean[1];
     out[2] = this.#mean[2];
-    if (this.#unrest > 0) this.#gusts.add(this.#unrest, this.#time, x, y, z, out);
-    this.#addWake(x, y, z, out);
-    this.#addShelter(x, y, z, out);
-    this.#addBreath(x, y, z, out);
+    if (this.#unrest > 0) {
+      this.#gusts.strength = this.#unrest;
+      this.#gusts.time = this.#time;
+      this.#gusts.add(place, out);
+    }
+    this.#addWake(place, out);
+    this.#addShelter(place, out);
+    this.#addBreath(place, out);
     return out;
   }
 
   /** Around a walking cylinder the air flows as a doublet, which has no divergence (Lamb 1932, 68). */
-  #addWake(x: number, y: number, z: number, out: Vec3): void {
-    const speed = Math.hypot(this.#pace[0], this.#pace[2]);
-    const height = y - this.#body[1];
+  #addWake(place: Readonly<Vec3>, out: Vec3): void {
+    const speed = length2(this.#pace[0], this.#pace[2]);
+    const height = place[1] - this.#body[1];
     if (speed < 1e-6 || height < -BELOW_EYE || height > ABOVE_EYE) return;
-    const dx = x - this.#body[0];
-    const dz = z - this.#body[2];
+    const dx = place[0] - this.#body[0];
+    const dz = place[2] - this.#body[2];
     const squared = dx * dx + dz * dz;
     const share = Math.min(1, (GIRTH * GIRTH) / Math.max(squared, 1e-9));
     const along = share < 1 ? (2 * (dx * this.#pace[0] + dz * this.#pace[2])) / squared : 0;
@@ -145,20 +150,20 @@ export class Air {
     out[2] += share * (along * dz + back * this.#pace[2]);
   }
 
-  #addShelter(x: number, y: number, z: number, out: Vec3): void {
-    const dx = x - this.#carried[0];
-    const dy = y - this.#carried[1];
-    const dz = z - this.#carried[2];
+  #addShelter(place: Readonly<Vec3>, out: Vec3): void {
+    const dx = place[0] - this.#carried[0];
+    const dy = place[1] - this.#carried[1];
+    const dz = place[2] - this.#carried[2];
     const share = Math.exp(-(dx * dx + dy * dy + dz * dz) / (SHELTERED * SHELTERED));
-    for (const axis of [0, 1, 2] as const) out[axis] += share * this.#shelter[axis];
+    for (let axis = 0; axis < 3; axis++) out[axis]! += share * this.#shelter[axis]!;
   }
 
-  #addBreath(x: number, y: number, z: number, out: Vec3): void {
+  #addBreath(place: Readonly<Vec3>, out: Vec3): void {
     const age = this.#time - this.#breathBegan;
     if (age < 0 || age > BREATH + 1) return;
-    const dx = x - this.#lips[0];
-    const dy = y - this.#lips[1];
-    const dz = z - this.#lips[2];
+    const dx = place[0] - this.#lips[0];
+    const dy = place[1] - this.#lips[1];
+    const dz = place[2] - this.#lips[2];
     const [tx, ty, tz] = this.#towards;
     const way = dx * tx + dy * ty + dz * tz;
     if (way <= 0) return;

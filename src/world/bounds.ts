@@ -21,11 +21,11 @@ export function inset({ min, max }: Bounds, margin: number): Bounds {
  * A position that is no number is replaced by the middle of the box.
  */
 export function keepInside(position: Vec3, { min, max }: Bounds, velocity?: Vec3): void {
-  for (const axis of [0, 1, 2] as const) {
-    const wanted = position[axis];
-    const kept = Number.isNaN(wanted)
-      ? (min[axis] + max[axis]) / 2
-      : Math.min(Math.max(wanted, min[axis]), max[axis]);
+  for (let axis = 0; axis < 3; axis++) {
+    const wanted = position[axis]!;
+    const low = min[axis]!;
+    const high = max[axis]!;
+    const kept = Number.isNaN(wanted) ? (low + high) / 2 : Math.min(Math.max(wanted, low), high);
     if (kept !== wanted && velocity) velocity[axis] = 0;
     position[axis] = kept;
   }

@@ -1,4 +1,4 @@
-import { inset, keepInside, type Vec3 } from "./bounds.js";
+import type { Vec3 } from "./bounds.js";
 import { findSpotAhead, findSpotInSight, type Reach, type Refusal, type Stand } from "./placing.js";
 import type { Player } from "./player.js";
 import type { Room } from "./room.js";
@@ -24,9 +24,8 @@ export interface Candle {
 
 /** Where a stiff hand holds the candle's foot. It turns with the head, but does not tilt with it. */
 export function holdCandle(candle: Candle, player: Player, stage: Stage): void {
-  const [right, up, ahead] = stage.hold;
-  putAhead(candle, player, right, ahead, stage);
-  candle.position[1] = player.position[1] + up;
+  putAhead(candle, player, stage.hold[0], stage.hold[2], stage);
+  candle.position[1] = player.position[1] + stage.hold[1];
   candle.yaw = player.yaw;
 }
 
@@ -72,10 +71,11 @@ function putAhead(
   candle.position[0] = eye[0] + right * cos - ahead * sin;
   candle.position[2] = eye[2] - right * sin - ahead * cos;
   if (!stage.isSolid) return;
-  const { min, max } = inset(stage.room, CANDLE_MARGIN);
   // Only the walls: the hand may be as low as the floor.
-  keepInside(candle.position, {
-    min: [min[0], Number.NEGATIVE_INFINITY, min[2]],
-    max: [max[0], Number.POSITIVE_INFINITY, max[2]],
-  });
+  const { min, max } = stage.room;
+  for (let axis = 0; axis < 3; axis += 2) {
+    const low = min[axis]! + CANDLE_MARGIN;
+    const high = max[axis]! - CANDLE_MARGIN;
+    candle.position[axis] = Math.min(Math.max(candle.position[axis]!, low), high);
+  }
 }

@@ -72,6 +72,8 @@ export function markTouched(
   minLevelness = 0,
 ): void {
   const footprint = new Footprint();
+  footprint.low = low;
+  footprint.high = high;
   const painter = new Painter(marked, grid);
   const normal: Vec3 = [0, 0, 0];
   for (let at = 0; at < triangles.length; at += 9) {
@@ -83,7 +85,7 @@ export function markTouched(
       normalOf(triangles, at, normal);
       if (Math.abs(normal[1]) < minLevelness) continue;
     }
-    if (footprint.take(triangles, at, low, high)) painter.paint(footprint);
+    if (footprint.take(triangles, at)) painter.paint(footprint);
   }
 }
 

@@ -2,6 +2,7 @@ import type { Bounds, Vec3 } from "./bounds.js";
 import { type FloorGrid, middleOf } from "./floor-grid.js";
 import { floorLevel } from "./floor-level.js";
 import { surveyFloor, WALKER_RADIUS } from "./floor-survey.js";
+import { length2 } from "./length.js";
 import type { Solid } from "./solid.js";
 
 /** Longest stretch walked at once, metres. */
@@ -91,7 +92,7 @@ export class FloorPlan {
    * The part of `velocity` that led into something is lost.
    */
   walk(position: Vec3, dx: number, dz: number, velocity?: Vec3): void {
-    const length = Math.hypot(dx, dz);
+    const length = length2(dx, dz);
     if (!(length > 0 && length < Infinity)) return;
     const { cell, columns, rows } = this.#grid;
     const reach = Math.min(length, (columns + rows) * cell);
@@ -118,7 +119,8 @@ export class FloorPlan {
 
   /** Moves a position to the nearest free spot. Does nothing to one that is free. */
   settle(position: Vec3): void {
-    const [x, , z] = position;
+    const x = position[0];
+    const z = position[2];
     if (this.isFree(x, z)) return;
     const nearest = this.#nearestSquare(x, z);
     if (nearest < 0) return;
@@ -141,7 +143,7 @@ export class FloorPlan {
     reached.z = z + dz;
     for (let pushes = 0; pushes <= PUSHES; pushes++) {
       const lack = WALKER_RADIUS - this.#look(reached.x, reached.z);
-      const away = Math.hypot(reached.x - x, reached.z - z);
+      const away = length2(reached.x - x, reached.z - z);
       if (lack <= 0) {
         if (away <= 2 * STRETCH && this.#isReachableNear(reached.x, reached.z)) return true;
         break;
@@ -198,8 +200,10 @@ export class FloorPlan {
     gradient.z = ((c - a) * (1 - s) + (d - b) * s) / cell;
     const clearance = (a * (1 - s) + b * s) * (1 - t) + (c * (1 - s) + d * s) * t;
     if (!this.#standing) return clearance;
-    const [standingX, standingZ, radius] = this.#standing;
-    const distance = Math.hypot(x - standingX, z - standingZ);
+    const standingX = this.#standing[0];
+    const standingZ = this.#standing[1];
+    const radius = this.#standing[2];
+    const distance = length2(x - standingX, z - standingZ);
     if (distance - radius >= clearance) return clearance;
     gradient.x = distance > 0 ? (x - standingX) / distance : 1;
     gradient.z = distance > 0 ? (z - standingZ) / distance : 0;
@@ -242,7 +246,9 @@ export class FloorPlan {
 
   #isUnderStanding(x: number, z: number): boolean {
     if (!this.#standing) return false;
-    const [standingX, standingZ, radius] = this.#standing;
-    return Math.hypot(x - standingX, z - standingZ) < radius + WALKER_RADIUS + NEGLIGIBLE;
+    const standingX = this.#standing[0];
+    const standingZ = this.#standing[1];
+    const radius = this.#standing[2];
+    return length2(x - standingX, z - standingZ) < radius + WALKER_RADIUS + NEGLIGIBLE;
   }
 }

@@ -1,5 +1,18 @@
+import { length2 } from "./length.js";
+
 /** A triangle cut by two planes has at most five corners. */
 const CORNERS = 5;
+
+/** A circle's way on the floor, metres: numbers that are passed by reference, so that none is boxed. */
+export interface Way {
+  x: number;
+  z: number;
+  dx: number;
+  dz: number;
+  radius: number;
+  /** Of the way, what has been found free so far. */
+  share: number;
+}
 
 /**
  * What of a triangle lies between two heights, seen from above: a convex polygon, often a mere line.
@@ -10,10 +23,14 @@ export class Footprint {
   readonly x = new Float64Array(CORNERS);
   readonly z = new Float64Array(CORNERS);
   count = 0;
+  /** The two heights, metres. */
+  low = 0;
+  high = 0;
   readonly #cut = new Float64Array(CORNERS * 3);
 
   /** Takes the nine coordinates from `at` on. False if nothing of the triangle is in between. */
-  take(triangles: Float32Array, at: number, low: number, high: number): boolean {
+  take(triangles: Float32Array, at: number): boolean {
+    const { low, high } = this;
     const cut = this.#cut;
     let cutCount = 0;
     // Sutherland and Hodgman 1974, "Reentrant polygon clipping", one plane after the other.
@@ -78,10 +95,14 @@ export class Footprint {
     return isLeft !== isRight ? 0 : Math.sqrt(nearest);
   }
 
-  /** Share of the way (dx, dz) that a circle from (x, z) can go before it touches. */
-  sweep(x: number, z: number, dx: number, dz: number, radius: number): number {
-    if (this.distanceTo(x, z) < radius) return 0;
-    let share = 1;
+  /** Shortens the share of its way that a circle can go to where it touches. */
+  sweep(way: Way): void {
+    const { x, z, dx, dz, radius } = way;
+    let { share } = way;
+    if (this.distanceTo(x, z) < radius) {
+      way.share = 0;
+      return;
+    }
     for (let i = 0; i < this.count; i++) {
       const ax = this.x[i]! - x;
       const az = this.z[i]! - z;
@@ -89,7 +110,7 @@ export class Footprint {
       const next = i + 1 === this.count ? 0 : i + 1;
       const ex = this.x[next]! - this.x[i]!;
       const ez = this.z[next]! - this.z[i]!;
-      const length = Math.hypot(ex, ez);
+      const length = length2(ex, ez);
       if (length === 0) continue;
       // Towards the edge's line, from the side that the circle is on.
       const distance = (ax * ez - az * ex) / length;
@@ -100,7 +121,7 @@ export class Footprint {
       const along = ((dx * t - ax) * ex + (dz * t - az) * ez) / (length * length);
       if (along >= 0 && along <= 1) share = Math.min(share, t);
     }
-    return share;
+    way.share = share;
   }
 }
 

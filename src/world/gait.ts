@@ -118,11 +118,11 @@ export function advanceHand(hand: Hand, yaw: number, velocity: Vec3, seconds: nu
   relax(hand.lag - behind, turn - hand.turning, TURN_STIFFNESS, seconds);
   hand.lag = behind + spring.offset;
   hand.turning = turn - spring.speed;
-  for (const axis of [0, 2] as const) {
-    const acceleration = (velocity[axis] - hand.velocity[axis]) / seconds;
-    hand.velocity[axis] = velocity[axis];
+  for (let axis = 0; axis < 3; axis += 2) {
+    const acceleration = (velocity[axis]! - hand.velocity[axis]!) / seconds;
+    hand.velocity[axis] = velocity[axis]!;
     const rest = -acceleration / SWAY_STIFFNESS ** 2;
-    relax(hand.sway[axis] - rest, hand.swaying[axis], SWAY_STIFFNESS, seconds);
+    relax(hand.sway[axis]! - rest, hand.swaying[axis]!, SWAY_STIFFNESS, seconds);
     hand.sway[axis] = rest + spring.offset;
     hand.swaying[axis] = spring.speed;
   }
@@ -142,19 +142,21 @@ export function holdOut(
   hand: Hand,
   eye: Readonly<Vec3>,
   yaw: number,
-  [right, up, ahead]: readonly [number, number, number],
+  hold: readonly [number, number, number],
   solid: Solid | null,
   { radius, height }: Stand,
   seconds: number,
   foot: Vec3,
 ): void {
+  const right = hold[0];
+  const ahead = hold[2];
   const angle = yaw - soften(hand.lag, MAX_LAG);
   const sin = Math.sin(angle);
   const cos = Math.cos(angle);
   const dx = right * cos - ahead * sin + soften(hand.sway[0], MAX_SWAY);
   const dz = -right * sin - ahead * cos + soften(hand.sway[2], MAX_SWAY);
   foot[0] = eye[0];
-  foot[1] = eye[1] + up;
+  foot[1] = eye[1] + hold[1];
   foot[2] = eye[2];
   let stretch = 1;
   if (solid) {

@@ -23,6 +23,9 @@ export class Gusts {
   readonly #waves = new Float64Array(WAVES * 5);
   /** Of each wave: the way it swings, for a root mean square of 1 m/s along each axis. */
   readonly #swings = new Float64Array(WAVES * 3);
+  /** Root mean square, m/s, and moment, seconds, of what `add` adds. */
+  strength = 0;
+  time = 0;
 
   constructor(seed: number) {
     let power = 0;
@@ -50,8 +53,12 @@ export class Gusts {
     }
   }
 
-  /** Adds the unrest at a place and a time to `velocity`, m/s. `strength` is its root mean square. */
-  add(strength: number, time: number, x: number, y: number, z: number, velocity: Vec3): void {
+  /** Adds the unrest at a place to `velocity`, m/s. */
+  add(place: Readonly<Vec3>, velocity: Vec3): void {
+    const { strength, time } = this;
+    const x = place[0];
+    const y = place[1];
+    const z = place[2];
     const waves = this.#waves;
     const swings = this.#swings;
     for (let i = 0; i < WAVES; i++) {

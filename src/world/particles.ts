@@ -95,7 +95,8 @@ export class Particles {
     const h0 = pcg((birth + this.#key) >>> 0);
     const h1 = pcg(h0);
     const h2 = pcg(h1);
-    const [slow, fast] = layer.speed;
+    const slow = layer.speed[0];
+    const fast = layer.speed[1];
     state[i + 4] = layer.sideSpeed * signedHigh(h1);
     state[i + 5] = slow + (fast - slow) * unit(h2);
     state[i + 6] = layer.sideSpeed * signedLow(h1);

@@ -2,6 +2,7 @@ import type { Vec3 } from "./bounds.js";
 import { accelerate } from "./gait.js";
 import type { Ground } from "./ground.js";
 import type { Intent } from "./intent.js";
+import { length2 } from "./length.js";
 
 /** Turning, and looking up or down, by keys or stick at its limit: rad/s. */
 const TURN_SPEED = 1.6;
@@ -51,7 +52,7 @@ export function walk(
   const { position, velocity } = player;
   player.yaw = wrapAngle(player.yaw + turn * TURN_SPEED * seconds);
   nod(player, tilt * TILT_SPEED * seconds);
-  const length = Math.max(1, Math.hypot(forward, right));
+  const length = Math.max(1, length2(forward, right));
   const pace = (runs ? gait.run : gait.walk) / length;
   const sin = Math.sin(player.yaw);
   const cos = Math.cos(player.yaw);

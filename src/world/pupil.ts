@@ -1,4 +1,5 @@
 import type { Vec3 } from "./bounds.js";
+import { length3 } from "./length.js";
 import type { Solid } from "./solid.js";
 
 /**
@@ -34,13 +35,13 @@ const OPENING = 1.5;
 export interface Sight {
   readonly solid: Solid;
   readonly eye: Readonly<Vec3>;
-  readonly yaw: number;
-  readonly pitch: number;
+  yaw: number;
+  pitch: number;
   /** Vertical, radians. */
   readonly fieldOfView: number;
   /** Middle of the flame, and what it gives. */
-  readonly flame: Readonly<Vec3>;
-  readonly luminousIntensity: number;
+  readonly flame: Vec3;
+  luminousIntensity: number;
 }
 
 /** Glances across a picture of 16:9. */
@@ -100,8 +101,8 @@ export class Pupil {
   #meter(sight: Sight): number {
     if (this.#hasMoved(sight)) this.#look(sight);
     let sum = 0;
-    for (const seen of this.#seen) {
-      sum += Math.log2(Math.max(seen * sight.luminousIntensity, DARKEST));
+    for (let ray = 0; ray < RAYS; ray++) {
+      sum += Math.log2(Math.max(this.#seen[ray]! * sight.luminousIntensity, DARKEST));
     }
     return exposureOf(sum / RAYS);
   }
@@ -109,15 +110,17 @@ export class Pupil {
   #hasMoved({ eye, yaw, pitch, flame }: Sight): boolean {
     const from = this.#from;
     let most = Math.max(Math.abs(yaw - from[3]!), Math.abs(pitch - from[4]!));
-    for (const axis of [0, 1, 2] as const) {
-      most = Math.max(most, Math.abs(eye[axis] - from[axis]!));
-      most = Math.max(most, Math.abs(flame[axis] - from[axis + 5]!));
+    for (let axis = 0; axis < 3; axis++) {
+      most = Math.max(most, Math.abs(eye[axis]! - from[axis]!));
+      most = Math.max(most, Math.abs(flame[axis]! - from[axis + 5]!));
     }
     if (most < TOLERANCE) return false; // the first time it is NaN
-    from.set(eye);
+    for (let axis = 0; axis < 3; axis++) {
+      from[axis] = eye[axis]!;
+      from[axis + 5] = flame[axis]!;
+    }
     from[3] = yaw;
     from[4] = pitch;
-    from.set(flame, 5);
     return true;
   }
 
@@ -130,7 +133,7 @@ export class Pupil {
       const right = (((ray % COLUMNS) + 0.5) * (2 / COLUMNS) - 1) * height * ASPECT;
       const up = ((Math.floor(ray / COLUMNS) + 0.5) * (2 / ROWS) - 1) * height;
       const ahead = cosPitch - up * sinPitch;
-      const length = Math.hypot(right, up, 1);
+      const length = length3(right, up, 1);
       this.#direction[0] = (right * cosYaw - ahead * sinYaw) / length;
       this.#direction[1] = (sinPitch + up * cosPitch) / length;
       this.#direction[2] = (-right * sinYaw - ahead * cosYaw) / length;
@@ -147,17 +150,19 @@ export class Pupil {
     if (!hit) return 0;
     let squared = 0;
     let cosine = 0;
-    for (const axis of [0, 1, 2] as const) {
+    for (let axis = 0; axis < 3; axis++) {
       // A little before the surface, lest it shadow itself.
-      place[axis] = eye[axis] + direction[axis] * (hit.distance - 2e-3);
-      const way = flame[axis] - place[axis];
+      place[axis] = eye[axis]! + direction[axis]! * (hit.distance - 2e-3);
+      const way = flame[axis]! - place[axis]!;
       squared += way * way;
-      cosine += way * hit.normal[axis];
+      cosine += way * hit.normal[axis]!;
     }
     const distance = Math.sqrt(squared);
     cosine /= distance;
     if (!(cosine > 0)) return bounced;
-    for (const axis of [0, 1, 2] as const) direction[axis] = (flame[axis] - place[axis]) / distance;
+    for (let axis = 0; axis < 3; axis++) {
+      direction[axis] = (flame[axis]! - place[axis]!) / distance;
+    }
     return solid.raycast(place, direction, distance) ? bounced : bounced + cosine / squared;
   }
 }

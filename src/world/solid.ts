@@ -1,6 +1,6 @@
 import type { Bounds, Vec3 } from "./bounds.js";
 import { type Bvh, buildBvh, MAX_DEPTH } from "./bvh.js";
-import { Footprint } from "./footprint.js";
+import { Footprint, type Way } from "./footprint.js";
 
 /** Metres, +Y up. */
 export interface Triangles {
@@ -41,6 +41,7 @@ export class Solid {
   readonly #stack = new Uint32Array(MAX_DEPTH);
   readonly #leaves: Uint32Array;
   readonly #footprint = new Footprint();
+  readonly #way: Way = { x: 0, z: 0, dx: 0, dz: 0, radius: 0, share: 1 };
   readonly #hit: Hit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
 
   constructor(parts: readonly Triangles[], maxTriangles = MAX_TRIANGLES) {
@@ -74,11 +75,17 @@ export class Solid {
    * @param hit filled and returned; without it, one that the next ray overwrites
    */
   raycast(
-    [ox, oy, oz]: Readonly<Vec3>,
-    [dx, dy, dz]: Readonly<Vec3>,
+    origin: Readonly<Vec3>,
+    direction: Readonly<Vec3>,
     maxDistance: number,
     hit: Hit = this.#hit,
   ): Hit | null {
+    const ox = origin[0];
+    const oy = origin[1];
+    const oz = origin[2];
+    const dx = direction[0];
+    const dy = direction[1];
+    const dz = direction[2];
     const { boxes, link, count, axis } = this.#bvh;
     if (link.length === 0) return null;
     // Not infinite, lest a ray in a face of a box meet 0 times infinity.
@@ -122,7 +129,7 @@ export class Solid {
     if (found < 0) return null;
     hit.distance = nearest;
     hit.triangle = this.#numbers[found / 9]!;
-    this.#facing(found, dx, dy, dz, hit.normal);
+    this.#facing(found, direction, hit.normal);
     return hit;
   }
 
@@ -164,20 +171,22 @@ export class Solid {
     return distance >= 0 ? distance : Number.NaN;
   }
 
-  #facing(at: number, dx: number, dy: number, dz: number, normal: Vec3): void {
+  #facing(at: number, way: Readonly<Vec3>, normal: Vec3): void {
     normalOf(this.triangles, at, normal);
-    if (normal[0] * dx + normal[1] * dy + normal[2] * dz <= 0) return;
-    for (const axis of [0, 1, 2] as const) normal[axis] = -normal[axis];
+    if (normal[0] * way[0] + normal[1] * way[1] + normal[2] * way[2] <= 0) return;
+    for (let axis = 0; axis < 3; axis++) normal[axis] = -normal[axis]!;
   }
 
   /** Whether anything is nearer than `radius` to an upright axis, or in between. */
   overlapsCylinder([x, y, z]: Readonly<Vec3>, radius: number, height: number): boolean {
     const { link, count } = this.#bvh;
     const leaves = this.#meet(x - radius, y, z - radius, x + radius, y + height, z + radius);
+    this.#footprint.low = y;
+    this.#footprint.high = y + height;
     for (let leaf = 0; leaf < leaves; leaf++) {
       const node = this.#leaves[leaf]!;
       for (let i = link[node]!, end = i + count[node]!; i < end; i++) {
-        if (!this.#footprint.take(this.triangles, i * 9, y, y + height)) continue;
+        if (!this.#footprint.take(this.triangles, i * 9)) continue;
         if (this.#footprint.distanceTo(x, z) < radius) return true;
       }
     }
@@ -186,12 +195,15 @@ export class Solid {
 
   /** Share of the level way (dx, dz) that an upright cylinder can go before it touches anything. */
   sweepCylinder(
-    [x, y, z]: Readonly<Vec3>,
+    place: Readonly<Vec3>,
     dx: number,
     dz: number,
     radius: number,
     height: number,
   ): number {
+    const x = place[0];
+    const y = place[1];
+    const z = place[2];
     const { link, count } = this.#bvh;
     const leaves = this.#meet(
       Math.min(x, x + dx) - radius,
@@ -201,15 +213,22 @@ export class Solid {
       y + height,
       Math.max(z, z + dz) + radius,
     );
-    let share = 1;
+    this.#footprint.low = y;
+    this.#footprint.high = y + height;
+    const way = this.#way;
+    way.x = x;
+    way.z = z;
+    way.dx = dx;
+    way.dz = dz;
+    way.radius = radius;
+    way.share = 1;
     for (let leaf = 0; leaf < leaves; leaf++) {
       const node = this.#leaves[leaf]!;
       for (let i = link[node]!, end = i + count[node]!; i < end; i++) {
-        if (!this.#footprint.take(this.triangles, i * 9, y, y + height)) continue;
-        share = Math.min(share, this.#footprint.sweep(x, z, dx, dz, radius));
+        if (this.#footprint.take(this.triangles, i * 9)) this.#footprint.sweep(way);
       }
     }
-    return share;
+    return way.share;
   }
 
   /** Writes the leaves that meet a box to `#leaves`, and returns how many. */

@@ -36,8 +36,10 @@ export class Timeline {
     isSpitting = false,
   ): void {
     const slot = this.#slot(this.tick);
-    this.#way.set(way, slot * 3);
-    this.#wind.set(wind, slot * 3);
+    for (let axis = 0; axis < 3; axis++) {
+      this.#way[slot * 3 + axis] = way[axis] ?? 0;
+      this.#wind[slot * 3 + axis] = wind[axis] ?? 0;
+    }
     this.#groups[slot] = Math.min(groups, GROUPS);
     this.#spits[slot] = isSpitting ? GROUPS : 0;
     this.tick++;

@@ -22,6 +22,7 @@ import {
 } from "./gait.js";
 import { type Ground, OPEN, walled } from "./ground.js";
 import { type Intent, STILL } from "./intent.js";
+import { length2, length3 } from "./length.js";
 import { GROUPS } from "./particle-layer.js";
 import { FLOATS, layerKey, Particles } from "./particles.js";
 import { canTake, type Refusal } from "./placing.js";
@@ -65,6 +66,8 @@ export interface World {
   fumes: Fumes | null;
   /** How the visitor's eye follows changes of the light; at rest in the paper's looks. */
   readonly pupil: Pupil;
+  /** What it adapts to; null where there is no room to be seen in real light. */
+  readonly sight: Sight | null;
   /** Foot of the flame, metres. */
   readonly emitter: Vec3;
   /** Where things are at the moment of the picture, up to a tick after the state above. Metres. */
@@ -121,6 +124,18 @@ export function createWorld(
     flame: new Flame(wick, isLit),
     fumes: null,
     pupil: new Pupil(),
+    sight:
+      room && look === "physical"
+        ? {
+            solid: room.solid,
+            eye: start,
+            yaw,
+            pitch: stage.pitch,
+            fieldOfView: stage.fieldOfView,
+            flame: [0, 0, 0],
+            luminousIntensity: 0,
+          }
+        : null,
     emitter: [0, 0, 0],
     shown: { eye: [0, 0, 0], foot: [0, 0, 0], flame: [0, 0, 0] },
     timeline: new Timeline(age - MEMORY),
@@ -285,58 +300,69 @@ export function flameCentre({ sample }: World, out: Vec3): Vec3 {
 
 /** Groups of particles worth having at the emitter's distance from the eye. */
 export function levelOfDetail({ emitter, player, stage }: World): number {
-  const [x, y, z] = player.position;
-  const distance = Math.hypot(emitter[0] - x, emitter[1] - y, emitter[2] - z);
+  const { position } = player;
+  const distance = length3(
+    emitter[0] - position[0],
+    emitter[1] - position[1],
+    emitter[2] - position[2],
+  );
   // A flame twice as large is as large from twice as far.
   const lost = Math.floor((distance * 0.125) / (LOD_DISTANCE * stage.flameScale));
   return Math.max(1, GROUPS - lost);
 }
 
+/** Of the tick under way, so that none allocates: the emitter before it, and what `tick` makes of it. */
+const before: Vec3 = [0, 0, 0];
+const motion: Vec3 = [0, 0, 0];
+const flow: Vec3 = [0, 0, 0];
+const way: Vec3 = [0, 0, 0];
+const wind: Vec3 = [0, 0, 0];
+
 function tick(world: World, intent: Intent): void {
   const { stage, player, emitter, timeline, ground, hand, air, flame } = world;
-  const before: Vec3 = [emitter[0], emitter[1], emitter[2]];
+  for (let axis = 0; axis < 3; axis++) before[axis] = emitter[axis]!;
   const { position, velocity } = player;
-  const [x, , z] = position;
+  const x = position[0];
+  const z = position[2];
   walk(player, intent, stage.gait, ground, TICK);
-  world.stride = advanceStride(world.stride, Math.hypot(position[0] - x, position[2] - z));
+  world.stride = advanceStride(world.stride, length2(position[0] - x, position[2] - z));
   advanceHand(hand, player.yaw, velocity, TICK);
   settle(world, TICK);
-  const motion: Vec3 = [0, 0, 0];
-  for (const axis of [0, 1, 2] as const) motion[axis] = (emitter[axis] - before[axis]) / TICK;
+  for (let axis = 0; axis < 3; axis++) motion[axis] = (emitter[axis]! - before[axis]!) / TICK;
   const time = (timeline.tick + 1) * TICK;
   air.advance(time, position, velocity, emitter, world.candle.isHeld ? motion : STANDING);
   // The paper's flame has its own law of motion: it is only lit and put out as the physical one is.
   const isPhysical = world.look === "physical";
   flame.advance(emitter, isPhysical ? motion : STANDING, air, !(world.sways && isPhysical), TICK);
-  const seen = timeline.tick % GLANCE_EVERY === 0 ? sightOf(world) : null;
-  if (seen) world.pupil.advance(seen, GLANCE_EVERY * TICK);
+  if (timeline.tick % GLANCE_EVERY === 0) {
+    const seen = sightOf(world);
+    if (seen) world.pupil.advance(seen, GLANCE_EVERY * TICK);
+  }
   if (timeline.tick % FUMES_EVERY === 0) {
     world.fumes?.step(flame, emitter, world.sways ? air : null);
   }
-  const way = before.map((old, axis) => ((emitter[axis] ?? 0) - old) / stage.flameScale);
   // The paper's particles are in air at rest.
-  const flow: Vec3 = [0, 0, 0];
-  if (isPhysical && world.sways) air.velocity(emitter[0], emitter[1], emitter[2], flow);
-  const wind = way.map((length, axis) => (flow[axis] ?? 0) / stage.flameScale - length / TICK);
+  if (isPhysical && world.sways) air.velocity(emitter, flow);
+  else flow.fill(0);
+  for (let axis = 0; axis < 3; axis++) {
+    way[axis] = (emitter[axis]! - before[axis]!) / stage.flameScale;
+    wind[axis] = flow[axis]! / stage.flameScale - way[axis]! / TICK;
+  }
   const burnsWell = world.sways && flame.isLit && flame.fuel > SPITTING;
   const spits = burnsWell && isSpitting(world.seed, timeline.tick);
   timeline.record(way, wind, flame.isLit ? levelOfDetail(world) : 0, spits);
   if (!isPhysical) world.sample.follow(timeline);
 }
 
-/** What the visitor's eye adapts to; null where there is no room to be seen in real light. */
-function sightOf({ look, room, player, stage, flame, emitter }: World): Sight | null {
-  if (look !== "physical" || !room) return null;
-  const [x, y, z] = emitter;
-  return {
-    solid: room.solid,
-    eye: player.position,
-    yaw: player.yaw,
-    pitch: player.pitch,
-    fieldOfView: stage.fieldOfView,
-    flame: [x, y + MIDDLE, z],
-    luminousIntensity: flame.glow,
-  };
+/** What the visitor's eye adapts to, as it is now. */
+function sightOf({ sight, player, flame, emitter }: World): Sight | null {
+  if (!sight) return null;
+  sight.yaw = player.yaw;
+  sight.pitch = player.pitch;
+  for (let axis = 0; axis < 3; axis++) sight.flame[axis] = emitter[axis]!;
+  sight.flame[1] += MIDDLE;
+  sight.luminousIntensity = flame.glow;
+  return sight;
 }
 
 function adapt(world: World): void {
@@ -366,25 +392,27 @@ function settle({ candle, player, hand, stage, room, emitter }: World, seconds: 
   } else if (candle.isHeld) {
     holdCandle(candle, player, stage);
   }
-  for (const axis of [0, 1, 2] as const) {
-    emitter[axis] = candle.position[axis] + stage.wick[axis] * stage.candleScale;
+  for (let axis = 0; axis < 3; axis++) {
+    emitter[axis] = candle.position[axis]! + stage.wick[axis]! * stage.candleScale;
   }
 }
+
+const bob: Vec3 = [0, 0, 0];
 
 /** Lets the picture run ahead of the last tick by the time left over, so that motion is smooth. */
 function show(world: World): void {
   const { player, candle, emitter, shown, remainder, room } = world;
   const { position, velocity, yaw } = player;
-  for (const axis of [0, 1, 2] as const) {
-    shown.eye[axis] = position[axis] + velocity[axis] * remainder;
+  for (let axis = 0; axis < 3; axis++) {
+    shown.eye[axis] = position[axis]! + velocity[axis]! * remainder;
   }
   world.ground.settle(shown.eye);
-  for (const axis of [0, 1, 2] as const) {
-    const carried = candle.isHeld ? shown.eye[axis] - position[axis] : 0;
-    shown.foot[axis] = candle.position[axis] + carried;
-    shown.flame[axis] = emitter[axis] + carried;
+  for (let axis = 0; axis < 3; axis++) {
+    const carried = candle.isHeld ? shown.eye[axis]! - position[axis]! : 0;
+    shown.foot[axis] = candle.position[axis]! + carried;
+    shown.flame[axis] = emitter[axis]! + carried;
   }
   if (!room || !world.sways) return;
-  const bob = headBob(world.stride, Math.hypot(velocity[0], velocity[2]), yaw, [0, 0, 0]);
-  for (const axis of [0, 1, 2] as const) shown.eye[axis] += bob[axis];
+  headBob(world.stride, length2(velocity[0], velocity[2]), yaw, bob);
+  for (let axis = 0; axis < 3; axis++) shown.eye[axis]! += bob[axis]!;
 }

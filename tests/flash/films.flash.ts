@@ -57,6 +57,7 @@ async function film(room: RoomDriver, { attributes, deed }: Scenario): Promise<F
   });
   await room.set(attributes);
   for (let second = 0; second < SECONDS; second++) {
+    if (process.env.TRACE) console.log(second, new Date().toISOString());
     const deeds = Array.from({ length: RATE }, (_, i) => deed(second * RATE + i));
     const text = await room.evaluate(
       async (element, { deeds, width, height }) => {
@@ -92,8 +93,8 @@ async function film(room: RoomDriver, { attributes, deed }: Scenario): Promise<F
 
 /** Half of the screen's pixels are enough of the cabin, which costs a hundred times the paper's room. */
 const LOOKS: Readonly<Record<string, Attributes>> = {
-  paper: { look: "paper", quality: "medium" },
-  original: { look: "original", quality: "medium" },
+  paper: { look: "paper", quality: "medium", "max-pixel-ratio": "0.5" },
+  original: { look: "original", quality: "medium", "max-pixel-ratio": "0.5" },
   physical: { look: "physical", quality: "low", "max-pixel-ratio": "0.5" },
 };
 

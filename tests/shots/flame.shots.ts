@@ -18,6 +18,8 @@ const TILE = { width: 320, height: 240 };
 
 /** On the table, and beneath the window. */
 const TABLE = { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 } as const;
+/** Where one can walk to both sides. */
+const OPEN = { position: [-1, 1.6, 0.8], yaw: -0.94, pitch: -0.1 } as const;
 const BY_THE_WALL = lookingAt([1.55, 1.6, -0.4], [2.2, 0.46, -0.2]);
 
 class FlameStudio {
@@ -137,6 +139,7 @@ test("shot: the flame, what moves it, out and in again", async ({ page }) => {
     ["KeyD", "carried to the right"],
   ] as const) {
     await studio.begin(null);
+    await room.stand(OPEN);
     await room.evaluate((element, code) => {
       element.enter();
       element.dispatchEvent(new KeyboardEvent("keydown", { code, bubbles: true }));

@@ -166,12 +166,15 @@ class Reversals {
   }
 }
 
-/** IEC 61966-2-1, of each byte. */
-const LINEAR = Float64Array.from({ length: 256 }, (_, byte) => {
-  const value = byte / 255;
-  return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
-});
+/** Of each byte: pictures are of whole ones. */
+const LINEAR = Float64Array.from({ length: 256 }, (_, byte) => decode(byte));
 
 function linear(byte = 0): number {
-  return LINEAR[byte] ?? 0;
+  return LINEAR[byte] ?? decode(byte);
+}
+
+/** IEC 61966-2-1. */
+function decode(byte: number): number {
+  const value = byte / 255;
+  return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
 }

@@ -57,11 +57,21 @@ export const BUOYANCY = 25;
  * of McCaffrey 1979, "Purely Buoyant Diffusion Flames", has in its flame and above it. m/s.
  */
 export function topSpeed(rate: number, height: number): number {
-  const kilowatts = Math.max((rate * HEAT) / 1000, 1e-4);
-  return Math.min(
-    1.9 * kilowatts ** 0.2,
-    (1.1 * Math.cbrt(kilowatts)) / Math.cbrt(Math.max(height, 1e-3)),
-  );
+  return Math.min(flameSpeed(rate), plumeSpeed(rate) / Math.cbrt(Math.max(height, 1e-3)));
+}
+
+/** The first of them, m/s. */
+export function flameSpeed(rate: number): number {
+  return 1.9 * kilowatts(rate) ** 0.2;
+}
+
+/** The second, which falls as the cube root of the height: at 1 m, m/s. */
+export function plumeSpeed(rate: number): number {
+  return 1.1 * Math.cbrt(kilowatts(rate));
+}
+
+function kilowatts(rate: number): number {
+  return Math.max((rate * HEAT) / 1000, 1e-4);
 }
 
 /** How long gas takes from the foot of a flame that burns this much (kg/s) to a height within it (m). */

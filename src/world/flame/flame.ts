@@ -1,5 +1,6 @@
 import type { Air } from "../air.js";
 import type { Vec3 } from "../bounds.js";
+import { length3 } from "../length.js";
 import { flameHeight, flameRadius, fuelRate, riseTime, sootLight } from "./burning.js";
 import { Limiter } from "./limiter.js";
 import { Puffing, puffingFrequency } from "./puffing.js";
@@ -75,6 +76,7 @@ export class Flame {
   #spacing = 0;
   #spacingOf = Number.NaN;
   readonly #airspeed: Vec3 = [0, 0, 0];
+  readonly #place: Vec3 = [0, 0, 0];
   readonly #flow: Vec3 = [0, 0, 0];
 
   constructor(wick: number, isLit: boolean) {
@@ -216,14 +218,19 @@ export class Flame {
 
   #strain(foot: Readonly<Vec3>, motion: Readonly<Vec3>, air: Air, seconds: number): void {
     const flow = this.#flow;
-    air.velocity(foot[0], foot[1] + STRAINED_AT * this.height, foot[2], flow);
+    const place = this.#place;
+    place[0] = foot[0];
+    place[1] = foot[1] + STRAINED_AT * this.height;
+    place[2] = foot[2];
+    air.velocity(place, flow);
     const share = 1 - Math.exp(-seconds / INERTIA);
-    for (const axis of [0, 1, 2] as const) {
-      this.#airspeed[axis] += (flow[axis] - motion[axis] - this.#airspeed[axis]) * share;
+    const airspeed = this.#airspeed;
+    for (let axis = 0; axis < 3; axis++) {
+      airspeed[axis]! += (flow[axis]! - motion[axis]! - airspeed[axis]!) * share;
     }
-    const [x, y, z] = this.#airspeed;
+    const [x, y, z] = airspeed;
     const width = 2 * flameRadius(this.wick, 1);
-    this.strain = Math.hypot(x, y, z) / width / EXTINCTION_STRAIN;
+    this.strain = length3(x, y, z) / width / EXTINCTION_STRAIN;
   }
 
   #burn(seconds: number): void {

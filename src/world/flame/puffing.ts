@@ -1,3 +1,5 @@
+import { length2 } from "../length.js";
+
 /** Widest source over which a flame stands still, m: solved ones do at 10 mm, and hardly puff at 20. */
 export const STILL_WIDTH = 0.017;
 /** Share of √(g/D) that a flame puffs at: the mean of the solver's three widths. */
@@ -32,7 +34,7 @@ export class Puffing {
     const frequency = puffingFrequency(width, gravity);
     const excess = 1 - STILL_WIDTH / width;
     const rate = GROWTH * frequency * Math.max(excess, -3);
-    const size = Math.hypot(this.real, this.imaginary);
+    const size = length2(this.real, this.imaginary);
     const grown = Math.exp(rate * seconds);
     // Bernoulli's equation of |A|²; at the threshold growth and saturation vanish together.
     const limit = SATURATION * SATURATION * Math.max(excess, 0);

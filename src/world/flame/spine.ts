@@ -1,6 +1,6 @@
 import type { Air } from "../air.js";
 import type { Vec3 } from "../bounds.js";
-import { BUOYANCY, topSpeed } from "./burning.js";
+import { BUOYANCY, flameSpeed, plumeSpeed, topSpeed } from "./burning.js";
 
 /** Parcels of gas along the flame. */
 export const PARCELS = 24;
@@ -26,7 +26,12 @@ export class Spine {
   readonly #drift = new Float64Array(PARCELS * 2);
   /** Age of the youngest, seconds. */
   #youngest = 0;
-  readonly #air: Vec3 = [0, 0, 0];
+  readonly #place: Vec3 = [0, 0, 0];
+  readonly #flow: Vec3 = [0, 0, 0];
+  /** Fastest that gas rises now, m/s, in the flame and 1 m over it; for how long a parcel is carried, seconds. */
+  #flameSpeed = 0;
+  #plumeSpeed = 0;
+  #seconds = 0;
 
   /** Upright and at rest, as in still air. */
   constructor(rate: number, spacing: number) {
@@ -58,7 +63,10 @@ export class Spine {
     air: Air | null,
     seconds: number,
   ): void {
-    for (let i = 0; i < PARCELS; i++) this.#carry(i, foot, motion, rate, air, seconds);
+    this.#flameSpeed = flameSpeed(rate);
+    this.#plumeSpeed = plumeSpeed(rate);
+    this.#seconds = seconds;
+    for (let i = 0; i < PARCELS; i++) this.#carry(i, foot, motion, air);
     const age = this.#youngest + seconds;
     const born = Math.min(Math.floor(age / spacing + 1e-9), PARCELS);
     this.#youngest = Math.max(0, age - Math.floor(age / spacing + 1e-9) * spacing);
@@ -69,34 +77,35 @@ export class Spine {
       this.positions.fill(0, i * 3, i * 3 + 3);
       this.#drift[i * 2] = air ? motion[0] : 0;
       this.#drift[i * 2 + 1] = air ? motion[2] : 0;
-      this.#carry(i, foot, motion, rate, air, this.#youngest + i * spacing);
+      this.#seconds = this.#youngest + i * spacing;
+      this.#carry(i, foot, motion, air);
     }
   }
 
-  #carry(
-    i: number,
-    foot: Readonly<Vec3>,
-    motion: Readonly<Vec3>,
-    rate: number,
-    air: Air | null,
-    seconds: number,
-  ): void {
+  #carry(i: number, foot: Readonly<Vec3>, motion: Readonly<Vec3>, air: Air | null): void {
     const { positions } = this;
+    const seconds = this.#seconds;
     const at = i * 3;
     const height = positions[at + 1] ?? 0;
     if (!air) {
       positions[at] = positions[at + 2] = 0;
-      positions[at + 1] = risen(height, seconds, rate, 0);
+      this.#rise(at + 1, AT_REST);
       return;
     }
     const x = positions[at] ?? 0;
     const z = positions[at + 2] ?? 0;
-    const flow = air.velocity(foot[0] + x, foot[1] + height, foot[2] + z, this.#air);
+    const place = this.#place;
+    place[0] = foot[0] + x;
+    place[1] = foot[1] + height;
+    place[2] = foot[2] + z;
+    const flow = air.velocity(place, this.#flow);
     const felt = LEAST_FELT + (1 - LEAST_FELT) * Math.min(height / CLINGING, 1);
-    for (const axis of [0, 1, 2] as const) {
-      flow[axis] = motion[axis] + (flow[axis] - motion[axis]) * felt;
+    for (let axis = 0; axis < 3; axis++) {
+      const carried = motion[axis]!;
+      flow[axis] = carried + (flow[axis]! - carried) * felt;
     }
-    positions[at + 1] = risen(height, seconds, rate, flow[1] - motion[1]);
+    flow[1] -= motion[1];
+    this.#rise(at + 1, flow);
     const left = Math.exp(-ENTRAINMENT * seconds);
     const lagging = (1 - left) / ENTRAINMENT;
     const behindX = (this.#drift[i * 2] ?? 0) - flow[0];
@@ -106,7 +115,22 @@ export class Spine {
     this.#drift[i * 2] = flow[0] + behindX * left;
     this.#drift[i * 2 + 1] = flow[2] + behindZ * left;
   }
+
+  /** Lets the gas at a height rise, as `risen` says, with an updraught. */
+  #rise(at: number, updraught: Readonly<Vec3>): void {
+    const seconds = this.#seconds;
+    const height = this.positions[at] ?? 0;
+    const root = Math.sqrt(height) + CLIMB * seconds;
+    const fastest = Math.min(
+      this.#flameSpeed,
+      this.#plumeSpeed / Math.cbrt(Math.max(height, 1e-3)),
+    );
+    const reached = Math.min(root * root, height + fastest * seconds);
+    this.positions[at] = Math.max(0, reached + updraught[1] * seconds);
+  }
 }
+
+const AT_REST: Vec3 = [0, 0, 0];
 
 /** Where gas at a height is after a while, metres. Exact where it rises freely. */
 export function risen(height: number, seconds: number, rate: number, updraught: number): number {

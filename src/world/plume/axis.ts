@@ -9,6 +9,9 @@ const TABLE = 512;
 export class Axis {
   /** Cells. */
   readonly count: number;
+  /** Its ends. */
+  readonly low: number;
+  readonly high: number;
   readonly edges: Float64Array;
   readonly widths: Float64Array;
   /** From the middle of the cell below each edge to the middle of the one above it. */
@@ -28,20 +31,14 @@ export class Axis {
       this.edges,
       (_, i) => ((widths[i - 1] ?? first) + (widths[i] ?? last)) / 2,
     );
+    this.low = low;
+    this.high = this.edges[this.count]!;
     this.#perMetre = TABLE / (this.high - low);
     for (let entry = 0, cell = 0; entry < this.#table.length; entry++) {
       const x = low + entry / this.#perMetre;
       while (cell < this.count - 1 && this.edges[cell + 1]! <= x) cell++;
       this.#table[entry] = cell + (x - this.edges[cell]!) / this.widths[cell]!;
     }
-  }
-
-  get low(): number {
-    return this.edges[0]!;
-  }
-
-  get high(): number {
-    return this.edges[this.count]!;
   }
 
   /** A place, counted in cells from the lower end; a number below 0 or above `count` lies outside. */

@@ -2,6 +2,7 @@ import type { Air } from "../air.js";
 import type { Vec3 } from "../bounds.js";
 import { fuelRate, HEAT } from "../flame/burning.js";
 import { AFTERGLOW, type Flame, GLOWING, ROOM } from "../flame/flame.js";
+import { length3 } from "../length.js";
 import { PLUME_STEP, Plume } from "./plume.js";
 import { Smoke } from "./smoke.js";
 
@@ -47,9 +48,9 @@ export class Fumes {
       origin[1] = Number.NEGATIVE_INFINITY; // all is cold: the next flame begins in air at rest
       return;
     }
-    if (air) air.velocity(foot[0], foot[1], foot[2], wind);
+    if (air) air.velocity(foot, wind);
     else wind.fill(0);
-    if (Math.hypot(foot[0] - origin[0], foot[1] - origin[1], foot[2] - origin[2]) > JUMP) {
+    if (length3(foot[0] - origin[0], foot[1] - origin[1], foot[2] - origin[2]) > JUMP) {
       this.plume.calm(foot, wind);
     }
     const wick = this.#wick;

@@ -1,4 +1,5 @@
 import type { Vec3 } from "../bounds.js";
+import { length3 } from "../length.js";
 import { carry, carryAmount, type Lines } from "./advection.js";
 import { type Axis, rising, symmetric } from "./axis.js";
 import { PressureSolver } from "./pressure.js";
@@ -69,6 +70,8 @@ export class Plume {
   readonly #lines: readonly [Three<Lines>, Three<Lines>, Three<Lines>];
   readonly #pressure: PressureSolver;
   readonly #wind: Vec3 = [0, 0, 0];
+  /** A place on the grid, of a look at it. */
+  readonly #at: Vec3 = [0, 0, 0];
   readonly #counts: readonly [number, number, number];
   readonly #rulers: readonly [Axis, Axis, Axis];
   /** Values along each axis, and from one to the next: of each component, and in the `MIDDLES`. */
@@ -144,7 +147,7 @@ export class Plume {
       const strides = this.#strides[MIDDLES]!;
       carryAmount(this.heat, flow, widths, faces, strides, along, inner, outer, ride);
     }
-    for (const axis of [0, 1, 2] as const) this.origin[axis] = origin[axis];
+    for (let axis = 0; axis < 3; axis++) this.origin[axis] = origin[axis]!;
     if (power > 0) this.#warm(power, height);
     this.#spread();
     this.#lift();
@@ -152,25 +155,39 @@ export class Plume {
   }
 
   /** Velocity of the air somewhere in the room, m/s. Away from the grid it fades to the wind's. */
-  velocity(x: number, y: number, z: number, out: Vec3): Vec3 {
+  velocity(place: Readonly<Vec3>, out: Vec3): Vec3 {
     const { grid, origin } = this;
-    const px = grid.x.place(x - origin[0]);
-    const py = grid.y.place(y - origin[1]);
-    const pz = grid.z.place(z - origin[2]);
-    const [nx, ny, nz] = this.#counts;
-    const [u, v, w] = this.velocities;
-    out[0] = between(u, nx + 1, ny, nz, px, py - 0.5, pz - 0.5);
-    out[1] = between(v, nx, ny + 1, nz, px - 0.5, py, pz - 0.5);
-    out[2] = between(w, nx, ny, nz + 1, px - 0.5, py - 0.5, pz);
+    const x = place[0] - origin[0];
+    const y = place[1] - origin[1];
+    const z = place[2] - origin[2];
+    const px = grid.x.place(x);
+    const py = grid.y.place(y);
+    const pz = grid.z.place(z);
+    const nx = grid.x.count;
+    const ny = grid.y.count;
+    const nz = grid.z.count;
+    const u = this.velocities[0];
+    const v = this.velocities[1];
+    const w = this.velocities[2];
+    const at = this.#at;
+    at[0] = px;
+    at[1] = py - 0.5;
+    at[2] = pz - 0.5;
+    between(u, nx + 1, ny, nz, at, out, 0);
+    at[0] = px - 0.5;
+    at[1] = py;
+    between(v, nx, ny + 1, nz, at, out, 1);
+    at[1] = py - 0.5;
+    at[2] = pz;
+    between(w, nx, ny, nz + 1, at, out, 2);
     if (px >= 0 && py >= 0 && pz >= 0 && px <= nx && py <= ny && pz <= nz) return out;
-    const beyond = Math.hypot(
-      beside(x - origin[0], grid.x),
-      beside(y - origin[1], grid.y),
-      beside(z - origin[2], grid.z),
-    );
-    const share = Math.exp(-beyond / FADING);
-    for (const axis of [0, 1, 2] as const) {
-      out[axis] = this.#wind[axis] + (out[axis] - this.#wind[axis]) * share;
+    const dx = Math.max(grid.x.low - x, 0, x - grid.x.high);
+    const dy = Math.max(grid.y.low - y, 0, y - grid.y.high);
+    const dz = Math.max(grid.z.low - z, 0, z - grid.z.high);
+    const share = Math.exp(-length3(dx, dy, dz) / FADING);
+    for (let axis = 0; axis < 3; axis++) {
+      const wind = this.#wind[axis]!;
+      out[axis] = wind + (out[axis]! - wind) * share;
     }
     return out;
   }
@@ -183,8 +200,9 @@ export class Plume {
     const pz = grid.z.place(z - origin[2]) - 0.5;
     const [nx, ny, nz] = this.#counts;
     const isInside = px > -0.5 && py > -0.5 && pz > -0.5 && px < nx && py < ny && pz < nz;
-    const excess = isInside ? between(this.heat, nx, ny, nz, px, py, pz) : 0;
-    return ROOM_TEMPERATURE * (1 + excess);
+    const excess: Vec3 = [0, 0, 0];
+    if (isInside) between(this.heat, nx, ny, nz, [px, py, pz], excess, 0);
+    return ROOM_TEMPERATURE * (1 + excess[0]);
   }
 
   /**
@@ -347,21 +365,19 @@ function across(along: Component): readonly [inner: Component, outer: Component]
   return [along === 0 ? 1 : 0, along === 2 ? 1 : 2];
 }
 
-/** How far a place lies beyond the ends of an axis, metres. */
-function beside(x: number, { low, high }: Axis): number {
-  return Math.max(low - x, 0, x - high);
-}
-
-/** Trilinear; places are counted from the first value, and outside the nearest one counts. */
+/** Trilinear, written to one of `out`; places are counted from the first value, and outside the nearest one counts. */
 function between(
   field: Float64Array,
   nx: number,
   ny: number,
   nz: number,
-  x: number,
-  y: number,
-  z: number,
-): number {
+  place: Readonly<Vec3>,
+  out: Vec3,
+  axis: Component,
+): void {
+  const x = place[0];
+  const y = place[1];
+  const z = place[2];
   const cx = x < 0 ? 0 : x > nx - 1 ? nx - 1 : x;
   const cy = y < 0 ? 0 : y > ny - 1 ? ny - 1 : y;
   const cz = z < 0 ? 0 : z > nz - 1 ? nz - 1 : z;
@@ -381,5 +397,5 @@ function between(
   const farUp = field[upBack]! + (field[upBack + 1]! - field[upBack]!) * fx;
   const low = near + (nearUp - near) * fy;
   const high = far + (farUp - far) * fy;
-  return low + (high - low) * fz;
+  out[axis] = low + (high - low) * fz;
 }

@@ -41,6 +41,7 @@ export class Smoke {
   readonly #amounts = new Float32Array(LINES * ROWS);
   readonly #key: number;
   #step = 0;
+  readonly #place: Vec3 = [0, 0, 0];
   readonly #flow: Vec3 = [0, 0, 0];
 
   constructor(seed: number) {
@@ -68,6 +69,7 @@ export class Smoke {
 
   #carry(air: Plume): void {
     const { parcels } = this;
+    const place = this.#place;
     const flow = this.#flow;
     const velocities = this.#velocities;
     for (let n = 0; n < this.count; n++) {
@@ -75,7 +77,8 @@ export class Smoke {
       for (let at = first; at < first + LINES; at++) {
         const p = at * SMOKE_FLOATS;
         const v = at * 3;
-        air.velocity(parcels[p]!, parcels[p + 1]!, parcels[p + 2]!, flow);
+        for (let axis = 0; axis < 3; axis++) place[axis] = parcels[p + axis]!;
+        air.velocity(place, flow);
         // Adams and Bashforth 1883: as exact as two looks at the air, for one.
         for (let axis = 0; axis < 3; axis++) {
           const before = velocities[v + axis]!;
@@ -90,16 +93,20 @@ export class Smoke {
     const { parcels } = this;
     this.newest = (this.newest + 1) % ROWS;
     this.count = Math.min(this.count + 1, ROWS);
+    const place = this.#place;
     const flow = this.#flow;
     for (let n = 0; n < LINES; n++) {
       const at = this.newest * LINES + n;
       const p = at * SMOKE_FLOATS;
       const angle = (2 * Math.PI * n) / LINES;
-      parcels[p] = wick[0] + RIM * Math.cos(angle);
-      parcels[p + 1] = wick[1];
-      parcels[p + 2] = wick[2] + RIM * Math.sin(angle);
-      air.velocity(parcels[p]!, parcels[p + 1]!, parcels[p + 2]!, flow);
-      this.#velocities.set(flow, at * 3);
+      place[0] = wick[0] + RIM * Math.cos(angle);
+      place[1] = wick[1];
+      place[2] = wick[2] + RIM * Math.sin(angle);
+      air.velocity(place, flow);
+      for (let axis = 0; axis < 3; axis++) {
+        parcels[p + axis] = place[axis]!;
+        this.#velocities[at * 3 + axis] = flow[axis]!;
+      }
       const grain = 1 + GRAIN * this.#grain(n);
       this.#amounts[at] = (Math.max(strength, 0) * grain * THICKNESS) / LINES;
     }

@@ -223,10 +223,12 @@ test("the same seed is the same flame at 30 and 144 Hz", () => {
 
 test("gusts have no divergence", () => {
   const gusts = new Gusts(3);
+  gusts.strength = 1;
+  gusts.time = 2.5;
   const STEP = 1e-4;
   const at = (x: number, y: number, z: number) => {
     const velocity: [number, number, number] = [0, 0, 0];
-    gusts.add(1, 2.5, x, y, z, velocity);
+    gusts.add([x, y, z], velocity);
     return velocity;
   };
   let [divergence, gradient] = [0, 0];

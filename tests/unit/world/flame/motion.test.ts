@@ -13,7 +13,7 @@ const EYE: Vec3 = [0, 1.6, 2];
 /** Air whose wind along x changes at once; a room's takes a second. */
 class Duct extends Air {
   speed = 0;
-  override velocity(_x: number, _y: number, _z: number, out: Vec3): Vec3 {
+  override velocity(_place: Readonly<Vec3>, out: Vec3): Vec3 {
     out[0] = this.speed;
     out[1] = out[2] = 0;
     return out;
