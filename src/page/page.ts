@@ -1,9 +1,10 @@
+import type { Camera } from "../candle-flame-element.js";
 import "../define.js";
 import { find } from "./find.js";
 import type { Lab } from "./lab/lab.js";
 import { MicrophoneSwitch } from "./microphone-switch.js";
 import { SettingsForm } from "./settings-form.js";
-import { readShareLink, SHARED, type Shared, writeShareLink } from "./share-link.js";
+import { readShareLink, SHARED, type Shared, type View, writeShareLink } from "./share-link.js";
 
 const stage = find(document, ".stage", HTMLElement);
 const room = document.querySelector("candle-flame");
@@ -53,20 +54,64 @@ photoButton.addEventListener("click", async () => {
   setTimeout(() => URL.revokeObjectURL(url), 60_000); // some browsers read it only later
 });
 
-/** The room as a link asks for it; without one, as it is by default. */
-function follow(hash: string): void {
-  const view = readShareLink(hash);
+/** From where the candle that now stands was put down. */
+let putDownFrom: Camera | null = null;
+room.addEventListener("place", () => {
+  putDownFrom = room.camera;
+});
+room.addEventListener("take", () => {
+  putDownFrom = null;
+});
+
+/** Puts the candle down as one would from there, or takes it up, and is back where one was. */
+function stand(from: Camera | null): void {
+  if (!room || (!from && room.held)) return;
+  const camera = room.camera;
+  if (!room.held && putDownFrom) {
+    room.camera = putDownFrom; // within reach of it
+    room.take();
+  }
+  if (from) {
+    room.camera = from;
+    room.place();
+  }
+  room.camera = camera;
+}
+
+/** The room as somebody wants to see it; what he says nothing about is as it is by default. */
+function follow(view: View): void {
+  if (!room) return;
   for (const name of SHARED) {
     const text = view.settings[name];
-    if (text === undefined) room?.removeAttribute(name);
-    else room?.setAttribute(name, text);
+    if (text === undefined) room.removeAttribute(name);
+    else room.setAttribute(name, text);
   }
   // The visitor may have put out, or lit, what the attribute left alone.
-  if (room) room.lit = view.settings.unlit === undefined;
-  if (room && view.camera) room.camera = view.camera;
+  room.lit = view.settings.unlit === undefined;
+  if (view.camera) room.camera = view.camera;
+  if (isLoaded) stand(view.candle);
+  else room.addEventListener("load", () => stand(view.candle), { once: true });
 }
-follow(location.hash);
-window.addEventListener("hashchange", () => follow(location.hash));
+
+let isLoaded = false;
+room.addEventListener("load", () => {
+  isLoaded = true;
+});
+
+/** How the cabin opens: its candle stands on the table, for whoever walks in to take. */
+const OPENING: Pick<View, "camera" | "candle"> = {
+  camera: { position: [-0.6, 1.6, 0.85], yaw: -0.57, pitch: -0.4 },
+  candle: { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 },
+};
+const asked = readShareLink(location.hash);
+const asksForNoPlace = !asked.camera && !asked.candle && !asked.settings.look;
+follow(asksForNoPlace ? { ...asked, ...OPENING } : asked);
+if (asksForNoPlace) {
+  for (const way of [enterButton, room]) {
+    way.addEventListener("click", () => room.take(), { once: true });
+  }
+}
+window.addEventListener("hashchange", () => follow(readShareLink(location.hash)));
 
 /** How long a notice stays, milliseconds. */
 const NOTICE = 6000;
@@ -78,7 +123,11 @@ shareButton.addEventListener("click", async () => {
     const text = name === "unlit" ? (room.lit ? null : "") : room.getAttribute(name);
     if (text !== null) settings[name] = text;
   }
-  history.replaceState(null, "", writeShareLink({ camera: room.camera, settings }));
+  history.replaceState(
+    null,
+    "",
+    writeShareLink({ camera: room.camera, candle: putDownFrom, settings }),
+  );
   link.hidden = true;
   try {
     await navigator.clipboard.writeText(location.href);

@@ -25,6 +25,8 @@ export type Shared = (typeof SHARED)[number];
 /** What is seen, and from where: the text of attributes, as far as they are not at their defaults. */
 export interface View {
   readonly camera: Camera | null;
+  /** From where the candle was put down; null if it is held. */
+  readonly candle: Camera | null;
   readonly settings: Readonly<Partial<Record<Shared, string>>>;
 }
 
@@ -34,11 +36,12 @@ const DIGITS = 4;
 const NUMBER = /^-?\d{1,5}(\.\d{1,9})?$/;
 
 /** The view as a location's hash. */
-export function writeShareLink({ camera, settings }: View): string {
+export function writeShareLink({ camera, candle, settings }: View): string {
   const words = new URLSearchParams();
-  if (camera) {
-    const numbers = [...camera.position, camera.yaw, camera.pitch];
-    words.set("camera", numbers.map((value) => Number(value.toFixed(DIGITS))).join("_"));
+  for (const [name, stand] of Object.entries({ camera, candle })) {
+    if (!stand) continue;
+    const numbers = [...stand.position, stand.yaw, stand.pitch];
+    words.set(name, numbers.map((value) => Number(value.toFixed(DIGITS))).join("_"));
   }
   for (const name of SHARED) {
     const text = meant(name, settings[name] ?? null);
@@ -55,7 +58,11 @@ export function readShareLink(hash: string): View {
     const text = meant(name, words.get(name));
     if (text !== null) settings[name] = text;
   }
-  return { camera: readCamera(words.get("camera")), settings };
+  return {
+    camera: readCamera(words.get("camera")),
+    candle: readCamera(words.get("candle")),
+    settings,
+  };
 }
 
 function readCamera(text: string | null): Camera | null {

@@ -20,6 +20,23 @@ test("the page opens on a burning room, from any folder of a site", async ({ fre
     expect(await fresh.evaluate((room) => room.look)).toBe("physical");
   });
 
+  await test.step("whose candle stands on the table, also in a link, until one walks in", async () => {
+    const view = await fresh.evaluate(({ held, camera }) => ({ held, camera }));
+    expect(view.held).toBe(false);
+    await page.getByRole("button", { name: "Share" }).click();
+    const { hash } = new URL(page.url());
+    expect(hash).toMatch(/#camera=[-\d._]+&candle=[-\d._]+/);
+    await fresh.enter.click();
+    expect(await fresh.evaluate((room) => room.held)).toBe(true);
+    await fresh.evaluate((room) => room.blur());
+    await page.evaluate((hash) => {
+      location.hash = "";
+      location.hash = hash;
+    }, hash);
+    await expect.poll(() => fresh.evaluate((room) => room.held)).toBe(false);
+    expect(await fresh.evaluate((room) => room.camera)).toEqual(view.camera);
+  });
+
   await fresh.evaluate((room) => room.pause());
   await test.step("fetches the lab when it is asked for, and closes it by keyboard", async () => {
     const isLab = (url: string) => /\/lab-[^/]*\.js$/.test(url);
@@ -102,6 +119,7 @@ test("the page opens on a burning room, from any folder of a site", async ({ fre
   await test.step("and says that the candle is out, whatever else there is to say", async () => {
     await fresh.evaluate((room) => {
       room.extinguish();
+      room.take();
       room.camera = { ...room.camera, pitch: 1.4 };
       room.place();
     });

@@ -2,11 +2,12 @@ import { describe, expect, test } from "vitest";
 import { readShareLink, SHARED, type View, writeShareLink } from "../../../src/page/share-link.ts";
 import { SETTINGS } from "../../../src/settings.ts";
 
-const NOTHING: View = { camera: null, settings: {} };
+const NOTHING: View = { camera: null, candle: null, settings: {} };
 
 test("a view survives the round trip", () => {
   const view: View = {
     camera: { position: [-2.25, 0, 1.5], yaw: 3.0417, pitch: -0.0001 },
+    candle: { position: [0.5, 1.6, -1], yaw: -0.25, pitch: -0.5 },
     settings: {
       look: "paper",
       seed: "4294967295",
@@ -35,12 +36,12 @@ test("what is at its default is not in the link", () => {
     const setting = SETTINGS[name];
     if ("default" in setting) settings[name] = String(setting.default);
   }
-  expect(writeShareLink({ camera: null, settings })).toBe("#");
+  expect(writeShareLink({ ...NOTHING, settings })).toBe("#");
 });
 
 test("a link needs no escapes", () => {
   const camera = { position: [-1.5, 0, 2], yaw: 0.5, pitch: 0 } as const;
-  const hash = writeShareLink({ camera, settings: { exposure: "-2" } });
+  const hash = writeShareLink({ ...NOTHING, camera, settings: { exposure: "-2" } });
   expect(hash).toBe("#camera=-1.5_0_2_0.5_0&exposure=-2");
 });
 
@@ -67,7 +68,10 @@ describe("hostile hashes", () => {
 
   test.each(["1_2_3_4", "1_2_3_4_5_6", "____", "0_0_0_NaN_0", "0_0_Infinity_0_0", "1e999_0_0_0_0"])(
     "name no camera by %s",
-    (camera) => expect(readShareLink(`#camera=${camera}`).camera).toBeNull(),
+    (camera) => {
+      expect(readShareLink(`#camera=${camera}`).camera).toBeNull();
+      expect(readShareLink(`#candle=${camera}`).candle).toBeNull();
+    },
   );
 
   test("leave the good beside the bad, and numbers within their range", () => {
@@ -77,6 +81,7 @@ describe("hostile hashes", () => {
       ),
     ).toEqual({
       camera: null,
+      candle: null,
       settings: {
         look: "paper",
         exposure: String(SETTINGS.exposure.max),
