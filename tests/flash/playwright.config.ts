@@ -8,6 +8,7 @@ export default defineConfig({
   testDir: ".",
   testMatch: "*.flash.ts",
   outputDir: "../../test-results/flash",
+  fullyParallel: true,
   workers: 2,
   forbidOnly: Boolean(process.env.CI),
   reporter: "list",

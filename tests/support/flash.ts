@@ -23,6 +23,8 @@ export class FlashMeter {
   readonly #chromatic: Reversals;
   /** u', v' and saturation of the state that a pixel last changed to. */
   readonly #anchor: Float32Array;
+  /** Colours that were looked at last: a pixel that keeps its own changes nothing. */
+  readonly #last: Float32Array;
   #isFirst = true;
 
   constructor(width: number, height: number) {
@@ -33,11 +35,21 @@ export class FlashMeter {
     this.#red = new Reversals(pixels);
     this.#chromatic = new Reversals(pixels);
     this.#anchor = new Float32Array(pixels * 3);
+    this.#last = new Float32Array(pixels * 3).fill(Number.NaN);
   }
 
   /** Looks at the next frame: 8-bit sRGB with alpha, shown at this time in seconds. */
   look(rgba: ArrayLike<number>, seconds: number): void {
+    const last = this.#last;
     for (let i = 0; i < this.#width * this.#height; i++) {
+      const isSame =
+        rgba[i * 4] === last[i * 3] &&
+        rgba[i * 4 + 1] === last[i * 3 + 1] &&
+        rgba[i * 4 + 2] === last[i * 3 + 2];
+      if (isSame) continue;
+      for (let channel = 0; channel < 3; channel++) {
+        last[i * 3 + channel] = rgba[i * 4 + channel] ?? 0;
+      }
       const red = linear(rgba[i * 4]);
       const green = linear(rgba[i * 4 + 1]);
       const blue = linear(rgba[i * 4 + 2]);
@@ -71,7 +83,7 @@ export class FlashMeter {
     const u = sum > 0 ? (4 * x) / sum : 0.1978;
     const v = sum > 0 ? (9 * y) / sum : 0.4683;
     const anchor = this.#anchor;
-    const away = Math.hypot(u - (anchor[i * 3] ?? 0), v - (anchor[i * 3 + 1] ?? 0));
+    const away = Math.sqrt((u - (anchor[i * 3] ?? 0)) ** 2 + (v - (anchor[i * 3 + 1] ?? 0)) ** 2);
     const wasRed = anchor[i * 3 + 2] === 1;
     const changes = away > 0.2 && (isRed || wasRed);
     if (changes && !this.#isFirst) this.#chromatic.record(i, time);
@@ -84,6 +96,7 @@ export class FlashMeter {
 
   /** Largest share of a field that is flashing, by sums over rectangles. */
   #share(reversals: Reversals, seconds: number): number {
+    if (!reversals.hasFlashed) return 0;
     const [width, height] = [this.#width, this.#height];
     const across = Math.max(1, Math.round((width * 341) / 1024));
     const down = Math.max(1, Math.round((height * 256) / 768));
@@ -114,6 +127,8 @@ class Reversals {
   readonly #noted: Uint8Array;
   readonly #times: Float64Array;
   readonly #count: Uint16Array;
+  /** Whether any pixel has ever turned often enough. */
+  hasFlashed = false;
 
   constructor(pixels: number) {
     this.#high = new Float32Array(pixels).fill(Number.NEGATIVE_INFINITY);
@@ -158,6 +173,7 @@ class Reversals {
     const count = this.#count[i] ?? 0;
     this.#times[i * TOO_MANY + (count % TOO_MANY)] = seconds;
     this.#count[i] = count + 1;
+    if (count + 1 >= TOO_MANY) this.hasFlashed = true;
   }
 
   isFlashing(i: number, seconds: number): boolean {

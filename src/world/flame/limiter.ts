@@ -1,14 +1,14 @@
 /** The light follows with two lags of this length, seconds: what is faster than 2.5 Hz fades. */
 const LAG = 1 / (2 * Math.PI * 2.5);
-/** What is faster still shows, by no more than this share either way. */
-const TREMBLE = 0.02;
+/** What is faster still shows, by no more than this share either way: with the display's contrast, below a tenth. */
+const TREMBLE = 0.041;
 
 /**
  * Light that may change as it likes, and never flashes.
  *
  * A room that brightens and darkens by a tenth more than three times a second can bring on a seizure
  * (WCAG 2.2, success criterion 2.3.1), and flames that puff do so ten times a second. So light passes a
- * low-pass of second order, critically damped, beside which only a tremble far below a tenth is let by.
+ * low-pass of second order, critically damped, beside which only a tremble below a tenth is let by.
  */
 export class Limiter {
   /** The light that is given. */
