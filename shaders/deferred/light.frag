@@ -24,6 +24,11 @@ uniform mat4 uWorldFromClip;
 
 out vec4 oLight;
 
+float fifthPower(float x) {
+  float squared = x * x;
+  return squared * squared * x;
+}
+
 void main() {
   ivec2 pixel = pixelOf(ivec2(gl_FragCoord.xy), uSize, vec2(textureSize(uSurfaces, 0)));
   float depth = texelFetch(uDepth, pixel, 0).r;
@@ -53,7 +58,7 @@ void main() {
   float narrowing = (alpha * alpha) / (widened * widened);
   float lobe = distributionGgx(widened, NoH) * visibilitySmith(alpha, NoV, NoL) * narrowing;
   float mirrored = lobe * NoL * reaching * uShown.z;
-  float schlick = pow(1.0 - LoH, 5.0);
+  float schlick = fifthPower(1.0 - LoH);
   float plain = 0.04 + 0.96 * schlick;  // of what is no metal
   vec3 perCandela = vec3((1.0 - metallic) * (1.0 - plain) / PI * NoL * reaching);
   float added = (1.0 - metallic) * plain * mirrored;
@@ -61,7 +66,7 @@ void main() {
 
   vec3 reflected = reflect(-view, normal);
   Surroundings surroundings = surroundingsAt(position + normal * 0.08, normal, normal, reflected);
-  float grazing = pow(1.0 - NoV, 5.0);
+  float grazing = fifthPower(1.0 - NoV);
   float matt = (1.0 - metallic) * (1.0 - 0.04 - 0.96 * grazing) / PI;
   perCandela += surroundings.one * (matt * uShown.y);
   vec3 room = surroundings.other / PI;

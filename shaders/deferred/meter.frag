@@ -5,6 +5,7 @@
 #include "lib/photometry.glsl"
 #include "physical/light.glsl"
 #include "deferred/stored.glsl"
+#include "deferred/told.glsl"
 #include "deferred/lit.glsl"
 
 vec3 radianceAt(vec2 uv) {

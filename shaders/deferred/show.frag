@@ -1,10 +1,16 @@
 #version 300 es
-// The room's light on the screen, straight away: the display's law is looked up in a table.
+// The room's light as it is on the screen, straight away: the display's law is looked up in a table.
 // In:  paint, light, bloom.   Out: display colour.
 #include "lib/precision.glsl"
 #include "lib/display.glsl"
 #include "physical/light.glsl"
 #include "deferred/stored.glsl"
+#if COARSE
+#include "physical/depth.glsl"
+#include "deferred/guessed.glsl"
+#else
+#include "deferred/told.glsl"
+#endif
 #include "deferred/lit.glsl"
 #include "deferred/table.glsl"
 

@@ -26,9 +26,8 @@ vec3 triangular(vec3 even) {
 // whose runs can be of any length: within a few pixels every value comes up.
 // Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences" (R2).
 vec3 dither(vec2 pixel) {
-  uint place = uint(pixel.x) * 3242174889u + uint(pixel.y) * 2447445414u;
-  uvec3 channels = place + uvec3(0u, 1431655765u, 2863311530u);
-  return triangular(vec3(channels >> 8) / 16777216.0) / 255.0;
+  float place = dot(floor(pixel), vec2(0.754877666, 0.569840296));
+  return triangular(fract(place + vec3(0.0, 1.0, 2.0) / 3.0)) / 255.0;
 }
 
 vec4 display(vec3 linear, vec2 pixel) {

@@ -230,11 +230,13 @@ export class Gpu {
     this.timer.end();
   }
 
-  clear(target: Surface, color: readonly [number, number, number, number]): void {
+  /** @param scissor the part to clear. Default: all of it. */
+  clear(target: Surface, color: readonly [number, number, number, number], scissor?: Box): void {
     const gl = this.#gl;
     this.#bind(target);
     this.#writeDepth(true);
-    this.#switch(gl.SCISSOR_TEST, false);
+    this.#switch(gl.SCISSOR_TEST, scissor !== undefined);
+    if (scissor) gl.scissor(...scissor);
     gl.clearColor(...color);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   }

@@ -10,6 +10,7 @@ export const FORMATS = {
   RG16F: { upload: "RG", type: "HALF_FLOAT", bytes: 4 },
   RGBA16F: { upload: "RGBA", type: "HALF_FLOAT", bytes: 8 },
   R32F: { upload: "RED", type: "FLOAT", bytes: 4 },
+  RG32F: { upload: "RG", type: "FLOAT", bytes: 8 },
   RGBA32F: { upload: "RGBA", type: "FLOAT", bytes: 16 },
   DEPTH_COMPONENT24: { upload: "DEPTH_COMPONENT", type: "UNSIGNED_INT", bytes: 4 },
 } as const;

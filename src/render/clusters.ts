@@ -142,15 +142,12 @@ function spread(bits: number): number {
   return (x | (x << 2)) & 0x09249249;
 }
 
-/** Vertices are renumbered as they are first used, so that a cluster's lie together. */
-function appendInOrder(
-  mesh: Mesh,
-  part: number,
-  to: { vertices: number[]; indices: number[]; clusters: Cluster[] },
-): void {
-  const { positions, uvs, indices } = mesh;
+/** Corners of the triangles, neighbours together, and the boxes around groups of them. */
+function inOrder(mesh: Mesh, part: number): { corners: Uint32Array; clusters: Cluster[] } {
+  const { positions, indices } = mesh;
   const order = orderByPlace(mesh);
-  const renamed = new Int32Array(positions.length / 3).fill(-1);
+  const corners = new Uint32Array(order.length * 3);
+  const clusters: Cluster[] = [];
   for (let begin = 0; begin < order.length; begin += CLUSTER) {
     const end = Math.min(begin + CLUSTER, order.length);
     const min: Vec3 = [
@@ -163,22 +160,68 @@ function appendInOrder(
       Number.NEGATIVE_INFINITY,
       Number.NEGATIVE_INFINITY,
     ];
-    const first = to.indices.length;
     for (let i = begin * 3; i < end * 3; i++) {
       const corner = indices[(order[Math.floor(i / 3)] ?? 0) * 3 + (i % 3)] ?? 0;
+      corners[i] = corner;
       for (const axis of [0, 1, 2] as const) {
         const x = positions[corner * 3 + axis] ?? 0;
         min[axis] = Math.min(min[axis], x);
         max[axis] = Math.max(max[axis], x);
       }
-      if (renamed[corner] === -1) {
-        renamed[corner] = to.vertices.length / VERTEX_SIZE;
-        for (let k = 0; k < 3; k++) to.vertices.push(positions[corner * 3 + k] ?? 0);
-        for (let k = 0; k < 2; k++) to.vertices.push(uvs[corner * 2 + k] ?? 0);
-      }
-      to.indices.push(renamed[corner] ?? 0);
     }
-    to.clusters.push({ part, min, max, first, count: to.indices.length - first });
+    clusters.push({ part, min, max, first: begin * 3, count: (end - begin) * 3 });
+  }
+  return { corners, clusters };
+}
+
+/** Triangles of a part in an order in which those out of sight can be left out. */
+export interface Grouped {
+  readonly indices: Uint16Array | Uint32Array;
+  readonly clusters: readonly Cluster[];
+  /** Of all triangles, m². */
+  readonly area: number;
+}
+
+/** A part's own triangles, none left out, its vertices as they are. */
+export function groupTriangles(part: Part): Grouped {
+  const { corners, clusters } = inOrder(part, 0);
+  const indices = part.indices instanceof Uint16Array ? Uint16Array.from(corners) : corners;
+  return { indices, clusters, area: areaOf(part) };
+}
+
+function areaOf({ positions, indices }: Mesh): number {
+  let sum = 0;
+  for (let i = 0; i < indices.length; i += 3) {
+    const edge = (corner: 1 | 2, axis: number) =>
+      (positions[(indices[i + corner] ?? 0) * 3 + axis] ?? 0) -
+      (positions[(indices[i] ?? 0) * 3 + axis] ?? 0);
+    const [ax, ay, az] = [edge(1, 0), edge(1, 1), edge(1, 2)];
+    const [bx, by, bz] = [edge(2, 0), edge(2, 1), edge(2, 2)];
+    sum += Math.hypot(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx) / 2;
+  }
+  return sum;
+}
+
+/** Vertices are renumbered as they are first used, so that a cluster's lie together. */
+function appendInOrder(
+  mesh: Mesh,
+  part: number,
+  to: { vertices: number[]; indices: number[]; clusters: Cluster[] },
+): void {
+  const { positions, uvs } = mesh;
+  const { corners, clusters } = inOrder(mesh, part);
+  const renamed = new Int32Array(positions.length / 3).fill(-1);
+  const before = to.indices.length;
+  for (const corner of corners) {
+    if (renamed[corner] === -1) {
+      renamed[corner] = to.vertices.length / VERTEX_SIZE;
+      for (let k = 0; k < 3; k++) to.vertices.push(positions[corner * 3 + k] ?? 0);
+      for (let k = 0; k < 2; k++) to.vertices.push(uvs[corner * 2 + k] ?? 0);
+    }
+    to.indices.push(renamed[corner] ?? 0);
+  }
+  for (const cluster of clusters) {
+    to.clusters.push({ ...cluster, first: cluster.first + before });
   }
 }
 

@@ -2,6 +2,7 @@ import type { Material, Model, Part, Picture } from "../assets/model.js";
 import type { Gpu } from "../gl/gpu.js";
 import type { Texture, TextureFormat } from "../gl/texture.js";
 import type { VertexArray } from "../gl/vertex-array.js";
+import type { Cluster, Grouped } from "./clusters.js";
 
 /** Taps of anisotropic filtering: floors and walls are mostly seen at grazing angles. */
 const ANISOTROPY = 8;
@@ -10,6 +11,10 @@ const ANISOTROPY = 8;
 export interface Surface {
   readonly name: string;
   readonly vertexArray: VertexArray;
+  /** Its triangles by place; none where nobody grouped them. */
+  readonly clusters: readonly Cluster[];
+  /** Of all its triangles, m²; 0 where nobody grouped them. */
+  readonly area: number;
   readonly baseColor: readonly [number, number, number, number];
   /** Roughness, metallic, scale of the relief, opacity below which there is nothing. */
   readonly parameters: readonly [number, number, number, number];
@@ -27,13 +32,18 @@ export interface Surface {
   };
 }
 
-/** Sends a model to the GPU, each picture once, and each model once for all renderers. */
+/**
+ * Sends a model to the GPU, each picture once, and each model once for all renderers.
+ *
+ * @param group puts the triangles of a part in order
+ */
 export function uploadModel(
   gpu: Gpu,
   model: Model,
   { anisotropy }: { anisotropy: boolean },
+  group?: (part: Part) => Grouped,
 ): readonly Surface[] {
-  const surfaces = gpu.share(model, () => upload(gpu, model));
+  const surfaces = gpu.share(model, () => upload(gpu, model, group));
   for (const { textures } of surfaces) {
     for (const texture of Object.values(textures)) {
       if (texture.hasMipmaps) texture.anisotropy = anisotropy ? ANISOTROPY : 1;
@@ -42,7 +52,12 @@ export function uploadModel(
   return surfaces;
 }
 
-function upload(gpu: Gpu, model: Model): readonly Surface[] {
+/** The largest last: walls and floor are behind all else, and what is hidden need not be shaded. */
+export function behindLast(surfaces: readonly Surface[]): readonly Surface[] {
+  return surfaces.toSorted((a, b) => a.area - b.area);
+}
+
+function upload(gpu: Gpu, model: Model, group?: (part: Part) => Grouped): readonly Surface[] {
   const known = new Map<Picture, Texture>();
   const plain = (label: string, ...texel: readonly [number, number, number]) =>
     gpu.texture({
@@ -74,9 +89,12 @@ function upload(gpu: Gpu, model: Model): readonly Surface[] {
     const { material } = part;
     const label = (map: string) => `${material.name}/${map}`;
     const packed = material.occlusionRoughnessMetallic;
+    const { indices, clusters, area } = group?.(part) ?? { ...part, clusters: [], area: 0 };
     return {
       name: part.name,
-      vertexArray: uploadTriangles(gpu, part),
+      vertexArray: uploadTriangles(gpu, { ...part, indices }),
+      clusters,
+      area,
       baseColor: material.baseColor,
       parameters: parametersOf(material),
       // Where it lies apart from the other maps it is left out: shadows do its work.

@@ -65,8 +65,13 @@ export async function reportPrograms(
       wick: 0.002,
       wind: { speed: 0, direction: 0, gustiness: 0 },
     });
+    candle.resize(160, 90);
     for (let i = 0; i < 3; i++) candle.step(1 / 60);
-    candle.world.flame.extinguish(); // smoke has shaders of its own
+    candle.play(); // who moves has shaders of his own
+    candle.world.player.yaw += 0.1;
+    candle.step(1 / 60);
+    candle.pause();
+    candle.world.flame.extinguish(); // smoke has its own, too
     candle.step(0.1);
     candle.world.flame.light();
     for (const inspect of ["radiance", "haze"] as const) {

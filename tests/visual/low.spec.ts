@@ -38,6 +38,10 @@ async function luminances(): Promise<number[]> {
     (element, [width, height]) => [...element.readRadiance(0, 0, width, height)],
     [width, height] as const,
   );
+  return luminancesOf(radiance, width, height);
+}
+
+function luminancesOf(radiance: readonly number[], width: number, height: number): number[] {
   const { columns, rows } = PARTS;
   const sums = Array.from({ length: columns * rows }, () => ({ light: 0, count: 0 }));
   for (let i = 0; i < width * height; i++) {
@@ -87,6 +91,37 @@ test("At low the room is as bright as at high everywhere, and nearly as sharp", 
   expect(median).toBeLessThan(0.15);
   expect(most).toBeLessThan(0.35);
   expect(low.detail / high.detail).toBeGreaterThan(0.75);
+});
+
+test("At low a picture is as bright while the eye moves, and as sharp as ever once it rests", async () => {
+  const { width, height } = await room.stats();
+  const rested = await room.pixels();
+  const seen = await room.evaluate(
+    (element, [width, height]) => {
+      const { yaw } = element.camera;
+      const read = () => [...element.readRadiance(0, 0, width, height)];
+      element.play();
+      element.camera = { ...element.camera, yaw: yaw + 0.1 };
+      element.step(0);
+      element.camera = { ...element.camera, yaw };
+      const moving = read();
+      const resting = read();
+      element.pause();
+      return { moving, resting };
+    },
+    [width, height] as const,
+  );
+  expect(seen.moving).not.toEqual(seen.resting);
+  const moving = luminancesOf(seen.moving, width, height);
+  const resting = luminancesOf(seen.resting, width, height);
+  const mean = (values: readonly number[]) => values.reduce((sum, x) => sum + x) / values.length;
+  const errors = resting.map((light, i) => Math.abs((moving[i] ?? 0) - light) / light);
+  const change = Math.abs(mean(moving) / mean(resting) - 1);
+  const typical = errors.toSorted((a, b) => a - b)[errors.length >> 1] ?? 1;
+  console.log(`moving: mean ${change.toFixed(4)}, parts ${typical.toFixed(4)}`);
+  expect(change).toBeLessThan(0.03);
+  expect(typical).toBeLessThan(0.03);
+  expect(await room.pixels()).toBe(rested);
 });
 
 test("At low a picture depends on nothing that was drawn before", async () => {

@@ -6,6 +6,7 @@ import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
+import { floats } from "../floats.js";
 
 interface Size {
   readonly width: number;
@@ -45,7 +46,7 @@ export class BloomPass {
         // Half, rounded up: a texel of each level covers four of the one before.
         width: Math.ceil(width / 2 ** (i + 1)),
         height: Math.ceil(height / 2 ** (i + 1)),
-        color: ["RGBA16F"],
+        color: [floats(this.#gpu, 4)],
       }),
     );
   }

@@ -18,8 +18,9 @@ import { createShape, shapeFlame } from "../../light/flame-shape.js";
 import type { Solid } from "../../world/solid.js";
 import type { World } from "../../world/world.js";
 import { clipFromWorld, projectionScale } from "../camera.js";
+import { groupTriangles } from "../clusters.js";
 import type { Models, Renderer } from "../renderer.js";
-import { type Surface, uploadModel } from "../surface.js";
+import { behindLast, type Surface, uploadModel } from "../surface.js";
 import type { Tier } from "../tier.js";
 import type { View } from "../view.js";
 import { BloomPass } from "./bloom-pass.js";
@@ -27,9 +28,9 @@ import { Casters } from "./casters.js";
 import { DisplayPass, displayLaw, exposureIn, scatteredIn } from "./display-pass.js";
 import { ExposurePass } from "./exposure-pass.js";
 import { FlamePass, HANDLE_TURN } from "./flame-pass.js";
-import { GeometryPass, type Placed } from "./geometry-pass.js";
+import { AT_ORIGIN, GeometryPass, type Placed } from "./geometry-pass.js";
 import { type IndirectDetail, IndirectPass, type IrradianceVolume } from "./indirect-pass.js";
-import { lampOf, lightAtVantage, lightBlock } from "./light-block.js";
+import { type LightAtVantage, lampOf, lightAtVantage, lightBlock } from "./light-block.js";
 import { LightPass } from "./light-pass.js";
 import { ShadowPass } from "./shadow-pass.js";
 import { ShowPass } from "./show-pass.js";
@@ -50,8 +51,8 @@ const BLOOM_LEVELS = 3;
 const GLARE = 4;
 /** Pixels around the flame that its light is mixed with. */
 const MARGIN = 3;
-/** The room itself, which stands where it was made. */
-const AT_ORIGIN = [0, 0, 0, 0] as const;
+/** While the eye moves, what bounces is a little late: ticks. */
+const ECHO_EVERY = 16;
 
 /**
  * The same light as that of `PhysicalRenderer`, where each pixel is dear: without a GPU.
@@ -69,6 +70,8 @@ export class DeferredRenderer implements Renderer {
   readonly #lightPass: LightPass;
   readonly #show: ShowPass;
   readonly #radianceProgram: Program;
+  /** The same of coarse paint. */
+  readonly #coarseProgram: Program;
   readonly #emberProgram: Program;
   readonly #glareProgram: Program;
   readonly #copyProgram: Program;
@@ -93,6 +96,8 @@ export class DeferredRenderer implements Renderer {
   readonly #fires = new Map<Texture, TextureView>();
   #size = { width: 1, height: 1 };
   #clip = mat4.create();
+  /** The light that bounces were last worked out for, and when. */
+  #echo: { readonly turn: number; readonly light: LightAtVantage } | null = null;
   /** Draws all of the radiance just shown. */
   #complete: () => void = () => {};
 
@@ -107,7 +112,10 @@ export class DeferredRenderer implements Renderer {
     this.#show = new ShowPass(gpu, this.#screen);
     const program = (name: string, fragment: typeof glareFrag, vertex = fullscreenVert) =>
       gpu.program(`deferred/${name}`, vertex, fragment);
-    this.#radianceProgram = program("radiance", radianceFrag);
+    const radiance = (COARSE: 0 | 1) =>
+      gpu.program("deferred/radiance", fullscreenVert, radianceFrag, { defines: { COARSE } });
+    this.#radianceProgram = radiance(0);
+    this.#coarseProgram = radiance(1);
     this.#emberProgram = program("ember", emberFrag, surfaceVert);
     this.#glareProgram = program("glare", glareFrag);
     this.#copyProgram = program("copy", copyFrag);
@@ -115,14 +123,15 @@ export class DeferredRenderer implements Renderer {
     this.#display = new DisplayPass(gpu, this.#screen);
     this.#flame = new FlamePass(gpu);
     this.#smoke = new SmokePass(gpu);
-    this.#room = uploadModel(gpu, room, tier);
-    this.#candle = uploadModel(gpu, candle, tier);
-    this.#casters = new Casters(gpu, room, this.#room, CASTER_DETAIL);
+    const surfaces = uploadModel(gpu, room, tier, groupTriangles);
+    this.#room = behindLast(surfaces);
+    this.#candle = uploadModel(gpu, candle, tier, groupTriangles);
+    this.#casters = new Casters(gpu, room, surfaces, CASTER_DETAIL);
     this.#shadow = new ShadowPass(gpu, SHADOW.size);
     this.#indirect = new IndirectPass(
       gpu,
       this.#screen,
-      { model: room, solid, surfaces: this.#room },
+      { model: room, solid, surfaces },
       INDIRECT,
     );
     this.#bloom = new BloomPass(gpu, this.#screen, BLOOM_LEVELS);
@@ -135,7 +144,7 @@ export class DeferredRenderer implements Renderer {
     this.#fires.clear();
     this.#geometry.resize(width, height);
     this.#lightPass.resize(width, height);
-    const color = ["RGBA16F"] as const;
+    const color = [this.#lightPass.format];
     this.#radiance = this.#gpu.renderTarget({ label: "radiance", width, height, color });
     const quarter = {
       width: Math.max(1, Math.ceil(width / GLARE)),
@@ -171,7 +180,7 @@ export class DeferredRenderer implements Renderer {
     this.#updateBlocks(world, view);
     const light = lightAtVantage(world, features.candle);
     const shadow = this.#shadow.render(this.#casters, light.position);
-    const volume = this.#indirect.render(this.#casters, light);
+    const volume = this.#indirect.render(this.#casters, this.#echoed(light, world, view));
     const [x, y, z] = world.shown.foot;
     const place = [x, y, z, world.candle.yaw + HANDLE_TURN] as const;
     const placed: Placed[] = [{ surfaces: this.#room, place: AT_ORIGIN }];
@@ -185,16 +194,19 @@ export class DeferredRenderer implements Renderer {
     });
     const lamp = lampOf(world, features.candle);
     const lit = this.#lightPass.render(paint, lamp, shadow, volume, this.#clip, features);
-    const picture = { uPainted: paint.painted, uLight: lit };
+    const { isCoarse } = paint;
+    const picture = { uPainted: paint.painted, uLight: lit, uDepth: paint.depth };
     const fire = this.#fire(paint.paintedDepth);
     const drawRadiance = (box: Box) => {
+      if (isCoarse) this.#gpu.clear(fire, [0, 0, 0, 1], box);
       this.#gpu.draw({
-        program: this.#radianceProgram,
-        target: this.#veil!,
+        program: isCoarse ? this.#coarseProgram : this.#radianceProgram,
+        target: isCoarse ? fire : this.#veil!,
         vertexArray: this.#screen,
         textures: picture,
         blocks: { Light: this.#light },
         scissor: box,
+        depth: isCoarse ? "test-and-write" : "none",
       });
       if (features.candle) this.#drawEmber(world, place, paint.paintedDepth);
       if (features.volume) this.#flame.render(fire, this.#frame, world, "low");
@@ -208,7 +220,7 @@ export class DeferredRenderer implements Renderer {
     const exposure = this.#exposure.render(picture, world.pupil.lag, lightBlocks);
     const law = displayLaw(this.#gpu, view);
     if (box[2] * box[3] < this.#size.width * this.#size.height) {
-      const how = { scattered: scatteredIn(view), metered: features.autoExposure };
+      const how = { scattered: scatteredIn(view), metered: features.autoExposure, isCoarse };
       this.#show.render({ ...picture, uBloom: bloom, uExposure: exposure }, how, law, {
         Frame: this.#frame,
         ...lightBlocks,
@@ -216,6 +228,13 @@ export class DeferredRenderer implements Renderer {
     }
     const textures = { uRadiance: this.#radiance!.color, uBloom: bloom, uExposure: exposure };
     this.#display.render(textures, [1, 1], view, this.#frame, inset(box, this.#whole));
+  }
+
+  /** The light whose bounces are shown: while the eye moves not that of each picture. */
+  #echoed(light: LightAtVantage, { timeline }: World, { isMoving }: View): LightAtVantage {
+    const turn = Math.floor(timeline.tick / ECHO_EVERY);
+    if (!isMoving || turn !== this.#echo?.turn) this.#echo = { turn, light };
+    return this.#echo.light;
   }
 
   get #whole(): Box {

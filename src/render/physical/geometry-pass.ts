@@ -3,7 +3,7 @@ import geometryFrag from "../../../shaders/deferred/geometry.frag";
 import guideFrag from "../../../shaders/deferred/guide.frag";
 import fullscreenVert from "../../../shaders/physical/fullscreen.vert";
 import surfaceVert from "../../../shaders/physical/surface.vert";
-import type { Gpu } from "../../gl/gpu.js";
+import type { Draw, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
@@ -11,14 +11,21 @@ import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Features } from "../../settings.js";
 import type { Vec3 } from "../../world/bounds.js";
+import { isInSight } from "../camera.js";
+import { runsOf } from "../clusters.js";
 import type { Surface } from "../surface.js";
 
 const NOTHING = [0, 0, 0, 0] as const;
 /** Relief follows the flame in steps of this, metres. */
 const RELIEF_STEP = 0.05;
 
-/** Samples along each edge of a pixel, while the eye moves and when it rests. */
-const SAMPLES = { moving: 1, resting: 2 } as const;
+/** Samples along each edge of a pixel: what is on its way over the retina is not seen sharply. */
+const SAMPLES = { moving: 0.5, resting: 2 } as const;
+/** Surfaces of this many clusters are worth a look which of them are in sight. */
+const MANY = 3;
+
+/** The place of a model that stands where it was made. */
+export const AT_ORIGIN = [0, 0, 0, 0] as const;
 
 /** Surfaces, and where their model stands: x, y, z (m) and its turn about the vertical (rad). */
 export interface Placed {
@@ -30,7 +37,9 @@ export interface Placed {
 export interface Paint {
   /** Root of the albedo as relief catches the light; alpha says where light is to be taken from. */
   readonly painted: Texture;
-  /** How far away it is, pixel by pixel. */
+  /** Whether it has fewer pixels than the picture. */
+  readonly isCoarse: boolean;
+  /** How far away it is, for each pixel of the picture; of coarse paint whoever needs it draws it there. */
   readonly paintedDepth: Texture;
   /** Of the samples: how the surface lies, roughness, what it is; depth. */
   readonly surfaces: Texture;
@@ -82,16 +91,20 @@ export class GeometryPass {
     size: { readonly width: number; readonly height: number },
     color: readonly TextureFormat[],
   ): RenderTarget {
-    const how = { depth: "texture", filter: "nearest" } as const;
-    return this.#gpu.renderTarget({ label, ...size, color, ...how });
+    // What is coarse is mixed where it is enlarged.
+    const filter = label === "surfaces/moving" ? "linear" : "nearest";
+    return this.#gpu.renderTarget({ label, ...size, color, depth: "texture", filter });
   }
 
   /** Made when it is first needed: a picture that never moves, or never rests, needs only one. */
   #surfaces(isMoving: boolean): RenderTarget {
     if (!this.#painted) throw new Error("Surfaces have no size yet.");
-    const samples = isMoving ? SAMPLES.moving : SAMPLES.resting;
-    const size = { width: this.#painted.width * samples, height: this.#painted.height * samples };
-    const make = () => this.#target(`surfaces/${samples}`, size, ["RGBA8", "RGBA8"]);
+    const name = isMoving ? "moving" : "resting";
+    const size = {
+      width: Math.ceil(this.#painted.width * SAMPLES[name]),
+      height: Math.ceil(this.#painted.height * SAMPLES[name]),
+    };
+    const make = () => this.#target(`surfaces/${name}`, size, ["RGBA8", "RGBA8"]);
     if (isMoving) this.#moving ??= make();
     else this.#resting ??= make();
     return (isMoving ? this.#moving : this.#resting)!;
@@ -120,13 +133,15 @@ export class GeometryPass {
           for (const texture of Object.values(surface.textures)) {
             if (texture.hasMipmaps) texture.anisotropy = isMoving ? 0 : 1;
           }
-          this.#draw(target, surface, place, vantage, frame, features);
+          this.#draw(target, surface, place, vantage, frame, sight);
         }
       }
       if (!isMoving) this.#drawGuide(albedo, surfaces, depth, lightSize);
     }
-    const seen = isMoving ? target : this.#painted!;
-    return { painted: seen.color, paintedDepth: seen.depth!, surfaces, depth, known };
+    const { color, depth: paintedDepth } = this.#painted!;
+    if (!paintedDepth) throw new Error("Paint has a depth.");
+    const painted = isMoving ? albedo : color;
+    return { painted, isCoarse: isMoving, paintedDepth, surfaces, depth, known };
   }
 
   /** Which light each pixel is to take; one that moves takes what is around it. */
@@ -154,14 +169,20 @@ export class GeometryPass {
     place: Placed["place"],
     vantage: readonly number[],
     frame: UniformBlock,
-    features: Features,
+    { clip, features }: Sight,
   ): void {
+    // What stands where it was made can be left out where nobody looks.
+    const { clusters, vertexArray } = surface;
+    const isKnown = place === AT_ORIGIN && clusters.length >= MANY;
+    const runs = isKnown
+      ? runsOf(clusters, (box) => isInSight(clip, box), false)
+      : [{ first: 0, count: vertexArray.count }];
     // Whoever may be cut out costs all that is drawn later its early test of depth.
     const defines = { MASKED: surface.parameters[3] > 0 ? 1 : 0 };
-    this.#gpu.draw({
+    const how: Draw = {
       program: this.#gpu.program("deferred/geometry", surfaceVert, geometryFrag, { defines }),
       target,
-      vertexArray: surface.vertexArray,
+      vertexArray,
       textures: surface.textures,
       uniforms: {
         uBaseColor: surface.baseColor,
@@ -174,6 +195,7 @@ export class GeometryPass {
       blocks: { Frame: frame },
       depth: "test-and-write",
       cull: surface.isDoubleSided ? "none" : "back",
-    });
+    };
+    for (const { first, count } of runs) this.#gpu.draw({ ...how, first, count });
   }
 }

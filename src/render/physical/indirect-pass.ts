@@ -16,6 +16,7 @@ import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Vec3 } from "../../world/bounds.js";
 import type { Solid } from "../../world/solid.js";
+import { floats } from "../floats.js";
 import type { Surface } from "../surface.js";
 import type { Casters } from "./casters.js";
 import { clipFromFace, FACES } from "./cube.js";
@@ -106,15 +107,16 @@ export class IndirectPass {
       planes,
       looks: detail.looks ? 1 : 0,
     });
+    const texel = floats(gpu, 4);
     const patches = { width: detail.patches * FACES.length, height: detail.patches };
     this.#surfels = gpu.renderTarget({
       label: "indirect/surfels",
       ...patches,
-      color: ["RGBA16F", "RGBA16F"],
+      color: [texel, texel],
       depth: "buffer",
       filter: "nearest",
     });
-    const radiance = { color: ["RGBA16F"], filter: "nearest" } as const;
+    const radiance = { color: [texel], filter: "nearest" } as const;
     this.#radiosity = gpu.renderTarget({ label: "indirect/radiosity", ...patches, ...radiance });
     const tiles = { width: columns * planes, height: rows };
     const rays = { width: tiles.width * detail.rays, height: tiles.height * detail.rays };
@@ -122,7 +124,7 @@ export class IndirectPass {
     const harmonics = {
       width: tiles.width * TILE,
       height: tiles.height,
-      color: ["RGBA16F", "RGBA16F", "RGBA16F"],
+      color: [texel, texel, texel],
       filter: "nearest",
     } as const;
     this.#first = gpu.renderTarget({ label: "indirect/first bounce", ...harmonics });
@@ -131,7 +133,7 @@ export class IndirectPass {
       label: "indirect/irradiance",
       width: tiles.width * LIT,
       height: tiles.height * LIT,
-      color: ["RGBA16F"],
+      color: [texel],
     });
     const { probes } = detail;
     const seen = lookAround(room.solid, room.model, { probes, rays: detail.rays });

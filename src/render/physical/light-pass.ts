@@ -4,21 +4,21 @@ import fullscreenVert from "../../../shaders/physical/fullscreen.vert";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
-import type { Texture } from "../../gl/texture.js";
+import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Features } from "../../settings.js";
-import { isSoftware } from "../tier.js";
+import { floats } from "../floats.js";
 import type { Paint } from "./geometry-pass.js";
 import type { IrradianceVolume } from "./indirect-pass.js";
 import type { LightAtVantage } from "./light-block.js";
 
-/** Texels along an edge of the light for each pixel of the picture: a half. */
-const SHARE = 0.5;
+/** Texels along an edge of the light for each pixel of the picture, while the eye moves and when it rests. */
+const SHARE = { moving: 0.25, resting: 0.5 } as const;
 
 /** Light on the surfaces in sight, direct and bounced, coarser than they are. */
 export class LightPass {
-  readonly format: "RGBA32F" | "RGBA16F";
+  readonly format: TextureFormat;
   readonly frame: UniformBlock;
   readonly light: UniformBlock;
   readonly #gpu: Gpu;
@@ -27,7 +27,8 @@ export class LightPass {
   #known = "";
   readonly #program: Program;
   readonly #screen: VertexArray;
-  #target: RenderTarget | null = null;
+  #moving: RenderTarget | null = null;
+  #resting: RenderTarget | null = null;
 
   constructor(gpu: Gpu, screen: VertexArray, { search, taps }: { search: number; taps: number }) {
     this.#gpu = gpu;
@@ -35,27 +36,29 @@ export class LightPass {
     this.#program = gpu.program("deferred/light", fullscreenVert, lightFrag, {
       defines: { SHADOW_SEARCH: search, SHADOW_TAPS: taps },
     });
-    // On a CPU full floats are written and mixed faster than halves.
-    const isFull = isSoftware(gpu.renderer) && gpu.filtersFloats && gpu.drawsToFloats;
-    this.format = isFull ? "RGBA32F" : "RGBA16F";
+    this.format = floats(gpu, 4);
     this.frame = gpu.uniformBlock(this.#program, "Frame");
     this.light = gpu.uniformBlock(this.#program, "Light");
     this.#lamp = gpu.uniformBlock(this.#program, "Light");
   }
 
   resize(width: number, height: number): void {
-    this.#target?.dispose();
-    this.#target = this.#gpu.renderTarget({
-      label: "light",
-      width: Math.max(1, Math.ceil(width * SHARE)),
-      height: Math.max(1, Math.ceil(height * SHARE)),
-      color: [this.format],
-    });
+    for (const old of [this.#moving, this.#resting]) old?.dispose();
+    const target = (name: keyof typeof SHARE) =>
+      this.#gpu.renderTarget({
+        label: `light/${name}`,
+        width: Math.max(1, Math.ceil(width * SHARE[name])),
+        height: Math.max(1, Math.ceil(height * SHARE[name])),
+        color: [this.format],
+      });
+    this.#moving = target("moving");
+    this.#resting = target("resting");
     this.#known = "";
   }
 
+  /** Texels of the light of an eye that rests. */
   get size(): { readonly width: number; readonly height: number } {
-    return this.#target ?? { width: 1, height: 1 };
+    return this.#resting ?? { width: 1, height: 1 };
   }
 
   /**
@@ -64,23 +67,24 @@ export class LightPass {
    * @param lamp members of the block of `physical/light.glsl`; the light stays while they do
    */
   render(
-    { surfaces, depth, known: paint }: Paint,
+    { surfaces, depth, isCoarse, known: paint }: Paint,
     lamp: LightAtVantage,
     shadow: Texture,
     volume: IrradianceVolume,
     clip: mat4,
     { shadows, indirect, specular }: Features,
   ): Texture {
-    if (!this.#target) throw new Error("Light has no size yet.");
+    const target = isCoarse ? this.#moving : this.#resting;
+    if (!target) throw new Error("Light has no size yet.");
     const known = JSON.stringify([paint, lamp, shadows, indirect, specular]);
-    if (known === this.#known) return this.#target.color;
+    if (known === this.#known) return target.color;
     this.#known = known;
     this.#lamp.update(lamp);
     const worldFromClip = mat4.invert(mat4.create(), clip);
     if (!worldFromClip) throw new Error("The eye sees nothing.");
     this.#gpu.draw({
       program: this.#program,
-      target: this.#target,
+      target,
       vertexArray: this.#screen,
       textures: {
         uSurfaces: surfaces,
@@ -90,11 +94,11 @@ export class LightPass {
       },
       uniforms: {
         uShown: [shadows ? 1 : 0, indirect ? 1 : 0, specular ? 1 : 0],
-        uSize: [this.#target.width, this.#target.height],
+        uSize: [target.width, target.height],
         uWorldFromClip: worldFromClip as Float32Array,
       },
       blocks: { Frame: this.frame, Light: this.#lamp, Volume: volume.block },
     });
-    return this.#target.color;
+    return target.color;
   }
 }

@@ -13,8 +13,9 @@ import type { ParticleLayer } from "../../world/particle-layer.js";
 import type { Solid } from "../../world/solid.js";
 import type { World } from "../../world/world.js";
 import { clipFromWorld, projectionScale } from "../camera.js";
+import { groupTriangles } from "../clusters.js";
 import type { Models, Renderer } from "../renderer.js";
-import { type Surface, uploadModel } from "../surface.js";
+import { behindLast, type Surface, uploadModel } from "../surface.js";
 import type { Tier } from "../tier.js";
 import type { View } from "../view.js";
 import { BloomPass, shareOf } from "./bloom-pass.js";
@@ -107,11 +108,12 @@ export class PhysicalRenderer implements Renderer {
     this.#haze = new HazePass(gpu);
     this.#smoke = new SmokePass(gpu);
     this.#motes = new MotesPass(gpu);
-    this.#room = uploadModel(gpu, room, tier);
-    this.#candle = uploadModel(gpu, candle, tier);
-    this.#casters = new Casters(gpu, room, this.#room, CASTER_DETAIL[tier.name]);
+    const surfaces = uploadModel(gpu, room, tier, groupTriangles);
+    this.#room = behindLast(surfaces);
+    this.#candle = uploadModel(gpu, candle, tier, groupTriangles);
+    this.#casters = new Casters(gpu, room, surfaces, CASTER_DETAIL[tier.name]);
     this.#screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
-    const echoing = { model: room, solid, surfaces: this.#room };
+    const echoing = { model: room, solid, surfaces };
     this.#indirect = new IndirectPass(gpu, this.#screen, echoing, INDIRECT[tier.name]);
     this.#reflectance = gpu.share("reflectance", () =>
       gpu.texture({

@@ -6,6 +6,7 @@ import type { Program } from "../../gl/program.js";
 import type { Texture } from "../../gl/texture.js";
 import type { TextureView } from "../../gl/texture-view.js";
 import type { Vec3 } from "../../world/bounds.js";
+import { floats } from "../floats.js";
 import type { Casters } from "./casters.js";
 import { clipFromFace, FACES } from "./cube.js";
 
@@ -27,7 +28,7 @@ export class ShadowPass {
     const source = { width: size, height: size };
     this.#distances = gpu.texture({
       label: "shadow/distances",
-      format: "R16F",
+      format: floats(gpu, 1),
       source,
       shape: "cube",
       // A mean of what casts a shadow and what lies behind it is the distance of nothing.

@@ -1,22 +1,38 @@
+import enlargeFrag from "../../../shaders/deferred/enlarge.frag";
 import showFrag from "../../../shaders/deferred/show.frag";
 import tableFrag from "../../../shaders/deferred/table.frag";
 import displayVert from "../../../shaders/physical/display.vert";
 import fullscreenVert from "../../../shaders/physical/fullscreen.vert";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
+import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
+import { floats } from "../floats.js";
 import type { DisplayLaw } from "./display-pass.js";
 
 /** Colours along an edge of the table: `TABLE_SIZE` of the shader. */
 const SIZE = 32;
+
+/** How light is shown. */
+export interface Showing {
+  /** Share of it that eye and lens scatter. */
+  readonly scattered: number;
+  readonly metered: boolean;
+  /** Whether the paint has fewer pixels than the canvas. */
+  readonly isCoarse: boolean;
+}
 
 /** Puts light on paint and the result on the canvas, through a table of the display's law. */
 export class ShowPass {
   readonly #gpu: Gpu;
   readonly #screen: VertexArray;
   readonly #show: Program;
+  /** The same of coarse paint, and what brings it to the size of the canvas. */
+  readonly #showCoarse: Program;
+  readonly #enlarge: Program;
+  #coarse: RenderTarget | null = null;
   readonly #tabulate: Program;
   readonly #table: Texture;
   /** The law that the table is of. */
@@ -25,26 +41,31 @@ export class ShowPass {
   constructor(gpu: Gpu, screen: VertexArray) {
     this.#gpu = gpu;
     this.#screen = screen;
-    this.#show = gpu.program("deferred/show", displayVert, showFrag);
+    const show = (COARSE: 0 | 1) =>
+      gpu.program("deferred/show", displayVert, showFrag, { defines: { COARSE } });
+    this.#show = show(0);
+    this.#showCoarse = show(1);
+    this.#enlarge = gpu.program("deferred/enlarge", fullscreenVert, enlargeFrag);
     this.#tabulate = gpu.program("deferred/table", fullscreenVert, tableFrag);
     this.#table = gpu.texture({
       label: "display's table",
-      format: "RGBA8",
+      format: floats(gpu, 4),
       source: { width: SIZE, height: SIZE },
       shape: { layers: SIZE },
     });
   }
 
   render(
-    textures: Readonly<Record<"uPainted" | "uLight" | "uBloom" | "uExposure", Texture>>,
-    { scattered, metered }: { readonly scattered: number; readonly metered: boolean },
+    textures: Readonly<Record<"uPainted" | "uLight" | "uDepth" | "uBloom" | "uExposure", Texture>>,
+    { scattered, metered, isCoarse }: Showing,
     law: DisplayLaw,
     blocks: Readonly<Record<string, UniformBlock>>,
   ): void {
     this.#update(law);
+    const coarse = isCoarse ? this.#sizedAs(textures.uPainted) : null;
     this.#gpu.draw({
-      program: this.#show,
-      target: "canvas",
+      program: coarse ? this.#showCoarse : this.#show,
+      target: coarse ?? "canvas",
       vertexArray: this.#screen,
       textures: { ...textures, uTable: this.#table },
       uniforms: {
@@ -54,6 +75,25 @@ export class ShowPass {
       },
       blocks,
     });
+    if (!coarse) return;
+    this.#gpu.draw({
+      program: this.#enlarge,
+      target: "canvas",
+      vertexArray: this.#screen,
+      textures: { uSource: coarse.color },
+    });
+  }
+
+  #sizedAs({ width, height }: Texture): RenderTarget {
+    if (this.#coarse?.width === width && this.#coarse.height === height) return this.#coarse;
+    this.#coarse?.dispose();
+    this.#coarse = this.#gpu.renderTarget({
+      label: "shown/coarse",
+      width,
+      height,
+      color: ["RGBA8"],
+    });
+    return this.#coarse;
   }
 
   #update({ uAdaptation: _, ...law }: DisplayLaw): void {

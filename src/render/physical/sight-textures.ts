@@ -2,6 +2,7 @@ import hueFrag from "../../../shaders/physical/hue.frag";
 import hueVert from "../../../shaders/physical/hue.vert";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Texture } from "../../gl/texture.js";
+import { floats } from "../floats.js";
 import type { Surface } from "../surface.js";
 import { type ProbeDetail, SIGHT, type Sights } from "./probes.js";
 
@@ -32,13 +33,13 @@ export function uploadSights(
   });
   const uSights = gpu.texture({
     label: "indirect/sights",
-    format: "RG16F",
+    format: floats(gpu, 2),
     source: { width: tiles.width * SIGHT, height: tiles.height * SIGHT, data: sights.distances },
   });
   const size = { width: tiles.width * rays, height: tiles.height * rays };
   const uHits = gpu.texture({
     label: "indirect/hits",
-    format: "RGBA16F",
+    format: floats(gpu, 4),
     source: { ...size, data: sights.hits },
     filter: "nearest",
   });

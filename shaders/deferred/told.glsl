@@ -1,0 +1,13 @@
+// Where a pixel is to take its light from, as deferred/guide.frag has found out.
+// Needs deferred/stored.glsl.
+
+uniform sampler2D uLight;
+
+vec2 guided(vec2 uv, float stored) {
+  float code = stored * 255.0 - 0.5;
+  if (code < 0.0) return uv;
+  vec2 size = vec2(textureSize(uLight, 0));
+  float row = floor(code / (PLACES + 1.0));
+  vec2 place = vec2(floor(code) - row * (PLACES + 1.0), row) * (1.0 / PLACES);
+  return (floor(uv * size - 0.5) + 0.5 + place) / size;
+}
