@@ -17,7 +17,7 @@ export interface PassCost {
   readonly gpuMs: number | null;
 }
 
-/** Cost of one frame of the physical look on a page of 1280 x 720. */
+/** Cost of one frame of the physical look. */
 export interface Passes {
   readonly renderer: string;
   readonly quality: TierName;
@@ -27,18 +27,25 @@ export interface Passes {
   readonly rounds: number;
   /** Time of a copy, milliseconds. */
   readonly copyMs: number;
-  /** All passes. */
+  /** All passes, waited for once: the mean of the frames of a cycle. */
   readonly frame: PassCost;
-  /** Each waited for by itself: a little more than its share of a frame that is waited for once. */
+  /** Copies of the dearest of these frames. */
+  readonly worst: number;
+  /** Each waited for by itself: more than its share of a frame. */
   readonly passes: readonly PassCost[];
 }
 
+/** The page that low is made for; and as many pixels as a copy has, where each costs the more. */
 const PAGE = { width: 1280, height: 720 } as const;
+const SMALL_PAGE = { width: 640, height: 360 } as const;
 /** Where the visitor stands and looks at the candle on the table. */
 const PLACE = { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 } as const;
 const CAMERA = { position: [-0.85, 1.3, 1.1], yaw: -0.805, pitch: -0.244 } as const;
-const STRIDE = 0.02;
-const FRAME = 1 / 60;
+/** Seconds, at which low is to draw; and metres that a visitor walks in them. */
+const FRAME = 1 / 30;
+const STRIDE = 1.4 * FRAME;
+/** Frames to and fro, by the end of which whatever is not done in each frame has been done. */
+const CYCLE: Readonly<Record<Doing, number>> = { stands: 1, walks: 8 };
 /** Copies in a row, so that waiting for them is nothing against them. */
 const COPIES = 6;
 /** A slow machine has fewer rounds, so that they end: time for each scene, milliseconds. */
@@ -52,7 +59,8 @@ export async function measurePasses(quality: TierName, rounds: number): Promise<
   element.look = "physical";
   element.quality = quality;
   element.assetBase = "/";
-  element.style.cssText = `width: ${PAGE.width}px; height: ${PAGE.height}px`;
+  const { width, height } = quality === "low" ? PAGE : SMALL_PAGE;
+  element.style.cssText = `width: ${width}px; height: ${height}px`;
   document.body.replaceChildren(element);
   await element.ready;
   const gl = element.shadowRoot?.querySelector("canvas")?.getContext("webgl2");
@@ -73,43 +81,49 @@ async function measure(
   clock: Clock,
   { quality, doing, most }: { quality: TierName; doing: Doing; most: number },
 ): Promise<Passes> {
-  let strides = 0;
-  const frame = async () => {
-    if (doing === "stands") {
-      element.step(FRAME);
-      return;
+  const cycle = CYCLE[doing];
+  const frame = (number: number) => {
+    if (doing === "walks") {
+      const [x, y, z] = CAMERA.position;
+      const strides = Math.min(number, cycle - number);
+      const [away, turned] = [STRIDE * strides, 0.02 * strides];
+      element.camera = { ...CAMERA, position: [x - away, y, z], yaw: CAMERA.yaw + turned };
     }
-    const [x, y, z] = CAMERA.position;
-    const away = STRIDE * (strides++ % 2);
-    element.camera = { ...CAMERA, position: [x + away, y, z], yaw: CAMERA.yaw + away };
-    // Its own callback came before this one.
-    await new Promise(requestAnimationFrame);
+    element.step(FRAME);
   };
+  // Who plays is taken to go on moving; nothing is drawn in between.
   if (doing === "walks") element.play();
-  for (let i = 0; i < 2; i++) await frame();
+  for (let number = 0; number < cycle; number++) frame(number);
   const copies: number[] = [];
-  const passes = new Map<string, Span[]>();
+  const wholes: number[][] = Array.from({ length: cycle }, () => []);
+  const passes = new Map<string, Span[][]>();
   const end = performance.now() + PATIENCE;
   let rounds = 0;
   while (rounds < most && (rounds < LEAST_ROUNDS || performance.now() < end)) {
-    copies.push(clock.copy());
-    for (const [pass, span] of await clock.timeEach(frame)) {
-      const spans = passes.get(pass) ?? Array.from({ length: rounds }, () => NOTHING);
-      passes.set(pass, [...spans, span]);
+    const copy = clock.copy();
+    copies.push(copy);
+    for (let number = 0; number < cycle; number++) {
+      wholes[number]?.push(clock.time(() => frame(number)) / copy);
+    }
+    for (let number = 0; number < cycle; number++) {
+      for (const [pass, { ms, gpuMs }] of await clock.timeEach(() => frame(number))) {
+        const frames = passes.get(pass) ?? Array.from({ length: cycle }, () => []);
+        passes.set(pass, frames);
+        frames[number]?.push({ ms: ms / copy, gpuMs });
+      }
     }
     rounds++;
-    for (const [pass, spans] of passes) {
-      if (spans.length < rounds) passes.set(pass, [...spans, NOTHING]);
-    }
   }
   element.pause();
-  const copyMs = median(copies);
-  const cost = (pass: string, spans: readonly Span[]): PassCost => ({
+  // What is not done in each frame of a cycle, or not in each round, counts by its share.
+  const mean = (frames: readonly (readonly number[])[]) =>
+    frames.reduce((sum, values) => sum + usual(values, rounds), 0) / cycle;
+  const cost = (pass: string, frames: readonly (readonly Span[])[]): PassCost => ({
     pass,
-    copies: mean(spans.map(({ ms }) => ms)) / copyMs,
-    gpuMs: clock.isReal ? mean(spans.map(({ gpuMs }) => gpuMs)) : null,
+    copies: mean(frames.map((spans) => spans.map(({ ms }) => ms))),
+    gpuMs: clock.isReal ? mean(frames.map((spans) => spans.map(({ gpuMs }) => gpuMs))) : null,
   });
-  const costs = [...passes].map(([pass, spans]) => cost(pass, spans));
+  const costs = [...passes].map(([pass, frames]) => cost(pass, frames));
   const { width, height } = element.stats;
   return {
     renderer: clock.renderer,
@@ -118,20 +132,20 @@ async function measure(
     width,
     height,
     rounds,
-    copyMs,
+    copyMs: median(copies),
     frame: {
       pass: "frame",
-      copies: costs.reduce((sum, { copies }) => sum + copies, 0),
+      copies: mean(wholes),
       gpuMs: clock.isReal ? costs.reduce((sum, { gpuMs }) => sum + (gpuMs ?? 0), 0) : null,
     },
+    worst: Math.max(...wholes.map((values) => usual(values, rounds))),
     passes: costs,
   };
 }
 
-/** Of all but the longest quarter, which something else on the machine disturbed. */
-function mean(values: readonly number[]): number {
-  const kept = values.toSorted((a, b) => a - b).slice(0, Math.ceil(values.length * 0.75));
-  return kept.reduce((sum, x) => sum + x, 0) / kept.length;
+/** The median of what was measured, as a share of all rounds. */
+function usual(values: readonly number[], rounds: number): number {
+  return values.length > 0 ? (median(values) * values.length) / rounds : 0;
 }
 
 interface Span {
@@ -140,8 +154,6 @@ interface Span {
   /** By its own clock, milliseconds; 0 where it has none. */
   readonly gpuMs: number;
 }
-
-const NOTHING: Span = { ms: 0, gpuMs: 0 };
 
 /** Times what is drawn in a context, as a whole or pass by pass, and copies beside it. */
 class Clock {
@@ -158,6 +170,7 @@ class Clock {
   readonly #pixel = new Uint8Array(4);
   #passes: Map<string, { ms: number; queries: WebGLQuery[] }> | null = null;
   #pass = "";
+  #isWhole = false;
   #begin = 0;
   #query: WebGLQuery | null = null;
 
@@ -187,11 +200,21 @@ class Clock {
     return this.#copier.time();
   }
 
+  /** All that a frame draws, milliseconds. */
+  time(frame: () => void): number {
+    this.#isWhole = true;
+    this.#begin = Number.NaN;
+    frame();
+    this.#wait();
+    this.#isWhole = false;
+    return performance.now() - this.#begin;
+  }
+
   /** Of each pass, in the order of the first draw. */
-  async timeEach(frame: () => Promise<void>): Promise<Map<string, Span>> {
+  async timeEach(frame: () => void): Promise<Map<string, Span>> {
     this.#passes = new Map();
     this.#pass = "";
-    await frame();
+    frame();
     this.#enter("");
     const passes = this.#passes;
     this.#passes = null;
@@ -205,6 +228,10 @@ class Clock {
   }
 
   #enter(pass: string): void {
+    if (this.#isWhole && Number.isNaN(this.#begin)) {
+      this.#wait();
+      this.#begin = performance.now();
+    }
     if (!this.#passes || pass === this.#pass) return;
     if (this.#pass !== "") {
       this.#endQuery();

@@ -102,7 +102,8 @@ export default class Report implements Reporter {
       ["copies", ...head],
       head.concat("").map(() => "---"),
       ...rows,
-      ["all passes", ...this.#passes.map(({ frame }) => cell(frame))],
+      ["the frame", ...this.#passes.map(({ frame }) => cell(frame))],
+      ["the dearest", ...this.#passes.map(({ worst }) => worst.toFixed(1))],
     ];
     console.log(lines.map((line) => `| ${line.join(" | ")} |`).join("\n"));
   }

@@ -67,10 +67,12 @@ export async function reportPrograms(
     });
     candle.resize(160, 90);
     for (let i = 0; i < 3; i++) candle.step(1 / 60);
-    candle.play(); // who moves has shaders of his own
-    candle.world.player.yaw += 0.1;
-    candle.step(1 / 60);
-    candle.pause();
+    if (quality === "low") {
+      candle.play(); // who moves has shaders of his own there
+      candle.world.player.yaw += 0.1;
+      candle.step(1 / 60);
+      candle.pause();
+    }
     candle.world.flame.extinguish(); // smoke has its own, too
     candle.step(0.1);
     candle.world.flame.light();

@@ -1,6 +1,11 @@
 import { type mat4, vec4 } from "gl-matrix";
 import { describe, expect, test } from "vitest";
-import { clipFromWorld, FIELD_OF_VIEW, projectionScale } from "../../../src/render/camera.ts";
+import {
+  clipFromWorld,
+  FIELD_OF_VIEW,
+  isInSight,
+  projectionScale,
+} from "../../../src/render/camera.ts";
 import type { Vec3 } from "../../../src/world/bounds.ts";
 import { OPEN } from "../../../src/world/ground.ts";
 import { STILL } from "../../../src/world/intent.ts";
@@ -57,4 +62,24 @@ describe("the camera", () => {
     const { y } = project(clipFromWorld(EYE, 0, 0, 1), above);
     expect((y / 2) * 720).toBeCloseTo(projectionScale(720) / 5, 2);
   });
+});
+
+test("What shows a corner in the picture is in sight; what lies all beyond an edge, or behind, is not", () => {
+  const clip = clipFromWorld(EYE, 0.7, -0.2, 16 / 9);
+  let seen = 0;
+  for (let i = 0; i < 4000; i++) {
+    const at = (axis: number) => EYE[axis]! + ((i * [17, 29, 43][axis]!) % 101) / 10 - 5;
+    const min: Vec3 = [at(0), at(1), at(2)];
+    const max: Vec3 = [min[0] + 0.4, min[1] + 0.2, min[2] + 0.6];
+    const corners = Array.from({ length: 8 }, (_, corner) =>
+      project(clip, [0, 1, 2].map((axis) => ((corner >> axis) & 1 ? max : min)[axis]!) as Vec3),
+    );
+    const shows = corners.some(({ x, y, ahead }) => ahead > 0.05 && Math.max(x, -x, y, -y) < 1);
+    if (shows) expect(isInSight(clip, { min, max })).toBe(true);
+    if (corners.every(({ ahead }) => ahead < 0)) expect(isInSight(clip, { min, max })).toBe(false);
+    seen += isInSight(clip, { min, max }) ? 1 : 0;
+  }
+  // A picture of 45 by 73 degrees shows a tenth of all around.
+  expect(seen / 4000).toBeGreaterThan(0.03);
+  expect(seen / 4000).toBeLessThan(0.3);
 });

@@ -1,7 +1,12 @@
 import { mat4, vec4 } from "gl-matrix";
 import { expect, test } from "vitest";
 import type { Part } from "../../../src/assets/model.ts";
-import { clusterTriangles, runsOf, VERTEX_SIZE } from "../../../src/render/clusters.ts";
+import {
+  clusterTriangles,
+  groupTriangles,
+  runsOf,
+  VERTEX_SIZE,
+} from "../../../src/render/clusters.ts";
 import { clipFromFace, FACES, isInFace } from "../../../src/render/physical/cube.ts";
 import type { Vec3 } from "../../../src/world/bounds.ts";
 
@@ -97,4 +102,26 @@ test("neighbours in the order are drawn as one run, unless their parts differ", 
   ]);
   expect(runsOf(clusters, () => true, true).map(({ part }) => part)).toEqual([0, 1]);
   expect(runsOf(clusters, () => false, true)).toEqual([]);
+});
+
+test("a part's own triangles are all there in groups, each within its box", () => {
+  const part = { ...floor(20, 4, 0.3), indices: Uint16Array.from(floor(20, 4).indices) };
+  const { indices, clusters, area } = groupTriangles(part);
+  expect(indices).toBeInstanceOf(Uint16Array);
+  expect(area).toBeCloseTo(16, 4);
+  const triangles = (list: ArrayLike<number>) =>
+    Array.from({ length: list.length / 3 }, (_, i) =>
+      [0, 1, 2].map((k) => list[3 * i + k]).join(" "),
+    ).sort();
+  expect(triangles(indices)).toEqual(triangles(part.indices));
+  expect(clusters.reduce((sum, { count }) => sum + count, 0)).toBe(indices.length);
+  for (const { first, count, min, max } of clusters) {
+    for (const index of indices.subarray(first, first + count)) {
+      for (const axis of [0, 1, 2] as const) {
+        const x = part.positions[index * 3 + axis] ?? Number.NaN;
+        expect(x).toBeGreaterThanOrEqual(min[axis]);
+        expect(x).toBeLessThanOrEqual(max[axis]);
+      }
+    }
+  }
 });
