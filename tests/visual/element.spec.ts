@@ -584,6 +584,27 @@ test.describe("The picture", () => {
       expect(numbers[name], name).toBeGreaterThan(0);
     }
     expect(numbers.gpuBytes).toBeGreaterThan(160 * 90 * 4);
+    expect(Object.keys(numbers)).toEqual(
+      expect.arrayContaining(["fps", "frameMs", "gpuMs", "resolutionScale"]),
+    );
+  });
+
+  test("has a flame that is told of in SI units", async ({ room }) => {
+    await room.step(1);
+    const flame = await room.evaluate((element) => element.flame);
+    expect(flame).toMatchObject({
+      lit: true,
+      position: [expect.any(Number), expect.any(Number), expect.any(Number)],
+    });
+    const { height = 0, width = 0, colorTemperature = 0, tilt = -1 } = flame ?? {};
+    expect(height).toBeGreaterThan(0.01);
+    expect(height).toBeLessThan(0.2);
+    expect(width).toBeGreaterThan(0.002);
+    expect(width).toBeLessThan(height);
+    expect(colorTemperature).toBeGreaterThan(1500);
+    expect(colorTemperature).toBeLessThan(2500);
+    expect(tilt).toBeGreaterThanOrEqual(0);
+    expect(tilt).toBeLessThan(1);
   });
 });
 
