@@ -9,5 +9,5 @@ export default defineConfig({
   reporter: "list",
   timeout: 120_000,
   use: { ...browser, viewport: { width: 1280, height: 720 } },
-  webServer: [{ ...servers.library, cwd: "../.." }],
+  webServer: [servers.page, servers.library].map((server) => ({ ...server, cwd: "../.." })),
 });
