@@ -143,6 +143,8 @@ export const test = base.extend<
   fresh: async ({ page, tolerated }, use) => {
     const fresh = new HostedPage(page);
     await use(fresh);
+    // Files may be on their way still, and nobody needs them.
+    await page.unrouteAll({ behavior: "ignoreErrors" });
     expect(fresh.complaints.filter((complaint) => !tolerated.test(complaint))).toEqual([]);
   },
   shared: [
