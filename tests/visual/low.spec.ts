@@ -135,6 +135,7 @@ test("At low a picture depends on nothing that was drawn before", async () => {
 test("At low each technique is seen, and can be switched off", async () => {
   const lit: readonly Feature[] = [
     "volume",
+    "haze",
     "candle",
     "shadows",
     "indirect",

@@ -29,6 +29,7 @@ import { DisplayPass, displayLaw, exposureIn, scatteredIn } from "./display-pass
 import { ExposurePass } from "./exposure-pass.js";
 import { FlamePass, HANDLE_TURN } from "./flame-pass.js";
 import { AT_ORIGIN, GeometryPass, type Placed } from "./geometry-pass.js";
+import { HazePass } from "./haze-pass.js";
 import { type IndirectDetail, IndirectPass, type IrradianceVolume } from "./indirect-pass.js";
 import { type LightAtVantage, lampOf, lightAtVantage, lightBlock } from "./light-block.js";
 import { LightPass } from "./light-pass.js";
@@ -78,6 +79,7 @@ export class DeferredRenderer implements Renderer {
   readonly #exposure: ExposurePass;
   readonly #display: DisplayPass;
   readonly #flame: FlamePass;
+  readonly #haze: HazePass;
   readonly #smoke: SmokePass;
   readonly #casters: Casters;
   readonly #shadow: ShadowPass;
@@ -122,6 +124,7 @@ export class DeferredRenderer implements Renderer {
     this.#exposure = new ExposurePass(gpu, this.#screen, meterFrag);
     this.#display = new DisplayPass(gpu, this.#screen);
     this.#flame = new FlamePass(gpu);
+    this.#haze = new HazePass(gpu);
     this.#smoke = new SmokePass(gpu);
     const surfaces = uploadModel(gpu, room, tier, groupTriangles);
     this.#room = behindLast(surfaces);
@@ -144,6 +147,7 @@ export class DeferredRenderer implements Renderer {
     this.#fires.clear();
     this.#geometry.resize(width, height);
     this.#lightPass.resize(width, height);
+    this.#haze.resize(width, height);
     const color = [this.#lightPass.format];
     this.#radiance = this.#gpu.renderTarget({ label: "radiance", width, height, color });
     const quarter = {
@@ -210,6 +214,7 @@ export class DeferredRenderer implements Renderer {
       });
       if (features.candle) this.#drawEmber(world, place, paint.paintedDepth);
       if (features.volume) this.#flame.render(fire, this.#frame, world, "low");
+      this.#drawHaze(world, view, paint.paintedDepth);
       this.#drawSmoke(world, view, volume, paint.paintedDepth);
     };
     const box = this.#boxOfFlame(world, view);
@@ -275,6 +280,13 @@ export class DeferredRenderer implements Renderer {
     }
   }
 
+  #drawHaze({ fumes, flame }: World, { features }: View, depth: Texture): void {
+    if (!features.haze || !fumes) return;
+    const veil = { target: this.#veil!, depth };
+    const { color } = this.#radiance!;
+    this.#haze.render(veil, color, fumes.plume, flame.isLit ? flame.height : 0, this.#frame);
+  }
+
   #drawSmoke(world: World, view: View, volume: IrradianceVolume, depth: Texture): void {
     if (!this.#hasSmoke(world, view)) return;
     const veil = { target: this.#veil!, depth };
@@ -286,26 +298,21 @@ export class DeferredRenderer implements Renderer {
     return features.smoke && fumes !== null && fumes.smoke.count >= 2;
   }
 
-  /** The pixels that the flame covers; all of them while there is smoke. */
+  /** The pixels that the flame covers, and the hot air over it; all of them while there is smoke. */
   #boxOfFlame(world: World, view: View): Box {
     if (this.#hasSmoke(world, view)) return this.#whole;
     const { width, height } = this.#size;
-    const { balls } = shapeFlame(world.flame, TAPER, this.#shape);
-    const base = world.shown.flame;
     let [left, bottom, right, top] = [width, height, 0, 0];
-    for (let ball = 0; ball < balls.length; ball += 4) {
-      // The hull around a ball is drawn a little wider than it.
-      const reach = balls[ball + 3]! * 1.4;
+    for (const [x, y, z, reach] of this.#ballsOfFire(world, view)) {
       for (let corner = 0; corner < 8; corner++) {
-        const at = (axis: number) =>
-          base[axis]! + balls[ball + axis]! + ((corner >> axis) & 1 ? reach : -reach);
-        const [x, y, w] = onClip(this.#clip, at(0), at(1), at(2));
+        const aside = (axis: number) => ((corner >> axis) & 1 ? reach : -reach);
+        const [across, up, w] = onClip(this.#clip, x + aside(0), y + aside(1), z + aside(2));
         // Beside the eye it may be anywhere.
         if (w < 0.01) return this.#whole;
-        left = Math.min(left, (0.5 + (0.5 * x) / w) * width);
-        right = Math.max(right, (0.5 + (0.5 * x) / w) * width);
-        bottom = Math.min(bottom, (0.5 + (0.5 * y) / w) * height);
-        top = Math.max(top, (0.5 + (0.5 * y) / w) * height);
+        left = Math.min(left, (0.5 + (0.5 * across) / w) * width);
+        right = Math.max(right, (0.5 + (0.5 * across) / w) * width);
+        bottom = Math.min(bottom, (0.5 + (0.5 * up) / w) * height);
+        top = Math.max(top, (0.5 + (0.5 * up) / w) * height);
       }
     }
     // Whole cells of what blooms, and one more around them.
@@ -315,6 +322,24 @@ export class DeferredRenderer implements Renderer {
       Math.min(Math.max((Math.ceil((at + MARGIN) / GLARE) + 1) * GLARE, from + 1), length);
     const [x, y] = [begin(left, width), begin(bottom, height)];
     return [x, y, end(right, x, width) - x, end(top, y, height) - y];
+  }
+
+  /** Balls around the flame and the hot air over it: x, y, z, radius, metres. */
+  *#ballsOfFire(
+    { flame, fumes, shown }: World,
+    { features }: View,
+  ): Generator<readonly [number, number, number, number]> {
+    const { balls } = shapeFlame(flame, TAPER, this.#shape);
+    const [x, y, z] = shown.flame;
+    // The hull around a ball is drawn a little wider than it.
+    for (let at = 0; at < balls.length; at += 4) {
+      yield [x + balls[at]!, y + balls[at + 1]!, z + balls[at + 2]!, balls[at + 3]! * 1.4];
+    }
+    if (!features.haze || !fumes) return;
+    const column = this.#haze.ballsAround(fumes.plume, flame.isLit ? flame.height : 0);
+    for (let at = 0; at < column.length; at += 4) {
+      yield [column[at]!, column[at + 1]!, column[at + 2]!, column[at + 3]!];
+    }
   }
 
   /** Of the flame alone: nothing else is bright enough. */

@@ -8,6 +8,7 @@ import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { COLUMN_FLOATS, type Plume, plumeGrid } from "../../world/plume/plume.js";
+import { floats } from "../floats.js";
 import type { Veil } from "./veil.js";
 
 const LEVELS = plumeGrid().y.count;
@@ -21,6 +22,10 @@ const MAGNIFIED = 16;
 /** Within the flame there is nothing behind the column but the flame: from here to there it begins. Metres. */
 const BEGINS = 0.7;
 const BEGUN = 1.6;
+/** What is bent by less is not seen to be bent, radians. */
+const SEEN = 5e-4;
+/** Half of the breadth over which it bends, in standard deviations of the column: `REACH` of the shader. */
+const REACH = 3;
 /** Bent one after another, from left to right, so that a copy of the whole picture need not be kept. */
 const STRIPS = 4;
 
@@ -52,7 +57,11 @@ export class HazePass {
     this.#bent?.dispose();
     const part = { width: Math.ceil(width / STRIPS), height };
     this.#size = { width, height };
-    this.#bent = this.#gpu.renderTarget({ label: "haze/bent", ...part, color: ["RGBA16F"] });
+    this.#bent = this.#gpu.renderTarget({
+      label: "haze/bent",
+      ...part,
+      color: [floats(this.#gpu, 4)],
+    });
   }
 
   /**
@@ -98,6 +107,18 @@ export class HazePass {
         scissor: [left, 0, strip, height],
       });
     }
+  }
+
+  /** Balls around all that is seen to be bent: x, y, z, radius, metres, of one after another. */
+  ballsAround(plume: Plume, flameHeight: number): readonly number[] {
+    if (!this.#measure(plume, flameHeight)) return [];
+    const balls: number[] = [];
+    for (let level = 0; level < LEVELS; level++) {
+      if (this.#bends[level]! < SEEN) continue;
+      const [x, y, z, breadth] = this.#middles.subarray(4 * level, 4 * level + 4);
+      balls.push(x!, y!, z!, REACH * breadth!);
+    }
+    return balls;
   }
 
   #offsetProgram(): Program {
