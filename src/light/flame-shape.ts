@@ -63,9 +63,10 @@ export function shapeFlame(flame: Flame, body: FlameBody, shape: FlameShape): Fl
   shape.radius = radius;
   tracePath(flame.spine.positions, length);
   placeNodes(shape, flame);
+  measureSections(shape);
   const volume = (length / body.height) * (radius / body.radius) ** 2;
   // However its volume swings, the light is what the limiter lets by, in the picture and in the room.
-  shape.soot = volume > 0 ? glow / (volume * bulging(body, shape)) : 0;
+  shape.soot = volume > 0 ? glow / (volume * bulging(body)) : 0;
   // The blue sheet is as thick and as bright on any flame: its light goes as its area.
   shape.blue = glow > 0 ? (body.radius / radius) * (1 + BLUENESS * felt) * presence : 0;
   gatherLight(body, shape, volume);
@@ -77,18 +78,20 @@ export function shapeFlame(flame: Flame, body: FlameBody, shape: FlameShape): Fl
 function tracePath(spine: Float64Array, length: number): void {
   path.fill(0, 0, 3);
   const step = length / PIECES;
-  let [x, y, z] = [0, 0, 0];
+  let x = 0;
+  let y = 0;
+  let z = 0;
   let parcel = 0;
-  let [dx, dy, dz] = [0, 1, 0];
+  let dx = 0;
+  let dy = 1;
+  let dz = 0;
   for (let piece = 1; piece <= PIECES; piece++) {
     let left = step;
     while (left > 0) {
-      const at = parcel * 3;
-      const [toX, toY, toZ] = [
-        (spine[at] ?? 0) - x,
-        (spine[at + 1] ?? 0) - y,
-        (spine[at + 2] ?? 0) - z,
-      ];
+      const at = Math.min(parcel, PARCELS - 1) * 3;
+      const toX = spine[at]! - x;
+      const toY = spine[at + 1]! - y;
+      const toZ = spine[at + 2]! - z;
       const distance = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
       // Parcels that have not risen, or sink, are passed over; past the last one it goes on straight.
       const isNext = parcel < PARCELS && toY > 1e-7 && distance > 1e-7;
@@ -96,7 +99,11 @@ function tracePath(spine: Float64Array, length: number): void {
         parcel++;
         continue;
       }
-      if (isNext) [dx, dy, dz] = [toX / distance, toY / distance, toZ / distance];
+      if (isNext) {
+        dx = toX / distance;
+        dy = toY / distance;
+        dz = toZ / distance;
+      }
       const way = isNext ? Math.min(left, distance) : left;
       x += dx * way;
       y += dy * way;
@@ -128,21 +135,28 @@ function placeNodes(shape: FlameShape, flame: Flame): void {
   }
 }
 
-/** Factor on the section of the body at a row, as it puffs. */
-function section({ nodes, top }: FlameShape, row: number): number {
-  const piece = Math.floor(((row + 0.5) / BODY_SIZE.height) * PIECES);
-  const place = Math.max(((path[piece * 3 + 1] ?? 0) / top) * (NODES - 1), 0);
-  const node = Math.min(Math.floor(place), NODES - 2);
-  const [low, high] = [nodes[node * 4 + 3] ?? 1, nodes[node * 4 + 7] ?? 1];
-  return mix(low, high, Math.min(place - node, 1)) ** 2;
+/** Factor on the section of the body at each row, as it puffs. */
+const sections = new Float64Array(BODY_SIZE.height);
+
+function measureSections({ nodes, top }: FlameShape): void {
+  for (let row = 0; row < sections.length; row++) {
+    const piece = Math.floor(((row + 0.5) / BODY_SIZE.height) * PIECES);
+    const place = Math.max(((path[piece * 3 + 1] ?? 0) / top) * (NODES - 1), 0);
+    const node = Math.min(Math.floor(place), NODES - 2);
+    const low = nodes[node * 4 + 3] ?? 1;
+    const high = nodes[node * 4 + 7] ?? 1;
+    const neck = mix(low, high, Math.min(place - node, 1));
+    sections[row] = neck * neck;
+  }
 }
 
 /** The body's soot, as its sections swing, over what it is at rest. */
-function bulging({ sootRows }: FlameBody, shape: FlameShape): number {
-  let [swung, still] = [0, 0];
+function bulging({ sootRows }: FlameBody): number {
+  let swung = 0;
+  let still = 0;
   for (let row = 0; row < BODY_SIZE.height; row++) {
     const soot = sootRows[row] ?? 0;
-    swung += soot * section(shape, row);
+    swung += soot * (sections[row] ?? 1);
     still += soot;
   }
   return swung / still;
@@ -153,11 +167,13 @@ function gatherLight(body: FlameBody, shape: FlameShape, volume: number): void {
   const { sootRows, blueRows } = body;
   const { centre, reach } = shape;
   const rows = BODY_SIZE.height;
-  const [sootFactor, blueFactor] = [shape.soot * volume, shape.blue * volume];
-  let [soot, blue] = [0, 0];
+  const sootFactor = shape.soot * volume;
+  const blueFactor = shape.blue * volume;
+  let soot = 0;
+  let blue = 0;
   centre.fill(0);
   for (let row = 0; row < rows; row++) {
-    const swing = section(shape, row);
+    const swing = sections[row] ?? 1;
     const ofSoot = (sootRows[row] ?? 0) * sootFactor * swing;
     const ofBlue = (blueRows[row] ?? 0) * blueFactor * swing;
     soot += ofSoot;
