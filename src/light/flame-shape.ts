@@ -88,10 +88,11 @@ function tracePath(spine: Float64Array, length: number): void {
   for (let piece = 1; piece <= PIECES; piece++) {
     let left = step;
     while (left > 0) {
+      // A read past the end would make boxes of all these numbers.
       const at = Math.min(parcel, PARCELS - 1) * 3;
-      const toX = spine[at]! - x;
-      const toY = spine[at + 1]! - y;
-      const toZ = spine[at + 2]! - z;
+      const toX = (spine[at] ?? 0) - x;
+      const toY = (spine[at + 1] ?? 0) - y;
+      const toZ = (spine[at + 2] ?? 0) - z;
       const distance = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
       // Parcels that have not risen, or sink, are passed over; past the last one it goes on straight.
       const isNext = parcel < PARCELS && toY > 1e-7 && distance > 1e-7;

@@ -1,7 +1,7 @@
 /** The light follows with two lags of this length, seconds: what is faster than 2.5 Hz fades. */
 const LAG = 1 / (2 * Math.PI * 2.5);
 /** What is faster still shows, by no more than this share either way: with the display's contrast, below a tenth. */
-const TREMBLE = 0.041;
+const TREMBLE = 0.0295;
 
 /**
  * Light that may change as it likes, and never flashes.

@@ -81,16 +81,17 @@ test("in gusts of 0.1 to 0.4 m/s it flickers as photodiodes see it, with a tail 
     // What keeps it from flashing takes some of its fast unrest; what is left is like nature's all the same.
     expect(left.rms).toBeGreaterThan(0.05);
     expect(left.rms).toBeLessThan(rms);
-    expect(soft).toBeGreaterThan(-2.5);
+    expect(soft).toBeGreaterThan(-2.8);
     expect(soft).toBeLessThan(-1);
   }
-  // Half a minute is short for a third moment, so rooms are averaged.
+  // Half a minute is short for a third moment, and for a spectrum at its limit, so rooms are averaged.
   const average = (of: (light: (typeof seen)[number]) => number) =>
     seen.reduce((sum, light) => sum + of(light) / seen.length, 0);
   console.log(
     `shown: rms ${average(({ left }) => left.rms)}, slope ${average(({ soft }) => soft)}, ` +
       `skewness ${average(({ left }) => left.skewness)}`,
   );
+  expect(average(({ soft }) => soft)).toBeGreaterThan(-2.5);
   expect(average(({ skewness }) => skewness)).toBeGreaterThan(0);
   expect(average(({ left }) => left.skewness)).toBeGreaterThan(0);
 });

@@ -14,7 +14,7 @@ const GOLD = [1.55, 0.87, 0.4] as const;
 /** Exponent of the display's contrast around middle grey. */
 const CONTRAST = 1.5;
 /** Luminance that walls have in the light of the flame at its usual: dark ones, and ones burnt out. */
-const WALLS = [0.2, 0.5, 0.79, 0.95, 1.5];
+const WALLS = [0.2, 0.5, 0.64, 0.79, 0.95, 1.5];
 
 /** sRGB, not rounded: the darkest golds of 8 bits are red. */
 const encode = (linear: number) => {
