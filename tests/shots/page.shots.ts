@@ -93,7 +93,7 @@ async function tour(browser: Browser, { width, height, hasTouch }: Device): Prom
   for (const act of Object.values(STATES)) {
     await act(page);
     await page.mouse.move(0, 0);
-    const picture = await page.screenshot({ animations: "disabled", timeout: 60_000 });
+    const picture = await page.screenshot({ animations: "disabled", timeout: 120_000 });
     pictures.push(await sharp(picture).resize({ height: HEIGHT }).png().toBuffer());
   }
   expect(complaints).toEqual([]);
