@@ -107,7 +107,7 @@ for (const [look, attributes] of Object.entries(LOOKS)) {
       const shares = Object.entries(worst).map(([kind, share]) => `${kind} ${share.toFixed(3)}`);
       const took = ((Date.now() - begin) / 1000).toFixed(0);
       console.log(`${look}, ${scenario.name}: ${shares.join(", ")} (${took} s)`);
-      expect(isHarmful, `${look}, ${scenario.name}`).toBe(false);
+      expect.soft(isHarmful, `${look}, ${scenario.name}`).toBe(false);
     }
     expect(room.complaints).toEqual([]);
   });
