@@ -12,6 +12,12 @@
 
 uniform sampler2D uRadiosity;
 
+// A patch may lie so much farther than what is seen its way: a share of the distance, and metres. More would
+// let light pass by edges, where a probe sees what is near and what is far at once; but where probes are so few
+// that they do not look around, they see edges nearly everywhere.
+const float SLANT = 0.05;
+const float THICK = 0.05;
+
 layout(location = 0) out vec4 oFirst;
 layout(location = 1) out vec4 oSecond;
 layout(location = 2) out vec4 oThird;
@@ -38,8 +44,11 @@ void main() {
       float solidAngle = facing * surfel.area / (distanceSquared + surfel.area / PI);
       // A patch is as far as what it is part of, give or take how much that slants.
       vec2 sight = sightOf(tile, direction);
-      float seen = inSight(sight, reach - sight.g - 0.1);
-      vec3 light = texelFetch(uRadiosity, ivec2(x, y), 0).rgb * (solidAngle * seen * seen * seen / PI);
+      bool looks = volume.looks > 0.5;
+      float slack = looks ? min(sight.g, SLANT * reach) + THICK : sight.g + 2.0 * THICK;
+      float seen = inSight(sight, reach - slack);
+      seen = looks ? seen : seen * seen * seen;
+      vec3 light = texelFetch(uRadiosity, ivec2(x, y), 0).rgb * (solidAngle * seen / PI);
       first += harmonic(k, direction) * light;
       second += harmonic(k + 3, direction) * light;
       third += harmonic(k + 6, direction) * light;
