@@ -4,9 +4,8 @@ import fullscreenVert from "../../../shaders/physical/fullscreen.vert";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
-import type { Texture } from "../../gl/texture.js";
+import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import { floats } from "../floats.js";
 
 interface Size {
   readonly width: number;
@@ -28,9 +27,11 @@ export class BloomPass {
   readonly #up: Program;
   readonly #screen: VertexArray;
   readonly #levels: number;
+  readonly #format: TextureFormat;
   #pyramid: RenderTarget[] = [];
 
-  constructor(gpu: Gpu, screen: VertexArray, levels: number) {
+  constructor(gpu: Gpu, screen: VertexArray, levels: number, format: TextureFormat = "RGBA16F") {
+    this.#format = format;
     this.#gpu = gpu;
     this.#screen = screen;
     this.#levels = levels;
@@ -46,7 +47,7 @@ export class BloomPass {
         // Half, rounded up: a texel of each level covers four of the one before.
         width: Math.ceil(width / 2 ** (i + 1)),
         height: Math.ceil(height / 2 ** (i + 1)),
-        color: [floats(this.#gpu, 4)],
+        color: [this.#format],
       }),
     );
   }

@@ -19,6 +19,7 @@ import type { Solid } from "../../world/solid.js";
 import type { World } from "../../world/world.js";
 import { clipFromWorld, projectionScale } from "../camera.js";
 import { groupTriangles } from "../clusters.js";
+import { floats } from "../floats.js";
 import type { Models, Renderer } from "../renderer.js";
 import { behindLast, type Surface, uploadModel } from "../surface.js";
 import type { Tier } from "../tier.js";
@@ -124,20 +125,20 @@ export class DeferredRenderer implements Renderer {
     this.#exposure = new ExposurePass(gpu, this.#screen, meterFrag);
     this.#display = new DisplayPass(gpu, this.#screen);
     this.#flame = new FlamePass(gpu);
-    this.#haze = new HazePass(gpu);
+    this.#haze = new HazePass(gpu, this.#lightPass.format);
     this.#smoke = new SmokePass(gpu);
     const surfaces = uploadModel(gpu, room, tier, groupTriangles);
     this.#room = behindLast(surfaces);
     this.#candle = uploadModel(gpu, candle, tier, groupTriangles);
     this.#casters = new Casters(gpu, room, surfaces, CASTER_DETAIL);
-    this.#shadow = new ShadowPass(gpu, SHADOW.size);
+    this.#shadow = new ShadowPass(gpu, SHADOW.size, floats(gpu, 1));
     this.#indirect = new IndirectPass(
       gpu,
       this.#screen,
       { model: room, solid, surfaces },
       INDIRECT,
     );
-    this.#bloom = new BloomPass(gpu, this.#screen, BLOOM_LEVELS);
+    this.#bloom = new BloomPass(gpu, this.#screen, BLOOM_LEVELS, this.#lightPass.format);
   }
 
   resize(width: number, height: number): void {

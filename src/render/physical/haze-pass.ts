@@ -4,11 +4,10 @@ import hazeVert from "../../../shaders/physical/haze.vert";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
-import type { Texture } from "../../gl/texture.js";
+import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { COLUMN_FLOATS, type Plume, plumeGrid } from "../../world/plume/plume.js";
-import { floats } from "../floats.js";
 import type { Veil } from "./veil.js";
 
 const LEVELS = plumeGrid().y.count;
@@ -32,6 +31,7 @@ const STRIPS = 4;
 /** Hot air over the flame, as it bends what is seen through it. */
 export class HazePass {
   readonly #gpu: Gpu;
+  readonly #format: TextureFormat;
   readonly #bend: Program;
   readonly #copy: Program;
   readonly #ribbon: VertexArray;
@@ -43,8 +43,9 @@ export class HazePass {
   #bent: RenderTarget | null = null;
   #size = { width: 1, height: 1 };
 
-  constructor(gpu: Gpu) {
+  constructor(gpu: Gpu, format: TextureFormat = "RGBA16F") {
     this.#gpu = gpu;
+    this.#format = format;
     const defines = { LEVELS };
     this.#bend = gpu.program("physical/haze", hazeVert, hazeFrag, {
       defines: { ...defines, OFFSET: 0 },
@@ -60,7 +61,7 @@ export class HazePass {
     this.#bent = this.#gpu.renderTarget({
       label: "haze/bent",
       ...part,
-      color: [floats(this.#gpu, 4)],
+      color: [this.#format],
     });
   }
 

@@ -116,7 +116,7 @@ export class IndirectPass {
       depth: "buffer",
       filter: "nearest",
     });
-    const radiance = { color: [texel], filter: "nearest" } as const;
+    const radiance = { color: ["RGBA16F"], filter: "nearest" } as const;
     this.#radiosity = gpu.renderTarget({ label: "indirect/radiosity", ...patches, ...radiance });
     const tiles = { width: columns * planes, height: rows };
     const rays = { width: tiles.width * detail.rays, height: tiles.height * detail.rays };

@@ -3,10 +3,9 @@ import shadowFrag from "../../../shaders/physical/shadow.frag";
 import shadowVert from "../../../shaders/physical/shadow.vert";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
-import type { Texture } from "../../gl/texture.js";
+import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { TextureView } from "../../gl/texture-view.js";
 import type { Vec3 } from "../../world/bounds.js";
-import { floats } from "../floats.js";
 import type { Casters } from "./casters.js";
 import { clipFromFace, FACES } from "./cube.js";
 
@@ -22,13 +21,13 @@ export class ShadowPass {
   #lastVantage: Vec3 = [Number.NaN, 0, 0];
 
   /** @param size texels along an edge of the cube */
-  constructor(gpu: Gpu, size: number) {
+  constructor(gpu: Gpu, size: number, format: TextureFormat = "R16F") {
     this.#gpu = gpu;
     this.#program = gpu.program("physical/shadow", shadowVert, shadowFrag);
     const source = { width: size, height: size };
     this.#distances = gpu.texture({
       label: "shadow/distances",
-      format: floats(gpu, 1),
+      format,
       source,
       shape: "cube",
       // A mean of what casts a shadow and what lies behind it is the distance of nothing.

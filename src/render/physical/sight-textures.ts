@@ -39,7 +39,7 @@ export function uploadSights(
   const size = { width: tiles.width * rays, height: tiles.height * rays };
   const uHits = gpu.texture({
     label: "indirect/hits",
-    format: floats(gpu, 4),
+    format: "RGBA16F",
     source: { ...size, data: sights.hits },
     filter: "nearest",
   });
