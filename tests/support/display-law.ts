@@ -5,7 +5,7 @@ import { EXPOSURE_LAW } from "../../src/world/pupil.ts";
 /** What shaders/physical/display.frag makes of light, without glare: the numbers of its includes. */
 const METER = { columns: 32, rows: 18, taps: 4, darkest: 1e-4, surface: 3, flame: 6 };
 const GRADE = { faint: 0.95, strong: 1.4, beyond: 0.8 };
-const TONE = { contrast: 1.5, grey: 0.18, bleachStops: 14, bleach: 0.93, golden: [0.1, 0.45] };
+const TONE = { contrast: 1.5, grey: 0.18, bleach: 0.053, mostBleach: 0.92, golden: [0.1, 0.45] };
 
 const GAINS = adaptation(TAPER.color);
 const WHITE = adaptedWhite();
@@ -73,8 +73,10 @@ function toned(color: Rgb): Rgb {
   const level = TONE.grey * (peak / TONE.grey) ** TONE.contrast;
   const tone = level / (1 + level);
   const [low = 0, high = 1] = TONE.golden;
+  const stops = Math.max(Math.log2(peak), 0);
   const bleach =
-    TONE.bleach * smoothstep(0, TONE.bleachStops, Math.log2(peak)) * smoothstep(low, high, hue[1]);
+    Math.min((TONE.bleach * stops * stops) / (stops + 1), TONE.mostBleach) *
+    smoothstep(low, high, Math.max(hue[1], hue[2]));
   return map(hue, (x, i) => x ** (1 - (i === 2 ? bleach * bleach : bleach)) * tone);
 }
 
