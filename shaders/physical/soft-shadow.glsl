@@ -14,9 +14,9 @@ const float BIAS = 0.0015;
 const float BIAS_SLOPE = 0.001;
 const float BIAS_TEXELS = 2.5;
 // A plane seen edge on is taken to reach no further than this many times the distance of the point.
-const float STEEPEST = 1.3;
+const float STEEPEST = 1.02;
 // Half of the width over which a shadow's edge is blurred at least, in texels.
-const float SOFTEST = 0.75;
+const float SOFTEST = 0.4;
 
 // Evenly spread over a square from -1 to 1, whatever the count.
 // Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences" (R2).

@@ -103,7 +103,7 @@ test("“How it works” has figures that are computed, and switches that act", 
       return candle.flame?.height ?? 0;
     });
   const before = await height();
-  await figure("body").getByLabel("wick").fill("4");
+  await figure("body").getByRole("slider", { name: "wick" }).fill("4");
   await expect(figure("body").getByText("4 mm")).toBeVisible();
   expect(await height()).toBeGreaterThan(before * 1.2);
 

@@ -221,6 +221,6 @@ test("Nothing is in its own shadow, however grazing the light", async () => {
     `grazing: least ${Math.min(...shares).toFixed(3)}, share in shadow ${dark.toFixed(5)}`,
   );
   expect(Math.min(...unshadowed)).toBeGreaterThan(0);
-  // Where wall and floor meet, a pixel has both.
-  expect(dark).toBeLessThan(0.001);
+  // Where a wall meets the floor far away, a texel of the cube has both: two centimetres at five metres.
+  expect(dark).toBeLessThan(0.0025);
 });
