@@ -35,6 +35,7 @@ const SCENARIOS: readonly Scenario[] = [
     deed: (frame) =>
       frame % (4 * RATE) === 2 * RATE ? "blow" : frame % (4 * RATE) === 0 ? "light" : null,
   },
+  { name: "the widest wick", attributes: { ...STILL, wick: "50" }, deed: () => null },
   {
     name: "the widest wick, in gusts",
     attributes: { wick: "50", wind: "0.5", gustiness: "1" },

@@ -43,7 +43,7 @@ const FADING = 10;
 /** Light left, as a share of a taper's, that nobody sees. */
 const UNSEEN = 2e-3;
 /** A puff narrows and widens the tip by this often its share of the volume, and what is below less. */
-const NECKING = 2;
+const NECKING = 1.5;
 const NARROWEST = 0.4;
 /** Below this no more wax evaporates, kelvin. */
 const DRY = 550;
@@ -202,6 +202,7 @@ export class Flame {
       foot,
       motion,
       Math.max(this.rate, 0.1 * full),
+      this.wick,
       this.#parcelSpacing(),
       isStill ? null : air,
       seconds,

@@ -4,8 +4,11 @@ import { BUOYANCY, flameSpeed, plumeSpeed, topSpeed } from "./burning.js";
 
 /** Parcels of gas along the flame. */
 export const PARCELS = 24;
-/** The gas takes up the air's sideways speed at this rate, 1/s: viscosity works through 2 mm in 12 ms. */
-const ENTRAINMENT = 1 / 0.012;
+/**
+ * Speed at which air is drawn in through the sides, m/s: a taper's gas takes up the air's sideways speed
+ * in 12 ms, that of a flame twice as wide in twice the time.
+ */
+const ENTRAINMENT = 0.002 / 0.012;
 /** Up to this height above its foot gas clings to the wick, m, and at the foot feels this share of a wind. */
 const CLINGING = 0.004;
 const LEAST_FELT = 0.5;
@@ -28,6 +31,8 @@ export class Spine {
   #youngest = 0;
   readonly #place: Vec3 = [0, 0, 0];
   readonly #flow: Vec3 = [0, 0, 0];
+  /** Rate at which the gas takes up the air's speed, 1/s. */
+  #mixing = 0;
   /** Fastest that gas rises now, m/s, in the flame and 1 m over it; for how long a parcel is carried, seconds. */
   #flameSpeed = 0;
   #plumeSpeed = 0;
@@ -52,6 +57,7 @@ export class Spine {
    * @param foot of the flame, metres, at the end of the tick
    * @param motion of the foot, m/s
    * @param rate of fuel, kg/s
+   * @param width of the wick, metres
    * @param spacing seconds between two parcels
    * @param air what carries the gas; null holds it still
    */
@@ -59,10 +65,12 @@ export class Spine {
     foot: Readonly<Vec3>,
     motion: Readonly<Vec3>,
     rate: number,
+    width: number,
     spacing: number,
     air: Air | null,
     seconds: number,
   ): void {
+    this.#mixing = ENTRAINMENT / width;
     this.#flameSpeed = flameSpeed(rate);
     this.#plumeSpeed = plumeSpeed(rate);
     this.#seconds = seconds;
@@ -106,8 +114,8 @@ export class Spine {
     }
     flow[1] -= motion[1];
     this.#rise(at + 1, flow);
-    const left = Math.exp(-ENTRAINMENT * seconds);
-    const lagging = (1 - left) / ENTRAINMENT;
+    const left = Math.exp(-this.#mixing * seconds);
+    const lagging = (1 - left) / this.#mixing;
     const behindX = (this.#drift[i * 2] ?? 0) - flow[0];
     const behindZ = (this.#drift[i * 2 + 1] ?? 0) - flow[2];
     positions[at] = x + (flow[0] - motion[0]) * seconds + behindX * lagging;
