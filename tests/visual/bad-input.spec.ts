@@ -6,6 +6,9 @@ import { serveSmallTextures } from "../support/small-textures.ts";
 import { attributeStorms } from "../support/storms.ts";
 import { expect, test } from "../support/test.ts";
 
+// Dear, and each for itself: whichever worker is free takes the next.
+test.describe.configure({ mode: "parallel" });
+
 const TINY = { width: 32, height: 18 } as const;
 const PIXEL = "data:image/gif;base64,R0lGODlhAQABAIAAAP///wAAACwAAAAAAQABAAACAkQBADs=" as const;
 
@@ -314,9 +317,10 @@ test.describe("Where targets cannot hold floats", () => {
     await recordContexts(page);
     await withhold(page, ["EXT_color_buffer_float"]);
     await serveSmallTextures(page);
-    const room = await new RoomDriver(page).open({ look: "physical" }, TINY);
+    // The flame is a pixel wide.
+    const room = await new RoomDriver(page).open({ look: "physical" }, { width: 96, height: 54 });
     const brightest = await room.evaluate((element) =>
-      Math.max(...element.readRadiance(0, 0, 32, 18)),
+      Math.max(...element.readRadiance(0, 0, 96, 54)),
     );
     expect(brightest, "the flame, cd/m²").toBeGreaterThan(10);
     expect(await graphicsErrors(page)).toEqual([]);

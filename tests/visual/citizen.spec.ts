@@ -6,6 +6,9 @@ import { complaintsOf, LIBRARY, RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
 import { expect, test } from "../support/test.ts";
 
+// Dear, and each for itself: whichever worker is free takes the next.
+test.describe.configure({ mode: "parallel" });
+
 const PIXEL = "data:image/gif;base64,R0lGODlhAQABAIAAAP///wAAACH5BAEAAAAALAAAAAABAAEAAAICRAEAOw==";
 
 /** Puts more of a page where the room's own would be. */

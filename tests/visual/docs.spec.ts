@@ -3,6 +3,9 @@ import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
 import { SETTINGS } from "../../src/settings.ts";
 import { expect, type HostedPage, PAGE, test } from "../support/hosted-page.ts";
 
+// Dear, and each for itself: whichever worker is free takes the next.
+test.describe.configure({ mode: "parallel" });
+
 test.use({
   viewport: { width: 390, height: 500 },
   permissions: ["clipboard-read", "clipboard-write"],

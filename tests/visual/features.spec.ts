@@ -40,8 +40,11 @@ test.describe("In the cabin", () => {
     for (const feature of FEATURES_OF.physical) {
       // At rest and at this size there is none of it to be seen: plume.spec.ts.
       if (feature === "smoke" || feature === "sparks" || feature === "dust") continue;
-      await expectSwitch(room, feature, whole);
+      await room.switchFeatures({ [feature]: false });
+      expect(await room.pixels(), `without ${feature}`).not.toBe(whole);
+      await room.switchFeatures({ [feature]: true });
     }
+    expect(await room.pixels(), "with all of them again").toBe(whole);
     expect(room.complaints).toEqual([]);
   });
 

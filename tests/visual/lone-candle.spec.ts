@@ -4,6 +4,9 @@ import { lostContexts, recordContexts } from "../support/contexts.ts";
 import { complaintsOf, LIBRARY } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
 
+// Dear, and each for itself: whichever worker is free takes the next.
+test.describe.configure({ mode: "parallel" });
+
 /** A page of the built package; what it fetched is noted. */
 async function open(
   page: Page,

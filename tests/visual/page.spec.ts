@@ -4,6 +4,9 @@ import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
 import { FEATURES, FEATURES_OF, INSPECTIONS, SETTINGS } from "../../src/settings.ts";
 import { expect, PAGE, test } from "../support/hosted-page.ts";
 
+// Dear, and each for itself: whichever worker is free takes the next.
+test.describe.configure({ mode: "parallel" });
+
 test("the page opens on a burning room, from any folder of a site", async ({ fresh }) => {
   const { page } = fresh;
   const folder = `${PAGE}some/folder/`;
