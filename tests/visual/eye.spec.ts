@@ -2,6 +2,7 @@ import type { Page } from "playwright/test";
 import type { Rgb } from "../../src/light/color.ts";
 import { emberRadiance, TAPER } from "../../src/light/flame-light.ts";
 import { EXPOSURE_LAW, exposureOf } from "../../src/world/pupil.ts";
+import { shown } from "../support/display-law.ts";
 import { openSources } from "../support/sources.ts";
 import { expect, test } from "../support/test.ts";
 
@@ -63,7 +64,34 @@ function hueOf(shown: Rgb): { hue: number; chroma: number } {
   return { hue: (Math.atan2(yellow, red) * 180) / Math.PI, chroma: Math.hypot(red, yellow) };
 }
 
+const encoded = (x: number) =>
+  255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * Math.max(x, 0) ** (1 / 2.4) - 0.055);
+
 const scaled = ([r, g, b]: Rgb, by: number): Rgb => [r * by, g * by, b * by];
+
+/** Steps of 255 by which what is left of dither in the mean of 16 pixels may move a colour. */
+const DITHER = 1;
+
+test("What pictures are compared by is what the display does", async () => {
+  const hues: Rgb[] = [
+    TAPER.color,
+    emberRadiance(1100),
+    [0.2, 0.2, 0.9],
+    [0.9, 0.5, 0.1],
+    [1, 1, 1],
+  ];
+  for (const hue of hues) {
+    const ramp = Array.from({ length: 30 }, (_, i) => scaled(hue, 2 ** (i * 0.8 - 10)));
+    const { own } = await show(ramp, BRIGHT);
+    for (const [i, color] of own.entries()) {
+      const expected = shown(scaled(ramp[i] ?? hue, 2 ** BRIGHT)).map(encoded);
+      for (const channel of [0, 1, 2] as const) {
+        const away = Math.abs(color[channel] - (expected[channel] ?? 0));
+        expect(away, `${ramp[i]}, channel ${channel}`).toBeLessThan(DITHER);
+      }
+    }
+  }
+});
 
 test("Embers are shown red at any exposure, and never pink", async () => {
   const temperatures = [900, 950, 1000, 1050, 1100, 1150, 1200];
