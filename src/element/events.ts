@@ -26,6 +26,9 @@ export interface CandleFlameEventMap {
   contextrestored: CustomEvent<null>;
 }
 
+/** Those and every element's own. */
+type EventMap = Omit<HTMLElementEventMap, keyof CandleFlameEventMap> & CandleFlameEventMap;
+
 /** Which of the types an error is of, by its name: most of what fails is a file. */
 export function typeOf({ name }: Error): ErrorType {
   const types: Readonly<Record<string, ErrorType>> = {
@@ -38,9 +41,9 @@ export function typeOf({ name }: Error): ErrorType {
 
 /** The element's events, whose listeners TypeScript knows by their names. */
 export class TypedEvents extends ReflectedAttributes {
-  override addEventListener<Type extends keyof CandleFlameEventMap>(
+  override addEventListener<Type extends keyof EventMap>(
     type: Type,
-    listener: (this: this, event: CandleFlameEventMap[Type]) => void,
+    listener: (this: this, event: EventMap[Type]) => void,
     options?: boolean | AddEventListenerOptions,
   ): void;
   override addEventListener(
@@ -56,9 +59,9 @@ export class TypedEvents extends ReflectedAttributes {
     super.addEventListener(type, listener as EventListener, options);
   }
 
-  override removeEventListener<Type extends keyof CandleFlameEventMap>(
+  override removeEventListener<Type extends keyof EventMap>(
     type: Type,
-    listener: (this: this, event: CandleFlameEventMap[Type]) => void,
+    listener: (this: this, event: EventMap[Type]) => void,
     options?: boolean | EventListenerOptions,
   ): void;
   override removeEventListener(

@@ -106,11 +106,7 @@ const OPENING: Pick<View, "camera" | "candle"> = {
 const asked = readShareLink(location.hash);
 const asksForNoPlace = !asked.camera && !asked.candle && !asked.settings.look;
 follow(asksForNoPlace ? { ...asked, ...OPENING } : asked);
-if (asksForNoPlace) {
-  for (const way of [enterButton, room]) {
-    way.addEventListener("click", () => room.take(), { once: true });
-  }
-}
+if (asksForNoPlace) room.addEventListener("enter", () => room.take(), { once: true });
 window.addEventListener("hashchange", () => follow(readShareLink(location.hash)));
 
 /** How long a notice stays, milliseconds. */

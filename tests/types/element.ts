@@ -36,6 +36,7 @@ export function events(element: CandleFlameElement): void {
     void flame;
   });
   element.addEventListener("click", (event) => event.preventDefault());
+  element.addEventListener("keydown", ({ key }) => key.length);
   // @ts-expect-error: a sheet of paper, not of music
   element.addEventListener("load", ({ detail }) => detail.volume);
 }

@@ -30,7 +30,7 @@ test("the page opens on a burning room, from any folder of a site", async ({ fre
     const { hash } = new URL(page.url());
     expect(hash).toMatch(/#camera=[-\d._]+&candle=[-\d._]+/);
     await fresh.enter.click();
-    expect(await fresh.evaluate((room) => room.held)).toBe(true);
+    await expect.poll(() => fresh.evaluate((room) => room.held)).toBe(true);
     await fresh.evaluate((room) => room.blur());
     await page.evaluate((hash) => {
       location.hash = "";
