@@ -43,7 +43,7 @@ test("A flame put out smokes for seconds, and no longer than twenty", async ({ p
 test("Hot air bends what is behind it, and nothing else", async ({ page }) => {
   const room = await new RoomDriver(page).open(
     { look: "physical", quality: "medium" },
-    { width: 320, height: 180 },
+    { width: 240, height: 135 },
   );
   await room.step(0.5);
   const differences = await room.evaluate((element) => {
