@@ -7,6 +7,7 @@
 #include "lib/octahedral.glsl"
 #include "lib/relief.glsl"
 #include "deferred/stored.glsl"
+#include "deferred/caught.glsl"
 
 uniform sampler2D uAlbedo;
 uniform sampler2D uNormal;
@@ -26,11 +27,6 @@ centroid in vec4 vColor;
 layout(location = 0) out vec4 oAlbedo;
 layout(location = 1) out vec4 oSurface;
 
-// Share of a surface's light that comes straight from the flame, and so shows its relief.
-const float STRAIGHT = 0.65;
-// Grazing light would turn relief to noise.
-const float LEAST_FACING = 0.25;
-
 void main() {
   vec4 baseColor = texture(uAlbedo, vUv) * uBaseColor;
 #if MASKED
@@ -42,13 +38,10 @@ void main() {
   if (frame.normalMaps > 0.5) {
     vec3 relief = reliefNormal(uNormal, vUv, normal, vTangentWorld);
     vec3 L = normalize(uVantage - vPositionWorld);
-    float plain = max(dot(normal, L), LEAST_FACING);
-    float turned = max(dot(normal, L) + dot(relief - normal, L) * uSurface.z, 0.0);
-    caught = min(turned / plain + max(LEAST_FACING - dot(normal, L), 0.0), 1.6);
+    caught = caughtBy(dot(normal, L), dot(relief, L), uSurface.z);
   }
   float occlusion = mix(1.0, packed.r, uOcclusion) * vColor.r;
-  float share = mix(occlusion, caught, STRAIGHT);
-  oAlbedo = vec4(sqrt(min(baseColor.rgb * share / BRIGHTEST, 1.0)), 0.0);
+  oAlbedo = vec4(paintOf(baseColor.rgb, occlusion, caught), 0.0);
   float kind = uWax > 0.5 ? WAX : packed.b * uSurface.y * METAL;
   oSurface = vec4(onOctahedron(normal), clamp(packed.g * uSurface.x, 0.03, 1.0), kind);
 }

@@ -38,10 +38,13 @@ export interface TextureOptions {
   readonly anisotropy?: number;
 }
 
+/** The nearest texel of one level, a mixture of one level's, or so many anisotropic taps across two. */
+export type MipmapReading = "texel" | "level" | number;
+
 /** A texture of immutable storage: a new size means a new texture. */
 export class Texture implements GpuObject {
   readonly #format: TextureFormat;
-  #anisotropy = 1;
+  #reading: MipmapReading = 1;
   readonly label: string;
   readonly bytes: number;
   readonly width: number;
@@ -88,18 +91,18 @@ export class Texture implements GpuObject {
     this.#upload(options, layers);
     if (mipmaps) gl.generateMipmap(this.target);
     this.#sample(options);
-    this.#anisotropy = options.anisotropy ?? 1;
+    this.#reading = options.anisotropy ?? 1;
     gl.bindTexture(this.target, null);
   }
 
-  /** Another number of anisotropic taps, for a texture with mipmaps. */
-  set anisotropy(anisotropy: number) {
-    if (anisotropy === this.#anisotropy) return;
-    this.#anisotropy = anisotropy;
+  /** How a texture with mipmaps is read from now on. */
+  set reading(reading: MipmapReading) {
+    if (reading === this.#reading) return;
+    this.#reading = reading;
     const gl = this.#gl;
     gl.activeTexture(gl.TEXTURE0);
     gl.bindTexture(this.target, this.handle);
-    this.#blendLevels(anisotropy);
+    this.#readMipmaps(reading);
     gl.bindTexture(this.target, null);
   }
 
@@ -143,18 +146,21 @@ export class Texture implements GpuObject {
     gl.texParameteri(target, gl.TEXTURE_WRAP_S, edge);
     gl.texParameteri(target, gl.TEXTURE_WRAP_T, edge);
     gl.texParameteri(target, gl.TEXTURE_WRAP_R, edge);
-    if (mipmaps) this.#blendLevels(anisotropy);
+    if (mipmaps) this.#readMipmaps(anisotropy);
   }
 
-  #blendLevels(anisotropy: number): void {
+  #readMipmaps(reading: MipmapReading): void {
     const gl = this.#gl;
     const { target } = this;
-    const filter = anisotropy < 1 ? gl.LINEAR_MIPMAP_NEAREST : gl.LINEAR_MIPMAP_LINEAR;
+    const filters = { texel: gl.NEAREST_MIPMAP_NEAREST, level: gl.LINEAR_MIPMAP_NEAREST };
+    const isPlain = typeof reading === "string";
+    const filter = isPlain ? filters[reading] : gl.LINEAR_MIPMAP_LINEAR;
     gl.texParameteri(target, gl.TEXTURE_MIN_FILTER, filter);
+    gl.texParameteri(target, gl.TEXTURE_MAG_FILTER, reading === "texel" ? gl.NEAREST : gl.LINEAR);
     const extension = gl.getExtension("EXT_texture_filter_anisotropic");
     if (!extension) return;
     const most = gl.getParameter(extension.MAX_TEXTURE_MAX_ANISOTROPY_EXT) as number;
-    const taps = Math.min(Math.max(anisotropy, 1), most);
+    const taps = isPlain ? 1 : Math.min(reading, most);
     gl.texParameterf(target, extension.TEXTURE_MAX_ANISOTROPY_EXT, taps);
   }
 

@@ -24,23 +24,39 @@ export function clipFromWorld(
   return mat4.multiply(mat4.create(), clipFromView, viewFromWorld);
 }
 
-/** Whether a box may show: it is not wholly beyond an edge of the picture, nor behind the eye. */
-export function isInSight(clip: mat4, { min, max }: Bounds): boolean {
-  const isBeyond = (row: 0 | 1 | 2, sign: 1 | -1) => {
-    let most = (clip[15] ?? 0) + sign * (clip[12 + row] ?? 0);
-    for (let axis = 0; axis < 3; axis++) {
-      const slope = (clip[4 * axis + 3] ?? 0) + sign * (clip[4 * axis + row] ?? 0);
-      most += slope * ((slope > 0 ? max[axis] : min[axis]) ?? 0);
-    }
-    return most < 0;
-  };
-  return !(
-    isBeyond(0, 1) ||
-    isBeyond(0, -1) ||
-    isBeyond(1, 1) ||
-    isBeyond(1, -1) ||
-    isBeyond(2, 1)
-  );
+/** A plane: where the sum of its first three times a place and of the fourth is negative, one is beyond it. */
+type Plane = readonly [number, number, number, number];
+
+/** The edges of the picture, and the plane before the eye. */
+function edgesOf(clip: mat4): readonly Plane[] {
+  const plane = (row: 0 | 1 | 2, sign: 1 | -1) =>
+    [0, 1, 2, 3].map(
+      (column) => (clip[4 * column + 3] ?? 0) + sign * (clip[4 * column + row] ?? 0),
+    ) as unknown as Plane;
+  return [plane(0, 1), plane(0, -1), plane(1, 1), plane(1, -1), plane(2, 1)];
+}
+
+function isBeyond([x, y, z, w]: Plane, { min, max }: Bounds, margin = 0): boolean {
+  const farthest = (slope: number, axis: 0 | 1 | 2) =>
+    slope * (slope > 0 ? max[axis] + margin : min[axis] - margin);
+  return farthest(x, 0) + farthest(y, 1) + farthest(z, 2) + w < 0;
+}
+
+/** Tells of boxes whether they may show: they are not wholly beyond an edge of the picture, nor behind the eye. */
+export function sightOf(clip: mat4): (box: Bounds) => boolean {
+  const edges = edgesOf(clip);
+  return (box) => !edges.some((edge) => isBeyond(edge, box));
+}
+
+/**
+ * Tells of boxes whether they may stand between a light and what shows: they are not beyond an edge of the
+ * picture that the light is on this side of.
+ *
+ * @param margin width of the light, metres
+ */
+export function isBeforeSight(clip: mat4, light: Vec3, margin: number): (box: Bounds) => boolean {
+  const edges = edgesOf(clip).filter((edge) => !isBeyond(edge, { min: light, max: light }));
+  return (box) => !edges.some((edge) => isBeyond(edge, box, margin));
 }
 
 /** Pixels that a thing 1 m wide covers at a distance of 1 m, by the picture's shorter side. */

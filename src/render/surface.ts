@@ -1,7 +1,7 @@
 import type { Material, Model, Part, Picture } from "../assets/model.js";
 import type { Gpu } from "../gl/gpu.js";
 import type { Texture, TextureFormat } from "../gl/texture.js";
-import type { VertexArray } from "../gl/vertex-array.js";
+import type { VertexArray, VertexArrayOptions } from "../gl/vertex-array.js";
 import type { Cluster, Grouped } from "./clusters.js";
 
 /** Taps of anisotropic filtering: floors and walls are mostly seen at grazing angles. */
@@ -10,7 +10,11 @@ const ANISOTROPY = 8;
 /** A part of a model on the GPU. */
 export interface Surface {
   readonly name: string;
+  /** What it was made from. */
+  readonly part: Part;
   readonly vertexArray: VertexArray;
+  /** Its vertices, for other triangles of them. */
+  readonly attributes: VertexArrayOptions["attributes"];
   /** Its triangles by place; none where nobody grouped them. */
   readonly clusters: readonly Cluster[];
   /** Of all its triangles, m²; 0 where nobody grouped them. */
@@ -46,7 +50,7 @@ export function uploadModel(
   const surfaces = gpu.share(model, () => upload(gpu, model, group));
   for (const { textures } of surfaces) {
     for (const texture of Object.values(textures)) {
-      if (texture.hasMipmaps) texture.anisotropy = anisotropy ? ANISOTROPY : 1;
+      if (texture.hasMipmaps) texture.reading = anisotropy ? ANISOTROPY : 1;
     }
   }
   return surfaces;
@@ -90,9 +94,12 @@ function upload(gpu: Gpu, model: Model, group?: (part: Part) => Grouped): readon
     const label = (map: string) => `${material.name}/${map}`;
     const packed = material.occlusionRoughnessMetallic;
     const { indices, clusters, area } = group?.(part) ?? { ...part, clusters: [], area: 0 };
+    const attributes = uploadVertices(gpu, part);
     return {
       name: part.name,
-      vertexArray: uploadTriangles(gpu, { ...part, indices }),
+      part,
+      vertexArray: uploadTriangles(gpu, part.name, attributes, indices),
+      attributes,
       clusters,
       area,
       baseColor: material.baseColor,
@@ -130,17 +137,26 @@ function parametersOf({ roughness, metallic, normalScale, alphaMode, alphaCutoff
   return [roughness, metallic, normalScale, nothingBelow] as const;
 }
 
-function uploadTriangles(gpu: Gpu, part: Part): VertexArray {
-  const { name, positions, normals, tangents, uvs, indices } = part;
+function uploadVertices(gpu: Gpu, part: Part): VertexArrayOptions["attributes"] {
+  const { name, positions, normals, tangents, uvs } = part;
   const colors = part.colors ?? new Float32Array((positions.length / 3) * 4).fill(1);
+  return {
+    0: { buffer: gpu.buffer(`${name}/positions`, positions), size: 3 },
+    1: { buffer: gpu.buffer(`${name}/normals`, normals), size: 3 },
+    2: { buffer: gpu.buffer(`${name}/tangents`, tangents), size: 4 },
+    3: { buffer: gpu.buffer(`${name}/uvs`, uvs), size: 2 },
+    4: { buffer: gpu.buffer(`${name}/colors`, colors), size: 4 },
+  };
+}
+
+function uploadTriangles(
+  gpu: Gpu,
+  name: string,
+  attributes: VertexArrayOptions["attributes"],
+  indices: Part["indices"],
+): VertexArray {
   return gpu.vertexArray(name, {
-    attributes: {
-      0: { buffer: gpu.buffer(`${name}/positions`, positions), size: 3 },
-      1: { buffer: gpu.buffer(`${name}/normals`, normals), size: 3 },
-      2: { buffer: gpu.buffer(`${name}/tangents`, tangents), size: 4 },
-      3: { buffer: gpu.buffer(`${name}/uvs`, uvs), size: 2 },
-      4: { buffer: gpu.buffer(`${name}/colors`, colors), size: 4 },
-    },
+    attributes,
     indices: {
       buffer: gpu.buffer(`${name}/indices`, indices, "index"),
       type: indices instanceof Uint16Array ? "uint16" : "uint32",

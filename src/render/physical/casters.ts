@@ -3,7 +3,7 @@ import type { Buffer } from "../../gl/buffer.js";
 import type { Draw, Gpu } from "../../gl/gpu.js";
 import type { Texture } from "../../gl/texture.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import type { Vec3 } from "../../world/bounds.js";
+import type { Bounds, Vec3 } from "../../world/bounds.js";
 import { type Clusters, clusterTriangles, runsOf, VERTEX_SIZE } from "../clusters.js";
 import type { Surface } from "../surface.js";
 import { isInFace } from "./cube.js";
@@ -50,9 +50,18 @@ export class Casters {
     });
   }
 
-  /** Draws all that may show in one face of a cube around `eye` (metres). */
-  draw(face: number, eye: Vec3, how: Omit<Draw, "vertexArray">): void {
-    for (const { first, count } of this.#runs(face, eye, false)) {
+  /**
+   * Draws all that may show in one face of a cube around `eye` (metres).
+   *
+   * @param matters what else is to be true of a box for what is in it to be drawn
+   */
+  draw(
+    face: number,
+    eye: Vec3,
+    how: Omit<Draw, "vertexArray">,
+    matters?: (box: Bounds) => boolean,
+  ): void {
+    for (const { first, count } of this.#runs(face, eye, false, matters)) {
       this.#gpu.draw({ ...how, vertexArray: this.#vertexArray, first, count });
     }
   }
@@ -68,7 +77,8 @@ export class Casters {
     }
   }
 
-  #runs(face: number, eye: Vec3, isByPart: boolean) {
-    return runsOf(this.#clusters.clusters, (box) => isInFace(face, eye, box), isByPart);
+  #runs(face: number, eye: Vec3, isByPart: boolean, matters = (_: Bounds) => true) {
+    const isSeen = (box: Bounds) => isInFace(face, eye, box) && matters(box);
+    return runsOf(this.#clusters.clusters, isSeen, isByPart);
   }
 }

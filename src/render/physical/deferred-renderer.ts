@@ -6,6 +6,7 @@ import radianceFrag from "../../../shaders/deferred/radiance.frag";
 import copyFrag from "../../../shaders/physical/copy.frag";
 import fullscreenVert from "../../../shaders/physical/fullscreen.vert";
 import surfaceVert from "../../../shaders/physical/surface.vert";
+import type { Model } from "../../assets/model.js";
 import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
@@ -17,7 +18,7 @@ import { emberRadiance, TAPER } from "../../light/flame-light.js";
 import { createShape, shapeFlame } from "../../light/flame-shape.js";
 import type { Solid } from "../../world/solid.js";
 import type { World } from "../../world/world.js";
-import { clipFromWorld, projectionScale } from "../camera.js";
+import { clipFromWorld, isBeforeSight, projectionScale } from "../camera.js";
 import { groupTriangles } from "../clusters.js";
 import { floats } from "../floats.js";
 import type { Models, Renderer } from "../renderer.js";
@@ -26,6 +27,7 @@ import type { Tier } from "../tier.js";
 import type { View } from "../view.js";
 import { BloomPass } from "./bloom-pass.js";
 import { Casters } from "./casters.js";
+import { CoarseSurfaces } from "./coarse-surfaces.js";
 import { DisplayPass, displayLaw, exposureIn, scatteredIn } from "./display-pass.js";
 import { ExposurePass } from "./exposure-pass.js";
 import { FlamePass, HANDLE_TURN } from "./flame-pass.js";
@@ -53,8 +55,10 @@ const BLOOM_LEVELS = 3;
 const GLARE = 4;
 /** Pixels around the flame that its light is mixed with. */
 const MARGIN = 3;
-/** While the eye moves, what bounces is a little late: ticks. */
-const ECHO_EVERY = 16;
+/** What throws a shadow into sight from a little out of it, metres. */
+const PENUMBRA = 0.05;
+/** While the eye moves, surfaces may be a little off, metres: the candle is often in the hand. */
+const SLACK = { room: 0.005, candle: 0.0006 } as const;
 
 /**
  * The same light as that of `PhysicalRenderer`, where each pixel is dear: without a GPU.
@@ -82,10 +86,16 @@ export class DeferredRenderer implements Renderer {
   readonly #flame: FlamePass;
   readonly #haze: HazePass;
   readonly #smoke: SmokePass;
+  readonly #coarse: CoarseSurfaces;
   readonly #casters: Casters;
+  /** Coarser ones, for who moves; null until they are ready. */
+  #slackCasters: Casters | null = null;
   readonly #shadow: ShadowPass;
   readonly #indirect: IndirectPass;
   readonly #bloom: BloomPass;
+  readonly #model: Model;
+  /** In the order of the model's parts, and in that in which they are drawn. */
+  readonly #parts: readonly Surface[];
   readonly #room: readonly Surface[];
   readonly #candle: readonly Surface[];
   readonly #screen: VertexArray;
@@ -99,8 +109,6 @@ export class DeferredRenderer implements Renderer {
   readonly #fires = new Map<Texture, TextureView>();
   #size = { width: 1, height: 1 };
   #clip = mat4.create();
-  /** The light that bounces were last worked out for, and when. */
-  #echo: { readonly turn: number; readonly light: LightAtVantage } | null = null;
   /** Draws all of the radiance just shown. */
   #complete: () => void = () => {};
 
@@ -111,7 +119,8 @@ export class DeferredRenderer implements Renderer {
     this.#lightPass = new LightPass(gpu, this.#screen, SHADOW);
     this.#frame = this.#lightPass.frame;
     this.#light = this.#lightPass.light;
-    this.#geometry = new GeometryPass(gpu, this.#screen);
+    this.#coarse = new CoarseSurfaces(gpu);
+    this.#geometry = new GeometryPass(gpu, this.#screen, this.#coarse);
     this.#show = new ShowPass(gpu, this.#screen);
     const program = (name: string, fragment: typeof glareFrag, vertex = fullscreenVert) =>
       gpu.program(`deferred/${name}`, vertex, fragment);
@@ -128,6 +137,8 @@ export class DeferredRenderer implements Renderer {
     this.#haze = new HazePass(gpu, this.#lightPass.format);
     this.#smoke = new SmokePass(gpu);
     const surfaces = uploadModel(gpu, room, tier, groupTriangles);
+    this.#model = room;
+    this.#parts = surfaces;
     this.#room = behindLast(surfaces);
     this.#candle = uploadModel(gpu, candle, tier, groupTriangles);
     this.#casters = new Casters(gpu, room, surfaces, CASTER_DETAIL);
@@ -184,12 +195,11 @@ export class DeferredRenderer implements Renderer {
     const { features } = view;
     this.#updateBlocks(world, view);
     const light = lightAtVantage(world, features.candle);
-    const shadow = this.#shadow.render(this.#casters, light.position);
-    const volume = this.#indirect.render(this.#casters, this.#echoed(light, world, view));
+    const { shadow, volume } = view.isMoving ? this.#castSlackly(light) : this.#cast(light);
     const [x, y, z] = world.shown.foot;
     const place = [x, y, z, world.candle.yaw + HANDLE_TURN] as const;
-    const placed: Placed[] = [{ surfaces: this.#room, place: AT_ORIGIN }];
-    if (features.candle) placed.unshift({ surfaces: this.#candle, place });
+    const placed: Placed[] = [{ surfaces: this.#room, place: AT_ORIGIN, slack: SLACK.room }];
+    if (features.candle) placed.unshift({ surfaces: this.#candle, place, slack: SLACK.candle });
     const paint = this.#geometry.render(placed, this.#frame, {
       clip: this.#clip,
       vantage: light.position,
@@ -236,11 +246,23 @@ export class DeferredRenderer implements Renderer {
     this.#display.render(textures, [1, 1], view, this.#frame, inset(box, this.#whole));
   }
 
-  /** The light whose bounces are shown: while the eye moves not that of each picture. */
-  #echoed(light: LightAtVantage, { timeline }: World, { isMoving }: View): LightAtVantage {
-    const turn = Math.floor(timeline.tick / ECHO_EVERY);
-    if (!isMoving || turn !== this.#echo?.turn) this.#echo = { turn, light };
-    return this.#echo.light;
+  /** What the flame sees, and the light that comes back from it. */
+  #cast(light: LightAtVantage) {
+    const shadow = this.#shadow.render(this.#casters, light.position);
+    return { shadow, volume: this.#indirect.render(this.#casters, light) };
+  }
+
+  /** The same for one picture among many: of fewer triangles, of those in sight, and a little late. */
+  #castSlackly(light: LightAtVantage) {
+    if (!this.#slackCasters) {
+      const parts = this.#coarse.partsOf(this.#parts);
+      const model = parts && { ...this.#model, parts };
+      if (model) this.#slackCasters = new Casters(this.#gpu, model, this.#parts, CASTER_DETAIL);
+    }
+    const casters = this.#slackCasters ?? this.#casters;
+    const matters = isBeforeSight(this.#clip, light.position, PENUMBRA);
+    const shadow = this.#shadow.render(casters, light.position, matters);
+    return { shadow, volume: this.#indirect.follow(casters, light) };
   }
 
   get #whole(): Box {

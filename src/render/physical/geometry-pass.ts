@@ -1,6 +1,8 @@
 import type { mat4 } from "gl-matrix";
 import geometryFrag from "../../../shaders/deferred/geometry.frag";
 import guideFrag from "../../../shaders/deferred/guide.frag";
+import passingFrag from "../../../shaders/deferred/passing.frag";
+import passingVert from "../../../shaders/deferred/passing.vert";
 import fullscreenVert from "../../../shaders/physical/fullscreen.vert";
 import surfaceVert from "../../../shaders/physical/surface.vert";
 import type { Draw, Gpu } from "../../gl/gpu.js";
@@ -10,10 +12,11 @@ import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Features } from "../../settings.js";
-import type { Vec3 } from "../../world/bounds.js";
-import { isInSight } from "../camera.js";
+import type { Bounds, Vec3 } from "../../world/bounds.js";
+import { sightOf } from "../camera.js";
 import { runsOf } from "../clusters.js";
 import type { Surface } from "../surface.js";
+import type { CoarseSurfaces, Drawable } from "./coarse-surfaces.js";
 
 const NOTHING = [0, 0, 0, 0] as const;
 /** Relief follows the flame in steps of this, metres. */
@@ -21,9 +24,6 @@ const RELIEF_STEP = 0.05;
 
 /** Samples along each edge of a pixel: what is on its way over the retina is not seen sharply. */
 const SAMPLES = { moving: 0.5, resting: 2 } as const;
-/** Surfaces of this many clusters are worth a look which of them are in sight. */
-const MANY = 3;
-
 /** The place of a model that stands where it was made. */
 export const AT_ORIGIN = [0, 0, 0, 0] as const;
 
@@ -31,6 +31,8 @@ export const AT_ORIGIN = [0, 0, 0, 0] as const;
 export interface Placed {
   readonly surfaces: readonly Surface[];
   readonly place: readonly [number, number, number, number];
+  /** How far its surfaces may be from where they were while the eye moves, metres. */
+  readonly slack: number;
 }
 
 /** What is seen, without its light. */
@@ -64,15 +66,17 @@ export class GeometryPass {
   readonly #gpu: Gpu;
   readonly #screen: VertexArray;
   readonly #guide: Program;
+  readonly #coarse: CoarseSurfaces;
   #moving: RenderTarget | null = null;
   #resting: RenderTarget | null = null;
   #painted: RenderTarget | null = null;
   /** What was painted. */
   #known = "";
 
-  constructor(gpu: Gpu, screen: VertexArray) {
+  constructor(gpu: Gpu, screen: VertexArray, coarse: CoarseSurfaces) {
     this.#gpu = gpu;
     this.#screen = screen;
+    this.#coarse = coarse;
     this.#guide = gpu.program("deferred/guide", fullscreenVert, guideFrag, {
       defines: { SAMPLES: SAMPLES.resting },
     });
@@ -128,12 +132,15 @@ export class GeometryPass {
     if (known !== this.#known) {
       this.#known = known;
       this.#gpu.clear(target, NOTHING);
+      if (isMoving) this.#coarse.proceed(everySurface(placed));
+      const isSeen = sightOf(clip);
       for (const { surfaces, place } of placed) {
         for (const surface of surfaces) {
-          for (const texture of Object.values(surface.textures)) {
-            if (texture.hasMipmaps) texture.anisotropy = isMoving ? 0 : 1;
+          for (const [name, texture] of Object.entries(surface.textures)) {
+            if (!texture.hasMipmaps) continue;
+            texture.reading = !isMoving ? 1 : name === "uAlbedo" ? "level" : "texel";
           }
-          this.#draw(target, surface, place, vantage, frame, sight);
+          this.#draw(target, surface, place, vantage, frame, sight, isSeen);
         }
       }
       if (!isMoving) this.#drawGuide(albedo, surfaces, depth, lightSize);
@@ -169,18 +176,21 @@ export class GeometryPass {
     place: Placed["place"],
     vantage: readonly number[],
     frame: UniformBlock,
-    { clip, features }: Sight,
+    { features, isMoving }: Sight,
+    isSeen: (box: Bounds) => boolean,
   ): void {
     // What stands where it was made can be left out where nobody looks.
-    const { clusters, vertexArray } = surface;
-    const isKnown = place === AT_ORIGIN && clusters.length >= MANY;
-    const runs = isKnown
-      ? runsOf(clusters, (box) => isInSight(clip, box), false)
-      : [{ first: 0, count: vertexArray.count }];
+    const { clusters, vertexArray }: Drawable = isMoving ? this.#coarse.of(surface) : surface;
+    const runs =
+      place === AT_ORIGIN
+        ? runsOf(clusters, isSeen, false)
+        : [{ first: 0, count: vertexArray.count }];
     // Whoever may be cut out costs all that is drawn later its early test of depth.
     const defines = { MASKED: surface.parameters[3] > 0 ? 1 : 0 };
     const how: Draw = {
-      program: this.#gpu.program("deferred/geometry", surfaceVert, geometryFrag, { defines }),
+      program: isMoving
+        ? this.#gpu.program("deferred/passing", passingVert, passingFrag, { defines })
+        : this.#gpu.program("deferred/geometry", surfaceVert, geometryFrag, { defines }),
       target,
       vertexArray,
       textures: surface.textures,
@@ -197,5 +207,11 @@ export class GeometryPass {
       cull: surface.isDoubleSided ? "none" : "back",
     };
     for (const { first, count } of runs) this.#gpu.draw({ ...how, first, count });
+  }
+}
+
+function* everySurface(placed: readonly Placed[]): Generator<readonly [Surface, number]> {
+  for (const { surfaces, slack } of placed) {
+    for (const surface of surfaces) yield [surface, slack];
   }
 }

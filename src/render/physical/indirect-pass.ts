@@ -82,6 +82,8 @@ export class IndirectPass {
   readonly #sights: SightTextures;
   /** What the volume was made from. */
   #lastLight = "";
+  /** What is being captured, a face at a time. */
+  #begun: { readonly light: LightAtVantage; faces: number } | null = null;
 
   constructor(gpu: Gpu, screen: VertexArray, room: Echoing, detail: IndirectDetail) {
     this.#gpu = gpu;
@@ -146,34 +148,57 @@ export class IndirectPass {
    * @param light members of the block of `physical/light.glsl`, of a flame at its vantage
    */
   render(casters: Casters, light: LightAtVantage): IrradianceVolume {
-    const key = JSON.stringify(light);
-    if (key !== this.#lastLight) {
-      this.#lastLight = key;
-      this.#light.update(light);
-      this.#capture(casters, light.position);
-      this.#bounceOnce();
-      for (let bounce = 1; bounce < this.#detail.bounces; bounce++) this.#bounceAgain();
+    this.#begun = null;
+    if (JSON.stringify(light) !== this.#lastLight) {
+      this.#gpu.clear(this.#surfels, [0, 0, 0, 0]);
+      for (const face of FACES.keys()) this.#capture(casters, light.position, face);
+      this.#bounce(light);
     }
+    return this.#volume;
+  }
+
+  /** The same of a light that moved a little while ago: its cost is spread over as many pictures. */
+  follow(casters: Casters, light: LightAtVantage): IrradianceVolume {
+    if (this.#lastLight === "") return this.render(casters, light);
+    if (!this.#begun) {
+      if (JSON.stringify(light) === this.#lastLight) return this.#volume;
+      this.#begun = { light, faces: 0 };
+      this.#gpu.clear(this.#surfels, [0, 0, 0, 0]);
+    }
+    if (this.#begun.faces < FACES.length) {
+      this.#capture(casters, this.#begun.light.position, this.#begun.faces++);
+    } else {
+      this.#bounce(this.#begun.light);
+      this.#begun = null;
+    }
+    return this.#volume;
+  }
+
+  get #volume(): IrradianceVolume {
     return {
       block: this.#block,
       textures: { uVolume: this.#irradiance.color, ...this.#sights.room },
     };
   }
 
-  #capture(casters: Casters, vantage: Vec3): void {
+  #capture(casters: Casters, vantage: Vec3, face: number): void {
     const size = this.#detail.patches;
-    this.#gpu.clear(this.#surfels, [0, 0, 0, 0]);
-    for (const face of FACES.keys()) {
-      const clipFromWorld = clipFromFace(face, vantage, mat4.create()) as Float32Array;
-      casters.drawColored(face, vantage, {
-        program: this.#surfelProgram,
-        target: this.#surfels,
-        viewport: [face * size, 0, size, size],
-        uniforms: { uClipFromWorld: clipFromWorld, uLight: vantage },
-        depth: "test-and-write",
-        cull: "none",
-      });
-    }
+    const clipFromWorld = clipFromFace(face, vantage, mat4.create()) as Float32Array;
+    casters.drawColored(face, vantage, {
+      program: this.#surfelProgram,
+      target: this.#surfels,
+      viewport: [face * size, 0, size, size],
+      uniforms: { uClipFromWorld: clipFromWorld, uLight: vantage },
+      depth: "test-and-write",
+      cull: "none",
+    });
+  }
+
+  #bounce(light: LightAtVantage): void {
+    this.#lastLight = JSON.stringify(light);
+    this.#light.update(light);
+    this.#bounceOnce();
+    for (let bounce = 1; bounce < this.#detail.bounces; bounce++) this.#bounceAgain();
   }
 
   #bounceOnce(): void {

@@ -5,7 +5,7 @@ import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { TextureView } from "../../gl/texture-view.js";
-import type { Vec3 } from "../../world/bounds.js";
+import type { Bounds, Vec3 } from "../../world/bounds.js";
 import type { Casters } from "./casters.js";
 import { clipFromFace, FACES } from "./cube.js";
 
@@ -19,6 +19,8 @@ export class ShadowPass {
   readonly #distances: Texture;
   readonly #faces: readonly TextureView[];
   #lastVantage: Vec3 = [Number.NaN, 0, 0];
+  /** Whether nothing was left out. */
+  #isWhole = false;
 
   /** @param size texels along an edge of the cube */
   constructor(gpu: Gpu, size: number, format: TextureFormat = "R16F") {
@@ -44,20 +46,29 @@ export class ShadowPass {
     );
   }
 
-  /** Distances from the vantage, metres, in a cube: drawn anew where it is another than before. */
-  render(casters: Casters, vantage: Vec3): Texture {
-    if (vantage.every((x, axis) => x === this.#lastVantage[axis])) return this.#distances;
+  /**
+   * Distances from the vantage, metres, in a cube: drawn anew where it is another than before.
+   *
+   * @param matters whether what is in a box is needed of a picture that the next will not be like
+   */
+  render(casters: Casters, vantage: Vec3, matters?: (box: Bounds) => boolean): Texture {
+    const isSame = vantage.every((x, axis) => x === this.#lastVantage[axis]);
+    if (isSame && this.#isWhole) return this.#distances;
+    // Who stands still is worth the whole.
+    this.#isWhole = isSame || !matters;
+    const shown = this.#isWhole ? undefined : matters;
     this.#lastVantage = [...vantage];
     for (const [face, target] of this.#faces.entries()) {
       const clipFromWorld = clipFromFace(face, vantage, mat4.create()) as Float32Array;
       this.#gpu.clear(target, NOTHING);
-      casters.draw(face, vantage, {
+      const how = {
         program: this.#program,
         target,
         uniforms: { uClipFromWorld: clipFromWorld, uLight: vantage },
         depth: "test-and-write",
         cull: "none",
-      });
+      } as const;
+      casters.draw(face, vantage, how, shown);
     }
     return this.#distances;
   }

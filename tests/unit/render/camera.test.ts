@@ -3,8 +3,9 @@ import { describe, expect, test } from "vitest";
 import {
   clipFromWorld,
   FIELD_OF_VIEW,
-  isInSight,
+  isBeforeSight,
   projectionScale,
+  sightOf,
 } from "../../../src/render/camera.ts";
 import type { Vec3 } from "../../../src/world/bounds.ts";
 import { OPEN } from "../../../src/world/ground.ts";
@@ -66,6 +67,7 @@ describe("the camera", () => {
 
 test("What shows a corner in the picture is in sight; what lies all beyond an edge, or behind, is not", () => {
   const clip = clipFromWorld(EYE, 0.7, -0.2, 16 / 9);
+  const isSeen = sightOf(clip);
   let seen = 0;
   for (let i = 0; i < 4000; i++) {
     const at = (axis: number) => EYE[axis]! + ((i * [17, 29, 43][axis]!) % 101) / 10 - 5;
@@ -75,11 +77,36 @@ test("What shows a corner in the picture is in sight; what lies all beyond an ed
       project(clip, [0, 1, 2].map((axis) => ((corner >> axis) & 1 ? max : min)[axis]!) as Vec3),
     );
     const shows = corners.some(({ x, y, ahead }) => ahead > 0.05 && Math.max(x, -x, y, -y) < 1);
-    if (shows) expect(isInSight(clip, { min, max })).toBe(true);
-    if (corners.every(({ ahead }) => ahead < 0)) expect(isInSight(clip, { min, max })).toBe(false);
-    seen += isInSight(clip, { min, max }) ? 1 : 0;
+    if (shows) expect(isSeen({ min, max })).toBe(true);
+    if (corners.every(({ ahead }) => ahead < 0)) expect(isSeen({ min, max })).toBe(false);
+    seen += isSeen({ min, max }) ? 1 : 0;
   }
   // A picture of 45 by 73 degrees shows a tenth of all around.
   expect(seen / 4000).toBeGreaterThan(0.03);
   expect(seen / 4000).toBeLessThan(0.3);
+});
+
+test("What stands between the flame and what shows is before it, wherever the flame is", () => {
+  const clip = clipFromWorld(EYE, 0.7, -0.2, 16 / 9);
+  const isSeen = sightOf(clip);
+  const box = (at: Vec3) => ({ min: at, max: at });
+  let kept = 0;
+  let count = 0;
+  for (let i = 0; i < 3000; i++) {
+    const at = (axis: number, salt: number) =>
+      EYE[axis]! + ((i * [17, 29, 43][axis]! + salt) % 101) / 10 - 5;
+    const light: Vec3 = [at(0, 31), at(1, 57), at(2, 83)];
+    const isBefore = isBeforeSight(clip, light, 0);
+    const shown: Vec3 = [at(0, 0), at(1, 0), at(2, 0)];
+    if (isSeen(box(shown))) {
+      const between = shown.map((x, axis) => x + ((i % 9) / 8) * (light[axis]! - x)) as Vec3;
+      expect(isBefore(box(between))).toBe(true);
+    }
+    if (!isSeen(box(light))) continue;
+    count++;
+    if (isBefore(box(shown))) kept++;
+  }
+  // Of a flame in sight, what is out of sight is left out.
+  expect(count).toBeGreaterThan(100);
+  expect(kept / count).toBeLessThan(0.3);
 });

@@ -1,0 +1,36 @@
+#version 300 es
+// The room and the candle, as an eye that moves sees them: how they stand to the flame is worked out at
+// their corners.
+#include "lib/precision.glsl"
+#include "lib/frame.glsl"
+
+layout(location = 0) in vec3 aPosition;
+layout(location = 1) in vec3 aNormal;
+layout(location = 2) in vec4 aTangent;
+layout(location = 3) in vec2 aUv;
+layout(location = 4) in vec4 aColor;
+
+uniform vec4 uPlace;    // where the model's origin is, m; w: its turn about the vertical, rad
+uniform vec3 uVantage;  // of the flame, m
+
+out vec3 vNormalWorld;
+out vec3 vToFlame;  // along tangent, bitangent and normal, m
+out vec3 vUvAndOcclusion;
+
+void main() {
+  float c = cos(uPlace.w);
+  float s = sin(uPlace.w);
+  mat3 turn = mat3(c, 0.0, -s, 0.0, 1.0, 0.0, s, 0.0, c);
+  vec3 position = uPlace.xyz + turn * aPosition;
+  vec3 normal = turn * aNormal;
+  vec3 tangent = turn * aTangent.xyz;
+  vec3 toFlame = uVantage - position;
+  vNormalWorld = normal;
+  vToFlame = vec3(
+    dot(tangent, toFlame),
+    dot(cross(normal, tangent) * aTangent.w, toFlame),
+    dot(normal, toFlame)
+  );
+  vUvAndOcclusion = vec3(aUv, aColor.r);
+  gl_Position = frame.clipFromWorld * vec4(position, 1.0);
+}

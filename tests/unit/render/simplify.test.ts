@@ -1,0 +1,106 @@
+import { expect, test } from "vitest";
+import { type Simplifiable, Simplification } from "../../../src/render/simplify.ts";
+
+type Vec = readonly [number, number, number];
+
+/** A tube of so many sides and rings, its seam split as its picture's edge splits it; open at both ends. */
+function tube(sides: number, rings: number, radius: number, length: number): Simplifiable {
+  const positions: number[] = [];
+  const normals: number[] = [];
+  const indices: number[] = [];
+  for (let ring = 0; ring <= rings; ring++) {
+    for (let side = 0; side <= sides; side++) {
+      const angle = (2 * Math.PI * (side % sides)) / sides;
+      const [c, s] = [Math.cos(angle), Math.sin(angle)];
+      positions.push(radius * c, (length * ring) / rings, radius * s);
+      normals.push(c, 0, s);
+      if (ring === rings || side === sides) continue;
+      const at = ring * (sides + 1) + side;
+      indices.push(at, at + sides + 1, at + 1, at + 1, at + sides + 1, at + sides + 2);
+    }
+  }
+  return { positions: Float32Array.from(positions), normals, indices };
+}
+
+function simplified(mesh: Simplifiable, error: number): Uint32Array {
+  const work = new Simplification(mesh, error);
+  while (work.proceed());
+  return work.indices;
+}
+
+const place = ({ positions }: Simplifiable, vertex: number): Vec => [
+  positions[3 * vertex] ?? 0,
+  positions[3 * vertex + 1] ?? 0,
+  positions[3 * vertex + 2] ?? 0,
+];
+
+/** Directed edges between places, and how often each is there. */
+function edges(mesh: Simplifiable, indices: ArrayLike<number>): Map<string, number> {
+  const counts = new Map<string, number>();
+  for (let i = 0; i < indices.length; i += 3) {
+    for (let k = 0; k < 3; k++) {
+      const from = place(mesh, indices[i + k] ?? 0);
+      const to = place(mesh, indices[i + ((k + 1) % 3)] ?? 0);
+      const key = `${from} > ${to}`;
+      counts.set(key, (counts.get(key) ?? 0) + 1);
+    }
+  }
+  return counts;
+}
+
+/** Edges with a triangle on one side only. */
+function rim(mesh: Simplifiable, indices: ArrayLike<number>): string[] {
+  const all = edges(mesh, indices);
+  return [...all.keys()].filter((key) => !all.has(key.split(" > ").reverse().join(" > ")));
+}
+
+test("A tube keeps its shape with a tenth of its triangles, and no crack opens along its seam", () => {
+  const mesh = tube(48, 40, 0.1, 2);
+  const indices = simplified(mesh, 0.004);
+  expect(indices.length).toBeLessThan(mesh.indices.length / 10);
+  expect(indices.length).toBeGreaterThan(3 * 8);
+  for (let i = 0; i < indices.length; i += 3) {
+    const corners = [0, 1, 2].map((k) => place(mesh, indices[i + k] ?? 0));
+    const middle = [0, 2].map((axis) => corners.reduce((sum, p) => sum + (p[axis] ?? 0) / 3, 0));
+    const apart = 0.1 - Math.hypot(...middle);
+    expect(apart).toBeGreaterThan(-1e-6);
+    expect(apart).toBeLessThan(0.02);
+  }
+  // Both rims, and nothing else, have one side; each edge is walked once each way.
+  for (const key of rim(mesh, indices)) {
+    const heights = key.split(" > ").map((end) => Number(end.split(",")[1]));
+    expect(new Set(heights).size).toBe(1);
+    expect([0, 2]).toContain(heights[0]);
+  }
+  for (const count of edges(mesh, indices).values()) expect(count).toBe(1);
+});
+
+test("What is flat falls together wholly, but keeps its outline; what is needed stays", () => {
+  const cells = 20;
+  const positions: number[] = [];
+  const normals: number[] = [];
+  const indices: number[] = [];
+  for (let z = 0; z <= cells; z++) {
+    for (let x = 0; x <= cells; x++) {
+      positions.push(x / cells, 0, z / cells);
+      normals.push(0, 1, 0);
+      if (x === cells || z === cells) continue;
+      const at = z * (cells + 1) + x;
+      indices.push(at, at + cells + 1, at + 1, at + 1, at + cells + 1, at + cells + 2);
+    }
+  }
+  const mesh = { positions: Float32Array.from(positions), normals, indices };
+  const flat = simplified(mesh, 0.001);
+  expect(flat.length).toBeLessThan(3 * 40);
+  let area = 0;
+  for (let i = 0; i < flat.length; i += 3) {
+    const [a, b, c] = [0, 1, 2].map((k) => place(mesh, flat[i + k] ?? 0)) as [Vec, Vec, Vec];
+    const twice = (b[2] - a[2]) * (c[0] - a[0]) - (b[0] - a[0]) * (c[2] - a[2]);
+    expect(twice).toBeGreaterThan(0);
+    area += twice / 2;
+  }
+  expect(area).toBeCloseTo(1, 5);
+  const few = { positions: [0, 0, 0, 1, 0, 0, 0, 0, 1], normals: [0, 1, 0, 0, 1, 0, 0, 1, 0] };
+  expect([...simplified({ ...few, indices: [0, 2, 1] }, 0.001)]).toEqual([0, 2, 1]);
+  expect([...simplified({ ...few, indices: [] }, 0.001)]).toEqual([]);
+});
