@@ -13,7 +13,7 @@ float caughtBy(float surface, float relief, float scale) {
   return min(turned / max(surface, LEAST_FACING) + max(LEAST_FACING - surface, 0.0), 1.6);
 }
 
-// Root of the albedo as it is seen.
-vec3 paintOf(vec3 albedo, float occlusion, float caught) {
-  return sqrt(min(albedo * (mix(occlusion, caught, STRAIGHT) / BRIGHTEST), 1.0));
+// How bright a surface is painted, as a share of its albedo over BRIGHTEST.
+float paintedShare(float occlusion, float caught) {
+  return mix(occlusion, caught, STRAIGHT) / BRIGHTEST;
 }

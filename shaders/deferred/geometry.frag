@@ -41,7 +41,7 @@ void main() {
     caught = caughtBy(dot(normal, L), dot(relief, L), uSurface.z);
   }
   float occlusion = mix(1.0, packed.r, uOcclusion) * vColor.r;
-  oAlbedo = vec4(paintOf(baseColor.rgb, occlusion, caught), 0.0);
+  oAlbedo = vec4(sqrt(min(baseColor.rgb * paintedShare(occlusion, caught), 1.0)), 0.0);
   float kind = uWax > 0.5 ? WAX : packed.b * uSurface.y * METAL;
   oSurface = vec4(onOctahedron(normal), clamp(packed.g * uSurface.x, 0.03, 1.0), kind);
 }

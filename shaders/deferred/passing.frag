@@ -1,6 +1,6 @@
 #version 300 es
 // What deferred/geometry.frag finds out, for a picture among many: with half of the work.
-// In:  base colour (sRGB), normal, occlusion/roughness/metallic maps.
+// In:  root of the base colour, normal, occlusion/roughness/metallic maps.
 // Out: root of the albedo, as the relief catches the light; how the surface lies, roughness, what it is.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
@@ -8,10 +8,10 @@
 #include "deferred/stored.glsl"
 #include "deferred/caught.glsl"
 
-uniform sampler2D uAlbedo;
+uniform sampler2D uRoot;
 uniform sampler2D uNormal;
 uniform sampler2D uOcclusionRoughness;
-uniform vec4 uBaseColor;
+uniform vec4 uBaseColor;   // its root
 uniform float uWax;
 uniform float uOcclusion;  // how much of the map's occlusion counts
 uniform vec4 uSurface;     // roughness, metallic, normal scale, alpha below which nothing is
@@ -24,9 +24,9 @@ layout(location = 0) out vec4 oAlbedo;
 layout(location = 1) out vec4 oSurface;
 
 void main() {
-  vec4 baseColor = texture(uAlbedo, vUvAndOcclusion.xy) * uBaseColor;
+  vec4 root = texture(uRoot, vUvAndOcclusion.xy) * uBaseColor;
 #if MASKED
-  if (baseColor.a < uSurface.w) discard;
+  if (root.a < uSurface.w) discard;
 #endif
   vec3 packed = texture(uOcclusionRoughness, vUvAndOcclusion.xy).rgb;
   float side = gl_FrontFacing ? 1.0 : -1.0;
@@ -39,7 +39,7 @@ void main() {
     caught = caughtBy(L.z, dot(slope, L.xy) + up * L.z, uSurface.z);
   }
   float occlusion = mix(1.0, packed.r, uOcclusion) * vUvAndOcclusion.z;
-  oAlbedo = vec4(paintOf(baseColor.rgb, occlusion, caught), 0.0);
+  oAlbedo = vec4(min(root.rgb * sqrt(paintedShare(occlusion, caught)), 1.0), 0.0);
   float kind = uWax > 0.5 ? WAX : packed.b * uSurface.y * METAL;
   oSurface = vec4(onOctahedron(vNormalWorld * side), clamp(packed.g * uSurface.x, 0.03, 1.0), kind);
 }

@@ -106,6 +106,15 @@ export class Texture implements GpuObject {
     gl.bindTexture(this.target, null);
   }
 
+  /** Makes the mipmaps of what has been drawn. */
+  updateMipmaps(): void {
+    const gl = this.#gl;
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(this.target, this.handle);
+    gl.generateMipmap(this.target);
+    gl.bindTexture(this.target, null);
+  }
+
   #upload({ format, source }: TextureOptions, layers: number): void {
     const gl = this.#gl;
     const { upload } = FORMATS[format];

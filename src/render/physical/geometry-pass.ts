@@ -17,6 +17,7 @@ import { sightOf } from "../camera.js";
 import { runsOf } from "../clusters.js";
 import type { Surface } from "../surface.js";
 import type { CoarseSurfaces, Drawable } from "./coarse-surfaces.js";
+import { RootTextures } from "./root-textures.js";
 
 const NOTHING = [0, 0, 0, 0] as const;
 /** Relief follows the flame in steps of this, metres. */
@@ -67,6 +68,7 @@ export class GeometryPass {
   readonly #screen: VertexArray;
   readonly #guide: Program;
   readonly #coarse: CoarseSurfaces;
+  readonly #roots: RootTextures;
   #moving: RenderTarget | null = null;
   #resting: RenderTarget | null = null;
   #painted: RenderTarget | null = null;
@@ -77,6 +79,7 @@ export class GeometryPass {
     this.#gpu = gpu;
     this.#screen = screen;
     this.#coarse = coarse;
+    this.#roots = new RootTextures(gpu, screen);
     this.#guide = gpu.program("deferred/guide", fullscreenVert, guideFrag, {
       defines: { SAMPLES: SAMPLES.resting },
     });
@@ -132,7 +135,7 @@ export class GeometryPass {
     if (known !== this.#known) {
       this.#known = known;
       this.#gpu.clear(target, NOTHING);
-      if (isMoving) this.#coarse.proceed(everySurface(placed));
+      if (isMoving) this.#prepare(placed);
       const isSeen = sightOf(clip);
       for (const { surfaces, place } of placed) {
         for (const surface of surfaces) {
@@ -149,6 +152,13 @@ export class GeometryPass {
     if (!paintedDepth) throw new Error("Paint has a depth.");
     const painted = isMoving ? albedo : color;
     return { painted, isCoarse: isMoving, paintedDepth, surfaces, depth, known };
+  }
+
+  /** Goes on with what is only needed of pictures that follow each other. */
+  #prepare(placed: readonly Placed[]): void {
+    const all = placed.flatMap(({ surfaces }) => surfaces);
+    this.#roots.proceed(all.map(({ textures }) => textures.uAlbedo));
+    this.#coarse.proceed(everySurface(placed));
   }
 
   /** Which light each pixel is to take; one that moves takes what is around it. */
@@ -187,15 +197,19 @@ export class GeometryPass {
         : [{ first: 0, count: vertexArray.count }];
     // Whoever may be cut out costs all that is drawn later its early test of depth.
     const defines = { MASKED: surface.parameters[3] > 0 ? 1 : 0 };
+    const root = isMoving ? this.#roots.of(surface.textures.uAlbedo) : null;
+    const [red, green, blue, opacity] = surface.baseColor;
     const how: Draw = {
-      program: isMoving
+      program: root
         ? this.#gpu.program("deferred/passing", passingVert, passingFrag, { defines })
         : this.#gpu.program("deferred/geometry", surfaceVert, geometryFrag, { defines }),
       target,
       vertexArray,
-      textures: surface.textures,
+      textures: root ? { ...surface.textures, uRoot: root } : surface.textures,
       uniforms: {
-        uBaseColor: surface.baseColor,
+        uBaseColor: root
+          ? [Math.sqrt(red), Math.sqrt(green), Math.sqrt(blue), opacity]
+          : surface.baseColor,
         uPlace: place,
         uSurface: surface.parameters,
         uOcclusion: surface.occlusionStrength,
