@@ -133,7 +133,9 @@ async function soak(attributes) {
 }
 
 const [chosen = ""] = process.argv.slice(2);
-const SCENES = ['look="paper"', 'scene="candle"'].filter((scene) => scene.includes(chosen));
+const SCENES = ['look="paper"', 'scene="candle"', 'look="physical"'].filter((scene) =>
+  scene.includes(chosen),
+);
 const results = [];
 for (const attributes of SCENES) results.push(await soak(attributes));
 await browser.close();
