@@ -2,6 +2,7 @@ import type { FirstPersonInput } from "./input/first-person-input.js";
 import { candleLight } from "./light/candle-light.js";
 import { type FlameReport, flameReport, paperFlameReport } from "./light/flame-light.js";
 import { AutoQuality, type Rung } from "./render/auto-quality.js";
+import { canvasSize } from "./render/canvas-size.js";
 import type { Renderer } from "./render/renderer.js";
 import { type Tier, tierNamed } from "./render/tier.js";
 import type { Scene } from "./scenes/scene.js";
@@ -285,10 +286,8 @@ export class CandleFlame {
 
   #fitCanvas(): boolean {
     const { canvas } = this.#screen;
-    const longest = Math.max(this.#pixels.width, this.#pixels.height);
-    const scale = Math.min(this.#resolutionScale, this.#screen.gpu.longestSide / longest);
-    const width = Math.max(1, Math.round(this.#pixels.width * scale));
-    const height = Math.max(1, Math.round(this.#pixels.height * scale));
+    const { longestSide } = this.#screen.gpu;
+    const { width, height } = canvasSize(this.#pixels, this.#resolutionScale, longestSide);
     if (width === canvas.width && height === canvas.height) return false;
     canvas.width = width;
     canvas.height = height;
