@@ -75,6 +75,7 @@ export class CandleFlameElement extends TypedEvents {
   #inspect: Inspection = "picture";
   readonly #featureSwitches: Features;
   #settleReady: { resolve: () => void; reject: (error: Error) => void };
+  #isReadySettled = false;
   #connection: AbortController | null = null;
   #canvas: HTMLCanvasElement | null = null;
   #candle: CandleFlame | null = null;
@@ -87,6 +88,7 @@ export class CandleFlameElement extends TypedEvents {
   #sight: Sight | null = null;
   #fetcher: SceneFetcher | null = null;
   readonly #absence = new Absence();
+  #hasFailed = false;
   /** Whether something changed that nobody could see. */
   #isStale = false;
   /** Of the canvas on the page; what the renderer draws may be fewer. */
@@ -129,7 +131,7 @@ export class CandleFlameElement extends TypedEvents {
     });
   }
 
-  attributeChangedCallback(name: SettingName): void {
+  attributeChangedCallback(name: SettingName, before: string | null, after: string | null): void {
     if (name === "poster" && !this.#candle) this.#overlay.showPoster(this.poster);
     if (name === "alt" || name === "controls") this.#applyInteraction();
     if (name === "sensitivity" && this.#candle?.input) {
@@ -138,6 +140,9 @@ export class CandleFlameElement extends TypedEvents {
     if (name === "max-pixel-ratio") this.#resize();
     if (name === "loading" && this.loading === "eager") this.#sight?.stopWaiting();
     if (name === "scene" && this.#canvas && this.scene !== this.#scenery) this.#restart();
+    // What could not be shown is asked for no more; this may do better.
+    const asksAnew = before !== after && (name === "scene" || CHOOSING.includes(name));
+    if (this.#hasFailed && asksAnew && this.isConnected) this.#restart();
     if (CHOOSING.includes(name)) this.#fetcher?.follow();
     if (name === "seed") this.#absence.forgetTime();
     if (name === "unlit") this.#absence.isLit = !this.unlit;
@@ -359,6 +364,7 @@ export class CandleFlameElement extends TypedEvents {
     const ready = new Promise<void>((resolve, reject) => {
       this.#settleReady = { resolve, reject };
     });
+    this.#isReadySettled = false;
     ready.catch(() => {}); // whoever does not await it has the event
     return ready;
   }
@@ -366,6 +372,7 @@ export class CandleFlameElement extends TypedEvents {
   #start(): void {
     this.#connection = new AbortController();
     const { signal } = this.#connection;
+    this.#hasFailed = false;
     this.#clearFailure();
     this.#overlay.showPoster(this.poster);
     this.#internals.states.add("loading");
@@ -528,6 +535,7 @@ export class CandleFlameElement extends TypedEvents {
     if (this.#drawnLook !== this.look) this.#overlay.hint.tell(NO_PHYSICAL_LOOK);
     this.#emit("load", null);
     this.#settleReady.resolve();
+    this.#isReadySettled = true;
   }
 
   #observe(signal: AbortSignal): void {
@@ -546,7 +554,9 @@ export class CandleFlameElement extends TypedEvents {
   #restart(): void {
     const candle = this.#candle;
     const shown = this.#shown;
-    this.#stop();
+    this.#release();
+    // Who waits for the first frame waits for that of what is asked for now.
+    if (this.#isReadySettled) this.ready = this.#promiseReady();
     if (candle && shown) this.#absence.fallAsleep(momentOf(candle.world), shown);
     this.#start();
   }
@@ -581,11 +591,13 @@ export class CandleFlameElement extends TypedEvents {
   #fail(error: Error): void {
     this.#release();
     this.#connection = new AbortController();
+    this.#hasFailed = true;
     this.#overlay.hideProgress();
     if (typeOf(error) === "context-lost") this.#offerReload();
     else this.#showFailure(error.message, "alert");
     this.#overlay.showPoster(this.poster);
     this.#settleReady.reject(error);
+    this.#isReadySettled = true;
     this.#report(error);
   }
 

@@ -159,9 +159,14 @@ test("A room from an address that is none, or gone, or no room gives a sentence 
     fresh.style.cssText = "width: 32px; height: 18px";
     const said = await failureOf(fresh, "http://[");
     const sentence = fresh.shadowRoot?.querySelector("[part~=error] p")?.textContent;
+    const { ready } = fresh;
+    fresh.src = "";
+    const another = fresh.ready;
+    await another;
+    const mended = another !== ready && !fresh.matches(":state(loading)");
     fresh.remove();
     shown.step(1 / 60);
-    return { ...told, said, sentence, stillThere: shown.stats.triangles > 0 };
+    return { ...told, said, sentence, mended, stillThere: shown.stats.triangles > 0 };
   });
   const none = "The room's address is none that can be read: http://[";
   expect(told).toEqual({
@@ -171,6 +176,7 @@ test("A room from an address that is none, or gone, or no room gives a sentence 
     "ftp://host/room.glb": "asset: room.glb could not be fetched.",
     said: `asset: ${none}`,
     sentence: none,
+    mended: true,
     stillThere: true,
   });
   expect(uncaught(room).filter((text) => !text.includes("URL scheme"))).toEqual([]);

@@ -162,11 +162,22 @@ test("Whoever waits for an element that is taken out is told so, and can wait on
     const reason = await ready.catch(({ name }: Error) => name);
     const isNew = element.ready !== ready;
     document.body.append(element);
-    await element.ready;
+    // Still the same wait, though for something else.
+    const second = element.ready;
+    element.scene = "candle";
+    const isSame = element.ready === second;
+    await second;
+    const { drawCalls } = element.stats;
     element.remove();
-    return { reason, isNew };
+    return { reason, isNew, isSame, drawCalls };
   });
-  expect(told).toEqual({ reason: "AbortError", isNew: true });
+  expect(told).toEqual({
+    reason: "AbortError",
+    isNew: true,
+    isSame: true,
+    drawCalls: expect.any(Number),
+  });
+  expect(told.drawCalls).toBeGreaterThan(0);
 });
 
 test("What is set while another look loads is done to the one on show", async ({ page }) => {
