@@ -71,6 +71,8 @@ class Survey {
   readonly #detail: ProbeDetail;
   readonly #bounds: Bounds;
   readonly #hit: Hit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
+  readonly #met = new Met();
+  readonly #feelers = octahedral(FEELERS, FEELERS, 0);
 
   constructor(solid: Solid, { parts, bounds }: Model, detail: ProbeDetail) {
     this.#solid = solid;
@@ -100,32 +102,41 @@ class Survey {
       const column = tile % (columns * planes);
       const row = Math.floor(tile / (columns * planes));
       const place = this.#open(column % columns, row, Math.floor(column / columns));
-      places.set(place ? [...place, 1] : [0, 0, 0, 0], tile * 4);
       if (!place) continue;
-      for (const [ray, direction] of directions.entries()) {
+      places.set(place, tile * 4);
+      places[tile * 4 + 3] = 1;
+      for (let ray = 0; ray < directions.length; ray++) {
+        const direction = directions[ray]!;
+        const hit = this.#cast(place, direction);
+        seen[ray] = hit ? Math.min(hit.distance, FARTHEST) : FARTHEST;
+        if (!hit || this.#met.isBack) continue;
         const x = column * rays + (ray % rays);
         const y = row * rays + Math.floor(ray / rays);
-        const hit = this.#solid.raycast(place, direction, Infinity, this.#hit);
-        seen[ray] = Math.min(hit?.distance ?? FARTHEST, FARTHEST);
-        if (!hit) continue;
-        this.#note(hit, place, direction, hits, (y * width + x) * 4, hues, x, y);
+        const to = (y * width + x) * 4;
+        hits[to] = hit.normal[0];
+        hits[to + 1] = hit.normal[1];
+        hits[to + 2] = hit.normal[2];
+        hits[to + 3] = hit.distance;
+        hues[this.#met.part]?.push(x, y, this.#met.u, this.#met.v);
       }
       average(seen, lobes, distances, column, row, columns * planes);
     }
+    const length = hues.reduce((sum, hue) => sum + hue.length, 0);
+    const together = new Float32Array(length);
     const runs: { part: number; first: number; count: number }[] = [];
     let first = 0;
-    for (const [part, { length }] of hues.entries()) {
-      if (length > 0) runs.push({ part, first, count: length / 4 });
-      first += length / 4;
+    for (const [part, hue] of hues.entries()) {
+      if (hue.length > 0) runs.push({ part, first: first / 4, count: hue.length / 4 });
+      together.set(hue, first);
+      first += hue.length;
     }
-    return { places, hits, distances, hues: Float32Array.from(hues.flat()), runs };
+    return { places, hits, distances, hues: together, runs };
   }
 
   /** The place of a probe, or one near by that is inside of nothing. */
   #open(i: number, j: number, k: number): Vec3 | null {
     const { min, max } = this.#bounds;
     const cell = [i, j, k] as const;
-    const feelers = octahedral(FEELERS, FEELERS, 0);
     for (const step of NEARBY) {
       const place = [0, 1, 2].map((axis) => {
         const low = min[axis] ?? 0;
@@ -133,102 +144,69 @@ class Survey {
         return low + ((cell[axis] ?? 0) + 0.5 + (step[axis] ?? 0)) * size;
       }) as Vec3;
       let backs = 0;
-      for (const direction of feelers) {
-        const hit = this.#solid.raycast(place, direction, Infinity, this.#hit);
-        if (hit && this.#isBack(hit, direction)) backs++;
+      for (const direction of this.#feelers) {
+        if (this.#cast(place, direction) && this.#met.isBack) backs++;
       }
-      if (backs < BURIED * feelers.length) return place;
+      if (backs < BURIED * this.#feelers.length) return place;
     }
     return null;
   }
 
-  #partOf(triangle: number): number {
-    let part = this.#firsts.length - 1;
-    while (part > 0 && (this.#firsts[part] ?? 0) > triangle) part--;
-    return part;
+  /** What is nearest along a ray; `#met` then says more of it. */
+  #cast(place: Vec3, direction: Vec3): Hit | null {
+    const hit = this.#solid.raycast(place, direction, Infinity, this.#hit);
+    if (!hit) return null;
+    let number = this.#firsts.length - 1;
+    while (number > 0 && this.#firsts[number]! > hit.triangle) number--;
+    this.#met.part = number;
+    const first = (hit.triangle - this.#firsts[number]!) * 3;
+    this.#met.look(this.#parts[number]!, first, place, direction, hit.distance);
+    return hit;
   }
+}
 
-  /** Whether a ray met the back of something that has no other side. */
-  #isBack({ triangle }: Hit, [dx, dy, dz]: Vec3): boolean {
-    const number = this.#partOf(triangle);
-    const part = this.#parts[number];
-    if (!part || part.material.isDoubleSided) return false;
-    const corner = (n: number) =>
-      (part.indices[(triangle - (this.#firsts[number] ?? 0)) * 3 + n] ?? 0) * 3;
-    const [a, b, c] = [corner(0), corner(1), corner(2)];
-    const p = part.positions;
+/** What a ray has met of a part. One for all rays: there are a hundred thousand of them. */
+class Met {
+  /** Which of the model's parts. */
+  part = 0;
+  /** Whether it is the back of something that has no other side. */
+  isBack = false;
+  /** Place on the material's maps. */
+  u = 0;
+  v = 0;
+
+  /** @param first of the triangle's indices */
+  look(part: Part, first: number, place: Vec3, direction: Vec3, distance: number): void {
+    const { positions: p, uvs, indices, material } = part;
+    const cornerA = indices[first]!;
+    const cornerB = indices[first + 1]!;
+    const cornerC = indices[first + 2]!;
+    const a = cornerA * 3;
+    const b = cornerB * 3;
+    const c = cornerC * 3;
     const ex = p[b]! - p[a]!;
     const ey = p[b + 1]! - p[a + 1]!;
     const ez = p[b + 2]! - p[a + 2]!;
     const fx = p[c]! - p[a]!;
     const fy = p[c + 1]! - p[a + 1]!;
     const fz = p[c + 2]! - p[a + 2]!;
-    return (ey * fz - ez * fy) * dx + (ez * fx - ex * fz) * dy + (ex * fy - ey * fx) * dz > 0;
+    const nx = ey * fz - ez * fy;
+    const ny = ez * fx - ex * fz;
+    const nz = ex * fy - ey * fx;
+    const turn = nx * direction[0] + ny * direction[1] + nz * direction[2];
+    this.isBack = !material.isDoubleSided && turn > 0;
+    // Shares of the corners in the point between them.
+    const x = place[0] + distance * direction[0] - p[a]!;
+    const y = place[1] + distance * direction[1] - p[a + 1]!;
+    const z = place[2] + distance * direction[2] - p[a + 2]!;
+    const scale = 1 / Math.max(nx * nx + ny * ny + nz * nz, 1e-30);
+    const ofB = ((y * fz - z * fy) * nx + (z * fx - x * fz) * ny + (x * fy - y * fx) * nz) * scale;
+    const ofC = ((ey * z - ez * y) * nx + (ez * x - ex * z) * ny + (ex * y - ey * x) * nz) * scale;
+    const ofA = 1 - ofB - ofC;
+    this.u = ofA * uvs[cornerA * 2]! + ofB * uvs[cornerB * 2]! + ofC * uvs[cornerC * 2]!;
+    this.v =
+      ofA * uvs[cornerA * 2 + 1]! + ofB * uvs[cornerB * 2 + 1]! + ofC * uvs[cornerC * 2 + 1]!;
   }
-
-  #note(
-    hit: Hit,
-    place: Vec3,
-    direction: Vec3,
-    hits: Float32Array,
-    to: number,
-    hues: number[][],
-    x: number,
-    y: number,
-  ): void {
-    if (this.#isBack(hit, direction)) return;
-    hits.set(hit.normal, to);
-    hits[to + 3] = hit.distance;
-    const number = this.#partOf(hit.triangle);
-    const part = this.#parts[number];
-    if (!part) return;
-    const { positions: p, uvs, indices } = part;
-    const first = (hit.triangle - (this.#firsts[number] ?? 0)) * 3;
-    const corners = [
-      indices[first] ?? 0,
-      indices[first + 1] ?? 0,
-      indices[first + 2] ?? 0,
-    ] as const;
-    const at = [0, 1, 2].map(
-      (axis) => (place[axis] ?? 0) + hit.distance * (direction[axis] ?? 0),
-    ) as Vec3;
-    const shares = barycentric(p, corners, at);
-    let u = 0;
-    let v = 0;
-    for (const [n, corner] of corners.entries()) {
-      u += (shares[n] ?? 0) * (uvs[corner * 2] ?? 0);
-      v += (shares[n] ?? 0) * (uvs[corner * 2 + 1] ?? 0);
-    }
-    hues[number]?.push(x, y, u, v);
-  }
-}
-
-/** Shares of three corners in a point between them. */
-function barycentric(
-  p: Float32Array,
-  [a, b, c]: readonly [number, number, number],
-  at: Vec3,
-): Vec3 {
-  const edge = (from: number, axis: number) => (p[from * 3 + axis] ?? 0) - (p[a * 3 + axis] ?? 0);
-  let ee = 0;
-  let ef = 0;
-  let ff = 0;
-  let de = 0;
-  let df = 0;
-  for (const axis of [0, 1, 2] as const) {
-    const e = edge(b, axis);
-    const f = edge(c, axis);
-    const d = at[axis] - (p[a * 3 + axis] ?? 0);
-    ee += e * e;
-    ef += e * f;
-    ff += f * f;
-    de += d * e;
-    df += d * f;
-  }
-  const scale = 1 / Math.max(ee * ff - ef * ef, 1e-30);
-  const v = (ff * de - ef * df) * scale;
-  const w = (ee * df - ef * de) * scale;
-  return [1 - v - w, v, w];
 }
 
 /**
