@@ -106,8 +106,12 @@ const OPENING: Pick<View, "camera" | "candle"> = {
 const asked = readShareLink(location.hash);
 const asksForNoPlace = !asked.camera && !asked.candle && !asked.settings.look;
 follow(asksForNoPlace ? { ...asked, ...OPENING } : asked);
-if (asksForNoPlace) room.addEventListener("enter", () => room.take(), { once: true });
-window.addEventListener("hashchange", () => follow(readShareLink(location.hash)));
+const takeUp = () => room.take();
+if (asksForNoPlace) room.addEventListener("enter", takeUp, { once: true });
+window.addEventListener("hashchange", () => {
+  room.removeEventListener("enter", takeUp); // a link says where its candle is
+  follow(readShareLink(location.hash));
+});
 
 /** How long a notice stays, milliseconds. */
 const NOTICE = 6000;
