@@ -47,6 +47,11 @@ const SCENARIOS: readonly Scenario[] = [
     deed: (frame) =>
       frame % (2 * STROKE) === 0 ? "extinguish" : frame % (2 * STROKE) === STROKE ? "light" : null,
   },
+  {
+    name: "the widest wick, in gusts, for who wants less motion",
+    attributes: { wick: "50", wind: "0.5", gustiness: "1", motion: "reduced" },
+    deed: () => null,
+  },
 ];
 
 /** The element's pictures for ten seconds, frame by frame, as a flash meter sees them. */
@@ -99,17 +104,16 @@ const LOOKS: Readonly<Record<string, Attributes>> = {
 };
 
 for (const [look, attributes] of Object.entries(LOOKS)) {
-  test(`${look}: ten seconds of anything do not flash`, async ({ page }) => {
-    const opening = { ...SCREEN };
-    const room = await new RoomDriver(page).open({ ...attributes, motion: "full" }, opening);
-    for (const scenario of SCENARIOS) {
+  for (const scenario of SCENARIOS) {
+    test(`${look}: ten seconds do not flash: ${scenario.name}`, async ({ page }) => {
       const begin = Date.now();
+      const room = await new RoomDriver(page).open({ ...attributes, motion: "full" }, SCREEN);
       const { worst, isHarmful } = await film(room, scenario);
       const shares = Object.entries(worst).map(([kind, share]) => `${kind} ${share.toFixed(3)}`);
       const took = ((Date.now() - begin) / 1000).toFixed(0);
       console.log(`${look}, ${scenario.name}: ${shares.join(", ")} (${took} s)`);
-      expect.soft(isHarmful, `${look}, ${scenario.name}`).toBe(false);
-    }
-    expect(room.complaints).toEqual([]);
-  });
+      expect(isHarmful).toBe(false);
+      expect(room.complaints).toEqual([]);
+    });
+  }
 }
