@@ -1,6 +1,7 @@
 import type { Vec3 } from "./bounds.js";
 import { Gusts } from "./gusts.js";
 import { length2 } from "./length.js";
+import { TICK } from "./timeline.js";
 
 /** The draught in the room. */
 export interface Wind {
@@ -55,6 +56,8 @@ export class Air {
   readonly #gusts: Gusts;
   readonly #mean: Vec3 = [0, 0, 0];
   #unrest = 0;
+  /** Ticks, and seconds, since the beginning. */
+  #tick = 0;
   #time = 0;
   /** The visitor's eye, and how he moves. */
   readonly #body: Vec3 = [0, 0, 0];
@@ -70,25 +73,28 @@ export class Air {
   constructor(seed: number, wind: Wind) {
     this.#gusts = new Gusts(seed);
     this.wind = wind;
-    this.#veer(1);
+    this.#veer(Number.POSITIVE_INFINITY);
   }
 
   /**
    * A tick has passed.
    *
+   * @param tick number of ticks since the beginning
    * @param eye the visitor's, metres
    * @param pace his velocity, m/s
    * @param flame foot of the flame, metres, and the velocity that he carries it with, m/s
    */
   advance(
-    time: number,
+    tick: number,
     eye: Readonly<Vec3>,
     pace: Readonly<Vec3>,
     flame: Readonly<Vec3> = eye,
     carrying: Readonly<Vec3> = NO_MOTION,
   ): void {
-    this.#veer(1 - Math.exp(-VEERING * Math.max(0, time - this.#time)));
-    this.#time = time;
+    const before = this.#tick;
+    this.#tick = tick;
+    this.#time = tick * TICK;
+    this.#veer(tick - before);
     for (let axis = 0; axis < 3; axis++) {
       this.#body[axis] = eye[axis]!;
       this.#pace[axis] = pace[axis]!;
@@ -97,7 +103,8 @@ export class Air {
     }
   }
 
-  #veer(share: number): void {
+  #veer(ticks: number): void {
+    const share = 1 - Math.exp(-VEERING * TICK * Math.max(0, ticks));
     const { speed, direction, gustiness } = this.wind;
     this.#mean[0] += (-speed * Math.sin(direction) - this.#mean[0]) * share;
     this.#mean[2] += (-speed * Math.cos(direction) - this.#mean[2]) * share;
@@ -164,7 +171,9 @@ export class Air {
     const dx = place[0] - this.#lips[0];
     const dy = place[1] - this.#lips[1];
     const dz = place[2] - this.#lips[2];
-    const [tx, ty, tz] = this.#towards;
+    const tx = this.#towards[0];
+    const ty = this.#towards[1];
+    const tz = this.#towards[2];
     const way = dx * tx + dy * ty + dz * tz;
     if (way <= 0) return;
     // The front of a jet slows down as the jet does: the time to here is the integral of way/speed.

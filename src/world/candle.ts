@@ -5,7 +5,7 @@ import type { Room } from "./room.js";
 import type { Stage } from "./stage.js";
 
 /** Farthest that the candle is put down on bare ground, metres ahead of the feet. */
-const ARM = 0.9;
+const ARM_AHEAD = [0, 0, 0.9] as const;
 /** Room that the candle needs around its axis in a box, metres. */
 const CANDLE_MARGIN = 0.12;
 /** From this near to a candle that stands, it can be taken up. Metres, along the floor. */
@@ -24,14 +24,14 @@ export interface Candle {
 
 /** Where a stiff hand holds the candle's foot. It turns with the head, but does not tilt with it. */
 export function holdCandle(candle: Candle, player: Player, stage: Stage): void {
-  putAhead(candle, player, stage.hold[0], stage.hold[2], stage);
+  putAhead(candle, player, stage.hold, stage);
   candle.position[1] = player.position[1] + stage.hold[1];
   candle.yaw = player.yaw;
 }
 
 /** Puts the candle down on bare ground, an arm's length ahead. */
 export function placeOnGround(candle: Candle, player: Player, stage: Stage): void {
-  putAhead(candle, player, 0, ARM, stage);
+  putAhead(candle, player, ARM_AHEAD, stage);
   candle.position[1] = stage.room.min[1];
   candle.isHeld = false;
 }
@@ -62,10 +62,11 @@ export function isWithinGrasp(candle: Candle, player: Player): boolean {
 function putAhead(
   candle: Candle,
   { position: eye, yaw }: Player,
-  right: number,
-  ahead: number,
+  hold: readonly [right: number, up: number, ahead: number],
   stage: Stage,
 ): void {
+  const right = hold[0];
+  const ahead = hold[2];
   const sin = Math.sin(yaw);
   const cos = Math.cos(yaw);
   candle.position[0] = eye[0] + right * cos - ahead * sin;

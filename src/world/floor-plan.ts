@@ -38,9 +38,13 @@ export class FloorPlan {
   readonly #isReachable: Uint8Array;
   /** A round thing that has been put down: x, z, radius. */
   #standing: readonly [number, number, number] | null = null;
-  /** Of the last point looked at: direction of growing clearance, per metre. */
-  readonly #gradient = { x: 0, z: 0 };
-  readonly #reached = { x: 0, z: 0, isTouching: false };
+  /** Of the last point looked at: clearance, metres, and the direction in which it grows, per metre. */
+  readonly #seen = { clearance: Number.NaN, x: Number.NaN, z: Number.NaN };
+  /** A point that is asked for, the next stretch of a walk, and where it leads. Metres. */
+  readonly #spot = { x: Number.NaN, z: Number.NaN };
+  readonly #stretch = { x: Number.NaN, z: Number.NaN };
+  readonly #reached = { x: Number.NaN, z: Number.NaN };
+  #isTouching = false;
 
   /** @param spawn where to start if it is free, or else near; at the floor's height or above it */
   constructor(solid: Solid, spawn: Readonly<Vec3> | null = null) {
@@ -78,12 +82,18 @@ export class FloorPlan {
 
   /** How far the nearest thing in the way is at least, metres. 0 or less outside the room. */
   clearance(x: number, z: number): number {
-    return this.#look(x, z);
+    this.#spot.x = x;
+    this.#spot.z = z;
+    this.#look(this.#spot);
+    return this.#seen.clearance;
   }
 
   /** Whether a walker can be there, and can have walked there. */
   isFree(x: number, z: number): boolean {
-    return this.#look(x, z) >= WALKER_RADIUS && this.#isReachableNear(x, z);
+    this.#spot.x = x;
+    this.#spot.z = z;
+    this.#look(this.#spot);
+    return this.#seen.clearance >= WALKER_RADIUS && this.#isReachableNear(this.#spot);
   }
 
   /**
@@ -91,19 +101,21 @@ export class FloorPlan {
    *
    * The part of `velocity` that led into something is lost.
    */
-  walk(position: Vec3, dx: number, dz: number, velocity?: Vec3): void {
-    const length = length2(dx, dz);
+  walk(position: Vec3, way: Readonly<Vec3>, velocity?: Vec3): void {
+    const dx = way[0];
+    const dz = way[2];
+    const length = Math.sqrt(dx * dx + dz * dz);
     if (!(length > 0 && length < Infinity)) return;
     const { cell, columns, rows } = this.#grid;
     const reach = Math.min(length, (columns + rows) * cell);
     const stretches = Math.ceil(reach / STRETCH);
-    const stepX = (dx / length) * (reach / stretches);
-    const stepZ = (dz / length) * (reach / stretches);
+    this.#stretch.x = (dx / length) * (reach / stretches);
+    this.#stretch.z = (dz / length) * (reach / stretches);
     const reached = this.#reached;
     let isBlocked = false;
     for (let i = 0; i < stretches; i++) {
-      reached.isTouching = false;
-      isBlocked = !this.#slide(position[0], position[2], stepX, stepZ);
+      this.#isTouching = false;
+      isBlocked = !this.#slide(position);
       if (isBlocked) break;
       const moved = Math.abs(reached.x - position[0]) + Math.abs(reached.z - position[2]);
       position[0] = reached.x;
@@ -114,7 +126,7 @@ export class FloorPlan {
     if (isBlocked) this.settle(position);
     if (!velocity) return;
     if (isBlocked) velocity[0] = velocity[2] = 0;
-    else if (reached.isTouching) this.#deflect(position, velocity);
+    else if (this.#isTouching) this.#deflect(velocity);
   }
 
   /** Moves a position to the nearest free spot. Does nothing to one that is free. */
@@ -137,23 +149,29 @@ export class FloorPlan {
   }
 
   /** Takes one stretch, pushed off whatever it leads into. False if that leads nowhere. */
-  #slide(x: number, z: number, dx: number, dz: number): boolean {
+  #slide(from: Readonly<Vec3>): boolean {
+    const x = from[0];
+    const z = from[2];
+    const dx = this.#stretch.x;
+    const dz = this.#stretch.z;
     const reached = this.#reached;
+    const seen = this.#seen;
     reached.x = x + dx;
     reached.z = z + dz;
     for (let pushes = 0; pushes <= PUSHES; pushes++) {
-      const lack = WALKER_RADIUS - this.#look(reached.x, reached.z);
+      this.#look(reached);
+      const lack = WALKER_RADIUS - seen.clearance;
       const away = length2(reached.x - x, reached.z - z);
       if (lack <= 0) {
-        if (away <= 2 * STRETCH && this.#isReachableNear(reached.x, reached.z)) return true;
+        if (away <= 2 * STRETCH && this.#isReachableNear(reached)) return true;
         break;
       }
-      reached.isTouching = true;
-      const steepness = Math.sqrt(this.#gradient.x ** 2 + this.#gradient.z ** 2);
+      this.#isTouching = true;
+      const steepness = length2(seen.x, seen.z);
       if (steepness < 1e-3) break;
       const push = Math.min((lack + NEGLIGIBLE) / steepness, STRETCH) / steepness;
-      reached.x += this.#gradient.x * push;
-      reached.z += this.#gradient.z * push;
+      reached.x += seen.x * push;
+      reached.z += seen.z * push;
     }
     // In a notch the pushes go back and forth: then along an axis, or not at all.
     return this.#go(x + dx, z) || this.#go(x, z + dz);
@@ -166,29 +184,31 @@ export class FloorPlan {
     return true;
   }
 
-  /** Takes away the part of a velocity that leads into what is touched. */
-  #deflect([x, , z]: Vec3, velocity: Vec3): void {
-    this.#look(x, z);
-    const steepness = Math.sqrt(this.#gradient.x ** 2 + this.#gradient.z ** 2);
+  /** Takes away the part of a velocity that leads into what is touched where the walker is. */
+  #deflect(velocity: Vec3): void {
+    this.#look(this.#reached);
+    const seen = this.#seen;
+    const steepness = length2(seen.x, seen.z);
     if (steepness < 1e-3) return;
-    const nx = this.#gradient.x / steepness;
-    const nz = this.#gradient.z / steepness;
+    const nx = seen.x / steepness;
+    const nz = seen.z / steepness;
     const into = Math.min(0, velocity[0] * nx + velocity[2] * nz);
     velocity[0] -= into * nx;
     velocity[2] -= into * nz;
   }
 
-  /** Interpolated clearance, metres; leaves its gradient behind. */
-  #look(x: number, z: number): number {
+  /** Finds the interpolated clearance at a point, and its gradient. */
+  #look({ x, z }: Readonly<{ x: number; z: number }>): void {
     const { cell, columns, rows } = this.#grid;
     const u = (x - this.#grid.x) / cell - 0.5;
     const v = (z - this.#grid.z) / cell - 0.5;
     const column = Math.floor(u);
     const row = Math.floor(v);
-    const gradient = this.#gradient;
+    const seen = this.#seen;
     const field = this.#clearance;
-    gradient.x = gradient.z = 0;
-    if (!(column >= 0 && row >= 0 && column < columns - 1 && row < rows - 1)) return -cell;
+    seen.x = seen.z = 0;
+    seen.clearance = -cell;
+    if (!(column >= 0 && row >= 0 && column < columns - 1 && row < rows - 1)) return;
     const at = row * columns + column;
     const s = u - column;
     const t = v - row;
@@ -196,22 +216,22 @@ export class FloorPlan {
     const b = field[at + 1]!;
     const c = field[at + columns]!;
     const d = field[at + columns + 1]!;
-    gradient.x = ((b - a) * (1 - t) + (d - c) * t) / cell;
-    gradient.z = ((c - a) * (1 - s) + (d - b) * s) / cell;
-    const clearance = (a * (1 - s) + b * s) * (1 - t) + (c * (1 - s) + d * s) * t;
-    if (!this.#standing) return clearance;
+    seen.x = ((b - a) * (1 - t) + (d - c) * t) / cell;
+    seen.z = ((c - a) * (1 - s) + (d - b) * s) / cell;
+    seen.clearance = (a * (1 - s) + b * s) * (1 - t) + (c * (1 - s) + d * s) * t;
+    if (!this.#standing) return;
     const standingX = this.#standing[0];
     const standingZ = this.#standing[1];
     const radius = this.#standing[2];
     const distance = length2(x - standingX, z - standingZ);
-    if (distance - radius >= clearance) return clearance;
-    gradient.x = distance > 0 ? (x - standingX) / distance : 1;
-    gradient.z = distance > 0 ? (z - standingZ) / distance : 0;
-    return distance - radius;
+    if (distance - radius >= seen.clearance) return;
+    seen.x = distance > 0 ? (x - standingX) / distance : 1;
+    seen.z = distance > 0 ? (z - standingZ) / distance : 0;
+    seen.clearance = distance - radius;
   }
 
   /** Whether the roomiest of the four squares around a point can be walked to. */
-  #isReachableNear(x: number, z: number): boolean {
+  #isReachableNear({ x, z }: Readonly<{ x: number; z: number }>): boolean {
     const { cell, columns } = this.#grid;
     const column = Math.floor((x - this.#grid.x) / cell - 0.5);
     const row = Math.floor((z - this.#grid.z) / cell - 0.5);

@@ -1,4 +1,5 @@
 import type { Vec3 } from "./bounds.js";
+import { length2 } from "./length.js";
 import type { Stand } from "./placing.js";
 import type { Solid } from "./solid.js";
 
@@ -9,6 +10,8 @@ export const WALK = 1.4;
 export const RUN = 2.8;
 /** Rate at which the walker takes up the pace asked for, 1/s: 95 % within a quarter of a second. */
 const AGILITY = 12;
+
+const WHOLE_TURN = 2 * Math.PI;
 
 /** Way of two steps, metres. */
 const STRIDE = 1.6;
@@ -27,36 +30,45 @@ const STRETCHING = 7;
 /** Things this near already make the hand draw back, metres: so that it seldom has to do so at once. */
 const CAUTION = 0.06;
 
+/** Who walks: where his eye is, metres, how fast he goes, m/s, and which way he faces, radians. */
+export interface Walker {
+  readonly position: Readonly<Vec3>;
+  readonly velocity: Readonly<Vec3>;
+  readonly yaw: number;
+}
+
 /**
- * Lets a velocity near the wanted one exponentially, and returns the way it makes meanwhile: exact, so
- * a step of any length ends where many short ones would. One axis.
+ * Lets a level velocity near the wanted one exponentially, and writes to `way` how far it goes meanwhile:
+ * exact, so a step of any length ends where many short ones would.
  */
 export function accelerate(
   velocity: Vec3,
-  axis: 0 | 1 | 2,
-  wanted: number,
+  wanted: Readonly<Vec3>,
   seconds: number,
-): number {
-  const excess = velocity[axis] - wanted;
+  way: Vec3,
+): void {
   const decay = Math.exp(-AGILITY * seconds);
-  velocity[axis] = wanted + excess * decay;
-  return wanted * seconds + (excess * (1 - decay)) / AGILITY;
+  for (let axis = 0; axis < 3; axis += 2) {
+    const excess = velocity[axis]! - wanted[axis]!;
+    velocity[axis] = wanted[axis]! + excess * decay;
+    way[axis] = wanted[axis]! * seconds + (excess * (1 - decay)) / AGILITY;
+  }
 }
 
 /** Moment of the stride after a way walked: 0 to 1 over two steps. */
 export function advanceStride(stride: number, way: number): number {
-  const next = stride + way / STRIDE;
-  return next - Math.floor(next);
+  return (stride + way / STRIDE) % 1;
 }
 
 /**
  * Where walking moves the head to, from where it would be gliding: up and down with each step, to the
- * side with every other. Metres.
- *
- * @param speed as walked, m/s: who stands does not sway
+ * side with every other. Who stands does not sway. Metres.
  */
-export function headBob(stride: number, speed: number, yaw: number, out: Vec3): Vec3 {
-  const share = Math.min(1, speed / WALK);
+export function headBob(
+  { stride, player: { velocity, yaw } }: { readonly stride: number; readonly player: Walker },
+  out: Vec3,
+): Vec3 {
+  const share = Math.min(1, length2(velocity[0], velocity[2]) / WALK);
   const phase = 2 * Math.PI * stride;
   const side = SWING * share * Math.sin(phase);
   out[0] = side * Math.cos(yaw);
@@ -109,20 +121,25 @@ export function calmHand(hand: Hand, yaw: number): void {
  * Lets the hand follow the body for a while: a critically damped spring behind the turn of the head,
  * and one that the body's acceleration pulls at. Both exact if turn and acceleration were even.
  */
-export function advanceHand(hand: Hand, yaw: number, velocity: Vec3, seconds: number): void {
+export function advanceHand(hand: Hand, { yaw, velocity }: Walker, seconds: number): void {
   if (!(seconds > 0)) return;
-  const turn = wrapAngle(yaw - hand.yaw) / seconds;
+  const turned = yaw - hand.yaw;
+  const turn = (turned - WHOLE_TURN * Math.round(turned / WHOLE_TURN)) / seconds;
   hand.yaw = yaw;
   // Damped against the room, so it stays behind for as long as the head turns.
   const behind = (2 * turn) / TURN_STIFFNESS;
-  relax(hand.lag - behind, turn - hand.turning, TURN_STIFFNESS, seconds);
+  spring.offset = hand.lag - behind;
+  spring.speed = turn - hand.turning;
+  relax(TURN_STIFFNESS, seconds);
   hand.lag = behind + spring.offset;
   hand.turning = turn - spring.speed;
   for (let axis = 0; axis < 3; axis += 2) {
     const acceleration = (velocity[axis]! - hand.velocity[axis]!) / seconds;
     hand.velocity[axis] = velocity[axis]!;
     const rest = -acceleration / SWAY_STIFFNESS ** 2;
-    relax(hand.sway[axis]! - rest, hand.swaying[axis]!, SWAY_STIFFNESS, seconds);
+    spring.offset = hand.sway[axis]! - rest;
+    spring.speed = hand.swaying[axis]!;
+    relax(SWAY_STIFFNESS, seconds);
     hand.sway[axis] = rest + spring.offset;
     hand.swaying[axis] = spring.speed;
   }
@@ -140,11 +157,10 @@ export function advanceHand(hand: Hand, yaw: number, velocity: Vec3, seconds: nu
  */
 export function holdOut(
   hand: Hand,
-  eye: Readonly<Vec3>,
-  yaw: number,
+  { position: eye, yaw }: Walker,
   hold: readonly [number, number, number],
   solid: Solid | null,
-  { radius, height }: Stand,
+  stand: Stand,
   seconds: number,
   foot: Vec3,
 ): void {
@@ -153,27 +169,30 @@ export function holdOut(
   const angle = yaw - soften(hand.lag, MAX_LAG);
   const sin = Math.sin(angle);
   const cos = Math.cos(angle);
-  const dx = right * cos - ahead * sin + soften(hand.sway[0], MAX_SWAY);
-  const dz = -right * sin - ahead * cos + soften(hand.sway[2], MAX_SWAY);
+  reach[0] = right * cos - ahead * sin + soften(hand.sway[0], MAX_SWAY);
+  reach[2] = -right * sin - ahead * cos + soften(hand.sway[2], MAX_SWAY);
   foot[0] = eye[0];
   foot[1] = eye[1] + hold[1];
   foot[2] = eye[2];
   let stretch = 1;
   if (solid) {
-    const wanted = solid.sweepCylinder(foot, dx, dz, radius + CAUTION, height);
-    const most = solid.sweepCylinder(foot, dx, dz, radius, height);
+    const wanted = solid.sweepCylinder(foot, reach, stand, CAUTION);
+    const most = solid.sweepCylinder(foot, reach, stand);
     const eased = wanted + (hand.stretch - wanted) * Math.exp(-STRETCHING * seconds);
     stretch = Math.min(eased, most);
   }
   if (seconds > 0) hand.stretch = stretch;
-  foot[0] += dx * stretch;
-  foot[2] += dz * stretch;
+  foot[0] += reach[0] * stretch;
+  foot[2] += reach[2] * stretch;
 }
+
+const reach: Vec3 = [0, 0, 0];
 
 const spring = { offset: 0, speed: 0 };
 
-/** A critically damped spring, let go: where it is after a while. Exact. */
-function relax(offset: number, speed: number, stiffness: number, seconds: number): void {
+/** Lets go of `spring`, which is critically damped, for a while. Exact. */
+function relax(stiffness: number, seconds: number): void {
+  const { offset, speed } = spring;
   const decay = Math.exp(-stiffness * seconds);
   const slope = speed + stiffness * offset;
   spring.offset = (offset + slope * seconds) * decay;
@@ -183,8 +202,4 @@ function relax(offset: number, speed: number, stiffness: number, seconds: number
 /** As it is when small, but never more than `most`. */
 function soften(value: number, most: number): number {
   return most * Math.tanh(value / most);
-}
-
-function wrapAngle(angle: number): number {
-  return angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
 }

@@ -13,18 +13,24 @@ export function layerKey(seed: number, layer: number): number {
 /** What the kernel must know about one tick of one layer, beside the timeline. */
 export interface Births {
   /** Number of the first birth, counted from time 0. */
-  readonly first: number;
-  readonly count: number;
+  first: number;
+  count: number;
   /** Age of the first-born at the end of the tick, seconds; each later one is `1 / rate` younger. */
-  readonly age: number;
+  age: number;
 }
 
-/** Births whose moment lies in (tick, tick + 1]. */
-export function birthsOf(layer: ParticleLayer, tick: number): Births {
+/** Births whose moment lies in (tick, tick + 1], written to `out`. */
+export function birthsOf(
+  layer: ParticleLayer,
+  tick: number,
+  out: Births = { first: 0, count: 0, age: 0 },
+): Readonly<Births> {
   // Counted from the start of the warm-up, so that no index is negative.
   const end = layer.rate * (tick + 1 + MEMORY) * TICK;
-  const first = Math.floor(layer.rate * (tick + MEMORY) * TICK) + 1;
-  return { first, count: Math.floor(end) - first + 1, age: (end - first) / layer.rate };
+  out.first = Math.floor(layer.rate * (tick + MEMORY) * TICK) + 1;
+  out.count = Math.floor(end) - out.first + 1;
+  out.age = (end - out.first) / layer.rate;
+  return out;
 }
 
 /**
@@ -38,6 +44,7 @@ export class Particles {
   readonly state: Float32Array;
   readonly #key: number;
   #tick: number;
+  readonly #births: Births = { first: 0, count: 0, age: 0 };
 
   constructor(layer: ParticleLayer, key: number, slots = layer.capacity) {
     this.layer = layer;
@@ -54,7 +61,7 @@ export class Particles {
 
   #step(timeline: Timeline, tick: number): void {
     const { layer, state } = this;
-    const { first, count, age: eldest } = birthsOf(layer, tick);
+    const { first, count, age: eldest } = birthsOf(layer, tick, this.#births);
     const groupSize = layer.capacity / GROUPS;
     const firstSlot = first % layer.capacity;
     const groups = timeline.groups(tick, layer.source);
@@ -66,7 +73,7 @@ export class Particles {
       const turn = (slot - group * groupSize) * GROUPS + group;
       const birth = (turn + layer.capacity - firstSlot) % layer.capacity;
       if (birth < count && group < groups) {
-        this.#bear(i, (first + birth) >>> 0, eldest - birth / layer.rate);
+        this.#bear(i, birth);
         // The emitter has moved on since.
         const since = (eldest - birth / layer.rate) / TICK;
         for (let axis = 0; axis < 3; axis++) {
@@ -90,8 +97,11 @@ export class Particles {
     }
   }
 
-  #bear(i: number, birth: number, age: number): void {
+  /** Bears one of the tick's, numbered from 0, in the slot whose floats begin at `i`. */
+  #bear(i: number, number: number): void {
     const { layer, state } = this;
+    const age = this.#births.age - number / layer.rate;
+    const birth = (this.#births.first + number) >>> 0;
     const h0 = pcg((birth + this.#key) >>> 0);
     const h1 = pcg(h0);
     const h2 = pcg(h1);

@@ -28,12 +28,16 @@ export interface Gait {
 
 /** Turns the head by what the pointer moved since the last frame. */
 export function look(player: Player, { yaw, pitch }: Intent): void {
-  player.yaw = wrapAngle(player.yaw + yaw);
-  nod(player, pitch);
+  player.yaw += yaw;
+  player.pitch += pitch;
+  straighten(player);
 }
 
-function nod(player: Player, pitch: number): void {
-  player.pitch = Math.min(Math.max(player.pitch + pitch, -MAX_PITCH), MAX_PITCH);
+/** Keeps yaw within a turn, and pitch between feet and crown. */
+function straighten(player: Player): void {
+  const turn = 2 * Math.PI;
+  player.yaw -= turn * Math.round(player.yaw / turn);
+  player.pitch = Math.min(Math.max(player.pitch, -MAX_PITCH), MAX_PITCH);
 }
 
 /**
@@ -50,17 +54,18 @@ export function walk(
   seconds: number,
 ): void {
   const { position, velocity } = player;
-  player.yaw = wrapAngle(player.yaw + turn * TURN_SPEED * seconds);
-  nod(player, tilt * TILT_SPEED * seconds);
+  player.yaw += turn * TURN_SPEED * seconds;
+  player.pitch += tilt * TILT_SPEED * seconds;
+  straighten(player);
   const length = Math.max(1, length2(forward, right));
   const pace = (runs ? gait.run : gait.walk) / length;
   const sin = Math.sin(player.yaw);
   const cos = Math.cos(player.yaw);
-  const dx = accelerate(velocity, 0, (right * cos - forward * sin) * pace, seconds);
-  const dz = accelerate(velocity, 2, (-right * sin - forward * cos) * pace, seconds);
-  ground.walk(position, dx, dz, velocity);
+  wanted[0] = (right * cos - forward * sin) * pace;
+  wanted[2] = (-right * sin - forward * cos) * pace;
+  accelerate(velocity, wanted, seconds, way);
+  ground.walk(position, way, velocity);
 }
 
-function wrapAngle(angle: number): number {
-  return angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
-}
+const wanted: Vec3 = [0, 0, 0];
+const way: Vec3 = [0, 0, 0];

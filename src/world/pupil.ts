@@ -68,6 +68,9 @@ export class Pupil {
   /** Stops by which the eye is open wider than what it sees asks for. */
   lag = 0;
   #wanted = 0;
+  /** What the last glance asks for, stops, and the bounced light in it, lux for each candela. */
+  #metered = 0;
+  #bounced = 0;
   /** Luminance, cd/m², at each ray's end, for each candela of the flame. */
   readonly #seen = new Float64Array(RAYS);
   /** What that was seen from: eye, yaw, pitch, flame. */
@@ -82,15 +85,16 @@ export class Pupil {
 
   /** A cut: the eye is there, used to what it sees. */
   settle(sight: Sight): void {
-    this.#wanted = this.#meter(sight);
+    this.#meter(sight);
+    this.#wanted = this.#metered;
     this.lag = 0;
   }
 
   /** What is seen has changed, and no time has passed. */
   notice(sight: Sight): void {
-    const wanted = this.#meter(sight);
-    this.lag += this.#wanted - wanted;
-    this.#wanted = wanted;
+    this.#meter(sight);
+    this.lag += this.#wanted - this.#metered;
+    this.#wanted = this.#metered;
   }
 
   advance(sight: Sight, seconds: number): void {
@@ -98,13 +102,13 @@ export class Pupil {
     this.lag *= Math.exp(-seconds / (this.lag > 0 ? CLOSING : OPENING));
   }
 
-  #meter(sight: Sight): number {
+  #meter(sight: Sight): void {
     if (this.#hasMoved(sight)) this.#look(sight);
     let sum = 0;
     for (let ray = 0; ray < RAYS; ray++) {
       sum += Math.log2(Math.max(this.#seen[ray]! * sight.luminousIntensity, DARKEST));
     }
-    return exposureOf(sum / RAYS);
+    this.#metered = exposureOf(sum / RAYS);
   }
 
   #hasMoved({ eye, yaw, pitch, flame }: Sight): boolean {
@@ -126,9 +130,11 @@ export class Pupil {
 
   #look({ solid, eye, yaw, pitch, flame, fieldOfView }: Sight): void {
     const height = Math.tan(fieldOfView / 2);
-    const [sinYaw, cosYaw] = [Math.sin(yaw), Math.cos(yaw)];
-    const [sinPitch, cosPitch] = [Math.sin(pitch), Math.cos(pitch)];
-    const bounced = bouncedLight(solid);
+    const sinYaw = Math.sin(yaw);
+    const cosYaw = Math.cos(yaw);
+    const sinPitch = Math.sin(pitch);
+    const cosPitch = Math.cos(pitch);
+    this.#bounced = bouncedLight(solid);
     for (let ray = 0; ray < RAYS; ray++) {
       const right = (((ray % COLUMNS) + 0.5) * (2 / COLUMNS) - 1) * height * ASPECT;
       const up = ((Math.floor(ray / COLUMNS) + 0.5) * (2 / ROWS) - 1) * height;
@@ -137,17 +143,17 @@ export class Pupil {
       this.#direction[0] = (right * cosYaw - ahead * sinYaw) / length;
       this.#direction[1] = (sinPitch + up * cosPitch) / length;
       this.#direction[2] = (-right * sinYaw - ahead * cosYaw) / length;
-      const lit = this.#illuminance(solid, eye, flame, bounced);
-      this.#seen[ray] = (lit * ALBEDO) / Math.PI;
+      this.#light(ray, solid, eye, flame);
     }
   }
 
-  /** Lux where the ray ends, for a flame of 1 cd. */
-  #illuminance(solid: Solid, eye: Readonly<Vec3>, flame: Readonly<Vec3>, bounced: number): number {
+  /** Finds what is seen along a ray by a flame of 1 cd. */
+  #light(ray: number, solid: Solid, eye: Readonly<Vec3>, flame: Readonly<Vec3>): void {
     const direction = this.#direction;
     const place = this.#place;
     const hit = solid.raycast(eye, direction, REACH);
-    if (!hit) return 0;
+    this.#seen[ray] = hit ? (this.#bounced * ALBEDO) / Math.PI : 0;
+    if (!hit) return;
     let squared = 0;
     let cosine = 0;
     for (let axis = 0; axis < 3; axis++) {
@@ -159,17 +165,17 @@ export class Pupil {
     }
     const distance = Math.sqrt(squared);
     cosine /= distance;
-    if (!(cosine > 0)) return bounced;
-    for (let axis = 0; axis < 3; axis++) {
-      direction[axis] = (flame[axis]! - place[axis]!) / distance;
-    }
-    return solid.raycast(place, direction, distance) ? bounced : bounced + cosine / squared;
+    if (!(cosine > 0)) return;
+    if (!solid.isClear(place, flame)) return;
+    this.#seen[ray]! += ((cosine / squared) * ALBEDO) / Math.PI;
   }
 }
 
 /** Lux of bounced light in a closed room, for a flame of 1 cd, as in an integrating sphere. */
 function bouncedLight({ bounds: { min, max } }: Solid): number {
-  const [x, y, z] = [max[0] - min[0], max[1] - min[1], max[2] - min[2]];
+  const x = max[0] - min[0];
+  const y = max[1] - min[1];
+  const z = max[2] - min[2];
   const area = 2 * (x * y + y * z + z * x);
   return ((4 * Math.PI) / area) * (ALBEDO / (1 - ALBEDO));
 }

@@ -28,7 +28,7 @@ export function createRoom(
   const lowest = Math.min(min[1], plan.floor) + HEADROOM;
   const highest = Math.max(max[1], plan.floor + EYE_HEIGHT + 2 * HEADROOM) - HEADROOM;
   const ground: Ground = {
-    walk: (position, dx, dz, velocity) => plan.walk(position, dx, dz, velocity),
+    walk: (position, way, velocity) => plan.walk(position, way, velocity),
     settle(position) {
       position[1] = Math.min(Math.max(position[1], lowest), highest);
       plan.settle(position);

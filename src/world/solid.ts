@@ -41,6 +41,16 @@ export class Solid {
   readonly #stack = new Uint32Array(MAX_DEPTH);
   readonly #leaves: Uint32Array;
   readonly #footprint = new Footprint();
+  /** Of the ray under way: where it begins, which way it goes, and how far it is to the nearest thing on it. */
+  readonly #ray = {
+    ox: Number.NaN,
+    oy: Number.NaN,
+    oz: Number.NaN,
+    dx: Number.NaN,
+    dy: Number.NaN,
+    dz: Number.NaN,
+    nearest: Number.NaN,
+  };
   readonly #way: Way = { x: 0, z: 0, dx: 0, dz: 0, radius: 0, share: 1 };
   readonly #hit: Hit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
 
@@ -80,21 +90,47 @@ export class Solid {
     maxDistance: number,
     hit: Hit = this.#hit,
   ): Hit | null {
-    const ox = origin[0];
-    const oy = origin[1];
-    const oz = origin[2];
-    const dx = direction[0];
-    const dy = direction[1];
-    const dz = direction[2];
+    const ray = this.#ray;
+    ray.ox = origin[0];
+    ray.oy = origin[1];
+    ray.oz = origin[2];
+    ray.dx = direction[0];
+    ray.dy = direction[1];
+    ray.dz = direction[2];
+    ray.nearest = maxDistance;
+    const found = this.#follow();
+    if (found < 0) return null;
+    hit.distance = ray.nearest;
+    hit.triangle = this.#numbers[found / 9]!;
+    this.#facing(found, direction, hit.normal);
+    return hit;
+  }
+
+  /** Whether nothing lies between two places. */
+  isClear(from: Readonly<Vec3>, to: Readonly<Vec3>): boolean {
+    const ray = this.#ray;
+    ray.ox = from[0];
+    ray.oy = from[1];
+    ray.oz = from[2];
+    ray.dx = to[0] - from[0];
+    ray.dy = to[1] - from[1];
+    ray.dz = to[2] - from[2];
+    ray.nearest = 1;
+    return this.#follow() < 0;
+  }
+
+  /** Where the coordinates of the triangle begin that the ray meets first; -1 if it meets none. */
+  #follow(): number {
+    const ray = this.#ray;
+    const { ox, oy, oz, dx, dy, dz } = ray;
     const { boxes, link, count, axis } = this.#bvh;
-    if (link.length === 0) return null;
+    if (link.length === 0) return -1;
     // Not infinite, lest a ray in a face of a box meet 0 times infinity.
     const ix = 1 / (dx || 1e-30);
     const iy = 1 / (dy || 1e-30);
     const iz = 1 / (dz || 1e-30);
     const stack = this.#stack;
     let height = 0;
-    let nearest = maxDistance;
     let found = -1;
     for (let node = 0; ; ) {
       const box = node * 6;
@@ -105,7 +141,7 @@ export class Solid {
       const z0 = (boxes[box + 2]! - SEAM - oz) * iz;
       const z1 = (boxes[box + 5]! + SEAM - oz) * iz;
       const enter = Math.max(Math.min(x0, x1), Math.min(y0, y1), Math.min(z0, z1), 0);
-      const leave = Math.min(Math.max(x0, x1), Math.max(y0, y1), Math.max(z0, z1), nearest);
+      const leave = Math.min(Math.max(x0, x1), Math.max(y0, y1), Math.max(z0, z1), ray.nearest);
       if (enter <= leave) {
         const items = count[node]!;
         if (items === 0) {
@@ -116,33 +152,23 @@ export class Solid {
           continue;
         }
         for (let i = link[node]!, end = i + items; i < end; i++) {
-          const distance = this.#distance(i * 9, ox, oy, oz, dx, dy, dz);
-          if (distance <= nearest) {
-            nearest = distance;
-            found = i * 9;
-          }
+          if (this.#meets(i * 9)) found = i * 9;
         }
       }
       if (height === 0) break;
       node = stack[--height]!;
     }
-    if (found < 0) return null;
-    hit.distance = nearest;
-    hit.triangle = this.#numbers[found / 9]!;
-    this.#facing(found, direction, hit.normal);
-    return hit;
+    return found;
   }
 
-  /** Möller and Trumbore 1997, "Fast, Minimum Storage Ray/Triangle Intersection". NaN for a miss. */
-  #distance(
-    at: number,
-    ox: number,
-    oy: number,
-    oz: number,
-    dx: number,
-    dy: number,
-    dz: number,
-  ): number {
+  /**
+   * Whether the ray meets a triangle before anything else that it has met; then that is the nearest.
+   *
+   * Möller and Trumbore 1997, "Fast, Minimum Storage Ray/Triangle Intersection".
+   */
+  #meets(at: number): boolean {
+    const ray = this.#ray;
+    const { ox, oy, oz, dx, dy, dz } = ray;
     const t = this.triangles;
     const ax = t[at]!;
     const ay = t[at + 1]!;
@@ -161,14 +187,16 @@ export class Solid {
     const sy = oy - ay;
     const sz = oz - az;
     const u = (sx * px + sy * py + sz * pz) / determinant;
-    if (!(u >= -SEAM && u <= 1 + SEAM)) return Number.NaN;
+    if (!(u >= -SEAM && u <= 1 + SEAM)) return false;
     const qx = sy * ez - sz * ey;
     const qy = sz * ex - sx * ez;
     const qz = sx * ey - sy * ex;
     const v = (dx * qx + dy * qy + dz * qz) / determinant;
-    if (!(v >= -SEAM && u + v <= 1 + SEAM)) return Number.NaN;
+    if (!(v >= -SEAM && u + v <= 1 + SEAM)) return false;
     const distance = (fx * qx + fy * qy + fz * qz) / determinant;
-    return distance >= 0 ? distance : Number.NaN;
+    if (!(distance >= 0 && distance <= ray.nearest)) return false;
+    ray.nearest = distance;
+    return true;
   }
 
   #facing(at: number, way: Readonly<Vec3>, normal: Vec3): void {
@@ -193,14 +221,17 @@ export class Solid {
     return false;
   }
 
-  /** Share of the level way (dx, dz) that an upright cylinder can go before it touches anything. */
+  /** Share of a level way that an upright cylinder, wider by a margin, can go before it touches anything. */
   sweepCylinder(
     place: Readonly<Vec3>,
-    dx: number,
-    dz: number,
-    radius: number,
-    height: number,
+    along: Readonly<Vec3>,
+    cylinder: { readonly radius: number; readonly height: number },
+    margin = 0,
   ): number {
+    const { height } = cylinder;
+    const radius = cylinder.radius + margin;
+    const dx = along[0];
+    const dz = along[2];
     const x = place[0];
     const y = place[1];
     const z = place[2];

@@ -22,7 +22,7 @@ import {
 } from "./gait.js";
 import { type Ground, OPEN, walled } from "./ground.js";
 import { type Intent, STILL } from "./intent.js";
-import { length2, length3 } from "./length.js";
+import { length2 } from "./length.js";
 import { GROUPS } from "./particle-layer.js";
 import { FLOATS, layerKey, Particles } from "./particles.js";
 import { canTake, type Refusal } from "./placing.js";
@@ -30,7 +30,7 @@ import { look as lookAround, MAX_PITCH, type Player, walk } from "./player.js";
 import { Fumes } from "./plume/fumes.js";
 import { Pupil, type Sight } from "./pupil.js";
 import type { Room } from "./room.js";
-import { isSpitting } from "./spits.js";
+import { Spits } from "./spits.js";
 import { STAGES, type Stage, WALL_MARGIN } from "./stage.js";
 import { MEMORY, TICK, Timeline } from "./timeline.js";
 
@@ -62,6 +62,8 @@ export interface World {
   readonly candle: Candle;
   readonly air: Air;
   readonly flame: Flame;
+  /** When its wick spits, if it burns well. */
+  readonly spits: Spits;
   /** Hot air and smoke; null in the paper's looks, whose flame heats nothing. */
   fumes: Fumes | null;
   /** How the visitor's eye follows changes of the light; at rest in the paper's looks. */
@@ -120,6 +122,7 @@ export function createWorld(
     player: { position: start, velocity: [0, 0, 0], yaw, pitch: stage.pitch },
     hand: createHand(yaw),
     candle: { position: [...(stage.stand ?? start)], yaw, isHeld },
+    spits: new Spits(seed),
     air: new Air(seed, { ...wind, speed: Math.min(wind.speed, LIGHTABLE) }),
     flame: new Flame(wick, isLit),
     fumes: null,
@@ -301,11 +304,10 @@ export function flameCentre({ sample }: World, out: Vec3): Vec3 {
 /** Groups of particles worth having at the emitter's distance from the eye. */
 export function levelOfDetail({ emitter, player, stage }: World): number {
   const { position } = player;
-  const distance = length3(
-    emitter[0] - position[0],
-    emitter[1] - position[1],
-    emitter[2] - position[2],
-  );
+  const x = emitter[0] - position[0];
+  const y = emitter[1] - position[1];
+  const z = emitter[2] - position[2];
+  const distance = Math.sqrt(x * x + y * y + z * z);
   // A flame twice as large is as large from twice as far.
   const lost = Math.floor((distance * 0.125) / (LOD_DISTANCE * stage.flameScale));
   return Math.max(1, GROUPS - lost);
@@ -319,18 +321,13 @@ const way: Vec3 = [0, 0, 0];
 const wind: Vec3 = [0, 0, 0];
 
 function tick(world: World, intent: Intent): void {
-  const { stage, player, emitter, timeline, ground, hand, air, flame } = world;
+  const { player, emitter, timeline, air, flame } = world;
   for (let axis = 0; axis < 3; axis++) before[axis] = emitter[axis]!;
-  const { position, velocity } = player;
-  const x = position[0];
-  const z = position[2];
-  walk(player, intent, stage.gait, ground, TICK);
-  world.stride = advanceStride(world.stride, length2(position[0] - x, position[2] - z));
-  advanceHand(hand, player.yaw, velocity, TICK);
+  stride(world, intent);
   settle(world, TICK);
   for (let axis = 0; axis < 3; axis++) motion[axis] = (emitter[axis]! - before[axis]!) / TICK;
-  const time = (timeline.tick + 1) * TICK;
-  air.advance(time, position, velocity, emitter, world.candle.isHeld ? motion : STANDING);
+  const carrying = world.candle.isHeld ? motion : STANDING;
+  air.advance(timeline.tick + 1, player.position, player.velocity, emitter, carrying);
   // The paper's flame has its own law of motion: it is only lit and put out as the physical one is.
   const isPhysical = world.look === "physical";
   flame.advance(emitter, isPhysical ? motion : STANDING, air, !(world.sways && isPhysical), TICK);
@@ -341,6 +338,24 @@ function tick(world: World, intent: Intent): void {
   if (timeline.tick % FUMES_EVERY === 0) {
     world.fumes?.step(flame, emitter, world.sways ? air : null);
   }
+  record(world, isPhysical);
+  if (!isPhysical) world.sample.follow(timeline);
+}
+
+/** Lets the visitor go on, and his hand follow. */
+function stride(world: World, intent: Intent): void {
+  const { player, stage, ground, hand } = world;
+  const { position } = player;
+  const x = position[0];
+  const z = position[2];
+  walk(player, intent, stage.gait, ground, TICK);
+  world.stride = advanceStride(world.stride, length2(position[0] - x, position[2] - z));
+  advanceHand(hand, player, TICK);
+}
+
+/** Tells the particles what has become of the emitter. */
+function record(world: World, isPhysical: boolean): void {
+  const { stage, emitter, timeline, air, flame } = world;
   // The paper's particles are in air at rest.
   if (isPhysical && world.sways) air.velocity(emitter, flow);
   else flow.fill(0);
@@ -349,9 +364,8 @@ function tick(world: World, intent: Intent): void {
     wind[axis] = flow[axis]! / stage.flameScale - way[axis]! / TICK;
   }
   const burnsWell = world.sways && flame.isLit && flame.fuel > SPITTING;
-  const spits = burnsWell && isSpitting(world.seed, timeline.tick);
+  const spits = burnsWell && world.spits.isAt(timeline.tick);
   timeline.record(way, wind, flame.isLit ? levelOfDetail(world) : 0, spits);
-  if (!isPhysical) world.sample.follow(timeline);
 }
 
 /** What the visitor's eye adapts to, as it is now. */
@@ -378,16 +392,7 @@ function notice(world: World): void {
 /** Brings candle and flame to where the visitor is. */
 function settle({ candle, player, hand, stage, room, emitter }: World, seconds: number): void {
   if (candle.isHeld && room) {
-    holdOut(
-      hand,
-      player.position,
-      player.yaw,
-      stage.hold,
-      room.solid,
-      STAND,
-      seconds,
-      candle.position,
-    );
+    holdOut(hand, player, stage.hold, room.solid, STAND, seconds, candle.position);
     candle.yaw = player.yaw;
   } else if (candle.isHeld) {
     holdCandle(candle, player, stage);
@@ -402,7 +407,7 @@ const bob: Vec3 = [0, 0, 0];
 /** Lets the picture run ahead of the last tick by the time left over, so that motion is smooth. */
 function show(world: World): void {
   const { player, candle, emitter, shown, remainder, room } = world;
-  const { position, velocity, yaw } = player;
+  const { position, velocity } = player;
   for (let axis = 0; axis < 3; axis++) {
     shown.eye[axis] = position[axis]! + velocity[axis]! * remainder;
   }
@@ -413,6 +418,6 @@ function show(world: World): void {
     shown.flame[axis] = emitter[axis]! + carried;
   }
   if (!room || !world.sways) return;
-  headBob(world.stride, length2(velocity[0], velocity[2]), yaw, bob);
+  headBob(world, bob);
   for (let axis = 0; axis < 3; axis++) shown.eye[axis]! += bob[axis]!;
 }

@@ -1,13 +1,13 @@
-import { type HeapProfiler, Session } from "node:inspector";
 import { expect, test } from "playwright/test";
 import { STILL } from "../../src/world/intent.ts";
 import { advance, blow, createWorld, type World } from "../../src/world/world.ts";
+import { litterPerTick, MOST_LITTER } from "../support/litter.ts";
 
 /** Most that a frame's world may take of one core, in milliseconds. */
 const MOST = 2;
 const FRAMES = 600;
-/** Most that a tick may leave to the collector, bytes: numbers that calls which are not inlined box. */
-const LITTER = 1000;
+/** Frames until all of the world is compiled. */
+const WARM_UP = 1500;
 
 const CASES: readonly { readonly name: string; readonly prepare: (world: World) => void }[] = [
   { name: "a candle in gusts", prepare: () => {} },
@@ -34,34 +34,11 @@ test("the world takes a small part of a frame of 1/60 s", () => {
   }
 });
 
-/** What a profile's functions have allocated, bytes. */
-function allocated({ selfSize, children }: HeapProfiler.SamplingHeapProfileNode): number {
-  return children.reduce((sum, child) => sum + allocated(child), selfSize);
-}
-
-test("the world leaves next to nothing to the collector", () => {
-  const session = new Session();
-  session.connect();
-  for (const { name, prepare } of CASES) {
-    const world = createWorld("physical", 1, {
-      wind: { speed: 0.3, direction: 0, gustiness: 1 },
-    });
-    prepare(world);
-    // Until all is compiled.
-    for (let frame = 0; frame < FRAMES; frame++) advance(world, STILL, 1 / 60);
-    prepare(world);
-    session.post("HeapProfiler.startSampling", {
-      samplingInterval: 1024,
-      includeObjectsCollectedByMajorGC: true,
-      includeObjectsCollectedByMinorGC: true,
-    });
-    for (let frame = 0; frame < FRAMES; frame++) advance(world, STILL, 1 / 60);
-    let litter = Number.NaN;
-    session.post("HeapProfiler.stopSampling", (_error, { profile }) => {
-      litter = allocated(profile.head) / (2 * FRAMES);
-    });
-    console.log(`${name}: ${litter.toFixed(0)} bytes a tick`);
-    expect(litter, name).toBeLessThan(LITTER);
+test("the world leaves nothing to the collector", async () => {
+  const litter = await litterPerTick(["gusts", "walking", "smoke", "still"], WARM_UP);
+  expect(Object.keys(litter)).toHaveLength(4);
+  for (const [name, bytes] of Object.entries(litter)) {
+    console.log(`${name}: ${bytes} bytes a tick`);
+    expect(bytes, name).toBeLessThanOrEqual(MOST_LITTER);
   }
-  session.disconnect();
 });

@@ -1,4 +1,4 @@
-import { isSpitting } from "../../src/world/spits.ts";
+import { Spits } from "../../src/world/spits.ts";
 import { TICK } from "../../src/world/timeline.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
@@ -87,7 +87,7 @@ test("Hot air bends what is behind it, and nothing else", async ({ page }) => {
 test("Dust drifts through the light, and a wick that spits throws sparks", async ({ page }) => {
   const spits = [...Array(1000).keys()].map((seed) => ({
     seed,
-    tick: [...Array(60).keys()].find((tick) => isSpitting(seed, tick)) ?? Number.NaN,
+    tick: [...Array(60).keys()].find((tick) => new Spits(seed).isAt(tick)) ?? Number.NaN,
   }));
   const { seed, tick } = spits.find(({ tick }) => tick > 0) ?? { seed: 0, tick: 0 };
   await serveSmallTextures(page);

@@ -37,16 +37,29 @@ const SOOT_LENGTH = 0.015;
 /** Air that passes burns soot away: by e for a third of the strain that puts the flame out. */
 const SOOT_LOSS = 3;
 
-/** How much of its fuel a flame turns to glowing soot: its length in metres, its strain as a share. */
-export function sootiness(length: number, strain: number): number {
-  return (1 - Math.exp(-((length / SOOT_LENGTH) ** 1.5))) * Math.exp(-SOOT_LOSS * strain);
+const TAPER_SOOT = TAPER_RATE * grownSoot(flameHeight(TAPER_RATE));
+
+/** How much of its fuel a flame of this length (m) turns to glowing soot where no air passes. */
+function grownSoot(length: number): number {
+  return 1 - Math.exp(-((length / SOOT_LENGTH) ** 1.5));
 }
 
-const TAPER_SOOT = TAPER_RATE * sootiness(flameHeight(TAPER_RATE), 0);
+/** What makes a flame's light, and its light. An object, since numbers that are handed on are boxed. */
+export interface Fire {
+  /** What burns, kg/s. */
+  rate: number;
+  /** Luminous length, metres. */
+  height: number;
+  /** Strain that it feels, as a share of what puts it out. */
+  felt: number;
+  /** Of its soot, as a share of a taper's in still air. */
+  light: number;
+}
 
-/** Light of a flame's soot as a share of a taper's in still air, from what it burns, kg/s. */
-export function sootLight(rate: number, length: number, strain: number): number {
-  return (rate * sootiness(length, strain)) / TAPER_SOOT;
+/** Finds the light of a fire. */
+export function shine(fire: Fire): void {
+  const soot = fire.rate * grownSoot(fire.height) * Math.exp(-SOOT_LOSS * fire.felt);
+  fire.light = soot / TAPER_SOOT;
 }
 
 /** Upward acceleration of the gas on the axis, m/s²: Roper's w = √(2 a z). */

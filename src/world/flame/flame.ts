@@ -1,10 +1,9 @@
 import type { Air } from "../air.js";
 import type { Vec3 } from "../bounds.js";
-import { length3 } from "../length.js";
-import { flameHeight, flameRadius, fuelRate, riseTime, sootLight } from "./burning.js";
+import { type Fire, flameHeight, flameRadius, fuelRate, riseTime, shine } from "./burning.js";
 import { Limiter } from "./limiter.js";
 import { Puffing, puffingFrequency } from "./puffing.js";
-import { PARCELS, Spine, timeToRise } from "./spine.js";
+import { type Feed, PARCELS, Spine, timeToRise } from "./spine.js";
 
 /** Heat makes vapour, and vapour heat: a small flame grows e-fold in this time. Seconds. */
 const GROWTH = 0.15;
@@ -50,19 +49,26 @@ const DRY = 550;
 /** Share of the fuel that still evaporates just after the flame has gone out. */
 export const AFTERGLOW = 0.3;
 
+/** What follows from a flame's state. */
+export interface Gauge extends Fire {
+  /** The share of fuel that it is as large for: out, it shrinks onto its wick, all but as bright as it was. */
+  extent: number;
+  /** Wax that leaves the wick unburnt, as a share of what it does just after the flame went out. */
+  smoking: number;
+}
+
 /** The flame on its wick, at the current tick. Lengths in metres, from the foot of the flame. */
 export class Flame {
-  /** Diameter of the wick, metres. */
-  wick: number;
   isLit: boolean;
+  // Numbers begin as numbers: fields that once held nothing box what they are given for ever.
   /** Fuel that burns, as a share of what the wick gives in still air. */
-  fuel: number;
+  fuel = 0;
   /** Strain by the air that passes, as a share of what puts the flame out. */
   strain = 0;
   /** Tip of the wick, kelvin. */
-  ember: number;
+  ember = 0;
   /** Light of its soot as a share of a taper's in still air, as fast as it may change. */
-  glow: number;
+  glow = 0;
   readonly spine: Spine;
   /** Its neck, which swings by itself over a wide wick. */
   readonly puffing = new Puffing();
@@ -70,11 +76,24 @@ export class Flame {
   /** What lets it lean, flicker and puff; a still one only burns, or goes out. */
   #isStill = false;
   /** Once it is out: the share of fuel and the light that it had, and for how long it has been. */
-  #remains: number;
+  #remains = 0;
   #lastGlow = 1;
   #outFor = Number.POSITIVE_INFINITY;
-  #spacing = 0;
-  #spacingOf = Number.NaN;
+  /** Of the wick: its diameter, metres, what it burns in still air, kg/s, and the light of that. */
+  #wick = 0;
+  #full = 0;
+  #fullLight = 0;
+  /** Widest that it burns, metres. */
+  #width = 0;
+  readonly #feed: Feed = { rate: Number.NaN, width: Number.NaN, spacing: Number.NaN };
+  readonly #gauge: Gauge = {
+    rate: Number.NaN,
+    height: Number.NaN,
+    felt: Number.NaN,
+    light: Number.NaN,
+    extent: Number.NaN,
+    smoking: Number.NaN,
+  };
   readonly #airspeed: Vec3 = [0, 0, 0];
   readonly #place: Vec3 = [0, 0, 0];
   readonly #flow: Vec3 = [0, 0, 0];
@@ -87,12 +106,31 @@ export class Flame {
     this.ember = isLit ? GLOWING : ROOM;
     this.#limiter.settle(this.unlimited);
     this.glow = this.#limiter.light;
-    this.spine = new Spine(fuelRate(wick), this.#parcelSpacing());
+    this.#feed.rate = this.#full;
+    this.spine = new Spine(this.#feed);
+  }
+
+  /** Diameter of the wick, metres. */
+  get wick(): number {
+    return this.#wick;
+  }
+
+  set wick(wick: number) {
+    if (wick === this.#wick) return;
+    this.#wick = wick;
+    this.#full = fuelRate(wick);
+    const still: Fire = { rate: this.#full, height: flameHeight(this.#full), felt: 0, light: 0 };
+    shine(still);
+    this.#fullLight = still.light;
+    this.#width = 2 * flameRadius(wick, 1);
+    this.#feed.width = wick;
+    // Parcels reach half as far again as the flame does in still air.
+    this.#feed.spacing = timeToRise(1.5 * flameHeight(this.#full), this.#full) / (PARCELS - 1);
   }
 
   /** What burns, kg/s. */
   get rate(): number {
-    return this.fuel * this.pulse * fuelRate(this.wick);
+    return this.gauge().rate;
   }
 
   /** Its volume as a share of its mean, as it puffs; exactly 1 of a candle. */
@@ -102,46 +140,52 @@ export class Flame {
 
   /** Luminous length along the spine, metres; of what still glows after it went out, too. */
   get height(): number {
-    const height = flameHeight(this.#extent * this.pulse * fuelRate(this.wick));
-    return height / (1 + SHORTENING * this.felt);
+    return this.gauge().height;
   }
 
   /** Largest luminous radius, metres. */
   get radius(): number {
-    return flameRadius(this.wick, this.#extent) / (1 + NARROWING * this.felt);
+    const { extent, felt } = this.gauge();
+    return flameRadius(this.#wick, extent) / (1 + NARROWING * felt);
   }
 
   /** Factor on the radius at a height, m, as necks and bulges travel up with the gas. */
   neck(height: number): number {
     const { real, imaginary } = this.puffing;
     if (this.#isStill || (real === 0 && imaginary === 0)) return 1;
-    const risen = riseTime(fuelRate(this.wick), height);
+    const risen = riseTime(this.#full, height);
     const angle = 2 * Math.PI * puffingFrequency(this.wick) * risen;
     const wave = real * Math.cos(angle) + imaginary * Math.sin(angle);
     return Math.max(1 + NECKING * wave * Math.min(height / this.height, 1), NARROWEST);
   }
 
-  /** The share of fuel that it is as large for: out, it shrinks onto its wick, all but as bright as it was. */
-  get #extent(): number {
-    return this.isLit ? this.fuel : this.#remains * Math.sqrt(this.presence);
+  /** What follows from its state. The same object each time: numbers in it are not boxed, as those of a call are. */
+  gauge(): Readonly<Gauge> {
+    const gauge = this.#gauge;
+    const volume = (this.#isStill ? 1 : this.puffing.pulse) * this.#full;
+    gauge.felt = this.#isStill ? 0 : Math.max(0, Math.min(this.strain, 1.5) - UNNOTICED);
+    gauge.extent = this.isLit ? this.fuel : this.#remains * Math.sqrt(this.presence);
+    gauge.rate = this.fuel * volume;
+    gauge.height = flameHeight(gauge.extent * volume) / (1 + SHORTENING * gauge.felt);
+    shine(gauge);
+    const warmth = this.isLit ? 0 : Math.max(0, (this.ember - DRY) / (GLOWING - DRY));
+    gauge.smoking = warmth * Math.sqrt(warmth);
+    return gauge;
   }
 
   /** Wax that leaves the wick unburnt, kg/s: it condenses to smoke. */
   get vapour(): number {
-    if (this.isLit) return 0;
-    const warmth = Math.max(0, (this.ember - DRY) / (GLOWING - DRY));
-    return AFTERGLOW * fuelRate(this.wick) * warmth ** 1.5;
+    return AFTERGLOW * this.#full * this.gauge().smoking;
   }
 
-  /** Strain beyond the draughts that cost it nothing. */
+  /** Strain beyond the draughts that cost it nothing, as a share of what puts it out. */
   get felt(): number {
-    return this.#isStill ? 0 : Math.max(0, Math.min(this.strain, 1.5) - UNNOTICED);
+    return this.gauge().felt;
   }
 
   /** Light as a share of what this wick gives in still air. */
   get share(): number {
-    const full = fuelRate(this.wick);
-    return this.glow / sootLight(full, flameHeight(full), 0);
+    return this.glow / this.#fullLight;
   }
 
   /** 1 while it burns; once it is out, the share of its last light that is left. */
@@ -151,7 +195,7 @@ export class Flame {
 
   /** Light of its soot as it would be if nothing kept it from flashing. */
   get unlimited(): number {
-    return this.isLit ? sootLight(this.rate, this.height, this.felt) : 0;
+    return this.gauge().light;
   }
 
   /** Catches at the wick. False if it burns already. */
@@ -159,7 +203,7 @@ export class Flame {
     if (this.isLit) return false;
     // Toggled in haste, it begins from a spark each time, and cannot flash.
     const gathered = Math.min(this.#outFor / GATHERING, 1) ** 3;
-    this.fuel = Math.max(SPARK, (gathered * this.vapour) / fuelRate(this.wick));
+    this.fuel = Math.max(SPARK, (gathered * this.vapour) / this.#full);
     this.isLit = true;
     this.strain = 0;
     this.#airspeed.fill(0); // the gust that put it out is long over
@@ -193,27 +237,20 @@ export class Flame {
   ): void {
     this.#isStill = isStill;
     if (isStill) this.puffing.calm();
-    else this.puffing.advance(this.wick, seconds);
+    else this.puffing.advance(this.#feed, seconds);
     const target = this.isLit ? GLOWING : ROOM;
     const pace = this.isLit ? HEATING : FADING;
     this.ember = target + (this.ember - target) * Math.exp(-seconds / pace);
-    const full = fuelRate(this.wick);
-    this.spine.advance(
-      foot,
-      motion,
-      Math.max(this.rate, 0.1 * full),
-      this.wick,
-      this.#parcelSpacing(),
-      isStill ? null : air,
-      seconds,
-    );
+    this.#feed.rate = Math.max(this.gauge().rate, 0.1 * this.#full);
+    this.spine.advance(foot, motion, this.#feed, isStill ? null : air, seconds);
     if (this.isLit) {
       this.#strain(foot, motion, air, seconds);
       this.#burn(seconds);
     } else {
       this.#outFor += seconds;
     }
-    this.#limiter.advance(this.unlimited, seconds);
+    this.#limiter.target = this.gauge().light;
+    this.#limiter.advance(seconds);
     this.glow = this.#limiter.light > UNSEEN ? this.#limiter.light : 0;
   }
 
@@ -221,7 +258,7 @@ export class Flame {
     const flow = this.#flow;
     const place = this.#place;
     place[0] = foot[0];
-    place[1] = foot[1] + STRAINED_AT * this.height;
+    place[1] = foot[1] + STRAINED_AT * this.gauge().height;
     place[2] = foot[2];
     air.velocity(place, flow);
     const share = 1 - Math.exp(-seconds / INERTIA);
@@ -229,13 +266,14 @@ export class Flame {
     for (let axis = 0; axis < 3; axis++) {
       airspeed[axis]! += (flow[axis]! - motion[axis]! - airspeed[axis]!) * share;
     }
-    const [x, y, z] = airspeed;
-    const width = 2 * flameRadius(this.wick, 1);
-    this.strain = length3(x, y, z) / width / EXTINCTION_STRAIN;
+    const x = airspeed[0];
+    const y = airspeed[1];
+    const z = airspeed[2];
+    this.strain = Math.sqrt(x * x + y * y + z * z) / (this.#width * EXTINCTION_STRAIN);
   }
 
   #burn(seconds: number): void {
-    const target = 1 - COOLING * Math.min(this.felt, 1);
+    const target = 1 - COOLING * Math.min(this.gauge().felt, 1);
     const strength = REMNANT_STRENGTH + (1 - REMNANT_STRENGTH) * Math.min(this.fuel, 1);
     const excess = Math.max(0, this.strain / strength - 1);
     const mending = Math.max(0, 1 - this.strain / strength);
@@ -243,15 +281,5 @@ export class Flame {
     const growth = (lack > 0 ? lack * mending : lack) - DYING * excess;
     this.fuel *= Math.exp(growth * seconds);
     if (this.fuel < LEAST && excess > 0) this.extinguish();
-  }
-
-  /** Parcels reach half as far again as the flame does in still air. */
-  #parcelSpacing(): number {
-    if (this.wick !== this.#spacingOf) {
-      const rate = fuelRate(this.wick);
-      this.#spacing = timeToRise(1.5 * flameHeight(rate), rate) / (PARCELS - 1);
-      this.#spacingOf = this.wick;
-    }
-    return this.#spacing;
   }
 }

@@ -11,6 +11,8 @@ const TREMBLE = 0.0295;
  * low-pass of second order, critically damped, beside which only a tremble below a tenth is let by.
  */
 export class Limiter {
+  /** The light that there would be. */
+  target = 0;
   /** The light that is given. */
   light = 0;
   #first = 0;
@@ -18,11 +20,12 @@ export class Limiter {
 
   /** Starts from a light that has been so for long. */
   settle(light: number): void {
-    this.light = this.#first = this.#slow = light;
+    this.target = this.light = this.#first = this.#slow = light;
   }
 
-  /** Lets seconds pass towards a light. Exact for any step in which it does not change. */
-  advance(target: number, seconds: number): void {
+  /** Lets seconds pass. Exact for any step in which the target does not change. */
+  advance(seconds: number): void {
+    const { target } = this;
     const lags = seconds / LAG;
     const left = Math.exp(-lags);
     const first = this.#first - target;

@@ -30,7 +30,7 @@ export class Puffing {
   imaginary = 0;
 
   /** Lets seconds pass over a source of this width, m. Exact for any step. */
-  advance(width: number, seconds: number, gravity = 9.81): void {
+  advance({ width }: { readonly width: number }, seconds: number, gravity = 9.81): void {
     const frequency = puffingFrequency(width, gravity);
     const excess = 1 - STILL_WIDTH / width;
     const rate = GROWTH * frequency * Math.max(excess, -3);

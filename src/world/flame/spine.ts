@@ -15,6 +15,16 @@ const LEAST_FELT = 0.5;
 /** √z grows at this rate where the gas rises freely, √m/s. */
 const CLIMB = Math.sqrt(BUOYANCY / 2);
 
+/** What the gas of a flame is made of and begins with. */
+export interface Feed {
+  /** Of fuel, kg/s. */
+  rate: number;
+  /** Of the wick, metres. */
+  width: number;
+  /** Seconds between two parcels. */
+  spacing: number;
+}
+
 /**
  * The middle of the flame as a streakline: parcels of gas that left the wick one after another.
  *
@@ -39,7 +49,7 @@ export class Spine {
   #seconds = 0;
 
   /** Upright and at rest, as in still air. */
-  constructor(rate: number, spacing: number) {
+  constructor({ rate, spacing }: Readonly<Feed>) {
     for (let i = 0; i < PARCELS; i++) {
       let left = i * spacing;
       const at = i * 3 + 1;
@@ -56,20 +66,16 @@ export class Spine {
    *
    * @param foot of the flame, metres, at the end of the tick
    * @param motion of the foot, m/s
-   * @param rate of fuel, kg/s
-   * @param width of the wick, metres
-   * @param spacing seconds between two parcels
    * @param air what carries the gas; null holds it still
    */
   advance(
     foot: Readonly<Vec3>,
     motion: Readonly<Vec3>,
-    rate: number,
-    width: number,
-    spacing: number,
+    feed: Readonly<Feed>,
     air: Air | null,
     seconds: number,
   ): void {
+    const { rate, width, spacing } = feed;
     this.#mixing = ENTRAINMENT / width;
     this.#flameSpeed = flameSpeed(rate);
     this.#plumeSpeed = plumeSpeed(rate);

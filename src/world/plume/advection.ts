@@ -33,6 +33,14 @@ export interface Lines {
   readonly rates: Float64Array;
 }
 
+/** What flows past along an axis. An object, since numbers that are handed on are boxed: see DECISIONS.md. */
+export interface Stream {
+  /** Of the grid itself, m/s. */
+  ride: number;
+  /** What flows in from outside. */
+  outside: number;
+}
+
 /**
  * Carries a field along one axis, in place: each line takes on what was upstream of it.
  *
@@ -40,29 +48,22 @@ export interface Lines {
  * (Lagrange's cubic): linear interpolation is a hundred times as viscous as air.
  *
  * @param flow along the axis, m/s
- * @param ride of the grid itself, m/s
- * @param outside what flows in
  */
-export function carry(
-  field: Float64Array,
-  flow: Float64Array,
-  lines: Lines,
-  ride: number,
-  outside: number,
-): void {
+export function carry(field: Float64Array, flow: Float64Array, lines: Lines, stream: Stream): void {
   const { count, stride, inner, outer, innerStride, outerStride } = lines;
   const { flowStride, flowInner, flowOuter, aside, isAsideInner, lastAside, rates } = lines;
-  line.fill(outside, 0, GHOSTS);
-  line.fill(outside, GHOSTS + count, count + 2 * GHOSTS);
+  for (let n = 0, above = GHOSTS + count; n < GHOSTS; n++) {
+    line[n] = line[above + n] = stream.outside;
+  }
   for (let b = 0; b < outer; b++) {
     for (let a = 0; a < inner; a++) {
       const near = a * flowInner + b * flowOuter;
       if (aside === 0) {
-        traceFaces(flow, near, flowStride, rates, count, ride);
+        traceFaces(flow, near, flowStride, rates, count, stream);
       } else {
         const face = isAsideInner ? a : b;
         const far = face > 0 ? near - aside : near;
-        traceMiddles(flow, face === lastAside ? far : near, far, flowStride, rates, count, ride);
+        traceMiddles(flow, face === lastAside ? far : near, far, flowStride, rates, count, stream);
       }
       fetchLine(field, a * innerStride + b * outerStride, stride, count);
     }
@@ -76,7 +77,7 @@ function traceFaces(
   stride: number,
   rates: Float64Array,
   count: number,
-  ride: number,
+  { ride }: Stream,
 ): void {
   const most = count + 2 * GHOSTS - 3;
   for (let n = 0, at = start; n < count; n++, at += stride) {
@@ -93,7 +94,7 @@ function traceMiddles(
   stride: number,
   rates: Float64Array,
   count: number,
-  ride: number,
+  { ride }: Stream,
 ): void {
   const most = count + 2 * GHOSTS - 3;
   let before = flow[near]! + flow[far]!;
@@ -137,7 +138,6 @@ function through(values: Float64Array, cell: number, t: number): number {
  * @param faces of the cells along the axis, where the flow is
  * @param strides from one cell to the next, along x, y and z
  * @param along which axis; the lines are numbered along the axes `inner` and `outer`
- * @param ride of the grid itself, m/s
  */
 export function carryAmount(
   field: Float64Array,
@@ -148,7 +148,7 @@ export function carryAmount(
   along: number,
   inner: number,
   outer: number,
-  ride: number,
+  stream: Stream,
 ): void {
   const stride = strides[along]!;
   const count = widths.length;
@@ -170,7 +170,7 @@ export function carryAmount(
       }
       for (let n = GHOSTS + count + 1; n < count + 2 * GHOSTS; n++) sums[n] = sum;
       const face = a * faces.flowInner + b * faces.flowOuter;
-      traceFaces(flow, face, faces.flowStride, faces.rates, count + 1, ride);
+      traceFaces(flow, face, faces.flowStride, faces.rates, count + 1, stream);
       let below = 0;
       for (let n = 0, at = start - stride; n <= count; n++, at += stride) {
         const from = Math.min(origins[n]!, count + 2 * GHOSTS - 3);

@@ -1,9 +1,8 @@
 import type { Air } from "../air.js";
 import type { Vec3 } from "../bounds.js";
-import { fuelRate, HEAT } from "../flame/burning.js";
-import { AFTERGLOW, type Flame, GLOWING, ROOM } from "../flame/flame.js";
-import { length3 } from "../length.js";
-import { PLUME_STEP, Plume } from "./plume.js";
+import { HEAT } from "../flame/burning.js";
+import { type Flame, type Gauge, GLOWING, ROOM } from "../flame/flame.js";
+import { type Heater, PLUME_STEP, Plume } from "./plume.js";
 import { Smoke } from "./smoke.js";
 
 /** Share of a flame's heat that rises with its gas; the rest shines, and melts the wax. */
@@ -24,8 +23,7 @@ const KINDLING = 0.12;
 export class Fumes {
   readonly plume = new Plume();
   readonly smoke: Smoke;
-  /** Share of the smoke that a wick gives off at most. */
-  #strength = 0;
+  readonly #heater: Heater = { power: Number.NaN, height: Number.NaN };
   readonly #wind: Vec3 = [0, 0, 0];
   readonly #wick: Vec3 = [0, 0, 0];
 
@@ -43,27 +41,39 @@ export class Fumes {
   step(flame: Flame, foot: Readonly<Vec3>, air: Air | null): void {
     const { origin } = this.plume;
     const wind = this.#wind;
-    const warmth = flame.vapour / (AFTERGLOW * fuelRate(flame.wick));
-    if (!flame.isLit && warmth === 0 && this.smoke.count === 0) {
+    const { smoke } = this;
+    const gauge = flame.gauge();
+    if (!flame.isLit && gauge.smoking === 0 && smoke.count === 0) {
       origin[1] = Number.NEGATIVE_INFINITY; // all is cold: the next flame begins in air at rest
       return;
     }
     if (air) air.velocity(foot, wind);
     else wind.fill(0);
-    if (length3(foot[0] - origin[0], foot[1] - origin[1], foot[2] - origin[2]) > JUMP) {
-      this.plume.calm(foot, wind);
-    }
+    const x = foot[0] - origin[0];
+    const y = foot[1] - origin[1];
+    const z = foot[2] - origin[2];
+    if (x * x + y * y + z * z > JUMP * JUMP) this.plume.calm(foot, wind);
     const wick = this.#wick;
     wick[0] = foot[0];
     wick[1] = foot[1] + WICK_END;
     wick[2] = foot[2];
+    this.#kindle(flame, gauge);
+    this.plume.step(foot, wind, this.#heater);
+    smoke.step(this.plume, wick);
+  }
+
+  /** How much heat and smoke the wick gives off now. */
+  #kindle(flame: Flame, { rate, height, smoking }: Readonly<Gauge>): void {
+    const { smoke } = this;
+    const heater = this.#heater;
     if (flame.isLit) {
-      this.plume.step(foot, wind, CONVECTED * HEAT * flame.rate, BURNING * flame.height);
+      heater.power = CONVECTED * HEAT * rate;
+      heater.height = BURNING * height;
     } else {
-      const hotter = (flame.ember - ROOM) / (GLOWING - ROOM);
-      this.plume.step(foot, wind, EMBER_POWER * hotter, EMBER_HEIGHT);
+      heater.power = (EMBER_POWER * (flame.ember - ROOM)) / (GLOWING - ROOM);
+      heater.height = EMBER_HEIGHT;
     }
-    this.#strength += ((warmth - this.#strength) * PLUME_STEP) / KINDLING;
-    this.smoke.step(this.plume, wick, warmth > 0 ? this.#strength : 0);
+    smoke.strength += ((smoking - smoke.strength) * PLUME_STEP) / KINDLING;
+    smoke.isFed = smoking > 0;
   }
 }

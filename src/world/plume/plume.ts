@@ -1,6 +1,6 @@
 import type { Vec3 } from "../bounds.js";
 import { length3 } from "../length.js";
-import { carry, carryAmount, type Lines } from "./advection.js";
+import { carry, carryAmount, type Lines, type Stream } from "./advection.js";
 import { type Axis, rising, symmetric } from "./axis.js";
 import { PressureSolver } from "./pressure.js";
 
@@ -42,6 +42,14 @@ export function plumeGrid(): PlumeGrid {
   };
 }
 
+/** What heats the air: an upright rod of hot gas above the origin. */
+export interface Heater {
+  /** W */
+  power: number;
+  /** Metres. */
+  height: number;
+}
+
 /** A component of velocity: it lives on the faces across its axis. */
 type Component = 0 | 1 | 2;
 type Three<T> = readonly [T, T, T];
@@ -70,6 +78,7 @@ export class Plume {
   readonly #lines: readonly [Three<Lines>, Three<Lines>, Three<Lines>];
   readonly #pressure: PressureSolver;
   readonly #wind: Vec3 = [0, 0, 0];
+  readonly #stream: Stream = { ride: Number.NaN, outside: Number.NaN };
   /** A place on the grid, of a look at it. */
   readonly #at: Vec3 = [0, 0, 0];
   readonly #counts: readonly [number, number, number];
@@ -107,10 +116,10 @@ export class Plume {
 
   /** Nothing but wind, m/s, around an origin, metres. */
   calm(origin: Readonly<Vec3>, wind: Readonly<Vec3>): void {
-    for (const axis of [0, 1, 2] as const) {
-      this.velocities[axis].fill(wind[axis]);
-      this.origin[axis] = origin[axis];
-      this.#wind[axis] = wind[axis];
+    for (let axis = 0; axis < 3; axis++) {
+      this.velocities[axis]!.fill(wind[axis]!);
+      this.origin[axis] = origin[axis]!;
+      this.#wind[axis] = wind[axis]!;
     }
     this.heat.fill(0);
     this.#pressure.forget();
@@ -121,34 +130,43 @@ export class Plume {
    *
    * @param origin where the flame is now, metres
    * @param wind of the room around, m/s
-   * @param power of what heats it, W: an upright rod of hot gas above the origin
-   * @param height of the rod, metres
    */
-  step(origin: Readonly<Vec3>, wind: Readonly<Vec3>, power: number, height: number): void {
+  step(origin: Readonly<Vec3>, wind: Readonly<Vec3>, heater: Readonly<Heater>): void {
     const { velocities } = this;
-    for (const axis of [0, 1, 2] as const) {
-      const flow = velocities[axis];
+    const stream = this.#stream;
+    for (let axis = 0; axis < 3; axis++) {
+      const flow = velocities[axis]!;
       // A wind that changes is pushed by the room's pressure, which reaches all of this air at once.
-      const change = wind[axis] - this.#wind[axis];
+      const change = wind[axis]! - this.#wind[axis]!;
       if (change !== 0) for (let at = 0; at < flow.length; at++) flow[at]! += change;
-      this.#before[axis].set(flow);
-      this.#wind[axis] = wind[axis];
+      this.#before[axis]!.set(flow);
+      this.#wind[axis] = wind[axis]!;
     }
     // The grid's own motion: a flame carried through still air stands in a wind.
-    for (const along of [0, 1, 2] as const) {
-      const ride = (origin[along] - this.origin[along]) / PLUME_STEP;
-      const flow = this.#before[along];
-      for (const axis of [0, 1, 2] as const) {
-        carry(velocities[axis], flow, this.#lines[axis][along], ride, wind[axis]);
+    for (let along = 0; along < 3; along++) {
+      stream.ride = (origin[along]! - this.origin[along]!) / PLUME_STEP;
+      const flow = this.#before[along]!;
+      for (let axis = 0; axis < 3; axis++) {
+        stream.outside = wind[axis]!;
+        carry(velocities[axis]!, flow, this.#lines[axis]![along]!, stream);
       }
-      const [inner, outer] = across(along);
-      const { widths } = this.#rulers[along];
-      const faces = this.#lines[along][along];
+      const { widths } = this.#rulers[along]!;
+      const faces = this.#lines[along]![along]!;
       const strides = this.#strides[MIDDLES]!;
-      carryAmount(this.heat, flow, widths, faces, strides, along, inner, outer, ride);
+      carryAmount(
+        this.heat,
+        flow,
+        widths,
+        faces,
+        strides,
+        along,
+        INNER[along]!,
+        OUTER[along]!,
+        stream,
+      );
     }
     for (let axis = 0; axis < 3; axis++) this.origin[axis] = origin[axis]!;
-    if (power > 0) this.#warm(power, height);
+    if (heater.power > 0) this.#warm(heater);
     this.#spread();
     this.#lift();
     this.#pressure.project(velocities);
@@ -198,7 +216,9 @@ export class Plume {
     const px = grid.x.place(x - origin[0]) - 0.5;
     const py = grid.y.place(y - origin[1]) - 0.5;
     const pz = grid.z.place(z - origin[2]) - 0.5;
-    const [nx, ny, nz] = this.#counts;
+    const nx = this.#counts[0];
+    const ny = this.#counts[1];
+    const nz = this.#counts[2];
     const isInside = px > -0.5 && py > -0.5 && pz > -0.5 && px < nx && py < ny && pz < nz;
     const excess: Vec3 = [0, 0, 0];
     if (isInside) between(this.heat, nx, ny, nz, [px, py, pz], excess, 0);
@@ -214,7 +234,9 @@ export class Plume {
   column(out: Float32Array): void {
     const { x, y, z } = this.grid;
     const { heat, origin } = this;
-    const [nx, ny, nz] = this.#counts;
+    const nx = this.#counts[0];
+    const ny = this.#counts[1];
+    const nz = this.#counts[2];
     for (let j = 0; j < ny; j++) {
       let missing = 0;
       let sumX = 0;
@@ -253,7 +275,8 @@ export class Plume {
 
   /** The lines of a velocity component along an axis. */
   #linesOf(axis: Component, along: Component): Lines {
-    const [inner, outer] = across(along);
+    const inner = INNER[along];
+    const outer = OUTER[along];
     const sizes = this.#sizes[axis]!;
     const strides = this.#strides[axis]!;
     const flowStrides = this.#strides[along]!;
@@ -280,9 +303,10 @@ export class Plume {
   #spread(): void {
     const { z } = this.grid;
     const { heat } = this;
-    const [, v] = this.velocities;
+    const v = this.velocities[1];
     const warm = this.#warmth;
-    const [ease, fast] = this.#before;
+    const ease = this.#before[0];
+    const fast = this.#before[1];
     warm.set(heat);
     fast.set(v);
     // Halves, so that two neighbours add up to their mean.
@@ -291,7 +315,9 @@ export class Plume {
       const hotter = 1 + h;
       ease[at] = h > 0 ? 0.5 * VISCOSITY * hotter * Math.sqrt(hotter) : 0.5 * VISCOSITY;
     }
-    const [nx, ny, nz] = this.#counts;
+    const nx = this.#counts[0];
+    const ny = this.#counts[1];
+    const nz = this.#counts[2];
     const plane = nx * ny;
     const vPlane = nx * (ny + 1);
     for (let k = 1; k < nz - 1; k++) {
@@ -328,7 +354,7 @@ export class Plume {
     }
   }
 
-  #warm(power: number, height: number): void {
+  #warm({ power, height }: Readonly<Heater>): void {
     const { x, y, z } = this.grid;
     const i = x.count >> 1;
     const k = z.count >> 1;
@@ -345,7 +371,7 @@ export class Plume {
 
   #lift(): void {
     const { x, y, z } = this.grid;
-    const [, v] = this.velocities;
+    const v = this.velocities[1];
     const { heat } = this;
     const half = 0.5 * GRAVITY * PLUME_STEP;
     for (let k = 0; k < z.count; k++) {
@@ -360,10 +386,9 @@ export class Plume {
   }
 }
 
-/** The axes that lines along one lie side by side on. */
-function across(along: Component): readonly [inner: Component, outer: Component] {
-  return [along === 0 ? 1 : 0, along === 2 ? 1 : 2];
-}
+/** The axes that lines along x, y and z lie side by side on. */
+const INNER = [1, 0, 0] as const;
+const OUTER = [2, 2, 1] as const;
 
 /** Trilinear, written to one of `out`; places are counted from the first value, and outside the nearest one counts. */
 function between(

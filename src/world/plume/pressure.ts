@@ -71,12 +71,17 @@ export class PressureSolver {
   }
 
   /** Net outflow of each cell, 1/s. */
-  #diverge([u, v, w]: readonly [Float64Array, Float64Array, Float64Array]): void {
+  #diverge(velocities: readonly [Float64Array, Float64Array, Float64Array]): void {
+    const u = velocities[0];
+    const v = velocities[1];
+    const w = velocities[2];
     const nx = this.#x.count;
     const ny = this.#y.count;
     const nz = this.#z.count;
     const excess = this.#excess;
-    const [perX, perY, perZ] = this.#perWidth;
+    const perX = this.#perWidth[0];
+    const perY = this.#perWidth[1];
+    const perZ = this.#perWidth[2];
     let cell = 0;
     for (let k = 0; k < nz; k++) {
       const deep = perZ[k]!;
@@ -105,11 +110,9 @@ export class PressureSolver {
     const pressure = this.#pressure;
     const excess = this.#excess;
     const shares = this.#shares;
-    const [
-      { lower: west, upper: east },
-      { lower: south, upper: north },
-      { lower: front, upper: back },
-    ] = this.#weights;
+    const { lower: west, upper: east } = this.#weights[0];
+    const { lower: south, upper: north } = this.#weights[1];
+    const { lower: front, upper: back } = this.#weights[2];
     for (let k = 0; k < nz; k++) {
       const f = front[k]!;
       const b = back[k]!;
@@ -134,14 +137,19 @@ export class PressureSolver {
     }
   }
 
-  #push([u, v, w]: readonly [Float64Array, Float64Array, Float64Array]): void {
+  #push(velocities: readonly [Float64Array, Float64Array, Float64Array]): void {
+    const u = velocities[0];
+    const v = velocities[1];
+    const w = velocities[2];
     const nx = this.#x.count;
     const ny = this.#y.count;
     const nz = this.#z.count;
     const row = nx + 2;
     const plane = row * (ny + 2);
     const pressure = this.#pressure;
-    const [perX, perY, perZ] = this.#perSpan;
+    const perX = this.#perSpan[0];
+    const perY = this.#perSpan[1];
+    const perZ = this.#perSpan[2];
     for (let k = 0; k <= nz; k++) {
       const deep = perZ[k]!;
       for (let j = 0; j <= ny; j++) {

@@ -37,6 +37,9 @@ export class Smoke {
   newest = 0;
   /** Rows that hold parcels. */
   count = 0;
+  /** Share of the smoke that a wick gives off at most, and whether it gives off any. */
+  strength = 0;
+  isFed = false;
   readonly #velocities = new Float32Array(LINES * ROWS * 3);
   readonly #amounts = new Float32Array(LINES * ROWS);
   readonly #key: number;
@@ -57,13 +60,12 @@ export class Smoke {
    * One `PLUME_STEP`.
    *
    * @param wick its end, metres
-   * @param strength of the smoke that leaves it now, 0 to 1
    */
-  step(air: Plume, wick: Readonly<Vec3>, strength: number): void {
+  step(air: Plume, wick: Readonly<Vec3>): void {
     this.#step++;
-    if (this.count === 0 && strength <= 0) return;
+    if (this.count === 0 && !this.isFed) return;
     this.#carry(air);
-    this.#bear(air, wick, strength);
+    this.#bear(air, wick);
     this.#thin();
   }
 
@@ -89,8 +91,9 @@ export class Smoke {
     }
   }
 
-  #bear(air: Plume, wick: Readonly<Vec3>, strength: number): void {
+  #bear(air: Plume, wick: Readonly<Vec3>): void {
     const { parcels } = this;
+    const strength = this.isFed ? this.strength : 0;
     this.newest = (this.newest + 1) % ROWS;
     this.count = Math.min(this.count + 1, ROWS);
     const place = this.#place;
@@ -108,7 +111,7 @@ export class Smoke {
         this.#velocities[at * 3 + axis] = flow[axis]!;
       }
       const grain = 1 + GRAIN * this.#grain(n);
-      this.#amounts[at] = (Math.max(strength, 0) * grain * THICKNESS) / LINES;
+      this.#amounts[at] = (strength * grain * THICKNESS) / LINES;
     }
     // What has dissolved is forgotten from the old end, until nothing is left.
     while (this.count > 0 && this.#isClear(this.newest - this.count + 1)) this.count--;

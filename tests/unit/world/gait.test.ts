@@ -13,6 +13,7 @@ import {
   holdOut,
   RUN,
   WALK,
+  type Walker,
 } from "../../../src/world/gait.ts";
 import { Solid } from "../../../src/world/solid.ts";
 import { chance } from "../chance.ts";
@@ -20,7 +21,7 @@ import { box, FURNISHED, insideOf, modelRoom, Rubble } from "./rooms.ts";
 
 const HOLD = [0.25, -0.4, 0.55] as const;
 const CANDLE = { radius: 0.07, height: 0.3 };
-const STILL: Vec3 = [0, 0, 0];
+const AT_REST: Walker = { position: [0, 0, 0], velocity: [0, 0, 0], yaw: 0 };
 
 describe("the walker", () => {
   test("is 1.6 m tall to the eye, walks at 1.4 and runs at 2.8 m/s", () => {
@@ -30,25 +31,33 @@ describe("the walker", () => {
   test("gets as far and as fast in one step as in a hundred", () => {
     const once: Vec3 = [0, 0, -1];
     const often: Vec3 = [0, 0, -1];
-    const way = accelerate(once, 2, WALK, 0.5);
+    const way: Vec3 = [0, 0, 0];
+    accelerate(once, [0, 0, WALK], 0.5, way);
+    const stretch: Vec3 = [0, 0, 0];
     let ways = 0;
-    for (let i = 0; i < 100; i++) ways += accelerate(often, 2, WALK, 0.005);
-    expect(ways).toBeCloseTo(way, 12);
+    for (let i = 0; i < 100; i++) {
+      accelerate(often, [0, 0, WALK], 0.005, stretch);
+      ways += stretch[2];
+    }
+    expect(ways).toBeCloseTo(way[2], 12);
     expect(often[2]).toBeCloseTo(once[2], 12);
   });
 
   test("is at 95 % of his pace after a quarter of a second, and stands after half of one", () => {
     const velocity: Vec3 = [0, 0, 0];
-    accelerate(velocity, 0, WALK, 0.25);
+    const way: Vec3 = [0, 0, 0];
+    accelerate(velocity, [WALK, 0, 0], 0.25, way);
     expect(velocity[0]).toBeGreaterThan(0.95 * WALK);
-    accelerate(velocity, 0, 0, 0.5);
+    accelerate(velocity, [0, 0, 0], 0.5, way);
     expect(velocity[0]).toBeLessThan(0.01);
   });
 });
 
 describe("the head", () => {
   const over = (speed: number): Vec3[] =>
-    Array.from({ length: 400 }, (_, i) => headBob(i / 400, speed, 0, [0, 0, 0]));
+    Array.from({ length: 400 }, (_, i) =>
+      headBob({ stride: i / 400, player: { ...AT_REST, velocity: [speed, 0, 0] } }, [0, 0, 0]),
+    );
 
   test.each([WALK, RUN])("bobs by at most 12 mm, and sways by at most 6, at %d m/s", (speed) => {
     const heights = over(speed).map(([, y]) => y);
@@ -69,7 +78,10 @@ describe("the head", () => {
   });
 
   test("sways across the way that the body faces", () => {
-    const [x, , z] = headBob(0.25, WALK, Math.PI / 2, [0, 0, 0]);
+    const [x, , z] = headBob(
+      { stride: 0.25, player: { ...AT_REST, velocity: [WALK, 0, 0], yaw: Math.PI / 2 } },
+      [0, 0, 0],
+    );
     expect(Math.abs(x)).toBeLessThan(1e-12);
     expect(z).toBeCloseTo(-0.004, 9);
   });
@@ -86,7 +98,8 @@ describe("the head", () => {
 function turned(rate: number, turn: number, seconds: number): Hand {
   const hand = createHand(0);
   const steps = Math.round(seconds * rate);
-  for (let i = 1; i <= steps; i++) advanceHand(hand, (turn * i) / steps, STILL, seconds / steps);
+  for (let i = 1; i <= steps; i++)
+    advanceHand(hand, { ...AT_REST, yaw: (turn * i) / steps }, seconds / steps);
   return hand;
 }
 
@@ -94,7 +107,7 @@ describe("the hand", () => {
   test("trails an even turn by twice its rate over the spring's, and catches up after it", () => {
     const hand = turned(120, 1.2, 1);
     expect(hand.lag).toBeCloseTo((2 * 1.2) / 18, 4);
-    advanceHand(hand, 1.2, STILL, 0.5);
+    advanceHand(hand, { ...AT_REST, yaw: 1.2 }, 0.5);
     expect(Math.abs(hand.lag)).toBeLessThan(0.005);
   });
 
@@ -108,7 +121,7 @@ describe("the hand", () => {
     const sway = (steps: number) => {
       const hand = createHand(0);
       for (let i = 1; i <= steps; i++) {
-        advanceHand(hand, 0, [(WALK * i) / steps, 0, 0], 0.2 / steps);
+        advanceHand(hand, { ...AT_REST, velocity: [(WALK * i) / steps, 0, 0] }, 0.2 / steps);
       }
       return hand;
     };
@@ -121,11 +134,11 @@ describe("the hand", () => {
 
   test("does not overshoot", () => {
     const hand = createHand(0);
-    advanceHand(hand, 0.5, STILL, 1 / 120);
+    advanceHand(hand, { ...AT_REST, yaw: 0.5 }, 1 / 120);
     expect(hand.lag).toBeGreaterThan(0.4);
     let last = hand.lag;
     for (let i = 0; i < 240; i++) {
-      advanceHand(hand, 0.5, STILL, 1 / 120);
+      advanceHand(hand, { ...AT_REST, yaw: 0.5 }, 1 / 120);
       expect(hand.lag).toBeGreaterThanOrEqual(0);
       expect(hand.lag).toBeLessThanOrEqual(last);
       last = hand.lag;
@@ -134,7 +147,7 @@ describe("the hand", () => {
 
   test("turns the short way past the back", () => {
     const hand = createHand(Math.PI - 0.1);
-    advanceHand(hand, -Math.PI + 0.1, STILL, 1 / 60);
+    advanceHand(hand, { ...AT_REST, yaw: -Math.PI + 0.1 }, 1 / 60);
     expect(hand.lag).toBeGreaterThan(0);
     expect(hand.lag).toBeLessThan(0.2);
   });
@@ -142,7 +155,15 @@ describe("the hand", () => {
   test("holds the candle where a stiff arm would when all is calm", () => {
     const hand = createHand(0.7);
     const foot: Vec3 = [0, 0, 0];
-    holdOut(hand, [1, 1.6, 2], 0.7, HOLD, null, CANDLE, 1 / 60, foot);
+    holdOut(
+      hand,
+      { ...AT_REST, position: [1, 1.6, 2], yaw: 0.7 },
+      HOLD,
+      null,
+      CANDLE,
+      1 / 60,
+      foot,
+    );
     const [sin, cos] = [Math.sin(0.7), Math.cos(0.7)];
     expect(foot[0]).toBeCloseTo(1 + 0.25 * cos - 0.55 * sin, 12);
     expect(foot[1]).toBeCloseTo(1.2, 12);
@@ -153,8 +174,16 @@ describe("the hand", () => {
     const hand = createHand(0);
     const foot: Vec3 = [0, 0, 0];
     for (let i = 1; i < 200; i++) {
-      advanceHand(hand, (i % 7) * 0.9, [(i % 3) * 2, 0, 0], 1 / 120);
-      holdOut(hand, [0, 1.6, 0], (i % 7) * 0.9, HOLD, null, CANDLE, 1 / 120, foot);
+      advanceHand(hand, { ...AT_REST, velocity: [(i % 3) * 2, 0, 0], yaw: (i % 7) * 0.9 }, 1 / 120);
+      holdOut(
+        hand,
+        { ...AT_REST, position: [0, 1.6, 0], yaw: (i % 7) * 0.9 },
+        HOLD,
+        null,
+        CANDLE,
+        1 / 120,
+        foot,
+      );
       const yaw = (i % 7) * 0.9;
       const ahead = -foot[0] * Math.sin(yaw) - foot[2] * Math.cos(yaw);
       expect(ahead).toBeGreaterThan(0.3);
@@ -168,7 +197,7 @@ describe("the hand", () => {
     const hand = createHand(0);
     const foot: Vec3 = [0, 0, 0];
     const hold = (z: number, seconds: number) => {
-      holdOut(hand, [0, 1.6, z], 0, HOLD, solid, CANDLE, seconds, foot);
+      holdOut(hand, { ...AT_REST, position: [0, 1.6, z] }, HOLD, solid, CANDLE, seconds, foot);
       return foot[2] - z;
     };
     expect(hold(0, 1 / 60)).toBeCloseTo(-0.55, 9);
@@ -184,7 +213,7 @@ describe("the hand", () => {
     const foot: Vec3 = [0, 0, 0];
     let last = 0.55;
     for (let z = 0; z > -1.74; z -= WALK / 120) {
-      holdOut(hand, [0, 1.6, z], 0, HOLD, solid, CANDLE, 1 / 120, foot);
+      holdOut(hand, { ...AT_REST, position: [0, 1.6, z] }, HOLD, solid, CANDLE, 1 / 120, foot);
       expect(Math.abs(z - foot[2] - last)).toBeLessThan(1.2 * (WALK / 120));
       last = z - foot[2];
     }
@@ -194,7 +223,7 @@ describe("the hand", () => {
     const solid = new Solid([insideOf([-2, 0, -2], [2, 2.6, 2])]);
     const hand = createHand(0);
     const foot: Vec3 = [0, 0, 0];
-    holdOut(hand, [0, 1.6, -1.7], 0, HOLD, solid, CANDLE, 0, foot);
+    holdOut(hand, { ...AT_REST, position: [0, 1.6, -1.7] }, HOLD, solid, CANDLE, 0, foot);
     expect(foot[2]).toBeCloseTo(-1.93, 6);
     expect(hand).toEqual(createHand(0));
   });
@@ -202,7 +231,15 @@ describe("the hand", () => {
   test("passes over a table that is lower than the candle", () => {
     const solid = new Solid([box([-1, 0, -1], [1, 0.75, -0.3])]);
     const foot: Vec3 = [0, 0, 0];
-    holdOut(createHand(0), [0, 1.6, 0], 0, HOLD, solid, CANDLE, 1 / 60, foot);
+    holdOut(
+      createHand(0),
+      { ...AT_REST, position: [0, 1.6, 0] },
+      HOLD,
+      solid,
+      CANDLE,
+      1 / 60,
+      foot,
+    );
     expect(foot[2]).toBeCloseTo(-0.55, 9);
   });
 
@@ -230,13 +267,13 @@ describe("the hand", () => {
         for (let i = 0; i < 12; i++) {
           before[0] = position[0];
           before[2] = position[2];
-          plan.walk(position, Math.cos(heading) * (RUN / 30), Math.sin(heading) * (RUN / 30));
+          plan.walk(position, [Math.cos(heading) * (RUN / 30), 0, Math.sin(heading) * (RUN / 30)]);
           velocity[0] = (position[0] - before[0]) * 30;
           velocity[2] = (position[2] - before[2]) * 30;
           yaw += turning / 30;
           const eye: Vec3 = [position[0], plan.floor + EYE_HEIGHT, position[2]];
-          advanceHand(hand, yaw, velocity, 1 / 30);
-          holdOut(hand, eye, yaw, HOLD, solid, CANDLE, 1 / 30, foot);
+          advanceHand(hand, { ...AT_REST, velocity, yaw }, 1 / 30);
+          holdOut(hand, { ...AT_REST, position: eye, yaw }, HOLD, solid, CANDLE, 1 / 30, foot);
           shortest = Math.min(shortest, hand.stretch);
           if (i % 3 === 0) nearest = Math.min(nearest, rubble.distance(foot[0], foot[2]));
         }

@@ -199,7 +199,7 @@ describe("wherever it is put down in the cabin", { timeout: 30_000 }, () => {
     const standing: Vec3 = [...plan.start];
     for (let i = 0; i < 1500; i++) {
       const heading = between(0, 2 * Math.PI);
-      plan.walk(standing, Math.cos(heading) * between(0, 1.5), Math.sin(heading) * 1);
+      plan.walk(standing, [Math.cos(heading) * between(0, 1.5), 0, Math.sin(heading) * 1]);
       const eye: Vec3 = [standing[0], plan.floor + 1.6, standing[2]];
       const yaw = between(0, 2 * Math.PI);
       const pitch = between(-1.3, -0.2);

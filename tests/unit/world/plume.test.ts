@@ -8,7 +8,8 @@ const STILL: Vec3 = [0, 0, 0];
 const POWER = 0.72 * HEAT * TAPER_RATE;
 
 function run(plume: Plume, seconds: number, wind: Vec3, power: number, height: number): Plume {
-  for (let n = 0; n < Math.round(seconds / PLUME_STEP); n++) plume.step(FOOT, wind, power, height);
+  for (let n = 0; n < Math.round(seconds / PLUME_STEP); n++)
+    plume.step(FOOT, wind, { power, height });
   return plume;
 }
 
@@ -80,7 +81,7 @@ describe("hot air over a flame in still air", () => {
     let least = Number.POSITIVE_INFINITY;
     let most = 0;
     for (let n = 0; n < 60; n++) {
-      plume.step(FOOT, STILL, POWER, 0.03);
+      plume.step(FOOT, STILL, { power: POWER, height: 0.03 });
       least = Math.min(least, rise(plume, 0.035));
       most = Math.max(most, rise(plume, 0.035));
     }
@@ -132,7 +133,7 @@ describe("hot air in a draught", () => {
     const foot: Vec3 = [...FOOT];
     for (let n = 0; n < 60; n++) {
       foot[0] -= 0.1 * PLUME_STEP;
-      carried.step(foot, STILL, POWER, 0.03);
+      carried.step(foot, STILL, { power: POWER, height: 0.03 });
     }
     const standing = new Plume();
     standing.calm(FOOT, [0.1, 0, 0]);

@@ -9,9 +9,9 @@ import measured from "../../fixtures/puffing.json" with { type: "json" };
 /** Pulse of a flame that has puffed for ten seconds, for ten more. */
 function watch(width: number, gravity?: number): number[] {
   const puffing = new Puffing();
-  for (let t = 0; t < 10; t += TICK) puffing.advance(width, TICK, gravity);
+  for (let t = 0; t < 10; t += TICK) puffing.advance({ width }, TICK, gravity);
   return Array.from({ length: Math.round(10 / TICK) }, () => {
-    puffing.advance(width, TICK, gravity);
+    puffing.advance({ width }, TICK, gravity);
     return puffing.pulse;
   });
 }
@@ -50,15 +50,15 @@ test("below the threshold it calms down as fast as the solved flame does", () =>
   const puffing = new Puffing();
   const begin = puffing.real;
   // Its swing was compared between the halves of half a second.
-  puffing.advance(0.01, 0.25);
+  puffing.advance({ width: 0.01 }, 0.25);
   const left = Math.hypot(puffing.real, puffing.imaginary) / begin;
   expect(Math.abs(left / (solved?.growth ?? 0) - 1)).toBeLessThan(0.25);
 });
 
 test("it puffs alike at any step", () => {
   const [fine, coarse] = [new Puffing(), new Puffing()];
-  for (let i = 0; i < 1200; i++) fine.advance(0.03, 1 / 240);
-  for (let i = 0; i < 300; i++) coarse.advance(0.03, 1 / 60);
+  for (let i = 0; i < 1200; i++) fine.advance({ width: 0.03 }, 1 / 240);
+  for (let i = 0; i < 300; i++) coarse.advance({ width: 0.03 }, 1 / 60);
   expect(fine.pulse).toBeCloseTo(coarse.pulse, 6);
 });
 

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { STILL } from "../../../src/world/intent.ts";
-import { isSpitting } from "../../../src/world/spits.ts";
+import { Spits } from "../../../src/world/spits.ts";
 import { TICK } from "../../../src/world/timeline.ts";
 import { advance, createWorld } from "../../../src/world/world.ts";
 
@@ -9,10 +9,11 @@ const HOUR = 3600 / TICK;
 /** First tick and length of every spit within a number of ticks. */
 function spitsOf(seed: number, ticks = HOUR): { readonly tick: number; readonly lasts: number }[] {
   const spits = [];
+  const chance = new Spits(seed);
   for (let tick = 0; tick < ticks; tick++) {
-    if (!isSpitting(seed, tick)) continue;
+    if (!chance.isAt(tick)) continue;
     let lasts = 1;
-    while (isSpitting(seed, tick + lasts)) lasts++;
+    while (chance.isAt(tick + lasts)) lasts++;
     spits.push({ tick, lasts });
     tick += lasts;
   }

@@ -64,7 +64,7 @@ describe("carried", () => {
       foot[0] += speed * TICK;
       const motion: Vec3 = [speed, 0, 0];
       // In an open hand: nobody shelters it.
-      air.advance((tick + 1) * TICK, EYE, AT_REST);
+      air.advance(tick + 1, EYE, AT_REST);
       flame.advance(foot, motion, air, false, TICK);
       leans.push(lean(flame, foot));
     }
@@ -100,7 +100,7 @@ test("in a draught the upper third is restless, and the lower one is not", () =>
   const swings = [0.2, 0.85].map((share) => ({ share, sum: 0, squares: 0 }));
   const ticks = 20 / TICK;
   for (let tick = 0; tick < ticks; tick++) {
-    air.advance((tick + 1) * TICK, EYE, AT_REST);
+    air.advance(tick + 1, EYE, AT_REST);
     flame.advance([0, 1, 0], AT_REST, air, false, TICK);
     for (const swing of swings) {
       const x = sideways(flame, swing.share);

@@ -1,0 +1,41 @@
+import { execFileSync } from "node:child_process";
+import { fileURLToPath } from "node:url";
+import { build } from "vite";
+
+/** Bytes that a tick of the world may leave to the collector: three numbers that compilers box. */
+export const MOST_LITTER = 48;
+
+/** Megabytes of nursery: so many that nothing is collected while it is measured. */
+const NURSERY = 64;
+/** Compiles early, and at once. */
+const EAGER = ["--interrupt-budget=10000", "--no-concurrent-recompilation"];
+
+/**
+ * Bytes that each tick of the world leaves to the collector, in a process of its own, by what happens.
+ *
+ * @param cases of `litter/child.ts`
+ * @param warmUp frames, until all is compiled
+ */
+export async function litterPerTick(
+  cases: readonly string[],
+  warmUp: number,
+): Promise<Readonly<Record<string, number>>> {
+  const built = await build({
+    configFile: false,
+    logLevel: "error",
+    build: {
+      write: false,
+      minify: false,
+      target: "esnext",
+      ssr: fileURLToPath(new URL("litter/child.ts", import.meta.url)),
+    },
+  });
+  const code = "output" in built ? built.output[0].code : "";
+  const nursery = [`--min-semi-space-size=${NURSERY}`, `--max-semi-space-size=${NURSERY}`];
+  const flags = [...EAGER, ...nursery, "--input-type=module", "-"];
+  const told = execFileSync(process.execPath, [...flags, String(warmUp), ...cases], {
+    input: code,
+    encoding: "utf8",
+  });
+  return JSON.parse(told);
+}
