@@ -6,8 +6,8 @@ import { median } from "./statistics.js";
 
 export type TierName = Exclude<Quality, "auto">;
 
-/** What the visitor does. */
-export type Doing = "stands" | "walks";
+/** What the visitor does, or the candle that was just put out. */
+export type Doing = "stands" | "walks" | "smokes";
 
 export interface PassCost {
   readonly pass: string;
@@ -44,13 +44,16 @@ const CAMERA = { position: [-0.85, 1.3, 1.1], yaw: -0.805, pitch: -0.244 } as co
 /** Seconds, at which low is to draw; and metres that a visitor walks in them. */
 const FRAME = 1 / 30;
 const STRIDE = 1.4 * FRAME;
-/** Frames to and fro, by the end of which whatever is not done in each frame has been done. */
-const CYCLE: Readonly<Record<Doing, number>> = { stands: 1, walks: 8 };
+/** Frames to and fro, by the end of which whatever is not done in each frame has been done: at low, most. */
+const CYCLE: Readonly<Record<Doing, number>> = { stands: 1, walks: 8, smokes: 1 };
+const SHORT_CYCLE = 2;
+/** Cycles after which whatever is only made for who walks is made. */
+const WARM: Readonly<Record<Doing, number>> = { stands: 1, walks: 5, smokes: 30 };
 /** Copies in a row, so that waiting for them is nothing against them. */
 const COPIES = 6;
 /** A slow machine has fewer rounds, so that they end: time for each scene, milliseconds. */
 const PATIENCE = 25_000;
-const LEAST_ROUNDS = 3;
+const LEAST_ROUNDS = 2;
 
 /** Each pass of each frame in copies, copies and frames interleaved. */
 export async function measurePasses(quality: TierName, rounds: number): Promise<Passes[]> {
@@ -71,6 +74,10 @@ export async function measurePasses(quality: TierName, rounds: number): Promise<
   element.place();
   element.camera = CAMERA;
   results.unshift(await measure(element, clock, { quality, doing: "stands", most: rounds }));
+  if (quality === "low") {
+    element.extinguish();
+    results.push(await measure(element, clock, { quality, doing: "smokes", most: rounds }));
+  }
   clock.dispose();
   element.remove();
   return results;
@@ -81,7 +88,7 @@ async function measure(
   clock: Clock,
   { quality, doing, most }: { quality: TierName; doing: Doing; most: number },
 ): Promise<Passes> {
-  const cycle = CYCLE[doing];
+  const cycle = quality === "low" ? CYCLE[doing] : Math.min(CYCLE[doing], SHORT_CYCLE);
   const frame = (number: number) => {
     if (doing === "walks") {
       const [x, y, z] = CAMERA.position;
@@ -93,7 +100,8 @@ async function measure(
   };
   // Who plays is taken to go on moving; nothing is drawn in between.
   if (doing === "walks") element.play();
-  for (let number = 0; number < cycle; number++) frame(number);
+  for (let number = 0; number < cycle * (quality === "low" ? WARM[doing] : 1); number++)
+    frame(number % cycle);
   const copies: number[] = [];
   const wholes: number[][] = Array.from({ length: cycle }, () => []);
   const passes = new Map<string, Span[][]>();

@@ -38,7 +38,7 @@ import { type LightAtVantage, lampOf, lightAtVantage, lightBlock } from "./light
 import { LightPass } from "./light-pass.js";
 import { ShadowPass } from "./shadow-pass.js";
 import { ShowPass } from "./show-pass.js";
-import { SmokePass } from "./smoke-pass.js";
+import { type Ball, ballsAround, SmokePass } from "./smoke-pass.js";
 
 const SHADOW = { size: 128, search: 4, taps: 8 } as const;
 const INDIRECT: IndirectDetail = {
@@ -321,9 +321,8 @@ export class DeferredRenderer implements Renderer {
     return features.smoke && fumes !== null && fumes.smoke.count >= 2;
   }
 
-  /** The pixels that the flame covers, and the hot air over it; all of them while there is smoke. */
+  /** The pixels that the flame covers, the hot air over it, and smoke. */
   #boxOfFlame(world: World, view: View): Box {
-    if (this.#hasSmoke(world, view)) return this.#whole;
     const { width, height } = this.#size;
     let [left, bottom, right, top] = [width, height, 0, 0];
     for (const [x, y, z, reach] of this.#ballsOfFire(world, view)) {
@@ -347,18 +346,19 @@ export class DeferredRenderer implements Renderer {
     return [x, y, end(right, x, width) - x, end(top, y, height) - y];
   }
 
-  /** Balls around the flame and the hot air over it: x, y, z, radius, metres. */
-  *#ballsOfFire(
-    { flame, fumes, shown }: World,
-    { features }: View,
-  ): Generator<readonly [number, number, number, number]> {
+  /** Balls around the flame, the hot air over it, and smoke. */
+  *#ballsOfFire(world: World, view: View): Generator<Ball> {
+    const { flame, fumes, shown } = world;
+    const { features } = view;
     const { balls } = shapeFlame(flame, TAPER, this.#shape);
     const [x, y, z] = shown.flame;
     // The hull around a ball is drawn a little wider than it.
     for (let at = 0; at < balls.length; at += 4) {
       yield [x + balls[at]!, y + balls[at + 1]!, z + balls[at + 2]!, balls[at + 3]! * 1.4];
     }
-    if (!features.haze || !fumes) return;
+    if (!fumes) return;
+    if (this.#hasSmoke(world, view)) yield* ballsAround(fumes.smoke);
+    if (!features.haze) return;
     const column = this.#haze.ballsAround(fumes.plume, flame.isLit ? flame.height : 0);
     for (let at = 0; at < column.length; at += 4) {
       yield [column[at]!, column[at + 1]!, column[at + 2]!, column[at + 3]!];

@@ -67,6 +67,8 @@ export class GeometryPass {
   readonly #gpu: Gpu;
   readonly #screen: VertexArray;
   readonly #guide: Program;
+  /** By whether the eye moves, and whether something may be cut out. */
+  readonly #programs = new Map<string, Program>();
   readonly #coarse: CoarseSurfaces;
   readonly #roots: RootTextures;
   #moving: RenderTarget | null = null;
@@ -180,6 +182,19 @@ export class GeometryPass {
     });
   }
 
+  /** Whoever may be cut out costs all that is drawn later its early test of depth. */
+  #programFor(isPassing: boolean, isMasked: boolean): Program {
+    const key = `${isPassing} ${isMasked}`;
+    const options = { defines: { MASKED: isMasked ? 1 : 0 } };
+    const program =
+      this.#programs.get(key) ??
+      (isPassing
+        ? this.#gpu.program("deferred/passing", passingVert, passingFrag, options)
+        : this.#gpu.program("deferred/geometry", surfaceVert, geometryFrag, options));
+    this.#programs.set(key, program);
+    return program;
+  }
+
   #draw(
     target: RenderTarget,
     surface: Surface,
@@ -195,14 +210,10 @@ export class GeometryPass {
       place === AT_ORIGIN
         ? runsOf(clusters, isSeen, false)
         : [{ first: 0, count: vertexArray.count }];
-    // Whoever may be cut out costs all that is drawn later its early test of depth.
-    const defines = { MASKED: surface.parameters[3] > 0 ? 1 : 0 };
     const root = isMoving ? this.#roots.of(surface.textures.uAlbedo) : null;
     const [red, green, blue, opacity] = surface.baseColor;
     const how: Draw = {
-      program: root
-        ? this.#gpu.program("deferred/passing", passingVert, passingFrag, { defines })
-        : this.#gpu.program("deferred/geometry", surfaceVert, geometryFrag, { defines }),
+      program: this.#programFor(root !== null, surface.parameters[3] > 0),
       target,
       vertexArray,
       textures: root ? { ...surface.textures, uRoot: root } : surface.textures,

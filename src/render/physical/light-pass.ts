@@ -16,6 +16,12 @@ import type { LightAtVantage } from "./light-block.js";
 /** Texels along an edge of the light for each pixel of the picture, while the eye moves and when it rests. */
 const SHARE = { moving: 0.25, resting: 0.5 } as const;
 
+/** Looks at the shadow cube for each texel. */
+export interface ShadowTaps {
+  readonly search: number;
+  readonly taps: number;
+}
+
 /** Light on the surfaces in sight, direct and bounced, coarser than they are. */
 export class LightPass {
   readonly format: TextureFormat;
@@ -26,20 +32,32 @@ export class LightPass {
   readonly #lamp: UniformBlock;
   #known = "";
   readonly #program: Program;
+  readonly #taps: ShadowTaps;
+  /** For light of which there are few texels; made when it is first needed. */
+  #coarse: Program | null = null;
   readonly #screen: VertexArray;
   #moving: RenderTarget | null = null;
   #resting: RenderTarget | null = null;
 
-  constructor(gpu: Gpu, screen: VertexArray, { search, taps }: { search: number; taps: number }) {
+  constructor(gpu: Gpu, screen: VertexArray, taps: ShadowTaps) {
     this.#gpu = gpu;
     this.#screen = screen;
-    this.#program = gpu.program("deferred/light", fullscreenVert, lightFrag, {
-      defines: { SHADOW_SEARCH: search, SHADOW_TAPS: taps },
-    });
+    this.#taps = taps;
+    this.#program = this.#programOf(taps);
     this.format = floats(gpu, 4);
     this.frame = gpu.uniformBlock(this.#program, "Frame");
     this.light = gpu.uniformBlock(this.#program, "Light");
     this.#lamp = gpu.uniformBlock(this.#program, "Light");
+  }
+
+  #programOf({ search, taps }: ShadowTaps): Program {
+    const defines = { SHADOW_SEARCH: search, SHADOW_TAPS: taps };
+    return this.#gpu.program("deferred/light", fullscreenVert, lightFrag, { defines });
+  }
+
+  #coarseProgram(): Program {
+    this.#coarse ??= this.#programOf(halfOf(this.#taps));
+    return this.#coarse;
   }
 
   resize(width: number, height: number): void {
@@ -83,7 +101,7 @@ export class LightPass {
     const worldFromClip = mat4.invert(mat4.create(), clip);
     if (!worldFromClip) throw new Error("The eye sees nothing.");
     this.#gpu.draw({
-      program: this.#program,
+      program: isCoarse ? this.#coarseProgram() : this.#program,
       target,
       vertexArray: this.#screen,
       textures: {
@@ -101,4 +119,9 @@ export class LightPass {
     });
     return target.color;
   }
+}
+
+/** Texels four times as large are mixed of as many looks again. */
+function halfOf({ search, taps }: ShadowTaps): ShadowTaps {
+  return { search: Math.ceil(search / 2), taps: Math.ceil(taps / 2) };
 }

@@ -9,6 +9,9 @@ import { LINES, ROWS, SMOKE_FLOATS, type Smoke } from "../../world/plume/smoke.j
 import type { IrradianceVolume } from "./indirect-pass.js";
 import type { Veil } from "./veil.js";
 
+/** A ball: x, y, z, radius, metres. */
+export type Ball = readonly [number, number, number, number];
+
 /** Smoke of the wick: streaklines of droplets in what light there is. */
 export class SmokePass {
   readonly #gpu: Gpu;
@@ -59,6 +62,28 @@ export class SmokePass {
       blend: "premultiplied",
       cull: "none",
     });
+  }
+}
+
+/** How far a line of smoke is drawn, in standard deviations: `REACH` of the shader. */
+const REACH = 2.4;
+
+/** Balls around all smoke: x, y, z, radius, metres; one for each moment of its birth. */
+export function* ballsAround({ parcels, newest, count }: Smoke): Generator<Ball> {
+  for (let age = 0; age < count; age++) {
+    const first = ((newest - age + ROWS) % ROWS) * LINES * SMOKE_FLOATS;
+    const end = first + LINES * SMOKE_FLOATS;
+    let [x, y, z, radius] = [0, 0, 0, 0];
+    for (let at = first; at < end; at += SMOKE_FLOATS) {
+      x += parcels[at]! / LINES;
+      y += parcels[at + 1]! / LINES;
+      z += parcels[at + 2]! / LINES;
+    }
+    for (let at = first; at < end; at += SMOKE_FLOATS) {
+      const away = Math.hypot(parcels[at]! - x, parcels[at + 1]! - y, parcels[at + 2]! - z);
+      radius = Math.max(radius, away + REACH * parcels[at + 4]!);
+    }
+    yield [x, y, z, radius];
   }
 }
 
