@@ -18,7 +18,7 @@ import type { Tier } from "../tier.js";
 export type FlamePart = "all" | "soot" | "blue";
 
 /** Steps of the march through the flame. */
-const STEPS: Readonly<Record<Tier["name"], number>> = {
+export const STEPS: Readonly<Record<Tier["name"], number>> = {
   low: 12,
   medium: 24,
   high: 40,

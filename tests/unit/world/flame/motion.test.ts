@@ -114,3 +114,21 @@ test("in a draught the upper third is restless, and the lower one is not", () =>
   expect(high).toBeGreaterThan(0.0005);
   expect((high ?? 0) / (low ?? 1)).toBeGreaterThan(2);
 });
+
+test("who walks past opens a door of air: a standing flame leans from him, and then after him", () => {
+  const air = new Air(1, CALM);
+  const flame = new Flame(TAPER_WICK, true);
+  const foot: Vec3 = [0, 1, 0];
+  // Past it at a walk, along x, 0.4 m to its side.
+  const leans = Array.from({ length: 2 / TICK }, (_, tick) => {
+    const eye: Vec3 = [1.4 * (tick * TICK - 1), 1.6, 0.4];
+    air.advance(tick + 1, eye, [1.4, 0, 0]);
+    flame.advance(foot, AT_REST, air, false, TICK);
+    return lean(flame, foot);
+  });
+  const [first, passing, last] = [0.55, 1, 1.5].map((t) => leans[Math.round(t / TICK)] ?? 0);
+  expect(first).toBeGreaterThan(1e-4);
+  expect(passing).toBeLessThan(-1e-3);
+  expect(last).toBeGreaterThan(1e-4);
+  expect(Math.abs(leans.at(-1) ?? 1)).toBeLessThan(Math.abs(passing ?? 0) / 5);
+});
