@@ -19,6 +19,10 @@ const MOST_ROUNDS = 16;
 const WORTHWHILE = 0.01;
 /** Least cosine between a triangle before and after; and between the normals of vertices that become one. */
 const LEAST_TURN = 0.3;
+/** Both sides of a cloth keep apart: most that a surface moves, as a share of how thick a thing is. */
+const SHARE_OF_THICKNESS = 0.25;
+/** Least share of a surface that faces some way on the whole for it to be open. */
+const OPEN = 0.02;
 /** How far out of a triangle a place still counts as within, as a share of it. */
 const WITHIN = 0.02;
 /** Most that a picture is shifted on its surface, in errors of the surface; and a colour, 0 to 1. */
@@ -47,8 +51,8 @@ export class Simplification {
 
   constructor(mesh: Simplifiable, error: number) {
     this.#mesh = mesh;
-    this.#error = error;
-    this.#shift = SHIFT * error * picturesPerMetre(mesh);
+    this.#error = Math.min(error, thicknessOf(mesh) * SHARE_OF_THICKNESS);
+    this.#shift = SHIFT * this.#error * picturesPerMetre(mesh);
     this.#points = pointsOf(mesh.positions);
     this.#quadrics = quadricsOf(mesh, this.#points);
     this.indices = withoutSlivers(Uint32Array.from(mesh.indices), this.#points);
@@ -62,6 +66,26 @@ export class Simplification {
     this.#rounds++;
     return this.#rounds < MOST_ROUNDS && this.indices.length <= before * (1 - WORTHWHILE);
   }
+}
+
+/** How thick what a surface encloses is in the mean, metres; infinite where it is open. */
+export function thicknessOf({ positions, indices }: Simplifiable): number {
+  let volume = 0;
+  let area = 0;
+  const facing = [0, 0, 0];
+  const vertex = (corner: number) => [0, 1, 2].map((k) => positions[indices[corner]! * 3 + k]!);
+  for (let i = 0; i < indices.length; i += 3) {
+    const [a, b, c] = [vertex(i), vertex(i + 1), vertex(i + 2)];
+    const normal = cross(minus(b, a), minus(c, a));
+    for (let k = 0; k < 3; k++) {
+      facing[k]! += normal[k]! / 2;
+      volume += (a[k]! * normal[k]!) / 6;
+    }
+    area += Math.hypot(...normal) / 2;
+  }
+  // What is closed faces all ways alike.
+  if (Math.hypot(...facing) > OPEN * area) return Number.POSITIVE_INFINITY;
+  return (2 * Math.abs(volume)) / Math.max(area, 1e-12);
 }
 
 /** Lengths of a mesh's pictures, as a share of them, along a metre of it. */

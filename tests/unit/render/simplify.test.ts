@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { type Simplifiable, Simplification } from "../../../src/render/simplify.ts";
+import { type Simplifiable, Simplification, thicknessOf } from "../../../src/render/simplify.ts";
 
 type Vec = readonly [number, number, number];
 
@@ -103,4 +103,40 @@ test("What is flat falls together wholly, but keeps its outline; what is needed 
   const few = { positions: [0, 0, 0, 1, 0, 0, 0, 0, 1], normals: [0, 1, 0, 0, 1, 0, 0, 1, 0] };
   expect([...simplified({ ...few, indices: [0, 2, 1] }, 0.001)]).toEqual([0, 2, 1]);
   expect([...simplified({ ...few, indices: [] }, 0.001)]).toEqual([]);
+});
+
+test("A surface that is open has no thickness; of a closed one it is known, and its sides keep apart", () => {
+  expect(thicknessOf(tube(8, 2, 0.1, 1))).toBeLessThan(0.2); // open at its ends, which weigh each other up
+  const square = {
+    positions: [0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 1],
+    normals: [],
+    indices: [0, 2, 1, 1, 2, 3],
+  };
+  expect(thicknessOf(square)).toBe(Number.POSITIVE_INFINITY);
+  // A wavy cloth of 4 mm: a closed skin, of as many squares all around as along.
+  const around = 80;
+  const along = 40;
+  const positions: number[] = [];
+  const normals: number[] = [];
+  const indices: number[] = [];
+  for (let row = 0; row <= along; row++) {
+    for (let side = 0; side < around; side++) {
+      const isUp = side < around / 2;
+      const x = isUp ? side : around - 1 - side;
+      positions.push(x / 40, 0.03 * Math.sin(x / 3) + (isUp ? 0.004 : 0), row / along);
+      normals.push(0, isUp ? 1 : -1, 0);
+      if (row === along) continue;
+      const at = (r: number, s: number) => (row + r) * around + ((side + s) % around);
+      indices.push(at(0, 0), at(1, 0), at(0, 1), at(0, 1), at(1, 0), at(1, 1));
+    }
+  }
+  const cloth = { positions: Float32Array.from(positions), normals, indices };
+  expect(thicknessOf(cloth)).toBeGreaterThan(0.002);
+  expect(thicknessOf(cloth)).toBeLessThan(0.0041);
+  const few = simplified(cloth, 0.02);
+  expect(few.length).toBeLessThan(indices.length / 3);
+  for (const vertex of few) expect(vertex).toBeLessThan(positions.length / 3);
+  // The waves are there, on either side.
+  const columns = new Set(Array.from(few, (vertex) => vertex % around));
+  expect(columns.size).toBeGreaterThan(16);
 });
