@@ -14,26 +14,42 @@ layout(std140) uniform Light {
   vec3 along;        // direction of the flame's axis, length 1
 } light;
 
-// Share of a light at `from` that passes a level disc around the candle's axis on its way to `to`.
+// The candle's edge stands so much above its top, on an average around it, m.
+const float LIP = 0.0007;
+
+// Where a light at `from` passes a level disc around the candle's axis on its way to `to`, which is below:
+// 0 where the light's near end grazes its edge, 1 where its far end does.
 float passDisc(vec3 from, vec3 to, float height, float radius) {
-  float way = (height - to.y) / max(from.y - to.y, 1e-4);
-  if (way <= 0.0 || way >= 1.0) return 1.0;
-  float away = distance(mix(to.xz, from.xz, way), light.axis);
-  float blur = light.radius * way + 1e-4;  // the flame's width, as the disc's edge throws it
-  return smoothstep(radius - blur, radius + blur, away);
+  vec3 descent = vec3(from.x, max(from.y, height + 1e-4), from.z) - to;
+  float way = (height - to.y) / descent.y;
+  float away = distance(mix(to.xz, from.xz, way), light.axis) - radius;
+  // The light's width, as the disc's edge throws it.
+  float blur = (light.radius * length(descent) / descent.y + 1e-4) * way + 1e-4;
+  return 0.5 + 0.5 * away / blur;
+}
+
+// Integral of a smooth step from 0 to 1.
+float climbed(float x) {
+  float t = clamp(x, 0.0, 1.0);
+  return t * t * t * (1.0 - 0.5 * t) + max(x - 1.0, 0.0);
+}
+
+// Share of the flame that a disc leaves in sight: as long as it is, each part of it is as wide.
+float pastDisc(vec3 position, float height, float radius) {
+  if (position.y >= height) return 1.0;
+  vec3 reach = light.along * light.halfHeight;
+  float low = passDisc(light.position - reach, position, height, radius);
+  float high = passDisc(light.position + reach, position, height, radius);
+  float middle = smoothstep(0.0, 1.0, 0.5 * (low + high));
+  return abs(high - low) < 1e-2 ? middle : (climbed(high) - climbed(low)) / (high - low);
 }
 
 // Share of the flame that candle and holder leave in sight. They are a centimetre from the light, too
-// near for a shadow map, and simple enough to do without: each is a disc. Three points of the flame.
+// near for a shadow map, and simple enough to do without: each is a disc.
 float pastCandle(vec3 position) {
   if (position.y > light.rim) return 1.0;
-  float share = 0.0;
-  for (int i = -1; i <= 1; i++) {
-    vec3 from = light.position + light.along * (float(i) * 0.7 * light.halfHeight);
-    float pan = position.y < light.pan - 0.004 ? passDisc(from, position, light.pan, light.panRadius) : 1.0;
-    share += pan * passDisc(from, position, light.rim, light.rimRadius);
-  }
-  return share / 3.0;
+  float pan = position.y < light.pan - 0.004 ? pastDisc(position, light.pan, light.panRadius) : 1.0;
+  return min(pan, pastDisc(position, light.rim + LIP, light.rimRadius));
 }
 
 // The wick glows where it reaches out of the dark zone: heights above the candle's rim, m.

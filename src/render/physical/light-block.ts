@@ -4,7 +4,7 @@ import type { Vec3 } from "../../world/bounds.js";
 import type { World } from "../../world/world.js";
 
 /** What of the chamberstick stands in its own light: heights above its foot and radii, metres. */
-const CANDLE = { rim: 0.2015, rimRadius: 0.0105, pan: 0.018, panRadius: 0.066 } as const;
+const CANDLE = { rim: 0.2015, rimRadius: 0.0101, pan: 0.018, panRadius: 0.066 } as const;
 
 /** The flame as the shaders' `Light` block has it; a hidden candle stands in no light. */
 export function lightBlock(world: World, showsCandle: boolean) {
