@@ -28,6 +28,27 @@ function reportPrograms(page: Page, look: Look, quality?: Quality) {
   );
 }
 
+/** Three numbers for each pixel of a square that a fragment shader draws, row by row. */
+function drawnBy(page: Page, fragment: string, size: number): Promise<number[]> {
+  return page.evaluate(
+    async ({ module, vertex, fragment, size }) => {
+      const { furnace }: typeof import("../support/furnace.ts") = await import(module);
+      return furnace(vertex, fragment, size);
+    },
+    {
+      module: "/tests/support/furnace.ts",
+      vertex: resolveShader(join(SHADERS, "physical/fullscreen.vert")),
+      fragment: resolveShader(fragment),
+      size,
+    },
+  );
+}
+
+interface Spread {
+  readonly mean: number;
+  readonly variance: number;
+}
+
 /** What the compiler says of the room's program with one line of one of its files replaced. */
 function complaintAbout(page: Page, file: string, line: string, replacement: string) {
   const vertex = resolveShader(join(SHADERS, "paper/room.vert"));
@@ -109,22 +130,44 @@ test("Stages that do not fit together are reported by the program's name", async
   expect(complaint).toMatch(/^ShaderError: broken SAMPLES=4 TAPS=12: .*vUv/s);
 });
 
+test("Relief finer than a pixel widens a highlight instead of making it sparkle", async ({
+  page,
+}) => {
+  const [tiles, tile] = [4, 16];
+  const size = tiles * tile;
+  const found = await drawnBy(page, "tests/support/sparkle.frag", size);
+  /** Over shifts by less than a pixel: mean variance of the pixels, and their mean. */
+  const [widened, plain, truth] = [0, 1, 2].map((channel) => {
+    const pixels: Spread[] = [];
+    // At a tile's edge the next pixel belongs to another shift.
+    for (let y = 2; y < tile - 2; y++) {
+      for (let x = 2; x < tile - 2; x++) {
+        const shifted = Array.from({ length: tiles * tiles }, (_, n) => {
+          const row = Math.floor(n / tiles) * tile + y;
+          const column = (n % tiles) * tile + x;
+          return found[(row * size + column) * 3 + channel] ?? 0;
+        });
+        const mean = shifted.reduce((a, b) => a + b) / shifted.length;
+        const variance = shifted.reduce((sum, v) => sum + (v - mean) ** 2, 0) / shifted.length;
+        pixels.push({ mean, variance });
+      }
+    }
+    const average = (of: "mean" | "variance") =>
+      pixels.reduce((sum, pixel) => sum + pixel[of], 0) / pixels.length;
+    return { mean: average("mean"), variance: average("variance") };
+  }) as [Spread, Spread, Spread];
+  console.log(`sparkle: ${JSON.stringify({ widened, plain, truth })}`);
+  expect(plain.variance / plain.mean ** 2, "it would sparkle").toBeGreaterThan(1);
+  expect(widened.variance).toBeLessThan(0.02 * plain.variance);
+  expect(widened.mean / truth.mean, "as much light as there is").toBeGreaterThan(0.5);
+  expect(widened.mean / truth.mean).toBeLessThan(2);
+});
+
 test("Surfaces in light from all around give back all that they get: a white furnace", async ({
   page,
 }) => {
   const size = 12;
-  const found = await page.evaluate(
-    async ({ module, vertex, fragment, size }) => {
-      const { furnace }: typeof import("../support/furnace.ts") = await import(module);
-      return furnace(vertex, fragment, size);
-    },
-    {
-      module: "/tests/support/furnace.ts",
-      vertex: resolveShader(join(SHADERS, "physical/fullscreen.vert")),
-      fragment: resolveShader("tests/support/furnace.frag"),
-      size,
-    },
-  );
+  const found = await drawnBy(page, "tests/support/furnace.frag", size);
   expect(found.length).toBe(size * size * 3);
   const errors = { metal: 0, matt: 0, lost: 0 };
   for (let i = 0; i < found.length; i += 3) {
