@@ -12,6 +12,35 @@ vec3 reliefNormal(sampler2D normalMap, vec2 uv, vec3 normal, vec4 tangent) {
   return worldFromTangent * vec3(slope, sqrt(max(1.0 - dot(slope, slope), 0.0)));
 }
 
+// Share of the light from a direction that is not hidden by the relief itself, whose bumps are as steep as
+// `normal` is turned from the surface. Conty Estevez, Lecocq and Stein 2019, "A Microfacet-Based Shadowing
+// Function to Solve the Bump Terminator Problem", with the cubic that Cycles smooths it by.
+float pastRelief(vec3 surface, vec3 normal, vec3 toLight) {
+  float share = dot(surface, toLight) / max(dot(normal, toLight) * dot(surface, normal), 1e-4);
+  share = clamp(share, 0.0, 1.0);
+  return share * (1.0 + share - share * share);
+}
+
+// The same of light from all around: its mean over a hemisphere, to a hundredth up to 60 degrees.
+float openToSky(vec3 surface, vec3 normal) {
+  float facing = clamp(dot(surface, normal), 0.0, 1.0);
+  float turned = sqrt(1.0 - facing * facing);
+  return 1.0 - turned * (0.24 + 0.18 * turned);
+}
+
+// Mean of the same over a sixteenth of a normal map's width and height: what is averaged there looks flatter.
+float meanOpenToSky(sampler2D normalMap, vec2 uv, float strength) {
+  const vec3 FLAT = vec3(0.0, 0.0, 1.0);
+  float sum = 0.0;
+  for (int i = 0; i < 16; i++) {
+    vec2 place = uv + (vec2(i & 3, i >> 2) - 1.5) / 64.0;
+    vec2 slope = textureLod(normalMap, place, 0.0).xy * 2.0 - 1.0;
+    vec3 normal = vec3(slope, sqrt(max(1.0 - dot(slope, slope), 0.0)));
+    sum += openToSky(FLAT, normalize(mix(FLAT, normal, strength)));
+  }
+  return sum / 16.0;
+}
+
 // The plane of the triangle itself.
 vec3 facetNormal(vec3 positionWorld) {
   return normalize(cross(dFdx(positionWorld), dFdy(positionWorld)));

@@ -21,5 +21,5 @@ void main() {
   vec3 direction = normalize(octahedronAt((vec2(texel - tile * RAYS) + 0.5) / float(RAYS)));
   vec3 position = texelFetch(uProbes, tile, 0).xyz + direction * hit.w + hit.xyz * LIFT;
   vec3 irradiance = surroundingsAt(position, hit.xyz, hit.xyz, hit.xyz).one;
-  oRadiance = vec4(hit.w > 0.0 ? texelFetch(uHues, texel, 0).rgb * irradiance / PI : vec3(0.0), 1.0);
+  oRadiance = vec4(hit.w > 0.0 ? reflected(texelFetch(uHues, texel, 0).rgb) * irradiance / PI : vec3(0.0), 1.0);
 }

@@ -19,5 +19,5 @@ void main() {
   }
   // All of the light in the patch's solid angle falls on it, however it is turned.
   vec3 irradiance = light.intensity * (surfel.solidAngle / surfel.area * pastCandle(surfel.position));
-  oRadiosity = vec4(texelFetch(uPatchColor, texel, 0).rgb * irradiance, 1.0);
+  oRadiosity = vec4(reflected(texelFetch(uPatchColor, texel, 0).rgb) * irradiance, 1.0);
 }

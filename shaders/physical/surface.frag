@@ -25,6 +25,7 @@ uniform sampler2D uAlbedo;
 uniform sampler2D uNormal;
 uniform sampler2D uOcclusionRoughness;
 uniform sampler2D uReflectance;
+uniform sampler2D uUnseen;   // shares that relief leaves of light where it is too fine to be seen, by level
 uniform vec4 uBaseColor;
 uniform float uWax;     // 1: light from within, 0: none
 uniform float uOcclusion;  // how much of the map's occlusion counts
@@ -41,11 +42,19 @@ centroid in vec4 vColor;
 
 out vec4 oRadiance;
 
-vec3 surfaceNormal() {
-  vec3 normal = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
-  if (frame.normalMaps < 0.5) return normal;
-  vec3 relief = reliefNormal(uNormal, vUv, normal, vTangentWorld);
-  return normalize(mix(normal, relief, uSurface.z));
+vec3 withRelief(vec3 surface) {
+  if (frame.normalMaps < 0.5) return surface;
+  vec3 relief = reliefNormal(uNormal, vUv, surface, vTangentWorld);
+  return normalize(mix(surface, relief, uSurface.z));
+}
+
+// Shares of light from all around, and of the flame's, that relief leaves which is finer than a pixel.
+vec2 pastUnseen() {
+  if (frame.normalMaps < 0.5) return vec2(1.0);
+  vec2 texels = vec2(textureSize(uNormal, 0));
+  float inPixel = abs(determinant(mat2(dFdx(vUv) * texels, dFdy(vUv) * texels)));
+  float level = 0.5 * log2(max(inPixel, 1.0));
+  return textureLod(uUnseen, vec2((level + 0.5) / float(textureSize(uUnseen, 0).x), 0.5), 0.0).rg;
 }
 
 // Karis 2013, "Real Shading in Unreal Engine 4": the point of the capsule nearest to the mirrored
@@ -65,7 +74,8 @@ void main() {
   float occlusion = mix(1.0, packed.r, uOcclusion) * vColor.r;
   float roughness = clamp(packed.g * uSurface.x, 0.03, 1.0);
   float metallic = packed.b * uSurface.y;
-  vec3 normal = surfaceNormal();
+  vec3 surface = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
+  vec3 normal = withRelief(surface);
   vec3 view = normalize(frame.eyePosition - vPositionWorld);
   float NoV = max(abs(dot(normal, view)), 1e-3);
 
@@ -80,7 +90,8 @@ void main() {
   float visible = isLit ? visibleShare(vPositionWorld, facet, gl_FragCoord.xy) : 0.0;
   vec3 intensity = light.intensity * mix(1.0, visible * pastCandle(vPositionWorld), uShown.x);
   vec3 passing = intensity / distanceSquared;
-  vec3 irradiance = passing * NoL;
+  vec2 pastFine = pastUnseen();
+  vec3 irradiance = passing * (NoL * pastRelief(surface, normal, L) * pastFine.y);
 
   vec3 highlight = towardsHighlight(toLight, reflect(-view, normal));
   vec3 S = normalize(highlight);
@@ -103,7 +114,7 @@ void main() {
   vec3 around = surroundings.one * light.intensity;
   // What hides the room from a crevice is as far from the flame, and lit from half of its sides.
   vec3 nearby = baseColor.rgb * (around + BESIDE * passing);
-  vec3 bounced = mix(nearby, around, occlusion) * matt / PI;
+  vec3 bounced = mix(nearby, around, occlusion) * matt * (openToSky(surface, normal) * pastFine.x / PI);
   // What is mirrored is the room around, as softly as it is known.
   vec3 mirrored = surroundings.other * light.intensity / PI * mirroring.share;
   bounced = (bounced + mirrored * occlusion * uShown.z) * uShown.y;

@@ -66,13 +66,18 @@ export class Casters {
     }
   }
 
-  /** The same in their own colours: sampler `uAlbedo` times `uBaseColor`. */
+  /** The same in their own colours: samplers `uAlbedo` times `uBaseColor`, `uNormal` by `uRelief`. */
   drawColored(face: number, eye: Vec3, how: Omit<Draw, "vertexArray" | "textures">): void {
     for (const { part, first, count } of this.#runs(face, eye, true)) {
       const surface = this.#surfaces[part];
       if (!surface) continue;
-      const textures: Record<string, Texture> = { uAlbedo: surface.textures.uAlbedo };
-      const uniforms = { ...how.uniforms, uBaseColor: surface.baseColor };
+      const { uAlbedo, uNormal } = surface.textures;
+      const textures: Record<string, Texture> = { uAlbedo, uNormal };
+      const uniforms = {
+        ...how.uniforms,
+        uBaseColor: surface.baseColor,
+        uRelief: surface.parameters[2],
+      };
       this.#gpu.draw({ ...how, vertexArray: this.#vertexArray, first, count, textures, uniforms });
     }
   }

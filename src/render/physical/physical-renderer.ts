@@ -29,6 +29,7 @@ import { InspectPass } from "./inspect-pass.js";
 import { lightAtVantage, lightBlock } from "./light-block.js";
 import { MotesPass } from "./motes-pass.js";
 import { REFLECTANCES, tabulateReflectance } from "./reflectance.js";
+import { reliefOf } from "./relief.js";
 import { ShadowPass } from "./shadow-pass.js";
 import { SmokePass } from "./smoke-pass.js";
 import type { Veil } from "./veil.js";
@@ -113,6 +114,7 @@ export class PhysicalRenderer implements Renderer {
     this.#candle = uploadModel(gpu, candle, tier, groupTriangles);
     this.#casters = new Casters(gpu, room, surfaces, CASTER_DETAIL[tier.name]);
     this.#screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
+    for (const surface of [...this.#room, ...this.#candle]) reliefOf(gpu, this.#screen, surface);
     const echoing = { model: room, solid, surfaces };
     this.#indirect = new IndirectPass(gpu, this.#screen, echoing, INDIRECT[tier.name]);
     this.#reflectance = gpu.share("reflectance", () =>
@@ -224,16 +226,17 @@ export class PhysicalRenderer implements Renderer {
     const { shadows, indirect, specular, translucency } = features;
     const showsNormals = inspect === "normals";
     const shown = [shadows, indirect, specular, showsNormals].map(Number);
-    for (const {
-      vertexArray,
-      textures,
-      baseColor,
-      parameters,
-      isDoubleSided,
-      isWax,
-      isWick,
-      occlusionStrength,
-    } of surfaces) {
+    for (const surface of surfaces) {
+      const {
+        vertexArray,
+        textures,
+        baseColor,
+        parameters,
+        isDoubleSided,
+        isWax,
+        isWick,
+        occlusionStrength,
+      } = surface;
       this.#gpu.draw({
         program: this.#surfaceProgram,
         target,
@@ -242,6 +245,7 @@ export class PhysicalRenderer implements Renderer {
           ...textures,
           uShadow: shadow,
           uReflectance: this.#reflectance,
+          uUnseen: reliefOf(this.#gpu, this.#screen, surface),
           ...volume.textures,
         },
         uniforms: {

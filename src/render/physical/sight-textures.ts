@@ -82,8 +82,12 @@ function colored(
       primitive: "points",
       first,
       count,
-      uniforms: { uSize: [size.width, size.height], uBaseColor: surface.baseColor },
-      textures: { uAlbedo: surface.textures.uAlbedo },
+      uniforms: {
+        uSize: [size.width, size.height],
+        uBaseColor: surface.baseColor,
+        uRelief: surface.parameters[2],
+      },
+      textures: { uAlbedo: surface.textures.uAlbedo, uNormal: surface.textures.uNormal },
     });
   }
   for (const object of [vertexArray, buffer]) object.dispose();
