@@ -17,7 +17,7 @@ import { Overlay } from "./element/overlay.js";
 import { SceneFetcher } from "./element/scene-fetcher.js";
 import { FULL, LOST, NO_PHYSICAL_LOOK, outSentence, REFUSALS } from "./element/sentences.js";
 import { Sight } from "./element/sight.js";
-import { STYLE } from "./element/style.js";
+import { styleFor } from "./element/style.js";
 import { ContextLostError } from "./gl/gpu-object.js";
 import { type Device, FirstPersonInput } from "./input/first-person-input.js";
 import type { FlameReport } from "./light/flame-light.js";
@@ -102,9 +102,6 @@ export class CandleFlameElement extends TypedEvents {
     super();
     this.#internals = this.attachInternals();
     const root = this.attachShadow({ mode: "open" });
-    const sheet = new CSSStyleSheet();
-    sheet.replaceSync(STYLE);
-    root.adoptedStyleSheets = [sheet];
     root.append(this.#glow.element);
     this.#overlay = new Overlay(root);
     this.#featureSwitches = featureSwitches(this.#features, (name, isOn) => {
@@ -116,6 +113,8 @@ export class CandleFlameElement extends TypedEvents {
   }
 
   connectedCallback(): void {
+    // Here, and not once for all: an element that another document takes in loses its style.
+    if (this.shadowRoot) this.shadowRoot.adoptedStyleSheets = styleFor(this.ownerDocument);
     this.upgradeAttributes();
     for (const name of ["features", "camera", "lit", "inspect"] as const) this.upgrade(name);
     this.#applyInteraction();

@@ -1,5 +1,5 @@
-/** Styles of the element's shadow tree; constructed, so that a strict CSP allows them. */
-export const STYLE = `
+/** Styles of the element's shadow tree. */
+const STYLE = `
 :host {
   display: block;
   position: relative;
@@ -113,3 +113,20 @@ canvas, [part="poster"], ::slotted([slot="poster"]) {
 [part="reload"]:hover { background: #2a1c10; }
 [part="reload"]:focus-visible { outline: 2px solid #f3c98b; outline-offset: 2px; }
 `;
+
+const sheets = new WeakMap<Document, CSSStyleSheet>();
+
+/**
+ * The style for shadow trees in a document, constructed, so that a strict CSP allows it; none where there is
+ * no window to see them in.
+ */
+export function styleFor(document: Document): CSSStyleSheet[] {
+  const known = sheets.get(document);
+  if (known) return [known];
+  if (!document.defaultView) return [];
+  // Of the document's own window, lest the document refuse it.
+  const sheet = new document.defaultView.CSSStyleSheet();
+  sheet.replaceSync(STYLE);
+  sheets.set(document, sheet);
+  return [sheet];
+}

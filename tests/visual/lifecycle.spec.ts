@@ -180,6 +180,39 @@ test("Whoever waits for an element that is taken out is told so, and can wait on
   expect(told.drawCalls).toBeGreaterThan(0);
 });
 
+test("In a shadow tree, in another document, and home again, an element draws in its box", async ({
+  room,
+}) => {
+  const seen = await room.page.evaluate(async () => {
+    const element = document.createElement("candle-flame");
+    Object.assign(element, { scene: "candle", paused: true, quality: "high" });
+    element.style.cssText = "width: 64px; height: 36px";
+    const host = document.createElement("div");
+    const frame = document.createElement("iframe");
+    document.body.append(host, frame);
+    const seen: unknown[] = [];
+    const homes = [
+      host.attachShadow({ mode: "closed" }),
+      frame.contentDocument?.body,
+      document.body,
+    ];
+    for (const home of homes) {
+      home?.append(element);
+      await new Promise((resolve) => setTimeout(resolve));
+      await element.ready;
+      const canvas = element.shadowRoot?.querySelector("canvas");
+      const { width, drawCalls } = element.stats;
+      // A shadow tree without its style has its canvas amid the text.
+      const style = canvas && getComputedStyle(canvas).position;
+      seen.push([element.ownerDocument === document, style, width, drawCalls > 0]);
+    }
+    for (const one of [element, host, frame]) one.remove();
+    return seen;
+  });
+  expect(seen).toEqual([true, false, true].map((isHome) => [isHome, "absolute", 64, true]));
+  expect(room.complaints).toEqual([]);
+});
+
 test("What is set while another look loads is done to the one on show", async ({ page }) => {
   await serveSmallTextures(page);
   let release = () => {};
