@@ -2,7 +2,9 @@ import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { expect, test } from "playwright/test";
 import sharp from "sharp";
-import { FEATURES_OF } from "../../src/settings.ts";
+import type { Camera } from "../../src/candle-flame-element.ts";
+import { FEATURES_OF, type Feature } from "../../src/settings.ts";
+import { Spits } from "../../src/world/spits.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { type Tile, writeSheet } from "./sheet.ts";
 import { lookingAt, type Shot, take } from "./shot.ts";
@@ -85,19 +87,87 @@ test("shot: every model by candlelight", async ({ page }) => {
   expect(room.complaints).toEqual([]);
 });
 
-test("shot: the physical look without each of its techniques", async ({ page }) => {
-  test.setTimeout(600_000);
-  const attributes = { look: "physical", quality: "medium" };
-  const room = await new RoomDriver(page).open(attributes, { width: 480, height: 270 });
-  const whole = { name: "all", place: TABLE, camera: BESIDE_THE_CANDLE, seconds: 0.5 };
-  const tiles: Tile[] = [{ name: "with all", picture: await take(room, whole) }];
+type Point = readonly [number, number, number];
+
+/** Where a technique is seen best: far from what it does, two pictures are one. */
+interface Stage {
+  /** Where the candle is put down; else it is in the hand. */
+  readonly candle?: Camera;
+  /** The eye, or how far it is from the flame and what it looks at there, metres. */
+  readonly camera: Camera | { readonly from: Point; readonly aim?: Point };
+  readonly seed?: number;
+  /** For how long the candle has been out. */
+  readonly out?: number;
+  readonly exposure?: number;
+}
+
+const BESIDE: Stage = { candle: TABLE, camera: BESIDE_THE_CANDLE };
+const AT_THE_FLAME: Stage = { candle: TABLE, camera: { from: [-0.17, 0.03, 0.12] } };
+const UNDER_THE_WINDOW = lookingAt([1.55, 1.6, -0.4], [2.2, 0.46, -0.2]);
+/** Its wick spits soon after the start. */
+const SPITS = [...Array(1000).keys()].find((seed) => new Spits(seed).isAt(54)) ?? 1;
+
+const STAGES: Readonly<Partial<Record<Feature, Stage>>> = {
+  volume: AT_THE_FLAME,
+  specular: {
+    candle: lookingAt([-0.45, 1.6, 0.1], [-0.02, 0.745, 0.1]),
+    camera: lookingAt([-0.42, 0.98, 0.3], [0.02, 0.86, 0.08]),
+  },
+  translucency: { candle: TABLE, camera: { from: [-0.17, 0.06, 0.12], aim: [0, -0.05, 0] } },
+  normalMaps: { camera: lookingAt([-0.2, 1.5, -0.4], [-0.8, 1.35, -1.9]) },
+  haze: { candle: TABLE, camera: { from: [-0.22, 0.0, 0.16], aim: [0, 0.07, 0] } },
+  smoke: {
+    candle: UNDER_THE_WINDOW,
+    camera: { from: [-0.5, 0.25, -0.15], aim: [0, 0.2, -0.03] },
+    out: 3,
+    exposure: 3,
+  },
+  sparks: { ...AT_THE_FLAME, seed: SPITS },
+  dust: { candle: TABLE, camera: { from: [-0.35, 0.1, 0.25] }, exposure: 1 },
+  bloom: { candle: TABLE, camera: { from: [-0.35, 0.1, 0.25] } },
+  autoExposure: { candle: TABLE, camera: lookingAt([-0.9, 1.5, 0.2], [-1.4, 1.0, 2.0]) },
+};
+
+async function stage(room: RoomDriver, { candle, camera, seed = 1, out = 0, exposure = 0 }: Stage) {
+  await room.set({ exposure: String(exposure) });
+  await room.evaluate(
+    (element, { candle, seed }) => {
+      element.reset(seed);
+      element.light();
+      if (!candle) return;
+      element.camera = candle;
+      element.place();
+    },
+    { candle, seed },
+  );
+  await room.step(0.5);
+  if (out > 0) await room.evaluate((element) => element.extinguish());
+  await room.step(out);
+  if ("from" in camera) {
+    const [x, y, z] = await room.evaluate((element) => element.flame?.position ?? [0, 0, 0]);
+    const { from, aim = [0, 0, 0] } = camera;
+    const eye = [x + from[0], y + from[1], z + from[2]] as const;
+    await room.stand(lookingAt(eye, [x + aim[0], y + aim[1], z + aim[2]]));
+  } else await room.stand(camera);
+}
+
+test("shot: the physical look with and without each of its techniques", async ({ page }) => {
+  test.setTimeout(900_000);
+  const attributes = { look: "physical", quality: "medium", motion: "full" };
+  const room = await new RoomDriver(page).open(attributes, { width: 960, height: 540 });
+  const taken = async () =>
+    sharp(await room.png())
+      .resize(480, 270)
+      .png()
+      .toBuffer();
+  const tiles: Tile[] = [];
   for (const feature of FEATURES_OF.physical) {
+    await stage(room, STAGES[feature] ?? BESIDE);
+    tiles.push({ name: `with ${feature}`, picture: await taken() });
     await room.switchFeatures({ [feature]: false });
-    await room.step(0);
-    const picture = await page.locator("candle-flame").screenshot();
-    tiles.push({ name: `without ${feature}`, picture });
+    tiles.push({ name: "and without", picture: await taken() });
     await room.switchFeatures({ [feature]: true });
   }
-  await writeSheet("docs/shots/techniques.jpg", tiles, 3);
+  await writeSheet("docs/shots/techniques.jpg", tiles, 4);
   expect(room.complaints).toEqual([]);
 });
