@@ -7,7 +7,7 @@ import { FEATURES_OF, type Feature } from "../../src/settings.ts";
 import { Spits } from "../../src/world/spits.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { type Tile, writeSheet } from "./sheet.ts";
-import { lookingAt, type Shot, take } from "./shot.ts";
+import { lookingAt, onScreen, type Point, type Shot, take } from "./shot.ts";
 
 test("shot: every material under one grazing lamp", async () => {
   test.setTimeout(600_000);
@@ -87,14 +87,14 @@ test("shot: every model by candlelight", async ({ page }) => {
   expect(room.complaints).toEqual([]);
 });
 
-type Point = readonly [number, number, number];
-
 /** Where a technique is seen best: far from what it does, two pictures are one. */
 interface Stage {
   /** Where the candle is put down; else it is in the hand. */
   readonly candle?: Camera;
   /** The eye, or how far it is from the flame and what it looks at there, metres. */
   readonly camera: Camera | { readonly from: Point; readonly aim?: Point };
+  /** How much nearer the flame, and what is around it, is shown. */
+  readonly zoom?: number;
   readonly seed?: number;
   /** For how long the candle has been out. */
   readonly out?: number;
@@ -102,8 +102,10 @@ interface Stage {
 }
 
 const BESIDE: Stage = { candle: TABLE, camera: BESIDE_THE_CANDLE };
-const AT_THE_FLAME: Stage = { candle: TABLE, camera: { from: [-0.17, 0.03, 0.12] } };
+const AT_THE_FLAME: Stage = { candle: TABLE, camera: { from: [-0.42, 0.08, 0.3] }, zoom: 4 };
 const UNDER_THE_WINDOW = lookingAt([1.55, 1.6, -0.4], [2.2, 0.46, -0.2]);
+const SIZE = { width: 1280, height: 720 };
+const TILE = { width: 480, height: 270 };
 /** Its wick spits soon after the start. */
 const SPITS = [...Array(1000).keys()].find((seed) => new Spits(seed).isAt(54)) ?? 1;
 
@@ -113,18 +115,18 @@ const STAGES: Readonly<Partial<Record<Feature, Stage>>> = {
     candle: lookingAt([-0.45, 1.6, 0.1], [-0.02, 0.745, 0.1]),
     camera: lookingAt([-0.42, 0.98, 0.3], [0.02, 0.86, 0.08]),
   },
-  translucency: { candle: TABLE, camera: { from: [-0.17, 0.06, 0.12], aim: [0, -0.05, 0] } },
+  translucency: { ...AT_THE_FLAME, camera: { from: [-0.42, 0.08, 0.3], aim: [0, -0.04, 0] } },
   normalMaps: { camera: lookingAt([-0.2, 1.5, -0.4], [-0.8, 1.35, -1.9]) },
-  haze: { candle: TABLE, camera: { from: [-0.22, 0.0, 0.16], aim: [0, 0.07, 0] } },
+  haze: { ...AT_THE_FLAME, camera: { from: [-0.42, 0.0, 0.3], aim: [0, 0.06, 0] } },
   smoke: {
     candle: UNDER_THE_WINDOW,
     camera: { from: [-0.5, 0.25, -0.15], aim: [0, 0.2, -0.03] },
     out: 3,
     exposure: 3,
   },
-  sparks: { ...AT_THE_FLAME, seed: SPITS },
-  dust: { candle: TABLE, camera: { from: [-0.35, 0.1, 0.25] }, exposure: 1 },
-  bloom: { candle: TABLE, camera: { from: [-0.35, 0.1, 0.25] } },
+  sparks: { ...AT_THE_FLAME, seed: SPITS, zoom: 2 },
+  dust: { ...AT_THE_FLAME, exposure: 1, zoom: 3 },
+  bloom: { ...AT_THE_FLAME, zoom: 2 },
   autoExposure: { candle: TABLE, camera: lookingAt([-0.9, 1.5, 0.2], [-1.4, 1.0, 2.0]) },
 };
 
@@ -151,21 +153,44 @@ async function stage(room: RoomDriver, { candle, camera, seed = 1, out = 0, expo
   } else await room.stand(camera);
 }
 
+/** What of the picture is around the flame, and `aim` in the middle of it. */
+async function cropped(room: RoomDriver, { camera, zoom = 1 }: Stage): Promise<Buffer> {
+  const seen = await room.evaluate(({ camera, flame }) => ({
+    eye: camera,
+    flame: flame?.position ?? [0, 0, 0],
+  }));
+  const aim = ("from" in camera && camera.aim) || [0, 0, 0];
+  const middle = seen.flame.map((value, axis) => value + (aim[axis] ?? 0));
+  const [x, y] = onScreen(seen.eye, middle, SIZE);
+  const [width, height] = [SIZE.width / zoom, SIZE.height / zoom].map(Math.round) as [
+    number,
+    number,
+  ];
+  const inside = (middle: number, size: number, most: number) =>
+    Math.round(Math.min(Math.max(middle - size / 2, 0), most - size));
+  return sharp(await room.png())
+    .extract({
+      left: inside(x, width, SIZE.width),
+      top: inside(y, height, SIZE.height),
+      width,
+      height,
+    })
+    .resize(TILE.width, TILE.height, { kernel: "cubic" })
+    .png()
+    .toBuffer();
+}
+
 test("shot: the physical look with and without each of its techniques", async ({ page }) => {
   test.setTimeout(900_000);
   const attributes = { look: "physical", quality: "medium", motion: "full" };
-  const room = await new RoomDriver(page).open(attributes, { width: 960, height: 540 });
-  const taken = async () =>
-    sharp(await room.png())
-      .resize(480, 270)
-      .png()
-      .toBuffer();
+  const room = await new RoomDriver(page).open(attributes, SIZE);
   const tiles: Tile[] = [];
   for (const feature of FEATURES_OF.physical) {
-    await stage(room, STAGES[feature] ?? BESIDE);
-    tiles.push({ name: `with ${feature}`, picture: await taken() });
+    const shown = STAGES[feature] ?? BESIDE;
+    await stage(room, shown);
+    tiles.push({ name: `with ${feature}`, picture: await cropped(room, shown) });
     await room.switchFeatures({ [feature]: false });
-    tiles.push({ name: "and without", picture: await taken() });
+    tiles.push({ name: "and without", picture: await cropped(room, shown) });
     await room.switchFeatures({ [feature]: true });
   }
   await writeSheet("docs/shots/techniques.jpg", tiles, 4);

@@ -5,13 +5,11 @@ import { Spits } from "../../src/world/spits.ts";
 import { TICK } from "../../src/world/timeline.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { type Tile, writeSheet } from "./sheet.ts";
-import { lookingAt } from "./shot.ts";
+import { lookingAt, onScreen } from "./shot.ts";
 
 const SIZE = { width: 1200, height: 750 };
 /** Pixels of it for each of a tile's, at zoom 1. */
 const SCALE = SIZE.width / 720;
-/** Of the physical look, radians: src/world/stage.ts. */
-const FIELD_OF_VIEW = (56 * Math.PI) / 180;
 /** Between pictures nobody looks, and every step draws. */
 const UNSEEN = "0.1";
 const TILE = { width: 320, height: 240 };
@@ -68,7 +66,7 @@ class FlameStudio {
     await this.#room.set({ "max-pixel-ratio": "1" });
     const png = await this.#room.png();
     await this.#room.set({ "max-pixel-ratio": UNSEEN });
-    const [x, y] = onScreen(camera, position);
+    const [x, y] = onScreen(camera, position, SIZE);
     const width = Math.min(Math.round((TILE.width * SCALE) / zoom), SIZE.width);
     const height = Math.min(Math.round((TILE.height * SCALE) / zoom), SIZE.height);
     const inside = (value: number, most: number) => Math.round(Math.min(Math.max(value, 0), most));
@@ -85,21 +83,6 @@ class FlameStudio {
       .toBuffer();
     this.tiles.push({ name, picture });
   }
-}
-
-/** Pixels from the upper left, of a place in the room. */
-function onScreen({ position, yaw, pitch }: Camera, place: readonly number[]): [number, number] {
-  const [dx, dy, dz] = [0, 1, 2].map((axis) => (place[axis] ?? 0) - (position[axis] ?? 0)) as [
-    number,
-    number,
-    number,
-  ];
-  const right = dx * Math.cos(yaw) - dz * Math.sin(yaw);
-  const level = -dx * Math.sin(yaw) - dz * Math.cos(yaw);
-  const ahead = level * Math.cos(pitch) + dy * Math.sin(pitch);
-  const up = dy * Math.cos(pitch) - level * Math.sin(pitch);
-  const scale = SIZE.height / (2 * Math.tan(FIELD_OF_VIEW / 2));
-  return [SIZE.width / 2 + (right / ahead) * scale, SIZE.height / 2 - (up / ahead) * scale];
 }
 
 test("shot: the flame, what moves it, out and in again", async ({ page }) => {
