@@ -44,9 +44,6 @@ const CABIN: readonly View[] = [
   },
 ];
 
-/** Dear to draw. */
-const AT_HIGH: readonly string[] = ["spawn", "table", "close"];
-
 export const SCENES: readonly Scene[] = [
   {
     name: "paper-front",
@@ -85,15 +82,12 @@ export const SCENES: readonly Scene[] = [
     camera: { position: [-3.4, 1.6, -3.6], yaw: 0.9, pitch: -0.1 },
     seconds: 0.1,
   },
-  // Other views at high are held to a path tracer's: reference.spec.ts.
   ...(["high", "low"] as const).flatMap((quality) =>
-    CABIN.filter(({ name }) => quality === "low" || AT_HIGH.includes(name)).map(
-      ({ name, ...view }) => ({
-        name: `cabin-${name}-${quality}`,
-        attributes: { look: "physical", seed: "1", quality } as const,
-        ...view,
-        seconds: 0.5,
-      }),
-    ),
+    CABIN.map(({ name, ...view }) => ({
+      name: `cabin-${name}-${quality}`,
+      attributes: { look: "physical", seed: "1", quality } as const,
+      ...view,
+      seconds: 0.5,
+    })),
   ),
 ];
