@@ -106,6 +106,8 @@ const AT_THE_FLAME: Stage = { candle: TABLE, camera: { from: [-0.42, 0.08, 0.3] 
 const UNDER_THE_WINDOW = lookingAt([1.55, 1.6, -0.4], [2.2, 0.46, -0.2]);
 const SIZE = { width: 1280, height: 720 };
 const TILE = { width: 480, height: 270 };
+/** Until all stands where it is to be nobody looks, and every step draws. */
+const UNSEEN = "0.1";
 /** Its wick spits soon after the start. */
 const SPITS = [...Array(1000).keys()].find((seed) => new Spits(seed).isAt(54)) ?? 1;
 
@@ -131,7 +133,7 @@ const STAGES: Readonly<Partial<Record<Feature, Stage>>> = {
 };
 
 async function stage(room: RoomDriver, { candle, camera, seed = 1, out = 0, exposure = 0 }: Stage) {
-  await room.set({ exposure: String(exposure) });
+  await room.set({ exposure: String(exposure), "max-pixel-ratio": UNSEEN });
   await room.evaluate(
     (element, { candle, seed }) => {
       element.reset(seed);
@@ -151,6 +153,7 @@ async function stage(room: RoomDriver, { candle, camera, seed = 1, out = 0, expo
     const eye = [x + from[0], y + from[1], z + from[2]] as const;
     await room.stand(lookingAt(eye, [x + aim[0], y + aim[1], z + aim[2]]));
   } else await room.stand(camera);
+  await room.set({ "max-pixel-ratio": "1" });
 }
 
 /** What of the picture is around the flame, and `aim` in the middle of it. */
