@@ -1,6 +1,7 @@
 import type { Bounds, Vec3 } from "./bounds.js";
 import { type Bvh, buildBvh, MAX_DEPTH } from "./bvh.js";
 import { Footprint, type Way } from "./footprint.js";
+import { Rays } from "./rays.js";
 
 /** Metres, +Y up. */
 export interface Triangles {
@@ -20,11 +21,6 @@ export interface Hit {
 
 /** Triangles kept of a larger room, the largest first: about 120 MB. */
 const MAX_TRIANGLES = 2_000_000;
-/**
- * Rays meet triangles this share larger than they are, and boxes this much, in metres: neighbours whose
- * corners were rounded to floats apart leave no seam to slip through.
- */
-const SEAM = 1e-5;
 
 /**
  * Everything in a room that can be touched: triangles without order or orientation.
@@ -41,16 +37,8 @@ export class Solid {
   readonly #stack = new Uint32Array(MAX_DEPTH);
   readonly #leaves: Uint32Array;
   readonly #footprint = new Footprint();
-  /** Of the ray under way: where it begins, which way it goes, and how far it is to the nearest thing on it. */
-  readonly #ray = {
-    ox: Number.NaN,
-    oy: Number.NaN,
-    oz: Number.NaN,
-    dx: Number.NaN,
-    dy: Number.NaN,
-    dz: Number.NaN,
-    nearest: Number.NaN,
-  };
+  readonly #rays: Rays;
+  readonly #between: Vec3 = [0, 0, 0];
   readonly #way: Way = { x: 0, z: 0, dx: 0, dz: 0, radius: 0, share: 1 };
   readonly #hit: Hit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
 
@@ -73,6 +61,7 @@ export class Solid {
       const from = order[i]! * 9;
       for (let k = 0; k < 9; k++) this.triangles[i * 9 + k] = soup[from + k]!;
     }
+    this.#rays = new Rays(bvh, this.triangles, this.#numbers);
     this.#leaves = new Uint32Array(this.#bvh.count.reduce((sum, n) => sum + (n > 0 ? 1 : 0), 0));
     const [x0 = 0, y0 = 0, z0 = 0, x1 = 0, y1 = 0, z1 = 0] = this.#bvh.boxes;
     this.bounds = { min: [x0, y0, z0], max: [x1, y1, z1] };
@@ -90,17 +79,9 @@ export class Solid {
     maxDistance: number,
     hit: Hit = this.#hit,
   ): Hit | null {
-    const ray = this.#ray;
-    ray.ox = origin[0];
-    ray.oy = origin[1];
-    ray.oz = origin[2];
-    ray.dx = direction[0];
-    ray.dy = direction[1];
-    ray.dz = direction[2];
-    ray.nearest = maxDistance;
-    const found = this.#follow();
+    const found = this.#rays.follow(origin, direction, maxDistance);
     if (found < 0) return null;
-    hit.distance = ray.nearest;
+    hit.distance = this.#rays.distance;
     hit.triangle = this.#numbers[found / 9]!;
     this.#facing(found, direction, hit.normal);
     return hit;
@@ -108,95 +89,9 @@ export class Solid {
 
   /** Whether nothing lies between two places. */
   isClear(from: Readonly<Vec3>, to: Readonly<Vec3>): boolean {
-    const ray = this.#ray;
-    ray.ox = from[0];
-    ray.oy = from[1];
-    ray.oz = from[2];
-    ray.dx = to[0] - from[0];
-    ray.dy = to[1] - from[1];
-    ray.dz = to[2] - from[2];
-    ray.nearest = 1;
-    return this.#follow() < 0;
-  }
-
-  /** Where the coordinates of the triangle begin that the ray meets first; -1 if it meets none. */
-  #follow(): number {
-    const ray = this.#ray;
-    const { ox, oy, oz, dx, dy, dz } = ray;
-    const { boxes, link, count, axis } = this.#bvh;
-    if (link.length === 0) return -1;
-    // Not infinite, lest a ray in a face of a box meet 0 times infinity.
-    const ix = 1 / (dx || 1e-30);
-    const iy = 1 / (dy || 1e-30);
-    const iz = 1 / (dz || 1e-30);
-    const stack = this.#stack;
-    let height = 0;
-    let found = -1;
-    for (let node = 0; ; ) {
-      const box = node * 6;
-      const x0 = (boxes[box]! - SEAM - ox) * ix;
-      const x1 = (boxes[box + 3]! + SEAM - ox) * ix;
-      const y0 = (boxes[box + 1]! - SEAM - oy) * iy;
-      const y1 = (boxes[box + 4]! + SEAM - oy) * iy;
-      const z0 = (boxes[box + 2]! - SEAM - oz) * iz;
-      const z1 = (boxes[box + 5]! + SEAM - oz) * iz;
-      const enter = Math.max(Math.min(x0, x1), Math.min(y0, y1), Math.min(z0, z1), 0);
-      const leave = Math.min(Math.max(x0, x1), Math.max(y0, y1), Math.max(z0, z1), ray.nearest);
-      if (enter <= leave) {
-        const items = count[node]!;
-        if (items === 0) {
-          const along = axis[node]!;
-          const isForward = (along === 0 ? dx : along === 1 ? dy : dz) >= 0;
-          stack[height++] = isForward ? link[node]! : node + 1;
-          node = isForward ? node + 1 : link[node]!;
-          continue;
-        }
-        for (let i = link[node]!, end = i + items; i < end; i++) {
-          if (this.#meets(i * 9)) found = i * 9;
-        }
-      }
-      if (height === 0) break;
-      node = stack[--height]!;
-    }
-    return found;
-  }
-
-  /**
-   * Whether the ray meets a triangle before anything else that it has met; then that is the nearest.
-   *
-   * Möller and Trumbore 1997, "Fast, Minimum Storage Ray/Triangle Intersection".
-   */
-  #meets(at: number): boolean {
-    const ray = this.#ray;
-    const { ox, oy, oz, dx, dy, dz } = ray;
-    const t = this.triangles;
-    const ax = t[at]!;
-    const ay = t[at + 1]!;
-    const az = t[at + 2]!;
-    const ex = t[at + 3]! - ax;
-    const ey = t[at + 4]! - ay;
-    const ez = t[at + 5]! - az;
-    const fx = t[at + 6]! - ax;
-    const fy = t[at + 7]! - ay;
-    const fz = t[at + 8]! - az;
-    const px = dy * fz - dz * fy;
-    const py = dz * fx - dx * fz;
-    const pz = dx * fy - dy * fx;
-    const determinant = ex * px + ey * py + ez * pz;
-    const sx = ox - ax;
-    const sy = oy - ay;
-    const sz = oz - az;
-    const u = (sx * px + sy * py + sz * pz) / determinant;
-    if (!(u >= -SEAM && u <= 1 + SEAM)) return false;
-    const qx = sy * ez - sz * ey;
-    const qy = sz * ex - sx * ez;
-    const qz = sx * ey - sy * ex;
-    const v = (dx * qx + dy * qy + dz * qz) / determinant;
-    if (!(v >= -SEAM && u + v <= 1 + SEAM)) return false;
-    const distance = (fx * qx + fy * qy + fz * qz) / determinant;
-    if (!(distance >= 0 && distance <= ray.nearest)) return false;
-    ray.nearest = distance;
-    return true;
+    const between = this.#between;
+    for (let axis = 0; axis < 3; axis++) between[axis] = to[axis]! - from[axis]!;
+    return this.#rays.follow(from, between, 1) < 0;
   }
 
   #facing(at: number, way: Readonly<Vec3>, normal: Vec3): void {

@@ -109,6 +109,17 @@ describe("a ray", { timeout: 30_000 }, () => {
     expect(lower).toBeLessThan(before);
   });
 
+  test("meets the first listed of things that are equally near", () => {
+    const things = Array.from({ length: 40 }, () => floorOf(3));
+    const between = chance(9);
+    const solid = new Solid(things);
+    const perThing = things[0]!.indices.length / 3;
+    for (let ray = 0; ray < 50; ray++) {
+      const hit = solid.raycast([between(-1, 1), 1, between(-1, 1)], DOWN, 2);
+      expect(hit!.triangle).toBeLessThan(perThing);
+    }
+  });
+
   test("does not slip through the seams of a floor of 50 x 50 squares", () => {
     const parts: Triangles[] = [];
     for (let i = 0; i < 50; i++) {
