@@ -2,7 +2,17 @@ import { Spits } from "../../src/world/spits.ts";
 import { TICK } from "../../src/world/timeline.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
+import { openSources } from "../support/sources.ts";
 import { expect, test } from "../support/test.ts";
+
+/** A seed whose wick spits within half a second, and when. */
+function soonest(): { seed: number; tick: number } {
+  const spits = [...Array(1000).keys()].map((seed) => ({
+    seed,
+    tick: [...Array(60).keys()].find((tick) => new Spits(seed).isAt(tick)) ?? Number.NaN,
+  }));
+  return spits.find(({ tick }) => tick > 0) ?? { seed: 0, tick: 0 };
+}
 
 test("A flame put out smokes for seconds, and no longer than twenty", async ({ page }) => {
   await serveSmallTextures(page);
@@ -84,12 +94,40 @@ test("Hot air bends what is behind it, and nothing else", async ({ page }) => {
   expect(room.complaints).toEqual([]);
 });
 
+test("Flame and sparks add their light, dust and smoke mix theirs in, and surfaces cut no edge into them", async ({
+  page,
+}) => {
+  await openSources(page);
+  const { seed, tick } = soonest();
+  const found = await page.evaluate(
+    async ({ module, seed, seconds }) => {
+      const { mixtures }: typeof import("../support/over-backgrounds.ts") = await import(module);
+      return mixtures(seed, seconds);
+    },
+    { module: "/tests/support/over-backgrounds.ts", seed, seconds: (tick + 6) * TICK },
+  );
+  const { flame, spark, dust, smoke } = found;
+  for (const [name, { pixels, error, fading }] of Object.entries(found)) {
+    console.log(name, JSON.stringify(found[name as keyof typeof found]));
+    expect(pixels, name).toBeGreaterThan(20);
+    expect(error, `${name} takes the same share of any background`).toBeLessThan(1e-5);
+    if (name === "flame") continue;
+    expect(fading.slice(0, 2), `${name} behind a surface`).toEqual([0, 0]);
+    const steps = fading.slice(1).map((share, i) => share - (fading[i] ?? 0));
+    expect(Math.min(...steps), `${name} never shows less`).toBeGreaterThan(-1e-6);
+    expect(Math.max(...steps), `${name} before a surface comes bit by bit`).toBeLessThan(0.13);
+    expect(fading.at(-1), `${name} farther before it is seen`).toBeGreaterThan(0.5);
+  }
+  expect(spark.opacity, "a spark hides nothing").toBeLessThan(1e-6);
+  expect(flame.opacity, "a flame hides little, by the soot in it").toBeLessThan(0.25);
+  expect(flame.most, "and adds much").toBeGreaterThan(5000);
+  expect(dust.opacity, "a mote hides a bit, being small").toBeGreaterThan(1e-4);
+  expect(smoke.opacity, "smoke hides more").toBeGreaterThan(0.1);
+  expect(smoke.opacity, "and one sees through it").toBeLessThan(0.9);
+});
+
 test("Dust drifts through the light, and a wick that spits throws sparks", async ({ page }) => {
-  const spits = [...Array(1000).keys()].map((seed) => ({
-    seed,
-    tick: [...Array(60).keys()].find((tick) => new Spits(seed).isAt(tick)) ?? Number.NaN,
-  }));
-  const { seed, tick } = spits.find(({ tick }) => tick > 0) ?? { seed: 0, tick: 0 };
+  const { seed, tick } = soonest();
   await serveSmallTextures(page);
   const attributes = { look: "physical", quality: "medium", seed: String(seed), motion: "full" };
   const room = await new RoomDriver(page).open(attributes, { width: 160, height: 90 });
