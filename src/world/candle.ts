@@ -49,7 +49,7 @@ export function placeInRoom(candle: Candle, player: Player, { solid, plan }: Roo
   if (refusal !== null && !(meansAhead && findSpotAhead(reach, spot) === null)) return refusal;
   for (const axis of [0, 1, 2] as const) candle.position[axis] = spot[axis];
   candle.isHeld = false;
-  plan.setStanding([spot[0], spot[2], STAND.radius]);
+  plan.setStanding(spot, STAND.radius);
   return null;
 }
 

@@ -1,7 +1,7 @@
 import type { Bounds, Vec3 } from "./bounds.js";
 import { type FloorGrid, middleOf } from "./floor-grid.js";
 import { floorLevel } from "./floor-level.js";
-import { surveyFloor, WALKER_RADIUS } from "./floor-survey.js";
+import { HEADROOM, surveyFloor, WALKER_RADIUS } from "./floor-survey.js";
 import { length2 } from "./length.js";
 import type { Solid } from "./solid.js";
 
@@ -75,9 +75,10 @@ export class FloorPlan {
     this.start = start;
   }
 
-  /** Puts something round in the way, or takes it away again. Metres. */
-  setStanding(standing: readonly [x: number, z: number, radius: number] | null): void {
-    this.#standing = standing;
+  /** Puts something round in the way, or takes it away again: above his head it is in nobody's. Metres. */
+  setStanding(foot: Readonly<Vec3> | null, radius = 0): void {
+    const isInTheWay = foot !== null && foot[1] < this.floor + HEADROOM;
+    this.#standing = isInTheWay ? [foot[0], foot[2], radius] : null;
   }
 
   /** How far the nearest thing in the way is at least, metres. 0 or less outside the room. */

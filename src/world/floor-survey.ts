@@ -7,7 +7,7 @@ import type { Solid } from "./solid.js";
 export const WALKER_RADIUS = 0.25;
 /** What stands between these heights above the floor is in the way: one steps over less. Metres. */
 const STEP_OVER = 0.1;
-const HEADROOM = 1.7;
+export const HEADROOM = 1.7;
 /** A room has this much space for the walker's middle, m²; less is a cupboard. */
 const ROOM = 1;
 /** In less than this it is no room at all, m². */

@@ -238,7 +238,7 @@ export function putBack(world: World, position: Readonly<Vec3>, yaw: number): vo
   for (const axis of [0, 1, 2] as const) candle.position[axis] = position[axis];
   candle.yaw = yaw;
   candle.isHeld = false;
-  room?.plan.setStanding([position[0], position[2], STAND.radius]);
+  room?.plan.setStanding(position, STAND.radius);
   settle(world, 0);
   adapt(world);
   show(world);
