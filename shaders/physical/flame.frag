@@ -13,10 +13,11 @@ in vec3 vPosition;
 out vec4 oRadiance;
 
 // The CH* and C2* bands, luma 1. Their linear Rec. 709 is (0.2, 1.05, 2.9), but candlelight is all but without
-// blue, and what turns it to white channel by channel brightens blue fifteen times as much as an eye's cones do.
-const vec3 BLUE = vec3(0.25, 1.3, 0.2);
-// Blue of soot as a share of its red.
+// blue, and what turns it to white channel by channel brightens blue far more than an eye's cones do.
+const vec3 BLUE = vec3(0.25, 1.3, 0.08);
+// Blue of soot as a share of its red, and green from which on it has as much: src/light/color.ts.
 const float LEAST_BLUE = 0.004;
+const float COOL = 0.2;
 const float WICK_RADIUS = 0.0009;  // m
 
 // Table coordinates of a place: radius and height, as shares. Outside of 0 to 1 there is nothing.
@@ -89,7 +90,9 @@ void main() {
     if (place.x >= 1.0 || place.y <= 0.0 || place.y >= 1.0) continue;
     vec4 body = texture(uBody, place);
     float absorbed = body.b * flame.soot * stride;
-    vec3 soot = vec3(body.rg, LEAST_BLUE * body.r) * flame.soot;
+    float warmth = min(body.g / max(COOL * body.r, 1e-6), 1.0);
+    float cubed = warmth * warmth * warmth;
+    vec3 soot = vec3(body.rg, LEAST_BLUE * cubed * cubed * body.r) * flame.soot;
     radiance += exp(-depth - 0.5 * absorbed) * stride * (soot + BLUE * (body.a * flame.blue));
     depth += absorbed;
   }

@@ -20,6 +20,8 @@ const float NEAREST = 0.01;
 const float OPEN = 0.9;
 // How much of the light that passes falls on the sides of a crevice, on an average of ways to face.
 const float BESIDE = 0.3;
+// The wick stands in the flame, which is on all of its sides: what reaches it through dark vapour.
+const float IN_FLAME = 0.05;
 
 uniform sampler2D uAlbedo;
 uniform sampler2D uNormal;
@@ -88,10 +90,12 @@ void main() {
   // Crevices are lit by what is beside them, so the flame's light counts there whichever way they face.
   bool isLit = NoL > 0.0 || occlusion < OPEN;
   float visible = isLit ? visibleShare(vPositionWorld, facet, gl_FragCoord.xy) : 0.0;
-  vec3 intensity = light.intensity * mix(1.0, visible * pastCandle(vPositionWorld), uShown.x);
+  float inFlame = uEmber.r > 0.0 ? IN_FLAME : 0.0;
+  float reached = max(visible * pastCandle(vPositionWorld), float(inFlame > 0.0));
+  vec3 intensity = light.intensity * mix(1.0, reached, uShown.x);
   vec3 passing = intensity / distanceSquared;
   vec2 pastFine = pastUnseen();
-  vec3 irradiance = passing * (NoL * pastRelief(surface, normal, L) * pastFine.y);
+  vec3 irradiance = passing * max(NoL * pastRelief(surface, normal, L) * pastFine.y, inFlame);
 
   vec3 highlight = towardsHighlight(toLight, reflect(-view, normal));
   vec3 S = normalize(highlight);

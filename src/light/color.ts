@@ -52,6 +52,13 @@ function whiteOf(chromaticity: readonly [number, number]): Rgb {
  * ones. This little keeps them apart, and moves the light by less than du'v' = 0.003.
  */
 export const LEAST_BLUE = 0.004;
+/** Soot with less green for its red than this is too cool for even so much blue, and more so the cooler it is. */
+const COOL = 0.2;
+
+/** Blue of soot's light, in the unit of its red and green: there is none to speak of, and the tip is no salmon. */
+export function sootBlue(red: number, green: number): number {
+  return red > 0 ? LEAST_BLUE * red * Math.min(green / (COOL * red), 1) ** 6 : 0;
+}
 
 /**
  * Chromatic adaptation of linear Rec. 709, channel by channel (von Kries 1902): what a candle lit looks

@@ -1,4 +1,4 @@
-import { LEAST_BLUE, luma, type Rgb } from "./color.js";
+import { luma, type Rgb, sootBlue } from "./color.js";
 import { sootRadiance } from "./soot.js";
 
 /** Texels of the body: radius by height. */
@@ -20,7 +20,7 @@ const BLUE_SHARE = 0.00002;
  * the axis above, a dark zone round the wick, and a blue cup that hugs the outside of the base.
  *
  * Texels, over height (rows, base to tip) and radius (columns, axis to `BODY_REACH` radii): soot's
- * emission per metre, red and green (cd/m² per m, linear Rec. 709; its blue is `LEAST_BLUE` of red);
+ * emission per metre, red and green (cd/m² per m, linear Rec. 709; its blue is `sootBlue`);
  * its absorption, 1/m; luminance of the blue bands, cd/m² per m.
  */
 export interface FlameBody {
@@ -86,7 +86,7 @@ export function flameBody(height: number, radius: number, luminousIntensity: num
   const texels = new Float32Array(width * rows * 4);
   const sootRows = new Float64Array(rows);
   const blueRows = new Float64Array(rows);
-  let [red, green, moment] = [0, 0, 0];
+  let [red, green, faintBlue, moment] = [0, 0, 0, 0];
   const hottest = luma(sootRadiance(HOTTEST));
   for (let row = 0; row < rows; row++) {
     const t = (row + 0.5) / rows;
@@ -101,10 +101,11 @@ export function flameBody(height: number, radius: number, luminousIntensity: num
       texels[i + 1] = soot * glow[1];
       texels[i + 2] = soot;
       texels[i + 3] = cup * BLUE_SHARE * hottest;
+      const faint = sootBlue(glow[0], glow[1]);
       red += soot * glow[0] * ring;
       green += soot * glow[1] * ring;
-      sootRows[row] =
-        (sootRows[row] ?? 0) + soot * luma([glow[0], glow[1], LEAST_BLUE * glow[0]]) * ring;
+      sootRows[row] = (sootRows[row] ?? 0) + soot * luma([glow[0], glow[1], faint]) * ring;
+      faintBlue += soot * faint * ring;
       blueRows[row] = (blueRows[row] ?? 0) + cup * BLUE_SHARE * hottest * ring;
     }
     moment += ((sootRows[row] ?? 0) + (blueRows[row] ?? 0)) * t * height;
@@ -120,7 +121,7 @@ export function flameBody(height: number, radius: number, luminousIntensity: num
     sootRows[row] = (sootRows[row] ?? 0) * scale;
     blueRows[row] = (blueRows[row] ?? 0) * scale;
   }
-  const sootRgb: Rgb = [red / soot, green / soot, (LEAST_BLUE * red) / soot];
+  const sootRgb: Rgb = [red / soot, green / soot, faintBlue / soot];
   const mixed = (channel: 0 | 1 | 2) => (sootRgb[channel] * soot + BLUE[channel] * blue) / total;
   return {
     texels,

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { LEAST_BLUE, luma } from "../../../src/light/color.ts";
+import { luma, sootBlue } from "../../../src/light/color.ts";
 import { BLUE, BODY_REACH, BODY_SIZE, outline } from "../../../src/light/flame-body.ts";
 import { TAPER } from "../../../src/light/flame-light.ts";
 
@@ -21,7 +21,7 @@ function look(height: number, offset: number) {
     );
     seen.rgb[0] += (red + BLUE[0] * blue) * way;
     seen.rgb[1] += (green + BLUE[1] * blue) * way;
-    seen.rgb[2] += (LEAST_BLUE * red + BLUE[2] * blue) * way;
+    seen.rgb[2] += (sootBlue(red, green) + BLUE[2] * blue) * way;
     seen.depth += absorbed * way;
   }
   return { ...seen, luminance: luma(seen.rgb) };
