@@ -163,7 +163,7 @@ export class CandleFlameElement extends TypedEvents {
     return this.#featureSwitches;
   }
   set features(value: Partial<Features>) {
-    for (const name of Object.keys(FEATURES) as Feature[]) {
+    for (const name of FEATURES) {
       if (value?.[name] !== undefined) this.#featureSwitches[name] = value[name];
     }
   }
@@ -173,7 +173,7 @@ export class CandleFlameElement extends TypedEvents {
     return this.#inspect;
   }
   set inspect(value: Inspection) {
-    this.#inspect = Object.hasOwn(INSPECTIONS, value) ? value : "picture";
+    this.#inspect = INSPECTIONS.includes(value) ? value : "picture";
     if (this.#candle) this.#candle.inspect = this.#inspect;
     this.#requestDraw();
   }

@@ -1,6 +1,7 @@
 import type { CandleFlameElement, CandleFlameEventMap } from "../src/candle-flame-element.ts";
 import type { ReflectedAttributes } from "../src/element/reflected-attributes.ts";
-import { INSPECTIONS, SETTINGS } from "../src/settings.ts";
+import { SETTING_MEANINGS } from "../src/page/meanings.ts";
+import { INSPECTIONS, SETTINGS, type SettingName } from "../src/settings.ts";
 
 const TYPES = { number: "number", flag: "boolean", text: "string" } as const;
 
@@ -66,9 +67,7 @@ const FIELDS: Readonly<
   stats: { type: "Stats", meaning: "Numbers of the last frame.", readonly: true },
   features: { type: "Features", meaning: "Techniques that can be switched off, one by one." },
   inspect: {
-    type: Object.keys(INSPECTIONS)
-      .map((name) => `"${name}"`)
-      .join(" | "),
+    type: INSPECTIONS.map((name) => `"${name}"`).join(" | "),
     meaning: "What is shown of each frame: the picture, or what a pass leaves for the next.",
   },
 };
@@ -106,7 +105,7 @@ export function manifest() {
   const attributes = Object.entries(SETTINGS).map(([name, setting]) => ({
     name,
     fieldName: name.replace(/-(.)/g, (_, letter: string) => letter.toUpperCase()),
-    description: setting.meaning,
+    description: SETTING_MEANINGS[name as SettingName],
     type: {
       text:
         setting.kind === "choice"

@@ -6,7 +6,7 @@ export function featureSwitches(
   onChange: (name: Feature, isOn: boolean) => void,
 ): Features {
   const switches = {} as Features;
-  for (const name of Object.keys(FEATURES) as Feature[]) {
+  for (const name of FEATURES) {
     Object.defineProperty(switches, name, {
       enumerable: true,
       get: () => features[name],

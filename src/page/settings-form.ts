@@ -1,5 +1,6 @@
 import type { CandleFlameElement } from "../candle-flame-element.js";
 import { type ChoiceSetting, type NumberSetting, SETTINGS } from "../settings.js";
+import { SETTING_MEANINGS } from "./meanings.js";
 
 /** Those that have a control. */
 type Shown =
@@ -52,7 +53,7 @@ export class SettingsForm {
     control.id = label.htmlFor;
     const meaning = document.createElement("p");
     meaning.id = `${form}-${name}-meaning`;
-    meaning.textContent = setting.meaning;
+    meaning.textContent = SETTING_MEANINGS[name];
     control.setAttribute("aria-describedby", meaning.id);
     control.addEventListener(control.type === "range" ? "input" : "change", () => {
       this.#element.setAttribute(name, control.value);

@@ -1,7 +1,8 @@
 import { readFile } from "node:fs/promises";
 import type { Page } from "playwright/test";
 import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
-import { FEATURES, FEATURES_OF, INSPECTIONS, SETTINGS } from "../../src/settings.ts";
+import { FEATURE_MEANINGS, INSPECTION_MEANINGS } from "../../src/page/meanings.ts";
+import { FEATURES_OF, INSPECTIONS, SETTINGS } from "../../src/settings.ts";
 import { expect, PAGE, test } from "../support/hosted-page.ts";
 
 // Dear, and each for itself: whichever worker is free takes the next.
@@ -98,12 +99,12 @@ test("the page opens on a burning room, from any folder of a site", async ({ fre
     const passes = await fresh.openSection("Passes");
     const list = passes.getByLabel("Show");
     await expect(list.getByRole("option")).toHaveText(
-      Object.keys(INSPECTIONS).map((name) => name.replace("-", " ")),
+      INSPECTIONS.map((name) => name.replace("-", " ")),
     );
     await list.focus();
     await page.keyboard.press("End");
     expect(await fresh.evaluate((room) => room.inspect)).toBe("temperature");
-    await expect(passes.getByRole("status")).toHaveText(INSPECTIONS.temperature);
+    await expect(passes.getByRole("status")).toHaveText(INSPECTION_MEANINGS.temperature);
   });
 
   await test.step("and plots the flame's light and its spectrum", async () => {
@@ -511,12 +512,12 @@ test("techniques and settings change the room at once, and the numbers follow", 
     .evaluateAll((boxes: HTMLInputElement[]) =>
       boxes.map(({ name, labels }) => [name, labels?.[0]?.textContent]),
     );
-  const expected = FEATURES_OF.paper.map((name) => [name, `${name}${FEATURES[name]}`]);
+  const expected = FEATURES_OF.paper.map((name) => [name, `${name}${FEATURE_MEANINGS[name]}`]);
   expect(shown).toEqual(expected);
   const numbers = await hosted.openSection("The last frame");
   const particles = numbers.getByRole("definition").nth(6);
   await expect(particles).not.toHaveText("0");
-  await techniques.getByLabel(FEATURES.particles).uncheck();
+  await techniques.getByLabel(FEATURE_MEANINGS.particles).uncheck();
   expect(await hosted.evaluate((room) => room.features.particles)).toBe(false);
   await expect(particles).toHaveText("0");
 

@@ -7,6 +7,7 @@ import {
   type SettingName,
   type TextSetting,
 } from "../../settings.js";
+import { SETTING_MEANINGS } from "../meanings.js";
 import { tagOf } from "./snippet.js";
 
 type Setting = NumberSetting | ChoiceSetting | FlagSetting | TextSetting;
@@ -41,7 +42,7 @@ export class TryOut {
     label.textContent = name;
     const meaning = document.createElement("p");
     meaning.id = `${control.id}-meaning`;
-    meaning.textContent = describe(setting);
+    meaning.textContent = `${SETTING_MEANINGS[name]}${rangeOf(setting)}`;
     control.setAttribute("aria-describedby", meaning.id);
     control.addEventListener("change", () => {
       if (isCheckbox(control)) this.#element.toggleAttribute(name, control.checked);
@@ -92,8 +93,8 @@ function controlOf(setting: Setting): Control {
   return input;
 }
 
-function describe(setting: Setting): string {
-  if (setting.kind !== "number") return setting.meaning;
-  const { min, max, unit, meaning } = setting;
-  return `${meaning} ${min} to ${max}${unit === "" ? "" : ` ${unit}`}.`;
+function rangeOf(setting: Setting): string {
+  if (setting.kind !== "number") return "";
+  const { min, max, unit } = setting;
+  return ` ${min} to ${max}${unit === "" ? "" : ` ${unit}`}.`;
 }

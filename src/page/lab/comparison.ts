@@ -1,4 +1,4 @@
-import type { CandleFlameElement, Feature, Look } from "../../candle-flame-element.js";
+import type { CandleFlameElement, Look } from "../../candle-flame-element.js";
 import { FEATURES, SETTINGS } from "../../settings.js";
 
 export type ComparisonState = "closed" | "loading" | "open";
@@ -126,7 +126,7 @@ export class Comparison {
 
   #copyFeatures(second: CandleFlameElement): void {
     const { features } = this.#room;
-    for (const name of Object.keys(FEATURES) as Feature[]) {
+    for (const name of FEATURES) {
       if (second.features[name] !== features[name]) second.features[name] = features[name];
     }
   }

@@ -1,5 +1,6 @@
 import type { CandleFlameElement, Feature } from "../../candle-flame-element.js";
 import { FEATURES, FEATURES_OF } from "../../settings.js";
+import { FEATURE_MEANINGS } from "../meanings.js";
 
 /** A checkbox for each technique of the look on show, with its sentence. */
 export class FeatureSwitches {
@@ -10,7 +11,7 @@ export class FeatureSwitches {
   constructor(element: CandleFlameElement, list: HTMLElement) {
     this.#element = element;
     this.#list = list;
-    for (const [name, sentence] of Object.entries(FEATURES) as [Feature, string][]) {
+    for (const name of FEATURES) {
       const box = document.createElement("input");
       box.type = "checkbox";
       box.name = name;
@@ -19,7 +20,7 @@ export class FeatureSwitches {
       });
       const label = document.createElement("label");
       const meaning = document.createElement("span");
-      meaning.textContent = sentence;
+      meaning.textContent = FEATURE_MEANINGS[name];
       label.append(box, name, meaning);
       this.#rows.set(name, { label, box });
     }

@@ -1,6 +1,7 @@
 import type { CandleFlameElement, Inspection } from "../../candle-flame-element.js";
 import { INSPECTIONS } from "../../settings.js";
 import { find } from "../find.js";
+import { INSPECTION_MEANINGS } from "../meanings.js";
 
 /** Shows what each pass of the frame leaves for the next, by name. */
 export class PassViewer {
@@ -12,7 +13,7 @@ export class PassViewer {
     this.#room = room;
     this.#list = find(section, "select", HTMLSelectElement);
     this.#sentence = find(section, ".status", HTMLElement);
-    for (const name of Object.keys(INSPECTIONS)) {
+    for (const name of INSPECTIONS) {
       this.#list.add(new Option(name.replace("-", " "), name));
     }
     this.#list.addEventListener("change", () => {
@@ -34,7 +35,7 @@ export class PassViewer {
     this.#list.value = inspect;
     this.#list.disabled = !hasPasses;
     this.#sentence.textContent = hasPasses
-      ? INSPECTIONS[inspect]
+      ? INSPECTION_MEANINGS[inspect]
       : "The paper's looks are drawn at once: they have no passes to look at.";
   }
 }
