@@ -60,12 +60,17 @@ export class HostedPage {
 
   async open(hash = QUICK, address: string = PAGE): Promise<this> {
     await this.load(hash, address);
+    await this.settle();
+    return this;
+  }
+
+  /** Makes a page that is loading quick to draw, and waits for its first picture. */
+  async settle(): Promise<void> {
     await this.evaluate((room) => {
       room.quality = "low";
       room.maxPixelRatio = 0.5;
       return room.ready;
     });
-    return this;
   }
 
   /** Brings an opened page back to how it opens, in the paper's look; the lab's sections stay open. */

@@ -282,10 +282,16 @@ test.describe("what one sees", () => {
 
   test("can be shared, kept, and set", async ({ fresh }) => {
     const { page } = fresh;
-    await fresh.open("#look=paper&seed=7&camera=-1_0_1_0.5_-0.1&exposure=%&src=elsewhere.glb");
+    await fresh.load("");
+    await page.evaluate(() => {
+      location.hash =
+        "#look=paper&seed=7&camera=-1_0_1_0.5_-0.1&candle=-1_0_1_0.5_-0.5&exposure=%&src=elsewhere.glb";
+    });
+    await fresh.settle();
     const seen = () =>
-      fresh.evaluate(({ look, seed, exposure, src, camera, wick, lit }) => {
-        return { look, seed, exposure, src, wick, lit, yaw: camera.yaw, pitch: camera.pitch };
+      fresh.evaluate(({ look, seed, exposure, src, camera, wick, lit, held }) => {
+        const { yaw, pitch } = camera;
+        return { look, seed, exposure, src, wick, lit, held, yaw, pitch };
       });
     const shared = {
       look: "paper",
@@ -294,10 +300,18 @@ test.describe("what one sees", () => {
       src: "",
       wick: 2,
       lit: true,
+      held: false,
       yaw: 0.5,
       pitch: -0.1,
     };
     expect(await seen()).toEqual(shared);
+
+    await test.step("with its candle where the link says, also when one walks in", async () => {
+      await fresh.enter.click();
+      await expect.poll(() => fresh.isWalking()).toBe(true);
+      expect(await seen()).toEqual(shared);
+      await fresh.evaluate((room) => room.blur());
+    });
 
     await test.step("settings act at once", async () => {
       await page.getByRole("button", { name: "Settings" }).click();
@@ -340,7 +354,9 @@ test.describe("what one sees", () => {
       await share.click();
       await expect(page.getByText("The link is copied.")).toBeVisible();
       const hash = new URL(page.url()).hash;
-      expect(hash).toMatch(/^#camera=[-\d._]+&look=paper&seed=7&exposure=-1\.5&quality=low&/);
+      expect(hash).toMatch(
+        /^#camera=[-\d._]+&candle=[-\d._]+&look=paper&seed=7&exposure=-1\.5&quality=low&/,
+      );
       expect(hash).toMatch(/&wind=0\.35&wind-direction=-90&gustiness=0\.8&wick=10&unlit=$/);
       await page.evaluate(() => {
         navigator.clipboard.writeText = () => Promise.reject(new Error("refused"));
@@ -354,13 +370,12 @@ test.describe("what one sees", () => {
       await page.evaluate(() => {
         location.hash = "#look=paper&camera=0_0_0_1_0";
       });
-      await expect.poll(seen).toEqual({ ...shared, seed: 1, yaw: 1, pitch: 0 });
+      const next = { ...shared, seed: 1, held: true, yaw: 1, pitch: 0 };
+      await expect.poll(seen).toEqual(next);
       await page.evaluate(() => {
         location.hash = "#look=paper&camera=0_0_0_1_0&wick=8&unlit=";
       });
-      await expect
-        .poll(seen)
-        .toEqual({ ...shared, seed: 1, yaw: 1, pitch: 0, wick: 8, lit: false });
+      await expect.poll(seen).toEqual({ ...next, wick: 8, lit: false });
     });
 
     await test.step("the whole screen shows it", async () => {
