@@ -51,8 +51,9 @@ const SPREAD = 0.107;
  * Velocities are those of the current tick. Pope 2000, "Turbulent Flows", gives the round jet.
  */
 export class Air {
-  /** As it is asked for; the air follows within a second. */
-  wind: Wind;
+  #wind = CALM;
+  /** Its mean velocity and its unrest, m/s. Objects of several shapes would box what is read of them. */
+  readonly #wanted = { x: Number.NaN, z: Number.NaN, unrest: Number.NaN };
   readonly #gusts: Gusts;
   readonly #mean: Vec3 = [0, 0, 0];
   #unrest = 0;
@@ -74,6 +75,19 @@ export class Air {
     this.#gusts = new Gusts(seed);
     this.wind = wind;
     this.#veer(Number.POSITIVE_INFINITY);
+  }
+
+  /** As it is asked for; the air follows within a second. */
+  get wind(): Wind {
+    return this.#wind;
+  }
+
+  set wind(wind: Wind) {
+    const { speed, direction, gustiness } = wind;
+    this.#wind = wind;
+    this.#wanted.x = -speed * Math.sin(direction);
+    this.#wanted.z = -speed * Math.cos(direction);
+    this.#wanted.unrest = speed * gustiness * TURBULENCE;
   }
 
   /**
@@ -105,10 +119,10 @@ export class Air {
 
   #veer(ticks: number): void {
     const share = 1 - Math.exp(-VEERING * TICK * Math.max(0, ticks));
-    const { speed, direction, gustiness } = this.wind;
-    this.#mean[0] += (-speed * Math.sin(direction) - this.#mean[0]) * share;
-    this.#mean[2] += (-speed * Math.cos(direction) - this.#mean[2]) * share;
-    this.#unrest += (speed * gustiness * TURBULENCE - this.#unrest) * share;
+    const { x, z, unrest } = this.#wanted;
+    this.#mean[0] += (x - this.#mean[0]) * share;
+    this.#mean[2] += (z - this.#mean[2]) * share;
+    this.#unrest += (unrest - this.#unrest) * share;
   }
 
   /**

@@ -93,6 +93,10 @@ export class FloorPlan {
   isFree(x: number, z: number): boolean {
     this.#spot.x = x;
     this.#spot.z = z;
+    return this.#isSpotFree();
+  }
+
+  #isSpotFree(): boolean {
     this.#look(this.#spot);
     return this.#seen.clearance >= WALKER_RADIUS && this.#isReachableNear(this.#spot);
   }
@@ -132,9 +136,15 @@ export class FloorPlan {
 
   /** Moves a position to the nearest free spot. Does nothing to one that is free. */
   settle(position: Vec3): void {
+    this.#spot.x = position[0];
+    this.#spot.z = position[2];
+    if (!this.#isSpotFree()) this.#push(position);
+  }
+
+  /** Moves a position that is not free. */
+  #push(position: Vec3): void {
     const x = position[0];
     const z = position[2];
-    if (this.isFree(x, z)) return;
     const nearest = this.#nearestSquare(x, z);
     if (nearest < 0) return;
     const [freeX, freeZ] = middleOf(this.#grid, nearest);

@@ -176,8 +176,8 @@ export function holdOut(
   foot[2] = eye[2];
   let stretch = 1;
   if (solid) {
-    const wanted = solid.sweepCylinder(foot, reach, stand, CAUTION);
-    const most = solid.sweepCylinder(foot, reach, stand);
+    const wanted = solid.sweepCylinder(foot, reach, stand, CAUTION).share;
+    const most = solid.sweepCylinder(foot, reach, stand).share;
     const eased = wanted + (hand.stretch - wanted) * Math.exp(-STRETCHING * seconds);
     stretch = Math.min(eased, most);
   }

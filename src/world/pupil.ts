@@ -134,7 +134,7 @@ export class Pupil {
     const cosYaw = Math.cos(yaw);
     const sinPitch = Math.sin(pitch);
     const cosPitch = Math.cos(pitch);
-    this.#bounced = bouncedLight(solid);
+    this.#bounce(solid);
     for (let ray = 0; ray < RAYS; ray++) {
       const right = (((ray % COLUMNS) + 0.5) * (2 / COLUMNS) - 1) * height * ASPECT;
       const up = ((Math.floor(ray / COLUMNS) + 0.5) * (2 / ROWS) - 1) * height;
@@ -145,6 +145,15 @@ export class Pupil {
       this.#direction[2] = (-right * sinYaw - ahead * cosYaw) / length;
       this.#light(ray, solid, eye, flame);
     }
+  }
+
+  /** Finds how much light bounces in a closed room, as in an integrating sphere. */
+  #bounce({ bounds: { min, max } }: Solid): void {
+    const x = max[0] - min[0];
+    const y = max[1] - min[1];
+    const z = max[2] - min[2];
+    const area = 2 * (x * y + y * z + z * x);
+    this.#bounced = ((4 * Math.PI) / area) * (ALBEDO / (1 - ALBEDO));
   }
 
   /** Finds what is seen along a ray by a flame of 1 cd. */
@@ -169,13 +178,4 @@ export class Pupil {
     if (!solid.isClear(place, flame)) return;
     this.#seen[ray]! += ((cosine / squared) * ALBEDO) / Math.PI;
   }
-}
-
-/** Lux of bounced light in a closed room, for a flame of 1 cd, as in an integrating sphere. */
-function bouncedLight({ bounds: { min, max } }: Solid): number {
-  const x = max[0] - min[0];
-  const y = max[1] - min[1];
-  const z = max[2] - min[2];
-  const area = 2 * (x * y + y * z + z * x);
-  return ((4 * Math.PI) / area) * (ALBEDO / (1 - ALBEDO));
 }

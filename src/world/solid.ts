@@ -116,13 +116,16 @@ export class Solid {
     return false;
   }
 
-  /** Share of a level way that an upright cylinder, wider by a margin, can go before it touches anything. */
+  /**
+   * Share of a level way that an upright cylinder, wider by a margin, can go before it touches anything.
+   * What is returned is told anew by the next call.
+   */
   sweepCylinder(
     place: Readonly<Vec3>,
     along: Readonly<Vec3>,
     cylinder: { readonly radius: number; readonly height: number },
     margin = 0,
-  ): number {
+  ): { readonly share: number } {
     const { height } = cylinder;
     const radius = cylinder.radius + margin;
     const dx = along[0];
@@ -154,7 +157,7 @@ export class Solid {
         if (this.#footprint.take(this.triangles, i * 9)) this.#footprint.sweep(way);
       }
     }
-    return way.share;
+    return way;
   }
 
   /** Writes the leaves that meet a box to `#leaves`, and returns how many. */

@@ -412,8 +412,9 @@ function show(world: World): void {
     shown.eye[axis] = position[axis]! + velocity[axis]! * remainder;
   }
   world.ground.settle(shown.eye);
+  const share = candle.isHeld ? 1 : 0;
   for (let axis = 0; axis < 3; axis++) {
-    const carried = candle.isHeld ? shown.eye[axis]! - position[axis]! : 0;
+    const carried = (shown.eye[axis]! - position[axis]!) * share;
     shown.foot[axis] = candle.position[axis]! + carried;
     shown.flame[axis] = emitter[axis]! + carried;
   }

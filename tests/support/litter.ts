@@ -2,8 +2,8 @@ import { execFileSync } from "node:child_process";
 import { fileURLToPath } from "node:url";
 import { build } from "vite";
 
-/** Bytes that a tick of the world may leave to the collector: three numbers that compilers box. */
-export const MOST_LITTER = 48;
+/** Bytes that a tick of the world may leave to the collector: one number that a compiler boxes. */
+export const MOST_LITTER = 16;
 
 /** Megabytes of nursery: so many that nothing is collected while it is measured. */
 const NURSERY = 64;

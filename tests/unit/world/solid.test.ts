@@ -171,7 +171,7 @@ describe("an upright cylinder", { timeout: 30_000 }, () => {
       box([-0.01, 0.5, -3], [0.01, 2, -2.98]),
     ]);
     const sweep = (dx: number, dz: number, y = 0.6) =>
-      solid.sweepCylinder([0, y, 0], [dx, 0, dz], { radius: 0.07, height: 0.25 });
+      solid.sweepCylinder([0, y, 0], [dx, 0, dz], { radius: 0.07, height: 0.25 }).share;
     expect(sweep(2, 0)).toBeCloseTo((1 - 0.07) / 2, 6);
     expect(sweep(0.9, 0)).toBe(1);
     expect(sweep(2, 0, 1.01)).toBe(1);
@@ -180,9 +180,14 @@ describe("an upright cylinder", { timeout: 30_000 }, () => {
     expect(sweep(0, -4)).toBeCloseTo((2.98 - 0.07) / 4, 6);
     expect(sweep(0.2, -4)).toBe(1);
     // Past the corner of the box, within a radius of it.
-    const corner = solid.sweepCylinder([0, 0.6, 1.05], [2, 0, 0], { radius: 0.07, height: 0.25 });
+    const corner = solid.sweepCylinder([0, 0.6, 1.05], [2, 0, 0], {
+      radius: 0.07,
+      height: 0.25,
+    }).share;
     expect(corner).toBeCloseTo((1 - Math.sqrt(0.07 ** 2 - 0.05 ** 2)) / 2, 6);
-    expect(solid.sweepCylinder([1.45, 0.6, 0], [1, 0, 0], { radius: 0.07, height: 0.25 })).toBe(0);
+    expect(
+      solid.sweepCylinder([1.45, 0.6, 0], [1, 0, 0], { radius: 0.07, height: 0.25 }).share,
+    ).toBe(0);
   });
 
   test("is free all the way to where it stops, and touches a thousandth beyond", () => {
@@ -193,7 +198,7 @@ describe("an upright cylinder", { timeout: 30_000 }, () => {
     let stops = 0;
     for (let i = 0; i < 600; i++) {
       const [x, z, dx, dz] = [between(-2, 2), between(-2, 2), between(-1, 1), between(-1, 1)];
-      const share = solid.sweepCylinder([x, 0, z], [dx, 0, dz], { radius: 0.1, height: 0.3 });
+      const share = solid.sweepCylinder([x, 0, z], [dx, 0, dz], { radius: 0.1, height: 0.3 }).share;
       if (truth.distance(x, z) < 0.1) {
         expect(share).toBe(0);
         continue;
@@ -221,7 +226,7 @@ describe("a solid", { timeout: 30_000 }, () => {
     const solid = new Solid([]);
     expect(solid.raycast([0, 1, 0], DOWN, 9)).toBeNull();
     expect(solid.overlapsCylinder([0, 0, 0], 1, 1)).toBe(false);
-    expect(solid.sweepCylinder([0, 0, 0], [1, 0, 0], { radius: 0.1, height: 1 })).toBe(1);
+    expect(solid.sweepCylinder([0, 0, 0], [1, 0, 0], { radius: 0.1, height: 1 }).share).toBe(1);
   });
 
   test("leaves out triangles that are not finite, or whose corners do not exist", () => {
