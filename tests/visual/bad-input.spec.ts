@@ -464,7 +464,7 @@ test("A thousand storms of nonsense in attributes and properties throw nothing, 
             else if (i % 2 === 0) element.setAttribute(name, value);
             else Reflect.set(element, property, value);
           }
-          if (i % 8 === 0) element.step(1 / 120);
+          if (i % 16 === 0) element.step(1 / 120);
         }
         element.look = "paper";
         element.paused = true;

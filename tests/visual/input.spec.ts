@@ -23,9 +23,11 @@ async function enterByKeyboard(room: RoomDriver): Promise<void> {
 
 /** Lets the page's own pointer lock fail, as browsers do: with these errors, or only for raw input. */
 async function refusePointerLock(page: Page, error: string, onlyRaw = false): Promise<void> {
-  await page.addInitScript(
+  await page.evaluate(
     ({ error, onlyRaw }) => {
-      const { requestPointerLock } = Element.prototype;
+      const own = globalThis as { requestPointerLock?: Element["requestPointerLock"] };
+      own.requestPointerLock ??= Element.prototype.requestPointerLock;
+      const { requestPointerLock } = own;
       const requests: unknown[] = [];
       Object.assign(globalThis, { requests });
       Element.prototype.requestPointerLock = function (options?: PointerLockOptions) {
@@ -37,6 +39,16 @@ async function refusePointerLock(page: Page, error: string, onlyRaw = false): Pr
     },
     { error, onlyRaw },
   );
+}
+
+/** Leaves, and stands again where he came in. */
+async function comeBack(room: RoomDriver): Promise<void> {
+  await room.evaluate((element) => {
+    document.exitPointerLock();
+    element.blur();
+  });
+  await expect.poll(() => room.isWalking()).toBe(false);
+  await room.stand(LOOKS_ALONG);
 }
 
 const lockRequests = (page: Page) =>
@@ -267,62 +279,61 @@ test.describe("The mouse", () => {
     await page.keyboard.down("KeyW");
     await room.step(0.5);
     expect(await room.camera()).toEqual({ position, yaw, pitch });
-    expect(room.complaints).toEqual([]);
-  });
+    await page.keyboard.up("KeyW");
 
-  test("is locked again by a click soon after it was freed", async ({ page }) => {
-    const room = await openControls(page);
-    await clickIn(room);
-    await page.evaluate(() => document.exitPointerLock());
-    await expect.poll(() => room.isWalking()).toBe(false);
-    await clickIn(room);
-    expect(await room.isWalking()).toBe(true);
-    expect(room.complaints).toEqual([]);
-  });
-
-  test("is freed when the controls are taken away", async ({ page }) => {
-    const room = await openControls(page);
-    await clickIn(room);
-    await room.evaluate((element) => {
-      element.controls = false;
+    await test.step("locked again by a click soon after it was freed", async () => {
+      await clickIn(room);
+      await page.evaluate(() => document.exitPointerLock());
+      await expect.poll(() => room.isWalking()).toBe(false);
+      await clickIn(room);
+      expect(await room.isWalking()).toBe(true);
     });
-    await expect.poll(() => page.evaluate(() => document.pointerLockElement)).toBeNull();
-    expect(await room.isWalking()).toBe(false);
+
+    await test.step("and freed when the controls are taken away", async () => {
+      await room.evaluate((element) => {
+        element.controls = false;
+      });
+      await expect.poll(() => page.evaluate(() => document.pointerLockElement)).toBeNull();
+      expect(await room.isWalking()).toBe(false);
+    });
+    expect(room.complaints).toEqual([]);
   });
 
-  test("is locked with its speed adjusted where raw input is not to be had", async ({ page }) => {
-    await refusePointerLock(page, "NotSupportedError", true);
+  test("is locked with its speed adjusted, or drags to look, where the lock is refused", async ({
+    page,
+  }) => {
     const room = await openControls(page);
+    await refusePointerLock(page, "NotSupportedError", true);
     await clickIn(room);
     expect(await lockRequests(page)).toEqual([true, false]);
+
+    for (const { error, requests } of [
+      { error: "NotSupportedError", requests: [true, false] },
+      { error: "SecurityError", requests: [true] },
+    ]) {
+      await test.step(`with a ${error}`, async () => {
+        await comeBack(room);
+        await refusePointerLock(page, error);
+        await page.mouse.click(80, 45);
+        await expect.poll(() => lockRequests(page)).toEqual(requests);
+        await page.mouse.move(20, 20); // no button, no lock
+        await room.step(0);
+        expect(await room.camera()).toEqual(LOOKS_ALONG);
+        await page.mouse.down();
+        await page.mouse.move(60, 40, { steps: 4 });
+        await page.mouse.up();
+        await room.step(0);
+        const { yaw, pitch } = await room.camera();
+        expect(yaw).toBeCloseTo(-40 * 0.0022, 6);
+        expect(pitch).toBeCloseTo(-20 * 0.0022, 6);
+        await page.keyboard.down("KeyQ");
+        await room.step(0.1);
+        expect((await room.camera()).yaw).toBeGreaterThan(yaw);
+        await page.keyboard.up("KeyQ");
+      });
+    }
     expect(room.complaints).toEqual([]);
   });
-
-  for (const { error, requests } of [
-    { error: "NotSupportedError", requests: [true, false] },
-    { error: "SecurityError", requests: [true] },
-  ]) {
-    test(`drags to look where the lock is refused with a ${error}`, async ({ page }) => {
-      await refusePointerLock(page, error);
-      const room = await openControls(page);
-      await page.mouse.click(80, 45);
-      await expect.poll(() => lockRequests(page)).toEqual(requests);
-      await page.mouse.move(20, 20); // no button, no lock
-      await room.step(0);
-      expect(await room.camera()).toEqual(LOOKS_ALONG);
-      await page.mouse.down();
-      await page.mouse.move(60, 40, { steps: 4 });
-      await page.mouse.up();
-      await room.step(0);
-      const { yaw, pitch } = await room.camera();
-      expect(yaw).toBeCloseTo(-40 * 0.0022, 6);
-      expect(pitch).toBeCloseTo(-20 * 0.0022, 6);
-      await page.keyboard.down("KeyQ");
-      await room.step(0.1);
-      expect((await room.camera()).yaw).toBeGreaterThan(yaw);
-      expect(room.complaints).toEqual([]);
-    });
-  }
 });
 
 test.describe("The keyboard", () => {
@@ -347,24 +358,10 @@ test.describe("The keyboard", () => {
     expect((await room.camera()).position[2]).toBeCloseTo(before, 4);
   });
 
-  test("lets go of every key when the focus leaves", async ({ page }) => {
-    const after = "<button>elsewhere</button>";
-    const room = await openControls(page, { ...SMALL, after });
-    await enterByKeyboard(room);
-    await page.keyboard.down("KeyW");
-    await room.step(0.2);
-    await page.locator("button").focus();
-    expect(await room.isWalking()).toBe(false);
-    await room.step(1);
-    const before = (await room.camera()).position[2];
-    await enterByKeyboard(room); // W is down still, by the fingers' account
-    await room.step(1);
-    expect((await room.camera()).position[2]).toBeCloseTo(before, 4);
-    await page.keyboard.up("KeyW");
-  });
-
-  test("scrolls the page until the room is entered, and walks from then on", async ({ page }) => {
-    const room = await openControls(page, { ...SMALL, after: TALL });
+  test("scrolls the page until the room is entered, and walks from then on, while it has the focus", async ({
+    page,
+  }) => {
+    const room = await openControls(page, { ...SMALL, after: `${TALL}<button>elsewhere</button>` });
     await room.evaluate((element) => element.focus());
     await expectKeyToScroll(page);
     expect((await room.camera()).position).toEqual(LOOKS_ALONG.position);
@@ -379,6 +376,19 @@ test.describe("The keyboard", () => {
     await page.keyboard.up("ArrowDown");
     expect((await room.camera()).position[2]).toBeGreaterThan(LOOKS_ALONG.position[2]);
     expect(await captured.jsonValue()).toEqual([true]);
+
+    await test.step("and lets go of every key when it leaves", async () => {
+      await page.keyboard.down("KeyW");
+      await room.step(0.2);
+      await page.locator("button").focus();
+      expect(await room.isWalking()).toBe(false);
+      await room.step(1);
+      const before = (await room.camera()).position[2];
+      await enterByKeyboard(room); // W is down still, by the fingers' account
+      await room.step(1);
+      expect((await room.camera()).position[2]).toBeCloseTo(before, 4);
+      await page.keyboard.up("KeyW");
+    });
   });
 });
 

@@ -60,67 +60,117 @@ test("Taken out and put back seventeen times, an element leaves nothing behind",
   expect(room.complaints).toEqual([]);
 });
 
-test("Resized twenty times, an element holds no more than before", async ({ page }) => {
-  const room = await openRecorded(page);
-  const before = await room.stats();
-  const sizes = await room.evaluate(async (element) => {
-    const sizes: string[] = [];
-    for (let i = 1; i <= 20; i++) {
-      element.style.width = `${32 + (i % 4) * 16}px`;
-      element.style.height = `${18 + (i % 3) * 12}px`;
-      // The observer of sizes runs within the frame, after its callbacks.
-      await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
-      const { width, height, gpuObjects } = element.stats;
-      sizes.push(`${width}x${height} ${gpuObjects}`);
-    }
-    element.style.width = "32px";
-    element.style.height = "18px";
-    await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
-    return sizes;
-  });
-  const expected = Array.from({ length: 20 }, (_, i) => {
-    const width = 32 + ((i + 1) % 4) * 16;
-    const height = 18 + ((i + 1) % 3) * 12;
-    return `${width}x${height} ${before.gpuObjects}`;
-  });
-  expect(sizes).toEqual(expected);
-  const { gpuObjects, gpuBytes } = await room.stats();
-  expect({ gpuObjects, gpuBytes }).toEqual({
-    gpuObjects: before.gpuObjects,
-    gpuBytes: before.gpuBytes,
-  });
-  expect(await graphicsErrors(page)).toEqual([]);
-  expect(room.complaints).toEqual([]);
-});
-
-test("Other looks, seeds, particles and qualities leave nothing behind either", async ({
+test("Moved, resized and changed, an element goes on and holds no more than before", async ({
   page,
 }) => {
   const room = await openRecorded(page);
   const before = await room.stats();
-  await room.evaluate((element) => {
-    for (let i = 0; i < 3; i++) {
-      for (const look of ["original", "paper"] as const) element.look = look;
-      for (const quality of ["low", "high", "ultra", "medium"] as const) element.quality = quality;
-      element.particles = 500 + i;
-      element.seed = i;
-      element.features.drift = false;
-      element.features.drift = true;
-      element.step(1 / 60);
-    }
-    for (const name of element.getAttributeNames()) {
-      if (!["paused", "look", "quality"].includes(name)) element.removeAttribute(name);
-    }
-    element.step(1 / 60);
+
+  await test.step("moved within the page", async () => {
+    await room.step(0.2);
+    await room.stand({ yaw: 1 });
+    const picture = await room.pixels();
+    const events = await room.evaluate(async (element) => {
+      const events: string[] = [];
+      for (const type of ["load", "progress", "error", "contextlost"] as const) {
+        element.addEventListener(type, () => events.push(type));
+      }
+      const elsewhere = document.createElement("section");
+      document.body.append(elsewhere);
+      elsewhere.append(element);
+      await new Promise((resolve) => setTimeout(resolve));
+      return events;
+    });
+    expect(events).toEqual([]);
+    expect(await room.pixels()).toBe(picture);
+    expect(await room.evaluate((element) => element.currentTime)).toBeCloseTo(0.2, 9);
   });
-  await room.change("physical");
-  await room.step(1 / 60);
-  await room.change("paper");
-  await room.step(1 / 60);
-  const { gpuObjects, gpuBytes } = await room.stats();
-  expect({ gpuObjects, gpuBytes }).toEqual({
-    gpuObjects: before.gpuObjects,
-    gpuBytes: before.gpuBytes,
+
+  await test.step("resized twenty times", async () => {
+    const sizes = await room.evaluate(async (element) => {
+      const sizes: string[] = [];
+      for (let i = 1; i <= 20; i++) {
+        element.style.width = `${32 + (i % 4) * 16}px`;
+        element.style.height = `${18 + (i % 3) * 12}px`;
+        // The observer of sizes runs within the frame, after its callbacks.
+        await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+        const { width, height, gpuObjects } = element.stats;
+        sizes.push(`${width}x${height} ${gpuObjects}`);
+      }
+      element.style.width = "32px";
+      element.style.height = "18px";
+      await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+      return sizes;
+    });
+    const expected = Array.from({ length: 20 }, (_, i) => {
+      const width = 32 + ((i + 1) % 4) * 16;
+      const height = 18 + ((i + 1) % 3) * 12;
+      return `${width}x${height} ${before.gpuObjects}`;
+    });
+    expect(sizes).toEqual(expected);
+    const { gpuObjects, gpuBytes } = await room.stats();
+    expect({ gpuObjects, gpuBytes }).toEqual({
+      gpuObjects: before.gpuObjects,
+      gpuBytes: before.gpuBytes,
+    });
+  });
+
+  await test.step("with other looks, seeds, particles and qualities", async () => {
+    await room.evaluate((element) => {
+      for (let i = 0; i < 3; i++) {
+        for (const look of ["original", "paper"] as const) element.look = look;
+        for (const quality of ["low", "high", "ultra", "medium"] as const)
+          element.quality = quality;
+        element.particles = 500 + i;
+        element.seed = i;
+        element.features.drift = false;
+        element.features.drift = true;
+        element.step(1 / 60);
+      }
+      for (const name of element.getAttributeNames()) {
+        if (!["paused", "look", "quality"].includes(name)) element.removeAttribute(name);
+      }
+      element.step(1 / 60);
+    });
+    await room.change("physical");
+    await room.step(1 / 60);
+    await room.change("paper");
+    await room.step(1 / 60);
+    const { gpuObjects, gpuBytes } = await room.stats();
+    expect({ gpuObjects, gpuBytes }).toEqual({
+      gpuObjects: before.gpuObjects,
+      gpuBytes: before.gpuBytes,
+    });
+  });
+  expect(await lostContexts(page)).toEqual([false]);
+
+  await test.step("playing, while its context is lost and afterwards", async () => {
+    const times = await room.evaluate(async (element) => {
+      const frames = async (count: number) => {
+        for (let i = 0; i < count; i++) await new Promise(requestAnimationFrame);
+      };
+      element.play();
+      await frames(3);
+      const extension = contexts[0]?.getExtension("WEBGL_lose_context");
+      const lost = new Promise((resolve) => element.addEventListener("contextlost", resolve));
+      extension?.loseContext();
+      await lost;
+      const times = [element.currentTime];
+      await frames(3);
+      times.push(element.currentTime);
+      const restored = new Promise((resolve) =>
+        element.addEventListener("contextrestored", resolve),
+      );
+      extension?.restoreContext();
+      await restored;
+      await frames(5);
+      times.push(element.currentTime);
+      element.pause();
+      return times;
+    });
+    const [lost = 0, still = 0, again = 0] = times;
+    expect(still).toBe(lost);
+    expect(again).toBeGreaterThan(lost);
   });
   expect(await graphicsErrors(page)).toEqual([]);
   expect(room.complaints).toEqual([]);
@@ -309,29 +359,6 @@ test("However much is set, one frame shows it", async ({ room }) => {
   expect(frames).toEqual([1, 1, 0]);
 });
 
-test("An element moved within the page goes on as it was", async ({ page }) => {
-  const room = await openRecorded(page);
-  await room.step(0.2);
-  await room.stand({ yaw: 1 });
-  const before = await room.pixels();
-  const events = await room.evaluate(async (element) => {
-    const events: string[] = [];
-    for (const type of ["load", "progress", "error", "contextlost"] as const) {
-      element.addEventListener(type, () => events.push(type));
-    }
-    const elsewhere = document.createElement("section");
-    document.body.append(elsewhere);
-    elsewhere.append(element);
-    await new Promise((resolve) => setTimeout(resolve));
-    return events;
-  });
-  expect(events).toEqual([]);
-  expect(await room.pixels()).toBe(before);
-  expect(await room.evaluate((element) => element.currentTime)).toBeCloseTo(0.2, 9);
-  expect(await lostContexts(page)).toEqual([false]);
-  expect(room.complaints).toEqual([]);
-});
-
 for (const look of SETTINGS.look.choices) {
   test(`A lost context given back shows the ${look} look's very same picture`, async ({ page }) => {
     await recordContexts(page);
@@ -376,34 +403,3 @@ for (const look of SETTINGS.look.choices) {
     expect(room.complaints).toEqual([]);
   });
 }
-
-test("A playing element stops while its context is lost, and plays on afterwards", async ({
-  page,
-}) => {
-  const room = await openRecorded(page);
-  const times = await room.evaluate(async (element) => {
-    const frames = async (count: number) => {
-      for (let i = 0; i < count; i++) await new Promise(requestAnimationFrame);
-    };
-    element.play();
-    await frames(3);
-    const extension = contexts[0]?.getExtension("WEBGL_lose_context");
-    const lost = new Promise((resolve) => element.addEventListener("contextlost", resolve));
-    extension?.loseContext();
-    await lost;
-    const times = [element.currentTime];
-    await frames(3);
-    times.push(element.currentTime);
-    const restored = new Promise((resolve) => element.addEventListener("contextrestored", resolve));
-    extension?.restoreContext();
-    await restored;
-    await frames(5);
-    times.push(element.currentTime);
-    element.pause();
-    return times;
-  });
-  const [lost = 0, still = 0, again = 0] = times;
-  expect(still).toBe(lost);
-  expect(again).toBeGreaterThan(lost);
-  expect(room.complaints).toEqual([]);
-});
