@@ -552,7 +552,9 @@ test("techniques and settings change the room at once, and the numbers follow", 
   await expect(settings.getByLabel("look")).toHaveValue("original");
 });
 
-test("on a wide screen the lab stands beside the room", async ({ hosted }) => {
+test("on a wide screen the lab stands beside the room, and media are minded", async ({
+  hosted,
+}) => {
   const { page } = hosted;
   await page.setViewportSize({ width: 760, height: 200 });
   await hosted.openLab("Techniques");
@@ -562,6 +564,9 @@ test("on a wide screen the lab stands beside the room", async ({ hosted }) => {
   expect((room?.x ?? 0) + (room?.width ?? 0)).toBe(lab?.x);
   await page.emulateMedia({ reducedMotion: "reduce" });
   await expect(hosted.lab).toHaveCSS("transition-duration", /^0s(, 0s)*$/);
+  // Forced colours are the system's, and let nothing through.
+  await page.emulateMedia({ forcedColors: "active" });
+  await expect(hosted.enter).toHaveCSS("background-color", /^rgb\(/);
 });
 
 test.describe("on a phone", () => {
