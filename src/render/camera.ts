@@ -59,6 +59,17 @@ export function isBeforeSight(clip: mat4, light: Vec3, margin: number): (box: Bo
   return (box) => !edges.some((edge) => isBeyond(edge, box, margin));
 }
 
+/** Clip coordinates x, y and w of a place. */
+export function onClip(
+  m: mat4,
+  x: number,
+  y: number,
+  z: number,
+): readonly [number, number, number] {
+  const row = (i: number) => m[i]! * x + m[i + 4]! * y + m[i + 8]! * z + m[i + 12]!;
+  return [row(0), row(1), row(3)];
+}
+
 /** Pixels that a thing 1 m wide covers at a distance of 1 m, by the picture's shorter side. */
 export function projectionScale(shorterSide: number): number {
   return shorterSide / (2 * Math.tan(FIELD_OF_VIEW / 2));

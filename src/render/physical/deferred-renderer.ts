@@ -18,7 +18,7 @@ import { emberRadiance, TAPER } from "../../light/flame-light.js";
 import { createShape, shapeFlame } from "../../light/flame-shape.js";
 import type { Solid } from "../../world/solid.js";
 import type { World } from "../../world/world.js";
-import { clipFromWorld, isBeforeSight, projectionScale } from "../camera.js";
+import { clipFromWorld, isBeforeSight, onClip, projectionScale } from "../camera.js";
 import { groupTriangles } from "../clusters.js";
 import { floats } from "../floats.js";
 import type { Models, Renderer } from "../renderer.js";
@@ -307,7 +307,8 @@ export class DeferredRenderer implements Renderer {
     if (!features.haze || !fumes) return;
     const veil = { target: this.#veil!, depth };
     const { color } = this.#radiance!;
-    this.#haze.render(veil, color, fumes.plume, flame.isLit ? flame.height : 0, this.#frame);
+    const height = flame.isLit ? flame.height : 0;
+    this.#haze.render(veil, color, fumes.plume, height, this.#frame, this.#clip);
   }
 
   #drawSmoke(world: World, view: View, volume: IrradianceVolume, depth: Texture): void {
@@ -396,12 +397,6 @@ export class DeferredRenderer implements Renderer {
     this.#complete();
     return this.#gpu.readRadiance(this.#radiance, x, y, width, height);
   }
-}
-
-/** Clip coordinates x, y and w. */
-function onClip(m: mat4, x: number, y: number, z: number): readonly [number, number, number] {
-  const row = (i: number) => m[i]! * x + m[i + 4]! * y + m[i + 8]! * z + m[i + 12]!;
-  return [row(0), row(1), row(3)];
 }
 
 /** Without the pixels whose neighbours were not drawn. */

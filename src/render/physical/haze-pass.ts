@@ -1,3 +1,4 @@
+import type { mat4 } from "gl-matrix";
 import copyFrag from "../../../shaders/physical/copy.frag";
 import hazeFrag from "../../../shaders/physical/haze.frag";
 import hazeVert from "../../../shaders/physical/haze.vert";
@@ -8,6 +9,7 @@ import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { COLUMN_FLOATS, type Plume, plumeGrid } from "../../world/plume/plume.js";
+import { onClip } from "../camera.js";
 import type { Veil } from "./veil.js";
 
 const LEVELS = plumeGrid().y.count;
@@ -25,8 +27,18 @@ const BEGUN = 1.6;
 const SEEN = 5e-4;
 /** Half of the breadth over which it bends, in standard deviations of the column: `REACH` of the shader. */
 const REACH = 3;
-/** Bent one after another, from left to right, so that a copy of the whole picture need not be kept. */
+/** So much of the picture is bent at once, and what is left of the column after it: no copy of all need be kept. */
 const STRIPS = 4;
+/** Whoever is nearer to a part of the column may see it anywhere, metres. */
+const BESIDE = 0.01;
+
+/** What of the column is drawn: columns of pixels, and vertices of its ribbon. */
+interface Stretch {
+  readonly left: number;
+  readonly right: number;
+  readonly first: number;
+  readonly count: number;
+}
 
 /** Hot air over the flame, as it bends what is seen through it. */
 export class HazePass {
@@ -69,6 +81,7 @@ export class HazePass {
    * Bends what is behind the column, and touches no other pixel.
    *
    * @param flameHeight of the flame that burns at the column's foot, or 0, metres
+   * @param clip space from the room's, as in `frame`
    * @param showsOffset how far, as a colour, instead of what is seen bent
    */
   render(
@@ -77,11 +90,15 @@ export class HazePass {
     plume: Plume,
     flameHeight: number,
     frame: UniformBlock,
+    clip: mat4,
     showsOffset = false,
   ): void {
     if (!this.#bent || !this.#measure(plume, flameHeight)) return;
+    const { left: begin, right: end, first, count } = this.#stretch(clip);
     const ribbon = {
       vertexArray: this.#ribbon,
+      first,
+      count,
       primitive: "strip",
       uniforms: { uMiddle: this.#middles, uBend: this.#bends },
       blocks: { Frame: frame },
@@ -89,7 +106,7 @@ export class HazePass {
     } as const;
     const { width, height } = this.#size;
     const strip = this.#bent.width;
-    for (let left = 0; left < width; left += strip) {
+    for (let left = begin; left < end; left += strip) {
       const uniforms = { ...ribbon.uniforms, uCorner: [left, 0] };
       this.#gpu.draw({
         ...ribbon,
@@ -105,7 +122,7 @@ export class HazePass {
         target,
         textures: { uSource: this.#bent.color },
         uniforms,
-        scissor: [left, 0, strip, height],
+        scissor: [left, 0, Math.min(strip, width - left), height],
       });
     }
   }
@@ -126,6 +143,32 @@ export class HazePass {
     const defines = { LEVELS, OFFSET: 1 };
     this.#offset ??= this.#gpu.program("physical/haze", hazeVert, hazeFrag, { defines });
     return this.#offset;
+  }
+
+  /** Levels that are seen to bend, one more at each end, and the pixels from the leftmost to the rightmost. */
+  #stretch(clip: mat4): Stretch {
+    const { width } = this.#size;
+    const low = Math.max(this.#bends.findIndex((bend) => bend >= SEEN) - 1, 0);
+    const high = Math.min(this.#bends.findLastIndex((bend) => bend >= SEEN) + 1, LEVELS - 1);
+    let [left, right] = [width, 0];
+    for (let level = low; level <= high; level++) {
+      const [x, y, z, breadth] = this.#middles.subarray(4 * level, 4 * level + 4);
+      const reach = REACH * breadth!;
+      for (let corner = 0; corner < 8; corner++) {
+        const aside = (axis: number) => ((corner >> axis) & 1 ? reach : -reach);
+        const [across, , w] = onClip(clip, x! + aside(0), y! + aside(1), z! + aside(2));
+        const place = w < BESIDE ? Number.NaN : (0.5 + (0.5 * across) / w) * width;
+        left = Math.min(left, place);
+        right = Math.max(right, place);
+      }
+    }
+    const isAnywhere = Number.isNaN(left);
+    return {
+      left: isAnywhere ? 0 : Math.max(Math.floor(left), 0),
+      right: isAnywhere ? width : Math.min(right, width),
+      first: 2 * low,
+      count: 2 * (high - low + 1),
+    };
   }
 
   /** How much each level bends. False if none does so visibly. */
@@ -149,6 +192,6 @@ export class HazePass {
       this.#bends[level] = MAGNIFIED * steepest * shown;
       most = Math.max(most, MAGNIFIED * steepest * shown);
     }
-    return most > 1e-4;
+    return most >= SEEN;
   }
 }

@@ -1,3 +1,4 @@
+import { mat4 } from "gl-matrix";
 import surfaceFrag from "../../../shaders/physical/surface.frag";
 import surfaceVert from "../../../shaders/physical/surface.vert";
 import type { Gpu } from "../../gl/gpu.js";
@@ -94,6 +95,7 @@ export class PhysicalRenderer implements Renderer {
   #radiance: RenderTarget | null = null;
   #veil: TextureView | null = null;
   #size = { width: 1, height: 1 };
+  #clip = mat4.create();
 
   /** @param solid of the room, as it can be touched */
   constructor(gpu: Gpu, { room, candle }: Models, solid: Solid, tier: Tier) {
@@ -197,14 +199,10 @@ export class PhysicalRenderer implements Renderer {
     const { features } = view;
     const { player, shown, stage } = world;
     const { width, height } = this.#size;
+    const { yaw, pitch } = player;
+    this.#clip = clipFromWorld(shown.eye, yaw, pitch, width / height, stage.fieldOfView);
     this.#frame.update({
-      clipFromWorld: clipFromWorld(
-        shown.eye,
-        player.yaw,
-        player.pitch,
-        width / height,
-        stage.fieldOfView,
-      ),
+      clipFromWorld: this.#clip,
       eyePosition: shown.eye,
       exposure: exposureIn(view),
       viewport: [width, height],
@@ -274,10 +272,10 @@ export class PhysicalRenderer implements Renderer {
     const [frame, light] = [this.#frame, this.#light];
     if (inspect === "haze") {
       this.#gpu.clear(veil.target, NOT_MOVED);
-      this.#haze.render(veil, color, fumes.plume, height, frame, true);
+      this.#haze.render(veil, color, fumes.plume, height, frame, this.#clip, true);
       return;
     }
-    if (features.haze) this.#haze.render(veil, color, fumes.plume, height, frame);
+    if (features.haze) this.#haze.render(veil, color, fumes.plume, height, frame, this.#clip);
     if (features.dust && !isStill) {
       this.#motes.render("dust", veil, world, frame, light, volume);
     }
