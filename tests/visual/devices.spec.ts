@@ -86,7 +86,9 @@ test.describe("Fingers", () => {
   });
 });
 
-test("A gamepad goes in where the focus is, walks, looks, and leaves", async ({ page }) => {
+test("A gamepad goes in where the focus is, walks, looks, puts out, puts down, and leaves", async ({
+  page,
+}) => {
   await page.addInitScript(() => {
     const pad = {
       mapping: "standard",
@@ -132,6 +134,9 @@ test("A gamepad goes in where the focus is, walks, looks, and leaves", async ({ 
   const { position, pitch } = await room.camera();
   expect(position[2]).toBeLessThan(2.5);
   expect(pitch).toBeCloseTo(0.5, 3);
+  await hold(still, [0]);
+  await room.step(0.1);
+  expect(await room.evaluate((element) => element.lit)).toBe(false);
   await hold(still, [2]);
   await room.step(0.1);
   expect(await room.evaluate((element) => element.held)).toBe(false);
@@ -144,6 +149,8 @@ test("A gamepad goes in where the focus is, walks, looks, and leaves", async ({ 
 test("The keyboard alone looks up and down and says what it can", async ({ page }) => {
   const room = await openControls(page);
   await page.keyboard.press("Tab");
+  const ring = await room.evaluate((element) => getComputedStyle(element).outline);
+  expect(ring).toBe("rgb(243, 201, 139) solid 2px");
   await page.keyboard.press("Enter");
   expect(await room.isWalking()).toBe(true);
   expect(await hintOf(room)).toMatch(/^WASD walk.* F for the candle, Esc leaves$/);

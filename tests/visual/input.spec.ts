@@ -289,6 +289,14 @@ test.describe("The mouse", () => {
       expect(await room.isWalking()).toBe(true);
     });
 
+    await test.step("where a click within puts the candle out, and lights it", async () => {
+      for (const lit of [false, true]) {
+        await page.mouse.click(80, 45);
+        await room.step(0.1);
+        expect(await room.evaluate((element) => element.lit)).toBe(lit);
+      }
+    });
+
     await test.step("and freed when the controls are taken away", async () => {
       await room.evaluate((element) => {
         element.controls = false;

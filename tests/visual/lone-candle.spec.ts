@@ -82,7 +82,7 @@ test("A candle alone stands whole in a box of any shape, and nothing lies beside
   expect(complaints).toEqual([]);
 });
 
-test("Over any background the candle is the same, and its light only adds to the page", async ({
+test("Over black, white or a photograph the candle is the same, and its light only adds to the page", async ({
   page,
 }) => {
   const { complaints } = await open(
@@ -116,6 +116,27 @@ test("Over any background the candle is the same, and its light only adds to the
     const left = onBlack.map((value, c) => (onWhite[c] ?? 0) - value);
     if (Math.max(...left) - Math.min(...left) > 2 || Math.min(...left) < -1) uneven++;
   }
+  // So it is over a photograph, too: what is left of the page, and the candle.
+  const photo = "url(/textures/brass-albedo.jpg)";
+  await page.evaluate(
+    async (source) => {
+      const image = new Image();
+      image.src = source;
+      await image.decode();
+    },
+    photo.slice(4, -1),
+  );
+  const onPhoto = await pixels(photo);
+  await page.locator("candle-flame").evaluate((element) => {
+    element.style.visibility = "hidden";
+  });
+  const bare = await pixels(photo);
+  expect(Math.max(...bare) - Math.min(...bare.filter((_, i) => i % 4 === 0))).toBeGreaterThan(20);
+  const errors = onPhoto.map((value, i) => {
+    const share = ((white[i] ?? 0) - (black[i] ?? 0)) / 255;
+    return i % 4 === 3 ? 0 : Math.abs(value - (black[i] ?? 0) - share * (bare[i] ?? 0));
+  });
+  expect(Math.max(...errors)).toBeLessThan(3);
   expect(solid).toBeGreaterThan(1000);
   expect(clear).toBeGreaterThan(2000);
   expect(uneven).toBe(0);
