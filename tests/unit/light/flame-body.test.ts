@@ -29,7 +29,7 @@ function look(height: number, offset: number) {
 
 const shares = (count: number) => Array.from({ length: count }, (_, i) => (i + 0.5) / count);
 const picture = shares(96).flatMap((height) =>
-  shares(40).map((offset) => ({ height, ...look(height, offset * BODY_REACH) })),
+  shares(40).map((offset) => ({ height, offset, ...look(height, offset * BODY_REACH) })),
 );
 const peak = Math.max(...picture.map(({ luminance }) => luminance));
 
@@ -44,6 +44,29 @@ test("a taper is as bright as published: 3000 to 12000 cd/m² on the mean, to 20
   const brightest = luminous[Math.floor(0.99 * luminous.length)] ?? 0;
   expect(brightest).toBeGreaterThan(5000);
   expect(brightest).toBeLessThan(20000);
+});
+
+/** Height and width, m, of what is brighter than a share of the peak. */
+function luminousZone(share: number) {
+  const luminous = picture.filter(({ luminance }) => luminance > share * peak);
+  const heights = luminous.map(({ height }) => height);
+  const widest = Math.max(...luminous.map(({ offset }) => offset));
+  return {
+    high: TAPER.height * (Math.max(...heights) - Math.min(...heights)),
+    wide: 2 * widest * BODY_REACH * TAPER.radius,
+  };
+}
+
+// Photographs at a fifth of the peak show 25 to 45 mm. Ours is 37.8 mm long, but so dim at its two ends that it
+// reaches that height at a tenth of the peak; brighter ends would show neither a dark zone nor a fine tip.
+test("what is luminous of it is three to six times as high as wide, and 24 mm high or more", () => {
+  const [fifth, tenth] = [luminousZone(0.2), luminousZone(0.1)];
+  console.log(JSON.stringify({ fifth, tenth }));
+  expect(fifth.high).toBeGreaterThan(0.0235);
+  expect(fifth.high).toBeLessThan(0.045);
+  expect(fifth.high / fifth.wide).toBeGreaterThan(3);
+  expect(fifth.high / fifth.wide).toBeLessThan(6);
+  expect(tenth.high).toBeGreaterThan(0.025);
 });
 
 test("low it is dark amid a bright edge, above it is brightest in the middle", () => {
