@@ -1,7 +1,8 @@
 #version 300 es
 // What the eye sees of the room, without its light: kept for as long as the eye stays where it is.
 // In:  base colour (sRGB), normal, occlusion/roughness/metallic maps.
-// Out: root of the albedo, as the relief catches the light; how the surface lies, roughness, what it is.
+// Out: root of the albedo, as the relief catches the light; how the surface lies, roughness, what it is,
+//      MOVING: as deferred/passing.frag puts it, which is not ready yet.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "lib/octahedral.glsl"
@@ -43,5 +44,9 @@ void main() {
   float occlusion = mix(1.0, packed.r, uOcclusion) * vColor.r;
   oAlbedo = vec4(sqrt(min(baseColor.rgb * paintedShare(occlusion, caught), 1.0)), 0.0);
   float kind = uWax > 0.5 ? WAX : packed.b * uSurface.y * METAL;
+#if MOVING
+  oSurface = passingSurface(normal, packed.g * uSurface.x, kind);
+#else
   oSurface = vec4(onOctahedron(normal), clamp(packed.g * uSurface.x, 0.03, 1.0), kind);
+#endif
 }

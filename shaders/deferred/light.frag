@@ -1,7 +1,8 @@
 #version 300 es
 // The light on what the eye sees, at a few pixels only: it varies slowly where surfaces do not.
 // In:  surfaces, depth, shadow cube, irradiance volume.
-// Out: for each cd of the flame's, what the albedo is to be multiplied by, cd/m², and what is added to it.
+// Out: for each cd of the flame's, what the albedo is to be multiplied by, cd/m², and what is added to it;
+//      COARSE: the inverse of how far away that is, but for a factor.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "lib/ggx.glsl"
@@ -22,7 +23,10 @@ uniform vec3 uShown;  // 1 or 0: shadows, bounced light, highlights
 uniform vec2 uSize;   // of the light, texels
 uniform mat4 uWorldFromClip;
 
-out vec4 oLight;
+layout(location = 0) out vec4 oLight;
+#if COARSE
+layout(location = 1) out vec4 oNearness;
+#endif
 
 float fifthPower(float x) {
   float squared = x * x;
@@ -36,10 +40,19 @@ void main() {
   vec4 placed = uWorldFromClip * vec4(vec3(onScreen, depth) * 2.0 - 1.0, 1.0);
   vec3 position = placed.xyz / placed.w;
   vec4 surface = texelFetch(uSurfaces, pixel, 0);
+#if COARSE
+  oNearness = vec4(nearnessOf(depth), 0.0, 0.0, 1.0);
+  vec3 normal = normalize(surface.rgb * 2.0 - 1.0);
+  float code = floor(surface.a * 255.0 + 0.5);
+  float kind = floor(code / ROUGHNESSES) / KINDS;
+  float roughness = mod(code, ROUGHNESSES) / (ROUGHNESSES - 1.0);
+#else
   vec3 normal = normalize(octahedronAt(surface.rg));
+  float kind = surface.a;
   float roughness = surface.b;
-  bool isWax = surface.a > 0.75;
-  float metallic = isWax ? 0.0 : surface.a / METAL;
+#endif
+  bool isWax = kind > 0.75;
+  float metallic = isWax ? 0.0 : min(kind / METAL, 1.0);
   vec3 view = normalize(frame.eyePosition - position);
   float NoV = max(abs(dot(normal, view)), 1e-3);
 

@@ -1,20 +1,22 @@
 #version 300 es
 // What deferred/geometry.frag finds out, for a picture among many: with half of the work.
-// In:  root of the base colour, normal, occlusion/roughness/metallic maps.
+// In:  root of the base colour, normal map; where something is metal or cut out, and the root is not
+//      BAKED, occlusion/roughness/metallic map.
 // Out: root of the albedo, as the relief catches the light; how the surface lies, roughness, what it is.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
-#include "lib/octahedral.glsl"
 #include "deferred/stored.glsl"
 #include "deferred/caught.glsl"
 
 uniform sampler2D uRoot;
 uniform sampler2D uNormal;
-uniform sampler2D uOcclusionRoughness;
 uniform vec4 uBaseColor;   // its root
 uniform float uWax;
-uniform float uOcclusion;  // how much of the map's occlusion counts
 uniform vec4 uSurface;     // roughness, metallic, normal scale, alpha below which nothing is
+#if !BAKED
+uniform sampler2D uOcclusionRoughness;
+uniform float uOcclusion;  // how much of the map's occlusion counts
+#endif
 
 in vec3 vNormalWorld;
 in vec3 vToFlame;
@@ -24,11 +26,17 @@ layout(location = 0) out vec4 oAlbedo;
 layout(location = 1) out vec4 oSurface;
 
 void main() {
-  vec4 root = texture(uRoot, vUvAndOcclusion.xy) * uBaseColor;
+  vec4 root = texture(uRoot, vUvAndOcclusion.xy);
+#if BAKED
+  vec3 packed = vec3(1.0, root.a, 0.0);
+  float occlusion = vUvAndOcclusion.z;
+#else
 #if MASKED
-  if (root.a < uSurface.w) discard;
+  if (root.a * uBaseColor.a < uSurface.w) discard;
 #endif
   vec3 packed = texture(uOcclusionRoughness, vUvAndOcclusion.xy).rgb;
+  float occlusion = mix(1.0, packed.r, uOcclusion) * vUvAndOcclusion.z;
+#endif
   float side = gl_FrontFacing ? 1.0 : -1.0;
   float caught = 1.0;
   if (frame.normalMaps > 0.5) {
@@ -38,8 +46,7 @@ void main() {
     float up = sqrt(max(1.0 - dot(slope, slope), 0.0));
     caught = caughtBy(L.z, dot(slope, L.xy) + up * L.z, uSurface.z);
   }
-  float occlusion = mix(1.0, packed.r, uOcclusion) * vUvAndOcclusion.z;
-  oAlbedo = vec4(min(root.rgb * sqrt(paintedShare(occlusion, caught)), 1.0), 0.0);
+  oAlbedo = vec4(root.rgb * uBaseColor.rgb * sqrt(paintedShare(occlusion, caught)), 0.0);
   float kind = uWax > 0.5 ? WAX : packed.b * uSurface.y * METAL;
-  oSurface = vec4(onOctahedron(vNormalWorld * side), clamp(packed.g * uSurface.x, 0.03, 1.0), kind);
+  oSurface = passingSurface(vNormalWorld * side, packed.g * uSurface.x, kind);
 }

@@ -10,7 +10,8 @@ layout(location = 2) in vec4 aTangent;
 layout(location = 3) in vec2 aUv;
 layout(location = 4) in vec4 aColor;
 
-uniform vec4 uPlace;    // where the model's origin is, m; w: its turn about the vertical, rad
+uniform vec4 uPlace;    // where the model's origin is, m
+uniform vec2 uTurn;     // its turn about the vertical: cosine, sine
 uniform vec3 uVantage;  // of the flame, m
 
 out vec3 vNormalWorld;
@@ -18,9 +19,7 @@ out vec3 vToFlame;  // along tangent, bitangent and normal, m
 out vec3 vUvAndOcclusion;
 
 void main() {
-  float c = cos(uPlace.w);
-  float s = sin(uPlace.w);
-  mat3 turn = mat3(c, 0.0, -s, 0.0, 1.0, 0.0, s, 0.0, c);
+  mat3 turn = mat3(uTurn.x, 0.0, -uTurn.y, 0.0, 1.0, 0.0, uTurn.y, 0.0, uTurn.x);
   vec3 position = uPlace.xyz + turn * aPosition;
   vec3 normal = turn * aNormal;
   vec3 tangent = turn * aTangent.xyz;

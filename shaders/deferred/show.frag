@@ -13,10 +13,8 @@
 #endif
 #include "deferred/lit.glsl"
 #include "deferred/table.glsl"
+#include "deferred/tabled.glsl"
 
-precision highp sampler3D;
-
-uniform sampler3D uTable;
 uniform sampler2D uBloom;
 uniform vec3 uBalance;     // makes the candle's light white
 uniform float uScattered;  // share of the light that eye and lens scatter
@@ -31,8 +29,6 @@ void main() {
   vec3 exposed = max(radiance, 0.0) * uBalance * (vExposure / TABLE_LIGHT);
   // What is brighter than the table keeps its hue.
   exposed /= max(max(exposed.r, exposed.g), max(exposed.b, 1.0));
-  vec3 place = sqrt(sqrt(exposed));
-  vec3 color = textureLod(uTable, place * ((TABLE_SIZE - 1.0) / TABLE_SIZE) + 0.5 / TABLE_SIZE, 0.0).rgb;
   // The same noise for all channels.
-  oColor = vec4(color + dither(gl_FragCoord.xy).r, 1.0);
+  oColor = vec4(tabled(exposed) + dither(gl_FragCoord.xy).r, 1.0);
 }

@@ -6,6 +6,15 @@ const float BRIGHTEST = 1.4;
 const float METAL = 0.5;
 const float WAX = 1.0;
 
+// While the eye moves: how a surface lies, as it is; what it is, in steps, and between them its roughness.
+const float KINDS = 7.0;
+const float ROUGHNESSES = 32.0;
+
+vec4 passingSurface(vec3 normal, float roughness, float kind) {
+  float rough = floor(clamp(roughness, 0.03, 1.0) * (ROUGHNESSES - 1.0) + 0.5);
+  return vec4(normal * 0.5 + 0.5, (floor(kind * KINDS + 0.5) * ROUGHNESSES + rough) / 255.0);
+}
+
 // Steps of a place between two texels of light, where it is not simply mixed.
 const float PLACES = 14.0;
 

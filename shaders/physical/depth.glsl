@@ -11,6 +11,11 @@ float distanceOf(float depth) {
   return NEAR_PLANE * FAR_PLANE / (FAR_PLANE - depth * (FAR_PLANE - NEAR_PLANE));
 }
 
+// Its inverse but for a factor: that changes evenly across a plane, as depth does.
+float nearnessOf(float depth) {
+  return FAR_PLANE / (FAR_PLANE - NEAR_PLANE) - depth;
+}
+
 // 1 in the open, 0 behind the room's surface, and a slope of some width (m) before it.
 float softly(float width) {
   float room = distanceOf(texelFetch(uDepth, ivec2(gl_FragCoord.xy), 0).r);

@@ -4,6 +4,10 @@
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "physical/shown.glsl"
+#if TABLED
+#include "deferred/table.glsl"
+#include "deferred/tabled.glsl"
+#endif
 
 uniform sampler2D uRadiance;
 uniform sampler2D uBloom;
@@ -29,6 +33,14 @@ float range(vec4 values) {
     min(min(values.x, values.y), min(values.z, values.w));
 }
 
+vec3 onScreen(vec3 light) {
+#if TABLED
+  vec3 share = max(light, 0.0) * uAdaptation / (uWhite * TABLE_LIGHT);
+  if (max(max(share.r, share.g), share.b) <= 1.0) return tabled(share);
+#endif
+  return shown(light);
+}
+
 // The samples of a pixel were averaged as light, where one that saw the flame outshines all others, so
 // its edge is still a staircase on the screen. Across such steps, and only there, neighbours are mixed.
 // After Lottes 2009, "FXAA".
@@ -37,16 +49,16 @@ vec3 smoothed(vec2 uv) {
   vec2 texel = 1.0 / frame.viewport;
   vec3 glare = texture(uBloom, uv * uBloomShare).rgb * (vExposure * uScattered);
   float kept = vExposure * (1.0 - uScattered);
-  vec3 here = shown(texture(uRadiance, uv).rgb * kept + glare);
+  vec3 here = onScreen(texture(uRadiance, uv).rgb * kept + glare);
   vec3 left = texture(uRadiance, uv - vec2(texel.x, 0.0)).rgb * kept + glare;
   vec3 right = texture(uRadiance, uv + vec2(texel.x, 0.0)).rgb * kept + glare;
   vec3 below = texture(uRadiance, uv - vec2(0.0, texel.y)).rgb * kept + glare;
   vec3 above = texture(uRadiance, uv + vec2(0.0, texel.y)).rgb * kept + glare;
   if (range(roughly(luma(left, right, below, above))) < 0.5 * STEP) return here;
-  left = shown(left);
-  right = shown(right);
-  below = shown(below);
-  above = shown(above);
+  left = onScreen(left);
+  right = onScreen(right);
+  below = onScreen(below);
+  above = onScreen(above);
   float edge = range(luma(left, right, below, above));
   vec3 mean = (left + right + below + above) * 0.25;
   return mix(here, mean, 0.6 * smoothstep(STEP, 3.0 * STEP, edge));

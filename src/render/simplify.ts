@@ -27,7 +27,7 @@ const OPEN = 0.02;
 const WITHIN = 0.02;
 /** Most that a picture is shifted on its surface, in errors of the surface; and a colour, 0 to 1. */
 const SHIFT = 3;
-const SHADE = 0.12;
+const SHADE = 0.2;
 /** How much more an open edge counts than a surface. */
 const RIM = 10;
 

@@ -122,7 +122,7 @@ test("At low a picture is as bright while the eye moves, and as sharp as ever on
   const change = Math.abs(mean(moving) / mean(resting) - 1);
   const typical = errors.toSorted((a, b) => a - b)[errors.length >> 1] ?? 1;
   console.log(`moving: mean ${change.toFixed(4)}, parts ${typical.toFixed(4)}`);
-  expect(change).toBeLessThan(0.04);
+  expect(change).toBeLessThan(0.02);
   expect(typical).toBeLessThan(0.05);
   expect(await room.pixels()).toBe(rested);
 });

@@ -50,6 +50,8 @@ const INDIRECT: IndirectDetail = {
 };
 /** What of the room may be left out where it throws shadows and light, metres. */
 const CASTER_DETAIL = 0.03;
+/** The same while the eye moves: shadows of 128 texels a side, and 36 patches of each, tell no more. */
+const SLACK_DETAIL = { shadow: 0.05, bounces: 0.12 } as const;
 const BLOOM_LEVELS = 3;
 /** Pixels of the picture for one of what blooms, along each axis. */
 const GLARE = 4;
@@ -90,6 +92,7 @@ export class DeferredRenderer implements Renderer {
   readonly #casters: Casters;
   /** Coarser ones, for who moves; null until they are ready. */
   #slackCasters: Casters | null = null;
+  #slackEchoers: Casters | null = null;
   readonly #shadow: ShadowPass;
   readonly #indirect: IndirectPass;
   readonly #bloom: BloomPass;
@@ -132,7 +135,7 @@ export class DeferredRenderer implements Renderer {
     this.#glareProgram = program("glare", glareFrag);
     this.#copyProgram = program("copy", copyFrag);
     this.#exposure = new ExposurePass(gpu, this.#screen, meterFrag);
-    this.#display = new DisplayPass(gpu, this.#screen);
+    this.#display = new DisplayPass(gpu, this.#screen, true);
     this.#flame = new FlamePass(gpu);
     this.#haze = new HazePass(gpu, this.#lightPass.format);
     this.#smoke = new SmokePass(gpu);
@@ -195,7 +198,9 @@ export class DeferredRenderer implements Renderer {
     const { features } = view;
     this.#updateBlocks(world, view);
     const light = lightAtVantage(world, features.candle);
-    const { shadow, volume } = view.isMoving ? this.#castSlackly(light) : this.#cast(light);
+    const { shadow, vantage, volume } = view.isMoving
+      ? this.#castSlackly(light)
+      : this.#cast(light);
     const [x, y, z] = world.shown.foot;
     const place = [x, y, z, world.candle.yaw + HANDLE_TURN] as const;
     const placed: Placed[] = [{ surfaces: this.#room, place: AT_ORIGIN, slack: SLACK.room }];
@@ -207,10 +212,10 @@ export class DeferredRenderer implements Renderer {
       isMoving: view.isMoving,
       lightSize: this.#lightPass.size,
     });
-    const lamp = lampOf(world, features.candle);
+    const lamp = { ...lampOf(world, features.candle), vantage };
     const lit = this.#lightPass.render(paint, lamp, shadow, volume, this.#clip, features);
     const { isCoarse } = paint;
-    const picture = { uPainted: paint.painted, uLight: lit, uDepth: paint.depth };
+    const picture = { ...lit, uPainted: paint.painted, uDepth: paint.depth };
     const fire = this.#fire(paint.paintedDepth);
     const drawRadiance = (box: Box) => {
       if (isCoarse) this.#gpu.clear(fire, [0, 0, 0, 1], box);
@@ -235,34 +240,40 @@ export class DeferredRenderer implements Renderer {
     const lightBlocks = { Light: this.#light };
     const exposure = this.#exposure.render(picture, world.pupil.lag, lightBlocks);
     const law = displayLaw(this.#gpu, view);
+    const shown = { uBloom: bloom, uExposure: exposure, uTable: this.#show.table(law) };
     if (box[2] * box[3] < this.#size.width * this.#size.height) {
       const how = { scattered: scatteredIn(view), metered: features.autoExposure, isCoarse };
-      this.#show.render({ ...picture, uBloom: bloom, uExposure: exposure }, how, law, {
+      this.#show.render({ ...picture, ...shown }, how, law, {
         Frame: this.#frame,
         ...lightBlocks,
       });
     }
-    const textures = { uRadiance: this.#radiance!.color, uBloom: bloom, uExposure: exposure };
+    const textures = { ...shown, uRadiance: this.#radiance!.color };
     this.#display.render(textures, [1, 1], view, this.#frame, inset(box, this.#whole));
   }
 
-  /** What the flame sees, and the light that comes back from it. */
+  /** What the flame sees, from where, and the light that comes back from it. */
   #cast(light: LightAtVantage) {
     const shadow = this.#shadow.render(this.#casters, light.position);
-    return { shadow, volume: this.#indirect.render(this.#casters, light) };
+    const volume = this.#indirect.render(this.#casters, light);
+    return { shadow, vantage: light.position, volume };
   }
 
   /** The same for one picture among many: of fewer triangles, of those in sight, and a little late. */
   #castSlackly(light: LightAtVantage) {
-    if (!this.#slackCasters) {
-      const parts = this.#coarse.partsOf(this.#parts);
-      const model = parts && { ...this.#model, parts };
-      if (model) this.#slackCasters = new Casters(this.#gpu, model, this.#parts, CASTER_DETAIL);
-    }
-    const casters = this.#slackCasters ?? this.#casters;
+    // One of them in a picture.
+    if (!this.#slackCasters) this.#slackCasters = this.#slackly(SLACK_DETAIL.shadow);
+    else this.#slackEchoers ??= this.#slackly(SLACK_DETAIL.bounces);
     const matters = isBeforeSight(this.#clip, light.position, PENUMBRA);
-    const shadow = this.#shadow.render(casters, light.position, matters);
-    return { shadow, volume: this.#indirect.follow(casters, light) };
+    const casters = this.#slackCasters ?? this.#casters;
+    const { distances, vantage } = this.#shadow.follow(casters, light.position, matters);
+    const volume = this.#indirect.follow(this.#slackEchoers ?? this.#casters, light);
+    return { shadow: distances, vantage, volume };
+  }
+
+  #slackly(detail: number): Casters | null {
+    const parts = this.#coarse.partsOf(this.#parts);
+    return parts && new Casters(this.#gpu, { ...this.#model, parts }, this.#parts, detail);
   }
 
   get #whole(): Box {
@@ -303,8 +314,8 @@ export class DeferredRenderer implements Renderer {
     }
   }
 
-  #drawHaze({ fumes, flame }: World, { features }: View, depth: Texture): void {
-    if (!features.haze || !fumes) return;
+  #drawHaze({ fumes, flame }: World, view: View, depth: Texture): void {
+    if (!showsHaze(view) || !fumes) return;
     const veil = { target: this.#veil!, depth };
     const { color } = this.#radiance!;
     const height = flame.isLit ? flame.height : 0;
@@ -350,7 +361,6 @@ export class DeferredRenderer implements Renderer {
   /** Balls around the flame, the hot air over it, and smoke. */
   *#ballsOfFire(world: World, view: View): Generator<Ball> {
     const { flame, fumes, shown } = world;
-    const { features } = view;
     const { balls } = shapeFlame(flame, TAPER, this.#shape);
     const [x, y, z] = shown.flame;
     // The hull around a ball is drawn a little wider than it.
@@ -359,7 +369,7 @@ export class DeferredRenderer implements Renderer {
     }
     if (!fumes) return;
     if (this.#hasSmoke(world, view)) yield* ballsAround(fumes.smoke);
-    if (!features.haze) return;
+    if (!showsHaze(view)) return;
     const column = this.#haze.ballsAround(fumes.plume, flame.isLit ? flame.height : 0);
     for (let at = 0; at < column.length; at += 4) {
       yield [column[at]!, column[at + 1]!, column[at + 2]!, column[at + 3]!];
@@ -397,6 +407,11 @@ export class DeferredRenderer implements Renderer {
     this.#complete();
     return this.#gpu.readRadiance(this.#radiance, x, y, width, height);
   }
+}
+
+/** Nobody who moves sees air tremble by less than a pixel, and it rises over a tenth of the picture. */
+function showsHaze({ features, isMoving }: View): boolean {
+  return features.haze && !isMoving;
 }
 
 /** Without the pixels whose neighbours were not drawn. */

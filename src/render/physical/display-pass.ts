@@ -52,10 +52,12 @@ export class DisplayPass {
   readonly #program: Program;
   readonly #screen: VertexArray;
 
-  constructor(gpu: Gpu, screen: VertexArray) {
+  /** @param isTabled whether most of it is looked up in a table, `uTable` */
+  constructor(gpu: Gpu, screen: VertexArray, isTabled = false) {
     this.#gpu = gpu;
     this.#screen = screen;
-    this.#program = gpu.program("physical/display", displayVert, displayFrag);
+    const defines = { TABLED: isTabled ? 1 : 0 };
+    this.#program = gpu.program("physical/display", displayVert, displayFrag, { defines });
   }
 
   /**
@@ -64,7 +66,9 @@ export class DisplayPass {
    * @param scissor part of the picture; all of it if absent
    */
   render(
-    textures: Readonly<Record<"uRadiance" | "uBloom" | "uExposure", Texture>>,
+    textures: Readonly<Record<"uRadiance" | "uBloom" | "uExposure", Texture>> & {
+      readonly uTable?: Texture;
+    },
     bloomShare: readonly [number, number],
     view: Pick<View, "features" | "gamut">,
     frame: UniformBlock,

@@ -17,7 +17,7 @@ import { sightOf } from "../camera.js";
 import { runsOf } from "../clusters.js";
 import type { Surface } from "../surface.js";
 import type { CoarseSurfaces, Drawable } from "./coarse-surfaces.js";
-import { RootTextures } from "./root-textures.js";
+import { isBaked, RootTextures } from "./root-textures.js";
 
 const NOTHING = [0, 0, 0, 0] as const;
 /** Relief follows the flame in steps of this, metres. */
@@ -67,7 +67,7 @@ export class GeometryPass {
   readonly #gpu: Gpu;
   readonly #screen: VertexArray;
   readonly #guide: Program;
-  /** By whether the eye moves, and whether something may be cut out. */
+  /** By what they are defined for. */
   readonly #programs = new Map<string, Program>();
   readonly #coarse: CoarseSurfaces;
   readonly #roots: RootTextures;
@@ -158,8 +158,7 @@ export class GeometryPass {
 
   /** Goes on with what is only needed of pictures that follow each other. */
   #prepare(placed: readonly Placed[]): void {
-    const all = placed.flatMap(({ surfaces }) => surfaces);
-    this.#roots.proceed(all.map(({ textures }) => textures.uAlbedo));
+    this.#roots.proceed(placed.flatMap(({ surfaces }) => surfaces));
     this.#coarse.proceed(everySurface(placed));
   }
 
@@ -183,14 +182,16 @@ export class GeometryPass {
   }
 
   /** Whoever may be cut out costs all that is drawn later its early test of depth. */
-  #programFor(isPassing: boolean, isMasked: boolean): Program {
-    const key = `${isPassing} ${isMasked}`;
-    const options = { defines: { MASKED: isMasked ? 1 : 0 } };
+  #programFor(isMoving: boolean, hasRoot: boolean, surface: Surface): Program {
+    const MASKED = surface.parameters[3] > 0 ? 1 : 0;
+    const detail = hasRoot ? { BAKED: isBaked(surface) ? 1 : 0 } : { MOVING: isMoving ? 1 : 0 };
+    const defines = { MASKED, ...detail };
+    const key = JSON.stringify(defines);
     const program =
       this.#programs.get(key) ??
-      (isPassing
-        ? this.#gpu.program("deferred/passing", passingVert, passingFrag, options)
-        : this.#gpu.program("deferred/geometry", surfaceVert, geometryFrag, options));
+      (hasRoot
+        ? this.#gpu.program("deferred/passing", passingVert, passingFrag, { defines })
+        : this.#gpu.program("deferred/geometry", surfaceVert, geometryFrag, { defines }));
     this.#programs.set(key, program);
     return program;
   }
@@ -210,22 +211,23 @@ export class GeometryPass {
       place === AT_ORIGIN
         ? runsOf(clusters, isSeen, false)
         : [{ first: 0, count: vertexArray.count }];
-    const root = isMoving ? this.#roots.of(surface.textures.uAlbedo) : null;
-    const [red, green, blue, opacity] = surface.baseColor;
+    const root = isMoving ? this.#roots.of(surface) : null;
     const how: Draw = {
-      program: this.#programFor(root !== null, surface.parameters[3] > 0),
+      program: this.#programFor(isMoving, root !== null, surface),
       target,
       vertexArray,
       textures: root ? { ...surface.textures, uRoot: root } : surface.textures,
       uniforms: {
-        uBaseColor: root
-          ? [Math.sqrt(red), Math.sqrt(green), Math.sqrt(blue), opacity]
-          : surface.baseColor,
+        uBaseColor: surface.baseColor,
         uPlace: place,
         uSurface: surface.parameters,
-        uOcclusion: surface.occlusionStrength,
         uWax: surface.isWax && features.translucency ? 1 : 0,
         uVantage: vantage,
+        ...(root && {
+          uBaseColor: rootOf(surface.baseColor),
+          uTurn: [Math.cos(place[3]), Math.sin(place[3])],
+        }),
+        ...(!(root && isBaked(surface)) && { uOcclusion: surface.occlusionStrength }),
       },
       blocks: { Frame: frame },
       depth: "test-and-write",
@@ -233,6 +235,10 @@ export class GeometryPass {
     };
     for (const { first, count } of runs) this.#gpu.draw({ ...how, first, count });
   }
+}
+
+function rootOf([red, green, blue, opacity]: Surface["baseColor"]): Surface["baseColor"] {
+  return [Math.sqrt(red), Math.sqrt(green), Math.sqrt(blue), opacity];
 }
 
 function* everySurface(placed: readonly Placed[]): Generator<readonly [Surface, number]> {

@@ -14,12 +14,17 @@ import type { IrradianceVolume } from "./indirect-pass.js";
 import type { LightAtVantage } from "./light-block.js";
 
 /** Texels along an edge of the light for each pixel of the picture, while the eye moves and when it rests. */
-const SHARE = { moving: 0.25, resting: 0.5 } as const;
+const SHARE = { moving: 0.2, resting: 0.5 } as const;
 
 /** Looks at the shadow cube for each texel. */
 export interface ShadowTaps {
   readonly search: number;
   readonly taps: number;
+}
+
+/** What shaders read that include `deferred/lit.glsl`. */
+export interface Lit extends Readonly<Record<string, Texture>> {
+  readonly uLight: Texture;
 }
 
 /** Light on the surfaces in sight, direct and bounced, coarser than they are. */
@@ -43,34 +48,34 @@ export class LightPass {
     this.#gpu = gpu;
     this.#screen = screen;
     this.#taps = taps;
-    this.#program = this.#programOf(taps);
+    this.#program = this.#programOf(taps, 0);
     this.format = floats(gpu, 4);
     this.frame = gpu.uniformBlock(this.#program, "Frame");
     this.light = gpu.uniformBlock(this.#program, "Light");
     this.#lamp = gpu.uniformBlock(this.#program, "Light");
   }
 
-  #programOf({ search, taps }: ShadowTaps): Program {
-    const defines = { SHADOW_SEARCH: search, SHADOW_TAPS: taps };
+  #programOf({ search, taps }: ShadowTaps, COARSE: 0 | 1): Program {
+    const defines = { SHADOW_SEARCH: search, SHADOW_TAPS: taps, COARSE };
     return this.#gpu.program("deferred/light", fullscreenVert, lightFrag, { defines });
   }
 
   #coarseProgram(): Program {
-    this.#coarse ??= this.#programOf(halfOf(this.#taps));
+    this.#coarse ??= this.#programOf(halfOf(this.#taps), 1);
     return this.#coarse;
   }
 
   resize(width: number, height: number): void {
     for (const old of [this.#moving, this.#resting]) old?.dispose();
-    const target = (name: keyof typeof SHARE) =>
+    const target = (name: keyof typeof SHARE, color: readonly TextureFormat[]) =>
       this.#gpu.renderTarget({
         label: `light/${name}`,
         width: Math.max(1, Math.ceil(width * SHARE[name])),
         height: Math.max(1, Math.ceil(height * SHARE[name])),
-        color: [this.format],
+        color,
       });
-    this.#moving = target("moving");
-    this.#resting = target("resting");
+    this.#moving = target("moving", [this.format, floats(this.#gpu, 1)]);
+    this.#resting = target("resting", [this.format]);
     this.#known = "";
   }
 
@@ -91,11 +96,14 @@ export class LightPass {
     volume: IrradianceVolume,
     clip: mat4,
     { shadows, indirect, specular }: Features,
-  ): Texture {
+  ): Lit {
     const target = isCoarse ? this.#moving : this.#resting;
     if (!target) throw new Error("Light has no size yet.");
     const known = JSON.stringify([paint, lamp, shadows, indirect, specular]);
-    if (known === this.#known) return target.color;
+    const [uLight, uNearness] = target.colors;
+    if (!uLight) throw new Error("Light has a texture.");
+    const lit = uNearness ? { uLight, uNearness } : { uLight };
+    if (known === this.#known) return lit;
     this.#known = known;
     this.#lamp.update(lamp);
     const worldFromClip = mat4.invert(mat4.create(), clip);
@@ -117,7 +125,7 @@ export class LightPass {
       },
       blocks: { Frame: this.frame, Light: this.#lamp, Volume: volume.block },
     });
-    return target.color;
+    return lit;
   }
 }
 

@@ -4,16 +4,23 @@ import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { Texture } from "../../gl/texture.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
+import type { Surface } from "../surface.js";
 
 /** Texels along the longer edge: what is seen on the way has no more. */
 const MOST = 256;
+
+/** Whether roughness lies beside the colour and crevices are painted on: where nothing is metal or cut out. */
+export function isBaked({ parameters: [, metallic, , nothingBelow] }: Surface): boolean {
+  return metallic === 0 && nothingBelow === 0;
+}
 
 /** Base colours that are cheap to read, made one by one and kept. */
 export class RootTextures {
   readonly #gpu: Gpu;
   readonly #screen: VertexArray;
-  readonly #roots = new Map<Texture, Texture>();
-  #program: Program | null = null;
+  /** By base colour, and by what is baked into it. */
+  readonly #roots = new Map<Texture, Map<Texture | null, Texture>>();
+  readonly #programs: Record<string, Program> = {};
 
   constructor(gpu: Gpu, screen: VertexArray) {
     this.#gpu = gpu;
@@ -21,36 +28,47 @@ export class RootTextures {
   }
 
   /** The root of a base colour; null before it is made. */
-  of(albedo: Texture): Texture | null {
-    return this.#roots.get(albedo) ?? null;
+  of(surface: Surface): Texture | null {
+    const { uAlbedo, uOcclusionRoughness } = surface.textures;
+    const roots = this.#roots.get(uAlbedo);
+    return roots?.get(isBaked(surface) ? uOcclusionRoughness : null) ?? null;
   }
 
   /** Makes the next that is missing: one for each picture drawn. */
-  proceed(albedos: Iterable<Texture>): void {
-    for (const albedo of albedos) {
-      if (this.#roots.has(albedo)) continue;
-      this.#roots.set(albedo, this.#make(albedo));
+  proceed(surfaces: Iterable<Surface>): void {
+    for (const surface of surfaces) {
+      if (this.of(surface)) continue;
+      const { uAlbedo, uOcclusionRoughness } = surface.textures;
+      const roots = this.#roots.get(uAlbedo) ?? new Map<Texture | null, Texture>();
+      this.#roots.set(uAlbedo, roots);
+      roots.set(isBaked(surface) ? uOcclusionRoughness : null, this.#make(surface));
       return;
     }
   }
 
-  #make(albedo: Texture): Texture {
-    const share = Math.min(1, MOST / Math.max(albedo.width, albedo.height));
+  #make(surface: Surface): Texture {
+    const { uAlbedo, uOcclusionRoughness } = surface.textures;
+    const BAKED = isBaked(surface) ? 1 : 0;
+    const most = BAKED && uAlbedo.width === 1 ? uOcclusionRoughness : uAlbedo;
+    const share = Math.min(1, MOST / Math.max(most.width, most.height));
     const texels = (length: number) => Math.max(1, Math.round(length * share));
     const root = this.#gpu.texture({
-      label: `${albedo.label}/root`,
+      label: `${uAlbedo.label}/root`,
       format: "RGBA8",
-      source: { width: texels(albedo.width), height: texels(albedo.height) },
+      source: { width: texels(most.width), height: texels(most.height) },
       mipmaps: true,
       wrap: "repeat",
     });
     const target = this.#gpu.textureView({ label: root.label, textures: [root], image: 0 });
-    this.#program ??= this.#gpu.program("deferred/root", fullscreenVert, rootFrag);
+    this.#programs[BAKED] ??= this.#gpu.program("deferred/root", fullscreenVert, rootFrag, {
+      defines: { BAKED },
+    });
     this.#gpu.draw({
-      program: this.#program,
+      program: this.#programs[BAKED],
       target,
       vertexArray: this.#screen,
-      textures: { uAlbedo: albedo },
+      textures: BAKED ? { uAlbedo, uOcclusionRoughness } : { uAlbedo },
+      ...(BAKED && { uniforms: { uOcclusion: surface.occlusionStrength } }),
     });
     target.dispose();
     root.updateMipmaps();

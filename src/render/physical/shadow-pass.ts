@@ -11,6 +11,14 @@ import { clipFromFace, FACES } from "./cube.js";
 
 /** Farther than anything. */
 const NOTHING = [1e4, 0, 0, 1] as const;
+/** A light that moves is followed in every other picture while it moves no farther in one, metres. */
+const STRIDE = 0.06;
+
+/** Distances, metres, in a cube around a vantage. */
+export interface ShadowCube {
+  readonly distances: Texture;
+  readonly vantage: Vec3;
+}
 
 /** What the flame sees of the room: the distance of the nearest thing in every direction. */
 export class ShadowPass {
@@ -21,6 +29,8 @@ export class ShadowPass {
   #lastVantage: Vec3 = [Number.NaN, 0, 0];
   /** Whether nothing was left out. */
   #isWhole = false;
+  /** Whether it is of the picture before. */
+  #isOfLast = false;
 
   /** @param size texels along an edge of the cube */
   constructor(gpu: Gpu, size: number, format: TextureFormat = "R16F") {
@@ -46,17 +56,37 @@ export class ShadowPass {
     );
   }
 
+  /** Distances from the vantage, drawn anew where it is another than before. */
+  render(casters: Casters, vantage: Vec3): Texture {
+    if (this.#hasMovedBy(vantage) > 0 || !this.#isWhole) this.#draw(casters, vantage);
+    return this.#distances;
+  }
+
   /**
-   * Distances from the vantage, metres, in a cube: drawn anew where it is another than before.
+   * The same for one picture among many, perhaps from where the light was in the one before.
    *
    * @param matters whether what is in a box is needed of a picture that the next will not be like
    */
-  render(casters: Casters, vantage: Vec3, matters?: (box: Bounds) => boolean): Texture {
-    const isSame = vantage.every((x, axis) => x === this.#lastVantage[axis]);
-    if (isSame && this.#isWhole) return this.#distances;
+  follow(casters: Casters, vantage: Vec3, matters: (box: Bounds) => boolean): ShadowCube {
+    const way = this.#hasMovedBy(vantage);
     // Who stands still is worth the whole.
-    this.#isWhole = isSame || !matters;
-    const shown = this.#isWhole ? undefined : matters;
+    if (way === 0 && !this.#isWhole) this.#draw(casters, vantage);
+    else if (way > 0 && !(this.#isOfLast && way < STRIDE)) {
+      this.#draw(casters, vantage, matters);
+      this.#isOfLast = true;
+    } else this.#isOfLast = false;
+    return { distances: this.#distances, vantage: this.#lastVantage };
+  }
+
+  /** Metres; infinitely far where there was nothing before. */
+  #hasMovedBy(vantage: Vec3): number {
+    const way = Math.hypot(...vantage.map((x, axis) => x - (this.#lastVantage[axis] ?? 0)));
+    return Number.isNaN(way) ? Number.POSITIVE_INFINITY : way;
+  }
+
+  #draw(casters: Casters, vantage: Vec3, matters?: (box: Bounds) => boolean): void {
+    this.#isWhole = !matters;
+    this.#isOfLast = false;
     this.#lastVantage = [...vantage];
     for (const [face, target] of this.#faces.entries()) {
       const clipFromWorld = clipFromFace(face, vantage, mat4.create()) as Float32Array;
@@ -68,8 +98,7 @@ export class ShadowPass {
         depth: "test-and-write",
         cull: "none",
       } as const;
-      casters.draw(face, vantage, how, shown);
+      casters.draw(face, vantage, how, matters);
     }
-    return this.#distances;
   }
 }

@@ -9,8 +9,8 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import { floats } from "../floats.js";
 import type { DisplayLaw } from "./display-pass.js";
+import type { Lit } from "./light-pass.js";
 
 /** Colours along an edge of the table: `TABLE_SIZE` of the shader. */
 const SIZE = 32;
@@ -49,27 +49,28 @@ export class ShowPass {
     this.#tabulate = gpu.program("deferred/table", fullscreenVert, tableFrag);
     this.#table = gpu.texture({
       label: "display's table",
-      format: floats(gpu, 4),
+      // Bytes are mixed with more bits than they have, and a CPU mixes eight of them twice as fast as floats.
+      format: "RGBA8",
       source: { width: SIZE, height: SIZE },
       shape: { layers: SIZE },
     });
   }
 
   render(
-    textures: Readonly<Record<"uPainted" | "uLight" | "uDepth" | "uBloom" | "uExposure", Texture>>,
+    textures: Lit &
+      Readonly<Record<"uPainted" | "uDepth" | "uBloom" | "uExposure" | "uTable", Texture>>,
     { scattered, metered, isCoarse }: Showing,
-    law: DisplayLaw,
+    { uAdaptation, uWhite }: DisplayLaw,
     blocks: Readonly<Record<string, UniformBlock>>,
   ): void {
-    this.#update(law);
     const coarse = isCoarse ? this.#sizedAs(textures.uPainted) : null;
     this.#gpu.draw({
       program: coarse ? this.#showCoarse : this.#show,
       target: coarse ?? "canvas",
       vertexArray: this.#screen,
-      textures: { ...textures, uTable: this.#table },
+      textures,
       uniforms: {
-        uBalance: law.uAdaptation.map((gain, i) => gain / (law.uWhite[i] ?? 1)),
+        uBalance: uAdaptation.map((gain, i) => gain / (uWhite[i] ?? 1)),
         uScattered: scattered,
         uMetered: metered ? 1 : 0,
       },
@@ -96,9 +97,10 @@ export class ShowPass {
     return this.#coarse;
   }
 
-  #update({ uAdaptation: _, ...law }: DisplayLaw): void {
+  /** What is on the screen of each light. */
+  table({ uAdaptation: _, ...law }: DisplayLaw): Texture {
     const known = JSON.stringify(law);
-    if (known === this.#known) return;
+    if (known === this.#known) return this.#table;
     this.#known = known;
     for (let layer = 0; layer < SIZE; layer++) {
       const target = this.#gpu.textureView({
@@ -114,5 +116,6 @@ export class ShowPass {
       });
       target.dispose();
     }
+    return this.#table;
   }
 }
