@@ -12,8 +12,8 @@ export const MAX_DEPTH = UNBALANCED_DEPTH + 32;
 /**
  * A tree of boxes around boxes: what a query meets is in the leaves whose boxes it meets.
  *
- * Nodes in depth-first order, so a node's first child follows it and `link` is its second; in a leaf,
- * `link` is the first of its `count` items.
+ * `link` is a node's first child, and the second follows it: who asks for one needs the other. In a
+ * leaf, `link` is the first of its `count` items.
  */
 export interface Bvh {
   /** min xyz, max xyz */
@@ -21,8 +21,6 @@ export interface Bvh {
   readonly link: Uint32Array;
   /** 0 in inner nodes. */
   readonly count: Uint8Array;
-  /** Along which axis the second child lies beyond the first. */
-  readonly axis: Uint8Array;
 }
 
 /**
@@ -41,26 +39,24 @@ export function buildBvh(items: Float32Array): { bvh: Bvh; order: Uint32Array } 
   let boxes = new Float32Array(Math.max(16, itemCount >> 1) * 6);
   let link = new Uint32Array(boxes.length / 6);
   let count = new Uint8Array(link.length);
-  let axis = new Uint8Array(link.length);
   let nodeCount = 0;
 
-  function addNode(): number {
-    if (nodeCount === link.length) {
+  function addNodes(more: number): number {
+    if (nodeCount + more > link.length) {
       boxes = grown(boxes, new Float32Array(boxes.length * 2));
       link = grown(link, new Uint32Array(link.length * 2));
       count = grown(count, new Uint8Array(count.length * 2));
-      axis = grown(axis, new Uint8Array(axis.length * 2));
     }
-    return nodeCount++;
+    nodeCount += more;
+    return nodeCount - more;
   }
 
-  function build(first: number, end: number, depth: number): number {
-    const node = addNode();
+  function build(node: number, first: number, end: number, depth: number): void {
     if (end - first <= LEAF) {
       link[node] = first;
       count[node] = end - first;
       encloseItems(boxes, node * 6, items, order, first, end);
-      return node;
+      return;
     }
     const along = middles(items, order, first, end);
     let beyond = (first + end) >> 1;
@@ -68,23 +64,22 @@ export function buildBvh(items: Float32Array): { bvh: Bvh; order: Uint32Array } 
       if (end - first >= COMPARED) slice(items, order, first, end, along);
       beyond = partition(items, order, first, end, along, middle.plane);
     }
-    axis[node] = along;
-    const left = build(first, beyond, depth + 1);
-    const right = build(beyond, end, depth + 1);
-    link[node] = right;
+    const left = addNodes(2);
+    const right = left + 1;
+    link[node] = left;
+    build(left, first, beyond, depth + 1);
+    build(right, beyond, end, depth + 1);
     for (let k = 0; k < 3; k++) {
       boxes[node * 6 + k] = Math.min(boxes[left * 6 + k]!, boxes[right * 6 + k]!);
       boxes[node * 6 + k + 3] = Math.max(boxes[left * 6 + k + 3]!, boxes[right * 6 + k + 3]!);
     }
-    return node;
   }
 
-  if (itemCount > 0) build(0, itemCount, 0);
+  if (itemCount > 0) build(addNodes(1), 0, itemCount, 0);
   const bvh = {
     boxes: boxes.slice(0, nodeCount * 6),
     link: link.slice(0, nodeCount),
     count: count.slice(0, nodeCount),
-    axis: axis.slice(0, nodeCount),
   };
   return { bvh, order };
 }

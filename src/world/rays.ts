@@ -80,10 +80,10 @@ export class Rays {
     for (let node = 0; ; ) {
       const items = count[node]!;
       if (items === 0) {
-        const first = node + 1;
-        const second = link[node]!;
+        const first = link[node]!;
+        const second = first + 1;
         const a = first * 6;
-        const b = second * 6;
+        const b = a + 6;
         let to = 0;
         let enterA = 0;
         let leaveA = nearest;

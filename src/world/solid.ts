@@ -177,8 +177,8 @@ export class Solid {
         boxes[box + 2]! <= z1 &&
         boxes[box + 5]! >= z0;
       if (isMet && count[node] === 0) {
-        stack[height++] = link[node]!;
-        node++;
+        stack[height++] = link[node]! + 1;
+        node = link[node]!;
         continue;
       }
       if (isMet) this.#leaves[found++] = node;
