@@ -4,13 +4,13 @@
 #include "lib/precision.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/photometry.glsl"
+#include "physical/rays.glsl"
 #include "physical/volume.glsl"
 
-uniform sampler2D uHits;  // normal; distance, m, 0 where nothing is
 uniform sampler2D uHues;  // base colour
 
 // A surface is lit by the probes before it: how far before, m.
-const float LIFT = 0.08;
+const float LIFT = 0.03;
 
 out vec4 oRadiance;
 

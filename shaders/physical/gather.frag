@@ -5,6 +5,7 @@
 #include "lib/octahedral.glsl"
 #include "lib/photometry.glsl"
 #include "physical/harmonics.glsl"
+#include "physical/rays.glsl"
 
 uniform sampler2D uFirst;
 uniform sampler2D uSecond;
@@ -26,11 +27,10 @@ void main() {
   for (int t = 0; t < RAYS; t++) {
     for (int s = 0; s < RAYS; s++) {
       vec3 onMap = octahedronAt((vec2(s, t) + 0.5) / float(RAYS));
-      float away = length(onMap);
-      float solidAngle = 1.0 / (away * away * away);
+      float solidAngle = rayAngle(onMap);
       total += solidAngle;
       vec3 light = texelFetch(uEcho, tile * RAYS + ivec2(s, t), 0).rgb * solidAngle;
-      vec3 direction = onMap / away;
+      vec3 direction = normalize(onMap);
       first += harmonic(k, direction) * light;
       second += harmonic(k + 3, direction) * light;
       third += harmonic(k + 6, direction) * light;

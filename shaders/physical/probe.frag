@@ -1,26 +1,40 @@
 #version 300 es
 // What each probe gets of the light that bounces for the first time: all patches that the flame sees, as
-// far as the probe sees them.
+// far as the probe sees them and its rays do not tell more.
 // Out: three coefficients of radiance.
 #include "lib/precision.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/photometry.glsl"
 #include "physical/harmonics.glsl"
 #include "physical/light.glsl"
-#include "physical/volume.glsl"
+#include "physical/rays.glsl"
 #include "physical/surfels.glsl"
 
+uniform sampler2D uProbes;  // place of each, m
 uniform sampler2D uRadiosity;
-
-// A patch may lie so much farther than what is seen its way: a share of the distance, and metres. More would
-// let light pass by edges, where a probe sees what is near and what is far at once; but where probes are so few
-// that they do not look around, they see edges nearly everywhere.
-const float SLANT = 0.05;
-const float THICK = 0.05;
 
 layout(location = 0) out vec4 oFirst;
 layout(location = 1) out vec4 oSecond;
 layout(location = 2) out vec4 oThird;
+
+// Share of the four rays around a direction that end no nearer than `reach`, m.
+float seenAt(ivec2 tile, vec3 direction, float reach) {
+  vec2 place = onOctahedron(direction) * float(RAYS) - 0.5;
+  vec2 cell = floor(place);
+  float seen = 0.0;
+  float total = 1e-6;
+  for (int corner = 0; corner < 4; corner++) {
+    vec2 step = vec2(corner & 1, corner >> 1);
+    vec2 shares = mix(1.0 - (place - cell), place - cell, step);
+    vec2 texel = clamp(cell + step, vec2(0.0), vec2(RAYS - 1));
+    vec4 hit = texelFetch(uHits, tile * RAYS + ivec2(texel), 0);
+    vec3 ray = normalize(octahedronAt((texel + 0.5) / float(RAYS)));
+    float share = hit.w > 0.0 ? shares.x * shares.y : 0.0;
+    seen += isSeenPast(ray * hit.w, hit.xyz, direction, reach) ? share : 0.0;
+    total += share;
+  }
+  return seen / total;
+}
 
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
@@ -40,14 +54,9 @@ void main() {
       vec3 direction = toward / reach;
       float facing = dot(surfel.normal, -direction);
       if (facing <= 0.0 || surfel.distance <= 0.0) continue;
-      // A disc, not a point: near by it fills half of the view, and no more.
-      float solidAngle = facing * surfel.area / (distanceSquared + surfel.area / PI);
-      // A patch is as far as what it is part of, give or take how much that slants.
-      vec2 sight = sightOf(tile, direction);
-      bool looks = volume.looks > 0.5;
-      float slack = looks ? min(sight.g, SLANT * reach) + THICK : sight.g + 2.0 * THICK;
-      float seen = inSight(sight, reach - slack);
-      seen = looks ? seen : seen * seen * seen;
+      float solidAngle = facing * surfel.area / distanceSquared;
+      solidAngle *= 1.0 - shareOfRays(solidAngle, rayAngle(direction / dot(abs(direction), vec3(1.0))));
+      float seen = seenAt(tile, direction, reach);
       vec3 light = texelFetch(uRadiosity, ivec2(x, y), 0).rgb * (solidAngle * seen / PI);
       first += harmonic(k, direction) * light;
       second += harmonic(k + 3, direction) * light;

@@ -23,6 +23,21 @@ vec3 faceDirection(int face, vec2 st) {
   return vec3(-st.x, -st.y, -1.0);
 }
 
+// The patch that the flame sees in a direction.
+ivec2 patchTowards(vec3 d, int size) {
+  vec3 reach = abs(d);
+  int axis = reach.x >= max(reach.y, reach.z) ? 0 : reach.y >= reach.z ? 1 : 2;
+  int face = 2 * axis + (d[axis] > 0.0 ? 0 : 1);
+  vec2 across = axis == 0 ? vec2(-d.z * sign(d.x), -d.y) : axis == 1 ? vec2(d.x, d.z * sign(d.y)) : vec2(d.x * sign(d.z), -d.y);
+  ivec2 texel = ivec2((0.5 + 0.5 * across / reach[axis]) * float(size));
+  return min(texel, size - 1) + ivec2(face * size, 0);
+}
+
+// A patch that is seen at a grazing angle is not endless.
+float slantOf(float facing) {
+  return max(facing, 0.15);
+}
+
 Surfel surfelAt(ivec2 texel, int size) {
   vec4 stored = texelFetch(uNormalDistance, texel, 0);
   int face = texel.x / size;
@@ -32,12 +47,19 @@ Surfel surfelAt(ivec2 texel, int size) {
   // Of a texel of a cube of half-edge 1, seen from the middle.
   float solidAngle = 4.0 / float(size * size) / (squared * sqrt(squared));
   direction *= inversesqrt(squared);
-  float facing = max(dot(stored.xyz, -direction), 0.15);  // a grazing patch is not endless
   Surfel surfel;
   surfel.position = light.vantage + direction * stored.w;
   surfel.normal = stored.xyz;
-  surfel.area = solidAngle * stored.w * stored.w / facing;
+  surfel.area = solidAngle * stored.w * stored.w / slantOf(dot(stored.xyz, -direction));
   surfel.solidAngle = solidAngle;
   surfel.distance = stored.w;
   return surfel;
+}
+
+// Whether what lies at `reach` (m) in a direction can be seen past a surface that was `met` close to that way: it
+// reaches as far as its plane. Slack is a share of the distance, and metres.
+bool isSeenPast(vec3 met, vec3 normal, vec3 direction, float reach) {
+  float facing = dot(normal, direction);
+  float end = max(length(met), facing < -1e-3 ? dot(normal, met) / facing : 0.0);
+  return reach <= end + 0.07 * reach + 0.02;
 }

@@ -92,7 +92,7 @@ Surroundings surroundingsAt(vec3 position, vec3 facing, vec3 one, vec3 other) {
     float reach = max(length(away), 1e-4);
     float turned = 0.5 - 0.5 * dot(away, facing) / reach;
     float seen = inSight(sightOf(tile, away / reach), reach);
-    weight *= probe.w * (turned * turned + 0.1) * max(seen * seen * seen, 1e-4);
+    weight *= probe.w * (turned * turned + 0.2) * max(seen * seen * seen, 1e-4);
     sum.other += weight * textureLod(uVolume, onTile(tile, LIT, onOther), 0.0).rgb;
     sum.one += weight * textureLod(uVolume, onTile(tile, LIT, onOne), 0.0).rgb;
     total += weight;

@@ -2,6 +2,7 @@ import { mat4 } from "gl-matrix";
 import echoFrag from "../../../shaders/physical/echo.frag";
 import fullscreenVert from "../../../shaders/physical/fullscreen.vert";
 import gatherFrag from "../../../shaders/physical/gather.frag";
+import glimpseFrag from "../../../shaders/physical/glimpse.frag";
 import irradianceFrag from "../../../shaders/physical/irradiance.frag";
 import probeFrag from "../../../shaders/physical/probe.frag";
 import radiosityFrag from "../../../shaders/physical/radiosity.frag";
@@ -56,8 +57,8 @@ export interface IrradianceVolume {
  * Light that has bounced off the room, without any precomputation.
  *
  * The flame sees the room as a few hundred patches, and probes gather their light as far as they see them.
- * Each probe knows what its rays meet, and gathers what that throws back of the probes' light, for a number
- * of bounces. It starts from darkness each time, so the result depends on where the flame is and on nothing
+ * Each probe knows what its rays meet, and gathers what that throws back of the flame's light where patches
+ * are too coarse, and of the probes' light, for a number of bounces. It starts from darkness each time, so the result depends on where the flame is and on nothing
  * that was drawn before. Light adds up, so a flame that flickers changes only what the result is
  * multiplied by.
  */
@@ -68,6 +69,7 @@ export class IndirectPass {
   readonly #radiosityProgram: Program;
   readonly #probeProgram: Program;
   readonly #echoProgram: Program;
+  readonly #glimpseProgram: Program;
   readonly #gatherProgram: Program;
   readonly #irradianceProgram: Program;
   readonly #screen: VertexArray;
@@ -92,14 +94,17 @@ export class IndirectPass {
     const defines = { RAYS: detail.rays };
     this.#surfelProgram = gpu.program("physical/surfel", surfelVert, surfelFrag);
     this.#radiosityProgram = gpu.program("physical/radiosity", fullscreenVert, radiosityFrag);
-    this.#probeProgram = gpu.program("physical/probe", fullscreenVert, probeFrag);
+    this.#probeProgram = gpu.program("physical/probe", fullscreenVert, probeFrag, { defines });
     this.#echoProgram = gpu.program("physical/echo", fullscreenVert, echoFrag, { defines });
+    this.#glimpseProgram = gpu.program("physical/glimpse", fullscreenVert, glimpseFrag, {
+      defines,
+    });
     this.#gatherProgram = gpu.program("physical/gather", fullscreenVert, gatherFrag, { defines });
     this.#irradianceProgram = gpu.program("physical/irradiance", fullscreenVert, irradianceFrag);
     this.#light = gpu.uniformBlock(this.#radiosityProgram, "Light");
     const [columns, rows, planes] = detail.probes;
     const { min, max } = room.model.bounds;
-    this.#block = gpu.uniformBlock(this.#probeProgram, "Volume");
+    this.#block = gpu.uniformBlock(this.#echoProgram, "Volume");
     this.#block.update({
       corner: min,
       // A floor without walls is a room, too.
@@ -204,6 +209,7 @@ export class IndirectPass {
   #bounceOnce(): void {
     const [patchColor, normalDistance] = this.#surfels.colors;
     if (!patchColor || !normalDistance) throw new Error("A patch has a colour and a place.");
+    const { uProbes } = this.#sights.room;
     this.#gpu.draw({
       program: this.#radiosityProgram,
       target: this.#radiosity,
@@ -213,15 +219,24 @@ export class IndirectPass {
     });
     this.#gpu.draw({
       program: this.#probeProgram,
-      target: this.#first,
+      target: this.#all,
       vertexArray: this.#screen,
       textures: {
         uNormalDistance: normalDistance,
         uRadiosity: this.#radiosity.color,
-        ...this.#sights.room,
+        uHits: this.#sights.rays.uHits,
+        uProbes,
       },
-      blocks: { Light: this.#light, Volume: this.#block },
+      blocks: { Light: this.#light },
     });
+    this.#gpu.draw({
+      program: this.#glimpseProgram,
+      target: this.#echo,
+      vertexArray: this.#screen,
+      textures: { uNormalDistance: normalDistance, uProbes, ...this.#sights.rays },
+      blocks: { Light: this.#light },
+    });
+    this.#gather(this.#all, this.#first);
     this.#irradiate(this.#first);
   }
 
@@ -237,13 +252,18 @@ export class IndirectPass {
       },
       blocks: { Volume: this.#block },
     });
+    this.#gather(this.#first, this.#all);
+    this.#irradiate(this.#all);
+  }
+
+  /** Adds what the probes' rays see. */
+  #gather(radiance: RenderTarget, target: RenderTarget): void {
     this.#gpu.draw({
       program: this.#gatherProgram,
-      target: this.#all,
+      target,
       vertexArray: this.#screen,
-      textures: { ...harmonicsOf(this.#first), uEcho: this.#echo.color },
+      textures: { ...harmonicsOf(radiance), uEcho: this.#echo.color },
     });
-    this.#irradiate(this.#all);
   }
 
   /** @param radiance its harmonics at each probe */
