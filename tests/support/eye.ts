@@ -41,7 +41,10 @@ export class Eye {
     const { width, height } = this.#canvas;
     const gpu = this.#gpu;
     const screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
-    const frame = gpu.uniformBlock(gpu.program("frame", displayVert, displayFrag), "Frame");
+    const frame = gpu.uniformBlock(
+      gpu.program("frame", displayVert, displayFrag, { defines: { TABLED: 0 } }),
+      "Frame",
+    );
     frame.update({
       clipFromWorld: new Float32Array(16),
       eyePosition: [0, 0, 0],
