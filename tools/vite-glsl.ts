@@ -22,7 +22,8 @@ function stripComments(source: string): string {
  * Expands `#include "lib/noise.glsl"`, from the shaders' root, each file once.
  *
  * `#line 1 n` before and after each included text makes the compiler say `n:line`, which the program
- * turns back into a file name. In GLSL ES 3.00 `#line` numbers the line after it.
+ * turns back into a file name. In GLSL ES 3.00 `#line` numbers the line after it. A branch that is not
+ * taken skips it as well, so it is said again where the branch ends.
  */
 export function resolveShader(file: string, files: string[] = []): Resolved {
   const index = files.push(relative(ROOT, file)) - 1;
@@ -30,11 +31,12 @@ export function resolveShader(file: string, files: string[] = []): Resolved {
     .split("\n")
     .map((line, number) => {
       const include = /^\s*#include\s+"([^"]+)"/.exec(line)?.[1];
-      if (include === undefined) return line;
+      const place = `#line ${number + 2} ${index}`;
+      if (include === undefined) return /^\s*#(else|endif)/.test(line) ? `${line}\n${place}` : line;
       const path = resolve(ROOT, include);
       if (files.includes(relative(ROOT, path))) return "";
       const included = files.length;
-      return `#line 1 ${included}\n${resolveShader(path, files).source}\n#line ${number + 2} ${index}`;
+      return `#line 1 ${included}\n${resolveShader(path, files).source}\n${place}`;
     })
     .join("\n");
   return { source, files };
