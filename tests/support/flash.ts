@@ -189,8 +189,8 @@ function linear(byte = 0): number {
   return LINEAR[byte] ?? decode(byte);
 }
 
-/** IEC 61966-2-1. */
-function decode(byte: number): number {
+/** Light of a channel as it is on the screen, from 0 to 255: IEC 61966-2-1. */
+export function decode(byte: number): number {
   const value = byte / 255;
   return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
 }

@@ -154,12 +154,17 @@ test.describe("Beside a path tracer's picture of the same room", () => {
       }
       // Both as the settled eye sees our picture.
       const exposure = meteredExposure({ width, height, radiance: mine });
+      const linear = displayed(mine, exposure, isCompared);
       const differences = [
         ...flip(
           { width, height, linear: displayed(radiance, exposure, isCompared) },
-          { width, height, linear: displayed(mine, exposure, isCompared) },
+          { width, height, linear },
         ),
       ].filter((_, i) => isCompared[i]);
+      // WCAG 2.3.1: from a share of 0.8 on, red is saturated.
+      const red = linear.reduce((sum, light, i) => sum + (i % 3 === 0 ? light : 0), 0);
+      const all = linear.reduce((sum, light) => sum + light, 0);
+      expect.soft(red / all, "share of red in the room").toBeLessThan(0.8);
       const measured = {
         median: quantile(errors, 0.5),
         high: quantile(errors, 0.9),
