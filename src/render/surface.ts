@@ -13,8 +13,6 @@ export interface Surface {
   /** What it was made from. */
   readonly part: Part;
   readonly vertexArray: VertexArray;
-  /** Its vertices, for other triangles of them. */
-  readonly attributes: VertexArrayOptions["attributes"];
   /** Its triangles by place; none where nobody grouped them. */
   readonly clusters: readonly Cluster[];
   /** Of all its triangles, m²; 0 where nobody grouped them. */
@@ -94,12 +92,10 @@ function upload(gpu: Gpu, model: Model, group?: (part: Part) => Grouped): readon
     const label = (map: string) => `${material.name}/${map}`;
     const packed = material.occlusionRoughnessMetallic;
     const { indices, clusters, area } = group?.(part) ?? { ...part, clusters: [], area: 0 };
-    const attributes = uploadVertices(gpu, part);
     return {
       name: part.name,
       part,
-      vertexArray: uploadTriangles(gpu, part.name, attributes, indices),
-      attributes,
+      vertexArray: uploadTriangles(gpu, { ...part, indices }),
       clusters,
       area,
       baseColor: material.baseColor,
@@ -149,14 +145,11 @@ function uploadVertices(gpu: Gpu, part: Part): VertexArrayOptions["attributes"] 
   };
 }
 
-function uploadTriangles(
-  gpu: Gpu,
-  name: string,
-  attributes: VertexArrayOptions["attributes"],
-  indices: Part["indices"],
-): VertexArray {
+/** A part's vertices and triangles, as the shaders of surfaces read them. */
+export function uploadTriangles(gpu: Gpu, part: Part): VertexArray {
+  const { name, indices } = part;
   return gpu.vertexArray(name, {
-    attributes,
+    attributes: uploadVertices(gpu, part),
     indices: {
       buffer: gpu.buffer(`${name}/indices`, indices, "index"),
       type: indices instanceof Uint16Array ? "uint16" : "uint32",

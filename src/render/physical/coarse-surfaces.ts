@@ -1,8 +1,8 @@
 import type { Part } from "../../assets/model.js";
 import type { Gpu } from "../../gl/gpu.js";
 import { groupTriangles } from "../clusters.js";
-import { Simplification } from "../simplify.js";
-import type { Surface } from "../surface.js";
+import { Simplification, type Simplified } from "../simplify.js";
+import { type Surface, uploadTriangles } from "../surface.js";
 
 /** Corners that may be gone through in a frame: a few milliseconds. */
 const PATIENCE = 20_000;
@@ -47,23 +47,38 @@ export class CoarseSurfaces {
       const { work } = this.#current;
       do {
         if (gone > PATIENCE) return;
-        gone += work.indices.length;
+        gone += work.length;
       } while (work.proceed());
-      this.#keep(surface, work.indices);
+      this.#keep(surface, work.result);
       this.#current = null;
     }
   }
 
-  #keep(surface: Surface, corners: Uint32Array): void {
-    const { attributes, part } = surface;
-    const coarse = { ...part, indices: corners };
-    const { indices, clusters } = groupTriangles(coarse);
-    const buffer = this.#gpu.buffer(`${part.name}/coarse indices`, indices, "index");
-    const vertexArray = this.#gpu.vertexArray(`${part.name}/coarse`, {
-      attributes,
-      indices: { buffer, type: "uint32" },
-      count: indices.length,
-    });
-    this.#coarse.set(surface, { vertexArray, clusters, part: coarse });
+  #keep(surface: Surface, simplified: Simplified): void {
+    const part = partOf(surface.part, simplified);
+    const { indices, clusters } = groupTriangles(part);
+    const name = `${part.name}/coarse`;
+    const vertexArray = uploadTriangles(this.#gpu, { ...part, name, indices });
+    this.#coarse.set(surface, { vertexArray, clusters, part });
   }
+}
+
+/** Triangles of a part that may stand elsewhere than they did. */
+function partOf(part: Part, { places, looks, indices }: Simplified): Part {
+  const pick = (from: Float32Array, size: number, vertices: Uint32Array) => {
+    const to = new Float32Array(vertices.length * size);
+    for (const [vertex, old] of vertices.entries()) {
+      for (let k = 0; k < size; k++) to[vertex * size + k] = from[old * size + k]!;
+    }
+    return to;
+  };
+  return {
+    ...part,
+    positions: pick(part.positions, 3, places),
+    normals: pick(part.normals, 3, looks),
+    tangents: pick(part.tangents, 4, looks),
+    uvs: pick(part.uvs, 2, looks),
+    colors: part.colors && pick(part.colors, 4, looks),
+    indices,
+  };
 }

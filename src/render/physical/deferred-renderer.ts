@@ -60,7 +60,7 @@ const MARGIN = 3;
 /** What throws a shadow into sight from a little out of it, metres. */
 const PENUMBRA = 0.05;
 /** While the eye moves, surfaces may be a little off, metres: the candle is often in the hand. */
-const SLACK = { room: 0.005, candle: 0.0006 } as const;
+const SLACK = { room: 0.008, candle: 0.001 } as const;
 
 /**
  * The same light as that of `PhysicalRenderer`, where each pixel is dear: without a GPU.

@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
-import { type Simplifiable, Simplification, thicknessOf } from "../../../src/render/simplify.ts";
+import { type Simplifiable, Simplification } from "../../../src/render/simplify.ts";
+import { thicknessesOf } from "../../../src/render/thickness.ts";
 
 type Vec = readonly [number, number, number];
 
@@ -22,10 +23,17 @@ function tube(sides: number, rings: number, radius: number, length: number): Sim
   return { positions: Float32Array.from(positions), normals, indices };
 }
 
+/** The vertices of the mesh at which the corners are. */
 function simplified(mesh: Simplifiable, error: number): Uint32Array {
   const work = new Simplification(mesh, error);
   while (work.proceed());
-  return work.indices;
+  const { places, indices } = work.result;
+  expect(indices.length).toBe(work.length);
+  return indices.map((vertex) => places[vertex]!);
+}
+
+function thicknessOf({ positions, indices }: Simplifiable): number {
+  return thicknessesOf(positions, indices)[0] ?? 0;
 }
 
 const place = ({ positions }: Simplifiable, vertex: number): Vec => [
@@ -139,4 +147,104 @@ test("A surface that is open has no thickness; of a closed one it is known, and 
   // The waves are there, on either side.
   const columns = new Set(Array.from(few, (vertex) => vertex % around));
   expect(columns.size).toBeGreaterThan(16);
+});
+
+/** A cube whose edges are cut off, every face lit as if it were flat. */
+function bevelledCube(size: number, bevel: number): Simplifiable {
+  const positions: number[] = [];
+  const normals: number[] = [];
+  const indices: number[] = [];
+  /** Corners counter-clockwise as seen from where the normal points. */
+  const face = (normal: Vec, ...corners: readonly Vec[]) => {
+    const first = positions.length / 3;
+    const [a, b, c] = corners as readonly [Vec, Vec, Vec];
+    const [u, v] = [b, c].map((to) => to.map((x, k) => x - a[k]!)) as [number[], number[]];
+    const facing = [0, 1, 2].reduce(
+      (sum, k) =>
+        sum + normal[k]! * (u[(k + 1) % 3]! * v[(k + 2) % 3]! - u[(k + 2) % 3]! * v[(k + 1) % 3]!),
+      0,
+    );
+    for (const corner of corners) {
+      positions.push(...corner);
+      normals.push(...normal.map((x) => x / Math.hypot(...normal)));
+    }
+    for (let k = 2; k < corners.length; k++) {
+      indices.push(
+        first,
+        ...(facing > 0 ? [first + k - 1, first + k] : [first + k, first + k - 1]),
+      );
+    }
+  };
+  const [far, near] = [size / 2, size / 2 - bevel];
+  const at = (axis: number, main: number, one: number, other: number): Vec => {
+    const place = [0, 0, 0];
+    place[axis] = main;
+    place[(axis + 1) % 3] = one;
+    place[(axis + 2) % 3] = other;
+    return place as unknown as Vec;
+  };
+  for (const axis of [0, 1, 2]) {
+    for (const s of [-1, 1]) {
+      face(
+        at(axis, s, 0, 0),
+        ...[
+          [-1, -1],
+          [1, -1],
+          [1, 1],
+          [-1, 1],
+        ].map(([a, b]) => at(axis, s * far, a! * near, b! * near)),
+      );
+      for (const t of [-1, 1]) {
+        face(
+          at(axis, 0, s, t),
+          at(axis, -near, s * far, t * near),
+          at(axis, near, s * far, t * near),
+          at(axis, near, s * near, t * far),
+          at(axis, -near, s * near, t * far),
+        );
+      }
+    }
+  }
+  for (const x of [-1, 1]) {
+    for (const y of [-1, 1]) {
+      for (const z of [-1, 1]) {
+        face(
+          [x, y, z],
+          [x * far, y * near, z * near],
+          [x * near, y * far, z * near],
+          [x * near, y * near, z * far],
+        );
+      }
+    }
+  }
+  return { positions, normals, indices };
+}
+
+test("Of a box whose edges are bevelled a plain box is left, each face as it looked", () => {
+  const mesh = bevelledCube(0.2, 0.004);
+  expect(mesh.indices.length).toBe(3 * 44);
+  const work = new Simplification(mesh, 0.006);
+  while (work.proceed());
+  const { places, looks, indices } = work.result;
+  expect(indices.length).toBe(3 * 12);
+  expect(new Set(places).size).toBe(8);
+  for (let i = 0; i < indices.length; i += 3) {
+    const [a, b, c] = [0, 1, 2].map((k) => place(mesh, places[indices[i + k]!]!)) as [
+      Vec,
+      Vec,
+      Vec,
+    ];
+    const facing = [0, 1, 2].map((k) => {
+      const [m, n] = [(k + 1) % 3, (k + 2) % 3];
+      return (b[m]! - a[m]!) * (c[n]! - a[n]!) - (b[n]! - a[n]!) * (c[m]! - a[m]!);
+    });
+    // What it is lit as and what it is differ by no more than the bevel was wide.
+    for (const corner of [0, 1, 2]) {
+      const look = looks[indices[i + corner]!]!;
+      const along = facing.reduce((sum, x, k) => sum + x * mesh.normals[3 * look + k]!, 0);
+      expect(along / Math.hypot(...facing)).toBeGreaterThan(0.99);
+    }
+  }
+  // A finer eye keeps it.
+  expect(simplified(mesh, 0.001).length).toBe(mesh.indices.length);
 });
