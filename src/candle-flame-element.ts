@@ -541,7 +541,8 @@ export class CandleFlameElement extends TypedEvents {
     if (this.#canvas) {
       observeDevicePixels(this.#canvas, signal, (pixels) => {
         this.#pixels = pixels;
-        this.#resize();
+        // What the guess got right is on show already.
+        if (!this.#resize()) return;
         if (this.#isSeen) this.#draw();
         else this.#isStale = true;
       });
@@ -720,10 +721,12 @@ export class CandleFlameElement extends TypedEvents {
     if (!this.controls && this.getAttribute("tabindex") === "0") this.removeAttribute("tabindex");
   }
 
-  #resize(): void {
+  /** @returns whether the picture has to be drawn again */
+  #resize(): boolean {
     const cap = Math.min(1, this.maxPixelRatio / devicePixelRatio);
     const { width, height } = this.#pixels;
-    this.#use((candle) => candle.resize(Math.max(1, width * cap), Math.max(1, height * cap)));
+    const [w, h] = [Math.max(1, width * cap), Math.max(1, height * cap)];
+    return this.#use((candle) => candle.resize(w, h)) ?? false;
   }
 
   /** At the next frame, unless something draws before that anyway. */

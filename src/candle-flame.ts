@@ -271,13 +271,19 @@ export class CandleFlame {
     this.#follow(this.#renderer);
   }
 
-  /** Device pixels that the element covers. */
-  resize(width: number, height: number): void {
+  /**
+   * Device pixels that the element covers.
+   *
+   * @returns whether the picture is of another size now, and gone
+   */
+  resize(width: number, height: number): boolean {
     const isOther = width !== this.#pixels.width || height !== this.#pixels.height;
     this.#pixels = { width, height };
     if (isOther) this.#auto.renew();
     const { gpu, canvas } = this.#screen;
-    if (this.#fitCanvas() && !gpu.isLost) this.#renderer.resize(canvas.width, canvas.height);
+    const isOtherSize = this.#fitCanvas();
+    if (isOtherSize && !gpu.isLost) this.#renderer.resize(canvas.width, canvas.height);
+    return isOtherSize;
   }
 
   get #resolutionScale(): number {
