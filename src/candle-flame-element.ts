@@ -94,6 +94,8 @@ export class CandleFlameElement extends TypedEvents {
   /** Of the canvas on the page; what the renderer draws may be fewer. */
   #pixels: Size = { width: 1, height: 1 };
   #drawRequest = 0;
+  /** Whether the canvas has the picture of this very moment: until the task ends, or something changes. */
+  #isFresh = false;
   /** The room among those on the page, each of which takes a WebGL context. */
   #guest: Guest | null = null;
   #shownCamera = "";
@@ -332,8 +334,8 @@ export class CandleFlameElement extends TypedEvents {
   toBlob(type = "image/png", quality?: number): Promise<Blob> {
     const canvas = this.#canvas;
     return new Promise((resolve, reject) => {
-      // The browser owns the pixels after the task that drew them, so they are drawn again.
-      this.#draw();
+      // The browser owns the pixels after the task that drew them.
+      this.#drawAnew();
       if (!canvas || !this.#candle) {
         reject(new Error("There is no picture yet: wait for `ready`."));
         return;
@@ -348,6 +350,8 @@ export class CandleFlameElement extends TypedEvents {
 
   /** Linear RGB of canvas pixels, origin top left. It waits for the GPU. */
   readRadiance(x: number, y: number, width: number, height: number): Float32Array {
+    this.#drawAnew();
+    this.#isFresh = false; // reading may go on drawing
     const radiance = this.#use((candle) => candle.readRadiance(x, y, width, height));
     return radiance ?? new Float32Array(width * height * 3);
   }
@@ -568,6 +572,7 @@ export class CandleFlameElement extends TypedEvents {
   }
 
   #release(): void {
+    this.#isFresh = false;
     this.#connection?.abort();
     this.#connection = null;
     this.#fetcher = null;
@@ -723,6 +728,7 @@ export class CandleFlameElement extends TypedEvents {
 
   /** @returns whether the picture has to be drawn again */
   #resize(): boolean {
+    this.#isFresh = false;
     const cap = Math.min(1, this.maxPixelRatio / devicePixelRatio);
     const { width, height } = this.#pixels;
     const [w, h] = [Math.max(1, width * cap), Math.max(1, height * cap)];
@@ -731,6 +737,7 @@ export class CandleFlameElement extends TypedEvents {
 
   /** At the next frame, unless something draws before that anyway. */
   #requestDraw(): void {
+    this.#isFresh = false;
     const isPlaying = this.#internals.states.has("playing");
     if (!this.#candle || isPlaying || this.#drawRequest !== 0) return;
     if (!this.#isSeen) {
@@ -744,7 +751,19 @@ export class CandleFlameElement extends TypedEvents {
     this.#isStale = false;
     this.#use((candle) => candle.draw());
     this.#forgetRequest();
+    this.#keepFresh();
     this.#shine();
+  }
+
+  #drawAnew(): void {
+    if (!this.#isFresh) this.#draw();
+  }
+
+  #keepFresh(): void {
+    this.#isFresh = true;
+    queueMicrotask(() => {
+      this.#isFresh = false;
+    });
   }
 
   #forgetRequest(): void {
@@ -754,6 +773,7 @@ export class CandleFlameElement extends TypedEvents {
 
   #afterFrame(): void {
     this.#forgetRequest();
+    this.#keepFresh();
     this.#reportCamera();
     this.#shine();
   }

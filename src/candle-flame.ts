@@ -373,9 +373,8 @@ export class CandleFlame {
     this.onFrame();
   };
 
-  /** Linear RGB before exposure and tone mapping, drawn anew; rows from the top. Waits for the GPU. */
+  /** Linear RGB of the last frame before exposure and tone mapping; rows from the top. Waits for the GPU. */
   readRadiance(x: number, y: number, width: number, height: number): Float32Array {
-    this.draw();
     return this.#renderer.readRadiance(x, y, width, height);
   }
 

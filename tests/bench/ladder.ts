@@ -79,7 +79,7 @@ function timeFrame(element: CandleFlameElement, gl: WebGL2RenderingContext): num
   return performance.now() - begin;
 }
 
-// The element's own way to read pixels, readRadiance, draws the frame a second time.
+// The element's own way to read pixels, readRadiance, may draw the frame a second time.
 function contextOf(element: CandleFlameElement): WebGL2RenderingContext {
   const gl = element.shadowRoot?.querySelector("canvas")?.getContext("webgl2");
   if (!gl) throw new Error("The element has no picture.");

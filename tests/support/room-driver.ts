@@ -8,6 +8,7 @@ import type {
   Look,
   Stats,
 } from "../../src/candle-flame-element.ts";
+import type { Inspection } from "../../src/settings.ts";
 import { ORIGINS } from "./browser.ts";
 
 export const LIBRARY = ORIGINS.library;
@@ -39,6 +40,21 @@ function html(attributes: Attributes, { width = 640, height = 360, after = "" }:
     <style>body { margin: 0; background: #000 } candle-flame { width: ${width}px; height: ${height}px; aspect-ratio: auto }</style>
     <candle-flame ${list.join(" ")}></candle-flame>
     <script type="module" src="/define.js"></script>${after}</html>`;
+}
+
+/** What is done before a picture is taken, in this order and in one go: so it is drawn once. */
+export interface Change {
+  /** Where they name a look with other models, these are awaited. */
+  readonly attributes?: Attributes;
+  /** Time 0, as if new. */
+  readonly isReset?: boolean;
+  /** Where the visitor puts the candle down. */
+  readonly place?: Camera | undefined;
+  readonly camera?: Partial<Camera>;
+  readonly features?: Partial<Features>;
+  readonly inspect?: Inspection;
+  /** As long is stepped. */
+  readonly seconds?: number;
 }
 
 /** What the page complained of, as it happens: exceptions, rejections, console and WebGL errors. */
@@ -170,17 +186,33 @@ export class RoomDriver {
   }
 
   /** The picture as a PNG file. */
-  async png(): Promise<Buffer> {
-    const text = await this.evaluate(async (element) => {
+  async png(change: Change = {}): Promise<Buffer> {
+    const text = await this.evaluate(async (element, change) => {
+      const { attributes = {}, isReset, place, camera, features, inspect, seconds } = change;
+      const before = element.look;
+      const loaded = new Promise((resolve) =>
+        element.addEventListener("load", resolve, { once: true }),
+      );
+      for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+      if ((before === "physical") !== (element.look === "physical")) await loaded;
+      if (isReset) element.reset();
+      if (place) {
+        element.camera = place;
+        element.place();
+      }
+      if (camera) element.camera = { ...element.camera, ...camera };
+      Object.assign(element.features, features);
+      if (inspect) element.inspect = inspect;
+      if (seconds !== undefined) element.step(seconds);
       const bytes = new Uint8Array(await (await element.toBlob()).arrayBuffer());
       return bytes.reduce((text, byte) => text + String.fromCharCode(byte), "");
-    });
+    }, change);
     return Buffer.from(text, "latin1");
   }
 
   /** The picture's pixels, 8-bit RGBA, rows from the top. */
-  async picture(): Promise<Picture> {
-    const { data, info } = await sharp(await this.png())
+  async picture(change: Change = {}): Promise<Picture> {
+    const { data, info } = await sharp(await this.png(change))
       .ensureAlpha()
       .raw()
       .toBuffer({ resolveWithObject: true });
@@ -188,8 +220,8 @@ export class RoomDriver {
   }
 
   /** A hash of the picture's pixels. */
-  async pixels(): Promise<string> {
-    const { data } = await this.picture();
+  async pixels(change: Change = {}): Promise<string> {
+    const { data } = await this.picture(change);
     return createHash("sha256").update(data).digest("hex");
   }
 }

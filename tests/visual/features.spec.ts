@@ -1,5 +1,6 @@
 import type { Page } from "playwright/test";
 import {
+  allFeatures,
   FEATURES,
   FEATURES_OF,
   type Feature,
@@ -11,18 +12,18 @@ import { expect, test } from "../support/test.ts";
 
 /** Without a feature the picture is another than the whole one, and with it again the same. */
 async function expectSwitch(room: RoomDriver, feature: Feature, whole: string): Promise<void> {
-  await room.switchFeatures({ [feature]: false });
-  expect(await room.pixels(), `without ${feature}`).not.toBe(whole);
-  await room.switchFeatures({ [feature]: true });
-  expect(await room.pixels(), `with ${feature} again`).toBe(whole);
+  const without = await room.pixels({ features: { [feature]: false } });
+  expect(without, `without ${feature}`).not.toBe(whole);
+  const again = await room.pixels({ features: { [feature]: true } });
+  expect(again, `with ${feature} again`).toBe(whole);
 }
 
 for (const feature of FEATURES_OF.paper) {
   test(`Without ${feature} the paper's picture is another, and with it again the same`, async ({
     room,
   }) => {
-    await room.step(0.1); // near the crest of the flicker
-    await expectSwitch(room, feature, await room.pixels());
+    // Near the crest of the flicker.
+    await expectSwitch(room, feature, await room.pixels({ seconds: 0.1 }));
   });
 }
 
@@ -40,34 +41,26 @@ test.describe("In the cabin", () => {
     for (const feature of FEATURES_OF.physical) {
       // At rest and at this size there is none of it to be seen: plume.spec.ts.
       if (feature === "smoke" || feature === "sparks" || feature === "dust") continue;
-      await room.switchFeatures({ [feature]: false });
-      expect(await room.pixels(), `without ${feature}`).not.toBe(whole);
-      await room.switchFeatures({ [feature]: true });
+      const features = { ...allFeatures(), [feature]: false };
+      expect(await room.pixels({ features }), `without ${feature}`).not.toBe(whole);
     }
-    expect(await room.pixels(), "with all of them again").toBe(whole);
+    expect(await room.pixels({ features: allFeatures() }), "with all of them again").toBe(whole);
     expect(room.complaints).toEqual([]);
   });
 
   test("each pass of the physical look can be looked at alone", async () => {
     const whole = await room.pixels();
-    const look = (name: Inspection) =>
-      room.evaluate((element, name) => {
-        element.inspect = name;
-      }, name);
     const seen = new Map<string, string>();
     for (const name of INSPECTIONS) {
-      await look(name);
-      const pixels = await room.pixels();
+      const pixels = await room.pixels({ inspect: name });
       expect(seen.get(pixels), name).toBeUndefined();
       seen.set(pixels, name);
     }
     expect(seen.get(whole)).toBe("picture");
-    await look("depth");
-    const { data } = await room.picture();
+    const { data } = await room.picture({ inspect: "depth" });
     expect(Math.max(...data.filter((_, i) => i % 4 === 0))).toBeGreaterThan(150);
-    await look("nonsense" as Inspection);
+    expect(await room.pixels({ inspect: "nonsense" as Inspection })).toBe(whole);
     expect(await room.evaluate((element) => element.inspect)).toBe("picture");
-    expect(await room.pixels()).toBe(whole);
     expect(room.complaints).toEqual([]);
   });
 });

@@ -25,22 +25,7 @@ test.describe("The picture", () => {
 
   for (const { name, attributes, camera, seconds, place } of SCENES) {
     test(`of ${name} is as it was`, async () => {
-      await room.change(attributes.look);
-      // In one go: the page draws once for all of it.
-      await room.evaluate(
-        (element, { attributes, camera, seconds, place }) => {
-          for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-          element.reset();
-          if (place) {
-            element.camera = place;
-            element.place();
-          }
-          element.camera = camera;
-          element.step(seconds);
-        },
-        { attributes, camera, seconds, place },
-      );
-      const picture = await room.png();
+      const picture = await room.png({ attributes, isReset: true, place, camera, seconds });
       expect(picture).toMatchSnapshot(`${name}.png`, TOLERANCE);
       const before = await means(test.info().snapshotPath(`${name}.png`));
       for (const [channel, mean] of (await means(picture)).entries()) {

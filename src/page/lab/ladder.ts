@@ -138,8 +138,8 @@ function burst(element: CandleFlameElement, frames: number): number {
   element.step(TIME_STEP);
   element.readRadiance(0, 0, 1, 1);
   const begin = performance.now();
-  for (let i = 1; i < frames; i++) element.step(TIME_STEP);
-  element.readRadiance(0, 0, 1, 1); // draws the last frame
+  for (let i = 0; i < frames; i++) element.step(TIME_STEP);
+  element.readRadiance(0, 0, 1, 1);
   return (performance.now() - begin) / frames;
 }
 
