@@ -55,6 +55,9 @@ const shipAssets: Plugin = {
   },
 };
 
+/** Unit tests that count the processor's time, which is that of all threads of a process. */
+const ALONE = ["tests/unit/world/floor-plan.test.ts"];
+
 export default defineConfig(({ mode }) => ({
   base: "./",
   plugins: [
@@ -68,8 +71,21 @@ export default defineConfig(({ mode }) => ({
   // A world of ten seconds with its air takes some of them on a busy machine.
   test: {
     environment: "node",
-    include: ["tests/unit/**/*.test.ts"],
     testTimeout: 30_000,
+    // No test leaves anything behind, so that files may share what they import.
+    isolate: false,
+    projects: [
+      {
+        extends: true,
+        test: {
+          name: "unit",
+          include: ["tests/unit/**/*.test.ts"],
+          exclude: ALONE,
+          pool: "threads",
+        },
+      },
+      { extends: true, test: { name: "timed", include: ALONE, pool: "forks" } },
+    ],
     // All cores: the default leaves one out, which of two is half.
     maxWorkers: "100%",
   },
