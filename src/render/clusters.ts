@@ -238,19 +238,22 @@ function appendInOrder(
  * Runs of what may be seen: clusters that follow each other make one.
  *
  * @param isByPart a run has one part
+ * @param gap indices of what is not seen that are worth less than another run
  */
 export function runsOf(
   clusters: readonly Cluster[],
   isSeen: (box: Bounds) => boolean,
   isByPart: boolean,
+  gap = 0,
 ): Run[] {
   const runs: { part: number; first: number; count: number }[] = [];
   for (const cluster of clusters) {
     if (!isSeen(cluster)) continue;
     const { part, first, count } = cluster;
     const last = runs.at(-1);
-    if (last && last.first + last.count === first && (last.part === part || !isByPart)) {
-      last.count += count;
+    const isNear = last && first - (last.first + last.count) <= gap;
+    if (isNear && (last.part === part || !isByPart)) {
+      last.count = first + count - last.first;
     } else runs.push({ part, first, count });
   }
   return runs;

@@ -23,6 +23,8 @@ export interface Surface {
   /** How much of the map's occlusion counts, 0 to 1. */
   readonly occlusionStrength: number;
   readonly isDoubleSided: boolean;
+  /** Whether it has no pictures: all of it looks the same. */
+  readonly isPlain: boolean;
   /** Whether light comes through it. */
   readonly isWax: boolean;
   /** Whether its tip glows. */
@@ -103,6 +105,7 @@ function upload(gpu: Gpu, model: Model, group?: (part: Part) => Grouped): readon
       // Where it lies apart from the other maps it is left out: shadows do its work.
       occlusionStrength: material.occlusion ? 0 : material.occlusionStrength,
       isDoubleSided: material.isDoubleSided,
+      isPlain: !material.albedo && !material.normal && !packed,
       isWax: material.name === "wax" || material.name === "pool",
       isWick: material.name === "wick",
       textures: {

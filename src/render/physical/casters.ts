@@ -8,6 +8,8 @@ import { type Clusters, clusterTriangles, runsOf, VERTEX_SIZE } from "../cluster
 import type { Surface } from "../surface.js";
 import { isInFace } from "./cube.js";
 
+/** Triangles that are drawn sooner than one draw more is made: as many as a cluster may have. */
+const SPARED = 200;
 /** Bytes of a float. */
 const FLOAT = 4;
 
@@ -84,6 +86,6 @@ export class Casters {
 
   #runs(face: number, eye: Vec3, isByPart: boolean, matters = (_: Bounds) => true) {
     const isSeen = (box: Bounds) => isInFace(face, eye, box) && matters(box);
-    return runsOf(this.#clusters.clusters, isSeen, isByPart);
+    return runsOf(this.#clusters.clusters, isSeen, isByPart, 3 * SPARED);
   }
 }

@@ -184,7 +184,9 @@ export class GeometryPass {
   /** Whoever may be cut out costs all that is drawn later its early test of depth. */
   #programFor(isMoving: boolean, hasRoot: boolean, surface: Surface): Program {
     const MASKED = surface.parameters[3] > 0 ? 1 : 0;
-    const detail = hasRoot ? { BAKED: isBaked(surface) ? 1 : 0 } : { MOVING: isMoving ? 1 : 0 };
+    const BAKED = isBaked(surface) ? 1 : 0;
+    const PLAIN = BAKED && surface.isPlain ? 1 : 0;
+    const detail = hasRoot ? { BAKED, PLAIN } : { MOVING: isMoving ? 1 : 0 };
     const defines = { MASKED, ...detail };
     const key = JSON.stringify(defines);
     const program =

@@ -11,8 +11,9 @@ import { clipFromFace, FACES } from "./cube.js";
 
 /** Farther than anything. */
 const NOTHING = [1e4, 0, 0, 1] as const;
-/** A light that moves is followed in every other picture while it moves no farther in one, metres. */
-const STRIDE = 0.06;
+/** A light that moves is followed in every third picture while it moves no farther in two, metres. */
+const STRIDE = 0.15;
+const PICTURES = 3;
 
 /** Distances, metres, in a cube around a vantage. */
 export interface ShadowCube {
@@ -29,8 +30,8 @@ export class ShadowPass {
   #lastVantage: Vec3 = [Number.NaN, 0, 0];
   /** Whether nothing was left out. */
   #isWhole = false;
-  /** Whether it is of the picture before. */
-  #isOfLast = false;
+  /** Pictures since it was drawn. */
+  #age = 0;
 
   /** @param size texels along an edge of the cube */
   constructor(gpu: Gpu, size: number, format: TextureFormat = "R16F") {
@@ -71,10 +72,9 @@ export class ShadowPass {
     const way = this.#hasMovedBy(vantage);
     // Who stands still is worth the whole.
     if (way === 0 && !this.#isWhole) this.#draw(casters, vantage);
-    else if (way > 0 && !(this.#isOfLast && way < STRIDE)) {
+    else if (way > 0 && (++this.#age >= PICTURES || way > STRIDE)) {
       this.#draw(casters, vantage, matters);
-      this.#isOfLast = true;
-    } else this.#isOfLast = false;
+    }
     return { distances: this.#distances, vantage: this.#lastVantage };
   }
 
@@ -86,7 +86,7 @@ export class ShadowPass {
 
   #draw(casters: Casters, vantage: Vec3, matters?: (box: Bounds) => boolean): void {
     this.#isWhole = !matters;
-    this.#isOfLast = false;
+    this.#age = 0;
     this.#lastVantage = [...vantage];
     for (const [face, target] of this.#faces.entries()) {
       const clipFromWorld = clipFromFace(face, vantage, mat4.create()) as Float32Array;
