@@ -15,6 +15,9 @@ uniform sampler2D uNormal;
 uniform sampler2D uOcclusionRoughness;
 uniform vec4 uBaseColor;
 uniform float uWax;
+#if MOVING
+uniform float uIsCarried;  // 1 or 0
+#endif
 uniform float uOcclusion;  // how much of the map's occlusion counts
 uniform vec4 uSurface;     // roughness, metallic, normal scale, alpha below which nothing is
 uniform vec3 uVantage;     // of the flame, m
@@ -45,6 +48,7 @@ void main() {
   oAlbedo = vec4(sqrt(min(baseColor.rgb * paintedShare(occlusion, caught), 1.0)), 0.0);
   float kind = uWax > 0.5 ? WAX : packed.b * uSurface.y * METAL;
 #if MOVING
+  oAlbedo.a = uIsCarried * CARRIED;
   oSurface = passingSurface(normal, packed.g * uSurface.x, kind);
 #else
   oSurface = vec4(onOctahedron(normal), clamp(packed.g * uSurface.x, 0.03, 1.0), kind);

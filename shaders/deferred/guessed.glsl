@@ -4,12 +4,19 @@
 
 uniform sampler2D uLight;
 uniform sampler2D uNearness;  // of the light's texels
+// From places in the picture to those in the one before, if the light is of that.
+uniform mat4 uSince;
 
 // Most that places of one surface differ, as a share of their distance.
 const float ALIKE = 0.03;
 
-vec2 guided(vec2 uv, float _) {
-  float here = nearnessOf(textureLod(uDepth, uv, 0.0).r);
+vec2 guided(vec2 uv, float stored) {
+  vec3 place = vec3(uv, textureLod(uDepth, uv, 0.0).r);
+  vec4 since = uSince * vec4(place, 1.0);
+  if (stored < 0.5 * CARRIED) place = since.xyz / since.w;
+  vec2 now = uv;
+  uv = place.xy;
+  float here = nearnessOf(place.z);
   // Across a plane the inverse of the distance changes evenly.
   // No early return: a CPU would go on with what comes after it.
   if (abs(textureLod(uNearness, uv, 0.0).r - here) >= ALIKE * here) {
@@ -27,6 +34,9 @@ vec2 guided(vec2 uv, float _) {
     float column = step(rows.y, rows.x);
     float row = column > 0.5 ? step(apart.w, apart.y) : step(apart.z, apart.x);
     uv = (corner + 0.5 + vec2(column, row)) / size;
+    // What the candle hid in the picture before is more like what is beside it.
+    float least = min(min(apart.x, apart.y), min(apart.z, apart.w));
+    if (abs(textureLod(uNearness, now, 0.0).r - here) < least) uv = now;
   }
   return uv;
 }

@@ -28,6 +28,29 @@ layout(location = 0) out vec4 oLight;
 layout(location = 1) out vec4 oNearness;
 #endif
 
+#if COARSE
+// Of four pixels the one that lies most as all of them do: light in a joint would show as a spot around it.
+ivec2 usualOf(ivec2 pixel) {
+  ivec2 last = textureSize(uSurfaces, 0) - 1;
+  ivec2 places[4];
+  vec3 ways[4];
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < 4; i++) {
+    places[i] = min(pixel + ivec2(i & 1, i >> 1), last);
+    ways[i] = texelFetch(uSurfaces, places[i], 0).rgb - 0.5;
+    sum += ways[i];
+  }
+  ivec2 usual = pixel;
+  float most = -1.0;
+  for (int i = 0; i < 4; i++) {
+    float alike = dot(ways[i], sum);
+    if (alike > most) usual = places[i];
+    most = max(most, alike);
+  }
+  return usual;
+}
+#endif
+
 float fifthPower(float x) {
   float squared = x * x;
   return squared * squared * x;
@@ -35,6 +58,9 @@ float fifthPower(float x) {
 
 void main() {
   ivec2 pixel = pixelOf(ivec2(gl_FragCoord.xy), uSize, vec2(textureSize(uSurfaces, 0)));
+#if COARSE
+  pixel = usualOf(pixel);
+#endif
   float depth = texelFetch(uDepth, pixel, 0).r;
   vec2 onScreen = (vec2(pixel) + 0.5) / vec2(textureSize(uSurfaces, 0));
   vec4 placed = uWorldFromClip * vec4(vec3(onScreen, depth) * 2.0 - 1.0, 1.0);

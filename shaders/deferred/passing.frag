@@ -14,6 +14,7 @@ uniform sampler2D uNormal;
 #endif
 uniform vec4 uBaseColor;   // its root
 uniform float uWax;
+uniform float uIsCarried;  // 1 or 0
 uniform vec4 uSurface;     // roughness, metallic, normal scale, alpha below which nothing is
 #if !BAKED
 uniform sampler2D uOcclusionRoughness;
@@ -58,7 +59,7 @@ void main() {
     caught = caughtBy(L.z, dot(slope, L.xy) + up * L.z, uSurface.z);
 #endif
   }
-  oAlbedo = vec4(root.rgb * uBaseColor.rgb * sqrt(paintedShare(occlusion, caught)), 0.0);
+  oAlbedo = vec4(root.rgb * uBaseColor.rgb * sqrt(paintedShare(occlusion, caught)), uIsCarried * CARRIED);
   float kind = uWax > 0.5 ? WAX : packed.b * uSurface.y * METAL;
   oSurface = passingSurface(vNormalWorld * side, packed.g * uSurface.x, kind);
 }

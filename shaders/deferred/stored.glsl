@@ -15,6 +15,9 @@ vec4 passingSurface(vec3 normal, float roughness, float kind) {
   return vec4(normal * 0.5 + 0.5, (floor(kind * KINDS + 0.5) * ROUGHNESSES + rough) / 255.0);
 }
 
+// Alpha of the paint, while the eye moves, of what goes with it.
+const float CARRIED = 1.0 / 255.0;
+
 // Steps of a place between two texels of light, where it is not simply mixed.
 const float PLACES = 14.0;
 

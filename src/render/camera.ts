@@ -70,6 +70,40 @@ export function onClip(
   return [row(0), row(1), row(3)];
 }
 
+/**
+ * From a place in one picture (across, up, depth; each 0 to 1) to where the same thing is in another.
+ *
+ * @param from clip space of the one, from world space
+ * @param to of the other
+ */
+export function placesBetween(from: mat4, to: mat4): mat4 {
+  const worldFromClip = mat4.invert(mat4.create(), from);
+  if (!worldFromClip) throw new Error("The eye sees nothing.");
+  const clipFromPlace = mat4.fromScaling(mat4.create(), [2, 2, 2]);
+  mat4.translate(clipFromPlace, clipFromPlace, [-0.5, -0.5, -0.5]);
+  const placeFromClip = mat4.fromTranslation(mat4.create(), [0.5, 0.5, 0.5]);
+  mat4.scale(placeFromClip, placeFromClip, [0.5, 0.5, 0.5]);
+  const between = mat4.multiply(mat4.create(), to, worldFromClip);
+  mat4.multiply(between, placeFromClip, between);
+  return mat4.multiply(between, between, clipFromPlace);
+}
+
+/** How far the corners of a picture are from where they were in another, as shares of it, at some distance (m). */
+export function shiftOf(between: mat4, distance: number): number {
+  const depth = (FAR - (NEAR * FAR) / distance) / (FAR - NEAR);
+  let most = 0;
+  for (let corner = 0; corner < 4; corner++) {
+    const [x, y] = [corner & 1, corner >> 1];
+    const [u, v, , w] = [0, 1, 2, 3].map(
+      (row) =>
+        between[row]! * x + between[row + 4]! * y + between[row + 8]! * depth + between[row + 12]!,
+    ) as [number, number, number, number];
+    if (!(w > 0)) return Number.POSITIVE_INFINITY;
+    most = Math.max(most, Math.abs(u / w - x), Math.abs(v / w - y));
+  }
+  return most;
+}
+
 /** Pixels that a thing 1 m wide covers at a distance of 1 m, by the picture's shorter side. */
 export function projectionScale(shorterSide: number): number {
   return shorterSide / (2 * Math.tan(FIELD_OF_VIEW / 2));

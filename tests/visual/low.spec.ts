@@ -106,24 +106,29 @@ test("At low a picture is as bright while the eye moves, and as sharp as ever on
         element.camera = { ...element.camera, yaw: yaw + 0.004 * frame };
         element.step(0);
       }
-      element.camera = { ...element.camera, yaw };
-      const moving = read();
+      // Light is worked out for one picture and kept for the next.
+      const moving = [1e-5, 0].map((turned) => {
+        element.camera = { ...element.camera, yaw: yaw + turned };
+        return read();
+      });
       const resting = read();
       element.pause();
       return { moving, resting };
     },
     [width, height] as const,
   );
-  expect(seen.moving).not.toEqual(seen.resting);
-  const moving = luminancesOf(seen.moving, width, height);
   const resting = luminancesOf(seen.resting, width, height);
   const mean = (values: readonly number[]) => values.reduce((sum, x) => sum + x) / values.length;
-  const errors = resting.map((light, i) => Math.abs((moving[i] ?? 0) - light) / light);
-  const change = Math.abs(mean(moving) / mean(resting) - 1);
-  const typical = errors.toSorted((a, b) => a - b)[errors.length >> 1] ?? 1;
-  console.log(`moving: mean ${change.toFixed(4)}, parts ${typical.toFixed(4)}`);
-  expect(change).toBeLessThan(0.02);
-  expect(typical).toBeLessThan(0.05);
+  for (const picture of seen.moving) {
+    expect(picture).not.toEqual(seen.resting);
+    const moving = luminancesOf(picture, width, height);
+    const errors = resting.map((light, i) => Math.abs((moving[i] ?? 0) - light) / light);
+    const change = Math.abs(mean(moving) / mean(resting) - 1);
+    const typical = errors.toSorted((a, b) => a - b)[errors.length >> 1] ?? 1;
+    console.log(`moving: mean ${change.toFixed(4)}, parts ${typical.toFixed(4)}`);
+    expect(change).toBeLessThan(0.02);
+    expect(typical).toBeLessThan(0.05);
+  }
   expect(await room.pixels()).toBe(rested);
 });
 

@@ -204,7 +204,10 @@ export class DeferredRenderer implements Renderer {
     const [x, y, z] = world.shown.foot;
     const place = [x, y, z, world.candle.yaw + HANDLE_TURN] as const;
     const placed: Placed[] = [{ surfaces: this.#room, place: AT_ORIGIN, slack: SLACK.room }];
-    if (features.candle) placed.unshift({ surfaces: this.#candle, place, slack: SLACK.candle });
+    if (features.candle) {
+      const { isHeld } = world.candle;
+      placed.unshift({ surfaces: this.#candle, place, slack: SLACK.candle, isCarried: isHeld });
+    }
     const paint = this.#geometry.render(placed, this.#frame, {
       clip: this.#clip,
       vantage: light.position,
@@ -215,7 +218,7 @@ export class DeferredRenderer implements Renderer {
     const lamp = { ...lampOf(world, features.candle), vantage };
     const lit = this.#lightPass.render(paint, lamp, shadow, volume, this.#clip, features);
     const { isCoarse } = paint;
-    const picture = { ...lit, uPainted: paint.painted, uDepth: paint.depth };
+    const picture = { ...lit.textures, uPainted: paint.painted, uDepth: paint.depth };
     const fire = this.#fire(paint.paintedDepth);
     const drawRadiance = (box: Box) => {
       if (isCoarse) this.#gpu.clear(fire, [0, 0, 0, 1], box);
@@ -224,6 +227,7 @@ export class DeferredRenderer implements Renderer {
         target: isCoarse ? fire : this.#veil!,
         vertexArray: this.#screen,
         textures: picture,
+        uniforms: lit.uniforms,
         blocks: { Light: this.#light },
         scissor: box,
         depth: isCoarse ? "test-and-write" : "none",
@@ -243,7 +247,7 @@ export class DeferredRenderer implements Renderer {
     const shown = { uBloom: bloom, uExposure: exposure, uTable: this.#show.table(law) };
     if (box[2] * box[3] < this.#size.width * this.#size.height) {
       const how = { scattered: scatteredIn(view), metered: features.autoExposure, isCoarse };
-      this.#show.render({ ...picture, ...shown }, how, law, {
+      this.#show.render({ ...picture, ...shown }, lit.uniforms, how, law, {
         Frame: this.#frame,
         ...lightBlocks,
       });

@@ -34,6 +34,8 @@ export interface Placed {
   readonly place: readonly [number, number, number, number];
   /** How far its surfaces may be from where they were while the eye moves, metres. */
   readonly slack: number;
+  /** Whether it goes where the eye goes. */
+  readonly isCarried?: boolean;
 }
 
 /** What is seen, without its light. */
@@ -139,13 +141,13 @@ export class GeometryPass {
       this.#gpu.clear(target, NOTHING);
       if (isMoving) this.#prepare(placed);
       const isSeen = sightOf(clip);
-      for (const { surfaces, place } of placed) {
-        for (const surface of surfaces) {
+      for (const model of placed) {
+        for (const surface of model.surfaces) {
           for (const [name, texture] of Object.entries(surface.textures)) {
             if (!texture.hasMipmaps) continue;
             texture.reading = !isMoving ? 1 : name === "uAlbedo" ? "level" : "texel";
           }
-          this.#draw(target, surface, place, vantage, frame, sight, isSeen);
+          this.#draw(target, surface, model, vantage, frame, sight, isSeen);
         }
       }
       if (!isMoving) this.#drawGuide(albedo, surfaces, depth, lightSize);
@@ -201,7 +203,7 @@ export class GeometryPass {
   #draw(
     target: RenderTarget,
     surface: Surface,
-    place: Placed["place"],
+    { place, isCarried = false }: Placed,
     vantage: readonly number[],
     frame: UniformBlock,
     { features, isMoving }: Sight,
@@ -225,6 +227,7 @@ export class GeometryPass {
         uSurface: surface.parameters,
         uWax: surface.isWax && features.translucency ? 1 : 0,
         uVantage: vantage,
+        ...(isMoving && { uIsCarried: isCarried ? 1 : 0 }),
         ...(root && {
           uBaseColor: rootOf(surface.baseColor),
           uTurn: [Math.cos(place[3]), Math.sin(place[3])],

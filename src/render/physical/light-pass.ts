@@ -8,6 +8,7 @@ import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Features } from "../../settings.js";
+import { placesBetween, shiftOf } from "../camera.js";
 import { floats } from "../floats.js";
 import type { Paint } from "./geometry-pass.js";
 import type { IrradianceVolume } from "./indirect-pass.js";
@@ -22,9 +23,16 @@ export interface ShadowTaps {
   readonly taps: number;
 }
 
+/** While the eye moves, light is kept for another picture where nothing shifts farther, as a share of it, */
+const MOST_SHIFT = 0.2;
+/** that is as far away, metres. */
+const USUAL_DISTANCE = 2;
+
 /** What shaders read that include `deferred/lit.glsl`. */
-export interface Lit extends Readonly<Record<string, Texture>> {
-  readonly uLight: Texture;
+export interface Lit {
+  readonly textures: Readonly<Record<string, Texture>>;
+  /** For coarse paint: from places in the picture to those where its light was worked out. */
+  readonly uniforms: { readonly uSince?: Float32Array };
 }
 
 /** Light on the surfaces in sight, direct and bounced, coarser than they are. */
@@ -43,6 +51,8 @@ export class LightPass {
   readonly #screen: VertexArray;
   #moving: RenderTarget | null = null;
   #resting: RenderTarget | null = null;
+  /** What the eye saw as the light of a moving one was worked out; null once that was used again. */
+  #lastClip: mat4 | null = null;
 
   constructor(gpu: Gpu, screen: VertexArray, taps: ShadowTaps) {
     this.#gpu = gpu;
@@ -77,6 +87,7 @@ export class LightPass {
     this.#moving = target("moving", [this.format, floats(this.#gpu, 1)]);
     this.#resting = target("resting", [this.format]);
     this.#known = "";
+    this.#lastClip = null;
   }
 
   /** Texels of the light of an eye that rests. */
@@ -102,9 +113,14 @@ export class LightPass {
     const known = JSON.stringify([paint, lamp, shadows, indirect, specular]);
     const [uLight, uNearness] = target.colors;
     if (!uLight) throw new Error("Light has a texture.");
-    const lit = uNearness ? { uLight, uNearness } : { uLight };
-    if (known === this.#known) return lit;
+    if (known === this.#known) return litBy(uLight, uNearness, clip, clip);
+    const kept = this.#lastClip;
+    this.#lastClip = null;
+    if (isCoarse && kept && shiftOf(placesBetween(clip, kept), USUAL_DISTANCE) < MOST_SHIFT) {
+      return litBy(uLight, uNearness, clip, kept);
+    }
     this.#known = known;
+    if (isCoarse) this.#lastClip = clip;
     this.#lamp.update(lamp);
     const worldFromClip = mat4.invert(mat4.create(), clip);
     if (!worldFromClip) throw new Error("The eye sees nothing.");
@@ -125,8 +141,14 @@ export class LightPass {
       },
       blocks: { Frame: this.frame, Light: this.#lamp, Volume: volume.block },
     });
-    return lit;
+    return litBy(uLight, uNearness, clip, clip);
   }
+}
+
+function litBy(uLight: Texture, uNearness: Texture | undefined, clip: mat4, since: mat4): Lit {
+  if (!uNearness) return { textures: { uLight }, uniforms: {} };
+  const uSince = placesBetween(clip, since) as Float32Array;
+  return { textures: { uLight, uNearness }, uniforms: { uSince } };
 }
 
 /** Texels four times as large are mixed of as many looks again. */

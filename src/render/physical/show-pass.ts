@@ -57,8 +57,9 @@ export class ShowPass {
   }
 
   render(
-    textures: Lit &
+    textures: Lit["textures"] &
       Readonly<Record<"uPainted" | "uDepth" | "uBloom" | "uExposure" | "uTable", Texture>>,
+    lit: Lit["uniforms"],
     { scattered, metered, isCoarse }: Showing,
     { uAdaptation, uWhite }: DisplayLaw,
     blocks: Readonly<Record<string, UniformBlock>>,
@@ -70,6 +71,7 @@ export class ShowPass {
       vertexArray: this.#screen,
       textures,
       uniforms: {
+        ...lit,
         uBalance: uAdaptation.map((gain, i) => gain / (uWhite[i] ?? 1)),
         uScattered: scattered,
         uMetered: metered ? 1 : 0,

@@ -4,7 +4,9 @@ import {
   clipFromWorld,
   FIELD_OF_VIEW,
   isBeforeSight,
+  placesBetween,
   projectionScale,
+  shiftOf,
   sightOf,
 } from "../../../src/render/camera.ts";
 import type { Vec3 } from "../../../src/world/bounds.ts";
@@ -109,4 +111,37 @@ test("What stands between the flame and what shows is before it, wherever the fl
   // Of a flame in sight, what is out of sight is left out.
   expect(count).toBeGreaterThan(100);
   expect(kept / count).toBeLessThan(0.3);
+});
+
+test("what is in one picture is found in another, and a picture that turns shifts by as much", () => {
+  const then = clipFromWorld([0.1, 1.6, 2], 0.3, -0.1, 1.5);
+  const now = clipFromWorld([0.15, 1.58, 1.95], 0.33, -0.12, 1.5);
+  const between = placesBetween(now, then);
+  const placeIn = (clip: typeof now, [x, y, z]: readonly [number, number, number]) => {
+    const at = (row: number) =>
+      clip[row]! * x + clip[row + 4]! * y + clip[row + 8]! * z + clip[row + 12]!;
+    return [0, 1, 2].map((row) => 0.5 + (0.5 * at(row)) / at(3));
+  };
+  for (const thing of [
+    [-0.4, 1.2, 0.3],
+    [-1.5, 2.1, -2],
+  ] as const) {
+    const [u = 0, v = 0, depth = 0] = placeIn(now, thing);
+    const at = (row: number) =>
+      between[row]! * u + between[row + 4]! * v + between[row + 8]! * depth + between[row + 12]!;
+    for (const [row, expected] of placeIn(then, thing).entries()) {
+      expect(at(row) / at(3)).toBeCloseTo(expected, 4);
+    }
+  }
+  expect(shiftOf(placesBetween(now, now), 2)).toBeCloseTo(0, 4);
+  const turned = (angle: number) =>
+    shiftOf(
+      placesBetween(clipFromWorld([0, 1, 0], angle, 0, 1), clipFromWorld([0, 1, 0], 0, 0, 1)),
+      2,
+    );
+  // At the picture's edge, 22.5 degrees aside.
+  const edge = Math.PI / 8;
+  const moved = Math.tan(edge + 0.02) - Math.tan(edge);
+  expect(turned(0.02)).toBeCloseTo(moved / (2 * Math.tan(edge)), 3);
+  expect(turned(2)).toBe(Number.POSITIVE_INFINITY);
 });
