@@ -120,8 +120,8 @@ void main() {
   vec3 nearby = baseColor.rgb * (around + BESIDE * passing);
   vec3 bounced = mix(nearby, around, occlusion) * matt * (openToSky(surface, normal) * pastFine.x / PI);
   // What is mirrored is the room around, as softly as it is known.
-  vec3 mirrored = surroundings.other * light.intensity / PI * mirroring.share;
-  bounced = (bounced + mirrored * occlusion * uShown.z) * uShown.y;
+  vec3 mirrored = mix(nearby, surroundings.other * light.intensity, occlusion) / PI * mirroring.share;
+  bounced = (bounced + mirrored * uShown.z) * uShown.y;
   vec3 radiance = diffuse + specular + bounced + baseColor.rgb * waxGlow(vPositionWorld) * uWax;
   radiance += uEmber * emberShare(vPositionWorld);
   // A mirrored flame can be brighter than the largest half float, 65504.
