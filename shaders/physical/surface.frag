@@ -20,6 +20,8 @@ const float NEAREST = 0.01;
 const float OPEN = 0.9;
 // How much of the light that passes falls on the sides of a crevice, on an average of ways to face.
 const float BESIDE = 0.3;
+// They reach up into the light by so much, m, though the bottom may lie in their shadow.
+const float SIDES = 0.015;
 // The wick stands in the flame, which is on all of its sides: what reaches it through dark vapour.
 const float IN_FLAME = 0.05;
 
@@ -59,6 +61,11 @@ vec2 pastUnseen() {
   return textureLod(uUnseen, vec2((level + 0.5) / float(textureSize(uUnseen, 0).x), 0.5), 0.0).rg;
 }
 
+// How much of the flame a place sees past the room, candle and holder.
+float flameShare(vec3 position, vec3 facet) {
+  return visibleShare(position, facet, gl_FragCoord.xy) * pastCandle(position);
+}
+
 // Karis 2013, "Real Shading in Unreal Engine 4": the point of the capsule nearest to the mirrored
 // ray stands for all of it, and its width widens the highlight.
 vec3 towardsHighlight(vec3 toLight, vec3 mirrored) {
@@ -88,12 +95,15 @@ void main() {
   vec3 facet = facetNormal(vPositionWorld);
   facet = faceforward(facet, vPositionWorld - light.position, facet);
   // Crevices are lit by what is beside them, so the flame's light counts there whichever way they face.
-  bool isLit = NoL > 0.0 || occlusion < OPEN;
-  float visible = isLit ? visibleShare(vPositionWorld, facet, gl_FragCoord.xy) : 0.0;
+  bool isCrevice = occlusion < OPEN;
+  float reached = NoL > 0.0 || isCrevice ? flameShare(vPositionWorld, facet) : 0.0;
+  float reachesSides = reached;
+  if (isCrevice && reached < 1.0) reachesSides = max(reached, flameShare(vPositionWorld + surface * SIDES, facet));
   float inFlame = uEmber.r > 0.0 ? IN_FLAME : 0.0;
-  float reached = max(visible * pastCandle(vPositionWorld), float(inFlame > 0.0));
-  vec3 intensity = light.intensity * mix(1.0, reached, uShown.x);
-  vec3 passing = intensity / distanceSquared;
+  if (inFlame > 0.0) reached = 1.0;
+  vec3 free = light.intensity / distanceSquared;
+  vec3 passing = free * mix(1.0, reached, uShown.x);
+  vec3 passingSides = free * mix(1.0, reachesSides, uShown.x);
   vec2 pastFine = pastUnseen();
   vec3 irradiance = passing * max(NoL * pastRelief(surface, normal, L) * pastFine.y, inFlame);
 
@@ -117,7 +127,7 @@ void main() {
   Surroundings surroundings = surroundingsAt(lifted, normal, normal, reflect(-view, normal));
   vec3 around = surroundings.one * light.intensity;
   // What hides the room from a crevice is as far from the flame, and lit from half of its sides.
-  vec3 nearby = baseColor.rgb * (around + BESIDE * passing);
+  vec3 nearby = baseColor.rgb * (around + BESIDE * passingSides);
   vec3 bounced = mix(nearby, around, occlusion) * matt * (openToSky(surface, normal) * pastFine.x / PI);
   // What is mirrored is the room around, as softly as it is known.
   vec3 mirrored = mix(nearby, surroundings.other * light.intensity, occlusion) / PI * mirroring.share;
