@@ -20,11 +20,6 @@ interface View {
 
 /** The largest errors allowed: relative error of luminance, and mean FLIP. */
 const LIMITS = { median: 0.08, high: 0.25, flip: 0.08 };
-/** Where we are not yet there: what is reached, and a fiftieth for other machines. */
-const REACHED: Readonly<Record<string, typeof LIMITS>> = {
-  floor: { ...LIMITS, flip: 0.082 },
-  window: { ...LIMITS, high: 0.265, flip: 0.082 },
-};
 
 const FOLDER = new URL("../fixtures/reference/", import.meta.url);
 const views: View[] = readdirSync(FOLDER)
@@ -172,10 +167,9 @@ test.describe("Beside a path tracer's picture of the same room", () => {
       };
       const report = Object.entries(measured).map(([what, x]) => `${what} ${x.toFixed(3)}`);
       console.log(`${name}: ${report.join(", ")}`);
-      const limits = REACHED[name] ?? LIMITS;
-      expect.soft(measured.median, "median error of luminance").toBeLessThanOrEqual(limits.median);
-      expect.soft(measured.high, "90th percentile of it").toBeLessThanOrEqual(limits.high);
-      expect.soft(measured.flip, "mean FLIP").toBeLessThanOrEqual(limits.flip);
+      expect.soft(measured.median, "median error of luminance").toBeLessThanOrEqual(LIMITS.median);
+      expect.soft(measured.high, "90th percentile of it").toBeLessThanOrEqual(LIMITS.high);
+      expect.soft(measured.flip, "mean FLIP").toBeLessThanOrEqual(LIMITS.flip);
       expect(room.complaints).toEqual([]);
     });
   }
