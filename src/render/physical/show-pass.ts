@@ -1,5 +1,6 @@
 import enlargeFrag from "../../../shaders/deferred/enlarge.frag";
 import showFrag from "../../../shaders/deferred/show.frag";
+import smoothFrag from "../../../shaders/deferred/smooth.frag";
 import tableFrag from "../../../shaders/deferred/table.frag";
 import displayVert from "../../../shaders/physical/display.vert";
 import fullscreenVert from "../../../shaders/physical/fullscreen.vert";
@@ -29,10 +30,12 @@ export class ShowPass {
   readonly #gpu: Gpu;
   readonly #screen: VertexArray;
   readonly #show: Program;
-  /** The same of coarse paint, and what brings it to the size of the canvas. */
+  /** The same of coarse paint, what smooths its edges, and what brings it to the size of the canvas. */
   readonly #showCoarse: Program;
+  readonly #smooth: Program;
   readonly #enlarge: Program;
   #coarse: RenderTarget | null = null;
+  #smoothed: RenderTarget | null = null;
   readonly #tabulate: Program;
   readonly #table: Texture;
   /** The law that the table is of. */
@@ -45,6 +48,7 @@ export class ShowPass {
       gpu.program("deferred/show", displayVert, showFrag, { defines: { COARSE } });
     this.#show = show(0);
     this.#showCoarse = show(1);
+    this.#smooth = gpu.program("deferred/smooth", fullscreenVert, smoothFrag);
     this.#enlarge = gpu.program("deferred/enlarge", fullscreenVert, enlargeFrag);
     this.#tabulate = gpu.program("deferred/table", fullscreenVert, tableFrag);
     this.#table = gpu.texture({
@@ -64,7 +68,8 @@ export class ShowPass {
     { uAdaptation, uWhite }: DisplayLaw,
     blocks: Readonly<Record<string, UniformBlock>>,
   ): void {
-    const coarse = isCoarse ? this.#sizedAs(textures.uPainted) : null;
+    if (isCoarse) this.#sizeAs(textures.uPainted);
+    const [coarse, smoothed] = isCoarse ? [this.#coarse, this.#smoothed] : [null, null];
     this.#gpu.draw({
       program: coarse ? this.#showCoarse : this.#show,
       target: coarse ?? "canvas",
@@ -78,25 +83,29 @@ export class ShowPass {
       },
       blocks,
     });
-    if (!coarse) return;
+    if (!coarse || !smoothed) return;
+    this.#gpu.draw({
+      program: this.#smooth,
+      target: smoothed,
+      vertexArray: this.#screen,
+      textures: { uSource: coarse.color },
+    });
     this.#gpu.draw({
       program: this.#enlarge,
       target: "canvas",
       vertexArray: this.#screen,
-      textures: { uSource: coarse.color },
+      textures: { uSource: smoothed.color },
     });
   }
 
-  #sizedAs({ width, height }: Texture): RenderTarget {
-    if (this.#coarse?.width === width && this.#coarse.height === height) return this.#coarse;
+  #sizeAs({ width, height }: Texture): void {
+    if (this.#coarse?.width === width && this.#coarse.height === height) return;
     this.#coarse?.dispose();
-    this.#coarse = this.#gpu.renderTarget({
-      label: "shown/coarse",
-      width,
-      height,
-      color: ["RGBA8"],
-    });
-    return this.#coarse;
+    this.#smoothed?.dispose();
+    const target = (label: string) =>
+      this.#gpu.renderTarget({ label, width, height, color: ["RGBA8"] });
+    this.#coarse = target("shown/coarse");
+    this.#smoothed = target("shown/smoothed");
   }
 
   /** What is on the screen of each light. */
