@@ -36,7 +36,9 @@ vec2 guided(vec2 uv, float stored) {
     uv = (corner + 0.5 + vec2(column, row)) / size;
     // What the candle hid in the picture before is more like what is beside it.
     float least = min(min(apart.x, apart.y), min(apart.z, apart.w));
-    if (abs(textureLod(uNearness, now, 0.0).r - here) < least) uv = now;
+    if (least > 3.0 * ALIKE * here) {
+      if (abs(textureLod(uNearness, now, 0.0).r - here) < least) uv = now;
+    }
   }
   return uv;
 }

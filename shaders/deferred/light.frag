@@ -31,23 +31,19 @@ layout(location = 1) out vec4 oNearness;
 #if COARSE
 // Of four pixels the one that lies most as all of them do: light in a joint would show as a spot around it.
 ivec2 usualOf(ivec2 pixel) {
-  ivec2 last = textureSize(uSurfaces, 0) - 1;
-  ivec2 places[4];
-  vec3 ways[4];
-  vec3 sum = vec3(0.0);
-  for (int i = 0; i < 4; i++) {
-    places[i] = min(pixel + ivec2(i & 1, i >> 1), last);
-    ways[i] = texelFetch(uSurfaces, places[i], 0).rgb - 0.5;
-    sum += ways[i];
-  }
-  ivec2 usual = pixel;
-  float most = -1.0;
-  for (int i = 0; i < 4; i++) {
-    float alike = dot(ways[i], sum);
-    if (alike > most) usual = places[i];
-    most = max(most, alike);
-  }
-  return usual;
+  ivec2 beyond = min(pixel + 1, textureSize(uSurfaces, 0) - 1);
+  ivec2 aside = ivec2(beyond.x, pixel.y);
+  ivec2 above = ivec2(pixel.x, beyond.y);
+  vec3 a = texelFetch(uSurfaces, pixel, 0).rgb - 0.5;
+  vec3 b = texelFetch(uSurfaces, aside, 0).rgb - 0.5;
+  vec3 c = texelFetch(uSurfaces, above, 0).rgb - 0.5;
+  vec3 d = texelFetch(uSurfaces, beyond, 0).rgb - 0.5;
+  vec3 sum = a + b + c + d;
+  vec4 alike = vec4(dot(a, sum), dot(b, sum), dot(c, sum), dot(d, sum));
+  vec2 most = max(alike.xy, alike.zw);
+  ivec2 even = alike.x >= alike.z ? pixel : above;
+  ivec2 odd = alike.y >= alike.w ? aside : beyond;
+  return most.x >= most.y ? even : odd;
 }
 #endif
 
