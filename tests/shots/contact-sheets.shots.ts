@@ -127,7 +127,7 @@ const STAGES: Readonly<Partial<Record<Feature, Stage>>> = {
   // Before the frame of the window: it bends by a few pixels, and only edges show it.
   haze: {
     candle: TABLE,
-    camera: { from: [-0.463, -0.02, 0.237], aim: [-0.021, 0.098, -0.042] },
+    camera: { from: [-0.463, -0.02, 0.237], aim: [-0.006, 0.086, -0.012] },
     zoom: 12,
     exposure: 1,
   },
@@ -139,13 +139,13 @@ const STAGES: Readonly<Partial<Record<Feature, Stage>>> = {
     exposure: 3,
   },
   sparks: { ...AT_THE_FLAME, seed: SPITS },
-  // Two motes over the saucer's shadow: one sees them as they move, and hardly in a still.
+  // Over the table's shadow: one sees motes as they move, and hardly in a still.
   dust: {
     candle: TABLE,
-    camera: { from: [-0.44, 0.16, 0.7], aim: [-0.018, -0.156, -0.011] },
-    zoom: 10,
+    camera: { from: [-0.44, 0.16, 0.7], aim: [0.186, -0.321, 0.117] },
+    zoom: 6,
     seconds: 6,
-    exposure: 5,
+    exposure: 8,
     off: ["bloom", "indirect"],
   },
   bloom: { ...AT_THE_FLAME, zoom: 2 },
