@@ -364,7 +364,7 @@ for (const look of SETTINGS.look.choices) {
     await recordContexts(page);
     await serveSmallTextures(page);
     const room = await new RoomDriver(page).open({ look }, { width: 96, height: 54 });
-    await room.step(1 / 60, 8);
+    await room.step(1 / 15, 2);
     const picture = await room.pixels();
     const { gpuObjects, gpuBytes } = await room.stats();
     const losses = look === "physical" ? 1 : 2; // its many programs take a CPU five seconds
