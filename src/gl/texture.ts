@@ -168,8 +168,8 @@ export class Texture implements GpuObject {
     gl.texParameteri(target, gl.TEXTURE_MAG_FILTER, reading === "texel" ? gl.NEAREST : gl.LINEAR);
     const extension = gl.getExtension("EXT_texture_filter_anisotropic");
     if (!extension) return;
-    // More than there can be are as many as there can be.
-    const taps = isPlain ? 1 : reading;
+    const most = gl.getParameter(extension.MAX_TEXTURE_MAX_ANISOTROPY_EXT) as number;
+    const taps = isPlain ? 1 : Math.min(reading, most);
     gl.texParameterf(target, extension.TEXTURE_MAX_ANISOTROPY_EXT, taps);
   }
 
