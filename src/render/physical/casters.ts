@@ -8,7 +8,7 @@ import { type Clusters, clusterTriangles, runsOf, VERTEX_SIZE } from "../cluster
 import type { Surface } from "../surface.js";
 import { isInFace } from "./cube.js";
 
-/** Triangles that are drawn sooner than one draw more is made: as many as a cluster may have. */
+/** Unseen triangles that cost less than another draw. */
 const SPARED = 200;
 /** Bytes of a float. */
 const FLOAT = 4;

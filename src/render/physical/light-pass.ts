@@ -23,10 +23,10 @@ export interface ShadowTaps {
   readonly taps: number;
 }
 
-/** While the eye moves, light is kept for another picture where nothing shifts farther, as a share of it, */
-const MOST_SHIFT = 0.2;
-/** that is as far away, metres. */
+/** Where what a visitor looks at usually is, metres. */
 const USUAL_DISTANCE = 2;
+/** While the eye moves, light is kept for another picture if that shifts no farther, as a share of the picture. */
+const MOST_SHIFT = 0.2;
 
 /** What shaders read that include `deferred/lit.glsl`. */
 export interface Lit {
