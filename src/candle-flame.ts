@@ -323,9 +323,9 @@ export class CandleFlame {
     gpu.beginFrame();
     const { exposure, isStill } = this.#options;
     const { gamut } = this.#screen;
-    const isMoving = this.#hasMoved() && this.#request !== 0;
-    const { inspect } = this;
-    const view = { features: this.#features, gamut, exposure, isStill, isMoving, inspect };
+    const isPatient = this.#request !== 0;
+    const motion = { isMoving: this.#hasMoved() && isPatient, isPatient, isStill };
+    const view = { features: this.#features, gamut, exposure, inspect: this.inspect, ...motion };
     this.#renderer.render(this.world, view);
     gpu.endFrame();
     this.#screen.present();

@@ -16,6 +16,7 @@
 #include "deferred/tabled.glsl"
 
 uniform sampler2D uBloom;
+uniform vec2 uHaloShift;   // from a place in the picture to the one in that of the bloom
 uniform vec3 uBalance;     // makes the candle's light white
 uniform float uScattered;  // share of the light that eye and lens scatter
 
@@ -25,7 +26,7 @@ flat in float vExposure;
 out vec4 oColor;
 
 void main() {
-  vec3 radiance = litAt(vUv) + textureLod(uBloom, vUv, 0.0).rgb * uScattered;
+  vec3 radiance = litAt(vUv) + textureLod(uBloom, vUv + uHaloShift, 0.0).rgb * uScattered;
   vec3 exposed = max(radiance, 0.0) * uBalance * (vExposure / TABLE_LIGHT);
   // What is brighter than the table keeps its hue.
   exposed /= max(max(exposed.r, exposed.g), max(exposed.b, 1.0));

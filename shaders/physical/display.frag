@@ -11,7 +11,7 @@
 
 uniform sampler2D uRadiance;
 uniform sampler2D uBloom;
-uniform vec2 uBloomShare;  // of the bloom's texture that the picture fills
+uniform vec4 uBloomPlace;  // of the picture on the bloom's texture: its size and its corner
 uniform float uScattered;  // share of the light that eye and lens scatter
 
 in vec2 vUv;
@@ -47,7 +47,7 @@ vec3 onScreen(vec3 light) {
 vec3 smoothed(vec2 uv) {
   const float STEP = 0.12;  // of luma: less is no edge that anyone sees
   vec2 texel = 1.0 / frame.viewport;
-  vec3 glare = texture(uBloom, uv * uBloomShare).rgb * (vExposure * uScattered);
+  vec3 glare = texture(uBloom, uv * uBloomPlace.xy + uBloomPlace.zw).rgb * (vExposure * uScattered);
   float kept = vExposure * (1.0 - uScattered);
   vec3 here = onScreen(texture(uRadiance, uv).rgb * kept + glare);
   vec3 left = texture(uRadiance, uv - vec2(texel.x, 0.0)).rgb * kept + glare;

@@ -168,8 +168,7 @@ export class Texture implements GpuObject {
     gl.texParameteri(target, gl.TEXTURE_MAG_FILTER, reading === "texel" ? gl.NEAREST : gl.LINEAR);
     const extension = gl.getExtension("EXT_texture_filter_anisotropic");
     if (!extension) return;
-    const most = gl.getParameter(extension.MAX_TEXTURE_MAX_ANISOTROPY_EXT) as number;
-    const taps = isPlain ? 1 : Math.min(reading, most);
+    const taps = isPlain ? 1 : Math.min(reading, mostTaps(gl, extension));
     gl.texParameterf(target, extension.TEXTURE_MAX_ANISOTROPY_EXT, taps);
   }
 
@@ -177,4 +176,15 @@ export class Texture implements GpuObject {
     this.#gl.deleteTexture(this.handle);
     this.#forget(this);
   }
+}
+
+const known = new WeakMap<WebGL2RenderingContext, number>();
+
+/** Anisotropic taps that the GPU has, asked once: the answer waits for all that was drawn before. */
+function mostTaps(gl: WebGL2RenderingContext, extension: EXT_texture_filter_anisotropic): number {
+  const most =
+    known.get(gl) ?? (gl.getParameter(extension.MAX_TEXTURE_MAX_ANISOTROPY_EXT) as number);
+  // A lost context has none, and gets them back.
+  if (most > 0) known.set(gl, most);
+  return most;
 }

@@ -9,6 +9,8 @@ export interface View {
   readonly exposure: number;
   /** Whether the eye or the candle has moved since the picture before, in a row that goes on. */
   readonly isMoving: boolean;
+  /** Whether another picture follows soon, so that one may leave to the next what takes long. */
+  readonly isPatient: boolean;
   /** No flicker and no sway, for those who asked their system for less motion. */
   readonly isStill: boolean;
   /** What is shown of the frame; looks without passes show the picture. */

@@ -62,7 +62,7 @@ export class Eye {
     });
     const view = { features: { ...allFeatures(), bloom: false, ...features }, gamut };
     const textures = { uRadiance: picture, uBloom: picture, uExposure: exposure };
-    new DisplayPass(gpu, screen).render(textures, [1, 1], view, frame);
+    new DisplayPass(gpu, screen).render(textures, { share: [1, 1], shift: [0, 0] }, view, frame);
     const own = [...gpu.readCanvas(0, 0, width, height)];
     const paper = new OffscreenCanvas(width, height).getContext("2d", { colorSpace: "srgb" });
     paper?.drawImage(this.#canvas, 0, 0);

@@ -110,6 +110,8 @@ export class DeferredRenderer implements Renderer {
   /** The radiance alone, and with the depth of the room. */
   #veil: TextureView | null = null;
   readonly #fires = new Map<Texture, TextureView>();
+  /** Where the flame was in the picture that the halo is of, as shares of it; null before there is one. */
+  #haloAt: readonly [number, number] | null = null;
   #size = { width: 1, height: 1 };
   #clip = mat4.create();
   /** Draws all of the radiance just shown. */
@@ -179,6 +181,7 @@ export class DeferredRenderer implements Renderer {
     const textures = [this.#radiance.color];
     this.#veil = this.#gpu.textureView({ label: "veil", textures, image: 0 });
     this.#bloom.resize(quarter.width, quarter.height);
+    this.#haloAt = null;
   }
 
   /** The radiance with a depth that hides what is behind it. */
@@ -194,13 +197,10 @@ export class DeferredRenderer implements Renderer {
   /** The body of the flame is no particles. */
   follow(): void {}
 
-  render(world: World, view: View): void {
-    const { features } = view;
-    this.#updateBlocks(world, view);
+  render(world: World, asked: View): void {
+    const { features } = asked;
+    this.#updateBlocks(world, asked);
     const light = lightAtVantage(world, features.candle);
-    const { shadow, vantage, volume } = view.isMoving
-      ? this.#castSlackly(light)
-      : this.#cast(light);
     const [x, y, z] = world.shown.foot;
     const place = [x, y, z, world.candle.yaw + HANDLE_TURN] as const;
     const placed: Placed[] = [{ surfaces: this.#room, place: AT_ORIGIN, slack: SLACK.room }];
@@ -212,12 +212,15 @@ export class DeferredRenderer implements Renderer {
       clip: this.#clip,
       vantage: light.position,
       features,
-      isMoving: view.isMoving,
+      isMoving: asked.isMoving,
+      isPatient: asked.isPatient,
       lightSize: this.#lightPass.size,
     });
+    const { isCoarse } = paint;
+    const view = { ...asked, isMoving: isCoarse };
+    const { shadow, vantage, volume } = isCoarse ? this.#castSlackly(light) : this.#cast(light);
     const lamp = { ...lampOf(world, features.candle), vantage };
     const lit = this.#lightPass.render(paint, lamp, shadow, volume, this.#clip, features);
-    const { isCoarse } = paint;
     const picture = { ...lit.textures, uPainted: paint.painted, uDepth: paint.depth };
     const fire = this.#fire(paint.paintedDepth);
     const drawRadiance = (box: Box) => {
@@ -240,20 +243,36 @@ export class DeferredRenderer implements Renderer {
     const box = this.#boxOfFlame(world, view);
     drawRadiance(box);
     this.#complete = () => drawRadiance(this.#whole);
-    const bloom = this.#drawBloom(box);
     const lightBlocks = { Light: this.#light };
-    const exposure = this.#exposure.render(picture, world.pupil.lag, lightBlocks);
+    const flameAt = this.#flameOnPicture(world);
+    // Of pictures that follow each other one takes its light from the one before, the other all else.
+    if (!isCoarse || lit.isKept || !this.#haloAt) {
+      this.#drawBloom(box);
+      this.#exposure.render(picture, world.pupil.lag, lightBlocks);
+      this.#haloAt = flameAt;
+    }
+    const haloShift = [this.#haloAt[0] - flameAt[0], this.#haloAt[1] - flameAt[1]] as const;
     const law = displayLaw(this.#gpu, view);
-    const shown = { uBloom: bloom, uExposure: exposure, uTable: this.#show.table(law) };
+    const shown = {
+      uBloom: this.#halo!.color,
+      uExposure: this.#exposure.latest,
+      uTable: this.#show.table(law),
+    };
     if (box[2] * box[3] < this.#size.width * this.#size.height) {
-      const how = { scattered: scatteredIn(view), metered: features.autoExposure, isCoarse };
+      const how = {
+        scattered: scatteredIn(view),
+        haloShift,
+        metered: features.autoExposure,
+        isCoarse,
+      };
       this.#show.render({ ...picture, ...shown }, lit.uniforms, how, law, {
         Frame: this.#frame,
         ...lightBlocks,
       });
     }
     const textures = { ...shown, uRadiance: this.#radiance!.color };
-    this.#display.render(textures, [1, 1], view, this.#frame, inset(box, this.#whole));
+    const halo = { share: [1, 1], shift: haloShift } as const;
+    this.#display.render(textures, halo, view, this.#frame, inset(box, this.#whole));
   }
 
   /** What the flame sees, from where, and the light that comes back from it. */
@@ -380,8 +399,14 @@ export class DeferredRenderer implements Renderer {
     }
   }
 
+  /** Shares of the picture; its middle for a flame behind the eye, which has no halo. */
+  #flameOnPicture({ shown }: World): readonly [number, number] {
+    const [x, y, w] = onClip(this.#clip, ...shown.flame);
+    return w > 0.01 ? [0.5 + (0.5 * x) / w, 0.5 + (0.5 * y) / w] : [0.5, 0.5];
+  }
+
   /** Of the flame alone: nothing else is bright enough. */
-  #drawBloom([x, y, width, height]: Box): Texture {
+  #drawBloom([x, y, width, height]: Box): void {
     const [glare, halo] = [this.#glare!, this.#halo!];
     const left = Math.floor(x / GLARE) + (x > 0 ? 1 : 0);
     const bottom = Math.floor(y / GLARE) + (y > 0 ? 1 : 0);
@@ -403,7 +428,6 @@ export class DeferredRenderer implements Renderer {
       textures: { uSource: this.#bloom.render(glare.color) },
       uniforms: { uCorner: [0, 0] },
     });
-    return halo.color;
   }
 
   readRadiance(x: number, y: number, width: number, height: number): Float32Array {

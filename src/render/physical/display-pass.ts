@@ -46,6 +46,14 @@ export function displayLaw(gpu: Gpu, { features, gamut }: Pick<View, "features" 
 
 export type DisplayLaw = ReturnType<typeof displayLaw>;
 
+/** Where a bloom lies on the picture. */
+export interface BloomPlace {
+  /** Of its texture that the picture fills. */
+  readonly share: readonly [number, number];
+  /** What has to be added to a place in the picture, as shares of it. */
+  readonly shift: readonly [number, number];
+}
+
 /** The end of the picture's light: from cd/m² to the canvas. */
 export class DisplayPass {
   readonly #gpu: Gpu;
@@ -62,14 +70,13 @@ export class DisplayPass {
 
   /**
    * @param exposure one texel, stops
-   * @param bloomShare of the bloom's texture that the picture fills
    * @param scissor part of the picture; all of it if absent
    */
   render(
     textures: Readonly<Record<"uRadiance" | "uBloom" | "uExposure", Texture>> & {
       readonly uTable?: Texture;
     },
-    bloomShare: readonly [number, number],
+    { share, shift }: BloomPlace,
     view: Pick<View, "features" | "gamut">,
     frame: UniformBlock,
     scissor?: Box,
@@ -82,7 +89,7 @@ export class DisplayPass {
       uniforms: {
         ...displayLaw(this.#gpu, view),
         uMetered: view.features.autoExposure ? 1 : 0,
-        uBloomShare: bloomShare,
+        uBloomPlace: [...share, share[0] * shift[0], share[1] * shift[1]],
         uScattered: scatteredIn(view),
       },
       blocks: { Frame: frame },

@@ -66,6 +66,11 @@ export class ExposurePass {
         uLag: lag,
       },
     });
+    return this.latest;
+  }
+
+  /** What was found last, and nothing before anything was. */
+  get latest(): Texture {
     return this.#exposure.color;
   }
 }

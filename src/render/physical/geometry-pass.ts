@@ -1,11 +1,11 @@
-import type { mat4 } from "gl-matrix";
+import { mat4 } from "gl-matrix";
 import geometryFrag from "../../../shaders/deferred/geometry.frag";
 import guideFrag from "../../../shaders/deferred/guide.frag";
 import passingFrag from "../../../shaders/deferred/passing.frag";
 import passingVert from "../../../shaders/deferred/passing.vert";
 import fullscreenVert from "../../../shaders/physical/fullscreen.vert";
 import surfaceVert from "../../../shaders/physical/surface.vert";
-import type { Draw, Gpu } from "../../gl/gpu.js";
+import type { Box, Draw, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
@@ -22,6 +22,9 @@ import { isBaked, RootTextures } from "./root-textures.js";
 const NOTHING = [0, 0, 0, 0] as const;
 /** Relief follows the flame in steps of this, metres. */
 const RELIEF_STEP = 0.05;
+
+/** Pictures over which a fine one is spread: its surfaces, by stripes, and then its guide. */
+const STRIPES = { surfaces: 12, guide: 4 } as const;
 
 /** Samples along each edge of a pixel: what is on its way over the retina is not seen sharply. */
 const SAMPLES = { moving: 0.5, resting: 2 } as const;
@@ -60,8 +63,28 @@ export interface Sight {
   readonly features: Features;
   /** Whether the next picture will be another one anyway. */
   readonly isMoving: boolean;
+  /** Whether the next picture comes soon: a fine one after coarse ones may take the time of many. */
+  readonly isPatient: boolean;
   /** Texels of the light that the guide leads to. */
   readonly lightSize: { readonly width: number; readonly height: number };
+}
+
+/** What is to be painted. */
+interface Scene {
+  readonly placed: readonly Placed[];
+  /** Of the flame, in steps. */
+  readonly vantage: readonly number[];
+  readonly frame: UniformBlock;
+  readonly sight: Sight;
+}
+
+/** Where and how. */
+interface Painting {
+  readonly target: RenderTarget;
+  readonly isCoarse: boolean;
+  /** Of a box of triangles, whether it may show there. */
+  readonly isSeen: (box: Bounds) => boolean;
+  readonly scissor: Box | undefined;
 }
 
 /** The room and the candle as surfaces, drawn anew only when they, the eye or the flame have moved. */
@@ -76,8 +99,14 @@ export class GeometryPass {
   #moving: RenderTarget | null = null;
   #resting: RenderTarget | null = null;
   #painted: RenderTarget | null = null;
-  /** What was painted. */
-  #known = "";
+  /** How far away the fire's surroundings are while the eye moves. */
+  #movingDepth: Texture | null = null;
+  /** What was painted coarsely, and what finely. */
+  #coarseKnown = "";
+  #fineKnown = "";
+  /** What is being painted finely, by how many stripes it is done; null between such pictures. */
+  #begun: { readonly known: string; stripes: number } | null = null;
+  #wasCoarse = false;
 
   constructor(gpu: Gpu, screen: VertexArray, coarse: CoarseSurfaces) {
     this.#gpu = gpu;
@@ -90,10 +119,16 @@ export class GeometryPass {
   }
 
   resize(width: number, height: number): void {
-    for (const old of [this.#moving, this.#resting, this.#painted]) old?.dispose();
+    for (const old of [this.#moving, this.#resting, this.#painted, this.#movingDepth]) {
+      old?.dispose();
+    }
     this.#moving = null;
     this.#resting = null;
-    this.#known = "";
+    this.#movingDepth = null;
+    this.#coarseKnown = "";
+    this.#fineKnown = "";
+    this.#begun = null;
+    this.#wasCoarse = false;
     this.#painted = this.#target("painted", { width, height }, ["RGBA8"]);
   }
 
@@ -125,37 +160,91 @@ export class GeometryPass {
     const { clip, features, lightSize, isMoving } = sight;
     const vantage = sight.vantage.map((x) => Math.round(x / RELIEF_STEP) * RELIEF_STEP);
     const known = JSON.stringify([
-      isMoving,
       [...clip],
       features.normalMaps && vantage,
       features.translucency,
       lightSize,
       placed.map(({ place }) => place),
     ]);
-    const target = this.#surfaces(isMoving);
-    const [albedo, surfaces] = target.colors;
-    const { depth } = target;
-    if (!albedo || !surfaces || !depth) throw new Error("Surfaces have three textures.");
-    if (known !== this.#known) {
-      this.#known = known;
-      this.#gpu.clear(target, NOTHING);
-      if (isMoving) this.#prepare(placed);
-      const isSeen = sightOf(clip);
-      for (const model of placed) {
-        for (const surface of model.surfaces) {
-          for (const [name, texture] of Object.entries(surface.textures)) {
-            if (!texture.hasMipmaps) continue;
-            texture.reading = !isMoving ? 1 : name === "uAlbedo" ? "level" : "texel";
-          }
-          this.#draw(target, surface, model, vantage, frame, sight, isSeen);
-        }
-      }
-      if (!isMoving) this.#drawGuide(albedo, surfaces, depth, lightSize);
+    const scene = { placed, vantage, frame, sight };
+    if (isMoving) this.#begun = null;
+    else if (known !== this.#fineKnown) {
+      // Who has just stopped goes on to see what a moving eye does, until the fine picture is there.
+      if (this.#wasCoarse && sight.isPatient) this.#proceed(scene, known);
+      else this.#paintFinely(scene, known);
     }
-    const { color, depth: paintedDepth } = this.#painted!;
+    this.#wasCoarse = isMoving || known !== this.#fineKnown;
+    if (this.#wasCoarse) return this.#paintCoarsely(scene, known);
+    const [surfaces, depth] = this.#partsOf(this.#surfaces(false));
+    const { color: painted, depth: paintedDepth } = this.#painted!;
     if (!paintedDepth) throw new Error("Paint has a depth.");
-    const painted = isMoving ? albedo : color;
-    return { painted, isCoarse: isMoving, paintedDepth, surfaces, depth, known };
+    return { painted, isCoarse: false, paintedDepth, surfaces, depth, known: `fine ${known}` };
+  }
+
+  #partsOf({ colors: [, surfaces], depth }: RenderTarget): [Texture, Texture] {
+    if (!surfaces || !depth) throw new Error("Surfaces have three textures.");
+    return [surfaces, depth];
+  }
+
+  #paintCoarsely(scene: Scene, known: string): Paint {
+    const target = this.#surfaces(true);
+    const [surfaces, depth] = this.#partsOf(target);
+    if (known !== this.#coarseKnown) {
+      this.#coarseKnown = known;
+      this.#gpu.clear(target, NOTHING);
+      this.#prepare(scene.placed);
+      this.#drawSurfaces(target, scene, true);
+    }
+    this.#movingDepth ??= this.#gpu.texture({
+      label: "surfaces/moving/fire",
+      format: "DEPTH_COMPONENT24",
+      source: { width: this.#painted!.width, height: this.#painted!.height },
+      filter: "nearest",
+    });
+    const [painted, paintedDepth] = [target.color, this.#movingDepth];
+    return { painted, isCoarse: true, paintedDepth, surfaces, depth, known: `coarse ${known}` };
+  }
+
+  #paintFinely(scene: Scene, known: string): void {
+    this.#begun = null;
+    this.#fineKnown = known;
+    this.#gpu.clear(this.#surfaces(false), NOTHING);
+    this.#drawSurfaces(this.#surfaces(false), scene, false);
+    this.#gpu.clear(this.#painted!, NOTHING);
+    this.#drawGuide(scene.sight);
+  }
+
+  /** The same, a stripe at a time. */
+  #proceed(scene: Scene, known: string): void {
+    if (this.#begun?.known !== known) this.#begun = { known, stripes: 0 };
+    const stripe = this.#begun.stripes++;
+    if (stripe < STRIPES.surfaces) {
+      const target = this.#surfaces(false);
+      const band = bandOf(target, stripe, STRIPES.surfaces);
+      this.#gpu.clear(target, NOTHING, band);
+      this.#drawSurfaces(target, scene, false, band);
+      return;
+    }
+    const band = bandOf(this.#painted!, stripe - STRIPES.surfaces, STRIPES.guide);
+    this.#gpu.clear(this.#painted!, NOTHING, band);
+    this.#drawGuide(scene.sight, band);
+    if (this.#begun.stripes < STRIPES.surfaces + STRIPES.guide) return;
+    this.#begun = null;
+    this.#fineKnown = known;
+  }
+
+  #drawSurfaces(target: RenderTarget, scene: Scene, isCoarse: boolean, band?: Box): void {
+    const { clip } = scene.sight;
+    const isSeen = sightOf(band ? clipOf(band, target, clip) : clip);
+    for (const model of scene.placed) {
+      for (const surface of model.surfaces) {
+        for (const [name, texture] of Object.entries(surface.textures)) {
+          if (!texture.hasMipmaps) continue;
+          texture.reading = !isCoarse ? 1 : name === "uAlbedo" ? "level" : "texel";
+        }
+        this.#draw(surface, model, scene, { target, isCoarse, isSeen, scissor: band });
+      }
+    }
   }
 
   /** Goes on with what is only needed of pictures that follow each other. */
@@ -165,21 +254,17 @@ export class GeometryPass {
   }
 
   /** Which light each pixel is to take; one that moves takes what is around it. */
-  #drawGuide(
-    albedo: Texture,
-    surfaces: Texture,
-    depth: Texture,
-    { width, height }: Sight["lightSize"],
-  ): void {
-    const target = this.#painted!;
-    this.#gpu.clear(target, NOTHING);
+  #drawGuide({ lightSize }: Sight, scissor?: Box): void {
+    const resting = this.#surfaces(false);
+    const [surfaces, depth] = this.#partsOf(resting);
     this.#gpu.draw({
       program: this.#guide,
-      target,
+      target: this.#painted!,
       vertexArray: this.#screen,
-      textures: { uAlbedo: albedo, uSurfaces: surfaces, uDepth: depth },
-      uniforms: { uLightSize: [width, height] },
+      textures: { uAlbedo: resting.color, uSurfaces: surfaces, uDepth: depth },
+      uniforms: { uLightSize: [lightSize.width, lightSize.height] },
       depth: "test-and-write",
+      scissor,
     });
   }
 
@@ -201,23 +286,20 @@ export class GeometryPass {
   }
 
   #draw(
-    target: RenderTarget,
     surface: Surface,
     { place, isCarried = false }: Placed,
-    vantage: readonly number[],
-    frame: UniformBlock,
-    { features, isMoving }: Sight,
-    isSeen: (box: Bounds) => boolean,
+    { vantage, frame, sight: { features } }: Scene,
+    { target, isCoarse, isSeen, scissor }: Painting,
   ): void {
     // What stands where it was made can be left out where nobody looks.
-    const { clusters, vertexArray }: Drawable = isMoving ? this.#coarse.of(surface) : surface;
+    const { clusters, vertexArray }: Drawable = isCoarse ? this.#coarse.of(surface) : surface;
     const runs =
       place === AT_ORIGIN
         ? runsOf(clusters, isSeen, false)
         : [{ first: 0, count: vertexArray.count }];
-    const root = isMoving ? this.#roots.of(surface) : null;
+    const root = isCoarse ? this.#roots.of(surface) : null;
     const how: Draw = {
-      program: this.#programFor(isMoving, root !== null, surface),
+      program: this.#programFor(isCoarse, root !== null, surface),
       target,
       vertexArray,
       textures: root ? { ...surface.textures, uRoot: root } : surface.textures,
@@ -227,7 +309,7 @@ export class GeometryPass {
         uSurface: surface.parameters,
         uWax: surface.isWax && features.translucency ? 1 : 0,
         uVantage: vantage,
-        ...(isMoving && { uIsCarried: isCarried ? 1 : 0 }),
+        ...(isCoarse && { uIsCarried: isCarried ? 1 : 0 }),
         ...(root && {
           uBaseColor: rootOf(surface.baseColor),
           uTurn: [Math.cos(place[3]), Math.sin(place[3])],
@@ -236,10 +318,32 @@ export class GeometryPass {
       },
       blocks: { Frame: frame },
       depth: "test-and-write",
+      scissor,
       cull: surface.isDoubleSided ? "none" : "back",
     };
     for (const { first, count } of runs) this.#gpu.draw({ ...how, first, count });
   }
+}
+
+/** One of so many stripes of a target. */
+function bandOf(
+  { width, height }: Pick<RenderTarget, "width" | "height">,
+  stripe: number,
+  stripes: number,
+): Box {
+  const [begin, end] = [stripe, stripe + 1].map((at) => Math.round((at * height) / stripes));
+  return [0, begin!, width, end! - begin!];
+}
+
+/** The clip space of a stripe alone. */
+function clipOf([, y, , rows]: Box, { height }: RenderTarget, clip: mat4): mat4 {
+  const band = mat4.clone(clip);
+  const middle = (2 * y + rows) / height - 1;
+  for (let column = 0; column < 4; column++) {
+    const [up, w] = [clip[column * 4 + 1]!, clip[column * 4 + 3]!];
+    band[column * 4 + 1] = ((up - middle * w) * height) / rows;
+  }
+  return band;
 }
 
 function rootOf([red, green, blue, opacity]: Surface["baseColor"]): Surface["baseColor"] {

@@ -35,6 +35,9 @@ export interface IndirectDetail extends ProbeDetail {
   readonly looks: boolean;
 }
 
+/** Pictures between one light that is followed and the next. */
+const REST = 7;
+
 /** The room whose surfaces pass light on. */
 export interface Echoing {
   readonly model: Model;
@@ -84,8 +87,12 @@ export class IndirectPass {
   readonly #sights: SightTextures;
   /** What the volume was made from. */
   #lastLight = "";
+  /** Whether nothing that was drawn before is in it. */
+  #isExact = false;
   /** What is being captured, a face at a time. */
   #begun: { readonly light: LightAtVantage; faces: number } | null = null;
+  /** Pictures until it may follow a light again. */
+  #rest = 0;
 
   constructor(gpu: Gpu, screen: VertexArray, room: Echoing, detail: IndirectDetail) {
     this.#gpu = gpu;
@@ -154,7 +161,7 @@ export class IndirectPass {
    */
   render(casters: Casters, light: LightAtVantage): IrradianceVolume {
     this.#begun = null;
-    if (JSON.stringify(light) !== this.#lastLight) {
+    if (!this.#isExact || JSON.stringify(light) !== this.#lastLight) {
       this.#gpu.clear(this.#surfels, [0, 0, 0, 0]);
       for (const face of FACES.keys()) this.#capture(casters, light.position, face);
       this.#bounce(light);
@@ -166,15 +173,16 @@ export class IndirectPass {
   follow(casters: Casters, light: LightAtVantage): IrradianceVolume {
     if (this.#lastLight === "") return this.render(casters, light);
     if (!this.#begun) {
-      if (JSON.stringify(light) === this.#lastLight) return this.#volume;
+      if (this.#rest-- > 0 || JSON.stringify(light) === this.#lastLight) return this.#volume;
       this.#begun = { light, faces: 0 };
       this.#gpu.clear(this.#surfels, [0, 0, 0, 0]);
     }
     if (this.#begun.faces < FACES.length) {
       this.#capture(casters, this.#begun.light.position, this.#begun.faces++);
     } else {
-      this.#bounce(this.#begun.light);
+      this.#bounceOn(this.#begun.light);
       this.#begun = null;
+      this.#rest = REST;
     }
     return this.#volume;
   }
@@ -201,12 +209,24 @@ export class IndirectPass {
 
   #bounce(light: LightAtVantage): void {
     this.#lastLight = JSON.stringify(light);
+    this.#isExact = true;
     this.#light.update(light);
-    this.#bounceOnce();
+    this.#reflectOnce();
+    this.#irradiate(this.#first);
     for (let bounce = 1; bounce < this.#detail.bounces; bounce++) this.#bounceAgain();
   }
 
-  #bounceOnce(): void {
+  /** The same where the light was nearly as it is: what it threw back then stands for all later bounces. */
+  #bounceOn(light: LightAtVantage): void {
+    this.#lastLight = JSON.stringify(light);
+    this.#isExact = false;
+    this.#light.update(light);
+    this.#reflectOnce();
+    this.#bounceAgain();
+  }
+
+  /** What the probes see of the flame's own light. */
+  #reflectOnce(): void {
     const [patchColor, normalDistance] = this.#surfels.colors;
     if (!patchColor || !normalDistance) throw new Error("A patch has a colour and a place.");
     const { uProbes } = this.#sights.room;
@@ -237,7 +257,6 @@ export class IndirectPass {
       blocks: { Light: this.#light },
     });
     this.#gather(this.#all, this.#first);
-    this.#irradiate(this.#first);
   }
 
   #bounceAgain(): void {

@@ -33,6 +33,8 @@ export interface Lit {
   readonly textures: Readonly<Record<string, Texture>>;
   /** For coarse paint: from places in the picture to those where its light was worked out. */
   readonly uniforms: { readonly uSince?: Float32Array };
+  /** Whether it was worked out for an earlier picture. */
+  readonly isKept: boolean;
 }
 
 /** Light on the surfaces in sight, direct and bounced, coarser than they are. */
@@ -113,11 +115,11 @@ export class LightPass {
     const known = JSON.stringify([paint, lamp, shadows, indirect, specular]);
     const [uLight, uNearness] = target.colors;
     if (!uLight) throw new Error("Light has a texture.");
-    if (known === this.#known) return litBy(uLight, uNearness, clip, clip);
+    if (known === this.#known) return { ...litBy(uLight, uNearness, clip, clip), isKept: true };
     const kept = this.#lastClip;
     this.#lastClip = null;
     if (isCoarse && kept && shiftOf(placesBetween(clip, kept), USUAL_DISTANCE) < MOST_SHIFT) {
-      return litBy(uLight, uNearness, clip, kept);
+      return { ...litBy(uLight, uNearness, clip, kept), isKept: true };
     }
     this.#known = known;
     if (isCoarse) this.#lastClip = clip;
@@ -141,11 +143,16 @@ export class LightPass {
       },
       blocks: { Frame: this.frame, Light: this.#lamp, Volume: volume.block },
     });
-    return litBy(uLight, uNearness, clip, clip);
+    return { ...litBy(uLight, uNearness, clip, clip), isKept: false };
   }
 }
 
-function litBy(uLight: Texture, uNearness: Texture | undefined, clip: mat4, since: mat4): Lit {
+function litBy(
+  uLight: Texture,
+  uNearness: Texture | undefined,
+  clip: mat4,
+  since: mat4,
+): Omit<Lit, "isKept"> {
   if (!uNearness) return { textures: { uLight }, uniforms: {} };
   const uSince = placesBetween(clip, since) as Float32Array;
   return { textures: { uLight, uNearness }, uniforms: { uSince } };

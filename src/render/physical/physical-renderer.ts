@@ -192,7 +192,8 @@ export class PhysicalRenderer implements Renderer {
       });
       return;
     }
-    this.#display.render(textures, shareOf(this.#size, bloom), view, this.#frame);
+    const place = { share: shareOf(this.#size, bloom), shift: [0, 0] } as const;
+    this.#display.render(textures, place, view, this.#frame);
   }
 
   #updateBlocks(world: World, view: View): void {

@@ -20,6 +20,8 @@ const SIZE = 32;
 export interface Showing {
   /** Share of it that eye and lens scatter. */
   readonly scattered: number;
+  /** From places in the picture to those in that of the bloom, as shares of it. */
+  readonly haloShift: readonly [number, number];
   readonly metered: boolean;
   /** Whether the paint has fewer pixels than the canvas. */
   readonly isCoarse: boolean;
@@ -64,7 +66,7 @@ export class ShowPass {
     textures: Lit["textures"] &
       Readonly<Record<"uPainted" | "uDepth" | "uBloom" | "uExposure" | "uTable", Texture>>,
     lit: Lit["uniforms"],
-    { scattered, metered, isCoarse }: Showing,
+    { scattered, haloShift, metered, isCoarse }: Showing,
     { uAdaptation, uWhite }: DisplayLaw,
     blocks: Readonly<Record<string, UniformBlock>>,
   ): void {
@@ -79,6 +81,7 @@ export class ShowPass {
         ...lit,
         uBalance: uAdaptation.map((gain, i) => gain / (uWhite[i] ?? 1)),
         uScattered: scattered,
+        uHaloShift: haloShift,
         uMetered: metered ? 1 : 0,
       },
       blocks,
