@@ -296,7 +296,9 @@ export class GeometryPass {
     const runs =
       place === AT_ORIGIN
         ? runsOf(clusters, isSeen, false)
-        : [{ first: 0, count: vertexArray.count }];
+        : isSeen(aroundTurned(clusters, place))
+          ? [{ first: 0, count: vertexArray.count }]
+          : [];
     const root = isCoarse ? this.#roots.of(surface) : null;
     const how: Draw = {
       program: this.#programFor(isCoarse, root !== null, surface),
@@ -323,6 +325,18 @@ export class GeometryPass {
     };
     for (const { first, count } of runs) this.#gpu.draw({ ...how, first, count });
   }
+}
+
+/** A box around clusters that stand elsewhere, however they are turned about the vertical. */
+function aroundTurned(clusters: readonly Bounds[], [x, y, z]: Placed["place"]): Bounds {
+  let [radius, low, high] = [0, 0, 0];
+  for (const { min, max } of clusters) {
+    const wide = [0, 2].map((axis) => Math.max(Math.abs(min[axis]!), Math.abs(max[axis]!)));
+    radius = Math.max(radius, Math.hypot(...wide));
+    low = Math.min(low, min[1]);
+    high = Math.max(high, max[1]);
+  }
+  return { min: [x - radius, y + low, z - radius], max: [x + radius, y + high, z + radius] };
 }
 
 /** One of so many stripes of a target. */
