@@ -9,11 +9,36 @@ export const CHANNELS = ["albedo", "normal", "orm"];
 const AVIF_QUALITY = { albedo: 60, normal: 85, orm: 65 };
 const JPEG_QUALITY = { albedo: 86, normal: 90, orm: 86 };
 
+/** Texels along an edge of a map of occlusion, roughness and metal: they change more slowly than colour. */
+const LARGEST_ORM = 512;
+
+/** Half as many texels along each edge: the mean of four. */
+function halved(pixels, size) {
+  const half = size / 2;
+  const means = new Uint8Array(3 * half * half);
+  for (let i = 0; i < means.length; i++) {
+    const texel = Math.floor(i / 3);
+    const first = 6 * (size * Math.floor(texel / half) + (texel % half)) + (i % 3);
+    const below = first + 3 * size;
+    const sum = pixels[first] + pixels[first + 3] + pixels[below] + pixels[below + 3];
+    means[i] = Math.round(sum / 4);
+  }
+  return means;
+}
+
+/** Texels, and how many lie along an edge. */
+function mapOf(maps, channel) {
+  const { resolution } = maps;
+  return channel === "orm" && resolution > LARGEST_ORM
+    ? { pixels: halved(maps.orm, resolution), size: resolution / 2 }
+    : { pixels: maps[channel], size: resolution };
+}
+
 /** Writes one set as AVIF, and as JPEG for browsers that cannot read it. */
 export async function writeTextures(folder, name, maps, quality = {}) {
-  const raw = { width: maps.resolution, height: maps.resolution, channels: 3 };
   for (const channel of CHANNELS) {
-    const image = sharp(maps[channel], { raw });
+    const { pixels, size } = mapOf(maps, channel);
+    const image = sharp(pixels, { raw: { width: size, height: size, channels: 3 } });
     const file = join(folder, `${name}-${channel}`);
     await image
       .clone()

@@ -106,6 +106,18 @@ describe("What is shipped stays within its budget:", () => {
     expect(total(avifs)).toBeLessThanOrEqual(2.4e6);
   });
 
+  test("512 texels along an edge of what changes slowly, and a set's own size of all else", async () => {
+    for (const file of Object.keys(textureFiles)) {
+      const [, name = "", channel] = /^(.*)-(albedo|normal|orm)\./.exec(file) ?? [];
+      const size = manifest.textures[name]?.size ?? 0;
+      const { width, height } = await sharp(
+        fileURLToPath(new URL(`textures/${file}`, PUBLIC)),
+      ).metadata();
+      const expected = channel === "orm" ? Math.min(size, 512) : size;
+      expect([width, height], file).toEqual([expected, expected]);
+    }
+  });
+
   test("60 000 triangles in the room with its candle", () => {
     const { "cabin.glb": cabin, "chamberstick.glb": candle } = manifest.models;
     const triangles = (cabin?.triangles ?? 0) + (candle?.triangles ?? 0);
