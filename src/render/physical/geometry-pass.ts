@@ -237,7 +237,7 @@ export class GeometryPass {
     const { clip } = scene.sight;
     const isSeen = sightOf(band ? clipOf(band, target, clip) : clip);
     for (const model of scene.placed) {
-      for (const surface of model.surfaces) {
+      for (const surface of isCoarse ? this.#coarse.merged(model.surfaces) : model.surfaces) {
         for (const [name, texture] of Object.entries(surface.textures)) {
           if (!texture.hasMipmaps) continue;
           texture.reading = !isCoarse ? 1 : name === "uAlbedo" ? "level" : "texel";
