@@ -3,7 +3,6 @@ import emberFrag from "../../../shaders/deferred/ember.frag";
 import glareFrag from "../../../shaders/deferred/glare.frag";
 import meterFrag from "../../../shaders/deferred/meter.frag";
 import radianceFrag from "../../../shaders/deferred/radiance.frag";
-import copyFrag from "../../../shaders/physical/copy.frag";
 import fullscreenVert from "../../../shaders/physical/fullscreen.vert";
 import surfaceVert from "../../../shaders/physical/surface.vert";
 import type { Model } from "../../assets/model.js";
@@ -82,7 +81,6 @@ export class DeferredRenderer implements Renderer {
   readonly #coarseProgram: Program;
   readonly #emberProgram: Program;
   readonly #glareProgram: Program;
-  readonly #copyProgram: Program;
   readonly #exposure: ExposurePass;
   readonly #display: DisplayPass;
   readonly #flame: FlamePass;
@@ -105,8 +103,8 @@ export class DeferredRenderer implements Renderer {
   readonly #shape = createShape();
   #radiance: RenderTarget | null = null;
   #glare: RenderTarget | null = null;
-  /** The bloom, quicker to read. */
-  #halo: RenderTarget | null = null;
+  /** The bloom. */
+  #halo: Texture | null = null;
   /** The radiance alone, and with the depth of the room. */
   #veil: TextureView | null = null;
   readonly #fires = new Map<Texture, TextureView>();
@@ -135,7 +133,6 @@ export class DeferredRenderer implements Renderer {
     this.#coarseProgram = radiance(1);
     this.#emberProgram = program("ember", emberFrag, surfaceVert);
     this.#glareProgram = program("glare", glareFrag);
-    this.#copyProgram = program("copy", copyFrag);
     this.#exposure = new ExposurePass(gpu, this.#screen, meterFrag);
     this.#display = new DisplayPass(gpu, this.#screen, true);
     this.#flame = new FlamePass(gpu);
@@ -159,7 +156,7 @@ export class DeferredRenderer implements Renderer {
 
   resize(width: number, height: number): void {
     this.#size = { width, height };
-    for (const old of [this.#veil, this.#radiance, this.#glare, this.#halo]) old?.dispose();
+    for (const old of [this.#veil, this.#radiance, this.#glare]) old?.dispose();
     for (const fire of this.#fires.values()) fire.dispose();
     this.#fires.clear();
     this.#geometry.resize(width, height);
@@ -172,12 +169,6 @@ export class DeferredRenderer implements Renderer {
       height: Math.max(1, Math.ceil(height / GLARE)),
     };
     this.#glare = this.#gpu.renderTarget({ label: "glare", ...quarter, color });
-    this.#halo = this.#gpu.renderTarget({
-      label: "halo",
-      width: Math.ceil(quarter.width / 2),
-      height: Math.ceil(quarter.height / 2),
-      color: [this.#lightPass.format],
-    });
     const textures = [this.#radiance.color];
     this.#veil = this.#gpu.textureView({ label: "veil", textures, image: 0 });
     this.#bloom.resize(quarter.width, quarter.height);
@@ -254,7 +245,7 @@ export class DeferredRenderer implements Renderer {
     const haloShift = [this.#haloAt[0] - flameAt[0], this.#haloAt[1] - flameAt[1]] as const;
     const law = displayLaw(this.#gpu, view);
     const shown = {
-      uBloom: this.#halo!.color,
+      uBloom: this.#halo!,
       uExposure: this.#exposure.latest,
       uTable: this.#show.table(law),
     };
@@ -407,7 +398,7 @@ export class DeferredRenderer implements Renderer {
 
   /** Of the flame alone: nothing else is bright enough. */
   #drawBloom([x, y, width, height]: Box): void {
-    const [glare, halo] = [this.#glare!, this.#halo!];
+    const glare = this.#glare!;
     const left = Math.floor(x / GLARE) + (x > 0 ? 1 : 0);
     const bottom = Math.floor(y / GLARE) + (y > 0 ? 1 : 0);
     const right = Math.floor((x + width) / GLARE) - (x + width < this.#size.width ? 1 : -1);
@@ -421,13 +412,7 @@ export class DeferredRenderer implements Renderer {
       textures: { uSource: color },
       scissor: [left, bottom, Math.max(right - left, 0), Math.max(top - bottom, 0)],
     });
-    this.#gpu.draw({
-      program: this.#copyProgram,
-      target: halo,
-      vertexArray: this.#screen,
-      textures: { uSource: this.#bloom.render(glare.color) },
-      uniforms: { uCorner: [0, 0] },
-    });
+    this.#halo = this.#bloom.render(glare.color);
   }
 
   readRadiance(x: number, y: number, width: number, height: number): Float32Array {
