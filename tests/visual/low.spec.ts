@@ -150,6 +150,22 @@ test("At low a picture is as bright while the eye moves, and as sharp as ever so
   expect(await room.pixels()).toBe(rested);
 });
 
+test("At low a glance that is over before its picture was painted leaves nothing of it", async () => {
+  const picture = await room.pixels();
+  await room.evaluate((element) => {
+    const { yaw } = element.camera;
+    element.play();
+    for (const turned of [0.1, 0.2, 0.2, 0.2, 0.2]) {
+      element.camera = { ...element.camera, yaw: yaw + turned };
+      element.step(0);
+    }
+    element.pause();
+    element.camera = { ...element.camera, yaw };
+    element.step(0);
+  });
+  expect(await room.pixels()).toBe(picture);
+});
+
 test("At low a picture depends on nothing that was drawn before", async () => {
   const picture = await room.pixels();
   await room.stand({ yaw: 1 });

@@ -1,4 +1,4 @@
-import { mat4 } from "gl-matrix";
+import type { mat4 } from "gl-matrix";
 import geometryFrag from "../../../shaders/deferred/geometry.frag";
 import guideFrag from "../../../shaders/deferred/guide.frag";
 import passingFrag from "../../../shaders/deferred/passing.frag";
@@ -15,6 +15,7 @@ import type { Features } from "../../settings.js";
 import type { Bounds, Vec3 } from "../../world/bounds.js";
 import { sightOf } from "../camera.js";
 import { runsOf } from "../clusters.js";
+import { clipOfStripe, stripeOf } from "../stripes.js";
 import type { Surface } from "../surface.js";
 import type { CoarseSurfaces, Drawable } from "./coarse-surfaces.js";
 import { isBaked, RootTextures } from "./root-textures.js";
@@ -217,15 +218,16 @@ export class GeometryPass {
   /** The same, a stripe at a time. */
   #proceed(scene: Scene, known: string): void {
     if (this.#begun?.known !== known) this.#begun = { known, stripes: 0 };
+    this.#fineKnown = ""; // half of another picture
     const stripe = this.#begun.stripes++;
     if (stripe < STRIPES.surfaces) {
       const target = this.#surfaces(false);
-      const band = bandOf(target, stripe, STRIPES.surfaces);
+      const band = stripeOf(target, stripe, STRIPES.surfaces);
       this.#gpu.clear(target, NOTHING, band);
       this.#drawSurfaces(target, scene, false, band);
       return;
     }
-    const band = bandOf(this.#painted!, stripe - STRIPES.surfaces, STRIPES.guide);
+    const band = stripeOf(this.#painted!, stripe - STRIPES.surfaces, STRIPES.guide);
     this.#gpu.clear(this.#painted!, NOTHING, band);
     this.#drawGuide(scene.sight, band);
     if (this.#begun.stripes < STRIPES.surfaces + STRIPES.guide) return;
@@ -235,7 +237,7 @@ export class GeometryPass {
 
   #drawSurfaces(target: RenderTarget, scene: Scene, isCoarse: boolean, band?: Box): void {
     const { clip } = scene.sight;
-    const isSeen = sightOf(band ? clipOf(band, target, clip) : clip);
+    const isSeen = sightOf(band ? clipOfStripe(band, target, clip) : clip);
     for (const model of scene.placed) {
       for (const surface of isCoarse ? this.#coarse.merged(model.surfaces) : model.surfaces) {
         for (const [name, texture] of Object.entries(surface.textures)) {
@@ -337,27 +339,6 @@ function aroundTurned(clusters: readonly Bounds[], [x, y, z]: Placed["place"]): 
     high = Math.max(high, max[1]);
   }
   return { min: [x - radius, y + low, z - radius], max: [x + radius, y + high, z + radius] };
-}
-
-/** One of so many stripes of a target. */
-function bandOf(
-  { width, height }: Pick<RenderTarget, "width" | "height">,
-  stripe: number,
-  stripes: number,
-): Box {
-  const [begin, end] = [stripe, stripe + 1].map((at) => Math.round((at * height) / stripes));
-  return [0, begin!, width, end! - begin!];
-}
-
-/** The clip space of a stripe alone. */
-function clipOf([, y, , rows]: Box, { height }: RenderTarget, clip: mat4): mat4 {
-  const band = mat4.clone(clip);
-  const middle = (2 * y + rows) / height - 1;
-  for (let column = 0; column < 4; column++) {
-    const [up, w] = [clip[column * 4 + 1]!, clip[column * 4 + 3]!];
-    band[column * 4 + 1] = ((up - middle * w) * height) / rows;
-  }
-  return band;
 }
 
 function rootOf([red, green, blue, opacity]: Surface["baseColor"]): Surface["baseColor"] {
