@@ -171,7 +171,11 @@ export class IndirectPass {
 
   /** The same of a light that moved a little while ago: its cost is spread over as many pictures. */
   follow(casters: Casters, light: LightAtVantage): IrradianceVolume {
-    if (this.#lastLight === "") return this.render(casters, light);
+    if (this.#lastLight === "") {
+      this.render(casters, light);
+      this.#isExact = false; // of casters that may be coarse
+      return this.#volume;
+    }
     if (!this.#begun) {
       if (this.#rest-- > 0 || JSON.stringify(light) === this.#lastLight) return this.#volume;
       this.#begun = { light, faces: 0 };

@@ -28,8 +28,8 @@ export class ShadowPass {
   readonly #distances: Texture;
   readonly #faces: readonly TextureView[];
   #lastVantage: Vec3 = [Number.NaN, 0, 0];
-  /** Whether nothing was left out. */
-  #isWhole = false;
+  /** Of which nothing was left out; null where something was. */
+  #whole: Casters | null = null;
   /** Pictures since it was drawn. */
   #age = 0;
 
@@ -59,7 +59,7 @@ export class ShadowPass {
 
   /** Distances from the vantage, drawn anew where it is another than before. */
   render(casters: Casters, vantage: Vec3): Texture {
-    if (this.#hasMovedBy(vantage) > 0 || !this.#isWhole) this.#draw(casters, vantage);
+    if (this.#hasMovedBy(vantage) > 0 || this.#whole !== casters) this.#draw(casters, vantage);
     return this.#distances;
   }
 
@@ -71,7 +71,7 @@ export class ShadowPass {
   follow(casters: Casters, vantage: Vec3, matters: (box: Bounds) => boolean): ShadowCube {
     const way = this.#hasMovedBy(vantage);
     // Who stands still is worth the whole.
-    if (way === 0 && !this.#isWhole) this.#draw(casters, vantage);
+    if (way === 0 && !this.#whole) this.#draw(casters, vantage);
     else if (way > 0 && (++this.#age >= PICTURES || way > STRIDE)) {
       this.#draw(casters, vantage, matters);
     }
@@ -85,7 +85,7 @@ export class ShadowPass {
   }
 
   #draw(casters: Casters, vantage: Vec3, matters?: (box: Bounds) => boolean): void {
-    this.#isWhole = !matters;
+    this.#whole = matters ? null : casters;
     this.#age = 0;
     this.#lastVantage = [...vantage];
     for (const [face, target] of this.#faces.entries()) {
