@@ -61,9 +61,9 @@ export interface IrradianceVolume {
  *
  * The flame sees the room as a few hundred patches, and probes gather their light as far as they see them.
  * Each probe knows what its rays meet, and gathers what that throws back of the flame's light where patches
- * are too coarse, and of the probes' light, for a number of bounces. It starts from darkness each time, so
- * the result depends on where the flame is and on nothing that was drawn before. Light adds up, so a flame that flickers changes only what the result is
- * multiplied by.
+ * are too coarse, and of the probes' light, for a number of bounces. `render` starts from darkness each time,
+ * so its result depends on where the flame is and on nothing drawn before; `follow` goes on from what it had.
+ * Light adds up, so a flame that flickers changes only what the result is multiplied by.
  */
 export class IndirectPass {
   readonly #gpu: Gpu;
