@@ -9,5 +9,5 @@ in vec2 vUv;
 out vec4 oColor;
 
 void main() {
-  oColor = textureLod(uSource, vUv, 0.0);
+  oColor = texture(uSource, vUv);
 }

@@ -1,44 +1,34 @@
 // Where a pixel is to take its light from while the eye moves: from all around where that is as far away in
-// the mean as it is, else from the texel that is most so.
+// the mean as it is, else from the texels that are most so.
 // Needs physical/depth.glsl, deferred/stored.glsl.
 
 uniform sampler2D uLight;
-uniform sampler2D uNearness;  // of the light's texels
+uniform sampler2D uCorners;  // how near the light's texels are: deferred/corners.frag
 // From places in the picture to those in the one before, if the light is of that.
 uniform mat4 uSince;
 
 // Most that places of one surface differ, as a share of their distance.
 const float ALIKE = 0.03;
+// What a texel of another surface counts for, where no better one is.
+const float STRANGE = 0.01;
 
+// Choices rather than branches: a CPU goes on with what comes after one, and masks all that is in it.
 vec2 guided(vec2 uv, float stored) {
-  vec3 place = vec3(uv, textureLod(uDepth, uv, 0.0).r);
+  vec3 place = vec3(uv, texture(uDepth, uv).r);
   vec4 since = uSince * vec4(place, 1.0);
   if (stored < 0.5 * CARRIED) place = since.xyz / since.w;
-  vec2 now = uv;
-  uv = place.xy;
   float here = nearnessOf(place.z);
+  vec2 size = vec2(textureSize(uLight, 0));
+  vec2 at = clamp(place.xy * size - 0.5, vec2(0.0), size - 1.0);
+  vec2 corner = floor(at);
+  vec2 share = at - corner;
+  vec4 nearness = texelFetch(uCorners, ivec2(corner), 0);
+  vec2 rows = mix(nearness.xz, nearness.yw, share.x);
   // Across a plane the inverse of the distance changes evenly.
-  // No early return: a CPU would go on with what comes after it.
-  if (abs(textureLod(uNearness, uv, 0.0).r - here) >= ALIKE * here) {
-    vec2 size = vec2(textureSize(uLight, 0));
-    vec2 corner = floor(uv * size - 0.5);
-    ivec2 low = ivec2(max(corner, 0.0));
-    ivec2 high = ivec2(min(corner + 1.0, size - 1.0));
-    vec4 apart = abs(here - vec4(
-      texelFetch(uNearness, low, 0).r,
-      texelFetch(uNearness, ivec2(high.x, low.y), 0).r,
-      texelFetch(uNearness, ivec2(low.x, high.y), 0).r,
-      texelFetch(uNearness, high, 0).r
-    ));
-    vec2 rows = min(apart.xy, apart.zw);
-    float column = step(rows.y, rows.x);
-    float row = column > 0.5 ? step(apart.w, apart.y) : step(apart.z, apart.x);
-    uv = (corner + 0.5 + vec2(column, row)) / size;
-    // What the candle hid in the picture before is more like what is beside it.
-    float least = min(min(apart.x, apart.y), min(apart.z, apart.w));
-    if (least > 3.0 * ALIKE * here) {
-      if (abs(textureLod(uNearness, now, 0.0).r - here) < least) uv = now;
-    }
-  }
-  return uv;
+  bool isAlike = abs(mix(rows.x, rows.y, share.y) - here) < ALIKE * here;
+  vec4 weights = max(ALIKE * here - abs(nearness - here), STRANGE * ALIKE * here);
+  weights *= vec4(1.0 - share.x, share.x, 1.0 - share.x, share.x);
+  weights *= vec4(1.0 - share.yy, share.yy);
+  vec2 chosen = vec2(weights.y + weights.w, weights.z + weights.w) / dot(weights, vec4(1.0));
+  return (corner + 0.5 + (isAlike ? share : chosen)) / size;
 }

@@ -1,7 +1,7 @@
 #version 300 es
 // The light on what the eye sees, at a few pixels only: it varies slowly where surfaces do not.
 // In:  surfaces, depth, shadow cube, irradiance volume.
-// Out: for each cd of the flame's, what the albedo is to be multiplied by, cd/m², and what is added to it;
+// Out: roots, for each cd of the flame's, of what the albedo is to be multiplied by, cd/m², and what is added;
 //      COARSE: the inverse of how far away that is, but for a factor.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
@@ -109,5 +109,5 @@ void main() {
   perCandela += metallic * room;
   added += (1.0 - metallic) * (0.04 + 0.96 * grazing) * luma(room);
   if (isWax) perCandela += waxGlow(position);
-  oLight = min(vec4(perCandela, added), 3e4);
+  oLight = sqrt(clamp(vec4(perCandela, added), 0.0, 3e4));
 }

@@ -5,10 +5,11 @@ uniform sampler2D uPainted;
 
 // cd/m².
 vec3 litFrom(vec4 painted, vec2 uv) {
-  vec4 lit = textureLod(uLight, guided(uv, painted.a), 0.0);
-  return (BRIGHTEST * painted.rgb * painted.rgb * lit.rgb + lit.a) * light.intensity;
+  vec4 root = texture(uLight, guided(uv, painted.a));
+  vec3 caught = painted.rgb * root.rgb;
+  return (BRIGHTEST * caught * caught + root.a * root.a) * light.intensity;
 }
 
 vec3 litAt(vec2 uv) {
-  return litFrom(textureLod(uPainted, uv, 0.0), uv);
+  return litFrom(texture(uPainted, uv), uv);
 }

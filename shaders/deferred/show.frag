@@ -26,7 +26,8 @@ flat in float vExposure;
 out vec4 oColor;
 
 void main() {
-  vec3 radiance = litAt(vUv) + textureLod(uBloom, vUv + uHaloShift, 0.0).rgb * uScattered;
+  vec4 painted = texelFetch(uPainted, ivec2(gl_FragCoord.xy), 0);
+  vec3 radiance = litFrom(painted, vUv) + texture(uBloom, vUv + uHaloShift).rgb * uScattered;
   vec3 exposed = max(radiance, 0.0) * uBalance * (vExposure / TABLE_LIGHT);
   // What is brighter than the table keeps its hue.
   exposed /= max(max(exposed.r, exposed.g), max(exposed.b, 1.0));

@@ -1,4 +1,5 @@
 import { mat4 } from "gl-matrix";
+import cornersFrag from "../../../shaders/deferred/corners.frag";
 import lightFrag from "../../../shaders/deferred/light.frag";
 import fullscreenVert from "../../../shaders/physical/fullscreen.vert";
 import type { Gpu } from "../../gl/gpu.js";
@@ -51,6 +52,9 @@ export class LightPass {
   /** For light of which there are few texels; made when it is first needed. */
   #coarse: Program | null = null;
   readonly #screen: VertexArray;
+  /** What shaders compare the texels of coarse light by. */
+  readonly #corner: Program;
+  #corners: RenderTarget | null = null;
   #moving: RenderTarget | null = null;
   #resting: RenderTarget | null = null;
   /** What the eye saw as the light of a moving one was worked out; null once that was used again. */
@@ -61,6 +65,7 @@ export class LightPass {
     this.#screen = screen;
     this.#taps = taps;
     this.#program = this.#programOf(taps, 0);
+    this.#corner = gpu.program("deferred/corners", fullscreenVert, cornersFrag);
     this.format = floats(gpu, 4);
     this.frame = gpu.uniformBlock(this.#program, "Frame");
     this.light = gpu.uniformBlock(this.#program, "Light");
@@ -78,7 +83,7 @@ export class LightPass {
   }
 
   resize(width: number, height: number): void {
-    for (const old of [this.#moving, this.#resting]) old?.dispose();
+    for (const old of [this.#moving, this.#resting, this.#corners]) old?.dispose();
     const target = (name: keyof typeof SHARE, color: readonly TextureFormat[]) =>
       this.#gpu.renderTarget({
         label: `light/${name}`,
@@ -86,7 +91,15 @@ export class LightPass {
         height: Math.max(1, Math.ceil(height * SHARE[name])),
         color,
       });
-    this.#moving = target("moving", [this.format, floats(this.#gpu, 1)]);
+    const moving = target("moving", [this.format, floats(this.#gpu, 1)]);
+    this.#moving = moving;
+    this.#corners = this.#gpu.renderTarget({
+      label: "light/corners",
+      width: moving.width,
+      height: moving.height,
+      color: [this.format],
+      filter: "nearest",
+    });
     this.#resting = target("resting", [this.format]);
     this.#known = "";
     this.#lastClip = null;
@@ -113,13 +126,13 @@ export class LightPass {
     const target = isCoarse ? this.#moving : this.#resting;
     if (!target) throw new Error("Light has no size yet.");
     const known = JSON.stringify([paint, lamp, shadows, indirect, specular]);
-    const [uLight, uNearness] = target.colors;
-    if (!uLight) throw new Error("Light has a texture.");
-    if (known === this.#known) return { ...litBy(uLight, uNearness, clip, clip), isKept: true };
+    const { color: uLight } = target;
+    const uCorners = isCoarse && this.#corners ? this.#corners.color : null;
+    if (known === this.#known) return { ...litBy(uLight, uCorners, clip, clip), isKept: true };
     const kept = this.#lastClip;
     this.#lastClip = null;
     if (isCoarse && kept && shiftOf(placesBetween(clip, kept), USUAL_DISTANCE) < MOST_SHIFT) {
-      return { ...litBy(uLight, uNearness, clip, kept), isKept: true };
+      return { ...litBy(uLight, uCorners, clip, kept), isKept: true };
     }
     this.#known = known;
     if (isCoarse) this.#lastClip = clip;
@@ -143,19 +156,30 @@ export class LightPass {
       },
       blocks: { Frame: this.frame, Light: this.#lamp, Volume: volume.block },
     });
-    return { ...litBy(uLight, uNearness, clip, clip), isKept: false };
+    if (isCoarse) this.#findCorners(target);
+    return { ...litBy(uLight, uCorners, clip, clip), isKept: false };
+  }
+
+  #findCorners({ colors: [, uNearness] }: RenderTarget): void {
+    if (!uNearness || !this.#corners) throw new Error("Coarse light says how near it is.");
+    this.#gpu.draw({
+      program: this.#corner,
+      target: this.#corners,
+      vertexArray: this.#screen,
+      textures: { uNearness },
+    });
   }
 }
 
 function litBy(
   uLight: Texture,
-  uNearness: Texture | undefined,
+  uCorners: Texture | null,
   clip: mat4,
   since: mat4,
 ): Omit<Lit, "isKept"> {
-  if (!uNearness) return { textures: { uLight }, uniforms: {} };
+  if (!uCorners) return { textures: { uLight }, uniforms: {} };
   const uSince = placesBetween(clip, since) as Float32Array;
-  return { textures: { uLight, uNearness }, uniforms: { uSince } };
+  return { textures: { uLight, uCorners }, uniforms: { uSince } };
 }
 
 /** Texels four times as large are mixed of as many looks again. */
