@@ -14,6 +14,7 @@
 #include "physical/volume.glsl"
 #include "physical/wax.glsl"
 #include "deferred/stored.glsl"
+#include "deferred/from-below.glsl"
 
 // A flame is no point: nearer than this the inverse square would not hold. Metres.
 const float NEAREST = 0.01;
@@ -103,8 +104,8 @@ void main() {
   Surroundings surroundings = surroundingsAt(position + normal * 0.08, normal, normal, reflected);
   float grazing = fifthPower(1.0 - NoV);
   float matt = (1.0 - metallic) * (1.0 - 0.04 - 0.96 * grazing) / PI;
-  perCandela += surroundings.one * (matt * uShown.y);
-  vec3 room = surroundings.other / PI;
+  perCandela += (surroundings.one + fromBelow(position, faces(normal))) * (matt * uShown.y);
+  vec3 room = (surroundings.other + fromBelow(position, 0.5 - 0.5 * reflected.y)) / PI;
   room *= (1.0 - 0.6 * roughness) * uShown.y * uShown.z;
   perCandela += metallic * room;
   added += (1.0 - metallic) * (0.04 + 0.96 * grazing) * luma(room);

@@ -93,6 +93,38 @@ test("At low the room is as bright as at high everywhere, and nearly as sharp", 
   expect(low.detail / high.detail).toBeGreaterThan(0.75);
 });
 
+test("At low candle and holder are lit by the table they stand on", async () => {
+  // In the holder's own shadow, where all light has bounced: shares of the picture, from its upper left.
+  const boxes = { candle: [0.4925, 0.43, 0.499, 0.51], pan: [0.456, 0.612, 0.475, 0.637] } as const;
+  const measure = () =>
+    room.evaluate((element, boxes) => {
+      const { width, height } = element.stats;
+      return Object.values(boxes).map(([left, top, right, bottom]) => {
+        const [x, y] = [Math.round(left * width), Math.round(top * height)];
+        const [w, h] = [Math.round(right * width) - x, Math.round(bottom * height) - y];
+        const radiance = element.readRadiance(x, y, w, h);
+        return radiance.reduce((sum, value) => sum + value, 0) / radiance.length;
+      });
+    }, boxes);
+  await room.evaluate((element) => {
+    const [x, y, z] = element.flame?.position ?? [0, 0, 0];
+    element.camera = { position: [x - 0.4, y + 0.1, z + 0.45], yaw: -0.727, pitch: -0.321 };
+  });
+  const low = await measure();
+  await room.set({ quality: "high" });
+  const high = await measure();
+  await room.set({ quality: "low" });
+  await room.evaluate((element, camera) => {
+    element.camera = camera;
+  }, CAMERA);
+  const shares = low.map((light, i) => light / (high[i] ?? 0));
+  console.log(`candle and pan at low, as shares of high's: ${shares.map((x) => x.toFixed(2))}`);
+  for (const share of shares) {
+    expect(share).toBeGreaterThan(0.7);
+    expect(share).toBeLessThan(1.8);
+  }
+});
+
 test("At low a picture is as bright while the eye moves, and as sharp as ever soon after", async () => {
   const { width, height } = await room.stats();
   const rested = await room.pixels();

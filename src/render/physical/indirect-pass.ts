@@ -1,4 +1,5 @@
 import { mat4 } from "gl-matrix";
+import belowFrag from "../../../shaders/deferred/below.frag";
 import echoFrag from "../../../shaders/physical/echo.frag";
 import fullscreenVert from "../../../shaders/physical/fullscreen.vert";
 import gatherFrag from "../../../shaders/physical/gather.frag";
@@ -54,6 +55,8 @@ export interface IrradianceVolume {
     readonly uProbes: Texture;
     readonly uSights: Texture;
   };
+  /** The surface below the flame, for shaders that include `deferred/from-below.glsl`. */
+  readonly below: Texture;
 }
 
 /**
@@ -77,7 +80,9 @@ export class IndirectPass {
   readonly #irradianceProgram: Program;
   readonly #screen: VertexArray;
   readonly #block: UniformBlock;
+  readonly #belowProgram: Program;
   readonly #surfels: RenderTarget;
+  readonly #below: RenderTarget;
   readonly #radiosity: RenderTarget;
   readonly #echo: RenderTarget;
   readonly #first: RenderTarget;
@@ -108,6 +113,7 @@ export class IndirectPass {
     });
     this.#gatherProgram = gpu.program("physical/gather", fullscreenVert, gatherFrag, { defines });
     this.#irradianceProgram = gpu.program("physical/irradiance", fullscreenVert, irradianceFrag);
+    this.#belowProgram = gpu.program("deferred/below", fullscreenVert, belowFrag);
     this.#light = gpu.uniformBlock(this.#radiosityProgram, "Light");
     const [columns, rows, planes] = detail.probes;
     const { min, max } = room.model.bounds;
@@ -128,6 +134,13 @@ export class IndirectPass {
       ...patches,
       color: [texel, texel],
       depth: "buffer",
+      filter: "nearest",
+    });
+    this.#below = gpu.renderTarget({
+      label: "indirect/below",
+      width: 1,
+      height: 1,
+      color: [texel],
       filter: "nearest",
     });
     const radiance = { color: ["RGBA16F"], filter: "nearest" } as const;
@@ -195,6 +208,7 @@ export class IndirectPass {
     return {
       block: this.#block,
       textures: { uVolume: this.#irradiance.color, ...this.#sights.room },
+      below: this.#below.color,
     };
   }
 
@@ -234,13 +248,17 @@ export class IndirectPass {
     const [patchColor, normalDistance] = this.#surfels.colors;
     if (!patchColor || !normalDistance) throw new Error("A patch has a colour and a place.");
     const { uProbes } = this.#sights.room;
-    this.#gpu.draw({
-      program: this.#radiosityProgram,
-      target: this.#radiosity,
+    const ofPatches = {
       vertexArray: this.#screen,
       textures: { uPatchColor: patchColor, uNormalDistance: normalDistance },
       blocks: { Light: this.#light },
+    };
+    this.#gpu.draw({
+      ...ofPatches,
+      program: this.#radiosityProgram,
+      target: this.#radiosity,
     });
+    this.#gpu.draw({ ...ofPatches, program: this.#belowProgram, target: this.#below });
     this.#gpu.draw({
       program: this.#probeProgram,
       target: this.#all,

@@ -148,6 +148,7 @@ export class LightPass {
         uDepth: depth,
         uShadow: shadow,
         ...volume.textures,
+        uBelow: volume.below,
       },
       uniforms: {
         uShown: [shadows ? 1 : 0, indirect ? 1 : 0, specular ? 1 : 0],
