@@ -71,12 +71,16 @@ export class Eye {
     return { own, seen };
   }
 
-  /** Sums of light over the pixels, before and after scattering. */
-  scatter(radianceAt: (x: number, y: number) => Radiance, levels: number): [number, number] {
+  /** Sums of light over the pixels, before and after scattering, by many taps or few. */
+  scatter(
+    radianceAt: (x: number, y: number) => Radiance,
+    levels: number,
+    isFrugal: boolean,
+  ): [number, number] {
     const { width, height } = this.#canvas;
     const gpu = this.#gpu;
     const screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
-    const pass = new BloomPass(gpu, screen, levels);
+    const pass = new BloomPass(gpu, screen, levels, { format: "RGBA16F", isFrugal });
     pass.resize(width, height);
     const scattered = pass.render(this.#picture(radianceAt));
     const target = gpu.textureView({ label: "scattered", textures: [scattered], image: 0 });

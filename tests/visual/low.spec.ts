@@ -206,6 +206,39 @@ test("At low a picture depends on nothing that was drawn before", async () => {
   expect(await room.pixels()).toBe(picture);
 });
 
+test("At low the halo around the flame falls off evenly: no texels of its pyramid show", async () => {
+  await room.stand({ position: [0.05, 1.06, 0.5], yaw: -0.5, pitch: -0.1 });
+  const glowing = await room.picture();
+  await room.switchFeatures({ bloom: false });
+  const { width, data } = await room.picture();
+  await room.switchFeatures({ bloom: true });
+  await room.stand(CAMERA);
+  const flame = { x: 0, y: 0, light: 0 };
+  for (let i = 0; i < data.length / 4; i++) {
+    const light = (data[4 * i] ?? 0) + (data[4 * i + 1] ?? 0) + (data[4 * i + 2] ?? 0);
+    if (light > flame.light)
+      Object.assign(flame, { x: i % width, y: Math.floor(i / width), light });
+  }
+  const haloAt = (x: number) => {
+    let sum = 0;
+    for (let y = flame.y - 3; y <= flame.y + 3; y++) {
+      const at = 4 * (y * width + x) + 1;
+      sum += (glowing.data[at] ?? 0) - (data[at] ?? 0);
+    }
+    return sum / 7;
+  };
+  const bends: number[] = [];
+  for (const side of [-1, 1]) {
+    for (let away = 8; away < 20; away++) {
+      const x = flame.x + side * away;
+      bends.push(Math.abs(haloAt(x - 2) - 2 * haloAt(x) + haloAt(x + 2)));
+    }
+  }
+  console.log(`the halo bends by ${Math.max(...bends).toFixed(1)} steps of 8 bits at most`);
+  expect(haloAt(flame.x + 8)).toBeGreaterThan(30);
+  expect(Math.max(...bends)).toBeLessThan(9);
+});
+
 test("At low each technique is seen, and can be switched off", async () => {
   const lit: readonly Feature[] = [
     "volume",

@@ -30,13 +30,21 @@ export class BloomPass {
   readonly #format: TextureFormat;
   #pyramid: RenderTarget[] = [];
 
-  constructor(gpu: Gpu, screen: VertexArray, levels: number, format: TextureFormat = "RGBA16F") {
-    this.#format = format;
+  /** @param how of what each level is, and whether taps are dear */
+  constructor(
+    gpu: Gpu,
+    screen: VertexArray,
+    levels: number,
+    how: { readonly format: TextureFormat; readonly isFrugal: boolean },
+  ) {
+    this.#format = how.format;
     this.#gpu = gpu;
     this.#screen = screen;
     this.#levels = levels;
     this.#down = gpu.program("physical/bloom-down", fullscreenVert, downFrag);
-    this.#up = gpu.program("physical/bloom-up", fullscreenVert, upFrag);
+    this.#up = gpu.program("physical/bloom-up", fullscreenVert, upFrag, {
+      defines: { FRUGAL: how.isFrugal ? 1 : 0 },
+    });
   }
 
   resize(width: number, height: number): void {
@@ -52,8 +60,12 @@ export class BloomPass {
     );
   }
 
-  /** Radiance in, scattered radiance out, at half the size. */
-  render(radiance: Texture): Texture {
+  /**
+   * Radiance in, scattered radiance out, at half the size.
+   *
+   * @param onto where the result is to be, smoothly, at the radiance's own size: texels of half a coarse picture show
+   */
+  render(radiance: Texture, onto: RenderTarget | null = null): Texture {
     let source = radiance;
     for (const target of this.#pyramid) {
       this.#gpu.draw({
@@ -64,13 +76,14 @@ export class BloomPass {
       });
       source = target.color;
     }
-    for (const target of this.#pyramid.toReversed().slice(1)) {
+    const finer = this.#pyramid.toReversed().slice(1);
+    for (const target of onto ? [...finer, onto] : finer) {
       this.#gpu.draw({
         program: this.#up,
         target,
         vertexArray: this.#screen,
         textures: { uSource: source },
-        uniforms: { uShare: WIDER_SHARE },
+        uniforms: { uShare: target === onto ? 1 : WIDER_SHARE },
         blend: "premultiplied",
       });
       source = target.color;

@@ -151,7 +151,10 @@ export class DeferredRenderer implements Renderer {
       { model: room, solid, surfaces },
       INDIRECT,
     );
-    this.#bloom = new BloomPass(gpu, this.#screen, BLOOM_LEVELS, this.#lightPass.format);
+    this.#bloom = new BloomPass(gpu, this.#screen, BLOOM_LEVELS, {
+      format: this.#lightPass.format,
+      isFrugal: true,
+    });
   }
 
   resize(width: number, height: number): void {
@@ -412,7 +415,7 @@ export class DeferredRenderer implements Renderer {
       textures: { uSource: color },
       scissor: [left, bottom, Math.max(right - left, 0), Math.max(top - bottom, 0)],
     });
-    this.#halo = this.#bloom.render(glare.color);
+    this.#halo = this.#bloom.render(glare.color, glare);
   }
 
   readRadiance(x: number, y: number, width: number, height: number): Float32Array {

@@ -126,7 +126,10 @@ export class PhysicalRenderer implements Renderer {
         source: { width: REFLECTANCES, height: REFLECTANCES, data: tabulateReflectance() },
       }),
     );
-    this.#bloom = new BloomPass(gpu, this.#screen, BLOOM_LEVELS[tier.name]);
+    this.#bloom = new BloomPass(gpu, this.#screen, BLOOM_LEVELS[tier.name], {
+      format: "RGBA16F",
+      isFrugal: false,
+    });
     this.#exposure = new ExposurePass(gpu, this.#screen);
     this.#display = new DisplayPass(gpu, this.#screen);
   }
