@@ -16,13 +16,16 @@ const int DOWNWARDS = 3;
 void main() {
   int size = textureSize(uNormalDistance, 0).y;
   ivec2 middle = ivec2(DOWNWARDS * size + (size - 1) / 2, (size - 1) / 2);
-  oBelow = vec4(0.0);
+  vec4 sum = vec4(0.0);
+  float count = 0.0;
   for (int i = 0; i < 4; i++) {
     ivec2 texel = middle + ivec2(i & 1, i >> 1);
     Surfel surfel = surfelAt(texel, size);
     if (surfel.distance <= 0.0) continue;
     float facing = dot(surfel.normal, light.vantage - surfel.position) / surfel.distance;
     vec3 share = reflected(texelFetch(uPatchColor, texel, 0).rgb) * max(facing, 0.0);
-    oBelow += 0.25 * vec4(share / (surfel.distance * surfel.distance), surfel.position.y);
+    sum += vec4(share / (surfel.distance * surfel.distance), surfel.position.y);
+    count++;
   }
+  oBelow = sum / max(count, 1.0);
 }

@@ -61,9 +61,9 @@ export class BloomPass {
   }
 
   /**
-   * Radiance in, scattered radiance out, at half the size.
+   * Radiance in, scattered radiance out, at half the size or where it is to be.
    *
-   * @param onto where the result is to be, smoothly, at the radiance's own size: texels of half a coarse picture show
+   * @param onto of the radiance's own size, and may hold it: half of a picture that is coarse has texels that show
    */
   render(radiance: Texture, onto: RenderTarget | null = null): Texture {
     let source = radiance;

@@ -55,7 +55,7 @@ export interface IrradianceVolume {
     readonly uProbes: Texture;
     readonly uSights: Texture;
   };
-  /** The surface below the flame, for shaders that include `deferred/from-below.glsl`. */
+  /** The surface below the flame, where probes do not look: for `deferred/from-below.glsl`. */
   readonly below: Texture;
 }
 
@@ -80,7 +80,8 @@ export class IndirectPass {
   readonly #irradianceProgram: Program;
   readonly #screen: VertexArray;
   readonly #block: UniformBlock;
-  readonly #belowProgram: Program;
+  /** Where probes are few, and know nothing of the table by themselves. */
+  readonly #belowProgram: Program | null;
   readonly #surfels: RenderTarget;
   readonly #below: RenderTarget;
   readonly #radiosity: RenderTarget;
@@ -113,7 +114,9 @@ export class IndirectPass {
     });
     this.#gatherProgram = gpu.program("physical/gather", fullscreenVert, gatherFrag, { defines });
     this.#irradianceProgram = gpu.program("physical/irradiance", fullscreenVert, irradianceFrag);
-    this.#belowProgram = gpu.program("deferred/below", fullscreenVert, belowFrag);
+    this.#belowProgram = detail.looks
+      ? null
+      : gpu.program("deferred/below", fullscreenVert, belowFrag);
     this.#light = gpu.uniformBlock(this.#radiosityProgram, "Light");
     const [columns, rows, planes] = detail.probes;
     const { min, max } = room.model.bounds;
@@ -258,7 +261,9 @@ export class IndirectPass {
       program: this.#radiosityProgram,
       target: this.#radiosity,
     });
-    this.#gpu.draw({ ...ofPatches, program: this.#belowProgram, target: this.#below });
+    if (this.#belowProgram) {
+      this.#gpu.draw({ ...ofPatches, program: this.#belowProgram, target: this.#below });
+    }
     this.#gpu.draw({
       program: this.#probeProgram,
       target: this.#all,
