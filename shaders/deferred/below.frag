@@ -11,15 +11,13 @@ uniform sampler2D uPatchColor;
 
 out vec4 oBelow;
 
-const int DOWNWARDS = 3;
-
 void main() {
   int size = textureSize(uNormalDistance, 0).y;
-  ivec2 middle = ivec2(DOWNWARDS * size + (size - 1) / 2, (size - 1) / 2);
+  ivec2 middle = patchTowards(vec3(0.0, -1.0, 0.0), size);
   vec4 sum = vec4(0.0);
   float count = 0.0;
   for (int i = 0; i < 4; i++) {
-    ivec2 texel = middle + ivec2(i & 1, i >> 1);
+    ivec2 texel = middle - ivec2(i & 1, i >> 1);
     Surfel surfel = surfelAt(texel, size);
     if (surfel.distance <= 0.0) continue;
     float facing = dot(surfel.normal, light.vantage - surfel.position) / surfel.distance;

@@ -5,23 +5,22 @@ uniform sampler2D uBelow;  // deferred/below.frag
 
 // Farther from the candle's axis than this, probes say it. Metres.
 const float BESIDE = 0.15;
-// Of the radiosity at the candle's foot, what reaches a surface over it that faces down. An endless plane gives
-// .21 to .33 at 3 to 20 cm, outside of the holder's shadow; tables end, and holders have rims: as high draws it.
+// Of the radiosity at the candle's foot, what reaches a surface over it that faces down: chosen so that low looks
+// as high does. An endless plane would give .21 to .33 outside of the holder's shadow, 3 to 20 cm above it.
 const float SEEN = 0.16;
-
-// So far above the plane it is seen; what lies on it does not see it. Metres.
+// What lies on the plane does not see it; from this height on it is seen. Metres.
 const float ABOVE = 0.02;
 
-// lx, for 1 cd of the flame's, on a surface to whose hemisphere the plane is such a share.
-vec3 fromBelow(vec3 position, float share) {
+// lx, for 1 cd of the flame's.
+vec3 fromBelow(vec3 position, float viewFactor) {
   vec4 below = texelFetch(uBelow, ivec2(0), 0);
   vec2 aside = (position.xz - light.axis) / BESIDE;
   float near = clamp((position.y - below.a) / ABOVE, 0.0, 1.0) * exp(-dot(aside, aside));
-  return below.rgb * (SEEN * near * share);
+  return below.rgb * (SEEN * near * viewFactor);
 }
 
-// The nearest half of what a wall sees of it is in the holder's shadow.
-float faces(vec3 normal) {
+// Of the plane, for a matt surface: the nearest half of what a wall sees is in the holder's shadow.
+float viewFactorBelow(vec3 normal) {
   float share = 0.5 - 0.5 * normal.y;
   return share * share;
 }

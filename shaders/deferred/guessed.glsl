@@ -12,7 +12,7 @@ const float ALIKE = 0.03;
 // What a texel of another surface counts for, where no better one is.
 const float STRANGE = 0.01;
 
-// Choices rather than branches: a CPU goes on with what comes after one, and masks all that is in it.
+// Chosen, not branched for: that costs a CPU less.
 vec2 guided(vec2 uv, float stored) {
   vec3 place = vec3(uv, texture(uDepth, uv).r);
   vec4 since = uSince * vec4(place, 1.0);

@@ -104,7 +104,7 @@ void main() {
   Surroundings surroundings = surroundingsAt(position + normal * 0.08, normal, normal, reflected);
   float grazing = fifthPower(1.0 - NoV);
   float matt = (1.0 - metallic) * (1.0 - 0.04 - 0.96 * grazing) / PI;
-  perCandela += (surroundings.one + fromBelow(position, faces(normal))) * (matt * uShown.y);
+  perCandela += (surroundings.one + fromBelow(position, viewFactorBelow(normal))) * (matt * uShown.y);
   vec3 room = (surroundings.other + fromBelow(position, 0.5 - 0.5 * reflected.y)) / PI;
   room *= (1.0 - 0.6 * roughness) * uShown.y * uShown.z;
   perCandela += metallic * room;

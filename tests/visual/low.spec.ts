@@ -114,9 +114,7 @@ test("At low candle and holder are lit by the table they stand on", async () => 
   await room.set({ quality: "high" });
   const high = await measure();
   await room.set({ quality: "low" });
-  await room.evaluate((element, camera) => {
-    element.camera = camera;
-  }, CAMERA);
+  await room.stand(CAMERA);
   const shares = low.map((light, i) => light / (high[i] ?? 0));
   console.log(`candle and pan at low, as shares of high's: ${shares.map((x) => x.toFixed(2))}`);
   for (const share of shares) {

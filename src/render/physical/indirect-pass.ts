@@ -55,8 +55,8 @@ export interface IrradianceVolume {
     readonly uProbes: Texture;
     readonly uSights: Texture;
   };
-  /** The surface below the flame, where probes do not look: for `deferred/from-below.glsl`. */
-  readonly below: Texture;
+  /** The surface below the flame, for `deferred/from-below.glsl`; null where probes look for themselves. */
+  readonly below: Texture | null;
 }
 
 /**
@@ -80,10 +80,8 @@ export class IndirectPass {
   readonly #irradianceProgram: Program;
   readonly #screen: VertexArray;
   readonly #block: UniformBlock;
-  /** Where probes are few, and know nothing of the table by themselves. */
-  readonly #belowProgram: Program | null;
+  readonly #below: { readonly program: Program; readonly target: RenderTarget } | null;
   readonly #surfels: RenderTarget;
-  readonly #below: RenderTarget;
   readonly #radiosity: RenderTarget;
   readonly #echo: RenderTarget;
   readonly #first: RenderTarget;
@@ -114,9 +112,6 @@ export class IndirectPass {
     });
     this.#gatherProgram = gpu.program("physical/gather", fullscreenVert, gatherFrag, { defines });
     this.#irradianceProgram = gpu.program("physical/irradiance", fullscreenVert, irradianceFrag);
-    this.#belowProgram = detail.looks
-      ? null
-      : gpu.program("deferred/below", fullscreenVert, belowFrag);
     this.#light = gpu.uniformBlock(this.#radiosityProgram, "Light");
     const [columns, rows, planes] = detail.probes;
     const { min, max } = room.model.bounds;
@@ -139,13 +134,13 @@ export class IndirectPass {
       depth: "buffer",
       filter: "nearest",
     });
-    this.#below = gpu.renderTarget({
-      label: "indirect/below",
-      width: 1,
-      height: 1,
-      color: [texel],
-      filter: "nearest",
-    });
+    const one = { width: 1, height: 1, color: [texel], filter: "nearest" } as const;
+    this.#below = detail.looks
+      ? null
+      : {
+          program: gpu.program("deferred/below", fullscreenVert, belowFrag),
+          target: gpu.renderTarget({ label: "indirect/below", ...one }),
+        };
     const radiance = { color: ["RGBA16F"], filter: "nearest" } as const;
     this.#radiosity = gpu.renderTarget({ label: "indirect/radiosity", ...patches, ...radiance });
     const tiles = { width: columns * planes, height: rows };
@@ -211,7 +206,7 @@ export class IndirectPass {
     return {
       block: this.#block,
       textures: { uVolume: this.#irradiance.color, ...this.#sights.room },
-      below: this.#below.color,
+      below: this.#below?.target.color ?? null,
     };
   }
 
@@ -256,14 +251,9 @@ export class IndirectPass {
       textures: { uPatchColor: patchColor, uNormalDistance: normalDistance },
       blocks: { Light: this.#light },
     };
-    this.#gpu.draw({
-      ...ofPatches,
-      program: this.#radiosityProgram,
-      target: this.#radiosity,
-    });
-    if (this.#belowProgram) {
-      this.#gpu.draw({ ...ofPatches, program: this.#belowProgram, target: this.#below });
-    }
+    const radiosity = { program: this.#radiosityProgram, target: this.#radiosity };
+    this.#gpu.draw({ ...ofPatches, ...radiosity });
+    if (this.#below) this.#gpu.draw({ ...ofPatches, ...this.#below });
     this.#gpu.draw({
       program: this.#probeProgram,
       target: this.#all,

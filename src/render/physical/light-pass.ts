@@ -127,6 +127,8 @@ export class LightPass {
     if (!target) throw new Error("Light has no size yet.");
     const known = JSON.stringify([paint, lamp, shadows, indirect, specular]);
     const { color: uLight } = target;
+    const { below } = volume;
+    if (!below) throw new Error("Few probes need to be told what is below the flame.");
     const uCorners = isCoarse && this.#corners ? this.#corners.color : null;
     if (known === this.#known) return { ...litBy(uLight, uCorners, clip, clip), isKept: true };
     const kept = this.#lastClip;
@@ -148,7 +150,7 @@ export class LightPass {
         uDepth: depth,
         uShadow: shadow,
         ...volume.textures,
-        uBelow: volume.below,
+        uBelow: below,
       },
       uniforms: {
         uShown: [shadows ? 1 : 0, indirect ? 1 : 0, specular ? 1 : 0],
