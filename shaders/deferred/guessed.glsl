@@ -1,22 +1,62 @@
-// Where a pixel is to take its light from while the eye moves: from all around where that is as far away in
-// the mean as it is, else from the texels that are most so.
+// Where a pixel is to take its paint and its light from while the eye moves. Places are across, up, depth.
+// Paint: its own, or KEPT, that of the picture before, which the light is of, too. Light: from all around where
+// that is as far away in the mean as the paint is, else from the texels that are most so.
 // Needs physical/depth.glsl, deferred/stored.glsl.
 
+uniform sampler2D uPainted;
 uniform sampler2D uLight;
 uniform sampler2D uCorners;  // how near the light's texels are: deferred/corners.frag
-// From places in the picture to those in the one before, if the light is of that.
-uniform mat4 uSince;
+#if KEPT
+// From places in the picture to those in the one before: of the room, and of what is carried.
+uniform mat4 uRoomSince;
+uniform mat4 uCarriedSince;
+#endif
 
 // Most that places of one surface differ, as a share of their distance.
 const float ALIKE = 0.03;
 // What a texel of another surface counts for, where no better one is.
 const float STRANGE = 0.01;
 
-// Chosen, not branched for: that costs a CPU less.
-vec2 guided(vec2 uv, float stored) {
-  vec3 place = vec3(uv, texture(uDepth, uv).r);
-  vec4 since = uSince * vec4(place, 1.0);
-  if (stored < 0.5 * CARRIED) place = since.xyz / since.w;
+// 1 for what goes with the eye, else 0.
+float carried(float stored) {
+  return step(0.5 * CARRIED, stored);
+}
+
+// Chosen, not branched for, here and below: that costs a CPU less.
+#if KEPT
+// Where a pixel's surface was as it was painted: as far away as what was seen there. Its paint is put in place
+// of what the pixel had. What was hidden behind something carried has only that to show, and keeps its own.
+vec3 found(vec2 uv, inout vec4 painted) {
+  vec4 here = vec4(uv, texture(uDepth, uv).r, 1.0);
+  vec4 since = mix(uRoomSince * here, uCarriedSince * here, carried(painted.a));
+  // What only now comes into sight is like what is beside it.
+  vec2 there = 1.0 - abs(1.0 - abs(since.xy / since.w));
+  vec4 before = texture(uPainted, there);
+  float stays = abs(carried(before.a) - carried(painted.a));
+  painted = mix(before, painted, stays);
+  return mix(vec3(there, texture(uDepth, there).r), here.xyz, stays);
+}
+
+// The depth now of what was found.
+float depthOf(vec2 uv) {
+  vec4 painted = texture(uPainted, uv);
+  mat4 since = carried(painted.a) > 0.5 ? uCarriedSince : uRoomSince;
+  float before = found(uv, painted).z;
+  vec4 near = since * vec4(uv, 0.0, 1.0);
+  return (before * near.w - near.z) / (since[2].z - before * since[2].w);
+}
+#else
+vec3 found(vec2 uv, vec4 painted) {
+  return vec3(uv, texture(uDepth, uv).r);
+}
+
+float depthOf(vec2 uv) {
+  return texture(uDepth, uv).r;
+}
+#endif
+
+vec2 guided(vec2 uv, inout vec4 painted) {
+  vec3 place = found(uv, painted);
   float here = nearnessOf(place.z);
   vec2 size = vec2(textureSize(uLight, 0));
   vec2 at = clamp(place.xy * size - 0.5, vec2(0.0), size - 1.0);

@@ -1,11 +1,9 @@
 // The light of a pixel: its paint times the light around it.
 // Needs physical/light.glsl, deferred/stored.glsl, and deferred/told.glsl or deferred/guessed.glsl.
 
-uniform sampler2D uPainted;
-
 // cd/m².
 vec3 litFrom(vec4 painted, vec2 uv) {
-  vec4 root = texture(uLight, guided(uv, painted.a));
+  vec4 root = texture(uLight, guided(uv, painted));
   vec3 caught = painted.rgb * root.rgb;
   return (BRIGHTEST * caught * caught + root.a * root.a) * light.intensity;
 }

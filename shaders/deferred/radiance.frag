@@ -20,6 +20,6 @@ void main() {
   oRadiance = vec4(min(litAt(vUv), 3e4), 1.0);
 #if COARSE
   // Before the farthest, or it would not be drawn.
-  gl_FragDepth = min(textureLod(uDepth, vUv, 0.0).r, 0.9999999);
+  gl_FragDepth = min(depthOf(vUv), 0.9999999);
 #endif
 }

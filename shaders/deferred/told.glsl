@@ -1,10 +1,11 @@
 // Where a pixel is to take its light from, as deferred/guide.frag has found out.
 // Needs deferred/stored.glsl.
 
+uniform sampler2D uPainted;
 uniform sampler2D uLight;
 
-vec2 guided(vec2 uv, float stored) {
-  float code = stored * 255.0 - 0.5;
+vec2 guided(vec2 uv, vec4 painted) {
+  float code = painted.a * 255.0 - 0.5;
   if (code < 0.0) return uv;
   vec2 size = vec2(textureSize(uLight, 0));
   float row = floor(code / (PLACES + 1.0));

@@ -68,9 +68,11 @@ export async function reportPrograms(
     candle.resize(160, 90);
     for (let i = 0; i < 3; i++) candle.step(1 / 60);
     if (quality === "low") {
-      candle.play(); // who moves has shaders of his own there
-      candle.world.player.yaw += 0.1;
-      candle.step(1 / 60);
+      candle.play(); // who moves has shaders of his own there, for every first and every second picture
+      for (let picture = 0; picture < 2; picture++) {
+        candle.world.player.yaw += 0.02;
+        candle.step(1 / 60);
+      }
       candle.pause();
     }
     candle.world.flame.extinguish(); // smoke has its own, too

@@ -30,11 +30,12 @@ import { CoarseSurfaces } from "./coarse-surfaces.js";
 import { DisplayPass, displayLaw, exposureIn, scatteredIn } from "./display-pass.js";
 import { ExposurePass } from "./exposure-pass.js";
 import { FlamePass, HANDLE_TURN } from "./flame-pass.js";
-import { AT_ORIGIN, GeometryPass, type Placed } from "./geometry-pass.js";
+import { GeometryPass } from "./geometry-pass.js";
 import { HazePass } from "./haze-pass.js";
 import { type IndirectDetail, IndirectPass, type IrradianceVolume } from "./indirect-pass.js";
 import { type LightAtVantage, lampOf, lightAtVantage, lightBlock } from "./light-block.js";
 import { LightPass } from "./light-pass.js";
+import { AT_ORIGIN, forEachPaint, type PaintKind, type Placed } from "./paint.js";
 import { ShadowPass } from "./shadow-pass.js";
 import { ShowPass } from "./show-pass.js";
 import { type Ball, ballsAround, SmokePass } from "./smoke-pass.js";
@@ -54,6 +55,8 @@ const SLACK_DETAIL = { shadow: 0.05, bounces: 0.12 } as const;
 const BLOOM_LEVELS = 3;
 /** Pixels of the picture for one of what blooms, along each axis. */
 const GLARE = 4;
+/** Pictures after which bloom and exposure follow, if there is none that has the time, while the eye moves. */
+const MOST_PICTURES = 5;
 /** Pixels around the flame that its light is mixed with. */
 const MARGIN = 3;
 /** What throws a shadow into sight from a little out of it, metres. */
@@ -76,9 +79,7 @@ export class DeferredRenderer implements Renderer {
   readonly #geometry: GeometryPass;
   readonly #lightPass: LightPass;
   readonly #show: ShowPass;
-  readonly #radianceProgram: Program;
-  /** The same of coarse paint. */
-  readonly #coarseProgram: Program;
+  readonly #radianceProgram: Readonly<Record<PaintKind, Program>>;
   readonly #emberProgram: Program;
   readonly #glareProgram: Program;
   readonly #exposure: ExposurePass;
@@ -110,6 +111,8 @@ export class DeferredRenderer implements Renderer {
   readonly #fires = new Map<Texture, TextureView>();
   /** Where the flame was in the picture that the halo is of, as shares of it; null before there is one. */
   #haloAt: readonly [number, number] | null = null;
+  /** Pictures since. */
+  #haloAge = 0;
   #size = { width: 1, height: 1 };
   #clip = mat4.create();
   /** Draws all of the radiance just shown. */
@@ -127,10 +130,9 @@ export class DeferredRenderer implements Renderer {
     this.#show = new ShowPass(gpu, this.#screen);
     const program = (name: string, fragment: typeof glareFrag, vertex = fullscreenVert) =>
       gpu.program(`deferred/${name}`, vertex, fragment);
-    const radiance = (COARSE: 0 | 1) =>
-      gpu.program("deferred/radiance", fullscreenVert, radianceFrag, { defines: { COARSE } });
-    this.#radianceProgram = radiance(0);
-    this.#coarseProgram = radiance(1);
+    this.#radianceProgram = forEachPaint((defines) =>
+      gpu.program("deferred/radiance", fullscreenVert, radianceFrag, { defines }),
+    );
     this.#emberProgram = program("ember", emberFrag, surfaceVert);
     this.#glareProgram = program("glare", glareFrag);
     this.#exposure = new ExposurePass(gpu, this.#screen, meterFrag);
@@ -210,9 +212,13 @@ export class DeferredRenderer implements Renderer {
       isPatient: asked.isPatient,
       lightSize: this.#lightPass.size,
     });
-    const { isCoarse } = paint;
+    const isCoarse = paint.kind !== "fine";
     const view = { ...asked, isMoving: isCoarse };
-    const { shadow, vantage, volume } = isCoarse ? this.#castSlackly(light) : this.#cast(light);
+    // Of pictures that follow each other one is painted and lit; the next has time for all else.
+    const isBusy = paint.kind === "coarse";
+    const { shadow, vantage, volume, isNew } = isCoarse
+      ? this.#castSlackly(light, isBusy)
+      : this.#cast(light);
     const lamp = { ...lampOf(world, features.candle), vantage };
     const lit = this.#lightPass.render(paint, lamp, shadow, volume, this.#clip, features);
     const picture = { ...lit.textures, uPainted: paint.painted, uDepth: paint.depth };
@@ -220,7 +226,7 @@ export class DeferredRenderer implements Renderer {
     const drawRadiance = (box: Box) => {
       if (isCoarse) this.#gpu.clear(fire, [0, 0, 0, 1], box);
       this.#gpu.draw({
-        program: isCoarse ? this.#coarseProgram : this.#radianceProgram,
+        program: this.#radianceProgram[paint.kind],
         target: isCoarse ? fire : this.#veil!,
         vertexArray: this.#screen,
         textures: picture,
@@ -239,8 +245,9 @@ export class DeferredRenderer implements Renderer {
     this.#complete = () => drawRadiance(this.#whole);
     const lightBlocks = { Light: this.#light };
     const flameAt = this.#flameOnPicture(world);
-    // Of pictures that follow each other one takes its light from the one before, the other all else.
-    if (!isCoarse || lit.isKept || !this.#haloAt) {
+    const isHaloDue = ++this.#haloAge > MOST_PICTURES || !(isBusy || isNew);
+    if (!isCoarse || !this.#haloAt || isHaloDue) {
+      this.#haloAge = 0;
       this.#drawBloom(box);
       this.#exposure.render(picture, world.pupil.lag, lightBlocks);
       this.#haloAt = flameAt;
@@ -257,7 +264,7 @@ export class DeferredRenderer implements Renderer {
         scattered: scatteredIn(view),
         haloShift,
         metered: features.autoExposure,
-        isCoarse,
+        kind: paint.kind,
       };
       this.#show.render({ ...picture, ...shown }, lit.uniforms, how, law, {
         Frame: this.#frame,
@@ -273,19 +280,19 @@ export class DeferredRenderer implements Renderer {
   #cast(light: LightAtVantage) {
     const shadow = this.#shadow.render(this.#casters, light.position);
     const volume = this.#indirect.render(this.#casters, light);
-    return { shadow, vantage: light.position, volume };
+    return { shadow, vantage: light.position, volume, isNew: false };
   }
 
   /** The same for one picture among many: of fewer triangles, of those in sight, and a little late. */
-  #castSlackly(light: LightAtVantage) {
+  #castSlackly(light: LightAtVantage, isBusy: boolean) {
     // One of them in a picture.
     if (!this.#slackCasters) this.#slackCasters = this.#slackly(SLACK_DETAIL.shadow);
     else this.#slackEchoers ??= this.#slackly(SLACK_DETAIL.bounces);
     const matters = isBeforeSight(this.#clip, light.position, PENUMBRA);
     const casters = this.#slackCasters ?? this.#casters;
-    const { distances, vantage } = this.#shadow.follow(casters, light.position, matters);
+    const shadow = this.#shadow.follow(casters, light.position, { isBusy, matters });
     const volume = this.#indirect.follow(this.#slackEchoers ?? this.#casters, light);
-    return { shadow: distances, vantage, volume };
+    return { ...shadow, shadow: shadow.distances, volume };
   }
 
   #slackly(detail: number): Casters | null {

@@ -18,6 +18,7 @@ import { runsOf } from "../clusters.js";
 import { clipOfStripe, stripeOf } from "../stripes.js";
 import type { Surface } from "../surface.js";
 import type { CoarseSurfaces, Drawable } from "./coarse-surfaces.js";
+import { AT_ORIGIN, type Kept, keepable, type Paint, type Placed, sinceOf } from "./paint.js";
 import { isBaked, RootTextures } from "./root-textures.js";
 
 const NOTHING = [0, 0, 0, 0] as const;
@@ -29,33 +30,6 @@ const STRIPES = { surfaces: 12, guide: 4 } as const;
 
 /** Samples along each edge of a pixel: what is on its way over the retina is not seen sharply. */
 const SAMPLES = { moving: 0.5, resting: 2 } as const;
-/** The place of a model that stands where it was made. */
-export const AT_ORIGIN = [0, 0, 0, 0] as const;
-
-/** Surfaces, and where their model stands: x, y, z (m) and its turn about the vertical (rad). */
-export interface Placed {
-  readonly surfaces: readonly Surface[];
-  readonly place: readonly [number, number, number, number];
-  /** How far its surfaces may be from where they were while the eye moves, metres. */
-  readonly slack: number;
-  /** Whether it goes where the eye goes. */
-  readonly isCarried?: boolean;
-}
-
-/** What is seen, without its light. */
-export interface Paint {
-  /** Root of the albedo as relief catches the light; alpha says where light is to be taken from. */
-  readonly painted: Texture;
-  /** Whether it has fewer pixels than the picture. */
-  readonly isCoarse: boolean;
-  /** How far away it is, for each pixel of the picture; of coarse paint whoever needs it draws it there. */
-  readonly paintedDepth: Texture;
-  /** Of the samples: how the surface lies, roughness, what it is; depth. */
-  readonly surfaces: Texture;
-  readonly depth: Texture;
-  /** All that it depends on. */
-  readonly known: string;
-}
 
 /** All that the paint depends on, beside the surfaces. */
 export interface Sight {
@@ -105,6 +79,8 @@ export class GeometryPass {
   /** What was painted coarsely, and what finely. */
   #coarseKnown = "";
   #fineKnown = "";
+  /** What was painted coarsely in the picture before. */
+  #kept: Kept | null = null;
   /** What is being painted finely, by how many stripes it is done; null between such pictures. */
   #begun: { readonly known: string; stripes: number } | null = null;
   #wasCoarse = false;
@@ -128,6 +104,7 @@ export class GeometryPass {
     this.#movingDepth = null;
     this.#coarseKnown = "";
     this.#fineKnown = "";
+    this.#kept = null;
     this.#begun = null;
     this.#wasCoarse = false;
     this.#painted = this.#target("painted", { width, height }, ["RGBA8"]);
@@ -176,10 +153,12 @@ export class GeometryPass {
     }
     this.#wasCoarse = isMoving || known !== this.#fineKnown;
     if (this.#wasCoarse) return this.#paintCoarsely(scene, known);
+    this.#kept = null;
     const [surfaces, depth] = this.#partsOf(this.#surfaces(false));
     const { color: painted, depth: paintedDepth } = this.#painted!;
     if (!paintedDepth) throw new Error("Paint has a depth.");
-    return { painted, isCoarse: false, paintedDepth, surfaces, depth, known: `fine ${known}` };
+    const paint = { painted, paintedDepth, surfaces, depth, known: `fine ${known}` };
+    return { ...paint, kind: "fine", since: null };
   }
 
   #partsOf({ colors: [, surfaces], depth }: RenderTarget): [Texture, Texture] {
@@ -190,11 +169,17 @@ export class GeometryPass {
   #paintCoarsely(scene: Scene, known: string): Paint {
     const target = this.#surfaces(true);
     const [surfaces, depth] = this.#partsOf(target);
-    if (known !== this.#coarseKnown) {
+    const { clip, features, isMoving } = scene.sight;
+    const now = keepable(scene.placed, clip, features);
+    const before = this.#kept;
+    this.#kept = null;
+    const since = before && isMoving ? sinceOf(now, before) : null;
+    if (!since && known !== this.#coarseKnown) {
       this.#coarseKnown = known;
       this.#gpu.clear(target, NOTHING);
       this.#prepare(scene.placed);
       this.#drawSurfaces(target, scene, true);
+      this.#kept = now;
     }
     this.#movingDepth ??= this.#gpu.texture({
       label: "surfaces/moving/fire",
@@ -203,7 +188,8 @@ export class GeometryPass {
       filter: "nearest",
     });
     const [painted, paintedDepth] = [target.color, this.#movingDepth];
-    return { painted, isCoarse: true, paintedDepth, surfaces, depth, known: `coarse ${known}` };
+    const paint = { painted, paintedDepth, surfaces, depth, known: `coarse ${this.#coarseKnown}` };
+    return { ...paint, kind: since ? "kept" : "coarse", since };
   }
 
   #paintFinely(scene: Scene, known: string): void {

@@ -3,17 +3,16 @@ import cornersFrag from "../../../shaders/deferred/corners.frag";
 import lightFrag from "../../../shaders/deferred/light.frag";
 import fullscreenVert from "../../../shaders/physical/fullscreen.vert";
 import type { Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
+import type { Program, UniformValue } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Features } from "../../settings.js";
-import { placesBetween, shiftOf } from "../camera.js";
 import { floats } from "../floats.js";
-import type { Paint } from "./geometry-pass.js";
 import type { IrradianceVolume } from "./indirect-pass.js";
 import type { LightAtVantage } from "./light-block.js";
+import type { Paint } from "./paint.js";
 
 /** Texels along an edge of the light for each pixel of the picture, while the eye moves and when it rests. */
 const SHARE = { moving: 0.2, resting: 0.5 } as const;
@@ -24,18 +23,11 @@ export interface ShadowTaps {
   readonly taps: number;
 }
 
-/** Where what a visitor looks at usually is, metres. */
-const USUAL_DISTANCE = 2;
-/** While the eye moves, light is kept for another picture if that shifts no farther, as a share of the picture. */
-const MOST_SHIFT = 0.2;
-
 /** What shaders read that include `deferred/lit.glsl`. */
 export interface Lit {
   readonly textures: Readonly<Record<string, Texture>>;
-  /** For coarse paint: from places in the picture to those where its light was worked out. */
-  readonly uniforms: { readonly uSince?: Float32Array };
-  /** Whether it was worked out for an earlier picture. */
-  readonly isKept: boolean;
+  /** For paint that was kept: from places in the picture to those in the one that paint and light are of. */
+  readonly uniforms: Readonly<Record<string, UniformValue>>;
 }
 
 /** Light on the surfaces in sight, direct and bounced, coarser than they are. */
@@ -57,8 +49,6 @@ export class LightPass {
   #corners: RenderTarget | null = null;
   #moving: RenderTarget | null = null;
   #resting: RenderTarget | null = null;
-  /** What the eye saw as the light of a moving one was worked out; null once that was used again. */
-  #lastClip: mat4 | null = null;
 
   constructor(gpu: Gpu, screen: VertexArray, taps: ShadowTaps) {
     this.#gpu = gpu;
@@ -102,7 +92,6 @@ export class LightPass {
     });
     this.#resting = target("resting", [this.format]);
     this.#known = "";
-    this.#lastClip = null;
   }
 
   /** Texels of the light of an eye that rests. */
@@ -116,28 +105,33 @@ export class LightPass {
    * @param lamp members of the block of `physical/light.glsl`; the light stays while they do
    */
   render(
-    { surfaces, depth, isCoarse, known: paint }: Paint,
+    { kind, surfaces, depth, known: paint, since }: Paint,
     lamp: LightAtVantage,
     shadow: Texture,
     volume: IrradianceVolume,
     clip: mat4,
     { shadows, indirect, specular }: Features,
   ): Lit {
+    const isCoarse = kind !== "fine";
     const target = isCoarse ? this.#moving : this.#resting;
     if (!target) throw new Error("Light has no size yet.");
-    const known = JSON.stringify([paint, lamp, shadows, indirect, specular]);
     const { color: uLight } = target;
     const { below } = volume;
     if (!below) throw new Error("Few probes need to be told what is below the flame.");
-    const uCorners = isCoarse && this.#corners ? this.#corners.color : null;
-    if (known === this.#known) return { ...litBy(uLight, uCorners, clip, clip), isKept: true };
-    const kept = this.#lastClip;
-    this.#lastClip = null;
-    if (isCoarse && kept && shiftOf(placesBetween(clip, kept), USUAL_DISTANCE) < MOST_SHIFT) {
-      return { ...litBy(uLight, uCorners, clip, kept), isKept: true };
+    const corners = isCoarse && this.#corners ? { uCorners: this.#corners.color } : {};
+    const textures = { uLight, ...corners };
+    // What was lit a picture ago goes with its paint.
+    if (since) {
+      const uniforms = {
+        uRoomSince: since.room as Float32Array,
+        uCarriedSince: since.carried as Float32Array,
+      };
+      return { textures, uniforms };
     }
+    const lit = { textures, uniforms: {} };
+    const known = JSON.stringify([paint, lamp, shadows, indirect, specular]);
+    if (known === this.#known) return lit;
     this.#known = known;
-    if (isCoarse) this.#lastClip = clip;
     this.#lamp.update(lamp);
     const worldFromClip = mat4.invert(mat4.create(), clip);
     if (!worldFromClip) throw new Error("The eye sees nothing.");
@@ -160,7 +154,7 @@ export class LightPass {
       blocks: { Frame: this.frame, Light: this.#lamp, Volume: volume.block },
     });
     if (isCoarse) this.#findCorners(target);
-    return { ...litBy(uLight, uCorners, clip, clip), isKept: false };
+    return lit;
   }
 
   #findCorners({ colors: [, uNearness] }: RenderTarget): void {
@@ -172,17 +166,6 @@ export class LightPass {
       textures: { uNearness },
     });
   }
-}
-
-function litBy(
-  uLight: Texture,
-  uCorners: Texture | null,
-  clip: mat4,
-  since: mat4,
-): Omit<Lit, "isKept"> {
-  if (!uCorners) return { textures: { uLight }, uniforms: {} };
-  const uSince = placesBetween(clip, since) as Float32Array;
-  return { textures: { uLight, uCorners }, uniforms: { uSince } };
 }
 
 /** Texels four times as large are mixed of as many looks again. */

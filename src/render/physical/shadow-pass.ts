@@ -11,14 +11,18 @@ import { clipFromFace, FACES } from "./cube.js";
 
 /** Farther than anything. */
 const NOTHING = [1e4, 0, 0, 1] as const;
-/** A light that moves is followed in every third picture while it moves no farther in two, metres. */
-const STRIDE = 0.15;
-const PICTURES = 3;
+/** A light that moves is followed in every fourth picture while it moves no farther in between, metres. */
+const STRIDE = 0.25;
+const PICTURES = 4;
+/** Or after so many, if there is none that has the time. */
+const MOST_PICTURES = 6;
 
 /** Distances, metres, in a cube around a vantage. */
 export interface ShadowCube {
   readonly distances: Texture;
   readonly vantage: Vec3;
+  /** Whether it was drawn for this picture. */
+  readonly isNew: boolean;
 }
 
 /** What the flame sees of the room: the distance of the nearest thing in every direction. */
@@ -66,16 +70,22 @@ export class ShadowPass {
   /**
    * The same for one picture among many, perhaps from where the light was in the one before.
    *
+   * @param isBusy whether this picture takes long anyway
    * @param matters whether what is in a box is needed of a picture that the next will not be like
    */
-  follow(casters: Casters, vantage: Vec3, matters: (box: Bounds) => boolean): ShadowCube {
+  follow(
+    casters: Casters,
+    vantage: Vec3,
+    { isBusy, matters }: { readonly isBusy: boolean; readonly matters: (box: Bounds) => boolean },
+  ): ShadowCube {
     const way = this.#hasMovedBy(vantage);
+    this.#age++;
+    const isDue = this.#age >= (isBusy ? MOST_PICTURES : PICTURES) || way > STRIDE;
     // Who stands still is worth the whole.
-    if (way === 0 && !this.#whole) this.#draw(casters, vantage);
-    else if (way > 0 && (++this.#age >= PICTURES || way > STRIDE)) {
-      this.#draw(casters, vantage, matters);
-    }
-    return { distances: this.#distances, vantage: this.#lastVantage };
+    const isWhole = way === 0;
+    const isNew = isWhole ? !this.#whole : isDue;
+    if (isNew) this.#draw(casters, vantage, isWhole ? undefined : matters);
+    return { distances: this.#distances, vantage: this.#lastVantage, isNew };
   }
 
   /** Metres; infinitely far where there was nothing before. */

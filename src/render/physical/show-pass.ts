@@ -12,6 +12,7 @@ import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import type { DisplayLaw } from "./display-pass.js";
 import type { Lit } from "./light-pass.js";
+import { forEachPaint, type PaintKind } from "./paint.js";
 
 /** Colours along an edge of the table: `TABLE_SIZE` of the shader. */
 const SIZE = 32;
@@ -23,17 +24,15 @@ export interface Showing {
   /** From places in the picture to those in that of the bloom, as shares of it. */
   readonly haloShift: readonly [number, number];
   readonly metered: boolean;
-  /** Whether the paint has fewer pixels than the canvas. */
-  readonly isCoarse: boolean;
+  readonly kind: PaintKind;
 }
 
 /** Puts light on paint and the result on the canvas, through a table of the display's law. */
 export class ShowPass {
   readonly #gpu: Gpu;
   readonly #screen: VertexArray;
-  readonly #show: Program;
-  /** The same of coarse paint, what smooths its edges, and what brings it to the size of the canvas. */
-  readonly #showCoarse: Program;
+  readonly #show: Readonly<Record<PaintKind, Program>>;
+  /** Smooths the edges of coarse paint, and brings it to the size of the canvas. */
   readonly #smooth: Program;
   readonly #enlarge: Program;
   #coarse: RenderTarget | null = null;
@@ -46,10 +45,9 @@ export class ShowPass {
   constructor(gpu: Gpu, screen: VertexArray) {
     this.#gpu = gpu;
     this.#screen = screen;
-    const show = (COARSE: 0 | 1) =>
-      gpu.program("deferred/show", displayVert, showFrag, { defines: { COARSE } });
-    this.#show = show(0);
-    this.#showCoarse = show(1);
+    this.#show = forEachPaint((defines) =>
+      gpu.program("deferred/show", displayVert, showFrag, { defines }),
+    );
     this.#smooth = gpu.program("deferred/smooth", fullscreenVert, smoothFrag);
     this.#enlarge = gpu.program("deferred/enlarge", fullscreenVert, enlargeFrag);
     this.#tabulate = gpu.program("deferred/table", fullscreenVert, tableFrag);
@@ -66,14 +64,14 @@ export class ShowPass {
     textures: Lit["textures"] &
       Readonly<Record<"uPainted" | "uDepth" | "uBloom" | "uExposure" | "uTable", Texture>>,
     lit: Lit["uniforms"],
-    { scattered, haloShift, metered, isCoarse }: Showing,
+    { scattered, haloShift, metered, kind }: Showing,
     { uAdaptation, uWhite }: DisplayLaw,
     blocks: Readonly<Record<string, UniformBlock>>,
   ): void {
-    if (isCoarse) this.#sizeAs(textures.uPainted);
-    const [coarse, smoothed] = isCoarse ? [this.#coarse, this.#smoothed] : [null, null];
+    if (kind !== "fine") this.#sizeAs(textures.uPainted);
+    const [coarse, smoothed] = kind !== "fine" ? [this.#coarse, this.#smoothed] : [null, null];
     this.#gpu.draw({
-      program: coarse ? this.#showCoarse : this.#show,
+      program: this.#show[kind],
       target: coarse ?? "canvas",
       vertexArray: this.#screen,
       textures,

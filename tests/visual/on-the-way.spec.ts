@@ -1,0 +1,77 @@
+import type { Page } from "playwright/test";
+import { RoomDriver } from "../support/room-driver.ts";
+import { serveSmallTextures } from "../support/small-textures.ts";
+import { expect, test } from "../support/test.ts";
+
+// What blurs with the size of the picture is as fine here as visitors see it.
+const BOX = { width: 1280, height: 720 };
+const TABLE = { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 } as const;
+const CAMERA = { position: [-0.85, 1.3, 1.1], yaw: -0.805, pitch: -0.244 } as const;
+/** To which pictures are brought before they are compared, pixels. */
+const SMALL = { width: 160, height: 90 };
+
+let page: Page;
+let room: RoomDriver;
+
+test.beforeAll(async ({ browser }) => {
+  page = await browser.newPage({ viewport: BOX });
+  await serveSmallTextures(page);
+  room = await new RoomDriver(page).open({ look: "physical", quality: "low" }, BOX);
+});
+test.afterAll(() => page.close());
+test.afterEach(() => expect(room.complaints).toEqual([]));
+
+/** The last two pictures of a way to the same place, of so many pictures. */
+async function walk(pictures: number) {
+  return room.evaluate(
+    (element, { pictures, camera, small }) => {
+      const canvas = element.shadowRoot?.querySelector("canvas");
+      const paper = Object.assign(document.createElement("canvas"), small).getContext("2d");
+      if (!canvas || !paper) throw new Error("There is no picture.");
+      paper.imageSmoothingQuality = "high";
+      const seen: { triangles: number; shown: number[] }[] = [];
+      const [x, y, z] = camera.position;
+      element.play();
+      for (let left = pictures - 1; left >= 0; left--) {
+        const position = [x + 0.03 * left, y, z - 0.03 * left] as const;
+        element.camera = { ...camera, position, yaw: camera.yaw - 0.03 * left };
+        element.step(0);
+        if (left > 1) continue;
+        paper.drawImage(canvas, 0, 0, small.width, small.height);
+        const { data } = paper.getImageData(0, 0, small.width, small.height);
+        seen.push({ triangles: element.stats.triangles, shown: [...data] });
+      }
+      element.pause();
+      return seen;
+    },
+    { pictures, camera: CAMERA, small: SMALL },
+  );
+}
+
+for (const where of ["in the hand", "on the table"]) {
+  test(`At low every second picture on the way is the one before as it would be seen now: the candle ${where}`, async () => {
+    if (where === "on the table") {
+      await room.evaluate((element, table) => {
+        element.camera = table;
+        element.place();
+      }, TABLE);
+    }
+    await walk(60); // by then all that is coarse is made
+    const ways = [await walk(8), await walk(9)];
+    const [kept, painted] = ways.toSorted(
+      (a, b) => (a[1]?.triangles ?? 0) - (b[1]?.triangles ?? 0),
+    );
+    expect(kept?.[1]?.triangles).toBeLessThan(0.3 * (painted?.[1]?.triangles ?? 0));
+    const wanted = painted?.[1]?.shown ?? [];
+    // Steps of 8 bits.
+    const difference = (shown: readonly number[] = []) =>
+      shown.reduce((sum, x, i) => sum + Math.abs(x - (wanted[i] ?? 0)), 0) / (0.75 * shown.length);
+    const error = difference(kept?.[1]?.shown);
+    const stale = difference(kept?.[0]?.shown);
+    console.log(
+      `${where}: off by ${error.toFixed(2)} steps, ${stale.toFixed(2)} if it just stayed`,
+    );
+    expect(error).toBeLessThan(5);
+    expect(error).toBeLessThan(0.6 * stale);
+  });
+}
