@@ -32,7 +32,8 @@ vec3 found(vec2 uv, inout vec4 painted) {
   // What only now comes into sight is like what is beside it.
   vec2 there = 1.0 - abs(1.0 - abs(since.xy / since.w));
   vec4 before = texture(uPainted, there);
-  float stays = abs(carried(before.a) - carried(painted.a));
+  // Already an edge of it would be left behind as an outline.
+  float stays = abs(step(0.1 * CARRIED, before.a) - carried(painted.a));
   painted = mix(before, painted, stays);
   return mix(vec3(there, texture(uDepth, there).r), here.xyz, stays);
 }
