@@ -2,6 +2,9 @@ import { readdirSync, readFileSync } from "node:fs";
 import type { Page } from "playwright/test";
 import type { Camera } from "../../src/candle-flame-element.ts";
 import { luma } from "../../src/light/color.ts";
+import { flameLight, TAPER } from "../../src/light/flame-light.ts";
+import { TAPER_WICK } from "../../src/world/flame/burning.ts";
+import { Flame } from "../../src/world/flame/flame.ts";
 import { colorOf, meteredExposure, shown } from "../support/display-law.ts";
 import { flip } from "../support/flip.ts";
 import { RoomDriver } from "../support/room-driver.ts";
@@ -16,6 +19,7 @@ interface View {
   /** Where the visitor stood to put the candle down; held if absent. */
   readonly place?: Camera;
   readonly flame: { readonly position: readonly [number, number, number] };
+  readonly lamp: Readonly<Record<"halfHeight" | "radius", number>> & { intensity: number[] };
 }
 
 /** The largest errors allowed: relative error of luminance, and mean FLIP. */
@@ -88,6 +92,17 @@ test.describe("Beside a path tracer's picture of the same room", () => {
 
   test("there are five views or more", () => {
     expect(views.length).toBeGreaterThanOrEqual(5);
+  });
+
+  test("and they are lit by the flame as it is now", () => {
+    const world = { shown: { flame: [0, 0, 0] }, flame: new Flame(TAPER_WICK, true) } as const;
+    const { intensity, halfHeight, radius } = flameLight(world as never, TAPER);
+    for (const { name, lamp } of views) {
+      const shares = [...intensity, halfHeight, radius].map(
+        (x, i) => x / ([...lamp.intensity, lamp.halfHeight, lamp.radius][i] ?? 0),
+      );
+      for (const share of shares) expect.soft(Math.abs(share - 1), name).toBeLessThan(0.005);
+    }
   });
 
   test("and at 1920 x 1080 it takes at most 256 MB of the GPU's memory", async () => {
