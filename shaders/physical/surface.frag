@@ -13,6 +13,9 @@
 #include "physical/volume.glsl"
 #include "physical/wax.glsl"
 
+// Levels of detail by which textures are read more sharply: each mixes more than its pixel sees.
+const float SHARPER = -0.5;
+
 // A flame is no point: nearer than this the inverse square would not hold. Metres.
 const float NEAREST = 0.01;
 
@@ -48,7 +51,7 @@ out vec4 oRadiance;
 
 vec3 withRelief(vec3 surface) {
   if (frame.normalMaps < 0.5) return surface;
-  vec3 relief = reliefNormal(uNormal, vUv, surface, vTangentWorld);
+  vec3 relief = turnedBy(texture(uNormal, vUv, SHARPER).xy, surface, vTangentWorld);
   return normalize(mix(surface, relief, uSurface.z));
 }
 
@@ -77,9 +80,9 @@ vec3 towardsHighlight(vec3 toLight, vec3 mirrored) {
 }
 
 void main() {
-  vec4 baseColor = texture(uAlbedo, vUv) * uBaseColor;
+  vec4 baseColor = texture(uAlbedo, vUv, SHARPER) * uBaseColor;
   if (baseColor.a < uSurface.w) discard;
-  vec3 packed = texture(uOcclusionRoughness, vUv).rgb;
+  vec3 packed = texture(uOcclusionRoughness, vUv, SHARPER).rgb;
   float occlusion = mix(1.0, packed.r, uOcclusion) * vColor.r;
   float roughness = clamp(packed.g * uSurface.x, 0.03, 1.0);
   float metallic = packed.b * uSurface.y;
