@@ -38,9 +38,9 @@ import type { Veil } from "./veil.js";
 /** Shadow cube: texels along an edge, taps that look for what casts it, taps that soften it. */
 const SHADOW: Readonly<Record<Tier["name"], { size: number; search: number; taps: number }>> = {
   low: { size: 128, search: 4, taps: 6 },
-  medium: { size: 512, search: 8, taps: 12 },
-  high: { size: 512, search: 8, taps: 20 },
-  ultra: { size: 1024, search: 16, taps: 32 },
+  medium: { size: 512, search: 12, taps: 24 },
+  high: { size: 512, search: 16, taps: 32 },
+  ultra: { size: 1024, search: 24, taps: 48 },
 };
 const INDIRECT: Readonly<Record<Tier["name"], IndirectDetail>> = {
   low: { patches: 6, probes: [5, 3, 5], rays: 8, bounces: 4, looks: false },
