@@ -3,8 +3,6 @@ import type { Bounds, Vec3 } from "../world/bounds.js";
 
 /** Field of view across the picture's shorter side, radians: the paper's 45 degrees. */
 export const FIELD_OF_VIEW = Math.PI / 4;
-/** Where what a visitor looks at usually is, metres. */
-export const USUAL_DISTANCE = 2;
 const NEAR = 0.05;
 const FAR = 60;
 

@@ -1,9 +1,11 @@
 import { mat4 } from "gl-matrix";
 import type { Texture } from "../../gl/texture.js";
 import type { Features } from "../../settings.js";
-import { placesBetween, shiftOf, USUAL_DISTANCE } from "../camera.js";
+import { placesBetween, shiftOf } from "../camera.js";
 import type { Surface } from "../surface.js";
 
+/** Where what a visitor looks at usually is, metres. */
+const USUAL_DISTANCE = 2;
 /** While the eye moves, paint is seen a second time if it shifts no farther, as a share of the picture. */
 const MOST_SHIFT = 0.08;
 
@@ -68,7 +70,6 @@ export interface Kept {
   readonly known: string;
 }
 
-/** @param clip what is seen */
 export function keepable(placed: readonly Placed[], clip: mat4, features: Features): Kept {
   const standing = placed.map(({ place, isCarried }) => isCarried || place);
   const carried = placed.find(({ isCarried }) => isCarried)?.place ?? AT_ORIGIN;
