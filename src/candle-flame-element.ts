@@ -238,7 +238,11 @@ export class CandleFlameElement extends TypedEvents {
   /** Advances by exactly this many seconds, then draws; works while paused. */
   step(seconds: number): void {
     const isTime = Number.isFinite(seconds) && seconds > 0;
-    this.#use((candle) => candle.step(isTime ? seconds : 0));
+    this.#use((candle) => {
+      // A busy browser tells of a wish for less motion frames after the visitor's system did.
+      candle.options = this.#options();
+      candle.step(isTime ? seconds : 0);
+    });
     this.#afterFrame();
   }
 

@@ -107,3 +107,23 @@ test("For visitors who want less motion the flame stands still by itself", async
   await page.emulateMedia({ reducedMotion: "no-preference" });
   expect(await flameAt(8, 1.5)).not.toEqual(flame);
 });
+
+test("A wish for less motion holds from the next step on, however late the browser tells of it", async ({
+  page,
+}) => {
+  await page.addInitScript(() => {
+    MediaQueryList.prototype.addEventListener = () => {};
+  });
+  await open(page);
+  await holdStill(page, 7, 0.5);
+  const flameAfter = (seconds: number) =>
+    candleOf(page).evaluate((candle: CandleFlameElement, seconds) => {
+      candle.step(seconds);
+      return candle.flame;
+    }, seconds);
+  expect(await flameAfter(0.5)).not.toEqual(await flameAfter(0.5));
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  expect(await flameAfter(0.5)).toEqual(await flameAfter(0.5));
+  await page.emulateMedia({ reducedMotion: "no-preference" });
+  expect(await flameAfter(0.5)).not.toEqual(await flameAfter(0.5));
+});
