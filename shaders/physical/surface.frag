@@ -21,8 +21,12 @@ const float NEAREST = 0.01;
 
 // Less of the sky than this is seen from a crevice.
 const float OPEN = 0.9;
-// How much of the light that passes falls on the sides of a crevice, on an average of ways to face.
-const float BESIDE = 0.3;
+// What is nearer than probes are to each other: there is some of it even where nothing is occluded. It hides what
+// they see, and sends back light itself, up to so many times theirs. Fitted to a path tracer's bounced light.
+const float NEAR_ANYWHERE = 0.25;
+const float NEAR_HIDES = 0.31;
+const float NEAR_SENDS = 0.25;
+const float NEAR_MOST = 13.0;
 // They reach up into the light by so much, m, though the bottom may lie in their shadow.
 const float SIDES = 0.015;
 // The wick stands in the flame, which is on all of its sides: what reaches it through dark vapour.
@@ -129,11 +133,14 @@ void main() {
   vec3 lifted = vPositionWorld + surface * 0.03;
   Surroundings surroundings = surroundingsAt(lifted, normal, normal, reflect(-view, normal));
   vec3 around = surroundings.one * light.intensity;
-  // What hides the room from a crevice is as far from the flame, and lit from half of its sides.
-  vec3 nearby = baseColor.rgb * (around + BESIDE * passingSides);
-  vec3 bounced = mix(nearby, around, occlusion) * matt * (openToSky(surface, normal) * pastFine.x / PI);
+  float near = 1.0 - occlusion + NEAR_ANYWHERE;
+  float unhidden = 1.0 - NEAR_HIDES * near;
+  // It is as bright as this place, and as far from the flame.
+  vec3 nearby = NEAR_SENDS * near * baseColor.rgb * passingSides;
+  nearby /= 1.0 + passingSides / max(NEAR_MOST * around, 1e-9);
+  vec3 bounced = (around * unhidden + nearby) * matt * (openToSky(surface, normal) * pastFine.x / PI);
   // What is mirrored is the room around, as softly as it is known.
-  vec3 mirrored = mix(nearby, surroundings.other * light.intensity, occlusion) / PI * mirroring.share;
+  vec3 mirrored = (surroundings.other * light.intensity * unhidden + nearby) / PI * mirroring.share;
   bounced = (bounced + mirrored * uShown.z) * uShown.y;
   vec3 radiance = diffuse + specular + bounced + baseColor.rgb * waxGlow(vPositionWorld) * uWax;
   radiance += uEmber * emberShare(vPositionWorld);
