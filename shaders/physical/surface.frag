@@ -130,7 +130,7 @@ void main() {
   // What the surface mirrors does not reach the matt layer below.
   vec3 matt = baseColor.rgb * (1.0 - metallic) * (1.0 - mirroring.share);
   vec3 diffuse = matt / PI * irradiance;
-  vec3 lifted = vPositionWorld + surface * 0.03;
+  vec3 lifted = vPositionWorld + surface * 0.05;
   Surroundings surroundings = surroundingsAt(lifted, normal, normal, reflect(-view, normal));
   vec3 around = surroundings.one * light.intensity;
   float near = 1.0 - occlusion + NEAR_ANYWHERE;
