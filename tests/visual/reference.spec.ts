@@ -1,4 +1,5 @@
 import { readdirSync, readFileSync } from "node:fs";
+import { pathToFileURL } from "node:url";
 import type { Page } from "playwright/test";
 import type { Camera } from "../../src/candle-flame-element.ts";
 import { luma } from "../../src/light/color.ts";
@@ -25,10 +26,13 @@ interface View {
 /** The largest errors allowed: relative error of luminance, and mean FLIP. */
 const LIMITS = { median: 0.08, high: 0.25, flip: 0.08 };
 
-const FOLDER = new URL("../fixtures/reference/", import.meta.url);
+/** Those of the repository, or others that were traced: see docs/reference/README.md. */
+const FOLDER = process.env.REFERENCES
+  ? pathToFileURL(`${process.env.REFERENCES}/`)
+  : new URL("../fixtures/reference/", import.meta.url);
 const views: View[] = readdirSync(FOLDER)
-  .filter((file) => file.endsWith(".json"))
-  .map((file) => JSON.parse(readFileSync(new URL(file, FOLDER), "utf8")));
+  .filter((file) => file.endsWith(".bin"))
+  .map((file) => JSON.parse(readFileSync(new URL(file.replace(".bin", ".json"), FOLDER), "utf8")));
 
 /** Radiance, and which pixels show neither candle nor flame: there the sign of red is positive. */
 function readReference(name: string) {

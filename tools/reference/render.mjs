@@ -1,4 +1,4 @@
-// npm run reference [names…]: the views as Blender Cycles sees them, into tests/fixtures/reference/.
+// npm run reference [names…]: the views as Blender Cycles sees them, into tests/fixtures/reference/ or REFERENCES.
 // Needs `npm run build`, and Python with tools/models/requirements.txt (PYTHON names it).
 import { spawnSync } from "node:child_process";
 import { mkdirSync, mkdtempSync, writeFileSync } from "node:fs";

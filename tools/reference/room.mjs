@@ -1,11 +1,14 @@
 import { readFileSync } from "node:fs";
+import { pathToFileURL } from "node:url";
 import { chromium } from "playwright";
 import { createServer, preview } from "vite";
 import { findBrowser } from "../find-browser.mjs";
 
-export const FIXTURES = new URL("../../tests/fixtures/reference/", import.meta.url);
+/** Of other views than ours: a folder that has its own views.json, and takes what is traced. */
+const others = process.env.REFERENCES && pathToFileURL(`${process.env.REFERENCES}/`);
+export const FIXTURES = others || new URL("../../tests/fixtures/reference/", import.meta.url);
 export const { width, height, views } = JSON.parse(
-  readFileSync(new URL("views.json", import.meta.url)),
+  readFileSync(new URL("views.json", others || import.meta.url)),
 );
 
 /** Something of the sources: they are in TypeScript. */
