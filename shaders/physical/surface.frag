@@ -10,6 +10,8 @@
 #include "lib/random.glsl"
 #include "physical/light.glsl"
 #include "physical/soft-shadow.glsl"
+#include "physical/surfels.glsl"
+#include "physical/mirrored.glsl"
 #include "physical/volume.glsl"
 #include "physical/wax.glsl"
 
@@ -21,6 +23,10 @@ const float NEAREST = 0.01;
 
 // Less of the sky than this is seen from a crevice.
 const float OPEN = 0.9;
+// Roughness up to which a surface is a mirror, and from which it tells no more than probes do.
+const vec2 SMOOTH = vec2(0.1, 0.3);
+// What a room throws back of its light that has bounced.
+const float THROWN_BACK = 0.3;
 // What is nearer than probes are to each other: there is some of it even where nothing is occluded. It hides what
 // they see, and sends back light itself, up to so many times theirs. Fitted to a path tracer's bounced light.
 const float NEAR_ANYWHERE = 0.25;
@@ -139,8 +145,15 @@ void main() {
   vec3 nearby = NEAR_SENDS * near * baseColor.rgb * passingSides;
   nearby /= 1.0 + passingSides / max(NEAR_MOST * around, 1e-9);
   vec3 bounced = (around * unhidden + nearby) * matt * (openToSky(surface, normal) * pastFine.x / PI);
-  // What is mirrored is the room around, as softly as it is known.
-  vec3 mirrored = (surroundings.other * light.intensity * unhidden + nearby) / PI * mirroring.share;
+  // What is mirrored is the room around, as softly as it is known: a smooth surface tells more.
+  vec3 mirrored = (surroundings.other * light.intensity * unhidden + nearby) / PI;
+  float smoothness = 1.0 - smoothstep(SMOOTH.x, SMOOTH.y, roughness);
+  if (smoothness > 0.0) {
+    vec3 again = surroundings.other * (THROWN_BACK / PI);
+    vec3 seen = (mirroredLight(vPositionWorld + surface * 0.01, reflect(-view, normal)) + again) * light.intensity;
+    mirrored = mix(mirrored, seen, smoothness);
+  }
+  mirrored *= mirroring.share;
   bounced = (bounced + mirrored * uShown.z) * uShown.y;
   vec3 radiance = diffuse + specular + bounced + baseColor.rgb * waxGlow(vPositionWorld) * uWax;
   radiance += uEmber * emberShare(vPositionWorld);

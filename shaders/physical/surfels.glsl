@@ -23,14 +23,19 @@ vec3 faceDirection(int face, vec2 st) {
   return vec3(-st.x, -st.y, -1.0);
 }
 
-// The patch that the flame sees in a direction.
-ivec2 patchTowards(vec3 d, int size) {
+// Where a direction from the flame meets a face: across and up it, 0 to 1, and which it is.
+vec3 placeOnFaces(vec3 d) {
   vec3 reach = abs(d);
   int axis = reach.x >= max(reach.y, reach.z) ? 0 : reach.y >= reach.z ? 1 : 2;
   int face = 2 * axis + (d[axis] > 0.0 ? 0 : 1);
   vec2 across = axis == 0 ? vec2(-d.z * sign(d.x), -d.y) : axis == 1 ? vec2(d.x, d.z * sign(d.y)) : vec2(d.x * sign(d.z), -d.y);
-  ivec2 texel = ivec2((0.5 + 0.5 * across / reach[axis]) * float(size));
-  return min(texel, size - 1) + ivec2(face * size, 0);
+  return vec3(0.5 + 0.5 * across / reach[axis], float(face));
+}
+
+// The patch that the flame sees in a direction.
+ivec2 patchTowards(vec3 d, int size) {
+  vec3 place = placeOnFaces(d);
+  return min(ivec2(place.xy * float(size)), size - 1) + ivec2(int(place.z) * size, 0);
 }
 
 // A patch that is seen at a grazing angle is not endless.

@@ -111,7 +111,12 @@ function darkRoom(gpu: Gpu, uDark: Texture): IrradianceVolume {
   const block = blockOf(gpu, "Volume");
   const one = { columns: 1, rows: 1, planes: 1 };
   block.update({ corner: [0, 0, 0], extent: [1, 1, 1], ...one, looks: 0 });
-  return { block, textures: { uVolume: uDark, uProbes: uDark, uSights: uDark }, below: uDark };
+  return {
+    block,
+    textures: { uVolume: uDark, uProbes: uDark, uSights: uDark },
+    radiosity: uDark,
+    below: uDark,
+  };
 }
 
 /**

@@ -135,6 +135,24 @@ test.describe("Beside a path tracer's picture of the same room", () => {
     expect(bytes).toBeGreaterThan(64e6);
   });
 
+  test("a window's pane mirrors the lit floor below a dark table, as it does there", async () => {
+    const [lit, dark] = await room.evaluate((element) => {
+      element.reset();
+      element.camera = { position: [-0.9, 1.6, 1.3], yaw: 0.5, pitch: -1 };
+      element.place();
+      element.camera = { position: [0.6, 1.55, -0.684], yaw: -1.2, pitch: -0.21 };
+      element.step(0);
+      return [104, 92].map((row) => Array.from(element.readRadiance(252, row, 3, 3)));
+    });
+    const mean = (radiance: readonly number[] = []) =>
+      radiance.reduce((sum, _, i) => sum + (i % 3 === 0 ? luma(colorOf(radiance, i / 3)) : 0), 0) /
+      9;
+    // Traced: 0.0100 and 0.0003 cd/m².
+    expect(mean(lit)).toBeGreaterThan(0.004);
+    expect(mean(lit)).toBeLessThan(0.02);
+    expect(mean(dark)).toBeLessThan(0.001);
+  });
+
   for (const view of views) {
     test(`the light of the view “${view.name}” is the same`, async () => {
       const { name, width, height, flame } = view;

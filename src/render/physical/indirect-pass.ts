@@ -55,6 +55,8 @@ export interface IrradianceVolume {
     readonly uProbes: Texture;
     readonly uSights: Texture;
   };
+  /** What the patches send back, lm/m²: for `physical/mirrored.glsl`. */
+  readonly radiosity: Texture;
   /** The surface below the flame, for `deferred/from-below.glsl`; null where probes look for themselves. */
   readonly below: Texture | null;
 }
@@ -206,6 +208,7 @@ export class IndirectPass {
     return {
       block: this.#block,
       textures: { uVolume: this.#irradiance.color, ...this.#sights.room },
+      radiosity: this.#radiosity.color,
       below: this.#below?.target.color ?? null,
     };
   }

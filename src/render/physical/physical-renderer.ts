@@ -248,6 +248,7 @@ export class PhysicalRenderer implements Renderer {
           uShadow: shadow,
           uReflectance: this.#reflectance,
           uUnseen: reliefOf(this.#gpu, this.#screen, surface),
+          uRadiosity: volume.radiosity,
           ...volume.textures,
         },
         uniforms: {
