@@ -11,13 +11,15 @@ uniform sampler2D uRadiosity;  // of the patches that the flame sees, lm/m²
 const float FIRST_LOOK = 0.04;
 const float LAST_LOOK = 9.0;
 const float NEXT_LOOK = 1.25;
-const int HALVINGS = 5;
+const int HALVINGS = 6;
+// What is known of distances in steps of so much, m, is no edge.
+const float STEP = 0.02;
 // What lies less deep than this behind an edge, m, was met there; what lies deeper than that was passed.
 const vec2 MET = vec2(0.06, 0.25);
 
 // How far a place, m from the vantage, is behind what the flame sees in its direction, m.
 float behindSeen(vec3 fromVantage) {
-  return length(fromVantage) - textureLod(uShadow, fromVantage, 0.0).r;
+  return length(fromVantage) - textureLod(uShadow, fromVantage, 0.0).r - STEP;
 }
 
 // What the patches around a direction from the flame send back, mixed: of one face.
