@@ -7,23 +7,22 @@
 
 uniform sampler2D uRadiosity;  // of the patches that the flame sees, lm/m²
 
-// The ray is looked at from the first of these distances to the last, each so many times the one before. Metres.
-const float FIRST_LOOK = 0.04;
-const float LAST_LOOK = 9.0;
-const float NEXT_LOOK = 1.25;
-const int HALVINGS = 6;
-// What is known of distances in steps of so much, m, is no edge.
-const float STEP = 0.02;
-// What lies less deep than this behind an edge, m, was met there; what lies deeper than that was passed.
-const vec2 MET = vec2(0.06, 0.25);
+// The ray's steps: first and last distance, m, and each to the one before.
+const float NEAREST_STEP = 0.04;
+const float FARTHEST_STEP = 9.0;
+const float GROWTH = 1.25;
+const int BISECTIONS = 6;
+const float BIAS_MIRRORED = 0.02;  // m
+// How deep behind an edge, m, the ray still meets it, and from where on it passes.
+const vec2 THICKNESS = vec2(0.06, 0.25);
 
-// How far a place, m from the vantage, is behind what the flame sees in its direction, m.
-float behindSeen(vec3 fromVantage) {
-  return length(fromVantage) - textureLod(uShadow, fromVantage, 0.0).r - STEP;
+// How far a place is behind what the flame sees in its direction, m.
+float depthBehind(vec3 fromVantage) {
+  return length(fromVantage) - textureLod(uShadow, fromVantage, 0.0).r - BIAS_MIRRORED;
 }
 
-// What the patches around a direction from the flame send back, mixed: of one face.
-vec3 sentBackFrom(vec3 fromVantage) {
+// Radiosity of the patches around a direction from the flame, of one face, lm/m².
+vec3 radiosityTowards(vec3 fromVantage) {
   int size = textureSize(uRadiosity, 0).y;
   vec3 place = placeOnFaces(fromVantage);
   vec2 at = clamp(place.xy * float(size) - 0.5, vec2(0.0), vec2(float(size) - 1.0));
@@ -36,27 +35,27 @@ vec3 sentBackFrom(vec3 fromVantage) {
 }
 
 // Radiance of the flame's own light where a ray ends, cd/m² for 1 cd; black where the flame sees nothing of it.
-vec3 mirroredLight(vec3 position, vec3 ray) {
+vec3 mirroredRadiance(vec3 position, vec3 ray) {
   vec3 start = position - light.vantage;
-  float near = FIRST_LOOK;
-  bool wasBehind = behindSeen(start + ray * near) > 0.0;
+  float near = NEAREST_STEP;
+  bool wasBehind = depthBehind(start + ray * near) > 0.0;
   vec3 sum = vec3(0.0);
-  float left = 1.0;
-  for (float far = FIRST_LOOK * NEXT_LOOK; far < LAST_LOOK && left > 0.01; far *= NEXT_LOOK) {
-    bool isBehind = behindSeen(start + ray * far) > 0.0;
+  float unmet = 1.0;
+  for (float far = NEAREST_STEP * GROWTH; far < FARTHEST_STEP && unmet > 0.01; far *= GROWTH) {
+    bool isBehind = depthBehind(start + ray * far) > 0.0;
     if (isBehind != wasBehind) {
       float low = near;
       float high = far;
-      for (int i = 0; i < HALVINGS; i++) {
+      for (int i = 0; i < BISECTIONS; i++) {
         float middle = 0.5 * (low + high);
-        if (behindSeen(start + ray * middle) > 0.0 == isBehind) high = middle;
+        if (depthBehind(start + ray * middle) > 0.0 == isBehind) high = middle;
         else low = middle;
       }
       vec3 end = start + ray * (isBehind ? high : low);
-      float met = left * (1.0 - smoothstep(MET.x, MET.y, behindSeen(end)));
+      float met = unmet * (1.0 - smoothstep(THICKNESS.x, THICKNESS.y, depthBehind(end)));
       // Who comes out of a shadow through what throws it meets its dark side.
-      if (isBehind) sum += met * sentBackFrom(end);
-      left -= met;
+      if (isBehind) sum += met * radiosityTowards(end);
+      unmet -= met;
     }
     wasBehind = isBehind;
     near = far;

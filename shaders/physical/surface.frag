@@ -150,7 +150,7 @@ void main() {
   float smoothness = 1.0 - smoothstep(SMOOTH.x, SMOOTH.y, roughness);
   if (smoothness > 0.0) {
     vec3 again = surroundings.other * (THROWN_BACK / PI);
-    vec3 seen = (mirroredLight(vPositionWorld + surface * 0.01, reflect(-view, normal)) + again) * light.intensity;
+    vec3 seen = (mirroredRadiance(vPositionWorld + surface * 0.01, reflect(-view, normal)) + again) * light.intensity;
     mirrored = mix(mirrored, seen, smoothness);
   }
   mirrored *= mirroring.share;
