@@ -9,5 +9,5 @@ in vec2 vUv;
 out vec4 oColor;
 
 void main() {
-  oColor = texture(uSource, vUv);
+  oColor = vec4(texture(uSource, vUv).rgb, 1.0);
 }

@@ -1,26 +1,16 @@
 // Where a pixel is to take its paint and its light from while the eye moves. Places are across, up, depth.
 // Paint: its own, or KEPT, that of the picture before, which the light is of, too. Light: from all around where
 // that is as far away in the mean as the paint is, else from the texels that are most so.
-// Needs physical/depth.glsl, deferred/stored.glsl.
+// Needs physical/depth.glsl, deferred/stored.glsl, and KEPT deferred/since.glsl.
 
 uniform sampler2D uPainted;
 uniform sampler2D uLight;
 uniform sampler2D uCorners;  // how near the light's texels are: deferred/corners.frag
-#if KEPT
-// From places in the picture to those in the one before: of the room, and of what is carried.
-uniform mat4 uRoomSince;
-uniform mat4 uCarriedSince;
-#endif
 
 // Most that places of one surface differ, as a share of their distance.
 const float ALIKE = 0.03;
 // What a texel of another surface counts for, where no better one is.
 const float STRANGE = 0.01;
-
-// 1 for what goes with the eye, else 0.
-float carried(float stored) {
-  return step(0.5 * CARRIED, stored);
-}
 
 // Chosen, not branched for, here and below: that costs a CPU less.
 #if KEPT
@@ -28,12 +18,10 @@ float carried(float stored) {
 // of what the pixel had. What was hidden behind something carried has only that to show, and keeps its own.
 vec3 found(vec2 uv, inout vec4 painted) {
   vec4 here = vec4(uv, texture(uDepth, uv).r, 1.0);
-  vec4 since = mix(uRoomSince * here, uCarriedSince * here, carried(painted.a));
-  // What only now comes into sight is like what is beside it.
-  vec2 there = 1.0 - abs(1.0 - abs(since.xy / since.w));
+  float isCarried = carried(painted.a);
+  vec2 there = placeBefore(here, isCarried);
   vec4 before = texture(uPainted, there);
-  // Already an edge of it would be left behind as an outline.
-  float stays = abs(step(0.1 * CARRIED, before.a) - carried(painted.a));
+  float stays = wasHidden(isCarried, before.a);
   painted = mix(before, painted, stays);
   return mix(vec3(there, texture(uDepth, there).r), here.xyz, stays);
 }

@@ -6,6 +6,9 @@
 #include "deferred/stored.glsl"
 #if COARSE
 #include "physical/depth.glsl"
+#if KEPT
+#include "deferred/since.glsl"
+#endif
 #include "deferred/guessed.glsl"
 #else
 #include "deferred/told.glsl"

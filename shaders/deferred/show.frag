@@ -1,12 +1,15 @@
 #version 300 es
 // The room's light as it is on the screen, straight away: the display's law is looked up in a table.
-// In:  paint, light, bloom.   Out: display colour.
+// In:  paint, light, bloom.   Out: display colour; COARSE, in its alpha, what is carried.
 #include "lib/precision.glsl"
 #include "lib/display.glsl"
 #include "physical/light.glsl"
 #include "deferred/stored.glsl"
 #if COARSE
 #include "physical/depth.glsl"
+#if KEPT
+#include "deferred/since.glsl"
+#endif
 #include "deferred/guessed.glsl"
 #else
 #include "deferred/told.glsl"
@@ -32,5 +35,5 @@ void main() {
   // What is brighter than the table keeps its hue.
   exposed /= max(max(exposed.r, exposed.g), max(exposed.b, 1.0));
   // The same noise for all channels.
-  oColor = vec4(tabled(exposed) + dither(gl_FragCoord.xy).r, 1.0);
+  oColor = vec4(tabled(exposed) + dither(gl_FragCoord.xy).r, COARSE == 1 ? painted.a : 1.0);
 }

@@ -1,6 +1,6 @@
 #version 300 es
 // A coarse picture whose edges are no staircases, nor its joints dotted lines: each pixel at an edge is mixed
-// with those along it.   In and out: display colour.
+// with those along it.   In and out: display colour; alpha is kept.
 // After Lottes 2009, "FXAA", with the edge's direction from the four neighbours.
 #include "lib/precision.glsl"
 
@@ -18,7 +18,7 @@ const float REACH = 1.5;
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   ivec2 last = textureSize(uSource, 0) - 1;
-  vec3 here = texelFetch(uSource, at, 0).rgb;
+  vec4 here = texelFetch(uSource, at, 0);
   vec4 around = vec4(
     texelFetch(uSource, max(at - ivec2(1, 0), 0), 0).g,
     texelFetch(uSource, min(at + ivec2(1, 0), last), 0).g,
@@ -34,7 +34,7 @@ void main() {
     vec2 along = normalize(vec2(change.y, side * change.x));
     vec2 way = along * REACH / vec2(last + 1);
     vec3 beside = textureLod(uSource, vUv + way, 0.0).rgb + textureLod(uSource, vUv - way, 0.0).rgb;
-    here = mix(here, beside * 0.5, 0.8 * smoothstep(EDGE.x, EDGE.y, most));
+    here.rgb = mix(here.rgb, beside * 0.5, 0.8 * smoothstep(EDGE.x, EDGE.y, most));
   }
-  oColor = vec4(here, 1.0);
+  oColor = here;
 }

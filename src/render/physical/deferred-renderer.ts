@@ -1,6 +1,5 @@
 import { mat4 } from "gl-matrix";
 import emberFrag from "../../../shaders/deferred/ember.frag";
-import glareFrag from "../../../shaders/deferred/glare.frag";
 import meterFrag from "../../../shaders/deferred/meter.frag";
 import radianceFrag from "../../../shaders/deferred/radiance.frag";
 import fullscreenVert from "../../../shaders/physical/fullscreen.vert";
@@ -24,18 +23,19 @@ import type { Models, Renderer } from "../renderer.js";
 import { behindLast, type Surface, uploadModel } from "../surface.js";
 import type { Tier } from "../tier.js";
 import type { View } from "../view.js";
-import { BloomPass } from "./bloom-pass.js";
 import { Casters } from "./casters.js";
 import { CoarseSurfaces } from "./coarse-surfaces.js";
 import { DisplayPass, displayLaw, exposureIn, scatteredIn } from "./display-pass.js";
 import { ExposurePass } from "./exposure-pass.js";
 import { FlamePass, HANDLE_TURN } from "./flame-pass.js";
 import { GeometryPass } from "./geometry-pass.js";
+import { GLARE, HALO_REACH, HaloPass } from "./halo-pass.js";
 import { HazePass } from "./haze-pass.js";
 import { type IndirectDetail, IndirectPass, type IrradianceVolume } from "./indirect-pass.js";
 import { type LightAtVantage, lampOf, lightAtVantage, lightBlock } from "./light-block.js";
 import { LightPass } from "./light-pass.js";
 import { AT_ORIGIN, forEachPaint, type PaintKind, type Placed } from "./paint.js";
+import { boxAround, widened } from "./picture-box.js";
 import { ShadowPass } from "./shadow-pass.js";
 import { ShowPass } from "./show-pass.js";
 import { type Ball, ballsAround, SmokePass } from "./smoke-pass.js";
@@ -52,9 +52,6 @@ const INDIRECT: IndirectDetail = {
 const CASTER_DETAIL = 0.03;
 /** The same while the eye moves: shadows of 128 texels a side, and 36 patches of each, tell no more. */
 const SLACK_DETAIL = { shadow: 0.05, bounces: 0.12 } as const;
-const BLOOM_LEVELS = 3;
-/** Pixels of the picture for one of what blooms, along each axis. */
-const GLARE = 4;
 /** Pictures after which bloom and exposure follow, if there is none that has the time, while the eye moves. */
 const MOST_PICTURES = 5;
 /** Pixels around the flame that its light is mixed with. */
@@ -81,7 +78,6 @@ export class DeferredRenderer implements Renderer {
   readonly #show: ShowPass;
   readonly #radianceProgram: Readonly<Record<PaintKind, Program>>;
   readonly #emberProgram: Program;
-  readonly #glareProgram: Program;
   readonly #exposure: ExposurePass;
   readonly #display: DisplayPass;
   readonly #flame: FlamePass;
@@ -94,7 +90,7 @@ export class DeferredRenderer implements Renderer {
   #slackEchoers: Casters | null = null;
   readonly #shadow: ShadowPass;
   readonly #indirect: IndirectPass;
-  readonly #bloom: BloomPass;
+  readonly #halo: HaloPass;
   readonly #model: Model;
   /** In the order of the model's parts, and in that in which they are drawn. */
   readonly #parts: readonly Surface[];
@@ -103,15 +99,10 @@ export class DeferredRenderer implements Renderer {
   readonly #screen: VertexArray;
   readonly #shape = createShape();
   #radiance: RenderTarget | null = null;
-  #glare: RenderTarget | null = null;
-  /** The bloom. */
-  #halo: Texture | null = null;
   /** The radiance alone, and with the depth of the room. */
   #veil: TextureView | null = null;
   readonly #fires = new Map<Texture, TextureView>();
-  /** Where the flame was in the picture that the halo is of, as shares of it; null before there is one. */
-  #haloAt: readonly [number, number] | null = null;
-  /** Pictures since. */
+  /** Pictures since the halo was drawn. */
   #haloAge = 0;
   #size = { width: 1, height: 1 };
   #clip = mat4.create();
@@ -128,13 +119,10 @@ export class DeferredRenderer implements Renderer {
     this.#coarse = new CoarseSurfaces(gpu);
     this.#geometry = new GeometryPass(gpu, this.#screen, this.#coarse);
     this.#show = new ShowPass(gpu, this.#screen);
-    const program = (name: string, fragment: typeof glareFrag, vertex = fullscreenVert) =>
-      gpu.program(`deferred/${name}`, vertex, fragment);
     this.#radianceProgram = forEachPaint((defines) =>
       gpu.program("deferred/radiance", fullscreenVert, radianceFrag, { defines }),
     );
-    this.#emberProgram = program("ember", emberFrag, surfaceVert);
-    this.#glareProgram = program("glare", glareFrag);
+    this.#emberProgram = gpu.program("deferred/ember", surfaceVert, emberFrag);
     this.#exposure = new ExposurePass(gpu, this.#screen, meterFrag);
     this.#display = new DisplayPass(gpu, this.#screen, true);
     this.#flame = new FlamePass(gpu);
@@ -153,15 +141,12 @@ export class DeferredRenderer implements Renderer {
       { model: room, solid, surfaces },
       INDIRECT,
     );
-    this.#bloom = new BloomPass(gpu, this.#screen, BLOOM_LEVELS, {
-      format: this.#lightPass.format,
-      isFrugal: true,
-    });
+    this.#halo = new HaloPass(gpu, this.#screen, this.#lightPass.format);
   }
 
   resize(width: number, height: number): void {
     this.#size = { width, height };
-    for (const old of [this.#veil, this.#radiance, this.#glare]) old?.dispose();
+    for (const old of [this.#veil, this.#radiance]) old?.dispose();
     for (const fire of this.#fires.values()) fire.dispose();
     this.#fires.clear();
     this.#geometry.resize(width, height);
@@ -169,15 +154,9 @@ export class DeferredRenderer implements Renderer {
     this.#haze.resize(width, height);
     const color = [this.#lightPass.format];
     this.#radiance = this.#gpu.renderTarget({ label: "radiance", width, height, color });
-    const quarter = {
-      width: Math.max(1, Math.ceil(width / GLARE)),
-      height: Math.max(1, Math.ceil(height / GLARE)),
-    };
-    this.#glare = this.#gpu.renderTarget({ label: "glare", ...quarter, color });
     const textures = [this.#radiance.color];
     this.#veil = this.#gpu.textureView({ label: "veil", textures, image: 0 });
-    this.#bloom.resize(quarter.width, quarter.height);
-    this.#haloAt = null;
+    this.#halo.resize(width, height);
   }
 
   /** The radiance with a depth that hides what is behind it. */
@@ -195,7 +174,7 @@ export class DeferredRenderer implements Renderer {
 
   render(world: World, asked: View): void {
     const { features } = asked;
-    this.#updateBlocks(world, asked);
+    this.#updateFrame(world, asked);
     const light = lightAtVantage(world, features.candle);
     const [x, y, z] = world.shown.foot;
     const place = [x, y, z, world.candle.yaw + HANDLE_TURN] as const;
@@ -213,6 +192,9 @@ export class DeferredRenderer implements Renderer {
       lightSize: this.#lightPass.size,
     });
     const isCoarse = paint.kind !== "fine";
+    const isKept = paint.kind === "kept";
+    // What is shown again is as bright as it was.
+    if (!isKept) this.#light.update(lightBlock(world, features.candle));
     const view = { ...asked, isMoving: isCoarse };
     // Of pictures that follow each other one is painted and lit; the next has time for all else.
     const isBusy = paint.kind === "coarse";
@@ -240,31 +222,35 @@ export class DeferredRenderer implements Renderer {
       this.#drawHaze(world, view, paint.paintedDepth);
       this.#drawSmoke(world, view, volume, paint.paintedDepth);
     };
-    const box = this.#boxOfFlame(world, view);
+    // Whole cells of what blooms.
+    const frame = { margin: MARGIN, cell: GLARE };
+    const box = boxAround(this.#ballsOfFire(world, view), this.#clip, this.#size, frame);
     drawRadiance(box);
     this.#complete = () => drawRadiance(this.#whole);
     const lightBlocks = { Light: this.#light };
     const flameAt = this.#flameOnPicture(world);
     const isHaloDue = ++this.#haloAge > MOST_PICTURES || !(isBusy || isNew);
-    if (!isCoarse || !this.#haloAt || isHaloDue) {
+    const follow = () => {
       this.#haloAge = 0;
-      this.#drawBloom(box);
+      this.#halo.render(this.#radiance!.color, box, flameAt);
       this.#exposure.render(picture, world.pupil.lag, lightBlocks);
-      this.#haloAt = flameAt;
-    }
-    const haloShift = [this.#haloAt[0] - flameAt[0], this.#haloAt[1] - flameAt[1]] as const;
+    };
+    if (!isCoarse || !this.#halo.isDrawn || (isHaloDue && !isKept)) follow();
+    const haloShift = this.#halo.shiftFrom(flameAt);
     const law = displayLaw(this.#gpu, view);
     const shown = {
-      uBloom: this.#halo!,
+      uBloom: this.#halo.latest,
       uExposure: this.#exposure.latest,
       uTable: this.#show.table(law),
     };
-    if (box[2] * box[3] < this.#size.width * this.#size.height) {
+    if (isCoarse || box[2] * box[3] < this.#size.width * this.#size.height) {
       const how = {
         scattered: scatteredIn(view),
         haloShift,
         metered: features.autoExposure,
         kind: paint.kind,
+        size: this.#size,
+        halo: widened(box, HALO_REACH + (paint.since?.shift ?? 0) * this.#size.width, this.#size),
       };
       this.#show.render({ ...picture, ...shown }, lit.uniforms, how, law, {
         Frame: this.#frame,
@@ -273,7 +259,8 @@ export class DeferredRenderer implements Renderer {
     }
     const textures = { ...shown, uRadiance: this.#radiance!.color };
     const halo = { share: [1, 1], shift: haloShift } as const;
-    this.#display.render(textures, halo, view, this.#frame, inset(box, this.#whole));
+    this.#display.render(textures, halo, view, this.#frame, widened(box, -1, this.#size));
+    if (isHaloDue && isKept) follow();
   }
 
   /** What the flame sees, from where, and the light that comes back from it. */
@@ -304,7 +291,7 @@ export class DeferredRenderer implements Renderer {
     return [0, 0, this.#size.width, this.#size.height];
   }
 
-  #updateBlocks(world: World, view: View): void {
+  #updateFrame(world: World, view: View): void {
     const { features } = view;
     const { player, shown, stage } = world;
     const { width, height } = this.#size;
@@ -318,7 +305,6 @@ export class DeferredRenderer implements Renderer {
       projectionScale: projectionScale(height),
       normalMaps: features.normalMaps ? 1 : 0,
     });
-    this.#light.update(lightBlock(world, features.candle));
   }
 
   #drawEmber(world: World, place: readonly number[], depth: Texture): void {
@@ -357,31 +343,6 @@ export class DeferredRenderer implements Renderer {
     return features.smoke && fumes !== null && fumes.smoke.count >= 2;
   }
 
-  /** The pixels that the flame covers, the hot air over it, and smoke. */
-  #boxOfFlame(world: World, view: View): Box {
-    const { width, height } = this.#size;
-    let [left, bottom, right, top] = [width, height, 0, 0];
-    for (const [x, y, z, reach] of this.#ballsOfFire(world, view)) {
-      for (let corner = 0; corner < 8; corner++) {
-        const aside = (axis: number) => ((corner >> axis) & 1 ? reach : -reach);
-        const [across, up, w] = onClip(this.#clip, x + aside(0), y + aside(1), z + aside(2));
-        // Beside the eye it may be anywhere.
-        if (w < 0.01) return this.#whole;
-        left = Math.min(left, (0.5 + (0.5 * across) / w) * width);
-        right = Math.max(right, (0.5 + (0.5 * across) / w) * width);
-        bottom = Math.min(bottom, (0.5 + (0.5 * up) / w) * height);
-        top = Math.max(top, (0.5 + (0.5 * up) / w) * height);
-      }
-    }
-    // Whole cells of what blooms, and one more around them.
-    const begin = (at: number, length: number) =>
-      Math.min(Math.max((Math.floor((at - MARGIN) / GLARE) - 1) * GLARE, 0), length - 1);
-    const end = (at: number, from: number, length: number) =>
-      Math.min(Math.max((Math.ceil((at + MARGIN) / GLARE) + 1) * GLARE, from + 1), length);
-    const [x, y] = [begin(left, width), begin(bottom, height)];
-    return [x, y, end(right, x, width) - x, end(top, y, height) - y];
-  }
-
   /** Balls around the flame, the hot air over it, and smoke. */
   *#ballsOfFire(world: World, view: View): Generator<Ball> {
     const { flame, fumes, shown } = world;
@@ -406,25 +367,6 @@ export class DeferredRenderer implements Renderer {
     return w > 0.01 ? [0.5 + (0.5 * x) / w, 0.5 + (0.5 * y) / w] : [0.5, 0.5];
   }
 
-  /** Of the flame alone: nothing else is bright enough. */
-  #drawBloom([x, y, width, height]: Box): void {
-    const glare = this.#glare!;
-    const left = Math.floor(x / GLARE) + (x > 0 ? 1 : 0);
-    const bottom = Math.floor(y / GLARE) + (y > 0 ? 1 : 0);
-    const right = Math.floor((x + width) / GLARE) - (x + width < this.#size.width ? 1 : -1);
-    const top = Math.floor((y + height) / GLARE) - (y + height < this.#size.height ? 1 : -1);
-    const { color } = this.#radiance!;
-    this.#gpu.clear(glare, [0, 0, 0, 1]);
-    this.#gpu.draw({
-      program: this.#glareProgram,
-      target: glare,
-      vertexArray: this.#screen,
-      textures: { uSource: color },
-      scissor: [left, bottom, Math.max(right - left, 0), Math.max(top - bottom, 0)],
-    });
-    this.#halo = this.#bloom.render(glare.color, glare);
-  }
-
   readRadiance(x: number, y: number, width: number, height: number): Float32Array {
     if (!this.#radiance) return new Float32Array(width * height * 3);
     this.#complete();
@@ -435,13 +377,4 @@ export class DeferredRenderer implements Renderer {
 /** Nobody who moves sees air tremble by less than a pixel, and it rises over a tenth of the picture. */
 function showsHaze({ features, isMoving }: View): boolean {
   return features.haze && !isMoving;
-}
-
-/** Without the pixels whose neighbours were not drawn. */
-function inset([x, y, width, height]: Box, [, , fullWidth, fullHeight]: Box): Box {
-  const left = x === 0 ? 0 : 1;
-  const bottom = y === 0 ? 0 : 1;
-  const right = x + width === fullWidth ? 0 : 1;
-  const top = y + height === fullHeight ? 0 : 1;
-  return [x + left, y + bottom, width - left - right, height - bottom - top];
 }

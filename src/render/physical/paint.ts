@@ -43,6 +43,8 @@ export function forEachPaint<T>(
 export interface Since {
   readonly room: mat4;
   readonly carried: mat4;
+  /** How far the room is from where it was, as a share of the picture. */
+  readonly shift: number;
 }
 
 /** What is seen, without its light. */
@@ -86,6 +88,7 @@ export function keepable(placed: readonly Placed[], clip: mat4, features: Featur
 export function sinceOf(now: Kept, before: Kept): Since | null {
   if (now.known !== before.known) return null;
   const room = placesBetween(now.clip, before.clip);
-  if (!(shiftOf(room, USUAL_DISTANCE) < MOST_SHIFT)) return null;
-  return { room, carried: placesBetween(now.carried, before.carried) };
+  const shift = shiftOf(room, USUAL_DISTANCE);
+  if (!(shift < MOST_SHIFT)) return null;
+  return { room, carried: placesBetween(now.carried, before.carried), shift };
 }

@@ -1,10 +1,11 @@
+import againFrag from "../../../shaders/deferred/again.frag";
 import enlargeFrag from "../../../shaders/deferred/enlarge.frag";
 import showFrag from "../../../shaders/deferred/show.frag";
 import smoothFrag from "../../../shaders/deferred/smooth.frag";
 import tableFrag from "../../../shaders/deferred/table.frag";
 import displayVert from "../../../shaders/physical/display.vert";
 import fullscreenVert from "../../../shaders/physical/fullscreen.vert";
-import type { Gpu } from "../../gl/gpu.js";
+import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
@@ -13,6 +14,7 @@ import type { VertexArray } from "../../gl/vertex-array.js";
 import type { DisplayLaw } from "./display-pass.js";
 import type { Lit } from "./light-pass.js";
 import { forEachPaint, type PaintKind } from "./paint.js";
+import { scaled } from "./picture-box.js";
 
 /** Colours along an edge of the table: `TABLE_SIZE` of the shader. */
 const SIZE = 32;
@@ -25,6 +27,9 @@ export interface Showing {
   readonly haloShift: readonly [number, number];
   readonly metered: boolean;
   readonly kind: PaintKind;
+  /** Where the bloom is, or was in the picture before: pixels of the canvas, and its size. */
+  readonly halo: Box;
+  readonly size: { readonly width: number; readonly height: number };
 }
 
 /** Puts light on paint and the result on the canvas, through a table of the display's law. */
@@ -32,11 +37,15 @@ export class ShowPass {
   readonly #gpu: Gpu;
   readonly #screen: VertexArray;
   readonly #show: Readonly<Record<PaintKind, Program>>;
+  /** Moves the picture before to where it is seen now. */
+  readonly #again: Program;
   /** Smooths the edges of coarse paint, and brings it to the size of the canvas. */
   readonly #smooth: Program;
   readonly #enlarge: Program;
   #coarse: RenderTarget | null = null;
   #smoothed: RenderTarget | null = null;
+  /** The smoothed one, where it is seen a picture later. */
+  #moved: RenderTarget | null = null;
   readonly #tabulate: Program;
   readonly #table: Texture;
   /** The law that the table is of. */
@@ -48,6 +57,7 @@ export class ShowPass {
     this.#show = forEachPaint((defines) =>
       gpu.program("deferred/show", displayVert, showFrag, { defines }),
     );
+    this.#again = gpu.program("deferred/again", fullscreenVert, againFrag);
     this.#smooth = gpu.program("deferred/smooth", fullscreenVert, smoothFrag);
     this.#enlarge = gpu.program("deferred/enlarge", fullscreenVert, enlargeFrag);
     this.#tabulate = gpu.program("deferred/table", fullscreenVert, tableFrag);
@@ -64,49 +74,67 @@ export class ShowPass {
     textures: Lit["textures"] &
       Readonly<Record<"uPainted" | "uDepth" | "uBloom" | "uExposure" | "uTable", Texture>>,
     lit: Lit["uniforms"],
-    { scattered, haloShift, metered, kind }: Showing,
+    how: Showing,
     { uAdaptation, uWhite }: DisplayLaw,
     blocks: Readonly<Record<string, UniformBlock>>,
   ): void {
-    if (kind !== "fine") this.#sizeAs(textures.uPainted);
-    const [coarse, smoothed] = kind !== "fine" ? [this.#coarse, this.#smoothed] : [null, null];
-    this.#gpu.draw({
-      program: this.#show[kind],
-      target: coarse ?? "canvas",
+    const shown = {
+      program: this.#show[how.kind],
       vertexArray: this.#screen,
       textures,
       uniforms: {
         ...lit,
         uBalance: uAdaptation.map((gain, i) => gain / (uWhite[i] ?? 1)),
-        uScattered: scattered,
-        uHaloShift: haloShift,
-        uMetered: metered ? 1 : 0,
+        uScattered: how.scattered,
+        uHaloShift: how.haloShift,
+        uMetered: how.metered ? 1 : 0,
       },
       blocks,
-    });
-    if (!coarse || !smoothed) return;
+    };
+    if (how.kind === "fine") {
+      this.#gpu.draw({ ...shown, target: "canvas" });
+      return;
+    }
+    const isKept = how.kind === "kept";
+    if (!isKept) this.#sizeAs(textures.uPainted);
+    const [coarse, smoothed, moved] = [this.#coarse, this.#smoothed, this.#moved];
+    if (!coarse || !smoothed || !moved) throw new Error("Nothing was shown that can be moved.");
+    const target = isKept ? moved : smoothed;
+    if (isKept) {
+      this.#gpu.draw({
+        program: this.#again,
+        target,
+        vertexArray: this.#screen,
+        textures: { uShown: smoothed.color, uDepth: textures.uDepth },
+        uniforms: lit,
+      });
+    }
+    // The halo does not move with what is lit.
+    const scissor = isKept ? scaled(how.halo, how.size, coarse) : undefined;
+    this.#gpu.draw({ ...shown, target: coarse, scissor });
     this.#gpu.draw({
       program: this.#smooth,
-      target: smoothed,
+      target,
       vertexArray: this.#screen,
       textures: { uSource: coarse.color },
+      scissor,
     });
     this.#gpu.draw({
       program: this.#enlarge,
       target: "canvas",
       vertexArray: this.#screen,
-      textures: { uSource: smoothed.color },
+      textures: { uSource: target.color },
     });
   }
 
   #sizeAs({ width, height }: Texture): void {
     if (this.#coarse?.width === width && this.#coarse.height === height) return;
-    this.#coarse?.dispose();
-    this.#smoothed?.dispose();
+    for (const old of [this.#coarse, this.#smoothed, this.#moved]) old?.dispose();
     const target = (label: string) =>
       this.#gpu.renderTarget({ label, width, height, color: ["RGBA8"] });
     this.#coarse = target("shown/coarse");
     this.#smoothed = target("shown/smoothed");
+    this.#moved = target("shown/moved");
   }
 
   /** What is on the screen of each light. */
