@@ -14,12 +14,18 @@
 #include "physical/volume.glsl"
 #include "physical/wax.glsl"
 #include "deferred/stored.glsl"
+#if !COARSE
+#include "deferred/sampled.glsl"
+#endif
 #include "deferred/from-below.glsl"
 
 // A flame is no point: nearer than this the inverse square would not hold. Metres.
 const float NEAREST = 0.01;
 
 uniform sampler2D uSurfaces;
+#if !COARSE
+uniform sampler2D uUsual;  // deferred/usual.frag
+#endif
 uniform vec3 uShown;  // 1 or 0: shadows, bounced light, highlights
 uniform vec2 uSize;   // of the light, texels
 uniform mat4 uWorldFromClip;
@@ -57,6 +63,9 @@ void main() {
   ivec2 pixel = pixelOf(ivec2(gl_FragCoord.xy), uSize, vec2(textureSize(uSurfaces, 0)));
 #if COARSE
   pixel = usualOf(pixel);
+#else
+  int usual = int(texelFetch(uUsual, ivec2(gl_FragCoord.xy), 0).r * 255.0 + 0.5);
+  pixel = clamp(pixel + aside(usual), ivec2(0), textureSize(uSurfaces, 0) - 1);
 #endif
   float depth = texelFetch(uDepth, pixel, 0).r;
   vec2 onScreen = (vec2(pixel) + 0.5) / vec2(textureSize(uSurfaces, 0));

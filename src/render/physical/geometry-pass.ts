@@ -3,6 +3,7 @@ import geometryFrag from "../../../shaders/deferred/geometry.frag";
 import guideFrag from "../../../shaders/deferred/guide.frag";
 import passingFrag from "../../../shaders/deferred/passing.frag";
 import passingVert from "../../../shaders/deferred/passing.vert";
+import usualFrag from "../../../shaders/deferred/usual.frag";
 import fullscreenVert from "../../../shaders/physical/fullscreen.vert";
 import surfaceVert from "../../../shaders/physical/surface.vert";
 import type { Box, Draw, Gpu } from "../../gl/gpu.js";
@@ -66,6 +67,7 @@ interface Painting {
 export class GeometryPass {
   readonly #gpu: Gpu;
   readonly #screen: VertexArray;
+  readonly #chooseUsual: Program;
   readonly #guide: Program;
   /** By what they are defined for. */
   readonly #programs = new Map<string, Program>();
@@ -74,6 +76,8 @@ export class GeometryPass {
   #moving: RenderTarget | null = null;
   #resting: RenderTarget | null = null;
   #painted: RenderTarget | null = null;
+  /** Which of the samples of who rests light is worked out at. */
+  #usual: RenderTarget | null = null;
   /** How far away the fire's surroundings are while the eye moves. */
   #movingDepth: Texture | null = null;
   /** What was painted coarsely, and what finely. */
@@ -90,17 +94,18 @@ export class GeometryPass {
     this.#screen = screen;
     this.#coarse = coarse;
     this.#roots = new RootTextures(gpu, screen);
+    this.#chooseUsual = gpu.program("deferred/usual", fullscreenVert, usualFrag);
     this.#guide = gpu.program("deferred/guide", fullscreenVert, guideFrag, {
       defines: { SAMPLES: SAMPLES.resting },
     });
   }
 
   resize(width: number, height: number): void {
-    for (const old of [this.#moving, this.#resting, this.#painted, this.#movingDepth]) {
-      old?.dispose();
-    }
+    const textures = [this.#moving, this.#resting, this.#painted, this.#usual, this.#movingDepth];
+    for (const old of textures) old?.dispose();
     this.#moving = null;
     this.#resting = null;
+    this.#usual = null;
     this.#movingDepth = null;
     this.#coarseKnown = "";
     this.#fineKnown = "";
@@ -157,7 +162,8 @@ export class GeometryPass {
     const [surfaces, depth] = this.#partsOf(this.#surfaces(false));
     const { color: painted, depth: paintedDepth } = this.#painted!;
     if (!paintedDepth) throw new Error("Paint has a depth.");
-    const paint = { painted, paintedDepth, surfaces, depth, known: `fine ${known}` };
+    const usual = this.#usual?.color ?? null;
+    const paint = { painted, paintedDepth, surfaces, depth, usual, known: `fine ${known}` };
     return { ...paint, kind: "fine", since: null };
   }
 
@@ -188,7 +194,8 @@ export class GeometryPass {
       filter: "nearest",
     });
     const [painted, paintedDepth] = [target.color, this.#movingDepth];
-    const paint = { painted, paintedDepth, surfaces, depth, known: `coarse ${this.#coarseKnown}` };
+    const seen = { painted, paintedDepth, surfaces, depth, usual: null };
+    const paint = { ...seen, known: `coarse ${this.#coarseKnown}` };
     return { ...paint, kind: since ? "kept" : "coarse", since };
   }
 
@@ -241,16 +248,38 @@ export class GeometryPass {
     this.#coarse.proceed(everySurface(placed));
   }
 
-  /** Which light each pixel is to take; one that moves takes what is around it. */
+  /** Where light is worked out, and which of it each pixel is to take; one that moves takes what is around it. */
   #drawGuide({ lightSize }: Sight, scissor?: Box): void {
     const resting = this.#surfaces(false);
     const [surfaces, depth] = this.#partsOf(resting);
+    const uniforms = { uLightSize: [lightSize.width, lightSize.height] };
+    const isFirst = !scissor || scissor[1] === 0;
+    this.#usual ??= this.#gpu.renderTarget({
+      label: "surfaces/usual",
+      ...lightSize,
+      color: ["R8"],
+      filter: "nearest",
+    });
+    if (isFirst) {
+      this.#gpu.draw({
+        program: this.#chooseUsual,
+        target: this.#usual,
+        vertexArray: this.#screen,
+        textures: { uSurfaces: surfaces, uDepth: depth },
+        uniforms,
+      });
+    }
     this.#gpu.draw({
       program: this.#guide,
       target: this.#painted!,
       vertexArray: this.#screen,
-      textures: { uAlbedo: resting.color, uSurfaces: surfaces, uDepth: depth },
-      uniforms: { uLightSize: [lightSize.width, lightSize.height] },
+      textures: {
+        uAlbedo: resting.color,
+        uSurfaces: surfaces,
+        uDepth: depth,
+        uUsual: this.#usual.color,
+      },
+      uniforms,
       depth: "test-and-write",
       scissor,
     });

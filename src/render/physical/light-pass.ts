@@ -105,7 +105,7 @@ export class LightPass {
    * @param lamp members of the block of `physical/light.glsl`; the light stays while they do
    */
   render(
-    { kind, surfaces, depth, known: paint, since }: Paint,
+    { kind, surfaces, depth, usual, known: paint, since }: Paint,
     lamp: LightAtVantage,
     shadow: Texture,
     volume: IrradianceVolume,
@@ -142,6 +142,7 @@ export class LightPass {
       textures: {
         uSurfaces: surfaces,
         uDepth: depth,
+        ...(usual && { uUsual: usual }),
         uShadow: shadow,
         ...volume.textures,
         uBelow: below,

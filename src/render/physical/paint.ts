@@ -57,6 +57,8 @@ export interface Paint {
   /** Of the samples: how the surface lies, roughness, what it is; depth. */
   readonly surfaces: Texture;
   readonly depth: Texture;
+  /** Which of them each texel of the light is worked out at; null for coarse paint. */
+  readonly usual: Texture | null;
   /** All that it depends on. */
   readonly known: string;
   /** From places in the picture to those in the one that it was painted for; null if it is the same. */
