@@ -6,6 +6,8 @@
 // After Majercik, Guertin, Nowrouzezahrai and McGuire 2019, "Dynamic Diffuse Global Illumination with
 // Ray-Traced Irradiance Fields": a probe counts where it faces the surface and where it is in sight.
 
+#include "lib/tetrahedron.glsl"
+
 layout(std140) uniform Volume {
   vec3 corner;    // of the room, m
   float planes;   // probes along z
@@ -49,20 +51,14 @@ struct Surroundings {
 };
 
 // The same of probes that only count by how near they are. They do not tell one way from another either, so
-// there is one answer for both; and the four corners of a tetrahedron of the cell are enough, where all
-// eight make no smoother a picture (Kasson, Nin, Plouffe and Hafner 1995, "Performing Color Space Conversions
-// with Three-Dimensional Linear Interpolation").
+// there is one answer for both.
 vec3 surroundingsNear(vec3 cell, vec3 share, vec2 facing) {
-  float most = max(max(share.x, share.y), share.z);
-  float least = min(min(share.x, share.y), share.z);
-  float middle = share.x + share.y + share.z - most - least;
-  vec4 weights = vec4(1.0 - most, most - middle, middle - least, least);
+  Tetrahedron tetrahedron = tetrahedronAt(share);
   vec3 sum = vec3(0.0);
   for (int corner = 0; corner < 4; corner++) {
-    float from = corner == 1 ? most : corner == 2 ? middle : least;
-    vec3 at = cell + (corner == 0 ? vec3(0.0) : step(from, share));
+    vec3 at = cell + cornerOf(tetrahedron, corner, share);
     ivec2 tile = ivec2(int(at.z * volume.columns + at.x), int(at.y));
-    sum += weights[corner] * textureLod(uVolume, onTile(tile, LIT, facing), 0.0).rgb;
+    sum += tetrahedron.weights[corner] * textureLod(uVolume, onTile(tile, LIT, facing), 0.0).rgb;
   }
   return sum;
 }
