@@ -16,6 +16,6 @@ void main() {
   vec4 here = texture(uShown, vUv);
   float isCarried = carried(here.a);
   vec4 before = texture(uShown, placeBefore(vec4(vUv, texture(uDepth, vUv).r, 1.0), isCarried));
-  // Such a place has only that to show, and keeps its own.
+  // What was hidden has nothing of its own in that picture: what stands there stays.
   oColor = mix(before, here, wasHidden(isCarried, before.a));
 }

@@ -13,7 +13,6 @@
 
 uniform sampler2D uAlbedo;
 uniform sampler2D uSurfaces;
-uniform sampler2D uUsual;  // deferred/usual.frag
 uniform vec2 uLightSize;
 
 out vec4 oPainted;
@@ -51,8 +50,7 @@ vec2 placeOf(ivec2 at, vec2 corner, vec2 size, out float mixes) {
   for (int i = 0; i < 4; i++) {
     ivec2 offset = ivec2(i & 1, i >> 1);
     ivec2 texel = clamp(ivec2(corner) + offset, ivec2(0), ivec2(uLightSize) - 1);
-    int usual = int(texelFetch(uUsual, texel, 0).r * 255.0 + 0.5);
-    ivec2 other = clamp(pixelOf(texel, uLightSize, size) + aside(usual), ivec2(0), last);
+    ivec2 other = sampleOf(texel, uLightSize, ivec2(size));
     float expected = here + dot(vec2(other - at), slopes);
     float apart = abs(nearness(other) - expected) / here;
     vec2 turned = abs(texelFetch(uSurfaces, other, 0).rg - way);

@@ -23,9 +23,6 @@
 const float NEAREST = 0.01;
 
 uniform sampler2D uSurfaces;
-#if !COARSE
-uniform sampler2D uUsual;  // deferred/usual.frag
-#endif
 uniform vec3 uShown;  // 1 or 0: shadows, bounced light, highlights
 uniform vec2 uSize;   // of the light, texels
 uniform mat4 uWorldFromClip;
@@ -60,12 +57,11 @@ float fifthPower(float x) {
 }
 
 void main() {
-  ivec2 pixel = pixelOf(ivec2(gl_FragCoord.xy), uSize, vec2(textureSize(uSurfaces, 0)));
+  ivec2 texel = ivec2(gl_FragCoord.xy);
 #if COARSE
-  pixel = usualOf(pixel);
+  ivec2 pixel = usualOf(pixelOf(texel, uSize, vec2(textureSize(uSurfaces, 0))));
 #else
-  int usual = int(texelFetch(uUsual, ivec2(gl_FragCoord.xy), 0).r * 255.0 + 0.5);
-  pixel = clamp(pixel + aside(usual), ivec2(0), textureSize(uSurfaces, 0) - 1);
+  ivec2 pixel = sampleOf(texel, uSize, textureSize(uSurfaces, 0));
 #endif
   float depth = texelFetch(uDepth, pixel, 0).r;
   vec2 onScreen = (vec2(pixel) + 0.5) / vec2(textureSize(uSurfaces, 0));

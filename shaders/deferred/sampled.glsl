@@ -1,8 +1,9 @@
-// The samples around the middle of a texel of the light, by number.
+// At which sample of the surfaces a texel of the light is worked out.
+// Needs deferred/stored.glsl.
 
-const int AROUND = 4;  // along each axis
-const int MIDDLE = 10;
+uniform sampler2D uUsual;  // deferred/usual.frag
 
-ivec2 aside(int number) {
-  return ivec2(number % AROUND, number / AROUND) - AROUND / 2;
+ivec2 sampleOf(ivec2 texel, vec2 lightSize, ivec2 samples) {
+  int usual = int(texelFetch(uUsual, texel, 0).r * 255.0 + 0.5);
+  return clamp(pixelOf(texel, lightSize, vec2(samples)) + aside(usual), ivec2(0), samples - 1);
 }

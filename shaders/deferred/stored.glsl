@@ -21,7 +21,15 @@ const float CARRIED = 1.0 / 255.0;
 // Steps of a place between two texels of light, where it is not simply mixed.
 const float PLACES = 14.0;
 
-// The pixel of the picture at which a texel of the light is worked out.
+// The pixel of the picture in the middle of a texel of the light.
 ivec2 pixelOf(ivec2 texel, vec2 lightSize, vec2 pictureSize) {
   return ivec2((vec2(texel) + 0.5) / lightSize * pictureSize);
+}
+
+// The pixels around that one, by number.
+const int AROUND = 4;  // along each axis
+const int MIDDLE = 10;
+
+ivec2 aside(int number) {
+  return ivec2(number % AROUND, number / AROUND) - AROUND / 2;
 }

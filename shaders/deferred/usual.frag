@@ -1,12 +1,11 @@
 #version 300 es
-// At which sample of the surfaces each texel of the light is worked out: where it is and lies most as all around
-// it do. Else light in a joint would be that of the boards beside it here and there, and theirs its.
-// In:  surfaces, depth.   Out: its number: deferred/sampled.glsl.
+// At which sample of the surfaces each texel of the light is worked out: the one that is and lies most as all
+// around it. At any other, a joint would now and then have the light of the boards beside it, and they its.
+// In:  surfaces, depth.   Out: its number, over 255.
 #include "lib/precision.glsl"
 #include "lib/octahedral.glsl"
 #include "physical/depth.glsl"
 #include "deferred/stored.glsl"
-#include "deferred/sampled.glsl"
 
 uniform sampler2D uSurfaces;
 uniform vec2 uLightSize;

@@ -4,8 +4,6 @@
 #include "lib/random.glsl"
 #include "lib/tetrahedron.glsl"
 
-in vec2 vUv;
-
 out vec4 oRadiance;
 
 void main() {
@@ -17,5 +15,5 @@ void main() {
     mixed += tetrahedron.weights[corner] * cornerOf(tetrahedron, corner, share);
   }
   vec3 apart = abs(mixed - share);
-  oRadiance = vec4(1.0 + max(max(apart.x, apart.y), apart.z), vUv.x, 0.0, 1.0);
+  oRadiance = vec4(1.0 + max(max(apart.x, apart.y), apart.z), 0.0, 0.0, 1.0);
 }

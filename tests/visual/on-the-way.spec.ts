@@ -77,7 +77,8 @@ for (const where of ["in the hand", "on the table"]) {
     expect(error).toBeLessThan(5);
     expect(error).toBeLessThan(0.6 * stale);
     // What is around the flame is lit up by its halo, which does not move as that does.
-    const flame = wanted.indexOf(Math.max(...wanted.filter((_, i) => i % 4 === 2))) >> 2;
+    const blues = wanted.filter((_, i) => i % 4 === 2);
+    const flame = blues.indexOf(Math.max(...blues));
     const parts: number[] = [];
     for (let up = -HALO; up <= HALO; up++) {
       for (let aside = -HALO; aside <= HALO; aside++) {

@@ -223,8 +223,8 @@ export class DeferredRenderer implements Renderer {
       this.#drawSmoke(world, view, volume, paint.paintedDepth);
     };
     // Whole cells of what blooms.
-    const frame = { margin: MARGIN, cell: GLARE };
-    const box = boxAround(this.#ballsOfFire(world, view), this.#clip, this.#size, frame);
+    const fit = { margin: MARGIN, cell: GLARE };
+    const box = boxAround(this.#ballsOfFire(world, view), this.#clip, this.#size, fit);
     drawRadiance(box);
     this.#complete = () => drawRadiance(this.#whole);
     const lightBlocks = { Light: this.#light };

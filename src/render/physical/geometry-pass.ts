@@ -205,6 +205,7 @@ export class GeometryPass {
     this.#gpu.clear(this.#surfaces(false), NOTHING);
     this.#drawSurfaces(this.#surfaces(false), scene, false);
     this.#gpu.clear(this.#painted!, NOTHING);
+    this.#drawUsual(scene.sight);
     this.#drawGuide(scene.sight);
   }
 
@@ -220,6 +221,7 @@ export class GeometryPass {
       this.#drawSurfaces(target, scene, false, band);
       return;
     }
+    if (stripe === STRIPES.surfaces) this.#drawUsual(scene.sight);
     const band = stripeOf(this.#painted!, stripe - STRIPES.surfaces, STRIPES.guide);
     this.#gpu.clear(this.#painted!, NOTHING, band);
     this.#drawGuide(scene.sight, band);
@@ -248,27 +250,24 @@ export class GeometryPass {
     this.#coarse.proceed(everySurface(placed));
   }
 
-  /** Where light is worked out, and which of it each pixel is to take; one that moves takes what is around it. */
+  /** Where light is to be worked out. */
+  #drawUsual({ lightSize }: Sight): void {
+    const [uSurfaces, uDepth] = this.#partsOf(this.#surfaces(false));
+    const how = { label: "surfaces/usual", color: ["R8"], filter: "nearest" } as const;
+    this.#usual ??= this.#gpu.renderTarget({ ...how, ...lightSize });
+    this.#gpu.draw({
+      program: this.#chooseUsual,
+      target: this.#usual,
+      vertexArray: this.#screen,
+      textures: { uSurfaces, uDepth },
+      uniforms: { uLightSize: [lightSize.width, lightSize.height] },
+    });
+  }
+
+  /** Which light each pixel is to take; one that moves takes what is around it. */
   #drawGuide({ lightSize }: Sight, scissor?: Box): void {
     const resting = this.#surfaces(false);
     const [surfaces, depth] = this.#partsOf(resting);
-    const uniforms = { uLightSize: [lightSize.width, lightSize.height] };
-    const isFirst = !scissor || scissor[1] === 0;
-    this.#usual ??= this.#gpu.renderTarget({
-      label: "surfaces/usual",
-      ...lightSize,
-      color: ["R8"],
-      filter: "nearest",
-    });
-    if (isFirst) {
-      this.#gpu.draw({
-        program: this.#chooseUsual,
-        target: this.#usual,
-        vertexArray: this.#screen,
-        textures: { uSurfaces: surfaces, uDepth: depth },
-        uniforms,
-      });
-    }
     this.#gpu.draw({
       program: this.#guide,
       target: this.#painted!,
@@ -277,9 +276,9 @@ export class GeometryPass {
         uAlbedo: resting.color,
         uSurfaces: surfaces,
         uDepth: depth,
-        uUsual: this.#usual.color,
+        uUsual: this.#usual!.color,
       },
-      uniforms,
+      uniforms: { uLightSize: [lightSize.width, lightSize.height] },
       depth: "test-and-write",
       scissor,
     });

@@ -10,7 +10,7 @@ interface Size {
 }
 
 /** How a box is drawn around what is seen, pixels. */
-interface Frame {
+interface Fit {
   /** Left free around it. */
   readonly margin: number;
   /** The box is of whole cells that are so wide, one more on each side. */
@@ -22,7 +22,7 @@ export function boxAround(
   balls: Iterable<Ball>,
   clip: mat4,
   { width, height }: Size,
-  { margin, cell }: Frame,
+  { margin, cell }: Fit,
 ): Box {
   let [left, bottom, right, top] = [width, height, 0, 0];
   for (const [x, y, z, reach] of balls) {
