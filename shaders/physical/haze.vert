@@ -7,11 +7,13 @@
 const float REACH = 3.0;
 
 uniform vec4 uMiddle[LEVELS];  // of the column, m; breadth, m
+#if BENDS
 uniform float uBend[LEVELS];   // most that a ray is turned, rad
 
 out float vAcross;   // from the middle, in standard deviations
 out float vBend;
 out vec2 vSideways;  // on the screen, across the column
+#endif
 
 void main() {
   int level = gl_VertexID >> 1;
@@ -19,11 +21,14 @@ void main() {
   vec3 toEye = normalize(frame.eyePosition - middle.xyz);
   vec3 along = uMiddle[min(level + 1, LEVELS - 1)].xyz - uMiddle[max(level - 1, 0)].xyz;
   vec3 sideways = normalize(cross(along, toEye) + vec3(1e-6, 0.0, 0.0));
-  vAcross = (gl_VertexID & 1) == 0 ? -REACH : REACH;
+  float across = (gl_VertexID & 1) == 0 ? -REACH : REACH;
+#if BENDS
+  vAcross = across;
   vBend = uBend[level];
   vec4 centre = frame.clipFromWorld * vec4(middle.xyz, 1.0);
   vec4 aside = frame.clipFromWorld * vec4(middle.xyz + sideways * middle.w, 1.0);
   vec2 onScreen = (aside.xy / aside.w - centre.xy / centre.w) * frame.viewport;
   vSideways = onScreen / max(length(onScreen), 1e-4);
-  gl_Position = frame.clipFromWorld * vec4(middle.xyz + sideways * (vAcross * middle.w), 1.0);
+#endif
+  gl_Position = frame.clipFromWorld * vec4(middle.xyz + sideways * (across * middle.w), 1.0);
 }

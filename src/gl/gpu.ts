@@ -3,6 +3,7 @@ import { created, type GpuObject } from "./gpu-object.js";
 import { GpuTimer } from "./gpu-timer.js";
 import { Program, type ProgramOptions, type ShaderSource, type UniformValue } from "./program.js";
 import { RenderTarget, type RenderTargetOptions } from "./render-target.js";
+import { Samplers, type Sampling } from "./samplers.js";
 import { Texture, type TextureOptions } from "./texture.js";
 import { TextureView, type TextureViewOptions } from "./texture-view.js";
 import { UniformBlock } from "./uniform-block.js";
@@ -21,6 +22,8 @@ export interface Draw {
   readonly vertexArray: VertexArray;
   readonly uniforms?: Readonly<Record<string, UniformValue>>;
   readonly textures?: Readonly<Record<string, Texture>>;
+  /** How textures with mipmaps are read, by uniform. Default: trilinear. */
+  readonly sampling?: Readonly<Record<string, Sampling>>;
   readonly blocks?: Readonly<Record<string, UniformBlock>>;
   /** Default: triangles. */
   readonly primitive?: "triangles" | "strip" | "points";
@@ -88,6 +91,7 @@ export class Gpu {
   /** What is switched on in GL: each call saved is a microsecond of the page's own thread. */
   readonly #enabled = new Set<GLenum>();
   #writesDepth = true;
+  readonly #samplers: Samplers;
 
   constructor(canvas: HTMLCanvasElement) {
     // Multisampling of the default framebuffer is up to the browser; ours is in render targets.
@@ -110,8 +114,10 @@ export class Gpu {
     this.drawsToFloats = full !== null;
     this.drawsToHalfFloats = full !== null || half !== null;
     this.filtersFloats = gl.getExtension("OES_texture_float_linear") !== null;
-    const names = gl.getExtension("WEBGL_debug_renderer_info");
-    this.renderer = String(gl.getParameter(names?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER));
+    // Sums into full floats, which Firefox allows with a warning if nobody asks.
+    gl.getExtension("EXT_float_blend");
+    this.renderer = rendererOf(gl);
+    this.#samplers = new Samplers(gl);
     this.#feedback = created(gl, gl.createTransformFeedback(), "feedback");
     this.longestSide = Math.min(
       gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) as number,
@@ -247,6 +253,7 @@ export class Gpu {
     vertexArray,
     uniforms = {},
     textures = {},
+    sampling = {},
     blocks = {},
     primitive = "triangles",
     count = vertexArray.count,
@@ -263,7 +270,7 @@ export class Gpu {
     if (viewport) gl.viewport(...viewport);
     this.#switch(gl.SCISSOR_TEST, scissor !== undefined);
     if (scissor) gl.scissor(...scissor);
-    this.#use(program, uniforms, textures, blocks);
+    this.#use(program, uniforms, textures, sampling, blocks);
     this.#switch(gl.BLEND, blend === "premultiplied");
     this.#switch(gl.DEPTH_TEST, depth !== "none");
     if (depth !== "none") this.#writeDepth(depth === "test-and-write");
@@ -284,7 +291,7 @@ export class Gpu {
 
   transform({ program, vertexArray, uniforms, blocks, into, count }: Transform): void {
     const gl = this.#gl;
-    this.#use(program, uniforms, {}, blocks);
+    this.#use(program, uniforms, {}, {}, blocks);
     gl.bindVertexArray(vertexArray.handle);
     gl.enable(gl.RASTERIZER_DISCARD);
     this.#capture(into, count);
@@ -381,6 +388,7 @@ export class Gpu {
     program: Program,
     uniforms: Readonly<Record<string, UniformValue>>,
     textures: Readonly<Record<string, Texture>>,
+    sampling: Readonly<Record<string, Sampling>>,
     blocks: Readonly<Record<string, UniformBlock>>,
   ): void {
     const gl = this.#gl;
@@ -391,6 +399,7 @@ export class Gpu {
       if (!texture) throw new Error(`${program.label} needs a texture ${name}.`);
       gl.activeTexture(gl.TEXTURE0 + unit);
       gl.bindTexture(texture.target, texture.handle);
+      this.#samplers.bind(unit, texture.hasMipmaps ? sampling[name] : undefined);
     }
     for (const [name, binding] of program.blocks) {
       const block = blocks[name];
@@ -414,7 +423,16 @@ export class Gpu {
   dispose(): void {
     this.clearObjects();
     this.timer.dispose();
+    this.#samplers.dispose();
     this.#gl.deleteTransformFeedback(this.#feedback);
     this.#gl.getExtension("WEBGL_lose_context")?.loseContext();
   }
+}
+
+/** The renderer's name. Firefox tells it and deprecates the extension; others tell it by the extension alone. */
+function rendererOf(gl: WebGL2RenderingContext): string {
+  const name = String(gl.getParameter(gl.RENDERER));
+  if (name !== "WebKit WebGL") return name;
+  const extension = gl.getExtension("WEBGL_debug_renderer_info");
+  return extension ? String(gl.getParameter(extension.UNMASKED_RENDERER_WEBGL)) : name;
 }

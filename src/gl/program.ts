@@ -92,6 +92,12 @@ function explain(log: string, { files }: ShaderSource): string {
   );
 }
 
+/** Names of the loose uniforms that a stage declares, whether it uses them or not. */
+function declaredUniforms({ source }: ShaderSource): string[] {
+  const declarations = source.matchAll(/^\s*uniform\s+(?:(?:low|medium|high)p\s+)?\w+\s+(\w+)/gm);
+  return Array.from(declarations, ([, name]) => name ?? "");
+}
+
 interface Stage {
   readonly source: ShaderSource;
   readonly shader: WebGLShader;
@@ -111,6 +117,7 @@ export class Program implements GpuObject {
   #stages: readonly Stage[];
   readonly #gl: WebGL2RenderingContext;
   readonly #uniforms = new Map<string, Uniform>();
+  readonly #declared: ReadonlySet<string>;
   readonly #samplers = new Map<string, number>();
   readonly #blocks = new Map<string, number>();
   readonly #forget: (object: GpuObject) => void;
@@ -127,6 +134,7 @@ export class Program implements GpuObject {
     this.#forget = forget;
     const variant = Object.entries(defines).map(([name, value]) => `${name}=${value}`);
     this.label = [label, ...variant].join(" ");
+    this.#declared = new Set([vertex, fragment].flatMap(declaredUniforms));
     this.#handle = created(gl, gl.createProgram(), this.label);
     this.#stages = [
       { source: vertex, shader: compile(gl, gl.VERTEX_SHADER, vertex, defines) },
@@ -221,13 +229,17 @@ export class Program implements GpuObject {
     return [...this.#uniforms.keys()];
   }
 
-  /** Sets a loose uniform of the program in use. An unknown name is the caller's mistake, so it throws. */
+  /**
+   * Sets a loose uniform of the program in use.
+   *
+   * What is declared and not used may be there or not, as the driver's linker likes, so it is left alone. A
+   * name that is not declared is the caller's mistake on every driver, and throws.
+   */
   set(name: string, value: UniformValue): void {
     const uniform = this.#uniforms.get(name);
-    if (!uniform) {
-      throw new Error(`${this.label} has no uniform ${name}; it has ${this.uniforms.join(", ")}.`);
-    }
-    uniform(value);
+    if (uniform) uniform(value);
+    else if (!this.#declared.has(name))
+      throw new Error(`${this.label} declares no uniform ${name}.`);
   }
 
   dispose(): void {

@@ -34,17 +34,11 @@ export interface TextureOptions {
   readonly mipmaps?: boolean;
   readonly filter?: "nearest" | "linear";
   readonly wrap?: "clamp" | "repeat";
-  /** Most anisotropic taps; 1 is plain trilinear. */
-  readonly anisotropy?: number;
 }
-
-/** The nearest texel of one level, a mixture of one level's, or so many anisotropic taps across two. */
-export type MipmapReading = "texel" | "level" | number;
 
 /** A texture of immutable storage: a new size means a new texture. */
 export class Texture implements GpuObject {
   readonly #format: TextureFormat;
-  #reading: MipmapReading = 1;
   readonly label: string;
   readonly bytes: number;
   readonly width: number;
@@ -91,18 +85,6 @@ export class Texture implements GpuObject {
     this.#upload(options, layers);
     if (mipmaps) gl.generateMipmap(this.target);
     this.#sample(options);
-    this.#reading = options.anisotropy ?? 1;
-    gl.bindTexture(this.target, null);
-  }
-
-  /** How a texture with mipmaps is read from now on. */
-  set reading(reading: MipmapReading) {
-    if (reading === this.#reading) return;
-    this.#reading = reading;
-    const gl = this.#gl;
-    gl.activeTexture(gl.TEXTURE0);
-    gl.bindTexture(this.target, this.handle);
-    this.#readMipmaps(reading);
     gl.bindTexture(this.target, null);
   }
 
@@ -145,46 +127,21 @@ export class Texture implements GpuObject {
     gl.bindTexture(this.target, null);
   }
 
-  #sample({ mipmaps, filter = "linear", wrap = "clamp", anisotropy = 1 }: TextureOptions): void {
+  #sample({ mipmaps, filter = "linear", wrap = "clamp" }: TextureOptions): void {
     const gl = this.#gl;
     const { target } = this;
     const magnification = filter === "nearest" ? gl.NEAREST : gl.LINEAR;
-    gl.texParameteri(target, gl.TEXTURE_MIN_FILTER, magnification);
+    const minification = mipmaps ? gl.LINEAR_MIPMAP_LINEAR : magnification;
+    gl.texParameteri(target, gl.TEXTURE_MIN_FILTER, minification);
     gl.texParameteri(target, gl.TEXTURE_MAG_FILTER, magnification);
     const edge = wrap === "repeat" ? gl.REPEAT : gl.CLAMP_TO_EDGE;
     gl.texParameteri(target, gl.TEXTURE_WRAP_S, edge);
     gl.texParameteri(target, gl.TEXTURE_WRAP_T, edge);
     gl.texParameteri(target, gl.TEXTURE_WRAP_R, edge);
-    if (mipmaps) this.#readMipmaps(anisotropy);
-  }
-
-  #readMipmaps(reading: MipmapReading): void {
-    const gl = this.#gl;
-    const { target } = this;
-    const filters = { texel: gl.NEAREST_MIPMAP_NEAREST, level: gl.LINEAR_MIPMAP_NEAREST };
-    const isPlain = typeof reading === "string";
-    const filter = isPlain ? filters[reading] : gl.LINEAR_MIPMAP_LINEAR;
-    gl.texParameteri(target, gl.TEXTURE_MIN_FILTER, filter);
-    gl.texParameteri(target, gl.TEXTURE_MAG_FILTER, reading === "texel" ? gl.NEAREST : gl.LINEAR);
-    const extension = gl.getExtension("EXT_texture_filter_anisotropic");
-    if (!extension) return;
-    const taps = isPlain ? 1 : Math.min(reading, mostTaps(gl, extension));
-    gl.texParameterf(target, extension.TEXTURE_MAX_ANISOTROPY_EXT, taps);
   }
 
   dispose(): void {
     this.#gl.deleteTexture(this.handle);
     this.#forget(this);
   }
-}
-
-const known = new WeakMap<WebGL2RenderingContext, number>();
-
-/** Anisotropic taps that the GPU has, asked once: the answer waits for all that was drawn before. */
-function mostTaps(gl: WebGL2RenderingContext, extension: EXT_texture_filter_anisotropic): number {
-  const most =
-    known.get(gl) ?? (gl.getParameter(extension.MAX_TEXTURE_MAX_ANISOTROPY_EXT) as number);
-  // A lost context has none, and gets them back.
-  if (most > 0) known.set(gl, most);
-  return most;
 }

@@ -4,8 +4,17 @@ import type { Texture, TextureFormat } from "../gl/texture.js";
 import type { VertexArray, VertexArrayOptions } from "../gl/vertex-array.js";
 import type { Cluster, Grouped } from "./clusters.js";
 
-/** Taps of anisotropic filtering: floors and walls are mostly seen at grazing angles. */
-const ANISOTROPY = 8;
+/** Anisotropic filtering of a surface's textures: floors and walls are mostly seen at grazing angles. */
+const ANISOTROPIC = {
+  uAlbedo: { anisotropy: 8 },
+  uNormal: { anisotropy: 8 },
+  uOcclusionRoughness: { anisotropy: 8 },
+} as const;
+
+/** How a tier reads the textures of surfaces. */
+export function surfaceSampling({ anisotropy }: { readonly anisotropy: boolean }) {
+  return anisotropy ? ANISOTROPIC : {};
+}
 
 /** A part of a model on the GPU. */
 export interface Surface {
@@ -44,16 +53,9 @@ export interface Surface {
 export function uploadModel(
   gpu: Gpu,
   model: Model,
-  { anisotropy }: { anisotropy: boolean },
   group?: (part: Part) => Grouped,
 ): readonly Surface[] {
-  const surfaces = gpu.share(model, () => upload(gpu, model, group));
-  for (const { textures } of surfaces) {
-    for (const texture of Object.values(textures)) {
-      if (texture.hasMipmaps) texture.reading = anisotropy ? ANISOTROPY : 1;
-    }
-  }
-  return surfaces;
+  return gpu.share(model, () => upload(gpu, model, group));
 }
 
 /** The largest last: walls and floor are behind all else, and what is hidden need not be shaded. */

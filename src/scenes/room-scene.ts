@@ -19,7 +19,7 @@ export async function loadRoom(request: SceneRequest, loading: Loading): Promise
     createRenderer: ({ gpu }, tier, look) => {
       if (look !== "physical") return new PaperRenderer(gpu, models, tier);
       return tier.name === "low"
-        ? new DeferredRenderer(gpu, models, room.solid, tier)
+        ? new DeferredRenderer(gpu, models, room.solid)
         : new PhysicalRenderer(gpu, models, room.solid, tier);
     },
     close: () => closeModels(models),

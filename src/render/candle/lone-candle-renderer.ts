@@ -15,7 +15,7 @@ import { clipFromWorld, projectionScale } from "../camera.js";
 import { FlamePass } from "../physical/flame-pass.js";
 import { lightBlock } from "../physical/light-block.js";
 import type { Renderer } from "../renderer.js";
-import { type Surface, uploadModel } from "../surface.js";
+import { type Surface, surfaceSampling, uploadModel } from "../surface.js";
 import type { Tier } from "../tier.js";
 import type { View } from "../view.js";
 import { frameCandle } from "./framing.js";
@@ -48,7 +48,7 @@ function share(gpu: Gpu, model: Model): Shared {
     frame: gpu.uniformBlock(surfaceProgram, "Frame"),
     light: gpu.uniformBlock(surfaceProgram, "Light"),
     flame: new FlamePass(gpu),
-    candle: uploadModel(gpu, model, { anisotropy: true }),
+    candle: uploadModel(gpu, model),
     screen: gpu.vertexArray("screen", { attributes: {}, count: 3 }),
   };
   shared.set(gpu, made);
@@ -140,6 +140,7 @@ export class LoneCandleRenderer implements Renderer {
         target,
         vertexArray: surface.vertexArray,
         textures: surface.textures,
+        sampling: surfaceSampling({ anisotropy: true }),
         uniforms: {
           uBaseColor: surface.baseColor,
           uLamp: TAPER.color,

@@ -17,7 +17,7 @@ import type { World } from "../../world/world.js";
 import { clipFromWorld, projectionScale } from "../camera.js";
 import { FEEDBACK, ParticleSystem, particleProgram } from "../particle-system.js";
 import type { Models, Renderer } from "../renderer.js";
-import { type Surface, uploadModel } from "../surface.js";
+import { type Surface, surfaceSampling, uploadModel } from "../surface.js";
 import type { Tier } from "../tier.js";
 import type { View } from "../view.js";
 
@@ -59,8 +59,8 @@ export class PaperRenderer implements Renderer {
     this.#updateProgram = particleProgram(gpu);
     this.#frame = gpu.uniformBlock(this.#roomProgram, "Frame");
     this.#light = gpu.uniformBlock(this.#roomProgram, "Light");
-    this.#room = uploadModel(gpu, room, tier);
-    this.#candle = uploadModel(gpu, candle, tier);
+    this.#room = uploadModel(gpu, room);
+    this.#candle = uploadModel(gpu, candle);
   }
 
   /** The picture's size in pixels; the canvas has it already. */
@@ -136,6 +136,7 @@ export class PaperRenderer implements Renderer {
         target,
         vertexArray,
         textures,
+        sampling: surfaceSampling(this.#tier),
         uniforms: { uBaseColor: baseColor, uOcclusion: occlusionStrength },
         blocks: { Frame: this.#frame, Light: this.#light },
         depth: "test-and-write",
@@ -151,6 +152,7 @@ export class PaperRenderer implements Renderer {
         target,
         vertexArray,
         textures,
+        sampling: surfaceSampling(this.#tier),
         uniforms: { uBaseColor: baseColor, uOcclusion: occlusionStrength, uWorldFromModel: place },
         blocks: { Frame: this.#frame, Light: this.#light },
         depth: "test-and-write",

@@ -21,7 +21,6 @@ import { groupTriangles } from "../clusters.js";
 import { floats } from "../floats.js";
 import type { Models, Renderer } from "../renderer.js";
 import { behindLast, type Surface, uploadModel } from "../surface.js";
-import type { Tier } from "../tier.js";
 import type { View } from "../view.js";
 import { Casters } from "./casters.js";
 import { CoarseSurfaces } from "./coarse-surfaces.js";
@@ -110,7 +109,7 @@ export class DeferredRenderer implements Renderer {
   #complete: () => void = () => {};
 
   /** @param solid of the room, as it can be touched */
-  constructor(gpu: Gpu, { room, candle }: Models, solid: Solid, tier: Tier) {
+  constructor(gpu: Gpu, { room, candle }: Models, solid: Solid) {
     this.#gpu = gpu;
     this.#screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
     this.#lightPass = new LightPass(gpu, this.#screen, SHADOW);
@@ -128,11 +127,11 @@ export class DeferredRenderer implements Renderer {
     this.#flame = new FlamePass(gpu);
     this.#haze = new HazePass(gpu, this.#lightPass.format);
     this.#smoke = new SmokePass(gpu);
-    const surfaces = uploadModel(gpu, room, tier, groupTriangles);
+    const surfaces = uploadModel(gpu, room, groupTriangles);
     this.#model = room;
     this.#parts = surfaces;
     this.#room = behindLast(surfaces);
-    this.#candle = uploadModel(gpu, candle, tier, groupTriangles);
+    this.#candle = uploadModel(gpu, candle, groupTriangles);
     this.#casters = new Casters(gpu, room, surfaces, CASTER_DETAIL);
     this.#shadow = new ShadowPass(gpu, SHADOW.size, floats(gpu, 1));
     this.#indirect = new IndirectPass(

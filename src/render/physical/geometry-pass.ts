@@ -32,6 +32,14 @@ const STRIPES = { surfaces: 12, guide: 4 } as const;
 /** Samples along each edge of a pixel: what is on its way over the retina is not seen sharply. */
 const SAMPLES = { moving: 0.5, resting: 2 } as const;
 
+/** How coarse surfaces read their textures. */
+const COARSE: NonNullable<Draw["sampling"]> = {
+  uAlbedo: "level",
+  uRoot: "level",
+  uNormal: "texel",
+  uOcclusionRoughness: "texel",
+};
+
 /** All that the paint depends on, beside the surfaces. */
 export interface Sight {
   readonly clip: mat4;
@@ -235,10 +243,6 @@ export class GeometryPass {
     const isSeen = sightOf(band ? clipOfStripe(band, target, clip) : clip);
     for (const model of scene.placed) {
       for (const surface of isCoarse ? this.#coarse.merged(model.surfaces) : model.surfaces) {
-        for (const [name, texture] of Object.entries(surface.textures)) {
-          if (!texture.hasMipmaps) continue;
-          texture.reading = !isCoarse ? 1 : name === "uAlbedo" ? "level" : "texel";
-        }
         this.#draw(surface, model, scene, { target, isCoarse, isSeen, scissor: band });
       }
     }
@@ -321,6 +325,7 @@ export class GeometryPass {
       target,
       vertexArray,
       textures: root ? { ...surface.textures, uRoot: root } : surface.textures,
+      sampling: isCoarse ? COARSE : {},
       uniforms: {
         uBaseColor: surface.baseColor,
         uPlace: place,

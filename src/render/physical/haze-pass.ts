@@ -58,11 +58,10 @@ export class HazePass {
   constructor(gpu: Gpu, format: TextureFormat = "RGBA16F") {
     this.#gpu = gpu;
     this.#format = format;
-    const defines = { LEVELS };
-    this.#bend = gpu.program("physical/haze", hazeVert, hazeFrag, {
-      defines: { ...defines, OFFSET: 0 },
-    });
-    this.#copy = gpu.program("physical/haze-copy", hazeVert, copyFrag, { defines });
+    const bends = { defines: { LEVELS, BENDS: 1, OFFSET: 0 } };
+    this.#bend = gpu.program("physical/haze", hazeVert, hazeFrag, bends);
+    const copies = { defines: { LEVELS, BENDS: 0 } };
+    this.#copy = gpu.program("physical/haze-copy", hazeVert, copyFrag, copies);
     this.#ribbon = gpu.vertexArray("haze/ribbon", { attributes: {}, count: 2 * LEVELS });
   }
 
@@ -100,20 +99,19 @@ export class HazePass {
       first,
       count,
       primitive: "strip",
-      uniforms: { uMiddle: this.#middles, uBend: this.#bends },
       blocks: { Frame: frame },
       cull: "none",
     } as const;
     const { width, height } = this.#size;
     const strip = this.#bent.width;
     for (let left = begin; left < end; left += strip) {
-      const uniforms = { ...ribbon.uniforms, uCorner: [left, 0] };
+      const place = { uMiddle: this.#middles, uCorner: [left, 0] };
       this.#gpu.draw({
         ...ribbon,
         program: showsOffset ? this.#offsetProgram() : this.#bend,
         target: this.#bent,
         textures: { uRadiance: radiance, uDepth: depth },
-        uniforms,
+        uniforms: { ...place, uBend: this.#bends },
         viewport: [-left, 0, width, height],
       });
       this.#gpu.draw({
@@ -121,7 +119,7 @@ export class HazePass {
         program: this.#copy,
         target,
         textures: { uSource: this.#bent.color },
-        uniforms,
+        uniforms: place,
         scissor: [left, 0, Math.min(strip, width - left), height],
       });
     }
@@ -140,7 +138,7 @@ export class HazePass {
   }
 
   #offsetProgram(): Program {
-    const defines = { LEVELS, OFFSET: 1 };
+    const defines = { LEVELS, BENDS: 1, OFFSET: 1 };
     this.#offset ??= this.#gpu.program("physical/haze", hazeVert, hazeFrag, { defines });
     return this.#offset;
   }

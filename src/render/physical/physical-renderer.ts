@@ -16,7 +16,7 @@ import type { World } from "../../world/world.js";
 import { clipFromWorld, projectionScale } from "../camera.js";
 import { groupTriangles } from "../clusters.js";
 import type { Models, Renderer } from "../renderer.js";
-import { behindLast, type Surface, uploadModel } from "../surface.js";
+import { behindLast, type Surface, surfaceSampling, uploadModel } from "../surface.js";
 import type { Tier } from "../tier.js";
 import type { View } from "../view.js";
 import { BloomPass, shareOf } from "./bloom-pass.js";
@@ -111,9 +111,9 @@ export class PhysicalRenderer implements Renderer {
     this.#haze = new HazePass(gpu);
     this.#smoke = new SmokePass(gpu);
     this.#motes = new MotesPass(gpu);
-    const surfaces = uploadModel(gpu, room, tier, groupTriangles);
+    const surfaces = uploadModel(gpu, room, groupTriangles);
     this.#room = behindLast(surfaces);
-    this.#candle = uploadModel(gpu, candle, tier, groupTriangles);
+    this.#candle = uploadModel(gpu, candle, groupTriangles);
     this.#casters = new Casters(gpu, room, surfaces, CASTER_DETAIL[tier.name]);
     this.#screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
     for (const surface of [...this.#room, ...this.#candle]) reliefOf(gpu, this.#screen, surface);
@@ -251,6 +251,7 @@ export class PhysicalRenderer implements Renderer {
           uRadiosity: volume.radiosity,
           ...volume.textures,
         },
+        sampling: surfaceSampling(this.#tier),
         uniforms: {
           uBaseColor: baseColor,
           uPlace: place,

@@ -72,7 +72,6 @@ export class RootTextures {
     });
     target.dispose();
     root.updateMipmaps();
-    root.reading = "level";
     return root;
   }
 }
