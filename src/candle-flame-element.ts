@@ -18,7 +18,7 @@ import { SceneFetcher } from "./element/scene-fetcher.js";
 import { FULL, LOST, NO_PHYSICAL_LOOK, outSentence, REFUSALS } from "./element/sentences.js";
 import { Sight } from "./element/sight.js";
 import { styleFor } from "./element/style.js";
-import { ContextLostError } from "./gl/gpu-object.js";
+import { ContextLostError, GraphicsError } from "./gl/gpu-object.js";
 import { type Device, FirstPersonInput } from "./input/first-person-input.js";
 import type { FlameReport } from "./light/flame-light.js";
 import { type Guest, rooms } from "./scenes/places.js";
@@ -83,6 +83,8 @@ export class CandleFlameElement extends TypedEvents {
   #screen: Screen | null = null;
   /** Whether this GPU can hold the light of the physical look. */
   #holdsLight = true;
+  /** Candles that are being made, of which one at most is wanted. */
+  #beginnings = 0;
   #scenery: SceneName | null = null;
   #scene: Scene | null = null;
   #sight: Sight | null = null;
@@ -426,6 +428,7 @@ export class CandleFlameElement extends TypedEvents {
       this.#screen = createScreen(this.scene, this.#createCanvas());
       const { source, gpu } = this.#screen;
       this.#holdsLight = gpu.drawsToHalfFloats;
+      if (this.quality === "auto") void CandleFlame.measure(this.#screen); // while the files are on their way
       watchContext(source, signal, {
         onLost: () => this.#contextLost(),
         onRestored: () => this.#contextRestored(),
@@ -442,18 +445,42 @@ export class CandleFlameElement extends TypedEvents {
       });
       void this.#fetcher.fetch();
     } catch (error) {
-      this.#fail(error as Error);
+      this.#failAtFrame(error);
     }
   }
 
-  #begin(scene: Scene, connection: AbortSignal): void {
-    if (!this.#screen || this.#screen.gpu.isLost) return; // it begins when the context is given back
-    const candle = new CandleFlame(this.#screen, scene, this.#features, this.#options());
+  async #begin(scene: Scene, connection: AbortSignal): Promise<void> {
+    const screen = this.#screen;
+    if (!screen || screen.gpu.isLost) return; // it begins when the context is given back
+    const isWanted = () => !connection.aborted && this.#scene === scene && this.#screen === screen;
+    const plays = !this.paused && this.#isSeen;
+    // Of another scene's beginning, which is no longer wanted.
+    if (this.#beginnings++ > 0) screen.clear();
+    try {
+      const options = this.#options();
+      const candle = await CandleFlame.create(
+        screen,
+        scene,
+        this.#features,
+        options,
+        plays,
+        isWanted,
+      );
+      if (candle) this.#adopt(candle, connection);
+    } catch (error) {
+      if (isWanted()) this.#failAtFrame(error);
+    } finally {
+      this.#beginnings--;
+    }
+  }
+
+  #adopt(candle: CandleFlame, connection: AbortSignal): void {
     this.#candle = candle;
     this.#screen = null;
+    candle.options = this.#options(); // which may have changed meanwhile
     candle.inspect = this.#inspect;
     candle.onFrame = () => this.#afterFrame();
-    candle.onFailure = (error) => this.#failAtShader(error);
+    candle.onFailure = (error) => this.#failAtFrame(error);
     candle.onCandleMoved = () => this.#emit(this.held ? "take" : "place", null);
     candle.onRefused = () => this.#tellRefusal();
     candle.onFlameChanged = this.#flameChanged;
@@ -509,15 +536,16 @@ export class CandleFlameElement extends TypedEvents {
   #show(scene: Scene, connection: AbortSignal): void {
     const old = this.#scene;
     this.#scene = scene;
-    if (!old) {
-      this.#begin(scene, connection);
+    if (!this.#candle) {
+      old?.close();
+      void this.#begin(scene, connection);
       return;
     }
     this.#use((candle) => {
       candle.show(scene, this.#options());
       this.#absence.end(candle, this.#shown);
     });
-    old.close();
+    old?.close();
     if (!this.#candle) return;
     this.#overlay.hideProgress();
     this.#reportCamera();
@@ -608,6 +636,8 @@ export class CandleFlameElement extends TypedEvents {
     this.#settleReady.reject(error);
     this.#isReadySettled = true;
     this.#report(error);
+    // Faults of a driver are rare, and whoever meets one needs its words.
+    if (["shader", "graphics"].includes(typeOf(error))) console.error(error);
   }
 
   #showFailure(
@@ -636,15 +666,15 @@ export class CandleFlameElement extends TypedEvents {
     try {
       return this.#candle ? action(this.#candle) : undefined;
     } catch (error) {
-      this.#failAtShader(error as Error);
+      this.#failAtFrame(error);
       return undefined;
     }
   }
 
-  /** A shader that the driver refuses may turn up late: a look or a tier compiles its own. */
-  #failAtShader(error: Error): void {
-    if (typeOf(error) !== "shader") throw error;
-    this.#fail(error);
+  /** Whatever was thrown while something was drawn, or made to be drawn. */
+  #failAtFrame(cause: unknown): void {
+    if (cause instanceof ContextLostError) return; // its event follows, and the picture comes back with it
+    this.#fail(frameError(cause));
   }
 
   #report(error: Error): void {
@@ -666,11 +696,11 @@ export class CandleFlameElement extends TypedEvents {
         this.#overlay.hidePoster();
         this.#applyMotion();
       } else if (this.#scene && this.#connection) {
-        this.#begin(this.#scene, this.#connection.signal);
+        void this.#begin(this.#scene, this.#connection.signal);
       }
       this.#emit("contextrestored", null);
     } catch (error) {
-      this.#fail(error as Error);
+      this.#failAtFrame(error);
     }
   }
 
@@ -810,6 +840,12 @@ export class CandleFlameElement extends TypedEvents {
     this.#overlay.showProgress(totalProgress);
     this.#emit("progress", { totalProgress });
   }
+}
+
+/** The error of a frame: what the GPU's own modules threw, or anything else in a sentence. */
+function frameError(cause: unknown): Error {
+  if (cause instanceof Error && typeOf(cause) !== "asset") return cause;
+  return new GraphicsError("The picture cannot be drawn.", { cause });
 }
 
 declare global {

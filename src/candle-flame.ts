@@ -1,9 +1,10 @@
 import type { FirstPersonInput } from "./input/first-person-input.js";
 import { candleLight } from "./light/candle-light.js";
 import { type FlameReport, flameReport, paperFlameReport } from "./light/flame-light.js";
-import { AutoQuality, type Rung } from "./render/auto-quality.js";
+import { AutoQuality, type Rung, WORK } from "./render/auto-quality.js";
 import { canvasSize } from "./render/canvas-size.js";
 import type { Renderer } from "./render/renderer.js";
+import { measureSpeed, type Speed } from "./render/speed.js";
 import { type Tier, tierNamed } from "./render/tier.js";
 import type { Scene } from "./scenes/scene.js";
 import type { Screen } from "./scenes/screen.js";
@@ -25,8 +26,6 @@ import {
 const MAX_FRAME = 1 / 20;
 /** Weight of the newest frame in the running mean of frame times. */
 const SMOOTHING = 0.1;
-/** Where `auto` draws a picture that stays: the first, and any while no time passes. */
-const STILL_RUNG: Rung = { tier: "high", share: 1 };
 const INSPECTION_RUNG: Rung = { tier: "medium", share: 1 };
 
 /** Everything about a candle that its owner may set at any time. */
@@ -74,7 +73,7 @@ export class CandleFlame {
   inspect: Inspection = "picture";
   /** Called after each frame that the animation loop has drawn. */
   onFrame: () => void = () => {};
-  /** Called when a frame of the animation loop could not be drawn, which ends the loop. */
+  /** Called when a frame of the animation loop could not be drawn, or not be held, which ends the loop. */
   onFailure: (error: Error) => void = () => {};
   /** Called when the visitor's input has put the candle down, or taken it up. */
   onCandleMoved: () => void = () => {};
@@ -96,23 +95,83 @@ export class CandleFlame {
   /** CSS size times device pixel ratio, before the tier's scale. */
   #pixels = { width: 1, height: 1 };
   #request = 0;
+  /** Whether a next frame follows each, or will once the first is shown. */
+  #isPlaying: boolean;
+  /** Whether memory was asked for since the driver was last asked whether it had any. */
+  #isUnchecked = false;
   /** Where eye and candle were in the last picture. */
   #stand = "";
   #lastTime = Number.NaN;
   #frameMs = Number.NaN;
   #cpuMs = 0;
 
-  /** @param screen from now on this disposes of it */
-  constructor(screen: Screen, scene: Scene, features: Features, options: Options) {
+  /** How fast a screen's GPU is, for `auto`; measured once, best while it has nothing else to do. */
+  static measure({ gpu }: Screen): Promise<Speed | null> {
+    return measureSpeed(gpu, () => performance.now() / 1000);
+  }
+
+  /**
+   * The same as the constructor, in small tasks, so that the page stays responsive.
+   *
+   * @param isWanted whether anybody still waits for it
+   * @returns null where nobody does, or the context was lost
+   */
+  static async create(
+    screen: Screen,
+    scene: Scene,
+    features: Features,
+    options: Options,
+    plays: boolean,
+    isWanted: () => boolean,
+  ): Promise<CandleFlame | null> {
+    const { gpu } = screen;
+    const isOff = () => !isWanted() || screen.gpu !== gpu || gpu.isLost;
+    const speed = options.quality === "auto" ? await CandleFlame.measure(screen) : null;
+    if (isOff()) return null;
+    const candle = new CandleFlame(screen, scene, features, options, plays, speed);
+    await gpu.whenCompiled();
+    if (isOff()) return null;
+    gpu.finishPrograms();
+    gpu.checkMemory("picture");
+    return candle;
+  }
+
+  /**
+   * @param screen from now on this disposes of it
+   * @param plays whether time will pass, so that each frame is followed by another
+   * @param speed of the GPU, where it was measured
+   */
+  constructor(
+    screen: Screen,
+    scene: Scene,
+    features: Features,
+    options: Options,
+    plays = false,
+    speed: Speed | null = null,
+  ) {
     this.#screen = screen;
+    this.#isPlaying = plays;
     this.#scene = scene;
     this.#features = { ...features };
     this.#options = options;
     this.world = this.#createWorld();
-    this.#auto = new AutoQuality(screen.gpu.renderer);
-    this.#tier = tierNamed(this.#rung.tier);
+    this.#auto = new AutoQuality(this.#work);
+    this.#auto.speed = speed;
+    this.#tier = this.#tierOf(this.#rung);
     this.#share = this.#rung.share;
     this.#renderer = this.#createRenderer();
+  }
+
+  get #work() {
+    const isPhysicalRoom = this.#options.look === "physical" && !this.#scene.isModelAlone;
+    return WORK[isPhysicalRoom ? "physical" : "plain"];
+  }
+
+  /** `auto` filters anisotropically only where that was measured to be cheap. */
+  #tierOf({ tier }: Rung): Tier {
+    const { anisotropy, ...rest } = tierNamed(tier);
+    const isAllowed = this.#options.quality !== "auto" || this.#auto.allowsAnisotropy;
+    return { ...rest, anisotropy: anisotropy && isAllowed };
   }
 
   /** On the page. */
@@ -127,15 +186,16 @@ export class CandleFlame {
     // Only the dearer tiers draw pass by pass.
     if (this.inspect !== "picture" && isLow) return INSPECTION_RUNG;
     if (quality !== "auto") return { tier: quality, share: 1 };
-    return this.#request === 0 ? STILL_RUNG : this.#auto.rung;
+    return this.#isPlaying ? this.#auto.rung : this.#auto.stillRung;
   }
 
   /** Turns to another tier or resolution, if the next picture is to have it. */
   #chooseQuality(): void {
-    const { tier, share } = this.#rung;
-    const isOtherTier = tier !== this.#tier.name;
+    const rung = this.#rung;
+    const { share } = rung;
+    const isOtherTier = rung.tier !== this.#tier.name;
     if (!isOtherTier && share === this.#share) return;
-    this.#tier = tierNamed(tier);
+    this.#tier = this.#tierOf(rung);
     this.#share = share;
     if (isOtherTier) this.#screen.clearUnshared();
     const isOtherSize = this.#fitCanvas();
@@ -148,8 +208,8 @@ export class CandleFlame {
   #createRenderer(): Renderer {
     const { width, height } = this.#screen.canvas;
     const renderer = this.#scene.createRenderer(this.#screen, this.#tier, this.#options.look);
-    this.#screen.gpu.finishPrograms();
     renderer.resize(width, height);
+    this.#isUnchecked = true;
     this.#follow(renderer);
     return renderer;
   }
@@ -204,6 +264,7 @@ export class CandleFlame {
   show(scene: Scene, options: Options): void {
     this.#scene = scene;
     this.#options = options;
+    this.#auto.work = this.#work;
     this.#auto.renew();
     this.world = this.#sameTimeAs(this.world);
     this.#rebuild();
@@ -212,8 +273,9 @@ export class CandleFlame {
   #rebuild(): void {
     if (this.#screen.gpu.isLost) return; // it is built anew once the context is given back
     const before = { tier: this.#tier.name, share: this.#share };
-    const { tier, share } = this.#rung;
-    this.#tier = tierNamed(tier);
+    const rung = this.#rung;
+    const { tier, share } = rung;
+    this.#tier = this.#tierOf(rung);
     this.#share = share;
     this.#screen.clear();
     this.#fitCanvas();
@@ -231,6 +293,7 @@ export class CandleFlame {
   /** The visitor stays where he is, or inside the new look's walls, at the same moment. */
   #changeLook(): void {
     const { player } = this.world;
+    this.#auto.work = this.#work;
     this.world = this.#sameTimeAs(this.world);
     moveCamera(this.world, player.position, player.yaw, player.pitch);
     this.#follow(this.#renderer);
@@ -279,10 +342,14 @@ export class CandleFlame {
   resize(width: number, height: number): boolean {
     const isOther = width !== this.#pixels.width || height !== this.#pixels.height;
     this.#pixels = { width, height };
+    this.#auto.pixels = width * height;
     if (isOther) this.#auto.renew();
     const { gpu, canvas } = this.#screen;
     const isOtherSize = this.#fitCanvas();
-    if (isOtherSize && !gpu.isLost) this.#renderer.resize(canvas.width, canvas.height);
+    if (isOtherSize && !gpu.isLost) {
+      this.#renderer.resize(canvas.width, canvas.height);
+      this.#isUnchecked = true;
+    }
     return isOtherSize;
   }
 
@@ -329,6 +396,20 @@ export class CandleFlame {
     this.#renderer.render(this.world, view);
     gpu.endFrame();
     this.#screen.present();
+    if (this.#isUnchecked) void this.#checkMemory();
+  }
+
+  /** Once the GPU has drawn, so that nothing waits for the answer. */
+  async #checkMemory(): Promise<void> {
+    this.#isUnchecked = false;
+    const { gpu } = this.#screen;
+    await gpu.whenIdle();
+    try {
+      if (gpu === this.#screen.gpu) gpu.checkMemory("picture");
+    } catch (error) {
+      this.pause();
+      this.onFailure(error as Error);
+    }
   }
 
   /** Whether eye or candle are elsewhere than when this was last asked. */
@@ -341,12 +422,14 @@ export class CandleFlame {
   }
 
   play(): void {
+    this.#isPlaying = true;
     if (this.#request !== 0) return;
     this.#lastTime = Number.NaN;
     this.#request = requestAnimationFrame(this.#frame);
   }
 
   pause(): void {
+    this.#isPlaying = false;
     cancelAnimationFrame(this.#request);
     this.#request = 0;
   }
@@ -362,6 +445,7 @@ export class CandleFlame {
     if (this.#options.quality === "auto") {
       const { milliseconds } = this.#screen.gpu.timer;
       this.#auto.take(elapsed / 1000, milliseconds === null ? null : milliseconds / 1000);
+      this.#prepareWanted();
     }
     try {
       this.step(elapsed > 0 ? Math.min(elapsed / 1000, MAX_FRAME) : 0);
@@ -372,6 +456,17 @@ export class CandleFlame {
     }
     this.onFrame();
   };
+
+  /** Gets ready, a little in each frame, for a rung of another tier; takes it when nothing holds it up. */
+  #prepareWanted(): void {
+    const { wanted } = this.#auto;
+    if (!wanted) return;
+    const tier = this.#tierOf(wanted);
+    const isReady =
+      wanted.tier === this.#tier.name ||
+      this.#scene.prepareRenderer(this.#screen, tier, this.#options.look);
+    if (isReady) this.#auto.accept();
+  }
 
   /** Linear RGB of the last frame before exposure and tone mapping; rows from the top. Waits for the GPU. */
   readRadiance(x: number, y: number, width: number, height: number): Float32Array {

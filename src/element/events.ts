@@ -1,6 +1,7 @@
 import { ReflectedAttributes } from "./reflected-attributes.js";
 
-export type ErrorType = "webgl-unavailable" | "asset" | "shader" | "context-lost";
+/** `graphics`: an allocation, a framebuffer or a frame that failed. */
+export type ErrorType = "webgl-unavailable" | "asset" | "shader" | "graphics" | "context-lost";
 
 export interface ErrorDetail {
   readonly type: ErrorType;
@@ -34,6 +35,7 @@ export function typeOf({ name }: Error): ErrorType {
   const types: Readonly<Record<string, ErrorType>> = {
     WebGLUnavailableError: "webgl-unavailable",
     ShaderError: "shader",
+    GraphicsError: "graphics",
     ContextLostError: "context-lost",
   };
   return types[name] ?? "asset";

@@ -52,16 +52,18 @@ export class SceneFetcher {
     const { onProgress, onScene, onFailure } = this.#reactions;
     const wanted = this.#asked();
     this.#wanted = wanted;
+    let scene: Scene;
     try {
-      const scene = await loadScene(wanted, { signal, onProgress });
-      if (signal.aborted) return scene.close();
-      this.#wanted = null;
-      this.shown = this.#asked();
-      onScene(scene);
+      scene = await loadScene(wanted, { signal, onProgress });
     } catch (error) {
       if (signal.aborted) return;
       this.#wanted = null;
       onFailure(error as Error);
+      return;
     }
+    if (signal.aborted) return scene.close();
+    this.#wanted = null;
+    this.shown = this.#asked();
+    onScene(scene);
   }
 }

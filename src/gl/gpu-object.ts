@@ -11,9 +11,25 @@ export class ContextLostError extends Error {
   override readonly name = "ContextLostError";
 }
 
+/** The driver could not allocate or draw. The message is a sentence for the visitor; `cause` has the details. */
+export class GraphicsError extends Error {
+  override readonly name = "GraphicsError";
+}
+
+/** The error for a framebuffer that cannot be drawn to. */
+export function incomplete(label: string, status: GLenum): GraphicsError {
+  const cause = new Error(`${label}: framebuffer incomplete (0x${status.toString(16)})`);
+  return new GraphicsError("The graphics driver refuses a surface to draw on.", { cause });
+}
+
 /** What a `create*` call of WebGL gave, or the reason why it gave nothing. */
 export function created<T>(gl: WebGL2RenderingContext, object: T | null, label: string): T {
   if (object !== null && !gl.isContextLost()) return object;
   if (gl.isContextLost()) throw new ContextLostError(`${label}: the WebGL context is lost.`);
-  throw new Error(`${label}: WebGL is out of memory.`);
+  throw outOfMemory(label);
+}
+
+export function outOfMemory(label: string): GraphicsError {
+  const cause = new Error(`${label}: WebGL is out of memory.`);
+  return new GraphicsError("The graphics driver has no memory left for the picture.", { cause });
 }

@@ -1,5 +1,5 @@
 import { Buffer } from "./buffer.js";
-import { created, type GpuObject } from "./gpu-object.js";
+import { created, type GpuObject, outOfMemory } from "./gpu-object.js";
 import { GpuTimer } from "./gpu-timer.js";
 import { Program, type ProgramOptions, type ShaderSource, type UniformValue } from "./program.js";
 import { RenderTarget, type RenderTargetOptions } from "./render-target.js";
@@ -54,6 +54,9 @@ export interface Transform {
   readonly into: Buffer;
   readonly count: number;
 }
+
+/** From one question to the driver to the next, milliseconds. */
+const POLL = 5;
 
 const MODES = { triangles: "TRIANGLES", strip: "TRIANGLE_STRIP", points: "POINTS" } as const;
 
@@ -190,9 +193,24 @@ export class Gpu {
     );
   }
 
+  /** Resolves when the driver has compiled all programs, as far as it tells; a wait that blocks nobody. */
+  async whenCompiled(): Promise<void> {
+    const isPending = (object: GpuObject) => object instanceof Program && !object.isCompiled;
+    while ([...this.#alive].some(isPending)) await shortWhile();
+  }
+
   /** Waits for all programs, which the driver compiles side by side. Throws if one is refused. */
   finishPrograms(): void {
     for (const object of this.#alive) if (object instanceof Program) object.finish();
+  }
+
+  /** Throws if the driver ran out of memory since this was last asked. Waits for the GPU. */
+  checkMemory(label: string): void {
+    const gl = this.#gl;
+    for (let error = gl.getError(); error !== gl.NO_ERROR; error = gl.getError()) {
+      if (error === gl.OUT_OF_MEMORY) throw outOfMemory(label);
+      if (error === gl.CONTEXT_LOST_WEBGL) return;
+    }
   }
 
   /** @param contents data, or a size in bytes of a buffer of zeros. */
@@ -223,6 +241,17 @@ export class Gpu {
   /** A std140 block laid out as `program` declares it. */
   uniformBlock(program: Program, name: string): UniformBlock {
     return this.#keep(new UniformBlock(this.#gl, program, name, this.#forget));
+  }
+
+  /** Resolves when the GPU has done all that it was asked so far, or the context is lost. */
+  async whenIdle(): Promise<void> {
+    const gl = this.#gl;
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    if (!fence) return;
+    // The answer changes from task to task only.
+    while (gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.UNSIGNALED) await nextTask();
+    gl.deleteSync(fence);
   }
 
   /** Starts the counts of a frame. */
@@ -435,4 +464,20 @@ function rendererOf(gl: WebGL2RenderingContext): string {
   if (name !== "WebKit WebGL") return name;
   const extension = gl.getExtension("WEBGL_debug_renderer_info");
   return extension ? String(gl.getParameter(extension.UNMASKED_RENDERER_WEBGL)) : name;
+}
+
+function shortWhile(): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve, POLL));
+}
+
+/** Resolves in the next task, sooner than any timer. */
+function nextTask(): Promise<void> {
+  return new Promise((resolve) => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = () => {
+      port1.close();
+      resolve();
+    };
+    port2.postMessage(null);
+  });
 }

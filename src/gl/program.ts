@@ -147,6 +147,14 @@ export class Program implements GpuObject {
     gl.linkProgram(this.#handle);
   }
 
+  /** Whether asking for anything of it would not wait. */
+  get isCompiled(): boolean {
+    const parallel = this.#gl.getExtension("KHR_parallel_shader_compile");
+    if (this.#stages.length === 0 || !parallel || this.#gl.isContextLost()) return true;
+    const status = this.#gl.getProgramParameter(this.#handle, parallel.COMPLETION_STATUS_KHR);
+    return status !== false;
+  }
+
   /** Waits until it is linked. Throws what the compiler says if it cannot be; then it is disposed of. */
   finish(): void {
     if (this.#stages.length === 0) return;

@@ -1,4 +1,4 @@
-import { created, type GpuObject } from "./gpu-object.js";
+import { created, type GpuObject, incomplete } from "./gpu-object.js";
 import { FORMATS, Texture, type TextureFormat } from "./texture.js";
 
 export interface RenderTargetOptions {
@@ -79,7 +79,7 @@ export class RenderTarget implements GpuObject {
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     if (status !== gl.FRAMEBUFFER_COMPLETE && !gl.isContextLost()) {
       this.dispose();
-      throw new Error(`${label}: framebuffer incomplete (0x${status.toString(16)})`);
+      throw incomplete(label, status);
     }
   }
 

@@ -1,4 +1,4 @@
-import { created, type GpuObject } from "./gpu-object.js";
+import { created, type GpuObject, incomplete } from "./gpu-object.js";
 import type { Texture } from "./texture.js";
 
 /** Which image of each texture: a face of a cube, or a layer of a three-dimensional one. */
@@ -54,7 +54,7 @@ export class TextureView implements GpuObject {
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     if (status !== gl.FRAMEBUFFER_COMPLETE && !gl.isContextLost()) {
       this.dispose();
-      throw new Error(`${label}: framebuffer incomplete (0x${status.toString(16)})`);
+      throw incomplete(label, status);
     }
   }
 

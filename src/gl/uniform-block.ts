@@ -1,20 +1,31 @@
 import { created, type GpuObject } from "./gpu-object.js";
 import type { Program } from "./program.js";
 
+type Value = number | ArrayLike<number>;
+
+/** A block as the driver laid it out. Offsets in floats, by member. */
+interface Layout {
+  readonly buffer: WebGLBuffer;
+  readonly floats: Float32Array;
+  readonly offsets: ReadonlyMap<string, number>;
+}
+
 /**
  * A std140 uniform block, written by member name.
  *
- * Offsets are asked of the driver, never computed: std140 lets a float sit in the fourth slot of a
- * vec3, and tables written by hand get that wrong.
+ * Offsets are asked of the driver, never computed: std140 lets a float sit in the fourth slot of a vec3, and
+ * tables written by hand get that wrong. They are asked for at the first draw, since the answer waits for the
+ * program to be linked; what is written before that is remembered.
  */
 export class UniformBlock implements GpuObject {
   readonly label: string;
-  readonly bytes: number;
-  readonly handle: WebGLBuffer;
-  readonly #floats: Float32Array;
-  readonly #offsets = new Map<string, number>();
+  readonly #name: string;
+  readonly #program: Program;
   readonly #gl: WebGL2RenderingContext;
   readonly #forget: (object: GpuObject) => void;
+  #layout: Layout | null = null;
+  #early: Record<string, Value> = {};
+  #isStale = true;
 
   constructor(
     gl: WebGL2RenderingContext,
@@ -23,53 +34,78 @@ export class UniformBlock implements GpuObject {
     forget: (object: GpuObject) => void,
   ) {
     this.#gl = gl;
+    this.#program = program;
+    this.#name = name;
     this.#forget = forget;
     this.label = `block ${name}`;
-    const index = gl.getUniformBlockIndex(program.handle, name);
-    if (index === gl.INVALID_INDEX) throw new Error(`${program.label} has no block ${name}.`);
-    this.bytes = gl.getActiveUniformBlockParameter(
-      program.handle,
-      index,
-      gl.UNIFORM_BLOCK_DATA_SIZE,
-    ) as number;
-    const members = gl.getActiveUniformBlockParameter(
-      program.handle,
-      index,
-      gl.UNIFORM_BLOCK_ACTIVE_UNIFORM_INDICES,
-    ) as Uint32Array;
-    const offsets = gl.getActiveUniforms(program.handle, members, gl.UNIFORM_OFFSET) as number[];
-    members.forEach((member, i) => {
-      const qualified = gl.getActiveUniform(program.handle, member)!.name;
-      this.#offsets.set(qualified.slice(qualified.indexOf(".") + 1), offsets[i]! / 4);
-    });
-    this.#floats = new Float32Array(this.bytes / 4);
-    this.handle = created(gl, gl.createBuffer(), this.label);
-    gl.bindBuffer(gl.UNIFORM_BUFFER, this.handle);
-    gl.bufferData(gl.UNIFORM_BUFFER, this.bytes, gl.DYNAMIC_DRAW);
-    gl.bindBuffer(gl.UNIFORM_BUFFER, null);
   }
 
-  /** Writes the members given and sends the block to the GPU. An unknown member throws. */
-  update(members: Readonly<Record<string, number | ArrayLike<number>>>): void {
+  get bytes(): number {
+    return this.#layout?.floats.byteLength ?? 0;
+  }
+
+  /** The buffer, with all that was written. */
+  get handle(): WebGLBuffer {
+    const { buffer, floats } = this.#laidOut();
+    if (this.#isStale) {
+      const gl = this.#gl;
+      gl.bindBuffer(gl.UNIFORM_BUFFER, buffer);
+      gl.bufferSubData(gl.UNIFORM_BUFFER, 0, floats);
+      gl.bindBuffer(gl.UNIFORM_BUFFER, null);
+      this.#isStale = false;
+    }
+    return buffer;
+  }
+
+  /** Writes the members given. An unknown member throws, at the next draw at the latest. */
+  update(members: Readonly<Record<string, Value>>): void {
+    this.#isStale = true;
+    if (this.#layout) this.#write(this.#layout, members);
+    for (const name in this.#layout ? {} : members) {
+      const value = members[name]!;
+      this.#early[name] = typeof value === "number" ? value : Array.from(value);
+    }
+  }
+
+  #write({ floats, offsets }: Layout, members: Readonly<Record<string, Value>>): void {
     for (const name in members) {
-      const offset = this.#offsets.get(name);
+      const offset = offsets.get(name);
       if (offset === undefined) {
-        throw new Error(
-          `${this.label} has no ${name}; it has ${[...this.#offsets.keys()].join(", ")}.`,
-        );
+        throw new Error(`${this.label} has no ${name}; it has ${[...offsets.keys()].join(", ")}.`);
       }
       const value = members[name]!;
-      if (typeof value === "number") this.#floats[offset] = value;
-      else this.#floats.set(value, offset);
+      if (typeof value === "number") floats[offset] = value;
+      else floats.set(value, offset);
     }
+  }
+
+  #laidOut(): Layout {
+    if (this.#layout) return this.#layout;
     const gl = this.#gl;
-    gl.bindBuffer(gl.UNIFORM_BUFFER, this.handle);
-    gl.bufferSubData(gl.UNIFORM_BUFFER, 0, this.#floats);
+    const { handle, label } = this.#program;
+    const index = gl.getUniformBlockIndex(handle, this.#name);
+    if (index === gl.INVALID_INDEX) throw new Error(`${label} has no block ${this.#name}.`);
+    const ask = (what: GLenum) => gl.getActiveUniformBlockParameter(handle, index, what);
+    const bytes = ask(gl.UNIFORM_BLOCK_DATA_SIZE) as number;
+    const members = ask(gl.UNIFORM_BLOCK_ACTIVE_UNIFORM_INDICES) as Uint32Array;
+    const found = gl.getActiveUniforms(handle, members, gl.UNIFORM_OFFSET) as number[];
+    const offsets = new Map<string, number>();
+    members.forEach((member, i) => {
+      const qualified = gl.getActiveUniform(handle, member)!.name;
+      offsets.set(qualified.slice(qualified.indexOf(".") + 1), found[i]! / 4);
+    });
+    const buffer = created(gl, gl.createBuffer(), this.label);
+    gl.bindBuffer(gl.UNIFORM_BUFFER, buffer);
+    gl.bufferData(gl.UNIFORM_BUFFER, bytes, gl.DYNAMIC_DRAW);
     gl.bindBuffer(gl.UNIFORM_BUFFER, null);
+    this.#layout = { buffer, floats: new Float32Array(bytes / 4), offsets };
+    this.#write(this.#layout, this.#early);
+    this.#early = {};
+    return this.#layout;
   }
 
   dispose(): void {
-    this.#gl.deleteBuffer(this.handle);
+    if (this.#layout) this.#gl.deleteBuffer(this.#layout.buffer);
     this.#forget(this);
   }
 }

@@ -8,15 +8,13 @@ export interface Tier {
   /** Samples per pixel; 0 draws straight to the canvas. */
   readonly samples: number;
   readonly anisotropy: boolean;
-  /** Work for a pixel, as a share of what one takes at high. */
-  readonly pixelCost: number;
 }
 
 const TIERS: Readonly<Record<Tier["name"], Tier>> = {
-  low: { name: "low", resolutionScale: 2 / 3, samples: 4, anisotropy: false, pixelCost: 0.3 },
-  medium: { name: "medium", resolutionScale: 1, samples: 2, anisotropy: true, pixelCost: 0.7 },
-  high: { name: "high", resolutionScale: 1, samples: 4, anisotropy: true, pixelCost: 1 },
-  ultra: { name: "ultra", resolutionScale: 1.5, samples: 4, anisotropy: true, pixelCost: 1.3 },
+  low: { name: "low", resolutionScale: 2 / 3, samples: 4, anisotropy: false },
+  medium: { name: "medium", resolutionScale: 1, samples: 2, anisotropy: true },
+  high: { name: "high", resolutionScale: 1, samples: 4, anisotropy: true },
+  ultra: { name: "ultra", resolutionScale: 1.5, samples: 4, anisotropy: true },
 };
 
 /** Renderers that run on the CPU. */

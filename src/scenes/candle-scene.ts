@@ -17,6 +17,8 @@ export async function loadLoneCandle(
   return {
     room: null,
     stage: STAGE,
+    isModelAlone: true,
+    prepareRenderer: () => true,
     createRenderer: (screen, tier) => {
       const renderer = new LoneCandleRenderer(screen.gpu, model, tier);
       screen.own(renderer);

@@ -12,6 +12,10 @@ export interface Scene {
   readonly room: Room | null;
   /** How candle and flame stand, if not as the look has it. */
   readonly stage: Stage | null;
+  /** Whether there is nothing but a model on the page's own background. */
+  readonly isModelAlone: boolean;
+  /** Goes on, for a few milliseconds, with what a renderer needs. True when it can be made at once. */
+  prepareRenderer(screen: Screen, tier: Tier, look: Look): boolean;
   createRenderer(screen: Screen, tier: Tier, look: Look): Renderer;
   /** Frees what was fetched. */
   close(): void;

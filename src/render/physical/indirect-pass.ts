@@ -90,7 +90,8 @@ export class IndirectPass {
   readonly #all: RenderTarget;
   readonly #irradiance: RenderTarget;
   readonly #light: UniformBlock;
-  readonly #sights: SightTextures;
+  readonly #room: Echoing;
+  #uploaded: SightTextures | null = null;
   /** What the volume was made from. */
   #lastLight = "";
   /** Whether nothing that was drawn before is in it. */
@@ -162,9 +163,18 @@ export class IndirectPass {
       height: tiles.height * LIT,
       color: [texel],
     });
-    const { probes } = detail;
-    const seen = lookAround(room.solid, room.model, { probes, rays: detail.rays });
-    this.#sights = gpu.share(seen, () => uploadSights(gpu, seen, detail, room.surfaces));
+    this.#room = room;
+  }
+
+  /** Uploaded when they are first needed: drawing their colours waits for a program. */
+  get #sights(): SightTextures {
+    if (this.#uploaded) return this.#uploaded;
+    const { solid, model, surfaces } = this.#room;
+    const seen = lookAround(solid, model, this.#detail);
+    this.#uploaded = this.#gpu.share(seen, () =>
+      uploadSights(this.#gpu, seen, this.#detail, surfaces),
+    );
+    return this.#uploaded;
   }
 
   /**

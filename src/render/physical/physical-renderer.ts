@@ -29,6 +29,7 @@ import { type IndirectDetail, IndirectPass, type IrradianceVolume } from "./indi
 import { InspectPass } from "./inspect-pass.js";
 import { lightAtVantage, lightBlock } from "./light-block.js";
 import { MotesPass } from "./motes-pass.js";
+import { lookAroundIncrementally } from "./probes.js";
 import { REFLECTANCES, tabulateReflectance } from "./reflectance.js";
 import { reliefOf } from "./relief.js";
 import { ShadowPass } from "./shadow-pass.js";
@@ -101,9 +102,7 @@ export class PhysicalRenderer implements Renderer {
   constructor(gpu: Gpu, { room, candle }: Models, solid: Solid, tier: Tier) {
     this.#gpu = gpu;
     this.#tier = tier;
-    this.#surfaceProgram = gpu.program("physical/surface", surfaceVert, surfaceFrag, {
-      defines: { SHADOW_SEARCH: SHADOW[tier.name].search, SHADOW_TAPS: SHADOW[tier.name].taps },
-    });
+    this.#surfaceProgram = surfaceProgram(gpu, tier);
     this.#shadow = new ShadowPass(gpu, SHADOW[tier.name].size);
     this.#frame = gpu.uniformBlock(this.#surfaceProgram, "Frame");
     this.#light = gpu.uniformBlock(this.#surfaceProgram, "Light");
@@ -116,7 +115,6 @@ export class PhysicalRenderer implements Renderer {
     this.#candle = uploadModel(gpu, candle, groupTriangles);
     this.#casters = new Casters(gpu, room, surfaces, CASTER_DETAIL[tier.name]);
     this.#screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
-    for (const surface of [...this.#room, ...this.#candle]) reliefOf(gpu, this.#screen, surface);
     const echoing = { model: room, solid, surfaces };
     this.#indirect = new IndirectPass(gpu, this.#screen, echoing, INDIRECT[tier.name]);
     this.#reflectance = gpu.share("reflectance", () =>
@@ -295,6 +293,31 @@ export class PhysicalRenderer implements Renderer {
     if (!this.#radiance) return new Float32Array(width * height * 3);
     return this.#gpu.readRadiance(this.#radiance, x, y, width, height);
   }
+}
+
+function surfaceProgram(gpu: Gpu, { name }: Tier): Program {
+  const { search, taps } = SHADOW[name];
+  const defines = { SHADOW_SEARCH: search, SHADOW_TAPS: taps };
+  return gpu.program("physical/surface", surfaceVert, surfaceFrag, { defines });
+}
+
+/** Probes that look around in a frame: a few milliseconds. */
+const PROBES_PER_FRAME = 16;
+
+/**
+ * Goes on with what takes long before a `PhysicalRenderer` can draw: compiling, and rays from the probes.
+ *
+ * @returns whether all of it is done
+ */
+export function preparePhysicalRenderer(
+  gpu: Gpu,
+  { room }: Models,
+  solid: Solid,
+  tier: Tier,
+): boolean {
+  const { isCompiled } = surfaceProgram(gpu, tier);
+  const detail = INDIRECT[tier.name];
+  return lookAroundIncrementally(solid, room, detail, PROBES_PER_FRAME) && isCompiled;
 }
 
 /** The part of the flame that is looked at alone; null where the room is seen. */

@@ -49,18 +49,34 @@ const BURIED = 0.2;
 /** Where a buried probe looks for the open, in cells from its own place, nearest first. */
 const NEARBY: readonly Vec3[] = nearby();
 
-const known = new WeakMap<Solid, Map<string, Sights>>();
+const known = new WeakMap<Solid, Map<string, Survey>>();
 
 /** Looks around from every probe. The room remembers, for the next renderer that asks. */
 export function lookAround(solid: Solid, model: Model, detail: ProbeDetail): Sights {
-  const memory = known.get(solid) ?? new Map<string, Sights>();
+  return surveyOf(solid, model, detail).finish();
+}
+
+/**
+ * The same, a few probes at a time.
+ *
+ * @returns whether all of them are done
+ */
+export function lookAroundIncrementally(
+  solid: Solid,
+  model: Model,
+  detail: ProbeDetail,
+  probes: number,
+): boolean {
+  return surveyOf(solid, model, detail).proceed(probes);
+}
+
+function surveyOf(solid: Solid, model: Model, { probes, rays }: ProbeDetail): Survey {
+  const memory = known.get(solid) ?? new Map<string, Survey>();
   known.set(solid, memory);
-  const key = JSON.stringify(detail);
-  const before = memory.get(key);
-  if (before) return before;
-  const sights = new Survey(solid, model, detail).sights();
-  memory.set(key, sights);
-  return sights;
+  const key = JSON.stringify([probes, rays]);
+  const survey = memory.get(key) ?? new Survey(solid, model, { probes, rays });
+  memory.set(key, survey);
+  return survey;
 }
 
 class Survey {
@@ -73,6 +89,15 @@ class Survey {
   readonly #hit: Hit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
   readonly #met = new Met();
   readonly #feelers = octahedral(FEELERS, FEELERS, 0);
+  readonly #directions: readonly Vec3[];
+  readonly #lobes: Lobes;
+  readonly #places: Float32Array;
+  readonly #hits: Float32Array;
+  readonly #distances: Float32Array;
+  readonly #hues: readonly number[][];
+  /** Probes that are done. */
+  #done = 0;
+  #sights: Sights | null = null;
 
   constructor(solid: Solid, { parts, bounds }: Model, detail: ProbeDetail) {
     this.#solid = solid;
@@ -84,53 +109,68 @@ class Survey {
       first += Math.floor(indices.length / 3);
       return first - Math.floor(indices.length / 3);
     });
+    const count = this.#count;
+    this.#directions = octahedral(detail.rays, detail.rays, 0);
+    this.#lobes = lobesOf(this.#directions);
+    this.#places = new Float32Array(count * 4);
+    this.#hits = new Float32Array(count * this.#directions.length * 4);
+    this.#distances = new Float32Array(count * SIGHT * SIGHT * 2);
+    this.#hues = parts.map(() => []);
   }
 
-  sights(): Sights {
+  get #count(): number {
+    return this.#detail.probes.reduce((product, along) => product * along, 1);
+  }
+
+  proceed(probes: number): boolean {
+    const end = Math.min(this.#done + probes, this.#count);
+    while (this.#done < end) this.#look(this.#done++);
+    return this.#done === this.#count;
+  }
+
+  finish(): Sights {
+    this.proceed(this.#count);
+    this.#sights ??= this.#collect();
+    return this.#sights;
+  }
+
+  /** From one probe. */
+  #look(tile: number): void {
     const { probes, rays } = this.#detail;
-    const [columns, rows, planes] = probes;
-    const directions = octahedral(rays, rays, 0);
-    const count = columns * rows * planes;
+    const [columns, , planes] = probes;
     const width = columns * planes * rays;
-    const places = new Float32Array(count * 4);
-    const hits = new Float32Array(count * directions.length * 4);
-    const distances = new Float32Array(count * SIGHT * SIGHT * 2);
-    const hues: number[][] = this.#parts.map(() => []);
-    const lobes = lobesOf(directions);
-    const seen = new Float32Array(directions.length);
-    for (let tile = 0; tile < count; tile++) {
-      const column = tile % (columns * planes);
-      const row = Math.floor(tile / (columns * planes));
-      const place = this.#open(column % columns, row, Math.floor(column / columns));
-      if (!place) continue;
-      places.set(place, tile * 4);
-      places[tile * 4 + 3] = 1;
-      for (let ray = 0; ray < directions.length; ray++) {
-        const direction = directions[ray]!;
-        const hit = this.#cast(place, direction);
-        seen[ray] = hit ? Math.min(hit.distance, FARTHEST) : FARTHEST;
-        if (!hit || this.#met.isBack) continue;
-        const x = column * rays + (ray % rays);
-        const y = row * rays + Math.floor(ray / rays);
-        const to = (y * width + x) * 4;
-        hits[to] = hit.normal[0];
-        hits[to + 1] = hit.normal[1];
-        hits[to + 2] = hit.normal[2];
-        hits[to + 3] = hit.distance;
-        hues[this.#met.part]?.push(x, y, this.#met.u, this.#met.v);
-      }
-      average(seen, lobes, distances, column, row, columns * planes);
+    const column = tile % (columns * planes);
+    const row = Math.floor(tile / (columns * planes));
+    const place = this.#open(column % columns, row, Math.floor(column / columns));
+    if (!place) return;
+    this.#places.set(place, tile * 4);
+    this.#places[tile * 4 + 3] = 1;
+    const seen = new Float32Array(this.#directions.length);
+    for (const [ray, direction] of this.#directions.entries()) {
+      const hit = this.#cast(place, direction);
+      seen[ray] = hit ? Math.min(hit.distance, FARTHEST) : FARTHEST;
+      if (!hit || this.#met.isBack) continue;
+      const x = column * rays + (ray % rays);
+      const y = row * rays + Math.floor(ray / rays);
+      const to = (y * width + x) * 4;
+      this.#hits.set(hit.normal, to);
+      this.#hits[to + 3] = hit.distance;
+      this.#hues[this.#met.part]?.push(x, y, this.#met.u, this.#met.v);
     }
-    const length = hues.reduce((sum, hue) => sum + hue.length, 0);
-    const together = new Float32Array(length);
+    average(seen, this.#lobes, this.#distances, column, row, columns * planes);
+  }
+
+  #collect(): Sights {
+    const length = this.#hues.reduce((sum, hue) => sum + hue.length, 0);
+    const hues = new Float32Array(length);
     const runs: { part: number; first: number; count: number }[] = [];
     let first = 0;
-    for (const [part, hue] of hues.entries()) {
+    for (const [part, hue] of this.#hues.entries()) {
       if (hue.length > 0) runs.push({ part, first: first / 4, count: hue.length / 4 });
-      together.set(hue, first);
+      hues.set(hue, first);
       first += hue.length;
     }
-    return { places, hits, distances, hues: together, runs };
+    return { places: this.#places, hits: this.#hits, distances: this.#distances, hues, runs };
   }
 
   /** The place of a probe, or one near by that is inside of nothing. */
