@@ -24,9 +24,15 @@ import {
 
 /** Longest time that a live frame makes up for, in seconds: after a hidden tab, resume. */
 const MAX_FRAME = 1 / 20;
+/** From one question whether programs are compiled to the next, milliseconds. */
+const MOMENT = 5;
 /** Weight of the newest frame in the running mean of frame times. */
 const SMOOTHING = 0.1;
 const INSPECTION_RUNG: Rung = { tier: "medium", share: 1 };
+
+function aMoment(): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve, MOMENT));
+}
 
 /** Everything about a candle that its owner may set at any time. */
 export interface Options {
@@ -129,7 +135,7 @@ export class CandleFlame {
     const speed = options.quality === "auto" ? await CandleFlame.measure(screen) : null;
     if (isOff()) return null;
     const candle = new CandleFlame(screen, scene, features, options, plays, speed);
-    await gpu.whenCompiled();
+    await gpu.whenCompiled(aMoment);
     if (isOff()) return null;
     gpu.finishPrograms();
     gpu.checkMemory("picture");

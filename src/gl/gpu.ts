@@ -55,9 +55,6 @@ export interface Transform {
   readonly count: number;
 }
 
-/** From one question to the driver to the next, milliseconds. */
-const POLL = 5;
-
 const MODES = { triangles: "TRIANGLES", strip: "TRIANGLE_STRIP", points: "POINTS" } as const;
 
 /** WebGL2 is missing, or refused. */
@@ -193,10 +190,14 @@ export class Gpu {
     );
   }
 
-  /** Resolves when the driver has compiled all programs, as far as it tells; a wait that blocks nobody. */
-  async whenCompiled(): Promise<void> {
+  /**
+   * Resolves when the driver has compiled all programs, as far as it tells; a wait that blocks nobody.
+   *
+   * @param pause from one question to the driver to the next
+   */
+  async whenCompiled(pause: () => Promise<void> = nextTask): Promise<void> {
     const isPending = (object: GpuObject) => object instanceof Program && !object.isCompiled;
-    while ([...this.#alive].some(isPending)) await shortWhile();
+    while ([...this.#alive].some(isPending)) await pause();
   }
 
   /** Waits for all programs, which the driver compiles side by side. Throws if one is refused. */
@@ -464,10 +465,6 @@ function rendererOf(gl: WebGL2RenderingContext): string {
   if (name !== "WebKit WebGL") return name;
   const extension = gl.getExtension("WEBGL_debug_renderer_info");
   return extension ? String(gl.getParameter(extension.UNMASKED_RENDERER_WEBGL)) : name;
-}
-
-function shortWhile(): Promise<void> {
-  return new Promise((resolve) => setTimeout(resolve, POLL));
 }
 
 /** Resolves in the next task, sooner than any timer. */
