@@ -636,8 +636,8 @@ export class CandleFlameElement extends TypedEvents {
     this.#settleReady.reject(error);
     this.#isReadySettled = true;
     this.#report(error);
-    // Faults of a driver are rare, and whoever meets one needs its words.
-    if (["shader", "graphics"].includes(typeOf(error))) console.error(error);
+    // The sentence is for visitors; the driver's own words are in its cause.
+    if (typeOf(error) === "graphics") console.error(error);
   }
 
   #showFailure(
