@@ -125,10 +125,15 @@ export class FirstPersonInput {
   leave(): void {
     clearTimeout(this.#lockTimer);
     this.#release();
-    if (this.#isLocked) this.#host.ownerDocument.exitPointerLock();
-    if (!this.#isIn) return;
+    const wasIn = this.#isIn;
     this.#isIn = false;
-    this.#onEntered(false, "keyboard");
+    this.#freeOutside();
+    if (wasIn) this.#onEntered(false, "keyboard");
+  }
+
+  /** A browser may grant the lock only after the visitor has left. */
+  #freeOutside(): void {
+    if (!this.#isIn && this.#isLocked) this.#host.ownerDocument.exitPointerLock();
   }
 
   /** Raw mouse counts where the system has them, else accelerated ones; refused, dragging remains. */
@@ -138,8 +143,10 @@ export class FirstPersonInput {
       await this.#canvas.requestPointerLock({ unadjustedMovement: true });
     } catch (error) {
       if (!(error instanceof DOMException) || error.name !== "NotSupportedError") return;
+      if (!this.#isIn) return;
       await Promise.resolve(this.#canvas.requestPointerLock()).catch(() => {});
     }
+    this.#freeOutside();
   }
 
   /** The first click goes in; under a locked pointer, the next ones are for the flame. */
@@ -152,6 +159,7 @@ export class FirstPersonInput {
     if (this.#isLocked) {
       this.#isFirstMove = true;
       this.#wasLocked = true;
+      this.#freeOutside();
     } else if (this.#wasLocked) {
       this.#wasLocked = false;
       this.#unlockedAt = performance.now();

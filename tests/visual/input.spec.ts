@@ -307,6 +307,43 @@ test.describe("The mouse", () => {
     expect(room.complaints).toEqual([]);
   });
 
+  for (const leaving of ["looked elsewhere", "lost the controls"] as const) {
+    test(`is free where the lock comes only after one has ${leaving}`, async ({ page }) => {
+      const room = await openControls(page);
+      const requests = await room.evaluate(async (element, leaving) => {
+        const requests: string[] = [];
+        const { requestPointerLock } = Element.prototype;
+        /** Goes in, and leaves while the browser still thinks about this one of the two requests. */
+        const leaveDuring = (asked: "raw" | "adjusted") =>
+          new Promise<void>((resolve, reject) => {
+            Element.prototype.requestPointerLock = function (options?: PointerLockOptions) {
+              const kind = options?.unadjustedMovement ? "raw" : "adjusted";
+              requests.push(kind);
+              const locking =
+                kind === "raw"
+                  ? Promise.reject(new DOMException("refused", "NotSupportedError"))
+                  : requestPointerLock.call(this);
+              if (kind === asked) {
+                if (leaving === "looked elsewhere") element.blur();
+                else element.controls = false;
+                locking.then(resolve, kind === "raw" ? () => setTimeout(resolve) : reject);
+              }
+              return locking;
+            };
+            element.controls = true;
+            element.enter();
+          });
+        await leaveDuring("raw");
+        await leaveDuring("adjusted");
+        return requests;
+      }, leaving);
+      expect(requests).toEqual(["raw", "raw", "adjusted"]);
+      await expect.poll(() => page.evaluate(() => document.pointerLockElement)).toBeNull();
+      expect(await room.isWalking()).toBe(false);
+      expect(room.complaints).toEqual([]);
+    });
+  }
+
   test("is locked with its speed adjusted, or drags to look, where the lock is refused", async ({
     page,
   }) => {
