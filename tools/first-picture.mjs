@@ -9,8 +9,8 @@ const RUNS = 5;
 const BUDGET = 1.5;
 
 const { path, args } = await findBrowser();
-const server = await preview({ preview: { host: "127.0.0.1", port: 4190 }, logLevel: "error" });
-const address = server.resolvedUrls?.local[0] ?? "";
+const server = await preview({ preview: { host: "127.0.0.1", port: 0 }, logLevel: "error" });
+const address = `http://127.0.0.1:${server.httpServer.address().port}/`;
 const browser = await chromium.launch({
   executablePath: path,
   args: [

@@ -1,7 +1,7 @@
 import { expect, type Page, type TestInfo, test } from "playwright/test";
+import { ORIGINS } from "../support/browser.ts";
 import type { Cell } from "./law.ts";
 import type { TierName } from "./passes.ts";
-import { BENCH_PAGE } from "./playwright.config.ts";
 import type { Effort } from "./scaling.ts";
 
 /** Most that our frame may cost, to the transform feedback control's. */
@@ -23,7 +23,7 @@ const CELLS: readonly Cell[] = [2, 15].flatMap((pixels) =>
 );
 
 async function open(page: Page): Promise<void> {
-  await page.goto(BENCH_PAGE);
+  await page.goto(ORIGINS.bench);
   await page.waitForFunction(() => "bench" in window);
   expect(await page.evaluate(() => crossOriginIsolated)).toBe(true);
 }

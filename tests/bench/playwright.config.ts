@@ -1,10 +1,5 @@
 import { defineConfig } from "playwright/test";
-import { browser } from "../support/browser.ts";
-
-export const BENCH_PAGE = "http://127.0.0.1:4377/";
-
-const vite = "node node_modules/vite/bin/vite.js";
-const config = "--config tests/bench/vite.config.ts";
+import { browser, servers } from "../support/browser.ts";
 
 // No retries and no second worker: both would disturb the numbers.
 export default defineConfig({
@@ -17,10 +12,5 @@ export default defineConfig({
   reporter: [["list"], ["./report.ts"]],
   timeout: 180_000,
   use: { ...browser, viewport: { width: 800, height: 600 } },
-  webServer: {
-    command: `${vite} build ${config} && ${vite} preview ${config}`,
-    cwd: "../..",
-    url: BENCH_PAGE,
-    reuseExistingServer: false,
-  },
+  webServer: { ...servers.bench, cwd: "../.." },
 });

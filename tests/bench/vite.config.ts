@@ -15,8 +15,6 @@ export default defineConfig({
   },
   preview: {
     host: "127.0.0.1",
-    port: 4377,
-    strictPort: true,
     // An isolated page has a clock of 5 µs; any other, of 100 µs.
     headers: {
       "Cross-Origin-Opener-Policy": "same-origin",

@@ -1,4 +1,5 @@
 import type { PlaywrightTestConfig } from "playwright/test";
+import { freePorts } from "../../tools/free-ports.mjs";
 
 /** SwiftShader, on every machine: the same pixels, whoever runs the tests. */
 const SWIFTSHADER = [
@@ -30,32 +31,45 @@ export const browser: NonNullable<PlaywrightTestConfig["use"]> = {
 };
 
 const vite = "node node_modules/vite/bin/vite.js";
+const bench = "--config tests/bench/vite.config.ts";
 
-/** First of three ports in a row; TEST_PORT names another where these are taken. */
-const PORT = Number(process.env.TEST_PORT ?? 4173);
-const origin = (port: number) => `http://127.0.0.1:${port}/`;
+const SERVED = ["page", "library", "sources", "bench"] as const;
+type Served = (typeof SERVED)[number];
 
-/** The hosted page as built, the package as built, and the sources, for tests of what is inside. */
-export const ORIGINS = {
-  page: origin(PORT),
-  library: origin(PORT + 1),
-  sources: origin(PORT + 2),
-} as const;
+/** Workers evaluate this again, and inherit the ports that Playwright's first process was given. */
+process.env.TEST_PORTS ??= (await freePorts(SERVED.length)).join(" ");
+const ports = process.env.TEST_PORTS.split(" ");
+
+const onPorts = <T>(make: (port: string) => T) =>
+  Object.fromEntries(SERVED.map((name, i) => [name, make(ports[i] ?? "")])) as Record<Served, T>;
+
+/**
+ * The hosted page as built, the package as built, the sources, for tests of what is inside, and the
+ * bench's own page.
+ */
+export const ORIGINS = onPorts((port) => `http://127.0.0.1:${port}/`);
+
+const on = onPorts((port) => `--port ${port} --strictPort`);
 
 export const servers = {
   page: {
-    command: `${vite} preview --port ${PORT} --strictPort`,
+    command: `${vite} preview ${on.page}`,
     url: ORIGINS.page,
     reuseExistingServer: false,
   },
   library: {
-    command: `${vite} preview --outDir dist --port ${PORT + 1} --strictPort`,
+    command: `${vite} preview --outDir dist ${on.library}`,
     url: `${ORIGINS.library}define.js`,
     reuseExistingServer: false,
   },
   sources: {
-    command: `${vite} --port ${PORT + 2} --strictPort`,
+    command: `${vite} ${on.sources}`,
     url: ORIGINS.sources,
+    reuseExistingServer: false,
+  },
+  bench: {
+    command: `${vite} build ${bench} && ${vite} preview ${bench} ${on.bench}`,
+    url: ORIGINS.bench,
     reuseExistingServer: false,
   },
 };
