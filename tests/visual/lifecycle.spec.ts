@@ -290,12 +290,14 @@ test("What is set while another look loads is done to the one on show", async ({
   await room.set({ look: "physical" });
   await room.stand({ yaw: 2 });
   expect((await room.camera()).yaw, "of the room on show").toBe(2);
-  const loaded = room.evaluate(
-    (element) =>
-      new Promise((resolve) => element.addEventListener("load", resolve, { once: true })),
-  );
+  await room.evaluate((element) => {
+    const loaded = new Promise((resolve) =>
+      element.addEventListener("load", resolve, { once: true }),
+    );
+    Object.assign(globalThis, { loaded });
+  });
   release();
-  await loaded;
+  await room.evaluate(() => (globalThis as unknown as { loaded: Promise<unknown> }).loaded);
   expect(await room.pixels()).not.toBe(bright);
   expect((await room.camera()).yaw, "and of the one that comes").toBe(2);
   expect(room.complaints).toEqual([]);
