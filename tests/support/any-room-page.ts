@@ -159,22 +159,38 @@ export async function fuzz(url: string, seed: number, count: number): Promise<Fu
   };
   for (let i = 0; i < count; i++) {
     const address = URL.createObjectURL(new Blob([damaged(original, seed, i)]));
-    const begin = performance.now();
-    const options = { signal: never, onProgress: () => {}, decoderBase: DECODERS };
-    try {
-      closeModel(await loadModel(address, options));
-      report.loaded++;
-    } catch (error) {
+    const { refusal, milliseconds } = await attempt(address);
+    if (!refusal) report.loaded++;
+    else {
       report.refused++;
-      const { name, message } = failure(error);
+      const { name, message } = refusal;
       if (name !== "AssetError" || !/^The (model|texture) .*\.$/.test(message)) {
         report.odd.push(`${i}: ${name}: ${message}`);
       }
     }
-    report.slowest = Math.max(report.slowest, performance.now() - begin);
+    let least = milliseconds;
+    // What is slow is slow each time; other programs may have had the processor this time.
+    for (let again = 0; again < 2 && least > report.slowest; again++) {
+      least = Math.min(least, (await attempt(address)).milliseconds);
+    }
+    report.slowest = Math.max(report.slowest, least);
     URL.revokeObjectURL(address);
   }
   return report;
+}
+
+async function attempt(
+  address: string,
+): Promise<{ refusal: Failure | null; milliseconds: number }> {
+  const begin = performance.now();
+  const options = { signal: never, onProgress: () => {}, decoderBase: DECODERS };
+  let refusal: Failure | null = null;
+  try {
+    closeModel(await loadModel(address, options));
+  } catch (error) {
+    refusal = failure(error);
+  }
+  return { refusal, milliseconds: performance.now() - begin };
 }
 
 type Random = (draw: number, below: number) => number;

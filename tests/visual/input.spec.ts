@@ -43,9 +43,14 @@ async function refusePointerLock(page: Page, error: string, onlyRaw = false): Pr
 
 /** Leaves, and stands again where he came in. */
 async function comeBack(room: RoomDriver): Promise<void> {
-  await room.evaluate((element) => {
+  await room.evaluate(async (element) => {
+    const change = new Promise((resolve) =>
+      document.addEventListener("pointerlockchange", resolve, { once: true }),
+    );
+    const isLocked = document.pointerLockElement !== null;
     document.exitPointerLock();
     element.blur();
+    if (isLocked) await change;
   });
   await expect.poll(() => room.isWalking()).toBe(false);
   await room.stand(LOOKS_ALONG);
@@ -75,8 +80,17 @@ async function expectKeyToScroll(page: Page): Promise<void> {
 }
 
 async function clickIn(room: RoomDriver): Promise<void> {
+  // The lock comes before its event, which the element must have heard of when the mouse moves.
+  const changes = await room.page.evaluateHandle(() => {
+    const changes: boolean[] = [];
+    document.addEventListener("pointerlockchange", () =>
+      changes.push(document.pointerLockElement !== null),
+    );
+    return changes;
+  });
   await room.page.mouse.click(80, 45);
-  await expect.poll(() => hasLock(room)).toBe(true);
+  await expect.poll(() => changes.jsonValue()).toEqual([true]);
+  expect(await hasLock(room)).toBe(true);
 }
 
 test.describe("Walking", () => {

@@ -28,7 +28,7 @@ test("the page opens on a burning room, from any folder of a site", async ({ fre
     const view = await fresh.evaluate(({ held, camera }) => ({ held, camera }));
     expect(view.held).toBe(false);
     await page.getByRole("button", { name: "Share" }).click();
-    const { hash } = new URL(page.url());
+    const hash = await page.evaluate(() => location.hash);
     expect(hash).toMatch(/#camera=[-\d._]+&candle=[-\d._]+/);
     await fresh.enter.click();
     await expect.poll(() => fresh.evaluate((room) => room.held)).toBe(true);
@@ -256,8 +256,7 @@ test("blowing at the microphone blows, while the visitor lets it", async ({ host
   });
   await button.click();
   await expect(button).toHaveAttribute("aria-pressed", "true");
-  await expect.poll(heard).not.toEqual([]);
-  expect(Math.max(...(await heard()))).toBe(1);
+  await expect.poll(async () => Math.max(...(await heard()))).toBe(1);
   const isOn = () =>
     page.evaluate(() => window.microphone.getTracks().some((track) => track.readyState === "live"));
   expect(await isOn()).toBe(true);
@@ -353,7 +352,7 @@ test.describe("what one sees", () => {
       const share = page.getByRole("button", { name: "Share" });
       await share.click();
       await expect(page.getByText("The link is copied.")).toBeVisible();
-      const hash = new URL(page.url()).hash;
+      const { href, hash } = await page.evaluate(() => ({ ...location }));
       expect(hash).toMatch(
         /^#camera=[-\d._]+&candle=[-\d._]+&look=paper&seed=7&exposure=-1\.5&quality=low&/,
       );
@@ -362,7 +361,7 @@ test.describe("what one sees", () => {
         navigator.clipboard.writeText = () => Promise.reject(new Error("refused"));
       });
       await share.click();
-      await expect(page.getByLabel("Link to what you see")).toHaveValue(page.url());
+      await expect(page.getByLabel("Link to what you see")).toHaveValue(href);
       await expect(page.getByText("The link is copied.")).toBeHidden();
     });
 
@@ -419,13 +418,14 @@ test.describe("the ladder", () => {
       [6.7, 149, 3.19],
       [7.5, 133, 3.57],
     ]);
-    const baseline = Number(rungs[0]?.[1]);
+    const baseline = rangeOf(rungs[0]?.[1]);
     for (const [, ...cells] of rungs) {
-      const [milliseconds = 0, framesPerSecond, multiple = 0] = cells.map(Number);
-      expect(milliseconds).toBeGreaterThan(0);
-      // As far as the digits shown allow.
-      expect(Math.abs(1000 / milliseconds - (framesPerSecond ?? 0))).toBeLessThan(1.5);
-      expect(multiple).toBeCloseTo(milliseconds / baseline, 1);
+      const [milliseconds, framesPerSecond, multiple] = cells.map(rangeOf) as [Range, Range, Range];
+      expect(milliseconds.least).toBeGreaterThan(0);
+      expect(framesPerSecond.least).toBeLessThanOrEqual(1000 / milliseconds.least);
+      expect(framesPerSecond.most).toBeGreaterThanOrEqual(1000 / milliseconds.most);
+      expect(multiple.least).toBeLessThanOrEqual(milliseconds.most / baseline.least);
+      expect(multiple.most).toBeGreaterThanOrEqual(milliseconds.least / baseline.most);
     }
     expect(await state()).toEqual(before);
   });
@@ -628,6 +628,18 @@ test.describe("without its models", () => {
     await expect(page.locator("candle-flame")).toHaveCount(1);
   });
 });
+
+interface Range {
+  readonly least: number;
+  readonly most: number;
+}
+
+/** What a number may be that is shown with so many digits. */
+function rangeOf(text = ""): Range {
+  const digits = text.split(".")[1]?.length ?? 0;
+  const rounding = 0.5 * 10 ** -digits;
+  return { least: Number(text) - rounding, most: Number(text) + rounding };
+}
 
 /** What one would miss with a finger: under 44 CSS pixels, with the label that can be touched as well. */
 function tooSmall(page: Page): Promise<string[]> {
