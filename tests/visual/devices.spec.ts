@@ -10,6 +10,7 @@ async function openControls(page: Page): Promise<RoomDriver> {
   await serveSmallTextures(page);
   const opening = { width: 160, height: 90, after: TALL };
   const room = await new RoomDriver(page).open({ look: "paper", controls: "" }, opening);
+  await room.painted();
   await room.stand(LOOKS_ALONG);
   return room;
 }

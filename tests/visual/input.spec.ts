@@ -11,6 +11,7 @@ const LOOKS_ALONG = { position: [0, 1.6, 3], yaw: 0, pitch: 0 } as const;
 async function openControls(page: Page, opening: Opening = SMALL): Promise<RoomDriver> {
   await serveSmallTextures(page);
   const room = await new RoomDriver(page).open({ look: "paper", controls: "" }, opening);
+  await room.painted();
   await room.stand(LOOKS_ALONG);
   return room;
 }
@@ -69,14 +70,9 @@ const hasLock = (room: RoomDriver) =>
     );
   });
 
-/** A headless browser is now and then deaf to the first key after it opened a page. */
 async function expectKeyToScroll(page: Page): Promise<void> {
-  await expect
-    .poll(async () => {
-      await page.keyboard.press("ArrowDown");
-      return page.evaluate(() => scrollY);
-    })
-    .toBeGreaterThan(0);
+  await page.keyboard.press("ArrowDown");
+  await expect.poll(() => page.evaluate(() => scrollY)).toBeGreaterThan(0);
 }
 
 async function clickIn(room: RoomDriver): Promise<void> {
@@ -453,6 +449,7 @@ test.describe("The keyboard", () => {
 
 test("Without controls nothing is captured: no key, no click, no focus", async ({ page }) => {
   const room = await new RoomDriver(page).open({ look: "paper" }, { ...SMALL, after: TALL });
+  await room.painted();
   const before = await room.camera();
   await page.mouse.click(80, 45);
   await room.evaluate((element) => {
