@@ -86,7 +86,8 @@ async function tour(browser: Browser, { width, height, hasTouch }: Device): Prom
   await page.goto(ORIGINS.page);
   await page.locator(".room").evaluate((room: HTMLElementTagNameMap["candle-flame"]) => {
     room.maxPixelRatio = 0.5; // the sheet has fewer still
-    room.pause(); // at rest, `auto` draws at high
+    room.quality = "high";
+    room.pause();
     return room.ready;
   });
   const pictures: Buffer[] = [];

@@ -466,7 +466,6 @@ test.describe("The picture", () => {
       { "max-pixel-ratio": "0.5" },
       { quality: "low" },
       { quality: "high" },
-      { quality: "auto" }, // while no time passes
     ]) {
       await room.set(attributes);
       const { width, height, resolutionScale } = await room.stats();
@@ -476,7 +475,6 @@ test.describe("The picture", () => {
       [160, 90, 1],
       [80, 45, 1],
       [53, 30, 2 / 3],
-      [80, 45, 1],
       [80, 45, 1],
     ]);
   });

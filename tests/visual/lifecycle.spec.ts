@@ -182,7 +182,8 @@ test("An element taken out while it loads gives its context back, and loads when
   const room = await openRecorded(page);
   await page.evaluate(async () => {
     const element = document.createElement("candle-flame");
-    element.paused = true;
+    Object.assign(element, { quality: "low", paused: true });
+    element.style.cssText = "width: 32px; height: 18px";
     document.body.append(element);
     await new Promise((resolve) => element.addEventListener("progress", resolve, { once: true }));
     element.remove();
