@@ -25,6 +25,8 @@ export const browser: NonNullable<PlaywrightTestConfig["use"]> = {
       "--font-render-hinting=none",
       "--disable-lcd-text",
       "--hide-scrollbars",
+      // A page's pictures are there as soon as the page is.
+      "--disable-checker-imaging",
       ...(process.env.CHROMIUM_ARGS?.split(" ").filter(Boolean) ?? []),
     ],
   },

@@ -65,7 +65,7 @@ export async function reportPrograms(
       wick: 0.002,
       wind: { speed: 0, direction: 0, gustiness: 0 },
     });
-    candle.resize(160, 90);
+    candle.resize(48, 27);
     for (let i = 0; i < 3; i++) candle.step(1 / 60);
     if (quality === "low") {
       candle.play(); // who moves has shaders of his own there, for every first and every second picture

@@ -61,12 +61,14 @@ function pixels(): { column: number; row: number; index: number }[] {
   }));
 }
 
+/** How far ahead the flame is held. */
+let reach: number | undefined;
+
 /** A view of the wall at -z, with the flame in the hand so far from it. */
 async function before(distance: number): Promise<Camera> {
   const camera: Camera = { position: [0, 1.6, distance - WALL + 0.56], yaw: 0, pitch: 0 };
-  const { flame } = await look(camera);
-  const [x, y, z] = camera.position;
-  return { ...camera, position: [x, y, z + distance - (flame.position[2] + WALL)] };
+  reach ??= camera.position[2] - (await look(camera)).flame.position[2];
+  return { ...camera, position: [0, 1.6, distance - WALL + reach] };
 }
 
 /** Irradiance, lx, of a matt wall that is seen from ahead. */

@@ -10,7 +10,8 @@ const LOOKS_ALONG = { position: [0, 1.6, 3], yaw: 0, pitch: 0 } as const;
 
 async function openControls(page: Page, opening: Opening = SMALL): Promise<RoomDriver> {
   await serveSmallTextures(page);
-  const room = await new RoomDriver(page).open({ look: "paper", controls: "" }, opening);
+  const attributes = { look: "paper", quality: "low", controls: "" };
+  const room = await new RoomDriver(page).open(attributes, opening);
   await room.painted();
   await room.stand(LOOKS_ALONG);
   return room;
