@@ -2,9 +2,10 @@
 import { cpSync, writeFileSync } from "node:fs";
 import { type BuildOptions, defineConfig, type Plugin } from "vite";
 import { manifest } from "./tools/elements-manifest.ts";
+import { BUILD_TARGET } from "./tools/oldest-browsers.ts";
 import { glsl } from "./tools/vite-glsl.ts";
 
-const shared: BuildOptions = { target: "es2022", sourcemap: true };
+const shared: BuildOptions = { target: BUILD_TARGET, sourcemap: true };
 
 /** `vite build` makes the hosted page; `vite build --mode lib` makes the package. */
 const builds: Record<string, BuildOptions> = {

@@ -2,6 +2,7 @@ import type { AssetError } from "./assets/load-model.js";
 import { CandleFlame, type Options, type Stats } from "./candle-flame.js";
 import { Absence, type Camera, cameraOf, setCamera } from "./element/absence.js";
 import { watchContext } from "./element/context-watch.js";
+import { DefaultSemantics } from "./element/default-semantics.js";
 import { guessDevicePixels, observeDevicePixels, type Size } from "./element/device-pixels.js";
 import {
   type CandleFlameEventMap,
@@ -17,11 +18,13 @@ import { Overlay } from "./element/overlay.js";
 import { SceneFetcher } from "./element/scene-fetcher.js";
 import { FULL, LOST, NO_PHYSICAL_LOOK, outSentence, REFUSALS } from "./element/sentences.js";
 import { Sight } from "./element/sight.js";
+import { States } from "./element/states.js";
 import { styleFor } from "./element/style.js";
 import { ContextLostError, GraphicsError } from "./gl/gpu-object.js";
 import { type Device, FirstPersonInput } from "./input/first-person-input.js";
 import type { FlameReport } from "./light/flame-light.js";
 import { type Guest, rooms } from "./scenes/places.js";
+import { resolveUrl } from "./scenes/resolve-url.js";
 import type { Scene, SceneRequest } from "./scenes/scene.js";
 import { createScreen, type Screen } from "./scenes/screen.js";
 import {
@@ -68,7 +71,8 @@ export class CandleFlameElement extends TypedEvents {
   /** Resolves after the first frame with all assets; rejects with the error that `error` reports. */
   ready: Promise<void>;
 
-  readonly #internals: ElementInternals;
+  readonly #semantics: DefaultSemantics;
+  readonly #states: States;
   readonly #overlay: Overlay;
   readonly #glow = new Glow();
   readonly #features: Features = allFeatures();
@@ -104,7 +108,9 @@ export class CandleFlameElement extends TypedEvents {
 
   constructor() {
     super();
-    this.#internals = this.attachInternals();
+    const internals = this.attachInternals();
+    this.#semantics = new DefaultSemantics(this, internals);
+    this.#states = new States(this, internals);
     const root = this.attachShadow({ mode: "open" });
     root.append(this.#glow.element);
     this.#overlay = new Overlay(root);
@@ -322,8 +328,8 @@ export class CandleFlameElement extends TypedEvents {
   };
 
   #showLit(): void {
-    if (this.lit) this.#internals.states.add("lit");
-    else this.#internals.states.delete("lit");
+    if (this.lit) this.#states.add("lit");
+    else this.#states.delete("lit");
     this.#overlay.hint.tell(this.#outSentence, this.controls);
   }
 
@@ -384,7 +390,7 @@ export class CandleFlameElement extends TypedEvents {
     this.#hasFailed = false;
     this.#clearFailure();
     this.#overlay.showPoster(this.poster);
-    this.#internals.states.add("loading");
+    this.#states.add("loading");
     this.#sight = new Sight(this, signal, () => this.#applySight(), this.#sight);
     if (this.loading === "lazy") this.#sight.awaitApproach(() => this.#open(signal));
     else this.#open(signal);
@@ -404,7 +410,7 @@ export class CandleFlameElement extends TypedEvents {
   /** A room has to wait until the page has a context left; lone candles share one. */
   #open(signal: AbortSignal): void {
     if (this.scene === "candle") {
-      this.#internals.states.add("alone");
+      this.#states.add("alone");
       this.#enter(signal);
       return;
     }
@@ -557,13 +563,13 @@ export class CandleFlameElement extends TypedEvents {
     const module = new URL(".", import.meta.url).href;
     if (this.assetBase === "") return module;
     const base = this.assetBase.endsWith("/") ? this.assetBase : `${this.assetBase}/`;
-    return URL.canParse(base, document.baseURI) ? new URL(base, document.baseURI).href : module;
+    return resolveUrl(base, document.baseURI) ?? module;
   }
 
   #reveal(signal: AbortSignal): void {
     this.#overlay.hideProgress();
     this.#overlay.hidePoster();
-    this.#internals.states.delete("loading");
+    this.#states.delete("loading");
     this.#showLit();
     this.#observe(signal);
     this.#applyMotion();
@@ -618,7 +624,7 @@ export class CandleFlameElement extends TypedEvents {
     this.#canvas?.remove();
     this.#canvas = null;
     this.#isStale = false;
-    this.#internals.states.clear();
+    this.#states.clear();
     const guest = this.#guest;
     this.#guest = null;
     if (guest) rooms.leave(guest);
@@ -711,9 +717,9 @@ export class CandleFlameElement extends TypedEvents {
   #applyMotion(): void {
     const candle = this.#candle;
     if (!candle) return;
-    const isWalking = this.#internals.states.has("walking");
+    const isWalking = this.#states.has("walking");
     const runs = !this.paused && this.#isSeen;
-    const { states } = this.#internals;
+    const states = this.#states;
     if (runs !== states.has("playing")) {
       if (runs) states.add("playing");
       else states.delete("playing");
@@ -734,8 +740,8 @@ export class CandleFlameElement extends TypedEvents {
   }
 
   #goInOrOut(isIn: boolean, device: Device): void {
-    if (isIn) this.#internals.states.add("walking");
-    else this.#internals.states.delete("walking");
+    if (isIn) this.#states.add("walking");
+    else this.#states.delete("walking");
     if (isIn) this.#overlay.hint.tellControls(device);
     else this.#overlay.hint.tell(this.#outSentence, this.controls);
     this.#emit(isIn ? "enter" : "leave", null);
@@ -746,16 +752,17 @@ export class CandleFlameElement extends TypedEvents {
     // of a picture nothing is read but its name, and what the hint says must be.
     const isPicture = !this.controls && !this.#overlay.isFailing;
     const role = this.#overlay.isFailing ? "group" : "application";
-    this.#internals.role = isPicture ? null : role;
-    this.#internals.ariaLabel = isPicture ? null : this.alt;
+    this.#semantics.set({
+      role: isPicture ? null : role,
+      ariaLabel: isPicture ? null : this.alt,
+      ariaDescription: this.controls ? "Press Enter to walk in, and Escape to leave." : null,
+    });
     this.#overlay.posterAlt = isPicture ? this.alt : "";
     if (this.#canvas) {
-      this.#canvas.role = isPicture ? "img" : "presentation";
-      this.#canvas.ariaLabel = isPicture ? this.alt : null;
+      this.#canvas.setAttribute("role", isPicture ? "img" : "presentation");
+      if (isPicture) this.#canvas.setAttribute("aria-label", this.alt);
+      else this.#canvas.removeAttribute("aria-label");
     }
-    this.#internals.ariaDescription = this.controls
-      ? "Press Enter to walk in, and Escape to leave."
-      : null;
     if (this.controls && !this.hasAttribute("tabindex")) this.tabIndex = 0;
     if (!this.controls && this.getAttribute("tabindex") === "0") this.removeAttribute("tabindex");
   }
@@ -772,7 +779,7 @@ export class CandleFlameElement extends TypedEvents {
   /** At the next frame, unless something draws before that anyway. */
   #requestDraw(): void {
     this.#isFresh = false;
-    const isPlaying = this.#internals.states.has("playing");
+    const isPlaying = this.#states.has("playing");
     if (!this.#candle || isPlaying || this.#drawRequest !== 0) return;
     if (!this.#isSeen) {
       this.#isStale = true;
@@ -813,7 +820,7 @@ export class CandleFlameElement extends TypedEvents {
   }
 
   #shine(): void {
-    if (this.#internals.states.has("alone")) this.#glow.follow(this.flame?.luminousIntensity ?? 0);
+    if (this.#states.has("alone")) this.#glow.follow(this.flame?.luminousIntensity ?? 0);
   }
 
   get #cameraKey(): string {

@@ -51,7 +51,7 @@ export class Hint {
 
   constructor() {
     this.element.part.add("hint");
-    this.element.role = "status";
+    this.element.setAttribute("role", "status");
     this.#controls.name = "hint";
     this.#controls.hidden = true;
     this.element.append(this.#controls);

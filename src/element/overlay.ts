@@ -63,7 +63,7 @@ export class Overlay {
 
   /** A sentence instead of a picture, and where it helps a button that begins anew. */
   fail(sentence: string, urgency: "alert" | "status", reload: (() => void) | null): void {
-    this.#failure.role = urgency;
+    this.#failure.setAttribute("role", urgency);
     this.#sentence.textContent = sentence;
     this.#reload.onclick = reload;
     if (reload) this.#failure.append(this.#reload);

@@ -47,8 +47,11 @@ export class SceneFetcher {
 
   async fetch(): Promise<void> {
     this.#loading?.abort();
-    this.#loading = new AbortController();
-    const signal = AbortSignal.any([this.#signal, this.#loading.signal]);
+    const loading = new AbortController();
+    this.#loading = loading;
+    const { signal } = loading;
+    if (this.#signal.aborted) loading.abort();
+    this.#signal.addEventListener("abort", () => loading.abort(), { signal });
     const { onProgress, onScene, onFailure } = this.#reactions;
     const wanted = this.#asked();
     this.#wanted = wanted;

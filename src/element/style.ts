@@ -10,9 +10,9 @@ const STYLE = `
   color: #f3e7d3;
   font: 1rem/1.5 system-ui, sans-serif;
 }
-:host(:state(alone)) { overflow: visible; background: none; isolation: isolate; }
+:host(:is(:state(alone), [state-alone])) { overflow: visible; background: none; isolation: isolate; }
 [part="glow"] { display: none; }
-:host(:state(alone)) [part="glow"] {
+:host(:is(:state(alone), [state-alone])) [part="glow"] {
   display: block;
   position: absolute;
   z-index: -1;
@@ -34,8 +34,8 @@ canvas, [part="poster"], ::slotted([slot="poster"]) {
   writing-mode: horizontal-tb;
 }
 [part="poster"], ::slotted([slot="poster"]) { object-fit: cover; }
-:host(:state(loading)) canvas { visibility: hidden; }
-:host(:state(walking)) canvas {
+:host(:is(:state(loading), [state-loading])) canvas { visibility: hidden; }
+:host(:is(:state(walking), [state-walking])) canvas {
   touch-action: none;
   user-select: none;
   -webkit-user-select: none;

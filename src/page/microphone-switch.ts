@@ -34,13 +34,13 @@ export class MicrophoneSwitch {
       this.#status.textContent = (error as Error).message;
     }
     this.#button.disabled = false;
-    this.#button.ariaPressed = String(this.#microphone !== null);
+    this.#button.setAttribute("aria-pressed", String(this.#microphone !== null));
   }
 
   #close(sentence: string): void {
     this.#microphone?.close();
     this.#microphone = null;
-    this.#button.ariaPressed = "false";
+    this.#button.setAttribute("aria-pressed", "false");
     this.#status.textContent = sentence;
   }
 }

@@ -5,6 +5,7 @@ import type { Lab } from "./lab/lab.js";
 import { MicrophoneSwitch } from "./microphone-switch.js";
 import { SettingsForm } from "./settings-form.js";
 import { readShareLink, SHARED, type Shared, type View, writeShareLink } from "./share-link.js";
+import { reflectWalking } from "./walking.js";
 
 const stage = find(document, ".stage", HTMLElement);
 const room = document.querySelector("candle-flame");
@@ -22,6 +23,7 @@ const fullScreenButton = find(stage, ".full-screen-button", HTMLButtonElement);
 const notice = find(stage, ".notice", HTMLElement);
 const link = find(stage, ".link", HTMLInputElement);
 
+reflectWalking(room);
 enterButton.addEventListener("click", () => room.enter());
 // Where there are no keys there is no Esc; the room lets go of whoever looks elsewhere.
 find(stage, ".leave", HTMLButtonElement).addEventListener("click", () => room.blur());
@@ -152,7 +154,7 @@ fullScreenButton.addEventListener("click", () => {
   change.catch(() => {}); // the browser tells the visitor itself
 });
 document.addEventListener("fullscreenchange", () => {
-  fullScreenButton.ariaPressed = String(document.fullscreenElement !== null);
+  fullScreenButton.setAttribute("aria-pressed", String(document.fullscreenElement !== null));
 });
 
 const form = new SettingsForm(room, find(settings, "fieldset", HTMLFieldSetElement), [
@@ -168,7 +170,9 @@ const form = new SettingsForm(room, find(settings, "fieldset", HTMLFieldSetEleme
 find(stage, ".settings-button", HTMLButtonElement).addEventListener("click", () => {
   form.refresh();
   settings.showModal();
+  document.body.classList.add("settings-open");
 });
+settings.addEventListener("close", () => document.body.classList.remove("settings-open"));
 
 new MicrophoneSwitch(room, find(settings, ".microphone", HTMLElement));
 

@@ -2,6 +2,7 @@ import { AssetError } from "../assets/asset-error.js";
 import { closeModel, type Model } from "../assets/model.js";
 import type { Models } from "../render/renderer.js";
 import type { Look } from "../settings.js";
+import { resolveUrl } from "./resolve-url.js";
 import type { Loading } from "./scene.js";
 
 /** Models that the built-in rooms are made of, under `asset-base`. */
@@ -26,7 +27,8 @@ export function sourcesOf(look: Look, src: string, assetRoot: string): Sources {
 const REPEATED = 80;
 
 function addressOf(src: string): string {
-  if (URL.canParse(src, document.baseURI)) return new URL(src, document.baseURI).href;
+  const address = resolveUrl(src, document.baseURI);
+  if (address !== null) return address;
   throw new AssetError(`The room's address is none that can be read: ${src.slice(0, REPEATED)}`);
 }
 

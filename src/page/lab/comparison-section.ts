@@ -73,7 +73,7 @@ export class ComparisonSection {
     if (isClosed && this.#left.value === look) {
       this.#left.value = SETTINGS.look.choices.findLast((other) => other !== look) ?? look;
     }
-    this.#button.ariaPressed = String(!isClosed);
+    this.#button.setAttribute("aria-pressed", String(!isClosed));
     this.#button.textContent = isClosed ? "Compare" : "Stop comparing";
     this.#status.textContent = state === "loading" ? "Building the second room." : failure;
     if (state === "open") this.#divider.show([this.#leftLook, this.#room.look]);

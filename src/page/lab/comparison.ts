@@ -58,7 +58,7 @@ export class Comparison {
     second.look = look;
     second.paused = true;
     second.className = "second";
-    second.ariaHidden = "true"; // the same room once more: the divider says what is where
+    second.setAttribute("aria-hidden", "true"); // the same room once more: the divider says what is where
     this.#open = new AbortController();
     const { signal } = this.#open;
     second.addEventListener("load", () => this.#begin(second, signal), { signal });

@@ -15,12 +15,12 @@ export class Divider {
     this.#stage = stage;
     this.#line = document.createElement("div");
     this.#line.className = "divider";
-    this.#line.role = "slider";
+    this.#line.setAttribute("role", "slider");
     this.#line.tabIndex = 0;
-    this.#line.ariaLabel = "Divider between the two looks";
-    this.#line.ariaOrientation = "horizontal";
-    this.#line.ariaValueMin = "0";
-    this.#line.ariaValueMax = "100";
+    this.#line.setAttribute("aria-label", "Divider between the two looks");
+    this.#line.setAttribute("aria-orientation", "horizontal");
+    this.#line.setAttribute("aria-valuemin", "0");
+    this.#line.setAttribute("aria-valuemax", "100");
     this.#labels = [document.createElement("span"), document.createElement("span")];
     this.#line.append(...this.#labels);
     this.#line.addEventListener("pointerdown", (event) => {
@@ -42,11 +42,13 @@ export class Divider {
     this.#labels[0].textContent = names[0];
     this.#labels[1].textContent = names[1];
     if (!this.#line.isConnected) this.#stage.append(this.#line);
+    document.body.classList.add("comparing");
     this.#set(this.#percent);
   }
 
   hide(): void {
     this.#line.remove();
+    document.body.classList.remove("comparing");
   }
 
   #moveTo(clientX: number): void {
@@ -74,8 +76,11 @@ export class Divider {
   #set(percent: number): void {
     this.#percent = Math.min(Math.max(percent, 0), 100);
     const shown = Math.round(this.#percent);
-    this.#line.ariaValueNow = String(shown);
-    this.#line.ariaValueText = `${this.#names[0]} ${shown} %, ${this.#names[1]} ${100 - shown} %`;
+    this.#line.setAttribute("aria-valuenow", String(shown));
+    this.#line.setAttribute(
+      "aria-valuetext",
+      `${this.#names[0]} ${shown} %, ${this.#names[1]} ${100 - shown} %`,
+    );
     this.#stage.style.setProperty("--divider", `${this.#percent}%`);
   }
 }

@@ -69,7 +69,8 @@ export class Lab {
   toggle(): void {
     const opens = this.#panel.hidden;
     this.#panel.hidden = !opens;
-    this.#button.ariaExpanded = String(opens);
+    this.#button.setAttribute("aria-expanded", String(opens));
+    document.body.classList.toggle("lab-open", Boolean(opens));
     this.#meter.refresh(Boolean(opens));
     this.#plot.refresh(Boolean(opens));
     if (opens) {

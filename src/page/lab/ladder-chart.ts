@@ -38,7 +38,7 @@ export class LadderChart {
       // The same numbers again, for the eye alone.
       const drawing = body.insertRow();
       drawing.className = "bars";
-      drawing.ariaHidden = "true";
+      drawing.setAttribute("aria-hidden", "true");
       const space = drawing.insertCell();
       space.colSpan = 7;
       const [bar, paperBar] = [document.createElement("div"), document.createElement("div")];

@@ -1,5 +1,6 @@
 import type { CandleFlameElement } from "../../candle-flame-element.js";
 import { find } from "../find.js";
+import { isWalking } from "../walking.js";
 import { climb } from "./ladder.js";
 import { LadderChart } from "./ladder-chart.js";
 
@@ -50,7 +51,7 @@ export class LadderSection {
           this.#progress.value = share;
           this.#chart.show(medians);
           // Who walks off changes the view, and with it what is measured.
-          if (element.matches(":state(walking)")) running.abort();
+          if (isWalking(element)) running.abort();
         },
       });
       this.#chart.show(medians);

@@ -48,8 +48,8 @@ export class SpotMeter {
     }
     this.#spot.className = "spot";
     this.#spot.tabIndex = 0;
-    this.#spot.role = "application"; // its arrow keys are its own
-    this.#spot.ariaLabel = "Spot of the meter";
+    this.#spot.setAttribute("role", "application"); // its arrow keys are its own
+    this.#spot.setAttribute("aria-label", "Spot of the meter");
     this.#spot.setAttribute("aria-describedby", "spot-keys");
     this.#spot.addEventListener("keydown", (event) => {
       if (this.#pressKey(event)) event.preventDefault();

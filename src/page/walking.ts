@@ -1,0 +1,16 @@
+import type { CandleFlameElement } from "../candle-flame-element.js";
+
+/** In `:is()`, since outside of it an unknown `:state()` invalidates the whole selector. */
+const WALKING = ":is(:state(walking), [state-walking])";
+const CHANGES = ["enter", "leave", "load", "error"] as const;
+
+/** Whether the visitor is in this room. */
+export function isWalking(room: Element): boolean {
+  return room.matches(WALKING);
+}
+
+/** The body's class `walking`, by which the page makes way. (`:has()` is newer than the oldest browsers.) */
+export function reflectWalking(room: CandleFlameElement): void {
+  const reflect = () => document.body.classList.toggle("walking", isWalking(room));
+  for (const type of CHANGES) room.addEventListener(type, reflect);
+}
