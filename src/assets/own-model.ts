@@ -93,17 +93,11 @@ async function readPicture(
 ): Promise<Picture> {
   const texture = textures[index];
   const asStored = { premultiplyAlpha: "none", colorSpaceConversion: "none" } as const;
-  const read = async (source: number | undefined) => {
-    const uri = images[source ?? -1]?.uri;
-    if (uri === undefined) throw new Flaw("names a picture that is missing");
-    const bytes = await fetchBytes(new URL(uri, base), { signal, isForeign: () => false });
-    return createImageBitmap(new Blob([bytes]), asStored);
-  };
-  const small = texture?.extensions?.EXT_texture_avif?.source;
-  return read(small ?? texture?.source).catch(() => {
-    signal.throwIfAborted();
-    return read(texture?.source);
-  });
+  const source = texture?.extensions?.EXT_texture_avif?.source ?? texture?.source;
+  const uri = images[source ?? -1]?.uri;
+  if (uri === undefined) throw new Flaw("names a picture that is missing");
+  const bytes = await fetchBytes(new URL(uri, base), { signal, isForeign: () => false });
+  return createImageBitmap(new Blob([bytes]), asStored);
 }
 
 async function readMaterial(

@@ -117,7 +117,7 @@ test("Over black, white or a photograph the candle is the same, and its light on
     if (Math.max(...left) - Math.min(...left) > 2 || Math.min(...left) < -1) uneven++;
   }
   // So it is over a photograph, too: what is left of the page, and the candle.
-  const photo = "url(/textures/brass-albedo.jpg)";
+  const photo = "url(/textures/brass-albedo.avif)";
   await page.evaluate(
     async (source) => {
       const image = new Image();

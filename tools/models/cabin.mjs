@@ -103,26 +103,20 @@ function paint(document) {
   }
 }
 
-/**
- * Each texture is AVIF with a JPEG of the same name to fall back on, which the JSON can say (Khronos,
- * "EXT_texture_avif") and the document model cannot.
- */
+/** Each texture is AVIF alone (Khronos, "EXT_texture_avif"), which the document model cannot say. */
 function referToTextures(json) {
   const textures = new Map();
   json.extensionsUsed = [...(json.extensionsUsed ?? []), "EXT_texture_avif"];
+  json.extensionsRequired = [...(json.extensionsRequired ?? []), "EXT_texture_avif"];
   json.samplers = [{ magFilter: 9729, minFilter: 9987, wrapS: 10497, wrapT: 10497 }];
   json.images = [];
   json.textures = [];
 
-  const image = (name, kind) => {
-    const mimeType = kind === "avif" ? "image/avif" : "image/jpeg";
-    return json.images.push({ name, mimeType, uri: `../textures/${name}.${kind}` }) - 1;
-  };
   const texture = (name) => {
     if (!textures.has(name)) {
-      const extensions = { EXT_texture_avif: { source: image(name, "avif") } };
-      const source = image(name, "jpg");
-      textures.set(name, json.textures.push({ name, sampler: 0, source, extensions }) - 1);
+      const image = { name, mimeType: "image/avif", uri: `../textures/${name}.avif` };
+      const extensions = { EXT_texture_avif: { source: json.images.push(image) - 1 } };
+      textures.set(name, json.textures.push({ name, sampler: 0, extensions }) - 1);
     }
     return { index: textures.get(name) };
   };

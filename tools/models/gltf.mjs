@@ -91,26 +91,21 @@ function arraysOf(document, name) {
   };
 }
 
-/**
- * Each texture is AVIF with a JPEG of the same name to fall back on, which the JSON can say (Khronos,
- * "EXT_texture_avif") and the document model cannot.
- */
+/** Each texture is AVIF alone (Khronos, "EXT_texture_avif"), which the document model cannot say. */
 function referToTextures(json, materials) {
   const textured = materials.filter((material) => material.textures);
   if (textured.length === 0) return;
 
   json.extensionsUsed = ["EXT_texture_avif"];
+  json.extensionsRequired = ["EXT_texture_avif"];
   json.samplers = [{ magFilter: 9729, minFilter: 9987, wrapS: 10497, wrapT: 10497 }];
   json.images = [];
   json.textures = [];
 
-  const image = (name, kind) => {
-    const mimeType = kind === "avif" ? "image/avif" : "image/jpeg";
-    return json.images.push({ name, mimeType, uri: `../textures/${name}.${kind}` }) - 1;
-  };
   const texture = (name) => {
-    const extensions = { EXT_texture_avif: { source: image(name, "avif") } };
-    return json.textures.push({ name, sampler: 0, source: image(name, "jpg"), extensions }) - 1;
+    const image = { name, mimeType: "image/avif", uri: `../textures/${name}.avif` };
+    const extensions = { EXT_texture_avif: { source: json.images.push(image) - 1 } };
+    return json.textures.push({ name, sampler: 0, extensions }) - 1;
   };
 
   for (const { name, textures } of textured) {

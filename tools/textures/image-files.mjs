@@ -7,7 +7,6 @@ export const CHANNELS = ["albedo", "normal", "orm"];
 // Chroma is never subsampled: it carries slopes and roughness. A normal at less than 85 loses the
 // finest strokes although the signal-to-noise ratio still looks well.
 const AVIF_QUALITY = { albedo: 60, normal: 85, orm: 65 };
-const JPEG_QUALITY = { albedo: 86, normal: 90, orm: 86 };
 
 /** Texels along an edge of a map of occlusion, roughness and metal: they change more slowly than colour. */
 const LARGEST_ORM = 512;
@@ -34,24 +33,18 @@ function mapOf(maps, channel) {
     : { pixels: maps[channel], size: resolution };
 }
 
-/** Writes one set as AVIF, and as JPEG for browsers that cannot read it. */
+/** Writes one set as AVIF. */
 export async function writeTextures(folder, name, maps, quality = {}) {
   for (const channel of CHANNELS) {
     const { pixels, size } = mapOf(maps, channel);
     const image = sharp(pixels, { raw: { width: size, height: size, channels: 3 } });
-    const file = join(folder, `${name}-${channel}`);
     await image
-      .clone()
       .avif({
         quality: quality[channel] ?? AVIF_QUALITY[channel],
         chromaSubsampling: "4:4:4",
         effort: 4,
       })
-      .toFile(`${file}.avif`);
-    await image
-      .clone()
-      .jpeg({ quality: JPEG_QUALITY[channel], chromaSubsampling: "4:4:4", mozjpeg: true })
-      .toFile(`${file}.jpg`);
+      .toFile(join(folder, `${name}-${channel}.avif`));
   }
 }
 

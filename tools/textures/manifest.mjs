@@ -11,10 +11,8 @@ function entry(file) {
 function textureEntry(folder, material) {
   const files = {};
   for (const channel of CHANNELS) {
-    for (const extension of ["avif", "jpg"]) {
-      const file = `${material.name}-${channel}.${extension}`;
-      if (existsSync(join(folder, file))) files[file] = entry(join(folder, file));
-    }
+    const file = `${material.name}-${channel}.avif`;
+    if (existsSync(join(folder, file))) files[file] = entry(join(folder, file));
   }
   return { size: material.size, tile: material.tile, seed: material.seed, files };
 }

@@ -18,7 +18,7 @@ test("wax glows down to 1/e in 6 to 16 mm of red light, and 1.3 to 2.5 times as 
 });
 
 test("white wax throws 0.7 to 0.9 of the light back", async () => {
-  const file = resolve(import.meta.dirname, "../../../public/textures/wax-albedo.jpg");
+  const file = resolve(import.meta.dirname, "../../../public/textures/wax-albedo.avif");
   const { data, info } = await sharp(file)
     .removeAlpha()
     .raw()
