@@ -5,7 +5,7 @@ import { manifest } from "./tools/elements-manifest.ts";
 import { BUILD_TARGET } from "./tools/oldest-browsers.ts";
 import { glsl } from "./tools/vite-glsl.ts";
 
-const shared: BuildOptions = { target: BUILD_TARGET, sourcemap: true };
+const shared: BuildOptions = { target: BUILD_TARGET };
 
 /** `vite build` makes the hosted page; `vite build --mode lib` makes the package. */
 const builds: Record<string, BuildOptions> = {
@@ -13,6 +13,7 @@ const builds: Record<string, BuildOptions> = {
   page: {
     ...shared,
     outDir: "dist-page",
+    sourcemap: true,
     assetsDir: "code",
     rolldownOptions: { input: ["index.html", "use.html", "how.html"] },
   },

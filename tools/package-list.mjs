@@ -11,8 +11,7 @@ const kB = (bytes) => (bytes / 1000).toLocaleString("en", { maximumFractionDigit
 const rows = new Map();
 for (const { path, size } of tarball.files) {
   const [, folder] = /^dist\/([^/]+)\//.exec(path) ?? [];
-  const isMap = path.endsWith(".map");
-  const name = isMap ? "source maps" : folder ? `${folder}/` : path.replace(/^dist\//, "");
+  const name = folder ? `${folder}/` : path.replace(/^dist\//, "");
   const row = rows.get(name) ?? { files: 0, size: 0, gzip: 0 };
   row.files++;
   row.size += size;

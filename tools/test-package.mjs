@@ -12,7 +12,7 @@ const [{ filename }] = JSON.parse(execSync(pack, { encoding: "utf8" }));
 for (const command of [
   `npx publint run ${FOLDER}/${filename} --strict`,
   `npx attw ${FOLDER}/${filename} --profile esm-only --exclude-entrypoints ./custom-elements.json ./package.json -q`,
-  "node tools/package-size.mjs",
+  `node tools/package-size.mjs ${FOLDER}/${filename}`,
 ]) {
   try {
     execSync(command, { stdio: "inherit" });

@@ -155,6 +155,11 @@ export function lacksOfHtml(html: string): string[] {
   return [...lacks].sort();
 }
 
+/** The oldest supported browsers that do not read a kind of picture. */
+export function lacksOfPicture(kind: string): string[] {
+  return said(lackOf(kind, own(own(DATA.mediatypes as Identifier, "image"), kind)));
+}
+
 /** Each interface's members and each builtin's, by the member's name. */
 const MEMBERS = new Map<string, Identifier[]>();
 const INTERFACES = new Map<string, Identifier>();

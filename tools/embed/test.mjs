@@ -1,6 +1,6 @@
 // npm run test:embed: packs the package as it would be published, installs it into throw-away projects of
 // plain HTML, React, Vue, Svelte and a page rendered on a server, checks their types, builds them with Vite
-// and opens each in Chromium. Needs a registry for the frameworks; run before a release.
+// and opens each in Chromium; and opens a page that has the package from another origin, as from a CDN. Needs a registry for the frameworks; run before a release.
 import { execFileSync } from "node:child_process";
 import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -9,6 +9,7 @@ import { pathToFileURL } from "node:url";
 import { chromium } from "playwright";
 import { preview } from "vite";
 import { findBrowser } from "../find-browser.mjs";
+import { serveFromCdn } from "./cdn.mjs";
 
 const VITE = JSON.parse(readFileSync("package.json", "utf8")).devDependencies.vite;
 // Checkers of templates need the JavaScript that TypeScript 7 no longer is.
@@ -22,6 +23,7 @@ const REACT = {
 
 const PROJECTS = [
   { name: "html", needs: {}, checks: [], builds: ["vite build"], loads: 2 },
+  { name: "cdn", needs: {}, checks: [], builds: [], loads: 2, serves: serveFromOtherOrigin },
   { name: "react", needs: REACT, checks: ["tsc -p ."], builds: ["vite build"], loads: 1 },
   {
     name: "vue",
@@ -94,8 +96,8 @@ async function renderOnServer(cwd) {
   writeFileSync(file, readFileSync(file, "utf8").replace("<!--app-->", html));
 }
 
-/** What is wrong with the built project as a visitor meets it. */
-async function visit(browser, cwd, loads) {
+/** A project as built, and everything that it uses beside it. */
+async function serveAsBuilt(cwd) {
   const server = await preview({
     root: cwd,
     configFile: false,
@@ -104,6 +106,18 @@ async function visit(browser, cwd, loads) {
   });
   const { port } = server.httpServer.address();
   const origin = `http://127.0.0.1:${port}`;
+  return { origin, origins: [origin], close: () => server.close() };
+}
+
+/** A page alone, and the package on another origin. */
+async function serveFromOtherOrigin(cwd) {
+  const root = join(cwd, "node_modules/candle-flame");
+  const { origin, cdn, close } = await serveFromCdn(join(cwd, "index.html"), root);
+  return { origin, origins: [origin, cdn], close };
+}
+
+/** What is wrong with the built project as a visitor meets it. */
+async function visit(browser, { origin, origins, close }, loads) {
   const page = await browser.newPage();
   const faults = [];
   page.on("pageerror", (error) => faults.push(String(error)));
@@ -112,7 +126,8 @@ async function visit(browser, cwd, loads) {
   });
   page.on("request", (request) => {
     const { protocol, origin: from } = new URL(request.url());
-    if (protocol.startsWith("http") && from !== origin) faults.push(`fetched ${request.url()}`);
+    if (protocol.startsWith("http") && !origins.includes(from))
+      faults.push(`fetched ${request.url()}`);
   });
   page.on("response", (response) => {
     if (response.status() >= 400) faults.push(`${response.status()} ${response.url()}`);
@@ -140,7 +155,7 @@ async function visit(browser, cwd, loads) {
     faults.push(String(error));
   }
   await page.close();
-  await server.close();
+  await close();
   return faults;
 }
 
@@ -165,7 +180,10 @@ try {
       const cwd = install(project, tarball);
       for (const command of [...project.checks, ...project.builds]) run(`npx ${command}`, cwd);
       if (project.name === "ssr") await renderOnServer(cwd);
-      if (project.loads > 0) faults = await visit(browser, cwd, project.loads);
+      if (project.loads > 0) {
+        const { serves = serveAsBuilt } = project;
+        faults = await visit(browser, await serves(cwd), project.loads);
+      }
     } catch (error) {
       faults.push(String(error));
     }

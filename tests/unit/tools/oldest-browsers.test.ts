@@ -1,7 +1,13 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { expect, test } from "vitest";
 import { BUILD_TARGET } from "../../../tools/oldest-browsers.ts";
-import { declaredIn, lacksOfCss, lacksOfHtml, lacksOfScript } from "../../support/compatibility.ts";
+import {
+  declaredIn,
+  lacksOfCss,
+  lacksOfHtml,
+  lacksOfPicture,
+  lacksOfScript,
+} from "../../support/compatibility.ts";
 
 /** What may be used although some of the oldest browsers lack it, and why. */
 const STYLE_EXCEPTIONS: Readonly<Record<string, string>> = {
@@ -55,7 +61,7 @@ function surprises(lacks: readonly string[], exceptions: Readonly<Record<string,
 const NONE = { unexpected: [], unused: [] };
 
 test("the build aims at the oldest browsers that package.json names", () => {
-  expect(BUILD_TARGET).toEqual(["chrome111", "edge111", "firefox115", "safari16.4", "ios16.4"]);
+  expect(BUILD_TARGET).toEqual(["chrome111", "edge121", "firefox115", "safari16.4", "ios16.4"]);
 });
 
 test("the styles of pages, documentation and element work in the oldest browsers", () => {
@@ -85,6 +91,13 @@ test("so do the scripts", () => {
   expect(surprises(lacks, SCRIPT_EXCEPTIONS)).toEqual(NONE);
 });
 
+test("and all of them read the pictures that are shipped, which have no twins of another kind", () => {
+  const kinds = new Set(readdirSync("public/textures").map((name) => name.split(".").at(-1)));
+  expect([...kinds]).toEqual(["avif"]);
+  expect(lacksOfPicture("avif")).toEqual([]);
+  expect(lacksOfPicture("jxl")).toHaveLength(1);
+});
+
 test("what is newer is found", () => {
   const firefox = (feature: string) => [`${feature}: not in firefox 115`];
   expect(lacksOfCss("body:has(.lab) p { color: red }")).toEqual(firefox(":has"));
@@ -92,7 +105,7 @@ test("what is newer is found", () => {
   expect(lacksOfCss("p:is(:has(b), .b), q { color: color-mix(in srgb, red, blue) }")).toEqual([]);
   expect(lacksOfCss("p:is(:has(b)) { color: red }")).toEqual(firefox(":has"));
   expect(lacksOfCss("a:state(lit) { color: red }")).toEqual([
-    expect.stringMatching(/^:state: not in chrome 111, edge 111, firefox 115, safari 16.4/),
+    expect.stringMatching(/^:state: not in chrome 111, edge 121, firefox 115, safari 16.4/),
   ]);
   expect(lacksOfCss("a { &:hover { color: red } }")).toEqual([expect.stringMatching(/^nesting/)]);
   expect(lacksOfCss("a { b { color: red } }")).toEqual([expect.stringMatching(/^syntax/)]);
