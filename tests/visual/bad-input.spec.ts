@@ -429,7 +429,7 @@ test("A thousand storms of nonsense in attributes and properties throw nothing, 
   // Whatever nonsense is asked for is there, since what cannot be fetched is another test's.
   const models = /(paper-candle|chamberstick)\.glb$/;
   await page.route(
-    (url) => url.href.startsWith(LIBRARY) && !/\.(js|html|jpg|png|webp)$/.test(url.pathname),
+    (url) => url.href.startsWith(LIBRARY) && !/\.(js|html|avif|png|webp)$/.test(url.pathname),
     (route) => {
       const [, name = "paper-room"] = models.exec(route.request().url()) ?? [];
       return route.fulfill({ body: readFileSync(`public/models/${name}.glb`) });
