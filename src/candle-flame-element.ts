@@ -1,6 +1,6 @@
 import type { AssetError } from "./assets/load-model.js";
 import { CandleFlame, type Options, type Stats } from "./candle-flame.js";
-import { Absence, type Camera, cameraOf, setCamera } from "./element/absence.js";
+import { Absence, type Camera, cameraOf, changeOf, setCamera } from "./element/absence.js";
 import { watchContext } from "./element/context-watch.js";
 import { DefaultSemantics } from "./element/default-semantics.js";
 import { guessDevicePixels, observeDevicePixels, type Size } from "./element/device-pixels.js";
@@ -188,13 +188,14 @@ export class CandleFlameElement extends TypedEvents {
     this.#requestDraw();
   }
 
-  get camera(): Camera {
-    return this.#candle ? cameraOf(this.#candle) : this.#absence.camera;
+  get camera(): Required<Camera> {
+    return this.#candle ? cameraOf(this.#candle) : this.#absence.cameraFor(this.look);
   }
   set camera(value: Partial<Camera>) {
-    if (!this.#candle || this.#fetcher?.isFetching) this.#absence.want(value);
+    const change = changeOf(value, this.camera);
+    if (!this.#candle || this.#fetcher?.isFetching) this.#absence.want(change);
     if (!this.#candle) return;
-    setCamera(this.#candle, value);
+    setCamera(this.#candle, change);
     this.#reportCamera();
     this.#requestDraw();
   }
@@ -824,8 +825,8 @@ export class CandleFlameElement extends TypedEvents {
   }
 
   get #cameraKey(): string {
-    const { position, yaw, pitch } = this.camera;
-    return `${position} ${yaw} ${pitch}`;
+    const { position, yaw, pitch, fieldOfView } = this.camera;
+    return `${position} ${yaw} ${pitch} ${fieldOfView}`;
   }
 
   #reportCamera(): void {

@@ -238,10 +238,18 @@ export class CandleFlame {
     this.draw();
   }
 
-  #createWorld(age = 0, isLit = !this.#options.unlit): World {
+  #createWorld(age = 0, isLit = !this.#options.unlit, fieldOfView: number | null = null): World {
     const { look, seed, isStill, wind, wick } = this.#options;
     const { room, stage } = this.#scene;
-    const world = createWorld(look, seed, { age, room, stage, wind, wick, isLit });
+    const world = createWorld(look, seed, {
+      age,
+      room,
+      stage,
+      wind,
+      wick,
+      isLit,
+      fieldOfView,
+    });
     world.sways = !isStill;
     return world;
   }
@@ -290,8 +298,8 @@ export class CandleFlame {
   }
 
   /** A new world at the moment of another, its visitor at the door. */
-  #sameTimeAs({ timeline, remainder, flame }: World): World {
-    const world = this.#createWorld(timeline.tick, flame.isLit);
+  #sameTimeAs({ timeline, remainder, flame, fieldOfView }: World): World {
+    const world = this.#createWorld(timeline.tick, flame.isLit, fieldOfView);
     world.remainder = remainder;
     return world;
   }
@@ -316,7 +324,7 @@ export class CandleFlame {
 
   /** Goes on from a moment that an earlier candle had here; in another room, at its door. */
   resume(moment: Moment, isSameRoom: boolean): void {
-    this.world = this.#createWorld(moment.tick, moment.isLit);
+    this.world = this.#createWorld(moment.tick, moment.isLit, moment.fieldOfView);
     this.world.remainder = moment.remainder;
     if (isSameRoom) resume(this.world, moment);
     this.#follow(this.#renderer);
@@ -421,7 +429,8 @@ export class CandleFlame {
   /** Whether eye or candle are elsewhere than when this was last asked. */
   #hasMoved(): boolean {
     const { player, candle, shown } = this.world;
-    const stand = [...shown.eye, player.yaw, player.pitch, ...shown.foot, candle.yaw].join(" ");
+    const view = [player.yaw, player.pitch, this.world.fieldOfView];
+    const stand = [...shown.eye, ...view, ...shown.foot, candle.yaw].join(" ");
     const hasMoved = stand !== this.#stand;
     this.#stand = stand;
     return hasMoved;

@@ -173,6 +173,13 @@ export function allFeatures(): Features {
   return Object.fromEntries(FEATURES.map((name) => [name, true])) as Features;
 }
 
+/** Field of view across the picture's shorter side, radians, unless the page sets another. */
+export const FIELDS_OF_VIEW: Readonly<Record<Look, number>> = {
+  physical: (56 * Math.PI) / 180,
+  paper: Math.PI / 4,
+  original: Math.PI / 4,
+};
+
 /** What may be looked at instead of the picture, in the physical look: `element.inspect = "depth"`. */
 export const INSPECTIONS = [
   "picture",

@@ -60,7 +60,10 @@ const FIELDS: Readonly<
 > = {
   lit: { type: "boolean", meaning: "Whether the candle burns." },
   held: { type: "boolean", meaning: "Whether the candle is in the hand.", readonly: true },
-  camera: { type: "Camera", meaning: "Where the visitor stands and looks: metres, radians." },
+  camera: {
+    type: "Camera",
+    meaning: "Where the visitor stands and looks, and how widely: metres, radians.",
+  },
   currentTime: { type: "number", meaning: "Seconds simulated since reset().", readonly: true },
   ready: { type: "Promise<void>", meaning: "Resolves after the first frame.", readonly: true },
   flame: { type: "FlameReport | null", meaning: "The flame, in SI units.", readonly: true },

@@ -1,5 +1,7 @@
 import type { CandleFlame } from "../candle-flame.js";
 import { areSame, type SceneRequest } from "../scenes/scene.js";
+import { FIELDS_OF_VIEW, type Look } from "../settings.js";
+import { fieldOfViewOf, legalFieldOfView } from "../world/field-of-view.js";
 import { type Moment, timeOf } from "../world/moment.js";
 import { moveCamera } from "../world/world.js";
 
@@ -10,9 +12,11 @@ export interface Camera {
   readonly yaw: number;
   /** Radians, up positive. */
   readonly pitch: number;
+  /** Radians across the picture's shorter side, 0.3 to 2.1; the look's own if it is not given. */
+  readonly fieldOfView?: number;
 }
 
-const NOWHERE: Camera = { position: [0, 0, 0], yaw: 0, pitch: 0 };
+const NOWHERE = { position: [0, 0, 0], yaw: 0, pitch: 0, fieldOfView: null } as const;
 
 /**
  * What is known and wanted of a world while there is none to see: before the first one, while a room that
@@ -23,9 +27,11 @@ export class Absence {
   /** From where a room goes on, and which room that is. */
   #asleep: { readonly moment: Moment; readonly of: SceneRequest } | null = null;
 
-  get camera(): Camera {
-    const { position, yaw, pitch } = this.#asleep?.moment ?? NOWHERE;
-    return { position, yaw, pitch, ...this.#camera };
+  /** @param look that is to come, which has its own field of view */
+  cameraFor(look: Look): Required<Camera> {
+    const { position, yaw, pitch, fieldOfView } = this.#asleep?.moment ?? NOWHERE;
+    const own = { position, yaw, pitch, fieldOfView: fieldOfView ?? FIELDS_OF_VIEW[look] };
+    return { ...own, ...this.#camera };
   }
 
   get currentTime(): number {
@@ -73,15 +79,26 @@ export class Absence {
   }
 }
 
-export function cameraOf({ world }: CandleFlame): Camera {
+export function cameraOf({ world }: CandleFlame): Required<Camera> {
   const { position, yaw, pitch } = world.player;
   const [x, y, z] = position;
-  return { position: [x, y, z], yaw, pitch };
+  return { position: [x, y, z], yaw, pitch, fieldOfView: fieldOfViewOf(world) };
+}
+
+/** What a camera is to change: a field of view that is as it is stays the look's own, if it was that. */
+export function changeOf(
+  camera: Partial<Camera>,
+  { fieldOfView: before }: Camera,
+): Partial<Camera> {
+  const { fieldOfView, ...others } = { ...camera };
+  const legal = legalFieldOfView(fieldOfView);
+  return legal === null || legal === before ? others : { ...others, fieldOfView: legal };
 }
 
 /** What is not given stays as it is; nonsense does, too. */
 export function setCamera(candle: CandleFlame, camera: Partial<Camera>): void {
   const before = cameraOf(candle);
   const { position, yaw, pitch } = { ...before, ...camera };
-  moveCamera(candle.world, position ?? before.position, Number(yaw), Number(pitch));
+  const place = position ?? before.position;
+  moveCamera(candle.world, place, Number(yaw), Number(pitch), camera.fieldOfView);
 }

@@ -1,5 +1,6 @@
 import type { Camera } from "../candle-flame-element.js";
 import "../define.js";
+import { FIELDS_OF_VIEW } from "../settings.js";
 import { find } from "./find.js";
 import type { Lab } from "./lab/lab.js";
 import { MicrophoneSwitch } from "./microphone-switch.js";
@@ -90,7 +91,7 @@ function follow(view: View): void {
   }
   // The visitor may have put out, or lit, what the attribute left alone.
   room.lit = view.settings.unlit === undefined;
-  if (view.camera) room.camera = view.camera;
+  if (view.camera) room.camera = { fieldOfView: FIELDS_OF_VIEW[room.look], ...view.camera };
   if (isLoaded) stand(view.candle);
   else room.addEventListener("load", () => stand(view.candle), { once: true });
 }

@@ -1,6 +1,7 @@
 import type { Camera } from "../candle-flame-element.js";
 import {
   type ChoiceSetting,
+  FIELDS_OF_VIEW,
   type FlagSetting,
   type NumberSetting,
   parseChoice,
@@ -41,6 +42,9 @@ export function writeShareLink({ camera, candle, settings }: View): string {
   for (const [name, stand] of Object.entries({ camera, candle })) {
     if (!stand) continue;
     const numbers = [...stand.position, stand.yaw, stand.pitch];
+    const { fieldOfView } = stand;
+    if (name === "camera" && fieldOfView && !isOwn(fieldOfView, settings))
+      numbers.push(fieldOfView);
     words.set(name, numbers.map((value) => Number(value.toFixed(DIGITS))).join("_"));
   }
   for (const name of SHARED) {
@@ -48,6 +52,11 @@ export function writeShareLink({ camera, candle, settings }: View): string {
     if (text !== null) words.set(name, text);
   }
   return `#${words}`;
+}
+
+/** Whether it is the look's own field of view. */
+function isOwn(fieldOfView: number, { look }: View["settings"]): boolean {
+  return fieldOfView === FIELDS_OF_VIEW[parseChoice(SETTINGS.look, look ?? null)];
 }
 
 /** The view that a hash asks for. Anybody may have written it: what makes no sense is not there. */
@@ -67,9 +76,10 @@ export function readShareLink(hash: string): View {
 
 function readCamera(text: string | null): Camera | null {
   const words = text?.split("_") ?? [];
-  if (words.length !== 5 || !words.every((word) => NUMBER.test(word))) return null;
-  const [x, y, z, yaw, pitch] = words.map(Number) as [number, number, number, number, number];
-  return { position: [x, y, z], yaw, pitch };
+  if (!/^[56]$/.test(`${words.length}`) || !words.every((word) => NUMBER.test(word))) return null;
+  const [x = 0, y = 0, z = 0, yaw = 0, pitch = 0, fieldOfView] = words.map(Number);
+  const stand: Camera = { position: [x, y, z], yaw, pitch };
+  return fieldOfView === undefined ? stand : { ...stand, fieldOfView };
 }
 
 /** What the setting makes of a text; null where that is its default. A flag is set by any text. */

@@ -13,12 +13,15 @@ export interface Moment {
   readonly position: Readonly<Vec3>;
   readonly yaw: number;
   readonly pitch: number;
+  /** Null is the stage's. */
+  readonly fieldOfView: number | null;
   /** Where the candle stands, and how it is turned; null while it is held. */
   readonly stand: { readonly position: Readonly<Vec3>; readonly yaw: number } | null;
   readonly isLit: boolean;
 }
 
-export function momentOf({ timeline, remainder, player, candle, flame }: World): Moment {
+export function momentOf(world: World): Moment {
+  const { timeline, remainder, player, candle, flame, fieldOfView } = world;
   const { position, yaw, pitch } = player;
   return {
     tick: timeline.tick,
@@ -26,15 +29,17 @@ export function momentOf({ timeline, remainder, player, candle, flame }: World):
     position: [...position],
     yaw,
     pitch,
+    fieldOfView,
     stand: candle.isHeld ? null : { position: [...candle.position], yaw: candle.yaw },
     isLit: flame.isLit,
   };
 }
 
 /** Brings visitor and candle to where they were. The world is as old as the moment, and of the same room. */
-export function resume(world: World, { remainder, position, yaw, pitch, stand }: Moment): void {
+export function resume(world: World, moment: Moment): void {
+  const { remainder, position, yaw, pitch, fieldOfView, stand } = moment;
   world.remainder = remainder;
-  moveCamera(world, position, yaw, pitch);
+  moveCamera(world, position, yaw, pitch, fieldOfView);
   if (stand) putBack(world, stand.position, stand.yaw);
 }
 

@@ -37,8 +37,8 @@ export interface Sight {
   readonly eye: Readonly<Vec3>;
   yaw: number;
   pitch: number;
-  /** Vertical, radians. */
-  readonly fieldOfView: number;
+  /** Across the picture's shorter side, radians. */
+  fieldOfView: number;
   /** Middle of the flame, and what it gives. */
   readonly flame: Vec3;
   luminousIntensity: number;
@@ -73,8 +73,8 @@ export class Pupil {
   #bounced = 0;
   /** Luminance, cd/m², at each ray's end, for each candela of the flame. */
   readonly #seen = new Float64Array(RAYS);
-  /** What that was seen from: eye, yaw, pitch, flame. */
-  readonly #from = new Float64Array(8).fill(Number.NaN);
+  /** What that was seen from: eye, yaw, pitch, flame, field of view. */
+  readonly #from = new Float64Array(9).fill(Number.NaN);
   readonly #direction: Vec3 = [0, 0, 0];
   readonly #place: Vec3 = [0, 0, 0];
 
@@ -111,9 +111,10 @@ export class Pupil {
     this.#metered = exposureOf(sum / RAYS);
   }
 
-  #hasMoved({ eye, yaw, pitch, flame }: Sight): boolean {
+  #hasMoved({ eye, yaw, pitch, flame, fieldOfView }: Sight): boolean {
     const from = this.#from;
     let most = Math.max(Math.abs(yaw - from[3]!), Math.abs(pitch - from[4]!));
+    most = Math.max(most, Math.abs(fieldOfView - from[8]!));
     for (let axis = 0; axis < 3; axis++) {
       most = Math.max(most, Math.abs(eye[axis]! - from[axis]!));
       most = Math.max(most, Math.abs(flame[axis]! - from[axis + 5]!));
@@ -125,6 +126,7 @@ export class Pupil {
     }
     from[3] = yaw;
     from[4] = pitch;
+    from[8] = fieldOfView;
     return true;
   }
 

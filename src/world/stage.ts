@@ -1,4 +1,4 @@
-import type { Look } from "../settings.js";
+import { FIELDS_OF_VIEW, type Look } from "../settings.js";
 import type { Bounds } from "./bounds.js";
 import { RUN, WALK } from "./gait.js";
 import {
@@ -20,7 +20,7 @@ export interface Stage {
   readonly spawn: readonly [number, number, number];
   readonly yaw: number;
   readonly pitch: number;
-  /** Vertical, radians. */
+  /** Across the picture's shorter side, radians. */
   readonly fieldOfView: number;
   /** Metres per unit of the candle's model, which is 1 high. */
   readonly candleScale: number;
@@ -46,7 +46,7 @@ const PAPER: Stage = {
   spawn: [1.2, 1.6, 2.6],
   yaw: 0.35,
   pitch: 0,
-  fieldOfView: Math.PI / 4,
+  fieldOfView: FIELDS_OF_VIEW.paper,
   candleScale: 0.26,
   flameScale: 0.125,
   wick: [0.01, 1.03, 0.005],
@@ -61,7 +61,7 @@ export const STAGES: Readonly<Record<Look, Stage>> = {
     ...PAPER,
     gait: { walk: WALK, run: RUN },
     pitch: -0.08,
-    fieldOfView: (56 * Math.PI) / 180,
+    fieldOfView: FIELDS_OF_VIEW.physical,
     candleScale: 1,
     flameScale: 0.035,
     wick: [0.0011, 0.2, 0.0003],

@@ -9,6 +9,7 @@ import {
   placeOnGround,
   STAND,
 } from "./candle.js";
+import { fieldOfViewOf } from "./field-of-view.js";
 import { TAPER_WICK } from "./flame/burning.js";
 import { Flame } from "./flame/flame.js";
 import {
@@ -81,6 +82,8 @@ export interface World {
   remainder: number;
   /** Moment of the stride, 0 to 1. */
   stride: number;
+  /** Across the picture's shorter side, radians, as the page wants it; null is the stage's. */
+  fieldOfView: number | null;
   /** Whether walking sways the head. */
   sways: boolean;
   /** Why the candle could not be put down when it was last tried; null if it could. */
@@ -98,14 +101,12 @@ export interface Birth {
   /** Diameter of the wick, metres. */
   readonly wick?: number;
   readonly isLit?: boolean;
+  readonly fieldOfView?: number | null;
 }
 
 /** A world whose flame has burnt for a while, so that it is whole at once. */
-export function createWorld(
-  look: Look,
-  seed: number,
-  { age = 0, room = null, stage: own, wind = CALM, wick = TAPER_WICK, isLit = true }: Birth = {},
-): World {
+export function createWorld(look: Look, seed: number, birth: Birth = {}): World {
+  const { age = 0, room = null, stage: own, wind = CALM, wick = TAPER_WICK, isLit = true } = birth;
   const stage = own ?? STAGES[look];
   const brightest = stage.layers.length - 1;
   const layer = stage.layers[brightest];
@@ -145,6 +146,7 @@ export function createWorld(
     sample: new Particles(layer, layerKey(seed, brightest), layer.capacity / GROUPS),
     remainder: 0,
     stride: 0,
+    fieldOfView: birth.fieldOfView ?? null,
     sways: true,
     refusal: null,
   };
@@ -189,9 +191,10 @@ export function moveCamera(
   position: ArrayLike<number>,
   yaw: number,
   pitch: number,
+  fieldOfView: number | null = world.fieldOfView,
 ): void {
-  const { player } = world;
-  const before = [...player.position, player.yaw, player.pitch];
+  const { player, stage } = world;
+  const before = [...player.position, player.yaw, player.pitch, fieldOfViewOf(world)];
   for (const axis of [0, 1, 2] as const) {
     const value = Number(position[axis]);
     if (Number.isFinite(value)) player.position[axis] = value;
@@ -200,9 +203,10 @@ export function moveCamera(
   world.ground.settle(player.position);
   if (Number.isFinite(yaw)) player.yaw = yaw;
   if (Number.isFinite(pitch)) player.pitch = Math.min(Math.max(pitch, -MAX_PITCH), MAX_PITCH);
+  world.fieldOfView = fieldOfView === stage.fieldOfView ? null : fieldOfView;
   calmHand(world.hand, player.yaw);
   settle(world, 0);
-  const after = [...player.position, player.yaw, player.pitch];
+  const after = [...player.position, player.yaw, player.pitch, fieldOfViewOf(world)];
   if (after.some((value, i) => value !== before[i])) adapt(world);
   show(world);
 }
@@ -369,8 +373,10 @@ function record(world: World, isPhysical: boolean): void {
 }
 
 /** What the visitor's eye adapts to, as it is now. */
-function sightOf({ sight, player, flame, emitter }: World): Sight | null {
+function sightOf(world: World): Sight | null {
+  const { sight, player, flame, emitter } = world;
   if (!sight) return null;
+  sight.fieldOfView = fieldOfViewOf(world);
   sight.yaw = player.yaw;
   sight.pitch = player.pitch;
   for (let axis = 0; axis < 3; axis++) sight.flame[axis] = emitter[axis]!;

@@ -172,7 +172,7 @@ test("Properties set before the element is defined hold when it is", async ({ pa
     controls: true,
     alt: "Early",
     maxPixelRatio: 0.5,
-    camera: { position: [0, 1.5, 1], yaw: 0.25, pitch: 0.125 },
+    camera: { position: [0, 1.5, 1], yaw: 0.25, pitch: 0.125, fieldOfView: Math.PI / 4 },
     normalMaps: false,
     width: 32,
     own: ["ready"],
@@ -195,5 +195,5 @@ test("A camera set while the models load is where the first frame is seen from",
     element.remove();
     return camera;
   });
-  expect(camera).toEqual({ position: [1, 1.5, 1], yaw: 1, pitch: 0.5 });
+  expect(camera).toMatchObject({ position: [1, 1.5, 1], yaw: 1, pitch: 0.5 });
 });

@@ -11,6 +11,7 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import { candleLight } from "../../light/candle-light.js";
 import type { Features } from "../../settings.js";
+import { fieldOfViewOf, zoomOf } from "../../world/field-of-view.js";
 import type { ParticleLayer } from "../../world/particle-layer.js";
 import { layerKey } from "../../world/particles.js";
 import type { World } from "../../world/world.js";
@@ -111,13 +112,19 @@ export class PaperRenderer implements Renderer {
     const { player, look, shown } = world;
     this.#gain = EXPOSURE * 2 ** exposure;
     const { width, height } = this.#size;
-    this.#clipFromWorld = clipFromWorld(shown.eye, player.yaw, player.pitch, width / height);
+    this.#clipFromWorld = clipFromWorld(
+      shown.eye,
+      player.yaw,
+      player.pitch,
+      width / height,
+      fieldOfViewOf(world),
+    );
     this.#frame.update({
       clipFromWorld: this.#clipFromWorld,
       eyePosition: shown.eye,
       exposure: this.#gain,
       viewport: [width, height],
-      projectionScale: projectionScale(Math.min(width, height)),
+      projectionScale: projectionScale(Math.min(width, height)) * zoomOf(world),
       normalMaps: features.normalMaps && look === "paper" ? 1 : 0,
     });
     const light = candleLight(world, features, isStill);
@@ -171,7 +178,8 @@ export class PaperRenderer implements Renderer {
       stage.flameScale,
     ]);
     const { width, height } = this.#size;
-    const pixels = stage.flameScale * projectionScale(Math.min(width, height));
+    const scale = projectionScale(Math.min(width, height)) * zoomOf(world);
+    const pixels = stage.flameScale * scale;
     for (const system of this.#systems) {
       const { size } = system.layer;
       const name = system.layer.name === "haze" ? "haze" : "core";

@@ -14,6 +14,7 @@ import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { emberRadiance, TAPER } from "../../light/flame-light.js";
 import { createShape, shapeFlame } from "../../light/flame-shape.js";
+import { fieldOfViewOf, zoomOf } from "../../world/field-of-view.js";
 import type { Solid } from "../../world/solid.js";
 import type { World } from "../../world/world.js";
 import { clipFromWorld, isBeforeSight, onClip, projectionScale } from "../camera.js";
@@ -292,16 +293,16 @@ export class DeferredRenderer implements Renderer {
 
   #updateFrame(world: World, view: View): void {
     const { features } = view;
-    const { player, shown, stage } = world;
+    const { player, shown } = world;
     const { width, height } = this.#size;
     const { yaw, pitch } = player;
-    this.#clip = clipFromWorld(shown.eye, yaw, pitch, width / height, stage.fieldOfView);
+    this.#clip = clipFromWorld(shown.eye, yaw, pitch, width / height, fieldOfViewOf(world));
     this.#frame.update({
       clipFromWorld: this.#clip,
       eyePosition: shown.eye,
       exposure: exposureIn(view),
       viewport: [width, height],
-      projectionScale: projectionScale(height),
+      projectionScale: projectionScale(height) * zoomOf(world),
       normalMaps: features.normalMaps ? 1 : 0,
     });
   }

@@ -10,6 +10,7 @@ import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { emberRadiance } from "../../light/flame-light.js";
 import type { Inspection } from "../../settings.js";
+import { fieldOfViewOf, zoomOf } from "../../world/field-of-view.js";
 import type { ParticleLayer } from "../../world/particle-layer.js";
 import type { Solid } from "../../world/solid.js";
 import type { World } from "../../world/world.js";
@@ -199,16 +200,16 @@ export class PhysicalRenderer implements Renderer {
 
   #updateBlocks(world: World, view: View): void {
     const { features } = view;
-    const { player, shown, stage } = world;
+    const { player, shown } = world;
     const { width, height } = this.#size;
     const { yaw, pitch } = player;
-    this.#clip = clipFromWorld(shown.eye, yaw, pitch, width / height, stage.fieldOfView);
+    this.#clip = clipFromWorld(shown.eye, yaw, pitch, width / height, fieldOfViewOf(world));
     this.#frame.update({
       clipFromWorld: this.#clip,
       eyePosition: shown.eye,
       exposure: exposureIn(view),
       viewport: [width, height],
-      projectionScale: projectionScale(height),
+      projectionScale: projectionScale(height) * zoomOf(world),
       normalMaps: features.normalMaps ? 1 : 0,
     });
     this.#light.update(lightBlock(world, features.candle));

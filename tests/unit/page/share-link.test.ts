@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { readShareLink, SHARED, type View, writeShareLink } from "../../../src/page/share-link.ts";
-import { SETTINGS } from "../../../src/settings.ts";
+import { FIELDS_OF_VIEW, SETTINGS } from "../../../src/settings.ts";
 
 const NOTHING: View = { camera: null, candle: null, settings: {} };
 
@@ -28,6 +28,20 @@ test("a camera is carried to a tenth of a millimetre", () => {
   const camera = { position: [1 / 3, 1e-9, -1e-9], yaw: -2 / 3, pitch: 0.123456789 } as const;
   const read = readShareLink(writeShareLink({ ...NOTHING, camera })).camera;
   expect(read).toEqual({ position: [0.3333, 0, 0], yaw: -0.6667, pitch: 0.1235 });
+});
+
+test("a field of view goes with the camera, unless it is the look's own", () => {
+  const camera = {
+    position: [1, 1.6, 2],
+    yaw: 0,
+    pitch: 0,
+    fieldOfView: FIELDS_OF_VIEW.paper,
+  } as const;
+  const view = { ...NOTHING, camera, candle: camera };
+  expect(writeShareLink(view)).toBe("#camera=1_1.6_2_0_0_0.7854&candle=1_1.6_2_0_0");
+  expect(readShareLink(writeShareLink(view)).camera?.fieldOfView).toBe(0.7854);
+  const settings = { look: "paper" };
+  expect(writeShareLink({ camera, candle: null, settings })).toBe("#camera=1_1.6_2_0_0&look=paper");
 });
 
 test("what is at its default is not in the link", () => {
@@ -66,13 +80,17 @@ describe("hostile hashes", () => {
     expect(readShareLink(hash)).toEqual(NOTHING);
   });
 
-  test.each(["1_2_3_4", "1_2_3_4_5_6", "____", "0_0_0_NaN_0", "0_0_Infinity_0_0", "1e999_0_0_0_0"])(
-    "name no camera by %s",
-    (camera) => {
-      expect(readShareLink(`#camera=${camera}`).camera).toBeNull();
-      expect(readShareLink(`#candle=${camera}`).candle).toBeNull();
-    },
-  );
+  test.each([
+    "1_2_3_4",
+    "1_2_3_4_5_6_7",
+    "____",
+    "0_0_0_NaN_0",
+    "0_0_Infinity_0_0",
+    "1e999_0_0_0_0",
+  ])("name no camera by %s", (camera) => {
+    expect(readShareLink(`#camera=${camera}`).camera).toBeNull();
+    expect(readShareLink(`#candle=${camera}`).candle).toBeNull();
+  });
 
   test("leave the good beside the bad, and numbers within their range", () => {
     expect(

@@ -2,7 +2,13 @@ import { expect, test } from "vitest";
 import { STILL } from "../../../src/world/intent.ts";
 import { momentOf, resume, timeOf } from "../../../src/world/moment.ts";
 import { createRoom } from "../../../src/world/room.ts";
-import { advance, createWorld, currentTime, placeCandle } from "../../../src/world/world.ts";
+import {
+  advance,
+  createWorld,
+  currentTime,
+  moveCamera,
+  placeCandle,
+} from "../../../src/world/world.ts";
 import { box, floorOf } from "./rooms.ts";
 
 const room = () => createRoom([floorOf(8), box([-0.5, 0, -1.4], [0.5, 0.8, -0.7])], null);
@@ -13,7 +19,9 @@ test.each(["physical", "paper"] as const)("a %s world goes on from a moment of a
   advance(gone, { ...STILL, forward: 1, turn: 0.3 }, 0.3);
   expect(placeCandle(gone)).toBe(true);
   advance(gone, { ...STILL, forward: -1, turn: 0.5, togglesFlame: true }, 0.205);
+  moveCamera(gone, gone.player.position, gone.player.yaw, -0.1, 1.2);
   const moment = momentOf(gone);
+  expect(moment.fieldOfView).toBe(1.2);
   expect(timeOf(moment)).toBe(currentTime(gone));
   expect(moment.isLit).toBe(false);
 

@@ -31,6 +31,15 @@ function timing(pupil: Pupil, seen: Sight): { time: number; isSteady: boolean } 
   return { time, isSteady };
 }
 
+test("a wider view is another view", () => {
+  const pupil = new Pupil();
+  const seen = sight(BY_THE_WALL);
+  pupil.settle(seen);
+  const { exposure } = pupil;
+  pupil.settle({ ...seen, fieldOfView: 2 });
+  expect(Math.abs(pupil.exposure - exposure)).toBeGreaterThan(0.1);
+});
+
 describe("the exposure that a picture asks for", () => {
   test("never rises with its brightness, and falls by less than that rises", () => {
     const stops = Array.from({ length: 200 }, (_, i) => exposureOf(Math.log2(DARKEST) + i * 0.1));
