@@ -5,6 +5,8 @@ import { Touch } from "./touch.js";
 
 /** Radians turned per CSS pixel of pointer movement. */
 const SENSITIVITY = 0.0022;
+/** The keys that go in. */
+const ENTER: ReadonlySet<string> = new Set(["Enter", "NumpadEnter"]);
 /** Browsers refuse to lock the pointer again for about this long after Esc, in milliseconds. */
 const LOCK_COOL_DOWN = 1300;
 
@@ -174,7 +176,7 @@ export class FirstPersonInput {
   }
 
   readonly #keyDown = (event: KeyboardEvent): void => {
-    if (event.code === "Enter" && !this.#isIn) {
+    if (ENTER.has(event.code) && !this.#isIn) {
       event.preventDefault();
       this.#isTouched = false;
       this.enter();

@@ -448,6 +448,20 @@ test.describe("The keyboard", () => {
   });
 });
 
+test("Either Enter walks in, and no other key", async ({ page }) => {
+  const room = await openControls(page);
+  await room.evaluate((element) => element.focus());
+  await page.keyboard.press("KeyW");
+  expect(await room.isWalking()).toBe(false);
+  for (const key of ["Enter", "NumpadEnter"]) {
+    await page.keyboard.press(key);
+    expect(await room.isWalking(), key).toBe(true);
+    await comeBack(room);
+    await room.evaluate((element) => element.focus());
+  }
+  expect(room.complaints).toEqual([]);
+});
+
 test("Without controls nothing is captured: no key, no click, no focus", async ({ page }) => {
   const room = await new RoomDriver(page).open({ look: "paper" }, { ...SMALL, after: TALL });
   await room.painted();
