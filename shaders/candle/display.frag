@@ -38,7 +38,9 @@ void main() {
   vec3 color = mix(shown(light.rgb), solid, smoothstep(0.3, 0.6, light.a));
   vec3 glare = uHaloColor * halo(vUv);
   color = color + glare * (1.0 - color);
-  color = max(color + dither(gl_FragCoord.xy) * step(0.004, color), 0.0);
+  // One noise for all channels: the cover, the most of three noises, would be too much. It ends with the
+  // light, in no step: on white that would be a ring.
+  color += dither(gl_FragCoord.xy).x * min(color * 255.0, 1.0);
   float cover = max(light.a, max(max(color.r, color.g), color.b));
   oColor = min(vec4(color, cover), 1.0);
 }

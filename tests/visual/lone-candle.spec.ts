@@ -1,4 +1,5 @@
 import type { Page } from "playwright/test";
+import sharp from "sharp";
 import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
 import { lostContexts, recordContexts } from "../support/contexts.ts";
 import { complaintsOf, LIBRARY } from "../support/room-driver.ts";
@@ -79,6 +80,35 @@ test("A candle alone stands whole in a box of any shape, and nothing lies beside
   }
   const files = fetched.filter((path) => /models|load-model|room-scene/.test(path));
   expect(files, "no room, and nothing that loads one").toEqual(["/models/chamberstick.glb"]);
+  expect(complaints).toEqual([]);
+});
+
+test("On white its glow fades outwards into the page, and nowhere ends in a ring", async ({
+  page,
+}) => {
+  const { complaints } = await open(
+    page,
+    `<candle-flame scene="candle" paused quality="medium" style="width: 300px; height: 400px"></candle-flame>`,
+  );
+  await page.locator("candle-flame").evaluate((element: CandleFlameElement) => element.ready);
+  const clip = { x: 0, y: 0, width: 300, height: 400 };
+  const png = await page.screenshot({ clip });
+  const { data } = await sharp(png).removeAlpha().raw().toBuffer({ resolveWithObject: true });
+  /** How much darker than the page a column beside the flame is, by its mean: 4 pixels wide, 32 high. */
+  const shadeAt = (left: number, channel: number) => {
+    let sum = 0;
+    for (let y = 50; y < 82; y++) {
+      for (let x = left; x < left + 4; x++) sum += 255 - (data[(y * 300 + x) * 3 + channel] ?? 0);
+    }
+    return sum / 128;
+  };
+  for (const channel of [1, 2]) {
+    const outwards = Array.from({ length: 26 }, (_, i) => shadeAt(128 - 4 * i, channel));
+    expect(outwards[0], "beside the flame").toBeGreaterThan(4);
+    expect(outwards.at(-1), "at the edge").toBe(0);
+    const rises = outwards.slice(1).map((shade, i) => shade - (outwards[i] ?? 0));
+    expect(Math.max(...rises), `of 255: ${outwards}`).toBeLessThan(0.2);
+  }
   expect(complaints).toEqual([]);
 });
 
