@@ -274,8 +274,9 @@ export class CandleFlameElement extends TypedEvents {
     this.#requestDraw();
   }
 
-  /** Puts the candle down ahead. */
+  /** Puts the candle down ahead; before there is a room, once there is one. */
   place(): void {
+    if (!this.#candle) this.#absence.place();
     const world = this.#candle?.world;
     if (!world?.candle.isHeld) return;
     if (placeCandle(world)) this.#emit("place", null);
@@ -285,6 +286,7 @@ export class CandleFlameElement extends TypedEvents {
 
   /** Takes the candle up, where it is within reach. */
   take(): void {
+    if (!this.#candle) this.#absence.take();
     if (this.#candle && takeCandle(this.#candle.world)) this.#emit("take", null);
     this.#requestDraw();
   }
@@ -492,7 +494,7 @@ export class CandleFlameElement extends TypedEvents {
     candle.onRefused = () => this.#tellRefusal();
     candle.onFlameChanged = this.#flameChanged;
     candle.onQualityChanged = () => this.#emit("qualitychange", null);
-    this.#absence.end(candle, this.#shown);
+    this.#absence.end(candle, this.#shown, () => this.#emit("place", null));
     this.#shownCamera = this.#cameraKey;
     this.#pixels = guessDevicePixels(candle.canvas);
     this.#resize();
@@ -550,7 +552,7 @@ export class CandleFlameElement extends TypedEvents {
     }
     this.#use((candle) => {
       candle.show(scene, this.#options());
-      this.#absence.end(candle, this.#shown);
+      this.#absence.end(candle, this.#shown, () => this.#emit("place", null));
     });
     old?.close();
     if (!this.#candle) return;

@@ -3,7 +3,7 @@ import { areSame, type SceneRequest } from "../scenes/scene.js";
 import { FIELDS_OF_VIEW, type Look } from "../settings.js";
 import { fieldOfViewOf, legalFieldOfView } from "../world/field-of-view.js";
 import { type Moment, timeOf } from "../world/moment.js";
-import { moveCamera } from "../world/world.js";
+import { moveCamera, placeCandle } from "../world/world.js";
 
 export interface Camera {
   /** Metres; the origin is on the floor, amid the room. */
@@ -24,6 +24,8 @@ const NOWHERE = { position: [0, 0, 0], yaw: 0, pitch: 0, fieldOfView: null } as 
  */
 export class Absence {
   #camera: Partial<Camera> | null = null;
+  /** From where the candle is to be put down; null where it is to stay in the hand. */
+  #placing: Partial<Camera> | null = null;
   /** From where a room goes on, and which room that is. */
   #asleep: { readonly moment: Moment; readonly of: SceneRequest } | null = null;
 
@@ -39,7 +41,7 @@ export class Absence {
   }
 
   get isHeld(): boolean {
-    return !this.#asleep?.moment.stand;
+    return !this.#placing && !this.#asleep?.moment.stand;
   }
 
   /** Null where nothing has burnt yet. */
@@ -65,16 +67,37 @@ export class Absence {
     this.#camera = { ...this.#camera, ...camera };
   }
 
+  /** The candle is to be put down from the camera that is wanted now. */
+  place(): void {
+    if (!this.#asleep?.moment.stand) this.#placing = { ...this.#camera };
+  }
+
+  /** It is to be in the hand. */
+  take(): void {
+    this.#placing = null;
+  }
+
   /** No other world is to come. */
   forgetCamera(): void {
     this.#camera = null;
   }
 
-  /** The world is there: it goes on from where it was, as far as it is the same room, and as was wanted. */
-  end(candle: CandleFlame, shown: SceneRequest | null): void {
+  /**
+   * The world is there: it goes on from where it was, as far as it is the same room, and as was wanted.
+   *
+   * @param onPlaced called when the candle has been put down, while the camera is where that was done
+   */
+  end(candle: CandleFlame, shown: SceneRequest | null, onPlaced: () => void): void {
     if (this.#asleep) candle.resume(this.#asleep.moment, areSame(this.#asleep.of, shown));
+    if (this.#placing) {
+      const before = cameraOf(candle);
+      setCamera(candle, this.#placing);
+      if (placeCandle(candle.world)) onPlaced();
+      setCamera(candle, before);
+    }
     if (this.#camera) setCamera(candle, this.#camera);
     this.#asleep = null;
+    this.#placing = null;
     this.#camera = null;
   }
 }

@@ -70,8 +70,8 @@ room.addEventListener("take", () => {
 function stand(from: Camera | null): void {
   if (!room || (!from && room.held)) return;
   const camera = room.camera;
-  if (!room.held && putDownFrom) {
-    room.camera = putDownFrom; // within reach of it
+  if (!room.held) {
+    if (putDownFrom) room.camera = putDownFrom; // within reach of it
     room.take();
   }
   if (from) {
@@ -92,7 +92,8 @@ function follow(view: View): void {
   // The visitor may have put out, or lit, what the attribute left alone.
   room.lit = view.settings.unlit === undefined;
   if (view.camera) room.camera = { fieldOfView: FIELDS_OF_VIEW[room.look], ...view.camera };
-  if (isLoaded) stand(view.candle);
+  // Before there is a room it is told where its visitor will stand, and opens so.
+  if (isLoaded || view.camera) stand(view.candle);
   else room.addEventListener("load", () => stand(view.candle), { once: true });
 }
 
