@@ -34,6 +34,19 @@ canvas, [part="poster"], ::slotted([slot="poster"]) {
   writing-mode: horizontal-tb;
 }
 [part="poster"], ::slotted([slot="poster"]) { object-fit: cover; }
+slot[name="poster"] {
+  display: block;
+  position: absolute;
+  inset: 0;
+}
+/* A cross-fade: the canvas beneath is complete. Where nothing is rendered, or a browser knows no
+   discrete transition, the poster is gone at once. */
+slot[name="poster"][hidden] {
+  opacity: 0;
+  pointer-events: none;
+  transition: opacity 0.4s ease-out, display 0.4s allow-discrete;
+}
+@media (prefers-reduced-motion: reduce) { slot[name="poster"][hidden] { transition: none; } }
 :host(:is(:state(loading), [state-loading])) canvas { visibility: hidden; }
 :host(:is(:state(walking), [state-walking])) canvas {
   touch-action: none;

@@ -119,46 +119,66 @@ test("Out of sight, in a hidden tab or paused, no frame is asked for and none is
   expect(room.complaints).toEqual([]);
 });
 
-test("The poster is there until the first frame, and nothing black between them", async ({
-  page,
-}) => {
+for (const { motion, between } of [
+  { motion: "no-preference", between: "then fades above the canvas, which is complete" },
+  { motion: "reduce", between: "and is gone at once where less motion is wished for" },
+] as const) {
+  test(`The poster is there until the first frame, ${between}`, async ({ page }) => {
+    await page.emulateMedia({ reducedMotion: motion });
+    await openPage(page, "");
+    const shown = await page.evaluate(async (poster) => {
+      const element = document.createElement("candle-flame");
+      Object.assign(element, { scene: "candle", quality: "low", paused: true, poster });
+      element.style.cssText = "width: 40px; height: 60px";
+      const shown: { state: string; opacity: number }[] = [];
+      const look = () => {
+        const part = (name: string) =>
+          element.shadowRoot?.querySelector<HTMLElement>(`[part~=${name}]`);
+        const canvas = part("canvas") as HTMLCanvasElement | null | undefined;
+        const isCanvasShown = canvas?.checkVisibility({ visibilityProperty: true }) ?? false;
+        const pixels = isCanvasShown
+          ? canvas?.getContext("2d")?.getImageData(0, 0, canvas.width, canvas.height).data
+          : undefined;
+        const isDrawn = pixels?.some((byte) => byte > 0) ?? false;
+        const isPosterShown = part("poster")?.checkVisibility() ?? false;
+        const slot = part("poster")?.parentElement;
+        const opacity = isPosterShown && slot ? Number(getComputedStyle(slot).opacity) : 0;
+        shown.push({ state: `${isPosterShown} ${isCanvasShown} ${isDrawn}`, opacity });
+        return isPosterShown;
+      };
+      document.body.append(element);
+      while (look()) await new Promise(requestAnimationFrame);
+      await element.ready;
+      for (let i = 0; i < 3; i++) {
+        await new Promise(requestAnimationFrame);
+        look();
+      }
+      return shown;
+    }, PIXEL);
+    const states = shown.map(({ state }) => state).filter((state, i, all) => state !== all[i - 1]);
+    const fading = motion === "reduce" ? [] : ["true true true"];
+    expect(states).toEqual(["true false false", ...fading, "false true true"]);
+    const opacities = shown.map(({ opacity }) => opacity);
+    expect(opacities).toEqual(opacities.toSorted((a, b) => b - a));
+  });
+}
+
+test("A poster that never fades, since nobody sees it, is gone all the same", async ({ page }) => {
   await openPage(page, "");
   const shown = await page.evaluate(async (poster) => {
     const element = document.createElement("candle-flame");
     Object.assign(element, { scene: "candle", quality: "low", paused: true, poster });
-    element.style.cssText = "width: 40px; height: 60px";
-    const shown: string[] = [];
-    const look = () => {
-      const part = (name: string) =>
-        element.shadowRoot?.querySelector<HTMLElement>(`[part~=${name}]`);
-      const canvas = part("canvas") as HTMLCanvasElement | null | undefined;
-      const isCanvasShown = canvas?.checkVisibility({ visibilityProperty: true }) ?? false;
-      const pixels = isCanvasShown
-        ? canvas?.getContext("2d")?.getImageData(0, 0, canvas.width, canvas.height).data
-        : undefined;
-      const isDrawn = pixels?.some((byte) => byte > 0) ?? false;
-      shown.push(`${part("poster")?.checkVisibility()} ${isCanvasShown} ${isDrawn}`);
-    };
-    let isLoading = true;
-    document.body.append(element);
-    const done = element.ready.then(() => {
-      isLoading = false;
-    });
-    look();
-    while (isLoading) {
-      await new Promise(requestAnimationFrame);
-      look();
-    }
-    await done;
-    for (let i = 0; i < 3; i++) {
-      await new Promise(requestAnimationFrame);
-      look();
-    }
-    return shown;
+    element.style.cssText = "width: 40px; height: 60px; visibility: hidden";
+    const box = document.createElement("div");
+    box.append(element);
+    document.body.append(box);
+    box.style.display = "none";
+    await element.ready;
+    await new Promise(requestAnimationFrame);
+    box.style.display = "block";
+    return element.shadowRoot?.querySelector("[part~=poster]")?.checkVisibility();
   }, PIXEL);
-  expect(shown[0]).toBe("true false false");
-  expect(shown.at(-1)).toBe("false true true");
-  expect([...new Set(shown)]).toHaveLength(2);
+  expect(shown).toBe(false);
 });
 
 test.describe("The canvas has the device pixels of its box", () => {

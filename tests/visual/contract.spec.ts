@@ -130,6 +130,7 @@ test("What the page puts into slots is shown in place of what the element has", 
     const [cover] = element.children;
     const { width } = cover?.getBoundingClientRect() ?? {};
     await element.ready;
+    for (const fade of element.shadowRoot?.getAnimations() ?? []) fade.finish();
     const loaded = { shown: shown(), own: own() };
     element.enter();
     const walking = shown();
