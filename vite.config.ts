@@ -3,6 +3,7 @@ import { cpSync, writeFileSync } from "node:fs";
 import { type BuildOptions, defineConfig, type Plugin } from "vite";
 import { manifest } from "./tools/elements-manifest.ts";
 import { BUILD_TARGET } from "./tools/oldest-browsers.ts";
+import { classicScript } from "./tools/vite-classic-script.ts";
 import { glsl } from "./tools/vite-glsl.ts";
 
 const shared: BuildOptions = { target: BUILD_TARGET };
@@ -66,6 +67,7 @@ export default defineConfig(({ mode }) => ({
     glsl({ minify: mode === "production" || mode === "lib" }),
     withoutBundledDecoders,
     shipAssets,
+    mode !== "lib" && classicScript("index.html", "src/page/other-view.js"),
   ],
   build: builds[mode] ?? builds.page ?? {},
   server: { host: "127.0.0.1", port: 5173 },

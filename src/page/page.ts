@@ -114,6 +114,7 @@ const takeUp = () => room.take();
 if (asksForNoPlace) room.addEventListener("enter", takeUp, { once: true });
 window.addEventListener("hashchange", () => {
   room.removeEventListener("enter", takeUp); // a link says where its candle is
+  room.querySelector(".poster")?.remove(); // and is not of the first view
   follow(readShareLink(location.hash));
 });
 

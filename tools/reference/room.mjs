@@ -13,7 +13,10 @@ export const { width, height, views } = JSON.parse(
 
 /** Something of the sources: they are in TypeScript. */
 export async function readSource(path) {
-  const vite = await createServer({ server: { middlewareMode: true, ws: false }, logLevel: "error" });
+  const vite = await createServer({
+    server: { middlewareMode: true, ws: false },
+    logLevel: "error",
+  });
   const module = await vite.ssrLoadModule(path);
   await vite.close();
   return module;

@@ -1,0 +1,39 @@
+import { createHash } from "node:crypto";
+import { readFileSync } from "node:fs";
+import { basename, resolve } from "node:path";
+import type { Plugin } from "vite";
+
+const ROOT = resolve(import.meta.dirname, "..");
+
+/**
+ * A script that runs where it stands, first thing in the head of one page: Vite bundles modules only, which
+ * wait until the page is parsed, and by then something may have been shown. A file rather than inline, for
+ * pages under a strict policy.
+ *
+ * @param page and script, relative to the root
+ */
+export function classicScript(page: string, script: string): Plugin {
+  const source = readFileSync(resolve(ROOT, script), "utf8");
+  const hash = createHash("sha256").update(source).digest("base64url").slice(0, 8);
+  const built = `code/${basename(script, ".js")}-${hash}.js`;
+  let isBuild = false;
+  return {
+    name: "classic-script",
+    configResolved({ command }) {
+      isBuild = command === "build";
+    },
+    generateBundle() {
+      this.emitFile({ type: "asset", fileName: built, source });
+    },
+    transformIndexHtml: (_, { filename }) =>
+      filename === resolve(ROOT, page)
+        ? [
+            {
+              tag: "script",
+              attrs: { src: isBuild ? `./${built}` : `/${script}` },
+              injectTo: "head",
+            },
+          ]
+        : [],
+  };
+}
