@@ -422,6 +422,12 @@ export class Gpu {
     blocks: Readonly<Record<string, UniformBlock>>,
   ): void {
     const gl = this.#gl;
+    // First: laying out a block may have to look into another program.
+    for (const [name, binding] of program.blocks) {
+      const block = blocks[name];
+      if (!block) throw new Error(`${program.label} needs a block ${name}.`);
+      gl.bindBufferBase(gl.UNIFORM_BUFFER, binding, block.handle);
+    }
     gl.useProgram(program.handle);
     for (const name in uniforms) program.set(name, uniforms[name]!);
     for (const [name, unit] of program.samplers) {
@@ -430,11 +436,6 @@ export class Gpu {
       gl.activeTexture(gl.TEXTURE0 + unit);
       gl.bindTexture(texture.target, texture.handle);
       this.#samplers.bind(unit, texture.hasMipmaps ? sampling[name] : undefined);
-    }
-    for (const [name, binding] of program.blocks) {
-      const block = blocks[name];
-      if (!block) throw new Error(`${program.label} needs a block ${name}.`);
-      gl.bindBufferBase(gl.UNIFORM_BUFFER, binding, block.handle);
     }
   }
 
