@@ -7,12 +7,15 @@ import { makePoster } from "../bin/poster.mjs";
 import { findBrowser } from "./find-browser.mjs";
 
 /**
- * The view is as high as the window, or as wide where that is upright (src/render/camera.ts), so each shape
- * shows a part of these: up to 16:9, up to 8:3, and upright down to 9:20. index.html says which is when.
+ * The view is as high as the window, or as wide where that is upright (src/render/camera.ts), so a window shows
+ * a part of any poster that is longer. Five, since the exposure follows what is seen: of a window half as
+ * long a poster would be too bright. index.html says which is when.
  */
 const POSTERS = [
   { name: "landscape", width: 1600, height: 900 },
   { name: "wide", width: 2400, height: 900 },
+  { name: "short", width: 1200, height: 900 },
+  { name: "upright", width: 960, height: 1440 },
   { name: "portrait", width: 900, height: 2000 },
 ];
 /** Bytes */
