@@ -13,6 +13,7 @@ import {
 } from "./element/events.js";
 import { featureSwitches } from "./element/feature-switches.js";
 import { Glow } from "./element/glow.js";
+import { boxWithin, lengthOfStep, strengthOfBreath } from "./element/limits.js";
 import { observeLessMotion, optionsOf } from "./element/options.js";
 import { Overlay } from "./element/overlay.js";
 import { SceneFetcher } from "./element/scene-fetcher.js";
@@ -57,6 +58,8 @@ export type {
   Quality,
   Stats,
 };
+
+const NO_PICTURE = { width: 0, height: 0 } as const;
 
 /** Attributes that other models may come with. */
 const CHOOSING: readonly SettingName[] = ["look", "src", "asset-base"];
@@ -244,13 +247,17 @@ export class CandleFlameElement extends TypedEvents {
     this.paused = true;
   }
 
-  /** Advances by exactly this many seconds, then draws; works while paused. */
+  /**
+   * Advances by exactly this many seconds, then draws; works while paused.
+   *
+   * @throws RangeError for more than 60 seconds
+   */
   step(seconds: number): void {
-    const isTime = Number.isFinite(seconds) && seconds > 0;
+    const length = lengthOfStep(seconds);
     this.#use((candle) => {
       // A busy browser tells of a wish for less motion frames after the visitor's system did.
       candle.options = this.#options();
-      candle.step(isTime ? seconds : 0);
+      candle.step(length);
     });
     this.#afterFrame();
   }
@@ -266,7 +273,7 @@ export class CandleFlameElement extends TypedEvents {
 
   /** Takes over another's moment: its time, its camera, its candle, and whether it burns. */
   mirror(other: CandleFlameElement): void {
-    const moment = other.#candle;
+    const moment = other instanceof CandleFlameElement ? other.#candle : null;
     if (!moment) return;
     this.#use((candle) => candle.mirror(moment));
     this.#showLit();
@@ -322,7 +329,7 @@ export class CandleFlameElement extends TypedEvents {
 
   /** A breath from the camera: the flame leans, and goes out if it is strong enough. */
   blow(strength = 1): void {
-    if (this.#candle) blow(this.#candle.world, Math.max(0, Number(strength) || 0));
+    if (this.#candle) blow(this.#candle.world, strengthOfBreath(strength));
   }
 
   readonly #flameChanged = (): void => {
@@ -363,12 +370,14 @@ export class CandleFlameElement extends TypedEvents {
     });
   }
 
-  /** Linear RGB of canvas pixels, origin top left. It waits for the GPU. */
+  /** Linear RGB of canvas pixels, origin top left; a larger box is cut to the picture's size. Waits for the GPU. */
   readRadiance(x: number, y: number, width: number, height: number): Float32Array {
     this.#drawAnew();
     this.#isFresh = false; // reading may go on drawing
-    const radiance = this.#use((candle) => candle.readRadiance(x, y, width, height));
-    return radiance ?? new Float32Array(width * height * 3);
+    const box = boxWithin(this.#canvas ?? NO_PICTURE, [x, y, width, height]);
+    const [, , columns, rows] = box;
+    const radiance = columns * rows > 0 && this.#use((candle) => candle.readRadiance(...box));
+    return radiance || new Float32Array(columns * rows * 3);
   }
 
   #emit<Type extends keyof CandleFlameEventMap>(

@@ -47,6 +47,8 @@ const LIGHTABLE = 1;
 /** A flame that burns less than this share of its fuel heats its wick too little to spit. */
 const SPITTING = 0.5;
 const STANDING: Vec3 = [0, 0, 0];
+/** Nobody stands farther from the middle of a world, metres. */
+const FARTHEST = 1e4;
 /** Distance from the eye at which the flame has lost a group of particles, metres each. */
 const LOD_DISTANCE = 2.5;
 
@@ -197,7 +199,8 @@ export function moveCamera(
   const before = [...player.position, player.yaw, player.pitch, fieldOfViewOf(world)];
   for (const axis of [0, 1, 2] as const) {
     const value = Number(position[axis]);
-    if (Number.isFinite(value)) player.position[axis] = value;
+    if (!Number.isNaN(value))
+      player.position[axis] = Math.min(Math.max(value, -FARTHEST), FARTHEST);
     player.velocity[axis] = 0;
   }
   world.ground.settle(player.position);
