@@ -102,19 +102,6 @@ export class RoomDriver {
     return this;
   }
 
-  /** Waits until something is on the screen: before that a browser drops keys and clicks. */
-  async painted(): Promise<this> {
-    await this.page.evaluate(
-      () =>
-        new Promise<void>((resolve) =>
-          new PerformanceObserver((list) => {
-            if (list.getEntriesByName("first-contentful-paint").length > 0) resolve();
-          }).observe({ type: "paint", buffered: true }),
-        ),
-    );
-    return this;
-  }
-
   /** Brings an opened element back to how one opens, paused at time 0. */
   async restore(): Promise<void> {
     await this.change("paper");

@@ -11,7 +11,6 @@ async function openControls(page: Page): Promise<RoomDriver> {
   const opening = { width: 160, height: 90, after: TALL };
   const attributes = { look: "paper", quality: "low", controls: "" };
   const room = await new RoomDriver(page).open(attributes, opening);
-  await room.painted();
   await room.stand(LOOKS_ALONG);
   return room;
 }
