@@ -417,7 +417,7 @@ export class CandleFlame {
   async #checkMemory(): Promise<void> {
     this.#isUnchecked = false;
     const { gpu } = this.#screen;
-    await gpu.whenIdle();
+    await gpu.whenIdle(aMoment);
     try {
       if (gpu === this.#screen.gpu) gpu.checkMemory("picture");
     } catch (error) {

@@ -244,14 +244,18 @@ export class Gpu {
     return this.#keep(new UniformBlock(this.#gl, program, name, this.#forget));
   }
 
-  /** Resolves when the GPU has done all that it was asked so far, or the context is lost. */
-  async whenIdle(): Promise<void> {
+  /**
+   * Resolves when the GPU has done all that it was asked so far, or the context is lost.
+   *
+   * @param pause from one question to the driver to the next
+   */
+  async whenIdle(pause: () => Promise<void> = nextTask): Promise<void> {
     const gl = this.#gl;
     const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.flush();
     if (!fence) return;
     // The answer changes from task to task only.
-    while (gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.UNSIGNALED) await nextTask();
+    while (gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.UNSIGNALED) await pause();
     gl.deleteSync(fence);
   }
 
@@ -468,14 +472,15 @@ function rendererOf(gl: WebGL2RenderingContext): string {
   return extension ? String(gl.getParameter(extension.UNMASKED_RENDERER_WEBGL)) : name;
 }
 
+/** What waits for the next task. */
+const waiting: (() => void)[] = [];
+const channel = globalThis.MessageChannel ? new MessageChannel() : null;
+
 /** Resolves in the next task, sooner than any timer. */
 function nextTask(): Promise<void> {
   return new Promise((resolve) => {
-    const { port1, port2 } = new MessageChannel();
-    port1.onmessage = () => {
-      port1.close();
-      resolve();
-    };
-    port2.postMessage(null);
+    waiting.push(resolve);
+    if (channel) channel.port1.onmessage = () => waiting.shift()?.();
+    channel?.port2.postMessage(null);
   });
 }
