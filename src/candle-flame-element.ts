@@ -59,8 +59,6 @@ export type {
   Stats,
 };
 
-const NO_PICTURE = { width: 0, height: 0 } as const;
-
 /** Attributes that other models may come with. */
 const CHOOSING: readonly SettingName[] = ["look", "src", "asset-base"];
 
@@ -338,8 +336,7 @@ export class CandleFlameElement extends TypedEvents {
   };
 
   #showLit(): void {
-    if (this.lit) this.#states.add("lit");
-    else this.#states.delete("lit");
+    this.#states.toggle("lit", this.lit);
     this.#overlay.hint.tell(this.#outSentence, this.controls);
   }
 
@@ -374,7 +371,7 @@ export class CandleFlameElement extends TypedEvents {
   readRadiance(x: number, y: number, width: number, height: number): Float32Array {
     this.#drawAnew();
     this.#isFresh = false; // reading may go on drawing
-    const box = boxWithin(this.#canvas ?? NO_PICTURE, [x, y, width, height]);
+    const box = boxWithin(this.#canvas, [x, y, width, height]);
     const [, , columns, rows] = box;
     const radiance = columns * rows > 0 && this.#use((candle) => candle.readRadiance(...box));
     return radiance || new Float32Array(columns * rows * 3);
@@ -402,7 +399,7 @@ export class CandleFlameElement extends TypedEvents {
     this.#hasFailed = false;
     this.#clearFailure();
     this.#overlay.showPoster(this.poster);
-    this.#states.add("loading");
+    this.#states.toggle("loading", true);
     this.#sight = new Sight(this, signal, () => this.#applySight(), this.#sight);
     if (this.loading === "lazy") this.#sight.awaitApproach(() => this.#open(signal));
     else this.#open(signal);
@@ -422,7 +419,7 @@ export class CandleFlameElement extends TypedEvents {
   /** A room has to wait until the page has a context left; lone candles share one. */
   #open(signal: AbortSignal): void {
     if (this.scene === "candle") {
-      this.#states.add("alone");
+      this.#states.toggle("alone", true);
       this.#enter(signal);
       return;
     }
@@ -581,7 +578,7 @@ export class CandleFlameElement extends TypedEvents {
   #reveal(signal: AbortSignal): void {
     this.#overlay.hideProgress();
     this.#overlay.hidePoster();
-    this.#states.delete("loading");
+    this.#states.toggle("loading", false);
     this.#showLit();
     this.#observe(signal);
     this.#applyMotion();
@@ -729,12 +726,10 @@ export class CandleFlameElement extends TypedEvents {
   #applyMotion(): void {
     const candle = this.#candle;
     if (!candle) return;
-    const isWalking = this.#states.has("walking");
     const runs = !this.paused && this.#isSeen;
     const states = this.#states;
     if (runs !== states.has("playing")) {
-      if (runs) states.add("playing");
-      else states.delete("playing");
+      states.toggle("playing", runs);
       this.#emit(runs ? "play" : "pause", null);
     }
     if (runs) candle.play();
@@ -747,13 +742,12 @@ export class CandleFlameElement extends TypedEvents {
     } else if (!this.controls && candle.input) {
       candle.input.dispose();
       candle.input = null;
-      if (isWalking) states.delete("walking");
+      states.toggle("walking", false);
     }
   }
 
   #goInOrOut(isIn: boolean, device: Device): void {
-    if (isIn) this.#states.add("walking");
-    else this.#states.delete("walking");
+    this.#states.toggle("walking", isIn);
     if (isIn) this.#overlay.hint.tellControls(device);
     else this.#overlay.hint.tell(this.#outSentence, this.controls);
     this.#emit(isIn ? "enter" : "leave", null);
@@ -772,8 +766,7 @@ export class CandleFlameElement extends TypedEvents {
     this.#overlay.posterAlt = isPicture ? this.alt : "";
     if (this.#canvas) {
       this.#canvas.setAttribute("role", isPicture ? "img" : "presentation");
-      if (isPicture) this.#canvas.setAttribute("aria-label", this.alt);
-      else this.#canvas.removeAttribute("aria-label");
+      this.#canvas.setAttribute("aria-label", isPicture ? this.alt : "");
     }
     if (this.controls && !this.hasAttribute("tabindex")) this.tabIndex = 0;
     if (!this.controls && this.getAttribute("tabindex") === "0") this.removeAttribute("tabindex");

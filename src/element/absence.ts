@@ -110,15 +110,12 @@ export function cameraOf({ world }: CandleFlame): Required<Camera> {
 
 /** What a camera is to change: a field of view that is as it is stays the look's own, if it was that. */
 export function changeOf(camera: Partial<Camera>, before: Camera): Partial<Camera> {
-  // One by one: spread, a text would give an object of a million letters.
-  const { position, yaw, pitch, fieldOfView } = camera ?? {};
+  // A text, spread, would give an object of a million letters.
+  const { fieldOfView, ...others } = typeof camera === "object" ? { ...camera } : {};
   const legal = legalFieldOfView(fieldOfView);
-  return {
-    ...(position === undefined ? {} : { position }),
-    ...(yaw === undefined ? {} : { yaw }),
-    ...(pitch === undefined ? {} : { pitch }),
-    ...(legal === null || legal === before.fieldOfView ? {} : { fieldOfView: legal }),
-  };
+  return legal === null || legal === before.fieldOfView
+    ? others
+    : { ...others, fieldOfView: legal };
 }
 
 /** What is not given stays as it is; nonsense does, too. */

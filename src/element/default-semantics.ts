@@ -14,7 +14,7 @@ type Semantic = keyof typeof ATTRIBUTES;
 export class DefaultSemantics {
   readonly #host: Element;
   readonly #internals: ElementInternals;
-  readonly #own = new Map<Semantic, string>();
+  readonly #own: Partial<Record<Semantic, string | null>> = {};
 
   constructor(host: Element, internals: ElementInternals) {
     this.#host = host;
@@ -22,23 +22,16 @@ export class DefaultSemantics {
   }
 
   set(semantics: Readonly<Record<Semantic, string | null>>): void {
-    for (const name of Object.keys(ATTRIBUTES) as Semantic[]) this.#set(name, semantics[name]);
-  }
-
-  #set(name: Semantic, value: string | null): void {
-    if (name in this.#internals) {
-      this.#internals[name] = value;
-      return;
-    }
-    const attribute = ATTRIBUTES[name];
-    const present = this.#host.getAttribute(attribute);
-    if (present !== null && present !== this.#own.get(name)) return;
-    if (value === null) {
-      this.#own.delete(name);
-      this.#host.removeAttribute(attribute);
-    } else {
-      this.#own.set(name, value);
-      this.#host.setAttribute(attribute, value);
+    for (const [name, attribute] of Object.entries(ATTRIBUTES) as [Semantic, string][]) {
+      const value = semantics[name];
+      const present = this.#host.getAttribute(attribute);
+      if (name in this.#internals) {
+        this.#internals[name] = value;
+      } else if (present === null || present === this.#own[name]) {
+        this.#own[name] = value;
+        if (value === null) this.#host.removeAttribute(attribute);
+        else this.#host.setAttribute(attribute, value);
+      }
     }
   }
 }

@@ -7,9 +7,7 @@ const STRONGEST_BREATH = 10;
 export function lengthOfStep(seconds: unknown): number {
   if (typeof seconds !== "number" || !(seconds > 0)) return 0;
   if (seconds <= LONGEST_STEP) return seconds;
-  throw new RangeError(
-    `step() takes at most ${LONGEST_STEP} seconds at once, not ${seconds}. Take several steps, or reset().`,
-  );
+  throw new RangeError(`step() takes at most ${LONGEST_STEP} seconds, not ${seconds}.`);
 }
 
 /** How strong a breath is, from what it is said to be. */
@@ -19,15 +17,16 @@ export function strengthOfBreath(strength: unknown): number {
 
 /** A box of canvas pixels: whole ones, no larger than the picture, and at most its size beside it. */
 export function boxWithin(
-  picture: { readonly width: number; readonly height: number },
+  picture: { readonly width: number; readonly height: number } | null,
   [x, y, width, height]: readonly [unknown, unknown, unknown, unknown],
 ): [x: number, y: number, width: number, height: number] {
+  const { width: widest = 0, height: highest = 0 } = picture ?? {};
   const whole = (value: unknown, least: number, most: number) =>
     Math.min(Math.max(Math.floor(Number(value) || 0), least), most);
   return [
-    whole(x, -picture.width, picture.width),
-    whole(y, -picture.height, picture.height),
-    whole(width, 0, picture.width),
-    whole(height, 0, picture.height),
+    whole(x, -widest, widest),
+    whole(y, -highest, highest),
+    whole(width, 0, widest),
+    whole(height, 0, highest),
   ];
 }

@@ -50,7 +50,6 @@ export class SceneFetcher {
     const loading = new AbortController();
     this.#loading = loading;
     const { signal } = loading;
-    if (this.#signal.aborted) loading.abort();
     this.#signal.addEventListener("abort", () => loading.abort(), { signal });
     const { onProgress, onScene, onFailure } = this.#reactions;
     const wanted = this.#asked();

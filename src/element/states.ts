@@ -21,20 +21,15 @@ export class States {
     return this.#names.has(name);
   }
 
-  add(name: StateName): void {
-    this.#names.add(name);
-    if (this.#custom) this.#custom.add(name);
-    else this.#host.setAttribute(`state-${name}`, "");
-  }
-
-  delete(name: StateName): void {
-    this.#names.delete(name);
-    if (this.#custom) this.#custom.delete(name);
-    else this.#host.removeAttribute(`state-${name}`);
+  toggle(name: StateName, isOn: boolean): void {
+    const change = isOn ? "add" : "delete";
+    this.#names[change](name);
+    if (this.#custom) this.#custom[change](name);
+    else this.#host.toggleAttribute(`state-${name}`, isOn);
   }
 
   clear(): void {
-    for (const name of [...this.#names]) this.delete(name);
+    for (const name of [...this.#names]) this.toggle(name, false);
   }
 }
 

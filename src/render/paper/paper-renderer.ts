@@ -11,7 +11,7 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import { candleLight } from "../../light/candle-light.js";
 import type { Features } from "../../settings.js";
-import { fieldOfViewOf, zoomOf } from "../../world/field-of-view.js";
+import { fieldOfViewOf } from "../../world/field-of-view.js";
 import type { ParticleLayer } from "../../world/particle-layer.js";
 import { layerKey } from "../../world/particles.js";
 import type { World } from "../../world/world.js";
@@ -21,6 +21,7 @@ import type { Models, Renderer } from "../renderer.js";
 import { type Surface, surfaceSampling, uploadModel } from "../surface.js";
 import type { Tier } from "../tier.js";
 import type { View } from "../view.js";
+import { zoomOf } from "../zoom.js";
 
 /** The paper's light has no unit; this shows its white wall at arm's length just below white. */
 const EXPOSURE = 0.62;
