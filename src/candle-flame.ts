@@ -1,6 +1,7 @@
 import type { FirstPersonInput } from "./input/first-person-input.js";
 import { candleLight } from "./light/candle-light.js";
 import { type FlameReport, flameReport, paperFlameReport } from "./light/flame-light.js";
+import { nextTask } from "./next-task.js";
 import { AutoQuality, type Rung, WORK } from "./render/auto-quality.js";
 import { canvasSize } from "./render/canvas-size.js";
 import type { Renderer } from "./render/renderer.js";
@@ -103,7 +104,7 @@ export class CandleFlame {
   #request = 0;
   /** Whether a next frame follows each, or will once the first is shown. */
   #isPlaying: boolean;
-  /** Whether memory was asked for since the driver was last asked whether it had any. */
+  /** Whether targets and textures were made since the driver was last asked whether it accepts them. */
   #isUnchecked = false;
   /** Where eye and candle were in the last picture. */
   #stand = "";
@@ -133,12 +134,13 @@ export class CandleFlame {
     const { gpu } = screen;
     const isOff = () => !isWanted() || screen.gpu !== gpu || gpu.isLost;
     const speed = options.quality === "auto" ? await CandleFlame.measure(screen) : null;
+    await nextTask();
     if (isOff()) return null;
     const candle = new CandleFlame(screen, scene, features, options, plays, speed);
     await gpu.whenCompiled(aMoment);
     if (isOff()) return null;
     gpu.finishPrograms();
-    gpu.checkMemory("picture");
+    gpu.check("picture");
     return candle;
   }
 
@@ -410,16 +412,16 @@ export class CandleFlame {
     this.#renderer.render(this.world, view);
     gpu.endFrame();
     this.#screen.present();
-    if (this.#isUnchecked) void this.#checkMemory();
+    if (this.#isUnchecked) void this.#check();
   }
 
   /** Once the GPU has drawn, so that nothing waits for the answer. */
-  async #checkMemory(): Promise<void> {
+  async #check(): Promise<void> {
     this.#isUnchecked = false;
     const { gpu } = this.#screen;
     await gpu.whenIdle(aMoment);
     try {
-      if (gpu === this.#screen.gpu) gpu.checkMemory("picture");
+      if (gpu === this.#screen.gpu) gpu.check("picture");
     } catch (error) {
       this.pause();
       this.onFailure(error as Error);

@@ -1,5 +1,6 @@
+import { nextTask } from "../next-task.js";
 import { Buffer } from "./buffer.js";
-import { created, type GpuObject, outOfMemory } from "./gpu-object.js";
+import { created, type GpuObject, incomplete, outOfMemory } from "./gpu-object.js";
 import { GpuTimer } from "./gpu-timer.js";
 import { Program, type ProgramOptions, type ShaderSource, type UniformValue } from "./program.js";
 import { RenderTarget, type RenderTargetOptions } from "./render-target.js";
@@ -92,6 +93,9 @@ export class Gpu {
   readonly #enabled = new Set<GLenum>();
   #writesDepth = true;
   readonly #samplers: Samplers;
+  readonly #mostSamples: number;
+  /** Targets of which nobody knows whether the driver accepts them. */
+  readonly #toCheck = new Set<RenderTarget | TextureView>();
 
   constructor(canvas: HTMLCanvasElement) {
     // Multisampling of the default framebuffer is up to the browser; ours is in render targets.
@@ -118,6 +122,7 @@ export class Gpu {
     gl.getExtension("EXT_float_blend");
     this.renderer = rendererOf(gl);
     this.#samplers = new Samplers(gl);
+    this.#mostSamples = gl.getParameter(gl.MAX_SAMPLES) as number;
     this.#feedback = created(gl, gl.createTransformFeedback(), "feedback");
     this.longestSide = Math.min(
       gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) as number,
@@ -153,6 +158,7 @@ export class Gpu {
 
   readonly #forget = (object: GpuObject): void => {
     this.#alive.delete(object);
+    this.#toCheck.delete(object as RenderTarget | TextureView);
     if (!this.#sharedObjects.delete(object)) return;
     for (const [key, made] of this.#shared) if (made === object) this.#shared.delete(key);
   };
@@ -205,9 +211,18 @@ export class Gpu {
     for (const object of this.#alive) if (object instanceof Program) object.finish();
   }
 
-  /** Throws if the driver ran out of memory since this was last asked. Waits for the GPU. */
-  checkMemory(label: string): void {
+  /** Throws if since this was last asked the driver refused a target or ran out of memory. Waits for it. */
+  check(label: string): void {
     const gl = this.#gl;
+    const targets = [...this.#toCheck];
+    this.#toCheck.clear();
+    for (const target of targets) {
+      gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
+      const status = gl.checkFramebufferStatus(gl.FRAMEBUFFER);
+      gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+      if (gl.isContextLost()) return;
+      if (status !== gl.FRAMEBUFFER_COMPLETE) throw incomplete(target.label, status);
+    }
     for (let error = gl.getError(); error !== gl.NO_ERROR; error = gl.getError()) {
       if (error === gl.OUT_OF_MEMORY) throw outOfMemory(label);
       if (error === gl.CONTEXT_LOST_WEBGL) return;
@@ -232,11 +247,16 @@ export class Gpu {
   }
 
   renderTarget(options: RenderTargetOptions): RenderTarget {
-    return this.#keep(new RenderTarget(this.#gl, options, this.#forget));
+    return this.#unchecked(new RenderTarget(this.#gl, options, this.#mostSamples, this.#forget));
   }
 
   textureView(options: TextureViewOptions): TextureView {
-    return this.#keep(new TextureView(this.#gl, options, this.#forget));
+    return this.#unchecked(new TextureView(this.#gl, options, this.#forget));
+  }
+
+  #unchecked<T extends RenderTarget | TextureView>(target: T): T {
+    this.#toCheck.add(target);
+    return this.#keep(target);
   }
 
   /** A std140 block laid out as `program` declares it. */
@@ -255,7 +275,7 @@ export class Gpu {
     gl.flush();
     if (!fence) return;
     // The answer changes from task to task only.
-    while (gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.UNSIGNALED) await pause();
+    while (gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) await pause();
     gl.deleteSync(fence);
   }
 
@@ -470,17 +490,4 @@ function rendererOf(gl: WebGL2RenderingContext): string {
   if (name !== "WebKit WebGL") return name;
   const extension = gl.getExtension("WEBGL_debug_renderer_info");
   return extension ? String(gl.getParameter(extension.UNMASKED_RENDERER_WEBGL)) : name;
-}
-
-/** What waits for the next task. */
-const waiting: (() => void)[] = [];
-const channel = globalThis.MessageChannel ? new MessageChannel() : null;
-
-/** Resolves in the next task, sooner than any timer. */
-function nextTask(): Promise<void> {
-  return new Promise((resolve) => {
-    waiting.push(resolve);
-    if (channel) channel.port1.onmessage = () => waiting.shift()?.();
-    channel?.port2.postMessage(null);
-  });
 }

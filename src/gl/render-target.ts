@@ -1,4 +1,4 @@
-import { created, type GpuObject, incomplete } from "./gpu-object.js";
+import { created, type GpuObject } from "./gpu-object.js";
 import { FORMATS, Texture, type TextureFormat } from "./texture.js";
 
 export interface RenderTargetOptions {
@@ -14,7 +14,11 @@ export interface RenderTargetOptions {
   readonly filter?: "nearest" | "linear";
 }
 
-/** A surface that passes draw to: textures to read afterwards, or samples to resolve. */
+/**
+ * A surface that passes draw to: textures to read afterwards, or samples to resolve.
+ *
+ * Whether the driver accepts it is asked by `Gpu.check`, since the answer is waited for.
+ */
 export class RenderTarget implements GpuObject {
   readonly label: string;
   readonly bytes: number;
@@ -31,6 +35,7 @@ export class RenderTarget implements GpuObject {
   constructor(
     gl: WebGL2RenderingContext,
     options: RenderTargetOptions,
+    mostSamples: number,
     forget: (object: GpuObject) => void,
   ) {
     const { label, width, height, color, depth = "none", filter = "linear" } = options;
@@ -39,7 +44,7 @@ export class RenderTarget implements GpuObject {
     this.label = label;
     this.width = width;
     this.height = height;
-    const samples = Math.min(options.samples ?? 1, gl.getParameter(gl.MAX_SAMPLES) as number);
+    const samples = Math.min(options.samples ?? 1, mostSamples);
     this.framebuffer = created(gl, gl.createFramebuffer(), label);
     const texture = (name: string, format: TextureFormat, how: "nearest" | "linear") =>
       new Texture(
@@ -75,12 +80,7 @@ export class RenderTarget implements GpuObject {
     gl.drawBuffers(color.map((_, i) => gl.COLOR_ATTACHMENT0 + i));
     const texel = color.reduce((sum, format) => sum + FORMATS[format].bytes, 0);
     this.bytes = width * height * samples * (texel + (depth === "none" ? 0 : 4));
-    const status = gl.checkFramebufferStatus(gl.FRAMEBUFFER);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    if (status !== gl.FRAMEBUFFER_COMPLETE && !gl.isContextLost()) {
-      this.dispose();
-      throw incomplete(label, status);
-    }
   }
 
   /** The first colour attachment. */

@@ -1,4 +1,4 @@
-import { created, type GpuObject, incomplete } from "./gpu-object.js";
+import { created, type GpuObject } from "./gpu-object.js";
 import type { Texture } from "./texture.js";
 
 /** Which image of each texture: a face of a cube, or a layer of a three-dimensional one. */
@@ -50,12 +50,7 @@ export class TextureView implements GpuObject {
       gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.TEXTURE_2D, depth.handle, 0);
     }
     gl.drawBuffers(textures.map((_, i) => gl.COLOR_ATTACHMENT0 + i));
-    const status = gl.checkFramebufferStatus(gl.FRAMEBUFFER);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    if (status !== gl.FRAMEBUFFER_COMPLETE && !gl.isContextLost()) {
-      this.dispose();
-      throw incomplete(label, status);
-    }
   }
 
   dispose(): void {

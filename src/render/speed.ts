@@ -64,9 +64,18 @@ class Load {
     const defines = { GRAZING: isGrazing ? 1 : 0 };
     this.#program = gpu.program("speed/load", fullscreenVert, loadFrag, { defines });
     const size = { width: TEXELS, height: TEXELS };
-    const plain = { format: "RGBA8", source: size, mipmaps: true, wrap: "repeat" } as const;
-    const cube = { format: "R16F", source: size, shape: "cube", filter: "nearest" } as const;
-    this.#texture = gpu.texture({ label: "speed", ...(isGrazing ? plain : cube) });
+    this.#texture = gpu.texture(
+      isGrazing
+        ? {
+            label: "speed",
+            format: "RGBA8",
+            source: { ...size, data: new Uint8Array(TEXELS * TEXELS * 4) },
+            mipmaps: true,
+            wrap: "repeat",
+          }
+        : { label: "speed", format: "R16F", source: size, shape: "cube", filter: "nearest" },
+    );
+    if (!isGrazing) this.#clearFaces();
     const edge = Math.max(...EDGES);
     this.#target = gpu.renderTarget({
       label: "speed",
@@ -75,6 +84,16 @@ class Load {
       color: ["RGBA8"],
     });
     this.#screen = gpu.vertexArray("speed", { attributes: {}, count: 3 });
+  }
+
+  /** Drivers clear what nobody has drawn when it is first read. */
+  #clearFaces(): void {
+    for (let image = 0; image < 6; image++) {
+      const textures = [this.#texture];
+      const face = this.#gpu.textureView({ label: "speed", textures, image });
+      this.#gpu.clear(face, [1, 0, 0, 1]);
+      face.dispose();
+    }
   }
 
   /** Seconds for a pixel, of the smallest square that takes long enough. */

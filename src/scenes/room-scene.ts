@@ -1,3 +1,4 @@
+import { nextTask } from "../next-task.js";
 import { PaperRenderer } from "../render/paper/paper-renderer.js";
 import { DeferredRenderer } from "../render/physical/deferred-renderer.js";
 import { PhysicalRenderer, preparePhysicalRenderer } from "../render/physical/physical-renderer.js";
@@ -10,7 +11,9 @@ export async function loadRoom(request: SceneRequest, loading: Loading): Promise
   const { look, src, assetRoot } = request;
   const models = await loadModels(sourcesOf(look, src, assetRoot), assetRoot, loading);
   const { parts, anchors } = models.room;
+  await nextTask();
   const room = createRoom(parts, anchors.spawn ?? null);
+  await nextTask();
   // The paper's looks have their box, unless the visitor brought a room.
   const isBox = look !== "physical" && src === "";
   return {

@@ -1,8 +1,9 @@
 import type { Bounds, Vec3 } from "./bounds.js";
 import { type FloorGrid, middleOf } from "./floor-grid.js";
 import { floorLevel } from "./floor-level.js";
-import { HEADROOM, surveyFloor, WALKER_RADIUS } from "./floor-survey.js";
+import { HEADROOM, surveyFloor } from "./floor-survey.js";
 import { length2 } from "./length.js";
+import { WALKER_RADIUS } from "./player.js";
 import type { Solid } from "./solid.js";
 
 /** Longest stretch walked at once, metres. */

@@ -1,10 +1,9 @@
 import type { Bounds } from "./bounds.js";
 import { distanceField } from "./distance-field.js";
 import { type FloorGrid, gridOver, markTouched } from "./floor-grid.js";
+import { WALKER_RADIUS } from "./player.js";
 import type { Solid } from "./solid.js";
 
-/** The walker is a circle, metres. */
-export const WALKER_RADIUS = 0.25;
 /** What stands between these heights above the floor is in the way: one steps over less. Metres. */
 const STEP_OVER = 0.1;
 export const HEADROOM = 1.7;

@@ -1,6 +1,6 @@
 import type { Vec3 } from "./bounds.js";
 import type { FloorPlan } from "./floor-plan.js";
-import { WALKER_RADIUS } from "./floor-survey.js";
+import { WALKER_RADIUS } from "./player.js";
 import type { Hit, Solid } from "./solid.js";
 
 /** Why a candle cannot be put down. */

@@ -4,6 +4,8 @@ import type { Ground } from "./ground.js";
 import type { Intent } from "./intent.js";
 import { length2 } from "./length.js";
 
+/** The visitor is a circle on the floor of this radius, metres. */
+export const WALKER_RADIUS = 0.25;
 /** Turning, and looking up or down, by keys or stick at its limit: rad/s. */
 const TURN_SPEED = 1.6;
 const TILT_SPEED = 1;

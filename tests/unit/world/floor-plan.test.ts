@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import type { Vec3 } from "../../../src/world/bounds.ts";
 import { FloorPlan } from "../../../src/world/floor-plan.ts";
-import { WALKER_RADIUS } from "../../../src/world/floor-survey.ts";
+import { WALKER_RADIUS } from "../../../src/world/player.ts";
 import { Solid, type Triangles } from "../../../src/world/solid.ts";
 import { chance } from "../chance.ts";
 import {

@@ -1,7 +1,6 @@
 import { describe, expect, test } from "vitest";
 import type { Vec3 } from "../../../src/world/bounds.ts";
 import { FloorPlan } from "../../../src/world/floor-plan.ts";
-import { WALKER_RADIUS } from "../../../src/world/floor-survey.ts";
 import {
   canTake,
   findSpotAhead,
@@ -10,6 +9,7 @@ import {
   type Refusal,
   type Stand,
 } from "../../../src/world/placing.ts";
+import { WALKER_RADIUS } from "../../../src/world/player.ts";
 import { Solid, type Triangles } from "../../../src/world/solid.ts";
 import { chance } from "../chance.ts";
 import { box, floorOf, insideOf, modelRoom, quad, Rubble, table } from "./rooms.ts";
