@@ -1,0 +1,33 @@
+import { spawn } from "node:child_process";
+import { existsSync } from "node:fs";
+import { killGroup } from "./paged-driver.ts";
+
+const XVFB = "/usr/bin/Xvfb";
+
+/** Whether windows can be opened: on a virtual display, or on whatever the system has. */
+export const hasDisplay = (): boolean =>
+  process.platform !== "linux" || existsSync(XVFB) || Boolean(process.env.DISPLAY);
+
+/** A display of one's own, so that no window takes another's focus. */
+export async function openDisplay(): Promise<{ readonly name?: string; close(): void }> {
+  if (!existsSync(XVFB)) return { close: () => {} };
+  // It takes whatever number is free, and says which.
+  const server = spawn(
+    XVFB,
+    ["-displayfd", "3", "-screen", "0", "1280x800x24", "-nolisten", "tcp"],
+    {
+      stdio: ["ignore", "ignore", "ignore", "pipe"],
+      detached: true,
+    },
+  );
+  const close = () => {
+    if (server.pid) killGroup(server.pid);
+  };
+  const output = server.stdio[3];
+  const number = await new Promise<string>((resolve, reject) => {
+    output?.once("data", (data) => resolve(String(data).trim()));
+    server.once("exit", () => reject(new Error("Xvfb ended at once.")));
+    server.once("error", reject);
+  });
+  return { name: `:${number}`, close };
+}
