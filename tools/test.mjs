@@ -5,6 +5,7 @@ import { mkdirSync, readFileSync, rmSync } from "node:fs";
 const REPORTS = "test-results/reports";
 const VITEST = `${REPORTS}/unit.json`;
 const PLAYWRIGHT = `${REPORTS}/visual.json`;
+const COUNTS = `${REPORTS}/engines.json`;
 
 const passes = (report) => JSON.parse(readFileSync(report, "utf8"));
 const LINT = { name: "lint and import rules", command: "npx biome ci ." };
@@ -28,8 +29,14 @@ const BROWSER = {
     return { passed: expected, failed: unexpected + flaky };
   },
 };
+/** Few looks in other engines and drivers: `npm run test:engines` has them all. */
+const ENGINES = {
+  name: "engines",
+  command: `npm run --silent test:engines -- --short --counts ${COUNTS}`,
+  count: () => passes(COUNTS),
+};
 /** One after the other; what stands side by side runs so, for few of these use both cores. */
-const STAGES = [[[LINT]], [[TYPES]], [[UNIT], [BUILD, PACKAGE]], [[BROWSER]]];
+const STAGES = [[[LINT]], [[TYPES]], [[UNIT], [BUILD, PACKAGE]], [[BROWSER]], [[ENGINES]]];
 
 /** Runs a command, and gives its status and what it said, unless that is said at once. */
 function run({ command, env = {} }, isAloud) {

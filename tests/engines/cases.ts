@@ -1,0 +1,90 @@
+import type { Camera, Look, Quality } from "../../src/candle-flame-element.ts";
+import { SCENES } from "../visual/scenes.ts";
+
+/** CSS pixels of the element's box, at which its canvas has 320 x 180 (at ultra 321): tiers scale it. */
+const BOXES: Readonly<Record<Quality, readonly [width: number, height: number]>> = {
+  low: [480, 270],
+  medium: [320, 180],
+  high: [320, 180],
+  ultra: [214, 120],
+  auto: [320, 180],
+};
+
+/** An element of the package, whose picture is compared. */
+export interface ElementCase {
+  readonly kind: "element";
+  readonly name: string;
+  readonly attributes: Readonly<Record<string, string>>;
+  readonly box: readonly [width: number, height: number];
+  readonly camera?: Camera;
+  readonly place?: Camera | undefined;
+  /** Seconds; each is stepped, and drawn. */
+  readonly steps: readonly number[];
+}
+
+/** A page as it is hosted, which is to come up and to say nothing. */
+export interface PageCase {
+  readonly kind: "page";
+  readonly name: string;
+  readonly path: string;
+}
+
+export type Case = ElementCase | PageCase;
+
+/** So many frames that what is kept of one shows in the next. */
+const STEPS = [0.25, 0.1, 0.1, 0.05] as const;
+
+/** One view of each look: the candle near, and what it lights. */
+const VIEWS: Readonly<Record<Look, string>> = {
+  physical: "cabin-table-high",
+  paper: "paper-front",
+  original: "original-front",
+};
+
+function inRoom(look: Look, quality: Quality): ElementCase {
+  const scene = SCENES.find(({ name }) => name === VIEWS[look]);
+  if (!scene) throw new Error(`There is no scene ${VIEWS[look]}.`);
+  const { camera, place } = scene;
+  const attributes = { look, quality, seed: "1" };
+  return {
+    kind: "element",
+    name: `${look}, ${quality}`,
+    attributes,
+    box: BOXES[quality],
+    camera,
+    place,
+    steps: STEPS,
+  };
+}
+
+const LONE: ElementCase = {
+  kind: "element",
+  name: "lone candle",
+  attributes: { scene: "candle", quality: "low", seed: "1" },
+  box: BOXES.low,
+  steps: STEPS,
+};
+
+const HOSTED: PageCase = { kind: "page", name: "hosted page, auto", path: "" };
+
+/** What `npm test` looks at. */
+export const SHORT: readonly Case[] = [
+  LONE,
+  inRoom("paper", "low"),
+  inRoom("original", "low"),
+  inRoom("physical", "low"),
+  inRoom("physical", "medium"),
+  HOSTED,
+];
+
+const LOOKS: readonly Look[] = ["physical", "paper", "original"];
+const TIERS: readonly Quality[] = ["low", "medium", "high", "ultra"];
+
+/** The matrix of `npm run test:engines`. */
+export const LONG: readonly Case[] = [
+  LONE,
+  ...LOOKS.flatMap((look) => TIERS.map((quality) => inRoom(look, quality))),
+  HOSTED,
+  { kind: "page", name: "how.html", path: "how.html" },
+  { kind: "page", name: "use.html", path: "use.html" },
+];

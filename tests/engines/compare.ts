@@ -1,0 +1,105 @@
+import sharp from "sharp";
+import { flip, type Shown } from "../support/flip.ts";
+import { BLOCKS, type Sight } from "./survey.ts";
+
+/** How a sight differs from the reference's. */
+export interface Difference {
+  /** Mean over pixels and channels, of 255. */
+  readonly mean: number;
+  /** Mean FLIP. */
+  readonly flip: number;
+  /** The largest relative difference of a block's radiance. */
+  readonly block: number;
+  /** Which block that is, and how bright. */
+  readonly where: string;
+}
+
+/**
+ * What passes. FLIP of one level of 255 everywhere is 0.03 in dark pictures. Mesa's software renderer decodes
+ * sRGB by a polynomial that is off by a third of a level, which exposure enlarges: with the same textures left
+ * undecoded in both, FLIP is 0.017 (`original`) and 0.029 (`physical`) instead of 0.031 and 0.036.
+ */
+export const LIMITS = { mean: 2, flip: 0.042, block: 0.05 } as const;
+
+/**
+ * A block is compared with its own luminance, but at least with this much of the brightest block's, since what is
+ * darker is black in the picture, and with this much of its brightest neighbour's, since drivers have samples
+ * of their own at which the edge of a flame lies in the one block or the other.
+ */
+const FLOORS = { brightest: 0.0005, neighbour: 0.05 } as const;
+
+export async function compare(reference: Sight, sight: Sight): Promise<Difference> {
+  const [a, b] = await Promise.all([pixelsOf(reference.png), pixelsOf(sight.png)]);
+  if (a.width !== b.width || a.height !== b.height) {
+    throw new Error(`the picture is ${b.width} x ${b.height}, not ${a.width} x ${a.height}`);
+  }
+  const sum = a.data.reduce((sum, value, i) => sum + Math.abs(value - (b.data[i] ?? 0)), 0);
+  const errors = flip(shownOf(a), shownOf(b));
+  return {
+    mean: sum / a.data.length,
+    flip: errors.reduce((sum, error) => sum + error, 0) / errors.length,
+    ...blockDifference(reference.blocks, sight.blocks),
+  };
+}
+
+type Blocks = Sight["blocks"];
+
+/** The largest difference of a block, and where that is. */
+function blockDifference(reference: Blocks, blocks: Blocks): { block: number; where: string } {
+  const expected = reference.map(luminance);
+  const found = blocks.map(luminance);
+  const brightest = Math.max(...expected);
+  const errors = found.map((value, i) => {
+    const other = expected[i] ?? Number.NaN;
+    const neighbour = Math.max(...neighboursOf(i).map((n) => expected[n] ?? 0));
+    const floor = Math.max(FLOORS.brightest * brightest, FLOORS.neighbour * neighbour);
+    return Math.abs(value - other) / Math.max(other, floor);
+  });
+  const block = Math.max(...errors);
+  const i = errors.indexOf(block);
+  const [x, y] = [i % BLOCKS.across, Math.floor(i / BLOCKS.across)];
+  const numbers = [found[i], expected[i]].map((value) => value?.toPrecision(3));
+  return { block, where: `at ${x}, ${y}: ${numbers[0]} cd/m² beside ${numbers[1]}` };
+}
+
+function neighboursOf(i: number): number[] {
+  const [x, y] = [i % BLOCKS.across, Math.floor(i / BLOCKS.across)];
+  const near = [-1, 0, 1];
+  return near
+    .flatMap((dy) => near.map((dx) => [x + dx, y + dy] as const))
+    .filter(([x, y]) => x >= 0 && y >= 0 && x < BLOCKS.across && y < BLOCKS.down)
+    .map(([x, y]) => y * BLOCKS.across + x);
+}
+
+const luminance = ([r = Number.NaN, g = Number.NaN, b = Number.NaN]: readonly number[]): number =>
+  0.2126 * r + 0.7152 * g + 0.0722 * b;
+
+interface Pixels {
+  readonly width: number;
+  readonly height: number;
+  /** Three bytes a pixel. */
+  readonly data: Buffer;
+}
+
+/** How bright a picture is, of 255. */
+export async function meanOf(png: Buffer): Promise<number> {
+  const { data } = await pixelsOf(png);
+  return data.reduce((sum, value) => sum + value, 0) / data.length;
+}
+
+/** A picture on white, where it is transparent. */
+async function pixelsOf(png: Buffer): Promise<Pixels> {
+  const { data, info } = await sharp(png)
+    .flatten({ background: "#fff" })
+    .raw()
+    .toBuffer({ resolveWithObject: true });
+  return { width: info.width, height: info.height, data };
+}
+
+function shownOf({ width, height, data }: Pixels): Shown {
+  const linear = Float32Array.from(data, (value) => {
+    const x = value / 255;
+    return x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4;
+  });
+  return { width, height, linear };
+}

@@ -1,0 +1,237 @@
+import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
+import type { Recorded } from "../../tools/engines/recorder.ts";
+import type { Served } from "../../tools/engines/serve.ts";
+import { HungError, type Visitor } from "../../tools/engines/visitor.ts";
+import type { Verdict } from "./judge.ts";
+import { READY, type Session } from "./survey.ts";
+
+/** Where the page shows the room and nothing else, CSS pixels. */
+const MIDDLE = [400, 260] as const;
+/** What browsers say of a context that was taken away on purpose. */
+const ON_PURPOSE = /context (was )?lost|CONTEXT_LOST_WEBGL|loseContext/i;
+
+/** What a visitor does on the hosted page, which is new for each; a trial that fails throws. */
+const TRIALS: Readonly<Record<string, (visitor: Visitor) => Promise<void>>> = {
+  "walking in by click locks the pointer, and the mouse looks": async (visitor) => {
+    await walkIn(visitor);
+    await visitor.until(() => document.pointerLockElement !== null);
+    const before = await yaw(visitor);
+    // The first move after a lock may be a jump, and does not count.
+    for (const x of [10, 30, 50, 70]) await visitor.move(MIDDLE[0] + x, MIDDLE[1]);
+    await turned(visitor, before);
+    await leave(visitor);
+  },
+  "without a pointer lock, dragging looks": async (visitor) => {
+    await visitor.evaluate(() => {
+      Element.prototype.requestPointerLock = () =>
+        Promise.reject(new DOMException("refused", "NotAllowedError"));
+    });
+    await walkIn(visitor);
+    const before = await yaw(visitor);
+    const [x, y] = MIDDLE;
+    await visitor.drag([x, y], [x + 40, y], [x + 80, y]);
+    await turned(visitor, before);
+    await leave(visitor);
+  },
+  "W walks": async (visitor) => {
+    await walkIn(visitor);
+    const [x, , z] = await visitor.evaluate(() => theRoom().camera.position);
+    await visitor.keyDown("KeyW");
+    await visitor.until(
+      (x, z) => {
+        const [nowX, , nowZ] = theRoom().camera.position;
+        return Math.hypot(nowX - x, nowZ - z) > 0.2;
+      },
+      [x, z] as const,
+    );
+    await visitor.keyUp("KeyW");
+  },
+  "E puts out and lights": async (visitor) => {
+    await walkIn(visitor);
+    await visitor.press("KeyE");
+    await visitor.until(() => !theRoom().lit);
+    await visitor.press("KeyE");
+    await visitor.until(() => theRoom().lit);
+  },
+  "B blows": async (visitor) => {
+    await walkIn(visitor);
+    await visitor.press("KeyB");
+    // A breath puts out, or it bends the flame by more than the draught does.
+    await visitor.until(() => !theRoom().lit || (theRoom().flame?.tilt ?? 0) > 0.3);
+  },
+  "F puts down and takes up": async (visitor) => {
+    await walkIn(visitor);
+    await visitor.until(() => theRoom().held);
+    await visitor.press("KeyF");
+    await visitor.until(() => !theRoom().held);
+    await visitor.press("KeyF");
+    await visitor.until(() => theRoom().held);
+  },
+  "dialogs open and close": async (visitor) => {
+    for (const [opener, dialog] of [
+      [".help-button", ".help"],
+      [".settings-button", ".settings-dialog"],
+    ] as const) {
+      await visitor.clickOn(opener);
+      await visitor.until(
+        (dialog) => document.querySelector(dialog)?.matches("[open]") ?? false,
+        [dialog],
+      );
+      await visitor.press("Escape");
+      await visitor.until((dialog) => !document.querySelector(dialog)?.matches("[open]"), [dialog]);
+      await visitor.clickOn(opener);
+      await visitor.until(
+        (dialog) => document.querySelector(dialog)?.matches("[open]") ?? false,
+        [dialog],
+      );
+      await visitor.clickOn(`${dialog} form[method=dialog] button`);
+      await visitor.until((dialog) => !document.querySelector(dialog)?.matches("[open]"), [dialog]);
+    }
+  },
+  "a photo is a PNG file": async (visitor) => {
+    await visitor.evaluate(() => {
+      HTMLAnchorElement.prototype.click = function (this: HTMLAnchorElement) {
+        Object.assign(globalThis, { taken: { name: this.download, address: this.href } });
+      };
+    });
+    await visitor.clickOn(".photo-button");
+    await visitor.until(() => "taken" in globalThis);
+    const photo = await visitor.evaluate(async () => {
+      const { name, address } = (globalThis as unknown as Taken).taken;
+      const bytes = await (await fetch(address)).blob();
+      const { width, height } = await createImageBitmap(bytes);
+      const { stats } = theRoom();
+      return { name, type: bytes.type, isWhole: width === stats.width && height === stats.height };
+    });
+    expectSame(photo, { name: "candle-flame.png", type: "image/png", isWhole: true });
+  },
+  "a lost context comes back with the same picture": async (visitor) => {
+    await visitor.evaluate(() => {
+      theRoom().pause();
+      theRoom().step(0);
+    });
+    const before = await visitor.evaluate(means);
+    await visitor.evaluate(async () => {
+      const room = theRoom();
+      const next = (type: "contextlost" | "contextrestored") =>
+        new Promise((resolve) => room.addEventListener(type, resolve, { once: true }));
+      const { contexts } = globalThis as unknown as Recorded;
+      const context = contexts.findLast((context) => !context.isContextLost());
+      const extension = context?.getExtension("WEBGL_lose_context");
+      const lost = next("contextlost");
+      extension?.loseContext();
+      await lost;
+      await new Promise((resolve) => setTimeout(resolve));
+      const restored = next("contextrestored");
+      extension?.restoreContext();
+      await restored;
+    });
+    const after = await visitor.evaluate(means);
+    const difference = Math.max(...after.map((value, i) => Math.abs(value - (before[i] ?? 0))));
+    if (!(difference <= 1)) throw new Error(`the means were ${before}, and are ${after}`);
+  },
+};
+
+interface Taken {
+  readonly taken: { readonly name: string; readonly address: string };
+}
+
+/** The hosted page's element; defined in the page before each trial. */
+declare function theRoom(): CandleFlameElement;
+
+/** Does all of it in one pair. */
+export async function interact(
+  session: Session,
+  { page }: Served,
+  filter = "",
+): Promise<Verdict[]> {
+  const verdicts: Verdict[] = [];
+  for (const [name, run] of Object.entries(TRIALS)) {
+    if (!new RegExp(filter).test(name)) continue;
+    const faults = await tryOut(session, page, run);
+    console.log(`  ${session.pair.name}: ${name}`);
+    verdicts.push({ name, ready: null, difference: null, faults });
+  }
+  return verdicts;
+}
+
+async function tryOut(
+  session: Session,
+  page: string,
+  run: (visitor: Visitor) => Promise<void>,
+): Promise<string[]> {
+  const faults: string[] = [];
+  try {
+    await session.use(async (visitor) => {
+      try {
+        await open(visitor, page);
+        await run(visitor);
+      } catch (error) {
+        if (error instanceof HungError) throw error;
+        faults.push(error instanceof Error ? error.message : String(error));
+      }
+      const complaints = await visitor.complaints();
+      faults.push(...complaints.filter((complaint) => !ON_PURPOSE.test(complaint)));
+    });
+  } catch (error) {
+    faults.push(String(error));
+  }
+  return faults;
+}
+
+/** The default look, at the tier that is quickest to draw. */
+async function open(visitor: Visitor, page: string): Promise<void> {
+  // Another address than before, which differs by more than its hash, is another page.
+  await visitor.open("about:blank");
+  await visitor.open(`${page}#quality=low`);
+  await visitor.evaluate(
+    async () => {
+      const find = () => document.querySelector<CandleFlameElement>("candle-flame.room");
+      Object.assign(globalThis, { theRoom: find });
+      await customElements.whenDefined("candle-flame");
+      await find()?.ready;
+    },
+    [],
+    READY,
+  );
+  await visitor.until(() => {
+    const button = document.querySelector<HTMLButtonElement>(".photo-button");
+    return button?.disabled === false;
+  });
+}
+
+async function walkIn(visitor: Visitor): Promise<void> {
+  await visitor.clickOn(".enter");
+  await visitor.until(() => theRoom().matches(":state(walking)"));
+}
+
+async function leave(visitor: Visitor): Promise<void> {
+  await visitor.press("Escape");
+  // Escape is the browser's where the pointer is locked, and a driver's keys may not reach that far.
+  await visitor.evaluate(() => document.exitPointerLock());
+  await visitor.until(() => !theRoom().matches(":state(walking)"));
+}
+
+const yaw = (visitor: Visitor): Promise<number> => visitor.evaluate(() => theRoom().camera.yaw);
+
+const turned = (visitor: Visitor, before: number): Promise<void> =>
+  visitor.until((before) => Math.abs(theRoom().camera.yaw - before) > 0.05, [before]);
+
+/** In the page: the mean of each channel of the picture, of 255. */
+async function means(): Promise<number[]> {
+  const picture = await createImageBitmap(await theRoom().toBlob());
+  const context = new OffscreenCanvas(picture.width, picture.height).getContext("2d");
+  if (!context) throw new Error("There is no canvas to read the picture from.");
+  context.drawImage(picture, 0, 0);
+  const { data } = context.getImageData(0, 0, picture.width, picture.height);
+  const sums = [0, 0, 0];
+  for (let i = 0; i < data.length; i++) {
+    if (i % 4 < 3) sums[i % 4] = (sums[i % 4] ?? 0) + (data[i] ?? 0);
+  }
+  return sums.map((sum) => (sum * 4) / data.length);
+}
+
+function expectSame(found: object, expected: object): void {
+  const [a, b] = [JSON.stringify(found), JSON.stringify(expected)];
+  if (a !== b) throw new Error(`found ${a}, not ${b}`);
+}

@@ -1,0 +1,130 @@
+import { mkdirSync, writeFileSync } from "node:fs";
+import { dirname } from "node:path";
+import { findPairs, PAIRS, type PairName } from "../../tools/engines/find.ts";
+import { type Served, serveBuilt } from "../../tools/engines/serve.ts";
+import { type Case, LONG, SHORT } from "./cases.ts";
+import { interact } from "./interactions.ts";
+import { judge, type Verdict, written } from "./judge.ts";
+import { writeReport } from "./report.ts";
+import { caseMarkup, Session, type Survey, survey } from "./survey.ts";
+
+const REFERENCE: PairName = "chromium-swiftshader";
+/** Browsers at work at a time. */
+const LANES = 2;
+
+export interface Options {
+  /** The case list of `npm test`, without interactions. */
+  readonly isShort: boolean;
+  /** What the names of pairs contain; all without one. */
+  readonly only?: string | undefined;
+  /** What the names of cases match, as a regular expression. */
+  readonly cases?: string | undefined;
+  /** A file for the numbers of passed and failed cases. */
+  readonly counts?: string | undefined;
+}
+
+export interface Result extends Survey {
+  readonly verdicts: readonly Verdict[];
+}
+
+/** Surveys every pair, judges, tells; @returns whether nothing failed */
+export async function main({ isShort, only = "", cases = "", counts }: Options): Promise<boolean> {
+  const wanted = PAIRS.filter((name) => name.includes(only));
+  const { pairs, missing } = await findPairs(
+    PAIRS.filter((name) => name === REFERENCE || wanted.includes(name)),
+  );
+  const chosen = (isShort ? SHORT : LONG).filter(({ name }) => new RegExp(cases).test(name));
+  const served = await serveBuilt(caseMarkup);
+  const sessions = pairs.map((pair) => new Session(pair));
+  let surveys: Survey[];
+  const trials = new Map<PairName, readonly Verdict[]>();
+  try {
+    surveys = await inLanes(LANES, sessions, async (session) => {
+      const found = await surveyOf(session, chosen, served);
+      if (!isShort && wanted.includes(session.pair.name)) {
+        trials.set(session.pair.name, await interact(session, served, cases));
+      }
+      await session.close();
+      return found;
+    });
+  } finally {
+    await Promise.all(sessions.map((session) => session.close()));
+    await served.close();
+  }
+  const reference = surveys.find(({ pair }) => pair.name === REFERENCE);
+  if (!reference) throw new Error("There is no Chromium to compare with.");
+  const results: Result[] = [];
+  for (const one of surveys.filter(({ pair }) => wanted.includes(pair.name))) {
+    const verdicts = [...(await judge(one, reference)), ...(trials.get(one.pair.name) ?? [])];
+    results.push({ ...one, verdicts });
+    tell(one, verdicts);
+  }
+  for (const { name, why } of missing) console.log(`not tested: ${name} (${why})`);
+  const all = results.flatMap(({ verdicts }) => verdicts);
+  const failed = all.filter(({ faults }) => faults.length > 0).length;
+  const passed = all.length - failed;
+  if (counts) {
+    mkdirSync(dirname(counts), { recursive: true });
+    writeFileSync(counts, JSON.stringify({ passed, failed }));
+  }
+  const isWhole = !isShort && !only && !cases;
+  if (isWhole) await writeReport(results, missing);
+  console.log(`${passed} passed, ${failed} failed`);
+  return failed === 0;
+}
+
+async function surveyOf(session: Session, cases: readonly Case[], served: Served): Promise<Survey> {
+  const { pair } = session;
+  const begin = performance.now();
+  const seconds = () => `${((performance.now() - begin) / 1000).toFixed(1)} s`;
+  try {
+    const { version, renderer } = await session.use(async (visitor) => ({
+      version: visitor.version,
+      renderer: await pair.renderer(visitor),
+    }));
+    console.log(`${pair.name}: ${version}, ${renderer} (${seconds()})`);
+    const findings = await survey(session, cases, served, ({ name }) =>
+      console.log(`  ${pair.name}: ${name} (${seconds()})`),
+    );
+    return { pair, version, renderer, findings };
+  } catch (error) {
+    return { pair, version: "", renderer: String(error), findings: [] };
+  }
+}
+
+function tell({ pair }: Survey, verdicts: readonly Verdict[]): void {
+  for (const { name, ready, difference, faults } of verdicts) {
+    const numbers = [
+      ...(ready === null ? [] : [`ready ${ready.toFixed(1)} s`]),
+      ...(difference
+        ? [
+            `mean ${written("mean", difference)}`,
+            `FLIP ${written("flip", difference)}`,
+            `block ${written("block", difference)}`,
+          ]
+        : []),
+    ];
+    console.log(
+      `${faults.length > 0 ? "FAIL" : "ok  "} ${pair.name}: ${[name, ...numbers].join(", ")}`,
+    );
+    for (const fault of faults) console.log(`       ${fault}`);
+  }
+}
+
+/** Does something with each, so many at a time; results are in order. */
+async function inLanes<Item, Result>(
+  lanes: number,
+  items: readonly Item[],
+  run: (item: Item) => Promise<Result>,
+): Promise<Result[]> {
+  const results: Result[] = [];
+  const queue = [...items.entries()];
+  const lane = async () => {
+    for (let next = queue.shift(); next; next = queue.shift()) {
+      const [i, item] = next;
+      results[i] = await run(item);
+    }
+  };
+  await Promise.all(Array.from({ length: lanes }, lane));
+  return results;
+}

@@ -1,0 +1,201 @@
+import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
+import type { Pair } from "../../tools/engines/find.ts";
+import type { Served } from "../../tools/engines/serve.ts";
+import { HungError, type Visitor } from "../../tools/engines/visitor.ts";
+import type { Case, ElementCase, PageCase } from "./cases.ts";
+
+/** Seconds that anybody waits for the first frame. */
+export const READY = 30;
+
+/** Blocks of the radiance that are compared, across and down. */
+export const BLOCKS = { across: 16, down: 9 } as const;
+
+/** A picture and the light that it shows. */
+export interface Sight {
+  readonly png: Buffer;
+  /** Mean radiance of each block, linear RGB, rows from the top. */
+  readonly blocks: readonly (readonly number[])[];
+}
+
+/** What a pair made of a case. */
+export interface Finding {
+  readonly name: string;
+  /** Seconds from the address to the first frame with all assets. */
+  readonly ready: number | null;
+  readonly complaints: readonly string[];
+  /** Why the case did not come to its end. */
+  readonly failure: string | null;
+  readonly sight: Sight | null;
+}
+
+export interface Survey {
+  readonly pair: Pair;
+  readonly version: string;
+  readonly renderer: string;
+  readonly findings: readonly Finding[];
+}
+
+/** A pair's browser, launched anew where it hung. */
+export class Session {
+  readonly pair: Pair;
+  #visitor: Promise<Visitor> | null = null;
+
+  constructor(pair: Pair) {
+    this.pair = pair;
+  }
+
+  get visitor(): Promise<Visitor> {
+    this.#visitor ??= this.pair.launch();
+    return this.#visitor;
+  }
+
+  /** Does something with the visitor; the browser of one that hung, or died, is no more used. */
+  async use<Result>(run: (visitor: Visitor) => Promise<Result>): Promise<Result> {
+    const visitor = await this.visitor;
+    try {
+      return await run(visitor);
+    } catch (error) {
+      if (
+        error instanceof HungError ||
+        /closed|crash|disconnected|fetch failed/i.test(`${error}`)
+      ) {
+        this.#visitor = null;
+        await visitor.close();
+      }
+      throw error;
+    }
+  }
+
+  async close(): Promise<void> {
+    await (await this.#visitor)?.close();
+    this.#visitor = null;
+  }
+}
+
+/** Looks at one case after the other. */
+export async function survey(
+  session: Session,
+  cases: readonly Case[],
+  served: Served,
+  tell: (finding: Finding) => void,
+): Promise<Finding[]> {
+  const findings: Finding[] = [];
+  for (const one of cases) {
+    const finding = await look(session, one, served);
+    tell(finding);
+    findings.push(finding);
+  }
+  return findings;
+}
+
+async function look(session: Session, one: Case, served: Served): Promise<Finding> {
+  const { name } = one;
+  let ready: number | null = null;
+  let complaints: readonly string[] = [];
+  try {
+    return await session.use(async (visitor) => {
+      try {
+        await visitor.open(addressOf(one, served));
+        ready = await visitor.evaluate(becomeReady, [READY], READY + 15);
+        const sight = await (one.kind === "element" ? see(visitor, one) : seePage(visitor));
+        complaints = await visitor.complaints();
+        return { name, ready, complaints, failure: null, sight };
+      } catch (error) {
+        complaints = error instanceof HungError ? visitor.reported : await visitor.complaints();
+        throw error;
+      }
+    });
+  } catch (error) {
+    const failure = error instanceof Error ? error.message : String(error);
+    return { name, ready, complaints, failure, sight: null };
+  }
+}
+
+/** Where the element's case is: `caseMarkup` knows what stands there. */
+function addressOf(one: ElementCase | PageCase, { page, library }: Served): string {
+  if (one.kind === "page") return page + one.path;
+  const [width, height] = one.box;
+  const style = `width: ${width}px; height: ${height}px; aspect-ratio: auto`;
+  return `${library}case.html?${new URLSearchParams({ ...one.attributes, paused: "", style })}`;
+}
+
+/** The page of an element's case: its attributes are the address's. */
+export function caseMarkup({ pathname, searchParams }: URL): string | null {
+  if (pathname !== "/case.html") return null;
+  const attributes = [...searchParams].map(([name, value]) => `${name}="${value}"`).join(" ");
+  const isAlone = searchParams.get("scene") === "candle";
+  return `<!doctype html><html lang="en"><head><meta charset="utf-8"><title>case</title>
+    <link rel="icon" href="data:,">
+    <style>body { margin: 0; background: ${isAlone ? "#fff" : "#000"} }</style></head>
+    <body><candle-flame ${attributes}></candle-flame>
+    <script type="module" src="/define.js"></script></body></html>`;
+}
+
+/** In the page: waits for every candle's first frame, one after the other; seconds until the first one's. */
+async function becomeReady(limit: number): Promise<number> {
+  await customElements.whenDefined("candle-flame");
+  let first = Number.NaN;
+  for (const element of document.querySelectorAll<CandleFlameElement>("candle-flame")) {
+    // Some are fetched when they come near.
+    element.scrollIntoView({ block: "nearest", behavior: "instant" });
+    let timer: ReturnType<typeof setTimeout> | undefined;
+    const late = new Promise<never>((_, reject) => {
+      timer = setTimeout(() => reject(new Error(`not ready within ${limit} s`)), limit * 1000);
+    });
+    await Promise.race([element.ready, late]);
+    clearTimeout(timer);
+    if (Number.isNaN(first)) first = performance.now() / 1000;
+  }
+  return first;
+}
+
+async function see(visitor: Visitor, { camera, place, steps }: ElementCase): Promise<Sight> {
+  const request = { camera, place, steps, ...BLOCKS };
+  const { png, blocks } = await visitor.evaluate(takeSight, [request]);
+  return { png: Buffer.from(png, "base64"), blocks };
+}
+
+async function seePage(visitor: Visitor): Promise<Sight> {
+  const { png } = await visitor.evaluate(takeSight, [{ steps: [], across: 0, down: 0 }]);
+  return { png: Buffer.from(png, "base64"), blocks: [] };
+}
+
+interface SightRequest {
+  readonly camera?: CandleFlameElement["camera"] | undefined;
+  readonly place?: CandleFlameElement["camera"] | undefined;
+  readonly steps: readonly number[];
+  readonly across: number;
+  readonly down: number;
+}
+
+/** In the page: stands where the case says, steps, and reads the picture and its light. */
+async function takeSight({ camera, place, steps, across, down }: SightRequest) {
+  const element = document.querySelector<CandleFlameElement>("candle-flame");
+  if (!element) throw new Error("There is no candle.");
+  if (place) {
+    element.camera = place;
+    element.place();
+    if (element.held) throw new Error("The candle cannot be put down.");
+  }
+  if (camera) element.camera = camera;
+  for (const seconds of steps) element.step(seconds);
+  const bytes = new Uint8Array(await (await element.toBlob()).arrayBuffer());
+  const png = btoa(bytes.reduce((text, byte) => text + String.fromCharCode(byte), ""));
+  const { width, height } = element.stats;
+  const [w, h] = [Math.floor(width / across), Math.floor(height / down)];
+  const blocks: number[][] = [];
+  const radiance = across > 0 ? element.readRadiance(0, 0, w * across, h * down) : [];
+  for (let i = 0; i < across * down; i++) {
+    const sum = [0, 0, 0];
+    const [left, top] = [(i % across) * w, Math.floor(i / across) * h];
+    for (let y = top; y < top + h; y++) {
+      for (let x = left; x < left + w; x++) {
+        for (let c = 0; c < 3; c++) {
+          sum[c] = (sum[c] ?? 0) + (radiance[(y * w * across + x) * 3 + c] ?? 0) / (w * h);
+        }
+      }
+    }
+    blocks.push(sum);
+  }
+  return { png, blocks };
+}
