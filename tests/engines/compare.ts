@@ -22,11 +22,11 @@ export interface Difference {
 export const LIMITS = { mean: 2, flip: 0.042, block: 0.05 } as const;
 
 /**
- * A block is compared with its own luminance, but at least with this much of the brightest block's, since what is
- * darker is black in the picture, and with this much of its brightest neighbour's, since drivers have samples
- * of their own at which the edge of a flame lies in the one block or the other.
+ * A block is compared with its own luminance, but at least with this much of all blocks' mean, since what is far
+ * darker is black in the picture, or a glint of few pixels, and with this much of its brightest neighbour's, since
+ * drivers have samples of their own at which the edge of a flame lies in the one block or the other.
  */
-const FLOORS = { brightest: 0.0005, neighbour: 0.05 } as const;
+const FLOORS = { mean: 0.08, neighbour: 0.05 } as const;
 
 export async function compare(reference: Sight, sight: Sight): Promise<Difference> {
   const [a, b] = await Promise.all([pixelsOf(reference.png), pixelsOf(sight.png)]);
@@ -48,11 +48,11 @@ type Blocks = Sight["blocks"];
 function blockDifference(reference: Blocks, blocks: Blocks): { block: number; where: string } {
   const expected = reference.map(luminance);
   const found = blocks.map(luminance);
-  const brightest = Math.max(...expected);
+  const mean = expected.reduce((sum, value) => sum + value, 0) / expected.length;
   const errors = found.map((value, i) => {
     const other = expected[i] ?? Number.NaN;
     const neighbour = Math.max(...neighboursOf(i).map((n) => expected[n] ?? 0));
-    const floor = Math.max(FLOORS.brightest * brightest, FLOORS.neighbour * neighbour);
+    const floor = Math.max(FLOORS.mean * mean, FLOORS.neighbour * neighbour);
     return Math.abs(value - other) / Math.max(other, floor);
   });
   const block = Math.max(...errors);
