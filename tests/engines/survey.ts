@@ -1,4 +1,4 @@
-import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
+import type { Camera, CandleFlameElement } from "../../src/candle-flame-element.ts";
 import type { Pair } from "../../tools/engines/find.ts";
 import type { Served } from "../../tools/engines/serve.ts";
 import { HungError, type Visitor } from "../../tools/engines/visitor.ts";
@@ -161,8 +161,8 @@ async function seePage(visitor: Visitor): Promise<Sight> {
 }
 
 interface SightRequest {
-  readonly camera?: CandleFlameElement["camera"] | undefined;
-  readonly place?: CandleFlameElement["camera"] | undefined;
+  readonly camera?: Camera | undefined;
+  readonly place?: Camera | undefined;
   readonly steps: readonly number[];
   readonly across: number;
   readonly down: number;
