@@ -9,6 +9,7 @@ const float REACH = 3.0;
 uniform vec4 uMiddle[LEVELS];  // of the column, m; breadth, m
 #if BENDS
 uniform float uBend[LEVELS];   // most that a ray is turned, rad
+uniform vec2 uStrip;           // the picture's width over the strip's; twice the strip's left end over its width
 
 out float vAcross;   // from the middle, in standard deviations
 out float vBend;
@@ -31,4 +32,8 @@ void main() {
   vSideways = onScreen / max(length(onScreen), 1e-4);
 #endif
   gl_Position = frame.clipFromWorld * vec4(middle.xyz + sideways * (across * middle.w), 1.0);
+#if BENDS
+  // Only a strip of the picture is drawn: a viewport beyond the target would do, but makes Firefox warn.
+  gl_Position.x = (gl_Position.x + gl_Position.w) * uStrip.x - gl_Position.w * (1.0 + uStrip.y);
+#endif
 }

@@ -111,8 +111,11 @@ export class HazePass {
         program: showsOffset ? this.#offsetProgram() : this.#bend,
         target: this.#bent,
         textures: { uRadiance: radiance, uDepth: depth },
-        uniforms: { ...place, uBend: this.#bends },
-        viewport: [-left, 0, width, height],
+        uniforms: {
+          ...place,
+          uBend: this.#bends,
+          uStrip: [width / strip, (2 * left) / strip],
+        },
       });
       this.#gpu.draw({
         ...ribbon,
