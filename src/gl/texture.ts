@@ -83,7 +83,9 @@ export class Texture implements GpuObject {
       gl.texStorage2D(this.target, levels, gl[format], width, height);
     }
     this.#upload(options, layers);
-    if (mipmaps) gl.generateMipmap(this.target);
+    // What is only drawn later has its mipmaps then: `updateMipmaps`.
+    const isFilled = "close" in options.source || "data" in options.source;
+    if (mipmaps && isFilled) gl.generateMipmap(this.target);
     this.#sample(options);
     gl.bindTexture(this.target, null);
   }
