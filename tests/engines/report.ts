@@ -28,9 +28,12 @@ function markdown(results: readonly Result[], missing: readonly Missing[]): stri
     ...results.map(({ verdicts }) => cell(verdicts.find((one) => one.name === name))),
   ]);
   const faults = results.flatMap(({ pair, verdicts }) =>
-    verdicts.flatMap(({ name, faults }) =>
-      faults.map((fault) => `- ${pair.title}, ${name}: ${fault.split("\n")[0]}`),
-    ),
+    verdicts
+      .filter(({ faults }) => faults.length > 0)
+      .map(({ name, faults: [first = "", ...others] }) => {
+        const more = others.length > 0 ? `, and ${others.length} more` : "";
+        return `- ${pair.title}, ${name}: ${first.split("\n")[0]}${more}`;
+      }),
   );
   return [
     "# Engines and drivers",
