@@ -7,6 +7,9 @@ import type { Case, ElementCase, PageCase } from "./cases.ts";
 /** Seconds that anybody waits for the first frame. */
 export const READY = 30;
 
+/** Seconds that the frames of a look may take: at ultra, without a GPU, on a busy machine. */
+const SLOW = 150;
+
 /** Blocks of the radiance that are compared, across and down. */
 export const BLOCKS = { across: 16, down: 9 } as const;
 
@@ -151,7 +154,7 @@ async function becomeReady(limit: number): Promise<number> {
 
 async function see(visitor: Visitor, { camera, place, steps }: ElementCase): Promise<Sight> {
   const request = { camera, place, steps, ...BLOCKS };
-  const { png, blocks } = await visitor.evaluate(takeSight, [request]);
+  const { png, blocks } = await visitor.evaluate(takeSight, [request], SLOW);
   return { png: Buffer.from(png, "base64"), blocks };
 }
 
