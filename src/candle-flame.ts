@@ -2,7 +2,7 @@ import type { FirstPersonInput } from "./input/first-person-input.js";
 import { candleLight } from "./light/candle-light.js";
 import { type FlameReport, flameReport, paperFlameReport } from "./light/flame-light.js";
 import { nextTask } from "./next-task.js";
-import { AutoQuality, type Rung, WORK } from "./render/auto-quality.js";
+import { AutoQuality, type Rung, WORK, type Work } from "./render/auto-quality.js";
 import { canvasSize } from "./render/canvas-size.js";
 import type { Renderer } from "./render/renderer.js";
 import { measureSpeed, type Speed } from "./render/speed.js";
@@ -30,6 +30,11 @@ const MOMENT = 5;
 /** Weight of the newest frame in the running mean of frame times. */
 const SMOOTHING = 0.1;
 const INSPECTION_RUNG: Rung = { tier: "medium", share: 1 };
+
+/** How dear a frame of a scene is. */
+function workOf({ isModelAlone }: Scene, { look }: Options): Work {
+  return look === "physical" && !isModelAlone ? WORK.physical : WORK.plain;
+}
 
 function aMoment(): Promise<void> {
   return new Promise((resolve) => setTimeout(resolve, MOMENT));
@@ -133,10 +138,17 @@ export class CandleFlame {
   ): Promise<CandleFlame | null> {
     const { gpu } = screen;
     const isOff = () => !isWanted() || screen.gpu !== gpu || gpu.isLost;
-    const speed = options.quality === "auto" ? await CandleFlame.measure(screen) : null;
+    const auto = new AutoQuality(workOf(scene, options));
+    if (options.quality === "auto") auto.speed = await CandleFlame.measure(screen);
+    const { tier: name } = plays ? auto.rung : auto.stillRung;
+    const tier = tierNamed(options.quality === "auto" ? name : options.quality);
+    while (!scene.prepareRenderer(screen, tier, options.look)) {
+      await nextTask();
+      if (isOff()) return null;
+    }
     await nextTask();
     if (isOff()) return null;
-    const candle = new CandleFlame(screen, scene, features, options, plays, speed);
+    const candle = new CandleFlame(screen, scene, features, options, plays, auto);
     await gpu.whenCompiled(aMoment);
     if (isOff()) return null;
     gpu.finishPrograms();
@@ -147,7 +159,7 @@ export class CandleFlame {
   /**
    * @param screen from now on this disposes of it
    * @param plays whether time will pass, so that each frame is followed by another
-   * @param speed of the GPU, where it was measured
+   * @param auto knows the speed of the GPU, where it was measured
    */
   constructor(
     screen: Screen,
@@ -155,7 +167,7 @@ export class CandleFlame {
     features: Features,
     options: Options,
     plays = false,
-    speed: Speed | null = null,
+    auto = new AutoQuality(workOf(scene, options)),
   ) {
     this.#screen = screen;
     this.#isPlaying = plays;
@@ -163,16 +175,10 @@ export class CandleFlame {
     this.#features = { ...features };
     this.#options = options;
     this.world = this.#createWorld();
-    this.#auto = new AutoQuality(this.#work);
-    this.#auto.speed = speed;
+    this.#auto = auto;
     this.#tier = this.#tierOf(this.#rung);
     this.#share = this.#rung.share;
     this.#renderer = this.#createRenderer();
-  }
-
-  get #work() {
-    const isPhysicalRoom = this.#options.look === "physical" && !this.#scene.isModelAlone;
-    return WORK[isPhysicalRoom ? "physical" : "plain"];
   }
 
   /** `auto` filters anisotropically only where that was measured to be cheap. */
@@ -280,7 +286,7 @@ export class CandleFlame {
   show(scene: Scene, options: Options): void {
     this.#scene = scene;
     this.#options = options;
-    this.#auto.work = this.#work;
+    this.#auto.work = workOf(scene, options);
     this.#auto.renew();
     this.world = this.#sameTimeAs(this.world);
     this.#rebuild();
@@ -309,7 +315,7 @@ export class CandleFlame {
   /** The visitor stays where he is, or inside the new look's walls, at the same moment. */
   #changeLook(): void {
     const { player } = this.world;
-    this.#auto.work = this.#work;
+    this.#auto.work = workOf(this.#scene, this.#options);
     this.world = this.#sameTimeAs(this.world);
     moveCamera(this.world, player.position, player.yaw, player.pitch);
     this.#follow(this.#renderer);

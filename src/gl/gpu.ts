@@ -169,6 +169,11 @@ export class Gpu {
     return object;
   }
 
+  /** Whether something was made for this key. */
+  isShared(key: unknown): boolean {
+    return this.#shared.has(key);
+  }
+
   /** What one renderer after another needs: made for the first of them, and there until all is cleared. */
   share<T>(key: unknown, make: () => T): T {
     if (this.#shared.has(key)) return this.#shared.get(key) as T;
@@ -203,6 +208,7 @@ export class Gpu {
    */
   async whenCompiled(pause: () => Promise<void> = nextTask): Promise<void> {
     const isPending = (object: GpuObject) => object instanceof Program && !object.isCompiled;
+    if (this.#gl.getExtension("KHR_parallel_shader_compile") === null) await this.whenIdle(pause);
     while ([...this.#alive].some(isPending)) await pause();
   }
 

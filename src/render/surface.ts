@@ -64,7 +64,6 @@ export function behindLast(surfaces: readonly Surface[]): readonly Surface[] {
 }
 
 function upload(gpu: Gpu, model: Model, group?: (part: Part) => Grouped): readonly Surface[] {
-  const known = new Map<Picture, Texture>();
   const plain = (label: string, ...texel: readonly [number, number, number]) =>
     gpu.texture({
       label,
@@ -73,28 +72,9 @@ function upload(gpu: Gpu, model: Model, group?: (part: Part) => Grouped): readon
     });
   const white = plain("white", 255, 255, 255);
   const flat = plain("flat normal", 128, 128, 255);
-  const texture = (
-    label: string,
-    format: TextureFormat,
-    source: Picture | null,
-  ): Texture | null => {
-    if (!source) return null;
-    const before = known.get(source);
-    if (before) return before;
-    const made = gpu.texture({
-      label,
-      format,
-      source,
-      mipmaps: true,
-      wrap: "repeat",
-    });
-    known.set(source, made);
-    return made;
-  };
   const uploadPart = (part: Part): Surface => {
     const { material } = part;
-    const label = (map: string) => `${material.name}/${map}`;
-    const packed = material.occlusionRoughnessMetallic;
+    const { albedo, normal, packed } = picturesOf(material);
     const { indices, clusters, area } = group?.(part) ?? { ...part, clusters: [], area: 0 };
     return {
       name: part.name,
@@ -107,25 +87,63 @@ function upload(gpu: Gpu, model: Model, group?: (part: Part) => Grouped): readon
       // Where it lies apart from the other maps it is left out: shadows do its work.
       occlusionStrength: material.occlusion ? 0 : material.occlusionStrength,
       isDoubleSided: material.isDoubleSided,
-      isPlain: !material.albedo && !material.normal && !packed,
+      isPlain: !albedo.source && !normal.source && !packed.source,
       isWax: material.name === "wax" || material.name === "pool",
       isWick: material.name === "wick",
       textures: {
-        uAlbedo: texture(label("albedo"), "SRGB8_ALPHA8", material.albedo) ?? white,
-        // Two channels: the third of a unit vector follows from them.
-        uNormal:
-          texture(label("normal"), channels(material.normal, "RG8"), material.normal) ?? flat,
-        // What is no metal needs no third channel.
-        uOcclusionRoughness:
-          texture(
-            label("occlusion"),
-            channels(packed, material.metallic > 0 ? "RGBA8" : "RG8"),
-            packed,
-          ) ?? white,
+        uAlbedo: textureOf(gpu, albedo) ?? white,
+        uNormal: textureOf(gpu, normal) ?? flat,
+        uOcclusionRoughness: textureOf(gpu, packed) ?? white,
       },
     };
   };
   return model.parts.map(uploadPart);
+}
+
+/** A material's picture, and how it is kept on the GPU. */
+interface Mapped {
+  readonly label: string;
+  readonly format: TextureFormat;
+  readonly source: Picture | null;
+}
+
+function picturesOf(material: Material): Record<"albedo" | "normal" | "packed", Mapped> {
+  const { name, albedo, normal, occlusionRoughnessMetallic: packed, metallic } = material;
+  return {
+    albedo: { label: `${name}/albedo`, format: "SRGB8_ALPHA8", source: albedo },
+    // Two channels: the third of a unit vector follows from them.
+    normal: { label: `${name}/normal`, format: channels(normal, "RG8"), source: normal },
+    // What is no metal needs no third channel.
+    packed: {
+      label: `${name}/occlusion`,
+      format: channels(packed, metallic > 0 ? "RGBA8" : "RG8"),
+      source: packed,
+    },
+  };
+}
+
+/** The texture of a picture, made once. */
+function textureOf(gpu: Gpu, { label, format, source }: Mapped): Texture | null {
+  if (!source) return null;
+  return gpu.share(source, () =>
+    gpu.texture({ label, format, source, mipmaps: true, wrap: "repeat" }),
+  );
+}
+
+/**
+ * Sends the next picture of a model to the GPU.
+ *
+ * @returns whether all of them are there
+ */
+export function uploadNextPicture(gpu: Gpu, { parts }: Model): boolean {
+  for (const { material } of parts) {
+    for (const mapped of Object.values(picturesOf(material))) {
+      if (!mapped.source || gpu.isShared(mapped.source)) continue;
+      textureOf(gpu, mapped);
+      return false;
+    }
+  }
+  return true;
 }
 
 // Pixels decoded in a script come with four channels, and WebGL does not repack those.

@@ -2,6 +2,7 @@ import { nextTask } from "../next-task.js";
 import { PaperRenderer } from "../render/paper/paper-renderer.js";
 import { DeferredRenderer } from "../render/physical/deferred-renderer.js";
 import { PhysicalRenderer, preparePhysicalRenderer } from "../render/physical/physical-renderer.js";
+import { uploadNextPicture } from "../render/surface.js";
 import { createRoom } from "../world/room.js";
 import { closeModels, loadModels, sourcesOf } from "./room-models.js";
 import type { Loading, Scene, SceneRequest } from "./scene.js";
@@ -21,9 +22,11 @@ export async function loadRoom(request: SceneRequest, loading: Loading): Promise
     stage: null,
     isModelAlone: false,
     prepareRenderer: ({ gpu }, tier, look) =>
-      look !== "physical" ||
-      tier.name === "low" ||
-      preparePhysicalRenderer(gpu, models, room.solid, tier),
+      uploadNextPicture(gpu, models.room) &&
+      uploadNextPicture(gpu, models.candle) &&
+      (look !== "physical" ||
+        tier.name === "low" ||
+        preparePhysicalRenderer(gpu, models, room.solid, tier)),
     createRenderer: ({ gpu }, tier, look) => {
       if (look !== "physical") return new PaperRenderer(gpu, models, tier);
       return tier.name === "low"
