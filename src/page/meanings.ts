@@ -5,7 +5,7 @@ export const SETTING_MEANINGS: Readonly<Record<SettingName, string>> = {
   scene: "A room to walk in, or the candle alone over the page's own background.",
   look: "Which renderer: light in real units, the paper's final product, or its “before”.",
   src: "URL of a .glb or .gltf that replaces the room.",
-  quality: "Resolution and detail; auto follows the renderer and the time that frames take.",
+  quality: "Resolution and detail; auto starts low and climbs by what frames cost.",
   controls: "First-person controls; without it the element takes no input.",
   sensitivity: "How far the view turns for a movement of the mouse or a finger.",
   motion: "Sway and flicker: auto follows the visitor's system; reduced gives a still flame.",

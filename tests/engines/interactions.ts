@@ -51,6 +51,33 @@ const TRIALS: Readonly<Record<string, (visitor: Visitor) => Promise<void>>> = {
     );
     await visitor.keyUp("KeyW");
   },
+  "keys are answered within 250 ms, and one walks at ten frames a second": async (visitor) => {
+    await walkIn(visitor);
+    await visitor.evaluate(() => {
+      const log = { delays: [] as number[], frames: [] as number[] };
+      Object.assign(globalThis, { log });
+      const note = ({ timeStamp }: Event) => log.delays.push(performance.now() - timeStamp);
+      addEventListener("keydown", note, { capture: true });
+      addEventListener("keyup", note, { capture: true });
+      const frame = (time: number) => {
+        log.frames.push(time);
+        requestAnimationFrame(frame);
+      };
+      requestAnimationFrame(frame);
+    });
+    await visitor.keyDown("KeyW");
+    for (let i = 0; i < 8; i++) await visitor.press("KeyQ");
+    await visitor.until(() => (globalThis as unknown as Logged).log.frames.length > 40);
+    await visitor.keyUp("KeyW");
+    const { delays, frames } = await visitor.evaluate(() => (globalThis as unknown as Logged).log);
+    const longest = Math.max(...delays);
+    const rate = ((frames.length - 1) * 1000) / (frames.at(-1)! - frames[0]!);
+    if (delays.length < 10 || longest > 250 || rate < 10) {
+      throw new Error(
+        `${delays.length} keys, ${longest.toFixed(0)} ms, ${rate.toFixed(1)} frames a second`,
+      );
+    }
+  },
   "E puts out and lights": async (visitor) => {
     await walkIn(visitor);
     await visitor.press("KeyE");
@@ -136,6 +163,11 @@ const TRIALS: Readonly<Record<string, (visitor: Visitor) => Promise<void>>> = {
     if (!(difference <= 1)) throw new Error(`the means were ${before}, and are ${after}`);
   },
 };
+
+interface Logged {
+  /** Milliseconds from a key to its answer, and moments of frames. */
+  readonly log: { readonly delays: number[]; readonly frames: number[] };
+}
 
 interface Taken {
   readonly taken: { readonly name: string; readonly address: string };

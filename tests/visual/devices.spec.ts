@@ -51,7 +51,7 @@ test.describe("Fingers", () => {
     for (const y of [30, 15, 2]) await fingers("touchMove", [120, y]);
     await fingers("touchEnd");
     await room.step(0.1);
-    expect(await room.camera()).toEqual(LOOKS_ALONG);
+    expect(await room.camera()).toMatchObject(LOOKS_ALONG);
     expect(await room.isWalking()).toBe(false);
 
     // The page went with the finger, and may still be coasting.
@@ -117,7 +117,7 @@ test("A gamepad goes in where the focus is, walks, looks, puts out, puts down, a
 
   await hold([0, -1, 1, 0], [0]);
   await room.step(0.5);
-  expect(await room.camera()).toEqual(LOOKS_ALONG); // it has no focus
+  expect(await room.camera()).toMatchObject(LOOKS_ALONG); // it has no focus
   expect(await room.isWalking()).toBe(false);
 
   await hold(still);
@@ -129,7 +129,7 @@ test("A gamepad goes in where the focus is, walks, looks, puts out, puts down, a
   expect(await hintOf(room)).toMatch(/^Left stick walks/);
   await hold(still);
   await room.step(0.5);
-  expect(await room.camera()).toEqual(LOOKS_ALONG); // worn springs
+  expect(await room.camera()).toMatchObject(LOOKS_ALONG); // worn springs
   await hold([0, -1, 0, -1]);
   await room.step(0.5);
   const { position, pitch } = await room.camera();

@@ -1,0 +1,71 @@
+// `auto` on GPUs far slower than SwiftShader: every draw is made so many times over.
+import type { Page } from "playwright/test";
+import { RoomDriver } from "../support/room-driver.ts";
+import { serveSmallTextures } from "../support/small-textures.ts";
+import { expect, test } from "../support/test.ts";
+
+/** Makes each draw as often as `globalThis.times` says. */
+async function slowDown(page: Page): Promise<void> {
+  await page.addInitScript(() => {
+    const gl = WebGL2RenderingContext.prototype;
+    const { drawArrays, drawElements } = gl;
+    const times = () => Number(Reflect.get(globalThis, "times") ?? 1);
+    gl.drawArrays = function (...call) {
+      for (let i = 0; i < times(); i++) drawArrays.apply(this, call);
+    };
+    gl.drawElements = function (...call) {
+      for (let i = 0; i < times(); i++) drawElements.apply(this, call);
+    };
+  });
+}
+
+interface Trace {
+  /** From frame to frame, seconds, with the canvas's width as of each. */
+  readonly frames: readonly { readonly seconds: number; readonly width: number }[];
+  readonly tiers: readonly string[];
+  /** From a key to its handler, milliseconds. */
+  readonly delays: readonly number[];
+}
+
+for (const times of [10, 100]) {
+  test(`${times} times slower than a CPU it comes down, and is answered within 250 ms`, async ({
+    page,
+  }) => {
+    await slowDown(page);
+    await serveSmallTextures(page);
+    const room = await new RoomDriver(page).open(
+      { look: "physical", quality: "auto", controls: "" },
+      { width: 320, height: 180 },
+    );
+    await room.evaluate((element, times) => {
+      const trace = { frames: [] as object[], tiers: [] as string[], delays: [] as number[] };
+      Object.assign(globalThis, { times, trace });
+      addEventListener("keydown", ({ timeStamp }) => {
+        trace.delays.push(performance.now() - timeStamp);
+      });
+      element.addEventListener("qualitychange", () => trace.tiers.push(element.stats.quality));
+      let last = Number.NaN;
+      const frame = (now: number) => {
+        trace.frames.push({ seconds: (now - last) / 1000, width: element.stats.width });
+        last = now;
+        if (trace.frames.length < 12) requestAnimationFrame(frame);
+      };
+      requestAnimationFrame(frame);
+      element.play();
+    }, times);
+    const traced = () => page.evaluate(() => Reflect.get(globalThis, "trace") as Trace);
+    while ((await traced()).frames.length < 12) await page.keyboard.press("q");
+    const { frames, tiers, delays } = await traced();
+    const [first, ...rest] = frames.slice(1);
+    expect(rest.at(-1)?.width, "coarser than it began").toBeLessThan(first?.width ?? 0);
+    expect(new Set(tiers)).toEqual(new Set(["low"]));
+    for (const [i, { seconds, width }] of rest.entries()) {
+      const before = frames[i + 1];
+      if (!before || width <= before.width) continue;
+      expect(seconds - before.seconds, "of a finer picture").toBeLessThan(0.25);
+    }
+    // The script of a frame is not what is slow.
+    expect(delays.length).toBeGreaterThan(0);
+    expect(delays.toSorted((a, b) => a - b)[delays.length >> 1]).toBeLessThan(250);
+  });
+}
