@@ -25,8 +25,6 @@ import {
 
 /** Longest time that a live frame makes up for, in seconds: after a hidden tab, resume. */
 const MAX_FRAME = 1 / 20;
-/** From one question whether programs are compiled to the next, milliseconds. */
-const MOMENT = 5;
 /** Weight of the newest frame in the running mean of frame times. */
 const SMOOTHING = 0.1;
 const INSPECTION_RUNG: Rung = { tier: "medium", share: 1 };
@@ -34,10 +32,6 @@ const INSPECTION_RUNG: Rung = { tier: "medium", share: 1 };
 /** How dear a frame of a scene is. */
 function workOf({ isModelAlone }: Scene, { look }: Options): Work {
   return look === "physical" && !isModelAlone ? WORK.physical : WORK.plain;
-}
-
-function aMoment(): Promise<void> {
-  return new Promise((resolve) => setTimeout(resolve, MOMENT));
 }
 
 /** Everything about a candle that its owner may set at any time. */
@@ -149,7 +143,7 @@ export class CandleFlame {
     await nextTask();
     if (isOff()) return null;
     const candle = new CandleFlame(screen, scene, features, options, plays, auto);
-    await gpu.whenCompiled(aMoment);
+    await gpu.whenCompiled();
     if (isOff()) return null;
     gpu.finishPrograms();
     gpu.check("picture");
@@ -425,7 +419,7 @@ export class CandleFlame {
   async #check(): Promise<void> {
     this.#isUnchecked = false;
     const { gpu } = this.#screen;
-    await gpu.whenIdle(aMoment);
+    await gpu.whenIdle();
     try {
       if (gpu === this.#screen.gpu) gpu.check("picture");
     } catch (error) {

@@ -202,14 +202,13 @@ export class Gpu {
   }
 
   /**
-   * Resolves when the driver has compiled all programs, as far as it tells; a wait that blocks nobody.
-   *
-   * @param pause from one question to the driver to the next
+   * Resolves when the driver has compiled all programs, as far as it tells: a wait that blocks nobody, and needs
+   * no timer, which a test may have stopped.
    */
-  async whenCompiled(pause: () => Promise<void> = nextTask): Promise<void> {
+  async whenCompiled(): Promise<void> {
     const isPending = (object: GpuObject) => object instanceof Program && !object.isCompiled;
-    if (this.#gl.getExtension("KHR_parallel_shader_compile") === null) await this.whenIdle(pause);
-    while ([...this.#alive].some(isPending)) await pause();
+    if (this.#gl.getExtension("KHR_parallel_shader_compile") === null) await this.whenIdle();
+    while ([...this.#alive].some(isPending)) await nextTask();
   }
 
   /** Waits for all programs, which the driver compiles side by side. Throws if one is refused. */
@@ -270,18 +269,14 @@ export class Gpu {
     return this.#keep(new UniformBlock(this.#gl, program, name, this.#forget));
   }
 
-  /**
-   * Resolves when the GPU has done all that it was asked so far, or the context is lost.
-   *
-   * @param pause from one question to the driver to the next
-   */
-  async whenIdle(pause: () => Promise<void> = nextTask): Promise<void> {
+  /** Resolves when the GPU has done all that it was asked so far, or the context is lost. */
+  async whenIdle(): Promise<void> {
     const gl = this.#gl;
     const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.flush();
     if (!fence) return;
     // The answer changes from task to task only.
-    while (gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) await pause();
+    while (gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) await nextTask();
     gl.deleteSync(fence);
   }
 
