@@ -766,7 +766,8 @@ export class CandleFlameElement extends TypedEvents {
     this.#overlay.posterAlt = isPicture ? this.alt : "";
     if (this.#canvas) {
       this.#canvas.setAttribute("role", isPicture ? "img" : "presentation");
-      this.#canvas.setAttribute("aria-label", isPicture ? this.alt : "");
+      if (isPicture) this.#canvas.setAttribute("aria-label", this.alt);
+      else this.#canvas.removeAttribute("aria-label");
     }
     if (this.controls && !this.hasAttribute("tabindex")) this.tabIndex = 0;
     if (!this.controls && this.getAttribute("tabindex") === "0") this.removeAttribute("tabindex");

@@ -1,7 +1,7 @@
+import { nextTask } from "./gl/next-task.js";
 import type { FirstPersonInput } from "./input/first-person-input.js";
 import { candleLight } from "./light/candle-light.js";
 import { type FlameReport, flameReport, paperFlameReport } from "./light/flame-light.js";
-import { nextTask } from "./next-task.js";
 import { AutoQuality, type Rung, WORK, type Work } from "./render/auto-quality.js";
 import { canvasSize } from "./render/canvas-size.js";
 import type { Renderer } from "./render/renderer.js";

@@ -1,7 +1,7 @@
-import { nextTask } from "../next-task.js";
 import { Buffer } from "./buffer.js";
 import { created, type GpuObject, incomplete, outOfMemory } from "./gpu-object.js";
 import { GpuTimer } from "./gpu-timer.js";
+import { nextTask } from "./next-task.js";
 import { Program, type ProgramOptions, type ShaderSource, type UniformValue } from "./program.js";
 import { RenderTarget, type RenderTargetOptions } from "./render-target.js";
 import { Samplers, type Sampling } from "./samplers.js";
@@ -276,7 +276,8 @@ export class Gpu {
     gl.flush();
     if (!fence) return;
     // The answer changes from task to task only.
-    while (gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) await nextTask();
+    while (gl.clientWaitSync(fence, gl.SYNC_FLUSH_COMMANDS_BIT, 0) === gl.TIMEOUT_EXPIRED)
+      await nextTask();
     gl.deleteSync(fence);
   }
 

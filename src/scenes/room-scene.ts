@@ -1,4 +1,4 @@
-import { nextTask } from "../next-task.js";
+import { nextTask } from "../gl/next-task.js";
 import { PaperRenderer } from "../render/paper/paper-renderer.js";
 import { DeferredRenderer } from "../render/physical/deferred-renderer.js";
 import { PhysicalRenderer, preparePhysicalRenderer } from "../render/physical/physical-renderer.js";

@@ -23,6 +23,7 @@ const STYLE_EXCEPTIONS: Readonly<Record<string, string>> = {
 };
 const MARKUP_EXCEPTIONS: Readonly<Record<string, string>> = {
   "<dialog closedby>": "Esc and the button close it",
+  "<img fetchpriority>": "the poster is fetched in its turn",
 };
 const SCRIPT_EXCEPTIONS: Readonly<Record<string, string>> = {
   ".devicePixelContentBoxSize": "`device-pixels.ts` guesses without it",
