@@ -1,4 +1,4 @@
-import { compare, type Difference, LIMITS, meanOf } from "./compare.ts";
+import { ANISOTROPIC_LIMITS, compare, type Difference, LIMITS, meanOf } from "./compare.ts";
 import { type Finding, READY, type Survey } from "./survey.ts";
 
 /** A case in a pair, and what is wrong with it. */
@@ -45,7 +45,7 @@ async function judgeCase(
         faults.push(`the picture is black: ${mean.toFixed(2)} of 255 in the mean`);
     } else if (other?.sight) {
       difference = await compare(other.sight, sight);
-      faults.push(...excess(difference));
+      faults.push(...excess(name, difference));
     } else {
       faults.push("there is no picture of the reference to compare with");
     }
@@ -61,12 +61,13 @@ const TITLES: Readonly<Record<Measure, string>> = {
   block: "the worst block's difference",
 };
 
-function excess(difference: Difference): string[] {
-  return (Object.keys(LIMITS) as Measure[])
-    .filter((name) => !(difference[name] <= LIMITS[name]))
+function excess(title: string, difference: Difference): string[] {
+  const limits = /medium|high|ultra/.test(title) ? ANISOTROPIC_LIMITS : LIMITS;
+  return (Object.keys(limits) as Measure[])
+    .filter((name) => !(difference[name] <= limits[name]))
     .map((name) => {
       const where = name === "block" ? ` (${difference.where})` : "";
-      return `${TITLES[name]} is ${written(name, difference)}, not ${written(name, LIMITS)}${where}`;
+      return `${TITLES[name]} is ${written(name, difference)}, not ${written(name, limits)}${where}`;
     });
 }
 
