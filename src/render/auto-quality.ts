@@ -152,12 +152,15 @@ export class AutoQuality {
     const isEvidence = this.#frames.length >= LEAST_FRAMES || isDire;
     if (this.#elapsed < due || !isEvidence) return false;
     const typical = median(this.#frames);
+    const isLate = typical > BUDGET[this.rung.tier] * LATE;
+    // What is late at first may be paying for its first frames.
+    if (isLate && !isDire && this.#elapsed < JUDGED_AFTER) return false;
     this.#steady += this.#elapsed;
     this.#frames = [];
     this.#elapsed = 0;
     // Without a GPU there is nothing whose idleness could be measured.
     const work = this.speed && this.speed.pixel < SLOW_PIXEL ? gpuSeconds : null;
-    if (typical > BUDGET[this.rung.tier] * LATE) {
+    if (isLate) {
       this.#steady = 0;
       this.#wanted = null;
       // A GPU that was idle half of the time is not what made the frame late.

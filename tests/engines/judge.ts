@@ -1,4 +1,11 @@
-import { ANISOTROPIC_LIMITS, compare, type Difference, LIMITS, meanOf } from "./compare.ts";
+import {
+  ANISOTROPIC_LIMITS,
+  compare,
+  type Difference,
+  LIMITS,
+  meanOf,
+  ULTRA_LIMITS,
+} from "./compare.ts";
 import { type Finding, READY, type Survey } from "./survey.ts";
 
 /** A case in a pair, and what is wrong with it. */
@@ -62,7 +69,12 @@ const TITLES: Readonly<Record<Measure, string>> = {
 };
 
 function excess(title: string, difference: Difference): string[] {
-  const limits = /medium|high|ultra/.test(title) ? ANISOTROPIC_LIMITS : LIMITS;
+  const isAnisotropic = /medium|high/.test(title);
+  const limits = title.includes("ultra")
+    ? ULTRA_LIMITS
+    : isAnisotropic
+      ? ANISOTROPIC_LIMITS
+      : LIMITS;
   return (Object.keys(limits) as Measure[])
     .filter((name) => !(difference[name] <= limits[name]))
     .map((name) => {

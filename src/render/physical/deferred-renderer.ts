@@ -193,6 +193,7 @@ export class DeferredRenderer implements Renderer {
       lightSize: this.#lightPass.size,
     });
     const isCoarse = paint.kind !== "fine";
+    if (asked.isPatient && !isCoarse) this.#prepareMotion();
     const isKept = paint.kind === "kept";
     // What is shown again is as bright as it was.
     if (!isKept) this.#light.update(lightBlock(world, features.candle));
@@ -273,14 +274,19 @@ export class DeferredRenderer implements Renderer {
 
   /** The same for one picture among many: of fewer triangles, of those in sight, and a little late. */
   #castSlackly(light: LightAtVantage, isBusy: boolean) {
-    // One of them in a picture.
-    if (!this.#slackCasters) this.#slackCasters = this.#slackly(SLACK_DETAIL.shadow);
-    else this.#slackEchoers ??= this.#slackly(SLACK_DETAIL.bounces);
+    this.#prepareMotion();
     const matters = isBeforeSight(this.#clip, light.position, PENUMBRA);
     const casters = this.#slackCasters ?? this.#casters;
     const shadow = this.#shadow.follow(casters, light.position, { isBusy, matters });
     const volume = this.#indirect.follow(this.#slackEchoers ?? this.#casters, light);
     return { ...shadow, shadow: shadow.distances, volume };
+  }
+
+  /** While the eye rests: what its first move needs, one thing in a picture. */
+  #prepareMotion(): void {
+    this.#lightPass.prepareMotion();
+    if (!this.#slackCasters) this.#slackCasters = this.#slackly(SLACK_DETAIL.shadow);
+    else this.#slackEchoers ??= this.#slackly(SLACK_DETAIL.bounces);
   }
 
   #slackly(detail: number): Casters | null {

@@ -79,6 +79,7 @@ export class GeometryPass {
   readonly #guide: Program;
   /** By what they are defined for. */
   readonly #programs = new Map<string, Program>();
+  #isMotionPrepared = false;
   readonly #coarse: CoarseSurfaces;
   readonly #roots: RootTextures;
   #moving: RenderTarget | null = null;
@@ -167,6 +168,7 @@ export class GeometryPass {
     this.#wasCoarse = isMoving || known !== this.#fineKnown;
     if (this.#wasCoarse) return this.#paintCoarsely(scene, known);
     this.#kept = null;
+    if (sight.isPatient) this.#prepareMotion(scene);
     const [surfaces, depth] = this.#partsOf(this.#surfaces(false));
     const { color: painted, depth: paintedDepth } = this.#painted!;
     if (!paintedDepth) throw new Error("Paint has a depth.");
@@ -244,6 +246,23 @@ export class GeometryPass {
     for (const model of scene.placed) {
       for (const surface of isCoarse ? this.#coarse.merged(model.surfaces) : model.surfaces) {
         this.#draw(surface, model, scene, { target, isCoarse, isSeen, scissor: band });
+      }
+    }
+  }
+
+  /** Gets ready, while the eye rests, for its first move: programs are compiled and drawn with once. */
+  #prepareMotion(scene: Scene): void {
+    this.#prepare(scene.placed);
+    if (this.#isMotionPrepared || !this.#roots.areMade) return;
+    this.#isMotionPrepared = true;
+    const how = { target: this.#surfaces(true), isCoarse: true, isSeen: () => true } as const;
+    const drawn = new Set<Program>();
+    for (const model of scene.placed) {
+      for (const surface of this.#coarse.merged(model.surfaces)) {
+        const program = this.#programFor(true, this.#roots.of(surface) !== null, surface);
+        if (drawn.has(program)) continue;
+        drawn.add(program);
+        this.#draw(surface, model, scene, { ...how, scissor: [0, 0, 1, 1] });
       }
     }
   }

@@ -67,6 +67,11 @@ export class LightPass {
     return this.#gpu.program("deferred/light", fullscreenVert, lightFrag, { defines });
   }
 
+  /** Has the light of a moving eye compiled before it moves. */
+  prepareMotion(): void {
+    this.#coarseProgram();
+  }
+
   #coarseProgram(): Program {
     this.#coarse ??= this.#programOf(halfOf(this.#taps), 1);
     return this.#coarse;

@@ -21,6 +21,8 @@ export class RootTextures {
   /** By base colour, and by what is baked into it. */
   readonly #roots = new Map<Texture, Map<Texture | null, Texture>>();
   readonly #programs: Record<string, Program> = {};
+  /** Whether none was missing when this was last gone on with. */
+  areMade = false;
 
   constructor(gpu: Gpu, screen: VertexArray) {
     this.#gpu = gpu;
@@ -44,6 +46,7 @@ export class RootTextures {
       roots.set(isBaked(surface) ? uOcclusionRoughness : null, this.#make(surface));
       return;
     }
+    this.areMade = true;
   }
 
   #make(surface: Surface): Texture {
