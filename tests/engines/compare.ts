@@ -24,7 +24,7 @@ export const LIMITS: Limits = { mean: 2, flip: 0.042, block: 0.05 };
 /** The same from medium on, where surfaces are read anisotropically: llvmpipe (Mesa 22.3) leaves wrong texels there. */
 export const ANISOTROPIC_LIMITS: Limits = { mean: 3, flip: 0.07, block: 0.1 };
 
-/** The same at ultra, where the block in which the candle's dish mirrors the flame differs more. */
+/** The same at ultra, where one block beside the flame differs more; why is not known. */
 export const ULTRA_LIMITS: Limits = { ...ANISOTROPIC_LIMITS, block: 0.2 };
 
 type Limits = Readonly<Record<"mean" | "flip" | "block", number>>;
