@@ -138,14 +138,20 @@ export function caseMarkup({ pathname, searchParams }: URL): string | null {
 async function becomeReady(limit: number): Promise<number> {
   await customElements.whenDefined("candle-flame");
   let first = Number.NaN;
-  for (const element of document.querySelectorAll<CandleFlameElement>("candle-flame")) {
-    // Some are fetched when they come near.
-    element.scrollIntoView({ block: "nearest", behavior: "instant" });
+  const elements = [...document.querySelectorAll<CandleFlameElement>("candle-flame")];
+  const places = elements.map(({ parentElement }) => parentElement);
+  for (const [i, element] of elements.entries()) {
+    // Some are fetched when they come near, and taken out of the page when they are far.
+    places[i]?.scrollIntoView({ block: "nearest", behavior: "instant" });
     let timer: ReturnType<typeof setTimeout> | undefined;
     const late = new Promise<never>((_, reject) => {
       timer = setTimeout(() => reject(new Error(`not ready within ${limit} s`)), limit * 1000);
     });
-    await Promise.race([element.ready, late]);
+    const isBack = async () => {
+      while (!element.isConnected) await new Promise((resolve) => setTimeout(resolve, 20));
+      return element.ready;
+    };
+    await Promise.race([isBack(), late]);
     clearTimeout(timer);
     if (Number.isNaN(first)) first = performance.now() / 1000;
   }
