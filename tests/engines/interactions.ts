@@ -67,11 +67,12 @@ const TRIALS: Readonly<Record<string, (visitor: Visitor) => Promise<void>>> = {
     });
     await visitor.keyDown("KeyW");
     for (let i = 0; i < 8; i++) await visitor.press("KeyQ");
-    await visitor.until(() => (globalThis as unknown as Logged).log.frames.length > 40);
+    await visitor.until(() => (globalThis as unknown as Logged).log.frames.length > 60);
     await visitor.keyUp("KeyW");
     const { delays, frames } = await visitor.evaluate(() => (globalThis as unknown as Logged).log);
     const longest = Math.max(...delays);
-    const rate = ((frames.length - 1) * 1000) / (frames.at(-1)! - frames[0]!);
+    const times = frames.slice(1).map((time, i) => time - frames[i]!);
+    const rate = 1000 / times.toSorted((a, b) => a - b)[times.length >> 1]!;
     if (delays.length < 10 || longest > 250 || rate < 10) {
       throw new Error(
         `${delays.length} keys, ${longest.toFixed(0)} ms, ${rate.toFixed(1)} frames a second`,
