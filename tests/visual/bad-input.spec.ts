@@ -441,9 +441,16 @@ test("A thousand storms of nonsense in attributes and properties throw nothing, 
     await page.evaluate(() => {
       globalThis.contexts = contexts.filter((context) => !context.isContextLost()); // nobody else's
     });
-    await client.send("HeapProfiler.collectGarbage");
-    const { metrics } = await client.send("Performance.getMetrics");
-    return metrics.find(({ name }) => name === "JSEventListeners")?.value ?? Number.NaN;
+    // What ends in a later task is not yet garbage: the fewest of some collections count.
+    let fewest = Infinity;
+    for (let i = 0; i < 8; i++) {
+      await client.send("HeapProfiler.collectGarbage");
+      const { metrics } = await client.send("Performance.getMetrics");
+      const found = metrics.find(({ name }) => name === "JSEventListeners");
+      fewest = Math.min(fewest, found?.value ?? Number.NaN);
+      await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(resolve)));
+    }
+    return fewest;
   };
   await client.send("Performance.enable");
   // Another scene starts anew, and would have to be waited for each time: both have their share.

