@@ -56,7 +56,7 @@ const IGNORED_FRAMES = 3;
 const IGNORED = 0.5;
 /** A pixel of the load that takes longer than this is drawn by no GPU, seconds: they differ a hundredfold. */
 const SLOW_PIXEL = 3e-7;
-/** Most that anisotropic filtering may add to a frame of a million pixels under `auto`, seconds. */
+/** Most that anisotropic filtering may take in a frame of a million pixels under `auto`, seconds. */
 const CHEAP = 0.0015;
 /** Taps of anisotropic filtering for a pixel: albedo, normal, roughness. The load has as many as `TAPS`. */
 const ANISOTROPIC_SHARE = 3 / 32;
