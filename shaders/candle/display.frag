@@ -5,9 +5,9 @@
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "lib/photometry.glsl"
-#include "lib/display.glsl"
-#include "lib/adaptation.glsl"
-#include "lib/tone.glsl"
+#include "lib/srgb.glsl"
+#include "lib/chromatic-adaptation.glsl"
+#include "lib/tone-curve.glsl"
 
 uniform sampler2D uRadiance;
 uniform vec4 uHalo;  // centre of the light (x, y) and half height, in heights of the picture; strength

@@ -4,9 +4,9 @@
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "lib/photometry.glsl"
-#include "lib/ggx.glsl"
-#include "lib/relief.glsl"
-#include "physical/light.glsl"
+#include "lib/brdf.glsl"
+#include "lib/normal-map.glsl"
+#include "lib/flame-light.glsl"
 
 const float NEAREST = 0.01;  // a flame is no point, m
 

@@ -7,7 +7,7 @@ float luma(vec3 color) {
   return dot(color, vec3(0.2126729, 0.7151522, 0.0721750));
 }
 
-// What a surface as rough as wood or stone mirrors of light from all around: src/render/physical/reflectance.ts
+// What a surface as rough as wood or stone mirrors of light from all around: src/render/opaque/environment-brdf.ts
 // at roughness 0.65, averaged over the hemisphere.
 const float GLOSS = 0.04;
 

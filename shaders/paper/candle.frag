@@ -3,8 +3,8 @@
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "paper/light.glsl"
-#include "lib/relief.glsl"
-#include "lib/display.glsl"
+#include "lib/normal-map.glsl"
+#include "lib/srgb.glsl"
 
 const float AMBIENT = 0.5;
 const float SPECULAR = 0.3;

@@ -4,8 +4,8 @@
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "paper/light.glsl"
-#include "lib/relief.glsl"
-#include "lib/display.glsl"
+#include "lib/normal-map.glsl"
+#include "lib/srgb.glsl"
 
 const float SPECULAR = 0.5;
 const float EXPONENT = 16.0;

@@ -78,7 +78,7 @@ export function adaptedWhite(): Rgb {
   return whiteOf(ADAPTED_WHITE);
 }
 
-/** How much further than in nature a faint hue is shown from white; see shaders/lib/adaptation.glsl. */
+/** How much further than in nature a faint hue is shown from white; see shaders/lib/chromatic-adaptation.glsl. */
 export const VIVIDNESS = 1.6;
 
 /** CIE 1976 u'v' of linear Rec. 709. */

@@ -1,5 +1,5 @@
+import { type Tier, tierNamed } from "./quality.js";
 import type { Speed } from "./speed.js";
-import { type Tier, tierNamed } from "./tier.js";
 
 /** A step of quality: a tier, and the share of its resolution that is drawn. */
 export interface Rung {

@@ -1,7 +1,7 @@
 import type { Model } from "../assets/model.js";
 import type { ParticleLayer } from "../world/particle-layer.js";
 import type { World } from "../world/world.js";
-import type { View } from "./view.js";
+import type { View } from "./frame-settings.js";
 
 /** What a look's picture is made of. */
 export interface Models {

@@ -1,4 +1,4 @@
-import fullscreenVert from "../../shaders/physical/fullscreen.vert";
+import fullscreenVert from "../../shaders/post/fullscreen.vert";
 import loadFrag from "../../shaders/speed/load.frag";
 import type { Gpu } from "../gl/gpu.js";
 

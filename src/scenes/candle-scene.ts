@@ -1,6 +1,6 @@
 import { closeModel, type Model } from "../assets/model.js";
 import { readOwnModel } from "../assets/own-model.js";
-import { LoneCandleRenderer } from "../render/candle/lone-candle-renderer.js";
+import { LoneCandleRenderer } from "../render/lone-candle-renderer.js";
 import { STAGES } from "../world/stage.js";
 import type { Loading, Scene, SceneRequest } from "./scene.js";
 

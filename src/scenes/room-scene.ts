@@ -1,8 +1,8 @@
 import { nextTask } from "../gl/next-task.js";
-import { PaperRenderer } from "../render/paper/paper-renderer.js";
-import { DeferredRenderer } from "../render/physical/deferred-renderer.js";
-import { PhysicalRenderer, preparePhysicalRenderer } from "../render/physical/physical-renderer.js";
-import { uploadNextPicture } from "../render/surface.js";
+import { uploadNextPicture } from "../render/mesh/mesh.js";
+import { DeferredRenderer } from "../render/opaque/deferred-renderer.js";
+import { PaperRenderer } from "../render/paper-renderer.js";
+import { PhysicalRenderer, preparePhysicalRenderer } from "../render/physical-renderer.js";
 import { createRoom } from "../world/room.js";
 import { closeModels, loadModels, sourcesOf } from "./room-models.js";
 import type { Loading, Scene, SceneRequest } from "./scene.js";

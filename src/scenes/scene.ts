@@ -1,6 +1,6 @@
 import { AssetError } from "../assets/asset-error.js";
+import type { Tier } from "../render/quality.js";
 import type { Renderer } from "../render/renderer.js";
-import type { Tier } from "../render/tier.js";
 import type { Look, SceneName } from "../settings.js";
 import type { Room } from "../world/room.js";
 import type { Stage } from "../world/stage.js";

@@ -56,7 +56,7 @@ const PASS_ROUNDS: Readonly<Record<TierName, number>> = { low: 12, medium: 3, hi
 const MOST_COPIES = { stands: 16, walks: 16, smokes: 16 };
 /** Most copies of what burns and rises in it. */
 const MOST_FIRE = 4;
-const FIRE = ["physical/flame", "physical/haze", "physical/haze-copy", "physical/smoke"];
+const FIRE = ["volumetric/flame", "volumetric/haze", "volumetric/haze-copy", "volumetric/smoke"];
 
 for (const [quality, rounds] of Object.entries(PASS_ROUNDS) as [TierName, number][]) {
   test(`a frame at ${quality}, as a whole and pass by pass`, async ({ page }, info) => {

@@ -1,7 +1,11 @@
 import particleFrag from "../../shaders/paper/particle.frag";
 import particleVert from "../../shaders/paper/particle.vert";
 import { Gpu } from "../../src/gl/gpu.js";
-import { FEEDBACK, ParticleSystem, particleProgram } from "../../src/render/particle-system.js";
+import {
+  FEEDBACK,
+  ParticleSystem,
+  particleProgram,
+} from "../../src/render/volumetric/particle-system.js";
 import { GROUPS, type ParticleLayer } from "../../src/world/particle-layer.js";
 import { layerKey } from "../../src/world/particles.js";
 import { MEMORY, TICK, Timeline } from "../../src/world/timeline.js";

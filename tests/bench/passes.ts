@@ -1,7 +1,7 @@
 import type { CandleFlameElement, Quality } from "../../src/candle-flame-element.js";
 import { type Draw, Gpu } from "../../src/gl/gpu.js";
 import { GpuTimer } from "../../src/gl/gpu-timer.js";
-import { isSoftware } from "../../src/render/tier.js";
+import { isSoftware } from "../../src/render/quality.js";
 import { median } from "./statistics.js";
 
 export type TierName = Exclude<Quality, "auto">;

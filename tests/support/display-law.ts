@@ -2,7 +2,7 @@ import { adaptation, adaptedWhite, luma, type Rgb, VIVIDNESS } from "../../src/l
 import { TAPER } from "../../src/light/flame-light.ts";
 import { EXPOSURE_LAW } from "../../src/world/pupil.ts";
 
-/** What shaders/physical/display.frag makes of light, without glare: the numbers of its includes. */
+/** What shaders/post/display.frag makes of light, without glare: the numbers of its includes. */
 const METER = { columns: 32, rows: 18, taps: 4, darkest: 1e-4, surface: 3, flame: 6 };
 const GRADE = { faint: 0.95, strong: 1.4, beyond: 0.8 };
 const TONE = { contrast: 1.5, grey: 0.18, bleach: 0.053, mostBleach: 0.92, golden: [0.1, 0.45] };
@@ -22,7 +22,7 @@ function smoothstep(low: number, high: number, x: number): number {
   return share * share * (3 - 2 * share);
 }
 
-/** Factor by which the settled eye exposes a picture: shaders/physical/meter.glsl and exposure.frag. */
+/** Factor by which the settled eye exposes a picture: shaders/lib/metering.glsl and exposure.frag. */
 export function meteredExposure({ width, height, radiance }: Picture): number {
   const { columns, rows, taps, darkest, surface, flame } = METER;
   let sum = 0;
@@ -47,7 +47,7 @@ export function colorOf(radiance: ArrayLike<number>, pixel: number): Rgb {
   return [radiance[pixel * 3] ?? 0, radiance[pixel * 3 + 1] ?? 0, radiance[pixel * 3 + 2] ?? 0];
 }
 
-/** Linear colour of the screen, as shaders/lib/adaptation.glsl and tone.glsl make it of exposed light. */
+/** Linear colour of the screen, as shaders/lib/chromatic-adaptation.glsl and tone.glsl make it of exposed light. */
 export function shown(light: Rgb): Rgb {
   return toned(graded(map(light, (x, i) => Math.max(x, 0) * (GAINS[i] ?? 1))));
 }

@@ -1,10 +1,10 @@
-import displayFrag from "../../shaders/physical/display.frag";
-import displayVert from "../../shaders/physical/display.vert";
+import displayFrag from "../../shaders/post/display.frag";
+import displayVert from "../../shaders/post/display.vert";
 import { Gpu } from "../../src/gl/gpu.ts";
 import type { Texture } from "../../src/gl/texture.ts";
-import { BloomPass } from "../../src/render/physical/bloom-pass.ts";
-import { DisplayPass } from "../../src/render/physical/display-pass.ts";
-import { ExposurePass } from "../../src/render/physical/exposure-pass.ts";
+import { BloomPass } from "../../src/render/post/bloom-pass.ts";
+import { DisplayPass } from "../../src/render/post/display-pass.ts";
+import { ExposurePass } from "../../src/render/post/exposure-pass.ts";
 import { allFeatures, type Features } from "../../src/settings.ts";
 
 /** Linear Rec. 709, cd/m². */

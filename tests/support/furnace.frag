@@ -2,7 +2,7 @@
 // A surface in light of 1 cd/m² from all around: by the cosine of the eye's angle along x, roughness along y.
 // Out: radiance of a perfect mirror; of a white one under a clear layer; of what the first mirrors at all.
 #include "lib/precision.glsl"
-#include "lib/ggx.glsl"
+#include "lib/brdf.glsl"
 
 uniform sampler2D uReflectance;
 

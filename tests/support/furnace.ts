@@ -1,6 +1,6 @@
 import { Gpu } from "../../src/gl/gpu.ts";
 import type { ShaderSource } from "../../src/gl/program.ts";
-import { REFLECTANCES, tabulateReflectance } from "../../src/render/physical/reflectance.ts";
+import { REFLECTANCES, tabulateReflectance } from "../../src/render/opaque/environment-brdf.ts";
 
 /** What `furnace.frag` finds, three numbers for each of `size` x `size` surfaces. Runs in the browser. */
 export function furnace(vertex: ShaderSource, fragment: ShaderSource, size: number): number[] {

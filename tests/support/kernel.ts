@@ -1,5 +1,5 @@
 import { Gpu } from "../../src/gl/gpu.ts";
-import { ParticleSystem, particleProgram } from "../../src/render/particle-system.ts";
+import { ParticleSystem, particleProgram } from "../../src/render/volumetric/particle-system.ts";
 import { STILL } from "../../src/world/intent.ts";
 import { PAPER_LAYERS, type ParticleLayer } from "../../src/world/particle-layer.ts";
 import { FLOATS, layerKey, Particles } from "../../src/world/particles.ts";

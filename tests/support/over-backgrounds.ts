@@ -1,15 +1,15 @@
-import dustVert from "../../shaders/physical/dust.vert";
-import moteFrag from "../../shaders/physical/mote.frag";
+import dustVert from "../../shaders/volumetric/dust.vert";
+import moteFrag from "../../shaders/volumetric/mote.frag";
 import { type Box, type Draw, Gpu } from "../../src/gl/gpu.ts";
 import type { Texture } from "../../src/gl/texture.ts";
 import type { TextureView } from "../../src/gl/texture-view.ts";
 import { clipFromWorld, projectionScale } from "../../src/render/camera.ts";
-import { FEEDBACK } from "../../src/render/particle-system.ts";
-import { FlamePass } from "../../src/render/physical/flame-pass.ts";
-import type { IrradianceVolume } from "../../src/render/physical/indirect-pass.ts";
-import { lightBlock } from "../../src/render/physical/light-block.ts";
-import { MotesPass } from "../../src/render/physical/motes-pass.ts";
-import { SmokePass } from "../../src/render/physical/smoke-pass.ts";
+import type { IrradianceVolume } from "../../src/render/gi/indirect-pass.ts";
+import { lightBlock } from "../../src/render/light-block.ts";
+import { FlamePass } from "../../src/render/volumetric/flame-pass.ts";
+import { MotesPass } from "../../src/render/volumetric/motes-pass.ts";
+import { FEEDBACK } from "../../src/render/volumetric/particle-system.ts";
+import { SmokePass } from "../../src/render/volumetric/smoke-pass.ts";
 import type { Vec3 } from "../../src/world/bounds.ts";
 import { STILL } from "../../src/world/intent.ts";
 import { advance, createWorld } from "../../src/world/world.ts";
@@ -18,7 +18,7 @@ const [WIDTH, HEIGHT] = [160, 90];
 /** Where the eye is, from the flame's foot, m, and its field of view. */
 const EYE = [0, 0.04, 0.35] as const;
 const FIELD = 0.5;
-/** The camera's planes, m: shaders/physical/depth.glsl. */
+/** The camera's planes, m: shaders/lib/depth.glsl. */
 const [NEAR, FAR] = [0.05, 60];
 
 /** How a draw changes what is behind it, in all pixels that it touches. */
@@ -102,7 +102,7 @@ function fadingIn(repeater: Repeater, pixel: number, reach: number): number[] {
 
 /** A block as the passes' programs declare it. */
 function blockOf(gpu: Gpu, name: "Frame" | "Light" | "Volume") {
-  const dust = gpu.program("physical/dust", dustVert, moteFrag, { feedback: FEEDBACK });
+  const dust = gpu.program("volumetric/dust", dustVert, moteFrag, { feedback: FEEDBACK });
   return gpu.uniformBlock(dust, name);
 }
 

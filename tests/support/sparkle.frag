@@ -2,7 +2,7 @@
 // A shiny surface with ripples three pixels wide, in sixteen tiles that lie a sixteenth of a pixel apart.
 // Out: radiance as the relief widens the highlight; as if it did not; as 256 points of the pixel have it.
 #include "lib/precision.glsl"
-#include "lib/ggx.glsl"
+#include "lib/brdf.glsl"
 
 in vec2 vUv;
 

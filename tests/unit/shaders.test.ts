@@ -49,7 +49,7 @@ test.each(INCLUDED)("%s is never compiled alone", (file) => {
 
 test("the kernel and its twin count the same groups, and the same ticks in a pass", () => {
   const kernel = codeOf("shaders/particles/kernel.glsl");
-  const system = codeOf("src/render/particle-system.ts");
+  const system = codeOf("src/render/volumetric/particle-system.ts");
   expect(/\bGROUPS = (\d+)u;/.exec(kernel)?.[1]).toBe(String(GROUPS));
   const ticks = /\bMAX_TICKS = (\d+);/;
   expect(ticks.exec(kernel)?.[1]).toMatch(/^\d+$/);

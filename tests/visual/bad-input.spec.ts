@@ -296,7 +296,7 @@ test("A shader refused at a later change ends in a sentence and the poster, not 
     return { type: "shader", message, shown: message, isPosterShown: true, hasCanvas: false };
   };
   const tier = await failing("#define SHADOW_TAPS 8", "low");
-  expect(tier).toEqual(expected("physical/fullscreen.vert"));
+  expect(tier).toEqual(expected("post/fullscreen.vert"));
   await room.evaluate(async (element) => {
     element.remove();
     await new Promise((resolve) => setTimeout(resolve));

@@ -37,7 +37,7 @@ function drawnBy(page: Page, fragment: string, size: number): Promise<number[]> 
     },
     {
       module: "/tests/support/furnace.ts",
-      vertex: resolveShader(join(SHADERS, "physical/fullscreen.vert")),
+      vertex: resolveShader(join(SHADERS, "post/fullscreen.vert")),
       fragment: resolveShader(fragment),
       size,
     },
@@ -112,11 +112,9 @@ test("A mistake in an included file is reported by that file's own name and line
   page,
 }) => {
   const line = "  float peak = max(max(linear.r, linear.g), linear.b);";
-  const complaint = await complaintAbout(page, "lib/display.glsl", line, "  float peak = maxx(1);");
+  const complaint = await complaintAbout(page, "lib/srgb.glsl", line, "  float peak = maxx(1);");
   expect(complaint).toContain("ShaderError: broken SAMPLES=4 TAPS=12: ");
-  expect(complaint).toContain(
-    `shaders/lib/display.glsl:${lineNumber("lib/display.glsl", line)}: 'maxx'`,
-  );
+  expect(complaint).toContain(`shaders/lib/srgb.glsl:${lineNumber("lib/srgb.glsl", line)}: 'maxx'`);
 });
 
 test("A mistake after the includes is reported by the shader's own name and line", async ({

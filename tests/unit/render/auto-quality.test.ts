@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { AutoQuality, type Rung, WORK } from "../../../src/render/auto-quality.ts";
-import { tierNamed } from "../../../src/render/tier.ts";
+import { tierNamed } from "../../../src/render/quality.ts";
 
 const FRAME = 1 / 60;
 const PIXELS = 1280 * 720;

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import type { Model, Part } from "../../../src/assets/model.ts";
-import { lookAround, octahedral, SIGHT } from "../../../src/render/physical/probes.ts";
+import { lookAround, octahedral, SIGHT } from "../../../src/render/gi/probe-rays.ts";
 import type { Vec3 } from "../../../src/world/bounds.ts";
 import { Solid } from "../../../src/world/solid.ts";
 

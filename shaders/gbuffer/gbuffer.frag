@@ -1,0 +1,56 @@
+#version 300 es
+// What the eye sees of the room, without its light: kept for as long as the eye stays where it is.
+// In:  base colour (sRGB), normal, occlusion/roughness/metallic maps.
+// Out: root of the albedo, as the relief catches the light; how the surface lies, roughness, what it is,
+//      MOVING: as gbuffer/gbuffer-reduced.frag puts it, which is not ready yet.
+#include "lib/precision.glsl"
+#include "lib/frame.glsl"
+#include "lib/octahedral.glsl"
+#include "lib/normal-map.glsl"
+#include "lib/gbuffer.glsl"
+#include "lib/normal-map-shading.glsl"
+
+uniform sampler2D uAlbedo;
+uniform sampler2D uNormal;
+uniform sampler2D uOcclusionRoughness;
+uniform vec4 uBaseColor;
+uniform float uWax;
+#if MOVING
+uniform float uIsCarried;  // 1 or 0
+#endif
+uniform float uOcclusion;  // how much of the map's occlusion counts
+uniform vec4 uSurface;     // roughness, metallic, normal scale, alpha below which nothing is
+uniform vec3 uVantage;     // of the flame, m
+
+centroid in vec3 vPositionWorld;
+centroid in vec3 vNormalWorld;
+centroid in vec4 vTangentWorld;
+centroid in vec2 vUv;
+centroid in vec4 vColor;
+
+layout(location = 0) out vec4 oAlbedo;
+layout(location = 1) out vec4 oSurface;
+
+void main() {
+  vec4 baseColor = texture(uAlbedo, vUv) * uBaseColor;
+#if MASKED
+  if (baseColor.a < uSurface.w) discard;
+#endif
+  vec3 packed = texture(uOcclusionRoughness, vUv).rgb;
+  vec3 normal = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
+  float caught = 1.0;
+  if (frame.normalMaps > 0.5) {
+    vec3 relief = reliefNormal(uNormal, vUv, normal, vTangentWorld);
+    vec3 L = normalize(uVantage - vPositionWorld);
+    caught = caughtBy(dot(normal, L), dot(relief, L), uSurface.z);
+  }
+  float occlusion = mix(1.0, packed.r, uOcclusion) * vColor.r;
+  oAlbedo = vec4(sqrt(min(baseColor.rgb * paintedShare(occlusion, caught), 1.0)), 0.0);
+  float kind = uWax > 0.5 ? WAX : packed.b * uSurface.y * METAL;
+#if MOVING
+  oAlbedo.a = uIsCarried * CARRIED;
+  oSurface = passingSurface(normal, packed.g * uSurface.x, kind);
+#else
+  oSurface = vec4(onOctahedron(normal), clamp(packed.g * uSurface.x, 0.03, 1.0), kind);
+#endif
+}

@@ -1,0 +1,13 @@
+// The light of a pixel: its paint times the light around it.
+// Needs lib/flame-light.glsl, lib/gbuffer.glsl, and lib/upsample-guided.glsl or lib/upsample-bilateral.glsl.
+
+// cd/m².
+vec3 litFrom(vec4 painted, vec2 uv) {
+  vec4 root = texture(uLight, guided(uv, painted));
+  vec3 caught = painted.rgb * root.rgb;
+  return (BRIGHTEST * caught * caught + root.a * root.a) * light.intensity;
+}
+
+vec3 litAt(vec2 uv) {
+  return litFrom(texture(uPainted, uv), uv);
+}

@@ -1,0 +1,39 @@
+#version 300 es
+// The room's light as it is on the screen, straight away: the display's law is looked up in a table.
+// In:  paint, light, bloom.   Out: display colour; COARSE, in its alpha, what is carried.
+#include "lib/precision.glsl"
+#include "lib/srgb.glsl"
+#include "lib/flame-light.glsl"
+#include "lib/gbuffer.glsl"
+#if COARSE
+#include "lib/depth.glsl"
+#if KEPT
+#include "lib/reproject.glsl"
+#endif
+#include "lib/upsample-bilateral.glsl"
+#else
+#include "lib/upsample-guided.glsl"
+#endif
+#include "lib/composite.glsl"
+#include "lib/tone-lut.glsl"
+#include "lib/tone-lut-lookup.glsl"
+
+uniform sampler2D uBloom;
+uniform vec2 uHaloShift;   // from a place in the picture to the one in that of the bloom
+uniform vec3 uBalance;     // makes the candle's light white
+uniform float uScattered;  // share of the light that eye and lens scatter
+
+in vec2 vUv;
+flat in float vExposure;
+
+out vec4 oColor;
+
+void main() {
+  vec4 painted = texelFetch(uPainted, ivec2(gl_FragCoord.xy), 0);
+  vec3 radiance = litFrom(painted, vUv) + texture(uBloom, vUv + uHaloShift).rgb * uScattered;
+  vec3 exposed = max(radiance, 0.0) * uBalance * (vExposure / TABLE_LIGHT);
+  // What is brighter than the table keeps its hue.
+  exposed /= max(max(exposed.r, exposed.g), max(exposed.b, 1.0));
+  // The same noise for all channels.
+  oColor = vec4(tabled(exposed) + dither(gl_FragCoord.xy).r, COARSE == 1 ? painted.a : 1.0);
+}

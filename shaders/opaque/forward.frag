@@ -1,0 +1,162 @@
+#version 300 es
+// A solid surface in the flame's light.
+// In:  base colour (sRGB), normal, occlusion/roughness/metallic maps.   Out: radiance, cd/m².
+// Vertex colour is occlusion baked into the model (red), 1 where there is none.
+#include "lib/precision.glsl"
+#include "lib/frame.glsl"
+#include "lib/brdf.glsl"
+#include "lib/octahedral.glsl"
+#include "lib/normal-map.glsl"
+#include "lib/random.glsl"
+#include "lib/flame-light.glsl"
+#include "lib/pcss.glsl"
+#include "lib/surfels.glsl"
+#include "lib/distance-impostor.glsl"
+#include "lib/irradiance-volume.glsl"
+#include "lib/wax.glsl"
+
+// Levels of detail by which textures are read more sharply: each mixes more than its pixel sees.
+const float SHARPER = -0.5;
+
+// A flame is no point: nearer than this the inverse square would not hold. Metres.
+const float NEAREST = 0.01;
+
+// Less of the sky than this is seen from a crevice.
+const float OPEN = 0.9;
+// Roughness up to which a surface is a mirror, and from which it tells no more than probes do.
+const vec2 SMOOTH = vec2(0.1, 0.3);
+// What a room throws back of its light that has bounced.
+const float THROWN_BACK = 0.3;
+// What is nearer than probes are to each other: there is some of it even where nothing is occluded. It hides what
+// they see, and sends back light itself, up to so many times theirs. Fitted to a path tracer's bounced light.
+const float NEAR_ANYWHERE = 0.25;
+const float NEAR_HIDES = 0.31;
+const float NEAR_SENDS = 0.25;
+const float NEAR_MOST = 13.0;
+// They reach up into the light by so much, m, though the bottom may lie in their shadow.
+const float SIDES = 0.015;
+// The wick stands in the flame, which is on all of its sides: what reaches it through dark vapour.
+const float IN_FLAME = 0.05;
+
+uniform sampler2D uAlbedo;
+uniform sampler2D uNormal;
+uniform sampler2D uOcclusionRoughness;
+uniform sampler2D uReflectance;
+uniform sampler2D uUnseen;   // shares that relief leaves of light where it is too fine to be seen, by level
+uniform vec4 uBaseColor;
+uniform float uWax;     // 1: light from within, 0: none
+uniform float uOcclusion;  // how much of the map's occlusion counts
+uniform vec4 uShown;    // 1 or 0: shadows, bounced light, highlights; normals instead of all light
+uniform vec3 uEmber;    // radiance of the wick's glowing tip, cd/m²; black for all else
+uniform vec4 uSurface;  // roughness, metallic, normal scale, alpha below which nothing is
+
+// Where the pixel is covered: beyond the edge of a thin triangle nothing is known.
+centroid in vec3 vPositionWorld;
+centroid in vec3 vNormalWorld;
+centroid in vec4 vTangentWorld;
+centroid in vec2 vUv;
+centroid in vec4 vColor;
+
+out vec4 oRadiance;
+
+vec3 withRelief(vec3 surface) {
+  if (frame.normalMaps < 0.5) return surface;
+  vec3 relief = turnedBy(texture(uNormal, vUv, SHARPER).xy, surface, vTangentWorld);
+  return normalize(mix(surface, relief, uSurface.z));
+}
+
+// Shares of light from all around, and of the flame's, that relief leaves which is finer than a pixel.
+vec2 pastUnseen() {
+  if (frame.normalMaps < 0.5) return vec2(1.0);
+  vec2 texels = vec2(textureSize(uNormal, 0));
+  float inPixel = abs(determinant(mat2(dFdx(vUv) * texels, dFdy(vUv) * texels)));
+  float level = 0.5 * log2(max(inPixel, 1.0));
+  return textureLod(uUnseen, vec2((level + 0.5) / float(textureSize(uUnseen, 0).x), 0.5), 0.0).rg;
+}
+
+// How much of the flame a place sees past the room, candle and holder.
+float flameShare(vec3 position, vec3 facet) {
+  return visibleShare(position, facet, gl_FragCoord.xy) * pastCandle(position);
+}
+
+// Karis 2013, "Real Shading in Unreal Engine 4": the point of the capsule nearest to the mirrored
+// ray stands for all of it, and its width widens the highlight.
+vec3 towardsHighlight(vec3 toLight, vec3 mirrored) {
+  float along = dot(mirrored, toLight);
+  float steepness = dot(mirrored, light.along);
+  float offAxis = dot(toLight, light.along) - along * steepness;
+  float climb = clamp(-offAxis / max(1.0 - steepness * steepness, 1e-3), -light.halfHeight, light.halfHeight);
+  return toLight + light.along * climb;
+}
+
+void main() {
+  vec4 baseColor = texture(uAlbedo, vUv, SHARPER) * uBaseColor;
+  if (baseColor.a < uSurface.w) discard;
+  vec3 packed = texture(uOcclusionRoughness, vUv, SHARPER).rgb;
+  float occlusion = mix(1.0, packed.r, uOcclusion) * vColor.r;
+  float roughness = clamp(packed.g * uSurface.x, 0.03, 1.0);
+  float metallic = packed.b * uSurface.y;
+  vec3 surface = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
+  vec3 normal = withRelief(surface);
+  vec3 view = normalize(frame.eyePosition - vPositionWorld);
+  float NoV = max(abs(dot(normal, view)), 1e-3);
+
+  vec3 toLight = light.position - vPositionWorld;
+  float distanceSquared = max(dot(toLight, toLight), NEAREST * NEAREST);
+  vec3 L = toLight * inversesqrt(distanceSquared);
+  float NoL = max(dot(normal, L), 0.0);
+  vec3 facet = facetNormal(vPositionWorld);
+  facet = faceforward(facet, vPositionWorld - light.position, facet);
+  // Crevices are lit by what is beside them, so the flame's light counts there whichever way they face.
+  bool isCrevice = occlusion < OPEN;
+  float reached = NoL > 0.0 || isCrevice ? flameShare(vPositionWorld, facet) : 0.0;
+  float reachesSides = reached;
+  if (isCrevice && reached < 1.0) reachesSides = max(reached, flameShare(vPositionWorld + surface * SIDES, facet));
+  float inFlame = uEmber.r > 0.0 ? IN_FLAME : 0.0;
+  if (inFlame > 0.0) reached = 1.0;
+  vec3 free = light.intensity / distanceSquared;
+  vec3 passing = free * mix(1.0, reached, uShown.x);
+  vec3 passingSides = free * mix(1.0, reachesSides, uShown.x);
+  vec2 pastFine = pastUnseen();
+  vec3 irradiance = passing * max(NoL * pastRelief(surface, normal, L) * pastFine.y, inFlame);
+
+  vec3 highlight = towardsHighlight(toLight, reflect(-view, normal));
+  vec3 S = normalize(highlight);
+  vec3 H = normalize(S + view);
+  float alpha = widenedByRelief(roughness * roughness, normal);
+  float width = light.radius / max(length(highlight), NEAREST);
+  float widened = clamp(alpha + 0.5 * width, 0.0, 1.0);
+  float NoS = max(dot(normal, S), 0.0);
+  vec3 f0 = mix(vec3(0.04), baseColor.rgb, metallic);
+  vec3 fresnel = fresnelSchlick(f0, max(dot(S, H), 0.0));
+  float lobe = distributionGgx(widened, max(dot(normal, H), 0.0)) * visibilitySmith(alpha, NoV, NoS);
+  float narrowing = (alpha * alpha) / (widened * widened);
+  Mirroring mirroring = mirroringOf(uReflectance, f0, sqrt(alpha), NoV);
+  vec3 specular = fresnel * mirroring.boost * lobe * narrowing * NoS * passing * uShown.z;
+  // What the surface mirrors does not reach the matt layer below.
+  vec3 matt = baseColor.rgb * (1.0 - metallic) * (1.0 - mirroring.share);
+  vec3 diffuse = matt / PI * irradiance;
+  vec3 lifted = vPositionWorld + surface * 0.05;
+  Surroundings surroundings = surroundingsAt(lifted, normal, normal, reflect(-view, normal));
+  vec3 around = surroundings.one * light.intensity;
+  float near = 1.0 - occlusion + NEAR_ANYWHERE;
+  float unhidden = 1.0 - NEAR_HIDES * near;
+  // It is as bright as this place, and as far from the flame.
+  vec3 nearby = NEAR_SENDS * near * baseColor.rgb * passingSides;
+  nearby /= 1.0 + passingSides / max(NEAR_MOST * around, 1e-9);
+  vec3 bounced = (around * unhidden + nearby) * matt * (openToSky(surface, normal) * pastFine.x / PI);
+  // What is mirrored is the room around, as softly as it is known: a smooth surface tells more.
+  vec3 mirrored = (surroundings.other * light.intensity * unhidden + nearby) / PI;
+  float smoothness = 1.0 - smoothstep(SMOOTH.x, SMOOTH.y, roughness);
+  if (smoothness > 0.0) {
+    vec3 again = surroundings.other * (THROWN_BACK / PI);
+    vec3 seen = (mirroredRadiance(vPositionWorld + surface * 0.01, reflect(-view, normal)) + again) * light.intensity;
+    mirrored = mix(mirrored, seen, smoothness);
+  }
+  mirrored *= mirroring.share;
+  bounced = (bounced + mirrored * uShown.z) * uShown.y;
+  vec3 radiance = diffuse + specular + bounced + baseColor.rgb * waxGlow(vPositionWorld) * uWax;
+  radiance += uEmber * emberShare(vPositionWorld);
+  // A mirrored flame can be brighter than the largest half float, 65504.
+  oRadiance = vec4(uShown.w > 0.5 ? 0.5 + 0.5 * normal : min(radiance, 3e4), 1.0);
+}

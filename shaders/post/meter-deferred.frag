@@ -1,0 +1,24 @@
+#version 300 es
+// How bright each part of the picture is, the flame left out.
+// In:  paint, light.   Out: red: mean of log2 luminance; green: how much of the part that speaks for.
+#include "lib/precision.glsl"
+#include "lib/photometry.glsl"
+#include "lib/flame-light.glsl"
+#include "lib/gbuffer.glsl"
+#include "lib/upsample-guided.glsl"
+#include "lib/composite.glsl"
+
+vec3 radianceAt(vec2 uv) {
+  return litFrom(texelFetch(uPainted, ivec2(uv * vec2(textureSize(uPainted, 0))), 0), uv);
+}
+
+#include "lib/metering.glsl"
+
+in vec2 vUv;
+
+out vec4 oBrightness;
+
+void main() {
+  vec2 part = floor(gl_FragCoord.xy);
+  oBrightness = vec4(brightnessOfPart(part, gl_FragCoord.xy / vUv), 0.0, 1.0);
+}

@@ -1,0 +1,67 @@
+import { flameLight, TAPER } from "../light/flame-light.js";
+import { onGrid, vantage } from "../light/vantage.js";
+import type { Vec3 } from "../world/bounds.js";
+import type { World } from "../world/world.js";
+
+/** What of the chamberstick stands in its own light: heights above its foot and radii, metres. */
+const CANDLE = { rim: 0.2015, rimRadius: 0.0101, pan: 0.018, panRadius: 0.066 } as const;
+
+/** The flame as the shaders' `Light` block has it; a hidden candle stands in no light. */
+export function lightBlock(world: World, showsCandle: boolean) {
+  const { foot } = world.shown;
+  const { position, axis: along, halfHeight, intensity, radius } = flameLight(world, TAPER);
+  return {
+    position,
+    vantage: vantage(world.shown.flame, position),
+    halfHeight,
+    intensity,
+    radius,
+    along,
+    axis: [foot[0], foot[2]],
+    rim: foot[1] + CANDLE.rim,
+    rimRadius: showsCandle ? CANDLE.rimRadius : 0,
+    pan: foot[1] + CANDLE.pan,
+    panRadius: showsCandle ? CANDLE.panRadius : 0,
+  };
+}
+
+/** A light of 1 cd for each colour, where captures are made. */
+export interface LightAtVantage extends Readonly<Record<string, number | readonly number[]>> {
+  readonly position: Vec3;
+}
+
+/** Steps in which light on surfaces follows the flame, metres: less is not seen. */
+const LAMP_STEP = 0.0015;
+
+/** The same flame, 1 cd strong, as light on surfaces is worked out for: still while it hardly moves. */
+export function lampOf(world: World, showsCandle: boolean): LightAtVantage {
+  const light = lightBlock(world, showsCandle);
+  const step = (x: number) => Math.round(x / LAMP_STEP) * LAMP_STEP;
+  const [x, y, z] = light.position;
+  const along = light.along.map((share) => Math.round(share * 16) / 16);
+  const length = Math.hypot(...along) || 1;
+  return {
+    ...light,
+    position: [step(x), step(y), step(z)],
+    halfHeight: step(light.halfHeight),
+    intensity: [1, 1, 1],
+    radius: step(2 * light.radius) / 2,
+    along: along.map((share) => share / length),
+  };
+}
+
+/** The same flame as its captures see it: what flickers is taken to the grid that they are made on. */
+export function lightAtVantage(world: World, showsCandle: boolean): LightAtVantage {
+  const light = lightBlock(world, showsCandle);
+  return {
+    ...light,
+    position: light.vantage,
+    halfHeight: onGrid(light.halfHeight),
+    intensity: [1, 1, 1],
+    along: [0, 1, 0],
+    radius: onGrid(light.radius),
+    axis: light.axis.map(onGrid),
+    rim: onGrid(light.rim),
+    pan: onGrid(light.pan),
+  };
+}

@@ -1,0 +1,182 @@
+import displayFrag from "../../shaders/candle/display.frag";
+import surfaceFrag from "../../shaders/candle/surface.frag";
+import surfaceVert from "../../shaders/mesh/mesh.vert";
+import fullscreenVert from "../../shaders/post/fullscreen.vert";
+import type { Model } from "../assets/model.js";
+import type { Gpu } from "../gl/gpu.js";
+import type { Program } from "../gl/program.js";
+import type { RenderTarget } from "../gl/render-target.js";
+import type { UniformBlock } from "../gl/uniform-block.js";
+import type { VertexArray } from "../gl/vertex-array.js";
+import { adaptation, adaptedWhite, luma, VIVIDNESS } from "../light/color.js";
+import { emberRadiance, flameLight, TAPER } from "../light/flame-light.js";
+import type { World } from "../world/world.js";
+import { clipFromWorld, projectionScale } from "./camera.js";
+import type { View } from "./frame-settings.js";
+import { lightBlock } from "./light-block.js";
+import { frameCandle } from "./lone-candle-framing.js";
+import { type Surface, surfaceSampling, uploadModel } from "./mesh/mesh.js";
+import type { Tier } from "./quality.js";
+import type { Renderer } from "./renderer.js";
+import { FlamePass } from "./volumetric/flame-pass.js";
+
+/** From cd/m² to the display's scale. */
+const EXPOSURE = 5;
+/** The ring handle, along +X in the model, is turned towards the eye. */
+const HANDLE_TURN = -1.1;
+const NOTHING = [0, 0, 0, 0] as const;
+const NO_EMBER = [0, 0, 0] as const;
+
+/** What all lone candles on one context share. */
+interface Shared {
+  readonly surfaceProgram: Program;
+  readonly displayProgram: Program;
+  readonly frame: UniformBlock;
+  readonly light: UniformBlock;
+  readonly flame: FlamePass;
+  readonly candle: readonly Surface[];
+  readonly screen: VertexArray;
+}
+
+const shared = new WeakMap<Gpu, Shared>();
+
+function share(gpu: Gpu, model: Model): Shared {
+  const surfaceProgram = gpu.program("candle/surface", surfaceVert, surfaceFrag);
+  const made: Shared = {
+    surfaceProgram,
+    displayProgram: gpu.program("candle/display", fullscreenVert, displayFrag),
+    frame: gpu.uniformBlock(surfaceProgram, "Frame"),
+    light: gpu.uniformBlock(surfaceProgram, "Light"),
+    flame: new FlamePass(gpu),
+    candle: uploadModel(gpu, model),
+    screen: gpu.vertexArray("screen", { attributes: {}, count: 3 }),
+  };
+  shared.set(gpu, made);
+  return made;
+}
+
+/**
+ * The candle and its flame over nothing: a picture with alpha, for the page's own background.
+ *
+ * It draws to the lower left corner of the canvas, which it may share with others.
+ */
+export class LoneCandleRenderer implements Renderer {
+  readonly particles = 0;
+  readonly #gpu: Gpu;
+  readonly #tier: Tier;
+  readonly #shared: Shared;
+  readonly #adaptation = adaptation(TAPER.color);
+  #samples: RenderTarget | null = null;
+  #radiance: RenderTarget | null = null;
+  #size = { width: 1, height: 1 };
+
+  constructor(gpu: Gpu, model: Model, tier: Tier) {
+    this.#gpu = gpu;
+    this.#tier = tier;
+    this.#shared = shared.get(gpu) ?? share(gpu, model);
+  }
+
+  resize(width: number, height: number): void {
+    const { samples } = this.#tier;
+    this.dispose();
+    this.#size = { width, height };
+    const size = { width, height, color: ["RGBA16F"] as const, depth: "buffer" as const };
+    this.#samples =
+      samples > 1 ? this.#gpu.renderTarget({ label: "candle samples", ...size, samples }) : null;
+    this.#radiance = this.#gpu.renderTarget({ label: "candle radiance", ...size });
+  }
+
+  /** The body of the flame is no particles. */
+  follow(): void {}
+
+  render(world: World, { features, exposure }: View): void {
+    if (!this.#radiance) return;
+    const { frame, light, flame, displayProgram, screen } = this.#shared;
+    const target = this.#samples ?? this.#radiance;
+    const { width, height } = this.#size;
+    const { eye, pitch, fieldOfView } = frameCandle(width / height, world.flame.wick);
+    const clip = clipFromWorld(eye, 0, pitch, width / height, fieldOfView);
+    frame.update({
+      clipFromWorld: clip,
+      eyePosition: eye,
+      exposure: EXPOSURE * 2 ** exposure,
+      viewport: [width, height],
+      projectionScale: projectionScale(height),
+      normalMaps: features.normalMaps ? 1 : 0,
+    });
+    light.update(lightBlock(world, features.candle));
+    this.#gpu.clear(target, NOTHING);
+    if (features.candle) this.#drawCandle(target, world);
+    flame.render(target, frame, world, this.#tier.name);
+    if (this.#samples) this.#gpu.resolve(this.#samples, this.#radiance);
+    const { position, halfHeight, intensity } = flameLight(world, TAPER);
+    const [x, y] = project(clip, position);
+    const [, top] = project(clip, [position[0], position[1] + halfHeight, position[2]]);
+    const candela = luma(intensity);
+    this.#gpu.draw({
+      program: displayProgram,
+      target: "canvas",
+      viewport: [0, 0, width, height],
+      vertexArray: screen,
+      textures: { uRadiance: this.#radiance.color },
+      uniforms: {
+        uAdaptation: this.#adaptation,
+        uWhite: adaptedWhite(),
+        uVividness: VIVIDNESS,
+        uHalo: [x, y, Math.abs(top - y), features.bloom ? Math.min(candela, 2) * 0.55 : 0],
+        uHaloColor: [1, 0.72, 0.36],
+      },
+      blocks: { Frame: frame },
+    });
+  }
+
+  #drawCandle(target: RenderTarget, world: World): void {
+    const { surfaceProgram, candle, frame, light } = this.#shared;
+    const [x, y, z] = world.shown.foot;
+    const ember = emberRadiance(world.flame.ember);
+    for (const surface of candle) {
+      this.#gpu.draw({
+        program: surfaceProgram,
+        target,
+        vertexArray: surface.vertexArray,
+        textures: surface.textures,
+        sampling: surfaceSampling({ anisotropy: true }),
+        uniforms: {
+          uBaseColor: surface.baseColor,
+          uLamp: TAPER.color,
+          uPlace: [x, y, z, HANDLE_TURN],
+          uSurface: surface.parameters,
+          uOcclusion: surface.occlusionStrength,
+          uWax: surface.isWax ? 1 : 0,
+          uEmber: surface.isWick ? ember : NO_EMBER,
+        },
+        blocks: { Frame: frame, Light: light },
+        depth: "test-and-write",
+        cull: surface.isDoubleSided ? "none" : "back",
+      });
+    }
+  }
+
+  readRadiance(x: number, y: number, width: number, height: number): Float32Array {
+    if (!this.#radiance) return new Float32Array(width * height * 3);
+    return this.#gpu.readRadiance(this.#radiance, x, y, width, height);
+  }
+
+  /** Frees what is not shared. */
+  dispose(): void {
+    this.#samples?.dispose();
+    this.#radiance?.dispose();
+    this.#samples = null;
+    this.#radiance = null;
+  }
+}
+
+/** Where a place in the room is in the picture: shares of width and height, from the lower left. */
+function project(
+  clip: ArrayLike<number>,
+  [x, y, z]: readonly [number, number, number],
+): readonly [number, number] {
+  const row = (i: number) =>
+    (clip[i] ?? 0) * x + (clip[i + 4] ?? 0) * y + (clip[i + 8] ?? 0) * z + (clip[i + 12] ?? 0);
+  return [0.5 + (0.5 * row(0)) / row(3), 0.5 + (0.5 * row(1)) / row(3)];
+}

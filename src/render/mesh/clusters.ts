@@ -1,0 +1,260 @@
+import type { Part } from "../../assets/model.js";
+import type { Bounds, Vec3 } from "../../world/bounds.js";
+
+/** Triangles of a cluster: few enough to leave most of a room out, enough to be worth a draw. */
+const CLUSTER = 160;
+/** Cells along each axis when triangles are put in order of place. */
+const GRID = 1024;
+
+/** Numbers of a vertex: x, y, z in metres, and the place in the part's pictures. */
+export const VERTEX_SIZE = 5;
+
+/** Consecutive indices. */
+export interface Run {
+  readonly part: number;
+  readonly first: number;
+  readonly count: number;
+}
+
+/** Triangles of one part that lie together. */
+export interface Cluster extends Bounds, Run {}
+
+/** All triangles of a model in one mesh, by part and place, so that those out of sight can be left out. */
+export interface Clusters {
+  /** `VERTEX_SIZE` numbers each. */
+  readonly vertices: Float32Array;
+  readonly indices: Uint32Array;
+  readonly clusters: readonly Cluster[];
+}
+
+/**
+ * Merges a model's parts into clusters of triangles.
+ *
+ * @param detail what is smaller than this, metres, is melted into one point; 0 keeps everything
+ *
+ * Rossignac and Borrel 1993, "Multi-resolution 3D approximations for rendering complex scenes": vertices
+ * within one cell of a grid become their mean, and triangles that vanish are left out. Parts melt
+ * each for itself, so that a thing on a table does not sink into it.
+ */
+export function clusterTriangles(parts: readonly Part[], detail: number): Clusters {
+  const vertices: number[] = [];
+  const indices: number[] = [];
+  const clusters: Cluster[] = [];
+  for (const [part, source] of parts.entries()) {
+    const mesh = detail > 0 ? melt(source, detail) : source;
+    appendInOrder(mesh, part, { vertices, indices, clusters });
+  }
+  return { vertices: Float32Array.from(vertices), indices: Uint32Array.from(indices), clusters };
+}
+
+type Mesh = {
+  readonly positions: ArrayLike<number>;
+  readonly uvs: ArrayLike<number>;
+  /** Three to a triangle. */
+  readonly indices: ArrayLike<number>;
+};
+
+/** A mesh whose vertices are the means of those in each cell of a grid. */
+function melt({ positions, uvs, indices }: Mesh, detail: number): Mesh {
+  const known = new Map<number, number>();
+  const members: number[] = [];
+  const mean: { positions: number[]; uvs: number[] } = { positions: [], uvs: [] };
+  const vertexOf = new Uint32Array(positions.length / 3);
+  const add = (
+    sums: number[],
+    vertex: number,
+    from: ArrayLike<number>,
+    i: number,
+    size: number,
+  ) => {
+    for (let k = 0; k < size; k++) {
+      const before = sums[vertex * size + k] ?? 0;
+      const x = from[i * size + k] ?? 0;
+      sums[vertex * size + k] = before + (x - before) / (members[vertex] ?? 1);
+    }
+  };
+  for (let i = 0; i < vertexOf.length; i++) {
+    let key = 0;
+    // 17 bits for each axis: what lies beyond wraps around, into a cell of its own more often than not.
+    for (let axis = 0; axis < 3; axis++) {
+      key = key * 0x20000 + (Math.floor((positions[i * 3 + axis] ?? 0) / detail) & 0x1ffff);
+    }
+    const vertex = known.get(key) ?? members.length;
+    known.set(key, vertex);
+    members[vertex] = (members[vertex] ?? 0) + 1;
+    add(mean.positions, vertex, positions, i, 3);
+    add(mean.uvs, vertex, uvs, i, 2);
+    vertexOf[i] = vertex;
+  }
+  const corners: number[] = [];
+  const seen = new Set<number>();
+  for (let i = 0; i < indices.length; i += 3) {
+    const a = vertexOf[indices[i] ?? 0] ?? 0;
+    const b = vertexOf[indices[i + 1] ?? 0] ?? 0;
+    const c = vertexOf[indices[i + 2] ?? 0] ?? 0;
+    if (a === b || b === c || c === a) continue;
+    // Both sides of a board that melted together are one triangle.
+    const low = Math.min(a, b, c);
+    const high = Math.max(a, b, c);
+    const key = (low * 0x1ffff + (a + b + c - low - high)) * 0x1ffff + high;
+    if (seen.has(key)) continue;
+    seen.add(key);
+    corners.push(a, b, c);
+  }
+  return { ...mean, indices: corners };
+}
+
+/** Numbers of the triangles along a curve that keeps neighbours together (Morton 1966). */
+function orderByPlace({ positions, indices }: Mesh): Uint32Array {
+  const low = [0, 0, 0];
+  let longest = 1e-6;
+  for (let axis = 0; axis < 3; axis++) {
+    let least = Number.POSITIVE_INFINITY;
+    let most = Number.NEGATIVE_INFINITY;
+    for (let i = axis; i < positions.length; i += 3) {
+      least = Math.min(least, positions[i] ?? 0);
+      most = Math.max(most, positions[i] ?? 0);
+    }
+    low[axis] = least;
+    longest = Math.max(longest, most - least);
+  }
+  // The code, and under it the number: such keys are sorted without asking us about each pair.
+  const count = Math.floor(indices.length / 3);
+  const keys = new Float64Array(count);
+  for (let triangle = 0; triangle < count; triangle++) {
+    let code = 0;
+    for (let axis = 0; axis < 3; axis++) {
+      let sum = 0;
+      for (let k = 0; k < 3; k++)
+        sum += positions[(indices[triangle * 3 + k] ?? 0) * 3 + axis] ?? 0;
+      const share = (sum / 3 - (low[axis] ?? 0)) / longest;
+      code |= spread(Math.min(GRID - 1, Math.floor(share * GRID))) << axis;
+    }
+    keys[triangle] = code * count + triangle;
+  }
+  return Uint32Array.from(keys.sort(), (key) => key % count);
+}
+
+/** Ten bits, two zeros between each. */
+function spread(bits: number): number {
+  let x = bits;
+  x = (x | (x << 16)) & 0x030000ff;
+  x = (x | (x << 8)) & 0x0300f00f;
+  x = (x | (x << 4)) & 0x030c30c3;
+  return (x | (x << 2)) & 0x09249249;
+}
+
+/** Corners of the triangles, neighbours together, and the boxes around groups of them. */
+function inOrder(mesh: Mesh, part: number): { corners: Uint32Array; clusters: Cluster[] } {
+  const { positions, indices } = mesh;
+  const order = orderByPlace(mesh);
+  const corners = new Uint32Array(order.length * 3);
+  const clusters: Cluster[] = [];
+  for (let begin = 0; begin < order.length; begin += CLUSTER) {
+    const end = Math.min(begin + CLUSTER, order.length);
+    const min: Vec3 = [
+      Number.POSITIVE_INFINITY,
+      Number.POSITIVE_INFINITY,
+      Number.POSITIVE_INFINITY,
+    ];
+    const max: Vec3 = [
+      Number.NEGATIVE_INFINITY,
+      Number.NEGATIVE_INFINITY,
+      Number.NEGATIVE_INFINITY,
+    ];
+    for (let i = begin * 3; i < end * 3; i++) {
+      const corner = indices[(order[Math.floor(i / 3)] ?? 0) * 3 + (i % 3)] ?? 0;
+      corners[i] = corner;
+      for (const axis of [0, 1, 2] as const) {
+        const x = positions[corner * 3 + axis] ?? 0;
+        min[axis] = Math.min(min[axis], x);
+        max[axis] = Math.max(max[axis], x);
+      }
+    }
+    clusters.push({ part, min, max, first: begin * 3, count: (end - begin) * 3 });
+  }
+  return { corners, clusters };
+}
+
+/** Triangles of a part in an order in which those out of sight can be left out. */
+export interface Grouped {
+  readonly indices: Uint16Array | Uint32Array;
+  readonly clusters: readonly Cluster[];
+  /** Of all triangles, m². */
+  readonly area: number;
+}
+
+/** A part's own triangles, none left out, its vertices as they are. */
+export function groupTriangles(part: Part): Grouped {
+  const { corners, clusters } = inOrder(part, 0);
+  const indices = part.indices instanceof Uint16Array ? Uint16Array.from(corners) : corners;
+  return { indices, clusters, area: areaOf(part) };
+}
+
+function areaOf({ positions: p, indices }: Mesh): number {
+  let sum = 0;
+  for (let i = 0; i + 2 < indices.length; i += 3) {
+    const a = indices[i]! * 3;
+    const b = indices[i + 1]! * 3;
+    const c = indices[i + 2]! * 3;
+    const ex = p[b]! - p[a]!;
+    const ey = p[b + 1]! - p[a + 1]!;
+    const ez = p[b + 2]! - p[a + 2]!;
+    const fx = p[c]! - p[a]!;
+    const fy = p[c + 1]! - p[a + 1]!;
+    const fz = p[c + 2]! - p[a + 2]!;
+    const nx = ey * fz - ez * fy;
+    const ny = ez * fx - ex * fz;
+    const nz = ex * fy - ey * fx;
+    sum += Math.sqrt(nx * nx + ny * ny + nz * nz) / 2;
+  }
+  return sum;
+}
+
+/** Vertices are renumbered as they are first used, so that a cluster's lie together. */
+function appendInOrder(
+  mesh: Mesh,
+  part: number,
+  to: { vertices: number[]; indices: number[]; clusters: Cluster[] },
+): void {
+  const { positions, uvs } = mesh;
+  const { corners, clusters } = inOrder(mesh, part);
+  const renamed = new Int32Array(positions.length / 3).fill(-1);
+  const before = to.indices.length;
+  for (const corner of corners) {
+    if (renamed[corner] === -1) {
+      renamed[corner] = to.vertices.length / VERTEX_SIZE;
+      for (let k = 0; k < 3; k++) to.vertices.push(positions[corner * 3 + k] ?? 0);
+      for (let k = 0; k < 2; k++) to.vertices.push(uvs[corner * 2 + k] ?? 0);
+    }
+    to.indices.push(renamed[corner] ?? 0);
+  }
+  for (const cluster of clusters) {
+    to.clusters.push({ ...cluster, first: cluster.first + before });
+  }
+}
+
+/**
+ * Runs of what may be seen: clusters that follow each other make one.
+ *
+ * @param isByPart a run has one part
+ * @param gap indices of what is not seen that are worth less than another run
+ */
+export function runsOf(
+  clusters: readonly Cluster[],
+  isSeen: (box: Bounds) => boolean,
+  isByPart: boolean,
+  gap = 0,
+): Run[] {
+  const runs: { part: number; first: number; count: number }[] = [];
+  for (const cluster of clusters) {
+    if (!isSeen(cluster)) continue;
+    const { part, first, count } = cluster;
+    const last = runs.at(-1);
+    const isNear = last && first - (last.first + last.count) <= gap;
+    if (isNear && (last.part === part || !isByPart)) {
+      last.count = first + count - last.first;
+    } else runs.push({ part, first, count });
+  }
+  return runs;
+}

@@ -1,0 +1,182 @@
+import type { Material, Model, Part, Picture } from "../../assets/model.js";
+import type { Gpu } from "../../gl/gpu.js";
+import type { Texture, TextureFormat } from "../../gl/texture.js";
+import type { VertexArray, VertexArrayOptions } from "../../gl/vertex-array.js";
+import type { Cluster, Grouped } from "./clusters.js";
+
+/** Anisotropic filtering of a surface's textures: floors and walls are mostly seen at grazing angles. */
+const ANISOTROPIC = {
+  uAlbedo: { anisotropy: 8 },
+  uNormal: { anisotropy: 8 },
+  uOcclusionRoughness: { anisotropy: 8 },
+} as const;
+
+/** How a tier reads the textures of surfaces. */
+export function surfaceSampling({ anisotropy }: { readonly anisotropy: boolean }) {
+  return anisotropy ? ANISOTROPIC : {};
+}
+
+/** A part of a model on the GPU. */
+export interface Surface {
+  readonly name: string;
+  /** What it was made from. */
+  readonly part: Part;
+  readonly vertexArray: VertexArray;
+  /** Its triangles by place; none where nobody grouped them. */
+  readonly clusters: readonly Cluster[];
+  /** Of all its triangles, m²; 0 where nobody grouped them. */
+  readonly area: number;
+  readonly baseColor: readonly [number, number, number, number];
+  /** Roughness, metallic, scale of the relief, opacity below which there is nothing. */
+  readonly parameters: readonly [number, number, number, number];
+  /** How much of the map's occlusion counts, 0 to 1. */
+  readonly occlusionStrength: number;
+  readonly isDoubleSided: boolean;
+  /** Whether it has no pictures: all of it looks the same. */
+  readonly isPlain: boolean;
+  /** Whether light comes through it. */
+  readonly isWax: boolean;
+  /** Whether its tip glows. */
+  readonly isWick: boolean;
+  readonly textures: {
+    readonly uAlbedo: Texture;
+    readonly uNormal: Texture;
+    readonly uOcclusionRoughness: Texture;
+  };
+}
+
+/**
+ * Sends a model to the GPU, each picture once, and each model once for all renderers.
+ *
+ * @param group puts the triangles of a part in order
+ */
+export function uploadModel(
+  gpu: Gpu,
+  model: Model,
+  group?: (part: Part) => Grouped,
+): readonly Surface[] {
+  return gpu.share(model, () => upload(gpu, model, group));
+}
+
+/** The largest last: walls and floor are behind all else, and what is hidden need not be shaded. */
+export function behindLast(surfaces: readonly Surface[]): readonly Surface[] {
+  return surfaces.toSorted((a, b) => a.area - b.area);
+}
+
+function upload(gpu: Gpu, model: Model, group?: (part: Part) => Grouped): readonly Surface[] {
+  const plain = (label: string, ...texel: readonly [number, number, number]) =>
+    gpu.texture({
+      label,
+      format: "RGBA8",
+      source: { width: 1, height: 1, data: Uint8Array.of(...texel, 255) },
+    });
+  const white = plain("white", 255, 255, 255);
+  const flat = plain("flat normal", 128, 128, 255);
+  const uploadPart = (part: Part): Surface => {
+    const { material } = part;
+    const { albedo, normal, packed } = picturesOf(material);
+    const { indices, clusters, area } = group?.(part) ?? { ...part, clusters: [], area: 0 };
+    return {
+      name: part.name,
+      part,
+      vertexArray: uploadTriangles(gpu, { ...part, indices }),
+      clusters,
+      area,
+      baseColor: material.baseColor,
+      parameters: parametersOf(material),
+      // Where it lies apart from the other maps it is left out: shadows do its work.
+      occlusionStrength: material.occlusion ? 0 : material.occlusionStrength,
+      isDoubleSided: material.isDoubleSided,
+      isPlain: !albedo.source && !normal.source && !packed.source,
+      isWax: material.name === "wax" || material.name === "pool",
+      isWick: material.name === "wick",
+      textures: {
+        uAlbedo: textureOf(gpu, albedo) ?? white,
+        uNormal: textureOf(gpu, normal) ?? flat,
+        uOcclusionRoughness: textureOf(gpu, packed) ?? white,
+      },
+    };
+  };
+  return model.parts.map(uploadPart);
+}
+
+/** A material's picture, and how it is kept on the GPU. */
+interface Mapped {
+  readonly label: string;
+  readonly format: TextureFormat;
+  readonly source: Picture | null;
+}
+
+function picturesOf(material: Material): Record<"albedo" | "normal" | "packed", Mapped> {
+  const { name, albedo, normal, occlusionRoughnessMetallic: packed, metallic } = material;
+  return {
+    albedo: { label: `${name}/albedo`, format: "SRGB8_ALPHA8", source: albedo },
+    // Two channels: the third of a unit vector follows from them.
+    normal: { label: `${name}/normal`, format: channels(normal, "RG8"), source: normal },
+    // What is no metal needs no third channel.
+    packed: {
+      label: `${name}/occlusion`,
+      format: channels(packed, metallic > 0 ? "RGBA8" : "RG8"),
+      source: packed,
+    },
+  };
+}
+
+/** The texture of a picture, made once. */
+function textureOf(gpu: Gpu, { label, format, source }: Mapped): Texture | null {
+  if (!source) return null;
+  return gpu.share(source, () =>
+    gpu.texture({ label, format, source, mipmaps: true, wrap: "repeat" }),
+  );
+}
+
+/**
+ * Sends the next picture of a model to the GPU.
+ *
+ * @returns whether all of them are there
+ */
+export function uploadNextPicture(gpu: Gpu, { parts }: Model): boolean {
+  for (const { material } of parts) {
+    for (const mapped of Object.values(picturesOf(material))) {
+      if (!mapped.source || gpu.isShared(mapped.source)) continue;
+      textureOf(gpu, mapped);
+      return false;
+    }
+  }
+  return true;
+}
+
+// Pixels decoded in a script come with four channels, and WebGL does not repack those.
+function channels(picture: Picture | null, format: TextureFormat): TextureFormat {
+  return picture && "data" in picture ? "RGBA8" : format;
+}
+
+function parametersOf({ roughness, metallic, normalScale, alphaMode, alphaCutoff }: Material) {
+  const nothingBelow = alphaMode === "opaque" ? 0 : alphaMode === "mask" ? alphaCutoff : 0.5;
+  return [roughness, metallic, normalScale, nothingBelow] as const;
+}
+
+function uploadVertices(gpu: Gpu, part: Part): VertexArrayOptions["attributes"] {
+  const { name, positions, normals, tangents, uvs } = part;
+  const colors = part.colors ?? new Float32Array((positions.length / 3) * 4).fill(1);
+  return {
+    0: { buffer: gpu.buffer(`${name}/positions`, positions), size: 3 },
+    1: { buffer: gpu.buffer(`${name}/normals`, normals), size: 3 },
+    2: { buffer: gpu.buffer(`${name}/tangents`, tangents), size: 4 },
+    3: { buffer: gpu.buffer(`${name}/uvs`, uvs), size: 2 },
+    4: { buffer: gpu.buffer(`${name}/colors`, colors), size: 4 },
+  };
+}
+
+/** A part's vertices and triangles, as the shaders of surfaces read them. */
+export function uploadTriangles(gpu: Gpu, part: Part): VertexArray {
+  const { name, indices } = part;
+  return gpu.vertexArray(name, {
+    attributes: uploadVertices(gpu, part),
+    indices: {
+      buffer: gpu.buffer(`${name}/indices`, indices, "index"),
+      type: indices instanceof Uint16Array ? "uint16" : "uint32",
+    },
+    count: indices.length,
+  });
+}

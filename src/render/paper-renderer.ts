@@ -1,0 +1,241 @@
+import { mat4 } from "gl-matrix";
+import candleFrag from "../../shaders/paper/candle.frag";
+import candleVert from "../../shaders/paper/candle.vert";
+import particleFrag from "../../shaders/paper/particle.frag";
+import particleVert from "../../shaders/paper/particle.vert";
+import roomFrag from "../../shaders/paper/room.frag";
+import roomVert from "../../shaders/paper/room.vert";
+import type { Gpu, Surface as Target } from "../gl/gpu.js";
+import type { Program } from "../gl/program.js";
+import type { RenderTarget } from "../gl/render-target.js";
+import type { UniformBlock } from "../gl/uniform-block.js";
+import { candleLight } from "../light/candle-light.js";
+import type { Features } from "../settings.js";
+import { fieldOfViewOf } from "../world/field-of-view.js";
+import type { ParticleLayer } from "../world/particle-layer.js";
+import { layerKey } from "../world/particles.js";
+import type { World } from "../world/world.js";
+import { clipFromWorld, projectionScale } from "./camera.js";
+import type { View } from "./frame-settings.js";
+import { type Surface, surfaceSampling, uploadModel } from "./mesh/mesh.js";
+import type { Tier } from "./quality.js";
+import type { Models, Renderer } from "./renderer.js";
+import { FEEDBACK, ParticleSystem, particleProgram } from "./volumetric/particle-system.js";
+import { zoomOf } from "./zoom.js";
+
+/** The paper's light has no unit; this shows its white wall at arm's length just below white. */
+const EXPOSURE = 0.62;
+/** Light of one particle where it is brightest, in display units; without a gradient, its opacity. */
+const GLOW = { core: 0.2, haze: 0.012 } as const;
+const FLAT_GLOW = { core: 0.8, haze: 0.08 } as const;
+
+/**
+ * The paper's forward frame: room, candle, particles, straight to the screen's colours.
+ *
+ * "Dynamic Fire Effects Using OpenGL Rasterization Techniques": `paper` is its final product,
+ * `original` its "before".
+ */
+export class PaperRenderer implements Renderer {
+  readonly #gpu: Gpu;
+  readonly #tier: Tier;
+  readonly #frame: UniformBlock;
+  readonly #light: UniformBlock;
+  readonly #roomProgram: Program;
+  readonly #candleProgram: Program;
+  readonly #particlePrograms = new Map<string, Program>();
+  readonly #updateProgram: Program;
+  readonly #room: readonly Surface[];
+  readonly #candle: readonly Surface[];
+  #systems: ParticleSystem[] = [];
+  #clipFromWorld = mat4.create();
+  #target: RenderTarget | null = null;
+  #size = { width: 1, height: 1 };
+  /** From the paper's light to the screen's, in the last frame. */
+  #gain = EXPOSURE;
+
+  constructor(gpu: Gpu, { room, candle }: Models, tier: Tier) {
+    this.#gpu = gpu;
+    this.#tier = tier;
+    this.#roomProgram = gpu.program("paper/room", roomVert, roomFrag);
+    this.#candleProgram = gpu.program("paper/candle", candleVert, candleFrag);
+    this.#updateProgram = particleProgram(gpu);
+    this.#frame = gpu.uniformBlock(this.#roomProgram, "Frame");
+    this.#light = gpu.uniformBlock(this.#roomProgram, "Light");
+    this.#room = uploadModel(gpu, room);
+    this.#candle = uploadModel(gpu, candle);
+  }
+
+  /** The picture's size in pixels; the canvas has it already. */
+  resize(width: number, height: number): void {
+    this.#size = { width, height };
+    this.#target?.dispose();
+    const { samples } = this.#tier;
+    this.#target =
+      samples > 0
+        ? this.#gpu.renderTarget({
+            label: "frame",
+            width,
+            height,
+            color: ["RGBA8"],
+            depth: "buffer",
+            samples,
+          })
+        : null;
+  }
+
+  /** Other particles: those of a new world, or more of them. They catch up in the next frame. */
+  follow({ seed }: World, layers: readonly ParticleLayer[]): void {
+    for (const system of this.#systems) system.dispose();
+    this.#systems = layers.map(
+      (layer, i) => new ParticleSystem(this.#gpu, this.#updateProgram, layer, layerKey(seed, i)),
+    );
+  }
+
+  /** Particle slots at work in the last frame. */
+  get particles(): number {
+    return this.#systems.reduce((sum, { count }) => sum + count, 0);
+  }
+
+  render(world: World, view: View): void {
+    const gpu = this.#gpu;
+    const target = this.#target ?? "canvas";
+    const { features } = view;
+    this.#updateBlocks(world, view);
+    gpu.paintIn("srgb");
+    gpu.clear(target, [0, 0, 0, 1]);
+    this.#drawRoom(target);
+    if (features.candle) this.#drawCandle(target, world);
+    if (features.particles) this.#drawParticles(target, world, features);
+    if (this.#target) gpu.resolve(this.#target, "canvas");
+  }
+
+  #updateBlocks(world: World, { features, exposure, isStill }: View): void {
+    const { player, look, shown } = world;
+    this.#gain = EXPOSURE * 2 ** exposure;
+    const { width, height } = this.#size;
+    this.#clipFromWorld = clipFromWorld(
+      shown.eye,
+      player.yaw,
+      player.pitch,
+      width / height,
+      fieldOfViewOf(world),
+    );
+    this.#frame.update({
+      clipFromWorld: this.#clipFromWorld,
+      eyePosition: shown.eye,
+      exposure: this.#gain,
+      viewport: [width, height],
+      projectionScale: projectionScale(Math.min(width, height)) * zoomOf(world),
+      normalMaps: features.normalMaps && look === "paper" ? 1 : 0,
+    });
+    const light = candleLight(world, features, isStill);
+    this.#light.update({
+      position: light.position,
+      attenuates: light.attenuates ? 1 : 0,
+      color: light.color,
+      flatShading: look === "original" ? 1 : 0,
+    });
+  }
+
+  #drawRoom(target: Target): void {
+    for (const { vertexArray, textures, baseColor, occlusionStrength } of this.#room) {
+      this.#gpu.draw({
+        program: this.#roomProgram,
+        target,
+        vertexArray,
+        textures,
+        sampling: surfaceSampling(this.#tier),
+        uniforms: { uBaseColor: baseColor, uOcclusion: occlusionStrength },
+        blocks: { Frame: this.#frame, Light: this.#light },
+        depth: "test-and-write",
+      });
+    }
+  }
+
+  #drawCandle(target: Target, { shown, stage }: World): void {
+    const place = [shown.foot[0], shown.foot[1], shown.foot[2], stage.candleScale];
+    for (const { vertexArray, textures, baseColor, occlusionStrength } of this.#candle) {
+      this.#gpu.draw({
+        program: this.#candleProgram,
+        target,
+        vertexArray,
+        textures,
+        sampling: surfaceSampling(this.#tier),
+        uniforms: { uBaseColor: baseColor, uOcclusion: occlusionStrength, uWorldFromModel: place },
+        blocks: { Frame: this.#frame, Light: this.#light },
+        depth: "test-and-write",
+      });
+    }
+  }
+
+  #drawParticles(target: Target, world: World, features: Features): void {
+    const { stage, shown, look, remainder } = world;
+    const isFinal = look === "paper";
+    const hasGradient = isFinal && features.gradient;
+    const clipFromFlame = mat4.translate(mat4.create(), this.#clipFromWorld, shown.flame);
+    mat4.scale(clipFromFlame, clipFromFlame, [
+      stage.flameScale,
+      stage.flameScale,
+      stage.flameScale,
+    ]);
+    const { width, height } = this.#size;
+    const scale = projectionScale(Math.min(width, height)) * zoomOf(world);
+    const pixels = stage.flameScale * scale;
+    for (const system of this.#systems) {
+      const { size } = system.layer;
+      const name = system.layer.name === "haze" ? "haze" : "core";
+      if (name === "haze" ? !features.hazeLayer : !features.core) {
+        system.follow(world.timeline);
+        continue;
+      }
+      system.draw(world.timeline, {
+        program: this.#particleProgram(name === "haze", hasGradient),
+        target,
+        uniforms: {
+          uClipFromFlame: new Float32Array(clipFromFlame),
+          uSize: size * pixels,
+          uAhead: remainder,
+          uFading: isFinal ? 1 : 0,
+          uGlow: hasGradient ? GLOW[name] : FLAT_GLOW[name],
+        },
+        blend: "premultiplied",
+        depth: "test",
+        cull: "none",
+      });
+    }
+  }
+
+  /** Compiled at its first use: a look needs one or two of the four. */
+  #particleProgram(isHaze: boolean, hasGradient: boolean): Program {
+    const defines = { HAZE: isHaze ? 1 : 0, GRADIENT: hasGradient ? 1 : 0 };
+    const key = JSON.stringify(defines);
+    let program = this.#particlePrograms.get(key);
+    if (!program) {
+      const options = { defines, feedback: FEEDBACK };
+      program = this.#gpu.program("paper/particle", particleVert, particleFrag, options);
+      this.#particlePrograms.set(key, program);
+    }
+    return program;
+  }
+
+  /** There is no buffer of light here: the picture is decoded, and its exposure taken back. */
+  readRadiance(x: number, y: number, width: number, height: number): Float32Array {
+    const bytes = this.#gpu.readCanvas(x, this.#size.height - y - height, width, height);
+    const radiance = new Float32Array(width * height * 3);
+    for (let row = 0; row < height; row++) {
+      for (let column = 0; column < width; column++) {
+        const from = ((height - 1 - row) * width + column) * 4;
+        for (let channel = 0; channel < 3; channel++) {
+          const linear = decodeSrgb((bytes[from + channel] ?? 0) / 255);
+          radiance[(row * width + column) * 3 + channel] = linear / this.#gain;
+        }
+      }
+    }
+    return radiance;
+  }
+}
+
+/** IEC 61966-2-1. */
+function decodeSrgb(value: number): number {
+  return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
+}

@@ -1,0 +1,99 @@
+import displayFrag from "../../../shaders/post/display.frag";
+import displayVert from "../../../shaders/post/display.vert";
+import type { Box, Gpu } from "../../gl/gpu.js";
+import type { Program } from "../../gl/program.js";
+import type { Texture } from "../../gl/texture.js";
+import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { VertexArray } from "../../gl/vertex-array.js";
+import { adaptation, adaptedWhite, P3_FROM_RGB, type Rgb, VIVIDNESS } from "../../light/color.js";
+import { TAPER } from "../../light/flame-light.js";
+import { EXPOSURE_LAW } from "../../world/pupil.js";
+import type { View } from "../frame-settings.js";
+
+/** Share of the light that the eye and the lens scatter. */
+const SCATTERED = 0.0006;
+/** From cd/m² to the display's white, where nothing meters. */
+const FIXED_EXPOSURE = 2 ** EXPOSURE_LAW.stops;
+const ADAPTATION = adaptation(TAPER.color);
+const UNADAPTED: Rgb = [1, 1, 1];
+const WHITE = adaptedWhite();
+/** From linear Rec. 709 to the primaries of the screen, by columns. */
+const GAMUT: Readonly<Record<PredefinedColorSpace, readonly number[]>> = {
+  srgb: [1, 0, 0, 0, 1, 0, 0, 0, 1],
+  "display-p3": [0, 1, 2].flatMap((column) => P3_FROM_RGB.map((row) => row[column] ?? 0)),
+};
+
+/** Share of the light that this view scatters. */
+export function scatteredIn({ features }: Pick<View, "features">): number {
+  return features.bloom ? SCATTERED : 0;
+}
+
+/** What metered stops, or none, are multiplied with: `Frame.exposure`. */
+export function exposureIn({ features, exposure }: View): number {
+  return 2 ** exposure * (features.autoExposure ? 1 : FIXED_EXPOSURE);
+}
+
+/** Uniforms of `lib/display-transform.glsl`, for a canvas that from now on has these primaries. */
+export function displayLaw(gpu: Gpu, { features, gamut }: Pick<View, "features" | "gamut">) {
+  return {
+    uAdaptation: features.adaptation ? ADAPTATION : UNADAPTED,
+    uWhite: features.adaptation ? WHITE : TAPER.color,
+    uVividness: features.adaptation ? VIVIDNESS : 0,
+    uTone: features.toneMap ? 1 : 0,
+    uGamut: GAMUT[gpu.paintIn(gamut)],
+  };
+}
+
+export type DisplayLaw = ReturnType<typeof displayLaw>;
+
+/** Where a bloom lies on the picture. */
+export interface BloomPlace {
+  /** Of its texture that the picture fills. */
+  readonly share: readonly [number, number];
+  /** What has to be added to a place in the picture, as shares of it. */
+  readonly shift: readonly [number, number];
+}
+
+/** The end of the picture's light: from cd/m² to the canvas. */
+export class DisplayPass {
+  readonly #gpu: Gpu;
+  readonly #program: Program;
+  readonly #screen: VertexArray;
+
+  /** @param isTabled whether most of it is looked up in a table, `uTable` */
+  constructor(gpu: Gpu, screen: VertexArray, isTabled = false) {
+    this.#gpu = gpu;
+    this.#screen = screen;
+    const defines = { TABLED: isTabled ? 1 : 0 };
+    this.#program = gpu.program("post/display", displayVert, displayFrag, { defines });
+  }
+
+  /**
+   * @param exposure one texel, stops
+   * @param scissor part of the picture; all of it if absent
+   */
+  render(
+    textures: Readonly<Record<"uRadiance" | "uBloom" | "uExposure", Texture>> & {
+      readonly uTable?: Texture;
+    },
+    { share, shift }: BloomPlace,
+    view: Pick<View, "features" | "gamut">,
+    frame: UniformBlock,
+    scissor?: Box,
+  ): void {
+    this.#gpu.draw({
+      program: this.#program,
+      target: "canvas",
+      vertexArray: this.#screen,
+      textures,
+      uniforms: {
+        ...displayLaw(this.#gpu, view),
+        uMetered: view.features.autoExposure ? 1 : 0,
+        uBloomPlace: [...share, share[0] * shift[0], share[1] * shift[1]],
+        uScattered: scatteredIn(view),
+      },
+      blocks: { Frame: frame },
+      scissor,
+    });
+  }
+}

@@ -1,0 +1,71 @@
+import displayVert from "../../../shaders/post/display.vert";
+import inspectFrag from "../../../shaders/post/inspect.frag";
+import type { Gpu } from "../../gl/gpu.js";
+import type { Program } from "../../gl/program.js";
+import type { Texture } from "../../gl/texture.js";
+import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { VertexArray } from "../../gl/vertex-array.js";
+import { adaptation } from "../../light/color.js";
+import { TAPER } from "../../light/flame-light.js";
+import type { Inspection } from "../../settings.js";
+import type { View } from "../frame-settings.js";
+import type { IrradianceVolume } from "../gi/indirect-pass.js";
+
+/** Textures that a frame has left. */
+export type Passes = Readonly<
+  Record<"uRadiance" | "uBloom" | "uExposure" | "uDepth" | "uShadow", Texture>
+>;
+
+/** Ways of showing, as `post/inspect.frag` counts them. */
+const VIEWS: Readonly<Record<Exclude<Inspection, "picture">, number>> = {
+  radiance: 0,
+  exposure: 1,
+  bloom: 2,
+  depth: 3,
+  "shadow-cube": 4,
+  "irradiance-volume": 5,
+  soot: 6,
+  blue: 6,
+  temperature: 7,
+  normals: 8,
+  haze: 8,
+};
+/** Luminance that is shown white where only a part of the flame is seen, cd/m². */
+const BRIGHTEST = { soot: 12_000, blue: 80 } as const;
+
+const ADAPTATION = adaptation(TAPER.color);
+
+/** Shows what a pass has left, instead of the picture. */
+export class InspectPass {
+  readonly #gpu: Gpu;
+  readonly #program: Program;
+  readonly #screen: VertexArray;
+
+  constructor(gpu: Gpu, screen: VertexArray) {
+    this.#gpu = gpu;
+    this.#screen = screen;
+    this.#program = gpu.program("post/inspect", displayVert, inspectFrag);
+  }
+
+  render(
+    { inspect, features }: Pick<View, "inspect" | "features">,
+    passes: Passes,
+    volume: IrradianceVolume,
+    blocks: Readonly<Record<"Frame" | "Light", UniformBlock>>,
+  ): void {
+    if (inspect === "picture") return;
+    this.#gpu.draw({
+      program: this.#program,
+      target: "canvas",
+      vertexArray: this.#screen,
+      textures: { ...passes, uVolume: volume.textures.uVolume },
+      uniforms: {
+        uView: VIEWS[inspect],
+        uAdaptation: ADAPTATION,
+        uMetered: features.autoExposure ? 1 : 0,
+        uBrightest: inspect === "blue" ? BRIGHTEST.blue : BRIGHTEST.soot,
+      },
+      blocks: { ...blocks, Volume: volume.block },
+    });
+  }
+}

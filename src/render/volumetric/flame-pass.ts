@@ -1,0 +1,114 @@
+import flameFrag from "../../../shaders/volumetric/flame.frag";
+import flameVert from "../../../shaders/volumetric/flame.vert";
+import type { Gpu } from "../../gl/gpu.js";
+import type { Program } from "../../gl/program.js";
+import type { RenderTarget } from "../../gl/render-target.js";
+import type { Texture } from "../../gl/texture.js";
+import type { TextureView } from "../../gl/texture-view.js";
+import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { VertexArray } from "../../gl/vertex-array.js";
+import { BODY_SIZE, outline } from "../../light/flame-body.js";
+import { TAPER } from "../../light/flame-light.js";
+import { BALLS, createShape, shapeFlame } from "../../light/flame-shape.js";
+import type { Vec3 } from "../../world/bounds.js";
+import type { World } from "../../world/world.js";
+import type { Tier } from "../quality.js";
+
+/** What of the flame is drawn. */
+export type FlamePart = "all" | "soot" | "blue";
+
+/** Steps of the march through the flame. */
+export const STEPS: Readonly<Record<Tier["name"], number>> = {
+  low: 12,
+  medium: 24,
+  high: 40,
+  ultra: 64,
+};
+
+/** The ring handle, along +X in the model, is turned towards the visitor's right hand. */
+export const HANDLE_TURN = -1.1;
+/** Tip of the wick from the foot of the flame, in the model's frame, m. */
+const WICK_TIP = [0.0026, 0.0067, 0.0003] as const;
+/** Corners of the hull: six sides, two triangles each, between rings around the balls and its ends. */
+const CORNERS = (BALLS + 1) * 6 * 6;
+
+/** Soot is brighter than the largest half float: where a table is of halves, it holds so much less. */
+const HALVED = 256;
+
+/** The flame's body, gathered along each pixel's ray within a hull around it. */
+export class FlamePass {
+  readonly #gpu: Gpu;
+  readonly #program: Program;
+  readonly #flame: UniformBlock;
+  readonly #body: Texture;
+  readonly #outline: Texture;
+  readonly #hull: VertexArray;
+  readonly #shape = createShape();
+  /** From what the table holds to what is meant. */
+  readonly #scale: number;
+
+  constructor(gpu: Gpu) {
+    this.#gpu = gpu;
+    this.#program = gpu.program("volumetric/flame", flameVert, flameFrag);
+    this.#flame = gpu.uniformBlock(this.#program, "Flame");
+    this.#scale = gpu.filtersFloats ? 1 : HALVED;
+    this.#body = gpu.texture({
+      label: "flame/body",
+      format: gpu.filtersFloats ? "RGBA32F" : "RGBA16F",
+      source: { ...BODY_SIZE, data: TAPER.texels.map((x) => x / this.#scale) },
+    });
+    this.#outline = gpu.texture({
+      label: "flame/outline",
+      format: gpu.filtersFloats ? "R32F" : "R16F",
+      source: {
+        width: BODY_SIZE.height,
+        height: 1,
+        data: Float32Array.from({ length: BODY_SIZE.height }, (_, i) =>
+          outline((i + 0.5) / BODY_SIZE.height),
+        ),
+      },
+    });
+    this.#hull = gpu.vertexArray("flame/hull", { attributes: {}, count: CORNERS });
+  }
+
+  /** Radiance is added to the target, behind what stands in front of the flame. */
+  render(
+    target: RenderTarget | TextureView,
+    frame: UniformBlock,
+    world: World,
+    tier: Tier["name"],
+    part: FlamePart = "all",
+  ): void {
+    const shape = shapeFlame(world.flame, TAPER, this.#shape);
+    if (!(shape.soot + shape.blue > 0)) return;
+    this.#flame.update({
+      base: world.shown.flame,
+      steps: STEPS[tier],
+      wick: wickTip(world),
+      top: shape.top,
+      extent: shape.length,
+      radius: shape.radius,
+      soot: part === "blue" ? 0 : shape.soot * this.#scale,
+      blue: part === "soot" ? 0 : shape.blue * this.#scale,
+      "nodes[0]": shape.nodes,
+      "balls[0]": shape.balls,
+    });
+    this.#gpu.draw({
+      program: this.#program,
+      target,
+      vertexArray: this.#hull,
+      textures: { uBody: this.#body, uOutline: this.#outline },
+      blocks: { Frame: frame, Flame: this.#flame },
+      blend: "premultiplied",
+      depth: "test",
+    });
+  }
+}
+
+/** The tip from the foot of the flame, as the candle is turned. Metres. */
+function wickTip({ candle }: World): Vec3 {
+  const [x, y, z] = WICK_TIP;
+  const sin = Math.sin(candle.yaw + HANDLE_TURN);
+  const cos = Math.cos(candle.yaw + HANDLE_TURN);
+  return [cos * x + sin * z, y, cos * z - sin * x];
+}

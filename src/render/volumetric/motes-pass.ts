@@ -1,0 +1,80 @@
+import dustVert from "../../../shaders/volumetric/dust.vert";
+import moteFrag from "../../../shaders/volumetric/mote.frag";
+import sparkVert from "../../../shaders/volumetric/spark.vert";
+import type { Gpu } from "../../gl/gpu.js";
+import type { Program, UniformValue } from "../../gl/program.js";
+import type { UniformBlock } from "../../gl/uniform-block.js";
+import { sootRadiance } from "../../light/soot.js";
+import type { ParticleLayer } from "../../world/particle-layer.js";
+import { layerKey } from "../../world/particles.js";
+import type { World } from "../../world/world.js";
+import type { IrradianceVolume } from "../gi/indirect-pass.js";
+import { FEEDBACK, ParticleSystem, particleProgram } from "./particle-system.js";
+import type { Veil } from "./volumetric-target.js";
+
+/** Kelvin of a droplet of burning wax, from birth to death. */
+const COOLING = [1850, 1700, 1500, 1300, 1100, 1000];
+const GLOW = Float32Array.from(COOLING.flatMap((temperature) => [...sootRadiance(temperature)]));
+
+/** Dust in the light, and sparks that the wick spits: particles too small for anything but points. */
+export class MotesPass {
+  readonly #gpu: Gpu;
+  readonly #update: Program;
+  readonly #dust: Program;
+  readonly #spark: Program;
+  #systems: ParticleSystem[] = [];
+
+  constructor(gpu: Gpu) {
+    this.#gpu = gpu;
+    this.#update = particleProgram(gpu);
+    this.#dust = gpu.program("volumetric/dust", dustVert, moteFrag, { feedback: FEEDBACK });
+    this.#spark = gpu.program("volumetric/spark", sparkVert, moteFrag, {
+      defines: { GLOWS: COOLING.length },
+      feedback: FEEDBACK,
+    });
+  }
+
+  /** Slots at work in the last frame. */
+  get particles(): number {
+    return this.#systems.reduce((sum, { count }) => sum + count, 0);
+  }
+
+  /** Other particles: those of a new world, or more of them. */
+  follow({ seed }: World, layers: readonly ParticleLayer[]): void {
+    for (const system of this.#systems) system.dispose();
+    this.#systems = layers.map(
+      (layer, i) => new ParticleSystem(this.#gpu, this.#update, layer, layerKey(seed, i)),
+    );
+  }
+
+  /** Mixes the motes of a kind into a veil's radiance. Who is not drawn catches up when it is. */
+  render(
+    name: "dust" | "spark",
+    { target, depth }: Veil,
+    world: World,
+    frame: UniformBlock,
+    light: UniformBlock,
+    volume: IrradianceVolume,
+  ): void {
+    const system = this.#systems.find(({ layer }) => layer.name === name);
+    if (!system) return;
+    const [x, y, z] = world.emitter; // what stays behind knows of no hand that moves on
+    const { flameScale } = world.stage;
+    const uniforms: Record<string, UniformValue> = {
+      uEmitter: [x, y, z, flameScale],
+      uSize: system.layer.size * flameScale,
+      uAhead: world.remainder,
+    };
+    if (name === "spark") uniforms.uGlow = GLOW;
+    const isDust = name === "dust";
+    system.draw(world.timeline, {
+      program: isDust ? this.#dust : this.#spark,
+      target,
+      textures: { uDepth: depth, ...(isDust ? volume.textures : {}) },
+      uniforms,
+      blocks: { Frame: frame, ...(isDust ? { Light: light, Volume: volume.block } : {}) },
+      blend: "premultiplied",
+      cull: "none",
+    });
+  }
+}
