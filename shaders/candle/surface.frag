@@ -16,7 +16,7 @@ uniform sampler2D uOcclusionRoughness;
 uniform vec4 uBaseColor;
 uniform vec3 uLamp;        // colour that the eye is used to, luma 1
 uniform float uWax;        // 1: light from within, 0: none
-uniform float uOcclusion;  // how much of the map's occlusion counts
+uniform float uOcclusionStrength;  // how much of the map's occlusion counts
 uniform vec3 uEmber;       // radiance of the wick's glowing tip, cd/m²; black for all else
 uniform vec4 uSurface;     // roughness, metallic, normal scale, alpha below which nothing is
 
@@ -50,12 +50,12 @@ void main() {
   vec4 baseColor = texture(uAlbedo, vUv) * uBaseColor;
   if (baseColor.a < uSurface.w) discard;
   vec3 packed = texture(uOcclusionRoughness, vUv).rgb;
-  float occlusion = mix(1.0, packed.r, uOcclusion) * vColor.r;
+  float occlusion = mix(1.0, packed.r, uOcclusionStrength) * vColor.r;
   float roughness = clamp(packed.g * uSurface.x, 0.03, 1.0);
   float metallic = packed.b * uSurface.y;
   vec3 normal = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
   if (frame.normalMaps > 0.5) {
-    normal = normalize(mix(normal, reliefNormal(uNormal, vUv, normal, vTangentWorld), uSurface.z));
+    normal = normalize(mix(normal, perturbedNormal(uNormal, vUv, normal, vTangentWorld), uSurface.z));
   }
   vec3 view = normalize(frame.eyePosition - vPositionWorld);
   float NoV = max(abs(dot(normal, view)), 1e-3);
@@ -64,7 +64,7 @@ void main() {
   vec3 L = toLight * inversesqrt(distanceSquared);
   float NoL = max(dot(normal, L), 0.0);
   vec3 H = normalize(L + view);
-  vec3 irradiance = light.intensity * (pastCandle(vPositionWorld) * NoL / distanceSquared);
+  vec3 irradiance = light.intensity * (candleVisibility(vPositionWorld) * NoL / distanceSquared);
   float alpha = roughness * roughness;
   float width = light.radius * inversesqrt(distanceSquared);
   float widened = clamp(alpha + 0.5 * width, 0.0, 1.0);

@@ -9,7 +9,7 @@
 #include "lib/normal-map-shading.glsl"
 
 uniform sampler2D uOcclusionRoughness;
-uniform float uOcclusion;  // how much of the map's occlusion counts
+uniform float uOcclusionStrength;  // how much of the map's occlusion counts
 #endif
 
 uniform sampler2D uAlbedo;
@@ -22,7 +22,7 @@ void main() {
   vec4 albedo = texture(uAlbedo, vUv);
 #if BAKED
   vec2 packed = texture(uOcclusionRoughness, vUv).rg;
-  float share = paintedShare(mix(1.0, packed.r, uOcclusion), 1.0) * BRIGHTEST;
+  float share = shadedAlbedoScale(mix(1.0, packed.r, uOcclusionStrength), 1.0) * ALBEDO_SCALE;
   oRoot = vec4(sqrt(albedo.rgb * share), packed.g);
 #else
   oRoot = vec4(sqrt(albedo.rgb), albedo.a);

@@ -1,24 +1,24 @@
 #version 300 es
 // What gbuffer/gbuffer.frag finds out, for a picture among many: with half of the work.
 // In:  root of the base colour, normal map; where something is metal or cut out, and the root is not
-//      BAKED, occlusion/roughness/metallic map. What is PLAIN, and so BAKED, has no maps.
+//      BAKED, occlusion/roughness/metallic map. What is UNTEXTURED, and so BAKED, has no maps.
 // Out: root of the albedo, as the relief catches the light; how the surface lies, roughness, what it is.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "lib/gbuffer.glsl"
 #include "lib/normal-map-shading.glsl"
 
-#if !PLAIN
-uniform sampler2D uRoot;
+#if !UNTEXTURED
+uniform sampler2D uGamma2Albedo;
 uniform sampler2D uNormal;
 #endif
 uniform vec4 uBaseColor;   // its root
 uniform float uWax;
-uniform float uIsCarried;  // 1 or 0
+uniform float uIsHeld;  // 1 or 0
 uniform vec4 uSurface;     // roughness, metallic, normal scale, alpha below which nothing is
 #if !BAKED
 uniform sampler2D uOcclusionRoughness;
-uniform float uOcclusion;  // how much of the map's occlusion counts
+uniform float uOcclusionStrength;  // how much of the map's occlusion counts
 #endif
 
 in vec3 vNormalWorld;
@@ -29,21 +29,21 @@ layout(location = 0) out vec4 oAlbedo;
 layout(location = 1) out vec4 oSurface;
 
 void main() {
-#if PLAIN
+#if UNTEXTURED
   const vec4 root = vec4(1.0);
   const vec3 packed = vec3(1.0);
   float occlusion = vUvAndOcclusion.z;
 #else
-  vec4 root = texture(uRoot, vUvAndOcclusion.xy);
+  vec4 root = texture(uGamma2Albedo, vUvAndOcclusion.xy);
 #if BAKED
   vec3 packed = vec3(1.0, root.a, 0.0);
   float occlusion = vUvAndOcclusion.z;
 #else
-#if MASKED
+#if ALPHA_TESTED
   if (root.a * uBaseColor.a < uSurface.w) discard;
 #endif
   vec3 packed = texture(uOcclusionRoughness, vUvAndOcclusion.xy).rgb;
-  float occlusion = mix(1.0, packed.r, uOcclusion) * vUvAndOcclusion.z;
+  float occlusion = mix(1.0, packed.r, uOcclusionStrength) * vUvAndOcclusion.z;
 #endif
 #endif
   float side = gl_FrontFacing ? 1.0 : -1.0;
@@ -51,15 +51,15 @@ void main() {
   if (frame.normalMaps > 0.5) {
     vec3 L = vToFlame * inversesqrt(dot(vToFlame, vToFlame));
     L.z *= side;
-#if PLAIN
-    caught = caughtBy(L.z, L.z, 0.0);
+#if UNTEXTURED
+    caught = normalMapShading(L.z, L.z, 0.0);
 #else
     vec2 slope = texture(uNormal, vUvAndOcclusion.xy).xy * 2.0 - 1.0;
     float up = sqrt(max(1.0 - dot(slope, slope), 0.0));
-    caught = caughtBy(L.z, dot(slope, L.xy) + up * L.z, uSurface.z);
+    caught = normalMapShading(L.z, dot(slope, L.xy) + up * L.z, uSurface.z);
 #endif
   }
-  oAlbedo = vec4(root.rgb * uBaseColor.rgb * sqrt(paintedShare(occlusion, caught)), uIsCarried * CARRIED);
+  oAlbedo = vec4(root.rgb * uBaseColor.rgb * sqrt(shadedAlbedoScale(occlusion, caught)), uIsHeld * HELD);
   float kind = uWax > 0.5 ? WAX : packed.b * uSurface.y * METAL;
-  oSurface = passingSurface(vNormalWorld * side, packed.g * uSurface.x, kind);
+  oSurface = encodeReducedSurface(vNormalWorld * side, packed.g * uSurface.x, kind);
 }

@@ -10,20 +10,20 @@ layout(location = 2) in vec4 aTangent;
 layout(location = 3) in vec2 aUv;
 layout(location = 4) in vec4 aColor;
 
-uniform vec4 uPlace;    // where the model's origin is, m
-uniform vec2 uTurn;     // its turn about the vertical: cosine, sine
-uniform vec3 uVantage;  // of the flame, m
+uniform vec4 uPlacement;    // where the model's origin is, m
+uniform vec2 uRotation;     // its turn about the vertical: cosine, sine
+uniform vec3 uCaptureOrigin;  // of the flame, m
 
 out vec3 vNormalWorld;
 out vec3 vToFlame;  // along tangent, bitangent and normal, m
 out vec3 vUvAndOcclusion;
 
 void main() {
-  mat3 turn = mat3(uTurn.x, 0.0, -uTurn.y, 0.0, 1.0, 0.0, uTurn.y, 0.0, uTurn.x);
-  vec3 position = uPlace.xyz + turn * aPosition;
+  mat3 turn = mat3(uRotation.x, 0.0, -uRotation.y, 0.0, 1.0, 0.0, uRotation.y, 0.0, uRotation.x);
+  vec3 position = uPlacement.xyz + turn * aPosition;
   vec3 normal = turn * aNormal;
   vec3 tangent = turn * aTangent.xyz;
-  vec3 toFlame = uVantage - position;
+  vec3 toFlame = uCaptureOrigin - position;
   vNormalWorld = normal;
   vToFlame = vec3(
     dot(tangent, toFlame),

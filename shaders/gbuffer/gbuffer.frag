@@ -16,11 +16,11 @@ uniform sampler2D uOcclusionRoughness;
 uniform vec4 uBaseColor;
 uniform float uWax;
 #if MOVING
-uniform float uIsCarried;  // 1 or 0
+uniform float uIsHeld;  // 1 or 0
 #endif
-uniform float uOcclusion;  // how much of the map's occlusion counts
+uniform float uOcclusionStrength;  // how much of the map's occlusion counts
 uniform vec4 uSurface;     // roughness, metallic, normal scale, alpha below which nothing is
-uniform vec3 uVantage;     // of the flame, m
+uniform vec3 uCaptureOrigin;     // of the flame, m
 
 centroid in vec3 vPositionWorld;
 centroid in vec3 vNormalWorld;
@@ -33,24 +33,24 @@ layout(location = 1) out vec4 oSurface;
 
 void main() {
   vec4 baseColor = texture(uAlbedo, vUv) * uBaseColor;
-#if MASKED
+#if ALPHA_TESTED
   if (baseColor.a < uSurface.w) discard;
 #endif
   vec3 packed = texture(uOcclusionRoughness, vUv).rgb;
   vec3 normal = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
   float caught = 1.0;
   if (frame.normalMaps > 0.5) {
-    vec3 relief = reliefNormal(uNormal, vUv, normal, vTangentWorld);
-    vec3 L = normalize(uVantage - vPositionWorld);
-    caught = caughtBy(dot(normal, L), dot(relief, L), uSurface.z);
+    vec3 relief = perturbedNormal(uNormal, vUv, normal, vTangentWorld);
+    vec3 L = normalize(uCaptureOrigin - vPositionWorld);
+    caught = normalMapShading(dot(normal, L), dot(relief, L), uSurface.z);
   }
-  float occlusion = mix(1.0, packed.r, uOcclusion) * vColor.r;
-  oAlbedo = vec4(sqrt(min(baseColor.rgb * paintedShare(occlusion, caught), 1.0)), 0.0);
+  float occlusion = mix(1.0, packed.r, uOcclusionStrength) * vColor.r;
+  oAlbedo = vec4(sqrt(min(baseColor.rgb * shadedAlbedoScale(occlusion, caught), 1.0)), 0.0);
   float kind = uWax > 0.5 ? WAX : packed.b * uSurface.y * METAL;
 #if MOVING
-  oAlbedo.a = uIsCarried * CARRIED;
-  oSurface = passingSurface(normal, packed.g * uSurface.x, kind);
+  oAlbedo.a = uIsHeld * HELD;
+  oSurface = encodeReducedSurface(normal, packed.g * uSurface.x, kind);
 #else
-  oSurface = vec4(onOctahedron(normal), clamp(packed.g * uSurface.x, 0.03, 1.0), kind);
+  oSurface = vec4(octahedralEncode(normal), clamp(packed.g * uSurface.x, 0.03, 1.0), kind);
 #endif
 }

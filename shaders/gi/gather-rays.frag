@@ -7,14 +7,14 @@
 #include "lib/sh.glsl"
 #include "lib/probe-rays.glsl"
 
-uniform sampler2D uFirst;
-uniform sampler2D uSecond;
-uniform sampler2D uThird;
-uniform sampler2D uEcho;
+uniform sampler2D uSh0;
+uniform sampler2D uSh1;
+uniform sampler2D uSh2;
+uniform sampler2D uRayRadiance;
 
-layout(location = 0) out vec4 oFirst;
-layout(location = 1) out vec4 oSecond;
-layout(location = 2) out vec4 oThird;
+layout(location = 0) out vec4 oSh0;
+layout(location = 1) out vec4 oSh1;
+layout(location = 2) out vec4 oSh2;
 
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
@@ -26,18 +26,18 @@ void main() {
   float total = 0.0;
   for (int t = 0; t < RAYS; t++) {
     for (int s = 0; s < RAYS; s++) {
-      vec3 onMap = octahedronAt((vec2(s, t) + 0.5) / float(RAYS));
-      float solidAngle = rayAngle(onMap);
+      vec3 onMap = octahedralDecode((vec2(s, t) + 0.5) / float(RAYS));
+      float solidAngle = raySolidAngle(onMap);
       total += solidAngle;
-      vec3 light = texelFetch(uEcho, tile * RAYS + ivec2(s, t), 0).rgb * solidAngle;
+      vec3 light = texelFetch(uRayRadiance, tile * RAYS + ivec2(s, t), 0).rgb * solidAngle;
       vec3 direction = normalize(onMap);
-      first += harmonic(k, direction) * light;
-      second += harmonic(k + 3, direction) * light;
-      third += harmonic(k + 6, direction) * light;
+      first += shBasis(k, direction) * light;
+      second += shBasis(k + 3, direction) * light;
+      third += shBasis(k + 6, direction) * light;
     }
   }
   float scale = 4.0 * PI / total;
-  oFirst = texelFetch(uFirst, texel, 0) + vec4(first * scale, 0.0);
-  oSecond = texelFetch(uSecond, texel, 0) + vec4(second * scale, 0.0);
-  oThird = texelFetch(uThird, texel, 0) + vec4(third * scale, 0.0);
+  oSh0 = texelFetch(uSh0, texel, 0) + vec4(first * scale, 0.0);
+  oSh1 = texelFetch(uSh1, texel, 0) + vec4(second * scale, 0.0);
+  oSh2 = texelFetch(uSh2, texel, 0) + vec4(third * scale, 0.0);
 }

@@ -18,5 +18,5 @@ out vec4 oBaseColor;
 void main() {
   float level = log2(max(float(textureSize(uAlbedo, 0).x) / COARSE, 1.0));
   vec3 baseColor = textureLod(uAlbedo, vUv, level).rgb * uBaseColor.rgb;
-  oBaseColor = vec4(baseColor * meanOpenToSky(uNormal, vUv, uRelief), 1.0);
+  oBaseColor = vec4(baseColor * meanSkyVisibility(uNormal, vUv, uRelief), 1.0);
 }

@@ -7,7 +7,7 @@
 #include "lib/probe-rays.glsl"
 #include "lib/irradiance-volume.glsl"
 
-uniform sampler2D uHues;  // base colour
+uniform sampler2D uRayAlbedo;  // base colour
 
 // A surface is lit by the probes before it: how far before, m.
 const float LIFT = 0.03;
@@ -17,9 +17,9 @@ out vec4 oRadiance;
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
   ivec2 tile = texel / RAYS;
-  vec4 hit = texelFetch(uHits, texel, 0);
-  vec3 direction = normalize(octahedronAt((vec2(texel - tile * RAYS) + 0.5) / float(RAYS)));
-  vec3 position = texelFetch(uProbes, tile, 0).xyz + direction * hit.w + hit.xyz * LIFT;
-  vec3 irradiance = surroundingsAt(position, hit.xyz, hit.xyz, hit.xyz).one;
-  oRadiance = vec4(hit.w > 0.0 ? reflected(texelFetch(uHues, texel, 0).rgb) * irradiance / PI : vec3(0.0), 1.0);
+  vec4 hit = texelFetch(uRayHits, texel, 0);
+  vec3 direction = normalize(octahedralDecode((vec2(texel - tile * RAYS) + 0.5) / float(RAYS)));
+  vec3 position = texelFetch(uProbePositions, tile, 0).xyz + direction * hit.w + hit.xyz * LIFT;
+  vec3 irradiance = irradianceAt(position, hit.xyz, hit.xyz, hit.xyz).one;
+  oRadiance = vec4(hit.w > 0.0 ? reflected(texelFetch(uRayAlbedo, texel, 0).rgb) * irradiance / PI : vec3(0.0), 1.0);
 }

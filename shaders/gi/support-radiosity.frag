@@ -7,13 +7,13 @@
 #include "lib/flame-light.glsl"
 #include "lib/surfels.glsl"
 
-uniform sampler2D uPatchColor;
+uniform sampler2D uSurfelAlbedo;
 
 out vec4 oBelow;
 
 void main() {
-  int size = textureSize(uNormalDistance, 0).y;
-  ivec2 middle = patchTowards(vec3(0.0, -1.0, 0.0), size);
+  int size = textureSize(uSurfelNormalDistance, 0).y;
+  ivec2 middle = surfelTexel(vec3(0.0, -1.0, 0.0), size);
   vec4 sum = vec4(0.0);
   float count = 0.0;
   for (int i = 0; i < 4; i++) {
@@ -21,7 +21,7 @@ void main() {
     Surfel surfel = surfelAt(texel, size);
     if (surfel.distance <= 0.0) continue;
     float facing = dot(surfel.normal, light.vantage - surfel.position) / surfel.distance;
-    vec3 share = reflected(texelFetch(uPatchColor, texel, 0).rgb) * max(facing, 0.0);
+    vec3 share = reflected(texelFetch(uSurfelAlbedo, texel, 0).rgb) * max(facing, 0.0);
     sum += vec4(share / (surfel.distance * surfel.distance), surfel.position.y);
     count++;
   }

@@ -22,6 +22,6 @@ void main() {
   // A triangle smaller than a pixel has no slope.
   normal = dot(normal, normal) > 0.0 ? normalize(normal) : -normalize(fromLight);
   vec3 baseColor = texture(uAlbedo, vUv).rgb * uBaseColor.rgb;
-  oBaseColor = vec4(baseColor * meanOpenToSky(uNormal, vUv, uRelief), 1.0);
+  oBaseColor = vec4(baseColor * meanSkyVisibility(uNormal, vUv, uRelief), 1.0);
   oNormalDistance = vec4(faceforward(normal, fromLight, normal), length(fromLight));
 }

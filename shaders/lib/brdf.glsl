@@ -27,23 +27,23 @@ vec3 fresnelSchlick(vec3 f0, float LoH) {
 
 // What a rough surface mirrors of light from all around, and by how much its lobe is too weak because
 // light that bounces from facet to facet is left out of it.
-struct Mirroring {
+struct EnvironmentReflection {
   vec3 share;
   vec3 boost;
 };
 
 // Turquin 2019, "Practical Multiple Scattering Compensation for Microfacet Models".
 // The table: src/render/opaque/environment-brdf.ts.
-Mirroring mirroringOf(sampler2D table, vec3 f0, float roughness, float NoV) {
+EnvironmentReflection environmentReflection(sampler2D table, vec3 f0, float roughness, float NoV) {
   float size = float(textureSize(table, 0).x);
   vec2 known = textureLod(table, (vec2(NoV, roughness) * (size - 1.0) + 0.5) / size, 0.0).rg;
   vec3 boost = 1.0 + f0 * (1.0 / known.x - 1.0);
-  return Mirroring((f0 * (known.x - known.y) + known.y) * boost, boost);
+  return EnvironmentReflection((f0 * (known.x - known.y) + known.y) * boost, boost);
 }
 
 // Tokuyoshi and Kaplanyan 2019, "Improved Geometric Specular Antialiasing": normals that differ within a
 // pixel are roughness there. Alpha before and after.
-float widenedByRelief(float alpha, vec3 normal) {
+float specularAntialiasing(float alpha, vec3 normal) {
   vec3 across = dFdx(normal);
   vec3 down = dFdy(normal);
   float variance = 0.25 * (dot(across, across) + dot(down, down));

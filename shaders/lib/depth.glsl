@@ -7,7 +7,7 @@ const float NEAR_PLANE = 0.05;
 const float FAR_PLANE = 60.0;
 
 // Distance along the line of sight, m, of a depth in [0, 1].
-float distanceOf(float depth) {
+float linearDepth(float depth) {
   return NEAR_PLANE * FAR_PLANE / (FAR_PLANE - depth * (FAR_PLANE - NEAR_PLANE));
 }
 
@@ -17,7 +17,7 @@ float nearnessOf(float depth) {
 }
 
 // 1 in the open, 0 behind the room's surface, and a slope of some width (m) before it.
-float softly(float width) {
-  float room = distanceOf(texelFetch(uDepth, ivec2(gl_FragCoord.xy), 0).r);
-  return clamp((room - distanceOf(gl_FragCoord.z)) / width, 0.0, 1.0);
+float softParticleFade(float width) {
+  float room = linearDepth(texelFetch(uDepth, ivec2(gl_FragCoord.xy), 0).r);
+  return clamp((room - linearDepth(gl_FragCoord.z)) / width, 0.0, 1.0);
 }

@@ -22,9 +22,9 @@ float depthBehind(vec3 fromVantage) {
 }
 
 // Radiosity of the patches around a direction from the flame, of one face, lm/m².
-vec3 radiosityTowards(vec3 fromVantage) {
+vec3 radiosityToward(vec3 fromVantage) {
   int size = textureSize(uRadiosity, 0).y;
-  vec3 place = placeOnFaces(fromVantage);
+  vec3 place = cubeFaceUv(fromVantage);
   vec2 at = clamp(place.xy * float(size) - 0.5, vec2(0.0), vec2(float(size) - 1.0));
   ivec2 corner = min(ivec2(at), size - 2);
   vec2 share = at - vec2(corner);
@@ -35,7 +35,7 @@ vec3 radiosityTowards(vec3 fromVantage) {
 }
 
 // Radiance of the flame's own light where a ray ends, cd/m² for 1 cd; black where the flame sees nothing of it.
-vec3 mirroredRadiance(vec3 position, vec3 ray) {
+vec3 traceRadiance(vec3 position, vec3 ray) {
   vec3 start = position - light.vantage;
   float near = NEAREST_STEP;
   bool wasBehind = depthBehind(start + ray * near) > 0.0;
@@ -54,7 +54,7 @@ vec3 mirroredRadiance(vec3 position, vec3 ray) {
       vec3 end = start + ray * (isBehind ? high : low);
       float met = unmet * (1.0 - smoothstep(THICKNESS.x, THICKNESS.y, depthBehind(end)));
       // Who comes out of a shadow through what throws it meets its dark side.
-      if (isBehind) sum += met * radiosityTowards(end);
+      if (isBehind) sum += met * radiosityToward(end);
       unmet -= met;
     }
     wasBehind = isBehind;

@@ -19,7 +19,7 @@ const float LIP = 0.0007;
 
 // Where a light at `from` passes a level disc around the candle's axis on its way to `to`, which is below:
 // 0 where the light's near end grazes its edge, 1 where its far end does.
-float passDisc(vec3 from, vec3 to, float height, float radius) {
+float discPenumbra(vec3 from, vec3 to, float height, float radius) {
   vec3 descent = vec3(from.x, max(from.y, height + 1e-4), from.z) - to;
   float way = (height - to.y) / descent.y;
   float away = distance(mix(to.xz, from.xz, way), light.axis) - radius;
@@ -29,27 +29,27 @@ float passDisc(vec3 from, vec3 to, float height, float radius) {
 }
 
 // Integral of a smooth step from 0 to 1.
-float climbed(float x) {
+float smoothstepIntegral(float x) {
   float t = clamp(x, 0.0, 1.0);
   return t * t * t * (1.0 - 0.5 * t) + max(x - 1.0, 0.0);
 }
 
 // Share of the flame that a disc leaves in sight: as long as it is, each part of it is as wide.
-float pastDisc(vec3 position, float height, float radius) {
+float discVisibility(vec3 position, float height, float radius) {
   if (position.y >= height) return 1.0;
   vec3 reach = light.along * light.halfHeight;
-  float low = passDisc(light.position - reach, position, height, radius);
-  float high = passDisc(light.position + reach, position, height, radius);
+  float low = discPenumbra(light.position - reach, position, height, radius);
+  float high = discPenumbra(light.position + reach, position, height, radius);
   float middle = smoothstep(0.0, 1.0, 0.5 * (low + high));
-  return abs(high - low) < 1e-2 ? middle : (climbed(high) - climbed(low)) / (high - low);
+  return abs(high - low) < 1e-2 ? middle : (smoothstepIntegral(high) - smoothstepIntegral(low)) / (high - low);
 }
 
 // Share of the flame that candle and holder leave in sight. They are a centimetre from the light, too
 // near for a shadow map, and simple enough to do without: each is a disc.
-float pastCandle(vec3 position) {
+float candleVisibility(vec3 position) {
   if (position.y > light.rim) return 1.0;
-  float pan = position.y < light.pan - 0.004 ? pastDisc(position, light.pan, light.panRadius) : 1.0;
-  return min(pan, pastDisc(position, light.rim + LIP, light.rimRadius));
+  float pan = position.y < light.pan - 0.004 ? discVisibility(position, light.pan, light.panRadius) : 1.0;
+  return min(pan, discVisibility(position, light.rim + LIP, light.rimRadius));
 }
 
 // The wick glows where it reaches out of the dark zone: heights above the candle's rim, m.

@@ -9,7 +9,7 @@ const float SURFACE = 3.0;
 const float FLAME = 6.0;
 
 // Mean of log2 luminance, and how much of the part that speaks for. `parts`: how many there are.
-vec2 brightnessOfPart(vec2 part, vec2 parts) {
+vec2 meterCell(vec2 part, vec2 parts) {
   float sum = 0.0;
   float weights = 0.0;
   for (int i = 0; i < TAPS * TAPS; i++) {

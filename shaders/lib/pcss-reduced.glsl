@@ -16,7 +16,7 @@ vec2 vogel(int i, int count, float turn) {
   return r * vec2(cos(angle), sin(angle));
 }
 
-float visibleShare(vec3 position, vec3 normal, vec2 pixel) {
+float flameVisibility(vec3 position, vec3 normal, vec2 pixel) {
   vec3 fromVantage = position - light.vantage;
   float reach = length(fromVantage);
   vec3 direction = fromVantage / reach;

@@ -41,7 +41,7 @@ float reachOfPlane(vec3 texel, vec3 facet, float away, float farthest) {
 }
 
 // `facet`: normal of the triangle, on the light's side. `pixel`: what the taps' turn depends on.
-float visibleShare(vec3 position, vec3 facet, vec2 pixel) {
+float flameVisibility(vec3 position, vec3 facet, vec2 pixel) {
   vec3 fromVantage = position - light.vantage;
   float reach = length(fromVantage);
   float away = dot(fromVantage, facet);

@@ -13,20 +13,20 @@ float phase(float cosine) {
   return (1.0 - g * g) / (4.0 * PI * pow(1.0 + g * g - 2.0 * g * cosine, 1.5));
 }
 
-vec3 fromPoint(vec3 intensity, vec3 toLight, vec3 toEye) {
+vec3 scatteredFromFlame(vec3 intensity, vec3 toLight, vec3 toEye) {
   float distanceSquared = dot(toLight, toLight);
   float cosine = -dot(toLight, toEye) * inversesqrt(max(distanceSquared * dot(toEye, toEye), 1e-12));
   return intensity * (phase(cosine) / max(distanceSquared, 2.5e-5));  // no nearer than 5 mm
 }
 
 // What the room throws back, from all around, whose mean counts: a droplet has no front.
-vec3 fromRoom(vec3 position) {
-  Surroundings sides = surroundingsAt(position, vec3(0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, -1.0, 0.0));
+vec3 scatteredFromRoom(vec3 position) {
+  IrradiancePair sides = irradianceAt(position, vec3(0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, -1.0, 0.0));
   return (sides.one + sides.other) * light.intensity / (2.0 * PI);
 }
 
 // Radiance of thick smoke at a place, cd/m². The light is the flame, or what glows of its wick.
-vec3 smokeRadiance(vec3 position, vec3 eye) {
-  vec3 direct = fromPoint(light.intensity, light.position - position, eye - position);
-  return SCATTERED * (direct * pastCandle(position) + fromRoom(position) + NIGHT);
+vec3 scatteredRadiance(vec3 position, vec3 eye) {
+  vec3 direct = scatteredFromFlame(light.intensity, light.position - position, eye - position);
+  return SCATTERED * (direct * candleVisibility(position) + scatteredFromRoom(position) + NIGHT);
 }

@@ -1,9 +1,9 @@
 // Spherical harmonics of degree 2. Needs lib/photometry.glsl.
 
-const int HARMONICS = 9;
+const int SH_COUNT = 9;
 
 // Green 2003, "Spherical Harmonic Lighting: The Gritty Details".
-float harmonic(int k, vec3 d) {
+float shBasis(int k, vec3 d) {
   if (k == 0) return 0.282095;
   if (k == 1) return 0.488603 * d.x;
   if (k == 2) return 0.488603 * d.y;

@@ -1,7 +1,7 @@
 // The surfaces that the flame sees, as small flat patches: faces of a cube, side by side along x.
 // Needs lib/photometry.glsl, lib/flame-light.glsl.
 
-uniform sampler2D uNormalDistance;
+uniform sampler2D uSurfelNormalDistance;
 
 const int FACE_COUNT = 6;
 
@@ -24,7 +24,7 @@ vec3 faceDirection(int face, vec2 st) {
 }
 
 // Where a direction from the flame meets a face: across and up it, 0 to 1, and which it is.
-vec3 placeOnFaces(vec3 d) {
+vec3 cubeFaceUv(vec3 d) {
   vec3 reach = abs(d);
   int axis = reach.x >= max(reach.y, reach.z) ? 0 : reach.y >= reach.z ? 1 : 2;
   int face = 2 * axis + (d[axis] > 0.0 ? 0 : 1);
@@ -33,8 +33,8 @@ vec3 placeOnFaces(vec3 d) {
 }
 
 // The patch that the flame sees in a direction.
-ivec2 patchTowards(vec3 d, int size) {
-  vec3 place = placeOnFaces(d);
+ivec2 surfelTexel(vec3 d, int size) {
+  vec3 place = cubeFaceUv(d);
   return min(ivec2(place.xy * float(size)), size - 1) + ivec2(int(place.z) * size, 0);
 }
 
@@ -44,7 +44,7 @@ float slantOf(float facing) {
 }
 
 Surfel surfelAt(ivec2 texel, int size) {
-  vec4 stored = texelFetch(uNormalDistance, texel, 0);
+  vec4 stored = texelFetch(uSurfelNormalDistance, texel, 0);
   int face = texel.x / size;
   vec2 st = (vec2(texel.x - face * size, texel.y) + 0.5) / float(size) * 2.0 - 1.0;
   vec3 direction = faceDirection(face, st);
@@ -63,7 +63,7 @@ Surfel surfelAt(ivec2 texel, int size) {
 
 // Whether what lies at `reach` (m) in a direction can be seen past a surface that was `met` close to that way: it
 // reaches as far as its plane. Slack is a share of the distance, and metres.
-bool isSeenPast(vec3 met, vec3 normal, vec3 direction, float reach) {
+bool isVisiblePast(vec3 met, vec3 normal, vec3 direction, float reach) {
   float facing = dot(normal, direction);
   float end = max(length(met), facing < -1e-3 ? dot(normal, met) / facing : 0.0);
   return reach <= end + 0.07 * reach + 0.02;

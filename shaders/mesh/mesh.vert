@@ -9,7 +9,7 @@ layout(location = 2) in vec4 aTangent;
 layout(location = 3) in vec2 aUv;
 layout(location = 4) in vec4 aColor;
 
-uniform vec4 uPlace;  // where the model's origin is, m; w: its turn about the vertical, rad
+uniform vec4 uPlacement;  // where the model's origin is, m; w: its turn about the vertical, rad
 
 centroid out vec3 vPositionWorld;
 centroid out vec3 vNormalWorld;
@@ -18,13 +18,13 @@ centroid out vec2 vUv;
 centroid out vec4 vColor;
 
 vec3 turned(vec3 v) {
-  float c = cos(uPlace.w);
-  float s = sin(uPlace.w);
+  float c = cos(uPlacement.w);
+  float s = sin(uPlacement.w);
   return vec3(c * v.x + s * v.z, v.y, c * v.z - s * v.x);
 }
 
 void main() {
-  vPositionWorld = uPlace.xyz + turned(aPosition);
+  vPositionWorld = uPlacement.xyz + turned(aPosition);
   vNormalWorld = turned(aNormal);
   vTangentWorld = vec4(turned(aTangent.xyz), aTangent.w);
   vUv = aUv;

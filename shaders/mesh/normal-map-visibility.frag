@@ -20,9 +20,9 @@ vec2 taken(vec2 place, float level) {
   for (int i = 0; i < 4; i++) {
     float sign = i < 2 ? 1.0 : -1.0;
     vec3 toLight = vec3((i & 1) == 0 ? vec2(sign, 0.0) : vec2(0.0, sign), 1.0) * sqrt(0.5);
-    direct += max(dot(normal, toLight), 0.0) * pastRelief(FLAT, normal, toLight);
+    direct += max(dot(normal, toLight), 0.0) * normalMapVisibility(FLAT, normal, toLight);
   }
-  return vec2(openToSky(FLAT, normal), direct);
+  return vec2(skyVisibility(FLAT, normal), direct);
 }
 
 void main() {

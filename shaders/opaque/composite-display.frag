@@ -7,7 +7,7 @@
 #include "lib/gbuffer.glsl"
 #if COARSE
 #include "lib/depth.glsl"
-#if KEPT
+#if HISTORY
 #include "lib/reproject.glsl"
 #endif
 #include "lib/upsample-bilateral.glsl"
@@ -19,9 +19,9 @@
 #include "lib/tone-lut-lookup.glsl"
 
 uniform sampler2D uBloom;
-uniform vec2 uHaloShift;   // from a place in the picture to the one in that of the bloom
-uniform vec3 uBalance;     // makes the candle's light white
-uniform float uScattered;  // share of the light that eye and lens scatter
+uniform vec2 uGlareOffset;   // from a place in the picture to the one in that of the bloom
+uniform vec3 uWhiteBalance;     // makes the candle's light white
+uniform float uGlareShare;  // share of the light that eye and lens scatter
 
 in vec2 vUv;
 flat in float vExposure;
@@ -29,9 +29,9 @@ flat in float vExposure;
 out vec4 oColor;
 
 void main() {
-  vec4 painted = texelFetch(uPainted, ivec2(gl_FragCoord.xy), 0);
-  vec3 radiance = litFrom(painted, vUv) + texture(uBloom, vUv + uHaloShift).rgb * uScattered;
-  vec3 exposed = max(radiance, 0.0) * uBalance * (vExposure / TABLE_LIGHT);
+  vec4 painted = texelFetch(uGBufferAlbedo, ivec2(gl_FragCoord.xy), 0);
+  vec3 radiance = compositeRadiance(painted, vUv) + texture(uBloom, vUv + uGlareOffset).rgb * uGlareShare;
+  vec3 exposed = max(radiance, 0.0) * uWhiteBalance * (vExposure / TONE_LUT_MAX);
   // What is brighter than the table keeps its hue.
   exposed /= max(max(exposed.r, exposed.g), max(exposed.b, 1.0));
   // The same noise for all channels.

@@ -6,7 +6,7 @@
 #include "lib/gbuffer.glsl"
 #if COARSE
 #include "lib/depth.glsl"
-#if KEPT
+#if HISTORY
 #include "lib/reproject.glsl"
 #endif
 #include "lib/upsample-bilateral.glsl"
@@ -20,7 +20,7 @@ in vec2 vUv;
 out vec4 oRadiance;
 
 void main() {
-  oRadiance = vec4(min(litAt(vUv), 3e4), 1.0);
+  oRadiance = vec4(min(compositeRadianceAt(vUv), 3e4), 1.0);
 #if COARSE
   // Before the farthest, or it would not be drawn.
   gl_FragDepth = min(depthOf(vUv), 0.9999999);

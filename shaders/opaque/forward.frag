@@ -41,11 +41,11 @@ const float IN_FLAME = 0.05;
 uniform sampler2D uAlbedo;
 uniform sampler2D uNormal;
 uniform sampler2D uOcclusionRoughness;
-uniform sampler2D uReflectance;
-uniform sampler2D uUnseen;   // shares that relief leaves of light where it is too fine to be seen, by level
+uniform sampler2D uEnvironmentBrdf;
+uniform sampler2D uNormalMapVisibility;   // shares that relief leaves of light where it is too fine to be seen, by level
 uniform vec4 uBaseColor;
 uniform float uWax;     // 1: light from within, 0: none
-uniform float uOcclusion;  // how much of the map's occlusion counts
+uniform float uOcclusionStrength;  // how much of the map's occlusion counts
 uniform vec4 uShown;    // 1 or 0: shadows, bounced light, highlights; normals instead of all light
 uniform vec3 uEmber;    // radiance of the wick's glowing tip, cd/m²; black for all else
 uniform vec4 uSurface;  // roughness, metallic, normal scale, alpha below which nothing is
@@ -59,24 +59,24 @@ centroid in vec4 vColor;
 
 out vec4 oRadiance;
 
-vec3 withRelief(vec3 surface) {
+vec3 shadingNormal(vec3 surface) {
   if (frame.normalMaps < 0.5) return surface;
-  vec3 relief = turnedBy(texture(uNormal, vUv, SHARPER).xy, surface, vTangentWorld);
+  vec3 relief = applyNormalMap(texture(uNormal, vUv, SHARPER).xy, surface, vTangentWorld);
   return normalize(mix(surface, relief, uSurface.z));
 }
 
 // Shares of light from all around, and of the flame's, that relief leaves which is finer than a pixel.
-vec2 pastUnseen() {
+vec2 minifiedVisibility() {
   if (frame.normalMaps < 0.5) return vec2(1.0);
   vec2 texels = vec2(textureSize(uNormal, 0));
   float inPixel = abs(determinant(mat2(dFdx(vUv) * texels, dFdy(vUv) * texels)));
   float level = 0.5 * log2(max(inPixel, 1.0));
-  return textureLod(uUnseen, vec2((level + 0.5) / float(textureSize(uUnseen, 0).x), 0.5), 0.0).rg;
+  return textureLod(uNormalMapVisibility, vec2((level + 0.5) / float(textureSize(uNormalMapVisibility, 0).x), 0.5), 0.0).rg;
 }
 
 // How much of the flame a place sees past the room, candle and holder.
-float flameShare(vec3 position, vec3 facet) {
-  return visibleShare(position, facet, gl_FragCoord.xy) * pastCandle(position);
+float directVisibility(vec3 position, vec3 facet) {
+  return flameVisibility(position, facet, gl_FragCoord.xy) * candleVisibility(position);
 }
 
 // Karis 2013, "Real Shading in Unreal Engine 4": the point of the capsule nearest to the mirrored
@@ -93,11 +93,11 @@ void main() {
   vec4 baseColor = texture(uAlbedo, vUv, SHARPER) * uBaseColor;
   if (baseColor.a < uSurface.w) discard;
   vec3 packed = texture(uOcclusionRoughness, vUv, SHARPER).rgb;
-  float occlusion = mix(1.0, packed.r, uOcclusion) * vColor.r;
+  float occlusion = mix(1.0, packed.r, uOcclusionStrength) * vColor.r;
   float roughness = clamp(packed.g * uSurface.x, 0.03, 1.0);
   float metallic = packed.b * uSurface.y;
   vec3 surface = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
-  vec3 normal = withRelief(surface);
+  vec3 normal = shadingNormal(surface);
   vec3 view = normalize(frame.eyePosition - vPositionWorld);
   float NoV = max(abs(dot(normal, view)), 1e-3);
 
@@ -109,21 +109,21 @@ void main() {
   facet = faceforward(facet, vPositionWorld - light.position, facet);
   // Crevices are lit by what is beside them, so the flame's light counts there whichever way they face.
   bool isCrevice = occlusion < OPEN;
-  float reached = NoL > 0.0 || isCrevice ? flameShare(vPositionWorld, facet) : 0.0;
+  float reached = NoL > 0.0 || isCrevice ? directVisibility(vPositionWorld, facet) : 0.0;
   float reachesSides = reached;
-  if (isCrevice && reached < 1.0) reachesSides = max(reached, flameShare(vPositionWorld + surface * SIDES, facet));
+  if (isCrevice && reached < 1.0) reachesSides = max(reached, directVisibility(vPositionWorld + surface * SIDES, facet));
   float inFlame = uEmber.r > 0.0 ? IN_FLAME : 0.0;
   if (inFlame > 0.0) reached = 1.0;
   vec3 free = light.intensity / distanceSquared;
   vec3 passing = free * mix(1.0, reached, uShown.x);
   vec3 passingSides = free * mix(1.0, reachesSides, uShown.x);
-  vec2 pastFine = pastUnseen();
-  vec3 irradiance = passing * max(NoL * pastRelief(surface, normal, L) * pastFine.y, inFlame);
+  vec2 pastFine = minifiedVisibility();
+  vec3 irradiance = passing * max(NoL * normalMapVisibility(surface, normal, L) * pastFine.y, inFlame);
 
   vec3 highlight = towardsHighlight(toLight, reflect(-view, normal));
   vec3 S = normalize(highlight);
   vec3 H = normalize(S + view);
-  float alpha = widenedByRelief(roughness * roughness, normal);
+  float alpha = specularAntialiasing(roughness * roughness, normal);
   float width = light.radius / max(length(highlight), NEAREST);
   float widened = clamp(alpha + 0.5 * width, 0.0, 1.0);
   float NoS = max(dot(normal, S), 0.0);
@@ -131,26 +131,26 @@ void main() {
   vec3 fresnel = fresnelSchlick(f0, max(dot(S, H), 0.0));
   float lobe = distributionGgx(widened, max(dot(normal, H), 0.0)) * visibilitySmith(alpha, NoV, NoS);
   float narrowing = (alpha * alpha) / (widened * widened);
-  Mirroring mirroring = mirroringOf(uReflectance, f0, sqrt(alpha), NoV);
+  EnvironmentReflection mirroring = environmentReflection(uEnvironmentBrdf, f0, sqrt(alpha), NoV);
   vec3 specular = fresnel * mirroring.boost * lobe * narrowing * NoS * passing * uShown.z;
   // What the surface mirrors does not reach the matt layer below.
   vec3 matt = baseColor.rgb * (1.0 - metallic) * (1.0 - mirroring.share);
   vec3 diffuse = matt / PI * irradiance;
   vec3 lifted = vPositionWorld + surface * 0.05;
-  Surroundings surroundings = surroundingsAt(lifted, normal, normal, reflect(-view, normal));
+  IrradiancePair surroundings = irradianceAt(lifted, normal, normal, reflect(-view, normal));
   vec3 around = surroundings.one * light.intensity;
   float near = 1.0 - occlusion + NEAR_ANYWHERE;
   float unhidden = 1.0 - NEAR_HIDES * near;
   // It is as bright as this place, and as far from the flame.
   vec3 nearby = NEAR_SENDS * near * baseColor.rgb * passingSides;
   nearby /= 1.0 + passingSides / max(NEAR_MOST * around, 1e-9);
-  vec3 bounced = (around * unhidden + nearby) * matt * (openToSky(surface, normal) * pastFine.x / PI);
-  // What is mirrored is the room around, as softly as it is known: a smooth surface tells more.
+  vec3 bounced = (around * unhidden + nearby) * matt * (skyVisibility(surface, normal) * pastFine.x / PI);
+  // What is mirrored is the room around, as softParticleFade as it is known: a smooth surface tells more.
   vec3 mirrored = (surroundings.other * light.intensity * unhidden + nearby) / PI;
   float smoothness = 1.0 - smoothstep(SMOOTH.x, SMOOTH.y, roughness);
   if (smoothness > 0.0) {
     vec3 again = surroundings.other * (THROWN_BACK / PI);
-    vec3 seen = (mirroredRadiance(vPositionWorld + surface * 0.01, reflect(-view, normal)) + again) * light.intensity;
+    vec3 seen = (traceRadiance(vPositionWorld + surface * 0.01, reflect(-view, normal)) + again) * light.intensity;
     mirrored = mix(mirrored, seen, smoothness);
   }
   mirrored *= mirroring.share;

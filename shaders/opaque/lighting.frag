@@ -22,7 +22,7 @@
 // A flame is no point: nearer than this the inverse square would not hold. Metres.
 const float NEAREST = 0.01;
 
-uniform sampler2D uSurfaces;
+uniform sampler2D uGBufferSurface;
 uniform vec3 uShown;  // 1 or 0: shadows, bounced light, highlights
 uniform vec2 uSize;   // of the light, texels
 uniform mat4 uWorldFromClip;
@@ -34,14 +34,14 @@ layout(location = 1) out vec4 oNearness;
 
 #if COARSE
 // Of four pixels the one that lies most as all of them do: light in a joint would show as a spot around it.
-ivec2 usualOf(ivec2 pixel) {
-  ivec2 beyond = min(pixel + 1, textureSize(uSurfaces, 0) - 1);
+ivec2 representativePixel(ivec2 pixel) {
+  ivec2 beyond = min(pixel + 1, textureSize(uGBufferSurface, 0) - 1);
   ivec2 aside = ivec2(beyond.x, pixel.y);
   ivec2 above = ivec2(pixel.x, beyond.y);
-  vec3 a = texelFetch(uSurfaces, pixel, 0).rgb - 0.5;
-  vec3 b = texelFetch(uSurfaces, aside, 0).rgb - 0.5;
-  vec3 c = texelFetch(uSurfaces, above, 0).rgb - 0.5;
-  vec3 d = texelFetch(uSurfaces, beyond, 0).rgb - 0.5;
+  vec3 a = texelFetch(uGBufferSurface, pixel, 0).rgb - 0.5;
+  vec3 b = texelFetch(uGBufferSurface, aside, 0).rgb - 0.5;
+  vec3 c = texelFetch(uGBufferSurface, above, 0).rgb - 0.5;
+  vec3 d = texelFetch(uGBufferSurface, beyond, 0).rgb - 0.5;
   vec3 sum = a + b + c + d;
   vec4 alike = vec4(dot(a, sum), dot(b, sum), dot(c, sum), dot(d, sum));
   vec2 most = max(alike.xy, alike.zw);
@@ -59,23 +59,23 @@ float fifthPower(float x) {
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
 #if COARSE
-  ivec2 pixel = usualOf(pixelOf(texel, uSize, vec2(textureSize(uSurfaces, 0))));
+  ivec2 pixel = representativePixel(pixelOfTexel(texel, uSize, vec2(textureSize(uGBufferSurface, 0))));
 #else
-  ivec2 pixel = sampleOf(texel, uSize, textureSize(uSurfaces, 0));
+  ivec2 pixel = representativeSample(texel, uSize, textureSize(uGBufferSurface, 0));
 #endif
   float depth = texelFetch(uDepth, pixel, 0).r;
-  vec2 onScreen = (vec2(pixel) + 0.5) / vec2(textureSize(uSurfaces, 0));
+  vec2 onScreen = (vec2(pixel) + 0.5) / vec2(textureSize(uGBufferSurface, 0));
   vec4 placed = uWorldFromClip * vec4(vec3(onScreen, depth) * 2.0 - 1.0, 1.0);
   vec3 position = placed.xyz / placed.w;
-  vec4 surface = texelFetch(uSurfaces, pixel, 0);
+  vec4 surface = texelFetch(uGBufferSurface, pixel, 0);
 #if COARSE
   oNearness = vec4(nearnessOf(depth), 0.0, 0.0, 1.0);
   vec3 normal = normalize(surface.rgb * 2.0 - 1.0);
   float code = floor(surface.a * 255.0 + 0.5);
-  float kind = floor(code / ROUGHNESSES) / KINDS;
-  float roughness = mod(code, ROUGHNESSES) / (ROUGHNESSES - 1.0);
+  float kind = floor(code / ROUGHNESS_STEPS) / MATERIAL_STEPS;
+  float roughness = mod(code, ROUGHNESS_STEPS) / (ROUGHNESS_STEPS - 1.0);
 #else
-  vec3 normal = normalize(octahedronAt(surface.rg));
+  vec3 normal = normalize(octahedralDecode(surface.rg));
   float kind = surface.a;
   float roughness = surface.b;
 #endif
@@ -89,8 +89,8 @@ void main() {
   vec3 L = toLight * inversesqrt(distanceSquared);
   float NoL = max(dot(normal, L), 0.0);
   // Four turns of the taps side by side, which mixing smooths.
-  float visible = NoL > 0.0 ? visibleShare(position, normal, mod(floor(gl_FragCoord.xy), 2.0)) : 0.0;
-  float reaching = mix(1.0, visible * pastCandle(position), uShown.x) / distanceSquared;
+  float visible = NoL > 0.0 ? flameVisibility(position, normal, mod(floor(gl_FragCoord.xy), 2.0)) : 0.0;
+  float reaching = mix(1.0, visible * candleVisibility(position), uShown.x) / distanceSquared;
   vec3 H = normalize(L + view);
   float NoH = max(dot(normal, H), 0.0);
   float LoH = max(dot(L, H), 0.0);
@@ -106,11 +106,11 @@ void main() {
   perCandela += metallic * mirrored;
 
   vec3 reflected = reflect(-view, normal);
-  Surroundings surroundings = surroundingsAt(position + normal * 0.08, normal, normal, reflected);
+  IrradiancePair surroundings = irradianceAt(position + normal * 0.08, normal, normal, reflected);
   float grazing = fifthPower(1.0 - NoV);
   float matt = (1.0 - metallic) * (1.0 - 0.04 - 0.96 * grazing) / PI;
-  perCandela += (surroundings.one + fromBelow(position, viewFactorBelow(normal))) * (matt * uShown.y);
-  vec3 room = (surroundings.other + fromBelow(position, 0.5 - 0.5 * reflected.y)) / PI;
+  perCandela += (surroundings.one + supportIrradiance(position, supportViewFactor(normal))) * (matt * uShown.y);
+  vec3 room = (surroundings.other + supportIrradiance(position, 0.5 - 0.5 * reflected.y)) / PI;
   room *= (1.0 - 0.6 * roughness) * uShown.y * uShown.z;
   perCandela += metallic * room;
   added += (1.0 - metallic) * (0.04 + 0.96 * grazing) * luma(room);

@@ -7,8 +7,8 @@
 #include "lib/depth.glsl"
 #include "lib/gbuffer.glsl"
 
-uniform sampler2D uSurfaces;
-uniform vec2 uLightSize;
+uniform sampler2D uGBufferSurface;
+uniform vec2 uLightingSize;
 
 out vec4 oUsual;
 
@@ -18,20 +18,20 @@ const float DEEP = 0.2;
 const float BETTER = 0.02;
 
 // How a sample lies, and how near it is.
-vec4 lying(ivec2 at) {
-  ivec2 inside = clamp(at, ivec2(0), textureSize(uSurfaces, 0) - 1);
-  vec3 normal = normalize(octahedronAt(texelFetch(uSurfaces, inside, 0).rg));
+vec4 normalAndNearness(ivec2 at) {
+  ivec2 inside = clamp(at, ivec2(0), textureSize(uGBufferSurface, 0) - 1);
+  vec3 normal = normalize(octahedralDecode(texelFetch(uGBufferSurface, inside, 0).rg));
   return vec4(normal, nearnessOf(texelFetch(uDepth, inside, 0).r));
 }
 
 void main() {
-  ivec2 middle = pixelOf(ivec2(gl_FragCoord.xy), uLightSize, vec2(textureSize(uSurfaces, 0)));
+  ivec2 middle = pixelOfTexel(ivec2(gl_FragCoord.xy), uLightingSize, vec2(textureSize(uGBufferSurface, 0)));
   vec4 mean = vec4(0.0);
-  for (int i = 0; i < AROUND * AROUND; i++) mean += lying(middle + aside(i)) / float(AROUND * AROUND);
+  for (int i = 0; i < AROUND * AROUND; i++) mean += normalAndNearness(middle + aside(i)) / float(AROUND * AROUND);
   int usual = MIDDLE;
   float most = -1e9;
   for (int i = 0; i < AROUND * AROUND; i++) {
-    vec4 here = lying(middle + aside(i));
+    vec4 here = normalAndNearness(middle + aside(i));
     float alike = dot(here.xyz, mean.xyz) - abs(here.w / mean.w - 1.0) / DEEP;
     if (i == MIDDLE) alike += BETTER;
     if (alike > most) usual = i;

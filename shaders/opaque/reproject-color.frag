@@ -14,8 +14,8 @@ out vec4 oColor;
 
 void main() {
   vec4 here = texture(uShown, vUv);
-  float isCarried = carried(here.a);
-  vec4 before = texture(uShown, placeBefore(vec4(vUv, texture(uDepth, vUv).r, 1.0), isCarried));
+  float isHeld = carried(here.a);
+  vec4 before = texture(uShown, previousUv(vec4(vUv, texture(uDepth, vUv).r, 1.0), isHeld));
   // What was hidden has nothing of its own in that picture: what stands there stays.
-  oColor = mix(before, here, wasHidden(isCarried, before.a));
+  oColor = mix(before, here, isDisoccluded(isHeld, before.a));
 }

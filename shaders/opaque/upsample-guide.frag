@@ -12,8 +12,8 @@
 #include "lib/representative-sample.glsl"
 
 uniform sampler2D uAlbedo;
-uniform sampler2D uSurfaces;
-uniform vec2 uLightSize;
+uniform sampler2D uGBufferSurface;
+uniform vec2 uLightingSize;
 
 out vec4 oPainted;
 
@@ -24,7 +24,7 @@ const float TURN = 0.06;
 const float LITTLE = 0.04;
 
 float nearness(ivec2 at) {
-  return 1.0 / distanceOf(texelFetch(uDepth, at, 0).r);
+  return 1.0 / linearDepth(texelFetch(uDepth, at, 0).r);
 }
 
 // Of two differences the smaller: the other one may cross an edge.
@@ -34,7 +34,7 @@ float slope(float before, float here, float after) {
 
 // Place of a sample among the texels from `corner` on, 0 to 1.
 vec2 placeOf(ivec2 at, vec2 corner, vec2 size, out float mixes) {
-  vec2 way = texelFetch(uSurfaces, at, 0).rg;
+  vec2 way = texelFetch(uGBufferSurface, at, 0).rg;
   ivec2 last = ivec2(size) - 1;
   // Across a plane the inverse of the distance changes evenly.
   float here = nearness(at);
@@ -42,18 +42,18 @@ vec2 placeOf(ivec2 at, vec2 corner, vec2 size, out float mixes) {
     slope(nearness(max(at - ivec2(1, 0), 0)), here, nearness(min(at + ivec2(1, 0), last))),
     slope(nearness(max(at - ivec2(0, 1), 0)), here, nearness(min(at + ivec2(0, 1), last)))
   );
-  vec2 share = clamp((vec2(at) + 0.5) / size * uLightSize - 0.5 - corner, 0.0, 1.0);
+  vec2 share = clamp((vec2(at) + 0.5) / size * uLightingSize - 0.5 - corner, 0.0, 1.0);
   float strange = 0.0;
   float best = -1.0;
   float least = 1e9;
   vec2 nearest = vec2(0.0);
   for (int i = 0; i < 4; i++) {
     ivec2 offset = ivec2(i & 1, i >> 1);
-    ivec2 texel = clamp(ivec2(corner) + offset, ivec2(0), ivec2(uLightSize) - 1);
-    ivec2 other = sampleOf(texel, uLightSize, ivec2(size));
+    ivec2 texel = clamp(ivec2(corner) + offset, ivec2(0), ivec2(uLightingSize) - 1);
+    ivec2 other = representativeSample(texel, uLightingSize, ivec2(size));
     float expected = here + dot(vec2(other - at), slopes);
     float apart = abs(nearness(other) - expected) / here;
-    vec2 turned = abs(texelFetch(uSurfaces, other, 0).rg - way);
+    vec2 turned = abs(texelFetch(uGBufferSurface, other, 0).rg - way);
     float difference = apart / STEP + (turned.x + turned.y) / TURN;
     vec2 shares = mix(1.0 - share, share, vec2(offset));
     float weight = shares.x * shares.y;
@@ -72,7 +72,7 @@ vec2 placeOf(ivec2 at, vec2 corner, vec2 size, out float mixes) {
 void main() {
   vec2 size = vec2(textureSize(uAlbedo, 0));
   vec2 pixels = size / float(SAMPLES);
-  vec2 corner = floor(gl_FragCoord.xy / pixels * uLightSize - 0.5);
+  vec2 corner = floor(gl_FragCoord.xy / pixels * uLightingSize - 0.5);
   ivec2 first = ivec2(gl_FragCoord.xy) * SAMPLES;
   vec3 albedo = vec3(0.0);
   vec2 place = vec2(0.0);
@@ -88,8 +88,8 @@ void main() {
     depth = min(depth, texelFetch(uDepth, at, 0).r);
   }
   const float COUNT = float(SAMPLES * SAMPLES);
-  vec2 steps = floor(place / COUNT * PLACES + 0.5);
-  float code = mixing > COUNT - 0.5 ? 0.0 : 1.0 + steps.x + steps.y * (PLACES + 1.0);
+  vec2 steps = floor(place / COUNT * GUIDE_STEPS + 0.5);
+  float code = mixing > COUNT - 0.5 ? 0.0 : 1.0 + steps.x + steps.y * (GUIDE_STEPS + 1.0);
   oPainted = vec4(sqrt(albedo / COUNT), code / 255.0);
   gl_FragDepth = depth;
 }

@@ -17,7 +17,7 @@ uniform sampler2D uAlbedo;
 uniform sampler2D uNormal;
 uniform sampler2D uOcclusionRoughness;
 uniform vec4 uBaseColor;
-uniform float uOcclusion;  // how much of the map's occlusion counts
+uniform float uOcclusionStrength;  // how much of the map's occlusion counts
 
 in vec3 vPositionWorld;
 in vec3 vNormalWorld;
@@ -29,13 +29,13 @@ out vec4 oColor;
 
 vec3 surfaceNormal() {
   if (light.flatShading > 0.5) return facetNormal(vPositionWorld);
-  if (frame.normalMaps > 0.5) return reliefNormal(uNormal, vUv, vNormalWorld, vTangentWorld);
+  if (frame.normalMaps > 0.5) return perturbedNormal(uNormal, vUv, vNormalWorld, vTangentWorld);
   return normalize(vNormalWorld);
 }
 
 void main() {
   vec3 albedo = texture(uAlbedo, vUv).rgb * uBaseColor.rgb;
-  float occlusion = mix(1.0, texture(uOcclusionRoughness, vUv).r, uOcclusion);
+  float occlusion = mix(1.0, texture(uOcclusionRoughness, vUv).r, uOcclusionStrength);
   vec3 normal = surfaceNormal();
   vec3 toLight = light.position - vPositionWorld;
   float distance = length(toLight);

@@ -14,7 +14,7 @@ uniform sampler2D uAlbedo;
 uniform sampler2D uNormal;
 uniform sampler2D uOcclusionRoughness;
 uniform vec4 uBaseColor;
-uniform float uOcclusion;  // how much of the map's occlusion counts
+uniform float uOcclusionStrength;  // how much of the map's occlusion counts
 
 in vec3 vPositionWorld;
 in vec3 vNormalWorld;
@@ -25,7 +25,7 @@ out vec4 oColor;
 
 vec3 surfaceNormal() {
   if (light.flatShading > 0.5) return facetNormal(vPositionWorld);
-  if (frame.normalMaps > 0.5) return reliefNormal(uNormal, vUv, vNormalWorld, vTangentWorld);
+  if (frame.normalMaps > 0.5) return perturbedNormal(uNormal, vUv, vNormalWorld, vTangentWorld);
   return normalize(vNormalWorld);
 }
 
@@ -37,7 +37,7 @@ void main() {
   float distance = length(toLight);
   vec3 lightDirection = toLight / max(distance, 1e-3);  // the flame is over 1 mm thick
   vec3 halfway = normalize(lightDirection + normalize(frame.eyePosition - vPositionWorld));
-  float diffuse = max(dot(normal, lightDirection), 0.0) * mix(1.0, occlusionRoughness.r, uOcclusion);
+  float diffuse = max(dot(normal, lightDirection), 0.0) * mix(1.0, occlusionRoughness.r, uOcclusionStrength);
   // The paper's highlight is as strong everywhere; a roughness map says where a wall is dull.
   float gloss = 1.0 - occlusionRoughness.g;
   float specular = SPECULAR * gloss * pow(max(dot(normal, halfway), 0.0), EXPONENT) * step(1e-3, diffuse);

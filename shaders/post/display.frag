@@ -4,15 +4,15 @@
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "lib/display-transform.glsl"
-#if TABLED
+#if TONE_LUT
 #include "lib/tone-lut.glsl"
 #include "lib/tone-lut-lookup.glsl"
 #endif
 
 uniform sampler2D uRadiance;
 uniform sampler2D uBloom;
-uniform vec4 uBloomPlace;  // of the picture on the bloom's texture: its size and its corner
-uniform float uScattered;  // share of the light that eye and lens scatter
+uniform vec4 uBloomTransform;  // of the picture on the bloom's texture: its size and its corner
+uniform float uGlareShare;  // share of the light that eye and lens scatter
 
 in vec2 vUv;
 flat in float vExposure;
@@ -34,8 +34,8 @@ float range(vec4 values) {
 }
 
 vec3 onScreen(vec3 light) {
-#if TABLED
-  vec3 share = max(light, 0.0) * uAdaptation / (uWhite * TABLE_LIGHT);
+#if TONE_LUT
+  vec3 share = max(light, 0.0) * uAdaptation / (uWhite * TONE_LUT_MAX);
   if (max(max(share.r, share.g), share.b) <= 1.0) return tabled(share);
 #endif
   return shown(light);
@@ -47,8 +47,8 @@ vec3 onScreen(vec3 light) {
 vec3 smoothed(vec2 uv) {
   const float STEP = 0.12;  // of luma: less is no edge that anyone sees
   vec2 texel = 1.0 / frame.viewport;
-  vec3 glare = texture(uBloom, uv * uBloomPlace.xy + uBloomPlace.zw).rgb * (vExposure * uScattered);
-  float kept = vExposure * (1.0 - uScattered);
+  vec3 glare = texture(uBloom, uv * uBloomTransform.xy + uBloomTransform.zw).rgb * (vExposure * uGlareShare);
+  float kept = vExposure * (1.0 - uGlareShare);
   vec3 here = onScreen(texture(uRadiance, uv).rgb * kept + glare);
   vec3 left = texture(uRadiance, uv - vec2(texel.x, 0.0)).rgb * kept + glare;
   vec3 right = texture(uRadiance, uv + vec2(texel.x, 0.0)).rgb * kept + glare;

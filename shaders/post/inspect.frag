@@ -19,7 +19,7 @@ const int SHADOW_CUBE = 4;
 const int VOLUME = 5;
 const int LIGHT = 6;
 const int TEMPERATURE = 7;
-const int PLAIN = 8;
+const int UNTEXTURED = 8;
 
 const float FARTHEST = 10.0;  // m
 const float MIDDLE_GREY = 0.18;
@@ -93,7 +93,7 @@ vec3 probes() {
   float edge = frame.viewport.x / (volume.columns * volume.planes);
   float up = (gl_FragCoord.y - 0.5 * frame.viewport.y) / (edge * volume.rows) + 0.5;
   if (up < 0.0 || up > 1.0) return vec3(0.0);
-  return texture(uVolume, vec2(vUv.x, up)).rgb * light.intensity / PI;
+  return texture(uIrradiance, vec2(vUv.x, up)).rgb * light.intensity / PI;
 }
 
 vec3 seen(vec3 radiance) {
@@ -105,7 +105,7 @@ vec3 shown() {
   if (uView == RADIANCE) return falseColor((log2(max(luma(radiance), 1e-9)) + 10.0) / 24.0);
   if (uView == EXPOSURE) return zone(luma(radiance));
   if (uView == BLOOM) return seen(texture(uBloom, vUv).rgb);
-  if (uView == DEPTH) return far(distanceOf(texture(uDepth, vUv).r));
+  if (uView == DEPTH) return far(linearDepth(texture(uDepth, vUv).r));
   if (uView == SHADOW_CUBE) return shadowCube();
   if (uView == VOLUME) return seen(probes());
   if (uView == LIGHT) return encodeSrgb(compressHighlights(radiance * uAdaptation / uBrightest));

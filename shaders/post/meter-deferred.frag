@@ -9,7 +9,7 @@
 #include "lib/composite.glsl"
 
 vec3 radianceAt(vec2 uv) {
-  return litFrom(texelFetch(uPainted, ivec2(uv * vec2(textureSize(uPainted, 0))), 0), uv);
+  return compositeRadiance(texelFetch(uGBufferAlbedo, ivec2(uv * vec2(textureSize(uGBufferAlbedo, 0))), 0), uv);
 }
 
 #include "lib/metering.glsl"
@@ -20,5 +20,5 @@ out vec4 oBrightness;
 
 void main() {
   vec2 part = floor(gl_FragCoord.xy);
-  oBrightness = vec4(brightnessOfPart(part, gl_FragCoord.xy / vUv), 0.0, 1.0);
+  oBrightness = vec4(meterCell(part, gl_FragCoord.xy / vUv), 0.0, 1.0);
 }

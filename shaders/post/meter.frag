@@ -18,5 +18,5 @@ out vec4 oBrightness;
 
 void main() {
   vec2 part = floor(gl_FragCoord.xy);
-  oBrightness = vec4(brightnessOfPart(part, gl_FragCoord.xy / vUv), 0.0, 1.0);
+  oBrightness = vec4(meterCell(part, gl_FragCoord.xy / vUv), 0.0, 1.0);
 }

@@ -9,7 +9,7 @@ uniform float uLayer;
 out vec4 oColor;
 
 void main() {
-  vec3 place = vec3(floor(gl_FragCoord.xy), uLayer) / (TABLE_SIZE - 1.0);
+  vec3 place = vec3(floor(gl_FragCoord.xy), uLayer) / (TONE_LUT_SIZE - 1.0);
   place *= place;
-  oColor = vec4(shownGraded(place * place * TABLE_LIGHT * uWhite), 1.0);
+  oColor = vec4(toneAndEncode(place * place * TONE_LUT_MAX * uWhite), 1.0);
 }

@@ -31,7 +31,7 @@ void main() {
   float breadth = uSize * (0.5 + unit(pcg(slot))) * frame.projectionScale / away;
   float opacity = min(breadth * breadth / (BREADTH * BREADTH), 1.0);
   opacity *= shown * smoothstep(BLURRED.x, BLURRED.y, away);
-  vLight = vec4(smokeRadiance(place, frame.eyePosition), 1.0) * opacity;
+  vLight = vec4(scatteredRadiance(place, frame.eyePosition), 1.0) * opacity;
   vStreak = vec2(0.0);
   vExtent = vec2(BREADTH, 2.0 * BREADTH + 1.0);
   gl_PointSize = vExtent.y;

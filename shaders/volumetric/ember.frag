@@ -14,7 +14,7 @@ out vec4 oRadiance;
 const float HIDES = 0.004;
 
 void main() {
-  float room = distanceOf(texelFetch(uDepth, ivec2(gl_FragCoord.xy), 0).r);
-  float isSeen = step(distanceOf(gl_FragCoord.z) - HIDES, room);
+  float room = linearDepth(texelFetch(uDepth, ivec2(gl_FragCoord.xy), 0).r);
+  float isSeen = step(linearDepth(gl_FragCoord.z) - HIDES, room);
   oRadiance = vec4(uEmber * emberShare(vPositionWorld) * isSeen, 0.0);
 }

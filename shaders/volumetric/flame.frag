@@ -21,7 +21,7 @@ const float COOL = 0.2;
 const float WICK_RADIUS = 0.0009;  // m
 
 // Table coordinates of a place: radius and height, as shares. Outside of 0 to 1 there is nothing.
-vec2 inBody(vec3 position) {
+vec2 bodyUv(vec3 position) {
   float last = float(NODES - 1);
   float place = position.y / flame.top * last;
   float inside = clamp(place, 0.0, last);
@@ -61,7 +61,7 @@ vec2 within(vec3 eye, vec3 direction) {
 }
 
 // Distance to the wick, a straight rod from the foot, or far away if the ray misses it.
-float wickAhead(vec3 eye, vec3 direction) {
+float intersectWick(vec3 eye, vec3 direction) {
   float squared = dot(flame.wick, flame.wick);
   float d = dot(direction, flame.wick);
   float e = dot(eye, flame.wick);
@@ -80,13 +80,13 @@ void main() {
   vec3 direction = normalize(vPosition - eye);
   vec2 span = within(eye, direction);
   float begin = max(span.x, 0.0);
-  float end = min(span.y, wickAhead(eye, direction));
+  float end = min(span.y, intersectWick(eye, direction));
   if (end <= begin) discard;
   float stride = (end - begin) / flame.steps;
   vec3 radiance = vec3(0.0);
   float depth = 0.0;  // optical
   for (float i = 0.5; i < flame.steps; i++) {
-    vec2 place = inBody(eye + direction * (begin + i * stride));
+    vec2 place = bodyUv(eye + direction * (begin + i * stride));
     if (place.x >= 1.0 || place.y <= 0.0 || place.y >= 1.0) continue;
     vec4 body = texture(uBody, place);
     float absorbed = body.b * flame.soot * stride;

@@ -18,5 +18,5 @@ void main() {
   vec2 place = (gl_PointCoord - 0.5) * vec2(1.0, -1.0) * vExtent.y;
   float along = clamp(dot(place, vStreak) / max(dot(vStreak, vStreak), 1e-4), -1.0, 1.0);
   float away = length(place - along * vStreak) / vExtent.x;
-  oRadiance = vLight * (max(1.0 - away, 0.0) * softly(SOFT));
+  oRadiance = vLight * (max(1.0 - away, 0.0) * softParticleFade(SOFT));
 }

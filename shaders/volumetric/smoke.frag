@@ -15,6 +15,6 @@ out vec4 oRadiance;
 
 void main() {
   float thickness = vThickness * exp(-0.5 * vAcross * vAcross);
-  float opacity = (1.0 - exp(-thickness)) * softly(SOFT);
+  float opacity = (1.0 - exp(-thickness)) * softParticleFade(SOFT);
   oRadiance = vec4(min(vRadiance, 3e4) * opacity, opacity);
 }

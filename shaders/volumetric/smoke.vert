@@ -41,7 +41,7 @@ void main() {
   float drawn = max(breadth, LEAST_BREADTH * away / frame.projectionScale);
   // A line seen from its end is longer for the eye.
   vThickness = here.w / (drawn * sqrt(2.0 * PI) * max(sine, 0.3));
-  vRadiance = smokeRadiance(here.xyz, frame.eyePosition);
+  vRadiance = scatteredRadiance(here.xyz, frame.eyePosition);
   vAcross = (float(side) * 2.0 - 1.0) * REACH;
   vec3 position = here.xyz + sideways / max(sine, 1e-4) * (vAcross * drawn);
   gl_Position = frame.clipFromWorld * vec4(position, 1.0);

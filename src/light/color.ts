@@ -79,7 +79,7 @@ export function adaptedWhite(): Rgb {
 }
 
 /** How much further than in nature a faint hue is shown from white; see shaders/lib/chromatic-adaptation.glsl. */
-export const VIVIDNESS = 1.6;
+export const VIBRANCE = 1.6;
 
 /** CIE 1976 u'v' of linear Rec. 709. */
 export function chromaticity(rgb: Rgb): readonly [u: number, v: number] {

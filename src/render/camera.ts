@@ -54,13 +54,17 @@ export function sightOf(clip: mat4): (box: Bounds) => boolean {
  *
  * @param margin width of the light, metres
  */
-export function isBeforeSight(clip: mat4, light: Vec3, margin: number): (box: Bounds) => boolean {
+export function shadowFrustumTest(
+  clip: mat4,
+  light: Vec3,
+  margin: number,
+): (box: Bounds) => boolean {
   const edges = edgesOf(clip).filter((edge) => !isBeyond(edge, { min: light, max: light }));
   return (box) => !edges.some((edge) => isBeyond(edge, box, margin));
 }
 
 /** Clip coordinates x, y and w of a place. */
-export function onClip(
+export function clipPosition(
   m: mat4,
   x: number,
   y: number,
@@ -76,7 +80,7 @@ export function onClip(
  * @param from clip space of the one, from world space
  * @param to of the other
  */
-export function placesBetween(from: mat4, to: mat4): mat4 {
+export function reprojectionMatrix(from: mat4, to: mat4): mat4 {
   const worldFromClip = mat4.invert(mat4.create(), from);
   if (!worldFromClip) throw new Error("The eye sees nothing.");
   const clipFromPlace = mat4.fromScaling(mat4.create(), [2, 2, 2]);
@@ -89,7 +93,7 @@ export function placesBetween(from: mat4, to: mat4): mat4 {
 }
 
 /** How far the corners of a picture are from where they were in another, as shares of it, at some distance (m). */
-export function shiftOf(between: mat4, distance: number): number {
+export function screenMotion(between: mat4, distance: number): number {
   const depth = (FAR - (NEAR * FAR) / distance) / (FAR - NEAR);
   let most = 0;
   for (let corner = 0; corner < 4; corner++) {

@@ -26,7 +26,7 @@ export function lightBlock(world: World, showsCandle: boolean) {
 }
 
 /** A light of 1 cd for each colour, where captures are made. */
-export interface LightAtVantage extends Readonly<Record<string, number | readonly number[]>> {
+export interface CaptureLight extends Readonly<Record<string, number | readonly number[]>> {
   readonly position: Vec3;
 }
 
@@ -34,7 +34,7 @@ export interface LightAtVantage extends Readonly<Record<string, number | readonl
 const LAMP_STEP = 0.0015;
 
 /** The same flame, 1 cd strong, as light on surfaces is worked out for: still while it hardly moves. */
-export function lampOf(world: World, showsCandle: boolean): LightAtVantage {
+export function shadingLight(world: World, showsCandle: boolean): CaptureLight {
   const light = lightBlock(world, showsCandle);
   const step = (x: number) => Math.round(x / LAMP_STEP) * LAMP_STEP;
   const [x, y, z] = light.position;
@@ -51,7 +51,7 @@ export function lampOf(world: World, showsCandle: boolean): LightAtVantage {
 }
 
 /** The same flame as its captures see it: what flickers is taken to the grid that they are made on. */
-export function lightAtVantage(world: World, showsCandle: boolean): LightAtVantage {
+export function captureLight(world: World, showsCandle: boolean): CaptureLight {
   const light = lightBlock(world, showsCandle);
   return {
     ...light,

@@ -8,7 +8,7 @@ import type { Program } from "../gl/program.js";
 import type { RenderTarget } from "../gl/render-target.js";
 import type { UniformBlock } from "../gl/uniform-block.js";
 import type { VertexArray } from "../gl/vertex-array.js";
-import { adaptation, adaptedWhite, luma, VIVIDNESS } from "../light/color.js";
+import { adaptation, adaptedWhite, luma, VIBRANCE } from "../light/color.js";
 import { emberRadiance, flameLight, TAPER } from "../light/flame-light.js";
 import type { World } from "../world/world.js";
 import { clipFromWorld, projectionScale } from "./camera.js";
@@ -122,7 +122,7 @@ export class LoneCandleRenderer implements Renderer {
       uniforms: {
         uAdaptation: this.#adaptation,
         uWhite: adaptedWhite(),
-        uVividness: VIVIDNESS,
+        uVibrance: VIBRANCE,
         uHalo: [x, y, Math.abs(top - y), features.bloom ? Math.min(candela, 2) * 0.55 : 0],
         uHaloColor: [1, 0.72, 0.36],
       },
@@ -144,9 +144,9 @@ export class LoneCandleRenderer implements Renderer {
         uniforms: {
           uBaseColor: surface.baseColor,
           uLamp: TAPER.color,
-          uPlace: [x, y, z, HANDLE_TURN],
+          uPlacement: [x, y, z, HANDLE_TURN],
           uSurface: surface.parameters,
-          uOcclusion: surface.occlusionStrength,
+          uOcclusionStrength: surface.occlusionStrength,
           uWax: surface.isWax ? 1 : 0,
           uEmber: surface.isWick ? ember : NO_EMBER,
         },

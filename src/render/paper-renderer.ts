@@ -145,7 +145,7 @@ export class PaperRenderer implements Renderer {
         vertexArray,
         textures,
         sampling: surfaceSampling(this.#tier),
-        uniforms: { uBaseColor: baseColor, uOcclusion: occlusionStrength },
+        uniforms: { uBaseColor: baseColor, uOcclusionStrength: occlusionStrength },
         blocks: { Frame: this.#frame, Light: this.#light },
         depth: "test-and-write",
       });
@@ -161,7 +161,11 @@ export class PaperRenderer implements Renderer {
         vertexArray,
         textures,
         sampling: surfaceSampling(this.#tier),
-        uniforms: { uBaseColor: baseColor, uOcclusion: occlusionStrength, uWorldFromModel: place },
+        uniforms: {
+          uBaseColor: baseColor,
+          uOcclusionStrength: occlusionStrength,
+          uWorldFromModel: place,
+        },
         blocks: { Frame: this.#frame, Light: this.#light },
         depth: "test-and-write",
       });

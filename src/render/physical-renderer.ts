@@ -17,25 +17,25 @@ import type { World } from "../world/world.js";
 import { clipFromWorld, projectionScale } from "./camera.js";
 import type { View } from "./frame-settings.js";
 import { type IndirectDetail, IndirectPass, type IrradianceVolume } from "./gi/indirect-pass.js";
-import { lookAroundIncrementally } from "./gi/probe-rays.js";
-import { lightAtVantage, lightBlock } from "./light-block.js";
+import { traceProbesIncrementally } from "./gi/probe-rays.js";
+import { captureLight, lightBlock } from "./light-block.js";
 import { groupTriangles } from "./mesh/clusters.js";
-import { behindLast, type Surface, surfaceSampling, uploadModel } from "./mesh/mesh.js";
-import { reliefOf } from "./mesh/normal-map-visibility.js";
-import { REFLECTANCES, tabulateReflectance } from "./opaque/environment-brdf.js";
+import { type Surface, sortedByArea, surfaceSampling, uploadModel } from "./mesh/mesh.js";
+import { normalMapVisibilityOf } from "./mesh/normal-map-visibility.js";
+import { ENVIRONMENT_BRDF_SIZE, tabulateEnvironmentBrdf } from "./opaque/environment-brdf.js";
 import { BloomPass, shareOf } from "./post/bloom-pass.js";
-import { DisplayPass, exposureIn } from "./post/display-pass.js";
+import { DisplayPass, exposureFactor } from "./post/display-pass.js";
 import { ExposurePass } from "./post/exposure-pass.js";
 import { InspectPass } from "./post/inspect-pass.js";
 import type { Tier } from "./quality.js";
 import type { Models, Renderer } from "./renderer.js";
-import { Casters } from "./shadow/shadow-casters.js";
+import { ShadowCasters } from "./shadow/shadow-casters.js";
 import { ShadowPass } from "./shadow/shadow-pass.js";
 import { type FlamePart, FlamePass, HANDLE_TURN } from "./volumetric/flame-pass.js";
 import { HazePass } from "./volumetric/haze-pass.js";
 import { MotesPass } from "./volumetric/motes-pass.js";
 import { SmokePass } from "./volumetric/smoke-pass.js";
-import type { Veil } from "./volumetric/volumetric-target.js";
+import type { VolumetricTarget } from "./volumetric/volumetric-target.js";
 import { zoomOf } from "./zoom.js";
 
 /** Shadow cube: texels along an edge, taps that look for what casts it, taps that soften it. */
@@ -82,7 +82,7 @@ export class PhysicalRenderer implements Renderer {
   readonly #haze: HazePass;
   readonly #smoke: SmokePass;
   readonly #motes: MotesPass;
-  readonly #casters: Casters;
+  readonly #casters: ShadowCasters;
   readonly #shadow: ShadowPass;
   readonly #indirect: IndirectPass;
   readonly #reflectance: Texture;
@@ -113,9 +113,9 @@ export class PhysicalRenderer implements Renderer {
     this.#smoke = new SmokePass(gpu);
     this.#motes = new MotesPass(gpu);
     const surfaces = uploadModel(gpu, room, groupTriangles);
-    this.#room = behindLast(surfaces);
+    this.#room = sortedByArea(surfaces);
     this.#candle = uploadModel(gpu, candle, groupTriangles);
-    this.#casters = new Casters(gpu, room, surfaces, CASTER_DETAIL[tier.name]);
+    this.#casters = new ShadowCasters(gpu, room, surfaces, CASTER_DETAIL[tier.name]);
     this.#screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
     const echoing = { model: room, solid, surfaces };
     this.#indirect = new IndirectPass(gpu, this.#screen, echoing, INDIRECT[tier.name]);
@@ -123,7 +123,11 @@ export class PhysicalRenderer implements Renderer {
       gpu.texture({
         label: "reflectance",
         format: "RG16F",
-        source: { width: REFLECTANCES, height: REFLECTANCES, data: tabulateReflectance() },
+        source: {
+          width: ENVIRONMENT_BRDF_SIZE,
+          height: ENVIRONMENT_BRDF_SIZE,
+          data: tabulateEnvironmentBrdf(),
+        },
       }),
     );
     this.#bloom = new BloomPass(gpu, this.#screen, BLOOM_LEVELS[tier.name], {
@@ -163,7 +167,7 @@ export class PhysicalRenderer implements Renderer {
     if (!this.#radiance) return;
     const target = this.#samples ?? this.#radiance;
     this.#updateBlocks(world, view);
-    const light = lightAtVantage(world, view.features.candle);
+    const light = captureLight(world, view.features.candle);
     const shadow = this.#shadow.render(this.#casters, light.position);
     const volume = this.#indirect.render(this.#casters, light);
     this.#gpu.clear(target, BLACK);
@@ -208,7 +212,7 @@ export class PhysicalRenderer implements Renderer {
     this.#frame.update({
       clipFromWorld: this.#clip,
       eyePosition: shown.eye,
-      exposure: exposureIn(view),
+      exposure: exposureFactor(view),
       viewport: [width, height],
       projectionScale: projectionScale(height) * zoomOf(world),
       normalMaps: features.normalMaps ? 1 : 0,
@@ -246,17 +250,17 @@ export class PhysicalRenderer implements Renderer {
         textures: {
           ...textures,
           uShadow: shadow,
-          uReflectance: this.#reflectance,
-          uUnseen: reliefOf(this.#gpu, this.#screen, surface),
+          uEnvironmentBrdf: this.#reflectance,
+          uNormalMapVisibility: normalMapVisibilityOf(this.#gpu, this.#screen, surface),
           uRadiosity: volume.radiosity,
           ...volume.textures,
         },
         sampling: surfaceSampling(this.#tier),
         uniforms: {
           uBaseColor: baseColor,
-          uPlace: place,
+          uPlacement: place,
           uSurface: parameters,
-          uOcclusion: occlusionStrength,
+          uOcclusionStrength: occlusionStrength,
           uWax: isWax && translucency ? 1 : 0,
           uEmber: isWick ? ember : NO_EMBER,
           uShown: shown,
@@ -272,7 +276,7 @@ export class PhysicalRenderer implements Renderer {
   #drawAir(world: World, { features, isStill, inspect }: View, volume: IrradianceVolume): void {
     const { fumes, flame } = world;
     if (!fumes || !this.#radiance?.depth || !this.#veil) return;
-    const veil: Veil = { target: this.#veil, depth: this.#radiance.depth };
+    const veil: VolumetricTarget = { target: this.#veil, depth: this.#radiance.depth };
     const { color } = this.#radiance;
     const height = flame.isLit ? flame.height : 0;
     const [frame, light] = [this.#frame, this.#light];
@@ -319,7 +323,7 @@ export function preparePhysicalRenderer(
 ): boolean {
   const { isCompiled } = surfaceProgram(gpu, tier);
   const detail = INDIRECT[tier.name];
-  return lookAroundIncrementally(solid, room, detail, PROBES_PER_FRAME) && isCompiled;
+  return traceProbesIncrementally(solid, room, detail, PROBES_PER_FRAME) && isCompiled;
 }
 
 /** The part of the flame that is looked at alone; null where the room is seen. */

@@ -1,6 +1,6 @@
 import type { mat4 } from "gl-matrix";
 import type { Box } from "../gl/gpu.js";
-import { onClip } from "./camera.js";
+import { clipPosition } from "./camera.js";
 import type { Ball } from "./volumetric/smoke-pass.js";
 
 /** Pixels of a picture. */
@@ -18,7 +18,7 @@ interface Fit {
 }
 
 /** The pixels that cover balls (x, y, z, radius: metres) in a picture seen through `clip`. */
-export function boxAround(
+export function screenBounds(
   balls: Iterable<Ball>,
   clip: mat4,
   { width, height }: Size,
@@ -28,7 +28,7 @@ export function boxAround(
   for (const [x, y, z, reach] of balls) {
     for (let corner = 0; corner < 8; corner++) {
       const aside = (axis: number) => ((corner >> axis) & 1 ? reach : -reach);
-      const [across, up, w] = onClip(clip, x + aside(0), y + aside(1), z + aside(2));
+      const [across, up, w] = clipPosition(clip, x + aside(0), y + aside(1), z + aside(2));
       // Beside the eye it may be anywhere.
       if (w < 0.01) return [0, 0, width, height];
       left = Math.min(left, (0.5 + (0.5 * across) / w) * width);
@@ -46,7 +46,7 @@ export function boxAround(
 }
 
 /** A box with so many pixels more on each side, or less, but for the edges of the picture. */
-export function widened([x, y, wide, high]: Box, by: number, { width, height }: Size): Box {
+export function expandBox([x, y, wide, high]: Box, by: number, { width, height }: Size): Box {
   const [left, bottom] = [x === 0 ? 0 : Math.max(x - by, 0), y === 0 ? 0 : Math.max(y - by, 0)];
   const right = x + wide === width ? width : Math.min(x + wide + by, width);
   const top = y + high === height ? height : Math.min(y + high + by, height);
@@ -54,7 +54,7 @@ export function widened([x, y, wide, high]: Box, by: number, { width, height }: 
 }
 
 /** The pixels of another picture of the same that a box touches. */
-export function scaled([x, y, wide, high]: Box, from: Size, to: Size): Box {
+export function scaleBox([x, y, wide, high]: Box, from: Size, to: Size): Box {
   const [across, up] = [to.width / from.width, to.height / from.height];
   const [left, bottom] = [Math.floor(x * across), Math.floor(y * up)];
   const [right, top] = [Math.ceil((x + wide) * across), Math.ceil((y + high) * up)];

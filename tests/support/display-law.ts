@@ -1,4 +1,4 @@
-import { adaptation, adaptedWhite, luma, type Rgb, VIVIDNESS } from "../../src/light/color.ts";
+import { adaptation, adaptedWhite, luma, type Rgb, VIBRANCE } from "../../src/light/color.ts";
 import { TAPER } from "../../src/light/flame-light.ts";
 import { EXPOSURE_LAW } from "../../src/world/pupil.ts";
 
@@ -57,7 +57,7 @@ function graded(light: Rgb): Rgb {
   if (luminance <= 0) return [0, 0, 0];
   const hue = map(light, (x, i) => Math.log(Math.max(x / luminance, 1e-4) / (WHITE[i] ?? 1)));
   const distance = Math.max(Math.hypot(...hue), 1e-4);
-  let further = distance * (1 + VIVIDNESS * Math.exp(-((distance / GRADE.faint) ** 2)));
+  let further = distance * (1 + VIBRANCE * Math.exp(-((distance / GRADE.faint) ** 2)));
   if (further > GRADE.strong) {
     further = GRADE.strong + GRADE.beyond * (1 - Math.exp((GRADE.strong - further) / GRADE.beyond));
   }

@@ -42,7 +42,7 @@ export class Eye {
     const gpu = this.#gpu;
     const screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
     const frame = gpu.uniformBlock(
-      gpu.program("frame", displayVert, displayFrag, { defines: { TABLED: 0 } }),
+      gpu.program("frame", displayVert, displayFrag, { defines: { TONE_LUT: 0 } }),
       "Frame",
     );
     frame.update({

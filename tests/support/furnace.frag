@@ -4,7 +4,7 @@
 #include "lib/precision.glsl"
 #include "lib/brdf.glsl"
 
-uniform sampler2D uReflectance;
+uniform sampler2D uEnvironmentBrdf;
 
 in vec2 vUv;
 
@@ -32,7 +32,7 @@ void main() {
       mirror += lobe * vec2(1.0, fresnel) * (8.0 * PI * st.x * st.y / float(RINGS * SPOKES));
     }
   }
-  float metal = mirror.x * mirroringOf(uReflectance, vec3(1.0), roughness, NoV).boost.r;
-  Mirroring clear = mirroringOf(uReflectance, vec3(0.04), roughness, NoV);
+  float metal = mirror.x * environmentReflection(uEnvironmentBrdf, vec3(1.0), roughness, NoV).boost.r;
+  EnvironmentReflection clear = environmentReflection(uEnvironmentBrdf, vec3(0.04), roughness, NoV);
   oRadiance = vec4(metal, mirror.y * clear.boost.r + 1.0 - clear.share.r, mirror.x, 1.0);
 }

@@ -1,6 +1,9 @@
 import { Gpu } from "../../src/gl/gpu.ts";
 import type { ShaderSource } from "../../src/gl/program.ts";
-import { REFLECTANCES, tabulateReflectance } from "../../src/render/opaque/environment-brdf.ts";
+import {
+  ENVIRONMENT_BRDF_SIZE,
+  tabulateEnvironmentBrdf,
+} from "../../src/render/opaque/environment-brdf.ts";
 
 /** What `furnace.frag` finds, three numbers for each of `size` x `size` surfaces. Runs in the browser. */
 export function furnace(vertex: ShaderSource, fragment: ShaderSource, size: number): number[] {
@@ -11,16 +14,20 @@ export function furnace(vertex: ShaderSource, fragment: ShaderSource, size: numb
     height: size,
     color: ["RGBA16F"],
   });
-  const uReflectance = gpu.texture({
+  const uEnvironmentBrdf = gpu.texture({
     label: "reflectance",
     format: "RG16F",
-    source: { width: REFLECTANCES, height: REFLECTANCES, data: tabulateReflectance() },
+    source: {
+      width: ENVIRONMENT_BRDF_SIZE,
+      height: ENVIRONMENT_BRDF_SIZE,
+      data: tabulateEnvironmentBrdf(),
+    },
   });
   gpu.draw({
     program: gpu.program("furnace", vertex, fragment),
     target,
     vertexArray: gpu.vertexArray("screen", { attributes: {}, count: 3 }),
-    textures: { uReflectance },
+    textures: { uEnvironmentBrdf },
   });
   const found = Array.from(gpu.readRadiance(target, 0, 0, size, size));
   gpu.dispose();

@@ -113,7 +113,7 @@ function darkRoom(gpu: Gpu, uDark: Texture): IrradianceVolume {
   block.update({ corner: [0, 0, 0], extent: [1, 1, 1], ...one, looks: 0 });
   return {
     block,
-    textures: { uVolume: uDark, uProbes: uDark, uSights: uDark },
+    textures: { uIrradiance: uDark, uProbePositions: uDark, uProbeDepth: uDark },
     radiosity: uDark,
     below: uDark,
   };

@@ -34,5 +34,5 @@ void main() {
     vec2 within = (vec2(i & 15, i >> 4) + 0.5) / 16.0 - 0.5;
     truth += shine(rippled(pixel + within), ALPHA) / 256.0;
   }
-  oRadiance = vec4(shine(normal, widenedByRelief(ALPHA, normal)), shine(normal, ALPHA), truth, 1.0);
+  oRadiance = vec4(shine(normal, specularAntialiasing(ALPHA, normal)), shine(normal, ALPHA), truth, 1.0);
 }

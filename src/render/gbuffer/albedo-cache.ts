@@ -15,14 +15,14 @@ export function isBaked({ parameters: [, metallic, , nothingBelow] }: Surface): 
 }
 
 /** Base colours that are cheap to read, made one by one and kept. */
-export class RootTextures {
+export class AlbedoCache {
   readonly #gpu: Gpu;
   readonly #screen: VertexArray;
   /** By base colour, and by what is baked into it. */
   readonly #roots = new Map<Texture, Map<Texture | null, Texture>>();
   readonly #programs: Record<string, Program> = {};
   /** Whether none was missing when this was last gone on with. */
-  areMade = false;
+  isComplete = false;
 
   constructor(gpu: Gpu, screen: VertexArray) {
     this.#gpu = gpu;
@@ -46,7 +46,7 @@ export class RootTextures {
       roots.set(isBaked(surface) ? uOcclusionRoughness : null, this.#make(surface));
       return;
     }
-    this.areMade = true;
+    this.isComplete = true;
   }
 
   #make(surface: Surface): Texture {
@@ -71,7 +71,7 @@ export class RootTextures {
       target,
       vertexArray: this.#screen,
       textures: BAKED ? { uAlbedo, uOcclusionRoughness } : { uAlbedo },
-      ...(BAKED && { uniforms: { uOcclusion: surface.occlusionStrength } }),
+      ...(BAKED && { uniforms: { uOcclusionStrength: surface.occlusionStrength } }),
     });
     target.dispose();
     root.updateMipmaps();

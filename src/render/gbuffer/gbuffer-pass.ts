@@ -17,10 +17,17 @@ import type { Bounds, Vec3 } from "../../world/bounds.js";
 import { sightOf } from "../camera.js";
 import { runsOf } from "../mesh/clusters.js";
 import type { Surface } from "../mesh/mesh.js";
-import type { CoarseSurfaces, Drawable } from "../mesh/mesh-lods.js";
-import { isBaked, RootTextures } from "./albedo-cache.js";
-import { AT_ORIGIN, type Kept, keepable, type Paint, type Placed, sinceOf } from "./gbuffer.js";
-import { clipOfStripe, stripeOf } from "./screen-bands.js";
+import type { Drawable, MeshLods } from "../mesh/mesh-lods.js";
+import { AlbedoCache, isBaked } from "./albedo-cache.js";
+import {
+  AT_ORIGIN,
+  historyOf,
+  type Kept,
+  type Paint,
+  type Placed,
+  reprojectionBetween,
+} from "./gbuffer.js";
+import { bandOf, clipOfBand } from "./screen-bands.js";
 
 const NOTHING = [0, 0, 0, 0] as const;
 /** Relief follows the flame in steps of this, metres. */
@@ -35,7 +42,7 @@ const SAMPLES = { moving: 0.5, resting: 2 } as const;
 /** How coarse surfaces read their textures. */
 const COARSE: NonNullable<Draw["sampling"]> = {
   uAlbedo: "level",
-  uRoot: "level",
+  uGamma2Albedo: "level",
   uNormal: "texel",
   uOcclusionRoughness: "texel",
 };
@@ -72,7 +79,7 @@ interface Painting {
 }
 
 /** The room and the candle as surfaces, drawn anew only when they, the eye or the flame have moved. */
-export class GeometryPass {
+export class GBufferPass {
   readonly #gpu: Gpu;
   readonly #screen: VertexArray;
   readonly #chooseUsual: Program;
@@ -80,8 +87,8 @@ export class GeometryPass {
   /** By what they are defined for. */
   readonly #programs = new Map<string, Program>();
   #isMotionPrepared = false;
-  readonly #coarse: CoarseSurfaces;
-  readonly #roots: RootTextures;
+  readonly #coarse: MeshLods;
+  readonly #roots: AlbedoCache;
   #moving: RenderTarget | null = null;
   #resting: RenderTarget | null = null;
   #painted: RenderTarget | null = null;
@@ -98,11 +105,11 @@ export class GeometryPass {
   #begun: { readonly known: string; stripes: number } | null = null;
   #wasCoarse = false;
 
-  constructor(gpu: Gpu, screen: VertexArray, coarse: CoarseSurfaces) {
+  constructor(gpu: Gpu, screen: VertexArray, coarse: MeshLods) {
     this.#gpu = gpu;
     this.#screen = screen;
     this.#coarse = coarse;
-    this.#roots = new RootTextures(gpu, screen);
+    this.#roots = new AlbedoCache(gpu, screen);
     this.#chooseUsual = gpu.program("opaque/representative-sample", fullscreenVert, usualFrag);
     this.#guide = gpu.program("opaque/upsample-guide", fullscreenVert, guideFrag, {
       defines: { SAMPLES: SAMPLES.resting },
@@ -170,10 +177,10 @@ export class GeometryPass {
     this.#kept = null;
     if (sight.isPatient) this.#prepareMotion(scene);
     const [surfaces, depth] = this.#partsOf(this.#surfaces(false));
-    const { color: painted, depth: paintedDepth } = this.#painted!;
-    if (!paintedDepth) throw new Error("Paint has a depth.");
+    const { color: painted, depth: frameDepth } = this.#painted!;
+    if (!frameDepth) throw new Error("Paint has a depth.");
     const usual = this.#usual?.color ?? null;
-    const paint = { painted, paintedDepth, surfaces, depth, usual, known: `fine ${known}` };
+    const paint = { painted, frameDepth, surfaces, depth, usual, known: `fine ${known}` };
     return { ...paint, kind: "fine", since: null };
   }
 
@@ -186,10 +193,10 @@ export class GeometryPass {
     const target = this.#surfaces(true);
     const [surfaces, depth] = this.#partsOf(target);
     const { clip, features, isMoving } = scene.sight;
-    const now = keepable(scene.placed, clip, features);
+    const now = historyOf(scene.placed, clip, features);
     const before = this.#kept;
     this.#kept = null;
-    const since = before && isMoving ? sinceOf(now, before) : null;
+    const since = before && isMoving ? reprojectionBetween(now, before) : null;
     if (!since && known !== this.#coarseKnown) {
       this.#coarseKnown = known;
       this.#gpu.clear(target, NOTHING);
@@ -203,8 +210,8 @@ export class GeometryPass {
       source: { width: this.#painted!.width, height: this.#painted!.height },
       filter: "nearest",
     });
-    const [painted, paintedDepth] = [target.color, this.#movingDepth];
-    const seen = { painted, paintedDepth, surfaces, depth, usual: null };
+    const [painted, frameDepth] = [target.color, this.#movingDepth];
+    const seen = { painted, frameDepth, surfaces, depth, usual: null };
     const paint = { ...seen, known: `coarse ${this.#coarseKnown}` };
     return { ...paint, kind: since ? "kept" : "coarse", since };
   }
@@ -226,13 +233,13 @@ export class GeometryPass {
     const stripe = this.#begun.stripes++;
     if (stripe < STRIPES.surfaces) {
       const target = this.#surfaces(false);
-      const band = stripeOf(target, stripe, STRIPES.surfaces);
+      const band = bandOf(target, stripe, STRIPES.surfaces);
       this.#gpu.clear(target, NOTHING, band);
       this.#drawSurfaces(target, scene, false, band);
       return;
     }
     if (stripe === STRIPES.surfaces) this.#drawUsual(scene.sight);
-    const band = stripeOf(this.#painted!, stripe - STRIPES.surfaces, STRIPES.guide);
+    const band = bandOf(this.#painted!, stripe - STRIPES.surfaces, STRIPES.guide);
     this.#gpu.clear(this.#painted!, NOTHING, band);
     this.#drawGuide(scene.sight, band);
     if (this.#begun.stripes < STRIPES.surfaces + STRIPES.guide) return;
@@ -242,7 +249,7 @@ export class GeometryPass {
 
   #drawSurfaces(target: RenderTarget, scene: Scene, isCoarse: boolean, band?: Box): void {
     const { clip } = scene.sight;
-    const isSeen = sightOf(band ? clipOfStripe(band, target, clip) : clip);
+    const isSeen = sightOf(band ? clipOfBand(band, target, clip) : clip);
     for (const model of scene.placed) {
       for (const surface of isCoarse ? this.#coarse.merged(model.surfaces) : model.surfaces) {
         this.#draw(surface, model, scene, { target, isCoarse, isSeen, scissor: band });
@@ -253,7 +260,7 @@ export class GeometryPass {
   /** Gets ready, while the eye rests, for its first move: programs are compiled and drawn with once. */
   #prepareMotion(scene: Scene): void {
     this.#prepare(scene.placed);
-    if (this.#isMotionPrepared || !this.#roots.areMade) return;
+    if (this.#isMotionPrepared || !this.#roots.isComplete) return;
     this.#isMotionPrepared = true;
     const how = { target: this.#surfaces(true), isCoarse: true, isSeen: () => true } as const;
     const drawn = new Set<Program>();
@@ -275,15 +282,15 @@ export class GeometryPass {
 
   /** Where light is to be worked out. */
   #drawUsual({ lightSize }: Sight): void {
-    const [uSurfaces, uDepth] = this.#partsOf(this.#surfaces(false));
+    const [uGBufferSurface, uDepth] = this.#partsOf(this.#surfaces(false));
     const how = { label: "surfaces/usual", color: ["R8"], filter: "nearest" } as const;
     this.#usual ??= this.#gpu.renderTarget({ ...how, ...lightSize });
     this.#gpu.draw({
       program: this.#chooseUsual,
       target: this.#usual,
       vertexArray: this.#screen,
-      textures: { uSurfaces, uDepth },
-      uniforms: { uLightSize: [lightSize.width, lightSize.height] },
+      textures: { uGBufferSurface, uDepth },
+      uniforms: { uLightingSize: [lightSize.width, lightSize.height] },
     });
   }
 
@@ -297,11 +304,11 @@ export class GeometryPass {
       vertexArray: this.#screen,
       textures: {
         uAlbedo: resting.color,
-        uSurfaces: surfaces,
+        uGBufferSurface: surfaces,
         uDepth: depth,
-        uUsual: this.#usual!.color,
+        uRepresentative: this.#usual!.color,
       },
-      uniforms: { uLightSize: [lightSize.width, lightSize.height] },
+      uniforms: { uLightingSize: [lightSize.width, lightSize.height] },
       depth: "test-and-write",
       scissor,
     });
@@ -309,11 +316,11 @@ export class GeometryPass {
 
   /** Whoever may be cut out costs all that is drawn later its early test of depth. */
   #programFor(isMoving: boolean, hasRoot: boolean, surface: Surface): Program {
-    const MASKED = surface.parameters[3] > 0 ? 1 : 0;
+    const ALPHA_TESTED = surface.parameters[3] > 0 ? 1 : 0;
     const BAKED = isBaked(surface) ? 1 : 0;
-    const PLAIN = BAKED && surface.isPlain ? 1 : 0;
-    const detail = hasRoot ? { BAKED, PLAIN } : { MOVING: isMoving ? 1 : 0 };
-    const defines = { MASKED, ...detail };
+    const UNTEXTURED = BAKED && surface.isPlain ? 1 : 0;
+    const detail = hasRoot ? { BAKED, UNTEXTURED } : { MOVING: isMoving ? 1 : 0 };
+    const defines = { ALPHA_TESTED, ...detail };
     const key = JSON.stringify(defines);
     const program =
       this.#programs.get(key) ??
@@ -326,7 +333,7 @@ export class GeometryPass {
 
   #draw(
     surface: Surface,
-    { place, isCarried = false }: Placed,
+    { place, isHeld = false }: Placed,
     { vantage, frame, sight: { features } }: Scene,
     { target, isCoarse, isSeen, scissor }: Painting,
   ): void {
@@ -343,20 +350,20 @@ export class GeometryPass {
       program: this.#programFor(isCoarse, root !== null, surface),
       target,
       vertexArray,
-      textures: root ? { ...surface.textures, uRoot: root } : surface.textures,
+      textures: root ? { ...surface.textures, uGamma2Albedo: root } : surface.textures,
       sampling: isCoarse ? COARSE : {},
       uniforms: {
         uBaseColor: surface.baseColor,
-        uPlace: place,
+        uPlacement: place,
         uSurface: surface.parameters,
         uWax: surface.isWax && features.translucency ? 1 : 0,
-        uVantage: vantage,
-        ...(isCoarse && { uIsCarried: isCarried ? 1 : 0 }),
+        uCaptureOrigin: vantage,
+        ...(isCoarse && { uIsHeld: isHeld ? 1 : 0 }),
         ...(root && {
           uBaseColor: rootOf(surface.baseColor),
-          uTurn: [Math.cos(place[3]), Math.sin(place[3])],
+          uRotation: [Math.cos(place[3]), Math.sin(place[3])],
         }),
-        ...(!(root && isBaked(surface)) && { uOcclusion: surface.occlusionStrength }),
+        ...(!(root && isBaked(surface)) && { uOcclusionStrength: surface.occlusionStrength }),
       },
       blocks: { Frame: frame },
       depth: "test-and-write",

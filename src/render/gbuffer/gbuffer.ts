@@ -1,7 +1,7 @@
 import { mat4 } from "gl-matrix";
 import type { Texture } from "../../gl/texture.js";
 import type { Features } from "../../settings.js";
-import { placesBetween, shiftOf } from "../camera.js";
+import { reprojectionMatrix, screenMotion } from "../camera.js";
 import type { Surface } from "../mesh/mesh.js";
 
 /** Where what a visitor looks at usually is, metres. */
@@ -19,24 +19,28 @@ export interface Placed {
   /** How far its surfaces may be from where they were while the eye moves, metres. */
   readonly slack: number;
   /** Whether it goes where the eye goes. */
-  readonly isCarried?: boolean;
+  readonly isHeld?: boolean;
 }
 
 /** What shaders that include `lib/composite.glsl` are defined for, by the paint they are to light. */
-const PAINTS = {
+const KIND_DEFINES = {
   /** As fine as the picture. */
-  fine: { COARSE: 0, KEPT: 0 },
+  fine: { COARSE: 0, HISTORY: 0 },
   /** Of fewer pixels. */
-  coarse: { COARSE: 1, KEPT: 0 },
+  coarse: { COARSE: 1, HISTORY: 0 },
   /** The coarse one of the picture before. */
-  kept: { COARSE: 1, KEPT: 1 },
+  kept: { COARSE: 1, HISTORY: 1 },
 } as const;
-export type PaintKind = keyof typeof PAINTS;
+export type GBufferKind = keyof typeof KIND_DEFINES;
 
-export function forEachPaint<T>(
-  make: (defines: (typeof PAINTS)[PaintKind]) => T,
-): Readonly<Record<PaintKind, T>> {
-  return { fine: make(PAINTS.fine), coarse: make(PAINTS.coarse), kept: make(PAINTS.kept) };
+export function forEachGBufferKind<T>(
+  make: (defines: (typeof KIND_DEFINES)[GBufferKind]) => T,
+): Readonly<Record<GBufferKind, T>> {
+  return {
+    fine: make(KIND_DEFINES.fine),
+    coarse: make(KIND_DEFINES.coarse),
+    kept: make(KIND_DEFINES.kept),
+  };
 }
 
 /** From places in a picture to those in an earlier one: of the room, and of what goes where the eye goes. */
@@ -49,11 +53,11 @@ export interface Since {
 
 /** What is seen, without its light. */
 export interface Paint {
-  readonly kind: PaintKind;
+  readonly kind: GBufferKind;
   /** Root of the albedo as relief catches the light; alpha says where light is to be taken from. */
   readonly painted: Texture;
   /** How far away it is, for each pixel of the picture; of coarse paint whoever needs it draws it there. */
-  readonly paintedDepth: Texture;
+  readonly frameDepth: Texture;
   /** Of the samples: how the surface lies, roughness, what it is; depth. */
   readonly surfaces: Texture;
   readonly depth: Texture;
@@ -74,9 +78,9 @@ export interface Kept {
   readonly known: string;
 }
 
-export function keepable(placed: readonly Placed[], clip: mat4, features: Features): Kept {
-  const standing = placed.map(({ place, isCarried }) => isCarried || place);
-  const carried = placed.find(({ isCarried }) => isCarried)?.place ?? AT_ORIGIN;
+export function historyOf(placed: readonly Placed[], clip: mat4, features: Features): Kept {
+  const standing = placed.map(({ place, isHeld }) => isHeld || place);
+  const carried = placed.find(({ isHeld }) => isHeld)?.place ?? AT_ORIGIN;
   const worldFromModel = mat4.fromTranslation(mat4.create(), [carried[0], carried[1], carried[2]]);
   mat4.rotateY(worldFromModel, worldFromModel, carried[3]);
   return {
@@ -87,10 +91,10 @@ export function keepable(placed: readonly Placed[], clip: mat4, features: Featur
 }
 
 /** Where all of a picture was in the one before; null if that is too far, or other things were seen there. */
-export function sinceOf(now: Kept, before: Kept): Since | null {
+export function reprojectionBetween(now: Kept, before: Kept): Since | null {
   if (now.known !== before.known) return null;
-  const room = placesBetween(now.clip, before.clip);
-  const shift = shiftOf(room, USUAL_DISTANCE);
+  const room = reprojectionMatrix(now.clip, before.clip);
+  const shift = screenMotion(room, USUAL_DISTANCE);
   if (!(shift < MOST_SHIFT)) return null;
-  return { room, carried: placesBetween(now.carried, before.carried), shift };
+  return { room, carried: reprojectionMatrix(now.carried, before.carried), shift };
 }

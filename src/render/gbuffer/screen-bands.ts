@@ -8,13 +8,13 @@ interface Size {
 }
 
 /** One of so many stripes of a picture, from its bottom up; together they are all of it. */
-export function stripeOf({ width, height }: Size, stripe: number, stripes: number): Box {
+export function bandOf({ width, height }: Size, stripe: number, stripes: number): Box {
   const edge = (at: number) => Math.round((at * height) / stripes);
   return [0, edge(stripe), width, edge(stripe + 1) - edge(stripe)];
 }
 
 /** Clip space of a stripe alone, from that of the picture. */
-export function clipOfStripe([, y, , rows]: Box, { height }: Size, clip: mat4): mat4 {
+export function clipOfBand([, y, , rows]: Box, { height }: Size, clip: mat4): mat4 {
   const narrow = mat4.clone(clip);
   const middle = (2 * y + rows) / height - 1;
   for (let column = 0; column < 4; column++) {

@@ -19,12 +19,12 @@ import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Vec3 } from "../../world/bounds.js";
 import type { Solid } from "../../world/solid.js";
 import { floats } from "../float-format.js";
-import type { LightAtVantage } from "../light-block.js";
+import type { CaptureLight } from "../light-block.js";
 import type { Surface } from "../mesh/mesh.js";
 import { clipFromFace, FACES } from "../shadow/cube-map.js";
-import type { Casters } from "../shadow/shadow-casters.js";
-import { LIT, lookAround, type ProbeDetail, TILE } from "./probe-rays.js";
-import { type SightTextures, uploadSights } from "./probe-textures.js";
+import type { ShadowCasters } from "../shadow/shadow-casters.js";
+import { LIT, type ProbeDetail, TILE, traceProbes } from "./probe-rays.js";
+import { type ProbeTextures, uploadProbeRays } from "./probe-textures.js";
 
 /** How finely indirect light is known. */
 export interface IndirectDetail extends ProbeDetail {
@@ -40,7 +40,7 @@ export interface IndirectDetail extends ProbeDetail {
 const REST = 7;
 
 /** The room whose surfaces pass light on. */
-export interface Echoing {
+export interface IndirectScene {
   readonly model: Model;
   readonly solid: Solid;
   /** Of the model, in the order of its parts. */
@@ -51,9 +51,9 @@ export interface Echoing {
 export interface IrradianceVolume {
   readonly block: UniformBlock;
   readonly textures: {
-    readonly uVolume: Texture;
-    readonly uProbes: Texture;
-    readonly uSights: Texture;
+    readonly uIrradiance: Texture;
+    readonly uProbePositions: Texture;
+    readonly uProbeDepth: Texture;
   };
   /** What the patches send back, lm/m²: for `lib/distance-impostor.glsl`. */
   readonly radiosity: Texture;
@@ -90,18 +90,18 @@ export class IndirectPass {
   readonly #all: RenderTarget;
   readonly #irradiance: RenderTarget;
   readonly #light: UniformBlock;
-  readonly #room: Echoing;
-  #uploaded: SightTextures | null = null;
+  readonly #room: IndirectScene;
+  #uploaded: ProbeTextures | null = null;
   /** What the volume was made from. */
   #lastLight = "";
   /** Whether nothing that was drawn before is in it. */
   #isExact = false;
   /** What is being captured, a face at a time. */
-  #begun: { readonly light: LightAtVantage; faces: number } | null = null;
+  #begun: { readonly light: CaptureLight; faces: number } | null = null;
   /** Pictures until it may follow a light again. */
   #rest = 0;
 
-  constructor(gpu: Gpu, screen: VertexArray, room: Echoing, detail: IndirectDetail) {
+  constructor(gpu: Gpu, screen: VertexArray, room: IndirectScene, detail: IndirectDetail) {
     this.#gpu = gpu;
     this.#screen = screen;
     this.#detail = detail;
@@ -167,12 +167,12 @@ export class IndirectPass {
   }
 
   /** Uploaded when they are first needed: drawing their colours waits for a program. */
-  get #sights(): SightTextures {
+  get #sights(): ProbeTextures {
     if (this.#uploaded) return this.#uploaded;
     const { solid, model, surfaces } = this.#room;
-    const seen = lookAround(solid, model, this.#detail);
+    const seen = traceProbes(solid, model, this.#detail);
     this.#uploaded = this.#gpu.share(seen, () =>
-      uploadSights(this.#gpu, seen, this.#detail, surfaces),
+      uploadProbeRays(this.#gpu, seen, this.#detail, surfaces),
     );
     return this.#uploaded;
   }
@@ -182,7 +182,7 @@ export class IndirectPass {
    *
    * @param light members of the block of `lib/flame-light.glsl`, of a flame at its vantage
    */
-  render(casters: Casters, light: LightAtVantage): IrradianceVolume {
+  render(casters: ShadowCasters, light: CaptureLight): IrradianceVolume {
     this.#begun = null;
     if (!this.#isExact || JSON.stringify(light) !== this.#lastLight) {
       this.#gpu.clear(this.#surfels, [0, 0, 0, 0]);
@@ -193,7 +193,7 @@ export class IndirectPass {
   }
 
   /** The same of a light that moved a little while ago: its cost is spread over as many pictures. */
-  follow(casters: Casters, light: LightAtVantage): IrradianceVolume {
+  follow(casters: ShadowCasters, light: CaptureLight): IrradianceVolume {
     if (this.#lastLight === "") {
       this.render(casters, light);
       this.#isExact = false; // of casters that may be coarse
@@ -217,16 +217,16 @@ export class IndirectPass {
   get #volume(): IrradianceVolume {
     return {
       block: this.#block,
-      textures: { uVolume: this.#irradiance.color, ...this.#sights.room },
+      textures: { uIrradiance: this.#irradiance.color, ...this.#sights.room },
       radiosity: this.#radiosity.color,
       below: this.#below?.target.color ?? null,
     };
   }
 
-  #capture(casters: Casters, vantage: Vec3, face: number): void {
+  #capture(casters: ShadowCasters, vantage: Vec3, face: number): void {
     const size = this.#detail.patches;
     const clipFromWorld = clipFromFace(face, vantage, mat4.create()) as Float32Array;
-    casters.drawColored(face, vantage, {
+    casters.drawWithAlbedo(face, vantage, {
       program: this.#surfelProgram,
       target: this.#surfels,
       viewport: [face * size, 0, size, size],
@@ -236,7 +236,7 @@ export class IndirectPass {
     });
   }
 
-  #bounce(light: LightAtVantage): void {
+  #bounce(light: CaptureLight): void {
     this.#lastLight = JSON.stringify(light);
     this.#isExact = true;
     this.#light.update(light);
@@ -246,7 +246,7 @@ export class IndirectPass {
   }
 
   /** The same where the light was nearly as it is: what it threw back then stands for all later bounces. */
-  #bounceOn(light: LightAtVantage): void {
+  #bounceOn(light: CaptureLight): void {
     this.#lastLight = JSON.stringify(light);
     this.#isExact = false;
     this.#light.update(light);
@@ -258,10 +258,10 @@ export class IndirectPass {
   #reflectOnce(): void {
     const [patchColor, normalDistance] = this.#surfels.colors;
     if (!patchColor || !normalDistance) throw new Error("A patch has a colour and a place.");
-    const { uProbes } = this.#sights.room;
+    const { uProbePositions } = this.#sights.room;
     const ofPatches = {
       vertexArray: this.#screen,
-      textures: { uPatchColor: patchColor, uNormalDistance: normalDistance },
+      textures: { uSurfelAlbedo: patchColor, uSurfelNormalDistance: normalDistance },
       blocks: { Light: this.#light },
     };
     const radiosity = { program: this.#radiosityProgram, target: this.#radiosity };
@@ -272,10 +272,10 @@ export class IndirectPass {
       target: this.#all,
       vertexArray: this.#screen,
       textures: {
-        uNormalDistance: normalDistance,
+        uSurfelNormalDistance: normalDistance,
         uRadiosity: this.#radiosity.color,
-        uHits: this.#sights.rays.uHits,
-        uProbes,
+        uRayHits: this.#sights.rays.uRayHits,
+        uProbePositions,
       },
       blocks: { Light: this.#light },
     });
@@ -283,7 +283,7 @@ export class IndirectPass {
       program: this.#glimpseProgram,
       target: this.#echo,
       vertexArray: this.#screen,
-      textures: { uNormalDistance: normalDistance, uProbes, ...this.#sights.rays },
+      textures: { uSurfelNormalDistance: normalDistance, uProbePositions, ...this.#sights.rays },
       blocks: { Light: this.#light },
     });
     this.#gather(this.#all, this.#first);
@@ -295,7 +295,7 @@ export class IndirectPass {
       target: this.#echo,
       vertexArray: this.#screen,
       textures: {
-        uVolume: this.#irradiance.color,
+        uIrradiance: this.#irradiance.color,
         ...this.#sights.room,
         ...this.#sights.rays,
       },
@@ -311,7 +311,7 @@ export class IndirectPass {
       program: this.#gatherProgram,
       target,
       vertexArray: this.#screen,
-      textures: { ...harmonicsOf(radiance), uEcho: this.#echo.color },
+      textures: { ...harmonicsOf(radiance), uRayRadiance: this.#echo.color },
     });
   }
 
@@ -328,7 +328,7 @@ export class IndirectPass {
 }
 
 function harmonicsOf({ colors }: RenderTarget) {
-  const [uFirst, uSecond, uThird] = colors;
-  if (!uFirst || !uSecond || !uThird) throw new Error("Harmonics take three textures.");
-  return { uFirst, uSecond, uThird };
+  const [uSh0, uSh1, uSh2] = colors;
+  if (!uSh0 || !uSh1 || !uSh2) throw new Error("Harmonics take three textures.");
+  return { uSh0, uSh1, uSh2 };
 }

@@ -15,7 +15,7 @@ export interface ProbeDetail {
  *
  * Every probe is a tile: those of one plane of constant z side by side along x, row by row along y.
  */
-export interface Sights {
+export interface ProbeRays {
   /** (x, y, z, 1) of each probe, metres; the last is 0 where there was no place in the open. */
   readonly places: Float32Array;
   /** What each ray meets: normal on the ray's side; distance, metres, 0 for nothing that sends light. */
@@ -49,11 +49,11 @@ const BURIED = 0.2;
 /** Where a buried probe looks for the open, in cells from its own place, nearest first. */
 const NEARBY: readonly Vec3[] = nearby();
 
-const known = new WeakMap<Solid, Map<string, Survey>>();
+const known = new WeakMap<Solid, Map<string, ProbeTrace>>();
 
 /** Looks around from every probe. The room remembers, for the next renderer that asks. */
-export function lookAround(solid: Solid, model: Model, detail: ProbeDetail): Sights {
-  return surveyOf(solid, model, detail).finish();
+export function traceProbes(solid: Solid, model: Model, detail: ProbeDetail): ProbeRays {
+  return probeTraceOf(solid, model, detail).finish();
 }
 
 /**
@@ -61,25 +61,25 @@ export function lookAround(solid: Solid, model: Model, detail: ProbeDetail): Sig
  *
  * @returns whether all of them are done
  */
-export function lookAroundIncrementally(
+export function traceProbesIncrementally(
   solid: Solid,
   model: Model,
   detail: ProbeDetail,
   probes: number,
 ): boolean {
-  return surveyOf(solid, model, detail).proceed(probes);
+  return probeTraceOf(solid, model, detail).proceed(probes);
 }
 
-function surveyOf(solid: Solid, model: Model, { probes, rays }: ProbeDetail): Survey {
-  const memory = known.get(solid) ?? new Map<string, Survey>();
+function probeTraceOf(solid: Solid, model: Model, { probes, rays }: ProbeDetail): ProbeTrace {
+  const memory = known.get(solid) ?? new Map<string, ProbeTrace>();
   known.set(solid, memory);
   const key = JSON.stringify([probes, rays]);
-  const survey = memory.get(key) ?? new Survey(solid, model, { probes, rays });
+  const survey = memory.get(key) ?? new ProbeTrace(solid, model, { probes, rays });
   memory.set(key, survey);
   return survey;
 }
 
-class Survey {
+class ProbeTrace {
   readonly #solid: Solid;
   readonly #parts: readonly Part[];
   /** Number of the first triangle of each part. */
@@ -87,7 +87,7 @@ class Survey {
   readonly #detail: ProbeDetail;
   readonly #bounds: Bounds;
   readonly #hit: Hit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
-  readonly #met = new Met();
+  readonly #met = new HitAttributes();
   readonly #feelers = octahedral(FEELERS, FEELERS, 0);
   readonly #directions: readonly Vec3[];
   readonly #lobes: Lobes;
@@ -97,7 +97,7 @@ class Survey {
   readonly #hues: readonly number[][];
   /** Probes that are done. */
   #done = 0;
-  #sights: Sights | null = null;
+  #sights: ProbeRays | null = null;
 
   constructor(solid: Solid, { parts, bounds }: Model, detail: ProbeDetail) {
     this.#solid = solid;
@@ -128,7 +128,7 @@ class Survey {
     return this.#done === this.#count;
   }
 
-  finish(): Sights {
+  finish(): ProbeRays {
     this.proceed(this.#count);
     this.#sights ??= this.#collect();
     return this.#sights;
@@ -160,7 +160,7 @@ class Survey {
     average(seen, this.#lobes, this.#distances, column, row, columns * planes);
   }
 
-  #collect(): Sights {
+  #collect(): ProbeRays {
     const length = this.#hues.reduce((sum, hue) => sum + hue.length, 0);
     const hues = new Float32Array(length);
     const runs: { part: number; first: number; count: number }[] = [];
@@ -206,7 +206,7 @@ class Survey {
 }
 
 /** What a ray has met of a part. One for all rays: there are a hundred thousand of them. */
-class Met {
+class HitAttributes {
   /** Which of the model's parts. */
   part = 0;
   /** Whether it is the back of something that has no other side. */
@@ -250,7 +250,7 @@ class Met {
 }
 
 /**
- * Directions of an octahedral map's texels (Cigolle et al. 2014, "A Survey of Efficient Representations
+ * Directions of an octahedral map's texels (Cigolle et al. 2014, "A ProbeTrace of Efficient Representations
  * for Independent Unit Vectors"), row by row; with `seam` texels more on each side, that go on across it.
  */
 export function octahedral(width: number, size: number, seam: number): Vec3[] {

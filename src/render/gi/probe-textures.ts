@@ -4,55 +4,55 @@ import type { Gpu } from "../../gl/gpu.js";
 import type { Texture } from "../../gl/texture.js";
 import { floats } from "../float-format.js";
 import type { Surface } from "../mesh/mesh.js";
-import { type ProbeDetail, SIGHT, type Sights } from "./probe-rays.js";
+import { type ProbeDetail, type ProbeRays, SIGHT } from "./probe-rays.js";
 
 /** Bytes of a float. */
 const FLOAT = 4;
 
 /** What probes see, on the GPU. */
-export interface SightTextures {
+export interface ProbeTextures {
   /** For shaders that include `lib/irradiance-volume.glsl`. */
-  readonly room: { readonly uProbes: Texture; readonly uSights: Texture };
+  readonly room: { readonly uProbePositions: Texture; readonly uProbeDepth: Texture };
   /** What each ray meets: its normal and distance, its base colour. */
-  readonly rays: { readonly uHits: Texture; readonly uHues: Texture };
+  readonly rays: { readonly uRayHits: Texture; readonly uRayAlbedo: Texture };
 }
 
 /** @param surfaces of the model that was looked at, in the order of its parts */
-export function uploadSights(
+export function uploadProbeRays(
   gpu: Gpu,
-  sights: Sights,
+  sights: ProbeRays,
   { probes: [columns, rows, planes], rays }: ProbeDetail,
   surfaces: readonly Surface[],
-): SightTextures {
+): ProbeTextures {
   const tiles = { width: columns * planes, height: rows };
-  const uProbes = gpu.texture({
+  const uProbePositions = gpu.texture({
     label: "indirect/probes",
     format: "RGBA32F",
     source: { ...tiles, data: sights.places },
     filter: "nearest",
   });
-  const uSights = gpu.texture({
+  const uProbeDepth = gpu.texture({
     label: "indirect/sights",
     format: floats(gpu, 2),
     source: { width: tiles.width * SIGHT, height: tiles.height * SIGHT, data: sights.distances },
   });
   const size = { width: tiles.width * rays, height: tiles.height * rays };
-  const uHits = gpu.texture({
+  const uRayHits = gpu.texture({
     label: "indirect/hits",
     format: "RGBA16F",
     source: { ...size, data: sights.hits },
     filter: "nearest",
   });
   return {
-    room: { uProbes, uSights },
-    rays: { uHits, uHues: colored(gpu, sights, size, surfaces) },
+    room: { uProbePositions, uProbeDepth },
+    rays: { uRayHits, uRayAlbedo: colored(gpu, sights, size, surfaces) },
   };
 }
 
 /** Base colours of what the rays met, read on the GPU: pictures may be nowhere else. */
 function colored(
   gpu: Gpu,
-  { hues, runs }: Sights,
+  { hues, runs }: ProbeRays,
   size: { readonly width: number; readonly height: number },
   surfaces: readonly Surface[],
 ): Texture {

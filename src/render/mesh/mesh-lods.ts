@@ -11,7 +11,7 @@ const PATIENCE = 20_000;
 export type Drawable = Pick<Surface, "vertexArray" | "clusters">;
 
 /** Surfaces of fewer triangles, worked out bit by bit and kept. */
-export class CoarseSurfaces {
+export class MeshLods {
   readonly #gpu: Gpu;
   readonly #coarse = new Map<Surface, Drawable & { readonly part: Part }>();
   /** Those of one model, by material. */

@@ -59,7 +59,7 @@ export function uploadModel(
 }
 
 /** The largest last: walls and floor are behind all else, and what is hidden need not be shaded. */
-export function behindLast(surfaces: readonly Surface[]): readonly Surface[] {
+export function sortedByArea(surfaces: readonly Surface[]): readonly Surface[] {
   return surfaces.toSorted((a, b) => a.area - b.area);
 }
 

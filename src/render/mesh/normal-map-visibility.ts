@@ -12,7 +12,7 @@ const LEVELS = 8;
  * What a surface's relief hides of light where it is seen too coarsely to show, made once: see
  * `mesh/normal-map-visibility.frag`. A normal map's smaller pictures are flatter than what they stand for, and so too bright.
  */
-export function reliefOf(gpu: Gpu, screen: VertexArray, surface: Surface): Texture {
+export function normalMapVisibilityOf(gpu: Gpu, screen: VertexArray, surface: Surface): Texture {
   return gpu.share(surface, () => {
     const { uNormal } = surface.textures;
     const [, , uRelief] = surface.parameters;

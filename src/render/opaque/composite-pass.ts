@@ -11,32 +11,32 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import { forEachPaint, type PaintKind } from "../gbuffer/gbuffer.js";
-import type { DisplayLaw } from "../post/display-pass.js";
-import { scaled } from "../screen-bounds.js";
+import { forEachGBufferKind, type GBufferKind } from "../gbuffer/gbuffer.js";
+import type { DisplayTransform } from "../post/display-pass.js";
+import { scaleBox } from "../screen-bounds.js";
 import type { Lit } from "./lighting-pass.js";
 
-/** Colours along an edge of the table: `TABLE_SIZE` of the shader. */
+/** Colours along an edge of the table: `TONE_LUT_SIZE` of the shader. */
 const SIZE = 32;
 
 /** How light is shown. */
-export interface Showing {
+export interface CompositeOptions {
   /** Share of it that eye and lens scatter. */
   readonly scattered: number;
   /** From places in the picture to those in that of the bloom, as shares of it. */
   readonly haloShift: readonly [number, number];
   readonly metered: boolean;
-  readonly kind: PaintKind;
+  readonly kind: GBufferKind;
   /** Where the bloom is, or was in the picture before: pixels of the canvas, and its size. */
   readonly halo: Box;
   readonly size: { readonly width: number; readonly height: number };
 }
 
 /** Puts light on paint and the result on the canvas, through a table of the display's law. */
-export class ShowPass {
+export class CompositePass {
   readonly #gpu: Gpu;
   readonly #screen: VertexArray;
-  readonly #show: Readonly<Record<PaintKind, Program>>;
+  readonly #show: Readonly<Record<GBufferKind, Program>>;
   /** Moves the picture before to where it is seen now. */
   readonly #again: Program;
   /** Smooths the edges of coarse paint, and brings it to the size of the canvas. */
@@ -54,7 +54,7 @@ export class ShowPass {
   constructor(gpu: Gpu, screen: VertexArray) {
     this.#gpu = gpu;
     this.#screen = screen;
-    this.#show = forEachPaint((defines) =>
+    this.#show = forEachGBufferKind((defines) =>
       gpu.program("opaque/composite-display", displayVert, showFrag, { defines }),
     );
     this.#again = gpu.program("opaque/reproject-color", fullscreenVert, againFrag);
@@ -72,10 +72,10 @@ export class ShowPass {
 
   render(
     textures: Lit["textures"] &
-      Readonly<Record<"uPainted" | "uDepth" | "uBloom" | "uExposure" | "uTable", Texture>>,
+      Readonly<Record<"uGBufferAlbedo" | "uDepth" | "uBloom" | "uExposure" | "uToneLut", Texture>>,
     lit: Lit["uniforms"],
-    how: Showing,
-    { uAdaptation, uWhite }: DisplayLaw,
+    how: CompositeOptions,
+    { uAdaptation, uWhite }: DisplayTransform,
     blocks: Readonly<Record<string, UniformBlock>>,
   ): void {
     const shown = {
@@ -84,10 +84,10 @@ export class ShowPass {
       textures,
       uniforms: {
         ...lit,
-        uBalance: uAdaptation.map((gain, i) => gain / (uWhite[i] ?? 1)),
-        uScattered: how.scattered,
-        uHaloShift: how.haloShift,
-        uMetered: how.metered ? 1 : 0,
+        uWhiteBalance: uAdaptation.map((gain, i) => gain / (uWhite[i] ?? 1)),
+        uGlareShare: how.scattered,
+        uGlareOffset: how.haloShift,
+        uAutoExposure: how.metered ? 1 : 0,
       },
       blocks,
     };
@@ -96,7 +96,7 @@ export class ShowPass {
       return;
     }
     const isKept = how.kind === "kept";
-    if (!isKept) this.#sizeAs(textures.uPainted);
+    if (!isKept) this.#sizeAs(textures.uGBufferAlbedo);
     const [coarse, smoothed, moved] = [this.#coarse, this.#smoothed, this.#moved];
     if (!coarse || !smoothed || !moved) throw new Error("Nothing was shown that can be moved.");
     const target = isKept ? moved : smoothed;
@@ -110,7 +110,7 @@ export class ShowPass {
       });
     }
     // The halo does not move with what is lit.
-    const scissor = isKept ? scaled(how.halo, how.size, coarse) : undefined;
+    const scissor = isKept ? scaleBox(how.halo, how.size, coarse) : undefined;
     this.#gpu.draw({ ...shown, target: coarse, scissor });
     this.#gpu.draw({
       program: this.#smooth,
@@ -138,7 +138,7 @@ export class ShowPass {
   }
 
   /** What is on the screen of each light. */
-  table({ uAdaptation: _, ...law }: DisplayLaw): Texture {
+  table({ uAdaptation: _, ...law }: DisplayTransform): Texture {
     const known = JSON.stringify(law);
     if (known === this.#known) return this.#table;
     this.#known = known;

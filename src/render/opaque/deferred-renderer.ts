@@ -17,29 +17,39 @@ import { createShape, shapeFlame } from "../../light/flame-shape.js";
 import { fieldOfViewOf } from "../../world/field-of-view.js";
 import type { Solid } from "../../world/solid.js";
 import type { World } from "../../world/world.js";
-import { clipFromWorld, isBeforeSight, onClip, projectionScale } from "../camera.js";
+import { clipFromWorld, clipPosition, projectionScale, shadowFrustumTest } from "../camera.js";
 import { floats } from "../float-format.js";
 import type { View } from "../frame-settings.js";
-import { AT_ORIGIN, forEachPaint, type PaintKind, type Placed } from "../gbuffer/gbuffer.js";
-import { GeometryPass } from "../gbuffer/gbuffer-pass.js";
+import {
+  AT_ORIGIN,
+  forEachGBufferKind,
+  type GBufferKind,
+  type Placed,
+} from "../gbuffer/gbuffer.js";
+import { GBufferPass } from "../gbuffer/gbuffer-pass.js";
 import { type IndirectDetail, IndirectPass, type IrradianceVolume } from "../gi/indirect-pass.js";
-import { type LightAtVantage, lampOf, lightAtVantage, lightBlock } from "../light-block.js";
+import { type CaptureLight, captureLight, lightBlock, shadingLight } from "../light-block.js";
 import { groupTriangles } from "../mesh/clusters.js";
-import { behindLast, type Surface, uploadModel } from "../mesh/mesh.js";
-import { CoarseSurfaces } from "../mesh/mesh-lods.js";
-import { DisplayPass, displayLaw, exposureIn, scatteredIn } from "../post/display-pass.js";
+import { type Surface, sortedByArea, uploadModel } from "../mesh/mesh.js";
+import { MeshLods } from "../mesh/mesh-lods.js";
+import {
+  DisplayPass,
+  displayTransform,
+  exposureFactor,
+  glareShareOf,
+} from "../post/display-pass.js";
 import { ExposurePass } from "../post/exposure-pass.js";
-import { GLARE, HALO_REACH, HaloPass } from "../post/flame-bloom-pass.js";
+import { BLOOM_REACH, FlameBloomPass, GLARE } from "../post/flame-bloom-pass.js";
 import type { Models, Renderer } from "../renderer.js";
-import { boxAround, widened } from "../screen-bounds.js";
-import { Casters } from "../shadow/shadow-casters.js";
+import { expandBox, screenBounds } from "../screen-bounds.js";
+import { ShadowCasters } from "../shadow/shadow-casters.js";
 import { ShadowPass } from "../shadow/shadow-pass.js";
 import { FlamePass, HANDLE_TURN } from "../volumetric/flame-pass.js";
 import { HazePass } from "../volumetric/haze-pass.js";
-import { type Ball, ballsAround, SmokePass } from "../volumetric/smoke-pass.js";
+import { type Ball, boundingSpheres, SmokePass } from "../volumetric/smoke-pass.js";
 import { zoomOf } from "../zoom.js";
-import { ShowPass } from "./composite-pass.js";
-import { LightPass } from "./lighting-pass.js";
+import { CompositePass } from "./composite-pass.js";
+import { LightingPass } from "./lighting-pass.js";
 
 const SHADOW = { size: 128, search: 4, taps: 8 } as const;
 const INDIRECT: IndirectDetail = {
@@ -74,24 +84,24 @@ export class DeferredRenderer implements Renderer {
   readonly #gpu: Gpu;
   readonly #frame: UniformBlock;
   readonly #light: UniformBlock;
-  readonly #geometry: GeometryPass;
-  readonly #lightPass: LightPass;
-  readonly #show: ShowPass;
-  readonly #radianceProgram: Readonly<Record<PaintKind, Program>>;
+  readonly #geometry: GBufferPass;
+  readonly #lightPass: LightingPass;
+  readonly #show: CompositePass;
+  readonly #radianceProgram: Readonly<Record<GBufferKind, Program>>;
   readonly #emberProgram: Program;
   readonly #exposure: ExposurePass;
   readonly #display: DisplayPass;
   readonly #flame: FlamePass;
   readonly #haze: HazePass;
   readonly #smoke: SmokePass;
-  readonly #coarse: CoarseSurfaces;
-  readonly #casters: Casters;
+  readonly #coarse: MeshLods;
+  readonly #casters: ShadowCasters;
   /** Coarser ones, for who moves; null until they are ready. */
-  #slackCasters: Casters | null = null;
-  #slackEchoers: Casters | null = null;
+  #slackCasters: ShadowCasters | null = null;
+  #slackEchoers: ShadowCasters | null = null;
   readonly #shadow: ShadowPass;
   readonly #indirect: IndirectPass;
-  readonly #halo: HaloPass;
+  readonly #halo: FlameBloomPass;
   readonly #model: Model;
   /** In the order of the model's parts, and in that in which they are drawn. */
   readonly #parts: readonly Surface[];
@@ -114,13 +124,13 @@ export class DeferredRenderer implements Renderer {
   constructor(gpu: Gpu, { room, candle }: Models, solid: Solid) {
     this.#gpu = gpu;
     this.#screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
-    this.#lightPass = new LightPass(gpu, this.#screen, SHADOW);
+    this.#lightPass = new LightingPass(gpu, this.#screen, SHADOW);
     this.#frame = this.#lightPass.frame;
     this.#light = this.#lightPass.light;
-    this.#coarse = new CoarseSurfaces(gpu);
-    this.#geometry = new GeometryPass(gpu, this.#screen, this.#coarse);
-    this.#show = new ShowPass(gpu, this.#screen);
-    this.#radianceProgram = forEachPaint((defines) =>
+    this.#coarse = new MeshLods(gpu);
+    this.#geometry = new GBufferPass(gpu, this.#screen, this.#coarse);
+    this.#show = new CompositePass(gpu, this.#screen);
+    this.#radianceProgram = forEachGBufferKind((defines) =>
       gpu.program("opaque/composite", fullscreenVert, radianceFrag, { defines }),
     );
     this.#emberProgram = gpu.program("volumetric/ember", surfaceVert, emberFrag);
@@ -132,9 +142,9 @@ export class DeferredRenderer implements Renderer {
     const surfaces = uploadModel(gpu, room, groupTriangles);
     this.#model = room;
     this.#parts = surfaces;
-    this.#room = behindLast(surfaces);
+    this.#room = sortedByArea(surfaces);
     this.#candle = uploadModel(gpu, candle, groupTriangles);
-    this.#casters = new Casters(gpu, room, surfaces, CASTER_DETAIL);
+    this.#casters = new ShadowCasters(gpu, room, surfaces, CASTER_DETAIL);
     this.#shadow = new ShadowPass(gpu, SHADOW.size, floats(gpu, 1));
     this.#indirect = new IndirectPass(
       gpu,
@@ -142,7 +152,7 @@ export class DeferredRenderer implements Renderer {
       { model: room, solid, surfaces },
       INDIRECT,
     );
-    this.#halo = new HaloPass(gpu, this.#screen, this.#lightPass.format);
+    this.#halo = new FlameBloomPass(gpu, this.#screen, this.#lightPass.format);
   }
 
   resize(width: number, height: number): void {
@@ -176,13 +186,13 @@ export class DeferredRenderer implements Renderer {
   render(world: World, asked: View): void {
     const { features } = asked;
     this.#updateFrame(world, asked);
-    const light = lightAtVantage(world, features.candle);
+    const light = captureLight(world, features.candle);
     const [x, y, z] = world.shown.foot;
     const place = [x, y, z, world.candle.yaw + HANDLE_TURN] as const;
     const placed: Placed[] = [{ surfaces: this.#room, place: AT_ORIGIN, slack: SLACK.room }];
     if (features.candle) {
       const { isHeld } = world.candle;
-      placed.unshift({ surfaces: this.#candle, place, slack: SLACK.candle, isCarried: isHeld });
+      placed.unshift({ surfaces: this.#candle, place, slack: SLACK.candle, isHeld: isHeld });
     }
     const paint = this.#geometry.render(placed, this.#frame, {
       clip: this.#clip,
@@ -203,10 +213,10 @@ export class DeferredRenderer implements Renderer {
     const { shadow, vantage, volume, isNew } = isCoarse
       ? this.#castSlackly(light, isBusy)
       : this.#cast(light);
-    const lamp = { ...lampOf(world, features.candle), vantage };
+    const lamp = { ...shadingLight(world, features.candle), vantage };
     const lit = this.#lightPass.render(paint, lamp, shadow, volume, this.#clip, features);
-    const picture = { ...lit.textures, uPainted: paint.painted, uDepth: paint.depth };
-    const fire = this.#fire(paint.paintedDepth);
+    const picture = { ...lit.textures, uGBufferAlbedo: paint.painted, uDepth: paint.depth };
+    const fire = this.#fire(paint.frameDepth);
     const drawRadiance = (box: Box) => {
       if (isCoarse) this.#gpu.clear(fire, [0, 0, 0, 1], box);
       this.#gpu.draw({
@@ -219,14 +229,14 @@ export class DeferredRenderer implements Renderer {
         scissor: box,
         depth: isCoarse ? "test-and-write" : "none",
       });
-      if (features.candle) this.#drawEmber(world, place, paint.paintedDepth);
+      if (features.candle) this.#drawEmber(world, place, paint.frameDepth);
       if (features.volume) this.#flame.render(fire, this.#frame, world, "low");
-      this.#drawHaze(world, view, paint.paintedDepth);
-      this.#drawSmoke(world, view, volume, paint.paintedDepth);
+      this.#drawHaze(world, view, paint.frameDepth);
+      this.#drawSmoke(world, view, volume, paint.frameDepth);
     };
     // Whole cells of what blooms.
     const fit = { margin: MARGIN, cell: GLARE };
-    const box = boxAround(this.#ballsOfFire(world, view), this.#clip, this.#size, fit);
+    const box = screenBounds(this.#ballsOfFire(world, view), this.#clip, this.#size, fit);
     drawRadiance(box);
     this.#complete = () => drawRadiance(this.#whole);
     const lightBlocks = { Light: this.#light };
@@ -239,20 +249,24 @@ export class DeferredRenderer implements Renderer {
     };
     if (!isCoarse || !this.#halo.isDrawn || (isHaloDue && !isKept)) follow();
     const haloShift = this.#halo.shiftFrom(flameAt);
-    const law = displayLaw(this.#gpu, view);
+    const law = displayTransform(this.#gpu, view);
     const shown = {
       uBloom: this.#halo.latest,
       uExposure: this.#exposure.latest,
-      uTable: this.#show.table(law),
+      uToneLut: this.#show.table(law),
     };
     if (isCoarse || box[2] * box[3] < this.#size.width * this.#size.height) {
       const how = {
-        scattered: scatteredIn(view),
+        scattered: glareShareOf(view),
         haloShift,
         metered: features.autoExposure,
         kind: paint.kind,
         size: this.#size,
-        halo: widened(box, HALO_REACH + (paint.since?.shift ?? 0) * this.#size.width, this.#size),
+        halo: expandBox(
+          box,
+          BLOOM_REACH + (paint.since?.shift ?? 0) * this.#size.width,
+          this.#size,
+        ),
       };
       this.#show.render({ ...picture, ...shown }, lit.uniforms, how, law, {
         Frame: this.#frame,
@@ -261,21 +275,21 @@ export class DeferredRenderer implements Renderer {
     }
     const textures = { ...shown, uRadiance: this.#radiance!.color };
     const halo = { share: [1, 1], shift: haloShift } as const;
-    this.#display.render(textures, halo, view, this.#frame, widened(box, -1, this.#size));
+    this.#display.render(textures, halo, view, this.#frame, expandBox(box, -1, this.#size));
     if (isHaloDue && isKept) follow();
   }
 
   /** What the flame sees, from where, and the light that comes back from it. */
-  #cast(light: LightAtVantage) {
+  #cast(light: CaptureLight) {
     const shadow = this.#shadow.render(this.#casters, light.position);
     const volume = this.#indirect.render(this.#casters, light);
     return { shadow, vantage: light.position, volume, isNew: false };
   }
 
   /** The same for one picture among many: of fewer triangles, of those in sight, and a little late. */
-  #castSlackly(light: LightAtVantage, isBusy: boolean) {
+  #castSlackly(light: CaptureLight, isBusy: boolean) {
     this.#prepareMotion();
-    const matters = isBeforeSight(this.#clip, light.position, PENUMBRA);
+    const matters = shadowFrustumTest(this.#clip, light.position, PENUMBRA);
     const casters = this.#slackCasters ?? this.#casters;
     const shadow = this.#shadow.follow(casters, light.position, { isBusy, matters });
     const volume = this.#indirect.follow(this.#slackEchoers ?? this.#casters, light);
@@ -289,9 +303,9 @@ export class DeferredRenderer implements Renderer {
     else this.#slackEchoers ??= this.#slackly(SLACK_DETAIL.bounces);
   }
 
-  #slackly(detail: number): Casters | null {
+  #slackly(detail: number): ShadowCasters | null {
     const parts = this.#coarse.partsOf(this.#parts);
-    return parts && new Casters(this.#gpu, { ...this.#model, parts }, this.#parts, detail);
+    return parts && new ShadowCasters(this.#gpu, { ...this.#model, parts }, this.#parts, detail);
   }
 
   get #whole(): Box {
@@ -307,7 +321,7 @@ export class DeferredRenderer implements Renderer {
     this.#frame.update({
       clipFromWorld: this.#clip,
       eyePosition: shown.eye,
-      exposure: exposureIn(view),
+      exposure: exposureFactor(view),
       viewport: [width, height],
       projectionScale: projectionScale(height) * zoomOf(world),
       normalMaps: features.normalMaps ? 1 : 0,
@@ -324,7 +338,7 @@ export class DeferredRenderer implements Renderer {
         target: this.#veil!,
         vertexArray,
         textures: { uDepth: depth },
-        uniforms: { uPlace: place, uEmber: glow },
+        uniforms: { uPlacement: place, uEmber: glow },
         blocks: { Frame: this.#frame, Light: this.#light },
         blend: "premultiplied",
       });
@@ -360,9 +374,9 @@ export class DeferredRenderer implements Renderer {
       yield [x + balls[at]!, y + balls[at + 1]!, z + balls[at + 2]!, balls[at + 3]! * 1.4];
     }
     if (!fumes) return;
-    if (this.#hasSmoke(world, view)) yield* ballsAround(fumes.smoke);
+    if (this.#hasSmoke(world, view)) yield* boundingSpheres(fumes.smoke);
     if (!showsHaze(view)) return;
-    const column = this.#haze.ballsAround(fumes.plume, flame.isLit ? flame.height : 0);
+    const column = this.#haze.boundingSpheres(fumes.plume, flame.isLit ? flame.height : 0);
     for (let at = 0; at < column.length; at += 4) {
       yield [column[at]!, column[at + 1]!, column[at + 2]!, column[at + 3]!];
     }
@@ -370,7 +384,7 @@ export class DeferredRenderer implements Renderer {
 
   /** Shares of the picture; its middle for a flame behind the eye, which has no halo. */
   #flameOnPicture({ shown }: World): readonly [number, number] {
-    const [x, y, w] = onClip(this.#clip, ...shown.flame);
+    const [x, y, w] = clipPosition(this.#clip, ...shown.flame);
     return w > 0.01 ? [0.5 + (0.5 * x) / w, 0.5 + (0.5 * y) / w] : [0.5, 0.5];
   }
 

@@ -1,5 +1,5 @@
 /** Edge of the table. */
-export const REFLECTANCES = 32;
+export const ENVIRONMENT_BRDF_SIZE = 32;
 /** Facets along each axis of the sample of a surface's facets that face the eye. */
 const FACETS = 16;
 
@@ -10,13 +10,13 @@ const FACETS = 16;
  * After Karis 2013, "Real Shading in Unreal Engine 4", by the facets that the eye sees: Heitz 2018,
  * "Sampling the GGX Distribution of Visible Normals".
  */
-export function tabulateReflectance(): Float32Array {
-  const table = new Float32Array(REFLECTANCES * REFLECTANCES * 2);
-  for (let y = 0; y < REFLECTANCES; y++) {
-    for (let x = 0; x < REFLECTANCES; x++) {
-      const cosine = Math.max(x / (REFLECTANCES - 1), 1e-3);
-      const roughness = Math.max(y / (REFLECTANCES - 1), 0.03);
-      table.set(reflectance(cosine, roughness ** 2), (y * REFLECTANCES + x) * 2);
+export function tabulateEnvironmentBrdf(): Float32Array {
+  const table = new Float32Array(ENVIRONMENT_BRDF_SIZE * ENVIRONMENT_BRDF_SIZE * 2);
+  for (let y = 0; y < ENVIRONMENT_BRDF_SIZE; y++) {
+    for (let x = 0; x < ENVIRONMENT_BRDF_SIZE; x++) {
+      const cosine = Math.max(x / (ENVIRONMENT_BRDF_SIZE - 1), 1e-3);
+      const roughness = Math.max(y / (ENVIRONMENT_BRDF_SIZE - 1), 0.03);
+      table.set(reflectance(cosine, roughness ** 2), (y * ENVIRONMENT_BRDF_SIZE + x) * 2);
     }
   }
   return table;

@@ -12,13 +12,13 @@ import type { Features } from "../../settings.js";
 import { floats } from "../float-format.js";
 import type { Paint } from "../gbuffer/gbuffer.js";
 import type { IrradianceVolume } from "../gi/indirect-pass.js";
-import type { LightAtVantage } from "../light-block.js";
+import type { CaptureLight } from "../light-block.js";
 
 /** Texels along an edge of the light for each pixel of the picture, while the eye moves and when it rests. */
 const SHARE = { moving: 0.2, resting: 0.5 } as const;
 
 /** Looks at the shadow cube for each texel. */
-export interface ShadowTaps {
+export interface ShadowQuality {
   readonly search: number;
   readonly taps: number;
 }
@@ -31,7 +31,7 @@ export interface Lit {
 }
 
 /** Light on the surfaces in sight, direct and bounced, coarser than they are. */
-export class LightPass {
+export class LightingPass {
   readonly format: TextureFormat;
   readonly frame: UniformBlock;
   readonly light: UniformBlock;
@@ -40,7 +40,7 @@ export class LightPass {
   readonly #lamp: UniformBlock;
   #known = "";
   readonly #program: Program;
-  readonly #taps: ShadowTaps;
+  readonly #taps: ShadowQuality;
   /** For light of which there are few texels; made when it is first needed. */
   #coarse: Program | null = null;
   readonly #screen: VertexArray;
@@ -50,7 +50,7 @@ export class LightPass {
   #moving: RenderTarget | null = null;
   #resting: RenderTarget | null = null;
 
-  constructor(gpu: Gpu, screen: VertexArray, taps: ShadowTaps) {
+  constructor(gpu: Gpu, screen: VertexArray, taps: ShadowQuality) {
     this.#gpu = gpu;
     this.#screen = screen;
     this.#taps = taps;
@@ -62,7 +62,7 @@ export class LightPass {
     this.#lamp = gpu.uniformBlock(this.#program, "Light");
   }
 
-  #programOf({ search, taps }: ShadowTaps, COARSE: 0 | 1): Program {
+  #programOf({ search, taps }: ShadowQuality, COARSE: 0 | 1): Program {
     const defines = { SHADOW_SEARCH: search, SHADOW_TAPS: taps, COARSE };
     return this.#gpu.program("opaque/lighting", fullscreenVert, lightFrag, { defines });
   }
@@ -111,7 +111,7 @@ export class LightPass {
    */
   render(
     { kind, surfaces, depth, usual, known: paint, since }: Paint,
-    lamp: LightAtVantage,
+    lamp: CaptureLight,
     shadow: Texture,
     volume: IrradianceVolume,
     clip: mat4,
@@ -123,13 +123,13 @@ export class LightPass {
     const { color: uLight } = target;
     const { below } = volume;
     if (!below) throw new Error("Few probes need to be told what is below the flame.");
-    const corners = isCoarse && this.#corners ? { uCorners: this.#corners.color } : {};
+    const corners = isCoarse && this.#corners ? { uNearnessGather: this.#corners.color } : {};
     const textures = { uLight, ...corners };
     // What was lit a picture ago goes with its paint.
     if (since) {
       const uniforms = {
-        uRoomSince: since.room as Float32Array,
-        uCarriedSince: since.carried as Float32Array,
+        uPreviousFromCurrentRoom: since.room as Float32Array,
+        uPreviousFromCurrentHeld: since.carried as Float32Array,
       };
       return { textures, uniforms };
     }
@@ -145,12 +145,12 @@ export class LightPass {
       target,
       vertexArray: this.#screen,
       textures: {
-        uSurfaces: surfaces,
+        uGBufferSurface: surfaces,
         uDepth: depth,
-        ...(usual && { uUsual: usual }),
+        ...(usual && { uRepresentative: usual }),
         uShadow: shadow,
         ...volume.textures,
-        uBelow: below,
+        uSupport: below,
       },
       uniforms: {
         uShown: [shadows ? 1 : 0, indirect ? 1 : 0, specular ? 1 : 0],
@@ -175,6 +175,6 @@ export class LightPass {
 }
 
 /** Texels four times as large are mixed of as many looks again. */
-function halfOf({ search, taps }: ShadowTaps): ShadowTaps {
+function halfOf({ search, taps }: ShadowQuality): ShadowQuality {
   return { search: Math.ceil(search / 2), taps: Math.ceil(taps / 2) };
 }

@@ -5,7 +5,7 @@ import type { Program } from "../../gl/program.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import { adaptation, adaptedWhite, P3_FROM_RGB, type Rgb, VIVIDNESS } from "../../light/color.js";
+import { adaptation, adaptedWhite, P3_FROM_RGB, type Rgb, VIBRANCE } from "../../light/color.js";
 import { TAPER } from "../../light/flame-light.js";
 import { EXPOSURE_LAW } from "../../world/pupil.js";
 import type { View } from "../frame-settings.js";
@@ -24,30 +24,30 @@ const GAMUT: Readonly<Record<PredefinedColorSpace, readonly number[]>> = {
 };
 
 /** Share of the light that this view scatters. */
-export function scatteredIn({ features }: Pick<View, "features">): number {
+export function glareShareOf({ features }: Pick<View, "features">): number {
   return features.bloom ? SCATTERED : 0;
 }
 
 /** What metered stops, or none, are multiplied with: `Frame.exposure`. */
-export function exposureIn({ features, exposure }: View): number {
+export function exposureFactor({ features, exposure }: View): number {
   return 2 ** exposure * (features.autoExposure ? 1 : FIXED_EXPOSURE);
 }
 
 /** Uniforms of `lib/display-transform.glsl`, for a canvas that from now on has these primaries. */
-export function displayLaw(gpu: Gpu, { features, gamut }: Pick<View, "features" | "gamut">) {
+export function displayTransform(gpu: Gpu, { features, gamut }: Pick<View, "features" | "gamut">) {
   return {
     uAdaptation: features.adaptation ? ADAPTATION : UNADAPTED,
     uWhite: features.adaptation ? WHITE : TAPER.color,
-    uVividness: features.adaptation ? VIVIDNESS : 0,
-    uTone: features.toneMap ? 1 : 0,
+    uVibrance: features.adaptation ? VIBRANCE : 0,
+    uToneMapped: features.toneMap ? 1 : 0,
     uGamut: GAMUT[gpu.paintIn(gamut)],
   };
 }
 
-export type DisplayLaw = ReturnType<typeof displayLaw>;
+export type DisplayTransform = ReturnType<typeof displayTransform>;
 
 /** Where a bloom lies on the picture. */
-export interface BloomPlace {
+export interface BloomTransform {
   /** Of its texture that the picture fills. */
   readonly share: readonly [number, number];
   /** What has to be added to a place in the picture, as shares of it. */
@@ -60,11 +60,11 @@ export class DisplayPass {
   readonly #program: Program;
   readonly #screen: VertexArray;
 
-  /** @param isTabled whether most of it is looked up in a table, `uTable` */
+  /** @param isTabled whether most of it is looked up in a table, `uToneLut` */
   constructor(gpu: Gpu, screen: VertexArray, isTabled = false) {
     this.#gpu = gpu;
     this.#screen = screen;
-    const defines = { TABLED: isTabled ? 1 : 0 };
+    const defines = { TONE_LUT: isTabled ? 1 : 0 };
     this.#program = gpu.program("post/display", displayVert, displayFrag, { defines });
   }
 
@@ -74,9 +74,9 @@ export class DisplayPass {
    */
   render(
     textures: Readonly<Record<"uRadiance" | "uBloom" | "uExposure", Texture>> & {
-      readonly uTable?: Texture;
+      readonly uToneLut?: Texture;
     },
-    { share, shift }: BloomPlace,
+    { share, shift }: BloomTransform,
     view: Pick<View, "features" | "gamut">,
     frame: UniformBlock,
     scissor?: Box,
@@ -87,10 +87,10 @@ export class DisplayPass {
       vertexArray: this.#screen,
       textures,
       uniforms: {
-        ...displayLaw(this.#gpu, view),
-        uMetered: view.features.autoExposure ? 1 : 0,
-        uBloomPlace: [...share, share[0] * shift[0], share[1] * shift[1]],
-        uScattered: scatteredIn(view),
+        ...displayTransform(this.#gpu, view),
+        uAutoExposure: view.features.autoExposure ? 1 : 0,
+        uBloomTransform: [...share, share[0] * shift[0], share[1] * shift[1]],
+        uGlareShare: glareShareOf(view),
       },
       blocks: { Frame: frame },
       scissor,

@@ -11,13 +11,13 @@ const BLOOM_LEVELS = 3;
 /** Pixels of the picture for one of what blooms, along each axis. */
 export const GLARE = 4;
 /** How far the halo reaches around what glows, pixels. */
-export const HALO_REACH = 96;
+export const BLOOM_REACH = 96;
 
 /** A place in the picture, as shares of it. */
 type Place = readonly [number, number];
 
 /** The bloom of the flame alone: nothing else is bright enough. It goes with the flame, and may be an older one. */
-export class HaloPass {
+export class FlameBloomPass {
   readonly #gpu: Gpu;
   readonly #screen: VertexArray;
   readonly #format: TextureFormat;

@@ -12,7 +12,7 @@ import type { View } from "../frame-settings.js";
 import type { IrradianceVolume } from "../gi/indirect-pass.js";
 
 /** Textures that a frame has left. */
-export type Passes = Readonly<
+export type PassTextures = Readonly<
   Record<"uRadiance" | "uBloom" | "uExposure" | "uDepth" | "uShadow", Texture>
 >;
 
@@ -31,7 +31,7 @@ const VIEWS: Readonly<Record<Exclude<Inspection, "picture">, number>> = {
   haze: 8,
 };
 /** Luminance that is shown white where only a part of the flame is seen, cd/m². */
-const BRIGHTEST = { soot: 12_000, blue: 80 } as const;
+const ALBEDO_SCALE = { soot: 12_000, blue: 80 } as const;
 
 const ADAPTATION = adaptation(TAPER.color);
 
@@ -49,7 +49,7 @@ export class InspectPass {
 
   render(
     { inspect, features }: Pick<View, "inspect" | "features">,
-    passes: Passes,
+    passes: PassTextures,
     volume: IrradianceVolume,
     blocks: Readonly<Record<"Frame" | "Light", UniformBlock>>,
   ): void {
@@ -58,12 +58,12 @@ export class InspectPass {
       program: this.#program,
       target: "canvas",
       vertexArray: this.#screen,
-      textures: { ...passes, uVolume: volume.textures.uVolume },
+      textures: { ...passes, uIrradiance: volume.textures.uIrradiance },
       uniforms: {
         uView: VIEWS[inspect],
         uAdaptation: ADAPTATION,
-        uMetered: features.autoExposure ? 1 : 0,
-        uBrightest: inspect === "blue" ? BRIGHTEST.blue : BRIGHTEST.soot,
+        uAutoExposure: features.autoExposure ? 1 : 0,
+        uBrightest: inspect === "blue" ? ALBEDO_SCALE.blue : ALBEDO_SCALE.soot,
       },
       blocks: { ...blocks, Volume: volume.block },
     });

@@ -45,7 +45,7 @@ export function clipFromFace(face: number, eye: Vec3, out: mat4): mat4 {
 }
 
 /** Whether a box may show in one face, seen from `eye` (metres): it touches the pyramid of that face. */
-export function isInFace(face: number, eye: Vec3, { min, max }: Bounds): boolean {
+export function isInCubeFace(face: number, eye: Vec3, { min, max }: Bounds): boolean {
   const axis = face >> 1;
   const sign = face % 2 === 0 ? 1 : -1;
   // Farthest reach of the box along the face's direction, from the eye.

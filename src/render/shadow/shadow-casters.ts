@@ -6,7 +6,7 @@ import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Bounds, Vec3 } from "../../world/bounds.js";
 import { type Clusters, clusterTriangles, runsOf, VERTEX_SIZE } from "../mesh/clusters.js";
 import type { Surface } from "../mesh/mesh.js";
-import { isInFace } from "./cube-map.js";
+import { isInCubeFace } from "./cube-map.js";
 
 /** Unseen triangles that cost less than another draw. */
 const SPARED = 200;
@@ -25,7 +25,7 @@ function clustersOf(model: Model, detail: number): Clusters {
 }
 
 /** The room as the flame sees it: what throws shadows, and what throws light back. */
-export class Casters {
+export class ShadowCasters {
   readonly #gpu: Gpu;
   readonly #clusters: Clusters;
   readonly #surfaces: readonly Surface[];
@@ -69,7 +69,7 @@ export class Casters {
   }
 
   /** The same in their own colours: samplers `uAlbedo` times `uBaseColor`, `uNormal` by `uRelief`. */
-  drawColored(face: number, eye: Vec3, how: Omit<Draw, "vertexArray" | "textures">): void {
+  drawWithAlbedo(face: number, eye: Vec3, how: Omit<Draw, "vertexArray" | "textures">): void {
     for (const { part, first, count } of this.#runs(face, eye, true)) {
       const surface = this.#surfaces[part];
       if (!surface) continue;
@@ -85,7 +85,7 @@ export class Casters {
   }
 
   #runs(face: number, eye: Vec3, isByPart: boolean, matters = (_: Bounds) => true) {
-    const isSeen = (box: Bounds) => isInFace(face, eye, box) && matters(box);
+    const isSeen = (box: Bounds) => isInCubeFace(face, eye, box) && matters(box);
     return runsOf(this.#clusters.clusters, isSeen, isByPart, 3 * SPARED);
   }
 }

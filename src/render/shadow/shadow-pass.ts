@@ -7,7 +7,7 @@ import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { TextureView } from "../../gl/texture-view.js";
 import type { Bounds, Vec3 } from "../../world/bounds.js";
 import { clipFromFace, FACES } from "./cube-map.js";
-import type { Casters } from "./shadow-casters.js";
+import type { ShadowCasters } from "./shadow-casters.js";
 
 /** Farther than anything. */
 const NOTHING = [1e4, 0, 0, 1] as const;
@@ -33,7 +33,7 @@ export class ShadowPass {
   readonly #faces: readonly TextureView[];
   #lastVantage: Vec3 = [Number.NaN, 0, 0];
   /** Of which nothing was left out; null where something was. */
-  #whole: Casters | null = null;
+  #whole: ShadowCasters | null = null;
   /** Pictures since it was drawn. */
   #age = 0;
 
@@ -62,7 +62,7 @@ export class ShadowPass {
   }
 
   /** Distances from the vantage, drawn anew where it is another than before. */
-  render(casters: Casters, vantage: Vec3): Texture {
+  render(casters: ShadowCasters, vantage: Vec3): Texture {
     if (this.#hasMovedBy(vantage) > 0 || this.#whole !== casters) this.#draw(casters, vantage);
     return this.#distances;
   }
@@ -74,7 +74,7 @@ export class ShadowPass {
    * @param matters whether what is in a box is needed of a picture that the next will not be like
    */
   follow(
-    casters: Casters,
+    casters: ShadowCasters,
     vantage: Vec3,
     { isBusy, matters }: { readonly isBusy: boolean; readonly matters: (box: Bounds) => boolean },
   ): ShadowCube {
@@ -94,7 +94,7 @@ export class ShadowPass {
     return Number.isNaN(way) ? Number.POSITIVE_INFINITY : way;
   }
 
-  #draw(casters: Casters, vantage: Vec3, matters?: (box: Bounds) => boolean): void {
+  #draw(casters: ShadowCasters, vantage: Vec3, matters?: (box: Bounds) => boolean): void {
     this.#whole = matters ? null : casters;
     this.#age = 0;
     this.#lastVantage = [...vantage];

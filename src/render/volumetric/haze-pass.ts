@@ -9,8 +9,8 @@ import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { COLUMN_FLOATS, type Plume, plumeGrid } from "../../world/plume/plume.js";
-import { onClip } from "../camera.js";
-import type { Veil } from "./volumetric-target.js";
+import { clipPosition } from "../camera.js";
+import type { VolumetricTarget } from "./volumetric-target.js";
 
 const LEVELS = plumeGrid().y.count;
 /** Refractive index of the room's air, less 1 (Ciddor 1996, 550 nm, 20 °C). */
@@ -84,7 +84,7 @@ export class HazePass {
    * @param showsOffset how far, as a colour, instead of what is seen bent
    */
   render(
-    { target, depth }: Veil,
+    { target, depth }: VolumetricTarget,
     radiance: Texture,
     plume: Plume,
     flameHeight: number,
@@ -129,7 +129,7 @@ export class HazePass {
   }
 
   /** Balls around all that is seen to be bent: x, y, z, radius, metres, of one after another. */
-  ballsAround(plume: Plume, flameHeight: number): readonly number[] {
+  boundingSpheres(plume: Plume, flameHeight: number): readonly number[] {
     if (!this.#measure(plume, flameHeight)) return [];
     const balls: number[] = [];
     for (let level = 0; level < LEVELS; level++) {
@@ -157,7 +157,7 @@ export class HazePass {
       const reach = REACH * breadth!;
       for (let corner = 0; corner < 8; corner++) {
         const aside = (axis: number) => ((corner >> axis) & 1 ? reach : -reach);
-        const [across, , w] = onClip(clip, x! + aside(0), y! + aside(1), z! + aside(2));
+        const [across, , w] = clipPosition(clip, x! + aside(0), y! + aside(1), z! + aside(2));
         const place = w < BESIDE ? Number.NaN : (0.5 + (0.5 * across) / w) * width;
         left = Math.min(left, place);
         right = Math.max(right, place);

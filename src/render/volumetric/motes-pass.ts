@@ -10,7 +10,7 @@ import { layerKey } from "../../world/particles.js";
 import type { World } from "../../world/world.js";
 import type { IrradianceVolume } from "../gi/indirect-pass.js";
 import { FEEDBACK, ParticleSystem, particleProgram } from "./particle-system.js";
-import type { Veil } from "./volumetric-target.js";
+import type { VolumetricTarget } from "./volumetric-target.js";
 
 /** Kelvin of a droplet of burning wax, from birth to death. */
 const COOLING = [1850, 1700, 1500, 1300, 1100, 1000];
@@ -50,7 +50,7 @@ export class MotesPass {
   /** Mixes the motes of a kind into a veil's radiance. Who is not drawn catches up when it is. */
   render(
     name: "dust" | "spark",
-    { target, depth }: Veil,
+    { target, depth }: VolumetricTarget,
     world: World,
     frame: UniformBlock,
     light: UniformBlock,

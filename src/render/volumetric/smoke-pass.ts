@@ -7,7 +7,7 @@ import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { LINES, ROWS, SMOKE_FLOATS, type Smoke } from "../../world/plume/smoke.js";
 import type { IrradianceVolume } from "../gi/indirect-pass.js";
-import type { Veil } from "./volumetric-target.js";
+import type { VolumetricTarget } from "./volumetric-target.js";
 
 /** A ball: x, y, z, radius, metres. */
 export type Ball = readonly [number, number, number, number];
@@ -40,7 +40,7 @@ export class SmokePass {
 
   /** Mixes the smoke into a veil's radiance. Nothing is drawn where there is none. */
   render(
-    { target, depth }: Veil,
+    { target, depth }: VolumetricTarget,
     smoke: Smoke,
     frame: UniformBlock,
     light: UniformBlock,
@@ -69,7 +69,7 @@ export class SmokePass {
 const REACH = 2.4;
 
 /** Balls around all smoke: x, y, z, radius, metres; one for each moment of its birth. */
-export function* ballsAround({ parcels, newest, count }: Smoke): Generator<Ball> {
+export function* boundingSpheres({ parcels, newest, count }: Smoke): Generator<Ball> {
   for (let age = 0; age < count; age++) {
     const first = ((newest - age + ROWS) % ROWS) * LINES * SMOKE_FLOATS;
     const end = first + LINES * SMOKE_FLOATS;

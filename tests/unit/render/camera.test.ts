@@ -3,10 +3,10 @@ import { describe, expect, test } from "vitest";
 import {
   clipFromWorld,
   FIELD_OF_VIEW,
-  isBeforeSight,
-  placesBetween,
   projectionScale,
-  shiftOf,
+  reprojectionMatrix,
+  screenMotion,
+  shadowFrustumTest,
   sightOf,
 } from "../../../src/render/camera.ts";
 import type { Vec3 } from "../../../src/world/bounds.ts";
@@ -98,7 +98,7 @@ test("What stands between the flame and what shows is before it, wherever the fl
     const at = (axis: number, salt: number) =>
       EYE[axis]! + ((i * [17, 29, 43][axis]! + salt) % 101) / 10 - 5;
     const light: Vec3 = [at(0, 31), at(1, 57), at(2, 83)];
-    const isBefore = isBeforeSight(clip, light, 0);
+    const isBefore = shadowFrustumTest(clip, light, 0);
     const shown: Vec3 = [at(0, 0), at(1, 0), at(2, 0)];
     if (isSeen(box(shown))) {
       const between = shown.map((x, axis) => x + ((i % 9) / 8) * (light[axis]! - x)) as Vec3;
@@ -116,7 +116,7 @@ test("What stands between the flame and what shows is before it, wherever the fl
 test("what is in one picture is found in another, and a picture that turns shifts by as much", () => {
   const then = clipFromWorld([0.1, 1.6, 2], 0.3, -0.1, 1.5);
   const now = clipFromWorld([0.15, 1.58, 1.95], 0.33, -0.12, 1.5);
-  const between = placesBetween(now, then);
+  const between = reprojectionMatrix(now, then);
   const placeIn = (clip: typeof now, [x, y, z]: readonly [number, number, number]) => {
     const at = (row: number) =>
       clip[row]! * x + clip[row + 4]! * y + clip[row + 8]! * z + clip[row + 12]!;
@@ -133,10 +133,10 @@ test("what is in one picture is found in another, and a picture that turns shift
       expect(at(row) / at(3)).toBeCloseTo(expected, 4);
     }
   }
-  expect(shiftOf(placesBetween(now, now), 2)).toBeCloseTo(0, 4);
+  expect(screenMotion(reprojectionMatrix(now, now), 2)).toBeCloseTo(0, 4);
   const turned = (angle: number) =>
-    shiftOf(
-      placesBetween(clipFromWorld([0, 1, 0], angle, 0, 1), clipFromWorld([0, 1, 0], 0, 0, 1)),
+    screenMotion(
+      reprojectionMatrix(clipFromWorld([0, 1, 0], angle, 0, 1), clipFromWorld([0, 1, 0], 0, 0, 1)),
       2,
     );
   // At the picture's edge, 22.5 degrees aside.

@@ -7,7 +7,7 @@ import {
   runsOf,
   VERTEX_SIZE,
 } from "../../../../src/render/mesh/clusters.ts";
-import { clipFromFace, FACES, isInFace } from "../../../../src/render/shadow/cube-map.ts";
+import { clipFromFace, FACES, isInCubeFace } from "../../../../src/render/shadow/cube-map.ts";
 import type { Vec3 } from "../../../../src/world/bounds.ts";
 
 /** A square of the floor, of many small triangles. */
@@ -88,8 +88,8 @@ test("a face of the cube leaves out only what does not show in it", () => {
         clip,
       );
       const shows = w > 0 && Math.abs(x) <= w && Math.abs(y) <= w;
-      if (shows) expect(isInFace(face, eye, box)).toBe(true);
-      if (isInFace(face, eye, box)) drawn++;
+      if (shows) expect(isInCubeFace(face, eye, box)).toBe(true);
+      if (isInCubeFace(face, eye, box)) drawn++;
     }
   }
   expect(drawn).toBeLessThan(3 * clusters.length);
