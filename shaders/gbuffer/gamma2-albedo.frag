@@ -1,30 +1,29 @@
 #version 300 es
-// A base colour as paint keeps it, so that who reads it has no curve to undo: software takes four times as
-// long for a texel of sRGB as for one of plain bytes.
+// Gamma-2 albedo: software decodes a texel of plain bytes in a quarter of the time of an sRGB one.
 // In:  base colour (sRGB), occlusion/roughness map.
-// Out: its root; in alpha opacity, or BAKED: roughness, and crevices are painted on.
+// Out: square root of the albedo; in alpha the opacity, or BAKED: the roughness, with the occlusion in the albedo.
 #include "lib/precision.glsl"
 #if BAKED
 #include "lib/gbuffer.glsl"
 #include "lib/normal-map-shading.glsl"
 
 uniform sampler2D uOcclusionRoughness;
-uniform float uOcclusionStrength;  // how much of the map's occlusion counts
+uniform float uOcclusionStrength;
 #endif
 
 uniform sampler2D uAlbedo;
 
 in vec2 vUv;
 
-out vec4 oRoot;
+out vec4 oAlbedo;
 
 void main() {
   vec4 albedo = texture(uAlbedo, vUv);
 #if BAKED
   vec2 packed = texture(uOcclusionRoughness, vUv).rg;
-  float share = shadedAlbedoScale(mix(1.0, packed.r, uOcclusionStrength), 1.0) * ALBEDO_SCALE;
-  oRoot = vec4(sqrt(albedo.rgb * share), packed.g);
+  float scale = shadedAlbedoScale(mix(1.0, packed.r, uOcclusionStrength), 1.0) * ALBEDO_SCALE;
+  oAlbedo = vec4(sqrt(albedo.rgb * scale), packed.g);
 #else
-  oRoot = vec4(sqrt(albedo.rgb), albedo.a);
+  oAlbedo = vec4(sqrt(albedo.rgb), albedo.a);
 #endif
 }

@@ -1,8 +1,8 @@
 #version 300 es
-// What gbuffer/gbuffer.frag finds out, for a picture among many: with half of the work.
-// In:  root of the base colour, normal map; where something is metal or cut out, and the root is not
-//      BAKED, occlusion/roughness/metallic map. What is UNTEXTURED, and so BAKED, has no maps.
-// Out: root of the albedo, as the relief catches the light; how the surface lies, roughness, what it is.
+// Reduced G-buffer, for frames in motion: what gbuffer/gbuffer.frag writes at half of the cost.
+// In:  gamma-2 albedo, normal map; unless occlusion and roughness are BAKED into the albedo, their map. What is
+//      UNTEXTURED, and so BAKED, has no maps.
+// Out: gamma-2 albedo times normal-map shading; normal, roughness, material.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "lib/gbuffer.glsl"
@@ -12,17 +12,17 @@
 uniform sampler2D uGamma2Albedo;
 uniform sampler2D uNormal;
 #endif
-uniform vec4 uBaseColor;   // its root
+uniform vec4 uBaseColor;   // gamma 2
 uniform float uWax;
 uniform float uIsHeld;  // 1 or 0
-uniform vec4 uSurface;     // roughness, metallic, normal scale, alpha below which nothing is
+uniform vec4 uSurface;     // roughness, metallic, normal scale, alpha cutoff
 #if !BAKED
 uniform sampler2D uOcclusionRoughness;
-uniform float uOcclusionStrength;  // how much of the map's occlusion counts
+uniform float uOcclusionStrength;
 #endif
 
 in vec3 vNormalWorld;
-in vec3 vToFlame;
+in vec3 vToLight;
 in vec3 vUvAndOcclusion;
 
 layout(location = 0) out vec4 oAlbedo;
@@ -47,19 +47,19 @@ void main() {
 #endif
 #endif
   float side = gl_FrontFacing ? 1.0 : -1.0;
-  float caught = 1.0;
+  float shading = 1.0;
   if (frame.normalMaps > 0.5) {
-    vec3 L = vToFlame * inversesqrt(dot(vToFlame, vToFlame));
+    vec3 L = vToLight * inversesqrt(dot(vToLight, vToLight));
     L.z *= side;
 #if UNTEXTURED
-    caught = normalMapShading(L.z, L.z, 0.0);
+    shading = normalMapShading(L.z, L.z, 0.0);
 #else
     vec2 slope = texture(uNormal, vUvAndOcclusion.xy).xy * 2.0 - 1.0;
     float up = sqrt(max(1.0 - dot(slope, slope), 0.0));
-    caught = normalMapShading(L.z, dot(slope, L.xy) + up * L.z, uSurface.z);
+    shading = normalMapShading(L.z, dot(slope, L.xy) + up * L.z, uSurface.z);
 #endif
   }
-  oAlbedo = vec4(root.rgb * uBaseColor.rgb * sqrt(shadedAlbedoScale(occlusion, caught)), uIsHeld * HELD);
-  float kind = uWax > 0.5 ? WAX : packed.b * uSurface.y * METAL;
-  oSurface = encodeReducedSurface(vNormalWorld * side, packed.g * uSurface.x, kind);
+  oAlbedo = vec4(root.rgb * uBaseColor.rgb * sqrt(shadedAlbedoScale(occlusion, shading)), uIsHeld * HELD);
+  float material = uWax > 0.5 ? WAX : packed.b * uSurface.y * METAL;
+  oSurface = encodeReducedSurface(vNormalWorld * side, packed.g * uSurface.x, material);
 }

@@ -1,6 +1,5 @@
 #version 300 es
-// The room and the candle, as an eye that moves sees them: how they stand to the flame is worked out at
-// their corners.
+// Vertices of the reduced G-buffer: the direction to the light is found here, in tangent space.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 
@@ -10,12 +9,12 @@ layout(location = 2) in vec4 aTangent;
 layout(location = 3) in vec2 aUv;
 layout(location = 4) in vec4 aColor;
 
-uniform vec4 uPlacement;    // where the model's origin is, m
-uniform vec2 uRotation;     // its turn about the vertical: cosine, sine
-uniform vec3 uCaptureOrigin;  // of the flame, m
+uniform vec4 uPlacement;    // origin of the model, m
+uniform vec2 uRotation;     // turn about the vertical: cosine, sine
+uniform vec3 uCaptureOrigin;  // of the light, m
 
 out vec3 vNormalWorld;
-out vec3 vToFlame;  // along tangent, bitangent and normal, m
+out vec3 vToLight;  // along tangent, bitangent and normal, m
 out vec3 vUvAndOcclusion;
 
 void main() {
@@ -23,12 +22,12 @@ void main() {
   vec3 position = uPlacement.xyz + turn * aPosition;
   vec3 normal = turn * aNormal;
   vec3 tangent = turn * aTangent.xyz;
-  vec3 toFlame = uCaptureOrigin - position;
+  vec3 toLight = uCaptureOrigin - position;
   vNormalWorld = normal;
-  vToFlame = vec3(
-    dot(tangent, toFlame),
-    dot(cross(normal, tangent) * aTangent.w, toFlame),
-    dot(normal, toFlame)
+  vToLight = vec3(
+    dot(tangent, toLight),
+    dot(cross(normal, tangent) * aTangent.w, toLight),
+    dot(normal, toLight)
   );
   vUvAndOcclusion = vec3(aUv, aColor.r);
   gl_Position = frame.clipFromWorld * vec4(position, 1.0);

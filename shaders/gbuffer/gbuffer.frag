@@ -1,8 +1,8 @@
 #version 300 es
-// What the eye sees of the room, without its light: kept for as long as the eye stays where it is.
+// G-buffer: the visible surfaces without their light.
 // In:  base colour (sRGB), normal, occlusion/roughness/metallic maps.
-// Out: root of the albedo, as the relief catches the light; how the surface lies, roughness, what it is,
-//      MOVING: as gbuffer/gbuffer-reduced.frag puts it, which is not ready yet.
+// Out: gamma-2 albedo times normal-map shading; octahedral normal, roughness, material.
+//      REDUCED: encoded as by gbuffer/gbuffer-reduced.frag, for which this stands in until its textures are made.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "lib/octahedral.glsl"
@@ -15,12 +15,12 @@ uniform sampler2D uNormal;
 uniform sampler2D uOcclusionRoughness;
 uniform vec4 uBaseColor;
 uniform float uWax;
-#if MOVING
+#if REDUCED
 uniform float uIsHeld;  // 1 or 0
 #endif
-uniform float uOcclusionStrength;  // how much of the map's occlusion counts
-uniform vec4 uSurface;     // roughness, metallic, normal scale, alpha below which nothing is
-uniform vec3 uCaptureOrigin;     // of the flame, m
+uniform float uOcclusionStrength;
+uniform vec4 uSurface;         // roughness, metallic, normal scale, alpha cutoff
+uniform vec3 uCaptureOrigin;   // of the light, m
 
 centroid in vec3 vPositionWorld;
 centroid in vec3 vNormalWorld;
@@ -38,19 +38,19 @@ void main() {
 #endif
   vec3 packed = texture(uOcclusionRoughness, vUv).rgb;
   vec3 normal = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
-  float caught = 1.0;
+  float shading = 1.0;
   if (frame.normalMaps > 0.5) {
-    vec3 relief = perturbedNormal(uNormal, vUv, normal, vTangentWorld);
+    vec3 mapped = perturbedNormal(uNormal, vUv, normal, vTangentWorld);
     vec3 L = normalize(uCaptureOrigin - vPositionWorld);
-    caught = normalMapShading(dot(normal, L), dot(relief, L), uSurface.z);
+    shading = normalMapShading(dot(normal, L), dot(mapped, L), uSurface.z);
   }
   float occlusion = mix(1.0, packed.r, uOcclusionStrength) * vColor.r;
-  oAlbedo = vec4(sqrt(min(baseColor.rgb * shadedAlbedoScale(occlusion, caught), 1.0)), 0.0);
-  float kind = uWax > 0.5 ? WAX : packed.b * uSurface.y * METAL;
-#if MOVING
+  oAlbedo = vec4(sqrt(min(baseColor.rgb * shadedAlbedoScale(occlusion, shading), 1.0)), 0.0);
+  float material = uWax > 0.5 ? WAX : packed.b * uSurface.y * METAL;
+#if REDUCED
   oAlbedo.a = uIsHeld * HELD;
-  oSurface = encodeReducedSurface(normal, packed.g * uSurface.x, kind);
+  oSurface = encodeReducedSurface(normal, packed.g * uSurface.x, material);
 #else
-  oSurface = vec4(octahedralEncode(normal), clamp(packed.g * uSurface.x, 0.03, 1.0), kind);
+  oSurface = vec4(octahedralEncode(normal), clamp(packed.g * uSurface.x, 0.03, 1.0), material);
 #endif
 }

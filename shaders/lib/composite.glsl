@@ -1,13 +1,9 @@
-// The light of a pixel: its paint times the light around it.
+// Composite: albedo x lighting x the flame's intensity.
 // Needs lib/flame-light.glsl, lib/gbuffer.glsl, and lib/upsample-guided.glsl or lib/upsample-bilateral.glsl.
 
-// cd/m².
-vec3 compositeRadiance(vec4 painted, vec2 uv) {
-  vec4 root = texture(uLight, lightingUv(uv, painted));
-  vec3 caught = painted.rgb * root.rgb;
-  return (ALBEDO_SCALE * caught * caught + root.a * root.a) * light.intensity;
-}
-
-vec3 compositeRadianceAt(vec2 uv) {
-  return compositeRadiance(texture(uGBufferAlbedo, uv), uv);
+// Radiance, cd/m². `albedo`: of the G-buffer, gamma 2.
+vec3 compositeRadiance(vec4 albedo, vec2 uv) {
+  vec4 lighting = texture(uLighting, lightingUv(uv, albedo));
+  vec3 diffuse = albedo.rgb * lighting.rgb;
+  return (ALBEDO_SCALE * diffuse * diffuse + lighting.a * lighting.a) * light.intensity;
 }

@@ -1,35 +1,37 @@
-// How surfaces are kept in textures of 8 bits.
+// Encoding of the G-buffer in textures of 8 bits.
 
-// Of an albedo times its relief.
+// Gamma-2 albedo times normal-map shading: largest value.
 const float ALBEDO_SCALE = 1.4;
-// What a surface is: 0 to METAL is how much of it is metal.
+
+// Material: 0 to METAL is how much of the surface is metal.
 const float METAL = 0.5;
 const float WAX = 1.0;
 
-// While the eye moves: how a surface lies, as it is; what it is, in steps, and between them its roughness.
+// Reduced G-buffer: normal in rgb; material in steps, and roughness between them, in a.
 const float MATERIAL_STEPS = 7.0;
 const float ROUGHNESS_STEPS = 32.0;
 
-vec4 encodeReducedSurface(vec3 normal, float roughness, float kind) {
+vec4 encodeReducedSurface(vec3 normal, float roughness, float material) {
   float rough = floor(clamp(roughness, 0.03, 1.0) * (ROUGHNESS_STEPS - 1.0) + 0.5);
-  return vec4(normal * 0.5 + 0.5, (floor(kind * MATERIAL_STEPS + 0.5) * ROUGHNESS_STEPS + rough) / 255.0);
+  float code = floor(material * MATERIAL_STEPS + 0.5) * ROUGHNESS_STEPS + rough;
+  return vec4(normal * 0.5 + 0.5, code / 255.0);
 }
 
-// Alpha of the paint, while the eye moves, of what goes with it.
+// Alpha of the reduced albedo for surfaces that move with the camera.
 const float HELD = 1.0 / 255.0;
 
-// Steps of a place between two texels of light, where it is not simply mixed.
+// Steps of the upsample guide between two lighting texels.
 const float GUIDE_STEPS = 14.0;
 
-// The pixel of the picture in the middle of a texel of the light.
-ivec2 pixelOfTexel(ivec2 texel, vec2 lightSize, vec2 pictureSize) {
-  return ivec2((vec2(texel) + 0.5) / lightSize * pictureSize);
+// The G-buffer sample at the center of a lighting texel.
+ivec2 sampleAtTexel(ivec2 texel, vec2 lightingSize, vec2 samples) {
+  return ivec2((vec2(texel) + 0.5) / lightingSize * samples);
 }
 
-// The pixels around that one, by number.
-const int AROUND = 4;  // along each axis
-const int MIDDLE = 10;
+// Candidates for the sample that represents a lighting texel: a square around the center.
+const int CANDIDATES = 4;  // along each axis
+const int CENTER = 10;
 
-ivec2 aside(int number) {
-  return ivec2(number % AROUND, number / AROUND) - AROUND / 2;
+ivec2 candidateOffset(int candidate) {
+  return ivec2(candidate % CANDIDATES, candidate / CANDIDATES) - CANDIDATES / 2;
 }

@@ -1,19 +1,19 @@
-// The part that relief and crevices have in how bright a surface is painted.
+// Normal-map shading: the normal map's share of N.L and the occlusion, folded into the albedo of the G-buffer,
+// so that lighting at a lower rate need not know of them.
 // Needs lib/gbuffer.glsl.
 
-// Share of a surface's light that comes straight from the flame, and so shows its relief.
-const float STRAIGHT = 0.65;
-// Grazing light would turn relief to noise.
-const float LEAST_FACING = 0.25;
+// Share of a surface's light that is direct, and so shows its relief. Fitted to the forward stage by eye.
+const float DIRECT_SHARE = 0.65;
+// Cosine below which grazing light would turn the normal map to noise.
+const float LEAST_COSINE = 0.25;
 
-// How much of the flame's light relief catches, where a plain surface would catch 1. Both cosines are of
-// the angle to the flame: the surface's and the relief's.
-float normalMapShading(float surface, float relief, float scale) {
-  float turned = max(surface + (relief - surface) * scale, 0.0);
-  return min(turned / max(surface, LEAST_FACING) + max(LEAST_FACING - surface, 0.0), 1.6);
+// Ratio of N.L with the normal map to N.L without.
+float normalMapShading(float surfaceNoL, float mappedNoL, float scale) {
+  float NoL = max(surfaceNoL + (mappedNoL - surfaceNoL) * scale, 0.0);
+  return min(NoL / max(surfaceNoL, LEAST_COSINE) + max(LEAST_COSINE - surfaceNoL, 0.0), 1.6);
 }
 
-// How bright a surface is painted, as a share of its albedo over ALBEDO_SCALE.
-float shadedAlbedoScale(float occlusion, float caught) {
-  return mix(occlusion, caught, STRAIGHT) / ALBEDO_SCALE;
+// Factor on the albedo.
+float shadedAlbedoScale(float occlusion, float shading) {
+  return mix(occlusion, shading, DIRECT_SHARE) / ALBEDO_SCALE;
 }

@@ -1,9 +1,10 @@
-// At which sample of the surfaces a texel of the light is worked out.
+// The G-buffer sample that represents a lighting texel, as opaque/representative-sample.frag has chosen it.
 // Needs lib/gbuffer.glsl.
 
-uniform sampler2D uRepresentative;  // opaque/representative-sample.frag
+uniform sampler2D uRepresentative;
 
-ivec2 representativeSample(ivec2 texel, vec2 lightSize, ivec2 samples) {
-  int usual = int(texelFetch(uRepresentative, texel, 0).r * 255.0 + 0.5);
-  return clamp(pixelOfTexel(texel, lightSize, vec2(samples)) + aside(usual), ivec2(0), samples - 1);
+ivec2 representativeSample(ivec2 texel, vec2 lightingSize, ivec2 samples) {
+  int candidate = int(texelFetch(uRepresentative, texel, 0).r * 255.0 + 0.5);
+  ivec2 center = sampleAtTexel(texel, lightingSize, vec2(samples));
+  return clamp(center + candidateOffset(candidate), ivec2(0), samples - 1);
 }

@@ -1,22 +1,21 @@
-// Where what is seen was in the picture before. Places are across, up, depth.
+// Reprojection: current frame -> previous frame. Positions are uv and depth, 0 to 1.
 // Needs lib/gbuffer.glsl.
 
-// From places in the picture to those in the one before: of the room, and of what is carried.
 uniform mat4 uPreviousFromCurrentRoom;
-uniform mat4 uPreviousFromCurrentHeld;
+uniform mat4 uPreviousFromCurrentHeld;  // of what moves with the camera
 
-// 1 for what goes with the eye, else 0.
-float carried(float stored) {
+// 1 for a surface that moves with the camera, else 0. `stored`: alpha of the reduced albedo.
+float isHeldSurface(float stored) {
   return step(0.5 * HELD, stored);
 }
 
-// What only now comes into sight is like what is beside it.
-vec2 previousUv(vec4 here, float isHeld) {
-  vec4 since = mix(uPreviousFromCurrentRoom * here, uPreviousFromCurrentHeld * here, isHeld);
-  return 1.0 - abs(1.0 - abs(since.xy / since.w));
+// Mirrored at the frame's edges: a surface that comes into view resembles its neighbours.
+vec2 previousUv(vec4 current, float isHeld) {
+  vec4 previous = mix(uPreviousFromCurrentRoom * current, uPreviousFromCurrentHeld * current, isHeld);
+  return 1.0 - abs(1.0 - abs(previous.xy / previous.w));
 }
 
-// 1 where it was hidden behind something carried, of which already an edge would be left behind as an outline.
-float isDisoccluded(float isHeld, float before) {
-  return abs(step(0.1 * HELD, before) - isHeld);
+// 1 where the previous frame has another layer, held or room: filtered edges count, or they would leave an outline.
+float isDisoccluded(float isHeld, float previousStored) {
+  return abs(step(0.1 * HELD, previousStored) - isHeld);
 }

@@ -1,5 +1,4 @@
-// The display's law as a table: colours on the screen over the fourth roots of exposed light, its channels
-// such that light from a white thing has as much of each.
+// The display transform as a 3D table over the fourth roots of exposed, white-balanced light.
 
 const float TONE_LUT_SIZE = 32.0;
 // Light at the end of the table, where white is about 1.

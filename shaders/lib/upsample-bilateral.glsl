@@ -1,63 +1,64 @@
-// Where a pixel is to take its paint and its light from while the eye moves. Places are across, up, depth.
-// Paint: its own, or HISTORY, that of the picture before, which the light is of, too. Light: from all around where
-// that is as far away in the mean as the paint is, else from the texels that are most so.
+// Joint bilateral upsampling of reduced lighting, by depth: linear where the four texels around lie on the pixel's
+// surface, else towards those that do. HISTORY: G-buffer and lighting are the previous frame's, reprojected.
 // Needs lib/depth.glsl, lib/gbuffer.glsl, and HISTORY lib/reproject.glsl.
+// After Kopf, Cohen, Lischinski and Uyttendaele 2007, "Joint Bilateral Upsampling".
 
 uniform sampler2D uGBufferAlbedo;
-uniform sampler2D uLight;
-uniform sampler2D uNearnessGather;  // how near the light's texels are: opaque/gather-nearness.frag
+uniform sampler2D uLighting;
+uniform sampler2D uNearnessGather;  // inverse depth of the lighting's texels: opaque/gather-nearness.frag
 
-// Most that places of one surface differ, as a share of their distance.
-const float ALIKE = 0.03;
-// What a texel of another surface counts for, where no better one is.
-const float STRANGE = 0.01;
+// Largest difference of depth within a surface, as a share of the depth.
+const float DEPTH_TOLERANCE = 0.03;
+// Weight of a texel of another surface, where there is no better one.
+const float LEAST_WEIGHT = 0.01;
 
-// Chosen, not branched for, here and below: that costs a CPU less.
+// Selected, not branched, here and below: that costs a CPU less.
 #if HISTORY
-// Where a pixel's surface was as it was painted: as far away as what was seen there. Its paint is put in place
-// of what the pixel had. What was hidden behind something carried has only that to show, and keeps its own.
-vec3 found(vec2 uv, inout vec4 painted) {
-  vec4 here = vec4(uv, texture(uDepth, uv).r, 1.0);
-  float isHeld = carried(painted.a);
-  vec2 there = previousUv(here, isHeld);
-  vec4 before = texture(uGBufferAlbedo, there);
-  float stays = isDisoccluded(isHeld, before.a);
-  painted = mix(before, painted, stays);
-  return mix(vec3(there, texture(uDepth, there).r), here.xyz, stays);
+// The pixel's surface in the previous frame: uv and depth. Its albedo replaces `albedo`, but for disocclusions,
+// which keep what the G-buffer has at the pixel.
+vec3 reprojectSurface(vec2 uv, inout vec4 albedo) {
+  vec4 current = vec4(uv, texture(uDepth, uv).r, 1.0);
+  float isHeld = isHeldSurface(albedo.a);
+  vec2 previous = previousUv(current, isHeld);
+  vec4 previousAlbedo = texture(uGBufferAlbedo, previous);
+  float disoccluded = isDisoccluded(isHeld, previousAlbedo.a);
+  albedo = mix(previousAlbedo, albedo, disoccluded);
+  return mix(vec3(previous, texture(uDepth, previous).r), current.xyz, disoccluded);
 }
 
-// The depth now of what was found.
-float depthOf(vec2 uv) {
-  vec4 painted = texture(uGBufferAlbedo, uv);
-  mat4 since = carried(painted.a) > 0.5 ? uPreviousFromCurrentHeld : uPreviousFromCurrentRoom;
-  float before = found(uv, painted).z;
-  vec4 near = since * vec4(uv, 0.0, 1.0);
-  return (before * near.w - near.z) / (since[2].z - before * since[2].w);
+// Depth in the current frame of the reprojected surface.
+float frameDepth(vec2 uv) {
+  vec4 albedo = texture(uGBufferAlbedo, uv);
+  mat4 previousFromCurrent = isHeldSurface(albedo.a) > 0.5 ? uPreviousFromCurrentHeld : uPreviousFromCurrentRoom;
+  float previous = reprojectSurface(uv, albedo).z;
+  vec4 atNearPlane = previousFromCurrent * vec4(uv, 0.0, 1.0);
+  return (previous * atNearPlane.w - atNearPlane.z) / (previousFromCurrent[2].z - previous * previousFromCurrent[2].w);
 }
 #else
-vec3 found(vec2 uv, vec4 painted) {
+vec3 reprojectSurface(vec2 uv, vec4 albedo) {
   return vec3(uv, texture(uDepth, uv).r);
 }
 
-float depthOf(vec2 uv) {
+float frameDepth(vec2 uv) {
   return texture(uDepth, uv).r;
 }
 #endif
 
-vec2 lightingUv(vec2 uv, inout vec4 painted) {
-  vec3 place = found(uv, painted);
-  float here = nearnessOf(place.z);
-  vec2 size = vec2(textureSize(uLight, 0));
-  vec2 at = clamp(place.xy * size - 0.5, vec2(0.0), size - 1.0);
-  vec2 corner = floor(at);
-  vec2 share = at - corner;
+// Where a pixel reads its lighting.
+vec2 lightingUv(vec2 uv, inout vec4 albedo) {
+  vec3 surface = reprojectSurface(uv, albedo);
+  float center = nearnessOf(surface.z);
+  vec2 size = vec2(textureSize(uLighting, 0));
+  vec2 texel = clamp(surface.xy * size - 0.5, vec2(0.0), size - 1.0);
+  vec2 corner = floor(texel);
+  vec2 fraction = texel - corner;
   vec4 nearness = texelFetch(uNearnessGather, ivec2(corner), 0);
-  vec2 rows = mix(nearness.xz, nearness.yw, share.x);
-  // Across a plane the inverse of the distance changes evenly.
-  bool isAlike = abs(mix(rows.x, rows.y, share.y) - here) < ALIKE * here;
-  vec4 weights = max(ALIKE * here - abs(nearness - here), STRANGE * ALIKE * here);
-  weights *= vec4(1.0 - share.x, share.x, 1.0 - share.x, share.x);
-  weights *= vec4(1.0 - share.yy, share.yy);
-  vec2 chosen = vec2(weights.y + weights.w, weights.z + weights.w) / dot(weights, vec4(1.0));
-  return (corner + 0.5 + (isAlike ? share : chosen)) / size;
+  vec2 rows = mix(nearness.xz, nearness.yw, fraction.x);
+  // Inverse depth is linear across a plane.
+  bool isSameSurface = abs(mix(rows.x, rows.y, fraction.y) - center) < DEPTH_TOLERANCE * center;
+  vec4 weights = max(DEPTH_TOLERANCE * center - abs(nearness - center), LEAST_WEIGHT * DEPTH_TOLERANCE * center);
+  weights *= vec4(1.0 - fraction.x, fraction.x, 1.0 - fraction.x, fraction.x);
+  weights *= vec4(1.0 - fraction.yy, fraction.yy);
+  vec2 weighted = vec2(weights.y + weights.w, weights.z + weights.w) / dot(weights, vec4(1.0));
+  return (corner + 0.5 + (isSameSurface ? fraction : weighted)) / size;
 }

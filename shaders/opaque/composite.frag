@@ -1,10 +1,10 @@
 #version 300 es
-// The room's light, where more is to be drawn over it.
-// Out: radiance, cd/m²; depth, where only coarse surfaces have one so far.
+// Composite of the deferred stage: albedo x lighting, upsampled.
+// Out: radiance, cd/m²; REDUCED: depth at the canvas's size.
 #include "lib/precision.glsl"
 #include "lib/flame-light.glsl"
 #include "lib/gbuffer.glsl"
-#if COARSE
+#if REDUCED
 #include "lib/depth.glsl"
 #if HISTORY
 #include "lib/reproject.glsl"
@@ -20,9 +20,9 @@ in vec2 vUv;
 out vec4 oRadiance;
 
 void main() {
-  oRadiance = vec4(min(compositeRadianceAt(vUv), 3e4), 1.0);
-#if COARSE
-  // Before the farthest, or it would not be drawn.
-  gl_FragDepth = min(depthOf(vUv), 0.9999999);
+  oRadiance = vec4(min(compositeRadiance(texture(uGBufferAlbedo, vUv), vUv), 3e4), 1.0);
+#if REDUCED
+  // Less than the cleared depth, or the test would reject it.
+  gl_FragDepth = min(frameDepth(vUv), 0.9999999);
 #endif
 }

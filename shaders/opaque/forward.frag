@@ -46,8 +46,8 @@ uniform sampler2D uNormalMapVisibility;   // shares that relief leaves of light 
 uniform vec4 uBaseColor;
 uniform float uWax;     // 1: light from within, 0: none
 uniform float uOcclusionStrength;  // how much of the map's occlusion counts
-uniform vec4 uShown;    // 1 or 0: shadows, bounced light, highlights; normals instead of all light
-uniform vec3 uEmber;    // radiance of the wick's glowing tip, cd/m²; black for all else
+uniform vec4 uFeatures;    // 1 or 0: shadows, bounced light, highlights; normals instead of all light
+uniform float uIsWick;  // 1 or 0
 uniform vec4 uSurface;  // roughness, metallic, normal scale, alpha below which nothing is
 
 // Where the pixel is covered: beyond the edge of a thin triangle nothing is known.
@@ -112,11 +112,11 @@ void main() {
   float reached = NoL > 0.0 || isCrevice ? directVisibility(vPositionWorld, facet) : 0.0;
   float reachesSides = reached;
   if (isCrevice && reached < 1.0) reachesSides = max(reached, directVisibility(vPositionWorld + surface * SIDES, facet));
-  float inFlame = uEmber.r > 0.0 ? IN_FLAME : 0.0;
+  float inFlame = uIsWick * IN_FLAME;
   if (inFlame > 0.0) reached = 1.0;
   vec3 free = light.intensity / distanceSquared;
-  vec3 passing = free * mix(1.0, reached, uShown.x);
-  vec3 passingSides = free * mix(1.0, reachesSides, uShown.x);
+  vec3 passing = free * mix(1.0, reached, uFeatures.x);
+  vec3 passingSides = free * mix(1.0, reachesSides, uFeatures.x);
   vec2 pastFine = minifiedVisibility();
   vec3 irradiance = passing * max(NoL * normalMapVisibility(surface, normal, L) * pastFine.y, inFlame);
 
@@ -132,7 +132,7 @@ void main() {
   float lobe = distributionGgx(widened, max(dot(normal, H), 0.0)) * visibilitySmith(alpha, NoV, NoS);
   float narrowing = (alpha * alpha) / (widened * widened);
   EnvironmentReflection mirroring = environmentReflection(uEnvironmentBrdf, f0, sqrt(alpha), NoV);
-  vec3 specular = fresnel * mirroring.boost * lobe * narrowing * NoS * passing * uShown.z;
+  vec3 specular = fresnel * mirroring.boost * lobe * narrowing * NoS * passing * uFeatures.z;
   // What the surface mirrors does not reach the matt layer below.
   vec3 matt = baseColor.rgb * (1.0 - metallic) * (1.0 - mirroring.share);
   vec3 diffuse = matt / PI * irradiance;
@@ -154,9 +154,8 @@ void main() {
     mirrored = mix(mirrored, seen, smoothness);
   }
   mirrored *= mirroring.share;
-  bounced = (bounced + mirrored * uShown.z) * uShown.y;
+  bounced = (bounced + mirrored * uFeatures.z) * uFeatures.y;
   vec3 radiance = diffuse + specular + bounced + baseColor.rgb * waxGlow(vPositionWorld) * uWax;
-  radiance += uEmber * emberShare(vPositionWorld);
   // A mirrored flame can be brighter than the largest half float, 65504.
-  oRadiance = vec4(uShown.w > 0.5 ? 0.5 + 0.5 * normal : min(radiance, 3e4), 1.0);
+  oRadiance = vec4(uFeatures.w > 0.5 ? 0.5 + 0.5 * normal : min(radiance, 3e4), 1.0);
 }

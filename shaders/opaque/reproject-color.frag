@@ -1,11 +1,11 @@
 #version 300 es
-// The picture before, as it is seen from where the eye is now.
-// In:  that picture, in its alpha what is carried; its depth.   Out: display colour.
+// Reprojection of the history buffer: previous frame's colour -> current frame.
+// In:  previous display colour, alpha telling what is held; depth.   Out: display colour.
 #include "lib/precision.glsl"
 #include "lib/gbuffer.glsl"
 #include "lib/reproject.glsl"
 
-uniform sampler2D uShown;
+uniform sampler2D uHistory;
 uniform sampler2D uDepth;
 
 in vec2 vUv;
@@ -13,9 +13,9 @@ in vec2 vUv;
 out vec4 oColor;
 
 void main() {
-  vec4 here = texture(uShown, vUv);
-  float isHeld = carried(here.a);
-  vec4 before = texture(uShown, previousUv(vec4(vUv, texture(uDepth, vUv).r, 1.0), isHeld));
-  // What was hidden has nothing of its own in that picture: what stands there stays.
-  oColor = mix(before, here, isDisoccluded(isHeld, before.a));
+  vec4 center = texture(uHistory, vUv);
+  float isHeld = isHeldSurface(center.a);
+  vec4 previous = texture(uHistory, previousUv(vec4(vUv, texture(uDepth, vUv).r, 1.0), isHeld));
+  // A disocclusion has no colour in the history: it keeps what stands at the pixel.
+  oColor = mix(previous, center, isDisoccluded(isHeld, previous.a));
 }

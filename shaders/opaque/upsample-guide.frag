@@ -1,11 +1,9 @@
 #version 300 es
-// Where each pixel is to take its light from: the four texels of light around it are mixed where all lie
-// on its own surface; else the nearest that does. Where a pixel sees several surfaces, their places are
-// averaged, so that an edge mixes the light of both sides as it mixes their colours.
-// In:  surfaces and depth, SAMPLES x SAMPLES for each pixel.
-// Out: root of the albedo; in alpha the place among the four texels. Depth.
-// After Kopf, Cohen, Lischinski and Uyttendaele 2007, "Joint Bilateral Upsampling", decided once for a
-// still picture instead of weighed anew for each frame.
+// Upsample guide: joint bilateral upsampling, decided once for an image at rest. Each pixel learns where among the
+// four lighting texels around it to read: in between where all lie on its own surface, else at the nearest that
+// does. Where a pixel's samples see several surfaces their places are averaged, as their albedos are.
+// In:  G-buffer, SAMPLES x SAMPLES for each pixel.   Out: gamma-2 albedo; guide in alpha. Depth.
+// After Kopf, Cohen, Lischinski and Uyttendaele 2007, "Joint Bilateral Upsampling".
 #include "lib/precision.glsl"
 #include "lib/depth.glsl"
 #include "lib/gbuffer.glsl"
@@ -15,58 +13,59 @@ uniform sampler2D uAlbedo;
 uniform sampler2D uGBufferSurface;
 uniform vec2 uLightingSize;
 
-out vec4 oPainted;
+out vec4 oAlbedo;
 
-// Most that two places of one surface differ, as shares of distance and of the octahedron's square.
-const float STEP = 0.02;
-const float TURN = 0.06;
-// A texel that counts for less than this is no reason not to mix.
-const float LITTLE = 0.04;
+// Differences within a surface, at most: of depth, relative, and of the normal, on the octahedral square.
+const float DEPTH_TOLERANCE = 0.02;
+const float NORMAL_TOLERANCE = 0.06;
+// Weight of other surfaces' texels up to which the lighting is interpolated all the same.
+const float NEGLIGIBLE = 0.04;
 
-float nearness(ivec2 at) {
-  return 1.0 / linearDepth(texelFetch(uDepth, at, 0).r);
+float inverseDepth(ivec2 texel) {
+  return 1.0 / linearDepth(texelFetch(uDepth, texel, 0).r);
 }
 
-// Of two differences the smaller: the other one may cross an edge.
-float slope(float before, float here, float after) {
-  return abs(after - here) < abs(here - before) ? after - here : here - before;
+// The smaller of two differences: the other one may cross an edge.
+float slope(float before, float center, float after) {
+  return abs(after - center) < abs(center - before) ? after - center : center - before;
 }
 
-// Place of a sample among the texels from `corner` on, 0 to 1.
-vec2 placeOf(ivec2 at, vec2 corner, vec2 size, out float mixes) {
-  vec2 way = texelFetch(uGBufferSurface, at, 0).rg;
+// Where a sample reads among the lighting texels from `corner` on, 0 to 1; `isInterpolated` is 1 or 0.
+vec2 guideOf(ivec2 texel, vec2 corner, vec2 size, out float isInterpolated) {
+  vec2 normal = texelFetch(uGBufferSurface, texel, 0).rg;
   ivec2 last = ivec2(size) - 1;
-  // Across a plane the inverse of the distance changes evenly.
-  float here = nearness(at);
+  // Inverse depth is linear across a plane.
+  float center = inverseDepth(texel);
   vec2 slopes = vec2(
-    slope(nearness(max(at - ivec2(1, 0), 0)), here, nearness(min(at + ivec2(1, 0), last))),
-    slope(nearness(max(at - ivec2(0, 1), 0)), here, nearness(min(at + ivec2(0, 1), last)))
+    slope(inverseDepth(max(texel - ivec2(1, 0), 0)), center, inverseDepth(min(texel + ivec2(1, 0), last))),
+    slope(inverseDepth(max(texel - ivec2(0, 1), 0)), center, inverseDepth(min(texel + ivec2(0, 1), last)))
   );
-  vec2 share = clamp((vec2(at) + 0.5) / size * uLightingSize - 0.5 - corner, 0.0, 1.0);
-  float strange = 0.0;
-  float best = -1.0;
-  float least = 1e9;
+  vec2 fraction = clamp((vec2(texel) + 0.5) / size * uLightingSize - 0.5 - corner, 0.0, 1.0);
+  float otherWeight = 0.0;
+  float bestWeight = -1.0;
+  float leastDifference = 1e9;
   vec2 nearest = vec2(0.0);
   for (int i = 0; i < 4; i++) {
     ivec2 offset = ivec2(i & 1, i >> 1);
-    ivec2 texel = clamp(ivec2(corner) + offset, ivec2(0), ivec2(uLightingSize) - 1);
-    ivec2 other = representativeSample(texel, uLightingSize, ivec2(size));
-    float expected = here + dot(vec2(other - at), slopes);
-    float apart = abs(nearness(other) - expected) / here;
-    vec2 turned = abs(texelFetch(uGBufferSurface, other, 0).rg - way);
-    float difference = apart / STEP + (turned.x + turned.y) / TURN;
-    vec2 shares = mix(1.0 - share, share, vec2(offset));
-    float weight = shares.x * shares.y;
-    bool isStrange = difference > 2.0;
-    if (isStrange) strange += weight;
-    // Among its own the nearest; among strangers the least strange.
-    bool isBetter = isStrange ? best < 0.0 && difference < least : weight > best;
+    ivec2 lightingTexel = clamp(ivec2(corner) + offset, ivec2(0), ivec2(uLightingSize) - 1);
+    ivec2 neighbour = representativeSample(lightingTexel, uLightingSize, ivec2(size));
+    float expected = center + dot(vec2(neighbour - texel), slopes);
+    float depthDifference = abs(inverseDepth(neighbour) - expected) / center;
+    vec2 normalDifference = abs(texelFetch(uGBufferSurface, neighbour, 0).rg - normal);
+    float difference = depthDifference / DEPTH_TOLERANCE
+      + (normalDifference.x + normalDifference.y) / NORMAL_TOLERANCE;
+    vec2 weights = mix(1.0 - fraction, fraction, vec2(offset));
+    float weight = weights.x * weights.y;
+    bool isOther = difference > 2.0;
+    if (isOther) otherWeight += weight;
+    // Among texels of its own surface the nearest; among others the most similar.
+    bool isBetter = isOther ? bestWeight < 0.0 && difference < leastDifference : weight > bestWeight;
     if (isBetter) nearest = vec2(offset);
-    if (isStrange) least = min(least, difference);
-    else best = max(best, weight);
+    if (isOther) leastDifference = min(leastDifference, difference);
+    else bestWeight = max(bestWeight, weight);
   }
-  mixes = strange < LITTLE ? 1.0 : 0.0;
-  return mixes > 0.5 ? share : nearest;
+  isInterpolated = otherWeight < NEGLIGIBLE ? 1.0 : 0.0;
+  return isInterpolated > 0.5 ? fraction : nearest;
 }
 
 void main() {
@@ -75,21 +74,21 @@ void main() {
   vec2 corner = floor(gl_FragCoord.xy / pixels * uLightingSize - 0.5);
   ivec2 first = ivec2(gl_FragCoord.xy) * SAMPLES;
   vec3 albedo = vec3(0.0);
-  vec2 place = vec2(0.0);
-  float mixing = 0.0;
+  vec2 guide = vec2(0.0);
+  float interpolated = 0.0;
   float depth = 1.0;
   for (int i = 0; i < SAMPLES * SAMPLES; i++) {
-    ivec2 at = first + ivec2(i % SAMPLES, i / SAMPLES);
-    vec3 root = texelFetch(uAlbedo, at, 0).rgb;
+    ivec2 texel = first + ivec2(i % SAMPLES, i / SAMPLES);
+    vec3 root = texelFetch(uAlbedo, texel, 0).rgb;
     albedo += root * root;
-    float mixes;
-    place += placeOf(at, corner, size, mixes);
-    mixing += mixes;
-    depth = min(depth, texelFetch(uDepth, at, 0).r);
+    float isInterpolated;
+    guide += guideOf(texel, corner, size, isInterpolated);
+    interpolated += isInterpolated;
+    depth = min(depth, texelFetch(uDepth, texel, 0).r);
   }
   const float COUNT = float(SAMPLES * SAMPLES);
-  vec2 steps = floor(place / COUNT * GUIDE_STEPS + 0.5);
-  float code = mixing > COUNT - 0.5 ? 0.0 : 1.0 + steps.x + steps.y * (GUIDE_STEPS + 1.0);
-  oPainted = vec4(sqrt(albedo / COUNT), code / 255.0);
+  vec2 steps = floor(guide / COUNT * GUIDE_STEPS + 0.5);
+  float code = interpolated > COUNT - 0.5 ? 0.0 : 1.0 + steps.x + steps.y * (GUIDE_STEPS + 1.0);
+  oAlbedo = vec4(sqrt(albedo / COUNT), code / 255.0);
   gl_FragDepth = depth;
 }

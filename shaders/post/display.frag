@@ -36,7 +36,7 @@ float range(vec4 values) {
 vec3 onScreen(vec3 light) {
 #if TONE_LUT
   vec3 share = max(light, 0.0) * uAdaptation / (uWhite * TONE_LUT_MAX);
-  if (max(max(share.r, share.g), share.b) <= 1.0) return tabled(share);
+  if (max(max(share.r, share.g), share.b) <= 1.0) return lookUpTone(share);
 #endif
   return shown(light);
 }

@@ -1,7 +1,7 @@
 import type { Features, Inspection } from "../settings.js";
 
 /** What a picture depends on beside the world. */
-export interface View {
+export interface FrameSettings {
   readonly features: Features;
   /** What the screen can show. */
   readonly gamut: PredefinedColorSpace;

@@ -2,6 +2,7 @@ import { flameLight, TAPER } from "../light/flame-light.js";
 import { onGrid, vantage } from "../light/vantage.js";
 import type { Vec3 } from "../world/bounds.js";
 import type { World } from "../world/world.js";
+import { SCHEDULE } from "./schedule.js";
 
 /** What of the chamberstick stands in its own light: heights above its foot and radii, metres. */
 const CANDLE = { rim: 0.2015, rimRadius: 0.0101, pan: 0.018, panRadius: 0.066 } as const;
@@ -30,13 +31,10 @@ export interface CaptureLight extends Readonly<Record<string, number | readonly 
   readonly position: Vec3;
 }
 
-/** Steps in which light on surfaces follows the flame, metres: less is not seen. */
-const LAMP_STEP = 0.0015;
-
 /** The same flame, 1 cd strong, as light on surfaces is worked out for: still while it hardly moves. */
 export function shadingLight(world: World, showsCandle: boolean): CaptureLight {
   const light = lightBlock(world, showsCandle);
-  const step = (x: number) => Math.round(x / LAMP_STEP) * LAMP_STEP;
+  const step = (x: number) => Math.round(x / SCHEDULE.lighting) * SCHEDULE.lighting;
   const [x, y, z] = light.position;
   const along = light.along.map((share) => Math.round(share * 16) / 16);
   const length = Math.hypot(...along) || 1;

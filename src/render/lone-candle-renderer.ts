@@ -12,7 +12,7 @@ import { adaptation, adaptedWhite, luma, VIBRANCE } from "../light/color.js";
 import { emberRadiance, flameLight, TAPER } from "../light/flame-light.js";
 import type { World } from "../world/world.js";
 import { clipFromWorld, projectionScale } from "./camera.js";
-import type { View } from "./frame-settings.js";
+import type { FrameSettings } from "./frame-settings.js";
 import { lightBlock } from "./light-block.js";
 import { frameCandle } from "./lone-candle-framing.js";
 import { type Surface, surfaceSampling, uploadModel } from "./mesh/mesh.js";
@@ -87,9 +87,9 @@ export class LoneCandleRenderer implements Renderer {
   }
 
   /** The body of the flame is no particles. */
-  follow(): void {}
+  setParticles(): void {}
 
-  render(world: World, { features, exposure }: View): void {
+  render(world: World, { features, exposure }: FrameSettings): void {
     if (!this.#radiance) return;
     const { frame, light, flame, displayProgram, screen } = this.#shared;
     const target = this.#samples ?? this.#radiance;
@@ -107,7 +107,7 @@ export class LoneCandleRenderer implements Renderer {
     light.update(lightBlock(world, features.candle));
     this.#gpu.clear(target, NOTHING);
     if (features.candle) this.#drawCandle(target, world);
-    flame.render(target, frame, world, this.#tier.name);
+    flame.render(target, frame, world, this.#tier.physical.flameSteps);
     if (this.#samples) this.#gpu.resolve(this.#samples, this.#radiance);
     const { position, halfHeight, intensity } = flameLight(world, TAPER);
     const [x, y] = project(clip, position);

@@ -16,7 +16,7 @@ import type { ParticleLayer } from "../world/particle-layer.js";
 import { layerKey } from "../world/particles.js";
 import type { World } from "../world/world.js";
 import { clipFromWorld, projectionScale } from "./camera.js";
-import type { View } from "./frame-settings.js";
+import type { FrameSettings } from "./frame-settings.js";
 import { type Surface, surfaceSampling, uploadModel } from "./mesh/mesh.js";
 import type { Tier } from "./quality.js";
 import type { Models, Renderer } from "./renderer.js";
@@ -84,7 +84,7 @@ export class PaperRenderer implements Renderer {
   }
 
   /** Other particles: those of a new world, or more of them. They catch up in the next frame. */
-  follow({ seed }: World, layers: readonly ParticleLayer[]): void {
+  setParticles({ seed }: World, layers: readonly ParticleLayer[]): void {
     for (const system of this.#systems) system.dispose();
     this.#systems = layers.map(
       (layer, i) => new ParticleSystem(this.#gpu, this.#updateProgram, layer, layerKey(seed, i)),
@@ -96,7 +96,7 @@ export class PaperRenderer implements Renderer {
     return this.#systems.reduce((sum, { count }) => sum + count, 0);
   }
 
-  render(world: World, view: View): void {
+  render(world: World, view: FrameSettings): void {
     const gpu = this.#gpu;
     const target = this.#target ?? "canvas";
     const { features } = view;
@@ -109,7 +109,7 @@ export class PaperRenderer implements Renderer {
     if (this.#target) gpu.resolve(this.#target, "canvas");
   }
 
-  #updateBlocks(world: World, { features, exposure, isStill }: View): void {
+  #updateBlocks(world: World, { features, exposure, isStill }: FrameSettings): void {
     const { player, look, shown } = world;
     this.#gain = EXPOSURE * 2 ** exposure;
     const { width, height } = this.#size;

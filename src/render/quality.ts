@@ -1,6 +1,7 @@
 import type { Quality } from "../settings.js";
+import type { IndirectDetail } from "./gi/indirect-pass.js";
 
-/** What a quality level buys. */
+/** All that a quality level sets. */
 export interface Tier {
   readonly name: Exclude<Quality, "auto">;
   /** Share of the canvas's full resolution, along each axis. */
@@ -8,14 +9,91 @@ export interface Tier {
   /** Samples per pixel; 0 draws straight to the canvas. */
   readonly samples: number;
   readonly anisotropy: boolean;
+  readonly physical: PhysicalTier;
+}
+
+/** What it sets of the physical look. */
+export interface PhysicalTier {
+  /** How surfaces are shaded: forward, or by a G-buffer and lighting at a lower rate. */
+  readonly opaque: "forward" | "deferred";
+  /** Shadow cube: texels along an edge; taps of the blocker search and of the filter. */
+  readonly shadow: { readonly size: number; readonly search: number; readonly taps: number };
+  readonly indirect: IndirectDetail;
+  /** Largest error of shadow casters, metres. */
+  readonly casterError: number;
+  /** Levels of the bloom's pyramid. */
+  readonly bloomLevels: number;
+  /** Steps of the ray march through the flame. */
+  readonly flameSteps: number;
+  /** Whether dust and sparks are drawn. */
+  readonly hasParticles: boolean;
 }
 
 const TIERS: Readonly<Record<Tier["name"], Tier>> = {
-  low: { name: "low", resolutionScale: 2 / 3, samples: 4, anisotropy: false },
-  medium: { name: "medium", resolutionScale: 1, samples: 2, anisotropy: true },
-  high: { name: "high", resolutionScale: 1, samples: 4, anisotropy: true },
-  ultra: { name: "ultra", resolutionScale: 1.5, samples: 4, anisotropy: true },
+  low: {
+    name: "low",
+    resolutionScale: 2 / 3,
+    samples: 4,
+    anisotropy: false,
+    physical: {
+      opaque: "deferred",
+      shadow: { size: 128, search: 4, taps: 8 },
+      indirect: { patches: 6, probes: [5, 3, 5], rays: 8, bounces: 4, looks: false },
+      casterError: 0.03,
+      bloomLevels: 3,
+      flameSteps: 12,
+      hasParticles: false,
+    },
+  },
+  medium: {
+    name: "medium",
+    resolutionScale: 1,
+    samples: 2,
+    anisotropy: true,
+    physical: {
+      opaque: "forward",
+      shadow: { size: 512, search: 12, taps: 24 },
+      indirect: { patches: 8, probes: [6, 4, 6], rays: 10, bounces: 5, looks: true },
+      casterError: 0.01,
+      bloomLevels: 5,
+      flameSteps: 24,
+      hasParticles: true,
+    },
+  },
+  high: {
+    name: "high",
+    resolutionScale: 1,
+    samples: 4,
+    anisotropy: true,
+    physical: {
+      opaque: "forward",
+      shadow: { size: 512, search: 16, taps: 32 },
+      indirect: { patches: 16, probes: [14, 6, 14], rays: 10, bounces: 6, looks: true },
+      casterError: 0,
+      bloomLevels: 6,
+      flameSteps: 40,
+      hasParticles: true,
+    },
+  },
+  ultra: {
+    name: "ultra",
+    resolutionScale: 1.5,
+    samples: 4,
+    anisotropy: true,
+    physical: {
+      opaque: "forward",
+      shadow: { size: 1024, search: 24, taps: 48 },
+      indirect: { patches: 16, probes: [14, 6, 14], rays: 12, bounces: 6, looks: true },
+      casterError: 0,
+      bloomLevels: 6,
+      flameSteps: 64,
+      hasParticles: true,
+    },
+  },
 };
+
+/** Errors of simplified meshes and casters while the camera moves, metres; by `low`'s shadows and surfels. */
+export const MOTION_ERROR = { room: 0.008, candle: 0.001, shadow: 0.05, surfels: 0.12 } as const;
 
 /** Renderers that run on the CPU. */
 const SOFTWARE = /SwiftShader|llvmpipe|Basic Render|Software/i;

@@ -1,7 +1,7 @@
 import type { Model } from "../assets/model.js";
 import type { ParticleLayer } from "../world/particle-layer.js";
 import type { World } from "../world/world.js";
-import type { View } from "./frame-settings.js";
+import type { FrameSettings } from "./frame-settings.js";
 
 /** What a look's picture is made of. */
 export interface Models {
@@ -16,8 +16,8 @@ export interface Renderer {
   /** The picture's size in pixels; the canvas has it already. */
   resize(width: number, height: number): void;
   /** Other particles: those of a new world, or more of them. They catch up in the next frame. */
-  follow(world: World, layers: readonly ParticleLayer[]): void;
-  render(world: World, view: View): void;
+  setParticles(world: World, layers: readonly ParticleLayer[]): void;
+  render(world: World, settings: FrameSettings): void;
   /** Linear RGB of the picture just drawn, rows from the top, origin top left. Waits for the GPU. */
   readRadiance(x: number, y: number, width: number, height: number): Float32Array;
 }

@@ -1,6 +1,5 @@
 import { nextTask } from "../gl/next-task.js";
 import { uploadNextPicture } from "../render/mesh/mesh.js";
-import { DeferredRenderer } from "../render/opaque/deferred-renderer.js";
 import { PaperRenderer } from "../render/paper-renderer.js";
 import { PhysicalRenderer, preparePhysicalRenderer } from "../render/physical-renderer.js";
 import { createRoom } from "../world/room.js";
@@ -24,15 +23,11 @@ export async function loadRoom(request: SceneRequest, loading: Loading): Promise
     prepareRenderer: ({ gpu }, tier, look) =>
       uploadNextPicture(gpu, models.room) &&
       uploadNextPicture(gpu, models.candle) &&
-      (look !== "physical" ||
-        tier.name === "low" ||
-        preparePhysicalRenderer(gpu, models, room.solid, tier)),
-    createRenderer: ({ gpu }, tier, look) => {
-      if (look !== "physical") return new PaperRenderer(gpu, models, tier);
-      return tier.name === "low"
-        ? new DeferredRenderer(gpu, models, room.solid)
-        : new PhysicalRenderer(gpu, models, room.solid, tier);
-    },
+      (look !== "physical" || preparePhysicalRenderer(gpu, models, room.solid, tier)),
+    createRenderer: ({ gpu }, tier, look) =>
+      look === "physical"
+        ? new PhysicalRenderer(gpu, models, room.solid, tier)
+        : new PaperRenderer(gpu, models, tier),
     close: () => closeModels(models),
   };
 }

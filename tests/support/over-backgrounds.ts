@@ -6,6 +6,7 @@ import type { TextureView } from "../../src/gl/texture-view.ts";
 import { clipFromWorld, projectionScale } from "../../src/render/camera.ts";
 import type { IrradianceVolume } from "../../src/render/gi/indirect-pass.ts";
 import { lightBlock } from "../../src/render/light-block.ts";
+import { tierNamed } from "../../src/render/quality.ts";
 import { FlamePass } from "../../src/render/volumetric/flame-pass.ts";
 import { MotesPass } from "../../src/render/volumetric/motes-pass.ts";
 import { FEEDBACK } from "../../src/render/volumetric/particle-system.ts";
@@ -174,7 +175,9 @@ export function mixtures(seed: number, seconds: number) {
 
   advance(world, STILL, seconds);
   look();
-  const flame = repeated(0, () => passes.flame.render(target, frame, world, "medium"));
+  const flame = repeated(0, () =>
+    passes.flame.render(target, frame, world, tierNamed("medium").physical.flameSteps),
+  );
   const motes = (name: "dust" | "spark") =>
     repeated(0.01, () => passes.motes.render(name, veil, world, frame, light, volume));
   const dust = motes("dust");

@@ -1,27 +1,25 @@
-import rootFrag from "../../../shaders/gbuffer/gamma2-albedo.frag";
+import gamma2Frag from "../../../shaders/gbuffer/gamma2-albedo.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
 import type { Texture } from "../../gl/texture.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Surface } from "../mesh/mesh.js";
 
-/** Texels along the longer edge: what is seen on the way has no more. */
-const MOST = 256;
+/** Texels along the longer edge: a reduced G-buffer shows no more. */
+const LONGEST_EDGE = 256;
 
-/** Whether roughness lies beside the colour and crevices are painted on: where nothing is metal or cut out. */
-export function isBaked({ parameters: [, metallic, , nothingBelow] }: Surface): boolean {
-  return metallic === 0 && nothingBelow === 0;
+/** Whether roughness and occlusion are baked into the albedo: for what is neither metal nor cut out. */
+export function isBaked({ parameters: [, metallic, , alphaCutoff] }: Surface): boolean {
+  return metallic === 0 && alphaCutoff === 0;
 }
 
-/** Base colours that are cheap to read, made one by one and kept. */
+/** Gamma-2 albedo textures for the reduced G-buffer, made one a frame. */
 export class AlbedoCache {
   readonly #gpu: Gpu;
   readonly #screen: VertexArray;
-  /** By base colour, and by what is baked into it. */
-  readonly #roots = new Map<Texture, Map<Texture | null, Texture>>();
-  readonly #programs: Record<string, Program> = {};
-  /** Whether none was missing when this was last gone on with. */
+  /** By albedo, and by the occlusion/roughness map that is baked in. */
+  readonly #textures = new Map<Texture, Map<Texture | null, Texture>>();
+  /** Whether none was missing at the last update. */
   isComplete = false;
 
   constructor(gpu: Gpu, screen: VertexArray) {
@@ -29,52 +27,51 @@ export class AlbedoCache {
     this.#screen = screen;
   }
 
-  /** The root of a base colour; null before it is made. */
-  of(surface: Surface): Texture | null {
-    const { uAlbedo, uOcclusionRoughness } = surface.textures;
-    const roots = this.#roots.get(uAlbedo);
-    return roots?.get(isBaked(surface) ? uOcclusionRoughness : null) ?? null;
+  /** Null before it is made. */
+  of(mesh: Surface): Texture | null {
+    const { uAlbedo, uOcclusionRoughness } = mesh.textures;
+    const textures = this.#textures.get(uAlbedo);
+    return textures?.get(isBaked(mesh) ? uOcclusionRoughness : null) ?? null;
   }
 
-  /** Makes the next that is missing: one for each picture drawn. */
-  proceed(surfaces: Iterable<Surface>): void {
-    for (const surface of surfaces) {
-      if (this.of(surface)) continue;
-      const { uAlbedo, uOcclusionRoughness } = surface.textures;
-      const roots = this.#roots.get(uAlbedo) ?? new Map<Texture | null, Texture>();
-      this.#roots.set(uAlbedo, roots);
-      roots.set(isBaked(surface) ? uOcclusionRoughness : null, this.#make(surface));
+  /** Makes the next one that is missing. */
+  updateIncrementally(meshes: Iterable<Surface>): void {
+    for (const mesh of meshes) {
+      if (this.of(mesh)) continue;
+      const { uAlbedo, uOcclusionRoughness } = mesh.textures;
+      const textures = this.#textures.get(uAlbedo) ?? new Map<Texture | null, Texture>();
+      this.#textures.set(uAlbedo, textures);
+      textures.set(isBaked(mesh) ? uOcclusionRoughness : null, this.#make(mesh));
       return;
     }
     this.isComplete = true;
   }
 
-  #make(surface: Surface): Texture {
-    const { uAlbedo, uOcclusionRoughness } = surface.textures;
-    const BAKED = isBaked(surface) ? 1 : 0;
-    const most = BAKED && uAlbedo.width === 1 ? uOcclusionRoughness : uAlbedo;
-    const share = Math.min(1, MOST / Math.max(most.width, most.height));
-    const texels = (length: number) => Math.max(1, Math.round(length * share));
-    const root = this.#gpu.texture({
-      label: `${uAlbedo.label}/root`,
+  #make(mesh: Surface): Texture {
+    const { uAlbedo, uOcclusionRoughness } = mesh.textures;
+    const BAKED = isBaked(mesh) ? 1 : 0;
+    const source = BAKED && uAlbedo.width === 1 ? uOcclusionRoughness : uAlbedo;
+    const scale = Math.min(1, LONGEST_EDGE / Math.max(source.width, source.height));
+    const texels = (length: number) => Math.max(1, Math.round(length * scale));
+    const texture = this.#gpu.texture({
+      label: `${uAlbedo.label}/gamma 2`,
       format: "RGBA8",
-      source: { width: texels(most.width), height: texels(most.height) },
+      source: { width: texels(source.width), height: texels(source.height) },
       mipmaps: true,
       wrap: "repeat",
     });
-    const target = this.#gpu.textureView({ label: root.label, textures: [root], image: 0 });
-    this.#programs[BAKED] ??= this.#gpu.program("gbuffer/gamma2-albedo", fullscreenVert, rootFrag, {
-      defines: { BAKED },
-    });
+    const target = this.#gpu.textureView({ label: texture.label, textures: [texture], image: 0 });
     this.#gpu.draw({
-      program: this.#programs[BAKED],
+      program: this.#gpu.program("gbuffer/gamma2-albedo", fullscreenVert, gamma2Frag, {
+        defines: { BAKED },
+      }),
       target,
       vertexArray: this.#screen,
       textures: BAKED ? { uAlbedo, uOcclusionRoughness } : { uAlbedo },
-      ...(BAKED && { uniforms: { uOcclusionStrength: surface.occlusionStrength } }),
+      ...(BAKED && { uniforms: { uOcclusionStrength: mesh.occlusionStrength } }),
     });
     target.dispose();
-    root.updateMipmaps();
-    return root;
+    texture.updateMipmaps();
+    return texture;
   }
 }

@@ -1,9 +1,8 @@
-import type { mat4 } from "gl-matrix";
-import geometryFrag from "../../../shaders/gbuffer/gbuffer.frag";
-import passingFrag from "../../../shaders/gbuffer/gbuffer-reduced.frag";
-import passingVert from "../../../shaders/gbuffer/gbuffer-reduced.vert";
-import surfaceVert from "../../../shaders/mesh/mesh.vert";
-import usualFrag from "../../../shaders/opaque/representative-sample.frag";
+import gbufferFrag from "../../../shaders/gbuffer/gbuffer.frag";
+import reducedFrag from "../../../shaders/gbuffer/gbuffer-reduced.frag";
+import reducedVert from "../../../shaders/gbuffer/gbuffer-reduced.vert";
+import meshVert from "../../../shaders/mesh/mesh.vert";
+import representativeFrag from "../../../shaders/opaque/representative-sample.frag";
 import guideFrag from "../../../shaders/opaque/upsample-guide.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Box, Draw, Gpu } from "../../gl/gpu.js";
@@ -12,370 +11,386 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import type { Features } from "../../settings.js";
-import type { Bounds, Vec3 } from "../../world/bounds.js";
+import type { Bounds } from "../../world/bounds.js";
 import { sightOf } from "../camera.js";
+import {
+  AT_ORIGIN,
+  captureOrigin,
+  type FrameInput,
+  type ModelInstance,
+  type Placement,
+  type Size,
+} from "../frame-input.js";
 import { runsOf } from "../mesh/clusters.js";
 import type { Surface } from "../mesh/mesh.js";
 import type { Drawable, MeshLods } from "../mesh/mesh-lods.js";
+import { SCHEDULE } from "../schedule.js";
 import { AlbedoCache, isBaked } from "./albedo-cache.js";
 import {
-  AT_ORIGIN,
-  historyOf,
-  type Kept,
-  type Paint,
-  type Placed,
+  type GBuffer,
+  type ReprojectionSource,
   reprojectionBetween,
+  reprojectionSource,
 } from "./gbuffer.js";
 import { bandOf, clipOfBand } from "./screen-bands.js";
 
 const NOTHING = [0, 0, 0, 0] as const;
-/** Relief follows the flame in steps of this, metres. */
-const RELIEF_STEP = 0.05;
 
-/** Pictures over which a fine one is spread: its surfaces, by stripes, and then its guide. */
-const STRIPES = { surfaces: 12, guide: 4 } as const;
+/** Samples of the G-buffer along each edge of a pixel. */
+const SAMPLES = { reduced: 0.5, full: 2 } as const;
 
-/** Samples along each edge of a pixel: what is on its way over the retina is not seen sharply. */
-const SAMPLES = { moving: 0.5, resting: 2 } as const;
-
-/** How coarse surfaces read their textures. */
-const COARSE: NonNullable<Draw["sampling"]> = {
+/** Sampling of material textures for the reduced G-buffer. */
+const REDUCED_SAMPLING: NonNullable<Draw["sampling"]> = {
   uAlbedo: "level",
   uGamma2Albedo: "level",
   uNormal: "texel",
   uOcclusionRoughness: "texel",
 };
 
-/** All that the paint depends on, beside the surfaces. */
-export interface Sight {
-  readonly clip: mat4;
-  readonly vantage: Vec3;
-  readonly features: Features;
-  /** Whether the next picture will be another one anyway. */
-  readonly isMoving: boolean;
-  /** Whether the next picture comes soon: a fine one after coarse ones may take the time of many. */
-  readonly isPatient: boolean;
-  /** Texels of the light that the guide leads to. */
-  readonly lightSize: { readonly width: number; readonly height: number };
-}
-
-/** What is to be painted. */
-interface Scene {
-  readonly placed: readonly Placed[];
-  /** Of the flame, in steps. */
-  readonly vantage: readonly number[];
-  readonly frame: UniformBlock;
-  readonly sight: Sight;
-}
-
-/** Where and how. */
-interface Painting {
+/** What one call draws into. */
+interface Pass {
   readonly target: RenderTarget;
-  readonly isCoarse: boolean;
-  /** Of a box of triangles, whether it may show there. */
-  readonly isSeen: (box: Bounds) => boolean;
+  readonly isReduced: boolean;
+  readonly isVisible: (box: Bounds) => boolean;
   readonly scissor: Box | undefined;
 }
 
-/** The room and the candle as surfaces, drawn anew only when they, the eye or the flame have moved. */
+/**
+ * Fills the G-buffer: at rest supersampled, and kept until the camera, a model or the light moves;
+ * in motion at half the resolution, every other frame by reprojection of the one before.
+ */
 export class GBufferPass {
   readonly #gpu: Gpu;
   readonly #screen: VertexArray;
-  readonly #chooseUsual: Program;
-  readonly #guide: Program;
-  /** By what they are defined for. */
+  readonly #frame: UniformBlock;
+  readonly #representativeProgram: Program;
+  readonly #guideProgram: Program;
+  /** By their defines. */
   readonly #programs = new Map<string, Program>();
-  #isMotionPrepared = false;
-  readonly #coarse: MeshLods;
-  readonly #roots: AlbedoCache;
-  #moving: RenderTarget | null = null;
-  #resting: RenderTarget | null = null;
-  #painted: RenderTarget | null = null;
-  /** Which of the samples of who rests light is worked out at. */
-  #usual: RenderTarget | null = null;
-  /** How far away the fire's surroundings are while the eye moves. */
-  #movingDepth: Texture | null = null;
-  /** What was painted coarsely, and what finely. */
-  #coarseKnown = "";
-  #fineKnown = "";
-  /** What was painted coarsely in the picture before. */
-  #kept: Kept | null = null;
-  /** What is being painted finely, by how many stripes it is done; null between such pictures. */
-  #begun: { readonly known: string; stripes: number } | null = null;
-  #wasCoarse = false;
+  readonly #lods: MeshLods;
+  readonly #albedos: AlbedoCache;
+  #isReducedReady = false;
+  #reduced: RenderTarget | null = null;
+  #full: RenderTarget | null = null;
+  /** The full G-buffer at the canvas's size: albedo with the upsample guide, and depth. */
+  #resolved: RenderTarget | null = null;
+  #representative: RenderTarget | null = null;
+  /** Depth at the canvas's size, of a reduced G-buffer. */
+  #reducedFrameDepth: Texture | null = null;
+  #reducedKey = "";
+  #fullKey = "";
+  /** What the reduced G-buffer of the previous frame was drawn for. */
+  #previous: ReprojectionSource | null = null;
+  /** Progressive refinement: the full G-buffer in progress, and how many bands of it are done. */
+  #refinement: { readonly key: string; bands: number } | null = null;
+  #wasReduced = false;
 
-  constructor(gpu: Gpu, screen: VertexArray, coarse: MeshLods) {
+  constructor(gpu: Gpu, screen: VertexArray, frame: UniformBlock, lods: MeshLods) {
     this.#gpu = gpu;
     this.#screen = screen;
-    this.#coarse = coarse;
-    this.#roots = new AlbedoCache(gpu, screen);
-    this.#chooseUsual = gpu.program("opaque/representative-sample", fullscreenVert, usualFrag);
-    this.#guide = gpu.program("opaque/upsample-guide", fullscreenVert, guideFrag, {
-      defines: { SAMPLES: SAMPLES.resting },
+    this.#frame = frame;
+    this.#lods = lods;
+    this.#albedos = new AlbedoCache(gpu, screen);
+    this.#representativeProgram = gpu.program(
+      "opaque/representative-sample",
+      fullscreenVert,
+      representativeFrag,
+    );
+    this.#guideProgram = gpu.program("opaque/upsample-guide", fullscreenVert, guideFrag, {
+      defines: { SAMPLES: SAMPLES.full },
     });
   }
 
-  resize(width: number, height: number): void {
-    const textures = [this.#moving, this.#resting, this.#painted, this.#usual, this.#movingDepth];
-    for (const old of textures) old?.dispose();
-    this.#moving = null;
-    this.#resting = null;
-    this.#usual = null;
-    this.#movingDepth = null;
-    this.#coarseKnown = "";
-    this.#fineKnown = "";
-    this.#kept = null;
-    this.#begun = null;
-    this.#wasCoarse = false;
-    this.#painted = this.#target("painted", { width, height }, ["RGBA8"]);
+  resize(size: Size): void {
+    const textures = [this.#reduced, this.#full, this.#resolved, this.#representative];
+    for (const old of [...textures, this.#reducedFrameDepth]) old?.dispose();
+    this.#reduced = null;
+    this.#full = null;
+    this.#representative = null;
+    this.#reducedFrameDepth = null;
+    this.#reducedKey = "";
+    this.#fullKey = "";
+    this.#previous = null;
+    this.#refinement = null;
+    this.#wasReduced = false;
+    this.#resolved = this.#target("resolved", size, ["RGBA8"], "nearest");
   }
 
   #target(
-    label: string,
-    size: { readonly width: number; readonly height: number },
+    name: string,
+    { width, height }: Size,
     color: readonly TextureFormat[],
+    filter: "nearest" | "linear",
   ): RenderTarget {
-    // What is coarse is mixed where it is enlarged.
-    const filter = label === "surfaces/moving" ? "linear" : "nearest";
-    return this.#gpu.renderTarget({ label, ...size, color, depth: "texture", filter });
+    const label = `gbuffer/${name}`;
+    return this.#gpu.renderTarget({ label, width, height, color, depth: "texture", filter });
   }
 
-  /** Made when it is first needed: a picture that never moves, or never rests, needs only one. */
-  #surfaces(isMoving: boolean): RenderTarget {
-    if (!this.#painted) throw new Error("Surfaces have no size yet.");
-    const name = isMoving ? "moving" : "resting";
+  /** Made when it is first needed: an image that never moves, or never rests, needs one of the two. */
+  #targetOf(kind: keyof typeof SAMPLES): RenderTarget {
+    if (!this.#resolved) throw new Error("The G-buffer has no size yet.");
     const size = {
-      width: Math.ceil(this.#painted.width * SAMPLES[name]),
-      height: Math.ceil(this.#painted.height * SAMPLES[name]),
+      width: Math.ceil(this.#resolved.width * SAMPLES[kind]),
+      height: Math.ceil(this.#resolved.height * SAMPLES[kind]),
     };
-    const make = () => this.#target(`surfaces/${name}`, size, ["RGBA8", "RGBA8"]);
-    if (isMoving) this.#moving ??= make();
-    else this.#resting ??= make();
-    return (isMoving ? this.#moving : this.#resting)!;
+    const color = ["RGBA8", "RGBA8"] as const;
+    if (kind === "reduced") this.#reduced ??= this.#target(kind, size, color, "linear");
+    else this.#full ??= this.#target(kind, size, color, "nearest");
+    return (kind === "reduced" ? this.#reduced : this.#full)!;
   }
 
-  render(placed: readonly Placed[], frame: UniformBlock, sight: Sight): Paint {
-    const { clip, features, lightSize, isMoving } = sight;
-    const vantage = sight.vantage.map((x) => Math.round(x / RELIEF_STEP) * RELIEF_STEP);
-    const known = JSON.stringify([
-      [...clip],
-      features.normalMaps && vantage,
+  /** @param lightingSize of the full lighting, which the guide leads to */
+  render(frame: FrameInput, lightingSize: Size): GBuffer {
+    const { isMoving, isPatient, features } = frame.settings;
+    const key = JSON.stringify([
+      [...frame.clipFromWorld],
+      features.normalMaps && this.#shadingOrigin(frame),
       features.translucency,
-      lightSize,
-      placed.map(({ place }) => place),
+      lightingSize,
+      frame.instances.map(({ placement }) => placement),
     ]);
-    const scene = { placed, vantage, frame, sight };
-    if (isMoving) this.#begun = null;
-    else if (known !== this.#fineKnown) {
-      // Who has just stopped goes on to see what a moving eye does, until the fine picture is there.
-      if (this.#wasCoarse && sight.isPatient) this.#proceed(scene, known);
-      else this.#paintFinely(scene, known);
+    if (isMoving) this.#refinement = null;
+    else if (key !== this.#fullKey) {
+      // The reduced G-buffer goes on being shown until the full one is complete.
+      if (this.#wasReduced && isPatient) this.#refine(frame, key, lightingSize);
+      else this.#fill(frame, key, lightingSize);
     }
-    this.#wasCoarse = isMoving || known !== this.#fineKnown;
-    if (this.#wasCoarse) return this.#paintCoarsely(scene, known);
-    this.#kept = null;
-    if (sight.isPatient) this.#prepareMotion(scene);
-    const [surfaces, depth] = this.#partsOf(this.#surfaces(false));
-    const { color: painted, depth: frameDepth } = this.#painted!;
-    if (!frameDepth) throw new Error("Paint has a depth.");
-    const usual = this.#usual?.color ?? null;
-    const paint = { painted, frameDepth, surfaces, depth, usual, known: `fine ${known}` };
-    return { ...paint, kind: "fine", since: null };
+    this.#wasReduced = isMoving || key !== this.#fullKey;
+    if (this.#wasReduced) return this.#renderReduced(frame, key);
+    this.#previous = null;
+    if (isPatient) this.#prepareReduced(frame);
+    return {
+      kind: "full",
+      albedo: this.#resolved!.color,
+      frameDepth: this.#resolved!.depth!,
+      ...surfaceOf(this.#full!),
+      representative: this.#representative!.color,
+      key: `full ${key}`,
+      reprojection: null,
+    };
   }
 
-  #partsOf({ colors: [, surfaces], depth }: RenderTarget): [Texture, Texture] {
-    if (!surfaces || !depth) throw new Error("Surfaces have three textures.");
-    return [surfaces, depth];
+  /** Where normal-map shading takes the light to be, metres. */
+  #shadingOrigin(frame: FrameInput): readonly number[] {
+    const step = SCHEDULE.normalMapShading;
+    return captureOrigin(frame).map((x) => Math.round(x / step) * step);
   }
 
-  #paintCoarsely(scene: Scene, known: string): Paint {
-    const target = this.#surfaces(true);
-    const [surfaces, depth] = this.#partsOf(target);
-    const { clip, features, isMoving } = scene.sight;
-    const now = historyOf(scene.placed, clip, features);
-    const before = this.#kept;
-    this.#kept = null;
-    const since = before && isMoving ? reprojectionBetween(now, before) : null;
-    if (!since && known !== this.#coarseKnown) {
-      this.#coarseKnown = known;
+  #renderReduced(frame: FrameInput, key: string): GBuffer {
+    const target = this.#targetOf("reduced");
+    const { clipFromWorld, instances, settings } = frame;
+    const current = reprojectionSource(instances, clipFromWorld, settings.features);
+    const previous = this.#previous;
+    this.#previous = null;
+    const reprojection =
+      previous && settings.isMoving ? reprojectionBetween(current, previous) : null;
+    if (!reprojection && key !== this.#reducedKey) {
+      this.#reducedKey = key;
       this.#gpu.clear(target, NOTHING);
-      this.#prepare(scene.placed);
-      this.#drawSurfaces(target, scene, true);
-      this.#kept = now;
+      this.#updateIncrementally(instances);
+      this.#drawModels(target, frame, true);
+      this.#previous = current;
     }
-    this.#movingDepth ??= this.#gpu.texture({
-      label: "surfaces/moving/fire",
+    this.#reducedFrameDepth ??= this.#gpu.texture({
+      label: "gbuffer/reduced/frame depth",
       format: "DEPTH_COMPONENT24",
-      source: { width: this.#painted!.width, height: this.#painted!.height },
+      source: { width: this.#resolved!.width, height: this.#resolved!.height },
       filter: "nearest",
     });
-    const [painted, frameDepth] = [target.color, this.#movingDepth];
-    const seen = { painted, frameDepth, surfaces, depth, usual: null };
-    const paint = { ...seen, known: `coarse ${this.#coarseKnown}` };
-    return { ...paint, kind: since ? "kept" : "coarse", since };
+    return {
+      kind: reprojection ? "history" : "reduced",
+      albedo: target.color,
+      frameDepth: this.#reducedFrameDepth,
+      ...surfaceOf(target),
+      representative: null,
+      key: `reduced ${this.#reducedKey}`,
+      reprojection,
+    };
   }
 
-  #paintFinely(scene: Scene, known: string): void {
-    this.#begun = null;
-    this.#fineKnown = known;
-    this.#gpu.clear(this.#surfaces(false), NOTHING);
-    this.#drawSurfaces(this.#surfaces(false), scene, false);
-    this.#gpu.clear(this.#painted!, NOTHING);
-    this.#drawUsual(scene.sight);
-    this.#drawGuide(scene.sight);
+  #fill(frame: FrameInput, key: string, lightingSize: Size): void {
+    this.#refinement = null;
+    this.#fullKey = key;
+    const target = this.#targetOf("full");
+    this.#gpu.clear(target, NOTHING);
+    this.#drawModels(target, frame, false);
+    this.#gpu.clear(this.#resolved!, NOTHING);
+    this.#chooseRepresentatives(lightingSize);
+    this.#drawGuide(lightingSize);
   }
 
-  /** The same, a stripe at a time. */
-  #proceed(scene: Scene, known: string): void {
-    if (this.#begun?.known !== known) this.#begun = { known, stripes: 0 };
-    this.#fineKnown = ""; // half of another picture
-    const stripe = this.#begun.stripes++;
-    if (stripe < STRIPES.surfaces) {
-      const target = this.#surfaces(false);
-      const band = bandOf(target, stripe, STRIPES.surfaces);
-      this.#gpu.clear(target, NOTHING, band);
-      this.#drawSurfaces(target, scene, false, band);
+  /** Progressive refinement: one band of what `#fill` draws. */
+  #refine(frame: FrameInput, key: string, lightingSize: Size): void {
+    if (this.#refinement?.key !== key) this.#refinement = { key, bands: 0 };
+    this.#fullKey = ""; // the targets hold parts of two images
+    const { surfaces, guide } = SCHEDULE.refinement;
+    const band = this.#refinement.bands++;
+    if (band < surfaces) {
+      const target = this.#targetOf("full");
+      const scissor = bandOf(target, band, surfaces);
+      this.#gpu.clear(target, NOTHING, scissor);
+      this.#drawModels(target, frame, false, scissor);
       return;
     }
-    if (stripe === STRIPES.surfaces) this.#drawUsual(scene.sight);
-    const band = bandOf(this.#painted!, stripe - STRIPES.surfaces, STRIPES.guide);
-    this.#gpu.clear(this.#painted!, NOTHING, band);
-    this.#drawGuide(scene.sight, band);
-    if (this.#begun.stripes < STRIPES.surfaces + STRIPES.guide) return;
-    this.#begun = null;
-    this.#fineKnown = known;
+    if (band === surfaces) this.#chooseRepresentatives(lightingSize);
+    const scissor = bandOf(this.#resolved!, band - surfaces, guide);
+    this.#gpu.clear(this.#resolved!, NOTHING, scissor);
+    this.#drawGuide(lightingSize, scissor);
+    if (this.#refinement.bands < surfaces + guide) return;
+    this.#refinement = null;
+    this.#fullKey = key;
   }
 
-  #drawSurfaces(target: RenderTarget, scene: Scene, isCoarse: boolean, band?: Box): void {
-    const { clip } = scene.sight;
-    const isSeen = sightOf(band ? clipOfBand(band, target, clip) : clip);
-    for (const model of scene.placed) {
-      for (const surface of isCoarse ? this.#coarse.merged(model.surfaces) : model.surfaces) {
-        this.#draw(surface, model, scene, { target, isCoarse, isSeen, scissor: band });
+  #drawModels(target: RenderTarget, frame: FrameInput, isReduced: boolean, scissor?: Box): void {
+    const { clipFromWorld } = frame;
+    const isVisible = sightOf(scissor ? clipOfBand(scissor, target, clipFromWorld) : clipFromWorld);
+    for (const instance of frame.instances) {
+      for (const mesh of isReduced ? this.#lods.merged(instance.meshes) : instance.meshes) {
+        this.#drawMesh(mesh, instance, frame, { target, isReduced, isVisible, scissor });
       }
     }
   }
 
-  /** Gets ready, while the eye rests, for its first move: programs are compiled and drawn with once. */
-  #prepareMotion(scene: Scene): void {
-    this.#prepare(scene.placed);
-    if (this.#isMotionPrepared || !this.#roots.isComplete) return;
-    this.#isMotionPrepared = true;
-    const how = { target: this.#surfaces(true), isCoarse: true, isSeen: () => true } as const;
+  /** At rest: everything that the first frame in motion needs is compiled, and drawn with once. */
+  #prepareReduced(frame: FrameInput): void {
+    this.#updateIncrementally(frame.instances);
+    if (this.#isReducedReady || !this.#albedos.isComplete) return;
+    this.#isReducedReady = true;
+    const target = this.#targetOf("reduced");
     const drawn = new Set<Program>();
-    for (const model of scene.placed) {
-      for (const surface of this.#coarse.merged(model.surfaces)) {
-        const program = this.#programFor(true, this.#roots.of(surface) !== null, surface);
+    for (const instance of frame.instances) {
+      for (const mesh of this.#lods.merged(instance.meshes)) {
+        const program = this.#programFor(true, this.#albedos.of(mesh) !== null, mesh);
         if (drawn.has(program)) continue;
         drawn.add(program);
-        this.#draw(surface, model, scene, { ...how, scissor: [0, 0, 1, 1] });
+        const pass = {
+          target,
+          isReduced: true,
+          isVisible: () => true,
+          scissor: ONE_PIXEL,
+        } as const;
+        this.#drawMesh(mesh, instance, frame, pass);
       }
     }
   }
 
-  /** Goes on with what is only needed of pictures that follow each other. */
-  #prepare(placed: readonly Placed[]): void {
-    this.#roots.proceed(placed.flatMap(({ surfaces }) => surfaces));
-    this.#coarse.proceed(everySurface(placed));
+  /** Goes on with what only frames in motion need. */
+  #updateIncrementally(instances: readonly ModelInstance[]): void {
+    this.#albedos.updateIncrementally(instances.flatMap(({ meshes }) => meshes));
+    this.#lods.proceed(meshesOf(instances));
   }
 
-  /** Where light is to be worked out. */
-  #drawUsual({ lightSize }: Sight): void {
-    const [uGBufferSurface, uDepth] = this.#partsOf(this.#surfaces(false));
-    const how = { label: "surfaces/usual", color: ["R8"], filter: "nearest" } as const;
-    this.#usual ??= this.#gpu.renderTarget({ ...how, ...lightSize });
+  /** Chooses the sample that represents each lighting texel. */
+  #chooseRepresentatives({ width, height }: Size): void {
+    const { surface, depth } = surfaceOf(this.#full!);
+    this.#representative ??= this.#gpu.renderTarget({
+      label: "gbuffer/representative samples",
+      width,
+      height,
+      color: ["R8"],
+      filter: "nearest",
+    });
     this.#gpu.draw({
-      program: this.#chooseUsual,
-      target: this.#usual,
+      program: this.#representativeProgram,
+      target: this.#representative,
       vertexArray: this.#screen,
-      textures: { uGBufferSurface, uDepth },
-      uniforms: { uLightingSize: [lightSize.width, lightSize.height] },
+      textures: { uGBufferSurface: surface, uDepth: depth },
+      uniforms: { uLightingSize: [width, height] },
     });
   }
 
-  /** Which light each pixel is to take; one that moves takes what is around it. */
-  #drawGuide({ lightSize }: Sight, scissor?: Box): void {
-    const resting = this.#surfaces(false);
-    const [surfaces, depth] = this.#partsOf(resting);
+  /** Resolves the samples, and guides each pixel to the lighting texels of its own surface. */
+  #drawGuide({ width, height }: Size, scissor?: Box): void {
+    const { surface, depth } = surfaceOf(this.#full!);
     this.#gpu.draw({
-      program: this.#guide,
-      target: this.#painted!,
+      program: this.#guideProgram,
+      target: this.#resolved!,
       vertexArray: this.#screen,
       textures: {
-        uAlbedo: resting.color,
-        uGBufferSurface: surfaces,
+        uAlbedo: this.#full!.color,
+        uGBufferSurface: surface,
         uDepth: depth,
-        uRepresentative: this.#usual!.color,
+        uRepresentative: this.#representative!.color,
       },
-      uniforms: { uLightingSize: [lightSize.width, lightSize.height] },
+      uniforms: { uLightingSize: [width, height] },
       depth: "test-and-write",
       scissor,
     });
   }
 
-  /** Whoever may be cut out costs all that is drawn later its early test of depth. */
-  #programFor(isMoving: boolean, hasRoot: boolean, surface: Surface): Program {
-    const ALPHA_TESTED = surface.parameters[3] > 0 ? 1 : 0;
-    const BAKED = isBaked(surface) ? 1 : 0;
-    const UNTEXTURED = BAKED && surface.isPlain ? 1 : 0;
-    const detail = hasRoot ? { BAKED, UNTEXTURED } : { MOVING: isMoving ? 1 : 0 };
+  /** `discard` costs all that is drawn later its early depth test, so that only cut-out surfaces have it. */
+  #programFor(isReduced: boolean, isCached: boolean, mesh: Surface): Program {
+    const ALPHA_TESTED = mesh.parameters[3] > 0 ? 1 : 0;
+    const BAKED = isBaked(mesh) ? 1 : 0;
+    const UNTEXTURED = BAKED && mesh.isPlain ? 1 : 0;
+    const detail = isCached ? { BAKED, UNTEXTURED } : { REDUCED: isReduced ? 1 : 0 };
     const defines = { ALPHA_TESTED, ...detail };
     const key = JSON.stringify(defines);
     const program =
       this.#programs.get(key) ??
-      (hasRoot
-        ? this.#gpu.program("gbuffer/gbuffer-reduced", passingVert, passingFrag, { defines })
-        : this.#gpu.program("gbuffer/gbuffer", surfaceVert, geometryFrag, { defines }));
+      (isCached
+        ? this.#gpu.program("gbuffer/gbuffer-reduced", reducedVert, reducedFrag, { defines })
+        : this.#gpu.program("gbuffer/gbuffer", meshVert, gbufferFrag, { defines }));
     this.#programs.set(key, program);
     return program;
   }
 
-  #draw(
-    surface: Surface,
-    { place, isHeld = false }: Placed,
-    { vantage, frame, sight: { features } }: Scene,
-    { target, isCoarse, isSeen, scissor }: Painting,
+  #drawMesh(
+    mesh: Surface,
+    { placement, isHeld }: ModelInstance,
+    frame: FrameInput,
+    { target, isReduced, isVisible, scissor }: Pass,
   ): void {
-    // What stands where it was made can be left out where nobody looks.
-    const { clusters, vertexArray }: Drawable = isCoarse ? this.#coarse.of(surface) : surface;
+    const { clusters, vertexArray }: Drawable = isReduced ? this.#lods.of(mesh) : mesh;
+    // Frustum culling: by clusters where the model stands as it was made, else as a whole.
     const runs =
-      place === AT_ORIGIN
-        ? runsOf(clusters, isSeen, false)
-        : isSeen(aroundTurned(clusters, place))
+      placement === AT_ORIGIN
+        ? runsOf(clusters, isVisible, false)
+        : isVisible(boundsOfTurned(clusters, placement))
           ? [{ first: 0, count: vertexArray.count }]
           : [];
-    const root = isCoarse ? this.#roots.of(surface) : null;
-    const how: Draw = {
-      program: this.#programFor(isCoarse, root !== null, surface),
+    const cached = isReduced ? this.#albedos.of(mesh) : null;
+    const { translucency } = frame.settings.features;
+    const draw: Draw = {
+      program: this.#programFor(isReduced, cached !== null, mesh),
       target,
       vertexArray,
-      textures: root ? { ...surface.textures, uGamma2Albedo: root } : surface.textures,
-      sampling: isCoarse ? COARSE : {},
+      textures: cached ? { ...mesh.textures, uGamma2Albedo: cached } : mesh.textures,
+      sampling: isReduced ? REDUCED_SAMPLING : {},
       uniforms: {
-        uBaseColor: surface.baseColor,
-        uPlacement: place,
-        uSurface: surface.parameters,
-        uWax: surface.isWax && features.translucency ? 1 : 0,
-        uCaptureOrigin: vantage,
-        ...(isCoarse && { uIsHeld: isHeld ? 1 : 0 }),
-        ...(root && {
-          uBaseColor: rootOf(surface.baseColor),
-          uRotation: [Math.cos(place[3]), Math.sin(place[3])],
+        uBaseColor: mesh.baseColor,
+        uPlacement: placement,
+        uSurface: mesh.parameters,
+        uWax: mesh.isWax && translucency ? 1 : 0,
+        uCaptureOrigin: this.#shadingOrigin(frame),
+        ...(isReduced && { uIsHeld: isHeld ? 1 : 0 }),
+        ...(cached && {
+          uBaseColor: gamma2(mesh.baseColor),
+          uRotation: [Math.cos(placement[3]), Math.sin(placement[3])],
         }),
-        ...(!(root && isBaked(surface)) && { uOcclusionStrength: surface.occlusionStrength }),
+        ...(!(cached && isBaked(mesh)) && { uOcclusionStrength: mesh.occlusionStrength }),
       },
-      blocks: { Frame: frame },
+      blocks: { Frame: this.#frame },
       depth: "test-and-write",
       scissor,
-      cull: surface.isDoubleSided ? "none" : "back",
+      cull: mesh.isDoubleSided ? "none" : "back",
     };
-    for (const { first, count } of runs) this.#gpu.draw({ ...how, first, count });
+    for (const { first, count } of runs) this.#gpu.draw({ ...draw, first, count });
   }
 }
 
-/** A box around clusters that stand elsewhere, however they are turned about the vertical. */
-function aroundTurned(clusters: readonly Bounds[], [x, y, z]: Placed["place"]): Bounds {
+const ONE_PIXEL: Box = [0, 0, 1, 1];
+
+function surfaceOf({
+  colors: [, surface],
+  depth,
+}: RenderTarget): Pick<GBuffer, "surface" | "depth"> {
+  if (!surface || !depth) throw new Error("A G-buffer has three textures.");
+  return { surface, depth };
+}
+
+/** Bounds of clusters that are turned about the vertical by any angle, and moved. */
+function boundsOfTurned(clusters: readonly Bounds[], [x, y, z]: Placement): Bounds {
   let [radius, low, high] = [0, 0, 0];
   for (const { min, max } of clusters) {
     const wide = [0, 2].map((axis) => Math.max(Math.abs(min[axis]!), Math.abs(max[axis]!)));
@@ -386,12 +401,12 @@ function aroundTurned(clusters: readonly Bounds[], [x, y, z]: Placed["place"]): 
   return { min: [x - radius, y + low, z - radius], max: [x + radius, y + high, z + radius] };
 }
 
-function rootOf([red, green, blue, opacity]: Surface["baseColor"]): Surface["baseColor"] {
+function gamma2([red, green, blue, opacity]: Surface["baseColor"]): Surface["baseColor"] {
   return [Math.sqrt(red), Math.sqrt(green), Math.sqrt(blue), opacity];
 }
 
-function* everySurface(placed: readonly Placed[]): Generator<readonly [Surface, number]> {
-  for (const { surfaces, slack } of placed) {
-    for (const surface of surfaces) yield [surface, slack];
+function* meshesOf(instances: readonly ModelInstance[]): Generator<readonly [Surface, number]> {
+  for (const { meshes, lodError } of instances) {
+    for (const mesh of meshes) yield [mesh, lodError];
   }
 }

@@ -2,34 +2,17 @@ import { mat4 } from "gl-matrix";
 import type { Texture } from "../../gl/texture.js";
 import type { Features } from "../../settings.js";
 import { reprojectionMatrix, screenMotion } from "../camera.js";
-import type { Surface } from "../mesh/mesh.js";
+import { AT_ORIGIN, type ModelInstance } from "../frame-input.js";
+import { SCHEDULE } from "../schedule.js";
 
-/** Where what a visitor looks at usually is, metres. */
-const USUAL_DISTANCE = 2;
-/** While the eye moves, paint is seen a second time if it shifts no farther, as a share of the picture. */
-const MOST_SHIFT = 0.08;
-
-/** The place of a model that stands where it was made. */
-export const AT_ORIGIN = [0, 0, 0, 0] as const;
-
-/** Surfaces, and where their model stands: x, y, z (m) and its turn about the vertical (rad). */
-export interface Placed {
-  readonly surfaces: readonly Surface[];
-  readonly place: readonly [number, number, number, number];
-  /** How far its surfaces may be from where they were while the eye moves, metres. */
-  readonly slack: number;
-  /** Whether it goes where the eye goes. */
-  readonly isHeld?: boolean;
-}
-
-/** What shaders that include `lib/composite.glsl` are defined for, by the paint they are to light. */
+/** Defines of the shaders that include `lib/composite.glsl`, by the kind of G-buffer that they read. */
 const KIND_DEFINES = {
-  /** As fine as the picture. */
-  fine: { COARSE: 0, HISTORY: 0 },
-  /** Of fewer pixels. */
-  coarse: { COARSE: 1, HISTORY: 0 },
-  /** The coarse one of the picture before. */
-  kept: { COARSE: 1, HISTORY: 1 },
+  /** As fine as the canvas, supersampled. */
+  full: { REDUCED: 0, HISTORY: 0 },
+  /** Of fewer pixels, while the camera moves. */
+  reduced: { REDUCED: 1, HISTORY: 0 },
+  /** The reduced one of the previous frame, reprojected. */
+  history: { REDUCED: 1, HISTORY: 1 },
 } as const;
 export type GBufferKind = keyof typeof KIND_DEFINES;
 
@@ -37,64 +20,71 @@ export function forEachGBufferKind<T>(
   make: (defines: (typeof KIND_DEFINES)[GBufferKind]) => T,
 ): Readonly<Record<GBufferKind, T>> {
   return {
-    fine: make(KIND_DEFINES.fine),
-    coarse: make(KIND_DEFINES.coarse),
-    kept: make(KIND_DEFINES.kept),
+    full: make(KIND_DEFINES.full),
+    reduced: make(KIND_DEFINES.reduced),
+    history: make(KIND_DEFINES.history),
   };
 }
 
-/** From places in a picture to those in an earlier one: of the room, and of what goes where the eye goes. */
-export interface Since {
-  readonly room: mat4;
-  readonly carried: mat4;
-  /** How far the room is from where it was, as a share of the picture. */
-  readonly shift: number;
-}
-
-/** What is seen, without its light. */
-export interface Paint {
+/** Albedo, normal, roughness, material and depth of the visible surfaces. */
+export interface GBuffer {
   readonly kind: GBufferKind;
-  /** Root of the albedo as relief catches the light; alpha says where light is to be taken from. */
-  readonly painted: Texture;
-  /** How far away it is, for each pixel of the picture; of coarse paint whoever needs it draws it there. */
+  /** Gamma-2 albedo times normal-map shading. Alpha: the upsample guide, or whether the surface is held. */
+  readonly albedo: Texture;
+  /** Depth at the canvas's size. A reduced G-buffer leaves it to the composite to be written. */
   readonly frameDepth: Texture;
-  /** Of the samples: how the surface lies, roughness, what it is; depth. */
-  readonly surfaces: Texture;
+  /** For each sample: normal, roughness and material; depth. */
+  readonly surface: Texture;
   readonly depth: Texture;
-  /** Which of them each texel of the light is worked out at; null for coarse paint. */
-  readonly usual: Texture | null;
-  /** All that it depends on. */
-  readonly known: string;
-  /** From places in the picture to those in the one that it was painted for; null if it is the same. */
-  readonly since: Since | null;
+  /** Sample that represents each lighting texel; null for a reduced G-buffer. */
+  readonly representative: Texture | null;
+  /** Identifies the contents. */
+  readonly key: string;
+  /** Null if the G-buffer is of the current frame. */
+  readonly reprojection: Reprojection | null;
 }
 
-/** Paint that may be seen a second time. */
-export interface Kept {
-  readonly clip: mat4;
-  /** Of what the eye carries: its clip space then, from its own. */
-  readonly carried: mat4;
-  /** All that must be the same. */
-  readonly known: string;
+/** Matrices from the current frame to the previous one: uv and depth, 0 to 1. */
+export interface Reprojection {
+  readonly room: mat4;
+  readonly held: mat4;
+  /** Largest motion of the room in the image, as a share of its size. */
+  readonly motion: number;
 }
 
-export function historyOf(placed: readonly Placed[], clip: mat4, features: Features): Kept {
-  const standing = placed.map(({ place, isHeld }) => isHeld || place);
-  const carried = placed.find(({ isHeld }) => isHeld)?.place ?? AT_ORIGIN;
-  const worldFromModel = mat4.fromTranslation(mat4.create(), [carried[0], carried[1], carried[2]]);
-  mat4.rotateY(worldFromModel, worldFromModel, carried[3]);
+/** What a reduced G-buffer was drawn for: it may be reprojected to a frame that differs only by the camera. */
+export interface ReprojectionSource {
+  readonly clipFromWorld: mat4;
+  /** Clip space from the space of the held candle. */
+  readonly clipFromHeld: mat4;
+  /** All else that it depends on. */
+  readonly key: string;
+}
+
+export function reprojectionSource(
+  instances: readonly ModelInstance[],
+  clipFromWorld: mat4,
+  features: Features,
+): ReprojectionSource {
+  const standing = instances.map(({ placement, isHeld }) => isHeld || placement);
+  const [x, y, z, yaw] = instances.find(({ isHeld }) => isHeld)?.placement ?? AT_ORIGIN;
+  const worldFromHeld = mat4.fromTranslation(mat4.create(), [x, y, z]);
+  mat4.rotateY(worldFromHeld, worldFromHeld, yaw);
   return {
-    clip,
-    carried: mat4.multiply(worldFromModel, clip, worldFromModel),
-    known: JSON.stringify([standing, features]),
+    clipFromWorld,
+    clipFromHeld: mat4.multiply(worldFromHeld, clipFromWorld, worldFromHeld),
+    key: JSON.stringify([standing, features]),
   };
 }
 
-/** Where all of a picture was in the one before; null if that is too far, or other things were seen there. */
-export function reprojectionBetween(now: Kept, before: Kept): Since | null {
-  if (now.known !== before.known) return null;
-  const room = reprojectionMatrix(now.clip, before.clip);
-  const shift = screenMotion(room, USUAL_DISTANCE);
-  if (!(shift < MOST_SHIFT)) return null;
-  return { room, carried: reprojectionMatrix(now.carried, before.carried), shift };
+/** Null if the frames differ by more than the camera, or by too much of it. */
+export function reprojectionBetween(
+  current: ReprojectionSource,
+  previous: ReprojectionSource,
+): Reprojection | null {
+  if (current.key !== previous.key) return null;
+  const room = reprojectionMatrix(current.clipFromWorld, previous.clipFromWorld);
+  const motion = screenMotion(room, SCHEDULE.reprojection.distance);
+  if (!(motion < SCHEDULE.reprojection.motion)) return null;
+  return { room, held: reprojectionMatrix(current.clipFromHeld, previous.clipFromHeld), motion };
 }

@@ -21,6 +21,7 @@ import type { Solid } from "../../world/solid.js";
 import { floats } from "../float-format.js";
 import type { CaptureLight } from "../light-block.js";
 import type { Surface } from "../mesh/mesh.js";
+import { SCHEDULE } from "../schedule.js";
 import { clipFromFace, FACES } from "../shadow/cube-map.js";
 import type { ShadowCasters } from "../shadow/shadow-casters.js";
 import { LIT, type ProbeDetail, TILE, traceProbes } from "./probe-rays.js";
@@ -35,9 +36,6 @@ export interface IndirectDetail extends ProbeDetail {
   /** Whether a place is lit only by the probes in its sight; otherwise by all that are near. */
   readonly looks: boolean;
 }
-
-/** Pictures between one light that is followed and the next. */
-const REST = 7;
 
 /** The room whose surfaces pass light on. */
 export interface IndirectScene {
@@ -209,7 +207,7 @@ export class IndirectPass {
     } else {
       this.#bounceOn(this.#begun.light);
       this.#begun = null;
-      this.#rest = REST;
+      this.#rest = SCHEDULE.indirect.restFrames;
     }
     return this.#volume;
   }

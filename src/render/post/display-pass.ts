@@ -8,7 +8,7 @@ import type { VertexArray } from "../../gl/vertex-array.js";
 import { adaptation, adaptedWhite, P3_FROM_RGB, type Rgb, VIBRANCE } from "../../light/color.js";
 import { TAPER } from "../../light/flame-light.js";
 import { EXPOSURE_LAW } from "../../world/pupil.js";
-import type { View } from "../frame-settings.js";
+import type { FrameSettings } from "../frame-settings.js";
 
 /** Share of the light that the eye and the lens scatter. */
 const SCATTERED = 0.0006;
@@ -24,17 +24,20 @@ const GAMUT: Readonly<Record<PredefinedColorSpace, readonly number[]>> = {
 };
 
 /** Share of the light that this view scatters. */
-export function glareShareOf({ features }: Pick<View, "features">): number {
+export function glareShareOf({ features }: Pick<FrameSettings, "features">): number {
   return features.bloom ? SCATTERED : 0;
 }
 
 /** What metered stops, or none, are multiplied with: `Frame.exposure`. */
-export function exposureFactor({ features, exposure }: View): number {
+export function exposureFactor({ features, exposure }: FrameSettings): number {
   return 2 ** exposure * (features.autoExposure ? 1 : FIXED_EXPOSURE);
 }
 
 /** Uniforms of `lib/display-transform.glsl`, for a canvas that from now on has these primaries. */
-export function displayTransform(gpu: Gpu, { features, gamut }: Pick<View, "features" | "gamut">) {
+export function displayTransform(
+  gpu: Gpu,
+  { features, gamut }: Pick<FrameSettings, "features" | "gamut">,
+) {
   return {
     uAdaptation: features.adaptation ? ADAPTATION : UNADAPTED,
     uWhite: features.adaptation ? WHITE : TAPER.color,
@@ -77,7 +80,7 @@ export class DisplayPass {
       readonly uToneLut?: Texture;
     },
     { share, shift }: BloomTransform,
-    view: Pick<View, "features" | "gamut">,
+    view: Pick<FrameSettings, "features" | "gamut">,
     frame: UniformBlock,
     scissor?: Box,
   ): void {

@@ -6,8 +6,9 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { BloomPass } from "./bloom-pass.js";
+import type { BloomTransform } from "./display-pass.js";
+import type { Bloom } from "./frame-bloom-pass.js";
 
-const BLOOM_LEVELS = 3;
 /** Pixels of the picture for one of what blooms, along each axis. */
 export const GLARE = 4;
 /** How far the halo reaches around what glows, pixels. */
@@ -17,7 +18,7 @@ export const BLOOM_REACH = 96;
 type Place = readonly [number, number];
 
 /** The bloom of the flame alone: nothing else is bright enough. It goes with the flame, and may be an older one. */
-export class FlameBloomPass {
+export class FlameBloomPass implements Bloom {
   readonly #gpu: Gpu;
   readonly #screen: VertexArray;
   readonly #format: TextureFormat;
@@ -29,12 +30,12 @@ export class FlameBloomPass {
   /** Where the flame was in the picture that it is of; null before there is one. */
   #at: Place | null = null;
 
-  constructor(gpu: Gpu, screen: VertexArray, format: TextureFormat) {
+  constructor(gpu: Gpu, screen: VertexArray, levels: number, format: TextureFormat) {
     this.#gpu = gpu;
     this.#screen = screen;
     this.#format = format;
     this.#program = gpu.program("post/bloom-prefilter", fullscreenVert, glareFrag);
-    this.#bloom = new BloomPass(gpu, screen, BLOOM_LEVELS, { format, isFrugal: true });
+    this.#bloom = new BloomPass(gpu, screen, levels, { format, isFrugal: true });
   }
 
   resize(width: number, height: number): void {
@@ -59,9 +60,8 @@ export class FlameBloomPass {
     return this.#latest;
   }
 
-  /** From places in a picture where the flame is at `flame` to those in that of the halo. */
-  shiftFrom([x, y]: Place): Place {
-    return this.#at ? [this.#at[0] - x, this.#at[1] - y] : [0, 0];
+  transform([x, y]: Place): BloomTransform {
+    return { share: [1, 1], shift: this.#at ? [this.#at[0] - x, this.#at[1] - y] : [0, 0] };
   }
 
   /**

@@ -8,7 +8,7 @@ import type { VertexArray } from "../../gl/vertex-array.js";
 import { adaptation } from "../../light/color.js";
 import { TAPER } from "../../light/flame-light.js";
 import type { Inspection } from "../../settings.js";
-import type { View } from "../frame-settings.js";
+import type { FrameSettings } from "../frame-settings.js";
 import type { IrradianceVolume } from "../gi/indirect-pass.js";
 
 /** Textures that a frame has left. */
@@ -48,7 +48,7 @@ export class InspectPass {
   }
 
   render(
-    { inspect, features }: Pick<View, "inspect" | "features">,
+    { inspect, features }: Pick<FrameSettings, "inspect" | "features">,
     passes: PassTextures,
     volume: IrradianceVolume,
     blocks: Readonly<Record<"Frame" | "Light", UniformBlock>>,

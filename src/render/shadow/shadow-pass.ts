@@ -6,16 +6,12 @@ import type { Program } from "../../gl/program.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { TextureView } from "../../gl/texture-view.js";
 import type { Bounds, Vec3 } from "../../world/bounds.js";
+import { SCHEDULE } from "../schedule.js";
 import { clipFromFace, FACES } from "./cube-map.js";
 import type { ShadowCasters } from "./shadow-casters.js";
 
 /** Farther than anything. */
 const NOTHING = [1e4, 0, 0, 1] as const;
-/** A light that moves is followed in every fourth picture while it moves no farther in between, metres. */
-const STRIDE = 0.25;
-const PICTURES = 4;
-/** Or after so many, if there is none that has the time. */
-const MOST_PICTURES = 6;
 
 /** Distances, metres, in a cube around a vantage. */
 export interface ShadowCube {
@@ -80,7 +76,9 @@ export class ShadowPass {
   ): ShadowCube {
     const way = this.#hasMovedBy(vantage);
     this.#age++;
-    const isDue = this.#age >= (isBusy ? MOST_PICTURES : PICTURES) || way > STRIDE;
+    const isDue =
+      this.#age >= (isBusy ? SCHEDULE.shadow.busyFrames : SCHEDULE.shadow.frames) ||
+      way > SCHEDULE.shadow.distance;
     // Who stands still is worth the whole.
     const isWhole = way === 0;
     const isNew = isWhole ? !this.#whole : isDue;

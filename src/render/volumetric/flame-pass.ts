@@ -12,18 +12,9 @@ import { TAPER } from "../../light/flame-light.js";
 import { BALLS, createShape, shapeFlame } from "../../light/flame-shape.js";
 import type { Vec3 } from "../../world/bounds.js";
 import type { World } from "../../world/world.js";
-import type { Tier } from "../quality.js";
 
 /** What of the flame is drawn. */
 export type FlamePart = "all" | "soot" | "blue";
-
-/** Steps of the march through the flame. */
-export const STEPS: Readonly<Record<Tier["name"], number>> = {
-  low: 12,
-  medium: 24,
-  high: 40,
-  ultra: 64,
-};
 
 /** The ring handle, along +X in the model, is turned towards the visitor's right hand. */
 export const HANDLE_TURN = -1.1;
@@ -76,14 +67,14 @@ export class FlamePass {
     target: RenderTarget | TextureView,
     frame: UniformBlock,
     world: World,
-    tier: Tier["name"],
+    steps: number,
     part: FlamePart = "all",
   ): void {
     const shape = shapeFlame(world.flame, TAPER, this.#shape);
     if (!(shape.soot + shape.blue > 0)) return;
     this.#flame.update({
       base: world.shown.flame,
-      steps: STEPS[tier],
+      steps,
       wick: wickTip(world),
       top: shape.top,
       extent: shape.length,

@@ -1,9 +1,18 @@
 import type { Texture } from "../../gl/texture.js";
 import type { TextureView } from "../../gl/texture-view.js";
 
-/** A picture of the room that what floats in it is drawn over, and how far away the room is there. */
+/** What participating media are drawn over. */
 export interface VolumetricTarget {
   /** Radiance, cd/m², without a depth buffer: `depth` can be read meanwhile. */
   readonly target: TextureView;
+  /** Of the opaque surfaces. */
   readonly depth: Texture;
+}
+
+/** The composited frame: opaque surfaces, and later the media. */
+export interface CompositedFrame extends VolumetricTarget {
+  /** The radiance to read. */
+  readonly color: Texture;
+  /** The radiance with a depth buffer to test against. */
+  readonly tested: TextureView;
 }

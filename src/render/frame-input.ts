@@ -1,0 +1,47 @@
+import type { mat4 } from "gl-matrix";
+import type { Vec3 } from "../world/bounds.js";
+import type { World } from "../world/world.js";
+import type { FrameSettings } from "./frame-settings.js";
+import type { CaptureLight } from "./light-block.js";
+import type { Surface } from "./mesh/mesh.js";
+
+/** Pixels or texels. */
+export interface Size {
+  readonly width: number;
+  readonly height: number;
+}
+
+/** Origin of a model (x, y, z; metres) and its turn about the vertical (radians). */
+export type Placement = readonly [number, number, number, number];
+
+/** The placement of a model that stands where it was made. */
+export const AT_ORIGIN: Placement = [0, 0, 0, 0];
+
+/** A model in the frame. */
+export interface ModelInstance {
+  readonly meshes: readonly Surface[];
+  readonly placement: Placement;
+  /** Largest error of its simplified meshes, which stand in for it while the camera moves. Metres. */
+  readonly lodError: number;
+  /** Whether it moves with the camera. */
+  readonly isHeld: boolean;
+}
+
+/** All that a frame of the physical look is drawn from. */
+export interface FrameInput {
+  readonly world: World;
+  readonly settings: FrameSettings;
+  readonly clipFromWorld: mat4;
+  /** The flame, 1 cd strong, at the point that the shadow cube and the surfels are captured from. */
+  readonly captureLight: CaptureLight;
+  readonly instances: readonly ModelInstance[];
+  /** Of the candle, whether it is drawn or not. */
+  readonly candlePlacement: Placement;
+  /** Root of the flame in the frame: shares of its width and height. The centre for a flame behind the camera. */
+  readonly flameUv: readonly [number, number];
+}
+
+/** The point that the shadow cube and the surfels are captured from, metres. */
+export function captureOrigin({ captureLight }: FrameInput): Vec3 {
+  return captureLight.position;
+}

@@ -1,0 +1,95 @@
+import type { Model } from "../../assets/model.js";
+import type { Gpu } from "../../gl/gpu.js";
+import type { VertexArray } from "../../gl/vertex-array.js";
+import type { Solid } from "../../world/solid.js";
+import { shadowFrustumTest } from "../camera.js";
+import { floats } from "../float-format.js";
+import type { FrameInput } from "../frame-input.js";
+import type { GBufferKind } from "../gbuffer/gbuffer.js";
+import type { Surface } from "../mesh/mesh.js";
+import type { MeshLods } from "../mesh/mesh-lods.js";
+import { MOTION_ERROR, type PhysicalTier } from "../quality.js";
+import { ShadowCasters } from "../shadow/shadow-casters.js";
+import { type ShadowCube, ShadowPass } from "../shadow/shadow-pass.js";
+import { IndirectPass, type IrradianceVolume } from "./indirect-pass.js";
+
+/** Width of the flame's penumbra in which casters outside the view count, metres. */
+const PENUMBRA = 0.05;
+
+/** What the flame sees: its shadow cube, and the light that the room reflects. */
+export interface Captures {
+  readonly shadow: ShadowCube;
+  readonly irradiance: IrradianceVolume;
+}
+
+/**
+ * Shadow cube and irradiance volume of the flame.
+ *
+ * At rest they are exact. In motion they are updated incrementally, from simplified casters.
+ */
+export class LightCaptures {
+  readonly #gpu: Gpu;
+  readonly #model: Model;
+  /** In the order of the model's parts. */
+  readonly #meshes: readonly Surface[];
+  readonly #lods: MeshLods | null;
+  readonly #casters: ShadowCasters;
+  /** Simplified, for motion; null until their meshes are ready. */
+  #shadowLod: ShadowCasters | null = null;
+  #surfelLod: ShadowCasters | null = null;
+  readonly #shadow: ShadowPass;
+  readonly #indirect: IndirectPass;
+
+  /**
+   * @param solid of the room, for the probes' rays
+   * @param lods null where nothing is simplified in motion
+   */
+  constructor(
+    gpu: Gpu,
+    screen: VertexArray,
+    room: { readonly model: Model; readonly solid: Solid; readonly surfaces: readonly Surface[] },
+    { opaque, shadow, indirect, casterError }: PhysicalTier,
+    lods: MeshLods | null,
+  ) {
+    this.#gpu = gpu;
+    this.#model = room.model;
+    this.#meshes = room.surfaces;
+    this.#lods = lods;
+    this.#casters = new ShadowCasters(gpu, room.model, room.surfaces, casterError);
+    const format = opaque === "forward" ? "R16F" : floats(gpu, 1);
+    this.#shadow = new ShadowPass(gpu, shadow.size, format);
+    this.#indirect = new IndirectPass(gpu, screen, room, indirect);
+  }
+
+  update({ captureLight, clipFromWorld, settings }: FrameInput, kind: GBufferKind): Captures {
+    if (kind === "full") {
+      const distances = this.#shadow.render(this.#casters, captureLight.position);
+      if (settings.isPatient) this.#prepareLods();
+      const irradiance = this.#indirect.render(this.#casters, captureLight);
+      return {
+        shadow: { distances, vantage: captureLight.position, isNew: false },
+        irradiance,
+      };
+    }
+    this.#prepareLods();
+    const shadow = this.#shadow.follow(this.#shadowLod ?? this.#casters, captureLight.position, {
+      isBusy: kind === "reduced",
+      matters: shadowFrustumTest(clipFromWorld, captureLight.position, PENUMBRA),
+    });
+    const irradiance = this.#indirect.follow(this.#surfelLod ?? this.#casters, captureLight);
+    return { shadow, irradiance };
+  }
+
+  /** What the first motion needs, one thing a frame. */
+  #prepareLods(): void {
+    if (!this.#shadowLod) this.#shadowLod = this.#simplified(MOTION_ERROR.shadow);
+    else this.#surfelLod ??= this.#simplified(MOTION_ERROR.surfels);
+  }
+
+  #simplified(error: number): ShadowCasters | null {
+    const parts = this.#lods?.partsOf(this.#meshes);
+    return parts
+      ? new ShadowCasters(this.#gpu, { ...this.#model, parts }, this.#meshes, error)
+      : null;
+  }
+}

@@ -1,0 +1,157 @@
+import compositeDisplayFrag from "../../../shaders/opaque/composite-display.frag";
+import reprojectFrag from "../../../shaders/opaque/reproject-color.frag";
+import displayVert from "../../../shaders/post/display.vert";
+import fullscreenVert from "../../../shaders/post/fullscreen.vert";
+import fxaaFrag from "../../../shaders/post/fxaa.frag";
+import toneLutFrag from "../../../shaders/post/tone-lut.frag";
+import upscaleFrag from "../../../shaders/post/upscale.frag";
+import type { Box, Gpu } from "../../gl/gpu.js";
+import type { Program } from "../../gl/program.js";
+import type { RenderTarget } from "../../gl/render-target.js";
+import type { Texture } from "../../gl/texture.js";
+import type { VertexArray } from "../../gl/vertex-array.js";
+import type { Size } from "../frame-input.js";
+import { forEachGBufferKind, type GBufferKind } from "../gbuffer/gbuffer.js";
+import type { DisplayTransform } from "../post/display-pass.js";
+import { scaleBox } from "../screen-bounds.js";
+import type { FrameBlocks, OpaqueLayer } from "./opaque-stage.js";
+
+/** Texels along an edge of the tone LUT: `TONE_LUT_SIZE` of the shader. */
+const LUT_SIZE = 32;
+
+/** What else a composite to the canvas depends on. */
+export interface DisplayOptions {
+  /** Share of the light that lens and eye scatter. */
+  readonly glareShare: number;
+  /** From uv of the frame to uv of the bloom. */
+  readonly bloomOffset: readonly [number, number];
+  readonly autoExposure: boolean;
+  readonly transform: DisplayTransform;
+  /** Where the bloom is, in pixels of a canvas of `size`. */
+  readonly bloomBounds: Box;
+  readonly size: Size;
+}
+
+/**
+ * Composite and display transform in one pass, by a tone LUT: albedo times lighting straight to the canvas.
+ *
+ * A reduced layer is composited at its own resolution, antialiased and upscaled; one of the history kind
+ * reprojects the colours of the frame before, and only the bloom's part is drawn anew.
+ */
+export class CompositeDisplayPass {
+  readonly #gpu: Gpu;
+  readonly #screen: VertexArray;
+  readonly #composite: Readonly<Record<GBufferKind, Program>>;
+  readonly #reproject: Program;
+  readonly #fxaa: Program;
+  readonly #upscale: Program;
+  readonly #fillLut: Program;
+  readonly #lut: Texture;
+  #lutKey = "";
+  #color: RenderTarget | null = null;
+  #antialiased: RenderTarget | null = null;
+  /** The antialiased colours of the previous frame, reprojected. */
+  #reprojected: RenderTarget | null = null;
+
+  constructor(gpu: Gpu, screen: VertexArray) {
+    this.#gpu = gpu;
+    this.#screen = screen;
+    this.#composite = forEachGBufferKind((defines) =>
+      gpu.program("opaque/composite-display", displayVert, compositeDisplayFrag, { defines }),
+    );
+    this.#reproject = gpu.program("opaque/reproject-color", fullscreenVert, reprojectFrag);
+    this.#fxaa = gpu.program("post/fxaa", fullscreenVert, fxaaFrag);
+    this.#upscale = gpu.program("post/upscale", fullscreenVert, upscaleFrag);
+    this.#fillLut = gpu.program("post/tone-lut", fullscreenVert, toneLutFrag);
+    this.#lut = gpu.texture({
+      label: "tone LUT",
+      // Software filters 8 bits twice as fast as floats, and to more bits than they have.
+      format: "RGBA8",
+      source: { width: LUT_SIZE, height: LUT_SIZE },
+      shape: { layers: LUT_SIZE },
+    });
+  }
+
+  /** @param textures of the layer, its G-buffer, the bloom, the exposure and the tone LUT */
+  render(
+    layer: OpaqueLayer,
+    textures: Readonly<Record<"uBloom" | "uExposure" | "uToneLut", Texture>>,
+    options: DisplayOptions,
+    blocks: FrameBlocks,
+  ): void {
+    const { uAdaptation, uWhite } = options.transform;
+    const composite = {
+      program: this.#composite[layer.kind],
+      vertexArray: this.#screen,
+      textures: { ...layer.textures, ...textures },
+      uniforms: {
+        ...layer.uniforms,
+        uWhiteBalance: uAdaptation.map((gain, i) => gain / (uWhite[i] ?? 1)),
+        uGlareShare: options.glareShare,
+        uGlareOffset: options.bloomOffset,
+        uAutoExposure: options.autoExposure ? 1 : 0,
+      },
+      blocks: { ...blocks },
+    };
+    if (layer.kind === "full") {
+      this.#gpu.draw({ ...composite, target: "canvas" });
+      return;
+    }
+    const isHistory = layer.kind === "history";
+    const { uGBufferAlbedo, uDepth } = layer.textures;
+    if (!uGBufferAlbedo || !uDepth) throw new Error("A layer of a G-buffer has albedo and depth.");
+    if (!isHistory) this.#resize(uGBufferAlbedo);
+    const [color, antialiased, reprojected] = [this.#color, this.#antialiased, this.#reprojected];
+    if (!color || !antialiased || !reprojected) throw new Error("There is no previous frame.");
+    const target = isHistory ? reprojected : antialiased;
+    const pass = { vertexArray: this.#screen };
+    if (isHistory) {
+      this.#gpu.draw({
+        ...pass,
+        program: this.#reproject,
+        target,
+        textures: { uHistory: antialiased.color, uDepth },
+        uniforms: layer.uniforms,
+      });
+    }
+    // The bloom does not move with the surfaces.
+    const scissor = isHistory ? scaleBox(options.bloomBounds, options.size, color) : undefined;
+    this.#gpu.draw({ ...composite, target: color, scissor });
+    const colored = { textures: { uSource: color.color }, scissor };
+    this.#gpu.draw({ ...pass, ...colored, program: this.#fxaa, target });
+    const source = { textures: { uSource: target.color } };
+    this.#gpu.draw({ ...pass, ...source, program: this.#upscale, target: "canvas" });
+  }
+
+  #resize({ width, height }: Size): void {
+    if (this.#color?.width === width && this.#color.height === height) return;
+    for (const old of [this.#color, this.#antialiased, this.#reprojected]) old?.dispose();
+    const target = (name: string) =>
+      this.#gpu.renderTarget({ label: `composite/${name}`, width, height, color: ["RGBA8"] });
+    this.#color = target("color");
+    this.#antialiased = target("antialiased");
+    this.#reprojected = target("reprojected");
+  }
+
+  /** The tone LUT of a display transform. */
+  toneLut({ uAdaptation: _, ...transform }: DisplayTransform): Texture {
+    const key = JSON.stringify(transform);
+    if (key === this.#lutKey) return this.#lut;
+    this.#lutKey = key;
+    for (let layer = 0; layer < LUT_SIZE; layer++) {
+      const target = this.#gpu.textureView({
+        label: `tone LUT/${layer}`,
+        textures: [this.#lut],
+        image: layer,
+      });
+      this.#gpu.draw({
+        program: this.#fillLut,
+        target,
+        vertexArray: this.#screen,
+        uniforms: { ...transform, uLayer: layer },
+      });
+      target.dispose();
+    }
+    return this.#lut;
+  }
+}

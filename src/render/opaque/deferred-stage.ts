@@ -1,0 +1,85 @@
+import compositeFrag from "../../../shaders/opaque/composite.frag";
+import fullscreenVert from "../../../shaders/post/fullscreen.vert";
+import meterFrag from "../../../shaders/post/meter-deferred.frag";
+import type { Box, Gpu } from "../../gl/gpu.js";
+import type { Program } from "../../gl/program.js";
+import type { TextureFormat } from "../../gl/texture.js";
+import type { VertexArray } from "../../gl/vertex-array.js";
+import type { FrameInput, Size } from "../frame-input.js";
+import { forEachGBufferKind, type GBuffer, type GBufferKind } from "../gbuffer/gbuffer.js";
+import { GBufferPass } from "../gbuffer/gbuffer-pass.js";
+import type { IrradianceVolume } from "../gi/indirect-pass.js";
+import type { MeshLods } from "../mesh/mesh-lods.js";
+import type { ShadowCube } from "../shadow/shadow-pass.js";
+import type { CompositedFrame } from "../volumetric/volumetric-target.js";
+import { LightingPass, type ShadowQuality } from "./lighting-pass.js";
+import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "./opaque-stage.js";
+
+/** The opaque stage for machines without a GPU: a G-buffer, lighting at a lower rate, joint bilateral upsampling. */
+export class DeferredStage implements OpaqueStage {
+  readonly format: TextureFormat;
+  readonly blocks: FrameBlocks;
+  readonly meterFrag = meterFrag;
+  readonly #gpu: Gpu;
+  readonly #screen: VertexArray;
+  readonly #gbufferPass: GBufferPass;
+  readonly #lighting: LightingPass;
+  readonly #composite: Readonly<Record<GBufferKind, Program>>;
+  #gbuffer: GBuffer | null = null;
+
+  constructor(gpu: Gpu, screen: VertexArray, quality: ShadowQuality, lods: MeshLods) {
+    this.#gpu = gpu;
+    this.#screen = screen;
+    this.#lighting = new LightingPass(gpu, screen, quality);
+    this.format = this.#lighting.format;
+    this.blocks = { Frame: this.#lighting.frame, Light: this.#lighting.light };
+    this.#gbufferPass = new GBufferPass(gpu, screen, this.blocks.Frame, lods);
+    this.#composite = forEachGBufferKind((defines) =>
+      gpu.program("opaque/composite", fullscreenVert, compositeFrag, { defines }),
+    );
+  }
+
+  resize(size: Size): void {
+    this.#gbufferPass.resize(size);
+    this.#lighting.resize(size);
+  }
+
+  begin(frame: FrameInput): GBufferKind {
+    this.#gbuffer = this.#gbufferPass.render(frame, this.#lighting.size);
+    if (frame.settings.isPatient && this.#gbuffer.kind === "full") this.#lighting.prepareReduced();
+    return this.#gbuffer.kind;
+  }
+
+  shade(frame: FrameInput, shadow: ShadowCube, irradiance: IrradianceVolume): OpaqueLayer {
+    const gbuffer = this.#gbuffer;
+    if (!gbuffer) throw new Error("Shading needs a G-buffer.");
+    const { textures, uniforms } = this.#lighting.render(frame, gbuffer, shadow, irradiance);
+    return {
+      kind: gbuffer.kind,
+      textures: { ...textures, uGBufferAlbedo: gbuffer.albedo, uDepth: gbuffer.depth },
+      uniforms,
+      depth: gbuffer.frameDepth,
+      motion: gbuffer.reprojection?.motion ?? 0,
+    };
+  }
+
+  composite(
+    _: FrameInput,
+    layer: OpaqueLayer,
+    { target, tested }: CompositedFrame,
+    region: Box,
+  ): void {
+    const isReduced = layer.kind !== "full";
+    if (isReduced) this.#gpu.clear(tested, [0, 0, 0, 1], region);
+    this.#gpu.draw({
+      program: this.#composite[layer.kind],
+      target: isReduced ? tested : target,
+      vertexArray: this.#screen,
+      textures: layer.textures,
+      uniforms: layer.uniforms,
+      blocks: { Light: this.blocks.Light },
+      scissor: region,
+      depth: isReduced ? "test-and-write" : "none",
+    });
+  }
+}

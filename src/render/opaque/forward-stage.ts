@@ -1,0 +1,176 @@
+import meshVert from "../../../shaders/mesh/mesh.vert";
+import forwardFrag from "../../../shaders/opaque/forward.frag";
+import compositeFrag from "../../../shaders/opaque/forward-composite.frag";
+import fullscreenVert from "../../../shaders/post/fullscreen.vert";
+import meterFrag from "../../../shaders/post/meter.frag";
+import type { Box, Gpu } from "../../gl/gpu.js";
+import type { Program } from "../../gl/program.js";
+import type { RenderTarget } from "../../gl/render-target.js";
+import type { Texture } from "../../gl/texture.js";
+import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { VertexArray } from "../../gl/vertex-array.js";
+import type { FrameInput, ModelInstance, Size } from "../frame-input.js";
+import type { IrradianceVolume } from "../gi/indirect-pass.js";
+import { shadingLight } from "../light-block.js";
+import { type Surface, surfaceSampling } from "../mesh/mesh.js";
+import { normalMapVisibilityOf } from "../mesh/normal-map-visibility.js";
+import type { Tier } from "../quality.js";
+import type { ShadowCube } from "../shadow/shadow-pass.js";
+import type { CompositedFrame } from "../volumetric/volumetric-target.js";
+import { ENVIRONMENT_BRDF_SIZE, tabulateEnvironmentBrdf } from "./environment-brdf.js";
+import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "./opaque-stage.js";
+
+const BLACK = [0, 0, 0, 1] as const;
+
+/** The program that shades all meshes of a tier. */
+export function forwardProgram(gpu: Gpu, { physical }: Tier): Program {
+  const { search, taps } = physical.shadow;
+  const defines = { SHADOW_SEARCH: search, SHADOW_TAPS: taps };
+  return gpu.program("opaque/forward", meshVert, forwardFrag, { defines });
+}
+
+/** The opaque stage for GPUs: forward shading, multisampled. Kept until camera, models or light have moved. */
+export class ForwardStage implements OpaqueStage {
+  readonly format = "RGBA16F";
+  readonly blocks: FrameBlocks;
+  readonly meterFrag = meterFrag;
+  readonly #gpu: Gpu;
+  readonly #screen: VertexArray;
+  readonly #tier: Tier;
+  readonly #program: Program;
+  readonly #composite: Program;
+  /** The flame that the radiance is of. */
+  readonly #shadingLight: UniformBlock;
+  readonly #environmentBrdf: Texture;
+  #samples: RenderTarget | null = null;
+  #resolved: RenderTarget | null = null;
+  /** What the radiance depends on. */
+  #key = "";
+
+  constructor(gpu: Gpu, screen: VertexArray, tier: Tier) {
+    this.#gpu = gpu;
+    this.#screen = screen;
+    this.#tier = tier;
+    this.#program = forwardProgram(gpu, tier);
+    this.#composite = gpu.program("opaque/forward-composite", fullscreenVert, compositeFrag);
+    this.blocks = {
+      Frame: gpu.uniformBlock(this.#program, "Frame"),
+      Light: gpu.uniformBlock(this.#program, "Light"),
+    };
+    this.#shadingLight = gpu.uniformBlock(this.#program, "Light");
+    this.#environmentBrdf = gpu.share("environment BRDF", () =>
+      gpu.texture({
+        label: "environment BRDF",
+        format: "RG16F",
+        source: {
+          width: ENVIRONMENT_BRDF_SIZE,
+          height: ENVIRONMENT_BRDF_SIZE,
+          data: tabulateEnvironmentBrdf(),
+        },
+      }),
+    );
+  }
+
+  resize({ width, height }: Size): void {
+    const { samples } = this.#tier;
+    this.#samples?.dispose();
+    this.#resolved?.dispose();
+    const size = { width, height, color: [this.format] as const, depth: "texture" as const };
+    this.#samples =
+      samples > 1 ? this.#gpu.renderTarget({ label: "forward/samples", ...size, samples }) : null;
+    this.#resolved = this.#gpu.renderTarget({ label: "forward/radiance", ...size });
+    this.#key = "";
+  }
+
+  begin(): "full" {
+    return "full";
+  }
+
+  shade(frame: FrameInput, shadow: ShadowCube, irradiance: IrradianceVolume): OpaqueLayer {
+    if (!this.#resolved?.depth) throw new Error("The forward stage has no size yet.");
+    const { world, settings, instances, captureLight } = frame;
+    const { features, inspect } = settings;
+    const light = { ...shadingLight(world, features.candle), vantage: shadow.vantage };
+    const key = JSON.stringify([
+      [...frame.clipFromWorld],
+      light,
+      captureLight,
+      features,
+      inspect === "normals",
+      instances.map(({ placement }) => placement),
+    ]);
+    if (key !== this.#key) {
+      this.#key = key;
+      this.#shadingLight.update(light);
+      const target = this.#samples ?? this.#resolved;
+      this.#gpu.clear(target, BLACK);
+      for (const instance of instances) {
+        for (const mesh of instance.meshes) {
+          this.#drawMesh(target, frame, instance, mesh, shadow, irradiance);
+        }
+      }
+      if (this.#samples) this.#gpu.resolve(this.#samples, this.#resolved);
+    }
+    return {
+      kind: "full",
+      textures: { uRadiance: this.#resolved.color, uDepth: this.#resolved.depth },
+      uniforms: {},
+      depth: this.#resolved.depth,
+      motion: 0,
+    };
+  }
+
+  #drawMesh(
+    target: RenderTarget,
+    { settings }: FrameInput,
+    { placement }: ModelInstance,
+    mesh: Surface,
+    shadow: ShadowCube,
+    irradiance: IrradianceVolume,
+  ): void {
+    const { shadows, indirect, specular, translucency } = settings.features;
+    this.#gpu.draw({
+      program: this.#program,
+      target,
+      vertexArray: mesh.vertexArray,
+      textures: {
+        ...mesh.textures,
+        uShadow: shadow.distances,
+        uEnvironmentBrdf: this.#environmentBrdf,
+        uNormalMapVisibility: normalMapVisibilityOf(this.#gpu, this.#screen, mesh),
+        uRadiosity: irradiance.radiosity,
+        ...irradiance.textures,
+      },
+      sampling: surfaceSampling(this.#tier),
+      uniforms: {
+        uBaseColor: mesh.baseColor,
+        uPlacement: placement,
+        uSurface: mesh.parameters,
+        uOcclusionStrength: mesh.occlusionStrength,
+        uWax: mesh.isWax && translucency ? 1 : 0,
+        uIsWick: mesh.isWick ? 1 : 0,
+        uFeatures: [shadows, indirect, specular, settings.inspect === "normals"].map(Number),
+      },
+      blocks: { Frame: this.blocks.Frame, Light: this.#shadingLight, Volume: irradiance.block },
+      depth: "test-and-write",
+      cull: mesh.isDoubleSided ? "none" : "back",
+    });
+  }
+
+  composite(
+    { settings }: FrameInput,
+    layer: OpaqueLayer,
+    { target }: CompositedFrame,
+    region: Box,
+  ): void {
+    this.#gpu.draw({
+      program: this.#composite,
+      target,
+      vertexArray: this.#screen,
+      textures: { uRadiance: layer.textures.uRadiance! },
+      uniforms: { uIsLight: settings.inspect === "normals" ? 0 : 1 },
+      blocks: { Light: this.blocks.Light },
+      scissor: region,
+    });
+  }
+}

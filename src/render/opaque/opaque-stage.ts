@@ -1,0 +1,49 @@
+import type { Box } from "../../gl/gpu.js";
+import type { ShaderSource } from "../../gl/program.js";
+import type { Texture, TextureFormat } from "../../gl/texture.js";
+import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { FrameInput, Size } from "../frame-input.js";
+import type { GBufferKind } from "../gbuffer/gbuffer.js";
+import type { IrradianceVolume } from "../gi/indirect-pass.js";
+import type { ShadowCube } from "../shadow/shadow-pass.js";
+import type { CompositedFrame } from "../volumetric/volumetric-target.js";
+
+/** Uniform blocks that all passes of a frame share. */
+export interface FrameBlocks {
+  /** Camera and exposure. */
+  readonly Frame: UniformBlock;
+  /** The flame as it is in this frame. */
+  readonly Light: UniformBlock;
+}
+
+/** The lit surfaces of a frame, for each candela of the flame's. */
+export interface OpaqueLayer {
+  readonly kind: GBufferKind;
+  /** What the stage's shaders composite: radiance per candela, or its factors. */
+  readonly textures: Readonly<Record<string, Texture>>;
+  readonly uniforms: Readonly<Record<string, readonly number[] | Float32Array>>;
+  /** Depth at the canvas's size; of kinds other than `full` it is written by `composite`. */
+  readonly depth: Texture;
+  /** Motion in the image since the G-buffer was filled, as a share of its size. */
+  readonly motion: number;
+}
+
+/**
+ * The opaque stage: room and candle, shaded forward or deferred. It is the one part in which tiers differ.
+ *
+ * Light is linear in the flame's intensity, and changes slowly apart from it. So the stage returns radiance per
+ * candela, which is kept until camera, models or light have moved.
+ */
+export interface OpaqueStage {
+  /** Of radiance, in all stages. */
+  readonly format: TextureFormat;
+  readonly blocks: FrameBlocks;
+  /** Of the metering pass: it reads the textures, uniforms and blocks of a layer. */
+  readonly meterFrag: ShaderSource;
+  resize(size: Size): void;
+  /** Fills the G-buffer, if there is one, and tells of which kind it is. */
+  begin(frame: FrameInput): GBufferKind;
+  shade(frame: FrameInput, shadow: ShadowCube, irradiance: IrradianceVolume): OpaqueLayer;
+  /** Radiance in cd/m² within a region. */
+  composite(frame: FrameInput, layer: OpaqueLayer, target: CompositedFrame, region: Box): void;
+}

@@ -1,0 +1,29 @@
+/**
+ * How often each part of the frame is updated. `quality.ts` says how well.
+ *
+ * At rest everything is updated whenever what it depends on has changed. What is listed here holds for the
+ * tier that draws a G-buffer, while the camera moves, and for caches.
+ */
+export const SCHEDULE = {
+  /** Every other frame in motion reprojects the G-buffer and the lighting of the one before. */
+  reprojection: {
+    /** Distance of the surface by which motion in the image is judged, metres. */
+    distance: 2,
+    /** Largest motion between two frames, as a share of the image's size. */
+    motion: 0.08,
+  },
+  /** Progressive refinement: frames over which a full G-buffer is filled after the camera stops. */
+  refinement: { surfaces: 12, guide: 4 },
+  /** Shadow cube in motion: every fourth frame, sixth if those are busy, at once if the light moved this far (m). */
+  shadow: { frames: 4, busyFrames: 6, distance: 0.25 },
+  /** Surfels and probes in motion: a cube face a frame, one bounce, then this many frames of rest. */
+  indirect: { restFrames: 7 },
+  /** Bloom and exposure in motion: in idle frames, or after this many. */
+  post: { frames: 5 },
+  /** Steps in which normal-map shading of the G-buffer follows the light, metres. */
+  normalMapShading: 0.05,
+  /** Steps in which lighting of surfaces follows the light: smaller ones are not visible. Metres. */
+  lighting: 0.0015,
+  /** Probes traced in a frame while a renderer is prepared: a few milliseconds. */
+  probesPerFrame: 16,
+} as const;

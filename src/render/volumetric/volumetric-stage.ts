@@ -1,0 +1,165 @@
+import meshVert from "../../../shaders/mesh/mesh.vert";
+import emberFrag from "../../../shaders/volumetric/ember.frag";
+import type { Box, Gpu } from "../../gl/gpu.js";
+import type { Program } from "../../gl/program.js";
+import type { TextureFormat } from "../../gl/texture.js";
+import type { TextureView } from "../../gl/texture-view.js";
+import { emberRadiance, TAPER } from "../../light/flame-light.js";
+import { createShape, shapeFlame } from "../../light/flame-shape.js";
+import type { Inspection } from "../../settings.js";
+import type { ParticleLayer } from "../../world/particle-layer.js";
+import type { World } from "../../world/world.js";
+import type { FrameInput, Size } from "../frame-input.js";
+import type { GBufferKind } from "../gbuffer/gbuffer.js";
+import type { IrradianceVolume } from "../gi/indirect-pass.js";
+import type { Surface } from "../mesh/mesh.js";
+import type { FrameBlocks } from "../opaque/opaque-stage.js";
+import { screenBounds } from "../screen-bounds.js";
+import { type FlamePart, FlamePass } from "./flame-pass.js";
+import { HazePass } from "./haze-pass.js";
+import { MotesPass } from "./motes-pass.js";
+import { type Ball, boundingSpheres, SmokePass } from "./smoke-pass.js";
+import type { CompositedFrame } from "./volumetric-target.js";
+
+/** Pixels around the flame that bloom and antialiasing read. */
+const MARGIN = 3;
+/** The hull of the flame is drawn wider than its spheres by this factor. */
+const HULL = 1.4;
+/** Colour of a haze that refracts nothing, as `inspect` shows it. */
+const NO_OFFSET = [0.5, 0.5, 0.5, 1] as const;
+
+/** Participating media over the opaque surfaces: ember, flame, hot air, dust, smoke, sparks. */
+export class VolumetricStage {
+  readonly #gpu: Gpu;
+  readonly #wicks: readonly Surface[];
+  readonly #blocks: FrameBlocks;
+  readonly #flameSteps: number;
+  readonly #ember: Program;
+  readonly #flame: FlamePass;
+  readonly #haze: HazePass;
+  readonly #smoke: SmokePass;
+  readonly #motes: MotesPass | null;
+  readonly #shape = createShape();
+
+  /** @param format of the radiance */
+  constructor(
+    gpu: Gpu,
+    candle: readonly Surface[],
+    blocks: FrameBlocks,
+    format: TextureFormat,
+    quality: { readonly flameSteps: number; readonly hasParticles: boolean },
+  ) {
+    this.#gpu = gpu;
+    this.#wicks = candle.filter(({ isWick }) => isWick);
+    this.#blocks = blocks;
+    this.#flameSteps = quality.flameSteps;
+    this.#ember = gpu.program("volumetric/ember", meshVert, emberFrag);
+    this.#flame = new FlamePass(gpu);
+    this.#haze = new HazePass(gpu, format);
+    this.#smoke = new SmokePass(gpu);
+    this.#motes = quality.hasParticles ? new MotesPass(gpu) : null;
+  }
+
+  resize({ width, height }: Size): void {
+    this.#haze.resize(width, height);
+  }
+
+  /** Other particles: those of a new world, or more of them. */
+  setParticles(world: World, layers: readonly ParticleLayer[]): void {
+    this.#motes?.follow(world, layers);
+  }
+
+  get particles(): number {
+    return this.#motes?.particles ?? 0;
+  }
+
+  /** Pixels that anything may be drawn to, in whole cells of the bloom's source. */
+  bounds(frame: FrameInput, kind: GBufferKind, size: Size, cell: number): Box {
+    const fit = { margin: MARGIN, cell };
+    return screenBounds(this.#spheres(frame, kind), frame.clipFromWorld, size, fit);
+  }
+
+  /** Draws over the composited radiance, within its depth. */
+  render(
+    frame: FrameInput,
+    kind: GBufferKind,
+    { target, tested, depth, color }: CompositedFrame,
+    irradiance: IrradianceVolume,
+  ): void {
+    const { world, settings, clipFromWorld } = frame;
+    const { features, inspect, isStill } = settings;
+    const { Frame, Light } = this.#blocks;
+    const part = flamePart(inspect);
+    if (inspect === "normals") return;
+    if (features.candle && !part) this.#drawEmber(frame, target, depth);
+    if (features.volume) {
+      this.#flame.render(tested, Frame, world, this.#flameSteps, part ?? "all");
+    }
+    const { fumes, flame } = world;
+    if (!fumes || part) return;
+    const air = { target, tested, depth, color };
+    const flameHeight = flame.isLit ? flame.height : 0;
+    const isInspected = inspect === "haze";
+    if (isInspected) this.#gpu.clear(target, NO_OFFSET);
+    if (isInspected || showsHaze(frame, kind)) {
+      this.#haze.render(air, color, fumes.plume, flameHeight, Frame, clipFromWorld, isInspected);
+    }
+    if (isInspected) return;
+    if (features.dust && !isStill) {
+      this.#motes?.render("dust", air, world, Frame, Light, irradiance);
+    }
+    if (features.smoke) this.#smoke.render(air, fumes.smoke, Frame, Light, irradiance);
+    if (features.sparks && !isStill) {
+      this.#motes?.render("spark", air, world, Frame, Light, irradiance);
+    }
+  }
+
+  #drawEmber(
+    { world, candlePlacement }: FrameInput,
+    target: TextureView,
+    uDepth: CompositedFrame["depth"],
+  ) {
+    const glow = emberRadiance(world.flame.ember);
+    if (!(glow[0] > 0)) return;
+    for (const { vertexArray } of this.#wicks) {
+      this.#gpu.draw({
+        program: this.#ember,
+        target,
+        vertexArray,
+        textures: { uDepth },
+        uniforms: { uPlacement: candlePlacement, uEmber: glow },
+        blocks: { ...this.#blocks },
+        blend: "premultiplied",
+      });
+    }
+  }
+
+  /** Spheres around the flame, the hot air over it, and the smoke. */
+  *#spheres(frame: FrameInput, kind: GBufferKind): Generator<Ball> {
+    const { flame, fumes, shown } = frame.world;
+    const { balls } = shapeFlame(flame, TAPER, this.#shape);
+    const [x, y, z] = shown.flame;
+    for (let at = 0; at < balls.length; at += 4) {
+      yield [x + balls[at]!, y + balls[at + 1]!, z + balls[at + 2]!, balls[at + 3]! * HULL];
+    }
+    if (!fumes) return;
+    const { smoke } = frame.settings.features;
+    if (smoke && fumes.smoke.count >= 2) yield* boundingSpheres(fumes.smoke);
+    if (!showsHaze(frame, kind)) return;
+    const column = this.#haze.boundingSpheres(fumes.plume, flame.isLit ? flame.height : 0);
+    for (let at = 0; at < column.length; at += 4) {
+      yield [column[at]!, column[at + 1]!, column[at + 2]!, column[at + 3]!];
+    }
+  }
+}
+
+/** Refraction of less than a pixel is not visible in motion, and the column covers a tenth of the frame. */
+function showsHaze({ settings }: FrameInput, kind: GBufferKind): boolean {
+  return settings.features.haze && kind === "full";
+}
+
+/** The part of the flame that is inspected alone; null where the room is shown. */
+export function flamePart(inspect: Inspection): FlamePart | null {
+  if (inspect === "soot" || inspect === "temperature") return "soot";
+  return inspect === "blue" ? "blue" : null;
+}
