@@ -7,13 +7,13 @@ import { canvasSize } from "./render/canvas-size.js";
 import { type Tier, tierNamed } from "./render/quality.js";
 import type { Renderer } from "./render/renderer.js";
 import { measureSpeed, type Speed } from "./render/speed.js";
+import type { CanvasTarget } from "./scenes/canvas-target.js";
 import type { Scene } from "./scenes/scene.js";
-import type { Screen } from "./scenes/screen.js";
 import type { Features, Inspection, Look, Quality } from "./settings.js";
 import type { Wind } from "./world/air.js";
 import { STILL } from "./world/intent.js";
-import { type Moment, resume } from "./world/moment.js";
 import { withCount } from "./world/particle-layer.js";
+import { restoreSnapshot, type Snapshot } from "./world/snapshot.js";
 import {
   advance,
   createWorld,
@@ -67,6 +67,23 @@ export interface Stats {
   readonly gpuBytes: number;
 }
 
+/** Before the first frame. */
+export const NO_STATS: Stats = {
+  fps: 0,
+  frameMs: 0,
+  cpuMs: 0,
+  gpuMs: null,
+  drawCalls: 0,
+  triangles: 0,
+  particles: 0,
+  width: 0,
+  height: 0,
+  resolutionScale: 1,
+  quality: "low",
+  gpuObjects: 0,
+  gpuBytes: 0,
+};
+
 /**
  * Input, world, light and renderer, put together on one screen.
  *
@@ -89,7 +106,7 @@ export class CandleFlame {
   onRefused: () => void = () => {};
   /** Called when the picture is of another quality or resolution than the one before. */
   onQualityChanged: () => void = () => {};
-  readonly #screen: Screen;
+  readonly #screen: CanvasTarget;
   #scene: Scene;
   readonly #features: Features;
   #options: Options;
@@ -112,7 +129,7 @@ export class CandleFlame {
   #cpuMs = 0;
 
   /** How fast a screen's GPU is, for `auto`; measured once, best while it has nothing else to do. */
-  static measure({ gpu }: Screen): Promise<Speed | null> {
+  static measure({ gpu }: CanvasTarget): Promise<Speed | null> {
     return measureSpeed(gpu, () => performance.now() / 1000);
   }
 
@@ -123,7 +140,7 @@ export class CandleFlame {
    * @returns null where nobody does, or the context was lost
    */
   static async create(
-    screen: Screen,
+    screen: CanvasTarget,
     scene: Scene,
     features: Features,
     options: Options,
@@ -156,7 +173,7 @@ export class CandleFlame {
    * @param auto knows the speed of the GPU, where it was measured
    */
   constructor(
-    screen: Screen,
+    screen: CanvasTarget,
     scene: Scene,
     features: Features,
     options: Options,
@@ -325,10 +342,10 @@ export class CandleFlame {
   }
 
   /** Goes on from a moment that an earlier candle had here; in another room, at its door. */
-  resume(moment: Moment, isSameRoom: boolean): void {
+  resume(moment: Snapshot, isSameRoom: boolean): void {
     this.world = this.#createWorld(moment.tick, moment.isLit, moment.fieldOfView);
     this.world.remainder = moment.remainder;
-    if (isSameRoom) resume(this.world, moment);
+    if (isSameRoom) restoreSnapshot(this.world, moment);
     this.#follow(this.#renderer);
   }
 

@@ -48,42 +48,23 @@ export const SETTINGS = {
   look: choice(["physical", "paper", "original"]),
   src: { kind: "text", default: "" },
   quality: choice(["auto", "low", "medium", "high", "ultra"]),
-  controls: {
-    kind: "flag",
-  },
+  controls: { kind: "flag" },
   sensitivity: number("", [1, 0.1, 5]),
   motion: choice(["auto", "reduced", "full"]),
-  paused: {
-    kind: "flag",
-  },
-  seed: {
-    ...number("", [1, 0, 0xffffffff]),
-    integer: true,
-  },
+  paused: { kind: "flag" },
+  seed: { ...number("", [1, 0, 0xffffffff]), integer: true },
   unlit: { kind: "flag" },
   wind: number("m/s", [0.05, 0, 5]),
   "wind-direction": number("degrees", [0, -360, 360]),
   gustiness: number("", [0.5, 0, 1]),
   wick: number("mm", [2, 1, 50]),
   exposure: number("EV", [0, -8, 8]),
-  particles: {
-    ...number("", [0, 0, 1_000_000]),
-    integer: true,
-  },
+  particles: { ...number("", [0, 0, 1_000_000]), integer: true },
   "max-pixel-ratio": number("", [2, 0.25, 4]),
-  "asset-base": {
-    kind: "text",
-    default: "",
-  },
+  "asset-base": { kind: "text", default: "" },
   loading: choice(["eager", "lazy"]),
-  poster: {
-    kind: "text",
-    default: "",
-  },
-  alt: {
-    kind: "text",
-    default: "A burning candle in a dark log room",
-  },
+  poster: { kind: "text", default: "" },
+  alt: { kind: "text", default: "A burning candle in a dark log room" },
 } as const satisfies Record<string, NumberSetting | ChoiceSetting | FlagSetting | TextSetting>;
 
 export type SettingName = keyof typeof SETTINGS;
@@ -91,6 +72,21 @@ export type Look = (typeof SETTINGS.look.choices)[number];
 export type Motion = (typeof SETTINGS.motion.choices)[number];
 export type SceneName = (typeof SETTINGS.scene.choices)[number];
 export type Quality = (typeof SETTINGS.quality.choices)[number];
+
+/** Value of an attribute's property. */
+export type SettingValue<Setting> =
+  Setting extends ChoiceSetting<infer Choice>
+    ? Choice
+    : Setting extends { kind: "number" }
+      ? number
+      : Setting extends { kind: "flag" }
+        ? boolean
+        : string;
+
+/** Name of an attribute's property. */
+export type CamelCase<Name extends string> = Name extends `${infer Head}-${infer Tail}`
+  ? `${Head}${Capitalize<CamelCase<Tail>>}`
+  : Name;
 
 /** What an attribute's text means under its setting. `null` is an absent attribute. */
 export function parseNumber(setting: NumberSetting, text: string | null): number {

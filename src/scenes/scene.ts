@@ -4,7 +4,7 @@ import type { Renderer } from "../render/renderer.js";
 import type { Look, SceneName } from "../settings.js";
 import type { Room } from "../world/room.js";
 import type { Stage } from "../world/stage.js";
-import type { Screen } from "./screen.js";
+import type { CanvasTarget } from "./canvas-target.js";
 
 /** What is there to see, fetched and decoded. */
 export interface Scene {
@@ -15,8 +15,8 @@ export interface Scene {
   /** Whether there is nothing but a model on the page's own background. */
   readonly isModelAlone: boolean;
   /** Goes on, for a few milliseconds, with what a renderer needs. True when it can be made at once. */
-  prepareRenderer(screen: Screen, tier: Tier, look: Look): boolean;
-  createRenderer(screen: Screen, tier: Tier, look: Look): Renderer;
+  prepareRenderer(screen: CanvasTarget, tier: Tier, look: Look): boolean;
+  createRenderer(screen: CanvasTarget, tier: Tier, look: Look): Renderer;
   /** Frees what was fetched. */
   close(): void;
 }

@@ -235,11 +235,11 @@ export function standLike(world: World, { candle, stage, room }: World): void {
     adapt(world);
     return;
   }
-  putBack(world, candle.position, candle.yaw);
+  standCandle(world, candle.position, candle.yaw);
 }
 
 /** Stands the candle exactly where it stood before; not where it belongs elsewhere. */
-export function putBack(world: World, position: Readonly<Vec3>, yaw: number): void {
+export function standCandle(world: World, position: Readonly<Vec3>, yaw: number): void {
   const { candle, stage, room } = world;
   if (stage.stand !== null) return;
   for (const axis of [0, 1, 2] as const) candle.position[axis] = position[axis];

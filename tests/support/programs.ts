@@ -2,8 +2,8 @@ import { CandleFlame } from "../../src/candle-flame.ts";
 import { Gpu } from "../../src/gl/gpu.ts";
 import { Program, type ProgramOptions, type ShaderSource } from "../../src/gl/program.ts";
 import { UniformBlock } from "../../src/gl/uniform-block.ts";
+import { createCanvasTarget } from "../../src/scenes/canvas-target.ts";
 import { loadScene, type Scene } from "../../src/scenes/scene.ts";
-import { createScreen } from "../../src/scenes/screen.ts";
 import { allFeatures, type Look, type Quality } from "../../src/settings.ts";
 
 /** What became of one program after some frames. */
@@ -53,7 +53,7 @@ export async function reportPrograms(
   try {
     const canvas = document.createElement("canvas");
     const scene = await loadPaperRoom();
-    const screen = createScreen("room", canvas);
+    const screen = createCanvasTarget("room", canvas);
     const candle = new CandleFlame(screen, scene, allFeatures(), {
       look,
       seed: 1,

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { STILL } from "../../../src/world/intent.ts";
-import { momentOf, resume, timeOf } from "../../../src/world/moment.ts";
 import { createRoom } from "../../../src/world/room.ts";
+import { restoreSnapshot, takeSnapshot, timeOf } from "../../../src/world/snapshot.ts";
 import {
   advance,
   createWorld,
@@ -20,14 +20,14 @@ test.each(["physical", "paper"] as const)("a %s world goes on from a moment of a
   expect(placeCandle(gone)).toBe(true);
   advance(gone, { ...STILL, forward: -1, turn: 0.5, togglesFlame: true }, 0.205);
   moveCamera(gone, gone.player.position, gone.player.yaw, -0.1, 1.2);
-  const moment = momentOf(gone);
+  const moment = takeSnapshot(gone);
   expect(moment.fieldOfView).toBe(1.2);
   expect(timeOf(moment)).toBe(currentTime(gone));
   expect(moment.isLit).toBe(false);
 
   const world = createWorld(look, 1, { ...birth, age: moment.tick, isLit: moment.isLit });
-  resume(world, moment);
-  expect(momentOf(world)).toEqual(moment);
+  restoreSnapshot(world, moment);
+  expect(takeSnapshot(world)).toEqual(moment);
   expect(world.emitter).toEqual(gone.emitter);
   const taken = { ...STILL, placesOrTakes: true };
   for (const each of [gone, world]) advance(each, taken, 0.1);
@@ -36,7 +36,7 @@ test.each(["physical", "paper"] as const)("a %s world goes on from a moment of a
 
 test("what a moment holds is its own", () => {
   const world = createWorld("paper", 1);
-  const moment = momentOf(world);
+  const moment = takeSnapshot(world);
   const before = structuredClone(moment);
   advance(world, { ...STILL, forward: 1 }, 1);
   expect(moment).toEqual(before);

@@ -1,20 +1,19 @@
-/** Whether a visitor can see an element: it is in the viewport, of a page that is not hidden. */
-export class Sight {
+/** Visibility of an element: whether it is in the viewport, of a page that is not hidden. */
+export class Visibility {
   readonly #element: Element;
   readonly #signal: AbortSignal;
-  /** As far as anyone knows. */
   #isInViewport: boolean;
   #approach: (() => void) | null = null;
 
   /**
-   * @param onChange called when that may have changed, until the signal aborts
-   * @param before what was known of the element, which counts until more is
+   * @param onChange called when the visibility may have changed, until the signal aborts
+   * @param before an earlier observer of the element, whose answer counts until the browser has given one
    */
   constructor(
     element: Element,
     signal: AbortSignal,
     onChange: () => void,
-    before: Sight | null = null,
+    before: Visibility | null = null,
   ) {
     this.#isInViewport = before ? before.#isInViewport : true;
     this.#element = element;
@@ -28,11 +27,11 @@ export class Sight {
     element.ownerDocument.addEventListener("visibilitychange", onChange, { signal });
   }
 
-  get isSeen(): boolean {
+  get isVisible(): boolean {
     return this.#isInViewport && this.#element.ownerDocument.visibilityState === "visible";
   }
 
-  /** Waits until the visitor is a screen away, or until nobody wants to wait any more. */
+  /** Calls back once the viewport is a screen away, or at `stopWaiting`. */
   awaitApproach(onApproach: () => void): void {
     const nearby = new IntersectionObserver(
       (entries) => {
@@ -49,7 +48,6 @@ export class Sight {
     this.#signal.addEventListener("abort", () => nearby.disconnect());
   }
 
-  /** Goes on at once with what waits for the visitor, if anything does. */
   stopWaiting(): void {
     this.#approach?.();
   }

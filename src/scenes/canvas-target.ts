@@ -1,37 +1,37 @@
 import { Gpu } from "../gl/gpu.js";
 import type { SceneName } from "../settings.js";
 
-/** Where pictures are drawn, and the canvas that shows them. */
-export interface Screen {
+/** A canvas on the page, and the WebGL context that its frames are drawn in. */
+export interface CanvasTarget {
   readonly gpu: Gpu;
-  /** The canvas that owns the WebGL context and hears of its loss. */
+  /** The canvas that owns the WebGL context, and gets the events of its loss. */
   readonly source: HTMLCanvasElement;
   /** The canvas on the page. */
   readonly canvas: HTMLCanvasElement;
-  /** Colours that it can show, now: a window may move to another screen. */
+  /** Primaries that the canvas can show now: a window may move to another monitor. */
   readonly gamut: PredefinedColorSpace;
-  /** Takes charge of what lives on `gpu`, to free it with the rest. */
+  /** Takes ownership of what lives on `gpu`, to free it with the rest. */
   own(object: { dispose(): void }): void;
   /** Frees what the renderer made on `gpu`; the context stays. */
   clear(): void;
   /** The same, except what the next renderer of the same scene can take over. */
   clearUnshared(): void;
-  /** A new `gpu`, after a lost context was given back. */
+  /** A new `gpu`, after a lost context was restored. */
   renew(): void;
-  /** To be called before anything is drawn. */
+  /** To be called before a frame is drawn. */
   prepare(): void;
-  /** Shows what was drawn. In the task that drew it: afterwards the browser owns the pixels. */
+  /** Shows the frame. In the task that drew it: afterwards the browser owns the pixels. */
   present(): void;
   dispose(): void;
 }
 
-/** Where a scene's pictures are drawn, to be seen on the canvas. Throws where there is no WebGL 2. */
-export function createScreen(scene: SceneName, canvas: HTMLCanvasElement): Screen {
-  return scene === "candle" ? new SharedScreen(canvas) : new OwnScreen(canvas);
+/** The target that a scene is drawn to. Throws where there is no WebGL 2. */
+export function createCanvasTarget(scene: SceneName, canvas: HTMLCanvasElement): CanvasTarget {
+  return scene === "candle" ? new SharedContextTarget(canvas) : new OwnContextTarget(canvas);
 }
 
 /** A canvas with a WebGL context of its own. */
-class OwnScreen implements Screen {
+class OwnContextTarget implements CanvasTarget {
   gpu: Gpu;
   readonly source: HTMLCanvasElement;
   readonly canvas: HTMLCanvasElement;
@@ -71,7 +71,7 @@ class OwnScreen implements Screen {
 }
 
 /** The context that all lone candles share, since a page may have many and browsers give sixteen. */
-class House {
+class SharedContext {
   readonly canvas = document.createElement("canvas");
   gpu = new Gpu(this.canvas);
   users = 0;
@@ -90,41 +90,41 @@ class House {
     this.gpu = new Gpu(this.canvas);
   }
 
-  /** Large enough for each: those that are smaller use its corner. */
-  hold(width: number, height: number): void {
+  /** Grows the canvas to the largest target; smaller ones use its corner. */
+  fit(width: number, height: number): void {
     if (this.canvas.width < width) this.canvas.width = width;
     if (this.canvas.height < height) this.canvas.height = height;
   }
 }
 
-let house: House | null = null;
+let sharedContext: SharedContext | null = null;
 
-/** A plain canvas that takes copies of what is drawn in the shared context. */
-class SharedScreen implements Screen {
+/** A 2D canvas that frames drawn in the shared context are copied to. */
+class SharedContextTarget implements CanvasTarget {
   readonly canvas: HTMLCanvasElement;
-  /** Pages are of sRGB's colours, and this lies upon one. */
+  /** The page around a lone candle is sRGB. */
   readonly gamut = "srgb";
-  readonly #house: House;
-  readonly #paper: CanvasRenderingContext2D;
+  readonly #shared: SharedContext;
+  readonly #copy: CanvasRenderingContext2D;
   readonly #owned = new Set<{ dispose(): void }>();
   #isDisposed = false;
 
   constructor(canvas: HTMLCanvasElement) {
-    const paper = canvas.getContext("2d");
-    if (!paper) throw new Error("There is no canvas to draw on.");
+    const copy = canvas.getContext("2d");
+    if (!copy) throw new Error("There is no canvas to draw on.");
     this.canvas = canvas;
-    this.#paper = paper;
-    if (!house || house.gpu.isLost) house = new House();
-    this.#house = house;
-    house.users++;
+    this.#copy = copy;
+    if (!sharedContext || sharedContext.gpu.isLost) sharedContext = new SharedContext();
+    this.#shared = sharedContext;
+    this.#shared.users++;
   }
 
   get gpu(): Gpu {
-    return this.#house.gpu;
+    return this.#shared.gpu;
   }
 
   get source(): HTMLCanvasElement {
-    return this.#house.canvas;
+    return this.#shared.canvas;
   }
 
   own(object: { dispose(): void }): void {
@@ -142,28 +142,27 @@ class SharedScreen implements Screen {
 
   renew(): void {
     this.#owned.clear(); // gone with the context
-    this.#house.renew();
+    this.#shared.renew();
   }
 
-  /** Before a frame: the shared canvas must hold it. */
   prepare(): void {
-    this.#house.hold(this.canvas.width, this.canvas.height);
+    this.#shared.fit(this.canvas.width, this.canvas.height);
   }
 
   present(): void {
     const { width, height } = this.canvas;
-    const from = this.#house.canvas.height - height;
-    this.#paper.clearRect(0, 0, width, height);
-    this.#paper.drawImage(this.#house.canvas, 0, from, width, height, 0, 0, width, height);
+    const from = this.#shared.canvas.height - height;
+    this.#copy.clearRect(0, 0, width, height);
+    this.#copy.drawImage(this.#shared.canvas, 0, from, width, height, 0, 0, width, height);
   }
 
   dispose(): void {
     if (this.#isDisposed) return;
     this.#isDisposed = true;
     this.clear();
-    this.#house.users--;
-    if (this.#house.users > 0) return;
-    this.#house.gpu.dispose();
-    if (house === this.#house) house = null;
+    this.#shared.users--;
+    if (this.#shared.users > 0) return;
+    this.#shared.gpu.dispose();
+    if (sharedContext === this.#shared) sharedContext = null;
   }
 }

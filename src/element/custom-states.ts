@@ -7,7 +7,7 @@ export type StateName = "loading" | "lit" | "walking" | "playing" | "alone";
  * Firefox before 126 and Safari before 17.4 have none; Chromium before 125 takes only names that begin with
  * two dashes.
  */
-export class States {
+export class CustomStates {
   readonly #host: Element;
   readonly #custom: CustomStateSet | null;
   readonly #names = new Set<StateName>();

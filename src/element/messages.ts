@@ -16,7 +16,7 @@ export const REFUSALS: Readonly<Record<Refusal, string>> = {
   "no room": "There is no room for the candle.",
 };
 
-/** What one must know who stands in the dark. */
+/** Says that the candle is out, and how to light it if the visitor can. */
 export function outSentence(canLight: boolean): string {
   const out = "The candle is out.";
   if (!canLight) return out;

@@ -1,12 +1,13 @@
 import type { Vec3 } from "./bounds.js";
 import { TICK } from "./timeline.js";
-import { moveCamera, putBack, type World } from "./world.js";
+import { moveCamera, standCandle, type World } from "./world.js";
 
 /**
- * When it is in a world, where its visitor and its candle are, and whether that burns: what another world of
- * the same room can go on from, once this one is gone.
+ * Snapshot of a world: its time, its camera, and the candle's place and flame.
+ *
+ * Another world of the same room goes on from it, once this one is gone.
  */
-export interface Moment {
+export interface Snapshot {
   readonly tick: number;
   /** Seconds after that tick. */
   readonly remainder: number;
@@ -20,7 +21,7 @@ export interface Moment {
   readonly isLit: boolean;
 }
 
-export function momentOf(world: World): Moment {
+export function takeSnapshot(world: World): Snapshot {
   const { timeline, remainder, player, candle, flame, fieldOfView } = world;
   const { position, yaw, pitch } = player;
   return {
@@ -35,14 +36,15 @@ export function momentOf(world: World): Moment {
   };
 }
 
-/** Brings visitor and candle to where they were. The world is as old as the moment, and of the same room. */
-export function resume(world: World, moment: Moment): void {
-  const { remainder, position, yaw, pitch, fieldOfView, stand } = moment;
+/** Brings camera and candle to their places. The world is as old as the snapshot, and of the same room. */
+export function restoreSnapshot(world: World, snapshot: Snapshot): void {
+  const { remainder, position, yaw, pitch, fieldOfView, stand } = snapshot;
   world.remainder = remainder;
   moveCamera(world, position, yaw, pitch, fieldOfView);
-  if (stand) putBack(world, stand.position, stand.yaw);
+  if (stand) standCandle(world, stand.position, stand.yaw);
 }
 
-export function timeOf({ tick, remainder }: Moment): number {
+/** Seconds since the beginning. */
+export function timeOf({ tick, remainder }: Snapshot): number {
   return tick * TICK + remainder;
 }
