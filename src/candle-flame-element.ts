@@ -1,4 +1,4 @@
-import { type CandleFlame, NO_STATS, type Stats } from "./candle-flame.js";
+import type { CandleFlame } from "./candle-flame.js";
 import { type Camera, cameraOf, changeOf, setCamera } from "./element/camera.js";
 import { emit } from "./element/events.js";
 import { featureSwitches } from "./element/feature-switches.js";
@@ -17,6 +17,7 @@ import {
   type Inspection,
   type SettingName,
 } from "./settings.js";
+import { NO_STATS, type Stats } from "./stats.js";
 import { blow, placeCandle, takeCandle } from "./world/world.js";
 
 export type { AssetError } from "./assets/load-model.js";

@@ -2,6 +2,7 @@ import { CandleFlame, type Options } from "../candle-flame.js";
 import { type Device, FirstPersonInput } from "../input/first-person-input.js";
 import { type CanvasTarget, createCanvasTarget } from "../scenes/canvas-target.js";
 import type { Scene, SceneRequest } from "../scenes/scene.js";
+import { measureTarget } from "../scenes/scene-view.js";
 import type { Features, Inspection, Look, SceneName } from "../settings.js";
 import { watchContext } from "./context-watch.js";
 import { guessDevicePixels, observeDevicePixels, type Size } from "./device-pixels.js";
@@ -75,7 +76,7 @@ export class Session {
     this.#owner = owner;
     this.#signal = signal;
     this.#target = createCanvasTarget(scene, canvas);
-    if (quality === "auto") void CandleFlame.measure(this.#target); // while the files are on their way
+    if (quality === "auto") void measureTarget(this.#target); // while the files are on their way
     watchContext(this.#target.source, signal, {
       onLost: owner.onContextLost,
       onRestored: () => this.#restore(),
