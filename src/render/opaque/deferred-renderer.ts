@@ -391,7 +391,7 @@ export class DeferredRenderer implements Renderer {
   readRadiance(x: number, y: number, width: number, height: number): Float32Array {
     if (!this.#radiance) return new Float32Array(width * height * 3);
     this.#complete();
-    return this.#gpu.readRadiance(this.#radiance, x, y, width, height);
+    return this.#gpu.readFloats(this.#radiance, x, y, width, height);
   }
 }
 
