@@ -18,7 +18,7 @@ import {
   type SettingName,
 } from "./settings.js";
 import { NO_STATS, type Stats } from "./stats.js";
-import { blow, placeCandle, takeCandle } from "./world/world.js";
+import { blow, placeCandle, takeCandle } from "./world/commands.js";
 
 export type { AssetError } from "./assets/load-model.js";
 export type { CandleFlameEventMap, ErrorDetail, ErrorType } from "./element/events.js";

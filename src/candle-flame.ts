@@ -8,18 +8,14 @@ import type { Scene } from "./scenes/scene.js";
 import { SceneView, type ViewSubject } from "./scenes/scene-view.js";
 import type { Features, Inspection, Look, Quality } from "./settings.js";
 import type { Stats } from "./stats.js";
-import type { Wind } from "./world/air.js";
-import { STILL } from "./world/intent.js";
-import { withCount } from "./world/particle-layer.js";
+import { advance } from "./world/advance.js";
+import type { Wind } from "./world/air/air.js";
+import { moveCamera, standLike } from "./world/commands.js";
+import { createWorld } from "./world/create-world.js";
+import { withCount } from "./world/particles/particle-layer.js";
+import { STILL } from "./world/player/intent.js";
 import { restoreSnapshot, type Snapshot } from "./world/snapshot.js";
-import {
-  advance,
-  createWorld,
-  currentTime,
-  moveCamera,
-  standLike,
-  type World,
-} from "./world/world.js";
+import { currentTime, type World } from "./world/world.js";
 
 /** Longest time that a live frame makes up for, in seconds: after a hidden tab, resume. */
 const MAX_FRAME = 1 / 20;
@@ -124,7 +120,7 @@ export class CandleFlame {
   get #subject(): ViewSubject {
     const { world } = this;
     const { particles } = this.#options;
-    const layers = particles > 0 ? withCount(world.stage.layers, particles) : world.stage.layers;
+    const layers = particles > 0 ? withCount(world.setup.layers, particles) : world.setup.layers;
     const isDrifting = this.#features.drift;
     return { world, layers: isDrifting ? layers : layers.map((one) => ({ ...one, drift: 0 })) };
   }
@@ -137,8 +133,8 @@ export class CandleFlame {
 
   #createWorld(age = 0, isLit = !this.#options.unlit, fieldOfView: number | null = null): World {
     const { look, seed, isStill, wind, wick } = this.#options;
-    const { room, stage } = this.#scene;
-    const birth = { age, room, stage, wind, wick, isLit, fieldOfView };
+    const { room, setup } = this.#scene;
+    const birth = { age, room, setup, wind, wick, isLit, fieldOfView };
     const world = createWorld(look, seed, birth);
     world.sways = !isStill;
     return world;
@@ -252,9 +248,9 @@ export class CandleFlame {
 
   /** Whether camera or candle are elsewhere than when this was last asked. */
   #hasMoved(): boolean {
-    const { player, candle, shown, fieldOfView } = this.world;
-    const camera = [...shown.eye, player.yaw, player.pitch, fieldOfView];
-    const pose = [...camera, ...shown.foot, candle.yaw].join(" ");
+    const { player, candle, interpolated, fieldOfView } = this.world;
+    const camera = [...interpolated.eye, player.yaw, player.pitch, fieldOfView];
+    const pose = [...camera, ...interpolated.foot, candle.yaw].join(" ");
     const hasMoved = pose !== this.#pose;
     this.#pose = pose;
     return hasMoved;

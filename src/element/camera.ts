@@ -1,6 +1,6 @@
 import type { CandleFlame } from "../candle-flame.js";
-import { fieldOfViewOf, legalFieldOfView } from "../world/field-of-view.js";
-import { moveCamera } from "../world/world.js";
+import { moveCamera } from "../world/commands.js";
+import { fieldOfViewOf, legalFieldOfView } from "../world/player/field-of-view.js";
 
 /** The camera, as the property `camera` has it. */
 export interface Camera {

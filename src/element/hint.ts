@@ -1,5 +1,5 @@
 import type { Device } from "../input/first-person-input.js";
-import type { Refusal } from "../world/placing.js";
+import type { Refusal } from "../world/room/placement.js";
 import { outSentence, REFUSALS } from "./messages.js";
 
 type Words = readonly (string | readonly string[])[];

@@ -1,4 +1,4 @@
-import type { Refusal } from "../world/placing.js";
+import type { Refusal } from "../world/room/placement.js";
 
 export const NO_PHYSICAL_LOOK =
   "This graphics driver cannot hold light in real units, so the room is drawn in the paper's look.";

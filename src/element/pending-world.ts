@@ -1,8 +1,8 @@
 import type { CandleFlame } from "../candle-flame.js";
 import { areSame, type SceneRequest } from "../scenes/scene.js";
 import { FIELDS_OF_VIEW, type Look } from "../settings.js";
+import { placeCandle } from "../world/commands.js";
 import { type Snapshot, timeOf } from "../world/snapshot.js";
-import { placeCandle } from "../world/world.js";
 import { type Camera, cameraOf, setCamera } from "./camera.js";
 
 const ORIGIN = { position: [0, 0, 0], yaw: 0, pitch: 0, fieldOfView: null } as const;

@@ -1,4 +1,4 @@
-import { type Intent, STILL } from "../world/intent.js";
+import { type Intent, STILL } from "../world/player/intent.js";
 import { Gamepads, type Pad } from "./gamepads.js";
 import { Keyboard } from "./keyboard.js";
 import { Touch } from "./touch.js";

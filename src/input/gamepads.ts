@@ -1,5 +1,5 @@
-import { type Intent, STILL } from "../world/intent.js";
-import type { Wish } from "./wish.js";
+import type { Action } from "../world/player/intent.js";
+import { type Intent, STILL } from "../world/player/intent.js";
 
 /** Share of a stick's way that worn springs leave it at; it means nothing. */
 const DEAD_ZONE = 0.15;
@@ -10,7 +10,7 @@ const LOOK_CURVE = 1.6;
 const AXES = { right: 0, back: 1, turnRight: 2, down: 3 } as const;
 const BUTTONS = { a: 0, b: 1, x: 2, y: 3, rightTrigger: 7, leftStick: 10 } as const;
 
-const ONCE: readonly (readonly [button: number, wish: Wish])[] = [
+const ONCE: readonly (readonly [button: number, action: Action])[] = [
   [BUTTONS.a, "togglesFlame"],
   [BUTTONS.x, "placesOrTakes"],
   [BUTTONS.y, "blows"],
@@ -63,7 +63,7 @@ export class Gamepads {
       turn: -turn,
       tilt: -down,
       runs: [BUTTONS.leftStick, BUTTONS.rightTrigger].some((button) => this.#pressed[button]),
-      ...Object.fromEntries(ONCE.map(([button, wish]) => [wish, goesDown(button)])),
+      ...Object.fromEntries(ONCE.map(([button, action]) => [action, goesDown(button)])),
     };
   }
 }

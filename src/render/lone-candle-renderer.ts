@@ -132,7 +132,7 @@ export class LoneCandleRenderer implements Renderer {
 
   #drawCandle(target: RenderTarget, world: World): void {
     const { surfaceProgram, candle, frame, light } = this.#shared;
-    const [x, y, z] = world.shown.foot;
+    const [x, y, z] = world.interpolated.foot;
     const ember = emberRadiance(world.flame.ember);
     for (const surface of candle) {
       this.#gpu.draw({

@@ -10,9 +10,9 @@ import type { UniformBlock } from "../gl/uniform-block.js";
 import type { VertexArray } from "../gl/vertex-array.js";
 import { emberRadiance } from "../light/flame-light.js";
 import type { Inspection } from "../settings.js";
-import { fieldOfViewOf } from "../world/field-of-view.js";
-import type { ParticleLayer } from "../world/particle-layer.js";
-import type { Solid } from "../world/solid.js";
+import type { ParticleLayer } from "../world/particles/particle-layer.js";
+import { fieldOfViewOf } from "../world/player/field-of-view.js";
+import type { CollisionMesh } from "../world/room/collision-mesh.js";
 import type { World } from "../world/world.js";
 import { clipFromWorld, projectionScale } from "./camera.js";
 import type { View } from "./frame-settings.js";
@@ -100,8 +100,8 @@ export class PhysicalRenderer implements Renderer {
   #size = { width: 1, height: 1 };
   #clip = mat4.create();
 
-  /** @param solid of the room, as it can be touched */
-  constructor(gpu: Gpu, { room, candle }: Models, solid: Solid, tier: Tier) {
+  /** @param collision mesh of the room */
+  constructor(gpu: Gpu, { room, candle }: Models, collision: CollisionMesh, tier: Tier) {
     this.#gpu = gpu;
     this.#tier = tier;
     this.#surfaceProgram = surfaceProgram(gpu, tier);
@@ -117,7 +117,7 @@ export class PhysicalRenderer implements Renderer {
     this.#candle = uploadModel(gpu, candle, groupTriangles);
     this.#casters = new ShadowCasters(gpu, room, surfaces, CASTER_DETAIL[tier.name]);
     this.#screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
-    const echoing = { model: room, solid, surfaces };
+    const echoing = { model: room, collision, surfaces };
     this.#indirect = new IndirectPass(gpu, this.#screen, echoing, INDIRECT[tier.name]);
     this.#reflectance = gpu.share("reflectance", () =>
       gpu.texture({
@@ -175,7 +175,7 @@ export class PhysicalRenderer implements Renderer {
     const part = partOf(inspect);
     if (!part) this.#drawSurfaces(target, view, this.#room, shadow, volume, [0, 0, 0, 0]);
     if (view.features.candle && !part) {
-      const [x, y, z] = world.shown.foot;
+      const [x, y, z] = world.interpolated.foot;
       const place = [x, y, z, world.candle.yaw + HANDLE_TURN] as const;
       const ember = emberRadiance(world.flame.ember);
       this.#drawSurfaces(target, view, this.#candle, shadow, volume, place, ember);
@@ -188,7 +188,7 @@ export class PhysicalRenderer implements Renderer {
     if (isLit && !part) this.#drawAir(world, view, volume);
     const radiance = this.#radiance.color;
     const bloom = this.#bloom.render(radiance);
-    const exposure = this.#exposure.render({ uRadiance: radiance }, world.pupil.lag);
+    const exposure = this.#exposure.render({ uRadiance: radiance }, world.adaptation.lag);
     const textures = { uRadiance: radiance, uBloom: bloom, uExposure: exposure };
     const { depth } = this.#radiance;
     if (inspect !== "picture" && depth) {
@@ -205,13 +205,13 @@ export class PhysicalRenderer implements Renderer {
 
   #updateBlocks(world: World, view: View): void {
     const { features } = view;
-    const { player, shown } = world;
+    const { player, interpolated } = world;
     const { width, height } = this.#size;
     const { yaw, pitch } = player;
-    this.#clip = clipFromWorld(shown.eye, yaw, pitch, width / height, fieldOfViewOf(world));
+    this.#clip = clipFromWorld(interpolated.eye, yaw, pitch, width / height, fieldOfViewOf(world));
     this.#frame.update({
       clipFromWorld: this.#clip,
-      eyePosition: shown.eye,
+      eyePosition: interpolated.eye,
       exposure: exposureFactor(view),
       viewport: [width, height],
       projectionScale: projectionScale(height) * zoomOf(world),
@@ -272,24 +272,24 @@ export class PhysicalRenderer implements Renderer {
     }
   }
 
-  /** Hot air and smoke, over what is solid and before the lens. */
+  /** Hot air and smoke, over what is collision and before the lens. */
   #drawAir(world: World, { features, isStill, inspect }: View, volume: IrradianceVolume): void {
-    const { fumes, flame } = world;
-    if (!fumes || !this.#radiance?.depth || !this.#veil) return;
+    const { plume, flame } = world;
+    if (!plume || !this.#radiance?.depth || !this.#veil) return;
     const veil: VolumetricTarget = { target: this.#veil, depth: this.#radiance.depth };
     const { color } = this.#radiance;
     const height = flame.isLit ? flame.height : 0;
     const [frame, light] = [this.#frame, this.#light];
     if (inspect === "haze") {
       this.#gpu.clear(veil.target, NOT_MOVED);
-      this.#haze.render(veil, color, fumes.plume, height, frame, this.#clip, true);
+      this.#haze.render(veil, color, plume.solver, height, frame, this.#clip, true);
       return;
     }
-    if (features.haze) this.#haze.render(veil, color, fumes.plume, height, frame, this.#clip);
+    if (features.haze) this.#haze.render(veil, color, plume.solver, height, frame, this.#clip);
     if (features.dust && !isStill) {
       this.#motes.render("dust", veil, world, frame, light, volume);
     }
-    if (features.smoke) this.#smoke.render(veil, fumes.smoke, frame, light, volume);
+    if (features.smoke) this.#smoke.render(veil, plume.smoke, frame, light, volume);
     if (features.sparks && !isStill) {
       this.#motes.render("spark", veil, world, frame, light, volume);
     }
@@ -318,12 +318,12 @@ const PROBES_PER_FRAME = 16;
 export function preparePhysicalRenderer(
   gpu: Gpu,
   { room }: Models,
-  solid: Solid,
+  collision: CollisionMesh,
   tier: Tier,
 ): boolean {
   const { isCompiled } = surfaceProgram(gpu, tier);
   const detail = INDIRECT[tier.name];
-  return traceProbesIncrementally(solid, room, detail, PROBES_PER_FRAME) && isCompiled;
+  return traceProbesIncrementally(collision, room, detail, PROBES_PER_FRAME) && isCompiled;
 }
 
 /** The part of the flame that is looked at alone; null where the room is seen. */

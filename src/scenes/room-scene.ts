@@ -3,7 +3,7 @@ import { uploadNextPicture } from "../render/mesh/mesh.js";
 import { DeferredRenderer } from "../render/opaque/deferred-renderer.js";
 import { PaperRenderer } from "../render/paper-renderer.js";
 import { PhysicalRenderer, preparePhysicalRenderer } from "../render/physical-renderer.js";
-import { createRoom } from "../world/room.js";
+import { createRoom } from "../world/room/room.js";
 import { closeModels, loadModels, sourcesOf } from "./room-models.js";
 import type { Loading, Scene, SceneRequest } from "./scene.js";
 
@@ -19,19 +19,19 @@ export async function loadRoom(request: SceneRequest, loading: Loading): Promise
   const isBox = look !== "physical" && src === "";
   return {
     room: isBox ? null : room,
-    stage: null,
+    setup: null,
     isModelAlone: false,
     prepareRenderer: ({ gpu }, tier, look) =>
       uploadNextPicture(gpu, models.room) &&
       uploadNextPicture(gpu, models.candle) &&
       (look !== "physical" ||
         tier.name === "low" ||
-        preparePhysicalRenderer(gpu, models, room.solid, tier)),
+        preparePhysicalRenderer(gpu, models, room.collision, tier)),
     createRenderer: ({ gpu }, tier, look) => {
       if (look !== "physical") return new PaperRenderer(gpu, models, tier);
       return tier.name === "low"
-        ? new DeferredRenderer(gpu, models, room.solid)
-        : new PhysicalRenderer(gpu, models, room.solid, tier);
+        ? new DeferredRenderer(gpu, models, room.collision)
+        : new PhysicalRenderer(gpu, models, room.collision, tier);
     },
     close: () => closeModels(models),
   };

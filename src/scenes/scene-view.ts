@@ -6,7 +6,7 @@ import { type Tier, tierNamed } from "../render/quality.js";
 import type { Renderer } from "../render/renderer.js";
 import { measureSpeed, type Speed } from "../render/speed.js";
 import type { Inspection, Look, Quality } from "../settings.js";
-import type { ParticleLayer } from "../world/particle-layer.js";
+import type { ParticleLayer } from "../world/particles/particle-layer.js";
 import type { World } from "../world/world.js";
 import type { CanvasTarget } from "./canvas-target.js";
 import type { Scene } from "./scene.js";

@@ -1,6 +1,7 @@
-import type { Vec3 } from "./bounds.js";
+import { moveCamera, standCandle } from "./commands.js";
+import type { Vec3 } from "./geometry.js";
 import { TICK } from "./timeline.js";
-import { moveCamera, standCandle, type World } from "./world.js";
+import type { World } from "./world.js";
 
 /**
  * Snapshot of a world: its time, its camera, and the candle's place and flame.

@@ -52,7 +52,7 @@ describe("the house's imports run down only", () => {
         one.isType ? "type" : one.isLazy ? "lazy" : "value",
       );
     expect(kinds("src/scenes/canvas-target.ts", "src/gl/gpu.ts")).toEqual(["value"]);
-    expect(kinds("src/world/player.ts", "src/world/intent.ts")).toEqual(["type"]);
+    expect(kinds("src/world/player/player.ts", "src/world/player/intent.ts")).toEqual(["type"]);
     expect(kinds("src/scenes/room-models.ts", "src/assets/load-model.ts")).toEqual(["lazy"]);
     expect(kinds("src/define.ts", "src/candle-flame-element.ts")).toEqual(["value"]);
   });

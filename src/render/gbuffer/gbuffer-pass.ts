@@ -13,7 +13,7 @@ import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Features } from "../../settings.js";
-import type { Bounds, Vec3 } from "../../world/bounds.js";
+import type { Bounds, Vec3 } from "../../world/geometry.js";
 import { sightOf } from "../camera.js";
 import { runsOf } from "../mesh/clusters.js";
 import type { Surface } from "../mesh/mesh.js";

@@ -14,8 +14,8 @@ import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { emberRadiance, TAPER } from "../../light/flame-light.js";
 import { createShape, shapeFlame } from "../../light/flame-shape.js";
-import { fieldOfViewOf } from "../../world/field-of-view.js";
-import type { Solid } from "../../world/solid.js";
+import { fieldOfViewOf } from "../../world/player/field-of-view.js";
+import type { CollisionMesh } from "../../world/room/collision-mesh.js";
 import type { World } from "../../world/world.js";
 import { clipFromWorld, clipPosition, projectionScale, shadowFrustumTest } from "../camera.js";
 import { floats } from "../float-format.js";
@@ -120,8 +120,8 @@ export class DeferredRenderer implements Renderer {
   /** Draws all of the radiance just shown. */
   #complete: () => void = () => {};
 
-  /** @param solid of the room, as it can be touched */
-  constructor(gpu: Gpu, { room, candle }: Models, solid: Solid) {
+  /** @param collision mesh of the room */
+  constructor(gpu: Gpu, { room, candle }: Models, collision: CollisionMesh) {
     this.#gpu = gpu;
     this.#screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
     this.#lightPass = new LightingPass(gpu, this.#screen, SHADOW);
@@ -149,7 +149,7 @@ export class DeferredRenderer implements Renderer {
     this.#indirect = new IndirectPass(
       gpu,
       this.#screen,
-      { model: room, solid, surfaces },
+      { model: room, collision, surfaces },
       INDIRECT,
     );
     this.#halo = new FlameBloomPass(gpu, this.#screen, this.#lightPass.format);
@@ -187,7 +187,7 @@ export class DeferredRenderer implements Renderer {
     const { features } = asked;
     this.#updateFrame(world, asked);
     const light = captureLight(world, features.candle);
-    const [x, y, z] = world.shown.foot;
+    const [x, y, z] = world.interpolated.foot;
     const place = [x, y, z, world.candle.yaw + HANDLE_TURN] as const;
     const placed: Placed[] = [{ surfaces: this.#room, place: AT_ORIGIN, slack: SLACK.room }];
     if (features.candle) {
@@ -245,7 +245,7 @@ export class DeferredRenderer implements Renderer {
     const follow = () => {
       this.#haloAge = 0;
       this.#halo.render(this.#radiance!.color, box, flameAt);
-      this.#exposure.render(picture, world.pupil.lag, lightBlocks);
+      this.#exposure.render(picture, world.adaptation.lag, lightBlocks);
     };
     if (!isCoarse || !this.#halo.isDrawn || (isHaloDue && !isKept)) follow();
     const haloShift = this.#halo.shiftFrom(flameAt);
@@ -314,13 +314,13 @@ export class DeferredRenderer implements Renderer {
 
   #updateFrame(world: World, view: View): void {
     const { features } = view;
-    const { player, shown } = world;
+    const { player, interpolated } = world;
     const { width, height } = this.#size;
     const { yaw, pitch } = player;
-    this.#clip = clipFromWorld(shown.eye, yaw, pitch, width / height, fieldOfViewOf(world));
+    this.#clip = clipFromWorld(interpolated.eye, yaw, pitch, width / height, fieldOfViewOf(world));
     this.#frame.update({
       clipFromWorld: this.#clip,
-      eyePosition: shown.eye,
+      eyePosition: interpolated.eye,
       exposure: exposureFactor(view),
       viewport: [width, height],
       projectionScale: projectionScale(height) * zoomOf(world),
@@ -345,46 +345,46 @@ export class DeferredRenderer implements Renderer {
     }
   }
 
-  #drawHaze({ fumes, flame }: World, view: View, depth: Texture): void {
-    if (!showsHaze(view) || !fumes) return;
+  #drawHaze({ plume, flame }: World, view: View, depth: Texture): void {
+    if (!showsHaze(view) || !plume) return;
     const veil = { target: this.#veil!, depth };
     const { color } = this.#radiance!;
     const height = flame.isLit ? flame.height : 0;
-    this.#haze.render(veil, color, fumes.plume, height, this.#frame, this.#clip);
+    this.#haze.render(veil, color, plume.solver, height, this.#frame, this.#clip);
   }
 
   #drawSmoke(world: World, view: View, volume: IrradianceVolume, depth: Texture): void {
     if (!this.#hasSmoke(world, view)) return;
     const veil = { target: this.#veil!, depth };
-    const { smoke } = world.fumes!;
+    const { smoke } = world.plume!;
     this.#smoke.render(veil, smoke, this.#frame, this.#light, volume);
   }
 
-  #hasSmoke({ fumes }: World, { features }: View): boolean {
-    return features.smoke && fumes !== null && fumes.smoke.count >= 2;
+  #hasSmoke({ plume }: World, { features }: View): boolean {
+    return features.smoke && plume !== null && plume.smoke.count >= 2;
   }
 
   /** Balls around the flame, the hot air over it, and smoke. */
   *#ballsOfFire(world: World, view: View): Generator<Ball> {
-    const { flame, fumes, shown } = world;
+    const { flame, plume, interpolated } = world;
     const { balls } = shapeFlame(flame, TAPER, this.#shape);
-    const [x, y, z] = shown.flame;
+    const [x, y, z] = interpolated.flame;
     // The hull around a ball is drawn a little wider than it.
     for (let at = 0; at < balls.length; at += 4) {
       yield [x + balls[at]!, y + balls[at + 1]!, z + balls[at + 2]!, balls[at + 3]! * 1.4];
     }
-    if (!fumes) return;
-    if (this.#hasSmoke(world, view)) yield* boundingSpheres(fumes.smoke);
+    if (!plume) return;
+    if (this.#hasSmoke(world, view)) yield* boundingSpheres(plume.smoke);
     if (!showsHaze(view)) return;
-    const column = this.#haze.boundingSpheres(fumes.plume, flame.isLit ? flame.height : 0);
+    const column = this.#haze.boundingSpheres(plume.solver, flame.isLit ? flame.height : 0);
     for (let at = 0; at < column.length; at += 4) {
       yield [column[at]!, column[at + 1]!, column[at + 2]!, column[at + 3]!];
     }
   }
 
   /** Shares of the picture; its middle for a flame behind the eye, which has no halo. */
-  #flameOnPicture({ shown }: World): readonly [number, number] {
-    const [x, y, w] = clipPosition(this.#clip, ...shown.flame);
+  #flameOnPicture({ interpolated }: World): readonly [number, number] {
+    const [x, y, w] = clipPosition(this.#clip, ...interpolated.flame);
     return w > 0.01 ? [0.5 + (0.5 * x) / w, 0.5 + (0.5 * y) / w] : [0.5, 0.5];
   }
 

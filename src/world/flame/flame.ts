@@ -1,5 +1,5 @@
-import type { Air } from "../air.js";
-import type { Vec3 } from "../bounds.js";
+import type { Air } from "../air/air.js";
+import type { Vec3 } from "../geometry.js";
 import { type Fire, flameHeight, flameRadius, fuelRate, riseTime, shine } from "./burning.js";
 import { Limiter } from "./limiter.js";
 import { Puffing, puffingFrequency } from "./puffing.js";

@@ -1,4 +1,4 @@
-import { length2 } from "../length.js";
+import { length2 } from "../geometry.js";
 
 /** Widest source over which a flame stands still, m: solved ones do at 10 mm, and hardly puff at 20. */
 export const STILL_WIDTH = 0.017;

@@ -1,5 +1,5 @@
-import type { Air } from "../air.js";
-import type { Vec3 } from "../bounds.js";
+import type { Air } from "../air/air.js";
+import type { Vec3 } from "../geometry.js";
 import { BUOYANCY, flameSpeed, plumeSpeed, topSpeed } from "./burning.js";
 
 /** Parcels of gas along the flame. */

@@ -1,14 +1,11 @@
 import { expect, test } from "vitest";
-import { STILL } from "../../../src/world/intent.ts";
-import { createRoom } from "../../../src/world/room.ts";
+import { advance } from "../../../src/world/advance.ts";
+import { moveCamera, placeCandle } from "../../../src/world/commands.ts";
+import { createWorld } from "../../../src/world/create-world.ts";
+import { STILL } from "../../../src/world/player/intent.ts";
+import { createRoom } from "../../../src/world/room/room.ts";
 import { restoreSnapshot, takeSnapshot, timeOf } from "../../../src/world/snapshot.ts";
-import {
-  advance,
-  createWorld,
-  currentTime,
-  moveCamera,
-  placeCandle,
-} from "../../../src/world/world.ts";
+import { currentTime } from "../../../src/world/world.ts";
 import { box, floorOf } from "./rooms.ts";
 
 const room = () => createRoom([floorOf(8), box([-0.5, 0, -1.4], [0.5, 0.8, -0.7])], null);
