@@ -1,21 +1,20 @@
 import type { Vec3 } from "../world/geometry.js";
 
-/** The foot of the flame is known this finely to what is only seen from it now and then, metres. */
+/** Spacing of the capture grid, metres. */
 const STEP = 0.004;
-/** The light sways this far from the foot of its flame before it is looked for elsewhere, metres. */
+/** The light sways this far from the foot of its flame before the capture point follows, metres. */
 const REACH = 0.04;
 
-/** The nearest place on the grid along one axis, metres. */
+/** Snaps a coordinate to the capture grid, metres. */
 export function snapToGrid(place: number): number {
   return Math.round(place / STEP) * STEP;
 }
 
 /**
- * The point that shadows and bounced light are captured from: near the middle of the light, and still
- * while the flame merely flickers.
+ * Capture point of shadow maps and surfels: near the middle of the light, and still while the flame flickers.
  *
- * It is a place on a grid, so that it depends on where the flame is now and not on when it last moved.
- * The rest of the way, millimetres, is made up where the captures are used.
+ * It lies on a grid, so that it depends on where the flame is now and not on when it last moved. The rest of
+ * the way, millimetres, is corrected where the captures are used.
  *
  * @param foot of the flame, metres
  * @param light its middle, metres

@@ -16,7 +16,7 @@ const ARM_AHEAD = [0, 0, 0.9] as const;
 const CANDLE_MARGIN = 0.12;
 /** From this near to a candle that stands, it can be taken up. Metres, along the floor. */
 const GRASP = 1.6;
-/** What holder, candle and flame take up. */
+/** Of holder, candle and flame. */
 export const CANDLE_CYLINDER: Cylinder = { radius: 0.07, height: 0.28 };
 
 /** The candle: in the hand, or standing in the room. Always upright. */
@@ -28,7 +28,7 @@ export interface Candle {
   isHeld: boolean;
 }
 
-/** Where a stiff hand holds the candle's foot. It turns with the head, but does not tilt with it. */
+/** Holds the candle in a stiff hand, which turns with the head but does not tilt with it. */
 export function holdCandle(candle: Candle, player: Player, setup: WorldSetup): void {
   putAhead(candle, player, setup.hold, setup);
   candle.position[1] = player.position[1] + setup.hold[1];
@@ -42,7 +42,7 @@ export function placeOnGround(candle: Candle, player: Player, setup: WorldSetup)
   candle.isHeld = false;
 }
 
-/** Puts the candle down where the visitor looks, or ahead of him if that is out of reach. */
+/** Puts the candle down along the line of sight, or ahead if that is out of reach. */
 export function placeInRoom(
   candle: Candle,
   player: Player,
@@ -58,11 +58,11 @@ export function placeInRoom(
   if (refusal !== null && !(meansAhead && findSpotAhead(reach, spot) === null)) return refusal;
   for (const axis of [0, 1, 2] as const) candle.position[axis] = spot[axis];
   candle.isHeld = false;
-  plan.setStanding(spot, CANDLE_CYLINDER.radius);
+  plan.setObstacle(spot, CANDLE_CYLINDER.radius);
   return null;
 }
 
-export function isWithinGrasp(candle: Candle, player: Player): boolean {
+export function isWithinReach(candle: Candle, player: Player): boolean {
   const dx = candle.position[0] - player.position[0];
   const dz = candle.position[2] - player.position[2];
   return Math.hypot(dx, dz) < GRASP;

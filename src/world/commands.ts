@@ -1,4 +1,4 @@
-import { CANDLE_CYLINDER, isWithinGrasp, placeInRoom, placeOnGround } from "./candle.js";
+import { CANDLE_CYLINDER, isWithinReach, placeInRoom, placeOnGround } from "./candle.js";
 import type { Vec3 } from "./geometry.js";
 import { interpolate, poseCandle } from "./interpolate.js";
 import { noticeChange, settleAdaptation } from "./player/adapt.js";
@@ -72,7 +72,7 @@ export function standCandle(world: World, position: Readonly<Vec3>, yaw: number)
   for (const axis of [0, 1, 2] as const) candle.position[axis] = position[axis];
   candle.yaw = yaw;
   candle.isHeld = false;
-  room?.plan.setStanding(position, CANDLE_CYLINDER.radius);
+  room?.plan.setObstacle(position, CANDLE_CYLINDER.radius);
   poseCandle(world, 0);
   settleAdaptation(world);
   interpolate(world);
@@ -81,10 +81,10 @@ export function standCandle(world: World, position: Readonly<Vec3>, yaw: number)
 /** Takes the candle up. False if it is held, or out of reach, or belongs where it stands. */
 export function takeCandle(world: World): boolean {
   const { candle, player, setup, room } = world;
-  const isNear = room ? canTake(player.position, candle.position) : isWithinGrasp(candle, player);
+  const isNear = room ? canTake(player.position, candle.position) : isWithinReach(candle, player);
   if (candle.isHeld || setup.stand !== null || !isNear) return false;
   candle.isHeld = true;
-  room?.plan.setStanding(null);
+  room?.plan.setObstacle(null);
   calmHand(world.hand, player.yaw);
   poseCandle(world, 0);
   noticeChange(world);

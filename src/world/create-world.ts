@@ -71,7 +71,7 @@ export function createWorld(look: Look, seed: number, options: WorldOptions = {}
     sways: true,
     refusal: null,
   };
-  room?.plan.setStanding(null);
+  room?.plan.setObstacle(null);
   warmUp(world, wind);
   return world;
 }

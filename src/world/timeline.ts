@@ -6,7 +6,7 @@ export const TICK = 1 / 120;
 export const HISTORY = 256;
 
 /**
- * What happened to the emitter in each of the last ticks.
+ * Timeline: the emitter's history of the last ticks.
  *
  * Particles are a pure function of it: a GPU that lost its buffers, or begins late, replays the
  * memory and has the same particles as one that watched all along.

@@ -9,18 +9,18 @@ import {
 import { RUN, WALK } from "./player/gait.js";
 import type { Gait } from "./player/player.js";
 
-/** What a look asks of the world: the room's size, and how candle and flame stand in it. Metres. */
+/** Setup of the world for a look: the room's size, and how candle and flame stand in it. Metres. */
 export interface WorldSetup {
   readonly room: Bounds;
   /** Whether walls stop the visitor. */
   readonly hasWalls: boolean;
   readonly gait: Gait;
   readonly eyeHeight: number;
-  /** Where the visitor starts, and the way he faces. */
+  /** Initial position and direction of the eye. */
   readonly spawn: readonly [number, number, number];
   readonly yaw: number;
   readonly pitch: number;
-  /** Across the picture's shorter side, radians. */
+  /** Across the frame's shorter side, radians. */
   readonly fieldOfView: number;
   /** Metres per unit of the candle's model, which is 1 high. */
   readonly candleScale: number;
@@ -28,7 +28,7 @@ export interface WorldSetup {
   readonly flameScale: number;
   /** Foot of the flame, from the candle's, in units of the model. */
   readonly wick: readonly [number, number, number];
-  /** Foot of the candle: seen from the eye when held (right, up, ahead), or in the room. */
+  /** Foot of the candle: from the eye when held (right, up, ahead), or in the room. */
   readonly hold: readonly [number, number, number];
   readonly stand: readonly [number, number, number] | null;
   readonly layers: readonly ParticleLayer[];

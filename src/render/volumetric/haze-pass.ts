@@ -8,7 +8,9 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import { COLUMN_FLOATS, type PlumeSolver, plumeGrid } from "../../world/air/plume-solver.js";
+import { COLUMN_FLOATS, hotColumn } from "../../world/air/hot-column.js";
+import { plumeGrid } from "../../world/air/plume-grid.js";
+import type { PlumeSolver } from "../../world/air/plume-solver.js";
 import { clipPosition } from "../camera.js";
 import type { VolumetricTarget } from "./volumetric-target.js";
 
@@ -174,7 +176,7 @@ export class HazePass {
 
   /** How much each level bends. False if none does so visibly. */
   #measure(plume: PlumeSolver, flameHeight: number): boolean {
-    plume.column(this.#column);
+    hotColumn(plume, this.#column);
     let most = 0;
     for (let level = 0; level < LEVELS; level++) {
       const at = level * COLUMN_FLOATS;

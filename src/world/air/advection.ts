@@ -1,6 +1,6 @@
 import type { Vec3 } from "../geometry.js";
 
-/** Ghosts on either side of a line: what the outside has. */
+/** Ghost values on either side of a line: those of the outside. */
 const GHOSTS = 4;
 const line = new Float64Array(128 + 2 * GHOSTS);
 /** Where each value of the line has come from: a place on it, ghosts included. */
@@ -33,23 +33,28 @@ export interface Lines {
   readonly rates: Float64Array;
 }
 
-/** What flows past along an axis. An object, since numbers that are handed on are boxed: see DECISIONS.md. */
+/** Flow along an axis. An object, since numbers that are handed on are boxed: see DECISIONS.md. */
 export interface Stream {
   /** Of the grid itself, m/s. */
   ride: number;
-  /** What flows in from outside. */
+  /** Value outside of the grid. */
   outside: number;
 }
 
 /**
- * Carries a field along one axis, in place: each line takes on what was upstream of it.
+ * Advection of a field along one axis, in place.
  *
  * Semi-Lagrangian (Stam 1999, "Stable Fluids"), one axis at a time, through four points instead of two
  * (Lagrange's cubic): linear interpolation is a hundred times as viscous as air.
  *
  * @param flow along the axis, m/s
  */
-export function carry(field: Float64Array, flow: Float64Array, lines: Lines, stream: Stream): void {
+export function advect(
+  field: Float64Array,
+  flow: Float64Array,
+  lines: Lines,
+  stream: Stream,
+): void {
   const { count, stride, inner, outer, innerStride, outerStride } = lines;
   const { flowStride, flowInner, flowOuter, aside, isAsideInner, lastAside, rates } = lines;
   for (let n = 0, above = GHOSTS + count; n < GHOSTS; n++) {
@@ -128,8 +133,7 @@ function through(values: Float64Array, cell: number, t: number): number {
 }
 
 /**
- * Carries an amount along one axis, in place, so that none is lost or made: what has passed each face is
- * what lay upstream of it, as far as the flow has come.
+ * Conservative advection of an amount along one axis, in place: through each face passes what lay upstream of it.
  *
  * Lin and Rood 1996, "Multidimensional Flux-Form Semi-Lagrangian Transport Schemes", with the amounts
  * summed up along the line, and Lagrange's cubic through the sums. Nothing flows in from outside.
@@ -139,7 +143,7 @@ function through(values: Float64Array, cell: number, t: number): number {
  * @param strides from one cell to the next, along x, y and z
  * @param along which axis; the lines are numbered along the axes `inner` and `outer`
  */
-export function carryAmount(
+export function advectAmount(
   field: Float64Array,
   flow: Float64Array,
   widths: Float64Array,

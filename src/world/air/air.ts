@@ -16,18 +16,18 @@ export interface Wind {
 const NO_MOTION: Vec3 = [0, 0, 0];
 export const CALM: Wind = { speed: 0, direction: 0, gustiness: 0 };
 
-/** Unrest of a squally wind, as a share of its mean along each axis. */
+/** Turbulence of a squally wind, as a share of its mean along each axis. */
 const TURBULENCE = 0.6;
-/** A wind that is told to change does so at this rate, 1/s. */
+/** Rate at which the wind nears a new one, 1/s. */
 const VEERING = 3;
 
-/** Half-width of the visitor, who pushes the air out of his way. Metres. */
+/** Half-width of the visitor's body, which displaces the air. Metres. */
 const GIRTH = 0.22;
-/** From his feet to his crown, below and above the eye: there he ends, and so does what he pushes. */
+/** Feet and crown of the body, below and above the eye. Metres. */
 const BELOW_EYE = 1.6;
 const ABOVE_EYE = 0.15;
 
-/** Who carries a candle keeps his other hand before it: the air around takes part in its motion. */
+/** The other hand shelters a carried candle: the air around takes part in its motion. Share of its velocity. */
 const SHELTER = 0.4;
 /** How far around the flame, metres. */
 const SHELTERED = 0.12;
@@ -35,7 +35,7 @@ const SHELTERED = 0.12;
 /** Of a breath at full strength: speed at the lips, m/s, and the width of the mouth, m. */
 const BREATH_SPEED = 20;
 const MOUTH = 0.015;
-/** He bends towards the flame to blow: so near, or half of the way. Metres. */
+/** Distance of the lips from the eye, towards the flame: this, or half of the way. Metres. */
 const BENDING = 0.25;
 /** How long a breath lasts, and how long it takes to swell and to end. Seconds. */
 const BREATH = 0.45;
@@ -46,13 +46,13 @@ const CORE = 6.2;
 const SPREAD = 0.107;
 
 /**
- * The air in the room: a draught with gusts, what the visitor pushes aside as he walks, his breath.
+ * Air of the room: a draught with gusts, the wake of the walking visitor, and a breath.
  *
  * Velocities are those of the current tick. Pope 2000, "Turbulent Flows", gives the round jet.
  */
 export class Air {
   #wind = CALM;
-  /** Its mean velocity and its unrest, m/s. Objects of several shapes would box what is read of them. */
+  /** Mean velocity and turbulence that are wanted, m/s. Objects of several shapes would box their numbers. */
   readonly #wanted = { x: Number.NaN, z: Number.NaN, unrest: Number.NaN };
   readonly #gusts: Gusts;
   readonly #mean: Vec3 = [0, 0, 0];
@@ -60,7 +60,7 @@ export class Air {
   /** Ticks, and seconds, since the beginning. */
   #tick = 0;
   #time = 0;
-  /** The visitor's eye, and how he moves. */
+  /** The visitor's eye, metres, and velocity, m/s. */
   readonly #body: Vec3 = [0, 0, 0];
   readonly #pace: Vec3 = [0, 0, 0];
   readonly #lips: Vec3 = [0, 0, 0];
@@ -77,7 +77,7 @@ export class Air {
     this.#veer(Number.POSITIVE_INFINITY);
   }
 
-  /** As it is asked for; the air follows within a second. */
+  /** The wind that is wanted; the air follows within a second. */
   get wind(): Wind {
     return this.#wind;
   }
@@ -95,8 +95,8 @@ export class Air {
    *
    * @param tick number of ticks since the beginning
    * @param eye the visitor's, metres
-   * @param pace his velocity, m/s
-   * @param flame foot of the flame, metres, and the velocity that he carries it with, m/s
+   * @param pace velocity of the visitor, m/s
+   * @param flame foot of the flame, metres
    */
   advance(
     tick: number,
@@ -128,7 +128,7 @@ export class Air {
   /**
    * A breath along a direction of length 1. `strength` 1 blows out a candle at arm's length.
    *
-   * @param distance of what it is meant for, from the eye, metres
+   * @param distance of the target from the eye, metres
    */
   blow(eye: Readonly<Vec3>, towards: Readonly<Vec3>, distance: number, strength: number): void {
     const bent = Math.min(BENDING, distance / 2);

@@ -12,7 +12,7 @@ const TURNOVER = 0.45;
 const STEP = 0x9e3779b9;
 
 /**
- * Unrest of the air, as a sum of plane waves: seeded, smooth in space and time, and free of divergence,
+ * Gusts: turbulence as a sum of plane waves: seeded, smooth in space and time, and free of divergence,
  * since each wave swings across its own direction.
  *
  * Kraichnan 1970, "Diffusion by a Random Velocity Field". Amplitudes fall so that power goes as
@@ -23,7 +23,7 @@ export class Gusts {
   readonly #waves = new Float64Array(WAVES * 5);
   /** Of each wave: the way it swings, for a root mean square of 1 m/s along each axis. */
   readonly #swings = new Float64Array(WAVES * 3);
-  /** Root mean square, m/s, and moment, seconds, of what `add` adds. */
+  /** Root mean square, m/s, and time, seconds, of the gusts that `add` adds. */
   strength = 0;
   time = 0;
 
@@ -53,7 +53,7 @@ export class Gusts {
     }
   }
 
-  /** Adds the unrest at a place to `velocity`, m/s. */
+  /** Adds the gusts at a place to `velocity`, m/s. */
   add(place: Readonly<Vec3>, velocity: Vec3): void {
     const { strength, time } = this;
     const x = place[0];

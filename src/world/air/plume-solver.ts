@@ -1,7 +1,7 @@
-import type { Vec3 } from "../geometry.js";
-import { length3 } from "../geometry.js";
-import { carry, carryAmount, type Lines, type Stream } from "./advection.js";
-import { type GridAxis, rising, symmetric } from "./grid-axis.js";
+import { length3, type Vec3 } from "../geometry.js";
+import { advect, advectAmount, type Lines, type Stream } from "./advection.js";
+import type { GridAxis } from "./grid-axis.js";
+import { type PlumeGrid, plumeGrid, trilinear } from "./plume-grid.js";
 import { PressureSolver } from "./pressure-solver.js";
 
 /** Length of the air's own step, seconds: every other tick of the world. */
@@ -15,34 +15,13 @@ const HEAT_CAPACITY = 1.2 * 1005;
 const GRAVITY = 9.81;
 /** Kinematic viscosity of the room's air, m²/s. */
 const VISCOSITY = 4e-5;
-/** Of air: how much faster heat spreads than motion, upside down. */
+/** Prandtl number of air: viscosity over thermal diffusivity. */
 const PRANDTL = 0.7;
 
-/** What has left the grid goes on, and comes to rest over about this way, metres. */
+/** Beyond the grid its motion fades over about this length, metres. */
 const FADING = 0.35;
 
-/** Floats per level of `Plume.column`. */
-export const COLUMN_FLOATS = 5;
-/** Less heat than this is part of no column. */
-const FAINT = 0.004;
-
-/** The air's extent and fineness around its origin. */
-export interface PlumeGrid {
-  readonly x: GridAxis;
-  readonly y: GridAxis;
-  readonly z: GridAxis;
-}
-
-/** 15 x 31 x 15 cells, 24 cm wide and 51 cm high; 7 mm small around the flame. */
-export function plumeGrid(): PlumeGrid {
-  return {
-    x: symmetric(0.007, 1.22, 7),
-    y: rising(-0.035, 0.008, 1.044, 31),
-    z: symmetric(0.007, 1.22, 7),
-  };
-}
-
-/** What heats the air: an upright rod of hot gas above the origin. */
+/** Heat source of the air: an upright rod of hot gas above the origin. */
 export interface Heater {
   /** W */
   power: number;
@@ -50,14 +29,14 @@ export interface Heater {
   height: number;
 }
 
-/** A component of velocity: it lives on the faces across its axis. */
+/** Component of velocity: it is stored on the faces across its axis. */
 type Component = 0 | 1 | 2;
 type Three<T> = readonly [T, T, T];
-/** What lives in the middles of the cells comes after the three components. */
+/** Index of what is stored in the middles of the cells, after the three components. */
 const MIDDLES = 3;
 
 /**
- * The air around a flame: an incompressible fluid that heat makes rise.
+ * Buoyant plume solver: the air around a flame, an incompressible fluid that heat makes rise.
  *
  * Velocities (m/s, in the room) lie on the faces of the cells, the excess of temperature (in units of
  * the room's own) in their middles. The grid rides with the flame, and everything around it is wind.
@@ -70,7 +49,7 @@ export class PlumeSolver {
   readonly velocities: readonly [Float64Array, Float64Array, Float64Array];
   /** T / T0 - 1 */
   readonly heat: Float64Array;
-  /** Where the grid's origin is in the room, metres. */
+  /** Origin of the grid in the room, metres. */
   readonly origin: Vec3 = [0, 0, 0];
   readonly #before: readonly [Float64Array, Float64Array, Float64Array];
   readonly #warmth: Float64Array;
@@ -79,14 +58,14 @@ export class PlumeSolver {
   readonly #pressure: PressureSolver;
   readonly #wind: Vec3 = [0, 0, 0];
   readonly #stream: Stream = { ride: Number.NaN, outside: Number.NaN };
-  /** A place on the grid, of a look at it. */
+  /** A place on the grid that is asked for. */
   readonly #at: Vec3 = [0, 0, 0];
   readonly #counts: readonly [number, number, number];
   readonly #rulers: readonly [GridAxis, GridAxis, GridAxis];
   /** Values along each axis, and from one to the next: of each component, and in the `MIDDLES`. */
   readonly #sizes: readonly Vec3[];
   readonly #strides: readonly Vec3[];
-  /** Of a cell along x: what the neighbours on its lower and upper side weigh as it spreads. */
+  /** Weights of a cell's lower and upper neighbours along x in diffusion. */
   readonly #lower: Float64Array;
   readonly #upper: Float64Array;
 
@@ -114,7 +93,7 @@ export class PlumeSolver {
     this.#pressure = new PressureSolver(grid);
   }
 
-  /** Nothing but wind, m/s, around an origin, metres. */
+  /** Clears the grid: nothing but wind, m/s, around an origin, metres. */
   reset(origin: Readonly<Vec3>, wind: Readonly<Vec3>): void {
     for (let axis = 0; axis < 3; axis++) {
       this.velocities[axis]!.fill(wind[axis]!);
@@ -128,7 +107,7 @@ export class PlumeSolver {
   /**
    * One `PLUME_STEP`.
    *
-   * @param origin where the flame is now, metres
+   * @param origin foot of the flame, metres
    * @param wind of the room around, m/s
    */
   step(origin: Readonly<Vec3>, wind: Readonly<Vec3>, heater: Readonly<Heater>): void {
@@ -148,12 +127,12 @@ export class PlumeSolver {
       const flow = this.#before[along]!;
       for (let axis = 0; axis < 3; axis++) {
         stream.outside = wind[axis]!;
-        carry(velocities[axis]!, flow, this.#lines[axis]![along]!, stream);
+        advect(velocities[axis]!, flow, this.#lines[axis]![along]!, stream);
       }
       const { widths } = this.#rulers[along]!;
       const faces = this.#lines[along]![along]!;
       const strides = this.#strides[MIDDLES]!;
-      carryAmount(
+      advectAmount(
         this.heat,
         flow,
         widths,
@@ -166,13 +145,13 @@ export class PlumeSolver {
       );
     }
     for (let axis = 0; axis < 3; axis++) this.origin[axis] = origin[axis]!;
-    if (heater.power > 0) this.#warm(heater);
-    this.#spread();
-    this.#lift();
+    if (heater.power > 0) this.#addHeat(heater);
+    this.#diffuse();
+    this.#addBuoyancy();
     this.#pressure.project(velocities);
   }
 
-  /** Velocity of the air somewhere in the room, m/s. Away from the grid it fades to the wind's. */
+  /** Velocity of the air at a place in the room, m/s. Away from the grid it fades to the wind's. */
   velocity(place: Readonly<Vec3>, out: Vec3): Vec3 {
     const { grid, origin } = this;
     const x = place[0] - origin[0];
@@ -191,13 +170,13 @@ export class PlumeSolver {
     at[0] = px;
     at[1] = py - 0.5;
     at[2] = pz - 0.5;
-    between(u, nx + 1, ny, nz, at, out, 0);
+    trilinear(u, nx + 1, ny, nz, at, out, 0);
     at[0] = px - 0.5;
     at[1] = py;
-    between(v, nx, ny + 1, nz, at, out, 1);
+    trilinear(v, nx, ny + 1, nz, at, out, 1);
     at[1] = py - 0.5;
     at[2] = pz;
-    between(w, nx, ny, nz + 1, at, out, 2);
+    trilinear(w, nx, ny, nz + 1, at, out, 2);
     if (px >= 0 && py >= 0 && pz >= 0 && px <= nx && py <= ny && pz <= nz) return out;
     const dx = Math.max(grid.x.low - x, 0, x - grid.x.high);
     const dy = Math.max(grid.y.low - y, 0, y - grid.y.high);
@@ -210,7 +189,7 @@ export class PlumeSolver {
     return out;
   }
 
-  /** Temperature somewhere in the room, kelvin. */
+  /** Temperature at a place in the room, kelvin. */
   temperature(x: number, y: number, z: number): number {
     const { grid, origin } = this;
     const px = grid.x.place(x - origin[0]) - 0.5;
@@ -221,51 +200,8 @@ export class PlumeSolver {
     const nz = this.#counts[2];
     const isInside = px > -0.5 && py > -0.5 && pz > -0.5 && px < nx && py < ny && pz < nz;
     const excess: Vec3 = [0, 0, 0];
-    if (isInside) between(this.heat, nx, ny, nz, [px, py, pz], excess, 0);
+    if (isInside) trilinear(this.heat, nx, ny, nz, [px, py, pz], excess, 0);
     return ROOM_TEMPERATURE * (1 + excess[0]);
-  }
-
-  /**
-   * The hot column, level by level from below: middle along x, y, z (metres, in the room), breadth
-   * (standard deviation, metres), and how much of the air is missing there (m²), since it is hot and thin.
-   *
-   * @param out `COLUMN_FLOATS` for each level of the grid
-   */
-  column(out: Float32Array): void {
-    const { x, y, z } = this.grid;
-    const { heat, origin } = this;
-    const nx = this.#counts[0];
-    const ny = this.#counts[1];
-    const nz = this.#counts[2];
-    for (let j = 0; j < ny; j++) {
-      let missing = 0;
-      let sumX = 0;
-      let sumZ = 0;
-      let squares = 0;
-      for (let k = 0; k < nz; k++) {
-        const row = nx * (j + ny * k);
-        const cz = 0.5 * (z.edges[k]! + z.edges[k + 1]!);
-        for (let i = 0; i < nx; i++) {
-          const h = heat[row + i]!;
-          if (h < FAINT) continue;
-          const thin = (h / (1 + h)) * x.widths[i]! * z.widths[k]!;
-          const cx = 0.5 * (x.edges[i]! + x.edges[i + 1]!);
-          missing += thin;
-          sumX += thin * cx;
-          sumZ += thin * cz;
-          squares += thin * (cx * cx + cz * cz);
-        }
-      }
-      const share = 1 / Math.max(missing, 1e-12);
-      const mx = sumX * share;
-      const mz = sumZ * share;
-      const at = j * COLUMN_FLOATS;
-      out[at] = origin[0] + mx;
-      out[at + 1] = origin[1] + 0.5 * (y.edges[j]! + y.edges[j + 1]!);
-      out[at + 2] = origin[2] + mz;
-      out[at + 3] = Math.sqrt(Math.max(0.5 * (squares * share - mx * mx - mz * mz), 1e-6));
-      out[at + 4] = missing;
-    }
   }
 
   /** Largest share by which a cell's inflow and outflow differ, against the fastest flow. For tests. */
@@ -299,8 +235,8 @@ export class PlumeSolver {
     };
   }
 
-  /** Heat and upward motion spread to the cooler, slower air beside them, the hotter the faster. */
-  #spread(): void {
+  /** Diffusion of heat and of upward motion; hotter air has more of it. */
+  #diffuse(): void {
     const { z } = this.grid;
     const { heat } = this;
     const v = this.velocities[1];
@@ -354,7 +290,7 @@ export class PlumeSolver {
     }
   }
 
-  #warm({ power, height }: Readonly<Heater>): void {
+  #addHeat({ power, height }: Readonly<Heater>): void {
     const { x, y, z } = this.grid;
     const i = x.count >> 1;
     const k = z.count >> 1;
@@ -369,7 +305,8 @@ export class PlumeSolver {
     }
   }
 
-  #lift(): void {
+  /** Buoyancy, after Boussinesq. */
+  #addBuoyancy(): void {
     const { x, y, z } = this.grid;
     const v = this.velocities[1];
     const { heat } = this;
@@ -389,38 +326,3 @@ export class PlumeSolver {
 /** The axes that lines along x, y and z lie side by side on. */
 const INNER = [1, 0, 0] as const;
 const OUTER = [2, 2, 1] as const;
-
-/** Trilinear, written to one of `out`; places are counted from the first value, and outside the nearest one counts. */
-function between(
-  field: Float64Array,
-  nx: number,
-  ny: number,
-  nz: number,
-  place: Readonly<Vec3>,
-  out: Vec3,
-  axis: Component,
-): void {
-  const x = place[0];
-  const y = place[1];
-  const z = place[2];
-  const cx = x < 0 ? 0 : x > nx - 1 ? nx - 1 : x;
-  const cy = y < 0 ? 0 : y > ny - 1 ? ny - 1 : y;
-  const cz = z < 0 ? 0 : z > nz - 1 ? nz - 1 : z;
-  const i = Math.min(cx | 0, nx - 2);
-  const j = Math.min(cy | 0, ny - 2);
-  const k = Math.min(cz | 0, nz - 2);
-  const fx = cx - i;
-  const fy = cy - j;
-  const fz = cz - k;
-  const at = i + nx * (j + ny * k);
-  const up = at + nx;
-  const back = at + nx * ny;
-  const upBack = back + nx;
-  const near = field[at]! + (field[at + 1]! - field[at]!) * fx;
-  const nearUp = field[up]! + (field[up + 1]! - field[up]!) * fx;
-  const far = field[back]! + (field[back + 1]! - field[back]!) * fx;
-  const farUp = field[upBack]! + (field[upBack + 1]! - field[upBack]!) * fx;
-  const low = near + (nearUp - near) * fy;
-  const high = far + (farUp - far) * fy;
-  out[axis] = low + (high - low) * fz;
-}

@@ -1,5 +1,5 @@
 import { HEAT } from "../flame/burning.js";
-import { type Flame, type Gauge, GLOWING, ROOM } from "../flame/flame.js";
+import { type Flame, type FlameMeasures, GLOWING, ROOM } from "../flame/flame.js";
 import type { Vec3 } from "../geometry.js";
 import { Smoke } from "../particles/smoke.js";
 import type { Air } from "./air.js";
@@ -7,19 +7,19 @@ import { type Heater, PLUME_STEP, PlumeSolver } from "./plume-solver.js";
 
 /** Share of a flame's heat that rises with its gas; the rest shines, and melts the wax. */
 const CONVECTED = 0.72;
-/** Where it is set free: share of the flame's height. */
+/** Height over which it is released, as a share of the flame's. */
 const BURNING = 0.8;
-/** What a wick gives off to the air just after its flame is out, W, and over which length, m. */
+/** Heat of the ember just after its flame is out, W, and its height, m. */
 const EMBER_POWER = 2.4;
 const EMBER_HEIGHT = 0.012;
 /** The end of the wick, from the foot of the flame. Metres. */
 const WICK_END = 0.004;
-/** Farther than anyone carries a candle in a step: it was put elsewhere, into air at rest. Metres. */
+/** A candle that moves farther in a step was put elsewhere, into air at rest. Metres. */
 const JUMP = 0.3;
 /** After this long the glowing wick smokes at its full, seconds. */
 const KINDLING = 0.12;
 
-/** What the flame does to the air: hot gas that rises, and smoke when it is out. Nobody runs it unseen. */
+/** Plume of a flame: hot gas that rises, and smoke when it is out. */
 export class Plume {
   readonly solver = new PlumeSolver();
   readonly smoke: Smoke;
@@ -42,7 +42,7 @@ export class Plume {
     const { origin } = this.solver;
     const wind = this.#wind;
     const { smoke } = this;
-    const gauge = flame.gauge();
+    const gauge = flame.measure();
     if (!flame.isLit && gauge.smoking === 0 && smoke.count === 0) {
       origin[1] = Number.NEGATIVE_INFINITY; // all is cold: the next flame begins in air at rest
       return;
@@ -57,13 +57,13 @@ export class Plume {
     wick[0] = foot[0];
     wick[1] = foot[1] + WICK_END;
     wick[2] = foot[2];
-    this.#kindle(flame, gauge);
+    this.#updateHeater(flame, gauge);
     this.solver.step(foot, wind, this.#heater);
     smoke.step(this.solver, wick);
   }
 
-  /** How much heat and smoke the wick gives off now. */
-  #kindle(flame: Flame, { rate, height, smoking }: Readonly<Gauge>): void {
+  /** Sets the heat and the smoke that the wick gives off now. */
+  #updateHeater(flame: Flame, { rate, height, smoking }: Readonly<FlameMeasures>): void {
     const { smoke } = this;
     const heater = this.#heater;
     if (flame.isLit) {

@@ -6,7 +6,7 @@ const SWEEPS = 6;
 const PUSH = 1.6;
 
 /**
- * The pressure that keeps air from piling up anywhere, and takes away what of a flow would.
+ * Pressure solver: projects a flow onto one without divergence.
  *
  * Poisson's equation by successive over-relaxation, odd cells and even ones by turns (Young 1954), so
  * that a symmetric flow stays symmetric. Outside of the grid the pressure is the room's.
@@ -18,9 +18,9 @@ export class PressureSolver {
   /** With a rim of the room's pressure, 0, all around. */
   readonly #pressure: Float64Array;
   readonly #excess: Float64Array;
-  /** What a cell's lower and upper neighbours along each axis weigh. */
+  /** Weights of a cell's lower and upper neighbours along each axis. */
   readonly #weights: readonly [Weights, Weights, Weights];
-  /** Of each cell, what its six neighbours weigh together, upside down, and over-relaxed. */
+  /** Of each cell, the reciprocal of its six neighbours' weights, over-relaxed. */
   readonly #shares: Float64Array;
   /** Of each axis, 1 / width of its cells and 1 / span between them. */
   readonly #perWidth: readonly [Float64Array, Float64Array, Float64Array];
@@ -178,7 +178,7 @@ export class PressureSolver {
   }
 }
 
-/** What the neighbours along an axis weigh. */
+/** Weights of the neighbours along an axis. */
 interface Weights {
   readonly lower: Float64Array;
   readonly upper: Float64Array;

@@ -8,7 +8,7 @@ const STROUHAL = 0.47;
 const GROWTH = 0.72;
 /** Amplitude of the luminous volume far above the threshold, as a share of its mean. */
 const SATURATION = 0.28;
-/** What the air always disturbs it by, so that it can begin. */
+/** Disturbance that the air always has, so that it can begin. */
 const TREMBLE = 1e-3;
 
 /** How often a flame puffs over a source this wide (m), Hz. */

@@ -10,7 +10,7 @@ export type ParticleSource = "flame" | "spark" | "room";
  */
 export interface ParticleLayer {
   readonly name: "core" | "haze" | "dust" | "spark";
-  /** What bears it: the flame, the flame when it spits, or the air of the room. */
+  /** Emitter: the flame, the flame when it throws sparks, or the air of the room. */
   readonly source: ParticleSource;
   /** Slots. A multiple of `GROUPS`, and enough for `rate * life`. */
   readonly capacity: number;
@@ -123,7 +123,7 @@ export const ORIGINAL_LAYERS: readonly ParticleLayer[] = [
 ];
 
 /**
- * What floats and flies in the physical look, in units of 3.5 cm: lint and dust of the room, carried by
+ * Dust and sparks of the physical look, in units of 3.5 cm: lint and dust of the room, carried by
  * its air, and burning wax that a wick throws when water in it boils. A mote is `size` wide, 0.06 mm; a
  * droplet 0.2 mm.
  */

@@ -6,21 +6,21 @@ import { GROUPS, type ParticleLayer } from "./particle-layer.js";
 /** Floats per particle: position, remaining life, velocity, life at birth. */
 export const PARTICLE_FLOATS = 8;
 
-/** A number that makes one layer's chances differ from another's. */
+/** Random key of a layer. */
 export function layerKey(seed: number, layer: number): number {
   return pcg((seed + pcg(layer)) >>> 0);
 }
 
-/** What the kernel must know about one tick of one layer, beside the timeline. */
+/** Emission of one layer in one tick. */
 export interface Emission {
-  /** Number of the first birth, counted from time 0. */
+  /** Number of the first particle, counted from time 0. */
   first: number;
   count: number;
-  /** Age of the first-born at the end of the tick, seconds; each later one is `1 / rate` younger. */
+  /** Age of the first at the end of the tick, seconds; each later one is `1 / rate` younger. */
   age: number;
 }
 
-/** Births whose moment lies in (tick, tick + 1], written to `out`. */
+/** Emission in (tick, tick + 1], written to `out`. */
 export function emissionOf(
   layer: ParticleLayer,
   tick: number,
@@ -88,7 +88,7 @@ export class Particles {
       const turn = (slot - group * groupSize) * GROUPS + group;
       const birth = (turn + layer.capacity - firstSlot) % layer.capacity;
       if (birth < count && group < groups) {
-        this.#bear(i, birth);
+        this.#emit(i, birth);
         // The emitter has moved on since.
         const since = (eldest - birth / layer.rate) / TICK;
         for (let axis = 0; axis < 3; axis++) {
@@ -103,7 +103,7 @@ export class Particles {
       state[i + 6]! += layer.drift * TICK * signedLow(hash);
       for (let axis = 0; axis < 3; axis++) {
         const left = timeline.way(tick, axis) * stays;
-        // The timeline's wind is what the emitter feels; who stays behind feels the room's.
+        // The timeline's wind is what the emitter feels; a particle that stays behind feels the room's.
         const wind = timeline.wind(tick, axis) + left / TICK;
         if (axis !== 1) state[i + 4 + axis]! += (wind - state[i + 4 + axis]!) * dragged;
         state[i + axis]! += state[i + 4 + axis]! * TICK - left;
@@ -112,8 +112,8 @@ export class Particles {
     }
   }
 
-  /** Bears one of the tick's, numbered from 0, in the slot whose floats begin at `i`. */
-  #bear(i: number, number: number): void {
+  /** Emits the tick's particle of a number, from 0, in the slot whose floats begin at `i`. */
+  #emit(i: number, number: number): void {
     const { layer, state } = this;
     const age = this.#births.age - number / layer.rate;
     const birth = (this.#births.first + number) >>> 0;

@@ -4,7 +4,7 @@ import { pcg, signed } from "../random.js";
 
 /** Streaklines, born around the rim of the wick's end. */
 export const LINES = 12;
-/** Parcels along each, one for every step of the air: as long as smoke is seen. */
+/** Parcels along each, one for every step of the air: as long as smoke is visible. */
 export const ROWS = 256;
 /** Floats per parcel: position (m), extinction's cross-section per metre of its line (m), breadth (m). */
 export const SMOKE_FLOATS = 8;
@@ -64,12 +64,12 @@ export class Smoke {
   step(air: PlumeSolver, wick: Readonly<Vec3>): void {
     this.#step++;
     if (this.count === 0 && !this.isFed) return;
-    this.#carry(air);
-    this.#bear(air, wick);
-    this.#thin();
+    this.#advect(air);
+    this.#emit(air, wick);
+    this.#dilute();
   }
 
-  #carry(air: PlumeSolver): void {
+  #advect(air: PlumeSolver): void {
     const { parcels } = this;
     const place = this.#place;
     const flow = this.#flow;
@@ -91,7 +91,7 @@ export class Smoke {
     }
   }
 
-  #bear(air: PlumeSolver, wick: Readonly<Vec3>): void {
+  #emit(air: PlumeSolver, wick: Readonly<Vec3>): void {
     const { parcels } = this;
     const strength = this.isFed ? this.strength : 0;
     this.newest = (this.newest + 1) % ROWS;
@@ -113,7 +113,7 @@ export class Smoke {
       const grain = 1 + GRAIN * this.#grain(n);
       this.#amounts[at] = (strength * grain * THICKNESS) / LINES;
     }
-    // What has dissolved is forgotten from the old end, until nothing is left.
+    // Rows that have dissolved are dropped from the old end.
     while (this.count > 0 && this.#isClear(this.newest - this.count + 1)) this.count--;
   }
 
@@ -135,7 +135,7 @@ export class Smoke {
   }
 
   /** Finds how thick and how broad each line is by now. */
-  #thin(): void {
+  #dilute(): void {
     const { parcels } = this;
     for (let n = 0; n < this.count; n++) {
       const row = (this.newest - n + ROWS) % ROWS;

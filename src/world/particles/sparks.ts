@@ -1,19 +1,18 @@
 import { pcg, unit } from "../random.js";
 
-/** Time is cut into spans of this many ticks, and in one of so many the wick spits. */
+/** Time is cut into spans of this many ticks, and in one of so many the wick throws sparks. */
 const SPAN = 480;
 const ODDS = 6;
-/** Ticks that a spit lasts: fewest, and how many more at most. */
+/** Ticks that they last: fewest, and how many more at most. */
 const SHORTEST = 2;
 const LONGER = 4;
 
 /**
- * When water in the wick boils and throws burning wax: about every twenty-four seconds, by the seed's
- * chance, whatever else happens.
+ * Schedule of sparks, thrown when water in the wick boils: about every twenty-four seconds, by the seed's chance.
  */
 export class SparkSchedule {
   readonly #seed: number;
-  /** The span that was last asked for, and the ticks from and to which its wick spits. */
+  /** The span that was last asked for, and the ticks from and to which it has sparks. */
   #span = Number.NaN;
   #begin = 0;
   #end = 0;

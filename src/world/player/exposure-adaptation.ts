@@ -3,9 +3,9 @@ import { length3 } from "../geometry.js";
 import type { CollisionMesh } from "../room/collision-mesh.js";
 
 /**
- * How a picture is exposed: in stops, where 0 shows 1 cd/m² as the display's white.
+ * Auto exposure, in stops; 0 shows 1 cd/m² as the display's white.
  *
- * A picture whose mean luminance (logarithmic, the flame left out) is `luminance` is exposed by `stops`.
+ * A frame whose mean luminance (logarithmic, the flame left out) is `luminance` is exposed by `stops`.
  * One that is twice as bright gets `share` of a stop less, so that bright stays brighter than dark. It
  * is never exposed by more than `most`: the eye has its limit, and a dark corner stays dark.
  */
@@ -20,31 +20,31 @@ export const EXPOSURE_LAW = {
 /** Least luminance that counts, cd/m². */
 export const DARKEST = 1e-4;
 
-/** Exposure, stops, of a picture whose mean luminance is 2^stops cd/m². */
+/** Exposure, stops, of a frame whose mean luminance is 2^meanStops cd/m². */
 export function exposureOf(meanStops: number): number {
   const { luminance, stops, share, least, most } = EXPOSURE_LAW;
   const wanted = stops - share * (meanStops - Math.log2(luminance));
   return Math.min(Math.max(wanted, least), most);
 }
 
-/** Time in which all but 1/e of a change is made up for, seconds: nine tenths take 2.1 and 3.5 s. */
+/** Time constants of adaptation to brighter and to darker, seconds: nine tenths take 2.1 and 3.5 s. */
 const CLOSING = 0.9;
 const OPENING = 1.5;
 
-/** Where the visitor looks, and by what light. Metres, radians, candela. */
+/** View that the eye adapts to, and its light. Metres, radians, candela. */
 export interface AdaptationView {
   readonly collision: CollisionMesh;
   readonly eye: Readonly<Vec3>;
   yaw: number;
   pitch: number;
-  /** Across the picture's shorter side, radians. */
+  /** Across the frame's shorter side, radians. */
   fieldOfView: number;
-  /** Middle of the flame, and what it gives. */
+  /** Middle of the flame. */
   readonly flame: Vec3;
   luminousIntensity: number;
 }
 
-/** Glances across a picture of 16:9. */
+/** Rays across a view of 16:9. */
 const COLUMNS = 6;
 const ROWS = 4;
 const RAYS = COLUMNS * ROWS;
@@ -52,45 +52,43 @@ const ASPECT = 16 / 9;
 const REACH = 40;
 /** Of any surface. */
 const ALBEDO = 0.28;
-/** What has moved or turned less, metres or radians, is seen as before. */
+/** Smaller motions, metres or radians, do not change the view. */
 const TOLERANCE = 1e-3;
 
 /**
- * How far the visitor's eye is behind what it sees.
+ * Exposure adaptation of the eye: how far it lags behind the exposure that the view asks for.
  *
- * What the picture's exposure comes to in the end is metered on the GPU, from the picture itself. The eye
- * takes seconds to get there, and this is the memory of that, kept in the world, so that it is the same
- * however often pictures are drawn, and outlives a lost context. It casts a few rays to
- * know how bright the sight is; since only the difference between now and then counts, that need not be
- * exact.
+ * The exposure itself is metered on the GPU, from the frame. The eye takes seconds to get there; that lag is
+ * kept in the world, so that it is the same however often frames are drawn, and outlives a lost context. It
+ * casts a few rays to estimate the luminance; since only differences count, that need not be exact.
  */
 export class ExposureAdaptation {
-  /** Stops by which the eye is open wider than what it sees asks for. */
+  /** Stops by which the eye is open wider than the view asks for. */
   lag = 0;
   #wanted = 0;
-  /** What the last glance asks for, stops, and the bounced light in it, lux for each candela. */
+  /** Exposure that the last view asks for, stops, and the indirect light in it, lux for each candela. */
   #metered = 0;
   #bounced = 0;
-  /** Luminance, cd/m², at each ray's end, for each candela of the flame. */
-  readonly #seen = new Float64Array(RAYS);
-  /** What that was seen from: eye, yaw, pitch, flame, field of view. */
-  readonly #from = new Float64Array(9).fill(Number.NaN);
+  /** Luminances at the rays' ends, cd/m² for each candela of the flame. */
+  readonly #luminances = new Float64Array(RAYS);
+  /** View of those: eye, yaw, pitch, flame, field of view. */
+  readonly #lastView = new Float64Array(9).fill(Number.NaN);
   readonly #direction: Vec3 = [0, 0, 0];
   readonly #place: Vec3 = [0, 0, 0];
 
-  /** How far the eye is open, stops, by its own estimate. */
+  /** Exposure by the eye's own estimate, stops. */
   get exposure(): number {
     return this.#wanted + this.lag;
   }
 
-  /** A cut: the eye is there, used to what it sees. */
+  /** After a cut: the eye is adapted. */
   settle(sight: AdaptationView): void {
     this.#meter(sight);
     this.#wanted = this.#metered;
     this.lag = 0;
   }
 
-  /** What is seen has changed, and no time has passed. */
+  /** The view has changed in no time: the eye lags. */
   notice(sight: AdaptationView): void {
     this.#meter(sight);
     this.lag += this.#wanted - this.#metered;
@@ -103,16 +101,16 @@ export class ExposureAdaptation {
   }
 
   #meter(sight: AdaptationView): void {
-    if (this.#hasMoved(sight)) this.#look(sight);
+    if (this.#hasMoved(sight)) this.#castRays(sight);
     let sum = 0;
     for (let ray = 0; ray < RAYS; ray++) {
-      sum += Math.log2(Math.max(this.#seen[ray]! * sight.luminousIntensity, DARKEST));
+      sum += Math.log2(Math.max(this.#luminances[ray]! * sight.luminousIntensity, DARKEST));
     }
     this.#metered = exposureOf(sum / RAYS);
   }
 
   #hasMoved({ eye, yaw, pitch, flame, fieldOfView }: AdaptationView): boolean {
-    const from = this.#from;
+    const from = this.#lastView;
     let most = Math.max(Math.abs(yaw - from[3]!), Math.abs(pitch - from[4]!));
     most = Math.max(most, Math.abs(fieldOfView - from[8]!));
     for (let axis = 0; axis < 3; axis++) {
@@ -130,7 +128,7 @@ export class ExposureAdaptation {
     return true;
   }
 
-  #look({ collision, eye, yaw, pitch, flame, fieldOfView }: AdaptationView): void {
+  #castRays({ collision, eye, yaw, pitch, flame, fieldOfView }: AdaptationView): void {
     const height = Math.tan(fieldOfView / 2);
     const sinYaw = Math.sin(yaw);
     const cosYaw = Math.cos(yaw);
@@ -145,11 +143,11 @@ export class ExposureAdaptation {
       this.#direction[0] = (right * cosYaw - ahead * sinYaw) / length;
       this.#direction[1] = (sinPitch + up * cosPitch) / length;
       this.#direction[2] = (-right * sinYaw - ahead * cosYaw) / length;
-      this.#light(ray, collision, eye, flame);
+      this.#lightRay(ray, collision, eye, flame);
     }
   }
 
-  /** Finds how much light bounces in a closed room, as in an integrating sphere. */
+  /** Indirect light of a closed room, as in an integrating sphere. */
   #bounce({ bounds: { min, max } }: CollisionMesh): void {
     const x = max[0] - min[0];
     const y = max[1] - min[1];
@@ -158,17 +156,22 @@ export class ExposureAdaptation {
     this.#bounced = ((4 * Math.PI) / area) * (ALBEDO / (1 - ALBEDO));
   }
 
-  /** Finds what is seen along a ray by a flame of 1 cd. */
-  #light(ray: number, collision: CollisionMesh, eye: Readonly<Vec3>, flame: Readonly<Vec3>): void {
+  /** Luminance at a ray's end by a flame of 1 cd. */
+  #lightRay(
+    ray: number,
+    collision: CollisionMesh,
+    eye: Readonly<Vec3>,
+    flame: Readonly<Vec3>,
+  ): void {
     const direction = this.#direction;
     const place = this.#place;
     const hit = collision.raycast(eye, direction, REACH);
-    this.#seen[ray] = hit ? (this.#bounced * ALBEDO) / Math.PI : 0;
+    this.#luminances[ray] = hit ? (this.#bounced * ALBEDO) / Math.PI : 0;
     if (!hit) return;
     let squared = 0;
     let cosine = 0;
     for (let axis = 0; axis < 3; axis++) {
-      // A little before the surface, lest it shadow itself.
+      // A little before the surface, so that it does not shadow itself.
       place[axis] = eye[axis]! + direction[axis]! * (hit.distance - 2e-3);
       const way = flame[axis]! - place[axis]!;
       squared += way * way;
@@ -178,6 +181,6 @@ export class ExposureAdaptation {
     cosine /= distance;
     if (!(cosine > 0)) return;
     if (!collision.isClear(place, flame)) return;
-    this.#seen[ray]! += ((cosine / squared) * ALBEDO) / Math.PI;
+    this.#luminances[ray]! += ((cosine / squared) * ALBEDO) / Math.PI;
   }
 }

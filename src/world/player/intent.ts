@@ -1,4 +1,4 @@
-/** Input of one frame, whatever the device: what the visitor wants to do. */
+/** Intent: the visitor's input of one frame, whatever the device. */
 export interface Intent {
   /** Walking, -1 to 1 along and across the line of sight. */
   readonly forward: number;
@@ -32,5 +32,5 @@ export const STILL: Intent = {
   blows: false,
 };
 
-/** What an input device triggers once, not for as long as something is held. */
+/** Action that is triggered once, not for as long as something is held. */
 export type Action = keyof Pick<Intent, "placesOrTakes" | "togglesFlame" | "blows">;

@@ -34,7 +34,7 @@ export function gazeDirection({ yaw, pitch }: Player): Vec3 {
   return [-Math.sin(yaw) * level, Math.sin(pitch), -Math.cos(yaw) * level];
 }
 
-/** Turns the head by what the pointer moved since the last frame. */
+/** Turns the head by the pointer's motion since the last frame. */
 export function turnHead(player: Player, { yaw, pitch }: Intent): void {
   player.yaw += yaw;
   player.pitch += pitch;

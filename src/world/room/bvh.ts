@@ -1,6 +1,6 @@
 /** Items in a leaf. */
 const LEAF = 4;
-/** From here on down halves are halves, whatever their shape: queries keep a stack of fixed size. */
+/** From this depth on nodes are split in halves, whatever their shape: queries keep a stack of fixed size. */
 const UNBALANCED_DEPTH = 32;
 /** From this many items on, planes are compared; fewer are parted in the middle. */
 const COMPARED = 8;
@@ -10,9 +10,9 @@ const SLICES = 12;
 export const MAX_DEPTH = UNBALANCED_DEPTH + 32;
 
 /**
- * A tree of boxes around boxes: what a query meets is in the leaves whose boxes it meets.
+ * Bounding volume hierarchy: a query tests the items of the leaves whose boxes it overlaps.
  *
- * `link` is a node's first child, and the second follows it: who asks for one needs the other. In a
+ * `link` is a node's first child, and the second follows it: both are needed together. In a
  * leaf, `link` is the first of its `count` items.
  */
 export interface Bvh {
@@ -150,7 +150,7 @@ function middles(items: Float32Array, order: Uint32Array, first: number, end: nu
 
 const slices = {
   counts: new Uint32Array(SLICES),
-  /** min xyz, max xyz of what is in each. */
+  /** min xyz, max xyz of each. */
   boxes: new Float32Array(SLICES * 6),
   /** Of the plane before each: how much there is to do on its near side. */
   costs: new Float64Array(SLICES),

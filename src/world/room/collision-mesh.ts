@@ -1,6 +1,6 @@
 import type { Bounds, Vec3 } from "../geometry.js";
 import { type Bvh, buildBvh, MAX_DEPTH } from "./bvh.js";
-import { Footprint, type Way } from "./footprint.js";
+import { type CircleSweep, Footprint } from "./footprint.js";
 import { RayCaster } from "./ray-caster.js";
 
 /** Metres, +Y up. */
@@ -10,7 +10,7 @@ export interface Triangles {
   readonly indices: Uint16Array | Uint32Array;
 }
 
-/** What a ray met. */
+/** Hit of a ray. */
 export interface RayHit {
   distance: number;
   /** Number of the triangle, as the parts list them, one part after the other. */
@@ -23,7 +23,7 @@ export interface RayHit {
 const MAX_TRIANGLES = 2_000_000;
 
 /**
- * Everything in a room that can be touched: triangles without order or orientation.
+ * Collision mesh of a room: triangles without order or orientation, in a bounding volume hierarchy.
  *
  * Queries allocate nothing. Triangles that are not finite are left out.
  */
@@ -32,14 +32,14 @@ export class CollisionMesh {
   readonly triangles: Float32Array;
   readonly bounds: Bounds;
   readonly #bvh: Bvh;
-  /** What number each triangle had before. */
+  /** Original number of each triangle. */
   readonly #numbers: Uint32Array;
   readonly #stack = new Uint32Array(MAX_DEPTH);
   readonly #leaves: Uint32Array;
   readonly #footprint = new Footprint();
   readonly #rays: RayCaster;
   readonly #between: Vec3 = [0, 0, 0];
-  readonly #way: Way = { x: 0, z: 0, dx: 0, dz: 0, radius: 0, share: 1 };
+  readonly #way: CircleSweep = { x: 0, z: 0, dx: 0, dz: 0, radius: 0, share: 1 };
   readonly #hit: RayHit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
 
   constructor(parts: readonly Triangles[], maxTriangles = MAX_TRIANGLES) {
@@ -68,7 +68,7 @@ export class CollisionMesh {
   }
 
   /**
-   * The nearest thing along a ray, from either side.
+   * Nearest hit along a ray, from either side.
    *
    * @param direction unit
    * @param hit filled and returned; without it, one that the next ray overwrites
@@ -109,7 +109,7 @@ export class CollisionMesh {
     for (let leaf = 0; leaf < leaves; leaf++) {
       const node = this.#leaves[leaf]!;
       for (let i = link[node]!, end = i + count[node]!; i < end; i++) {
-        if (!this.#footprint.take(this.triangles, i * 9)) continue;
+        if (!this.#footprint.clip(this.triangles, i * 9)) continue;
         if (this.#footprint.distanceTo(x, z) < radius) return true;
       }
     }
@@ -118,7 +118,7 @@ export class CollisionMesh {
 
   /**
    * Share of a level way that an upright cylinder, wider by a margin, can go before it touches anything.
-   * What is returned is told anew by the next call.
+   * The object returned is overwritten by the next call.
    */
   sweepCylinder(
     place: Readonly<Vec3>,
@@ -154,7 +154,7 @@ export class CollisionMesh {
     for (let leaf = 0; leaf < leaves; leaf++) {
       const node = this.#leaves[leaf]!;
       for (let i = link[node]!, end = i + count[node]!; i < end; i++) {
-        if (this.#footprint.take(this.triangles, i * 9)) this.#footprint.sweep(way);
+        if (this.#footprint.clip(this.triangles, i * 9)) this.#footprint.sweep(way);
       }
     }
     return way;
@@ -210,7 +210,7 @@ export function normalOf(triangles: Float32Array, at: number, normal: Vec3): num
 interface Soup {
   /** Nine coordinates each. */
   readonly soup: Float32Array;
-  /** What number each triangle had in its parts. */
+  /** Number of each triangle in its parts. */
   readonly numbers: Uint32Array;
 }
 

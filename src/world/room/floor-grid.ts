@@ -5,7 +5,7 @@ import { Footprint } from "./footprint.js";
 /** Finest and coarsest cells, metres. */
 const FINEST = 0.02;
 const COARSEST = 0.1;
-/** 20 x 20 m in cells of 24 mm. What is larger than 84 m in the coarsest is cut off. */
+/** 20 x 20 m in cells of 24 mm. Rooms of more than 84 m, in the coarsest cells, are cut off. */
 const MAX_CELLS = 700_000;
 /** In cells: rounding must not lose a touch. */
 const TOUCH = 1e-6;
@@ -20,7 +20,7 @@ export interface FloorGrid {
   readonly rows: number;
 }
 
-/** A grid that covers a box seen from above, or as much of it as there is memory for around `centre`. */
+/** Grid over the plan of a box, or over as much of it as there is memory for around `centre`. */
 export function gridOver({ min, max }: Bounds, centre: readonly [x: number, z: number]): FloorGrid {
   const across = Math.max(max[0] - min[0], FINEST);
   const along = Math.max(max[2] - min[2], FINEST);
@@ -85,7 +85,7 @@ export function markTouched(
       normalOf(triangles, at, normal);
       if (Math.abs(normal[1]) < minLevelness) continue;
     }
-    if (footprint.take(triangles, at)) painter.paint(footprint);
+    if (footprint.clip(triangles, at)) painter.paint(footprint);
   }
 }
 

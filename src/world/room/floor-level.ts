@@ -8,7 +8,7 @@ const LAYER = 0.02;
 const LAYERS = 8192;
 /** Of the largest level's area: less is a table, a shelf, a step. */
 const WALKABLE_SHARE = 0.3;
-/** What lies on a floor and is nearly as large is the floor: boards on the ground. Metres. */
+/** A level this close above a floor and nearly as large is the floor: boards on the ground. Metres. */
 const COVERING = 0.1;
 /** Right under the spawn point this much is a floor, m², however large the land around the house. */
 const ROOM = 2;
@@ -16,7 +16,7 @@ const ROOM = 2;
 const SPAWN_SLACK = 0.2;
 const DOWN: Readonly<Vec3> = [0, -1, 0];
 
-/** Between a floor and what looks like one above it, metres: it may be the roof. */
+/** Distance from a floor to a level above it that may be the roof, metres. */
 const STOREY = 1.7;
 
 /**

@@ -8,7 +8,7 @@ import { HEADROOM, surveyFloor } from "./floor-survey.js";
 
 /** Longest stretch walked at once, metres. */
 const STRETCH = WALKER_RADIUS / 4;
-/** Pushes off what was met, until one is clear of it. */
+/** Iterations of the push out of an obstacle. */
 const PUSHES = 8;
 /** Two points of a corner within this are the same, metres. */
 const NEGLIGIBLE = 1e-5;
@@ -17,18 +17,18 @@ const EXHIBIT_MARGIN = 2.5;
 const EXHIBIT_DISTANCE = 1.2;
 
 /**
- * Where a walker can be in a room, and how he slides along what he meets.
+ * Floor plan: the walkable area of a room, and collision against it, with sliding.
  *
- * A grid tells which squares anything touches between ankle and head; its exact distance field tells
- * how far the nearest is. Rounded down by half a square's diagonal and by what interpolation can add,
- * it never promises more space than there is, so a walker who trusts it never overlaps a triangle.
+ * A grid marks the squares that anything touches between ankle and head; its exact distance field gives
+ * the clearance. Rounded down by half a square's diagonal and by the error of interpolation, it is never
+ * more than there is, so a walker with that clearance never overlaps a triangle.
  */
 export class FloorPlan {
   /** Height of the floor, metres. */
   readonly floor: number;
   /** Whether there is anything to stand on. Rooms without a floor are walked in all the same. */
   readonly hasFloor: boolean;
-  /** Where the visitor starts: on the floor, free. Metres. */
+  /** Start of the visitor: on the floor, free. Metres. */
   readonly start: Readonly<Vec3>;
   /** Whether it is too small to stand in, so that one walks around it. */
   readonly isExhibit: boolean;
@@ -37,10 +37,10 @@ export class FloorPlan {
   readonly #clearance: Float32Array;
   /** Squares whose middle can be walked to from the start. */
   readonly #isReachable: Uint8Array;
-  /** A round thing that has been put down: x, z, radius. */
-  #standing: readonly [number, number, number] | null = null;
-  /** Of the last point looked at: clearance, metres, and the direction in which it grows, per metre. */
-  readonly #seen = { clearance: Number.NaN, x: Number.NaN, z: Number.NaN };
+  /** Round obstacle: x, z, radius. Metres. */
+  #obstacle: readonly [number, number, number] | null = null;
+  /** Of the last point sampled: clearance, metres, and its gradient. */
+  readonly #sampled = { clearance: Number.NaN, x: Number.NaN, z: Number.NaN };
   /** A point that is asked for, the next stretch of a walk, and where it leads. Metres. */
   readonly #spot = { x: Number.NaN, z: Number.NaN };
   readonly #stretch = { x: Number.NaN, z: Number.NaN };
@@ -76,21 +76,21 @@ export class FloorPlan {
     this.start = start;
   }
 
-  /** Puts something round in the way, or takes it away again: above his head it is in nobody's. Metres. */
-  setStanding(foot: Readonly<Vec3> | null, radius = 0): void {
+  /** Adds a round obstacle, metres, or removes it; above the head there is none. */
+  setObstacle(foot: Readonly<Vec3> | null, radius = 0): void {
     const isInTheWay = foot !== null && foot[1] < this.floor + HEADROOM;
-    this.#standing = isInTheWay ? [foot[0], foot[2], radius] : null;
+    this.#obstacle = isInTheWay ? [foot[0], foot[2], radius] : null;
   }
 
-  /** How far the nearest thing in the way is at least, metres. 0 or less outside the room. */
+  /** Lower bound of the distance to the nearest obstacle, metres. 0 or less outside the room. */
   clearance(x: number, z: number): number {
     this.#spot.x = x;
     this.#spot.z = z;
-    this.#look(this.#spot);
-    return this.#seen.clearance;
+    this.#sample(this.#spot);
+    return this.#sampled.clearance;
   }
 
-  /** Whether a walker can be there, and can have walked there. */
+  /** Whether a walker fits there, and can reach it from the start. */
   isFree(x: number, z: number): boolean {
     this.#spot.x = x;
     this.#spot.z = z;
@@ -98,12 +98,12 @@ export class FloorPlan {
   }
 
   #isSpotFree(): boolean {
-    this.#look(this.#spot);
-    return this.#seen.clearance >= WALKER_RADIUS && this.#isReachableNear(this.#spot);
+    this.#sample(this.#spot);
+    return this.#sampled.clearance >= WALKER_RADIUS && this.#isReachableNear(this.#spot);
   }
 
   /**
-   * Walks straight on as far as it goes, and along what is met.
+   * Moves straight on as far as it is free, and slides along obstacles.
    *
    * The part of `velocity` that led into something is lost.
    */
@@ -139,11 +139,11 @@ export class FloorPlan {
   settle(position: Vec3): void {
     this.#spot.x = position[0];
     this.#spot.z = position[2];
-    if (!this.#isSpotFree()) this.#push(position);
+    if (!this.#isSpotFree()) this.#moveToFree(position);
   }
 
   /** Moves a position that is not free. */
-  #push(position: Vec3): void {
+  #moveToFree(position: Vec3): void {
     const x = position[0];
     const z = position[2];
     const nearest = this.#nearestSquare(x, z);
@@ -160,18 +160,18 @@ export class FloorPlan {
     position[2] = taken > 0 ? freeZ + (z - freeZ) * free : freeZ;
   }
 
-  /** Takes one stretch, pushed off whatever it leads into. False if that leads nowhere. */
+  /** Moves by one stretch, pushed out of obstacles. False if there is no way. */
   #slide(from: Readonly<Vec3>): boolean {
     const x = from[0];
     const z = from[2];
     const dx = this.#stretch.x;
     const dz = this.#stretch.z;
     const reached = this.#reached;
-    const seen = this.#seen;
+    const seen = this.#sampled;
     reached.x = x + dx;
     reached.z = z + dz;
     for (let pushes = 0; pushes <= PUSHES; pushes++) {
-      this.#look(reached);
+      this.#sample(reached);
       const lack = WALKER_RADIUS - seen.clearance;
       const away = length2(reached.x - x, reached.z - z);
       if (lack <= 0) {
@@ -196,10 +196,10 @@ export class FloorPlan {
     return true;
   }
 
-  /** Takes away the part of a velocity that leads into what is touched where the walker is. */
+  /** Removes the part of a velocity that leads into the obstacle that is touched. */
   #deflect(velocity: Vec3): void {
-    this.#look(this.#reached);
-    const seen = this.#seen;
+    this.#sample(this.#reached);
+    const seen = this.#sampled;
     const steepness = length2(seen.x, seen.z);
     if (steepness < 1e-3) return;
     const nx = seen.x / steepness;
@@ -210,13 +210,13 @@ export class FloorPlan {
   }
 
   /** Finds the interpolated clearance at a point, and its gradient. */
-  #look({ x, z }: Readonly<{ x: number; z: number }>): void {
+  #sample({ x, z }: Readonly<{ x: number; z: number }>): void {
     const { cell, columns, rows } = this.#grid;
     const u = (x - this.#grid.x) / cell - 0.5;
     const v = (z - this.#grid.z) / cell - 0.5;
     const column = Math.floor(u);
     const row = Math.floor(v);
-    const seen = this.#seen;
+    const seen = this.#sampled;
     const field = this.#clearance;
     seen.x = seen.z = 0;
     seen.clearance = -cell;
@@ -231,10 +231,10 @@ export class FloorPlan {
     seen.x = ((b - a) * (1 - t) + (d - c) * t) / cell;
     seen.z = ((c - a) * (1 - s) + (d - b) * s) / cell;
     seen.clearance = (a * (1 - s) + b * s) * (1 - t) + (c * (1 - s) + d * s) * t;
-    if (!this.#standing) return;
-    const standingX = this.#standing[0];
-    const standingZ = this.#standing[1];
-    const radius = this.#standing[2];
+    if (!this.#obstacle) return;
+    const standingX = this.#obstacle[0];
+    const standingZ = this.#obstacle[1];
+    const radius = this.#obstacle[2];
     const distance = length2(x - standingX, z - standingZ);
     if (distance - radius >= seen.clearance) return;
     seen.x = distance > 0 ? (x - standingX) / distance : 1;
@@ -255,7 +255,7 @@ export class FloorPlan {
     return this.#isReachable[at] === 1;
   }
 
-  /** The reachable square nearest to a point, clear of what stands; -1 if there is none. */
+  /** The reachable square nearest to a point, clear of the obstacle; -1 if there is none. */
   #nearestSquare(x: number, z: number): number {
     const { cell, columns, rows } = this.#grid;
     const toX = Number.isFinite(x) ? x : this.start[0];
@@ -268,7 +268,7 @@ export class FloorPlan {
         if (this.#isReachable[at] === 0) continue;
         const dx = this.#grid.x + (column + 0.5) * cell - toX;
         const square = dx * dx + dz * dz;
-        if (square >= least || this.#isUnderStanding(toX + dx, toZ + dz)) continue;
+        if (square >= least || this.#isUnderObstacle(toX + dx, toZ + dz)) continue;
         least = square;
         nearest = at;
       }
@@ -276,11 +276,11 @@ export class FloorPlan {
     return nearest;
   }
 
-  #isUnderStanding(x: number, z: number): boolean {
-    if (!this.#standing) return false;
-    const standingX = this.#standing[0];
-    const standingZ = this.#standing[1];
-    const radius = this.#standing[2];
+  #isUnderObstacle(x: number, z: number): boolean {
+    if (!this.#obstacle) return false;
+    const standingX = this.#obstacle[0];
+    const standingZ = this.#obstacle[1];
+    const radius = this.#obstacle[2];
     return length2(x - standingX, z - standingZ) < radius + WALKER_RADIUS + NEGLIGIBLE;
   }
 }

@@ -4,7 +4,7 @@ import type { CollisionMesh } from "./collision-mesh.js";
 import { distanceField } from "./distance-field.js";
 import { type FloorGrid, gridOver, markTouched } from "./floor-grid.js";
 
-/** What stands between these heights above the floor is in the way: one steps over less. Metres. */
+/** Heights above the floor between which things are obstacles: one steps over less. Metres. */
 const STEP_OVER = 0.1;
 export const HEADROOM = 1.7;
 /** A room has this much space for the walker's middle, m²; less is a cupboard. */
@@ -18,8 +18,8 @@ const FLOOR_SHARE = 0.5;
 /** Without a spawn point one starts with this much space around, if there is any. Metres. */
 const ELBOW_ROOM = 0.5;
 
-/** What there is to walk on. */
-export interface Survey {
+/** Survey of a floor: where a walker fits. */
+export interface FloorSurvey {
   readonly grid: FloorGrid;
   /** Distance from the middle of each square to the nearest thing is at least this, metres. */
   readonly clearance: Float32Array;
@@ -32,7 +32,7 @@ export interface Survey {
 }
 
 /**
- * Looks for what there is to walk on within some bounds; null if a walker fits nowhere.
+ * Surveys the floor within some bounds; null if a walker fits nowhere.
  *
  * @param target where to start if there is space, or else near
  * @param isExact whether the target was meant, so that a nearer spot is better than a roomier one
@@ -43,7 +43,7 @@ export function surveyFloor(
   floor: number,
   target: readonly [number, number],
   isExact: boolean,
-): Survey | null {
+): FloorSurvey | null {
   const grid = gridOver(bounds, target);
   const { columns, rows, cell } = grid;
   const isTaken = new Uint8Array(columns * rows);

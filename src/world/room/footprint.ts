@@ -3,19 +3,19 @@ import { length2 } from "../geometry.js";
 /** A triangle cut by two planes has at most five corners. */
 const CORNERS = 5;
 
-/** A circle's way on the floor, metres: numbers that are passed by reference, so that none is boxed. */
-export interface Way {
+/** Sweep of a circle over the floor, metres. An object, so that no number is boxed. */
+export interface CircleSweep {
   x: number;
   z: number;
   dx: number;
   dz: number;
   radius: number;
-  /** Of the way, what has been found free so far. */
+  /** Share of the way that is free, as far as is known. */
   share: number;
 }
 
 /**
- * What of a triangle lies between two heights, seen from above: a convex polygon, often a mere line.
+ * Footprint of a triangle: the plan of its part between two heights, a convex polygon, often a mere line.
  *
  * One is made once and filled anew for each triangle.
  */
@@ -29,7 +29,7 @@ export class Footprint {
   readonly #cut = new Float64Array(CORNERS * 3);
 
   /** Takes the nine coordinates from `at` on. False if nothing of the triangle is in between. */
-  take(triangles: Float32Array, at: number): boolean {
+  clip(triangles: Float32Array, at: number): boolean {
     const { low, high } = this;
     const cut = this.#cut;
     let cutCount = 0;
@@ -96,7 +96,7 @@ export class Footprint {
   }
 
   /** Shortens the share of its way that a circle can go to where it touches. */
-  sweep(way: Way): void {
+  sweep(way: CircleSweep): void {
     const { x, z, dx, dz, radius } = way;
     let { share } = way;
     if (this.distanceTo(x, z) < radius) {

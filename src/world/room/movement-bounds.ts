@@ -1,14 +1,14 @@
 import { type Bounds, clampInside, type Vec3 } from "../geometry.js";
 
-/** What a walker walks on, and what stops him. `FloorPlan` is one; a box and the open are others. */
+/** Bounds of the player's movement: a floor plan, a box, or none. */
 export interface MovementBounds {
-  /** Walks a level way, metres, as far as it goes; stops the part of `velocity` that led on. */
+  /** Moves a position by a level way, metres, as far as it is free; stops the part of `velocity` that led on. */
   move(position: Vec3, way: Readonly<Vec3>, velocity: Vec3): void;
-  /** Moves a position to the nearest one that is free. */
+  /** Moves a position to the nearest free one. */
   clamp(position: Vec3): void;
 }
 
-/** Ground within walls. */
+/** The inside of a box. */
 export function boxBounds(bounds: Bounds): MovementBounds {
   return {
     move(position, way, velocity) {
@@ -20,7 +20,7 @@ export function boxBounds(bounds: Bounds): MovementBounds {
   };
 }
 
-/** Ground without end. */
+/** No bounds. */
 export const UNBOUNDED: MovementBounds = {
   move(position, way) {
     position[0] += way[0];

@@ -6,17 +6,17 @@ import type { FloorPlan } from "./floor-plan.js";
 /** Why a candle cannot be put down. */
 export type Refusal = "nothing within reach" | "too steep" | "overhangs" | "no room";
 
-/** Room that a standing candle takes up: an upright cylinder, metres. */
+/** Bounding cylinder of a standing candle: upright, metres. */
 export interface Cylinder {
   /** Of the holder's foot, all of which must be carried. */
   readonly radius: number;
-  /** With what the flame needs above it. */
+  /** Includes the space that the flame needs. */
   readonly height: number;
 }
 
 /**
  * Farthest from the eye, along the floor, metres: an arm of 0.7 m and a lean of 0.5 m. Only along the
- * floor, because knees bend: what lies before one's feet is as easily reached as a table top.
+ * floor, because knees bend: the floor before one's feet is as easily reached as a table top.
  */
 export const REACH = 1.2;
 /** Highest above the eye, and lowest below the floor: an arm stretched up, a step down. Metres. */
@@ -26,7 +26,7 @@ const REACH_DOWN = 0.3;
 const GRASP = 1.5;
 /** A gaze that meets no surface means a spot this far ahead, metres. */
 const AHEAD = 0.8;
-/** Cosine of 18 degrees: what is steeper is seen to be, before its heights are measured. */
+/** Cosine of 18 degrees: steeper surfaces are refused before their heights are measured. */
 const LEVEL = 0.95;
 /** All of the foot is carried at one height, within metres: on a plane, within 2.2 degrees. */
 const UNEVENNESS = 0.005;
@@ -37,7 +37,7 @@ const CRACK = 0.008;
 const NUDGE = 0.04;
 const NUDGES = 4;
 const BEARINGS = 12;
-/** Between the walker and a candle at his feet, metres. */
+/** Between the player and a candle at their feet, metres. */
 const ELBOW_ROOM = 0.02 + NUDGE;
 const DOWN: Readonly<Vec3> = [0, -1, 0];
 /** Points under the foot that are felt for, in rings of a share of its radius. */
@@ -47,7 +47,7 @@ const RINGS: readonly (readonly [share: number, count: number])[] = [
   [1, 16],
 ];
 
-/** Who puts something down, and where. */
+/** Input of a placement: the room, the eye, and the candle's volume. */
 export interface PlacementQuery {
   readonly collision: CollisionMesh;
   readonly plan: FloorPlan;
@@ -63,7 +63,7 @@ const from: Vec3 = [0, 0, 0];
 const sight: Vec3 = [0, 0, 0];
 
 /**
- * Finds the spot on the surface that is looked at, and writes the middle of the candle's foot there.
+ * Finds the spot on the surface along the line of sight. `spot` is the middle of the candle's foot.
  *
  * @returns null, or why there is no such spot
  */
@@ -159,7 +159,7 @@ function fit(reach: PlacementQuery, x: number, y: number, z: number, spot: Vec3)
   return null;
 }
 
-/** Highest of what carries a foot; NaN if part of it hangs in the air, or if it would wobble. */
+/** Highest support under the foot; NaN if part of it hangs in the air, or if it would wobble. */
 function highestSupport(
   collision: CollisionMesh,
   x: number,
@@ -183,7 +183,7 @@ function highestSupport(
   return top;
 }
 
-/** Height of what carries a point of the foot, be it by bridging a crack; NaN if nothing does. */
+/** Height of the support under a point of the foot, be it across a crack; NaN if there is none. */
 function supportAt(collision: CollisionMesh, x: number, y: number, z: number): number {
   const height = feel(collision, x, y, z);
   if (!Number.isNaN(height)) return height;

@@ -8,15 +8,15 @@ import { type Bvh, MAX_DEPTH } from "./bvh.js";
 const SEAM = 1e-5;
 
 /**
- * Finds what rays meet. What that is does not depend on the tree: of things equally far, it is the one
+ * Ray casting against triangles. The hit does not depend on the tree: of triangles equally far, it is the one
  * that was listed first.
  *
- * A hundred thousand rays are cast before a room is first seen, so all that their loop needs is in
- * variables of its own, and both children of a node are looked at together: the farther is put aside
+ * A hundred thousand rays are cast before a room's first frame, so all that their loop needs is in
+ * variables of its own, and both children of a node are tested together: the farther is put aside
  * with its distance, and forgotten if something nearer was met meanwhile.
  */
 export class RayCaster {
-  /** To what the last ray met, in lengths of its direction. */
+  /** Distance to the last hit, in lengths of the direction. */
   distance = Number.NaN;
   readonly #bvh: Bvh;
   readonly #triangles: Float32Array;

@@ -7,12 +7,12 @@ import type { MovementBounds } from "./movement-bounds.js";
 /** The eye keeps this far from floor and ceiling, metres. */
 const HEADROOM = 0.15;
 
-/** A room as it can be walked in and touched, from whatever geometry it is made of. */
+/** Collision geometry of a room. */
 export interface Room {
   readonly collision: CollisionMesh;
   readonly plan: FloorPlan;
   readonly movementBounds: MovementBounds;
-  /** Where the visitor's eye starts, metres, and the way he faces. */
+  /** Initial eye position, metres, and yaw. */
   readonly start: Vec3;
   readonly yaw: number;
 }

@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import {
   type Candle,
   holdCandle,
-  isWithinGrasp,
+  isWithinReach,
   placeOnGround,
 } from "../../../src/world/candle.ts";
 import { inset, type Vec3 } from "../../../src/world/geometry.ts";
@@ -106,12 +106,12 @@ describe("putting the candle down", () => {
     for (const axis of [0, 2] as const) {
       expect(placed.position[axis]).toBeLessThan(SETUP.room.max[axis] - 0.1);
     }
-    expect(isWithinGrasp(placed, visitor)).toBe(true);
+    expect(isWithinReach(placed, visitor)).toBe(true);
   });
 
   test("a candle across the room is out of grasp", () => {
     const far: Candle = { position: [3, 0, 0], yaw: 0, isHeld: false };
-    expect(isWithinGrasp(far, player([0, 1.6, 0]))).toBe(false);
-    expect(isWithinGrasp(far, player([2, 1.6, 0]))).toBe(true);
+    expect(isWithinReach(far, player([0, 1.6, 0]))).toBe(false);
+    expect(isWithinReach(far, player([2, 1.6, 0]))).toBe(true);
   });
 });

@@ -1,4 +1,5 @@
 import { beforeAll, describe, expect, test } from "vitest";
+import { hotColumn } from "../../../../src/world/air/hot-column.ts";
 import { PLUME_STEP, PlumeSolver } from "../../../../src/world/air/plume-solver.ts";
 import { HEAT, TAPER_RATE } from "../../../../src/world/flame/burning.ts";
 import type { Vec3 } from "../../../../src/world/geometry.ts";
@@ -99,7 +100,7 @@ describe("hot air over a flame in still air", () => {
 
   test("is a column that widens as it rises and cools", () => {
     const levels = new Float32Array(plume.grid.y.count * 5);
-    plume.column(levels);
+    hotColumn(plume, levels);
     const breadth = (height: number) => {
       const level = Math.floor(plume.grid.y.place(height));
       expect(levels[level * 5]).toBeCloseTo(FOOT[0], 3);
@@ -118,7 +119,7 @@ describe("hot air in a draught", () => {
   test("leans to the lee, the more the higher", () => {
     const plume = started([0.1, 0, 0], POWER, 0.03);
     const levels = new Float32Array(plume.grid.y.count * 5);
-    plume.column(levels);
+    hotColumn(plume, levels);
     const lean = (height: number) =>
       (levels[Math.floor(plume.grid.y.place(height)) * 5] ?? 0) - FOOT[0];
     expect(lean(0.1)).toBeGreaterThan(0.002);

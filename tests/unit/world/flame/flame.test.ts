@@ -8,7 +8,7 @@ import { blow } from "../../../../src/world/commands.ts";
 import { createWorld } from "../../../../src/world/create-world.ts";
 import { flameHeight, TAPER_RATE, TAPER_WICK } from "../../../../src/world/flame/burning.ts";
 import { Flame } from "../../../../src/world/flame/flame.ts";
-import { risen } from "../../../../src/world/flame/spine.ts";
+import { heightAfter } from "../../../../src/world/flame/spine.ts";
 import { type Intent, STILL } from "../../../../src/world/player/intent.ts";
 import { TICK } from "../../../../src/world/timeline.ts";
 import type { World } from "../../../../src/world/world.ts";
@@ -79,7 +79,7 @@ describe("a taper in still air", () => {
   });
 
   test("rises as measured plumes do", () => {
-    const speed = (z: number) => (risen(z, 1e-4, TAPER_RATE, 0) - z) / 1e-4;
+    const speed = (z: number) => (heightAfter(z, 1e-4, TAPER_RATE, 0) - z) / 1e-4;
     for (const [z, measured] of [
       [0.01, 0.71],
       [0.02, 1.0],

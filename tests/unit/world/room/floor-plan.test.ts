@@ -188,13 +188,13 @@ describe("a walker", () => {
       }
       return [position, nearest];
     };
-    plan.setStanding([0, 0, 0], 0.065);
+    plan.setObstacle([0, 0, 0], 0.065);
     const [around, away] = across();
     expect(away).toBeGreaterThanOrEqual(WALKER_RADIUS + 0.065);
     expect(around[2]).toBeLessThan(-0.5);
-    plan.setStanding(null);
+    plan.setObstacle(null);
     expect(across()[1]).toBeLessThan(0.05);
-    plan.setStanding([0, 1.75, 0], 0.065);
+    plan.setObstacle([0, 1.75, 0], 0.065);
     expect(across()[1], "below one on a high shelf").toBeLessThan(0.05);
   });
 });
