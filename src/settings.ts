@@ -104,65 +104,39 @@ export function parseChoice<Choice extends string>(
   return setting.choices.find((known) => known === word) ?? setting.default;
 }
 
-/** What a student may switch off, one technique at a time, to see its effect and its cost. */
-export const FEATURES = [
-  "particles",
-  "core",
-  "hazeLayer",
-  "gradient",
-  "attenuation",
-  "drift",
-  "flicker",
-  "normalMaps",
-  "candle",
-  "volume",
-  "shadows",
-  "indirect",
-  "specular",
-  "translucency",
-  "haze",
-  "smoke",
-  "sparks",
-  "dust",
-  "bloom",
-  "autoExposure",
-  "adaptation",
-  "toneMap",
-] as const;
-export type Feature = (typeof FEATURES)[number];
+/** Techniques that can be switched off, one at a time, to see their effect and cost; and the looks that have them. */
+const FEATURE_LOOKS = {
+  particles: ["paper", "original"],
+  core: ["paper", "original"],
+  hazeLayer: ["paper"],
+  gradient: ["paper"],
+  attenuation: ["paper"],
+  drift: ["paper"],
+  flicker: ["paper"],
+  normalMaps: ["physical", "paper"],
+  candle: ["physical", "paper", "original"],
+  volume: ["physical"],
+  shadows: ["physical"],
+  indirect: ["physical"],
+  specular: ["physical"],
+  translucency: ["physical"],
+  haze: ["physical"],
+  smoke: ["physical"],
+  sparks: ["physical"],
+  dust: ["physical"],
+  bloom: ["physical"],
+  autoExposure: ["physical"],
+  adaptation: ["physical"],
+  toneMap: ["physical"],
+} as const satisfies Record<string, readonly Look[]>;
+export type Feature = keyof typeof FEATURE_LOOKS;
+export const FEATURES = Object.keys(FEATURE_LOOKS) as readonly Feature[];
 
-/** What each look has of them. */
-export const FEATURES_OF: Readonly<Record<Look, readonly Feature[]>> = {
-  physical: [
-    "volume",
-    "candle",
-    "shadows",
-    "indirect",
-    "specular",
-    "translucency",
-    "normalMaps",
-    "haze",
-    "smoke",
-    "sparks",
-    "dust",
-    "bloom",
-    "autoExposure",
-    "adaptation",
-    "toneMap",
-  ],
-  paper: [
-    "particles",
-    "core",
-    "hazeLayer",
-    "gradient",
-    "attenuation",
-    "drift",
-    "flicker",
-    "normalMaps",
-    "candle",
-  ],
-  original: ["particles", "core", "candle"],
-};
+/** Features of a look. */
+export function featuresOf(look: Look): readonly Feature[] {
+  return FEATURES.filter((name) => (FEATURE_LOOKS[name] as readonly Look[]).includes(look));
+}
+
 export type Features = Record<Feature, boolean>;
 
 export function allFeatures(): Features {

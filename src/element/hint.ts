@@ -2,42 +2,16 @@ import type { Device } from "../input/first-person-input.js";
 import type { Refusal } from "../world/room/placement.js";
 import { outSentence, REFUSALS } from "./messages.js";
 
-type Words = readonly (string | readonly string[])[];
-
-/** Controls of each device; keys are in lists of their own. */
-const CONTROLS: Readonly<Record<Device, Words>> = {
-  mouse: [
-    ["W", "A", "S", "D"],
-    "walk, the mouse looks, a click is for the flame,",
-    ["F"],
-    "for the candle,",
-    ["Esc"],
-    "leaves",
-  ],
-  keyboard: [
-    ["W", "A", "S", "D"],
-    "walk,",
-    ["Q", "R"],
-    "turn,",
-    ["E"],
-    "is for the flame,",
-    ["F"],
-    "for the candle,",
-    ["Esc"],
-    "leaves",
-  ],
-  touch: [
+/** Controls of each device; keys are in brackets. */
+const CONTROLS: Readonly<Record<Device, string>> = {
+  mouse:
+    "[W][A][S][D] walk, the mouse looks, a click is for the flame, [F] for the candle, [Esc] leaves",
+  keyboard:
+    "[W][A][S][D] walk, [Q][R] turn, [E] is for the flame, [F] for the candle, [Esc] leaves",
+  touch:
     "Walk with the left thumb, look with the right. Tap twice for the flame, hold for the candle",
-  ],
-  gamepad: [
-    "Left stick walks, right stick looks,",
-    ["A"],
-    "is for the flame,",
-    ["X"],
-    "for the candle,",
-    ["B"],
-    "leaves",
-  ],
+  gamepad:
+    "Left stick walks, right stick looks, [A] is for the flame, [X] for the candle, [B] leaves",
 };
 
 /**
@@ -84,9 +58,8 @@ export class Hint {
     this.#clear();
     const line = document.createElement("p");
     line.className = "controls";
-    for (const word of CONTROLS[device]) {
-      if (typeof word === "string") line.append(` ${word} `);
-      else line.append(...word.map(keyCap));
+    for (const [, key, words] of CONTROLS[device].matchAll(/\[(\w+)\]|([^[]+)/g)) {
+      line.append(key === undefined ? ` ${words?.trim()} ` : keyCap(key));
     }
     this.#controls.append(line);
     this.#controls.hidden = false;

@@ -58,6 +58,29 @@ export function withCount(
   }));
 }
 
+/** Shared by the layers of the paper's flame. */
+const PAPER_FLAME = {
+  source: "flame",
+  spawnDepth: 0,
+  sideSpeed: 0.05,
+  buoyancy: 0.5,
+  drift: 0.1,
+  follow: 1,
+} as const;
+
+const PAPER_CORE: ParticleLayer = {
+  ...PAPER_FLAME,
+  name: "core",
+  capacity: 500,
+  rate: 300,
+  spawnRadius: 0.01,
+  spawnHeight: 0,
+  speed: [1.0, 1.5],
+  drag: 0.12,
+  life: 0.7,
+  size: 0.26,
+};
+
 /**
  * PAPER: "Dynamic Fire Effects Using OpenGL Rasterization Techniques", two layers.
  *
@@ -66,60 +89,23 @@ export function withCount(
  */
 export const PAPER_LAYERS: readonly ParticleLayer[] = [
   {
+    ...PAPER_FLAME,
     name: "haze",
-    source: "flame",
     capacity: 300,
     rate: 100,
     spawnRadius: 0.05,
     spawnHeight: -0.02,
-    spawnDepth: 0,
     speed: [0.5, 1.0],
-    sideSpeed: 0.05,
-    buoyancy: 0.5,
-    drift: 0.1,
     drag: 0.1,
-    follow: 1,
     life: 1.5,
     size: 0.42,
   },
-  {
-    name: "core",
-    source: "flame",
-    capacity: 500,
-    rate: 300,
-    spawnRadius: 0.01,
-    spawnHeight: 0,
-    spawnDepth: 0,
-    speed: [1.0, 1.5],
-    sideSpeed: 0.05,
-    buoyancy: 0.5,
-    drift: 0.1,
-    drag: 0.12,
-    follow: 1,
-    life: 0.7,
-    size: 0.26,
-  },
+  PAPER_CORE,
 ];
 
 /** The paper's "before": one layer, one speed, no drift. */
 export const ORIGINAL_LAYERS: readonly ParticleLayer[] = [
-  {
-    name: "core",
-    source: "flame",
-    capacity: 500,
-    rate: 300,
-    spawnRadius: 0.05,
-    spawnHeight: 0,
-    spawnDepth: 0,
-    speed: [1.0, 1.0],
-    sideSpeed: 0.05,
-    buoyancy: 0,
-    drift: 0,
-    drag: 0,
-    follow: 1,
-    life: 0.7,
-    size: 0.06,
-  },
+  { ...PAPER_CORE, spawnRadius: 0.05, speed: [1, 1], buoyancy: 0, drift: 0, drag: 0, size: 0.06 },
 ];
 
 /**
