@@ -1,12 +1,32 @@
-/** Something that lives in GPU memory: born from `Gpu`, counted by it, and gone after `dispose()`. */
-export interface GpuObject {
-  readonly label: string;
-  /** Memory it takes, in bytes, as far as WebGL lets us know. */
-  readonly bytes: number;
-  dispose(): void;
+/** Where an object is created, and who hears of its end. */
+export interface GpuContext {
+  readonly gl: WebGL2RenderingContext;
+  readonly forget: (object: GpuObject) => void;
 }
 
-/** The context was lost while something was being made. It is not the maker's fault: build again. */
+/** An object in GPU memory: created by `Gpu`, counted by it, and gone after `dispose()`. */
+export abstract class GpuObject {
+  readonly label: string;
+  /** Memory it takes, in bytes, as far as WebGL lets us know. */
+  abstract readonly bytes: number;
+  protected readonly gl: WebGL2RenderingContext;
+  readonly #forget: (object: GpuObject) => void;
+
+  constructor({ gl, forget }: GpuContext, label: string) {
+    this.gl = gl;
+    this.label = label;
+    this.#forget = forget;
+  }
+
+  dispose(): void {
+    this.free();
+    this.#forget(this);
+  }
+
+  protected abstract free(): void;
+}
+
+/** The context was lost while an object was created. */
 export class ContextLostError extends Error {
   override readonly name = "ContextLostError";
 }

@@ -6,7 +6,7 @@ import {
   type Surface,
   type Transform,
 } from "./draw-commands.js";
-import { type GpuObject, incomplete, outOfMemory } from "./gpu-object.js";
+import { type GpuContext, type GpuObject, incomplete, outOfMemory } from "./gpu-object.js";
 import { GpuTimer } from "./gpu-timer.js";
 import { nextTask } from "./next-task.js";
 import { Program, type ProgramOptions, type ShaderSource } from "./program.js";
@@ -41,6 +41,7 @@ export class Gpu {
   readonly timer: GpuTimer;
   readonly #canvas: HTMLCanvasElement;
   readonly #gl: WebGL2RenderingContext;
+  readonly #context: GpuContext;
   readonly #alive = new Set<GpuObject>();
   /** Objects that one renderer leaves to the next, by what they were made from. */
   readonly #shared = new Map<unknown, unknown>();
@@ -63,6 +64,7 @@ export class Gpu {
     });
     if (!gl) throw new WebGLUnavailableError("This browser or graphics driver offers no WebGL 2.");
     this.#gl = gl;
+    this.#context = { gl, forget: (object) => this.#forget(object) };
     this.#canvas = canvas;
     // Browsers do not re-enable extensions after a context loss (KhronosGroup/WebGL #2942), so they
     // are asked for here, where the context is born.
@@ -108,12 +110,12 @@ export class Gpu {
     return this.#gl.isContextLost();
   }
 
-  readonly #forget = (object: GpuObject): void => {
+  #forget(object: GpuObject): void {
     this.#alive.delete(object);
     this.#toCheck.delete(object as RenderTarget | TextureView);
     if (!this.#sharedObjects.delete(object)) return;
     for (const [key, made] of this.#shared) if (made === object) this.#shared.delete(key);
-  };
+  }
 
   #keep<T extends GpuObject>(object: T): T {
     this.#alive.add(object);
@@ -149,7 +151,7 @@ export class Gpu {
   ): Program {
     const key = JSON.stringify([label, vertex.source, fragment.source, options]);
     return this.share(key, () =>
-      this.#keep(new Program(this.#gl, label, vertex, fragment, options, this.#forget)),
+      this.#keep(new Program(this.#context, label, vertex, fragment, options)),
     );
   }
 
@@ -192,23 +194,23 @@ export class Gpu {
     contents: ArrayBufferView | number,
     usage: "static" | "dynamic" | "index" = "static",
   ): Buffer {
-    return this.#keep(new Buffer(this.#gl, label, contents, usage, this.#forget));
+    return this.#keep(new Buffer(this.#context, label, contents, usage));
   }
 
   vertexArray(label: string, options: VertexArrayOptions): VertexArray {
-    return this.#keep(new VertexArray(this.#gl, label, options, this.#forget));
+    return this.#keep(new VertexArray(this.#context, label, options));
   }
 
   texture(options: TextureOptions): Texture {
-    return this.#keep(new Texture(this.#gl, options, this.#forget));
+    return this.#keep(new Texture(this.#context, options));
   }
 
   renderTarget(options: RenderTargetOptions): RenderTarget {
-    return this.#unchecked(new RenderTarget(this.#gl, options, this.#mostSamples, this.#forget));
+    return this.#unchecked(new RenderTarget(this.#context, options, this.#mostSamples));
   }
 
   textureView(options: TextureViewOptions): TextureView {
-    return this.#unchecked(new TextureView(this.#gl, options, this.#forget));
+    return this.#unchecked(new TextureView(this.#context, options));
   }
 
   #unchecked<T extends RenderTarget | TextureView>(target: T): T {
@@ -218,7 +220,7 @@ export class Gpu {
 
   /** A std140 block laid out as `program` declares it. */
   uniformBlock(program: Program, name: string): UniformBlock {
-    return this.#keep(new UniformBlock(this.#gl, program, name, this.#forget));
+    return this.#keep(new UniformBlock(this.#context, program, name));
   }
 
   /** Resolves when the GPU has done all that it was asked so far, or the context is lost. */

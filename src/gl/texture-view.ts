@@ -1,4 +1,4 @@
-import { created, type GpuObject } from "./gpu-object.js";
+import { created, type GpuContext, GpuObject } from "./gpu-object.js";
 import type { Texture } from "./texture.js";
 
 /** Which image of each texture: a face of a cube, or a layer of a three-dimensional one. */
@@ -12,25 +12,17 @@ export interface TextureViewOptions {
 }
 
 /** Textures, or a face or a layer of them, to draw to. It does not own the textures. */
-export class TextureView implements GpuObject {
-  readonly label: string;
+export class TextureView extends GpuObject {
   readonly bytes = 0;
   readonly width: number;
   readonly height: number;
   readonly framebuffer: WebGLFramebuffer;
-  readonly #gl: WebGL2RenderingContext;
-  readonly #forget: (object: GpuObject) => void;
 
-  constructor(
-    gl: WebGL2RenderingContext,
-    { label, textures, image, depth }: TextureViewOptions,
-    forget: (object: GpuObject) => void,
-  ) {
+  constructor(context: GpuContext, { label, textures, image, depth }: TextureViewOptions) {
+    super(context, label);
+    const { gl } = context;
     const [first] = textures;
     if (!first) throw new Error(`${label}: nothing to draw to.`);
-    this.#gl = gl;
-    this.#forget = forget;
-    this.label = label;
     this.width = first.width;
     this.height = first.height;
     this.framebuffer = created(gl, gl.createFramebuffer(), label);
@@ -53,8 +45,7 @@ export class TextureView implements GpuObject {
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 
-  dispose(): void {
-    this.#gl.deleteFramebuffer(this.framebuffer);
-    this.#forget(this);
+  protected free(): void {
+    this.gl.deleteFramebuffer(this.framebuffer);
   }
 }
