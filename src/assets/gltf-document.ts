@@ -26,6 +26,8 @@ export interface GltfDocument {
   readonly hasAnimations: boolean;
 }
 
+type Lists = Pick<GltfDocument, "meshes" | "skins" | "accessors">;
+
 export interface Node {
   readonly name: string;
   readonly children: readonly number[];
@@ -76,9 +78,8 @@ export function readDocument(json: unknown): GltfDocument {
   const nodeEntries = root.entries("nodes");
   checkCount("nodes", nodeEntries.length, MOST_NODES);
   const skins = root.entries("skins").map((skin) => readSkin(skin, nodeEntries.length, accessors));
-  const nodes = nodeEntries.map((node) =>
-    readNode(node, { count: nodeEntries.length, meshes, skins, accessors }),
-  );
+  const lists = { meshes, skins, accessors };
+  const nodes = nodeEntries.map((node) => readNode(node, nodeEntries.length, lists));
   const scenes = root.entries("scenes");
   const roots = rootsOf(root, scenes, nodes);
   checkTree(nodes, roots);
@@ -101,20 +102,8 @@ export function readDocument(json: unknown): GltfDocument {
   };
 }
 
-function readNode(
-  entry: JsonEntry,
-  {
-    count,
-    meshes,
-    skins,
-    accessors,
-  }: {
-    count: number;
-    meshes: readonly Mesh[];
-    skins: readonly Skin[];
-    accessors: readonly Accessor[];
-  },
-): Node {
+function readNode(entry: JsonEntry, count: number, lists: Lists): Node {
+  const { meshes, skins, accessors } = lists;
   const index = entry.index("mesh", meshes.length);
   const mesh = index === undefined ? undefined : meshes[index];
   const isSeen = mesh !== undefined && mesh.primitives.length > 0;

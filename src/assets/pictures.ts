@@ -13,34 +13,27 @@ const SOURCES = ["EXT_texture_avif", "EXT_texture_webp"] as const;
 
 const KTX2_IDENTIFIER = [0xab, 0x4b, 0x54, 0x58, 0x20, 0x32, 0x30, 0xbb];
 
+interface Sources {
+  /** Name of the model's file. */
+  readonly file: string;
+  readonly decoders: Decoders;
+  readonly resolve: (uri: string) => URL;
+  readonly signal: AbortSignal;
+}
+
 /** The decoded pictures of a file: each image once, and all of them closed if the model fails. */
 export class Pictures {
-  readonly #file: string;
+  readonly warnings = new Set<string>();
   readonly #document: GltfDocument;
   readonly #bytes: BufferBytes;
-  readonly #decoders: Decoders;
-  readonly #resolve: (uri: string) => URL;
-  readonly #signal: AbortSignal;
+  readonly #sources: Sources;
   readonly #images = new Map<number, Promise<Picture>>();
-  readonly warnings = new Set<string>();
   #isClosed = false;
 
-  constructor(
-    document: GltfDocument,
-    bytes: BufferBytes,
-    options: {
-      readonly file: string;
-      readonly decoders: Decoders;
-      readonly resolve: (uri: string) => URL;
-      readonly signal: AbortSignal;
-    },
-  ) {
+  constructor(document: GltfDocument, bytes: BufferBytes, sources: Sources) {
     this.#document = document;
     this.#bytes = bytes;
-    this.#file = options.file;
-    this.#decoders = options.decoders;
-    this.#resolve = options.resolve;
-    this.#signal = options.signal;
+    this.#sources = sources;
   }
 
   /** The picture of a texture, or null where it has none of a kind that is known. */
@@ -98,19 +91,22 @@ export class Pictures {
     try {
       return await this.#decode(inside ?? (await this.#fetch(uri)), name);
     } catch (cause) {
-      this.#signal.throwIfAborted();
-      throw assetError(`The texture ${name} of ${this.#file}`, cause);
+      this.#sources.signal.throwIfAborted();
+      throw assetError(`The texture ${name} of ${this.#sources.file}`, cause);
     }
   }
 
   #fetch(uri: string | undefined): Promise<Uint8Array<ArrayBuffer>> {
     if (uri === undefined) throw new Flaw("is missing");
+    const { resolve, signal } = this.#sources;
     const isForeign = (type: string) => /^(text|video|audio|font)\//.test(type);
-    return fetchBytes(this.#resolve(uri), { signal: this.#signal, isForeign });
+    return fetchBytes(resolve(uri), { signal, isForeign });
   }
 
   async #decode(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<Picture> {
-    if (KTX2_IDENTIFIER.every((byte, i) => bytes[i] === byte)) return this.#decoders.ktx2(bytes);
+    if (KTX2_IDENTIFIER.every((byte, i) => bytes[i] === byte)) {
+      return this.#sources.decoders.ktx2(bytes);
+    }
     // Its colours and its opacity as they are in the file: they may be normals.
     const asStored = { premultiplyAlpha: "none", colorSpaceConversion: "none" } as const;
     const bitmap = await createImageBitmap(new Blob([bytes]), asStored).catch((cause: unknown) => {
