@@ -99,7 +99,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     }
   }
 
-  /** What is shown of each frame: the picture, or what a pass has left for the next. */
+  /** What is shown of each frame: the picture, or the output of a pass. */
   get inspect(): Inspection {
     return this.#shown.inspect;
   }
@@ -157,7 +157,7 @@ export class CandleFlameElement extends ReflectedAttributes {
   step(seconds: number): void {
     const length = lengthOfStep(seconds);
     this.#use((candle, session) => {
-      // A busy browser tells of a wish for less motion frames after the visitor's system did.
+      // A busy browser reports the preference for reduced motion frames late.
       candle.options = session.options;
       candle.step(length);
     });
@@ -240,7 +240,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.#candle?.input?.enter();
   }
 
-  /** The picture as of this moment. */
+  /** The frame of this moment, as an image file. */
   toBlob(type = "image/png", quality?: number): Promise<Blob> {
     return new Promise((resolve, reject) => {
       this.#lifecycle.draws.refresh();
@@ -257,7 +257,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     });
   }
 
-  /** Linear RGB of canvas pixels, origin top left; a larger box is cut to the picture's size. Waits for the GPU. */
+  /** Linear RGB of canvas pixels, origin top left; a larger box is cut to the canvas. Waits for the GPU. */
   readRadiance(x: number, y: number, width: number, height: number): Float32Array {
     this.#lifecycle.draws.refresh();
     this.#lifecycle.draws.invalidate(); // reading may go on drawing
@@ -271,7 +271,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     return this.#lifecycle.session?.candle ?? null;
   }
 
-  /** Does something with the candle, if there is one. What it throws ends the session. */
+  /** Calls an action with the candle, if there is one. An exception ends the session. */
   #use<Result>(action: (candle: CandleFlame, session: Session) => Result): Result | undefined {
     const { session } = this.#lifecycle;
     return session?.use((candle) => action(candle, session));

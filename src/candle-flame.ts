@@ -33,7 +33,7 @@ export interface Options {
   /** Diameter of the wick, metres. */
   readonly wick: number;
   readonly unlit: boolean;
-  /** No flicker and no sway, for those who asked their system for less motion. */
+  /** No flicker and no sway: `prefers-reduced-motion`. */
   readonly isStill: boolean;
 }
 
@@ -67,8 +67,8 @@ export class CandleFlame {
   /**
    * The same as the constructor, in small tasks, so that the page stays responsive.
    *
-   * @param isWanted whether anybody still waits for it
-   * @returns null where nobody does, or the context was lost
+   * @param isWanted whether it is still wanted
+   * @returns null where it is not, or the context was lost
    */
   static async create(
     target: CanvasTarget,
@@ -176,7 +176,7 @@ export class CandleFlame {
     return world;
   }
 
-  /** The visitor stays where he is, or inside the new look's walls, at the same time. */
+  /** Another look: the same time, and the camera in its place, or inside the new look's walls. */
   #changeLook(): void {
     const { player } = this.world;
     this.world = this.#sameTimeAs(this.world);

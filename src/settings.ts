@@ -11,7 +11,7 @@ export interface NumberSetting {
   readonly min: number;
   readonly max: number;
   readonly integer?: boolean;
-  /** SI, or what the attribute says at the DOM's edge. */
+  /** Of the attribute. */
   readonly unit: string;
 }
 
@@ -88,7 +88,7 @@ export type CamelCase<Name extends string> = Name extends `${infer Head}-${infer
   ? `${Head}${Capitalize<CamelCase<Tail>>}`
   : Name;
 
-/** What an attribute's text means under its setting. `null` is an absent attribute. */
+/** Parses an attribute's text; `null` is an absent attribute. */
 export function parseNumber(setting: NumberSetting, text: string | null): number {
   const value = Number.parseFloat(text ?? "");
   if (!Number.isFinite(value)) return setting.default;
@@ -143,14 +143,14 @@ export function allFeatures(): Features {
   return Object.fromEntries(FEATURES.map((name) => [name, true])) as Features;
 }
 
-/** Field of view across the picture's shorter side, radians, unless the page sets another. */
+/** Field of view across the frame's shorter side, radians, unless the page sets another. */
 export const FIELDS_OF_VIEW: Readonly<Record<Look, number>> = {
   physical: (56 * Math.PI) / 180,
   paper: Math.PI / 4,
   original: Math.PI / 4,
 };
 
-/** What may be looked at instead of the picture, in the physical look: `element.inspect = "depth"`. */
+/** Outputs of passes that can be shown instead of the picture, in the physical look: `element.inspect = "depth"`. */
 export const INSPECTIONS = [
   "picture",
   "radiance",

@@ -24,13 +24,13 @@ export class BufferBytes {
   }
 
   view(index: number): Promise<Uint8Array<ArrayBuffer>> {
-    return kept(this.#views, index, () => this.#readView(index));
+    return memoized(this.#views, index, () => this.#readView(index));
   }
 
   async #readView(index: number): Promise<Uint8Array<ArrayBuffer>> {
     const view = this.#document.views[index];
     if (!view) throw new Flaw(`is broken: it has no bufferViews[${index}]`);
-    const buffer = await kept(this.#buffers, view.buffer, () => this.#readBuffer(view.buffer));
+    const buffer = await memoized(this.#buffers, view.buffer, () => this.#readBuffer(view.buffer));
     const { byteOffset, byteLength, meshopt } = view;
     if (!meshopt) return buffer.subarray(byteOffset, byteOffset + byteLength);
     const source = buffer.subarray(byteOffset, byteOffset + meshopt.byteLength);
@@ -68,7 +68,7 @@ export function nameOf(uri: string): string {
   return uri.startsWith("data:") ? "embedded data" : (uri.split("/").pop() ?? uri);
 }
 
-function kept<Value>(
+function memoized<Value>(
   values: Map<number, Promise<Value>>,
   index: number,
   make: () => Promise<Value>,

@@ -16,7 +16,7 @@ export interface GltfDocument {
   readonly accessors: readonly Accessor[];
   readonly views: readonly BufferView[];
   readonly buffers: readonly GltfBuffer[];
-  /** Read by `read-material.ts` and `pictures.ts`, where they are used. */
+  /** Read by `read-material.ts` and `texture-images.ts`, where they are used. */
   readonly materials: readonly JsonEntry[];
   readonly textures: readonly JsonEntry[];
   readonly images: readonly JsonEntry[];
@@ -58,7 +58,7 @@ export interface GltfBuffer {
 const MOST_DEPTH = 500;
 const MOST_NODES = 100_000;
 const MOST_TRIANGLES = 5e6;
-/** What so many triangles need that share no corner: a small file can ask for no more than a large one. */
+/** Vertices of so many triangles that share no corner: a small file can ask for no more than a large one. */
 const MOST_VERTICES = 3 * MOST_TRIANGLES;
 
 export function readDocument(json: unknown): GltfDocument {

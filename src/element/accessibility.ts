@@ -30,7 +30,7 @@ export class Accessibility {
   update(canvas: HTMLCanvasElement | null): void {
     const { alt, controls } = this.#host;
     const { isFailing } = this.#overlay;
-    // Not the element itself: of an image nothing is read but its name, and what the hint says must be.
+    // Not the element itself: screen readers read nothing of an image but its name, and the hint must be read.
     const isImage = !controls && !isFailing;
     const role = isFailing ? "group" : "application";
     this.#setSemantics({

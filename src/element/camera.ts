@@ -10,7 +10,7 @@ export interface Camera {
   readonly yaw: number;
   /** Radians, up positive. */
   readonly pitch: number;
-  /** Radians across the picture's shorter side, 0.3 to 2.1; the look's own if it is not given. */
+  /** Radians across the frame's shorter side, 0.3 to 2.1; the look's own if it is not given. */
   readonly fieldOfView?: number;
 }
 

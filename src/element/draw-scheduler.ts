@@ -7,7 +7,7 @@ interface Hooks {
 }
 
 /**
- * Draw scheduler: one draw in a frame at most, and none while nobody sees it.
+ * Draw scheduler: one draw in a frame at most, and none while the canvas is invisible.
  *
  * It also knows whether the canvas still holds its pixels: the browser takes them after the task that drew them.
  */

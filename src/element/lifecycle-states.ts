@@ -19,7 +19,7 @@ export type LifecycleState =
 export type LifecycleEvent =
   | "connect"
   | "disconnect"
-  /** The viewport is near, or nobody wants to wait for it. */
+  /** The viewport is near, or is not waited for. */
   | "approach"
   /** A WebGL context may be created. */
   | "admit"
@@ -34,7 +34,7 @@ export type LifecycleEvent =
 const RESTART = { restart: "deferred", disconnect: "detached" } as const;
 const FAIL = { ...RESTART, fail: "failed" } as const;
 
-/** The state that an event leads to. What is not listed does not happen. */
+/** Transitions: the state that an event leads to. Events that are not listed have no effect. */
 const TRANSITIONS: Readonly<
   Record<LifecycleState, Readonly<Partial<Record<LifecycleEvent, LifecycleState>>>>
 > = {

@@ -19,7 +19,7 @@ import { Session, type SessionInput } from "./session.js";
 import { Visibility } from "./visibility.js";
 
 /**
- * Lifecycle of the element: what is done on each transition of `LifecycleStates`.
+ * Lifecycle of the element: acts on each transition of `LifecycleStates`.
  *
  * connected -> near the viewport -> a WebGL context -> models -> first frame; with a lost context, a failure,
  * and a restart from each. What a session holds is freed by `#release`.
@@ -107,7 +107,7 @@ export class Lifecycle {
   sceneChanged(isOther: boolean): void {
     const element = this.#element;
     const isOtherScene = this.#session !== null && this.#session.sceneName !== element.scene;
-    // What could not be shown is asked for no more; another may do better.
+    // After a failure another scene may do better.
     const mayDoBetter = this.#machine.current === "failed" && isOther && element.isConnected;
     if (isOtherScene || mayDoBetter) this.#restart();
     this.#session?.follow();
@@ -117,7 +117,7 @@ export class Lifecycle {
     if (!this.#session?.candle) this.#overlay.showPoster(this.#element.poster);
   }
 
-  /** Nobody wants to wait for the viewport any more. */
+  /** Goes on without waiting for the viewport. */
   stopWaiting(): void {
     this.#visibility?.stopWaiting();
   }

@@ -14,7 +14,7 @@ export function optionsOf(element: ReflectedAttributes, look: Look): Options {
   return { look, seed, quality, exposure, particles, isStill, unlit, wick: wick / 1000, wind };
 }
 
-/** Tells when the visitor's system asks for less motion, or no longer does. */
+/** Observes `prefers-reduced-motion`. */
 export function observeLessMotion(signal: AbortSignal, onChange: () => void): void {
   matchMedia(LESS_MOTION).addEventListener("change", onChange, { signal });
 }

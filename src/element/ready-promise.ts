@@ -19,7 +19,7 @@ export class ReadyPromise {
     this.#reject(error);
   }
 
-  /** A promise of another first frame. Whoever still waits for the last one gets this one's. */
+  /** A promise of another first frame, unless the last one is still pending. */
   renew(): void {
     if (this.#isSettled) this.#promise = this.#create();
   }
@@ -30,7 +30,7 @@ export class ReadyPromise {
       this.#resolve = resolve;
       this.#reject = reject;
     });
-    promise.catch(() => {}); // whoever does not await it has the event `error`
+    promise.catch(() => {}); // the event `error` says the same
     return promise;
   }
 }

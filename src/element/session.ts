@@ -10,14 +10,14 @@ import { assetRootOf, optionsOf } from "./options.js";
 import type { ReflectedAttributes } from "./reflected-attributes.js";
 import { SceneFetcher } from "./scene-fetcher.js";
 
-/** What a session draws: the attributes as they are at any time, and what has no attribute. */
+/** Input of a session: the attributes as they are at any time, and settings without attribute. */
 export interface SessionInput {
   readonly attributes: ReflectedAttributes;
   readonly features: Features;
   inspect: Inspection;
 }
 
-/** What a session asks and tells its owner. */
+/** Callbacks of a session. */
 export interface SessionOwner {
   readonly onProgress: (share: number) => void;
   /** Whether time is to pass. */
@@ -26,9 +26,9 @@ export interface SessionOwner {
   readonly onCandle: (candle: CandleFlame) => void;
   /** The candle has changed to another scene. */
   readonly onScene: (candle: CandleFlame) => void;
-  /** What the attributes ask for cannot be fetched. */
+  /** The scene that the attributes ask for cannot be fetched. */
   readonly onMissing: (error: Error) => void;
-  /** The attributes ask again for what is shown already. */
+  /** The attributes ask again for the scene that is shown. */
   readonly onFetchDropped: () => void;
   /** Something failed that was to draw, or to prepare drawing. */
   readonly onError: (cause: unknown) => void;
@@ -96,7 +96,7 @@ export class Session {
     return this.#candle;
   }
 
-  /** The scene on show, which while another is fetched is not what the attributes say. */
+  /** The scene on show; while another is fetched the attributes ask for that. */
   get shown(): SceneRequest | null {
     return this.#fetcher.shown;
   }
@@ -127,7 +127,7 @@ export class Session {
     this.#fetcher.follow();
   }
 
-  /** Does something with the candle, if there is one. What it throws ends in `onError`. */
+  /** Calls an action with the candle, if there is one. Exceptions go to `onError`. */
   use<Result>(action: (candle: CandleFlame) => Result): Result | undefined {
     try {
       return this.#candle ? action(this.#candle) : undefined;
@@ -149,7 +149,7 @@ export class Session {
   followSize(onResized: () => void): void {
     observeDevicePixels(this.canvas, this.#signal, (pixels) => {
       this.#pixels = pixels;
-      // What the guess got right is on show already.
+      // A correct guess is on show already.
       if (this.resize()) onResized();
     });
   }

@@ -14,7 +14,7 @@ export type Surface = RenderTarget | TextureView | "canvas";
 /** Part of a surface, in its pixels: x, y, width, height. */
 export type Box = readonly [number, number, number, number];
 
-/** A draw call and all the state it depends on. What is left out has its default, whatever ran before. */
+/** A draw call and all the state it depends on. Members left out have their default, whatever ran before. */
 export interface Draw {
   readonly program: Program;
   readonly target: Surface;
@@ -30,7 +30,7 @@ export interface Draw {
   readonly count?: number;
   /** Index that they begin at. Default: 0. */
   readonly first?: number;
-  /** Default: replace what is there. `premultiplied`: alpha 0 adds, alpha 1 covers. */
+  /** Default: replace. `premultiplied`: alpha 0 adds, alpha 1 covers. */
   readonly blend?: "replace" | "premultiplied";
   /** Default: none. */
   readonly depth?: "none" | "test" | "test-and-write";

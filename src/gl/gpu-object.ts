@@ -1,4 +1,4 @@
-/** Where an object is created, and who hears of its end. */
+/** Context that an object is created in; `forget` is called when it is disposed of. */
 export interface GpuContext {
   readonly gl: WebGL2RenderingContext;
   readonly forget: (object: GpuObject) => void;
@@ -42,7 +42,7 @@ export function incomplete(label: string, status: GLenum): GraphicsError {
   return new GraphicsError("The graphics driver refuses a surface to draw on.", { cause });
 }
 
-/** What a `create*` call of WebGL gave, or the reason why it gave nothing. */
+/** The result of a `create*` call of WebGL; throws if there is none. */
 export function created<T>(gl: WebGL2RenderingContext, object: T | null, label: string): T {
   if (object !== null && !gl.isContextLost()) return object;
   if (gl.isContextLost()) throw new ContextLostError(`${label}: the WebGL context is lost.`);

@@ -49,7 +49,7 @@ export class Gpu {
   #isSharing = false;
   readonly #commands: DrawCommands;
   readonly #mostSamples: number;
-  /** Targets of which nobody knows whether the driver accepts them. */
+  /** Targets of which the driver has yet to say whether it accepts them. */
   readonly #toCheck = new Set<RenderTarget | TextureView>();
 
   constructor(canvas: HTMLCanvasElement) {
@@ -73,7 +73,7 @@ export class Gpu {
     this.drawsToFloats = full !== null;
     this.drawsToHalfFloats = full !== null || half !== null;
     this.filtersFloats = gl.getExtension("OES_texture_float_linear") !== null;
-    // Sums into full floats, which Firefox allows with a warning if nobody asks.
+    // Blending into full floats, which Firefox allows with a warning unless it is asked for.
     gl.getExtension("EXT_float_blend");
     this.renderer = rendererOf(gl);
     this.#commands = new DrawCommands(gl, canvas);
@@ -156,7 +156,7 @@ export class Gpu {
   }
 
   /**
-   * Resolves when the driver has compiled all programs, as far as it tells: a wait that blocks nobody, and needs
+   * Resolves when the driver has compiled all programs, as far as it tells: an asynchronous wait, which needs
    * no timer, which a test may have stopped.
    */
   async whenCompiled(): Promise<void> {
@@ -330,7 +330,7 @@ export class Gpu {
   }
 }
 
-/** The renderer's name. Firefox tells it and deprecates the extension; others tell it by the extension alone. */
+/** The renderer's name. Firefox gives it and deprecates the extension; others give it by the extension alone. */
 function rendererOf(gl: WebGL2RenderingContext): string {
   const name = String(gl.getParameter(gl.RENDERER));
   if (name !== "WebKit WebGL") return name;

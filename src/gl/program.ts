@@ -150,7 +150,7 @@ export class Program extends GpuObject {
     return status !== false;
   }
 
-  /** Waits until it is linked. Throws what the compiler says if it cannot be; then it is disposed of. */
+  /** Waits until it is linked. Throws the compiler's message if it cannot be, and disposes of it. */
   finish(): void {
     if (this.#stages.length === 0) return;
     const gl = this.gl;
@@ -235,7 +235,7 @@ export class Program extends GpuObject {
   /**
    * Sets a loose uniform of the program in use.
    *
-   * What is declared and not used may be there or not, as the driver's linker likes, so it is left alone. A
+   * Whether a uniform that is declared and not used is there is up to the driver's linker, so it is ignored. A
    * name that is not declared is the caller's mistake on every driver, and throws.
    */
   set(name: string, value: UniformValue): void {

@@ -5,7 +5,7 @@ import type { Texture } from "./texture.js";
 export interface TextureViewOptions {
   readonly label: string;
   readonly textures: readonly Texture[];
-  /** Face 0-5 in GL's order (+X -X +Y -Y +Z -Z), or layer; a plain picture has only 0. */
+  /** Face 0-5 in GL's order (+X -X +Y -Y +Z -Z), or layer; a two-dimensional texture has only 0. */
   readonly image: number;
   /** A depth buffer of its own, or one shared with the views of the other images. */
   readonly depth?: Texture;

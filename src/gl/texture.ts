@@ -1,6 +1,6 @@
 import { created, type GpuContext, GpuObject } from "./gpu-object.js";
 
-/** Storage of one texel: what uploads it, and its size in bytes. Keys are GL's internal formats. */
+/** Texture formats: the upload format and type, and bytes per texel. Keys are GL's internal formats. */
 export const FORMATS = {
   R8: { upload: "RED", type: "UNSIGNED_BYTE", bytes: 1 },
   RG8: { upload: "RG", type: "UNSIGNED_BYTE", bytes: 2 },
@@ -16,7 +16,7 @@ export const FORMATS = {
 } as const;
 export type TextureFormat = keyof typeof FORMATS;
 
-/** Pixels, rows from the top as in a picture file. */
+/** Pixels, rows from the top as in an image file. */
 export interface Pixels {
   readonly width: number;
   readonly height: number;
@@ -28,7 +28,7 @@ export interface TextureOptions {
   readonly format: TextureFormat;
   /** Pixels, or a size for a texture that a pass will draw. */
   readonly source: ImageBitmap | Pixels | { readonly width: number; readonly height: number };
-  /** A cube has six square faces; layers make it three-dimensional. Default: a plain picture. */
+  /** A cube has six square faces; layers make it three-dimensional. Default: two-dimensional. */
   readonly shape?: "2d" | "cube" | { readonly layers: number };
   /** Trilinear, with mipmaps made on the GPU. */
   readonly mipmaps?: boolean;
@@ -75,14 +75,14 @@ export class Texture extends GpuObject {
       gl.texStorage2D(this.target, levels, gl[format], width, height);
     }
     this.#upload(options, layers);
-    // What is only drawn later has its mipmaps then: `updateMipmaps`.
+    // Textures that are drawn later have their mipmaps then: `updateMipmaps`.
     const isFilled = "close" in options.source || "data" in options.source;
     if (mipmaps && isFilled) gl.generateMipmap(this.target);
     this.#sample(options);
     gl.bindTexture(this.target, null);
   }
 
-  /** Makes the mipmaps of what has been drawn. */
+  /** Makes the mipmaps of a texture that has been drawn. */
   updateMipmaps(): void {
     const gl = this.gl;
     gl.activeTexture(gl.TEXTURE0);
@@ -110,7 +110,7 @@ export class Texture extends GpuObject {
     }
   }
 
-  /** Other texels of the same format, for a plain picture without mipmaps. */
+  /** Replaces the texels of a two-dimensional texture without mipmaps. */
   update(data: ArrayBufferView): void {
     const gl = this.gl;
     const { upload, type } = FORMATS[this.#format];

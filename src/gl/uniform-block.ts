@@ -15,7 +15,7 @@ interface Layout {
  *
  * Offsets are asked of the driver, never computed: std140 lets a float sit in the fourth slot of a vec3, and
  * tables written by hand get that wrong. They are asked for at the first draw, since the answer waits for the
- * program to be linked; what is written before that is remembered.
+ * program to be linked; values written before that are remembered.
  */
 export class UniformBlock extends GpuObject {
   readonly #name: string;

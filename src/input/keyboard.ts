@@ -1,7 +1,7 @@
 import type { Action } from "../world/player/intent.js";
 import { type Intent, STILL } from "../world/player/intent.js";
 
-/** What a key does while it is held: a share of one axis of the intent, or running. */
+/** Effect of a key while it is held: a share of one axis of the intent, or running. */
 type Held =
   | { readonly axis: "forward" | "right" | "turn" | "tilt"; readonly way: 1 | -1 }
   | { readonly axis: "runs" };
@@ -26,7 +26,7 @@ const HELD: Readonly<Record<string, Held>> = {
   ShiftRight: { axis: "runs" },
 };
 
-/** What happens once, when the key goes down. */
+/** Actions, triggered when the key goes down. */
 const ONCE: Readonly<Record<string, Action>> = {
   KeyE: "togglesFlame",
   KeyB: "blows",

@@ -2,7 +2,7 @@ import type { Features } from "../settings.js";
 import type { Vec3 } from "../world/geometry.js";
 import { currentTime, type World } from "../world/world.js";
 
-/** What the flame is to a surface: a point that shines. */
+/** Point light: the flame of the paper's looks. */
 export interface PointLight {
   /** Metres, in the room. */
   readonly position: Vec3;

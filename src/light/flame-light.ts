@@ -21,13 +21,13 @@ export interface FlameLight {
 /** A good taper's flame, still: the candle that the candela was named after. */
 export const TAPER: FlameBody = flameBody(flameHeight(TAPER_RATE), flameRadius(TAPER_WICK, 1), 1);
 
-/** The wick's glowing tip: how high it stands, and how much of it is seen from any side. m, m². */
+/** Ember at the wick's tip: its height, m, and its projected area, m². */
 export const EMBER_HEIGHT = 0.0066;
 const EMBER_AREA = 3e-6;
 
 const scratch = createShape();
 
-/** What the flame, drawn from the same body, is to the room; what is left of it when it is out. */
+/** Light of the flame that is drawn from the same body, or of its ember. */
 export function flameLight(
   world: Pick<World, "interpolated" | "flame">,
   body: FlameBody,
@@ -81,7 +81,7 @@ export interface FlameReport {
   readonly height: number;
   readonly width: number;
   readonly luminousIntensity: number;
-  /** What of it is the blue base's, candela. */
+  /** Share of the blue base, candela. */
   readonly blueIntensity: number;
   readonly colorTemperature: number;
   /** From the vertical. */

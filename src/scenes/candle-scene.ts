@@ -4,7 +4,7 @@ import { LoneCandleRenderer } from "../render/lone-candle-renderer.js";
 import { WORLD_SETUPS } from "../world/world-setup.js";
 import type { Loading, Scene, SceneRequest } from "./scene.js";
 
-/** Bare ground, on which the candle stands and nobody walks. */
+/** Bare ground, on which the candle stands. */
 const SETUP = { ...WORLD_SETUPS.physical, hasWalls: false, stand: [0, 0, 0] } as const;
 
 /** The candle alone, whatever the look. */

@@ -24,7 +24,7 @@ export interface ViewSubject {
   readonly layers: readonly ParticleLayer[];
 }
 
-/** What a frame of a scene costs. */
+/** Work of a scene's frame, by which `auto` predicts its time. */
 function workOf({ isModelAlone }: Scene, { look }: ViewSettings): Work {
   return look === "physical" && !isModelAlone ? WORK.physical : WORK.plain;
 }
@@ -66,8 +66,8 @@ export class SceneView {
    * Prepares a view in small tasks, so that the page stays responsive.
    *
    * @param plays whether time will pass, so that each frame is followed by another
-   * @param isWanted whether anybody still waits for it
-   * @returns the quality to begin with; null where nobody waits, or the context was lost
+   * @param isWanted whether it is still wanted
+   * @returns the quality to begin with; null where it is not wanted, or the context was lost
    */
   static async prepare(
     target: CanvasTarget,
@@ -109,7 +109,7 @@ export class SceneView {
     this.#renderer = this.#createRenderer();
   }
 
-  /** Waits for the driver's compiler. False where nobody does; throws if a program or a target is refused. */
+  /** Waits for the driver's compiler. False if not wanted any more; throws if a program or a target is refused. */
   async finish(isWanted: () => boolean): Promise<boolean> {
     const { gpu } = this.#target;
     await gpu.whenCompiled();

@@ -6,7 +6,7 @@ import type { Room } from "../world/room/room.js";
 import type { WorldSetup } from "../world/world-setup.js";
 import type { CanvasTarget } from "./canvas-target.js";
 
-/** What is there to see, fetched and decoded. */
+/** Scene: the models of a room or of a lone candle, fetched and decoded. */
 export interface Scene {
   /** The room to walk in; null where there is none, or where the stage describes it. */
   readonly room: Room | null;
@@ -21,7 +21,7 @@ export interface Scene {
   close(): void;
 }
 
-/** All that decides what is fetched. */
+/** Request of a scene: everything that decides which files are fetched. */
 export interface SceneRequest {
   readonly scene: SceneName;
   readonly look: Look;

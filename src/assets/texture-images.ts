@@ -3,7 +3,7 @@ import { type BufferBytes, nameOf } from "./buffer-bytes.js";
 import type { Decoders } from "./decoders.js";
 import { fetchBytes } from "./fetch-bytes.js";
 import type { GltfDocument } from "./gltf-document.js";
-import { closePicture, type Picture } from "./model.js";
+import { closeImage, type TextureImage } from "./model.js";
 
 /** Pixels of a side; more than a wall shows by candlelight, and than some GPUs take. */
 const LONGEST_SIDE = 4096;
@@ -21,13 +21,13 @@ interface Sources {
   readonly signal: AbortSignal;
 }
 
-/** The decoded pictures of a file: each image once, and all of them closed if the model fails. */
-export class Pictures {
+/** Texture images of a file: each decoded once, and all of them closed if the model fails. */
+export class TextureImages {
   readonly warnings = new Set<string>();
   readonly #document: GltfDocument;
   readonly #bytes: BufferBytes;
   readonly #sources: Sources;
-  readonly #images = new Map<number, Promise<Picture>>();
+  readonly #images = new Map<number, Promise<TextureImage>>();
   #isClosed = false;
 
   constructor(document: GltfDocument, bytes: BufferBytes, sources: Sources) {
@@ -36,8 +36,8 @@ export class Pictures {
     this.#sources = sources;
   }
 
-  /** The picture of a texture, or null where it has none of a kind that is known. */
-  async texture(index: number): Promise<Picture | null> {
+  /** The image of a texture, or null where it has none of a known type. */
+  async texture(index: number): Promise<TextureImage | null> {
     const images = this.#imagesOf(index);
     if (images.length === 0) {
       this.warnings.add("A texture without a picture of a known kind is left out.");
@@ -57,7 +57,7 @@ export class Pictures {
   /** Closes those that are there and those on their way; no other is begun. */
   close(): void {
     this.#isClosed = true;
-    for (const image of this.#images.values()) image.then(closePicture).catch(() => {});
+    for (const image of this.#images.values()) image.then(closeImage).catch(() => {});
   }
 
   /** In the order in which they are tried. */
@@ -67,26 +67,26 @@ export class Pictures {
     const sources = [
       ...SOURCES.map((name) => texture?.extension(name)?.index("source", count)),
       texture?.index("source", count),
-      // Its decoder has to be fetched first, for a picture that ends as the same plain pixels.
+      // Its decoder has to be fetched first, for an image that ends as the same plain pixels.
       texture?.extension("KHR_texture_basisu")?.index("source", count),
     ];
     return sources.filter((source) => source !== undefined);
   }
 
-  #image(index: number): Promise<Picture> {
-    // A picture begun after the others were closed would stay open.
+  #image(index: number): Promise<TextureImage> {
+    // An image begun after the others were closed would stay open.
     if (this.#isClosed) throw new Flaw("was given up");
     const image = this.#images.get(index) ?? this.#readImage(index);
     this.#images.set(index, image);
     return image;
   }
 
-  async #readImage(index: number): Promise<Picture> {
+  async #readImage(index: number): Promise<TextureImage> {
     const image = this.#document.images[index];
     const uri = image?.string("uri");
     const view = image?.index("bufferView", this.#document.views.length);
     const name = image?.string("name") ?? (uri === undefined ? `number ${index}` : nameOf(uri));
-    // What is wrong with a buffer is wrong with the file, not with this picture.
+    // A flaw of a buffer is one of the file, not of this image.
     const inside = view === undefined ? null : await this.#bytes.view(view);
     try {
       return await this.#decode(inside ?? (await this.#fetch(uri)), name);
@@ -103,7 +103,7 @@ export class Pictures {
     return fetchBytes(resolve(uri), { signal, isForeign });
   }
 
-  async #decode(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<Picture> {
+  async #decode(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<TextureImage> {
     if (KTX2_IDENTIFIER.every((byte, i) => bytes[i] === byte)) {
       return this.#sources.decoders.ktx2(bytes);
     }

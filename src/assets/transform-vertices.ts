@@ -12,19 +12,19 @@ export interface Vertices {
   readonly indices: Uint32Array;
 }
 
-export interface Moves {
+export interface VertexTransforms {
   /** Whether each matrix makes another copy of the whole, or moves one vertex. */
   readonly each: "instance" | "vertex";
   readonly all: readonly Matrix4[];
 }
 
 /** The vertices where the matrices put them, a copy for each instance. */
-export function moved(vertices: Vertices, { each, all }: Moves): Vertices {
+export function transformed(vertices: Vertices, { each, all }: VertexTransforms): Vertices {
   const count = vertices.positions.length / 3;
   const copies = each === "instance" ? all.length : 1;
   const repeated = repeat(vertices, copies, count);
   const { positions, normals, tangents, indices } = repeated;
-  const move = new Move();
+  const move = new VertexTransform();
   for (let copy = 0; copy < copies; copy++) {
     if (each === "instance") move.set(all[copy] as Matrix4);
     for (let i = 0; i < count; i++) {
@@ -36,7 +36,7 @@ export function moved(vertices: Vertices, { each, all }: Moves): Vertices {
     }
     const corners = vertices.indices.length;
     // The bones of a mesh turn it inside out together or not at all.
-    if (move.isMirror) turnRound(indices.subarray(copy * corners, (copy + 1) * corners));
+    if (move.isMirror) flipWinding(indices.subarray(copy * corners, (copy + 1) * corners));
   }
   if (!positions.every(Number.isFinite)) throw new Flaw("has positions that are not numbers");
   return repeated;
@@ -67,8 +67,8 @@ function repeat(vertices: Vertices, copies: number, count: number): Vertices {
   };
 }
 
-/** Swaps two corners of each triangle: what a mirror does to its sense of rotation, undone. */
-function turnRound(indices: Uint32Array): void {
+/** Swaps two corners of each triangle, which restores the winding order after a mirror. */
+function flipWinding(indices: Uint32Array): void {
   for (let i = 0; i < indices.length; i += 3) {
     const second = indices[i + 1] as number;
     indices[i + 1] = indices[i + 2] as number;
@@ -78,8 +78,8 @@ function turnRound(indices: Uint32Array): void {
 
 const UP = new Vector3(0, 1, 0);
 
-/** What a matrix does to a position, a normal and a tangent. */
-class Move {
+/** A matrix applied to positions, normals and tangents. */
+class VertexTransform {
   isMirror = false;
   readonly #matrix = new Matrix4();
   readonly #normalMatrix = new Matrix3();
@@ -125,7 +125,7 @@ function direction(vector: Vector3, otherwise: Vector3): Vector3 {
 }
 
 /** Linear blend skinning: the mean of the bones' matrices. */
-export function blended(
+export function blendBones(
   bones: readonly Matrix4[],
   joints: Float32Array,
   weights: Float32Array,
