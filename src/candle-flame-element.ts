@@ -105,7 +105,7 @@ export class CandleFlameElement extends ReflectedAttributes {
   }
   set inspect(value: Inspection) {
     this.#shown.inspect = INSPECTIONS.includes(value) ? value : "picture";
-    if (this.#candle) this.#candle.inspect = this.#shown.inspect;
+    if (this.#candle) this.#candle.view.inspect = this.#shown.inspect;
     this.#requestDraw();
   }
 
@@ -263,7 +263,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.#lifecycle.draws.invalidate(); // reading may go on drawing
     const box = boxWithin(this.#lifecycle.session?.canvas ?? null, [x, y, width, height]);
     const [, , columns, rows] = box;
-    const radiance = columns * rows > 0 && this.#use((candle) => candle.readRadiance(...box));
+    const radiance = columns * rows > 0 && this.#use((candle) => candle.view.readRadiance(...box));
     return radiance || new Float32Array(columns * rows * 3);
   }
 

@@ -6,7 +6,7 @@ import type { AutoQuality } from "./render/auto-quality.js";
 import type { CanvasTarget } from "./scenes/canvas-target.js";
 import type { Scene } from "./scenes/scene.js";
 import { SceneView, type ViewSubject } from "./scenes/scene-view.js";
-import type { Features, Inspection, Look, Quality } from "./settings.js";
+import type { Features, Look, Quality } from "./settings.js";
 import type { Stats } from "./stats.js";
 import { advance } from "./world/advance.js";
 import type { Wind } from "./world/air/air.js";
@@ -58,7 +58,7 @@ export class CandleFlame {
   #scene: Scene;
   readonly #features: Features;
   #options: Options;
-  readonly #view: SceneView;
+  readonly view: SceneView;
   readonly #loop = new AnimationLoop((elapsed) => this.#frame(elapsed));
   /** Places of camera and candle in the last frame. */
   #pose = "";
@@ -83,7 +83,7 @@ export class CandleFlame {
     const auto = await SceneView.prepare(target, scene, options, plays, isOn);
     if (!auto) return null;
     const candle = new CandleFlame(target, scene, features, options, plays, auto);
-    return (await candle.#view.finish(isOn)) ? candle : null;
+    return (await candle.view.finish(isOn)) ? candle : null;
   }
 
   /**
@@ -103,18 +103,8 @@ export class CandleFlame {
     this.#features = { ...features };
     this.#options = options;
     this.world = this.#createWorld();
-    this.#view = new SceneView(target, scene, options, this.#subject, plays, auto);
-    this.#view.onRefused = (error) => this.#fail(error);
-  }
-
-  /** What is shown of each frame. */
-  set inspect(inspection: Inspection) {
-    this.#view.inspect = inspection;
-  }
-
-  /** Called when frames are of another quality or resolution than before. */
-  set onQualityChanged(react: () => void) {
-    this.#view.onQualityChanged = react;
+    this.view = new SceneView(target, scene, options, this.#subject, plays, auto);
+    this.view.onRefused = (error) => this.#fail(error);
   }
 
   get #subject(): ViewSubject {
@@ -127,7 +117,7 @@ export class CandleFlame {
 
   /** After a lost context was restored: the same world, drawn by a new GPU. */
   restore(): void {
-    this.#view.restore();
+    this.view.restore();
     this.draw();
   }
 
@@ -143,15 +133,15 @@ export class CandleFlame {
   set options(options: Options) {
     const before = this.#options;
     this.#options = options;
-    this.#view.settings = options;
+    this.view.settings = options;
     const { air, flame } = this.world;
     this.world.sways = !options.isStill;
     air.wind = options.wind;
     flame.wick = options.wick;
     if (options.look !== before.look) this.#changeLook();
     else if (options.seed !== before.seed) this.reset();
-    else if (options.particles !== before.particles) this.#view.follow(this.#subject);
-    if (options.quality !== before.quality) this.#view.rebuild();
+    else if (options.particles !== before.particles) this.view.follow(this.#subject);
+    if (options.quality !== before.quality) this.view.rebuild();
     if (options.unlit !== before.unlit) this.setLit(!options.unlit);
   }
 
@@ -166,7 +156,7 @@ export class CandleFlame {
     this.#scene = scene;
     this.#options = options;
     this.world = this.#sameTimeAs(this.world);
-    this.#view.show(scene, options, this.#subject);
+    this.view.show(scene, options, this.#subject);
   }
 
   /** A new world at the time of another, its visitor at the door. */
@@ -181,7 +171,7 @@ export class CandleFlame {
     const { player } = this.world;
     this.world = this.#sameTimeAs(this.world);
     moveCamera(this.world, player.position, player.yaw, player.pitch);
-    this.#view.follow(this.#subject);
+    this.view.follow(this.#subject);
   }
 
   /** Takes over the time, the camera and the candle of another, as far as the room here allows. */
@@ -190,7 +180,7 @@ export class CandleFlame {
     this.world = this.#sameTimeAs(other);
     moveCamera(this.world, player.position, player.yaw, player.pitch);
     standLike(this.world, other);
-    this.#view.follow(this.#subject);
+    this.view.follow(this.#subject);
   }
 
   /** Goes on from the snapshot of an earlier candle; in another room, at its door. */
@@ -198,13 +188,13 @@ export class CandleFlame {
     this.world = this.#createWorld(snapshot.tick, snapshot.isLit, snapshot.fieldOfView);
     this.world.remainder = snapshot.remainder;
     if (isSameRoom) restoreSnapshot(this.world, snapshot);
-    this.#view.follow(this.#subject);
+    this.view.follow(this.#subject);
   }
 
   setFeature(name: keyof Features, isOn: boolean): void {
     if (this.#features[name] === isOn) return;
     this.#features[name] = isOn;
-    if (name === "drift") this.#view.follow(this.#subject);
+    if (name === "drift") this.view.follow(this.#subject);
   }
 
   get currentTime(): number {
@@ -216,12 +206,7 @@ export class CandleFlame {
     const { isLit } = this.world.flame;
     this.world = this.#createWorld();
     if (this.world.flame.isLit !== isLit) this.onFlameChanged();
-    this.#view.follow(this.#subject);
-  }
-
-  /** Device pixels that the element covers. Returns whether the frame is of another size now, and gone. */
-  resize(width: number, height: number): boolean {
-    return this.#view.resize(width, height);
+    this.view.follow(this.#subject);
   }
 
   /** One frame. Tests, the bench and the animation loop all come here. */
@@ -243,7 +228,7 @@ export class CandleFlame {
     const { exposure, isStill } = this.#options;
     const isPatient = this.#loop.isRunning;
     const isMoving = this.#hasMoved() && isPatient;
-    this.#view.render({ features: this.#features, exposure, isMoving, isPatient, isStill });
+    this.view.render({ features: this.#features, exposure, isMoving, isPatient, isStill });
   }
 
   /** Whether camera or candle are elsewhere than when this was last asked. */
@@ -257,18 +242,18 @@ export class CandleFlame {
   }
 
   play(): void {
-    this.#view.isPlaying = true;
+    this.view.isPlaying = true;
     this.#loop.start();
   }
 
   pause(): void {
-    this.#view.isPlaying = false;
+    this.view.isPlaying = false;
     this.#loop.stop();
   }
 
   /** @param elapsed milliseconds; NaN in the first frame */
   #frame(elapsed: number): void {
-    this.#view.measure(elapsed / 1000);
+    this.view.measure(elapsed / 1000);
     try {
       this.step(elapsed > 0 ? Math.min(elapsed / 1000, MAX_FRAME) : 0);
     } catch (error) {
@@ -283,11 +268,6 @@ export class CandleFlame {
     this.onFailure(error);
   }
 
-  /** Linear RGB of the last frame before exposure and tone mapping; rows from the top. Waits for the GPU. */
-  readRadiance(x: number, y: number, width: number, height: number): Float32Array {
-    return this.#view.readRadiance(x, y, width, height);
-  }
-
   /** The flame, as of the last frame. */
   get flame(): FlameReport {
     if (this.#options.look === "physical") return flameReport(this.world);
@@ -297,7 +277,7 @@ export class CandleFlame {
 
   get stats(): Stats {
     const frameMs = Number.isNaN(this.#loop.frameMs) ? 0 : this.#loop.frameMs;
-    const { particles, ...view } = this.#view.stats;
+    const { particles, ...view } = this.view.stats;
     return {
       ...view,
       fps: frameMs > 0 ? 1000 / frameMs : 0,
@@ -310,6 +290,6 @@ export class CandleFlame {
   dispose(): void {
     this.pause();
     this.input?.dispose();
-    this.#view.dispose();
+    this.view.dispose();
   }
 }

@@ -26,7 +26,7 @@ export class CandleReporter {
     const element = this.#element;
     candle.onCandleMoved = () => emit(element, candle.world.candle.isHeld ? "take" : "place", null);
     candle.onRefused = () => this.refusal(candle);
-    candle.onQualityChanged = () => emit(element, "qualitychange", null);
+    candle.view.onQualityChanged = () => emit(element, "qualitychange", null);
     candle.onFlameChanged = () => {
       this.flame(candle);
       emit(element, candle.world.flame.isLit ? "light" : "extinguish", null);

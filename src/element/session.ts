@@ -142,7 +142,7 @@ export class Session {
     const cap = Math.min(1, this.#input.attributes.maxPixelRatio / devicePixelRatio);
     const { width, height } = this.#pixels;
     const [w, h] = [Math.max(1, width * cap), Math.max(1, height * cap)];
-    return this.use((candle) => candle.resize(w, h)) ?? false;
+    return this.use((candle) => candle.view.resize(w, h)) ?? false;
   }
 
   /** Keeps the frame fitted to the canvas from now on. */
@@ -201,7 +201,7 @@ export class Session {
   #begin(candle: CandleFlame): void {
     this.#candle = candle;
     candle.options = this.options; // which may have changed meanwhile
-    candle.inspect = this.#input.inspect;
+    candle.view.inspect = this.#input.inspect;
     candle.onFailure = this.#owner.onError;
     this.#pixels = guessDevicePixels(this.canvas);
     this.use(this.#owner.onCandle);

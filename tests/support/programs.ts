@@ -65,7 +65,7 @@ export async function reportPrograms(
       wick: 0.002,
       wind: { speed: 0, direction: 0, gustiness: 0 },
     });
-    candle.resize(48, 27);
+    candle.view.resize(48, 27);
     for (let i = 0; i < 3; i++) candle.step(1 / 60);
     if (quality === "low") {
       candle.play(); // who moves has shaders of his own there, for every first and every second picture
@@ -79,7 +79,7 @@ export async function reportPrograms(
     candle.step(0.1);
     candle.world.flame.light();
     for (const inspect of ["radiance", "haze"] as const) {
-      candle.inspect = inspect; // made when it is first looked at
+      candle.view.inspect = inspect; // made when it is first looked at
       candle.step(0.1);
     }
     const gl = canvas.getContext("webgl2");
