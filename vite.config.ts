@@ -59,7 +59,7 @@ const shipAssets: Plugin = {
 };
 
 /** Unit tests that count the processor's time, which is that of all threads of a process. */
-const ALONE = ["tests/unit/world/floor-plan.test.ts"];
+const ALONE = ["tests/unit/world/room/floor-plan.test.ts"];
 
 export default defineConfig(({ mode }) => ({
   base: "./",

@@ -3,17 +3,9 @@
  * on them.
  */
 import type { CandleFlameElement, CandleFlameEventMap } from "./candle-flame-element.js";
-import type { SETTINGS, SettingName } from "./settings.js";
+import type { CamelCase, SETTINGS, SettingName, SettingValue } from "./settings.js";
 
 type Settings = typeof SETTINGS;
-
-type Value<Setting> = Setting extends { kind: "choice"; choices: readonly (infer Choice)[] }
-  ? Choice
-  : Setting extends { kind: "number" }
-    ? number
-    : Setting extends { kind: "flag" }
-      ? boolean
-      : string;
 
 /** As text, in the page's HTML. */
 type Text<Setting> = Setting extends { kind: "number" }
@@ -22,19 +14,15 @@ type Text<Setting> = Setting extends { kind: "number" }
     ? ""
     : never;
 
-type CamelCase<Name extends string> = Name extends `${infer Head}-${infer Tail}`
-  ? `${Head}${Capitalize<CamelCase<Tail>>}`
-  : Name;
-
 /** The attributes, by the names that HTML has for them. */
 export type CandleFlameAttributes = {
-  [Name in SettingName]?: Value<Settings[Name]> | Text<Settings[Name]> | undefined;
+  [Name in SettingName]?: SettingValue<Settings[Name]> | Text<Settings[Name]> | undefined;
 };
 
 /** The attributes' properties, and those that have no attribute and can be written. */
 export type CandleFlameProperties = {
   [Name in SettingName as CamelCase<Name>]?:
-    | Value<Settings[Name]>
+    | SettingValue<Settings[Name]>
     | Text<Settings[Name]>
     | undefined;
 } & {

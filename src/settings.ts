@@ -11,7 +11,7 @@ export interface NumberSetting {
   readonly min: number;
   readonly max: number;
   readonly integer?: boolean;
-  /** SI, or what the attribute says at the DOM's edge. */
+  /** Of the attribute. */
   readonly unit: string;
 }
 
@@ -48,42 +48,23 @@ export const SETTINGS = {
   look: choice(["physical", "paper", "original"]),
   src: { kind: "text", default: "" },
   quality: choice(["auto", "low", "medium", "high", "ultra"]),
-  controls: {
-    kind: "flag",
-  },
+  controls: { kind: "flag" },
   sensitivity: number("", [1, 0.1, 5]),
   motion: choice(["auto", "reduced", "full"]),
-  paused: {
-    kind: "flag",
-  },
-  seed: {
-    ...number("", [1, 0, 0xffffffff]),
-    integer: true,
-  },
+  paused: { kind: "flag" },
+  seed: { ...number("", [1, 0, 0xffffffff]), integer: true },
   unlit: { kind: "flag" },
   wind: number("m/s", [0.05, 0, 5]),
   "wind-direction": number("degrees", [0, -360, 360]),
   gustiness: number("", [0.5, 0, 1]),
   wick: number("mm", [2, 1, 50]),
   exposure: number("EV", [0, -8, 8]),
-  particles: {
-    ...number("", [0, 0, 1_000_000]),
-    integer: true,
-  },
+  particles: { ...number("", [0, 0, 1_000_000]), integer: true },
   "max-pixel-ratio": number("", [2, 0.25, 4]),
-  "asset-base": {
-    kind: "text",
-    default: "",
-  },
+  "asset-base": { kind: "text", default: "" },
   loading: choice(["eager", "lazy"]),
-  poster: {
-    kind: "text",
-    default: "",
-  },
-  alt: {
-    kind: "text",
-    default: "A burning candle in a dark log room",
-  },
+  poster: { kind: "text", default: "" },
+  alt: { kind: "text", default: "A burning candle in a dark log room" },
 } as const satisfies Record<string, NumberSetting | ChoiceSetting | FlagSetting | TextSetting>;
 
 export type SettingName = keyof typeof SETTINGS;
@@ -92,7 +73,22 @@ export type Motion = (typeof SETTINGS.motion.choices)[number];
 export type SceneName = (typeof SETTINGS.scene.choices)[number];
 export type Quality = (typeof SETTINGS.quality.choices)[number];
 
-/** What an attribute's text means under its setting. `null` is an absent attribute. */
+/** Value of an attribute's property. */
+export type SettingValue<Setting> =
+  Setting extends ChoiceSetting<infer Choice>
+    ? Choice
+    : Setting extends { kind: "number" }
+      ? number
+      : Setting extends { kind: "flag" }
+        ? boolean
+        : string;
+
+/** Name of an attribute's property. */
+export type CamelCase<Name extends string> = Name extends `${infer Head}-${infer Tail}`
+  ? `${Head}${Capitalize<CamelCase<Tail>>}`
+  : Name;
+
+/** Parses an attribute's text; `null` is an absent attribute. */
 export function parseNumber(setting: NumberSetting, text: string | null): number {
   const value = Number.parseFloat(text ?? "");
   if (!Number.isFinite(value)) return setting.default;
@@ -108,79 +104,53 @@ export function parseChoice<Choice extends string>(
   return setting.choices.find((known) => known === word) ?? setting.default;
 }
 
-/** What a student may switch off, one technique at a time, to see its effect and its cost. */
-export const FEATURES = [
-  "particles",
-  "core",
-  "hazeLayer",
-  "gradient",
-  "attenuation",
-  "drift",
-  "flicker",
-  "normalMaps",
-  "candle",
-  "volume",
-  "shadows",
-  "indirect",
-  "specular",
-  "translucency",
-  "haze",
-  "smoke",
-  "sparks",
-  "dust",
-  "bloom",
-  "autoExposure",
-  "adaptation",
-  "toneMap",
-] as const;
-export type Feature = (typeof FEATURES)[number];
+/** Techniques that can be switched off, one at a time, to see their effect and cost; and the looks that have them. */
+const FEATURE_LOOKS = {
+  particles: ["paper", "original"],
+  core: ["paper", "original"],
+  hazeLayer: ["paper"],
+  gradient: ["paper"],
+  attenuation: ["paper"],
+  drift: ["paper"],
+  flicker: ["paper"],
+  normalMaps: ["physical", "paper"],
+  candle: ["physical", "paper", "original"],
+  volume: ["physical"],
+  shadows: ["physical"],
+  indirect: ["physical"],
+  specular: ["physical"],
+  translucency: ["physical"],
+  haze: ["physical"],
+  smoke: ["physical"],
+  sparks: ["physical"],
+  dust: ["physical"],
+  bloom: ["physical"],
+  autoExposure: ["physical"],
+  adaptation: ["physical"],
+  toneMap: ["physical"],
+} as const satisfies Record<string, readonly Look[]>;
+export type Feature = keyof typeof FEATURE_LOOKS;
+export const FEATURES = Object.keys(FEATURE_LOOKS) as readonly Feature[];
 
-/** What each look has of them. */
-export const FEATURES_OF: Readonly<Record<Look, readonly Feature[]>> = {
-  physical: [
-    "volume",
-    "candle",
-    "shadows",
-    "indirect",
-    "specular",
-    "translucency",
-    "normalMaps",
-    "haze",
-    "smoke",
-    "sparks",
-    "dust",
-    "bloom",
-    "autoExposure",
-    "adaptation",
-    "toneMap",
-  ],
-  paper: [
-    "particles",
-    "core",
-    "hazeLayer",
-    "gradient",
-    "attenuation",
-    "drift",
-    "flicker",
-    "normalMaps",
-    "candle",
-  ],
-  original: ["particles", "core", "candle"],
-};
+/** Features of a look. */
+export function featuresOf(look: Look): readonly Feature[] {
+  return FEATURES.filter((name) => (FEATURE_LOOKS[name] as readonly Look[]).includes(look));
+}
+
 export type Features = Record<Feature, boolean>;
 
 export function allFeatures(): Features {
   return Object.fromEntries(FEATURES.map((name) => [name, true])) as Features;
 }
 
-/** Field of view across the picture's shorter side, radians, unless the page sets another. */
+/** Field of view across the frame's shorter side, radians, unless the page sets another. */
 export const FIELDS_OF_VIEW: Readonly<Record<Look, number>> = {
   physical: (56 * Math.PI) / 180,
   paper: Math.PI / 4,
   original: Math.PI / 4,
 };
 
-/** What may be looked at instead of the picture, in the physical look: `element.inspect = "depth"`. */
+/** Outputs of passes that can be shown instead of the picture, in the physical look: `element.inspect = "depth"`. */
 export const INSPECTIONS = [
   "picture",
   "radiance",

@@ -1,4 +1,4 @@
-// The particle kernel, one or two ticks in one pass: the law of src/world/particles.ts, its twin.
+// The particle kernel, one or two ticks in one pass: the law of src/world/particles/particles.ts, its twin.
 // In:  one particle.   Out: the same particle later, captured by transform feedback.
 // Lengths are in the emitter's own unit, positions relative to the emitter.
 //

@@ -4,7 +4,7 @@ export class AssetError extends Error {
 }
 
 /**
- * What is wrong with a file, found where its name is not known: the message goes on where the name
+ * A flaw of a file, found where its name is not known: the message goes on where the name
  * ends, as in "is cut short".
  */
 export class Flaw extends Error {

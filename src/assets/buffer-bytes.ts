@@ -3,45 +3,38 @@ import type { Decoders } from "./decoders.js";
 import { fetchBytes } from "./fetch-bytes.js";
 import type { GltfDocument } from "./gltf-document.js";
 
+interface Sources {
+  /** Binary chunk of a .glb file. */
+  readonly binary: Uint8Array<ArrayBuffer> | null;
+  readonly decoders: Decoders;
+  readonly resolve: (uri: string) => URL;
+  readonly signal: AbortSignal;
+}
+
 /** The bytes of a document's buffer views, fetched and decompressed when first asked for, and kept. */
 export class BufferBytes {
   readonly #document: GltfDocument;
-  readonly #binary: Uint8Array<ArrayBuffer> | null;
-  readonly #decoders: Decoders;
-  readonly #resolve: (uri: string) => URL;
-  readonly #signal: AbortSignal;
+  readonly #sources: Sources;
   readonly #buffers = new Map<number, Promise<Uint8Array<ArrayBuffer>>>();
   readonly #views = new Map<number, Promise<Uint8Array<ArrayBuffer>>>();
 
-  constructor(
-    document: GltfDocument,
-    options: {
-      /** What a .glb file holds beside its JSON. */
-      readonly binary: Uint8Array<ArrayBuffer> | null;
-      readonly decoders: Decoders;
-      readonly resolve: (uri: string) => URL;
-      readonly signal: AbortSignal;
-    },
-  ) {
+  constructor(document: GltfDocument, sources: Sources) {
     this.#document = document;
-    this.#binary = options.binary;
-    this.#decoders = options.decoders;
-    this.#resolve = options.resolve;
-    this.#signal = options.signal;
+    this.#sources = sources;
   }
 
   view(index: number): Promise<Uint8Array<ArrayBuffer>> {
-    return kept(this.#views, index, () => this.#readView(index));
+    return memoized(this.#views, index, () => this.#readView(index));
   }
 
   async #readView(index: number): Promise<Uint8Array<ArrayBuffer>> {
     const view = this.#document.views[index];
     if (!view) throw new Flaw(`is broken: it has no bufferViews[${index}]`);
-    const buffer = await kept(this.#buffers, view.buffer, () => this.#readBuffer(view.buffer));
+    const buffer = await memoized(this.#buffers, view.buffer, () => this.#readBuffer(view.buffer));
     const { byteOffset, byteLength, meshopt } = view;
     if (!meshopt) return buffer.subarray(byteOffset, byteOffset + byteLength);
     const source = buffer.subarray(byteOffset, byteOffset + meshopt.byteLength);
-    return this.#decoders.meshopt(source, meshopt);
+    return this.#sources.decoders.meshopt(source, meshopt);
   }
 
   async #readBuffer(index: number): Promise<Uint8Array<ArrayBuffer>> {
@@ -56,15 +49,16 @@ export class BufferBytes {
   }
 
   async #sourceOf(index: number, uri: string | undefined): Promise<Uint8Array<ArrayBuffer>> {
+    const { binary, resolve, signal } = this.#sources;
     if (uri !== undefined) {
-      return fetchBytes(this.#resolve(uri), { signal: this.#signal }).catch((cause: unknown) => {
+      return fetchBytes(resolve(uri), { signal }).catch((cause: unknown) => {
         if (!(cause instanceof Flaw)) throw cause;
         throw new Flaw(`needs a buffer that is not to be had: ${nameOf(uri)} ${cause.message}`, {
           cause,
         });
       });
     }
-    if (index === 0 && this.#binary) return this.#binary;
+    if (index === 0 && binary) return binary;
     throw new Flaw(`lacks its buffer ${index}`);
   }
 }
@@ -74,7 +68,7 @@ export function nameOf(uri: string): string {
   return uri.startsWith("data:") ? "embedded data" : (uri.split("/").pop() ?? uri);
 }
 
-function kept<Value>(
+function memoized<Value>(
   values: Map<number, Promise<Value>>,
   index: number,
   make: () => Promise<Value>,

@@ -3,9 +3,9 @@ import type { DRACOLoader } from "three/examples/jsm/loaders/DRACOLoader.js";
 import type { KTX2Loader } from "three/examples/jsm/loaders/KTX2Loader.js";
 import { Flaw } from "./asset-error.js";
 import type { MeshoptCompression } from "./gltf-accessors.js";
-import type { Picture } from "./model.js";
+import type { TextureImage } from "./model.js";
 
-/** A decoder's worker that has not answered by now never will: it died of what it was fed. */
+/** Timeout of a decoder's worker: one that has not answered by then has crashed. */
 const PATIENCE = 20_000; // milliseconds
 
 /** Pixels of a side that are not worth a try, and of one that is not passed over for a smaller level. */
@@ -55,8 +55,8 @@ export class Decoders {
     return target;
   }
 
-  /** A KTX2 picture as plain pixels: the largest of its levels that is not too large. */
-  async ktx2(bytes: Uint8Array<ArrayBuffer>): Promise<Picture> {
+  /** A KTX2 image as plain pixels: the largest of its levels that is not too large. */
+  async ktx2(bytes: Uint8Array<ArrayBuffer>): Promise<TextureImage> {
     checkSize(bytes);
     this.#ktx2 ??= import("three/examples/jsm/loaders/KTX2Loader.js").then(({ KTX2Loader }) => {
       const loader = new KTX2Loader(this.#manager).setWorkerLimit(1);
@@ -66,7 +66,7 @@ export class Decoders {
       return loader.detectSupport(plain as never);
     });
     const loader = await this.#ktx2;
-    const { image, mipmaps, format } = await inTime(
+    const { image, mipmaps, format } = await withTimeout(
       new Promise<PlainTexture>((resolve, reject) => {
         // The transcoder takes the buffer with it.
         loader.parse(bytes.slice().buffer, (made) => resolve(made as never), reject);
@@ -110,14 +110,14 @@ function checkSize(bytes: Uint8Array<ArrayBuffer>): void {
   }
 }
 
-/** What three's types say of a KTX2 texture is narrower than what it is. */
+/** KTX2 texture; three's own type is too narrow. */
 interface PlainTexture {
   readonly image: { readonly width: number; readonly height: number };
   readonly mipmaps: readonly { readonly data: unknown }[] | undefined;
   readonly format: number;
 }
 
-export function inTime<Value>(work: Promise<Value>): Promise<Value> {
+export function withTimeout<Value>(work: Promise<Value>): Promise<Value> {
   let timer = 0;
   const late = new Promise<never>((_, reject) => {
     timer = window.setTimeout(

@@ -1,6 +1,6 @@
 import { Flaw } from "./asset-error.js";
 
-/** What a visitor's machine and patience are spared, bytes. */
+/** Largest file, bytes. */
 const MOST_BYTES = 50e6;
 const MEGABYTE = 1e6;
 
@@ -9,7 +9,7 @@ const FOREIGN_TYPE = /^(text\/(html|css|javascript)|image|video|audio|font)\b/;
 
 export interface FetchOptions {
   readonly signal: AbortSignal;
-  /** What a server may not answer with, by content type. */
+  /** Content types that the server may not answer with. */
   readonly isForeign?: (type: string) => boolean;
   readonly onProgress?: (share: number) => void;
 }

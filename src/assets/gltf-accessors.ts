@@ -15,7 +15,7 @@ export interface BufferView {
   readonly byteOffset: number;
   readonly byteLength: number;
   readonly byteStride: number | undefined;
-  /** How the stretch is compressed by EXT_meshopt_compression; its lengths then mean what it holds. */
+  /** How the stretch is compressed by EXT_meshopt_compression; its lengths then mean the decoded bytes. */
   readonly meshopt: MeshoptCompression | undefined;
 }
 

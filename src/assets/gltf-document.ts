@@ -16,7 +16,7 @@ export interface GltfDocument {
   readonly accessors: readonly Accessor[];
   readonly views: readonly BufferView[];
   readonly buffers: readonly GltfBuffer[];
-  /** Read by `read-material.ts` and `pictures.ts`, where they are used. */
+  /** Read by `read-material.ts` and `texture-images.ts`, where they are used. */
   readonly materials: readonly JsonEntry[];
   readonly textures: readonly JsonEntry[];
   readonly images: readonly JsonEntry[];
@@ -25,6 +25,8 @@ export interface GltfDocument {
   readonly sceneCount: number;
   readonly hasAnimations: boolean;
 }
+
+type Lists = Pick<GltfDocument, "meshes" | "skins" | "accessors">;
 
 export interface Node {
   readonly name: string;
@@ -56,7 +58,7 @@ export interface GltfBuffer {
 const MOST_DEPTH = 500;
 const MOST_NODES = 100_000;
 const MOST_TRIANGLES = 5e6;
-/** What so many triangles need that share no corner: a small file can ask for no more than a large one. */
+/** Vertices of so many triangles that share no corner: a small file can ask for no more than a large one. */
 const MOST_VERTICES = 3 * MOST_TRIANGLES;
 
 export function readDocument(json: unknown): GltfDocument {
@@ -76,9 +78,8 @@ export function readDocument(json: unknown): GltfDocument {
   const nodeEntries = root.entries("nodes");
   checkCount("nodes", nodeEntries.length, MOST_NODES);
   const skins = root.entries("skins").map((skin) => readSkin(skin, nodeEntries.length, accessors));
-  const nodes = nodeEntries.map((node) =>
-    readNode(node, { count: nodeEntries.length, meshes, skins, accessors }),
-  );
+  const lists = { meshes, skins, accessors };
+  const nodes = nodeEntries.map((node) => readNode(node, nodeEntries.length, lists));
   const scenes = root.entries("scenes");
   const roots = rootsOf(root, scenes, nodes);
   checkTree(nodes, roots);
@@ -101,20 +102,8 @@ export function readDocument(json: unknown): GltfDocument {
   };
 }
 
-function readNode(
-  entry: JsonEntry,
-  {
-    count,
-    meshes,
-    skins,
-    accessors,
-  }: {
-    count: number;
-    meshes: readonly Mesh[];
-    skins: readonly Skin[];
-    accessors: readonly Accessor[];
-  },
-): Node {
+function readNode(entry: JsonEntry, count: number, lists: Lists): Node {
+  const { meshes, skins, accessors } = lists;
   const index = entry.index("mesh", meshes.length);
   const mesh = index === undefined ? undefined : meshes[index];
   const isSeen = mesh !== undefined && mesh.primitives.length > 0;

@@ -1,7 +1,7 @@
 import type { Accessor, AccessorType, BufferView } from "./gltf-accessors.js";
 import type { JsonEntry } from "./json-entry.js";
 
-/** What is drawn of a mesh: its triangles. */
+/** Mesh: its triangles. */
 export interface Mesh {
   readonly name: string;
   readonly primitives: readonly Primitive[];

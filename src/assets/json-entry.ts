@@ -1,11 +1,11 @@
 import { Flaw } from "./asset-error.js";
 
-/** One object of a JSON file that nobody vouches for; each field is asked for by its type. */
+/** An object of an untrusted JSON file; each field is read by its type. */
 export class JsonEntry {
   readonly #fields: Readonly<Record<string, unknown>>;
   readonly #place: string;
 
-  /** @param place where it stands in the file, for the sentence that says what is wrong */
+  /** @param place its path in the file, for error messages */
   constructor(value: unknown, place: string) {
     if (typeof value !== "object" || value === null || Array.isArray(value)) {
       throw new Flaw(`is broken: ${place} is not an object`);

@@ -5,10 +5,10 @@ import { fetchBytes } from "./fetch-bytes.js";
 import { openContainer } from "./glb.js";
 import { type GltfDocument, readDocument } from "./gltf-document.js";
 import type { Model } from "./model.js";
-import { Pictures } from "./pictures.js";
 import { type PlacedMaterial, readMaterial } from "./read-material.js";
 import { readScene } from "./read-scene.js";
 import { readWarnings } from "./read-warnings.js";
+import { TextureImages } from "./texture-images.js";
 import { buildScene } from "./three-scene.js";
 
 export { AssetError };
@@ -25,7 +25,7 @@ export interface LoadOptions {
 const FILE_SHARE = 0.3;
 
 /**
- * Fetches and decodes a glTF file, its buffers and its pictures. Rejects with an `AssetError` that
+ * Fetches and decodes a glTF file, its buffers and its images. Rejects with an `AssetError` that
  * names the file, or with the signal's reason; then nothing is left open.
  */
 export async function loadModel(url: string, options: LoadOptions): Promise<Model> {
@@ -59,13 +59,13 @@ async function load(
   const decoders = new Decoders(new URL(decoderBase ?? "decoders/", module), signal);
   const resolve = (uri: string) => addressOf(uri, address.href);
   const bufferBytes = new BufferBytes(document, { binary, decoders, resolve, signal });
-  const pictures = new Pictures(document, bufferBytes, { file, decoders, resolve, signal });
+  const images = new TextureImages(document, bufferBytes, { file, decoders, resolve, signal });
   const report = stages(document, onProgress);
   try {
     const warnings = new Set(readWarnings(document));
     const [materials, scene] = await orAborted(
       Promise.all([
-        readMaterials(document, pictures, warnings, report),
+        readMaterials(document, images, warnings, report),
         buildScene(document, bufferBytes, decoders).finally(report),
       ]),
       signal,
@@ -73,33 +73,33 @@ async function load(
     const read = readScene(scene, materials);
     onProgress(1);
     signal.throwIfAborted();
-    return { ...read, warnings: [...warnings, ...pictures.warnings] };
+    return { ...read, warnings: [...warnings, ...images.warnings] };
   } catch (error) {
-    pictures.close();
+    images.close();
     throw error;
   } finally {
     decoders.dispose();
   }
 }
 
-/** Those that something seen wears. */
+/** Reads the materials of what is drawn. */
 async function readMaterials(
   document: GltfDocument,
-  pictures: Pictures,
+  images: TextureImages,
   warnings: Set<string>,
   report: () => void,
 ): Promise<Map<number, PlacedMaterial>> {
   const materials = new Map<number, PlacedMaterial>();
   const readOne = async (index: number) => {
     const entry = document.materials[index];
-    if (entry) materials.set(index, await readMaterial(document, entry, pictures, warnings));
+    if (entry) materials.set(index, await readMaterial(document, entry, images, warnings));
     report();
   };
-  await Promise.all(wornMaterials(document).map(readOne));
+  await Promise.all(usedMaterials(document).map(readOne));
   return materials;
 }
 
-function wornMaterials({ meshes, nodes }: GltfDocument): number[] {
+function usedMaterials({ meshes, nodes }: GltfDocument): number[] {
   const primitives = nodes.flatMap(({ mesh }) => meshes[mesh ?? -1]?.primitives ?? []);
   const worn = primitives.map(({ material }) => material);
   return [...new Set(worn)].filter((material) => material !== undefined);
@@ -107,7 +107,7 @@ function wornMaterials({ meshes, nodes }: GltfDocument): number[] {
 
 /** Counts the materials and the geometry, each as one step from the file's share to the whole. */
 function stages(document: GltfDocument, onProgress: (share: number) => void): () => void {
-  const count = wornMaterials(document).length + 2;
+  const count = usedMaterials(document).length + 2;
   let done = 0;
   return () => {
     done++;

@@ -1,11 +1,11 @@
-/** What a model file holds, as plain typed arrays in the model's own coordinates: metres, +Y up. */
+/** Model: a file's meshes as plain typed arrays in its own coordinates: metres, +Y up. */
 export interface Model {
   readonly parts: readonly Part[];
   /** Named nodes with nothing to see below them: places for things of ours, by their names. */
   readonly anchors: Readonly<Record<string, Anchor>>;
   /** The box around all positions, metres. */
   readonly bounds: Box;
-  /** Sentences about what the file asks for and does not get. */
+  /** Sentences about features of the file that are not supported. */
   readonly warnings: readonly string[];
 }
 
@@ -31,7 +31,7 @@ export interface Part {
   readonly normals: Float32Array;
   /** xyz of length 1 and the bitangent's sign. */
   readonly tangents: Float32Array;
-  /** uv of every map but the occlusion, (0, 0) at the picture's top left; zeros where there are none. */
+  /** uv of every map but the occlusion, (0, 0) at the image's top left; zeros where there are none. */
   readonly uvs: Float32Array;
   /** uv of the material's `occlusion`, where that lies otherwise than the other maps. */
   readonly occlusionUvs: Float32Array | null;
@@ -42,7 +42,7 @@ export interface Part {
 }
 
 /** Rows from the top, red, green, blue and alpha of 8 bits where they are bytes; alpha is not multiplied in. */
-export type Picture =
+export type TextureImage =
   | ImageBitmap
   | { readonly width: number; readonly height: number; readonly data: Uint8Array };
 
@@ -58,32 +58,32 @@ export interface Material {
   readonly normalScale: number;
   /** How much of the occlusion counts, 0 to 1; 0 where the material has none, whatever a map's red holds. */
   readonly occlusionStrength: number;
-  /** Whether the triangles are seen from behind, too. */
+  /** Whether back faces are drawn, too. */
   readonly isDoubleSided: boolean;
   /** Opacity: ignored, all or nothing at `alphaCutoff`, or mixed. */
   readonly alphaMode: "opaque" | "mask" | "blend";
   /** Opacity below which a mask leaves a hole. */
   readonly alphaCutoff: number;
   /** sRGB and opacity. */
-  readonly albedo: Picture | null;
-  /** Tangent space, +Y up in the picture, as glTF has it. */
-  readonly normal: Picture | null;
+  readonly albedo: TextureImage | null;
+  /** Tangent space, +Y up in the image, as glTF has it. */
+  readonly normal: TextureImage | null;
   /** Red: occlusion (unless `occlusion` has it), green: roughness, blue: metallic. */
-  readonly occlusionRoughnessMetallic: Picture | null;
-  /** Red: occlusion, where it is another picture or lies by `Part.occlusionUvs`. */
-  readonly occlusion: Picture | null;
+  readonly occlusionRoughnessMetallic: TextureImage | null;
+  /** Red: occlusion, where it is another image or lies by `Part.occlusionUvs`. */
+  readonly occlusion: TextureImage | null;
 }
 
-/** Frees the pictures. The model is of no use afterwards. */
+/** Frees the images. The model is of no use afterwards. */
 export function closeModel({ parts }: Model): void {
   for (const { material } of parts) {
     const { albedo, normal, occlusionRoughnessMetallic, occlusion } = material;
     for (const picture of [albedo, normal, occlusionRoughnessMetallic, occlusion]) {
-      if (picture) closePicture(picture);
+      if (picture) closeImage(picture);
     }
   }
 }
 
-export function closePicture(picture: Picture): void {
+export function closeImage(picture: TextureImage): void {
   if ("close" in picture) picture.close();
 }

@@ -1,9 +1,9 @@
 import { assetError, Flaw } from "./asset-error.js";
 import { fetchBytes } from "./fetch-bytes.js";
 import { openContainer } from "./glb.js";
-import type { Material, Model, Part, Picture } from "./model.js";
+import type { Material, Model, Part, TextureImage } from "./model.js";
 
-/** What our own files hold of glTF, and no more. */
+/** The subset of glTF that our own files use. */
 interface OwnDocument {
   readonly accessors: readonly {
     readonly bufferView: number;
@@ -44,13 +44,13 @@ interface OwnMaterial {
 }
 
 const SIZES = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 } as const;
-/** The file counts for this share of the progress, its pictures for the rest. */
+/** The file counts for this share of the progress, its images for the rest. */
 const FILE_SHARE = 0.6;
 
 /**
- * Reads a model that our own tools have made: packed, baked, one binary chunk, pictures beside it.
+ * Reads a model that our own tools have made: packed, baked, one binary chunk, images beside it.
  *
- * It needs nothing of three.js, which reads what strangers bring.
+ * It needs nothing of three.js, which reads visitors' models.
  */
 export async function readOwnModel(
   url: URL,
@@ -66,12 +66,11 @@ export async function readOwnModel(
     const { json, binary } = openContainer(bytes);
     if (!binary) throw new Flaw("has no binary chunk");
     const document = json as OwnDocument;
-    const pictures = new Map<number, Promise<Picture>>();
+    const images = new Map<number, Promise<TextureImage>>();
     const picture = (texture: { readonly index: number } | undefined) => {
       if (!texture) return null;
-      const known =
-        pictures.get(texture.index) ?? readPicture(document, texture.index, url, signal);
-      pictures.set(texture.index, known);
+      const known = images.get(texture.index) ?? readImage(document, texture.index, url, signal);
+      images.set(texture.index, known);
       return known;
     };
     const materials = await Promise.all(
@@ -85,12 +84,12 @@ export async function readOwnModel(
   }
 }
 
-async function readPicture(
+async function readImage(
   { textures, images }: OwnDocument,
   index: number,
   base: URL,
   signal: AbortSignal,
-): Promise<Picture> {
+): Promise<TextureImage> {
   const texture = textures[index];
   const asStored = { premultiplyAlpha: "none", colorSpaceConversion: "none" } as const;
   const source = texture?.extensions?.EXT_texture_avif?.source ?? texture?.source;
@@ -102,7 +101,7 @@ async function readPicture(
 
 async function readMaterial(
   { name, pbrMetallicRoughness: pbr, normalTexture }: OwnMaterial,
-  picture: (texture: { readonly index: number } | undefined) => Promise<Picture> | null,
+  picture: (texture: { readonly index: number } | undefined) => Promise<TextureImage> | null,
 ): Promise<Material> {
   const [albedo, packed, normal] = await Promise.all([
     picture(pbr.baseColorTexture),

@@ -1,7 +1,7 @@
 import type { GltfDocument } from "./gltf-document.js";
 import type { JsonEntry } from "./json-entry.js";
 import type { Material } from "./model.js";
-import type { Pictures } from "./pictures.js";
+import type { TextureImages } from "./texture-images.js";
 import {
   isSamePlacement,
   type Placement,
@@ -21,10 +21,10 @@ export interface PlacedMaterial {
 const MIRRORED_REPEAT = 33648;
 
 /**
- * What a surface without a material wears. glTF's own default is a rough metal, which by a single
+ * Material of a surface without one. glTF's own default is a rough metal, which by a single
  * flame is all but black; this is the same as plaster.
  */
-export const BARE: PlacedMaterial = {
+export const DEFAULT_MATERIAL: PlacedMaterial = {
   material: {
     name: "",
     baseColor: [1, 1, 1, 1],
@@ -44,11 +44,11 @@ export const BARE: PlacedMaterial = {
   occlusionPlacement: null,
 };
 
-/** Reads a material and its pictures; what it cannot have is added to the warnings. */
+/** Reads a material and its images; unsupported parts are added to the warnings. */
 export async function readMaterial(
   document: GltfDocument,
   entry: JsonEntry,
-  pictures: Pictures,
+  images: TextureImages,
   warnings: Set<string>,
 ): Promise<PlacedMaterial> {
   const name = entry.string("name") ?? "";
@@ -70,7 +70,7 @@ export async function readMaterial(
     map === null || isSamePlacement(map.placement, placement);
   const pictureOf = (map: TextureUse | null, what: string) => {
     if (map === null) return null;
-    if (lies(map)) return pictures.texture(map.texture);
+    if (lies(map)) return images.texture(map.texture);
     warnings.add(
       `The ${what} map of material "${name}" lies otherwise than its colour and is left out.`,
     );
@@ -82,7 +82,7 @@ export async function readMaterial(
     pictureOf(albedo, "colour"),
     pictureOf(normal, "normal"),
     pictureOf(metallicRoughness, "roughness"),
-    occlusion && !isPacked ? pictures.texture(occlusion.texture) : null,
+    occlusion && !isPacked ? images.texture(occlusion.texture) : null,
   ]);
   const isShared = occlusionPicture !== null && occlusionPicture === packedPicture;
   const occlusionApart = isShared && lies(occlusion) ? null : occlusionPicture;

@@ -10,16 +10,21 @@ import {
 import { Flaw } from "./asset-error.js";
 import type { Part } from "./model.js";
 import type { PlacedMaterial } from "./read-material.js";
-import { bareTangents, tangentsOf } from "./tangents.js";
+import { anyTangents, tangentsOf } from "./tangents.js";
 import { type Placement, placedUvs } from "./texture-placement.js";
-import { blended, type Moves, moved, type Vertices } from "./vertices.js";
+import {
+  blendBones,
+  transformed,
+  type VertexTransforms,
+  type Vertices,
+} from "./transform-vertices.js";
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 
 /** Triangles that get a vertex of their own for each corner; beyond, they share smooth normals. */
 const MOST_FLAT_TRIANGLES = 300_000;
 
-/** A mesh as plain arrays, where it stands and in its rest pose; null where nothing of it is seen. */
+/** A mesh as plain arrays, in the room's coordinates and its rest pose; null where nothing of it is drawn. */
 export function readPart(
   mesh: Mesh,
   name: string,
@@ -36,7 +41,7 @@ export function readPart(
   };
   const tangent = geometry.getAttribute("tangent");
   const color = geometry.getAttribute("color");
-  const vertices = moved(
+  const vertices = transformed(
     {
       positions: morphedPositions(mesh, geometry),
       normals: floats(geometry.getAttribute("normal")),
@@ -60,7 +65,7 @@ function finished(vertices: Vertices, hasRelief: boolean) {
     ...vertices,
     tangents:
       tangents ??
-      (hasRelief && uvs ? tangentsOf({ positions, normals, uvs, indices }) : bareTangents(normals)),
+      (hasRelief && uvs ? tangentsOf({ positions, normals, uvs, indices }) : anyTangents(normals)),
     uvs: uvs ?? new Float32Array(count * 2),
     indices: count <= 0xffff ? Uint16Array.from(indices) : indices,
   };
@@ -134,7 +139,7 @@ function morphedPositions(mesh: Mesh, geometry: BufferGeometry): Float32Array {
 }
 
 /** Where a mesh stands: for each of its instances, or for each of its vertices if it has bones. */
-function matricesOf(mesh: Mesh, geometry: BufferGeometry): Moves {
+function matricesOf(mesh: Mesh, geometry: BufferGeometry): VertexTransforms {
   if (isSkinned(mesh)) return { each: "vertex", all: skinMatrices(mesh, geometry) };
   if (!isInstanced(mesh)) return { each: "instance", all: [mesh.matrixWorld] };
   const all = Array.from({ length: mesh.count }, (_, i) => {
@@ -158,6 +163,6 @@ function skinMatrices({ skeleton }: SkinnedMesh, geometry: BufferGeometry): Matr
   const joints = floats(geometry.getAttribute("skinIndex"));
   const weights = floats(geometry.getAttribute("skinWeight"));
   return Array.from({ length: joints.length / 4 }, (_, i) =>
-    blended(bones, joints.subarray(i * 4, i * 4 + 4), weights.subarray(i * 4, i * 4 + 4)),
+    blendBones(bones, joints.subarray(i * 4, i * 4 + 4), weights.subarray(i * 4, i * 4 + 4)),
   );
 }

@@ -2,7 +2,7 @@ import { type Group, type Mesh, type Object3D, Vector3 } from "three";
 import { Flaw } from "./asset-error.js";
 import { checkTriangleCount } from "./gltf-document.js";
 import type { Anchor, Box, Part } from "./model.js";
-import { BARE, type PlacedMaterial } from "./read-material.js";
+import { DEFAULT_MATERIAL, type PlacedMaterial } from "./read-material.js";
 import { readPart } from "./read-part.js";
 
 const LARGEST = 10_000; // metres
@@ -20,7 +20,8 @@ export function readScene(
       const mesh = node as Mesh;
       // The default material has no name, and 0 would be one.
       const { name } = mesh.material as { readonly name: string };
-      const material = name === "" ? BARE : (materials.get(Number(name)) ?? BARE);
+      const material =
+        name === "" ? DEFAULT_MATERIAL : (materials.get(Number(name)) ?? DEFAULT_MATERIAL);
       const part = readPart(mesh, nameOf(mesh), material);
       if (part) parts.push(part);
     } else if (isPlace(node) && !anchors.has(nameOf(node))) {

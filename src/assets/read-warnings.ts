@@ -1,7 +1,7 @@
 import type { GltfDocument } from "./gltf-document.js";
 
-/** Extensions that change nothing about the picture, or that are heeded. */
-const HEEDED = new Set([
+/** Extensions that are supported, or change nothing that is drawn. */
+const SUPPORTED = new Set([
   "EXT_mesh_gpu_instancing",
   "EXT_meshopt_compression",
   "EXT_texture_avif",
@@ -14,7 +14,7 @@ const HEEDED = new Set([
   "KHR_xmp_json_ld",
 ]);
 
-/** What becomes of a file that asks for more. */
+/** Effects of extensions that are not. */
 const DEGRADED: Readonly<Record<string, string>> = {
   KHR_animation_pointer: "nothing moves",
   KHR_lights_punctual: "its lights stay out, the flame is the only one",
@@ -34,10 +34,10 @@ const DEGRADED: Readonly<Record<string, string>> = {
   KHR_materials_volume: "bodies are hollow",
 };
 
-/** Sentences about what a file asks for and does not get. */
+/** Sentences about features of the file that are not supported. */
 export function readWarnings(document: GltfDocument): string[] {
   const warnings = document.extensionsUsed
-    .filter((name) => !HEEDED.has(name))
+    .filter((name) => !SUPPORTED.has(name))
     .map((name) => `${name} is not supported: ${DEGRADED[name] ?? "it is ignored"}.`);
   const { nodes, meshes, sceneCount, hasAnimations, materials } = document;
   if (sceneCount > 1) warnings.push(`Of its ${sceneCount} scenes one is shown.`);

@@ -8,7 +8,7 @@ interface Surface {
 }
 
 /**
- * Tangents along u, with the sign of the bitangent, which glTF has point up in the picture (towards
+ * Tangents along u, with the sign of the bitangent, which glTF has point up in the image (towards
  * smaller v). Lengyel 2001, "Computing Tangent Space Basis Vectors for an Arbitrary Mesh".
  */
 export function tangentsOf({ positions, normals, uvs, indices }: Surface): Float32Array {
@@ -24,7 +24,7 @@ export function tangentsOf({ positions, normals, uvs, indices }: Surface): Float
       add(alongV, corner, slopes.v);
     }
   }
-  const tangents = bareTangents(normals);
+  const tangents = anyTangents(normals);
   const normal = new Vector3();
   const tangent = new Vector3();
   const down = new Vector3();
@@ -67,7 +67,7 @@ function add(sums: Float32Array, vertex: number, { x, y, z }: Vector3): void {
 }
 
 /** Some direction across each normal, for surfaces without texture coordinates to follow. */
-export function bareTangents(normals: Float32Array): Float32Array {
+export function anyTangents(normals: Float32Array): Float32Array {
   const count = normals.length / 3;
   const tangents = new Float32Array(count * 4);
   const normal = new Vector3();

@@ -1,7 +1,7 @@
 import type { Group } from "three";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
 import type { BufferBytes } from "./buffer-bytes.js";
-import { type Decoders, inTime } from "./decoders.js";
+import { type Decoders, withTimeout } from "./decoders.js";
 import { denseBytes } from "./gltf-accessors.js";
 import type { GltfDocument, Node } from "./gltf-document.js";
 import type { Primitive } from "./gltf-meshes.js";
@@ -10,7 +10,7 @@ const DRACO = "KHR_draco_mesh_compression";
 const INSTANCING = "EXT_mesh_gpu_instancing";
 
 /**
- * Has three build the scene's geometry. It is told of nothing else (no textures, no animations), and
+ * Builds the scene's geometry by three's `GLTFLoader`. It is given nothing else (no textures, no animations), and
  * is given each accessor as a buffer view of its own. A mesh's material is named by its index, and a
  * node's `userData.isEmpty` says whether it has no mesh.
  */
@@ -32,7 +32,7 @@ export async function buildScene(
   loader.register(() => ({ name: "checked views", loadBufferView: readView }));
   // It parses an object as well as text.
   const parsing = loader.parseAsync(gltfFor(document, isDraco) as never, "");
-  const { scene } = await (isDraco ? inTime(parsing) : parsing).catch((cause: unknown) => {
+  const { scene } = await (isDraco ? withTimeout(parsing) : parsing).catch((cause: unknown) => {
     throw isDraco ? decoders.failure("holds geometry that cannot be decoded", cause) : cause;
   });
   scene.updateMatrixWorld(true);

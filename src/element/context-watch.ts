@@ -1,14 +1,14 @@
-/** How long the browser has to give a lost context back before the visitor is asked, in milliseconds. */
+/** Milliseconds that the browser has to restore a lost context before the visitor is asked to reload. */
 const PATIENCE = 5000;
 
 interface Reactions {
   readonly onLost: () => void;
   readonly onRestored: () => void;
-  /** It has been away for too long. It may come back all the same. */
+  /** The wait was too long. The context may be restored all the same. */
   readonly onGivenUp: () => void;
 }
 
-/** Watches over a canvas's WebGL context until the signal aborts: asks for it again if it is lost, and waits. */
+/** Watches a canvas's WebGL context until the signal aborts: asks the browser to restore it if it is lost. */
 export function watchContext(
   canvas: HTMLCanvasElement,
   signal: AbortSignal,
@@ -17,7 +17,7 @@ export function watchContext(
   let patience = 0;
   const stopWaiting = () => clearTimeout(patience);
   const lost = (event: Event): void => {
-    event.preventDefault(); // asks the browser to give it back
+    event.preventDefault(); // asks the browser to restore it
     stopWaiting();
     patience = window.setTimeout(onGivenUp, PATIENCE);
     onLost();

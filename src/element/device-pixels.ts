@@ -10,7 +10,7 @@ export function guessDevicePixels({ clientWidth, clientHeight }: Element): Size 
 }
 
 /**
- * Tells of an element's content box in device pixels, to the pixel: now, and whenever the element, the
+ * Observes an element's content box in device pixels, to the pixel: now, and whenever the element, the
  * zoom or the monitor changes.
  *
  * A canvas of any other size would be resampled. Safari has no `device-pixel-content-box`; there it is
@@ -51,7 +51,7 @@ export function observeDevicePixels(
   awaitRatio();
 }
 
-/** Chromium 156 tells CSS pixels where a tool plays a monitor of another density (DevTools, test runners). */
+/** Chromium 156 reports CSS pixels where a tool emulates a monitor of another density (DevTools, test runners). */
 function isEmulated(told: Size, { clientWidth, clientHeight }: Element): boolean {
   if (devicePixelRatio === 1) return false;
   const { width, height } = told;

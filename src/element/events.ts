@@ -1,4 +1,5 @@
-import { ReflectedAttributes } from "./reflected-attributes.js";
+import { ContextLostError, GraphicsError } from "../gl/gpu-object.js";
+import { LOST } from "./messages.js";
 
 /** `graphics`: an allocation, a framebuffer or a frame that failed. */
 export type ErrorType = "webgl-unavailable" | "asset" | "shader" | "graphics" | "context-lost";
@@ -27,10 +28,10 @@ export interface CandleFlameEventMap {
   contextrestored: CustomEvent<null>;
 }
 
-/** Those and every element's own. */
+/** Our events and those of every element. */
 type EventMap = Omit<HTMLElementEventMap, keyof CandleFlameEventMap> & CandleFlameEventMap;
 
-/** Which of the types an error is of, by its name: most of what fails is a file. */
+/** Type of an error, by its name. All others are of assets: most of what fails is a file. */
 export function typeOf({ name }: Error): ErrorType {
   const types: Readonly<Record<string, ErrorType>> = {
     WebGLUnavailableError: "webgl-unavailable",
@@ -41,41 +42,44 @@ export function typeOf({ name }: Error): ErrorType {
   return types[name] ?? "asset";
 }
 
-/** The element's events, whose listeners TypeScript knows by their names. */
-export class TypedEvents extends ReflectedAttributes {
-  override addEventListener<Type extends keyof EventMap>(
-    type: Type,
-    listener: (this: this, event: EventMap[Type]) => void,
-    options?: boolean | AddEventListenerOptions,
-  ): void;
-  override addEventListener(
-    type: string,
-    listener: EventListenerOrEventListenerObject,
-    options?: boolean | AddEventListenerOptions,
-  ): void;
-  override addEventListener(
-    type: string,
-    listener: unknown,
-    options?: boolean | AddEventListenerOptions,
-  ): void {
-    super.addEventListener(type, listener as EventListener, options);
-  }
+/** The error of a frame: as the GPU's own modules threw it, or anything else in a sentence. */
+export function frameError(cause: unknown): Error {
+  if (cause instanceof Error && typeOf(cause) !== "asset") return cause;
+  return new GraphicsError("The picture cannot be drawn.", { cause });
+}
 
-  override removeEventListener<Type extends keyof EventMap>(
+export function contextLostError(): Error {
+  return new ContextLostError(LOST);
+}
+
+export function emit<Type extends keyof CandleFlameEventMap>(
+  element: EventTarget,
+  type: Type,
+  detail: CandleFlameEventMap[Type]["detail"],
+): void {
+  element.dispatchEvent(new CustomEvent(type, { detail }));
+}
+
+/** Listeners of the element's events, which TypeScript knows by the events' names. */
+export interface TypedListeners {
+  addEventListener<Type extends keyof EventMap>(
+    type: Type,
+    listener: (this: this, event: EventMap[Type]) => void,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  addEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  removeEventListener<Type extends keyof EventMap>(
     type: Type,
     listener: (this: this, event: EventMap[Type]) => void,
     options?: boolean | EventListenerOptions,
   ): void;
-  override removeEventListener(
+  removeEventListener(
     type: string,
     listener: EventListenerOrEventListenerObject,
     options?: boolean | EventListenerOptions,
   ): void;
-  override removeEventListener(
-    type: string,
-    listener: unknown,
-    options?: boolean | EventListenerOptions,
-  ): void {
-    super.removeEventListener(type, listener as EventListener, options);
-  }
 }

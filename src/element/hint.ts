@@ -1,48 +1,24 @@
 import type { Device } from "../input/first-person-input.js";
+import type { Refusal } from "../world/room/placement.js";
+import { outSentence, REFUSALS } from "./messages.js";
 
-type Words = readonly (string | readonly string[])[];
-
-/** What each device does, keys in lists of their own. */
-const CONTROLS: Readonly<Record<Device, Words>> = {
-  mouse: [
-    ["W", "A", "S", "D"],
-    "walk, the mouse looks, a click is for the flame,",
-    ["F"],
-    "for the candle,",
-    ["Esc"],
-    "leaves",
-  ],
-  keyboard: [
-    ["W", "A", "S", "D"],
-    "walk,",
-    ["Q", "R"],
-    "turn,",
-    ["E"],
-    "is for the flame,",
-    ["F"],
-    "for the candle,",
-    ["Esc"],
-    "leaves",
-  ],
-  touch: [
+/** Controls of each device; keys are in brackets. */
+const CONTROLS: Readonly<Record<Device, string>> = {
+  mouse:
+    "[W][A][S][D] walk, the mouse looks, a click is for the flame, [F] for the candle, [Esc] leaves",
+  keyboard:
+    "[W][A][S][D] walk, [Q][R] turn, [E] is for the flame, [F] for the candle, [Esc] leaves",
+  touch:
     "Walk with the left thumb, look with the right. Tap twice for the flame, hold for the candle",
-  ],
-  gamepad: [
-    "Left stick walks, right stick looks,",
-    ["A"],
-    "is for the flame,",
-    ["X"],
-    "for the candle,",
-    ["B"],
-    "leaves",
-  ],
+  gamepad:
+    "Left stick walks, right stick looks, [A] is for the flame, [X] for the candle, [B] leaves",
 };
 
 /**
- * What the visitor should know for a moment: a line over the picture that fades by itself.
+ * Line over the canvas that says something for a moment, and fades by itself.
  *
- * It is read aloud when it changes, politely; what has faded stays for whoever reads with the ears. The page
- * may have words of its own for the controls, in the slot `hint`.
+ * Screen readers announce it politely when it changes; to them it stays. The page may have words of its own for
+ * the controls, in the slot `hint`.
  */
 export class Hint {
   readonly element = document.createElement("div");
@@ -57,7 +33,18 @@ export class Hint {
     this.element.append(this.#controls);
   }
 
-  /** One sentence, or nothing; one that lasts grows faint, and stays until there is another. */
+  /** That the candle is out, and how to light it; nothing while it burns. */
+  tellFlame(isLit: boolean, hasControls: boolean): void {
+    this.tell(isLit ? null : outSentence(hasControls), hasControls);
+  }
+
+  /** Why the candle could not be put down, and that it is out, if it is. */
+  tellRefusal(refusal: Refusal | null, isLit: boolean, hasControls: boolean): void {
+    const sentences = [refusal && REFUSALS[refusal], isLit ? null : outSentence(hasControls)];
+    this.tell(sentences.filter(Boolean).join(" ") || null, hasControls && !isLit);
+  }
+
+  /** One sentence, or none. One that lasts grows faint, and stays until there is another. */
   tell(sentence: string | null, lasts = false): void {
     this.#clear();
     if (sentence === null) return;
@@ -66,14 +53,13 @@ export class Hint {
     this.element.append(this.#sentence);
   }
 
-  /** How to get about with what the visitor has in hand. */
+  /** The controls of a device. */
   tellControls(device: Device): void {
     this.#clear();
     const line = document.createElement("p");
     line.className = "controls";
-    for (const word of CONTROLS[device]) {
-      if (typeof word === "string") line.append(` ${word} `);
-      else line.append(...word.map(keyCap));
+    for (const [, key, words] of CONTROLS[device].matchAll(/\[(\w+)\]|([^[]+)/g)) {
+      line.append(key === undefined ? ` ${words?.trim()} ` : keyCap(key));
     }
     this.#controls.append(line);
     this.#controls.hidden = false;

@@ -1,10 +1,11 @@
 import type { Options } from "../candle-flame.js";
+import { resolveUrl } from "../scenes/resolve-url.js";
 import type { Look } from "../settings.js";
 import type { ReflectedAttributes } from "./reflected-attributes.js";
 
 const LESS_MOTION = "(prefers-reduced-motion: reduce)";
 
-/** What the attributes mean to the candle, in SI units. */
+/** Options of the candle, in SI units, from the element's attributes. */
 export function optionsOf(element: ReflectedAttributes, look: Look): Options {
   const { seed, quality, exposure, particles, motion, unlit, wick, gustiness } = element;
   const isStill = motion === "reduced" || (motion === "auto" && matchMedia(LESS_MOTION).matches);
@@ -13,7 +14,16 @@ export function optionsOf(element: ReflectedAttributes, look: Look): Options {
   return { look, seed, quality, exposure, particles, isStill, unlit, wick: wick / 1000, wind };
 }
 
-/** Tells when the visitor's system asks for less motion, or no longer does. */
+/** Observes `prefers-reduced-motion`. */
 export function observeLessMotion(signal: AbortSignal, onChange: () => void): void {
   matchMedia(LESS_MOTION).addEventListener("change", onChange, { signal });
+}
+
+/** URL of the folder of the built-in models: `asset-base`, or the one that this module lies in. */
+export function assetRootOf({ assetBase }: ReflectedAttributes): string {
+  const module = new URL(".", import.meta.url).href;
+  if (assetBase === "") return module;
+  return (
+    resolveUrl(assetBase.endsWith("/") ? assetBase : `${assetBase}/`, document.baseURI) ?? module
+  );
 }

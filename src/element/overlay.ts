@@ -1,11 +1,12 @@
 import { Hint } from "./hint.js";
 
 /**
- * What lies over the picture: poster, bar, hint and failure, each of which the page may replace by a slot
+ * Overlay of the canvas: poster, progress bar, hint and failure, each of which the page may replace by a slot
  * of that name, and style as a part of that name.
  */
 export class Overlay {
   readonly hint = new Hint();
+  onFailureChange: () => void = () => {};
   readonly #posterSlot = slot("poster");
   readonly #poster = document.createElement("img");
   readonly #progressSlot = slot("progress");
@@ -23,7 +24,7 @@ export class Overlay {
     this.#reload.part.add("reload");
     this.#reload.type = "button";
     this.#reload.textContent = "Reload";
-    // The room beneath must not take them for a way in.
+    // Not for the canvas beneath, where they would go in.
     for (const type of ["keydown", "keyup"]) {
       this.#reload.addEventListener(type, (event) => event.stopPropagation());
     }
@@ -32,7 +33,7 @@ export class Overlay {
     root.append(this.#posterSlot, this.#progressSlot, this.#failure, this.hint.element);
   }
 
-  /** Whether there is a sentence in the picture's place. */
+  /** Whether a sentence stands in the place of frames. */
   get isFailing(): boolean {
     return !this.#failure.hidden;
   }
@@ -43,7 +44,7 @@ export class Overlay {
     this.#posterSlot.hidden = false;
   }
 
-  /** What the poster is called while it stands for the picture; nothing where something else says it. */
+  /** Alternative text of the poster while it stands for the canvas; empty where another element has the name. */
   set posterAlt(alt: string) {
     this.#poster.alt = alt;
   }
@@ -61,18 +62,20 @@ export class Overlay {
     this.#progressSlot.hidden = true;
   }
 
-  /** A sentence instead of a picture, and where it helps a button that begins anew. */
-  fail(sentence: string, urgency: "alert" | "status", reload: (() => void) | null): void {
+  /** A sentence in the place of frames, and where it helps a button that begins anew. */
+  fail(sentence: string, urgency: "alert" | "status", reload: (() => void) | null = null): void {
     this.#failure.setAttribute("role", urgency);
     this.#sentence.textContent = sentence;
     this.#reload.onclick = reload;
     if (reload) this.#failure.append(this.#reload);
     else this.#reload.remove();
     this.#failure.hidden = false;
+    this.onFailureChange();
   }
 
   clearFailure(): void {
     this.#failure.hidden = true;
+    this.onFailureChange();
   }
 }
 

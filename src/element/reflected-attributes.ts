@@ -1,166 +1,26 @@
 import {
-  type Look,
-  type Motion,
+  type CamelCase,
   parseChoice,
   parseNumber,
-  type Quality,
-  type SceneName,
   SETTINGS,
+  type SettingName,
+  type SettingValue,
 } from "../settings.js";
+import type { TypedListeners } from "./events.js";
+
+/** The attributes as properties: typed by their rows in `SETTINGS`, defined below from the same rows. */
+type AttributeProperties = {
+  -readonly [Name in SettingName as CamelCase<Name>]: SettingValue<(typeof SETTINGS)[Name]>;
+};
 
 // Where there is no DOM (a server that renders pages), the module still loads.
-const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
+const Base = (globalThis.HTMLElement ?? class {}) as unknown as {
+  new (): Omit<HTMLElement, keyof TypedListeners> & TypedListeners & AttributeProperties;
+};
 
-/** The element's attributes as properties: text becomes what `SETTINGS` says it means, and back. */
+/** The element's attributes as properties: text becomes the value that `SETTINGS` describes, and back. */
 export class ReflectedAttributes extends Base {
   static readonly observedAttributes: readonly string[] = Object.keys(SETTINGS);
-
-  get scene(): SceneName {
-    return parseChoice(SETTINGS.scene, this.getAttribute("scene"));
-  }
-  set scene(value: SceneName) {
-    this.setAttribute("scene", value);
-  }
-
-  get loading(): "eager" | "lazy" {
-    return parseChoice(SETTINGS.loading, this.getAttribute("loading"));
-  }
-  set loading(value: "eager" | "lazy") {
-    this.setAttribute("loading", value);
-  }
-
-  get look(): Look {
-    return parseChoice(SETTINGS.look, this.getAttribute("look"));
-  }
-  set look(value: Look) {
-    this.setAttribute("look", value);
-  }
-
-  get quality(): Quality {
-    return parseChoice(SETTINGS.quality, this.getAttribute("quality"));
-  }
-  set quality(value: Quality) {
-    this.setAttribute("quality", value);
-  }
-
-  get controls(): boolean {
-    return this.hasAttribute("controls");
-  }
-  set controls(value: boolean) {
-    this.toggleAttribute("controls", Boolean(value));
-  }
-
-  get paused(): boolean {
-    return this.hasAttribute("paused");
-  }
-  set paused(value: boolean) {
-    this.toggleAttribute("paused", Boolean(value));
-  }
-
-  get sensitivity(): number {
-    return parseNumber(SETTINGS.sensitivity, this.getAttribute("sensitivity"));
-  }
-  set sensitivity(value: number) {
-    this.setAttribute("sensitivity", String(value));
-  }
-
-  get motion(): Motion {
-    return parseChoice(SETTINGS.motion, this.getAttribute("motion"));
-  }
-  set motion(value: Motion) {
-    this.setAttribute("motion", value);
-  }
-
-  get seed(): number {
-    return parseNumber(SETTINGS.seed, this.getAttribute("seed"));
-  }
-  set seed(value: number) {
-    this.setAttribute("seed", String(value));
-  }
-
-  get unlit(): boolean {
-    return this.hasAttribute("unlit");
-  }
-  set unlit(value: boolean) {
-    this.toggleAttribute("unlit", Boolean(value));
-  }
-
-  get wind(): number {
-    return parseNumber(SETTINGS.wind, this.getAttribute("wind"));
-  }
-  set wind(value: number) {
-    this.setAttribute("wind", String(value));
-  }
-
-  get windDirection(): number {
-    return parseNumber(SETTINGS["wind-direction"], this.getAttribute("wind-direction"));
-  }
-  set windDirection(value: number) {
-    this.setAttribute("wind-direction", String(value));
-  }
-
-  get gustiness(): number {
-    return parseNumber(SETTINGS.gustiness, this.getAttribute("gustiness"));
-  }
-  set gustiness(value: number) {
-    this.setAttribute("gustiness", String(value));
-  }
-
-  get wick(): number {
-    return parseNumber(SETTINGS.wick, this.getAttribute("wick"));
-  }
-  set wick(value: number) {
-    this.setAttribute("wick", String(value));
-  }
-
-  get exposure(): number {
-    return parseNumber(SETTINGS.exposure, this.getAttribute("exposure"));
-  }
-  set exposure(value: number) {
-    this.setAttribute("exposure", String(value));
-  }
-
-  get particles(): number {
-    return parseNumber(SETTINGS.particles, this.getAttribute("particles"));
-  }
-  set particles(value: number) {
-    this.setAttribute("particles", String(value));
-  }
-
-  get maxPixelRatio(): number {
-    return parseNumber(SETTINGS["max-pixel-ratio"], this.getAttribute("max-pixel-ratio"));
-  }
-  set maxPixelRatio(value: number) {
-    this.setAttribute("max-pixel-ratio", String(value));
-  }
-
-  get assetBase(): string {
-    return this.getAttribute("asset-base") ?? "";
-  }
-  set assetBase(value: string) {
-    this.setAttribute("asset-base", value);
-  }
-
-  get src(): string {
-    return this.getAttribute("src") ?? "";
-  }
-  set src(value: string) {
-    this.setAttribute("src", value);
-  }
-
-  get poster(): string {
-    return this.getAttribute("poster") ?? "";
-  }
-  set poster(value: string) {
-    this.setAttribute("poster", value);
-  }
-
-  get alt(): string {
-    return this.getAttribute("alt") ?? SETTINGS.alt.default;
-  }
-  set alt(value: string) {
-    this.setAttribute("alt", value);
-  }
 
   // A property set before the element was defined hides the accessor: set it again through it.
   protected upgrade(name: string): void {
@@ -174,6 +34,24 @@ export class ReflectedAttributes extends Base {
   protected upgradeAttributes(): void {
     for (const name of Object.keys(SETTINGS)) this.upgrade(camelCase(name));
   }
+}
+
+for (const name of Object.keys(SETTINGS) as SettingName[]) {
+  const setting = SETTINGS[name];
+  Object.defineProperty(ReflectedAttributes.prototype, camelCase(name), {
+    configurable: true,
+    enumerable: true,
+    get(this: Element) {
+      const text = this.getAttribute(name);
+      if (setting.kind === "flag") return text !== null;
+      if (setting.kind === "number") return parseNumber(setting, text);
+      return setting.kind === "choice" ? parseChoice(setting, text) : (text ?? setting.default);
+    },
+    set(this: Element, value: unknown) {
+      if (setting.kind === "flag") this.toggleAttribute(name, Boolean(value));
+      else this.setAttribute(name, String(value));
+    },
+  });
 }
 
 function camelCase(name: string): string {

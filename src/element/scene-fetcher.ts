@@ -4,16 +4,16 @@ interface Reactions {
   readonly onProgress: (share: number) => void;
   readonly onScene: (scene: Scene) => void;
   readonly onFailure: (error: Error) => void;
-  /** What was asked for meanwhile is no longer wanted: what is on show is. */
+  /** The scene on show is wanted again, and no other. */
   readonly onGivenUp: () => void;
 }
 
 /**
- * Fetches what is asked for; what was asked for before is no longer wanted. What is on show stays until the
+ * Scene fetcher: fetches the scene asked for, and drops the one asked for before. The one on show stays until the
  * new models have come, and if they do not come.
  */
 export class SceneFetcher {
-  /** What is on show, which while something else is fetched is not what the attributes say. */
+  /** The request that is on show. */
   shown: SceneRequest | null = null;
   readonly #asked: () => SceneRequest;
   readonly #signal: AbortSignal;
@@ -21,7 +21,7 @@ export class SceneFetcher {
   #wanted: SceneRequest | null = null;
   #loading: AbortController | null = null;
 
-  /** @param asked what the attributes ask for, at any time */
+  /** @param asked the request of the attributes, at any time */
   constructor(asked: () => SceneRequest, signal: AbortSignal, reactions: Reactions) {
     this.#asked = asked;
     this.#signal = signal;

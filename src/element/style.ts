@@ -137,7 +137,7 @@ export function styleFor(document: Document): CSSStyleSheet[] {
   const known = sheets.get(document);
   if (known) return [known];
   if (!document.defaultView) return [];
-  // Of the document's own window, lest the document refuse it.
+  // Of the document's own window, or the document refuses it.
   const sheet = new document.defaultView.CSSStyleSheet();
   sheet.replaceSync(STYLE);
   sheets.set(document, sheet);

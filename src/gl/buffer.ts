@@ -1,24 +1,19 @@
-import { created, type GpuObject } from "./gpu-object.js";
+import { created, type GpuContext, GpuObject } from "./gpu-object.js";
 
 /** A vertex, index or feedback buffer. */
-export class Buffer implements GpuObject {
-  readonly label: string;
+export class Buffer extends GpuObject {
   readonly bytes: number;
   readonly handle: WebGLBuffer;
-  readonly #gl: WebGL2RenderingContext;
-  readonly #forget: (object: GpuObject) => void;
 
   /** @param contents data, or a size in bytes of a buffer of zeros. */
   constructor(
-    gl: WebGL2RenderingContext,
+    context: GpuContext,
     label: string,
     contents: ArrayBufferView | number,
     usage: "static" | "dynamic" | "index",
-    forget: (object: GpuObject) => void,
   ) {
-    this.#gl = gl;
-    this.#forget = forget;
-    this.label = label;
+    super(context, label);
+    const { gl } = context;
     this.handle = created(gl, gl.createBuffer(), label);
     // WebGL forbids one buffer to serve as indices and as anything else.
     const target = usage === "index" ? gl.ELEMENT_ARRAY_BUFFER : gl.ARRAY_BUFFER;
@@ -33,15 +28,14 @@ export class Buffer implements GpuObject {
 
   /** Copies the contents back: for tests and tools, since it waits for the GPU. */
   read(into: Float32Array): Float32Array {
-    const gl = this.#gl;
+    const gl = this.gl;
     gl.bindBuffer(gl.COPY_READ_BUFFER, this.handle);
     gl.getBufferSubData(gl.COPY_READ_BUFFER, 0, into);
     gl.bindBuffer(gl.COPY_READ_BUFFER, null);
     return into;
   }
 
-  dispose(): void {
-    this.#gl.deleteBuffer(this.handle);
-    this.#forget(this);
+  protected free(): void {
+    this.gl.deleteBuffer(this.handle);
   }
 }

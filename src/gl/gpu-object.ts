@@ -1,12 +1,32 @@
-/** Something that lives in GPU memory: born from `Gpu`, counted by it, and gone after `dispose()`. */
-export interface GpuObject {
-  readonly label: string;
-  /** Memory it takes, in bytes, as far as WebGL lets us know. */
-  readonly bytes: number;
-  dispose(): void;
+/** Context that an object is created in; `forget` is called when it is disposed of. */
+export interface GpuContext {
+  readonly gl: WebGL2RenderingContext;
+  readonly forget: (object: GpuObject) => void;
 }
 
-/** The context was lost while something was being made. It is not the maker's fault: build again. */
+/** An object in GPU memory: created by `Gpu`, counted by it, and gone after `dispose()`. */
+export abstract class GpuObject {
+  readonly label: string;
+  /** Memory it takes, in bytes, as far as WebGL lets us know. */
+  abstract readonly bytes: number;
+  protected readonly gl: WebGL2RenderingContext;
+  readonly #forget: (object: GpuObject) => void;
+
+  constructor({ gl, forget }: GpuContext, label: string) {
+    this.gl = gl;
+    this.label = label;
+    this.#forget = forget;
+  }
+
+  dispose(): void {
+    this.free();
+    this.#forget(this);
+  }
+
+  protected abstract free(): void;
+}
+
+/** The context was lost while an object was created. */
 export class ContextLostError extends Error {
   override readonly name = "ContextLostError";
 }
@@ -22,7 +42,7 @@ export function incomplete(label: string, status: GLenum): GraphicsError {
   return new GraphicsError("The graphics driver refuses a surface to draw on.", { cause });
 }
 
-/** What a `create*` call of WebGL gave, or the reason why it gave nothing. */
+/** The result of a `create*` call of WebGL; throws if there is none. */
 export function created<T>(gl: WebGL2RenderingContext, object: T | null, label: string): T {
   if (object !== null && !gl.isContextLost()) return object;
   if (gl.isContextLost()) throw new ContextLostError(`${label}: the WebGL context is lost.`);

@@ -1,62 +1,22 @@
 import { Buffer } from "./buffer.js";
-import { created, type GpuObject, incomplete, outOfMemory } from "./gpu-object.js";
+import {
+  type Box,
+  type Draw,
+  DrawCommands,
+  type Surface,
+  type Transform,
+} from "./draw-commands.js";
+import { type GpuContext, type GpuObject, incomplete, outOfMemory } from "./gpu-object.js";
 import { GpuTimer } from "./gpu-timer.js";
 import { nextTask } from "./next-task.js";
-import { Program, type ProgramOptions, type ShaderSource, type UniformValue } from "./program.js";
+import { Program, type ProgramOptions, type ShaderSource } from "./program.js";
 import { RenderTarget, type RenderTargetOptions } from "./render-target.js";
-import { Samplers, type Sampling } from "./samplers.js";
 import { Texture, type TextureOptions } from "./texture.js";
 import { TextureView, type TextureViewOptions } from "./texture-view.js";
 import { UniformBlock } from "./uniform-block.js";
 import { VertexArray, type VertexArrayOptions } from "./vertex-array.js";
 
-/** Where a draw lands: textures of ours, or the canvas. */
-export type Surface = RenderTarget | TextureView | "canvas";
-
-/** Part of a surface, in its pixels: x, y, width, height. */
-export type Box = readonly [number, number, number, number];
-
-/** All that a draw depends on. What is not said has the default given here, whatever ran before. */
-export interface Draw {
-  readonly program: Program;
-  readonly target: Surface;
-  readonly vertexArray: VertexArray;
-  readonly uniforms?: Readonly<Record<string, UniformValue>>;
-  readonly textures?: Readonly<Record<string, Texture>>;
-  /** How textures with mipmaps are read, by uniform. Default: trilinear. */
-  readonly sampling?: Readonly<Record<string, Sampling>>;
-  readonly blocks?: Readonly<Record<string, UniformBlock>>;
-  /** Default: triangles. */
-  readonly primitive?: "triangles" | "strip" | "points";
-  /** Vertices or indices drawn. Default: all. */
-  readonly count?: number;
-  /** Index that they begin at. Default: 0. */
-  readonly first?: number;
-  /** Default: replace what is there. `premultiplied`: alpha 0 adds, alpha 1 covers. */
-  readonly blend?: "replace" | "premultiplied";
-  /** Default: none. */
-  readonly depth?: "none" | "test" | "test-and-write";
-  /** Part of the target, in its pixels: x, y, width, height. Default: all of it. */
-  readonly viewport?: Box;
-  /** Part of the target outside of which nothing is drawn: x, y, width, height. Default: all of it. */
-  readonly scissor?: Box | undefined;
-  /** Faces not drawn. Default: back. */
-  readonly cull?: "none" | "back";
-  /** Takes the outputs of the vertex shader that the program captures. Points without indices only. */
-  readonly into?: Buffer | undefined;
-}
-
-/** A vertex shader run for the sake of its outputs, captured in `into`. */
-export interface Transform {
-  readonly program: Program;
-  readonly vertexArray: VertexArray;
-  readonly uniforms: Readonly<Record<string, UniformValue>>;
-  readonly blocks: Readonly<Record<string, UniformBlock>>;
-  readonly into: Buffer;
-  readonly count: number;
-}
-
-const MODES = { triangles: "TRIANGLES", strip: "TRIANGLE_STRIP", points: "POINTS" } as const;
+export type { Box, Draw, Surface };
 
 /** WebGL2 is missing, or refused. */
 export class WebGLUnavailableError extends Error {
@@ -66,7 +26,7 @@ export class WebGLUnavailableError extends Error {
 /**
  * A WebGL2 context and everything that lives in it.
  *
- * It alone makes GPU objects, so it can count them and free them all. `draw` alone touches GL state.
+ * It alone makes GPU objects, so it can count them and free them all.
  */
 export class Gpu {
   /** Renderer as the driver names it, for choosing a tier and for reports. */
@@ -79,22 +39,17 @@ export class Gpu {
   /** Whether textures of full floats can be read between their texels; those of half floats always can. */
   readonly filtersFloats: boolean;
   readonly timer: GpuTimer;
-  drawCalls = 0;
-  triangles = 0;
   readonly #canvas: HTMLCanvasElement;
   readonly #gl: WebGL2RenderingContext;
+  readonly #context: GpuContext;
   readonly #alive = new Set<GpuObject>();
-  /** What renderers share, by what it was made from. */
+  /** Objects that one renderer leaves to the next, by what they were made from. */
   readonly #shared = new Map<unknown, unknown>();
   readonly #sharedObjects = new Set<GpuObject>();
   #isSharing = false;
-  readonly #feedback: WebGLTransformFeedback;
-  /** What is switched on in GL: each call saved is a microsecond of the page's own thread. */
-  readonly #enabled = new Set<GLenum>();
-  #writesDepth = true;
-  readonly #samplers: Samplers;
+  readonly #commands: DrawCommands;
   readonly #mostSamples: number;
-  /** Targets of which nobody knows whether the driver accepts them. */
+  /** Targets of which the driver has yet to say whether it accepts them. */
   readonly #toCheck = new Set<RenderTarget | TextureView>();
 
   constructor(canvas: HTMLCanvasElement) {
@@ -109,8 +64,8 @@ export class Gpu {
     });
     if (!gl) throw new WebGLUnavailableError("This browser or graphics driver offers no WebGL 2.");
     this.#gl = gl;
+    this.#context = { gl, forget: (object) => this.#forget(object) };
     this.#canvas = canvas;
-    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     // Browsers do not re-enable extensions after a context loss (KhronosGroup/WebGL #2942), so they
     // are asked for here, where the context is born.
     const full = gl.getExtension("EXT_color_buffer_float");
@@ -118,12 +73,11 @@ export class Gpu {
     this.drawsToFloats = full !== null;
     this.drawsToHalfFloats = full !== null || half !== null;
     this.filtersFloats = gl.getExtension("OES_texture_float_linear") !== null;
-    // Sums into full floats, which Firefox allows with a warning if nobody asks.
+    // Blending into full floats, which Firefox allows with a warning unless it is asked for.
     gl.getExtension("EXT_float_blend");
     this.renderer = rendererOf(gl);
-    this.#samplers = new Samplers(gl);
+    this.#commands = new DrawCommands(gl, canvas);
     this.#mostSamples = gl.getParameter(gl.MAX_SAMPLES) as number;
-    this.#feedback = created(gl, gl.createTransformFeedback(), "feedback");
     this.longestSide = Math.min(
       gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) as number,
       gl.getParameter(gl.MAX_TEXTURE_SIZE) as number,
@@ -132,7 +86,7 @@ export class Gpu {
     this.timer = new GpuTimer(gl);
   }
 
-  /** Primaries in which the canvas's colours are to be understood: those asked for, or sRGB's. */
+  /** Sets the colour space of the canvas. Returns the one that it has: the browser may know sRGB alone. */
   paintIn(gamut: PredefinedColorSpace): PredefinedColorSpace {
     const gl = this.#gl;
     if (gl.drawingBufferColorSpace === undefined) return "srgb"; // Safari before 16.4
@@ -156,12 +110,12 @@ export class Gpu {
     return this.#gl.isContextLost();
   }
 
-  readonly #forget = (object: GpuObject): void => {
+  #forget(object: GpuObject): void {
     this.#alive.delete(object);
     this.#toCheck.delete(object as RenderTarget | TextureView);
     if (!this.#sharedObjects.delete(object)) return;
     for (const [key, made] of this.#shared) if (made === object) this.#shared.delete(key);
-  };
+  }
 
   #keep<T extends GpuObject>(object: T): T {
     this.#alive.add(object);
@@ -169,12 +123,12 @@ export class Gpu {
     return object;
   }
 
-  /** Whether something was made for this key. */
+  /** Whether `share` has made something for this key. */
   isShared(key: unknown): boolean {
     return this.#shared.has(key);
   }
 
-  /** What one renderer after another needs: made for the first of them, and there until all is cleared. */
+  /** Makes what one renderer after another needs: for the first of them, and there until all is cleared. */
   share<T>(key: unknown, make: () => T): T {
     if (this.#shared.has(key)) return this.#shared.get(key) as T;
     const wasSharing = this.#isSharing;
@@ -197,12 +151,12 @@ export class Gpu {
   ): Program {
     const key = JSON.stringify([label, vertex.source, fragment.source, options]);
     return this.share(key, () =>
-      this.#keep(new Program(this.#gl, label, vertex, fragment, options, this.#forget)),
+      this.#keep(new Program(this.#context, label, vertex, fragment, options)),
     );
   }
 
   /**
-   * Resolves when the driver has compiled all programs, as far as it tells: a wait that blocks nobody, and needs
+   * Resolves when the driver has compiled all programs, as far as it tells: an asynchronous wait, which needs
    * no timer, which a test may have stopped.
    */
   async whenCompiled(): Promise<void> {
@@ -240,23 +194,23 @@ export class Gpu {
     contents: ArrayBufferView | number,
     usage: "static" | "dynamic" | "index" = "static",
   ): Buffer {
-    return this.#keep(new Buffer(this.#gl, label, contents, usage, this.#forget));
+    return this.#keep(new Buffer(this.#context, label, contents, usage));
   }
 
   vertexArray(label: string, options: VertexArrayOptions): VertexArray {
-    return this.#keep(new VertexArray(this.#gl, label, options, this.#forget));
+    return this.#keep(new VertexArray(this.#context, label, options));
   }
 
   texture(options: TextureOptions): Texture {
-    return this.#keep(new Texture(this.#gl, options, this.#forget));
+    return this.#keep(new Texture(this.#context, options));
   }
 
   renderTarget(options: RenderTargetOptions): RenderTarget {
-    return this.#unchecked(new RenderTarget(this.#gl, options, this.#mostSamples, this.#forget));
+    return this.#unchecked(new RenderTarget(this.#context, options, this.#mostSamples));
   }
 
   textureView(options: TextureViewOptions): TextureView {
-    return this.#unchecked(new TextureView(this.#gl, options, this.#forget));
+    return this.#unchecked(new TextureView(this.#context, options));
   }
 
   #unchecked<T extends RenderTarget | TextureView>(target: T): T {
@@ -266,7 +220,7 @@ export class Gpu {
 
   /** A std140 block laid out as `program` declares it. */
   uniformBlock(program: Program, name: string): UniformBlock {
-    return this.#keep(new UniformBlock(this.#gl, program, name, this.#forget));
+    return this.#keep(new UniformBlock(this.#context, program, name));
   }
 
   /** Resolves when the GPU has done all that it was asked so far, or the context is lost. */
@@ -283,8 +237,8 @@ export class Gpu {
 
   /** Starts the counts of a frame. */
   beginFrame(): void {
-    this.drawCalls = 0;
-    this.triangles = 0;
+    this.#commands.drawCalls = 0;
+    this.#commands.triangles = 0;
     this.timer.begin();
   }
 
@@ -292,114 +246,38 @@ export class Gpu {
     this.timer.end();
   }
 
+  /** Draw calls of the frame. */
+  get drawCalls(): number {
+    return this.#commands.drawCalls;
+  }
+
+  /** Triangles of the frame. */
+  get triangles(): number {
+    return this.#commands.triangles;
+  }
+
   /** @param scissor the part to clear. Default: all of it. */
   clear(target: Surface, color: readonly [number, number, number, number], scissor?: Box): void {
-    const gl = this.#gl;
-    this.#bind(target);
-    this.#writeDepth(true);
-    this.#switch(gl.SCISSOR_TEST, scissor !== undefined);
-    if (scissor) gl.scissor(...scissor);
-    gl.clearColor(...color);
-    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    this.#commands.clear(target, color, scissor);
   }
 
-  draw({
-    program,
-    target,
-    vertexArray,
-    uniforms = {},
-    textures = {},
-    sampling = {},
-    blocks = {},
-    primitive = "triangles",
-    count = vertexArray.count,
-    first = 0,
-    blend = "replace",
-    depth = "none",
-    cull = "back",
-    viewport,
-    scissor,
-    into,
-  }: Draw): void {
-    const gl = this.#gl;
-    this.#bind(target);
-    if (viewport) gl.viewport(...viewport);
-    this.#switch(gl.SCISSOR_TEST, scissor !== undefined);
-    if (scissor) gl.scissor(...scissor);
-    this.#use(program, uniforms, textures, sampling, blocks);
-    this.#switch(gl.BLEND, blend === "premultiplied");
-    this.#switch(gl.DEPTH_TEST, depth !== "none");
-    if (depth !== "none") this.#writeDepth(depth === "test-and-write");
-    this.#switch(gl.CULL_FACE, cull === "back");
-    gl.bindVertexArray(vertexArray.handle);
-    const mode = gl[MODES[primitive]];
-    if (vertexArray.indexType) {
-      const type = vertexArray.indexType === "uint16" ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT;
-      gl.drawElements(mode, count, type, first * (type === gl.UNSIGNED_SHORT ? 2 : 4));
-    } else if (into) {
-      this.#capture(into, count);
-    } else {
-      gl.drawArrays(mode, first, count);
-    }
-    this.drawCalls++;
-    if (primitive === "triangles") this.triangles += count / 3;
+  draw(draw: Draw): void {
+    this.#commands.draw(draw);
   }
 
-  transform({ program, vertexArray, uniforms, blocks, into, count }: Transform): void {
-    const gl = this.#gl;
-    this.#use(program, uniforms, {}, {}, blocks);
-    gl.bindVertexArray(vertexArray.handle);
-    gl.enable(gl.RASTERIZER_DISCARD);
-    this.#capture(into, count);
-    gl.disable(gl.RASTERIZER_DISCARD);
-    this.drawCalls++;
-  }
-
-  #switch(capability: GLenum, isOn: boolean): void {
-    if (this.#enabled.has(capability) === isOn) return;
-    if (isOn) {
-      this.#gl.enable(capability);
-      this.#enabled.add(capability);
-    } else {
-      this.#gl.disable(capability);
-      this.#enabled.delete(capability);
-    }
-  }
-
-  #writeDepth(isOn: boolean): void {
-    if (this.#writesDepth === isOn) return;
-    this.#gl.depthMask(isOn);
-    this.#writesDepth = isOn;
-  }
-
-  #capture(into: Buffer, count: number): void {
-    const gl = this.#gl;
-    gl.bindTransformFeedback(gl.TRANSFORM_FEEDBACK, this.#feedback);
-    gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, into.handle);
-    gl.beginTransformFeedback(gl.POINTS);
-    gl.drawArrays(gl.POINTS, 0, count);
-    gl.endTransformFeedback();
-    gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, null);
-    gl.bindTransformFeedback(gl.TRANSFORM_FEEDBACK, null);
+  transform(transform: Transform): void {
+    this.#commands.transform(transform);
   }
 
   /** Copies a multisampled target to a surface of its size and format; with depth that can be read there. */
   resolve(target: RenderTarget, to: Surface): void {
-    const gl = this.#gl;
-    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, target.framebuffer);
-    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, to === "canvas" ? null : to.framebuffer);
-    const { width, height } = target;
-    this.#switch(gl.SCISSOR_TEST, false);
-    const depth = to !== "canvas" && "depth" in to && to.depth ? gl.DEPTH_BUFFER_BIT : 0;
-    const bits = gl.COLOR_BUFFER_BIT | depth;
-    gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, bits, gl.NEAREST);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    this.#commands.resolve(target, to);
   }
 
   /**
    * Pixels of the canvas, 8-bit RGBA, rows from the bottom up. Waits for the GPU.
    *
-   * Only in the task that drew them: afterwards the browser owns the picture.
+   * Only in the task that drew them: afterwards the browser owns them.
    */
   readCanvas(x: number, y: number, width: number, height: number): Uint8Array {
     const gl = this.#gl;
@@ -409,8 +287,8 @@ export class Gpu {
     return pixels;
   }
 
-  /** Linear RGB of a floating-point target, rows from the top. Waits for the GPU. */
-  readRadiance(
+  /** RGB of a floating-point target, rows from the top. Waits for the GPU. */
+  readFloats(
     target: RenderTarget | TextureView,
     x: number,
     y: number,
@@ -432,39 +310,6 @@ export class Gpu {
     return rgb;
   }
 
-  #bind(target: Surface): void {
-    const gl = this.#gl;
-    const isCanvas = target === "canvas";
-    gl.bindFramebuffer(gl.FRAMEBUFFER, isCanvas ? null : target.framebuffer);
-    if (isCanvas) gl.viewport(0, 0, this.#canvas.width, this.#canvas.height);
-    else gl.viewport(0, 0, target.width, target.height);
-  }
-
-  #use(
-    program: Program,
-    uniforms: Readonly<Record<string, UniformValue>>,
-    textures: Readonly<Record<string, Texture>>,
-    sampling: Readonly<Record<string, Sampling>>,
-    blocks: Readonly<Record<string, UniformBlock>>,
-  ): void {
-    const gl = this.#gl;
-    // First: laying out a block may have to look into another program.
-    for (const [name, binding] of program.blocks) {
-      const block = blocks[name];
-      if (!block) throw new Error(`${program.label} needs a block ${name}.`);
-      gl.bindBufferBase(gl.UNIFORM_BUFFER, binding, block.handle);
-    }
-    gl.useProgram(program.handle);
-    for (const name in uniforms) program.set(name, uniforms[name]!);
-    for (const [name, unit] of program.samplers) {
-      const texture = textures[name];
-      if (!texture) throw new Error(`${program.label} needs a texture ${name}.`);
-      gl.activeTexture(gl.TEXTURE0 + unit);
-      gl.bindTexture(texture.target, texture.handle);
-      this.#samplers.bind(unit, texture.hasMipmaps ? sampling[name] : undefined);
-    }
-  }
-
   /** Frees every object, and keeps the context for others. */
   clearObjects(): void {
     for (const object of this.#alive) object.dispose();
@@ -480,13 +325,12 @@ export class Gpu {
   dispose(): void {
     this.clearObjects();
     this.timer.dispose();
-    this.#samplers.dispose();
-    this.#gl.deleteTransformFeedback(this.#feedback);
+    this.#commands.dispose();
     this.#gl.getExtension("WEBGL_lose_context")?.loseContext();
   }
 }
 
-/** The renderer's name. Firefox tells it and deprecates the extension; others tell it by the extension alone. */
+/** The renderer's name. Firefox gives it and deprecates the extension; others give it by the extension alone. */
 function rendererOf(gl: WebGL2RenderingContext): string {
   const name = String(gl.getParameter(gl.RENDERER));
   if (name !== "WebKit WebGL") return name;

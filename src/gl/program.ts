@@ -1,4 +1,4 @@
-import { ContextLostError, created, type GpuObject } from "./gpu-object.js";
+import { ContextLostError, created, type GpuContext, GpuObject } from "./gpu-object.js";
 
 /** A shader stage after its includes; `files[n]` is what `#line _ n` refers to. */
 export interface ShaderSource {
@@ -109,31 +109,26 @@ interface Stage {
  * The driver compiles while others are made: whether that went well is asked when somebody needs to know,
  * since the answer is waited for.
  */
-export class Program implements GpuObject {
-  readonly label: string;
+export class Program extends GpuObject {
   readonly bytes = 0;
   readonly #handle: WebGLProgram;
   /** Until they are linked. */
   #stages: readonly Stage[];
-  readonly #gl: WebGL2RenderingContext;
   readonly #uniforms = new Map<string, Uniform>();
   readonly #declared: ReadonlySet<string>;
   readonly #samplers = new Map<string, number>();
   readonly #blocks = new Map<string, number>();
-  readonly #forget: (object: GpuObject) => void;
 
   constructor(
-    gl: WebGL2RenderingContext,
+    context: GpuContext,
     label: string,
     vertex: ShaderSource,
     fragment: ShaderSource,
     { defines = {}, feedback = [] }: ProgramOptions,
-    forget: (object: GpuObject) => void,
   ) {
-    this.#gl = gl;
-    this.#forget = forget;
     const variant = Object.entries(defines).map(([name, value]) => `${name}=${value}`);
-    this.label = [label, ...variant].join(" ");
+    super(context, [label, ...variant].join(" "));
+    const { gl } = context;
     this.#declared = new Set([vertex, fragment].flatMap(declaredUniforms));
     this.#handle = created(gl, gl.createProgram(), this.label);
     this.#stages = [
@@ -149,16 +144,16 @@ export class Program implements GpuObject {
 
   /** Whether asking for anything of it would not wait. */
   get isCompiled(): boolean {
-    const parallel = this.#gl.getExtension("KHR_parallel_shader_compile");
-    if (this.#stages.length === 0 || !parallel || this.#gl.isContextLost()) return true;
-    const status = this.#gl.getProgramParameter(this.#handle, parallel.COMPLETION_STATUS_KHR);
+    const parallel = this.gl.getExtension("KHR_parallel_shader_compile");
+    if (this.#stages.length === 0 || !parallel || this.gl.isContextLost()) return true;
+    const status = this.gl.getProgramParameter(this.#handle, parallel.COMPLETION_STATUS_KHR);
     return status !== false;
   }
 
-  /** Waits until it is linked. Throws what the compiler says if it cannot be; then it is disposed of. */
+  /** Waits until it is linked. Throws the compiler's message if it cannot be, and disposes of it. */
   finish(): void {
     if (this.#stages.length === 0) return;
-    const gl = this.#gl;
+    const gl = this.gl;
     const stages = this.#stages;
     this.#stages = [];
     const linked = gl.getProgramParameter(this.#handle, gl.LINK_STATUS) as boolean;
@@ -178,7 +173,7 @@ export class Program implements GpuObject {
   }
 
   #reasonOfFailure(stages: readonly Stage[]): string {
-    const gl = this.#gl;
+    const gl = this.gl;
     for (const { source, shader } of stages) {
       if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) {
         return explain(gl.getShaderInfoLog(shader) ?? "does not compile", source);
@@ -188,7 +183,7 @@ export class Program implements GpuObject {
   }
 
   #reflect(): void {
-    const gl = this.#gl;
+    const gl = this.gl;
     const samplers: number[] = [
       gl.SAMPLER_2D,
       gl.SAMPLER_3D,
@@ -240,7 +235,7 @@ export class Program implements GpuObject {
   /**
    * Sets a loose uniform of the program in use.
    *
-   * What is declared and not used may be there or not, as the driver's linker likes, so it is left alone. A
+   * Whether a uniform that is declared and not used is there is up to the driver's linker, so it is ignored. A
    * name that is not declared is the caller's mistake on every driver, and throws.
    */
   set(name: string, value: UniformValue): void {
@@ -250,10 +245,9 @@ export class Program implements GpuObject {
       throw new Error(`${this.label} declares no uniform ${name}.`);
   }
 
-  dispose(): void {
-    for (const { shader } of this.#stages) this.#gl.deleteShader(shader);
+  protected free(): void {
+    for (const { shader } of this.#stages) this.gl.deleteShader(shader);
     this.#stages = [];
-    this.#gl.deleteProgram(this.#handle);
-    this.#forget(this);
+    this.gl.deleteProgram(this.#handle);
   }
 }

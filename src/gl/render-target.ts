@@ -1,4 +1,4 @@
-import { created, type GpuObject } from "./gpu-object.js";
+import { created, type GpuContext, GpuObject } from "./gpu-object.js";
 import { FORMATS, Texture, type TextureFormat } from "./texture.js";
 
 export interface RenderTargetOptions {
@@ -19,8 +19,7 @@ export interface RenderTargetOptions {
  *
  * Whether the driver accepts it is asked by `Gpu.check`, since the answer is waited for.
  */
-export class RenderTarget implements GpuObject {
-  readonly label: string;
+export class RenderTarget extends GpuObject {
   readonly bytes: number;
   readonly width: number;
   readonly height: number;
@@ -29,28 +28,19 @@ export class RenderTarget implements GpuObject {
   readonly colors: readonly Texture[];
   readonly depth: Texture | null = null;
   readonly #renderbuffers: WebGLRenderbuffer[] = [];
-  readonly #gl: WebGL2RenderingContext;
-  readonly #forget: (object: GpuObject) => void;
 
-  constructor(
-    gl: WebGL2RenderingContext,
-    options: RenderTargetOptions,
-    mostSamples: number,
-    forget: (object: GpuObject) => void,
-  ) {
+  constructor(context: GpuContext, options: RenderTargetOptions, mostSamples: number) {
+    super(context, options.label);
+    const { gl } = context;
     const { label, width, height, color, depth = "none", filter = "linear" } = options;
-    this.#gl = gl;
-    this.#forget = forget;
-    this.label = label;
     this.width = width;
     this.height = height;
     const samples = Math.min(options.samples ?? 1, mostSamples);
     this.framebuffer = created(gl, gl.createFramebuffer(), label);
     const texture = (name: string, format: TextureFormat, how: "nearest" | "linear") =>
       new Texture(
-        gl,
+        { gl, forget: () => {} },
         { label: `${label}/${name}`, format, source: { width, height }, filter: how },
-        () => {},
       );
     this.colors = samples > 1 ? [] : color.map((format, i) => texture(String(i), format, filter));
     if (depth === "texture" && samples <= 1) {
@@ -91,7 +81,7 @@ export class RenderTarget implements GpuObject {
   }
 
   #renderbuffer(attachment: GLenum, format: GLenum, samples: number): void {
-    const gl = this.#gl;
+    const gl = this.gl;
     const renderbuffer = created(gl, gl.createRenderbuffer(), this.label);
     gl.bindRenderbuffer(gl.RENDERBUFFER, renderbuffer);
     if (samples > 1) {
@@ -103,11 +93,10 @@ export class RenderTarget implements GpuObject {
     this.#renderbuffers.push(renderbuffer);
   }
 
-  dispose(): void {
-    for (const renderbuffer of this.#renderbuffers) this.#gl.deleteRenderbuffer(renderbuffer);
+  protected free(): void {
+    for (const renderbuffer of this.#renderbuffers) this.gl.deleteRenderbuffer(renderbuffer);
     for (const texture of this.colors) texture.dispose();
     this.depth?.dispose();
-    this.#gl.deleteFramebuffer(this.framebuffer);
-    this.#forget(this);
+    this.gl.deleteFramebuffer(this.framebuffer);
   }
 }

@@ -17,7 +17,7 @@ export class Samplers {
     this.#mostTaps = name ? ((gl.getParameter(name) as number | null) ?? 1) : 1;
   }
 
-  /** @param sampling nothing for what the texture itself says */
+  /** @param sampling default: the texture's own */
   bind(unit: number, sampling: Sampling | undefined): void {
     const sampler = sampling ? this.#of(sampling) : null;
     if ((this.#bound[unit] ?? null) === sampler) return;

@@ -1,36 +1,28 @@
-import { created, type GpuObject } from "./gpu-object.js";
+import { created, type GpuContext, GpuObject } from "./gpu-object.js";
 import type { Texture } from "./texture.js";
 
 /** Which image of each texture: a face of a cube, or a layer of a three-dimensional one. */
 export interface TextureViewOptions {
   readonly label: string;
   readonly textures: readonly Texture[];
-  /** Face 0-5 in GL's order (+X -X +Y -Y +Z -Z), or layer; a plain picture has only 0. */
+  /** Face 0-5 in GL's order (+X -X +Y -Y +Z -Z), or layer; a two-dimensional texture has only 0. */
   readonly image: number;
   /** A depth buffer of its own, or one shared with the views of the other images. */
   readonly depth?: Texture;
 }
 
 /** Textures, or a face or a layer of them, to draw to. It does not own the textures. */
-export class TextureView implements GpuObject {
-  readonly label: string;
+export class TextureView extends GpuObject {
   readonly bytes = 0;
   readonly width: number;
   readonly height: number;
   readonly framebuffer: WebGLFramebuffer;
-  readonly #gl: WebGL2RenderingContext;
-  readonly #forget: (object: GpuObject) => void;
 
-  constructor(
-    gl: WebGL2RenderingContext,
-    { label, textures, image, depth }: TextureViewOptions,
-    forget: (object: GpuObject) => void,
-  ) {
+  constructor(context: GpuContext, { label, textures, image, depth }: TextureViewOptions) {
+    super(context, label);
+    const { gl } = context;
     const [first] = textures;
     if (!first) throw new Error(`${label}: nothing to draw to.`);
-    this.#gl = gl;
-    this.#forget = forget;
-    this.label = label;
     this.width = first.width;
     this.height = first.height;
     this.framebuffer = created(gl, gl.createFramebuffer(), label);
@@ -53,8 +45,7 @@ export class TextureView implements GpuObject {
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 
-  dispose(): void {
-    this.#gl.deleteFramebuffer(this.framebuffer);
-    this.#forget(this);
+  protected free(): void {
+    this.gl.deleteFramebuffer(this.framebuffer);
   }
 }

@@ -1,6 +1,6 @@
-import { created, type GpuObject } from "./gpu-object.js";
+import { created, type GpuContext, GpuObject } from "./gpu-object.js";
 
-/** Storage of one texel: what uploads it, and its size in bytes. Keys are GL's internal formats. */
+/** Texture formats: the upload format and type, and bytes per texel. Keys are GL's internal formats. */
 export const FORMATS = {
   R8: { upload: "RED", type: "UNSIGNED_BYTE", bytes: 1 },
   RG8: { upload: "RG", type: "UNSIGNED_BYTE", bytes: 2 },
@@ -16,7 +16,7 @@ export const FORMATS = {
 } as const;
 export type TextureFormat = keyof typeof FORMATS;
 
-/** Pixels, rows from the top as in a picture file. */
+/** Pixels, rows from the top as in an image file. */
 export interface Pixels {
   readonly width: number;
   readonly height: number;
@@ -28,7 +28,7 @@ export interface TextureOptions {
   readonly format: TextureFormat;
   /** Pixels, or a size for a texture that a pass will draw. */
   readonly source: ImageBitmap | Pixels | { readonly width: number; readonly height: number };
-  /** A cube has six square faces; layers make it three-dimensional. Default: a plain picture. */
+  /** A cube has six square faces; layers make it three-dimensional. Default: two-dimensional. */
   readonly shape?: "2d" | "cube" | { readonly layers: number };
   /** Trilinear, with mipmaps made on the GPU. */
   readonly mipmaps?: boolean;
@@ -37,9 +37,8 @@ export interface TextureOptions {
 }
 
 /** A texture of immutable storage: a new size means a new texture. */
-export class Texture implements GpuObject {
+export class Texture extends GpuObject {
   readonly #format: TextureFormat;
-  readonly label: string;
   readonly bytes: number;
   readonly width: number;
   readonly height: number;
@@ -47,20 +46,13 @@ export class Texture implements GpuObject {
   readonly handle: WebGLTexture;
   /** GL's binding point. */
   readonly target: GLenum;
-  readonly #gl: WebGL2RenderingContext;
-  readonly #forget: (object: GpuObject) => void;
 
-  constructor(
-    gl: WebGL2RenderingContext,
-    options: TextureOptions,
-    forget: (object: GpuObject) => void,
-  ) {
+  constructor(context: GpuContext, options: TextureOptions) {
+    super(context, options.label);
+    const { gl } = context;
     const { label, format, source, shape = "2d", mipmaps = false } = options;
     const { width, height } = source;
-    this.#gl = gl;
-    this.#forget = forget;
     this.#format = format;
-    this.label = label;
     this.width = width;
     this.height = height;
     this.hasMipmaps = mipmaps;
@@ -83,16 +75,16 @@ export class Texture implements GpuObject {
       gl.texStorage2D(this.target, levels, gl[format], width, height);
     }
     this.#upload(options, layers);
-    // What is only drawn later has its mipmaps then: `updateMipmaps`.
+    // Textures that are drawn later have their mipmaps then: `updateMipmaps`.
     const isFilled = "close" in options.source || "data" in options.source;
     if (mipmaps && isFilled) gl.generateMipmap(this.target);
     this.#sample(options);
     gl.bindTexture(this.target, null);
   }
 
-  /** Makes the mipmaps of what has been drawn. */
+  /** Makes the mipmaps of a texture that has been drawn. */
   updateMipmaps(): void {
-    const gl = this.#gl;
+    const gl = this.gl;
     gl.activeTexture(gl.TEXTURE0);
     gl.bindTexture(this.target, this.handle);
     gl.generateMipmap(this.target);
@@ -100,7 +92,7 @@ export class Texture implements GpuObject {
   }
 
   #upload({ format, source }: TextureOptions, layers: number): void {
-    const gl = this.#gl;
+    const gl = this.gl;
     const { upload } = FORMATS[format];
     const { width, height } = source;
     // The driver makes halves of floats.
@@ -118,9 +110,9 @@ export class Texture implements GpuObject {
     }
   }
 
-  /** Other texels of the same format, for a plain picture without mipmaps. */
+  /** Replaces the texels of a two-dimensional texture without mipmaps. */
   update(data: ArrayBufferView): void {
-    const gl = this.#gl;
+    const gl = this.gl;
     const { upload, type } = FORMATS[this.#format];
     gl.activeTexture(gl.TEXTURE0);
     gl.bindTexture(this.target, this.handle);
@@ -130,7 +122,7 @@ export class Texture implements GpuObject {
   }
 
   #sample({ mipmaps, filter = "linear", wrap = "clamp" }: TextureOptions): void {
-    const gl = this.#gl;
+    const gl = this.gl;
     const { target } = this;
     const magnification = filter === "nearest" ? gl.NEAREST : gl.LINEAR;
     const minification = mipmaps ? gl.LINEAR_MIPMAP_LINEAR : magnification;
@@ -142,8 +134,7 @@ export class Texture implements GpuObject {
     gl.texParameteri(target, gl.TEXTURE_WRAP_R, edge);
   }
 
-  dispose(): void {
-    this.#gl.deleteTexture(this.handle);
-    this.#forget(this);
+  protected free(): void {
+    this.gl.deleteTexture(this.handle);
   }
 }

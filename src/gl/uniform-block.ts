@@ -1,4 +1,4 @@
-import { created, type GpuObject } from "./gpu-object.js";
+import { created, type GpuContext, GpuObject } from "./gpu-object.js";
 import type { Program } from "./program.js";
 
 type Value = number | ArrayLike<number>;
@@ -15,29 +15,19 @@ interface Layout {
  *
  * Offsets are asked of the driver, never computed: std140 lets a float sit in the fourth slot of a vec3, and
  * tables written by hand get that wrong. They are asked for at the first draw, since the answer waits for the
- * program to be linked; what is written before that is remembered.
+ * program to be linked; values written before that are remembered.
  */
-export class UniformBlock implements GpuObject {
-  readonly label: string;
+export class UniformBlock extends GpuObject {
   readonly #name: string;
   readonly #program: Program;
-  readonly #gl: WebGL2RenderingContext;
-  readonly #forget: (object: GpuObject) => void;
   #layout: Layout | null = null;
   #early: Record<string, Value> = {};
   #isStale = true;
 
-  constructor(
-    gl: WebGL2RenderingContext,
-    program: Program,
-    name: string,
-    forget: (object: GpuObject) => void,
-  ) {
-    this.#gl = gl;
+  constructor(context: GpuContext, program: Program, name: string) {
+    super(context, `block ${name}`);
     this.#program = program;
     this.#name = name;
-    this.#forget = forget;
-    this.label = `block ${name}`;
   }
 
   get bytes(): number {
@@ -48,7 +38,7 @@ export class UniformBlock implements GpuObject {
   get handle(): WebGLBuffer {
     const { buffer, floats } = this.#laidOut();
     if (this.#isStale) {
-      const gl = this.#gl;
+      const gl = this.gl;
       gl.bindBuffer(gl.UNIFORM_BUFFER, buffer);
       gl.bufferSubData(gl.UNIFORM_BUFFER, 0, floats);
       gl.bindBuffer(gl.UNIFORM_BUFFER, null);
@@ -81,7 +71,7 @@ export class UniformBlock implements GpuObject {
 
   #laidOut(): Layout {
     if (this.#layout) return this.#layout;
-    const gl = this.#gl;
+    const gl = this.gl;
     const { handle, label } = this.#program;
     const index = gl.getUniformBlockIndex(handle, this.#name);
     if (index === gl.INVALID_INDEX) throw new Error(`${label} has no block ${this.#name}.`);
@@ -104,8 +94,7 @@ export class UniformBlock implements GpuObject {
     return this.#layout;
   }
 
-  dispose(): void {
-    if (this.#layout) this.#gl.deleteBuffer(this.#layout.buffer);
-    this.#forget(this);
+  protected free(): void {
+    if (this.#layout) this.gl.deleteBuffer(this.#layout.buffer);
   }
 }

@@ -1,5 +1,5 @@
 import type { Buffer } from "./buffer.js";
-import { created, type GpuObject } from "./gpu-object.js";
+import { created, type GpuContext, GpuObject } from "./gpu-object.js";
 
 /** One attribute: `size` floats from `offset` in each `stride` of a buffer (bytes; 0 = tightly packed). */
 export interface Attribute {
@@ -18,24 +18,19 @@ export interface VertexArrayOptions {
 }
 
 /** How buffers feed a vertex shader. It does not own the buffers. */
-export class VertexArray implements GpuObject {
-  readonly label: string;
+export class VertexArray extends GpuObject {
   readonly bytes = 0;
   readonly handle: WebGLVertexArrayObject;
   readonly count: number;
   readonly indexType: "uint16" | "uint32" | undefined;
-  readonly #gl: WebGL2RenderingContext;
-  readonly #forget: (object: GpuObject) => void;
 
   constructor(
-    gl: WebGL2RenderingContext,
+    context: GpuContext,
     label: string,
     { attributes, indices, count }: VertexArrayOptions,
-    forget: (object: GpuObject) => void,
   ) {
-    this.#gl = gl;
-    this.#forget = forget;
-    this.label = label;
+    super(context, label);
+    const { gl } = context;
     this.count = count;
     this.indexType = indices?.type;
     this.handle = created(gl, gl.createVertexArray(), label);
@@ -51,8 +46,7 @@ export class VertexArray implements GpuObject {
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, null);
   }
 
-  dispose(): void {
-    this.#gl.deleteVertexArray(this.handle);
-    this.#forget(this);
+  protected free(): void {
+    this.gl.deleteVertexArray(this.handle);
   }
 }

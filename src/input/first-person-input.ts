@@ -1,4 +1,4 @@
-import { type Intent, STILL } from "../world/intent.js";
+import { type Intent, STILL } from "../world/player/intent.js";
 import { Gamepads, type Pad } from "./gamepads.js";
 import { Keyboard } from "./keyboard.js";
 import { Touch } from "./touch.js";
@@ -10,7 +10,7 @@ const ENTER: ReadonlySet<string> = new Set(["Enter", "NumpadEnter"]);
 /** Browsers refuse to lock the pointer again for about this long after Esc, in milliseconds. */
 const LOCK_COOL_DOWN = 1300;
 
-/** What the visitor has in hand. */
+/** Input device. */
 export type Device = "mouse" | "keyboard" | "touch" | "gamepad";
 
 /**
@@ -40,7 +40,7 @@ export class FirstPersonInput {
   #unlockedAt = Number.NEGATIVE_INFINITY;
   #lockTimer = 0;
 
-  /** @param onEntered called when the visitor goes in, by which device, and when he leaves */
+  /** @param onEntered called when the visitor goes in, by which device, and on leaving */
   constructor(
     host: HTMLElement,
     canvas: HTMLCanvasElement,
@@ -65,7 +65,7 @@ export class FirstPersonInput {
     ownerDocument.addEventListener("visibilitychange", () => this.#release(), { signal });
   }
 
-  /** What the visitor wants since the last call. */
+  /** Intent since the last call. */
   read(): Intent {
     const pad = this.#readGamepads();
     const keys = this.#keyboard.read();

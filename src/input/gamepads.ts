@@ -1,22 +1,22 @@
-import { type Intent, STILL } from "../world/intent.js";
-import type { Wish } from "./wish.js";
+import type { Action } from "../world/player/intent.js";
+import { type Intent, STILL } from "../world/player/intent.js";
 
-/** Share of a stick's way that worn springs leave it at; it means nothing. */
+/** Dead zone: share of a stick's way that worn springs leave it at. */
 const DEAD_ZONE = 0.15;
 /** Exponent of the looking stick: fine near the middle, fast at the rim. */
 const LOOK_CURVE = 1.6;
 
-/** Places of the W3C's standard gamepad. Those of any other layout are anybody's guess. */
+/** Indices of the W3C's standard gamepad. Other layouts are not supported. */
 const AXES = { right: 0, back: 1, turnRight: 2, down: 3 } as const;
 const BUTTONS = { a: 0, b: 1, x: 2, y: 3, rightTrigger: 7, leftStick: 10 } as const;
 
-const ONCE: readonly (readonly [button: number, wish: Wish])[] = [
+const ONCE: readonly (readonly [button: number, action: Action])[] = [
   [BUTTONS.a, "togglesFlame"],
   [BUTTONS.x, "placesOrTakes"],
   [BUTTONS.y, "blows"],
 ];
 
-/** What we read of a `Gamepad`. */
+/** The part of a `Gamepad` that is read. */
 export interface Pad {
   readonly mapping: string;
   readonly axes: readonly number[];
@@ -63,7 +63,7 @@ export class Gamepads {
       turn: -turn,
       tilt: -down,
       runs: [BUTTONS.leftStick, BUTTONS.rightTrigger].some((button) => this.#pressed[button]),
-      ...Object.fromEntries(ONCE.map(([button, wish]) => [wish, goesDown(button)])),
+      ...Object.fromEntries(ONCE.map(([button, action]) => [action, goesDown(button)])),
     };
   }
 }

@@ -1,7 +1,7 @@
-import { type Intent, STILL } from "../world/intent.js";
-import type { Wish } from "./wish.js";
+import type { Action } from "../world/player/intent.js";
+import { type Intent, STILL } from "../world/player/intent.js";
 
-/** What a key does while it is held: a share of one axis of the intent, or the wish to run. */
+/** Effect of a key while it is held: a share of one axis of the intent, or running. */
 type Held =
   | { readonly axis: "forward" | "right" | "turn" | "tilt"; readonly way: 1 | -1 }
   | { readonly axis: "runs" };
@@ -26,8 +26,8 @@ const HELD: Readonly<Record<string, Held>> = {
   ShiftRight: { axis: "runs" },
 };
 
-/** What happens once, when the key goes down. */
-const ONCE: Readonly<Record<string, Wish>> = {
+/** Actions, triggered when the key goes down. */
+const ONCE: Readonly<Record<string, Action>> = {
   KeyE: "togglesFlame",
   KeyB: "blows",
   KeyF: "placesOrTakes",
@@ -36,14 +36,14 @@ const ONCE: Readonly<Record<string, Wish>> = {
 /** The keys that are down, as an intent. Keyboard alone reaches everything. */
 export class Keyboard {
   readonly #down = new Set<string>();
-  #wishes: Partial<Record<Wish, true>> = {};
+  #actions: Partial<Record<Action, true>> = {};
 
   /** Whether the key is one of ours. */
   press({ code, repeat }: KeyboardEvent): boolean {
-    const wish = ONCE[code];
-    if (wish && !repeat) this.#wishes[wish] = true;
+    const action = ONCE[code];
+    if (action && !repeat) this.#actions[action] = true;
     if (HELD[code]) this.#down.add(code);
-    return wish !== undefined || HELD[code] !== undefined;
+    return action !== undefined || HELD[code] !== undefined;
   }
 
   lift({ code }: KeyboardEvent): void {
@@ -70,9 +70,9 @@ export class Keyboard {
       turn: Math.sign(sums.turn),
       tilt: Math.sign(sums.tilt),
       runs,
-      ...this.#wishes,
+      ...this.#actions,
     };
-    this.#wishes = {};
+    this.#actions = {};
     return intent;
   }
 }

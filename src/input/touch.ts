@@ -1,5 +1,5 @@
-import { type Intent, STILL } from "../world/intent.js";
-import type { Wish } from "./wish.js";
+import type { Action } from "../world/player/intent.js";
+import { type Intent, STILL } from "../world/player/intent.js";
 
 /** Way of a thumb for full walking pace, CSS pixels; further out one runs. */
 const REACH = 60;
@@ -39,7 +39,7 @@ export class Touch {
   #lastTap: { x: number; y: number; time: number } | null = null;
   #yaw = 0;
   #pitch = 0;
-  #wishes: Partial<Record<Wish, true>> = {};
+  #actions: Partial<Record<Action, true>> = {};
   #holdTimer: ReturnType<typeof setTimeout> | undefined;
 
   /** @param box where the zones are, in client coordinates */
@@ -59,7 +59,7 @@ export class Touch {
     clearTimeout(this.#holdTimer);
     this.#holdTimer = setTimeout(() => {
       if (finger.isSteady && this.#fingers.get(pointerId) === finger) {
-        this.#wishes.placesOrTakes = true;
+        this.#actions.placesOrTakes = true;
       }
     }, HOLD);
   }
@@ -87,7 +87,7 @@ export class Touch {
       last !== null &&
       time - last.time < DOUBLE_TAP &&
       Math.hypot(x - last.x, y - last.y) < SAME_PLACE;
-    if (isSecond) this.#wishes.togglesFlame = true;
+    if (isSecond) this.#actions.togglesFlame = true;
     this.#lastTap = isSecond ? null : { x, y, time };
   }
 
@@ -114,11 +114,11 @@ export class Touch {
       runs,
       yaw: this.#yaw,
       pitch: this.#pitch,
-      ...this.#wishes,
+      ...this.#actions,
     };
     this.#yaw = 0;
     this.#pitch = 0;
-    this.#wishes = {};
+    this.#actions = {};
     return intent;
   }
 }

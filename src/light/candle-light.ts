@@ -1,8 +1,8 @@
 import type { Features } from "../settings.js";
-import type { Vec3 } from "../world/bounds.js";
-import { currentTime, flameCentre, type World } from "../world/world.js";
+import type { Vec3 } from "../world/geometry.js";
+import { currentTime, type World } from "../world/world.js";
 
-/** What the flame is to a surface: a point that shines. */
+/** Point light: the flame of the paper's looks. */
 export interface PointLight {
   /** Metres, in the room. */
   readonly position: Vec3;
@@ -28,26 +28,26 @@ const FLICKER_RATE = 2 * Math.PI * 2.3;
 
 /** The light of the paper's flame: amid its glowing particles, and moving with them. */
 export function candleLight(world: World, features: Features, isStill: boolean): PointLight {
-  const { stage } = world;
-  const { flame } = world.shown;
+  const { setup } = world;
+  const { flame } = world.interpolated;
   const burning = Math.min(world.flame.share, 1);
   if (world.look === "original") {
     const [x, y, z] = flame;
     return {
-      position: [x, y + 0.3 * stage.flameScale, z],
+      position: [x, y + 0.3 * setup.flameScale, z],
       color: [WHITE[0] * burning, WHITE[1] * burning, WHITE[2] * burning],
       attenuates: false,
     };
   }
-  const centre = flameCentre(world, [0, 0, 0]);
+  const centre = world.sample.centre([0, 0, 0]);
   const varies = features.flicker && !isStill;
   const flicker =
     burning * (varies ? 1 + FLICKER * Math.sin(FLICKER_RATE * currentTime(world)) : 1);
   return {
     position: [
-      flame[0] + centre[0] * stage.flameScale,
-      flame[1] + centre[1] * stage.flameScale,
-      flame[2] + centre[2] * stage.flameScale,
+      flame[0] + centre[0] * setup.flameScale,
+      flame[1] + centre[1] * setup.flameScale,
+      flame[2] + centre[2] * setup.flameScale,
     ],
     color: [WARM[0] * flicker, WARM[1] * flicker, WARM[2] * flicker],
     attenuates: features.attenuation,

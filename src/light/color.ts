@@ -61,8 +61,8 @@ export function sootBlue(red: number, green: number): number {
 }
 
 /**
- * Chromatic adaptation of linear Rec. 709, channel by channel (von Kries 1902): what a candle lit looks
- * as if a studio lamp had lit it. Factors whose effect on candlelight leaves luma as it is.
+ * Chromatic adaptation of linear Rec. 709, channel by channel (von Kries 1902): factors that turn candlelight
+ * into a studio lamp's light. On candlelight they leave luma as it is.
  *
  * @param candle colour of the light, with luma 1
  *
@@ -73,7 +73,7 @@ export function adaptation(candle: Rgb): Rgb {
   return [lamp[0] / candle[0], lamp[1] / candle[1], lamp[2] / candle[2]];
 }
 
-/** What candlelight turns to by that, with luma 1. */
+/** The adapted white of candlelight, with luma 1. */
 export function adaptedWhite(): Rgb {
   return whiteOf(ADAPTED_WHITE);
 }

@@ -113,7 +113,7 @@ export function flameBody(height: number, radius: number, luminousIntensity: num
   const blue = sum(blueRows);
   const soot = sum(sootRows);
   const total = soot + blue;
-  // Emission integrated over the volume is intensity: scaled, the picture gives what was asked for.
+  // Emission integrated over the volume is intensity: scaled, it is the one asked for.
   // By Kirchhoff's law absorption is emission over what a black body would give: it scales alike.
   const scale = luminousIntensity / total;
   for (let i = 0; i < texels.length; i++) texels[i] = (texels[i] ?? 0) * scale;

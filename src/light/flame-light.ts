@@ -1,5 +1,5 @@
-import type { Vec3 } from "../world/bounds.js";
 import { flameHeight, flameRadius, TAPER_RATE, TAPER_WICK } from "../world/flame/burning.js";
+import type { Vec3 } from "../world/geometry.js";
 import type { World } from "../world/world.js";
 import { chromaticity, type Rgb } from "./color.js";
 import { BLUE, type FlameBody, flameBody } from "./flame-body.js";
@@ -21,18 +21,21 @@ export interface FlameLight {
 /** A good taper's flame, still: the candle that the candela was named after. */
 export const TAPER: FlameBody = flameBody(flameHeight(TAPER_RATE), flameRadius(TAPER_WICK, 1), 1);
 
-/** The wick's glowing tip: how high it stands, and how much of it is seen from any side. m, m². */
+/** Ember at the wick's tip: its height, m, and its projected area, m². */
 export const EMBER_HEIGHT = 0.0066;
 const EMBER_AREA = 3e-6;
 
 const scratch = createShape();
 
-/** What the flame, drawn from the same body, is to the room; what is left of it when it is out. */
-export function flameLight(world: Pick<World, "shown" | "flame">, body: FlameBody): FlameLight {
-  const { shown, flame } = world;
+/** Light of the flame that is drawn from the same body, or of its ember. */
+export function flameLight(
+  world: Pick<World, "interpolated" | "flame">,
+  body: FlameBody,
+): FlameLight {
+  const { interpolated, flame } = world;
   const shape = shapeFlame(flame, body, scratch);
   const { centre, reach, sootIntensity, blueIntensity } = shape;
-  const [x, y, z] = shown.flame;
+  const [x, y, z] = interpolated.flame;
   if (!flame.isLit && flame.glow === 0) {
     const glow = emberRadiance(flame.ember);
     return {
@@ -78,7 +81,7 @@ export interface FlameReport {
   readonly height: number;
   readonly width: number;
   readonly luminousIntensity: number;
-  /** What of it is the blue base's, candela. */
+  /** Share of the blue base, candela. */
   readonly blueIntensity: number;
   readonly colorTemperature: number;
   /** From the vertical. */
@@ -89,10 +92,12 @@ export interface FlameReport {
 const COLOR_TEMPERATURE = 1880;
 
 export function flameReport(world: World): FlameReport {
-  const { flame, shown } = world;
+  const { flame, interpolated } = world;
   const { position, intensity } = flameLight(world, TAPER);
   const shape = scratch;
-  const [dx, dy, dz] = [0, 1, 2].map((axis) => (position[axis] ?? 0) - (shown.flame[axis] ?? 0));
+  const [dx, dy, dz] = [0, 1, 2].map(
+    (axis) => (position[axis] ?? 0) - (interpolated.flame[axis] ?? 0),
+  );
   return {
     lit: flame.isLit,
     position,
@@ -119,16 +124,18 @@ function correlatedTemperature(rgb: Rgb): number {
 
 /** The same of the paper's flame, which has no unit of light: its extent is that of its particles. */
 export function paperFlameReport(world: World, position: Vec3): FlameReport {
-  const { stage, shown, sample, flame } = world;
-  const [dx, dy, dz] = [0, 1, 2].map((axis) => (position[axis] ?? 0) - (shown.flame[axis] ?? 0));
+  const { setup, interpolated, sample, flame } = world;
+  const [dx, dy, dz] = [0, 1, 2].map(
+    (axis) => (position[axis] ?? 0) - (interpolated.flame[axis] ?? 0),
+  );
   const { speed, buoyancy, life, size } = sample.layer;
   const mean = (speed[0] + speed[1]) / 2;
   const burning = Math.min(flame.share, 1);
   return {
     lit: flame.isLit,
     position,
-    height: flame.isLit ? (mean * life + 0.5 * buoyancy * life * life) * stage.flameScale : 0,
-    width: flame.isLit ? size * stage.flameScale : 0,
+    height: flame.isLit ? (mean * life + 0.5 * buoyancy * life * life) * setup.flameScale : 0,
+    width: flame.isLit ? size * setup.flameScale : 0,
     luminousIntensity: burning,
     blueIntensity: 0,
     colorTemperature: COLOR_TEMPERATURE,

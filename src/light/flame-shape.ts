@@ -2,9 +2,9 @@ import type { Flame } from "../world/flame/flame.js";
 import { PARCELS } from "../world/flame/spine.js";
 import { BODY_REACH, BODY_SIZE, type FlameBody, outline } from "./flame-body.js";
 
-/** Places along the spine that the picture knows, evenly spaced in height. */
+/** Sections along the spine, evenly spaced in height. */
 export const NODES = 16;
-/** Balls that hold all of the body: what lies outside of them need not be marched through. */
+/** Bounding spheres of the body: rays are marched inside of them only. */
 export const BALLS = 8;
 
 /** More of the fuel burns blue then, by this factor. */
@@ -65,7 +65,7 @@ export function shapeFlame(flame: Flame, body: FlameBody, shape: FlameShape): Fl
   placeNodes(shape, flame);
   measureSections(shape);
   const volume = (length / body.height) * (radius / body.radius) ** 2;
-  // However its volume swings, the light is what the limiter lets by, in the picture and in the room.
+  // However its volume swings, the light is the limiter's, on the canvas and in the room.
   shape.soot = volume > 0 ? glow / (volume * bulging(body)) : 0;
   // The blue sheet is as thick and as bright on any flame: its light goes as its area.
   shape.blue = glow > 0 ? (body.radius / radius) * (1 + BLUENESS * felt) * presence : 0;

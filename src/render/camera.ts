@@ -1,5 +1,5 @@
 import { mat4 } from "gl-matrix";
-import type { Bounds, Vec3 } from "../world/bounds.js";
+import type { Bounds, Vec3 } from "../world/geometry.js";
 
 /** Field of view across the picture's shorter side, radians: the paper's 45 degrees. */
 export const FIELD_OF_VIEW = Math.PI / 4;

@@ -1,5 +1,5 @@
 import type { mat4 } from "gl-matrix";
-import type { Vec3 } from "../world/bounds.js";
+import type { Vec3 } from "../world/geometry.js";
 import type { World } from "../world/world.js";
 import type { FrameSettings } from "./frame-settings.js";
 import type { CaptureLight } from "./light-block.js";

@@ -11,7 +11,7 @@ export interface FrameSettings {
   readonly isMoving: boolean;
   /** Whether another picture follows soon, so that one may leave to the next what takes long. */
   readonly isPatient: boolean;
-  /** No flicker and no sway, for those who asked their system for less motion. */
+  /** No flicker and no sway: `prefers-reduced-motion`. */
   readonly isStill: boolean;
   /** What is shown of the frame; looks without passes show the picture. */
   readonly inspect: Inspection;

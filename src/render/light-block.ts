@@ -1,6 +1,6 @@
+import { capturePoint, snapToGrid } from "../light/capture-point.js";
 import { flameLight, TAPER } from "../light/flame-light.js";
-import { onGrid, vantage } from "../light/vantage.js";
-import type { Vec3 } from "../world/bounds.js";
+import type { Vec3 } from "../world/geometry.js";
 import type { World } from "../world/world.js";
 import { SCHEDULE } from "./schedule.js";
 
@@ -9,11 +9,11 @@ const CANDLE = { rim: 0.2015, rimRadius: 0.0101, pan: 0.018, panRadius: 0.066 } 
 
 /** The flame as the shaders' `Light` block has it; a hidden candle stands in no light. */
 export function lightBlock(world: World, showsCandle: boolean) {
-  const { foot } = world.shown;
+  const { foot } = world.interpolated;
   const { position, axis: along, halfHeight, intensity, radius } = flameLight(world, TAPER);
   return {
     position,
-    vantage: vantage(world.shown.flame, position),
+    vantage: capturePoint(world.interpolated.flame, position),
     halfHeight,
     intensity,
     radius,
@@ -54,12 +54,12 @@ export function captureLight(world: World, showsCandle: boolean): CaptureLight {
   return {
     ...light,
     position: light.vantage,
-    halfHeight: onGrid(light.halfHeight),
+    halfHeight: snapToGrid(light.halfHeight),
     intensity: [1, 1, 1],
     along: [0, 1, 0],
-    radius: onGrid(light.radius),
-    axis: light.axis.map(onGrid),
-    rim: onGrid(light.rim),
-    pan: onGrid(light.pan),
+    radius: snapToGrid(light.radius),
+    axis: light.axis.map(snapToGrid),
+    rim: snapToGrid(light.rim),
+    pan: snapToGrid(light.pan),
   };
 }

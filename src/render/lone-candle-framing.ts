@@ -1,5 +1,5 @@
-import type { Vec3 } from "../world/bounds.js";
 import { flameHeight, fuelRate, TAPER_RATE } from "../world/flame/burning.js";
+import type { Vec3 } from "../world/geometry.js";
 
 /** Half of the width and of the height that a taper and its flame take up, with room to sway. Metres. */
 const HALF = { width: 0.088, height: 0.15 } as const;

@@ -132,7 +132,7 @@ export class LoneCandleRenderer implements Renderer {
 
   #drawCandle(target: RenderTarget, world: World): void {
     const { surfaceProgram, candle, frame, light } = this.#shared;
-    const [x, y, z] = world.shown.foot;
+    const [x, y, z] = world.interpolated.foot;
     const ember = emberRadiance(world.flame.ember);
     for (const surface of candle) {
       this.#gpu.draw({
@@ -159,7 +159,7 @@ export class LoneCandleRenderer implements Renderer {
 
   readRadiance(x: number, y: number, width: number, height: number): Float32Array {
     if (!this.#radiance) return new Float32Array(width * height * 3);
-    return this.#gpu.readRadiance(this.#radiance, x, y, width, height);
+    return this.#gpu.readFloats(this.#radiance, x, y, width, height);
   }
 
   /** Frees what is not shared. */

@@ -11,9 +11,9 @@ import type { RenderTarget } from "../gl/render-target.js";
 import type { UniformBlock } from "../gl/uniform-block.js";
 import { candleLight } from "../light/candle-light.js";
 import type { Features } from "../settings.js";
-import { fieldOfViewOf } from "../world/field-of-view.js";
-import type { ParticleLayer } from "../world/particle-layer.js";
-import { layerKey } from "../world/particles.js";
+import type { ParticleLayer } from "../world/particles/particle-layer.js";
+import { layerKey } from "../world/particles/particles.js";
+import { fieldOfViewOf } from "../world/player/field-of-view.js";
 import type { World } from "../world/world.js";
 import { clipFromWorld, projectionScale } from "./camera.js";
 import type { FrameSettings } from "./frame-settings.js";
@@ -110,11 +110,11 @@ export class PaperRenderer implements Renderer {
   }
 
   #updateBlocks(world: World, { features, exposure, isStill }: FrameSettings): void {
-    const { player, look, shown } = world;
+    const { player, look, interpolated } = world;
     this.#gain = EXPOSURE * 2 ** exposure;
     const { width, height } = this.#size;
     this.#clipFromWorld = clipFromWorld(
-      shown.eye,
+      interpolated.eye,
       player.yaw,
       player.pitch,
       width / height,
@@ -122,7 +122,7 @@ export class PaperRenderer implements Renderer {
     );
     this.#frame.update({
       clipFromWorld: this.#clipFromWorld,
-      eyePosition: shown.eye,
+      eyePosition: interpolated.eye,
       exposure: this.#gain,
       viewport: [width, height],
       projectionScale: projectionScale(Math.min(width, height)) * zoomOf(world),
@@ -152,8 +152,13 @@ export class PaperRenderer implements Renderer {
     }
   }
 
-  #drawCandle(target: Target, { shown, stage }: World): void {
-    const place = [shown.foot[0], shown.foot[1], shown.foot[2], stage.candleScale];
+  #drawCandle(target: Target, { interpolated, setup }: World): void {
+    const place = [
+      interpolated.foot[0],
+      interpolated.foot[1],
+      interpolated.foot[2],
+      setup.candleScale,
+    ];
     for (const { vertexArray, textures, baseColor, occlusionStrength } of this.#candle) {
       this.#gpu.draw({
         program: this.#candleProgram,
@@ -173,18 +178,18 @@ export class PaperRenderer implements Renderer {
   }
 
   #drawParticles(target: Target, world: World, features: Features): void {
-    const { stage, shown, look, remainder } = world;
+    const { setup, interpolated, look, remainder } = world;
     const isFinal = look === "paper";
     const hasGradient = isFinal && features.gradient;
-    const clipFromFlame = mat4.translate(mat4.create(), this.#clipFromWorld, shown.flame);
+    const clipFromFlame = mat4.translate(mat4.create(), this.#clipFromWorld, interpolated.flame);
     mat4.scale(clipFromFlame, clipFromFlame, [
-      stage.flameScale,
-      stage.flameScale,
-      stage.flameScale,
+      setup.flameScale,
+      setup.flameScale,
+      setup.flameScale,
     ]);
     const { width, height } = this.#size;
     const scale = projectionScale(Math.min(width, height)) * zoomOf(world);
-    const pixels = stage.flameScale * scale;
+    const pixels = setup.flameScale * scale;
     for (const system of this.#systems) {
       const { size } = system.layer;
       const name = system.layer.name === "haze" ? "haze" : "core";

@@ -2,9 +2,9 @@ import type { Box, Gpu } from "../gl/gpu.js";
 import type { RenderTarget } from "../gl/render-target.js";
 import type { Texture } from "../gl/texture.js";
 import type { TextureView } from "../gl/texture-view.js";
-import { fieldOfViewOf } from "../world/field-of-view.js";
-import type { ParticleLayer } from "../world/particle-layer.js";
-import type { Solid } from "../world/solid.js";
+import type { ParticleLayer } from "../world/particles/particle-layer.js";
+import { fieldOfViewOf } from "../world/player/field-of-view.js";
+import type { CollisionMesh } from "../world/room/collision-mesh.js";
 import type { World } from "../world/world.js";
 import { clipFromWorld, clipPosition, projectionScale } from "./camera.js";
 import { AT_ORIGIN, type FrameInput, type ModelInstance, type Placement } from "./frame-input.js";
@@ -73,8 +73,8 @@ export class PhysicalRenderer implements Renderer {
   /** Composites what the last frame left out of `#radiance`. */
   #complete: () => void = () => {};
 
-  /** @param solid of the room, for the probes' rays */
-  constructor(gpu: Gpu, { room, candle }: Models, solid: Solid, tier: Tier) {
+  /** @param collision mesh of the room, for the probes' rays */
+  constructor(gpu: Gpu, { room, candle }: Models, collision: CollisionMesh, tier: Tier) {
     this.#gpu = gpu;
     const { physical } = tier;
     const screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
@@ -90,7 +90,7 @@ export class PhysicalRenderer implements Renderer {
     this.#captures = new LightCaptures(
       gpu,
       screen,
-      { model: room, solid, surfaces },
+      { model: room, collision, surfaces },
       physical,
       lods,
     );
@@ -148,11 +148,11 @@ export class PhysicalRenderer implements Renderer {
   }
 
   #describe(world: World, settings: FrameSettings): FrameInput {
-    const { player, shown, candle } = world;
+    const { player, interpolated, candle } = world;
     const { width, height } = this.#size;
     const { features } = settings;
     const clip = clipFromWorld(
-      shown.eye,
+      interpolated.eye,
       player.yaw,
       player.pitch,
       width / height,
@@ -160,15 +160,15 @@ export class PhysicalRenderer implements Renderer {
     );
     this.#opaque.blocks.Frame.update({
       clipFromWorld: clip,
-      eyePosition: shown.eye,
+      eyePosition: interpolated.eye,
       exposure: exposureFactor(settings),
       viewport: [width, height],
       projectionScale: projectionScale(height) * zoomOf(world),
       normalMaps: features.normalMaps ? 1 : 0,
     });
-    const [x, y, z] = shown.foot;
+    const [x, y, z] = interpolated.foot;
     const candlePlacement: Placement = [x, y, z, candle.yaw + HANDLE_TURN];
-    const [flameX, flameY, flameW] = clipPosition(clip, ...shown.flame);
+    const [flameX, flameY, flameW] = clipPosition(clip, ...interpolated.flame);
     return {
       world,
       settings,
@@ -231,7 +231,7 @@ export class PhysicalRenderer implements Renderer {
     this.#bloom.render(color, region, flameUv);
     this.#exposure.render(
       this.#compositeDisplay ? textures : { uRadiance: color },
-      world.pupil.lag,
+      world.adaptation.lag,
       { ...this.#opaque.blocks },
     );
   }
@@ -288,7 +288,7 @@ export class PhysicalRenderer implements Renderer {
   readRadiance(x: number, y: number, width: number, height: number): Float32Array {
     if (!this.#radiance) return new Float32Array(width * height * 3);
     if (this.#compositeDisplay) this.#complete();
-    return this.#gpu.readRadiance(this.#radiance, x, y, width, height);
+    return this.#gpu.readFloats(this.#radiance, x, y, width, height);
   }
 }
 
@@ -300,11 +300,11 @@ export class PhysicalRenderer implements Renderer {
 export function preparePhysicalRenderer(
   gpu: Gpu,
   { room }: Models,
-  solid: Solid,
+  collision: CollisionMesh,
   tier: Tier,
 ): boolean {
   if (tier.physical.opaque === "deferred") return true;
   const { isCompiled } = forwardProgram(gpu, tier);
   const { indirect } = tier.physical;
-  return traceProbesIncrementally(solid, room, indirect, SCHEDULE.probesPerFrame) && isCompiled;
+  return traceProbesIncrementally(collision, room, indirect, SCHEDULE.probesPerFrame) && isCompiled;
 }

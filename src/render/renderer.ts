@@ -1,5 +1,5 @@
 import type { Model } from "../assets/model.js";
-import type { ParticleLayer } from "../world/particle-layer.js";
+import type { ParticleLayer } from "../world/particles/particle-layer.js";
 import type { World } from "../world/world.js";
 import type { FrameSettings } from "./frame-settings.js";
 

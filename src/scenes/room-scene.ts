@@ -2,7 +2,7 @@ import { nextTask } from "../gl/next-task.js";
 import { uploadNextPicture } from "../render/mesh/mesh.js";
 import { PaperRenderer } from "../render/paper-renderer.js";
 import { PhysicalRenderer, preparePhysicalRenderer } from "../render/physical-renderer.js";
-import { createRoom } from "../world/room.js";
+import { createRoom } from "../world/room/room.js";
 import { closeModels, loadModels, sourcesOf } from "./room-models.js";
 import type { Loading, Scene, SceneRequest } from "./scene.js";
 
@@ -18,15 +18,15 @@ export async function loadRoom(request: SceneRequest, loading: Loading): Promise
   const isBox = look !== "physical" && src === "";
   return {
     room: isBox ? null : room,
-    stage: null,
+    setup: null,
     isModelAlone: false,
     prepareRenderer: ({ gpu }, tier, look) =>
       uploadNextPicture(gpu, models.room) &&
       uploadNextPicture(gpu, models.candle) &&
-      (look !== "physical" || preparePhysicalRenderer(gpu, models, room.solid, tier)),
+      (look !== "physical" || preparePhysicalRenderer(gpu, models, room.collision, tier)),
     createRenderer: ({ gpu }, tier, look) =>
       look === "physical"
-        ? new PhysicalRenderer(gpu, models, room.solid, tier)
+        ? new PhysicalRenderer(gpu, models, room.collision, tier)
         : new PaperRenderer(gpu, models, tier),
     close: () => closeModels(models),
   };

@@ -2,26 +2,26 @@ import { AssetError } from "../assets/asset-error.js";
 import type { Tier } from "../render/quality.js";
 import type { Renderer } from "../render/renderer.js";
 import type { Look, SceneName } from "../settings.js";
-import type { Room } from "../world/room.js";
-import type { Stage } from "../world/stage.js";
-import type { Screen } from "./screen.js";
+import type { Room } from "../world/room/room.js";
+import type { WorldSetup } from "../world/world-setup.js";
+import type { CanvasTarget } from "./canvas-target.js";
 
-/** What is there to see, fetched and decoded. */
+/** Scene: the models of a room or of a lone candle, fetched and decoded. */
 export interface Scene {
   /** The room to walk in; null where there is none, or where the stage describes it. */
   readonly room: Room | null;
   /** How candle and flame stand, if not as the look has it. */
-  readonly stage: Stage | null;
+  readonly setup: WorldSetup | null;
   /** Whether there is nothing but a model on the page's own background. */
   readonly isModelAlone: boolean;
   /** Goes on, for a few milliseconds, with what a renderer needs. True when it can be made at once. */
-  prepareRenderer(screen: Screen, tier: Tier, look: Look): boolean;
-  createRenderer(screen: Screen, tier: Tier, look: Look): Renderer;
+  prepareRenderer(screen: CanvasTarget, tier: Tier, look: Look): boolean;
+  createRenderer(screen: CanvasTarget, tier: Tier, look: Look): Renderer;
   /** Frees what was fetched. */
   close(): void;
 }
 
-/** All that decides what is fetched. */
+/** Request of a scene: everything that decides which files are fetched. */
 export interface SceneRequest {
   readonly scene: SceneName;
   readonly look: Look;

@@ -1,8 +1,14 @@
-import type { Vec3 } from "./bounds.js";
-import { findSpotAhead, findSpotInSight, type Reach, type Refusal, type Stand } from "./placing.js";
-import type { Player } from "./player.js";
-import type { Room } from "./room.js";
-import type { Stage } from "./stage.js";
+import type { Vec3 } from "./geometry.js";
+import { gazeDirection, type Player } from "./player/player.js";
+import {
+  type Cylinder,
+  findAimedSpot,
+  findSpotAhead,
+  type PlacementQuery,
+  type Refusal,
+} from "./room/placement.js";
+import type { Room } from "./room/room.js";
+import type { WorldSetup } from "./world-setup.js";
 
 /** Farthest that the candle is put down on bare ground, metres ahead of the feet. */
 const ARM_AHEAD = [0, 0, 0.9] as const;
@@ -10,8 +16,8 @@ const ARM_AHEAD = [0, 0, 0.9] as const;
 const CANDLE_MARGIN = 0.12;
 /** From this near to a candle that stands, it can be taken up. Metres, along the floor. */
 const GRASP = 1.6;
-/** What holder, candle and flame take up. */
-export const STAND: Stand = { radius: 0.07, height: 0.28 };
+/** Of holder, candle and flame. */
+export const CANDLE_CYLINDER: Cylinder = { radius: 0.07, height: 0.28 };
 
 /** The candle: in the hand, or standing in the room. Always upright. */
 export interface Candle {
@@ -22,38 +28,41 @@ export interface Candle {
   isHeld: boolean;
 }
 
-/** Where a stiff hand holds the candle's foot. It turns with the head, but does not tilt with it. */
-export function holdCandle(candle: Candle, player: Player, stage: Stage): void {
-  putAhead(candle, player, stage.hold, stage);
-  candle.position[1] = player.position[1] + stage.hold[1];
+/** Holds the candle in a stiff hand, which turns with the head but does not tilt with it. */
+export function holdCandle(candle: Candle, player: Player, setup: WorldSetup): void {
+  putAhead(candle, player, setup.hold, setup);
+  candle.position[1] = player.position[1] + setup.hold[1];
   candle.yaw = player.yaw;
 }
 
 /** Puts the candle down on bare ground, an arm's length ahead. */
-export function placeOnGround(candle: Candle, player: Player, stage: Stage): void {
-  putAhead(candle, player, ARM_AHEAD, stage);
-  candle.position[1] = stage.room.min[1];
+export function placeOnGround(candle: Candle, player: Player, setup: WorldSetup): void {
+  putAhead(candle, player, ARM_AHEAD, setup);
+  candle.position[1] = setup.room.min[1];
   candle.isHeld = false;
 }
 
-/** Puts the candle down where the visitor looks, or ahead of him if that is out of reach. */
-export function placeInRoom(candle: Candle, player: Player, { solid, plan }: Room): Refusal | null {
-  const { position: eye, yaw, pitch } = player;
-  const level = Math.cos(pitch);
-  const direction: Vec3 = [-Math.sin(yaw) * level, Math.sin(pitch), -Math.cos(yaw) * level];
-  const reach: Reach = { solid, plan, eye, direction, stand: STAND };
+/** Puts the candle down along the line of sight, or ahead if that is out of reach. */
+export function placeInRoom(
+  candle: Candle,
+  player: Player,
+  { collision, plan }: Room,
+): Refusal | null {
+  const { position: eye } = player;
+  const direction = gazeDirection(player);
+  const reach: PlacementQuery = { collision, plan, eye, direction, cylinder: CANDLE_CYLINDER };
   const spot: Vec3 = [0, 0, 0];
-  const refusal = findSpotInSight(reach, spot);
+  const refusal = findAimedSpot(reach, spot);
   // A look at a wall, or past everything, means the surface ahead.
   const meansAhead = refusal === "nothing within reach" || refusal === "too steep";
   if (refusal !== null && !(meansAhead && findSpotAhead(reach, spot) === null)) return refusal;
   for (const axis of [0, 1, 2] as const) candle.position[axis] = spot[axis];
   candle.isHeld = false;
-  plan.setStanding(spot, STAND.radius);
+  plan.setObstacle(spot, CANDLE_CYLINDER.radius);
   return null;
 }
 
-export function isWithinGrasp(candle: Candle, player: Player): boolean {
+export function isWithinReach(candle: Candle, player: Player): boolean {
   const dx = candle.position[0] - player.position[0];
   const dz = candle.position[2] - player.position[2];
   return Math.hypot(dx, dz) < GRASP;
@@ -63,7 +72,7 @@ function putAhead(
   candle: Candle,
   { position: eye, yaw }: Player,
   hold: readonly [right: number, up: number, ahead: number],
-  stage: Stage,
+  setup: WorldSetup,
 ): void {
   const right = hold[0];
   const ahead = hold[2];
@@ -71,9 +80,9 @@ function putAhead(
   const cos = Math.cos(yaw);
   candle.position[0] = eye[0] + right * cos - ahead * sin;
   candle.position[2] = eye[2] - right * sin - ahead * cos;
-  if (!stage.isSolid) return;
+  if (!setup.hasWalls) return;
   // Only the walls: the hand may be as low as the floor.
-  const { min, max } = stage.room;
+  const { min, max } = setup.room;
   for (let axis = 0; axis < 3; axis += 2) {
     const low = min[axis]! + CANDLE_MARGIN;
     const high = max[axis]! - CANDLE_MARGIN;

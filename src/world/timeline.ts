@@ -1,12 +1,12 @@
-import { GROUPS, type ParticleSource } from "./particle-layer.js";
+import { GROUPS, type ParticleSource } from "./particles/particle-layer.js";
 
 /** Length of the simulation's step, in seconds. */
 export const TICK = 1 / 120;
 /** Ticks remembered. Longer than any particle lives, so that particles can be replayed from it. */
-export const MEMORY = 256;
+export const HISTORY = 256;
 
 /**
- * What happened to the emitter in each of the last ticks.
+ * Timeline: the emitter's history of the last ticks.
  *
  * Particles are a pure function of it: a GPU that lost its buffers, or begins late, replays the
  * memory and has the same particles as one that watched all along.
@@ -14,41 +14,41 @@ export const MEMORY = 256;
 export class Timeline {
   /** Ticks recorded so far. Negative ones warmed the flame up before time 0. */
   tick: number;
-  readonly #way = new Float32Array(MEMORY * 3);
-  readonly #wind = new Float32Array(MEMORY * 3);
-  readonly #groups = new Uint8Array(MEMORY);
-  readonly #spits = new Uint8Array(MEMORY);
+  readonly #way = new Float32Array(HISTORY * 3);
+  readonly #wind = new Float32Array(HISTORY * 3);
+  readonly #groups = new Uint8Array(HISTORY);
+  readonly #sparks = new Uint8Array(HISTORY);
 
   constructor(tick: number) {
     this.tick = tick;
   }
 
   /**
-   * @param way how far the emitter moved in this tick, in its own unit
+   * @param displacement how far the emitter moved in this tick, in its own unit
    * @param wind air's velocity relative to the emitter, in its unit per second
    * @param groups groups of slots in which the flame bears particles, 0 to `GROUPS`
-   * @param isSpitting whether its wick spits
+   * @param hasSparks whether its wick throws sparks
    */
   record(
-    way: ArrayLike<number>,
+    displacement: ArrayLike<number>,
     wind: ArrayLike<number>,
     groups: number,
-    isSpitting = false,
+    hasSparks = false,
   ): void {
     const slot = this.#slot(this.tick);
     for (let axis = 0; axis < 3; axis++) {
-      this.#way[slot * 3 + axis] = way[axis] ?? 0;
+      this.#way[slot * 3 + axis] = displacement[axis] ?? 0;
       this.#wind[slot * 3 + axis] = wind[axis] ?? 0;
     }
     this.#groups[slot] = Math.min(groups, GROUPS);
-    this.#spits[slot] = isSpitting ? GROUPS : 0;
+    this.#sparks[slot] = hasSparks ? GROUPS : 0;
     this.tick++;
   }
 
   /** Groups that bear particles in a tick. */
   groups(tick: number, source: ParticleSource = "flame"): number {
     if (source === "room") return GROUPS;
-    const groups = source === "spit" ? this.#spits : this.#groups;
+    const groups = source === "spark" ? this.#sparks : this.#groups;
     return groups[this.#slot(tick)] ?? 0;
   }
 
@@ -62,6 +62,6 @@ export class Timeline {
   }
 
   #slot(tick: number): number {
-    return tick & (MEMORY - 1);
+    return tick & (HISTORY - 1);
   }
 }

@@ -6,9 +6,9 @@ import {
   ParticleSystem,
   particleProgram,
 } from "../../src/render/volumetric/particle-system.js";
-import { GROUPS, type ParticleLayer } from "../../src/world/particle-layer.js";
-import { layerKey } from "../../src/world/particles.js";
-import { MEMORY, TICK, Timeline } from "../../src/world/timeline.js";
+import { GROUPS, type ParticleLayer } from "../../src/world/particles/particle-layer.js";
+import { layerKey } from "../../src/world/particles/particles.js";
+import { HISTORY, TICK, Timeline } from "../../src/world/timeline.js";
 import { type Cell, FRAME, LAW, sizeOf, VIEW } from "./law.js";
 import type { Peer } from "./peer.js";
 
@@ -30,11 +30,11 @@ export function ours(canvas: HTMLCanvasElement, cell: Cell): Peer {
     defines: { HAZE: 0, GRADIENT: 1 },
     feedback: FEEDBACK,
   });
-  const timeline = new Timeline(-MEMORY);
+  const timeline = new Timeline(-HISTORY);
   const record = (ticks: number) => {
     for (let i = 0; i < ticks; i++) timeline.record(STILL, STILL, GROUPS);
   };
-  record(MEMORY);
+  record(HISTORY);
   const clipFromFlame = new Float32Array(VIEW.clipFromWorld);
   const gl = canvas.getContext("webgl2");
   if (!gl) throw new Error("The context is lost.");

@@ -1,6 +1,9 @@
 import { expect, test } from "playwright/test";
-import { STILL } from "../../src/world/intent.ts";
-import { advance, blow, createWorld, type World } from "../../src/world/world.ts";
+import { advance } from "../../src/world/advance.ts";
+import { blow } from "../../src/world/commands.ts";
+import { createWorld } from "../../src/world/create-world.ts";
+import { STILL } from "../../src/world/player/intent.ts";
+import type { World } from "../../src/world/world.ts";
 import { litterPerTick, MOST_LITTER } from "../support/litter.ts";
 
 /** Most that a frame's world may take of one core, in milliseconds. */

@@ -3,8 +3,8 @@ import { readFileSync } from "node:fs";
 import { expect, test } from "playwright/test";
 import sharp from "sharp";
 import type { Camera } from "../../src/candle-flame-element.ts";
-import { allFeatures, FEATURES_OF, type Feature } from "../../src/settings.ts";
-import { Spits } from "../../src/world/spits.ts";
+import { allFeatures, type Feature, featuresOf } from "../../src/settings.ts";
+import { SparkSchedule } from "../../src/world/particles/sparks.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { type Tile, writeSheet } from "./sheet.ts";
 import { lookingAt, onScreen, type Point, type Shot, take } from "./shot.ts";
@@ -114,7 +114,7 @@ const UNSEEN = 0.1;
 /** Where the picture is shown whole, and where a part of it is. */
 const [WHOLE, NEAR] = [0.5, 1];
 /** Its wick spits soon after the start. */
-const SPITS = [...Array(1000).keys()].find((seed) => new Spits(seed).isAt(54)) ?? 1;
+const SPITS = [...Array(1000).keys()].find((seed) => new SparkSchedule(seed).isAt(54)) ?? 1;
 
 const STAGES: Readonly<Partial<Record<Feature, Stage>>> = {
   volume: AT_THE_FLAME,
@@ -225,7 +225,7 @@ test("shot: the physical look with and without each of its techniques", async ({
     SIZE,
   );
   const tiles: Tile[] = [];
-  for (const feature of FEATURES_OF.physical) {
+  for (const feature of featuresOf("physical")) {
     const shown = STAGES[feature] ?? BESIDE;
     await stage(room, shown);
     const [whole, without] = await pair(room, feature, shown);

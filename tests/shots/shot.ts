@@ -3,7 +3,7 @@ import type { Attributes, RoomDriver } from "../support/room-driver.ts";
 
 export type Point = readonly [number, number, number];
 
-/** Of the physical look, radians: src/world/stage.ts. */
+/** Of the physical look, radians: src/world/world-setup.ts. */
 const FIELD_OF_VIEW = (56 * Math.PI) / 180;
 
 /** What is set, where the eye is, how long it has burnt. */

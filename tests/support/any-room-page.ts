@@ -1,5 +1,5 @@
 import { loadModel } from "../../src/assets/load-model.ts";
-import { closeModel, type Model, type Part, type Picture } from "../../src/assets/model.ts";
+import { closeModel, type Model, type Part, type TextureImage } from "../../src/assets/model.ts";
 import { pcg } from "../../src/world/random.ts";
 
 /** What tests in Node see of a model loaded in the page: all arrays as plain numbers. */
@@ -102,7 +102,7 @@ async function summary(part: Part): Promise<LoadedPart> {
   };
 }
 
-function pixels(picture: Picture | null): LoadedPicture | null {
+function pixels(picture: TextureImage | null): LoadedPicture | null {
   if (!picture) return null;
   const { width, height } = picture;
   const data = "data" in picture ? picture.data : drawn(picture);

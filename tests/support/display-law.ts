@@ -1,6 +1,6 @@
 import { adaptation, adaptedWhite, luma, type Rgb, VIBRANCE } from "../../src/light/color.ts";
 import { TAPER } from "../../src/light/flame-light.ts";
-import { EXPOSURE_LAW } from "../../src/world/pupil.ts";
+import { EXPOSURE_LAW } from "../../src/world/player/exposure-adaptation.ts";
 
 /** What shaders/post/display.frag makes of light, without glare: the numbers of its includes. */
 const METER = { columns: 32, rows: 18, taps: 4, darkest: 1e-4, surface: 3, flame: 6 };

@@ -85,7 +85,7 @@ export class Eye {
     const scattered = pass.render(this.#picture(radianceAt));
     const target = gpu.textureView({ label: "scattered", textures: [scattered], image: 0 });
     const after = gpu
-      .readRadiance(target, 0, 0, target.width, target.height)
+      .readFloats(target, 0, 0, target.width, target.height)
       .reduce((sum, value) => sum + 4 * value, 0); // each covers four pixels
     let before = 0;
     for (let i = 0; i < width * height; i++) {
@@ -105,7 +105,7 @@ export class Eye {
       lag,
     );
     const target = gpu.textureView({ label: "exposure", textures: [exposure], image: 0 });
-    const [stops = Number.NaN] = gpu.readRadiance(target, 0, 0, 1, 1);
+    const [stops = Number.NaN] = gpu.readFloats(target, 0, 0, 1, 1);
     gpu.clearObjects();
     return stops;
   }

@@ -29,7 +29,7 @@ export function furnace(vertex: ShaderSource, fragment: ShaderSource, size: numb
     vertexArray: gpu.vertexArray("screen", { attributes: {}, count: 3 }),
     textures: { uEnvironmentBrdf },
   });
-  const found = Array.from(gpu.readRadiance(target, 0, 0, size, size));
+  const found = Array.from(gpu.readFloats(target, 0, 0, size, size));
   gpu.dispose();
   return found;
 }

@@ -1,10 +1,12 @@
 import { Gpu } from "../../src/gl/gpu.ts";
 import { ParticleSystem, particleProgram } from "../../src/render/volumetric/particle-system.ts";
-import { STILL } from "../../src/world/intent.ts";
-import { PAPER_LAYERS, type ParticleLayer } from "../../src/world/particle-layer.ts";
-import { FLOATS, layerKey, Particles } from "../../src/world/particles.ts";
+import { advance } from "../../src/world/advance.ts";
+import { moveCamera, placeCandle } from "../../src/world/commands.ts";
+import { createWorld } from "../../src/world/create-world.ts";
+import { PAPER_LAYERS, type ParticleLayer } from "../../src/world/particles/particle-layer.ts";
+import { layerKey, PARTICLE_FLOATS, Particles } from "../../src/world/particles/particles.ts";
+import { STILL } from "../../src/world/player/intent.ts";
 import { TICK, Timeline } from "../../src/world/timeline.ts";
-import { advance, createWorld, moveCamera, placeCandle } from "../../src/world/world.ts";
 
 /** What happens to a layer of particles, tick by tick, and how it is watched. */
 export interface Course {
@@ -70,11 +72,11 @@ function compare(one: Float32Array, other: Float32Array): { worst: number; livin
   if (one.length !== other.length) throw new Error(`${one.length} floats, ${other.length} floats`);
   let worst = 0;
   let living = 0;
-  for (let i = 0; i < one.length; i += FLOATS) {
+  for (let i = 0; i < one.length; i += PARTICLE_FLOATS) {
     const remaining = [one[i + 3] ?? Number.NaN, other[i + 3] ?? Number.NaN] as const;
     if (Math.max(...remaining) <= ABOUT_DEAD) continue;
     living++;
-    for (let k = i; k < i + FLOATS; k++) {
+    for (let k = i; k < i + PARTICLE_FLOATS; k++) {
       const apart = Math.abs((one[k] ?? Number.NaN) - (other[k] ?? Number.NaN));
       worst = apart <= worst ? worst : apart; // NaN wins
     }

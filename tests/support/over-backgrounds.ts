@@ -11,9 +11,10 @@ import { FlamePass } from "../../src/render/volumetric/flame-pass.ts";
 import { MotesPass } from "../../src/render/volumetric/motes-pass.ts";
 import { FEEDBACK } from "../../src/render/volumetric/particle-system.ts";
 import { SmokePass } from "../../src/render/volumetric/smoke-pass.ts";
-import type { Vec3 } from "../../src/world/bounds.ts";
-import { STILL } from "../../src/world/intent.ts";
-import { advance, createWorld } from "../../src/world/world.ts";
+import { advance } from "../../src/world/advance.ts";
+import { createWorld } from "../../src/world/create-world.ts";
+import type { Vec3 } from "../../src/world/geometry.ts";
+import { STILL } from "../../src/world/player/intent.ts";
 
 const [WIDTH, HEIGHT] = [160, 90];
 /** Where the eye is, from the flame's foot, m, and its field of view. */
@@ -57,7 +58,7 @@ class Repeater {
     const textures = { ...this.#draw.textures, uDepth };
     this.#gpu.draw({ ...this.#draw, textures, target: this.#target, into: undefined });
     uDepth.dispose();
-    return this.#gpu.readRadiance(this.#target, ...box);
+    return this.#gpu.readFloats(this.#target, ...box);
   }
 }
 
@@ -146,9 +147,9 @@ export function mixtures(seed: number, seconds: number) {
   const [frame, light] = [blockOf(gpu, "Frame"), blockOf(gpu, "Light")];
 
   const world = createWorld("physical", seed);
-  passes.motes.follow(world, world.stage.layers);
+  passes.motes.follow(world, world.setup.layers);
   const look = () => {
-    const [x, y, z] = world.shown.flame;
+    const [x, y, z] = world.interpolated.flame;
     const eye: Vec3 = [x + EYE[0], y + EYE[1], z + EYE[2]];
     frame.update({
       clipFromWorld: clipFromWorld(eye, 0, 0, WIDTH / HEIGHT, FIELD),
@@ -185,9 +186,9 @@ export function mixtures(seed: number, seconds: number) {
   world.flame.extinguish();
   advance(world, STILL, 1);
   look();
-  const { fumes } = world;
-  if (!fumes) throw new Error("The candle has no smoke.");
-  const smoke = repeated(0.03, () => passes.smoke.render(veil, fumes.smoke, frame, light, volume));
+  const { plume } = world;
+  if (!plume) throw new Error("The candle has no smoke.");
+  const smoke = repeated(0.03, () => passes.smoke.render(veil, plume.smoke, frame, light, volume));
   gpu.dispose();
   return { flame, dust, spark, smoke };
 }

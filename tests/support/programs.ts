@@ -2,8 +2,8 @@ import { CandleFlame } from "../../src/candle-flame.ts";
 import { Gpu } from "../../src/gl/gpu.ts";
 import { Program, type ProgramOptions, type ShaderSource } from "../../src/gl/program.ts";
 import { UniformBlock } from "../../src/gl/uniform-block.ts";
+import { createCanvasTarget } from "../../src/scenes/canvas-target.ts";
 import { loadScene, type Scene } from "../../src/scenes/scene.ts";
-import { createScreen } from "../../src/scenes/screen.ts";
 import { allFeatures, type Look, type Quality } from "../../src/settings.ts";
 
 /** What became of one program after some frames. */
@@ -53,7 +53,7 @@ export async function reportPrograms(
   try {
     const canvas = document.createElement("canvas");
     const scene = await loadPaperRoom();
-    const screen = createScreen("room", canvas);
+    const screen = createCanvasTarget("room", canvas);
     const candle = new CandleFlame(screen, scene, allFeatures(), {
       look,
       seed: 1,
@@ -65,7 +65,7 @@ export async function reportPrograms(
       wick: 0.002,
       wind: { speed: 0, direction: 0, gustiness: 0 },
     });
-    candle.resize(48, 27);
+    candle.view.resize(48, 27);
     for (let i = 0; i < 3; i++) candle.step(1 / 60);
     if (quality === "low") {
       candle.play(); // who moves has shaders of his own there, for every first and every second picture
@@ -79,7 +79,7 @@ export async function reportPrograms(
     candle.step(0.1);
     candle.world.flame.light();
     for (const inspect of ["radiance", "haze"] as const) {
-      candle.inspect = inspect; // made when it is first looked at
+      candle.view.inspect = inspect; // made when it is first looked at
       candle.step(0.1);
     }
     const gl = canvas.getContext("webgl2");

@@ -1,7 +1,7 @@
 import { existsSync } from "node:fs";
 import { resolve } from "node:path";
 import { describe, expect, test } from "vitest";
-import { GROUPS } from "../../src/world/particle-layer.ts";
+import { GROUPS } from "../../src/world/particles/particle-layer.ts";
 import { codeOf, filesIn, textOf } from "./sources.ts";
 
 const ROOT = resolve(import.meta.dirname, "../../shaders");

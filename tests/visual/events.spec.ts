@@ -175,7 +175,7 @@ test("Properties set before the element is defined hold when it is", async ({ pa
     camera: { position: [0, 1.5, 1], yaw: 0.25, pitch: 0.125, fieldOfView: Math.PI / 4 },
     normalMaps: false,
     width: 32,
-    own: ["ready"],
+    own: [],
   });
   expect(room.complaints).toEqual([]);
 });

@@ -2,7 +2,7 @@ import type { Page } from "playwright/test";
 import type { Camera } from "../../src/candle-flame-element.ts";
 import { luma } from "../../src/light/color.ts";
 import { flameLight, TAPER } from "../../src/light/flame-light.ts";
-import { createWorld } from "../../src/world/world.ts";
+import { createWorld } from "../../src/world/create-world.ts";
 import { plainRoom } from "../support/plain-room.ts";
 import { LIBRARY, RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";

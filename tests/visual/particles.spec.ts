@@ -4,7 +4,7 @@ import {
   type ParticleLayer,
   PHYSICAL_LAYERS,
   withCount,
-} from "../../src/world/particle-layer.ts";
+} from "../../src/world/particles/particle-layer.ts";
 import { graphicsErrors, recordContexts } from "../support/contexts.ts";
 import type { Course } from "../support/kernel.ts";
 import { RoomDriver } from "../support/room-driver.ts";
@@ -142,7 +142,7 @@ test.describe("The shader and its twin on the CPU", () => {
       expect(worst, layer.name).toBeLessThan(10 * TOLERANCE); // a room is hundreds of units wide
       expect(most, layer.name).toBeGreaterThan((alive[layer.name] ?? 0) * 0.9);
       expect(most, layer.name).toBeLessThan((alive[layer.name] ?? 0) * 1.1 + 2);
-      if (layer.source === "spit") expect(fewest).toBe(0);
+      if (layer.source === "spark") expect(fewest).toBe(0);
     }
   });
 

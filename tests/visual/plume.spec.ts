@@ -1,4 +1,4 @@
-import { Spits } from "../../src/world/spits.ts";
+import { SparkSchedule } from "../../src/world/particles/sparks.ts";
 import { TICK } from "../../src/world/timeline.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
@@ -9,7 +9,7 @@ import { expect, test } from "../support/test.ts";
 function soonest(): { seed: number; tick: number } {
   const spits = [...Array(1000).keys()].map((seed) => ({
     seed,
-    tick: [...Array(60).keys()].find((tick) => new Spits(seed).isAt(tick)) ?? Number.NaN,
+    tick: [...Array(60).keys()].find((tick) => new SparkSchedule(seed).isAt(tick)) ?? Number.NaN,
   }));
   return spits.find(({ tick }) => tick > 0) ?? { seed: 0, tick: 0 };
 }

@@ -11,7 +11,7 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import type { Bounds } from "../../world/bounds.js";
+import type { Bounds } from "../../world/geometry.js";
 import { sightOf } from "../camera.js";
 import {
   AT_ORIGIN,

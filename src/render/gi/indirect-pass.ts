@@ -16,8 +16,8 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import type { Vec3 } from "../../world/bounds.js";
-import type { Solid } from "../../world/solid.js";
+import type { Vec3 } from "../../world/geometry.js";
+import type { CollisionMesh } from "../../world/room/collision-mesh.js";
 import { floats } from "../float-format.js";
 import type { CaptureLight } from "../light-block.js";
 import type { Surface } from "../mesh/mesh.js";
@@ -40,7 +40,7 @@ export interface IndirectDetail extends ProbeDetail {
 /** The room whose surfaces pass light on. */
 export interface IndirectScene {
   readonly model: Model;
-  readonly solid: Solid;
+  readonly collision: CollisionMesh;
   /** Of the model, in the order of its parts. */
   readonly surfaces: readonly Surface[];
 }
@@ -167,8 +167,8 @@ export class IndirectPass {
   /** Uploaded when they are first needed: drawing their colours waits for a program. */
   get #sights(): ProbeTextures {
     if (this.#uploaded) return this.#uploaded;
-    const { solid, model, surfaces } = this.#room;
-    const seen = traceProbes(solid, model, this.#detail);
+    const { collision, model, surfaces } = this.#room;
+    const seen = traceProbes(collision, model, this.#detail);
     this.#uploaded = this.#gpu.share(seen, () =>
       uploadProbeRays(this.#gpu, seen, this.#detail, surfaces),
     );

@@ -1,7 +1,7 @@
 import type { Model } from "../../assets/model.js";
 import type { Gpu } from "../../gl/gpu.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import type { Solid } from "../../world/solid.js";
+import type { CollisionMesh } from "../../world/room/collision-mesh.js";
 import { shadowFrustumTest } from "../camera.js";
 import { floats } from "../float-format.js";
 import type { FrameInput } from "../frame-input.js";
@@ -41,13 +41,17 @@ export class LightCaptures {
   readonly #indirect: IndirectPass;
 
   /**
-   * @param solid of the room, for the probes' rays
+   * @param collision mesh of the room, for the probes' rays
    * @param lods null where nothing is simplified in motion
    */
   constructor(
     gpu: Gpu,
     screen: VertexArray,
-    room: { readonly model: Model; readonly solid: Solid; readonly surfaces: readonly Surface[] },
+    room: {
+      readonly model: Model;
+      readonly collision: CollisionMesh;
+      readonly surfaces: readonly Surface[];
+    },
     { opaque, shadow, indirect, casterError }: PhysicalTier,
     lods: MeshLods | null,
   ) {

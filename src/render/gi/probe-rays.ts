@@ -1,6 +1,6 @@
 import type { Model, Part } from "../../assets/model.js";
-import type { Bounds, Vec3 } from "../../world/bounds.js";
-import type { Hit, Solid } from "../../world/solid.js";
+import type { Bounds, Vec3 } from "../../world/geometry.js";
+import type { CollisionMesh, RayHit } from "../../world/room/collision-mesh.js";
 
 /** A grid of probes over a room, and how much of it each sees. */
 export interface ProbeDetail {
@@ -49,11 +49,15 @@ const BURIED = 0.2;
 /** Where a buried probe looks for the open, in cells from its own place, nearest first. */
 const NEARBY: readonly Vec3[] = nearby();
 
-const known = new WeakMap<Solid, Map<string, ProbeTrace>>();
+const known = new WeakMap<CollisionMesh, Map<string, ProbeTrace>>();
 
 /** Looks around from every probe. The room remembers, for the next renderer that asks. */
-export function traceProbes(solid: Solid, model: Model, detail: ProbeDetail): ProbeRays {
-  return probeTraceOf(solid, model, detail).finish();
+export function traceProbes(
+  collision: CollisionMesh,
+  model: Model,
+  detail: ProbeDetail,
+): ProbeRays {
+  return probeTraceOf(collision, model, detail).finish();
 }
 
 /**
@@ -62,31 +66,35 @@ export function traceProbes(solid: Solid, model: Model, detail: ProbeDetail): Pr
  * @returns whether all of them are done
  */
 export function traceProbesIncrementally(
-  solid: Solid,
+  collision: CollisionMesh,
   model: Model,
   detail: ProbeDetail,
   probes: number,
 ): boolean {
-  return probeTraceOf(solid, model, detail).proceed(probes);
+  return probeTraceOf(collision, model, detail).proceed(probes);
 }
 
-function probeTraceOf(solid: Solid, model: Model, { probes, rays }: ProbeDetail): ProbeTrace {
-  const memory = known.get(solid) ?? new Map<string, ProbeTrace>();
-  known.set(solid, memory);
+function probeTraceOf(
+  collision: CollisionMesh,
+  model: Model,
+  { probes, rays }: ProbeDetail,
+): ProbeTrace {
+  const memory = known.get(collision) ?? new Map<string, ProbeTrace>();
+  known.set(collision, memory);
   const key = JSON.stringify([probes, rays]);
-  const survey = memory.get(key) ?? new ProbeTrace(solid, model, { probes, rays });
+  const survey = memory.get(key) ?? new ProbeTrace(collision, model, { probes, rays });
   memory.set(key, survey);
   return survey;
 }
 
 class ProbeTrace {
-  readonly #solid: Solid;
+  readonly #collision: CollisionMesh;
   readonly #parts: readonly Part[];
   /** Number of the first triangle of each part. */
   readonly #firsts: readonly number[];
   readonly #detail: ProbeDetail;
   readonly #bounds: Bounds;
-  readonly #hit: Hit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
+  readonly #hit: RayHit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
   readonly #met = new HitAttributes();
   readonly #feelers = octahedral(FEELERS, FEELERS, 0);
   readonly #directions: readonly Vec3[];
@@ -99,8 +107,8 @@ class ProbeTrace {
   #done = 0;
   #sights: ProbeRays | null = null;
 
-  constructor(solid: Solid, { parts, bounds }: Model, detail: ProbeDetail) {
-    this.#solid = solid;
+  constructor(collision: CollisionMesh, { parts, bounds }: Model, detail: ProbeDetail) {
+    this.#collision = collision;
     this.#parts = parts;
     this.#detail = detail;
     this.#bounds = { min: [...bounds.min], max: [...bounds.max] };
@@ -193,8 +201,8 @@ class ProbeTrace {
   }
 
   /** What is nearest along a ray; `#met` then says more of it. */
-  #cast(place: Vec3, direction: Vec3): Hit | null {
-    const hit = this.#solid.raycast(place, direction, Infinity, this.#hit);
+  #cast(place: Vec3, direction: Vec3): RayHit | null {
+    const hit = this.#collision.raycast(place, direction, Infinity, this.#hit);
     if (!hit) return null;
     let number = this.#firsts.length - 1;
     while (number > 0 && this.#firsts[number]! > hit.triangle) number--;

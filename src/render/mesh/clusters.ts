@@ -1,5 +1,5 @@
 import type { Part } from "../../assets/model.js";
-import type { Bounds, Vec3 } from "../../world/bounds.js";
+import type { Bounds, Vec3 } from "../../world/geometry.js";
 
 /** Triangles of a cluster: few enough to leave most of a room out, enough to be worth a draw. */
 const CLUSTER = 160;

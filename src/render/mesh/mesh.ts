@@ -1,4 +1,4 @@
-import type { Material, Model, Part, Picture } from "../../assets/model.js";
+import type { Material, Model, Part, TextureImage } from "../../assets/model.js";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { VertexArray, VertexArrayOptions } from "../../gl/vertex-array.js";
@@ -104,7 +104,7 @@ function upload(gpu: Gpu, model: Model, group?: (part: Part) => Grouped): readon
 interface Mapped {
   readonly label: string;
   readonly format: TextureFormat;
-  readonly source: Picture | null;
+  readonly source: TextureImage | null;
 }
 
 function picturesOf(material: Material): Record<"albedo" | "normal" | "packed", Mapped> {
@@ -147,7 +147,7 @@ export function uploadNextPicture(gpu: Gpu, { parts }: Model): boolean {
 }
 
 // Pixels decoded in a script come with four channels, and WebGL does not repack those.
-function channels(picture: Picture | null, format: TextureFormat): TextureFormat {
+function channels(picture: TextureImage | null, format: TextureFormat): TextureFormat {
   return picture && "data" in picture ? "RGBA8" : format;
 }
 

@@ -7,7 +7,7 @@ import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { adaptation, adaptedWhite, P3_FROM_RGB, type Rgb, VIBRANCE } from "../../light/color.js";
 import { TAPER } from "../../light/flame-light.js";
-import { EXPOSURE_LAW } from "../../world/pupil.js";
+import { EXPOSURE_LAW } from "../../world/player/exposure-adaptation.js";
 import type { FrameSettings } from "../frame-settings.js";
 
 /** Share of the light that the eye and the lens scatter. */

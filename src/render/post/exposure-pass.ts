@@ -7,7 +7,7 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import { EXPOSURE_LAW } from "../../world/pupil.js";
+import { EXPOSURE_LAW } from "../../world/player/exposure-adaptation.js";
 
 /** Parts of the picture that are metered, each by 16 taps. */
 const PARTS = { width: 32, height: 18 } as const;

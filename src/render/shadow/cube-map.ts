@@ -1,5 +1,5 @@
 import { mat4 } from "gl-matrix";
-import type { Bounds, Vec3 } from "../../world/bounds.js";
+import type { Bounds, Vec3 } from "../../world/geometry.js";
 
 /** Nothing is seen nearer to the middle of a cube than this: the candle itself is there. Metres. */
 const NEAR = 0.04;

@@ -3,7 +3,7 @@ import type { Buffer } from "../../gl/buffer.js";
 import type { Draw, Gpu } from "../../gl/gpu.js";
 import type { Texture } from "../../gl/texture.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import type { Bounds, Vec3 } from "../../world/bounds.js";
+import type { Bounds, Vec3 } from "../../world/geometry.js";
 import { type Clusters, clusterTriangles, runsOf, VERTEX_SIZE } from "../mesh/clusters.js";
 import type { Surface } from "../mesh/mesh.js";
 import { isInCubeFace } from "./cube-map.js";

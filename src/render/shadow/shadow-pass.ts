@@ -5,7 +5,7 @@ import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { TextureView } from "../../gl/texture-view.js";
-import type { Bounds, Vec3 } from "../../world/bounds.js";
+import type { Bounds, Vec3 } from "../../world/geometry.js";
 import { SCHEDULE } from "../schedule.js";
 import { clipFromFace, FACES } from "./cube-map.js";
 import type { ShadowCasters } from "./shadow-casters.js";

@@ -10,7 +10,7 @@ import type { VertexArray } from "../../gl/vertex-array.js";
 import { BODY_SIZE, outline } from "../../light/flame-body.js";
 import { TAPER } from "../../light/flame-light.js";
 import { BALLS, createShape, shapeFlame } from "../../light/flame-shape.js";
-import type { Vec3 } from "../../world/bounds.js";
+import type { Vec3 } from "../../world/geometry.js";
 import type { World } from "../../world/world.js";
 
 /** What of the flame is drawn. */
@@ -73,7 +73,7 @@ export class FlamePass {
     const shape = shapeFlame(world.flame, TAPER, this.#shape);
     if (!(shape.soot + shape.blue > 0)) return;
     this.#flame.update({
-      base: world.shown.flame,
+      base: world.interpolated.flame,
       steps,
       wick: wickTip(world),
       top: shape.top,

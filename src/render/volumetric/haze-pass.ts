@@ -8,7 +8,9 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import { COLUMN_FLOATS, type Plume, plumeGrid } from "../../world/plume/plume.js";
+import { COLUMN_FLOATS, hotColumn } from "../../world/air/hot-column.js";
+import { plumeGrid } from "../../world/air/plume-grid.js";
+import type { PlumeSolver } from "../../world/air/plume-solver.js";
 import { clipPosition } from "../camera.js";
 import type { VolumetricTarget } from "./volumetric-target.js";
 
@@ -86,7 +88,7 @@ export class HazePass {
   render(
     { target, depth }: VolumetricTarget,
     radiance: Texture,
-    plume: Plume,
+    plume: PlumeSolver,
     flameHeight: number,
     frame: UniformBlock,
     clip: mat4,
@@ -129,7 +131,7 @@ export class HazePass {
   }
 
   /** Balls around all that is seen to be bent: x, y, z, radius, metres, of one after another. */
-  boundingSpheres(plume: Plume, flameHeight: number): readonly number[] {
+  boundingSpheres(plume: PlumeSolver, flameHeight: number): readonly number[] {
     if (!this.#measure(plume, flameHeight)) return [];
     const balls: number[] = [];
     for (let level = 0; level < LEVELS; level++) {
@@ -173,8 +175,8 @@ export class HazePass {
   }
 
   /** How much each level bends. False if none does so visibly. */
-  #measure(plume: Plume, flameHeight: number): boolean {
-    plume.column(this.#column);
+  #measure(plume: PlumeSolver, flameHeight: number): boolean {
+    hotColumn(plume, this.#column);
     let most = 0;
     for (let level = 0; level < LEVELS; level++) {
       const at = level * COLUMN_FLOATS;

@@ -5,8 +5,8 @@ import type { Gpu } from "../../gl/gpu.js";
 import type { Program, UniformValue } from "../../gl/program.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import { sootRadiance } from "../../light/soot.js";
-import type { ParticleLayer } from "../../world/particle-layer.js";
-import { layerKey } from "../../world/particles.js";
+import type { ParticleLayer } from "../../world/particles/particle-layer.js";
+import { layerKey } from "../../world/particles/particles.js";
 import type { World } from "../../world/world.js";
 import type { IrradianceVolume } from "../gi/indirect-pass.js";
 import { FEEDBACK, ParticleSystem, particleProgram } from "./particle-system.js";
@@ -59,7 +59,7 @@ export class MotesPass {
     const system = this.#systems.find(({ layer }) => layer.name === name);
     if (!system) return;
     const [x, y, z] = world.emitter; // what stays behind knows of no hand that moves on
-    const { flameScale } = world.stage;
+    const { flameScale } = world.setup;
     const uniforms: Record<string, UniformValue> = {
       uEmitter: [x, y, z, flameScale],
       uSize: system.layer.size * flameScale,

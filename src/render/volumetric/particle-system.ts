@@ -5,14 +5,14 @@ import type { Draw, Gpu } from "../../gl/gpu.js";
 import type { Program, UniformValue } from "../../gl/program.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import { GROUPS, type ParticleLayer } from "../../world/particle-layer.js";
-import { birthsOf, FLOATS } from "../../world/particles.js";
+import { GROUPS, type ParticleLayer } from "../../world/particles/particle-layer.js";
+import { emissionOf, PARTICLE_FLOATS } from "../../world/particles/particles.js";
 import { pcg } from "../../world/random.js";
-import { MEMORY, TICK, type Timeline } from "../../world/timeline.js";
+import { HISTORY, TICK, type Timeline } from "../../world/timeline.js";
 
 /** Ticks that one pass can take; the shader's MAX_TICKS. */
 const MAX_TICKS = 2;
-const STRIDE = FLOATS * Float32Array.BYTES_PER_ELEMENT;
+const STRIDE = PARTICLE_FLOATS * Float32Array.BYTES_PER_ELEMENT;
 
 /** Half of the double buffer: particles, and how a vertex shader reads them. */
 interface Half {
@@ -150,10 +150,10 @@ export class ParticleSystem {
     const { layer } = this;
     // Whatever was born before that is dead by now.
     const lifetime = Math.ceil(layer.life / TICK) + 1;
-    this.#tick = Math.max(this.#tick, timeline.tick - Math.min(MEMORY, lifetime));
+    this.#tick = Math.max(this.#tick, timeline.tick - Math.min(HISTORY, lifetime));
     if (this.#tick >= timeline.tick) return false;
     [this.#from, this.#to] = [this.#to, this.#from];
-    const { first } = birthsOf(layer, this.#tick);
+    const { first } = emissionOf(layer, this.#tick);
     const groups = timeline.groups(this.#tick, layer.source);
     const end = Math.min(timeline.tick, this.#tick + MAX_TICKS);
     let ticks = 0;
@@ -172,7 +172,7 @@ export class ParticleSystem {
 
   #describe(timeline: Timeline, tick: number, i: number): void {
     const { layer } = this;
-    const { count, age } = birthsOf(layer, tick);
+    const { count, age } = emissionOf(layer, tick);
     this.#tickKeys[i] = pcg((tick + this.#key) >>> 0);
     this.#births[i] = count;
     this.#eldest[i] = age;
@@ -195,7 +195,7 @@ export class ParticleSystem {
 
   /** Copies the particles back, `FLOATS` each: for tests, since it waits for the GPU. */
   read(): Float32Array {
-    return this.#to.buffer.read(new Float32Array(this.layer.capacity * FLOATS));
+    return this.#to.buffer.read(new Float32Array(this.layer.capacity * PARTICLE_FLOATS));
   }
 
   dispose(): void {

@@ -5,7 +5,7 @@ import type { Program } from "../../gl/program.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import { LINES, ROWS, SMOKE_FLOATS, type Smoke } from "../../world/plume/smoke.js";
+import { LINES, ROWS, SMOKE_FLOATS, type Smoke } from "../../world/particles/smoke.js";
 import type { IrradianceVolume } from "../gi/indirect-pass.js";
 import type { VolumetricTarget } from "./volumetric-target.js";
 

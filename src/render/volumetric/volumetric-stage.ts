@@ -7,7 +7,7 @@ import type { TextureView } from "../../gl/texture-view.js";
 import { emberRadiance, TAPER } from "../../light/flame-light.js";
 import { createShape, shapeFlame } from "../../light/flame-shape.js";
 import type { Inspection } from "../../settings.js";
-import type { ParticleLayer } from "../../world/particle-layer.js";
+import type { ParticleLayer } from "../../world/particles/particle-layer.js";
 import type { World } from "../../world/world.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { GBufferKind } from "../gbuffer/gbuffer.js";
@@ -95,20 +95,20 @@ export class VolumetricStage {
     if (features.volume) {
       this.#flame.render(tested, Frame, world, this.#flameSteps, part ?? "all");
     }
-    const { fumes, flame } = world;
-    if (!fumes || part) return;
+    const { plume, flame } = world;
+    if (!plume || part) return;
     const air = { target, tested, depth, color };
     const flameHeight = flame.isLit ? flame.height : 0;
     const isInspected = inspect === "haze";
     if (isInspected) this.#gpu.clear(target, NO_OFFSET);
     if (isInspected || showsHaze(frame, kind)) {
-      this.#haze.render(air, color, fumes.plume, flameHeight, Frame, clipFromWorld, isInspected);
+      this.#haze.render(air, color, plume.solver, flameHeight, Frame, clipFromWorld, isInspected);
     }
     if (isInspected) return;
     if (features.dust && !isStill) {
       this.#motes?.render("dust", air, world, Frame, Light, irradiance);
     }
-    if (features.smoke) this.#smoke.render(air, fumes.smoke, Frame, Light, irradiance);
+    if (features.smoke) this.#smoke.render(air, plume.smoke, Frame, Light, irradiance);
     if (features.sparks && !isStill) {
       this.#motes?.render("spark", air, world, Frame, Light, irradiance);
     }
@@ -136,17 +136,17 @@ export class VolumetricStage {
 
   /** Spheres around the flame, the hot air over it, and the smoke. */
   *#spheres(frame: FrameInput, kind: GBufferKind): Generator<Ball> {
-    const { flame, fumes, shown } = frame.world;
+    const { flame, plume, interpolated } = frame.world;
     const { balls } = shapeFlame(flame, TAPER, this.#shape);
-    const [x, y, z] = shown.flame;
+    const [x, y, z] = interpolated.flame;
     for (let at = 0; at < balls.length; at += 4) {
       yield [x + balls[at]!, y + balls[at + 1]!, z + balls[at + 2]!, balls[at + 3]! * HULL];
     }
-    if (!fumes) return;
+    if (!plume) return;
     const { smoke } = frame.settings.features;
-    if (smoke && fumes.smoke.count >= 2) yield* boundingSpheres(fumes.smoke);
+    if (smoke && plume.smoke.count >= 2) yield* boundingSpheres(plume.smoke);
     if (!showsHaze(frame, kind)) return;
-    const column = this.#haze.boundingSpheres(fumes.plume, flame.isLit ? flame.height : 0);
+    const column = this.#haze.boundingSpheres(plume.solver, flame.isLit ? flame.height : 0);
     for (let at = 0; at < column.length; at += 4) {
       yield [column[at]!, column[at + 1]!, column[at + 2]!, column[at + 3]!];
     }

@@ -17,7 +17,7 @@ const SHEATH = 0.0032;
 /** Heat of burning paraffin, J/kg. */
 export const HEAT = 43.5e6;
 
-/** What a wick of this diameter (m) burns in still air, kg/s. */
+/** Fuel rate of a wick of this diameter (m) in still air, kg/s. */
 export function fuelRate(wick: number): number {
   return TAPER_RATE * (wick / TAPER_WICK) ** RATE_EXPONENT;
 }
@@ -44,20 +44,20 @@ function grownSoot(length: number): number {
   return 1 - Math.exp(-((length / SOOT_LENGTH) ** 1.5));
 }
 
-/** What makes a flame's light, and its light. An object, since numbers that are handed on are boxed. */
-export interface Fire {
-  /** What burns, kg/s. */
+/** Combustion and its light. An object, since numbers that are handed on are boxed. */
+export interface Combustion {
+  /** Rate of burning, kg/s. */
   rate: number;
   /** Luminous length, metres. */
   height: number;
-  /** Strain that it feels, as a share of what puts it out. */
+  /** Strain, as a share of that which puts it out. */
   felt: number;
   /** Of its soot, as a share of a taper's in still air. */
   light: number;
 }
 
 /** Finds the light of a fire. */
-export function shine(fire: Fire): void {
+export function updateLight(fire: Combustion): void {
   const soot = fire.rate * grownSoot(fire.height) * Math.exp(-SOOT_LOSS * fire.felt);
   fire.light = soot / TAPER_SOOT;
 }

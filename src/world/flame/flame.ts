@@ -1,9 +1,16 @@
-import type { Air } from "../air.js";
-import type { Vec3 } from "../bounds.js";
-import { type Fire, flameHeight, flameRadius, fuelRate, riseTime, shine } from "./burning.js";
+import type { Air } from "../air/air.js";
+import type { Vec3 } from "../geometry.js";
+import {
+  type Combustion,
+  flameHeight,
+  flameRadius,
+  fuelRate,
+  riseTime,
+  updateLight,
+} from "./burning.js";
 import { Limiter } from "./limiter.js";
 import { Puffing, puffingFrequency } from "./puffing.js";
-import { type Feed, PARCELS, Spine, timeToRise } from "./spine.js";
+import { type GasSource, PARCELS, Spine, timeToRise } from "./spine.js";
 
 /** Heat makes vapour, and vapour heat: a small flame grows e-fold in this time. Seconds. */
 const GROWTH = 0.15;
@@ -49,11 +56,11 @@ const DRY = 550;
 /** Share of the fuel that still evaporates just after the flame has gone out. */
 export const AFTERGLOW = 0.3;
 
-/** What follows from a flame's state. */
-export interface Gauge extends Fire {
+/** Measures of a flame, which follow from its state. */
+export interface FlameMeasures extends Combustion {
   /** The share of fuel that it is as large for: out, it shrinks onto its wick, all but as bright as it was. */
   extent: number;
-  /** Wax that leaves the wick unburnt, as a share of what it does just after the flame went out. */
+  /** Unburnt wax that leaves the wick, as a share of that just after the flame went out. */
   smoking: number;
 }
 
@@ -85,8 +92,8 @@ export class Flame {
   #fullLight = 0;
   /** Widest that it burns, metres. */
   #width = 0;
-  readonly #feed: Feed = { rate: Number.NaN, width: Number.NaN, spacing: Number.NaN };
-  readonly #gauge: Gauge = {
+  readonly #feed: GasSource = { rate: Number.NaN, width: Number.NaN, spacing: Number.NaN };
+  readonly #gauge: FlameMeasures = {
     rate: Number.NaN,
     height: Number.NaN,
     felt: Number.NaN,
@@ -119,8 +126,13 @@ export class Flame {
     if (wick === this.#wick) return;
     this.#wick = wick;
     this.#full = fuelRate(wick);
-    const still: Fire = { rate: this.#full, height: flameHeight(this.#full), felt: 0, light: 0 };
-    shine(still);
+    const still: Combustion = {
+      rate: this.#full,
+      height: flameHeight(this.#full),
+      felt: 0,
+      light: 0,
+    };
+    updateLight(still);
     this.#fullLight = still.light;
     this.#width = 2 * flameRadius(wick, 1);
     this.#feed.width = wick;
@@ -128,9 +140,9 @@ export class Flame {
     this.#feed.spacing = timeToRise(1.5 * flameHeight(this.#full), this.#full) / (PARCELS - 1);
   }
 
-  /** What burns, kg/s. */
+  /** Rate of burning, kg/s. */
   get rate(): number {
-    return this.gauge().rate;
+    return this.measure().rate;
   }
 
   /** Its volume as a share of its mean, as it puffs; exactly 1 of a candle. */
@@ -140,12 +152,12 @@ export class Flame {
 
   /** Luminous length along the spine, metres; of what still glows after it went out, too. */
   get height(): number {
-    return this.gauge().height;
+    return this.measure().height;
   }
 
   /** Largest luminous radius, metres. */
   get radius(): number {
-    const { extent, felt } = this.gauge();
+    const { extent, felt } = this.measure();
     return flameRadius(this.#wick, extent) / (1 + NARROWING * felt);
   }
 
@@ -159,15 +171,15 @@ export class Flame {
     return Math.max(1 + NECKING * wave * Math.min(height / this.height, 1), NARROWEST);
   }
 
-  /** What follows from its state. The same object each time: numbers in it are not boxed, as those of a call are. */
-  gauge(): Readonly<Gauge> {
+  /** The same object each time: numbers in it are not boxed, as those of a call are. */
+  measure(): Readonly<FlameMeasures> {
     const gauge = this.#gauge;
     const volume = (this.#isStill ? 1 : this.puffing.pulse) * this.#full;
     gauge.felt = this.#isStill ? 0 : Math.max(0, Math.min(this.strain, 1.5) - UNNOTICED);
     gauge.extent = this.isLit ? this.fuel : this.#remains * Math.sqrt(this.presence);
     gauge.rate = this.fuel * volume;
     gauge.height = flameHeight(gauge.extent * volume) / (1 + SHORTENING * gauge.felt);
-    shine(gauge);
+    updateLight(gauge);
     const warmth = this.isLit ? 0 : Math.max(0, (this.ember - DRY) / (GLOWING - DRY));
     gauge.smoking = warmth * Math.sqrt(warmth);
     return gauge;
@@ -175,12 +187,12 @@ export class Flame {
 
   /** Wax that leaves the wick unburnt, kg/s: it condenses to smoke. */
   get vapour(): number {
-    return AFTERGLOW * this.#full * this.gauge().smoking;
+    return AFTERGLOW * this.#full * this.measure().smoking;
   }
 
   /** Strain beyond the draughts that cost it nothing, as a share of what puts it out. */
   get felt(): number {
-    return this.gauge().felt;
+    return this.measure().felt;
   }
 
   /** Light as a share of what this wick gives in still air. */
@@ -195,7 +207,7 @@ export class Flame {
 
   /** Light of its soot as it would be if nothing kept it from flashing. */
   get unlimited(): number {
-    return this.gauge().light;
+    return this.measure().light;
   }
 
   /** Catches at the wick. False if it burns already. */
@@ -241,7 +253,7 @@ export class Flame {
     const target = this.isLit ? GLOWING : ROOM;
     const pace = this.isLit ? HEATING : FADING;
     this.ember = target + (this.ember - target) * Math.exp(-seconds / pace);
-    this.#feed.rate = Math.max(this.gauge().rate, 0.1 * this.#full);
+    this.#feed.rate = Math.max(this.measure().rate, 0.1 * this.#full);
     this.spine.advance(foot, motion, this.#feed, isStill ? null : air, seconds);
     if (this.isLit) {
       this.#strain(foot, motion, air, seconds);
@@ -249,7 +261,7 @@ export class Flame {
     } else {
       this.#outFor += seconds;
     }
-    this.#limiter.target = this.gauge().light;
+    this.#limiter.target = this.measure().light;
     this.#limiter.advance(seconds);
     this.glow = this.#limiter.light > UNSEEN ? this.#limiter.light : 0;
   }
@@ -258,7 +270,7 @@ export class Flame {
     const flow = this.#flow;
     const place = this.#place;
     place[0] = foot[0];
-    place[1] = foot[1] + STRAINED_AT * this.gauge().height;
+    place[1] = foot[1] + STRAINED_AT * this.measure().height;
     place[2] = foot[2];
     air.velocity(place, flow);
     const share = 1 - Math.exp(-seconds / INERTIA);
@@ -273,7 +285,7 @@ export class Flame {
   }
 
   #burn(seconds: number): void {
-    const target = 1 - COOLING * Math.min(this.gauge().felt, 1);
+    const target = 1 - COOLING * Math.min(this.measure().felt, 1);
     const strength = REMNANT_STRENGTH + (1 - REMNANT_STRENGTH) * Math.min(this.fuel, 1);
     const excess = Math.max(0, this.strain / strength - 1);
     const mending = Math.max(0, 1 - this.strain / strength);

@@ -1,4 +1,4 @@
-import { length2 } from "../length.js";
+import { length2 } from "../geometry.js";
 
 /** Widest source over which a flame stands still, m: solved ones do at 10 mm, and hardly puff at 20. */
 export const STILL_WIDTH = 0.017;
@@ -8,7 +8,7 @@ const STROUHAL = 0.47;
 const GROWTH = 0.72;
 /** Amplitude of the luminous volume far above the threshold, as a share of its mean. */
 const SATURATION = 0.28;
-/** What the air always disturbs it by, so that it can begin. */
+/** Disturbance that the air always has, so that it can begin. */
 const TREMBLE = 1e-3;
 
 /** How often a flame puffs over a source this wide (m), Hz. */

@@ -1,5 +1,5 @@
-import type { Air } from "../air.js";
-import type { Vec3 } from "../bounds.js";
+import type { Air } from "../air/air.js";
+import type { Vec3 } from "../geometry.js";
 import { BUOYANCY, flameSpeed, plumeSpeed, topSpeed } from "./burning.js";
 
 /** Parcels of gas along the flame. */
@@ -15,8 +15,8 @@ const LEAST_FELT = 0.5;
 /** √z grows at this rate where the gas rises freely, √m/s. */
 const CLIMB = Math.sqrt(BUOYANCY / 2);
 
-/** What the gas of a flame is made of and begins with. */
-export interface Feed {
+/** Initial state of a flame's gas. */
+export interface GasSource {
   /** Of fuel, kg/s. */
   rate: number;
   /** Of the wick, metres. */
@@ -49,13 +49,13 @@ export class Spine {
   #seconds = 0;
 
   /** Upright and at rest, as in still air. */
-  constructor({ rate, spacing }: Readonly<Feed>) {
+  constructor({ rate, spacing }: Readonly<GasSource>) {
     for (let i = 0; i < PARCELS; i++) {
       let left = i * spacing;
       const at = i * 3 + 1;
       while (left > 1e-9) {
         const step = Math.min(left, 0.002);
-        this.positions[at] = risen(this.positions[at] ?? 0, step, rate, 0);
+        this.positions[at] = heightAfter(this.positions[at] ?? 0, step, rate, 0);
         left -= step;
       }
     }
@@ -66,12 +66,12 @@ export class Spine {
    *
    * @param foot of the flame, metres, at the end of the tick
    * @param motion of the foot, m/s
-   * @param air what carries the gas; null holds it still
+   * @param air that carries the gas; null holds it still
    */
   advance(
     foot: Readonly<Vec3>,
     motion: Readonly<Vec3>,
-    feed: Readonly<Feed>,
+    feed: Readonly<GasSource>,
     air: Air | null,
     seconds: number,
   ): void {
@@ -147,7 +147,12 @@ export class Spine {
 const AT_REST: Vec3 = [0, 0, 0];
 
 /** Where gas at a height is after a while, metres. Exact where it rises freely. */
-export function risen(height: number, seconds: number, rate: number, updraught: number): number {
+export function heightAfter(
+  height: number,
+  seconds: number,
+  rate: number,
+  updraught: number,
+): number {
   const free = (Math.sqrt(height) + CLIMB * seconds) ** 2;
   const capped = height + topSpeed(rate, height) * seconds;
   return Math.max(0, Math.min(free, capped) + updraught * seconds);
@@ -157,6 +162,6 @@ export function risen(height: number, seconds: number, rate: number, updraught: 
 export function timeToRise(height: number, rate: number): number {
   const STEP = 0.0005;
   let seconds = 0;
-  for (let z = 0; z < height && seconds < 5; z = risen(z, STEP, rate, 0)) seconds += STEP;
+  for (let z = 0; z < height && seconds < 5; z = heightAfter(z, STEP, rate, 0)) seconds += STEP;
   return seconds;
 }

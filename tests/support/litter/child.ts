@@ -1,6 +1,8 @@
-import { type Intent, STILL } from "../../../src/world/intent.ts";
-import { createRoom } from "../../../src/world/room.ts";
-import { advance, type Birth, createWorld, type World } from "../../../src/world/world.ts";
+import { advance } from "../../../src/world/advance.ts";
+import { createWorld, type WorldOptions } from "../../../src/world/create-world.ts";
+import { type Intent, STILL } from "../../../src/world/player/intent.ts";
+import { createRoom } from "../../../src/world/room/room.ts";
+import type { World } from "../../../src/world/world.ts";
 import { FURNISHED } from "../../unit/world/rooms.ts";
 
 /** Frames of 1/60 s: until all is compiled, and in each of the stretches that are measured. */
@@ -9,10 +11,10 @@ const STRETCH = 60;
 const STRETCHES = 5;
 const TICKS_PER_FRAME = 2;
 
-const GUSTS: Birth = { wind: { speed: 0.3, direction: 0, gustiness: 1 } };
+const GUSTS: WorldOptions = { wind: { speed: 0.3, direction: 0, gustiness: 1 } };
 
 interface Case {
-  readonly birth: Birth;
+  readonly birth: WorldOptions;
   readonly intent: Intent;
   /** What is done before a frame. */
   readonly deed: (world: World, frame: number) => void;

@@ -2,7 +2,7 @@ import { beforeEach, describe, expect, test, vi } from "vitest";
 import { beyondDeadZone, Gamepads, type Pad } from "../../../src/input/gamepads.ts";
 import { Keyboard } from "../../../src/input/keyboard.ts";
 import { Touch } from "../../../src/input/touch.ts";
-import { STILL } from "../../../src/world/intent.ts";
+import { STILL } from "../../../src/world/player/intent.ts";
 
 describe("the keyboard", () => {
   const press = (keyboard: Keyboard, code: string, repeat = false) =>

@@ -1,10 +1,13 @@
 import { describe, expect, test } from "vitest";
 import { candleLight, type PointLight } from "../../../src/light/candle-light.ts";
 import { allFeatures } from "../../../src/settings.ts";
-import { STILL } from "../../../src/world/intent.ts";
-import { FLOATS } from "../../../src/world/particles.ts";
+import { advance } from "../../../src/world/advance.ts";
+import { moveCamera } from "../../../src/world/commands.ts";
+import { createWorld } from "../../../src/world/create-world.ts";
+import { PARTICLE_FLOATS } from "../../../src/world/particles/particles.ts";
+import { STILL } from "../../../src/world/player/intent.ts";
 import { TICK } from "../../../src/world/timeline.ts";
-import { advance, createWorld, moveCamera, type World } from "../../../src/world/world.ts";
+import type { World } from "../../../src/world/world.ts";
 
 const ALL = allFeatures();
 const lightOf = (world: World, isStill = false) => candleLight(world, ALL, isStill);
@@ -19,13 +22,13 @@ function lights(world: World, ticks: number, features = ALL, isStill = false): P
 }
 
 /** Box around the living particles of the sample, in the room. */
-function boxOfParticles({ sample, stage, shown }: World) {
+function boxOfParticles({ sample, setup, interpolated }: World) {
   const min = [Infinity, Infinity, Infinity];
   const max = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < sample.state.length; i += FLOATS) {
+  for (let i = 0; i < sample.state.length; i += PARTICLE_FLOATS) {
     if (sample.state[i + 3]! <= 0) continue;
     for (const axis of [0, 1, 2] as const) {
-      const at = shown.flame[axis] + sample.state[i + axis]! * stage.flameScale;
+      const at = interpolated.flame[axis] + sample.state[i + axis]! * setup.flameScale;
       min[axis] = Math.min(min[axis]!, at);
       max[axis] = Math.max(max[axis]!, at);
     }
@@ -68,7 +71,7 @@ describe("where the light is (L1)", () => {
     const world = createWorld("paper", 2);
     moveCamera(world, [0, 1.6, 4], 0, 0);
     advance(world, { ...STILL, forward: 1, runs: true }, 1);
-    expect(lightOf(world).position[2]).toBeGreaterThan(world.shown.flame[2] + 0.01);
+    expect(lightOf(world).position[2]).toBeGreaterThan(world.interpolated.flame[2] + 0.01);
   });
 });
 

@@ -9,10 +9,10 @@ import {
   shadowFrustumTest,
   sightOf,
 } from "../../../src/render/camera.ts";
-import type { Vec3 } from "../../../src/world/bounds.ts";
-import { OPEN } from "../../../src/world/ground.ts";
-import { STILL } from "../../../src/world/intent.ts";
-import { type Player, walk } from "../../../src/world/player.ts";
+import type { Vec3 } from "../../../src/world/geometry.ts";
+import { STILL } from "../../../src/world/player/intent.ts";
+import { type Player, walk } from "../../../src/world/player/player.ts";
+import { UNBOUNDED } from "../../../src/world/room/movement-bounds.ts";
 
 const EYE: Vec3 = [1, 1.6, -2];
 
@@ -27,7 +27,7 @@ describe("the camera", () => {
     "looks where the visitor walks, at yaw %d",
     (yaw) => {
       const player: Player = { position: [...EYE], velocity: [0, 0, 0], yaw, pitch: 0 };
-      walk(player, { ...STILL, forward: 1 }, { walk: 2, run: 4 }, OPEN, 3);
+      walk(player, { ...STILL, forward: 1 }, { walk: 2, run: 4 }, UNBOUNDED, 3);
       const { x, y, ahead } = project(clipFromWorld(EYE, yaw, 0, 16 / 9), player.position);
       expect(x).toBeCloseTo(0, 5);
       expect(y).toBeCloseTo(0, 5);

@@ -1,8 +1,8 @@
 import { describe, expect, test } from "vitest";
 import type { Model, Part } from "../../../src/assets/model.ts";
 import { octahedral, SIGHT, traceProbes } from "../../../src/render/gi/probe-rays.ts";
-import type { Vec3 } from "../../../src/world/bounds.ts";
-import { Solid } from "../../../src/world/solid.ts";
+import type { Vec3 } from "../../../src/world/geometry.ts";
+import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";
 
 /** A box; its faces look out, or into the room that it is. */
 function box([x0, y0, z0]: Vec3, [x1, y1, z1]: Vec3, looksOut: boolean): Part {
@@ -38,7 +38,7 @@ const DETAIL = { probes: [2, 2, 2], rays: 8 } as const;
 const ROOM = box([0, 0, 0], [4, 2, 4], false);
 
 describe("Probes of an empty room", () => {
-  const sights = traceProbes(new Solid([ROOM]), modelOf(ROOM), DETAIL);
+  const sights = traceProbes(new CollisionMesh([ROOM]), modelOf(ROOM), DETAIL);
 
   test("stand in the middles of their cells, one plane beside the other", () => {
     expect([...sights.places.subarray(0, 4)]).toEqual([1, 0.5, 1, 1]);
@@ -91,7 +91,7 @@ describe("Probes of an empty room", () => {
 
 test("a probe in a block of stone moves out of it, and none sees the block's inside", () => {
   const block = box([0.4, 0, 0.4], [1.3, 0.95, 1.3], true);
-  const sights = traceProbes(new Solid([ROOM, block]), modelOf(ROOM, block), DETAIL);
+  const sights = traceProbes(new CollisionMesh([ROOM, block]), modelOf(ROOM, block), DETAIL);
   const [x = 0, y = 0, z = 0, isOpen] = sights.places;
   expect(isOpen).toBe(1);
   expect(x > 1.3 || y > 0.95 || z > 1.3 || x < 0.4 || z < 0.4).toBe(true);
@@ -100,7 +100,7 @@ test("a probe in a block of stone moves out of it, and none sees the block's ins
 
 test("a probe without a place in the open says so", () => {
   const stone = box([0, 0, 0], [4, 2, 4], true);
-  const sights = traceProbes(new Solid([stone]), modelOf(stone), DETAIL);
+  const sights = traceProbes(new CollisionMesh([stone]), modelOf(stone), DETAIL);
   expect([...sights.places].every((x) => x === 0)).toBe(true);
   expect(sights.runs).toEqual([]);
 });

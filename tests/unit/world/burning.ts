@@ -1,6 +1,10 @@
-import { GROUPS, PAPER_LAYERS, type ParticleLayer } from "../../../src/world/particle-layer.ts";
-import { FLOATS, layerKey, Particles } from "../../../src/world/particles.ts";
-import { MEMORY, Timeline } from "../../../src/world/timeline.ts";
+import {
+  GROUPS,
+  PAPER_LAYERS,
+  type ParticleLayer,
+} from "../../../src/world/particles/particle-layer.ts";
+import { layerKey, PARTICLE_FLOATS, Particles } from "../../../src/world/particles/particles.ts";
+import { HISTORY, Timeline } from "../../../src/world/timeline.ts";
 
 export const [HAZE, CORE] = PAPER_LAYERS as [ParticleLayer, ParticleLayer];
 /** Chances of the layers under test. */
@@ -15,8 +19,10 @@ export interface Particle {
 }
 
 export function all({ state, layer }: Particles): Particle[] {
-  return Array.from({ length: state.length / FLOATS }, (_, slot) => {
-    const [x, y, z, remaining, vx, vy, vz] = state.subarray(slot * FLOATS) as unknown as number[];
+  return Array.from({ length: state.length / PARTICLE_FLOATS }, (_, slot) => {
+    const [x, y, z, remaining, vx, vy, vz] = state.subarray(
+      slot * PARTICLE_FLOATS,
+    ) as unknown as number[];
     return {
       slot,
       position: [x!, y!, z!],
@@ -43,7 +49,7 @@ export function pass(timeline: Timeline, ticks: number, air: Air = {}): void {
 }
 
 /** A flame that has burnt for a while in still air. */
-export function burning(layer: ParticleLayer, ticks = MEMORY, key = KEY) {
+export function burning(layer: ParticleLayer, ticks = HISTORY, key = KEY) {
   const timeline = new Timeline(0);
   const particles = new Particles(layer, key);
   pass(timeline, ticks);

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { Air, CALM, type Wind } from "../../../src/world/air.js";
+import { Air, CALM, type Wind } from "../../../src/world/air/air.js";
 import { Flame } from "../../../src/world/flame/flame.js";
 import { TICK } from "../../../src/world/timeline.js";
 

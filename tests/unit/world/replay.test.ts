@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
-import { GROUPS, PAPER_LAYERS, withCount } from "../../../src/world/particle-layer.ts";
-import { layerKey, Particles } from "../../../src/world/particles.ts";
-import { MEMORY, TICK, Timeline } from "../../../src/world/timeline.ts";
+import { GROUPS, PAPER_LAYERS, withCount } from "../../../src/world/particles/particle-layer.ts";
+import { layerKey, Particles } from "../../../src/world/particles/particles.ts";
+import { HISTORY, TICK, Timeline } from "../../../src/world/timeline.ts";
 import { chance } from "../chance.ts";
 import { alive, burning, CORE, HAZE, KEY } from "./burning.ts";
 
@@ -22,7 +22,7 @@ describe("a flame is a pure function of the timeline's memory", () => {
   const layers = [CORE, HAZE, { ...HAZE, follow: 0, drag: 2 }, ...withCount(PAPER_LAYERS, 3000)];
 
   test.each(layers)("one seen late is one seen all along: $name of $capacity", (layer) => {
-    const timeline = new Timeline(-MEMORY);
+    const timeline = new Timeline(-HISTORY);
     const faithful = new Particles(layer, KEY);
     for (let i = 0; i < 500; i++) {
       stroll(timeline, 1);
@@ -39,7 +39,7 @@ describe("a flame is a pure function of the timeline's memory", () => {
     const napping = new Particles(CORE, KEY);
     stroll(timeline, 300);
     napping.follow(timeline);
-    stroll(timeline, 10 * MEMORY);
+    stroll(timeline, 10 * HISTORY);
     napping.follow(timeline);
     const late = new Particles(CORE, KEY);
     late.follow(timeline);
@@ -67,14 +67,14 @@ describe("a flame is a pure function of the timeline's memory", () => {
 
   test("another seed or another layer is another flame", () => {
     expect(new Set([layerKey(1, 0), layerKey(1, 1), layerKey(2, 0), layerKey(2, 1)]).size).toBe(4);
-    const other = burning(CORE, MEMORY, layerKey(2, 0)).particles.state;
+    const other = burning(CORE, HISTORY, layerKey(2, 0)).particles.state;
     expect(other).not.toEqual(burning(CORE).particles.state);
     expect(burning(CORE).particles.state).toEqual(burning(CORE).particles.state);
   });
 
   test("no seed is out of range", () => {
     for (const seed of [0, 1, 0x7fffffff, 0xffffffff]) {
-      const { particles } = burning(CORE, MEMORY, layerKey(seed, 1));
+      const { particles } = burning(CORE, HISTORY, layerKey(seed, 1));
       expect(particles.state.every(Number.isFinite)).toBe(true);
     }
   });

@@ -1,7 +1,7 @@
 import { existsSync, readFileSync } from "node:fs";
 import { resolve } from "node:path";
-import type { Bounds, Vec3 } from "../../../src/world/bounds.ts";
-import type { Triangles } from "../../../src/world/solid.ts";
+import type { Bounds, Vec3 } from "../../../src/world/geometry.ts";
+import type { Triangles } from "../../../src/world/room/collision-mesh.ts";
 import { chance } from "../chance.ts";
 
 /** A room to walk in, and the box that the walker's whole circle must stay in. */

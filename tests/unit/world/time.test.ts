@@ -1,10 +1,12 @@
 import { describe, expect, test } from "vitest";
 import { SETTINGS } from "../../../src/settings.ts";
-import { type Intent, STILL } from "../../../src/world/intent.ts";
-import { GROUPS } from "../../../src/world/particle-layer.ts";
-import { FLOATS } from "../../../src/world/particles.ts";
+import { advance } from "../../../src/world/advance.ts";
+import { createWorld } from "../../../src/world/create-world.ts";
+import { GROUPS } from "../../../src/world/particles/particle-layer.ts";
+import { PARTICLE_FLOATS } from "../../../src/world/particles/particles.ts";
+import { type Intent, STILL } from "../../../src/world/player/intent.ts";
 import { TICK } from "../../../src/world/timeline.ts";
-import { advance, createWorld, currentTime, type World } from "../../../src/world/world.ts";
+import { currentTime, type World } from "../../../src/world/world.ts";
 import { chance } from "../chance.ts";
 
 const LOOKS = SETTINGS.look.choices;
@@ -16,12 +18,12 @@ function advanced(world: World, seconds: number, times: number, intent = STILL):
 }
 
 /** All that a picture of the world shows. */
-function shownOf({ player, candle, emitter, shown, timeline, sample, remainder }: World) {
+function shownOf({ player, candle, emitter, interpolated, timeline, sample, remainder }: World) {
   return {
     player,
     candle,
     emitter,
-    shown,
+    interpolated,
     tick: timeline.tick,
     particles: sample.state,
     remainder,
@@ -88,9 +90,9 @@ describe("time (P7)", () => {
     expect(world.remainder).toBeCloseTo(TICK / 2, 9);
     for (const axis of [0, 1, 2] as const) {
       const ahead = velocity[axis] * (TICK / 2);
-      expect(world.shown.eye[axis] - position[axis]).toBeCloseTo(ahead, 9);
-      expect(world.shown.flame[axis] - world.emitter[axis]).toBeCloseTo(ahead, 9);
-      expect(world.shown.foot[axis] - world.candle.position[axis]).toBeCloseTo(ahead, 9);
+      expect(world.interpolated.eye[axis] - position[axis]).toBeCloseTo(ahead, 9);
+      expect(world.interpolated.flame[axis] - world.emitter[axis]).toBeCloseTo(ahead, 9);
+      expect(world.interpolated.foot[axis] - world.candle.position[axis]).toBeCloseTo(ahead, 9);
     }
     expect(Math.hypot(...velocity)).toBeGreaterThan(1);
   });
@@ -98,17 +100,17 @@ describe("time (P7)", () => {
 
 describe("birth", () => {
   test.each(["paper", "original"] as const)("is of a flame already whole: %s", (look) => {
-    const { sample, stage } = createWorld(look, 1);
-    const living = sample.state.filter((value, i) => i % FLOATS === 3 && value > 0).length;
-    const layer = stage.layers.at(-1)!;
+    const { sample, setup } = createWorld(look, 1);
+    const living = sample.state.filter((value, i) => i % PARTICLE_FLOATS === 3 && value > 0).length;
+    const layer = setup.layers.at(-1)!;
     expect(Math.abs(living - (layer.rate * layer.life) / GROUPS)).toBeLessThanOrEqual(1);
   });
 
   test("is of a flame already whole, under hot air: physical", () => {
-    const { flame, fumes, emitter } = createWorld("physical", 1);
+    const { flame, plume, emitter } = createWorld("physical", 1);
     expect(flame.height).toBeGreaterThan(0.03);
     const [x, y, z] = emitter;
-    expect(fumes?.plume.temperature(x, y + 0.2, z)).toBeGreaterThan(320);
+    expect(plume?.solver.temperature(x, y + 0.2, z)).toBeGreaterThan(320);
   });
 
   test.each(LOOKS)("at an age gives the world that has grown that old: %s", (look) => {

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
-import { GROUPS } from "../../../src/world/particle-layer.ts";
-import { MEMORY, TICK, Timeline } from "../../../src/world/timeline.ts";
+import { GROUPS } from "../../../src/world/particles/particle-layer.ts";
+import { HISTORY, TICK, Timeline } from "../../../src/world/timeline.ts";
 
 /** A timeline whose tick `t` holds numbers made of `t`. */
 function recorded(from: number, to: number): Timeline {
@@ -24,7 +24,7 @@ describe("the timeline", () => {
   ])("remembers each of the last ticks: %s", (_, end) => {
     const timeline = recorded(end - 300, end);
     expect(timeline.tick).toBe(end);
-    for (let tick = end - MEMORY; tick < end; tick++) {
+    for (let tick = end - HISTORY; tick < end; tick++) {
       expect([0, 1, 2].map((axis) => timeline.way(tick, axis))).toEqual(
         [tick, tick + 0.25, tick + 0.5].map(Math.fround),
       );
@@ -36,13 +36,13 @@ describe("the timeline", () => {
   });
 
   test("forgets the tick before those", () => {
-    const timeline = recorded(0, MEMORY + 1);
-    expect(timeline.way(0, 0)).toBe(MEMORY);
+    const timeline = recorded(0, HISTORY + 1);
+    expect(timeline.way(0, 0)).toBe(HISTORY);
   });
 
   test("knows no births before it began", () => {
     const timeline = new Timeline(0);
-    for (let tick = -MEMORY; tick < 0; tick++) expect(timeline.groups(tick)).toBe(0);
+    for (let tick = -HISTORY; tick < 0; tick++) expect(timeline.groups(tick)).toBe(0);
   });
 
   test("never bears more groups than there are", () => {

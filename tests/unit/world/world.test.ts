@@ -1,19 +1,13 @@
 import { describe, expect, test } from "vitest";
 import { SETTINGS } from "../../../src/settings.ts";
-import { type Intent, STILL } from "../../../src/world/intent.ts";
-import { GROUPS } from "../../../src/world/particle-layer.ts";
-import { STAGES } from "../../../src/world/stage.ts";
+import { advance } from "../../../src/world/advance.ts";
+import { moveCamera, placeCandle, standLike, takeCandle } from "../../../src/world/commands.ts";
+import { createWorld } from "../../../src/world/create-world.ts";
+import { emittingGroups } from "../../../src/world/particles/level-of-detail.ts";
+import { GROUPS } from "../../../src/world/particles/particle-layer.ts";
+import { type Intent, STILL } from "../../../src/world/player/intent.ts";
 import { TICK } from "../../../src/world/timeline.ts";
-import {
-  advance,
-  createWorld,
-  flameCentre,
-  levelOfDetail,
-  moveCamera,
-  placeCandle,
-  standLike,
-  takeCandle,
-} from "../../../src/world/world.ts";
+import { WORLD_SETUPS } from "../../../src/world/world-setup.ts";
 
 const LOOKS = SETTINGS.look.choices;
 const WALKING: Intent = { ...STILL, forward: 1, right: 0.3, turn: 0.4, runs: true };
@@ -21,13 +15,13 @@ const WALKING: Intent = { ...STILL, forward: 1, right: 0.3, turn: 0.4, runs: tru
 describe("the flame (L1)", () => {
   test("stands on the wick, a little above its foot", () => {
     const world = createWorld("paper", 1);
-    const { emitter, candle, stage } = world;
+    const { emitter, candle, setup } = world;
     for (const axis of [0, 1, 2] as const) {
-      const wick = stage.wick[axis] * stage.candleScale;
+      const wick = setup.wick[axis] * setup.candleScale;
       expect(emitter[axis] - candle.position[axis]).toBeCloseTo(wick, 9);
     }
-    expect(emitter[1]).toBeGreaterThan(candle.position[1] + stage.candleScale);
-    const [x, y, z] = flameCentre(world, [0, 0, 0]);
+    expect(emitter[1]).toBeGreaterThan(candle.position[1] + setup.candleScale);
+    const [x, y, z] = world.sample.centre([0, 0, 0]);
     expect(Math.hypot(x, z)).toBeLessThan(0.05);
     expect(y).toBeGreaterThan(0.1);
     expect(y).toBeLessThan(0.6);
@@ -36,7 +30,7 @@ describe("the flame (L1)", () => {
   test("leans back when carried, and is upright again when it stands", () => {
     const world = createWorld("paper", 1);
     moveCamera(world, [0, 1.6, 4], 0, 0);
-    const lean = () => flameCentre(world, [0, 0, 0])[2];
+    const lean = () => world.sample.centre([0, 0, 0])[2];
     advance(world, { ...STILL, forward: 1, runs: true }, 1.2);
     expect(lean()).toBeGreaterThan(0.1); // he walks along -Z
     advance(world, STILL, 3);
@@ -58,13 +52,13 @@ describe("placing and taking", () => {
     const world = createWorld("paper", 1);
     expect(placeCandle(world)).toBe(true);
     const foot = [...world.candle.position];
-    const { flame } = structuredClone(world.shown);
+    const { flame } = structuredClone(world.interpolated);
     advance(world, { ...STILL, forward: -1 }, 0.5 + TICK / 2);
     expect(world.remainder).toBeGreaterThan(TICK / 4);
-    expect(world.shown.flame).toEqual(flame);
+    expect(world.interpolated.flame).toEqual(flame);
     expect(world.candle.position).toEqual(foot);
-    expect(world.shown.foot).toEqual(foot);
-    expect(foot[1]).toBe(STAGES.paper.room.min[1]);
+    expect(world.interpolated.foot).toEqual(foot);
+    expect(foot[1]).toBe(WORLD_SETUPS.paper.room.min[1]);
   });
 
   test("only puts down what is held, and only takes up what is near", () => {
@@ -121,14 +115,14 @@ describe("level of detail (F4)", () => {
     const levels: number[] = [];
     for (let distance = 0.3; distance < 300; distance += 0.1) {
       world.player.position.splice(0, 3, x + distance, y, z);
-      levels.push(levelOfDetail(world));
+      levels.push(emittingGroups(world));
     }
     expect(levels).toEqual(levels.toSorted((a, b) => b - a));
     expect([...new Set(levels)]).toEqual([4, 3, 2, 1]);
   });
 
   test("is full in the hand", () => {
-    expect(levelOfDetail(createWorld("paper", 1))).toBe(GROUPS);
+    expect(emittingGroups(createWorld("paper", 1))).toBe(GROUPS);
   });
 
   test("is what the timeline remembers", () => {
@@ -145,7 +139,7 @@ describe("level of detail (F4)", () => {
     placeCandle(world);
     world.player.position.splice(0, 3, -4.5, 1.6, -4.5);
     advance(world, STILL, 3);
-    expect(flameCentre(world, [0, 0, 0])[1]).toBeGreaterThan(0.1);
+    expect(world.sample.centre([0, 0, 0])[1]).toBeGreaterThan(0.1);
   });
 });
 

@@ -8,7 +8,7 @@ import {
   VERTEX_SIZE,
 } from "../../../../src/render/mesh/clusters.ts";
 import { clipFromFace, FACES, isInCubeFace } from "../../../../src/render/shadow/cube-map.ts";
-import type { Vec3 } from "../../../../src/world/bounds.ts";
+import type { Vec3 } from "../../../../src/world/geometry.ts";
 
 /** A square of the floor, of many small triangles. */
 function floor(cells: number, size: number, height = 0): Part {

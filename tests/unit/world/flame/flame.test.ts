@@ -1,21 +1,24 @@
 import { describe, expect, test } from "vitest";
 import { chromaticity } from "../../../../src/light/color.ts";
 import { flameLight, flameReport, TAPER } from "../../../../src/light/flame-light.ts";
-import { CALM } from "../../../../src/world/air.ts";
+import { advance } from "../../../../src/world/advance.ts";
+import { CALM } from "../../../../src/world/air/air.ts";
+import { Gusts } from "../../../../src/world/air/gusts.ts";
+import { blow } from "../../../../src/world/commands.ts";
+import { createWorld } from "../../../../src/world/create-world.ts";
 import { flameHeight, TAPER_RATE, TAPER_WICK } from "../../../../src/world/flame/burning.ts";
 import { Flame } from "../../../../src/world/flame/flame.ts";
-import { risen } from "../../../../src/world/flame/spine.ts";
-import { Gusts } from "../../../../src/world/gusts.ts";
-import { type Intent, STILL } from "../../../../src/world/intent.ts";
+import { heightAfter } from "../../../../src/world/flame/spine.ts";
+import { type Intent, STILL } from "../../../../src/world/player/intent.ts";
 import { TICK } from "../../../../src/world/timeline.ts";
-import { advance, blow, createWorld, type World } from "../../../../src/world/world.ts";
+import type { World } from "../../../../src/world/world.ts";
 
 const DEGREE = Math.PI / 180;
 const wind = (speed: number, gustiness = 0) => ({ speed, direction: 0, gustiness });
 
 function inWind(speed: number, seconds: number, gustiness = 0): World {
   const world = createWorld("physical", 1);
-  world.fumes = null; // hot air above the flame costs time, and carries nothing here
+  world.plume = null; // hot air above the flame costs time, and carries nothing here
   world.air.wind = wind(speed, gustiness);
   advance(world, STILL, seconds);
   return world;
@@ -24,7 +27,11 @@ function inWind(speed: number, seconds: number, gustiness = 0): World {
 /** The centre of the light from the foot of the flame, metres. */
 function centre(world: World) {
   const { position } = flameLight(world, TAPER);
-  return position.map((x, axis) => x - (world.shown.flame[axis] ?? 0)) as [number, number, number];
+  return position.map((x, axis) => x - (world.interpolated.flame[axis] ?? 0)) as [
+    number,
+    number,
+    number,
+  ];
 }
 
 describe("a taper in still air", () => {
@@ -72,7 +79,7 @@ describe("a taper in still air", () => {
   });
 
   test("rises as measured plumes do", () => {
-    const speed = (z: number) => (risen(z, 1e-4, TAPER_RATE, 0) - z) / 1e-4;
+    const speed = (z: number) => (heightAfter(z, 1e-4, TAPER_RATE, 0) - z) / 1e-4;
     for (const [z, measured] of [
       [0.01, 0.71],
       [0.02, 1.0],
@@ -156,7 +163,7 @@ describe("out and in again", () => {
 
   test("lit again once the breath is over, it burns on", () => {
     const world = createWorld("physical", 1);
-    world.fumes = null;
+    world.plume = null;
     blow(world, 3);
     advance(world, STILL, 1);
     expect(world.flame.isLit).toBe(false);
@@ -193,7 +200,7 @@ describe("out and in again", () => {
 
 test("where motion is reduced it stands still in any draught, and still goes out in a gale", () => {
   const world = createWorld("physical", 1, { wind: wind(1, 1), wick: 0.05 });
-  world.fumes = null;
+  world.plume = null;
   world.sways = false;
   advance(world, STILL, 3);
   const first = flameReport(world);

@@ -1,8 +1,8 @@
 import { expect, test } from "vitest";
-import { Air, CALM, type Wind } from "../../../../src/world/air.ts";
-import type { Vec3 } from "../../../../src/world/bounds.ts";
+import { Air, CALM, type Wind } from "../../../../src/world/air/air.ts";
 import { Flame } from "../../../../src/world/flame/flame.ts";
 import { Limiter } from "../../../../src/world/flame/limiter.ts";
+import type { Vec3 } from "../../../../src/world/geometry.ts";
 import { TICK } from "../../../../src/world/timeline.ts";
 import { FlashMeter } from "../../../support/flash.ts";
 

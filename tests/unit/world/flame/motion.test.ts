@@ -1,10 +1,10 @@
 import { describe, expect, test } from "vitest";
 import { flameLight, TAPER } from "../../../../src/light/flame-light.ts";
-import { Air, CALM } from "../../../../src/world/air.ts";
-import type { Vec3 } from "../../../../src/world/bounds.ts";
+import { Air, CALM } from "../../../../src/world/air/air.ts";
 import { TAPER_WICK } from "../../../../src/world/flame/burning.ts";
 import { Flame } from "../../../../src/world/flame/flame.ts";
 import { PARCELS } from "../../../../src/world/flame/spine.ts";
+import type { Vec3 } from "../../../../src/world/geometry.ts";
 import { TICK } from "../../../../src/world/timeline.ts";
 
 const AT_REST: Vec3 = [0, 0, 0];
@@ -22,8 +22,8 @@ class Duct extends Air {
 
 /** Where the light is along x from the foot, m. */
 function lean(flame: Flame, foot: Vec3): number {
-  const shown = { eye: EYE, foot, flame: foot };
-  return flameLight({ shown, flame }, TAPER).position[0] - foot[0];
+  const interpolated = { eye: EYE, foot, flame: foot };
+  return flameLight({ interpolated, flame }, TAPER).position[0] - foot[0];
 }
 
 /** Sideways place along x at a share of the height, m. */

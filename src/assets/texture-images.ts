@@ -1,0 +1,130 @@
+import { assetError, Flaw } from "./asset-error.js";
+import { type BufferBytes, nameOf } from "./buffer-bytes.js";
+import type { Decoders } from "./decoders.js";
+import { fetchBytes } from "./fetch-bytes.js";
+import type { GltfDocument } from "./gltf-document.js";
+import { closeImage, type TextureImage } from "./model.js";
+
+/** Pixels of a side; more than a wall shows by candlelight, and than some GPUs take. */
+const LONGEST_SIDE = 4096;
+
+/** Sources of a texture that the browser decodes itself, the smallest first. */
+const SOURCES = ["EXT_texture_avif", "EXT_texture_webp"] as const;
+
+const KTX2_IDENTIFIER = [0xab, 0x4b, 0x54, 0x58, 0x20, 0x32, 0x30, 0xbb];
+
+interface Sources {
+  /** Name of the model's file. */
+  readonly file: string;
+  readonly decoders: Decoders;
+  readonly resolve: (uri: string) => URL;
+  readonly signal: AbortSignal;
+}
+
+/** Texture images of a file: each decoded once, and all of them closed if the model fails. */
+export class TextureImages {
+  readonly warnings = new Set<string>();
+  readonly #document: GltfDocument;
+  readonly #bytes: BufferBytes;
+  readonly #sources: Sources;
+  readonly #images = new Map<number, Promise<TextureImage>>();
+  #isClosed = false;
+
+  constructor(document: GltfDocument, bytes: BufferBytes, sources: Sources) {
+    this.#document = document;
+    this.#bytes = bytes;
+    this.#sources = sources;
+  }
+
+  /** The image of a texture, or null where it has none of a known type. */
+  async texture(index: number): Promise<TextureImage | null> {
+    const images = this.#imagesOf(index);
+    if (images.length === 0) {
+      this.warnings.add("A texture without a picture of a known kind is left out.");
+      return null;
+    }
+    let failure: unknown;
+    for (const image of images) {
+      try {
+        return await this.#image(image);
+      } catch (error) {
+        failure ??= error;
+      }
+    }
+    throw failure;
+  }
+
+  /** Closes those that are there and those on their way; no other is begun. */
+  close(): void {
+    this.#isClosed = true;
+    for (const image of this.#images.values()) image.then(closeImage).catch(() => {});
+  }
+
+  /** In the order in which they are tried. */
+  #imagesOf(index: number): number[] {
+    const texture = this.#document.textures[index];
+    const count = this.#document.images.length;
+    const sources = [
+      ...SOURCES.map((name) => texture?.extension(name)?.index("source", count)),
+      texture?.index("source", count),
+      // Its decoder has to be fetched first, for an image that ends as the same plain pixels.
+      texture?.extension("KHR_texture_basisu")?.index("source", count),
+    ];
+    return sources.filter((source) => source !== undefined);
+  }
+
+  #image(index: number): Promise<TextureImage> {
+    // An image begun after the others were closed would stay open.
+    if (this.#isClosed) throw new Flaw("was given up");
+    const image = this.#images.get(index) ?? this.#readImage(index);
+    this.#images.set(index, image);
+    return image;
+  }
+
+  async #readImage(index: number): Promise<TextureImage> {
+    const image = this.#document.images[index];
+    const uri = image?.string("uri");
+    const view = image?.index("bufferView", this.#document.views.length);
+    const name = image?.string("name") ?? (uri === undefined ? `number ${index}` : nameOf(uri));
+    // A flaw of a buffer is one of the file, not of this image.
+    const inside = view === undefined ? null : await this.#bytes.view(view);
+    try {
+      return await this.#decode(inside ?? (await this.#fetch(uri)), name);
+    } catch (cause) {
+      this.#sources.signal.throwIfAborted();
+      throw assetError(`The texture ${name} of ${this.#sources.file}`, cause);
+    }
+  }
+
+  #fetch(uri: string | undefined): Promise<Uint8Array<ArrayBuffer>> {
+    if (uri === undefined) throw new Flaw("is missing");
+    const { resolve, signal } = this.#sources;
+    const isForeign = (type: string) => /^(text|video|audio|font)\//.test(type);
+    return fetchBytes(resolve(uri), { signal, isForeign });
+  }
+
+  async #decode(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<TextureImage> {
+    if (KTX2_IDENTIFIER.every((byte, i) => bytes[i] === byte)) {
+      return this.#sources.decoders.ktx2(bytes);
+    }
+    // Its colours and its opacity as they are in the file: they may be normals.
+    const asStored = { premultiplyAlpha: "none", colorSpaceConversion: "none" } as const;
+    const bitmap = await createImageBitmap(new Blob([bytes]), asStored).catch((cause: unknown) => {
+      throw new Flaw("is not a picture that can be read", { cause });
+    });
+    const { width, height } = bitmap;
+    const shrink = LONGEST_SIDE / Math.max(width, height);
+    if (shrink >= 1) return bitmap;
+    this.warnings.add(`The texture ${name} is shrunk from ${width} x ${height} pixels.`);
+    try {
+      return await createImageBitmap(bitmap, {
+        ...asStored,
+        resizeWidth: Math.max(1, Math.round(width * shrink)),
+        resizeHeight: Math.max(1, Math.round(height * shrink)),
+        resizeQuality: "high",
+      });
+    } finally {
+      bitmap.close();
+    }
+  }
+}

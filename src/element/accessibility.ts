@@ -1,0 +1,64 @@
+import type { Overlay } from "./overlay.js";
+import type { ReflectedAttributes } from "./reflected-attributes.js";
+
+const ATTRIBUTES = {
+  role: "role",
+  ariaLabel: "aria-label",
+  ariaDescription: "aria-description",
+} as const;
+type Semantic = keyof typeof ATTRIBUTES;
+
+/**
+ * Accessibility of the element: role, name, description and focus, of itself, its canvas and its poster.
+ *
+ * With `controls` the element is an application that takes the focus; without, the canvas alone is an image.
+ * The element's own is default semantics, each of which the page's attribute overrides.
+ */
+export class Accessibility {
+  readonly #host: ReflectedAttributes;
+  readonly #internals: ElementInternals;
+  readonly #overlay: Overlay;
+  readonly #own: Partial<Record<Semantic, string | null>> = {};
+
+  constructor(host: ReflectedAttributes, internals: ElementInternals, overlay: Overlay) {
+    this.#host = host;
+    this.#internals = internals;
+    this.#overlay = overlay;
+  }
+
+  /** To be called when `controls`, `alt`, the canvas or the failure has changed. */
+  update(canvas: HTMLCanvasElement | null): void {
+    const { alt, controls } = this.#host;
+    const { isFailing } = this.#overlay;
+    // Not the element itself: screen readers read nothing of an image but its name, and the hint must be read.
+    const isImage = !controls && !isFailing;
+    const role = isFailing ? "group" : "application";
+    this.#setSemantics({
+      role: isImage ? null : role,
+      ariaLabel: isImage ? null : alt,
+      ariaDescription: controls ? "Press Enter to walk in, and Escape to leave." : null,
+    });
+    this.#overlay.posterAlt = isImage ? alt : "";
+    canvas?.setAttribute("role", isImage ? "img" : "presentation");
+    if (isImage) canvas?.setAttribute("aria-label", alt);
+    else canvas?.removeAttribute("aria-label");
+    const host = this.#host;
+    if (controls && !host.hasAttribute("tabindex")) host.tabIndex = 0;
+    if (!controls && host.getAttribute("tabindex") === "0") host.removeAttribute("tabindex");
+  }
+
+  /** `ElementInternals`, or in Firefox before 119 the attribute itself unless the page has set it. */
+  #setSemantics(semantics: Readonly<Record<Semantic, string | null>>): void {
+    for (const [name, attribute] of Object.entries(ATTRIBUTES) as [Semantic, string][]) {
+      const value = semantics[name];
+      const present = this.#host.getAttribute(attribute);
+      if (name in this.#internals) {
+        this.#internals[name] = value;
+      } else if (present === null || present === this.#own[name]) {
+        this.#own[name] = value;
+        if (value === null) this.#host.removeAttribute(attribute);
+        else this.#host.setAttribute(attribute, value);
+      }
+    }
+  }
+}

@@ -1,0 +1,42 @@
+import type { CandleFlame } from "../candle-flame.js";
+import { moveCamera } from "../world/commands.js";
+import { fieldOfViewOf, legalFieldOfView } from "../world/player/field-of-view.js";
+
+/** The camera, as the property `camera` has it. */
+export interface Camera {
+  /** Metres; the origin is on the floor, amid the room. */
+  readonly position: readonly [number, number, number];
+  /** Radians, counter-clockwise from above; 0 looks along -Z. */
+  readonly yaw: number;
+  /** Radians, up positive. */
+  readonly pitch: number;
+  /** Radians across the frame's shorter side, 0.3 to 2.1; the look's own if it is not given. */
+  readonly fieldOfView?: number;
+}
+
+export function cameraOf({ world }: CandleFlame): Required<Camera> {
+  const { position, yaw, pitch } = world.player;
+  const [x, y, z] = position;
+  return { position: [x, y, z], yaw, pitch, fieldOfView: fieldOfViewOf(world) };
+}
+
+/** The legal part of what is written to `camera`. A field of view that stays is left to the look. */
+export function changeOf(camera: Partial<Camera>, before: Camera): Partial<Camera> {
+  // A text, spread, would give an object of a million letters.
+  const { fieldOfView, ...others } = typeof camera === "object" ? { ...camera } : {};
+  const legal = legalFieldOfView(fieldOfView);
+  const isSame = legal === null || legal === before.fieldOfView;
+  return isSame ? others : { ...others, fieldOfView: legal };
+}
+
+/** Moves the camera. Members that are missing or no numbers stay as they are. */
+export function setCamera(candle: CandleFlame, camera: Partial<Camera>): void {
+  const { position, yaw, pitch } = { ...cameraOf(candle), ...camera };
+  moveCamera(
+    candle.world,
+    position ?? candle.world.player.position,
+    Number(yaw),
+    Number(pitch),
+    camera.fieldOfView,
+  );
+}

@@ -1,0 +1,68 @@
+import type { CandleFlame } from "../candle-flame.js";
+import { cameraOf } from "./camera.js";
+import type { CustomStates } from "./custom-states.js";
+import { emit } from "./events.js";
+import type { Glow } from "./glow.js";
+import type { Hint } from "./hint.js";
+import type { ReflectedAttributes } from "./reflected-attributes.js";
+
+/** Reports what the candle does: by the element's events and states, by hints, and by the glow on the page. */
+export class CandleReporter {
+  readonly #element: ReflectedAttributes;
+  readonly #states: CustomStates;
+  readonly #hint: Hint;
+  readonly #glow: Glow;
+  #camera = "";
+
+  constructor(element: ReflectedAttributes, states: CustomStates, hint: Hint, glow: Glow) {
+    this.#element = element;
+    this.#states = states;
+    this.#hint = hint;
+    this.#glow = glow;
+  }
+
+  /** Reports from now on what happens in a new candle's frames. */
+  watch(candle: CandleFlame): void {
+    const element = this.#element;
+    candle.onCandleMoved = () => emit(element, candle.world.candle.isHeld ? "take" : "place", null);
+    candle.onRefused = () => this.refusal(candle);
+    candle.view.onQualityChanged = () => emit(element, "qualitychange", null);
+    candle.onFlameChanged = () => {
+      this.flame(candle);
+      emit(element, candle.world.flame.isLit ? "light" : "extinguish", null);
+    };
+    this.#camera = keyOf(candle);
+  }
+
+  frame(candle: CandleFlame): void {
+    this.camera(candle);
+    this.glow(candle);
+  }
+
+  camera(candle: CandleFlame): void {
+    const key = keyOf(candle);
+    if (key === this.#camera) return;
+    this.#camera = key;
+    emit(this.#element, "camerachange", null);
+  }
+
+  glow(candle: CandleFlame): void {
+    if (this.#states.has("alone")) this.#glow.follow(candle.flame.luminousIntensity);
+  }
+
+  /** Whether the candle burns. */
+  flame({ world: { flame } }: CandleFlame): void {
+    this.#states.toggle("lit", flame.isLit);
+    this.#hint.tellFlame(flame.isLit, this.#element.controls);
+  }
+
+  /** Why the candle could not be put down, if it could not. */
+  refusal({ world: { flame, refusal } }: CandleFlame): void {
+    this.#hint.tellRefusal(refusal, flame.isLit, this.#element.controls);
+  }
+}
+
+function keyOf(candle: CandleFlame): string {
+  const { position, yaw, pitch, fieldOfView } = cameraOf(candle);
+  return `${position} ${yaw} ${pitch} ${fieldOfView}`;
+}

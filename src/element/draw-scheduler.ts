@@ -1,0 +1,81 @@
+interface Hooks {
+  /** Whether a visitor can see the canvas. */
+  readonly isVisible: () => boolean;
+  /** Whether the animation loop draws anyway. */
+  readonly isPlaying: () => boolean;
+  readonly draw: () => void;
+}
+
+/**
+ * Draw scheduler: one draw in a frame at most, and none while the canvas is invisible.
+ *
+ * It also knows whether the canvas still holds its pixels: the browser takes them after the task that drew them.
+ */
+export class DrawScheduler {
+  readonly #hooks: Hooks;
+  #request = 0;
+  #isFresh = false;
+  /** Whether something changed while the canvas was invisible. */
+  #isStale = false;
+
+  constructor(hooks: Hooks) {
+    this.#hooks = hooks;
+  }
+
+  /** Draws at the next frame, or once the canvas is visible. */
+  request(): void {
+    this.#isFresh = false;
+    if (this.#hooks.isPlaying() || this.#request !== 0) return;
+    if (this.#hooks.isVisible()) this.#request = requestAnimationFrame(() => this.draw());
+    else this.#isStale = true;
+  }
+
+  draw(): void {
+    this.#isStale = false;
+    this.#hooks.draw();
+    this.drawn();
+  }
+
+  /** Draws now, or once the canvas is visible. */
+  drawIfVisible(): void {
+    this.#isFresh = false;
+    if (this.#hooks.isVisible()) this.draw();
+    else this.#isStale = true;
+  }
+
+  /** Draws unless the canvas holds the pixels of this very moment. */
+  refresh(): void {
+    if (!this.#isFresh) this.draw();
+  }
+
+  /** The canvas does not hold the pixels of this moment any more. */
+  invalidate(): void {
+    this.#isFresh = false;
+  }
+
+  /** To be called when the canvas may have become visible. */
+  review(): void {
+    if (this.#isStale && this.#hooks.isVisible()) this.draw();
+  }
+
+  /** A frame was drawn, by whomever. */
+  drawn(): void {
+    this.#cancel();
+    this.#isFresh = true;
+    queueMicrotask(() => {
+      this.#isFresh = false;
+    });
+  }
+
+  /** Forgets everything. */
+  reset(): void {
+    this.#cancel();
+    this.#isFresh = false;
+    this.#isStale = false;
+  }
+
+  #cancel(): void {
+    cancelAnimationFrame(this.#request);
+    this.#request = 0;
+  }
+}

@@ -1,0 +1,347 @@
+import type { CandleFlame } from "../candle-flame.js";
+import type { Device } from "../input/first-person-input.js";
+import { type ContextClient, contextPool } from "../scenes/context-pool.js";
+import { takeSnapshot } from "../world/snapshot.js";
+import { Accessibility } from "./accessibility.js";
+import { CandleReporter } from "./candle-reporter.js";
+import { CustomStates } from "./custom-states.js";
+import { DrawScheduler } from "./draw-scheduler.js";
+import { contextLostError, emit, frameError, typeOf } from "./events.js";
+import { Glow } from "./glow.js";
+import { LifecycleStates } from "./lifecycle-states.js";
+import { FULL, LOST, NO_PHYSICAL_LOOK } from "./messages.js";
+import { observeLessMotion } from "./options.js";
+import { Overlay } from "./overlay.js";
+import { PendingWorld } from "./pending-world.js";
+import { ReadyPromise } from "./ready-promise.js";
+import type { ReflectedAttributes } from "./reflected-attributes.js";
+import { Session, type SessionInput } from "./session.js";
+import { Visibility } from "./visibility.js";
+
+/**
+ * Lifecycle of the element: acts on each transition of `LifecycleStates`.
+ *
+ * connected -> near the viewport -> a WebGL context -> models -> first frame; with a lost context, a failure,
+ * and a restart from each. What a session holds is freed by `#release`.
+ */
+export class Lifecycle {
+  readonly pending = new PendingWorld();
+  readonly draws: DrawScheduler;
+  readonly reporter: CandleReporter;
+  readonly #machine = new LifecycleStates();
+  readonly #element: ReflectedAttributes;
+  readonly #input: SessionInput;
+  readonly #overlay: Overlay;
+  readonly #states: CustomStates;
+  readonly #accessibility: Accessibility;
+  readonly #ready = new ReadyPromise();
+  #abort = new AbortController();
+  #visibility: Visibility | null = null;
+  #client: ContextClient | null = null;
+  #session: Session | null = null;
+
+  constructor(
+    element: ReflectedAttributes,
+    internals: ElementInternals,
+    root: ShadowRoot,
+    input: SessionInput,
+  ) {
+    const glow = new Glow();
+    root.append(glow.element);
+    this.#element = element;
+    this.#input = input;
+    this.#overlay = new Overlay(root);
+    this.#states = new CustomStates(element, internals);
+    this.#accessibility = new Accessibility(element, internals, this.#overlay);
+    this.#overlay.onFailureChange = () => this.updateAccessibility();
+    this.reporter = new CandleReporter(element, this.#states, this.#overlay.hint, glow);
+    this.draws = new DrawScheduler({
+      isVisible: () => this.isVisible,
+      isPlaying: () => this.#states.has("playing"),
+      draw: () => {
+        this.#session?.use((candle) => {
+          candle.draw();
+          this.reporter.glow(candle);
+        });
+      },
+    });
+  }
+
+  /** Null until a WebGL context was had, and after a failure. */
+  get session(): Session | null {
+    return this.#session;
+  }
+
+  get ready(): Promise<void> {
+    return this.#ready.promise;
+  }
+
+  get isVisible(): boolean {
+    return this.#visibility?.isVisible ?? true;
+  }
+
+  connect(): void {
+    this.updateAccessibility();
+    if (this.#machine.send("connect")) this.#begin();
+  }
+
+  disconnect(): void {
+    if (!this.#machine.send("disconnect")) return;
+    this.#release();
+    this.#ready.reject(new DOMException("The element was taken out.", "AbortError"));
+    this.#ready.renew();
+  }
+
+  /** As if the element had been taken out and put back, but time goes on from this moment. */
+  #restart(): void {
+    if (!this.#machine.send("restart")) return;
+    const { candle, shown } = this.#session ?? {};
+    const snapshot = candle && takeSnapshot(candle.world);
+    this.#release();
+    this.#ready.renew();
+    if (snapshot && shown) this.pending.save(snapshot, shown);
+    this.#begin();
+  }
+
+  /** An attribute was set that decides which models are fetched. */
+  sceneChanged(isOther: boolean): void {
+    const element = this.#element;
+    const isOtherScene = this.#session !== null && this.#session.sceneName !== element.scene;
+    // After a failure another scene may do better.
+    const mayDoBetter = this.#machine.current === "failed" && isOther && element.isConnected;
+    if (isOtherScene || mayDoBetter) this.#restart();
+    this.#session?.follow();
+  }
+
+  posterChanged(): void {
+    if (!this.#session?.candle) this.#overlay.showPoster(this.#element.poster);
+  }
+
+  /** Goes on without waiting for the viewport. */
+  stopWaiting(): void {
+    this.#visibility?.stopWaiting();
+  }
+
+  /** Hands the attributes to the candle. */
+  apply(): void {
+    const session = this.#session;
+    session?.use((candle) => {
+      candle.options = session.options;
+    });
+    this.#applyMotion();
+    this.changed();
+  }
+
+  /** Something about the candle is not as in the last frame. */
+  changed(): void {
+    const { candle } = this.#session ?? {};
+    if (!candle) return;
+    this.reporter.camera(candle);
+    this.draws.request();
+  }
+
+  updateAccessibility(): void {
+    this.#accessibility.update(this.#session?.canvas ?? null);
+  }
+
+  #begin(): void {
+    const element = this.#element;
+    this.#abort = new AbortController();
+    const { signal } = this.#abort;
+    this.#overlay.clearFailure();
+    this.#overlay.showPoster(element.poster);
+    this.#states.toggle("loading", true);
+    const visibilityChanged = () => {
+      contextPool.review();
+      this.#applyMotion();
+      this.draws.review();
+    };
+    this.#visibility = new Visibility(element, signal, visibilityChanged, this.#visibility);
+    if (element.loading === "lazy") this.#visibility.awaitApproach(() => this.#queue());
+    else this.#queue();
+  }
+
+  /** A room has to wait until the page has a context left; lone candles share one. */
+  #queue(): void {
+    this.#machine.send("approach");
+    if (this.#element.scene === "candle") {
+      this.#states.toggle("alone", true);
+      this.#load();
+      return;
+    }
+    this.#client = {
+      isVisible: () => this.isVisible,
+      acquire: () => {
+        this.#overlay.clearFailure();
+        this.#load();
+      },
+      release: () => this.#restart(),
+    };
+    if (!contextPool.request(this.#client) && this.#client) this.#overlay.fail(FULL, "status");
+  }
+
+  #load(): void {
+    this.#machine.send("admit");
+    const element = this.#element;
+    const { signal } = this.#abort;
+    // A context once given back cannot be had again from the same canvas, so each session has its own.
+    const canvas = document.createElement("canvas");
+    canvas.part.add("canvas");
+    element.shadowRoot?.prepend(canvas);
+    signal.addEventListener("abort", () => canvas.remove());
+    this.#accessibility.update(canvas);
+    try {
+      this.#session = new Session(canvas, this.#input, signal, {
+        plays: () => this.#plays,
+        onProgress: (totalProgress) => {
+          this.#overlay.showProgress(totalProgress);
+          emit(element, "progress", { totalProgress });
+        },
+        onCandle: (candle) => this.#showFirstFrame(candle),
+        onScene: (candle) => {
+          this.#applyPending(candle);
+          this.#overlay.hideProgress();
+          this.changed();
+          emit(element, "load", null);
+        },
+        onMissing: (error) => {
+          if (!this.#session?.candle) return this.#fail(error);
+          this.#stopAwaiting();
+          this.#report(error);
+        },
+        onFetchDropped: () => this.#stopAwaiting(),
+        onError: (cause) => this.#failAtFrame(cause),
+        onContextLost: () => this.#contextLost(),
+        onContextRestored: () => this.#contextRestored(),
+        onContextGivenUp: () => {
+          this.#offerReload();
+          this.#report(contextLostError());
+        },
+      });
+    } catch (error) {
+      this.#failAtFrame(error);
+    }
+  }
+
+  /** No other scene is to come. */
+  #stopAwaiting(): void {
+    this.pending.forgetCamera();
+    this.#overlay.hideProgress();
+  }
+
+  #applyPending(candle: CandleFlame): void {
+    const shown = this.#session?.shown ?? null;
+    this.pending.applyTo(candle, shown, () => emit(this.#element, "place", null));
+  }
+
+  #showFirstFrame(candle: CandleFlame): void {
+    this.#applyPending(candle);
+    this.reporter.watch(candle);
+    candle.onFrame = () => {
+      this.draws.drawn();
+      this.reporter.frame(candle);
+    };
+    this.#session?.resize();
+    this.draws.draw();
+    if (!this.#session?.candle) return; // it could not be drawn
+    this.#machine.send("reveal");
+    this.#overlay.hideProgress();
+    this.#overlay.hidePoster();
+    this.#states.toggle("loading", false);
+    this.reporter.flame(candle);
+    this.#session.followSize(() => this.draws.drawIfVisible());
+    observeLessMotion(this.#abort.signal, () => this.apply());
+    this.#applyMotion();
+    if (this.#session.look !== this.#element.look) this.#overlay.hint.tell(NO_PHYSICAL_LOOK);
+    emit(this.#element, "load", null);
+    this.#ready.resolve();
+  }
+
+  #contextLost(): void {
+    this.#machine.send("lose");
+    this.#session?.candle?.pause();
+    this.#overlay.showPoster(this.#element.poster);
+    emit(this.#element, "contextlost", null);
+  }
+
+  #contextRestored(): void {
+    this.#machine.send("restore");
+    this.#overlay.clearFailure();
+    if (this.#machine.current === "running") this.#overlay.hidePoster();
+    this.#applyMotion();
+    emit(this.#element, "contextrestored", null);
+  }
+
+  /** Whether time is to pass. */
+  get #plays(): boolean {
+    return !this.#element.paused && this.isVisible;
+  }
+
+  /** Lets time pass or stand still, and gives the visitor the controls or takes them, as the attributes say. */
+  #applyMotion(): void {
+    const session = this.#session;
+    const candle = session?.candle;
+    if (!candle) return;
+    const plays = this.#plays;
+    if (plays !== this.#states.has("playing")) {
+      this.#states.toggle("playing", plays);
+      emit(this.#element, plays ? "play" : "pause", null);
+    }
+    if (plays) candle.play();
+    else candle.pause();
+    session.applyControls((isIn, device) => this.#goInOrOut(candle, isIn, device));
+    if (!this.#element.controls) this.#states.toggle("walking", false);
+  }
+
+  #goInOrOut(candle: CandleFlame, isIn: boolean, device: Device): void {
+    this.#states.toggle("walking", isIn);
+    if (isIn) this.#overlay.hint.tellControls(device);
+    else this.reporter.flame(candle);
+    emit(this.#element, isIn ? "enter" : "leave", null);
+  }
+
+  /** Ends the session for whatever was thrown while something was drawn, or made to be drawn. */
+  #failAtFrame(cause: unknown): void {
+    const error = frameError(cause);
+    // The event of a lost context follows, and the frame comes back with it.
+    if (typeOf(error) !== "context-lost") this.#fail(error);
+  }
+
+  /** A sentence in the place of frames, with the poster behind it. Nothing is thrown at the page. */
+  #fail(error: Error): void {
+    if (!this.#machine.send("fail")) return;
+    this.#release();
+    this.#overlay.hideProgress();
+    if (typeOf(error) === "context-lost") this.#offerReload();
+    else this.#overlay.fail(error.message, "alert");
+    this.#overlay.showPoster(this.#element.poster);
+    this.#ready.reject(error);
+    this.#report(error);
+    // The sentence is for visitors; the driver's own words are in its cause.
+    if (typeOf(error) === "graphics") console.error(error);
+  }
+
+  #report(error: Error): void {
+    const { message } = error;
+    emit(this.#element, "error", { type: typeOf(error), message, cause: error });
+  }
+
+  #offerReload(): void {
+    this.#overlay.fail(LOST, "alert", () => {
+      this.#restart();
+      // The button takes the focus with it.
+      if (this.#element.controls) this.#element.focus({ preventScroll: true });
+    });
+  }
+
+  #release(): void {
+    this.#abort.abort();
+    this.#session?.dispose();
+    this.#session = null;
+    this.draws.reset();
+    this.#states.clear();
+    const client = this.#client;
+    this.#client = null;
+    if (client) contextPool.free(client);
+  }
+}

@@ -1,0 +1,25 @@
+import type { Refusal } from "../world/room/placement.js";
+
+export const NO_PHYSICAL_LOOK =
+  "This graphics driver cannot hold light in real units, so the room is drawn in the paper's look.";
+
+export const LOST = "The graphics driver has taken the picture away, and has not given it back.";
+
+export const FULL =
+  "This page has as many rooms open as a browser can show. This one opens as soon as there is a place.";
+
+/** Why the candle could not be put down. */
+export const REFUSALS: Readonly<Record<Refusal, string>> = {
+  "nothing within reach": "There is nothing within reach to put the candle on.",
+  "too steep": "That is too steep for a candle.",
+  overhangs: "The candle would hang over the edge.",
+  "no room": "There is no room for the candle.",
+};
+
+/** Says that the candle is out, and how to light it if the visitor can. */
+export function outSentence(canLight: boolean): string {
+  const out = "The candle is out.";
+  if (!canLight) return out;
+  const hasFingersAlone = matchMedia("(hover: none)").matches;
+  return hasFingersAlone ? `${out} Tap twice to light it.` : `${out} Press E to light it.`;
+}

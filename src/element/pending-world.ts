@@ -1,0 +1,90 @@
+import type { CandleFlame } from "../candle-flame.js";
+import { areSame, type SceneRequest } from "../scenes/scene.js";
+import { FIELDS_OF_VIEW, type Look } from "../settings.js";
+import { placeCandle } from "../world/commands.js";
+import { type Snapshot, timeOf } from "../world/snapshot.js";
+import { type Camera, cameraOf, setCamera } from "./camera.js";
+
+const ORIGIN = { position: [0, 0, 0], yaw: 0, pitch: 0, fieldOfView: null } as const;
+
+/**
+ * State of a world that does not exist yet, or not any more: the snapshot that it continues from, and the
+ * camera and the placing that the page asked for meanwhile.
+ */
+export class PendingWorld {
+  #camera: Partial<Camera> | null = null;
+  /** Camera from which the candle is to be put down; null where it is to stay in the hand. */
+  #placing: Partial<Camera> | null = null;
+  /** With the scene that it was taken in. */
+  #saved: { readonly snapshot: Snapshot; readonly of: SceneRequest } | null = null;
+
+  /** @param look of the world to come, which has its own field of view */
+  cameraFor(look: Look): Required<Camera> {
+    const { position, yaw, pitch, fieldOfView } = this.#saved?.snapshot ?? ORIGIN;
+    const own = { position, yaw, pitch, fieldOfView: fieldOfView ?? FIELDS_OF_VIEW[look] };
+    return { ...own, ...this.#camera };
+  }
+
+  get currentTime(): number {
+    return this.#saved ? timeOf(this.#saved.snapshot) : 0;
+  }
+
+  get isHeld(): boolean {
+    return !this.#placing && !this.#saved?.snapshot.stand;
+  }
+
+  /** Null without a snapshot. */
+  get isLit(): boolean | null {
+    return this.#saved?.snapshot.isLit ?? null;
+  }
+
+  set isLit(isLit: boolean) {
+    if (this.#saved) this.#saved = { ...this.#saved, snapshot: { ...this.#saved.snapshot, isLit } };
+  }
+
+  save(snapshot: Snapshot, of: SceneRequest): void {
+    this.#saved = { snapshot, of };
+  }
+
+  /** Time is to begin anew. */
+  forgetTime(): void {
+    this.#saved = null;
+  }
+
+  moveCamera(camera: Partial<Camera>): void {
+    this.#camera = { ...this.#camera, ...camera };
+  }
+
+  /** The candle is to be put down, from the camera as it is now. */
+  place(): void {
+    if (!this.#saved?.snapshot.stand) this.#placing = { ...this.#camera };
+  }
+
+  take(): void {
+    this.#placing = null;
+  }
+
+  /** No other world is to come. */
+  forgetCamera(): void {
+    this.#camera = null;
+  }
+
+  /**
+   * Applies all of it to the world that has come; its places only in the room of the snapshot.
+   *
+   * @param onPlaced called when the candle has been put down, while the camera is where that was done
+   */
+  applyTo(candle: CandleFlame, shown: SceneRequest | null, onPlaced: () => void): void {
+    if (this.#saved) candle.resume(this.#saved.snapshot, areSame(this.#saved.of, shown));
+    if (this.#placing) {
+      const before = cameraOf(candle);
+      setCamera(candle, this.#placing);
+      if (placeCandle(candle.world)) onPlaced();
+      setCamera(candle, before);
+    }
+    if (this.#camera) setCamera(candle, this.#camera);
+    this.#saved = null;
+    this.#placing = null;
+    this.#camera = null;
+  }
+}

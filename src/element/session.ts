@@ -1,0 +1,231 @@
+import { CandleFlame, type Options } from "../candle-flame.js";
+import { type Device, FirstPersonInput } from "../input/first-person-input.js";
+import { type CanvasTarget, createCanvasTarget } from "../scenes/canvas-target.js";
+import type { Scene, SceneRequest } from "../scenes/scene.js";
+import { measureTarget } from "../scenes/scene-view.js";
+import type { Features, Inspection, Look, SceneName } from "../settings.js";
+import { watchContext } from "./context-watch.js";
+import { guessDevicePixels, observeDevicePixels, type Size } from "./device-pixels.js";
+import { assetRootOf, optionsOf } from "./options.js";
+import type { ReflectedAttributes } from "./reflected-attributes.js";
+import { SceneFetcher } from "./scene-fetcher.js";
+
+/** Input of a session: the attributes as they are at any time, and settings without attribute. */
+export interface SessionInput {
+  readonly attributes: ReflectedAttributes;
+  readonly features: Features;
+  inspect: Inspection;
+}
+
+/** Callbacks of a session. */
+export interface SessionOwner {
+  readonly onProgress: (share: number) => void;
+  /** Whether time is to pass. */
+  readonly plays: () => boolean;
+  /** The candle can draw its first frame. */
+  readonly onCandle: (candle: CandleFlame) => void;
+  /** The candle has changed to another scene. */
+  readonly onScene: (candle: CandleFlame) => void;
+  /** The scene that the attributes ask for cannot be fetched. */
+  readonly onMissing: (error: Error) => void;
+  /** The attributes ask again for the scene that is shown. */
+  readonly onFetchDropped: () => void;
+  /** Something failed that was to draw, or to prepare drawing. */
+  readonly onError: (cause: unknown) => void;
+  readonly onContextLost: () => void;
+  readonly onContextRestored: () => void;
+  readonly onContextGivenUp: () => void;
+}
+
+/**
+ * Rendering session: a canvas with its WebGL context, the scene fetched for it, and the candle drawn there.
+ *
+ * It ends with `dispose`: a context once given back cannot be had again from the same canvas.
+ */
+export class Session {
+  readonly canvas: HTMLCanvasElement;
+  /** Scene that the canvas was made for. */
+  readonly sceneName: SceneName;
+  readonly #input: SessionInput;
+  readonly #owner: SessionOwner;
+  readonly #signal: AbortSignal;
+  readonly #target: CanvasTarget;
+  readonly #fetcher: SceneFetcher;
+  #scene: Scene | null = null;
+  #candle: CandleFlame | null = null;
+  /** Creations of candles under way, of which one at most is wanted. */
+  #creations = 0;
+  /** Of the canvas on the page; the renderer may draw fewer. */
+  #pixels: Size = { width: 1, height: 1 };
+
+  /**
+   * Throws where there is no WebGL 2.
+   *
+   * @param signal aborts when the session is to end
+   */
+  constructor(
+    canvas: HTMLCanvasElement,
+    input: SessionInput,
+    signal: AbortSignal,
+    owner: SessionOwner,
+  ) {
+    const { scene, quality } = input.attributes;
+    this.canvas = canvas;
+    this.sceneName = scene;
+    this.#input = input;
+    this.#owner = owner;
+    this.#signal = signal;
+    this.#target = createCanvasTarget(scene, canvas);
+    if (quality === "auto") void measureTarget(this.#target); // while the files are on their way
+    watchContext(this.#target.source, signal, {
+      onLost: owner.onContextLost,
+      onRestored: () => this.#restore(),
+      onGivenUp: owner.onContextGivenUp,
+    });
+    this.#fetcher = new SceneFetcher(() => this.#request, signal, {
+      onProgress: owner.onProgress,
+      onScene: (next) => this.#show(next),
+      onFailure: owner.onMissing,
+      onGivenUp: owner.onFetchDropped,
+    });
+    void this.#fetcher.fetch();
+  }
+
+  /** Null until it can draw. */
+  get candle(): CandleFlame | null {
+    return this.#candle;
+  }
+
+  /** The scene on show; while another is fetched the attributes ask for that. */
+  get shown(): SceneRequest | null {
+    return this.#fetcher.shown;
+  }
+
+  get isFetching(): boolean {
+    return this.#fetcher.isFetching;
+  }
+
+  /** The look asked for, or the nearest that the GPU can draw. */
+  get look(): Look {
+    const { look } = this.#input.attributes;
+    return look === "physical" && !this.#target.gpu.drawsToHalfFloats ? "paper" : look;
+  }
+
+  get options(): Options {
+    const { attributes } = this.#input;
+    return optionsOf(attributes, this.shown?.look ?? attributes.look);
+  }
+
+  get #request(): SceneRequest {
+    const { attributes } = this.#input;
+    const { scene, src } = attributes;
+    return { scene, look: this.look, src, assetRoot: assetRootOf(attributes) };
+  }
+
+  /** The attributes may ask for another scene now. */
+  follow(): void {
+    this.#fetcher.follow();
+  }
+
+  /** Calls an action with the candle, if there is one. Exceptions go to `onError`. */
+  use<Result>(action: (candle: CandleFlame) => Result): Result | undefined {
+    try {
+      return this.#candle ? action(this.#candle) : undefined;
+    } catch (error) {
+      this.#owner.onError(error);
+      return undefined;
+    }
+  }
+
+  /** Fits the frame to the canvas. Returns whether it has to be drawn again. */
+  resize(): boolean {
+    const cap = Math.min(1, this.#input.attributes.maxPixelRatio / devicePixelRatio);
+    const { width, height } = this.#pixels;
+    const [w, h] = [Math.max(1, width * cap), Math.max(1, height * cap)];
+    return this.use((candle) => candle.view.resize(w, h)) ?? false;
+  }
+
+  /** Keeps the frame fitted to the canvas from now on. */
+  followSize(onResized: () => void): void {
+    observeDevicePixels(this.canvas, this.#signal, (pixels) => {
+      this.#pixels = pixels;
+      // A correct guess is on show already.
+      if (this.resize()) onResized();
+    });
+  }
+
+  /** Gives the visitor the controls, or takes them, as the attributes say. */
+  applyControls(onEntered: (isIn: boolean, device: Device) => void): void {
+    const { attributes } = this.#input;
+    const candle = this.#candle;
+    if (candle && attributes.controls) {
+      candle.input ??= new FirstPersonInput(attributes, this.canvas, onEntered);
+      candle.input.sensitivity = attributes.sensitivity;
+    } else if (candle?.input) {
+      candle.input.dispose();
+      candle.input = null;
+    }
+  }
+
+  #show(scene: Scene): void {
+    const before = this.#scene;
+    const candle = this.#candle;
+    this.#scene = scene;
+    this.use((candle) => {
+      candle.show(scene, this.options);
+      this.#owner.onScene(candle);
+    });
+    before?.close();
+    if (!candle) void this.#create(scene);
+  }
+
+  async #create(scene: Scene): Promise<void> {
+    const target = this.#target;
+    if (target.gpu.isLost) return; // the candle is created when the context is restored
+    const isWanted = () => !this.#signal.aborted && this.#scene === scene && !this.#candle;
+    // Of another scene's creation, which is no longer wanted.
+    if (this.#creations++ > 0) target.clear();
+    const { features } = this.#input;
+    try {
+      const plays = this.#owner.plays();
+      const options = this.options;
+      const made = await CandleFlame.create(target, scene, features, options, plays, isWanted);
+      if (made) this.#begin(made);
+    } catch (error) {
+      if (isWanted()) this.#owner.onError(error);
+    } finally {
+      this.#creations--;
+    }
+  }
+
+  #begin(candle: CandleFlame): void {
+    this.#candle = candle;
+    candle.options = this.options; // which may have changed meanwhile
+    candle.view.inspect = this.#input.inspect;
+    candle.onFailure = this.#owner.onError;
+    this.#pixels = guessDevicePixels(this.canvas);
+    this.use(this.#owner.onCandle);
+  }
+
+  #restore(): void {
+    try {
+      if (this.#candle) {
+        this.#candle.restore();
+      } else {
+        this.#target.renew();
+        if (this.#scene) void this.#create(this.#scene);
+      }
+      this.#owner.onContextRestored();
+    } catch (error) {
+      this.#owner.onError(error);
+    }
+  }
+
+  dispose(): void {
+    if (this.#candle) this.#candle.dispose();
+    else this.#target.dispose();
+    this.#candle = null;
+    this.#scene?.close();
+    this.#scene = null;
+  }
+}

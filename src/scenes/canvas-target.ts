@@ -1,0 +1,168 @@
+import { Gpu } from "../gl/gpu.js";
+import type { SceneName } from "../settings.js";
+
+/** A canvas on the page, and the WebGL context that its frames are drawn in. */
+export interface CanvasTarget {
+  readonly gpu: Gpu;
+  /** The canvas that owns the WebGL context, and gets the events of its loss. */
+  readonly source: HTMLCanvasElement;
+  /** The canvas on the page. */
+  readonly canvas: HTMLCanvasElement;
+  /** Primaries that the canvas can show now: a window may move to another monitor. */
+  readonly gamut: PredefinedColorSpace;
+  /** Takes ownership of what lives on `gpu`, to free it with the rest. */
+  own(object: { dispose(): void }): void;
+  /** Frees what the renderer made on `gpu`; the context stays. */
+  clear(): void;
+  /** The same, except what the next renderer of the same scene can take over. */
+  clearUnshared(): void;
+  /** A new `gpu`, after a lost context was restored. */
+  renew(): void;
+  /** To be called before a frame is drawn. */
+  prepare(): void;
+  /** Shows the frame. In the task that drew it: afterwards the browser owns the pixels. */
+  present(): void;
+  dispose(): void;
+}
+
+/** The target that a scene is drawn to. Throws where there is no WebGL 2. */
+export function createCanvasTarget(scene: SceneName, canvas: HTMLCanvasElement): CanvasTarget {
+  return scene === "candle" ? new SharedContextTarget(canvas) : new OwnContextTarget(canvas);
+}
+
+/** A canvas with a WebGL context of its own. */
+class OwnContextTarget implements CanvasTarget {
+  gpu: Gpu;
+  readonly source: HTMLCanvasElement;
+  readonly canvas: HTMLCanvasElement;
+  readonly #wide = matchMedia("(color-gamut: p3)");
+
+  constructor(canvas: HTMLCanvasElement) {
+    this.source = canvas;
+    this.canvas = canvas;
+    this.gpu = new Gpu(canvas);
+  }
+
+  get gamut(): PredefinedColorSpace {
+    return this.#wide.matches ? "display-p3" : "srgb";
+  }
+
+  own(): void {}
+
+  clear(): void {
+    this.gpu.clearObjects();
+  }
+
+  clearUnshared(): void {
+    this.gpu.clearUnshared();
+  }
+
+  renew(): void {
+    this.gpu = new Gpu(this.canvas);
+  }
+
+  prepare(): void {}
+
+  present(): void {}
+
+  dispose(): void {
+    this.gpu.dispose();
+  }
+}
+
+/** The context that all lone candles share, since a page may have many and browsers give sixteen. */
+class SharedContext {
+  readonly canvas = document.createElement("canvas");
+  gpu = new Gpu(this.canvas);
+  users = 0;
+  #isStale = false;
+
+  constructor() {
+    this.canvas.addEventListener("webglcontextlost", () => {
+      this.#isStale = true;
+    });
+  }
+
+  /** The first to ask after a loss renews it for all. */
+  renew(): void {
+    if (!this.#isStale) return;
+    this.#isStale = false;
+    this.gpu = new Gpu(this.canvas);
+  }
+
+  /** Grows the canvas to the largest target; smaller ones use its corner. */
+  fit(width: number, height: number): void {
+    if (this.canvas.width < width) this.canvas.width = width;
+    if (this.canvas.height < height) this.canvas.height = height;
+  }
+}
+
+let sharedContext: SharedContext | null = null;
+
+/** A 2D canvas that frames drawn in the shared context are copied to. */
+class SharedContextTarget implements CanvasTarget {
+  readonly canvas: HTMLCanvasElement;
+  /** The page around a lone candle is sRGB. */
+  readonly gamut = "srgb";
+  readonly #shared: SharedContext;
+  readonly #copy: CanvasRenderingContext2D;
+  readonly #owned = new Set<{ dispose(): void }>();
+  #isDisposed = false;
+
+  constructor(canvas: HTMLCanvasElement) {
+    const copy = canvas.getContext("2d");
+    if (!copy) throw new Error("There is no canvas to draw on.");
+    this.canvas = canvas;
+    this.#copy = copy;
+    if (!sharedContext || sharedContext.gpu.isLost) sharedContext = new SharedContext();
+    this.#shared = sharedContext;
+    this.#shared.users++;
+  }
+
+  get gpu(): Gpu {
+    return this.#shared.gpu;
+  }
+
+  get source(): HTMLCanvasElement {
+    return this.#shared.canvas;
+  }
+
+  own(object: { dispose(): void }): void {
+    this.#owned.add(object);
+  }
+
+  clear(): void {
+    for (const object of this.#owned) object.dispose();
+    this.#owned.clear();
+  }
+
+  clearUnshared(): void {
+    this.clear();
+  }
+
+  renew(): void {
+    this.#owned.clear(); // gone with the context
+    this.#shared.renew();
+  }
+
+  prepare(): void {
+    this.#shared.fit(this.canvas.width, this.canvas.height);
+  }
+
+  present(): void {
+    const { width, height } = this.canvas;
+    const from = this.#shared.canvas.height - height;
+    this.#copy.clearRect(0, 0, width, height);
+    this.#copy.drawImage(this.#shared.canvas, 0, from, width, height, 0, 0, width, height);
+  }
+
+  dispose(): void {
+    if (this.#isDisposed) return;
+    this.#isDisposed = true;
+    this.clear();
+    this.#shared.users--;
+    if (this.#shared.users > 0) return;
+    this.#shared.gpu.dispose();
+    if (sharedContext === this.#shared) sharedContext = null;
+  }
+}

@@ -1,0 +1,305 @@
+import { nextTask } from "../gl/next-task.js";
+import { AutoQuality, type Rung, WORK, type Work } from "../render/auto-quality.js";
+import { canvasSize } from "../render/canvas-size.js";
+import type { FrameSettings } from "../render/frame-settings.js";
+import { type Tier, tierNamed } from "../render/quality.js";
+import type { Renderer } from "../render/renderer.js";
+import { measureSpeed, type Speed } from "../render/speed.js";
+import type { Inspection, Look, Quality } from "../settings.js";
+import type { ParticleLayer } from "../world/particles/particle-layer.js";
+import type { World } from "../world/world.js";
+import type { CanvasTarget } from "./canvas-target.js";
+import type { Scene } from "./scene.js";
+
+const INSPECTION_RUNG: Rung = { tier: "medium", share: 1 };
+
+interface ViewSettings {
+  readonly look: Look;
+  readonly quality: Quality;
+}
+
+/** The world that a view draws, and its particles. */
+export interface ViewSubject {
+  readonly world: World;
+  readonly layers: readonly ParticleLayer[];
+}
+
+/** Work of a scene's frame, by which `auto` predicts its time. */
+function workOf({ isModelAlone }: Scene, { look }: ViewSettings): Work {
+  return look === "physical" && !isModelAlone ? WORK.physical : WORK.plain;
+}
+
+/** Speed of a target's GPU, for `auto`; measured once, best while it has nothing else to do. */
+export function measureTarget({ gpu }: CanvasTarget): Promise<Speed | null> {
+  return measureSpeed(gpu, () => performance.now() / 1000);
+}
+
+/**
+ * View of a scene on a canvas: its renderer, at the tier and the resolution that `quality` asks for.
+ *
+ * The renderer goes with its tier and with the WebGL context; the view stays.
+ */
+export class SceneView {
+  /** What is shown of each frame. */
+  inspect: Inspection = "picture";
+  /** Whether a next frame follows each, or will once the first is shown. */
+  isPlaying: boolean;
+  /** Called when frames are of another tier or resolution than before. */
+  onQualityChanged: () => void = () => {};
+  /** Called when the driver refused what a renderer needs. */
+  onRefused: (error: Error) => void = () => {};
+  readonly #target: CanvasTarget;
+  #scene: Scene;
+  #settings: ViewSettings;
+  #subject: ViewSubject;
+  readonly #auto: AutoQuality;
+  #tier: Tier;
+  /** Of the tier's resolution. */
+  #share: number;
+  #renderer: Renderer;
+  /** CSS size times device pixel ratio, before the tier's scale. */
+  #pixels = { width: 1, height: 1 };
+  /** Whether targets and textures were made since the driver was last asked whether it accepts them. */
+  #isUnchecked = false;
+
+  /**
+   * Prepares a view in small tasks, so that the page stays responsive.
+   *
+   * @param plays whether time will pass, so that each frame is followed by another
+   * @param isWanted whether it is still wanted
+   * @returns the quality to begin with; null where it is not wanted, or the context was lost
+   */
+  static async prepare(
+    target: CanvasTarget,
+    scene: Scene,
+    settings: ViewSettings,
+    plays: boolean,
+    isWanted: () => boolean,
+  ): Promise<AutoQuality | null> {
+    const auto = new AutoQuality(workOf(scene, settings));
+    const { look, quality } = settings;
+    if (quality === "auto") auto.speed = await measureTarget(target);
+    const { tier: name } = plays ? auto.rung : auto.stillRung;
+    const tier = tierNamed(quality === "auto" ? name : quality);
+    while (!scene.prepareRenderer(target, tier, look)) {
+      await nextTask();
+      if (!isWanted()) return null;
+    }
+    await nextTask();
+    return isWanted() ? auto : null;
+  }
+
+  /** @param target from now on this disposes of it */
+  constructor(
+    target: CanvasTarget,
+    scene: Scene,
+    settings: ViewSettings,
+    subject: ViewSubject,
+    plays: boolean,
+    auto = new AutoQuality(workOf(scene, settings)),
+  ) {
+    this.#target = target;
+    this.#scene = scene;
+    this.#settings = settings;
+    this.#subject = subject;
+    this.isPlaying = plays;
+    this.#auto = auto;
+    this.#tier = this.#tierOf(this.#rung);
+    this.#share = this.#rung.share;
+    this.#renderer = this.#createRenderer();
+  }
+
+  /** Waits for the driver's compiler. False if not wanted any more; throws if a program or a target is refused. */
+  async finish(isWanted: () => boolean): Promise<boolean> {
+    const { gpu } = this.#target;
+    await gpu.whenCompiled();
+    if (!isWanted()) return false;
+    gpu.finishPrograms();
+    gpu.check("picture");
+    return true;
+  }
+
+  /** Another world, or other particles: the renderer's catch up in the next frame. */
+  follow(subject: ViewSubject): void {
+    this.#subject = subject;
+    // After a lost context, the renderer to come will.
+    if (!this.#target.gpu.isLost) this.#renderer.setParticles(subject.world, subject.layers);
+  }
+
+  /** To be followed by `rebuild` if the quality or the models are others. */
+  set settings(settings: ViewSettings) {
+    this.#settings = settings;
+    this.#auto.work = workOf(this.#scene, settings);
+  }
+
+  /** Another scene on the same canvas. */
+  show(scene: Scene, settings: ViewSettings, subject: ViewSubject): void {
+    this.#scene = scene;
+    this.settings = settings;
+    this.#auto.renew();
+    this.#subject = subject;
+    this.rebuild();
+  }
+
+  /** Makes the renderer anew. */
+  rebuild(): void {
+    if (this.#target.gpu.isLost) return; // it is rebuilt once the context is restored
+    const before = { tier: this.#tier.name, share: this.#share };
+    const rung = this.#rung;
+    this.#tier = this.#tierOf(rung);
+    this.#share = rung.share;
+    this.#target.clear();
+    this.#fitCanvas();
+    this.#renderer = this.#createRenderer();
+    if (before.tier !== rung.tier || before.share !== rung.share) this.onQualityChanged();
+  }
+
+  /** After the WebGL context was restored. */
+  restore(): void {
+    this.#target.renew();
+    this.rebuild();
+  }
+
+  /**
+   * Device pixels that the element covers.
+   *
+   * @returns whether the frame is of another size now, and gone
+   */
+  resize(width: number, height: number): boolean {
+    const isOther = width !== this.#pixels.width || height !== this.#pixels.height;
+    this.#pixels = { width, height };
+    this.#auto.pixels = width * height;
+    if (isOther) this.#auto.renew();
+    const { gpu, canvas } = this.#target;
+    const isOtherSize = this.#fitCanvas();
+    if (isOtherSize && !gpu.isLost) {
+      this.#renderer.resize(canvas.width, canvas.height);
+      this.#isUnchecked = true;
+    }
+    return isOtherSize;
+  }
+
+  /** Draws a frame and shows it. Nothing is drawn while the context is lost. */
+  render(view: Omit<FrameSettings, "gamut" | "inspect">): void {
+    const target = this.#target;
+    const { gpu } = target;
+    if (gpu.isLost) return;
+    this.#chooseQuality();
+    target.prepare();
+    gpu.beginFrame();
+    const { gamut } = target;
+    this.#renderer.render(this.#subject.world, { ...view, gamut, inspect: this.inspect });
+    gpu.endFrame();
+    target.present();
+    if (this.#isUnchecked) void this.#check();
+  }
+
+  /** Takes the time of a frame of the animation loop, by which `auto` goes. Seconds. */
+  measure(seconds: number): void {
+    if (this.#settings.quality !== "auto") return;
+    const { milliseconds } = this.#target.gpu.timer;
+    this.#auto.take(seconds, milliseconds === null ? null : milliseconds / 1000);
+    // Prepares another tier, a little in each frame, and takes it when nothing holds it up.
+    const { wanted } = this.#auto;
+    if (!wanted) return;
+    const { look } = this.#settings;
+    const isReady =
+      wanted.tier === this.#tier.name ||
+      this.#scene.prepareRenderer(this.#target, this.#tierOf(wanted), look);
+    if (isReady) this.#auto.accept();
+  }
+
+  /** Linear RGB of the last frame before exposure and tone mapping; rows from the top. Waits for the GPU. */
+  readRadiance(x: number, y: number, width: number, height: number): Float32Array {
+    return this.#renderer.readRadiance(x, y, width, height);
+  }
+
+  get stats() {
+    const { drawCalls, triangles, objectCount, bytes, timer } = this.#target.gpu;
+    const { width, height } = this.#target.canvas;
+    return {
+      gpuMs: timer.milliseconds,
+      drawCalls,
+      triangles,
+      particles: this.#renderer.particles,
+      width,
+      height,
+      resolutionScale: this.#resolutionScale,
+      quality: this.#tier.name,
+      gpuObjects: objectCount,
+      gpuBytes: bytes,
+    };
+  }
+
+  dispose(): void {
+    this.#target.dispose();
+  }
+
+  /** `auto` filters anisotropically only where that was measured to be cheap. */
+  #tierOf({ tier }: Rung): Tier {
+    const { anisotropy, ...rest } = tierNamed(tier);
+    const isAllowed = this.#settings.quality !== "auto" || this.#auto.allowsAnisotropy;
+    return { ...rest, anisotropy: anisotropy && isAllowed };
+  }
+
+  /** Tier and resolution of the next frame. */
+  get #rung(): Rung {
+    const { quality } = this.#settings;
+    const isLow = quality === "low" || (quality === "auto" && this.#auto.rung.tier === "low");
+    // Only the dearer tiers draw pass by pass.
+    if (this.inspect !== "picture" && isLow) return INSPECTION_RUNG;
+    if (quality !== "auto") return { tier: quality, share: 1 };
+    return this.isPlaying ? this.#auto.rung : this.#auto.stillRung;
+  }
+
+  /** Turns to another tier or resolution, if the next frame is to have it. */
+  #chooseQuality(): void {
+    const rung = this.#rung;
+    const isOtherTier = rung.tier !== this.#tier.name;
+    if (!isOtherTier && rung.share === this.#share) return;
+    this.#tier = this.#tierOf(rung);
+    this.#share = rung.share;
+    if (isOtherTier) this.#target.clearUnshared();
+    const isOtherSize = this.#fitCanvas();
+    const { width, height } = this.#target.canvas;
+    if (isOtherTier) this.#renderer = this.#createRenderer();
+    else if (isOtherSize) this.#renderer.resize(width, height);
+    this.onQualityChanged();
+  }
+
+  #createRenderer(): Renderer {
+    const { width, height } = this.#target.canvas;
+    const renderer = this.#scene.createRenderer(this.#target, this.#tier, this.#settings.look);
+    renderer.resize(width, height);
+    this.#isUnchecked = true;
+    this.#renderer = renderer;
+    this.follow(this.#subject);
+    return renderer;
+  }
+
+  get #resolutionScale(): number {
+    return this.#tier.resolutionScale * this.#share;
+  }
+
+  #fitCanvas(): boolean {
+    const { canvas } = this.#target;
+    const { longestSide } = this.#target.gpu;
+    const { width, height } = canvasSize(this.#pixels, this.#resolutionScale, longestSide);
+    if (width === canvas.width && height === canvas.height) return false;
+    canvas.width = width;
+    canvas.height = height;
+    return true;
+  }
+
+  /** Asks the driver whether it accepts what was made, once the GPU has drawn, so that nothing waits. */
+  async #check(): Promise<void> {
+    this.#isUnchecked = false;
+    const { gpu } = this.#target;
+    await gpu.whenIdle();
+    try {
+      if (gpu === this.#target.gpu) gpu.check("picture");
+    } catch (error) {
+      this.onRefused(error as Error);
+    }
+  }
+}

@@ -1,0 +1,116 @@
+import type { Wind } from "./air/air.js";
+import { Plume } from "./air/plume.js";
+import { blow, placeCandle, takeCandle } from "./commands.js";
+import type { Vec3 } from "./geometry.js";
+import { length2 } from "./geometry.js";
+import { interpolate, poseCandle } from "./interpolate.js";
+import { emittingGroups } from "./particles/level-of-detail.js";
+import { adaptationView, settleAdaptation } from "./player/adapt.js";
+import { advanceStride } from "./player/gait.js";
+import { advanceHand } from "./player/hand.js";
+import { type Intent, STILL } from "./player/intent.js";
+import { turnHead, walk } from "./player/player.js";
+import { HISTORY, TICK } from "./timeline.js";
+import type { World } from "./world.js";
+
+/** Ticks that hot air is given to rise before the first frame; and ticks of each of its steps. */
+const WARMING = 60;
+const PLUME_TICKS = 2;
+/** Ticks of a step of the eye's adaptation. */
+const ADAPTATION_TICKS = 2;
+/** A flame that burns less than this share of its fuel heats its wick too little to throw sparks. */
+const SPARKING = 0.5;
+const STANDING: Vec3 = [0, 0, 0];
+
+/** Lets time pass, in whole ticks; what is left over is carried to the next call. */
+export function advance(world: World, intent: Intent, seconds: number): void {
+  turnHead(world.player, intent);
+  if (intent.placesOrTakes) placeOrTake(world);
+  if (intent.togglesFlame) toggleFlame(world);
+  if (intent.blows) blow(world, 1);
+  // 144 x 1/144 must be one second: the error of a sum is far below a millionth of a tick.
+  const ticks = Math.floor((world.remainder + seconds) / TICK + 1e-6);
+  world.remainder = Math.max(0, world.remainder + seconds - ticks * TICK);
+  if (world.remainder < TICK * 1e-6) world.remainder = 0;
+  if (ticks === 0) poseCandle(world, 0);
+  for (let i = 0; i < ticks; i++) tick(world, intent);
+  interpolate(world);
+}
+
+/** Lets a new world's flame burn for as long as particles live; then the wind comes up. */
+export function warmUp(world: World, wind: Wind): void {
+  poseCandle(world, 0);
+  for (let i = 0; i < HISTORY; i++) {
+    if (world.look === "physical" && i === HISTORY - WARMING) {
+      world.plume = new Plume(world.seed, world.emitter);
+    }
+    tick(world, STILL);
+  }
+  world.air.wind = wind;
+  settleAdaptation(world);
+  interpolate(world);
+}
+
+function placeOrTake(world: World): void {
+  if (world.candle.isHeld) placeCandle(world);
+  else takeCandle(world);
+}
+
+function toggleFlame({ flame }: World): void {
+  if (flame.isLit) flame.extinguish();
+  else flame.light();
+}
+
+/** Of the tick under way, so that none allocates: the emitter before it, and what `tick` makes of it. */
+const before: Vec3 = [0, 0, 0];
+const motion: Vec3 = [0, 0, 0];
+const flow: Vec3 = [0, 0, 0];
+const way: Vec3 = [0, 0, 0];
+const wind: Vec3 = [0, 0, 0];
+
+function tick(world: World, intent: Intent): void {
+  const { player, emitter, timeline, air, flame } = world;
+  for (let axis = 0; axis < 3; axis++) before[axis] = emitter[axis]!;
+  movePlayer(world, intent);
+  poseCandle(world, TICK);
+  for (let axis = 0; axis < 3; axis++) motion[axis] = (emitter[axis]! - before[axis]!) / TICK;
+  const carrying = world.candle.isHeld ? motion : STANDING;
+  air.advance(timeline.tick + 1, player.position, player.velocity, emitter, carrying);
+  // The paper's flame has its own law of motion: it is only lit and put out as the physical one is.
+  const isPhysical = world.look === "physical";
+  flame.advance(emitter, isPhysical ? motion : STANDING, air, !(world.sways && isPhysical), TICK);
+  if (timeline.tick % ADAPTATION_TICKS === 0) {
+    const view = adaptationView(world);
+    if (view) world.adaptation.advance(view, ADAPTATION_TICKS * TICK);
+  }
+  if (timeline.tick % PLUME_TICKS === 0) {
+    world.plume?.step(flame, emitter, world.sways ? air : null);
+  }
+  record(world, isPhysical);
+  if (!isPhysical) world.sample.follow(timeline);
+}
+
+function movePlayer(world: World, intent: Intent): void {
+  const { player, setup, movementBounds, hand } = world;
+  const { position } = player;
+  const x = position[0];
+  const z = position[2];
+  walk(player, intent, setup.gait, movementBounds, TICK);
+  world.stride = advanceStride(world.stride, length2(position[0] - x, position[2] - z));
+  advanceHand(hand, player, TICK);
+}
+
+/** Records the emitter's tick, from which the particles are simulated. */
+function record(world: World, isPhysical: boolean): void {
+  const { setup, emitter, timeline, air, flame } = world;
+  // The paper's particles are in air at rest.
+  if (isPhysical && world.sways) air.velocity(emitter, flow);
+  else flow.fill(0);
+  for (let axis = 0; axis < 3; axis++) {
+    way[axis] = (emitter[axis]! - before[axis]!) / setup.flameScale;
+    wind[axis] = flow[axis]! / setup.flameScale - way[axis]! / TICK;
+  }
+  const burnsWell = world.sways && flame.isLit && flame.fuel > SPARKING;
+  const hasSparks = burnsWell && world.sparks.isAt(timeline.tick);
+  timeline.record(way, wind, flame.isLit ? emittingGroups(world) : 0, hasSparks);
+}

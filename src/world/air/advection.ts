@@ -1,0 +1,188 @@
+import type { Vec3 } from "../geometry.js";
+
+/** Ghost values on either side of a line: those of the outside. */
+const GHOSTS = 4;
+const line = new Float64Array(128 + 2 * GHOSTS);
+/** Where each value of the line has come from: a place on it, ghosts included. */
+const origins = new Float64Array(128 + 2 * GHOSTS);
+const sums = new Float64Array(128 + 2 * GHOSTS + 1);
+
+/** A line that nowhere has more than this of an amount has none. */
+const NOTHING = 1e-6;
+
+/** The lines of a field along one axis, and where the flow along them is found. */
+export interface Lines {
+  /** Values of a line, and from each to the next. */
+  readonly count: number;
+  readonly stride: number;
+  /** Lines side by side, along the two other axes, and from each to the next. */
+  readonly inner: number;
+  readonly innerStride: number;
+  readonly outer: number;
+  readonly outerStride: number;
+  /** The same steps in the field of the flow. */
+  readonly flowStride: number;
+  readonly flowInner: number;
+  readonly flowOuter: number;
+  /** Back to the flow on the values' other side, where they lie on faces that it does not; else 0. */
+  readonly aside: number;
+  /** Whether those faces are counted by the inner lines, and the last of them. */
+  readonly isAsideInner: boolean;
+  readonly lastAside: number;
+  /** Cells that a flow of 1 m/s comes in a step, at each value of a line. */
+  readonly rates: Float64Array;
+}
+
+/** Flow along an axis. An object, since numbers that are handed on are boxed: see DECISIONS.md. */
+export interface Stream {
+  /** Of the grid itself, m/s. */
+  ride: number;
+  /** Value outside of the grid. */
+  outside: number;
+}
+
+/**
+ * Advection of a field along one axis, in place.
+ *
+ * Semi-Lagrangian (Stam 1999, "Stable Fluids"), one axis at a time, through four points instead of two
+ * (Lagrange's cubic): linear interpolation is a hundred times as viscous as air.
+ *
+ * @param flow along the axis, m/s
+ */
+export function advect(
+  field: Float64Array,
+  flow: Float64Array,
+  lines: Lines,
+  stream: Stream,
+): void {
+  const { count, stride, inner, outer, innerStride, outerStride } = lines;
+  const { flowStride, flowInner, flowOuter, aside, isAsideInner, lastAside, rates } = lines;
+  for (let n = 0, above = GHOSTS + count; n < GHOSTS; n++) {
+    line[n] = line[above + n] = stream.outside;
+  }
+  for (let b = 0; b < outer; b++) {
+    for (let a = 0; a < inner; a++) {
+      const near = a * flowInner + b * flowOuter;
+      if (aside === 0) {
+        traceFaces(flow, near, flowStride, rates, count, stream);
+      } else {
+        const face = isAsideInner ? a : b;
+        const far = face > 0 ? near - aside : near;
+        traceMiddles(flow, face === lastAside ? far : near, far, flowStride, rates, count, stream);
+      }
+      fetchLine(field, a * innerStride + b * outerStride, stride, count);
+    }
+  }
+}
+
+/** Flow that lives where the values do. */
+function traceFaces(
+  flow: Float64Array,
+  start: number,
+  stride: number,
+  rates: Float64Array,
+  count: number,
+  { ride }: Stream,
+): void {
+  const most = count + 2 * GHOSTS - 3;
+  for (let n = 0, at = start; n < count; n++, at += stride) {
+    const from = n + GHOSTS - (flow[at]! - ride) * rates[n]!;
+    origins[n] = from < 1 ? 1 : from > most ? most : from;
+  }
+}
+
+/** Flow that lives on other faces is the mean of the four around. */
+function traceMiddles(
+  flow: Float64Array,
+  near: number,
+  far: number,
+  stride: number,
+  rates: Float64Array,
+  count: number,
+  { ride }: Stream,
+): void {
+  const most = count + 2 * GHOSTS - 3;
+  let before = flow[near]! + flow[far]!;
+  for (let n = 0, step = stride; n < count; n++, step += stride) {
+    const after = flow[near + step]! + flow[far + step]!;
+    const from = n + GHOSTS - (0.25 * (before + after) - ride) * rates[n]!;
+    origins[n] = from < 1 ? 1 : from > most ? most : from;
+    before = after;
+  }
+}
+
+function fetchLine(field: Float64Array, start: number, stride: number, count: number): void {
+  for (let n = 0, at = start; n < count; n++, at += stride) line[GHOSTS + n] = field[at]!;
+  for (let n = 0, at = start; n < count; n++, at += stride) {
+    const from = origins[n]!;
+    const cell = from | 0;
+    field[at] = through(line, cell, from - cell);
+  }
+}
+
+/** Lagrange's cubic between the second and the third of four values in a row. */
+function through(values: Float64Array, cell: number, t: number): number {
+  const s = 1 - t;
+  const f0 = values[cell - 1]!;
+  const f1 = values[cell]!;
+  const f2 = values[cell + 1]!;
+  const f3 = values[cell + 2]!;
+  // s (f1) + t (f2), less what the third differences bend.
+  const bend = (1 + s) * (f0 - 2 * f1 + f2) + (1 + t) * (f1 - 2 * f2 + f3);
+  return s * f1 + t * f2 - s * t * bend * (1 / 6);
+}
+
+/**
+ * Conservative advection of an amount along one axis, in place: through each face passes what lay upstream of it.
+ *
+ * Lin and Rood 1996, "Multidimensional Flux-Form Semi-Lagrangian Transport Schemes", with the amounts
+ * summed up along the line, and Lagrange's cubic through the sums. Nothing flows in from outside.
+ *
+ * @param field amount per cell's length, and `widths` of the cells along the axis
+ * @param faces of the cells along the axis, where the flow is
+ * @param strides from one cell to the next, along x, y and z
+ * @param along which axis; the lines are numbered along the axes `inner` and `outer`
+ */
+export function advectAmount(
+  field: Float64Array,
+  flow: Float64Array,
+  widths: Float64Array,
+  faces: Lines,
+  strides: Readonly<Vec3>,
+  along: number,
+  inner: number,
+  outer: number,
+  stream: Stream,
+): void {
+  const stride = strides[along]!;
+  const count = widths.length;
+  sums.fill(0, 0, GHOSTS + 1);
+  for (let b = 0; b < faces.outer; b++) {
+    for (let a = 0; a < faces.inner; a++) {
+      const start = a * strides[inner]! + b * strides[outer]!;
+      let sum = 0;
+      let most = 0;
+      for (let n = 0, at = start; n < count; n++, at += stride) {
+        const value = field[at]!;
+        most = Math.max(most, Math.abs(value));
+        sum += value * widths[n]!;
+        sums[GHOSTS + n + 1] = sum;
+      }
+      if (most < NOTHING) {
+        for (let n = 0, at = start; n < count; n++, at += stride) field[at] = 0;
+        continue;
+      }
+      for (let n = GHOSTS + count + 1; n < count + 2 * GHOSTS; n++) sums[n] = sum;
+      const face = a * faces.flowInner + b * faces.flowOuter;
+      traceFaces(flow, face, faces.flowStride, faces.rates, count + 1, stream);
+      let below = 0;
+      for (let n = 0, at = start - stride; n <= count; n++, at += stride) {
+        const from = Math.min(origins[n]!, count + 2 * GHOSTS - 3);
+        const cell = from | 0;
+        const passed = through(sums, cell, from - cell);
+        if (n > 0) field[at] = (passed - below) / widths[n - 1]!;
+        below = passed;
+      }
+    }
+  }
+}

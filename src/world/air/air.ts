@@ -1,0 +1,209 @@
+import type { Vec3 } from "../geometry.js";
+import { length2 } from "../geometry.js";
+import { TICK } from "../timeline.js";
+import { Gusts } from "./gusts.js";
+
+/** The draught in the room. */
+export interface Wind {
+  /** Mean, m/s. */
+  readonly speed: number;
+  /** Where it blows to, radians: 0 is -Z, counter-clockwise from above. */
+  readonly direction: number;
+  /** 0 steady to 1 squally. */
+  readonly gustiness: number;
+}
+
+const NO_MOTION: Vec3 = [0, 0, 0];
+export const CALM: Wind = { speed: 0, direction: 0, gustiness: 0 };
+
+/** Turbulence of a squally wind, as a share of its mean along each axis. */
+const TURBULENCE = 0.6;
+/** Rate at which the wind nears a new one, 1/s. */
+const VEERING = 3;
+
+/** Half-width of the visitor's body, which displaces the air. Metres. */
+const GIRTH = 0.22;
+/** Feet and crown of the body, below and above the eye. Metres. */
+const BELOW_EYE = 1.6;
+const ABOVE_EYE = 0.15;
+
+/** The other hand shelters a carried candle: the air around takes part in its motion. Share of its velocity. */
+const SHELTER = 0.4;
+/** How far around the flame, metres. */
+const SHELTERED = 0.12;
+
+/** Of a breath at full strength: speed at the lips, m/s, and the width of the mouth, m. */
+const BREATH_SPEED = 20;
+const MOUTH = 0.015;
+/** Distance of the lips from the eye, towards the flame: this, or half of the way. Metres. */
+const BENDING = 0.25;
+/** How long a breath lasts, and how long it takes to swell and to end. Seconds. */
+const BREATH = 0.45;
+const SWELL = 0.08;
+/** A round jet keeps its speed for this many widths of the mouth; then it goes as 1/distance. */
+const CORE = 6.2;
+/** Its half-width where the speed has fallen to 1/e, per metre of way. */
+const SPREAD = 0.107;
+
+/**
+ * Air of the room: a draught with gusts, the wake of the walking visitor, and a breath.
+ *
+ * Velocities are those of the current tick. Pope 2000, "Turbulent Flows", gives the round jet.
+ */
+export class Air {
+  #wind = CALM;
+  /** Mean velocity and turbulence that are wanted, m/s. Objects of several shapes would box their numbers. */
+  readonly #wanted = { x: Number.NaN, z: Number.NaN, unrest: Number.NaN };
+  readonly #gusts: Gusts;
+  readonly #mean: Vec3 = [0, 0, 0];
+  #unrest = 0;
+  /** Ticks, and seconds, since the beginning. */
+  #tick = 0;
+  #time = 0;
+  /** The visitor's eye, metres, and velocity, m/s. */
+  readonly #body: Vec3 = [0, 0, 0];
+  readonly #pace: Vec3 = [0, 0, 0];
+  readonly #lips: Vec3 = [0, 0, 0];
+  readonly #towards: Vec3 = [0, 0, -1];
+  /** The flame that is carried, and the velocity that the air around it shares. */
+  readonly #carried: Vec3 = [0, 0, 0];
+  readonly #shelter: Vec3 = [0, 0, 0];
+  #breathBegan = Number.NEGATIVE_INFINITY;
+  #breathSpeed = 0;
+
+  constructor(seed: number, wind: Wind) {
+    this.#gusts = new Gusts(seed);
+    this.wind = wind;
+    this.#veer(Number.POSITIVE_INFINITY);
+  }
+
+  /** The wind that is wanted; the air follows within a second. */
+  get wind(): Wind {
+    return this.#wind;
+  }
+
+  set wind(wind: Wind) {
+    const { speed, direction, gustiness } = wind;
+    this.#wind = wind;
+    this.#wanted.x = -speed * Math.sin(direction);
+    this.#wanted.z = -speed * Math.cos(direction);
+    this.#wanted.unrest = speed * gustiness * TURBULENCE;
+  }
+
+  /**
+   * A tick has passed.
+   *
+   * @param tick number of ticks since the beginning
+   * @param eye the visitor's, metres
+   * @param pace velocity of the visitor, m/s
+   * @param flame foot of the flame, metres
+   */
+  advance(
+    tick: number,
+    eye: Readonly<Vec3>,
+    pace: Readonly<Vec3>,
+    flame: Readonly<Vec3> = eye,
+    carrying: Readonly<Vec3> = NO_MOTION,
+  ): void {
+    const before = this.#tick;
+    this.#tick = tick;
+    this.#time = tick * TICK;
+    this.#veer(tick - before);
+    for (let axis = 0; axis < 3; axis++) {
+      this.#body[axis] = eye[axis]!;
+      this.#pace[axis] = pace[axis]!;
+      this.#carried[axis] = flame[axis]!;
+      this.#shelter[axis] = carrying[axis]! * SHELTER;
+    }
+  }
+
+  #veer(ticks: number): void {
+    const share = 1 - Math.exp(-VEERING * TICK * Math.max(0, ticks));
+    const { x, z, unrest } = this.#wanted;
+    this.#mean[0] += (x - this.#mean[0]) * share;
+    this.#mean[2] += (z - this.#mean[2]) * share;
+    this.#unrest += (unrest - this.#unrest) * share;
+  }
+
+  /**
+   * A breath along a direction of length 1. `strength` 1 blows out a candle at arm's length.
+   *
+   * @param distance of the target from the eye, metres
+   */
+  blow(eye: Readonly<Vec3>, towards: Readonly<Vec3>, distance: number, strength: number): void {
+    const bent = Math.min(BENDING, distance / 2);
+    for (const axis of [0, 1, 2] as const) {
+      this.#lips[axis] = eye[axis] + towards[axis] * bent;
+      this.#towards[axis] = towards[axis];
+    }
+    this.#breathBegan = this.#time;
+    this.#breathSpeed = BREATH_SPEED * strength;
+  }
+
+  /** Velocity of the air at a place, m/s, written to `out`. */
+  velocity(place: Readonly<Vec3>, out: Vec3): Vec3 {
+    out[0] = this.#mean[0];
+    out[1] = this.#mean[1];
+    out[2] = this.#mean[2];
+    if (this.#unrest > 0) {
+      this.#gusts.strength = this.#unrest;
+      this.#gusts.time = this.#time;
+      this.#gusts.add(place, out);
+    }
+    this.#addWake(place, out);
+    this.#addShelter(place, out);
+    this.#addBreath(place, out);
+    return out;
+  }
+
+  /** Around a walking cylinder the air flows as a doublet, which has no divergence (Lamb 1932, 68). */
+  #addWake(place: Readonly<Vec3>, out: Vec3): void {
+    const speed = length2(this.#pace[0], this.#pace[2]);
+    const height = place[1] - this.#body[1];
+    if (speed < 1e-6 || height < -BELOW_EYE || height > ABOVE_EYE) return;
+    const dx = place[0] - this.#body[0];
+    const dz = place[2] - this.#body[2];
+    const squared = dx * dx + dz * dz;
+    const share = Math.min(1, (GIRTH * GIRTH) / Math.max(squared, 1e-9));
+    const along = share < 1 ? (2 * (dx * this.#pace[0] + dz * this.#pace[2])) / squared : 0;
+    const back = share < 1 ? -1 : 1;
+    out[0] += share * (along * dx + back * this.#pace[0]);
+    out[2] += share * (along * dz + back * this.#pace[2]);
+  }
+
+  #addShelter(place: Readonly<Vec3>, out: Vec3): void {
+    const dx = place[0] - this.#carried[0];
+    const dy = place[1] - this.#carried[1];
+    const dz = place[2] - this.#carried[2];
+    const share = Math.exp(-(dx * dx + dy * dy + dz * dz) / (SHELTERED * SHELTERED));
+    for (let axis = 0; axis < 3; axis++) out[axis]! += share * this.#shelter[axis]!;
+  }
+
+  #addBreath(place: Readonly<Vec3>, out: Vec3): void {
+    const age = this.#time - this.#breathBegan;
+    if (age < 0 || age > BREATH + 1) return;
+    const dx = place[0] - this.#lips[0];
+    const dy = place[1] - this.#lips[1];
+    const dz = place[2] - this.#lips[2];
+    const tx = this.#towards[0];
+    const ty = this.#towards[1];
+    const tz = this.#towards[2];
+    const way = dx * tx + dy * ty + dz * tz;
+    if (way <= 0) return;
+    // The front of a jet slows down as the jet does: the time to here is the integral of way/speed.
+    const reach = CORE * MOUTH;
+    const delay =
+      (Math.min(way, reach) + Math.max(0, way * way - reach * reach) / (2 * reach)) /
+      Math.max(this.#breathSpeed, 1e-3);
+    const since = age - delay;
+    if (since <= 0 || since >= BREATH) return;
+    const swell = Math.min(1, since / SWELL, (BREATH - since) / SWELL);
+    const aside = dx * dx + dy * dy + dz * dz - way * way;
+    const width = MOUTH / 2 + SPREAD * way;
+    const speed =
+      this.#breathSpeed * swell * Math.min(1, reach / way) * Math.exp(-aside / (width * width));
+    out[0] += speed * tx;
+    out[1] += speed * ty;
+    out[2] += speed * tz;
+  }
+}

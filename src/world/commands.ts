@@ -1,0 +1,112 @@
+import { CANDLE_CYLINDER, isWithinReach, placeInRoom, placeOnGround } from "./candle.js";
+import type { Vec3 } from "./geometry.js";
+import { interpolate, poseCandle } from "./interpolate.js";
+import { noticeChange, settleAdaptation } from "./player/adapt.js";
+import { fieldOfViewOf } from "./player/field-of-view.js";
+import { calmHand } from "./player/hand.js";
+import { gazeDirection, MAX_PITCH } from "./player/player.js";
+import { canTake } from "./room/placement.js";
+import type { World } from "./world.js";
+
+/** Largest coordinate of a camera, metres. */
+const FARTHEST = 1e4;
+/** Within this angle of the line of sight, radians, and this far a breath is meant for the flame. */
+const AIM = 0.7;
+const BREATH_REACH = 1.6;
+
+/** Puts the camera somewhere: inside the walls if there are any. Metres and radians. */
+export function moveCamera(
+  world: World,
+  position: ArrayLike<number>,
+  yaw: number,
+  pitch: number,
+  fieldOfView: number | null = world.fieldOfView,
+): void {
+  const { player, setup } = world;
+  const before = [...player.position, player.yaw, player.pitch, fieldOfViewOf(world)];
+  for (const axis of [0, 1, 2] as const) {
+    const value = Number(position[axis]);
+    if (!Number.isNaN(value))
+      player.position[axis] = Math.min(Math.max(value, -FARTHEST), FARTHEST);
+    player.velocity[axis] = 0;
+  }
+  world.movementBounds.clamp(player.position);
+  if (Number.isFinite(yaw)) player.yaw = yaw;
+  if (Number.isFinite(pitch)) player.pitch = Math.min(Math.max(pitch, -MAX_PITCH), MAX_PITCH);
+  world.fieldOfView = fieldOfView === setup.fieldOfView ? null : fieldOfView;
+  calmHand(world.hand, player.yaw);
+  poseCandle(world, 0);
+  const after = [...player.position, player.yaw, player.pitch, fieldOfViewOf(world)];
+  if (after.some((value, i) => value !== before[i])) settleAdaptation(world);
+  interpolate(world);
+}
+
+/** Puts the candle down. False if it stands already, or if there is no place for it: see `refusal`. */
+export function placeCandle(world: World): boolean {
+  const { candle, player, setup, room } = world;
+  if (!candle.isHeld) return false;
+  world.refusal = room ? placeInRoom(candle, player, room) : null;
+  if (world.refusal !== null) return false;
+  if (!room) placeOnGround(candle, player, setup);
+  poseCandle(world, 0);
+  interpolate(world);
+  return true;
+}
+
+/** Puts the candle where another world's stands, if it does; in another room, ahead, if there is a place. */
+export function standLike(world: World, { candle, setup, room }: World): void {
+  const isFree = setup.stand === null && world.setup.stand === null;
+  if (candle.isHeld || !isFree) return;
+  if (room || world.room) {
+    placeCandle(world);
+    settleAdaptation(world);
+    return;
+  }
+  standCandle(world, candle.position, candle.yaw);
+}
+
+/** Stands the candle exactly at a place, metres; not where it belongs elsewhere. */
+export function standCandle(world: World, position: Readonly<Vec3>, yaw: number): void {
+  const { candle, setup, room } = world;
+  if (setup.stand !== null) return;
+  for (const axis of [0, 1, 2] as const) candle.position[axis] = position[axis];
+  candle.yaw = yaw;
+  candle.isHeld = false;
+  room?.plan.setObstacle(position, CANDLE_CYLINDER.radius);
+  poseCandle(world, 0);
+  settleAdaptation(world);
+  interpolate(world);
+}
+
+/** Takes the candle up. False if it is held, or out of reach, or belongs where it stands. */
+export function takeCandle(world: World): boolean {
+  const { candle, player, setup, room } = world;
+  const isNear = room ? canTake(player.position, candle.position) : isWithinReach(candle, player);
+  if (candle.isHeld || setup.stand !== null || !isNear) return false;
+  candle.isHeld = true;
+  room?.plan.setObstacle(null);
+  calmHand(world.hand, player.yaw);
+  poseCandle(world, 0);
+  noticeChange(world);
+  interpolate(world);
+  return true;
+}
+
+/**
+ * A breath from the eye: at the flame if it is ahead and near, else along the line of sight.
+ *
+ * @param strength 1 puts a candle out at arm's length
+ */
+export function blow({ air, player, emitter }: World, strength: number): void {
+  const { position } = player;
+  const gaze = gazeDirection(player);
+  const toFlame: Vec3 = [0, 0, 0];
+  for (const axis of [0, 1, 2] as const) toFlame[axis] = emitter[axis] - position[axis];
+  // The lowest third of the flame is what holds it on its wick.
+  toFlame[1] += 0.01;
+  const distance = Math.hypot(...toFlame);
+  for (const axis of [0, 1, 2] as const) toFlame[axis] /= Math.max(distance, 1e-6);
+  const ahead = toFlame[0] * gaze[0] + toFlame[1] * gaze[1] + toFlame[2] * gaze[2];
+  const isMeant = distance < BREATH_REACH && ahead > Math.cos(AIM);
+  air.blow(position, isMeant ? toFlame : gaze, distance, strength);
+}

@@ -1,0 +1,77 @@
+import type { Look } from "../settings.js";
+import { warmUp } from "./advance.js";
+import { Air, CALM, type Wind } from "./air/air.js";
+import { TAPER_WICK } from "./flame/burning.js";
+import { Flame } from "./flame/flame.js";
+import { inset, type Vec3 } from "./geometry.js";
+import { GROUPS } from "./particles/particle-layer.js";
+import { layerKey, Particles } from "./particles/particles.js";
+import { SparkSchedule } from "./particles/sparks.js";
+import { ExposureAdaptation } from "./player/exposure-adaptation.js";
+import { createHand } from "./player/hand.js";
+import { boxBounds, UNBOUNDED } from "./room/movement-bounds.js";
+import type { Room } from "./room/room.js";
+import { HISTORY, Timeline } from "./timeline.js";
+import type { World } from "./world.js";
+import { WALL_MARGIN, WORLD_SETUPS, type WorldSetup } from "./world-setup.js";
+
+/** Strongest wind that one can light a candle in, m/s. */
+const LIGHTABLE = 1;
+
+export interface WorldOptions {
+  /** Ticks that count as simulated, for a world that takes over from another. */
+  readonly age?: number;
+  readonly room?: Room | null;
+  /** Default: the look's. */
+  readonly setup?: WorldSetup | null;
+  readonly wind?: Wind;
+  /** Diameter of the wick, metres. */
+  readonly wick?: number;
+  readonly isLit?: boolean;
+  readonly fieldOfView?: number | null;
+}
+
+/** A world whose flame has burnt for a while, so that it is whole at once. */
+export function createWorld(look: Look, seed: number, options: WorldOptions = {}): World {
+  const { age = 0, room = null, wind = CALM, wick = TAPER_WICK, isLit = true } = options;
+  const setup = options.setup ?? WORLD_SETUPS[look];
+  const brightest = setup.layers.length - 1;
+  const layer = setup.layers[brightest];
+  if (!layer) throw new Error(`The look “${look}” has no particle layers.`);
+  const { yaw, start } = room ?? { yaw: setup.yaw, start: setup.spawn };
+  const eye: Vec3 = [...start];
+  const { pitch, fieldOfView } = setup;
+  const flame: Vec3 = [0, 0, 0];
+  const box = setup.hasWalls ? boxBounds(inset(setup.room, WALL_MARGIN)) : UNBOUNDED;
+  const hasRealLight = room !== null && look === "physical";
+  const world: World = {
+    look,
+    setup,
+    seed,
+    room,
+    movementBounds: room?.movementBounds ?? box,
+    player: { position: eye, velocity: [0, 0, 0], yaw, pitch },
+    hand: createHand(yaw),
+    candle: { position: [...(setup.stand ?? eye)], yaw, isHeld: setup.stand === null },
+    sparks: new SparkSchedule(seed),
+    air: new Air(seed, { ...wind, speed: Math.min(wind.speed, LIGHTABLE) }),
+    flame: new Flame(wick, isLit),
+    plume: null,
+    adaptation: new ExposureAdaptation(),
+    adaptationView: hasRealLight
+      ? { collision: room.collision, eye, yaw, pitch, fieldOfView, flame, luminousIntensity: 0 }
+      : null,
+    emitter: [0, 0, 0],
+    interpolated: { eye: [0, 0, 0], foot: [0, 0, 0], flame: [0, 0, 0] },
+    timeline: new Timeline(age - HISTORY),
+    sample: new Particles(layer, layerKey(seed, brightest), layer.capacity / GROUPS),
+    remainder: 0,
+    stride: 0,
+    fieldOfView: options.fieldOfView ?? null,
+    sways: true,
+    refusal: null,
+  };
+  room?.plan.setObstacle(null);
+  warmUp(world, wind);
+  return world;
+}

@@ -1,0 +1,39 @@
+import { CANDLE_CYLINDER, holdCandle } from "./candle.js";
+import type { Vec3 } from "./geometry.js";
+import { headBob } from "./player/gait.js";
+import { holdOut } from "./player/hand.js";
+import type { World } from "./world.js";
+
+const bob: Vec3 = [0, 0, 0];
+
+/** Extrapolates the frame's positions from the last tick by the time left over, so that motion is smooth. */
+export function interpolate(world: World): void {
+  const { player, candle, emitter, interpolated, remainder, room } = world;
+  const { position, velocity } = player;
+  const { eye, foot, flame } = interpolated;
+  for (let axis = 0; axis < 3; axis++) eye[axis] = position[axis]! + velocity[axis]! * remainder;
+  world.movementBounds.clamp(eye);
+  const share = candle.isHeld ? 1 : 0;
+  for (let axis = 0; axis < 3; axis++) {
+    const carried = (eye[axis]! - position[axis]!) * share;
+    foot[axis] = candle.position[axis]! + carried;
+    flame[axis] = emitter[axis]! + carried;
+  }
+  if (!room || !world.sways) return;
+  headBob(world, bob);
+  for (let axis = 0; axis < 3; axis++) eye[axis]! += bob[axis]!;
+}
+
+/** Moves candle and flame to where the hand is, after so many seconds; 0 leaves the hand as it is. */
+export function poseCandle(world: World, seconds: number): void {
+  const { candle, player, hand, setup, room, emitter } = world;
+  if (candle.isHeld && room) {
+    holdOut(hand, player, setup.hold, room.collision, CANDLE_CYLINDER, seconds, candle.position);
+    candle.yaw = player.yaw;
+  } else if (candle.isHeld) {
+    holdCandle(candle, player, setup);
+  }
+  for (let axis = 0; axis < 3; axis++) {
+    emitter[axis] = candle.position[axis]! + setup.wick[axis]! * setup.candleScale;
+  }
+}

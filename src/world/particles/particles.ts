@@ -1,0 +1,135 @@
+import type { Vec3 } from "../geometry.js";
+import { pcg, signedHigh, signedLow, unit } from "../random.js";
+import { HISTORY, TICK, type Timeline } from "../timeline.js";
+import { GROUPS, type ParticleLayer } from "./particle-layer.js";
+
+/** Floats per particle: position, remaining life, velocity, life at birth. */
+export const PARTICLE_FLOATS = 8;
+
+/** Random key of a layer. */
+export function layerKey(seed: number, layer: number): number {
+  return pcg((seed + pcg(layer)) >>> 0);
+}
+
+/** Emission of one layer in one tick. */
+export interface Emission {
+  /** Number of the first particle, counted from time 0. */
+  first: number;
+  count: number;
+  /** Age of the first at the end of the tick, seconds; each later one is `1 / rate` younger. */
+  age: number;
+}
+
+/** Emission in (tick, tick + 1], written to `out`. */
+export function emissionOf(
+  layer: ParticleLayer,
+  tick: number,
+  out: Emission = { first: 0, count: 0, age: 0 },
+): Readonly<Emission> {
+  // Counted from the start of the warm-up, so that no index is negative.
+  const end = layer.rate * (tick + 1 + HISTORY) * TICK;
+  out.first = Math.floor(layer.rate * (tick + HISTORY) * TICK) + 1;
+  out.count = Math.floor(end) - out.first + 1;
+  out.age = (end - out.first) / layer.rate;
+  return out;
+}
+
+/**
+ * The particle kernel on the CPU: twin of `shaders/particles/update.vert`, line by line.
+ *
+ * It is the oracle that the shader is tested against, and it carries the few particles whose
+ * whereabouts the CPU must know. Slots are ordered by group; `slots` counts from the first.
+ */
+export class Particles {
+  readonly layer: ParticleLayer;
+  readonly state: Float32Array;
+  readonly #key: number;
+  #tick: number;
+  readonly #births: Emission = { first: 0, count: 0, age: 0 };
+
+  constructor(layer: ParticleLayer, key: number, slots = layer.capacity) {
+    this.layer = layer;
+    this.#key = key;
+    this.#tick = Number.NEGATIVE_INFINITY;
+    this.state = new Float32Array(slots * PARTICLE_FLOATS);
+  }
+
+  /** Catches up with the timeline. */
+  follow(timeline: Timeline): void {
+    this.#tick = Math.max(this.#tick, timeline.tick - HISTORY);
+    for (; this.#tick < timeline.tick; this.#tick++) this.#step(timeline, this.#tick);
+  }
+
+  /** Centre of the particles alive, weighted by their alpha: from the emitter, in its unit. */
+  centre(out: Vec3): Vec3 {
+    const { state, layer } = this;
+    let weight = 0;
+    out[0] = out[1] = out[2] = 0;
+    for (let i = 0; i < state.length; i += PARTICLE_FLOATS) {
+      const alpha = Math.max(0, (state[i + 3] ?? 0) / layer.life);
+      weight += alpha;
+      for (const axis of [0, 1, 2] as const) out[axis] += alpha * (state[i + axis] ?? 0);
+    }
+    for (const axis of [0, 1, 2] as const) out[axis] /= Math.max(weight, 1e-6);
+    return out;
+  }
+
+  #step(timeline: Timeline, tick: number): void {
+    const { layer, state } = this;
+    const { first, count, age: eldest } = emissionOf(layer, tick, this.#births);
+    const groupSize = layer.capacity / GROUPS;
+    const firstSlot = first % layer.capacity;
+    const groups = timeline.groups(tick, layer.source);
+    const tickKey = pcg((tick + this.#key) >>> 0);
+    const dragged = 1 - Math.exp(-layer.drag * TICK);
+    const stays = 1 - layer.follow;
+    for (let slot = 0, i = 0; i < state.length; slot++, i += PARTICLE_FLOATS) {
+      const group = Math.floor(slot / groupSize);
+      const turn = (slot - group * groupSize) * GROUPS + group;
+      const birth = (turn + layer.capacity - firstSlot) % layer.capacity;
+      if (birth < count && group < groups) {
+        this.#emit(i, birth);
+        // The emitter has moved on since.
+        const since = (eldest - birth / layer.rate) / TICK;
+        for (let axis = 0; axis < 3; axis++) {
+          state[i + axis]! -= timeline.way(tick, axis) * stays * since;
+        }
+        continue;
+      }
+      if (state[i + 3]! <= 0) continue;
+      const hash = pcg((slot + tickKey) >>> 0);
+      state[i + 4]! += layer.drift * TICK * signedHigh(hash);
+      state[i + 5]! += layer.buoyancy * TICK;
+      state[i + 6]! += layer.drift * TICK * signedLow(hash);
+      for (let axis = 0; axis < 3; axis++) {
+        const left = timeline.way(tick, axis) * stays;
+        // The timeline's wind is what the emitter feels; a particle that stays behind feels the room's.
+        const wind = timeline.wind(tick, axis) + left / TICK;
+        if (axis !== 1) state[i + 4 + axis]! += (wind - state[i + 4 + axis]!) * dragged;
+        state[i + axis]! += state[i + 4 + axis]! * TICK - left;
+      }
+      state[i + 3]! -= TICK;
+    }
+  }
+
+  /** Emits the tick's particle of a number, from 0, in the slot whose floats begin at `i`. */
+  #emit(i: number, number: number): void {
+    const { layer, state } = this;
+    const age = this.#births.age - number / layer.rate;
+    const birth = (this.#births.first + number) >>> 0;
+    const h0 = pcg((birth + this.#key) >>> 0);
+    const h1 = pcg(h0);
+    const h2 = pcg(h1);
+    const slow = layer.speed[0];
+    const fast = layer.speed[1];
+    state[i + 4] = layer.sideSpeed * signedHigh(h1);
+    state[i + 5] = slow + (fast - slow) * unit(h2);
+    state[i + 6] = layer.sideSpeed * signedLow(h1);
+    state[i + 7] = layer.life;
+    state[i] = layer.spawnRadius * signedHigh(h0) + state[i + 4]! * age;
+    const height = layer.spawnHeight + layer.spawnDepth * signedLow(h2);
+    state[i + 1] = height + state[i + 5]! * age;
+    state[i + 2] = layer.spawnRadius * signedLow(h0) + state[i + 6]! * age;
+    state[i + 3] = layer.life - age;
+  }
+}

@@ -1,0 +1,170 @@
+import { PLUME_STEP, type PlumeSolver } from "../air/plume-solver.js";
+import type { Vec3 } from "../geometry.js";
+import { pcg, signed } from "../random.js";
+
+/** Streaklines, born around the rim of the wick's end. */
+export const LINES = 12;
+/** Parcels along each, one for every step of the air: as long as smoke is visible. */
+export const ROWS = 256;
+/** Floats per parcel: position (m), extinction's cross-section per metre of its line (m), breadth (m). */
+export const SMOKE_FLOATS = 8;
+
+/** Radius of the rim, metres. */
+const RIM = 0.0011;
+/** Breadth (standard deviation) of a line at birth, metres, and how it spreads: m²/s. */
+const BREADTH = 0.0005;
+const SPREADING = 1.1e-6;
+/** Extinction's cross-section of all smoke of a step at full strength, m². */
+const THICKNESS = 7e-6;
+/** Seconds over which an old parcel dissolves. */
+const DISSOLVING = 2.2;
+/** How fast the glowing end of the wick flares and fades, Hz, and by what share of it. */
+const GRAIN_RATE = 14;
+const GRAIN = 0.45;
+
+/**
+ * White smoke of wax that a hot wick still gives off when its flame is out.
+ *
+ * Parcels that left the rim of the wick one after another make streaklines, which the air carries and
+ * stretches; where it pulls neighbours apart the smoke thins. After von Funck, Weinkauf, Theisel and
+ * Seidel 2008, "Smoke Surfaces: An Interactive Flow Visualization Technique Inspired by Real-World Flow
+ * Experiments".
+ */
+export class Smoke {
+  /** One row after the other, `LINES` parcels in each; the youngest row is `newest`. */
+  readonly parcels = new Float32Array(LINES * ROWS * SMOKE_FLOATS);
+  /** Row of the youngest parcels. */
+  newest = 0;
+  /** Rows that hold parcels. */
+  count = 0;
+  /** Share of the smoke that a wick gives off at most, and whether it gives off any. */
+  strength = 0;
+  isFed = false;
+  readonly #velocities = new Float32Array(LINES * ROWS * 3);
+  readonly #amounts = new Float32Array(LINES * ROWS);
+  readonly #key: number;
+  #step = 0;
+  readonly #place: Vec3 = [0, 0, 0];
+  readonly #flow: Vec3 = [0, 0, 0];
+
+  constructor(seed: number) {
+    this.#key = pcg(seed ^ 0x5306e);
+  }
+
+  /** No smoke anywhere. */
+  clear(): void {
+    this.count = 0;
+  }
+
+  /**
+   * One `PLUME_STEP`.
+   *
+   * @param wick its end, metres
+   */
+  step(air: PlumeSolver, wick: Readonly<Vec3>): void {
+    this.#step++;
+    if (this.count === 0 && !this.isFed) return;
+    this.#advect(air);
+    this.#emit(air, wick);
+    this.#dilute();
+  }
+
+  #advect(air: PlumeSolver): void {
+    const { parcels } = this;
+    const place = this.#place;
+    const flow = this.#flow;
+    const velocities = this.#velocities;
+    for (let n = 0; n < this.count; n++) {
+      const first = ((this.newest - n + ROWS) % ROWS) * LINES;
+      for (let at = first; at < first + LINES; at++) {
+        const p = at * SMOKE_FLOATS;
+        const v = at * 3;
+        for (let axis = 0; axis < 3; axis++) place[axis] = parcels[p + axis]!;
+        air.velocity(place, flow);
+        // Adams and Bashforth 1883: as exact as two looks at the air, for one.
+        for (let axis = 0; axis < 3; axis++) {
+          const before = velocities[v + axis]!;
+          parcels[p + axis]! += PLUME_STEP * (1.5 * flow[axis]! - 0.5 * before);
+          velocities[v + axis] = flow[axis]!;
+        }
+      }
+    }
+  }
+
+  #emit(air: PlumeSolver, wick: Readonly<Vec3>): void {
+    const { parcels } = this;
+    const strength = this.isFed ? this.strength : 0;
+    this.newest = (this.newest + 1) % ROWS;
+    this.count = Math.min(this.count + 1, ROWS);
+    const place = this.#place;
+    const flow = this.#flow;
+    for (let n = 0; n < LINES; n++) {
+      const at = this.newest * LINES + n;
+      const p = at * SMOKE_FLOATS;
+      const angle = (2 * Math.PI * n) / LINES;
+      place[0] = wick[0] + RIM * Math.cos(angle);
+      place[1] = wick[1];
+      place[2] = wick[2] + RIM * Math.sin(angle);
+      air.velocity(place, flow);
+      for (let axis = 0; axis < 3; axis++) {
+        parcels[p + axis] = place[axis]!;
+        this.#velocities[at * 3 + axis] = flow[axis]!;
+      }
+      const grain = 1 + GRAIN * this.#grain(n);
+      this.#amounts[at] = (strength * grain * THICKNESS) / LINES;
+    }
+    // Rows that have dissolved are dropped from the old end.
+    while (this.count > 0 && this.#isClear(this.newest - this.count + 1)) this.count--;
+  }
+
+  #isClear(row: number): boolean {
+    const first = ((row + ROWS) % ROWS) * LINES;
+    for (let at = first; at < first + LINES; at++) if (this.#amounts[at]! > 0) return false;
+    return true;
+  }
+
+  /** -1 to 1, smooth in time, another one for each line. */
+  #grain(lineIndex: number): number {
+    const time = this.#step * PLUME_STEP * GRAIN_RATE;
+    const beat = Math.floor(time);
+    const share = time - beat;
+    const key = pcg(this.#key + (lineIndex >> 1));
+    const here = signed(pcg((key + beat) >>> 0));
+    const next = signed(pcg((key + beat + 1) >>> 0));
+    return here + (next - here) * share * share * (3 - 2 * share);
+  }
+
+  /** Finds how thick and how broad each line is by now. */
+  #dilute(): void {
+    const { parcels } = this;
+    for (let n = 0; n < this.count; n++) {
+      const row = (this.newest - n + ROWS) % ROWS;
+      const younger = n === 0 ? row : (row + 1) % ROWS;
+      const older = n === this.count - 1 ? row : (row + ROWS - 1) % ROWS;
+      const seconds = n * PLUME_STEP;
+      const life = ROWS * PLUME_STEP;
+      const left = Math.min((life - seconds) / DISSOLVING, 1);
+      const fades = left * left * (3 - 2 * left);
+      const steps = (n === 0 ? 0 : 1) + (n === this.count - 1 ? 0 : 1);
+      for (let i = 0; i < LINES; i++) {
+        const at = row * LINES + i;
+        const p = at * SMOKE_FLOATS;
+        const a = (younger * LINES + i) * SMOKE_FLOATS;
+        const b = (older * LINES + i) * SMOKE_FLOATS;
+        const length = Math.max(apart(parcels, a, b) / Math.max(steps, 1), 1e-4);
+        const before = (row * LINES + ((i + LINES - 1) % LINES)) * SMOKE_FLOATS;
+        const after = (row * LINES + ((i + 1) % LINES)) * SMOKE_FLOATS;
+        const gap = 0.5 * (apart(parcels, p, before) + apart(parcels, p, after));
+        parcels[p + 3] = (this.#amounts[at]! * fades) / length;
+        parcels[p + 4] = Math.sqrt(BREADTH * BREADTH + 2 * SPREADING * seconds + 0.12 * gap * gap);
+      }
+    }
+  }
+}
+
+function apart(parcels: Float32Array, a: number, b: number): number {
+  const x = parcels[a]! - parcels[b]!;
+  const y = parcels[a + 1]! - parcels[b + 1]!;
+  const z = parcels[a + 2]! - parcels[b + 2]!;
+  return Math.sqrt(x * x + y * y + z * z);
+}

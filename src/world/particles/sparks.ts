@@ -1,0 +1,39 @@
+import { pcg, unit } from "../random.js";
+
+/** Time is cut into spans of this many ticks, and in one of so many the wick throws sparks. */
+const SPAN = 480;
+const ODDS = 6;
+/** Ticks that they last: fewest, and how many more at most. */
+const SHORTEST = 2;
+const LONGER = 4;
+
+/**
+ * Schedule of sparks, thrown when water in the wick boils: about every twenty-four seconds, by the seed's chance.
+ */
+export class SparkSchedule {
+  readonly #seed: number;
+  /** The span that was last asked for, and the ticks from and to which it has sparks. */
+  #span = Number.NaN;
+  #begin = 0;
+  #end = 0;
+
+  constructor(seed: number) {
+    this.#seed = seed;
+  }
+
+  isAt(tick: number): boolean {
+    const span = Math.floor(tick / SPAN);
+    if (span !== this.#span) this.#draw(span);
+    return tick >= this.#begin && tick < this.#end;
+  }
+
+  #draw(span: number): void {
+    this.#span = span;
+    this.#begin = this.#end = span * SPAN;
+    const chance = pcg((pcg((this.#seed ^ 0x5b17) >>> 0) + span) >>> 0);
+    if (unit(chance) * ODDS >= 1) return;
+    const lasts = SHORTEST + Math.round(unit(pcg((chance + 1) >>> 0)) * LONGER);
+    this.#begin += Math.floor(unit(pcg((chance + 2) >>> 0)) * (SPAN - lasts));
+    this.#end = this.#begin + lasts;
+  }
+}

@@ -1,0 +1,186 @@
+import type { Vec3 } from "../geometry.js";
+import { length3 } from "../geometry.js";
+import type { CollisionMesh } from "../room/collision-mesh.js";
+
+/**
+ * Auto exposure, in stops; 0 shows 1 cd/m² as the display's white.
+ *
+ * A frame whose mean luminance (logarithmic, the flame left out) is `luminance` is exposed by `stops`.
+ * One that is twice as bright gets `share` of a stop less, so that bright stays brighter than dark. It
+ * is never exposed by more than `most`: the eye has its limit, and a dark corner stays dark.
+ */
+export const EXPOSURE_LAW = {
+  luminance: 0.011,
+  stops: Math.log2(8.2),
+  share: 0.95,
+  least: -7,
+  most: Math.log2(9.7),
+} as const;
+
+/** Least luminance that counts, cd/m². */
+export const DARKEST = 1e-4;
+
+/** Exposure, stops, of a frame whose mean luminance is 2^meanStops cd/m². */
+export function exposureOf(meanStops: number): number {
+  const { luminance, stops, share, least, most } = EXPOSURE_LAW;
+  const wanted = stops - share * (meanStops - Math.log2(luminance));
+  return Math.min(Math.max(wanted, least), most);
+}
+
+/** Time constants of adaptation to brighter and to darker, seconds: nine tenths take 2.1 and 3.5 s. */
+const CLOSING = 0.9;
+const OPENING = 1.5;
+
+/** View that the eye adapts to, and its light. Metres, radians, candela. */
+export interface AdaptationView {
+  readonly collision: CollisionMesh;
+  readonly eye: Readonly<Vec3>;
+  yaw: number;
+  pitch: number;
+  /** Across the frame's shorter side, radians. */
+  fieldOfView: number;
+  /** Middle of the flame. */
+  readonly flame: Vec3;
+  luminousIntensity: number;
+}
+
+/** Rays across a view of 16:9. */
+const COLUMNS = 6;
+const ROWS = 4;
+const RAYS = COLUMNS * ROWS;
+const ASPECT = 16 / 9;
+const REACH = 40;
+/** Of any surface. */
+const ALBEDO = 0.28;
+/** Smaller motions, metres or radians, do not change the view. */
+const TOLERANCE = 1e-3;
+
+/**
+ * Exposure adaptation of the eye: how far it lags behind the exposure that the view asks for.
+ *
+ * The exposure itself is metered on the GPU, from the frame. The eye takes seconds to get there; that lag is
+ * kept in the world, so that it is the same however often frames are drawn, and outlives a lost context. It
+ * casts a few rays to estimate the luminance; since only differences count, that need not be exact.
+ */
+export class ExposureAdaptation {
+  /** Stops by which the eye is open wider than the view asks for. */
+  lag = 0;
+  #wanted = 0;
+  /** Exposure that the last view asks for, stops, and the indirect light in it, lux for each candela. */
+  #metered = 0;
+  #bounced = 0;
+  /** Luminances at the rays' ends, cd/m² for each candela of the flame. */
+  readonly #luminances = new Float64Array(RAYS);
+  /** View of those: eye, yaw, pitch, flame, field of view. */
+  readonly #lastView = new Float64Array(9).fill(Number.NaN);
+  readonly #direction: Vec3 = [0, 0, 0];
+  readonly #place: Vec3 = [0, 0, 0];
+
+  /** Exposure by the eye's own estimate, stops. */
+  get exposure(): number {
+    return this.#wanted + this.lag;
+  }
+
+  /** After a cut: the eye is adapted. */
+  settle(sight: AdaptationView): void {
+    this.#meter(sight);
+    this.#wanted = this.#metered;
+    this.lag = 0;
+  }
+
+  /** The view has changed in no time: the eye lags. */
+  notice(sight: AdaptationView): void {
+    this.#meter(sight);
+    this.lag += this.#wanted - this.#metered;
+    this.#wanted = this.#metered;
+  }
+
+  advance(sight: AdaptationView, seconds: number): void {
+    this.notice(sight);
+    this.lag *= Math.exp(-seconds / (this.lag > 0 ? CLOSING : OPENING));
+  }
+
+  #meter(sight: AdaptationView): void {
+    if (this.#hasMoved(sight)) this.#castRays(sight);
+    let sum = 0;
+    for (let ray = 0; ray < RAYS; ray++) {
+      sum += Math.log2(Math.max(this.#luminances[ray]! * sight.luminousIntensity, DARKEST));
+    }
+    this.#metered = exposureOf(sum / RAYS);
+  }
+
+  #hasMoved({ eye, yaw, pitch, flame, fieldOfView }: AdaptationView): boolean {
+    const from = this.#lastView;
+    let most = Math.max(Math.abs(yaw - from[3]!), Math.abs(pitch - from[4]!));
+    most = Math.max(most, Math.abs(fieldOfView - from[8]!));
+    for (let axis = 0; axis < 3; axis++) {
+      most = Math.max(most, Math.abs(eye[axis]! - from[axis]!));
+      most = Math.max(most, Math.abs(flame[axis]! - from[axis + 5]!));
+    }
+    if (most < TOLERANCE) return false; // the first time it is NaN
+    for (let axis = 0; axis < 3; axis++) {
+      from[axis] = eye[axis]!;
+      from[axis + 5] = flame[axis]!;
+    }
+    from[3] = yaw;
+    from[4] = pitch;
+    from[8] = fieldOfView;
+    return true;
+  }
+
+  #castRays({ collision, eye, yaw, pitch, flame, fieldOfView }: AdaptationView): void {
+    const height = Math.tan(fieldOfView / 2);
+    const sinYaw = Math.sin(yaw);
+    const cosYaw = Math.cos(yaw);
+    const sinPitch = Math.sin(pitch);
+    const cosPitch = Math.cos(pitch);
+    this.#bounce(collision);
+    for (let ray = 0; ray < RAYS; ray++) {
+      const right = (((ray % COLUMNS) + 0.5) * (2 / COLUMNS) - 1) * height * ASPECT;
+      const up = ((Math.floor(ray / COLUMNS) + 0.5) * (2 / ROWS) - 1) * height;
+      const ahead = cosPitch - up * sinPitch;
+      const length = length3(right, up, 1);
+      this.#direction[0] = (right * cosYaw - ahead * sinYaw) / length;
+      this.#direction[1] = (sinPitch + up * cosPitch) / length;
+      this.#direction[2] = (-right * sinYaw - ahead * cosYaw) / length;
+      this.#lightRay(ray, collision, eye, flame);
+    }
+  }
+
+  /** Indirect light of a closed room, as in an integrating sphere. */
+  #bounce({ bounds: { min, max } }: CollisionMesh): void {
+    const x = max[0] - min[0];
+    const y = max[1] - min[1];
+    const z = max[2] - min[2];
+    const area = 2 * (x * y + y * z + z * x);
+    this.#bounced = ((4 * Math.PI) / area) * (ALBEDO / (1 - ALBEDO));
+  }
+
+  /** Luminance at a ray's end by a flame of 1 cd. */
+  #lightRay(
+    ray: number,
+    collision: CollisionMesh,
+    eye: Readonly<Vec3>,
+    flame: Readonly<Vec3>,
+  ): void {
+    const direction = this.#direction;
+    const place = this.#place;
+    const hit = collision.raycast(eye, direction, REACH);
+    this.#luminances[ray] = hit ? (this.#bounced * ALBEDO) / Math.PI : 0;
+    if (!hit) return;
+    let squared = 0;
+    let cosine = 0;
+    for (let axis = 0; axis < 3; axis++) {
+      // A little before the surface, so that it does not shadow itself.
+      place[axis] = eye[axis]! + direction[axis]! * (hit.distance - 2e-3);
+      const way = flame[axis]! - place[axis]!;
+      squared += way * way;
+      cosine += way * hit.normal[axis]!;
+    }
+    const distance = Math.sqrt(squared);
+    cosine /= distance;
+    if (!(cosine > 0)) return;
+    if (!collision.isClear(place, flame)) return;
+    this.#luminances[ray]! += ((cosine / squared) * ALBEDO) / Math.PI;
+  }
+}

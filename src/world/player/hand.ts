@@ -1,0 +1,143 @@
+import type { Vec3 } from "../geometry.js";
+import type { CollisionMesh } from "../room/collision-mesh.js";
+import type { Cylinder } from "../room/placement.js";
+import type { Walker } from "./gait.js";
+
+const WHOLE_TURN = 2 * Math.PI;
+
+/** Rates of the springs to the turn of the head and to the motion of the body, 1/s. */
+const TURN_STIFFNESS = 18;
+const SWAY_STIFFNESS = 14;
+/** Largest lag and sway: radians, metres. */
+const MAX_LAG = 0.3;
+const MAX_SWAY = 0.05;
+/** Rate at which the arm extends or draws back, 1/s. */
+const STRETCHING = 7;
+/** The hand begins to draw back this early, metres, so that it seldom has to do so at once. */
+const CAUTION = 0.06;
+
+/** Hand that holds the candle: it has inertia, and draws back from what is near. */
+export interface Hand {
+  /** Angle behind the turn of the head, radians. */
+  lag: number;
+  /** Its own angular velocity, rad/s. */
+  turning: number;
+  /** Offset from where a stiff arm would hold it, metres, and its velocity, m/s. */
+  readonly sway: Vec3;
+  readonly swaying: Vec3;
+  /** Extension of the arm, 0 to 1. */
+  stretch: number;
+  /** Of the body, when the hand was last advanced. */
+  yaw: number;
+  readonly velocity: Vec3;
+}
+
+/** A hand at rest. */
+export function createHand(yaw: number): Hand {
+  return {
+    lag: 0,
+    turning: 0,
+    sway: [0, 0, 0],
+    swaying: [0, 0, 0],
+    stretch: 1,
+    yaw,
+    velocity: [0, 0, 0],
+  };
+}
+
+/** Brings a hand to rest at once, as after a jump to elsewhere. */
+export function calmHand(hand: Hand, yaw: number): void {
+  hand.lag = hand.turning = 0;
+  hand.stretch = 1;
+  hand.yaw = yaw;
+  for (const axis of [0, 1, 2] as const) {
+    hand.sway[axis] = hand.swaying[axis] = hand.velocity[axis] = 0;
+  }
+}
+
+/**
+ * Advances the hand: a critically damped spring behind the turn of the head, and one that the body's
+ * acceleration pulls at. Both are exact if turn and acceleration were even.
+ */
+export function advanceHand(hand: Hand, { yaw, velocity }: Walker, seconds: number): void {
+  if (!(seconds > 0)) return;
+  const turned = yaw - hand.yaw;
+  const turn = (turned - WHOLE_TURN * Math.round(turned / WHOLE_TURN)) / seconds;
+  hand.yaw = yaw;
+  // Damped against the room, so it stays behind for as long as the head turns.
+  const behind = (2 * turn) / TURN_STIFFNESS;
+  spring.offset = hand.lag - behind;
+  spring.speed = turn - hand.turning;
+  relax(TURN_STIFFNESS, seconds);
+  hand.lag = behind + spring.offset;
+  hand.turning = turn - spring.speed;
+  for (let axis = 0; axis < 3; axis += 2) {
+    const acceleration = (velocity[axis]! - hand.velocity[axis]!) / seconds;
+    hand.velocity[axis] = velocity[axis]!;
+    const rest = -acceleration / SWAY_STIFFNESS ** 2;
+    spring.offset = hand.sway[axis]! - rest;
+    spring.speed = hand.swaying[axis]!;
+    relax(SWAY_STIFFNESS, seconds);
+    hand.sway[axis] = rest + spring.offset;
+    hand.swaying[axis] = spring.speed;
+  }
+}
+
+/**
+ * Collision of the held candle: writes to `foot` where the hand holds the candle's foot.
+ *
+ * The candle is swept from the walker's own axis, around which there is space, and stops where it would touch
+ * something: so it never reaches into anything, nor through it.
+ *
+ * @param hold from the eye: right, up, ahead, metres
+ * @param collision null if nothing is ever in the way
+ * @param seconds since the last time; 0 to look ahead, which leaves the hand as it is
+ */
+export function holdOut(
+  hand: Hand,
+  { position: eye, yaw }: Walker,
+  hold: readonly [number, number, number],
+  collision: CollisionMesh | null,
+  stand: Cylinder,
+  seconds: number,
+  foot: Vec3,
+): void {
+  const right = hold[0];
+  const ahead = hold[2];
+  const angle = yaw - soften(hand.lag, MAX_LAG);
+  const sin = Math.sin(angle);
+  const cos = Math.cos(angle);
+  reach[0] = right * cos - ahead * sin + soften(hand.sway[0], MAX_SWAY);
+  reach[2] = -right * sin - ahead * cos + soften(hand.sway[2], MAX_SWAY);
+  foot[0] = eye[0];
+  foot[1] = eye[1] + hold[1];
+  foot[2] = eye[2];
+  let stretch = 1;
+  if (collision) {
+    const wanted = collision.sweepCylinder(foot, reach, stand, CAUTION).share;
+    const most = collision.sweepCylinder(foot, reach, stand).share;
+    const eased = wanted + (hand.stretch - wanted) * Math.exp(-STRETCHING * seconds);
+    stretch = Math.min(eased, most);
+  }
+  if (seconds > 0) hand.stretch = stretch;
+  foot[0] += reach[0] * stretch;
+  foot[2] += reach[2] * stretch;
+}
+
+const reach: Vec3 = [0, 0, 0];
+
+const spring = { offset: 0, speed: 0 };
+
+/** Advances `spring`, which is critically damped. Exact. */
+function relax(stiffness: number, seconds: number): void {
+  const { offset, speed } = spring;
+  const decay = Math.exp(-stiffness * seconds);
+  const slope = speed + stiffness * offset;
+  spring.offset = (offset + slope * seconds) * decay;
+  spring.speed = (speed - stiffness * slope * seconds) * decay;
+}
+
+/** As it is when small, but never more than `most`. */
+function soften(value: number, most: number): number {
+  return most * Math.tanh(value / most);
+}

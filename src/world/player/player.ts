@@ -1,0 +1,74 @@
+import type { Vec3 } from "../geometry.js";
+import { length2 } from "../geometry.js";
+import type { MovementBounds } from "../room/movement-bounds.js";
+import { accelerate } from "./gait.js";
+import type { Intent } from "./intent.js";
+
+/** Radius of the visitor, who is a circle on the floor, metres. */
+export const WALKER_RADIUS = 0.25;
+/** Turning, and looking up or down, by keys or stick at its limit: rad/s. */
+const TURN_SPEED = 1.6;
+const TILT_SPEED = 1;
+/** Looking straight up or down would leave no line of sight to walk along. */
+export const MAX_PITCH = 1.5;
+
+/** First-person player: the visitor's eye and how it moves. Right-handed, +Y up, yaw 0 looks along -Z, left positive. */
+export interface Player {
+  /** The eye, metres. */
+  readonly position: Vec3;
+  /** m/s */
+  readonly velocity: Vec3;
+  yaw: number;
+  pitch: number;
+}
+
+export interface Gait {
+  /** m/s */
+  readonly walk: number;
+  readonly run: number;
+}
+
+/** Direction of the line of sight, unit. */
+export function gazeDirection({ yaw, pitch }: Player): Vec3 {
+  const level = Math.cos(pitch);
+  return [-Math.sin(yaw) * level, Math.sin(pitch), -Math.cos(yaw) * level];
+}
+
+/** Turns the head by the pointer's motion since the last frame. */
+export function turnHead(player: Player, { yaw, pitch }: Intent): void {
+  player.yaw += yaw;
+  player.pitch += pitch;
+  straighten(player);
+}
+
+/** Keeps yaw within a turn, and pitch between feet and crown. */
+function straighten(player: Player): void {
+  const turn = 2 * Math.PI;
+  player.yaw -= turn * Math.round(player.yaw / turn);
+  player.pitch = Math.min(Math.max(player.pitch, -MAX_PITCH), MAX_PITCH);
+}
+
+/** Walks for so many seconds, as far as there is space; see `accelerate`. */
+export function walk(
+  player: Player,
+  { forward, right, runs, turn, tilt }: Intent,
+  gait: Gait,
+  ground: MovementBounds,
+  seconds: number,
+): void {
+  const { position, velocity } = player;
+  player.yaw += turn * TURN_SPEED * seconds;
+  player.pitch += tilt * TILT_SPEED * seconds;
+  straighten(player);
+  const length = Math.max(1, length2(forward, right));
+  const pace = (runs ? gait.run : gait.walk) / length;
+  const sin = Math.sin(player.yaw);
+  const cos = Math.cos(player.yaw);
+  wanted[0] = (right * cos - forward * sin) * pace;
+  wanted[2] = (-right * sin - forward * cos) * pace;
+  accelerate(velocity, wanted, seconds, way);
+  ground.move(position, way, velocity);
+}
+
+const wanted: Vec3 = [0, 0, 0];
+const way: Vec3 = [0, 0, 0];

@@ -1,0 +1,240 @@
+/** Items in a leaf. */
+const LEAF = 4;
+/** From this depth on nodes are split in halves, whatever their shape: queries keep a stack of fixed size. */
+const UNBALANCED_DEPTH = 32;
+/** From this many items on, planes are compared; fewer are parted in the middle. */
+const COMPARED = 8;
+/** Slices that a box is cut into to compare the planes between them. */
+const SLICES = 12;
+/** Deepest that a tree of 2³² items can then be. */
+export const MAX_DEPTH = UNBALANCED_DEPTH + 32;
+
+/**
+ * Bounding volume hierarchy: a query tests the items of the leaves whose boxes it overlaps.
+ *
+ * `link` is a node's first child, and the second follows it: both are needed together. In a
+ * leaf, `link` is the first of its `count` items.
+ */
+export interface Bvh {
+  /** min xyz, max xyz */
+  readonly boxes: Float32Array;
+  readonly link: Uint32Array;
+  /** 0 in inner nodes. */
+  readonly count: Uint8Array;
+}
+
+/**
+ * Splits across the longest axis, where rays will have the least to do (Wald 2007, "On fast Construction
+ * of SAH-based Bounding Volume Hierarchies"): rays that meet a box meet one within it as often as its
+ * surface is a share of the whole. Compared with halves, that takes a half longer to build and a sixth
+ * less to cast a ray.
+ *
+ * @param items min xyz, max xyz of each
+ * @returns the tree, and the order of the items that its leaves count in
+ */
+export function buildBvh(items: Float32Array): { bvh: Bvh; order: Uint32Array } {
+  const itemCount = items.length / 6;
+  const order = new Uint32Array(itemCount);
+  for (let i = 0; i < itemCount; i++) order[i] = i;
+  let boxes = new Float32Array(Math.max(16, itemCount >> 1) * 6);
+  let link = new Uint32Array(boxes.length / 6);
+  let count = new Uint8Array(link.length);
+  let nodeCount = 0;
+
+  function addNodes(more: number): number {
+    if (nodeCount + more > link.length) {
+      boxes = grown(boxes, new Float32Array(boxes.length * 2));
+      link = grown(link, new Uint32Array(link.length * 2));
+      count = grown(count, new Uint8Array(count.length * 2));
+    }
+    nodeCount += more;
+    return nodeCount - more;
+  }
+
+  function build(node: number, first: number, end: number, depth: number): void {
+    if (end - first <= LEAF) {
+      link[node] = first;
+      count[node] = end - first;
+      encloseItems(boxes, node * 6, items, order, first, end);
+      return;
+    }
+    const along = middles(items, order, first, end);
+    let beyond = (first + end) >> 1;
+    if (depth < UNBALANCED_DEPTH && middle.extent > 0) {
+      if (end - first >= COMPARED) slice(items, order, first, end, along);
+      beyond = partition(items, order, first, end, along, middle.plane);
+    }
+    const left = addNodes(2);
+    const right = left + 1;
+    link[node] = left;
+    build(left, first, beyond, depth + 1);
+    build(right, beyond, end, depth + 1);
+    for (let k = 0; k < 3; k++) {
+      boxes[node * 6 + k] = Math.min(boxes[left * 6 + k]!, boxes[right * 6 + k]!);
+      boxes[node * 6 + k + 3] = Math.max(boxes[left * 6 + k + 3]!, boxes[right * 6 + k + 3]!);
+    }
+  }
+
+  if (itemCount > 0) build(addNodes(1), 0, itemCount, 0);
+  const bvh = {
+    boxes: boxes.slice(0, nodeCount * 6),
+    link: link.slice(0, nodeCount),
+    count: count.slice(0, nodeCount),
+  };
+  return { bvh, order };
+}
+
+function grown<T extends Float32Array | Uint32Array | Uint8Array>(from: T, to: T): T {
+  to.set(from);
+  return to;
+}
+
+function encloseItems(
+  boxes: Float32Array,
+  box: number,
+  items: Float32Array,
+  order: Uint32Array,
+  first: number,
+  end: number,
+): void {
+  for (let k = 0; k < 3; k++) {
+    let low = Infinity;
+    let high = -Infinity;
+    for (let i = first; i < end; i++) {
+      low = Math.min(low, items[order[i]! * 6 + k]!);
+      high = Math.max(high, items[order[i]! * 6 + k + 3]!);
+    }
+    boxes[box + k] = low;
+    boxes[box + k + 3] = high;
+  }
+}
+
+/** How the items' middles, doubled, lie along an axis, and where they are to be parted. */
+const middle = { low: 0, plane: 0, extent: 0 };
+
+/** Returns the axis along which the items' middles are spread most, and fills `middle`. */
+function middles(items: Float32Array, order: Uint32Array, first: number, end: number): 0 | 1 | 2 {
+  let x0 = Infinity;
+  let y0 = Infinity;
+  let z0 = Infinity;
+  let x1 = -Infinity;
+  let y1 = -Infinity;
+  let z1 = -Infinity;
+  for (let i = first; i < end; i++) {
+    const at = order[i]! * 6;
+    const x = items[at]! + items[at + 3]!;
+    const y = items[at + 1]! + items[at + 4]!;
+    const z = items[at + 2]! + items[at + 5]!;
+    if (x < x0) x0 = x;
+    if (x > x1) x1 = x;
+    if (y < y0) y0 = y;
+    if (y > y1) y1 = y;
+    if (z < z0) z0 = z;
+    if (z > z1) z1 = z;
+  }
+  middle.extent = Math.max(x1 - x0, y1 - y0, z1 - z0);
+  if (middle.extent === x1 - x0) {
+    middle.low = x0;
+    middle.plane = (x0 + x1) / 2;
+    return 0;
+  }
+  if (middle.extent === y1 - y0) {
+    middle.low = y0;
+    middle.plane = (y0 + y1) / 2;
+    return 1;
+  }
+  middle.low = z0;
+  middle.plane = (z0 + z1) / 2;
+  return 2;
+}
+
+const slices = {
+  counts: new Uint32Array(SLICES),
+  /** min xyz, max xyz of each. */
+  boxes: new Float32Array(SLICES * 6),
+  /** Of the plane before each: how much there is to do on its near side. */
+  costs: new Float64Array(SLICES),
+  /** Around all slices on one side of a plane. */
+  side: new Float32Array(6),
+};
+
+/** Puts `middle.plane` between the two slices where it costs the least. */
+function slice(
+  items: Float32Array,
+  order: Uint32Array,
+  first: number,
+  end: number,
+  along: number,
+): void {
+  const { low, extent } = middle;
+  const { counts, boxes, costs, side } = slices;
+  // The last middle lies in the last slice, not beyond it.
+  const perLength = (SLICES * (1 - 1e-6)) / extent;
+  counts.fill(0);
+  for (let s = 0; s < SLICES; s++) empty(boxes, s * 6);
+  for (let i = first; i < end; i++) {
+    const at = order[i]! * 6;
+    const s = ((items[at + along]! + items[at + along + 3]! - low) * perLength) | 0;
+    counts[s]!++;
+    enclose(boxes, s * 6, items, at);
+  }
+  empty(side, 0);
+  for (let s = 1, near = 0; s < SLICES; s++) {
+    near += counts[s - 1]!;
+    enclose(side, 0, boxes, (s - 1) * 6);
+    costs[s] = near * surface(side);
+  }
+  empty(side, 0);
+  let least = Infinity;
+  for (let s = SLICES - 1, far = 0; s > 0; s--) {
+    far += counts[s]!;
+    enclose(side, 0, boxes, s * 6);
+    const cost = costs[s]! + far * surface(side);
+    // Not a number where all lie on one side.
+    if (!(cost < least)) continue;
+    least = cost;
+    middle.plane = low + s / perLength;
+  }
+}
+
+function empty(boxes: Float32Array, box: number): void {
+  boxes[box] = boxes[box + 1] = boxes[box + 2] = Infinity;
+  boxes[box + 3] = boxes[box + 4] = boxes[box + 5] = -Infinity;
+}
+
+function enclose(boxes: Float32Array, box: number, from: Float32Array, at: number): void {
+  for (let k = 0; k < 3; k++) {
+    if (from[at + k]! < boxes[box + k]!) boxes[box + k] = from[at + k]!;
+    if (from[at + k + 3]! > boxes[box + k + 3]!) boxes[box + k + 3] = from[at + k + 3]!;
+  }
+}
+
+/** Half the surface of a box. */
+function surface(box: Float32Array): number {
+  const x = box[3]! - box[0]!;
+  const y = box[4]! - box[1]!;
+  const z = box[5]! - box[2]!;
+  return x * y + y * z + z * x;
+}
+
+/** Sorts the items to both sides of a plane, and returns the first beyond it; never all to one. */
+function partition(
+  items: Float32Array,
+  order: Uint32Array,
+  first: number,
+  end: number,
+  along: number,
+  plane: number,
+): number {
+  let left = first;
+  let right = end - 1;
+  while (left <= right) {
+    const item = order[left]!;
+    if (items[item * 6 + along]! + items[item * 6 + along + 3]! <= plane) left++;
+    else {
+      order[left] = order[right]!;
+      order[right--] = item;
+    }
+  }
+  return left === first || left === end ? (first + end) >> 1 : left;
+}

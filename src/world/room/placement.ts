@@ -1,0 +1,217 @@
+import type { Vec3 } from "../geometry.js";
+import { WALKER_RADIUS } from "../player/player.js";
+import type { CollisionMesh, RayHit } from "./collision-mesh.js";
+import type { FloorPlan } from "./floor-plan.js";
+
+/** Why a candle cannot be put down. */
+export type Refusal = "nothing within reach" | "too steep" | "overhangs" | "no room";
+
+/** Bounding cylinder of a standing candle: upright, metres. */
+export interface Cylinder {
+  /** Of the holder's foot, all of which must be carried. */
+  readonly radius: number;
+  /** Includes the space that the flame needs. */
+  readonly height: number;
+}
+
+/**
+ * Farthest from the eye, along the floor, metres: an arm of 0.7 m and a lean of 0.5 m. Only along the
+ * floor, because knees bend: the floor before one's feet is as easily reached as a table top.
+ */
+export const REACH = 1.2;
+/** Highest above the eye, and lowest below the floor: an arm stretched up, a step down. Metres. */
+const REACH_UP = 0.35;
+const REACH_DOWN = 0.3;
+/** A candle that was set down can be taken again, even if one stepped back a little. Metres. */
+const GRASP = 1.5;
+/** A gaze that meets no surface means a spot this far ahead, metres. */
+const AHEAD = 0.8;
+/** Cosine of 18 degrees: steeper surfaces are refused before their heights are measured. */
+const LEVEL = 0.95;
+/** All of the foot is carried at one height, within metres: on a plane, within 2.2 degrees. */
+const UNEVENNESS = 0.005;
+const COS_TILT = 0.9993;
+/** Cracks between boards are bridged if they are narrower than twice this, metres. */
+const CRACK = 0.008;
+/** A spot that does not quite fit is moved by so much at most, metres. */
+const NUDGE = 0.04;
+const NUDGES = 4;
+const BEARINGS = 12;
+/** Between the player and a candle at their feet, metres. */
+const ELBOW_ROOM = 0.02 + NUDGE;
+const DOWN: Readonly<Vec3> = [0, -1, 0];
+/** Points under the foot that are felt for, in rings of a share of its radius. */
+const RINGS: readonly (readonly [share: number, count: number])[] = [
+  [0, 1],
+  [0.55, 8],
+  [1, 16],
+];
+
+/** Input of a placement: the room, the eye, and the candle's volume. */
+export interface PlacementQuery {
+  readonly collision: CollisionMesh;
+  readonly plan: FloorPlan;
+  readonly eye: Readonly<Vec3>;
+  /** Line of sight, unit; not straight up or down. */
+  readonly direction: Readonly<Vec3>;
+  readonly cylinder: Cylinder;
+}
+
+const gaze: RayHit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
+const felt: RayHit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
+const from: Vec3 = [0, 0, 0];
+const sight: Vec3 = [0, 0, 0];
+
+/**
+ * Finds the spot on the surface along the line of sight. `spot` is the middle of the candle's foot.
+ *
+ * @returns null, or why there is no such spot
+ */
+export function findAimedSpot(reach: PlacementQuery, spot: Vec3): Refusal | null {
+  const { collision, eye, direction, cylinder } = reach;
+  const level = Math.hypot(direction[0], direction[2]);
+  const hit = collision.raycast(eye, direction, Infinity, gaze);
+  const [away, y] = hit
+    ? [hit.distance * level, eye[1] + hit.distance * direction[1]]
+    : whereFloorWouldBe(reach, level);
+  if (away > REACH || y > eye[1] + REACH_UP) return "nothing within reach";
+  if (hit && hit.normal[1] < LEVEL) return "too steep";
+  const near = WALKER_RADIUS + cylinder.radius + ELBOW_ROOM;
+  if (away < near) return fitAround(reach, near, eye[1], spot);
+  return fitAround(reach, away, y + UNEVENNESS, spot);
+}
+
+/**
+ * Finds the spot on the nearest surface ahead, below the line of sight; before a wall if one is near.
+ *
+ * @returns null, or why there is no such spot
+ */
+export function findSpotAhead(reach: PlacementQuery, spot: Vec3): Refusal | null {
+  const { collision, eye, direction, cylinder } = reach;
+  const level = Math.hypot(direction[0], direction[2]);
+  const hit = collision.raycast(eye, direction, Infinity, gaze);
+  const free = (hit ? hit.distance * level : Infinity) - cylinder.radius - NUDGE;
+  const distance = Math.min(AHEAD, free);
+  if (distance < WALKER_RADIUS + cylinder.radius + ELBOW_ROOM) return "no room";
+  const y = eye[1] + Math.min(REACH_UP, (direction[1] / level) * distance);
+  return fitAround(reach, distance, y, spot);
+}
+
+/** Whether a candle that stands can be taken up. */
+export function canTake(eye: Readonly<Vec3>, foot: Readonly<Vec3>): boolean {
+  return Math.hypot(foot[0] - eye[0], foot[2] - eye[2]) <= GRASP && foot[1] <= eye[1] + REACH_UP;
+}
+
+/** Where the line of sight meets the height of a floor that the room does not have. */
+function whereFloorWouldBe(
+  { plan, eye, direction }: PlacementQuery,
+  level: number,
+): [number, number] {
+  if (plan.hasFloor || direction[1] >= 0) return [Infinity, 0];
+  return [((plan.floor - eye[1]) / direction[1]) * level, plan.floor];
+}
+
+/** Tries the highest surface below `y`, so far along the line of sight, and the spots around it. */
+function fitAround(reach: PlacementQuery, distance: number, y: number, spot: Vec3): Refusal | null {
+  const { eye, direction } = reach;
+  const share = distance / Math.hypot(direction[0], direction[2]);
+  const x = eye[0] + direction[0] * share;
+  const z = eye[2] + direction[2] * share;
+  const refusal = fit(reach, x, y, z, spot);
+  if (refusal !== "overhangs" && refusal !== "no room") return refusal;
+  for (let step = 1; step <= NUDGES; step++) {
+    for (let i = 0; i < BEARINGS; i++) {
+      const angle = (2 * Math.PI * i) / BEARINGS;
+      const nudge = (NUDGE * step) / NUDGES;
+      const [sideX, sideZ] = [x + Math.cos(angle) * nudge, z + Math.sin(angle) * nudge];
+      if (fit(reach, sideX, y, sideZ, spot) === null) return null;
+    }
+  }
+  return refusal;
+}
+
+/** Whether the foot fits on the highest surface below a point. */
+function fit(reach: PlacementQuery, x: number, y: number, z: number, spot: Vec3): Refusal | null {
+  const { collision, plan, eye, cylinder } = reach;
+  const hit = castDown(collision, x, y, z, Infinity);
+  let top = hit ? y - hit.distance : Number.NEGATIVE_INFINITY;
+  if (top < plan.floor - REACH_DOWN) {
+    // Where the walker walks on nothing, the candle stands on nothing.
+    if (plan.hasFloor || plan.clearance(x, z) <= 0) return "nothing within reach";
+    top = plan.floor;
+  } else if (hit) {
+    const slope = hit.normal[1];
+    if (slope < LEVEL) return "too steep";
+    const highest = highestSupport(collision, x, top, z, cylinder.radius);
+    if (Number.isNaN(highest)) return slope < COS_TILT ? "too steep" : "overhangs";
+    top = highest;
+  }
+  from[0] = x;
+  from[1] = top + UNEVENNESS;
+  from[2] = z;
+  if (collision.overlapsCylinder(from, cylinder.radius, cylinder.height - UNEVENNESS))
+    return "no room";
+  from[1] = top + cylinder.height / 2;
+  if (!isInSight(collision, eye, from)) return "no room";
+  spot[0] = x;
+  spot[1] = top;
+  spot[2] = z;
+  return null;
+}
+
+/** Highest support under the foot; NaN if part of it hangs in the air, or if it would wobble. */
+function highestSupport(
+  collision: CollisionMesh,
+  x: number,
+  y: number,
+  z: number,
+  radius: number,
+): number {
+  let top = y;
+  let bottom = y;
+  for (const [share, count] of RINGS) {
+    for (let i = 0; i < count; i++) {
+      const angle = (2 * Math.PI * i) / count;
+      const px = x + Math.cos(angle) * share * radius;
+      const pz = z + Math.sin(angle) * share * radius;
+      const height = supportAt(collision, px, y, pz);
+      top = Math.max(top, height);
+      bottom = Math.min(bottom, height);
+      if (!(top - bottom <= UNEVENNESS)) return Number.NaN;
+    }
+  }
+  return top;
+}
+
+/** Height of the support under a point of the foot, be it across a crack; NaN if there is none. */
+function supportAt(collision: CollisionMesh, x: number, y: number, z: number): number {
+  const height = feel(collision, x, y, z);
+  if (!Number.isNaN(height)) return height;
+  const across = Math.max(feel(collision, x - CRACK, y, z), feel(collision, x + CRACK, y, z));
+  if (!Number.isNaN(across)) return across;
+  return Math.max(feel(collision, x, y, z - CRACK), feel(collision, x, y, z + CRACK));
+}
+
+function feel(collision: CollisionMesh, x: number, y: number, z: number): number {
+  const hit = castDown(collision, x, y + 2 * UNEVENNESS, z, 4 * UNEVENNESS);
+  return hit ? y + 2 * UNEVENNESS - hit.distance : Number.NaN;
+}
+
+function castDown(
+  collision: CollisionMesh,
+  x: number,
+  y: number,
+  z: number,
+  distance: number,
+): RayHit | null {
+  from[0] = x;
+  from[1] = y;
+  from[2] = z;
+  return collision.raycast(from, DOWN, distance, felt);
+}
+
+function isInSight(collision: CollisionMesh, eye: Readonly<Vec3>, point: Readonly<Vec3>): boolean {
+  const distance = Math.hypot(point[0] - eye[0], point[1] - eye[1], point[2] - eye[2]);
+  for (const axis of [0, 1, 2] as const) sight[axis] = (point[axis] - eye[axis]) / distance;
+  return collision.raycast(eye, sight, distance, felt) === null;
+}

@@ -1,0 +1,39 @@
+import type { Vec3 } from "../geometry.js";
+import { EYE_HEIGHT } from "../player/gait.js";
+import { CollisionMesh, type Triangles } from "./collision-mesh.js";
+import { FloorPlan } from "./floor-plan.js";
+import type { MovementBounds } from "./movement-bounds.js";
+
+/** The eye keeps this far from floor and ceiling, metres. */
+const HEADROOM = 0.15;
+
+/** Collision geometry of a room. */
+export interface Room {
+  readonly collision: CollisionMesh;
+  readonly plan: FloorPlan;
+  readonly movementBounds: MovementBounds;
+  /** Initial eye position, metres, and yaw. */
+  readonly start: Vec3;
+  readonly yaw: number;
+}
+
+/** @param spawn where to start and which way to face, if the room says so */
+export function createRoom(
+  parts: readonly Triangles[],
+  spawn: { readonly position: readonly [number, number, number]; readonly yaw: number } | null,
+): Room {
+  const collision = new CollisionMesh(parts);
+  const plan = new FloorPlan(collision, spawn ? [...spawn.position] : null);
+  const { min, max } = collision.bounds;
+  const lowest = Math.min(min[1], plan.floor) + HEADROOM;
+  const highest = Math.max(max[1], plan.floor + EYE_HEIGHT + 2 * HEADROOM) - HEADROOM;
+  const movementBounds: MovementBounds = {
+    move: (position, way, velocity) => plan.walk(position, way, velocity),
+    clamp(position) {
+      position[1] = Math.min(Math.max(position[1], lowest), highest);
+      plan.settle(position);
+    },
+  };
+  const [x, y, z] = plan.start;
+  return { collision, plan, movementBounds, start: [x, y + EYE_HEIGHT, z], yaw: spawn?.yaw ?? 0 };
+}

@@ -1,0 +1,89 @@
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { DrawScheduler } from "../../../src/element/draw-scheduler.ts";
+
+/** Callbacks of the next animation frame. */
+let frame = new Map<number, () => void>();
+let page = { isVisible: true, isPlaying: false, draws: 0 };
+
+function createScheduler(): DrawScheduler {
+  return new DrawScheduler({
+    isVisible: () => page.isVisible,
+    isPlaying: () => page.isPlaying,
+    draw: () => {
+      page.draws++;
+    },
+  });
+}
+
+function nextFrame(): void {
+  const callbacks = [...frame.values()];
+  frame.clear();
+  for (const callback of callbacks) callback();
+}
+
+beforeEach(() => {
+  let last = 0;
+  frame = new Map();
+  page = { isVisible: true, isPlaying: false, draws: 0 };
+  vi.stubGlobal("requestAnimationFrame", (callback: () => void) => {
+    frame.set(++last, callback);
+    return last;
+  });
+  vi.stubGlobal("cancelAnimationFrame", (id: number) => frame.delete(id));
+});
+
+afterEach(() => {
+  vi.unstubAllGlobals();
+});
+
+test("many requests are one draw, in the next frame", () => {
+  const scheduler = createScheduler();
+  for (let i = 0; i < 5; i++) scheduler.request();
+  expect(page.draws).toBe(0);
+  nextFrame();
+  nextFrame();
+  expect(page.draws).toBe(1);
+});
+
+test("a draw in between takes the place of the one that was requested", () => {
+  const scheduler = createScheduler();
+  scheduler.request();
+  scheduler.draw();
+  nextFrame();
+  expect(page.draws).toBe(1);
+});
+
+test("while the animation plays nothing is requested beside it", () => {
+  const scheduler = createScheduler();
+  page.isPlaying = true;
+  scheduler.request();
+  nextFrame();
+  expect(page.draws).toBe(0);
+});
+
+test("what changes while nobody sees it is drawn once it is visible", () => {
+  const scheduler = createScheduler();
+  page.isVisible = false;
+  scheduler.request();
+  scheduler.drawIfVisible();
+  scheduler.review();
+  nextFrame();
+  expect(page.draws).toBe(0);
+  page.isVisible = true;
+  scheduler.review();
+  scheduler.review();
+  expect(page.draws).toBe(1);
+});
+
+test("pixels are read as they were drawn in the same task, and drawn again after it", async () => {
+  const scheduler = createScheduler();
+  scheduler.draw();
+  scheduler.refresh();
+  expect(page.draws).toBe(1);
+  scheduler.request();
+  scheduler.refresh();
+  expect(page.draws, "after a change").toBe(2);
+  await Promise.resolve();
+  scheduler.refresh();
+  expect(page.draws, "after the task").toBe(3);
+});

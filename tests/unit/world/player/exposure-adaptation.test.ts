@@ -1,0 +1,134 @@
+import { describe, expect, test } from "vitest";
+import { advance } from "../../../../src/world/advance.ts";
+import { moveCamera, placeCandle } from "../../../../src/world/commands.ts";
+import { createWorld } from "../../../../src/world/create-world.ts";
+import type { Vec3 } from "../../../../src/world/geometry.ts";
+import {
+  type AdaptationView,
+  DARKEST,
+  EXPOSURE_LAW,
+  ExposureAdaptation,
+  exposureOf,
+} from "../../../../src/world/player/exposure-adaptation.ts";
+import { STILL } from "../../../../src/world/player/intent.ts";
+import { CollisionMesh } from "../../../../src/world/room/collision-mesh.ts";
+import { createRoom } from "../../../../src/world/room/room.ts";
+import { insideOf, table } from "../rooms.ts";
+
+const PARTS = [insideOf([-2, 0, -2], [2, 2.4, 2]), ...table(0, -0.6)];
+const SOLID = new CollisionMesh(PARTS);
+const IN_THE_HAND: Vec3 = [0.3, 1.45, 0.9];
+const BY_THE_WALL: Vec3 = [0, 1.3, -1.7];
+
+function sight(flame: Vec3, luminousIntensity = 1): AdaptationView {
+  const view = { eye: [0, 1.6, 1.5], yaw: 0, pitch: -0.1, fieldOfView: 0.98 } as const;
+  return { collision: SOLID, ...view, flame, luminousIntensity };
+}
+
+/** Seconds until the eye has made nine tenths of the way to what it sees now; and whether it ever turned back. */
+function timing(
+  adaptation: ExposureAdaptation,
+  seen: AdaptationView,
+): { time: number; isSteady: boolean } {
+  adaptation.notice(seen);
+  const first = Math.abs(adaptation.lag);
+  let isSteady = true;
+  let time = 0;
+  for (let before = first; before > 0.1 * first && time < 10; time += 1 / 60) {
+    adaptation.advance(seen, 1 / 60);
+    isSteady &&= Math.abs(adaptation.lag) < before;
+    before = Math.abs(adaptation.lag);
+  }
+  return { time, isSteady };
+}
+
+test("a wider view is another view", () => {
+  const adaptation = new ExposureAdaptation();
+  const seen = sight(BY_THE_WALL);
+  adaptation.settle(seen);
+  const { exposure } = adaptation;
+  adaptation.settle({ ...seen, fieldOfView: 2 });
+  expect(Math.abs(adaptation.exposure - exposure)).toBeGreaterThan(0.1);
+});
+
+describe("the exposure that a picture asks for", () => {
+  test("never rises with its brightness, and falls by less than that rises", () => {
+    const stops = Array.from({ length: 200 }, (_, i) => exposureOf(Math.log2(DARKEST) + i * 0.1));
+    for (let i = 1; i < stops.length; i++) {
+      const step = (stops[i - 1] ?? 0) - (stops[i] ?? 0);
+      expect(step).toBeGreaterThanOrEqual(0);
+      expect(step).toBeLessThan(0.1);
+    }
+  });
+
+  test("is no more for a dark corner than for one twice as bright", () => {
+    expect(exposureOf(Math.log2(0.004))).toBe(EXPOSURE_LAW.most);
+    expect(exposureOf(Math.log2(0.002))).toBe(EXPOSURE_LAW.most);
+    expect(exposureOf(Math.log2(0.02))).toBeLessThan(EXPOSURE_LAW.most);
+  });
+});
+
+describe("an eye", () => {
+  test("takes two to four seconds to close and to open, and does not swing", () => {
+    const adaptation = new ExposureAdaptation();
+    adaptation.settle(sight(IN_THE_HAND));
+    expect(adaptation.lag).toBe(0);
+    for (const [flame, sign] of [
+      [BY_THE_WALL, 1],
+      [IN_THE_HAND, -1],
+    ] as const) {
+      adaptation.notice(sight(flame));
+      expect(adaptation.lag * sign).toBeGreaterThan(0.3);
+      const { time, isSteady } = timing(adaptation, sight(flame));
+      expect(time).toBeGreaterThan(2);
+      expect(time).toBeLessThan(4);
+      expect(isSteady).toBe(true);
+      for (let i = 0; i < 60; i++) adaptation.advance(sight(flame), 0.2);
+    }
+  });
+
+  test("ends at the same exposure from brightness and from darkness", () => {
+    const ends = [4, 0].map((luminousIntensity) => {
+      const adaptation = new ExposureAdaptation();
+      adaptation.settle(sight(IN_THE_HAND, luminousIntensity));
+      for (let i = 0; i < 600; i++) adaptation.advance(sight(IN_THE_HAND), 1 / 60);
+      expect(Math.abs(adaptation.lag)).toBeLessThan(0.01);
+      return adaptation.exposure;
+    });
+    expect(ends[0]).toBeCloseTo(ends[1] ?? 0, 2);
+    expect(ends[0]).toBeLessThan(EXPOSURE_LAW.most);
+  });
+
+  test("follows a flickering flame by a fraction, and never by flashes", () => {
+    const adaptation = new ExposureAdaptation();
+    adaptation.settle(sight(IN_THE_HAND));
+    const exposures = Array.from({ length: 240 }, (_, i) => {
+      // Between half a candela and two, ten times a second: worse than any flame of ours.
+      adaptation.advance(sight(IN_THE_HAND, 2 ** Math.sin((i / 60) * 2 * Math.PI * 10)), 1 / 60);
+      return adaptation.exposure;
+    });
+    const late = exposures.slice(120);
+    expect(Math.max(...late) - Math.min(...late)).toBeLessThan(0.1);
+  });
+
+  test("is as far behind at 30, 60 and 144 Hz and after one long frame, and not at all after a cut", () => {
+    const room = createRoom(PARTS, { position: [0, 0, 0.6], yaw: 0 });
+    const lags = [30, 60, 144, 2].map((rate) => {
+      const world = createWorld("physical", 1, { room });
+      expect(world.adaptation.lag).toBe(0);
+      moveCamera(world, [0, 1.6, 0.4], 0, -0.8);
+      expect(world.adaptation.lag).toBe(0);
+      expect(placeCandle(world)).toBe(true);
+      for (let i = 0; i < rate / 2; i++) advance(world, STILL, 1 / rate);
+      const { player } = world;
+      const { lag } = world.adaptation;
+      expect(Math.abs(lag)).toBeGreaterThan(0.01);
+      moveCamera(world, [...player.position], player.yaw, player.pitch);
+      expect(world.adaptation.lag, "the camera stayed where it was").toBe(lag);
+      moveCamera(world, [...player.position], player.yaw + 0.1, player.pitch);
+      expect(world.adaptation.lag).toBe(0);
+      return lag;
+    });
+    expect(new Set(lags).size).toBe(1);
+  });
+});
