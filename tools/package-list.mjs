@@ -1,4 +1,4 @@
-// npm run package:list: what the package ships, as the README's table. Needs `npm run build`.
+// npm run package:list: what the package ships, as the table of docs/performance.md. Needs `npm run build`.
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";

@@ -35,6 +35,10 @@ const strangers = [...reached].filter(
 for (const [name] of strangers) console.error(`${name} has no business in a lone candle`);
 const { size } = statSync(process.argv[2]);
 console.log(`${String(size).padStart(7)}  bytes of ${TARBALL_LIMIT} in the tarball`);
+const [, stated] =
+  /\| the tarball \|.*\| ([\d,.]+) \|/.exec(readFileSync("docs/performance.md", "utf8")) ?? [];
+const isStated = Math.abs(size / 1000 / Number(stated?.replaceAll(",", "")) - 1) < 0.05;
+if (!isStated) console.error(`docs/performance.md says ${stated} kB: run npm run package:list`);
 const isTooMuch = total > LIMIT || size > TARBALL_LIMIT;
 // Fewer chunks than this would mean that imports were not found.
-if (isTooMuch || strangers.length > 0 || reached.size < 4) process.exit(1);
+if (isTooMuch || !isStated || strangers.length > 0 || reached.size < 4) process.exit(1);

@@ -1,14 +1,21 @@
-import { mkdirSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { cpus } from "node:os";
 import type { FullResult, Reporter, TestCase, TestResult } from "playwright/types/testReporter";
 import { barChart } from "../../tools/chart.mjs";
 import type { Ladder } from "./ladder.ts";
-import type { PassCost, Passes } from "./passes.ts";
+import type { Passes } from "./passes.ts";
 import type { Scaling } from "./scaling.ts";
+import { ladderTable, passTable, scalingTable, withTable } from "./tables.ts";
 
 const FOLDER = "docs/bench";
+const PAGE = "docs/performance.md";
 
-/** Prints what the bench measured, and keeps it as JSON and as charts. */
+interface Results {
+  readonly ladder: Ladder;
+  readonly scaling: readonly Scaling[];
+}
+
+/** Writes what the bench measured as JSON, as charts and as tables, and prints the tables. */
 export default class Report implements Reporter {
   #ladder: Ladder | null = null;
   readonly #scaling: Scaling[] = [];
@@ -23,49 +30,40 @@ export default class Report implements Reporter {
   }
 
   onEnd({ startTime }: FullResult): void {
-    this.#reportPasses();
-    const ladder = this.#ladder;
-    if (!ladder || this.#scaling.length === 0) return;
     mkdirSync(FOLDER, { recursive: true });
+    this.#reportPasses();
+    this.#reportParticles(startTime);
+  }
+
+  #reportPasses(): void {
+    if (this.#passes.length === 0) return;
+    writeFileSync(`${FOLDER}/passes.json`, `${JSON.stringify(this.#passes, null, 2)}\n`);
+    writeTables(passTable(this.#passes));
+  }
+
+  /** What was not measured this time stays as it was. */
+  #reportParticles(startTime: Date): void {
+    if (!this.#ladder && this.#scaling.length === 0) return;
+    const file = `${FOLDER}/results.json`;
+    const before = JSON.parse(readFileSync(file, "utf8")) as Results;
+    const ladder = this.#ladder ?? before.ladder;
+    const scaling = this.#scaling.length > 0 ? this.#scaling : before.scaling;
     const machine = {
       cores: cpus().length,
       model: cpus()[0]?.model,
       date: startTime.toISOString().slice(0, 10),
     };
-    const results = { machine, ladder, scaling: this.#scaling };
-    writeFileSync(`${FOLDER}/results.json`, `${JSON.stringify(results, null, 2)}\n`);
-    const steps = ladder.steps.map(({ name, frameMs, multiple, paperMultiple }) => ({
-      step: name,
-      ms: Number(frameMs.toFixed(1)),
-      multiple: Number(multiple.toFixed(2)),
-      paper: Number(paperMultiple.toFixed(2)),
-    }));
-    console.table(steps);
-    const rows = this.#scaling.map(({ count, pixels, peers }) => ({
-      label: `${count.toLocaleString("en")} of ${pixels} px`,
-      values: peers.map(({ ratio }) => ratio),
-    }));
-    console.table(
-      this.#scaling.flatMap(({ count, pixels, peers }) =>
-        peers.map(({ name, frameMs, ratio, scriptMs, bestScriptMs }) => ({
-          particles: `${count} x ${pixels} px`,
-          peer: name,
-          "frame ms": Number(frameMs.toFixed(2)),
-          ratio: Number(ratio.toFixed(2)),
-          "script ms": Number(scriptMs.toFixed(3)),
-          "at best": Number(bestScriptMs.toFixed(3)),
-        })),
-      ),
-    );
+    writeFileSync(file, `${JSON.stringify({ machine, ladder, scaling }, null, 2)}\n`);
+    writeTables(ladderTable(ladder), scalingTable(scaling));
     writeFileSync(
       `${FOLDER}/ladder.svg`,
       barChart({
         title: "What each technique costs",
         unit: "multiples of the room without particles",
         series: ["here", "the paper"],
-        rows: steps.map(({ step, multiple, paper }) => ({
-          label: step,
-          values: [multiple, paper],
+        rows: ladder.steps.map(({ name, multiple, paperMultiple }) => ({
+          label: name,
+          values: [multiple, paperMultiple],
         })),
       }),
     );
@@ -74,37 +72,17 @@ export default class Report implements Reporter {
       barChart({
         title: "Time of a frame of particles",
         unit: "ratio to the transform feedback control",
-        series: this.#scaling[0]?.peers.map(({ name }) => name) ?? [],
-        rows,
+        series: scaling[0]?.peers.map(({ name }) => name) ?? [],
+        rows: scaling.map(({ count, pixels, peers }) => ({
+          label: `${count.toLocaleString("en")} of ${pixels} px`,
+          values: peers.map(({ ratio }) => ratio),
+        })),
       }),
     );
   }
+}
 
-  /** Passes down, tiers across, in copies: as the README has it. */
-  #reportPasses(): void {
-    if (this.#passes.length === 0) return;
-    mkdirSync(FOLDER, { recursive: true });
-    writeFileSync(`${FOLDER}/passes.json`, `${JSON.stringify(this.#passes, null, 2)}\n`);
-    const names = new Set(this.#passes.flatMap(({ passes }) => passes.map(({ pass }) => pass)));
-    const cell = (cost: PassCost | undefined) => {
-      if (!cost) return "";
-      const { copies, gpuMs } = cost;
-      return `${copies.toFixed(1)}${gpuMs === null ? "" : ` (${gpuMs.toFixed(2)} ms)`}`;
-    };
-    const head = this.#passes.map(({ quality, doing, width, height }) =>
-      [quality, doing, `${width} x ${height}`].join(", "),
-    );
-    const rows = [...names].map((name) => [
-      name,
-      ...this.#passes.map(({ passes }) => cell(passes.find(({ pass }) => pass === name))),
-    ]);
-    const lines = [
-      ["copies", ...head],
-      head.concat("").map(() => "---"),
-      ...rows,
-      ["the frame", ...this.#passes.map(({ frame }) => cell(frame))],
-      ["the dearest", ...this.#passes.map(({ worst }) => worst.toFixed(1))],
-    ];
-    console.log(lines.map((line) => `| ${line.join(" | ")} |`).join("\n"));
-  }
+function writeTables(...tables: readonly string[]): void {
+  writeFileSync(PAGE, tables.reduce(withTable, readFileSync(PAGE, "utf8")));
+  console.log(tables.join("\n\n"));
 }

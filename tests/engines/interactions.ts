@@ -138,7 +138,7 @@ const TRIALS: Readonly<Record<string, (visitor: Visitor) => Promise<void>>> = {
     });
     expectSame(photo, { name: "candle-flame.png", type: "image/png", isWhole: true });
   },
-  "a lost context comes back with the same picture": async (visitor) => {
+  "a lost context comes back with the same image": async (visitor) => {
     await visitor.evaluate(() => {
       theRoom().pause();
       theRoom().step(0);

@@ -7,7 +7,7 @@ import { lookingAt, type Shot, take } from "./shot.ts";
 /** In the middle of the table's near half, from where one stands before it. */
 const ON_THE_TABLE = { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 } as const;
 
-/** The pictures of the README. */
+/** Images of README.md and docs/realism.md. */
 const SHOTS: readonly Shot[] = [
   {
     name: "cabin",

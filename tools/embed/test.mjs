@@ -76,7 +76,7 @@ function install({ name, from = name, needs }, tarball) {
     JSON.stringify({ name, private: true, type: "module", dependencies }),
   );
   run("npm install --no-audit --no-fund --prefer-offline --loglevel=error", cwd);
-  // As the README says: a bundler takes the code, and the files beside it go where the site keeps its own.
+  // As docs/embedding.md says: a bundler takes the code, and the files beside it go where the site keeps its own.
   for (const part of ["models", "textures"]) {
     cpSync(
       join(cwd, "node_modules/candle-flame/dist", part),

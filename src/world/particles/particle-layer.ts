@@ -85,7 +85,7 @@ const PAPER_CORE: ParticleLayer = {
  * PAPER: "Dynamic Fire Effects Using OpenGL Rasterization Techniques", two layers.
  *
  * Counts, rates, speeds and lives are those of its published code; sizes in metres, the height of
- * birth and the drag to the wind are ours (DECISIONS.md, "A flame on the wick").
+ * birth and the drag to the wind are ours (DECISIONS.md, "The paper's flame is scaled to a candle").
  */
 export const PAPER_LAYERS: readonly ParticleLayer[] = [
   {

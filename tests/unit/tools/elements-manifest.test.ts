@@ -18,31 +18,41 @@ test("the manifest names each attribute, its type and its default", () => {
   expect(named("paused")).toMatchObject({ type: { text: "boolean" } });
 });
 
-test("the README names all that the manifest does, and nothing that it does not", () => {
-  const [face] = manifest().modules.flatMap(({ declarations }) => declarations ?? []);
-  const readme = readFileSync("README.md", "utf8");
-  const told = (from: string, to: string) => {
-    const text = readme.slice(readme.indexOf(from), readme.indexOf(to, readme.indexOf(from)));
-    return [...text.matchAll(/`(--)?([a-z][\w-]*)(\([^`]*\))?`/gi)].map(
-      ([, dashes = "", name = ""]) => (dashes ? dashes + name : name),
-    );
+test("docs/embedding.md names all that the manifest does, and nothing else", () => {
+  const [element] = manifest().modules.flatMap(({ declarations }) => declarations ?? []);
+  const page = readFileSync("docs/embedding.md", "utf8");
+  const namesBetween = (from: string, to: string) => {
+    const text = page.slice(page.indexOf(from), page.indexOf(to, page.indexOf(from)));
+    return [...text.matchAll(/`(--)?([a-z][\w-]*)(\([^`]*\))?`/gi)]
+      .map(([, dashes = "", name = ""]) => dashes + name)
+      .toSorted();
   };
-  const rows = readme
-    .slice(readme.indexOf("| attribute |"), readme.indexOf("Methods and properties:"))
-    .split("\n")
-    .flatMap((row) =>
-      [...(row.split("|")[1] ?? "").matchAll(/`([\w-]+)`/g)].map(([, name]) => name),
-    );
-  const namesOf = (list: readonly { name: string }[] = []) => list.map(({ name }) => name).sort();
-  const attributes = namesOf(face?.attributes);
-  expect(rows.sort()).toEqual(attributes);
-  const members = face?.members.filter(({ name }) =>
-    face.attributes.every(({ fieldName }) => fieldName !== name),
+  const namesOf = (list: readonly { name: string }[] = []) =>
+    list.map(({ name }) => name).toSorted();
+  const members = element?.members.filter(({ name }) =>
+    element.attributes.every(({ fieldName }) => fieldName !== name),
   );
-  expect(told("Methods and properties:", "Events:").sort()).toEqual(namesOf(members));
-  expect(told("Events:", "A value that").sort()).toEqual(namesOf(face?.events));
-  expect(told("Slots:", ", each in place").sort()).toEqual(namesOf(face?.slots));
-  expect(told("Parts:", "Custom properties:").sort()).toEqual(namesOf(face?.cssParts));
-  expect(told("Custom properties:", "States:").sort()).toEqual(namesOf(face?.cssProperties));
-  expect(told("States:", "Nothing is drawn").sort()).toEqual(namesOf(face?.cssStates));
+  expect(namesBetween("Methods and properties:", "\n\n")).toEqual(namesOf(members));
+  expect(namesBetween("Events:", "None bubbles")).toEqual(namesOf(element?.events));
+  expect(namesBetween("Slots:", ";")).toEqual(namesOf(element?.slots));
+  expect(namesBetween("Parts:", "\n")).toEqual(namesOf(element?.cssParts));
+  expect(namesBetween("Custom properties:", "\n")).toEqual(namesOf(element?.cssProperties));
+  expect(namesBetween("States:", "\n")).toEqual(namesOf(element?.cssStates));
+});
+
+test("docs/embedding.md has a row for each attribute, with its default", () => {
+  const page = readFileSync("docs/embedding.md", "utf8");
+  const rows = [...page.matchAll(/^\| `([\w-]+)` \|([^|]*)\|/gm)].map(
+    ([, name = "", values = ""]) => [name, values.trim()] as const,
+  );
+  expect(rows.map(([name]) => name).toSorted()).toEqual(Object.keys(SETTINGS).toSorted());
+  for (const [name, values] of rows) {
+    const setting: { kind: string; default?: unknown; choices?: readonly string[] } =
+      SETTINGS[name as keyof typeof SETTINGS];
+    const said = [...values.matchAll(/`([^`]*)`/g)].map(([, value]) => value);
+    if (setting.kind === "flag") expect(values, name).toBe("boolean");
+    else if (setting.kind === "choice") expect(said, name).toEqual(setting.choices);
+    else if (setting.kind === "number") expect(said, name).toEqual([String(setting.default)]);
+    else expect(said, name).toEqual([]);
+  }
 });
