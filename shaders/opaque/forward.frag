@@ -4,11 +4,11 @@
 // Vertex colour is occlusion baked into the model (red), 1 where there is none.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
-#include "lib/brdf.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/normal-map.glsl"
 #include "lib/random.glsl"
 #include "lib/flame-light.glsl"
+#include "lib/flame-brdf.glsl"
 #include "lib/pcss.glsl"
 #include "lib/surfels.glsl"
 #include "lib/distance-impostor.glsl"
@@ -17,9 +17,6 @@
 
 // Levels of detail by which textures are read more sharply: each mixes more than its pixel sees.
 const float SHARPER = -0.5;
-
-// A flame is no point: nearer than this the inverse square would not hold. Metres.
-const float NEAREST = 0.01;
 
 // Less of the sky than this is seen from a crevice.
 const float OPEN = 0.9;
@@ -79,16 +76,6 @@ float directVisibility(vec3 position, vec3 facet) {
   return flameVisibility(position, facet, gl_FragCoord.xy) * candleVisibility(position);
 }
 
-// Karis 2013, "Real Shading in Unreal Engine 4": the point of the capsule nearest to the mirrored
-// ray stands for all of it, and its width widens the highlight.
-vec3 towardsHighlight(vec3 toLight, vec3 mirrored) {
-  float along = dot(mirrored, toLight);
-  float steepness = dot(mirrored, light.along);
-  float offAxis = dot(toLight, light.along) - along * steepness;
-  float climb = clamp(-offAxis / max(1.0 - steepness * steepness, 1e-3), -light.halfHeight, light.halfHeight);
-  return toLight + light.along * climb;
-}
-
 void main() {
   vec4 baseColor = texture(uAlbedo, vUv, SHARPER) * uBaseColor;
   if (baseColor.a < uSurface.w) discard;
@@ -102,7 +89,7 @@ void main() {
   float NoV = max(abs(dot(normal, view)), 1e-3);
 
   vec3 toLight = light.position - vPositionWorld;
-  float distanceSquared = max(dot(toLight, toLight), NEAREST * NEAREST);
+  float distanceSquared = max(dot(toLight, toLight), LEAST_DISTANCE * LEAST_DISTANCE);
   vec3 L = toLight * inversesqrt(distanceSquared);
   float NoL = max(dot(normal, L), 0.0);
   vec3 facet = facetNormal(vPositionWorld);
@@ -120,19 +107,11 @@ void main() {
   vec2 pastFine = minifiedVisibility();
   vec3 irradiance = passing * max(NoL * normalMapVisibility(surface, normal, L) * pastFine.y, inFlame);
 
-  vec3 highlight = towardsHighlight(toLight, reflect(-view, normal));
-  vec3 S = normalize(highlight);
-  vec3 H = normalize(S + view);
   float alpha = specularAntialiasing(roughness * roughness, normal);
-  float width = light.radius / max(length(highlight), NEAREST);
-  float widened = clamp(alpha + 0.5 * width, 0.0, 1.0);
-  float NoS = max(dot(normal, S), 0.0);
+  FlameSpecular flame = flameSpecular(toLight, normal, view, NoV, alpha);
   vec3 f0 = mix(vec3(0.04), baseColor.rgb, metallic);
-  vec3 fresnel = fresnelSchlick(f0, max(dot(S, H), 0.0));
-  float lobe = distributionGgx(widened, max(dot(normal, H), 0.0)) * visibilitySmith(alpha, NoV, NoS);
-  float narrowing = (alpha * alpha) / (widened * widened);
   EnvironmentReflection mirroring = environmentReflection(uEnvironmentBrdf, f0, sqrt(alpha), NoV);
-  vec3 specular = fresnel * mirroring.boost * lobe * narrowing * NoS * passing * uFeatures.z;
+  vec3 specular = fresnelSchlick(f0, flame.SoH) * mirroring.boost * flame.lobe * passing * uFeatures.z;
   // What the surface mirrors does not reach the matt layer below.
   vec3 matt = baseColor.rgb * (1.0 - metallic) * (1.0 - mirroring.share);
   vec3 diffuse = matt / PI * irradiance;

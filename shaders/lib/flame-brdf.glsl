@@ -1,0 +1,29 @@
+// Specular reflection of the flame.
+// Needs lib/flame-light.glsl.
+#include "lib/brdf.glsl"
+
+// A flame is no point: the inverse square does not hold nearer than this. Metres.
+const float LEAST_DISTANCE = 0.01;
+
+struct FlameSpecular {
+  float lobe;  // D V / F, times the cosine to the representative point
+  float SoH;   // cosine for Fresnel's term
+};
+
+// The flame as a capsule light, by its representative point: the one nearest to the reflected ray. Its width
+// widens the lobe, which keeps its energy. `toLight`: from the surface, m.
+// Karis 2013, "Real Shading in Unreal Engine 4".
+FlameSpecular flameSpecular(vec3 toLight, vec3 normal, vec3 view, float NoV, float alpha) {
+  vec3 reflected = reflect(-view, normal);
+  float along = dot(reflected, toLight);
+  float steepness = dot(reflected, light.along);
+  float offAxis = dot(toLight, light.along) - along * steepness;
+  float climb = clamp(-offAxis / max(1.0 - steepness * steepness, 1e-3), -light.halfHeight, light.halfHeight);
+  vec3 representative = toLight + light.along * climb;
+  vec3 S = normalize(representative);
+  vec3 H = normalize(S + view);
+  float widened = clamp(alpha + 0.5 * light.radius / max(length(representative), LEAST_DISTANCE), 0.0, 1.0);
+  float NoS = max(dot(normal, S), 0.0);
+  float lobe = distributionGgx(widened, max(dot(normal, H), 0.0)) * visibilitySmith(alpha, NoV, NoS);
+  return FlameSpecular(lobe * (alpha * alpha) / (widened * widened) * NoS, max(dot(S, H), 0.0));
+}
