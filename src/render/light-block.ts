@@ -12,7 +12,7 @@ export function lightBlock(world: World, showsCandle: boolean) {
   const { position, axis: along, halfHeight, intensity, radius } = flameLight(world, TAPER);
   return {
     position,
-    vantage: vantage(world.shown.flame, position),
+    captureOrigin: vantage(world.shown.flame, position),
     halfHeight,
     intensity,
     radius,
@@ -55,7 +55,7 @@ export function captureLight(world: World, showsCandle: boolean): CaptureLight {
   const light = lightBlock(world, showsCandle);
   return {
     ...light,
-    position: light.vantage,
+    position: light.captureOrigin,
     halfHeight: onGrid(light.halfHeight),
     intensity: [1, 1, 1],
     along: [0, 1, 0],

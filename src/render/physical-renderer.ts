@@ -46,10 +46,10 @@ const SHADOW: Readonly<Record<Tier["name"], { size: number; search: number; taps
   ultra: { size: 1024, search: 24, taps: 48 },
 };
 const INDIRECT: Readonly<Record<Tier["name"], IndirectDetail>> = {
-  low: { patches: 6, probes: [5, 3, 5], rays: 8, bounces: 4, looks: false },
-  medium: { patches: 8, probes: [6, 4, 6], rays: 10, bounces: 5, looks: true },
-  high: { patches: 16, probes: [14, 6, 14], rays: 10, bounces: 6, looks: true },
-  ultra: { patches: 16, probes: [14, 6, 14], rays: 12, bounces: 6, looks: true },
+  low: { surfels: 6, probes: [5, 3, 5], rays: 8, bounces: 4, testsVisibility: false },
+  medium: { surfels: 8, probes: [6, 4, 6], rays: 10, bounces: 5, testsVisibility: true },
+  high: { surfels: 16, probes: [14, 6, 14], rays: 10, bounces: 6, testsVisibility: true },
+  ultra: { surfels: 16, probes: [14, 6, 14], rays: 12, bounces: 6, testsVisibility: true },
 };
 /** What of the room may be left out where it throws shadows and light, metres. */
 const CASTER_DETAIL: Readonly<Record<Tier["name"], number>> = {

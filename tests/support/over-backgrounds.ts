@@ -110,12 +110,12 @@ function blockOf(gpu: Gpu, name: "Frame" | "Light" | "Volume") {
 function darkRoom(gpu: Gpu, uDark: Texture): IrradianceVolume {
   const block = blockOf(gpu, "Volume");
   const one = { columns: 1, rows: 1, planes: 1 };
-  block.update({ corner: [0, 0, 0], extent: [1, 1, 1], ...one, looks: 0 });
+  block.update({ corner: [0, 0, 0], extent: [1, 1, 1], ...one, testsVisibility: 0 });
   return {
     block,
     textures: { uIrradiance: uDark, uProbePositions: uDark, uProbeDepth: uDark },
     radiosity: uDark,
-    below: uDark,
+    support: uDark,
   };
 }
 

@@ -53,11 +53,11 @@ import { LightingPass } from "./lighting-pass.js";
 
 const SHADOW = { size: 128, search: 4, taps: 8 } as const;
 const INDIRECT: IndirectDetail = {
-  patches: 6,
+  surfels: 6,
   probes: [5, 3, 5],
   rays: 8,
   bounces: 4,
-  looks: false,
+  testsVisibility: false,
 };
 /** What of the room may be left out where it throws shadows and light, metres. */
 const CASTER_DETAIL = 0.03;
@@ -210,10 +210,10 @@ export class DeferredRenderer implements Renderer {
     const view = { ...asked, isMoving: isCoarse };
     // Of pictures that follow each other one is painted and lit; the next has time for all else.
     const isBusy = paint.kind === "coarse";
-    const { shadow, vantage, volume, isNew } = isCoarse
+    const { shadow, captureOrigin, volume, isNew } = isCoarse
       ? this.#castSlackly(light, isBusy)
       : this.#cast(light);
-    const lamp = { ...shadingLight(world, features.candle), vantage };
+    const lamp = { ...shadingLight(world, features.candle), captureOrigin };
     const lit = this.#lightPass.render(paint, lamp, shadow, volume, this.#clip, features);
     const picture = { ...lit.textures, uGBufferAlbedo: paint.painted, uDepth: paint.depth };
     const fire = this.#fire(paint.frameDepth);
@@ -283,16 +283,16 @@ export class DeferredRenderer implements Renderer {
   #cast(light: CaptureLight) {
     const shadow = this.#shadow.render(this.#casters, light.position);
     const volume = this.#indirect.render(this.#casters, light);
-    return { shadow, vantage: light.position, volume, isNew: false };
+    return { shadow, captureOrigin: light.position, volume, isNew: false };
   }
 
   /** The same for one picture among many: of fewer triangles, of those in sight, and a little late. */
   #castSlackly(light: CaptureLight, isBusy: boolean) {
     this.#prepareMotion();
-    const matters = shadowFrustumTest(this.#clip, light.position, PENUMBRA);
+    const isNeeded = shadowFrustumTest(this.#clip, light.position, PENUMBRA);
     const casters = this.#slackCasters ?? this.#casters;
-    const shadow = this.#shadow.follow(casters, light.position, { isBusy, matters });
-    const volume = this.#indirect.follow(this.#slackEchoers ?? this.#casters, light);
+    const shadow = this.#shadow.updateIncrementally(casters, light.position, { isBusy, isNeeded });
+    const volume = this.#indirect.updateIncrementally(this.#slackEchoers ?? this.#casters, light);
     return { ...shadow, shadow: shadow.distances, volume };
   }
 

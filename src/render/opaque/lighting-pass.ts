@@ -121,8 +121,8 @@ export class LightingPass {
     const target = isCoarse ? this.#moving : this.#resting;
     if (!target) throw new Error("Light has no size yet.");
     const { color: uLight } = target;
-    const { below } = volume;
-    if (!below) throw new Error("Few probes need to be told what is below the flame.");
+    const { support } = volume;
+    if (!support) throw new Error("Few probes need to be told what is below the flame.");
     const corners = isCoarse && this.#corners ? { uNearnessGather: this.#corners.color } : {};
     const textures = { uLight, ...corners };
     // What was lit a picture ago goes with its paint.
@@ -150,7 +150,7 @@ export class LightingPass {
         ...(usual && { uRepresentative: usual }),
         uShadow: shadow,
         ...volume.textures,
-        uSupport: below,
+        uSupport: support,
       },
       uniforms: {
         uShown: [shadows ? 1 : 0, indirect ? 1 : 0, specular ? 1 : 0],
