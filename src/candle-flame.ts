@@ -230,7 +230,7 @@ export class CandleFlame {
     const drifting = this.#features.drift
       ? counted
       : counted.map((layer) => ({ ...layer, drift: 0 }));
-    renderer.follow(this.world, drifting);
+    renderer.setLayers(this.world, drifting);
   }
 
   /** After a lost context was given back: the same world, seen by a new GPU. */

@@ -1,5 +1,5 @@
-// The display's law as a table: colours on the screen over the fourth roots of exposed light, its channels
-// such that light from a white thing has as much of each.
+// Tone LUT: the display transform as a 3D table of display colours, over the fourth roots of white-balanced exposed
+// light.
 
 const float TONE_LUT_SIZE = 32.0;
 // Light at the end of the table, where white is about 1.

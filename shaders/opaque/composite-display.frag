@@ -35,5 +35,5 @@ void main() {
   // What is brighter than the table keeps its hue.
   exposed /= max(max(exposed.r, exposed.g), max(exposed.b, 1.0));
   // The same noise for all channels.
-  oColor = vec4(tabled(exposed) + dither(gl_FragCoord.xy).r, COARSE == 1 ? painted.a : 1.0);
+  oColor = vec4(toneLutColor(exposed) + dither(gl_FragCoord.xy).r, COARSE == 1 ? painted.a : 1.0);
 }

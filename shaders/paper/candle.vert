@@ -1,5 +1,5 @@
 #version 300 es
-// The candle: a model scaled and carried through the room, always upright.
+// Vertices of the upright candle.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 
@@ -14,7 +14,7 @@ out vec3 vPositionWorld;
 out vec3 vNormalWorld;
 out vec4 vTangentWorld;
 out vec2 vUv;
-out float vHeight;  // in the model
+out float vHeight;  // in the model's unit
 
 void main() {
   vPositionWorld = uWorldFromModel.xyz + aPosition * uWorldFromModel.w;

@@ -1,5 +1,5 @@
 #version 300 es
-// Walls, floor and ceiling, already in the room's own coordinates.
+// Vertices of the room, in world space.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 

@@ -23,14 +23,14 @@ import type { Models, Renderer } from "./renderer.js";
 import { FEEDBACK, ParticleSystem, particleProgram } from "./volumetric/particle-system.js";
 import { zoomOf } from "./zoom.js";
 
-/** The paper's light has no unit; this shows its white wall at arm's length just below white. */
+/** The paper's light has no unit; this exposes its white wall at arm's length just below white. */
 const EXPOSURE = 0.62;
 /** Light of one particle where it is brightest, in display units; without a gradient, its opacity. */
 const GLOW = { core: 0.2, haze: 0.012 } as const;
 const FLAT_GLOW = { core: 0.8, haze: 0.08 } as const;
 
 /**
- * The paper's forward frame: room, candle, particles, straight to the screen's colours.
+ * The paper's forward renderer: room, candle, particles, straight to display colour.
  *
  * "Dynamic Fire Effects Using OpenGL Rasterization Techniques": `paper` is its final product,
  * `original` its "before".
@@ -50,8 +50,8 @@ export class PaperRenderer implements Renderer {
   #clipFromWorld = mat4.create();
   #target: RenderTarget | null = null;
   #size = { width: 1, height: 1 };
-  /** From the paper's light to the screen's, in the last frame. */
-  #gain = EXPOSURE;
+  /** Exposure of the last frame. */
+  #exposure = EXPOSURE;
 
   constructor(gpu: Gpu, { room, candle }: Models, tier: Tier) {
     this.#gpu = gpu;
@@ -65,7 +65,6 @@ export class PaperRenderer implements Renderer {
     this.#candle = uploadModel(gpu, candle);
   }
 
-  /** The picture's size in pixels; the canvas has it already. */
   resize(width: number, height: number): void {
     this.#size = { width, height };
     this.#target?.dispose();
@@ -83,15 +82,13 @@ export class PaperRenderer implements Renderer {
         : null;
   }
 
-  /** Other particles: those of a new world, or more of them. They catch up in the next frame. */
-  follow({ seed }: World, layers: readonly ParticleLayer[]): void {
+  setLayers({ seed }: World, layers: readonly ParticleLayer[]): void {
     for (const system of this.#systems) system.dispose();
     this.#systems = layers.map(
       (layer, i) => new ParticleSystem(this.#gpu, this.#updateProgram, layer, layerKey(seed, i)),
     );
   }
 
-  /** Particle slots at work in the last frame. */
   get particles(): number {
     return this.#systems.reduce((sum, { count }) => sum + count, 0);
   }
@@ -111,7 +108,7 @@ export class PaperRenderer implements Renderer {
 
   #updateBlocks(world: World, { features, exposure, isStill }: View): void {
     const { player, look, shown } = world;
-    this.#gain = EXPOSURE * 2 ** exposure;
+    this.#exposure = EXPOSURE * 2 ** exposure;
     const { width, height } = this.#size;
     this.#clipFromWorld = clipFromWorld(
       shown.eye,
@@ -123,7 +120,7 @@ export class PaperRenderer implements Renderer {
     this.#frame.update({
       clipFromWorld: this.#clipFromWorld,
       eyePosition: shown.eye,
-      exposure: this.#gain,
+      exposure: this.#exposure,
       viewport: [width, height],
       projectionScale: projectionScale(Math.min(width, height)) * zoomOf(world),
       normalMaps: features.normalMaps && look === "paper" ? 1 : 0,
@@ -153,7 +150,7 @@ export class PaperRenderer implements Renderer {
   }
 
   #drawCandle(target: Target, { shown, stage }: World): void {
-    const place = [shown.foot[0], shown.foot[1], shown.foot[2], stage.candleScale];
+    const uWorldFromModel = [shown.foot[0], shown.foot[1], shown.foot[2], stage.candleScale];
     for (const { vertexArray, textures, baseColor, occlusionStrength } of this.#candle) {
       this.#gpu.draw({
         program: this.#candleProgram,
@@ -164,7 +161,7 @@ export class PaperRenderer implements Renderer {
         uniforms: {
           uBaseColor: baseColor,
           uOcclusionStrength: occlusionStrength,
-          uWorldFromModel: place,
+          uWorldFromModel,
         },
         blocks: { Frame: this.#frame, Light: this.#light },
         depth: "test-and-write",
@@ -198,7 +195,7 @@ export class PaperRenderer implements Renderer {
         uniforms: {
           uClipFromFlame: new Float32Array(clipFromFlame),
           uSize: size * pixels,
-          uAhead: remainder,
+          uExtrapolation: remainder,
           uFading: isFinal ? 1 : 0,
           uGlow: hasGradient ? GLOW[name] : FLAT_GLOW[name],
         },
@@ -209,7 +206,7 @@ export class PaperRenderer implements Renderer {
     }
   }
 
-  /** Compiled at its first use: a look needs one or two of the four. */
+  /** Compiled on first use: a look needs one or two of the four variants. */
   #particleProgram(isHaze: boolean, hasGradient: boolean): Program {
     const defines = { HAZE: isHaze ? 1 : 0, GRADIENT: hasGradient ? 1 : 0 };
     const key = JSON.stringify(defines);
@@ -222,7 +219,7 @@ export class PaperRenderer implements Renderer {
     return program;
   }
 
-  /** There is no buffer of light here: the picture is decoded, and its exposure taken back. */
+  /** There is no HDR buffer: the canvas is decoded, and its exposure undone. */
   readRadiance(x: number, y: number, width: number, height: number): Float32Array {
     const bytes = this.#gpu.readCanvas(x, this.#size.height - y - height, width, height);
     const radiance = new Float32Array(width * height * 3);
@@ -231,7 +228,7 @@ export class PaperRenderer implements Renderer {
         const from = ((height - 1 - row) * width + column) * 4;
         for (let channel = 0; channel < 3; channel++) {
           const linear = decodeSrgb((bytes[from + channel] ?? 0) / 255);
-          radiance[(row * width + column) * 3 + channel] = linear / this.#gain;
+          radiance[(row * width + column) * 3 + channel] = linear / this.#exposure;
         }
       }
     }

@@ -155,8 +155,8 @@ export class PhysicalRenderer implements Renderer {
   }
 
   /** The body of the flame is no particles; dust and sparks are. */
-  follow(world: World, layers: readonly ParticleLayer[]): void {
-    this.#motes.follow(world, layers);
+  setLayers(world: World, layers: readonly ParticleLayer[]): void {
+    this.#motes.setLayers(world, layers);
   }
 
   get particles(): number {

@@ -145,7 +145,7 @@ export function mixtures(seed: number, seconds: number) {
   const [frame, light] = [blockOf(gpu, "Frame"), blockOf(gpu, "Light")];
 
   const world = createWorld("physical", seed);
-  passes.motes.follow(world, world.stage.layers);
+  passes.motes.setLayers(world, world.stage.layers);
   const look = () => {
     const [x, y, z] = world.shown.flame;
     const eye: Vec3 = [x + EYE[0], y + EYE[1], z + EYE[2]];

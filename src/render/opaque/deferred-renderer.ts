@@ -39,14 +39,14 @@ import {
   glareShareOf,
 } from "../post/display-pass.js";
 import { ExposurePass } from "../post/exposure-pass.js";
-import { BLOOM_REACH, FlameBloomPass, GLARE } from "../post/flame-bloom-pass.js";
+import { BLOOM_REACH, BLOOM_SCALE, FlameBloomPass } from "../post/flame-bloom-pass.js";
 import type { Models, Renderer } from "../renderer.js";
-import { expandBox, screenBounds } from "../screen-bounds.js";
+import { expandBox, type Sphere, screenBounds } from "../screen-bounds.js";
 import { ShadowCasters } from "../shadow/shadow-casters.js";
 import { ShadowPass } from "../shadow/shadow-pass.js";
 import { FlamePass, HANDLE_TURN } from "../volumetric/flame-pass.js";
 import { HazePass } from "../volumetric/haze-pass.js";
-import { type Ball, boundingSpheres, SmokePass } from "../volumetric/smoke-pass.js";
+import { boundingSpheres, SmokePass } from "../volumetric/smoke-pass.js";
 import { zoomOf } from "../zoom.js";
 import { CompositePass } from "./composite-pass.js";
 import { LightingPass } from "./lighting-pass.js";
@@ -181,7 +181,7 @@ export class DeferredRenderer implements Renderer {
   }
 
   /** The body of the flame is no particles. */
-  follow(): void {}
+  setLayers(): void {}
 
   render(world: World, asked: View): void {
     const { features } = asked;
@@ -235,8 +235,8 @@ export class DeferredRenderer implements Renderer {
       this.#drawSmoke(world, view, volume, paint.frameDepth);
     };
     // Whole cells of what blooms.
-    const fit = { margin: MARGIN, cell: GLARE };
-    const box = screenBounds(this.#ballsOfFire(world, view), this.#clip, this.#size, fit);
+    const fit = { margin: MARGIN, cell: BLOOM_SCALE };
+    const box = screenBounds(this.#boundingSpheres(world, view), this.#clip, this.#size, fit);
     drawRadiance(box);
     this.#complete = () => drawRadiance(this.#whole);
     const lightBlocks = { Light: this.#light };
@@ -364,22 +364,19 @@ export class DeferredRenderer implements Renderer {
     return features.smoke && fumes !== null && fumes.smoke.count >= 2;
   }
 
-  /** Balls around the flame, the hot air over it, and smoke. */
-  *#ballsOfFire(world: World, view: View): Generator<Ball> {
+  /** Bounding spheres of the flame, the hot air over it, and smoke. */
+  *#boundingSpheres(world: World, view: View): Generator<Sphere> {
     const { flame, fumes, shown } = world;
     const { balls } = shapeFlame(flame, TAPER, this.#shape);
     const [x, y, z] = shown.flame;
-    // The hull around a ball is drawn a little wider than it.
+    // The hull is wider than its spheres.
     for (let at = 0; at < balls.length; at += 4) {
       yield [x + balls[at]!, y + balls[at + 1]!, z + balls[at + 2]!, balls[at + 3]! * 1.4];
     }
     if (!fumes) return;
     if (this.#hasSmoke(world, view)) yield* boundingSpheres(fumes.smoke);
     if (!showsHaze(view)) return;
-    const column = this.#haze.boundingSpheres(fumes.plume, flame.isLit ? flame.height : 0);
-    for (let at = 0; at < column.length; at += 4) {
-      yield [column[at]!, column[at + 1]!, column[at + 2]!, column[at + 3]!];
-    }
+    yield* this.#haze.boundingSpheres(fumes.plume, flame.isLit ? flame.height : 0);
   }
 
   /** Shares of the picture; its middle for a flame behind the eye, which has no halo. */

@@ -1,9 +1,9 @@
 import type { Texture } from "../../gl/texture.js";
 import type { TextureView } from "../../gl/texture-view.js";
 
-/** A picture of the room that what floats in it is drawn over, and how far away the room is there. */
+/** Target of the volumetric stage: the opaque stage's radiance, and its depth. */
 export interface VolumetricTarget {
-  /** Radiance, cd/m², without a depth buffer: `depth` can be read meanwhile. */
+  /** Radiance, cd/m², without a depth attachment, so that `depth` can be sampled. */
   readonly target: TextureView;
   readonly depth: Texture;
 }
