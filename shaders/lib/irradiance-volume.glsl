@@ -49,20 +49,28 @@ struct IrradianceSample {
   vec3 alongReflection;
 };
 
+// Tile of a probe, by its place in the grid.
+ivec2 tileAt(vec3 probe) {
+  return ivec2(int(probe.z * volume.columns + probe.x), int(probe.y));
+}
+
+vec3 probeIrradiance(ivec2 tile, vec2 uv) {
+  return textureLod(uIrradiance, atlasUv(tile, IRRADIANCE_EDGE, uv), 0.0).rgb;
+}
+
 // Irradiance interpolated by distance alone.
 vec3 irradianceTetrahedral(vec3 cell, vec3 share, vec2 uv) {
   Tetrahedron tetrahedron = tetrahedronAt(share);
   vec3 sum = vec3(0.0);
   for (int i = 0; i < 4; i++) {
-    vec3 at = cell + tetrahedronCorner(tetrahedron, i, share);
-    ivec2 tile = ivec2(int(at.z * volume.columns + at.x), int(at.y));
-    sum += tetrahedron.weights[i] * textureLod(uIrradiance, atlasUv(tile, IRRADIANCE_EDGE, uv), 0.0).rgb;
+    ivec2 tile = tileAt(cell + tetrahedronCorner(tetrahedron, i, share));
+    sum += tetrahedron.weights[i] * probeIrradiance(tile, uv);
   }
   return sum;
 }
 
 // `facing`: normal by which probes are weighted, or 0 in mid-air. Without visibility tests both results are the
-// irradiance along the normal: so few probes do not tell two directions apart.
+// irradiance along the normal: so few probes do not resolve directions.
 IrradianceSample irradianceAt(vec3 position, vec3 facing, vec3 normal, vec3 reflection) {
   vec3 count = vec3(volume.columns, volume.rows, volume.planes);
   vec3 place = clamp((position - volume.corner) / volume.extent * count - 0.5, vec3(0.0), count - 1.001);
@@ -78,8 +86,7 @@ IrradianceSample irradianceAt(vec3 position, vec3 facing, vec3 normal, vec3 refl
   float total = 0.0;
   for (int i = 0; i < 8; i++) {
     vec3 corner = vec3(i & 1, (i >> 1) & 1, i >> 2);
-    vec3 at = cell + corner;
-    ivec2 tile = ivec2(int(at.z * volume.columns + at.x), int(at.y));
+    ivec2 tile = tileAt(cell + corner);
     vec3 shares = mix(1.0 - share, share, corner);
     float weight = max(shares.x * shares.y * shares.z, 1e-4);
     vec4 probe = texelFetch(uProbePositions, tile, 0);
@@ -88,8 +95,8 @@ IrradianceSample irradianceAt(vec3 position, vec3 facing, vec3 normal, vec3 refl
     float wrapped = 0.5 - 0.5 * dot(fromProbe, facing) / reach;
     float visibility = probeVisibility(probeDepth(tile, fromProbe / reach), reach);
     weight *= probe.w * (wrapped * wrapped + 0.2) * max(visibility * visibility * visibility, 1e-4);
-    sum.alongReflection += weight * textureLod(uIrradiance, atlasUv(tile, IRRADIANCE_EDGE, reflectionUv), 0.0).rgb;
-    sum.alongNormal += weight * textureLod(uIrradiance, atlasUv(tile, IRRADIANCE_EDGE, normalUv), 0.0).rgb;
+    sum.alongReflection += weight * probeIrradiance(tile, reflectionUv);
+    sum.alongNormal += weight * probeIrradiance(tile, normalUv);
     total += weight;
   }
   float scale = 1.0 / max(total, 1e-12);

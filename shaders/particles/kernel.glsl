@@ -34,7 +34,7 @@ layout(std140) uniform Layer {
 uniform int uTicks;
 uniform uint uGroupSize;          // slots of a group
 uniform uint uGroups;             // groups with births
-uniform uint uFirstTurn;          // place of the pass's first birth in the order of slots
+uniform uint uFirstTurn;          // of the pass's first birth in the order of slots
 uniform uint uFirstKey;           // seed of that birth; each next one adds 1
 uniform uint uBirths[MAX_TICKS];  // births in the tick
 uniform float uOldestAge[MAX_TICKS]; // of the first of them at the tick's end, s

@@ -1,7 +1,6 @@
 #version 300 es
 // A dust particle in the flame's light, advanced and drawn.
-#include "particles/kernel.glsl"
-#include "lib/frame.glsl"
+#include "volumetric/mote.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/photometry.glsl"
 #include "lib/flame-light.glsl"
@@ -13,17 +12,9 @@ const float WIDTH = 1.2;
 // Distances from the eye over which a particle fades in, m: nearer ones would be out of focus.
 const vec2 NEAR_FADE = vec2(0.12, 0.3);
 
-uniform vec4 uEmitter;  // m; metres per unit of the layer
-uniform float uSize;    // diameter, m
-uniform float uExtrapolation;  // s from the last tick to the frame
-
-flat out vec4 vLight;
-flat out vec2 vStreak;
-flat out vec2 vExtent;
-
 void main() {
   moveParticle();
-  vec3 positionWorld = uEmitter.xyz + (position + velocity * uExtrapolation) * uEmitter.w;
+  vec3 positionWorld = extrapolatedPosition();
   float age = 1.0 - (remaining - uExtrapolation) / layer.life;
   float fade = smoothstep(0.0, 0.35, age) * smoothstep(1.0, 0.65, age) * float(remaining > 0.0);
   float distance_ = max(distance(positionWorld, frame.eyePosition), 1e-3);

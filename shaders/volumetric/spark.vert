@@ -1,20 +1,12 @@
 #version 300 es
 // A spark, a droplet of burning wax: advanced and drawn as a motion-blurred streak.
-#include "particles/kernel.glsl"
-#include "lib/frame.glsl"
+#include "volumetric/mote.glsl"
 
 const float SHUTTER = 1.0 / 60.0;  // s
 const float WIDTH = 1.1;           // pixels
 const float LONGEST = 60.0;        // pixels
 
-uniform vec4 uEmitter;       // m; metres per unit of the layer
-uniform float uSize;         // diameter, m
-uniform float uExtrapolation;  // s from the last tick to the frame
 uniform vec3 uGlow[GLOWS];   // radiance from birth to death, cd/m²
-
-flat out vec4 vLight;
-flat out vec2 vStreak;
-flat out vec2 vExtent;
 
 vec2 onScreen(vec4 clip) {
   return clip.xy / max(clip.w, 1e-3) * 0.5 * frame.viewport;
@@ -22,7 +14,7 @@ vec2 onScreen(vec4 clip) {
 
 void main() {
   moveParticle();
-  vec3 positionWorld = uEmitter.xyz + (position + velocity * uExtrapolation) * uEmitter.w;
+  vec3 positionWorld = extrapolatedPosition();
   float age = (1.0 - max(remaining - uExtrapolation, 0.0) / layer.life) * float(GLOWS - 1);
   int level = int(min(age, float(GLOWS - 2)));
   vec3 glow = mix(uGlow[level], uGlow[level + 1], age - float(level));

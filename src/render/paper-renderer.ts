@@ -1,10 +1,9 @@
 import { mat4 } from "gl-matrix";
 import candleFrag from "../../shaders/paper/candle.frag";
-import candleVert from "../../shaders/paper/candle.vert";
+import meshVert from "../../shaders/paper/mesh.vert";
 import particleFrag from "../../shaders/paper/particle.frag";
 import particleVert from "../../shaders/paper/particle.vert";
 import roomFrag from "../../shaders/paper/room.frag";
-import roomVert from "../../shaders/paper/room.vert";
 import type { Gpu, Surface as Target } from "../gl/gpu.js";
 import type { Program } from "../gl/program.js";
 import type { RenderTarget } from "../gl/render-target.js";
@@ -56,8 +55,8 @@ export class PaperRenderer implements Renderer {
   constructor(gpu: Gpu, { room, candle }: Models, tier: Tier) {
     this.#gpu = gpu;
     this.#tier = tier;
-    this.#roomProgram = gpu.program("paper/room", roomVert, roomFrag);
-    this.#candleProgram = gpu.program("paper/candle", candleVert, candleFrag);
+    this.#roomProgram = gpu.program("paper/room", meshVert, roomFrag);
+    this.#candleProgram = gpu.program("paper/candle", meshVert, candleFrag);
     this.#updateProgram = particleProgram(gpu);
     this.#frame = gpu.uniformBlock(this.#roomProgram, "Frame");
     this.#light = gpu.uniformBlock(this.#roomProgram, "Light");
@@ -100,8 +99,12 @@ export class PaperRenderer implements Renderer {
     this.#updateBlocks(world, view);
     gpu.paintIn("srgb");
     gpu.clear(target, [0, 0, 0, 1]);
-    this.#drawRoom(target);
-    if (features.candle) this.#drawCandle(target, world);
+    this.#drawSurfaces(target, this.#roomProgram, this.#room, [0, 0, 0, 1]);
+    if (features.candle) {
+      const [x, y, z] = world.shown.foot;
+      const placement = [x, y, z, world.stage.candleScale];
+      this.#drawSurfaces(target, this.#candleProgram, this.#candle, placement);
+    }
     if (features.particles) this.#drawParticles(target, world, features);
     if (this.#target) gpu.resolve(this.#target, "canvas");
   }
@@ -134,26 +137,15 @@ export class PaperRenderer implements Renderer {
     });
   }
 
-  #drawRoom(target: Target): void {
-    for (const { vertexArray, textures, baseColor, occlusionStrength } of this.#room) {
+  #drawSurfaces(
+    target: Target,
+    program: Program,
+    surfaces: readonly Surface[],
+    uWorldFromModel: readonly number[],
+  ): void {
+    for (const { vertexArray, textures, baseColor, occlusionStrength } of surfaces) {
       this.#gpu.draw({
-        program: this.#roomProgram,
-        target,
-        vertexArray,
-        textures,
-        sampling: surfaceSampling(this.#tier),
-        uniforms: { uBaseColor: baseColor, uOcclusionStrength: occlusionStrength },
-        blocks: { Frame: this.#frame, Light: this.#light },
-        depth: "test-and-write",
-      });
-    }
-  }
-
-  #drawCandle(target: Target, { shown, stage }: World): void {
-    const uWorldFromModel = [shown.foot[0], shown.foot[1], shown.foot[2], stage.candleScale];
-    for (const { vertexArray, textures, baseColor, occlusionStrength } of this.#candle) {
-      this.#gpu.draw({
-        program: this.#candleProgram,
+        program,
         target,
         vertexArray,
         textures,
