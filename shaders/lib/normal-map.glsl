@@ -1,7 +1,8 @@
 // Normal mapping, and the self-occlusion of the relief that a normal map stands for.
 
 // World normal of a texel, of which two channels are stored: the third follows from the length of 1.
-// Bitangent as in glTF: cross(normal, tangent), with the sign in tangent.w.
+// Bitangent as in glTF: cross(normal, tangent), with the sign in tangent.w. The paper's code applies the inverse of
+// worldFromTangent.
 vec3 applyNormalMap(vec2 texel, vec3 normal, vec4 tangent) {
   vec3 n = normalize(normal);
   vec3 t = normalize(tangent.xyz - n * dot(n, tangent.xyz));
