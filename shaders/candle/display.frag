@@ -1,7 +1,7 @@
 #version 300 es
-// From the candle's light to the page: exposure, adaptation, tone, sRGB, and how much it covers.
-// In:  radiance, cd/m², premultiplied.   Out: display colour, premultiplied: light covers the page as
-// much as it outshines it, so no channel is above alpha, and every compositor agrees on the result.
+// Display transform of the lone candle, with alpha for the page's background.
+// In:  radiance, cd/m², premultiplied.   Out: display colour, premultiplied. Alpha is at least the largest channel,
+// so that every compositor gives the same result.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "lib/photometry.glsl"
@@ -10,37 +10,37 @@
 #include "lib/tone-curve.glsl"
 
 uniform sampler2D uRadiance;
-uniform vec4 uHalo;  // centre of the light (x, y) and half height, in heights of the picture; strength
-uniform vec3 uHaloColor;
+uniform vec4 uGlare;  // centre of the light and its half height, uv; strength
+uniform vec3 uGlareColor;
 
 in vec2 vUv;
 
 out vec4 oColor;
 
-vec3 shown(vec3 radiance) {
-  return encodeSrgb(tone(adapted(radiance) * frame.exposure));
+vec3 displayColor(vec3 radiance) {
+  return encodeSrgb(tone(adaptRadiance(radiance) * frame.exposure));
 }
 
-// Light scattered in the eye falls off with the square of the angle (Vos 1984, "Disability glare").
-// It ends before the picture does, so that no box is seen.
-float halo(vec2 uv) {
+// Glare in the eye, which falls off with the square of the angle (Vos 1984, "Disability glare"), and to 0 at the
+// canvas's edges.
+float glare(vec2 uv) {
   float aspect = frame.viewport.x / frame.viewport.y;
-  vec2 away = (uv - uHalo.xy) * vec2(aspect, 1.0);
-  away.y -= clamp(away.y, -uHalo.z, uHalo.z);
+  vec2 offset = (uv - uGlare.xy) * vec2(aspect, 1.0);
+  offset.y -= clamp(offset.y, -uGlare.z, uGlare.z);
   vec2 margin = smoothstep(vec2(0.0), vec2(0.12), uv) * smoothstep(vec2(0.0), vec2(0.12), 1.0 - uv);
-  float reach = length(away) / min(aspect, 1.0);
-  return uHalo.w * exp(-reach * 7.0) / (1.0 + reach * reach * 900.0) * margin.x * margin.y;
+  float angle = length(offset) / min(aspect, 1.0);
+  return uGlare.w * exp(-angle * 7.0) / (1.0 + angle * angle * 900.0) * margin.x * margin.y;
 }
 
 void main() {
   vec4 light = texture(uRadiance, vUv);
-  vec3 solid = light.a > 0.0 ? shown(light.rgb / light.a) * light.a : vec3(0.0);
-  vec3 color = mix(shown(light.rgb), solid, smoothstep(0.3, 0.6, light.a));
-  vec3 glare = uHaloColor * halo(vUv);
-  color = color + glare * (1.0 - color);
-  // One noise for all channels: the cover, the most of three noises, would be too much. It ends with the
-  // light, in no step: on white that would be a ring.
+  vec3 solid = light.a > 0.0 ? displayColor(light.rgb / light.a) * light.a : vec3(0.0);
+  vec3 color = mix(displayColor(light.rgb), solid, smoothstep(0.3, 0.6, light.a));
+  vec3 scattered = uGlareColor * glare(vUv);
+  color = color + scattered * (1.0 - color);
+  // The same dither for all channels: alpha, the largest of three, would be biased. It fades out with the light: a
+  // step would show as a ring on white.
   color += dither(gl_FragCoord.xy).x * min(color * 255.0, 1.0);
-  float cover = max(light.a, max(max(color.r, color.g), color.b));
-  oColor = min(vec4(color, cover), 1.0);
+  float alpha = max(light.a, max(max(color.r, color.g), color.b));
+  oColor = min(vec4(color, alpha), 1.0);
 }

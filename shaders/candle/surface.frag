@@ -1,5 +1,5 @@
 #version 300 es
-// The candle alone, in the light of its own flame and of an even room that nobody sees.
+// Surface of the lone candle, in the light of its flame and of a studio environment.
 // In:  base colour (sRGB), normal, occlusion/roughness/metallic maps.   Out: radiance, cd/m²; alpha 1.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
@@ -8,17 +8,17 @@
 #include "lib/normal-map.glsl"
 #include "lib/flame-light.glsl"
 
-const float NEAREST = 0.01;  // a flame is no point, m
+const float NEAREST = 0.01;  // least distance from the light, m: the flame is no point
 
 uniform sampler2D uAlbedo;
 uniform sampler2D uNormal;
 uniform sampler2D uOcclusionRoughness;
 uniform vec4 uBaseColor;
-uniform vec3 uLamp;        // colour that the eye is used to, luma 1
-uniform float uWax;        // 1: light from within, 0: none
-uniform float uOcclusionStrength;  // how much of the map's occlusion counts
-uniform vec3 uEmber;       // radiance of the wick's glowing tip, cd/m²; black for all else
-uniform vec4 uSurface;     // roughness, metallic, normal scale, alpha below which nothing is
+uniform vec3 uEnvironment; // colour of the environment, luma 1
+uniform float uWax;        // 1: subsurface scattering, 0: none
+uniform float uOcclusionStrength;  // of the map, 0 to 1
+uniform vec3 uEmber;       // radiance of the wick's glowing tip, cd/m²; black for other materials
+uniform vec4 uSurface;     // roughness, metallic, normal scale, alpha cutoff
 
 centroid in vec3 vPositionWorld;
 centroid in vec3 vNormalWorld;
@@ -28,15 +28,15 @@ centroid in vec4 vColor;
 
 out vec4 oRadiance;
 
-// Lost through the side of a taper more than in the wax itself, m.
+// Diffusion length in a thin taper, with the loss through its side, m.
 const vec3 DIFFUSION_LENGTH = vec3(0.0092, 0.0078, 0.0056);
 const float WAX_TRANSMITTANCE = 0.02;
 
-// Radiance of the surroundings, cd/m²: lamplight, bright above and in front.
-vec3 surroundings(vec3 direction) {
+// Radiance of the environment, cd/m²: lamplight, brightest above and in front.
+vec3 environment(vec3 direction) {
   float up = smoothstep(-0.6, 0.9, direction.y);
   float front = pow(max(dot(direction, normalize(vec3(-0.5, 0.5, 0.7))), 0.0), 3.0);
-  return uLamp * (mix(0.02, 0.06, up) + 0.14 * front);
+  return uEnvironment * (mix(0.02, 0.06, up) + 0.14 * front);
 }
 
 vec3 waxGlow(vec3 albedo) {
@@ -73,10 +73,10 @@ void main() {
   float lobe = distributionGgx(widened, max(dot(normal, H), 0.0)) * visibilitySmith(alpha, NoV, NoL);
   float narrowing = (alpha * alpha) / (widened * widened);
   vec3 specular = fresnel * lobe * narrowing * irradiance;
-  vec3 matt = baseColor.rgb * (1.0 - metallic);
-  vec3 diffuse = matt * (1.0 - fresnel) / PI * irradiance;
-  vec3 around = surroundings(mix(reflect(-view, normal), normal, roughness * 0.7));
-  vec3 ambient = matt * surroundings(normal) + fresnelSchlick(f0, NoV) * around;
+  vec3 diffuseColor = baseColor.rgb * (1.0 - metallic);
+  vec3 diffuse = diffuseColor * (1.0 - fresnel) / PI * irradiance;
+  vec3 reflected = environment(mix(reflect(-view, normal), normal, roughness * 0.7));
+  vec3 ambient = diffuseColor * environment(normal) + fresnelSchlick(f0, NoV) * reflected;
   vec3 radiance = diffuse + specular + ambient * occlusion + waxGlow(baseColor.rgb) * uWax;
   radiance += uEmber * emberShare(vPositionWorld);
   oRadiance = vec4(min(radiance, 3e4), 1.0);  // the largest half float is 65504

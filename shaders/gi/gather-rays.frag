@@ -1,6 +1,6 @@
 #version 300 es
-// The light at each probe: what bounced once, and what its rays see of light that bounced before.
-// Out: three coefficients of radiance.
+// Sums the radiance along each probe's rays and adds it to the probe's radiance so far.
+// In and out: spherical harmonics of radiance, cd/m².
 #include "lib/precision.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/photometry.glsl"
@@ -18,26 +18,21 @@ layout(location = 2) out vec4 oSh2;
 
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
-  ivec2 tile = ivec2(texel.x / TILE, texel.y);
-  int k = texel.x - tile.x * TILE;
-  vec3 first = vec3(0.0);
-  vec3 second = vec3(0.0);
-  vec3 third = vec3(0.0);
+  ivec2 tile = ivec2(texel.x / SH_TEXELS, texel.y);
+  int k = texel.x - tile.x * SH_TEXELS;
+  ShTexel sum = ShTexel(vec3(0.0), vec3(0.0), vec3(0.0));
   float total = 0.0;
   for (int t = 0; t < RAYS; t++) {
     for (int s = 0; s < RAYS; s++) {
-      vec3 onMap = octahedralDecode((vec2(s, t) + 0.5) / float(RAYS));
-      float solidAngle = raySolidAngle(onMap);
+      vec3 onOctahedron = octahedralDecode((vec2(s, t) + 0.5) / float(RAYS));
+      float solidAngle = raySolidAngle(onOctahedron);
       total += solidAngle;
-      vec3 light = texelFetch(uRayRadiance, tile * RAYS + ivec2(s, t), 0).rgb * solidAngle;
-      vec3 direction = normalize(onMap);
-      first += shBasis(k, direction) * light;
-      second += shBasis(k + 3, direction) * light;
-      third += shBasis(k + 6, direction) * light;
+      vec3 radiance = texelFetch(uRayRadiance, tile * RAYS + ivec2(s, t), 0).rgb;
+      addRadiance(sum, k, normalize(onOctahedron), radiance * solidAngle);
     }
   }
   float scale = 4.0 * PI / total;
-  oSh0 = texelFetch(uSh0, texel, 0) + vec4(first * scale, 0.0);
-  oSh1 = texelFetch(uSh1, texel, 0) + vec4(second * scale, 0.0);
-  oSh2 = texelFetch(uSh2, texel, 0) + vec4(third * scale, 0.0);
+  oSh0 = texelFetch(uSh0, texel, 0) + vec4(sum.first * scale, 0.0);
+  oSh1 = texelFetch(uSh1, texel, 0) + vec4(sum.second * scale, 0.0);
+  oSh2 = texelFetch(uSh2, texel, 0) + vec4(sum.third * scale, 0.0);
 }

@@ -1,6 +1,6 @@
 #version 300 es
-// What each patch that the flame sees sends back of its light.
-// Out: radiosity, lm/m².
+// Radiosity of each surfel in the flame's direct light.
+// Out: lm/m².
 #include "lib/precision.glsl"
 #include "lib/photometry.glsl"
 #include "lib/flame-light.glsl"
@@ -17,7 +17,7 @@ void main() {
     oRadiosity = vec4(0.0);
     return;
   }
-  // All of the light in the patch's solid angle falls on it, however it is turned.
+  // A surfel receives all light in its solid angle, whatever its normal.
   vec3 irradiance = light.intensity * (surfel.solidAngle / surfel.area * candleVisibility(surfel.position));
-  oRadiosity = vec4(reflected(texelFetch(uSurfelAlbedo, texel, 0).rgb) * irradiance, 1.0);
+  oRadiosity = vec4(hemisphericalReflectance(texelFetch(uSurfelAlbedo, texel, 0).rgb) * irradiance, 1.0);
 }

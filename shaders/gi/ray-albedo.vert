@@ -1,11 +1,11 @@
 #version 300 es
-// What a probe's ray met: a point on the texel of that ray.
+// One point for each ray's hit, on the texel of that ray.
 #include "lib/precision.glsl"
 
 layout(location = 0) in vec2 aTexel;
 layout(location = 1) in vec2 aUv;
 
-uniform vec2 uSize;  // texels
+uniform vec2 uSize;  // of the target, texels
 
 out vec2 vUv;
 

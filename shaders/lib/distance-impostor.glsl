@@ -1,47 +1,44 @@
-// The room in a smooth surface.
-// Needs lib/photometry.glsl, lib/flame-light.glsl, lib/pcss.glsl, lib/surfels.glsl.
-//
-// Whatever the flame lights is in its sight: the cube of distances from it is the shape of all that is bright,
-// so a mirrored ray is followed through that cube until it falls behind what the flame sees there.
-// After Szirmay-Kalos, Aszódi, Lazányi and Premecz 2005, "Approximate Ray-Tracing on the GPU with Distance Impostors".
+// Traced reflections: a mirrored ray, marched through the cube of distances from the flame, which holds every surface
+// that the flame lights. Szirmay-Kalos, Aszódi, Lazányi and Premecz 2005, "Approximate Ray-Tracing on the GPU with
+// Distance Impostors". Needs lib/photometry.glsl, lib/flame-light.glsl, lib/pcss.glsl, lib/surfels.glsl.
 
-uniform sampler2D uRadiosity;  // of the patches that the flame sees, lm/m²
+uniform sampler2D uRadiosity;  // of the surfels, lm/m²
 
-// The ray's steps: first and last distance, m, and each to the one before.
+// Steps of the march: first and last distance, m, and the ratio of each to the one before.
 const float NEAREST_STEP = 0.04;
 const float FARTHEST_STEP = 9.0;
 const float GROWTH = 1.25;
 const int BISECTIONS = 6;
-const float BIAS_MIRRORED = 0.02;  // m
-// How deep behind an edge, m, the ray still meets it, and from where on it passes.
+const float IMPOSTOR_BIAS = 0.02;  // m
+// Depth behind a surface up to which a ray hits it for certain, and from which it passes behind. Metres.
 const vec2 THICKNESS = vec2(0.06, 0.25);
 
-// How far a place is behind what the flame sees in its direction, m.
-float depthBehind(vec3 fromVantage) {
-  return length(fromVantage) - textureLod(uShadow, fromVantage, 0.0).r - BIAS_MIRRORED;
+// Depth of a point behind the surface in its direction from the capture origin, m.
+float depthBehind(vec3 fromOrigin) {
+  return length(fromOrigin) - textureLod(uShadow, fromOrigin, 0.0).r - IMPOSTOR_BIAS;
 }
 
-// Radiosity of the patches around a direction from the flame, of one face, lm/m².
-vec3 radiosityToward(vec3 fromVantage) {
+// Radiosity in a direction from the capture origin, filtered within a face, lm/m².
+vec3 radiosityToward(vec3 fromOrigin) {
   int size = textureSize(uRadiosity, 0).y;
-  vec3 place = cubeFaceUv(fromVantage);
-  vec2 at = clamp(place.xy * float(size) - 0.5, vec2(0.0), vec2(float(size) - 1.0));
+  vec3 uv = cubeFaceUv(fromOrigin);
+  vec2 at = clamp(uv.xy * float(size) - 0.5, vec2(0.0), vec2(float(size) - 1.0));
   ivec2 corner = min(ivec2(at), size - 2);
   vec2 share = at - vec2(corner);
-  corner.x += int(place.z) * size;
+  corner.x += int(uv.z) * size;
   vec3 low = mix(texelFetch(uRadiosity, corner, 0).rgb, texelFetch(uRadiosity, corner + ivec2(1, 0), 0).rgb, share.x);
   vec3 high = mix(texelFetch(uRadiosity, corner + ivec2(0, 1), 0).rgb, texelFetch(uRadiosity, corner + 1, 0).rgb, share.x);
   return mix(low, high, share.y);
 }
 
-// Radiance of the flame's own light where a ray ends, cd/m² for 1 cd; black where the flame sees nothing of it.
+// Reflected direct light along a ray, cd/m² for 1 cd; black where it hits no surface that the flame lights.
 vec3 traceRadiance(vec3 position, vec3 ray) {
-  vec3 start = position - light.vantage;
+  vec3 start = position - light.captureOrigin;
   float near = NEAREST_STEP;
   bool wasBehind = depthBehind(start + ray * near) > 0.0;
   vec3 sum = vec3(0.0);
-  float unmet = 1.0;
-  for (float far = NEAREST_STEP * GROWTH; far < FARTHEST_STEP && unmet > 0.01; far *= GROWTH) {
+  float transmittance = 1.0;
+  for (float far = NEAREST_STEP * GROWTH; far < FARTHEST_STEP && transmittance > 0.01; far *= GROWTH) {
     bool isBehind = depthBehind(start + ray * far) > 0.0;
     if (isBehind != wasBehind) {
       float low = near;
@@ -51,11 +48,11 @@ vec3 traceRadiance(vec3 position, vec3 ray) {
         if (depthBehind(start + ray * middle) > 0.0 == isBehind) high = middle;
         else low = middle;
       }
-      vec3 end = start + ray * (isBehind ? high : low);
-      float met = unmet * (1.0 - smoothstep(THICKNESS.x, THICKNESS.y, depthBehind(end)));
-      // Who comes out of a shadow through what throws it meets its dark side.
-      if (isBehind) sum += met * radiosityToward(end);
-      unmet -= met;
+      vec3 hit = start + ray * (isBehind ? high : low);
+      float opacity = transmittance * (1.0 - smoothstep(THICKNESS.x, THICKNESS.y, depthBehind(hit)));
+      // A ray that leaves a shadow through its caster hits the caster's unlit side.
+      if (isBehind) sum += opacity * radiosityToward(hit);
+      transmittance -= opacity;
     }
     wasBehind = isBehind;
     near = far;

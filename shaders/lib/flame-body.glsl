@@ -1,9 +1,9 @@
-// The flame's body in the room, bent along its spine. Lengths are in metres from its foot.
+// The flame's body: a table over radius and height, bent along a spine. Lengths are in metres from its foot.
 
-// The table reaches this far beyond the luminous edge, in radii.
+// Radius of the table, in luminous radii.
 const float BODY_REACH = 1.25;
 const int NODES = 16;
-const int BALLS = 8;
+const int SPHERES = 8;
 
 layout(std140) uniform Flame {
   vec3 base;      // its foot in the room, m
@@ -15,5 +15,5 @@ layout(std140) uniform Flame {
   float soot;     // factors on the table
   float blue;
   vec4 nodes[NODES];  // evenly spaced in height: x, z (m), share of the length, factor on the radius
-  vec4 balls[BALLS];  // hold all of the body: centre, radius, m
+  vec4 spheres[SPHERES];  // bounding spheres: centre, radius, m
 } flame;

@@ -1,10 +1,10 @@
-// What is the same for every draw of a frame.
+// Constants of a frame: camera and exposure.
 
 layout(std140) uniform Frame {
   mat4 clipFromWorld;
   vec3 eyePosition;      // m
-  float exposure;        // linear factor before display
+  float exposure;        // linear factor before the display transform
   vec2 viewport;         // pixels
-  float projectionScale; // pixels that a thing of 1 m has at a distance of 1 m
+  float projectionScale; // size of 1 m at a distance of 1 m, pixels
   float normalMaps;      // 1 or 0
 } frame;

@@ -1,10 +1,10 @@
-// Light that comes from the room's surfaces, at every place, for 1 cd of the flame's.
-// A grid of probes, flattened: planes of constant z lie side by side along x. Each is a tile of
-// `uIrradiance`, an octahedral map of irradiance, lx, by the way that a surface faces.
+// Irradiance volume: indirect light anywhere in the room, for 1 cd of the flame's, from a grid of probes.
 // Needs lib/octahedral.glsl.
 //
-// After Majercik, Guertin, Nowrouzezahrai and McGuire 2019, "Dynamic Diffuse Global Illumination with
-// Ray-Traced Irradiance Fields": a probe counts where it faces the surface and where it is in sight.
+// Planes of probes of constant z lie side by side along x. Each probe is a tile of `uIrradiance`, an octahedral map of
+// irradiance, lx, by surface normal. A probe is weighted by distance, by the surface's normal, and by its visibility:
+// Majercik, Guertin, Nowrouzezahrai and McGuire 2019, "Dynamic Diffuse Global Illumination with Ray-Traced Irradiance
+// Fields".
 
 #include "lib/tetrahedron.glsl"
 
@@ -14,85 +14,91 @@ layout(std140) uniform Volume {
   vec3 extent;    // of the room, m
   float columns;  // probes along x
   float rows;     // probes along y
-  float looks;    // 1: probes count where they are in sight; 0: where they are near
+  float testsVisibility;  // 1, or 0: probes are interpolated by distance alone
 } volume;
 
 uniform sampler2D uIrradiance;
-uniform sampler2D uProbePositions;  // place of each, m; 1, or 0 for a probe that is buried
-uniform sampler2D uProbeDepth;  // mean and deviation of the distance that each sees, m, tiles of octahedral maps
+uniform sampler2D uProbePositions;  // m; 1, or 0 for a probe inside a solid
+uniform sampler2D uProbeDepth;  // mean and standard deviation of the distance along a direction, m: octahedral maps
 
-// Edges of the tiles, and the seam around what is inside of them: src/render/gi/probe-rays.ts.
-const float SIGHT = 10.0;
-const float LIT = 8.0;
-const float SEAM = 1.0;
+// Edges of the tiles and width of their border, texels: src/render/gi/probe-rays.ts.
+const float PROBE_DEPTH_EDGE = 10.0;
+const float IRRADIANCE_EDGE = 8.0;
+const float BORDER = 1.0;
 
-// Where a probe's map has a direction, on the texture of all tiles.
-vec2 atlasUv(ivec2 tile, float edge, vec2 place) {
+// From uv on a probe's map to uv on the atlas.
+vec2 atlasUv(ivec2 tile, float edge, vec2 uv) {
   vec2 tiles = vec2(volume.columns * volume.planes, volume.rows);
-  return (vec2(tile) + (SEAM + place * (edge - 2.0 * SEAM)) / edge) / tiles;
+  return (vec2(tile) + (BORDER + uv * (edge - 2.0 * BORDER)) / edge) / tiles;
 }
 
-// Mean and deviation of how far a probe sees in a direction, m.
-vec2 sightOf(ivec2 tile, vec3 direction) {
-  return textureLod(uProbeDepth, atlasUv(tile, SIGHT, octahedralEncode(direction)), 0.0).rg;
+vec2 probeDepth(ivec2 tile, vec3 direction) {
+  return textureLod(uProbeDepth, atlasUv(tile, PROBE_DEPTH_EDGE, octahedralEncode(direction)), 0.0).rg;
 }
 
-// Share of what is at `reach` (m) that has nothing before it, at most: Chebyshev's bound.
-float probeVisibility(vec2 sight, float reach) {
-  float beyond = max(reach - sight.r, 0.0);
-  float variance = max(sight.g * sight.g, 1e-3);
+// Chebyshev's upper bound of the share that is visible at `reach` (m), by mean and deviation of the depth.
+float probeVisibility(vec2 depth, float reach) {
+  float beyond = max(reach - depth.r, 0.0);
+  float variance = max(depth.g * depth.g, 1e-3);
   return variance / (variance + beyond * beyond);
 }
 
-// Irradiance of two surfaces that face two ways, lx.
-struct IrradiancePair {
-  vec3 one;
-  vec3 other;
+// Irradiance at one point by two normals, lx: the surface's, and its mirrored view ray.
+struct IrradianceSample {
+  vec3 alongNormal;
+  vec3 alongReflection;
 };
 
-// The same of probes that only count by how near they are. They do not tell one way from another either, so
-// there is one answer for both.
-vec3 irradianceTetrahedral(vec3 cell, vec3 share, vec2 facing) {
+// Tile of a probe, by its place in the grid.
+ivec2 tileAt(vec3 probe) {
+  return ivec2(int(probe.z * volume.columns + probe.x), int(probe.y));
+}
+
+vec3 probeIrradiance(ivec2 tile, vec2 uv) {
+  return textureLod(uIrradiance, atlasUv(tile, IRRADIANCE_EDGE, uv), 0.0).rgb;
+}
+
+// Irradiance interpolated by distance alone.
+vec3 irradianceTetrahedral(vec3 cell, vec3 share, vec2 uv) {
   Tetrahedron tetrahedron = tetrahedronAt(share);
   vec3 sum = vec3(0.0);
-  for (int corner = 0; corner < 4; corner++) {
-    vec3 at = cell + cornerOf(tetrahedron, corner, share);
-    ivec2 tile = ivec2(int(at.z * volume.columns + at.x), int(at.y));
-    sum += tetrahedron.weights[corner] * textureLod(uIrradiance, atlasUv(tile, LIT, facing), 0.0).rgb;
+  for (int i = 0; i < 4; i++) {
+    ivec2 tile = tileAt(cell + tetrahedronCorner(tetrahedron, i, share));
+    sum += tetrahedron.weights[i] * probeIrradiance(tile, uv);
   }
   return sum;
 }
 
-// For 1 cd of the flame's. `facing` is the normal of what is lit, or 0 in mid-air.
-IrradiancePair irradianceAt(vec3 position, vec3 facing, vec3 one, vec3 other) {
+// `facing`: normal by which probes are weighted, or 0 in mid-air. Without visibility tests both results are the
+// irradiance along the normal: so few probes do not resolve directions.
+IrradianceSample irradianceAt(vec3 position, vec3 facing, vec3 normal, vec3 reflection) {
   vec3 count = vec3(volume.columns, volume.rows, volume.planes);
   vec3 place = clamp((position - volume.corner) / volume.extent * count - 0.5, vec3(0.0), count - 1.001);
   vec3 cell = floor(place);
   vec3 share = place - cell;
-  vec2 onOne = octahedralEncode(one);
-  if (volume.looks < 0.5) {
-    vec3 near = irradianceTetrahedral(cell, share, onOne);
-    return IrradiancePair(near, near);
+  vec2 normalUv = octahedralEncode(normal);
+  if (volume.testsVisibility < 0.5) {
+    vec3 interpolated = irradianceTetrahedral(cell, share, normalUv);
+    return IrradianceSample(interpolated, interpolated);
   }
-  vec2 onOther = octahedralEncode(other);
-  IrradiancePair sum = IrradiancePair(vec3(0.0), vec3(0.0));
+  vec2 reflectionUv = octahedralEncode(reflection);
+  IrradianceSample sum = IrradianceSample(vec3(0.0), vec3(0.0));
   float total = 0.0;
-  for (int corner = 0; corner < 8; corner++) {
-    vec3 step = vec3(corner & 1, (corner >> 1) & 1, corner >> 2);
-    vec3 at = cell + step;
-    ivec2 tile = ivec2(int(at.z * volume.columns + at.x), int(at.y));
-    vec3 shares = mix(1.0 - share, share, step);
+  for (int i = 0; i < 8; i++) {
+    vec3 corner = vec3(i & 1, (i >> 1) & 1, i >> 2);
+    ivec2 tile = tileAt(cell + corner);
+    vec3 shares = mix(1.0 - share, share, corner);
     float weight = max(shares.x * shares.y * shares.z, 1e-4);
     vec4 probe = texelFetch(uProbePositions, tile, 0);
-    vec3 away = position - probe.xyz;
-    float reach = max(length(away), 1e-4);
-    float turned = 0.5 - 0.5 * dot(away, facing) / reach;
-    float seen = probeVisibility(sightOf(tile, away / reach), reach);
-    weight *= probe.w * (turned * turned + 0.2) * max(seen * seen * seen, 1e-4);
-    sum.other += weight * textureLod(uIrradiance, atlasUv(tile, LIT, onOther), 0.0).rgb;
-    sum.one += weight * textureLod(uIrradiance, atlasUv(tile, LIT, onOne), 0.0).rgb;
+    vec3 fromProbe = position - probe.xyz;
+    float reach = max(length(fromProbe), 1e-4);
+    float wrapped = 0.5 - 0.5 * dot(fromProbe, facing) / reach;
+    float visibility = probeVisibility(probeDepth(tile, fromProbe / reach), reach);
+    weight *= probe.w * (wrapped * wrapped + 0.2) * max(visibility * visibility * visibility, 1e-4);
+    sum.alongReflection += weight * probeIrradiance(tile, reflectionUv);
+    sum.alongNormal += weight * probeIrradiance(tile, normalUv);
     total += weight;
   }
   float scale = 1.0 / max(total, 1e-12);
-  return IrradiancePair(sum.one * scale, sum.other * scale);
+  return IrradianceSample(sum.alongNormal * scale, sum.alongReflection * scale);
 }

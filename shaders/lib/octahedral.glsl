@@ -1,19 +1,19 @@
-// All directions on a square (Cigolle et al. 2014, "A Survey of Efficient Representations for
-// Independent Unit Vectors"): the middle is up, the corners are down.
+// Octahedral map: all directions on a square, whose centre is up and whose corners are down.
+// Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit Vectors".
 
 vec2 octahedralFold(vec2 e) {
   return (1.0 - abs(e.yx)) * vec2(e.x < 0.0 ? -1.0 : 1.0, e.y < 0.0 ? -1.0 : 1.0);
 }
 
-// Place of a direction on the square, 0 to 1 along each edge.
+// uv of a direction.
 vec2 octahedralEncode(vec3 direction) {
   vec3 d = direction / (abs(direction.x) + abs(direction.y) + abs(direction.z));
   return (d.y < 0.0 ? octahedralFold(d.xz) : d.xz) * 0.5 + 0.5;
 }
 
-// The point of the octahedron |x| + |y| + |z| = 1 at such a place; beyond an edge, what lies across it.
-vec3 octahedralDecode(vec2 place) {
-  vec2 e = place * 2.0 - 1.0;
+// Its inverse: a point of the octahedron |x| + |y| + |z| = 1. A uv beyond an edge continues across it.
+vec3 octahedralDecode(vec2 uv) {
+  vec2 e = uv * 2.0 - 1.0;
   if (abs(e.x) > 1.0) e = vec2(sign(e.x) * 2.0 - e.x, -e.y);
   if (abs(e.y) > 1.0) e = vec2(-e.x, sign(e.y) * 2.0 - e.y);
   float y = 1.0 - abs(e.x) - abs(e.y);

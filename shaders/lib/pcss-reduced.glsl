@@ -17,7 +17,7 @@ vec2 vogel(int i, int count, float turn) {
 }
 
 float flameVisibility(vec3 position, vec3 normal, vec2 pixel) {
-  vec3 fromVantage = position - light.vantage;
+  vec3 fromVantage = position - light.captureOrigin;
   float reach = length(fromVantage);
   vec3 direction = fromVantage / reach;
   float bias = BIAS + BIAS_SLOPE * reach;
@@ -27,7 +27,7 @@ float flameVisibility(vec3 position, vec3 normal, vec2 pixel) {
   vec3 across = normalize(vec3(direction.z, 0.0, -direction.x) + vec3(1e-4, 0.0, 0.0)) * light.radius;
   vec3 along = light.along * light.halfHeight;
   // The flame has moved since the cube was made, by less than it is wide.
-  vec3 shift = light.position - light.vantage;
+  vec3 shift = light.position - light.captureOrigin;
   float turn = 6.2831853 * unit(pcg(uint(pixel.x) + pcg(uint(pixel.y))));
   float sum = 0.0;
   float found = 0.0;

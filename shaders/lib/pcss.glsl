@@ -42,7 +42,7 @@ float reachOfPlane(vec3 texel, vec3 facet, float away, float farthest) {
 
 // `facet`: normal of the triangle, on the light's side. `pixel`: what the taps' turn depends on.
 float flameVisibility(vec3 position, vec3 facet, vec2 pixel) {
-  vec3 fromVantage = position - light.vantage;
+  vec3 fromVantage = position - light.captureOrigin;
   float reach = length(fromVantage);
   float away = dot(fromVantage, facet);
   float farthest = reach * STEEPEST;
@@ -55,7 +55,7 @@ float flameVisibility(vec3 position, vec3 facet, vec2 pixel) {
   // The flame, as it shows from here.
   vec2 size = vec2(light.radius, mix(light.radius, light.halfHeight, abs(dot(up, light.along))));
   // It has moved since the cube was made, by less than it is wide.
-  vec3 shift = light.position - light.vantage;
+  vec3 shift = light.position - light.captureOrigin;
   uint chance = pcg(uint(pixel.x) + pcg(uint(pixel.y)));
   uvec2 turn = uvec2(chance, pcg(chance));
   float sum = 0.0;

@@ -1,4 +1,4 @@
-// Samplers are lowp in fragment shaders unless told otherwise.
+// Default precisions: samplers would be lowp in fragment shaders.
 precision highp float;
 precision highp int;
 precision highp sampler2D;

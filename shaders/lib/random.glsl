@@ -1,4 +1,4 @@
-// Seeded chance, the same to the bit here and in src/world/random.ts.
+// Hash-based random numbers, bit-identical to those of src/world/random.ts.
 // Jarzynski and Olano 2020, "Hash Functions for GPU Rendering", JCGT 9(3): PCG-RXS-M-XS, 32 bit.
 
 uint pcg(uint value) {
@@ -10,11 +10,6 @@ uint pcg(uint value) {
 // In [0, 1). 24 bits, so that it is exact as a float.
 float unit(uint hash) {
   return float(hash >> 8) * (1.0 / 16777216.0);
-}
-
-// In [-1, 1).
-float signedUnit(uint hash) {
-  return unit(hash) * 2.0 - 1.0;
 }
 
 // Two numbers in [-1, 1), of 16 bits each.

@@ -1,6 +1,15 @@
 // Spherical harmonics of degree 2. Needs lib/photometry.glsl.
+//
+// The nine coefficients of a probe lie in SH_TEXELS texels side by side of three textures: texel k holds
+// coefficients k, k + 3 and k + 6.
 
-const int SH_COUNT = 9;
+const int SH_TEXELS = 3;
+
+struct ShTexel {
+  vec3 first;   // coefficient k
+  vec3 second;  // k + 3
+  vec3 third;   // k + 6
+};
 
 // Green 2003, "Spherical Harmonic Lighting: The Gritty Details".
 float shBasis(int k, vec3 d) {
@@ -15,12 +24,15 @@ float shBasis(int k, vec3 d) {
   return 0.546274 * (d.x * d.x - d.z * d.z);
 }
 
-// Ramamoorthi and Hanrahan 2001, "An Efficient Representation for Irradiance Environment Maps": what a
-// cosine lobe keeps of each.
-float kept(int k) {
-  return k == 0 ? PI : k < 4 ? 2.0 * PI / 3.0 : PI / 4.0;
+// Projects radiance from a direction onto the coefficients of texel k.
+void addRadiance(inout ShTexel sum, int k, vec3 direction, vec3 radiance) {
+  sum.first += shBasis(k, direction) * radiance;
+  sum.second += shBasis(k + 3, direction) * radiance;
+  sum.third += shBasis(k + 6, direction) * radiance;
 }
 
-// Each probe has its coefficients in three texels side by side of three textures: texel k % 3 of texture
-// k / 3.
-const int TILE = 3;
+// Coefficient of the cosine lobe that turns radiance into irradiance.
+// Ramamoorthi and Hanrahan 2001, "An Efficient Representation for Irradiance Environment Maps".
+float cosineLobe(int k) {
+  return k == 0 ? PI : k < 4 ? 2.0 * PI / 3.0 : PI / 4.0;
+}

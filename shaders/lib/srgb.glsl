@@ -1,12 +1,12 @@
-// From linear light to the 8 bits of an sRGB screen.
-// Colours beyond the screen's keep their hue: the brightest channel bends towards 1, the others
-// keep their ratio to it. Below the knee nothing changes.
+// Encoding of linear light as 8-bit sRGB.
+
+// Highlight compression at constant hue: above a knee the brightest channel bends towards 1.
 vec3 compressHighlights(vec3 linear) {
   const float KNEE = 0.7;
   float peak = max(max(linear.r, linear.g), linear.b);
   if (peak <= KNEE) return linear;
-  float bent = 1.0 - (1.0 - KNEE) * exp(-(peak - KNEE) / (1.0 - KNEE));
-  return linear * (bent / peak);
+  float compressed = 1.0 - (1.0 - KNEE) * exp(-(peak - KNEE) / (1.0 - KNEE));
+  return linear * (compressed / peak);
 }
 
 // IEC 61966-2-1.
@@ -16,14 +16,13 @@ vec3 encodeSrgb(vec3 linear) {
   return mix(high, low, lessThanEqual(linear, vec3(0.0031308)));
 }
 
-// From evenly spread in [0, 1) to triangular in (-1, 1).
-vec3 triangular(vec3 even) {
-  vec3 centred = even * 2.0 - 1.0;
+// From a uniform distribution in [0, 1) to a triangular one in (-1, 1).
+vec3 triangular(vec3 uniformNoise) {
+  vec3 centred = uniformNoise * 2.0 - 1.0;
   return sign(centred) * (1.0 - sqrt(1.0 - abs(centred)));
 }
 
-// Noise of one 8-bit step, triangular, so that dark gradients show no bands. A lattice rather than chance,
-// whose runs can be of any length: within a few pixels every value comes up.
+// Triangular dither of one 8-bit step, by a low-discrepancy lattice: every value occurs within a few pixels.
 // Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences" (R2).
 vec3 dither(vec2 pixel) {
   float place = dot(floor(pixel), vec2(0.754877666, 0.569840296));

@@ -116,8 +116,8 @@ void main() {
   vec3 matt = baseColor.rgb * (1.0 - metallic) * (1.0 - mirroring.share);
   vec3 diffuse = matt / PI * irradiance;
   vec3 lifted = vPositionWorld + surface * 0.05;
-  IrradiancePair surroundings = irradianceAt(lifted, normal, normal, reflect(-view, normal));
-  vec3 around = surroundings.one * light.intensity;
+  IrradianceSample indirect = irradianceAt(lifted, normal, normal, reflect(-view, normal));
+  vec3 around = indirect.alongNormal * light.intensity;
   float near = 1.0 - occlusion + NEAR_ANYWHERE;
   float unhidden = 1.0 - NEAR_HIDES * near;
   // It is as bright as this place, and as far from the flame.
@@ -125,10 +125,10 @@ void main() {
   nearby /= 1.0 + passingSides / max(NEAR_MOST * around, 1e-9);
   vec3 bounced = (around * unhidden + nearby) * matt * (skyVisibility(surface, normal) * pastFine.x / PI);
   // What is mirrored is the room around, as softParticleFade as it is known: a smooth surface tells more.
-  vec3 mirrored = (surroundings.other * light.intensity * unhidden + nearby) / PI;
+  vec3 mirrored = (indirect.alongReflection * light.intensity * unhidden + nearby) / PI;
   float smoothness = 1.0 - smoothstep(SMOOTH.x, SMOOTH.y, roughness);
   if (smoothness > 0.0) {
-    vec3 again = surroundings.other * (THROWN_BACK / PI);
+    vec3 again = indirect.alongReflection * (THROWN_BACK / PI);
     vec3 seen = (traceRadiance(vPositionWorld + surface * 0.01, reflect(-view, normal)) + again) * light.intensity;
     mirrored = mix(mirrored, seen, smoothness);
   }

@@ -106,11 +106,11 @@ void main() {
   perCandela += metallic * mirrored;
 
   vec3 reflected = reflect(-view, normal);
-  IrradiancePair surroundings = irradianceAt(position + normal * 0.08, normal, normal, reflected);
+  IrradianceSample indirect = irradianceAt(position + normal * 0.08, normal, normal, reflected);
   float grazing = fifthPower(1.0 - NoV);
   float matt = (1.0 - metallic) * (1.0 - 0.04 - 0.96 * grazing) / PI;
-  perCandela += (surroundings.one + supportIrradiance(position, supportViewFactor(normal))) * (matt * uFeatures.y);
-  vec3 room = (surroundings.other + supportIrradiance(position, 0.5 - 0.5 * reflected.y)) / PI;
+  perCandela += (indirect.alongNormal + supportIrradiance(position, supportViewFactor(normal))) * (matt * uFeatures.y);
+  vec3 room = (indirect.alongReflection + supportIrradiance(position, 0.5 - 0.5 * reflected.y)) / PI;
   room *= (1.0 - 0.6 * roughness) * uFeatures.y * uFeatures.z;
   perCandela += metallic * room;
   added += (1.0 - metallic) * (0.04 + 0.96 * grazing) * luma(room);

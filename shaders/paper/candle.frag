@@ -3,35 +3,19 @@
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "paper/light.glsl"
-#include "lib/normal-map.glsl"
+#include "paper/surface.glsl"
 #include "lib/srgb.glsl"
 
 const float AMBIENT = 0.5;
 const float SPECULAR = 0.3;
 const float EXPONENT = 16.0;
-// Wax passes light on downwards: the ambient share fades with depth below the flame, in candle
-// heights. The paper's is the same everywhere, which makes the foot glow as the rim does.
+// Depth below the flame at which the ambient share has fallen to 1/e, in candle heights: wax scatters light downwards.
+// The paper's share is constant, which makes the foot glow as the rim does.
 const float AMBIENT_DEPTH = 0.35;
 
-uniform sampler2D uAlbedo;
-uniform sampler2D uNormal;
-uniform sampler2D uOcclusionRoughness;
-uniform vec4 uBaseColor;
-uniform float uOcclusionStrength;  // how much of the map's occlusion counts
-
-in vec3 vPositionWorld;
-in vec3 vNormalWorld;
-in vec4 vTangentWorld;
-in vec2 vUv;
 in float vHeight;
 
 out vec4 oColor;
-
-vec3 surfaceNormal() {
-  if (light.flatShading > 0.5) return facetNormal(vPositionWorld);
-  if (frame.normalMaps > 0.5) return perturbedNormal(uNormal, vUv, vNormalWorld, vTangentWorld);
-  return normalize(vNormalWorld);
-}
 
 void main() {
   vec3 albedo = texture(uAlbedo, vUv).rgb * uBaseColor.rgb;

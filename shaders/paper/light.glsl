@@ -1,4 +1,4 @@
-// The paper's point light: a colour without a unit, and a fall-off that reaches the whole room.
+// The paper's point light: a colour without a unit, and an attenuation that reaches the whole room.
 
 layout(std140) uniform Light {
   vec3 position;     // m

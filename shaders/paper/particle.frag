@@ -1,6 +1,6 @@
 #version 300 es
-// The paper's particle: a bright yellow-white centre, to orange and to blue at the rim, fading out.
-// Out: premultiplied.
+// The paper's particle: radial gradient from a yellow-white centre to an orange or blue rim.
+// Out: display colour, premultiplied.
 #include "lib/precision.glsl"
 
 flat in vec4 vCentre;

@@ -1,6 +1,5 @@
 #version 300 es
-// One particle of the paper's flame, moved and drawn as a point sprite, sized in metres.
-// Colour follows the height, to suggest temperature: found here, once a particle, not once a pixel.
+// Point sprite of a particle of the paper's flame, advanced and coloured by height, which suggests temperature.
 #include "particles/kernel.glsl"
 
 const vec3 HOT = vec3(1.0, 0.90, 0.62);
@@ -8,14 +7,13 @@ const vec3 WARM = vec3(1.0, 0.62, 0.18);
 const vec3 COOL = vec3(0.86, 0.22, 0.03);
 const vec3 BLUE = vec3(0.08, 0.17, 0.62);
 const vec3 UNIFORM_ORANGE = vec3(1.0, 0.5, 0.1);
-// Where many particles lie on each other their light nears this multiple of a single one's colour:
-// pure addition would clip to white wherever it is dense.
+// Limit of the sum of many overlapping particles, as a multiple of one's colour: plain addition would clip to white.
 const float DENSITY_LIMIT = 1.25;
 
 uniform mat4 uClipFromFlame;  // from the emitter's unit
 uniform float uSize;          // diameter at birth, pixels at a distance of 1 m
-uniform float uAhead;         // s that the picture is ahead of the last tick
-uniform float uFading;        // 1 or 0: alpha and size shrink with remaining life
+uniform float uExtrapolation; // s from the last tick to the frame
+uniform float uFading;        // 1 or 0: light and size shrink with the remaining life
 uniform float uGlow;          // light of one particle, display units
 
 // Premultiplied.
@@ -23,8 +21,7 @@ flat out vec4 vCentre;
 flat out vec4 vRim;
 
 #if GRADIENT
-// Light fades from the centre as colour changes, so a rim's colour beyond the one wanted gives the
-// sprite as a whole the right mean.
+// The gradient also fades out, so the rim's colour overshoots to give the sprite the right mean.
 void shade(float height, float glow) {
 #if HAZE
   float cooled = smoothstep(0.2, 0.9, height);
@@ -49,15 +46,15 @@ void shade(float height, float glow) {
 
 void main() {
   moveParticle();
-  float left = remaining - uAhead;
-  if (left <= 0.0) {
-    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside of the view: dead
+  float remainingNow = remaining - uExtrapolation;
+  if (remainingNow <= 0.0) {
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // dead: outside of the frustum
     gl_PointSize = 1.0;
     return;
   }
-  float share = mix(1.0, left / layer.life, uFading);
-  vec3 shown = position + velocity * uAhead;
-  shade(shown.y, share * uGlow);
-  gl_Position = uClipFromFlame * vec4(shown, 1.0);
+  float share = mix(1.0, remainingNow / layer.life, uFading);
+  vec3 extrapolated = position + velocity * uExtrapolation;
+  shade(extrapolated.y, share * uGlow);
+  gl_Position = uClipFromFlame * vec4(extrapolated, 1.0);
   gl_PointSize = uSize * share / gl_Position.w;
 }

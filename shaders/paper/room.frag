@@ -4,30 +4,13 @@
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "paper/light.glsl"
-#include "lib/normal-map.glsl"
+#include "paper/surface.glsl"
 #include "lib/srgb.glsl"
 
 const float SPECULAR = 0.5;
 const float EXPONENT = 16.0;
 
-uniform sampler2D uAlbedo;
-uniform sampler2D uNormal;
-uniform sampler2D uOcclusionRoughness;
-uniform vec4 uBaseColor;
-uniform float uOcclusionStrength;  // how much of the map's occlusion counts
-
-in vec3 vPositionWorld;
-in vec3 vNormalWorld;
-in vec4 vTangentWorld;
-in vec2 vUv;
-
 out vec4 oColor;
-
-vec3 surfaceNormal() {
-  if (light.flatShading > 0.5) return facetNormal(vPositionWorld);
-  if (frame.normalMaps > 0.5) return perturbedNormal(uNormal, vUv, vNormalWorld, vTangentWorld);
-  return normalize(vNormalWorld);
-}
 
 void main() {
   vec3 albedo = texture(uAlbedo, vUv).rgb * uBaseColor.rgb;
@@ -38,7 +21,7 @@ void main() {
   vec3 lightDirection = toLight / max(distance, 1e-3);  // the flame is over 1 mm thick
   vec3 halfway = normalize(lightDirection + normalize(frame.eyePosition - vPositionWorld));
   float diffuse = max(dot(normal, lightDirection), 0.0) * mix(1.0, occlusionRoughness.r, uOcclusionStrength);
-  // The paper's highlight is as strong everywhere; a roughness map says where a wall is dull.
+  // The paper's highlight is constant; here the roughness map attenuates it.
   float gloss = 1.0 - occlusionRoughness.g;
   float specular = SPECULAR * gloss * pow(max(dot(normal, halfway), 0.0), EXPONENT) * step(1e-3, diffuse);
   vec3 color = (albedo * diffuse + albedo * specular) * light.color * attenuation(distance);

@@ -1,17 +1,16 @@
-// The particle kernel, one or two ticks in one pass: the law of src/world/particles/particles.ts, its twin.
-// In:  one particle.   Out: the same particle later, captured by transform feedback.
+// Particle kernel: one or two ticks of a particle by transform feedback, as src/world/particles.ts has them.
 // Lengths are in the emitter's own unit, positions relative to the emitter.
 //
-// A CPU that plays the GPU runs both sides of every branch, and checks bounds at every read of an
-// array. So a newborn is made once a pass, ticks are no loop, and the dead move on unseen.
+// A software renderer executes both sides of every branch and checks the bounds of every array access. So a birth is
+// computed once a pass, the ticks are unrolled, and dead particles move on.
 #include "lib/precision.glsl"
 #include "lib/random.glsl"
 
 const int MAX_TICKS = 2;
 const uint GROUPS = 4u;
-const uint NEVER = 0xffffffffu;
+const uint NO_BIRTH = 0xffffffffu;
 
-layout(location = 0) in vec4 aPositionLife;  // life: seconds left
+layout(location = 0) in vec4 aPositionLife;  // life: remaining, s
 layout(location = 1) in vec4 aVelocitySpan;  // span: life at birth, s
 
 out vec4 vPositionLife;
@@ -19,71 +18,71 @@ out vec4 vVelocitySpan;
 
 layout(std140) uniform Layer {
   float tick;         // s
-  float interval;     // s from birth to birth
+  float interval;     // s between births
   float life;         // s, more than MAX_TICKS ticks
   float spawnRadius;
   float spawnHeight;
-  float spawnDepth;   // most that a birth is above or below it
+  float spawnDepth;   // largest deviation from it
   float sideSpeed;
-  float slowest;      // 1/s
-  float fastest;
-  float lift;         // speed gained by buoyancy in a tick
-  float push;         // most speed gained by drift in a tick
-  float kept;         // share of the velocity that the wind leaves in a tick
+  float minSpeed;     // upwards, at birth, 1/s
+  float maxSpeed;
+  float buoyancy;     // speed gained in a tick
+  float drift;        // largest random change of speed in a tick
+  float damping;      // share of the velocity that drag leaves in a tick
 } layer;
 
 uniform int uTicks;
 uniform uint uGroupSize;          // slots of a group
-uniform uint uGroups;             // groups that bear
-uniform uint uFirstTurn;          // turn of the first birth of the pass
-uniform uint uFirstKey;           // its chances; the next birth's follow
+uniform uint uGroups;             // groups with births
+uniform uint uFirstTurn;          // of the pass's first birth in the order of slots
+uniform uint uFirstKey;           // seed of that birth; each next one adds 1
 uniform uint uBirths[MAX_TICKS];  // births in the tick
-uniform float uEldest[MAX_TICKS]; // age of the first of them at its end, s
+uniform float uOldestAge[MAX_TICKS]; // of the first of them at the tick's end, s
 uniform uint uTickKeys[MAX_TICKS];
-uniform vec3 uLeft[MAX_TICKS];    // the emitter's way, as far as particles stay behind
-uniform vec2 uBlown[MAX_TICKS];   // velocity taken up from the wind
+uniform vec3 uDisplacement[MAX_TICKS]; // of the emitter, as far as particles do not follow it
+uniform vec2 uWindVelocity[MAX_TICKS]; // velocity gained from the wind
 
 uint slot;
 vec3 position;
 vec3 velocity;
 float remaining;
 
-// What the slot bears next: which birth it is, from the first of the tick at hand, and its beginning.
+// The slot's next birth: its number, counted from the first of the current tick, and the initial state.
 uint birth;
-vec3 birthplace;
-vec3 launch;
+vec3 birthPosition;
+vec3 birthVelocity;
 
 uint birthOfSlot() {
   uint size = uGroupSize;
   uint group = uint(slot >= size) + uint(slot >= 2u * size) + uint(slot >= 3u * size);
   uint turn = (slot - group * size) * GROUPS + group;
   uint number = turn - uFirstTurn + (turn < uFirstTurn ? GROUPS * size : 0u);
-  return group < uGroups ? number : NEVER;
+  return group < uGroups ? number : NO_BIRTH;
 }
 
-void conceive() {
+void prepareBirth() {
   birth = birthOfSlot();
   uint h0 = pcg(birth + uFirstKey);
   uint h1 = pcg(h0);
-  vec2 place = layer.spawnRadius * signedHalves(h0);
+  vec2 offset = layer.spawnRadius * signedHalves(h0);
   vec2 side = layer.sideSpeed * signedHalves(h1);
   uint h2 = pcg(h1);
-  birthplace = vec3(place.x, layer.spawnHeight + layer.spawnDepth * signedHalves(h2).y, place.y);
-  launch = vec3(side.x, mix(layer.slowest, layer.fastest, unit(h2)), side.y);
+  birthPosition = vec3(offset.x, layer.spawnHeight + layer.spawnDepth * signedHalves(h2).y, offset.y);
+  birthVelocity = vec3(side.x, mix(layer.minSpeed, layer.maxSpeed, unit(h2)), side.y);
 }
 
-void advance(uint key, uint births, float eldest, vec3 left, vec2 blown) {
-  vec2 drifted = velocity.xz + layer.push * signedHalves(pcg(slot + key));
-  velocity = vec3(drifted * layer.kept + blown, velocity.y + layer.lift).xzy;
-  position += velocity * layer.tick - left;
+void advance(uint key, uint births, float oldestAge, vec3 displacement, vec2 windVelocity) {
+  vec2 drifted = velocity.xz + layer.drift * signedHalves(pcg(slot + key));
+  velocity = vec3(drifted * layer.damping + windVelocity, velocity.y + layer.buoyancy).xzy;
+  position += velocity * layer.tick - displacement;
   remaining -= layer.tick;
   if (birth < births) {
-    float age = eldest - float(birth) * layer.interval;
-    position = birthplace + launch * age - left * (age / layer.tick);
-    velocity = launch;
+    float age = oldestAge - float(birth) * layer.interval;
+    position = birthPosition + birthVelocity * age - displacement * (age / layer.tick);
+    velocity = birthVelocity;
     remaining = layer.life - age;
   }
-  birth -= births;  // what is born wraps to a birth that never comes
+  birth -= births;  // a slot that was just filled wraps beyond every count
 }
 
 void moveParticle() {
@@ -91,9 +90,9 @@ void moveParticle() {
   position = aPositionLife.xyz;
   velocity = aVelocitySpan.xyz;
   remaining = aPositionLife.w;
-  conceive();
-  advance(uTickKeys[0], uBirths[0], uEldest[0], uLeft[0], uBlown[0]);
-  if (uTicks > 1) advance(uTickKeys[1], uBirths[1], uEldest[1], uLeft[1], uBlown[1]);
+  prepareBirth();
+  advance(uTickKeys[0], uBirths[0], uOldestAge[0], uDisplacement[0], uWindVelocity[0]);
+  if (uTicks > 1) advance(uTickKeys[1], uBirths[1], uOldestAge[1], uDisplacement[1], uWindVelocity[1]);
   vPositionLife = vec4(position, remaining);
   vVelocitySpan = vec4(velocity, layer.life);
 }

@@ -1,3 +1,3 @@
 #version 300 es
-// For programs run only for what their vertex stage captures.
+// Empty stage for transform feedback without rasterisation.
 void main() {}

@@ -1,5 +1,5 @@
 #version 300 es
-// Moves particles that nobody sees: the ticks that a picture missed.
+// Advances particles without drawing them: ticks between two frames.
 #include "particles/kernel.glsl"
 
 void main() {

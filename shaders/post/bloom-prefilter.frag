@@ -1,5 +1,5 @@
 #version 300 es
-// A quarter of the picture, for the bloom of what is brightest in it.   Out: radiance, cd/m².
+// Bloom prefilter: radiance at a quarter of the size, cd/m².
 #include "lib/precision.glsl"
 
 uniform sampler2D uSource;

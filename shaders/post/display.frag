@@ -1,5 +1,5 @@
 #version 300 es
-// From the room's light to the screen: exposure, adaptation to candlelight, tone, sRGB, dither.
+// Exposure, bloom, display transform, antialiasing and dither.
 // In:  radiance, cd/m².   Out: display colour.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
@@ -11,7 +11,7 @@
 
 uniform sampler2D uRadiance;
 uniform sampler2D uBloom;
-uniform vec4 uBloomTransform;  // of the picture on the bloom's texture: its size and its corner
+uniform vec4 uBloomTransform;  // from uv on the frame to uv on the bloom: scale, offset
 uniform float uGlareShare;  // share of the light that eye and lens scatter
 
 in vec2 vUv;
@@ -19,8 +19,8 @@ flat in float vExposure;
 
 out vec4 oColor;
 
-// Roughly the luma on the screen of a light, at a fraction of the cost.
-vec4 roughly(vec4 luminance) {
+// Cheap approximation of the display luma of a luminance.
+vec4 approximateLuma(vec4 luminance) {
   return sqrt(luminance / (luminance + 1.0));
 }
 
@@ -33,37 +33,36 @@ float range(vec4 values) {
     min(min(values.x, values.y), min(values.z, values.w));
 }
 
-vec3 onScreen(vec3 light) {
+vec3 fastDisplayColor(vec3 light) {
 #if TONE_LUT
   vec3 share = max(light, 0.0) * uAdaptation / (uWhite * TONE_LUT_MAX);
   if (max(max(share.r, share.g), share.b) <= 1.0) return lookUpTone(share);
 #endif
-  return shown(light);
+  return displayColor(light);
 }
 
-// The samples of a pixel were averaged as light, where one that saw the flame outshines all others, so
-// its edge is still a staircase on the screen. Across such steps, and only there, neighbours are mixed.
-// After Lottes 2009, "FXAA".
-vec3 smoothed(vec2 uv) {
-  const float STEP = 0.12;  // of luma: less is no edge that anyone sees
+// Antialiasing after the tone curve. A pixel's samples are averaged as light, where one of the flame outshines all
+// others, so the flame's edge is still aliased: neighbours are mixed across it. After Lottes 2009, "FXAA".
+vec3 antialiasedColor(vec2 uv) {
+  const float EDGE = 0.12;  // least visible difference of luma
   vec2 texel = 1.0 / frame.viewport;
   vec3 glare = texture(uBloom, uv * uBloomTransform.xy + uBloomTransform.zw).rgb * (vExposure * uGlareShare);
-  float kept = vExposure * (1.0 - uGlareShare);
-  vec3 here = onScreen(texture(uRadiance, uv).rgb * kept + glare);
-  vec3 left = texture(uRadiance, uv - vec2(texel.x, 0.0)).rgb * kept + glare;
-  vec3 right = texture(uRadiance, uv + vec2(texel.x, 0.0)).rgb * kept + glare;
-  vec3 below = texture(uRadiance, uv - vec2(0.0, texel.y)).rgb * kept + glare;
-  vec3 above = texture(uRadiance, uv + vec2(0.0, texel.y)).rgb * kept + glare;
-  if (range(roughly(luma(left, right, below, above))) < 0.5 * STEP) return here;
-  left = onScreen(left);
-  right = onScreen(right);
-  below = onScreen(below);
-  above = onScreen(above);
-  float edge = range(luma(left, right, below, above));
+  float exposure = vExposure * (1.0 - uGlareShare);
+  vec3 here = fastDisplayColor(texture(uRadiance, uv).rgb * exposure + glare);
+  vec3 left = texture(uRadiance, uv - vec2(texel.x, 0.0)).rgb * exposure + glare;
+  vec3 right = texture(uRadiance, uv + vec2(texel.x, 0.0)).rgb * exposure + glare;
+  vec3 below = texture(uRadiance, uv - vec2(0.0, texel.y)).rgb * exposure + glare;
+  vec3 above = texture(uRadiance, uv + vec2(0.0, texel.y)).rgb * exposure + glare;
+  if (range(approximateLuma(luma(left, right, below, above))) < 0.5 * EDGE) return here;
+  left = fastDisplayColor(left);
+  right = fastDisplayColor(right);
+  below = fastDisplayColor(below);
+  above = fastDisplayColor(above);
+  float contrast = range(luma(left, right, below, above));
   vec3 mean = (left + right + below + above) * 0.25;
-  return mix(here, mean, 0.6 * smoothstep(STEP, 3.0 * STEP, edge));
+  return mix(here, mean, 0.6 * smoothstep(EDGE, 3.0 * EDGE, contrast));
 }
 
 void main() {
-  oColor = vec4(smoothed(vUv) + dither(gl_FragCoord.xy), 1.0);
+  oColor = vec4(antialiasedColor(vUv) + dither(gl_FragCoord.xy), 1.0);
 }

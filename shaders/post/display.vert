@@ -1,10 +1,10 @@
 #version 300 es
-// One triangle that covers the picture, and how the picture is exposed.
+// Fullscreen triangle, with the exposure of the frame.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 
 uniform sampler2D uExposure;  // stops, from the meter
-uniform float uAutoExposure;       // 1, or 0 for a fixed exposure
+uniform float uAutoExposure;  // 1, or 0 for a fixed exposure
 
 out vec2 vUv;
 flat out float vExposure;  // factor on radiance, white is about 1

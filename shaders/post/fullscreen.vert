@@ -1,5 +1,5 @@
 #version 300 es
-// One triangle that covers the picture.
+// Fullscreen triangle.
 
 out vec2 vUv;
 

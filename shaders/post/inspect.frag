@@ -1,5 +1,5 @@
 #version 300 es
-// What a pass has left, for whoever wants to look at it.
+// Inspection: a pass's result in place of the frame.
 // In:  the passes' textures.   Out: display colour.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
@@ -10,14 +10,14 @@
 #include "lib/flame-light.glsl"
 #include "lib/irradiance-volume.glsl"
 
-// Indices into src/render/post/inspect-pass.ts.
+// VIEWS of src/render/post/inspect-pass.ts.
 const int RADIANCE = 0;
 const int EXPOSURE = 1;
 const int BLOOM = 2;
 const int DEPTH = 3;
 const int SHADOW_CUBE = 4;
 const int VOLUME = 5;
-const int LIGHT = 6;
+const int FLAME = 6;
 const int TEMPERATURE = 7;
 const int UNTEXTURED = 8;
 
@@ -29,28 +29,28 @@ uniform sampler2D uBloom;
 uniform highp samplerCube uShadow;
 uniform vec3 uAdaptation;
 uniform int uView;
-uniform float uBrightest;  // cd/m² that are shown white
+uniform float uWhiteLuminance;  // for FLAME, cd/m²
 
 in vec2 vUv;
 flat in float vExposure;
 
 out vec4 oColor;
 
-// From black by blue, green and yellow to white; 0 to 1.
+// Heat map, from black by blue, green and yellow to white.
 vec3 falseColor(float share) {
   const vec3 COLORS[6] = vec3[6](vec3(0.0), vec3(0.1, 0.15, 0.7), vec3(0.0, 0.6, 0.45),
     vec3(0.85, 0.75, 0.1), vec3(0.95, 0.3, 0.1), vec3(1.0));
-  float place = clamp(share, 0.0, 0.999) * 5.0;
-  int first = int(place);
-  return mix(COLORS[first], COLORS[first + 1], place - float(first));
+  float position = clamp(share, 0.0, 0.999) * 5.0;
+  int first = int(position);
+  return mix(COLORS[first], COLORS[first + 1], position - float(first));
 }
 
-// White near by, black at the farthest.
-vec3 far(float distance) {
+// Grey by distance, black at the farthest.
+vec3 distanceGrey(float distance) {
   return vec3(1.0 - sqrt(min(distance / FARTHEST, 1.0)));
 }
 
-// A stop to a zone, after Adams 1948, "The Negative".
+// Zone system, a stop to a zone. Adams 1948, "The Negative".
 vec3 zone(float luminance) {
   float stops = log2(max(luminance * vExposure / MIDDLE_GREY, 1e-9));
   if (stops > 5.0) return vec3(0.9, 0.15, 0.1);
@@ -58,20 +58,20 @@ vec3 zone(float luminance) {
   return vec3((floor(stops) + 6.5) / 11.5);
 }
 
-// From dark red to white, 1400 to 2000 K. In soot's light green grows with temperature, evenly.
-vec3 temperature(vec3 soot) {
+// Heat map from dark red to white, 1400 to 2000 K. The ratio of green to red in soot's light is linear in temperature.
+vec3 temperatureColor(vec3 soot) {
   if (soot.r < 1.0) return vec3(0.0);
   float kelvin = 1000.0 + (soot.g / soot.r - 0.0191) * 3540.0;
   float share = clamp((kelvin - 1400.0) / 600.0, 0.0, 1.0);
   return clamp(vec3(0.25, 0.0, 0.0) + vec3(1.5, 1.0, 1.0) * (vec3(share) - vec3(0.0, 0.35, 0.7)) * vec3(1.0, 1.6, 3.4), 0.0, 1.0);
 }
 
-// The six faces as a cross: walls in a row, ceiling and floor above and below the second.
-vec3 unfolded(vec2 pixel) {
+// Direction at a pixel of a cube map unfolded to a cross; 0 outside of it.
+vec3 cubeCrossDirection(vec2 pixel) {
   float edge = min(frame.viewport.x / 4.0, frame.viewport.y / 3.0);
-  vec2 place = (pixel - 0.5 * frame.viewport) / edge + vec2(2.0, 1.5);
-  vec2 cell = floor(place);
-  vec2 p = (place - cell) * 2.0 - 1.0;
+  vec2 onCross = (pixel - 0.5 * frame.viewport) / edge + vec2(2.0, 1.5);
+  vec2 cell = floor(onCross);
+  vec2 p = (onCross - cell) * 2.0 - 1.0;
   if (cell.x < 0.0 || cell.x > 3.0 || cell.y < 0.0 || cell.y > 2.0) return vec3(0.0);
   if (cell.y == 1.0) {
     if (cell.x == 0.0) return vec3(-1.0, p.y, -p.x);
@@ -83,36 +83,36 @@ vec3 unfolded(vec2 pixel) {
 }
 
 vec3 shadowCube() {
-  vec3 direction = unfolded(gl_FragCoord.xy);
+  vec3 direction = cubeCrossDirection(gl_FragCoord.xy);
   if (direction == vec3(0.0)) return direction;
-  return far(texture(uShadow, direction).r);
+  return distanceGrey(texture(uShadow, direction).r);
 }
 
-// Each probe a square, in a band across the picture: all that faces one way is lit from there.
-vec3 probes() {
+// The irradiance atlas, in a band across the frame.
+vec3 irradianceAtlas() {
   float edge = frame.viewport.x / (volume.columns * volume.planes);
   float up = (gl_FragCoord.y - 0.5 * frame.viewport.y) / (edge * volume.rows) + 0.5;
   if (up < 0.0 || up > 1.0) return vec3(0.0);
   return texture(uIrradiance, vec2(vUv.x, up)).rgb * light.intensity / PI;
 }
 
-vec3 seen(vec3 radiance) {
+vec3 toneMapped(vec3 radiance) {
   return encodeSrgb(compressHighlights(radiance * uAdaptation * vExposure));
 }
 
-vec3 shown() {
+vec3 viewColor() {
   vec3 radiance = texture(uRadiance, vUv).rgb;
   if (uView == RADIANCE) return falseColor((log2(max(luma(radiance), 1e-9)) + 10.0) / 24.0);
   if (uView == EXPOSURE) return zone(luma(radiance));
-  if (uView == BLOOM) return seen(texture(uBloom, vUv).rgb);
-  if (uView == DEPTH) return far(linearDepth(texture(uDepth, vUv).r));
+  if (uView == BLOOM) return toneMapped(texture(uBloom, vUv).rgb);
+  if (uView == DEPTH) return distanceGrey(linearDepth(texture(uDepth, vUv).r));
   if (uView == SHADOW_CUBE) return shadowCube();
-  if (uView == VOLUME) return seen(probes());
-  if (uView == LIGHT) return encodeSrgb(compressHighlights(radiance * uAdaptation / uBrightest));
-  if (uView == TEMPERATURE) return temperature(radiance);
+  if (uView == VOLUME) return toneMapped(irradianceAtlas());
+  if (uView == FLAME) return encodeSrgb(compressHighlights(radiance * uAdaptation / uWhiteLuminance));
+  if (uView == TEMPERATURE) return temperatureColor(radiance);
   return radiance;
 }
 
 void main() {
-  oColor = vec4(clamp(shown(), 0.0, 1.0), 1.0);
+  oColor = vec4(clamp(viewColor(), 0.0, 1.0), 1.0);
 }

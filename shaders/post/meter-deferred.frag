@@ -1,6 +1,6 @@
 #version 300 es
-// How bright each part of the picture is, the flame left out.
-// In:  paint, light.   Out: red: mean of log2 luminance; green: how much of the part that speaks for.
+// Light metering of each cell of the frame, the flame excluded.
+// In:  G-buffer, light.   Out: red: mean of log2 luminance; green: its weight.
 #include "lib/precision.glsl"
 #include "lib/photometry.glsl"
 #include "lib/flame-light.glsl"
@@ -16,9 +16,9 @@ vec3 radianceAt(vec2 uv) {
 
 in vec2 vUv;
 
-out vec4 oBrightness;
+out vec4 oLogLuminance;
 
 void main() {
-  vec2 part = floor(gl_FragCoord.xy);
-  oBrightness = vec4(meterCell(part, gl_FragCoord.xy / vUv), 0.0, 1.0);
+  vec2 cell = floor(gl_FragCoord.xy);
+  oLogLuminance = vec4(meterCell(cell, gl_FragCoord.xy / vUv), 0.0, 1.0);
 }

@@ -1,5 +1,5 @@
 #version 300 es
-// A picture on a larger canvas, softParticleFade.   In and out: display colour.
+// Bilinear upscaling to the canvas.   In and out: display colour.
 #include "lib/precision.glsl"
 
 uniform sampler2D uSource;

@@ -1,13 +1,13 @@
 #version 300 es
-// Out: distance from the flame, m.
+// Distance from the capture origin, m.
 #include "lib/precision.glsl"
 
-uniform vec3 uLight;
+uniform vec3 uCaptureOrigin;  // m
 
 in vec3 vPositionWorld;
 
 out vec4 oDistance;
 
 void main() {
-  oDistance = vec4(distance(vPositionWorld, uLight), 0.0, 0.0, 1.0);
+  oDistance = vec4(distance(vPositionWorld, uCaptureOrigin), 0.0, 0.0, 1.0);
 }

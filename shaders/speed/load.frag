@@ -1,13 +1,12 @@
 #version 300 es
-// A load that stands for shading: reads of a cube of half floats with the arithmetic of a shadow tap between
-// them; or, of a plain texture through footprints that ask for anisotropic filtering.
+// Benchmark load: shadow taps on a cube of half floats; GRAZING: anisotropic taps on a plain texture.
 #include "lib/precision.glsl"
 #include "lib/random.glsl"
 
 const int TAPS = 32;
 
 #if GRAZING
-const float LENGTH = 8.0;  // of a footprint, texels; it is one wide
+const float LENGTH = 8.0;  // of a footprint, texels; its width is one
 
 uniform sampler2D uTexture;
 #else
@@ -26,11 +25,11 @@ void main() {
   vec4 sum = vec4(0.0);
   for (int i = 0; i < TAPS; i++) {
     uvec2 turn = uvec2(uint(i) * 3242174889u, uint(i) * 2447445414u) + chance;
-    vec2 place = vec2(turn >> 8) / 8388608.0 - 1.0;
+    vec2 uv = vec2(turn >> 8) / 8388608.0 - 1.0;
 #if GRAZING
-    sum += textureGrad(uTexture, place, vec2(LENGTH * texel.x, 0.0), vec2(0.0, texel.y));
+    sum += textureGrad(uTexture, uv, vec2(LENGTH * texel.x, 0.0), vec2(0.0, texel.y));
 #else
-    vec3 direction = vec3(place, 0.5 + 0.001 * sum.x);
+    vec3 direction = vec3(uv, 0.5 + 0.001 * sum.x);
     vec3 reach = abs(direction);
     float most = max(max(reach.x, reach.y), reach.z);
     vec3 onFace = direction / most;

@@ -1,5 +1,5 @@
 #version 300 es
-// The flame: light of soot and of the blue base, gathered along the ray, with a little absorption.
+// The flame, by ray marching: emission of soot and of the blue base, with absorption.
 // In:  the body, over radius and height.   Out: radiance, cd/m², premultiplied by opacity.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
@@ -12,55 +12,55 @@ in vec3 vPosition;
 
 out vec4 oRadiance;
 
-// The CH* and C2* bands, luma 1. Their linear Rec. 709 is (0.2, 1.05, 2.9), but candlelight is all but without
-// blue, and what turns it to white channel by channel brightens blue far more than an eye's cones do.
+// The CH* and C2* bands, luma 1. Their linear Rec. 709 is (0.2, 1.05, 2.9), but adaptation to candlelight by channel
+// amplifies blue far more than that of an eye's cones.
 const vec3 BLUE = vec3(0.25, 1.3, 0.08);
-// Blue of soot as a share of its red, and green from which on it has as much: src/light/color.ts.
-const float LEAST_BLUE = 0.004;
-const float COOL = 0.2;
+// Blue of soot as a share of its red, reached from this ratio of green to red on: src/light/color.ts.
+const float SOOT_BLUE = 0.004;
+const float WARM_GREEN = 0.2;
 const float WICK_RADIUS = 0.0009;  // m
 
-// Table coordinates of a place: radius and height, as shares. Outside of 0 to 1 there is nothing.
+// Table coordinates of a point: radius and height, as shares. Outside of 0 to 1 the body is empty.
 vec2 bodyUv(vec3 position) {
   float last = float(NODES - 1);
-  float place = position.y / flame.top * last;
-  float inside = clamp(place, 0.0, last);
+  float height = position.y / flame.top * last;
+  float inside = clamp(height, 0.0, last);
   int node = int(clamp(floor(inside + 0.5), 1.0, last - 1.0));
   float f = inside - float(node);
-  // A quadratic spline through the nodes, and its slope.
+  // Quadratic B-spline through the nodes, and its derivative.
   vec3 weight = vec3(0.5 * (0.5 - f) * (0.5 - f), 0.75 - f * f, 0.5 * (0.5 + f) * (0.5 + f));
   vec3 slope = vec3(f - 0.5, -2.0 * f, f + 0.5);
   vec4 a = flame.nodes[node - 1];
   vec4 b = flame.nodes[node];
   vec4 c = flame.nodes[node + 1];
-  vec4 rising = a * slope.x + b * slope.y + c * slope.z;
-  vec4 here = a * weight.x + b * weight.y + c * weight.z + rising * (place - inside);
-  vec3 tangent = normalize(vec3(rising.x, flame.top / last, rising.y));
-  // The section is round across the spine, not across the vertical.
-  vec2 aside = position.xz - here.xy;
-  float along = dot(aside, tangent.xz);
-  float height = here.z + along / flame.extent;
-  float outer = flame.radius * here.w * texture(uOutline, vec2(height, 0.5)).r;
-  float away = sqrt(max(dot(aside, aside) - along * along, 0.0));
-  return vec2(away / (max(outer, 1e-5) * BODY_REACH), height);
+  vec4 derivative = a * slope.x + b * slope.y + c * slope.z;
+  vec4 here = a * weight.x + b * weight.y + c * weight.z + derivative * (height - inside);
+  vec3 tangent = normalize(vec3(derivative.x, flame.top / last, derivative.y));
+  // The cross-section is round perpendicular to the spine, not to the vertical.
+  vec2 offset = position.xz - here.xy;
+  float along = dot(offset, tangent.xz);
+  float share = here.z + along / flame.extent;
+  float outer = flame.radius * here.w * texture(uOutline, vec2(share, 0.5)).r;
+  float distance = sqrt(max(dot(offset, offset) - along * along, 0.0));
+  return vec2(distance / (max(outer, 1e-5) * BODY_REACH), share);
 }
 
-// Where a ray from `eye` enters and leaves the balls; nothing where it misses them all.
-vec2 within(vec3 eye, vec3 direction) {
+// Distances at which a ray enters and leaves the bounding spheres; empty where it misses all of them.
+vec2 intersectSpheres(vec3 eye, vec3 direction) {
   vec2 span = vec2(1e9, -1e9);
-  for (int i = 0; i < BALLS; i++) {
-    vec3 fromBall = eye - flame.balls[i].xyz;
-    float b = dot(fromBall, direction);
-    vec3 aside = fromBall - b * direction;
-    float chord = flame.balls[i].w * flame.balls[i].w - dot(aside, aside);
-    if (chord <= 0.0) continue;
-    float half_ = sqrt(chord);
-    span = vec2(min(span.x, -b - half_), max(span.y, -b + half_));
+  for (int i = 0; i < SPHERES; i++) {
+    vec3 fromSphere = eye - flame.spheres[i].xyz;
+    float b = dot(fromSphere, direction);
+    vec3 perpendicular = fromSphere - b * direction;
+    float squaredHalfChord = flame.spheres[i].w * flame.spheres[i].w - dot(perpendicular, perpendicular);
+    if (squaredHalfChord <= 0.0) continue;
+    float halfChord = sqrt(squaredHalfChord);
+    span = vec2(min(span.x, -b - halfChord), max(span.y, -b + halfChord));
   }
   return span;
 }
 
-// Distance to the wick, a straight rod from the foot, or far away if the ray misses it.
+// Distance to the wick, a straight cylinder from the foot; 1e9 if the ray misses it.
 float intersectWick(vec3 eye, vec3 direction) {
   float squared = dot(flame.wick, flame.wick);
   float d = dot(direction, flame.wick);
@@ -70,15 +70,15 @@ float intersectWick(vec3 eye, vec3 direction) {
   float c = squared * (dot(eye, eye) - WICK_RADIUS * WICK_RADIUS) - e * e;
   float h = b * b - a * c;
   if (h < 0.0 || a <= 0.0) return 1e9;
-  float way = (-b - sqrt(h)) / a;
-  float height = e + way * d;
-  return height > 0.0 && height < squared ? way : 1e9;
+  float distance = (-b - sqrt(h)) / a;
+  float height = e + distance * d;
+  return height > 0.0 && height < squared ? distance : 1e9;
 }
 
 void main() {
   vec3 eye = frame.eyePosition - flame.base;
   vec3 direction = normalize(vPosition - eye);
-  vec2 span = within(eye, direction);
+  vec2 span = intersectSpheres(eye, direction);
   float begin = max(span.x, 0.0);
   float end = min(span.y, intersectWick(eye, direction));
   if (end <= begin) discard;
@@ -86,17 +86,17 @@ void main() {
   vec3 radiance = vec3(0.0);
   float depth = 0.0;  // optical
   for (float i = 0.5; i < flame.steps; i++) {
-    vec2 place = bodyUv(eye + direction * (begin + i * stride));
-    if (place.x >= 1.0 || place.y <= 0.0 || place.y >= 1.0) continue;
-    vec4 body = texture(uBody, place);
+    vec2 uv = bodyUv(eye + direction * (begin + i * stride));
+    if (uv.x >= 1.0 || uv.y <= 0.0 || uv.y >= 1.0) continue;
+    vec4 body = texture(uBody, uv);
     float absorbed = body.b * flame.soot * stride;
-    float warmth = min(body.g / max(COOL * body.r, 1e-6), 1.0);
+    float warmth = min(body.g / max(WARM_GREEN * body.r, 1e-6), 1.0);
     float cubed = warmth * warmth * warmth;
-    vec3 soot = vec3(body.rg, LEAST_BLUE * cubed * cubed * body.r) * flame.soot;
+    vec3 soot = vec3(body.rg, SOOT_BLUE * cubed * cubed * body.r) * flame.soot;
     radiance += exp(-depth - 0.5 * absorbed) * stride * (soot + BLUE * (body.a * flame.blue));
     depth += absorbed;
   }
-  // The largest half float is 65504. A flame blown small comes near, and must not turn green there.
+  // The largest half float is 65504: a small flame comes near it, and clipping by channel would turn it green.
   float peak = max(radiance.r, max(radiance.g, radiance.b));
   oRadiance = vec4(radiance * min(1.0, 3e4 / max(peak, 1e-6)), 1.0 - exp(-depth));
 }

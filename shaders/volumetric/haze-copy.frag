@@ -1,12 +1,12 @@
 #version 300 es
-// The same pixel of another picture.
+// Copies a refracted strip back onto the frame.
 #include "lib/precision.glsl"
 
 uniform sampler2D uSource;
-uniform vec2 uCorner;  // of the other picture in this one, pixels
+uniform vec2 uStripOrigin;  // of the strip in the frame, pixels
 
 out vec4 oRadiance;
 
 void main() {
-  oRadiance = texelFetch(uSource, ivec2(gl_FragCoord.xy - uCorner), 0);
+  oRadiance = texelFetch(uSource, ivec2(gl_FragCoord.xy - uStripOrigin), 0);
 }

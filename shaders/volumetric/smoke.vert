@@ -1,6 +1,6 @@
 #version 300 es
-// Smoke as streaklines: each a ribbon that faces the eye, as broad as the line has spread.
-// In:  parcels, one row of them for each moment, two texels each.   Out: how thick the smoke is.
+// Smoke as streaklines: each a camera-facing ribbon, as wide as the line has diffused.
+// In:  parcels, a row for each moment of their birth, two texels each.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "lib/octahedral.glsl"
@@ -9,18 +9,18 @@
 #include "lib/irradiance-volume.glsl"
 #include "lib/scattering.glsl"
 
-// Half of the ribbon, in standard deviations of the line.
+// Half width of the ribbon, in standard deviations of the line.
 const float REACH = 2.4;
-// No line is drawn narrower than this, pixels: it gets fainter instead.
-const float LEAST_BREADTH = 0.55;
+// Least standard deviation, pixels: a narrower line is drawn fainter instead.
+const float LEAST_WIDTH = 0.55;
 
-uniform sampler2D uParcels;  // position, m; extinction's cross-section per metre, m | breadth, m
+uniform sampler2D uParcels;  // position, m; extinction's cross-section per metre, m | standard deviation, m
 uniform int uNewest;         // row of the youngest
 uniform int uCount;          // rows
 
 out vec3 vRadiance;
-out float vThickness;  // optical, through the middle of the line
-out float vAcross;     // from the middle, in standard deviations
+out float vOpticalDepth;  // through the centre of the line
+out float vAcross;        // from the centre, in standard deviations
 
 vec4 parcel(int age, int line) {
   int row = (uNewest - clamp(age, 0, uCount - 1) + ROWS) % ROWS;
@@ -32,17 +32,17 @@ void main() {
   int line = (gl_VertexID >> 1) % LINES;
   int age = (gl_VertexID >> 1) / LINES;
   vec4 here = parcel(age, line);
-  float breadth = texelFetch(uParcels, ivec2(2 * line + 1, (uNewest - age + ROWS) % ROWS), 0).x;
+  float width = texelFetch(uParcels, ivec2(2 * line + 1, (uNewest - age + ROWS) % ROWS), 0).x;
   vec3 toEye = frame.eyePosition - here.xyz;
-  float away = max(length(toEye), 0.02);
+  float distance = max(length(toEye), 0.02);
   vec3 along = parcel(age - 1, line).xyz - parcel(age + 1, line).xyz + vec3(0.0, 1e-6, 0.0);
-  vec3 sideways = cross(normalize(along), toEye / away);
+  vec3 sideways = cross(normalize(along), toEye / distance);
   float sine = length(sideways);
-  float drawn = max(breadth, LEAST_BREADTH * away / frame.projectionScale);
-  // A line seen from its end is longer for the eye.
-  vThickness = here.w / (drawn * sqrt(2.0 * PI) * max(sine, 0.3));
+  float drawnWidth = max(width, LEAST_WIDTH * distance / frame.projectionScale);
+  // A line nearly parallel to the view ray has a longer path through it.
+  vOpticalDepth = here.w / (drawnWidth * sqrt(2.0 * PI) * max(sine, 0.3));
   vRadiance = scatteredRadiance(here.xyz, frame.eyePosition);
   vAcross = (float(side) * 2.0 - 1.0) * REACH;
-  vec3 position = here.xyz + sideways / max(sine, 1e-4) * (vAcross * drawn);
+  vec3 position = here.xyz + sideways / max(sine, 1e-4) * (vAcross * drawnWidth);
   gl_Position = frame.clipFromWorld * vec4(position, 1.0);
 }

@@ -87,7 +87,7 @@ export class Gpu {
   }
 
   /** Sets the colour space of the canvas. Returns the one that it has: the browser may know sRGB alone. */
-  paintIn(gamut: PredefinedColorSpace): PredefinedColorSpace {
+  setColorSpace(gamut: PredefinedColorSpace): PredefinedColorSpace {
     const gl = this.#gl;
     if (gl.drawingBufferColorSpace === undefined) return "srgb"; // Safari before 16.4
     if (gl.drawingBufferColorSpace !== gamut) gl.drawingBufferColorSpace = gamut;

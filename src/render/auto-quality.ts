@@ -1,14 +1,14 @@
 import { type Tier, tierNamed } from "./quality.js";
 import type { Speed } from "./speed.js";
 
-/** A step of quality: a tier, and the share of its resolution that is drawn. */
+/** A step of quality: a tier and a resolution. */
 export interface Rung {
   readonly tier: Tier["name"];
-  /** Of the tier's own resolution, along each axis. */
+  /** Of the tier's resolution, along each axis. */
   readonly share: number;
 }
 
-/** From the least to the best: within a tier the resolution rises first. */
+/** From lowest to highest: within a tier the resolution rises first. */
 const LADDER: readonly Rung[] = [
   { tier: "low", share: 0.3 },
   { tier: "low", share: 0.45 },
@@ -23,70 +23,69 @@ const LADDER: readonly Rung[] = [
   { tier: "high", share: 0.87 },
   { tier: "high", share: 1 },
 ];
-/** Where it starts: a picture that every machine can draw. */
+/** First rung, for any machine. */
 const START = LADDER.findIndex(({ share }) => share === 0.6);
 const BEST = LADDER.length - 1;
 
-/** Longest that a frame should take, seconds: 60 Hz, and half of that where every pixel is dear. */
+/** Frame budget, seconds: 60 Hz, and 30 Hz for `low`, where every pixel is expensive. */
 const BUDGET: Readonly<Record<Tier["name"], number>> = {
   low: 1 / 30,
   medium: 1 / 60,
   high: 1 / 60,
   ultra: 1 / 60,
 };
-/** Longest that a picture may take that nothing follows, seconds. */
-const PATIENCE = 0.25;
-/** Share of a budget that a prediction may fill. */
+/** Budget of a still frame, seconds. */
+const STILL_BUDGET = 0.25;
+/** Share of a budget that a predicted frame may fill. */
 const MARGIN = 0.7;
-/** From one picture of the display to the next, seconds. */
-const DISPLAY = 1 / 60;
-/** A frame is late when it takes longer than this share of its budget. */
+/** Refresh interval of the display, seconds. */
+const REFRESH = 1 / 60;
+/** Frames that take longer than this share of their budget are late. */
 const LATE = 1.15;
-/** Time that frames are judged by, and for which all must be well before anything is raised. Seconds. */
-const JUDGED_AFTER = 1;
-const RAISED_AFTER = 3;
-/** The same before anything was found too slow: a fast machine should not look like a slow one for long. */
-const FIRST_JUDGED_AFTER = 0.25;
-const FIRST_RAISED_AFTER = 0.5;
-/** Fewer frames than this are no evidence, unless they took as long as `DIRE`, seconds. */
+/** Time over which frames are measured, and time without late frames before quality is raised. Seconds. */
+const MEASURE_TIME = 1;
+const RAISE_TIME = 3;
+/** The same until a rung was too slow, so that fast machines rise soon. */
+const FIRST_MEASURE_TIME = 0.25;
+const FIRST_RAISE_TIME = 0.5;
+/** Least number of frames in a measurement, unless all took at least `VERY_LATE`, seconds. */
 const LEAST_FRAMES = 5;
-const DIRE = 0.4;
-/** The first frames after a change also pay for the change: so many, or as long as this, seconds. */
+const VERY_LATE = 0.4;
+/** Frames ignored after a change, whose cost they include: so many, or for so many seconds. */
 const IGNORED_FRAMES = 3;
-const IGNORED = 0.5;
-/** A pixel of the load that takes longer than this is drawn by no GPU, seconds: they differ a hundredfold. */
-const SLOW_PIXEL = 3e-7;
-/** Most that anisotropic filtering may take in a frame of a million pixels under `auto`, seconds. */
-const CHEAP = 0.0015;
-/** Taps of anisotropic filtering for a pixel: albedo, normal, roughness. The load has as many as `TAPS`. */
+const IGNORED_TIME = 0.5;
+/** A slower pixel of the load is that of a software renderer, seconds: GPUs are a hundred times as fast. */
+const SOFTWARE_PIXEL = 3e-7;
+/** Budget of anisotropic filtering in a frame of a million pixels under `auto`, seconds. */
+const ANISOTROPY_BUDGET = 0.0015;
+/** Anisotropic taps of a pixel (albedo, normal, roughness) over those of the load, `TAPS`. */
 const ANISOTROPIC_SHARE = 3 / 32;
 
-/** Work of a look's frame. Fitted to software renderers' times, and used with a margin. */
+/** Cost model of a frame, fitted to software renderers' times and used with a margin. */
 export interface Work {
-  /** For a pixel of each tier, in pixels of the load, `speed/load.frag`. */
+  /** Of a pixel of each tier, in pixels of the load, `speed/load.frag`. */
   readonly pixel: Readonly<Record<Tier["name"], number>>;
-  /** What no resolution saves, in pixels of the tier. */
+  /** Independent of resolution, in pixels of the tier. */
   readonly fixed: number;
 }
 
-/** Of rooms in the physical look, and of all else. */
+/** For rooms in the physical look, and for all else. */
 export const WORK: Readonly<Record<"physical" | "plain", Work>> = {
   physical: { pixel: { low: 0.1, medium: 13, high: 19, ultra: 25 }, fixed: 100_000 },
   plain: { pixel: { low: 0.3, medium: 0.7, high: 1, ultra: 1.3 }, fixed: 0 },
 };
 
 /**
- * Follows the time that frames take: first by resolution, then by tier.
+ * Adaptive quality by measured frame times: first the resolution, then the tier.
  *
- * It starts where every machine can follow. A step up is taken if its cost, predicted from what frames and
- * the load were measured to take, fits; where another tier has to be prepared first, the step waits in
- * `wanted` until it is. A step found too slow is not tried again before `renew`, so the number of changes is
- * limited, and it comes to rest. It has no clock: the same times give the same quality.
+ * It steps up if the cost predicted from measured frames and the measured load fits the budget. A step to another tier
+ * waits in `wanted` until that tier is prepared. A rung that was too slow is not tried again before `renew`, so the
+ * number of changes is limited. There is no clock: the same times give the same quality.
  */
 export class AutoQuality {
-  /** Null until it is measured; until then no tier is raised. */
+  /** Null until it is measured; until then the tier stays. */
   speed: Speed | null = null;
-  /** Pixels of the picture at full resolution. */
+  /** Pixels of the canvas at full resolution. */
   pixels = 1;
   work: Work;
   #index = START;
@@ -95,10 +94,10 @@ export class AutoQuality {
   #hasBeenSlow = false;
   #ignored = 0;
   #ignoredTime = 0;
-  /** Frames since it was last judged, and the time they took. Seconds. */
+  /** Frame times of the current measurement, and their sum, seconds. */
   #frames: number[] = [];
   #elapsed = 0;
-  /** Time for which no frame was late, seconds. */
+  /** Time without late frames, seconds. */
   #steady = 0;
 
   constructor(work: Work) {
@@ -109,7 +108,7 @@ export class AutoQuality {
     return LADDER[this.#index]!;
   }
 
-  /** A rung of another tier that fits, to be taken by `accept` once it is prepared. */
+  /** A rung of another tier that fits the budget; `accept` takes it once that tier is prepared. */
   get wanted(): Rung | null {
     return this.#wanted === null ? null : LADDER[this.#wanted]!;
   }
@@ -118,60 +117,61 @@ export class AutoQuality {
     if (this.#wanted !== null) this.#goTo(this.#wanted);
   }
 
-  /** The best for a picture that nothing follows: it may take a moment. */
+  /** The highest rung for a still frame. */
   get stillRung(): Rung {
     const best = LADDER.findLastIndex(
-      (rung, i) => i > this.#index && this.#predicted(rung) <= PATIENCE,
+      (rung, i) => i > this.#index && this.#predictedTime(rung) <= STILL_BUDGET,
     );
     return LADDER[Math.max(best, this.#index)]!;
   }
 
-  /** Whether textures may be filtered anisotropically: where that was measured to be cheap. */
+  /** Whether anisotropic filtering was measured to fit its budget. */
   get allowsAnisotropy(): boolean {
     if (!this.speed) return false;
-    return this.speed.anisotropicPixel * ANISOTROPIC_SHARE * 1e6 <= CHEAP;
+    return this.speed.anisotropicPixel * ANISOTROPIC_SHARE * 1e6 <= ANISOTROPY_BUDGET;
   }
 
   /**
-   * A frame has been drawn. True if the next is to be drawn on another rung.
+   * Records a frame. True if the rung has changed.
    *
    * @param seconds from frame to frame
-   * @param gpuSeconds what the GPU alone took of it, where that is known
+   * @param gpuSeconds GPU time of it, where that is known
    */
   take(seconds: number, gpuSeconds: number | null = null): boolean {
     if (!(seconds > 0)) return false;
-    if (this.#ignored < IGNORED_FRAMES && this.#ignoredTime < IGNORED) {
+    if (this.#ignored < IGNORED_FRAMES && this.#ignoredTime < IGNORED_TIME) {
       this.#ignored++;
       this.#ignoredTime += seconds;
       return false;
     }
     this.#frames.push(seconds);
     this.#elapsed += seconds;
-    const due = this.#hasBeenSlow ? JUDGED_AFTER : FIRST_JUDGED_AFTER;
-    const isDire = this.#frames.length > 1 && this.#frames.every((frame) => frame >= DIRE);
-    const isEvidence = this.#frames.length >= LEAST_FRAMES || isDire;
+    const due = this.#hasBeenSlow ? MEASURE_TIME : FIRST_MEASURE_TIME;
+    const areVeryLate =
+      this.#frames.length > 1 && this.#frames.every((frame) => frame >= VERY_LATE);
+    const isEvidence = this.#frames.length >= LEAST_FRAMES || areVeryLate;
     if (this.#elapsed < due || !isEvidence) return false;
     const typical = median(this.#frames);
     const isLate = typical > BUDGET[this.rung.tier] * LATE;
-    // What is late at first may be paying for its first frames.
-    if (isLate && !isDire && this.#elapsed < JUDGED_AFTER) return false;
+    // Early late frames may include the cost of the change.
+    if (isLate && !areVeryLate && this.#elapsed < MEASURE_TIME) return false;
     this.#steady += this.#elapsed;
     this.#frames = [];
     this.#elapsed = 0;
-    // Without a GPU there is nothing whose idleness could be measured.
-    const work = this.speed && this.speed.pixel < SLOW_PIXEL ? gpuSeconds : null;
+    // A software renderer has no GPU time.
+    const work = this.speed && this.speed.pixel < SOFTWARE_PIXEL ? gpuSeconds : null;
     if (isLate) {
       this.#steady = 0;
       this.#wanted = null;
-      // A GPU that was idle half of the time is not what made the frame late.
-      const isOurs = work === null || work > BUDGET[this.rung.tier] / 2;
-      return isOurs && this.#lower(typical);
+      // A GPU that was idle half of the time did not cause the delay.
+      const isGpuBound = work === null || work > BUDGET[this.rung.tier] / 2;
+      return isGpuBound && this.#lower(typical);
     }
-    const patience = this.#hasBeenSlow ? RAISED_AFTER : FIRST_RAISED_AFTER;
-    return this.#steady >= patience && this.#raise(work ?? typical, work !== null);
+    const steadyTime = this.#hasBeenSlow ? RAISE_TIME : FIRST_RAISE_TIME;
+    return this.#steady >= steadyTime && this.#raise(work ?? typical, work !== null);
   }
 
-  /** What was found too slow may be tried again: another size, another room, another session. */
+  /** Allows rungs that were too slow again: for another size, room or session. */
   renew(): void {
     this.#ceiling = BEST;
     this.#goTo(this.#index);
@@ -181,9 +181,9 @@ export class AutoQuality {
     if (this.#index === 0) return false;
     this.#hasBeenSlow = true;
     this.#ceiling = this.#index - 1;
-    // A frame just too late for the display waits for the next of it: that much may be no work.
+    // A frame may have waited for one refresh of the display.
     const budget = BUDGET[this.rung.tier];
-    const affordable = (this.#cost(this.rung) * budget) / Math.max(typical - DISPLAY, budget);
+    const affordable = (this.#cost(this.rung) * budget) / Math.max(typical - REFRESH, budget);
     let next = this.#ceiling;
     while (next > 0 && this.#cost(LADDER[next]!) > affordable) next--;
     this.#goTo(next);
@@ -198,27 +198,27 @@ export class AutoQuality {
       (rung, i) =>
         i <= this.#ceiling &&
         rung.tier !== this.rung.tier &&
-        this.#predicted(rung) <= BUDGET[rung.tier] * MARGIN,
+        this.#predictedTime(rung) <= BUDGET[rung.tier] * MARGIN,
     );
     if (best > this.#index) {
       this.#wanted = best;
       return false;
     }
     if (next.tier !== this.rung.tier) return false;
-    // A frame that waits for the display says nothing of what it could do: then it is tried.
-    const waits = !isWork && seconds <= DISPLAY * 1.05;
+    // A frame limited by the display gives no estimate: the next rung is tried.
+    const isDisplayBound = !isWork && seconds <= REFRESH * 1.05;
     const expected = (seconds * this.#cost(next)) / this.#cost(this.rung);
-    if (!waits && expected > BUDGET[next.tier]) return false;
+    if (!isDisplayBound && expected > BUDGET[next.tier]) return false;
     this.#goTo(this.#index + 1);
     return true;
   }
 
-  /** Time that a frame of a rung takes by what the load took, seconds. */
-  #predicted(rung: Rung): number {
+  /** Frame time of a rung predicted from the load, seconds. */
+  #predictedTime(rung: Rung): number {
     return this.speed ? this.#cost(rung) * this.speed.pixel : Infinity;
   }
 
-  /** Work of a frame on a rung, in pixels of the load. */
+  /** Of a frame on a rung, in pixels of the load. */
   #cost({ tier, share }: Rung): number {
     const { pixel, fixed } = this.work;
     const pixels = this.pixels * (tierNamed(tier).resolutionScale * share) ** 2;

@@ -6,9 +6,9 @@ const FULL = { 1: "R32F", 2: "RG32F", 4: "RGBA32F" } as const;
 const HALF = { 1: "R16F", 2: "RG16F", 4: "RGBA16F" } as const;
 
 /**
- * The format of what one pass leaves for the next, where half floats are precise enough.
+ * Format of intermediate targets for which half floats are precise enough.
  *
- * A CPU has to make floats of halves one by one: it reads full ones up to three times as fast.
+ * A software renderer reads full floats up to three times as fast as halves, which it converts one by one.
  */
 export function floats(
   { renderer, filtersFloats, drawsToFloats }: Gpu,

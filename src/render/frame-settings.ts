@@ -1,18 +1,18 @@
 import type { Features, Inspection } from "../settings.js";
 
-/** What a picture depends on beside the world. */
+/** Settings of a frame, beside the world. */
 export interface FrameSettings {
   readonly features: Features;
-  /** What the screen can show. */
+  /** Of the screen. */
   readonly gamut: PredefinedColorSpace;
   /** Compensation, EV. */
   readonly exposure: number;
-  /** Whether the eye or the candle has moved since the picture before, in a row that goes on. */
+  /** Whether the camera or the candle has moved since the last frame, and continues to. */
   readonly isMoving: boolean;
-  /** Whether another picture follows soon, so that one may leave to the next what takes long. */
+  /** Whether another frame follows soon, to which long work may be deferred. */
   readonly isPatient: boolean;
   /** No flicker and no sway: `prefers-reduced-motion`. */
   readonly isStill: boolean;
-  /** What is shown of the frame; looks without passes show the picture. */
+  /** Pass to inspect; looks without passes show the frame. */
   readonly inspect: Inspection;
 }

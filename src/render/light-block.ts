@@ -13,7 +13,7 @@ export function lightBlock(world: World, showsCandle: boolean) {
   const { position, axis: along, halfHeight, intensity, radius } = flameLight(world, TAPER);
   return {
     position,
-    vantage: capturePoint(world.interpolated.flame, position),
+    captureOrigin: capturePoint(world.interpolated.flame, position),
     halfHeight,
     intensity,
     radius,
@@ -53,7 +53,7 @@ export function captureLight(world: World, showsCandle: boolean): CaptureLight {
   const light = lightBlock(world, showsCandle);
   return {
     ...light,
-    position: light.vantage,
+    position: light.captureOrigin,
     halfHeight: snapToGrid(light.halfHeight),
     intensity: [1, 1, 1],
     along: [0, 1, 0],

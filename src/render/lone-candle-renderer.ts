@@ -1,3 +1,4 @@
+import type { mat4 } from "gl-matrix";
 import displayFrag from "../../shaders/candle/display.frag";
 import surfaceFrag from "../../shaders/candle/surface.frag";
 import surfaceVert from "../../shaders/mesh/mesh.vert";
@@ -10,24 +11,23 @@ import type { UniformBlock } from "../gl/uniform-block.js";
 import type { VertexArray } from "../gl/vertex-array.js";
 import { adaptation, adaptedWhite, luma, VIBRANCE } from "../light/color.js";
 import { emberRadiance, flameLight, TAPER } from "../light/flame-light.js";
+import type { Vec3 } from "../world/geometry.js";
 import type { World } from "../world/world.js";
-import { clipFromWorld, projectionScale } from "./camera.js";
+import { clipFromWorld, clipPosition, projectionScale } from "./camera.js";
 import type { FrameSettings } from "./frame-settings.js";
 import { lightBlock } from "./light-block.js";
 import { frameCandle } from "./lone-candle-framing.js";
 import { type Surface, surfaceSampling, uploadModel } from "./mesh/mesh.js";
 import type { Tier } from "./quality.js";
 import type { Renderer } from "./renderer.js";
-import { FlamePass } from "./volumetric/flame-pass.js";
+import { FlamePass, HANDLE_TURN } from "./volumetric/flame-pass.js";
 
 /** From cd/m² to the display's scale. */
 const EXPOSURE = 5;
-/** The ring handle, along +X in the model, is turned towards the eye. */
-const HANDLE_TURN = -1.1;
 const NOTHING = [0, 0, 0, 0] as const;
 const NO_EMBER = [0, 0, 0] as const;
 
-/** What all lone candles on one context share. */
+/** GPU objects shared by all lone candles on one context. */
 interface Shared {
   readonly surfaceProgram: Program;
   readonly displayProgram: Program;
@@ -38,11 +38,11 @@ interface Shared {
   readonly screen: VertexArray;
 }
 
-const shared = new WeakMap<Gpu, Shared>();
+const sharedByGpu = new WeakMap<Gpu, Shared>();
 
 function share(gpu: Gpu, model: Model): Shared {
   const surfaceProgram = gpu.program("candle/surface", surfaceVert, surfaceFrag);
-  const made: Shared = {
+  const shared: Shared = {
     surfaceProgram,
     displayProgram: gpu.program("candle/display", fullscreenVert, displayFrag),
     frame: gpu.uniformBlock(surfaceProgram, "Frame"),
@@ -51,14 +51,14 @@ function share(gpu: Gpu, model: Model): Shared {
     candle: uploadModel(gpu, model),
     screen: gpu.vertexArray("screen", { attributes: {}, count: 3 }),
   };
-  shared.set(gpu, made);
-  return made;
+  sharedByGpu.set(gpu, shared);
+  return shared;
 }
 
 /**
- * The candle and its flame over nothing: a picture with alpha, for the page's own background.
+ * The candle and its flame with alpha, over the page's background.
  *
- * It draws to the lower left corner of the canvas, which it may share with others.
+ * It draws to the lower left corner of a canvas that it may share with others.
  */
 export class LoneCandleRenderer implements Renderer {
   readonly particles = 0;
@@ -73,7 +73,7 @@ export class LoneCandleRenderer implements Renderer {
   constructor(gpu: Gpu, model: Model, tier: Tier) {
     this.#gpu = gpu;
     this.#tier = tier;
-    this.#shared = shared.get(gpu) ?? share(gpu, model);
+    this.#shared = sharedByGpu.get(gpu) ?? share(gpu, model);
   }
 
   resize(width: number, height: number): void {
@@ -82,12 +82,12 @@ export class LoneCandleRenderer implements Renderer {
     this.#size = { width, height };
     const size = { width, height, color: ["RGBA16F"] as const, depth: "buffer" as const };
     this.#samples =
-      samples > 1 ? this.#gpu.renderTarget({ label: "candle samples", ...size, samples }) : null;
-    this.#radiance = this.#gpu.renderTarget({ label: "candle radiance", ...size });
+      samples > 1 ? this.#gpu.renderTarget({ label: "candle/samples", ...size, samples }) : null;
+    this.#radiance = this.#gpu.renderTarget({ label: "candle/radiance", ...size });
   }
 
-  /** The body of the flame is no particles. */
-  setParticles(): void {}
+  /** The flame has no particles. */
+  setLayers(): void {}
 
   render(world: World, { features, exposure }: FrameSettings): void {
     if (!this.#radiance) return;
@@ -110,8 +110,8 @@ export class LoneCandleRenderer implements Renderer {
     flame.render(target, frame, world, this.#tier.physical.flameSteps);
     if (this.#samples) this.#gpu.resolve(this.#samples, this.#radiance);
     const { position, halfHeight, intensity } = flameLight(world, TAPER);
-    const [x, y] = project(clip, position);
-    const [, top] = project(clip, [position[0], position[1] + halfHeight, position[2]]);
+    const [x, y] = canvasUv(clip, position);
+    const [, top] = canvasUv(clip, [position[0], position[1] + halfHeight, position[2]]);
     const candela = luma(intensity);
     this.#gpu.draw({
       program: displayProgram,
@@ -123,8 +123,8 @@ export class LoneCandleRenderer implements Renderer {
         uAdaptation: this.#adaptation,
         uWhite: adaptedWhite(),
         uVibrance: VIBRANCE,
-        uHalo: [x, y, Math.abs(top - y), features.bloom ? Math.min(candela, 2) * 0.55 : 0],
-        uHaloColor: [1, 0.72, 0.36],
+        uGlare: [x, y, Math.abs(top - y), features.bloom ? Math.min(candela, 2) * 0.55 : 0],
+        uGlareColor: [1, 0.72, 0.36],
       },
       blocks: { Frame: frame },
     });
@@ -143,7 +143,7 @@ export class LoneCandleRenderer implements Renderer {
         sampling: surfaceSampling({ anisotropy: true }),
         uniforms: {
           uBaseColor: surface.baseColor,
-          uLamp: TAPER.color,
+          uEnvironment: TAPER.color,
           uPlacement: [x, y, z, HANDLE_TURN],
           uSurface: surface.parameters,
           uOcclusionStrength: surface.occlusionStrength,
@@ -162,7 +162,7 @@ export class LoneCandleRenderer implements Renderer {
     return this.#gpu.readFloats(this.#radiance, x, y, width, height);
   }
 
-  /** Frees what is not shared. */
+  /** Frees the targets; all else is shared. */
   dispose(): void {
     this.#samples?.dispose();
     this.#radiance?.dispose();
@@ -171,12 +171,8 @@ export class LoneCandleRenderer implements Renderer {
   }
 }
 
-/** Where a place in the room is in the picture: shares of width and height, from the lower left. */
-function project(
-  clip: ArrayLike<number>,
-  [x, y, z]: readonly [number, number, number],
-): readonly [number, number] {
-  const row = (i: number) =>
-    (clip[i] ?? 0) * x + (clip[i + 4] ?? 0) * y + (clip[i + 8] ?? 0) * z + (clip[i + 12] ?? 0);
-  return [0.5 + (0.5 * row(0)) / row(3), 0.5 + (0.5 * row(1)) / row(3)];
+/** uv on the canvas of a point in world space. */
+function canvasUv(clip: mat4, [x, y, z]: Vec3): readonly [number, number] {
+  const [across, up, w] = clipPosition(clip, x, y, z);
+  return [0.5 + (0.5 * across) / w, 0.5 + (0.5 * up) / w];
 }

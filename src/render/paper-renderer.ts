@@ -1,10 +1,9 @@
 import { mat4 } from "gl-matrix";
 import candleFrag from "../../shaders/paper/candle.frag";
-import candleVert from "../../shaders/paper/candle.vert";
+import meshVert from "../../shaders/paper/mesh.vert";
 import particleFrag from "../../shaders/paper/particle.frag";
 import particleVert from "../../shaders/paper/particle.vert";
 import roomFrag from "../../shaders/paper/room.frag";
-import roomVert from "../../shaders/paper/room.vert";
 import type { Gpu, Surface as Target } from "../gl/gpu.js";
 import type { Program } from "../gl/program.js";
 import type { RenderTarget } from "../gl/render-target.js";
@@ -23,14 +22,14 @@ import type { Models, Renderer } from "./renderer.js";
 import { FEEDBACK, ParticleSystem, particleProgram } from "./volumetric/particle-system.js";
 import { zoomOf } from "./zoom.js";
 
-/** The paper's light has no unit; this shows its white wall at arm's length just below white. */
+/** The paper's light has no unit; this exposes its white wall at arm's length just below white. */
 const EXPOSURE = 0.62;
 /** Light of one particle where it is brightest, in display units; without a gradient, its opacity. */
 const GLOW = { core: 0.2, haze: 0.012 } as const;
 const FLAT_GLOW = { core: 0.8, haze: 0.08 } as const;
 
 /**
- * The paper's forward frame: room, candle, particles, straight to the screen's colours.
+ * The paper's forward renderer: room, candle, particles, straight to display colour.
  *
  * "Dynamic Fire Effects Using OpenGL Rasterization Techniques": `paper` is its final product,
  * `original` its "before".
@@ -50,14 +49,14 @@ export class PaperRenderer implements Renderer {
   #clipFromWorld = mat4.create();
   #target: RenderTarget | null = null;
   #size = { width: 1, height: 1 };
-  /** From the paper's light to the screen's, in the last frame. */
-  #gain = EXPOSURE;
+  /** Exposure of the last frame. */
+  #exposure = EXPOSURE;
 
   constructor(gpu: Gpu, { room, candle }: Models, tier: Tier) {
     this.#gpu = gpu;
     this.#tier = tier;
-    this.#roomProgram = gpu.program("paper/room", roomVert, roomFrag);
-    this.#candleProgram = gpu.program("paper/candle", candleVert, candleFrag);
+    this.#roomProgram = gpu.program("paper/room", meshVert, roomFrag);
+    this.#candleProgram = gpu.program("paper/candle", meshVert, candleFrag);
     this.#updateProgram = particleProgram(gpu);
     this.#frame = gpu.uniformBlock(this.#roomProgram, "Frame");
     this.#light = gpu.uniformBlock(this.#roomProgram, "Light");
@@ -65,7 +64,6 @@ export class PaperRenderer implements Renderer {
     this.#candle = uploadModel(gpu, candle);
   }
 
-  /** The picture's size in pixels; the canvas has it already. */
   resize(width: number, height: number): void {
     this.#size = { width, height };
     this.#target?.dispose();
@@ -83,15 +81,13 @@ export class PaperRenderer implements Renderer {
         : null;
   }
 
-  /** Other particles: those of a new world, or more of them. They catch up in the next frame. */
-  setParticles({ seed }: World, layers: readonly ParticleLayer[]): void {
+  setLayers({ seed }: World, layers: readonly ParticleLayer[]): void {
     for (const system of this.#systems) system.dispose();
     this.#systems = layers.map(
       (layer, i) => new ParticleSystem(this.#gpu, this.#updateProgram, layer, layerKey(seed, i)),
     );
   }
 
-  /** Particle slots at work in the last frame. */
   get particles(): number {
     return this.#systems.reduce((sum, { count }) => sum + count, 0);
   }
@@ -101,17 +97,21 @@ export class PaperRenderer implements Renderer {
     const target = this.#target ?? "canvas";
     const { features } = view;
     this.#updateBlocks(world, view);
-    gpu.paintIn("srgb");
+    gpu.setColorSpace("srgb");
     gpu.clear(target, [0, 0, 0, 1]);
-    this.#drawRoom(target);
-    if (features.candle) this.#drawCandle(target, world);
+    this.#drawSurfaces(target, this.#roomProgram, this.#room, [0, 0, 0, 1]);
+    if (features.candle) {
+      const [x, y, z] = world.interpolated.foot;
+      const placement = [x, y, z, world.setup.candleScale];
+      this.#drawSurfaces(target, this.#candleProgram, this.#candle, placement);
+    }
     if (features.particles) this.#drawParticles(target, world, features);
     if (this.#target) gpu.resolve(this.#target, "canvas");
   }
 
   #updateBlocks(world: World, { features, exposure, isStill }: FrameSettings): void {
     const { player, look, interpolated } = world;
-    this.#gain = EXPOSURE * 2 ** exposure;
+    this.#exposure = EXPOSURE * 2 ** exposure;
     const { width, height } = this.#size;
     this.#clipFromWorld = clipFromWorld(
       interpolated.eye,
@@ -123,7 +123,7 @@ export class PaperRenderer implements Renderer {
     this.#frame.update({
       clipFromWorld: this.#clipFromWorld,
       eyePosition: interpolated.eye,
-      exposure: this.#gain,
+      exposure: this.#exposure,
       viewport: [width, height],
       projectionScale: projectionScale(Math.min(width, height)) * zoomOf(world),
       normalMaps: features.normalMaps && look === "paper" ? 1 : 0,
@@ -137,31 +137,15 @@ export class PaperRenderer implements Renderer {
     });
   }
 
-  #drawRoom(target: Target): void {
-    for (const { vertexArray, textures, baseColor, occlusionStrength } of this.#room) {
+  #drawSurfaces(
+    target: Target,
+    program: Program,
+    surfaces: readonly Surface[],
+    uWorldFromModel: readonly number[],
+  ): void {
+    for (const { vertexArray, textures, baseColor, occlusionStrength } of surfaces) {
       this.#gpu.draw({
-        program: this.#roomProgram,
-        target,
-        vertexArray,
-        textures,
-        sampling: surfaceSampling(this.#tier),
-        uniforms: { uBaseColor: baseColor, uOcclusionStrength: occlusionStrength },
-        blocks: { Frame: this.#frame, Light: this.#light },
-        depth: "test-and-write",
-      });
-    }
-  }
-
-  #drawCandle(target: Target, { interpolated, setup }: World): void {
-    const place = [
-      interpolated.foot[0],
-      interpolated.foot[1],
-      interpolated.foot[2],
-      setup.candleScale,
-    ];
-    for (const { vertexArray, textures, baseColor, occlusionStrength } of this.#candle) {
-      this.#gpu.draw({
-        program: this.#candleProgram,
+        program,
         target,
         vertexArray,
         textures,
@@ -169,7 +153,7 @@ export class PaperRenderer implements Renderer {
         uniforms: {
           uBaseColor: baseColor,
           uOcclusionStrength: occlusionStrength,
-          uWorldFromModel: place,
+          uWorldFromModel,
         },
         blocks: { Frame: this.#frame, Light: this.#light },
         depth: "test-and-write",
@@ -203,7 +187,7 @@ export class PaperRenderer implements Renderer {
         uniforms: {
           uClipFromFlame: new Float32Array(clipFromFlame),
           uSize: size * pixels,
-          uAhead: remainder,
+          uExtrapolation: remainder,
           uFading: isFinal ? 1 : 0,
           uGlow: hasGradient ? GLOW[name] : FLAT_GLOW[name],
         },
@@ -214,7 +198,7 @@ export class PaperRenderer implements Renderer {
     }
   }
 
-  /** Compiled at its first use: a look needs one or two of the four. */
+  /** Compiled on first use: a look needs one or two of the four variants. */
   #particleProgram(isHaze: boolean, hasGradient: boolean): Program {
     const defines = { HAZE: isHaze ? 1 : 0, GRADIENT: hasGradient ? 1 : 0 };
     const key = JSON.stringify(defines);
@@ -227,7 +211,7 @@ export class PaperRenderer implements Renderer {
     return program;
   }
 
-  /** There is no buffer of light here: the picture is decoded, and its exposure taken back. */
+  /** There is no HDR buffer: the canvas is decoded, and its exposure undone. */
   readRadiance(x: number, y: number, width: number, height: number): Float32Array {
     const bytes = this.#gpu.readCanvas(x, this.#size.height - y - height, width, height);
     const radiance = new Float32Array(width * height * 3);
@@ -236,7 +220,7 @@ export class PaperRenderer implements Renderer {
         const from = ((height - 1 - row) * width + column) * 4;
         for (let channel = 0; channel < 3; channel++) {
           const linear = decodeSrgb((bytes[from + channel] ?? 0) / 255);
-          radiance[(row * width + column) * 3 + channel] = linear / this.#gain;
+          radiance[(row * width + column) * 3 + channel] = linear / this.#exposure;
         }
       }
     }

@@ -28,7 +28,7 @@ import {
   glareShareOf,
 } from "./post/display-pass.js";
 import { ExposurePass } from "./post/exposure-pass.js";
-import { BLOOM_REACH, FlameBloomPass, GLARE } from "./post/flame-bloom-pass.js";
+import { BLOOM_REACH, BLOOM_SCALE, FlameBloomPass } from "./post/flame-bloom-pass.js";
 import { type Bloom, FrameBloomPass } from "./post/frame-bloom-pass.js";
 import { InspectPass } from "./post/inspect-pass.js";
 import { MOTION_ERROR, type Tier } from "./quality.js";
@@ -117,8 +117,8 @@ export class PhysicalRenderer implements Renderer {
     this.#bloom.resize(width, height);
   }
 
-  setParticles(world: World, layers: readonly ParticleLayer[]): void {
-    this.#volumetric.setParticles(world, layers);
+  setLayers(world: World, layers: readonly ParticleLayer[]): void {
+    this.#volumetric.setLayers(world, layers);
   }
 
   get particles(): number {
@@ -135,7 +135,7 @@ export class PhysicalRenderer implements Renderer {
     const { shadow, irradiance } = this.#captures.update(frame, kind);
     const layer = this.#opaque.shade(frame, shadow, irradiance);
     const region = this.#compositeDisplay
-      ? this.#volumetric.bounds(frame, kind, this.#size, GLARE)
+      ? this.#volumetric.bounds(frame, kind, this.#size, BLOOM_SCALE)
       : this.#whole;
     this.#composite(frame, layer, irradiance, region);
     this.#complete = () => this.#composite(frame, layer, irradiance, this.#whole);

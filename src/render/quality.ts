@@ -38,7 +38,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
     physical: {
       opaque: "deferred",
       shadow: { size: 128, search: 4, taps: 8 },
-      indirect: { patches: 6, probes: [5, 3, 5], rays: 8, bounces: 4, looks: false },
+      indirect: { surfels: 6, probes: [5, 3, 5], rays: 8, bounces: 4, testsVisibility: false },
       casterError: 0.03,
       bloomLevels: 3,
       flameSteps: 12,
@@ -53,7 +53,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
     physical: {
       opaque: "forward",
       shadow: { size: 512, search: 12, taps: 24 },
-      indirect: { patches: 8, probes: [6, 4, 6], rays: 10, bounces: 5, looks: true },
+      indirect: { surfels: 8, probes: [6, 4, 6], rays: 10, bounces: 5, testsVisibility: true },
       casterError: 0.01,
       bloomLevels: 5,
       flameSteps: 24,
@@ -68,7 +68,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
     physical: {
       opaque: "forward",
       shadow: { size: 512, search: 16, taps: 32 },
-      indirect: { patches: 16, probes: [14, 6, 14], rays: 10, bounces: 6, looks: true },
+      indirect: { surfels: 16, probes: [14, 6, 14], rays: 10, bounces: 6, testsVisibility: true },
       casterError: 0,
       bloomLevels: 6,
       flameSteps: 40,
@@ -83,7 +83,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
     physical: {
       opaque: "forward",
       shadow: { size: 1024, search: 24, taps: 48 },
-      indirect: { patches: 16, probes: [14, 6, 14], rays: 12, bounces: 6, looks: true },
+      indirect: { surfels: 16, probes: [14, 6, 14], rays: 12, bounces: 6, testsVisibility: true },
       casterError: 0,
       bloomLevels: 6,
       flameSteps: 64,

@@ -3,21 +3,21 @@ import type { ParticleLayer } from "../world/particles/particle-layer.js";
 import type { World } from "../world/world.js";
 import type { FrameSettings } from "./frame-settings.js";
 
-/** What a look's picture is made of. */
+/** Models of a scene. */
 export interface Models {
   readonly room: Model;
   readonly candle: Model;
 }
 
-/** A family of looks: turns the world into pixels on the canvas. Born on a `Gpu`, which frees it. */
+/** Draws the world onto the canvas, for one family of looks. Created on a `Gpu`, which frees it. */
 export interface Renderer {
-  /** Particle slots at work in the last frame. */
+  /** Particle slots in use in the last frame. */
   readonly particles: number;
-  /** The picture's size in pixels; the canvas has it already. */
+  /** @param width of the canvas, pixels */
   resize(width: number, height: number): void;
-  /** Other particles: those of a new world, or more of them. They catch up in the next frame. */
-  setParticles(world: World, layers: readonly ParticleLayer[]): void;
-  render(world: World, settings: FrameSettings): void;
-  /** Linear RGB of the picture just drawn, rows from the top, origin top left. Waits for the GPU. */
+  /** Replaces the particles by those of a new world, or of other layers. They catch up in the next frame. */
+  setLayers(world: World, layers: readonly ParticleLayer[]): void;
+  render(world: World, view: FrameSettings): void;
+  /** Linear RGB of the last frame, rows from the top, origin top left. Waits for the GPU. */
   readRadiance(x: number, y: number, width: number, height: number): Float32Array;
 }

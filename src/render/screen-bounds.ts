@@ -1,51 +1,66 @@
 import type { mat4 } from "gl-matrix";
 import type { Box } from "../gl/gpu.js";
 import { clipPosition } from "./camera.js";
-import type { Ball } from "./volumetric/smoke-pass.js";
+import type { Size } from "./canvas-size.js";
 
-/** Pixels of a picture. */
-interface Size {
-  readonly width: number;
-  readonly height: number;
+/** A bounding sphere: x, y, z, radius, metres. */
+export type Sphere = readonly [number, number, number, number];
+
+/** Edges of a rectangle on the frame, pixels. */
+interface Extent {
+  readonly left: number;
+  readonly bottom: number;
+  readonly right: number;
+  readonly top: number;
 }
 
-/** How a box is drawn around what is seen, pixels. */
-interface Fit {
-  /** Left free around it. */
-  readonly margin: number;
-  /** The box is of whole cells that are so wide, one more on each side. */
-  readonly cell: number;
-}
+/** Points nearer than this along the view axis may project anywhere, metres. */
+const NEAREST = 0.01;
 
-/** The pixels that cover balls (x, y, z, radius: metres) in a picture seen through `clip`. */
-export function screenBounds(
-  balls: Iterable<Ball>,
+/** Bounding rectangle of the projected cubes around spheres; null where it is unbounded. */
+export function projectedExtent(
+  spheres: Iterable<Sphere>,
   clip: mat4,
   { width, height }: Size,
-  { margin, cell }: Fit,
-): Box {
+): Extent | null {
   let [left, bottom, right, top] = [width, height, 0, 0];
-  for (const [x, y, z, reach] of balls) {
+  for (const [x, y, z, radius] of spheres) {
     for (let corner = 0; corner < 8; corner++) {
-      const aside = (axis: number) => ((corner >> axis) & 1 ? reach : -reach);
-      const [across, up, w] = clipPosition(clip, x + aside(0), y + aside(1), z + aside(2));
-      // Beside the eye it may be anywhere.
-      if (w < 0.01) return [0, 0, width, height];
+      const offset = (axis: number) => ((corner >> axis) & 1 ? radius : -radius);
+      const [across, up, w] = clipPosition(clip, x + offset(0), y + offset(1), z + offset(2));
+      if (w < NEAREST) return null;
       left = Math.min(left, (0.5 + (0.5 * across) / w) * width);
       right = Math.max(right, (0.5 + (0.5 * across) / w) * width);
       bottom = Math.min(bottom, (0.5 + (0.5 * up) / w) * height);
       top = Math.max(top, (0.5 + (0.5 * up) / w) * height);
     }
   }
+  return { left, bottom, right, top };
+}
+
+/**
+ * Bounding box of spheres on the frame: whole cells, and one more on each side.
+ *
+ * @param margin around the spheres, pixels
+ * @param cell edge of a cell, pixels
+ */
+export function screenBounds(
+  spheres: Iterable<Sphere>,
+  clip: mat4,
+  { width, height }: Size,
+  { margin, cell }: { readonly margin: number; readonly cell: number },
+): Box {
+  const extent = projectedExtent(spheres, clip, { width, height });
+  if (!extent) return [0, 0, width, height];
   const begin = (at: number, length: number) =>
     Math.min(Math.max((Math.floor((at - margin) / cell) - 1) * cell, 0), length - 1);
   const end = (at: number, from: number, length: number) =>
     Math.min(Math.max((Math.ceil((at + margin) / cell) + 1) * cell, from + 1), length);
-  const [x, y] = [begin(left, width), begin(bottom, height)];
-  return [x, y, end(right, x, width) - x, end(top, y, height) - y];
+  const [x, y] = [begin(extent.left, width), begin(extent.bottom, height)];
+  return [x, y, end(extent.right, x, width) - x, end(extent.top, y, height) - y];
 }
 
-/** A box with so many pixels more on each side, or less, but for the edges of the picture. */
+/** A box expanded by a number of pixels on each side that is no edge of the frame; negative to shrink. */
 export function expandBox([x, y, wide, high]: Box, by: number, { width, height }: Size): Box {
   const [left, bottom] = [x === 0 ? 0 : Math.max(x - by, 0), y === 0 ? 0 : Math.max(y - by, 0)];
   const right = x + wide === width ? width : Math.min(x + wide + by, width);
@@ -53,7 +68,7 @@ export function expandBox([x, y, wide, high]: Box, by: number, { width, height }
   return [left, bottom, right - left, top - bottom];
 }
 
-/** The pixels of another picture of the same that a box touches. */
+/** The pixels that a box touches at another resolution. */
 export function scaleBox([x, y, wide, high]: Box, from: Size, to: Size): Box {
   const [across, up] = [to.width / from.width, to.height / from.height];
   const [left, bottom] = [Math.floor(x * across), Math.floor(y * up)];

@@ -2,7 +2,7 @@ import fullscreenVert from "../../shaders/post/fullscreen.vert";
 import loadFrag from "../../shaders/speed/load.frag";
 import type { Gpu } from "../gl/gpu.js";
 
-/** How fast a GPU was measured to be. */
+/** Measured speed of a GPU. */
 export interface Speed {
   /** Time for a pixel of `speed/load.frag`, seconds. */
   readonly pixel: number;
@@ -10,24 +10,24 @@ export interface Speed {
   readonly anisotropicPixel: number;
 }
 
-/** Edges of the squares that are drawn, pixels: each has four times as many as the one before. */
+/** Edges of the squares drawn, pixels. */
 const EDGES = [16, 32, 64, 128, 256, 512, 1024] as const;
-/** A draw that takes this long says enough, seconds. */
-const LONG = 0.006;
-/** Each is drawn so often; the least counts, since other work can only add to it. */
+/** Least time of a reliable measurement, seconds. */
+const LEAST_TIME = 0.006;
+/** Repetitions, of which the shortest counts: other work only adds time. */
 const TRIES = 3;
-/** Texels along the edge of the texture that is read. */
+/** Edge of the sampled texture, texels. */
 const TEXELS = 64;
 
-const known = new WeakMap<Gpu, Promise<Speed | null>>();
+const measured = new WeakMap<Gpu, Promise<Speed | null>>();
 
-/** Tells the time, seconds. */
+/** The time, seconds. */
 type Clock = () => number;
 
-/** Measures once, in 0.15 to 0.4 s where a CPU draws, without blocking. Null where the context is lost. */
+/** Measures once, without blocking; a software renderer takes 0.15 to 0.4 s. Null if the context is lost. */
 export function measureSpeed(gpu: Gpu, clock: Clock): Promise<Speed | null> {
-  const speed = known.get(gpu) ?? measure(gpu, clock);
-  known.set(gpu, speed);
+  const speed = measured.get(gpu) ?? measure(gpu, clock);
+  measured.set(gpu, speed);
   return speed;
 }
 
@@ -42,13 +42,13 @@ async function measure(gpu: Gpu, clock: Clock): Promise<Speed | null> {
     const anisotropicPixel = await load(true).pixel(8);
     return Number.isFinite(pixel + anisotropicPixel) ? { pixel, anisotropicPixel } : null;
   } catch {
-    return null; // what is wrong with this GPU shows where something is to be drawn
+    return null; // the renderer reports the error
   } finally {
-    for (const one of loads) one.dispose();
+    for (const each of loads) each.dispose();
   }
 }
 
-/** One load, at any size. */
+/** A square of `speed/load.frag`. */
 class Load {
   readonly #gpu: Gpu;
   readonly #clock: Clock;
@@ -85,7 +85,7 @@ class Load {
     this.#screen = gpu.vertexArray("speed", { attributes: {}, count: 3 });
   }
 
-  /** Drivers clear what nobody has drawn when it is first read. */
+  /** Drivers clear undrawn textures on first use, which must not be measured. */
   #clearFaces(): void {
     for (let image = 0; image < 6; image++) {
       const textures = [this.#texture];
@@ -95,24 +95,25 @@ class Load {
     }
   }
 
-  /** Seconds for a pixel, of the smallest square that takes long enough. */
+  /** Seconds for a pixel, from the smallest square of a reliable time. */
   async pixel(anisotropy = 1): Promise<number> {
     await this.#gpu.whenCompiled();
-    await this.#time(1, anisotropy); // drivers finish a program with its first draw
-    const overhead = await this.#least(1, anisotropy);
+    await this.#time(1, anisotropy); // drivers finish a program on its first draw
+    const overhead = await this.#shortest(1, anisotropy);
     for (const edge of EDGES) {
-      const time = await this.#least(edge, anisotropy);
-      if (time < LONG && edge !== EDGES.at(-1)) continue;
-      // What is shorter than the clock's step is none at all; then the whole is an upper bound.
+      const time = await this.#shortest(edge, anisotropy);
+      if (time < LEAST_TIME && edge !== EDGES.at(-1)) continue;
+      // The overhead may be below the clock's resolution; then the whole time is an upper bound.
       return (time > 2 * overhead ? time - overhead : time) / edge ** 2;
     }
     return Number.NaN;
   }
 
-  async #least(edge: number, anisotropy: number): Promise<number> {
-    let least = Infinity;
-    for (let i = 0; i < TRIES; i++) least = Math.min(least, await this.#time(edge, anisotropy));
-    return least;
+  async #shortest(edge: number, anisotropy: number): Promise<number> {
+    let shortest = Infinity;
+    for (let i = 0; i < TRIES; i++)
+      shortest = Math.min(shortest, await this.#time(edge, anisotropy));
+    return shortest;
   }
 
   async #time(edge: number, anisotropy: number): Promise<number> {

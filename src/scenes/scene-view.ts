@@ -123,7 +123,7 @@ export class SceneView {
   follow(subject: ViewSubject): void {
     this.#subject = subject;
     // After a lost context, the renderer to come will.
-    if (!this.#target.gpu.isLost) this.#renderer.setParticles(subject.world, subject.layers);
+    if (!this.#target.gpu.isLost) this.#renderer.setLayers(subject.world, subject.layers);
   }
 
   /** To be followed by `rebuild` if the quality or the models are others. */

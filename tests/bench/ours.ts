@@ -51,7 +51,7 @@ export function ours(canvas: HTMLCanvasElement, cell: Cell): Peer {
         uniforms: {
           uClipFromFlame: clipFromFlame,
           uSize: layer.size * VIEW.projectionScale,
-          uAhead: 0,
+          uExtrapolation: 0,
           uFading: 1,
           uGlow: this.glow[0],
         },

@@ -112,12 +112,12 @@ function blockOf(gpu: Gpu, name: "Frame" | "Light" | "Volume") {
 function darkRoom(gpu: Gpu, uDark: Texture): IrradianceVolume {
   const block = blockOf(gpu, "Volume");
   const one = { columns: 1, rows: 1, planes: 1 };
-  block.update({ corner: [0, 0, 0], extent: [1, 1, 1], ...one, looks: 0 });
+  block.update({ corner: [0, 0, 0], extent: [1, 1, 1], ...one, testsVisibility: 0 });
   return {
     block,
     textures: { uIrradiance: uDark, uProbePositions: uDark, uProbeDepth: uDark },
     radiosity: uDark,
-    below: uDark,
+    support: uDark,
   };
 }
 
@@ -147,7 +147,7 @@ export function mixtures(seed: number, seconds: number) {
   const [frame, light] = [blockOf(gpu, "Frame"), blockOf(gpu, "Light")];
 
   const world = createWorld("physical", seed);
-  passes.motes.follow(world, world.setup.layers);
+  passes.motes.setLayers(world, world.setup.layers);
   const look = () => {
     const [x, y, z] = world.interpolated.flame;
     const eye: Vec3 = [x + EYE[0], y + EYE[1], z + EYE[2]];

@@ -12,7 +12,7 @@ void main() {
   Tetrahedron tetrahedron = tetrahedronAt(share);
   vec3 mixed = vec3(0.0);
   for (int corner = 0; corner < 4; corner++) {
-    mixed += tetrahedron.weights[corner] * cornerOf(tetrahedron, corner, share);
+    mixed += tetrahedron.weights[corner] * tetrahedronCorner(tetrahedron, corner, share);
   }
   vec3 apart = abs(mixed - share);
   oRadiance = vec4(1.0 + max(max(apart.x, apart.y), apart.z), 0.0, 0.0, 1.0);

@@ -51,7 +51,7 @@ interface Spread {
 
 /** What the compiler says of the room's program with one line of one of its files replaced. */
 function complaintAbout(page: Page, file: string, line: string, replacement: string) {
-  const vertex = resolveShader(join(SHADERS, "paper/room.vert"));
+  const vertex = resolveShader(join(SHADERS, "paper/mesh.vert"));
   const fragment = resolveShader(join(SHADERS, "paper/room.frag"));
   const broken = { ...fragment, source: fragment.source.replace(line, replacement) };
   expect(broken.source, `${file} reads “${line}”`).not.toBe(fragment.source);

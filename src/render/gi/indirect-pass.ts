@@ -1,17 +1,17 @@
 import { mat4 } from "gl-matrix";
-import gatherFrag from "../../../shaders/gi/gather-rays.frag";
-import probeFrag from "../../../shaders/gi/gather-surfels.frag";
+import gatherRaysFrag from "../../../shaders/gi/gather-rays.frag";
+import gatherSurfelsFrag from "../../../shaders/gi/gather-surfels.frag";
 import irradianceFrag from "../../../shaders/gi/irradiance.frag";
 import radiosityFrag from "../../../shaders/gi/radiosity.frag";
-import glimpseFrag from "../../../shaders/gi/ray-direct.frag";
-import echoFrag from "../../../shaders/gi/ray-radiance.frag";
-import belowFrag from "../../../shaders/gi/support-radiosity.frag";
+import rayDirectFrag from "../../../shaders/gi/ray-direct.frag";
+import rayRadianceFrag from "../../../shaders/gi/ray-radiance.frag";
+import supportFrag from "../../../shaders/gi/support-radiosity.frag";
 import surfelFrag from "../../../shaders/gi/surfel.frag";
-import surfelVert from "../../../shaders/gi/surfel.vert";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
+import cubeFaceVert from "../../../shaders/shadow/cube-face.vert";
 import type { Model } from "../../assets/model.js";
 import type { Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
+import type { Program, ShaderSource } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
@@ -24,20 +24,19 @@ import type { Surface } from "../mesh/mesh.js";
 import { SCHEDULE } from "../schedule.js";
 import { clipFromFace, FACES } from "../shadow/cube-map.js";
 import type { ShadowCasters } from "../shadow/shadow-casters.js";
-import { LIT, type ProbeDetail, TILE, traceProbes } from "./probe-rays.js";
+import { IRRADIANCE_EDGE, type ProbeDetail, SH_TEXELS, traceProbes } from "./probe-rays.js";
 import { type ProbeTextures, uploadProbeRays } from "./probe-textures.js";
 
-/** How finely indirect light is known. */
+/** Resolution of indirect light. */
 export interface IndirectDetail extends ProbeDetail {
-  /** Patches along an edge of the cube around the flame. */
-  readonly patches: number;
-  /** Times that light is passed on. */
+  /** Surfels along an edge of the cube around the flame. */
+  readonly surfels: number;
   readonly bounces: number;
-  /** Whether a place is lit only by the probes in its sight; otherwise by all that are near. */
-  readonly looks: boolean;
+  /** Whether probes are weighted by their visibility; otherwise by distance alone. */
+  readonly testsVisibility: boolean;
 }
 
-/** The room whose surfaces pass light on. */
+/** The room that reflects light. */
 export interface IndirectScene {
   readonly model: Model;
   readonly collision: CollisionMesh;
@@ -45,7 +44,7 @@ export interface IndirectScene {
   readonly surfaces: readonly Surface[];
 }
 
-/** Indirect light everywhere in the room, for shaders that include `lib/irradiance-volume.glsl`. */
+/** Irradiance volume, for shaders that include `lib/irradiance-volume.glsl`. */
 export interface IrradianceVolume {
   readonly block: UniformBlock;
   readonly textures: {
@@ -53,70 +52,69 @@ export interface IrradianceVolume {
     readonly uProbePositions: Texture;
     readonly uProbeDepth: Texture;
   };
-  /** What the patches send back, lm/m²: for `lib/distance-impostor.glsl`. */
+  /** Of the surfels, lm/m²: for `lib/distance-impostor.glsl`. */
   readonly radiosity: Texture;
-  /** The surface below the flame, for `lib/support-irradiance.glsl`; null where probes look for themselves. */
-  readonly below: Texture | null;
+  /** Of the surface below the flame, for `lib/support-irradiance.glsl`; null where probes test visibility. */
+  readonly support: Texture | null;
 }
 
 /**
- * Light that has bounced off the room, without any precomputation.
+ * Indirect diffuse light by radiosity and dynamic irradiance probes, without precomputed lighting.
  *
- * The flame sees the room as a few hundred patches, and probes gather their light as far as they see them.
- * Each probe knows what its rays meet, and gathers what that throws back of the flame's light where patches
- * are too coarse, and of the probes' light, for a number of bounces. `render` starts from darkness each time,
- * so its result depends on where the flame is and on nothing drawn before; `follow` goes on from what it had.
- * Light adds up, so a flame that flickers changes only what the result is multiplied by.
+ * First bounce: surfels captured in a cube around the flame, and the hits of the probes' rays, combined by multiple
+ * importance sampling. Further bounces: the probes' rays, lit by the irradiance volume. `render` starts from darkness,
+ * so its result depends on the light's position alone; `updateIncrementally` starts from the previous result. All of
+ * it is for a flame of 1 cd: flicker changes only a factor.
  */
 export class IndirectPass {
   readonly #gpu: Gpu;
   readonly #detail: IndirectDetail;
   readonly #surfelProgram: Program;
   readonly #radiosityProgram: Program;
-  readonly #probeProgram: Program;
-  readonly #echoProgram: Program;
-  readonly #glimpseProgram: Program;
-  readonly #gatherProgram: Program;
+  readonly #gatherSurfelsProgram: Program;
+  readonly #rayRadianceProgram: Program;
+  readonly #rayDirectProgram: Program;
+  readonly #gatherRaysProgram: Program;
   readonly #irradianceProgram: Program;
   readonly #screen: VertexArray;
   readonly #block: UniformBlock;
-  readonly #below: { readonly program: Program; readonly target: RenderTarget } | null;
+  readonly #support: { readonly program: Program; readonly target: RenderTarget } | null;
   readonly #surfels: RenderTarget;
   readonly #radiosity: RenderTarget;
-  readonly #echo: RenderTarget;
-  readonly #first: RenderTarget;
-  readonly #all: RenderTarget;
+  readonly #rayRadiance: RenderTarget;
+  readonly #firstBounce: RenderTarget;
+  readonly #allBounces: RenderTarget;
   readonly #irradiance: RenderTarget;
   readonly #light: UniformBlock;
-  readonly #room: IndirectScene;
+  readonly #scene: IndirectScene;
   #uploaded: ProbeTextures | null = null;
-  /** What the volume was made from. */
+  /** Light of the current irradiance, as JSON. */
   #lastLight = "";
-  /** Whether nothing that was drawn before is in it. */
+  /** Whether the irradiance was computed by `render`. */
   #isExact = false;
-  /** What is being captured, a face at a time. */
-  #begun: { readonly light: CaptureLight; faces: number } | null = null;
-  /** Pictures until it may follow a light again. */
-  #rest = 0;
+  /** Incremental update in progress, with the number of faces captured so far. */
+  #update: { readonly light: CaptureLight; faces: number } | null = null;
+  /** Frames until the next incremental update may begin. */
+  #pause = 0;
 
-  constructor(gpu: Gpu, screen: VertexArray, room: IndirectScene, detail: IndirectDetail) {
+  constructor(gpu: Gpu, screen: VertexArray, scene: IndirectScene, detail: IndirectDetail) {
     this.#gpu = gpu;
     this.#screen = screen;
     this.#detail = detail;
-    const defines = { RAYS: detail.rays };
-    this.#surfelProgram = gpu.program("gi/surfel", surfelVert, surfelFrag);
+    this.#scene = scene;
+    const perRay = (label: string, fragment: ShaderSource) =>
+      gpu.program(label, fullscreenVert, fragment, { defines: { RAYS: detail.rays } });
+    this.#surfelProgram = gpu.program("gi/surfel", cubeFaceVert, surfelFrag);
     this.#radiosityProgram = gpu.program("gi/radiosity", fullscreenVert, radiosityFrag);
-    this.#probeProgram = gpu.program("gi/gather-surfels", fullscreenVert, probeFrag, { defines });
-    this.#echoProgram = gpu.program("gi/ray-radiance", fullscreenVert, echoFrag, { defines });
-    this.#glimpseProgram = gpu.program("gi/ray-direct", fullscreenVert, glimpseFrag, {
-      defines,
-    });
-    this.#gatherProgram = gpu.program("gi/gather-rays", fullscreenVert, gatherFrag, { defines });
+    this.#gatherSurfelsProgram = perRay("gi/gather-surfels", gatherSurfelsFrag);
+    this.#rayRadianceProgram = perRay("gi/ray-radiance", rayRadianceFrag);
+    this.#rayDirectProgram = perRay("gi/ray-direct", rayDirectFrag);
+    this.#gatherRaysProgram = perRay("gi/gather-rays", gatherRaysFrag);
     this.#irradianceProgram = gpu.program("gi/irradiance", fullscreenVert, irradianceFrag);
     this.#light = gpu.uniformBlock(this.#radiosityProgram, "Light");
     const [columns, rows, planes] = detail.probes;
-    const { min, max } = room.model.bounds;
-    this.#block = gpu.uniformBlock(this.#echoProgram, "Volume");
+    const { min, max } = scene.model.bounds;
+    this.#block = gpu.uniformBlock(this.#rayRadianceProgram, "Volume");
     this.#block.update({
       corner: min,
       // A floor without walls is a room, too.
@@ -124,90 +122,89 @@ export class IndirectPass {
       columns,
       rows,
       planes,
-      looks: detail.looks ? 1 : 0,
+      testsVisibility: detail.testsVisibility ? 1 : 0,
     });
     const texel = floats(gpu, 4);
-    const patches = { width: detail.patches * FACES.length, height: detail.patches };
+    const surfels = { width: detail.surfels * FACES.length, height: detail.surfels };
     this.#surfels = gpu.renderTarget({
-      label: "indirect/surfels",
-      ...patches,
+      label: "gi/surfels",
+      ...surfels,
       color: [texel, texel],
       depth: "buffer",
       filter: "nearest",
     });
-    const one = { width: 1, height: 1, color: [texel], filter: "nearest" } as const;
-    this.#below = detail.looks
+    const single = { width: 1, height: 1, color: [texel], filter: "nearest" } as const;
+    this.#support = detail.testsVisibility
       ? null
       : {
-          program: gpu.program("gi/support-radiosity", fullscreenVert, belowFrag),
-          target: gpu.renderTarget({ label: "indirect/below", ...one }),
+          program: gpu.program("gi/support-radiosity", fullscreenVert, supportFrag),
+          target: gpu.renderTarget({ label: "gi/support-radiosity", ...single }),
         };
     const radiance = { color: ["RGBA16F"], filter: "nearest" } as const;
-    this.#radiosity = gpu.renderTarget({ label: "indirect/radiosity", ...patches, ...radiance });
+    this.#radiosity = gpu.renderTarget({ label: "gi/radiosity", ...surfels, ...radiance });
     const tiles = { width: columns * planes, height: rows };
     const rays = { width: tiles.width * detail.rays, height: tiles.height * detail.rays };
-    this.#echo = gpu.renderTarget({ label: "indirect/echo", ...rays, ...radiance });
+    this.#rayRadiance = gpu.renderTarget({ label: "gi/ray-radiance", ...rays, ...radiance });
     const harmonics = {
-      width: tiles.width * TILE,
+      width: tiles.width * SH_TEXELS,
       height: tiles.height,
       color: [texel, texel, texel],
       filter: "nearest",
     } as const;
-    this.#first = gpu.renderTarget({ label: "indirect/first bounce", ...harmonics });
-    this.#all = gpu.renderTarget({ label: "indirect/all bounces", ...harmonics });
+    this.#firstBounce = gpu.renderTarget({ label: "gi/first-bounce", ...harmonics });
+    this.#allBounces = gpu.renderTarget({ label: "gi/all-bounces", ...harmonics });
     this.#irradiance = gpu.renderTarget({
-      label: "indirect/irradiance",
-      width: tiles.width * LIT,
-      height: tiles.height * LIT,
+      label: "gi/irradiance",
+      width: tiles.width * IRRADIANCE_EDGE,
+      height: tiles.height * IRRADIANCE_EDGE,
       color: [texel],
     });
-    this.#room = room;
   }
 
-  /** Uploaded when they are first needed: drawing their colours waits for a program. */
-  get #sights(): ProbeTextures {
+  /** Uploaded on first use: their albedo waits for a program. */
+  get #probes(): ProbeTextures {
     if (this.#uploaded) return this.#uploaded;
-    const { collision, model, surfaces } = this.#room;
-    const seen = traceProbes(collision, model, this.#detail);
-    this.#uploaded = this.#gpu.share(seen, () =>
-      uploadProbeRays(this.#gpu, seen, this.#detail, surfaces),
+    const { collision, model, surfaces } = this.#scene;
+    const rays = traceProbes(collision, model, this.#detail);
+    this.#uploaded = this.#gpu.share(rays, () =>
+      uploadProbeRays(this.#gpu, rays, this.#detail, surfaces),
     );
     return this.#uploaded;
   }
 
   /**
-   * Light that the room throws back for each candela of the flame's.
+   * Indirect light for each candela of the flame's.
    *
-   * @param light members of the block of `lib/flame-light.glsl`, of a flame at its vantage
+   * @param light members of the block of `lib/flame-light.glsl`, of a flame at its capture origin
    */
   render(casters: ShadowCasters, light: CaptureLight): IrradianceVolume {
-    this.#begun = null;
+    this.#update = null;
     if (!this.#isExact || JSON.stringify(light) !== this.#lastLight) {
       this.#gpu.clear(this.#surfels, [0, 0, 0, 0]);
       for (const face of FACES.keys()) this.#capture(casters, light.position, face);
-      this.#bounce(light);
+      this.#renderBounces(light);
     }
     return this.#volume;
   }
 
-  /** The same of a light that moved a little while ago: its cost is spread over as many pictures. */
-  follow(casters: ShadowCasters, light: CaptureLight): IrradianceVolume {
+  /** Amortised update for a moving light: one face of the surfel cube, or all further passes, in each frame. */
+  updateIncrementally(casters: ShadowCasters, light: CaptureLight): IrradianceVolume {
     if (this.#lastLight === "") {
       this.render(casters, light);
-      this.#isExact = false; // of casters that may be coarse
+      this.#isExact = false; // the casters may be of a lower level of detail
       return this.#volume;
     }
-    if (!this.#begun) {
-      if (this.#rest-- > 0 || JSON.stringify(light) === this.#lastLight) return this.#volume;
-      this.#begun = { light, faces: 0 };
+    if (!this.#update) {
+      if (this.#pause-- > 0 || JSON.stringify(light) === this.#lastLight) return this.#volume;
+      this.#update = { light, faces: 0 };
       this.#gpu.clear(this.#surfels, [0, 0, 0, 0]);
     }
-    if (this.#begun.faces < FACES.length) {
-      this.#capture(casters, this.#begun.light.position, this.#begun.faces++);
+    if (this.#update.faces < FACES.length) {
+      this.#capture(casters, this.#update.light.position, this.#update.faces++);
     } else {
-      this.#bounceOn(this.#begun.light);
-      this.#begun = null;
-      this.#rest = SCHEDULE.indirect.restFrames;
+      this.#updateBounces(this.#update.light);
+      this.#update = null;
+      this.#pause = SCHEDULE.indirect.restFrames;
     }
     return this.#volume;
   }
@@ -215,106 +212,100 @@ export class IndirectPass {
   get #volume(): IrradianceVolume {
     return {
       block: this.#block,
-      textures: { uIrradiance: this.#irradiance.color, ...this.#sights.room },
+      textures: { uIrradiance: this.#irradiance.color, ...this.#probes.volume },
       radiosity: this.#radiosity.color,
-      below: this.#below?.target.color ?? null,
+      support: this.#support?.target.color ?? null,
     };
   }
 
-  #capture(casters: ShadowCasters, vantage: Vec3, face: number): void {
-    const size = this.#detail.patches;
-    const clipFromWorld = clipFromFace(face, vantage, mat4.create()) as Float32Array;
-    casters.drawWithAlbedo(face, vantage, {
+  #capture(casters: ShadowCasters, captureOrigin: Vec3, face: number): void {
+    const size = this.#detail.surfels;
+    const clipFromWorld = clipFromFace(face, captureOrigin, mat4.create()) as Float32Array;
+    casters.drawWithAlbedo(face, captureOrigin, {
       program: this.#surfelProgram,
       target: this.#surfels,
       viewport: [face * size, 0, size, size],
-      uniforms: { uClipFromWorld: clipFromWorld, uLight: vantage },
+      uniforms: { uClipFromWorld: clipFromWorld, uCaptureOrigin: captureOrigin },
       depth: "test-and-write",
       cull: "none",
     });
   }
 
-  #bounce(light: CaptureLight): void {
+  #renderBounces(light: CaptureLight): void {
     this.#lastLight = JSON.stringify(light);
     this.#isExact = true;
-    this.#light.update(light);
-    this.#reflectOnce();
-    this.#irradiate(this.#first);
-    for (let bounce = 1; bounce < this.#detail.bounces; bounce++) this.#bounceAgain();
+    this.#renderFirstBounce(light);
+    this.#convolve(this.#firstBounce);
+    for (let bounce = 1; bounce < this.#detail.bounces; bounce++) this.#renderNextBounce();
   }
 
-  /** The same where the light was nearly as it is: what it threw back then stands for all later bounces. */
-  #bounceOn(light: CaptureLight): void {
+  /** One bounce of the previous irradiance stands for all further bounces. */
+  #updateBounces(light: CaptureLight): void {
     this.#lastLight = JSON.stringify(light);
     this.#isExact = false;
-    this.#light.update(light);
-    this.#reflectOnce();
-    this.#bounceAgain();
+    this.#renderFirstBounce(light);
+    this.#renderNextBounce();
   }
 
-  /** What the probes see of the flame's own light. */
-  #reflectOnce(): void {
-    const [patchColor, normalDistance] = this.#surfels.colors;
-    if (!patchColor || !normalDistance) throw new Error("A patch has a colour and a place.");
-    const { uProbePositions } = this.#sights.room;
-    const ofPatches = {
-      vertexArray: this.#screen,
-      textures: { uSurfelAlbedo: patchColor, uSurfelNormalDistance: normalDistance },
-      blocks: { Light: this.#light },
-    };
-    const radiosity = { program: this.#radiosityProgram, target: this.#radiosity };
-    this.#gpu.draw({ ...ofPatches, ...radiosity });
-    if (this.#below) this.#gpu.draw({ ...ofPatches, ...this.#below });
+  #renderFirstBounce(light: CaptureLight): void {
+    this.#light.update(light);
+    const [uSurfelAlbedo, uSurfelNormalDistance] = this.#surfels.colors;
+    if (!uSurfelAlbedo || !uSurfelNormalDistance) {
+      throw new Error("Surfels take two textures: albedo, and normal with distance.");
+    }
+    const { uProbePositions } = this.#probes.volume;
+    const pass = { vertexArray: this.#screen, blocks: { Light: this.#light } };
+    const fromSurfels = { ...pass, textures: { uSurfelAlbedo, uSurfelNormalDistance } };
+    this.#gpu.draw({ ...fromSurfels, program: this.#radiosityProgram, target: this.#radiosity });
+    if (this.#support) this.#gpu.draw({ ...fromSurfels, ...this.#support });
     this.#gpu.draw({
-      program: this.#probeProgram,
-      target: this.#all,
-      vertexArray: this.#screen,
+      ...pass,
+      program: this.#gatherSurfelsProgram,
+      target: this.#allBounces,
       textures: {
-        uSurfelNormalDistance: normalDistance,
+        uSurfelNormalDistance,
         uRadiosity: this.#radiosity.color,
-        uRayHits: this.#sights.rays.uRayHits,
+        uRayHits: this.#probes.rays.uRayHits,
         uProbePositions,
       },
-      blocks: { Light: this.#light },
     });
     this.#gpu.draw({
-      program: this.#glimpseProgram,
-      target: this.#echo,
-      vertexArray: this.#screen,
-      textures: { uSurfelNormalDistance: normalDistance, uProbePositions, ...this.#sights.rays },
-      blocks: { Light: this.#light },
+      ...pass,
+      program: this.#rayDirectProgram,
+      target: this.#rayRadiance,
+      textures: { uSurfelNormalDistance, uProbePositions, ...this.#probes.rays },
     });
-    this.#gather(this.#all, this.#first);
+    this.#gatherRays(this.#allBounces, this.#firstBounce);
   }
 
-  #bounceAgain(): void {
+  #renderNextBounce(): void {
     this.#gpu.draw({
-      program: this.#echoProgram,
-      target: this.#echo,
+      program: this.#rayRadianceProgram,
+      target: this.#rayRadiance,
       vertexArray: this.#screen,
       textures: {
         uIrradiance: this.#irradiance.color,
-        ...this.#sights.room,
-        ...this.#sights.rays,
+        ...this.#probes.volume,
+        ...this.#probes.rays,
       },
       blocks: { Volume: this.#block },
     });
-    this.#gather(this.#first, this.#all);
-    this.#irradiate(this.#all);
+    this.#gatherRays(this.#firstBounce, this.#allBounces);
+    this.#convolve(this.#allBounces);
   }
 
-  /** Adds what the probes' rays see. */
-  #gather(radiance: RenderTarget, target: RenderTarget): void {
+  /** The probes' radiance so far, plus that along their rays. */
+  #gatherRays(radiance: RenderTarget, target: RenderTarget): void {
     this.#gpu.draw({
-      program: this.#gatherProgram,
+      program: this.#gatherRaysProgram,
       target,
       vertexArray: this.#screen,
-      textures: { ...harmonicsOf(radiance), uRayRadiance: this.#echo.color },
+      textures: { ...harmonicsOf(radiance), uRayRadiance: this.#rayRadiance.color },
     });
   }
 
-  /** @param radiance its harmonics at each probe */
-  #irradiate(radiance: RenderTarget): void {
+  /** From the probes' radiance to their irradiance. */
+  #convolve(radiance: RenderTarget): void {
     this.#gpu.draw({
       program: this.#irradianceProgram,
       target: this.#irradiance,
@@ -327,6 +318,6 @@ export class IndirectPass {
 
 function harmonicsOf({ colors }: RenderTarget) {
   const [uSh0, uSh1, uSh2] = colors;
-  if (!uSh0 || !uSh1 || !uSh2) throw new Error("Harmonics take three textures.");
+  if (!uSh0 || !uSh1 || !uSh2) throw new Error("Spherical harmonics take three textures.");
   return { uSh0, uSh1, uSh2 };
 }

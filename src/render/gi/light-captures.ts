@@ -71,16 +71,23 @@ export class LightCaptures {
       if (settings.isPatient) this.#prepareLods();
       const irradiance = this.#indirect.render(this.#casters, captureLight);
       return {
-        shadow: { distances, vantage: captureLight.position, isNew: false },
+        shadow: { distances, captureOrigin: captureLight.position, isNew: false },
         irradiance,
       };
     }
     this.#prepareLods();
-    const shadow = this.#shadow.follow(this.#shadowLod ?? this.#casters, captureLight.position, {
-      isBusy: kind === "reduced",
-      matters: shadowFrustumTest(clipFromWorld, captureLight.position, PENUMBRA),
-    });
-    const irradiance = this.#indirect.follow(this.#surfelLod ?? this.#casters, captureLight);
+    const shadow = this.#shadow.updateIncrementally(
+      this.#shadowLod ?? this.#casters,
+      captureLight.position,
+      {
+        isBusy: kind === "reduced",
+        isNeeded: shadowFrustumTest(clipFromWorld, captureLight.position, PENUMBRA),
+      },
+    );
+    const irradiance = this.#indirect.updateIncrementally(
+      this.#surfelLod ?? this.#casters,
+      captureLight,
+    );
     return { shadow, irradiance };
   }
 

@@ -2,7 +2,7 @@ import type { Model, Part } from "../../assets/model.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import type { CollisionMesh, RayHit } from "../../world/room/collision-mesh.js";
 
-/** A grid of probes over a room, and how much of it each sees. */
+/** Resolution of an irradiance volume. */
 export interface ProbeDetail {
   /** Probes along x, y, z. */
   readonly probes: readonly [number, number, number];
@@ -11,20 +11,20 @@ export interface ProbeDetail {
 }
 
 /**
- * What the probes see, for the shaders that include `lib/irradiance-volume.glsl`.
+ * Probes and the hits of their rays, for the shaders that include `lib/irradiance-volume.glsl`.
  *
  * Every probe is a tile: those of one plane of constant z side by side along x, row by row along y.
  */
 export interface ProbeRays {
-  /** (x, y, z, 1) of each probe, metres; the last is 0 where there was no place in the open. */
-  readonly places: Float32Array;
-  /** What each ray meets: normal on the ray's side; distance, metres, 0 for nothing that sends light. */
+  /** (x, y, z, 1) of each probe, metres; the last is 0 for a probe inside a solid. */
+  readonly positions: Float32Array;
+  /** Normal on the ray's side, and distance, metres: 0 for a miss or a back face. */
   readonly hits: Float32Array;
-  /** Mean and deviation of the distance in each direction, metres. Tiles of `SIGHT` texels. */
-  readonly distances: Float32Array;
-  /** Texel and place on the material's maps of each hit: x, y, u, v. Those of one part follow another. */
-  readonly hues: Float32Array;
-  /** Numbers of hues, for each part of the model. */
+  /** Mean and deviation of the distance in each direction, metres. Tiles of `PROBE_DEPTH_EDGE` texels. */
+  readonly depths: Float32Array;
+  /** Texel of each hit's ray, and texture coordinates there: x, y, u, v. Sorted by part. */
+  readonly hitUvs: Float32Array;
+  /** Ranges of `hitUvs`, one for each part of the model. */
   readonly runs: readonly {
     readonly part: number;
     readonly first: number;
@@ -32,26 +32,26 @@ export interface ProbeRays {
   }[];
 }
 
-/** Edge of a probe's map of distances: eight texels, and a seam of one that repeats what lies across. */
-export const SIGHT = 10;
-/** Edge of its map of irradiance, the seam counted. */
-export const LIT = 8;
-/** Texels of its coefficients, side by side. */
-export const TILE = 3;
-/** As far as a probe tells distances apart, metres. */
+/** Edge of a probe's depth map, texels: eight, and a border of one that repeats those across the seam. */
+export const PROBE_DEPTH_EDGE = 10;
+/** Edge of a probe's irradiance map, texels, border included. */
+export const IRRADIANCE_EDGE = 8;
+/** Texels side by side that hold a probe's spherical harmonics. */
+export const SH_TEXELS = 3;
+/** Largest depth, metres. */
 const FARTHEST = 60;
-/** Sharpness of the lobe that distances are averaged over: a power of the cosine. */
-const LOBE = 80;
-/** Rays that tell whether a place is inside of something, along an edge of their map. */
-const FEELERS = 4;
-/** A place is buried if this share of what it sees turns its back. */
-const BURIED = 0.2;
-/** Where a buried probe looks for the open, in cells from its own place, nearest first. */
-const NEARBY: readonly Vec3[] = nearby();
+/** Exponent of the cosine lobe that depths are averaged over. */
+const LOBE_EXPONENT = 80;
+/** Edge of the map of rays that test whether a point is inside a solid. */
+const INSIDE_TEST_RAYS = 4;
+/** A point is inside a solid if this share of those rays hits back faces. */
+const INSIDE_SHARE = 0.2;
+/** Offsets tried for a probe inside a solid, in cells, nearest first. */
+const RELOCATIONS: readonly Vec3[] = relocations();
 
-const known = new WeakMap<CollisionMesh, Map<string, ProbeTrace>>();
+const traces = new WeakMap<CollisionMesh, Map<string, ProbeTrace>>();
 
-/** Looks around from every probe. The room remembers, for the next renderer that asks. */
+/** Traces the rays of all probes. Cached by room and resolution. */
 export function traceProbes(
   collision: CollisionMesh,
   model: Model,
@@ -61,9 +61,9 @@ export function traceProbes(
 }
 
 /**
- * The same, a few probes at a time.
+ * Traces the rays of the next few probes.
  *
- * @returns whether all of them are done
+ * @returns whether all probes are traced
  */
 export function traceProbesIncrementally(
   collision: CollisionMesh,
@@ -79,33 +79,33 @@ function probeTraceOf(
   model: Model,
   { probes, rays }: ProbeDetail,
 ): ProbeTrace {
-  const memory = known.get(collision) ?? new Map<string, ProbeTrace>();
-  known.set(collision, memory);
+  const ofMesh = traces.get(collision) ?? new Map<string, ProbeTrace>();
+  traces.set(collision, ofMesh);
   const key = JSON.stringify([probes, rays]);
-  const survey = memory.get(key) ?? new ProbeTrace(collision, model, { probes, rays });
-  memory.set(key, survey);
-  return survey;
+  const trace = ofMesh.get(key) ?? new ProbeTrace(collision, model, { probes, rays });
+  ofMesh.set(key, trace);
+  return trace;
 }
 
+/** Ray tracing from the probes, in progress. */
 class ProbeTrace {
   readonly #collision: CollisionMesh;
   readonly #parts: readonly Part[];
-  /** Number of the first triangle of each part. */
+  /** Index of the first triangle of each part. */
   readonly #firsts: readonly number[];
   readonly #detail: ProbeDetail;
   readonly #bounds: Bounds;
   readonly #hit: RayHit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
-  readonly #met = new HitAttributes();
-  readonly #feelers = octahedral(FEELERS, FEELERS, 0);
+  readonly #attributes = new HitAttributes();
+  readonly #insideTestDirections = octahedral(INSIDE_TEST_RAYS, INSIDE_TEST_RAYS, 0);
   readonly #directions: readonly Vec3[];
   readonly #lobes: Lobes;
-  readonly #places: Float32Array;
+  readonly #positions: Float32Array;
   readonly #hits: Float32Array;
-  readonly #distances: Float32Array;
-  readonly #hues: readonly number[][];
-  /** Probes that are done. */
-  #done = 0;
-  #sights: ProbeRays | null = null;
+  readonly #depths: Float32Array;
+  readonly #hitUvs: readonly number[][];
+  #traced = 0;
+  #result: ProbeRays | null = null;
 
   constructor(collision: CollisionMesh, { parts, bounds }: Model, detail: ProbeDetail) {
     this.#collision = collision;
@@ -120,10 +120,10 @@ class ProbeTrace {
     const count = this.#count;
     this.#directions = octahedral(detail.rays, detail.rays, 0);
     this.#lobes = lobesOf(this.#directions);
-    this.#places = new Float32Array(count * 4);
+    this.#positions = new Float32Array(count * 4);
     this.#hits = new Float32Array(count * this.#directions.length * 4);
-    this.#distances = new Float32Array(count * SIGHT * SIGHT * 2);
-    this.#hues = parts.map(() => []);
+    this.#depths = new Float32Array(count * PROBE_DEPTH_EDGE ** 2 * 2);
+    this.#hitUvs = parts.map(() => []);
   }
 
   get #count(): number {
@@ -131,100 +131,98 @@ class ProbeTrace {
   }
 
   proceed(probes: number): boolean {
-    const end = Math.min(this.#done + probes, this.#count);
-    while (this.#done < end) this.#look(this.#done++);
-    return this.#done === this.#count;
+    const end = Math.min(this.#traced + probes, this.#count);
+    while (this.#traced < end) this.#trace(this.#traced++);
+    return this.#traced === this.#count;
   }
 
   finish(): ProbeRays {
     this.proceed(this.#count);
-    this.#sights ??= this.#collect();
-    return this.#sights;
+    this.#result ??= this.#collect();
+    return this.#result;
   }
 
-  /** From one probe. */
-  #look(tile: number): void {
+  #trace(tile: number): void {
     const { probes, rays } = this.#detail;
     const [columns, , planes] = probes;
     const width = columns * planes * rays;
     const column = tile % (columns * planes);
     const row = Math.floor(tile / (columns * planes));
-    const place = this.#open(column % columns, row, Math.floor(column / columns));
-    if (!place) return;
-    this.#places.set(place, tile * 4);
-    this.#places[tile * 4 + 3] = 1;
-    const seen = new Float32Array(this.#directions.length);
+    const position = this.#relocate(column % columns, row, Math.floor(column / columns));
+    if (!position) return;
+    this.#positions.set(position, tile * 4);
+    this.#positions[tile * 4 + 3] = 1;
+    const depths = new Float32Array(this.#directions.length);
     for (const [ray, direction] of this.#directions.entries()) {
-      const hit = this.#cast(place, direction);
-      seen[ray] = hit ? Math.min(hit.distance, FARTHEST) : FARTHEST;
-      if (!hit || this.#met.isBack) continue;
+      const hit = this.#cast(position, direction);
+      depths[ray] = hit ? Math.min(hit.distance, FARTHEST) : FARTHEST;
+      if (!hit || this.#attributes.isBackFace) continue;
       const x = column * rays + (ray % rays);
       const y = row * rays + Math.floor(ray / rays);
       const to = (y * width + x) * 4;
       this.#hits.set(hit.normal, to);
       this.#hits[to + 3] = hit.distance;
-      this.#hues[this.#met.part]?.push(x, y, this.#met.u, this.#met.v);
+      const { part, u, v } = this.#attributes;
+      this.#hitUvs[part]?.push(x, y, u, v);
     }
-    average(seen, this.#lobes, this.#distances, column, row, columns * planes);
+    averageDepths(depths, this.#lobes, this.#depths, column, row, columns * planes);
   }
 
   #collect(): ProbeRays {
-    const length = this.#hues.reduce((sum, hue) => sum + hue.length, 0);
-    const hues = new Float32Array(length);
+    const hitUvs = new Float32Array(this.#hitUvs.reduce((sum, { length }) => sum + length, 0));
     const runs: { part: number; first: number; count: number }[] = [];
     let first = 0;
-    for (const [part, hue] of this.#hues.entries()) {
-      if (hue.length > 0) runs.push({ part, first: first / 4, count: hue.length / 4 });
-      hues.set(hue, first);
-      first += hue.length;
+    for (const [part, uvs] of this.#hitUvs.entries()) {
+      if (uvs.length > 0) runs.push({ part, first: first / 4, count: uvs.length / 4 });
+      hitUvs.set(uvs, first);
+      first += uvs.length;
     }
-    return { places: this.#places, hits: this.#hits, distances: this.#distances, hues, runs };
+    const [positions, hits, depths] = [this.#positions, this.#hits, this.#depths];
+    return { positions, hits, depths, hitUvs, runs };
   }
 
-  /** The place of a probe, or one near by that is inside of nothing. */
-  #open(i: number, j: number, k: number): Vec3 | null {
+  /** Position of a probe: the centre of its cell, or the nearest point tried that is outside all solids. */
+  #relocate(i: number, j: number, k: number): Vec3 | null {
     const { min, max } = this.#bounds;
     const cell = [i, j, k] as const;
-    for (const step of NEARBY) {
-      const place = [0, 1, 2].map((axis) => {
+    for (const offset of RELOCATIONS) {
+      const position = [0, 1, 2].map((axis) => {
         const low = min[axis] ?? 0;
         const size = ((max[axis] ?? 0) - low) / (this.#detail.probes[axis] ?? 1);
-        return low + ((cell[axis] ?? 0) + 0.5 + (step[axis] ?? 0)) * size;
+        return low + ((cell[axis] ?? 0) + 0.5 + (offset[axis] ?? 0)) * size;
       }) as Vec3;
-      let backs = 0;
-      for (const direction of this.#feelers) {
-        if (this.#cast(place, direction) && this.#met.isBack) backs++;
+      let backFaces = 0;
+      for (const direction of this.#insideTestDirections) {
+        if (this.#cast(position, direction) && this.#attributes.isBackFace) backFaces++;
       }
-      if (backs < BURIED * this.#feelers.length) return place;
+      if (backFaces < INSIDE_SHARE * this.#insideTestDirections.length) return position;
     }
     return null;
   }
 
-  /** What is nearest along a ray; `#met` then says more of it. */
-  #cast(place: Vec3, direction: Vec3): RayHit | null {
-    const hit = this.#collision.raycast(place, direction, Infinity, this.#hit);
+  /** Nearest hit of a ray, whose attributes are then in `#attributes`. */
+  #cast(origin: Vec3, direction: Vec3): RayHit | null {
+    const hit = this.#collision.raycast(origin, direction, Infinity, this.#hit);
     if (!hit) return null;
     let number = this.#firsts.length - 1;
     while (number > 0 && this.#firsts[number]! > hit.triangle) number--;
-    this.#met.part = number;
+    this.#attributes.part = number;
     const first = (hit.triangle - this.#firsts[number]!) * 3;
-    this.#met.look(this.#parts[number]!, first, place, direction, hit.distance);
+    this.#attributes.interpolate(this.#parts[number]!, first, origin, direction, hit.distance);
     return hit;
   }
 }
 
-/** What a ray has met of a part. One for all rays: there are a hundred thousand of them. */
+/** Attributes of a hit. One object serves all rays: there are a hundred thousand of them. */
 class HitAttributes {
-  /** Which of the model's parts. */
+  /** Index of the model's part. */
   part = 0;
-  /** Whether it is the back of something that has no other side. */
-  isBack = false;
-  /** Place on the material's maps. */
+  isBackFace = false;
   u = 0;
   v = 0;
 
   /** @param first of the triangle's indices */
-  look(part: Part, first: number, place: Vec3, direction: Vec3, distance: number): void {
+  interpolate(part: Part, first: number, origin: Vec3, direction: Vec3, distance: number): void {
     const { positions: p, uvs, indices, material } = part;
     const cornerA = indices[first]!;
     const cornerB = indices[first + 1]!;
@@ -241,12 +239,12 @@ class HitAttributes {
     const nx = ey * fz - ez * fy;
     const ny = ez * fx - ex * fz;
     const nz = ex * fy - ey * fx;
-    const turn = nx * direction[0] + ny * direction[1] + nz * direction[2];
-    this.isBack = !material.isDoubleSided && turn > 0;
-    // Shares of the corners in the point between them.
-    const x = place[0] + distance * direction[0] - p[a]!;
-    const y = place[1] + distance * direction[1] - p[a + 1]!;
-    const z = place[2] + distance * direction[2] - p[a + 2]!;
+    const cosine = nx * direction[0] + ny * direction[1] + nz * direction[2];
+    this.isBackFace = !material.isDoubleSided && cosine > 0;
+    // Barycentric coordinates.
+    const x = origin[0] + distance * direction[0] - p[a]!;
+    const y = origin[1] + distance * direction[1] - p[a + 1]!;
+    const z = origin[2] + distance * direction[2] - p[a + 2]!;
     const scale = 1 / Math.max(nx * nx + ny * ny + nz * nz, 1e-30);
     const ofB = ((y * fz - z * fy) * nx + (z * fx - x * fz) * ny + (x * fy - y * fx) * nz) * scale;
     const ofC = ((ey * z - ez * y) * nx + (ez * x - ex * z) * ny + (ex * y - ey * x) * nz) * scale;
@@ -258,13 +256,17 @@ class HitAttributes {
 }
 
 /**
- * Directions of an octahedral map's texels (Cigolle et al. 2014, "A ProbeTrace of Efficient Representations
- * for Independent Unit Vectors"), row by row; with `seam` texels more on each side, that go on across it.
+ * Directions of an octahedral map's texels, row by row, with a border that continues across the seam.
+ *
+ * Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit Vectors".
+ *
+ * @param width texels along an edge, border included
+ * @param size the same without it
  */
-export function octahedral(width: number, size: number, seam: number): Vec3[] {
+export function octahedral(width: number, size: number, border: number): Vec3[] {
   return Array.from({ length: width * width }, (_, n) => {
-    let u = (((n % width) + 0.5 - seam) / size) * 2 - 1;
-    let v = ((Math.floor(n / width) + 0.5 - seam) / size) * 2 - 1;
+    let u = (((n % width) + 0.5 - border) / size) * 2 - 1;
+    let v = ((Math.floor(n / width) + 0.5 - border) / size) * 2 - 1;
     if (Math.abs(u) > 1) [u, v] = [Math.sign(u) * 2 - u, -v];
     if (Math.abs(v) > 1) [u, v] = [-u, Math.sign(v) * 2 - v];
     const y = 1 - Math.abs(u) - Math.abs(v);
@@ -275,47 +277,49 @@ export function octahedral(width: number, size: number, seam: number): Vec3[] {
   });
 }
 
-/** For each texel of a map of distances the rays that count there, and how much. */
-type Lobes = readonly { readonly rays: Uint16Array; readonly shares: Float32Array }[];
+/** For each texel of a depth map the rays in its lobe, and their weights. */
+type Lobes = readonly { readonly rays: Uint16Array; readonly weights: Float32Array }[];
 
 function lobesOf(directions: readonly Vec3[]): Lobes {
-  return octahedral(SIGHT, SIGHT - 2, 1).map(([x, y, z]) => {
-    const shares = directions.map(([dx, dy, dz]) => Math.max(x * dx + y * dy + z * dz, 0) ** LOBE);
-    const sum = shares.reduce((total, share) => total + share, 0);
-    const rays = [...shares.keys()].filter((ray) => (shares[ray] ?? 0) > 1e-3 * sum);
-    const kept = rays.reduce((total, ray) => total + (shares[ray] ?? 0), 0);
+  return octahedral(PROBE_DEPTH_EDGE, PROBE_DEPTH_EDGE - 2, 1).map(([x, y, z]) => {
+    const weights = directions.map(
+      ([dx, dy, dz]) => Math.max(x * dx + y * dy + z * dz, 0) ** LOBE_EXPONENT,
+    );
+    const sum = weights.reduce((total, weight) => total + weight, 0);
+    const rays = [...weights.keys()].filter((ray) => (weights[ray] ?? 0) > 1e-3 * sum);
+    const remaining = rays.reduce((total, ray) => total + (weights[ray] ?? 0), 0);
     return {
       rays: Uint16Array.from(rays),
-      shares: Float32Array.from(rays, (ray) => (shares[ray] ?? 0) / kept),
+      weights: Float32Array.from(rays, (ray) => (weights[ray] ?? 0) / remaining),
     };
   });
 }
 
-function average(
-  seen: Float32Array,
+function averageDepths(
+  rayDepths: Float32Array,
   lobes: Lobes,
-  distances: Float32Array,
+  depths: Float32Array,
   column: number,
   row: number,
   tiles: number,
 ): void {
-  for (const [texel, { rays, shares }] of lobes.entries()) {
+  for (const [texel, { rays, weights }] of lobes.entries()) {
     let mean = 0;
     let square = 0;
     for (let i = 0; i < rays.length; i++) {
-      const distance = seen[rays[i]!]!;
-      mean += shares[i]! * distance;
-      square += shares[i]! * distance * distance;
+      const depth = rayDepths[rays[i]!]!;
+      mean += weights[i]! * depth;
+      square += weights[i]! * depth * depth;
     }
-    const x = column * SIGHT + (texel % SIGHT);
-    const y = row * SIGHT + Math.floor(texel / SIGHT);
-    const to = (y * tiles * SIGHT + x) * 2;
-    distances[to] = mean;
-    distances[to + 1] = Math.sqrt(Math.max(square - mean * mean, 0));
+    const x = column * PROBE_DEPTH_EDGE + (texel % PROBE_DEPTH_EDGE);
+    const y = row * PROBE_DEPTH_EDGE + Math.floor(texel / PROBE_DEPTH_EDGE);
+    const to = (y * tiles * PROBE_DEPTH_EDGE + x) * 2;
+    depths[to] = mean;
+    depths[to + 1] = Math.sqrt(Math.max(square - mean * mean, 0));
   }
 }
 
-function nearby(): Vec3[] {
+function relocations(): Vec3[] {
   const steps = [-0.45, -0.25, 0, 0.25, 0.45];
   const all = steps.flatMap((x) => steps.flatMap((y) => steps.map((z): Vec3 => [x, y, z])));
   return all.sort((a, b) => Math.hypot(...a) - Math.hypot(...b));

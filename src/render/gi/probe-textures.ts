@@ -1,75 +1,79 @@
-import hueFrag from "../../../shaders/gi/ray-albedo.frag";
-import hueVert from "../../../shaders/gi/ray-albedo.vert";
+import rayAlbedoFrag from "../../../shaders/gi/ray-albedo.frag";
+import rayAlbedoVert from "../../../shaders/gi/ray-albedo.vert";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Texture } from "../../gl/texture.js";
 import { floats } from "../float-format.js";
 import type { Surface } from "../mesh/mesh.js";
-import { type ProbeDetail, type ProbeRays, SIGHT } from "./probe-rays.js";
+import { PROBE_DEPTH_EDGE, type ProbeDetail, type ProbeRays } from "./probe-rays.js";
 
 /** Bytes of a float. */
 const FLOAT = 4;
 
-/** What probes see, on the GPU. */
+/** Probes and the hits of their rays, as textures. */
 export interface ProbeTextures {
   /** For shaders that include `lib/irradiance-volume.glsl`. */
-  readonly room: { readonly uProbePositions: Texture; readonly uProbeDepth: Texture };
-  /** What each ray meets: its normal and distance, its base colour. */
+  readonly volume: { readonly uProbePositions: Texture; readonly uProbeDepth: Texture };
+  /** For shaders that include `lib/probe-rays.glsl`. */
   readonly rays: { readonly uRayHits: Texture; readonly uRayAlbedo: Texture };
 }
 
-/** @param surfaces of the model that was looked at, in the order of its parts */
+/** @param surfaces of the traced model, in the order of its parts */
 export function uploadProbeRays(
   gpu: Gpu,
-  sights: ProbeRays,
+  traced: ProbeRays,
   { probes: [columns, rows, planes], rays }: ProbeDetail,
   surfaces: readonly Surface[],
 ): ProbeTextures {
   const tiles = { width: columns * planes, height: rows };
   const uProbePositions = gpu.texture({
-    label: "indirect/probes",
+    label: "gi/probe-positions",
     format: "RGBA32F",
-    source: { ...tiles, data: sights.places },
+    source: { ...tiles, data: traced.positions },
     filter: "nearest",
   });
   const uProbeDepth = gpu.texture({
-    label: "indirect/sights",
+    label: "gi/probe-depth",
     format: floats(gpu, 2),
-    source: { width: tiles.width * SIGHT, height: tiles.height * SIGHT, data: sights.distances },
+    source: {
+      width: tiles.width * PROBE_DEPTH_EDGE,
+      height: tiles.height * PROBE_DEPTH_EDGE,
+      data: traced.depths,
+    },
   });
   const size = { width: tiles.width * rays, height: tiles.height * rays };
   const uRayHits = gpu.texture({
-    label: "indirect/hits",
+    label: "gi/ray-hits",
     format: "RGBA16F",
-    source: { ...size, data: sights.hits },
+    source: { ...size, data: traced.hits },
     filter: "nearest",
   });
   return {
-    room: { uProbePositions, uProbeDepth },
-    rays: { uRayHits, uRayAlbedo: colored(gpu, sights, size, surfaces) },
+    volume: { uProbePositions, uProbeDepth },
+    rays: { uRayHits, uRayAlbedo: renderRayAlbedo(gpu, traced, size, surfaces) },
   };
 }
 
-/** Base colours of what the rays met, read on the GPU: pictures may be nowhere else. */
-function colored(
+/** Base colours at the hits, read on the GPU: compressed images may be nowhere else. */
+function renderRayAlbedo(
   gpu: Gpu,
-  { hues, runs }: ProbeRays,
+  { hitUvs, runs }: ProbeRays,
   size: { readonly width: number; readonly height: number },
   surfaces: readonly Surface[],
 ): Texture {
-  const program = gpu.program("gi/ray-albedo", hueVert, hueFrag);
+  const program = gpu.program("gi/ray-albedo", rayAlbedoVert, rayAlbedoFrag);
   const target = gpu.renderTarget({
-    label: "indirect/hues",
+    label: "gi/ray-albedo",
     ...size,
     color: ["RGBA8"],
     filter: "nearest",
   });
-  const buffer = gpu.buffer("indirect/hues", hues);
-  const vertexArray = gpu.vertexArray("indirect/hues", {
+  const buffer = gpu.buffer("gi/hit-uvs", hitUvs);
+  const vertexArray = gpu.vertexArray("gi/hit-uvs", {
     attributes: {
       0: { buffer, size: 2, stride: 4 * FLOAT },
       1: { buffer, size: 2, stride: 4 * FLOAT, offset: 2 * FLOAT },
     },
-    count: hues.length / 4,
+    count: hitUvs.length / 4,
   });
   gpu.clear(target, [0, 0, 0, 0]);
   for (const { part, first, count } of runs) {
@@ -85,7 +89,7 @@ function colored(
       uniforms: {
         uSize: [size.width, size.height],
         uBaseColor: surface.baseColor,
-        uRelief: surface.parameters[2],
+        uNormalScale: surface.parameters[2],
       },
       textures: { uAlbedo: surface.textures.uAlbedo, uNormal: surface.textures.uNormal },
     });

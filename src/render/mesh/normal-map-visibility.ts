@@ -5,7 +5,7 @@ import type { Texture } from "../../gl/texture.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Surface } from "./mesh.js";
 
-/** Levels of a normal map that are told apart; coarser ones are as the last. */
+/** Levels of a normal map; coarser ones are as the last. */
 const LEVELS = 8;
 
 /**
@@ -15,7 +15,7 @@ const LEVELS = 8;
 export function normalMapVisibilityOf(gpu: Gpu, screen: VertexArray, surface: Surface): Texture {
   return gpu.share(surface, () => {
     const { uNormal } = surface.textures;
-    const [, , uRelief] = surface.parameters;
+    const [, , uNormalScale] = surface.parameters;
     const target = gpu.renderTarget({
       label: "relief",
       width: LEVELS,
@@ -27,7 +27,7 @@ export function normalMapVisibilityOf(gpu: Gpu, screen: VertexArray, surface: Su
       target,
       vertexArray: screen,
       textures: { uNormal },
-      uniforms: { uRelief },
+      uniforms: { uNormalScale },
     });
     return target.color;
   });

@@ -90,7 +90,7 @@ export class ForwardStage implements OpaqueStage {
     if (!this.#resolved?.depth) throw new Error("The forward stage has no size yet.");
     const { world, settings, instances, captureLight } = frame;
     const { features, inspect } = settings;
-    const light = { ...shadingLight(world, features.candle), vantage: shadow.vantage };
+    const light = { ...shadingLight(world, features.candle), captureOrigin: shadow.captureOrigin };
     const key = JSON.stringify([
       [...frame.clipFromWorld],
       light,

@@ -105,9 +105,9 @@ export class LightingPass {
   ): Pick<OpaqueLayer, "textures" | "uniforms"> {
     const isReduced = kind !== "full";
     const target = isReduced ? this.#reducedTarget : this.#fullTarget;
-    const { below } = irradiance;
+    const { support } = irradiance;
     if (!target || !this.#gathered) throw new Error("Lighting has no size yet.");
-    if (!below) throw new Error("Lighting of a G-buffer needs the surface below the candle.");
+    if (!support) throw new Error("Lighting of a G-buffer needs the surface below the candle.");
     const textures = {
       uLighting: target.color,
       ...(isReduced && { uNearnessGather: this.#gathered.color }),
@@ -121,7 +121,7 @@ export class LightingPass {
       return { textures, uniforms };
     }
     const { shadows, indirect, specular, candle } = frame.settings.features;
-    const light = { ...shadingLight(frame.world, candle), vantage: shadow.vantage };
+    const light = { ...shadingLight(frame.world, candle), captureOrigin: shadow.captureOrigin };
     const key = JSON.stringify([gbufferKey, light, shadows, indirect, specular]);
     if (key === this.#key) return { textures, uniforms: {} };
     this.#key = key;
@@ -138,7 +138,7 @@ export class LightingPass {
         ...(representative && { uRepresentative: representative }),
         uShadow: shadow.distances,
         ...irradiance.textures,
-        uSupport: below,
+        uSupport: support,
       },
       uniforms: {
         uFeatures: [shadows, indirect, specular].map(Number),

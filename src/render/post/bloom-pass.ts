@@ -6,19 +6,15 @@ import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
+import type { Size } from "../canvas-size.js";
 
-interface Size {
-  readonly width: number;
-  readonly height: number;
-}
-
-/** How much of each level comes from the wider ones below it: the larger, the wider the halo. */
-const WIDER_SHARE = 0.7;
+/** Weight of the coarser levels against each level: the larger, the wider the bloom. */
+const COARSER_WEIGHT = 0.7;
 
 /**
- * Light scattered inside the lens and the eye: a pyramid of ever wider blurs, mixed from the widest up.
+ * Bloom: veiling glare of lens and eye, as a pyramid of ever wider blurs, mixed from the widest up.
  *
- * Each step keeps the sum of light. Jimenez 2014, "Next Generation Post Processing in Call of Duty:
+ * Each step conserves energy. Jimenez 2014, "Next Generation Post Processing in Call of Duty:
  * Advanced Warfare".
  */
 export class BloomPass {
@@ -30,20 +26,19 @@ export class BloomPass {
   readonly #format: TextureFormat;
   #pyramid: RenderTarget[] = [];
 
-  /** @param how of what each level is, and whether taps are dear */
   constructor(
     gpu: Gpu,
     screen: VertexArray,
     levels: number,
-    how: { readonly format: TextureFormat; readonly isFrugal: boolean },
+    { format, isFrugal }: { readonly format: TextureFormat; readonly isFrugal: boolean },
   ) {
-    this.#format = how.format;
+    this.#format = format;
     this.#gpu = gpu;
     this.#screen = screen;
     this.#levels = levels;
     this.#down = gpu.program("post/bloom-down", fullscreenVert, downFrag);
     this.#up = gpu.program("post/bloom-up", fullscreenVert, upFrag, {
-      defines: { FRUGAL: how.isFrugal ? 1 : 0 },
+      defines: { FRUGAL: isFrugal ? 1 : 0 },
     });
   }
 
@@ -52,7 +47,7 @@ export class BloomPass {
     this.#pyramid = Array.from({ length: this.#levels }, (_, i) =>
       this.#gpu.renderTarget({
         label: `bloom/${i}`,
-        // Half, rounded up: a texel of each level covers four of the one before.
+        // Half, rounded up: a texel of each level covers four of the finer one.
         width: Math.ceil(width / 2 ** (i + 1)),
         height: Math.ceil(height / 2 ** (i + 1)),
         color: [this.#format],
@@ -61,11 +56,12 @@ export class BloomPass {
   }
 
   /**
-   * Radiance in, scattered radiance out, at half the size or where it is to be.
+   * Radiance in, bloom out, at half the size.
    *
-   * @param onto of the radiance's own size, and may hold it: half of a picture that is coarse has texels that show
+   * @param fullSize target for a bloom of the radiance's own size, which may hold the radiance: at low resolution the
+   *   texels of half a size would show
    */
-  render(radiance: Texture, onto: RenderTarget | null = null): Texture {
+  render(radiance: Texture, fullSize: RenderTarget | null = null): Texture {
     let source = radiance;
     for (const target of this.#pyramid) {
       this.#gpu.draw({
@@ -77,13 +73,13 @@ export class BloomPass {
       source = target.color;
     }
     const finer = this.#pyramid.toReversed().slice(1);
-    for (const target of onto ? [...finer, onto] : finer) {
+    for (const target of fullSize ? [...finer, fullSize] : finer) {
       this.#gpu.draw({
         program: this.#up,
         target,
         vertexArray: this.#screen,
         textures: { uSource: source },
-        uniforms: { uShare: target === onto ? 1 : WIDER_SHARE },
+        uniforms: { uWeight: target === fullSize ? 1 : COARSER_WEIGHT },
         blend: "premultiplied",
       });
       source = target.color;
@@ -92,7 +88,7 @@ export class BloomPass {
   }
 }
 
-/** Share of a bloom of half the size, rounded up, that the picture fills. */
-export function shareOf(picture: Size, bloom: Size): readonly [number, number] {
-  return [picture.width / (2 * bloom.width), picture.height / (2 * bloom.height)];
+/** Share of a bloom of half the size, rounded up, that the frame fills. */
+export function shareOf(frame: Size, bloom: Size): readonly [number, number] {
+  return [frame.width / (2 * bloom.width), frame.height / (2 * bloom.height)];
 }

@@ -10,9 +10,9 @@ import { TAPER } from "../../light/flame-light.js";
 import { EXPOSURE_LAW } from "../../world/player/exposure-adaptation.js";
 import type { FrameSettings } from "../frame-settings.js";
 
-/** Share of the light that the eye and the lens scatter. */
-const SCATTERED = 0.0006;
-/** From cd/m² to the display's white, where nothing meters. */
+/** Share of the light that eye and lens scatter. */
+const GLARE_SHARE = 0.0006;
+/** Exposure without metering: from cd/m² to the display's white. */
 const FIXED_EXPOSURE = 2 ** EXPOSURE_LAW.stops;
 const ADAPTATION = adaptation(TAPER.color);
 const UNADAPTED: Rgb = [1, 1, 1];
@@ -23,17 +23,17 @@ const GAMUT: Readonly<Record<PredefinedColorSpace, readonly number[]>> = {
   "display-p3": [0, 1, 2].flatMap((column) => P3_FROM_RGB.map((row) => row[column] ?? 0)),
 };
 
-/** Share of the light that this view scatters. */
+/** Share of the light that is scattered, 0 without bloom. */
 export function glareShareOf({ features }: Pick<FrameSettings, "features">): number {
-  return features.bloom ? SCATTERED : 0;
+  return features.bloom ? GLARE_SHARE : 0;
 }
 
-/** What metered stops, or none, are multiplied with: `Frame.exposure`. */
+/** `Frame.exposure`: the factor on top of the metered exposure, or in its place. */
 export function exposureFactor({ features, exposure }: FrameSettings): number {
   return 2 ** exposure * (features.autoExposure ? 1 : FIXED_EXPOSURE);
 }
 
-/** Uniforms of `lib/display-transform.glsl`, for a canvas that from now on has these primaries. */
+/** Uniforms of `lib/display-transform.glsl`. Sets the canvas to the view's primaries. */
 export function displayTransform(
   gpu: Gpu,
   { features, gamut }: Pick<FrameSettings, "features" | "gamut">,
@@ -43,38 +43,35 @@ export function displayTransform(
     uWhite: features.adaptation ? WHITE : TAPER.color,
     uVibrance: features.adaptation ? VIBRANCE : 0,
     uToneMapped: features.toneMap ? 1 : 0,
-    uGamut: GAMUT[gpu.paintIn(gamut)],
+    uGamut: GAMUT[gpu.setColorSpace(gamut)],
   };
 }
 
 export type DisplayTransform = ReturnType<typeof displayTransform>;
 
-/** Where a bloom lies on the picture. */
+/** From uv on the frame to uv on the bloom. */
 export interface BloomTransform {
-  /** Of its texture that the picture fills. */
+  /** Share of the bloom's texture that the frame fills. */
   readonly share: readonly [number, number];
-  /** What has to be added to a place in the picture, as shares of it. */
+  /** Offset on the frame, uv. */
   readonly shift: readonly [number, number];
 }
 
-/** The end of the picture's light: from cd/m² to the canvas. */
+/** Exposure, bloom and display transform: from cd/m² to the canvas. */
 export class DisplayPass {
   readonly #gpu: Gpu;
   readonly #program: Program;
   readonly #screen: VertexArray;
 
-  /** @param isTabled whether most of it is looked up in a table, `uToneLut` */
-  constructor(gpu: Gpu, screen: VertexArray, isTabled = false) {
+  /** @param usesToneLut whether the display transform is looked up in `uToneLut` */
+  constructor(gpu: Gpu, screen: VertexArray, usesToneLut = false) {
     this.#gpu = gpu;
     this.#screen = screen;
-    const defines = { TONE_LUT: isTabled ? 1 : 0 };
+    const defines = { TONE_LUT: usesToneLut ? 1 : 0 };
     this.#program = gpu.program("post/display", displayVert, displayFrag, { defines });
   }
 
-  /**
-   * @param exposure one texel, stops
-   * @param scissor part of the picture; all of it if absent
-   */
+  /** @param scissor part of the frame; all of it if absent */
   render(
     textures: Readonly<Record<"uRadiance" | "uBloom" | "uExposure", Texture>> & {
       readonly uToneLut?: Texture;

@@ -9,38 +9,38 @@ import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { EXPOSURE_LAW } from "../../world/player/exposure-adaptation.js";
 
-/** Parts of the picture that are metered, each by 16 taps. */
-const PARTS = { width: 32, height: 18 } as const;
+/** Metered cells of the frame, each of 16 taps. */
+const CELLS = { width: 32, height: 18 } as const;
 
 /**
- * How the picture is to be exposed: metered from its own light, the flame left out.
+ * Automatic exposure, metered from the frame without the flame.
  *
- * It keeps nothing from frame to frame: what the eye is behind is the world's to remember.
+ * It has no history: the lag of the eye's adaptation is part of the world.
  */
 export class ExposurePass {
   readonly #gpu: Gpu;
   readonly #screen: VertexArray;
-  readonly #meter: Program;
-  readonly #expose: Program;
-  readonly #brightness: RenderTarget;
+  readonly #meterProgram: Program;
+  readonly #exposureProgram: Program;
+  readonly #logLuminance: RenderTarget;
   readonly #exposure: RenderTarget;
 
-  /** @param meter a stage of `lib/metering.glsl` */
+  /** @param meter fragment shader that includes `lib/metering.glsl` */
   constructor(gpu: Gpu, screen: VertexArray, meter: ShaderSource = meterFrag) {
     this.#gpu = gpu;
     this.#screen = screen;
-    this.#meter = gpu.program("post/meter", fullscreenVert, meter);
-    this.#expose = gpu.program("post/exposure", fullscreenVert, exposureFrag);
+    this.#meterProgram = gpu.program("post/meter", fullscreenVert, meter);
+    this.#exposureProgram = gpu.program("post/exposure", fullscreenVert, exposureFrag);
     const target = { color: ["RGBA16F"], filter: "nearest" } as const;
-    this.#brightness = gpu.renderTarget({ label: "exposure/brightness", ...target, ...PARTS });
+    this.#logLuminance = gpu.renderTarget({ label: "exposure/log-luminance", ...target, ...CELLS });
     this.#exposure = gpu.renderTarget({ label: "exposure", ...target, width: 1, height: 1 });
   }
 
   /**
-   * The picture's light in, one texel out: stops.
+   * Radiance in, one texel out: stops.
    *
-   * @param textures what the meter's stage reads
-   * @param lag stops by which the eye is open wider than the picture asks for
+   * @param textures of the meter
+   * @param lag stops by which the exposure is above its settled value
    */
   render(
     textures: Readonly<Record<string, Texture>>,
@@ -49,17 +49,17 @@ export class ExposurePass {
   ): Texture {
     const { luminance, stops, share, least, most } = EXPOSURE_LAW;
     this.#gpu.draw({
-      program: this.#meter,
-      target: this.#brightness,
+      program: this.#meterProgram,
+      target: this.#logLuminance,
       vertexArray: this.#screen,
       textures,
       blocks,
     });
     this.#gpu.draw({
-      program: this.#expose,
+      program: this.#exposureProgram,
       target: this.#exposure,
       vertexArray: this.#screen,
-      textures: { uBrightness: this.#brightness.color },
+      textures: { uLogLuminance: this.#logLuminance.color },
       uniforms: {
         uLaw: [stops + share * Math.log2(luminance), share],
         uLimits: [least, most],
@@ -69,7 +69,7 @@ export class ExposurePass {
     return this.latest;
   }
 
-  /** What was found last, and nothing before anything was. */
+  /** Of the last `render`. */
   get latest(): Texture {
     return this.#exposure.color;
   }

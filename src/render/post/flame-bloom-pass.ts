@@ -1,4 +1,4 @@
-import glareFrag from "../../../shaders/post/bloom-prefilter.frag";
+import prefilterFrag from "../../../shaders/post/bloom-prefilter.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
@@ -9,80 +9,88 @@ import { BloomPass } from "./bloom-pass.js";
 import type { BloomTransform } from "./display-pass.js";
 import type { Bloom } from "./frame-bloom-pass.js";
 
-/** Pixels of the picture for one of what blooms, along each axis. */
-export const GLARE = 4;
-/** How far the halo reaches around what glows, pixels. */
+/** Pixels of the frame for one of the bloom, along each axis. */
+export const BLOOM_SCALE = 4;
+/** Extent of the bloom around the flame, pixels. */
 export const BLOOM_REACH = 96;
 
-/** A place in the picture, as shares of it. */
-type Place = readonly [number, number];
+/** A point of the frame, uv. */
+type Uv = readonly [number, number];
 
-/** The bloom of the flame alone: nothing else is bright enough. It goes with the flame, and may be an older one. */
+/**
+ * Bloom of the flame alone: nothing else is bright enough.
+ *
+ * It may be that of an earlier frame, moved along with the flame.
+ */
 export class FlameBloomPass implements Bloom {
   readonly #gpu: Gpu;
   readonly #screen: VertexArray;
   readonly #format: TextureFormat;
   readonly #program: Program;
   readonly #bloom: BloomPass;
-  #glare: RenderTarget | null = null;
+  #prefiltered: RenderTarget | null = null;
   #size = { width: 1, height: 1 };
   #latest: Texture | null = null;
-  /** Where the flame was in the picture that it is of; null before there is one. */
-  #at: Place | null = null;
+  /** Position of the flame in the frame that the bloom is of; null before the first. */
+  #flame: Uv | null = null;
 
   constructor(gpu: Gpu, screen: VertexArray, levels: number, format: TextureFormat) {
     this.#gpu = gpu;
     this.#screen = screen;
     this.#format = format;
-    this.#program = gpu.program("post/bloom-prefilter", fullscreenVert, glareFrag);
+    this.#program = gpu.program("post/bloom-prefilter", fullscreenVert, prefilterFrag);
     this.#bloom = new BloomPass(gpu, screen, levels, { format, isFrugal: true });
   }
 
   resize(width: number, height: number): void {
-    this.#glare?.dispose();
+    this.#prefiltered?.dispose();
     this.#size = { width, height };
     const quarter = {
-      width: Math.max(1, Math.ceil(width / GLARE)),
-      height: Math.max(1, Math.ceil(height / GLARE)),
+      width: Math.max(1, Math.ceil(width / BLOOM_SCALE)),
+      height: Math.max(1, Math.ceil(height / BLOOM_SCALE)),
     };
-    this.#glare = this.#gpu.renderTarget({ label: "glare", ...quarter, color: [this.#format] });
+    const color = [this.#format];
+    this.#prefiltered = this.#gpu.renderTarget({ label: "bloom/prefiltered", ...quarter, color });
     this.#bloom.resize(quarter.width, quarter.height);
-    this.#at = null;
+    this.#flame = null;
   }
 
-  /** Whether there is one. */
+  /** Whether there is a bloom of this size. */
   get isDrawn(): boolean {
-    return this.#at !== null;
+    return this.#flame !== null;
   }
 
   get latest(): Texture {
-    if (!this.#latest) throw new Error("There is no halo yet.");
+    if (!this.#latest) throw new Error("The bloom has not been drawn yet.");
     return this.#latest;
   }
 
-  transform([x, y]: Place): BloomTransform {
-    return { share: [1, 1], shift: this.#at ? [this.#at[0] - x, this.#at[1] - y] : [0, 0] };
+  transform([x, y]: Uv): BloomTransform {
+    return {
+      share: [1, 1],
+      shift: this.#flame ? [this.#flame[0] - x, this.#flame[1] - y] : [0, 0],
+    };
   }
 
   /**
-   * @param box of the radiance that was drawn: all that glows is in it
-   * @param flame where it is
+   * @param box of the radiance that was drawn; it contains the flame
+   * @param flame position of the flame
    */
-  render(radiance: Texture, [x, y, width, height]: Box, flame: Place): void {
-    const glare = this.#glare!;
-    const left = Math.floor(x / GLARE) + (x > 0 ? 1 : 0);
-    const bottom = Math.floor(y / GLARE) + (y > 0 ? 1 : 0);
-    const right = Math.floor((x + width) / GLARE) - (x + width < this.#size.width ? 1 : -1);
-    const top = Math.floor((y + height) / GLARE) - (y + height < this.#size.height ? 1 : -1);
-    this.#gpu.clear(glare, [0, 0, 0, 1]);
+  render(radiance: Texture, [x, y, width, height]: Box, flame: Uv): void {
+    const target = this.#prefiltered!;
+    const left = Math.floor(x / BLOOM_SCALE) + (x > 0 ? 1 : 0);
+    const bottom = Math.floor(y / BLOOM_SCALE) + (y > 0 ? 1 : 0);
+    const right = Math.floor((x + width) / BLOOM_SCALE) - (x + width < this.#size.width ? 1 : -1);
+    const top = Math.floor((y + height) / BLOOM_SCALE) - (y + height < this.#size.height ? 1 : -1);
+    this.#gpu.clear(target, [0, 0, 0, 1]);
     this.#gpu.draw({
       program: this.#program,
-      target: glare,
+      target,
       vertexArray: this.#screen,
       textures: { uSource: radiance },
       scissor: [left, bottom, Math.max(right - left, 0), Math.max(top - bottom, 0)],
     });
-    this.#latest = this.#bloom.render(glare.color, glare);
-    this.#at = flame;
+    this.#latest = this.#bloom.render(target.color, target);
+    this.#flame = flame;
   }
 }

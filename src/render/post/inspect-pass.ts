@@ -11,12 +11,12 @@ import type { Inspection } from "../../settings.js";
 import type { FrameSettings } from "../frame-settings.js";
 import type { IrradianceVolume } from "../gi/indirect-pass.js";
 
-/** Textures that a frame has left. */
+/** Results of a frame's passes. */
 export type PassTextures = Readonly<
   Record<"uRadiance" | "uBloom" | "uExposure" | "uDepth" | "uShadow", Texture>
 >;
 
-/** Ways of showing, as `post/inspect.frag` counts them. */
+/** Numbers of the views in `post/inspect.frag`. */
 const VIEWS: Readonly<Record<Exclude<Inspection, "picture">, number>> = {
   radiance: 0,
   exposure: 1,
@@ -30,12 +30,12 @@ const VIEWS: Readonly<Record<Exclude<Inspection, "picture">, number>> = {
   normals: 8,
   haze: 8,
 };
-/** Luminance that is shown white where only a part of the flame is seen, cd/m². */
-const ALBEDO_SCALE = { soot: 12_000, blue: 80 } as const;
+/** Luminance shown as white in views of a part of the flame, cd/m². */
+const WHITE_LUMINANCE = { soot: 12_000, blue: 80 } as const;
 
 const ADAPTATION = adaptation(TAPER.color);
 
-/** Shows what a pass has left, instead of the picture. */
+/** Inspection: a pass's result in place of the frame. */
 export class InspectPass {
   readonly #gpu: Gpu;
   readonly #program: Program;
@@ -63,7 +63,7 @@ export class InspectPass {
         uView: VIEWS[inspect],
         uAdaptation: ADAPTATION,
         uAutoExposure: features.autoExposure ? 1 : 0,
-        uBrightest: inspect === "blue" ? ALBEDO_SCALE.blue : ALBEDO_SCALE.soot,
+        uWhiteLuminance: inspect === "blue" ? WHITE_LUMINANCE.blue : WHITE_LUMINANCE.soot,
       },
       blocks: { ...blocks, Volume: volume.block },
     });

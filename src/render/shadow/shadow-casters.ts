@@ -8,23 +8,23 @@ import { type Clusters, clusterTriangles, runsOf, VERTEX_SIZE } from "../mesh/cl
 import type { Surface } from "../mesh/mesh.js";
 import { isInCubeFace } from "./cube-map.js";
 
-/** Unseen triangles that cost less than another draw. */
-const SPARED = 200;
+/** Culled triangles that cost less than another draw: they are drawn to merge the runs on both sides. */
+const MERGED_TRIANGLES = 200;
 /** Bytes of a float. */
 const FLOAT = 4;
 
-/** A model keeps its clusters by their detail, for the next GPU that asks as finely. */
-const known = new WeakMap<Model, Map<number, Clusters>>();
+/** Clusters of each model by level of detail, shared by all contexts. */
+const cache = new WeakMap<Model, Map<number, Clusters>>();
 
 function clustersOf(model: Model, detail: number): Clusters {
-  const details = known.get(model) ?? new Map<number, Clusters>();
-  known.set(model, details);
-  const clusters = details.get(detail) ?? clusterTriangles(model.parts, detail);
-  details.set(detail, clusters);
+  const levels = cache.get(model) ?? new Map<number, Clusters>();
+  cache.set(model, levels);
+  const clusters = levels.get(detail) ?? clusterTriangles(model.parts, detail);
+  levels.set(detail, clusters);
   return clusters;
 }
 
-/** The room as the flame sees it: what throws shadows, and what throws light back. */
+/** The room's clusters of triangles, culled by face of a cube: casters of shadows and of indirect light. */
 export class ShadowCasters {
   readonly #gpu: Gpu;
   readonly #clusters: Clusters;
@@ -33,7 +33,7 @@ export class ShadowCasters {
 
   /**
    * @param surfaces of the same model, in the order of its parts
-   * @param detail what is smaller, metres, may be left out
+   * @param detail size of the largest feature that may be simplified away, metres
    */
   constructor(gpu: Gpu, model: Model, surfaces: readonly Surface[], detail: number) {
     this.#gpu = gpu;
@@ -53,39 +53,39 @@ export class ShadowCasters {
   }
 
   /**
-   * Draws all that may show in one face of a cube around `eye` (metres).
+   * Draws the clusters that touch one face of a cube around `origin` (metres).
    *
-   * @param matters what else is to be true of a box for what is in it to be drawn
+   * @param isNeeded further condition on a cluster's bounds
    */
   draw(
     face: number,
-    eye: Vec3,
-    how: Omit<Draw, "vertexArray">,
-    matters?: (box: Bounds) => boolean,
+    origin: Vec3,
+    pass: Omit<Draw, "vertexArray">,
+    isNeeded?: (box: Bounds) => boolean,
   ): void {
-    for (const { first, count } of this.#runs(face, eye, false, matters)) {
-      this.#gpu.draw({ ...how, vertexArray: this.#vertexArray, first, count });
+    for (const { first, count } of this.#runs(face, origin, false, isNeeded)) {
+      this.#gpu.draw({ ...pass, vertexArray: this.#vertexArray, first, count });
     }
   }
 
-  /** The same in their own colours: samplers `uAlbedo` times `uBaseColor`, `uNormal` by `uRelief`. */
-  drawWithAlbedo(face: number, eye: Vec3, how: Omit<Draw, "vertexArray" | "textures">): void {
-    for (const { part, first, count } of this.#runs(face, eye, true)) {
+  /** The same with each part's `uAlbedo`, `uBaseColor`, `uNormal` and `uNormalScale`. */
+  drawWithAlbedo(face: number, origin: Vec3, pass: Omit<Draw, "vertexArray" | "textures">): void {
+    for (const { part, first, count } of this.#runs(face, origin, true)) {
       const surface = this.#surfaces[part];
       if (!surface) continue;
       const { uAlbedo, uNormal } = surface.textures;
       const textures: Record<string, Texture> = { uAlbedo, uNormal };
       const uniforms = {
-        ...how.uniforms,
+        ...pass.uniforms,
         uBaseColor: surface.baseColor,
-        uRelief: surface.parameters[2],
+        uNormalScale: surface.parameters[2],
       };
-      this.#gpu.draw({ ...how, vertexArray: this.#vertexArray, first, count, textures, uniforms });
+      this.#gpu.draw({ ...pass, vertexArray: this.#vertexArray, first, count, textures, uniforms });
     }
   }
 
-  #runs(face: number, eye: Vec3, isByPart: boolean, matters = (_: Bounds) => true) {
-    const isSeen = (box: Bounds) => isInCubeFace(face, eye, box) && matters(box);
-    return runsOf(this.#clusters.clusters, isSeen, isByPart, 3 * SPARED);
+  #runs(face: number, origin: Vec3, isByPart: boolean, isNeeded = (_: Bounds) => true) {
+    const isVisible = (box: Bounds) => isInCubeFace(face, origin, box) && isNeeded(box);
+    return runsOf(this.#clusters.clusters, isVisible, isByPart, 3 * MERGED_TRIANGLES);
   }
 }

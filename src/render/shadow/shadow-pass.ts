@@ -1,6 +1,6 @@
 import { mat4 } from "gl-matrix";
+import cubeFaceVert from "../../../shaders/shadow/cube-face.vert";
 import shadowFrag from "../../../shaders/shadow/shadow.frag";
-import shadowVert from "../../../shaders/shadow/shadow.vert";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
@@ -10,40 +10,41 @@ import { SCHEDULE } from "../schedule.js";
 import { clipFromFace, FACES } from "./cube-map.js";
 import type { ShadowCasters } from "./shadow-casters.js";
 
-/** Farther than anything. */
-const NOTHING = [1e4, 0, 0, 1] as const;
+/** Distance where there is no caster, metres. */
+const FAR_DISTANCE = [1e4, 0, 0, 1] as const;
 
-/** Distances, metres, in a cube around a vantage. */
+/** A shadow cube and the point that it was captured from. */
 export interface ShadowCube {
+  /** Metres. */
   readonly distances: Texture;
-  readonly vantage: Vec3;
-  /** Whether it was drawn for this picture. */
+  readonly captureOrigin: Vec3;
+  /** Whether it was drawn in this frame. */
   readonly isNew: boolean;
 }
 
-/** What the flame sees of the room: the distance of the nearest thing in every direction. */
+/** Shadow cube map: distance of the nearest caster in every direction from the capture origin. */
 export class ShadowPass {
   readonly #gpu: Gpu;
   readonly #program: Program;
   readonly #distances: Texture;
   readonly #faces: readonly TextureView[];
-  #lastVantage: Vec3 = [Number.NaN, 0, 0];
-  /** Of which nothing was left out; null where something was. */
-  #whole: ShadowCasters | null = null;
-  /** Pictures since it was drawn. */
+  #lastOrigin: Vec3 = [Number.NaN, 0, 0];
+  /** Casters in the cube; null if some of them were culled. */
+  #allCasters: ShadowCasters | null = null;
+  /** Frames since the cube was drawn. */
   #age = 0;
 
   /** @param size texels along an edge of the cube */
   constructor(gpu: Gpu, size: number, format: TextureFormat = "R16F") {
     this.#gpu = gpu;
-    this.#program = gpu.program("shadow/shadow", shadowVert, shadowFrag);
+    this.#program = gpu.program("shadow/shadow", cubeFaceVert, shadowFrag);
     const source = { width: size, height: size };
     this.#distances = gpu.texture({
       label: "shadow/distances",
       format,
       source,
       shape: "cube",
-      // A mean of what casts a shadow and what lies behind it is the distance of nothing.
+      // Distances must not be filtered: the mean of a caster and its background is neither.
       filter: "nearest",
     });
     const depth = gpu.texture({
@@ -57,56 +58,60 @@ export class ShadowPass {
     );
   }
 
-  /** Distances from the vantage, drawn anew where it is another than before. */
-  render(casters: ShadowCasters, vantage: Vec3): Texture {
-    if (this.#hasMovedBy(vantage) > 0 || this.#whole !== casters) this.#draw(casters, vantage);
+  /** Distances from the capture origin; drawn only if origin or casters have changed. */
+  render(casters: ShadowCasters, captureOrigin: Vec3): Texture {
+    if (this.#distanceMoved(captureOrigin) > 0 || this.#allCasters !== casters) {
+      this.#draw(casters, captureOrigin);
+    }
     return this.#distances;
   }
 
   /**
-   * The same for one picture among many, perhaps from where the light was in the one before.
+   * Amortised update for a moving light: in most frames, the cube of an earlier one.
    *
-   * @param isBusy whether this picture takes long anyway
-   * @param matters whether what is in a box is needed of a picture that the next will not be like
+   * @param isBusy whether this frame takes long anyway
+   * @param isNeeded whether the contents of a box cast shadows into view, while the light moves
    */
-  follow(
+  updateIncrementally(
     casters: ShadowCasters,
-    vantage: Vec3,
-    { isBusy, matters }: { readonly isBusy: boolean; readonly matters: (box: Bounds) => boolean },
+    captureOrigin: Vec3,
+    { isBusy, isNeeded }: { readonly isBusy: boolean; readonly isNeeded: (box: Bounds) => boolean },
   ): ShadowCube {
-    const way = this.#hasMovedBy(vantage);
+    const moved = this.#distanceMoved(captureOrigin);
     this.#age++;
     const isDue =
       this.#age >= (isBusy ? SCHEDULE.shadow.busyFrames : SCHEDULE.shadow.frames) ||
-      way > SCHEDULE.shadow.distance;
-    // Who stands still is worth the whole.
-    const isWhole = way === 0;
-    const isNew = isWhole ? !this.#whole : isDue;
-    if (isNew) this.#draw(casters, vantage, isWhole ? undefined : matters);
-    return { distances: this.#distances, vantage: this.#lastVantage, isNew };
+      moved > SCHEDULE.shadow.distance;
+    // A cube for a light at rest serves many frames: no caster is culled.
+    const isAtRest = moved === 0;
+    const isNew = isAtRest ? !this.#allCasters : isDue;
+    if (isNew) this.#draw(casters, captureOrigin, isAtRest ? undefined : isNeeded);
+    return { distances: this.#distances, captureOrigin: this.#lastOrigin, isNew };
   }
 
-  /** Metres; infinitely far where there was nothing before. */
-  #hasMovedBy(vantage: Vec3): number {
-    const way = Math.hypot(...vantage.map((x, axis) => x - (this.#lastVantage[axis] ?? 0)));
-    return Number.isNaN(way) ? Number.POSITIVE_INFINITY : way;
+  /** Metres since the last capture; infinite before the first. */
+  #distanceMoved(captureOrigin: Vec3): number {
+    const distance = Math.hypot(
+      ...captureOrigin.map((x, axis) => x - (this.#lastOrigin[axis] ?? 0)),
+    );
+    return Number.isNaN(distance) ? Number.POSITIVE_INFINITY : distance;
   }
 
-  #draw(casters: ShadowCasters, vantage: Vec3, matters?: (box: Bounds) => boolean): void {
-    this.#whole = matters ? null : casters;
+  #draw(casters: ShadowCasters, captureOrigin: Vec3, isNeeded?: (box: Bounds) => boolean): void {
+    this.#allCasters = isNeeded ? null : casters;
     this.#age = 0;
-    this.#lastVantage = [...vantage];
+    this.#lastOrigin = [...captureOrigin];
     for (const [face, target] of this.#faces.entries()) {
-      const clipFromWorld = clipFromFace(face, vantage, mat4.create()) as Float32Array;
-      this.#gpu.clear(target, NOTHING);
-      const how = {
+      const clipFromWorld = clipFromFace(face, captureOrigin, mat4.create()) as Float32Array;
+      this.#gpu.clear(target, FAR_DISTANCE);
+      const pass = {
         program: this.#program,
         target,
-        uniforms: { uClipFromWorld: clipFromWorld, uLight: vantage },
+        uniforms: { uClipFromWorld: clipFromWorld, uCaptureOrigin: captureOrigin },
         depth: "test-and-write",
         cull: "none",
       } as const;
-      casters.draw(face, vantage, how, matters);
+      casters.draw(face, captureOrigin, pass, isNeeded);
     }
   }
 }

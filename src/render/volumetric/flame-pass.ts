@@ -13,20 +13,20 @@ import { BALLS, createShape, shapeFlame } from "../../light/flame-shape.js";
 import type { Vec3 } from "../../world/geometry.js";
 import type { World } from "../../world/world.js";
 
-/** What of the flame is drawn. */
+/** Emitters of the flame that are drawn. */
 export type FlamePart = "all" | "soot" | "blue";
 
-/** The ring handle, along +X in the model, is turned towards the visitor's right hand. */
+/** Yaw of the candlestick: its handle, along +X in the model, points to the visitor's right hand. */
 export const HANDLE_TURN = -1.1;
 /** Tip of the wick from the foot of the flame, in the model's frame, m. */
 const WICK_TIP = [0.0026, 0.0067, 0.0003] as const;
-/** Corners of the hull: six sides, two triangles each, between rings around the balls and its ends. */
-const CORNERS = (BALLS + 1) * 6 * 6;
+/** Vertices of the hull: six sides of two triangles between rings around the spheres and both ends. */
+const HULL_VERTICES = (BALLS + 1) * 6 * 6;
 
-/** Soot is brighter than the largest half float: where a table is of halves, it holds so much less. */
-const HALVED = 256;
+/** Factor on a table of half floats: soot is brighter than the largest of them. */
+const HALF_FLOAT_SCALE = 256;
 
-/** The flame's body, gathered along each pixel's ray within a hull around it. */
+/** The flame, by ray marching within a bounding hull. */
 export class FlamePass {
   readonly #gpu: Gpu;
   readonly #program: Program;
@@ -35,14 +35,14 @@ export class FlamePass {
   readonly #outline: Texture;
   readonly #hull: VertexArray;
   readonly #shape = createShape();
-  /** From what the table holds to what is meant. */
+  /** From the table's values to radiance. */
   readonly #scale: number;
 
   constructor(gpu: Gpu) {
     this.#gpu = gpu;
     this.#program = gpu.program("volumetric/flame", flameVert, flameFrag);
     this.#flame = gpu.uniformBlock(this.#program, "Flame");
-    this.#scale = gpu.filtersFloats ? 1 : HALVED;
+    this.#scale = gpu.filtersFloats ? 1 : HALF_FLOAT_SCALE;
     this.#body = gpu.texture({
       label: "flame/body",
       format: gpu.filtersFloats ? "RGBA32F" : "RGBA16F",
@@ -59,10 +59,10 @@ export class FlamePass {
         ),
       },
     });
-    this.#hull = gpu.vertexArray("flame/hull", { attributes: {}, count: CORNERS });
+    this.#hull = gpu.vertexArray("flame/hull", { attributes: {}, count: HULL_VERTICES });
   }
 
-  /** Radiance is added to the target, behind what stands in front of the flame. */
+  /** Adds radiance to the target, with its depth test. */
   render(
     target: RenderTarget | TextureView,
     frame: UniformBlock,
@@ -82,7 +82,7 @@ export class FlamePass {
       soot: part === "blue" ? 0 : shape.soot * this.#scale,
       blue: part === "soot" ? 0 : shape.blue * this.#scale,
       "nodes[0]": shape.nodes,
-      "balls[0]": shape.balls,
+      "spheres[0]": shape.balls,
     });
     this.#gpu.draw({
       program: this.#program,
@@ -96,7 +96,7 @@ export class FlamePass {
   }
 }
 
-/** The tip from the foot of the flame, as the candle is turned. Metres. */
+/** Tip of the wick from the foot of the flame, by the candle's yaw. Metres. */
 function wickTip({ candle }: World): Vec3 {
   const [x, y, z] = WICK_TIP;
   const sin = Math.sin(candle.yaw + HANDLE_TURN);

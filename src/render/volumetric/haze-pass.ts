@@ -11,79 +11,76 @@ import type { VertexArray } from "../../gl/vertex-array.js";
 import { COLUMN_FLOATS, hotColumn } from "../../world/air/hot-column.js";
 import { plumeGrid } from "../../world/air/plume-grid.js";
 import type { PlumeSolver } from "../../world/air/plume-solver.js";
-import { clipPosition } from "../camera.js";
+import { projectedExtent, type Sphere } from "../screen-bounds.js";
 import type { VolumetricTarget } from "./volumetric-target.js";
 
 const LEVELS = plumeGrid().y.count;
 /** Refractive index of the room's air, less 1 (Ciddor 1996, 550 nm, 20 °C). */
 const REFRACTION = 2.72e-4;
 /**
- * How many times stronger than nature: a candle turns a ray by 3e-4 rad at most, a fifth of a pixel
- * where the eye, which has no pixels, just sees it.
+ * Exaggeration of the angle: a candle deflects a ray by 3e-4 rad at most, a fifth of a pixel, which an eye, having no
+ * pixels, just sees.
  */
-const MAGNIFIED = 16;
-/** Within the flame there is nothing behind the column but the flame: from here to there it begins. Metres. */
-const BEGINS = 0.7;
-const BEGUN = 1.6;
-/** What is bent by less is not seen to be bent, radians. */
-const SEEN = 5e-4;
-/** Half of the breadth over which it bends, in standard deviations of the column: `REACH` of the shader. */
+const EXAGGERATION = 16;
+/** Heights between which the haze fades in, in heights of the flame: within the flame it has no background. */
+const FADE_BEGINS = 0.7;
+const FADE_ENDS = 1.6;
+/** Least visible deflection, radians. */
+const VISIBLE = 5e-4;
+/** Half width of the ribbon, in standard deviations of the column: `REACH` of the shader. */
 const REACH = 3;
-/** So much of the picture is bent at once, and what is left of the column after it: no copy of all need be kept. */
+/** The frame is refracted in so many strips, each copied back before the next, to save a copy of all of it. */
 const STRIPS = 4;
-/** Whoever is nearer to a part of the column may see it anywhere, metres. */
-const BESIDE = 0.01;
 
-/** What of the column is drawn: columns of pixels, and vertices of its ribbon. */
-interface Stretch {
+/** Visible part of the column: columns of pixels, and vertices of its ribbon. */
+interface VisiblePart {
   readonly left: number;
   readonly right: number;
   readonly first: number;
   readonly count: number;
 }
 
-/** Hot air over the flame, as it bends what is seen through it. */
+/** Heat haze: refraction by the hot air over the flame. */
 export class HazePass {
   readonly #gpu: Gpu;
   readonly #format: TextureFormat;
-  readonly #bend: Program;
-  readonly #copy: Program;
+  readonly #refractProgram: Program;
+  readonly #copyProgram: Program;
   readonly #ribbon: VertexArray;
-  readonly #column = new Float32Array(LEVELS * COLUMN_FLOATS);
-  readonly #middles = new Float32Array(LEVELS * 4);
-  readonly #bends = new Float32Array(LEVELS);
-  /** The same, showing how far it bends; made when it is first looked at. */
-  #offset: Program | null = null;
-  #bent: RenderTarget | null = null;
+  readonly #plumeColumn = new Float32Array(LEVELS * COLUMN_FLOATS);
+  /** Centre and standard deviation of each level, metres. */
+  readonly #column = new Float32Array(LEVELS * 4);
+  readonly #deflections = new Float32Array(LEVELS);
+  #strip: RenderTarget | null = null;
   #size = { width: 1, height: 1 };
 
   constructor(gpu: Gpu, format: TextureFormat = "RGBA16F") {
     this.#gpu = gpu;
     this.#format = format;
-    const bends = { defines: { LEVELS, BENDS: 1, OFFSET: 0 } };
-    this.#bend = gpu.program("volumetric/haze", hazeVert, hazeFrag, bends);
-    const copies = { defines: { LEVELS, BENDS: 0 } };
-    this.#copy = gpu.program("volumetric/haze-copy", hazeVert, copyFrag, copies);
+    this.#refractProgram = this.#program(0);
+    const defines = { LEVELS, REFRACTS: 0 };
+    this.#copyProgram = gpu.program("volumetric/haze-copy", hazeVert, copyFrag, { defines });
     this.#ribbon = gpu.vertexArray("haze/ribbon", { attributes: {}, count: 2 * LEVELS });
   }
 
+  #program(SHOWS_OFFSET: 0 | 1): Program {
+    const defines = { LEVELS, REFRACTS: 1, SHOWS_OFFSET };
+    return this.#gpu.program("volumetric/haze", hazeVert, hazeFrag, { defines });
+  }
+
   resize(width: number, height: number): void {
-    this.#bent?.dispose();
-    const part = { width: Math.ceil(width / STRIPS), height };
+    this.#strip?.dispose();
     this.#size = { width, height };
-    this.#bent = this.#gpu.renderTarget({
-      label: "haze/bent",
-      ...part,
-      color: [this.#format],
-    });
+    const strip = { width: Math.ceil(width / STRIPS), height, color: [this.#format] };
+    this.#strip = this.#gpu.renderTarget({ label: "haze/strip", ...strip });
   }
 
   /**
-   * Bends what is behind the column, and touches no other pixel.
+   * Refracts the background of the column.
    *
-   * @param flameHeight of the flame that burns at the column's foot, or 0, metres
-   * @param clip space from the room's, as in `frame`
-   * @param showsOffset how far, as a colour, instead of what is seen bent
+   * @param flameHeight of the flame at the column's foot, or 0, metres
+   * @param clip clip space from world space, as in `frame`
+   * @param showsOffset draws the offset as a colour instead
    */
   render(
     { target, depth }: VolumetricTarget,
@@ -94,8 +91,8 @@ export class HazePass {
     clip: mat4,
     showsOffset = false,
   ): void {
-    if (!this.#bent || !this.#measure(plume, flameHeight)) return;
-    const { left: begin, right: end, first, count } = this.#stretch(clip);
+    if (!this.#strip || !this.#measure(plume, flameHeight)) return;
+    const { left: begin, right: end, first, count } = this.#visiblePart(clip);
     const ribbon = {
       vertexArray: this.#ribbon,
       first,
@@ -104,97 +101,82 @@ export class HazePass {
       blocks: { Frame: frame },
       cull: "none",
     } as const;
+    const program = showsOffset ? this.#program(1) : this.#refractProgram;
     const { width, height } = this.#size;
-    const strip = this.#bent.width;
-    for (let left = begin; left < end; left += strip) {
-      const place = { uMiddle: this.#middles, uCorner: [left, 0] };
+    const step = this.#strip.width;
+    for (let left = begin; left < end; left += step) {
+      const uniforms = { uColumn: this.#column, uStripOrigin: [left, 0] };
       this.#gpu.draw({
         ...ribbon,
-        program: showsOffset ? this.#offsetProgram() : this.#bend,
-        target: this.#bent,
+        program,
+        target: this.#strip,
         textures: { uRadiance: radiance, uDepth: depth },
         uniforms: {
-          ...place,
-          uBend: this.#bends,
-          uStrip: [width / strip, (2 * left) / strip],
+          ...uniforms,
+          uDeflection: this.#deflections,
+          uStripTransform: [width / step, (2 * left) / step],
         },
       });
       this.#gpu.draw({
         ...ribbon,
-        program: this.#copy,
+        program: this.#copyProgram,
         target,
-        textures: { uSource: this.#bent.color },
-        uniforms: place,
-        scissor: [left, 0, Math.min(strip, width - left), height],
+        textures: { uSource: this.#strip.color },
+        uniforms,
+        scissor: [left, 0, Math.min(step, width - left), height],
       });
     }
   }
 
-  /** Balls around all that is seen to be bent: x, y, z, radius, metres, of one after another. */
-  boundingSpheres(plume: PlumeSolver, flameHeight: number): readonly number[] {
-    if (!this.#measure(plume, flameHeight)) return [];
-    const balls: number[] = [];
+  /** Bounding spheres of the levels with visible deflection. */
+  *boundingSpheres(plume: PlumeSolver, flameHeight: number): Generator<Sphere> {
+    if (!this.#measure(plume, flameHeight)) return;
     for (let level = 0; level < LEVELS; level++) {
-      if (this.#bends[level]! < SEEN) continue;
-      const [x, y, z, breadth] = this.#middles.subarray(4 * level, 4 * level + 4);
-      balls.push(x!, y!, z!, REACH * breadth!);
+      if (this.#deflections[level]! >= VISIBLE) yield this.#sphere(level);
     }
-    return balls;
   }
 
-  #offsetProgram(): Program {
-    const defines = { LEVELS, BENDS: 1, OFFSET: 1 };
-    this.#offset ??= this.#gpu.program("volumetric/haze", hazeVert, hazeFrag, { defines });
-    return this.#offset;
+  #sphere(level: number): Sphere {
+    const [x, y, z, width] = this.#column.subarray(4 * level, 4 * level + 4);
+    return [x!, y!, z!, REACH * width!];
   }
 
-  /** Levels that are seen to bend, one more at each end, and the pixels from the leftmost to the rightmost. */
-  #stretch(clip: mat4): Stretch {
+  /** Levels with visible deflection and one more at each end. */
+  #visiblePart(clip: mat4): VisiblePart {
     const { width } = this.#size;
-    const low = Math.max(this.#bends.findIndex((bend) => bend >= SEEN) - 1, 0);
-    const high = Math.min(this.#bends.findLastIndex((bend) => bend >= SEEN) + 1, LEVELS - 1);
-    let [left, right] = [width, 0];
-    for (let level = low; level <= high; level++) {
-      const [x, y, z, breadth] = this.#middles.subarray(4 * level, 4 * level + 4);
-      const reach = REACH * breadth!;
-      for (let corner = 0; corner < 8; corner++) {
-        const aside = (axis: number) => ((corner >> axis) & 1 ? reach : -reach);
-        const [across, , w] = clipPosition(clip, x! + aside(0), y! + aside(1), z! + aside(2));
-        const place = w < BESIDE ? Number.NaN : (0.5 + (0.5 * across) / w) * width;
-        left = Math.min(left, place);
-        right = Math.max(right, place);
-      }
-    }
-    const isAnywhere = Number.isNaN(left);
+    const isVisible = (deflection: number) => deflection >= VISIBLE;
+    const low = Math.max(this.#deflections.findIndex(isVisible) - 1, 0);
+    const high = Math.min(this.#deflections.findLastIndex(isVisible) + 1, LEVELS - 1);
+    const spheres = Array.from({ length: high - low + 1 }, (_, i) => this.#sphere(low + i));
+    const extent = projectedExtent(spheres, clip, this.#size);
     return {
-      left: isAnywhere ? 0 : Math.max(Math.floor(left), 0),
-      right: isAnywhere ? width : Math.min(right, width),
+      left: extent ? Math.max(Math.floor(extent.left), 0) : 0,
+      right: extent ? Math.min(extent.right, width) : width,
       first: 2 * low,
       count: 2 * (high - low + 1),
     };
   }
 
-  /** How much each level bends. False if none does so visibly. */
+  /** Deflection at each level. False if none is visible. */
   #measure(plume: PlumeSolver, flameHeight: number): boolean {
-    hotColumn(plume, this.#column);
-    let most = 0;
+    hotColumn(plume, this.#plumeColumn);
+    let largest = 0;
     for (let level = 0; level < LEVELS; level++) {
       const at = level * COLUMN_FLOATS;
-      const [x, y, z, breadth, missing] = this.#column.subarray(
+      const [x, y, z, width, deficit] = this.#plumeColumn.subarray(
         at,
         at + COLUMN_FLOATS,
       ) as unknown as [number, number, number, number, number];
-      this.#middles.set([x, y, z, breadth], level * 4);
-      // A Gaussian column, whose gradient is steepest one breadth from the middle.
-      const steepest =
-        (REFRACTION * missing) / (breadth * breadth * Math.sqrt(2 * Math.PI * Math.E));
+      this.#column.set([x, y, z, width], level * 4);
+      // Largest gradient of a Gaussian column, one standard deviation from its centre.
+      const steepest = (REFRACTION * deficit) / (width * width * Math.sqrt(2 * Math.PI * Math.E));
       const above = y - plume.origin[1];
-      const share = (above / Math.max(flameHeight, 1e-3) - BEGINS) / (BEGUN - BEGINS);
+      const share = (above / Math.max(flameHeight, 1e-3) - FADE_BEGINS) / (FADE_ENDS - FADE_BEGINS);
       const top = (LEVELS - 1 - level) / 6;
-      const shown = Math.min(Math.max(share, 0), 1) * Math.min(top, 1) * (above > 0 ? 1 : 0);
-      this.#bends[level] = MAGNIFIED * steepest * shown;
-      most = Math.max(most, MAGNIFIED * steepest * shown);
+      const fade = Math.min(Math.max(share, 0), 1) * Math.min(top, 1) * (above > 0 ? 1 : 0);
+      this.#deflections[level] = EXAGGERATION * steepest * fade;
+      largest = Math.max(largest, EXAGGERATION * steepest * fade);
     }
-    return most >= SEEN;
+    return largest >= VISIBLE;
   }
 }

@@ -16,7 +16,7 @@ import type { VolumetricTarget } from "./volumetric-target.js";
 const COOLING = [1850, 1700, 1500, 1300, 1100, 1000];
 const GLOW = Float32Array.from(COOLING.flatMap((temperature) => [...sootRadiance(temperature)]));
 
-/** Dust in the light, and sparks that the wick spits: particles too small for anything but points. */
+/** Dust and sparks, as point sprites. */
 export class MotesPass {
   readonly #gpu: Gpu;
   readonly #update: Program;
@@ -34,20 +34,20 @@ export class MotesPass {
     });
   }
 
-  /** Slots at work in the last frame. */
+  /** Particle slots in use in the last frame. */
   get particles(): number {
     return this.#systems.reduce((sum, { count }) => sum + count, 0);
   }
 
-  /** Other particles: those of a new world, or more of them. */
-  follow({ seed }: World, layers: readonly ParticleLayer[]): void {
+  /** Replaces the particles by those of a new world, or of other layers. */
+  setLayers({ seed }: World, layers: readonly ParticleLayer[]): void {
     for (const system of this.#systems) system.dispose();
     this.#systems = layers.map(
       (layer, i) => new ParticleSystem(this.#gpu, this.#update, layer, layerKey(seed, i)),
     );
   }
 
-  /** Mixes the motes of a kind into a veil's radiance. Who is not drawn catches up when it is. */
+  /** Blends one layer over the target. A layer that is not drawn catches up when it is. */
   render(
     name: "dust" | "spark",
     { target, depth }: VolumetricTarget,
@@ -58,12 +58,12 @@ export class MotesPass {
   ): void {
     const system = this.#systems.find(({ layer }) => layer.name === name);
     if (!system) return;
-    const [x, y, z] = world.emitter; // what stays behind knows of no hand that moves on
+    const [x, y, z] = world.emitter; // not interpolated: particles that stay behind do not follow the hand
     const { flameScale } = world.setup;
     const uniforms: Record<string, UniformValue> = {
       uEmitter: [x, y, z, flameScale],
       uSize: system.layer.size * flameScale,
-      uAhead: world.remainder,
+      uExtrapolation: world.remainder,
     };
     if (name === "spark") uniforms.uGlow = GLOW;
     const isDust = name === "dust";

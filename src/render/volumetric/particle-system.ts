@@ -14,16 +14,16 @@ import { HISTORY, TICK, type Timeline } from "../../world/timeline.js";
 const MAX_TICKS = 2;
 const STRIDE = PARTICLE_FLOATS * Float32Array.BYTES_PER_ELEMENT;
 
-/** Half of the double buffer: particles, and how a vertex shader reads them. */
+/** Half of the double buffer. */
 interface Half {
   readonly buffer: Buffer;
   readonly vertexArray: VertexArray;
 }
 
-/** What a program must capture whose vertex shader includes the kernel. */
+/** Varyings that a program with the kernel captures. */
 export const FEEDBACK: readonly string[] = ["vPositionLife", "vVelocitySpan"];
 
-/** The program that moves particles unseen; one serves all layers of a context. */
+/** Program that advances particles without drawing; shared by all layers of a context. */
 export function particleProgram(gpu: Gpu): Program {
   return gpu.program("particles/update", updateVert, updateFrag, { feedback: FEEDBACK });
 }
@@ -31,8 +31,7 @@ export function particleProgram(gpu: Gpu): Program {
 /**
  * One layer of particles on the GPU, moved by transform feedback.
  *
- * It follows a timeline: what it holds depends on the timeline's memory alone, so it can be thrown
- * away and made anew in the middle of a flame.
+ * Its state is a function of the timeline alone, so it can be recreated at any time.
  */
 export class ParticleSystem {
   readonly layer: ParticleLayer;
@@ -45,17 +44,17 @@ export class ParticleSystem {
   #to: Half;
   #tick = Number.NEGATIVE_INFINITY;
   #groups = GROUPS;
-  /** Tick up to which group `n` is moved: until both halves of the buffer hold none of it alive. */
-  readonly #movedUntil = new Float64Array(GROUPS);
+  /** Tick until which each group is advanced: until no particle of it lives in either half. */
+  readonly #activeUntil = new Float64Array(GROUPS);
   readonly #tickKeys = new Uint32Array(MAX_TICKS);
   readonly #births = new Uint32Array(MAX_TICKS);
-  readonly #eldest = new Float32Array(MAX_TICKS);
-  readonly #left = new Float32Array(MAX_TICKS * 3);
-  readonly #blown = new Float32Array(MAX_TICKS * 2);
-  /** Uniforms of the last pass, kept from pass to pass. */
-  readonly #pass: Record<string, UniformValue>;
+  readonly #oldestAge = new Float32Array(MAX_TICKS);
+  readonly #displacement = new Float32Array(MAX_TICKS * 3);
+  readonly #windVelocity = new Float32Array(MAX_TICKS * 2);
+  /** Uniforms of the last pass; one object serves all. */
+  readonly #uniforms: Record<string, UniformValue>;
 
-  /** @param key what makes this layer's chances its own, see `layerKey` */
+  /** @param key seed of this layer, see `layerKey` */
   constructor(gpu: Gpu, program: Program, layer: ParticleLayer, key: number) {
     this.#gpu = gpu;
     this.#program = program;
@@ -63,13 +62,13 @@ export class ParticleSystem {
     this.layer = layer;
     this.#from = this.#half("a");
     this.#to = this.#half("b");
-    this.#pass = {
+    this.#uniforms = {
       uGroupSize: layer.capacity / GROUPS,
       uTickKeys: this.#tickKeys,
       uBirths: this.#births,
-      uEldest: this.#eldest,
-      uLeft: this.#left,
-      uBlown: this.#blown,
+      uOldestAge: this.#oldestAge,
+      uDisplacement: this.#displacement,
+      uWindVelocity: this.#windVelocity,
     };
     this.#block = gpu.uniformBlock(program, "Layer");
     this.#block.update({
@@ -80,11 +79,11 @@ export class ParticleSystem {
       spawnHeight: layer.spawnHeight,
       spawnDepth: layer.spawnDepth,
       sideSpeed: layer.sideSpeed,
-      slowest: layer.speed[0],
-      fastest: layer.speed[1],
-      lift: layer.buoyancy * TICK,
-      push: layer.drift * TICK,
-      kept: Math.exp(-layer.drag * TICK),
+      minSpeed: layer.speed[0],
+      maxSpeed: layer.speed[1],
+      buoyancy: layer.buoyancy * TICK,
+      drift: layer.drift * TICK,
+      damping: Math.exp(-layer.drag * TICK),
     });
   }
 
@@ -101,14 +100,14 @@ export class ParticleSystem {
     return { buffer, vertexArray };
   }
 
-  /** Slots that hold a particle or did so lately: from the first one on, what is worth drawing. */
+  /** Slots that may hold a live particle, from the first one on. */
   get count(): number {
     return this.#groups * (this.layer.capacity / GROUPS);
   }
 
-  /** Catches up with the timeline, unseen. */
+  /** Catches up with the timeline without drawing. */
   follow(timeline: Timeline): void {
-    while (this.#beginPass(timeline)) this.#move();
+    while (this.#beginPass(timeline)) this.#advance();
   }
 
   /**
@@ -117,38 +116,38 @@ export class ParticleSystem {
    * @param draw its program captures `FEEDBACK`, and its vertex shader includes the kernel
    */
   draw(timeline: Timeline, draw: Omit<Draw, "vertexArray" | "primitive" | "count" | "into">): void {
-    let moves = this.#beginPass(timeline);
-    while (moves && this.#tick < timeline.tick) {
-      this.#move();
-      moves = this.#beginPass(timeline);
+    let hasPass = this.#beginPass(timeline);
+    while (hasPass && this.#tick < timeline.tick) {
+      this.#advance();
+      hasPass = this.#beginPass(timeline);
     }
     this.#gpu.draw({
       ...draw,
       vertexArray: this.#from.vertexArray,
       primitive: "points",
       count: this.count,
-      // Between two ticks the last pass is drawn once more, and nothing kept.
-      into: moves ? this.#to.buffer : undefined,
-      uniforms: { ...draw.uniforms, ...this.#pass },
+      // Without a new tick the last pass is drawn again, and its result dropped.
+      into: hasPass ? this.#to.buffer : undefined,
+      uniforms: { ...draw.uniforms, ...this.#uniforms },
       blocks: { ...draw.blocks, Layer: this.#block },
     });
   }
 
-  #move(): void {
+  #advance(): void {
     this.#gpu.transform({
       program: this.#program,
       vertexArray: this.#from.vertexArray,
       into: this.#to.buffer,
       count: this.count,
-      uniforms: this.#pass,
+      uniforms: this.#uniforms,
       blocks: { Layer: this.#block },
     });
   }
 
-  /** Turns to the next ticks, if there are any: as many as one pass can take. */
+  /** Prepares the next pass; false if no tick is left. */
   #beginPass(timeline: Timeline): boolean {
     const { layer } = this;
-    // Whatever was born before that is dead by now.
+    // Particles born before that are dead.
     const lifetime = Math.ceil(layer.life / TICK) + 1;
     this.#tick = Math.max(this.#tick, timeline.tick - Math.min(HISTORY, lifetime));
     if (this.#tick >= timeline.tick) return false;
@@ -158,42 +157,43 @@ export class ParticleSystem {
     const end = Math.min(timeline.tick, this.#tick + MAX_TICKS);
     let ticks = 0;
     while (this.#tick < end && timeline.groups(this.#tick, layer.source) === groups) {
-      this.#describe(timeline, this.#tick, ticks);
+      this.#setTick(timeline, this.#tick, ticks);
       this.#tick++;
       ticks++;
     }
-    this.#keep(groups, this.#tick);
-    this.#pass.uTicks = ticks;
-    this.#pass.uGroups = groups;
-    this.#pass.uFirstTurn = first % layer.capacity;
-    this.#pass.uFirstKey = (first + this.#key) >>> 0;
+    this.#activate(groups, this.#tick);
+    this.#uniforms.uTicks = ticks;
+    this.#uniforms.uGroups = groups;
+    this.#uniforms.uFirstTurn = first % layer.capacity;
+    this.#uniforms.uFirstKey = (first + this.#key) >>> 0;
     return true;
   }
 
-  #describe(timeline: Timeline, tick: number, i: number): void {
+  #setTick(timeline: Timeline, tick: number, i: number): void {
     const { layer } = this;
     const { count, age } = emissionOf(layer, tick);
     this.#tickKeys[i] = pcg((tick + this.#key) >>> 0);
     this.#births[i] = count;
-    this.#eldest[i] = age;
-    const stays = 1 - layer.follow;
+    this.#oldestAge[i] = age;
+    const staysBehind = 1 - layer.follow;
     for (let axis = 0; axis < 3; axis++) {
-      this.#left[i * 3 + axis] = timeline.way(tick, axis) * stays;
+      this.#displacement[i * 3 + axis] = timeline.way(tick, axis) * staysBehind;
     }
-    const dragged = 1 - Math.exp(-layer.drag * TICK);
-    const airspeed = (axis: 0 | 2) => timeline.wind(tick, axis) + this.#left[i * 3 + axis]! / TICK;
-    this.#blown[i * 2] = airspeed(0) * dragged;
-    this.#blown[i * 2 + 1] = airspeed(2) * dragged;
+    const drag = 1 - Math.exp(-layer.drag * TICK);
+    const airspeed = (axis: 0 | 2) =>
+      timeline.wind(tick, axis) + this.#displacement[i * 3 + axis]! / TICK;
+    this.#windVelocity[i * 2] = airspeed(0) * drag;
+    this.#windVelocity[i * 2 + 1] = airspeed(2) * drag;
   }
 
-  #keep(groups: number, tick: number): void {
-    // The last dies within its life; then two more passes, each of MAX_TICKS at most.
+  #activate(groups: number, tick: number): void {
+    // Life of the last birth, and two more passes of MAX_TICKS.
     const until = tick + this.layer.life / TICK + 2 * MAX_TICKS;
-    for (let group = 0; group < groups; group++) this.#movedUntil[group] = until;
-    this.#groups = this.#movedUntil.findLastIndex((until) => until >= tick) + 1;
+    for (let group = 0; group < groups; group++) this.#activeUntil[group] = until;
+    this.#groups = this.#activeUntil.findLastIndex((until) => until >= tick) + 1;
   }
 
-  /** Copies the particles back, `FLOATS` each: for tests, since it waits for the GPU. */
+  /** The particles, `FLOATS` each. For tests: it waits for the GPU. */
   read(): Float32Array {
     return this.#to.buffer.read(new Float32Array(this.layer.capacity * PARTICLE_FLOATS));
   }

@@ -7,12 +7,13 @@ import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { LINES, ROWS, SMOKE_FLOATS, type Smoke } from "../../world/particles/smoke.js";
 import type { IrradianceVolume } from "../gi/indirect-pass.js";
+import type { Sphere } from "../screen-bounds.js";
 import type { VolumetricTarget } from "./volumetric-target.js";
 
-/** A ball: x, y, z, radius, metres. */
-export type Ball = readonly [number, number, number, number];
+/** Half width of a ribbon, in standard deviations: `REACH` of the shader. */
+const REACH = 2.4;
 
-/** Smoke of the wick: streaklines of droplets in what light there is. */
+/** Smoke of the wick: streaklines of droplets that scatter the room's light. */
 export class SmokePass {
   readonly #gpu: Gpu;
   readonly #program: Program;
@@ -38,7 +39,7 @@ export class SmokePass {
     });
   }
 
-  /** Mixes the smoke into a veil's radiance. Nothing is drawn where there is none. */
+  /** Blends the smoke over the target. */
   render(
     { target, depth }: VolumetricTarget,
     smoke: Smoke,
@@ -65,11 +66,8 @@ export class SmokePass {
   }
 }
 
-/** How far a line of smoke is drawn, in standard deviations: `REACH` of the shader. */
-const REACH = 2.4;
-
-/** Balls around all smoke: x, y, z, radius, metres; one for each moment of its birth. */
-export function* boundingSpheres({ parcels, newest, count }: Smoke): Generator<Ball> {
+/** Bounding spheres of the smoke, one for each row of parcels. */
+export function* boundingSpheres({ parcels, newest, count }: Smoke): Generator<Sphere> {
   for (let age = 0; age < count; age++) {
     const first = ((newest - age + ROWS) % ROWS) * LINES * SMOKE_FLOATS;
     const end = first + LINES * SMOKE_FLOATS;
@@ -80,14 +78,14 @@ export function* boundingSpheres({ parcels, newest, count }: Smoke): Generator<B
       z += parcels[at + 2]! / LINES;
     }
     for (let at = first; at < end; at += SMOKE_FLOATS) {
-      const away = Math.hypot(parcels[at]! - x, parcels[at + 1]! - y, parcels[at + 2]! - z);
-      radius = Math.max(radius, away + REACH * parcels[at + 4]!);
+      const distance = Math.hypot(parcels[at]! - x, parcels[at + 1]! - y, parcels[at + 2]! - z);
+      radius = Math.max(radius, distance + REACH * parcels[at + 4]!);
     }
     yield [x, y, z, radius];
   }
 }
 
-/** Two triangles between each parcel and the older one on its line; the youngest first. */
+/** Two triangles between each parcel and the next older one on its line; the youngest first. */
 function ribbonIndices(): Uint16Array {
   const indices = new Uint16Array((ROWS - 1) * LINES * 6);
   for (let n = 0; n < (ROWS - 1) * LINES; n++) {

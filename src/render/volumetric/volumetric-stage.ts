@@ -14,11 +14,11 @@ import type { GBufferKind } from "../gbuffer/gbuffer.js";
 import type { IrradianceVolume } from "../gi/indirect-pass.js";
 import type { Surface } from "../mesh/mesh.js";
 import type { FrameBlocks } from "../opaque/opaque-stage.js";
-import { screenBounds } from "../screen-bounds.js";
+import { type Sphere, screenBounds } from "../screen-bounds.js";
 import { type FlamePart, FlamePass } from "./flame-pass.js";
 import { HazePass } from "./haze-pass.js";
 import { MotesPass } from "./motes-pass.js";
-import { type Ball, boundingSpheres, SmokePass } from "./smoke-pass.js";
+import { boundingSpheres, SmokePass } from "./smoke-pass.js";
 import type { CompositedFrame } from "./volumetric-target.js";
 
 /** Pixels around the flame that bloom and antialiasing read. */
@@ -65,8 +65,8 @@ export class VolumetricStage {
   }
 
   /** Other particles: those of a new world, or more of them. */
-  setParticles(world: World, layers: readonly ParticleLayer[]): void {
-    this.#motes?.follow(world, layers);
+  setLayers(world: World, layers: readonly ParticleLayer[]): void {
+    this.#motes?.setLayers(world, layers);
   }
 
   get particles(): number {
@@ -135,7 +135,7 @@ export class VolumetricStage {
   }
 
   /** Spheres around the flame, the hot air over it, and the smoke. */
-  *#spheres(frame: FrameInput, kind: GBufferKind): Generator<Ball> {
+  *#spheres(frame: FrameInput, kind: GBufferKind): Generator<Sphere> {
     const { flame, plume, interpolated } = frame.world;
     const { balls } = shapeFlame(flame, TAPER, this.#shape);
     const [x, y, z] = interpolated.flame;
@@ -146,10 +146,7 @@ export class VolumetricStage {
     const { smoke } = frame.settings.features;
     if (smoke && plume.smoke.count >= 2) yield* boundingSpheres(plume.smoke);
     if (!showsHaze(frame, kind)) return;
-    const column = this.#haze.boundingSpheres(plume.solver, flame.isLit ? flame.height : 0);
-    for (let at = 0; at < column.length; at += 4) {
-      yield [column[at]!, column[at + 1]!, column[at + 2]!, column[at + 3]!];
-    }
+    yield* this.#haze.boundingSpheres(plume.solver, flame.isLit ? flame.height : 0);
   }
 }
 

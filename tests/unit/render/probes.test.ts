@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import type { Model, Part } from "../../../src/assets/model.ts";
-import { octahedral, SIGHT, traceProbes } from "../../../src/render/gi/probe-rays.ts";
+import { octahedral, PROBE_DEPTH_EDGE, traceProbes } from "../../../src/render/gi/probe-rays.ts";
 import type { Vec3 } from "../../../src/world/geometry.ts";
 import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";
 
@@ -38,19 +38,19 @@ const DETAIL = { probes: [2, 2, 2], rays: 8 } as const;
 const ROOM = box([0, 0, 0], [4, 2, 4], false);
 
 describe("Probes of an empty room", () => {
-  const sights = traceProbes(new CollisionMesh([ROOM]), modelOf(ROOM), DETAIL);
+  const rays = traceProbes(new CollisionMesh([ROOM]), modelOf(ROOM), DETAIL);
 
   test("stand in the middles of their cells, one plane beside the other", () => {
-    expect([...sights.places.subarray(0, 4)]).toEqual([1, 0.5, 1, 1]);
+    expect([...rays.positions.subarray(0, 4)]).toEqual([1, 0.5, 1, 1]);
     // Second row, second plane, second column.
-    expect([...sights.places.subarray(7 * 4)]).toEqual([3, 1.5, 3, 1]);
+    expect([...rays.positions.subarray(7 * 4)]).toEqual([3, 1.5, 3, 1]);
   });
 
   test("see its walls from inside, where they are", () => {
     const directions = octahedral(DETAIL.rays, DETAIL.rays, 0);
     for (const [ray, [dx, dy, dz]] of directions.entries()) {
       const at = ((ray >> 3) * 4 * 8 + (ray & 7)) * 4;
-      const [nx = 0, ny = 0, nz = 0, distance = 0] = sights.hits.subarray(at, at + 4);
+      const [nx = 0, ny = 0, nz = 0, distance = 0] = rays.hits.subarray(at, at + 4);
       expect(nx * dx + ny * dy + nz * dz).toBeLessThan(0);
       const ends = [1 + dx * distance, 0.5 + dy * distance, 1 + dz * distance] as const;
       const away = Math.min(...ends.map((x, axis) => Math.min(x, (axis === 1 ? 2 : 4) - x)));
@@ -59,31 +59,33 @@ describe("Probes of an empty room", () => {
   });
 
   test("know the colour's place of every hit", () => {
-    expect(sights.runs).toEqual([{ part: 0, first: 0, count: 8 * 64 }]);
-    expect(sights.hues.length).toBe(8 * 64 * 4);
-    for (let i = 0; i < sights.hues.length; i += 4) {
-      const [x = 0, y = 0, u = 0, v = 0] = sights.hues.subarray(i, i + 4);
+    expect(rays.runs).toEqual([{ part: 0, first: 0, count: 8 * 64 }]);
+    expect(rays.hitUvs.length).toBe(8 * 64 * 4);
+    for (let i = 0; i < rays.hitUvs.length; i += 4) {
+      const [x = 0, y = 0, u = 0, v = 0] = rays.hitUvs.subarray(i, i + 4);
       const [hit, ray] = [(y * 32 + x) * 4, (y & 7) * 8 + (x & 7)];
       const [dx, dy] = octahedral(8, 8, 0)[ray] ?? [0, 0];
-      const distance = sights.hits[hit + 3] ?? 0;
+      const distance = rays.hits[hit + 3] ?? 0;
       const probe = ((y >> 3) * 4 + (x >> 3)) * 4;
       // The box has its x and y for texture coordinates.
-      expect(u).toBeCloseTo((sights.places[probe] ?? 0) + dx * distance, 4);
-      expect(v).toBeCloseTo((sights.places[probe + 1] ?? 0) + dy * distance, 4);
+      expect(u).toBeCloseTo((rays.positions[probe] ?? 0) + dx * distance, 4);
+      expect(v).toBeCloseTo((rays.positions[probe + 1] ?? 0) + dy * distance, 4);
     }
   });
 
   test("see as far as the wall is, in all directions and across the map's seam", () => {
-    const directions = octahedral(SIGHT, SIGHT - 2, 1);
+    const directions = octahedral(PROBE_DEPTH_EDGE, PROBE_DEPTH_EDGE - 2, 1);
     for (const [texel, [x, y, z]] of directions.entries()) {
-      const at = (Math.floor(texel / SIGHT) * 4 * SIGHT + (texel % SIGHT)) * 2;
+      const at =
+        (Math.floor(texel / PROBE_DEPTH_EDGE) * 4 * PROBE_DEPTH_EDGE + (texel % PROBE_DEPTH_EDGE)) *
+        2;
       const wall = Math.min(
         (x > 0 ? 3 : 1) / Math.abs(x),
         (y > 0 ? 1.5 : 0.5) / Math.abs(y),
         (z > 0 ? 3 : 1) / Math.abs(z),
       );
-      const mean = sights.distances[at] ?? 0;
-      const deviation = sights.distances[at + 1] ?? 0;
+      const mean = rays.depths[at] ?? 0;
+      const deviation = rays.depths[at + 1] ?? 0;
       expect(Math.abs(mean - wall)).toBeLessThan(2.5 * deviation + 0.25);
     }
   });
@@ -91,16 +93,16 @@ describe("Probes of an empty room", () => {
 
 test("a probe in a block of stone moves out of it, and none sees the block's inside", () => {
   const block = box([0.4, 0, 0.4], [1.3, 0.95, 1.3], true);
-  const sights = traceProbes(new CollisionMesh([ROOM, block]), modelOf(ROOM, block), DETAIL);
-  const [x = 0, y = 0, z = 0, isOpen] = sights.places;
-  expect(isOpen).toBe(1);
+  const rays = traceProbes(new CollisionMesh([ROOM, block]), modelOf(ROOM, block), DETAIL);
+  const [x = 0, y = 0, z = 0, isOutside] = rays.positions;
+  expect(isOutside).toBe(1);
   expect(x > 1.3 || y > 0.95 || z > 1.3 || x < 0.4 || z < 0.4).toBe(true);
-  for (let i = 3; i < sights.hits.length; i += 4) expect(sights.hits[i]).toBeGreaterThan(0);
+  for (let i = 3; i < rays.hits.length; i += 4) expect(rays.hits[i]).toBeGreaterThan(0);
 });
 
 test("a probe without a place in the open says so", () => {
   const stone = box([0, 0, 0], [4, 2, 4], true);
-  const sights = traceProbes(new CollisionMesh([stone]), modelOf(stone), DETAIL);
-  expect([...sights.places].every((x) => x === 0)).toBe(true);
-  expect(sights.runs).toEqual([]);
+  const rays = traceProbes(new CollisionMesh([stone]), modelOf(stone), DETAIL);
+  expect([...rays.positions].every((x) => x === 0)).toBe(true);
+  expect(rays.runs).toEqual([]);
 });

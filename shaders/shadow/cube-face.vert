@@ -1,14 +1,17 @@
 #version 300 es
-// What the flame sees, one face of a cube at a time.
+// Geometry projected onto one face of a cube around the capture origin.
 #include "lib/precision.glsl"
 
 layout(location = 0) in vec3 aPosition;
+layout(location = 3) in vec2 aUv;
 
 uniform mat4 uClipFromWorld;
 
 out vec3 vPositionWorld;
+out vec2 vUv;
 
 void main() {
   vPositionWorld = aPosition;
+  vUv = aUv;
   gl_Position = uClipFromWorld * vec4(aPosition, 1.0);
 }

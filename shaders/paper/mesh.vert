@@ -1,5 +1,5 @@
 #version 300 es
-// The candle: a model scaled and carried through the room, always upright.
+// Vertices of the room or the upright candle.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 
@@ -8,13 +8,13 @@ layout(location = 1) in vec3 aNormal;
 layout(location = 2) in vec4 aTangent;
 layout(location = 3) in vec2 aUv;
 
-uniform vec4 uWorldFromModel;  // foot of the candle, m; w: metres per unit
+uniform vec4 uWorldFromModel;  // origin of the model, m; w: metres per unit
 
 out vec3 vPositionWorld;
 out vec3 vNormalWorld;
 out vec4 vTangentWorld;
 out vec2 vUv;
-out float vHeight;  // in the model
+out float vHeight;  // in the model's unit
 
 void main() {
   vPositionWorld = uWorldFromModel.xyz + aPosition * uWorldFromModel.w;
