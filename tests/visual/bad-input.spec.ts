@@ -250,7 +250,7 @@ test("A shader that the driver refuses is named, and its context is given back",
     await route.fulfill({ response, body });
   });
   const room = await new RoomDriver(page).load({ poster: PIXEL }, TINY);
-  expectFailure(await failureOf(room), "shader", /shaders\/lib\/display\.glsl:\d+: 'flot'/);
+  expectFailure(await failureOf(room), "shader", /shaders\/lib\/srgb\.glsl:\d+: 'flot'/);
   expect(new Set(await lostContexts(page))).toEqual(new Set([true]));
   expect(uncaught(room)).toEqual([]);
 });
