@@ -5,6 +5,7 @@ import { createServer } from "node:http";
 import { createRequire } from "node:module";
 import { extname, join, normalize } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
+import { BROWSERS } from "./browsers.mjs";
 import { openBrowser } from "./devtools.mjs";
 
 /** What cannot be done, in a sentence for whoever asked for it. */
@@ -23,18 +24,6 @@ const MIME = {
   ".json": "application/json",
   ".wasm": "application/wasm",
 };
-const BROWSERS = [
-  "/usr/bin/chromium",
-  "/usr/bin/chromium-browser",
-  "/usr/bin/google-chrome",
-  "/usr/bin/google-chrome-stable",
-  "/usr/bin/microsoft-edge",
-  "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
-  "/Applications/Chromium.app/Contents/MacOS/Chromium",
-  "/Applications/Microsoft Edge.app/Contents/MacOS/Microsoft Edge",
-  "C:\\Program Files\\Google\\Chrome\\Application\\chrome.exe",
-  "C:\\Program Files (x86)\\Microsoft\\Edge\\Application\\msedge.exe",
-];
 /** Longest that a picture may take: a CPU draws a large one in a minute or two. Milliseconds. */
 const PATIENCE = 900_000;
 

@@ -1,16 +1,7 @@
 import { execFileSync, spawnSync } from "node:child_process";
 import { existsSync } from "node:fs";
 import { chromium } from "playwright";
-
-const SYSTEM = [
-  "/usr/bin/chromium",
-  "/usr/bin/chromium-browser",
-  "/usr/bin/google-chrome",
-  "/usr/bin/google-chrome-stable",
-  "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
-  "/Applications/Chromium.app/Contents/MacOS/Chromium",
-  "C:\\Program Files\\Google\\Chrome\\Application\\chrome.exe",
-];
+import { BROWSERS } from "../bin/browsers.mjs";
 
 const run = (command, ...args) =>
   spawnSync(command, args, {
@@ -29,7 +20,7 @@ function answers(path) {
 }
 
 const ofPlaywright = () => [chromium.executablePath()].find(existsSync);
-const ofSystem = () => SYSTEM.find((path) => existsSync(path) && answers(path));
+const ofSystem = () => BROWSERS.find((path) => existsSync(path) && answers(path));
 
 const isRoot = process.getuid?.() === 0;
 const hasApt = existsSync("/usr/bin/apt-get");

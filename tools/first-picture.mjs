@@ -1,26 +1,13 @@
 // How much work the main thread has from the address to the first picture of the hosted page, with all
 // files in the cache. `npm run build` first, then `npm run first-picture`.
-import { chromium } from "playwright";
-import { preview } from "vite";
-import { findBrowser } from "./find-browser.mjs";
+import { launchSoftwareBrowser, serveBuilt } from "./built-site.mjs";
 
 const RUNS = 5;
 /** CPU seconds of the main thread; waiting for files, for the GPU and for other programs is none. */
 const BUDGET = 1.5;
 
-const { path, args } = await findBrowser();
-const server = await preview({ preview: { host: "127.0.0.1", port: 0 }, logLevel: "error" });
-const address = `http://127.0.0.1:${server.httpServer.address().port}/`;
-const browser = await chromium.launch({
-  executablePath: path,
-  args: [
-    ...args,
-    "--use-gl=angle",
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-    "--ignore-gpu-blocklist",
-  ],
-});
+const server = await serveBuilt();
+const browser = await launchSoftwareBrowser();
 const page = await browser.newPage({ viewport: { width: 640, height: 360 } });
 const devtools = await page.context().newCDPSession(page);
 await devtools.send("Performance.enable", { timeDomain: "threadTicks" });
@@ -35,7 +22,7 @@ for (let run = 0; run <= RUNS; run++) {
   await page.goto("about:blank", { timeout: 120_000 });
   const before = await work();
   const begin = performance.now();
-  await page.goto(address, { timeout: 120_000 });
+  await page.goto(server.url, { timeout: 120_000 });
   await page.locator("candle-flame").evaluate((room) => {
     room.pause(); // one frame is enough
     return room.ready;

@@ -2,8 +2,8 @@
 // itself as it is built. `node tools/poster.mjs wide` makes that one alone.
 import { writeFile } from "node:fs/promises";
 import sharp from "sharp";
-import { preview } from "vite";
 import { makePoster } from "../bin/poster.mjs";
+import { serveBuilt } from "./built-site.mjs";
 import { findBrowser } from "./find-browser.mjs";
 
 /**
@@ -36,12 +36,11 @@ async function compressed(picture) {
 
 const wanted = process.argv.slice(2);
 const { path } = await findBrowser();
-const server = await preview({ preview: { host: "127.0.0.1", port: 0 }, logLevel: "error" });
-const [address] = server.resolvedUrls.local;
+const server = await serveBuilt();
 for (const { name, width, height } of POSTERS) {
   if (wanted.length > 0 && !wanted.includes(name)) continue;
   const picture = await makePoster({
-    url: address,
+    url: server.url,
     size: `${width}x${height}`,
     out: "poster.png",
     browser: path,

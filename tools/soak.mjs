@@ -1,23 +1,13 @@
 // npm run test:soak: what an element holds after half an hour of flame, a hundred mounts, a hundred sizes and
 // twenty lost contexts, beside what it held at first. Needs `npm run build`. Some minutes on SwiftShader.
-import { chromium } from "playwright";
-import { preview } from "vite";
-import { findBrowser } from "./find-browser.mjs";
+import { launchSoftwareBrowser, serveBuilt } from "./built-site.mjs";
 
 const HALF_AN_HOUR = 1800;
 /** Growth that is noise of the collector's, bytes. */
 const SLACK = 1.5e6;
 
-const SWIFTSHADER = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
-const { path, args } = await findBrowser();
-const server = await preview({
-  configFile: false,
-  build: { outDir: "dist" },
-  logLevel: "error",
-  preview: { port: 0, host: "127.0.0.1" },
-});
-const origin = `http://127.0.0.1:${server.httpServer.address().port}/`;
-const browser = await chromium.launch({ executablePath: path, args: [...args, ...SWIFTSHADER] });
+const server = await serveBuilt("dist");
+const browser = await launchSoftwareBrowser();
 
 const TRIALS = {
   "30 minutes of flame": async (element, seconds) => {
@@ -84,7 +74,7 @@ async function soak(attributes) {
       body: `<!doctype html><title>soak</title><candle-flame paused quality="low" ${attributes} style="width: 32px; height: 18px; aspect-ratio: auto"></candle-flame><script type="module" src="/define.js"></script>`,
     }),
   );
-  await page.goto(`${origin}soak.html`);
+  await page.goto(`${server.url}soak.html`);
   const element = page.locator("candle-flame");
   await element.evaluate(async (element) => {
     await customElements.whenDefined("candle-flame");

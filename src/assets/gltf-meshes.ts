@@ -15,6 +15,8 @@ export interface Primitive {
   /** Accessors by attribute. */
   readonly attributes: Readonly<Record<string, number>>;
   readonly indices: number | undefined;
+  /** Fewer triangles of the same vertices, which our own tools add: tools/models/reduce.mjs. */
+  readonly reducedIndices: number | undefined;
   readonly mode: 4 | 5 | 6;
   readonly material: number | undefined;
   /** As many as the file says. */
@@ -73,6 +75,8 @@ function readPrimitive(entry: JsonEntry, lists: Lists): Primitive {
   const mode = (entry.whole("mode") ?? TRIANGLES) as Primitive["mode"];
   const count = accessors[indices ?? attributes.POSITION ?? -1]?.count ?? 0;
   if (indices !== undefined) checkIndices(entry, accessors[indices]);
+  const reducedIndices = entry.extras()?.index("reducedIndices", accessors.length);
+  if (reducedIndices !== undefined) checkIndices(entry, accessors[reducedIndices]);
   const draco = entry.extension("KHR_draco_mesh_compression");
   const targets = entry.entries("targets").map((target) => readAttributes(target, accessors));
   for (const { POSITION = attributes.POSITION } of targets) {
@@ -83,6 +87,7 @@ function readPrimitive(entry: JsonEntry, lists: Lists): Primitive {
   return {
     attributes,
     indices,
+    reducedIndices,
     mode,
     material: entry.index("material", materials.length),
     triangles:

@@ -95,6 +95,13 @@ export class JsonEntry {
     return this.entry("extensions")?.entry(name);
   }
 
+  /** What somebody added to this object: anything may stand there. */
+  extras(): JsonEntry | undefined {
+    const value = this.#field("extras");
+    const isObject = typeof value === "object" && value !== null && !Array.isArray(value);
+    return isObject ? new JsonEntry(value, this.#placeOf("extras")) : undefined;
+  }
+
   #field(name: string): unknown {
     return this.has(name) ? this.#fields[name] : undefined;
   }

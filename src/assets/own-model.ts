@@ -15,6 +15,8 @@ interface OwnDocument {
     readonly max?: readonly [number, number, number];
   }[];
   readonly bufferViews: readonly { readonly byteOffset?: number }[];
+  readonly scenes: readonly { readonly nodes: readonly number[] }[];
+  readonly nodes: readonly { readonly mesh?: number }[];
   readonly meshes: readonly {
     readonly name: string;
     readonly primitives: readonly {
@@ -148,7 +150,10 @@ function modelOf(
       ? Float32Array.from(values, (value) => value / 255)
       : Float32Array.from(values);
   };
-  const parts = document.meshes.flatMap(({ name, primitives }) =>
+  // Nodes beside the scene are lower levels of detail, which nothing here draws.
+  const nodes = document.scenes.flatMap((scene) => scene.nodes);
+  const meshes = nodes.flatMap((node) => document.meshes[document.nodes[node]?.mesh ?? -1] ?? []);
+  const parts = meshes.flatMap(({ name, primitives }) =>
     primitives.map(({ attributes, indices, material }): Part => {
       const worn = materials[material];
       if (!worn) throw new Flaw("lacks a material");

@@ -53,7 +53,23 @@ export function readPart(
     },
     moves,
   );
-  return { name, material, ...finished(vertices, material.normal !== null) };
+  const reducedIndices = reducedOf(mesh, moves, position.count);
+  return {
+    name,
+    material,
+    ...finished(vertices, material.normal !== null),
+    ...(reducedIndices && { reducedIndices }),
+  };
+}
+
+/** The triangles of the lower level of detail; null where the vertices are no longer those of the file. */
+function reducedOf({ geometry, matrixWorld }: Mesh, moves: VertexTransforms, count: number) {
+  const corners: unknown = geometry.userData.reducedIndices;
+  const isSame = geometry.getAttribute("normal") && moves.all[0] === matrixWorld;
+  if (!ArrayBuffer.isView(corners) || !isSame || matrixWorld.determinant() < 0) return null;
+  const reduced = Uint32Array.from(corners as Uint16Array);
+  for (const vertex of reduced) checkVertex(vertex, count);
+  return reduced.subarray(0, reduced.length - (reduced.length % 3));
 }
 
 const uvName = (set: number) => (set === 0 ? "uv" : set < 4 ? `uv${set}` : `texcoord_${set}`);
@@ -88,10 +104,14 @@ function indicesOf({ index }: BufferGeometry, count: number): Uint32Array {
   const indices = new Uint32Array(corners - (corners % 3));
   for (let i = 0; i < indices.length; i++) {
     const vertex = index ? index.getX(i) : i;
-    if (vertex >= count) throw new Flaw(`is broken: a triangle has vertex ${vertex} of ${count}`);
+    checkVertex(vertex, count);
     indices[i] = vertex;
   }
   return indices;
+}
+
+function checkVertex(vertex: number, count: number): void {
+  if (vertex >= count) throw new Flaw(`is broken: a triangle has vertex ${vertex} of ${count}`);
 }
 
 function floats(attribute: Attribute): Float32Array {

@@ -1,4 +1,4 @@
-import type { Group } from "three";
+import type { Group, Mesh } from "three";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
 import type { BufferBytes } from "./buffer-bytes.js";
 import { type Decoders, withTimeout } from "./decoders.js";
@@ -11,8 +11,9 @@ const INSTANCING = "EXT_mesh_gpu_instancing";
 
 /**
  * Builds the scene's geometry by three's `GLTFLoader`. It is given nothing else (no textures, no animations), and
- * is given each accessor as a buffer view of its own. A mesh's material is named by its index, and a
- * node's `userData.isEmpty` says whether it has no mesh.
+ * is given each accessor as a buffer view of its own. A mesh's material is named by its index, a node's
+ * `userData.isEmpty` says whether it has no mesh, and a geometry's `userData.reducedIndices` are those of
+ * its lower level of detail.
  */
 export async function buildScene(
   document: GltfDocument,
@@ -29,7 +30,20 @@ export async function buildScene(
     const dense = await denseBytes(accessor, document.views, (view) => bytes.view(view));
     return dense.buffer;
   };
-  loader.register(() => ({ name: "checked views", loadBufferView: readView }));
+  loader.register((parser) => ({
+    name: "checked views",
+    loadBufferView: readView,
+    afterRoot: async ({ scene }) => {
+      const meshes: Mesh[] = [];
+      scene.traverse((node) => void ("isMesh" in node && meshes.push(node as Mesh)));
+      for (const { geometry } of meshes) {
+        const { userData } = geometry;
+        if (typeof userData.reducedIndices !== "number") continue;
+        const { array } = await parser.getDependency("accessor", userData.reducedIndices);
+        userData.reducedIndices = array;
+      }
+    },
+  }));
   // It parses an object as well as text.
   const parsing = loader.parseAsync(gltfFor(document, isDraco) as never, "");
   const { scene } = await (isDraco ? withTimeout(parsing) : parsing).catch((cause: unknown) => {
@@ -42,6 +56,7 @@ export async function buildScene(
 function gltfFor(document: GltfDocument, isDraco: boolean) {
   const { nodes, meshes, skins, accessors, views, materials, roots } = document;
   const posed = posedMeshes(document);
+  const reduced = reducedIndices(document);
   return {
     asset: { version: "2.0" },
     extensionsUsed: isDraco ? [DRACO] : [],
@@ -50,7 +65,10 @@ function gltfFor(document: GltfDocument, isDraco: boolean) {
     nodes: nodes.map((node) => nodeFor(node, posed)),
     meshes: meshes.map(({ name, primitives, weights }, index) => ({
       name,
-      primitives: primitives.map((primitive) => primitiveFor(primitive, posed.has(index))),
+      primitives: primitives.map((primitive) => ({
+        ...primitiveFor(primitive, posed.has(index)),
+        extras: { reducedIndices: reduced.get(primitive) },
+      })),
       weights: posed.has(index) ? weights : undefined,
     })),
     skins,
@@ -102,14 +120,30 @@ function posedMeshes({ meshes, nodes }: GltfDocument): ReadonlySet<number> {
   return new Set(posed);
 }
 
+/** MSFT_lod: the accessors of fewer triangles of the same vertices, by what they stand for. */
+function reducedIndices({ nodes, meshes }: GltfDocument): ReadonlyMap<Primitive, number> {
+  const primitivesOf = (node: Node | undefined) => meshes[node?.mesh ?? -1]?.primitives ?? [];
+  const reduced = new Map<Primitive, number>();
+  for (const node of nodes) {
+    const lower = primitivesOf(nodes[node.lowerLevel ?? -1]);
+    for (const [i, primitive] of primitivesOf(node).entries()) {
+      const { indices, attributes, mode } = lower[i] ?? {};
+      const isOfSame = attributes?.POSITION === primitive.attributes.POSITION && mode === 4;
+      if (isOfSame && indices !== undefined) reduced.set(primitive, indices);
+    }
+  }
+  return reduced;
+}
+
 function primitiveFor(primitive: Primitive, isPosed: boolean) {
-  const { attributes, indices, mode, material, targets, draco } = primitive;
+  const { attributes, indices, reducedIndices, mode, material, targets, draco } = primitive;
   return {
     attributes,
     indices,
     mode,
     material,
     targets: isPosed ? targets.map(({ POSITION }) => ({ POSITION })) : undefined,
+    extras: { reducedIndices },
     extensions: draco && {
       [DRACO]: {
         bufferView: draco.view,

@@ -21,8 +21,6 @@ export const AT_ORIGIN: Placement = [0, 0, 0, 0];
 export interface ModelInstance {
   readonly meshes: readonly Surface[];
   readonly placement: Placement;
-  /** Largest error of its simplified meshes, which stand in for it while the camera moves. Metres. */
-  readonly lodError: number;
   /** Whether it moves with the camera. */
   readonly isHeld: boolean;
 }

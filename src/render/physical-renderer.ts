@@ -31,7 +31,7 @@ import { ExposurePass } from "./post/exposure-pass.js";
 import { BLOOM_REACH, BLOOM_SCALE, FlameBloomPass } from "./post/flame-bloom-pass.js";
 import { type Bloom, FrameBloomPass } from "./post/frame-bloom-pass.js";
 import { InspectPass } from "./post/inspect-pass.js";
-import { MOTION_ERROR, type Tier } from "./quality.js";
+import type { Tier } from "./quality.js";
 import type { Models, Renderer } from "./renderer.js";
 import { SCHEDULE } from "./schedule.js";
 import { expandBox } from "./screen-bounds.js";
@@ -184,11 +184,9 @@ export class PhysicalRenderer implements Renderer {
   }
 
   #instances(candle: { readonly isHeld: boolean } | null, placement: Placement): ModelInstance[] {
-    const { room: lodError } = MOTION_ERROR;
-    const room = { meshes: this.#room, placement: AT_ORIGIN, lodError, isHeld: false };
+    const room = { meshes: this.#room, placement: AT_ORIGIN, isHeld: false };
     if (!candle) return [room];
-    const { isHeld } = candle;
-    return [{ meshes: this.#candle, placement, lodError: MOTION_ERROR.candle, isHeld }, room];
+    return [{ meshes: this.#candle, placement, isHeld: candle.isHeld }, room];
   }
 
   /** Radiance of surfaces and participating media, cd/m², within a region. */

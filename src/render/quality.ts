@@ -92,8 +92,8 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
   },
 };
 
-/** Errors of simplified meshes and casters while the camera moves, metres; by `low`'s shadows and surfels. */
-export const MOTION_ERROR = { room: 0.008, candle: 0.001, shadow: 0.05, surfels: 0.12 } as const;
+/** Errors of simplified casters while the camera moves, metres; by `low`'s shadows and surfels. */
+export const MOTION_ERROR = { shadow: 0.05, surfels: 0.12 } as const;
 
 /** Renderers that run on the CPU. */
 const SOFTWARE = /SwiftShader|llvmpipe|Basic Render|Software/i;

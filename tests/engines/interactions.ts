@@ -1,5 +1,4 @@
 import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
-import type { Recorded } from "../../tools/engines/recorder.ts";
 import type { Served } from "../../tools/engines/serve.ts";
 import { HungError, type Visitor } from "../../tools/engines/visitor.ts";
 import type { Verdict } from "./judge.ts";
@@ -148,7 +147,6 @@ const TRIALS: Readonly<Record<string, (visitor: Visitor) => Promise<void>>> = {
       const room = theRoom();
       const next = (type: "contextlost" | "contextrestored") =>
         new Promise((resolve) => room.addEventListener(type, resolve, { once: true }));
-      const { contexts } = globalThis as unknown as Recorded;
       const context = contexts.findLast((context) => !context.isContextLost());
       const extension = context?.getExtension("WEBGL_lose_context");
       const lost = next("contextlost");

@@ -144,6 +144,15 @@ export const FLAWS: Readonly<Record<string, { served: Served; says: RegExp }>> =
     },
     says: /is broken: a triangle has vertex \d+ of 4\.$/,
   },
+  "such a triangle in its lower level of detail": {
+    served: {
+      body: json((json) => {
+        json.accessors.push({ bufferView: 2, componentType: 5123, count: 6, type: "SCALAR" });
+        json.meshes[0].primitives[0].extras = { reducedIndices: 5 };
+      }),
+    },
+    says: /is broken: a triangle has vertex \d+ of 4\.$/,
+  },
   "an attribute of the wrong type": {
     served: { body: json((json) => (json.meshes[0].primitives[0].attributes.POSITION = 3)) },
     says: /is broken: meshes\[0\]\.primitives\[0\]\.attributes\.POSITION is not of VEC3\.$/,

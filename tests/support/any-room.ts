@@ -1,6 +1,6 @@
 import { readFileSync } from "node:fs";
 import { type ConsoleMessage, expect, type Page } from "playwright/test";
-import { packGlb } from "../../tools/models/glb-builder.mjs";
+import { openGlb, packGlb } from "../../tools/models/glb-builder.mjs";
 import type { Failure, Loaded, LoadedPart } from "./any-room-page.ts";
 import { openSources, SOURCES } from "./sources.ts";
 
@@ -122,10 +122,7 @@ export type Json = any;
 
 /** A .glb taken apart, to be changed. */
 export function opened(name: string): { json: Json; binary: Buffer } {
-  const glb = fixture(name);
-  const length = glb.readUInt32LE(12);
-  const json: Json = JSON.parse(glb.toString("utf8", 20, 20 + length));
-  return { json, binary: glb.subarray(20 + length + 8) };
+  return openGlb(fixture(name));
 }
 
 /** A .glb with its JSON changed. */

@@ -6,9 +6,7 @@ import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } f
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { chromium } from "playwright";
-import { preview } from "vite";
-import { findBrowser } from "../find-browser.mjs";
+import { launchSoftwareBrowser, serveBuilt } from "../built-site.mjs";
 import { serveFromCdn } from "./cdn.mjs";
 
 const VITE = JSON.parse(readFileSync("package.json", "utf8")).devDependencies.vite;
@@ -98,15 +96,9 @@ async function renderOnServer(cwd) {
 
 /** A project as built, and everything that it uses beside it. */
 async function serveAsBuilt(cwd) {
-  const server = await preview({
-    root: cwd,
-    configFile: false,
-    logLevel: "error",
-    preview: { port: 0, host: "127.0.0.1" },
-  });
-  const { port } = server.httpServer.address();
-  const origin = `http://127.0.0.1:${port}`;
-  return { origin, origins: [origin], close: () => server.close() };
+  const { url, close } = await serveBuilt("dist", { root: cwd });
+  const { origin } = new URL(url);
+  return { origin, origins: [origin], close };
 }
 
 /** A page alone, and the package on another origin. */
@@ -159,9 +151,7 @@ async function visit(browser, { origin, origins, close }, loads) {
   return faults;
 }
 
-const { path, args } = await findBrowser();
-const SWIFTSHADER = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
-const browser = await chromium.launch({ executablePath: path, args: [...args, ...SWIFTSHADER] });
+const browser = await launchSoftwareBrowser();
 let failed = 0;
 try {
   mkdirSync(join(folder, "pack"));

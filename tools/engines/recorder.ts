@@ -1,19 +1,38 @@
-/** What a page keeps of itself, as globals. */
-export interface Recorded {
-  /** What it said on the console, exceptions, rejections, and what could not be loaded. */
-  readonly complaints: string[];
-  /** All WebGL2 contexts, in order. */
-  readonly contexts: WebGL2RenderingContext[];
+declare global {
+  /** What a recorded page said on the console, exceptions, rejections, and what could not be loaded. */
+  var complaints: string[];
+  /** All WebGL2 contexts that a recorded page has asked for, in order. */
+  var contexts: WebGL2RenderingContext[];
 }
 
-/**
- * Records a page; runs in it before all else. Some engines tell their drivers nothing of the console.
- */
-function record(): void {
-  const { complaints, contexts } = Object.assign(globalThis, {
-    complaints: [] as string[],
-    contexts: [] as WebGL2RenderingContext[],
-  });
+/** Keeps a page's contexts; runs in it before all else. */
+export function recordContexts(): void {
+  globalThis.contexts = [];
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function (
+    this: HTMLCanvasElement,
+    ...request: [string, unknown?]
+  ) {
+    const context: unknown = Reflect.apply(getContext, this, request);
+    if (context instanceof WebGL2RenderingContext && !contexts.includes(context)) {
+      contexts.push(context);
+    }
+    return context;
+  } as typeof getContext;
+}
+
+/** WebGL errors of all living contexts since the last call; runs in a recorded page. */
+export function contextErrors(): string[] {
+  return contexts
+    .filter((context) => !context.isContextLost())
+    .map((context) => context.getError())
+    .filter((error) => error !== WebGL2RenderingContext.NO_ERROR)
+    .map((error) => `0x${error.toString(16)}`);
+}
+
+/** Keeps a page's complaints: some engines tell their drivers nothing of the console. */
+function recordComplaints(): void {
+  globalThis.complaints = [];
   for (const level of ["debug", "log", "info", "warn", "error"] as const) {
     const own = console[level];
     console[level] = (...words: unknown[]) => {
@@ -32,18 +51,7 @@ function record(): void {
   addEventListener("unhandledrejection", ({ reason }) => {
     complaints.push(`unhandled: ${reason}`);
   });
-  const { getContext } = HTMLCanvasElement.prototype;
-  HTMLCanvasElement.prototype.getContext = function (
-    this: HTMLCanvasElement,
-    ...request: [string, unknown?]
-  ) {
-    const context: unknown = Reflect.apply(getContext, this, request);
-    if (context instanceof WebGL2RenderingContext && !contexts.includes(context)) {
-      contexts.push(context);
-    }
-    return context;
-  } as typeof getContext;
 }
 
 /** The script's text, for a page's head. */
-export const RECORDER = `(${record})();`;
+export const RECORDER = `(${recordContexts})();(${recordComplaints})();`;

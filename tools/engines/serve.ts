@@ -1,6 +1,7 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import { type Plugin, preview } from "vite";
+import type { Plugin } from "vite";
+import { serveBuilt as serveFolder } from "../built-site.mjs";
 import { RECORDER } from "./recorder.ts";
 
 const HTML = /^\/(?:[\w-]+\.html)?$/;
@@ -25,15 +26,15 @@ export async function serveBuilt(pages: (url: URL) => string | null): Promise<Se
   });
   const library = await serve("dist", pages);
   return {
-    page: page.origin,
-    library: library.origin,
+    page: page.url,
+    library: library.url,
     close: async () => {
       await Promise.all([page.close(), library.close()]);
     },
   };
 }
 
-async function serve(outDir: string, pages: (url: URL) => string | null) {
+function serve(outDir: string, pages: (url: URL) => string | null) {
   const recorded: Plugin = {
     name: "recorded-pages",
     configurePreviewServer: ({ middlewares }) => {
@@ -50,16 +51,7 @@ async function serve(outDir: string, pages: (url: URL) => string | null) {
       });
     },
   };
-  const server = await preview({
-    configFile: false,
-    logLevel: "error",
-    build: { outDir },
-    plugins: [recorded],
-    preview: { host: "127.0.0.1", port: 0 },
-  });
-  const address = server.httpServer.address();
-  const port = typeof address === "object" ? address?.port : undefined;
-  return { origin: `http://127.0.0.1:${port}/`, close: () => server.close() };
+  return serveFolder(outDir, { plugins: [recorded] });
 }
 
 const SCRIPT = `<script src="/recorder.js"></script>`;

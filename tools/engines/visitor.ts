@@ -1,4 +1,4 @@
-import type { Recorded } from "./recorder.ts";
+import { contextErrors } from "./recorder.ts";
 
 /** One page of one browser, as its protocol drives it. */
 export interface Driver {
@@ -126,16 +126,12 @@ export class Visitor {
 
   /** What the open page complained of so far, by its own record (`recorder.ts`) and the browser's. */
   async complaints(): Promise<readonly string[]> {
-    const recorded = await this.evaluate(() => {
-      const { complaints, contexts } = globalThis as Partial<Recorded>;
-      if (!complaints || !contexts) return ["error: nothing was recorded"];
-      const errors = contexts
-        .filter((context) => !context.isContextLost())
-        .map((context) => context.getError())
-        .filter((error) => error !== WebGL2RenderingContext.NO_ERROR);
-      return [...complaints, ...errors.map((error) => `WebGL: 0x${error.toString(16)}`)];
-    });
-    return [...new Set([...recorded, ...this.reported])];
+    const recorded = await this.evaluate(() => globalThis.complaints ?? null);
+    if (!recorded) return ["error: nothing was recorded", ...this.reported];
+    const errors = await this.evaluate(contextErrors);
+    return [
+      ...new Set([...recorded, ...errors.map((error) => `WebGL: ${error}`), ...this.reported]),
+    ];
   }
 
   /** The browser's part of it, which a page that hangs cannot keep back. */

@@ -1,5 +1,5 @@
 import { type ChildProcess, spawn } from "node:child_process";
-import { createServer } from "node:net";
+import { freePorts } from "../free-ports.mjs";
 import { environment, killGroup, type Launch } from "./paged-driver.ts";
 import type { Driver } from "./visitor.ts";
 
@@ -23,7 +23,7 @@ export class WebKitDriver implements Driver {
 
   /** @param browser the path of a MiniBrowser */
   static async launch({ path, env = {} }: Launch, browser: string): Promise<WebKitDriver> {
-    const port = await freePort();
+    const [port] = await freePorts(1);
     const driver = spawn(path, [`--port=${port}`], {
       env: environment({ ...env, WEBKIT_DISABLE_SANDBOX_THIS_IS_DANGEROUS: "1" }),
       stdio: "ignore",
@@ -123,16 +123,4 @@ async function listening(origin: string, driver: ChildProcess): Promise<void> {
     await new Promise((resolve) => setTimeout(resolve, ASKING.pause));
   }
   throw new Error("WebKitWebDriver does not listen.");
-}
-
-/** A port that nobody listens at. */
-function freePort(): Promise<number> {
-  return new Promise((resolve, reject) => {
-    const server = createServer();
-    server.on("error", reject).listen(0, "127.0.0.1", () => {
-      const address = server.address();
-      const port = typeof address === "object" ? (address?.port ?? 0) : 0;
-      server.close(() => resolve(port));
-    });
-  });
 }

@@ -1,27 +1,16 @@
-import { readFileSync, writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
-import { gzipSync } from "node:zlib";
-import {
-  Format,
-  GLB_BUFFER,
-  Logger,
-  NodeIO,
-  PropertyType,
-  VertexLayout,
-} from "@gltf-transform/core";
+import { readFileSync } from "node:fs";
+import { Logger, PropertyType } from "@gltf-transform/core";
 import { dedup, prune, reorder, tangents, unweld, weld } from "@gltf-transform/functions";
-import validator from "gltf-validator";
 import { MeshoptEncoder } from "meshoptimizer";
 import { materials } from "./cabin-materials.mjs";
+import { withLowerLevels } from "./reduce.mjs";
+import { generateTangents, io, writeGlb } from "./write-glb.mjs";
 
 /**
  * Finishes what Blender exported, from work/models/ to public/models/: tangents, materials that refer
- * to the shared textures, numbers rounded to what the eye can tell, and the order of triangles that
- * packs and caches best. Run after cabin.py and chamberstick.py.
+ * to the shared textures, numbers rounded to what the eye can tell, the order of triangles that packs and
+ * caches best, and the lower level of detail. Run after cabin.py and chamberstick.py.
  */
-
-// Node does not load the WebAssembly of the package's module entry; its CommonJS entry does it by hand.
-const { generateTangents } = createRequire(import.meta.url)("mikktspace");
 
 const MODELS = [
   // Steps in metres that positions are rounded to.
@@ -34,7 +23,6 @@ const TEXCOORD_STEP = 2 ** -12;
 
 const LIMITS = { triangles: 60_000, draws: 40, bytes: 1_200_000 };
 
-const io = new NodeIO().setVertexLayout(VertexLayout.SEPARATE);
 await MeshoptEncoder.ready;
 
 async function finish({ file, step }) {
@@ -57,12 +45,12 @@ async function finish({ file, step }) {
     reorder({ encoder: MeshoptEncoder, target: "size" }),
   );
   paint(document);
-  const { json, resources } = await io.writeJSON(document, { format: Format.GLB });
-  referToTextures(json);
-  const bytes = packed(json, resources[GLB_BUFFER]);
-  await assertValid(file, bytes);
-  writeFileSync(new URL(`../../public/models/${file}`, import.meta.url), bytes);
-  return report(file, document, bytes);
+  return writeGlb(
+    new URL(`../../public/models/${file}`, import.meta.url),
+    document,
+    (name) => materials[name].textures,
+    (glb) => withLowerLevels(file, glb),
+  );
 }
 
 function primitivesOf(document) {
@@ -101,94 +89,6 @@ function paint(document) {
       .setMetallicFactor(kind.metallic)
       .setDoubleSided(false);
   }
-}
-
-/** Each texture is AVIF alone (Khronos, "EXT_texture_avif"), which the document model cannot say. */
-function referToTextures(json) {
-  const textures = new Map();
-  json.extensionsUsed = [...(json.extensionsUsed ?? []), "EXT_texture_avif"];
-  json.extensionsRequired = [...(json.extensionsRequired ?? []), "EXT_texture_avif"];
-  json.samplers = [{ magFilter: 9729, minFilter: 9987, wrapS: 10497, wrapT: 10497 }];
-  json.images = [];
-  json.textures = [];
-
-  const texture = (name) => {
-    if (!textures.has(name)) {
-      const image = { name, mimeType: "image/avif", uri: `../textures/${name}.avif` };
-      const extensions = { EXT_texture_avif: { source: json.images.push(image) - 1 } };
-      textures.set(name, json.textures.push({ name, sampler: 0, extensions }) - 1);
-    }
-    return { index: textures.get(name) };
-  };
-
-  for (const material of json.materials) {
-    const set = materials[material.name].textures;
-    if (!set) continue;
-    material.pbrMetallicRoughness ??= {};
-    material.pbrMetallicRoughness.baseColorTexture = texture(`${set}-albedo`);
-    material.pbrMetallicRoughness.metallicRoughnessTexture = texture(`${set}-orm`);
-    material.occlusionTexture = texture(`${set}-orm`);
-    material.normalTexture = texture(`${set}-normal`);
-  }
-}
-
-/** The container of Khronos, "glTF 2.0 Specification", section 4.4, "Binary glTF Layout". */
-function packed(json, binary) {
-  const text = Buffer.from(JSON.stringify(json));
-  const chunks = Buffer.concat([chunk("JSON", text, " "), chunk("BIN\0", binary, "\0")]);
-  const header = Buffer.alloc(12);
-  header.write("glTF", 0, "latin1");
-  header.writeUInt32LE(2, 4);
-  header.writeUInt32LE(header.length + chunks.length, 8);
-  return Buffer.concat([header, chunks]);
-}
-
-function chunk(type, content, padding) {
-  const length = Math.ceil(content.length / 4) * 4;
-  const bytes = Buffer.alloc(8 + length, padding);
-  bytes.writeUInt32LE(length, 0);
-  bytes.write(type, 4, "latin1");
-  bytes.set(content, 8);
-  return bytes;
-}
-
-async function assertValid(file, bytes) {
-  // The textures are another script's work, and need not be there yet. The validator has not heard of
-  // AVIF, and says so in a warning for each picture.
-  const { issues } = await validator.validateBytes(new Uint8Array(bytes), {
-    ignoredIssues: ["IO_ERROR"],
-    maxIssues: 0,
-  });
-  const errors = issues.messages.filter((message) => message.severity === 0);
-  if (errors.length > 0) {
-    const lines = errors.slice(0, 20).map((error) => `${error.pointer}: ${error.message}`);
-    throw new Error(`${file}: ${errors.length} errors\n${lines.join("\n")}`);
-  }
-  const warnings = issues.messages.filter(({ severity }) => severity === 1);
-  for (const message of warnings.filter(({ message }) => !message.includes("image/avif"))) {
-    console.log(`${file}: ${message.pointer}: ${message.message}`);
-  }
-}
-
-function report(file, document, bytes) {
-  const totals = { triangles: 0, draws: 0, vertices: 0 };
-  for (const node of document.getRoot().listNodes()) {
-    const primitives = node.getMesh()?.listPrimitives() ?? [];
-    const lines = primitives.map((primitive) => {
-      const triangles = primitive.getIndices().getCount() / 3;
-      totals.triangles += triangles;
-      totals.draws += 1;
-      totals.vertices += primitive.getAttribute("POSITION").getCount();
-      return `${primitive.getMaterial().getName()} ${triangles}`;
-    });
-    console.log(`  ${node.getName()}: ${lines.join(", ") || node.getTranslation().join(" ")}`);
-  }
-  const gzipped = gzipSync(bytes, { level: 9 }).length;
-  const { triangles, draws, vertices } = totals;
-  console.log(
-    `${file}: ${triangles} triangles, ${vertices} vertices, ${draws} draws, ${bytes.length} bytes, ${gzipped} gzipped`,
-  );
-  return { triangles, draws, bytes: gzipped };
 }
 
 const reports = [];

@@ -92,3 +92,10 @@ export function packGlb(json, binary) {
   const body = Buffer.concat(chunks);
   return Buffer.concat([header(0x46546c67, 2, 12 + body.length), body]);
 }
+
+/** The JSON and the bytes of a .glb; what the JSON refers to need not be there. */
+export function openGlb(bytes) {
+  const length = bytes.readUInt32LE(12);
+  const json = JSON.parse(bytes.toString("utf8", 20, 20 + length));
+  return { json, binary: bytes.subarray(28 + length) };
+}

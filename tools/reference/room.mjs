@@ -1,8 +1,7 @@
 import { readFileSync } from "node:fs";
 import { pathToFileURL } from "node:url";
-import { chromium } from "playwright";
-import { createServer, preview } from "vite";
-import { findBrowser } from "../find-browser.mjs";
+import { createServer } from "vite";
+import { launchSoftwareBrowser, serveBuilt } from "../built-site.mjs";
 
 /** Of other views than ours: a folder that has its own views.json, and takes what is traced. */
 const others = process.env.REFERENCES && pathToFileURL(`${process.env.REFERENCES}/`);
@@ -24,20 +23,11 @@ export async function readSource(path) {
 
 /** The element of the built package, for `use`, which is given what runs a function on it. */
 export async function withElement(quality, use) {
-  const server = await preview({
-    build: { outDir: "dist" },
-    preview: { port: 0, host: "127.0.0.1" },
-    logLevel: "error",
-  });
-  const base = `http://127.0.0.1:${server.httpServer.address().port}/`;
-  const { path, args } = await findBrowser();
-  const browser = await chromium.launch({
-    executablePath: path,
-    args: [...args, "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-  });
+  const server = await serveBuilt("dist");
+  const browser = await launchSoftwareBrowser();
   try {
     const page = await browser.newPage({ viewport: { width, height } });
-    await page.route(`${base}reference.html`, (route) =>
+    await page.route(`${server.url}reference.html`, (route) =>
       route.fulfill({
         contentType: "text/html",
         body: `<!doctype html><style>body { margin: 0 } candle-flame { width: ${width}px; height: ${height}px }</style>
@@ -45,7 +35,7 @@ export async function withElement(quality, use) {
           <script type="module" src="/define.js"></script>`,
       }),
     );
-    await page.goto(`${base}reference.html`);
+    await page.goto(`${server.url}reference.html`);
     const element = page.locator("candle-flame");
     await element.evaluate((element) => element.ready);
     return await use((run, argument) => element.evaluate(run, argument));

@@ -1,6 +1,7 @@
 import { createHash } from "node:crypto";
 import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
+import { openGlb } from "../models/glb-builder.mjs";
 import { CHANNELS } from "./image-files.mjs";
 
 function entry(file) {
@@ -18,24 +19,22 @@ function textureEntry(folder, material) {
 }
 
 const TRIANGLES = 4;
-const GLB_HEADER = 12;
-const CHUNK_HEADER = 8;
-
-/** The JSON chunk of a binary glTF; the textures it names need not be there. */
-function jsonOf(glb) {
-  const length = glb.readUInt32LE(GLB_HEADER);
-  const start = GLB_HEADER + CHUNK_HEADER;
-  return JSON.parse(glb.toString("utf8", start, start + length));
-}
 
 function modelEntry(file) {
-  const { asset, meshes = [], accessors } = jsonOf(readFileSync(file));
-  let triangles = 0;
-  for (const { mode = TRIANGLES, indices, attributes } of meshes.flatMap((m) => m.primitives)) {
+  const { asset, meshes, accessors } = openGlb(readFileSync(file)).json;
+  const primitives = meshes.flatMap((mesh) => mesh.primitives);
+  let [triangles, reduced] = [0, 0];
+  for (const { mode = TRIANGLES, indices, attributes, extras } of primitives) {
     if (mode === TRIANGLES) triangles += accessors[indices ?? attributes.POSITION].count / 3;
+    reduced += (accessors[extras?.reducedIndices]?.count ?? 0) / 3;
   }
   const seed = asset.extras?.seed;
-  return { ...(seed === undefined ? {} : { seed }), triangles, ...entry(file) };
+  return {
+    ...(seed === undefined ? {} : { seed }),
+    triangles,
+    ...(reduced > 0 ? { reducedTriangles: reduced } : {}),
+    ...entry(file),
+  };
 }
 
 /** Rewrites manifest.json: what every baked file weighs, its hash, and the seed it grew from. */

@@ -118,3 +118,9 @@ export function cellular(x, y, seed, periodX = 0, periodY = 0, jitter = 0.9) {
   }
   return cell;
 }
+
+/** Fractal noise that repeats with a tile: of a place, the cycles in a tile, and what is added to the seed. */
+export function tiledNoise(tile, seed) {
+  return (x, y, cycles, offset, octaves = 4) =>
+    fractalNoise((x / tile) * cycles, (y / tile) * cycles, seed + offset, octaves, cycles, cycles);
+}

@@ -2,6 +2,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import sharp from "sharp";
+import { cross, dot, normalized, subtract } from "../models/lathe.mjs";
 import { linearFromSrgb, srgbFromLinear } from "./pigment.mjs";
 
 /**
@@ -86,12 +87,12 @@ function fetchTexel(levels, u, v, footprint) {
 
 /** GGX with Schlick's Fresnel and the correlated Smith term (Heitz 2014), one lamp of 1 cd. */
 function shade(surface, point, eye, lamp, ambient, out) {
-  const normal = normalize([surface[3], surface[4], surface[5]]);
-  const toLamp = [lamp[0] - point[0], lamp[1] - point[1], lamp[2] - point[2]];
+  const normal = normalized(surface.subarray(3, 6));
+  const toLamp = subtract(lamp, point);
   const distanceSquared = dot(toLamp, toLamp);
-  const light = normalize(toLamp);
-  const view = normalize([eye[0] - point[0], eye[1] - point[1], eye[2] - point[2]]);
-  const halfway = normalize([light[0] + view[0], light[1] + view[1], light[2] + view[2]]);
+  const light = normalized(toLamp);
+  const view = normalized(subtract(eye, point));
+  const halfway = normalized([light[0] + view[0], light[1] + view[1], light[2] + view[2]]);
   const NoL = Math.max(0, dot(normal, light));
   const NoV = Math.max(1e-3, dot(normal, view));
   const NoH = Math.max(0, dot(normal, halfway));
@@ -113,25 +114,14 @@ function shade(surface, point, eye, lamp, ambient, out) {
   }
 }
 
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const normalize = (a) => {
-  const length = Math.hypot(...a);
-  return a.map((x) => x / length);
-};
-const cross = (a, b) => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
-
 /** The plane z = 0 textured all over, x to the right, y up, in tiles of `tile` metres. */
 function render(
   levels,
   tile,
   { width, height, eye, target, fieldOfView, lamp, ambient, exposure },
 ) {
-  const forward = normalize(target.map((x, i) => x - eye[i]));
-  const right = normalize(cross(forward, [0, 1, 1e-4]));
+  const forward = normalized(subtract(target, eye));
+  const right = normalized(cross(forward, [0, 1, 1e-4]));
   const up = cross(right, forward);
   const reach = Math.tan((fieldOfView * Math.PI) / 360);
   const picture = Buffer.alloc(3 * width * height);

@@ -1,5 +1,6 @@
 import { mapsFromSurface } from "./maps.mjs";
 import { materials } from "./materials.mjs";
+import { synthesizeSurface, weather } from "./surface.mjs";
 
 /**
  * One texture set, from its seed alone: `{ resolution, albedo, normal, orm }`, RGB bytes, top row
@@ -12,5 +13,8 @@ export function textureSet(name, resolution) {
       `No texture set "${name}"; there are ${materials.map((m) => m.name).join(", ")}.`,
     );
   }
-  return mapsFromSurface(material.synthesize(resolution ?? material.size));
+  const { size, tile, seed, sampler, weathering } = material;
+  const texels = resolution ?? size;
+  const surface = synthesizeSurface({ resolution: texels, tile }, sampler(seed, texels));
+  return mapsFromSurface(weathering ? weather(surface, weathering) : surface);
 }

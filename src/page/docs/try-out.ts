@@ -1,17 +1,8 @@
 import type { CandleFlameElement } from "../../candle-flame-element.js";
-import {
-  type ChoiceSetting,
-  type FlagSetting,
-  type NumberSetting,
-  SETTINGS,
-  type SettingName,
-  type TextSetting,
-} from "../../settings.js";
+import { SETTINGS, type SettingName } from "../../settings.js";
 import { SETTING_MEANINGS } from "../meanings.js";
+import { type Control, controlOf, type Setting, settingRow } from "../setting-row.js";
 import { tagOf } from "./snippet.js";
-
-type Setting = NumberSetting | ChoiceSetting | FlagSetting | TextSetting;
-type Control = HTMLInputElement | HTMLSelectElement;
 
 /** A control for every attribute that there is, made from the table of settings. */
 export class TryOut {
@@ -33,24 +24,15 @@ export class TryOut {
 
   #row(name: SettingName): HTMLElement {
     const setting: Setting = SETTINGS[name];
-    const row = document.createElement("div");
-    const label = document.createElement("label");
-    const control = controlOf(setting);
-    control.id = `try-${name}`;
+    const control = controlOf(setting, "any");
     control.name = name;
-    label.htmlFor = control.id;
-    label.textContent = name;
-    const meaning = document.createElement("p");
-    meaning.id = `${control.id}-meaning`;
-    meaning.textContent = `${SETTING_MEANINGS[name]}${rangeOf(setting)}`;
-    control.setAttribute("aria-describedby", meaning.id);
     control.addEventListener("change", () => {
       if (isCheckbox(control)) this.#element.toggleAttribute(name, control.checked);
       else this.#element.setAttribute(name, control.value);
     });
     this.#controls.set(name, control);
-    row.append(label, control, meaning);
-    return row;
+    const meaning = `${SETTING_MEANINGS[name]}${rangeOf(setting)}`;
+    return settingRow(control, { id: `try-${name}`, name, meaning });
   }
 
   #show(): void {
@@ -69,28 +51,6 @@ export class TryOut {
 
 function isCheckbox(control: Control): control is HTMLInputElement {
   return control.type === "checkbox";
-}
-
-function controlOf(setting: Setting): Control {
-  if (setting.kind === "choice") {
-    const select = document.createElement("select");
-    for (const choice of setting.choices) select.add(new Option(choice, choice));
-    return select;
-  }
-  const input = document.createElement("input");
-  if (setting.kind === "flag") {
-    input.type = "checkbox";
-  } else if (setting.kind === "number") {
-    input.type = "number";
-    input.min = String(setting.min);
-    input.max = String(setting.max);
-    input.step = setting.integer ? "1" : "any";
-    input.value = String(setting.default);
-  } else {
-    input.type = "text";
-    input.value = setting.default;
-  }
-  return input;
 }
 
 function rangeOf(setting: Setting): string {

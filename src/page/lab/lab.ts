@@ -1,4 +1,6 @@
 import "./lab.css";
+import "./tables.css";
+import "./comparison.css";
 import type { CandleFlameElement } from "../../candle-flame-element.js";
 import { find } from "../find.js";
 import { SettingsForm } from "../settings-form.js";

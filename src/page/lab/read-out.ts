@@ -1,6 +1,7 @@
 import type { CandleFlameElement, Stats } from "../../candle-flame-element.js";
 import type { Comparison } from "./comparison.js";
 import { formatMilliseconds } from "./ladder-chart.js";
+import { addRows } from "./readings.js";
 
 const INTERVAL = 500;
 
@@ -22,22 +23,14 @@ const ROWS: Readonly<Record<string, (stats: Stats, frameMs: number | null) => st
 export class ReadOut {
   readonly #element: CandleFlameElement;
   readonly #comparison: Comparison;
-  readonly #values = new Map<string, HTMLElement>();
+  readonly #values: ReadonlyMap<string, HTMLElement>;
   #timer = 0;
 
   /** @param comparison whose loop draws the element while it is open */
   constructor(element: CandleFlameElement, list: HTMLElement, comparison: Comparison) {
     this.#element = element;
     this.#comparison = comparison;
-    for (const name of Object.keys(ROWS)) {
-      const row = document.createElement("div");
-      const term = document.createElement("dt");
-      term.textContent = name;
-      const value = document.createElement("dd");
-      row.append(term, value);
-      list.append(row);
-      this.#values.set(name, value);
-    }
+    this.#values = addRows(list, Object.keys(ROWS));
   }
 
   start(): void {

@@ -1,6 +1,7 @@
 import type { CandleFlameElement } from "../../candle-flame-element.js";
 import { find } from "../find.js";
 import { type Radiance, type Reading, readingOf } from "./colorimetry.js";
+import { addRows } from "./readings.js";
 
 /** Pixels of the canvas along an edge of the spot. */
 const SPOT = 5;
@@ -24,7 +25,7 @@ export class SpotMeter {
   readonly #room: CandleFlameElement;
   readonly #stage: HTMLElement;
   readonly #albedo: HTMLInputElement;
-  readonly #values = new Map<string, HTMLElement>();
+  readonly #values: ReadonlyMap<string, HTMLElement>;
   readonly #spot = document.createElement("div");
   readonly #status: HTMLElement;
   #place: readonly [x: number, y: number] = [0.5, 0.5];
@@ -36,16 +37,7 @@ export class SpotMeter {
     this.#stage = stage;
     this.#albedo = find(section, "[name=albedo]", HTMLInputElement);
     this.#status = find(section, ".status", HTMLElement);
-    const list = find(section, "dl", HTMLElement);
-    for (const name of Object.keys(LIGHT)) {
-      const row = document.createElement("div");
-      const term = document.createElement("dt");
-      const value = document.createElement("dd");
-      term.textContent = name;
-      row.append(term, value);
-      list.append(row);
-      this.#values.set(name, value);
-    }
+    this.#values = addRows(find(section, "dl", HTMLElement), Object.keys(LIGHT));
     this.#spot.className = "spot";
     this.#spot.tabIndex = 0;
     this.#spot.setAttribute("role", "application"); // its arrow keys are its own

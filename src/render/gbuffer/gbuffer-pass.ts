@@ -23,7 +23,7 @@ import {
 } from "../frame-input.js";
 import { runsOf } from "../mesh/clusters.js";
 import type { Surface } from "../mesh/mesh.js";
-import type { Drawable, MeshLods } from "../mesh/mesh-lods.js";
+import type { MeshLods } from "../mesh/mesh-lods.js";
 import { SCHEDULE } from "../schedule.js";
 import { AlbedoCache, isBaked } from "./albedo-cache.js";
 import {
@@ -277,7 +277,6 @@ export class GBufferPass {
   /** Goes on with what only frames in motion need. */
   #updateIncrementally(instances: readonly ModelInstance[]): void {
     this.#albedos.updateIncrementally(instances.flatMap(({ meshes }) => meshes));
-    this.#lods.proceed(meshesOf(instances));
   }
 
   /** Chooses the sample that represents each lighting texel. */
@@ -341,7 +340,7 @@ export class GBufferPass {
     frame: FrameInput,
     { target, isReduced, isVisible, scissor }: Pass,
   ): void {
-    const { clusters, vertexArray }: Drawable = isReduced ? this.#lods.of(mesh) : mesh;
+    const { clusters, vertexArray } = mesh;
     // Frustum culling: by clusters where the model stands as it was made, else as a whole.
     const runs =
       placement === AT_ORIGIN
@@ -403,10 +402,4 @@ function boundsOfTurned(clusters: readonly Bounds[], [x, y, z]: Placement): Boun
 
 function gamma2([red, green, blue, opacity]: Surface["baseColor"]): Surface["baseColor"] {
   return [Math.sqrt(red), Math.sqrt(green), Math.sqrt(blue), opacity];
-}
-
-function* meshesOf(instances: readonly ModelInstance[]): Generator<readonly [Surface, number]> {
-  for (const { meshes, lodError } of instances) {
-    for (const mesh of meshes) yield [mesh, lodError];
-  }
 }

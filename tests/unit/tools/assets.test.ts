@@ -15,7 +15,9 @@ interface Manifest {
   readonly textures: Readonly<
     Record<string, { seed: number; size: number; tile: number; files: Record<string, Entry> }>
   >;
-  readonly models: Readonly<Record<string, Entry & { readonly triangles: number }>>;
+  readonly models: Readonly<
+    Record<string, Entry & { readonly triangles: number; readonly reducedTriangles?: number }>
+  >;
 }
 
 const PUBLIC = new URL("../../../public/", import.meta.url);
@@ -118,6 +120,14 @@ describe("What is shipped stays within its budget:", () => {
     const triangles = (cabin?.triangles ?? 0) + (candle?.triangles ?? 0);
     expect(cabin?.triangles).toBeGreaterThan(20_000);
     expect(triangles).toBeLessThanOrEqual(60_000);
+  });
+
+  test("half of the triangles in their lower level of detail", () => {
+    for (const name of ["cabin.glb", "chamberstick.glb"]) {
+      const { triangles = 0, reducedTriangles = triangles } = manifest.models[name] ?? {};
+      expect(reducedTriangles).toBeLessThan(triangles / 2);
+      expect(reducedTriangles).toBeGreaterThan(triangles / 20);
+    }
   });
 
   test("colours at full resolution in whatever carries slopes or roughness", () => {

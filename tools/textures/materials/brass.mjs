@@ -1,7 +1,6 @@
 import { latheLines, over, scratches, smudges } from "../metal.mjs";
 import { clamp, smoothstep } from "../noise.mjs";
 import { cover, pigment, scale, set } from "../pigment.mjs";
-import { synthesizeSurface } from "../surface.mjs";
 
 /** Old turned brass, polished now and then: bright where it is handled, brown where the cloth never reaches. */
 
@@ -42,7 +41,5 @@ export const brass = {
   tile: 0.3,
   seed: 61,
   quality: { normal: 95 },
-  synthesize(resolution, seed = this.seed) {
-    return synthesizeSurface({ resolution, tile: this.tile }, sampler(seed));
-  },
+  sampler,
 };

@@ -1,7 +1,6 @@
 import { over } from "../metal.mjs";
 import { cellular, clamp, smoothstep } from "../noise.mjs";
 import { cover, pigment, scale, set } from "../pigment.mjs";
-import { synthesizeSurface, weather } from "../surface.mjs";
 
 /** Iron from the smithy: hammer flats, fire scale that has flaked, a little rust in the hollows. */
 
@@ -58,8 +57,6 @@ export const iron = {
   size: 512,
   tile: 0.5,
   seed: 67,
-  synthesize(resolution, seed = this.seed) {
-    const surface = synthesizeSurface({ resolution, tile: this.tile }, sampler(seed));
-    return weather(surface, { radius: 4, depth: 0.6, dirt: [0.6, 0.58, 0.57], roughness: 0.12 });
-  },
+  sampler,
+  weathering: { radius: 4, depth: 0.6, dirt: [0.6, 0.58, 0.57], roughness: 0.12 },
 };

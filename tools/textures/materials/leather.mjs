@@ -1,7 +1,6 @@
 import { scratches } from "../metal.mjs";
-import { cellular, clamp, fractalNoise, smoothstep } from "../noise.mjs";
+import { cellular, clamp, smoothstep, tiledNoise } from "../noise.mjs";
 import { glaze, pigment, scale, set } from "../pigment.mjs";
-import { synthesizeSurface, weather } from "../surface.mjs";
 
 /** Morocco for bookbinding, nearly neutral so that a base colour can dye it: grain, rubbed and cracked by use. */
 
@@ -13,8 +12,7 @@ const HANDLED = [0.72, 0.7, 0.68];
 
 function sampler(seed) {
   const scuffs = scratches(60, TILE, seed, 10, 80);
-  const everywhere = (x, y, cycles, offset, octaves = 4) =>
-    fractalNoise((x / TILE) * cycles, (y / TILE) * cycles, seed + offset, octaves, cycles, cycles);
+  const everywhere = tiledNoise(TILE, seed);
 
   return (x, y, texel) => {
     const u = (x / TILE) * 170 + 0.5 * everywhere(x, y, 60, 1, 2);
@@ -61,8 +59,6 @@ export const leather = {
   tile: 0.4,
   seed: 97,
   quality: { albedo: 50, normal: 75, orm: 58 },
-  synthesize(resolution, seed = this.seed) {
-    const surface = synthesizeSurface({ resolution, tile: this.tile }, sampler(seed));
-    return weather(surface, { radius: 1.5, depth: 0.5, dirt: [0.6, 0.58, 0.56], roughness: 0.08 });
-  },
+  sampler,
+  weathering: { radius: 1.5, depth: 0.5, dirt: [0.6, 0.58, 0.56], roughness: 0.08 },
 };

@@ -1,6 +1,5 @@
-import { clamp, fractalNoise, noise, random, smoothstep } from "../noise.mjs";
+import { clamp, noise, random, smoothstep, tiledNoise } from "../noise.mjs";
 import { cover, glaze, pigment, scale, set } from "../pigment.mjs";
-import { synthesizeSurface } from "../surface.mjs";
 
 /** Homespun linen in plain weave, eight threads to the centimetre, slubbed and sun-bleached. */
 
@@ -27,8 +26,7 @@ function thread(index, along, seed) {
 const hashed = (index, seed) => seed + 131 * index;
 
 function sampler(seed) {
-  const everywhere = (x, y, cycles, offset, octaves = 4) =>
-    fractalNoise((x / TILE) * cycles, (y / TILE) * cycles, seed + offset, octaves, cycles, cycles);
+  const everywhere = tiledNoise(TILE, seed);
   const periodic = (wavelength) => TILE / Math.round(TILE / wavelength);
   const stretch = { 38: 38 / periodic(38), 9: 9 / periodic(9) };
 
@@ -76,7 +74,5 @@ export const linen = {
   tile: 0.4,
   seed: 83,
   quality: { albedo: 45, normal: 55, orm: 45 },
-  synthesize(resolution, seed = this.seed) {
-    return synthesizeSurface({ resolution, tile: this.tile }, sampler(seed));
-  },
+  sampler,
 };

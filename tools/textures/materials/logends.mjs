@@ -1,6 +1,5 @@
-import { clamp, fractalNoise, mix, noise, randomStream, smoothstep } from "../noise.mjs";
+import { clamp, mix, noise, randomStream, smoothstep, tiledNoise } from "../noise.mjs";
 import { cover, glaze, pigment, scale, set } from "../pigment.mjs";
-import { synthesizeSurface, weather } from "../surface.mjs";
 import { latewood } from "../wood.mjs";
 
 /** The sawn end of a log, pith near the middle of the tile, bark at 95 mm from it. */
@@ -56,10 +55,10 @@ function splitDepth(radius, turn, list, seed) {
 
 function sampler(seed) {
   const list = splits(seed);
-  const everywhere = (x, y, cycles, offset, octaves = 4) =>
-    fractalNoise((x / TILE) * cycles, (y / TILE) * cycles, seed + offset, octaves, cycles, cycles);
+  const everywhere = tiledNoise(TILE, seed);
 
   return (x, y, texel) => {
+    texel.bark ??= [0, 0, 0];
     const dx = x - MIDDLE - 4;
     const dy = y - MIDDLE + 3;
     const turn = Math.atan2(dy, dx);
@@ -125,12 +124,6 @@ export const logends = {
   tile: 0.2,
   seed: 53,
   quality: { normal: 72 },
-  synthesize(resolution, seed = this.seed) {
-    const sample = sampler(seed);
-    const surface = synthesizeSurface({ resolution, tile: this.tile }, (x, y, texel) => {
-      texel.bark ??= [0, 0, 0];
-      sample(x, y, texel);
-    });
-    return weather(surface, { radius: 1.5, depth: 1, dirt: [0.5, 0.47, 0.44], roughness: 0.06 });
-  },
+  sampler,
+  weathering: { radius: 1.5, depth: 1, dirt: [0.5, 0.47, 0.44], roughness: 0.06 },
 };

@@ -1,7 +1,6 @@
 import { chinking } from "../chinking.mjs";
 import { bell, clamp, fractalNoise, mix, noise, randomStream, smoothstep } from "../noise.mjs";
 import { cover, glaze, pigment, scale, set } from "../pigment.mjs";
-import { synthesizeSurface, weather } from "../surface.mjs";
 import { bendRoundKnots, checkDepth, knotShape, latewood } from "../wood.mjs";
 
 /**
@@ -239,8 +238,6 @@ export const logs = {
   size: 1024,
   tile: 1.6,
   seed: 3,
-  synthesize(resolution, seed = this.seed) {
-    const surface = synthesizeSurface({ resolution, tile: this.tile }, sampler(seed));
-    return weather(surface, { radius: 6, depth: 1.6, dirt: [0.5, 0.48, 0.46], roughness: 0.1 });
-  },
+  sampler,
+  weathering: { radius: 6, depth: 1.6, dirt: [0.5, 0.48, 0.46], roughness: 0.1 },
 };

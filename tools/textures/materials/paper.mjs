@@ -1,6 +1,5 @@
-import { clamp, fractalNoise, noise, random, smoothstep } from "../noise.mjs";
+import { clamp, noise, random, smoothstep, tiledNoise } from "../noise.mjs";
 import { cover, glaze, pigment, scale, set } from "../pigment.mjs";
-import { synthesizeSurface } from "../surface.mjs";
 
 /**
  * An old book. u from 0 to 1/2 is a printed page, 128 by 196 mm from the upper left corner of the tile,
@@ -46,8 +45,7 @@ function print(x, y, seed) {
 }
 
 function sampler(seed) {
-  const everywhere = (x, y, cycles, offset, octaves = 4) =>
-    fractalNoise((x / TILE) * cycles, (y / TILE) * cycles, seed + offset, octaves, cycles, cycles);
+  const everywhere = tiledNoise(TILE, seed);
 
   function page(x, y, texel) {
     const fibre = everywhere(x, y, 140, 1, 2);
@@ -110,7 +108,5 @@ export const paper = {
   size: 1024,
   tile: 0.3,
   seed: 101,
-  synthesize(resolution, seed = this.seed) {
-    return synthesizeSurface({ resolution, tile: this.tile }, sampler(seed));
-  },
+  sampler,
 };

@@ -1,7 +1,6 @@
 import { latheLines, over, scratches, smudges } from "../metal.mjs";
 import { cellular, clamp, smoothstep } from "../noise.mjs";
 import { cover, pigment, scale, set } from "../pigment.mjs";
-import { synthesizeSurface } from "../surface.mjs";
 
 /** Spun pewter gone soft and grey: knife marks, small dents, a skin of oxide rubbed through by hands. */
 
@@ -46,7 +45,5 @@ export const pewter = {
   tile: 0.3,
   seed: 71,
   quality: { normal: 95 },
-  synthesize(resolution, seed = this.seed) {
-    return synthesizeSurface({ resolution, tile: this.tile }, sampler(seed));
-  },
+  sampler,
 };

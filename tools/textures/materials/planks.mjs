@@ -3,15 +3,14 @@ import {
   bell,
   cellular,
   clamp,
-  fractalNoise,
   mix,
   noise,
   random,
   randomStream,
   smoothstep,
+  tiledNoise,
 } from "../noise.mjs";
 import { cover, glaze, pigment, scale, set } from "../pigment.mjs";
-import { synthesizeSurface, weather } from "../surface.mjs";
 
 /**
  * A scrubbed pine floor gone grey: boards of 200 mm along u, butted and nailed on joists 533 mm apart,
@@ -107,10 +106,11 @@ function findNail(board, x, y) {
 
 function sampler(seed) {
   const rows = Array.from({ length: BOARDS }, (_, row) => layRow(row, seed));
-  const everywhere = (x, y, cycles, offset, octaves = 4) =>
-    fractalNoise((x / TILE) * cycles, (y / TILE) * cycles, seed + offset, octaves, cycles, cycles);
+  const everywhere = tiledNoise(TILE, seed);
 
   return (x, y, texel) => {
+    texel.iron ??= [0, 0, 0];
+    texel.filth ??= [0, 0, 0];
     const row = Math.floor(y / WIDTH);
     const board = boardAt(rows[row], x);
     const s = board.seed;
@@ -249,13 +249,6 @@ export const planks = {
   size: 1024,
   tile: 1.6,
   seed: 11,
-  synthesize(resolution, seed = this.seed) {
-    const sample = sampler(seed);
-    const surface = synthesizeSurface({ resolution, tile: this.tile }, (x, y, texel) => {
-      texel.iron ??= [0, 0, 0];
-      texel.filth ??= [0, 0, 0];
-      sample(x, y, texel);
-    });
-    return weather(surface, { radius: 4, depth: 1.4, dirt: [0.5, 0.47, 0.45], roughness: 0.1 });
-  },
+  sampler,
+  weathering: { radius: 4, depth: 1.4, dirt: [0.5, 0.47, 0.45], roughness: 0.1 },
 };

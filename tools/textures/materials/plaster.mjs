@@ -7,9 +7,9 @@ import {
   noise,
   randomStream,
   smoothstep,
+  tiledNoise,
 } from "../noise.mjs";
 import { cover, glaze, pigment, scale, set } from "../pigment.mjs";
-import { synthesizeSurface, weather } from "../surface.mjs";
 
 /** Lime plaster laid on by hand and limewashed more than once: trowel strokes, brush marks, hairlines. */
 
@@ -148,10 +148,9 @@ function pitDepth(u, v, seed) {
   return deepest * where;
 }
 
-function sampler(resolution, seed) {
+function sampler(seed, resolution) {
   const strokes = trowel(resolution, seed);
-  const everywhere = (x, y, cycles, offset, octaves = 4) =>
-    fractalNoise((x / TILE) * cycles, (y / TILE) * cycles, seed + offset, octaves, cycles, cycles);
+  const everywhere = tiledNoise(TILE, seed);
 
   return (x, y, texel) => {
     const u = x / TILE;
@@ -211,8 +210,6 @@ export const plaster = {
   size: 1024,
   tile: 2,
   seed: 5,
-  synthesize(resolution, seed = this.seed) {
-    const surface = synthesizeSurface({ resolution, tile: this.tile }, sampler(resolution, seed));
-    return weather(surface, { radius: 12, depth: 2.2, dirt: [0.62, 0.58, 0.53], roughness: 0.05 });
-  },
+  sampler,
+  weathering: { radius: 12, depth: 2.2, dirt: [0.62, 0.58, 0.53], roughness: 0.05 },
 };

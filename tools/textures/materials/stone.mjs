@@ -1,7 +1,6 @@
-import { clamp, fractalNoise, smoothstep } from "../noise.mjs";
+import { clamp, smoothstep, tiledNoise } from "../noise.mjs";
 import { glaze, scale } from "../pigment.mjs";
 import { paintRock, rockFace } from "../rock.mjs";
-import { synthesizeSurface, weather } from "../surface.mjs";
 
 /**
  * Faces of hearth stones without joints, for stones modelled one by one: limestone that shades into
@@ -12,8 +11,7 @@ const TILE = 1600;
 const SOOT = [0.34, 0.33, 0.33];
 
 function sampler(seed) {
-  const everywhere = (x, y, cycles, offset, octaves = 4) =>
-    fractalNoise((x / TILE) * cycles, (y / TILE) * cycles, seed + offset, octaves, cycles, cycles);
+  const everywhere = tiledNoise(TILE, seed);
 
   return (x, y, texel) => {
     const kind = {
@@ -51,14 +49,12 @@ export const stone = {
   tile: 1.6,
   seed: 41,
   quality: { normal: 70 },
-  synthesize(resolution, seed = this.seed) {
-    const surface = synthesizeSurface({ resolution, tile: this.tile }, sampler(seed));
-    return weather(surface, {
-      radius: 6,
-      depth: 2.5,
-      dirt: [0.5, 0.49, 0.48],
-      polish: 0.12,
-      roughness: 0.08,
-    });
+  sampler,
+  weathering: {
+    radius: 6,
+    depth: 2.5,
+    dirt: [0.5, 0.49, 0.48],
+    polish: 0.12,
+    roughness: 0.08,
   },
 };

@@ -1,7 +1,6 @@
 import { boardFigure, sawBoard } from "../boards.mjs";
-import { bell, cellular, clamp, fractalNoise, noise, randomStream, smoothstep } from "../noise.mjs";
+import { bell, cellular, clamp, noise, randomStream, smoothstep, tiledNoise } from "../noise.mjs";
 import { cover, glaze, pigment, scale, set } from "../pigment.mjs";
-import { synthesizeSurface, weather } from "../surface.mjs";
 
 /**
  * Limed and waxed oak for furniture: four boards of 400 mm along u, without gaps, each running round the
@@ -52,8 +51,7 @@ function sampler(seed) {
       yearWidth: cut.yearWidth,
     };
   });
-  const everywhere = (x, y, cycles, offset, octaves = 4) =>
-    fractalNoise((x / TILE) * cycles, (y / TILE) * cycles, seed + offset, octaves, cycles, cycles);
+  const everywhere = tiledNoise(TILE, seed);
   const lengthwise = (x, wavelength, across, offset) => {
     const cycles = Math.round(TILE / wavelength);
     return noise((x / TILE) * cycles, across, offset, cycles, 0);
@@ -156,8 +154,6 @@ export const trim = {
   size: 1024,
   tile: 1.6,
   seed: 29,
-  synthesize(resolution, seed = this.seed) {
-    const surface = synthesizeSurface({ resolution, tile: this.tile }, sampler(seed));
-    return weather(surface, { radius: 3, depth: 0.9, dirt: [0.6, 0.56, 0.52], roughness: 0.06 });
-  },
+  sampler,
+  weathering: { radius: 3, depth: 0.9, dirt: [0.6, 0.56, 0.52], roughness: 0.06 },
 };

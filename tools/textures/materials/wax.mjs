@@ -1,6 +1,5 @@
 import { cellular, clamp, fractalNoise, noise, smoothstep } from "../noise.mjs";
 import { cover, glaze, pigment, scale, set } from "../pigment.mjs";
-import { synthesizeSurface } from "../surface.mjs";
 
 /**
  * Bleached beeswax, dipped by hand: nearly no colour of its own (the glow comes from within), long soft
@@ -48,7 +47,5 @@ export const wax = {
   size: 512,
   tile: 0.2,
   seed: 17,
-  synthesize(resolution, seed = this.seed) {
-    return synthesizeSurface({ resolution, tile: this.tile }, sampler(seed));
-  },
+  sampler,
 };

@@ -1,6 +1,5 @@
-import { clamp, fractalNoise, noise, random, smoothstep } from "../noise.mjs";
+import { clamp, noise, random, smoothstep, tiledNoise } from "../noise.mjs";
 import { cover, glaze, pigment, scale, set } from "../pigment.mjs";
-import { synthesizeSurface } from "../surface.mjs";
 
 /** A flat-woven wool rug: the weft, along u, hides the warp; stripes of blue-green and undyed wool. */
 
@@ -43,8 +42,7 @@ const STRIPES = [
 const yarns = STRIPES.flatMap(([rows, yarn]) => Array.from({ length: rows }, () => yarn));
 
 function sampler(seed) {
-  const everywhere = (x, y, cycles, offset, octaves = 4) =>
-    fractalNoise((x / TILE) * cycles, (y / TILE) * cycles, seed + offset, octaves, cycles, cycles);
+  const everywhere = tiledNoise(TILE, seed);
 
   return (x, y, texel) => {
     const wavy = y + 2.2 * everywhere(x, y, 5, 1, 3) + 0.5 * everywhere(x, y, 34, 2, 2);
@@ -89,7 +87,5 @@ export const wool = {
   tile: 1,
   seed: 89,
   quality: { albedo: 50, normal: 60, orm: 46 },
-  synthesize(resolution, seed = this.seed) {
-    return synthesizeSurface({ resolution, tile: this.tile }, sampler(seed));
-  },
+  sampler,
 };
