@@ -6,7 +6,7 @@ import {
   featuresOf,
   INSPECTIONS,
   type Inspection,
-  LOOKS,
+  SETTINGS,
 } from "../../src/settings.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
@@ -67,7 +67,7 @@ test.describe("In the cabin", () => {
 });
 
 test("Every feature is one that some look has", () => {
-  const known = new Set(LOOKS.flatMap(featuresOf));
+  const known = new Set(SETTINGS.look.choices.flatMap(featuresOf));
   expect([...known].sort()).toEqual([...FEATURES].sort());
 });
 
