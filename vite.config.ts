@@ -47,6 +47,20 @@ const withoutBundledDecoders: Plugin = {
   },
 };
 
+// The element's style is a template string, which no minifier looks into.
+const minifiedStyle: Plugin = {
+  name: "minified-style",
+  transform: {
+    filter: { id: /src\/element\/style\.ts/ },
+    handler: (code) => ({
+      code: code.replace(/`[^`]+`/, (css) =>
+        css.replaceAll(/\s*\n\s*/g, "").replaceAll(/\s*([{};])\s*|([:,]) /g, "$1$2"),
+      ),
+      map: null,
+    }),
+  },
+};
+
 // The element looks for its models and textures beside its own module.
 const shipAssets: Plugin = {
   name: "ship-assets",
@@ -66,6 +80,7 @@ export default defineConfig(({ mode }) => ({
   plugins: [
     glsl({ minify: mode === "production" || mode === "lib" }),
     withoutBundledDecoders,
+    mode === "lib" && minifiedStyle,
     shipAssets,
     mode !== "lib" && classicScript("index.html", "src/page/other-view.js"),
   ],

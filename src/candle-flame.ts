@@ -16,6 +16,7 @@ import { withCount } from "./world/particles/particle-layer.js";
 import { STILL } from "./world/player/intent.js";
 import { restoreSnapshot, type Snapshot } from "./world/snapshot.js";
 import { currentTime, type World } from "./world/world.js";
+import { LONE_CANDLE_SETUP } from "./world/world-setup.js";
 
 /** Longest time that a live frame makes up for, in seconds: after a hidden tab, resume. */
 const MAX_FRAME = 1 / 20;
@@ -123,7 +124,8 @@ export class CandleFlame {
 
   #createWorld(age = 0, isLit = !this.#options.unlit, fieldOfView: number | null = null): World {
     const { look, seed, isStill, wind, wick } = this.#options;
-    const { room, setup } = this.#scene;
+    const { room, isModelAlone } = this.#scene;
+    const setup = isModelAlone ? LONE_CANDLE_SETUP : null;
     const birth = { age, room, setup, wind, wick, isLit, fieldOfView };
     const world = createWorld(look, seed, birth);
     world.sways = !isStill;

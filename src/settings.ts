@@ -104,39 +104,40 @@ export function parseChoice<Choice extends string>(
   return setting.choices.find((known) => known === word) ?? setting.default;
 }
 
-/** Techniques that can be switched off, one at a time, to see their effect and cost; and the looks that have them. */
-const FEATURE_LOOKS = {
-  particles: ["paper", "original"],
-  core: ["paper", "original"],
-  hazeLayer: ["paper"],
-  gradient: ["paper"],
-  attenuation: ["paper"],
-  drift: ["paper"],
-  flicker: ["paper"],
-  normalMaps: ["physical", "paper"],
-  candle: ["physical", "paper", "original"],
-  volume: ["physical"],
-  shadows: ["physical"],
-  indirect: ["physical"],
-  specular: ["physical"],
-  translucency: ["physical"],
-  haze: ["physical"],
-  smoke: ["physical"],
-  sparks: ["physical"],
-  dust: ["physical"],
-  bloom: ["physical"],
-  autoExposure: ["physical"],
-  adaptation: ["physical"],
-  toneMap: ["physical"],
-} as const satisfies Record<string, readonly Look[]>;
-export type Feature = keyof typeof FEATURE_LOOKS;
-export const FEATURES = Object.keys(FEATURE_LOOKS) as readonly Feature[];
+const PARTICLE_FEATURES = ["particles", "core"] as const;
+const PAPER_FEATURES = ["hazeLayer", "gradient", "attenuation", "drift", "flicker"] as const;
+const MODEL_FEATURES = ["normalMaps", "candle"] as const;
+const PHYSICAL_FEATURES = [
+  "volume",
+  "shadows",
+  "indirect",
+  "specular",
+  "translucency",
+  "haze",
+  "smoke",
+  "sparks",
+  "dust",
+  "bloom",
+  "autoExposure",
+  "adaptation",
+  "toneMap",
+] as const;
 
-/** Features of a look. */
-export function featuresOf(look: Look): readonly Feature[] {
-  return FEATURES.filter((name) => (FEATURE_LOOKS[name] as readonly Look[]).includes(look));
-}
+/** Techniques that can be switched off, one at a time, to see their effect and their cost. */
+export const FEATURES = [
+  ...PARTICLE_FEATURES,
+  ...PAPER_FEATURES,
+  ...MODEL_FEATURES,
+  ...PHYSICAL_FEATURES,
+] as const;
+export type Feature = (typeof FEATURES)[number];
 
+/** The techniques of each look. */
+export const FEATURES_OF: Readonly<Record<Look, readonly Feature[]>> = {
+  physical: [...MODEL_FEATURES, ...PHYSICAL_FEATURES],
+  paper: [...PARTICLE_FEATURES, ...PAPER_FEATURES, ...MODEL_FEATURES],
+  original: [...PARTICLE_FEATURES, "candle"],
+};
 export type Features = Record<Feature, boolean>;
 
 export function allFeatures(): Features {

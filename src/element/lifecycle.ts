@@ -15,7 +15,7 @@ import { Overlay } from "./overlay.js";
 import { PendingWorld } from "./pending-world.js";
 import { ReadyPromise } from "./ready-promise.js";
 import type { ReflectedAttributes } from "./reflected-attributes.js";
-import { Session, type SessionInput } from "./session.js";
+import { Session, type SessionInput, type SessionOwner } from "./session.js";
 import { Visibility } from "./visibility.js";
 
 /**
@@ -24,7 +24,7 @@ import { Visibility } from "./visibility.js";
  * connected -> near the viewport -> a WebGL context -> models -> first frame; with a lost context, a failure,
  * and a restart from each. What a session holds is freed by `#release`.
  */
-export class Lifecycle {
+export class Lifecycle implements SessionOwner {
   readonly pending = new PendingWorld();
   readonly draws: DrawScheduler;
   readonly reporter: CandleReporter;
@@ -88,7 +88,7 @@ export class Lifecycle {
   disconnect(): void {
     if (!this.#machine.send("disconnect")) return;
     this.#release();
-    this.#ready.reject(new DOMException("The element was taken out.", "AbortError"));
+    this.#ready.settle(new DOMException("The element was taken out.", "AbortError"));
     this.#ready.renew();
   }
 
@@ -191,40 +191,34 @@ export class Lifecycle {
     signal.addEventListener("abort", () => canvas.remove());
     this.#accessibility.update(canvas);
     try {
-      this.#session = new Session(canvas, this.#input, signal, {
-        plays: () => this.#plays,
-        onProgress: (totalProgress) => {
-          this.#overlay.showProgress(totalProgress);
-          emit(element, "progress", { totalProgress });
-        },
-        onCandle: (candle) => this.#showFirstFrame(candle),
-        onScene: (candle) => {
-          this.#applyPending(candle);
-          this.#overlay.hideProgress();
-          this.changed();
-          emit(element, "load", null);
-        },
-        onMissing: (error) => {
-          if (!this.#session?.candle) return this.#fail(error);
-          this.#stopAwaiting();
-          this.#report(error);
-        },
-        onFetchDropped: () => this.#stopAwaiting(),
-        onError: (cause) => this.#failAtFrame(cause),
-        onContextLost: () => this.#contextLost(),
-        onContextRestored: () => this.#contextRestored(),
-        onContextGivenUp: () => {
-          this.#offerReload();
-          this.#report(contextLostError());
-        },
-      });
+      this.#session = new Session(canvas, this.#input, signal, this);
     } catch (error) {
-      this.#failAtFrame(error);
+      this.onError(error);
     }
   }
 
-  /** No other scene is to come. */
-  #stopAwaiting(): void {
+  onProgress(totalProgress: number): void {
+    this.#overlay.showProgress(totalProgress);
+    emit(this.#element, "progress", { totalProgress });
+  }
+
+  onScene(candle: CandleFlame): void {
+    this.#applyPending(candle);
+    this.#overlay.hideProgress();
+    this.changed();
+    emit(this.#element, "load", null);
+  }
+
+  onMissing(error: Error): void {
+    if (!this.#session?.candle) {
+      this.#fail(error);
+      return;
+    }
+    this.onFetchDropped();
+    this.#report(error);
+  }
+
+  onFetchDropped(): void {
     this.pending.forgetCamera();
     this.#overlay.hideProgress();
   }
@@ -234,7 +228,8 @@ export class Lifecycle {
     this.pending.applyTo(candle, shown, () => emit(this.#element, "place", null));
   }
 
-  #showFirstFrame(candle: CandleFlame): void {
+  /** Shows the first frame. */
+  onCandle(candle: CandleFlame): void {
     this.#applyPending(candle);
     this.reporter.watch(candle);
     candle.onFrame = () => {
@@ -254,17 +249,17 @@ export class Lifecycle {
     this.#applyMotion();
     if (this.#session.look !== this.#element.look) this.#overlay.hint.tell(NO_PHYSICAL_LOOK);
     emit(this.#element, "load", null);
-    this.#ready.resolve();
+    this.#ready.settle();
   }
 
-  #contextLost(): void {
+  onContextLost(): void {
     this.#machine.send("lose");
     this.#session?.candle?.pause();
     this.#overlay.showPoster(this.#element.poster);
     emit(this.#element, "contextlost", null);
   }
 
-  #contextRestored(): void {
+  onContextRestored(): void {
     this.#machine.send("restore");
     this.#overlay.clearFailure();
     if (this.#machine.current === "running") this.#overlay.hidePoster();
@@ -272,8 +267,12 @@ export class Lifecycle {
     emit(this.#element, "contextrestored", null);
   }
 
-  /** Whether time is to pass. */
-  get #plays(): boolean {
+  onContextGivenUp(): void {
+    this.#offerReload();
+    this.#report(contextLostError());
+  }
+
+  plays(): boolean {
     return !this.#element.paused && this.isVisible;
   }
 
@@ -282,7 +281,7 @@ export class Lifecycle {
     const session = this.#session;
     const candle = session?.candle;
     if (!candle) return;
-    const plays = this.#plays;
+    const plays = this.plays();
     if (plays !== this.#states.has("playing")) {
       this.#states.toggle("playing", plays);
       emit(this.#element, plays ? "play" : "pause", null);
@@ -301,7 +300,7 @@ export class Lifecycle {
   }
 
   /** Ends the session for whatever was thrown while something was drawn, or made to be drawn. */
-  #failAtFrame(cause: unknown): void {
+  onError(cause: unknown): void {
     const error = frameError(cause);
     // The event of a lost context follows, and the frame comes back with it.
     if (typeOf(error) !== "context-lost") this.#fail(error);
@@ -315,7 +314,7 @@ export class Lifecycle {
     if (typeOf(error) === "context-lost") this.#offerReload();
     else this.#overlay.fail(error.message, "alert");
     this.#overlay.showPoster(this.#element.poster);
-    this.#ready.reject(error);
+    this.#ready.settle(error);
     this.#report(error);
     // The sentence is for visitors; the driver's own words are in its cause.
     if (typeOf(error) === "graphics") console.error(error);

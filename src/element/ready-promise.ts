@@ -1,22 +1,12 @@
 /** The element's promise `ready`, which is replaced when another first frame is to come. */
 export class ReadyPromise {
+  /** Resolves the promise, or rejects it with an error. */
+  settle: (error?: Error) => void = () => {};
   #isSettled = false;
-  #resolve: () => void = () => {};
-  #reject: (error: Error) => void = () => {};
-  #promise: Promise<void> = this.#create();
+  #promise = this.#create();
 
   get promise(): Promise<void> {
     return this.#promise;
-  }
-
-  resolve(): void {
-    this.#isSettled = true;
-    this.#resolve();
-  }
-
-  reject(error: Error): void {
-    this.#isSettled = true;
-    this.#reject(error);
   }
 
   /** A promise of another first frame, unless the last one is still pending. */
@@ -27,8 +17,11 @@ export class ReadyPromise {
   #create(): Promise<void> {
     this.#isSettled = false;
     const promise = new Promise<void>((resolve, reject) => {
-      this.#resolve = resolve;
-      this.#reject = reject;
+      this.settle = (error) => {
+        this.#isSettled = true;
+        if (error) reject(error);
+        else resolve();
+      };
     });
     promise.catch(() => {}); // the event `error` says the same
     return promise;

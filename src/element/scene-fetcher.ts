@@ -1,11 +1,11 @@
 import { areSame, loadScene, type Scene, type SceneRequest } from "../scenes/scene.js";
 
-interface Reactions {
-  readonly onProgress: (share: number) => void;
-  readonly onScene: (scene: Scene) => void;
-  readonly onFailure: (error: Error) => void;
+export interface FetchObserver {
+  onProgress(share: number): void;
+  /** The scene asked for cannot be fetched. */
+  onMissing(error: Error): void;
   /** The scene on show is wanted again, and no other. */
-  readonly onGivenUp: () => void;
+  onFetchDropped(): void;
 }
 
 /**
@@ -17,15 +17,22 @@ export class SceneFetcher {
   shown: SceneRequest | null = null;
   readonly #asked: () => SceneRequest;
   readonly #signal: AbortSignal;
-  readonly #reactions: Reactions;
+  readonly #observer: FetchObserver;
+  readonly #onScene: (scene: Scene) => void;
   #wanted: SceneRequest | null = null;
   #loading: AbortController | null = null;
 
   /** @param asked the request of the attributes, at any time */
-  constructor(asked: () => SceneRequest, signal: AbortSignal, reactions: Reactions) {
+  constructor(
+    asked: () => SceneRequest,
+    signal: AbortSignal,
+    observer: FetchObserver,
+    onScene: (scene: Scene) => void,
+  ) {
     this.#asked = asked;
     this.#signal = signal;
-    this.#reactions = reactions;
+    this.#observer = observer;
+    this.#onScene = onScene;
   }
 
   get isFetching(): boolean {
@@ -39,7 +46,7 @@ export class SceneFetcher {
       this.#loading?.abort();
       this.#wanted = null;
       this.shown = asked;
-      this.#reactions.onGivenUp();
+      this.#observer.onFetchDropped();
     } else if (!areSame(asked, this.#wanted)) {
       void this.fetch();
     }
@@ -51,7 +58,7 @@ export class SceneFetcher {
     this.#loading = loading;
     const { signal } = loading;
     this.#signal.addEventListener("abort", () => loading.abort(), { signal });
-    const { onProgress, onScene, onFailure } = this.#reactions;
+    const onProgress = (share: number) => this.#observer.onProgress(share);
     const wanted = this.#asked();
     this.#wanted = wanted;
     let scene: Scene;
@@ -60,12 +67,12 @@ export class SceneFetcher {
     } catch (error) {
       if (signal.aborted) return;
       this.#wanted = null;
-      onFailure(error as Error);
+      this.#observer.onMissing(error as Error);
       return;
     }
     if (signal.aborted) return scene.close();
     this.#wanted = null;
     this.shown = this.#asked();
-    onScene(scene);
+    this.#onScene(scene);
   }
 }

@@ -8,7 +8,7 @@ import { watchContext } from "./context-watch.js";
 import { guessDevicePixels, observeDevicePixels, type Size } from "./device-pixels.js";
 import { assetRootOf, optionsOf } from "./options.js";
 import type { ReflectedAttributes } from "./reflected-attributes.js";
-import { SceneFetcher } from "./scene-fetcher.js";
+import { type FetchObserver, SceneFetcher } from "./scene-fetcher.js";
 
 /** Input of a session: the attributes as they are at any time, and settings without attribute. */
 export interface SessionInput {
@@ -18,23 +18,18 @@ export interface SessionInput {
 }
 
 /** Callbacks of a session. */
-export interface SessionOwner {
-  readonly onProgress: (share: number) => void;
+export interface SessionOwner extends FetchObserver {
   /** Whether time is to pass. */
-  readonly plays: () => boolean;
+  plays(): boolean;
   /** The candle can draw its first frame. */
-  readonly onCandle: (candle: CandleFlame) => void;
+  onCandle(candle: CandleFlame): void;
   /** The candle has changed to another scene. */
-  readonly onScene: (candle: CandleFlame) => void;
-  /** The scene that the attributes ask for cannot be fetched. */
-  readonly onMissing: (error: Error) => void;
-  /** The attributes ask again for the scene that is shown. */
-  readonly onFetchDropped: () => void;
+  onScene(candle: CandleFlame): void;
   /** Something failed that was to draw, or to prepare drawing. */
-  readonly onError: (cause: unknown) => void;
-  readonly onContextLost: () => void;
-  readonly onContextRestored: () => void;
-  readonly onContextGivenUp: () => void;
+  onError(cause: unknown): void;
+  onContextLost(): void;
+  onContextRestored(): void;
+  onContextGivenUp(): void;
 }
 
 /**
@@ -78,16 +73,12 @@ export class Session {
     this.#target = createCanvasTarget(scene, canvas);
     if (quality === "auto") void measureTarget(this.#target); // while the files are on their way
     watchContext(this.#target.source, signal, {
-      onLost: owner.onContextLost,
+      onLost: () => owner.onContextLost(),
       onRestored: () => this.#restore(),
-      onGivenUp: owner.onContextGivenUp,
+      onGivenUp: () => owner.onContextGivenUp(),
     });
-    this.#fetcher = new SceneFetcher(() => this.#request, signal, {
-      onProgress: owner.onProgress,
-      onScene: (next) => this.#show(next),
-      onFailure: owner.onMissing,
-      onGivenUp: owner.onFetchDropped,
-    });
+    const show = (next: Scene) => this.#show(next);
+    this.#fetcher = new SceneFetcher(() => this.#request, signal, owner, show);
     void this.#fetcher.fetch();
   }
 
@@ -202,9 +193,9 @@ export class Session {
     this.#candle = candle;
     candle.options = this.options; // which may have changed meanwhile
     candle.view.inspect = this.#input.inspect;
-    candle.onFailure = this.#owner.onError;
+    candle.onFailure = (error) => this.#owner.onError(error);
     this.#pixels = guessDevicePixels(this.canvas);
-    this.use(this.#owner.onCandle);
+    this.use(() => this.#owner.onCandle(candle));
   }
 
   #restore(): void {

@@ -1,11 +1,7 @@
 import { closeModel, type Model } from "../assets/model.js";
 import { readOwnModel } from "../assets/own-model.js";
 import { LoneCandleRenderer } from "../render/lone-candle-renderer.js";
-import { WORLD_SETUPS } from "../world/world-setup.js";
 import type { Loading, Scene, SceneRequest } from "./scene.js";
-
-/** Bare ground, on which the candle stands. */
-const SETUP = { ...WORLD_SETUPS.physical, hasWalls: false, stand: [0, 0, 0] } as const;
 
 /** The candle alone, whatever the look. */
 export async function loadLoneCandle(
@@ -16,7 +12,6 @@ export async function loadLoneCandle(
   const model: Model = await readOwnModel(url, signal, onProgress);
   return {
     room: null,
-    setup: SETUP,
     isModelAlone: true,
     prepareRenderer: () => true,
     createRenderer: (screen, tier) => {

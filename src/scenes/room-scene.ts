@@ -18,7 +18,6 @@ export async function loadRoom(request: SceneRequest, loading: Loading): Promise
   const isBox = look !== "physical" && src === "";
   return {
     room: isBox ? null : room,
-    setup: null,
     isModelAlone: false,
     prepareRenderer: ({ gpu }, tier, look) =>
       uploadNextPicture(gpu, models.room) &&

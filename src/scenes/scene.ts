@@ -3,15 +3,12 @@ import type { Tier } from "../render/quality.js";
 import type { Renderer } from "../render/renderer.js";
 import type { Look, SceneName } from "../settings.js";
 import type { Room } from "../world/room/room.js";
-import type { WorldSetup } from "../world/world-setup.js";
 import type { CanvasTarget } from "./canvas-target.js";
 
 /** Scene: the models of a room or of a lone candle, fetched and decoded. */
 export interface Scene {
-  /** The room to walk in; null where there is none, or where the stage describes it. */
+  /** The room to walk in; null where there is none, or where the look has a box. */
   readonly room: Room | null;
-  /** How candle and flame stand, if not as the look has it. */
-  readonly setup: WorldSetup | null;
   /** Whether there is nothing but a model on the page's own background. */
   readonly isModelAlone: boolean;
   /** Goes on, for a few milliseconds, with what a renderer needs. True when it can be made at once. */

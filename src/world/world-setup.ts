@@ -78,3 +78,10 @@ export const WORLD_SETUPS: Readonly<Record<Look, WorldSetup>> = {
     layers: ORIGINAL_LAYERS,
   },
 };
+
+/** The candle alone on bare ground, whatever the look. */
+export const LONE_CANDLE_SETUP: WorldSetup = {
+  ...WORLD_SETUPS.physical,
+  hasWalls: false,
+  stand: [0, 0, 0],
+};

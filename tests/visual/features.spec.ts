@@ -2,11 +2,10 @@ import type { Page } from "playwright/test";
 import {
   allFeatures,
   FEATURES,
+  FEATURES_OF,
   type Feature,
-  featuresOf,
   INSPECTIONS,
   type Inspection,
-  SETTINGS,
 } from "../../src/settings.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
@@ -19,7 +18,7 @@ async function expectSwitch(room: RoomDriver, feature: Feature, whole: string): 
   expect(again, `with ${feature} again`).toBe(whole);
 }
 
-for (const feature of featuresOf("paper")) {
+for (const feature of FEATURES_OF.paper) {
   test(`Without ${feature} the paper's picture is another, and with it again the same`, async ({
     room,
   }) => {
@@ -39,7 +38,7 @@ test.describe("In the cabin", () => {
 
   test("the physical picture is another without each of its own features", async () => {
     const whole = await room.pixels();
-    for (const feature of featuresOf("physical")) {
+    for (const feature of FEATURES_OF.physical) {
       // At rest and at this size there is none of it to be seen: plume.spec.ts.
       if (feature === "smoke" || feature === "sparks" || feature === "dust") continue;
       const features = { ...allFeatures(), [feature]: false };
@@ -67,7 +66,7 @@ test.describe("In the cabin", () => {
 });
 
 test("Every feature is one that some look has", () => {
-  const known = new Set(SETTINGS.look.choices.flatMap(featuresOf));
+  const known = new Set(Object.values(FEATURES_OF).flat());
   expect([...known].sort()).toEqual([...FEATURES].sort());
 });
 
@@ -98,10 +97,10 @@ test("Features are given as one object, or one by one, and unknown ones are refu
 test("The original has fewer techniques to switch, and says which", async ({ room }) => {
   await room.set({ look: "original" });
   await room.step(0.1);
-  for (const feature of featuresOf("original"))
+  for (const feature of FEATURES_OF.original)
     await expectSwitch(room, feature, await room.pixels());
   const whole = await room.pixels();
-  const others = featuresOf("paper").filter((name) => !featuresOf("original").includes(name));
+  const others = FEATURES_OF.paper.filter((name) => !FEATURES_OF.original.includes(name));
   await room.switchFeatures(Object.fromEntries(others.map((name) => [name, false])));
   expect(await room.pixels()).toBe(whole);
 });

@@ -1,5 +1,5 @@
 import type { CandleFlameElement, Feature } from "../../candle-flame-element.js";
-import { FEATURES, featuresOf } from "../../settings.js";
+import { FEATURES, FEATURES_OF } from "../../settings.js";
 import { FEATURE_MEANINGS } from "../meanings.js";
 
 /** A checkbox for each technique of the look on show, with its sentence. */
@@ -30,7 +30,7 @@ export class FeatureSwitches {
   refresh(): void {
     const { features, look } = this.#element;
     for (const [name, { box }] of this.#rows) box.checked = features[name];
-    const labels = featuresOf(look).flatMap((name) => this.#rows.get(name)?.label ?? []);
+    const labels = FEATURES_OF[look].flatMap((name) => this.#rows.get(name)?.label ?? []);
     const isSame = labels.every((label, i) => label === this.#list.children[i]);
     // What stays keeps the focus.
     if (!isSame || labels.length !== this.#list.childElementCount) {
