@@ -4,11 +4,10 @@
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "lib/photometry.glsl"
-#include "lib/brdf.glsl"
 #include "lib/normal-map.glsl"
 #include "lib/flame-light.glsl"
-
-const float NEAREST = 0.01;  // least distance from the light, m: the flame is no point
+#include "lib/flame-brdf.glsl"
+#include "lib/wax.glsl"
 
 uniform sampler2D uAlbedo;
 uniform sampler2D uNormal;
@@ -28,22 +27,11 @@ centroid in vec4 vColor;
 
 out vec4 oRadiance;
 
-// Diffusion length in a thin taper, with the loss through its side, m.
-const vec3 DIFFUSION_LENGTH = vec3(0.0092, 0.0078, 0.0056);
-const float WAX_TRANSMITTANCE = 0.02;
-
 // Radiance of the environment, cd/m²: lamplight, brightest above and in front.
 vec3 environment(vec3 direction) {
   float up = smoothstep(-0.6, 0.9, direction.y);
   float front = pow(max(dot(direction, normalize(vec3(-0.5, 0.5, 0.7))), 0.0), 3.0);
   return uEnvironment * (mix(0.02, 0.06, up) + 0.14 * front);
-}
-
-vec3 waxGlow(vec3 albedo) {
-  float depth = max(light.rim - vPositionWorld.y, 0.0);
-  float above = max(light.position.y - light.rim, NEAREST);
-  vec3 onTop = light.intensity / (above * above + 1e-4);
-  return albedo * onTop * exp(-depth / DIFFUSION_LENGTH) * (WAX_TRANSMITTANCE / PI);
 }
 
 void main() {
@@ -60,24 +48,19 @@ void main() {
   vec3 view = normalize(frame.eyePosition - vPositionWorld);
   float NoV = max(abs(dot(normal, view)), 1e-3);
   vec3 toLight = light.position - vPositionWorld;
-  float distanceSquared = max(dot(toLight, toLight), NEAREST * NEAREST);
+  float distanceSquared = max(dot(toLight, toLight), LEAST_DISTANCE * LEAST_DISTANCE);
   vec3 L = toLight * inversesqrt(distanceSquared);
   float NoL = max(dot(normal, L), 0.0);
-  vec3 H = normalize(L + view);
-  vec3 irradiance = light.intensity * (candleVisibility(vPositionWorld) * NoL / distanceSquared);
-  float alpha = roughness * roughness;
-  float width = light.radius * inversesqrt(distanceSquared);
-  float widened = clamp(alpha + 0.5 * width, 0.0, 1.0);
+  vec3 perArea = light.intensity * (candleVisibility(vPositionWorld) / distanceSquared);
+  FlameSpecular flame = flameSpecular(toLight, normal, view, NoV, roughness * roughness);
   vec3 f0 = mix(vec3(0.04), baseColor.rgb, metallic);
-  vec3 fresnel = fresnelSchlick(f0, max(dot(L, H), 0.0));
-  float lobe = distributionGgx(widened, max(dot(normal, H), 0.0)) * visibilitySmith(alpha, NoV, NoL);
-  float narrowing = (alpha * alpha) / (widened * widened);
-  vec3 specular = fresnel * lobe * narrowing * irradiance;
+  vec3 fresnel = fresnelSchlick(f0, flame.SoH);
+  vec3 specular = fresnel * flame.lobe * perArea;
   vec3 diffuseColor = baseColor.rgb * (1.0 - metallic);
-  vec3 diffuse = diffuseColor * (1.0 - fresnel) / PI * irradiance;
+  vec3 diffuse = diffuseColor * (1.0 - fresnel) / PI * NoL * perArea;
   vec3 reflected = environment(mix(reflect(-view, normal), normal, roughness * 0.7));
   vec3 ambient = diffuseColor * environment(normal) + fresnelSchlick(f0, NoV) * reflected;
-  vec3 radiance = diffuse + specular + ambient * occlusion + waxGlow(baseColor.rgb) * uWax;
+  vec3 radiance = diffuse + specular + ambient * occlusion + baseColor.rgb * waxGlow(vPositionWorld) * uWax;
   radiance += uEmber * emberShare(vPositionWorld);
   oRadiance = vec4(min(radiance, 3e4), 1.0);  // the largest half float is 65504
 }

@@ -5,12 +5,12 @@
 //      REDUCED: the inverse of how far away that is, but for a factor.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
-#include "lib/brdf.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/random.glsl"
 #include "lib/depth.glsl"
 #include "lib/flame-light.glsl"
-#include "lib/pcss-reduced.glsl"
+#include "lib/flame-brdf.glsl"
+#include "lib/pcss.glsl"
 #include "lib/irradiance-volume.glsl"
 #include "lib/wax.glsl"
 #include "lib/gbuffer.glsl"
@@ -18,9 +18,6 @@
 #include "lib/representative-sample.glsl"
 #endif
 #include "lib/support-irradiance.glsl"
-
-// A flame is no point: nearer than this the inverse square would not hold. Metres.
-const float NEAREST = 0.01;
 
 uniform sampler2D uGBufferSurface;
 uniform vec3 uFeatures;  // 1 or 0: shadows, bounced light, highlights
@@ -51,11 +48,6 @@ ivec2 representativePixel(ivec2 pixel) {
 }
 #endif
 
-float fifthPower(float x) {
-  float squared = x * x;
-  return squared * squared * x;
-}
-
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
 #if REDUCED
@@ -84,36 +76,30 @@ void main() {
   vec3 view = normalize(frame.eyePosition - position);
   float NoV = max(abs(dot(normal, view)), 1e-3);
 
-  vec3 toLighting = light.position - position;
-  float distanceSquared = max(dot(toLighting, toLighting), NEAREST * NEAREST);
-  vec3 L = toLighting * inversesqrt(distanceSquared);
+  vec3 toLight = light.position - position;
+  float distanceSquared = max(dot(toLight, toLight), LEAST_DISTANCE * LEAST_DISTANCE);
+  vec3 L = toLight * inversesqrt(distanceSquared);
   float NoL = max(dot(normal, L), 0.0);
-  // Four turns of the taps side by side, which mixing smooths.
-  float visible = NoL > 0.0 ? flameVisibility(position, normal, mod(floor(gl_FragCoord.xy), 2.0)) : 0.0;
-  float reaching = mix(1.0, visible * candleVisibility(position), uFeatures.x) / distanceSquared;
-  vec3 H = normalize(L + view);
-  float NoH = max(dot(normal, H), 0.0);
-  float LoH = max(dot(L, H), 0.0);
-  float alpha = roughness * roughness;
-  float widened = clamp(alpha + 0.5 * light.radius * inversesqrt(distanceSquared), 0.0, 1.0);
-  float narrowing = (alpha * alpha) / (widened * widened);
-  float lobe = distributionGgx(widened, NoH) * visibilitySmith(alpha, NoV, NoL) * narrowing;
-  float mirrored = lobe * NoL * reaching * uFeatures.z;
-  float schlick = fifthPower(1.0 - LoH);
-  float plain = 0.04 + 0.96 * schlick;  // of what is no metal
-  vec3 perCandela = vec3((1.0 - metallic) * (1.0 - plain) / PI * NoL * reaching);
-  float added = (1.0 - metallic) * plain * mirrored;
-  perCandela += metallic * mirrored;
+  // Four rotations of the taps side by side, which the upsampling averages.
+  vec2 tile = mod(floor(gl_FragCoord.xy), 2.0);
+  float visibility = NoL > 0.0 ? flameVisibility(position, normal, tile) * candleVisibility(position) : 0.0;
+  float perArea = mix(1.0, visibility, uFeatures.x) / distanceSquared;
+  FlameSpecular flame = flameSpecular(toLight, normal, view, NoV, roughness * roughness);
+  float fresnel = fresnelSchlick(vec3(0.04), flame.SoH).r;  // of a dielectric; a metal's is its albedo
+  float specular = flame.lobe * perArea * uFeatures.z;
+  // What the albedo is multiplied by, and what is added to it.
+  vec3 perCandela = vec3((1.0 - metallic) * (1.0 - fresnel) / PI * NoL * perArea + metallic * specular);
+  float added = (1.0 - metallic) * fresnel * specular;
 
   vec3 reflected = reflect(-view, normal);
   IrradianceSample indirect = irradianceAt(position + normal * 0.08, normal, normal, reflected);
-  float grazing = fifthPower(1.0 - NoV);
-  float matt = (1.0 - metallic) * (1.0 - 0.04 - 0.96 * grazing) / PI;
-  perCandela += (indirect.alongNormal + supportIrradiance(position, supportViewFactor(normal))) * (matt * uFeatures.y);
+  float mirrored = fresnelSchlick(vec3(0.04), NoV).r;
+  float diffuse = (1.0 - metallic) * (1.0 - mirrored) / PI;
+  perCandela += (indirect.alongNormal + supportIrradiance(position, supportViewFactor(normal))) * (diffuse * uFeatures.y);
   vec3 room = (indirect.alongReflection + supportIrradiance(position, 0.5 - 0.5 * reflected.y)) / PI;
   room *= (1.0 - 0.6 * roughness) * uFeatures.y * uFeatures.z;
   perCandela += metallic * room;
-  added += (1.0 - metallic) * (0.04 + 0.96 * grazing) * luma(room);
+  added += (1.0 - metallic) * mirrored * luma(room);
   if (isWax) perCandela += waxGlow(position);
   oLighting = sqrt(clamp(vec4(perCandela, added), 0.0, 3e4));
 }

@@ -12,12 +12,22 @@ export interface Tier {
   readonly physical: PhysicalTier;
 }
 
+/** Soft shadows. */
+export interface ShadowQuality {
+  /** Texels along an edge of the shadow cube. */
+  readonly size: number;
+  /** Taps of the blocker search, and of the filter. */
+  readonly search: number;
+  readonly taps: number;
+  /** Texels by which a caster has to be nearer than the lit surface. */
+  readonly bias: number;
+}
+
 /** What it sets of the physical look. */
 export interface PhysicalTier {
   /** How surfaces are shaded: forward, or by a G-buffer and lighting at a lower rate. */
   readonly opaque: "forward" | "deferred";
-  /** Shadow cube: texels along an edge; taps of the blocker search and of the filter. */
-  readonly shadow: { readonly size: number; readonly search: number; readonly taps: number };
+  readonly shadow: ShadowQuality;
   readonly indirect: IndirectDetail;
   /** Largest error of shadow casters, metres. */
   readonly casterError: number;
@@ -37,7 +47,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
     anisotropy: false,
     physical: {
       opaque: "deferred",
-      shadow: { size: 128, search: 4, taps: 8 },
+      shadow: { size: 128, search: 4, taps: 8, bias: 1 },
       indirect: { surfels: 6, probes: [5, 3, 5], rays: 8, bounces: 4, testsVisibility: false },
       casterError: 0.03,
       bloomLevels: 3,
@@ -52,7 +62,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
     anisotropy: true,
     physical: {
       opaque: "forward",
-      shadow: { size: 512, search: 12, taps: 24 },
+      shadow: { size: 512, search: 12, taps: 24, bias: 2.5 },
       indirect: { surfels: 8, probes: [6, 4, 6], rays: 10, bounces: 5, testsVisibility: true },
       casterError: 0.01,
       bloomLevels: 5,
@@ -67,7 +77,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
     anisotropy: true,
     physical: {
       opaque: "forward",
-      shadow: { size: 512, search: 16, taps: 32 },
+      shadow: { size: 512, search: 16, taps: 32, bias: 2.5 },
       indirect: { surfels: 16, probes: [14, 6, 14], rays: 10, bounces: 6, testsVisibility: true },
       casterError: 0,
       bloomLevels: 6,
@@ -82,7 +92,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
     anisotropy: true,
     physical: {
       opaque: "forward",
-      shadow: { size: 1024, search: 24, taps: 48 },
+      shadow: { size: 1024, search: 24, taps: 48, bias: 2.5 },
       indirect: { surfels: 16, probes: [14, 6, 14], rays: 12, bounces: 6, testsVisibility: true },
       casterError: 0,
       bloomLevels: 6,

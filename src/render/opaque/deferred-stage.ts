@@ -10,9 +10,10 @@ import { forEachGBufferKind, type GBuffer, type GBufferKind } from "../gbuffer/g
 import { GBufferPass } from "../gbuffer/gbuffer-pass.js";
 import type { IrradianceVolume } from "../gi/indirect-pass.js";
 import type { MeshLods } from "../mesh/mesh-lods.js";
+import type { ShadowQuality } from "../quality.js";
 import type { ShadowCube } from "../shadow/shadow-pass.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
-import { LightingPass, type ShadowQuality } from "./lighting-pass.js";
+import { LightingPass } from "./lighting-pass.js";
 import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "./opaque-stage.js";
 
 /** The opaque stage for machines without a GPU: a G-buffer, lighting at a lower rate, joint bilateral upsampling. */

@@ -24,8 +24,8 @@ const BLACK = [0, 0, 0, 1] as const;
 
 /** The program that shades all meshes of a tier. */
 export function forwardProgram(gpu: Gpu, { physical }: Tier): Program {
-  const { search, taps } = physical.shadow;
-  const defines = { SHADOW_SEARCH: search, SHADOW_TAPS: taps };
+  const { search, taps, bias } = physical.shadow;
+  const defines = { SHADOW_SEARCH: search, SHADOW_TAPS: taps, SHADOW_BIAS: bias };
   return gpu.program("opaque/forward", meshVert, forwardFrag, { defines });
 }
 

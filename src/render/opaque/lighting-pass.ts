@@ -13,17 +13,12 @@ import type { FrameInput, Size } from "../frame-input.js";
 import type { GBuffer } from "../gbuffer/gbuffer.js";
 import type { IrradianceVolume } from "../gi/indirect-pass.js";
 import { shadingLight } from "../light-block.js";
+import type { ShadowQuality } from "../quality.js";
 import type { ShadowCube } from "../shadow/shadow-pass.js";
 import type { OpaqueLayer } from "./opaque-stage.js";
 
 /** Lighting texels along an edge for each pixel, by kind of the G-buffer. */
 const RATE = { reduced: 0.2, full: 0.5 } as const;
-
-/** Taps in the shadow cube. */
-export interface ShadowQuality {
-  readonly search: number;
-  readonly taps: number;
-}
 
 /** Deferred lighting at a lower rate than the G-buffer's: direct and indirect, for each candela of the flame's. */
 export class LightingPass {
@@ -57,8 +52,8 @@ export class LightingPass {
     this.#shadingLight = gpu.uniformBlock(this.#full, "Light");
   }
 
-  #program({ search, taps }: ShadowQuality, REDUCED: 0 | 1): Program {
-    const defines = { SHADOW_SEARCH: search, SHADOW_TAPS: taps, REDUCED };
+  #program({ search, taps, bias }: ShadowQuality, REDUCED: 0 | 1): Program {
+    const defines = { SHADOW_SEARCH: search, SHADOW_TAPS: taps, SHADOW_BIAS: bias, REDUCED };
     return this.#gpu.program("opaque/lighting", fullscreenVert, lightingFrag, { defines });
   }
 
@@ -66,7 +61,11 @@ export class LightingPass {
   prepareReduced(): Program {
     const { search, taps } = this.#shadowQuality;
     // Texels four times as large are averaged over as many shadow taps again.
-    const half = { search: Math.ceil(search / 2), taps: Math.ceil(taps / 2) };
+    const half = {
+      ...this.#shadowQuality,
+      search: Math.ceil(search / 2),
+      taps: Math.ceil(taps / 2),
+    };
     this.#reduced ??= this.#program(half, 1);
     return this.#reduced;
   }
