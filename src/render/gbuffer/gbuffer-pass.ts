@@ -2,9 +2,6 @@ import gbufferFrag from "../../../shaders/gbuffer/gbuffer.frag";
 import reducedFrag from "../../../shaders/gbuffer/gbuffer-reduced.frag";
 import reducedVert from "../../../shaders/gbuffer/gbuffer-reduced.vert";
 import meshVert from "../../../shaders/mesh/mesh.vert";
-import representativeFrag from "../../../shaders/opaque/representative-sample.frag";
-import guideFrag from "../../../shaders/opaque/upsample-guide.frag";
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Box, Draw, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
@@ -24,6 +21,7 @@ import {
 import { runsOf } from "../mesh/clusters.js";
 import type { Surface } from "../mesh/mesh.js";
 import type { MeshLods } from "../mesh/mesh-lods.js";
+import { type GBufferSamples, UpsampleGuidePass } from "../opaque/upsample-guide-pass.js";
 import { SCHEDULE } from "../schedule.js";
 import { AlbedoCache, isBaked } from "./albedo-cache.js";
 import {
@@ -61,10 +59,8 @@ interface Pass {
  */
 export class GBufferPass {
   readonly #gpu: Gpu;
-  readonly #screen: VertexArray;
   readonly #frame: UniformBlock;
-  readonly #representativeProgram: Program;
-  readonly #guideProgram: Program;
+  readonly #guide: UpsampleGuidePass;
   /** By their defines. */
   readonly #programs = new Map<string, Program>();
   readonly #lods: MeshLods;
@@ -72,9 +68,6 @@ export class GBufferPass {
   #isReducedReady = false;
   #reduced: RenderTarget | null = null;
   #full: RenderTarget | null = null;
-  /** The full G-buffer at the canvas's size: albedo with the upsample guide, and depth. */
-  #resolved: RenderTarget | null = null;
-  #representative: RenderTarget | null = null;
   /** Depth at the canvas's size, of a reduced G-buffer. */
   #reducedFrameDepth: Texture | null = null;
   #reducedKey = "";
@@ -87,33 +80,23 @@ export class GBufferPass {
 
   constructor(gpu: Gpu, screen: VertexArray, frame: UniformBlock, lods: MeshLods) {
     this.#gpu = gpu;
-    this.#screen = screen;
     this.#frame = frame;
     this.#lods = lods;
     this.#albedos = new AlbedoCache(gpu, screen);
-    this.#representativeProgram = gpu.program(
-      "opaque/representative-sample",
-      fullscreenVert,
-      representativeFrag,
-    );
-    this.#guideProgram = gpu.program("opaque/upsample-guide", fullscreenVert, guideFrag, {
-      defines: { SAMPLES: SAMPLES.full },
-    });
+    this.#guide = new UpsampleGuidePass(gpu, screen, SAMPLES.full);
   }
 
   resize(size: Size): void {
-    const textures = [this.#reduced, this.#full, this.#resolved, this.#representative];
-    for (const old of [...textures, this.#reducedFrameDepth]) old?.dispose();
+    for (const old of [this.#reduced, this.#full, this.#reducedFrameDepth]) old?.dispose();
     this.#reduced = null;
     this.#full = null;
-    this.#representative = null;
     this.#reducedFrameDepth = null;
     this.#reducedKey = "";
     this.#fullKey = "";
     this.#previous = null;
     this.#refinement = null;
     this.#wasReduced = false;
-    this.#resolved = this.#target("resolved", size, ["RGBA8"], "nearest");
+    this.#guide.resize(size);
   }
 
   #target(
@@ -128,10 +111,10 @@ export class GBufferPass {
 
   /** Made when it is first needed: an image that never moves, or never rests, needs one of the two. */
   #targetOf(kind: keyof typeof SAMPLES): RenderTarget {
-    if (!this.#resolved) throw new Error("The G-buffer has no size yet.");
+    const { width, height } = this.#guide.resolved;
     const size = {
-      width: Math.ceil(this.#resolved.width * SAMPLES[kind]),
-      height: Math.ceil(this.#resolved.height * SAMPLES[kind]),
+      width: Math.ceil(width * SAMPLES[kind]),
+      height: Math.ceil(height * SAMPLES[kind]),
     };
     const color = ["RGBA8", "RGBA8"] as const;
     if (kind === "reduced") this.#reduced ??= this.#target(kind, size, color, "linear");
@@ -161,10 +144,10 @@ export class GBufferPass {
     if (isPatient) this.#prepareReduced(frame);
     return {
       kind: "full",
-      albedo: this.#resolved!.color,
-      frameDepth: this.#resolved!.depth!,
-      ...surfaceOf(this.#full!),
-      representative: this.#representative!.color,
+      ...samplesOf(this.#full!),
+      albedo: this.#guide.resolved.color,
+      frameDepth: this.#guide.resolved.depth!,
+      representative: this.#guide.representative,
       key: `full ${key}`,
       reprojection: null,
     };
@@ -194,14 +177,13 @@ export class GBufferPass {
     this.#reducedFrameDepth ??= this.#gpu.texture({
       label: "gbuffer/reduced/frame depth",
       format: "DEPTH_COMPONENT24",
-      source: { width: this.#resolved!.width, height: this.#resolved!.height },
+      source: { width: this.#guide.resolved.width, height: this.#guide.resolved.height },
       filter: "nearest",
     });
     return {
       kind: reprojection ? "history" : "reduced",
-      albedo: target.color,
+      ...samplesOf(target),
       frameDepth: this.#reducedFrameDepth,
-      ...surfaceOf(target),
       representative: null,
       key: `reduced ${this.#reducedKey}`,
       reprojection,
@@ -214,9 +196,8 @@ export class GBufferPass {
     const target = this.#targetOf("full");
     this.#gpu.clear(target, NOTHING);
     this.#drawModels(target, frame, false);
-    this.#gpu.clear(this.#resolved!, NOTHING);
-    this.#chooseRepresentatives(lightingSize);
-    this.#drawGuide(lightingSize);
+    this.#guide.chooseRepresentatives(samplesOf(target), lightingSize);
+    this.#guide.resolve(samplesOf(target), lightingSize);
   }
 
   /** Progressive refinement: one band of what `#fill` draws. */
@@ -232,10 +213,10 @@ export class GBufferPass {
       this.#drawModels(target, frame, false, scissor);
       return;
     }
-    if (band === surfaces) this.#chooseRepresentatives(lightingSize);
-    const scissor = bandOf(this.#resolved!, band - surfaces, guide);
-    this.#gpu.clear(this.#resolved!, NOTHING, scissor);
-    this.#drawGuide(lightingSize, scissor);
+    const samples = samplesOf(this.#targetOf("full"));
+    if (band === surfaces) this.#guide.chooseRepresentatives(samples, lightingSize);
+    const scissor = bandOf(this.#guide.resolved, band - surfaces, guide);
+    this.#guide.resolve(samples, lightingSize, scissor);
     if (this.#refinement.bands < surfaces + guide) return;
     this.#refinement = null;
     this.#fullKey = key;
@@ -277,44 +258,6 @@ export class GBufferPass {
   /** Goes on with what only frames in motion need. */
   #updateIncrementally(instances: readonly ModelInstance[]): void {
     this.#albedos.updateIncrementally(instances.flatMap(({ meshes }) => meshes));
-  }
-
-  /** Chooses the sample that represents each lighting texel. */
-  #chooseRepresentatives({ width, height }: Size): void {
-    const { surface, depth } = surfaceOf(this.#full!);
-    this.#representative ??= this.#gpu.renderTarget({
-      label: "gbuffer/representative samples",
-      width,
-      height,
-      color: ["R8"],
-      filter: "nearest",
-    });
-    this.#gpu.draw({
-      program: this.#representativeProgram,
-      target: this.#representative,
-      vertexArray: this.#screen,
-      textures: { uGBufferSurface: surface, uDepth: depth },
-      uniforms: { uLightingSize: [width, height] },
-    });
-  }
-
-  /** Resolves the samples, and guides each pixel to the lighting texels of its own surface. */
-  #drawGuide({ width, height }: Size, scissor?: Box): void {
-    const { surface, depth } = surfaceOf(this.#full!);
-    this.#gpu.draw({
-      program: this.#guideProgram,
-      target: this.#resolved!,
-      vertexArray: this.#screen,
-      textures: {
-        uAlbedo: this.#full!.color,
-        uGBufferSurface: surface,
-        uDepth: depth,
-        uRepresentative: this.#representative!.color,
-      },
-      uniforms: { uLightingSize: [width, height] },
-      depth: "test-and-write",
-      scissor,
-    });
   }
 
   /** `discard` costs all that is drawn later its early depth test, so that only cut-out surfaces have it. */
@@ -380,12 +323,9 @@ export class GBufferPass {
 
 const ONE_PIXEL: Box = [0, 0, 1, 1];
 
-function surfaceOf({
-  colors: [, surface],
-  depth,
-}: RenderTarget): Pick<GBuffer, "surface" | "depth"> {
-  if (!surface || !depth) throw new Error("A G-buffer has three textures.");
-  return { surface, depth };
+function samplesOf({ colors: [albedo, surface], depth }: RenderTarget): GBufferSamples {
+  if (!albedo || !surface || !depth) throw new Error("A G-buffer has three textures.");
+  return { albedo, surface, depth };
 }
 
 /** Bounds of clusters that are turned about the vertical by any angle, and moved. */

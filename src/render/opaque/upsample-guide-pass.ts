@@ -1,0 +1,108 @@
+import representativeFrag from "../../../shaders/opaque/representative-sample.frag";
+import guideFrag from "../../../shaders/opaque/upsample-guide.frag";
+import fullscreenVert from "../../../shaders/post/fullscreen.vert";
+import type { Box, Gpu } from "../../gl/gpu.js";
+import type { Program } from "../../gl/program.js";
+import type { RenderTarget } from "../../gl/render-target.js";
+import type { Texture } from "../../gl/texture.js";
+import type { VertexArray } from "../../gl/vertex-array.js";
+import type { Size } from "../frame-input.js";
+
+const NOTHING = [0, 0, 0, 0] as const;
+
+/** A supersampled G-buffer. */
+export interface GBufferSamples {
+  readonly albedo: Texture;
+  readonly surface: Texture;
+  readonly depth: Texture;
+}
+
+/** Resolves a supersampled G-buffer to pixels, each with a guide to the lighting texels of its own surface. */
+export class UpsampleGuidePass {
+  readonly #gpu: Gpu;
+  readonly #screen: VertexArray;
+  readonly #chooseRepresentatives: Program;
+  readonly #guide: Program;
+  #resolved: RenderTarget | null = null;
+  #representative: RenderTarget | null = null;
+
+  /** @param samples of the G-buffer along each edge of a pixel */
+  constructor(gpu: Gpu, screen: VertexArray, samples: number) {
+    this.#gpu = gpu;
+    this.#screen = screen;
+    this.#chooseRepresentatives = gpu.program(
+      "opaque/representative-sample",
+      fullscreenVert,
+      representativeFrag,
+    );
+    this.#guide = gpu.program("opaque/upsample-guide", fullscreenVert, guideFrag, {
+      defines: { SAMPLES: samples },
+    });
+  }
+
+  resize({ width, height }: Size): void {
+    this.#resolved?.dispose();
+    this.#representative?.dispose();
+    this.#representative = null;
+    this.#resolved = this.#gpu.renderTarget({
+      label: "gbuffer/resolved",
+      width,
+      height,
+      color: ["RGBA8"],
+      depth: "texture",
+      filter: "nearest",
+    });
+  }
+
+  /** The resolved G-buffer: albedo with the guide in alpha, and depth. */
+  get resolved(): RenderTarget {
+    if (!this.#resolved) throw new Error("The G-buffer has no size yet.");
+    return this.#resolved;
+  }
+
+  /** The sample that represents each lighting texel. */
+  get representative(): Texture {
+    if (!this.#representative) throw new Error("No representative samples are chosen yet.");
+    return this.#representative.color;
+  }
+
+  chooseRepresentatives({ surface, depth }: GBufferSamples, { width, height }: Size): void {
+    this.#representative ??= this.#gpu.renderTarget({
+      label: "gbuffer/representative samples",
+      width,
+      height,
+      color: ["R8"],
+      filter: "nearest",
+    });
+    this.#gpu.draw({
+      program: this.#chooseRepresentatives,
+      target: this.#representative,
+      vertexArray: this.#screen,
+      textures: { uGBufferSurface: surface, uDepth: depth },
+      uniforms: { uLightingSize: [width, height] },
+    });
+  }
+
+  /** @param scissor part of the frame to resolve; all of it if absent */
+  resolve(
+    { albedo, surface, depth }: GBufferSamples,
+    { width, height }: Size,
+    scissor?: Box,
+  ): void {
+    this.#gpu.clear(this.resolved, NOTHING, scissor);
+    this.#gpu.draw({
+      program: this.#guide,
+      target: this.resolved,
+      vertexArray: this.#screen,
+      textures: {
+        uAlbedo: albedo,
+        uGBufferSurface: surface,
+        uDepth: depth,
+        uRepresentative: this.representative,
+      },
+      uniforms: { uLightingSize: [width, height] },
+      depth: "test-and-write",
+      scissor,
+    });
+  }
+}
