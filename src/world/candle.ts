@@ -1,13 +1,6 @@
 import type { Vec3 } from "./geometry.js";
-import { gazeDirection, type Player } from "./player/player.js";
-import {
-  type Cylinder,
-  findAimedSpot,
-  findSpotAhead,
-  type PlacementQuery,
-  type Refusal,
-} from "./room/placement.js";
-import type { Room } from "./room/room.js";
+import type { Player } from "./player/player.js";
+import type { Cylinder } from "./room/placement.js";
 import type { WorldSetup } from "./world-setup.js";
 
 /** Farthest that the candle is put down on bare ground, metres ahead of the feet. */
@@ -40,26 +33,6 @@ export function placeOnGround(candle: Candle, player: Player, setup: WorldSetup)
   putAhead(candle, player, ARM_AHEAD, setup);
   candle.position[1] = setup.room.min[1];
   candle.isHeld = false;
-}
-
-/** Puts the candle down along the line of sight, or ahead if that is out of reach. */
-export function placeInRoom(
-  candle: Candle,
-  player: Player,
-  { collision, plan }: Room,
-): Refusal | null {
-  const { position: eye } = player;
-  const direction = gazeDirection(player);
-  const reach: PlacementQuery = { collision, plan, eye, direction, cylinder: CANDLE_CYLINDER };
-  const spot: Vec3 = [0, 0, 0];
-  const refusal = findAimedSpot(reach, spot);
-  // A look at a wall, or past everything, means the surface ahead.
-  const meansAhead = refusal === "nothing within reach" || refusal === "too steep";
-  if (refusal !== null && !(meansAhead && findSpotAhead(reach, spot) === null)) return refusal;
-  for (const axis of [0, 1, 2] as const) candle.position[axis] = spot[axis];
-  candle.isHeld = false;
-  plan.setObstacle(spot, CANDLE_CYLINDER.radius);
-  return null;
 }
 
 export function isWithinReach(candle: Candle, player: Player): boolean {

@@ -1,11 +1,10 @@
-import { CANDLE_CYLINDER, isWithinReach, placeInRoom, placeOnGround } from "./candle.js";
+import { CANDLE_CYLINDER, isWithinReach, placeOnGround } from "./candle.js";
 import type { Vec3 } from "./geometry.js";
 import { interpolate, poseCandle } from "./interpolate.js";
 import { noticeChange, settleAdaptation } from "./player/adapt.js";
 import { fieldOfViewOf } from "./player/field-of-view.js";
 import { calmHand } from "./player/hand.js";
 import { gazeDirection, MAX_PITCH } from "./player/player.js";
-import { canTake } from "./room/placement.js";
 import type { World } from "./world.js";
 
 /** Largest coordinate of a camera, metres. */
@@ -45,9 +44,11 @@ export function moveCamera(
 export function placeCandle(world: World): boolean {
   const { candle, player, setup, room } = world;
   if (!candle.isHeld) return false;
-  world.refusal = room ? placeInRoom(candle, player, room) : null;
+  const spot: Vec3 = [0, 0, 0];
+  world.refusal = room?.findSpot(player, spot) ?? null;
   if (world.refusal !== null) return false;
-  if (!room) placeOnGround(candle, player, setup);
+  if (room) putDown(world, spot);
+  else placeOnGround(candle, player, setup);
   poseCandle(world, 0);
   interpolate(world);
   return true;
@@ -67,21 +68,25 @@ export function standLike(world: World, { candle, setup, room }: World): void {
 
 /** Stands the candle exactly at a place, metres; not where it belongs elsewhere. */
 export function standCandle(world: World, position: Readonly<Vec3>, yaw: number): void {
-  const { candle, setup, room } = world;
+  const { candle, setup } = world;
   if (setup.stand !== null) return;
-  for (const axis of [0, 1, 2] as const) candle.position[axis] = position[axis];
   candle.yaw = yaw;
-  candle.isHeld = false;
-  room?.plan.setObstacle(position, CANDLE_CYLINDER.radius);
+  putDown(world, position);
   poseCandle(world, 0);
   settleAdaptation(world);
   interpolate(world);
 }
 
+function putDown({ candle, room }: World, position: Readonly<Vec3>): void {
+  for (const axis of [0, 1, 2] as const) candle.position[axis] = position[axis];
+  candle.isHeld = false;
+  room?.plan.setObstacle(position, CANDLE_CYLINDER.radius);
+}
+
 /** Takes the candle up. False if it is held, or out of reach, or belongs where it stands. */
 export function takeCandle(world: World): boolean {
   const { candle, player, setup, room } = world;
-  const isNear = room ? canTake(player.position, candle.position) : isWithinReach(candle, player);
+  const isNear = room ? room.canTake(player, candle.position) : isWithinReach(candle, player);
   if (candle.isHeld || setup.stand !== null || !isNear) return false;
   candle.isHeld = true;
   room?.plan.setObstacle(null);

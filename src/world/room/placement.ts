@@ -62,6 +62,14 @@ const felt: RayHit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
 const from: Vec3 = [0, 0, 0];
 const sight: Vec3 = [0, 0, 0];
 
+/** Finds the spot along the line of sight, or ahead if that is out of reach. Null, or why there is none. */
+export function findSpot(query: PlacementQuery, spot: Vec3): Refusal | null {
+  const refusal = findAimedSpot(query, spot);
+  // A look at a wall, or past everything, means the surface ahead.
+  const meansAhead = refusal === "nothing within reach" || refusal === "too steep";
+  return meansAhead && findSpotAhead(query, spot) === null ? null : refusal;
+}
+
 /**
  * Finds the spot on the surface along the line of sight. `spot` is the middle of the candle's foot.
  *

@@ -1,8 +1,11 @@
+import { CANDLE_CYLINDER } from "../candle.js";
 import type { Vec3 } from "../geometry.js";
 import { EYE_HEIGHT } from "../player/gait.js";
+import { gazeDirection, type Player } from "../player/player.js";
 import { CollisionMesh, type Triangles } from "./collision-mesh.js";
 import { FloorPlan } from "./floor-plan.js";
 import type { MovementBounds } from "./movement-bounds.js";
+import { canTake, findSpot, type Refusal } from "./placement.js";
 
 /** The eye keeps this far from floor and ceiling, metres. */
 const HEADROOM = 0.15;
@@ -15,6 +18,10 @@ export interface Room {
   /** Initial eye position, metres, and yaw. */
   readonly start: Vec3;
   readonly yaw: number;
+  /** Finds a place for the candle, and writes its foot's to `spot`. Null, or why there is none. */
+  findSpot(player: Player, spot: Vec3): Refusal | null;
+  /** Whether a candle that stands at a place can be taken up. */
+  canTake(player: Player, foot: Readonly<Vec3>): boolean;
 }
 
 /** @param spawn where to start and which way to face, if the room says so */
@@ -35,5 +42,17 @@ export function createRoom(
     },
   };
   const [x, y, z] = plan.start;
-  return { collision, plan, movementBounds, start: [x, y + EYE_HEIGHT, z], yaw: spawn?.yaw ?? 0 };
+  return {
+    collision,
+    plan,
+    movementBounds,
+    start: [x, y + EYE_HEIGHT, z],
+    yaw: spawn?.yaw ?? 0,
+    findSpot(player, spot) {
+      const { position: eye } = player;
+      const direction = gazeDirection(player);
+      return findSpot({ collision, plan, eye, direction, cylinder: CANDLE_CYLINDER }, spot);
+    },
+    canTake: ({ position }, foot) => canTake(position, foot),
+  };
 }
