@@ -79,9 +79,8 @@ export class ShadowPass {
   ): ShadowCube {
     const moved = this.#distanceMoved(captureOrigin);
     this.#age++;
-    const isDue =
-      this.#age >= (isBusy ? SCHEDULE.shadow.busyFrames : SCHEDULE.shadow.frames) ||
-      moved > SCHEDULE.shadow.distance;
+    const { frames, busyFrames, distance } = SCHEDULE.shadow;
+    const isDue = this.#age >= (isBusy ? busyFrames : frames) || moved > distance;
     // A cube for a light at rest serves many frames: no caster is culled.
     const isAtRest = moved === 0;
     const isNew = isAtRest ? !this.#allCasters : isDue;

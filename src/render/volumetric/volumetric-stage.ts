@@ -64,7 +64,7 @@ export class VolumetricStage {
     this.#haze.resize(width, height);
   }
 
-  /** Other particles: those of a new world, or more of them. */
+  /** Replaces the particles by those of a new world, or of other layers. */
   setLayers(world: World, layers: readonly ParticleLayer[]): void {
     this.#motes?.setLayers(world, layers);
   }
