@@ -35,7 +35,7 @@ export class ShadowPass {
   #age = 0;
 
   /** @param size texels along an edge of the cube */
-  constructor(gpu: Gpu, size: number, format: TextureFormat = "R16F") {
+  constructor(gpu: Gpu, size: number, format: TextureFormat) {
     this.#gpu = gpu;
     this.#program = gpu.program("shadow/shadow", cubeFaceVert, shadowFrag);
     const source = { width: size, height: size };
