@@ -1,4 +1,4 @@
-// Particle kernel: one or two ticks of a particle by transform feedback, as src/world/particles.ts has them.
+// Particle kernel: one or two ticks of a particle by transform feedback, as src/world/particles/particles.ts has them.
 // Lengths are in the emitter's own unit, positions relative to the emitter.
 //
 // A software renderer executes both sides of every branch and checks the bounds of every array access. So a birth is

@@ -1,8 +1,4 @@
-/** Pixels. */
-export interface Size {
-  readonly width: number;
-  readonly height: number;
-}
+import type { Size } from "./frame-input.js";
 
 /**
  * Limit of the canvas, more than a screen of 5120 x 2880 has. Larger boxes are drawn at a lower resolution: no GPU has

@@ -1,4 +1,4 @@
-import { capturePoint, snapToGrid } from "../light/capture-point.js";
+import { captureOrigin, snapToGrid } from "../light/capture-origin.js";
 import { flameLight, TAPER } from "../light/flame-light.js";
 import type { Vec3 } from "../world/geometry.js";
 import type { World } from "../world/world.js";
@@ -13,7 +13,7 @@ export function lightBlock(world: World, showsCandle: boolean) {
   const { position, axis: along, halfHeight, intensity, radius } = flameLight(world, TAPER);
   return {
     position,
-    captureOrigin: capturePoint(world.interpolated.flame, position),
+    captureOrigin: captureOrigin(world.interpolated.flame, position),
     halfHeight,
     intensity,
     radius,

@@ -17,7 +17,7 @@ export interface Renderer {
   resize(width: number, height: number): void;
   /** Replaces the particles by those of a new world, or of other layers. They catch up in the next frame. */
   setLayers(world: World, layers: readonly ParticleLayer[]): void;
-  render(world: World, view: FrameSettings): void;
+  render(world: World, settings: FrameSettings): void;
   /** Linear RGB of the last frame, rows from the top, origin top left. Waits for the GPU. */
   readRadiance(x: number, y: number, width: number, height: number): Float32Array;
 }

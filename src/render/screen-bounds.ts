@@ -1,7 +1,7 @@
 import type { mat4 } from "gl-matrix";
 import type { Box } from "../gl/gpu.js";
 import { clipPosition } from "./camera.js";
-import type { Size } from "./canvas-size.js";
+import type { Size } from "./frame-input.js";
 
 /** A bounding sphere: x, y, z, radius, metres. */
 export type Sphere = readonly [number, number, number, number];

@@ -16,7 +16,7 @@ import { IndirectPass, type IrradianceVolume } from "./indirect-pass.js";
 /** Width of the flame's penumbra in which casters outside the view count, metres. */
 const PENUMBRA = 0.05;
 
-/** What the flame sees: its shadow cube, and the light that the room reflects. */
+/** Shadow cube and irradiance volume of the flame. */
 export interface Captures {
   readonly shadow: ShadowCube;
   readonly irradiance: IrradianceVolume;

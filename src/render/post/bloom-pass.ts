@@ -6,7 +6,7 @@ import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import type { Size } from "../canvas-size.js";
+import type { Size } from "../frame-input.js";
 
 /** Weight of the coarser levels against each level: the larger, the wider the bloom. */
 const COARSER_WEIGHT = 0.7;

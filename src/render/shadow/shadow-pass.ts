@@ -35,7 +35,7 @@ export class ShadowPass {
   #age = 0;
 
   /** @param size texels along an edge of the cube */
-  constructor(gpu: Gpu, size: number, format: TextureFormat = "R16F") {
+  constructor(gpu: Gpu, size: number, format: TextureFormat) {
     this.#gpu = gpu;
     this.#program = gpu.program("shadow/shadow", cubeFaceVert, shadowFrag);
     const source = { width: size, height: size };
@@ -79,9 +79,8 @@ export class ShadowPass {
   ): ShadowCube {
     const moved = this.#distanceMoved(captureOrigin);
     this.#age++;
-    const isDue =
-      this.#age >= (isBusy ? SCHEDULE.shadow.busyFrames : SCHEDULE.shadow.frames) ||
-      moved > SCHEDULE.shadow.distance;
+    const { frames, busyFrames, distance } = SCHEDULE.shadow;
+    const isDue = this.#age >= (isBusy ? busyFrames : frames) || moved > distance;
     // A cube for a light at rest serves many frames: no caster is culled.
     const isAtRest = moved === 0;
     const isNew = isAtRest ? !this.#allCasters : isDue;

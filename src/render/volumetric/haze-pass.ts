@@ -5,14 +5,14 @@ import copyFrag from "../../../shaders/volumetric/haze-copy.frag";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
-import type { Texture, TextureFormat } from "../../gl/texture.js";
+import type { TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { COLUMN_FLOATS, hotColumn } from "../../world/air/hot-column.js";
 import { plumeGrid } from "../../world/air/plume-grid.js";
 import type { PlumeSolver } from "../../world/air/plume-solver.js";
 import { projectedExtent, type Sphere } from "../screen-bounds.js";
-import type { VolumetricTarget } from "./volumetric-target.js";
+import type { CompositedFrame } from "./volumetric-target.js";
 
 const LEVELS = plumeGrid().y.count;
 /** Refractive index of the room's air, less 1 (Ciddor 1996, 550 nm, 20 °C). */
@@ -54,7 +54,7 @@ export class HazePass {
   #strip: RenderTarget | null = null;
   #size = { width: 1, height: 1 };
 
-  constructor(gpu: Gpu, format: TextureFormat = "RGBA16F") {
+  constructor(gpu: Gpu, format: TextureFormat) {
     this.#gpu = gpu;
     this.#format = format;
     this.#refractProgram = this.#program(0);
@@ -83,8 +83,7 @@ export class HazePass {
    * @param showsOffset draws the offset as a colour instead
    */
   render(
-    { target, depth }: VolumetricTarget,
-    radiance: Texture,
+    { target, depth, color }: CompositedFrame,
     plume: PlumeSolver,
     flameHeight: number,
     frame: UniformBlock,
@@ -110,7 +109,7 @@ export class HazePass {
         ...ribbon,
         program,
         target: this.#strip,
-        textures: { uRadiance: radiance, uDepth: depth },
+        textures: { uRadiance: color, uDepth: depth },
         uniforms: {
           ...uniforms,
           uDeflection: this.#deflections,

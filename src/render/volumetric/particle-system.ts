@@ -193,7 +193,7 @@ export class ParticleSystem {
     this.#groups = this.#activeUntil.findLastIndex((until) => until >= tick) + 1;
   }
 
-  /** The particles, `FLOATS` each. For tests: it waits for the GPU. */
+  /** The particles, `PARTICLE_FLOATS` each. For tests: it waits for the GPU. */
   read(): Float32Array {
     return this.#to.buffer.read(new Float32Array(this.layer.capacity * PARTICLE_FLOATS));
   }

@@ -64,7 +64,7 @@ export class VolumetricStage {
     this.#haze.resize(width, height);
   }
 
-  /** Other particles: those of a new world, or more of them. */
+  /** Replaces the particles by those of a new world, or of other layers. */
   setLayers(world: World, layers: readonly ParticleLayer[]): void {
     this.#motes?.setLayers(world, layers);
   }
@@ -83,10 +83,11 @@ export class VolumetricStage {
   render(
     frame: FrameInput,
     kind: GBufferKind,
-    { target, tested, depth, color }: CompositedFrame,
+    composited: CompositedFrame,
     irradiance: IrradianceVolume,
   ): void {
     const { world, settings, clipFromWorld } = frame;
+    const { target, tested, depth } = composited;
     const { features, inspect, isStill } = settings;
     const { Frame, Light } = this.#blocks;
     const part = flamePart(inspect);
@@ -97,20 +98,19 @@ export class VolumetricStage {
     }
     const { plume, flame } = world;
     if (!plume || part) return;
-    const air = { target, tested, depth, color };
     const flameHeight = flame.isLit ? flame.height : 0;
     const isInspected = inspect === "haze";
     if (isInspected) this.#gpu.clear(target, NO_OFFSET);
     if (isInspected || showsHaze(frame, kind)) {
-      this.#haze.render(air, color, plume.solver, flameHeight, Frame, clipFromWorld, isInspected);
+      this.#haze.render(composited, plume.solver, flameHeight, Frame, clipFromWorld, isInspected);
     }
     if (isInspected) return;
     if (features.dust && !isStill) {
-      this.#motes?.render("dust", air, world, Frame, Light, irradiance);
+      this.#motes?.render("dust", composited, world, Frame, Light, irradiance);
     }
-    if (features.smoke) this.#smoke.render(air, plume.smoke, Frame, Light, irradiance);
+    if (features.smoke) this.#smoke.render(composited, plume.smoke, Frame, Light, irradiance);
     if (features.sparks && !isStill) {
-      this.#motes?.render("spark", air, world, Frame, Light, irradiance);
+      this.#motes?.render("spark", composited, world, Frame, Light, irradiance);
     }
   }
 

@@ -1,9 +1,9 @@
 import type { Texture } from "../../gl/texture.js";
 import type { TextureView } from "../../gl/texture-view.js";
 
-/** What participating media are drawn over. */
+/** Target of the volumetric stage. */
 export interface VolumetricTarget {
-  /** Radiance, cd/m², without a depth buffer: `depth` can be read meanwhile. */
+  /** Radiance, cd/m², without a depth attachment, so that `depth` can be sampled. */
   readonly target: TextureView;
   /** Of the opaque surfaces. */
   readonly depth: Texture;

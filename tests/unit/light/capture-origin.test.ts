@@ -1,10 +1,10 @@
 import { expect, test } from "vitest";
-import { capturePoint } from "../../../src/light/capture-point.ts";
+import { captureOrigin } from "../../../src/light/capture-origin.ts";
 
 test("a flame that only flickers is captured from one place", () => {
   const places = Array.from({ length: 50 }, (_, i) => {
     const sway = 0.006 * Math.sin(i);
-    return capturePoint([1, 0.95, -0.5], [1 + sway, 0.95 + 0.018 + sway, -0.5 - sway]).join();
+    return captureOrigin([1, 0.95, -0.5], [1 + sway, 0.95 + 0.018 + sway, -0.5 - sway]).join();
   });
   expect(new Set(places).size).toBe(1);
 });
@@ -13,7 +13,7 @@ test("it is within the flame's reach of the light, wherever the flame stands and
   for (let i = 0; i < 200; i++) {
     const foot = [i * 0.0137, 1 + i * 0.0021, -i * 0.0093] as const;
     const light = [foot[0] + 0.05 * Math.sin(i), foot[1] + 0.001 * i, foot[2]] as const;
-    const from = capturePoint([...foot], [...light]);
+    const from = captureOrigin([...foot], [...light]);
     for (const axis of [0, 1, 2] as const) {
       expect(Math.abs(from[axis] - light[axis])).toBeLessThan(0.0225);
     }
