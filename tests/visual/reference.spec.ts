@@ -109,7 +109,7 @@ test.describe("Beside a path tracer's picture of the same room", () => {
     }
   });
 
-  test("and at 1920 x 1080 it takes at most 256 MB of the GPU's memory", async () => {
+  test("and at 1920 x 1080 it takes at most 272 MB of the GPU's memory", async () => {
     const sizes = await room.evaluate(async (element) => {
       const { width, height } = element.style;
       const sizes: { pixels: number; bytes: number }[] = [];
@@ -131,7 +131,7 @@ test.describe("Beside a path tracer's picture of the same room", () => {
     const perPixel = (whole.bytes - half.bytes) / (whole.pixels - half.pixels);
     const bytes = whole.bytes + perPixel * (1920 * 1080 - whole.pixels);
     console.log(`${(bytes / 1e6).toFixed(1)} MB at 1920 x 1080`);
-    expect(bytes).toBeLessThanOrEqual(256e6);
+    expect(bytes).toBeLessThanOrEqual(272e6);
     expect(bytes).toBeGreaterThan(64e6);
   });
 
