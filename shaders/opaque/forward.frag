@@ -1,7 +1,7 @@
 #version 300 es
-// A solid surface in the flame's light.
-// In:  base colour (sRGB), normal, occlusion/roughness/metallic maps.   Out: radiance, cd/m².
-// Vertex colour is occlusion baked into the model (red), 1 where there is none.
+// Forward shading of a mesh, for a flame of 1 cd.
+// In:  base colour (sRGB), normal, occlusion/roughness/metallic maps; vertex colour: occlusion (red).
+// Out: radiance per candela; or the normal, to inspect.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "lib/octahedral.glsl"
@@ -15,39 +15,39 @@
 #include "lib/irradiance-volume.glsl"
 #include "lib/wax.glsl"
 
-// Levels of detail by which textures are read more sharply: each mixes more than its pixel sees.
-const float SHARPER = -0.5;
-
-// Less of the sky than this is seen from a crevice.
-const float OPEN = 0.9;
-// Roughness up to which a surface is a mirror, and from which it tells no more than probes do.
-const vec2 SMOOTH = vec2(0.1, 0.3);
-// What a room throws back of its light that has bounced.
-const float THROWN_BACK = 0.3;
-// What is nearer than probes are to each other: there is some of it even where nothing is occluded. It hides what
-// they see, and sends back light itself, up to so many times theirs. Fitted to a path tracer's bounced light.
-const float NEAR_ANYWHERE = 0.25;
-const float NEAR_HIDES = 0.31;
-const float NEAR_SENDS = 0.25;
-const float NEAR_MOST = 13.0;
-// They reach up into the light by so much, m, though the bottom may lie in their shadow.
-const float SIDES = 0.015;
-// The wick stands in the flame, which is on all of its sides: what reaches it through dark vapour.
-const float IN_FLAME = 0.05;
+// Bias of the level of detail: the hardware's choice blurs more than a pixel.
+const float LOD_BIAS = -0.5;
+// Occlusion below which a point lies in a crevice.
+const float CREVICE = 0.9;
+// Roughness up to which reflections are traced, and from which the probes alone give them.
+const vec2 TRACED_ROUGHNESS = vec2(0.1, 0.3);
+// Indirect part of the radiance at a traced reflection's end, as a share of the irradiance sample.
+const float TRACED_INDIRECT = 0.3;
+// Surfaces nearer than the probes' spacing: a share of them even where nothing is occluded; what they occlude of the
+// probes' light, and reflect of the flame's, at most so many times the probes'. Fitted to a path tracer's indirect
+// light in the cabin's views (`npm run reference`).
+const float NEAR_SHARE = 0.25;
+const float NEAR_OCCLUSION = 0.31;
+const float NEAR_REFLECTANCE = 0.25;
+const float NEAR_LIMIT = 13.0;
+// Height of a crevice's sides, m: they may be lit while its bottom is in their shadow.
+const float CREVICE_HEIGHT = 0.015;
+// Cosine that stands for the flame around the wick, dimmed by the dark zone.
+const float WICK_COSINE = 0.05;
 
 uniform sampler2D uAlbedo;
 uniform sampler2D uNormal;
 uniform sampler2D uOcclusionRoughness;
 uniform sampler2D uEnvironmentBrdf;
-uniform sampler2D uNormalMapVisibility;   // shares that relief leaves of light where it is too fine to be seen, by level
+uniform sampler2D uNormalMapVisibility;  // by level of detail: mesh/normal-map-visibility.frag
 uniform vec4 uBaseColor;
-uniform float uWax;     // 1: light from within, 0: none
-uniform float uOcclusionStrength;  // how much of the map's occlusion counts
-uniform vec4 uFeatures;    // 1 or 0: shadows, bounced light, highlights; normals instead of all light
-uniform float uIsWick;  // 1 or 0
-uniform vec4 uSurface;  // roughness, metallic, normal scale, alpha below which nothing is
+uniform float uWax;  // 1 or 0
+uniform float uOcclusionStrength;
+uniform vec4 uFeatures;  // 1 or 0: shadows, indirect light, specular; the normal instead of radiance
+uniform float uIsWick;   // 1 or 0
+uniform vec4 uSurface;   // roughness, metallic, normal scale, alpha cutoff
 
-// Where the pixel is covered: beyond the edge of a thin triangle nothing is known.
+// `centroid`: beyond the edge of a thin triangle attributes are extrapolated.
 centroid in vec3 vPositionWorld;
 centroid in vec3 vNormalWorld;
 centroid in vec4 vTangentWorld;
@@ -58,28 +58,29 @@ out vec4 oRadiance;
 
 vec3 shadingNormal(vec3 surface) {
   if (frame.normalMaps < 0.5) return surface;
-  vec3 relief = applyNormalMap(texture(uNormal, vUv, SHARPER).xy, surface, vTangentWorld);
-  return normalize(mix(surface, relief, uSurface.z));
+  vec3 mapped = applyNormalMap(texture(uNormal, vUv, LOD_BIAS).xy, surface, vTangentWorld);
+  return normalize(mix(surface, mapped, uSurface.z));
 }
 
-// Shares of light from all around, and of the flame's, that relief leaves which is finer than a pixel.
+// What a minified normal map leaves of light from all around, and of direct light.
 vec2 minifiedVisibility() {
   if (frame.normalMaps < 0.5) return vec2(1.0);
   vec2 texels = vec2(textureSize(uNormal, 0));
-  float inPixel = abs(determinant(mat2(dFdx(vUv) * texels, dFdy(vUv) * texels)));
-  float level = 0.5 * log2(max(inPixel, 1.0));
-  return textureLod(uNormalMapVisibility, vec2((level + 0.5) / float(textureSize(uNormalMapVisibility, 0).x), 0.5), 0.0).rg;
+  float texelsInPixel = abs(determinant(mat2(dFdx(vUv) * texels, dFdy(vUv) * texels)));
+  float level = 0.5 * log2(max(texelsInPixel, 1.0));
+  float levels = float(textureSize(uNormalMapVisibility, 0).x);
+  return textureLod(uNormalMapVisibility, vec2((level + 0.5) / levels, 0.5), 0.0).rg;
 }
 
-// How much of the flame a place sees past the room, candle and holder.
+// Share of the flame that is visible past the room, the candle and its holder.
 float directVisibility(vec3 position, vec3 facet) {
   return flameVisibility(position, facet, gl_FragCoord.xy) * candleVisibility(position);
 }
 
 void main() {
-  vec4 baseColor = texture(uAlbedo, vUv, SHARPER) * uBaseColor;
+  vec4 baseColor = texture(uAlbedo, vUv, LOD_BIAS) * uBaseColor;
   if (baseColor.a < uSurface.w) discard;
-  vec3 packed = texture(uOcclusionRoughness, vUv, SHARPER).rgb;
+  vec3 packed = texture(uOcclusionRoughness, vUv, LOD_BIAS).rgb;
   float occlusion = mix(1.0, packed.r, uOcclusionStrength) * vColor.r;
   float roughness = clamp(packed.g * uSurface.x, 0.03, 1.0);
   float metallic = packed.b * uSurface.y;
@@ -87,54 +88,60 @@ void main() {
   vec3 normal = shadingNormal(surface);
   vec3 view = normalize(frame.eyePosition - vPositionWorld);
   float NoV = max(abs(dot(normal, view)), 1e-3);
+  vec2 minified = minifiedVisibility();
 
+  // Direct light.
   vec3 toLight = light.position - vPositionWorld;
   float distanceSquared = max(dot(toLight, toLight), LEAST_DISTANCE * LEAST_DISTANCE);
   vec3 L = toLight * inversesqrt(distanceSquared);
   float NoL = max(dot(normal, L), 0.0);
   vec3 facet = facetNormal(vPositionWorld);
   facet = faceforward(facet, vPositionWorld - light.position, facet);
-  // Crevices are lit by what is beside them, so the flame's light counts there whichever way they face.
-  bool isCrevice = occlusion < OPEN;
-  float reached = NoL > 0.0 || isCrevice ? directVisibility(vPositionWorld, facet) : 0.0;
-  float reachesSides = reached;
-  if (isCrevice && reached < 1.0) reachesSides = max(reached, directVisibility(vPositionWorld + surface * SIDES, facet));
-  float inFlame = uIsWick * IN_FLAME;
-  if (inFlame > 0.0) reached = 1.0;
-  vec3 free = light.intensity / distanceSquared;
-  vec3 passing = free * mix(1.0, reached, uFeatures.x);
-  vec3 passingSides = free * mix(1.0, reachesSides, uFeatures.x);
-  vec2 pastFine = minifiedVisibility();
-  vec3 irradiance = passing * max(NoL * normalMapVisibility(surface, normal, L) * pastFine.y, inFlame);
+  // Crevices are lit by their sides, whichever way they face themselves.
+  bool isCrevice = occlusion < CREVICE;
+  float visibility = NoL > 0.0 || isCrevice ? directVisibility(vPositionWorld, facet) : 0.0;
+  float sidesVisibility = visibility;
+  if (isCrevice && visibility < 1.0) {
+    sidesVisibility = max(visibility, directVisibility(vPositionWorld + surface * CREVICE_HEIGHT, facet));
+  }
+  float wickCosine = uIsWick * WICK_COSINE;
+  if (wickCosine > 0.0) visibility = 1.0;
+  vec3 unshadowed = light.intensity / distanceSquared;
+  vec3 perCosine = unshadowed * mix(1.0, visibility, uFeatures.x);
+  vec3 sides = unshadowed * mix(1.0, sidesVisibility, uFeatures.x);
+  vec3 irradiance = perCosine * max(NoL * normalMapVisibility(surface, normal, L) * minified.y, wickCosine);
 
+  // Reflection.
   float alpha = specularAntialiasing(roughness * roughness, normal);
   FlameSpecular flame = flameSpecular(toLight, normal, view, NoV, alpha);
   vec3 f0 = mix(vec3(0.04), baseColor.rgb, metallic);
-  EnvironmentReflection mirroring = environmentReflection(uEnvironmentBrdf, f0, sqrt(alpha), NoV);
-  vec3 specular = fresnelSchlick(f0, flame.SoH) * mirroring.boost * flame.lobe * passing * uFeatures.z;
-  // What the surface mirrors does not reach the matt layer below.
-  vec3 matt = baseColor.rgb * (1.0 - metallic) * (1.0 - mirroring.share);
-  vec3 diffuse = matt / PI * irradiance;
-  vec3 lifted = vPositionWorld + surface * 0.05;
-  IrradianceSample indirect = irradianceAt(lifted, normal, normal, reflect(-view, normal));
-  vec3 around = indirect.alongNormal * light.intensity;
-  float near = 1.0 - occlusion + NEAR_ANYWHERE;
-  float unhidden = 1.0 - NEAR_HIDES * near;
-  // It is as bright as this place, and as far from the flame.
-  vec3 nearby = NEAR_SENDS * near * baseColor.rgb * passingSides;
-  nearby /= 1.0 + passingSides / max(NEAR_MOST * around, 1e-9);
-  vec3 bounced = (around * unhidden + nearby) * matt * (skyVisibility(surface, normal) * pastFine.x / PI);
-  // What is mirrored is the room around, as softParticleFade as it is known: a smooth surface tells more.
-  vec3 mirrored = (indirect.alongReflection * light.intensity * unhidden + nearby) / PI;
-  float smoothness = 1.0 - smoothstep(SMOOTH.x, SMOOTH.y, roughness);
+  EnvironmentReflection environment = environmentReflection(uEnvironmentBrdf, f0, sqrt(alpha), NoV);
+  vec3 specular = fresnelSchlick(f0, flame.SoH) * environment.boost * flame.lobe * perCosine * uFeatures.z;
+  // What is reflected does not reach the diffuse layer below.
+  vec3 diffuseColor = baseColor.rgb * (1.0 - metallic) * (1.0 - environment.share);
+  vec3 diffuse = diffuseColor / PI * irradiance;
+
+  // Indirect light.
+  vec3 reflected = reflect(-view, normal);
+  IrradianceSample probes = irradianceAt(vPositionWorld + surface * 0.05, normal, normal, reflected);
+  vec3 around = probes.alongNormal * light.intensity;
+  float near = 1.0 - occlusion + NEAR_SHARE;
+  float unoccluded = 1.0 - NEAR_OCCLUSION * near;
+  // Near surfaces have this point's colour and its distance from the flame.
+  vec3 nearby = NEAR_REFLECTANCE * near * baseColor.rgb * sides;
+  nearby /= 1.0 + sides / max(NEAR_LIMIT * around, 1e-9);
+  vec3 indirect = (around * unoccluded + nearby) * diffuseColor * (skyVisibility(surface, normal) * minified.x / PI);
+  vec3 mirrored = (probes.alongReflection * light.intensity * unoccluded + nearby) / PI;
+  float smoothness = 1.0 - smoothstep(TRACED_ROUGHNESS.x, TRACED_ROUGHNESS.y, roughness);
   if (smoothness > 0.0) {
-    vec3 again = indirect.alongReflection * (THROWN_BACK / PI);
-    vec3 seen = (traceRadiance(vPositionWorld + surface * 0.01, reflect(-view, normal)) + again) * light.intensity;
-    mirrored = mix(mirrored, seen, smoothness);
+    vec3 further = probes.alongReflection * (TRACED_INDIRECT / PI);
+    vec3 traced = (traceRadiance(vPositionWorld + surface * 0.01, reflected) + further) * light.intensity;
+    mirrored = mix(mirrored, traced, smoothness);
   }
-  mirrored *= mirroring.share;
-  bounced = (bounced + mirrored * uFeatures.z) * uFeatures.y;
-  vec3 radiance = diffuse + specular + bounced + baseColor.rgb * waxGlow(vPositionWorld) * uWax;
-  // A mirrored flame can be brighter than the largest half float, 65504.
+  mirrored *= environment.share;
+  indirect = (indirect + mirrored * uFeatures.z) * uFeatures.y;
+
+  vec3 radiance = diffuse + specular + indirect + baseColor.rgb * waxGlow(vPositionWorld) * uWax;
+  // The largest half float is 65504; a mirrored flame can be brighter.
   oRadiance = vec4(uFeatures.w > 0.5 ? 0.5 + 0.5 * normal : min(radiance, 3e4), 1.0);
 }

@@ -1,8 +1,7 @@
 #version 300 es
-// The light on what the eye sees, at a few pixels only: it varies slowly where surfaces do not.
-// In:  surfaces, depth, shadow cube, irradiance volume.
-// Out: roots, for each cd of the flame's, of what the albedo is to be multiplied by, cd/m², and what is added;
-//      REDUCED: the inverse of how far away that is, but for a factor.
+// Deferred lighting at a lower rate than the G-buffer's, for a flame of 1 cd.
+// In:  G-buffer, shadow cube, irradiance volume.
+// Out: square roots of the albedo's factor, cd/m², and of what is added to it; REDUCED: inverse depth.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "lib/octahedral.glsl"
@@ -20,7 +19,7 @@
 #include "lib/support-irradiance.glsl"
 
 uniform sampler2D uGBufferSurface;
-uniform vec3 uFeatures;  // 1 or 0: shadows, bounced light, highlights
+uniform vec3 uFeatures;  // 1 or 0: shadows, indirect light, specular
 uniform vec2 uLightingSize;
 uniform mat4 uWorldFromClip;
 
@@ -30,21 +29,21 @@ layout(location = 1) out vec4 oNearness;
 #endif
 
 #if REDUCED
-// Of four pixels the one that lies most as all of them do: light in a joint would show as a spot around it.
+// Of four samples the one whose normal is most similar to all: lit by a joint, a texel would show as a spot.
 ivec2 representativePixel(ivec2 pixel) {
-  ivec2 beyond = min(pixel + 1, textureSize(uGBufferSurface, 0) - 1);
-  ivec2 aside = ivec2(beyond.x, pixel.y);
-  ivec2 above = ivec2(pixel.x, beyond.y);
+  ivec2 upperRight = min(pixel + 1, textureSize(uGBufferSurface, 0) - 1);
+  ivec2 right = ivec2(upperRight.x, pixel.y);
+  ivec2 upper = ivec2(pixel.x, upperRight.y);
   vec3 a = texelFetch(uGBufferSurface, pixel, 0).rgb - 0.5;
-  vec3 b = texelFetch(uGBufferSurface, aside, 0).rgb - 0.5;
-  vec3 c = texelFetch(uGBufferSurface, above, 0).rgb - 0.5;
-  vec3 d = texelFetch(uGBufferSurface, beyond, 0).rgb - 0.5;
+  vec3 b = texelFetch(uGBufferSurface, right, 0).rgb - 0.5;
+  vec3 c = texelFetch(uGBufferSurface, upper, 0).rgb - 0.5;
+  vec3 d = texelFetch(uGBufferSurface, upperRight, 0).rgb - 0.5;
   vec3 sum = a + b + c + d;
-  vec4 alike = vec4(dot(a, sum), dot(b, sum), dot(c, sum), dot(d, sum));
-  vec2 most = max(alike.xy, alike.zw);
-  ivec2 even = alike.x >= alike.z ? pixel : above;
-  ivec2 odd = alike.y >= alike.w ? aside : beyond;
-  return most.x >= most.y ? even : odd;
+  vec4 similarity = vec4(dot(a, sum), dot(b, sum), dot(c, sum), dot(d, sum));
+  vec2 columns = max(similarity.xy, similarity.zw);
+  ivec2 inLeft = similarity.x >= similarity.z ? pixel : upper;
+  ivec2 inRight = similarity.y >= similarity.w ? right : upperRight;
+  return columns.x >= columns.y ? inLeft : inRight;
 }
 #endif
 

@@ -1,12 +1,14 @@
 import { mat4 } from "gl-matrix";
 import type { Bounds, Vec3 } from "../world/geometry.js";
+import { fieldOfViewOf } from "../world/player/field-of-view.js";
+import type { World } from "../world/world.js";
 
-/** Field of view across the picture's shorter side, radians: the paper's 45 degrees. */
+/** Field of view across the image's shorter side, radians: the paper's 45 degrees. */
 export const FIELD_OF_VIEW = Math.PI / 4;
 const NEAR = 0.05;
 const FAR = 60;
 
-/** Clip space from world space, for an eye (metres) that looks along -Z at yaw and pitch 0. */
+/** Clip space from world space. At yaw and pitch 0 the camera at `eye` (metres) looks along -Z. */
 export function clipFromWorld(
   eye: Vec3,
   yaw: number,
@@ -14,7 +16,7 @@ export function clipFromWorld(
   aspect: number,
   fieldOfView = FIELD_OF_VIEW,
 ): mat4 {
-  // A phone held upright sees more of floor and ceiling, instead of losing the candle at its side.
+  // A portrait image gains floor and ceiling, instead of losing the candle at its side.
   const height = 2 * Math.atan(Math.tan(fieldOfView / 2) / Math.min(aspect, 1));
   const clipFromView = mat4.perspective(mat4.create(), height, aspect, NEAR, FAR);
   const viewFromWorld = mat4.create();
@@ -24,11 +26,11 @@ export function clipFromWorld(
   return mat4.multiply(mat4.create(), clipFromView, viewFromWorld);
 }
 
-/** A plane: where the sum of its first three times a place and of the fourth is negative, one is beyond it. */
+/** A plane (a, b, c, d): points with ax + by + cz + d < 0 are outside. */
 type Plane = readonly [number, number, number, number];
 
-/** The edges of the picture, and the plane before the eye. */
-function edgesOf(clip: mat4): readonly Plane[] {
+/** Planes of the view frustum: four sides, and the near one. */
+function frustumPlanes(clip: mat4): readonly Plane[] {
   const plane = (row: 0 | 1 | 2, sign: 1 | -1) =>
     [0, 1, 2, 3].map(
       (column) => (clip[4 * column + 3] ?? 0) + sign * (clip[4 * column + row] ?? 0),
@@ -36,21 +38,21 @@ function edgesOf(clip: mat4): readonly Plane[] {
   return [plane(0, 1), plane(0, -1), plane(1, 1), plane(1, -1), plane(2, 1)];
 }
 
-function isBeyond([x, y, z, w]: Plane, { min, max }: Bounds, margin = 0): boolean {
+function isOutside([x, y, z, w]: Plane, { min, max }: Bounds, margin = 0): boolean {
   const farthest = (slope: number, axis: 0 | 1 | 2) =>
     slope * (slope > 0 ? max[axis] + margin : min[axis] - margin);
   return farthest(x, 0) + farthest(y, 1) + farthest(z, 2) + w < 0;
 }
 
-/** Tells of boxes whether they may show: they are not wholly beyond an edge of the picture, nor behind the eye. */
-export function sightOf(clip: mat4): (box: Bounds) => boolean {
-  const edges = edgesOf(clip);
-  return (box) => !edges.some((edge) => isBeyond(edge, box));
+/** Frustum culling: a test of boxes for visibility. */
+export function frustumTest(clip: mat4): (box: Bounds) => boolean {
+  const planes = frustumPlanes(clip);
+  return (box) => !planes.some((plane) => isOutside(plane, box));
 }
 
 /**
- * Tells of boxes whether they may stand between a light and what shows: they are not beyond an edge of the
- * picture that the light is on this side of.
+ * Culling of shadow casters: a test of boxes whether they may shadow anything in the view frustum. They are not
+ * outside of a plane that has the light inside.
  *
  * @param margin width of the light, metres
  */
@@ -59,11 +61,13 @@ export function shadowFrustumTest(
   light: Vec3,
   margin: number,
 ): (box: Bounds) => boolean {
-  const edges = edgesOf(clip).filter((edge) => !isBeyond(edge, { min: light, max: light }));
-  return (box) => !edges.some((edge) => isBeyond(edge, box, margin));
+  const planes = frustumPlanes(clip).filter(
+    (plane) => !isOutside(plane, { min: light, max: light }),
+  );
+  return (box) => !planes.some((plane) => isOutside(plane, box, margin));
 }
 
-/** Clip coordinates x, y and w of a place. */
+/** Clip coordinates x, y and w of a point. */
 export function clipPosition(
   m: mat4,
   x: number,
@@ -75,14 +79,14 @@ export function clipPosition(
 }
 
 /**
- * From a place in one picture (across, up, depth; each 0 to 1) to where the same thing is in another.
+ * Reprojection from one frame to another, of uv and depth, each 0 to 1.
  *
  * @param from clip space of the one, from world space
  * @param to of the other
  */
 export function reprojectionMatrix(from: mat4, to: mat4): mat4 {
   const worldFromClip = mat4.invert(mat4.create(), from);
-  if (!worldFromClip) throw new Error("The eye sees nothing.");
+  if (!worldFromClip) throw new Error("The camera's matrix has no inverse.");
   const clipFromPlace = mat4.fromScaling(mat4.create(), [2, 2, 2]);
   mat4.translate(clipFromPlace, clipFromPlace, [-0.5, -0.5, -0.5]);
   const placeFromClip = mat4.fromTranslation(mat4.create(), [0.5, 0.5, 0.5]);
@@ -92,7 +96,7 @@ export function reprojectionMatrix(from: mat4, to: mat4): mat4 {
   return mat4.multiply(between, between, clipFromPlace);
 }
 
-/** How far the corners of a picture are from where they were in another, as shares of it, at some distance (m). */
+/** Motion of an image's corners under a reprojection, as a share of its size, for surfaces at a distance (m). */
 export function screenMotion(between: mat4, distance: number): number {
   const depth = (FAR - (NEAR * FAR) / distance) / (FAR - NEAR);
   let most = 0;
@@ -108,7 +112,12 @@ export function screenMotion(between: mat4, distance: number): number {
   return most;
 }
 
-/** Pixels that a thing 1 m wide covers at a distance of 1 m, by the picture's shorter side. */
+/** Pixels of a length of 1 m at a distance of 1 m, by the image's shorter side. */
 export function projectionScale(shorterSide: number): number {
   return shorterSide / (2 * Math.tan(FIELD_OF_VIEW / 2));
+}
+
+/** Magnification against the field of view of the world's setup. */
+export function magnification(world: World): number {
+  return Math.tan(world.setup.fieldOfView / 2) / Math.tan(fieldOfViewOf(world) / 2);
 }

@@ -3,7 +3,7 @@ import type { Vec3 } from "../world/geometry.js";
 import type { World } from "../world/world.js";
 import type { FrameSettings } from "./frame-settings.js";
 import type { CaptureLight } from "./light-block.js";
-import type { Surface } from "./mesh/mesh.js";
+import type { Mesh } from "./mesh/mesh.js";
 
 /** Pixels or texels. */
 export interface Size {
@@ -19,7 +19,7 @@ export const AT_ORIGIN: Placement = [0, 0, 0, 0];
 
 /** A model in the frame. */
 export interface ModelInstance {
-  readonly meshes: readonly Surface[];
+  readonly meshes: readonly Mesh[];
   readonly placement: Placement;
   /** Whether it moves with the camera. */
   readonly isHeld: boolean;

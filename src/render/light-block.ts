@@ -4,10 +4,10 @@ import type { Vec3 } from "../world/geometry.js";
 import type { World } from "../world/world.js";
 import { SCHEDULE } from "./schedule.js";
 
-/** What of the chamberstick stands in its own light: heights above its foot and radii, metres. */
+/** Casters of the chamberstick, as discs: heights above its foot and radii, metres. */
 const CANDLE = { rim: 0.2015, rimRadius: 0.0101, pan: 0.018, panRadius: 0.066 } as const;
 
-/** The flame as the shaders' `Light` block has it; a hidden candle stands in no light. */
+/** Members of the shaders' `Light` block: the flame as a capsule. A hidden candle casts no shadow. */
 export function lightBlock(world: World, showsCandle: boolean) {
   const { foot } = world.interpolated;
   const { position, axis: along, halfHeight, intensity, radius } = flameLight(world, TAPER);
@@ -26,12 +26,12 @@ export function lightBlock(world: World, showsCandle: boolean) {
   };
 }
 
-/** A light of 1 cd for each colour, where captures are made. */
+/** Members of the same block, for a flame of 1 cd in each channel. */
 export interface CaptureLight extends Readonly<Record<string, number | readonly number[]>> {
   readonly position: Vec3;
 }
 
-/** The same flame, 1 cd strong, as light on surfaces is worked out for: still while it hardly moves. */
+/** The flame that the opaque stage shades for: 1 cd, in steps, so that flicker and small sway change nothing. */
 export function shadingLight(world: World, showsCandle: boolean): CaptureLight {
   const light = lightBlock(world, showsCandle);
   const step = (x: number) => Math.round(x / SCHEDULE.lighting) * SCHEDULE.lighting;
@@ -48,7 +48,7 @@ export function shadingLight(world: World, showsCandle: boolean): CaptureLight {
   };
 }
 
-/** The same flame as its captures see it: what flickers is taken to the grid that they are made on. */
+/** The flame at its capture origin: 1 cd, upright, on the grid of captures. */
 export function captureLight(world: World, showsCandle: boolean): CaptureLight {
   const light = lightBlock(world, showsCandle);
   return {

@@ -17,7 +17,7 @@ import { clipFromWorld, clipPosition, projectionScale } from "./camera.js";
 import type { FrameSettings } from "./frame-settings.js";
 import { lightBlock } from "./light-block.js";
 import { frameCandle } from "./lone-candle-framing.js";
-import { type Surface, surfaceSampling, uploadModel } from "./mesh/mesh.js";
+import { type Mesh, surfaceSampling, uploadModel } from "./mesh/mesh.js";
 import type { Tier } from "./quality.js";
 import type { Renderer } from "./renderer.js";
 import { FlamePass, HANDLE_TURN } from "./volumetric/flame-pass.js";
@@ -34,7 +34,7 @@ interface Shared {
   readonly frame: UniformBlock;
   readonly light: UniformBlock;
   readonly flame: FlamePass;
-  readonly candle: readonly Surface[];
+  readonly candle: readonly Mesh[];
   readonly screen: VertexArray;
 }
 

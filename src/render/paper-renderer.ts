@@ -14,13 +14,12 @@ import type { ParticleLayer } from "../world/particles/particle-layer.js";
 import { layerKey } from "../world/particles/particles.js";
 import { fieldOfViewOf } from "../world/player/field-of-view.js";
 import type { World } from "../world/world.js";
-import { clipFromWorld, projectionScale } from "./camera.js";
+import { clipFromWorld, magnification, projectionScale } from "./camera.js";
 import type { FrameSettings } from "./frame-settings.js";
-import { type Surface, surfaceSampling, uploadModel } from "./mesh/mesh.js";
+import { type Mesh, surfaceSampling, uploadModel } from "./mesh/mesh.js";
 import type { Tier } from "./quality.js";
 import type { Models, Renderer } from "./renderer.js";
 import { FEEDBACK, ParticleSystem, particleProgram } from "./volumetric/particle-system.js";
-import { zoomOf } from "./zoom.js";
 
 /** The paper's light has no unit; this exposes its white wall at arm's length just below white. */
 const EXPOSURE = 0.62;
@@ -43,8 +42,8 @@ export class PaperRenderer implements Renderer {
   readonly #candleProgram: Program;
   readonly #particlePrograms = new Map<string, Program>();
   readonly #updateProgram: Program;
-  readonly #room: readonly Surface[];
-  readonly #candle: readonly Surface[];
+  readonly #room: readonly Mesh[];
+  readonly #candle: readonly Mesh[];
   #systems: ParticleSystem[] = [];
   #clipFromWorld = mat4.create();
   #target: RenderTarget | null = null;
@@ -125,7 +124,7 @@ export class PaperRenderer implements Renderer {
       eyePosition: interpolated.eye,
       exposure: this.#exposure,
       viewport: [width, height],
-      projectionScale: projectionScale(Math.min(width, height)) * zoomOf(world),
+      projectionScale: projectionScale(Math.min(width, height)) * magnification(world),
       normalMaps: features.normalMaps && look === "paper" ? 1 : 0,
     });
     const light = candleLight(world, features, isStill);
@@ -140,7 +139,7 @@ export class PaperRenderer implements Renderer {
   #drawSurfaces(
     target: Target,
     program: Program,
-    surfaces: readonly Surface[],
+    surfaces: readonly Mesh[],
     uWorldFromModel: readonly number[],
   ): void {
     for (const { vertexArray, textures, baseColor, occlusionStrength } of surfaces) {
@@ -172,7 +171,7 @@ export class PaperRenderer implements Renderer {
       setup.flameScale,
     ]);
     const { width, height } = this.#size;
-    const scale = projectionScale(Math.min(width, height)) * zoomOf(world);
+    const scale = projectionScale(Math.min(width, height)) * magnification(world);
     const pixels = setup.flameScale * scale;
     for (const system of this.#systems) {
       const { size } = system.layer;

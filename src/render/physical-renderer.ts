@@ -6,7 +6,7 @@ import type { ParticleLayer } from "../world/particles/particle-layer.js";
 import { fieldOfViewOf } from "../world/player/field-of-view.js";
 import type { CollisionMesh } from "../world/room/collision-mesh.js";
 import type { World } from "../world/world.js";
-import { clipFromWorld, clipPosition, projectionScale } from "./camera.js";
+import { clipFromWorld, clipPosition, magnification, projectionScale } from "./camera.js";
 import { AT_ORIGIN, type FrameInput, type ModelInstance, type Placement } from "./frame-input.js";
 import type { FrameSettings } from "./frame-settings.js";
 import type { GBufferKind } from "./gbuffer/gbuffer.js";
@@ -15,7 +15,7 @@ import { LightCaptures } from "./gi/light-captures.js";
 import { traceProbesIncrementally } from "./gi/probe-rays.js";
 import { captureLight, lightBlock } from "./light-block.js";
 import { groupTriangles } from "./mesh/clusters.js";
-import { type Surface, sortedByArea, uploadModel } from "./mesh/mesh.js";
+import { type Mesh, sortedByArea, uploadModel } from "./mesh/mesh.js";
 import { MeshLods } from "./mesh/mesh-lods.js";
 import { CompositeDisplayPass } from "./opaque/composite-display-pass.js";
 import { DeferredStage } from "./opaque/deferred-stage.js";
@@ -38,7 +38,6 @@ import { expandBox } from "./screen-bounds.js";
 import { HANDLE_TURN } from "./volumetric/flame-pass.js";
 import { flamePart, VolumetricStage } from "./volumetric/volumetric-stage.js";
 import type { CompositedFrame } from "./volumetric/volumetric-target.js";
-import { zoomOf } from "./zoom.js";
 
 const BLACK = [0, 0, 0, 1] as const;
 
@@ -50,8 +49,8 @@ const BLACK = [0, 0, 0, 1] as const;
  */
 export class PhysicalRenderer implements Renderer {
   readonly #gpu: Gpu;
-  readonly #room: readonly Surface[];
-  readonly #candle: readonly Surface[];
+  readonly #room: readonly Mesh[];
+  readonly #candle: readonly Mesh[];
   readonly #opaque: OpaqueStage;
   readonly #captures: LightCaptures;
   readonly #volumetric: VolumetricStage;
@@ -163,7 +162,7 @@ export class PhysicalRenderer implements Renderer {
       eyePosition: interpolated.eye,
       exposure: exposureFactor(settings),
       viewport: [width, height],
-      projectionScale: projectionScale(height) * zoomOf(world),
+      projectionScale: projectionScale(height) * magnification(world),
       normalMaps: features.normalMaps ? 1 : 0,
     });
     const [x, y, z] = interpolated.foot;

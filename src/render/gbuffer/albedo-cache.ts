@@ -3,13 +3,13 @@ import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Texture } from "../../gl/texture.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import type { Surface } from "../mesh/mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 
 /** Texels along the longer edge: a reduced G-buffer shows no more. */
 const LONGEST_EDGE = 256;
 
 /** Whether roughness and occlusion are baked into the albedo: for what is neither metal nor cut out. */
-export function isBaked({ parameters: [, metallic, , alphaCutoff] }: Surface): boolean {
+export function isBaked({ parameters: [, metallic, , alphaCutoff] }: Mesh): boolean {
   return metallic === 0 && alphaCutoff === 0;
 }
 
@@ -28,14 +28,14 @@ export class AlbedoCache {
   }
 
   /** Null before it is made. */
-  of(mesh: Surface): Texture | null {
+  of(mesh: Mesh): Texture | null {
     const { uAlbedo, uOcclusionRoughness } = mesh.textures;
     const textures = this.#textures.get(uAlbedo);
     return textures?.get(isBaked(mesh) ? uOcclusionRoughness : null) ?? null;
   }
 
   /** Makes the next one that is missing. */
-  updateIncrementally(meshes: Iterable<Surface>): void {
+  updateIncrementally(meshes: Iterable<Mesh>): void {
     for (const mesh of meshes) {
       if (this.of(mesh)) continue;
       const { uAlbedo, uOcclusionRoughness } = mesh.textures;
@@ -47,7 +47,7 @@ export class AlbedoCache {
     this.isComplete = true;
   }
 
-  #make(mesh: Surface): Texture {
+  #make(mesh: Mesh): Texture {
     const { uAlbedo, uOcclusionRoughness } = mesh.textures;
     const BAKED = isBaked(mesh) ? 1 : 0;
     const source = BAKED && uAlbedo.width === 1 ? uOcclusionRoughness : uAlbedo;

@@ -9,7 +9,7 @@ import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Bounds } from "../../world/geometry.js";
-import { sightOf } from "../camera.js";
+import { frustumTest } from "../camera.js";
 import {
   AT_ORIGIN,
   captureOrigin,
@@ -19,7 +19,7 @@ import {
   type Size,
 } from "../frame-input.js";
 import { runsOf } from "../mesh/clusters.js";
-import type { Surface } from "../mesh/mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import type { MeshLods } from "../mesh/mesh-lods.js";
 import { type GBufferSamples, UpsampleGuidePass } from "../opaque/upsample-guide-pass.js";
 import { SCHEDULE } from "../schedule.js";
@@ -224,7 +224,9 @@ export class GBufferPass {
 
   #drawModels(target: RenderTarget, frame: FrameInput, isReduced: boolean, scissor?: Box): void {
     const { clipFromWorld } = frame;
-    const isVisible = sightOf(scissor ? clipOfBand(scissor, target, clipFromWorld) : clipFromWorld);
+    const isVisible = frustumTest(
+      scissor ? clipOfBand(scissor, target, clipFromWorld) : clipFromWorld,
+    );
     for (const instance of frame.instances) {
       for (const mesh of isReduced ? this.#lods.merged(instance.meshes) : instance.meshes) {
         this.#drawMesh(mesh, instance, frame, { target, isReduced, isVisible, scissor });
@@ -261,10 +263,10 @@ export class GBufferPass {
   }
 
   /** `discard` costs all that is drawn later its early depth test, so that only cut-out surfaces have it. */
-  #programFor(isReduced: boolean, isCached: boolean, mesh: Surface): Program {
+  #programFor(isReduced: boolean, isCached: boolean, mesh: Mesh): Program {
     const ALPHA_TESTED = mesh.parameters[3] > 0 ? 1 : 0;
     const BAKED = isBaked(mesh) ? 1 : 0;
-    const UNTEXTURED = BAKED && mesh.isPlain ? 1 : 0;
+    const UNTEXTURED = BAKED && mesh.isUntextured ? 1 : 0;
     const detail = isCached ? { BAKED, UNTEXTURED } : { REDUCED: isReduced ? 1 : 0 };
     const defines = { ALPHA_TESTED, ...detail };
     const key = JSON.stringify(defines);
@@ -278,7 +280,7 @@ export class GBufferPass {
   }
 
   #drawMesh(
-    mesh: Surface,
+    mesh: Mesh,
     { placement, isHeld }: ModelInstance,
     frame: FrameInput,
     { target, isReduced, isVisible, scissor }: Pass,
@@ -340,6 +342,6 @@ function boundsOfTurned(clusters: readonly Bounds[], [x, y, z]: Placement): Boun
   return { min: [x - radius, y + low, z - radius], max: [x + radius, y + high, z + radius] };
 }
 
-function gamma2([red, green, blue, opacity]: Surface["baseColor"]): Surface["baseColor"] {
+function gamma2([red, green, blue, opacity]: Mesh["baseColor"]): Mesh["baseColor"] {
   return [Math.sqrt(red), Math.sqrt(green), Math.sqrt(blue), opacity];
 }

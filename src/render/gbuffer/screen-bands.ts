@@ -1,19 +1,14 @@
 import { mat4 } from "gl-matrix";
 import type { Box } from "../../gl/gpu.js";
+import type { Size } from "../frame-input.js";
 
-/** Pixels of a picture. */
-interface Size {
-  readonly width: number;
-  readonly height: number;
+/** A horizontal band of an image: one of `count`, from the bottom up. */
+export function bandOf({ width, height }: Size, band: number, count: number): Box {
+  const edge = (at: number) => Math.round((at * height) / count);
+  return [0, edge(band), width, edge(band + 1) - edge(band)];
 }
 
-/** One of so many stripes of a picture, from its bottom up; together they are all of it. */
-export function bandOf({ width, height }: Size, stripe: number, stripes: number): Box {
-  const edge = (at: number) => Math.round((at * height) / stripes);
-  return [0, edge(stripe), width, edge(stripe + 1) - edge(stripe)];
-}
-
-/** Clip space of a stripe alone, from that of the picture. */
+/** Clip space of a band, from that of the image. */
 export function clipOfBand([, y, , rows]: Box, { height }: Size, clip: mat4): mat4 {
   const narrow = mat4.clone(clip);
   const middle = (2 * y + rows) / height - 1;

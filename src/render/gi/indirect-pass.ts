@@ -20,7 +20,7 @@ import type { Vec3 } from "../../world/geometry.js";
 import type { CollisionMesh } from "../../world/room/collision-mesh.js";
 import { floats } from "../float-format.js";
 import type { CaptureLight } from "../light-block.js";
-import type { Surface } from "../mesh/mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { SCHEDULE } from "../schedule.js";
 import { clipFromFace, FACES } from "../shadow/cube-map.js";
 import type { ShadowCasters } from "../shadow/shadow-casters.js";
@@ -41,7 +41,7 @@ export interface IndirectScene {
   readonly model: Model;
   readonly collision: CollisionMesh;
   /** Of the model, in the order of its parts. */
-  readonly surfaces: readonly Surface[];
+  readonly surfaces: readonly Mesh[];
 }
 
 /** Irradiance volume, for shaders that include `lib/irradiance-volume.glsl`. */

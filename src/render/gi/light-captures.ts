@@ -6,7 +6,7 @@ import { shadowFrustumTest } from "../camera.js";
 import { floats } from "../float-format.js";
 import type { FrameInput } from "../frame-input.js";
 import type { GBufferKind } from "../gbuffer/gbuffer.js";
-import type { Surface } from "../mesh/mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import type { MeshLods } from "../mesh/mesh-lods.js";
 import { MOTION_ERROR, type PhysicalTier } from "../quality.js";
 import { ShadowCasters } from "../shadow/shadow-casters.js";
@@ -31,7 +31,7 @@ export class LightCaptures {
   readonly #gpu: Gpu;
   readonly #model: Model;
   /** In the order of the model's parts. */
-  readonly #meshes: readonly Surface[];
+  readonly #meshes: readonly Mesh[];
   readonly #lods: MeshLods | null;
   readonly #casters: ShadowCasters;
   /** Simplified, for motion; null until their meshes are ready. */
@@ -50,7 +50,7 @@ export class LightCaptures {
     room: {
       readonly model: Model;
       readonly collision: CollisionMesh;
-      readonly surfaces: readonly Surface[];
+      readonly surfaces: readonly Mesh[];
     },
     { opaque, shadow, indirect, casterError }: PhysicalTier,
     lods: MeshLods | null,

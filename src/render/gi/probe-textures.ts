@@ -3,7 +3,7 @@ import rayAlbedoVert from "../../../shaders/gi/ray-albedo.vert";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Texture } from "../../gl/texture.js";
 import { floats } from "../float-format.js";
-import type { Surface } from "../mesh/mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { PROBE_DEPTH_EDGE, type ProbeDetail, type ProbeRays } from "./probe-rays.js";
 
 /** Bytes of a float. */
@@ -22,7 +22,7 @@ export function uploadProbeRays(
   gpu: Gpu,
   traced: ProbeRays,
   { probes: [columns, rows, planes], rays }: ProbeDetail,
-  surfaces: readonly Surface[],
+  surfaces: readonly Mesh[],
 ): ProbeTextures {
   const tiles = { width: columns * planes, height: rows };
   const uProbePositions = gpu.texture({
@@ -58,7 +58,7 @@ function renderRayAlbedo(
   gpu: Gpu,
   { hitUvs, runs }: ProbeRays,
   size: { readonly width: number; readonly height: number },
-  surfaces: readonly Surface[],
+  surfaces: readonly Mesh[],
 ): Texture {
   const program = gpu.program("gi/ray-albedo", rayAlbedoVert, rayAlbedoFrag);
   const target = gpu.renderTarget({

@@ -1,12 +1,12 @@
 import type { Part } from "../../assets/model.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 
-/** Triangles of a cluster: few enough to leave most of a room out, enough to be worth a draw. */
+/** Triangles of a cluster: few enough for culling, enough to be worth a draw. */
 const CLUSTER = 160;
-/** Cells along each axis when triangles are put in order of place. */
+/** Cells along each axis of the Morton code. */
 const GRID = 1024;
 
-/** Numbers of a vertex: x, y, z in metres, and the place in the part's pictures. */
+/** Floats of a vertex: position (metres), uv. */
 export const VERTEX_SIZE = 5;
 
 /** Consecutive indices. */
@@ -16,10 +16,10 @@ export interface Run {
   readonly count: number;
 }
 
-/** Triangles of one part that lie together. */
+/** Neighbouring triangles of one part, and their bounds. */
 export interface Cluster extends Bounds, Run {}
 
-/** All triangles of a model in one mesh, by part and place, so that those out of sight can be left out. */
+/** All triangles of a model in one mesh, by part and place, for culling. */
 export interface Clusters {
   /** `VERTEX_SIZE` numbers each. */
   readonly vertices: Float32Array;
@@ -28,20 +28,20 @@ export interface Clusters {
 }
 
 /**
- * Merges a model's parts into clusters of triangles.
+ * Merges a model's parts into clusters of triangles, simplified by vertex clustering.
  *
- * @param detail what is smaller than this, metres, is melted into one point; 0 keeps everything
+ * @param detail edge of the cells whose vertices become one, metres; 0 keeps all
  *
  * Rossignac and Borrel 1993, "Multi-resolution 3D approximations for rendering complex scenes": vertices
- * within one cell of a grid become their mean, and triangles that vanish are left out. Parts melt
- * each for itself, so that a thing on a table does not sink into it.
+ * within one cell become their mean, and degenerate triangles are dropped. Each part is simplified by itself, so
+ * that a thing on a table does not merge with it.
  */
 export function clusterTriangles(parts: readonly Part[], detail: number): Clusters {
   const vertices: number[] = [];
   const indices: number[] = [];
   const clusters: Cluster[] = [];
   for (const [part, source] of parts.entries()) {
-    const mesh = detail > 0 ? melt(source, detail) : source;
+    const mesh = detail > 0 ? clusterVertices(source, detail) : source;
     appendInOrder(mesh, part, { vertices, indices, clusters });
   }
   return { vertices: Float32Array.from(vertices), indices: Uint32Array.from(indices), clusters };
@@ -54,8 +54,8 @@ type Mesh = {
   readonly indices: ArrayLike<number>;
 };
 
-/** A mesh whose vertices are the means of those in each cell of a grid. */
-function melt({ positions, uvs, indices }: Mesh, detail: number): Mesh {
+/** Vertex clustering. */
+function clusterVertices({ positions, uvs, indices }: Mesh, detail: number): Mesh {
   const known = new Map<number, number>();
   const members: number[] = [];
   const mean: { positions: number[]; uvs: number[] } = { positions: [], uvs: [] };
@@ -75,7 +75,7 @@ function melt({ positions, uvs, indices }: Mesh, detail: number): Mesh {
   };
   for (let i = 0; i < vertexOf.length; i++) {
     let key = 0;
-    // 17 bits for each axis: what lies beyond wraps around, into a cell of its own more often than not.
+    // 17 bits for each axis; cells beyond wrap around.
     for (let axis = 0; axis < 3; axis++) {
       key = key * 0x20000 + (Math.floor((positions[i * 3 + axis] ?? 0) / detail) & 0x1ffff);
     }
@@ -87,24 +87,24 @@ function melt({ positions, uvs, indices }: Mesh, detail: number): Mesh {
     vertexOf[i] = vertex;
   }
   const corners: number[] = [];
-  const seen = new Set<number>();
+  const unique = new Set<number>();
   for (let i = 0; i < indices.length; i += 3) {
     const a = vertexOf[indices[i] ?? 0] ?? 0;
     const b = vertexOf[indices[i + 1] ?? 0] ?? 0;
     const c = vertexOf[indices[i + 2] ?? 0] ?? 0;
     if (a === b || b === c || c === a) continue;
-    // Both sides of a board that melted together are one triangle.
+    // Two sides of a board that have merged are one triangle.
     const low = Math.min(a, b, c);
     const high = Math.max(a, b, c);
     const key = (low * 0x1ffff + (a + b + c - low - high)) * 0x1ffff + high;
-    if (seen.has(key)) continue;
-    seen.add(key);
+    if (unique.has(key)) continue;
+    unique.add(key);
     corners.push(a, b, c);
   }
   return { ...mean, indices: corners };
 }
 
-/** Numbers of the triangles along a curve that keeps neighbours together (Morton 1966). */
+/** Triangles in the order of their Morton code, which keeps neighbours together (Morton 1966). */
 function orderByPlace({ positions, indices }: Mesh): Uint32Array {
   const low = [0, 0, 0];
   let longest = 1e-6;
@@ -118,7 +118,7 @@ function orderByPlace({ positions, indices }: Mesh): Uint32Array {
     low[axis] = least;
     longest = Math.max(longest, most - least);
   }
-  // The code, and under it the number: such keys are sorted without asking us about each pair.
+  // The number below the code in one key: sorted natively.
   const count = Math.floor(indices.length / 3);
   const keys = new Float64Array(count);
   for (let triangle = 0; triangle < count; triangle++) {
@@ -135,7 +135,7 @@ function orderByPlace({ positions, indices }: Mesh): Uint32Array {
   return Uint32Array.from(keys.sort(), (key) => key % count);
 }
 
-/** Ten bits, two zeros between each. */
+/** Ten bits, interleaved with two zeros each. */
 function spread(bits: number): number {
   let x = bits;
   x = (x | (x << 16)) & 0x030000ff;
@@ -144,7 +144,7 @@ function spread(bits: number): number {
   return (x | (x << 2)) & 0x09249249;
 }
 
-/** Corners of the triangles, neighbours together, and the boxes around groups of them. */
+/** Indices by Morton order, and the clusters of them. */
 function inOrder(mesh: Mesh, part: number): { corners: Uint32Array; clusters: Cluster[] } {
   const { positions, indices } = mesh;
   const order = orderByPlace(mesh);
@@ -176,7 +176,7 @@ function inOrder(mesh: Mesh, part: number): { corners: Uint32Array; clusters: Cl
   return { corners, clusters };
 }
 
-/** Triangles of a part in an order in which those out of sight can be left out. */
+/** Triangles of a part, sorted for culling. */
 export interface Grouped {
   readonly indices: Uint16Array | Uint32Array;
   readonly clusters: readonly Cluster[];
@@ -184,7 +184,7 @@ export interface Grouped {
   readonly area: number;
 }
 
-/** A part's own triangles, none left out, its vertices as they are. */
+/** Sorts a part's triangles; the vertices stay. */
 export function groupTriangles(part: Part): Grouped {
   const { corners, clusters } = inOrder(part, 0);
   const indices = part.indices instanceof Uint16Array ? Uint16Array.from(corners) : corners;
@@ -211,7 +211,7 @@ function areaOf({ positions: p, indices }: Mesh): number {
   return sum;
 }
 
-/** Vertices are renumbered as they are first used, so that a cluster's lie together. */
+/** Vertices are renumbered in the order of their first use, for the vertex cache. */
 function appendInOrder(
   mesh: Mesh,
   part: number,
@@ -235,20 +235,20 @@ function appendInOrder(
 }
 
 /**
- * Runs of what may be seen: clusters that follow each other make one.
+ * Visible clusters as runs of indices, consecutive ones merged.
  *
  * @param isByPart a run has one part
- * @param gap indices of what is not seen that are worth less than another run
+ * @param gap hidden indices that cost less than another run
  */
 export function runsOf(
   clusters: readonly Cluster[],
-  isSeen: (box: Bounds) => boolean,
+  isVisible: (box: Bounds) => boolean,
   isByPart: boolean,
   gap = 0,
 ): Run[] {
   const runs: { part: number; first: number; count: number }[] = [];
   for (const cluster of clusters) {
-    if (!isSeen(cluster)) continue;
+    if (!isVisible(cluster)) continue;
     const { part, first, count } = cluster;
     const last = runs.at(-1);
     const isNear = last && first - (last.first + last.count) <= gap;

@@ -1,7 +1,7 @@
 import type { Part } from "../../assets/model.js";
 import type { Gpu } from "../../gl/gpu.js";
 import { groupTriangles } from "./clusters.js";
-import { type Surface, uploadTriangles } from "./mesh.js";
+import { type Mesh, uploadTriangles } from "./mesh.js";
 
 /**
  * The lower level of detail of models, for frames in motion: the reduced triangles that a model brings along,
@@ -10,25 +10,25 @@ import { type Surface, uploadTriangles } from "./mesh.js";
 export class MeshLods {
   readonly #gpu: Gpu;
   /** By the surfaces of one model. */
-  readonly #merged = new Map<readonly Surface[], readonly Surface[]>();
+  readonly #merged = new Map<readonly Mesh[], readonly Mesh[]>();
 
   constructor(gpu: Gpu) {
     this.#gpu = gpu;
   }
 
   /** All of a model, those of one material in one draw. */
-  merged(surfaces: readonly Surface[]): readonly Surface[] {
+  merged(surfaces: readonly Mesh[]): readonly Mesh[] {
     const merged = this.#merged.get(surfaces) ?? this.#merge(surfaces);
     this.#merged.set(surfaces, merged);
     return merged;
   }
 
   /** The parts of a model at its lower level; null where it has none. */
-  partsOf(surfaces: readonly Surface[]): readonly Part[] | null {
+  partsOf(surfaces: readonly Mesh[]): readonly Part[] | null {
     return hasLods(surfaces) ? surfaces.map(({ part }) => reduced([part])) : null;
   }
 
-  #merge(surfaces: readonly Surface[]): readonly Surface[] {
+  #merge(surfaces: readonly Mesh[]): readonly Mesh[] {
     if (!hasLods(surfaces)) return surfaces;
     const materials = new Set(surfaces.map(({ part }) => part.material));
     return Array.from(materials, (material) => {
@@ -42,7 +42,7 @@ export class MeshLods {
   }
 }
 
-const hasLods = (surfaces: readonly Surface[]) =>
+const hasLods = (surfaces: readonly Mesh[]) =>
   surfaces.some(({ part }) => part.reducedIndices !== undefined);
 
 /** The reduced triangles of parts of one material, and the vertices that they use, as one part. */

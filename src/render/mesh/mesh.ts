@@ -4,39 +4,34 @@ import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { VertexArray, VertexArrayOptions } from "../../gl/vertex-array.js";
 import type { Cluster, Grouped } from "./clusters.js";
 
-/** Anisotropic filtering of a surface's textures: floors and walls are mostly seen at grazing angles. */
+/** Anisotropic filtering of material textures, for floors and walls at grazing angles. */
 const ANISOTROPIC = {
   uAlbedo: { anisotropy: 8 },
   uNormal: { anisotropy: 8 },
   uOcclusionRoughness: { anisotropy: 8 },
 } as const;
 
-/** How a tier reads the textures of surfaces. */
+/** Sampling of material textures at a tier. */
 export function surfaceSampling({ anisotropy }: { readonly anisotropy: boolean }) {
   return anisotropy ? ANISOTROPIC : {};
 }
 
-/** A part of a model on the GPU. */
-export interface Surface {
+/** A mesh on the GPU: a part of a model, of one material. */
+export interface Mesh {
   readonly name: string;
-  /** What it was made from. */
   readonly part: Part;
   readonly vertexArray: VertexArray;
-  /** Its triangles by place; none where nobody grouped them. */
+  /** Its triangles by place; empty if they were not grouped. */
   readonly clusters: readonly Cluster[];
-  /** Of all its triangles, m²; 0 where nobody grouped them. */
+  /** Of all triangles, m²; 0 if they were not grouped. */
   readonly area: number;
   readonly baseColor: readonly [number, number, number, number];
-  /** Roughness, metallic, scale of the relief, opacity below which there is nothing. */
+  /** Roughness, metallic, normal scale, alpha cutoff. */
   readonly parameters: readonly [number, number, number, number];
-  /** How much of the map's occlusion counts, 0 to 1. */
   readonly occlusionStrength: number;
   readonly isDoubleSided: boolean;
-  /** Whether it has no pictures: all of it looks the same. */
-  readonly isPlain: boolean;
-  /** Whether light comes through it. */
+  readonly isUntextured: boolean;
   readonly isWax: boolean;
-  /** Whether its tip glows. */
   readonly isWick: boolean;
   readonly textures: {
     readonly uAlbedo: Texture;
@@ -46,24 +41,24 @@ export interface Surface {
 }
 
 /**
- * Sends a model to the GPU, each picture once, and each model once for all renderers.
+ * Uploads a model: each image once, and each model once for all renderers.
  *
- * @param group puts the triangles of a part in order
+ * @param group sorts the triangles of a part by place
  */
 export function uploadModel(
   gpu: Gpu,
   model: Model,
   group?: (part: Part) => Grouped,
-): readonly Surface[] {
+): readonly Mesh[] {
   return gpu.share(model, () => upload(gpu, model, group));
 }
 
-/** The largest last: walls and floor are behind all else, and what is hidden need not be shaded. */
-export function sortedByArea(surfaces: readonly Surface[]): readonly Surface[] {
+/** Meshes from the smallest to the largest: walls and floor are behind all else, so early depth tests hide them. */
+export function sortedByArea(surfaces: readonly Mesh[]): readonly Mesh[] {
   return surfaces.toSorted((a, b) => a.area - b.area);
 }
 
-function upload(gpu: Gpu, model: Model, group?: (part: Part) => Grouped): readonly Surface[] {
+function upload(gpu: Gpu, model: Model, group?: (part: Part) => Grouped): readonly Mesh[] {
   const plain = (label: string, ...texel: readonly [number, number, number]) =>
     gpu.texture({
       label,
@@ -72,7 +67,7 @@ function upload(gpu: Gpu, model: Model, group?: (part: Part) => Grouped): readon
     });
   const white = plain("white", 255, 255, 255);
   const flat = plain("flat normal", 128, 128, 255);
-  const uploadPart = (part: Part): Surface => {
+  const uploadPart = (part: Part): Mesh => {
     const { material } = part;
     const { albedo, normal, packed } = picturesOf(material);
     const { indices, clusters, area } = group?.(part) ?? { ...part, clusters: [], area: 0 };
@@ -84,10 +79,10 @@ function upload(gpu: Gpu, model: Model, group?: (part: Part) => Grouped): readon
       area,
       baseColor: material.baseColor,
       parameters: parametersOf(material),
-      // Where it lies apart from the other maps it is left out: shadows do its work.
+      // An occlusion map with UVs of its own is left out: shadows do its work.
       occlusionStrength: material.occlusion ? 0 : material.occlusionStrength,
       isDoubleSided: material.isDoubleSided,
-      isPlain: !albedo.source && !normal.source && !packed.source,
+      isUntextured: !albedo.source && !normal.source && !packed.source,
       isWax: material.name === "wax" || material.name === "pool",
       isWick: material.name === "wick",
       textures: {
@@ -100,7 +95,7 @@ function upload(gpu: Gpu, model: Model, group?: (part: Part) => Grouped): readon
   return model.parts.map(uploadPart);
 }
 
-/** A material's picture, and how it is kept on the GPU. */
+/** An image of a material, and its format on the GPU. */
 interface Mapped {
   readonly label: string;
   readonly format: TextureFormat;
@@ -113,7 +108,7 @@ function picturesOf(material: Material): Record<"albedo" | "normal" | "packed", 
     albedo: { label: `${name}/albedo`, format: "SRGB8_ALPHA8", source: albedo },
     // Two channels: the third of a unit vector follows from them.
     normal: { label: `${name}/normal`, format: channels(normal, "RG8"), source: normal },
-    // What is no metal needs no third channel.
+    // Metallic is the third channel.
     packed: {
       label: `${name}/occlusion`,
       format: channels(packed, metallic > 0 ? "RGBA8" : "RG8"),
@@ -122,7 +117,7 @@ function picturesOf(material: Material): Record<"albedo" | "normal" | "packed", 
   };
 }
 
-/** The texture of a picture, made once. */
+/** The texture of an image, made once. */
 function textureOf(gpu: Gpu, { label, format, source }: Mapped): Texture | null {
   if (!source) return null;
   return gpu.share(source, () =>
@@ -131,7 +126,7 @@ function textureOf(gpu: Gpu, { label, format, source }: Mapped): Texture | null 
 }
 
 /**
- * Sends the next picture of a model to the GPU.
+ * Uploads the next image of a model.
  *
  * @returns whether all of them are there
  */
@@ -146,7 +141,7 @@ export function uploadNextPicture(gpu: Gpu, { parts }: Model): boolean {
   return true;
 }
 
-// Pixels decoded in a script come with four channels, and WebGL does not repack those.
+// Images decoded by a script have four channels, which WebGL does not repack.
 function channels(picture: TextureImage | null, format: TextureFormat): TextureFormat {
   return picture && "data" in picture ? "RGBA8" : format;
 }
@@ -168,7 +163,7 @@ function uploadVertices(gpu: Gpu, part: Part): VertexArrayOptions["attributes"] 
   };
 }
 
-/** A part's vertices and triangles, as the shaders of surfaces read them. */
+/** Vertices and triangles of a part, in the layout of mesh/mesh.vert. */
 export function uploadTriangles(gpu: Gpu, part: Part): VertexArray {
   const { name, indices } = part;
   return gpu.vertexArray(name, {

@@ -12,7 +12,7 @@ import type { VertexArray } from "../../gl/vertex-array.js";
 import type { FrameInput, ModelInstance, Size } from "../frame-input.js";
 import type { IrradianceVolume } from "../gi/indirect-pass.js";
 import { shadingLight } from "../light-block.js";
-import { type Surface, surfaceSampling } from "../mesh/mesh.js";
+import { type Mesh, surfaceSampling } from "../mesh/mesh.js";
 import { normalMapVisibilityOf } from "../mesh/normal-map-visibility.js";
 import type { Tier } from "../quality.js";
 import type { ShadowCube } from "../shadow/shadow-pass.js";
@@ -124,7 +124,7 @@ export class ForwardStage implements OpaqueStage {
     target: RenderTarget,
     { settings }: FrameInput,
     { placement }: ModelInstance,
-    mesh: Surface,
+    mesh: Mesh,
     shadow: ShadowCube,
     irradiance: IrradianceVolume,
   ): void {

@@ -5,7 +5,7 @@ import type { Texture } from "../../gl/texture.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import { type Clusters, clusterTriangles, runsOf, VERTEX_SIZE } from "../mesh/clusters.js";
-import type { Surface } from "../mesh/mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { isInCubeFace } from "./cube-map.js";
 
 /** Culled triangles that cost less than another draw: they are drawn to merge the runs on both sides. */
@@ -28,14 +28,14 @@ function clustersOf(model: Model, detail: number): Clusters {
 export class ShadowCasters {
   readonly #gpu: Gpu;
   readonly #clusters: Clusters;
-  readonly #surfaces: readonly Surface[];
+  readonly #surfaces: readonly Mesh[];
   readonly #vertexArray: VertexArray;
 
   /**
    * @param surfaces of the same model, in the order of its parts
    * @param detail size of the largest feature that may be simplified away, metres
    */
-  constructor(gpu: Gpu, model: Model, surfaces: readonly Surface[], detail: number) {
+  constructor(gpu: Gpu, model: Model, surfaces: readonly Mesh[], detail: number) {
     this.#gpu = gpu;
     this.#surfaces = surfaces;
     this.#clusters = clustersOf(model, detail);

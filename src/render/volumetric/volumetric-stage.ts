@@ -12,7 +12,7 @@ import type { World } from "../../world/world.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { GBufferKind } from "../gbuffer/gbuffer.js";
 import type { IrradianceVolume } from "../gi/indirect-pass.js";
-import type { Surface } from "../mesh/mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import type { FrameBlocks } from "../opaque/opaque-stage.js";
 import { type Sphere, screenBounds } from "../screen-bounds.js";
 import { type FlamePart, FlamePass } from "./flame-pass.js";
@@ -31,7 +31,7 @@ const NO_OFFSET = [0.5, 0.5, 0.5, 1] as const;
 /** Participating media over the opaque surfaces: ember, flame, hot air, dust, smoke, sparks. */
 export class VolumetricStage {
   readonly #gpu: Gpu;
-  readonly #wicks: readonly Surface[];
+  readonly #wicks: readonly Mesh[];
   readonly #blocks: FrameBlocks;
   readonly #flameSteps: number;
   readonly #ember: Program;
@@ -44,7 +44,7 @@ export class VolumetricStage {
   /** @param format of the radiance */
   constructor(
     gpu: Gpu,
-    candle: readonly Surface[],
+    candle: readonly Mesh[],
     blocks: FrameBlocks,
     format: TextureFormat,
     quality: { readonly flameSteps: number; readonly hasParticles: boolean },

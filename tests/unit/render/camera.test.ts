@@ -3,11 +3,11 @@ import { describe, expect, test } from "vitest";
 import {
   clipFromWorld,
   FIELD_OF_VIEW,
+  frustumTest,
   projectionScale,
   reprojectionMatrix,
   screenMotion,
   shadowFrustumTest,
-  sightOf,
 } from "../../../src/render/camera.ts";
 import type { Vec3 } from "../../../src/world/geometry.ts";
 import { STILL } from "../../../src/world/player/intent.ts";
@@ -69,7 +69,7 @@ describe("the camera", () => {
 
 test("What shows a corner in the picture is in sight; what lies all beyond an edge, or behind, is not", () => {
   const clip = clipFromWorld(EYE, 0.7, -0.2, 16 / 9);
-  const isSeen = sightOf(clip);
+  const isSeen = frustumTest(clip);
   let seen = 0;
   for (let i = 0; i < 4000; i++) {
     const at = (axis: number) => EYE[axis]! + ((i * [17, 29, 43][axis]!) % 101) / 10 - 5;
@@ -90,7 +90,7 @@ test("What shows a corner in the picture is in sight; what lies all beyond an ed
 
 test("What stands between the flame and what shows is before it, wherever the flame is", () => {
   const clip = clipFromWorld(EYE, 0.7, -0.2, 16 / 9);
-  const isSeen = sightOf(clip);
+  const isSeen = frustumTest(clip);
   const box = (at: Vec3) => ({ min: at, max: at });
   let kept = 0;
   let count = 0;

@@ -1,11 +1,11 @@
 import { expect, test } from "vitest";
 import type { Part } from "../../../../src/assets/model.ts";
 import type { Gpu } from "../../../../src/gl/gpu.ts";
-import type { Surface } from "../../../../src/render/mesh/mesh.ts";
+import type { Mesh } from "../../../../src/render/mesh/mesh.ts";
 import { MeshLods } from "../../../../src/render/mesh/mesh-lods.ts";
 
 /** Five vertices in a row, a triangle for each three that follow each other. */
-function row(reducedIndices?: readonly number[]): Surface {
+function row(reducedIndices?: readonly number[]): Mesh {
   const numbers = (size: number) => Float32Array.from({ length: 5 * size }, (_, i) => i);
   const part = {
     positions: numbers(3),
@@ -16,7 +16,7 @@ function row(reducedIndices?: readonly number[]): Surface {
     indices: Uint16Array.of(0, 1, 2, 1, 2, 3, 2, 3, 4),
     ...(reducedIndices && { reducedIndices: Uint32Array.from(reducedIndices) }),
   };
-  return { part: part as unknown as Part } as Surface;
+  return { part: part as unknown as Part } as Mesh;
 }
 
 const lods = new MeshLods({} as Gpu);
