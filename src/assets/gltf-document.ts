@@ -42,8 +42,6 @@ export interface Node {
   readonly scale: readonly number[] | undefined;
   /** Accessors of EXT_mesh_gpu_instancing. */
   readonly instances: Readonly<Record<string, number>> | undefined;
-  /** The node that MSFT_lod has for this one's next lower level of detail. */
-  readonly lowerLevel: number | undefined;
 }
 
 export interface Skin {
@@ -121,7 +119,6 @@ function readNode(entry: JsonEntry, count: number, lists: Lists): Node {
     rotation: unit(entry.numbers("rotation", 4)),
     scale: entry.numbers("scale", 3),
     instances: isSeen ? readInstances(entry, accessors) : undefined,
-    lowerLevel: entry.extension("MSFT_lod")?.indices("ids", count)[0],
   };
 }
 

@@ -12,7 +12,6 @@ const SUPPORTED = new Set([
   "KHR_texture_basisu",
   "KHR_texture_transform",
   "KHR_xmp_json_ld",
-  "MSFT_lod",
 ]);
 
 /** Effects of extensions that are not. */

@@ -56,7 +56,6 @@ export async function buildScene(
 function gltfFor(document: GltfDocument, isDraco: boolean) {
   const { nodes, meshes, skins, accessors, views, materials, roots } = document;
   const posed = posedMeshes(document);
-  const reduced = reducedIndices(document);
   return {
     asset: { version: "2.0" },
     extensionsUsed: isDraco ? [DRACO] : [],
@@ -65,10 +64,7 @@ function gltfFor(document: GltfDocument, isDraco: boolean) {
     nodes: nodes.map((node) => nodeFor(node, posed)),
     meshes: meshes.map(({ name, primitives, weights }, index) => ({
       name,
-      primitives: primitives.map((primitive) => ({
-        ...primitiveFor(primitive, posed.has(index)),
-        extras: { reducedIndices: reduced.get(primitive) },
-      })),
+      primitives: primitives.map((primitive) => primitiveFor(primitive, posed.has(index))),
       weights: posed.has(index) ? weights : undefined,
     })),
     skins,
@@ -118,21 +114,6 @@ function posedMeshes({ meshes, nodes }: GltfDocument): ReadonlySet<number> {
     return isMorphed && (isPose(weights) || posedByNode.has(index)) ? [index] : [];
   });
   return new Set(posed);
-}
-
-/** MSFT_lod: the accessors of fewer triangles of the same vertices, by what they stand for. */
-function reducedIndices({ nodes, meshes }: GltfDocument): ReadonlyMap<Primitive, number> {
-  const primitivesOf = (node: Node | undefined) => meshes[node?.mesh ?? -1]?.primitives ?? [];
-  const reduced = new Map<Primitive, number>();
-  for (const node of nodes) {
-    const lower = primitivesOf(nodes[node.lowerLevel ?? -1]);
-    for (const [i, primitive] of primitivesOf(node).entries()) {
-      const { indices, attributes, mode } = lower[i] ?? {};
-      const isOfSame = attributes?.POSITION === primitive.attributes.POSITION && mode === 4;
-      if (isOfSame && indices !== undefined) reduced.set(primitive, indices);
-    }
-  }
-  return reduced;
 }
 
 function primitiveFor(primitive: Primitive, isPosed: boolean) {
