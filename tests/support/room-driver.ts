@@ -53,6 +53,8 @@ export interface Change {
   readonly camera?: Partial<Camera>;
   readonly features?: Partial<Features>;
   readonly inspect?: Inspection;
+  /** Strength of a breath before the step, 0 to 1. */
+  readonly breath?: number;
   /** As long is stepped. */
   readonly seconds?: number;
 }
@@ -188,7 +190,16 @@ export class RoomDriver {
   /** The picture as a PNG file. */
   async png(change: Change = {}): Promise<Buffer> {
     const text = await this.evaluate(async (element, change) => {
-      const { attributes = {}, isReset, place, camera, features, inspect, seconds } = change;
+      const {
+        attributes = {},
+        isReset,
+        place,
+        camera,
+        features,
+        inspect,
+        breath,
+        seconds,
+      } = change;
       const before = element.look;
       const loaded = new Promise((resolve) =>
         element.addEventListener("load", resolve, { once: true }),
@@ -203,6 +214,10 @@ export class RoomDriver {
       if (camera) element.camera = { ...element.camera, ...camera };
       Object.assign(element.features, features);
       if (inspect) element.inspect = inspect;
+      if (breath !== undefined) {
+        element.step(0.5);
+        element.blow(breath);
+      }
       if (seconds !== undefined) element.step(seconds);
       const bytes = new Uint8Array(await (await element.toBlob()).arrayBuffer());
       return bytes.reduce((text, byte) => text + String.fromCharCode(byte), "");

@@ -23,9 +23,9 @@ test.describe("The picture", () => {
   });
   test.afterAll(() => page.close());
 
-  for (const { name, attributes, camera, seconds, place } of SCENES) {
+  for (const { name, attributes, ...change } of SCENES) {
     test(`of ${name} is as it was`, async () => {
-      const picture = await room.png({ attributes, isReset: true, place, camera, seconds });
+      const picture = await room.png({ attributes, isReset: true, ...change });
       expect(picture).toMatchSnapshot(`${name}.png`, TOLERANCE);
       const before = await means(test.info().snapshotPath(`${name}.png`));
       for (const [channel, mean] of (await means(picture)).entries()) {

@@ -146,10 +146,12 @@ test("At low candle and holder are lit by the table they stand on", async () => 
   const { low, high } = await atBothTiers();
   const shares = low.shadowed.map((light, i) => light / (high.shadowed[i] ?? 0));
   console.log(`candle and pan at low, as shares of high's: ${shares.map((x) => x.toFixed(2))}`);
-  for (const share of shares) {
-    expect(share).toBeGreaterThan(0.7);
-    expect(share).toBeLessThan(1.8);
-  }
+  // Without light from the table both are 0.58.
+  const [candle = 0, pan = 0] = shares;
+  expect(candle).toBeGreaterThan(1);
+  expect(candle).toBeLessThan(1.75);
+  expect(pan).toBeGreaterThan(0.72);
+  expect(pan).toBeLessThan(1);
 });
 
 test("At low a picture is as bright while the eye moves, and as sharp as ever soon after", async () => {

@@ -1,4 +1,5 @@
 import type { Page } from "playwright/test";
+import sharp from "sharp";
 import { RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
 import { expect, test } from "../support/test.ts";
@@ -66,6 +67,14 @@ for (const where of ["in the hand", "on the table"]) {
     );
     expect(kept?.[1]?.triangles).toBeLessThan(0.3 * (painted?.[1]?.triangles ?? 0));
     const wanted = painted?.[1]?.shown ?? [];
+    for (const [kind, frame] of Object.entries({ reduced: painted, history: kept })) {
+      const data = Uint8Array.from(frame?.[1]?.shown ?? []);
+      const image = await sharp(data, { raw: { ...SMALL, channels: 4 } })
+        .png()
+        .toBuffer();
+      const name = `motion-${where === "in the hand" ? "held" : "standing"}-${kind}.png`;
+      expect(image).toMatchSnapshot(name, { threshold: 0.1, maxDiffPixelRatio: 0.002 });
+    }
     // Steps of 8 bits.
     const difference = (shown: readonly number[] = []) =>
       shown.reduce((sum, x, i) => sum + Math.abs(x - (wanted[i] ?? 0)), 0) / (0.75 * shown.length);

@@ -25,6 +25,19 @@ interface View {
 
 /** The largest errors allowed: relative error of luminance, and mean FLIP. */
 const LIMITS = { median: 0.08, high: 0.25, flip: 0.08 };
+/** What each view measured on 2026-11-23, and by how much it may get worse. */
+const MEASURED: Readonly<Record<string, typeof LIMITS>> = {
+  bench: { median: 0.054, high: 0.219, flip: 0.076 },
+  coat: { median: 0.042, high: 0.138, flip: 0.067 },
+  door: { median: 0.039, high: 0.138, flip: 0.061 },
+  floor: { median: 0.05, high: 0.218, flip: 0.073 },
+  hearth: { median: 0.032, high: 0.144, flip: 0.059 },
+  held: { median: 0.044, high: 0.151, flip: 0.07 },
+  "table-behind": { median: 0.042, high: 0.163, flip: 0.066 },
+  table: { median: 0.047, high: 0.201, flip: 0.07 },
+  window: { median: 0.042, high: 0.224, flip: 0.071 },
+};
+const MARGIN = { median: 0.005, high: 0.015, flip: 0.003 };
 
 /** Those of the repository, or others that were traced: see docs/reference/README.md. */
 const FOLDER = process.env.REFERENCES
@@ -204,9 +217,11 @@ test.describe("Beside a path tracer's picture of the same room", () => {
       };
       const report = Object.entries(measured).map(([what, x]) => `${what} ${x.toFixed(3)}`);
       console.log(`${name}: ${report.join(", ")}`);
-      expect.soft(measured.median, "median error of luminance").toBeLessThanOrEqual(LIMITS.median);
-      expect.soft(measured.high, "90th percentile of it").toBeLessThanOrEqual(LIMITS.high);
-      expect.soft(measured.flip, "mean FLIP").toBeLessThanOrEqual(LIMITS.flip);
+      for (const what of ["median", "high", "flip"] as const) {
+        const before = MEASURED[name]?.[what] ?? Number.NaN;
+        const limit = Math.min(before + MARGIN[what], LIMITS[what]);
+        expect.soft(measured[what], `${what} error`).toBeLessThanOrEqual(limit);
+      }
       expect(room.complaints).toEqual([]);
     });
   }

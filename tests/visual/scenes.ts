@@ -7,10 +7,13 @@ export interface Scene {
     readonly look: Look;
     readonly seed: string;
     readonly quality?: Quality;
+    readonly wind?: string;
   };
   readonly camera: Camera;
   /** Time simulated, seconds. */
   readonly seconds: number;
+  /** Strength of a breath at the candle before that time, 0 to 1. */
+  readonly breath?: number;
   /** Where the candle is put down first, as seen by a visitor who then goes to `camera`. */
   readonly place?: Camera;
 }
@@ -90,4 +93,23 @@ export const SCENES: readonly Scene[] = [
       seconds: 0.5,
     })),
   ),
+  ...(["medium", "ultra"] as const).map((quality) => ({
+    ...CABIN[1]!,
+    name: `cabin-table-${quality}`,
+    attributes: { look: "physical", seed: "1", quality } as const,
+    seconds: 0.5,
+  })),
+  {
+    ...CABIN[4]!,
+    name: "cabin-wind",
+    attributes: { look: "physical", seed: "1", quality: "high", wind: "0.8" },
+    seconds: 1.5,
+  },
+  {
+    ...CABIN[4]!,
+    name: "cabin-smoke",
+    attributes: { look: "physical", seed: "1", quality: "high", wind: "0.05" },
+    breath: 1,
+    seconds: 1.5,
+  },
 ];
