@@ -1,5 +1,5 @@
 import { nextTask } from "../gl/next-task.js";
-import { uploadNextPicture } from "../render/mesh/mesh.js";
+import { uploadNextImage } from "../render/mesh/mesh.js";
 import { PaperRenderer } from "../render/paper-renderer.js";
 import { PhysicalRenderer, preparePhysicalRenderer } from "../render/physical-renderer.js";
 import { createRoom } from "../world/room/room.js";
@@ -20,8 +20,8 @@ export async function loadRoom(request: SceneRequest, loading: Loading): Promise
     room: isBox ? null : room,
     isModelAlone: false,
     prepareRenderer: ({ gpu }, tier, look) =>
-      uploadNextPicture(gpu, models.room) &&
-      uploadNextPicture(gpu, models.candle) &&
+      uploadNextImage(gpu, models.room) &&
+      uploadNextImage(gpu, models.candle) &&
       (look !== "physical" || preparePhysicalRenderer(gpu, models, room.collision, tier)),
     createRenderer: ({ gpu }, tier, look) =>
       look === "physical"

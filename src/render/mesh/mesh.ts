@@ -69,7 +69,7 @@ function upload(gpu: Gpu, model: Model, group?: (part: Part) => Grouped): readon
   const flat = plain("flat normal", 128, 128, 255);
   const uploadPart = (part: Part): Mesh => {
     const { material } = part;
-    const { albedo, normal, packed } = picturesOf(material);
+    const { albedo, normal, packed } = imagesOf(material);
     const { indices, clusters, area } = group?.(part) ?? { ...part, clusters: [], area: 0 };
     return {
       name: part.name,
@@ -102,7 +102,7 @@ interface Mapped {
   readonly source: TextureImage | null;
 }
 
-function picturesOf(material: Material): Record<"albedo" | "normal" | "packed", Mapped> {
+function imagesOf(material: Material): Record<"albedo" | "normal" | "packed", Mapped> {
   const { name, albedo, normal, occlusionRoughnessMetallic: packed, metallic } = material;
   return {
     albedo: { label: `${name}/albedo`, format: "SRGB8_ALPHA8", source: albedo },
@@ -130,9 +130,9 @@ function textureOf(gpu: Gpu, { label, format, source }: Mapped): Texture | null 
  *
  * @returns whether all of them are there
  */
-export function uploadNextPicture(gpu: Gpu, { parts }: Model): boolean {
+export function uploadNextImage(gpu: Gpu, { parts }: Model): boolean {
   for (const { material } of parts) {
-    for (const mapped of Object.values(picturesOf(material))) {
+    for (const mapped of Object.values(imagesOf(material))) {
       if (!mapped.source || gpu.isShared(mapped.source)) continue;
       textureOf(gpu, mapped);
       return false;
@@ -142,8 +142,8 @@ export function uploadNextPicture(gpu: Gpu, { parts }: Model): boolean {
 }
 
 // Images decoded by a script have four channels, which WebGL does not repack.
-function channels(picture: TextureImage | null, format: TextureFormat): TextureFormat {
-  return picture && "data" in picture ? "RGBA8" : format;
+function channels(image: TextureImage | null, format: TextureFormat): TextureFormat {
+  return image && "data" in image ? "RGBA8" : format;
 }
 
 function parametersOf({ roughness, metallic, normalScale, alphaMode, alphaCutoff }: Material) {
