@@ -228,9 +228,9 @@ export class CandleFlame {
   /** The frame of this very moment. */
   draw(): void {
     const { exposure, isStill } = this.#options;
-    const isPatient = this.#loop.isRunning;
-    const isMoving = this.#hasMoved() && isPatient;
-    this.view.render({ features: this.#features, exposure, isMoving, isPatient, isStill });
+    const canDefer = this.#loop.isRunning;
+    const isMoving = this.#hasMoved() && canDefer;
+    this.view.render({ features: this.#features, exposure, isMoving, canDefer, isStill });
   }
 
   /** Whether camera or candle are elsewhere than when this was last asked. */

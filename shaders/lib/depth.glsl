@@ -12,7 +12,7 @@ float linearDepth(float depth) {
 }
 
 // Its inverse up to a factor: linear across a plane on the screen, as depth is.
-float nearnessOf(float depth) {
+float inverseDepth(float depth) {
   return FAR_PLANE / (FAR_PLANE - NEAR_PLANE) - depth;
 }
 

@@ -1,11 +1,11 @@
 // Joint bilateral upsampling of reduced lighting, by depth: linear where the four texels around lie on the pixel's
-// surface, else towards those that do. HISTORY: G-buffer and lighting are the previous frame's, reprojected.
-// Needs lib/depth.glsl, lib/gbuffer.glsl, and HISTORY lib/reproject.glsl.
+// surface, else towards those that do. REPROJECTED: G-buffer and lighting are the previous frame's, reprojected.
+// Needs lib/depth.glsl, lib/gbuffer.glsl, and REPROJECTED lib/reproject.glsl.
 // After Kopf, Cohen, Lischinski and Uyttendaele 2007, "Joint Bilateral Upsampling".
 
 uniform sampler2D uGBufferAlbedo;
 uniform sampler2D uLighting;
-uniform sampler2D uNearnessGather;  // inverse depth of the lighting's texels: opaque/gather-nearness.frag
+uniform sampler2D uInverseDepthGather;  // inverse depth of the lighting's texels: opaque/gather-inverse-depth.frag
 
 // Largest difference of depth within a surface, as a share of the depth.
 const float DEPTH_TOLERANCE = 0.03;
@@ -13,7 +13,7 @@ const float DEPTH_TOLERANCE = 0.03;
 const float LEAST_WEIGHT = 0.01;
 
 // Selected, not branched, here and below: that costs a CPU less.
-#if HISTORY
+#if REPROJECTED
 // The pixel's surface in the previous frame: uv and depth. Its albedo replaces `albedo`, but for disocclusions,
 // which keep what the G-buffer has at the pixel.
 vec3 reprojectSurface(vec2 uv, inout vec4 albedo) {
@@ -47,16 +47,16 @@ float frameDepth(vec2 uv) {
 // Where a pixel reads its lighting.
 vec2 lightingUv(vec2 uv, inout vec4 albedo) {
   vec3 surface = reprojectSurface(uv, albedo);
-  float center = nearnessOf(surface.z);
+  float center = inverseDepth(surface.z);
   vec2 size = vec2(textureSize(uLighting, 0));
   vec2 texel = clamp(surface.xy * size - 0.5, vec2(0.0), size - 1.0);
   vec2 corner = floor(texel);
   vec2 fraction = texel - corner;
-  vec4 nearness = texelFetch(uNearnessGather, ivec2(corner), 0);
-  vec2 rows = mix(nearness.xz, nearness.yw, fraction.x);
+  vec4 gathered = texelFetch(uInverseDepthGather, ivec2(corner), 0);
+  vec2 rows = mix(gathered.xz, gathered.yw, fraction.x);
   // Inverse depth is linear across a plane.
   bool isSameSurface = abs(mix(rows.x, rows.y, fraction.y) - center) < DEPTH_TOLERANCE * center;
-  vec4 weights = max(DEPTH_TOLERANCE * center - abs(nearness - center), LEAST_WEIGHT * DEPTH_TOLERANCE * center);
+  vec4 weights = max(DEPTH_TOLERANCE * center - abs(gathered - center), LEAST_WEIGHT * DEPTH_TOLERANCE * center);
   weights *= vec4(1.0 - fraction.x, fraction.x, 1.0 - fraction.x, fraction.x);
   weights *= vec4(1.0 - fraction.yy, fraction.yy);
   vec2 weighted = vec2(weights.y + weights.w, weights.z + weights.w) / dot(weights, vec4(1.0));

@@ -6,7 +6,7 @@
 #include "lib/gbuffer.glsl"
 #if REDUCED
 #include "lib/depth.glsl"
-#if HISTORY
+#if REPROJECTED
 #include "lib/reproject.glsl"
 #endif
 #include "lib/upsample-bilateral.glsl"

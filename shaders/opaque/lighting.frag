@@ -25,7 +25,7 @@ uniform mat4 uWorldFromClip;
 
 layout(location = 0) out vec4 oLighting;
 #if REDUCED
-layout(location = 1) out vec4 oNearness;
+layout(location = 1) out vec4 oInverseDepth;
 #endif
 
 #if REDUCED
@@ -60,7 +60,7 @@ void main() {
   vec3 position = placed.xyz / placed.w;
   vec4 surface = texelFetch(uGBufferSurface, pixel, 0);
 #if REDUCED
-  oNearness = vec4(nearnessOf(depth), 0.0, 0.0, 1.0);
+  oInverseDepth = vec4(inverseDepth(depth), 0.0, 0.0, 1.0);
   vec3 normal = normalize(surface.rgb * 2.0 - 1.0);
   float code = floor(surface.a * 255.0 + 0.5);
   float material = floor(code / ROUGHNESS_STEPS) / MATERIAL_STEPS;

@@ -21,7 +21,7 @@ const float HYSTERESIS = 0.02;
 vec4 surfaceAt(ivec2 texel) {
   ivec2 inside = clamp(texel, ivec2(0), textureSize(uGBufferSurface, 0) - 1);
   vec3 normal = normalize(octahedralDecode(texelFetch(uGBufferSurface, inside, 0).rg));
-  return vec4(normal, nearnessOf(texelFetch(uDepth, inside, 0).r));
+  return vec4(normal, inverseDepth(texelFetch(uDepth, inside, 0).r));
 }
 
 void main() {

@@ -21,7 +21,7 @@ const float NORMAL_TOLERANCE = 0.06;
 // Weight of other surfaces' texels up to which the lighting is interpolated all the same.
 const float NEGLIGIBLE = 0.04;
 
-float inverseDepth(ivec2 texel) {
+float inverseDistance(ivec2 texel) {
   return 1.0 / linearDepth(texelFetch(uDepth, texel, 0).r);
 }
 
@@ -35,10 +35,10 @@ vec2 guideOf(ivec2 texel, vec2 corner, vec2 size, out float isInterpolated) {
   vec2 normal = texelFetch(uGBufferSurface, texel, 0).rg;
   ivec2 last = ivec2(size) - 1;
   // Inverse depth is linear across a plane.
-  float center = inverseDepth(texel);
+  float center = inverseDistance(texel);
   vec2 slopes = vec2(
-    slope(inverseDepth(max(texel - ivec2(1, 0), 0)), center, inverseDepth(min(texel + ivec2(1, 0), last))),
-    slope(inverseDepth(max(texel - ivec2(0, 1), 0)), center, inverseDepth(min(texel + ivec2(0, 1), last)))
+    slope(inverseDistance(max(texel - ivec2(1, 0), 0)), center, inverseDistance(min(texel + ivec2(1, 0), last))),
+    slope(inverseDistance(max(texel - ivec2(0, 1), 0)), center, inverseDistance(min(texel + ivec2(0, 1), last)))
   );
   vec2 fraction = clamp((vec2(texel) + 0.5) / size * uLightingSize - 0.5 - corner, 0.0, 1.0);
   float otherWeight = 0.0;
@@ -50,7 +50,7 @@ vec2 guideOf(ivec2 texel, vec2 corner, vec2 size, out float isInterpolated) {
     ivec2 lightingTexel = clamp(ivec2(corner) + offset, ivec2(0), ivec2(uLightingSize) - 1);
     ivec2 neighbour = representativeSample(lightingTexel, uLightingSize, ivec2(size));
     float expected = center + dot(vec2(neighbour - texel), slopes);
-    float depthDifference = abs(inverseDepth(neighbour) - expected) / center;
+    float depthDifference = abs(inverseDistance(neighbour) - expected) / center;
     vec2 normalDifference = abs(texelFetch(uGBufferSurface, neighbour, 0).rg - normal);
     float difference = depthDifference / DEPTH_TOLERANCE
       + (normalDifference.x + normalDifference.y) / NORMAL_TOLERANCE;

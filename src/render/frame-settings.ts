@@ -10,7 +10,7 @@ export interface FrameSettings {
   /** Whether the camera or the candle has moved since the last frame, and continues to. */
   readonly isMoving: boolean;
   /** Whether another frame follows soon, to which long work may be deferred. */
-  readonly isPatient: boolean;
+  readonly canDefer: boolean;
   /** No flicker and no sway: `prefers-reduced-motion`. */
   readonly isStill: boolean;
   /** Pass to inspect; looks without passes show the frame. */

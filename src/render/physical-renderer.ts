@@ -44,8 +44,9 @@ const BLACK = [0, 0, 0, 1] as const;
 /**
  * The physical look: the room as a real flame lights it, in candela and metres.
  *
- * One frame at every tier, in the order in which light travels: captures of what the flame sees, opaque stage,
- * composite, volumetric stage, bloom and exposure, display. Tiers differ in the opaque stage and in numbers.
+ * One frame at every tier: G-buffer, captures of the light, shading, composite, participating media, bloom and
+ * exposure, display. Tiers differ in the opaque stage, in what follows from it (bloom of the frame or of the flame
+ * alone, a tone LUT, no dust), and in numbers.
  */
 export class PhysicalRenderer implements Renderer {
   readonly #gpu: Gpu;
@@ -69,7 +70,7 @@ export class PhysicalRenderer implements Renderer {
   #size = { width: 1, height: 1 };
   /** Frames since bloom and exposure were updated. */
   #postAge = 0;
-  /** Composites what the last frame left out of `#radiance`. */
+  /** Composites the whole of the last frame, of which `#radiance` may hold a region. */
   #complete: () => void = () => {};
 
   /** @param collision mesh of the room, for the probes' rays */
@@ -126,9 +127,9 @@ export class PhysicalRenderer implements Renderer {
 
   render(world: World, settings: FrameSettings): void {
     const frame = this.#describe(world, settings);
-    const kind = this.#opaque.begin(frame);
+    const kind = this.#opaque.fillGBuffer(frame);
     // A reprojected frame has the intensity of the frame that it was lit in.
-    if (kind !== "history") {
+    if (kind !== "reprojected") {
       this.#opaque.blocks.Light.update(lightBlock(world, settings.features.candle));
     }
     const { shadow, irradiance } = this.#captures.update(frame, kind);
@@ -219,7 +220,7 @@ export class PhysicalRenderer implements Renderer {
     const isDue = ++this.#postAge > SCHEDULE.post.frames || isIdle;
     if (kind === "full" || !this.#bloom.isDrawn) return "before display";
     if (!isDue) return "skip";
-    return kind === "history" ? "after display" : "before display";
+    return kind === "reprojected" ? "after display" : "before display";
   }
 
   #updatePost({ flameUv, world }: FrameInput, { textures }: OpaqueLayer, region: Box): void {

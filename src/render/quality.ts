@@ -6,7 +6,7 @@ export interface Tier {
   readonly name: Exclude<Quality, "auto">;
   /** Share of the canvas's full resolution, along each axis. */
   readonly resolutionScale: number;
-  /** Samples per pixel; 0 draws straight to the canvas. */
+  /** Samples per pixel of forward shading. */
   readonly samples: number;
   readonly anisotropy: boolean;
   readonly physical: PhysicalTier;
@@ -23,7 +23,7 @@ export interface ShadowQuality {
   readonly bias: number;
 }
 
-/** What it sets of the physical look. */
+/** Numbers of the physical look. */
 export interface PhysicalTier {
   /** How surfaces are shaded: forward, or by a G-buffer and lighting at a lower rate. */
   readonly opaque: "forward" | "deferred";

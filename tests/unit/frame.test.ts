@@ -89,7 +89,7 @@ describe("docs/frame.md", () => {
     const [body = ""] = /^ {2}render\([\s\S]*?^ {2}\}/m.exec(renderer) ?? [];
     expect(body.split("\n").length).toBeLessThanOrEqual(40);
     const order = [
-      "#opaque.begin",
+      "#opaque.fillGBuffer",
       "#captures.update",
       "#opaque.shade",
       "#composite(",

@@ -112,7 +112,10 @@ test.describe("Beside a path tracer's picture of the same room", () => {
   });
 
   test("and they are lit by the flame as it is now", () => {
-    const world = { interpolated: { flame: [0, 0, 0] }, flame: new Flame(TAPER_WICK, true) } as const;
+    const world = {
+      interpolated: { flame: [0, 0, 0] },
+      flame: new Flame(TAPER_WICK, true),
+    } as const;
     const { intensity, halfHeight, radius } = flameLight(world as never, TAPER);
     for (const { name, lamp } of views) {
       const shares = [...intensity, halfHeight, radius].map(

@@ -124,7 +124,7 @@ export class GBufferPass {
 
   /** @param lightingSize of the full lighting, which the guide leads to */
   render(frame: FrameInput, lightingSize: Size): GBuffer {
-    const { isMoving, isPatient, features } = frame.settings;
+    const { isMoving, canDefer, features } = frame.settings;
     const key = JSON.stringify([
       [...frame.clipFromWorld],
       features.normalMaps && this.#shadingOrigin(frame),
@@ -135,13 +135,13 @@ export class GBufferPass {
     if (isMoving) this.#refinement = null;
     else if (key !== this.#fullKey) {
       // The reduced G-buffer goes on being shown until the full one is complete.
-      if (this.#wasReduced && isPatient) this.#refine(frame, key, lightingSize);
+      if (this.#wasReduced && canDefer) this.#refine(frame, key, lightingSize);
       else this.#fill(frame, key, lightingSize);
     }
     this.#wasReduced = isMoving || key !== this.#fullKey;
     if (this.#wasReduced) return this.#renderReduced(frame, key);
     this.#previous = null;
-    if (isPatient) this.#prepareReduced(frame);
+    if (canDefer) this.#prepareReduced(frame);
     return {
       kind: "full",
       ...samplesOf(this.#full!),
@@ -181,7 +181,7 @@ export class GBufferPass {
       filter: "nearest",
     });
     return {
-      kind: reprojection ? "history" : "reduced",
+      kind: reprojection ? "reprojected" : "reduced",
       ...samplesOf(target),
       frameDepth: this.#reducedFrameDepth,
       representative: null,

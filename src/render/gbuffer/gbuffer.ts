@@ -8,11 +8,11 @@ import { SCHEDULE } from "../schedule.js";
 /** Defines of the shaders that include `lib/composite.glsl`, by the kind of G-buffer that they read. */
 const KIND_DEFINES = {
   /** As fine as the canvas, supersampled. */
-  full: { REDUCED: 0, HISTORY: 0 },
+  full: { REDUCED: 0, REPROJECTED: 0 },
   /** Of fewer pixels, while the camera moves. */
-  reduced: { REDUCED: 1, HISTORY: 0 },
+  reduced: { REDUCED: 1, REPROJECTED: 0 },
   /** The reduced one of the previous frame, reprojected. */
-  history: { REDUCED: 1, HISTORY: 1 },
+  reprojected: { REDUCED: 1, REPROJECTED: 1 },
 } as const;
 export type GBufferKind = keyof typeof KIND_DEFINES;
 
@@ -22,7 +22,7 @@ export function forEachGBufferKind<T>(
   return {
     full: make(KIND_DEFINES.full),
     reduced: make(KIND_DEFINES.reduced),
-    history: make(KIND_DEFINES.history),
+    reprojected: make(KIND_DEFINES.reprojected),
   };
 }
 

@@ -68,7 +68,7 @@ export class LightCaptures {
   update({ captureLight, clipFromWorld, settings }: FrameInput, kind: GBufferKind): Captures {
     if (kind === "full") {
       const distances = this.#shadow.render(this.#casters, captureLight.position);
-      if (settings.isPatient) this.#prepareLods();
+      if (settings.canDefer) this.#prepareLods();
       const irradiance = this.#indirect.render(this.#casters, captureLight);
       return {
         shadow: { distances, captureOrigin: captureLight.position, isNew: false },

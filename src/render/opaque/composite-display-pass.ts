@@ -35,7 +35,7 @@ export interface DisplayOptions {
 /**
  * Composite and display transform in one pass, by a tone LUT: albedo times lighting straight to the canvas.
  *
- * A reduced layer is composited at its own resolution, antialiased and upscaled; one of the history kind
+ * A reduced layer is composited at its own resolution, antialiased and upscaled; a reprojected one
  * reprojects the colours of the frame before, and only the bloom's part is drawn anew.
  */
 export class CompositeDisplayPass {
@@ -97,15 +97,15 @@ export class CompositeDisplayPass {
       this.#gpu.draw({ ...composite, target: "canvas" });
       return;
     }
-    const isHistory = layer.kind === "history";
+    const isReprojected = layer.kind === "reprojected";
     const { uGBufferAlbedo, uDepth } = layer.textures;
     if (!uGBufferAlbedo || !uDepth) throw new Error("A layer of a G-buffer has albedo and depth.");
-    if (!isHistory) this.#resize(uGBufferAlbedo);
+    if (!isReprojected) this.#resize(uGBufferAlbedo);
     const [color, antialiased, reprojected] = [this.#color, this.#antialiased, this.#reprojected];
     if (!color || !antialiased || !reprojected) throw new Error("There is no previous frame.");
-    const target = isHistory ? reprojected : antialiased;
+    const target = isReprojected ? reprojected : antialiased;
     const pass = { vertexArray: this.#screen };
-    if (isHistory) {
+    if (isReprojected) {
       this.#gpu.draw({
         ...pass,
         program: this.#reproject,
@@ -115,7 +115,7 @@ export class CompositeDisplayPass {
       });
     }
     // The bloom does not move with the surfaces.
-    const scissor = isHistory ? scaleBox(options.bloomBounds, options.size, color) : undefined;
+    const scissor = isReprojected ? scaleBox(options.bloomBounds, options.size, color) : undefined;
     this.#gpu.draw({ ...composite, target: color, scissor });
     const colored = { textures: { uSource: color.color }, scissor };
     this.#gpu.draw({ ...pass, ...colored, program: this.#fxaa, target });

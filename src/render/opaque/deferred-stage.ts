@@ -45,9 +45,9 @@ export class DeferredStage implements OpaqueStage {
     this.#lighting.resize(size);
   }
 
-  begin(frame: FrameInput): GBufferKind {
+  fillGBuffer(frame: FrameInput): GBufferKind {
     this.#gbuffer = this.#gbufferPass.render(frame, this.#lighting.size);
-    if (frame.settings.isPatient && this.#gbuffer.kind === "full") this.#lighting.prepareReduced();
+    if (frame.settings.canDefer && this.#gbuffer.kind === "full") this.#lighting.prepareReduced();
     return this.#gbuffer.kind;
   }
 

@@ -82,7 +82,7 @@ export class ForwardStage implements OpaqueStage {
     this.#key = "";
   }
 
-  begin(): "full" {
+  fillGBuffer(): "full" {
     return "full";
   }
 

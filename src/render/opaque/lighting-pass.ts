@@ -1,5 +1,5 @@
 import { mat4 } from "gl-matrix";
-import gatherFrag from "../../../shaders/opaque/gather-nearness.frag";
+import gatherFrag from "../../../shaders/opaque/gather-inverse-depth.frag";
 import lightingFrag from "../../../shaders/opaque/lighting.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Gpu } from "../../gl/gpu.js";
@@ -45,7 +45,7 @@ export class LightingPass {
     this.#screen = screen;
     this.#shadowQuality = quality;
     this.#full = this.#program(quality, 0);
-    this.#gather = gpu.program("opaque/gather-nearness", fullscreenVert, gatherFrag);
+    this.#gather = gpu.program("opaque/gather-inverse-depth", fullscreenVert, gatherFrag);
     this.format = floats(gpu, 4);
     this.frame = gpu.uniformBlock(this.#full, "Frame");
     this.light = gpu.uniformBlock(this.#full, "Light");
@@ -109,7 +109,7 @@ export class LightingPass {
     if (!support) throw new Error("Lighting of a G-buffer needs the surface below the candle.");
     const textures = {
       uLighting: target.color,
-      ...(isReduced && { uNearnessGather: this.#gathered.color }),
+      ...(isReduced && { uInverseDepthGather: this.#gathered.color }),
     };
     if (reprojection) {
       // The lighting of the previous frame goes with its G-buffer.
@@ -146,17 +146,17 @@ export class LightingPass {
       },
       blocks: { Frame: this.frame, Light: this.#shadingLight, Volume: irradiance.block },
     });
-    if (isReduced) this.#gatherNearness(target, this.#gathered);
+    if (isReduced) this.#gatherInverseDepth(target, this.#gathered);
     return { textures, uniforms: {} };
   }
 
-  #gatherNearness({ colors: [, uNearness] }: RenderTarget, target: RenderTarget): void {
-    if (!uNearness) throw new Error("Reduced lighting has a texture of inverse depth.");
+  #gatherInverseDepth({ colors: [, uInverseDepth] }: RenderTarget, target: RenderTarget): void {
+    if (!uInverseDepth) throw new Error("Reduced lighting has a texture of inverse depth.");
     this.#gpu.draw({
       program: this.#gather,
       target,
       vertexArray: this.#screen,
-      textures: { uNearness },
+      textures: { uInverseDepth },
     });
   }
 }

@@ -29,7 +29,7 @@ export interface OpaqueLayer {
 }
 
 /**
- * The opaque stage: room and candle, shaded forward or deferred. It is the one part in which tiers differ.
+ * The opaque stage: room and candle, shaded forward or deferred.
  *
  * Light is linear in the flame's intensity, and changes slowly apart from it. So the stage returns radiance per
  * candela, which is kept until camera, models or light have moved.
@@ -41,8 +41,8 @@ export interface OpaqueStage {
   /** Of the metering pass: it reads the textures, uniforms and blocks of a layer. */
   readonly meterFrag: ShaderSource;
   resize(size: Size): void;
-  /** Fills the G-buffer, if there is one, and tells of which kind it is. */
-  begin(frame: FrameInput): GBufferKind;
+  /** Forward shading has no G-buffer, and is always `full`. */
+  fillGBuffer(frame: FrameInput): GBufferKind;
   shade(frame: FrameInput, shadow: ShadowCube, irradiance: IrradianceVolume): OpaqueLayer;
   /** Radiance in cd/m² within a region. */
   composite(frame: FrameInput, layer: OpaqueLayer, target: CompositedFrame, region: Box): void;

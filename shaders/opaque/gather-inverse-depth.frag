@@ -3,17 +3,17 @@
 // In:  inverse depth.   Out: that of the texel, of its right, its upper and its upper right neighbour.
 #include "lib/precision.glsl"
 
-uniform sampler2D uNearness;
+uniform sampler2D uInverseDepth;
 
 out vec4 oGathered;
 
 void main() {
   ivec2 low = ivec2(gl_FragCoord.xy);
-  ivec2 high = min(low + 1, textureSize(uNearness, 0) - 1);
+  ivec2 high = min(low + 1, textureSize(uInverseDepth, 0) - 1);
   oGathered = vec4(
-    texelFetch(uNearness, low, 0).r,
-    texelFetch(uNearness, ivec2(high.x, low.y), 0).r,
-    texelFetch(uNearness, ivec2(low.x, high.y), 0).r,
-    texelFetch(uNearness, high, 0).r
+    texelFetch(uInverseDepth, low, 0).r,
+    texelFetch(uInverseDepth, ivec2(high.x, low.y), 0).r,
+    texelFetch(uInverseDepth, ivec2(low.x, high.y), 0).r,
+    texelFetch(uInverseDepth, high, 0).r
   );
 }
