@@ -1,4 +1,5 @@
 import { mat4 } from "gl-matrix";
+import bounceTailFrag from "../../../shaders/gi/bounce-tail.frag";
 import gatherRaysFrag from "../../../shaders/gi/gather-rays.frag";
 import gatherSurfelsFrag from "../../../shaders/gi/gather-surfels.frag";
 import irradianceFrag from "../../../shaders/gi/irradiance.frag";
@@ -76,6 +77,8 @@ export class IndirectPass {
   readonly #rayDirectProgram: Program;
   readonly #gatherRaysProgram: Program;
   readonly #irradianceProgram: Program;
+  readonly #extrapolateProgram: Program;
+  readonly #tailProgram: Program;
   readonly #screen: VertexArray;
   readonly #block: UniformBlock;
   readonly #support: { readonly program: Program; readonly target: RenderTarget } | null;
@@ -83,7 +86,9 @@ export class IndirectPass {
   readonly #radiosity: RenderTarget;
   readonly #rayRadiance: RenderTarget;
   readonly #firstBounce: RenderTarget;
-  readonly #allBounces: RenderTarget;
+  /** Radiance after each further bounce, used in turn. */
+  readonly #bounces: readonly [RenderTarget, RenderTarget, RenderTarget];
+  readonly #tail: RenderTarget;
   readonly #irradiance: RenderTarget;
   readonly #light: UniformBlock;
   readonly #scene: IndirectScene;
@@ -110,7 +115,11 @@ export class IndirectPass {
     this.#rayRadianceProgram = perRay("gi/ray-radiance", rayRadianceFrag);
     this.#rayDirectProgram = perRay("gi/ray-direct", rayDirectFrag);
     this.#gatherRaysProgram = perRay("gi/gather-rays", gatherRaysFrag);
-    this.#irradianceProgram = gpu.program("gi/irradiance", fullscreenVert, irradianceFrag);
+    const convolution = (EXTRAPOLATED: 0 | 1) =>
+      gpu.program("gi/irradiance", fullscreenVert, irradianceFrag, { defines: { EXTRAPOLATED } });
+    this.#irradianceProgram = convolution(0);
+    this.#extrapolateProgram = convolution(1);
+    this.#tailProgram = gpu.program("gi/bounce-tail", fullscreenVert, bounceTailFrag);
     this.#light = gpu.uniformBlock(this.#radiosityProgram, "Light");
     const [columns, rows, planes] = detail.probes;
     const { min, max } = scene.model.bounds;
@@ -152,7 +161,10 @@ export class IndirectPass {
       filter: "nearest",
     } as const;
     this.#firstBounce = gpu.renderTarget({ label: "gi/first-bounce", ...harmonics });
-    this.#allBounces = gpu.renderTarget({ label: "gi/all-bounces", ...harmonics });
+    const bounces = (label: string) =>
+      gpu.renderTarget({ label: `gi/bounces/${label}`, ...harmonics });
+    this.#bounces = [bounces("a"), bounces("b"), bounces("c")];
+    this.#tail = gpu.renderTarget({ label: "gi/bounce-tail", ...single, color: ["RGBA16F"] });
     this.#irradiance = gpu.renderTarget({
       label: "gi/irradiance",
       width: tiles.width * IRRADIANCE_EDGE,
@@ -236,7 +248,13 @@ export class IndirectPass {
     this.#isExact = true;
     this.#renderFirstBounce(light);
     this.#convolve(this.#firstBounce);
-    for (let bounce = 1; bounce < this.#detail.bounces; bounce++) this.#renderNextBounce();
+    let [before, previous, last] = [this.#firstBounce, this.#firstBounce, this.#firstBounce];
+    for (let bounce = 1; bounce < this.#detail.bounces; bounce++) {
+      if (bounce > 1) this.#convolve(last);
+      [before, previous, last] = [previous, last, this.#bounces[bounce % 3]!];
+      this.#renderNextBounce(last);
+    }
+    this.#extrapolate(before, previous, last);
   }
 
   /** One bounce of the previous irradiance stands for all further bounces. */
@@ -244,7 +262,9 @@ export class IndirectPass {
     this.#lastLight = JSON.stringify(light);
     this.#isExact = false;
     this.#renderFirstBounce(light);
-    this.#renderNextBounce();
+    const [, bounces] = this.#bounces;
+    this.#renderNextBounce(bounces);
+    this.#convolve(bounces);
   }
 
   #renderFirstBounce(light: CaptureLight): void {
@@ -261,7 +281,7 @@ export class IndirectPass {
     this.#gpu.draw({
       ...pass,
       program: this.#gatherSurfelsProgram,
-      target: this.#allBounces,
+      target: this.#bounces[0],
       textures: {
         uSurfelNormalDistance,
         uRadiosity: this.#radiosity.color,
@@ -275,10 +295,10 @@ export class IndirectPass {
       target: this.#rayRadiance,
       textures: { uSurfelNormalDistance, uProbePositions, ...this.#probes.rays },
     });
-    this.#gatherRays(this.#allBounces, this.#firstBounce);
+    this.#gatherRays(this.#bounces[0], this.#firstBounce);
   }
 
-  #renderNextBounce(): void {
+  #renderNextBounce(target: RenderTarget): void {
     this.#gpu.draw({
       program: this.#rayRadianceProgram,
       target: this.#rayRadiance,
@@ -290,8 +310,7 @@ export class IndirectPass {
       },
       blocks: { Volume: this.#block },
     });
-    this.#gatherRays(this.#firstBounce, this.#allBounces);
-    this.#convolve(this.#allBounces);
+    this.#gatherRays(this.#firstBounce, target);
   }
 
   /** The probes' radiance so far, plus that along their rays. */
@@ -301,6 +320,30 @@ export class IndirectPass {
       target,
       vertexArray: this.#screen,
       textures: { ...harmonicsOf(radiance), uRayRadiance: this.#rayRadiance.color },
+    });
+  }
+
+  /** From the probes' radiance after the last three bounces to their irradiance after all. */
+  #extrapolate(before: RenderTarget, previous: RenderTarget, last: RenderTarget): void {
+    this.#gpu.draw({
+      program: this.#tailProgram,
+      target: this.#tail,
+      vertexArray: this.#screen,
+      textures: { uLast: last.color, uPrevious: previous.color, uBefore: before.color },
+    });
+    const { uSh0, uSh1, uSh2 } = harmonicsOf(previous);
+    this.#gpu.draw({
+      program: this.#extrapolateProgram,
+      target: this.#irradiance,
+      vertexArray: this.#screen,
+      textures: {
+        ...harmonicsOf(last),
+        uPreviousSh0: uSh0,
+        uPreviousSh1: uSh1,
+        uPreviousSh2: uSh2,
+        uTail: this.#tail.color,
+      },
+      blocks: { Volume: this.#block },
     });
   }
 
