@@ -2,7 +2,7 @@ import { spawnSync } from "node:child_process";
 import { existsSync } from "node:fs";
 import { resolve } from "node:path";
 import { describe, expect, test } from "vitest";
-import { codeOf, filesIn, importsOf } from "./sources.ts";
+import { codeOf, filesIn, importsOf, textOf } from "./sources.ts";
 
 const ROOT = resolve(import.meta.dirname, "../..");
 const MODULES = filesIn("src", /\.ts$/);
@@ -147,4 +147,10 @@ describe("nothing is left to chance or to the clock", () => {
     expect(knowing).toContain("src/element/lifecycle.ts");
     expect(knowing.filter(isInFrame)).toEqual([]);
   });
+});
+
+test("No file of src is longer than 350 lines", () => {
+  for (const file of filesIn("src", /\.(ts|css|html)$/)) {
+    expect.soft(textOf(file).split("\n").length - 1, file).toBeLessThanOrEqual(350);
+  }
 });

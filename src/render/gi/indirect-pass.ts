@@ -1,8 +1,6 @@
 import { mat4 } from "gl-matrix";
-import bounceTailFrag from "../../../shaders/gi/bounce-tail.frag";
 import gatherRaysFrag from "../../../shaders/gi/gather-rays.frag";
 import gatherSurfelsFrag from "../../../shaders/gi/gather-surfels.frag";
-import irradianceFrag from "../../../shaders/gi/irradiance.frag";
 import radiosityFrag from "../../../shaders/gi/radiosity.frag";
 import rayDirectFrag from "../../../shaders/gi/ray-direct.frag";
 import rayRadianceFrag from "../../../shaders/gi/ray-radiance.frag";
@@ -25,7 +23,8 @@ import type { Mesh } from "../mesh/mesh.js";
 import { SCHEDULE } from "../schedule.js";
 import { clipFromFace, FACES } from "../shadow/cube-map.js";
 import type { ShadowCasters } from "../shadow/shadow-casters.js";
-import { IRRADIANCE_EDGE, type ProbeDetail, SH_TEXELS, traceProbes } from "./probe-rays.js";
+import { harmonicsOf, IrradianceConvolution } from "./irradiance-convolution.js";
+import { type ProbeDetail, SH_TEXELS, traceProbes } from "./probe-rays.js";
 import { type ProbeTextures, uploadProbeRays } from "./probe-textures.js";
 
 /** Resolution of indirect light. */
@@ -76,9 +75,6 @@ export class IndirectPass {
   readonly #rayRadianceProgram: Program;
   readonly #rayDirectProgram: Program;
   readonly #gatherRaysProgram: Program;
-  readonly #irradianceProgram: Program;
-  readonly #extrapolateProgram: Program;
-  readonly #tailProgram: Program;
   readonly #screen: VertexArray;
   readonly #block: UniformBlock;
   readonly #support: { readonly program: Program; readonly target: RenderTarget } | null;
@@ -88,8 +84,7 @@ export class IndirectPass {
   readonly #firstBounce: RenderTarget;
   /** Radiance after each further bounce, used in turn. */
   readonly #bounces: readonly [RenderTarget, RenderTarget, RenderTarget];
-  readonly #tail: RenderTarget;
-  readonly #irradiance: RenderTarget;
+  readonly #convolution: IrradianceConvolution;
   readonly #light: UniformBlock;
   readonly #scene: IndirectScene;
   #uploaded: ProbeTextures | null = null;
@@ -115,11 +110,6 @@ export class IndirectPass {
     this.#rayRadianceProgram = perRay("gi/ray-radiance", rayRadianceFrag);
     this.#rayDirectProgram = perRay("gi/ray-direct", rayDirectFrag);
     this.#gatherRaysProgram = perRay("gi/gather-rays", gatherRaysFrag);
-    const convolution = (EXTRAPOLATED: 0 | 1) =>
-      gpu.program("gi/irradiance", fullscreenVert, irradianceFrag, { defines: { EXTRAPOLATED } });
-    this.#irradianceProgram = convolution(0);
-    this.#extrapolateProgram = convolution(1);
-    this.#tailProgram = gpu.program("gi/bounce-tail", fullscreenVert, bounceTailFrag);
     this.#light = gpu.uniformBlock(this.#radiosityProgram, "Light");
     const [columns, rows, planes] = detail.probes;
     const { min, max } = scene.model.bounds;
@@ -164,13 +154,7 @@ export class IndirectPass {
     const bounces = (label: string) =>
       gpu.renderTarget({ label: `gi/bounces/${label}`, ...harmonics });
     this.#bounces = [bounces("a"), bounces("b"), bounces("c")];
-    this.#tail = gpu.renderTarget({ label: "gi/bounce-tail", ...single, color: ["RGBA16F"] });
-    this.#irradiance = gpu.renderTarget({
-      label: "gi/irradiance",
-      width: tiles.width * IRRADIANCE_EDGE,
-      height: tiles.height * IRRADIANCE_EDGE,
-      color: [texel],
-    });
+    this.#convolution = new IrradianceConvolution(gpu, screen, this.#block, tiles, texel);
   }
 
   /** Uploaded on first use: their albedo waits for a program. */
@@ -224,7 +208,7 @@ export class IndirectPass {
   get #volume(): IrradianceVolume {
     return {
       block: this.#block,
-      textures: { uIrradiance: this.#irradiance.color, ...this.#probes.volume },
+      textures: { uIrradiance: this.#convolution.irradiance, ...this.#probes.volume },
       radiosity: this.#radiosity.color,
       support: this.#support?.target.color ?? null,
     };
@@ -247,14 +231,14 @@ export class IndirectPass {
     this.#lastLight = JSON.stringify(light);
     this.#isExact = true;
     this.#renderFirstBounce(light);
-    this.#convolve(this.#firstBounce);
+    this.#convolution.render(this.#firstBounce);
     let [before, previous, last] = [this.#firstBounce, this.#firstBounce, this.#firstBounce];
     for (let bounce = 1; bounce < this.#detail.bounces; bounce++) {
-      if (bounce > 1) this.#convolve(last);
+      if (bounce > 1) this.#convolution.render(last);
       [before, previous, last] = [previous, last, this.#bounces[bounce % 3]!];
       this.#renderNextBounce(last);
     }
-    this.#extrapolate(before, previous, last);
+    this.#convolution.renderExtrapolated(before, previous, last);
   }
 
   /** One bounce of the previous irradiance stands for all further bounces. */
@@ -264,7 +248,7 @@ export class IndirectPass {
     this.#renderFirstBounce(light);
     const [, bounces] = this.#bounces;
     this.#renderNextBounce(bounces);
-    this.#convolve(bounces);
+    this.#convolution.render(bounces);
   }
 
   #renderFirstBounce(light: CaptureLight): void {
@@ -304,7 +288,7 @@ export class IndirectPass {
       target: this.#rayRadiance,
       vertexArray: this.#screen,
       textures: {
-        uIrradiance: this.#irradiance.color,
+        uIrradiance: this.#convolution.irradiance,
         ...this.#probes.volume,
         ...this.#probes.rays,
       },
@@ -322,45 +306,4 @@ export class IndirectPass {
       textures: { ...harmonicsOf(radiance), uRayRadiance: this.#rayRadiance.color },
     });
   }
-
-  /** From the probes' radiance after the last three bounces to their irradiance after all. */
-  #extrapolate(before: RenderTarget, previous: RenderTarget, last: RenderTarget): void {
-    this.#gpu.draw({
-      program: this.#tailProgram,
-      target: this.#tail,
-      vertexArray: this.#screen,
-      textures: { uLast: last.color, uPrevious: previous.color, uBefore: before.color },
-    });
-    const { uSh0, uSh1, uSh2 } = harmonicsOf(previous);
-    this.#gpu.draw({
-      program: this.#extrapolateProgram,
-      target: this.#irradiance,
-      vertexArray: this.#screen,
-      textures: {
-        ...harmonicsOf(last),
-        uPreviousSh0: uSh0,
-        uPreviousSh1: uSh1,
-        uPreviousSh2: uSh2,
-        uTail: this.#tail.color,
-      },
-      blocks: { Volume: this.#block },
-    });
-  }
-
-  /** From the probes' radiance to their irradiance. */
-  #convolve(radiance: RenderTarget): void {
-    this.#gpu.draw({
-      program: this.#irradianceProgram,
-      target: this.#irradiance,
-      vertexArray: this.#screen,
-      textures: harmonicsOf(radiance),
-      blocks: { Volume: this.#block },
-    });
-  }
-}
-
-function harmonicsOf({ colors }: RenderTarget) {
-  const [uSh0, uSh1, uSh2] = colors;
-  if (!uSh0 || !uSh1 || !uSh2) throw new Error("Spherical harmonics take three textures.");
-  return { uSh0, uSh1, uSh2 };
 }
