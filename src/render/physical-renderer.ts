@@ -163,7 +163,7 @@ export class PhysicalRenderer implements Renderer {
       eyePosition: interpolated.eye,
       exposure: exposureFactor(settings),
       viewport: [width, height],
-      projectionScale: projectionScale(height) * magnification(world),
+      projectionScale: projectionScale(Math.min(width, height)) * magnification(world),
       normalMaps: features.normalMaps ? 1 : 0,
     });
     const [x, y, z] = interpolated.foot;
