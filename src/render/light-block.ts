@@ -2,7 +2,6 @@ import { captureOrigin, snapToGrid } from "../light/capture-origin.js";
 import { flameLight, TAPER } from "../light/flame-light.js";
 import type { Vec3 } from "../world/geometry.js";
 import type { World } from "../world/world.js";
-import { SCHEDULE } from "./schedule.js";
 
 /** Casters of the chamberstick, as discs: heights above its foot and radii, metres. */
 const CANDLE = { rim: 0.2015, rimRadius: 0.0101, pan: 0.018, panRadius: 0.066 } as const;
@@ -32,11 +31,15 @@ export interface CaptureLight extends Readonly<Record<string, number | readonly 
 }
 
 /** The flame that the opaque stage shades for: 1 cd, in steps, so that flicker and small sway change nothing. */
-export function shadingLight(world: World, showsCandle: boolean): CaptureLight {
+export function shadingLight(
+  world: World,
+  showsCandle: boolean,
+  { distance, axis }: { readonly distance: number; readonly axis: number },
+): CaptureLight {
   const light = lightBlock(world, showsCandle);
-  const step = (x: number) => Math.round(x / SCHEDULE.lighting) * SCHEDULE.lighting;
+  const step = (x: number) => Math.round(x / distance) * distance;
   const [x, y, z] = light.position;
-  const along = light.along.map((share) => Math.round(share * 16) / 16);
+  const along = light.along.map((share) => Math.round(share / axis) * axis);
   const length = Math.hypot(...along) || 1;
   return {
     ...light,

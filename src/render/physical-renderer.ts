@@ -71,7 +71,7 @@ export class PhysicalRenderer implements Renderer {
   /** Frames since bloom and exposure were updated. */
   #postAge = 0;
   /** Composites the whole of the last frame, of which `#radiance` may hold a region. */
-  #complete: () => void = () => {};
+  #compositeWhole: () => void = () => {};
 
   /** @param collision mesh of the room, for the probes' rays */
   constructor(gpu: Gpu, { room, candle }: Models, collision: CollisionMesh, tier: Tier) {
@@ -138,7 +138,7 @@ export class PhysicalRenderer implements Renderer {
       ? this.#volumetric.bounds(frame, kind, this.#size, BLOOM_SCALE)
       : this.#whole;
     this.#composite(frame, layer, irradiance, region);
-    this.#complete = () => this.#composite(frame, layer, irradiance, this.#whole);
+    this.#compositeWhole = () => this.#composite(frame, layer, irradiance, this.#whole);
     const post = this.#postIn(kind, shadow.isNew);
     if (post === "before display") this.#updatePost(frame, layer, region);
     if (settings.inspect !== "picture" && !this.#compositeDisplay) {
@@ -285,7 +285,7 @@ export class PhysicalRenderer implements Renderer {
 
   readRadiance(x: number, y: number, width: number, height: number): Float32Array {
     if (!this.#radiance) return new Float32Array(width * height * 3);
-    if (this.#compositeDisplay) this.#complete();
+    if (this.#compositeDisplay) this.#compositeWhole();
     return this.#gpu.readFloats(this.#radiance, x, y, width, height);
   }
 }

@@ -22,8 +22,14 @@ export const SCHEDULE = {
   post: { frames: 5 },
   /** Steps in which normal-map shading of the G-buffer follows the light, metres. */
   normalMapShading: 0.05,
-  /** Steps in which lighting of surfaces follows the light: smaller ones are not visible. Metres. */
-  lighting: 0.0015,
+  /**
+   * Steps in which shading follows the light: of its position (metres), and of its axis. Those of the deferred stage
+   * are hidden by its coarser lighting; in forward shading they would show beside the flame.
+   */
+  lighting: {
+    deferred: { distance: 0.0015, axis: 1 / 16 },
+    forward: { distance: 0.0003, axis: 1 / 64 },
+  },
   /** Probes traced in a frame while a renderer is prepared: a few milliseconds. */
   probesPerFrame: 16,
 } as const;

@@ -67,7 +67,7 @@ for (const where of ["in the hand", "on the table"]) {
     );
     expect(kept?.[1]?.triangles).toBeLessThan(0.3 * (painted?.[1]?.triangles ?? 0));
     const wanted = painted?.[1]?.shown ?? [];
-    for (const [kind, frame] of Object.entries({ reduced: painted, history: kept })) {
+    for (const [kind, frame] of Object.entries({ reduced: painted, reprojected: kept })) {
       const data = Uint8Array.from(frame?.[1]?.shown ?? []);
       const image = await sharp(data, { raw: { ...SMALL, channels: 4 } })
         .png()

@@ -15,6 +15,7 @@ import { shadingLight } from "../light-block.js";
 import { type Mesh, surfaceSampling } from "../mesh/mesh.js";
 import { normalMapVisibilityOf } from "../mesh/normal-map-visibility.js";
 import type { Tier } from "../quality.js";
+import { SCHEDULE } from "../schedule.js";
 import type { ShadowCube } from "../shadow/shadow-pass.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
 import { ENVIRONMENT_BRDF_SIZE, tabulateEnvironmentBrdf } from "./environment-brdf.js";
@@ -90,7 +91,10 @@ export class ForwardStage implements OpaqueStage {
     if (!this.#resolved?.depth) throw new Error("The forward stage has no size yet.");
     const { world, settings, instances, captureLight } = frame;
     const { features, inspect } = settings;
-    const light = { ...shadingLight(world, features.candle), captureOrigin: shadow.captureOrigin };
+    const light = {
+      ...shadingLight(world, features.candle, SCHEDULE.lighting.forward),
+      captureOrigin: shadow.captureOrigin,
+    };
     const key = JSON.stringify([
       [...frame.clipFromWorld],
       light,

@@ -14,6 +14,7 @@ import type { GBuffer } from "../gbuffer/gbuffer.js";
 import type { IrradianceVolume } from "../gi/indirect-pass.js";
 import { shadingLight } from "../light-block.js";
 import type { ShadowQuality } from "../quality.js";
+import { SCHEDULE } from "../schedule.js";
 import type { ShadowCube } from "../shadow/shadow-pass.js";
 import type { OpaqueLayer } from "./opaque-stage.js";
 
@@ -120,7 +121,10 @@ export class LightingPass {
       return { textures, uniforms };
     }
     const { shadows, indirect, specular, candle } = frame.settings.features;
-    const light = { ...shadingLight(frame.world, candle), captureOrigin: shadow.captureOrigin };
+    const light = {
+      ...shadingLight(frame.world, candle, SCHEDULE.lighting.deferred),
+      captureOrigin: shadow.captureOrigin,
+    };
     const key = JSON.stringify([gbufferKey, light, shadows, indirect, specular]);
     if (key === this.#key) return { textures, uniforms: {} };
     this.#key = key;

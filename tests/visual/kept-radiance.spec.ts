@@ -1,0 +1,49 @@
+import { RoomDriver } from "../support/room-driver.ts";
+import { expect, test } from "../support/test.ts";
+
+const FRAMES = 40;
+/** The pan of the standing candle: shares of the image, from its upper left. */
+const PAN = [0.36, 0.7, 0.41, 0.8] as const;
+
+test("At high surfaces are drawn again only when the light has moved, and follow it evenly", async ({
+  page,
+}) => {
+  const room = await new RoomDriver(page).open(
+    { look: "physical", quality: "high" },
+    { width: 240, height: 135 },
+  );
+  const { pan, triangles, kept } = await room.evaluate(
+    (element, { frames, box }) => {
+      element.reset();
+      element.camera = { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 };
+      element.place();
+      element.camera = { position: [0, 1.08, 0.61], yaw: -0.7, pitch: -0.3 };
+      element.step(1);
+      const pan: number[] = [];
+      const triangles: number[] = [];
+      for (let frame = 0; frame < frames; frame++) {
+        element.step(1 / 60);
+        const { width, height } = element.stats;
+        triangles.push(element.stats.triangles);
+        const radiance = element.readRadiance(0, 0, width, height);
+        const [left, top, right, bottom] = box;
+        let sum = 0;
+        for (let row = Math.floor(top * height); row < bottom * height; row++) {
+          for (let column = Math.floor(left * width); column < right * width; column++) {
+            sum += radiance[3 * (row * width + column) + 1] ?? 0;
+          }
+        }
+        pan.push(sum);
+      }
+      element.step(0);
+      return { pan, triangles, kept: element.stats.triangles };
+    },
+    { frames: FRAMES, box: PAN },
+  );
+  const jumps = pan.slice(1).map((light, i) => Math.abs(light / (pan[i] ?? 0) - 1));
+  console.log(`largest change between frames ${Math.max(...jumps).toFixed(3)}`);
+  // 0.038 without steps, 0.12 with steps of 1.5 mm.
+  expect(Math.max(...jumps)).toBeLessThan(0.08);
+  expect(Math.max(...jumps), "the flame sways").toBeGreaterThan(0.001);
+  expect(kept).toBeLessThan(0.1 * Math.max(...triangles));
+});
