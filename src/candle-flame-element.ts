@@ -30,13 +30,46 @@ export type { Camera, Features, FlameReport, Inspection, Stats };
 const SCENE_ATTRIBUTES: readonly SettingName[] = ["scene", "look", "src", "asset-base"];
 
 /**
- * `<candle-flame>`: a candle in a dark room, or alone on the page.
+ * A candle in a dark room, or alone on the page.
  *
- * Its attributes are the table `SETTINGS`; its events, slots, parts, states and custom properties are described
- * by `custom-elements.json`, which `tools/elements-manifest.ts` writes. What happens between its insertion into
- * a page and its first frame is the business of `Lifecycle`.
+ * @tagname candle-flame
+ * @fires {CustomEvent} progress - Loading goes on; detail.totalProgress is 0 to 1.
+ * @fires {CustomEvent} load - The first frame is there, or that of another look or room.
+ * @fires {CustomEvent} error - detail.type, detail.message and detail.cause say what failed.
+ * @fires {CustomEvent} play - Time passes from now on.
+ * @fires {CustomEvent} pause - Time stands still: `paused` is set, or nobody can see the canvas.
+ * @fires {CustomEvent} light - The candle was lit.
+ * @fires {CustomEvent} extinguish - The candle went out.
+ * @fires {CustomEvent} place - The candle was put down.
+ * @fires {CustomEvent} take - The candle was taken up.
+ * @fires {CustomEvent} enter - The visitor went in.
+ * @fires {CustomEvent} leave - The visitor left.
+ * @fires {CustomEvent} qualitychange - Another quality draws, by `quality` or by `auto`.
+ * @fires {CustomEvent} camerachange - The visitor moved, looked around or was moved.
+ * @fires {CustomEvent} contextlost - The WebGL context was lost.
+ * @fires {CustomEvent} contextrestored - The WebGL context is back, and drawing goes on.
+ * @slot poster - In place of the poster's image.
+ * @slot progress - In place of the bar, while loading.
+ * @slot hint - In place of the line that lists the controls.
+ * @slot error - In place of the sentence that says what failed.
+ * @csspart canvas - The canvas.
+ * @csspart poster - The image until the first frame, and where there are no frames.
+ * @csspart progress - The bar that shows how far loading is.
+ * @csspart hint - A line for the visitor, shown for a moment.
+ * @csspart error - The sentence in the canvas's place where there are no frames.
+ * @csspart reload - The button that starts again after a context that was lost and does not come back.
+ * @csspart glow - The light that falls on the page, with `scene="candle"`.
+ * @cssState loading - There is no frame yet.
+ * @cssState lit - The candle burns.
+ * @cssState walking - The visitor is in the room.
+ * @cssState playing - Time passes.
+ * @cssState alone - The candle stands alone on the page.
+ * @cssprop [--candle-flame-progress-color=#f0a54a] - Colour of the progress bar.
+ * @cssprop [--candle-flame-progress-height=3px] - Height of the progress bar.
+ * @cssprop [--candle-flame-glow=0] - Strength of the glow, 0 to 1.
  */
 export class CandleFlameElement extends ReflectedAttributes {
+  // Attributes are the table `SETTINGS`; what happens from insertion to the first frame is `Lifecycle`'s.
   readonly #shown: SessionInput = {
     attributes: this,
     features: allFeatures(),
@@ -109,6 +142,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.#requestDraw();
   }
 
+  /** Where the visitor stands and looks, and how widely: metres, radians. */
   get camera(): Required<Camera> {
     return this.#candle ? cameraOf(this.#candle) : this.#pending.cameraFor(this.look);
   }
@@ -141,10 +175,12 @@ export class CandleFlameElement extends ReflectedAttributes {
     return this.#candle?.stats ?? NO_STATS;
   }
 
+  /** Lets time pass. */
   play(): void {
     this.paused = false;
   }
 
+  /** Stops time. */
   pause(): void {
     this.paused = true;
   }

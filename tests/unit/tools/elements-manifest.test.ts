@@ -1,12 +1,16 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
+import type { CandleFlameEventMap } from "../../../src/candle-flame-element.ts";
+import type { StateName } from "../../../src/element/custom-states.ts";
 import { SETTINGS } from "../../../src/settings.ts";
 import { manifest } from "../../../tools/elements-manifest.ts";
 
+const { modules } = await manifest();
+const [element] = modules.flatMap(({ declarations }) => declarations ?? []);
+const namesOf = (list: readonly { name: string }[] = []) => list.map(({ name }) => name).toSorted();
+
 test("the manifest names each attribute, its type and its default", () => {
-  const [module] = manifest().modules;
-  const [declaration] = module?.declarations ?? [];
-  const attributes = declaration?.attributes ?? [];
+  const attributes = element?.attributes ?? [];
   expect(attributes.map(({ name }) => name)).toEqual(Object.keys(SETTINGS));
   const named = (name: string) => attributes.find((attribute) => attribute.name === name);
   expect(named("scene")).toMatchObject({ type: { text: '"room" | "candle"' }, default: '"room"' });
@@ -18,8 +22,46 @@ test("the manifest names each attribute, its type and its default", () => {
   expect(named("paused")).toMatchObject({ type: { text: "boolean" } });
 });
 
+test("the manifest describes each event, state, property and method, and none of those inside", () => {
+  const events: Record<keyof CandleFlameEventMap, true> = {
+    progress: true,
+    load: true,
+    error: true,
+    play: true,
+    pause: true,
+    light: true,
+    extinguish: true,
+    place: true,
+    take: true,
+    enter: true,
+    leave: true,
+    qualitychange: true,
+    camerachange: true,
+    contextlost: true,
+    contextrestored: true,
+  };
+  const states: Record<StateName, true> = {
+    loading: true,
+    lit: true,
+    walking: true,
+    playing: true,
+    alone: true,
+  };
+  expect(namesOf(element?.events)).toEqual(Object.keys(events).toSorted());
+  expect(namesOf(element?.cssStates)).toEqual(Object.keys(states).toSorted());
+  const { events: told, slots, cssParts, cssStates, cssProperties, members } = element ?? {};
+  const lists = [told, slots, cssParts, cssStates, cssProperties, members];
+  for (const entry of lists.flatMap((list) => list ?? [])) {
+    expect(entry.description, entry.name).toMatch(/^\S.*\.$/);
+    expect(entry.name).toMatch(/^(--)?[a-z][\w-]*$/i);
+  }
+  const step = members?.find(({ name }) => name === "step");
+  expect(step).toMatchObject({ kind: "method", parameters: [{ type: { text: "number" } }] });
+  expect(members?.find(({ name }) => name === "held")).toMatchObject({ readonly: true });
+  expect(element).toMatchObject({ tagName: "candle-flame", customElement: true });
+});
+
 test("docs/embedding.md names all that the manifest does, and nothing else", () => {
-  const [element] = manifest().modules.flatMap(({ declarations }) => declarations ?? []);
   const page = readFileSync("docs/embedding.md", "utf8");
   const namesBetween = (from: string, to: string) => {
     const text = page.slice(page.indexOf(from), page.indexOf(to, page.indexOf(from)));
@@ -27,8 +69,6 @@ test("docs/embedding.md names all that the manifest does, and nothing else", () 
       .map(([, dashes = "", name = ""]) => dashes + name)
       .toSorted();
   };
-  const namesOf = (list: readonly { name: string }[] = []) =>
-    list.map(({ name }) => name).toSorted();
   const members = element?.members.filter(({ name }) =>
     element.attributes.every(({ fieldName }) => fieldName !== name),
   );
