@@ -69,7 +69,6 @@ export const SETTINGS = {
 
 export type SettingName = keyof typeof SETTINGS;
 export type Look = (typeof SETTINGS.look.choices)[number];
-export type Motion = (typeof SETTINGS.motion.choices)[number];
 export type SceneName = (typeof SETTINGS.scene.choices)[number];
 export type Quality = (typeof SETTINGS.quality.choices)[number];
 

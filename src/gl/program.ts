@@ -226,12 +226,6 @@ export class Program extends GpuObject {
     return this.#blocks;
   }
 
-  /** Names of the loose uniforms. */
-  get uniforms(): readonly string[] {
-    this.finish();
-    return [...this.#uniforms.keys()];
-  }
-
   /**
    * Sets a loose uniform of the program in use.
    *

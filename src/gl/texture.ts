@@ -74,7 +74,7 @@ export class Texture extends GpuObject {
     } else {
       gl.texStorage2D(this.target, levels, gl[format], width, height);
     }
-    this.#upload(options, layers);
+    this.#upload(source, layers);
     // Textures that are drawn later have their mipmaps then: `updateMipmaps`.
     const isFilled = "close" in options.source || "data" in options.source;
     if (mipmaps && isFilled) gl.generateMipmap(this.target);
@@ -91,13 +91,13 @@ export class Texture extends GpuObject {
     gl.bindTexture(this.target, null);
   }
 
-  #upload({ format, source }: TextureOptions, layers: number): void {
+  #upload(source: TextureOptions["source"], layers = 1): void {
     const gl = this.gl;
-    const { upload } = FORMATS[format];
+    const { upload, type: stored } = FORMATS[this.#format];
     const { width, height } = source;
     // The driver makes halves of floats.
     const isFloats = "data" in source && source.data instanceof Float32Array;
-    const type = isFloats ? "FLOAT" : FORMATS[format].type;
+    const type = isFloats ? "FLOAT" : stored;
     // Rows of one or two bytes a texel need not end on a multiple of four.
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
     if ("close" in source) {
@@ -113,11 +113,9 @@ export class Texture extends GpuObject {
   /** Replaces the texels of a two-dimensional texture without mipmaps. */
   update(data: ArrayBufferView): void {
     const gl = this.gl;
-    const { upload, type } = FORMATS[this.#format];
     gl.activeTexture(gl.TEXTURE0);
     gl.bindTexture(this.target, this.handle);
-    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
-    gl.texSubImage2D(this.target, 0, 0, 0, this.width, this.height, gl[upload], gl[type], data);
+    this.#upload({ width: this.width, height: this.height, data });
     gl.bindTexture(this.target, null);
   }
 

@@ -15,7 +15,6 @@ export interface WorldSetup {
   /** Whether walls stop the visitor. */
   readonly hasWalls: boolean;
   readonly gait: Gait;
-  readonly eyeHeight: number;
   /** Initial position and direction of the eye. */
   readonly spawn: readonly [number, number, number];
   readonly yaw: number;
@@ -42,7 +41,6 @@ const PAPER: WorldSetup = {
   room: { min: [-5, 0, -5], max: [5, 3.2, 5] },
   hasWalls: true,
   gait: { walk: 2, run: 4 },
-  eyeHeight: 1.6,
   spawn: [1.2, 1.6, 2.6],
   yaw: 0.35,
   pitch: 0,
