@@ -3,7 +3,7 @@ import { fileURLToPath } from "node:url";
 import { Worker } from "node:worker_threads";
 import { writeLossless } from "./textures/image-files.mjs";
 import { writeManifest } from "./textures/manifest.mjs";
-import { materials } from "./textures/materials.mjs";
+import { materialNamed, materials } from "./textures/materials.mjs";
 import { textureSet } from "./textures/texture-set.mjs";
 
 /**
@@ -22,14 +22,7 @@ const folder = `${publicFolder}textures`;
 function chosen(names) {
   if (names.includes("--manifest") || names.includes("--fixture")) return [];
   if (names.length === 0) return materials.map((material) => material.name);
-  for (const name of names) {
-    if (!materials.some((material) => material.name === name)) {
-      throw new Error(
-        `No texture set "${name}"; there are ${materials.map((m) => m.name).join(", ")}.`,
-      );
-    }
-  }
-  return names;
+  return names.map((name) => materialNamed(name).name);
 }
 
 function make(names) {

@@ -36,25 +36,11 @@ export function sawBoard(next, seed, { length, width, knots: mostKnots, checks: 
   };
 }
 
-const figure = {
-  late: 0,
-  fibre: 0,
-  pore: 0,
-  streak: 0,
-  across: 0,
-  inside: 0,
-  knotRadius: 9,
-  knotRing: 0,
-  halo: 0,
-  swell: 0,
-  star: 0,
-  check: 0,
-  rim: 0,
-};
+const figure = {};
 
 /**
  * What the saw laid bare at (x, y) of a board, y across it from its edge: latewood 0..1, fibre and
- * streak about -1..1, open pores 0..1, knots and checks. Repeats after `period` along the board. The
+ * streak about -1..1, open pores 0..1, checks, and what `bendRoundKnots` says of knots. Repeats after `period` along the board. The
  * returned object is reused by the next call.
  */
 export function boardFigure(board, x, y, period) {
@@ -79,6 +65,7 @@ export function boardFigure(board, x, y, period) {
     0.8 * noise(radius / 40, 0.5, seed + 9);
 
   const knotRing = latewood(knot.radius * 4.2 + 0.25 * noise(x / 5, y / 5, seed + 10), seed + 11);
+  Object.assign(figure, knot);
   figure.late = mix(latewood(years, seed + 12), knotRing, knot.inside);
   figure.fibre =
     0.5 * lengthwise(48, w / 1.9, 13) +
@@ -93,13 +80,7 @@ export function boardFigure(board, x, y, period) {
     0.35 * lengthwise(210, w / 13, 18) +
     0.4 * lengthwise(260, w / 4.5, 19);
   figure.across = w;
-  figure.inside = knot.inside;
-  figure.knotRadius = knot.radius;
   figure.knotRing = knotRing;
-  figure.halo = knot.halo;
-  figure.swell = knot.swell;
-  figure.star = knot.star;
-  figure.rim = knot.rim;
   figure.check = clamp(check) * (1 - knot.inside);
   return figure;
 }

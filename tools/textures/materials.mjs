@@ -30,3 +30,11 @@ export const materials = [
   pewter,
   iron,
 ];
+
+export function materialNamed(name) {
+  const found = materials.find((material) => material.name === name);
+  if (found) return found;
+  throw new Error(
+    `No texture set "${name}"; there are ${materials.map((m) => m.name).join(", ")}.`,
+  );
+}

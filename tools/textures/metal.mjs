@@ -1,14 +1,9 @@
-import { fractalNoise, noise, random, smoothstep } from "./noise.mjs";
+import { noise, random, smoothstep, tiledNoise } from "./noise.mjs";
 
 /**
  * What use does to worked metal: lines of the lathe along u, straight scratches, fingers. Lengths in mm;
  * everything repeats after `tile`.
  */
-
-/** Noise in both directions, `cycles` to a tile. */
-export function over(x, y, tile, cycles, seed, octaves = 4) {
-  return fractalNoise((x / tile) * cycles, (y / tile) * cycles, seed, octaves, cycles, cycles);
-}
 
 /** Lines round a turned piece: fine feed marks with a few that the tool dug deeper, about -1..1. */
 export function latheLines(x, y, tile, seed) {
@@ -58,6 +53,7 @@ export function scratches(count, tile, seed, shortest, longest) {
 
 /** Where hands have been: greasy patches with soft edges, 0..1. */
 export function smudges(x, y, tile, seed) {
-  const patch = over(x, y, tile, 7, seed, 4) + 0.35 * over(x, y, tile, 26, seed + 7, 3);
+  const everywhere = tiledNoise(tile, seed);
+  const patch = everywhere(x, y, 7, 0, 4) + 0.35 * everywhere(x, y, 26, 7, 3);
   return smoothstep(-0.05, 0.45, patch);
 }

@@ -199,7 +199,7 @@ export async function preview(name, tile, folder = textures, extension = "avif")
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const [name, folder, extension] = process.argv.slice(2);
-  const { materials } = await import("./materials.mjs");
-  const { tile } = materials.find((material) => material.name === name);
+  const { materialNamed } = await import("./materials.mjs");
+  const { tile } = materialNamed(name);
   console.log(await preview(name, tile, folder ?? textures, extension ?? "avif"));
 }

@@ -6,7 +6,7 @@ import { glaze } from "./pigment.mjs";
  * texel, top row first. Inside tools/textures lengths are millimetres, the scale of a trowel mark;
  * only a material's `tile` is in metres.
  *
- * `sample(x, y, texel)` fills in one point. It runs `density`² times a texel and the results are
+ * `sample(x, y, texel)` fills in one point; what it leaves out is no metal. It runs `density`² times a texel and the results are
  * averaged, so that a crack thinner than a texel darkens it instead of flickering.
  */
 export function synthesizeSurface({ resolution, tile, density = 2 }, sample) {
@@ -28,6 +28,7 @@ export function synthesizeSurface({ resolution, tile, density = 2 }, sample) {
       for (let k = 0; k < density * density; k++) {
         const x = column * surface.texelSize + ((k % density) + 0.5) * step;
         const y = row * surface.texelSize + (Math.floor(k / density) + 0.5) * step;
+        texel.metallic = 0;
         sample(x, y, texel);
         for (let c = 0; c < 3; c++) surface.albedo[3 * i + c] += share * clamp(texel.albedo[c]);
         surface.height[i] += share * texel.height;

@@ -1,5 +1,5 @@
 import { mapsFromSurface } from "./maps.mjs";
-import { materials } from "./materials.mjs";
+import { materialNamed } from "./materials.mjs";
 import { synthesizeSurface, weather } from "./surface.mjs";
 
 /**
@@ -7,13 +7,7 @@ import { synthesizeSurface, weather } from "./surface.mjs";
  * first. At less than its own size a set has the same features, only fewer texels.
  */
 export function textureSet(name, resolution) {
-  const material = materials.find((candidate) => candidate.name === name);
-  if (!material) {
-    throw new Error(
-      `No texture set "${name}"; there are ${materials.map((m) => m.name).join(", ")}.`,
-    );
-  }
-  const { size, tile, seed, sampler, weathering } = material;
+  const { size, tile, seed, sampler, weathering } = materialNamed(name);
   const texels = resolution ?? size;
   const surface = synthesizeSurface({ resolution: texels, tile }, sampler(seed, texels));
   return mapsFromSurface(weathering ? weather(surface, weathering) : surface);

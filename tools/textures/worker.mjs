@@ -1,14 +1,14 @@
 import { parentPort, workerData } from "node:worker_threads";
 import sharp from "sharp";
 import { writeTextures } from "./image-files.mjs";
-import { materials } from "./materials.mjs";
+import { materialNamed } from "./materials.mjs";
 import { textureSet } from "./texture-set.mjs";
 
 // One thread to a worker: the pool is the parallelism.
 sharp.concurrency(1);
 
 parentPort.on("message", async (name) => {
-  const { quality } = materials.find((material) => material.name === name);
+  const { quality } = materialNamed(name);
   await writeTextures(workerData.folder, name, textureSet(name), quality);
   parentPort.postMessage(name);
 });

@@ -1,5 +1,5 @@
-import { latheLines, over, scratches, smudges } from "../metal.mjs";
-import { clamp, smoothstep } from "../noise.mjs";
+import { latheLines, scratches, smudges } from "../metal.mjs";
+import { clamp, smoothstep, tiledNoise } from "../noise.mjs";
 import { cover, pigment, scale, set } from "../pigment.mjs";
 
 /** Old turned brass, polished now and then: bright where it is handled, brown where the cloth never reaches. */
@@ -12,16 +12,17 @@ const TARNISH = pigment(0x6d5a40);
 
 function sampler(seed) {
   const scratch = scratches(150, TILE, seed, 8, 90);
+  const everywhere = tiledNoise(TILE, seed);
   return (x, y, texel) => {
     const turned = latheLines(x, y, TILE, seed + 1);
     const finger = smudges(x, y, TILE, seed + 3);
-    const dull = smoothstep(-0.3, 0.5, over(x, y, TILE, 4, seed + 20, 5));
+    const dull = smoothstep(-0.3, 0.5, everywhere(x, y, 4, 20, 5));
     const spots =
-      smoothstep(0.3, 0.75, over(x, y, TILE, 38, seed + 30, 4)) *
-      smoothstep(0, 0.5, over(x, y, TILE, 3, seed + 35, 3));
-    const grain = over(x, y, TILE, 150, seed + 40, 2);
+      smoothstep(0.3, 0.75, everywhere(x, y, 38, 30, 4)) *
+      smoothstep(0, 0.5, everywhere(x, y, 3, 35, 3));
+    const grain = everywhere(x, y, 150, 40, 2);
     const line = scratch(x, y);
-    const dented = over(x, y, TILE, 9, seed + 45, 2);
+    const dented = everywhere(x, y, 9, 45, 2);
 
     texel.height = 0.02 * turned + 0.12 * dented + 0.002 * grain - 0.03 * line - 0.015 * spots;
     const color = texel.albedo;

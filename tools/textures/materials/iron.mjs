@@ -1,5 +1,4 @@
-import { over } from "../metal.mjs";
-import { cellular, clamp, smoothstep } from "../noise.mjs";
+import { cellular, clamp, smoothstep, tiledNoise } from "../noise.mjs";
 import { cover, pigment, scale, set } from "../pigment.mjs";
 
 /** Iron from the smithy: hammer flats, fire scale that has flaked, a little rust in the hollows. */
@@ -12,24 +11,25 @@ const SCALE = pigment(0x47484a);
 const RUST = pigment(0x5f4a3c);
 
 function sampler(seed) {
+  const everywhere = tiledNoise(TILE, seed);
   return (x, y, texel) => {
-    const bentX = (x / TILE) * 26 + 0.25 * over(x, y, TILE, 30, seed + 1, 2);
-    const bentY = (y / TILE) * 26 + 0.25 * over(x, y, TILE, 30, seed + 2, 2);
+    const bentX = (x / TILE) * 26 + 0.25 * everywhere(x, y, 30, 1, 2);
+    const bentY = (y / TILE) * 26 + 0.25 * everywhere(x, y, 30, 2, 2);
     const blow = cellular(bentX, bentY, seed + 3, 26, 26, 1);
     const level = (blow.id & 255) / 255 - 0.5;
     const flat =
       0.4 * level * smoothstep(0, 0.25, blow.second - blow.nearest) + 0.8 * blow.nearest ** 2;
-    const flaked = smoothstep(0.05, 0.13, over(x, y, TILE, 20, seed + 4, 5));
-    const pitting = over(x, y, TILE, 90, seed + 5, 3);
+    const flaked = smoothstep(0.05, 0.13, everywhere(x, y, 20, 4, 5));
+    const pitting = everywhere(x, y, 90, 5, 3);
     const pit = smoothstep(0.45, 0.8, pitting);
-    const grain = over(x, y, TILE, 170, seed + 6, 1);
-    const rubbed = smoothstep(-0.1, 0.6, over(x, y, TILE, 5, seed + 7, 5)) * (1 - pit);
+    const grain = everywhere(x, y, 170, 6, 1);
+    const rubbed = smoothstep(-0.1, 0.6, everywhere(x, y, 5, 7, 5)) * (1 - pit);
     const rust =
-      smoothstep(0.15, 0.6, over(x, y, TILE, 8, seed + 8, 5) + 0.25 * pitting) * (0.5 + 0.5 * pit);
+      smoothstep(0.15, 0.6, everywhere(x, y, 8, 8, 5) + 0.25 * pitting) * (0.5 + 0.5 * pit);
 
     texel.height =
       0.9 * flat +
-      0.5 * over(x, y, TILE, 7, seed + 9, 2) -
+      0.5 * everywhere(x, y, 7, 9, 2) -
       0.13 * flaked -
       0.18 * pit +
       0.02 * grain +

@@ -49,7 +49,6 @@ function sampler(seed) {
       0.08 * everywhere(x, y, 14, 10, 4) +
       0.05 * fine +
       0.18 * scuff;
-    texel.metallic = 0;
   };
 }
 

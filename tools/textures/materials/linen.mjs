@@ -64,7 +64,6 @@ function sampler(seed) {
     glaze(color, GAP, clamp(hole + 0.45 * smoothstep(0.35, -0.05, height)));
     scale(color, 1 + 0.1 * strand);
     texel.roughness = 0.86 + 0.06 * strand + 0.05 * everywhere(x, y, 12, 10) + 0.06 * hole;
-    texel.metallic = 0;
   };
 }
 

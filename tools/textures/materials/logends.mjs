@@ -114,7 +114,6 @@ function sampler(seed) {
       0.92,
       Math.max(bark, split),
     );
-    texel.metallic = 0;
   };
 }
 

@@ -110,14 +110,13 @@ function paintWood(color, wood) {
   cover(color, KNOT, clamp(0.42 * wood.halo * wood.halo + 0.5 * wood.inside));
   if (wood.inside > 0) {
     scale(color, 1 - 0.35 * wood.inside * wood.knotRing);
-    scale(color, 1 - 0.75 * wood.rim * wood.inside * bell(wood.knotRadius - 0.96, 0.09));
+    scale(color, 1 - 0.75 * wood.rim * wood.inside * bell(wood.radius - 0.96, 0.09));
   }
   cover(color, SHADOW, clamp(0.93 * Math.max(wood.check, wood.star)));
 }
 
 function sampler(seed) {
   const logs = Array.from({ length: LOGS }, (_, index) => growLog(index, seed));
-  const wood = {};
   const mortar = chinking(LOGS, TILE, seed);
   return (x, y, texel) => {
     const index = Math.floor(y / PITCH);
@@ -189,21 +188,9 @@ function sampler(seed) {
       bell(proud + 1.5 * smear, 0.8) *
       smoothstep(-0.1, 0.35, along(x, 6, jointIndex * 5.1 + side * 3.3, seed + 21, 3));
 
-    wood.log = log;
-    wood.late = late;
-    wood.fibre = grain;
-    wood.streak = streak;
-    wood.patch = along(x, 4, arc / 120, s + 16, 4);
-    wood.bark = bark;
-    wood.halo = knot.halo;
-    wood.inside = knot.inside;
-    wood.knotRing = knotRing;
-    wood.knotRadius = knot.radius;
-    wood.check = check;
-    wood.star = knot.star;
-    wood.rim = knot.rim;
+    const patch = along(x, 4, arc / 120, s + 16, 4);
     const color = texel.albedo;
-    paintWood(color, wood);
+    paintWood(color, { ...knot, log, late, fibre: grain, streak, patch, bark, knotRing, check });
 
     const dusty =
       smoothstep(0.25, -0.95, height01) * (0.55 + 0.45 * along(x, 9, arc / 25, s + 17, 3));
@@ -229,7 +216,6 @@ function sampler(seed) {
       0.12 * bark -
       0.05 * cut;
     texel.roughness = mix(mix(timber, 0.95, check), joint.roughness, chink);
-    texel.metallic = 0;
   };
 }
 

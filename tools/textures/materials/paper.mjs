@@ -99,7 +99,6 @@ function sampler(seed) {
   return (x, y, texel) => {
     if (x < TILE / 2) page(x, y, texel);
     else block(x, y, texel);
-    texel.metallic = 0;
   };
 }
 

@@ -1,5 +1,5 @@
-import { latheLines, over, scratches, smudges } from "../metal.mjs";
-import { cellular, clamp, smoothstep } from "../noise.mjs";
+import { latheLines, scratches, smudges } from "../metal.mjs";
+import { cellular, clamp, smoothstep, tiledNoise } from "../noise.mjs";
 import { cover, pigment, scale, set } from "../pigment.mjs";
 
 /** Spun pewter gone soft and grey: knife marks, small dents, a skin of oxide rubbed through by hands. */
@@ -12,22 +12,19 @@ const DARK = pigment(0x7a7a79);
 
 function sampler(seed) {
   const scratch = scratches(220, TILE, seed, 6, 70);
+  const everywhere = tiledNoise(TILE, seed);
   return (x, y, texel) => {
     const turned = latheLines(x, y, TILE, seed + 1);
     const finger = smudges(x, y, TILE, seed + 3);
-    const dull = smoothstep(-0.35, 0.45, over(x, y, TILE, 5, seed + 20, 5));
-    const bloom = smoothstep(0.15, 0.75, over(x, y, TILE, 30, seed + 30, 5));
-    const grain = over(x, y, TILE, 150, seed + 40, 2);
+    const dull = smoothstep(-0.35, 0.45, everywhere(x, y, 5, 20, 5));
+    const bloom = smoothstep(0.15, 0.75, everywhere(x, y, 30, 30, 5));
+    const grain = everywhere(x, y, 150, 40, 2);
     const line = scratch(x, y);
     const hit = cellular((x / TILE) * 14, (y / TILE) * 14, seed + 44, 14, 14);
     const dent = hit.id % 100 < 22 ? smoothstep(0.3, 0, hit.nearest) : 0;
 
     texel.height =
-      0.018 * turned +
-      0.2 * over(x, y, TILE, 7, seed + 45, 2) +
-      0.004 * grain -
-      0.03 * line -
-      0.3 * dent;
+      0.018 * turned + 0.2 * everywhere(x, y, 7, 45, 2) + 0.004 * grain - 0.03 * line - 0.3 * dent;
     const color = texel.albedo;
     set(color, PEWTER);
     cover(color, OXIDE, clamp(0.75 * dull + 0.15 * turned - 0.25 * line));

@@ -152,7 +152,7 @@ function sampler(seed) {
       0.3 * figure.streak +
       0.35 * noise(localX / 200, localY / 55, s + 35) +
       1.1 * figure.swell +
-      figure.inside * (0.5 - 0.6 * figure.knotRadius * figure.knotRadius) -
+      figure.inside * (0.5 - 0.6 * figure.radius * figure.radius) -
       1.6 * figure.star -
       3 * figure.check;
     const blow = cellular((x / TILE) * 30, (y / TILE) * 30, seed + 40, 30, 30);
@@ -179,7 +179,7 @@ function sampler(seed) {
       KNOT,
       clamp(0.5 * figure.halo ** 2 + figure.inside * (0.35 + 0.4 * figure.knotRing)),
     );
-    scale(color, 1 - 0.8 * figure.rim * figure.inside * bell(figure.knotRadius - 0.97, 0.1));
+    scale(color, 1 - 0.8 * figure.rim * figure.inside * bell(figure.radius - 0.97, 0.1));
     scale(color, 1 - 0.12 * figure.pore);
     cover(color, CRACK, clamp(0.9 * figure.check + 0.85 * figure.star));
     scale(color, 1 + 0.2 * traffic * (1 - 0.5 * figure.late));

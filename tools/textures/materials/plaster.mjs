@@ -201,7 +201,6 @@ function sampler(seed, resolution) {
 
     texel.roughness =
       0.88 - 0.17 * burnish + 0.06 * middle + 0.05 * sand + 0.05 * brush * brushing + 0.08 * bare;
-    texel.metallic = 0;
   };
 }
 

@@ -39,7 +39,6 @@ function sampler(seed) {
       0.12 * rock.pecked -
       0.12 * rock.vein +
       0.08 * soot;
-    texel.metallic = 0;
   };
 }
 

@@ -101,7 +101,7 @@ function sampler(seed) {
       0.02 * chatter +
       0.35 * lengthwise(x, 260, w / 60, s + 56) +
       0.9 * figure.swell +
-      figure.inside * (0.3 - 0.5 * figure.knotRadius ** 2) -
+      figure.inside * (0.3 - 0.5 * figure.radius ** 2) -
       1.4 * figure.star -
       1.8 * figure.check -
       0.35 * dent -
@@ -126,7 +126,7 @@ function sampler(seed) {
       KNOT,
       clamp(0.55 * figure.halo ** 2 + figure.inside * (0.4 + 0.4 * figure.knotRing)),
     );
-    scale(color, 1 - 0.7 * figure.rim * figure.inside * bell(figure.knotRadius - 0.97, 0.1));
+    scale(color, 1 - 0.7 * figure.rim * figure.inside * bell(figure.radius - 0.97, 0.1));
     cover(color, PORE, clamp(0.34 * pore));
     cover(color, PORE, clamp(0.9 * figure.check + 0.9 * figure.star));
     const grime = smoothstep(0.1, 0.8, everywhere(x, y, 5, 9, 5));
@@ -145,7 +145,6 @@ function sampler(seed) {
       0.12 * grime +
       0.12 * clamp(scratch) +
       0.3 * figure.check;
-    texel.metallic = 0;
   };
 }
 

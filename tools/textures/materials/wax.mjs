@@ -38,7 +38,6 @@ function sampler(seed) {
     glaze(color, TALLOW, clamp(0.35 - 0.5 * runs + 0.25 * waves(x, y, 3, 3, 9)));
     scale(color, 1 + 0.012 * skin - 0.06 * pit);
     texel.roughness = 0.36 + 0.16 * bloom + 0.07 * skin + 0.04 * grain + 0.1 * scratch + 0.1 * pit;
-    texel.metallic = 0;
   };
 }
 

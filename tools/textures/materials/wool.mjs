@@ -77,7 +77,6 @@ function sampler(seed) {
       clamp(0.75 * (1 - round * (0.55 + 0.45 * hump)) + 0.3 * everywhere(x, y, 5, 10, 4)),
     );
     texel.roughness = 0.93 + 0.05 * fuzz - 0.04 * worn;
-    texel.metallic = 0;
   };
 }
 
