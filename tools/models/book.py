@@ -47,14 +47,14 @@ def text_block():
         low = [mesh.add_point(x + slant, BOARD, z) for z in depths]
         for r in range(len(depths) - 1):
             corners = [low[r], low[r + 1], high[r + 1], high[r]][::order]
-            add_mapped(mesh, corners, "paper", leaves)
+            add_mapped(mesh, corners, leaves)
     for row, order in ((0, -1), (-1, 1)):
         z = depths[row]
         high = [mesh.add_point(x, y, z) for x, y in top]
         low = [mesh.add_point(x, BOARD, z) for x, _ in top]
         for k in range(len(top) - 1):
             corners = [low[k], low[k + 1], high[k + 1], high[k]][::order]
-            add_mapped(mesh, corners, "paper", leaves)
+            add_mapped(mesh, corners, leaves)
     return mesh
 
 
@@ -86,9 +86,9 @@ def open_book():
     cloth = Projection("cloth-blue", chance)
     width = PAGE_WIDTH + 0.009
     for side in (-1, 1):
-        cover = box((width, BOARD, PAGE_HEIGHT + 0.01), 0.0011, "cloth-blue", cloth)
+        cover = box((width, BOARD, PAGE_HEIGHT + 0.01), 0.0011, cloth)
         mesh.include(cover, moved(side * (width / 2 + 0.005), BOARD / 2, 0))
-    spine = box((0.012, 0.0022, PAGE_HEIGHT + 0.01), 0.0009, "cloth-blue", cloth)
+    spine = box((0.012, 0.0022, PAGE_HEIGHT + 0.01), 0.0009, cloth)
     return mesh.include(spine, moved(0, 0.0011, 0))
 
 
@@ -120,15 +120,12 @@ def closed_book(width, height, thickness, cover, key):
             [out_high[k], out_high[n], in_high[n], in_high[k]],
             [out_low[n], out_low[k], in_low[k], in_low[n]],
         ):
-            add_mapped(mesh, corners, cover, cloth)
-    for k, n in ((0, None), (None, -1)):
-        corners = [in_low[0], out_low[0], out_high[0], in_high[0]]
-        if k is None:
-            corners = [out_low[n], in_low[n], in_high[n], out_high[n]]
-        add_mapped(mesh, corners, cover, cloth)
+            add_mapped(mesh, corners, cloth)
+    add_mapped(mesh, [in_low[0], out_low[0], out_high[0], in_high[0]], cloth)
+    add_mapped(mesh, [out_low[-1], in_low[-1], in_high[-1], out_high[-1]], cloth)
 
     block = (thickness - 1.6 * BOARD, height - 0.006, width - 0.007)
-    pages = box(block, 0.0008, "paper", Leaves(0, (height / 2, width / 2)))
+    pages = box(block, 0.0008, Leaves(0, (height / 2, width / 2)))
     return mesh.include(pages, moved(0, height / 2, -0.0005))
 
 

@@ -11,20 +11,23 @@ import bpy  # noqa: F401  mathutils comes with it
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from chair import build_chair
-from chest import build_blanket, build_chest, build_chest_irons
-from coat import build_coat, build_hat, build_peg_rail
-from door import build_door, build_door_irons
-from door import build_night as build_night_outside_door
+import chair
+import chest
+import coat
+import door
+import firewood
+import floor_and_ceiling as boards
+import furnishings
+import hearth
+import shelf
+import table
+import table_setting as setting
+import walls
+import window
 from export import add_anchor, add_node, start, write
-from firewood import build_firewood
-from floor_and_ceiling import build_ceiling, build_dark, build_floor
-from furnishings import build_bench, build_mirror, build_rug, build_stool
-from hearth import build_hearth
 from mesh import Mesh
 from occlusion import bake, tree_of
 from room import SPAWN, SPAWN_TURN
-from shelf import build_mantel_ware, build_shelf, build_shelf_books, build_shelf_ware
 from soundness import (
     SUNK,
     TOUCH,
@@ -35,56 +38,44 @@ from soundness import (
     inside_out,
     inside_out_shells,
 )
-from table import build_table
-from table_setting import (
-    build_cloth,
-    build_hand_bell,
-    build_open_book,
-    build_spectacles,
-    build_tankard,
-    build_wine_bottle,
-)
-from walls import build_walls
-from window import build_curtain, build_curtain_rod, build_window
-from window import build_night as build_night_outside_window
 
 # Each thing, the node it belongs to, and what it stands on, leans on or hangs from.
 THINGS = (
-    ("walls", "walls", build_walls, ()),
-    ("floor", "floor", build_floor, ()),
-    ("ceiling", "ceiling", build_ceiling, ()),
-    ("dark", "night", build_dark, ()),
-    ("night at the window", "night", build_night_outside_window, ()),
-    ("night at the door", "night", build_night_outside_door, ()),
-    ("hearth", "hearth", build_hearth, ("walls", "floor")),
-    ("firewood", "firewood", build_firewood, ("floor",)),
-    ("table", "table", build_table, ("floor",)),
-    ("chair", "chair", build_chair, ("floor",)),
-    ("shelf", "shelf", build_shelf, ("walls",)),
-    ("shelf books", "shelf", build_shelf_books, ("shelf",)),
-    ("shelf ware", "shelf", build_shelf_ware, ("shelf",)),
-    ("mantel ware", "shelf", build_mantel_ware, ("hearth",)),
-    ("window", "window", build_window, ("walls",)),
-    ("curtain rod", "window", build_curtain_rod, ("walls",)),
-    ("curtain", "window", build_curtain, ("curtain rod",)),
-    ("door", "door", build_door, ("walls", "floor")),
-    ("door irons", "door", build_door_irons, ("door",)),
-    ("chest", "chest", build_chest, ("floor",)),
-    ("chest irons", "chest", build_chest_irons, ("chest",)),
-    ("blanket", "chest", build_blanket, ("chest",)),
-    ("rug", "rug", build_rug, ("floor",)),
-    ("stool", "seats", build_stool, ("floor",)),
-    ("bench", "seats", build_bench, ("floor",)),
-    ("peg rail", "fittings", build_peg_rail, ("walls",)),
-    ("coat", "fittings", build_coat, ("peg rail",)),
-    ("hat", "fittings", build_hat, ("peg rail",)),
-    ("mirror", "fittings", build_mirror, ("walls",)),
-    ("book", "table", build_open_book, ("table",)),
-    ("spectacles", "table", build_spectacles, ("table",)),
-    ("tankard", "table", build_tankard, ("table",)),
-    ("wine bottle", "table", build_wine_bottle, ("table",)),
-    ("bell", "table", build_hand_bell, ("table",)),
-    ("cloth", "table", build_cloth, ("table",)),
+    ("walls", "walls", walls.build_walls, ()),
+    ("floor", "floor", boards.build_floor, ()),
+    ("ceiling", "ceiling", boards.build_ceiling, ()),
+    ("dark", "night", boards.build_dark, ()),
+    ("night at the window", "night", window.build_night, ()),
+    ("night at the door", "night", door.build_night, ()),
+    ("hearth", "hearth", hearth.build_hearth, ("walls", "floor")),
+    ("firewood", "firewood", firewood.build_firewood, ("floor",)),
+    ("table", "table", table.build_table, ("floor",)),
+    ("chair", "chair", chair.build_chair, ("floor",)),
+    ("shelf", "shelf", shelf.build_shelf, ("walls",)),
+    ("shelf books", "shelf", shelf.build_shelf_books, ("shelf",)),
+    ("shelf ware", "shelf", shelf.build_shelf_ware, ("shelf",)),
+    ("mantel ware", "shelf", shelf.build_mantel_ware, ("hearth",)),
+    ("window", "window", window.build_window, ("walls",)),
+    ("curtain rod", "window", window.build_curtain_rod, ("walls",)),
+    ("curtain", "window", window.build_curtain, ("curtain rod",)),
+    ("door", "door", door.build_door, ("walls", "floor")),
+    ("door irons", "door", door.build_door_irons, ("door",)),
+    ("chest", "chest", chest.build_chest, ("floor",)),
+    ("chest irons", "chest", chest.build_chest_irons, ("chest",)),
+    ("blanket", "chest", chest.build_blanket, ("chest",)),
+    ("rug", "rug", furnishings.build_rug, ("floor",)),
+    ("stool", "seats", furnishings.build_stool, ("floor",)),
+    ("bench", "seats", furnishings.build_bench, ("floor",)),
+    ("peg rail", "fittings", coat.build_peg_rail, ("walls",)),
+    ("coat", "fittings", coat.build_coat, ("peg rail",)),
+    ("hat", "fittings", coat.build_hat, ("peg rail",)),
+    ("mirror", "fittings", furnishings.build_mirror, ("walls",)),
+    ("book", "table", setting.build_open_book, ("table",)),
+    ("spectacles", "table", setting.build_spectacles, ("table",)),
+    ("tankard", "table", setting.build_tankard, ("table",)),
+    ("wine bottle", "table", setting.build_wine_bottle, ("table",)),
+    ("bell", "table", setting.build_hand_bell, ("table",)),
+    ("cloth", "table", setting.build_cloth, ("table",)),
 )
 
 # A draw call costs more than a name: small things of one material share a node, wherever they are.

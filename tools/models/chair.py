@@ -42,7 +42,7 @@ def slat(height, depth, half, bow, tall, chance):
                 (x, low, z),
             ]
         )
-    return loft(rings[::-1], "trim", Grain("trim", chance, 0))
+    return loft(rings[::-1], Grain("trim", chance, 0))
 
 
 def rush_seat(front, back, depth, chance):

@@ -20,31 +20,15 @@ def build_chest():
     length, depth, height = CHEST_LENGTH, CHEST_DEPTH, CHEST_HEIGHT
     body = height - LID
     for side in (-1, 1):
-        end = timber(body, depth - 0.03, 0.022, 0.003, "pine", Grain("pine", chance, 0))
+        end = timber(body, depth - 0.03, 0.022, 0.003, "pine", chance)
         place = moved(side * (length / 2 - 0.03), body / 2, 0) @ turned(pi / 2, "Z")
         mesh.include(end, place)
-        face = timber(
-            length - 0.02,
-            body - 0.07,
-            0.022,
-            0.004,
-            "pine",
-            Grain("pine", chance, 0),
-            [k / 4 for k in range(5)],
-        )
+        face = timber(length - 0.02, body - 0.07, 0.022, 0.004, "pine", chance, 4)
         z = side * (depth / 2 - 0.012)
         mesh.include(face, moved(0, 0.07 + (body - 0.07) / 2, z) @ turned(pi / 2, "X"))
-    floor = box((length - 0.07, 0.02, depth - 0.04), 0.002, "pine", Grain("pine", chance, 0))
+    floor = box((length - 0.07, 0.02, depth - 0.04), 0.002, Grain("pine", chance, 0))
     mesh.include(floor, moved(0, 0.1, 0))
-    lid = timber(
-        length + 0.02,
-        depth + 0.025,
-        LID,
-        0.007,
-        "pine",
-        Grain("pine", chance, 0),
-        [k / 4 for k in range(5)],
-    )
+    lid = timber(length + 0.02, depth + 0.025, LID, 0.007, "pine", chance, 4)
     mesh.include(lid, moved(0, height - LID / 2, 0))
     return mesh.placed(CHEST)
 
@@ -55,10 +39,10 @@ def build_chest_irons():
     iron = Projection("iron", chance)
     front = CHEST_DEPTH / 2 - 0.001
     mesh.include(
-        box((0.075, 0.095, 0.004), 0.0016, "iron", iron),
+        box((0.075, 0.095, 0.004), 0.0016, iron),
         moved(0, CHEST_HEIGHT - 0.1, front + 0.0015),
     )
-    hasp = box((0.03, 0.085, 0.005), 0.0018, "iron", iron)
+    hasp = box((0.03, 0.085, 0.005), 0.0018, iron)
     mesh.include(hasp, moved(0, CHEST_HEIGHT - 0.075, front + 0.006))
     return mesh.placed(CHEST)
 
@@ -81,7 +65,7 @@ def folded_layer(width, depth, thickness, key):
             sag = 0.003 * wander_over(x * 9, z * 9, chance.key) * (1 if s > 0 else 0)
             ring.append((x, y + sag + thickness / 2, -z))
         rings.append(ring)
-    return loft(rings, "wool", Projection("wool", chance))
+    return loft(rings, Projection("wool", chance))
 
 
 def build_blanket():

@@ -5,8 +5,8 @@ from math import cos, pi, sin
 from chance import Chance, wander
 from mesh import Mesh, moved, turned
 from room import SOUTH
-from shapes import lathe, loft, smooth_path, timber, tube
-from texturing import Grain, Projection
+from shapes import lathe, loft, millimetres, smooth_path, timber, tube
+from texturing import Projection
 
 PEGS = SOUTH.placement @ moved(0.35, 1.68, 0)
 
@@ -14,9 +14,7 @@ PEGS = SOUTH.placement @ moved(0.35, 1.68, 0)
 def build_peg_rail():
     chance = Chance("pegs")
     mesh = Mesh()
-    rail = timber(
-        0.9, 0.085, 0.022, 0.005, "trim", Grain("trim", chance, 0), [k / 3 for k in range(4)]
-    )
+    rail = timber(0.9, 0.085, 0.022, 0.005, "trim", chance, 3)
     mesh.include(rail, moved(0, 0, 0.013) @ turned(pi / 2, "X"))
     for x in (-0.3, 0.0, 0.3):
         peg = [(x, -0.002, 0.016), (x, 0.006, 0.055), (x, 0.018, 0.095), (x, 0.022, 0.107)]
@@ -56,7 +54,7 @@ def build_coat():
             ring.append((x, y, max(z, 0.012)))
         # The loft wants them to turn about the upward direction.
         rings.append(ring[::-1])
-    mesh.include(loft(rings, "broadcloth", Projection("broadcloth", Chance("coat"))))
+    mesh.include(loft(rings, Projection("broadcloth", Chance("coat"))))
     for side in (-1, 1):
         sleeve = [
             (side * 0.1, -0.075, 0.075),
@@ -79,22 +77,9 @@ def build_coat():
 
 def build_hat():
     """A felt hat on the far peg, seen from its crown."""
-    profile = [
-        (0, 0.004),
-        (0.088, 0.002),
-        (0.12, 0.001),
-        (0.165, 0.006),
-        (0.168, 0.009),
-        (0.165, 0.0115),
-    ]
-    profile += [
-        (0.12, 0.007),
-        (0.096, 0.01),
-        (0.091, 0.03),
-        (0.087, 0.07),
-        (0.079, 0.1),
-        (0.06, 0.112),
-        (0, 0.108),
-    ]
+    profile = millimetres(
+        "0 4, 88 2, 120 1, 165 6, 168 9, 165 11.5, 120 7, 96 10, 91 30, 87 70, 79 100, 60 112, "
+        "0 108"
+    )
     hat = lathe(profile, 18, "broadcloth", radius_at=lambda a, r, h: r * (1 + 0.06 * cos(2 * a)))
     return hat.placed(PEGS @ moved(0.3, -0.068, 0.05) @ turned(pi / 2 + 0.2, "X"))

@@ -20,9 +20,7 @@ LEDGE = 0.022
 
 
 def upright(length, width, thickness, chance, bevel=0.004):
-    board = timber(
-        length, width, thickness, bevel, "trim", Grain("trim", chance, 0), [k / 5 for k in range(6)]
-    )
+    board = timber(length, width, thickness, bevel, "trim", chance, 5)
     return board.placed(turned(pi / 2, "Z") @ turned(pi / 2, "X"))
 
 
@@ -40,7 +38,7 @@ def build_door():
             board, moved(x, height / 2, FACE - THICKNESS / 2 + chance.between(-0.001, 0.001))
         )
     for y in LEDGES:
-        ledge = timber(2 * clear - 0.06, 0.13, LEDGE, 0.006, "trim", Grain("trim", chance, 0))
+        ledge = timber(2 * clear - 0.06, 0.13, LEDGE, 0.006, "trim", chance)
         mesh.include(ledge, moved(0, y, FACE + LEDGE / 2 - 0.001) @ turned(pi / 2, "X"))
     for side in (-1, 1):
         jamb = upright(height + 0.05, CASING, CASING_DEPTH, chance)
@@ -48,16 +46,14 @@ def build_door():
             side * (half + CASING / 2 - 0.014), (height + 0.05) / 2, SEAT + CASING_DEPTH / 2
         )
         mesh.include(jamb, place)
-        lining = box((0.02, height, 0.15), 0.003, "trim", Grain("trim", chance, 1))
+        lining = box((0.02, height, 0.15), 0.003, Grain("trim", chance, 1))
         mesh.include(lining, moved(side * (half - 0.001), height / 2, SEAT + 0.004 - 0.075))
-    head = timber(
-        2 * half + 2 * CASING + 0.02, CASING, CASING_DEPTH, 0.004, "trim", Grain("trim", chance, 0)
-    )
+    head = timber(2 * half + 2 * CASING + 0.02, CASING, CASING_DEPTH, 0.004, "trim", chance)
     place = moved(0, height + CASING / 2 - 0.014, SEAT + CASING_DEPTH / 2 + 0.003)
     mesh.include(head, place @ turned(pi / 2, "X"))
-    lining = box((2 * half, 0.02, 0.15), 0.003, "trim", Grain("trim", chance, 0))
+    lining = box((2 * half, 0.02, 0.15), 0.003, Grain("trim", chance, 0))
     mesh.include(lining, moved(0, height - 0.002, SEAT + 0.004 - 0.075))
-    step = box((2 * half, 0.03, 0.2), 0.006, "trim", Grain("trim", chance, 0))
+    step = box((2 * half, 0.03, 0.2), 0.006, Grain("trim", chance, 0))
     mesh.include(step, moved(0, 0.0, -0.06))
     return mesh.placed(PLACEMENT)
 
@@ -87,7 +83,7 @@ def build_door_irons():
             place = moved(half - 0.07 - 0.14 * k, y, surface + 0.0035) @ turned(pi / 2, "X")
             mesh.include(nail, place)
     x, y = -half + 0.085, 1.02
-    plate = box((0.045, 0.2, 0.004), 0.0015, "iron", iron)
+    plate = box((0.045, 0.2, 0.004), 0.0015, iron)
     mesh.include(plate, moved(x, y, FACE + 0.0015))
     handle = [
         (x, y - 0.082, FACE + 0.001),
@@ -97,7 +93,7 @@ def build_door_irons():
         (x, y + 0.062, FACE + 0.001),
     ]
     mesh.include(tube(smooth_path(handle, 3), 0.0065, 7, "iron"))
-    bar = box((0.17, 0.022, 0.007), 0.002, "iron", iron)
+    bar = box((0.17, 0.022, 0.007), 0.002, iron)
     mesh.include(bar, moved(x - 0.005, y + 0.14, FACE + 0.0065) @ turned(-0.03, "Z"))
     staple = [
         (x + 0.02, y + 0.118, FACE - 0.002),

@@ -6,7 +6,7 @@ from chance import Chance, wander
 from mesh import Mesh, moved, turned
 from room import BEAM_HEIGHT, BEAMS, DEPTH, HEIGHT, LENGTH
 from shapes import timber
-from texturing import TILE, Grain
+from texturing import TILE
 
 BOARD = 0.2
 ROWS = 8
@@ -72,14 +72,7 @@ def build_ceiling():
             return 0.008 * wander(along / 0.9, key, 1), 0.012 * wander(along / 1.1, key, 2)
 
         beam = timber(
-            DEPTH + MARGIN,
-            chance.between(0.15, 0.17),
-            BEAM_HEIGHT,
-            0.02,
-            "trim",
-            Grain("trim", chance, 0),
-            [j / 6 for j in range(7)],
-            hewn,
+            DEPTH + MARGIN, chance.between(0.15, 0.17), BEAM_HEIGHT, 0.02, "trim", chance, 6, hewn
         )
         mesh.include(beam, moved(x, HEIGHT - BEAM_HEIGHT / 2 + 0.012, 0) @ turned(pi / 2))
     return mesh

@@ -5,12 +5,14 @@ from math import cos, pi, sin
 from chance import Chance, wander
 from mesh import Mesh, moved, turned
 from room import WEST
-from shapes import box, lathe, loft, slab, timber, tube
+from shapes import box, lathe, loft, millimetres, slab, timber, tube
 from texturing import Grain
 
 
 class Coils:
     """The stripes of the `wool` texture run round, so V is the distance from the rug's spine."""
+
+    material = "wool"
 
     def __init__(self, half_width):
         self.half_width = half_width
@@ -58,7 +60,7 @@ def build_rug():
                     for k, p in enumerate(place(k, share) for k in range(sides))
                 ]
             )
-    grown = loft(rings, "wool", Coils(half_width), capped=False)
+    grown = loft(rings, Coils(half_width), capped=False)
     hub = [len(grown.points) - sides + k for k in range(sides)]
     heights = sum(grown.points[k].y for k in hub) / sides
     tip = grown.add_point(0, heights, 0)
@@ -73,8 +75,7 @@ def build_rug():
 def build_stool():
     """A milking stool: a thick round seat on three splayed legs."""
     mesh = Mesh()
-    seat = [(0, 0.3), (0.12, 0.3), (0.142, 0.303), (0.148, 0.312), (0.148, 0.326), (0.142, 0.335)]
-    seat += [(0.12, 0.337), (0.06, 0.333), (0, 0.331)]
+    seat = millimetres("0 300, 120 300, 142 303, 148 312, 148 326, 142 335, 120 337, 60 333, 0 331")
     mesh.include(lathe(seat, 20, "pine", along_grain=True))
     for k in range(3):
         angle = 2 * pi * k / 3 + 0.5
@@ -94,11 +95,9 @@ def build_mirror():
     mesh = Mesh()
     width, height, frame = 0.34, 0.46, 0.05
     for side in (-1, 1):
-        rail = timber(width, frame, 0.024, 0.007, "trim", Grain("trim", chance, 0))
+        rail = timber(width, frame, 0.024, 0.007, "trim", chance)
         mesh.include(rail, moved(0, side * (height - frame) / 2, 0) @ turned(pi / 2, "X"))
-        stile = timber(
-            height - 2 * frame + 0.002, frame, 0.024, 0.007, "trim", Grain("trim", chance, 0)
-        )
+        stile = timber(height - 2 * frame + 0.002, frame, 0.024, 0.007, "trim", chance)
         upright = turned(pi / 2, "Z") @ turned(pi / 2, "X")
         mesh.include(stile, moved(side * (width - frame) / 2, 0, 0) @ upright)
     half_width, half_height = width / 2 - frame + 0.004, height / 2 - frame + 0.004
@@ -115,15 +114,11 @@ def build_bench():
     chance = Chance("bench")
     mesh = Mesh()
     length, depth, height, thickness = 1.25, 0.27, 0.44, 0.036
-    seat = timber(
-        length, depth, thickness, 0.006, "pine", Grain("pine", chance, 0), [k / 4 for k in range(5)]
-    )
+    seat = timber(length, depth, thickness, 0.006, "pine", chance, 4)
     mesh.include(seat, moved(0, height - thickness / 2, 0))
     for side in (-1, 1):
-        end = box(
-            (0.034, height - thickness, depth - 0.03), 0.005, "pine", Grain("pine", chance, 1)
-        )
+        end = box((0.034, height - thickness, depth - 0.03), 0.005, Grain("pine", chance, 1))
         mesh.include(end, moved(side * (length / 2 - 0.15), (height - thickness) / 2, 0))
-    rail = box((length - 0.32, 0.085, 0.026), 0.004, "pine", Grain("pine", chance, 0))
+    rail = box((length - 0.32, 0.085, 0.026), 0.004, Grain("pine", chance, 0))
     mesh.include(rail, moved(0, height - thickness - 0.05, 0))
     return mesh.placed(WEST.placement @ moved(-0.2, 0, 0.21) @ turned(-0.02))

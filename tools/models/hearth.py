@@ -2,6 +2,8 @@
 
 from math import cos, pi, sin
 
+from mathutils import Vector
+
 from chance import Chance, wander_over
 from masonry import (
     BRESSUMMER_BOTTOM,
@@ -12,11 +14,10 @@ from masonry import (
     masonry,
     mortar,
 )
-from mathutils import Vector
 from mesh import Mesh, moved
 from room import HEARTH_MIDDLE, NORTH
-from shapes import add_mapped, arc, lathe, smooth_path, timber, tube
-from texturing import Grain, Projection
+from shapes import add_grid, arc, lathe, smooth_path, timber, tube
+from texturing import Projection
 
 PLACEMENT = NORTH.placement @ moved(HEARTH_MIDDLE, 0, 0)
 MANTEL_TOP = BRESSUMMER_TOP
@@ -30,8 +31,8 @@ def bressummer():
         BRESSUMMER_TOP - BRESSUMMER_BOTTOM,
         0.016,
         "trim",
-        Grain("trim", chance, 0),
-        [k / 7 for k in range(8)],
+        chance,
+        7,
         lambda x: (0.0, 0.008 * wander_over(x * 2.2, 0.5, chance.key)),
     )
     return beam.placed(moved(0, (BRESSUMMER_TOP + BRESSUMMER_BOTTOM) / 2, 0.48))
@@ -151,12 +152,7 @@ def ash_heap():
             height = 0.045 * falling**0.7 + 0.012 * falling**0.5 * wander_over(4 * s, 3 * t, "ash")
             line.append(mesh.add_point(s * width / 2, SLAB - 0.006 + height, 0.3 - t * depth / 2))
         grid.append(line)
-    mapping = Projection("ash", Chance("ash"))
-    for r in range(rows):
-        for c in range(columns):
-            corners = [grid[r][c], grid[r][c + 1], grid[r + 1][c + 1], grid[r + 1][c]]
-            add_mapped(mesh, corners, "ash", mapping)
-    return mesh
+    return add_grid(mesh, grid, Projection("ash", Chance("ash")))
 
 
 def fire_logs():

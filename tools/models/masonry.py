@@ -2,11 +2,12 @@
 
 from math import pi
 
-from chance import Chance, wander_over
 from mathutils import Vector
+
+from chance import Chance, wander_over
 from mesh import Mesh, moved, turned
 from room import HEIGHT
-from shapes import add_mapped, box, loft
+from shapes import add_grid, add_mapped, box, loft
 from texturing import Projection
 
 HALF_WIDTH = 0.75
@@ -66,7 +67,7 @@ def stone_block(size, chance, rounding, whole=False):
                     lines = [0, 0, 0]
                     lines[axis], lines[b], lines[c] = sign, vb, vc
                     quad.append(at(tuple(lines)))
-                add_mapped(mesh, quad[:: 1 if sign > 0 else -1], "stone", mapping)
+                add_mapped(mesh, quad[:: 1 if sign > 0 else -1], mapping)
     return mesh
 
 
@@ -151,8 +152,8 @@ def mortar():
     inset = MORTAR_INSET
     for side in (-1, 1):
         width = HALF_WIDTH - OPENING - 2 * inset
-        core = box((width, BRESSUMMER_BOTTOM, FRONT + 0.05 - inset), 0.01, "plaster", mapping)
-        behind = box((width, 0.3, 0.36), 0.01, "plaster", mapping)
+        core = box((width, BRESSUMMER_BOTTOM, FRONT + 0.05 - inset), 0.01, mapping)
+        behind = box((width, 0.3, 0.36), 0.01, mapping)
         mesh.include(behind, moved(side * (OPENING + HALF_WIDTH) / 2, BRESSUMMER_TOP - 0.14, 0.13))
         middle = side * (OPENING + HALF_WIDTH) / 2
         height = BRESSUMMER_BOTTOM / 2
@@ -170,12 +171,12 @@ def mortar():
                 (half, height, -0.05),
             ]
         )
-    return mesh.include(loft(rings, "plaster", mapping))
+    return mesh.include(loft(rings, mapping))
 
 
 def firebox():
     """Back, cheeks and throat in one skin, black with soot; open towards the room."""
-    mapping = Projection("stone", Chance("firebox"))
+    mapping = Projection("stone-sooty", Chance("firebox"))
     mesh = Mesh()
     # Half-width and depth of the back at each height: the throat leans forward to the bressummer.
     levels = [(0.04, 0.1), (0.3, 0.1), (0.55, 0.12), (0.8, 0.22), (1.02, 0.36)]
@@ -187,11 +188,7 @@ def firebox():
         outline += [(0, back - 0.01), (half_back, back), (0.4, (front + back) / 2)]
         outline += [(OPENING + 0.005, front)]
         columns.append([mesh.add_point(x, height, z) for x, z in outline])
-    for lower, upper in zip(columns, columns[1:]):
-        for k in range(len(lower) - 1):
-            corners = [lower[k], lower[k + 1], upper[k + 1], upper[k]]
-            add_mapped(mesh, corners, "stone-sooty", mapping)
-    return mesh
+    return add_grid(mesh, columns, mapping)
 
 
 def hearthstone():

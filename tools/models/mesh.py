@@ -120,7 +120,3 @@ def moved(x, y, z):
 
 def turned(angle, axis="Y"):
     return Matrix.Rotation(angle, 4, axis)
-
-
-def scaled(x, y, z):
-    return Matrix.Diagonal((x, y, z, 1))

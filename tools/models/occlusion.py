@@ -2,9 +2,10 @@
 
 from math import cos, pi, sin, sqrt
 
-from chance import hashed
 from mathutils import Vector
 from mathutils.bvhtree import BVHTree
+
+from chance import hashed
 
 RAYS = 64
 # The renderer's irradiance volume knows what lies further away.

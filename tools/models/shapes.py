@@ -1,37 +1,51 @@
 """The solids everything is made of. All are closed unless said otherwise, and no edge is sharp."""
 
+from itertools import product
 from math import cos, pi, sin
 
 from mathutils import Vector
+
 from mesh import Mesh
-from texturing import tile_of
+from texturing import Grain, tile_of
 
 
-def add_mapped(mesh, corners, material, mapping):
+def millimetres(text):
+    """Points in metres: "38.5 0, 40.5 2.5" is [(0.0385, 0), (0.0405, 0.0025)]."""
+    return [tuple(float(f"{n}e-3") for n in point.split()) for point in text.split(",")]
+
+
+def add_mapped(mesh, corners, mapping):
     points = [mesh.points[corner] for corner in corners]
     normal = (points[1] - points[0]).cross(points[2] - points[0])
     if len(points) == 4:
         normal += (points[2] - points[0]).cross(points[3] - points[0])
-    mesh.add_face(corners, [mapping.texcoord(point, normal) for point in points], material)
+    texcoords = [mapping.texcoord(point, normal) for point in points]
+    mesh.add_face(corners, texcoords, mapping.material)
 
 
-def box(size, bevel, material, mapping):
+def add_grid(mesh, rows, mapping):
+    """A skin over rows of equally many points, and returns the mesh."""
+    for lower, upper in zip(rows, rows[1:]):
+        for k in range(len(lower) - 1):
+            add_mapped(mesh, [lower[k], lower[k + 1], upper[k + 1], upper[k]], mapping)
+    return mesh
+
+
+def box(size, bevel, mapping):
     """A box round the origin with one-step bevels: 44 triangles."""
     mesh = Mesh()
     half = [length / 2 for length in size]
     index = {}
-    for sx in (-1, 1):
-        for sy in (-1, 1):
-            for sz in (-1, 1):
-                signs = (sx, sy, sz)
-                for face in range(3):
-                    point = [signs[k] * (half[k] - (0 if k == face else bevel)) for k in range(3)]
-                    index[signs, face] = mesh.add_point(point)
+    octants = list(product((-1, 1), repeat=3))
+    for signs in octants:
+        for face in range(3):
+            point = [signs[k] * (half[k] - (0 if k == face else bevel)) for k in range(3)]
+            index[signs, face] = mesh.add_point(point)
 
     def facing(corners, outwards):
         a, b, c = (mesh.points[corner] for corner in corners[:3])
         wrong = (b - a).cross(c - a).dot(Vector(outwards)) < 0
-        add_mapped(mesh, corners[::-1] if wrong else corners, material, mapping)
+        add_mapped(mesh, corners[::-1] if wrong else corners, mapping)
 
     def signs_of(axis_signs):
         return tuple(axis_signs[k] for k in range(3))
@@ -43,21 +57,13 @@ def box(size, bevel, material, mapping):
                 index[signs_of({axis: s, b: sb, c: sc}), axis]
                 for sb, sc in ((-1, -1), (1, -1), (1, 1), (-1, 1))
             ]
-            outwards = [0, 0, 0]
-            outwards[axis] = s
-            facing(quad, outwards)
-        for sb in (-1, 1):
-            for sc in (-1, 1):
-                low = signs_of({axis: -1, b: sb, c: sc})
-                high = signs_of({axis: 1, b: sb, c: sc})
-                outwards = [0, 0, 0]
-                outwards[b], outwards[c] = sb, sc
-                facing([index[low, b], index[high, b], index[high, c], index[low, c]], outwards)
-    for sx in (-1, 1):
-        for sy in (-1, 1):
-            for sz in (-1, 1):
-                signs = (sx, sy, sz)
-                facing([index[signs, face] for face in range(3)], signs)
+            facing(quad, signs_of({axis: s, b: 0, c: 0}))
+        for sb, sc in product((-1, 1), repeat=2):
+            low, high = signs_of({axis: -1, b: sb, c: sc}), signs_of({axis: 1, b: sb, c: sc})
+            outwards = signs_of({axis: 0, b: sb, c: sc})
+            facing([index[low, b], index[high, b], index[high, c], index[low, c]], outwards)
+    for signs in octants:
+        facing([index[signs, face] for face in range(3)], signs)
     return mesh
 
 
@@ -76,7 +82,7 @@ def chamfered(width, height, bevel):
     ]
 
 
-def loft(rings, material, mapping, capped=True):
+def loft(rings, mapping, capped=True):
     """A skin over rings of equally many points, each counter-clockwise seen from the last ring."""
     mesh = Mesh()
     indices = [mesh.add_ring(ring) for ring in rings]
@@ -85,21 +91,21 @@ def loft(rings, material, mapping, capped=True):
         for k in range(count):
             after = (k + 1) % count
             corners = [below[k], below[after], above[after], above[k]]
-            add_mapped(mesh, corners, material, mapping)
+            add_mapped(mesh, corners, mapping)
     if capped:
-        add_mapped(mesh, indices[0][::-1], material, mapping)
-        add_mapped(mesh, indices[-1], material, mapping)
+        add_mapped(mesh, indices[0][::-1], mapping)
+        add_mapped(mesh, indices[-1], mapping)
     return mesh
 
 
-def timber(length, width, height, bevel, material, mapping, stations=None, shift=None):
+def timber(length, width, height, bevel, material, chance, pieces=1, shift=None):
     """
-    A board along X with bevelled edges and ends, cut across at `stations` (shares of its length);
-    `shift(x)` moves each cut by (y, z).
+    A board along X with bevelled edges and ends, cut across into equal pieces; `shift(x)` moves
+    each cut by (y, z).
     """
+    grain = Grain(material, chance, 0)
     outline = chamfered(width, height, bevel)
     inset = chamfered(width - 2 * bevel, height - 2 * bevel, bevel * 0.6)
-    shares = stations or (0, 1)
     half = length / 2
     rings = []
 
@@ -109,11 +115,11 @@ def timber(length, width, height, bevel, material, mapping, stations=None, shift
         return [(x, y + dy, -z + dz) for z, y in shape]
 
     rings.append(ring(inset, -half))
-    for share in shares:
-        x = -half + bevel + share * (length - 2 * bevel)
+    for cut in range(pieces + 1):
+        x = -half + bevel + cut / pieces * (length - 2 * bevel)
         rings.append(ring(outline, x))
     rings.append(ring(inset, half))
-    return loft(rings, material, mapping)
+    return loft(rings, grain)
 
 
 def lathe(profile, sides, material, along_grain=False, radius_at=None, repeats=None):

@@ -28,22 +28,14 @@ def bracket(chance):
         side = [(half, 0.0), (half, low + eased), (half - eased, low)]
         ring = side + [(-x, y) for x, y in side[::-1]]
         rings.append([(x, y, z) for x, y in ring[::-1]])
-    return loft(rings, "trim", Grain("trim", chance, 1))
+    return loft(rings, Grain("trim", chance, 1))
 
 
 def build_shelf():
     chance = Chance("shelf")
     mesh = Mesh()
     for level in LEVELS:
-        board = timber(
-            LENGTH,
-            DEPTH,
-            THICKNESS,
-            0.003,
-            "trim",
-            Grain("trim", chance, 0),
-            [k / 4 for k in range(5)],
-        )
+        board = timber(LENGTH, DEPTH, THICKNESS, 0.003, "trim", chance, 4)
         mesh.include(board, moved(0, level - THICKNESS / 2, DEPTH / 2 + 0.002))
         for side in (-1, 1):
             mesh.include(

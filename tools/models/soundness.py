@@ -3,9 +3,10 @@
 from collections import defaultdict
 from math import cos, isfinite, pi, sin, sqrt
 
-from chance import Chance
 from mathutils import Vector
 from mathutils.bvhtree import BVHTree
+
+from chance import Chance
 from mesh import Mesh
 from occlusion import tree_of
 

@@ -35,15 +35,7 @@ def build_table():
     width = DEPTH / boards
     for k in range(boards):
         size = LENGTH + chance.between(-0.003, 0.003)
-        board = timber(
-            size,
-            width - 0.0022,
-            THICKNESS,
-            0.0028,
-            MATERIAL,
-            Grain(MATERIAL, chance, 0),
-            [j / 6 for j in range(7)],
-        )
+        board = timber(size, width - 0.0022, THICKNESS, 0.0028, MATERIAL, chance, 6)
         lift = chance.between(-0.0005, 0.0005)
         z = (k - (boards - 1) / 2) * width
         mesh.include(board, moved(chance.between(-0.001, 0.001), HEIGHT - THICKNESS / 2 + lift, z))
@@ -51,15 +43,15 @@ def build_table():
     x, z = LENGTH / 2 - LEG_INSET, DEPTH / 2 - LEG_INSET
     under = HEIGHT - THICKNESS
     for side in (-1, 1):
-        long = box((2 * x - BLOCK, APRON, 0.022), 0.002, MATERIAL, Grain(MATERIAL, chance, 0))
+        long = box((2 * x - BLOCK, APRON, 0.022), 0.002, Grain(MATERIAL, chance, 0))
         mesh.include(long, moved(0, under - APRON / 2, side * z))
-        short = box((0.022, APRON, 2 * z - BLOCK), 0.002, MATERIAL, Grain(MATERIAL, chance, 2))
+        short = box((0.022, APRON, 2 * z - BLOCK), 0.002, Grain(MATERIAL, chance, 2))
         mesh.include(short, moved(side * x, under - APRON / 2, 0))
     block_height = under - 0.585
     profile = leg_profile()
     for sx in (-1, 1):
         for sz in (-1, 1):
-            block = box((BLOCK, block_height, BLOCK), 0.004, MATERIAL, Grain(MATERIAL, chance, 1))
+            block = box((BLOCK, block_height, BLOCK), 0.004, Grain(MATERIAL, chance, 1))
             mesh.include(block, moved(sx * x, 0.585 + block_height / 2, sz * z))
             leg = lathe(profile, 12, MATERIAL, along_grain=True)
             mesh.include(leg, moved(sx * x, 0, sz * z) @ turned(chance.between(0, 6)))

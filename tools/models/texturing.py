@@ -25,6 +25,7 @@ TINTS = {
     "cloth-blue": "leather",
     "cloth-red": "leather",
     "broadcloth": "linen",
+    "stone-sooty": "stone",
 }
 
 # Boards side by side in one tile of wood; grain runs along U.
@@ -39,6 +40,7 @@ class Projection:
     """Texture laid flat on each face along the axis it faces, from a random place."""
 
     def __init__(self, material, chance):
+        self.material = material
         self.tile = tile_of(material)
         self.offset = (chance.share(), chance.share())
 
@@ -55,6 +57,7 @@ class Grain:
     """One piece of wood: grain along an axis, kept inside one board of the sheet."""
 
     def __init__(self, material, chance, axis):
+        self.material = material
         self.tile = tile_of(material)
         self.axis = axis
         boards = BOARDS[TINTS.get(material, material)]
@@ -75,6 +78,8 @@ PAGE_TILE = TILE["paper"]
 
 class Leaves:
     """Leaves of a book seen on edge, stacked along one axis."""
+
+    material = "paper"
 
     def __init__(self, stacked, half_size):
         self.stacked = stacked

@@ -6,7 +6,7 @@ from chance import Chance, wander_over
 from linen import curtain
 from mesh import Mesh, moved, turned
 from room import WINDOW
-from shapes import add_mapped, box, timber, tube
+from shapes import add_grid, box, timber, tube
 from texturing import Grain, Projection
 
 REVEAL = 0.15
@@ -25,7 +25,7 @@ ROD_OUT = 0.125
 
 
 def plank(length, width, thickness, axis, chance):
-    board = timber(length, width, thickness, 0.003, "trim", Grain("trim", chance, 0))
+    board = timber(length, width, thickness, 0.003, "trim", chance)
     return board if axis == 0 else board.placed(turned(pi / 2, "Z"))
 
 
@@ -46,9 +46,7 @@ def build_window():
     mesh.include(head, moved(0, height + CASING / 2 - 0.012, front + 0.003) @ flat)
     lining = plank(2 * half, REVEAL + SEAT, 0.022, 0, chance)
     mesh.include(lining, moved(0, height - 0.004, (SEAT - REVEAL) / 2))
-    sill = timber(
-        2 * half + 2 * CASING + 0.05, REVEAL + 0.08, 0.034, 0.006, "trim", Grain("trim", chance, 0)
-    )
+    sill = timber(2 * half + 2 * CASING + 0.05, REVEAL + 0.08, 0.034, 0.006, "trim", chance)
     mesh.include(sill, moved(0, -0.004, (0.08 - REVEAL) / 2))
 
     sash_back = -REVEAL + 0.035
@@ -56,20 +54,18 @@ def build_window():
     inner = half - 0.013
     middle = (bottom + top) / 2
     for side in (-1, 1):
-        stile = box((FRAME, top - bottom, SASH_DEPTH), 0.004, "trim", Grain("trim", chance, 1))
+        stile = box((FRAME, top - bottom, SASH_DEPTH), 0.004, Grain("trim", chance, 1))
         mesh.include(stile, moved(side * (inner - FRAME / 2), middle, sash_back))
     for y in (bottom + FRAME / 2, top - FRAME / 2):
-        rail = box(
-            (2 * (inner - FRAME), FRAME, SASH_DEPTH), 0.004, "trim", Grain("trim", chance, 0)
-        )
+        rail = box((2 * (inner - FRAME), FRAME, SASH_DEPTH), 0.004, Grain("trim", chance, 0))
         mesh.include(rail, moved(0, y, sash_back))
     upright = box(
-        (BAR, top - bottom - 2 * FRAME, SASH_DEPTH - 0.006), 0.006, "trim", Grain("trim", chance, 1)
+        (BAR, top - bottom - 2 * FRAME, SASH_DEPTH - 0.006), 0.006, Grain("trim", chance, 1)
     )
     mesh.include(upright, moved(0, middle, sash_back))
     for side in (-1, 1):
         width = inner - FRAME - BAR / 2
-        bar = box((width, BAR, SASH_DEPTH - 0.006), 0.006, "trim", Grain("trim", chance, 0))
+        bar = box((width, BAR, SASH_DEPTH - 0.006), 0.006, Grain("trim", chance, 0))
         mesh.include(bar, moved(side * (width / 2 + BAR / 2), middle, sash_back))
         for low, high in ((bottom + FRAME, middle - BAR / 2), (middle + BAR / 2, top - FRAME)):
             edges = sorted((side * BAR / 2, side * (inner - FRAME)))
@@ -90,11 +86,7 @@ def pane(left, right, low, high, chance):
             x = left - 0.004 + (right - left + 0.008) * c / steps
             row.append(mesh.add_point(x, low - 0.004 + (high - low + 0.008) * r / steps, z))
         grid.append(row)
-    for r in range(steps):
-        for c in range(steps):
-            corners = [grid[r][c], grid[r][c + 1], grid[r + 1][c + 1], grid[r + 1][c]]
-            add_mapped(mesh, corners, "glass", mapping)
-    return mesh
+    return add_grid(mesh, grid, mapping)
 
 
 def build_curtain():
