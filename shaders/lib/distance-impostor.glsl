@@ -1,6 +1,7 @@
 // Traced reflections: a mirrored ray, marched through the cube of distances from the flame, which holds every surface
 // that the flame lights. Szirmay-Kalos, Aszódi, Lazányi and Premecz 2005, "Approximate Ray-Tracing on the GPU with
-// Distance Impostors". Needs lib/photometry.glsl, lib/flame-light.glsl, lib/pcss.glsl, lib/surfels.glsl.
+// Distance Impostors". Needs lib/photometry.glsl, lib/flame-light.glsl, lib/shadow-cube.glsl,
+// lib/surfels.glsl.
 
 uniform sampler2D uRadiosity;  // of the surfels, lm/m²
 
@@ -15,7 +16,7 @@ const vec2 THICKNESS = vec2(0.06, 0.25);
 
 // Depth of a point behind the surface in its direction from the capture origin, m.
 float depthBehind(vec3 fromOrigin) {
-  return length(fromOrigin) - textureLod(uShadow, fromOrigin, 0.0).r - IMPOSTOR_BIAS;
+  return length(fromOrigin) * (1.0 - casterDistance(fromOrigin)) - IMPOSTOR_BIAS;
 }
 
 // Radiosity in a direction from the capture origin, filtered within a face, lm/m².

@@ -1,84 +1,137 @@
 // Soft shadow of the flame (PCSS): share of the flame that a point sees past the room.
-// Needs lib/random.glsl, lib/flame-light.glsl; defines SHADOW_SEARCH and SHADOW_TAPS (taps), SHADOW_BIAS (texels).
+// Needs lib/random.glsl, lib/flame-light.glsl, lib/shadow-cube.glsl; defines SHADOW_SEARCH and SHADOW_TAPS (taps),
+// SHADOW_BIAS (texels).
 // After Fernando 2005, "Percentage-Closer Soft Shadows"; here each tap is a point of the flame, so that the penumbra
 // has the flame's width and height.
 //
 // A texel of the shadow cube is compared with the plane of the lit surface, where the ray through the texel's center
 // meets it: a flat surface never shadows itself, however coarse the cube, and what lies on it does.
 
-uniform samplerCube uShadow;  // distance from the capture origin to the nearest caster, m
-
-// A caster less far before the plane is the plane: metres; a share of the distance, which is a half float; texels,
-// since narrower joints are not resolved.
+// A caster less far before the plane is the plane: metres; texels, since narrower joints are not resolved.
 const float BIAS = 0.0015;
-const float BIAS_SLOPE = 0.001;
 const float BIAS_TEXELS = float(SHADOW_BIAS);
 // A plane seen edge on reaches no farther than this many times the distance of the point.
 const float STEEPEST = 1.02;
 // Least half-width of a penumbra, texels.
 const float LEAST_PENUMBRA = 0.4;
+// Steps of the R2 sequence of low-discrepancy points.
+// Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences".
+const vec2 R2 = vec2(0.7548776662466927, 0.5698402909980532);
 
-// Low-discrepancy points on a square from -1 to 1.
-// Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences" (R2).
-vec2 r2Point(int i, uvec2 offset) {
-  uvec2 place = uvec2(uint(i) * 3242174889u, uint(i) * 2447445414u) + offset;
-  return vec2(place >> 8) / 8388608.0 - 1.0;
+// A lit point and the flame, about the capture origin.
+struct ShadowReceiver {
+  vec3 position;  // m
+  vec3 shift;     // of the flame since the capture, m
+  vec3 normal;
+  float offset;   // of the lit plane along its normal, m
+  float distance; // m
+  float bias;     // m
+  vec3 across;    // of the flame, as the point sees it: axes, and half-extents, m
+  vec3 up;
+  vec2 extent;
+};
+
+// Taps on one face of the shadow cube, and the depth up to which each is a blocker.
+struct ShadowTaps {
+  vec2 corner;   // of the parallelogram that they fill, as shares of the tile
+  vec2 right;    // its edges
+  vec2 up;
+  vec2 origin;   // of the tile, texels
+  vec3 plane;    // depth in a texel: dot(plane, vec3(texel, 1))
+  float farthest;
+  float receiver; // depth of the lit point along the face's axis, m
+};
+
+// The taps at a share of the way from the flame to the point. All are on the face of their center.
+ShadowTaps shadowTaps(ShadowReceiver r, float share, float tile) {
+  float texels = 0.5 * tile / SHADOW_REACH;  // for a length of 1 on a face
+  vec3 centerWorld = mix(r.shift, r.position, share);
+  bvec2 axis = shadowAxis(centerWorld);
+  vec3 center = onShadowFace(centerWorld, axis);
+  vec3 across = onShadowFace(r.across, axis);
+  vec3 up = onShadowFace(r.up, axis);
+  vec3 normal = onShadowFace(r.normal, axis);
+  vec2 onFace = center.xy / center.z;
+  vec2 halfSize = max((1.0 - share) * r.extent, share * (LEAST_PENUMBRA * r.distance / texels));
+  halfSize /= SHADOW_REACH * center.z;
+  vec2 tileCenter = shadowTileCenter(axis, center.z, tile);
+  ShadowTaps taps;
+  taps.right = (across.xy - onFace * across.z) * halfSize.x;
+  taps.up = (up.xy - onFace * up.z) * halfSize.y;
+  taps.corner = 0.5 + onFace * (0.5 / SHADOW_REACH) - 0.5 * (taps.right + taps.up);
+  taps.origin = tileCenter - 0.5 * tile;
+  // The plane's inverse depth, nearer by the bias.
+  float nearer = SHADOW_NEAR * r.distance / (r.distance - r.bias);
+  float scale = -sign(center.z) * nearer / r.offset;
+  taps.plane.xy = normal.xy * (scale / texels);
+  taps.plane.z = 1.0 + scale * normal.z + dot(taps.plane.xy, 0.5 - tileCenter);
+  float cosine = abs(center.z) * inversesqrt(dot(center, center));
+  taps.receiver = r.distance * cosine;
+  taps.farthest = 1.0 - SHADOW_NEAR / (cosine * (STEEPEST * r.distance - r.bias));
+  return taps;
 }
 
-// Center of the cube's texel in a direction, with 1 along its face's axis.
-vec3 texelCenter(vec3 direction, float texels) {
-  vec3 magnitude = abs(direction);
-  float largest = max(max(magnitude.x, magnitude.y), magnitude.z);
-  vec3 onFace = direction / largest;
-  vec3 center = (floor(onFace * texels) + 0.5) / texels;
-  return mix(center, onFace, vec3(greaterThanEqual(magnitude, vec3(largest))));
+// Texel of a tap. `random`: from 0 to 1. `tile`: texels, less a hundredth, so that its end is within.
+vec2 tapTexel(ShadowTaps taps, vec2 random, float tile) {
+  vec2 place = clamp(taps.corner + taps.right * random.x + taps.up * random.y, 0.0, 1.0);
+  return floor(taps.origin + place * tile);
 }
 
-// Distance from the capture origin to a plane through a texel's center, m. `offset`: of the plane along its normal.
-float planeDistance(vec3 texel, vec3 normal, float offset, float farthest) {
-  float cosine = dot(texel, normal);
-  return cosine * offset > 0.0 ? min(length(texel) * offset / cosine, farthest) : farthest;
+float planeDepth(ShadowTaps taps, vec2 texel) {
+  return dot(taps.plane, vec3(texel, 1.0));
 }
 
+// Shares of the flame that are visible from a point, and from one higher than it by `rise` along the normal (m).
 // `normal`: of the triangle, on the light's side. `pixel`: seed of the taps' offset.
-float flameVisibility(vec3 position, vec3 normal, vec2 pixel) {
-  vec3 fromOrigin = position - light.captureOrigin;
-  float distance_ = length(fromOrigin);
-  float offset = dot(fromOrigin, normal);
-  float farthest = distance_ * STEEPEST;
-  float texels = 0.5 * float(textureSize(uShadow, 0).x);  // for a length of 1 on a face
-  float bias = BIAS + distance_ * (BIAS_SLOPE + BIAS_TEXELS / texels);
-  float leastPenumbra = LEAST_PENUMBRA * distance_ / texels;
-  vec3 direction = fromOrigin / distance_;
-  vec3 across = normalize(vec3(direction.z, 0.0, -direction.x) + vec3(1e-4, 0.0, 0.0));
-  vec3 up = cross(direction, across);
+vec2 flameVisibility(vec3 position, vec3 normal, float rise, vec2 pixel) {
+  ShadowReceiver r;
+  r.position = position - light.captureOrigin;
+  r.shift = light.position - light.captureOrigin;
+  r.normal = normal;
+  r.distance = length(r.position);
+  r.offset = dot(r.position, normal);
+  r.offset = r.offset < 0.0 ? min(r.offset, -1e-5) : max(r.offset, 1e-5);
+  float tile = shadowTileSize();
+  float texels = 0.5 * tile / SHADOW_REACH;
+  // A step of the stored depth is half as many metres to either side.
+  float stepBias = r.distance * r.distance * (0.5 * SHADOW_STEP / SHADOW_NEAR);
+  r.bias = BIAS + r.distance * (BIAS_TEXELS / texels) + stepBias;
+  vec3 direction = r.position / r.distance;
+  r.across = normalize(vec3(direction.z, 0.0, -direction.x) + vec3(1e-4, 0.0, 0.0));
+  r.up = cross(direction, r.across);
   // The flame's half-extents, projected.
-  vec2 extent = vec2(light.radius, mix(light.radius, light.halfHeight, abs(dot(up, light.along))));
-  // It has moved since the capture by less than its width.
-  vec3 shift = light.position - light.captureOrigin;
+  r.extent = vec2(light.radius, mix(light.radius, light.halfHeight, abs(dot(r.up, light.along))));
   uint hash = pcg(uint(pixel.x) + pcg(uint(pixel.y)));
-  uvec2 seed = uvec2(hash, pcg(hash));
+  vec2 seed = vec2(unit(hash), unit(pcg(hash)));
   // Blocker search at a quarter of the way, where the penumbra is widest.
-  float share = 0.25;
-  float sum = 0.0;
+  ShadowTaps taps = shadowTaps(r, 0.25, tile);
+  vec2 place = seed;
+  float inverseDepth = 0.0;
   float blockers = 0.0;
   for (int i = 0; i < SHADOW_SEARCH; i++) {
-    vec2 e = r2Point(i, seed) * max((1.0 - share) * extent, share * leastPenumbra);
-    vec3 texel = texelCenter(fromOrigin * share + (1.0 - share) * shift + across * e.x + up * e.y, texels);
-    float caster = textureLod(uShadow, texel, 0.0).r;
-    float isBlocker = step(caster, planeDistance(texel, normal, offset, farthest) - bias);
-    sum += caster * isBlocker;
-    blockers += isBlocker;
+    vec2 texel = tapTexel(taps, fract(place), tile - 0.01);
+    place += R2;
+    float caster = texelFetch(uShadow, ivec2(texel), 0).r;
+    if (caster < min(planeDepth(taps, texel), taps.farthest)) {
+      inverseDepth += 1.0 - caster;
+      blockers += 1.0;
+    }
   }
-  if (blockers == 0.0) return 1.0;
-  // Filter at the blockers' mean distance.
-  share = clamp(sum / (blockers * distance_), 0.02, 0.98);
-  float visible = 0.0;
+  if (blockers == 0.0) return vec2(1.0);
+  // Filter at the blockers' mean inverse distance, in which the penumbra's width is linear.
+  float share = clamp(SHADOW_NEAR * blockers / (inverseDepth * taps.receiver), 0.02, 0.98);
+  taps = shadowTaps(r, share, tile);
+  // Inverse depth of the higher plane, as a multiple of the plane's own.
+  float higher = r.offset / min(r.offset + rise, -1e-4);
+  place = seed;
+  vec2 visible = vec2(0.0);
   for (int i = 0; i < SHADOW_TAPS; i++) {
-    vec2 e = r2Point(i, seed) * max((1.0 - share) * extent, share * leastPenumbra);
-    vec3 texel = texelCenter(fromOrigin * share + (1.0 - share) * shift + across * e.x + up * e.y, texels);
-    float caster = textureLod(uShadow, texel, 0.0).r;
-    visible += step(planeDistance(texel, normal, offset, farthest) - bias, caster);
+    vec2 texel = tapTexel(taps, fract(place), tile - 0.01);
+    place += R2;
+    float caster = texelFetch(uShadow, ivec2(texel), 0).r;
+    float plane = planeDepth(taps, texel);
+    visible.x += caster < min(plane, taps.farthest) ? 0.0 : 1.0;
+    visible.y += caster < min(1.0 - (1.0 - plane) * higher, taps.farthest) ? 0.0 : 1.0;
   }
   return visible / float(SHADOW_TAPS);
 }

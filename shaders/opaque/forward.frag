@@ -9,6 +9,7 @@
 #include "lib/random.glsl"
 #include "lib/flame-light.glsl"
 #include "lib/flame-brdf.glsl"
+#include "lib/shadow-cube.glsl"
 #include "lib/pcss.glsl"
 #include "lib/surfels.glsl"
 #include "lib/distance-impostor.glsl"
@@ -72,11 +73,6 @@ vec2 minifiedVisibility() {
   return textureLod(uNormalMapVisibility, vec2((level + 0.5) / levels, 0.5), 0.0).rg;
 }
 
-// Share of the flame that is visible past the room, the candle and its holder.
-float directVisibility(vec3 position, vec3 facet) {
-  return flameVisibility(position, facet, gl_FragCoord.xy) * candleVisibility(position);
-}
-
 void main() {
   vec4 baseColor = texture(uAlbedo, vUv, LOD_BIAS) * uBaseColor;
   if (baseColor.a < uSurface.w) discard;
@@ -99,11 +95,14 @@ void main() {
   facet = faceforward(facet, vPositionWorld - light.position, facet);
   // Crevices are lit by their sides, whichever way they face themselves.
   bool isCrevice = occlusion < CREVICE;
-  float visibility = NoL > 0.0 || isCrevice ? directVisibility(vPositionWorld, facet) : 0.0;
-  float sidesVisibility = visibility;
-  if (isCrevice && visibility < 1.0) {
-    sidesVisibility = max(visibility, directVisibility(vPositionWorld + surface * CREVICE_HEIGHT, facet));
+  // Share of the flame that is visible past the room, the candle and its holder; and from the crevice's sides.
+  vec2 visibilities = vec2(0.0);
+  if (NoL > 0.0 || isCrevice) {
+    float rise = isCrevice ? CREVICE_HEIGHT * dot(surface, facet) : 0.0;
+    visibilities = flameVisibility(vPositionWorld, facet, rise, gl_FragCoord.xy) * candleVisibility(vPositionWorld);
   }
+  float visibility = visibilities.x;
+  float sidesVisibility = max(visibilities.x, visibilities.y);
   float wickCosine = uIsWick * WICK_COSINE;
   if (wickCosine > 0.0) visibility = 1.0;
   vec3 unshadowed = light.intensity / distanceSquared;

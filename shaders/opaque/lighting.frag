@@ -9,6 +9,7 @@
 #include "lib/depth.glsl"
 #include "lib/flame-light.glsl"
 #include "lib/flame-brdf.glsl"
+#include "lib/shadow-cube.glsl"
 #include "lib/pcss.glsl"
 #include "lib/irradiance-volume.glsl"
 #include "lib/wax.glsl"
@@ -81,7 +82,7 @@ void main() {
   float NoL = max(dot(normal, L), 0.0);
   // Four rotations of the taps side by side, which the upsampling averages.
   vec2 tile = mod(floor(gl_FragCoord.xy), 2.0);
-  float visibility = NoL > 0.0 ? flameVisibility(position, normal, tile) * candleVisibility(position) : 0.0;
+  float visibility = NoL > 0.0 ? flameVisibility(position, normal, 0.0, tile).x * candleVisibility(position) : 0.0;
   float perArea = mix(1.0, visibility, uFeatures.x) / distanceSquared;
   FlameSpecular flame = flameSpecular(toLight, normal, view, NoV, roughness * roughness);
   float fresnel = fresnelSchlick(vec3(0.04), flame.SoH).r;  // of a dielectric; a metal's is its albedo

@@ -9,6 +9,7 @@
 #include "lib/depth.glsl"
 #include "lib/flame-light.glsl"
 #include "lib/irradiance-volume.glsl"
+#include "lib/shadow-cube.glsl"
 
 // VIEWS of src/render/post/inspect-pass.ts.
 const int RADIANCE = 0;
@@ -26,7 +27,6 @@ const float MIDDLE_GREY = 0.18;
 
 uniform sampler2D uRadiance;
 uniform sampler2D uBloom;
-uniform highp samplerCube uShadow;
 uniform vec3 uAdaptation;
 uniform int uView;
 uniform float uWhiteLuminance;  // for FLAME, cd/m²
@@ -85,7 +85,7 @@ vec3 cubeCrossDirection(vec2 pixel) {
 vec3 shadowCube() {
   vec3 direction = cubeCrossDirection(gl_FragCoord.xy);
   if (direction == vec3(0.0)) return direction;
-  return distanceGrey(texture(uShadow, direction).r);
+  return distanceGrey(casterDistance(direction) * length(direction));
 }
 
 // The irradiance atlas, in a band across the frame.

@@ -7,7 +7,7 @@ export interface TextureViewOptions {
   readonly textures: readonly Texture[];
   /** Face 0-5 in GL's order (+X -X +Y -Y +Z -Z), or layer; a two-dimensional texture has only 0. */
   readonly image: number;
-  /** A depth buffer of its own, or one shared with the views of the other images. */
+  /** A depth buffer of its own, or one shared with the views of the other images. Alone it is all that is drawn to. */
   readonly depth?: Texture;
 }
 
@@ -21,7 +21,7 @@ export class TextureView extends GpuObject {
   constructor(context: GpuContext, { label, textures, image, depth }: TextureViewOptions) {
     super(context, label);
     const { gl } = context;
-    const [first] = textures;
+    const first = textures[0] ?? depth;
     if (!first) throw new Error(`${label}: nothing to draw to.`);
     this.width = first.width;
     this.height = first.height;

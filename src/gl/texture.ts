@@ -12,6 +12,7 @@ export const FORMATS = {
   R32F: { upload: "RED", type: "FLOAT", bytes: 4 },
   RG32F: { upload: "RG", type: "FLOAT", bytes: 8 },
   RGBA32F: { upload: "RGBA", type: "FLOAT", bytes: 16 },
+  DEPTH_COMPONENT16: { upload: "DEPTH_COMPONENT", type: "UNSIGNED_SHORT", bytes: 2 },
   DEPTH_COMPONENT24: { upload: "DEPTH_COMPONENT", type: "UNSIGNED_INT", bytes: 4 },
 } as const;
 export type TextureFormat = keyof typeof FORMATS;

@@ -142,7 +142,7 @@ export class PhysicalRenderer implements Renderer {
     const post = this.#postIn(kind, shadow.isNew);
     if (post === "before display") this.#updatePost(frame, layer, region);
     if (settings.inspect !== "picture" && !this.#compositeDisplay) {
-      this.#inspect(frame, layer, shadow.distances, irradiance);
+      this.#inspect(frame, layer, shadow.depth, irradiance);
     } else this.#present(frame, layer, region);
     if (post === "after display") this.#updatePost(frame, layer, region);
   }

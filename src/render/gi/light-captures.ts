@@ -3,7 +3,6 @@ import type { Gpu } from "../../gl/gpu.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import type { CollisionMesh } from "../../world/room/collision-mesh.js";
 import { shadowFrustumTest } from "../camera.js";
-import { floats } from "../float-format.js";
 import type { FrameInput } from "../frame-input.js";
 import type { GBufferKind } from "../gbuffer/gbuffer.js";
 import type { Mesh } from "../mesh/mesh.js";
@@ -52,7 +51,7 @@ export class LightCaptures {
       readonly collision: CollisionMesh;
       readonly surfaces: readonly Mesh[];
     },
-    { opaque, shadow, indirect, casterError }: PhysicalTier,
+    { shadow, indirect, casterError }: PhysicalTier,
     lods: MeshLods | null,
   ) {
     this.#gpu = gpu;
@@ -60,18 +59,17 @@ export class LightCaptures {
     this.#meshes = room.surfaces;
     this.#lods = lods;
     this.#casters = new ShadowCasters(gpu, room.model, room.surfaces, casterError);
-    const format = opaque === "forward" ? "R16F" : floats(gpu, 1);
-    this.#shadow = new ShadowPass(gpu, shadow.size, format);
+    this.#shadow = new ShadowPass(gpu, shadow.size);
     this.#indirect = new IndirectPass(gpu, screen, room, indirect);
   }
 
   update({ captureLight, clipFromWorld, settings }: FrameInput, kind: GBufferKind): Captures {
     if (kind === "full") {
-      const distances = this.#shadow.render(this.#casters, captureLight.position);
+      const depth = this.#shadow.render(this.#casters, captureLight.position);
       if (settings.canDefer) this.#prepareLods();
       const irradiance = this.#indirect.render(this.#casters, captureLight);
       return {
-        shadow: { distances, captureOrigin: captureLight.position, isNew: false },
+        shadow: { depth, captureOrigin: captureLight.position, isNew: false },
         irradiance,
       };
     }

@@ -139,7 +139,7 @@ export class ForwardStage implements OpaqueStage {
       vertexArray: mesh.vertexArray,
       textures: {
         ...mesh.textures,
-        uShadow: shadow.distances,
+        uShadow: shadow.depth,
         uEnvironmentBrdf: this.#environmentBrdf,
         uNormalMapVisibility: normalMapVisibilityOf(this.#gpu, this.#screen, mesh),
         uRadiosity: irradiance.radiosity,

@@ -139,7 +139,7 @@ export class LightingPass {
         uGBufferSurface: surface,
         uDepth: depth,
         ...(representative && { uRepresentative: representative }),
-        uShadow: shadow.distances,
+        uShadow: shadow.depth,
         ...irradiance.textures,
         uSupport: support,
       },

@@ -48,8 +48,36 @@ export function clipFromFace(face: number, origin: Vec3, out: mat4): mat4 {
   return mat4.multiply(out, clipFromView, mat4.lookAt(mat4.create(), origin, target, up));
 }
 
-/** Whether a box may touch the frustum of one face of a cube around `origin` (metres). */
-export function isInCubeFace(face: number, origin: Vec3, { min, max }: Bounds): boolean {
+/**
+ * Clip space of one face of the shadow cube, of `FACES`' axis and sign, from world space. Depth in [0, 1] is
+ * 1 - NEAR / distance along the axis: linear across a plane, as in `shaders/lib/shadow-cube.glsl`.
+ *
+ * @param reach half the width of what is drawn, as a share of the distance along the axis
+ */
+export function clipFromShadowFace(face: number, origin: Vec3, reach: number): Float32Array {
+  const ahead = face >> 1;
+  const sign = face % 2 === 0 ? 1 : -1;
+  const rows: readonly (readonly [axis: number, scale: number])[] = [
+    [(ahead + 1) % 3, sign / reach],
+    [(ahead + 2) % 3, sign / reach],
+    [ahead, sign],
+    [ahead, sign],
+  ];
+  const out = new Float32Array(16);
+  for (const [row, [axis, scale]] of rows.entries()) {
+    out[axis * 4 + row] = scale;
+    out[12 + row] = -scale * (origin[axis] ?? 0);
+  }
+  out[14]! -= 2 * NEAR;
+  return out;
+}
+
+/**
+ * Whether a box may touch the frustum of one face of a cube around `origin` (metres).
+ *
+ * @param reach half the frustum's width, as a share of the distance along the face's direction
+ */
+export function isInCubeFace(face: number, origin: Vec3, { min, max }: Bounds, reach = 1): boolean {
   const axis = face >> 1;
   const sign = face % 2 === 0 ? 1 : -1;
   // Farthest extent of the box along the face's direction.
@@ -59,7 +87,7 @@ export function isInCubeFace(face: number, origin: Vec3, { min, max }: Bounds): 
     if (side === axis) continue;
     const low = (min[side] ?? 0) - (origin[side] ?? 0);
     const high = (max[side] ?? 0) - (origin[side] ?? 0);
-    if (low > ahead || -high > ahead) return false;
+    if (low > ahead * reach || -high > ahead * reach) return false;
   }
   return ahead > 0;
 }

@@ -53,24 +53,25 @@ export class ShadowCasters {
   }
 
   /**
-   * Draws the clusters that touch one face of a cube around `origin` (metres).
+   * Draws clusters of triangles.
    *
-   * @param isNeeded further condition on a cluster's bounds
+   * @param isVisible whether what lies in a box is drawn
    */
-  draw(
-    face: number,
-    origin: Vec3,
-    pass: Omit<Draw, "vertexArray">,
-    isNeeded?: (box: Bounds) => boolean,
-  ): void {
-    for (const { first, count } of this.#runs(face, origin, false, isNeeded)) {
+  draw(pass: Omit<Draw, "vertexArray">, isVisible: (box: Bounds) => boolean): void {
+    for (const { first, count } of this.#runs(isVisible, false)) {
       this.#gpu.draw({ ...pass, vertexArray: this.#vertexArray, first, count });
     }
   }
 
-  /** The same with each part's `uAlbedo`, `uBaseColor`, `uNormal` and `uNormalScale`. */
+  /**
+   * Draws the clusters that touch one face of a cube around `origin` (metres), with each part's `uAlbedo`,
+   * `uBaseColor`, `uNormal` and `uNormalScale`.
+   */
   drawWithAlbedo(face: number, origin: Vec3, pass: Omit<Draw, "vertexArray" | "textures">): void {
-    for (const { part, first, count } of this.#runs(face, origin, true)) {
+    for (const { part, first, count } of this.#runs(
+      (box) => isInCubeFace(face, origin, box),
+      true,
+    )) {
       const surface = this.#surfaces[part];
       if (!surface) continue;
       const { uAlbedo, uNormal } = surface.textures;
@@ -84,8 +85,7 @@ export class ShadowCasters {
     }
   }
 
-  #runs(face: number, origin: Vec3, isByPart: boolean, isNeeded = (_: Bounds) => true) {
-    const isVisible = (box: Bounds) => isInCubeFace(face, origin, box) && isNeeded(box);
+  #runs(isVisible: (box: Bounds) => boolean, isByPart: boolean) {
     return runsOf(this.#clusters.clusters, isVisible, isByPart, 3 * MERGED_TRIANGLES);
   }
 }

@@ -1,33 +1,40 @@
-import { mat4 } from "gl-matrix";
-import cubeFaceVert from "../../../shaders/shadow/cube-face.vert";
 import shadowFrag from "../../../shaders/shadow/shadow.frag";
+import shadowVert from "../../../shaders/shadow/shadow.vert";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
-import type { Texture, TextureFormat } from "../../gl/texture.js";
+import type { Texture } from "../../gl/texture.js";
 import type { TextureView } from "../../gl/texture-view.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import { SCHEDULE } from "../schedule.js";
-import { clipFromFace, FACES } from "./cube-map.js";
+import { clipFromShadowFace, FACES, isInCubeFace } from "./cube-map.js";
 import type { ShadowCasters } from "./shadow-casters.js";
 
-/** Distance where there is no caster, metres. */
-const FAR_DISTANCE = [1e4, 0, 0, 1] as const;
+/** Width of a face's tile as a share of the face's: `SHADOW_REACH` of `shaders/lib/shadow-cube.glsl`. */
+const REACH = 1.125;
+const NO_COLOR = [0, 0, 0, 0] as const;
 
 /** A shadow cube and the point that it was captured from. */
 export interface ShadowCube {
-  /** Metres. */
-  readonly distances: Texture;
+  /** Depth of the faces, in tiles. */
+  readonly depth: Texture;
   readonly captureOrigin: Vec3;
   /** Whether it was drawn in this frame. */
   readonly isNew: boolean;
 }
 
-/** Shadow cube map: distance of the nearest caster in every direction from the capture origin. */
+/**
+ * Shadow cube: depth of the nearest caster in every direction from the capture origin.
+ *
+ * Its faces are tiles of one depth texture, a column for each axis and a row for each sign, so that a tap needs no
+ * choice of a face: `shaders/lib/shadow-cube.glsl`.
+ */
 export class ShadowPass {
   readonly #gpu: Gpu;
   readonly #program: Program;
-  readonly #distances: Texture;
-  readonly #faces: readonly TextureView[];
+  readonly #depth: Texture;
+  readonly #target: TextureView;
+  /** Texels along a tile's edge. */
+  readonly #tile: number;
   #lastOrigin: Vec3 = [Number.NaN, 0, 0];
   /** Casters in the cube; null if some of them were culled. */
   #allCasters: ShadowCasters | null = null;
@@ -35,35 +42,31 @@ export class ShadowPass {
   #age = 0;
 
   /** @param size texels along an edge of the cube */
-  constructor(gpu: Gpu, size: number, format: TextureFormat) {
+  constructor(gpu: Gpu, size: number) {
     this.#gpu = gpu;
-    this.#program = gpu.program("shadow/shadow", cubeFaceVert, shadowFrag);
-    const source = { width: size, height: size };
-    this.#distances = gpu.texture({
-      label: "shadow/distances",
-      format,
-      source,
-      shape: "cube",
-      // Distances must not be filtered: the mean of a caster and its background is neither.
-      filter: "nearest",
-    });
-    const depth = gpu.texture({
+    this.#program = gpu.program("shadow/shadow", shadowVert, shadowFrag);
+    this.#tile = size * REACH;
+    this.#depth = gpu.texture({
       label: "shadow/depth",
-      format: "DEPTH_COMPONENT24",
-      source,
+      format: "DEPTH_COMPONENT16",
+      source: { width: 3 * this.#tile, height: 2 * this.#tile },
+      // Depths must not be filtered: the mean of a caster and its background is neither.
       filter: "nearest",
     });
-    this.#faces = FACES.map((_, image) =>
-      gpu.textureView({ label: `shadow/${image}`, textures: [this.#distances], image, depth }),
-    );
+    this.#target = gpu.textureView({
+      label: "shadow",
+      textures: [],
+      image: 0,
+      depth: this.#depth,
+    });
   }
 
-  /** Distances from the capture origin; drawn only if origin or casters have changed. */
+  /** Depth of the faces; drawn only if origin or casters have changed. */
   render(casters: ShadowCasters, captureOrigin: Vec3): Texture {
     if (this.#distanceMoved(captureOrigin) > 0 || this.#allCasters !== casters) {
       this.#draw(casters, captureOrigin);
     }
-    return this.#distances;
+    return this.#depth;
   }
 
   /**
@@ -85,7 +88,7 @@ export class ShadowPass {
     const isAtRest = moved === 0;
     const isNew = isAtRest ? !this.#allCasters : isDue;
     if (isNew) this.#draw(casters, captureOrigin, isAtRest ? undefined : isNeeded);
-    return { distances: this.#distances, captureOrigin: this.#lastOrigin, isNew };
+    return { depth: this.#depth, captureOrigin: this.#lastOrigin, isNew };
   }
 
   /** Metres since the last capture; infinite before the first. */
@@ -100,17 +103,22 @@ export class ShadowPass {
     this.#allCasters = isNeeded ? null : casters;
     this.#age = 0;
     this.#lastOrigin = [...captureOrigin];
-    for (const [face, target] of this.#faces.entries()) {
-      const clipFromWorld = clipFromFace(face, captureOrigin, mat4.create()) as Float32Array;
-      this.#gpu.clear(target, FAR_DISTANCE);
+    this.#gpu.clear(this.#target, NO_COLOR);
+    const tile = this.#tile;
+    for (const face of FACES.keys()) {
+      const clipFromWorld = clipFromShadowFace(face, captureOrigin, REACH);
       const pass = {
         program: this.#program,
-        target,
-        uniforms: { uClipFromWorld: clipFromWorld, uCaptureOrigin: captureOrigin },
+        target: this.#target,
+        viewport: [(face >> 1) * tile, (face % 2) * tile, tile, tile],
+        uniforms: { uClipFromWorld: clipFromWorld },
         depth: "test-and-write",
         cull: "none",
       } as const;
-      casters.draw(face, captureOrigin, pass, isNeeded);
+      casters.draw(
+        pass,
+        (box) => isInCubeFace(face, captureOrigin, box, REACH) && (isNeeded?.(box) ?? true),
+      );
     }
   }
 }
