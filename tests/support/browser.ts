@@ -1,4 +1,5 @@
 import type { PlaywrightTestConfig } from "playwright/test";
+import { WITHOUT_OWN_PAGES } from "../../tools/chromium-features.ts";
 import { freePorts } from "../../tools/free-ports.mjs";
 
 /** SwiftShader, on every machine: the same pixels, whoever runs the tests. */
@@ -27,6 +28,7 @@ export const browser: NonNullable<PlaywrightTestConfig["use"]> = {
       "--hide-scrollbars",
       // A page's pictures are there as soon as the page is.
       "--disable-checker-imaging",
+      WITHOUT_OWN_PAGES,
       ...(process.env.CHROMIUM_ARGS?.split(" ").filter(Boolean) ?? []),
     ],
   },

@@ -2,6 +2,7 @@ import { execFileSync, spawnSync } from "node:child_process";
 import { existsSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { firefox, webkit } from "playwright";
+import { WITHOUT_OWN_PAGES } from "../chromium-features.ts";
 import { findBrowser } from "../find-browser.mjs";
 import { hasDisplay, openDisplay } from "./display.ts";
 import { type Launch, launchByPlaywright, launchFirefox } from "./paged-driver.ts";
@@ -43,7 +44,12 @@ const MESA: Readonly<Record<string, string>> = isLinux
 const NATIVE = isLinux ? /llvmpipe/ : /^(?!.*SwiftShader)./;
 
 /** Colours and pixels as the other tests have them: tests/support/browser.ts. */
-const CHROMIUM = ["--force-color-profile=srgb", "--hide-scrollbars", "--ignore-gpu-blocklist"];
+const CHROMIUM = [
+  "--force-color-profile=srgb",
+  "--hide-scrollbars",
+  "--ignore-gpu-blocklist",
+  WITHOUT_OWN_PAGES,
+];
 const SWIFTSHADER = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 const NATIVE_GL = ["--use-gl=angle", `--use-angle=${isLinux ? "gl-egl" : "default"}`];
 
