@@ -1,4 +1,4 @@
-/** What a microphone hears in a moment. */
+/** Loudness and pitch of a moment's sound. */
 export interface Sound {
   /** Root mean square of the signal, whose full scale is 1. */
   readonly loudness: number;
@@ -43,7 +43,7 @@ export function soundOf(samples: ArrayLike<number>, rate: number): Sound {
   };
 }
 
-/** Tells blowing from speech, music and knocks, moment by moment. */
+/** Distinguishes blowing from speech, music and knocks, moment by moment. */
 export class BreathDetector {
   #lasted = 0;
   #next = ONSET;

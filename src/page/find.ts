@@ -1,4 +1,4 @@
-/** The element that a selector finds in our own markup; none there is a mistake of ours. */
+/** The element of a selector in our own markup; throws if there is none. */
 export function find<Type extends Element>(
   root: ParentNode,
   selector: string,

@@ -1,6 +1,6 @@
 import type { Feature, Inspection, SettingName } from "../settings.js";
 
-/** What each attribute is for: the page, the documentation and the manifest say so, the element need not. */
+/** What each attribute is for, for the page and the manifest; the element does not contain it. */
 export const SETTING_MEANINGS: Readonly<Record<SettingName, string>> = {
   scene: "A room to walk in, or the candle alone over the page's own background.",
   look: "Which renderer: light in real units, the paper's final product, or its “before”.",
@@ -25,7 +25,7 @@ export const SETTING_MEANINGS: Readonly<Record<SettingName, string>> = {
   alt: "Accessible name.",
 };
 
-/** What each technique is, that may be switched off. */
+/** What each technique does. */
 export const FEATURE_MEANINGS: Readonly<Record<Feature, string>> = {
   particles: "The flame's particles: update and drawing.",
   core: "The core layer: small, bright, fast, short-lived.",
@@ -51,7 +51,7 @@ export const FEATURE_MEANINGS: Readonly<Record<Feature, string>> = {
   toneMap: "Bright light bends towards white, as on film; else it is clipped.",
 };
 
-/** What each picture of a pass shows. */
+/** What each inspection shows. */
 export const INSPECTION_MEANINGS: Readonly<Record<Inspection, string>> = {
   picture: "What the eye sees.",
   radiance:

@@ -2,7 +2,7 @@ import type { CandleFlameElement } from "../candle-flame-element.js";
 import { find } from "./find.js";
 import { Microphone } from "./microphone.js";
 
-/** The button that lets the visitor blow at the flame, and what it has to say. */
+/** Button that opens the microphone, so that the visitor can blow at the flame, and its status line. */
 export class MicrophoneSwitch {
   readonly #room: CandleFlameElement;
   readonly #button: HTMLButtonElement;

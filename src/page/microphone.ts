@@ -1,11 +1,11 @@
 import { BreathDetector, soundOf } from "./breath.js";
 
-/** Samples looked at in each frame: some 40 ms. */
+/** Samples of each frame: some 40 ms. */
 const WINDOW = 2048;
 /** Frames farther apart than this are not one breath, seconds. */
 const LONGEST_FRAME = 0.1;
 
-/** Listens for blowing. What it hears is measured and forgotten; nothing leaves the page. */
+/** Microphone that detects blowing. Sound is measured and forgotten; nothing leaves the page. */
 export class Microphone {
   readonly #stream: MediaStream;
   readonly #context = new AudioContext();
@@ -24,9 +24,9 @@ export class Microphone {
     this.#request = requestAnimationFrame(this.#listen);
   }
 
-  /** Asks the visitor. Rejects with a sentence for him where that is refused, or there is none. */
+  /** Asks the visitor. Rejects with a sentence for the visitor where there is none, or none is allowed. */
   static async open(onBreath: (strength: number) => void): Promise<Microphone> {
-    // What telephones do to sound is made to take wind out of it.
+    // Phones filter wind out of speech, unless asked not to.
     const audio = { echoCancellation: false, noiseSuppression: false, autoGainControl: false };
     try {
       const stream = await navigator.mediaDevices.getUserMedia({ audio });

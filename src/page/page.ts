@@ -26,7 +26,7 @@ const link = find(stage, ".link", HTMLInputElement);
 
 reflectWalking(room);
 enterButton.addEventListener("click", () => room.enter());
-// Where there are no keys there is no Esc; the room lets go of whoever looks elsewhere.
+// Where there are no keys there is no Esc; a room without the focus ends the walk.
 find(stage, ".leave", HTMLButtonElement).addEventListener("click", () => room.blur());
 find(stage, ".help-button", HTMLButtonElement).addEventListener("click", () => help.showModal());
 
@@ -57,7 +57,7 @@ photoButton.addEventListener("click", async () => {
   setTimeout(() => URL.revokeObjectURL(url), 60_000); // some browsers read it only later
 });
 
-/** From where the candle that now stands was put down. */
+/** Camera from which the standing candle was put down. */
 let putDownFrom: Camera | null = null;
 room.addEventListener("place", () => {
   putDownFrom = room.camera;
@@ -66,7 +66,7 @@ room.addEventListener("take", () => {
   putDownFrom = null;
 });
 
-/** Puts the candle down as one would from there, or takes it up, and is back where one was. */
+/** Puts the candle down from a camera, or takes it up; the camera stays where it is. */
 function stand(from: Camera | null): void {
   if (!room || (!from && room.held)) return;
   const camera = room.camera;
@@ -81,7 +81,7 @@ function stand(from: Camera | null): void {
   room.camera = camera;
 }
 
-/** The room as somebody wants to see it; what he says nothing about is as it is by default. */
+/** Applies a view; settings that it does not name take their defaults. */
 function follow(view: View): void {
   if (!room) return;
   for (const name of SHARED) {
@@ -89,18 +89,13 @@ function follow(view: View): void {
     if (text === undefined) room.removeAttribute(name);
     else room.setAttribute(name, text);
   }
-  // The visitor may have put out, or lit, what the attribute left alone.
+  // The visitor may have put out or lit the candle without the attribute.
   room.lit = view.settings.unlit === undefined;
   if (view.camera) room.camera = { fieldOfView: FIELDS_OF_VIEW[room.look], ...view.camera };
-  // Before there is a room it is told where its visitor will stand, and opens so.
-  if (isLoaded || view.camera) stand(view.candle);
+  // Before there is a room, a camera alone decides how it opens.
+  if (room.flame || view.camera) stand(view.candle);
   else room.addEventListener("load", () => stand(view.candle), { once: true });
 }
-
-let isLoaded = false;
-room.addEventListener("load", () => {
-  isLoaded = true;
-});
 
 /** How the cabin opens: its candle stands on the table, for whoever walks in to take. */
 const OPENING: Pick<View, "camera" | "candle"> = {

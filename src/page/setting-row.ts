@@ -3,7 +3,7 @@ import type { ChoiceSetting, FlagSetting, NumberSetting, TextSetting } from "../
 export type Setting = NumberSetting | ChoiceSetting | FlagSetting | TextSetting;
 export type Control = HTMLInputElement | HTMLSelectElement;
 
-/** A setting's row of a form: its label, its control, and what it means. */
+/** A setting's row of a form: label, control and meaning. */
 export function settingRow(
   control: Control,
   { id, name, meaning }: { readonly id: string; readonly name: string; readonly meaning: string },

@@ -1,21 +1,10 @@
 import type { CandleFlameElement } from "../candle-flame-element.js";
-import { SETTINGS } from "../settings.js";
+import { SETTINGS, type SettingName } from "../settings.js";
 import { SETTING_MEANINGS } from "./meanings.js";
 import { type Control, controlOf, type Setting, settingRow } from "./setting-row.js";
 
-/** Those that have a control. */
-type Shown =
-  | "look"
-  | "quality"
-  | "seed"
-  | "wind"
-  | "wind-direction"
-  | "gustiness"
-  | "wick"
-  | "exposure"
-  | "particles"
-  | "sensitivity"
-  | "motion";
+/** Settings that can have a control here. */
+type Shown = Exclude<SettingName, "max-pixel-ratio" | "asset-base">;
 
 /** How fine a slider is, in the setting's own unit. */
 const SLIDER_STEP = 0.1;

@@ -9,7 +9,7 @@ import {
   SETTINGS,
 } from "../settings.js";
 
-/** What a link carries beside the camera. */
+/** Settings that a link carries beside the camera. */
 export const SHARED = [
   "look",
   "seed",
@@ -23,15 +23,15 @@ export const SHARED = [
 ] as const;
 export type Shared = (typeof SHARED)[number];
 
-/** What is seen, and from where: the text of attributes, as far as they are not at their defaults. */
+/** A view: camera, candle, and the attributes that are not at their defaults. */
 export interface View {
   readonly camera: Camera | null;
-  /** From where the candle was put down; null if it is held. */
+  /** Camera from which the candle was put down; null if it is held. */
   readonly candle: Camera | null;
   readonly settings: Readonly<Partial<Record<Shared, string>>>;
 }
 
-/** A tenth of a millimetre, and of a milliradian. */
+/** Decimals: a tenth of a millimetre, and of a milliradian. */
 const DIGITS = 4;
 
 const NUMBER = /^-?\d{1,5}(\.\d{1,9})?$/;
@@ -59,7 +59,7 @@ function isOwn(fieldOfView: number, { look }: View["settings"]): boolean {
   return fieldOfView === FIELDS_OF_VIEW[parseChoice(SETTINGS.look, look ?? null)];
 }
 
-/** The view that a hash asks for. Anybody may have written it: what makes no sense is not there. */
+/** The view of a location's hash. Anybody may have written it: illegal values are left out. */
 export function readShareLink(hash: string): View {
   const words = new URLSearchParams(hash.replace(/^#/, ""));
   const settings: Partial<Record<Shared, string>> = {};
@@ -82,7 +82,7 @@ function readCamera(text: string | null): Camera | null {
   return fieldOfView === undefined ? stand : { ...stand, fieldOfView };
 }
 
-/** What the setting makes of a text; null where that is its default. A flag is set by any text. */
+/** The legal text of a setting; null where that is its default. A flag is set by any text. */
 function meant(name: Shared, text: string | null): string | null {
   const setting: ChoiceSetting | NumberSetting | FlagSetting = SETTINGS[name];
   if (setting.kind === "flag") return text === null ? null : "";

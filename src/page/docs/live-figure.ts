@@ -1,15 +1,9 @@
-import type { CandleFlameElement, Feature } from "../../candle-flame-element.js";
+import type { Camera, CandleFlameElement, Feature } from "../../candle-flame-element.js";
 import { SETTINGS } from "../../settings.js";
 import { find } from "../find.js";
 
 /** A room this many screens away gives its memory back; it comes again when the reader does. */
 const FAR = "150%";
-
-interface Stand {
-  readonly position: readonly [number, number, number];
-  readonly yaw: number;
-  readonly pitch: number;
-}
 
 /**
  * A figure made of the element itself. The names of its switches say what they do: a technique to
@@ -27,7 +21,7 @@ export class LiveFigure {
     this.#figure = figure;
     this.#window = find(figure, ".window", HTMLElement);
     for (const control of figure.querySelectorAll("[name]")) this.#bind(control);
-    this.#stand();
+    this.#moveCamera();
     element.addEventListener("load", () => this.#putDown());
     if (element.scene === "room") this.#watch();
   }
@@ -55,19 +49,19 @@ export class LiveFigure {
     }
   }
 
-  /** Where the figure is seen from; for the first frame already. */
-  #stand(): void {
-    const stand = standOf(this.#figure.dataset.camera);
-    if (stand) this.#element.camera = stand;
+  /** To where the figure says; before the first frame already. */
+  #moveCamera(): void {
+    const camera = cameraOf(this.#figure.dataset.camera);
+    if (camera) this.#element.camera = camera;
   }
 
   #putDown(): void {
-    const from = standOf(this.#figure.dataset.place);
+    const from = cameraOf(this.#figure.dataset.place);
     if (from) {
       this.#element.camera = from;
       this.#element.place();
     }
-    this.#stand();
+    this.#moveCamera();
   }
 
   #watch(): void {
@@ -77,7 +71,7 @@ export class LiveFigure {
         if (isNear === this.#element.isConnected) return;
         if (isNear) {
           this.#window.append(this.#element);
-          this.#stand();
+          this.#moveCamera();
         } else {
           this.#element.remove();
         }
@@ -94,7 +88,7 @@ function unitOf(name: string): string {
 }
 
 /** x y z, yaw, pitch: metres and radians. */
-function standOf(text: string | undefined): Stand | null {
+function cameraOf(text: string | undefined): Camera | null {
   if (text === undefined) return null;
   const [x = 0, y = 0, z = 0, yaw = 0, pitch = 0] = text.split(" ").map(Number);
   return { position: [x, y, z], yaw, pitch };

@@ -4,7 +4,7 @@ import { SETTING_MEANINGS } from "../meanings.js";
 import { type Control, controlOf, type Setting, settingRow } from "../setting-row.js";
 import { tagOf } from "./snippet.js";
 
-/** A control for every attribute that there is, made from the table of settings. */
+/** A control for every attribute, made from the table of settings. */
 export class TryOut {
   readonly #element: CandleFlameElement;
   readonly #code: HTMLElement;
@@ -41,7 +41,7 @@ export class TryOut {
       const text = this.#element.getAttribute(name);
       if (isCheckbox(control)) control.checked = text !== null;
       else if (text !== null) control.value = text;
-      // Where this page has its models is no concern of others.
+      // The folder of this page's own models is left out of the snippet.
       const isOurs = name === "asset-base" && text === this.#assetBase;
       if (text !== null && !isOurs) attributes[name] = text;
     }

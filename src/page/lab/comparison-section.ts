@@ -16,13 +16,14 @@ export class ComparisonSection {
 
   constructor(
     section: HTMLElement,
+    divider: HTMLElement,
     room: CandleFlameElement,
     stage: HTMLElement,
     comparison: Comparison,
   ) {
     this.#room = room;
     this.#comparison = comparison;
-    this.#divider = new Divider(stage, () => {
+    this.#divider = new Divider(divider, stage, () => {
       comparison.close();
       this.#button.focus();
     });

@@ -5,15 +5,15 @@ export type ComparisonState = "closed" | "loading" | "open";
 
 /** Longest time that one frame makes up for, in seconds: after a hidden tab, resume. */
 const MAX_FRAME = 1 / 20;
-/** What the two rooms do not have in common. */
+/** Attributes that the two rooms do not share. */
 const OWN: readonly string[] = ["look", "controls", "paused", "alt"];
 const SHARED = Object.keys(SETTINGS).filter((name) => !OWN.includes(name));
 
 /**
- * A second room over the first, in another look, seen from the same place at the same time.
+ * A second room over the first, in another look, with the same camera at the same time.
  *
- * Both are paused and stepped by one loop. The visitor stands in the first; whatever he does or sets
- * there is done to the second. The second exists while the comparison is open.
+ * Both are paused and stepped by one loop. The visitor walks in the first; its camera, candle and settings are
+ * copied to the second. The second exists while the comparison is open.
  */
 export class Comparison {
   /** Called when it opens or closes; with a sentence when it closed because a room failed. */

@@ -2,34 +2,22 @@
 const STEP = 2;
 const LEAP = 10;
 
-/** The line between two pictures: dragged, or moved by the keys that any slider has. */
+/** Divider of two views: a slider that is dragged, or moved by its keys. */
 export class Divider {
   readonly #line: HTMLElement;
-  readonly #labels: readonly [HTMLElement, HTMLElement];
   readonly #stage: HTMLElement;
   #names: readonly [string, string] = ["", ""];
   #percent = 50;
 
   /** @param onEscape called on Esc, while the divider has the focus */
-  constructor(stage: HTMLElement, onEscape: () => void) {
+  constructor(line: HTMLElement, stage: HTMLElement, onEscape: () => void) {
+    this.#line = line;
     this.#stage = stage;
-    this.#line = document.createElement("div");
-    this.#line.className = "divider";
-    this.#line.setAttribute("role", "slider");
-    this.#line.tabIndex = 0;
-    this.#line.setAttribute("aria-label", "Divider between the two looks");
-    this.#line.setAttribute("aria-orientation", "horizontal");
-    this.#line.setAttribute("aria-valuemin", "0");
-    this.#line.setAttribute("aria-valuemax", "100");
-    this.#labels = [document.createElement("span"), document.createElement("span")];
-    this.#line.append(...this.#labels);
-    this.#line.addEventListener("pointerdown", (event) => {
-      this.#line.setPointerCapture(event.pointerId);
+    line.addEventListener("pointerdown", ({ pointerId }) => line.setPointerCapture(pointerId));
+    line.addEventListener("pointermove", ({ pointerId, clientX }) => {
+      if (line.hasPointerCapture(pointerId)) this.#moveTo(clientX);
     });
-    this.#line.addEventListener("pointermove", (event) => {
-      if (this.#line.hasPointerCapture(event.pointerId)) this.#moveTo(event.clientX);
-    });
-    this.#line.addEventListener("keydown", (event) => {
+    line.addEventListener("keydown", (event) => {
       if (event.key === "Escape") onEscape();
       else if (!this.#pressKey(event.key)) return;
       event.preventDefault();
@@ -39,8 +27,9 @@ export class Divider {
   /** @param names of what is on the left, and on the right */
   show(names: readonly [string, string]): void {
     this.#names = names;
-    this.#labels[0].textContent = names[0];
-    this.#labels[1].textContent = names[1];
+    names.forEach((name, i) => {
+      this.#line.children[i]?.replaceChildren(name);
+    });
     if (!this.#line.isConnected) this.#stage.append(this.#line);
     document.body.classList.add("comparing");
     this.#set(this.#percent);

@@ -2,7 +2,7 @@ import type { CandleFlameElement, Feature } from "../../candle-flame-element.js"
 import { FEATURES, FEATURES_OF } from "../../settings.js";
 import { FEATURE_MEANINGS } from "../meanings.js";
 
-/** A checkbox for each technique of the look on show, with its sentence. */
+/** A checkbox for each technique of the current look, with its meaning. */
 export class FeatureSwitches {
   readonly #element: CandleFlameElement;
   readonly #list: HTMLElement;

@@ -2,16 +2,15 @@ import type { CandleFlameElement } from "../../candle-flame-element.js";
 import { find } from "../find.js";
 import { BINS, spectrumOf, WAVELENGTHS, wavelengthOf } from "./spectrum.js";
 
-/** Seconds of the flame's own time that are on show. */
+/** Length of the plot in the flame's own time, seconds. */
 const SPAN = 10;
-/** Milliseconds from look to look. */
+/** Milliseconds between samples. */
 const INTERVAL = 50;
-/** Looks between two that are told in words. */
-const TOLD_EVERY = 20;
+const SAMPLES_PER_SENTENCE = 20;
 const WIDTH = 400;
 const HEIGHT = 120;
 
-/** Luminous intensity of the flame, live, and the spectrum that it has now. */
+/** Plots of the flame's luminous intensity over time, and of its spectrum now. */
 export class FlamePlot {
   readonly #section: HTMLDetailsElement;
   readonly #room: CandleFlameElement;
@@ -22,7 +21,7 @@ export class FlamePlot {
   readonly #words: HTMLElement;
   #samples: { readonly time: number; readonly candela: number }[] = [];
   #timer = 0;
-  #looks = 0;
+  #sampleCount = 0;
 
   constructor(section: HTMLDetailsElement, room: CandleFlameElement) {
     this.#section = section;
@@ -35,16 +34,16 @@ export class FlamePlot {
     section.addEventListener("toggle", () => this.refresh());
   }
 
-  /** It looks while its section is open, and the lab too. */
-  refresh(isLabOpen = !this.#section.closest("[hidden]")): void {
+  /** Samples while its section is open, and the lab too. */
+  refresh(): void {
     clearInterval(this.#timer);
-    if (!isLabOpen || !this.#section.open) return;
-    this.#looks = 0;
-    this.#look();
-    this.#timer = window.setInterval(() => this.#look(), INTERVAL);
+    if (!this.#section.open || this.#section.closest("[hidden]")) return;
+    this.#sampleCount = 0;
+    this.#sample();
+    this.#timer = window.setInterval(() => this.#sample(), INTERVAL);
   }
 
-  #look(): void {
+  #sample(): void {
     const { flame, currentTime: time } = this.#room;
     if (!flame) return;
     if (time < (this.#samples.at(-1)?.time ?? 0)) this.#samples = [];
@@ -62,7 +61,7 @@ export class FlamePlot {
     const unit = hasUnits ? " cd" : " of the steady flame's";
     this.#courseScale.textContent = `Luminous intensity in the last ${SPAN} s, 0 to ${top}${unit}`;
     this.#drawSpectrum(hasUnits);
-    if (this.#looks++ % TOLD_EVERY > 0) return;
+    if (this.#sampleCount++ % SAMPLES_PER_SENTENCE > 0) return;
     const numbers = [candela, least, most].map((value) => value.toPrecision(3));
     this.#words.textContent = `${numbers[0]}${unit} now; ${numbers[1]} to ${numbers[2]} lately. ${Math.round(flame.colorTemperature)} K.`;
   }

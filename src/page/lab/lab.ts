@@ -42,9 +42,16 @@ export class Lab {
     const settings = find(section("settings"), "fieldset", HTMLFieldSetElement);
     const switches = new FeatureSwitches(room, techniques);
     const form = new SettingsForm(room, settings, SHOWN);
-    const looks = new ComparisonSection(section("comparison"), room, stage, comparison);
+    const part = (name: string) => find(template.content, `.${name}`, HTMLElement);
+    const looks = new ComparisonSection(
+      section("comparison"),
+      part("divider"),
+      room,
+      stage,
+      comparison,
+    );
     this.#readOut = new ReadOut(room, find(section("last-frame"), "dl", HTMLElement), comparison);
-    this.#meter = new SpotMeter(section("meter"), room, stage);
+    this.#meter = new SpotMeter(section("meter"), part("spot"), room, stage);
     this.#passes = new PassViewer(section("passes"), room);
     this.#plot = new FlamePlot(section("flame-plot"), room);
     this.#ladder = new LadderSection(section("ladder"), room);
@@ -69,12 +76,12 @@ export class Lab {
   }
 
   toggle(): void {
-    const opens = this.#panel.hidden;
+    const opens = this.#panel.hidden === true;
     this.#panel.hidden = !opens;
     this.#button.setAttribute("aria-expanded", String(opens));
-    document.body.classList.toggle("lab-open", Boolean(opens));
-    this.#meter.refresh(Boolean(opens));
-    this.#plot.refresh(Boolean(opens));
+    document.body.classList.toggle("lab-open", opens);
+    this.#meter.refresh();
+    this.#plot.refresh();
     if (opens) {
       this.#readOut.start();
     } else {

@@ -4,7 +4,7 @@ import { isWalking } from "../walking.js";
 import { climb } from "./ladder.js";
 import { LadderChart } from "./ladder-chart.js";
 
-/** Table 1, live: the button that measures, how far it is, and what came out. */
+/** Table 1, live: the button that measures, the progress and the results. */
 export class LadderSection {
   /** Called when a climb begins and when it has ended. */
   onChange: (isRunning: boolean) => void = () => {};
@@ -50,7 +50,7 @@ export class LadderSection {
         onProgress: (share, medians) => {
           this.#progress.value = share;
           this.#chart.show(medians);
-          // Who walks off changes the view, and with it what is measured.
+          // Walking changes the view, and with it what is measured.
           if (isWalking(element)) running.abort();
         },
       });

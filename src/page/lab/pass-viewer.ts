@@ -3,7 +3,7 @@ import { INSPECTIONS } from "../../settings.js";
 import { find } from "../find.js";
 import { INSPECTION_MEANINGS } from "../meanings.js";
 
-/** Shows what each pass of the frame leaves for the next, by name. */
+/** Pass viewer: shows the output of a pass instead of the frame. */
 export class PassViewer {
   readonly #room: CandleFlameElement;
   readonly #list: HTMLSelectElement;
@@ -23,7 +23,7 @@ export class PassViewer {
     this.refresh();
   }
 
-  /** The picture again: nobody should be left with a depth buffer. */
+  /** Back to the frame itself, so that no visitor is left with a depth buffer. */
   close(): void {
     this.#room.inspect = "picture";
     this.refresh();

@@ -5,7 +5,7 @@ import { addRows } from "./readings.js";
 
 const INTERVAL = 500;
 
-/** What is known of the last frame, by name. A dash is what this machine or moment cannot tell. */
+/** Statistics of the last frame, by name. A dash stands for what is not known here or now. */
 const ROWS: Readonly<Record<string, (stats: Stats, frameMs: number | null) => string>> = {
   "frames per second": (_, frameMs) => (frameMs ? (1000 / frameMs).toFixed(0) : "–"),
   "from frame to frame": (_, frameMs) => (frameMs ? `${formatMilliseconds(frameMs)} ms` : "–"),
@@ -19,7 +19,7 @@ const ROWS: Readonly<Record<string, (stats: Stats, frameMs: number | null) => st
   "GPU memory": ({ gpuBytes }) => `${(gpuBytes / 1e6).toFixed(1)} MB`,
 };
 
-/** The element's numbers, read twice a second while anybody looks. */
+/** The element's statistics, read twice a second while the lab is open. */
 export class ReadOut {
   readonly #element: CandleFlameElement;
   readonly #comparison: Comparison;

@@ -5,10 +5,10 @@ import { addRows } from "./readings.js";
 
 /** Pixels of the canvas along an edge of the spot. */
 const SPOT = 5;
-/** Steps of the keys, as shares of the picture's width and height. */
+/** Steps of the keys, as shares of the canvas's width and height. */
 const STEP = 0.01;
 const LEAP = 0.1;
-/** Milliseconds from reading to reading: each draws the picture once more. */
+/** Milliseconds between readings: each draws the frame once more. */
 const INTERVAL = 250;
 
 const LIGHT: Readonly<Record<string, (reading: Reading) => string>> = {
@@ -19,35 +19,37 @@ const LIGHT: Readonly<Record<string, (reading: Reading) => string>> = {
     temperature === null ? "no white" : `${Math.round(temperature / 10) * 10} K`,
 };
 
-/** A spot on the picture, moved by pointer or keys, and the light that comes from there. */
+/** Spot meter: a spot on the canvas, moved by pointer or keys, and the light that comes from there. */
 export class SpotMeter {
   readonly #section: HTMLDetailsElement;
   readonly #room: CandleFlameElement;
   readonly #stage: HTMLElement;
   readonly #albedo: HTMLInputElement;
   readonly #values: ReadonlyMap<string, HTMLElement>;
-  readonly #spot = document.createElement("div");
+  readonly #spot: HTMLElement;
   readonly #status: HTMLElement;
   #place: readonly [x: number, y: number] = [0.5, 0.5];
   #timer = 0;
 
-  constructor(section: HTMLDetailsElement, room: CandleFlameElement, stage: HTMLElement) {
+  constructor(
+    section: HTMLDetailsElement,
+    spot: HTMLElement,
+    room: CandleFlameElement,
+    stage: HTMLElement,
+  ) {
     this.#section = section;
+    this.#spot = spot;
     this.#room = room;
     this.#stage = stage;
     this.#albedo = find(section, "[name=albedo]", HTMLInputElement);
     this.#status = find(section, ".status", HTMLElement);
     this.#values = addRows(find(section, "dl", HTMLElement), Object.keys(LIGHT));
-    this.#spot.className = "spot";
-    this.#spot.tabIndex = 0;
-    this.#spot.setAttribute("role", "application"); // its arrow keys are its own
-    this.#spot.setAttribute("aria-label", "Spot of the meter");
-    this.#spot.setAttribute("aria-describedby", "spot-keys");
-    this.#spot.addEventListener("keydown", (event) => {
+    spot.tabIndex = 0;
+    spot.addEventListener("keydown", (event) => {
       if (this.#pressKey(event)) event.preventDefault();
     });
     stage.addEventListener("pointermove", ({ clientX, clientY }) => {
-      if (!this.#spot.isConnected) return;
+      if (!spot.isConnected) return;
       const { left, top, width, height } = room.getBoundingClientRect();
       this.#moveTo((clientX - left) / width, (clientY - top) / height);
     });
@@ -55,10 +57,10 @@ export class SpotMeter {
     this.#albedo.addEventListener("input", () => this.#read());
   }
 
-  /** It measures while its section is open, and the lab too. */
-  refresh(isLabOpen = !this.#section.closest("[hidden]")): void {
+  /** Measures while its section is open, and the lab too. */
+  refresh(): void {
     clearInterval(this.#timer);
-    if (!isLabOpen || !this.#section.open) {
+    if (!this.#section.open || this.#section.closest("[hidden]")) {
       this.#spot.remove();
       return;
     }
