@@ -189,26 +189,6 @@ export class PlumeSolver {
     return out;
   }
 
-  /** Temperature at a place in the room, kelvin. */
-  temperature(x: number, y: number, z: number): number {
-    const { grid, origin } = this;
-    const px = grid.x.place(x - origin[0]) - 0.5;
-    const py = grid.y.place(y - origin[1]) - 0.5;
-    const pz = grid.z.place(z - origin[2]) - 0.5;
-    const nx = this.#counts[0];
-    const ny = this.#counts[1];
-    const nz = this.#counts[2];
-    const isInside = px > -0.5 && py > -0.5 && pz > -0.5 && px < nx && py < ny && pz < nz;
-    const excess: Vec3 = [0, 0, 0];
-    if (isInside) trilinear(this.heat, nx, ny, nz, [px, py, pz], excess, 0);
-    return ROOM_TEMPERATURE * (1 + excess[0]);
-  }
-
-  /** Largest share by which a cell's inflow and outflow differ, against the fastest flow. For tests. */
-  divergence(): number {
-    return this.#pressure.divergence(this.velocities);
-  }
-
   /** The lines of a velocity component along an axis. */
   #linesOf(axis: Component, along: Component): Lines {
     const inner = INNER[along];

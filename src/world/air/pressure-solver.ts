@@ -60,16 +60,6 @@ export class PressureSolver {
     this.#push(velocities);
   }
 
-  divergence(velocities: readonly [Float64Array, Float64Array, Float64Array]): number {
-    this.#diverge(velocities);
-    const narrowest = this.#x.widths[this.#x.count >> 1]!;
-    let most = 0;
-    let fastest = 0;
-    for (const excess of this.#excess) most = Math.max(most, Math.abs(excess));
-    for (const speed of velocities[1]) fastest = Math.max(fastest, Math.abs(speed));
-    return (most * narrowest) / Math.max(fastest, 1e-6);
-  }
-
   /** Net outflow of each cell, 1/s. */
   #diverge(velocities: readonly [Float64Array, Float64Array, Float64Array]): void {
     const u = velocities[0];

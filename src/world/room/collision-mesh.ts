@@ -19,6 +19,7 @@ export interface RayHit {
   readonly normal: Vec3;
 }
 
+const NO_WAY: Readonly<Vec3> = [0, 0, 0];
 /** Triangles kept of a larger room, the largest first: about 120 MB. */
 const MAX_TRIANGLES = 2_000_000;
 
@@ -101,19 +102,8 @@ export class CollisionMesh {
   }
 
   /** Whether anything is nearer than `radius` to an upright axis, or in between. */
-  overlapsCylinder([x, y, z]: Readonly<Vec3>, radius: number, height: number): boolean {
-    const { link, count } = this.#bvh;
-    const leaves = this.#meet(x - radius, y, z - radius, x + radius, y + height, z + radius);
-    this.#footprint.low = y;
-    this.#footprint.high = y + height;
-    for (let leaf = 0; leaf < leaves; leaf++) {
-      const node = this.#leaves[leaf]!;
-      for (let i = link[node]!, end = i + count[node]!; i < end; i++) {
-        if (!this.#footprint.clip(this.triangles, i * 9)) continue;
-        if (this.#footprint.distanceTo(x, z) < radius) return true;
-      }
-    }
-    return false;
+  overlapsCylinder(place: Readonly<Vec3>, radius: number, height: number): boolean {
+    return this.sweepCylinder(place, NO_WAY, { radius, height }).share === 0;
   }
 
   /**

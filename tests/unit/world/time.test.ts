@@ -7,6 +7,7 @@ import { PARTICLE_FLOATS } from "../../../src/world/particles/particles.ts";
 import { type Intent, STILL } from "../../../src/world/player/intent.ts";
 import { TICK } from "../../../src/world/timeline.ts";
 import { currentTime, type World } from "../../../src/world/world.ts";
+import { temperatureAt } from "../../support/plume.ts";
 import { chance } from "../chance.ts";
 
 const LOOKS = SETTINGS.look.choices;
@@ -110,7 +111,7 @@ describe("birth", () => {
     const { flame, plume, emitter } = createWorld("physical", 1);
     expect(flame.height).toBeGreaterThan(0.03);
     const [x, y, z] = emitter;
-    expect(plume?.solver.temperature(x, y + 0.2, z)).toBeGreaterThan(320);
+    expect(plume && temperatureAt(plume.solver, [x, y + 0.2, z])).toBeGreaterThan(320);
   });
 
   test.each(LOOKS)("at an age gives the world that has grown that old: %s", (look) => {

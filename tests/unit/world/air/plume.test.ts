@@ -3,6 +3,7 @@ import { hotColumn } from "../../../../src/world/air/hot-column.ts";
 import { PLUME_STEP, PlumeSolver } from "../../../../src/world/air/plume-solver.ts";
 import { HEAT, TAPER_RATE } from "../../../../src/world/flame/burning.ts";
 import type { Vec3 } from "../../../../src/world/geometry.ts";
+import { divergenceOf, temperatureAt } from "../../../support/plume.ts";
 
 const FOOT: Vec3 = [0.3, 1, -0.2];
 const STILL: Vec3 = [0, 0, 0];
@@ -73,7 +74,7 @@ describe("hot air over a flame in still air", () => {
   });
 
   test("neither piles up nor tears: what flows into a cell flows out", () => {
-    expect(plume.divergence()).toBeLessThan(1e-3);
+    expect(divergenceOf(plume)).toBeLessThan(1e-3);
   });
 
   test("draws cool air in from all sides alike", () => {
@@ -108,7 +109,7 @@ describe("hot air over a flame in still air", () => {
       return levels[level * 5 + 3] ?? 0;
     };
     expect(breadth(0.3)).toBeGreaterThan(1.3 * breadth(0.1));
-    const heat = (height: number) => plume.temperature(FOOT[0], FOOT[1] + height, FOOT[2]);
+    const heat = (height: number) => temperatureAt(plume, [FOOT[0], FOOT[1] + height, FOOT[2]]);
     expect(heat(0.04)).toBeGreaterThan(600);
     expect(heat(0.2)).toBeLessThan(heat(0.1));
     expect(heat(0.3)).toBeGreaterThan(330);
@@ -148,8 +149,9 @@ describe("hot air in a draught", () => {
     const standing = new PlumeSolver();
     standing.reset(FOOT, [0.1, 0, 0]);
     run(standing, 1, [0.1, 0, 0], POWER, 0.03);
-    const lee = carried.temperature(foot[0] + 0.015, foot[1] + 0.15, foot[2]);
-    expect(lee / standing.temperature(FOOT[0] + 0.015, FOOT[1] + 0.15, FOOT[2])).toBeCloseTo(1, 1);
+    const inLee = (plume: PlumeSolver, [x, y, z]: Vec3) =>
+      temperatureAt(plume, [x + 0.015, y + 0.15, z]);
+    expect(inLee(carried, foot) / inLee(standing, FOOT)).toBeCloseTo(1, 1);
   });
 });
 
