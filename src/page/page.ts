@@ -2,9 +2,8 @@ import type { Camera } from "../candle-flame-element.js";
 import "../define.js";
 import { FIELDS_OF_VIEW } from "../settings.js";
 import { find } from "./find.js";
-import type { Lab } from "./lab/lab.js";
-import { MicrophoneSwitch } from "./microphone-switch.js";
-import { SettingsForm } from "./settings-form.js";
+import { bindMicrophone } from "./microphone-switch.js";
+import { addSettings } from "./settings-form.js";
 import { readShareLink, SHARED, type Shared, type View, writeShareLink } from "./share-link.js";
 import { reflectWalking } from "./walking.js";
 
@@ -155,7 +154,7 @@ document.addEventListener("fullscreenchange", () => {
   fullScreenButton.setAttribute("aria-pressed", String(document.fullscreenElement !== null));
 });
 
-const form = new SettingsForm(room, find(settings, "fieldset", HTMLFieldSetElement), [
+const refreshSettings = addSettings(room, find(settings, "fieldset", HTMLFieldSetElement), [
   "quality",
   "exposure",
   "wind",
@@ -166,16 +165,16 @@ const form = new SettingsForm(room, find(settings, "fieldset", HTMLFieldSetEleme
   "motion",
 ]);
 find(stage, ".settings-button", HTMLButtonElement).addEventListener("click", () => {
-  form.refresh();
+  refreshSettings();
   settings.showModal();
   document.body.classList.add("settings-open");
 });
 settings.addEventListener("close", () => document.body.classList.remove("settings-open"));
 
-new MicrophoneSwitch(room, find(settings, ".microphone", HTMLElement));
+bindMicrophone(room, find(settings, ".microphone", HTMLElement));
 
-let lab: Promise<Lab> | null = null;
+let toggleLab: Promise<() => void> | null = null;
 labButton.addEventListener("click", async () => {
-  lab ??= import("./lab/lab.js").then(({ Lab }) => new Lab(room, stage, labButton));
-  (await lab).toggle();
+  toggleLab ??= import("./lab/lab.js").then(({ addLab }) => addLab(room, stage, labButton));
+  (await toggleLab)();
 });

@@ -1,7 +1,7 @@
 import type { CandleFlameElement } from "../candle-flame-element.js";
 import { SETTINGS, type SettingName } from "../settings.js";
 import { SETTING_MEANINGS } from "./meanings.js";
-import { type Control, controlOf, type Setting, settingRow } from "./setting-row.js";
+import { controlOf, type Setting, settingRow } from "./setting-row.js";
 
 /** Settings that can have a control here. */
 type Shown = Exclude<SettingName, "max-pixel-ratio" | "asset-base">;
@@ -15,51 +15,53 @@ const SLIDER_STEPS: Readonly<Partial<Record<Shown, number>>> = {
   wick: 0.5,
 };
 
-/** A control for each of some settings, made from the table of settings. */
-export class SettingsForm {
-  readonly #element: CandleFlameElement;
-  readonly #controls = new Map<Shown, Control>();
-  readonly #outputs = new Map<Shown, HTMLOutputElement>();
+/**
+ * Adds a control for each of some settings, made from the table of settings.
+ *
+ * @param form where the controls go; its id begins theirs
+ * @returns what shows the element's values again
+ */
+export function addSettings(
+  element: CandleFlameElement,
+  form: HTMLElement,
+  names: readonly Shown[],
+): () => void {
+  const refreshes = names.map((name) => addSetting(element, form, name, () => refresh()));
+  const refresh = () => {
+    for (const refreshOne of refreshes) refreshOne();
+  };
+  refresh();
+  return refresh;
+}
 
-  /** @param form where the controls go; its id begins theirs */
-  constructor(element: CandleFlameElement, form: HTMLElement, names: readonly Shown[]) {
-    this.#element = element;
-    for (const name of names) form.append(this.#row(`${form.id}-${name}`, name));
-    this.refresh();
+function addSetting(
+  element: CandleFlameElement,
+  form: HTMLElement,
+  name: Shown,
+  onChange: () => void,
+): () => void {
+  const id = `${form.id}-${name}`;
+  const setting: Setting = SETTINGS[name];
+  const control = controlOf(setting, SLIDER_STEPS[name] ?? SLIDER_STEP);
+  const isSlider = setting.kind === "number" && !setting.integer;
+  control.addEventListener(isSlider ? "input" : "change", () => {
+    element.setAttribute(name, control.value);
+    onChange(); // the element may have made another value of it
+  });
+  const meaning = SETTING_MEANINGS[name];
+  const row = settingRow(control, { id, name: name.replace("-", " "), meaning });
+  row.className = "setting";
+  form.append(row);
+  const text = () => String(element[name === "wind-direction" ? "windDirection" : name]);
+  const output = document.createElement("output");
+  if (isSlider) {
+    control.setAttribute("type", "range");
+    output.htmlFor.add(id);
+    control.after(output);
   }
-
-  #row(id: string, name: Shown): HTMLElement {
-    const setting: Setting = SETTINGS[name];
-    const control = controlOf(setting, SLIDER_STEPS[name] ?? SLIDER_STEP);
-    const isSlider = setting.kind === "number" && !setting.integer;
-    if (isSlider) control.setAttribute("type", "range");
-    control.addEventListener(isSlider ? "input" : "change", () => {
-      this.#element.setAttribute(name, control.value);
-      this.refresh(); // what the element made of it
-    });
-    this.#controls.set(name, control);
-    const meaning = SETTING_MEANINGS[name];
-    const row = settingRow(control, { id, name: name.replace("-", " "), meaning });
-    row.className = "setting";
-    if (isSlider) {
-      const output = document.createElement("output");
-      output.htmlFor.add(id);
-      this.#outputs.set(name, output);
-      control.after(output);
-    }
-    return row;
-  }
-
-  refresh(): void {
-    for (const [name, control] of this.#controls) control.value = this.#text(name);
-    for (const [name, output] of this.#outputs) {
-      const setting: Setting = SETTINGS[name];
-      const unit = setting.kind === "number" ? setting.unit : "";
-      output.value = `${this.#text(name)}${unit === "degrees" ? "°" : ` ${unit}`}`.trim();
-    }
-  }
-
-  #text(name: Shown): string {
-    return String(this.#element[name === "wind-direction" ? "windDirection" : name]);
-  }
+  const unit = isSlider ? setting.unit : "";
+  return () => {
+    control.value = text();
+    output.value = `${text()}${unit === "degrees" ? "°" : ` ${unit}`}`.trim();
+  };
 }

@@ -1,4 +1,4 @@
 import "../../define.js";
-import { LiveFigure } from "./live-figure.js";
+import { bindLiveFigure } from "./live-figure.js";
 
-for (const figure of document.querySelectorAll<HTMLElement>("figure.live")) new LiveFigure(figure);
+document.querySelectorAll<HTMLElement>("figure.live").forEach(bindLiveFigure);

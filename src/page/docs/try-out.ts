@@ -4,49 +4,44 @@ import { SETTING_MEANINGS } from "../meanings.js";
 import { type Control, controlOf, type Setting, settingRow } from "../setting-row.js";
 import { tagOf } from "./snippet.js";
 
-/** A control for every attribute, made from the table of settings. */
-export class TryOut {
-  readonly #element: CandleFlameElement;
-  readonly #code: HTMLElement;
-  readonly #assetBase: string;
-  readonly #controls = new Map<SettingName, Control>();
-
-  constructor(element: CandleFlameElement, form: HTMLFormElement, code: HTMLElement) {
-    this.#element = element;
-    this.#code = code;
-    this.#assetBase = element.assetBase;
-    form.addEventListener("submit", (event) => event.preventDefault());
-    for (const name of Object.keys(SETTINGS) as SettingName[]) form.append(this.#row(name));
-    this.#show();
-    // Methods change attributes too.
-    new MutationObserver(() => this.#show()).observe(element, { attributes: true });
-  }
-
-  #row(name: SettingName): HTMLElement {
-    const setting: Setting = SETTINGS[name];
-    const control = controlOf(setting, "any");
-    control.name = name;
-    control.addEventListener("change", () => {
-      if (isCheckbox(control)) this.#element.toggleAttribute(name, control.checked);
-      else this.#element.setAttribute(name, control.value);
-    });
-    this.#controls.set(name, control);
-    const meaning = `${SETTING_MEANINGS[name]}${rangeOf(setting)}`;
-    return settingRow(control, { id: `try-${name}`, name, meaning });
-  }
-
-  #show(): void {
+/** Adds a control for every attribute to a form, made from the table of settings; the code shows their markup. */
+export function addTryOut(
+  element: CandleFlameElement,
+  form: HTMLFormElement,
+  code: HTMLElement,
+): void {
+  const { assetBase } = element;
+  const names = Object.keys(SETTINGS) as SettingName[];
+  const controls = names.map((name) => [name, addControl(element, form, name)] as const);
+  const show = () => {
     const attributes: Partial<Record<SettingName, string>> = {};
-    for (const [name, control] of this.#controls) {
-      const text = this.#element.getAttribute(name);
+    for (const [name, control] of controls) {
+      const text = element.getAttribute(name);
       if (isCheckbox(control)) control.checked = text !== null;
       else if (text !== null) control.value = text;
       // The folder of this page's own models is left out of the snippet.
-      const isOurs = name === "asset-base" && text === this.#assetBase;
+      const isOurs = name === "asset-base" && text === assetBase;
       if (text !== null && !isOurs) attributes[name] = text;
     }
-    this.#code.textContent = tagOf(attributes);
-  }
+    code.textContent = tagOf(attributes);
+  };
+  form.addEventListener("submit", (event) => event.preventDefault());
+  show();
+  // Methods change attributes too.
+  new MutationObserver(show).observe(element, { attributes: true });
+}
+
+function addControl(element: CandleFlameElement, form: HTMLElement, name: SettingName): Control {
+  const setting: Setting = SETTINGS[name];
+  const control = controlOf(setting, "any");
+  control.name = name;
+  control.addEventListener("change", () => {
+    if (isCheckbox(control)) element.toggleAttribute(name, control.checked);
+    else element.setAttribute(name, control.value);
+  });
+  const meaning = `${SETTING_MEANINGS[name]}${rangeOf(setting)}`;
+  form.append(settingRow(control, { id: `try-${name}`, name, meaning }));
+  return control;
 }
 
 function isCheckbox(control: Control): control is HTMLInputElement {

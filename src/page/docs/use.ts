@@ -1,16 +1,16 @@
 import "../../define.js";
 import { find } from "../find.js";
 import { addCopyButton } from "./copy-button.js";
-import { LiveFigure } from "./live-figure.js";
-import { TryOut } from "./try-out.js";
+import { bindLiveFigure } from "./live-figure.js";
+import { addTryOut } from "./try-out.js";
 
-for (const figure of document.querySelectorAll<HTMLElement>("figure.live")) new LiveFigure(figure);
-for (const snippet of document.querySelectorAll<HTMLElement>(".snippet")) addCopyButton(snippet);
+document.querySelectorAll<HTMLElement>("figure.live").forEach(bindLiveFigure);
+document.querySelectorAll<HTMLElement>(".snippet").forEach(addCopyButton);
 
 const tried = document.querySelector<HTMLElementTagNameMap["candle-flame"]>("#tried");
 const glowing = document.querySelector<HTMLElement>(".glowing");
 if (!tried || !glowing) throw new Error("The page's markup lacks a candle.");
-new TryOut(
+addTryOut(
   tried,
   find(document, ".attributes", HTMLFormElement),
   find(document, "#tried-snippet code", HTMLElement),

@@ -2,74 +2,62 @@
 const STEP = 2;
 const LEAP = 10;
 
-/** Divider of two views: a slider that is dragged, or moved by its keys. */
-export class Divider {
-  readonly #line: HTMLElement;
-  readonly #stage: HTMLElement;
-  #names: readonly [string, string] = ["", ""];
-  #percent = 50;
+/**
+ * Binds the divider of two views: a slider that is dragged, or moved by its keys.
+ *
+ * @param onEscape called on Esc, while the divider has the focus
+ */
+export function bindDivider(line: HTMLElement, stage: HTMLElement, onEscape: () => void) {
+  let names: readonly [string, string] = ["", ""];
+  let percent = 50;
 
-  /** @param onEscape called on Esc, while the divider has the focus */
-  constructor(line: HTMLElement, stage: HTMLElement, onEscape: () => void) {
-    this.#line = line;
-    this.#stage = stage;
-    line.addEventListener("pointerdown", ({ pointerId }) => line.setPointerCapture(pointerId));
-    line.addEventListener("pointermove", ({ pointerId, clientX }) => {
-      if (line.hasPointerCapture(pointerId)) this.#moveTo(clientX);
-    });
-    line.addEventListener("keydown", (event) => {
-      if (event.key === "Escape") onEscape();
-      else if (!this.#pressKey(event.key)) return;
-      event.preventDefault();
-    });
+  function move(wanted: number): void {
+    percent = Math.min(Math.max(wanted, 0), 100);
+    const shown = Math.round(percent);
+    const text = `${names[0]} ${shown} %, ${names[1]} ${100 - shown} %`;
+    line.setAttribute("aria-valuenow", String(shown));
+    line.setAttribute("aria-valuetext", text);
+    stage.style.setProperty("--divider", `${percent}%`);
   }
 
-  /** @param names of what is on the left, and on the right */
-  show(names: readonly [string, string]): void {
-    this.#names = names;
-    names.forEach((name, i) => {
-      this.#line.children[i]?.replaceChildren(name);
-    });
-    if (!this.#line.isConnected) this.#stage.append(this.#line);
-    document.body.classList.add("comparing");
-    this.#set(this.#percent);
-  }
-
-  hide(): void {
-    this.#line.remove();
-    document.body.classList.remove("comparing");
-  }
-
-  #moveTo(clientX: number): void {
-    const { left, width } = this.#stage.getBoundingClientRect();
-    this.#set(((clientX - left) / width) * 100);
-  }
-
-  #pressKey(key: string): boolean {
+  line.addEventListener("pointerdown", ({ pointerId }) => line.setPointerCapture(pointerId));
+  line.addEventListener("pointermove", ({ pointerId, clientX }) => {
+    if (!line.hasPointerCapture(pointerId)) return;
+    const { left, width } = stage.getBoundingClientRect();
+    move(((clientX - left) / width) * 100);
+  });
+  line.addEventListener("keydown", (event) => {
     const targets: Readonly<Record<string, number>> = {
-      ArrowLeft: this.#percent - STEP,
-      ArrowDown: this.#percent - STEP,
-      ArrowRight: this.#percent + STEP,
-      ArrowUp: this.#percent + STEP,
-      PageDown: this.#percent - LEAP,
-      PageUp: this.#percent + LEAP,
+      ArrowLeft: percent - STEP,
+      ArrowDown: percent - STEP,
+      ArrowRight: percent + STEP,
+      ArrowUp: percent + STEP,
+      PageDown: percent - LEAP,
+      PageUp: percent + LEAP,
       Home: 0,
       End: 100,
     };
-    const target = targets[key];
-    if (target === undefined) return false;
-    this.#set(target);
-    return true;
-  }
+    const target = targets[event.key];
+    if (event.key === "Escape") onEscape();
+    else if (target === undefined) return;
+    else move(target);
+    event.preventDefault();
+  });
 
-  #set(percent: number): void {
-    this.#percent = Math.min(Math.max(percent, 0), 100);
-    const shown = Math.round(this.#percent);
-    this.#line.setAttribute("aria-valuenow", String(shown));
-    this.#line.setAttribute(
-      "aria-valuetext",
-      `${this.#names[0]} ${shown} %, ${this.#names[1]} ${100 - shown} %`,
-    );
-    this.#stage.style.setProperty("--divider", `${this.#percent}%`);
-  }
+  return {
+    /** @param looks the names of what is on the left, and on the right */
+    show(looks: readonly [string, string]): void {
+      names = looks;
+      names.forEach((name, i) => {
+        line.children[i]?.replaceChildren(name);
+      });
+      if (!line.isConnected) stage.append(line);
+      document.body.classList.add("comparing");
+      move(percent);
+    },
+    hide(): void {
+      line.remove();
+      document.body.classList.remove("comparing");
+    },
+  };
 }

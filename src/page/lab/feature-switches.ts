@@ -1,40 +1,36 @@
-import type { CandleFlameElement, Feature } from "../../candle-flame-element.js";
+import type { CandleFlameElement } from "../../candle-flame-element.js";
 import { FEATURES, FEATURES_OF } from "../../settings.js";
 import { FEATURE_MEANINGS } from "../meanings.js";
 
-/** A checkbox for each technique of the current look, with its meaning. */
-export class FeatureSwitches {
-  readonly #element: CandleFlameElement;
-  readonly #list: HTMLElement;
-  readonly #rows = new Map<Feature, { label: HTMLElement; box: HTMLInputElement }>();
-
-  constructor(element: CandleFlameElement, list: HTMLElement) {
-    this.#element = element;
-    this.#list = list;
-    for (const name of FEATURES) {
-      const box = document.createElement("input");
-      box.type = "checkbox";
-      box.name = name;
-      box.addEventListener("change", () => {
-        element.features[name] = box.checked;
-      });
-      const label = document.createElement("label");
-      const meaning = document.createElement("span");
-      meaning.textContent = FEATURE_MEANINGS[name];
-      label.append(box, name, meaning);
-      this.#rows.set(name, { label, box });
-    }
-    this.refresh();
-  }
-
-  refresh(): void {
-    const { features, look } = this.#element;
-    for (const [name, { box }] of this.#rows) box.checked = features[name];
-    const labels = FEATURES_OF[look].flatMap((name) => this.#rows.get(name)?.label ?? []);
-    const isSame = labels.every((label, i) => label === this.#list.children[i]);
-    // What stays keeps the focus.
-    if (!isSame || labels.length !== this.#list.childElementCount) {
-      this.#list.replaceChildren(...labels);
-    }
-  }
+/**
+ * Fills a list with a checkbox for each technique of the current look, and its meaning.
+ *
+ * @returns what shows the element's features again
+ */
+export function addFeatureSwitches(element: CandleFlameElement, list: HTMLElement): () => void {
+  const rows = FEATURES.map((name) => {
+    const box = document.createElement("input");
+    box.type = "checkbox";
+    box.name = name;
+    box.addEventListener("change", () => {
+      element.features[name] = box.checked;
+    });
+    const meaning = document.createElement("span");
+    meaning.textContent = FEATURE_MEANINGS[name];
+    const label = document.createElement("label");
+    label.append(box, name, meaning);
+    return { name, box, label };
+  });
+  const refresh = () => {
+    const { features, look } = element;
+    for (const { name, box } of rows) box.checked = features[name];
+    const labels = FEATURES_OF[look].flatMap(
+      (name) => rows.find((row) => row.name === name)?.label ?? [],
+    );
+    // Labels that stay keep the focus.
+    const isSame = labels.every((label, i) => label === list.children[i]);
+    if (!isSame || labels.length !== list.childElementCount) list.replaceChildren(...labels);
+  };
+  refresh();
+  return refresh;
 }

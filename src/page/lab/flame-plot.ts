@@ -1,4 +1,4 @@
-import type { CandleFlameElement } from "../../candle-flame-element.js";
+import type { CandleFlameElement, FlameReport } from "../../candle-flame-element.js";
 import { find } from "../find.js";
 import { BINS, spectrumOf, WAVELENGTHS, wavelengthOf } from "./spectrum.js";
 
@@ -10,80 +10,69 @@ const SAMPLES_PER_SENTENCE = 20;
 const WIDTH = 400;
 const HEIGHT = 120;
 
-/** Plots of the flame's luminous intensity over time, and of its spectrum now. */
-export class FlamePlot {
-  readonly #section: HTMLDetailsElement;
-  readonly #room: CandleFlameElement;
-  readonly #course: SVGPolylineElement;
-  readonly #spectrum: SVGPolylineElement;
-  readonly #courseScale: HTMLElement;
-  readonly #spectrumScale: HTMLElement;
-  readonly #words: HTMLElement;
-  #samples: { readonly time: number; readonly candela: number }[] = [];
-  #timer = 0;
-  #sampleCount = 0;
+/**
+ * Plots the flame's luminous intensity over time, and its spectrum now.
+ *
+ * @returns to be called when the lab is shown or hidden: it samples while its section is open, and the lab too
+ */
+export function bindFlamePlot(section: HTMLDetailsElement, room: CandleFlameElement): () => void {
+  const course = find(section, ".course polyline", SVGPolylineElement);
+  const courseScale = find(section, ".course figcaption", HTMLElement);
+  const words = find(section, ".status", HTMLElement);
+  let samples: { readonly time: number; readonly candela: number }[] = [];
+  let timer = 0;
+  let sampleCount = 0;
 
-  constructor(section: HTMLDetailsElement, room: CandleFlameElement) {
-    this.#section = section;
-    this.#room = room;
-    this.#course = find(section, ".course polyline", SVGPolylineElement);
-    this.#spectrum = find(section, ".spectrum polyline", SVGPolylineElement);
-    this.#courseScale = find(section, ".course figcaption", HTMLElement);
-    this.#spectrumScale = find(section, ".spectrum figcaption", HTMLElement);
-    this.#words = find(section, ".status", HTMLElement);
-    section.addEventListener("toggle", () => this.refresh());
-  }
-
-  /** Samples while its section is open, and the lab too. */
-  refresh(): void {
-    clearInterval(this.#timer);
-    if (!this.#section.open || this.#section.closest("[hidden]")) return;
-    this.#sampleCount = 0;
-    this.#sample();
-    this.#timer = window.setInterval(() => this.#sample(), INTERVAL);
-  }
-
-  #sample(): void {
-    const { flame, currentTime: time } = this.#room;
+  function sample(): void {
+    const { flame, currentTime: time, look } = room;
     if (!flame) return;
-    if (time < (this.#samples.at(-1)?.time ?? 0)) this.#samples = [];
+    if (time < (samples.at(-1)?.time ?? 0)) samples = [];
     const candela = flame.luminousIntensity;
-    if (this.#samples.at(-1)?.time !== time) this.#samples.push({ time, candela });
-    this.#samples = this.#samples.filter((sample) => sample.time >= time - SPAN);
-    const shown = this.#samples.map((sample) => sample.candela);
+    if (samples.at(-1)?.time !== time) samples.push({ time, candela });
+    samples = samples.filter((sample) => sample.time >= time - SPAN);
+    const shown = samples.map((sample) => sample.candela);
     const [least, most] = [Math.min(...shown), Math.max(...shown)];
     const top = roundUp(Math.max(most, 1e-4));
-    this.#course.setAttribute(
-      "points",
-      pointsOf(this.#samples.map((s) => [1 - (time - s.time) / SPAN, s.candela / top])),
-    );
-    const hasUnits = this.#room.look === "physical";
+    const shares = samples.map((s) => [1 - (time - s.time) / SPAN, s.candela / top]);
+    course.setAttribute("points", pointsOf(shares));
+    const hasUnits = look === "physical";
     const unit = hasUnits ? " cd" : " of the steady flame's";
-    this.#courseScale.textContent = `Luminous intensity in the last ${SPAN} s, 0 to ${top}${unit}`;
-    this.#drawSpectrum(hasUnits);
-    if (this.#sampleCount++ % SAMPLES_PER_SENTENCE > 0) return;
+    courseScale.textContent = `Luminous intensity in the last ${SPAN} s, 0 to ${top}${unit}`;
+    drawSpectrum(section, hasUnits ? flame : null);
+    if (sampleCount++ % SAMPLES_PER_SENTENCE > 0) return;
     const numbers = [candela, least, most].map((value) => value.toPrecision(3));
-    this.#words.textContent = `${numbers[0]}${unit} now; ${numbers[1]} to ${numbers[2]} lately. ${Math.round(flame.colorTemperature)} K.`;
+    words.textContent = `${numbers[0]}${unit} now; ${numbers[1]} to ${numbers[2]} lately. ${Math.round(flame.colorTemperature)} K.`;
   }
 
-  #drawSpectrum(hasUnits: boolean): void {
-    const { flame } = this.#room;
-    if (!flame || !hasUnits) {
-      this.#spectrum.setAttribute("points", "");
-      this.#spectrumScale.textContent = "The paper's light has no spectrum.";
-      return;
-    }
-    const { luminousIntensity, blueIntensity, colorTemperature } = flame;
-    const soot = luminousIntensity - blueIntensity;
-    const spectrum = spectrumOf(soot, blueIntensity, colorTemperature);
-    const top = roundUp(Math.max(...spectrum, 1e-12));
-    this.#spectrum.setAttribute(
-      "points",
-      pointsOf(Array.from(spectrum, (power, bin) => [bin / (BINS - 1), power / top])),
-    );
-    const [first, last] = [wavelengthOf(0), WAVELENGTHS.last];
-    this.#spectrumScale.textContent = `Its spectrum, ${first} to ${last} nm, 0 to ${top.toPrecision(1)} W/(sr nm)`;
+  function refresh(): void {
+    clearInterval(timer);
+    if (!section.open || section.closest("[hidden]")) return;
+    sampleCount = 0;
+    sample();
+    timer = window.setInterval(sample, INTERVAL);
   }
+
+  section.addEventListener("toggle", refresh);
+  return refresh;
+}
+
+/** @param flame null where its light has no unit */
+function drawSpectrum(section: HTMLElement, flame: FlameReport | null): void {
+  const line = find(section, ".spectrum polyline", SVGPolylineElement);
+  const caption = find(section, ".spectrum figcaption", HTMLElement);
+  if (!flame) {
+    line.setAttribute("points", "");
+    caption.textContent = "The paper's light has no spectrum.";
+    return;
+  }
+  const { luminousIntensity, blueIntensity, colorTemperature } = flame;
+  const soot = luminousIntensity - blueIntensity;
+  const spectrum = spectrumOf(soot, blueIntensity, colorTemperature);
+  const top = roundUp(Math.max(...spectrum, 1e-12));
+  const shares = Array.from(spectrum, (power, bin) => [bin / (BINS - 1), power / top]);
+  line.setAttribute("points", pointsOf(shares));
+  const [first, last] = [wavelengthOf(0), WAVELENGTHS.last];
+  caption.textContent = `Its spectrum, ${first} to ${last} nm, 0 to ${top.toPrecision(1)} W/(sr nm)`;
 }
 
 /** Shares of the width and of the height, from the lower left, as an SVG's list of points. */

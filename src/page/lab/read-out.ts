@@ -19,36 +19,24 @@ const ROWS: Readonly<Record<string, (stats: Stats, frameMs: number | null) => st
   "GPU memory": ({ gpuBytes }) => `${(gpuBytes / 1e6).toFixed(1)} MB`,
 };
 
-/** The element's statistics, read twice a second while the lab is open. */
-export class ReadOut {
-  readonly #element: CandleFlameElement;
-  readonly #comparison: Comparison;
-  readonly #values: ReadonlyMap<string, HTMLElement>;
-  #timer = 0;
-
-  /** @param comparison whose loop draws the element while it is open */
-  constructor(element: CandleFlameElement, list: HTMLElement, comparison: Comparison) {
-    this.#element = element;
-    this.#comparison = comparison;
-    this.#values = addRows(list, Object.keys(ROWS));
-  }
-
-  start(): void {
-    this.stop();
-    this.refresh();
-    this.#timer = window.setInterval(() => this.refresh(), INTERVAL);
-  }
-
-  stop(): void {
-    clearInterval(this.#timer);
-  }
-
-  refresh(): void {
-    const { stats, paused } = this.#element;
-    const frameMs = paused ? this.#comparison.frameMs : stats.frameMs;
-    for (const [name, row] of Object.entries(ROWS)) {
-      const value = this.#values.get(name);
-      if (value) value.textContent = row(stats, frameMs);
-    }
-  }
+/**
+ * Fills a list with the element's statistics, read twice a second between `start` and `stop`.
+ *
+ * @param comparison whose loop draws the element while it is open
+ */
+export function addReadOut(element: CandleFlameElement, list: HTMLElement, comparison: Comparison) {
+  const values = addRows(list, Object.keys(ROWS));
+  let timer = 0;
+  const refresh = () => {
+    const { stats, paused } = element;
+    const frameMs = paused ? comparison.frameMs : stats.frameMs;
+    for (const [name, value] of values) value.textContent = ROWS[name]?.(stats, frameMs) ?? "";
+  };
+  const stop = () => clearInterval(timer);
+  const start = () => {
+    stop();
+    refresh();
+    timer = window.setInterval(refresh, INTERVAL);
+  };
+  return { start, stop };
 }

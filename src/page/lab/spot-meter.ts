@@ -19,98 +19,82 @@ const LIGHT: Readonly<Record<string, (reading: Reading) => string>> = {
     temperature === null ? "no white" : `${Math.round(temperature / 10) * 10} K`,
 };
 
-/** Spot meter: a spot on the canvas, moved by pointer or keys, and the light that comes from there. */
-export class SpotMeter {
-  readonly #section: HTMLDetailsElement;
-  readonly #room: CandleFlameElement;
-  readonly #stage: HTMLElement;
-  readonly #albedo: HTMLInputElement;
-  readonly #values: ReadonlyMap<string, HTMLElement>;
-  readonly #spot: HTMLElement;
-  readonly #status: HTMLElement;
-  #place: readonly [x: number, y: number] = [0.5, 0.5];
-  #timer = 0;
+/**
+ * Spot meter: binds a spot on the canvas, moved by pointer or keys, and shows the light that comes from there.
+ *
+ * @returns to be called when the lab is shown or hidden: it measures while its section is open, and the lab too
+ */
+export function bindSpotMeter(
+  section: HTMLDetailsElement,
+  spot: HTMLElement,
+  room: CandleFlameElement,
+  stage: HTMLElement,
+): () => void {
+  const albedo = find(section, "[name=albedo]", HTMLInputElement);
+  const status = find(section, ".status", HTMLElement);
+  const values = addRows(find(section, "dl", HTMLElement), Object.keys(LIGHT));
+  let place: readonly [x: number, y: number] = [0.5, 0.5];
+  let timer = 0;
 
-  constructor(
-    section: HTMLDetailsElement,
-    spot: HTMLElement,
-    room: CandleFlameElement,
-    stage: HTMLElement,
-  ) {
-    this.#section = section;
-    this.#spot = spot;
-    this.#room = room;
-    this.#stage = stage;
-    this.#albedo = find(section, "[name=albedo]", HTMLInputElement);
-    this.#status = find(section, ".status", HTMLElement);
-    this.#values = addRows(find(section, "dl", HTMLElement), Object.keys(LIGHT));
-    spot.tabIndex = 0;
-    spot.addEventListener("keydown", (event) => {
-      if (this.#pressKey(event)) event.preventDefault();
-    });
-    stage.addEventListener("pointermove", ({ clientX, clientY }) => {
-      if (!spot.isConnected) return;
-      const { left, top, width, height } = room.getBoundingClientRect();
-      this.#moveTo((clientX - left) / width, (clientY - top) / height);
-    });
-    section.addEventListener("toggle", () => this.refresh());
-    this.#albedo.addEventListener("input", () => this.#read());
+  function moveTo(x: number, y: number): void {
+    place = [Math.min(Math.max(x, 0), 1), Math.min(Math.max(y, 0), 1)];
+    spot.style.left = `${place[0] * 100}%`;
+    spot.style.top = `${place[1] * 100}%`;
   }
 
-  /** Measures while its section is open, and the lab too. */
-  refresh(): void {
-    clearInterval(this.#timer);
-    if (!this.#section.open || this.#section.closest("[hidden]")) {
-      this.#spot.remove();
-      return;
+  function read(): void {
+    const { width, height } = room.stats;
+    const corner = (share: number, length: number) =>
+      Math.round(Math.min(Math.max(share * length - SPOT / 2, 0), Math.max(length - SPOT, 0)));
+    const [x, y] = place;
+    const [columns, rows] = [Math.min(SPOT, width), Math.min(SPOT, height)];
+    const light =
+      columns * rows > 0
+        ? room.readRadiance(corner(x, width), corner(y, height), columns, rows)
+        : new Float32Array(0);
+    const reading = readingOf(meanOf(light), Number(albedo.value) || 0.5);
+    const hasUnits = room.look === "physical";
+    for (const [name, value] of values) {
+      value.textContent = reading && hasUnits ? (LIGHT[name]?.(reading) ?? "") : "–";
     }
-    this.#stage.append(this.#spot);
-    this.#moveTo(...this.#place);
-    this.#timer = window.setInterval(() => this.#read(), INTERVAL);
+    if (!hasUnits) status.textContent = "The paper's light has no unit.";
+    else if (status.textContent?.startsWith("The paper")) status.textContent = "";
   }
 
-  #pressKey({ key, shiftKey }: KeyboardEvent): boolean {
-    const step = shiftKey ? LEAP : STEP;
+  function refresh(): void {
+    clearInterval(timer);
+    spot.remove();
+    if (!section.open || section.closest("[hidden]")) return;
+    stage.append(spot);
+    moveTo(...place);
+    timer = window.setInterval(read, INTERVAL);
+  }
+
+  spot.tabIndex = 0;
+  spot.addEventListener("keydown", (event) => {
+    const step = event.shiftKey ? LEAP : STEP;
     const ways: Readonly<Record<string, readonly [number, number]>> = {
       ArrowLeft: [-step, 0],
       ArrowRight: [step, 0],
       ArrowUp: [0, -step],
       ArrowDown: [0, step],
     };
-    const way = ways[key];
-    if (!way) return false;
-    this.#moveTo(this.#place[0] + way[0], this.#place[1] + way[1]);
-    this.#read();
-    const luminance = this.#values.get("luminance")?.textContent ?? "";
-    this.#status.textContent = luminance; // read aloud, where one moves by keys
-    return true;
-  }
-
-  #moveTo(x: number, y: number): void {
-    this.#place = [Math.min(Math.max(x, 0), 1), Math.min(Math.max(y, 0), 1)];
-    this.#spot.style.left = `${this.#place[0] * 100}%`;
-    this.#spot.style.top = `${this.#place[1] * 100}%`;
-  }
-
-  #read(): void {
-    const { width, height } = this.#room.stats;
-    const corner = (share: number, length: number) =>
-      Math.round(Math.min(Math.max(share * length - SPOT / 2, 0), Math.max(length - SPOT, 0)));
-    const [x, y] = this.#place;
-    const [columns, rows] = [Math.min(SPOT, width), Math.min(SPOT, height)];
-    const light =
-      columns * rows > 0
-        ? this.#room.readRadiance(corner(x, width), corner(y, height), columns, rows)
-        : new Float32Array(0);
-    const albedo = Number(this.#albedo.value) || 0.5;
-    const reading = readingOf(meanOf(light), albedo);
-    const hasUnits = this.#room.look === "physical";
-    for (const [name, value] of this.#values) {
-      value.textContent = reading && hasUnits ? (LIGHT[name]?.(reading) ?? "") : "–";
-    }
-    if (!hasUnits) this.#status.textContent = "The paper's light has no unit.";
-    else if (this.#status.textContent?.startsWith("The paper")) this.#status.textContent = "";
-  }
+    const way = ways[event.key];
+    if (!way) return;
+    event.preventDefault();
+    moveTo(place[0] + way[0], place[1] + way[1]);
+    read();
+    // Read aloud, where the spot is moved by keys.
+    status.textContent = values.get("luminance")?.textContent ?? "";
+  });
+  stage.addEventListener("pointermove", ({ clientX, clientY }) => {
+    if (!spot.isConnected) return;
+    const { left, top, width, height } = room.getBoundingClientRect();
+    moveTo((clientX - left) / width, (clientY - top) / height);
+  });
+  section.addEventListener("toggle", refresh);
+  albedo.addEventListener("input", read);
+  return refresh;
 }
 
 function meanOf(texels: Float32Array): Radiance {
