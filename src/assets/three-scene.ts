@@ -83,20 +83,13 @@ function gltfFor(document: GltfDocument, isDraco: boolean) {
   };
 }
 
-function nodeFor(node: Node, posed: ReadonlySet<number>) {
-  const { name, children, mesh, skin, weights, matrix, translation, rotation, scale } = node;
+function nodeFor({ isEmpty, instances, ...node }: Node, posed: ReadonlySet<number>) {
   return {
-    name: name === "" ? undefined : name,
-    children,
-    mesh,
-    skin,
-    weights: mesh !== undefined && posed.has(mesh) ? weights : undefined,
-    matrix,
-    translation,
-    rotation,
-    scale,
-    extras: { isEmpty: node.isEmpty },
-    extensions: node.instances && { [INSTANCING]: { attributes: node.instances } },
+    ...node,
+    name: node.name === "" ? undefined : node.name,
+    weights: node.mesh !== undefined && posed.has(node.mesh) ? node.weights : undefined,
+    extras: { isEmpty },
+    extensions: instances && { [INSTANCING]: { attributes: instances } },
   };
 }
 

@@ -1,7 +1,7 @@
 import { flameHeight, flameRadius, TAPER_RATE, TAPER_WICK } from "../world/flame/burning.js";
 import type { Vec3 } from "../world/geometry.js";
 import type { World } from "../world/world.js";
-import { chromaticity, type Rgb } from "./color.js";
+import { chromaticity, luma, type Rgb } from "./color.js";
 import { BLUE, type FlameBody, flameBody } from "./flame-body.js";
 import { createShape, shapeFlame } from "./flame-shape.js";
 import { sootRadiance } from "./soot.js";
@@ -95,22 +95,21 @@ export function flameReport(world: World): FlameReport {
   const { flame, interpolated } = world;
   const { position, intensity } = flameLight(world, TAPER);
   const shape = scratch;
-  const [dx, dy, dz] = [0, 1, 2].map(
-    (axis) => (position[axis] ?? 0) - (interpolated.flame[axis] ?? 0),
-  );
   return {
     lit: flame.isLit,
     position,
     height: flame.isLit ? shape.length : 0,
     width: flame.isLit ? 2 * shape.radius : 0,
-    luminousIntensity:
-      flame.glow > 0
-        ? shape.sootIntensity + shape.blueIntensity
-        : 0.2126729 * intensity[0] + 0.7151522 * intensity[1] + 0.072175 * intensity[2],
+    luminousIntensity: flame.glow > 0 ? shape.sootIntensity + shape.blueIntensity : luma(intensity),
     blueIntensity: flame.glow > 0 ? shape.blueIntensity : 0,
     colorTemperature: flame.glow > 0 ? correlatedTemperature(intensity) : flame.ember,
-    tilt: flame.isLit ? Math.atan2(Math.hypot(dx ?? 0, dz ?? 0), dy ?? 1) : 0,
+    tilt: flame.isLit ? tiltOf(interpolated.flame, position) : 0,
   };
+}
+
+/** Angle of the way from one place to another from the vertical, radians. */
+function tiltOf([x, y, z]: Readonly<Vec3>, to: Readonly<Vec3>): number {
+  return Math.atan2(Math.hypot(to[0] - x, to[2] - z), to[1] - y);
 }
 
 /** McCamy 1992, "Correlated color temperature as an explicit function of chromaticity coordinates". */
@@ -125,9 +124,6 @@ function correlatedTemperature(rgb: Rgb): number {
 /** The same of the paper's flame, which has no unit of light: its extent is that of its particles. */
 export function paperFlameReport(world: World, position: Vec3): FlameReport {
   const { setup, interpolated, sample, flame } = world;
-  const [dx, dy, dz] = [0, 1, 2].map(
-    (axis) => (position[axis] ?? 0) - (interpolated.flame[axis] ?? 0),
-  );
   const { speed, buoyancy, life, size } = sample.layer;
   const mean = (speed[0] + speed[1]) / 2;
   const burning = Math.min(flame.share, 1);
@@ -139,6 +135,6 @@ export function paperFlameReport(world: World, position: Vec3): FlameReport {
     luminousIntensity: burning,
     blueIntensity: 0,
     colorTemperature: COLOR_TEMPERATURE,
-    tilt: flame.isLit ? Math.atan2(Math.hypot(dx ?? 0, dz ?? 0), dy ?? 1) : 0,
+    tilt: flame.isLit ? tiltOf(interpolated.flame, position) : 0,
   };
 }

@@ -1,5 +1,6 @@
 import type { Vec3 } from "../geometry.js";
 import { length2 } from "../geometry.js";
+import type { Player } from "./player.js";
 
 /** Of a grown visitor, metres above the floor. */
 export const EYE_HEIGHT = 1.6;
@@ -14,13 +15,6 @@ const STRIDE = 1.6;
 /** Amplitudes of the head's sway at a walk or a run: barely perceptible. Metres. */
 const RISE = 0.006;
 const SWING = 0.004;
-
-/** A body that walks: its eye, metres, its velocity, m/s, and the way it faces, radians. */
-export interface Walker {
-  readonly position: Readonly<Vec3>;
-  readonly velocity: Readonly<Vec3>;
-  readonly yaw: number;
-}
 
 /**
  * Eases a level velocity towards the wanted one exponentially, and writes the displacement meanwhile to `way`.
@@ -47,7 +41,7 @@ export function advanceStride(stride: number, way: number): number {
 
 /** Head bob: offset of a walking head, metres: up and down with each step, to the side with every other. */
 export function headBob(
-  { stride, player: { velocity, yaw } }: { readonly stride: number; readonly player: Walker },
+  { stride, player: { velocity, yaw } }: { stride: number; player: Omit<Player, "pitch"> },
   out: Vec3,
 ): Vec3 {
   const share = Math.min(1, length2(velocity[0], velocity[2]) / WALK);

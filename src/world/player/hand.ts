@@ -1,7 +1,7 @@
 import type { Vec3 } from "../geometry.js";
 import type { CollisionMesh } from "../room/collision-mesh.js";
 import type { Cylinder } from "../room/placement.js";
-import type { Walker } from "./gait.js";
+import type { Player } from "./player.js";
 
 const WHOLE_TURN = 2 * Math.PI;
 
@@ -59,7 +59,11 @@ export function calmHand(hand: Hand, yaw: number): void {
  * Advances the hand: a critically damped spring behind the turn of the head, and one that the body's
  * acceleration pulls at. Both are exact if turn and acceleration were even.
  */
-export function advanceHand(hand: Hand, { yaw, velocity }: Walker, seconds: number): void {
+export function advanceHand(
+  hand: Hand,
+  { yaw, velocity }: Omit<Player, "pitch">,
+  seconds: number,
+): void {
   if (!(seconds > 0)) return;
   const turned = yaw - hand.yaw;
   const turn = (turned - WHOLE_TURN * Math.round(turned / WHOLE_TURN)) / seconds;
@@ -95,7 +99,7 @@ export function advanceHand(hand: Hand, { yaw, velocity }: Walker, seconds: numb
  */
 export function holdOut(
   hand: Hand,
-  { position: eye, yaw }: Walker,
+  { position: eye, yaw }: Omit<Player, "pitch">,
   hold: readonly [number, number, number],
   collision: CollisionMesh | null,
   stand: Cylinder,

@@ -7,7 +7,6 @@ import {
   headBob,
   RUN,
   WALK,
-  type Walker,
 } from "../../../../src/world/player/gait.ts";
 import {
   advanceHand,
@@ -16,6 +15,7 @@ import {
   type Hand,
   holdOut,
 } from "../../../../src/world/player/hand.ts";
+import type { Player } from "../../../../src/world/player/player.ts";
 import { CollisionMesh } from "../../../../src/world/room/collision-mesh.ts";
 import { FloorPlan } from "../../../../src/world/room/floor-plan.ts";
 import { chance } from "../../chance.ts";
@@ -23,7 +23,7 @@ import { box, FURNISHED, insideOf, modelRoom, Rubble } from "../rooms.ts";
 
 const HOLD = [0.25, -0.4, 0.55] as const;
 const CANDLE = { radius: 0.07, height: 0.3 };
-const AT_REST: Walker = { position: [0, 0, 0], velocity: [0, 0, 0], yaw: 0 };
+const AT_REST: Omit<Player, "pitch"> = { position: [0, 0, 0], velocity: [0, 0, 0], yaw: 0 };
 
 describe("the walker", () => {
   test("is 1.6 m tall to the eye, walks at 1.4 and runs at 2.8 m/s", () => {
