@@ -11,7 +11,7 @@ export interface FetchOptions {
   readonly signal: AbortSignal;
   /** Content types that the server may not answer with. */
   readonly isForeign?: (type: string) => boolean;
-  readonly onProgress?: (share: number) => void;
+  readonly onProgress?: (progress: number) => void;
 }
 
 /** Fetches a file, or throws a `Flaw`, or the signal's reason. */
@@ -56,7 +56,7 @@ function checkResponse(
 async function readBody(
   response: Response,
   total: number,
-  onProgress: (share: number) => void,
+  onProgress: (progress: number) => void,
 ): Promise<Uint8Array<ArrayBuffer>> {
   if (!response.body) return new Uint8Array(await response.arrayBuffer());
   const chunks: Uint8Array<ArrayBuffer>[] = [];

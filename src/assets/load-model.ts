@@ -16,7 +16,7 @@ export { AssetError };
 export interface LoadOptions {
   readonly signal: AbortSignal;
   /** Called with the share done, 0 to 1. */
-  readonly onProgress: (share: number) => void;
+  readonly onProgress: (progress: number) => void;
   /** Where the decoders for Draco and KTX2 lie, with a slash at the end. */
   readonly decoderBase?: string | URL;
 }
@@ -50,7 +50,7 @@ async function load(
   const address = addressOf(url, window.location.href);
   const bytes = await fetchBytes(address, {
     signal,
-    onProgress: (share) => onProgress(share * FILE_SHARE),
+    onProgress: (progress) => onProgress(progress * FILE_SHARE),
   });
   const { json, binary } = openContainer(bytes);
   const document = readDocument(json);
@@ -106,7 +106,7 @@ function usedMaterials({ meshes, nodes }: GltfDocument): number[] {
 }
 
 /** Counts the materials and the geometry, each as one step from the file's share to the whole. */
-function stages(document: GltfDocument, onProgress: (share: number) => void): () => void {
+function stages(document: GltfDocument, onProgress: (progress: number) => void): () => void {
   const count = usedMaterials(document).length + 2;
   let done = 0;
   return () => {

@@ -57,13 +57,13 @@ const FILE_SHARE = 0.6;
 export async function readOwnModel(
   url: URL,
   signal: AbortSignal,
-  onProgress: (share: number) => void,
+  onProgress: (progress: number) => void,
 ): Promise<Model> {
   const file = url.pathname.split("/").at(-1) ?? "";
   try {
     const bytes = await fetchBytes(url, {
       signal,
-      onProgress: (share) => onProgress(share * FILE_SHARE),
+      onProgress: (progress) => onProgress(progress * FILE_SHARE),
     });
     const { json, binary } = openContainer(bytes);
     if (!binary) throw new Flaw("has no binary chunk");

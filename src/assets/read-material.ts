@@ -93,7 +93,7 @@ export async function readMaterial(
       roughness: surface.roughness,
       metallic: surface.metallic,
       normalScale: normal?.amount ?? 1,
-      occlusionStrength: share(occlusion?.amount ?? 0),
+      occlusionStrength: clamp01(occlusion?.amount ?? 0),
       isDoubleSided: entry.boolean("doubleSided"),
       ...readAlpha(entry),
       albedo: albedoPicture,
@@ -106,23 +106,23 @@ export async function readMaterial(
   };
 }
 
-const share = (value: number) => Math.min(1, Math.max(0, value));
+const clamp01 = (value: number) => Math.min(1, Math.max(0, value));
 
 function readSurface(entry: JsonEntry) {
   const glossy = entry.extension("KHR_materials_pbrSpecularGlossiness");
   const plain = entry.entry("pbrMetallicRoughness");
   const factor = glossy?.numbers("diffuseFactor", 4) ?? plain?.numbers("baseColorFactor", 4);
-  const [red = 1, green = 1, blue = 1, opacity = 1] = (factor ?? []).map(share);
+  const [red = 1, green = 1, blue = 1, opacity = 1] = (factor ?? []).map(clamp01);
   return {
     entry: glossy ?? plain,
     albedo: glossy ? "diffuseTexture" : "baseColorTexture",
     baseColor: [red, green, blue, opacity] as const,
-    roughness: share(
+    roughness: clamp01(
       glossy
         ? 1 - (glossy.number("glossinessFactor") ?? 1)
         : (plain?.number("roughnessFactor") ?? 1),
     ),
-    metallic: glossy ? 0 : share(plain?.number("metallicFactor") ?? 1),
+    metallic: glossy ? 0 : clamp01(plain?.number("metallicFactor") ?? 1),
   };
 }
 
@@ -131,7 +131,7 @@ function readAlpha(entry: JsonEntry): Pick<Material, "alphaMode" | "alphaCutoff"
   const mode = entry.string("alphaMode");
   return {
     alphaMode: mode === "MASK" || mode === "BLEND" ? modes[mode] : "opaque",
-    alphaCutoff: share(entry.number("alphaCutoff") ?? 0.5),
+    alphaCutoff: clamp01(entry.number("alphaCutoff") ?? 0.5),
   };
 }
 

@@ -1,7 +1,7 @@
 import { areSame, loadScene, type Scene, type SceneRequest } from "../scenes/scene.js";
 
 export interface FetchObserver {
-  onProgress(share: number): void;
+  onProgress(progress: number): void;
   /** The scene asked for cannot be fetched. */
   onMissing(error: Error): void;
   /** The scene on show is wanted again, and no other. */
@@ -58,7 +58,7 @@ export class SceneFetcher {
     this.#loading = loading;
     const { signal } = loading;
     this.#signal.addEventListener("abort", () => loading.abort(), { signal });
-    const onProgress = (share: number) => this.#observer.onProgress(share);
+    const onProgress = (progress: number) => this.#observer.onProgress(progress);
     const wanted = this.#asked();
     this.#wanted = wanted;
     let scene: Scene;

@@ -27,8 +27,8 @@ export interface Pad {
 export function beyondDeadZone(x: number, y: number, exponent = 1): [x: number, y: number] {
   const length = Math.hypot(x, y);
   if (!(length > DEAD_ZONE)) return [0, 0];
-  const share = Math.min(1, (length - DEAD_ZONE) / (1 - DEAD_ZONE)) ** exponent;
-  return [(x / length) * share, (y / length) * share];
+  const deflection = Math.min(1, (length - DEAD_ZONE) / (1 - DEAD_ZONE)) ** exponent;
+  return [(x / length) * deflection, (y / length) * deflection];
 }
 
 /** The first standard gamepad, as an intent: left stick walks, right stick looks, buttons act once. */

@@ -103,8 +103,8 @@ export class Touch {
       if (!finger.walks) continue;
       const [dx, dy] = [finger.x - finger.startX, finger.y - finger.startY];
       const way = Math.hypot(dx, dy);
-      const share = Math.min(1, Math.max(0, (way / REACH - DEAD_ZONE) / (1 - DEAD_ZONE)));
-      if (share > 0) [forward, right] = [(-dy / way) * share, (dx / way) * share];
+      const deflection = Math.min(1, Math.max(0, (way / REACH - DEAD_ZONE) / (1 - DEAD_ZONE)));
+      if (deflection > 0) [forward, right] = [(-dy / way) * deflection, (dx / way) * deflection];
       runs = way > RUN_REACH;
     }
     const intent: Intent = {

@@ -30,7 +30,7 @@ const FLICKER_RATE = 2 * Math.PI * 2.3;
 export function candleLight(world: World, features: Features, isStill: boolean): PointLight {
   const { setup } = world;
   const { flame } = world.interpolated;
-  const burning = Math.min(world.flame.share, 1);
+  const burning = Math.min(world.flame.relativeLight, 1);
   if (world.look === "original") {
     const [x, y, z] = flame;
     return {

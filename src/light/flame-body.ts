@@ -92,11 +92,12 @@ export function flameBody(height: number, radius: number, luminousIntensity: num
     const t = (row + 0.5) / rows;
     const outer = radius * outline(t);
     for (let column = 0; column < width; column++) {
-      const share = ((column + 0.5) / width) * BODY_REACH;
-      const { soot, temperature, cup } = at(t, share);
+      const relativeRadius = ((column + 0.5) / width) * BODY_REACH;
+      const { soot, temperature, cup } = at(t, relativeRadius);
       const glow = sootRadiance(temperature);
       const i = (row * width + column) * 4;
-      const ring = 2 * Math.PI * (share * outer) * ((outer * BODY_REACH) / width) * (height / rows);
+      const ring =
+        2 * Math.PI * (relativeRadius * outer) * ((outer * BODY_REACH) / width) * (height / rows);
       texels[i] = soot * glow[0];
       texels[i + 1] = soot * glow[1];
       texels[i + 2] = soot;

@@ -67,10 +67,10 @@ function fading(temperature: number): number {
 /** Radiance of the glowing wick, cd/m². */
 export function emberRadiance(temperature: number): Rgb {
   const glow = sootRadiance(Math.max(temperature, 1000));
-  const share = temperature > 1000 ? 1 : fading(temperature);
+  const fade = temperature > 1000 ? 1 : fading(temperature);
   // No more blue for its green than the flame has: with more, an eye used to the flame would see pink.
   const blue = (glow[1] * TAPER.color[2]) / TAPER.color[1];
-  return [glow[0] * share, glow[1] * share, Math.min(glow[2], blue) * share];
+  return [glow[0] * fade, glow[1] * fade, Math.min(glow[2], blue) * fade];
 }
 
 /** The flame as its page may ask about it. SI: metres, candela, kelvin, radians. */
@@ -126,7 +126,7 @@ export function paperFlameReport(world: World, position: Vec3): FlameReport {
   const { setup, interpolated, sample, flame } = world;
   const { speed, buoyancy, life, size } = sample.layer;
   const mean = (speed[0] + speed[1]) / 2;
-  const burning = Math.min(flame.share, 1);
+  const burning = Math.min(flame.relativeLight, 1);
   return {
     lit: flame.isLit,
     position,

@@ -127,11 +127,11 @@ function placeNodes(shape: FlameShape, flame: Flame): void {
     while (piece < PIECES - 1 && (path[(piece + 1) * 3 + 1] ?? 0) < height) piece++;
     const low = path[piece * 3 + 1] ?? 0;
     const high = path[piece * 3 + 4] ?? 0;
-    const share = Math.min(Math.max((height - low) / Math.max(high - low, 1e-9), 0), 1);
+    const t = Math.min(Math.max((height - low) / Math.max(high - low, 1e-9), 0), 1);
     const at = piece * 3;
-    shape.nodes[node * 4] = mix(path[at] ?? 0, path[at + 3] ?? 0, share);
-    shape.nodes[node * 4 + 1] = mix(path[at + 2] ?? 0, path[at + 5] ?? 0, share);
-    shape.nodes[node * 4 + 2] = (piece + share) / PIECES;
+    shape.nodes[node * 4] = mix(path[at] ?? 0, path[at + 3] ?? 0, t);
+    shape.nodes[node * 4 + 1] = mix(path[at + 2] ?? 0, path[at + 5] ?? 0, t);
+    shape.nodes[node * 4 + 2] = (piece + t) / PIECES;
     shape.nodes[node * 4 + 3] = flame.neck(height);
   }
 }
@@ -219,6 +219,6 @@ function placeBalls(shape: FlameShape): void {
   }
 }
 
-function mix(from: number, to: number, share: number): number {
-  return from + (to - from) * share;
+function mix(from: number, to: number, t: number): number {
+  return from + (to - from) * t;
 }

@@ -34,13 +34,13 @@ const SPACING = 100;
 export function sootRadiance(temperature: number): Rgb {
   const place = Math.min(Math.max((temperature - COLDEST) / SPACING, 0), TABLE.length - 1.001);
   const index = Math.floor(place);
-  const share = place - index;
+  const t = place - index;
   const [coldGreen, coldBlue, coldLuminance] = TABLE[index] ?? [0, 0, 0];
   const [hotGreen, hotBlue, hotLuminance] = TABLE[index + 1] ?? [0, 0, 0];
-  const green = coldGreen + (hotGreen - coldGreen) * share;
-  const blue = coldBlue + (hotBlue - coldBlue) * share;
+  const green = coldGreen + (hotGreen - coldGreen) * t;
+  const blue = coldBlue + (hotBlue - coldBlue) * t;
   // Over 100 K luminance grows severalfold, and evenly so in its logarithm.
-  const luminance = coldLuminance * (hotLuminance / coldLuminance) ** share;
+  const luminance = coldLuminance * (hotLuminance / coldLuminance) ** t;
   const rgb: Rgb = [1, green, Math.max(blue, LEAST_BLUE)];
   const scale = luminance / luma(rgb);
   return [rgb[0] * scale, rgb[1] * scale, rgb[2] * scale];

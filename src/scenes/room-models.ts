@@ -39,15 +39,15 @@ export async function loadModels(
   { signal, onProgress }: Loading,
 ): Promise<Models> {
   const { loadModel } = await import("../assets/load-model.js");
-  const shares = { room: 0, candle: 0 };
+  const progress = { room: 0, candle: 0 };
   const load = (name: keyof Models): Promise<Model> =>
     loadModel(sources[name], {
       signal,
       decoderBase: new URL("decoders/", assetRoot).href,
-      onProgress: (share) => {
-        shares[name] = Math.max(shares[name], share);
+      onProgress: (fraction) => {
+        progress[name] = Math.max(progress[name], fraction);
         // The room is most of the way.
-        if (!signal.aborted) onProgress((shares.room * 3 + shares.candle) / 4);
+        if (!signal.aborted) onProgress((progress.room * 3 + progress.candle) / 4);
       },
     });
   const [room, candle] = await Promise.allSettled([load("room"), load("candle")]);

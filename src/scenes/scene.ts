@@ -38,7 +38,7 @@ export function areSame(one: SceneRequest, other: SceneRequest | null | undefine
 export interface Loading {
   readonly signal: AbortSignal;
   /** Called with the share done, 0 to 1, never falling. */
-  readonly onProgress: (share: number) => void;
+  readonly onProgress: (progress: number) => void;
 }
 
 /** Fetches a scene, and first the code that it needs: each scene is a chunk of its own. */

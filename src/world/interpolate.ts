@@ -13,9 +13,9 @@ export function interpolate(world: World): void {
   const { eye, foot, flame } = interpolated;
   for (let axis = 0; axis < 3; axis++) eye[axis] = position[axis]! + velocity[axis]! * remainder;
   world.movementBounds.clamp(eye);
-  const share = candle.isHeld ? 1 : 0;
+  const heldWeight = candle.isHeld ? 1 : 0;
   for (let axis = 0; axis < 3; axis++) {
-    const carried = (eye[axis]! - position[axis]!) * share;
+    const carried = (eye[axis]! - position[axis]!) * heldWeight;
     foot[axis] = candle.position[axis]! + carried;
     flame[axis] = emitter[axis]! + carried;
   }

@@ -16,9 +16,9 @@ def page_curve(thickness, steps):
     """Half of an open text block, from the gutter outwards: (x, y) of the upper page."""
     curve = []
     for k in range(steps + 1):
-        share = k / steps
-        swell = thickness * (1 - (1 - min(1, share * 4.5)) ** 2) * (1 - 0.16 * share**2)
-        curve.append((share * PAGE_WIDTH, BOARD + 0.0007 + swell))
+        t = k / steps
+        swell = thickness * (1 - (1 - min(1, t * 4.5)) ** 2) * (1 - 0.16 * t**2)
+        curve.append((t * PAGE_WIDTH, BOARD + 0.0007 + swell))
     return curve
 
 
@@ -63,8 +63,8 @@ def lifted_leaf():
     steps = 10
     curve = [(0.0, 0.006)]
     for k in range(steps):
-        share = (k + 0.5) / steps
-        angle = radians(95 + 300 * share if share < 0.15 else 140 + 42 * (share - 0.15) / 0.85)
+        t = (k + 0.5) / steps
+        angle = radians(95 + 300 * t if t < 0.15 else 140 + 42 * (t - 0.15) / 0.85)
         x, y = curve[-1]
         length = PAGE_WIDTH * 0.985 / steps
         curve.append((x + length * cos(angle), y + length * sin(angle)))

@@ -16,8 +16,8 @@ PLACEMENT = TABLE @ moved(0.4, 0, 0.74) @ turned(0.42)
 def post(path, thickness):
     """A turned post, thickest in the middle of its length, ending in a finial if it is tall."""
 
-    def radius(share):
-        return thickness * (0.78 + 0.22 * sin(pi * min(1, share * 1.1)))
+    def radius(t):
+        return thickness * (0.78 + 0.22 * sin(pi * min(1, t * 1.1)))
 
     return tube(smooth_path(path, 3), radius, 10, "trim")
 
@@ -98,9 +98,7 @@ def build_chair():
         rear = [(side * back * 1.02, 0.008, z_back + 0.03), (side * back, 0.24, z_back)]
         rear += [(side * back, SEAT, z_back), (side * back * 0.98, 0.72, z_back + 0.028)]
         rear += [(side * back * 0.96, 0.97, z_back + 0.075)]
-        mesh.include(
-            tube(smooth_path(rear, 3), lambda share: 0.0185 - 0.005 * share**3, 10, "trim")
-        )
+        mesh.include(tube(smooth_path(rear, 3), lambda t: 0.0185 - 0.005 * t**3, 10, "trim"))
         finial = [
             (side * back * 0.96, 0.97, z_back + 0.075),
             (side * back * 0.957, 0.985, z_back + 0.078),

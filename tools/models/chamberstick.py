@@ -76,10 +76,10 @@ def holder():
     leaf = smooth_path(
         [(0.0655, 0.0325, 0), (0.076, 0.0352, 0), (0.087, 0.0364, 0), (0.0955, 0.0392, 0)], 4
     )
-    thumb = tube(leaf, lambda share: 0.00135 * (1 - 0.35 * share), 12, "brass")
+    thumb = tube(leaf, lambda t: 0.00135 * (1 - 0.35 * t), 12, "brass")
     for point in thumb.points:
-        share = min(1, max(0, (point.x - 0.0645) / 0.032))
-        point.z *= 2.6 + 3.6 * sin(pi * share**0.8) ** 1.5
+        t = min(1, max(0, (point.x - 0.0645) / 0.032))
+        point.z *= 2.6 + 3.6 * sin(pi * t**0.8) ** 1.5
     return mesh.include(thumb)
 
 
@@ -166,8 +166,8 @@ def pool():
 
 def wick():
 
-    def radius(share):
-        return 0.00105 - 0.0001 * sin(pi * share) + 0.0001 * wander(12 * share, "ply")
+    def radius(t):
+        return 0.00105 - 0.0001 * sin(pi * t) + 0.0001 * wander(12 * t, "ply")
 
     return tube(smooth_path(WICK, 3), radius, 7, "wick")
 

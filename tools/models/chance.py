@@ -25,16 +25,16 @@ class Chance:
         self.key = hashed(*keys)
         self.count = 0
 
-    def share(self):
+    def fraction(self):
         """From 0 up to, not including, 1."""
         self.count += 1
         return hashed(self.key, self.count) / 2**32
 
     def between(self, low, high):
-        return low + (high - low) * self.share()
+        return low + (high - low) * self.fraction()
 
     def index(self, count):
-        return int(self.share() * count)
+        return int(self.fraction() * count)
 
 
 def wander(place, *keys):

@@ -16,7 +16,7 @@ def billet(radius, key):
     """A round of wood along Z, its end grain towards +Z, from z = 0."""
     chance = Chance("billet", key)
     mesh = Mesh()
-    row, start = (chance.index(BOARDS["logs"]) + 0.5) / BOARDS["logs"], chance.share()
+    row, start = (chance.index(BOARDS["logs"]) + 0.5) / BOARDS["logs"], chance.fraction()
     length = LENGTH + chance.between(-0.02, 0.02)
     rings = []
     for z, grow in (

@@ -27,7 +27,7 @@ def add_board(mesh, chance, middle, level, facing, cuts):
     One board along X with its face at `level`, drawn by one whole row of the `planks` texture:
     face, two eased edges and two sides. The texture's own gaps lie over those of the mesh.
     """
-    row, start = chance.index(ROWS), chance.share()
+    row, start = chance.index(ROWS), chance.fraction()
     gap = chance.between(0.0012, 0.0025)
     lift = chance.between(-0.0008, 0.0008)
     tilt = chance.between(-0.001, 0.001)

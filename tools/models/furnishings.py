@@ -48,7 +48,7 @@ def build_rug():
             rings.append(
                 [(x, thickness * 0.6, -z) for x, z in (place(k, 1.004) for k in range(sides))]
             )
-        for share, lift in (
+        for t, lift in (
             (outer - 0.2 * (outer - inner), 1.0),
             (outer - 0.75 * (outer - inner), 1.0),
             (inner, 0.72),
@@ -57,7 +57,7 @@ def build_rug():
             rings.append(
                 [
                     (*p[:1], thickness * lift + ripple[k], -p[1])
-                    for k, p in enumerate(place(k, share) for k in range(sides))
+                    for k, p in enumerate(place(k, t) for k in range(sides))
                 ]
             )
     grown = loft(rings, Coils(half_width), capped=False)
@@ -85,7 +85,7 @@ def build_stool():
             (0.125 * c, 0.15, 0.125 * s),
             (0.09 * c, 0.312, 0.09 * s),
         ]
-        mesh.include(tube(leg, lambda share: 0.0135 + 0.004 * sin(pi * share), 8, "pine"))
+        mesh.include(tube(leg, lambda t: 0.0135 + 0.004 * sin(pi * t), 8, "pine"))
     return mesh.placed(moved(-1.72, 0, -0.72))
 
 

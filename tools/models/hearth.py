@@ -128,7 +128,7 @@ def charred_log(start, end, radius, key):
         start.lerp(end, k / 7) + Vector((0, 0.006 * wander_over(k * 0.8, 0, key), 0))
         for k in range(8)
     ]
-    mesh = tube(path, lambda share: radius * (1 - 0.35 * abs(share - thickest) ** 2), 9, "charcoal")
+    mesh = tube(path, lambda t: radius * (1 - 0.35 * abs(t - thickest) ** 2), 9, "charcoal")
     for point in mesh.points:
         along = (point - start).dot((end - start).normalized())
         axis = start + (end - start).normalized() * along

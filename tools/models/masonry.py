@@ -133,8 +133,8 @@ def lay_return(mesh, side, half, low, high, back, front, chance):
 
 def breast_half(height):
     """The breast draws in as it rises."""
-    share = (height - BRESSUMMER_TOP) / (HEIGHT - BRESSUMMER_TOP)
-    return HALF_WIDTH - 0.02 - 0.15 * min(1, 1.3 * share)
+    t = (height - BRESSUMMER_TOP) / (HEIGHT - BRESSUMMER_TOP)
+    return HALF_WIDTH - 0.02 - 0.15 * min(1, 1.3 * t)
 
 
 def lay_breast(mesh, low, high, chance):

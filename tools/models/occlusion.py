@@ -18,10 +18,10 @@ def directions():
     result = []
     for k in range(RAYS):
         reversed_bits = int(f"{k:032b}"[::-1], 2) / 2**32
-        share = (k + 0.5) / RAYS
+        t = (k + 0.5) / RAYS
         angle = 2 * pi * reversed_bits
-        radius = sqrt(share)
-        result.append((radius * cos(angle), radius * sin(angle), sqrt(1 - share)))
+        radius = sqrt(t)
+        result.append((radius * cos(angle), radius * sin(angle), sqrt(1 - t)))
     return result
 
 

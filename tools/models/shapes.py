@@ -182,12 +182,12 @@ def arc(centre, radius, start, end, count):
 
 def tube(path, radius, sides, material, closed=False, squash=1.0, along_grain=True, rounded=True):
     """
-    A round bar along a path. `radius` is a number or a function of the share of the path; `squash`
+    A round bar along a path. `radius` is a number or a function of the fraction of the path; `squash`
     flattens it across the direction it first bends away from.
     """
     path = [Vector(point) for point in path]
     count = len(path)
-    radius_at = radius if callable(radius) else lambda share: radius
+    radius_at = radius if callable(radius) else lambda t: radius
     tangents = []
     for k in range(count):
         before = path[(k - 1) % count] if closed else path[max(0, k - 1)]
@@ -228,15 +228,15 @@ def tube(path, radius, sides, material, closed=False, squash=1.0, along_grain=Tr
                 texcoords = [(v, u) for u, v in texcoords]
             mesh.add_face([rings[k][i], rings[k][j], rings[n][j], rings[n][i]], texcoords, material)
     if not closed:
-        for ring, place, way, share in (
+        for ring, place, way, t in (
             (rings[0], path[0], -tangents[0], 0),
             (rings[-1], path[-1], tangents[-1], 1),
         ):
-            bulge = radius_at(share) * (0.5 if rounded else 0.05)
+            bulge = radius_at(t) * (0.5 if rounded else 0.05)
             tip = mesh.add_point(place + way * bulge)
             for i in range(sides):
                 j = (i + 1) % sides
-                a, b = (ring[j], ring[i]) if share == 0 else (ring[i], ring[j])
+                a, b = (ring[j], ring[i]) if t == 0 else (ring[i], ring[j])
                 spokes = [(girth * i / sides, 0), (girth * (i + 1) / sides, 0)]
                 middle = (girth * (i + 0.5) / sides, bulge / tile)
                 mesh.add_face([a, b, tip], [*spokes, middle], material)

@@ -42,7 +42,7 @@ class Projection:
     def __init__(self, material, chance):
         self.material = material
         self.tile = tile_of(material)
-        self.offset = (chance.share(), chance.share())
+        self.offset = (chance.fraction(), chance.fraction())
 
     def texcoord(self, point, normal):
         axis = dominant(normal)
@@ -62,7 +62,7 @@ class Grain:
         self.axis = axis
         boards = BOARDS[TINTS.get(material, material)]
         self.middle = (chance.index(boards) + 0.5) / boards + chance.between(-0.02, 0.02)
-        self.start = chance.share()
+        self.start = chance.fraction()
 
     def texcoord(self, point, normal):
         axis = dominant(normal)

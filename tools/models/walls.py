@@ -28,8 +28,8 @@ class Log:
         self.key = chance.key
         self.crown = wall.lowest_crown + course * PITCH
         self.row = chance.index(ROWS)
-        self.start = chance.share()
-        self.flip = -1 if chance.share() < 0.5 else 1
+        self.start = chance.fraction()
+        self.flip = -1 if chance.fraction() < 0.5 else 1
         self.girth = chance.between(0.92, 1.08)
 
     def point(self, s, offset):

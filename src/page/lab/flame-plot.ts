@@ -33,8 +33,8 @@ export function bindFlamePlot(section: HTMLDetailsElement, room: CandleFlameElem
     const shown = samples.map((sample) => sample.candela);
     const [least, most] = [Math.min(...shown), Math.max(...shown)];
     const top = roundUp(Math.max(most, 1e-4));
-    const shares = samples.map((s) => [1 - (time - s.time) / SPAN, s.candela / top]);
-    course.setAttribute("points", pointsOf(shares));
+    const points = samples.map((s) => [1 - (time - s.time) / SPAN, s.candela / top]);
+    course.setAttribute("points", pointsOf(points));
     const hasUnits = look === "physical";
     const unit = hasUnits ? " cd" : " of the steady flame's";
     courseScale.textContent = `Luminous intensity in the last ${SPAN} s, 0 to ${top}${unit}`;
@@ -69,15 +69,15 @@ function drawSpectrum(section: HTMLElement, flame: FlameReport | null): void {
   const soot = luminousIntensity - blueIntensity;
   const spectrum = spectrumOf(soot, blueIntensity, colorTemperature);
   const top = roundUp(Math.max(...spectrum, 1e-12));
-  const shares = Array.from(spectrum, (power, bin) => [bin / (BINS - 1), power / top]);
-  line.setAttribute("points", pointsOf(shares));
+  const points = Array.from(spectrum, (power, bin) => [bin / (BINS - 1), power / top]);
+  line.setAttribute("points", pointsOf(points));
   const [first, last] = [wavelengthOf(0), WAVELENGTHS.last];
   caption.textContent = `Its spectrum, ${first} to ${last} nm, 0 to ${top.toPrecision(1)} W/(sr nm)`;
 }
 
-/** Shares of the width and of the height, from the lower left, as an SVG's list of points. */
-function pointsOf(shares: readonly (readonly number[])[]): string {
-  return shares
+/** Points of 0 to 1 across and up, from the lower left, as an SVG's list of points. */
+function pointsOf(points: readonly (readonly number[])[]): string {
+  return points
     .map(([x = 0, y = 0]) => `${(x * WIDTH).toFixed(1)},${((1 - y) * HEIGHT).toFixed(1)}`)
     .join(" ");
 }

@@ -46,15 +46,15 @@ export function addLadderChart(
       [...texts, formatMultiple(multiples[i])].forEach((text, column) => {
         cells[column]?.replaceChildren(text);
       });
-      bar.style.inlineSize = share(multiples[i], longest);
-      paperBar.style.inlineSize = share(PAPER_MULTIPLES[i], longest);
+      bar.style.inlineSize = percentOf(multiples[i], longest);
+      paperBar.style.inlineSize = percentOf(PAPER_MULTIPLES[i], longest);
     });
   };
   show([]);
   return show;
 }
 
-function share(value: number | undefined, whole: number): string {
+function percentOf(value: number | undefined, whole: number): string {
   return `${Number.isFinite(value) ? ((value ?? 0) / whole) * 100 : 0}%`;
 }
 

@@ -38,8 +38,8 @@ export function bindLadder(
     try {
       await element.ready;
       const rounds = roundsInput.valueAsNumber;
-      const onProgress = (share: number, medians: readonly number[]) => {
-        progress.value = share;
+      const onProgress = (fraction: number, medians: readonly number[]) => {
+        progress.value = fraction;
         showMedians(medians);
         // Walking changes the view, and with it what is measured.
         if (isWalking(element)) stop();

@@ -38,7 +38,7 @@ export interface Climb {
   readonly rounds: number;
   readonly signal: AbortSignal;
   /** Called after each burst, with each rung's median so far, in milliseconds. */
-  readonly onProgress: (share: number, medians: readonly number[]) => void;
+  readonly onProgress: (fraction: number, medians: readonly number[]) => void;
 }
 
 export interface Measurement {

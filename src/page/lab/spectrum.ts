@@ -6,12 +6,12 @@ export const BINS = (WAVELENGTHS.last - WAVELENGTHS.first) / WAVELENGTHS.step + 
 const EFFICACY = 683;
 /** hc/k, nanometre kelvin. */
 const SECOND_RADIATION = 1.4387769e7;
-/** Bands of CH* and C2* in the blue base: nanometres, width, share. Gaydon 1957, "The Spectroscopy of Flames". */
+/** Bands of CH* and C2* in the blue base: nanometres, width, strength. Gaydon 1957, "The Spectroscopy of Flames". */
 const BANDS = [
-  { at: 431, width: 4, share: 1 },
-  { at: 473, width: 6, share: 0.5 },
-  { at: 516, width: 6, share: 1 },
-  { at: 563, width: 7, share: 0.5 },
+  { at: 431, width: 4, strength: 1 },
+  { at: 473, width: 6, strength: 0.5 },
+  { at: 516, width: 6, strength: 1 },
+  { at: 563, width: 7, strength: 0.5 },
 ] as const;
 
 export function wavelengthOf(bin: number): number {
@@ -41,9 +41,9 @@ export function spectrumOf(soot: number, blue: number, temperature: number): Flo
     const wavelength = wavelengthOf(bin);
     const exponent = SECOND_RADIATION / (wavelength * Math.max(temperature, 300));
     glow[bin] = 1 / ((wavelength / 560) ** 5 * Math.expm1(exponent));
-    for (const { at, width, share } of BANDS) {
+    for (const { at, width, strength } of BANDS) {
       const away = (wavelength - at) / width;
-      bands[bin] = (bands[bin] ?? 0) + share * Math.exp(-0.5 * away * away);
+      bands[bin] = (bands[bin] ?? 0) + strength * Math.exp(-0.5 * away * away);
     }
   }
   const [ofGlow, ofBands] = [soot / candelaOf(glow), blue / candelaOf(bands)];

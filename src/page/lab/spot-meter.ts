@@ -44,8 +44,8 @@ export function bindSpotMeter(
 
   function read(): void {
     const { width, height } = room.stats;
-    const corner = (share: number, length: number) =>
-      Math.round(Math.min(Math.max(share * length - SPOT / 2, 0), Math.max(length - SPOT, 0)));
+    const corner = (position: number, length: number) =>
+      Math.round(Math.min(Math.max(position * length - SPOT / 2, 0), Math.max(length - SPOT, 0)));
     const [x, y] = place;
     const [columns, rows] = [Math.min(SPOT, width), Math.min(SPOT, height)];
     const light =

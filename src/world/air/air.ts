@@ -118,11 +118,11 @@ export class Air {
   }
 
   #veer(ticks: number): void {
-    const share = 1 - Math.exp(-VEERING * TICK * Math.max(0, ticks));
+    const blend = 1 - Math.exp(-VEERING * TICK * Math.max(0, ticks));
     const { x, z, unrest } = this.#wanted;
-    this.#mean[0] += (x - this.#mean[0]) * share;
-    this.#mean[2] += (z - this.#mean[2]) * share;
-    this.#unrest += (unrest - this.#unrest) * share;
+    this.#mean[0] += (x - this.#mean[0]) * blend;
+    this.#mean[2] += (z - this.#mean[2]) * blend;
+    this.#unrest += (unrest - this.#unrest) * blend;
   }
 
   /**
@@ -164,19 +164,19 @@ export class Air {
     const dx = place[0] - this.#body[0];
     const dz = place[2] - this.#body[2];
     const squared = dx * dx + dz * dz;
-    const share = Math.min(1, (GIRTH * GIRTH) / Math.max(squared, 1e-9));
-    const along = share < 1 ? (2 * (dx * this.#pace[0] + dz * this.#pace[2])) / squared : 0;
-    const back = share < 1 ? -1 : 1;
-    out[0] += share * (along * dx + back * this.#pace[0]);
-    out[2] += share * (along * dz + back * this.#pace[2]);
+    const weight = Math.min(1, (GIRTH * GIRTH) / Math.max(squared, 1e-9));
+    const along = weight < 1 ? (2 * (dx * this.#pace[0] + dz * this.#pace[2])) / squared : 0;
+    const back = weight < 1 ? -1 : 1;
+    out[0] += weight * (along * dx + back * this.#pace[0]);
+    out[2] += weight * (along * dz + back * this.#pace[2]);
   }
 
   #addShelter(place: Readonly<Vec3>, out: Vec3): void {
     const dx = place[0] - this.#carried[0];
     const dy = place[1] - this.#carried[1];
     const dz = place[2] - this.#carried[2];
-    const share = Math.exp(-(dx * dx + dy * dy + dz * dz) / (SHELTERED * SHELTERED));
-    for (let axis = 0; axis < 3; axis++) out[axis]! += share * this.#shelter[axis]!;
+    const weight = Math.exp(-(dx * dx + dy * dy + dz * dz) / (SHELTERED * SHELTERED));
+    for (let axis = 0; axis < 3; axis++) out[axis]! += weight * this.#shelter[axis]!;
   }
 
   #addBreath(place: Readonly<Vec3>, out: Vec3): void {

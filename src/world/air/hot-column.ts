@@ -36,14 +36,14 @@ export function hotColumn(solver: PlumeSolver, out: Float32Array): void {
         squares += thin * (cx * cx + cz * cz);
       }
     }
-    const share = 1 / Math.max(missing, 1e-12);
-    const mx = sumX * share;
-    const mz = sumZ * share;
+    const inverse = 1 / Math.max(missing, 1e-12);
+    const mx = sumX * inverse;
+    const mz = sumZ * inverse;
     const at = j * COLUMN_FLOATS;
     out[at] = origin[0] + mx;
     out[at + 1] = origin[1] + 0.5 * (y.edges[j]! + y.edges[j + 1]!);
     out[at + 2] = origin[2] + mz;
-    out[at + 3] = Math.sqrt(Math.max(0.5 * (squares * share - mx * mx - mz * mz), 1e-6));
+    out[at + 3] = Math.sqrt(Math.max(0.5 * (squares * inverse - mx * mx - mz * mz), 1e-6));
     out[at + 4] = missing;
   }
 }

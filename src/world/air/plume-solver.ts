@@ -181,10 +181,10 @@ export class PlumeSolver {
     const dx = Math.max(grid.x.low - x, 0, x - grid.x.high);
     const dy = Math.max(grid.y.low - y, 0, y - grid.y.high);
     const dz = Math.max(grid.z.low - z, 0, z - grid.z.high);
-    const share = Math.exp(-length3(dx, dy, dz) / FADING);
+    const weight = Math.exp(-length3(dx, dy, dz) / FADING);
     for (let axis = 0; axis < 3; axis++) {
       const wind = this.#wind[axis]!;
-      out[axis] = wind + (out[axis]! - wind) * share;
+      out[axis] = wind + (out[axis]! - wind) * weight;
     }
     return out;
   }
@@ -278,10 +278,10 @@ export class PlumeSolver {
     const gain = (power * PLUME_STEP) / (HEAT_CAPACITY * ROOM_TEMPERATURE * area * height);
     for (let j = 0; j < y.count; j++) {
       const top = Math.min(y.edges[j + 1]!, height);
-      const share = (top - Math.max(y.edges[j]!, 0)) / y.widths[j]!;
-      if (share <= 0) continue;
+      const coverage = (top - Math.max(y.edges[j]!, 0)) / y.widths[j]!;
+      if (coverage <= 0) continue;
       const at = i + x.count * (j + y.count * k);
-      this.heat[at]! += gain * share;
+      this.heat[at]! += gain * coverage;
     }
   }
 

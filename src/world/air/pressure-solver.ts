@@ -21,7 +21,7 @@ export class PressureSolver {
   /** Weights of a cell's lower and upper neighbours along each axis. */
   readonly #weights: readonly [Weights, Weights, Weights];
   /** Of each cell, the reciprocal of its six neighbours' weights, over-relaxed. */
-  readonly #shares: Float64Array;
+  readonly #relaxations: Float64Array;
   /** Of each axis, 1 / width of its cells and 1 / span between them. */
   readonly #perWidth: readonly [Float64Array, Float64Array, Float64Array];
   readonly #perSpan: readonly [Float64Array, Float64Array, Float64Array];
@@ -38,7 +38,7 @@ export class PressureSolver {
     const [east, north, back] = this.#weights.map(({ lower, upper }) =>
       lower.map((weight, i) => weight + upper[i]!),
     ) as [Float64Array, Float64Array, Float64Array];
-    this.#shares = Float64Array.from(this.#excess, (_, cell) => {
+    this.#relaxations = Float64Array.from(this.#excess, (_, cell) => {
       const i = cell % x.count;
       const j = Math.floor(cell / x.count) % y.count;
       const k = Math.floor(cell / (x.count * y.count));
@@ -99,7 +99,7 @@ export class PressureSolver {
     const plane = row * (ny + 2);
     const pressure = this.#pressure;
     const excess = this.#excess;
-    const shares = this.#shares;
+    const relaxations = this.#relaxations;
     const { lower: west, upper: east } = this.#weights[0];
     const { lower: south, upper: north } = this.#weights[1];
     const { lower: front, upper: back } = this.#weights[2];
@@ -121,7 +121,7 @@ export class PressureSolver {
             b * pressure[at + plane]! +
             f * pressure[at - plane]! -
             excess[start + i]!;
-          pressure[at] = (1 - PUSH) * pressure[at]! + shares[start + i]! * sum;
+          pressure[at] = (1 - PUSH) * pressure[at]! + relaxations[start + i]! * sum;
         }
       }
     }

@@ -196,7 +196,7 @@ export class Flame {
   }
 
   /** Light as a share of what this wick gives in still air. */
-  get share(): number {
+  get relativeLight(): number {
     return this.glow / this.#fullLight;
   }
 
@@ -273,10 +273,10 @@ export class Flame {
     place[1] = foot[1] + STRAINED_AT * this.measure().height;
     place[2] = foot[2];
     air.velocity(place, flow);
-    const share = 1 - Math.exp(-seconds / INERTIA);
+    const blend = 1 - Math.exp(-seconds / INERTIA);
     const airspeed = this.#airspeed;
     for (let axis = 0; axis < 3; axis++) {
-      airspeed[axis]! += (flow[axis]! - motion[axis]! - airspeed[axis]!) * share;
+      airspeed[axis]! += (flow[axis]! - motion[axis]! - airspeed[axis]!) * blend;
     }
     const x = airspeed[0];
     const y = airspeed[1];

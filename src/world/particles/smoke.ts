@@ -127,11 +127,11 @@ export class Smoke {
   #grain(lineIndex: number): number {
     const time = this.#step * PLUME_STEP * GRAIN_RATE;
     const beat = Math.floor(time);
-    const share = time - beat;
+    const t = time - beat;
     const key = pcg(this.#key + (lineIndex >> 1));
     const here = signed(pcg((key + beat) >>> 0));
     const next = signed(pcg((key + beat + 1) >>> 0));
-    return here + (next - here) * share * share * (3 - 2 * share);
+    return here + (next - here) * t * t * (3 - 2 * t);
   }
 
   /** Finds how thick and how broad each line is by now. */

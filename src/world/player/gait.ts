@@ -44,12 +44,12 @@ export function headBob(
   { stride, player: { velocity, yaw } }: { stride: number; player: Omit<Player, "pitch"> },
   out: Vec3,
 ): Vec3 {
-  const share = Math.min(1, length2(velocity[0], velocity[2]) / WALK);
+  const pace = Math.min(1, length2(velocity[0], velocity[2]) / WALK);
   const phase = 2 * Math.PI * stride;
-  const side = SWING * share * Math.sin(phase);
+  const side = SWING * pace * Math.sin(phase);
   out[0] = side * Math.cos(yaw);
   // Lowest when both feet are on the ground, which is when the head is in the middle.
-  out[1] = -RISE * share * Math.cos(2 * phase);
+  out[1] = -RISE * pace * Math.cos(2 * phase);
   out[2] = -side * Math.sin(yaw);
   return out;
 }

@@ -118,8 +118,8 @@ export function holdOut(
   foot[2] = eye[2];
   let stretch = 1;
   if (collision) {
-    const wanted = collision.sweepCylinder(foot, reach, stand, CAUTION).share;
-    const most = collision.sweepCylinder(foot, reach, stand).share;
+    const wanted = collision.sweepCylinder(foot, reach, stand, CAUTION).fraction;
+    const most = collision.sweepCylinder(foot, reach, stand).fraction;
     const eased = wanted + (hand.stretch - wanted) * Math.exp(-STRETCHING * seconds);
     stretch = Math.min(eased, most);
   }

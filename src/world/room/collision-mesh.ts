@@ -40,7 +40,7 @@ export class CollisionMesh {
   readonly #footprint = new Footprint();
   readonly #rays: RayCaster;
   readonly #between: Vec3 = [0, 0, 0];
-  readonly #way: CircleSweep = { x: 0, z: 0, dx: 0, dz: 0, radius: 0, share: 1 };
+  readonly #way: CircleSweep = { x: 0, z: 0, dx: 0, dz: 0, radius: 0, fraction: 1 };
   readonly #hit: RayHit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
 
   constructor(parts: readonly Triangles[], maxTriangles = MAX_TRIANGLES) {
@@ -103,11 +103,11 @@ export class CollisionMesh {
 
   /** Whether anything is nearer than `radius` to an upright axis, or in between. */
   overlapsCylinder(place: Readonly<Vec3>, radius: number, height: number): boolean {
-    return this.sweepCylinder(place, NO_WAY, { radius, height }).share === 0;
+    return this.sweepCylinder(place, NO_WAY, { radius, height }).fraction === 0;
   }
 
   /**
-   * Share of a level way that an upright cylinder, wider by a margin, can go before it touches anything.
+   * Fraction of a level way that an upright cylinder, wider by a margin, can go before it touches anything.
    * The object returned is overwritten by the next call.
    */
   sweepCylinder(
@@ -115,7 +115,7 @@ export class CollisionMesh {
     along: Readonly<Vec3>,
     cylinder: { readonly radius: number; readonly height: number },
     margin = 0,
-  ): { readonly share: number } {
+  ): { readonly fraction: number } {
     const { height } = cylinder;
     const radius = cylinder.radius + margin;
     const dx = along[0];
@@ -140,7 +140,7 @@ export class CollisionMesh {
     way.dx = dx;
     way.dz = dz;
     way.radius = radius;
-    way.share = 1;
+    way.fraction = 1;
     for (let leaf = 0; leaf < leaves; leaf++) {
       const node = this.#leaves[leaf]!;
       for (let i = link[node]!, end = i + count[node]!; i < end; i++) {

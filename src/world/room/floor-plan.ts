@@ -152,9 +152,9 @@ export class FloorPlan {
     let free = 0;
     let taken = Number.isFinite(x) && Number.isFinite(z) ? 1 : 0;
     for (let i = 0; i < 24 && taken > 0; i++) {
-      const share = (free + taken) / 2;
-      if (this.isFree(freeX + (x - freeX) * share, freeZ + (z - freeZ) * share)) free = share;
-      else taken = share;
+      const middle = (free + taken) / 2;
+      if (this.isFree(freeX + (x - freeX) * middle, freeZ + (z - freeZ) * middle)) free = middle;
+      else taken = middle;
     }
     position[0] = taken > 0 ? freeX + (x - freeX) * free : freeX;
     position[2] = taken > 0 ? freeZ + (z - freeZ) * free : freeZ;

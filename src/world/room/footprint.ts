@@ -10,8 +10,8 @@ export interface CircleSweep {
   dx: number;
   dz: number;
   radius: number;
-  /** Share of the way that is free, as far as is known. */
-  share: number;
+  /** Fraction of the way that is free, as far as is known. */
+  fraction: number;
 }
 
 /**
@@ -95,18 +95,18 @@ export class Footprint {
     return isLeft !== isRight ? 0 : Math.sqrt(nearest);
   }
 
-  /** Shortens the share of its way that a circle can go to where it touches. */
+  /** Shortens the fraction of its way that a circle can go to where it touches. */
   sweep(way: CircleSweep): void {
     const { x, z, dx, dz, radius } = way;
-    let { share } = way;
+    let { fraction } = way;
     if (this.distanceTo(x, z) < radius) {
-      way.share = 0;
+      way.fraction = 0;
       return;
     }
     for (let i = 0; i < this.count; i++) {
       const ax = this.x[i]! - x;
       const az = this.z[i]! - z;
-      share = Math.min(share, sweepPoint(ax, az, dx, dz, radius));
+      fraction = Math.min(fraction, sweepPoint(ax, az, dx, dz, radius));
       const next = i + 1 === this.count ? 0 : i + 1;
       const ex = this.x[next]! - this.x[i]!;
       const ez = this.z[next]! - this.z[i]!;
@@ -119,13 +119,13 @@ export class Footprint {
       if (speed <= 0) continue;
       const t = Math.max(0, (Math.abs(distance) - radius) / speed);
       const along = ((dx * t - ax) * ex + (dz * t - az) * ez) / (length * length);
-      if (along >= 0 && along <= 1) share = Math.min(share, t);
+      if (along >= 0 && along <= 1) fraction = Math.min(fraction, t);
     }
-    way.share = share;
+    way.fraction = fraction;
   }
 }
 
-/** Share of the way at which a circle from the origin touches a point that it does not cover yet. */
+/** Fraction of the way at which a circle from the origin touches a point that it does not cover yet. */
 function sweepPoint(px: number, pz: number, dx: number, dz: number, radius: number): number {
   const a = dx * dx + dz * dz;
   const b = px * dx + pz * dz;

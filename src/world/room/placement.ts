@@ -40,8 +40,8 @@ const BEARINGS = 12;
 /** Between the player and a candle at their feet, metres. */
 const ELBOW_ROOM = 0.02 + NUDGE;
 const DOWN: Readonly<Vec3> = [0, -1, 0];
-/** Points under the foot that are felt for, in rings of a share of its radius. */
-const RINGS: readonly (readonly [share: number, count: number])[] = [
+/** Points under the foot that are felt for, in rings of a fraction of its radius. */
+const RINGS: readonly (readonly [fraction: number, count: number])[] = [
   [0, 1],
   [0.55, 8],
   [1, 16],
@@ -122,9 +122,9 @@ function whereFloorWouldBe(
 /** Tries the highest surface below `y`, so far along the line of sight, and the spots around it. */
 function fitAround(reach: PlacementQuery, distance: number, y: number, spot: Vec3): Refusal | null {
   const { eye, direction } = reach;
-  const share = distance / Math.hypot(direction[0], direction[2]);
-  const x = eye[0] + direction[0] * share;
-  const z = eye[2] + direction[2] * share;
+  const t = distance / Math.hypot(direction[0], direction[2]);
+  const x = eye[0] + direction[0] * t;
+  const z = eye[2] + direction[2] * t;
   const refusal = fit(reach, x, y, z, spot);
   if (refusal !== "overhangs" && refusal !== "no room") return refusal;
   for (let step = 1; step <= NUDGES; step++) {
@@ -177,11 +177,11 @@ function highestSupport(
 ): number {
   let top = y;
   let bottom = y;
-  for (const [share, count] of RINGS) {
+  for (const [fraction, count] of RINGS) {
     for (let i = 0; i < count; i++) {
       const angle = (2 * Math.PI * i) / count;
-      const px = x + Math.cos(angle) * share * radius;
-      const pz = z + Math.sin(angle) * share * radius;
+      const px = x + Math.cos(angle) * fraction * radius;
+      const pz = z + Math.sin(angle) * fraction * radius;
       const height = supportAt(collision, px, y, pz);
       top = Math.max(top, height);
       bottom = Math.min(bottom, height);

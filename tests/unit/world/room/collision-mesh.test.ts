@@ -175,7 +175,7 @@ describe("an upright cylinder", { timeout: 30_000 }, () => {
       box([-0.01, 0.5, -3], [0.01, 2, -2.98]),
     ]);
     const sweep = (dx: number, dz: number, y = 0.6) =>
-      collision.sweepCylinder([0, y, 0], [dx, 0, dz], { radius: 0.07, height: 0.25 }).share;
+      collision.sweepCylinder([0, y, 0], [dx, 0, dz], { radius: 0.07, height: 0.25 }).fraction;
     expect(sweep(2, 0)).toBeCloseTo((1 - 0.07) / 2, 6);
     expect(sweep(0.9, 0)).toBe(1);
     expect(sweep(2, 0, 1.01)).toBe(1);
@@ -187,10 +187,10 @@ describe("an upright cylinder", { timeout: 30_000 }, () => {
     const corner = collision.sweepCylinder([0, 0.6, 1.05], [2, 0, 0], {
       radius: 0.07,
       height: 0.25,
-    }).share;
+    }).fraction;
     expect(corner).toBeCloseTo((1 - Math.sqrt(0.07 ** 2 - 0.05 ** 2)) / 2, 6);
     expect(
-      collision.sweepCylinder([1.45, 0.6, 0], [1, 0, 0], { radius: 0.07, height: 0.25 }).share,
+      collision.sweepCylinder([1.45, 0.6, 0], [1, 0, 0], { radius: 0.07, height: 0.25 }).fraction,
     ).toBe(0);
   });
 
@@ -202,21 +202,21 @@ describe("an upright cylinder", { timeout: 30_000 }, () => {
     let stops = 0;
     for (let i = 0; i < 600; i++) {
       const [x, z, dx, dz] = [between(-2, 2), between(-2, 2), between(-1, 1), between(-1, 1)];
-      const share = collision.sweepCylinder([x, 0, z], [dx, 0, dz], {
+      const fraction = collision.sweepCylinder([x, 0, z], [dx, 0, dz], {
         radius: 0.1,
         height: 0.3,
-      }).share;
+      }).fraction;
       if (truth.distance(x, z) < 0.1) {
-        expect(share).toBe(0);
+        expect(fraction).toBe(0);
         continue;
       }
       for (let k = 0; k <= 20; k++) {
-        const t = (share * k) / 20;
+        const t = (fraction * k) / 20;
         expect(truth.distance(x + dx * t, z + dz * t)).toBeGreaterThan(0.1 - 1e-6);
       }
-      if (share === 1) continue;
+      if (fraction === 1) continue;
       stops++;
-      const beyond = share + 1e-3;
+      const beyond = fraction + 1e-3;
       expect(truth.distance(x + dx * beyond, z + dz * beyond)).toBeLessThan(0.1);
     }
     expect(stops).toBeGreaterThan(100);
@@ -233,7 +233,9 @@ describe("a collision", { timeout: 30_000 }, () => {
     const collision = new CollisionMesh([]);
     expect(collision.raycast([0, 1, 0], DOWN, 9)).toBeNull();
     expect(collision.overlapsCylinder([0, 0, 0], 1, 1)).toBe(false);
-    expect(collision.sweepCylinder([0, 0, 0], [1, 0, 0], { radius: 0.1, height: 1 }).share).toBe(1);
+    expect(collision.sweepCylinder([0, 0, 0], [1, 0, 0], { radius: 0.1, height: 1 }).fraction).toBe(
+      1,
+    );
   });
 
   test("leaves out triangles that are not finite, or whose corners do not exist", () => {
