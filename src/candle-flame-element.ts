@@ -307,7 +307,6 @@ export class CandleFlameElement extends ReflectedAttributes {
     return this.#lifecycle.session?.candle ?? null;
   }
 
-  /** Calls an action with the candle, if there is one. An exception ends the session. */
   #use<Result>(action: (candle: CandleFlame, session: Session) => Result): Result | undefined {
     const { session } = this.#lifecycle;
     return session?.use((candle) => action(candle, session));

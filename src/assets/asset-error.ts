@@ -1,4 +1,4 @@
-/** A model or texture that could not be had. The message is a sentence for the visitor. */
+/** A model or texture that could not be loaded. The message is a sentence for the visitor. */
 export class AssetError extends Error {
   override readonly name = "AssetError";
 }

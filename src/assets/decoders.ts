@@ -8,7 +8,7 @@ import type { TextureImage } from "./model.js";
 /** Timeout of a decoder's worker: one that has not answered by then has crashed. */
 const PATIENCE = 20_000; // milliseconds
 
-/** Pixels of a side that are not worth a try, and of one that is not passed over for a smaller level. */
+/** Longest side that is decoded at all, and that is preferred to a smaller mipmap level. Pixels. */
 const HUGE_SIDE = 8192;
 const LONGEST_SIDE = 4096;
 

@@ -9,13 +9,12 @@ const TYPE_SIZES = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT
 export type ComponentType = keyof typeof COMPONENT_BYTES;
 export type AccessorType = keyof typeof TYPE_SIZES;
 
-/** A stretch of a buffer. */
 export interface BufferView {
   readonly buffer: number;
   readonly byteOffset: number;
   readonly byteLength: number;
   readonly byteStride: number | undefined;
-  /** How the stretch is compressed by EXT_meshopt_compression; its lengths then mean the decoded bytes. */
+  /** EXT_meshopt_compression of the view; its lengths then mean the decoded bytes. */
   readonly meshopt: MeshoptCompression | undefined;
 }
 

@@ -1,11 +1,10 @@
 import type { Accessor, AccessorType, BufferView } from "./gltf-accessors.js";
 import type { JsonEntry } from "./json-entry.js";
 
-/** Mesh: its triangles. */
 export interface Mesh {
   readonly name: string;
   readonly primitives: readonly Primitive[];
-  /** Shares of the morph targets in the rest pose. */
+  /** Weights of the morph targets in the rest pose. */
   readonly weights: readonly number[] | undefined;
   /** Whether it has points or lines, which are not drawn. */
   readonly hasLines: boolean;

@@ -90,12 +90,11 @@ export class JsonEntry {
     );
   }
 
-  /** An extension of this object. */
   extension(name: string): JsonEntry | undefined {
     return this.entry("extensions")?.entry(name);
   }
 
-  /** What somebody added to this object: anything may stand there. */
+  /** Application-specific data, of any type. */
   extras(): JsonEntry | undefined {
     const value = this.#field("extras");
     const isObject = typeof value === "object" && value !== null && !Array.isArray(value);

@@ -82,7 +82,6 @@ async function load(
   }
 }
 
-/** Reads the materials of what is drawn. */
 async function readMaterials(
   document: GltfDocument,
   images: TextureImages,
@@ -101,8 +100,8 @@ async function readMaterials(
 
 function usedMaterials({ meshes, nodes }: GltfDocument): number[] {
   const primitives = nodes.flatMap(({ mesh }) => meshes[mesh ?? -1]?.primitives ?? []);
-  const worn = primitives.map(({ material }) => material);
-  return [...new Set(worn)].filter((material) => material !== undefined);
+  const used = primitives.map(({ material }) => material);
+  return [...new Set(used)].filter((material) => material !== undefined);
 }
 
 /** Counts the materials and the geometry, each as one step from the file's share to the whole. */

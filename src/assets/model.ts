@@ -1,7 +1,7 @@
 /** Model: a file's meshes as plain typed arrays in its own coordinates: metres, +Y up. */
 export interface Model {
   readonly parts: readonly Part[];
-  /** Named nodes with nothing to see below them: places for things of ours, by their names. */
+  /** Named nodes without meshes below them, by name. */
   readonly anchors: Readonly<Record<string, Anchor>>;
   /** The box around all positions, metres. */
   readonly bounds: Box;
@@ -21,7 +21,7 @@ export interface Box {
   readonly max: readonly [number, number, number];
 }
 
-/** Triangles of one material, transforms applied; counter-clockwise ones face the eye. */
+/** Triangles of one material, transforms applied; counter-clockwise ones face the camera. */
 export interface Part {
   readonly name: string;
   readonly material: Material;
@@ -80,12 +80,12 @@ export interface Material {
 export function closeModel({ parts }: Model): void {
   for (const { material } of parts) {
     const { albedo, normal, occlusionRoughnessMetallic, occlusion } = material;
-    for (const picture of [albedo, normal, occlusionRoughnessMetallic, occlusion]) {
-      if (picture) closeImage(picture);
+    for (const image of [albedo, normal, occlusionRoughnessMetallic, occlusion]) {
+      if (image) closeImage(image);
     }
   }
 }
 
-export function closeImage(picture: TextureImage): void {
-  if ("close" in picture) picture.close();
+export function closeImage(image: TextureImage): void {
+  if ("close" in image) image.close();
 }

@@ -69,14 +69,14 @@ export async function readOwnModel(
     if (!binary) throw new Flaw("has no binary chunk");
     const document = json as OwnDocument;
     const images = new Map<number, Promise<TextureImage>>();
-    const picture = (texture: { readonly index: number } | undefined) => {
+    const image = (texture: { readonly index: number } | undefined) => {
       if (!texture) return null;
       const known = images.get(texture.index) ?? readImage(document, texture.index, url, signal);
       images.set(texture.index, known);
       return known;
     };
     const materials = await Promise.all(
-      document.materials.map((material) => readMaterial(material, picture)),
+      document.materials.map((material) => readMaterial(material, image)),
     );
     onProgress(1);
     return modelOf(document, binary, materials);
@@ -103,12 +103,12 @@ async function readImage(
 
 async function readMaterial(
   { name, pbrMetallicRoughness: pbr, normalTexture }: OwnMaterial,
-  picture: (texture: { readonly index: number } | undefined) => Promise<TextureImage> | null,
+  image: (texture: { readonly index: number } | undefined) => Promise<TextureImage> | null,
 ): Promise<Material> {
   const [albedo, packed, normal] = await Promise.all([
-    picture(pbr.baseColorTexture),
-    picture(pbr.metallicRoughnessTexture),
-    picture(normalTexture),
+    image(pbr.baseColorTexture),
+    image(pbr.metallicRoughnessTexture),
+    image(normalTexture),
   ]);
   return {
     name,

@@ -10,11 +10,11 @@ import {
   UNTURNED,
 } from "./texture-placement.js";
 
-/** A material, and how its maps lie on the surfaces that wear it. */
+/** A material and the placement of its maps. */
 export interface PlacedMaterial {
   readonly material: Material;
   readonly placement: Placement;
-  /** Where the occlusion lies otherwise than the rest. */
+  /** Placement of the occlusion map, where that differs from the other maps'. */
   readonly occlusionPlacement: Placement | null;
 }
 

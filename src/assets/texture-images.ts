@@ -54,7 +54,7 @@ export class TextureImages {
     throw failure;
   }
 
-  /** Closes those that are there and those on their way; no other is begun. */
+  /** Closes the decoded images and those being decoded; none is begun afterwards. */
   close(): void {
     this.#isClosed = true;
     for (const image of this.#images.values()) image.then(closeImage).catch(() => {});

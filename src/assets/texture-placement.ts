@@ -1,7 +1,7 @@
 import { Flaw } from "./asset-error.js";
 import type { JsonEntry } from "./json-entry.js";
 
-/** How a texture lies on a surface: by which uv set, and how that is turned, scaled and moved. */
+/** Placement of a texture on a surface: its uv set, and the transform of that. */
 export interface Placement {
   readonly uvSet: number;
   /** KHR_texture_transform: radians. */
@@ -45,7 +45,7 @@ export function isSamePlacement(a: Placement, b: Placement): boolean {
   return JSON.stringify(a) === JSON.stringify(b);
 }
 
-/** The uv that sample an unturned texture alike. */
+/** Texture coordinates with the placement's transform applied. */
 export function placedUvs(uvs: Float32Array, { rotation, scale, offset }: Placement): Float32Array {
   const placed = new Float32Array(uvs.length);
   const cos = Math.cos(rotation);

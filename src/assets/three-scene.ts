@@ -93,7 +93,7 @@ function nodeFor({ isEmpty, instances, ...node }: Node, posed: ReadonlySet<numbe
   };
 }
 
-/** Meshes whose morph targets have a share in the rest pose; most have none, and need not be read. */
+/** Meshes that morph targets deform in the rest pose; the targets of the others need not be read. */
 function posedMeshes({ meshes, nodes }: GltfDocument): ReadonlySet<number> {
   const isPose = (weights: readonly number[] = []) => weights.some((weight) => weight !== 0);
   const posedByNode = new Set(

@@ -3,7 +3,7 @@ export interface Size {
   readonly height: number;
 }
 
-/** Device pixels of an element's content box, near enough where the browser does not tell. */
+/** Device pixels of an element's content box, near enough where the browser does not report them. */
 export function guessDevicePixels({ clientWidth, clientHeight }: Element): Size {
   const ratio = devicePixelRatio;
   return { width: Math.round(clientWidth * ratio), height: Math.round(clientHeight * ratio) };
@@ -23,15 +23,15 @@ export function observeDevicePixels(
 ): void {
   let last = guessDevicePixels(element);
   let isExact = false;
-  const tell = (size: Size): void => {
+  const report = (size: Size): void => {
     last = size;
     onChange(size);
   };
   const observer = new ResizeObserver((entries) => {
     const box = entries.at(-1)?.devicePixelContentBoxSize?.[0];
-    const told = box && { width: box.inlineSize, height: box.blockSize };
-    isExact = told !== undefined && !isEmulated(told, element);
-    tell(told && isExact ? told : guessDevicePixels(element));
+    const reported = box && { width: box.inlineSize, height: box.blockSize };
+    isExact = reported !== undefined && !isEmulated(reported, element);
+    report(reported && isExact ? reported : guessDevicePixels(element));
   });
   try {
     observer.observe(element, { box: "device-pixel-content-box" });
@@ -43,7 +43,7 @@ export function observeDevicePixels(
   const awaitRatio = (): void => {
     const here = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
     const moved = (): void => {
-      tell(isExact ? last : guessDevicePixels(element));
+      report(isExact ? last : guessDevicePixels(element));
       awaitRatio();
     };
     here.addEventListener("change", moved, { once: true, signal });
@@ -52,8 +52,8 @@ export function observeDevicePixels(
 }
 
 /** Chromium 156 reports CSS pixels where a tool emulates a monitor of another density (DevTools, test runners). */
-function isEmulated(told: Size, { clientWidth, clientHeight }: Element): boolean {
+function isEmulated(reported: Size, { clientWidth, clientHeight }: Element): boolean {
   if (devicePixelRatio === 1) return false;
-  const { width, height } = told;
+  const { width, height } = reported;
   return Math.abs(width - clientWidth) <= 1 && Math.abs(height - clientHeight) <= 1;
 }

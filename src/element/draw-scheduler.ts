@@ -67,7 +67,6 @@ export class DrawScheduler {
     });
   }
 
-  /** Forgets everything. */
   reset(): void {
     this.#cancel();
     this.#isFresh = false;

@@ -53,7 +53,6 @@ export class Hint {
     this.element.append(this.#sentence);
   }
 
-  /** The controls of a device. */
   tellControls(device: Device): void {
     this.#clear();
     const line = document.createElement("p");

@@ -17,10 +17,10 @@ export function strengthOfBreath(strength: unknown): number {
 
 /** A box of canvas pixels: whole ones, no larger than the canvas, and at most its size beside it. */
 export function boxWithin(
-  picture: { readonly width: number; readonly height: number } | null,
+  canvas: { readonly width: number; readonly height: number } | null,
   [x, y, width, height]: readonly [unknown, unknown, unknown, unknown],
 ): [x: number, y: number, width: number, height: number] {
-  const { width: widest = 0, height: highest = 0 } = picture ?? {};
+  const { width: widest = 0, height: highest = 0 } = canvas ?? {};
   const whole = (value: unknown, least: number, most: number) =>
     Math.min(Math.max(Math.floor(Number(value) || 0), least), most);
   return [

@@ -14,7 +14,6 @@ export function optionsOf(element: ReflectedAttributes, look: Look): Options {
   return { look, seed, quality, exposure, particles, isStill, unlit, wick: wick / 1000, wind };
 }
 
-/** Observes `prefers-reduced-motion`. */
 export function observeLessMotion(signal: AbortSignal, onChange: () => void): void {
   matchMedia(LESS_MOTION).addEventListener("change", onChange, { signal });
 }

@@ -4,16 +4,16 @@ export interface FetchObserver {
   onProgress(progress: number): void;
   /** The scene asked for cannot be fetched. */
   onMissing(error: Error): void;
-  /** The scene on show is wanted again, and no other. */
+  /** The fetch was aborted: the attributes ask for the scene that is shown. */
   onFetchDropped(): void;
 }
 
 /**
- * Scene fetcher: fetches the scene asked for, and drops the one asked for before. The one on show stays until the
- * new models have come, and if they do not come.
+ * Scene fetcher: fetches the scene asked for, and aborts the fetch before it. The shown scene stays until the
+ * new models have loaded, and if they fail to load.
  */
 export class SceneFetcher {
-  /** The request that is on show. */
+  /** Request of the scene that is shown. */
   shown: SceneRequest | null = null;
   readonly #asked: () => SceneRequest;
   readonly #signal: AbortSignal;
@@ -39,7 +39,7 @@ export class SceneFetcher {
     return this.#wanted !== null;
   }
 
-  /** Something else may be asked for now. */
+  /** To be called when an attribute that selects a scene has changed. */
   follow(): void {
     const asked = this.#asked();
     if (areSame(asked, this.shown)) {

@@ -17,7 +17,6 @@ export interface SessionInput {
   inspect: Inspection;
 }
 
-/** Callbacks of a session. */
 export interface SessionOwner extends FetchObserver {
   /** Whether time is to pass. */
   plays(): boolean;

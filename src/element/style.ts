@@ -1,4 +1,3 @@
-/** Styles of the element's shadow tree. */
 const STYLE = `
 :host {
   display: block;

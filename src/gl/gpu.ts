@@ -29,7 +29,7 @@ export class WebGLUnavailableError extends Error {
  * It alone makes GPU objects, so it can count them and free them all.
  */
 export class Gpu {
-  /** Renderer as the driver names it, for choosing a tier and for reports. */
+  /** The driver's name of the renderer, for reports. */
   readonly renderer: string;
   /** Pixels of the longest side that canvas and targets can have. */
   readonly longestSide: number;
@@ -94,7 +94,6 @@ export class Gpu {
     return gl.drawingBufferColorSpace;
   }
 
-  /** GPU objects alive. */
   get objectCount(): number {
     return this.#alive.size;
   }
@@ -128,7 +127,7 @@ export class Gpu {
     return this.#shared.has(key);
   }
 
-  /** Makes what one renderer after another needs: for the first of them, and there until all is cleared. */
+  /** An object that successive renderers share: made for the first, kept until everything is cleared. */
   share<T>(key: unknown, make: () => T): T {
     if (this.#shared.has(key)) return this.#shared.get(key) as T;
     const wasSharing = this.#isSharing;
@@ -235,7 +234,6 @@ export class Gpu {
     gl.deleteSync(fence);
   }
 
-  /** Starts the counts of a frame. */
   beginFrame(): void {
     this.#commands.drawCalls = 0;
     this.#commands.triangles = 0;
@@ -246,12 +244,10 @@ export class Gpu {
     this.timer.end();
   }
 
-  /** Draw calls of the frame. */
   get drawCalls(): number {
     return this.#commands.drawCalls;
   }
 
-  /** Triangles of the frame. */
   get triangles(): number {
     return this.#commands.triangles;
   }

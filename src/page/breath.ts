@@ -12,10 +12,10 @@ export interface Sound {
  */
 const LOW = 200;
 const LOW_SHARE = 0.3;
-/** As loud is a breath of strength 0, and of strength 1. */
+/** Loudness of a breath of strength 0, and of strength 1. */
 const QUIET = 0.05;
 const LOUD = 0.3;
-/** A breath lasts longer than a knock at the microphone, and is felt anew this often. Seconds. */
+/** A breath lasts longer than a knock at the microphone, and is reported again this often. Seconds. */
 const ONSET = 0.1;
 const REPEAT = 0.3;
 

@@ -66,7 +66,7 @@ room.addEventListener("take", () => {
 });
 
 /** Puts the candle down from a camera, or takes it up; the camera stays where it is. */
-function stand(from: Camera | null): void {
+function setCandle(from: Camera | null): void {
   if (!room || (!from && room.held)) return;
   const camera = room.camera;
   if (!room.held) {
@@ -80,8 +80,8 @@ function stand(from: Camera | null): void {
   room.camera = camera;
 }
 
-/** Applies a view; settings that it does not name take their defaults. */
-function follow(view: View): void {
+/** Settings that the view does not name take their defaults. */
+function applyView(view: View): void {
   if (!room) return;
   for (const name of SHARED) {
     const text = view.settings[name];
@@ -92,24 +92,24 @@ function follow(view: View): void {
   room.lit = view.settings.unlit === undefined;
   if (view.camera) room.camera = { fieldOfView: FIELDS_OF_VIEW[room.look], ...view.camera };
   // Before there is a room, a camera alone decides how it opens.
-  if (room.flame || view.camera) stand(view.candle);
-  else room.addEventListener("load", () => stand(view.candle), { once: true });
+  if (room.flame || view.camera) setCandle(view.candle);
+  else room.addEventListener("load", () => setCandle(view.candle), { once: true });
 }
 
-/** How the cabin opens: its candle stands on the table, for whoever walks in to take. */
+/** View that the cabin opens with: its candle stands on the table, to be taken. */
 const OPENING: Pick<View, "camera" | "candle"> = {
   camera: { position: [-0.6, 1.6, 0.85], yaw: -0.57, pitch: -0.4 },
   candle: { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 },
 };
 const asked = readShareLink(location.hash);
 const asksForNoPlace = !asked.camera && !asked.candle && !asked.settings.look;
-follow(asksForNoPlace ? { ...asked, ...OPENING } : asked);
+applyView(asksForNoPlace ? { ...asked, ...OPENING } : asked);
 const takeUp = () => room.take();
 if (asksForNoPlace) room.addEventListener("enter", takeUp, { once: true });
 window.addEventListener("hashchange", () => {
   room.removeEventListener("enter", takeUp); // a link says where its candle is
   room.querySelector(".poster")?.remove(); // and is not of the first view
-  follow(readShareLink(location.hash));
+  applyView(readShareLink(location.hash));
 });
 
 /** How long a notice stays, milliseconds. */

@@ -43,28 +43,27 @@ export function writeShareLink({ camera, candle, settings }: View): string {
     if (!stand) continue;
     const numbers = [...stand.position, stand.yaw, stand.pitch];
     const { fieldOfView } = stand;
-    if (name === "camera" && fieldOfView && !isOwn(fieldOfView, settings))
+    if (name === "camera" && fieldOfView && !isDefault(fieldOfView, settings))
       numbers.push(fieldOfView);
     words.set(name, numbers.map((value) => Number(value.toFixed(DIGITS))).join("_"));
   }
   for (const name of SHARED) {
-    const text = meant(name, settings[name] ?? null);
+    const text = legalText(name, settings[name] ?? null);
     if (text !== null) words.set(name, text);
   }
   return `#${words}`;
 }
 
-/** Whether it is the look's own field of view. */
-function isOwn(fieldOfView: number, { look }: View["settings"]): boolean {
+function isDefault(fieldOfView: number, { look }: View["settings"]): boolean {
   return fieldOfView === FIELDS_OF_VIEW[parseChoice(SETTINGS.look, look ?? null)];
 }
 
-/** The view of a location's hash. Anybody may have written it: illegal values are left out. */
+/** The view of a location's hash. It is untrusted input: illegal values are left out. */
 export function readShareLink(hash: string): View {
   const words = new URLSearchParams(hash.replace(/^#/, ""));
   const settings: Partial<Record<Shared, string>> = {};
   for (const name of SHARED) {
-    const text = meant(name, words.get(name));
+    const text = legalText(name, words.get(name));
     if (text !== null) settings[name] = text;
   }
   return {
@@ -83,7 +82,7 @@ function readCamera(text: string | null): Camera | null {
 }
 
 /** The legal text of a setting; null where that is its default. A flag is set by any text. */
-function meant(name: Shared, text: string | null): string | null {
+function legalText(name: Shared, text: string | null): string | null {
   const setting: ChoiceSetting | NumberSetting | FlagSetting = SETTINGS[name];
   if (setting.kind === "flag") return text === null ? null : "";
   const value = setting.kind === "number" ? parseNumber(setting, text) : parseChoice(setting, text);

@@ -9,7 +9,7 @@ export function isWalking(room: Element): boolean {
   return room.matches(WALKING);
 }
 
-/** The body's class `walking`, by which the page makes way. (`:has()` is newer than the oldest browsers.) */
+/** Reflects it as the body's class `walking`. (`:has()` is newer than the oldest browsers.) */
 export function reflectWalking(room: CandleFlameElement): void {
   const reflect = () => document.body.classList.toggle("walking", isWalking(room));
   for (const type of CHANGES) room.addEventListener(type, reflect);

@@ -1,4 +1,4 @@
-/** Somebody who holds, or waits for, a WebGL context of its own. */
+/** Holder of a WebGL context of its own, or an applicant for one. */
 export interface ContextClient {
   isVisible(): boolean;
   /** A context may be created now. */

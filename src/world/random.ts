@@ -24,7 +24,7 @@ export function signedHigh(hash: number): number {
   return (hash >> 16) / 0x8000;
 }
 
-/** The lower half. */
+/** The lower half of a hash, likewise. */
 export function signedLow(hash: number): number {
   return ((hash << 16) >> 16) / 0x8000;
 }

@@ -15,7 +15,7 @@ export interface Snapshot {
   readonly position: Readonly<Vec3>;
   readonly yaw: number;
   readonly pitch: number;
-  /** Null is the stage's. */
+  /** Null: the setup's. */
   readonly fieldOfView: number | null;
   /** Where the candle stands, and how it is turned; null while it is held. */
   readonly stand: { readonly position: Readonly<Vec3>; readonly yaw: number } | null;

@@ -1,7 +1,6 @@
 /** Linear Rec. 709 whose luma is cd/m², as `readRadiance` gives it. */
 export type Radiance = readonly [red: number, green: number, blue: number];
 
-/** What a spot meter shows. */
 export interface Reading {
   /** cd/m² */
   readonly luminance: number;

@@ -18,7 +18,7 @@ export function wavelengthOf(bin: number): number {
   return WAVELENGTHS.first + bin * WAVELENGTHS.step;
 }
 
-/** How bright a watt of a wavelength (nm) looks, 0 to 1: a usual fit of the CIE's photopic V(λ). */
+/** Photopic luminosity function V(λ) of the CIE, a usual fit; wavelength in nanometres. */
 export function photopic(wavelength: number): number {
   const away = wavelength / 1000 - 0.559;
   return 1.019 * Math.exp(-285.4 * away * away);

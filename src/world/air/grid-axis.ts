@@ -7,9 +7,7 @@ const TABLE = 512;
  * Cells lie between edges; all lengths in metres.
  */
 export class GridAxis {
-  /** Cells. */
   readonly count: number;
-  /** Its ends. */
   readonly low: number;
   readonly high: number;
   readonly edges: Float64Array;

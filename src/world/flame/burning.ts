@@ -56,7 +56,6 @@ export interface Combustion {
   light: number;
 }
 
-/** Finds the light of a fire. */
 export function updateLight(fire: Combustion): void {
   const soot = fire.rate * grownSoot(fire.height) * Math.exp(-SOOT_LOSS * fire.felt);
   fire.light = soot / TAPER_SOOT;
@@ -66,19 +65,19 @@ export function updateLight(fire: Combustion): void {
 export const BUOYANCY = 25;
 
 /**
- * Fastest that the gas rises at a height (m) over a fire that burns this much (kg/s): what the plume
- * of McCaffrey 1979, "Purely Buoyant Diffusion Flames", has in its flame and above it. m/s.
+ * Top speed of the gas, m/s, at a height (m) over a fire of this fuel rate (kg/s), in the flame and above
+ * it: McCaffrey 1979, "Purely Buoyant Diffusion Flames".
  */
 export function topSpeed(rate: number, height: number): number {
   return Math.min(flameSpeed(rate), plumeSpeed(rate) / Math.cbrt(Math.max(height, 1e-3)));
 }
 
-/** The first of them, m/s. */
+/** Speed within the flame, m/s. */
 export function flameSpeed(rate: number): number {
   return 1.9 * kilowatts(rate) ** 0.2;
 }
 
-/** The second, which falls as the cube root of the height: at 1 m, m/s. */
+/** Speed in the plume 1 m above, m/s; it falls as the cube root of the height. */
 export function plumeSpeed(rate: number): number {
   return 1.1 * Math.cbrt(kilowatts(rate));
 }

@@ -46,7 +46,7 @@ export const ROOM = 293;
 /** How fast it takes up the flame's heat, and loses it: dark (798 K, Draper) after five seconds. */
 const HEATING = 0.3;
 const FADING = 10;
-/** Light left, as a share of a taper's, that nobody sees. */
+/** Invisible remainder of light, as a share of a taper's. */
 const UNSEEN = 2e-3;
 /** A puff narrows and widens the tip by this often its share of the volume, and what is below less. */
 const NECKING = 1.5;

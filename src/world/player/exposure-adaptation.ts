@@ -82,29 +82,29 @@ export class ExposureAdaptation {
   }
 
   /** After a cut: the eye is adapted. */
-  settle(sight: AdaptationView): void {
-    this.#meter(sight);
+  settle(view: AdaptationView): void {
+    this.#meter(view);
     this.#wanted = this.#metered;
     this.lag = 0;
   }
 
   /** The view has changed in no time: the eye lags. */
-  notice(sight: AdaptationView): void {
-    this.#meter(sight);
+  notice(view: AdaptationView): void {
+    this.#meter(view);
     this.lag += this.#wanted - this.#metered;
     this.#wanted = this.#metered;
   }
 
-  advance(sight: AdaptationView, seconds: number): void {
-    this.notice(sight);
+  advance(view: AdaptationView, seconds: number): void {
+    this.notice(view);
     this.lag *= Math.exp(-seconds / (this.lag > 0 ? CLOSING : OPENING));
   }
 
-  #meter(sight: AdaptationView): void {
-    if (this.#hasMoved(sight)) this.#castRays(sight);
+  #meter(view: AdaptationView): void {
+    if (this.#hasMoved(view)) this.#castRays(view);
     let sum = 0;
     for (let ray = 0; ray < RAYS; ray++) {
-      sum += Math.log2(Math.max(this.#luminances[ray]! * sight.luminousIntensity, DARKEST));
+      sum += Math.log2(Math.max(this.#luminances[ray]! * view.luminousIntensity, DARKEST));
     }
     this.#metered = exposureOf(sum / RAYS);
   }

@@ -32,7 +32,6 @@ export interface Hand {
   readonly velocity: Vec3;
 }
 
-/** A hand at rest. */
 export function createHand(yaw: number): Hand {
   return {
     lag: 0,

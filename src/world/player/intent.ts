@@ -15,7 +15,6 @@ export interface Intent {
   readonly placesOrTakes: boolean;
   /** The flame is to be put out, or lit again. */
   readonly togglesFlame: boolean;
-  /** A breath at the flame. */
   readonly blows: boolean;
 }
 

@@ -8,7 +8,6 @@ export interface MovementBounds {
   clamp(position: Vec3): void;
 }
 
-/** The inside of a box. */
 export function boxBounds(bounds: Bounds): MovementBounds {
   return {
     move(position, way, velocity) {
@@ -20,7 +19,6 @@ export function boxBounds(bounds: Bounds): MovementBounds {
   };
 }
 
-/** No bounds. */
 export const UNBOUNDED: MovementBounds = {
   move(position, way) {
     position[0] += way[0];

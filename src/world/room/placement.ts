@@ -24,7 +24,7 @@ const REACH_UP = 0.35;
 const REACH_DOWN = 0.3;
 /** A candle that was set down can be taken again, even if one stepped back a little. Metres. */
 const GRASP = 1.5;
-/** A gaze that meets no surface means a spot this far ahead, metres. */
+/** Distance of the spot where the line of sight meets no surface, metres. */
 const AHEAD = 0.8;
 /** Cosine of 18 degrees: steeper surfaces are refused before their heights are measured. */
 const LEVEL = 0.95;
@@ -40,7 +40,7 @@ const BEARINGS = 12;
 /** Between the player and a candle at their feet, metres. */
 const ELBOW_ROOM = 0.02 + NUDGE;
 const DOWN: Readonly<Vec3> = [0, -1, 0];
-/** Points under the foot that are felt for, in rings of a fraction of its radius. */
+/** Sample points under the foot, in rings of a fraction of its radius. */
 const RINGS: readonly (readonly [fraction: number, count: number])[] = [
   [0, 1],
   [0.55, 8],
@@ -60,7 +60,7 @@ export interface PlacementQuery {
 const gaze: RayHit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
 const felt: RayHit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
 const from: Vec3 = [0, 0, 0];
-const sight: Vec3 = [0, 0, 0];
+const direction: Vec3 = [0, 0, 0];
 
 /** Finds the spot along the line of sight, or ahead if that is out of reach. Null, or why there is none. */
 export function findSpot(query: PlacementQuery, spot: Vec3): Refusal | null {
@@ -220,6 +220,6 @@ function castDown(
 
 function isInSight(collision: CollisionMesh, eye: Readonly<Vec3>, point: Readonly<Vec3>): boolean {
   const distance = Math.hypot(point[0] - eye[0], point[1] - eye[1], point[2] - eye[2]);
-  for (const axis of [0, 1, 2] as const) sight[axis] = (point[axis] - eye[axis]) / distance;
-  return collision.raycast(eye, sight, distance, felt) === null;
+  for (const axis of [0, 1, 2] as const) direction[axis] = (point[axis] - eye[axis]) / distance;
+  return collision.raycast(eye, direction, distance, felt) === null;
 }
