@@ -35,7 +35,7 @@ export function bindComparison(
     button.textContent = isClosed ? "Compare" : "Stop comparing";
     status.textContent = state === "loading" ? "Building the second room." : failure;
     if (state === "open") divider.show([lookOf(left), look]);
-    else divider.hide();
+    else divider.clear();
   }
 
   for (const list of [left, right]) {

@@ -55,7 +55,7 @@ export function bindDivider(line: HTMLElement, stage: HTMLElement, onEscape: () 
       document.body.classList.add("comparing");
       move(percent);
     },
-    hide(): void {
+    clear(): void {
       line.remove();
       document.body.classList.remove("comparing");
     },
