@@ -161,7 +161,9 @@ export const test = base.extend<
         locale,
         timezoneId,
       });
-      await use(await new HostedPage(page).open());
+      const shared = await new HostedPage(page).open();
+      await shared.evaluate((room) => room.pause());
+      await use(shared);
       await page.close();
     },
     { scope: "worker" },
@@ -170,6 +172,8 @@ export const test = base.extend<
     await shared.restore();
     const before = shared.complaints.length;
     await use(shared);
+    // It stays open beside the pages of the tests to come, and would take a processor for itself.
+    await shared.evaluate((room) => room.pause());
     expect(shared.complaints.slice(before)).toEqual([]);
   },
 });
