@@ -24,6 +24,12 @@ test("the page opens on a burning room, from any folder of a site", async ({ fre
     expect(await fresh.evaluate((room) => room.look)).toBe("physical");
   });
 
+  const poster = page.locator("candle-flame > picture");
+  await test.step("whose poster gives way to the live picture", async () => {
+    await expect(poster).toBeHidden();
+    await expect(poster).toHaveCount(1);
+  });
+
   await test.step("whose candle stands on the table, also in a link, until one walks in", async () => {
     const view = await fresh.evaluate(({ held, camera }) => ({ held, camera }));
     expect(view.held).toBe(false);
@@ -33,10 +39,12 @@ test("the page opens on a burning room, from any folder of a site", async ({ fre
     await fresh.enter.click();
     await expect.poll(() => fresh.evaluate((room) => room.held)).toBe(true);
     await fresh.evaluate((room) => room.blur());
+    await expect(poster).toHaveCount(1);
     await page.evaluate((hash) => {
       location.hash = "";
       location.hash = hash;
     }, hash);
+    await expect(poster, "a link to a view takes it away").toHaveCount(0);
     await expect.poll(() => fresh.evaluate((room) => room.held)).toBe(false);
     expect(await fresh.evaluate((room) => room.camera)).toEqual(view.camera);
   });

@@ -18,6 +18,46 @@ const SHAPES = [
   { name: "portrait", width: 108, height: 240 },
 ] as const;
 
+test("The posters are what the page would open on today", async ({ page }) => {
+  test.setTimeout(240_000);
+  await page.setViewportSize(SHAPES[0]);
+  await page.goto(`${PAGE}#quality=high`);
+  const room = page.locator("candle-flame");
+  await room.evaluate((room: HTMLElementTagNameMap["candle-flame"]) => {
+    room.pause();
+    return room.ready;
+  });
+  for (const { name, width, height } of SHAPES) {
+    const file = `${POSTERS}/${name}.avif`;
+    expect(statSync(file).size, name).toBeLessThanOrEqual(90_000);
+    await page.setViewportSize({ width, height });
+    const sizeOf = (room: HTMLElementTagNameMap["candle-flame"]) =>
+      [room.stats.width, room.stats.height].join(" x ");
+    await expect.poll(() => room.evaluate(sizeOf)).toBe(`${width} x ${height}`);
+    const { time, bytes } = await room.evaluate(
+      async (room: HTMLElementTagNameMap["candle-flame"]) => {
+        const picture = await room.toBlob();
+        return { time: room.currentTime, bytes: [...new Uint8Array(await picture.arrayBuffer())] };
+      },
+    );
+    expect(time, "still as it opened").toBeLessThan(0.5);
+    /** Mean difference of 255: of pixels, and of blocks, where sharpness makes none. */
+    const difference = async (size: number) => {
+      const [w, h] = [Math.round(width / size), Math.round(height / size)];
+      const bytesOf = (picture: Buffer) =>
+        sharp(picture).resize(w, h, { fit: "fill" }).removeAlpha().raw().toBuffer();
+      const [ours, theirs] = [await bytesOf(readFileSync(file)), await bytesOf(Buffer.from(bytes))];
+      return (
+        ours.reduce((sum, byte, i) => sum + Math.abs(byte - (theirs[i] ?? 0)), 0) / ours.length
+      );
+    };
+    const remedy = `${name}: if this is meant, npm run poster`;
+    expect(await difference(1), remedy).toBeLessThan(4.2);
+    // 1.2 by how small this is; light that is brighter or bluer by a twentieth makes it 2.
+    expect(await difference(10), remedy).toBeLessThan(1.6);
+  }
+});
+
 /** From the first byte of a page to a picture on the display, milliseconds. */
 interface Showing {
   readonly poster: number;
@@ -92,24 +132,21 @@ test("The page shows its first view long before a slow GPU has drawn it", async 
   expect(url, "a poster in the markup").toBeTruthy();
   const bare = `<!doctype html><title>bare</title><img src="${url}" width="640" height="359">`;
   const [ours, theirs]: [Showing[], Showing[]] = [[], []];
-  for (let load = 0; load < 4; load++) {
-    theirs.push(await timesOf(browser, `${PAGE}bare.html`, bare));
-    ours.push(await timesOf(browser, PAGE, null));
-  }
   const best = (times: Showing[], what: keyof Showing) =>
     Math.min(...times.map((time) => time[what]));
   // On two cores that draw another test beside it, it took 1.4 s; what the GPU is slowed to takes many.
-  const limit = Math.max(3000, 10 * best(theirs, "poster"));
-  const told = JSON.stringify({ ours, theirs });
-  expect(best(ours, "poster"), told).toBeLessThan(limit);
-  expect(best(ours, "largest"), told).toBeLessThan(limit);
+  const limit = () => Math.max(3000, 10 * best(theirs, "poster"));
+  const isSoon = () => best(ours, "poster") < limit() && best(ours, "largest") < limit();
+  for (let load = 0; load < 4 && !isSoon(); load++) {
+    theirs.push(await timesOf(browser, `${PAGE}bare.html`, bare));
+    ours.push(await timesOf(browser, PAGE, null));
+  }
+  expect(isSoon(), JSON.stringify({ ours, theirs })).toBe(true);
 });
 
-/** The page with none of its modules, as it is before any has come. */
+/** The page with none of its modules, as it is before any has come; each time by another address. */
 async function openWithoutModules(page: Page, hash: string): Promise<void> {
-  await page.route(/\/code\/(?!other-view).*\.js$/, (route) => route.abort());
-  await page.goto("about:blank");
-  await page.goto(PAGE + hash);
+  await page.goto(`${PAGE}?${encodeURIComponent(hash)}${hash}`);
 }
 
 test.describe("Before there is a script", () => {
@@ -119,6 +156,7 @@ test.describe("Before there is a script", () => {
     fresh,
   }) => {
     const { page } = fresh;
+    await page.route(/\/code\/(?!other-view).*\.js$/, (route) => route.abort());
     const poster = page.locator("candle-flame > picture > img");
     const shown = () =>
       poster.evaluate(async (image: HTMLImageElement) => {
@@ -127,6 +165,7 @@ test.describe("Before there is a script", () => {
         const [name] = /\w+(?=-[^/]*$)/.exec(image.currentSrc) ?? [];
         return { name, fills: width === innerWidth && height === innerHeight };
       });
+    await openWithoutModules(page, "");
     for (const [width, height, name] of [
       [320, 180, "landscape"],
       [256, 192, "short"],
@@ -135,8 +174,7 @@ test.describe("Before there is a script", () => {
       [98, 211, "portrait"],
     ] as const) {
       await page.setViewportSize({ width, height });
-      await openWithoutModules(page, "");
-      expect(await shown(), `${width} x ${height}`).toEqual({ name, fills: true });
+      await expect.poll(shown, `${width} x ${height}`).toEqual({ name, fills: true });
     }
     for (const hash of ["#quality=low", "#"]) {
       await openWithoutModules(page, hash);
@@ -154,60 +192,6 @@ test.describe("Before there is a script", () => {
       await expect(poster, hash).toBeHidden();
     }
   });
-});
-
-test("The poster gives way to the live picture, and a link to another view takes it away", async ({
-  fresh,
-}) => {
-  const { page } = fresh;
-  const poster = page.locator("candle-flame > picture");
-  await fresh.open("#quality=low");
-  await expect(poster).toBeHidden();
-  expect(await fresh.evaluate((room) => room.held), "as it is in the poster").toBe(false);
-  await page.evaluate(() => {
-    location.hash = "#camera=0_1.6_3_0_0&quality=low";
-  });
-  await expect(poster).toHaveCount(0);
-});
-
-test("The posters are what the page would open on today", async ({ page }) => {
-  test.setTimeout(240_000);
-  await page.setViewportSize(SHAPES[0]);
-  await page.goto(`${PAGE}#quality=high`);
-  const room = page.locator("candle-flame");
-  await room.evaluate((room: HTMLElementTagNameMap["candle-flame"]) => {
-    room.pause();
-    return room.ready;
-  });
-  for (const { name, width, height } of SHAPES) {
-    const file = `${POSTERS}/${name}.avif`;
-    expect(statSync(file).size, name).toBeLessThanOrEqual(90_000);
-    await page.setViewportSize({ width, height });
-    const sizeOf = (room: HTMLElementTagNameMap["candle-flame"]) =>
-      [room.stats.width, room.stats.height].join(" x ");
-    await expect.poll(() => room.evaluate(sizeOf)).toBe(`${width} x ${height}`);
-    const { time, bytes } = await room.evaluate(
-      async (room: HTMLElementTagNameMap["candle-flame"]) => {
-        const picture = await room.toBlob();
-        return { time: room.currentTime, bytes: [...new Uint8Array(await picture.arrayBuffer())] };
-      },
-    );
-    expect(time, "still as it opened").toBeLessThan(0.5);
-    /** Mean difference of 255: of pixels, and of blocks, where sharpness makes none. */
-    const difference = async (size: number) => {
-      const [w, h] = [Math.round(width / size), Math.round(height / size)];
-      const bytesOf = (picture: Buffer) =>
-        sharp(picture).resize(w, h, { fit: "fill" }).removeAlpha().raw().toBuffer();
-      const [ours, theirs] = [await bytesOf(readFileSync(file)), await bytesOf(Buffer.from(bytes))];
-      return (
-        ours.reduce((sum, byte, i) => sum + Math.abs(byte - (theirs[i] ?? 0)), 0) / ours.length
-      );
-    };
-    const remedy = `${name}: if this is meant, npm run poster`;
-    expect(await difference(1), remedy).toBeLessThan(4.2);
-    // 1.2 by how small this is; light that is brighter or bluer by a twentieth makes it 2.
-    expect(await difference(10), remedy).toBeLessThan(1.6);
-  }
 });
 
 test.describe("npx candle-flame poster", () => {
