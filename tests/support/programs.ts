@@ -22,7 +22,7 @@ export interface ProgramReport {
 /** Draws a look for a few frames, and tells of each program that took part. Runs in the browser. */
 export async function reportPrograms(
   look: Look,
-  quality: Quality = "high",
+  quality: Quality = "medium",
 ): Promise<ProgramReport[]> {
   const made: { program: Program; stages: string[]; set: Set<string> }[] = [];
   const members = new Map<string, Set<string>>();

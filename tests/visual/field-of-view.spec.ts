@@ -65,9 +65,9 @@ test("The field of view is the look's own until one is set, and that stays, in a
   expect(await fieldOfView(room)).toBeCloseTo(PAPER, 12);
   // What is written as it was read leaves it to the look.
   await room.stand({ yaw: 1 });
+  await room.set({ quality: "low" });
   await room.change("physical");
   expect(await fieldOfView(room)).toBeCloseTo(PHYSICAL, 12);
-  await room.set({ quality: "low" });
   await expectAcrossShorterSide(room, 144, [1]);
   await room.stand({ fieldOfView: PHYSICAL });
   const count = await room.evaluate(async (element) => {

@@ -117,7 +117,7 @@ test("Moved, resized and changed, an element goes on and holds no more than befo
 
   await test.step("with other looks, seeds, particles and qualities", async () => {
     await room.evaluate((element) => {
-      for (let i = 0; i < 3; i++) {
+      for (let i = 0; i < 2; i++) {
         for (const look of ["original", "paper"] as const) element.look = look;
         for (const quality of ["low", "high", "ultra", "medium"] as const)
           element.quality = quality;
