@@ -8,7 +8,7 @@ import { fileURLToPath, pathToFileURL } from "node:url";
 import { BROWSERS } from "./browsers.mjs";
 import { openBrowser } from "./devtools.mjs";
 
-/** What cannot be done, in a sentence for whoever asked for it. */
+/** A failure, in a sentence for the user. */
 export class Refusal extends Error {}
 
 const DIST = fileURLToPath(new URL("../dist/", import.meta.url));
@@ -27,7 +27,7 @@ const MIME = {
 /** Longest that a picture may take: a CPU draws a large one in a minute or two. Milliseconds. */
 const PATIENCE = 900_000;
 
-/** Packages of whoever calls, not ours: this package depends on nothing. */
+/** Packages of the calling project: this package depends on nothing. */
 async function own(name) {
   try {
     const path = createRequire(join(process.cwd(), "package.json")).resolve(name);
@@ -95,7 +95,7 @@ function checkAttributes(attributes) {
   }
 }
 
-/** The package at `/`, the folder of whoever calls at `/here/`, and a page with one element. */
+/** The package at `/`, the working folder at `/here/`, and a page with one element. */
 async function servePackage() {
   const server = createServer(async ({ url }, response) => {
     const path = normalize(decodeURIComponent(new URL(url, "http://localhost").pathname));

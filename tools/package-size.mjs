@@ -1,5 +1,5 @@
 // node tools/package-size.mjs <tarball>: what the package costs. A page with a lone candle, the code that
-// `scene="candle"` reaches, gzipped, as the package ships it; whoever installs it, the tarball.
+// `scene="candle"` reaches, gzipped, as the package ships it; an installation, the tarball.
 import { readFileSync, statSync } from "node:fs";
 import { resolve } from "node:path";
 import { gzipSync } from "node:zlib";

@@ -8,7 +8,7 @@ import { findBrowser } from "./find-browser.mjs";
 
 /**
  * The view is as high as the window, or as wide where that is upright (src/render/camera.ts), so a window shows
- * a part of any poster that is longer. Five, since the exposure follows what is seen: of a window half as
+ * a part of any poster that is longer. Five, since the exposure follows the frame: of a window half as
  * long a poster would be too bright. index.html says which is when.
  */
 const POSTERS = [

@@ -47,7 +47,7 @@ const STRIDE = 1.4 * FRAME;
 /** Frames to and fro, by the end of which whatever is not done in each frame has been done: at low, most. */
 const CYCLE: Readonly<Record<Doing, number>> = { stands: 1, walks: 8, smokes: 1 };
 const SHORT_CYCLE = 2;
-/** Cycles after which whatever is only made for who walks is made. */
+/** Cycles after which everything that only motion needs is created. */
 const WARM: Readonly<Record<Doing, number>> = { stands: 1, walks: 5, smokes: 30 };
 /** Copies in a row, so that waiting for them is nothing against them. */
 const COPIES = 6;
@@ -98,7 +98,7 @@ async function measure(
     }
     element.step(FRAME);
   };
-  // Who plays is taken to go on moving; nothing is drawn in between.
+  // A playing element counts as in motion; nothing is drawn in between.
   if (doing === "walks") element.play();
   for (let number = 0; number < cycle * (quality === "low" ? WARM[doing] : 1); number++)
     frame(number % cycle);

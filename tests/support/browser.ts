@@ -2,7 +2,7 @@ import type { PlaywrightTestConfig } from "playwright/test";
 import { WITHOUT_OWN_PAGES } from "../../tools/chromium-features.ts";
 import { freePorts } from "../../tools/free-ports.mjs";
 
-/** SwiftShader, on every machine: the same pixels, whoever runs the tests. */
+/** SwiftShader, on every machine: the same pixels on any of them. */
 const SWIFTSHADER = [
   "--use-gl=angle",
   "--use-angle=swiftshader",

@@ -51,7 +51,7 @@ class Repeater {
     this.#target = target;
   }
 
-  /** What is seen of a background of so much of red, green and blue, cd/m². */
+  /** Radiance over a background of so much red, green and blue, cd/m². */
   over(background: number, distance = FAR, box: Box = [0, 0, WIDTH, HEIGHT]): Float32Array {
     const uDepth = surfaceAt(this.#gpu, distance);
     this.#gpu.clear(this.#target, [background, background, background, 1]);

@@ -34,7 +34,7 @@ export async function reportPrograms(
   Gpu.prototype.program = function (label, vertex, fragment, options) {
     const program = original.program.call(this, label, vertex, fragment, options);
     const stages = [vertex, fragment].map(({ files }) => files[0] ?? "");
-    // Whoever asks again gets the same one.
+    // A second request gets the same one.
     const isNew = made.every((known) => known.program !== program);
     if (isNew) made.push({ program, stages, set: new Set() });
     return program;
@@ -68,7 +68,7 @@ export async function reportPrograms(
     candle.view.resize(48, 27);
     for (let i = 0; i < 3; i++) candle.step(1 / 60);
     if (quality === "low") {
-      candle.play(); // who moves has shaders of his own there, for every first and every second picture
+      candle.play(); // in motion it has shaders of its own there, for odd and even frames
       for (let picture = 0; picture < 2; picture++) {
         candle.world.player.yaw += 0.02;
         candle.step(1 / 60);

@@ -144,7 +144,7 @@ test("the page opens on a burning room, from any folder of a site", async ({ fre
   expect(foreign).toEqual([]);
 });
 
-test("whoever walks in sees the room alone, until he comes back", async ({ hosted }) => {
+test("walking hides everything but the room, until the visitor leaves it", async ({ hosted }) => {
   const { page } = hosted;
   await hosted.enter.click();
   await expect.poll(() => hosted.isWalking()).toBe(true);
@@ -158,7 +158,7 @@ test("whoever walks in sees the room alone, until he comes back", async ({ hoste
   await expect(hosted.enter).toBeVisible();
 });
 
-test("the page takes no key from whoever walks, with the lab open", async ({ hosted }) => {
+test("the page handles no key while the visitor walks, with the lab open", async ({ hosted }) => {
   const { page } = hosted;
   await hosted.openLab("Settings");
   await hosted.enter.click();

@@ -24,7 +24,7 @@ def assert_finite(name, mesh):
 
 
 def inside_out(meshes, eyes, rays=3000):
-    """What shows its back to somebody inside, counted by name, and the rays that hit nothing."""
+    """Back faces that a visitor inside can see, counted by name, and the rays that hit nothing."""
     names, points, polygons = [], [], []
     for name, mesh in meshes.items():
         base = len(points)

@@ -64,7 +64,7 @@ test("a client that closes lets the next one in", () => {
   expect(holding(clients)).toEqual([false, false, true, false]);
 });
 
-test("a visible client never gives way, whoever waits", () => {
+test("a visible client never gives way to a waiting one", () => {
   const pool = new ContextPool(() => 2);
   const clients = open(pool, 5);
   for (const client of clients) client.show(true);

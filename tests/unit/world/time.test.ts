@@ -18,7 +18,7 @@ function advanced(world: World, seconds: number, times: number, intent = STILL):
   return world;
 }
 
-/** All that a picture of the world shows. */
+/** Everything of a world that is drawn. */
 function shownOf({ player, candle, emitter, interpolated, timeline, sample, remainder }: World) {
   return {
     player,

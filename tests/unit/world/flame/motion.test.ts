@@ -115,7 +115,7 @@ test("in a draught the upper third is restless, and the lower one is not", () =>
   expect((high ?? 0) / (low ?? 1)).toBeGreaterThan(2);
 });
 
-test("who walks past opens a door of air: a standing flame leans from him, and then after him", () => {
+test("a walker's wake: a standing flame leans away from the passing body, and then after it", () => {
   const air = new Air(1, CALM);
   const flame = new Flame(TAPER_WICK, true);
   const foot: Vec3 = [0, 1, 0];
