@@ -52,7 +52,7 @@ export class CandleFlame {
   onFailure: (error: Error) => void = () => {};
   /** Called when the visitor's input has put the candle down, or taken it up. */
   onCandleMoved: () => void = () => {};
-  /** Called when the flame has caught, or gone out, by whatever cause. */
+  /** Called when the flame was lit or went out, for any reason. */
   onFlameChanged: () => void = () => {};
   /** Called when the visitor wanted to put the candle down, and could not. */
   onRefused: () => void = () => {};

@@ -114,7 +114,7 @@ function stages(document: GltfDocument, onProgress: (progress: number) => void):
   };
 }
 
-/** The work, or the signal's reason as soon as it aborts: decoders cannot be told to stop. */
+/** The work, or the signal's reason as soon as it aborts: decoders cannot be stopped. */
 function orAborted<Value>(work: Promise<Value>, signal: AbortSignal): Promise<Value> {
   return new Promise((resolve, reject) => {
     const abort = () => reject(signal.reason);

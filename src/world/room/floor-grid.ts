@@ -74,7 +74,7 @@ export function markTouched(
   const footprint = new Footprint();
   footprint.low = low;
   footprint.high = high;
-  const painter = new Painter(marked, grid);
+  const rasterizer = new Rasterizer(marked, grid);
   const normal: Vec3 = [0, 0, 0];
   for (let at = 0; at < triangles.length; at += 9) {
     const ay = triangles[at + 1]!;
@@ -85,12 +85,12 @@ export function markTouched(
       normalOf(triangles, at, normal);
       if (Math.abs(normal[1]) < minLevelness) continue;
     }
-    if (footprint.clip(triangles, at)) painter.paint(footprint);
+    if (footprint.clip(triangles, at)) rasterizer.fill(footprint);
   }
 }
 
 /** Fills convex polygons, with every cell that they so much as touch. */
-class Painter {
+class Rasterizer {
   readonly #marked: Uint8Array;
   readonly #grid: FloorGrid;
   /** Of the polygon within each row. */
@@ -104,7 +104,7 @@ class Painter {
     this.#right = new Float64Array(grid.rows);
   }
 
-  paint({ x, z, count }: Footprint): void {
+  fill({ x, z, count }: Footprint): void {
     const { cell, columns, rows } = this.#grid;
     let top = Infinity;
     let bottom = -Infinity;
