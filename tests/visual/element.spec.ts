@@ -523,7 +523,7 @@ test.describe("The picture", () => {
     for (const exposure of ["0", "1"]) {
       await room.set({ exposure });
       const radiance = await room.evaluate(
-        (element, { x, y, width, height }) => [...element.readRadiance(x, y, width, height)],
+        (element, { x, y, width, height }) => element.readRadiance(x, y, width, height),
         wall,
       );
       expect(radiance).toHaveLength(wall.width * wall.height * 3);
@@ -538,12 +538,12 @@ test.describe("The picture", () => {
     await room.set({ look: "paper" });
     const { data, width, height } = await room.picture();
     const radiance = await room.evaluate(
-      (element, { width, height }) => [...element.readRadiance(0, 0, width, height)],
+      (element, { width, height }) => element.readRadiance(0, 0, width, height),
       { width, height },
     );
     const linear = (byte: number) =>
       byte <= 10.31475 ? byte / 255 / 12.92 : ((byte / 255 + 0.055) / 1.055) ** 2.4;
-    const gains = radiance.flatMap((value, i) => {
+    const gains = [...radiance].flatMap((value, i) => {
       const byte = data[Math.floor(i / 3) * 4 + (i % 3)] ?? 0;
       return byte > 20 ? [linear(byte) / value] : [];
     });

@@ -33,7 +33,7 @@ async function look(camera: Camera, shadows = true): Promise<Seen> {
       element.features.shadows = shadows;
       element.camera = camera;
       element.step(0);
-      const radiance = Array.from(element.readRadiance(0, 0, width, height));
+      const radiance = element.readRadiance(0, 0, width, height);
       return { radiance, flame: element.flame };
     },
     { camera, shadows, ...SIZE },

@@ -125,13 +125,14 @@ test("Over black, white or a photograph the candle is the same, and its light on
     }, background);
     const clip = { x: 0, y: 0, width: 120, height: 160 };
     const png = await page.screenshot({ clip });
-    return page.evaluate(async (base64) => {
+    const data = await page.evaluate(async (base64) => {
       const picture = await (await fetch(`data:image/png;base64,${base64}`)).blob();
       const bitmap = await createImageBitmap(picture);
       const paper = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
       paper?.drawImage(bitmap, 0, 0);
-      return [...(paper?.getImageData(0, 0, bitmap.width, bitmap.height).data ?? [])];
+      return paper?.getImageData(0, 0, bitmap.width, bitmap.height).data ?? null;
     }, png.toString("base64"));
+    return [...(data ?? [])];
   };
   await page.locator("candle-flame").evaluate((element: CandleFlameElement) => element.ready);
   const [black, white] = [await pixels("#000"), await pixels("#fff")];

@@ -35,13 +35,13 @@ test.afterEach(() => expect(room.complaints).toEqual([]));
 async function luminances(): Promise<number[]> {
   const { width, height } = await room.stats();
   const radiance = await room.evaluate(
-    (element, [width, height]) => [...element.readRadiance(0, 0, width, height)],
+    (element, [width, height]) => element.readRadiance(0, 0, width, height),
     [width, height] as const,
   );
   return luminancesOf(radiance, width, height);
 }
 
-function luminancesOf(radiance: readonly number[], width: number, height: number): number[] {
+function luminancesOf(radiance: Float32Array, width: number, height: number): number[] {
   const { columns, rows } = PARTS;
   const sums = Array.from({ length: columns * rows }, () => ({ light: 0, count: 0 }));
   for (let i = 0; i < width * height; i++) {
@@ -174,7 +174,7 @@ test("At low a picture is as bright while the eye moves, and as sharp as ever so
       // Light is worked out for one picture and kept for the next.
       const moving = [1e-5, 0].map((turned) => {
         element.camera = { ...element.camera, yaw: yaw + turned };
-        return [...read()];
+        return read();
       });
       // The next pictures are as coarse, while the fine one is painted bit by bit.
       const settling = [isResting(read())];
@@ -190,7 +190,7 @@ test("At low a picture is as bright while the eye moves, and as sharp as ever so
       const whole = element.stats.triangles;
       element.camera = { ...element.camera, yaw };
       const most = Math.max(...triangles);
-      return { moving, settling, resting: [...resting], most, whole };
+      return { moving, settling, resting, most, whole };
     },
     [width, height] as const,
   );

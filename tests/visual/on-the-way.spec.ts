@@ -33,7 +33,7 @@ async function walk(pictures: number) {
       const paper = Object.assign(document.createElement("canvas"), small).getContext("2d");
       if (!canvas || !paper) throw new Error("There is no picture.");
       paper.imageSmoothingQuality = "high";
-      const seen: { triangles: number; shown: number[] }[] = [];
+      const seen: { triangles: number; shown: Uint8ClampedArray }[] = [];
       const [x, y, z] = camera.position;
       element.play();
       for (let left = pictures - 1; left >= 0; left--) {
@@ -43,7 +43,7 @@ async function walk(pictures: number) {
         if (left > 1) continue;
         paper.drawImage(canvas, 0, 0, small.width, small.height);
         const { data } = paper.getImageData(0, 0, small.width, small.height);
-        seen.push({ triangles: element.stats.triangles, shown: [...data] });
+        seen.push({ triangles: element.stats.triangles, shown: data });
       }
       element.pause();
       return seen;
@@ -66,7 +66,7 @@ for (const where of ["in the hand", "on the table"]) {
       (a, b) => (a[1]?.triangles ?? 0) - (b[1]?.triangles ?? 0),
     );
     expect(kept?.[1]?.triangles).toBeLessThan(0.3 * (painted?.[1]?.triangles ?? 0));
-    const wanted = painted?.[1]?.shown ?? [];
+    const wanted = painted?.[1]?.shown ?? new Uint8ClampedArray();
     for (const [kind, frame] of Object.entries({ reduced: painted, reprojected: kept })) {
       const data = Uint8Array.from(frame?.[1]?.shown ?? []);
       const image = await sharp(data, { raw: { ...SMALL, channels: 4 } })
@@ -76,8 +76,9 @@ for (const where of ["in the hand", "on the table"]) {
       expect(image).toMatchSnapshot(name, { threshold: 0.1, maxDiffPixelRatio: 0.002 });
     }
     // Steps of 8 bits.
-    const difference = (shown: readonly number[] = []) =>
-      shown.reduce((sum, x, i) => sum + Math.abs(x - (wanted[i] ?? 0)), 0) / (0.75 * shown.length);
+    const difference = (shown: ArrayLike<number> = []) =>
+      Array.from(shown).reduce((sum, x, i) => sum + Math.abs(x - (wanted[i] ?? 0)), 0) /
+      (0.75 * shown.length);
     const error = difference(kept?.[1]?.shown);
     const stale = difference(kept?.[0]?.shown);
     console.log(

@@ -180,7 +180,7 @@ test.describe("Beside a path tracer's picture of the same room", () => {
         }
         element.camera = camera;
         element.step(0);
-        const radiance = Array.from(element.readRadiance(0, 0, width, height));
+        const radiance = element.readRadiance(0, 0, width, height);
         return { radiance, position: element.flame?.position };
       }, view);
       for (const axis of [0, 1, 2] as const) {

@@ -57,7 +57,7 @@ async function measure(room: RoomDriver) {
           element.camera = camera;
           element.step(0);
           const { width, height } = element.stats;
-          const radiance = [...element.readRadiance(0, 0, width, height)];
+          const radiance = element.readRadiance(0, 0, width, height);
           const candela = element.flame?.luminousIntensity ?? 0;
           return { radiance, candela, width, height };
         },
@@ -81,7 +81,8 @@ async function measure(room: RoomDriver) {
         const { cell, area, weight } = hit(direction);
         const known = cells.get(cell) ?? { area, sum: 0, weights: 0 };
         known.sum +=
-          weight * luma(radiance.slice(3 * pixel, 3 * pixel + 3) as [number, number, number]);
+          weight *
+          luma([...radiance.subarray(3 * pixel, 3 * pixel + 3)] as [number, number, number]);
         known.weights += weight;
         cells.set(cell, known);
       }
