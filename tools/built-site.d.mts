@@ -1,6 +1,0 @@
-import type { InlineConfig } from "vite";
-
-export function serveBuilt(
-  outDir?: string,
-  options?: InlineConfig,
-): Promise<{ readonly url: string; close(): Promise<void> }>;

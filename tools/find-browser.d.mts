@@ -1,1 +1,0 @@
-export function findBrowser(): Promise<{ readonly path: string; readonly args: readonly string[] }>;
