@@ -1,3 +1,4 @@
+import { once } from "node:events";
 import { mkdirSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { Worker } from "node:worker_threads";
@@ -25,27 +26,19 @@ function chosen(names) {
   return names.map((name) => materialNamed(name).name);
 }
 
-function make(names) {
+async function make(names) {
   const waiting = [...names];
-  const workers = Array.from({ length: Math.min(WORKERS, waiting.length) }, () => {
-    const worker = new Worker(new URL("./textures/worker.mjs", import.meta.url), {
-      workerData: { folder },
-    });
-    return new Promise((resolve, reject) => {
-      const next = () => {
-        const name = waiting.shift();
-        if (name) worker.postMessage(name);
-        else worker.terminate().then(resolve);
-      };
-      worker.on("error", reject);
-      worker.on("message", (name) => {
-        console.log(name);
-        next();
-      });
-      next();
-    });
-  });
-  return Promise.all(workers);
+  const work = async () => {
+    for (let name = waiting.shift(); name; name = waiting.shift()) {
+      const workerData = { folder, name };
+      await once(
+        new Worker(new URL("./textures/worker.mjs", import.meta.url), { workerData }),
+        "exit",
+      );
+      console.log(name);
+    }
+  };
+  await Promise.all(Array.from({ length: WORKERS }, work));
 }
 
 const FIXTURE = { name: "plaster", resolution: 256 };

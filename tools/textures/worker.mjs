@@ -1,4 +1,4 @@
-import { parentPort, workerData } from "node:worker_threads";
+import { workerData } from "node:worker_threads";
 import sharp from "sharp";
 import { writeTextures } from "./image-files.mjs";
 import { materialNamed } from "./materials.mjs";
@@ -7,8 +7,5 @@ import { textureSet } from "./texture-set.mjs";
 // One thread to a worker: the pool is the parallelism.
 sharp.concurrency(1);
 
-parentPort.on("message", async (name) => {
-  const { quality } = materialNamed(name);
-  await writeTextures(workerData.folder, name, textureSet(name), quality);
-  parentPort.postMessage(name);
-});
+const { folder, name } = workerData;
+await writeTextures(folder, name, textureSet(name), materialNamed(name).quality);
