@@ -7,7 +7,6 @@ import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { launchSoftwareBrowser, serveBuilt } from "../built-site.mjs";
-import { serveFromCdn } from "./cdn.mjs";
 
 const VITE = JSON.parse(readFileSync("package.json", "utf8")).devDependencies.vite;
 // Checkers of templates need the JavaScript that TypeScript 7 no longer is.
@@ -101,11 +100,38 @@ async function serveAsBuilt(cwd) {
   return { origin, origins: [origin], close };
 }
 
-/** A page alone, and the package on another origin. */
+/**
+ * A page on one origin, and on another the package as unpkg serves it: its bare name redirects to the file that
+ * `package.json` names, and any origin may read it all.
+ */
 async function serveFromOtherOrigin(cwd) {
   const root = join(cwd, "node_modules/candle-flame");
-  const { origin, cdn, close } = await serveFromCdn(join(cwd, "index.html"), root);
-  return { origin, origins: [origin, cdn], close };
+  const { name, version, unpkg } = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
+  const base = `/${name}@${version}/`;
+  const redirect = (_request, response) =>
+    response.writeHead(302, { location: join(base, unpkg) }).end();
+  const configurePreviewServer = ({ middlewares }) => void middlewares.use(`/${name}`, redirect);
+  const cdn = await serveBuilt(".", {
+    root,
+    base,
+    appType: "mpa",
+    plugins: [{ name: "redirect", configurePreviewServer }],
+    preview: {
+      host: "127.0.0.1",
+      port: 0,
+      cors: { origin: "*" },
+      headers: {
+        "cross-origin-resource-policy": "cross-origin",
+        "x-content-type-options": "nosniff",
+      },
+    },
+  });
+  const origins = [cdn.url.slice(0, -1)];
+  const page = join(cwd, "index.html");
+  writeFileSync(page, readFileSync(page, "utf8").replace("CDN", origins[0]));
+  const site = await serveBuilt(".", { root: cwd });
+  const close = () => Promise.all([site.close(), cdn.close()]);
+  return { origin: site.url, origins: [...origins, new URL(site.url).origin], close };
 }
 
 /** What is wrong with the built project as a visitor meets it. */
@@ -126,8 +152,8 @@ async function visit(browser, { origin, origins, close }, loads) {
   });
   await page.goto(origin);
   try {
+    await page.waitForFunction(() => customElements.get("candle-flame"));
     const found = await page.evaluate(async () => {
-      await customElements.whenDefined("candle-flame");
       while (!document.querySelector("candle-flame")) await new Promise(requestAnimationFrame);
       const elements = [...document.querySelectorAll("candle-flame")];
       await Promise.all(elements.map(({ ready }) => ready));
