@@ -20,7 +20,7 @@ import {
 import { NO_STATS, type Stats } from "./stats.js";
 import { blow, placeCandle, takeCandle } from "./world/commands.js";
 
-export type { AssetError } from "./assets/load-model.js";
+export type { AssetError } from "./assets/asset-error.js";
 export type { CandleFlameEventMap, ErrorDetail, ErrorType } from "./element/events.js";
 export type * from "./framework-types.js";
 export type { Feature, Look, Quality } from "./settings.js";

@@ -6,7 +6,7 @@ import type { JsonEntry } from "./json-entry.js";
 const COMPONENT_BYTES = { 5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4 } as const;
 const TYPE_SIZES = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT4: 16 } as const;
 
-export type ComponentType = keyof typeof COMPONENT_BYTES;
+type ComponentType = keyof typeof COMPONENT_BYTES;
 export type AccessorType = keyof typeof TYPE_SIZES;
 
 export interface BufferView {
@@ -115,7 +115,7 @@ function oneOf<Key extends string | number>(
   return key !== undefined && Object.hasOwn(table, key) ? (key as Key) : undefined;
 }
 
-export function elementBytes({ componentType, type }: Accessor): number {
+function elementBytes({ componentType, type }: Accessor): number {
   return COMPONENT_BYTES[componentType] * TYPE_SIZES[type];
 }
 

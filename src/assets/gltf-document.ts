@@ -44,7 +44,7 @@ export interface Node {
   readonly instances: Readonly<Record<string, number>> | undefined;
 }
 
-export interface Skin {
+interface Skin {
   readonly joints: readonly number[];
   readonly inverseBindMatrices: number | undefined;
 }

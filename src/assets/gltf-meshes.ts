@@ -25,7 +25,7 @@ export interface Primitive {
 }
 
 /** KHR_draco_mesh_compression: the buffer view, and Draco's numbers for the attributes. */
-export interface Draco {
+interface Draco {
   readonly view: number;
   readonly attributes: Readonly<Record<string, number>>;
 }

@@ -1,4 +1,4 @@
-import { AssetError, assetError, Flaw } from "./asset-error.js";
+import { assetError, Flaw } from "./asset-error.js";
 import { BufferBytes } from "./buffer-bytes.js";
 import { Decoders } from "./decoders.js";
 import { fetchBytes } from "./fetch-bytes.js";
@@ -10,8 +10,6 @@ import { readScene } from "./read-scene.js";
 import { readWarnings } from "./read-warnings.js";
 import { TextureImages } from "./texture-images.js";
 import { buildScene } from "./three-scene.js";
-
-export { AssetError };
 
 export interface LoadOptions {
   readonly signal: AbortSignal;

@@ -18,7 +18,7 @@ export const FORMATS = {
 export type TextureFormat = keyof typeof FORMATS;
 
 /** Pixels, rows from the top as in an image file. */
-export interface Pixels {
+interface Pixels {
   readonly width: number;
   readonly height: number;
   readonly data: ArrayBufferView;

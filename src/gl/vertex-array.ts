@@ -2,7 +2,7 @@ import type { Buffer } from "./buffer.js";
 import { created, type GpuContext, GpuObject } from "./gpu-object.js";
 
 /** One attribute: `size` floats from `offset` in each `stride` of a buffer (bytes; 0 = tightly packed). */
-export interface Attribute {
+interface Attribute {
   readonly buffer: Buffer;
   readonly size: 1 | 2 | 3 | 4;
   readonly stride?: number;

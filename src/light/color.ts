@@ -8,7 +8,7 @@ export type Rows = readonly [Rgb, Rgb, Rgb];
  * CIE 1931 chromaticity that the eye believes candlelight to have, once it is used to it: a lamp of
  * 3500 K. Illuminant A leaves cloth, wood and stone too much of one hue.
  */
-export const ADAPTED_WHITE = [0.4053, 0.3909] as const;
+const ADAPTED_WHITE = [0.4053, 0.3909] as const;
 
 // IEC 61966-2-1, D65.
 const XYZ_FROM_RGB: Rows = [

@@ -22,7 +22,7 @@ export interface FlameLight {
 export const TAPER: FlameBody = flameBody(flameHeight(TAPER_RATE), flameRadius(TAPER_WICK, 1), 1);
 
 /** Ember at the wick's tip: its height, m, and its projected area, m². */
-export const EMBER_HEIGHT = 0.0066;
+const EMBER_HEIGHT = 0.0066;
 const EMBER_AREA = 3e-6;
 
 const scratch = createShape();

@@ -3,7 +3,7 @@ import { PARCELS } from "../world/flame/spine.js";
 import { BODY_REACH, BODY_SIZE, type FlameBody, outline } from "./flame-body.js";
 
 /** Sections along the spine, evenly spaced in height. */
-export const NODES = 16;
+const NODES = 16;
 /** Bounding spheres of the body: rays are marched inside of them only. */
 export const BALLS = 8;
 

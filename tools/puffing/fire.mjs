@@ -16,7 +16,7 @@
 // SI units; density is a share of the cold air's.
 
 /** Mixture fraction at which fuel and air are used up together: paraffin in air. */
-export const STOICHIOMETRIC = 0.063;
+const STOICHIOMETRIC = 0.063;
 
 /** Kelvin: cold air, where the two lines of Burke and Schumann would cross, and fuel at the source. */
 const AIR = 300;

@@ -4,7 +4,7 @@ export function srgbFromLinear(x) {
   return x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055;
 }
 
-export function linearFromSrgb(x) {
+function linearFromSrgb(x) {
   return x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4;
 }
 

@@ -54,7 +54,7 @@ const NARROWEST = 0.4;
 /** Below this no more wax evaporates, kelvin. */
 const DRY = 550;
 /** Share of the fuel that still evaporates just after the flame has gone out. */
-export const AFTERGLOW = 0.3;
+const AFTERGLOW = 0.3;
 
 /** Measures of a flame, which follow from its state. */
 export interface FlameMeasures extends Combustion {

@@ -1,7 +1,7 @@
 import { length2 } from "../geometry.js";
 
 /** Widest source over which a flame stands still, m: solved ones do at 10 mm, and hardly puff at 20. */
-export const STILL_WIDTH = 0.017;
+const STILL_WIDTH = 0.017;
 /** Share of √(g/D) that a flame puffs at: the mean of the solver's three widths. */
 const STROUHAL = 0.47;
 /** Exponent of growth in a cycle, far above the threshold: from how fast the solved 10 mm calm down. */
