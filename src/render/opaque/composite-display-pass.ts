@@ -12,7 +12,7 @@ import type { Texture } from "../../gl/texture.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Size } from "../frame-input.js";
 import { forEachGBufferKind, type GBufferKind } from "../gbuffer/gbuffer.js";
-import type { DisplayTransform } from "../post/display-pass.js";
+import { type DisplayTransform, whiteBalance } from "../post/display-pass.js";
 import { scaleBox } from "../screen-bounds.js";
 import type { FrameBlocks, OpaqueLayer } from "./opaque-stage.js";
 
@@ -79,14 +79,13 @@ export class CompositeDisplayPass {
     options: DisplayOptions,
     blocks: FrameBlocks,
   ): void {
-    const { uAdaptation, uWhite } = options.transform;
     const composite = {
       program: this.#composite[layer.kind],
       vertexArray: this.#screen,
       textures: { ...layer.textures, ...textures },
       uniforms: {
         ...layer.uniforms,
-        uWhiteBalance: uAdaptation.map((gain, i) => gain / (uWhite[i] ?? 1)),
+        uWhiteBalance: whiteBalance(options.transform),
         uGlareShare: options.glareShare,
         uGlareOffset: options.bloomOffset,
         uAutoExposure: options.autoExposure ? 1 : 0,

@@ -9,6 +9,7 @@ import { adaptation, adaptedWhite, P3_FROM_RGB, type Rgb, VIBRANCE } from "../..
 import { TAPER } from "../../light/flame-light.js";
 import { EXPOSURE_LAW } from "../../world/player/exposure-adaptation.js";
 import type { FrameSettings } from "../frame-settings.js";
+import { HueLut } from "./hue-lut.js";
 
 /** Share of the light that eye and lens scatter. */
 const GLARE_SHARE = 0.0006;
@@ -49,6 +50,12 @@ export function displayTransform(
 
 export type DisplayTransform = ReturnType<typeof displayTransform>;
 
+/** Gains that make candlelight white, luma 1. */
+export function whiteBalance({ uAdaptation, uWhite }: DisplayTransform): Rgb {
+  const gain = (i: 0 | 1 | 2) => uAdaptation[i] / uWhite[i];
+  return [gain(0), gain(1), gain(2)];
+}
+
 /** From uv on the frame to uv on the bloom. */
 export interface BloomTransform {
   /** Share of the bloom's texture that the frame fills. */
@@ -62,13 +69,16 @@ export class DisplayPass {
   readonly #gpu: Gpu;
   readonly #program: Program;
   readonly #screen: VertexArray;
+  /** Where there is no tone LUT. */
+  readonly #hueLut: HueLut | null;
 
-  /** @param usesToneLut whether the display transform is looked up in `uToneLut` */
+  /** @param usesToneLut whether the display transform is looked up in `uToneLut`, but for the brightest light */
   constructor(gpu: Gpu, screen: VertexArray, usesToneLut = false) {
     this.#gpu = gpu;
     this.#screen = screen;
     const defines = { TONE_LUT: usesToneLut ? 1 : 0 };
     this.#program = gpu.program("post/display", displayVert, displayFrag, { defines });
+    this.#hueLut = usesToneLut ? null : new HueLut(gpu, screen);
   }
 
   /** @param scissor part of the frame; all of it if absent */
@@ -81,13 +91,15 @@ export class DisplayPass {
     frame: UniformBlock,
     scissor?: Box,
   ): void {
+    const transform = displayTransform(this.#gpu, view);
     this.#gpu.draw({
       program: this.#program,
       target: "canvas",
       vertexArray: this.#screen,
-      textures,
+      textures: { ...textures, ...(this.#hueLut && { uHueLut: this.#hueLut.of(transform) }) },
       uniforms: {
-        ...displayTransform(this.#gpu, view),
+        ...transform,
+        uWhiteBalance: whiteBalance(transform),
         uAutoExposure: view.features.autoExposure ? 1 : 0,
         uBloomTransform: [...share, share[0] * shift[0], share[1] * shift[1]],
         uGlareShare: glareShareOf(view),
