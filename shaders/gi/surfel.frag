@@ -3,26 +3,47 @@
 // Out: base colour, less the self-occlusion of the normal map; normal and distance from the capture origin (m, 0 where
 // there is no surface).
 #include "lib/precision.glsl"
-#include "lib/normal-map.glsl"
+#include "lib/caster-albedo.glsl"
 
 uniform vec3 uCaptureOrigin;  // m
-uniform vec4 uBaseColor;
-uniform sampler2D uAlbedo;
-uniform sampler2D uNormal;
-uniform float uNormalScale;
+uniform sampler2D uCasterAlbedo;
 
 in vec3 vPositionWorld;
 in vec2 vUv;
+flat in float vSurface;  // number of its tile
 
 layout(location = 0) out vec4 oBaseColor;
 layout(location = 1) out vec4 oNormalDistance;
+
+// Base colour at a level of detail, filtered as a texture that repeats.
+vec3 baseColorAtLevel(vec2 uv, int level) {
+  int size = casterLevelSize(level);
+  ivec2 tile = ivec2(int(vSurface) * CASTER_TILE, casterLevelRow(level));
+  vec2 place = fract(uv) * float(size) - 0.5;
+  vec2 share = fract(place);
+  ivec2 low = (ivec2(floor(place)) + size) % size;
+  ivec2 high = (low + 1) % size;
+  vec3 left = mix(texelFetch(uCasterAlbedo, tile + low, 0), texelFetch(uCasterAlbedo, tile + ivec2(low.x, high.y), 0), share.y).rgb;
+  vec3 right = mix(texelFetch(uCasterAlbedo, tile + ivec2(high.x, low.y), 0), texelFetch(uCasterAlbedo, tile + high, 0), share.y).rgb;
+  return mix(left, right, share.x);
+}
+
+// Mean of the base colour over a pixel.
+vec3 baseColorAt(vec2 uv) {
+  vec2 across = dFdx(uv) * float(CASTER_TILE);
+  vec2 up = dFdy(uv) * float(CASTER_TILE);
+  float footprint = max(max(dot(across, across), dot(up, up)), 1.0);  // texels, squared
+  float level = min(0.5 * log2(footprint), float(CASTER_LEVELS - 1));
+  int finer = int(level);
+  int coarser = min(finer + 1, CASTER_LEVELS - 1);
+  return mix(baseColorAtLevel(uv, finer), baseColorAtLevel(uv, coarser), fract(level));
+}
 
 void main() {
   vec3 fromOrigin = vPositionWorld - uCaptureOrigin;
   vec3 normal = cross(dFdx(vPositionWorld), dFdy(vPositionWorld));
   // A triangle smaller than a pixel has no derivatives.
   normal = dot(normal, normal) > 0.0 ? normalize(normal) : -normalize(fromOrigin);
-  vec3 baseColor = texture(uAlbedo, vUv).rgb * uBaseColor.rgb;
-  oBaseColor = vec4(baseColor * meanSkyVisibility(uNormal, vUv, uNormalScale), 1.0);
+  oBaseColor = vec4(baseColorAt(vUv), 1.0);
   oNormalDistance = vec4(faceforward(normal, fromOrigin, normal), length(fromOrigin));
 }

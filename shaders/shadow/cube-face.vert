@@ -4,14 +4,17 @@
 
 layout(location = 0) in vec3 aPosition;
 layout(location = 3) in vec2 aUv;
+layout(location = 5) in float aSurface;
 
 uniform mat4 uClipFromWorld;
 
 out vec3 vPositionWorld;
 out vec2 vUv;
+flat out float vSurface;
 
 void main() {
   vPositionWorld = aPosition;
   vUv = aUv;
+  vSurface = aSurface;
   gl_Position = uClipFromWorld * vec4(aPosition, 1.0);
 }

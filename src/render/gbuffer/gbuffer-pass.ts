@@ -289,7 +289,7 @@ export class GBufferPass {
     // Frustum culling: by clusters where the model stands as it was made, else as a whole.
     const runs =
       placement === AT_ORIGIN
-        ? runsOf(clusters, isVisible, false)
+        ? runsOf(clusters, isVisible)
         : isVisible(boundsOfTurned(clusters, placement))
           ? [{ first: 0, count: vertexArray.count }]
           : [];

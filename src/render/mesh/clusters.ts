@@ -6,12 +6,11 @@ const CLUSTER = 160;
 /** Cells along each axis of the Morton code. */
 const GRID = 1024;
 
-/** Floats of a vertex: position (metres), uv. */
-export const VERTEX_SIZE = 5;
+/** Floats of a vertex: position (metres), uv, number of the part. */
+export const VERTEX_SIZE = 6;
 
 /** Consecutive indices. */
 export interface Run {
-  readonly part: number;
   readonly first: number;
   readonly count: number;
 }
@@ -19,7 +18,7 @@ export interface Run {
 /** Neighbouring triangles of one part, and their bounds. */
 export interface Cluster extends Bounds, Run {}
 
-/** All triangles of a model in one mesh, by part and place, for culling. */
+/** All triangles of a model in one mesh, by place, for culling. */
 export interface Clusters {
   /** `VERTEX_SIZE` numbers each. */
   readonly vertices: Float32Array;
@@ -44,7 +43,31 @@ export function clusterTriangles(parts: readonly Part[], detail: number): Cluste
     const mesh = detail > 0 ? clusterVertices(source, detail) : source;
     appendInOrder(mesh, part, { vertices, indices, clusters });
   }
-  return { vertices: Float32Array.from(vertices), indices: Uint32Array.from(indices), clusters };
+  return { vertices: Float32Array.from(vertices), ...sortByPlace(indices, clusters) };
+}
+
+/** Clusters of all parts in one Morton order, so that those of one side of a room are few runs. */
+function sortByPlace(
+  indices: readonly number[],
+  clusters: readonly Cluster[],
+): Pick<Clusters, "indices" | "clusters"> {
+  const centers = clusters.flatMap(({ min, max }) => [
+    (min[0] + max[0]) / 2,
+    (min[1] + max[1]) / 2,
+    (min[2] + max[2]) / 2,
+  ]);
+  // A triangle of one corner stands for a cluster.
+  const corners = Uint32Array.from({ length: 3 * clusters.length }, (_, i) => Math.floor(i / 3));
+  const sorted: Cluster[] = [];
+  const out = new Uint32Array(indices.length);
+  let first = 0;
+  for (const i of orderByPlace({ positions: centers, uvs: [], indices: corners })) {
+    const cluster = clusters[i]!;
+    for (let k = 0; k < cluster.count; k++) out[first + k] = indices[cluster.first + k] ?? 0;
+    sorted.push({ ...cluster, first });
+    first += cluster.count;
+  }
+  return { indices: out, clusters: sorted };
 }
 
 type Mesh = {
@@ -145,7 +168,7 @@ function spread(bits: number): number {
 }
 
 /** Indices by Morton order, and the clusters of them. */
-function inOrder(mesh: Mesh, part: number): { corners: Uint32Array; clusters: Cluster[] } {
+function inOrder(mesh: Mesh): { corners: Uint32Array; clusters: Cluster[] } {
   const { positions, indices } = mesh;
   const order = orderByPlace(mesh);
   const corners = new Uint32Array(order.length * 3);
@@ -171,7 +194,7 @@ function inOrder(mesh: Mesh, part: number): { corners: Uint32Array; clusters: Cl
         max[axis] = Math.max(max[axis], x);
       }
     }
-    clusters.push({ part, min, max, first: begin * 3, count: (end - begin) * 3 });
+    clusters.push({ min, max, first: begin * 3, count: (end - begin) * 3 });
   }
   return { corners, clusters };
 }
@@ -186,7 +209,7 @@ export interface Grouped {
 
 /** Sorts a part's triangles; the vertices stay. */
 export function groupTriangles(part: Part): Grouped {
-  const { corners, clusters } = inOrder(part, 0);
+  const { corners, clusters } = inOrder(part);
   const indices = part.indices instanceof Uint16Array ? Uint16Array.from(corners) : corners;
   return { indices, clusters, area: areaOf(part) };
 }
@@ -218,7 +241,7 @@ function appendInOrder(
   to: { vertices: number[]; indices: number[]; clusters: Cluster[] },
 ): void {
   const { positions, uvs } = mesh;
-  const { corners, clusters } = inOrder(mesh, part);
+  const { corners, clusters } = inOrder(mesh);
   const renamed = new Int32Array(positions.length / 3).fill(-1);
   const before = to.indices.length;
   for (const corner of corners) {
@@ -226,6 +249,7 @@ function appendInOrder(
       renamed[corner] = to.vertices.length / VERTEX_SIZE;
       for (let k = 0; k < 3; k++) to.vertices.push(positions[corner * 3 + k] ?? 0);
       for (let k = 0; k < 2; k++) to.vertices.push(uvs[corner * 2 + k] ?? 0);
+      to.vertices.push(part);
     }
     to.indices.push(renamed[corner] ?? 0);
   }
@@ -237,24 +261,28 @@ function appendInOrder(
 /**
  * Visible clusters as runs of indices, consecutive ones merged.
  *
- * @param isByPart a run has one part
- * @param gap hidden indices that cost less than another run
+ * @param most runs; to have no more, hidden clusters between the nearest ones are drawn too
  */
 export function runsOf(
   clusters: readonly Cluster[],
   isVisible: (box: Bounds) => boolean,
-  isByPart: boolean,
-  gap = 0,
+  most = Number.POSITIVE_INFINITY,
 ): Run[] {
-  const runs: { part: number; first: number; count: number }[] = [];
+  const runs: { first: number; count: number }[] = [];
   for (const cluster of clusters) {
     if (!isVisible(cluster)) continue;
-    const { part, first, count } = cluster;
+    const { first, count } = cluster;
     const last = runs.at(-1);
-    const isNear = last && first - (last.first + last.count) <= gap;
-    if (isNear && (last.part === part || !isByPart)) {
-      last.count = first + count - last.first;
-    } else runs.push({ part, first, count });
+    if (last && first === last.first + last.count) last.count += count;
+    else runs.push({ first, count });
+  }
+  const gap = (i: number) => runs[i]!.first - runs[i - 1]!.first - runs[i - 1]!.count;
+  while (runs.length > most) {
+    let least = 1;
+    for (let i = 2; i < runs.length; i++) if (gap(i) < gap(least)) least = i;
+    const [next] = runs.splice(least, 1);
+    const before = runs[least - 1]!;
+    before.count = next!.first + next!.count - before.first;
   }
   return runs;
 }

@@ -1,15 +1,15 @@
 import type { Model } from "../../assets/model.js";
 import type { Buffer } from "../../gl/buffer.js";
 import type { Draw, Gpu } from "../../gl/gpu.js";
-import type { Texture } from "../../gl/texture.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import { type Clusters, clusterTriangles, runsOf, VERTEX_SIZE } from "../mesh/clusters.js";
 import type { Mesh } from "../mesh/mesh.js";
+import { casterAlbedoOf } from "./caster-albedo.js";
 import { isInCubeFace } from "./cube-map.js";
 
-/** Culled triangles that cost less than another draw: they are drawn to merge the runs on both sides. */
-const MERGED_TRIANGLES = 200;
+/** Draws of a face of a cube. Each takes a script longer than the hidden triangles that it would leave out. */
+const MOST_DRAWS = 3;
 /** Bytes of a float. */
 const FLOAT = 4;
 
@@ -29,6 +29,7 @@ export class ShadowCasters {
   readonly #gpu: Gpu;
   readonly #clusters: Clusters;
   readonly #surfaces: readonly Mesh[];
+  readonly #screen: VertexArray;
   readonly #vertexArray: VertexArray;
 
   /**
@@ -38,6 +39,7 @@ export class ShadowCasters {
   constructor(gpu: Gpu, model: Model, surfaces: readonly Mesh[], detail: number) {
     this.#gpu = gpu;
     this.#surfaces = surfaces;
+    this.#screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
     this.#clusters = clustersOf(model, detail);
     const { vertices, indices } = this.#clusters;
     const buffer: Buffer = gpu.buffer("casters/vertices", vertices);
@@ -46,6 +48,7 @@ export class ShadowCasters {
       attributes: {
         0: { buffer, size: 3, stride },
         3: { buffer, size: 2, stride, offset: 3 * FLOAT },
+        5: { buffer, size: 1, stride, offset: 5 * FLOAT },
       },
       indices: { buffer: gpu.buffer("casters/indices", indices, "index"), type: "uint32" },
       count: indices.length,
@@ -58,34 +61,14 @@ export class ShadowCasters {
    * @param isVisible whether what lies in a box is drawn
    */
   draw(pass: Omit<Draw, "vertexArray">, isVisible: (box: Bounds) => boolean): void {
-    for (const { first, count } of this.#runs(isVisible, false)) {
-      this.#gpu.draw({ ...pass, vertexArray: this.#vertexArray, first, count });
+    for (const run of runsOf(this.#clusters.clusters, isVisible, MOST_DRAWS)) {
+      this.#gpu.draw({ ...pass, ...run, vertexArray: this.#vertexArray });
     }
   }
 
-  /**
-   * Draws the clusters that touch one face of a cube around `origin` (metres), with each part's `uAlbedo`,
-   * `uBaseColor`, `uNormal` and `uNormalScale`.
-   */
+  /** Draws the clusters that touch one face of a cube around `origin` (metres), with `uCasterAlbedo`. */
   drawWithAlbedo(face: number, origin: Vec3, pass: Omit<Draw, "vertexArray" | "textures">): void {
-    for (const { part, first, count } of this.#runs(
-      (box) => isInCubeFace(face, origin, box),
-      true,
-    )) {
-      const surface = this.#surfaces[part];
-      if (!surface) continue;
-      const { uAlbedo, uNormal } = surface.textures;
-      const textures: Record<string, Texture> = { uAlbedo, uNormal };
-      const uniforms = {
-        ...pass.uniforms,
-        uBaseColor: surface.baseColor,
-        uNormalScale: surface.parameters[2],
-      };
-      this.#gpu.draw({ ...pass, vertexArray: this.#vertexArray, first, count, textures, uniforms });
-    }
-  }
-
-  #runs(isVisible: (box: Bounds) => boolean, isByPart: boolean) {
-    return runsOf(this.#clusters.clusters, isVisible, isByPart, 3 * MERGED_TRIANGLES);
+    const uCasterAlbedo = casterAlbedoOf(this.#gpu, this.#screen, this.#surfaces);
+    this.draw({ ...pass, textures: { uCasterAlbedo } }, (box) => isInCubeFace(face, origin, box));
   }
 }

@@ -95,13 +95,29 @@ test("a face of the cube leaves out only what does not show in it", () => {
   expect(drawn).toBeLessThan(3 * clusters.length);
 });
 
-test("neighbours in the order are drawn as one run, unless their parts differ", () => {
+test("neighbours in the order are drawn as one run", () => {
   const { clusters, indices } = clusterTriangles([floor(20, 4), floor(20, 4, 1)], 0);
-  expect(runsOf(clusters, () => true, false)).toEqual([
-    { part: 0, first: 0, count: indices.length },
-  ]);
-  expect(runsOf(clusters, () => true, true).map(({ part }) => part)).toEqual([0, 1]);
-  expect(runsOf(clusters, () => false, true)).toEqual([]);
+  expect(runsOf(clusters, () => true)).toEqual([{ first: 0, count: indices.length }]);
+  expect(runsOf(clusters, () => false)).toEqual([]);
+});
+
+test("of more runs than are drawn, those with the fewest hidden triangles between them are merged", () => {
+  const { clusters } = clusterTriangles([floor(60, 4)], 0);
+  const visible = new Set([0, 1, 3, 7, 9].map((i) => clusters[i]));
+  const isVisible = (box: object) => visible.has(box as never);
+  const at = (i: number) => clusters[i]?.first ?? Number.NaN;
+  const run = (first: number, end: number) => ({ first: at(first), count: at(end) - at(first) });
+  expect(runsOf(clusters, isVisible)).toEqual([run(0, 2), run(3, 4), run(7, 8), run(9, 10)]);
+  expect(runsOf(clusters, isVisible, 2)).toEqual([run(0, 4), run(7, 10)]);
+  expect(runsOf(clusters, isVisible, 1)).toEqual([run(0, 10)]);
+});
+
+test("clusters of all parts are in one order, and each vertex tells its part", () => {
+  const { clusters, indices, vertices } = clusterTriangles([floor(40, 4), floor(40, 4, 0.1)], 0);
+  const parts = clusters.map(({ first }) => vertices[(indices[first] ?? 0) * VERTEX_SIZE + 5]);
+  const changes = parts.filter((part, i) => i > 0 && part !== parts[i - 1]).length;
+  expect(new Set(parts)).toEqual(new Set([0, 1]));
+  expect(changes).toBeGreaterThan(2);
 });
 
 test("a part's own triangles are all there in groups, each within its box", () => {

@@ -1,0 +1,14 @@
+// Caster albedo: a tile for each surface of a model, with its levels of detail one above another.
+
+const int CASTER_TILE = 16;  // texels along an edge of the finest level: src/render/shadow/caster-albedo.ts
+const int CASTER_LEVELS = 5;
+
+// Texels along an edge of a level.
+int casterLevelSize(int level) {
+  return CASTER_TILE >> level;
+}
+
+// Row of a tile at which a level begins.
+int casterLevelRow(int level) {
+  return 2 * (CASTER_TILE - casterLevelSize(level));
+}

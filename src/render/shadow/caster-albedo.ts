@@ -1,0 +1,38 @@
+import fullscreenVert from "../../../shaders/post/fullscreen.vert";
+import casterAlbedoFrag from "../../../shaders/shadow/caster-albedo.frag";
+import type { Gpu } from "../../gl/gpu.js";
+import type { Texture } from "../../gl/texture.js";
+import type { VertexArray } from "../../gl/vertex-array.js";
+import { floats } from "../float-format.js";
+import type { Mesh } from "../mesh/mesh.js";
+
+/** Texels of a tile: `CASTER_TILE` of `shaders/lib/caster-albedo.glsl`. */
+const TILE = { width: 16, height: 32 } as const;
+
+/**
+ * Caster albedo: what all surfaces of a model reflect, in one small texture, so that a capture of surfels draws them
+ * together. Each has a tile with its levels of detail. Made once for each model.
+ */
+export function casterAlbedoOf(gpu: Gpu, screen: VertexArray, surfaces: readonly Mesh[]): Texture {
+  return gpu.share(surfaces, () => {
+    const target = gpu.renderTarget({
+      label: "caster albedo",
+      width: TILE.width * surfaces.length,
+      height: TILE.height,
+      color: [floats(gpu, 4)],
+      filter: "nearest",
+    });
+    const program = gpu.program("shadow/caster-albedo", fullscreenVert, casterAlbedoFrag);
+    for (const [i, { textures, baseColor, parameters }] of surfaces.entries()) {
+      gpu.draw({
+        program,
+        target,
+        vertexArray: screen,
+        viewport: [i * TILE.width, 0, TILE.width, TILE.height],
+        textures: { uAlbedo: textures.uAlbedo, uNormal: textures.uNormal },
+        uniforms: { uBaseColor: baseColor, uNormalScale: parameters[2], uTile: i },
+      });
+    }
+    return target.color;
+  });
+}
