@@ -10,7 +10,7 @@ const MIDDLE = [400, 260] as const;
 const ON_PURPOSE = /context (was )?lost|CONTEXT_LOST_WEBGL|loseContext/i;
 
 /** What a visitor does on the hosted page, which is new for each; a trial that fails throws. */
-const TRIALS: Readonly<Record<string, (visitor: Visitor) => Promise<void>>> = {
+const TRIALS: Readonly<Record<string, (visitor: Visitor, page: string) => Promise<void>>> = {
   "walking in by click locks the pointer, and the mouse looks": async (visitor) => {
     await walkIn(visitor);
     // While frames are slow a click may have been too long ago when the lock is asked for: one clicks again.
@@ -76,6 +76,14 @@ const TRIALS: Readonly<Record<string, (visitor: Visitor) => Promise<void>>> = {
       throw new Error(
         `${delays.length} keys, ${longest.toFixed(0)} ms, ${rate.toFixed(1)} frames a second`,
       );
+    }
+  },
+  "keys are answered within 250 ms while the page loads": async (visitor, page) => {
+    const longest: number[] = [];
+    // The best of three loads: what lasts longer in one of them is another program's work.
+    while (!longest.some((delay) => delay <= 250)) {
+      if (longest.length === 3) throw new Error(`${longest.map((delay) => delay.toFixed(0))} ms`);
+      longest.push(await longestDelayOfLoading(visitor, page));
     }
   },
   "E puts out and lights": async (visitor) => {
@@ -163,9 +171,35 @@ const TRIALS: Readonly<Record<string, (visitor: Visitor) => Promise<void>>> = {
   },
 };
 
+/** Longest time from a key to its answer while the page loads, and two seconds on. Milliseconds. */
+async function longestDelayOfLoading(visitor: Visitor, page: string): Promise<number> {
+  await visitor.open("about:blank");
+  await visitor.open(page);
+  await visitor.evaluate(() => {
+    const log = { delays: [] as number[], isDone: false };
+    Object.assign(globalThis, { log });
+    const note = ({ timeStamp }: Event) => log.delays.push(performance.now() - timeStamp);
+    addEventListener("keydown", note, { capture: true });
+    addEventListener("keyup", note, { capture: true });
+    const end = () => setTimeout(() => Object.assign(log, { isDone: true }), 2000);
+    const room = document.querySelector<CandleFlameElement>("candle-flame.room");
+    customElements.whenDefined("candle-flame").then(() => room?.ready.then(end));
+  });
+  while (!(await visitor.evaluate(() => (globalThis as unknown as Logged).log.isDone))) {
+    await visitor.press("KeyQ");
+  }
+  const { delays } = await visitor.evaluate(() => (globalThis as unknown as Logged).log);
+  if (delays.length < 10) throw new Error(`${delays.length} keys were heard`);
+  return Math.max(...delays);
+}
+
 interface Logged {
   /** Milliseconds from a key to its answer, and moments of frames. */
-  readonly log: { readonly delays: number[]; readonly frames: number[] };
+  readonly log: {
+    readonly delays: number[];
+    readonly frames: number[];
+    readonly isDone: boolean;
+  };
 }
 
 interface Taken {
@@ -194,14 +228,14 @@ export async function interact(
 async function tryOut(
   session: Session,
   page: string,
-  run: (visitor: Visitor) => Promise<void>,
+  run: (visitor: Visitor, page: string) => Promise<void>,
 ): Promise<string[]> {
   const faults: string[] = [];
   try {
     await session.use(async (visitor) => {
       try {
         await open(visitor, page);
-        await run(visitor);
+        await run(visitor, page);
       } catch (error) {
         if (error instanceof HungError) throw error;
         faults.push(error instanceof Error ? error.message : String(error));
