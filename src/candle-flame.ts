@@ -11,7 +11,7 @@ import type { Stats } from "./stats.js";
 import { advance } from "./world/advance.js";
 import type { Wind } from "./world/air/air.js";
 import { moveCamera, standLike } from "./world/commands.js";
-import { createWorld } from "./world/create-world.js";
+import { createWorld, type WorldOptions } from "./world/create-world.js";
 import { withCount } from "./world/particles/particle-layer.js";
 import { STILL } from "./world/player/intent.js";
 import { restoreSnapshot, type Snapshot } from "./world/snapshot.js";
@@ -36,6 +36,18 @@ export interface Options {
   readonly unlit: boolean;
   /** No flicker and no sway: `prefers-reduced-motion`. */
   readonly isStill: boolean;
+}
+
+/** A new world of a scene. */
+function worldOf(
+  { room, isModelAlone }: Scene,
+  { look, seed, unlit, isStill, wind, wick }: Options,
+  birth: WorldOptions = {},
+): World {
+  const setup = isModelAlone ? LONE_CANDLE_SETUP : null;
+  const world = createWorld(look, seed, { room, setup, wind, wick, isLit: !unlit, ...birth });
+  world.sways = !isStill;
+  return world;
 }
 
 /**
@@ -81,16 +93,17 @@ export class CandleFlame {
   ): Promise<CandleFlame | null> {
     const { gpu } = target;
     const isOn = () => isWanted() && target.gpu === gpu && !gpu.isLost;
+    const world = worldOf(scene, options);
     const auto = await SceneView.prepare(target, scene, options, plays, isOn);
     if (!auto) return null;
-    const candle = new CandleFlame(target, scene, features, options, plays, auto);
+    const candle = new CandleFlame(target, scene, features, options, plays, { auto, world });
     return (await candle.view.finish(isOn)) ? candle : null;
   }
 
   /**
    * @param target from now on this disposes of it
    * @param plays whether time will pass, so that each frame is followed by another
-   * @param auto knows the speed of the GPU, where it was measured
+   * @param prepared the quality to begin with, and a new world of the scene
    */
   constructor(
     target: CanvasTarget,
@@ -98,13 +111,13 @@ export class CandleFlame {
     features: Features,
     options: Options,
     plays = false,
-    auto?: AutoQuality,
+    prepared?: { readonly auto: AutoQuality; readonly world: World },
   ) {
     this.#scene = scene;
     this.#features = { ...features };
     this.#options = options;
-    this.world = this.#createWorld();
-    this.view = new SceneView(target, scene, options, this.#subject, plays, auto);
+    this.world = prepared?.world ?? worldOf(scene, options);
+    this.view = new SceneView(target, scene, options, this.#subject, plays, prepared?.auto);
     this.view.onRefused = (error) => this.#fail(error);
   }
 
@@ -123,13 +136,7 @@ export class CandleFlame {
   }
 
   #createWorld(age = 0, isLit = !this.#options.unlit, fieldOfView: number | null = null): World {
-    const { look, seed, isStill, wind, wick } = this.#options;
-    const { room, isModelAlone } = this.#scene;
-    const setup = isModelAlone ? LONE_CANDLE_SETUP : null;
-    const birth = { age, room, setup, wind, wick, isLit, fieldOfView };
-    const world = createWorld(look, seed, birth);
-    world.sways = !isStill;
-    return world;
+    return worldOf(this.#scene, this.#options, { age, isLit, fieldOfView });
   }
 
   set options(options: Options) {

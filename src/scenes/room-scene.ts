@@ -2,6 +2,7 @@ import { nextTask } from "../gl/next-task.js";
 import { uploadNextImage } from "../render/mesh/mesh.js";
 import { PaperRenderer } from "../render/paper-renderer.js";
 import { PhysicalRenderer, preparePhysicalRenderer } from "../render/physical-renderer.js";
+import { CollisionMesh } from "../world/room/collision-mesh.js";
 import { createRoom } from "../world/room/room.js";
 import { closeModels, loadModels, sourcesOf } from "./room-models.js";
 import type { Loading, Scene, SceneRequest } from "./scene.js";
@@ -12,7 +13,9 @@ export async function loadRoom(request: SceneRequest, loading: Loading): Promise
   const models = await loadModels(sourcesOf(look, src, assetRoot), assetRoot, loading);
   const { parts, anchors } = models.room;
   await nextTask();
-  const room = createRoom(parts, anchors.spawn ?? null);
+  const collision = new CollisionMesh(parts);
+  await nextTask();
+  const room = createRoom(collision, anchors.spawn ?? null);
   await nextTask();
   // The paper's looks have their box, unless the visitor brought a room.
   const isBox = look !== "physical" && src === "";
@@ -22,10 +25,10 @@ export async function loadRoom(request: SceneRequest, loading: Loading): Promise
     prepareRenderer: ({ gpu }, tier, look) =>
       uploadNextImage(gpu, models.room) &&
       uploadNextImage(gpu, models.candle) &&
-      (look !== "physical" || preparePhysicalRenderer(gpu, models, room.collision, tier)),
+      (look !== "physical" || preparePhysicalRenderer(gpu, models, collision, tier)),
     createRenderer: ({ gpu }, tier, look) =>
       look === "physical"
-        ? new PhysicalRenderer(gpu, models, room.collision, tier)
+        ? new PhysicalRenderer(gpu, models, collision, tier)
         : new PaperRenderer(gpu, models, tier),
     close: () => closeModels(models),
   };

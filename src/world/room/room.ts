@@ -2,7 +2,7 @@ import { CANDLE_CYLINDER } from "../candle.js";
 import type { Vec3 } from "../geometry.js";
 import { EYE_HEIGHT } from "../player/gait.js";
 import { gazeDirection, type Player } from "../player/player.js";
-import { CollisionMesh, type Triangles } from "./collision-mesh.js";
+import type { CollisionMesh } from "./collision-mesh.js";
 import { FloorPlan } from "./floor-plan.js";
 import type { MovementBounds } from "./movement-bounds.js";
 import { canTake, findSpot, type Refusal } from "./placement.js";
@@ -26,10 +26,9 @@ export interface Room {
 
 /** @param spawn where to start and which way to face, if the room says so */
 export function createRoom(
-  parts: readonly Triangles[],
+  collision: CollisionMesh,
   spawn: { readonly position: readonly [number, number, number]; readonly yaw: number } | null,
 ): Room {
-  const collision = new CollisionMesh(parts);
   const plan = new FloorPlan(collision, spawn ? [...spawn.position] : null);
   const { min, max } = collision.bounds;
   const lowest = Math.min(min[1], plan.floor) + HEADROOM;

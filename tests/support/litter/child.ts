@@ -1,6 +1,7 @@
 import { advance } from "../../../src/world/advance.ts";
 import { createWorld, type WorldOptions } from "../../../src/world/create-world.ts";
 import { type Intent, STILL } from "../../../src/world/player/intent.ts";
+import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";
 import { createRoom } from "../../../src/world/room/room.ts";
 import type { World } from "../../../src/world/world.ts";
 import { FURNISHED } from "../../unit/world/rooms.ts";
@@ -29,7 +30,7 @@ function smoke({ flame }: World, frame: number): void {
 const CASES: Readonly<Record<string, Case>> = {
   gusts: { birth: GUSTS, intent: STILL, deed: () => {} },
   walking: {
-    birth: { ...GUSTS, room: createRoom(FURNISHED.parts, null) },
+    birth: { ...GUSTS, room: createRoom(new CollisionMesh(FURNISHED.parts), null) },
     intent: { ...STILL, forward: 1, turn: 0.3 },
     deed: () => {},
   },

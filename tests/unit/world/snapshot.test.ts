@@ -3,12 +3,14 @@ import { advance } from "../../../src/world/advance.ts";
 import { moveCamera, placeCandle } from "../../../src/world/commands.ts";
 import { createWorld } from "../../../src/world/create-world.ts";
 import { STILL } from "../../../src/world/player/intent.ts";
+import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";
 import { createRoom } from "../../../src/world/room/room.ts";
 import { restoreSnapshot, takeSnapshot, timeOf } from "../../../src/world/snapshot.ts";
 import { currentTime } from "../../../src/world/world.ts";
 import { box, floorOf } from "./rooms.ts";
 
-const room = () => createRoom([floorOf(8), box([-0.5, 0, -1.4], [0.5, 0.8, -0.7])], null);
+const room = () =>
+  createRoom(new CollisionMesh([floorOf(8), box([-0.5, 0, -1.4], [0.5, 0.8, -0.7])]), null);
 
 test.each(["physical", "paper"] as const)("a %s world goes on from a moment of another", (look) => {
   const birth = look === "physical" ? { room: room() } : {};
