@@ -18,17 +18,7 @@ const USAGE = `npx candle-flame poster [options] [attributes]
 Anything else is an attribute of the element: --look paper --seed 7 --unlit --src room.glb. Unless said
 otherwise, quality is high.`;
 
-const OPTIONS = new Set([
-  "out",
-  "size",
-  "camera",
-  "candle",
-  "seconds",
-  "url",
-  "selector",
-  "browser",
-  "compression",
-]);
+const OPTIONS = new Set(Array.from(USAGE.matchAll(/^ {2}--(\w+)/gm), ([, name]) => name));
 
 /** \`--name value\`, \`--name=value\` or \`--flag\`, as options of ours and attributes of the element. */
 function parse(words) {
