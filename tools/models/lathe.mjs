@@ -1,3 +1,5 @@
+import { vec3 } from "gl-matrix";
+
 /**
  * A lathe turns a profile about an axis. `point(distance, angle)` gives the surface, so the work may
  * be as uneven as a candle. Distance runs down the outside of the work and angle to the right as
@@ -63,7 +65,7 @@ function ringAt(distance, inwards, segments, point) {
   const angles = Array.from({ length: segments }, (_, column) => (2 * Math.PI * column) / segments);
   const positions = angles.map((angle) => point(distance, angle));
   const normals = angles.map((angle) => normalAt(distance, angle, point));
-  const isApex = positions.every((position) => length(subtract(position, positions[0])) < 1e-9);
+  const isApex = positions.every((position) => vec3.distance(position, positions[0]) < 1e-9);
   if (!isApex) return { distance, positions, normals, isApex };
 
   const axis = apexNormal(distance + inwards, angles, point);
@@ -76,30 +78,15 @@ function ringAt(distance, inwards, segments, point) {
 }
 
 function normalAt(distance, angle, point) {
-  const down = subtract(point(distance + difference, angle), point(distance - difference, angle));
-  const right = subtract(point(distance, angle + difference), point(distance, angle - difference));
-  return normalized(cross(down, right));
+  const between = (to, from) => vec3.subtract([], to, from);
+  const down = between(point(distance + difference, angle), point(distance - difference, angle));
+  const right = between(point(distance, angle + difference), point(distance, angle - difference));
+  return vec3.normalize([], vec3.cross([], down, right));
 }
 
 // Angle means nothing on the axis, but a hair's breadth beside it the mean over a turn does.
 function apexNormal(beside, angles, point) {
   const sum = [0, 0, 0];
-  for (const angle of angles) {
-    const normal = normalAt(beside, angle, point);
-    for (let axis = 0; axis < 3; axis++) sum[axis] += normal[axis];
-  }
-  return normalized(sum);
+  for (const angle of angles) vec3.add(sum, sum, normalAt(beside, angle, point));
+  return vec3.normalize(sum, sum);
 }
-
-export const subtract = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-export const length = (a) => Math.hypot(a[0], a[1], a[2]);
-export const cross = (a, b) => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
-export const normalized = (a) => {
-  const scale = 1 / length(a);
-  return [a[0] * scale, a[1] * scale, a[2] * scale];
-};

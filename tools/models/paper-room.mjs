@@ -2,6 +2,7 @@
  * The paper's room: the inside of a box, 10 × 3.2 × 10 m, its origin on the floor in the middle. The
  * faces are cut into squares of about a metre, so that light computed per vertex has somewhere to land.
  */
+import { vec3 } from "gl-matrix";
 import { writeModel } from "./gltf.mjs";
 import { joined } from "./lathe.mjs";
 
@@ -17,11 +18,7 @@ const plasterTile = 2;
 /** A rectangle seen from the room: `right` and `down` are its edges from the upper left `corner`. */
 function rectangle({ corner, right, down, columns, rows, tile, from = 0 }) {
   const [across, along] = [Math.hypot(...right), Math.hypot(...down)];
-  const normal = [
-    (right[2] * down[1] - right[1] * down[2]) / (across * along),
-    (right[0] * down[2] - right[2] * down[0]) / (across * along),
-    (right[1] * down[0] - right[0] * down[1]) / (across * along),
-  ];
+  const normal = vec3.normalize([], vec3.cross([], down, right));
   const triangles = { positions: [], normals: [], texcoords: [] };
   const emit = (column, row) => {
     const [u, v] = [column / columns, row / rows];

@@ -1,4 +1,8 @@
-import { cross, dot, length, normalized, subtract } from "./lathe.mjs";
+import { vec3 } from "gl-matrix";
+
+const { dot, length } = vec3;
+const subtract = (a, b) => vec3.subtract([], a, b);
+const cross = (a, b) => vec3.cross([], a, b);
 
 /**
  * Refuses a mesh that would light wrongly: inside out, with normals its triangles do not support, or
@@ -25,7 +29,7 @@ export function assertSoundSurface({ name, centre, facing }, arrays) {
     const [a, b, c] = Array.from(corners, (corner) => vector(positions, corner, 3));
     const doubleArea = cross(subtract(b, a), subtract(c, a));
     demand(length(doubleArea) > 1e-9, "triangle has no area", corners[0]);
-    const face = normalized(doubleArea);
+    const face = vec3.normalize([], doubleArea);
     demand(facing * dot(face, subtract(a, centre)) > 0, "triangle faces the wrong way", corners[0]);
 
     const { alongU, alongV } = textureDirections(corners, [a, b, c], texcoords);
@@ -50,6 +54,9 @@ function textureDirections(corners, [a, b, c], texcoords) {
   const determinant = (ub - ua) * (vc - va) - (uc - ua) * (vb - va);
   const [ab, ac] = [subtract(b, a), subtract(c, a)];
   const combine = (left, right) =>
-    normalized(ab.map((value, axis) => (value * left + ac[axis] * right) / determinant));
+    vec3.normalize(
+      [],
+      ab.map((value, axis) => (value * left + ac[axis] * right) / determinant),
+    );
   return { alongU: combine(vc - va, va - vb), alongV: combine(ua - uc, ub - ua) };
 }
