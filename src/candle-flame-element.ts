@@ -70,7 +70,7 @@ const SCENE_ATTRIBUTES: readonly SettingName[] = ["scene", "look", "src", "asset
  */
 export class CandleFlameElement extends ReflectedAttributes {
   // Attributes are the table `SETTINGS`; what happens from insertion to the first frame is `Lifecycle`'s.
-  readonly #shown: SessionInput = {
+  readonly #input: SessionInput = {
     attributes: this,
     features: allFeatures(),
     inspect: "picture",
@@ -81,8 +81,8 @@ export class CandleFlameElement extends ReflectedAttributes {
   constructor() {
     super();
     const root = this.attachShadow({ mode: "open" });
-    this.#lifecycle = new Lifecycle(this, this.attachInternals(), root, this.#shown);
-    this.#featureSwitches = featureSwitches(this.#shown.features, (name, isOn) => {
+    this.#lifecycle = new Lifecycle(this, this.attachInternals(), root, this.#input);
+    this.#featureSwitches = featureSwitches(this.#input.features, (name, isOn) => {
       this.#use((candle) => candle.setFeature(name, isOn));
       this.#requestDraw();
     });
@@ -134,11 +134,11 @@ export class CandleFlameElement extends ReflectedAttributes {
 
   /** What is shown of each frame: the picture, or the output of a pass. */
   get inspect(): Inspection {
-    return this.#shown.inspect;
+    return this.#input.inspect;
   }
   set inspect(value: Inspection) {
-    this.#shown.inspect = INSPECTIONS.includes(value) ? value : "picture";
-    if (this.#candle) this.#candle.view.inspect = this.#shown.inspect;
+    this.#input.inspect = INSPECTIONS.includes(value) ? value : "picture";
+    if (this.#candle) this.#candle.view.inspect = this.#input.inspect;
     this.#requestDraw();
   }
 

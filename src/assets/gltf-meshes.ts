@@ -49,14 +49,14 @@ const INDEX_COMPONENTS: readonly number[] = [5121, 5123, 5125];
 export function readMeshes(entries: readonly JsonEntry[], lists: Lists): Mesh[] {
   return entries.map((entry, index) => {
     const all = entry.entries("primitives");
-    const drawn = all.filter((primitive) => isTriangles(primitive));
+    const surfaces = all.filter((primitive) => isTriangles(primitive));
     return {
       name: entry.string("name") ?? `mesh ${index}`,
-      primitives: drawn
+      primitives: surfaces
         .map((primitive) => readPrimitive(primitive, lists))
         .filter(({ triangles }) => triangles > 0),
       weights: entry.numbers("weights"),
-      hasLines: drawn.length < all.length,
+      hasLines: surfaces.length < all.length,
     };
   });
 }

@@ -66,18 +66,20 @@ export async function readMaterial(
   const occlusion = use(entry, "occlusionTexture");
 
   const placement = (albedo ?? normal ?? metallicRoughness ?? occlusion)?.placement ?? UNTURNED;
-  const lies = (map: TextureUse | null) =>
+  const isPlacedAlike = (map: TextureUse | null) =>
     map === null || isSamePlacement(map.placement, placement);
   const pictureOf = (map: TextureUse | null, what: string) => {
     if (map === null) return null;
-    if (lies(map)) return images.texture(map.texture);
+    if (isPlacedAlike(map)) return images.texture(map.texture);
     warnings.add(
       `The ${what} map of material "${name}" lies otherwise than its colour and is left out.`,
     );
     return null;
   };
   const isPacked =
-    occlusion !== null && occlusion.texture === metallicRoughness?.texture && lies(occlusion);
+    occlusion !== null &&
+    occlusion.texture === metallicRoughness?.texture &&
+    isPlacedAlike(occlusion);
   const [albedoPicture, normalPicture, packedPicture, occlusionPicture] = await Promise.all([
     pictureOf(albedo, "colour"),
     pictureOf(normal, "normal"),
@@ -85,7 +87,7 @@ export async function readMaterial(
     occlusion && !isPacked ? images.texture(occlusion.texture) : null,
   ]);
   const isShared = occlusionPicture !== null && occlusionPicture === packedPicture;
-  const occlusionApart = isShared && lies(occlusion) ? null : occlusionPicture;
+  const occlusionApart = isShared && isPlacedAlike(occlusion) ? null : occlusionPicture;
   return {
     material: {
       name,
@@ -102,7 +104,8 @@ export async function readMaterial(
       occlusion: occlusionApart,
     },
     placement,
-    occlusionPlacement: occlusionApart && !lies(occlusion) ? (occlusion?.placement ?? null) : null,
+    occlusionPlacement:
+      occlusionApart && !isPlacedAlike(occlusion) ? (occlusion?.placement ?? null) : null,
   };
 }
 

@@ -34,8 +34,8 @@ export function readScene(
 
 /** The node's name as the file has it, which three keeps beside the one it makes unique. */
 function nameOf(object: Object3D): string {
-  const own: unknown = object.userData.name ?? object.parent?.userData.name;
-  return typeof own === "string" ? own : object.name;
+  const name: unknown = object.userData.name ?? object.parent?.userData.name;
+  return typeof name === "string" ? name : object.name;
 }
 
 /** Named, with no mesh at or below it, and no bone. */

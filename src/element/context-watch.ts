@@ -16,17 +16,17 @@ export function watchContext(
 ): void {
   let patience = 0;
   const stopWaiting = () => clearTimeout(patience);
-  const lost = (event: Event): void => {
+  const handleLoss = (event: Event): void => {
     event.preventDefault(); // asks the browser to restore it
     stopWaiting();
     patience = window.setTimeout(onGivenUp, PATIENCE);
     onLost();
   };
-  const restored = (): void => {
+  const handleRestoration = (): void => {
     stopWaiting();
     onRestored();
   };
-  canvas.addEventListener("webglcontextlost", lost, { signal });
-  canvas.addEventListener("webglcontextrestored", restored, { signal });
+  canvas.addEventListener("webglcontextlost", handleLoss, { signal });
+  canvas.addEventListener("webglcontextrestored", handleRestoration, { signal });
   signal.addEventListener("abort", stopWaiting);
 }

@@ -41,12 +41,12 @@ export function observeDevicePixels(
   signal.addEventListener("abort", () => observer.disconnect());
   // On a monitor of another density the same box may have as many pixels as before.
   const awaitRatio = (): void => {
-    const here = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
-    const moved = (): void => {
+    const query = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
+    const handleChange = (): void => {
       report(isExact ? last : guessDevicePixels(element));
       awaitRatio();
     };
-    here.addEventListener("change", moved, { once: true, signal });
+    query.addEventListener("change", handleChange, { once: true, signal });
   };
   awaitRatio();
 }

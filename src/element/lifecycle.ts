@@ -95,11 +95,11 @@ export class Lifecycle implements SessionOwner {
   /** As if the element had been taken out and put back, but time goes on from this moment. */
   #restart(): void {
     if (!this.#machine.send("restart")) return;
-    const { candle, shown } = this.#session ?? {};
+    const { candle, shownRequest } = this.#session ?? {};
     const snapshot = candle && takeSnapshot(candle.world);
     this.#release();
     this.#ready.renew();
-    if (snapshot && shown) this.pending.save(snapshot, shown);
+    if (snapshot && shownRequest) this.pending.save(snapshot, shownRequest);
     this.#begin();
   }
 
@@ -224,8 +224,8 @@ export class Lifecycle implements SessionOwner {
   }
 
   #applyPending(candle: CandleFlame): void {
-    const shown = this.#session?.shown ?? null;
-    this.pending.applyTo(candle, shown, () => emit(this.#element, "place", null));
+    const shownRequest = this.#session?.shownRequest ?? null;
+    this.pending.applyTo(candle, shownRequest, () => emit(this.#element, "place", null));
   }
 
   /** Shows the first frame. */

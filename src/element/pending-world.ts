@@ -16,13 +16,13 @@ export class PendingWorld {
   /** Camera from which the candle is to be put down; null where it is to stay in the hand. */
   #placing: Partial<Camera> | null = null;
   /** With the scene that it was taken in. */
-  #saved: { readonly snapshot: Snapshot; readonly of: SceneRequest } | null = null;
+  #saved: { readonly snapshot: Snapshot; readonly request: SceneRequest } | null = null;
 
   /** @param look of the world to come, which has its own field of view */
   cameraFor(look: Look): Required<Camera> {
     const { position, yaw, pitch, fieldOfView } = this.#saved?.snapshot ?? ORIGIN;
-    const own = { position, yaw, pitch, fieldOfView: fieldOfView ?? FIELDS_OF_VIEW[look] };
-    return { ...own, ...this.#camera };
+    const saved = { position, yaw, pitch, fieldOfView: fieldOfView ?? FIELDS_OF_VIEW[look] };
+    return { ...saved, ...this.#camera };
   }
 
   get currentTime(): number {
@@ -42,8 +42,8 @@ export class PendingWorld {
     if (this.#saved) this.#saved = { ...this.#saved, snapshot: { ...this.#saved.snapshot, isLit } };
   }
 
-  save(snapshot: Snapshot, of: SceneRequest): void {
-    this.#saved = { snapshot, of };
+  save(snapshot: Snapshot, request: SceneRequest): void {
+    this.#saved = { snapshot, request };
   }
 
   /** Time is to begin anew. */
@@ -74,8 +74,9 @@ export class PendingWorld {
    *
    * @param onPlaced called when the candle has been put down, while the camera is where that was done
    */
-  applyTo(candle: CandleFlame, shown: SceneRequest | null, onPlaced: () => void): void {
-    if (this.#saved) candle.resume(this.#saved.snapshot, areSame(this.#saved.of, shown));
+  applyTo(candle: CandleFlame, shownRequest: SceneRequest | null, onPlaced: () => void): void {
+    if (this.#saved)
+      candle.resume(this.#saved.snapshot, areSame(this.#saved.request, shownRequest));
     if (this.#placing) {
       const before = cameraOf(candle);
       setCamera(candle, this.#placing);

@@ -14,40 +14,40 @@ export interface FetchObserver {
  */
 export class SceneFetcher {
   /** Request of the scene that is shown. */
-  shown: SceneRequest | null = null;
-  readonly #asked: () => SceneRequest;
+  shownRequest: SceneRequest | null = null;
+  readonly #request: () => SceneRequest;
   readonly #signal: AbortSignal;
   readonly #observer: FetchObserver;
   readonly #onScene: (scene: Scene) => void;
-  #wanted: SceneRequest | null = null;
+  #pending: SceneRequest | null = null;
   #loading: AbortController | null = null;
 
-  /** @param asked the request of the attributes, at any time */
+  /** @param request the request of the attributes, at any time */
   constructor(
-    asked: () => SceneRequest,
+    request: () => SceneRequest,
     signal: AbortSignal,
     observer: FetchObserver,
     onScene: (scene: Scene) => void,
   ) {
-    this.#asked = asked;
+    this.#request = request;
     this.#signal = signal;
     this.#observer = observer;
     this.#onScene = onScene;
   }
 
   get isFetching(): boolean {
-    return this.#wanted !== null;
+    return this.#pending !== null;
   }
 
   /** To be called when an attribute that selects a scene has changed. */
   follow(): void {
-    const asked = this.#asked();
-    if (areSame(asked, this.shown)) {
+    const request = this.#request();
+    if (areSame(request, this.shownRequest)) {
       this.#loading?.abort();
-      this.#wanted = null;
-      this.shown = asked;
+      this.#pending = null;
+      this.shownRequest = request;
       this.#observer.onFetchDropped();
-    } else if (!areSame(asked, this.#wanted)) {
+    } else if (!areSame(request, this.#pending)) {
       void this.fetch();
     }
   }
@@ -59,20 +59,20 @@ export class SceneFetcher {
     const { signal } = loading;
     this.#signal.addEventListener("abort", () => loading.abort(), { signal });
     const onProgress = (progress: number) => this.#observer.onProgress(progress);
-    const wanted = this.#asked();
-    this.#wanted = wanted;
+    const request = this.#request();
+    this.#pending = request;
     let scene: Scene;
     try {
-      scene = await loadScene(wanted, { signal, onProgress });
+      scene = await loadScene(request, { signal, onProgress });
     } catch (error) {
       if (signal.aborted) return;
-      this.#wanted = null;
+      this.#pending = null;
       this.#observer.onMissing(error as Error);
       return;
     }
     if (signal.aborted) return scene.close();
-    this.#wanted = null;
-    this.shown = this.#asked();
+    this.#pending = null;
+    this.shownRequest = this.#request();
     this.#onScene(scene);
   }
 }

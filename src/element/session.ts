@@ -87,8 +87,8 @@ export class Session {
   }
 
   /** The scene on show; while another is fetched the attributes ask for that. */
-  get shown(): SceneRequest | null {
-    return this.#fetcher.shown;
+  get shownRequest(): SceneRequest | null {
+    return this.#fetcher.shownRequest;
   }
 
   get isFetching(): boolean {
@@ -103,7 +103,7 @@ export class Session {
 
   get options(): Options {
     const { attributes } = this.#input;
-    return optionsOf(attributes, this.shown?.look ?? attributes.look);
+    return optionsOf(attributes, this.shownRequest?.look ?? attributes.look);
   }
 
   get #request(): SceneRequest {
@@ -158,14 +158,14 @@ export class Session {
   }
 
   #show(scene: Scene): void {
-    const before = this.#scene;
+    const previous = this.#scene;
     const candle = this.#candle;
     this.#scene = scene;
     this.use((candle) => {
       candle.show(scene, this.options);
       this.#owner.onScene(candle);
     });
-    before?.close();
+    previous?.close();
     if (!candle) void this.#create(scene);
   }
 
@@ -179,8 +179,8 @@ export class Session {
     try {
       const plays = this.#owner.plays();
       const options = this.options;
-      const made = await CandleFlame.create(target, scene, features, options, plays, isWanted);
-      if (made) this.#begin(made);
+      const created = await CandleFlame.create(target, scene, features, options, plays, isWanted);
+      if (created) this.#begin(created);
     } catch (error) {
       if (isWanted()) this.#owner.onError(error);
     } finally {

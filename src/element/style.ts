@@ -133,8 +133,8 @@ const sheets = new WeakMap<Document, CSSStyleSheet>();
  * no window to see them in.
  */
 export function styleFor(document: Document): CSSStyleSheet[] {
-  const known = sheets.get(document);
-  if (known) return [known];
+  const cached = sheets.get(document);
+  if (cached) return [cached];
   if (!document.defaultView) return [];
   // Of the document's own window, or the document refuses it.
   const sheet = new document.defaultView.CSSStyleSheet();

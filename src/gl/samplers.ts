@@ -28,8 +28,8 @@ export class Samplers {
   #of(sampling: Sampling): WebGLSampler | null {
     const taps = typeof sampling === "object" ? Math.min(sampling.anisotropy, this.#mostTaps) : 1;
     const key = typeof sampling === "object" ? taps : sampling;
-    const known = this.#samplers.get(key);
-    if (known !== undefined) return known;
+    const existing = this.#samplers.get(key);
+    if (existing !== undefined) return existing;
     const gl = this.#gl;
     const sampler = gl.createSampler();
     this.#samplers.set(key, sampler);

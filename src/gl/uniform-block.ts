@@ -78,11 +78,11 @@ export class UniformBlock extends GpuObject {
     const ask = (what: GLenum) => gl.getActiveUniformBlockParameter(handle, index, what);
     const bytes = ask(gl.UNIFORM_BLOCK_DATA_SIZE) as number;
     const members = ask(gl.UNIFORM_BLOCK_ACTIVE_UNIFORM_INDICES) as Uint32Array;
-    const found = gl.getActiveUniforms(handle, members, gl.UNIFORM_OFFSET) as number[];
+    const byteOffsets = gl.getActiveUniforms(handle, members, gl.UNIFORM_OFFSET) as number[];
     const offsets = new Map<string, number>();
     members.forEach((member, i) => {
       const qualified = gl.getActiveUniform(handle, member)!.name;
-      offsets.set(qualified.slice(qualified.indexOf(".") + 1), found[i]! / 4);
+      offsets.set(qualified.slice(qualified.indexOf(".") + 1), byteOffsets[i]! / 4);
     });
     const buffer = created(gl, gl.createBuffer(), this.label);
     gl.bindBuffer(gl.UNIFORM_BUFFER, buffer);

@@ -48,9 +48,9 @@ export class Gamepads {
     this.enters = false;
     this.leaves = false;
     if (!pad) return STILL;
-    const before = this.#pressed;
+    const previous = this.#pressed;
     this.#pressed = pad.buttons.map(({ pressed }) => pressed);
-    const goesDown = (button: number) => this.#pressed[button] === true && !before[button];
+    const goesDown = (button: number) => this.#pressed[button] === true && !previous[button];
     this.enters = goesDown(BUTTONS.a);
     this.leaves = goesDown(BUTTONS.b);
     const axis = (index: number) => pad.axes[index] ?? 0;

@@ -2,12 +2,12 @@ import type { Action } from "../world/player/intent.js";
 import { type Intent, STILL } from "../world/player/intent.js";
 
 /** Effect of a key while it is held: a share of one axis of the intent, or running. */
-type Held =
+type KeyEffect =
   | { readonly axis: "forward" | "right" | "turn" | "tilt"; readonly way: 1 | -1 }
   | { readonly axis: "runs" };
 
 /** By the key's place on the keyboard, whatever the layout. */
-const HELD: Readonly<Record<string, Held>> = {
+const EFFECTS: Readonly<Record<string, KeyEffect>> = {
   KeyW: { axis: "forward", way: 1 },
   ArrowUp: { axis: "forward", way: 1 },
   KeyS: { axis: "forward", way: -1 },
@@ -27,7 +27,7 @@ const HELD: Readonly<Record<string, Held>> = {
 };
 
 /** Actions, triggered when the key goes down. */
-const ONCE: Readonly<Record<string, Action>> = {
+const ACTIONS: Readonly<Record<string, Action>> = {
   KeyE: "togglesFlame",
   KeyB: "blows",
   KeyF: "placesOrTakes",
@@ -40,10 +40,10 @@ export class Keyboard {
 
   /** Whether the key is one of ours. */
   press({ code, repeat }: KeyboardEvent): boolean {
-    const action = ONCE[code];
+    const action = ACTIONS[code];
     if (action && !repeat) this.#actions[action] = true;
-    if (HELD[code]) this.#down.add(code);
-    return action !== undefined || HELD[code] !== undefined;
+    if (EFFECTS[code]) this.#down.add(code);
+    return action !== undefined || EFFECTS[code] !== undefined;
   }
 
   lift({ code }: KeyboardEvent): void {
@@ -58,9 +58,9 @@ export class Keyboard {
     const sums = { forward: 0, right: 0, turn: 0, tilt: 0 };
     let runs = false;
     for (const code of this.#down) {
-      const held = HELD[code];
-      if (held?.axis === "runs") runs = true;
-      else if (held) sums[held.axis] += held.way;
+      const effect = EFFECTS[code];
+      if (effect?.axis === "runs") runs = true;
+      else if (effect) sums[effect.axis] += effect.way;
     }
     // Two keys for the same way are no faster than one.
     const intent: Intent = {

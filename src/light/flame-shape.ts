@@ -58,7 +58,7 @@ const path = new Float64Array((PIECES + 1) * 3);
 
 /** Bends, stretches and dims a body as the flame has it, into `shape`. Nothing is allocated. */
 export function shapeFlame(flame: Flame, body: FlameBody, shape: FlameShape): FlameShape {
-  const { height: length, radius, glow, felt, presence } = flame;
+  const { height: length, radius, glow, effectiveStrain, presence } = flame;
   shape.length = length;
   shape.radius = radius;
   tracePath(flame.spine.positions, length);
@@ -68,7 +68,7 @@ export function shapeFlame(flame: Flame, body: FlameBody, shape: FlameShape): Fl
   // However its volume swings, the light is the limiter's, on the canvas and in the room.
   shape.soot = volume > 0 ? glow / (volume * bulging(body)) : 0;
   // The blue sheet is as thick and as bright on any flame: its light goes as its area.
-  shape.blue = glow > 0 ? (body.radius / radius) * (1 + BLUENESS * felt) * presence : 0;
+  shape.blue = glow > 0 ? (body.radius / radius) * (1 + BLUENESS * effectiveStrain) * presence : 0;
   gatherLight(body, shape, volume);
   placeBalls(shape);
   return shape;
@@ -86,8 +86,8 @@ function tracePath(spine: Float64Array, length: number): void {
   let dy = 1;
   let dz = 0;
   for (let piece = 1; piece <= PIECES; piece++) {
-    let left = step;
-    while (left > 0) {
+    let remaining = step;
+    while (remaining > 0) {
       // A read past the end would make boxes of all these numbers.
       const at = Math.min(parcel, PARCELS - 1) * 3;
       const toX = (spine[at] ?? 0) - x;
@@ -105,11 +105,11 @@ function tracePath(spine: Float64Array, length: number): void {
         dy = toY / distance;
         dz = toZ / distance;
       }
-      const way = isNext ? Math.min(left, distance) : left;
+      const way = isNext ? Math.min(remaining, distance) : remaining;
       x += dx * way;
       y += dy * way;
       z += dz * way;
-      left -= way;
+      remaining -= way;
       if (isNext && way === distance) parcel++;
     }
     path[piece * 3] = x;

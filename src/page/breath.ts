@@ -25,17 +25,17 @@ export function soundOf(samples: ArrayLike<number>, rate: number): Sound {
   let mean = 0;
   for (let i = 0; i < length; i++) mean += (samples[i] ?? 0) / length;
   // Two poles each: what a microphone adds at rest is cut off, and the low part is kept.
-  const keep = 1 - Math.exp((-2 * Math.PI * LOW) / rate);
-  let once = 0;
-  let twice = 0;
+  const smoothing = 1 - Math.exp((-2 * Math.PI * LOW) / rate);
+  let firstPole = 0;
+  let secondPole = 0;
   let power = 0;
   let lowPower = 0;
   for (let i = 0; i < length; i++) {
     const sample = (samples[i] ?? 0) - mean;
-    once += (sample - once) * keep;
-    twice += (once - twice) * keep;
+    firstPole += (sample - firstPole) * smoothing;
+    secondPole += (firstPole - secondPole) * smoothing;
     power += sample * sample;
-    lowPower += twice * twice;
+    lowPower += secondPole * secondPole;
   }
   return {
     loudness: Math.sqrt(power / Math.max(length, 1)),

@@ -101,9 +101,9 @@ const OPENING: Pick<View, "camera" | "candle"> = {
   camera: { position: [-0.6, 1.6, 0.85], yaw: -0.57, pitch: -0.4 },
   candle: { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 },
 };
-const asked = readShareLink(location.hash);
-const asksForNoPlace = !asked.camera && !asked.candle && !asked.settings.look;
-applyView(asksForNoPlace ? { ...asked, ...OPENING } : asked);
+const initial = readShareLink(location.hash);
+const asksForNoPlace = !initial.camera && !initial.candle && !initial.settings.look;
+applyView(asksForNoPlace ? { ...initial, ...OPENING } : initial);
 const takeUp = () => room.take();
 if (asksForNoPlace) room.addEventListener("enter", takeUp, { once: true });
 window.addEventListener("hashchange", () => {

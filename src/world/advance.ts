@@ -62,7 +62,7 @@ function toggleFlame({ flame }: World): void {
 }
 
 /** Of the tick under way, so that none allocates: the emitter before it, and what `tick` makes of it. */
-const before: Vec3 = [0, 0, 0];
+const previousEmitter: Vec3 = [0, 0, 0];
 const motion: Vec3 = [0, 0, 0];
 const flow: Vec3 = [0, 0, 0];
 const way: Vec3 = [0, 0, 0];
@@ -70,10 +70,11 @@ const wind: Vec3 = [0, 0, 0];
 
 function tick(world: World, intent: Intent): void {
   const { player, emitter, timeline, air, flame } = world;
-  for (let axis = 0; axis < 3; axis++) before[axis] = emitter[axis]!;
+  for (let axis = 0; axis < 3; axis++) previousEmitter[axis] = emitter[axis]!;
   movePlayer(world, intent);
   poseCandle(world, TICK);
-  for (let axis = 0; axis < 3; axis++) motion[axis] = (emitter[axis]! - before[axis]!) / TICK;
+  for (let axis = 0; axis < 3; axis++)
+    motion[axis] = (emitter[axis]! - previousEmitter[axis]!) / TICK;
   const carrying = world.candle.isHeld ? motion : STANDING;
   air.advance(timeline.tick + 1, player.position, player.velocity, emitter, carrying);
   // The paper's flame has its own law of motion: it is only lit and put out as the physical one is.
@@ -107,7 +108,7 @@ function record(world: World, isPhysical: boolean): void {
   if (isPhysical && world.sways) air.velocity(emitter, flow);
   else flow.fill(0);
   for (let axis = 0; axis < 3; axis++) {
-    way[axis] = (emitter[axis]! - before[axis]!) / setup.flameScale;
+    way[axis] = (emitter[axis]! - previousEmitter[axis]!) / setup.flameScale;
     wind[axis] = flow[axis]! / setup.flameScale - way[axis]! / TICK;
   }
   const burnsWell = world.sways && flame.isLit && flame.fuel > SPARKING;

@@ -22,12 +22,12 @@ export function inset({ min, max }: Bounds, margin: number): Bounds {
  */
 export function clampInside(position: Vec3, { min, max }: Bounds, velocity?: Vec3): void {
   for (let axis = 0; axis < 3; axis++) {
-    const wanted = position[axis]!;
+    const value = position[axis]!;
     const low = min[axis]!;
     const high = max[axis]!;
-    const kept = Number.isNaN(wanted) ? (low + high) / 2 : Math.min(Math.max(wanted, low), high);
-    if (kept !== wanted && velocity) velocity[axis] = 0;
-    position[axis] = kept;
+    const clamped = Number.isNaN(value) ? (low + high) / 2 : Math.min(Math.max(value, low), high);
+    if (clamped !== value && velocity) velocity[axis] = 0;
+    position[axis] = clamped;
   }
 }
 

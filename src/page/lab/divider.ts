@@ -13,9 +13,9 @@ export function bindDivider(line: HTMLElement, stage: HTMLElement, onEscape: () 
 
   function move(wanted: number): void {
     percent = Math.min(Math.max(wanted, 0), 100);
-    const shown = Math.round(percent);
-    const text = `${names[0]} ${shown} %, ${names[1]} ${100 - shown} %`;
-    line.setAttribute("aria-valuenow", String(shown));
+    const rounded = Math.round(percent);
+    const text = `${names[0]} ${rounded} %, ${names[1]} ${100 - rounded} %`;
+    line.setAttribute("aria-valuenow", String(rounded));
     line.setAttribute("aria-valuetext", text);
     stage.style.setProperty("--divider", `${percent}%`);
   }

@@ -30,8 +30,8 @@ export function bindFlamePlot(section: HTMLDetailsElement, room: CandleFlameElem
     const candela = flame.luminousIntensity;
     if (samples.at(-1)?.time !== time) samples.push({ time, candela });
     samples = samples.filter((sample) => sample.time >= time - SPAN);
-    const shown = samples.map((sample) => sample.candela);
-    const [least, most] = [Math.min(...shown), Math.max(...shown)];
+    const intensities = samples.map((sample) => sample.candela);
+    const [least, most] = [Math.min(...intensities), Math.max(...intensities)];
     const top = roundUp(Math.max(most, 1e-4));
     const points = samples.map((s) => [1 - (time - s.time) / SPAN, s.candela / top]);
     course.setAttribute("points", pointsOf(points));

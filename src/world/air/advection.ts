@@ -102,12 +102,12 @@ function traceMiddles(
   { ride }: Stream,
 ): void {
   const most = count + 2 * GHOSTS - 3;
-  let before = flow[near]! + flow[far]!;
+  let previous = flow[near]! + flow[far]!;
   for (let n = 0, step = stride; n < count; n++, step += stride) {
-    const after = flow[near + step]! + flow[far + step]!;
-    const from = n + GHOSTS - (0.25 * (before + after) - ride) * rates[n]!;
+    const next = flow[near + step]! + flow[far + step]!;
+    const from = n + GHOSTS - (0.25 * (previous + next) - ride) * rates[n]!;
     origins[n] = from < 1 ? 1 : from > most ? most : from;
-    before = after;
+    previous = next;
   }
 }
 
@@ -179,9 +179,9 @@ export function advectAmount(
       for (let n = 0, at = start - stride; n <= count; n++, at += stride) {
         const from = Math.min(origins[n]!, count + 2 * GHOSTS - 3);
         const cell = from | 0;
-        const passed = through(sums, cell, from - cell);
-        if (n > 0) field[at] = (passed - below) / widths[n - 1]!;
-        below = passed;
+        const amount = through(sums, cell, from - cell);
+        if (n > 0) field[at] = (amount - below) / widths[n - 1]!;
+        below = amount;
       }
     }
   }

@@ -53,7 +53,7 @@ const SPREAD = 0.107;
 export class Air {
   #wind = CALM;
   /** Mean velocity and turbulence that are wanted, m/s. Objects of several shapes would box their numbers. */
-  readonly #wanted = { x: Number.NaN, z: Number.NaN, unrest: Number.NaN };
+  readonly #target = { x: Number.NaN, z: Number.NaN, unrest: Number.NaN };
   readonly #gusts: Gusts;
   readonly #mean: Vec3 = [0, 0, 0];
   #unrest = 0;
@@ -85,9 +85,9 @@ export class Air {
   set wind(wind: Wind) {
     const { speed, direction, gustiness } = wind;
     this.#wind = wind;
-    this.#wanted.x = -speed * Math.sin(direction);
-    this.#wanted.z = -speed * Math.cos(direction);
-    this.#wanted.unrest = speed * gustiness * TURBULENCE;
+    this.#target.x = -speed * Math.sin(direction);
+    this.#target.z = -speed * Math.cos(direction);
+    this.#target.unrest = speed * gustiness * TURBULENCE;
   }
 
   /**
@@ -105,10 +105,10 @@ export class Air {
     flame: Readonly<Vec3> = eye,
     carrying: Readonly<Vec3> = NO_MOTION,
   ): void {
-    const before = this.#tick;
+    const previous = this.#tick;
     this.#tick = tick;
     this.#time = tick * TICK;
-    this.#veer(tick - before);
+    this.#veer(tick - previous);
     for (let axis = 0; axis < 3; axis++) {
       this.#body[axis] = eye[axis]!;
       this.#pace[axis] = pace[axis]!;
@@ -119,7 +119,7 @@ export class Air {
 
   #veer(ticks: number): void {
     const blend = 1 - Math.exp(-VEERING * TICK * Math.max(0, ticks));
-    const { x, z, unrest } = this.#wanted;
+    const { x, z, unrest } = this.#target;
     this.#mean[0] += (x - this.#mean[0]) * blend;
     this.#mean[2] += (z - this.#mean[2]) * blend;
     this.#unrest += (unrest - this.#unrest) * blend;
@@ -195,9 +195,9 @@ export class Air {
     const delay =
       (Math.min(way, reach) + Math.max(0, way * way - reach * reach) / (2 * reach)) /
       Math.max(this.#breathSpeed, 1e-3);
-    const since = age - delay;
-    if (since <= 0 || since >= BREATH) return;
-    const swell = Math.min(1, since / SWELL, (BREATH - since) / SWELL);
+    const elapsed = age - delay;
+    if (elapsed <= 0 || elapsed >= BREATH) return;
+    const swell = Math.min(1, elapsed / SWELL, (BREATH - elapsed) / SWELL);
     const aside = dx * dx + dy * dy + dz * dz - way * way;
     const width = MOUTH / 2 + SPREAD * way;
     const speed =

@@ -51,7 +51,7 @@ export class PlumeSolver {
   readonly heat: Float64Array;
   /** Origin of the grid in the room, metres. */
   readonly origin: Vec3 = [0, 0, 0];
-  readonly #before: readonly [Float64Array, Float64Array, Float64Array];
+  readonly #previous: readonly [Float64Array, Float64Array, Float64Array];
   readonly #warmth: Float64Array;
   /** Of each component, the lines along each axis. */
   readonly #lines: readonly [Three<Lines>, Three<Lines>, Three<Lines>];
@@ -84,7 +84,7 @@ export class PlumeSolver {
     const faces = (axis: Component) =>
       new Float64Array(counts.reduce((size, n, i) => size * (i === axis ? n + 1 : n), 1));
     this.velocities = [faces(0), faces(1), faces(2)];
-    this.#before = [faces(0), faces(1), faces(2)];
+    this.#previous = [faces(0), faces(1), faces(2)];
     this.heat = new Float64Array(counts[0] * counts[1] * counts[2]);
     this.#warmth = new Float64Array(this.heat.length);
     const linesOf = (axis: Component) =>
@@ -118,13 +118,13 @@ export class PlumeSolver {
       // A wind that changes is pushed by the room's pressure, which reaches all of this air at once.
       const change = wind[axis]! - this.#wind[axis]!;
       if (change !== 0) for (let at = 0; at < flow.length; at++) flow[at]! += change;
-      this.#before[axis]!.set(flow);
+      this.#previous[axis]!.set(flow);
       this.#wind[axis] = wind[axis]!;
     }
     // The grid's own motion: a flame carried through still air stands in a wind.
     for (let along = 0; along < 3; along++) {
       stream.ride = (origin[along]! - this.origin[along]!) / PLUME_STEP;
-      const flow = this.#before[along]!;
+      const flow = this.#previous[along]!;
       for (let axis = 0; axis < 3; axis++) {
         stream.outside = wind[axis]!;
         advect(velocities[axis]!, flow, this.#lines[axis]![along]!, stream);
@@ -221,8 +221,8 @@ export class PlumeSolver {
     const { heat } = this;
     const v = this.velocities[1];
     const warm = this.#warmth;
-    const ease = this.#before[0];
-    const fast = this.#before[1];
+    const ease = this.#previous[0];
+    const fast = this.#previous[1];
     warm.set(heat);
     fast.set(v);
     // Halves, so that two neighbours add up to their mean.

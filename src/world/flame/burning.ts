@@ -51,13 +51,13 @@ export interface Combustion {
   /** Luminous length, metres. */
   height: number;
   /** Strain, as a share of that which puts it out. */
-  felt: number;
+  effectiveStrain: number;
   /** Of its soot, as a share of a taper's in still air. */
   light: number;
 }
 
 export function updateLight(fire: Combustion): void {
-  const soot = fire.rate * grownSoot(fire.height) * Math.exp(-SOOT_LOSS * fire.felt);
+  const soot = fire.rate * grownSoot(fire.height) * Math.exp(-SOOT_LOSS * fire.effectiveStrain);
   fire.light = soot / TAPER_SOOT;
 }
 
@@ -88,7 +88,7 @@ function kilowatts(rate: number): number {
 
 /** How long gas takes from the foot of a flame that burns this much (kg/s) to a height within it (m). */
 export function riseTime(rate: number, height: number): number {
-  const fastest = topSpeed(rate, 0);
-  const freely = Math.min(height, (fastest * fastest) / (2 * BUOYANCY));
-  return Math.sqrt((2 * freely) / BUOYANCY) + (height - freely) / fastest;
+  const speedLimit = topSpeed(rate, 0);
+  const freeHeight = Math.min(height, (speedLimit * speedLimit) / (2 * BUOYANCY));
+  return Math.sqrt((2 * freeHeight) / BUOYANCY) + (height - freeHeight) / speedLimit;
 }

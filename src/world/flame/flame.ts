@@ -96,7 +96,7 @@ export class Flame {
   readonly #gauge: FlameMeasures = {
     rate: Number.NaN,
     height: Number.NaN,
-    felt: Number.NaN,
+    effectiveStrain: Number.NaN,
     light: Number.NaN,
     extent: Number.NaN,
     smoking: Number.NaN,
@@ -129,7 +129,7 @@ export class Flame {
     const still: Combustion = {
       rate: this.#full,
       height: flameHeight(this.#full),
-      felt: 0,
+      effectiveStrain: 0,
       light: 0,
     };
     updateLight(still);
@@ -157,16 +157,16 @@ export class Flame {
 
   /** Largest luminous radius, metres. */
   get radius(): number {
-    const { extent, felt } = this.measure();
-    return flameRadius(this.#wick, extent) / (1 + NARROWING * felt);
+    const { extent, effectiveStrain } = this.measure();
+    return flameRadius(this.#wick, extent) / (1 + NARROWING * effectiveStrain);
   }
 
   /** Factor on the radius at a height, m, as necks and bulges travel up with the gas. */
   neck(height: number): number {
     const { real, imaginary } = this.puffing;
     if (this.#isStill || (real === 0 && imaginary === 0)) return 1;
-    const risen = riseTime(this.#full, height);
-    const angle = 2 * Math.PI * puffingFrequency(this.wick) * risen;
+    const riseDuration = riseTime(this.#full, height);
+    const angle = 2 * Math.PI * puffingFrequency(this.wick) * riseDuration;
     const wave = real * Math.cos(angle) + imaginary * Math.sin(angle);
     return Math.max(1 + NECKING * wave * Math.min(height / this.height, 1), NARROWEST);
   }
@@ -175,10 +175,10 @@ export class Flame {
   measure(): Readonly<FlameMeasures> {
     const gauge = this.#gauge;
     const volume = (this.#isStill ? 1 : this.puffing.pulse) * this.#full;
-    gauge.felt = this.#isStill ? 0 : Math.max(0, Math.min(this.strain, 1.5) - UNNOTICED);
+    gauge.effectiveStrain = this.#isStill ? 0 : Math.max(0, Math.min(this.strain, 1.5) - UNNOTICED);
     gauge.extent = this.isLit ? this.fuel : this.#remains * Math.sqrt(this.presence);
     gauge.rate = this.fuel * volume;
-    gauge.height = flameHeight(gauge.extent * volume) / (1 + SHORTENING * gauge.felt);
+    gauge.height = flameHeight(gauge.extent * volume) / (1 + SHORTENING * gauge.effectiveStrain);
     updateLight(gauge);
     const warmth = this.isLit ? 0 : Math.max(0, (this.ember - DRY) / (GLOWING - DRY));
     gauge.smoking = warmth * Math.sqrt(warmth);
@@ -191,8 +191,8 @@ export class Flame {
   }
 
   /** Strain beyond the draughts that cost it nothing, as a share of what puts it out. */
-  get felt(): number {
-    return this.measure().felt;
+  get effectiveStrain(): number {
+    return this.measure().effectiveStrain;
   }
 
   /** Light as a share of what this wick gives in still air. */
@@ -214,8 +214,8 @@ export class Flame {
   light(): boolean {
     if (this.isLit) return false;
     // Toggled in haste, it begins from a spark each time, and cannot flash.
-    const gathered = Math.min(this.#outFor / GATHERING, 1) ** 3;
-    this.fuel = Math.max(SPARK, (gathered * this.vapour) / this.#full);
+    const buildUp = Math.min(this.#outFor / GATHERING, 1) ** 3;
+    this.fuel = Math.max(SPARK, (buildUp * this.vapour) / this.#full);
     this.isLit = true;
     this.strain = 0;
     this.#airspeed.fill(0); // the gust that put it out is long over
@@ -285,7 +285,7 @@ export class Flame {
   }
 
   #burn(seconds: number): void {
-    const target = 1 - COOLING * Math.min(this.measure().felt, 1);
+    const target = 1 - COOLING * Math.min(this.measure().effectiveStrain, 1);
     const strength = REMNANT_STRENGTH + (1 - REMNANT_STRENGTH) * Math.min(this.fuel, 1);
     const excess = Math.max(0, this.strain / strength - 1);
     const mending = Math.max(0, 1 - this.strain / strength);

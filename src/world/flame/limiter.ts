@@ -27,11 +27,11 @@ export class Limiter {
   advance(seconds: number): void {
     const { target } = this;
     const lags = seconds / LAG;
-    const left = Math.exp(-lags);
+    const decay = Math.exp(-lags);
     const first = this.#first - target;
-    this.#first = target + first * left;
-    this.#slow = target + (this.#slow - target + first * lags) * left;
-    const most = TREMBLE * this.#slow;
-    this.light = this.#slow + Math.min(Math.max(target - this.#slow, -most), most);
+    this.#first = target + first * decay;
+    this.#slow = target + (this.#slow - target + first * lags) * decay;
+    const limit = TREMBLE * this.#slow;
+    this.light = this.#slow + Math.min(Math.max(target - this.#slow, -limit), limit);
   }
 }

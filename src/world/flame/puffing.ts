@@ -47,10 +47,10 @@ export class Puffing {
     const { real, imaginary } = this;
     this.real = real * cos - imaginary * sin;
     this.imaginary = real * sin + imaginary * cos;
-    const left = size * change;
+    const amplitude = size * change;
     // Air is never perfectly still, and where the flame can puff, it will.
-    if (excess > 0 && left < TREMBLE) this.real += TREMBLE - left;
-    if (excess <= 0 && left < 1e-6) this.real = this.imaginary = 0;
+    if (excess > 0 && amplitude < TREMBLE) this.real += TREMBLE - amplitude;
+    if (excess <= 0 && amplitude < 1e-6) this.real = this.imaginary = 0;
   }
 
   /** At rest, as over a narrow source. */

@@ -113,10 +113,10 @@ export class Spine {
     place[1] = foot[1] + height;
     place[2] = foot[2] + z;
     const flow = air.velocity(place, this.#flow);
-    const felt = LEAST_FELT + (1 - LEAST_FELT) * Math.min(height / CLINGING, 1);
+    const windFactor = LEAST_FELT + (1 - LEAST_FELT) * Math.min(height / CLINGING, 1);
     for (let axis = 0; axis < 3; axis++) {
       const carried = motion[axis]!;
-      flow[axis] = carried + (flow[axis]! - carried) * felt;
+      flow[axis] = carried + (flow[axis]! - carried) * windFactor;
     }
     flow[1] -= motion[1];
     this.#rise(at + 1, flow);
@@ -130,7 +130,7 @@ export class Spine {
     this.#drift[i * 2 + 1] = flow[2] + behindZ * left;
   }
 
-  /** Lets the gas at a height rise, as `risen` says, with an updraught. */
+  /** Lets the gas at a height rise, as in `heightAfter`, with an updraught. */
   #rise(at: number, updraught: Readonly<Vec3>): void {
     const seconds = this.#seconds;
     const height = this.positions[at] ?? 0;
@@ -139,8 +139,8 @@ export class Spine {
       this.#flameSpeed,
       this.#plumeSpeed / Math.cbrt(Math.max(height, 1e-3)),
     );
-    const reached = Math.min(root * root, height + fastest * seconds);
-    this.positions[at] = Math.max(0, reached + updraught[1] * seconds);
+    const risenHeight = Math.min(root * root, height + fastest * seconds);
+    this.positions[at] = Math.max(0, risenHeight + updraught[1] * seconds);
   }
 }
 
@@ -153,9 +153,9 @@ export function heightAfter(
   rate: number,
   updraught: number,
 ): number {
-  const free = (Math.sqrt(height) + CLIMB * seconds) ** 2;
+  const freeHeight = (Math.sqrt(height) + CLIMB * seconds) ** 2;
   const capped = height + topSpeed(rate, height) * seconds;
-  return Math.max(0, Math.min(free, capped) + updraught * seconds);
+  return Math.max(0, Math.min(freeHeight, capped) + updraught * seconds);
 }
 
 /** How long gas takes to rise to a height, seconds. */

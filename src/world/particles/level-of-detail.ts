@@ -12,6 +12,6 @@ export function emittingGroups({ emitter, player, setup }: World): number {
   const z = emitter[2] - position[2];
   const distance = Math.sqrt(x * x + y * y + z * z);
   // A flame twice as large is as large from twice as far.
-  const lost = Math.floor((distance * 0.125) / (LOD_DISTANCE * setup.flameScale));
-  return Math.max(1, GROUPS - lost);
+  const droppedGroups = Math.floor((distance * 0.125) / (LOD_DISTANCE * setup.flameScale));
+  return Math.max(1, GROUPS - droppedGroups);
 }

@@ -90,9 +90,9 @@ export class Particles {
       if (birth < count && group < groups) {
         this.#emit(i, birth);
         // The emitter has moved on since.
-        const since = (eldest - birth / layer.rate) / TICK;
+        const elapsedTicks = (eldest - birth / layer.rate) / TICK;
         for (let axis = 0; axis < 3; axis++) {
-          state[i + axis]! -= timeline.way(tick, axis) * stays * since;
+          state[i + axis]! -= timeline.way(tick, axis) * stays * elapsedTicks;
         }
         continue;
       }
@@ -102,11 +102,11 @@ export class Particles {
       state[i + 5]! += layer.buoyancy * TICK;
       state[i + 6]! += layer.drift * TICK * signedLow(hash);
       for (let axis = 0; axis < 3; axis++) {
-        const left = timeline.way(tick, axis) * stays;
+        const shift = timeline.way(tick, axis) * stays;
         // The timeline's wind is what the emitter feels; a particle that stays behind feels the room's.
-        const wind = timeline.wind(tick, axis) + left / TICK;
+        const wind = timeline.wind(tick, axis) + shift / TICK;
         if (axis !== 1) state[i + 4 + axis]! += (wind - state[i + 4 + axis]!) * dragged;
-        state[i + axis]! += state[i + 4 + axis]! * TICK - left;
+        state[i + axis]! += state[i + 4 + axis]! * TICK - shift;
       }
       state[i + 3]! -= TICK;
     }

@@ -143,8 +143,8 @@ export class Smoke {
       const older = n === this.count - 1 ? row : (row + ROWS - 1) % ROWS;
       const seconds = n * PLUME_STEP;
       const life = ROWS * PLUME_STEP;
-      const left = Math.min((life - seconds) / DISSOLVING, 1);
-      const fades = left * left * (3 - 2 * left);
+      const remainder = Math.min((life - seconds) / DISSOLVING, 1);
+      const fades = remainder * remainder * (3 - 2 * remainder);
       const steps = (n === 0 ? 0 : 1) + (n === this.count - 1 ? 0 : 1);
       for (let i = 0; i < LINES; i++) {
         const at = row * LINES + i;

@@ -65,7 +65,7 @@ const TOLERANCE = 1e-3;
 export class ExposureAdaptation {
   /** Stops by which the eye is open wider than the view asks for. */
   lag = 0;
-  #wanted = 0;
+  #target = 0;
   /** Exposure that the last view asks for, stops, and the indirect light in it, lux for each candela. */
   #metered = 0;
   #bounced = 0;
@@ -78,21 +78,21 @@ export class ExposureAdaptation {
 
   /** Exposure by the eye's own estimate, stops. */
   get exposure(): number {
-    return this.#wanted + this.lag;
+    return this.#target + this.lag;
   }
 
   /** After a cut: the eye is adapted. */
   settle(view: AdaptationView): void {
     this.#meter(view);
-    this.#wanted = this.#metered;
+    this.#target = this.#metered;
     this.lag = 0;
   }
 
   /** The view has changed in no time: the eye lags. */
   notice(view: AdaptationView): void {
     this.#meter(view);
-    this.lag += this.#wanted - this.#metered;
-    this.#wanted = this.#metered;
+    this.lag += this.#target - this.#metered;
+    this.#target = this.#metered;
   }
 
   advance(view: AdaptationView, seconds: number): void {

@@ -117,10 +117,10 @@ export function holdOut(
   foot[2] = eye[2];
   let stretch = 1;
   if (collision) {
-    const wanted = collision.sweepCylinder(foot, reach, stand, CAUTION).fraction;
-    const most = collision.sweepCylinder(foot, reach, stand).fraction;
-    const eased = wanted + (hand.stretch - wanted) * Math.exp(-STRETCHING * seconds);
-    stretch = Math.min(eased, most);
+    const target = collision.sweepCylinder(foot, reach, stand, CAUTION).fraction;
+    const limit = collision.sweepCylinder(foot, reach, stand).fraction;
+    const eased = target + (hand.stretch - target) * Math.exp(-STRETCHING * seconds);
+    stretch = Math.min(eased, limit);
   }
   if (seconds > 0) hand.stretch = stretch;
   foot[0] += reach[0] * stretch;
@@ -141,6 +141,6 @@ function relax(stiffness: number, seconds: number): void {
 }
 
 /** As it is when small, but never more than `most`. */
-function soften(value: number, most: number): number {
-  return most * Math.tanh(value / most);
+function soften(value: number, limit: number): number {
+  return limit * Math.tanh(value / limit);
 }

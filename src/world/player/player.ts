@@ -64,11 +64,11 @@ export function walk(
   const pace = (runs ? gait.run : gait.walk) / length;
   const sin = Math.sin(player.yaw);
   const cos = Math.cos(player.yaw);
-  wanted[0] = (right * cos - forward * sin) * pace;
-  wanted[2] = (-right * sin - forward * cos) * pace;
-  accelerate(velocity, wanted, seconds, way);
+  targetVelocity[0] = (right * cos - forward * sin) * pace;
+  targetVelocity[2] = (-right * sin - forward * cos) * pace;
+  accelerate(velocity, targetVelocity, seconds, way);
   ground.move(position, way, velocity);
 }
 
-const wanted: Vec3 = [0, 0, 0];
+const targetVelocity: Vec3 = [0, 0, 0];
 const way: Vec3 = [0, 0, 0];

@@ -237,14 +237,14 @@ function largest({ soup, numbers }: Soup, most: number): Soup {
   const normal: Vec3 = [0, 0, 0];
   const areas = Float32Array.from({ length: count }, (_, i) => normalOf(soup, i * 9, normal));
   const least = areas.slice().sort()[count - most]!;
-  const kept = new Float32Array(most * 9);
+  const largestTriangles = new Float32Array(most * 9);
   const keptNumbers = new Uint32Array(most);
   let end = 0;
-  for (let i = 0; i < count && end < kept.length; i++) {
+  for (let i = 0; i < count && end < largestTriangles.length; i++) {
     if (areas[i]! < least) continue;
-    kept.set(soup.subarray(i * 9, i * 9 + 9), end);
+    largestTriangles.set(soup.subarray(i * 9, i * 9 + 9), end);
     keptNumbers[end / 9] = numbers[i]!;
     end += 9;
   }
-  return { soup: kept.slice(0, end), numbers: keptNumbers };
+  return { soup: largestTriangles.slice(0, end), numbers: keptNumbers };
 }

@@ -44,7 +44,7 @@ export class FloorPlan {
   /** A point that is asked for, the next stretch of a walk, and where it leads. Metres. */
   readonly #spot = { x: Number.NaN, z: Number.NaN };
   readonly #stretch = { x: Number.NaN, z: Number.NaN };
-  readonly #reached = { x: Number.NaN, z: Number.NaN };
+  readonly #destination = { x: Number.NaN, z: Number.NaN };
   #isTouching = false;
 
   /** @param spawn where to start if it is free, or else near; at the floor's height or above it */
@@ -117,15 +117,15 @@ export class FloorPlan {
     const stretches = Math.ceil(reach / STRETCH);
     this.#stretch.x = (dx / length) * (reach / stretches);
     this.#stretch.z = (dz / length) * (reach / stretches);
-    const reached = this.#reached;
+    const destination = this.#destination;
     let isBlocked = false;
     for (let i = 0; i < stretches; i++) {
       this.#isTouching = false;
       isBlocked = !this.#slide(position);
       if (isBlocked) break;
-      const moved = Math.abs(reached.x - position[0]) + Math.abs(reached.z - position[2]);
-      position[0] = reached.x;
-      position[2] = reached.z;
+      const moved = Math.abs(destination.x - position[0]) + Math.abs(destination.z - position[2]);
+      position[0] = destination.x;
+      position[2] = destination.z;
       // The next stretch is the same, and would end here too.
       if (moved < NEGLIGIBLE * 0.1) break;
     }
@@ -150,14 +150,14 @@ export class FloorPlan {
     if (nearest < 0) return;
     const [freeX, freeZ] = middleOf(this.#grid, nearest);
     let free = 0;
-    let taken = Number.isFinite(x) && Number.isFinite(z) ? 1 : 0;
-    for (let i = 0; i < 24 && taken > 0; i++) {
-      const middle = (free + taken) / 2;
+    let blocked = Number.isFinite(x) && Number.isFinite(z) ? 1 : 0;
+    for (let i = 0; i < 24 && blocked > 0; i++) {
+      const middle = (free + blocked) / 2;
       if (this.isFree(freeX + (x - freeX) * middle, freeZ + (z - freeZ) * middle)) free = middle;
-      else taken = middle;
+      else blocked = middle;
     }
-    position[0] = taken > 0 ? freeX + (x - freeX) * free : freeX;
-    position[2] = taken > 0 ? freeZ + (z - freeZ) * free : freeZ;
+    position[0] = blocked > 0 ? freeX + (x - freeX) * free : freeX;
+    position[2] = blocked > 0 ? freeZ + (z - freeZ) * free : freeZ;
   }
 
   /** Moves by one stretch, pushed out of obstacles. False if there is no way. */
@@ -166,24 +166,24 @@ export class FloorPlan {
     const z = from[2];
     const dx = this.#stretch.x;
     const dz = this.#stretch.z;
-    const reached = this.#reached;
-    const seen = this.#sampled;
-    reached.x = x + dx;
-    reached.z = z + dz;
+    const destination = this.#destination;
+    const sample = this.#sampled;
+    destination.x = x + dx;
+    destination.z = z + dz;
     for (let pushes = 0; pushes <= PUSHES; pushes++) {
-      this.#sample(reached);
-      const lack = WALKER_RADIUS - seen.clearance;
-      const away = length2(reached.x - x, reached.z - z);
+      this.#sample(destination);
+      const lack = WALKER_RADIUS - sample.clearance;
+      const distance = length2(destination.x - x, destination.z - z);
       if (lack <= 0) {
-        if (away <= 2 * STRETCH && this.#isReachableNear(reached)) return true;
+        if (distance <= 2 * STRETCH && this.#isReachableNear(destination)) return true;
         break;
       }
       this.#isTouching = true;
-      const steepness = length2(seen.x, seen.z);
+      const steepness = length2(sample.x, sample.z);
       if (steepness < 1e-3) break;
       const push = Math.min((lack + NEGLIGIBLE) / steepness, STRETCH) / steepness;
-      reached.x += seen.x * push;
-      reached.z += seen.z * push;
+      destination.x += sample.x * push;
+      destination.z += sample.z * push;
     }
     // In a notch the pushes go back and forth: then along an axis, or not at all.
     return this.#go(x + dx, z) || this.#go(x, z + dz);
@@ -191,19 +191,19 @@ export class FloorPlan {
 
   #go(x: number, z: number): boolean {
     if (!this.isFree(x, z)) return false;
-    this.#reached.x = x;
-    this.#reached.z = z;
+    this.#destination.x = x;
+    this.#destination.z = z;
     return true;
   }
 
   /** Removes the part of a velocity that leads into the obstacle that is touched. */
   #deflect(velocity: Vec3): void {
-    this.#sample(this.#reached);
-    const seen = this.#sampled;
-    const steepness = length2(seen.x, seen.z);
+    this.#sample(this.#destination);
+    const sample = this.#sampled;
+    const steepness = length2(sample.x, sample.z);
     if (steepness < 1e-3) return;
-    const nx = seen.x / steepness;
-    const nz = seen.z / steepness;
+    const nx = sample.x / steepness;
+    const nz = sample.z / steepness;
     const into = Math.min(0, velocity[0] * nx + velocity[2] * nz);
     velocity[0] -= into * nx;
     velocity[2] -= into * nz;
@@ -216,10 +216,10 @@ export class FloorPlan {
     const v = (z - this.#grid.z) / cell - 0.5;
     const column = Math.floor(u);
     const row = Math.floor(v);
-    const seen = this.#sampled;
+    const sample = this.#sampled;
     const field = this.#clearance;
-    seen.x = seen.z = 0;
-    seen.clearance = -cell;
+    sample.x = sample.z = 0;
+    sample.clearance = -cell;
     if (!(column >= 0 && row >= 0 && column < columns - 1 && row < rows - 1)) return;
     const at = row * columns + column;
     const s = u - column;
@@ -228,18 +228,18 @@ export class FloorPlan {
     const b = field[at + 1]!;
     const c = field[at + columns]!;
     const d = field[at + columns + 1]!;
-    seen.x = ((b - a) * (1 - t) + (d - c) * t) / cell;
-    seen.z = ((c - a) * (1 - s) + (d - b) * s) / cell;
-    seen.clearance = (a * (1 - s) + b * s) * (1 - t) + (c * (1 - s) + d * s) * t;
+    sample.x = ((b - a) * (1 - t) + (d - c) * t) / cell;
+    sample.z = ((c - a) * (1 - s) + (d - b) * s) / cell;
+    sample.clearance = (a * (1 - s) + b * s) * (1 - t) + (c * (1 - s) + d * s) * t;
     if (!this.#obstacle) return;
     const standingX = this.#obstacle[0];
     const standingZ = this.#obstacle[1];
     const radius = this.#obstacle[2];
     const distance = length2(x - standingX, z - standingZ);
-    if (distance - radius >= seen.clearance) return;
-    seen.x = distance > 0 ? (x - standingX) / distance : 1;
-    seen.z = distance > 0 ? (z - standingZ) / distance : 0;
-    seen.clearance = distance - radius;
+    if (distance - radius >= sample.clearance) return;
+    sample.x = distance > 0 ? (x - standingX) / distance : 1;
+    sample.z = distance > 0 ? (z - standingZ) / distance : 0;
+    sample.clearance = distance - radius;
   }
 
   /** Whether the roomiest of the four squares around a point can be walked to. */

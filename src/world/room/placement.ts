@@ -57,8 +57,8 @@ export interface PlacementQuery {
   readonly cylinder: Cylinder;
 }
 
-const gaze: RayHit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
-const felt: RayHit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
+const sightHit: RayHit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
+const supportHit: RayHit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
 const from: Vec3 = [0, 0, 0];
 const direction: Vec3 = [0, 0, 0];
 
@@ -78,7 +78,7 @@ export function findSpot(query: PlacementQuery, spot: Vec3): Refusal | null {
 export function findAimedSpot(reach: PlacementQuery, spot: Vec3): Refusal | null {
   const { collision, eye, direction, cylinder } = reach;
   const level = Math.hypot(direction[0], direction[2]);
-  const hit = collision.raycast(eye, direction, Infinity, gaze);
+  const hit = collision.raycast(eye, direction, Infinity, sightHit);
   const [away, y] = hit
     ? [hit.distance * level, eye[1] + hit.distance * direction[1]]
     : whereFloorWouldBe(reach, level);
@@ -97,9 +97,9 @@ export function findAimedSpot(reach: PlacementQuery, spot: Vec3): Refusal | null
 export function findSpotAhead(reach: PlacementQuery, spot: Vec3): Refusal | null {
   const { collision, eye, direction, cylinder } = reach;
   const level = Math.hypot(direction[0], direction[2]);
-  const hit = collision.raycast(eye, direction, Infinity, gaze);
-  const free = (hit ? hit.distance * level : Infinity) - cylinder.radius - NUDGE;
-  const distance = Math.min(AHEAD, free);
+  const hit = collision.raycast(eye, direction, Infinity, sightHit);
+  const clearance = (hit ? hit.distance * level : Infinity) - cylinder.radius - NUDGE;
+  const distance = Math.min(AHEAD, clearance);
   if (distance < WALKER_RADIUS + cylinder.radius + ELBOW_ROOM) return "no room";
   const y = eye[1] + Math.min(REACH_UP, (direction[1] / level) * distance);
   return fitAround(reach, distance, y, spot);
@@ -215,11 +215,11 @@ function castDown(
   from[0] = x;
   from[1] = y;
   from[2] = z;
-  return collision.raycast(from, DOWN, distance, felt);
+  return collision.raycast(from, DOWN, distance, supportHit);
 }
 
 function isInSight(collision: CollisionMesh, eye: Readonly<Vec3>, point: Readonly<Vec3>): boolean {
   const distance = Math.hypot(point[0] - eye[0], point[1] - eye[1], point[2] - eye[2]);
   for (const axis of [0, 1, 2] as const) direction[axis] = (point[axis] - eye[axis]) / distance;
-  return collision.raycast(eye, direction, distance, felt) === null;
+  return collision.raycast(eye, direction, distance, supportHit) === null;
 }
