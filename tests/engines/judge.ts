@@ -1,11 +1,4 @@
-import {
-  ANISOTROPIC_LIMITS,
-  compare,
-  type Difference,
-  LIMITS,
-  meanOf,
-  ULTRA_LIMITS,
-} from "./compare.ts";
+import { CASE_LIMITS, compare, type Difference, meanOf } from "./compare.ts";
 import { type Finding, READY, type Survey } from "./survey.ts";
 
 /** A case in a pair, and what is wrong with it. */
@@ -60,7 +53,8 @@ async function judgeCase(
   return { name, ready, difference, faults };
 }
 
-type Measure = keyof typeof LIMITS;
+const MEASURES = ["mean", "flip", "block"] as const;
+type Measure = (typeof MEASURES)[number];
 
 const TITLES: Readonly<Record<Measure, string>> = {
   mean: "the mean difference",
@@ -69,18 +63,12 @@ const TITLES: Readonly<Record<Measure, string>> = {
 };
 
 function excess(title: string, difference: Difference): string[] {
-  const isAnisotropic = /medium|high/.test(title);
-  const limits = title.includes("ultra")
-    ? ULTRA_LIMITS
-    : isAnisotropic
-      ? ANISOTROPIC_LIMITS
-      : LIMITS;
-  return (Object.keys(limits) as Measure[])
-    .filter((name) => !(difference[name] <= limits[name]))
-    .map((name) => {
-      const where = name === "block" ? ` (${difference.where})` : "";
-      return `${TITLES[name]} is ${written(name, difference)}, not ${written(name, limits)}${where}`;
-    });
+  const limits = CASE_LIMITS.find(({ cases }) => cases.test(title))?.limits;
+  if (!limits) throw new Error(`There are no limits for ${title}.`);
+  return MEASURES.filter((name) => !(difference[name] <= limits[name])).map((name) => {
+    const where = name === "block" ? ` (${difference.where})` : "";
+    return `${TITLES[name]} is ${written(name, difference)}, not ${written(name, limits)}${where}`;
+  });
 }
 
 /** A difference as one reads it. */

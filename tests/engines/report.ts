@@ -1,7 +1,7 @@
 import { mkdirSync, writeFileSync } from "node:fs";
 import sharp from "sharp";
 import type { Missing } from "../../tools/engines/find.ts";
-import { ANISOTROPIC_LIMITS, LIMITS, ULTRA_LIMITS } from "./compare.ts";
+import { CASE_LIMITS } from "./compare.ts";
 import { type Verdict, written } from "./judge.ts";
 import type { Result } from "./main.ts";
 
@@ -44,15 +44,7 @@ function markdown(results: readonly Result[], missing: readonly Missing[]): stri
     "",
     row(["", "mean", "FLIP", "block"]),
     row(["---", "---", "---", "---"]),
-    limitsRow("lone candle, `low`", LIMITS),
-    limitsRow(
-      "`medium` and `high`, where llvmpipe's anisotropic filter leaves wrong texels",
-      ANISOTROPIC_LIMITS,
-    ),
-    limitsRow(
-      "`ultra`, where one block beside the flame differs more; why is not known",
-      ULTRA_LIMITS,
-    ),
+    ...CASE_LIMITS.map(({ title, limits }) => limitsRow(title, limits)),
     "",
     "Nothing may be on the console, no exception, and no wait longer than 30 s.",
     "",

@@ -3,7 +3,7 @@ import { dirname, join, posix } from "node:path";
 import sharp from "sharp";
 import { describe, expect, test } from "vitest";
 import { ladderTable, passTable, scalingTable } from "../bench/tables.ts";
-import { LIMITS, ULTRA_LIMITS } from "../engines/compare.ts";
+import { ANISOTROPIC_LIMITS, DECODED_LIMITS, ULTRA_LIMITS } from "../engines/compare.ts";
 
 const read = (file: string): string => readFileSync(file, "utf8");
 
@@ -207,7 +207,8 @@ describe("DECISIONS.md", () => {
   test("gives the limits between engines that the tests have", () => {
     const entry = entries.find(({ title }) => title === "How far engines may differ");
     const prose = entry?.body.join(" ") ?? "";
-    expect(prose).toContain(`FLIP may be ${LIMITS.flip} `);
+    expect(prose).toContain(`FLIP may be ${DECODED_LIMITS.flip} `);
+    expect(prose).toContain(`FLIP of ${ANISOTROPIC_LIMITS.flip} `);
     expect(prose).toContain(`so ${100 * ULTRA_LIMITS.block} % pass there`);
   });
 });
