@@ -1,5 +1,6 @@
 import { created, type GpuContext, GpuObject } from "./gpu-object.js";
 import { FORMATS, Texture, type TextureFormat } from "./texture.js";
+import { attachTextures } from "./texture-view.js";
 
 export interface RenderTargetOptions {
   readonly label: string;
@@ -47,18 +48,7 @@ export class RenderTarget extends GpuObject {
       this.depth = texture("depth", "DEPTH_COMPONENT24", "nearest");
     }
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
-    for (const [i, { handle }] of this.colors.entries()) {
-      gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0 + i, gl.TEXTURE_2D, handle, 0);
-    }
-    if (this.depth) {
-      gl.framebufferTexture2D(
-        gl.FRAMEBUFFER,
-        gl.DEPTH_ATTACHMENT,
-        gl.TEXTURE_2D,
-        this.depth.handle,
-        0,
-      );
-    }
+    attachTextures(gl, this.colors, this.depth);
     if (samples > 1) {
       for (const [i, format] of color.entries()) {
         this.#renderbuffer(gl.COLOR_ATTACHMENT0 + i, gl[format], samples);
@@ -84,11 +74,9 @@ export class RenderTarget extends GpuObject {
     const gl = this.gl;
     const renderbuffer = created(gl, gl.createRenderbuffer(), this.label);
     gl.bindRenderbuffer(gl.RENDERBUFFER, renderbuffer);
-    if (samples > 1) {
-      gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, format, this.width, this.height);
-    } else {
-      gl.renderbufferStorage(gl.RENDERBUFFER, format, this.width, this.height);
-    }
+    // 0 samples: an ordinary one.
+    const count = samples > 1 ? samples : 0;
+    gl.renderbufferStorageMultisample(gl.RENDERBUFFER, count, format, this.width, this.height);
     gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, renderbuffer);
     this.#renderbuffers.push(renderbuffer);
   }

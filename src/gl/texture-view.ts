@@ -27,25 +27,33 @@ export class TextureView extends GpuObject {
     this.height = first.height;
     this.framebuffer = created(gl, gl.createFramebuffer(), label);
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
-    for (const [i, { target, handle }] of textures.entries()) {
-      const attachment = gl.COLOR_ATTACHMENT0 + i;
-      if (target === gl.TEXTURE_3D) {
-        gl.framebufferTextureLayer(gl.FRAMEBUFFER, attachment, handle, 0, image);
-      } else if (target === gl.TEXTURE_2D) {
-        gl.framebufferTexture2D(gl.FRAMEBUFFER, attachment, target, handle, 0);
-      } else {
-        const face = gl.TEXTURE_CUBE_MAP_POSITIVE_X + image;
-        gl.framebufferTexture2D(gl.FRAMEBUFFER, attachment, face, handle, 0);
-      }
-    }
-    if (depth) {
-      gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.TEXTURE_2D, depth.handle, 0);
-    }
+    attachTextures(gl, textures, depth ?? null, image);
     gl.drawBuffers(textures.map((_, i) => gl.COLOR_ATTACHMENT0 + i));
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 
   protected free(): void {
     this.gl.deleteFramebuffer(this.framebuffer);
+  }
+}
+
+/** Attaches textures, or an image of each, to the framebuffer that is bound. */
+export function attachTextures(
+  gl: WebGL2RenderingContext,
+  colors: readonly Texture[],
+  depth: Texture | null,
+  image = 0,
+): void {
+  for (const [i, { target, handle }] of colors.entries()) {
+    const attachment = gl.COLOR_ATTACHMENT0 + i;
+    if (target === gl.TEXTURE_3D) {
+      gl.framebufferTextureLayer(gl.FRAMEBUFFER, attachment, handle, 0, image);
+    } else {
+      const face = target === gl.TEXTURE_2D ? target : gl.TEXTURE_CUBE_MAP_POSITIVE_X + image;
+      gl.framebufferTexture2D(gl.FRAMEBUFFER, attachment, face, handle, 0);
+    }
+  }
+  if (depth) {
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.TEXTURE_2D, depth.handle, 0);
   }
 }
