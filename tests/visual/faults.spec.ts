@@ -1,6 +1,7 @@
 // Fault injection: whatever fails, wherever, ends in an event, a rejected promise, a sentence and the poster.
 import type { Page } from "playwright/test";
 import { LIBRARY } from "../support/room-driver.ts";
+import { serveSmallTextures } from "../support/small-textures.ts";
 import { expect, test } from "../support/test.ts";
 
 const PIXEL = "data:image/gif;base64,R0lGODlhAQABAIAAAP///wAAACH5BAEAAAAALAAAAAABAAEAAAICRAEAOw==";
@@ -209,6 +210,7 @@ test.describe("Whatever fails is told", () => {
   test.beforeAll(async ({ browser }) => {
     page = await browser.newPage();
     await installFaults(page);
+    await serveSmallTextures(page);
     uncaught = uncaughtOf(page);
     await page.route(`${LIBRARY}faults.html`, (route) =>
       route.fulfill({

@@ -1,5 +1,6 @@
 import { expect, test } from "../support/hosted-page.ts";
 import { LIBRARY, RoomDriver } from "../support/room-driver.ts";
+import { serveSmallTextures } from "../support/small-textures.ts";
 
 /**
  * Takes away what Safari 16.4 or Firefox ESR 115 lacks, of all that our scripts or their like might use.
@@ -92,6 +93,7 @@ test("in an old browser the page opens, one walks in and out, and its dialogs op
 
 test("so do a lone candle and the physical room, and a failure speaks", async ({ page }) => {
   await page.addInitScript(removeNewerApis);
+  await serveSmallTextures(page);
   const size = { width: 64, height: 36 };
   const room = await new RoomDriver(page).open({ scene: "candle", alt: "A wee flame" }, size);
   const seen = () =>
