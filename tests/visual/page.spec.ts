@@ -320,6 +320,8 @@ test.describe("what one sees", () => {
       await fresh.evaluate((room) => room.blur());
     });
 
+    await fresh.evaluate((room) => room.pause());
+
     await test.step("settings act at once", async () => {
       await page.getByRole("button", { name: "Settings" }).click();
       const settings = page.getByRole("dialog", { name: "Settings" });
@@ -592,6 +594,7 @@ test.describe("on a phone", () => {
     await expect.poll(() => fresh.isWalking()).toBe(true);
     await page.getByRole("button", { name: "Come back" }).tap();
     await expect.poll(() => fresh.isWalking()).toBe(false);
+    await fresh.evaluate((room) => room.pause());
     await fresh.openLab("What each technique costs");
     const lab = await fresh.lab.boundingBox();
     const room = await fresh.room.boundingBox();
