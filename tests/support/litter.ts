@@ -33,9 +33,9 @@ export async function litterPerTick(
   const code = "output" in built ? built.output[0].code : "";
   const nursery = [`--min-semi-space-size=${NURSERY}`, `--max-semi-space-size=${NURSERY}`];
   const flags = [...EAGER, ...nursery, "--input-type=module", "-"];
-  const told = execFileSync(process.execPath, [...flags, String(warmUp), ...cases], {
+  const output = execFileSync(process.execPath, [...flags, String(warmUp), ...cases], {
     input: code,
     encoding: "utf8",
   });
-  return JSON.parse(told);
+  return JSON.parse(output);
 }

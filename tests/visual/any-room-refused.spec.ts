@@ -15,7 +15,7 @@ test.afterAll(() => room.page.close());
 
 test.describe("A file that cannot be a room is refused with a sentence", () => {
   for (const [what, { served, says }] of Object.entries(FLAWS)) {
-    test(`${what} is told as such`, async () => {
+    test(`${what} is reported as such`, async () => {
       await room.serve("gone.bin", { body: "", status: 404 });
       const before = room.console.length;
       const refusal = await room.refusal(await room.serve("my%20room.glb", served));
@@ -92,7 +92,7 @@ test.describe("A file that cannot be a room is refused with a sentence", () => {
     },
   };
   for (const [name, { view, kept, says }] of Object.entries(SPOILT)) {
-    test(`${name} with its compressed data spoilt is told as such`, async () => {
+    test(`${name} with its compressed data spoilt is reported as such`, async () => {
       const { json, binary } = opened(name);
       const spoilt = json.bufferViews[view(json)];
       const { byteOffset = 0, byteLength } = spoilt.extensions?.EXT_meshopt_compression ?? spoilt;
@@ -150,7 +150,7 @@ test.describe("A file that is too large", () => {
     expect(sent).toBeLessThan(150e6);
   });
 
-  test("or does not come is given up with the reason of whoever gives it up", async () => {
+  test("or does not come is given up with the reason of the abort", async () => {
     expect(await room.loadAndAbort(`${base}/stalled.glb`, 0)).toEqual({
       name: "Error",
       message: "changed my mind",

@@ -154,7 +154,7 @@ test.describe("What a surface is made of survives", () => {
     }
   });
 
-  test("transparency, doubled sides and strengths of maps are told", async () => {
+  test("transparency, doubled sides and strengths of maps are reported", async () => {
     const model = await room.load(fixtureUrl("materials.glb"));
     const material = (name: string) => named(model, name).material;
     expect(material("glass")).toMatchObject({ alphaMode: "blend", isDoubleSided: false });
@@ -178,8 +178,8 @@ test.describe("What a surface is made of survives", () => {
   test("what cannot be had is named in one warning of the console", async () => {
     const before = room.console.length;
     const { warnings } = await room.load(fixtureUrl("materials.glb"));
-    const told = room.console.slice(before).filter(({ type }) => type === "warning");
-    expect(told).toEqual([{ type: "warning", text: `materials.glb: ${warnings.join(" ")}` }]);
+    const messages = room.console.slice(before).filter(({ type }) => type === "warning");
+    expect(messages).toEqual([{ type: "warning", text: `materials.glb: ${warnings.join(" ")}` }]);
     expect(warnings).toEqual([
       "KHR_materials_transmission is not supported: what should be clear is as opaque as its alpha says.",
       "KHR_materials_unlit is not supported: unlit surfaces are lit like all others.",

@@ -15,7 +15,7 @@ const PIXEL = "data:image/gif;base64,R0lGODlhAQABAIAAAP///wAAACwAAAAAAQABAAACAkQ
 interface Failure {
   readonly type: string;
   readonly message: string;
-  /** How often the element told of it. */
+  /** How often the element reported it. */
   readonly count: number;
   readonly isCauseAnError: boolean;
   /** Whether `ready` was rejected with the very cause. */
@@ -55,7 +55,7 @@ async function failureOf(room: RoomDriver): Promise<Failure> {
   return failure;
 }
 
-/** What every failure has in common: it is told once, shown, and nothing is left hanging. */
+/** What every failure has in common: it is reported once, shown, and nothing is left hanging. */
 function expectFailure(failure: Failure, type: string, sentence: RegExp): void {
   expect(failure).toEqual({
     type,
@@ -140,7 +140,7 @@ test("A room from an address that is none, or gone, or no room gives a sentence 
 }) => {
   await serveSmallTextures(page);
   const room = await new RoomDriver(page).open({}, TINY);
-  const told = await room.evaluate(async (shown) => {
+  const failures = await room.evaluate(async (shown) => {
     const failureOf = async (element: HTMLElementTagNameMap["candle-flame"], src: string) => {
       const failed = new Promise<{ type: string; message: string }>((resolve) =>
         element.addEventListener("error", ({ detail }) => resolve(detail), { once: true }),
@@ -150,9 +150,9 @@ test("A room from an address that is none, or gone, or no room gives a sentence 
       const { type, message } = await failed;
       return `${type}: ${message}`;
     };
-    const told: Record<string, string> = {};
+    const failures: Record<string, string> = {};
     for (const src of ["http://[", "/gone.glb", "/room.html", "ftp://host/room.glb"]) {
-      told[src] = await failureOf(shown, src);
+      failures[src] = await failureOf(shown, src);
     }
     const fresh = document.createElement("candle-flame");
     Object.assign(fresh, { look: "paper", quality: "low", paused: true });
@@ -166,10 +166,10 @@ test("A room from an address that is none, or gone, or no room gives a sentence 
     const mended = another !== ready && !fresh.matches(":state(loading)");
     fresh.remove();
     shown.step(1 / 60);
-    return { ...told, said, sentence, mended, stillThere: shown.stats.triangles > 0 };
+    return { ...failures, said, sentence, mended, stillThere: shown.stats.triangles > 0 };
   });
   const none = "The room's address is none that can be read: http://[";
-  expect(told).toEqual({
+  expect(failures).toEqual({
     "http://[": `asset: ${none}`,
     "/gone.glb": expect.stringMatching(/^asset: gone\.glb could not be fetched: .* 404.*\.$/),
     "/room.html": "asset: room.html is a web page, says its server (text/html).",

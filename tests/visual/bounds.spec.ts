@@ -175,7 +175,7 @@ test("A step of more than a minute is refused in a sentence, and a minute is not
   room,
 }) => {
   const found = await room.evaluate((element) => {
-    const told = [60.001, 1e6, Infinity].map((seconds) => {
+    const errors = [60.001, 1e6, Infinity].map((seconds) => {
       try {
         element.step(seconds);
       } catch (error) {
@@ -185,10 +185,10 @@ test("A step of more than a minute is refused in a sentence, and a minute is not
     });
     const before = element.currentTime;
     element.step(60);
-    return { told, passed: [before, element.currentTime] };
+    return { errors, passed: [before, element.currentTime] };
   });
-  expect(found.told[0]).toMatch(/^RangeError: step\(\) takes at most 60 seconds, not 60\.001\./);
-  expect(found.told.slice(1)).toEqual([
+  expect(found.errors[0]).toMatch(/^RangeError: step\(\) takes at most 60 seconds, not 60\.001\./);
+  expect(found.errors.slice(1)).toEqual([
     expect.stringMatching(/^RangeError: .* not 1000000\./),
     expect.stringMatching(/^RangeError: .* not Infinity\./),
   ]);

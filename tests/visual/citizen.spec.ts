@@ -99,7 +99,7 @@ test("Out of sight, in a hidden tab or paused, no frame is asked for and none is
   // What changed while it was paused and out of sight is there when it is seen.
   await room.evaluate((element) => {
     scrollTo(0, 2000);
-    // The element's own observer is older, and told first.
+    // The element's own observer is older, and notified first.
     return new Promise<void>((resolve) => {
       const sight = new IntersectionObserver((entries) => {
         if (entries.at(-1)?.isIntersecting) return;
@@ -192,7 +192,7 @@ test.describe("The canvas has the device pixels of its box", () => {
     new RoomDriver(page).evaluate(({ stats }) => [stats.width, stats.height]);
 
   test("to the pixel, at any zoom", async ({ playwright }) => {
-    // A real monitor's density: one that is only played is not told of.
+    // A real monitor's density: one that is only played is not reported.
     const { launchOptions = {} } = settings;
     const dense = await playwright.chromium.launch({
       ...launchOptions,
@@ -214,7 +214,7 @@ test.describe("The canvas has the device pixels of its box", () => {
     await dense.close();
   });
 
-  test("on any monitor, near enough where they are not told", async ({ page }) => {
+  test("on any monitor, near enough where they are not reported", async ({ page }) => {
     await page.addInitScript(() => {
       const { observe } = ResizeObserver.prototype;
       ResizeObserver.prototype.observe = function (target, options) {

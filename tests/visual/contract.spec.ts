@@ -39,14 +39,14 @@ test("Every property and method is there, of its kind, before the first frame an
 });
 
 test("Every event comes when it should, and none bubbles", async ({ room }) => {
-  const { told, left } = await room.page.evaluate(
+  const { eventTypes, left } = await room.page.evaluate(
     async ({ types }) => {
       const element = document.createElement("candle-flame");
-      const told = new Set<string>();
+      const eventTypes = new Set<string>();
       const left: string[] = [];
       const stop = new AbortController();
       for (const type of types) {
-        element.addEventListener(type, () => told.add(type));
+        element.addEventListener(type, () => eventTypes.add(type));
         document.body.addEventListener(type, () => left.push(type), { signal: stop.signal });
       }
       const next = (type: string) =>
@@ -78,15 +78,17 @@ test("Every event comes when it should, and none bubbles", async ({ room }) => {
       await failed;
       element.remove();
       stop.abort();
-      return { told: [...told], left };
+      return { eventTypes: [...eventTypes], left };
     },
     { types: namesOf(face.events) },
   );
-  expect(told.sort()).toEqual(namesOf(face.events));
+  expect(eventTypes.sort()).toEqual(namesOf(face.events));
   expect(left).toEqual([]);
 });
 
-test("Every slot and part of the shadow tree is told of, and no other", async ({ room }) => {
+test("Every slot and part of the shadow tree is in the manifest, and no other", async ({
+  room,
+}) => {
   const found = await room.evaluate((element) => {
     const all = [...(element.shadowRoot?.querySelectorAll("*") ?? [])];
     return {

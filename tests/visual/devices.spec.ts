@@ -37,14 +37,14 @@ test.describe("Fingers", () => {
         const canvas = element.shadowRoot?.querySelector("canvas");
         return canvas && getComputedStyle(canvas).touchAction;
       });
-    const told = await room.evaluate((element) => {
-      const told: string[] = [];
-      element.addEventListener("enter", () => told.push("enter"));
-      element.addEventListener("leave", () => told.push("leave"));
-      Object.assign(globalThis, { told });
-      return told;
+    const events = await room.evaluate((element) => {
+      const events: string[] = [];
+      element.addEventListener("enter", () => events.push("enter"));
+      element.addEventListener("leave", () => events.push("leave"));
+      Object.assign(globalThis, { events });
+      return events;
     });
-    expect(told).toEqual([]);
+    expect(events).toEqual([]);
 
     expect(await touchAction()).toBe("auto");
     await fingers("touchStart", [120, 45]);
@@ -81,7 +81,10 @@ test.describe("Fingers", () => {
 
     await page.touchscreen.tap(200, 300); // beside the element
     await expect.poll(() => room.isWalking()).toBe(false);
-    expect(await page.evaluate(() => Reflect.get(globalThis, "told"))).toEqual(["enter", "leave"]);
+    expect(await page.evaluate(() => Reflect.get(globalThis, "events"))).toEqual([
+      "enter",
+      "leave",
+    ]);
     expect(await hintOf(room)).toBe("");
     expect(room.complaints).toEqual([]);
   });

@@ -67,14 +67,14 @@ test("“Use it” has snippets to copy, and every attribute to try", async ({ f
       wind: 0.4,
       lit: false,
     });
-    // Others may be told of soon after it.
-    const told = await bench.getByRole("log").evaluateHandle((log) => {
+    // Others may be logged soon after it.
+    const reported = await bench.getByRole("log").evaluateHandle((log) => {
       const lines: string[] = [];
       new MutationObserver(() => lines.push(log.textContent)).observe(log, { childList: true });
       return lines;
     });
     await page.getByRole("button", { name: "light()" }).click();
-    await expect.poll(() => told.jsonValue()).toContain("event: light");
+    await expect.poll(() => reported.jsonValue()).toContain("event: light");
     expect(await candle.evaluate(({ lit }: CandleFlameElement) => lit)).toBe(true);
   });
 });

@@ -488,19 +488,19 @@ test.describe("The picture", () => {
       return element.stats;
     });
     expect(rests).toMatchObject({ quality: "low", width: 64 });
-    const told = await room.evaluate(async (element) => {
-      const told: { width: number; gpuObjects: number; gpuBytes: number }[] = [];
+    const measurements = await room.evaluate(async (element) => {
+      const measurements: { width: number; gpuObjects: number; gpuBytes: number }[] = [];
       for (const turn of ["play", "pause", "play", "pause"] as const) {
         element[turn]();
         // Of the frame after the next, which is drawn as it should be.
         for (let i = 0; i < 2; i++) await new Promise(requestAnimationFrame);
         const { width, gpuObjects, gpuBytes } = element.stats;
-        told.push({ width, gpuObjects, gpuBytes });
+        measurements.push({ width, gpuObjects, gpuBytes });
       }
-      return told;
+      return measurements;
     });
-    expect(told[2], "nothing is left of the quality before").toEqual(told[0]);
-    expect(told[3]).toEqual(told[1]);
+    expect(measurements[2], "nothing is left of the quality before").toEqual(measurements[0]);
+    expect(measurements[3]).toEqual(measurements[1]);
   });
 
   test("brightens with exposure", async ({ room }) => {
@@ -551,7 +551,7 @@ test.describe("The picture", () => {
     expect(Math.max(...gains) / Math.min(...gains)).toBeCloseTo(1, 4);
   });
 
-  test("is told of in numbers", async ({ room }) => {
+  test("is reported in numbers", async ({ room }) => {
     await room.step(1 / 60);
     const { width, height, quality, ...numbers } = await room.stats();
     expect({ width, height }).toEqual({ width: 160, height: 90 });
@@ -572,7 +572,7 @@ test.describe("The picture", () => {
     );
   });
 
-  test("has a flame that is told of in SI units", async ({ room }) => {
+  test("has a flame that is reported in SI units", async ({ room }) => {
     await room.step(1);
     const flame = await room.evaluate((element) => element.flame);
     expect(flame).toMatchObject({

@@ -1,7 +1,7 @@
 import { LIBRARY, RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
 
-test("Loading is told of as it goes on, ends at 1, and ends with `load` and `ready`", async ({
+test("Loading is reported as it goes on, ends at 1, and ends with `load` and `ready`", async ({
   room,
 }) => {
   const { progress, order, bubbled } = await room.page.evaluate(async () => {
@@ -56,7 +56,7 @@ test("A bar shows how far loading is, and is gone afterwards", async ({ room }) 
   expect(left).toBe(false);
 });
 
-test("Playing and pausing are told of once each, when they happen", async ({ room }) => {
+test("Playing and pausing are reported once each, when they happen", async ({ room }) => {
   const events = await room.evaluate((element) => {
     const events: string[] = [];
     const stop = new AbortController();
@@ -76,7 +76,7 @@ test("Playing and pausing are told of once each, when they happen", async ({ roo
   expect(events).toEqual(["play false", "pause true", "play false", "pause true"]);
 });
 
-test("The camera's moves are told of, and only moves", async ({ room }) => {
+test("The camera's moves are reported, and only moves", async ({ room }) => {
   const counts = await room.evaluate((element) => {
     let count = 0;
     const stop = new AbortController();
@@ -105,13 +105,13 @@ test("The camera's moves are told of, and only moves", async ({ room }) => {
 });
 
 test("Nothing that the element tells of leaves it", async ({ room }) => {
-  const { told, left } = await room.evaluate((element) => {
+  const { eventTypes, left } = await room.evaluate((element) => {
     const types = ["play", "pause", "place", "take", "camerachange", "progress", "load", "error"];
-    const told: string[] = [];
+    const eventTypes: string[] = [];
     const left: string[] = [];
     const stop = new AbortController();
     for (const type of types) {
-      element.addEventListener(type, () => told.push(type), { signal: stop.signal });
+      element.addEventListener(type, () => eventTypes.push(type), { signal: stop.signal });
       document.addEventListener(type, () => left.push(type), { signal: stop.signal });
     }
     element.look = "paper";
@@ -121,9 +121,9 @@ test("Nothing that the element tells of leaves it", async ({ room }) => {
     element.take();
     element.camera = { ...element.camera, pitch: 0.3 };
     stop.abort();
-    return { told, left };
+    return { eventTypes, left };
   });
-  expect(told).toEqual(["play", "pause", "place", "take", "camerachange"]);
+  expect(eventTypes).toEqual(["play", "pause", "place", "take", "camerachange"]);
   expect(left).toEqual([]);
 });
 

@@ -212,7 +212,7 @@ test("Scattered light is as much as there was, wherever a flame stands in the pi
   for (const share of shares) expect(Math.abs(share - 1)).toBeLessThan(0.02);
 });
 
-test("The meter takes no notice of the flame, lags as it is told, and keeps to its limits", async () => {
+test("The meter takes no notice of the flame, lags as set, and keeps to its limits", async () => {
   const stops = await page.evaluate(async () => {
     const { Eye }: Eye = await import("/tests/support/eye.ts" as string);
     const eye = new Eye(128, 72);

@@ -200,11 +200,11 @@ const LATER: readonly Case[] = [
 ];
 
 const titleOf = ({ fault, type, attributes, trigger }: Case) =>
-  [fault ?? "file", JSON.stringify(attributes ?? {}), trigger, `is told as ${type}`]
+  [fault ?? "file", JSON.stringify(attributes ?? {}), trigger, `is reported as ${type}`]
     .filter(Boolean)
     .join(" ");
 
-test.describe("Whatever fails is told", () => {
+test.describe("Whatever fails is reported", () => {
   let page: Page;
   let uncaught: readonly string[];
   test.beforeAll(async ({ browser }) => {

@@ -151,39 +151,39 @@ test("The flame is lit and put out by name, by key and by breath, and tells of i
 }) => {
   const { page } = room;
   await room.evaluate((element) => {
-    const told: string[] = [];
-    Object.assign(globalThis, { told });
+    const events: string[] = [];
+    Object.assign(globalThis, { events });
     for (const type of ["light", "extinguish"] as const) {
       element.addEventListener(type, ({ bubbles }) =>
-        told.push(`${type} ${element.lit} ${bubbles}`),
+        events.push(`${type} ${element.lit} ${bubbles}`),
       );
     }
     element.controls = true;
     element.focus();
   });
-  /** What was told since it was last asked, and how the flame is. */
-  const told = () =>
+  /** What was reported since it was last asked, and how the flame is. */
+  const events = () =>
     room.evaluate((element) => ({
-      told: (globalThis as unknown as { told: string[] }).told.splice(0),
+      events: (globalThis as unknown as { events: string[] }).events.splice(0),
       lit: element.lit,
       shown: element.matches(":state(lit)"),
       flame: element.flame?.lit,
     }));
   const burns = { lit: true, shown: true, flame: true };
   const isOut = { lit: false, shown: false, flame: false };
-  expect(await told()).toEqual({ told: [], ...burns });
+  expect(await events()).toEqual({ events: [], ...burns });
   await room.evaluate((element) => {
     element.extinguish();
     element.lit = false;
     element.extinguish();
   });
-  expect(await told()).toEqual({ told: ["extinguish false false"], ...isOut });
+  expect(await events()).toEqual({ events: ["extinguish false false"], ...isOut });
   await room.evaluate((element) => {
     element.step(1);
     element.lit = true;
     element.light();
   });
-  expect(await told()).toEqual({ told: ["light true false"], ...burns });
+  expect(await events()).toEqual({ events: ["light true false"], ...burns });
   const { lit, dark } = await room.evaluate((element) => {
     element.step(2);
     const lit = element.flame;
@@ -194,21 +194,21 @@ test("The flame is lit and put out by name, by key and by breath, and tells of i
   expect(lit?.luminousIntensity).toBeGreaterThan(0.9);
   expect(lit?.height).toBeGreaterThan(0.02);
   expect(dark).toMatchObject({ lit: false, height: 0, width: 0, luminousIntensity: 0 });
-  expect(await told()).toEqual({ told: ["extinguish false false"], ...isOut });
+  expect(await events()).toEqual({ events: ["extinguish false false"], ...isOut });
   await room.evaluate((element) => {
     element.unlit = false;
   });
-  expect(await told()).toEqual({ told: ["light true false"], ...burns });
+  expect(await events()).toEqual({ events: ["light true false"], ...burns });
   await page.keyboard.press("Enter");
   for (const [key, result] of [
-    ["KeyE", { told: ["extinguish false false"], ...isOut }],
-    ["KeyE", { told: ["light true false"], ...burns }],
-    ["KeyB", { told: ["extinguish false false"], ...isOut }],
+    ["KeyE", { events: ["extinguish false false"], ...isOut }],
+    ["KeyE", { events: ["light true false"], ...burns }],
+    ["KeyB", { events: ["extinguish false false"], ...isOut }],
   ] as const) {
     await page.keyboard.press(key);
     await room.step(0.6);
     await room.step(0.6);
-    expect(await told(), key).toEqual(result);
+    expect(await events(), key).toEqual(result);
   }
   await room.evaluate((element) => {
     element.light();
@@ -216,5 +216,5 @@ test("The flame is lit and put out by name, by key and by breath, and tells of i
     element.blow(0.1);
     element.step(1);
   });
-  expect(await told(), "a faint breath").toEqual({ told: ["light true false"], ...burns });
+  expect(await events(), "a faint breath").toEqual({ events: ["light true false"], ...burns });
 });

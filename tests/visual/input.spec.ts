@@ -208,10 +208,10 @@ test.describe("Walking", () => {
       await page.keyboard.up("KeyF");
       expect(await room.evaluate((element) => element.held)).toBe(held);
     }
-    const told = await room.evaluate(
+    const eventTypes = await room.evaluate(
       (element) => (element as unknown as { events: string[] }).events,
     );
-    expect(told).toEqual(["place", "take"]);
+    expect(eventTypes).toEqual(["place", "take"]);
   });
 });
 

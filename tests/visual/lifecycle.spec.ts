@@ -199,10 +199,10 @@ test("An element taken out while it loads gives its context back, and loads when
   expect(room.complaints).toEqual([]);
 });
 
-test("Whoever waits for an element that is taken out is told so, and can wait once more", async ({
+test("Waiting for an element that is taken out ends with an error, and a new wait succeeds", async ({
   room,
 }) => {
-  const told = await room.page.evaluate(async () => {
+  const outcome = await room.page.evaluate(async () => {
     const element = document.createElement("candle-flame");
     element.look = "paper";
     element.paused = true;
@@ -222,13 +222,13 @@ test("Whoever waits for an element that is taken out is told so, and can wait on
     element.remove();
     return { reason, isNew, isSame, drawCalls };
   });
-  expect(told).toEqual({
+  expect(outcome).toEqual({
     reason: "AbortError",
     isNew: true,
     isSame: true,
     drawCalls: expect.any(Number),
   });
-  expect(told.drawCalls).toBeGreaterThan(0);
+  expect(outcome.drawCalls).toBeGreaterThan(0);
 });
 
 test("In a shadow tree, in another document, and home again, an element draws in its box", async ({

@@ -228,18 +228,18 @@ test("A shared context that is lost comes back for all, and the scene may change
     const before = pictures();
     const objects = [elements[0]?.stats.gpuObjects];
     const extension = contexts[0]?.getExtension("WEBGL_lose_context");
-    const told = (type: "contextlost" | "contextrestored") =>
+    const nextEvent = (type: "contextlost" | "contextrestored") =>
       Promise.all(
         elements.map(
           (element) =>
             new Promise((resolve) => element.addEventListener(type, resolve, { once: true })),
         ),
       );
-    const lost = told("contextlost");
+    const lost = nextEvent("contextlost");
     extension?.loseContext();
     await lost;
     await new Promise((resolve) => setTimeout(resolve));
-    const restored = told("contextrestored");
+    const restored = nextEvent("contextrestored");
     extension?.restoreContext();
     await restored;
     objects.push(elements[0]?.stats.gpuObjects);

@@ -9,7 +9,7 @@ test("Pixels come from SwiftShader, the same on every machine", async ({ room })
   expect(renderer).toContain("SwiftShader");
 });
 
-test("WebGL 2 draws what it is told", async ({ page }) => {
+test("WebGL 2 draws as asked", async ({ page }) => {
   const { version, pixel } = await page.evaluate(() => {
     const gl = document.createElement("canvas").getContext("webgl2");
     if (!gl) return { version: "none", pixel: [] };

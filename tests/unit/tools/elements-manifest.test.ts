@@ -49,8 +49,15 @@ test("the manifest describes each event, state, property and method, and none of
   };
   expect(namesOf(element?.events)).toEqual(Object.keys(events).toSorted());
   expect(namesOf(element?.cssStates)).toEqual(Object.keys(states).toSorted());
-  const { events: told, slots, cssParts, cssStates, cssProperties, members } = element ?? {};
-  const lists = [told, slots, cssParts, cssStates, cssProperties, members];
+  const {
+    events: eventEntries,
+    slots,
+    cssParts,
+    cssStates,
+    cssProperties,
+    members,
+  } = element ?? {};
+  const lists = [eventEntries, slots, cssParts, cssStates, cssProperties, members];
   for (const entry of lists.flatMap((list) => list ?? [])) {
     expect(entry.description, entry.name).toMatch(/^\S.*\.$/);
     expect(entry.name).toMatch(/^(--)?[a-z][\w-]*$/i);
