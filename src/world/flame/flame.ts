@@ -174,7 +174,7 @@ export class Flame {
   /** The same object each time: numbers in it are not boxed, as those of a call are. */
   measure(): Readonly<FlameMeasures> {
     const gauge = this.#gauge;
-    const volume = (this.#isStill ? 1 : this.puffing.pulse) * this.#full;
+    const volume = this.pulse * this.#full;
     gauge.effectiveStrain = this.#isStill ? 0 : Math.max(0, Math.min(this.strain, 1.5) - UNNOTICED);
     gauge.extent = this.isLit ? this.fuel : this.#remains * Math.sqrt(this.presence);
     gauge.rate = this.fuel * volume;

@@ -51,11 +51,6 @@ export class Smoke {
     this.#key = pcg(seed ^ 0x5306e);
   }
 
-  /** No smoke anywhere. */
-  clear(): void {
-    this.count = 0;
-  }
-
   /**
    * One `PLUME_STEP`.
    *
