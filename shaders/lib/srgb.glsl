@@ -9,10 +9,12 @@ vec3 compressHighlights(vec3 linear) {
   return linear * (compressed / peak);
 }
 
-// IEC 61966-2-1.
+// IEC 61966-2-1. Its power is fitted by roots, to a tenth of an 8-bit step: they cost a software renderer far less.
 vec3 encodeSrgb(vec3 linear) {
   vec3 low = linear * 12.92;
-  vec3 high = 1.055 * pow(max(linear, vec3(0.0031308)), vec3(1.0 / 2.4)) - 0.055;
+  vec3 curved = max(linear, vec3(0.0031308));
+  vec3 root = sqrt(curved);
+  vec3 high = 0.83355301 * root + 0.29826716 * sqrt(root) - 0.05524676 * curved - 0.07693432;
   return mix(high, low, lessThanEqual(linear, vec3(0.0031308)));
 }
 

@@ -18,10 +18,14 @@ vec3 tone(vec3 color) {
   float level = MIDDLE_GREY * pow(peak / MIDDLE_GREY, CONTRAST);
   // Reinhard et al. 2002, "Photographic Tone Reproduction for Digital Images".
   float compressed = level / (1.0 + level);
-  if (peak <= 1.0) return hue * compressed;
-  // A mixture with white would go from orange by salmon; so green rises before blue.
-  float stops = log2(peak);
-  float bleach = min(BLEACH * stops * stops / (stops + 1.0), MOST_BLEACH);
-  bleach *= smoothstep(GOLDEN.x, GOLDEN.y, max(hue.g, hue.b));
-  return pow(hue, 1.0 - vec3(bleach, bleach, bleach * bleach)) * compressed;
+  vec3 shown = hue * compressed;
+  // A software renderer runs both sides of an if, but leaves a loop that no pixel is in.
+  for (float excess = peak; excess > 1.0; excess = 0.0) {
+    // A mixture with white would go from orange by salmon; so green rises before blue.
+    float stops = log2(excess);
+    float bleach = min(BLEACH * stops * stops / (stops + 1.0), MOST_BLEACH);
+    bleach *= smoothstep(GOLDEN.x, GOLDEN.y, max(hue.g, hue.b));
+    shown = pow(hue, 1.0 - vec3(bleach, bleach, bleach * bleach)) * compressed;
+  }
+  return shown;
 }

@@ -27,10 +27,6 @@ float approximateLuma(float luminance) {
   return sqrt(luminance / (luminance + 1.0));
 }
 
-vec4 luma(vec3 a, vec3 b, vec3 c, vec3 d) {
-  return vec4(luma(a), luma(b), luma(c), luma(d));
-}
-
 float least(vec4 values) {
   return min(min(values.x, values.y), min(values.z, values.w));
 }
@@ -43,7 +39,11 @@ vec3 fastDisplayColor(vec3 light) {
   vec3 balanced = max(light, 0.0) * uWhiteBalance;
 #if TONE_LUT
   vec3 share = balanced / TONE_LUT_MAX;
-  return max(max(share.r, share.g), share.b) <= 1.0 ? lookUpTone(share) : displayColor(light);
+  float peak = max(max(share.r, share.g), share.b);
+  vec3 color = lookUpTone(min(share, 1.0));
+  int exact = peak > 1.0 ? 1 : 0;
+  for (int i = 0; i < exact; i++) color = displayColor(light);
+  return color;
 #else
   return toneAndEncodeVivid(lookUpVibrance(balanced));
 #endif
@@ -56,20 +56,22 @@ vec3 antialiasedColor(vec2 uv) {
   vec3 glare = texture(uBloom, uv * uBloomTransform.xy + uBloomTransform.zw).rgb * (vExposure * uGlareShare);
   float exposure = vExposure * (1.0 - uGlareShare);
   vec3 here = fastDisplayColor(texture(uRadiance, uv).rgb * exposure + glare);
-  vec3 left = textureLodOffset(uRadiance, uv, 0.0, ivec2(-1, 0)).rgb;
-  vec3 right = textureLodOffset(uRadiance, uv, 0.0, ivec2(1, 0)).rgb;
-  vec3 below = textureLodOffset(uRadiance, uv, 0.0, ivec2(0, -1)).rgb;
-  vec3 above = textureLodOffset(uRadiance, uv, 0.0, ivec2(0, 1)).rgb;
-  vec4 luminance = max(luma(left, right, below, above) * exposure + luma(glare), 0.0);
-  if (approximateLuma(most(luminance)) - approximateLuma(least(luminance)) < 0.5 * EDGE) return here;
-  left = fastDisplayColor(left * exposure + glare);
-  right = fastDisplayColor(right * exposure + glare);
-  below = fastDisplayColor(below * exposure + glare);
-  above = fastDisplayColor(above * exposure + glare);
-  vec4 shown = luma(left, right, below, above);
-  float contrast = most(shown) - least(shown);
-  vec3 mean = (left + right + below + above) * 0.25;
-  return mix(here, mean, 0.6 * smoothstep(EDGE, 3.0 * EDGE, contrast));
+  vec3 neighbors[4] = vec3[4](
+    textureLodOffset(uRadiance, uv, 0.0, ivec2(-1, 0)).rgb, textureLodOffset(uRadiance, uv, 0.0, ivec2(1, 0)).rgb,
+    textureLodOffset(uRadiance, uv, 0.0, ivec2(0, -1)).rgb, textureLodOffset(uRadiance, uv, 0.0, ivec2(0, 1)).rgb);
+  vec4 luminances = vec4(luma(neighbors[0]), luma(neighbors[1]), luma(neighbors[2]), luma(neighbors[3]));
+  luminances = max(luminances * exposure + luma(glare), 0.0);
+  float difference = approximateLuma(most(luminances)) - approximateLuma(least(luminances));
+  // A software renderer runs both sides of an if, but leaves a loop that no pixel is in.
+  int count = difference < 0.5 * EDGE ? 0 : 4;
+  vec3 sum = vec3(0.0);
+  vec2 lumas = vec2(1.0, 0.0);  // the least, and the most
+  for (int i = 0; i < count; i++) {
+    vec3 color = fastDisplayColor(neighbors[i] * exposure + glare);
+    sum += color;
+    lumas = vec2(min(lumas.x, luma(color)), max(lumas.y, luma(color)));
+  }
+  return mix(here, sum * 0.25, 0.6 * smoothstep(EDGE, 3.0 * EDGE, lumas.y - lumas.x));
 }
 
 void main() {
