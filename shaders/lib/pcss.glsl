@@ -18,6 +18,9 @@ const float LEAST_PENUMBRA = 0.4;
 // Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences".
 const vec2 R2 = vec2(0.7548776662466927, 0.5698402909980532);
 
+// Taps of the filter that are under way at once.
+const int TAPS_AT_ONCE = 4;
+
 // A lit point and the flame, about the capture origin.
 struct ShadowReceiver {
   vec3 position;  // m
@@ -125,13 +128,15 @@ vec2 flameVisibility(vec3 position, vec3 normal, float rise, vec2 pixel) {
   float higher = r.offset / min(r.offset + rise, -1e-4);
   place = seed;
   vec2 visible = vec2(0.0);
-  for (int i = 0; i < SHADOW_TAPS; i++) {
-    vec2 texel = tapTexel(taps, fract(place), tile - 0.01);
-    place += R2;
-    float caster = texelFetch(uShadow, ivec2(texel), 0).r;
-    float plane = planeDepth(taps, texel);
-    visible.x += caster < min(plane, taps.farthest) ? 0.0 : 1.0;
-    visible.y += caster < min(1.0 - (1.0 - plane) * higher, taps.farthest) ? 0.0 : 1.0;
+  for (int i = 0; i < SHADOW_TAPS; i += TAPS_AT_ONCE) {
+    for (int j = 0; j < TAPS_AT_ONCE; j++) {
+      vec2 texel = tapTexel(taps, fract(place), tile - 0.01);
+      place += R2;
+      float caster = texelFetch(uShadow, ivec2(texel), 0).r;
+      float plane = planeDepth(taps, texel);
+      visible.x += caster < min(plane, taps.farthest) ? 0.0 : 1.0;
+      visible.y += caster < min(1.0 - (1.0 - plane) * higher, taps.farthest) ? 0.0 : 1.0;
+    }
   }
   return visible / float(SHADOW_TAPS);
 }

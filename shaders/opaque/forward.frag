@@ -82,27 +82,29 @@ void main() {
   float metallic = packed.b * uSurface.y;
   vec3 surface = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
   vec3 normal = shadingNormal(surface);
+
+  // Share of the flame that is visible past the room, the candle and its holder; and from a crevice's sides. Before all
+  // else, which would occupy registers. Crevices are lit by their sides, whichever way they face themselves.
+  bool isCrevice = occlusion < CREVICE;
+  vec3 facet = facetNormal(vPositionWorld);
+  vec2 visibilities = vec2(0.0);
+  if (dot(normal, light.position) > dot(normal, vPositionWorld) || isCrevice) {
+    facet = faceforward(facet, vPositionWorld - light.position, facet);
+    float rise = isCrevice ? CREVICE_HEIGHT * dot(surface, facet) : 0.0;
+    visibilities = vec2(candleVisibility(vPositionWorld));
+    visibilities *= flameVisibility(vPositionWorld, facet, rise, gl_FragCoord.xy);
+  }
+  float visibility = visibilities.x;
+  float sidesVisibility = max(visibilities.x, visibilities.y);
+
+  // Direct light.
   vec3 view = normalize(frame.eyePosition - vPositionWorld);
   float NoV = max(abs(dot(normal, view)), 1e-3);
   vec2 minified = minifiedVisibility();
-
-  // Direct light.
   vec3 toLight = light.position - vPositionWorld;
   float distanceSquared = max(dot(toLight, toLight), LEAST_DISTANCE * LEAST_DISTANCE);
   vec3 L = toLight * inversesqrt(distanceSquared);
   float NoL = max(dot(normal, L), 0.0);
-  vec3 facet = facetNormal(vPositionWorld);
-  facet = faceforward(facet, vPositionWorld - light.position, facet);
-  // Crevices are lit by their sides, whichever way they face themselves.
-  bool isCrevice = occlusion < CREVICE;
-  // Share of the flame that is visible past the room, the candle and its holder; and from the crevice's sides.
-  vec2 visibilities = vec2(0.0);
-  if (NoL > 0.0 || isCrevice) {
-    float rise = isCrevice ? CREVICE_HEIGHT * dot(surface, facet) : 0.0;
-    visibilities = flameVisibility(vPositionWorld, facet, rise, gl_FragCoord.xy) * candleVisibility(vPositionWorld);
-  }
-  float visibility = visibilities.x;
-  float sidesVisibility = max(visibilities.x, visibilities.y);
   float wickCosine = uIsWick * WICK_COSINE;
   if (wickCosine > 0.0) visibility = 1.0;
   vec3 unshadowed = light.intensity / distanceSquared;

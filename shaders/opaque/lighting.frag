@@ -71,6 +71,13 @@ void main() {
   float material = surface.a;
   float roughness = surface.b;
 #endif
+  // Before all else, which would occupy registers. Four rotations of the taps side by side, which the upsampling averages.
+  float visibility = 0.0;
+  if (dot(normal, light.position) > dot(normal, position)) {
+    vec2 tile = mod(floor(gl_FragCoord.xy), 2.0);
+    visibility = candleVisibility(position);
+    visibility *= flameVisibility(position, normal, 0.0, tile).x;
+  }
   bool isWax = material > 0.75;
   float metallic = isWax ? 0.0 : min(material / METAL, 1.0);
   vec3 view = normalize(frame.eyePosition - position);
@@ -80,9 +87,6 @@ void main() {
   float distanceSquared = max(dot(toLight, toLight), LEAST_DISTANCE * LEAST_DISTANCE);
   vec3 L = toLight * inversesqrt(distanceSquared);
   float NoL = max(dot(normal, L), 0.0);
-  // Four rotations of the taps side by side, which the upsampling averages.
-  vec2 tile = mod(floor(gl_FragCoord.xy), 2.0);
-  float visibility = NoL > 0.0 ? flameVisibility(position, normal, 0.0, tile).x * candleVisibility(position) : 0.0;
   float perArea = mix(1.0, visibility, uFeatures.x) / distanceSquared;
   FlameSpecular flame = flameSpecular(toLight, normal, view, NoV, roughness * roughness);
   float fresnel = fresnelSchlick(vec3(0.04), flame.SoH).r;  // of a dielectric; a metal's is its albedo
