@@ -7,6 +7,15 @@ layout(std140) uniform Light {
   float flatShading; // 1 or 0
 } light;
 
+// Phong's lobe, of exponent 16.
+float highlight(float cosine) {
+  float power = max(cosine, 0.0);
+  power *= power;
+  power *= power;
+  power *= power;
+  return power * power;
+}
+
 float attenuation(float distance) {
   return light.attenuates > 0.5
     ? 1.0 / (1.0 + 0.09 * distance + 0.032 * distance * distance)

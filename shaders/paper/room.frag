@@ -1,6 +1,6 @@
 #version 300 es
 // The room by the paper's lighting: Lambert and Blinn-Phong in tangent space, attenuated.
-// In:  albedo (sRGB), normal, and occlusion/roughness maps.   Out: display colour.
+// In:  albedo (sRGB), normal, and occlusion/roughness maps.   Out: display colour; alpha may tell surfaces apart.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "paper/light.glsl"
@@ -8,7 +8,6 @@
 #include "lib/srgb.glsl"
 
 const float SPECULAR = 0.5;
-const float EXPONENT = 16.0;
 
 out vec4 oColor;
 
@@ -23,7 +22,7 @@ void main() {
   float diffuse = max(dot(normal, lightDirection), 0.0) * mix(1.0, occlusionRoughness.r, uOcclusionStrength);
   // The paper's highlight is constant; here the roughness map attenuates it.
   float gloss = 1.0 - occlusionRoughness.g;
-  float specular = SPECULAR * gloss * pow(max(dot(normal, halfway), 0.0), EXPONENT) * step(1e-3, diffuse);
+  float specular = SPECULAR * gloss * highlight(dot(normal, halfway)) * step(1e-3, diffuse);
   vec3 color = (albedo * diffuse + albedo * specular) * light.color * attenuation(distance);
-  oColor = display(color * frame.exposure, gl_FragCoord.xy);
+  oColor = vec4(display(color * frame.exposure, gl_FragCoord.xy).rgb, edgeCode(0.0));
 }

@@ -7,11 +7,18 @@ uniform sampler2D uNormal;
 uniform sampler2D uOcclusionRoughness;
 uniform vec4 uBaseColor;
 uniform float uOcclusionStrength;  // of the map, 0 to 1
+uniform float uCodesEdges;  // 1 or 0
 
 in vec3 vPositionWorld;
 in vec3 vNormalWorld;
 in vec4 vTangentWorld;
 in vec2 vUv;
+
+// Alpha: 1, or a code of the surface by its normal, from `least` to half more, in which antialiasing finds edges.
+float edgeCode(float least) {
+  float code = least + 0.25 + 0.25 * dot(vNormalWorld, vec3(0.4, 0.8, 0.2));
+  return mix(1.0, code, uCodesEdges);
+}
 
 vec3 surfaceNormal() {
   if (light.flatShading > 0.5) return facetNormal(vPositionWorld);

@@ -4,10 +4,13 @@ import meshVert from "../../shaders/paper/mesh.vert";
 import particleFrag from "../../shaders/paper/particle.frag";
 import particleVert from "../../shaders/paper/particle.vert";
 import roomFrag from "../../shaders/paper/room.frag";
+import fullscreenVert from "../../shaders/post/fullscreen.vert";
+import fxaaFrag from "../../shaders/post/fxaa.frag";
 import type { Gpu, Surface as Target } from "../gl/gpu.js";
 import type { Program } from "../gl/program.js";
 import type { RenderTarget } from "../gl/render-target.js";
 import type { UniformBlock } from "../gl/uniform-block.js";
+import type { VertexArray } from "../gl/vertex-array.js";
 import { candleLight } from "../light/candle-light.js";
 import type { Features } from "../settings.js";
 import type { ParticleLayer } from "../world/particles/particle-layer.js";
@@ -26,6 +29,11 @@ const EXPOSURE = 0.62;
 /** Light of one particle where it is brightest, in display units; without a gradient, its opacity. */
 const GLOW = { core: 0.2, haze: 0.012 } as const;
 const FLAT_GLOW = { core: 0.8, haze: 0.08 } as const;
+
+/** Least difference of the surfaces' codes in alpha at an edge that is antialiased at `low`. */
+const CODE_DIFFERENCE = 0.02;
+/** At `low`, one level of the maps that change shading less than albedo does. */
+const LEVELS = { uNormal: "level", uOcclusionRoughness: "level" } as const;
 
 /**
  * The paper's forward renderer: room, candle, particles, straight to display colour.
@@ -47,6 +55,8 @@ export class PaperRenderer implements Renderer {
   #systems: ParticleSystem[] = [];
   #clipFromWorld = mat4.create();
   #target: RenderTarget | null = null;
+  /** Where edges are antialiased after shading: samples are what a CPU pays most for. */
+  readonly #fxaa: { readonly program: Program; readonly screen: VertexArray } | null;
   #size = { width: 1, height: 1 };
   /** Exposure of the last frame. */
   #exposure = EXPOSURE;
@@ -57,6 +67,15 @@ export class PaperRenderer implements Renderer {
     this.#roomProgram = gpu.program("paper/room", meshVert, roomFrag);
     this.#candleProgram = gpu.program("paper/candle", meshVert, candleFrag);
     this.#updateProgram = particleProgram(gpu);
+    this.#fxaa =
+      tier.name === "low"
+        ? {
+            program: gpu.program("post/fxaa", fullscreenVert, fxaaFrag, {
+              defines: { EDGE_LEAST: CODE_DIFFERENCE, BY_CODE: 1 },
+            }),
+            screen: gpu.vertexArray("screen", { attributes: {}, count: 3 }),
+          }
+        : null;
     this.#frame = gpu.uniformBlock(this.#roomProgram, "Frame");
     this.#light = gpu.uniformBlock(this.#roomProgram, "Light");
     this.#room = uploadModel(gpu, room);
@@ -66,18 +85,14 @@ export class PaperRenderer implements Renderer {
   resize(width: number, height: number): void {
     this.#size = { width, height };
     this.#target?.dispose();
-    const { samples } = this.#tier;
-    this.#target =
-      samples > 0
-        ? this.#gpu.renderTarget({
-            label: "frame",
-            width,
-            height,
-            color: ["RGBA8"],
-            depth: "buffer",
-            samples,
-          })
-        : null;
+    this.#target = this.#gpu.renderTarget({
+      label: "frame",
+      width,
+      height,
+      color: ["RGBA8"],
+      depth: "buffer",
+      samples: this.#fxaa ? 1 : this.#tier.samples,
+    });
   }
 
   setLayers({ seed }: World, layers: readonly ParticleLayer[]): void {
@@ -93,7 +108,8 @@ export class PaperRenderer implements Renderer {
 
   render(world: World, view: FrameSettings): void {
     const gpu = this.#gpu;
-    const target = this.#target ?? "canvas";
+    const target = this.#target;
+    if (!target) throw new Error("The paper's renderer has no size yet.");
     const { features } = view;
     this.#updateBlocks(world, view);
     gpu.setColorSpace("srgb");
@@ -105,7 +121,13 @@ export class PaperRenderer implements Renderer {
       this.#drawSurfaces(target, this.#candleProgram, this.#candle, placement);
     }
     if (features.particles) this.#drawParticles(target, world, features);
-    if (this.#target) gpu.resolve(this.#target, "canvas");
+    if (!this.#fxaa) {
+      gpu.resolve(target, "canvas");
+      return;
+    }
+    const { program, screen } = this.#fxaa;
+    const textures = { uSource: target.color };
+    gpu.draw({ program, target: "canvas", vertexArray: screen, textures });
   }
 
   #updateBlocks(world: World, { features, exposure, isStill }: FrameSettings): void {
@@ -148,11 +170,12 @@ export class PaperRenderer implements Renderer {
         target,
         vertexArray,
         textures,
-        sampling: surfaceSampling(this.#tier),
+        sampling: this.#fxaa ? LEVELS : surfaceSampling(this.#tier),
         uniforms: {
           uBaseColor: baseColor,
           uOcclusionStrength: occlusionStrength,
           uWorldFromModel,
+          uCodesEdges: this.#fxaa ? 1 : 0,
         },
         blocks: { Frame: this.#frame, Light: this.#light },
         depth: "test-and-write",

@@ -60,7 +60,9 @@ export class CompositeDisplayPass {
       gpu.program("opaque/composite-display", displayVert, compositeDisplayFrag, { defines }),
     );
     this.#reproject = gpu.program("opaque/reproject-color", fullscreenVert, reprojectFrag);
-    this.#fxaa = gpu.program("post/fxaa", fullscreenVert, fxaaFrag);
+    this.#fxaa = gpu.program("post/fxaa", fullscreenVert, fxaaFrag, {
+      defines: { EDGE_LEAST: 0.06, BY_CODE: 0 },
+    });
     this.#upscale = gpu.program("post/upscale", fullscreenVert, upscaleFrag);
     this.#fillLut = gpu.program("post/tone-lut", fullscreenVert, toneLutFrag);
     this.#lut = gpu.texture({
