@@ -17,6 +17,8 @@ const CRACK = 0.15;
 const FLOOR_SHARE = 0.5;
 /** Without a spawn point one starts with this much space around, if there is any. Metres. */
 const ELBOW_ROOM = 0.5;
+/** And on the floor, if it is no more than this much farther: a bent corridor leaves its middle out. Metres. */
+const DETOUR = 100;
 
 /** Survey of a floor: where a walker fits. */
 export interface FloorSurvey {
@@ -79,8 +81,10 @@ export function surveyFloor(
     for (let column = 0; column < columns; column++, at++) {
       if (region[at] === 0 || areas[region[at]! - 1]! < enough) continue;
       const dx = grid.x + (column + 0.5) * cell - target[0];
-      const squeeze = isExact ? 0 : Math.max(0, ELBOW_ROOM - clearance[at]!);
-      const cost = Math.sqrt(dx * dx + dz * dz) + 2 * squeeze;
+      let cost = Math.sqrt(dx * dx + dz * dz);
+      if (!isExact) {
+        cost += 2 * Math.max(0, ELBOW_ROOM - clearance[at]!) + (isFloor[at] ? 0 : DETOUR);
+      }
       if (cost >= least) continue;
       least = cost;
       start = at;
