@@ -407,3 +407,19 @@ test.each([
     expect(least).toBeLessThan(milliseconds);
   },
 );
+
+test("one starts on the floor of a bent corridor, not in the middle of its bounds", () => {
+  const wall = (x0: number, z0: number, x1: number, z1: number) =>
+    quad([x0, 0, z0], [x1, 0, z1], [x1, 2.4, z1], [x0, 2.4, z0]);
+  const corners = [0, 0, 0, 5, 1.3, 5, 1.3, 1.3, 5, 1.3, 5, 0] as const;
+  const walls = [0, 2, 4, 6, 8, 10].map((i) =>
+    wall(corners[i]!, corners[i + 1]!, corners[(i + 2) % 12]!, corners[(i + 3) % 12]!),
+  );
+  const legs = [
+    quad([0, 0, 5], [1.3, 0, 5], [1.3, 0, 0], [0, 0, 0]),
+    quad([1.3, 0, 1.3], [5, 0, 1.3], [5, 0, 0], [1.3, 0, 0]),
+  ];
+  const { start } = planOf([...walls, ...legs]);
+  expect(Math.min(start[0], start[2])).toBeLessThan(1.3);
+  expect(Math.min(start[0], start[2])).toBeGreaterThan(0);
+});
