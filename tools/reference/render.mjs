@@ -1,11 +1,15 @@
 // npm run reference [names…]: the views as Blender Cycles sees them, into tests/fixtures/reference/ or REFERENCES.
 // Needs `npm run build`, and Python with tools/models/requirements.txt (PYTHON names it).
 import { spawnSync } from "node:child_process";
-import { mkdirSync, mkdtempSync, writeFileSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { FIXTURES, height, readSource, views, width, withElement } from "./room.mjs";
+import sharp from "sharp";
+import { openGlb, packGlb } from "../models/glb-builder.mjs";
+import { FIXTURES, height, inEachRoom, readSource, views, width } from "./room.mjs";
+import { ROOMS, roomModel } from "./rooms.mjs";
 
+const MODELS = new URL("../../public/models/", import.meta.url);
 /** The ring handle's turn against the visitor, and the wick above the foot: as the renderer has them. */
 const HANDLE_TURN = -1.1;
 const WICK = [0.0011, 0.2, 0.0003];
@@ -19,15 +23,15 @@ const { Flame } = await readSource("/src/world/flame/flame.ts");
 const { TAPER_WICK } = await readSource("/src/world/flame/burning.ts");
 const { flameLight, TAPER } = await readSource("/src/light/flame-light.ts");
 const { position: centre, ...emitter } = flameLight(
-  { shown: { flame: [0, 0, 0] }, flame: new Flame(TAPER_WICK, true) },
+  { interpolated: { flame: [0, 0, 0] }, flame: new Flame(TAPER_WICK, true) },
   TAPER,
 );
 const lamp = { ...emitter, base: -centre[1], height: TAPER.height, reach: TAPER.radius };
 
 /** Where camera, flame and candle are in each view: the element itself says so. */
-const staged = await withElement("low", async (evaluate) => {
+const staged = await inEachRoom("low", wanted, async (views, evaluate) => {
   const staged = [];
-  for (const view of wanted) {
+  for (const view of views) {
     const seen = await evaluate((element, { place, camera }) => {
       element.reset();
       if (place) {
@@ -55,6 +59,10 @@ const staged = await withElement("low", async (evaluate) => {
 });
 
 const folder = mkdtempSync(join(tmpdir(), "reference-"));
+for (const name of ["cabin", "chamberstick"]) await exportModel(name);
+for (const [name, parts] of Object.entries(ROOMS)) {
+  writeFileSync(join(folder, `${name}.glb`), roomModel(parts));
+}
 mkdirSync(FIXTURES, { recursive: true });
 for (const view of staged) {
   const file = join(folder, `${view.name}.json`);
@@ -64,4 +72,25 @@ for (const view of staged) {
     stdio: "inherit",
   });
   if (status !== 0) throw new Error(`${view.name} could not be traced.`);
+}
+
+/** Writes a model of ours, with textures that Blender reads: it has no decoder for AVIF. */
+async function exportModel(name) {
+  const { json, binary } = openGlb(readFileSync(new URL(`${name}.glb`, MODELS)));
+  const avif = "EXT_texture_avif";
+  for (const list of ["extensionsUsed", "extensionsRequired"]) {
+    json[list] = json[list]?.filter((extension) => extension !== avif);
+  }
+  json.textures = json.textures.map(({ extensions, ...texture }) => ({
+    ...texture,
+    source: extensions[avif].source,
+  }));
+  for (const image of json.images) {
+    const file = `${image.name}.png`;
+    await sharp(new URL(image.uri, MODELS).pathname)
+      .png({ compressionLevel: 1 })
+      .toFile(join(folder, file));
+    Object.assign(image, { uri: file, mimeType: "image/png" });
+  }
+  writeFileSync(join(folder, `${name}.glb`), packGlb(json, binary));
 }

@@ -1,7 +1,7 @@
 // npm run reference:sheet: ours, theirs and the difference, view by view, into docs/reference/.
 import { readdirSync, readFileSync } from "node:fs";
 import sharp from "sharp";
-import { FIXTURES, height, readSource, width, withElement } from "./room.mjs";
+import { FIXTURES, height, inEachRoom, readSource, width } from "./room.mjs";
 
 const SHEET = new URL("../../docs/reference/sheet.jpg", import.meta.url);
 const GAP = 4;
@@ -29,7 +29,7 @@ function difference(ours, theirs, counts) {
 
 const files = readdirSync(FIXTURES).filter((file) => file.endsWith(".json"));
 const views = files.map((file) => JSON.parse(readFileSync(new URL(file, FIXTURES))));
-const pictures = await withElement("high", async (evaluate) => {
+const pictures = await inEachRoom("high", views, async (views, evaluate) => {
   const pictures = [];
   for (const view of views) {
     const radiance = await evaluate((element, { place, camera, width, height }) => {

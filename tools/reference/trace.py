@@ -11,10 +11,8 @@ import bpy
 import exr
 import numpy
 from mathutils import Matrix, Vector
-from quiet import quiet
 
 ROOM_TO_BLENDER = Matrix(((1, 0, 0, 0), (0, 0, -1, 0), (0, 1, 0, 0), (0, 0, 0, 1)))
-PUBLIC = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../public")
 SAMPLES = int(os.environ.get("SAMPLES", "128"))
 # Spheres in the column that stands for the flame, which is optically thin: as bright from above as
 # from the side. An opaque ellipsoid would be four times too dim from above.
@@ -34,27 +32,25 @@ def start():
     scene.cycles.samples = SAMPLES
     scene.cycles.use_adaptive_sampling = False
     scene.cycles.seed = 1
-    scene.cycles.max_bounces = 16
-    scene.cycles.diffuse_bounces = 16
-    scene.cycles.glossy_bounces = 8
+    scene.cycles.max_bounces = 64
+    scene.cycles.diffuse_bounces = 64
+    scene.cycles.glossy_bounces = 64
     scene.cycles.sample_clamp_direct = 0
     scene.cycles.sample_clamp_indirect = 0
     scene.cycles.blur_glossy = 0.5
     scene.cycles.caustics_reflective = True
-    scene.cycles.use_denoising = False
+    scene.cycles.use_denoising = True
+    scene.cycles.denoiser = "OPENIMAGEDENOISE"
+    scene.cycles.denoising_input_passes = "RGB_ALBEDO_NORMAL"
+    scene.cycles.denoising_prefilter = "ACCURATE"
     scene.cycles.pixel_filter_type = "BOX"
     scene.cycles.filter_width = 1.0
     layer = bpy.context.view_layer
     layer.use_pass_object_index = True
-    layer.use_pass_normal = True
-    layer.use_pass_position = True
-    for name in ("diffuse_direct", "diffuse_indirect", "diffuse_color", "glossy_direct", "glossy_indirect", "glossy_color"):
-        setattr(layer, f"use_pass_{name}", True)
     return scene
 
 
-def load(name, place=Matrix()):
-    path = os.path.join(PUBLIC, "models", name)
+def load(path, place=Matrix()):
     before = set(bpy.data.objects)
     bpy.ops.import_scene.gltf(filepath=path)
     added = [node for node in bpy.data.objects if node not in before]
@@ -175,16 +171,6 @@ def colour(images, name, channels="RGB"):
     return numpy.stack([found[f"{name}.{channel}"] for channel in channels], axis=-1)
 
 
-def assembled(images):
-    """The picture from its parts: what has bounced is quiet, textures and direct light are as traced."""
-    normal, position = colour(images, "Normal", "XYZ"), colour(images, "Position", "XYZ")
-    radiance = colour(images, "Combined")
-    for part in ("Diffuse", "Glossy"):
-        bounced, reflectance = colour(images, f"{part} Indirect"), colour(images, f"{part} Color")
-        radiance += (quiet(bounced, normal, position) - bounced) * reflectance
-    return radiance
-
-
 def left_out(view, index):
     """Pixels of candle, holder and flame."""
     mask = index > 0.5
@@ -225,15 +211,16 @@ def main(view_path, folder):
     with open(view_path) as file:
         view = json.load(file)
     scene = start()
-    load("cabin.glb")
+    models = os.path.dirname(view_path)
+    load(os.path.join(models, view.get("room", "cabin") + ".glb"))
     x, y, z = view["candle"]["foot"]
     place = ROOM_TO_BLENDER @ Matrix.Translation((x, y, z)) @ Matrix.Rotation(view["candle"]["turn"], 4, "Y") @ ROOM_TO_BLENDER.inverted()
-    for node in load("chamberstick.glb", place):
+    for node in load(os.path.join(models, "chamberstick.glb"), place):
         node.pass_index = 1
     add_lamps(scene, view["flame"]["position"], view["lamp"])
     add_camera(scene, view)
     images = render(scene)
-    radiance = assembled(images)
+    radiance = colour(images, "Combined")
     if "REFERENCE_PASSES" in os.environ:
         numpy.savez(
             os.path.join(os.environ["REFERENCE_PASSES"], view["name"] + ".npz"),
