@@ -6,7 +6,7 @@
 #include "lib/flame-light.glsl"
 #include "lib/surfels.glsl"
 
-uniform sampler2D uSurfelAlbedo;
+uniform sampler2D uSurfelReflectance;
 
 out vec4 oRadiosity;
 
@@ -19,5 +19,5 @@ void main() {
   }
   // A surfel receives all light in its solid angle, whatever its normal.
   vec3 irradiance = light.intensity * (surfel.solidAngle / surfel.area * candleVisibility(surfel.position));
-  oRadiosity = vec4(hemisphericalReflectance(texelFetch(uSurfelAlbedo, texel, 0).rgb) * irradiance, 1.0);
+  oRadiosity = vec4(texelFetch(uSurfelReflectance, texel, 0).rgb * irradiance, 1.0);
 }

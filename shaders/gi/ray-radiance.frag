@@ -1,26 +1,33 @@
 #version 300 es
 // Next bounce at the hits of the probes' rays: the irradiance volume's light, reflected.
-// Out: radiance, cd/m².
+// Out: radiance times solid angle of four rays side by side, cd/m² sr.
 #include "lib/precision.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/photometry.glsl"
 #include "lib/probe-rays.glsl"
 #include "lib/irradiance-volume.glsl"
 
-uniform sampler2D uRayAlbedo;
-
-// The volume is sampled this far in front of the surface, m.
-const float NORMAL_OFFSET = 0.03;
+uniform sampler2D uRayReflectance;
+uniform sampler2D uRayNearWeights;  // of the probes around a hit: gi/ray-weights.frag
+uniform sampler2D uRayFarWeights;
 
 out vec4 oRadiance;
 
 void main() {
-  ivec2 texel = ivec2(gl_FragCoord.xy);
-  ivec2 tile = texel / RAYS;
-  vec4 hit = texelFetch(uRayHits, texel, 0);
-  vec3 direction = normalize(octahedralDecode((vec2(texel - tile * RAYS) + 0.5) / float(RAYS)));
-  vec3 position = texelFetch(uProbePositions, tile, 0).xyz + direction * hit.w + hit.xyz * NORMAL_OFFSET;
-  vec3 irradiance = irradianceAt(position, hit.xyz, hit.xyz, hit.xyz).alongNormal;
-  vec3 reflectance = hemisphericalReflectance(texelFetch(uRayAlbedo, texel, 0).rgb);
-  oRadiance = vec4(hit.w > 0.0 ? reflectance * irradiance / PI : vec3(0.0), 1.0);
+  vec3 sum = vec3(0.0);
+  for (int n = 0; n < 4; n++) {
+    ProbeRay ray = probeRayAt(2 * ivec2(gl_FragCoord.xy) + ivec2(n & 1, n >> 1));
+    if (ray.reach <= 0.0) continue;
+    VolumeCell cell = volumeCellAt(hitPosition(ray, texelFetch(uProbePositions, ray.tile, 0).xyz));
+    vec2 uv = octahedralEncode(ray.normal);
+    vec4 nearWeights = texelFetch(uRayNearWeights, ray.texel, 0);
+    vec4 farWeights = texelFetch(uRayFarWeights, ray.texel, 0);
+    vec3 irradiance = vec3(0.0);
+    for (int i = 0; i < 8; i++) {
+      float weight = i < 4 ? nearWeights[i] : farWeights[i - 4];
+      if (weight > 0.0) irradiance += weight * probeIrradiance(tileAt(cell.low + volumeCorner(i)), uv);
+    }
+    sum += texelFetch(uRayReflectance, ray.texel, 0).rgb * irradiance * (ray.solidAngle / PI);
+  }
+  oRadiance = vec4(sum, 1.0);
 }

@@ -6,7 +6,7 @@
 #include "lib/flame-light.glsl"
 #include "lib/surfels.glsl"
 
-uniform sampler2D uSurfelAlbedo;
+uniform sampler2D uSurfelReflectance;
 
 out vec4 oSupport;
 
@@ -20,7 +20,7 @@ void main() {
     Surfel surfel = surfelAt(texel, size);
     if (surfel.distance <= 0.0) continue;
     float cosine = dot(surfel.normal, light.captureOrigin - surfel.position) / surfel.distance;
-    vec3 radiosity = hemisphericalReflectance(texelFetch(uSurfelAlbedo, texel, 0).rgb) * max(cosine, 0.0);
+    vec3 radiosity = texelFetch(uSurfelReflectance, texel, 0).rgb * max(cosine, 0.0);
     sum += vec4(radiosity / (surfel.distance * surfel.distance), surfel.position.y);
     count++;
   }

@@ -1,6 +1,6 @@
 #version 300 es
 // Captures surfels: the surfaces that the flame lights.
-// Out: base colour, less the self-occlusion of the normal map; normal and distance from the capture origin (m, 0 where
+// Out: reflectance, less the self-occlusion of the normal map; normal and distance from the capture origin (m, 0 where
 // there is no surface).
 #include "lib/precision.glsl"
 #include "lib/caster-albedo.glsl"
@@ -12,11 +12,11 @@ in vec3 vPositionWorld;
 in vec2 vUv;
 flat in float vSurface;  // number of its tile
 
-layout(location = 0) out vec4 oBaseColor;
+layout(location = 0) out vec4 oReflectance;
 layout(location = 1) out vec4 oNormalDistance;
 
-// Base colour at a level of detail, filtered as a texture that repeats.
-vec3 baseColorAtLevel(vec2 uv, int level) {
+// Reflectance at a level of detail, filtered as a texture that repeats.
+vec3 reflectanceAtLevel(vec2 uv, int level) {
   int size = casterLevelSize(level);
   ivec2 tile = ivec2(int(vSurface) * CASTER_TILE, casterLevelRow(level));
   vec2 place = fract(uv) * float(size) - 0.5;
@@ -28,15 +28,15 @@ vec3 baseColorAtLevel(vec2 uv, int level) {
   return mix(left, right, share.x);
 }
 
-// Mean of the base colour over a pixel.
-vec3 baseColorAt(vec2 uv) {
+// Mean of the reflectance over a pixel.
+vec3 reflectanceAt(vec2 uv) {
   vec2 across = dFdx(uv) * float(CASTER_TILE);
   vec2 up = dFdy(uv) * float(CASTER_TILE);
   float footprint = max(max(dot(across, across), dot(up, up)), 1.0);  // texels, squared
   float level = min(0.5 * log2(footprint), float(CASTER_LEVELS - 1));
   int finer = int(level);
   int coarser = min(finer + 1, CASTER_LEVELS - 1);
-  return mix(baseColorAtLevel(uv, finer), baseColorAtLevel(uv, coarser), fract(level));
+  return mix(reflectanceAtLevel(uv, finer), reflectanceAtLevel(uv, coarser), fract(level));
 }
 
 void main() {
@@ -44,6 +44,6 @@ void main() {
   vec3 normal = cross(dFdx(vPositionWorld), dFdy(vPositionWorld));
   // A triangle smaller than a pixel has no derivatives.
   normal = dot(normal, normal) > 0.0 ? normalize(normal) : -normalize(fromOrigin);
-  oBaseColor = vec4(baseColorAt(vUv), 1.0);
+  oReflectance = vec4(reflectanceAt(vUv), 1.0);
   oNormalDistance = vec4(faceforward(normal, fromOrigin, normal), length(fromOrigin));
 }

@@ -3,7 +3,7 @@
 // Distance Impostors". Needs lib/photometry.glsl, lib/flame-light.glsl, lib/shadow-cube.glsl,
 // lib/surfels.glsl.
 
-uniform sampler2D uRadiosity;  // of the surfels, lm/m²
+uniform sampler2D uOutgoing;  // radiosity of the surfels in all light, lm/m²
 
 // Steps of the march: first and last distance, m, and the ratio of each to the one before.
 const float NEAREST_STEP = 0.04;
@@ -14,6 +14,11 @@ const float IMPOSTOR_BIAS = 0.02;  // m
 // Depth behind a surface up to which a ray hits it for certain, and from which it passes behind. Metres.
 const vec2 THICKNESS = vec2(0.06, 0.25);
 
+// A surface as smooth as this is a mirror, by its alpha of GGX; others take this many rays.
+const float MIRROR_ALPHA = 0.01;
+const int REFLECTION_RAYS = 6;
+const float GOLDEN_ANGLE = 2.399963;
+
 // Depth of a point behind the surface in its direction from the capture origin, m.
 float depthBehind(vec3 fromOrigin) {
   return length(fromOrigin) * (1.0 - casterDistance(fromOrigin)) - IMPOSTOR_BIAS;
@@ -21,19 +26,19 @@ float depthBehind(vec3 fromOrigin) {
 
 // Radiosity in a direction from the capture origin, filtered within a face, lm/m².
 vec3 radiosityToward(vec3 fromOrigin) {
-  int size = textureSize(uRadiosity, 0).y;
+  int size = textureSize(uOutgoing, 0).y;
   vec3 uv = cubeFaceUv(fromOrigin);
   vec2 at = clamp(uv.xy * float(size) - 0.5, vec2(0.0), vec2(float(size) - 1.0));
   ivec2 corner = min(ivec2(at), size - 2);
   vec2 share = at - vec2(corner);
   corner.x += int(uv.z) * size;
-  vec3 low = mix(texelFetch(uRadiosity, corner, 0).rgb, texelFetch(uRadiosity, corner + ivec2(1, 0), 0).rgb, share.x);
-  vec3 high = mix(texelFetch(uRadiosity, corner + ivec2(0, 1), 0).rgb, texelFetch(uRadiosity, corner + 1, 0).rgb, share.x);
+  vec3 low = mix(texelFetch(uOutgoing, corner, 0).rgb, texelFetch(uOutgoing, corner + ivec2(1, 0), 0).rgb, share.x);
+  vec3 high = mix(texelFetch(uOutgoing, corner + ivec2(0, 1), 0).rgb, texelFetch(uOutgoing, corner + 1, 0).rgb, share.x);
   return mix(low, high, share.y);
 }
 
-// Reflected direct light along a ray, cd/m² for 1 cd; black where it hits no surface that the flame lights.
-vec3 traceRadiance(vec3 position, vec3 ray) {
+// Light along a ray from surfaces that the flame lights, cd/m² for 1 cd; alpha: share of the ray that hits none.
+vec4 traceRadiance(vec3 position, vec3 ray) {
   vec3 start = position - light.captureOrigin;
   float near = NEAREST_STEP;
   bool wasBehind = depthBehind(start + ray * near) > 0.0;
@@ -58,5 +63,28 @@ vec3 traceRadiance(vec3 position, vec3 ray) {
     wasBehind = isBehind;
     near = far;
   }
-  return sum / PI;
+  return vec4(sum / PI, transmittance);
+}
+
+// Light from around a mirrored direction, cd/m² for 1 cd, by rays over the microfacets of a rough surface.
+// `alpha`: GGX. `beyond`: light along rays that hit nothing that the flame lights.
+vec3 traceReflection(vec3 position, vec3 normal, vec3 view, float alpha, vec3 beyond) {
+  vec3 tangent = normalize(abs(normal.y) < 0.9 ? cross(normal, vec3(0.0, 1.0, 0.0)) : cross(normal, vec3(1.0, 0.0, 0.0)));
+  vec3 bitangent = cross(normal, tangent);
+  int rays = alpha < MIRROR_ALPHA ? 1 : REFLECTION_RAYS;
+  vec3 sum = vec3(0.0);
+  float count = 0.0;
+  for (int i = 0; i < rays; i++) {
+    // Slopes of GGX microfacets: Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces".
+    float u = rays == 1 ? 0.0 : (float(i) + 0.5) / float(rays);
+    float slope = alpha * sqrt(u / (1.0 - u));
+    float around = float(i) * GOLDEN_ANGLE;
+    vec3 facet = normalize(normal + slope * (cos(around) * tangent + sin(around) * bitangent));
+    vec3 ray = reflect(-view, facet);
+    if (dot(ray, normal) <= 0.0) continue;
+    vec4 traced = traceRadiance(position, ray);
+    sum += traced.rgb + traced.a * beyond;
+    count++;
+  }
+  return sum / max(count, 1.0);
 }

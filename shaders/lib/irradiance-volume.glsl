@@ -1,7 +1,7 @@
 // Irradiance volume: indirect light anywhere in the room, for 1 cd of the flame's, from a grid of probes.
 // Needs lib/octahedral.glsl.
 //
-// Planes of probes of constant z lie side by side along x. Each probe is a tile of `uIrradiance`, an octahedral map of
+// Planes of probes of constant z lie one above another. Each probe is a tile of `uIrradiance`, an octahedral map of
 // irradiance, lx, by surface normal. A probe is weighted by distance, by the surface's normal, and by its visibility:
 // Majercik, Guertin, Nowrouzezahrai and McGuire 2019, "Dynamic Diffuse Global Illumination with Ray-Traced Irradiance
 // Fields".
@@ -22,13 +22,13 @@ uniform sampler2D uProbePositions;  // m; 1, or 0 for a probe inside a solid
 uniform sampler2D uProbeDepth;  // mean and standard deviation of the distance along a direction, m: octahedral maps
 
 // Edges of the tiles and width of their border, texels: src/render/gi/probe-rays.ts.
-const float PROBE_DEPTH_EDGE = 10.0;
+const float PROBE_DEPTH_EDGE = 18.0;
 const float IRRADIANCE_EDGE = 8.0;
 const float BORDER = 1.0;
 
 // From uv on a probe's map to uv on the atlas.
 vec2 atlasUv(ivec2 tile, float edge, vec2 uv) {
-  vec2 tiles = vec2(volume.columns * volume.planes, volume.rows);
+  vec2 tiles = vec2(volume.columns, volume.rows * volume.planes);
   return (vec2(tile) + (BORDER + uv * (edge - 2.0 * BORDER)) / edge) / tiles;
 }
 
@@ -51,7 +51,7 @@ struct IrradianceSample {
 
 // Tile of a probe, by its place in the grid.
 ivec2 tileAt(vec3 probe) {
-  return ivec2(int(probe.z * volume.columns + probe.x), int(probe.y));
+  return ivec2(int(probe.x), int(probe.z * volume.rows + probe.y));
 }
 
 vec3 probeIrradiance(ivec2 tile, vec2 uv) {
@@ -69,32 +69,50 @@ vec3 irradianceTetrahedral(vec3 cell, vec3 share, vec2 uv) {
   return sum;
 }
 
-// `facing`: normal by which probes are weighted, or 0 in mid-air. Without visibility tests both results are the
-// irradiance along the normal: so few probes do not resolve directions.
-IrradianceSample irradianceAt(vec3 position, vec3 facing, vec3 normal, vec3 reflection) {
+// Cell of the grid at a point: its lowest probe, and the point's place between its probes.
+struct VolumeCell {
+  vec3 low;
+  vec3 share;
+};
+
+VolumeCell volumeCellAt(vec3 position) {
   vec3 count = vec3(volume.columns, volume.rows, volume.planes);
   vec3 place = clamp((position - volume.corner) / volume.extent * count - 0.5, vec3(0.0), count - 1.001);
-  vec3 cell = floor(place);
-  vec3 share = place - cell;
+  return VolumeCell(floor(place), fract(place));
+}
+
+vec3 volumeCorner(int i) {
+  return vec3(i & 1, (i >> 1) & 1, i >> 2);
+}
+
+// Weight of a cell's probe at a point. `facing`: normal by which probes are weighted, or 0 in mid-air.
+float probeWeight(VolumeCell cell, vec3 corner, vec3 position, vec3 facing) {
+  ivec2 tile = tileAt(cell.low + corner);
+  vec3 shares = mix(1.0 - cell.share, cell.share, corner);
+  vec4 probe = texelFetch(uProbePositions, tile, 0);
+  vec3 fromProbe = position - probe.xyz;
+  float reach = max(length(fromProbe), 1e-4);
+  float wrapped = 0.5 - 0.5 * dot(fromProbe, facing) / reach;
+  float visibility = probeVisibility(probeDepth(tile, fromProbe / reach), reach);
+  float weight = max(shares.x * shares.y * shares.z, 1e-4) * (wrapped * wrapped + 0.04);
+  return weight * probe.w * max(visibility * visibility * visibility, 1e-4);
+}
+
+// Without visibility tests both results are the irradiance along the normal: so few probes do not resolve directions.
+IrradianceSample irradianceAt(vec3 position, vec3 facing, vec3 normal, vec3 reflection) {
+  VolumeCell cell = volumeCellAt(position);
   vec2 normalUv = octahedralEncode(normal);
   if (volume.testsVisibility < 0.5) {
-    vec3 interpolated = irradianceTetrahedral(cell, share, normalUv);
+    vec3 interpolated = irradianceTetrahedral(cell.low, cell.share, normalUv);
     return IrradianceSample(interpolated, interpolated);
   }
   vec2 reflectionUv = octahedralEncode(reflection);
   IrradianceSample sum = IrradianceSample(vec3(0.0), vec3(0.0));
   float total = 0.0;
   for (int i = 0; i < 8; i++) {
-    vec3 corner = vec3(i & 1, (i >> 1) & 1, i >> 2);
-    ivec2 tile = tileAt(cell + corner);
-    vec3 shares = mix(1.0 - share, share, corner);
-    float weight = max(shares.x * shares.y * shares.z, 1e-4);
-    vec4 probe = texelFetch(uProbePositions, tile, 0);
-    vec3 fromProbe = position - probe.xyz;
-    float reach = max(length(fromProbe), 1e-4);
-    float wrapped = 0.5 - 0.5 * dot(fromProbe, facing) / reach;
-    float visibility = probeVisibility(probeDepth(tile, fromProbe / reach), reach);
-    weight *= probe.w * (wrapped * wrapped + 0.2) * max(visibility * visibility * visibility, 1e-4);
+    vec3 corner = volumeCorner(i);
+    ivec2 tile = tileAt(cell.low + corner);
+    float weight = probeWeight(cell, corner, position, facing);
     sum.alongReflection += weight * probeIrradiance(tile, reflectionUv);
     sum.alongNormal += weight * probeIrradiance(tile, normalUv);
     total += weight;

@@ -7,10 +7,8 @@ float luma(vec3 color) {
   return dot(color, vec3(0.2126729, 0.7151522, 0.0721750));
 }
 
-// Specular albedo of wood or stone, mean over the hemisphere: src/render/opaque/environment-brdf.ts at roughness 0.65.
-const float SPECULAR_ALBEDO = 0.04;
-
-// Reflectance for light from all around, its colourless specular part included.
-vec3 hemisphericalReflectance(vec3 baseColor) {
-  return mix(baseColor, vec3(1.0), SPECULAR_ALBEDO);
+// Reflectance for light from all around. The colourless specular part of a dielectric is its mean over the hemisphere:
+// fitted to src/render/opaque/environment-brdf.ts for roughness 0.3 to 1, within 0.003.
+vec3 hemisphericalReflectance(vec3 baseColor, float roughness, float metallic) {
+  return mix(baseColor, vec3(1.0), 0.02 * exp(1.85 * (1.0 - roughness)) * (1.0 - metallic));
 }

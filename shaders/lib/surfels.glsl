@@ -38,6 +38,20 @@ ivec2 surfelTexel(vec3 d, int size) {
   return min(ivec2(uv.xy * float(size)), size - 1) + ivec2(int(uv.z) * size, 0);
 }
 
+// Texel of a surfel by its number, row by row; beyond the last row there is none.
+ivec2 surfelOfIndex(int index, int size) {
+  int columns = FACE_COUNT * size;
+  return ivec2(index % columns, index / columns);
+}
+
+// Solid angle of the texel in a direction of length 1, from the capture origin, sr.
+float surfelSolidAngle(vec3 direction) {
+  vec3 size = abs(direction);
+  float onFace = max(size.x, max(size.y, size.z));
+  float texels = float(textureSize(uSurfelNormalDistance, 0).y);
+  return 4.0 / (texels * texels) * onFace * onFace * onFace;
+}
+
 // Cosine at a surfel, limited so that the area at a grazing angle stays finite.
 float limitedCosine(float cosine) {
   return max(cosine, 0.15);
@@ -66,5 +80,5 @@ Surfel surfelAt(ivec2 texel, int size) {
 bool isVisiblePast(vec3 hit, vec3 normal, vec3 direction, float reach) {
   float cosine = dot(normal, direction);
   float end = max(length(hit), cosine < -1e-3 ? dot(normal, hit) / cosine : 0.0);
-  return reach <= end + 0.07 * reach + 0.02;
+  return reach <= end + 0.03 * reach + 0.02;
 }

@@ -22,14 +22,15 @@ const float LOD_BIAS = -0.5;
 const float CREVICE = 0.9;
 // Roughness up to which reflections are traced, and from which the probes alone give them.
 const vec2 TRACED_ROUGHNESS = vec2(0.1, 0.3);
+// Metals are traced up to so much rougher: they show little else.
+const float TRACED_METAL = 0.25;
 // Indirect part of the radiance at a traced reflection's end, as a share of the irradiance sample.
 const float TRACED_INDIRECT = 0.3;
-// Surfaces nearer than the probes' spacing: a share of them even where nothing is occluded; what they occlude of the
+// Surfaces nearer than the probes' spacing, by the baked occlusion: what they occlude of the
 // probes' light, and reflect of the flame's, at most so many times the probes'. Fitted to a path tracer's indirect
 // light in the cabin's views (`npm run reference`).
-const float NEAR_SHARE = 0.25;
-const float NEAR_OCCLUSION = 0.31;
-const float NEAR_REFLECTANCE = 0.25;
+const float NEAR_OCCLUSION = 0.5;
+const float NEAR_REFLECTANCE = 0.3;
 const float NEAR_LIMIT = 13.0;
 // Height of a crevice's sides, m: they may be lit while its bottom is in their shadow.
 const float CREVICE_HEIGHT = 0.015;
@@ -126,18 +127,18 @@ void main() {
   vec3 reflected = reflect(-view, normal);
   IrradianceSample probes = irradianceAt(vPositionWorld + surface * 0.05, normal, normal, reflected);
   vec3 around = probes.alongNormal * light.intensity;
-  float near = 1.0 - occlusion + NEAR_SHARE;
+  float near = 1.0 - occlusion;
   float unoccluded = 1.0 - NEAR_OCCLUSION * near;
   // Near surfaces have this point's colour and its distance from the flame.
   vec3 nearby = NEAR_REFLECTANCE * near * baseColor.rgb * sides;
   nearby /= 1.0 + sides / max(NEAR_LIMIT * around, 1e-9);
   vec3 indirect = (around * unoccluded + nearby) * diffuseColor * (skyVisibility(surface, normal) * minified.x / PI);
   vec3 mirrored = (probes.alongReflection * light.intensity * unoccluded + nearby) / PI;
-  float smoothness = 1.0 - smoothstep(TRACED_ROUGHNESS.x, TRACED_ROUGHNESS.y, roughness);
-  if (smoothness > 0.0) {
-    vec3 further = probes.alongReflection * (TRACED_INDIRECT / PI);
-    vec3 traced = (traceRadiance(vPositionWorld + surface * 0.01, reflected) + further) * light.intensity;
-    mirrored = mix(mirrored, traced, smoothness);
+  float traced = 1.0 - smoothstep(TRACED_ROUGHNESS.x, TRACED_ROUGHNESS.y, roughness - metallic * TRACED_METAL);
+  if (traced > 0.0) {
+    vec3 beyond = probes.alongReflection * (TRACED_INDIRECT / PI);
+    vec3 rays = traceReflection(vPositionWorld + surface * 0.01, normal, view, roughness * roughness, beyond);
+    mirrored = mix(mirrored, rays * light.intensity, traced);
   }
   mirrored *= environment.share;
   indirect = (indirect + mirrored * uFeatures.z) * uFeatures.y;

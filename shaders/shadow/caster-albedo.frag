@@ -1,17 +1,19 @@
 #version 300 es
 // One surface's tile of the caster albedo.
-// Out: base colour, less the self-occlusion of the normal map.
+// Out: reflectance for light from all around, less the self-occlusion of the normal map.
 #include "lib/precision.glsl"
+#include "lib/photometry.glsl"
 #include "lib/normal-map.glsl"
 #include "lib/caster-albedo.glsl"
 
 uniform vec4 uBaseColor;
 uniform sampler2D uAlbedo;
 uniform sampler2D uNormal;
-uniform float uNormalScale;
+uniform sampler2D uOcclusionRoughness;
+uniform vec4 uSurface;  // roughness, metallic, normal scale, alpha cutoff
 uniform float uTile;  // its number
 
-out vec4 oBaseColor;
+out vec4 oReflectance;
 
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy) - ivec2(int(uTile) * CASTER_TILE, 0);
@@ -29,8 +31,10 @@ void main() {
   for (int y = 0; y < blocks; y++) {
     for (int x = 0; x < blocks; x++) {
       vec2 block = (vec2(texel * blocks + ivec2(x, y)) + 0.5) / float(CASTER_TILE);
-      visibility += meanSkyVisibility(uNormal, block, uNormalScale);
+      visibility += meanSkyVisibility(uNormal, block, uSurface.z);
     }
   }
-  oBaseColor = vec4(baseColor * visibility / float(blocks * blocks), 1.0);
+  baseColor *= visibility / float(blocks * blocks);
+  vec2 roughnessMetallic = textureGrad(uOcclusionRoughness, uv, footprint, footprint.yx).gb * uSurface.xy;
+  oReflectance = vec4(hemisphericalReflectance(baseColor, roughnessMetallic.x, roughnessMetallic.y), 1.0);
 }

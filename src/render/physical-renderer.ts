@@ -140,11 +140,11 @@ export class PhysicalRenderer implements Renderer {
     this.#composite(frame, layer, irradiance, region);
     this.#compositeWhole = () => this.#composite(frame, layer, irradiance, this.#whole);
     const post = this.#postIn(kind, shadow.isNew);
-    if (post === "before display") this.#updatePost(frame, layer, region);
+    if (post === "before display") this.#updatePost(frame, layer, irradiance, region);
     if (settings.inspect !== "picture" && !this.#compositeDisplay) {
       this.#inspect(frame, layer, shadow.depth, irradiance);
     } else this.#present(frame, layer, region);
-    if (post === "after display") this.#updatePost(frame, layer, region);
+    if (post === "after display") this.#updatePost(frame, layer, irradiance, region);
   }
 
   #describe(world: World, settings: FrameSettings): FrameInput {
@@ -223,12 +223,18 @@ export class PhysicalRenderer implements Renderer {
     return kind === "reprojected" ? "after display" : "before display";
   }
 
-  #updatePost({ flameUv, world }: FrameInput, { textures }: OpaqueLayer, region: Box): void {
+  #updatePost(
+    { flameUv, world }: FrameInput,
+    { textures }: OpaqueLayer,
+    { roomReflectance }: IrradianceVolume,
+    region: Box,
+  ): void {
     this.#postAge = 0;
     const { color } = this.#radiance!;
     this.#bloom.render(color, region, flameUv);
     this.#exposure.render(
       this.#compositeDisplay ? textures : { uRadiance: color },
+      roomReflectance,
       world.adaptation.lag,
       { ...this.#opaque.blocks },
     );

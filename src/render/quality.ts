@@ -48,7 +48,14 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
     physical: {
       opaque: "deferred",
       shadow: { size: 128, search: 4, taps: 8, bias: 1 },
-      indirect: { surfels: 6, probes: [5, 3, 5], rays: 8, bounces: 4, testsVisibility: false },
+      indirect: {
+        surfels: 6,
+        surfelGroup: 1,
+        probes: [6, 4, 6],
+        rays: 12,
+        bounces: 6,
+        testsVisibility: true,
+      },
       casterError: 0.03,
       bloomLevels: 3,
       flameSteps: 12,
@@ -63,7 +70,14 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
     physical: {
       opaque: "forward",
       shadow: { size: 512, search: 12, taps: 24, bias: 2.5 },
-      indirect: { surfels: 8, probes: [6, 4, 6], rays: 10, bounces: 5, testsVisibility: true },
+      indirect: {
+        surfels: 18,
+        surfelGroup: 3,
+        probes: [6, 4, 6],
+        rays: 12,
+        bounces: 6,
+        testsVisibility: true,
+      },
       casterError: 0.01,
       bloomLevels: 5,
       flameSteps: 24,
@@ -78,7 +92,14 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
     physical: {
       opaque: "forward",
       shadow: { size: 512, search: 16, taps: 32, bias: 2.5 },
-      indirect: { surfels: 16, probes: [14, 6, 14], rays: 10, bounces: 6, testsVisibility: true },
+      indirect: {
+        surfels: 24,
+        surfelGroup: 4,
+        probes: [14, 6, 14],
+        rays: 16,
+        bounces: 8,
+        testsVisibility: true,
+      },
       casterError: 0,
       bloomLevels: 6,
       flameSteps: 40,
@@ -93,7 +114,14 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
     physical: {
       opaque: "forward",
       shadow: { size: 1024, search: 24, taps: 48, bias: 2.5 },
-      indirect: { surfels: 16, probes: [14, 6, 14], rays: 12, bounces: 6, testsVisibility: true },
+      indirect: {
+        surfels: 24,
+        surfelGroup: 4,
+        probes: [14, 6, 14],
+        rays: 16,
+        bounces: 8,
+        testsVisibility: true,
+      },
       casterError: 0,
       bloomLevels: 6,
       flameSteps: 64,

@@ -6,6 +6,7 @@ import { BloomPass } from "../../src/render/post/bloom-pass.ts";
 import { DisplayPass } from "../../src/render/post/display-pass.ts";
 import { ExposurePass } from "../../src/render/post/exposure-pass.ts";
 import { allFeatures, type Features } from "../../src/settings.ts";
+import { EXPOSURE_LAW } from "../../src/world/player/exposure-adaptation.ts";
 
 /** Linear Rec. 709, cd/m². */
 type Radiance = readonly [number, number, number];
@@ -54,12 +55,7 @@ export class Eye {
       normalMaps: 1,
     });
     const picture = this.#picture(radianceAt);
-    const exposure = gpu.texture({
-      label: "exposure",
-      format: "R32F",
-      filter: "nearest",
-      source: { width: 1, height: 1, data: new Float32Array([stops]) },
-    });
+    const exposure = this.#texel(stops);
     const view = { features: { ...allFeatures(), bloom: false, ...features }, gamut };
     const textures = { uRadiance: picture, uBloom: picture, uExposure: exposure };
     new DisplayPass(gpu, screen).render(textures, { share: [1, 1], shift: [0, 0] }, view, frame);
@@ -96,18 +92,29 @@ export class Eye {
     return [before, after];
   }
 
-  /** Stops that the meter asks for. */
-  meter(radianceAt: (x: number, y: number) => Radiance, lag = 0): number {
+  /** Stops that the meter asks for, in a room that gives back so much of the light. */
+  meter(
+    radianceAt: (x: number, y: number) => Radiance,
+    lag = 0,
+    reflectance: number = EXPOSURE_LAW.reflectance,
+  ): number {
     const gpu = this.#gpu;
     const screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
     const exposure = new ExposurePass(gpu, screen).render(
       { uRadiance: this.#picture(radianceAt) },
+      this.#texel(reflectance),
       lag,
     );
     const target = gpu.textureView({ label: "exposure", textures: [exposure], image: 0 });
     const [stops = Number.NaN] = gpu.readFloats(target, 0, 0, 1, 1);
     gpu.clearObjects();
     return stops;
+  }
+
+  /** A texture of one number. */
+  #texel(value: number): Texture {
+    const source = { width: 1, height: 1, data: new Float32Array([value]) };
+    return this.#gpu.texture({ label: "texel", format: "R32F", filter: "nearest", source });
   }
 
   dispose(): void {

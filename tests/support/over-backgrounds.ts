@@ -116,8 +116,9 @@ function darkRoom(gpu: Gpu, uDark: Texture): IrradianceVolume {
   return {
     block,
     textures: { uIrradiance: uDark, uProbePositions: uDark, uProbeDepth: uDark },
-    radiosity: uDark,
+    outgoing: uDark,
     support: uDark,
+    roomReflectance: uDark,
   };
 }
 

@@ -1,13 +1,8 @@
-import { mat4 } from "gl-matrix";
-import gatherRaysFrag from "../../../shaders/gi/gather-rays.frag";
-import gatherSurfelsFrag from "../../../shaders/gi/gather-surfels.frag";
-import radiosityFrag from "../../../shaders/gi/radiosity.frag";
+import gatherFrag from "../../../shaders/gi/gather.frag";
 import rayDirectFrag from "../../../shaders/gi/ray-direct.frag";
 import rayRadianceFrag from "../../../shaders/gi/ray-radiance.frag";
-import supportFrag from "../../../shaders/gi/support-radiosity.frag";
-import surfelFrag from "../../../shaders/gi/surfel.frag";
+import surfelRadianceFrag from "../../../shaders/gi/surfel-radiance.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
-import cubeFaceVert from "../../../shaders/shadow/cube-face.vert";
 import type { Model } from "../../assets/model.js";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Program, ShaderSource } from "../../gl/program.js";
@@ -15,22 +10,24 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import type { Vec3 } from "../../world/geometry.js";
 import type { CollisionMesh } from "../../world/room/collision-mesh.js";
 import { floats } from "../float-format.js";
 import type { CaptureLight } from "../light-block.js";
 import type { Mesh } from "../mesh/mesh.js";
 import { SCHEDULE } from "../schedule.js";
-import { clipFromFace, FACES } from "../shadow/cube-map.js";
+import { FACES } from "../shadow/cube-map.js";
 import type { ShadowCasters } from "../shadow/shadow-casters.js";
-import { harmonicsOf, IrradianceConvolution } from "./irradiance-convolution.js";
-import { type ProbeDetail, SH_TEXELS, traceProbes } from "./probe-rays.js";
+import type { ShadowCube } from "../shadow/shadow-pass.js";
+import { IrradianceAtlas } from "./irradiance-atlas.js";
+import { IRRADIANCE_TEXELS, type ProbeDetail, traceProbes } from "./probe-rays.js";
 import { type ProbeTextures, uploadProbeRays } from "./probe-textures.js";
+import { SurfelPass } from "./surfel-pass.js";
 
 /** Resolution of indirect light. */
 export interface IndirectDetail extends ProbeDetail {
-  /** Surfels along an edge of the cube around the flame. */
+  /** Surfels along an edge of the cube around the flame, and as how many of them the probes gather each group. */
   readonly surfels: number;
+  readonly surfelGroup: number;
   readonly bounces: number;
   /** Whether probes are weighted by their visibility; otherwise by distance alone. */
   readonly testsVisibility: boolean;
@@ -44,6 +41,8 @@ export interface IndirectScene {
   readonly surfaces: readonly Mesh[];
 }
 
+type ShadowMap = Pick<ShadowCube, "depth" | "captureOrigin">;
+
 /** Irradiance volume, for shaders that include `lib/irradiance-volume.glsl`. */
 export interface IrradianceVolume {
   readonly block: UniformBlock;
@@ -52,10 +51,12 @@ export interface IrradianceVolume {
     readonly uProbePositions: Texture;
     readonly uProbeDepth: Texture;
   };
-  /** Of the surfels, lm/m²: for `lib/distance-impostor.glsl`. */
-  readonly radiosity: Texture;
-  /** Of the surface below the flame, for `lib/support-irradiance.glsl`; null where probes test visibility. */
-  readonly support: Texture | null;
+  /** Radiosity of the surfels in all light, lm/m²: for `lib/distance-impostor.glsl`. */
+  readonly outgoing: Texture;
+  /** What the room gives back of light, one texel: for the exposure. */
+  readonly roomReflectance: Texture;
+  /** Of the surface below the flame, for `lib/support-irradiance.glsl`. */
+  readonly support: Texture;
 }
 
 /**
@@ -69,23 +70,20 @@ export interface IrradianceVolume {
 export class IndirectPass {
   readonly #gpu: Gpu;
   readonly #detail: IndirectDetail;
-  readonly #surfelProgram: Program;
-  readonly #radiosityProgram: Program;
-  readonly #gatherSurfelsProgram: Program;
+  readonly #surfelRadianceProgram: Program;
   readonly #rayRadianceProgram: Program;
   readonly #rayDirectProgram: Program;
-  readonly #gatherRaysProgram: Program;
+  readonly #surfelGatherProgram: Program;
+  readonly #rayGatherProgram: Program;
   readonly #screen: VertexArray;
   readonly #block: UniformBlock;
-  readonly #support: { readonly program: Program; readonly target: RenderTarget } | null;
-  readonly #surfels: RenderTarget;
-  readonly #radiosity: RenderTarget;
+  readonly #surfels: SurfelPass;
+  readonly #surfelRadiance: RenderTarget;
   readonly #rayRadiance: RenderTarget;
   readonly #firstBounce: RenderTarget;
-  /** Radiance after each further bounce, used in turn. */
-  readonly #bounces: readonly [RenderTarget, RenderTarget, RenderTarget];
-  readonly #convolution: IrradianceConvolution;
-  readonly #light: UniformBlock;
+  /** Sums after each further bounce, used in turn. */
+  readonly #bounces: readonly RenderTarget[];
+  readonly #atlas: IrradianceAtlas;
   readonly #scene: IndirectScene;
   #uploaded: ProbeTextures | null = null;
   /** Light of the current irradiance, as JSON. */
@@ -102,15 +100,18 @@ export class IndirectPass {
     this.#screen = screen;
     this.#detail = detail;
     this.#scene = scene;
+    this.#surfels = new SurfelPass(gpu, screen, detail.surfels);
+    // Surfels lie in the tiles of the probes in rows as long as those of the rays.
+    const surfelRows = Math.ceil(
+      (FACES.length * (detail.surfels / detail.surfelGroup) ** 2) / detail.rays,
+    );
     const perRay = (label: string, fragment: ShaderSource) =>
-      gpu.program(label, fullscreenVert, fragment, { defines: { RAYS: detail.rays } });
-    this.#surfelProgram = gpu.program("gi/surfel", cubeFaceVert, surfelFrag);
-    this.#radiosityProgram = gpu.program("gi/radiosity", fullscreenVert, radiosityFrag);
-    this.#gatherSurfelsProgram = perRay("gi/gather-surfels", gatherSurfelsFrag);
+      gpu.program(label, fullscreenVert, fragment, {
+        defines: { RAYS: detail.rays, SURFEL_ROWS: surfelRows, GROUP: detail.surfelGroup },
+      });
+    this.#surfelRadianceProgram = perRay("gi/surfel-radiance", surfelRadianceFrag);
     this.#rayRadianceProgram = perRay("gi/ray-radiance", rayRadianceFrag);
     this.#rayDirectProgram = perRay("gi/ray-direct", rayDirectFrag);
-    this.#gatherRaysProgram = perRay("gi/gather-rays", gatherRaysFrag);
-    this.#light = gpu.uniformBlock(this.#radiosityProgram, "Light");
     const [columns, rows, planes] = detail.probes;
     const { min, max } = scene.model.bounds;
     this.#block = gpu.uniformBlock(this.#rayRadianceProgram, "Volume");
@@ -124,37 +125,40 @@ export class IndirectPass {
       testsVisibility: detail.testsVisibility ? 1 : 0,
     });
     const texel = floats(gpu, 4);
-    const surfels = { width: detail.surfels * FACES.length, height: detail.surfels };
-    this.#surfels = gpu.renderTarget({
-      label: "gi/surfels",
-      ...surfels,
-      color: [texel, texel],
-      depth: "buffer",
+    const radiance = { color: ["RGBA16F"], filter: "nearest" } as const;
+    const tiles = { width: columns, height: rows * planes };
+    // Rays in groups of four.
+    const rayEdge = detail.rays / 2;
+    this.#rayRadiance = gpu.renderTarget({
+      label: "gi/ray-radiance",
+      width: tiles.width * rayEdge,
+      height: tiles.height * rayEdge,
+      ...radiance,
+    });
+    this.#surfelRadiance = gpu.renderTarget({
+      label: "gi/surfel-radiance",
+      width: tiles.width * detail.rays,
+      height: tiles.height * surfelRows,
+      color: ["RGBA16F", "RGBA16F"],
       filter: "nearest",
     });
-    const single = { width: 1, height: 1, color: [texel], filter: "nearest" } as const;
-    this.#support = detail.testsVisibility
-      ? null
-      : {
-          program: gpu.program("gi/support-radiosity", fullscreenVert, supportFrag),
-          target: gpu.renderTarget({ label: "gi/support-radiosity", ...single }),
-        };
-    const radiance = { color: ["RGBA16F"], filter: "nearest" } as const;
-    this.#radiosity = gpu.renderTarget({ label: "gi/radiosity", ...surfels, ...radiance });
-    const tiles = { width: columns * planes, height: rows };
-    const rays = { width: tiles.width * detail.rays, height: tiles.height * detail.rays };
-    this.#rayRadiance = gpu.renderTarget({ label: "gi/ray-radiance", ...rays, ...radiance });
-    const harmonics = {
-      width: tiles.width * SH_TEXELS,
-      height: tiles.height,
-      color: [texel, texel, texel],
+    const maps = {
+      width: tiles.width * IRRADIANCE_TEXELS,
+      height: tiles.height * IRRADIANCE_TEXELS,
+      color: [texel],
       filter: "nearest",
     } as const;
-    this.#firstBounce = gpu.renderTarget({ label: "gi/first-bounce", ...harmonics });
-    const bounces = (label: string) =>
-      gpu.renderTarget({ label: `gi/bounces/${label}`, ...harmonics });
-    this.#bounces = [bounces("a"), bounces("b"), bounces("c")];
-    this.#convolution = new IrradianceConvolution(gpu, screen, this.#block, tiles, texel);
+    this.#firstBounce = gpu.renderTarget({ label: "gi/first-bounce", ...maps });
+    this.#bounces = ["a", "b", "c", "d"].map((label) =>
+      gpu.renderTarget({ label: `gi/bounces/${label}`, ...maps }),
+    );
+    const gather = (SURFELS: 0 | 1, ROWS: number, COLUMNS: number) =>
+      gpu.program("gi/gather", fullscreenVert, gatherFrag, {
+        defines: { SURFELS, ROWS, COLUMNS, IRRADIANCE_TEXELS },
+      });
+    this.#surfelGatherProgram = gather(1, surfelRows, detail.rays);
+    this.#rayGatherProgram = gather(0, rayEdge, rayEdge);
+    this.#atlas = new IrradianceAtlas(gpu, screen, this.#block, tiles, texel);
   }
 
   /** Uploaded on first use: their albedo waits for a program. */
@@ -163,7 +167,7 @@ export class IndirectPass {
     const { collision, model, surfaces } = this.#scene;
     const rays = traceProbes(collision, model, this.#detail);
     this.#uploaded = this.#gpu.share(rays, () =>
-      uploadProbeRays(this.#gpu, rays, this.#detail, surfaces),
+      uploadProbeRays(this.#gpu, this.#screen, this.#block, rays, this.#detail, surfaces),
     );
     return this.#uploaded;
   }
@@ -173,32 +177,36 @@ export class IndirectPass {
    *
    * @param light members of the block of `lib/flame-light.glsl`, of a flame at its capture origin
    */
-  render(casters: ShadowCasters, light: CaptureLight): IrradianceVolume {
+  render(casters: ShadowCasters, light: CaptureLight, shadow: ShadowMap): IrradianceVolume {
     this.#update = null;
     if (!this.#isExact || JSON.stringify(light) !== this.#lastLight) {
-      this.#gpu.clear(this.#surfels, [0, 0, 0, 0]);
-      for (const face of FACES.keys()) this.#capture(casters, light.position, face);
-      this.#renderBounces(light);
+      this.#surfels.clear();
+      for (const face of FACES.keys()) this.#surfels.capture(casters, light.position, face);
+      this.#renderBounces(light, shadow);
     }
     return this.#volume;
   }
 
   /** Amortised update for a moving light: one face of the surfel cube, or all further passes, in each frame. */
-  updateIncrementally(casters: ShadowCasters, light: CaptureLight): IrradianceVolume {
+  updateIncrementally(
+    casters: ShadowCasters,
+    light: CaptureLight,
+    shadow: ShadowMap,
+  ): IrradianceVolume {
     if (this.#lastLight === "") {
-      this.render(casters, light);
+      this.render(casters, light, shadow);
       this.#isExact = false; // the casters may be of a lower level of detail
       return this.#volume;
     }
     if (!this.#update) {
       if (this.#pause-- > 0 || JSON.stringify(light) === this.#lastLight) return this.#volume;
       this.#update = { light, faces: 0 };
-      this.#gpu.clear(this.#surfels, [0, 0, 0, 0]);
+      this.#surfels.clear();
     }
     if (this.#update.faces < FACES.length) {
-      this.#capture(casters, this.#update.light.position, this.#update.faces++);
+      this.#surfels.capture(casters, this.#update.light.position, this.#update.faces++);
     } else {
-      this.#updateBounces(this.#update.light);
+      this.#updateBounces(this.#update.light, shadow);
       this.#update = null;
       this.#pause = SCHEDULE.indirect.restFrames;
     }
@@ -208,78 +216,83 @@ export class IndirectPass {
   get #volume(): IrradianceVolume {
     return {
       block: this.#block,
-      textures: { uIrradiance: this.#convolution.irradiance, ...this.#probes.volume },
-      radiosity: this.#radiosity.color,
-      support: this.#support?.target.color ?? null,
+      textures: { uIrradiance: this.#atlas.irradiance, ...this.#probes.volume },
+      outgoing: this.#surfels.outgoing,
+      roomReflectance: this.#probes.roomReflectance,
+      support: this.#surfels.support,
     };
   }
 
-  #capture(casters: ShadowCasters, captureOrigin: Vec3, face: number): void {
-    const size = this.#detail.surfels;
-    const clipFromWorld = clipFromFace(face, captureOrigin, mat4.create()) as Float32Array;
-    casters.drawWithAlbedo(face, captureOrigin, {
-      program: this.#surfelProgram,
-      target: this.#surfels,
-      viewport: [face * size, 0, size, size],
-      uniforms: { uClipFromWorld: clipFromWorld, uCaptureOrigin: captureOrigin },
-      depth: "test-and-write",
-      cull: "none",
-    });
-  }
-
-  #renderBounces(light: CaptureLight): void {
+  #renderBounces(light: CaptureLight, shadow: ShadowMap): void {
     this.#lastLight = JSON.stringify(light);
     this.#isExact = true;
-    this.#renderFirstBounce(light);
-    this.#convolution.render(this.#firstBounce);
-    let [before, previous, last] = [this.#firstBounce, this.#firstBounce, this.#firstBounce];
+    this.#renderFirstBounce(light, shadow);
+    this.#atlas.render(this.#firstBounce);
+    const sums = [this.#firstBounce];
     for (let bounce = 1; bounce < this.#detail.bounces; bounce++) {
-      if (bounce > 1) this.#convolution.render(last);
-      [before, previous, last] = [previous, last, this.#bounces[bounce % 3]!];
-      this.#renderNextBounce(last);
+      const sum = this.#bounces[bounce % this.#bounces.length]!;
+      this.#renderNextBounce(sum);
+      this.#atlas.render(sum);
+      sums.push(sum);
     }
-    this.#convolution.renderExtrapolated(before, previous, last);
+    this.#atlas.renderLimit(sums.slice(-4));
+    this.#renderOutgoing();
   }
 
   /** One bounce of the previous irradiance stands for all further bounces. */
-  #updateBounces(light: CaptureLight): void {
+  #updateBounces(light: CaptureLight, shadow: ShadowMap): void {
     this.#lastLight = JSON.stringify(light);
     this.#isExact = false;
-    this.#renderFirstBounce(light);
-    const [, bounces] = this.#bounces;
-    this.#renderNextBounce(bounces);
-    this.#convolution.render(bounces);
+    this.#renderFirstBounce(light, shadow);
+    const [bounces] = this.#bounces;
+    this.#renderNextBounce(bounces!);
+    this.#atlas.render(bounces!);
+    this.#renderOutgoing();
   }
 
-  #renderFirstBounce(light: CaptureLight): void {
-    this.#light.update(light);
-    const [uSurfelAlbedo, uSurfelNormalDistance] = this.#surfels.colors;
-    if (!uSurfelAlbedo || !uSurfelNormalDistance) {
-      throw new Error("Surfels take two textures: albedo, and normal with distance.");
-    }
+  #renderOutgoing(): void {
+    const { textures, block } = this.#volume;
+    this.#surfels.renderOutgoing(textures, block);
+  }
+
+  #renderFirstBounce(light: CaptureLight, shadow: ShadowMap): void {
+    this.#surfels.light.update(light);
+    this.#surfels.renderRadiosity();
+    const { normalDistance: uSurfelNormalDistance, radiosity: uRadiosity } = this.#surfels;
     const { uProbePositions } = this.#probes.volume;
-    const pass = { vertexArray: this.#screen, blocks: { Light: this.#light } };
-    const fromSurfels = { ...pass, textures: { uSurfelAlbedo, uSurfelNormalDistance } };
-    this.#gpu.draw({ ...fromSurfels, program: this.#radiosityProgram, target: this.#radiosity });
-    if (this.#support) this.#gpu.draw({ ...fromSurfels, ...this.#support });
+    const pass = { vertexArray: this.#screen, blocks: { Light: this.#surfels.light } };
     this.#gpu.draw({
       ...pass,
-      program: this.#gatherSurfelsProgram,
-      target: this.#bounces[0],
+      program: this.#surfelRadianceProgram,
+      target: this.#surfelRadiance,
       textures: {
         uSurfelNormalDistance,
-        uRadiosity: this.#radiosity.color,
+        uRadiosity,
         uRayHits: this.#probes.rays.uRayHits,
         uProbePositions,
       },
+    });
+    const [surfelSum] = this.#bounces;
+    const [uRadiance, uDirection] = this.#surfelRadiance.colors;
+    this.#gpu.draw({
+      program: this.#surfelGatherProgram,
+      target: surfelSum!,
+      vertexArray: this.#screen,
+      textures: { uRadiance: uRadiance!, uDirection: uDirection! },
     });
     this.#gpu.draw({
       ...pass,
       program: this.#rayDirectProgram,
       target: this.#rayRadiance,
-      textures: { uSurfelNormalDistance, uProbePositions, ...this.#probes.rays },
+      textures: {
+        uSurfelNormalDistance,
+        uProbePositions,
+        ...this.#probes.rays,
+        uShadow: shadow.depth,
+      },
+      uniforms: { uShadowOrigin: shadow.captureOrigin },
     });
-    this.#gatherRays(this.#bounces[0], this.#firstBounce);
+    this.#gatherRays(surfelSum!, this.#firstBounce);
   }
 
   #renderNextBounce(target: RenderTarget): void {
@@ -288,22 +301,23 @@ export class IndirectPass {
       target: this.#rayRadiance,
       vertexArray: this.#screen,
       textures: {
-        uIrradiance: this.#convolution.irradiance,
-        ...this.#probes.volume,
+        uIrradiance: this.#atlas.irradiance,
+        uProbePositions: this.#probes.volume.uProbePositions,
         ...this.#probes.rays,
+        ...this.#probes.weights,
       },
       blocks: { Volume: this.#block },
     });
     this.#gatherRays(this.#firstBounce, target);
   }
 
-  /** The probes' radiance so far, plus that along their rays. */
-  #gatherRays(radiance: RenderTarget, target: RenderTarget): void {
+  /** The probes' irradiance before, plus that along their rays. */
+  #gatherRays(before: RenderTarget, target: RenderTarget): void {
     this.#gpu.draw({
-      program: this.#gatherRaysProgram,
+      program: this.#rayGatherProgram,
       target,
       vertexArray: this.#screen,
-      textures: { ...harmonicsOf(radiance), uRayRadiance: this.#rayRadiance.color },
+      textures: { uRadiance: this.#rayRadiance.color, uIrradianceBefore: before.color },
     });
   }
 }

@@ -65,13 +65,11 @@ export class LightCaptures {
 
   update({ captureLight, clipFromWorld, settings }: FrameInput, kind: GBufferKind): Captures {
     if (kind === "full") {
-      const depth = this.#shadow.render(this.#casters, captureLight.position);
+      const captureOrigin = captureLight.position;
+      const depth = this.#shadow.render(this.#casters, captureOrigin);
       if (settings.canDefer) this.#prepareLods();
-      const irradiance = this.#indirect.render(this.#casters, captureLight);
-      return {
-        shadow: { depth, captureOrigin: captureLight.position, isNew: false },
-        irradiance,
-      };
+      const shadow = { depth, captureOrigin, isNew: false };
+      return { shadow, irradiance: this.#indirect.render(this.#casters, captureLight, shadow) };
     }
     this.#prepareLods();
     const shadow = this.#shadow.updateIncrementally(
@@ -85,6 +83,7 @@ export class LightCaptures {
     const irradiance = this.#indirect.updateIncrementally(
       this.#surfelLod ?? this.#casters,
       captureLight,
+      shadow,
     );
     return { shadow, irradiance };
   }

@@ -32,16 +32,15 @@ export interface ProbeRays {
   }[];
 }
 
-/** Edge of a probe's depth map, texels: eight, and a border of one that repeats those across the seam. */
-export const PROBE_DEPTH_EDGE = 10;
-/** Edge of a probe's irradiance map, texels, border included. */
-export const IRRADIANCE_EDGE = 8;
-/** Texels side by side that hold a probe's spherical harmonics. */
-export const SH_TEXELS = 3;
+/** Edge of a probe's depth map, texels: sixteen, and a border of one that repeats those across the seam. */
+export const PROBE_DEPTH_EDGE = 18;
+/** Edge of a probe's irradiance map, texels: without, and with a border of one. */
+export const IRRADIANCE_TEXELS = 6;
+export const IRRADIANCE_EDGE = IRRADIANCE_TEXELS + 2;
 /** Largest depth, metres. */
 const FARTHEST = 60;
-/** Exponent of the cosine lobe that depths are averaged over. */
-const LOBE_EXPONENT = 80;
+/** Exponent of the cosine lobe that depths are averaged over, for each ray: so wide that it always has several. */
+const LOBE_EXPONENT = 1.2;
 /** Edge of the map of rays that test whether a point is inside a solid. */
 const INSIDE_TEST_RAYS = 4;
 /** A point is inside a solid if this share of those rays hits back faces. */
@@ -144,11 +143,11 @@ class ProbeTrace {
 
   #trace(tile: number): void {
     const { probes, rays } = this.#detail;
-    const [columns, , planes] = probes;
-    const width = columns * planes * rays;
-    const column = tile % (columns * planes);
-    const row = Math.floor(tile / (columns * planes));
-    const position = this.#relocate(column % columns, row, Math.floor(column / columns));
+    const [columns, rows] = probes;
+    const width = columns * rays;
+    const column = tile % columns;
+    const row = Math.floor(tile / columns);
+    const position = this.#relocate(column, row % rows, Math.floor(row / rows));
     if (!position) return;
     this.#positions.set(position, tile * 4);
     this.#positions[tile * 4 + 3] = 1;
@@ -165,7 +164,7 @@ class ProbeTrace {
       const { part, u, v } = this.#attributes;
       this.#hitUvs[part]?.push(x, y, u, v);
     }
-    averageDepths(depths, this.#lobes, this.#depths, column, row, columns * planes);
+    averageDepths(depths, this.#lobes, this.#depths, column, row, columns);
   }
 
   #collect(): ProbeRays {
@@ -282,8 +281,9 @@ type Lobes = readonly { readonly rays: Uint16Array; readonly weights: Float32Arr
 
 function lobesOf(directions: readonly Vec3[]): Lobes {
   return octahedral(PROBE_DEPTH_EDGE, PROBE_DEPTH_EDGE - 2, 1).map(([x, y, z]) => {
+    const exponent = LOBE_EXPONENT * directions.length;
     const weights = directions.map(
-      ([dx, dy, dz]) => Math.max(x * dx + y * dy + z * dz, 0) ** LOBE_EXPONENT,
+      ([dx, dy, dz]) => Math.max(x * dx + y * dy + z * dz, 0) ** exponent,
     );
     const sum = weights.reduce((total, weight) => total + weight, 0);
     const rays = [...weights.keys()].filter((ray) => (weights[ray] ?? 0) > 1e-3 * sum);

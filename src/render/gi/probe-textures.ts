@@ -1,7 +1,12 @@
-import rayAlbedoFrag from "../../../shaders/gi/ray-albedo.frag";
-import rayAlbedoVert from "../../../shaders/gi/ray-albedo.vert";
+import rayReflectanceFrag from "../../../shaders/gi/ray-reflectance.frag";
+import rayReflectanceVert from "../../../shaders/gi/ray-reflectance.vert";
+import rayWeightsFrag from "../../../shaders/gi/ray-weights.frag";
+import roomReflectanceFrag from "../../../shaders/gi/room-reflectance.frag";
+import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Texture } from "../../gl/texture.js";
+import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { VertexArray } from "../../gl/vertex-array.js";
 import { floats } from "../float-format.js";
 import type { Mesh } from "../mesh/mesh.js";
 import { PROBE_DEPTH_EDGE, type ProbeDetail, type ProbeRays } from "./probe-rays.js";
@@ -14,17 +19,26 @@ export interface ProbeTextures {
   /** For shaders that include `lib/irradiance-volume.glsl`. */
   readonly volume: { readonly uProbePositions: Texture; readonly uProbeDepth: Texture };
   /** For shaders that include `lib/probe-rays.glsl`. */
-  readonly rays: { readonly uRayHits: Texture; readonly uRayAlbedo: Texture };
+  readonly rays: { readonly uRayHits: Texture; readonly uRayReflectance: Texture };
+  /** Of the probes around each hit. */
+  readonly weights: { readonly uRayNearWeights: Texture; readonly uRayFarWeights: Texture };
+  /** Mean of what the rays hit, one texel. */
+  readonly roomReflectance: Texture;
 }
 
-/** @param surfaces of the traced model, in the order of its parts */
+/**
+ * @param block of `lib/irradiance-volume.glsl`
+ * @param surfaces of the traced model, in the order of its parts
+ */
 export function uploadProbeRays(
   gpu: Gpu,
+  screen: VertexArray,
+  block: UniformBlock,
   traced: ProbeRays,
   { probes: [columns, rows, planes], rays }: ProbeDetail,
   surfaces: readonly Mesh[],
 ): ProbeTextures {
-  const tiles = { width: columns * planes, height: rows };
+  const tiles = { width: columns, height: rows * planes };
   const uProbePositions = gpu.texture({
     label: "gi/probe-positions",
     format: "RGBA32F",
@@ -47,22 +61,57 @@ export function uploadProbeRays(
     source: { ...size, data: traced.hits },
     filter: "nearest",
   });
+  const volume = { uProbePositions, uProbeDepth };
+  const weights = gpu.renderTarget({
+    label: "gi/ray-weights",
+    ...size,
+    color: ["RGBA8", "RGBA8"],
+    filter: "nearest",
+  });
+  gpu.draw({
+    program: gpu.program("gi/ray-weights", fullscreenVert, rayWeightsFrag, {
+      defines: { RAYS: rays },
+    }),
+    target: weights,
+    vertexArray: screen,
+    textures: { uRayHits, ...volume },
+    blocks: { Volume: block },
+  });
+  const [uRayNearWeights, uRayFarWeights] = weights.colors;
+  const hits = { uRayHits, uRayReflectance: renderRayReflectance(gpu, traced, size, surfaces) };
+  const roomReflectance = gpu.renderTarget({
+    label: "gi/room-reflectance",
+    width: 1,
+    height: 1,
+    color: ["RGBA16F"],
+    filter: "nearest",
+  });
+  gpu.draw({
+    program: gpu.program("gi/room-reflectance", fullscreenVert, roomReflectanceFrag, {
+      defines: { RAYS: rays },
+    }),
+    target: roomReflectance,
+    vertexArray: screen,
+    textures: { ...hits, uProbePositions },
+  });
   return {
-    volume: { uProbePositions, uProbeDepth },
-    rays: { uRayHits, uRayAlbedo: renderRayAlbedo(gpu, traced, size, surfaces) },
+    volume,
+    rays: hits,
+    roomReflectance: roomReflectance.color,
+    weights: { uRayNearWeights: uRayNearWeights!, uRayFarWeights: uRayFarWeights! },
   };
 }
 
-/** Base colours at the hits, read on the GPU: compressed images may be nowhere else. */
-function renderRayAlbedo(
+/** Reflectance at the hits, read on the GPU: compressed images may be nowhere else. */
+function renderRayReflectance(
   gpu: Gpu,
   { hitUvs, runs }: ProbeRays,
   size: { readonly width: number; readonly height: number },
   surfaces: readonly Mesh[],
 ): Texture {
-  const program = gpu.program("gi/ray-albedo", rayAlbedoVert, rayAlbedoFrag);
+  const program = gpu.program("gi/ray-reflectance", rayReflectanceVert, rayReflectanceFrag);
   const target = gpu.renderTarget({
-    label: "gi/ray-albedo",
+    label: "gi/ray-reflectance",
     ...size,
     color: ["RGBA8"],
     filter: "nearest",
@@ -79,6 +128,7 @@ function renderRayAlbedo(
   for (const { part, first, count } of runs) {
     const surface = surfaces[part];
     if (!surface) continue;
+    const { uAlbedo, uNormal, uOcclusionRoughness } = surface.textures;
     gpu.draw({
       program,
       target,
@@ -89,9 +139,9 @@ function renderRayAlbedo(
       uniforms: {
         uSize: [size.width, size.height],
         uBaseColor: surface.baseColor,
-        uNormalScale: surface.parameters[2],
+        uSurface: surface.parameters,
       },
-      textures: { uAlbedo: surface.textures.uAlbedo, uNormal: surface.textures.uNormal },
+      textures: { uAlbedo, uNormal, uOcclusionRoughness },
     });
   }
   for (const object of [vertexArray, buffer]) object.dispose();

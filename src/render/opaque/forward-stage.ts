@@ -142,7 +142,7 @@ export class ForwardStage implements OpaqueStage {
         uShadow: shadow.depth,
         uEnvironmentBrdf: this.#environmentBrdf,
         uNormalMapVisibility: normalMapVisibilityOf(this.#gpu, this.#screen, mesh),
-        uRadiosity: irradiance.radiosity,
+        uOutgoing: irradiance.outgoing,
         ...irradiance.textures,
       },
       sampling: surfaceSampling(this.#tier),

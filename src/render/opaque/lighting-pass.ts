@@ -107,7 +107,6 @@ export class LightingPass {
     const target = isReduced ? this.#reducedTarget : this.#fullTarget;
     const { support } = irradiance;
     if (!target || !this.#gathered) throw new Error("Lighting has no size yet.");
-    if (!support) throw new Error("Lighting of a G-buffer needs the surface below the candle.");
     const textures = {
       uLighting: target.color,
       ...(isReduced && { uInverseDepthGather: this.#gathered.color }),

@@ -40,14 +40,16 @@ export class ExposurePass {
    * Radiance in, one texel out: stops.
    *
    * @param textures of the meter
+   * @param roomReflectance one texel: what the room gives back of light
    * @param lag stops by which the exposure is above its settled value
    */
   render(
     textures: Readonly<Record<string, Texture>>,
+    roomReflectance: Texture,
     lag: number,
     blocks: Readonly<Record<string, UniformBlock>> = {},
   ): Texture {
-    const { luminance, stops, share, least, most } = EXPOSURE_LAW;
+    const { luminance, stops, share, least, most, reflectance, keyShare } = EXPOSURE_LAW;
     this.#gpu.draw({
       program: this.#meterProgram,
       target: this.#logLuminance,
@@ -59,10 +61,14 @@ export class ExposurePass {
       program: this.#exposureProgram,
       target: this.#exposure,
       vertexArray: this.#screen,
-      textures: { uLogLuminance: this.#logLuminance.color },
+      textures: {
+        uLogLuminance: this.#logLuminance.color,
+        uRoomReflectance: roomReflectance,
+      },
       uniforms: {
         uLaw: [stops + share * Math.log2(luminance), share],
         uLimits: [least, most],
+        uKey: [reflectance, keyShare],
         uLag: lag,
       },
     });

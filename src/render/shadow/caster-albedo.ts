@@ -29,8 +29,8 @@ export function casterAlbedoOf(gpu: Gpu, screen: VertexArray, surfaces: readonly
         target,
         vertexArray: screen,
         viewport: [i * TILE.width, 0, TILE.width, TILE.height],
-        textures: { uAlbedo: textures.uAlbedo, uNormal: textures.uNormal },
-        uniforms: { uBaseColor: baseColor, uNormalScale: parameters[2], uTile: i },
+        textures,
+        uniforms: { uBaseColor: baseColor, uSurface: parameters, uTile: i },
       });
     }
     return target.color;

@@ -1,4 +1,4 @@
-import bounceTailFrag from "../../../shaders/gi/bounce-tail.frag";
+import bounceLimitFrag from "../../../shaders/gi/bounce-limit.frag";
 import irradianceFrag from "../../../shaders/gi/irradiance.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Gpu } from "../../gl/gpu.js";
@@ -8,16 +8,16 @@ import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Size } from "../frame-input.js";
-import { IRRADIANCE_EDGE } from "./probe-rays.js";
+import { IRRADIANCE_EDGE, IRRADIANCE_TEXELS } from "./probe-rays.js";
 
-/** Turns the probes' radiance, in spherical harmonics, into the irradiance atlas. */
-export class IrradianceConvolution {
+/** Octahedral maps of all probes' irradiance, with borders, for filtered reads: `lib/irradiance-volume.glsl`. */
+export class IrradianceAtlas {
   readonly #gpu: Gpu;
   readonly #screen: VertexArray;
   readonly #volume: UniformBlock;
   readonly #programs: readonly [plain: Program, extrapolated: Program];
-  readonly #tailProgram: Program;
-  readonly #tail: RenderTarget;
+  readonly #limitProgram: Program;
+  readonly #weights: RenderTarget;
   readonly #irradiance: RenderTarget;
 
   /** @param tiles probes along each axis of the atlas */
@@ -32,14 +32,18 @@ export class IrradianceConvolution {
     this.#screen = screen;
     this.#volume = volume;
     const program = (EXTRAPOLATED: 0 | 1) =>
-      gpu.program("gi/irradiance", fullscreenVert, irradianceFrag, { defines: { EXTRAPOLATED } });
+      gpu.program("gi/irradiance", fullscreenVert, irradianceFrag, {
+        defines: { EXTRAPOLATED, IRRADIANCE_TEXELS },
+      });
     this.#programs = [program(0), program(1)];
-    this.#tailProgram = gpu.program("gi/bounce-tail", fullscreenVert, bounceTailFrag);
-    this.#tail = gpu.renderTarget({
-      label: "gi/bounce-tail",
+    this.#limitProgram = gpu.program("gi/bounce-limit", fullscreenVert, bounceLimitFrag, {
+      defines: { IRRADIANCE_TEXELS },
+    });
+    this.#weights = gpu.renderTarget({
+      label: "gi/bounce-limit",
       width: 1,
       height: 1,
-      color: ["RGBA16F"],
+      color: ["RGBA16F", "RGBA16F"],
       filter: "nearest",
     });
     this.#irradiance = gpu.renderTarget({
@@ -55,25 +59,25 @@ export class IrradianceConvolution {
     return this.#irradiance.color;
   }
 
-  render(radiance: RenderTarget): void {
-    this.#draw(this.#programs[0], harmonicsOf(radiance));
+  render(maps: RenderTarget): void {
+    this.#draw(this.#programs[0], { uLast: maps.color });
   }
 
-  /** The same after all bounces, from the radiance after the last three of them. */
-  renderExtrapolated(before: RenderTarget, previous: RenderTarget, last: RenderTarget): void {
+  /** The same after all bounces, extrapolated from four sums of the series in a row. */
+  renderLimit([first, before, previous, last]: readonly RenderTarget[]): void {
+    if (!first || !before || !previous || !last) throw new Error("A limit takes four sums.");
+    const textures = { uLast: last.color, uPrevious: previous.color, uBefore: before.color };
     this.#gpu.draw({
-      program: this.#tailProgram,
-      target: this.#tail,
+      program: this.#limitProgram,
+      target: this.#weights,
       vertexArray: this.#screen,
-      textures: { uLast: last.color, uPrevious: previous.color, uBefore: before.color },
+      textures: { ...textures, uFirst: first.color },
     });
-    const { uSh0, uSh1, uSh2 } = harmonicsOf(previous);
+    const [uPreviousWeight, uBeforeWeight] = this.#weights.colors;
     this.#draw(this.#programs[1], {
-      ...harmonicsOf(last),
-      uPreviousSh0: uSh0,
-      uPreviousSh1: uSh1,
-      uPreviousSh2: uSh2,
-      uTail: this.#tail.color,
+      ...textures,
+      uPreviousWeight: uPreviousWeight!,
+      uBeforeWeight: uBeforeWeight!,
     });
   }
 
@@ -87,11 +91,4 @@ export class IrradianceConvolution {
       blocks,
     });
   }
-}
-
-/** The three textures of the spherical harmonics of radiance. */
-export function harmonicsOf({ colors }: RenderTarget) {
-  const [uSh0, uSh1, uSh2] = colors;
-  if (!uSh0 || !uSh1 || !uSh2) throw new Error("Spherical harmonics take three textures.");
-  return { uSh0, uSh1, uSh2 };
 }

@@ -1,0 +1,39 @@
+#version 300 es
+// Irradiance at each probe, by the radiance that it receives from SURFELS, or along its rays and before.
+// Out: lx, an octahedral map of IRRADIANCE_TEXELS along an edge for each probe.
+#include "lib/precision.glsl"
+#include "lib/octahedral.glsl"
+#include "lib/photometry.glsl"
+
+uniform sampler2D uRadiance;  // times solid angle, cd/m² sr: ROWS times COLUMNS for each probe
+#if SURFELS
+uniform sampler2D uDirection;
+#else
+uniform sampler2D uIrradianceBefore;  // lx
+#endif
+
+out vec4 oIrradiance;
+
+void main() {
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  ivec2 tile = texel / IRRADIANCE_TEXELS;
+  ivec2 place = texel - tile * IRRADIANCE_TEXELS;
+  vec3 normal = normalize(octahedralDecode((vec2(place) + 0.5) / float(IRRADIANCE_TEXELS)));
+  vec3 sum = vec3(0.0);
+  for (int row = 0; row < ROWS; row++) {
+    for (int column = 0; column < COLUMNS; column++) {
+      ivec2 sampleAt = tile * ivec2(COLUMNS, ROWS) + ivec2(column, row);
+#if SURFELS
+      vec3 direction = texelFetch(uDirection, sampleAt, 0).xyz;
+#else
+      vec3 direction = normalize(octahedralDecode((vec2(column, row) + 0.5) / vec2(COLUMNS, ROWS)));
+#endif
+      float cosine = dot(normal, direction);
+      if (cosine > 0.0) sum += texelFetch(uRadiance, sampleAt, 0).rgb * cosine;
+    }
+  }
+#if !SURFELS
+  sum += texelFetch(uIrradianceBefore, texel, 0).rgb;
+#endif
+  oIrradiance = vec4(sum, 1.0);
+}

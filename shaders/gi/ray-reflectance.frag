@@ -1,0 +1,27 @@
+#version 300 es
+// Reflectance at the hits of the probes' rays, at the mip level of a ray's footprint, less the self-occlusion of the
+// normal map.
+#include "lib/precision.glsl"
+#include "lib/photometry.glsl"
+#include "lib/normal-map.glsl"
+
+uniform sampler2D uAlbedo;
+uniform sampler2D uNormal;
+uniform vec4 uBaseColor;
+uniform sampler2D uOcclusionRoughness;
+uniform vec4 uSurface;  // roughness, metallic, normal scale, alpha cutoff
+
+// Texels along an edge of the mip level that is read.
+const float FOOTPRINT_TEXELS = 16.0;
+
+in vec2 vUv;
+
+out vec4 oReflectance;
+
+void main() {
+  float level = log2(max(float(textureSize(uAlbedo, 0).x) / FOOTPRINT_TEXELS, 1.0));
+  vec3 baseColor = textureLod(uAlbedo, vUv, level).rgb * uBaseColor.rgb;
+  baseColor *= meanSkyVisibility(uNormal, vUv, uSurface.z);
+  vec2 roughnessMetallic = textureLod(uOcclusionRoughness, vUv, level).gb * uSurface.xy;
+  oReflectance = vec4(hemisphericalReflectance(baseColor, roughnessMetallic.x, roughnessMetallic.y), 1.0);
+}

@@ -1,0 +1,74 @@
+#version 300 es
+// First bounce: radiance of GROUP² surfels as one, as each probe receives it, by its visibility and its weight against the rays.
+// Out: radiance times solid angle, cd/m² sr; direction. A probe's tile has RAYS columns, and rows for all surfels.
+#include "lib/precision.glsl"
+#include "lib/octahedral.glsl"
+#include "lib/photometry.glsl"
+#include "lib/random.glsl"
+#include "lib/flame-light.glsl"
+#include "lib/probe-rays.glsl"
+#include "lib/surfels.glsl"
+
+uniform sampler2D uProbePositions;  // m
+uniform sampler2D uRadiosity;       // of the surfels, lm/m²
+
+layout(location = 0) out vec4 oRadiance;
+layout(location = 1) out vec4 oDirection;
+
+// A hit this far behind the plane of another lies on its front, m.
+const float COPLANAR = 0.02;
+
+// Visible share of a point at `reach` (m) along a direction, from the hits of the four rays around it. Where two hits
+// lie in front of each other's planes the surfaces meet in a hollow edge, and the nearer one hides what is behind both.
+float surfelVisibility(ivec2 tile, vec3 direction, float reach) {
+  vec2 place = octahedralEncode(direction) * float(RAYS) - 0.5;
+  vec2 cell = floor(place);
+  vec3 hits[4];
+  vec3 normals[4];
+  vec4 weights;
+  bvec4 isVisible;
+  for (int i = 0; i < 4; i++) {
+    vec2 corner = vec2(i & 1, i >> 1);
+    vec2 shares = mix(1.0 - (place - cell), place - cell, corner);
+    vec2 texel = clamp(cell + corner, vec2(0.0), vec2(RAYS - 1));
+    vec4 hit = texelFetch(uRayHits, tile * RAYS + ivec2(texel), 0);
+    hits[i] = normalize(octahedralDecode((texel + 0.5) / float(RAYS))) * hit.w;
+    normals[i] = hit.xyz;
+    weights[i] = hit.w > 0.0 ? shares.x * shares.y : 0.0;
+    isVisible[i] = isVisiblePast(hits[i], normals[i], direction, reach);
+  }
+  float visible = 0.0;
+  for (int i = 0; i < 4; i++) {
+    bool isHidden = !isVisible[i];
+    for (int j = 0; j < 4; j++) {
+      isHidden = isHidden || (!isVisible[j] && weights[j] > 0.0 && dot(hits[i] - hits[j], normals[j]) > -COPLANAR);
+    }
+    visible += isHidden ? 0.0 : weights[i];
+  }
+  return visible / (dot(weights, vec4(1.0)) + 1e-6);
+}
+
+void main() {
+  oRadiance = oDirection = vec4(0.0, 0.0, 0.0, 1.0);
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  ivec2 tile = pixel / ivec2(RAYS, SURFEL_ROWS);
+  ivec2 place = pixel - tile * ivec2(RAYS, SURFEL_ROWS);
+  int size = textureSize(uSurfelNormalDistance, 0).y;
+  ivec2 group = surfelOfIndex(place.y * RAYS + place.x, size / GROUP);
+  if (group.y >= size / GROUP) return;
+  // Each probe takes another one of the group, so that their errors differ and interpolation averages them.
+  uint chance = pcg(uint(group.x + 8192 * group.y) + pcg(uint(tile.x + 8192 * tile.y)));
+  ivec2 texel = group * GROUP + ivec2((chance >> 8) & 4095u, chance >> 20) % GROUP;
+  Surfel surfel = surfelAt(texel, size);
+  vec3 toSurfel = surfel.position - texelFetch(uProbePositions, tile, 0).xyz;
+  float distanceSquared = max(dot(toSurfel, toSurfel), 1e-6);
+  float reach = sqrt(distanceSquared);
+  vec3 direction = toSurfel / reach;
+  float cosine = dot(surfel.normal, -direction);
+  if (cosine <= 0.0 || surfel.distance <= 0.0) return;
+  float solidAngle = cosine * surfel.area * float(GROUP * GROUP) / distanceSquared;
+  solidAngle *= 1.0 - rayWeight(solidAngle, raySolidAngle(direction / dot(abs(direction), vec3(1.0))));
+  float visibility = surfelVisibility(tile, direction, reach);
+  oDirection.xyz = direction;
+  oRadiance.rgb = texelFetch(uRadiosity, texel, 0).rgb * (solidAngle * visibility / PI);
+}
