@@ -1,0 +1,76 @@
+import { readdirSync, readFileSync } from "node:fs";
+import { pathToFileURL } from "node:url";
+import type { Camera } from "../../src/candle-flame-element.ts";
+import type { RoomDriver } from "./room-driver.ts";
+
+/** A view as a path tracer renders it; see docs/reference/README.md. */
+export interface View {
+  readonly name: string;
+  readonly width: number;
+  readonly height: number;
+  /** One of `tools/reference/rooms.mjs`; the cabin if absent. */
+  readonly room?: string;
+  readonly camera: Camera;
+  /** Where the visitor stood to put the candle down; held if absent. */
+  readonly place?: Camera;
+  readonly flame: { readonly position: readonly [number, number, number] };
+  readonly lamp: Readonly<Record<"halfHeight" | "radius", number>> & { intensity: number[] };
+}
+
+/** Those of the repository, or others that were traced: see docs/reference/README.md. */
+const FOLDER = process.env.REFERENCES
+  ? pathToFileURL(`${process.env.REFERENCES}/`)
+  : new URL("../fixtures/reference/", import.meta.url);
+
+export const tracedViews: readonly View[] = readdirSync(FOLDER)
+  .filter((file) => file.endsWith(".bin"))
+  .map((file) => JSON.parse(readFileSync(new URL(file.replace(".bin", ".json"), FOLDER), "utf8")));
+
+/** Radiance, and which pixels show neither candle nor flame: there the sign of red is positive. */
+export function readReference(name: string) {
+  const bytes = readFileSync(new URL(`${name}.bin`, FOLDER));
+  const radiance = Float32Array.from({ length: bytes.length / 2 }, (_, i) =>
+    half(bytes.readUInt16LE(i * 2) & 0x7fff),
+  );
+  const isCompared = Array.from(
+    { length: radiance.length / 3 },
+    (_, pixel) => bytes.readUInt16LE(pixel * 6) < 0x8000,
+  );
+  return { radiance, isCompared };
+}
+
+function half(bits: number): number {
+  const exponent = bits >> 10;
+  const fraction = bits & 0x3ff;
+  return exponent === 0 ? fraction * 2 ** -24 : (1 + fraction / 1024) * 2 ** (exponent - 15);
+}
+
+/** Our radiance of a view, of as many pixels as the element renders, and where the flame is. */
+export async function renderView(room: RoomDriver, view: View) {
+  const { text, ...rest } = await room.evaluate((element, { camera, place }) => {
+    element.reset();
+    if (place) {
+      element.camera = place;
+      element.place();
+    }
+    element.camera = camera;
+    element.step(0);
+    const { width, height } = element.stats;
+    const bytes = new Uint8Array(element.readRadiance(0, 0, width, height).buffer);
+    let text = "";
+    for (let i = 0; i < bytes.length; i += 4096) {
+      text += String.fromCharCode(...bytes.subarray(i, i + 4096));
+    }
+    return { text: btoa(text), width, height, position: element.flame?.position };
+  }, view);
+  const bytes = Buffer.from(text, "base64");
+  const radiance = new Float32Array(
+    bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength),
+  );
+  return { radiance, ...rest };
+}
+
+export function quantile(values: readonly number[], share: number): number {
+  const sorted = values.toSorted((a, b) => a - b);
+  return sorted[Math.floor(share * (sorted.length - 1))] ?? 0;
+}

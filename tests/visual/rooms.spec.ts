@@ -1,0 +1,166 @@
+import type { Page } from "playwright/test";
+import { luma } from "../../src/light/color.ts";
+import { ROOMS, roomModel } from "../../tools/reference/rooms.mjs";
+import { colorOf } from "../support/display-law.ts";
+import {
+  quantile,
+  readReference,
+  renderView,
+  tracedViews,
+  type View,
+} from "../support/reference.ts";
+import { LIBRARY, RoomDriver } from "../support/room-driver.ts";
+import { expect, test } from "../support/test.ts";
+
+/** Relative errors of luminance: median, 90th percentile, and mean, signed. */
+interface Errors {
+  readonly median: number;
+  readonly high: number;
+  readonly mean: number;
+}
+/** Measured on 2026-11-23 at `high`, pixel by pixel, and at `low` by means over blocks of 6 x 6 pixels. */
+const MEASURED: Readonly<Record<"high" | "low", Readonly<Record<string, Errors>>>> = {
+  high: {
+    "white-box": { median: 0.02, high: 0.049, mean: 0.011 },
+    "coloured-box": { median: 0.024, high: 0.076, mean: 0.003 },
+    "two-rooms": { median: 0.064, high: 0.188, mean: 0.043 },
+    "two-rooms-dark": { median: 0.073, high: 0.146, mean: -0.028 },
+    corridor: { median: 0.082, high: 0.146, mean: -0.051 },
+    metals: { median: 0.049, high: 0.241, mean: 0.04 },
+  },
+  low: {
+    "white-box": { median: 0.037, high: 0.23, mean: -0.038 },
+    "coloured-box": { median: 0.049, high: 0.209, mean: -0.036 },
+    "two-rooms": { median: 0.194, high: 0.405, mean: 0.027 },
+  },
+};
+const NONE: Errors = { median: 0, high: 0, mean: 0 };
+const MARGIN: Errors = { median: 0.01, high: 0.02, mean: 0.015 };
+const BLOCK = { high: 1, low: 6 } as const;
+const SIZE = { width: 320, height: 180 };
+
+let page: Page;
+
+test.beforeAll(async ({ browser }) => {
+  page = await browser.newPage();
+});
+test.afterAll(() => page.close());
+
+/** Errors of means over blocks of so many pixels along each edge. */
+function errorsOf(
+  { width, height }: View,
+  ours: (x: number, y: number) => number,
+  theirs: (x: number, y: number) => number | null,
+  block: number,
+): Errors {
+  const errors: number[] = [];
+  const sums = { ours: 0, theirs: 0 };
+  for (let top = 0; top < height; top += block) {
+    for (let left = 0; left < width; left += block) {
+      const means = { ours: 0, theirs: 0 };
+      for (let y = top; y < Math.min(top + block, height); y++) {
+        for (let x = left; x < Math.min(left + block, width); x++) {
+          const luminance = theirs(x, y);
+          if (luminance === null) continue;
+          means.theirs += luminance;
+          means.ours += ours(x, y);
+        }
+      }
+      if (means.theirs === 0) continue;
+      errors.push(Math.abs(means.ours / means.theirs - 1));
+      sums.ours += means.ours;
+      sums.theirs += means.theirs;
+    }
+  }
+  return {
+    median: quantile(errors, 0.5),
+    high: quantile(errors, 0.9),
+    mean: sums.ours / sums.theirs - 1,
+  };
+}
+
+const views = tracedViews.filter(({ room }) => room !== undefined);
+
+test("There are rooms of several kinds", () => {
+  expect(new Set(views.map(({ room }) => room)).size).toBeGreaterThanOrEqual(5);
+});
+
+for (const quality of ["high", "low"] as const) {
+  for (const view of views.filter(({ name }) => name in MEASURED[quality])) {
+    const { name, room = "" } = view;
+    test(`At ${quality} the light of “${name}” is a path tracer's`, async () => {
+      const src = `${LIBRARY}${room}.glb`;
+      await page.route(src, (route) =>
+        route.fulfill({ contentType: "model/gltf-binary", body: roomModel(ROOMS[room] ?? []) }),
+      );
+      const driver = await new RoomDriver(page).open(
+        { look: "physical", quality, wind: "0", src },
+        SIZE,
+      );
+      const mine = await renderView(driver, view);
+      for (const axis of [0, 1, 2] as const) {
+        expect(mine.position?.[axis]).toBeCloseTo(view.flame.position[axis], 3);
+      }
+      const { radiance, isCompared } = readReference(name);
+      const ours = (x: number, y: number) => {
+        const column = Math.floor(((x + 0.5) / view.width) * mine.width);
+        const row = Math.floor(((y + 0.5) / view.height) * mine.height);
+        return luma(colorOf(mine.radiance, row * mine.width + column));
+      };
+      const theirs = (x: number, y: number) => {
+        const pixel = y * view.width + x;
+        return isCompared[pixel] ? Math.max(luma(colorOf(radiance, pixel)), 1e-5) : null;
+      };
+      const measured = errorsOf(view, ours, theirs, BLOCK[quality]);
+      const report = Object.entries(measured).map(([what, x]) => `${what}: ${x.toFixed(3)}`);
+      console.log(`${quality} "${name}": { ${report.join(", ")} },`);
+      const before = MEASURED[quality][name] ?? NONE;
+      expect.soft(measured.median).toBeLessThanOrEqual(before.median + MARGIN.median);
+      expect.soft(measured.high).toBeLessThanOrEqual(before.high + MARGIN.high);
+      expect.soft(Math.abs(measured.mean - before.mean)).toBeLessThanOrEqual(MARGIN.mean);
+      expect(driver.complaints).toEqual([]);
+    });
+  }
+}
+
+test("In a white room plaster a metre from the candle is shown as white paper is, in a dark one no brighter than it is", async () => {
+  for (const [albedo, least, most] of [
+    [0.8, 0.2, 0.5],
+    [0.1, 0.005, 0.1],
+  ] as const) {
+    const material = { color: [albedo, albedo, albedo] as const, roughness: 1 };
+    const src = `${LIBRARY}plaster-${albedo}.glb`;
+    await page.route(src, (route) =>
+      route.fulfill({
+        contentType: "model/gltf-binary",
+        body: roomModel([{ min: [0, 0, 0], max: [4, 2.6, 4], material, isShell: true }]),
+      }),
+    );
+    const driver = await new RoomDriver(page).open(
+      { look: "physical", quality: "low", wind: "0", motion: "reduced", src },
+      SIZE,
+    );
+    // The candle in the hand is 0.55 m ahead: a metre from the wall.
+    const position = [2, 1.4, 1.55] as const;
+    const { data, width } = await driver.picture({
+      camera: { position, yaw: 0, pitch: 0 },
+      seconds: 12,
+    });
+    const flame = await driver.evaluate((element) => element.flame?.position);
+    expect(flame?.[2]).toBeGreaterThan(0.8);
+    expect(flame?.[2]).toBeLessThan(1.2);
+    // Beside the flame, at its height: the wall a metre away.
+    const linear = (byte = 0) => ((byte / 255 + 0.055) / 1.055) ** 2.4;
+    let sum = 0;
+    const columns = [...Array(20).keys()].map((i) => Math.floor(width * 0.35) + i);
+    const row = Math.floor((data.length / 4 / width) * 0.6);
+    for (const column of columns) {
+      const at = (row * width + column) * 4;
+      sum += luma([linear(data[at]), linear(data[at + 1]), linear(data[at + 2])]);
+    }
+    const shown = sum / columns.length;
+    console.log(`albedo ${albedo}: ${shown.toFixed(3)} of white`);
+    expect.soft(shown).toBeGreaterThan(least);
+    expect.soft(shown).toBeLessThanOrEqual(most);
+  }
+});
