@@ -18,7 +18,7 @@ layout(location = 1) out vec4 oNormalDistance;
 // Reflectance at a level of detail, filtered as a texture that repeats.
 vec3 reflectanceAtLevel(vec2 uv, int level) {
   int size = casterLevelSize(level);
-  ivec2 tile = ivec2(int(vSurface) * CASTER_TILE, casterLevelRow(level));
+  ivec2 tile = casterTile(int(vSurface)) + ivec2(0, casterLevelRow(level));
   vec2 place = fract(uv) * float(size) - 0.5;
   vec2 share = fract(place);
   ivec2 low = (ivec2(floor(place)) + size) % size;

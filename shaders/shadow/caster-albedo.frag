@@ -16,7 +16,7 @@ uniform float uTile;  // its number
 out vec4 oReflectance;
 
 void main() {
-  ivec2 texel = ivec2(gl_FragCoord.xy) - ivec2(int(uTile) * CASTER_TILE, 0);
+  ivec2 texel = ivec2(gl_FragCoord.xy) - casterTile(int(uTile));
   int level = 0;
   for (int i = 1; i < CASTER_LEVELS; i++) if (texel.y >= casterLevelRow(i)) level = i;
   texel.y -= casterLevelRow(level);

@@ -8,6 +8,8 @@ import type { Mesh } from "../mesh/mesh.js";
 
 /** Texels of a tile: `CASTER_TILE` of `shaders/lib/caster-albedo.glsl`. */
 const TILE = { width: 16, height: 32 } as const;
+/** Tiles side by side: `CASTER_COLUMNS`. */
+const COLUMNS = 128;
 
 /**
  * Caster albedo: what all surfaces of a model reflect, in one small texture, so that a capture of surfels draws them
@@ -17,8 +19,8 @@ export function casterAlbedoOf(gpu: Gpu, screen: VertexArray, surfaces: readonly
   return gpu.share(surfaces, () => {
     const target = gpu.renderTarget({
       label: "caster albedo",
-      width: TILE.width * surfaces.length,
-      height: TILE.height,
+      width: TILE.width * Math.min(surfaces.length, COLUMNS),
+      height: TILE.height * Math.ceil(surfaces.length / COLUMNS),
       color: [floats(gpu, 4)],
       filter: "nearest",
     });
@@ -28,7 +30,12 @@ export function casterAlbedoOf(gpu: Gpu, screen: VertexArray, surfaces: readonly
         program,
         target,
         vertexArray: screen,
-        viewport: [i * TILE.width, 0, TILE.width, TILE.height],
+        viewport: [
+          (i % COLUMNS) * TILE.width,
+          Math.floor(i / COLUMNS) * TILE.height,
+          TILE.width,
+          TILE.height,
+        ],
         textures,
         uniforms: { uBaseColor: baseColor, uSurface: parameters, uTile: i },
       });
