@@ -5,8 +5,8 @@ uniform sampler2D uSupport;  // radiosity and height of that surface: gi/support
 
 // Distance from the candle's axis over which it gives way to the probes, m.
 const float RADIUS = 0.15;
-// Form factor of the surface for a facet that faces it, beside what probes give. Fitted by eye to the candle at high; an
-// endless plane would give 0.21 to 0.33 outside of the holder's shadow, 3 to 20 cm above it.
+// Form factor of the surface for a facet that faces it, beside what probes give. Fitted by eye to the candle at high;
+// an endless plane would give 0.21 to 0.33 outside of the holder's shadow, 3 to 20 cm above it.
 const float FORM_FACTOR = 0.1;
 // Height over the surface from which on it counts, m: what lies on it does not face it.
 const float FADE = 0.02;
