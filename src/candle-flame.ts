@@ -1,7 +1,12 @@
 import { AnimationLoop } from "./animation-loop.js";
 import type { FirstPersonInput } from "./input/first-person-input.js";
 import { candleLight } from "./light/candle-light.js";
-import { type FlameReport, flameReport, paperFlameReport } from "./light/flame-light.js";
+import {
+  carriedFlame,
+  type FlameReport,
+  flameReport,
+  paperFlameReport,
+} from "./light/flame-light.js";
 import type { AutoQuality } from "./render/auto-quality.js";
 import type { CanvasTarget } from "./scenes/canvas-target.js";
 import type { Scene } from "./scenes/scene.js";
@@ -40,12 +45,20 @@ export interface Options {
 
 /** A new world of a scene. */
 function worldOf(
-  { room, isModelAlone }: Scene,
+  { room, wicks, isModelAlone }: Scene,
   { look, seed, unlit, isStill, wind, wick }: Options,
   birth: WorldOptions = {},
 ): World {
   const setup = isModelAlone ? LONE_CANDLE_SETUP : null;
-  const world = createWorld(look, seed, { room, setup, wind, wick, isLit: !unlit, ...birth });
+  const world = createWorld(look, seed, {
+    room,
+    setup,
+    wind,
+    wick,
+    wicks,
+    isLit: !unlit,
+    ...birth,
+  });
   world.sways = !isStill;
   return world;
 }
@@ -279,7 +292,7 @@ export class CandleFlame {
 
   /** The flame, as of the last frame. */
   get flame(): FlameReport {
-    if (this.#options.look === "physical") return flameReport(this.world);
+    if (this.#options.look === "physical") return flameReport(carriedFlame(this.world));
     const light = candleLight(this.world, this.#features, this.#options.isStill);
     return paperFlameReport(this.world, light.position);
   }

@@ -36,6 +36,10 @@ export interface Node {
   readonly isEmpty: boolean;
   readonly skin: number | undefined;
   readonly weights: readonly number[] | undefined;
+  /** Whether it is a wick, or a wick's flame, whose place is no number. */
+  readonly isMisplaced: boolean;
+  /** Of a wick: millimetres, or anything else. */
+  readonly wickDiameter: unknown;
   readonly matrix: readonly number[] | undefined;
   readonly translation: readonly number[] | undefined;
   readonly rotation: readonly number[] | undefined;
@@ -107,19 +111,46 @@ function readNode(entry: JsonEntry, count: number, lists: Lists): Node {
   const index = entry.index("mesh", meshes.length);
   const mesh = index === undefined ? undefined : meshes[index];
   const isSeen = mesh !== undefined && mesh.primitives.length > 0;
+  const name = entry.string("name") ?? "";
+  const isCandle = /^(wick|flame)/.test(name);
+  const placement = isCandle ? readLeniently(entry) : readPlacement(entry);
   return {
-    name: entry.string("name") ?? "",
+    name,
     children: entry.indices("children", count),
     mesh: isSeen ? index : undefined,
     isEmpty: mesh === undefined,
     skin: isSeen ? entry.index("skin", skins.length) : undefined,
     weights: isSeen ? entry.numbers("weights") : undefined,
+    isMisplaced: placement === null,
+    wickDiameter: isCandle ? entry.extras()?.value("wickDiameter") : undefined,
+    ...(placement ?? UNPLACED),
+    instances: isSeen ? readInstances(entry, accessors) : undefined,
+  };
+}
+
+const UNPLACED = {
+  matrix: undefined,
+  translation: undefined,
+  rotation: undefined,
+  scale: undefined,
+} as const;
+
+function readPlacement(entry: JsonEntry) {
+  return {
     matrix: entry.numbers("matrix", 16),
     translation: entry.numbers("translation", 3),
     rotation: unit(entry.numbers("rotation", 4)),
     scale: entry.numbers("scale", 3),
-    instances: isSeen ? readInstances(entry, accessors) : undefined,
   };
+}
+
+/** Null where it is not of numbers: one candle less is no reason to refuse a model. */
+function readLeniently(entry: JsonEntry): ReturnType<typeof readPlacement> | null {
+  try {
+    return readPlacement(entry);
+  } catch {
+    return null;
+  }
 }
 
 function unit(quaternion: number[] | undefined): number[] | undefined {

@@ -42,6 +42,11 @@ export class JsonEntry {
     return value;
   }
 
+  /** As it stands in the file, of any type. */
+  value(name: string): unknown {
+    return this.#field(name);
+  }
+
   /** A whole number from 0. */
   whole(name: string): number | undefined {
     const value = this.#field(name);

@@ -68,7 +68,7 @@ async function load(
       ]),
       signal,
     );
-    const read = readScene(scene, materials);
+    const read = readScene(scene, materials, warnings);
     onProgress(1);
     signal.throwIfAborted();
     return { ...read, warnings: [...warnings, ...images.warnings] };

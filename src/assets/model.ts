@@ -3,6 +3,8 @@ export interface Model {
   readonly parts: readonly Part[];
   /** Named nodes without meshes below them, by name. */
   readonly anchors: Readonly<Record<string, Anchor>>;
+  /** Wicks, in the file's order. */
+  readonly wicks: readonly Wick[];
   /** The box around all positions, metres. */
   readonly bounds: Box;
   /** Sentences about features of the file that are not supported. */
@@ -14,6 +16,16 @@ export interface Anchor {
   readonly position: readonly [number, number, number];
   /** Where its -Z points on the floor: radians, counter-clockwise from above, 0 along -Z. */
   readonly yaw: number;
+}
+
+/** A node named `wick…`: a candle burns there. Metres. */
+export interface Wick {
+  readonly name: string;
+  /** Root of its flame. */
+  readonly position: readonly [number, number, number];
+  /** Of length 1. */
+  readonly up: readonly [number, number, number];
+  readonly wickDiameter: number;
 }
 
 export interface Box {

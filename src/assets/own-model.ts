@@ -170,5 +170,6 @@ function modelOf(
       };
     }),
   );
-  return { parts, anchors: {}, bounds: { min: [0, 0, 0], max: [0, 0, 0] }, warnings: [] };
+  const bounds = { min: [0, 0, 0], max: [0, 0, 0] } as const;
+  return { parts, anchors: {}, wicks: [], bounds, warnings: [] };
 }

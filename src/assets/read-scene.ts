@@ -1,18 +1,20 @@
 import { type Group, type Mesh, type Object3D, Vector3 } from "three";
 import { Flaw } from "./asset-error.js";
 import { checkTriangleCount } from "./gltf-document.js";
-import type { Anchor, Box, Part } from "./model.js";
+import type { Anchor, Box, Part, Wick } from "./model.js";
 import { DEFAULT_MATERIAL, type PlacedMaterial } from "./read-material.js";
 import { readPart } from "./read-part.js";
+import { readWicks } from "./read-wicks.js";
 
 const LARGEST = 10_000; // metres
 const SMALLEST = 0.001; // metres
 
-/** The triangles of a scene and the places it names. */
+/** The triangles of a scene and the places it names; sentences about what is wrong there are added. */
 export function readScene(
   scene: Group,
   materials: ReadonlyMap<number, PlacedMaterial>,
-): { parts: Part[]; anchors: Record<string, Anchor>; bounds: Box } {
+  warnings: Set<string>,
+): { parts: Part[]; anchors: Record<string, Anchor>; wicks: Wick[]; bounds: Box } {
   const parts: Part[] = [];
   const anchors = new Map<string, Anchor>();
   scene.traverse((node) => {
@@ -29,7 +31,8 @@ export function readScene(
     }
   });
   checkTriangleCount(parts.reduce((sum, { indices }) => sum + indices.length / 3, 0));
-  return { parts, anchors: Object.fromEntries(anchors), bounds: boundsOf(parts) };
+  const wicks = readWicks(scene, warnings);
+  return { parts, anchors: Object.fromEntries(anchors), wicks, bounds: boundsOf(parts) };
 }
 
 /** The node's name as the file has it, which three keeps beside the one it makes unique. */

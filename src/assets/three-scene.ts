@@ -12,7 +12,7 @@ const INSTANCING = "EXT_mesh_gpu_instancing";
 /**
  * Builds the scene's geometry by three's `GLTFLoader`. It is given nothing else (no textures, no animations), and
  * is given each accessor as a buffer view of its own. A mesh's material is named by its index, a node's
- * `userData.isEmpty` says whether it has no mesh, and a geometry's `userData.reducedIndices` are those of
+ * `userData` has its `order` in the file and says whether it has no mesh (`isEmpty`), and a geometry's `userData.reducedIndices` are those of
  * its lower level of detail.
  */
 export async function buildScene(
@@ -61,7 +61,7 @@ function gltfFor(document: GltfDocument, isDraco: boolean) {
     extensionsUsed: isDraco ? [DRACO] : [],
     scene: 0,
     scenes: [{ nodes: roots }],
-    nodes: nodes.map((node) => nodeFor(node, posed)),
+    nodes: nodes.map((node, order) => nodeFor(node, order, posed)),
     meshes: meshes.map(({ name, primitives, weights }, index) => ({
       name,
       primitives: primitives.map((primitive) => primitiveFor(primitive, posed.has(index))),
@@ -83,12 +83,16 @@ function gltfFor(document: GltfDocument, isDraco: boolean) {
   };
 }
 
-function nodeFor({ isEmpty, instances, ...node }: Node, posed: ReadonlySet<number>) {
+function nodeFor(
+  { isEmpty, isMisplaced, wickDiameter, instances, ...node }: Node,
+  order: number,
+  posed: ReadonlySet<number>,
+) {
   return {
     ...node,
     name: node.name === "" ? undefined : node.name,
     weights: node.mesh !== undefined && posed.has(node.mesh) ? node.weights : undefined,
-    extras: { isEmpty },
+    extras: { order, isEmpty, isMisplaced, wickDiameter },
     extensions: instances && { [INSTANCING]: { attributes: instances } },
   };
 }

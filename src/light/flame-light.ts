@@ -1,4 +1,5 @@
 import { flameHeight, flameRadius, TAPER_RATE, TAPER_WICK } from "../world/flame/burning.js";
+import type { Flame } from "../world/flame/flame.js";
 import type { Vec3 } from "../world/geometry.js";
 import type { World } from "../world/world.js";
 import { chromaticity, luma, type Rgb } from "./color.js";
@@ -18,6 +19,17 @@ export interface FlameLight {
   readonly intensity: Vec3;
 }
 
+/** A flame and the place of its root, metres: the carried candle's or a standing one's. */
+export interface RootedFlame {
+  readonly root: Readonly<Vec3>;
+  readonly flame: Flame;
+}
+
+/** The carried candle's, at the moment of the frame. */
+export function carriedFlame(world: Pick<World, "interpolated" | "flame">): RootedFlame {
+  return { root: world.interpolated.flame, flame: world.flame };
+}
+
 /** A good taper's flame, still: the candle that the candela was named after. */
 export const TAPER: FlameBody = flameBody(flameHeight(TAPER_RATE), flameRadius(TAPER_WICK, 1), 1);
 
@@ -28,14 +40,10 @@ const EMBER_AREA = 3e-6;
 const scratch = createShape();
 
 /** Light of the flame that is drawn from the same body, or of its ember. */
-export function flameLight(
-  world: Pick<World, "interpolated" | "flame">,
-  body: FlameBody,
-): FlameLight {
-  const { interpolated, flame } = world;
+export function flameLight({ root, flame }: RootedFlame, body: FlameBody): FlameLight {
   const shape = shapeFlame(flame, body, scratch);
   const { centre, reach, sootIntensity, blueIntensity } = shape;
-  const [x, y, z] = interpolated.flame;
+  const [x, y, z] = root;
   if (!flame.isLit && flame.glow === 0) {
     const glow = emberRadiance(flame.ember);
     return {
@@ -91,9 +99,9 @@ export interface FlameReport {
 /** Soot of a candle at rest glows as a black body of this temperature, kelvin: its emissivity goes as 1/λ. */
 const COLOR_TEMPERATURE = 1880;
 
-export function flameReport(world: World): FlameReport {
-  const { flame, interpolated } = world;
-  const { position, intensity } = flameLight(world, TAPER);
+export function flameReport(rooted: RootedFlame): FlameReport {
+  const { flame, root } = rooted;
+  const { position, intensity } = flameLight(rooted, TAPER);
   const shape = scratch;
   return {
     lit: flame.isLit,
@@ -103,7 +111,7 @@ export function flameReport(world: World): FlameReport {
     luminousIntensity: flame.glow > 0 ? shape.sootIntensity + shape.blueIntensity : luma(intensity),
     blueIntensity: flame.glow > 0 ? shape.blueIntensity : 0,
     colorTemperature: flame.glow > 0 ? correlatedTemperature(intensity) : flame.ember,
-    tilt: flame.isLit ? tiltOf(interpolated.flame, position) : 0,
+    tilt: flame.isLit ? tiltOf(root, position) : 0,
   };
 }
 

@@ -1,5 +1,5 @@
 import { captureOrigin, snapToGrid } from "../light/capture-origin.js";
-import { flameLight, TAPER } from "../light/flame-light.js";
+import { carriedFlame, flameLight, TAPER } from "../light/flame-light.js";
 import type { Vec3 } from "../world/geometry.js";
 import type { World } from "../world/world.js";
 
@@ -9,7 +9,13 @@ const CANDLE = { rim: 0.2015, rimRadius: 0.0101, pan: 0.018, panRadius: 0.066 } 
 /** Members of the shaders' `Light` block: the flame as a capsule. A hidden candle casts no shadow. */
 export function lightBlock(world: World, showsCandle: boolean) {
   const { foot } = world.interpolated;
-  const { position, axis: along, halfHeight, intensity, radius } = flameLight(world, TAPER);
+  const {
+    position,
+    axis: along,
+    halfHeight,
+    intensity,
+    radius,
+  } = flameLight(carriedFlame(world), TAPER);
   return {
     position,
     captureOrigin: captureOrigin(world.interpolated.flame, position),

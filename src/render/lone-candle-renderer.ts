@@ -10,7 +10,7 @@ import type { RenderTarget } from "../gl/render-target.js";
 import type { UniformBlock } from "../gl/uniform-block.js";
 import type { VertexArray } from "../gl/vertex-array.js";
 import { adaptation, adaptedWhite, luma, VIBRANCE } from "../light/color.js";
-import { emberRadiance, flameLight, TAPER } from "../light/flame-light.js";
+import { carriedFlame, emberRadiance, flameLight, TAPER } from "../light/flame-light.js";
 import type { Vec3 } from "../world/geometry.js";
 import type { World } from "../world/world.js";
 import { clipFromWorld, clipPosition, projectionScale } from "./camera.js";
@@ -20,7 +20,7 @@ import { frameCandle } from "./lone-candle-framing.js";
 import { type Mesh, surfaceSampling, uploadModel } from "./mesh/mesh.js";
 import type { Tier } from "./quality.js";
 import type { Renderer } from "./renderer.js";
-import { FlamePass, HANDLE_TURN } from "./volumetric/flame-pass.js";
+import { carriedWick, FlamePass, HANDLE_TURN } from "./volumetric/flame-pass.js";
 
 /** From cd/m² to the display's scale. */
 const EXPOSURE = 5;
@@ -107,9 +107,9 @@ export class LoneCandleRenderer implements Renderer {
     light.update(lightBlock(world, features.candle));
     this.#gpu.clear(target, NOTHING);
     if (features.candle) this.#drawCandle(target, world);
-    flame.render(target, frame, world, this.#tier.physical.flameSteps);
+    flame.render(target, frame, carriedWick(world), this.#tier.physical.flameSteps);
     if (this.#samples) this.#gpu.resolve(this.#samples, this.#radiance);
-    const { position, halfHeight, intensity } = flameLight(world, TAPER);
+    const { position, halfHeight, intensity } = flameLight(carriedFlame(world), TAPER);
     const [x, y] = canvasUv(clip, position);
     const [, top] = canvasUv(clip, [position[0], position[1] + halfHeight, position[2]]);
     const candela = luma(intensity);

@@ -5,6 +5,7 @@ import { PhysicalRenderer, preparePhysicalRenderer } from "../render/physical-re
 import { CollisionMesh } from "../world/room/collision-mesh.js";
 import { createRoom } from "../world/room/room.js";
 import { closeModels, loadModels, sourcesOf } from "./room-models.js";
+import { placeWicks } from "./room-wicks.js";
 import type { Loading, Scene, SceneRequest } from "./scene.js";
 
 /** The candle in a room to walk in. */
@@ -21,6 +22,7 @@ export async function loadRoom(request: SceneRequest, loading: Loading): Promise
   const isBox = look !== "physical" && src === "";
   return {
     room: isBox ? null : room,
+    wicks: look === "physical" ? placeWicks(models.room, collision) : [],
     isModelAlone: false,
     prepareRenderer: ({ gpu }, tier, look) =>
       uploadNextImage(gpu, models.room) &&

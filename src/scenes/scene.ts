@@ -3,12 +3,15 @@ import type { Tier } from "../render/quality.js";
 import type { Renderer } from "../render/renderer.js";
 import type { Look, SceneName } from "../settings.js";
 import type { Room } from "../world/room/room.js";
+import type { Wick } from "../world/standing-candle.js";
 import type { CanvasTarget } from "./canvas-target.js";
 
 /** Scene: the models of a room or of a lone candle, fetched and decoded. */
 export interface Scene {
   /** The room to walk in; null where there is none, or where the look has a box. */
   readonly room: Room | null;
+  /** Wicks of the models, beside the carried candle's. */
+  readonly wicks: readonly Wick[];
   /** Whether there is nothing but a model on the page's own background. */
   readonly isModelAlone: boolean;
   /** Goes on, for a few milliseconds, with what a renderer needs. True when it can be made at once. */

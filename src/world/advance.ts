@@ -10,6 +10,7 @@ import { advanceStride } from "./player/gait.js";
 import { advanceHand } from "./player/hand.js";
 import { type Intent, STILL } from "./player/intent.js";
 import { turnHead, walk } from "./player/player.js";
+import { advanceSmoke, advanceStanding } from "./standing-candle.js";
 import { HISTORY, TICK } from "./timeline.js";
 import type { World } from "./world.js";
 
@@ -80,12 +81,14 @@ function tick(world: World, intent: Intent): void {
   // The paper's flame has its own law of motion: it is only lit and put out as the physical one is.
   const isPhysical = world.look === "physical";
   flame.advance(emitter, isPhysical ? motion : STANDING, air, !(world.sways && isPhysical), TICK);
+  advanceStanding(world);
   if (timeline.tick % ADAPTATION_TICKS === 0) {
     const view = adaptationView(world);
     if (view) world.adaptation.advance(view, ADAPTATION_TICKS * TICK);
   }
   if (timeline.tick % PLUME_TICKS === 0) {
     world.plume?.step(flame, emitter, world.sways ? air : null);
+    advanceSmoke(world);
   }
   record(world, isPhysical);
   if (!isPhysical) world.sample.follow(timeline);

@@ -11,6 +11,7 @@ import { ExposureAdaptation } from "./player/exposure-adaptation.js";
 import { createHand } from "./player/hand.js";
 import { boxBounds, UNBOUNDED } from "./room/movement-bounds.js";
 import type { Room } from "./room/room.js";
+import { createStandingCandle, type Wick } from "./standing-candle.js";
 import { HISTORY, Timeline } from "./timeline.js";
 import type { World } from "./world.js";
 import { WALL_MARGIN, WORLD_SETUPS, type WorldSetup } from "./world-setup.js";
@@ -28,6 +29,9 @@ export interface WorldOptions {
   /** Diameter of the wick, metres. */
   readonly wick?: number;
   readonly isLit?: boolean;
+  /** Of standing candles, which the paper's looks have none of; and whether each burns, by default none. */
+  readonly wicks?: readonly Wick[];
+  readonly areLit?: readonly boolean[];
   readonly fieldOfView?: number | null;
 }
 
@@ -43,6 +47,10 @@ export function createWorld(look: Look, seed: number, options: WorldOptions = {}
   const { pitch, fieldOfView } = setup;
   const flame: Vec3 = [0, 0, 0];
   const box = setup.hasWalls ? boxBounds(inset(setup.room, WALL_MARGIN)) : UNBOUNDED;
+  const { wicks = [], areLit = [] } = options;
+  const standing = (look === "physical" ? wicks : []).map((wick, i) =>
+    createStandingCandle(wick, i + 1, seed, areLit[i] ?? false),
+  );
   const hasRealLight = room !== null && look === "physical";
   const world: World = {
     look,
@@ -53,6 +61,7 @@ export function createWorld(look: Look, seed: number, options: WorldOptions = {}
     player: { position: eye, velocity: [0, 0, 0], yaw, pitch },
     hand: createHand(yaw),
     candle: { position: [...(setup.stand ?? eye)], yaw, isHeld: setup.stand === null },
+    standing,
     sparks: new SparkSchedule(seed),
     air: new Air(seed, { ...wind, speed: Math.min(wind.speed, LIGHTABLE) }),
     flame: new Flame(wick, isLit),

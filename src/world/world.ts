@@ -12,6 +12,7 @@ import type { Player } from "./player/player.js";
 import type { MovementBounds } from "./room/movement-bounds.js";
 import type { Refusal } from "./room/placement.js";
 import type { Room } from "./room/room.js";
+import type { StandingCandle } from "./standing-candle.js";
 import { TICK, type Timeline } from "./timeline.js";
 import type { WorldSetup } from "./world-setup.js";
 
@@ -30,6 +31,8 @@ export interface World {
   readonly player: Player;
   readonly hand: Hand;
   readonly candle: Candle;
+  /** Candles of the room's model, in the order of its nodes; none in the paper's looks. */
+  readonly standing: readonly StandingCandle[];
   readonly air: Air;
   readonly flame: Flame;
   readonly sparks: SparkSchedule;

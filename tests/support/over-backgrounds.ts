@@ -7,7 +7,7 @@ import { clipFromWorld, projectionScale } from "../../src/render/camera.ts";
 import type { IrradianceVolume } from "../../src/render/gi/indirect-pass.ts";
 import { lightBlock } from "../../src/render/light-block.ts";
 import { tierNamed } from "../../src/render/quality.ts";
-import { FlamePass } from "../../src/render/volumetric/flame-pass.ts";
+import { carriedWick, FlamePass } from "../../src/render/volumetric/flame-pass.ts";
 import { MotesPass } from "../../src/render/volumetric/motes-pass.ts";
 import { FEEDBACK } from "../../src/render/volumetric/particle-system.ts";
 import { SmokePass } from "../../src/render/volumetric/smoke-pass.ts";
@@ -178,7 +178,7 @@ export function mixtures(seed: number, seconds: number) {
   advance(world, STILL, seconds);
   look();
   const flame = repeated(0, () =>
-    passes.flame.render(target, frame, world, tierNamed("medium").physical.flameSteps),
+    passes.flame.render(target, frame, carriedWick(world), tierNamed("medium").physical.flameSteps),
   );
   const motes = (name: "dust" | "spark") =>
     repeated(0.01, () => passes.motes.render(name, veil, world, frame, light, volume));

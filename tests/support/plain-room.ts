@@ -31,8 +31,22 @@ const FACES = [0, 1, 2].flatMap((axis) =>
   }),
 );
 
-/** A box-shaped room with boxes in it, all of them matt and of one reflectance, as a .glb. */
-export function plainRoom(room: Box, boxes: readonly Box[], albedo: number): Buffer {
+/** A node without a mesh. */
+export interface PlainNode {
+  readonly name: string;
+  readonly translation?: readonly (number | null)[];
+  readonly rotation?: readonly number[];
+  readonly scale?: readonly number[];
+  readonly extras?: unknown;
+}
+
+/** A box-shaped room with boxes in it, all of them matt and of one reflectance, and more nodes, as a .glb. */
+export function plainRoom(
+  room: Box,
+  boxes: readonly Box[],
+  albedo: number,
+  nodes: readonly PlainNode[] = [],
+): Buffer {
   const positions: number[] = [];
   const normals: number[] = [];
   const indices: number[] = [];
@@ -62,8 +76,8 @@ export function plainRoom(room: Box, boxes: readonly Box[], albedo: number): Buf
   const json = {
     asset: { version: "2.0" },
     scene: 0,
-    scenes: [{ nodes: [0] }],
-    nodes: [{ mesh: 0 }],
+    scenes: [{ nodes: [0, ...nodes.map((_, i) => i + 1)] }],
+    nodes: [{ mesh: 0 }, ...nodes],
     meshes: [{ primitives: [{ attributes: { POSITION: 0, NORMAL: 1 }, indices: 2, material: 0 }] }],
     materials: [material],
     buffers: [{ byteLength: floats.length + numbers.length }],

@@ -1,7 +1,7 @@
 import type { Page } from "playwright/test";
 import type { Camera } from "../../src/candle-flame-element.ts";
 import { luma } from "../../src/light/color.ts";
-import { flameLight, TAPER } from "../../src/light/flame-light.ts";
+import { carriedFlame, flameLight, TAPER } from "../../src/light/flame-light.ts";
 import { createWorld } from "../../src/world/create-world.ts";
 import { plainRoom } from "../support/plain-room.ts";
 import { LIBRARY, RoomDriver } from "../support/room-driver.ts";
@@ -194,7 +194,7 @@ test("Penumbras are as wide as the flame's width and height make them", async ()
   const upright = profile("column", (_, v) => v < corner[1] - 0.12);
   const level = profile("row", (u) => u < corner[0] - 0.1);
   const [width, height] = [penumbra(...upright), penumbra(...level)];
-  const { radius, halfHeight } = flameLight(createWorld("physical", 1), TAPER);
+  const { radius, halfHeight } = flameLight(carriedFlame(createWorld("physical", 1)), TAPER);
   const expected = [2 * radius * (stretch - 1), 2 * halfHeight * (stretch - 1)] as const;
   console.log(
     `penumbra ${width.toFixed(4)} of ${expected[0].toFixed(4)}, ${height.toFixed(4)} of ${expected[1].toFixed(4)} m`,

@@ -68,11 +68,8 @@ test.describe("Beside a path tracer's picture of the same room", () => {
   });
 
   test("and they are lit by the flame as it is now", () => {
-    const world = {
-      interpolated: { flame: [0, 0, 0] },
-      flame: new Flame(TAPER_WICK, true),
-    } as const;
-    const { intensity, halfHeight, radius } = flameLight(world as never, TAPER);
+    const rooted = { root: [0, 0, 0], flame: new Flame(TAPER_WICK, true) } as const;
+    const { intensity, halfHeight, radius } = flameLight(rooted, TAPER);
     for (const { name, lamp } of views) {
       const shares = [...intensity, halfHeight, radius].map(
         (x, i) => x / ([...lamp.intensity, lamp.halfHeight, lamp.radius][i] ?? 0),

@@ -8,13 +8,19 @@ import type { TextureView } from "../../gl/texture-view.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { BODY_SIZE, outline } from "../../light/flame-body.js";
-import { TAPER } from "../../light/flame-light.js";
+import { carriedFlame, type RootedFlame, TAPER } from "../../light/flame-light.js";
 import { BALLS, createShape, shapeFlame } from "../../light/flame-shape.js";
 import type { Vec3 } from "../../world/geometry.js";
 import type { World } from "../../world/world.js";
 
 /** Emitters of the flame that are drawn. */
 export type FlamePart = "all" | "soot" | "blue";
+
+/** A flame to draw, and its wick. */
+export interface BurningWick extends RootedFlame {
+  /** Tip of the wick from the flame's root, metres. */
+  readonly tip: Readonly<Vec3>;
+}
 
 /** Yaw of the candlestick: its handle, along +X in the model, points to the visitor's right hand. */
 export const HANDLE_TURN = -1.1;
@@ -66,16 +72,16 @@ export class FlamePass {
   render(
     target: RenderTarget | TextureView,
     frame: UniformBlock,
-    world: World,
+    { root, flame, tip }: BurningWick,
     steps: number,
     part: FlamePart = "all",
   ): void {
-    const shape = shapeFlame(world.flame, TAPER, this.#shape);
+    const shape = shapeFlame(flame, TAPER, this.#shape);
     if (!(shape.soot + shape.blue > 0)) return;
     this.#flame.update({
-      base: world.interpolated.flame,
+      base: root,
       steps,
-      wick: wickTip(world),
+      wick: tip,
       top: shape.top,
       extent: shape.length,
       radius: shape.radius,
@@ -96,10 +102,15 @@ export class FlamePass {
   }
 }
 
-/** Tip of the wick from the foot of the flame, by the candle's yaw. Metres. */
-function wickTip({ candle }: World): Vec3 {
+/** The carried candle's flame; its wick turns with the candle. */
+export function carriedWick(world: World): BurningWick {
   const [x, y, z] = WICK_TIP;
-  const sin = Math.sin(candle.yaw + HANDLE_TURN);
-  const cos = Math.cos(candle.yaw + HANDLE_TURN);
-  return [cos * x + sin * z, y, cos * z - sin * x];
+  const sin = Math.sin(world.candle.yaw + HANDLE_TURN);
+  const cos = Math.cos(world.candle.yaw + HANDLE_TURN);
+  return { ...carriedFlame(world), tip: [cos * x + sin * z, y, cos * z - sin * x] };
+}
+
+/** The flame of a standing candle, whose wick is upright. */
+export function standingWick({ root, flame }: RootedFlame): BurningWick {
+  return { root, flame, tip: [0, WICK_TIP[1], 0] };
 }

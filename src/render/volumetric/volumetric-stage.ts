@@ -15,7 +15,7 @@ import type { IrradianceVolume } from "../gi/indirect-pass.js";
 import type { Mesh } from "../mesh/mesh.js";
 import type { FrameBlocks } from "../opaque/opaque-stage.js";
 import { type Sphere, screenBounds } from "../screen-bounds.js";
-import { type FlamePart, FlamePass } from "./flame-pass.js";
+import { carriedWick, type FlamePart, FlamePass } from "./flame-pass.js";
 import { HazePass } from "./haze-pass.js";
 import { MotesPass } from "./motes-pass.js";
 import { boundingSpheres, SmokePass } from "./smoke-pass.js";
@@ -94,7 +94,7 @@ export class VolumetricStage {
     if (inspect === "normals") return;
     if (features.candle && !part) this.#drawEmber(frame, target, depth);
     if (features.volume) {
-      this.#flame.render(tested, Frame, world, this.#flameSteps, part ?? "all");
+      this.#flame.render(tested, Frame, carriedWick(world), this.#flameSteps, part ?? "all");
     }
     const { plume, flame } = world;
     if (!plume || part) return;

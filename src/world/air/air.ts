@@ -68,6 +68,7 @@ export class Air {
   /** The flame that is carried, and the velocity that the air around it shares. */
   readonly #carried: Vec3 = [0, 0, 0];
   readonly #shelter: Vec3 = [0, 0, 0];
+  readonly #gusty: Vec3 = [0, 0, 0];
   #breathBegan = Number.NEGATIVE_INFINITY;
   #breathSpeed = 0;
 
@@ -140,15 +141,23 @@ export class Air {
     this.#breathSpeed = BREATH_SPEED * strength;
   }
 
-  /** Velocity of the air at a place, m/s, written to `out`. */
-  velocity(place: Readonly<Vec3>, out: Vec3): Vec3 {
+  /**
+   * Velocity of the air at a place, m/s, written to `out`.
+   *
+   * @param aside from the place to the one whose gusts it has, metres
+   */
+  velocity(place: Readonly<Vec3>, out: Vec3, aside: Readonly<Vec3> = NO_MOTION): Vec3 {
     out[0] = this.#mean[0];
     out[1] = this.#mean[1];
     out[2] = this.#mean[2];
     if (this.#unrest > 0) {
       this.#gusts.strength = this.#unrest;
       this.#gusts.time = this.#time;
-      this.#gusts.add(place, out);
+      const gusty = this.#gusty;
+      gusty[0] = place[0] + aside[0];
+      gusty[1] = place[1] + aside[1];
+      gusty[2] = place[2] + aside[2];
+      this.#gusts.add(gusty, out);
     }
     this.#addWake(place, out);
     this.#addShelter(place, out);

@@ -17,6 +17,15 @@ export function plumeGrid(): PlumeGrid {
   };
 }
 
+/** 9 x 20 x 9 cells as wide and as high, for the smoke of a candle that nobody holds. */
+export function coarsePlumeGrid(): PlumeGrid {
+  return {
+    x: symmetric(0.01, 1.45, 4),
+    y: rising(-0.035, 0.012, 1.07, 20),
+    z: symmetric(0.01, 1.45, 4),
+  };
+}
+
 /**
  * Trilinear interpolation of a field of nx x ny x nz values, written to `out[axis]`.
  *

@@ -3,6 +3,7 @@ import { type Flame, type FlameMeasures, GLOWING, ROOM } from "../flame/flame.js
 import type { Vec3 } from "../geometry.js";
 import { Smoke } from "../particles/smoke.js";
 import type { Air } from "./air.js";
+import type { PlumeGrid } from "./plume-grid.js";
 import { type Heater, PLUME_STEP, PlumeSolver } from "./plume-solver.js";
 
 /** Share of a flame's heat that rises with its gas; the rest shines, and melts the wax. */
@@ -21,13 +22,15 @@ const KINDLING = 0.12;
 
 /** Plume of a flame: hot gas that rises, and smoke when it is out. */
 export class Plume {
-  readonly solver = new PlumeSolver();
+  readonly solver: PlumeSolver;
   readonly smoke: Smoke;
   readonly #heater: Heater = { power: Number.NaN, height: Number.NaN };
   readonly #wind: Vec3 = [0, 0, 0];
   readonly #wick: Vec3 = [0, 0, 0];
 
-  constructor(seed: number, foot: Readonly<Vec3>) {
+  /** @param grid of its air; default: the carried candle's */
+  constructor(seed: number, foot: Readonly<Vec3>, grid?: PlumeGrid) {
+    this.solver = new PlumeSolver(grid);
     this.smoke = new Smoke(seed);
     this.solver.reset(foot, this.#wind);
   }

@@ -1,5 +1,6 @@
 import type { Air } from "../air/air.js";
 import type { Vec3 } from "../geometry.js";
+import { pcg, signed } from "../random.js";
 import {
   type Combustion,
   flameHeight,
@@ -56,6 +57,9 @@ const DRY = 550;
 /** Share of the fuel that still evaporates just after the flame has gone out. */
 const AFTERGLOW = 0.3;
 
+/** Eddies of a flame with a seed are those of the air at most this far away along each axis, metres. */
+const ASIDE = 0.25;
+
 /** Measures of a flame, which follow from its state. */
 export interface FlameMeasures extends Combustion {
   /** The share of fuel that it is as large for: out, it shrinks onto its wick, all but as bright as it was. */
@@ -101,11 +105,15 @@ export class Flame {
     extent: Number.NaN,
     smoking: Number.NaN,
   };
+  /** From the flame to where its eddies are those of the air, metres: flames side by side differ. */
+  readonly #aside: Vec3 = [0, 0, 0];
   readonly #airspeed: Vec3 = [0, 0, 0];
   readonly #place: Vec3 = [0, 0, 0];
   readonly #flow: Vec3 = [0, 0, 0];
 
-  constructor(wick: number, isLit: boolean) {
+  /** @param seed of its own; null for the carried candle's, which is in the air as it is */
+  constructor(wick: number, isLit: boolean, seed: number | null = null) {
+    if (seed !== null) this.#differ(seed);
     this.wick = wick;
     this.isLit = isLit;
     this.fuel = isLit ? 1 : 0;
@@ -114,7 +122,12 @@ export class Flame {
     this.#limiter.settle(this.unlimited);
     this.glow = this.#limiter.light;
     this.#feed.rate = this.#full;
-    this.spine = new Spine(this.#feed);
+    this.spine = new Spine(this.#feed, this.#aside);
+  }
+
+  #differ(seed: number): void {
+    for (const axis of [0, 1, 2] as const) this.#aside[axis] = ASIDE * signed(pcg(seed + axis));
+    this.puffing.begin(Math.PI * signed(pcg(seed + 3)));
   }
 
   /** Diameter of the wick, metres. */
@@ -272,7 +285,7 @@ export class Flame {
     place[0] = foot[0];
     place[1] = foot[1] + STRAINED_AT * this.measure().height;
     place[2] = foot[2];
-    air.velocity(place, flow);
+    air.velocity(place, flow, this.#aside);
     const blend = 1 - Math.exp(-seconds / INERTIA);
     const airspeed = this.#airspeed;
     for (let axis = 0; axis < 3; axis++) {

@@ -29,6 +29,12 @@ export class Puffing {
   real = TREMBLE;
   imaginary = 0;
 
+  /** Begins at another phase, radians. */
+  begin(phase: number): void {
+    this.real = TREMBLE * Math.cos(phase);
+    this.imaginary = TREMBLE * Math.sin(phase);
+  }
+
   /** Lets seconds pass over a source of this width, m. Exact for any step. */
   advance({ width }: { readonly width: number }, seconds: number, gravity = 9.81): void {
     const frequency = puffingFrequency(width, gravity);

@@ -39,6 +39,7 @@ export class Spine {
   readonly #drift = new Float64Array(PARCELS * 2);
   /** Age of the youngest, seconds. */
   #youngest = 0;
+  readonly #aside: Readonly<Vec3>;
   readonly #place: Vec3 = [0, 0, 0];
   readonly #flow: Vec3 = [0, 0, 0];
   /** Rate at which the gas takes up the air's speed, 1/s. */
@@ -48,8 +49,13 @@ export class Spine {
   #plumeSpeed = 0;
   #seconds = 0;
 
-  /** Upright and at rest, as in still air. */
-  constructor({ rate, spacing }: Readonly<GasSource>) {
+  /**
+   * Upright and at rest, as in still air.
+   *
+   * @param aside from the flame to where its eddies are those of the air, metres
+   */
+  constructor({ rate, spacing }: Readonly<GasSource>, aside: Readonly<Vec3>) {
+    this.#aside = aside;
     for (let i = 0; i < PARCELS; i++) {
       let left = i * spacing;
       const at = i * 3 + 1;
@@ -112,7 +118,7 @@ export class Spine {
     place[0] = foot[0] + x;
     place[1] = foot[1] + height;
     place[2] = foot[2] + z;
-    const flow = air.velocity(place, this.#flow);
+    const flow = air.velocity(place, this.#flow, this.#aside);
     const windFactor = LEAST_FELT + (1 - LEAST_FELT) * Math.min(height / CLINGING, 1);
     for (let axis = 0; axis < 3; axis++) {
       const carried = motion[axis]!;

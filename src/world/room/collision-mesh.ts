@@ -32,6 +32,8 @@ export class CollisionMesh {
   /** Nine coordinates each. */
   readonly triangles: Float32Array;
   readonly bounds: Bounds;
+  /** Whether the last hit was on the back of its triangle. */
+  hitsBack = false;
   readonly #bvh: Bvh;
   /** Original number of each triangle. */
   readonly #numbers: Uint32Array;
@@ -97,7 +99,8 @@ export class CollisionMesh {
 
   #facing(at: number, way: Readonly<Vec3>, normal: Vec3): void {
     normalOf(this.triangles, at, normal);
-    if (normal[0] * way[0] + normal[1] * way[1] + normal[2] * way[2] <= 0) return;
+    this.hitsBack = normal[0] * way[0] + normal[1] * way[1] + normal[2] * way[2] > 0;
+    if (!this.hitsBack) return;
     for (let axis = 0; axis < 3; axis++) normal[axis] = -normal[axis]!;
   }
 

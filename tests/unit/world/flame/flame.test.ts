@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { chromaticity } from "../../../../src/light/color.ts";
-import { flameLight, flameReport, TAPER } from "../../../../src/light/flame-light.ts";
+import { carriedFlame, flameLight, flameReport, TAPER } from "../../../../src/light/flame-light.ts";
 import { advance } from "../../../../src/world/advance.ts";
 import { CALM } from "../../../../src/world/air/air.ts";
 import { Gusts } from "../../../../src/world/air/gusts.ts";
@@ -26,7 +26,7 @@ function inWind(speed: number, seconds: number, gustiness = 0): World {
 
 /** The centre of the light from the foot of the flame, metres. */
 function centre(world: World) {
-  const { position } = flameLight(world, TAPER);
+  const { position } = flameLight(carriedFlame(world), TAPER);
   return position.map((x, axis) => x - (world.interpolated.flame[axis] ?? 0)) as [
     number,
     number,
@@ -36,7 +36,9 @@ function centre(world: World) {
 
 describe("a taper in still air", () => {
   test("is as high and as wide as one, and 1 cd strong", () => {
-    const { height, width, luminousIntensity } = flameReport(createWorld("physical", 1));
+    const { height, width, luminousIntensity } = flameReport(
+      carriedFlame(createWorld("physical", 1)),
+    );
     expect(height).toBeGreaterThan(0.025);
     expect(height).toBeLessThan(0.045);
     expect(height / width).toBeGreaterThan(3);
@@ -45,9 +47,11 @@ describe("a taper in still air", () => {
   });
 
   test("has the colour of candlelight", () => {
-    const [u, v] = chromaticity(flameLight(createWorld("physical", 1), TAPER).intensity);
+    const [u, v] = chromaticity(
+      flameLight(carriedFlame(createWorld("physical", 1)), TAPER).intensity,
+    );
     expect(Math.hypot(u - 0.3159, v - 0.5398)).toBeLessThan(0.01);
-    const { colorTemperature } = flameReport(createWorld("physical", 1));
+    const { colorTemperature } = flameReport(carriedFlame(createWorld("physical", 1)));
     expect(colorTemperature).toBeGreaterThan(1780);
     expect(colorTemperature).toBeLessThan(1980);
   });
@@ -69,7 +73,7 @@ describe("a taper in still air", () => {
     const world = createWorld("physical", 1, { wind: CALM });
     const seen = Array.from({ length: 120 }, () => {
       advance(world, STILL, TICK);
-      return flameReport(world);
+      return flameReport(carriedFlame(world));
     });
     const first = seen[0]?.luminousIntensity ?? 0;
     for (const { luminousIntensity, tilt } of seen) {
@@ -96,7 +100,9 @@ describe("a taper in still air", () => {
 
 describe("in a wind", () => {
   test("it leans the more, and shines the less, the stronger it blows", () => {
-    const [light, fair, fresh] = [0.1, 0.3, 0.5].map((speed) => flameReport(inWind(speed, 2)));
+    const [light, fair, fresh] = [0.1, 0.3, 0.5].map((speed) =>
+      flameReport(carriedFlame(inWind(speed, 2))),
+    );
     if (!light || !fair || !fresh) throw new Error("Three winds, three flames.");
     expect(light.tilt).toBeLessThan(20 * DEGREE);
     expect(fair.tilt).toBeGreaterThan(12 * DEGREE);
@@ -188,7 +194,7 @@ describe("out and in again", () => {
 
   test("lit, it grows over about a second", () => {
     const world = createWorld("physical", 1, { isLit: false });
-    expect(flameReport(world).luminousIntensity).toBeLessThan(1e-6);
+    expect(flameReport(carriedFlame(world)).luminousIntensity).toBeLessThan(1e-6);
     expect(world.flame.light()).toBe(true);
     expect(world.flame.light()).toBe(false);
     advance(world, STILL, 0.3);
@@ -203,10 +209,10 @@ test("where motion is reduced it stands still in any draught, and still goes out
   world.plume = null;
   world.sways = false;
   advance(world, STILL, 3);
-  const first = flameReport(world);
+  const first = flameReport(carriedFlame(world));
   for (let i = 0; i < 60; i++) {
     advance(world, STILL, 1 / 60);
-    const { height, luminousIntensity, tilt, width } = flameReport(world);
+    const { height, luminousIntensity, tilt, width } = flameReport(carriedFlame(world));
     expect(tilt).toBeLessThan(1e-6);
     expect(height).toBeCloseTo(first.height, 6);
     expect(width).toBeCloseTo(first.width, 6);

@@ -22,8 +22,7 @@ class Duct extends Air {
 
 /** Where the light is along x from the foot, m. */
 function lean(flame: Flame, foot: Vec3): number {
-  const interpolated = { eye: EYE, foot, flame: foot };
-  return flameLight({ interpolated, flame }, TAPER).position[0] - foot[0];
+  return flameLight({ root: foot, flame }, TAPER).position[0] - foot[0];
 }
 
 /** Sideways place along x at a share of the height, m. */

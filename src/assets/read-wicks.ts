@@ -1,0 +1,89 @@
+import { type Object3D, Vector3 } from "three";
+import type { Wick } from "./model.js";
+
+/** Most wicks of a model that burn. */
+const MOST = 16;
+/** Of the diameter: default, least and most. Metres. */
+const DIAMETER = { default: 0.002, least: 0.001, most: 0.05 } as const;
+/** Cosine of the lean from which a wick burns upright: 45 degrees. */
+const LEANING = Math.SQRT1_2;
+/** Scale of a node, or one over it, beyond which its diameter was probably meant. */
+const SCALED = 50;
+/** Farthest from the origin, metres. */
+const FARTHEST = 10_000;
+
+const WARNINGS = {
+  count: (count: number) => `Of its ${count} wicks ${MOST} burn.`,
+  place: "Wicks whose places are no numbers are left out.",
+  lean: "Wicks that lean by more than 45 degrees burn upright.",
+  diameter: "Wick diameters are 1 to 50 mm: what is no number is 2 mm, all else the nearest.",
+  scale: "The scale of a wick is ignored: its diameter is wickDiameter, in mm.",
+} as const;
+
+/** Ending of a wick's name; undefined where it is none. Wickerwork is none. */
+export function wickEnding(name: string): string | undefined {
+  return /^wick(?![a-z])(.*)$/s.exec(name)?.[1];
+}
+
+/** A node of the scene as a wick, before it is known to be legal. */
+interface WickNode {
+  readonly object: Object3D;
+  readonly name: string;
+  readonly order: number;
+}
+
+/** The wicks of a scene in the file's order; sentences about what is wrong with them are added. */
+export function readWicks(scene: Object3D, warnings: Set<string>): Wick[] {
+  const found: WickNode[] = [];
+  const flames = new Map<string, Object3D>();
+  scene.traverse((object) => {
+    const { name, order, isMisplaced } = object.userData;
+    if (typeof name !== "string" || typeof order !== "number") return;
+    if (wickEnding(name) !== undefined) found.push({ object, name, order });
+    if (name.startsWith("flame") && !flames.has(name) && isMisplaced !== true) {
+      flames.set(name, object);
+    }
+  });
+  const wicks = found
+    .toSorted((a, b) => a.order - b.order)
+    .flatMap((node) => readWick(node, flames, warnings) ?? []);
+  if (wicks.length > MOST) warnings.add(WARNINGS.count(wicks.length));
+  return wicks.slice(0, MOST);
+}
+
+function readWick(
+  { object, name }: WickNode,
+  flames: ReadonlyMap<string, Object3D>,
+  warnings: Set<string>,
+): Wick | null {
+  const root = flames.get(`flame${wickEnding(name)}`) ?? object;
+  const position = new Vector3().setFromMatrixPosition(root.matrixWorld);
+  const isPlaced = object.userData.isMisplaced !== true && position.length() <= FARTHEST;
+  if (!isPlaced) {
+    warnings.add(WARNINGS.place);
+    return null;
+  }
+  const scale = new Vector3().setFromMatrixScale(object.matrixWorld).length() / Math.sqrt(3);
+  if (!(scale < SCALED && scale > 1 / SCALED)) warnings.add(WARNINGS.scale);
+  const up = new Vector3().setFromMatrixColumn(object.matrixWorld, 1).normalize();
+  // A comparison with what is no number is false.
+  const isUpright = up.y >= LEANING;
+  if (!isUpright) warnings.add(WARNINGS.lean);
+  return {
+    name,
+    position: position.toArray(),
+    up: isUpright ? up.toArray() : [0, 1, 0],
+    wickDiameter: readDiameter(object.userData.wickDiameter, warnings),
+  };
+}
+
+/** Metres, of millimetres in the file. */
+function readDiameter(value: unknown, warnings: Set<string>): number {
+  if (value === undefined) return DIAMETER.default;
+  const asked = typeof value === "number" ? value / 1000 : Number.NaN;
+  const diameter = Number.isFinite(asked)
+    ? Math.min(Math.max(asked, DIAMETER.least), DIAMETER.most)
+    : DIAMETER.default;
+  if (diameter !== asked) warnings.add(WARNINGS.diameter);
+  return diameter;
+}

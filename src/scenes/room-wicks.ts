@@ -1,0 +1,47 @@
+import type { Model } from "../assets/model.js";
+import { clampInside, inset, type Vec3 } from "../world/geometry.js";
+import type { CollisionMesh } from "../world/room/collision-mesh.js";
+import { freePlace } from "../world/room/enclosed.js";
+import type { Wick } from "../world/standing-candle.js";
+
+/** Middle of a flame above its root, which may lie in wax, metres. */
+const MIDDLE = 0.015;
+/** Of a flame's middle from the room's box, and from what it was inside of. Metres. */
+const MARGIN = 0.05;
+const CLEARANCE = 0.03;
+
+/** The wicks of a room, each where a flame can burn; one warning for each kind that was moved. */
+export function placeWicks({ wicks, parts }: Model, collision: CollisionMesh): readonly Wick[] {
+  const isSolid = (triangle: number) => isOpaque(parts, triangle);
+  const box = inset(collision.bounds, MARGIN);
+  let outside = 0;
+  let enclosed = 0;
+  const placed = wicks.map((wick): Wick => {
+    const { position } = wick;
+    const middle: Vec3 = [position[0], position[1] + MIDDLE, position[2]];
+    const indoors: Vec3 = [...middle];
+    clampInside(indoors, collision.bounds);
+    const isOutside = indoors.some((x, axis) => x !== middle[axis]);
+    if (isOutside) clampInside(indoors, box);
+    const free = freePlace(collision, indoors, CLEARANCE, isSolid);
+    const isEnclosed = free !== indoors;
+    outside += isOutside ? 1 : 0;
+    enclosed += isEnclosed ? 1 : 0;
+    if (!isOutside && !isEnclosed) return wick;
+    return { ...wick, position: [free[0], free[1] - MIDDLE, free[2]] };
+  });
+  if (outside > 0) console.warn("Wicks outside of the room were moved into it.");
+  if (enclosed > 0) console.warn("Wicks inside of walls or furniture were moved out.");
+  return placed;
+}
+
+/** Whether a triangle's back is never seen, being inside of a solid. Numbers go through the parts. */
+function isOpaque(parts: Model["parts"], triangle: number): boolean {
+  let first = 0;
+  for (const { indices, material } of parts) {
+    const next = first + Math.floor(indices.length / 3);
+    if (triangle < next) return material.alphaMode !== "blend";
+    first = next;
+  }
+  return true;
+}

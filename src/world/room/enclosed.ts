@@ -1,0 +1,72 @@
+import { length3, type Vec3 } from "../geometry.js";
+import type { CollisionMesh, RayHit } from "./collision-mesh.js";
+
+/** Rays along the axes and the diagonals. */
+const DIRECTIONS: readonly Readonly<Vec3>[] = [-1, 0, 1].flatMap((x) =>
+  [-1, 0, 1].flatMap((y) =>
+    [-1, 0, 1].flatMap((z): Vec3[] => {
+      const length = length3(x, y, z);
+      return length === 1 || x * y * z !== 0 ? [[x / length, y / length, z / length]] : [];
+    }),
+  ),
+);
+const REACH = 100;
+/** Share of the rays that meet a back first, inside a solid; and a front, inside a room. */
+const MOST = 0.75;
+
+/** What the rays from a place meet first. */
+interface FirstHits {
+  readonly backs: readonly { readonly distance: number; readonly direction: Readonly<Vec3> }[];
+  readonly fronts: number;
+}
+
+/**
+ * Moves a place that lies inside a solid to the nearest one outside of it, in the room if there is one.
+ *
+ * A place is inside where most rays meet the back of a triangle first.
+ *
+ * @param clearance from the surface, metres
+ * @param isSolid whether a triangle is of a solid: sheets and glass have backs that are seen
+ * @returns the place itself if it is free
+ */
+export function freePlace(
+  collision: CollisionMesh,
+  place: Readonly<Vec3>,
+  clearance: number,
+  isSolid: (triangle: number) => boolean,
+): Readonly<Vec3> {
+  const { backs } = lookAround(collision, place, isSolid);
+  if (backs.length < MOST * DIRECTIONS.length) return place;
+  const exits = backs
+    .toSorted((a, b) => a.distance - b.distance)
+    .map(({ distance, direction }) => along(place, direction, distance + clearance));
+  const around = exits.map((exit) => lookAround(collision, exit, isSolid));
+  const isFree = around.map(({ backs }) => backs.length < MOST * DIRECTIONS.length);
+  const indoors = around.findIndex(
+    ({ fronts }, i) => isFree[i] && fronts >= MOST * DIRECTIONS.length,
+  );
+  return exits[indoors] ?? exits[isFree.indexOf(true)] ?? place;
+}
+
+function along(from: Readonly<Vec3>, direction: Readonly<Vec3>, distance: number): Vec3 {
+  const [x, y, z] = from;
+  const [dx, dy, dz] = direction;
+  return [x + dx * distance, y + dy * distance, z + dz * distance];
+}
+
+function lookAround(
+  collision: CollisionMesh,
+  place: Readonly<Vec3>,
+  isSolid: (triangle: number) => boolean,
+): FirstHits {
+  const backs: { distance: number; direction: Readonly<Vec3> }[] = [];
+  let fronts = 0;
+  const hit: RayHit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
+  for (const direction of DIRECTIONS) {
+    if (!collision.raycast(place, direction, REACH, hit)) continue;
+    const { distance, triangle } = hit;
+    if (collision.hitsBack && isSolid(triangle)) backs.push({ distance, direction });
+    else fronts++;
+  }
+  return { backs, fronts };
+}

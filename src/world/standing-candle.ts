@@ -1,0 +1,84 @@
+import { Plume } from "./air/plume.js";
+import { coarsePlumeGrid } from "./air/plume-grid.js";
+import { Flame, ROOM } from "./flame/flame.js";
+import type { Vec3 } from "./geometry.js";
+import { pcg } from "./random.js";
+import { TICK } from "./timeline.js";
+import type { World } from "./world.js";
+
+/** A wick in a model. Metres. */
+export interface Wick {
+  readonly name: string;
+  /** Root of its flame. */
+  readonly position: Readonly<Vec3>;
+  readonly wickDiameter: number;
+}
+
+/** Candle that stands where its model has it, with a flame of its own. */
+export interface StandingCandle {
+  readonly name: string;
+  /** Root of the flame, metres. */
+  readonly root: Vec3;
+  readonly flame: Flame;
+  /** Hot air and smoke, while there is smoke; a burning candle has none, since each costs as much as a frame may. */
+  plume: Plume | null;
+}
+
+/** Most candles that smoke at a time: their air is solved. */
+const MOST_PLUMES = 4;
+/** This near to the room's temperature a wick is cold, kelvin. */
+const COLD = 0.5;
+const STILL: Vec3 = [0, 0, 0];
+/** Steps between the seeds of neighbours. */
+const SEED_STEP = 0x9e3779b9;
+
+/** @param index from 1: the carried candle is 0 */
+export function createStandingCandle(
+  { name, position, wickDiameter }: Wick,
+  index: number,
+  seed: number,
+  isLit: boolean,
+): StandingCandle {
+  const own = seedOf(seed, index);
+  return {
+    name,
+    root: [...position],
+    flame: new Flame(wickDiameter, isLit, own),
+    plume: null,
+  };
+}
+
+function seedOf(seed: number, index: number): number {
+  return pcg((seed + Math.imul(index, SEED_STEP)) >>> 0);
+}
+
+/** Lets a tick pass for all standing candles. */
+export function advanceStanding({ standing, air, sways }: World): void {
+  for (let i = 0; i < standing.length; i++) {
+    const { flame, root } = standing[i]!;
+    const isCold = !flame.isLit && flame.glow === 0 && flame.ember < ROOM + COLD;
+    if (!isCold) flame.advance(root, STILL, air, !sways, TICK);
+  }
+}
+
+/** Lets one `PLUME_STEP` pass in the smoke of candles that went out. */
+export function advanceSmoke({ standing, air, sways, seed }: World): void {
+  let plumes = 0;
+  for (let i = 0; i < standing.length; i++) {
+    const candle = standing[i]!;
+    const { flame, root, plume } = candle;
+    const smokes = !flame.isLit && flame.measure().smoking > 0;
+    if (plume) {
+      plume.step(flame, root, sways ? air : null);
+      if (!smokes && plume.smoke.count === 0) candle.plume = null;
+      else plumes++;
+    }
+  }
+  for (let i = 0; i < standing.length && plumes < MOST_PLUMES; i++) {
+    const candle = standing[i]!;
+    const { flame, root } = candle;
+    if (candle.plume || flame.isLit || flame.measure().smoking === 0) continue;
+    candle.plume = new Plume(seedOf(seed, i + 1), root, coarsePlumeGrid());
+    plumes++;
+  }
+}
