@@ -1,6 +1,7 @@
 import type { Wind } from "./air/air.js";
 import { Plume } from "./air/plume.js";
 import { blow, placeCandle, takeCandle } from "./commands.js";
+import { reachForWick, useFlame } from "./flames.js";
 import type { Vec3 } from "./geometry.js";
 import { length2 } from "./geometry.js";
 import { interpolate, poseCandle } from "./interpolate.js";
@@ -27,7 +28,7 @@ const STANDING: Vec3 = [0, 0, 0];
 export function advance(world: World, intent: Intent, seconds: number): void {
   turnHead(world.player, intent);
   if (intent.placesOrTakes) placeOrTake(world);
-  if (intent.togglesFlame) toggleFlame(world);
+  if (intent.togglesFlame) useFlame(world);
   if (intent.blows) blow(world, 1);
   // 144 x 1/144 must be one second: the error of a sum is far below a millionth of a tick.
   const ticks = Math.floor((world.remainder + seconds) / TICK + 1e-6);
@@ -55,11 +56,6 @@ export function warmUp(world: World, wind: Wind): void {
 function placeOrTake(world: World): void {
   if (world.candle.isHeld) placeCandle(world);
   else takeCandle(world);
-}
-
-function toggleFlame({ flame }: World): void {
-  if (flame.isLit) flame.extinguish();
-  else flame.light();
 }
 
 /** Of the tick under way, so that none allocates: the emitter before it, and what `tick` makes of it. */
@@ -102,6 +98,7 @@ function movePlayer(world: World, intent: Intent): void {
   walk(player, intent, setup.gait, movementBounds, TICK);
   world.stride = advanceStride(world.stride, length2(position[0] - x, position[2] - z));
   advanceHand(hand, player, TICK);
+  reachForWick(world, TICK);
 }
 
 /** Records the emitter's tick, from which the particles are simulated. */

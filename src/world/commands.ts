@@ -1,4 +1,5 @@
 import { CANDLE_CYLINDER, isWithinReach, placeOnGround } from "./candle.js";
+import { rootedFlame } from "./flames.js";
 import type { Vec3 } from "./geometry.js";
 import { interpolate, poseCandle } from "./interpolate.js";
 import { noticeChange, settleAdaptation } from "./player/adapt.js";
@@ -12,6 +13,9 @@ const FARTHEST = 1e4;
 /** Within this angle of the line of sight, radians, and this far a breath is meant for the flame. */
 const AIM = 0.7;
 const BREATH_REACH = 1.6;
+/** Of a flame, above its root, and distance of a mouth that blows at one. Metres. */
+const HELD_AT = 0.01;
+const BESIDE = 0.5;
 
 /** Puts the camera somewhere: inside the walls if there are any. Metres and radians. */
 export function moveCamera(
@@ -97,21 +101,55 @@ export function takeCandle(world: World): boolean {
   return true;
 }
 
+/** A flame that a breath from the eye may be meant for. */
+interface BreathTarget {
+  /** Of length 1. */
+  readonly direction: Vec3;
+  /** Metres. */
+  readonly distance: number;
+  /** Cosine of its angle from the line of sight. */
+  readonly ahead: number;
+}
+
 /**
- * A breath from the eye: at the flame if it is ahead and near, else along the line of sight.
+ * A breath from the eye: at the flame nearest to the line of sight if it is near, else along that line.
  *
  * @param strength 1 puts a candle out at arm's length
  */
-export function blow({ air, player, emitter }: World, strength: number): void {
-  const { position } = player;
+export function blow(world: World, strength: number): void {
+  const { air, player, emitter, flame, standing } = world;
   const gaze = gazeDirection(player);
-  const toFlame: Vec3 = [0, 0, 0];
-  for (const axis of [0, 1, 2] as const) toFlame[axis] = emitter[axis] - position[axis];
+  const carried = targetOf(player.position, emitter, gaze);
+  const burning = standing.filter((candle) => candle.flame.isLit);
+  const targets = burning.map(({ root }) => targetOf(player.position, root, gaze));
+  const meant = [...(flame.isLit || burning.length === 0 ? [carried] : []), ...targets]
+    .filter(({ distance, ahead }) => distance < BREATH_REACH && ahead > Math.cos(AIM))
+    .sort((a, b) => b.ahead - a.ahead)[0];
+  const distance = meant?.distance ?? carried.distance;
+  air.blow(player.position, meant?.direction ?? gaze, distance, strength);
+}
+
+function targetOf(eye: Readonly<Vec3>, root: Readonly<Vec3>, gaze: Readonly<Vec3>): BreathTarget {
   // The lowest third of the flame is what holds it on its wick.
-  toFlame[1] += 0.01;
-  const distance = Math.hypot(...toFlame);
-  for (const axis of [0, 1, 2] as const) toFlame[axis] /= Math.max(distance, 1e-6);
-  const ahead = toFlame[0] * gaze[0] + toFlame[1] * gaze[1] + toFlame[2] * gaze[2];
-  const isMeant = distance < BREATH_REACH && ahead > Math.cos(AIM);
-  air.blow(position, isMeant ? toFlame : gaze, distance, strength);
+  const direction: Vec3 = [root[0] - eye[0], root[1] - eye[1] + HELD_AT, root[2] - eye[2]];
+  const distance = Math.hypot(...direction);
+  for (const axis of [0, 1, 2] as const) direction[axis] /= Math.max(distance, 1e-6);
+  const ahead = direction[0] * gaze[0] + direction[1] * gaze[1] + direction[2] * gaze[2];
+  return { direction, distance, ahead };
+}
+
+/**
+ * A breath at one candle, level, from the side of the eye and from so near that its strength counts.
+ *
+ * @param index of the candle: 0 is the carried one
+ */
+export function blowAt(world: World, index: number, strength: number): void {
+  const root = rootedFlame(world, index)?.root;
+  if (!root) return;
+  const { position } = world.player;
+  const away: Vec3 = [position[0] - root[0], 0, position[2] - root[2]];
+  const length = Math.hypot(...away);
+  const [x, z] = length > 1e-6 ? [away[0] / length, away[2] / length] : [0, 1];
+  const mouth: Vec3 = [root[0] + x * BESIDE, root[1] + HELD_AT, root[2] + z * BESIDE];
+  world.air.blow(mouth, [-x, 0, -z], BESIDE, strength, index + 1);
 }

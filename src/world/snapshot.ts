@@ -1,4 +1,5 @@
 import { moveCamera, standCandle } from "./commands.js";
+import { litFlames } from "./flames.js";
 import type { Vec3 } from "./geometry.js";
 import { TICK } from "./timeline.js";
 import type { World } from "./world.js";
@@ -20,6 +21,8 @@ export interface Snapshot {
   /** Where the candle stands, and how it is turned; null while it is held. */
   readonly stand: { readonly position: Readonly<Vec3>; readonly yaw: number } | null;
   readonly isLit: boolean;
+  /** Whether each of the standing candles burns; null: as at first. */
+  readonly areLit: readonly boolean[] | null;
 }
 
 export function takeSnapshot(world: World): Snapshot {
@@ -34,6 +37,7 @@ export function takeSnapshot(world: World): Snapshot {
     fieldOfView,
     stand: candle.isHeld ? null : { position: [...candle.position], yaw: candle.yaw },
     isLit: flame.isLit,
+    areLit: litFlames(world).slice(1),
   };
 }
 

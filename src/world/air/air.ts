@@ -1,6 +1,7 @@
 import type { Vec3 } from "../geometry.js";
 import { length2 } from "../geometry.js";
 import { TICK } from "../timeline.js";
+import { Breath } from "./breath.js";
 import { Gusts } from "./gusts.js";
 
 /** The draught in the room. */
@@ -32,23 +33,10 @@ const SHELTER = 0.4;
 /** How far around the flame, metres. */
 const SHELTERED = 0.12;
 
-/** Of a breath at full strength: speed at the lips, m/s, and the width of the mouth, m. */
-const BREATH_SPEED = 20;
-const MOUTH = 0.015;
-/** Distance of the lips from the eye, towards the flame: this, or half of the way. Metres. */
-const BENDING = 0.25;
-/** How long a breath lasts, and how long it takes to swell and to end. Seconds. */
-const BREATH = 0.45;
-const SWELL = 0.08;
-/** A round jet keeps its speed for this many widths of the mouth; then it goes as 1/distance. */
-const CORE = 6.2;
-/** Its half-width where the speed has fallen to 1/e, per metre of way. */
-const SPREAD = 0.107;
-
 /**
  * Air of the room: a draught with gusts, the wake of the walking visitor, and a breath.
  *
- * Velocities are those of the current tick. Pope 2000, "Turbulent Flows", gives the round jet.
+ * Velocities are those of the current tick.
  */
 export class Air {
   #wind = CALM;
@@ -63,14 +51,12 @@ export class Air {
   /** The visitor's eye, metres, and velocity, m/s. */
   readonly #body: Vec3 = [0, 0, 0];
   readonly #pace: Vec3 = [0, 0, 0];
-  readonly #lips: Vec3 = [0, 0, 0];
-  readonly #towards: Vec3 = [0, 0, -1];
   /** The flame that is carried, and the velocity that the air around it shares. */
   readonly #carried: Vec3 = [0, 0, 0];
   readonly #shelter: Vec3 = [0, 0, 0];
   readonly #gusty: Vec3 = [0, 0, 0];
-  #breathBegan = Number.NEGATIVE_INFINITY;
-  #breathSpeed = 0;
+  /** The visitor's first; one for each candle that is blown at by itself. */
+  readonly #breaths = [new Breath()];
 
   constructor(seed: number, wind: Wind) {
     this.#gusts = new Gusts(seed);
@@ -110,6 +96,7 @@ export class Air {
     this.#tick = tick;
     this.#time = tick * TICK;
     this.#veer(tick - previous);
+    for (let i = 0; i < this.#breaths.length; i++) this.#breaths[i]!.time = this.#time;
     for (let axis = 0; axis < 3; axis++) {
       this.#body[axis] = eye[axis]!;
       this.#pace[axis] = pace[axis]!;
@@ -127,18 +114,23 @@ export class Air {
   }
 
   /**
-   * A breath along a direction of length 1. `strength` 1 blows out a candle at arm's length.
+   * A breath along a direction of length 1, from now on. `strength` 1 blows out a candle at arm's length.
    *
    * @param distance of the target from the eye, metres
+   * @param mouth of which it is the only breath; 0 is the visitor's
    */
-  blow(eye: Readonly<Vec3>, towards: Readonly<Vec3>, distance: number, strength: number): void {
-    const bent = Math.min(BENDING, distance / 2);
-    for (const axis of [0, 1, 2] as const) {
-      this.#lips[axis] = eye[axis] + towards[axis] * bent;
-      this.#towards[axis] = towards[axis];
-    }
-    this.#breathBegan = this.#time;
-    this.#breathSpeed = BREATH_SPEED * strength;
+  blow(
+    eye: Readonly<Vec3>,
+    towards: Readonly<Vec3>,
+    distance: number,
+    strength: number,
+    mouth = 0,
+  ): void {
+    const breaths = this.#breaths;
+    while (breaths.length <= mouth) breaths.push(new Breath());
+    const breath = breaths[mouth]!;
+    breath.time = this.#time;
+    breath.begin(eye, towards, distance, strength);
   }
 
   /**
@@ -161,7 +153,8 @@ export class Air {
     }
     this.#addWake(place, out);
     this.#addShelter(place, out);
-    this.#addBreath(place, out);
+    const breaths = this.#breaths;
+    for (let i = 0; i < breaths.length; i++) breaths[i]!.add(place, out);
     return out;
   }
 
@@ -186,33 +179,5 @@ export class Air {
     const dz = place[2] - this.#carried[2];
     const weight = Math.exp(-(dx * dx + dy * dy + dz * dz) / (SHELTERED * SHELTERED));
     for (let axis = 0; axis < 3; axis++) out[axis]! += weight * this.#shelter[axis]!;
-  }
-
-  #addBreath(place: Readonly<Vec3>, out: Vec3): void {
-    const age = this.#time - this.#breathBegan;
-    if (age < 0 || age > BREATH + 1) return;
-    const dx = place[0] - this.#lips[0];
-    const dy = place[1] - this.#lips[1];
-    const dz = place[2] - this.#lips[2];
-    const tx = this.#towards[0];
-    const ty = this.#towards[1];
-    const tz = this.#towards[2];
-    const way = dx * tx + dy * ty + dz * tz;
-    if (way <= 0) return;
-    // The front of a jet slows down as the jet does: the time to here is the integral of way/speed.
-    const reach = CORE * MOUTH;
-    const delay =
-      (Math.min(way, reach) + Math.max(0, way * way - reach * reach) / (2 * reach)) /
-      Math.max(this.#breathSpeed, 1e-3);
-    const elapsed = age - delay;
-    if (elapsed <= 0 || elapsed >= BREATH) return;
-    const swell = Math.min(1, elapsed / SWELL, (BREATH - elapsed) / SWELL);
-    const aside = dx * dx + dy * dy + dz * dz - way * way;
-    const width = MOUTH / 2 + SPREAD * way;
-    const speed =
-      this.#breathSpeed * swell * Math.min(1, reach / way) * Math.exp(-aside / (width * width));
-    out[0] += speed * tx;
-    out[1] += speed * ty;
-    out[2] += speed * tz;
   }
 }

@@ -13,6 +13,8 @@ const MAX_LAG = 0.3;
 const MAX_SWAY = 0.05;
 /** Rate at which the arm extends or draws back, 1/s. */
 const STRETCHING = 7;
+/** Rate at which the hand reaches out, 1/s. */
+const REACHING = 6;
 /** The hand begins to draw back this early, metres, so that it seldom has to do so at once. */
 const CAUTION = 0.06;
 
@@ -25,6 +27,9 @@ export interface Hand {
   /** Offset from where a stiff arm would hold it, metres, and its velocity, m/s. */
   readonly sway: Vec3;
   readonly swaying: Vec3;
+  /** Way that it reaches out to another candle's wick, metres, and the share of its caution that it leaves aside. */
+  readonly lean: Vec3;
+  daring: number;
   /** Extension of the arm, 0 to 1. */
   stretch: number;
   /** Of the body, when the hand was last advanced. */
@@ -38,6 +43,8 @@ export function createHand(yaw: number): Hand {
     turning: 0,
     sway: [0, 0, 0],
     swaying: [0, 0, 0],
+    lean: [0, 0, 0],
+    daring: 0,
     stretch: 1,
     yaw,
     velocity: [0, 0, 0],
@@ -46,12 +53,25 @@ export function createHand(yaw: number): Hand {
 
 /** Brings a hand to rest at once, as after a jump to elsewhere. */
 export function calmHand(hand: Hand, yaw: number): void {
-  hand.lag = hand.turning = 0;
+  hand.lag = hand.turning = hand.daring = 0;
   hand.stretch = 1;
   hand.yaw = yaw;
   for (const axis of [0, 1, 2] as const) {
-    hand.sway[axis] = hand.swaying[axis] = hand.velocity[axis] = 0;
+    hand.sway[axis] = hand.swaying[axis] = hand.lean[axis] = hand.velocity[axis] = 0;
   }
+}
+
+/**
+ * Lets the hand reach out for a while, or return.
+ *
+ * @param way from where a stiff arm holds the flame to where it is wanted, metres; null to return
+ */
+export function reachOut(hand: Hand, way: Readonly<Vec3> | null, seconds: number): void {
+  const blend = 1 - Math.exp(-REACHING * seconds);
+  for (let axis = 0; axis < 3; axis++) {
+    hand.lean[axis]! += ((way ? way[axis]! : 0) - hand.lean[axis]!) * blend;
+  }
+  hand.daring += ((way ? 1 : 0) - hand.daring) * blend;
 }
 
 /**
@@ -110,14 +130,15 @@ export function holdOut(
   const angle = yaw - soften(hand.lag, MAX_LAG);
   const sin = Math.sin(angle);
   const cos = Math.cos(angle);
-  reach[0] = right * cos - ahead * sin + soften(hand.sway[0], MAX_SWAY);
-  reach[2] = -right * sin - ahead * cos + soften(hand.sway[2], MAX_SWAY);
+  reach[0] = right * cos - ahead * sin + soften(hand.sway[0], MAX_SWAY) + hand.lean[0];
+  reach[2] = -right * sin - ahead * cos + soften(hand.sway[2], MAX_SWAY) + hand.lean[2];
   foot[0] = eye[0];
-  foot[1] = eye[1] + hold[1];
+  foot[1] = eye[1] + hold[1] + hand.lean[1];
   foot[2] = eye[2];
   let stretch = 1;
   if (collision) {
-    const target = collision.sweepCylinder(foot, reach, stand, CAUTION).fraction;
+    const margin = CAUTION * (1 - hand.daring);
+    const target = collision.sweepCylinder(foot, reach, stand, margin).fraction;
     const limit = collision.sweepCylinder(foot, reach, stand).fraction;
     const eased = target + (hand.stretch - target) * Math.exp(-STRETCHING * seconds);
     stretch = Math.min(eased, limit);

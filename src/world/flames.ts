@@ -1,0 +1,122 @@
+import { CANDLE_CYLINDER } from "./candle.js";
+import type { Flame } from "./flame/flame.js";
+import { length2, length3, type Vec3 } from "./geometry.js";
+import { reachOut } from "./player/hand.js";
+import type { World } from "./world.js";
+
+/** A flame this near to a wick lights it, metres. */
+const KINDLING = 0.1;
+/** From so near the hand reaches out to a wick: along the floor, and up or down. Metres. */
+const REACH = 0.4;
+const REACH_UP = 0.5;
+/** Of the flame from the wick that the hand reaches for: beside it, and above it, the lowest that is free. Metres. */
+const BESIDE = 0.06;
+const ABOVE = [0.035, 0.075, 0.13, 0.2];
+/** A candle held out over a wick is tipped to light it: from so far to the side and so high, metres. */
+const TIPPED = 0.09;
+const TIPPED_UP = 0.24;
+
+/** Candles of a world: the carried one is 0, then come the standing ones. */
+export function candleCount({ standing }: World): number {
+  return standing.length + 1;
+}
+
+/** Flame of a candle, and its root at the moment of the frame, metres; null where there is no such candle. */
+export function rootedFlame(
+  { standing, flame, interpolated }: World,
+  index: number,
+): { readonly root: Readonly<Vec3>; readonly flame: Flame } | null {
+  return index === 0 ? { root: interpolated.flame, flame } : (standing[index - 1] ?? null);
+}
+
+/** Whether each candle burns. */
+export function litFlames({ standing, flame }: World): boolean[] {
+  return [flame.isLit, ...standing.map((candle) => candle.flame.isLit)];
+}
+
+/** Lights each candle or puts it out; those that the list does not have stay as they are. */
+export function setLitFlames(world: World, areLit: readonly boolean[]): void {
+  for (const [index, isLit] of areLit.entries()) {
+    const flame = rootedFlame(world, index)?.flame;
+    if (isLit) flame?.light();
+    else flame?.extinguish();
+  }
+}
+
+/** Lights the wick that the carried flame is held to; else puts the carried flame out, or lights it. */
+export function useFlame(world: World): void {
+  const { flame } = world;
+  const wick = wickAtFlame(world);
+  if (wick) wick.light();
+  else if (flame.isLit) flame.extinguish();
+  else flame.light();
+}
+
+/** The nearest unlit wick that the carried flame touches. */
+function wickAtFlame({ candle, flame, emitter, hand, standing }: World): Flame | null {
+  if (!candle.isHeld || !flame.isLit) return null;
+  let nearest = KINDLING;
+  let wick: Flame | null = null;
+  for (const { root, flame: other } of standing) {
+    if (other.isLit) continue;
+    const up = Math.min(Math.max(root[1] - emitter[1], 0), flame.height);
+    const distance = length3(root[0] - emitter[0], root[1] - emitter[1] - up, root[2] - emitter[2]);
+    const isBelow =
+      hand.daring > 0.5 &&
+      emitter[1] - root[1] < TIPPED_UP &&
+      length2(root[0] - emitter[0], root[2] - emitter[2]) < TIPPED;
+    if (distance > nearest && !(isBelow && wick === null)) continue;
+    nearest = Math.min(distance, nearest);
+    wick = other;
+  }
+  return wick;
+}
+
+const way: Vec3 = [0, 0, 0];
+
+/** Lets the hand reach out to a wick at which there is something to light, the carried one or the other. */
+export function reachForWick(world: World, seconds: number): void {
+  const { standing, candle, hand } = world;
+  if (standing.length === 0) return;
+  reachOut(hand, candle.isHeld && findWay(world) ? way : null, seconds);
+}
+
+/** Writes the way to the nearest such wick to `way`. False if there is none. */
+function findWay(world: World): boolean {
+  const { standing, hand, emitter, flame } = world;
+  let nearest = REACH;
+  let isFound = false;
+  for (let i = 0; i < standing.length; i++) {
+    const { root, flame: other } = standing[i]!;
+    const dx = root[0] - (emitter[0] - hand.lean[0]);
+    const dy = root[1] - (emitter[1] - hand.lean[1]);
+    const dz = root[2] - (emitter[2] - hand.lean[2]);
+    const distance = length2(dx, dz);
+    if (other.isLit === flame.isLit || Math.abs(dy) > REACH_UP || distance > nearest) continue;
+    const share = Math.max(0, 1 - BESIDE / Math.max(distance, 1e-6));
+    way[0] = dx * share;
+    way[1] = dy;
+    way[2] = dz * share;
+    nearest = distance;
+    isFound = true;
+  }
+  if (isFound) way[1] += freeHeight(world);
+  return isFound;
+}
+
+const foot: Vec3 = [0, 0, 0];
+
+/** Height above the wick at which the candle touches nothing, at the end of `way`. */
+function freeHeight({ room, candle, hand }: World): number {
+  let above = 0;
+  for (let i = 0; i < ABOVE.length; i++) {
+    above = ABOVE[i]!;
+    for (let axis = 0; axis < 3; axis++) {
+      foot[axis] = candle.position[axis]! - hand.lean[axis]! + way[axis]!;
+    }
+    foot[1] += above;
+    const { radius, height } = CANDLE_CYLINDER;
+    if (!room?.collision.overlapsCylinder(foot, radius, height)) break;
+  }
+  return above;
+}

@@ -1,0 +1,146 @@
+import { describe, expect, test } from "vitest";
+import { advance } from "../../../src/world/advance.ts";
+import { blow, blowAt, moveCamera } from "../../../src/world/commands.ts";
+import { createWorld, type WorldOptions } from "../../../src/world/create-world.ts";
+import { litFlames } from "../../../src/world/flames.ts";
+import type { Vec3 } from "../../../src/world/geometry.ts";
+import { STILL } from "../../../src/world/player/intent.ts";
+import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";
+import { createRoom } from "../../../src/world/room/room.ts";
+import { restoreSnapshot, takeSnapshot } from "../../../src/world/snapshot.ts";
+import type { World } from "../../../src/world/world.ts";
+import { box, floorOf } from "./rooms.ts";
+
+const room = () =>
+  createRoom(new CollisionMesh([floorOf(8), box([-0.5, 0, -2], [0.5, 1, -1.2])]), null);
+const E = { ...STILL, togglesFlame: true };
+
+/** A room with a block 1 m high, and candles whose wicks are there. */
+function worldWith(wicks: readonly Vec3[], birth: WorldOptions = {}): World {
+  const ofPlaces = wicks.map((position, i) => ({
+    name: `wick.${i}`,
+    position,
+    wickDiameter: 0.002,
+  }));
+  return createWorld("physical", 1, { room: room(), wicks: ofPlaces, ...birth });
+}
+
+/** Places the eye so that the carried flame's root is at a place. */
+function carryTo(world: World, [x, y, z]: Vec3): void {
+  moveCamera(world, [0, 1.6, 2], 0, 0);
+  const { position } = world.player;
+  const [fx, fy, fz] = world.emitter;
+  moveCamera(world, [position[0] + x - fx, position[1] + y - fy, position[2] + z - fz], 0, 0);
+  for (const [axis, value] of world.emitter.entries()) {
+    expect(value).toBeCloseTo([x, y, z][axis] ?? 0, 6);
+  }
+}
+
+describe("E", () => {
+  const wick: Vec3 = [0, 1.4, 1];
+
+  test.each([
+    ["lights the wick", "at the flame", 0.09],
+    ["puts out the carried candle", "beyond 10 cm", 0.13],
+  ])("%s %s", (_, __, distance) => {
+    const world = worldWith([wick, [2, 1, 2]]);
+    carryTo(world, [wick[0] + distance, wick[1], wick[2]]);
+    advance(world, E, 0);
+    expect(litFlames(world)).toEqual(distance < 0.1 ? [true, true, false] : [false, false, false]);
+  });
+
+  test("lights one wick after another, the nearest first, and then is for the carried flame", () => {
+    const world = worldWith([wick, [wick[0] + 0.04, wick[1], wick[2]]]);
+    carryTo(world, [wick[0] + 0.05, wick[1], wick[2]]);
+    const seen = [1, 2, 3].map(() => {
+      advance(world, E, 0);
+      return litFlames(world);
+    });
+    expect(seen).toEqual([
+      [true, false, true],
+      [true, true, true],
+      [false, true, true],
+    ]);
+  });
+
+  test("reaches a wick along the whole flame", () => {
+    const world = worldWith([wick]);
+    carryTo(world, [wick[0], wick[1] - 0.12, wick[2]]);
+    advance(world, E, 0);
+    expect(litFlames(world)).toEqual([true, true]);
+  });
+
+  test("lights the carried wick at a burning one", () => {
+    const world = worldWith([wick], { isLit: false, areLit: [true] });
+    carryTo(world, [wick[0] + 0.05, wick[1], wick[2]]);
+    advance(world, E, 0);
+    expect(litFlames(world)).toEqual([true, true]);
+  });
+});
+
+describe("the hand", () => {
+  // On the block, as candles of 17, 12 and 6 cm would have them.
+  test.each([1.17, 1.12, 1.06])("reaches out to a wick at %s m, so that E lights it", (height) => {
+    const wick: Vec3 = [0.2, height, -1.3];
+    const world = worldWith([wick]);
+    moveCamera(world, [0, 1.6, -0.65], 0, 0);
+    const before = [...world.emitter];
+    expect(Math.abs((before[1] ?? 0) - wick[1])).toBeGreaterThan(0.2);
+    advance(world, STILL, 1.5);
+    const [x, , z] = world.emitter;
+    expect(Math.hypot(x - wick[0], z - wick[2])).toBeLessThan(0.1);
+    advance(world, E, 0);
+    expect(litFlames(world)).toEqual([true, true]);
+    advance(world, STILL, 2);
+    for (const [axis, x] of world.emitter.entries()) expect(x).toBeCloseTo(before[axis] ?? 0, 2);
+  });
+
+  test("stays as it is where there is none", () => {
+    const [alone, among] = [worldWith([]), worldWith([[3, 1, 3]])];
+    for (const world of [alone, among]) advance(world, { ...STILL, forward: 1, turn: 0.2 }, 1);
+    expect(among.emitter).toEqual(alone.emitter);
+  });
+});
+
+describe("a breath", () => {
+  test("is for the flame nearest to the line of sight, and blows out those beside it", () => {
+    const world = worldWith(
+      [
+        [0, 1.6, 0.8],
+        [0.03, 1.6, 0.8],
+        [0.8, 1.6, 0.8],
+      ],
+      { areLit: [true, true, true] },
+    );
+    moveCamera(world, [0, 1.62, 1.5], 0, 0);
+    blow(world, 2);
+    advance(world, STILL, 1.5);
+    expect(litFlames(world)).toEqual([true, false, false, true]);
+  });
+
+  test("at one candle is for that one; several at a time blow out all of them", () => {
+    const wicks: Vec3[] = [0, 1, 2].map((i) => [i - 1, 1.2, 0]);
+    const world = worldWith(wicks, { areLit: [true, true, true] });
+    moveCamera(world, [0, 1.6, 3], 0, 0);
+    blowAt(world, 2, 1);
+    advance(world, STILL, 1.5);
+    expect(litFlames(world)).toEqual([true, true, false, true]);
+    for (const index of [0, 1, 3]) blowAt(world, index, 1);
+    advance(world, STILL, 1.5);
+    expect(litFlames(world)).toEqual([false, false, false, false]);
+    blowAt(world, 9, 1);
+  });
+});
+
+test("a snapshot has the state of every candle", () => {
+  const wicks: Vec3[] = [
+    [0, 1.2, 0],
+    [1, 1.2, 0],
+  ];
+  const gone = worldWith(wicks, { areLit: [true, false] });
+  const moment = takeSnapshot(gone);
+  expect(moment.areLit).toEqual([true, false]);
+  const world = worldWith(wicks, { age: moment.tick, areLit: moment.areLit ?? [] });
+  restoreSnapshot(world, moment);
+  expect(takeSnapshot(world)).toEqual(moment);
+});
