@@ -1,5 +1,6 @@
 import type { CandleFlame } from "./candle-flame.js";
 import { type Camera, cameraOf, changeOf, setCamera } from "./element/camera.js";
+import type { Candle } from "./element/candle-list.js";
 import { emit } from "./element/events.js";
 import { featureSwitches } from "./element/feature-switches.js";
 import { boxWithin, lengthOfStep, strengthOfBreath } from "./element/legal-values.js";
@@ -21,10 +22,18 @@ import { NO_STATS, type Stats } from "./stats.js";
 import { blow, placeCandle, takeCandle } from "./world/commands.js";
 
 export type { AssetError } from "./assets/asset-error.js";
-export type { CandleFlameEventMap, ErrorDetail, ErrorType } from "./element/events.js";
+export type { Candle } from "./element/candle-list.js";
+export type {
+  CandleDetail,
+  CandleFlameEventMap,
+  ErrorDetail,
+  ErrorType,
+} from "./element/events.js";
 export type * from "./framework-types.js";
 export type { Feature, Look, Quality } from "./settings.js";
 export type { Camera, Features, FlameReport, Inspection, Stats };
+
+const NO_CANDLES: readonly Candle[] = Object.freeze([]);
 
 /** Attributes that decide which models are fetched. */
 const SCENE_ATTRIBUTES: readonly SettingName[] = ["scene", "look", "src", "asset-base"];
@@ -38,8 +47,8 @@ const SCENE_ATTRIBUTES: readonly SettingName[] = ["scene", "look", "src", "asset
  * @fires {CustomEvent} error - detail.type, detail.message and detail.cause say what failed.
  * @fires {CustomEvent} play - Time passes from now on.
  * @fires {CustomEvent} pause - Time stands still: `paused` is set, or nobody can see the canvas.
- * @fires {CustomEvent} light - The candle was lit.
- * @fires {CustomEvent} extinguish - The candle went out.
+ * @fires {CustomEvent} light - A candle was lit; detail.index and detail.name say which.
+ * @fires {CustomEvent} extinguish - A candle went out; the same.
  * @fires {CustomEvent} place - The candle was put down.
  * @fires {CustomEvent} take - The candle was taken up.
  * @fires {CustomEvent} enter - The visitor went in.
@@ -114,6 +123,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     if (SCENE_ATTRIBUTES.includes(name)) lifecycle.sceneChanged(before !== after);
     if (name === "seed") this.#pending.forgetTime();
     if (name === "unlit") this.#pending.isLit = !this.unlit;
+    if (name === "unlit" || name === "lit-wicks") this.#pending.forgetFlames();
     lifecycle.apply();
   }
 
@@ -163,6 +173,11 @@ export class CandleFlameElement extends ReflectedAttributes {
   /** Whether the candle is in the hand; else it stands in the room. */
   get held(): boolean {
     return this.#candle?.world.candle.isHeld ?? this.#pending.isHeld;
+  }
+
+  /** The candles of the scene, the carried one first; another list after another scene. Empty before the first frame. */
+  get candles(): readonly Candle[] {
+    return this.#lifecycle.session?.candles ?? NO_CANDLES;
   }
 
   /** The flame as of the last frame; its position is the centre of the light. Null before the first. */

@@ -8,60 +8,25 @@ import {
   paperFlameReport,
 } from "./light/flame-light.js";
 import type { AutoQuality } from "./render/auto-quality.js";
+import { burnsAtFirst, candleNamesOf, type Options, worldOf } from "./scene-world.js";
 import type { CanvasTarget } from "./scenes/canvas-target.js";
 import type { Scene } from "./scenes/scene.js";
 import { SceneView, type ViewSubject } from "./scenes/scene-view.js";
-import type { Features, Look, Quality } from "./settings.js";
+import type { Features } from "./settings.js";
 import type { Stats } from "./stats.js";
 import { advance } from "./world/advance.js";
-import type { Wind } from "./world/air/air.js";
-import { moveCamera, standLike } from "./world/commands.js";
-import { createWorld, type WorldOptions } from "./world/create-world.js";
+import { blowAt, moveCamera, standLike } from "./world/commands.js";
+import type { WorldOptions } from "./world/create-world.js";
+import { candleCount, litFlames, rootedFlame, setLitFlames } from "./world/flames.js";
 import { withCount } from "./world/particles/particle-layer.js";
 import { STILL } from "./world/player/intent.js";
 import { restoreSnapshot, type Snapshot } from "./world/snapshot.js";
 import { currentTime, type World } from "./world/world.js";
-import { LONE_CANDLE_SETUP } from "./world/world-setup.js";
+
+export type { Options } from "./scene-world.js";
 
 /** Longest time that a live frame makes up for, in seconds: after a hidden tab, resume. */
 const MAX_FRAME = 1 / 20;
-
-/** Everything about a candle that its owner may set at any time. */
-export interface Options {
-  readonly look: Look;
-  readonly seed: number;
-  readonly quality: Quality;
-  /** EV */
-  readonly exposure: number;
-  /** Particles alive; 0 is the look's own count. */
-  readonly particles: number;
-  readonly wind: Wind;
-  /** Diameter of the wick, metres. */
-  readonly wick: number;
-  readonly unlit: boolean;
-  /** No flicker and no sway: `prefers-reduced-motion`. */
-  readonly isStill: boolean;
-}
-
-/** A new world of a scene. */
-function worldOf(
-  { room, wicks, isModelAlone }: Scene,
-  { look, seed, unlit, isStill, wind, wick }: Options,
-  birth: WorldOptions = {},
-): World {
-  const setup = isModelAlone ? LONE_CANDLE_SETUP : null;
-  const world = createWorld(look, seed, {
-    room,
-    setup,
-    wind,
-    wick,
-    wicks,
-    isLit: !unlit,
-    ...birth,
-  });
-  world.sways = !isStill;
-  return world;
-}
 
 /**
  * Composition of input, world, light and renderer on one canvas.
@@ -77,8 +42,8 @@ export class CandleFlame {
   onFailure: (error: Error) => void = () => {};
   /** Called when the visitor's input has put the candle down, or taken it up. */
   onCandleMoved: () => void = () => {};
-  /** Called when the flame was lit or went out, for any reason. */
-  onFlameChanged: () => void = () => {};
+  /** Called when a candle was lit or went out, for any reason; 0 is the carried one. */
+  onFlameChanged: (index: number) => void = () => {};
   /** Called when the visitor wanted to put the candle down, and could not. */
   onRefused: () => void = () => {};
   #scene: Scene;
@@ -148,8 +113,8 @@ export class CandleFlame {
     this.draw();
   }
 
-  #createWorld(age = 0, isLit = !this.#options.unlit, fieldOfView: number | null = null): World {
-    return worldOf(this.#scene, this.#options, { age, isLit, fieldOfView });
+  #createWorld(birth: WorldOptions = {}): World {
+    return worldOf(this.#scene, this.#options, birth);
   }
 
   set options(options: Options) {
@@ -164,13 +129,38 @@ export class CandleFlame {
     else if (options.seed !== before.seed) this.reset();
     else if (options.particles !== before.particles) this.view.follow(this.#subject);
     if (options.quality !== before.quality) this.view.rebuild();
-    if (options.unlit !== before.unlit) this.setLit(!options.unlit);
+    const isOther =
+      options.unlit !== before.unlit || `${options.litWicks}` !== `${before.litWicks}`;
+    if (!isOther) return;
+    for (let index = 0; index < candleCount(this.world); index++) {
+      this.setLit(burnsAtFirst(index, this.#scene, options), index);
+    }
   }
 
-  /** Lights the candle or puts it out, if it is not so already. */
-  setLit(isLit: boolean): void {
-    const { flame } = this.world;
-    if (isLit ? flame.light() : flame.extinguish()) this.onFlameChanged();
+  /** Names of the candles' wicks, the carried one's first. */
+  get candleNames(): readonly string[] {
+    return candleNamesOf(this.#scene);
+  }
+
+  isLit(index: number): boolean {
+    return rootedFlame(this.world, index)?.flame.isLit ?? false;
+  }
+
+  /** Lights a candle or puts it out, if it is not so already. */
+  setLit(isLit: boolean, index = 0): void {
+    const flame = rootedFlame(this.world, index)?.flame;
+    if (isLit ? flame?.light() : flame?.extinguish()) this.onFlameChanged(index);
+  }
+
+  blowAt(index: number, strength: number): void {
+    blowAt(this.world, index, strength);
+  }
+
+  /** Calls `onFlameChanged` for each candle that is not as it was. */
+  #reportFlames(before: readonly boolean[]): void {
+    for (const [index, isLit] of litFlames(this.world).entries()) {
+      if (isLit !== (before[index] ?? false)) this.onFlameChanged(index);
+    }
   }
 
   /** Another scene on the same canvas, and its options. The old one is no longer used. */
@@ -183,7 +173,7 @@ export class CandleFlame {
 
   /** A new world at the time of another, its visitor at the door. */
   #sameTimeAs({ timeline, remainder, flame, fieldOfView }: World): World {
-    const world = this.#createWorld(timeline.tick, flame.isLit, fieldOfView);
+    const world = this.#createWorld({ age: timeline.tick, isLit: flame.isLit, fieldOfView });
     world.remainder = remainder;
     return world;
   }
@@ -200,6 +190,7 @@ export class CandleFlame {
   mirror({ world: other }: CandleFlame): void {
     const { player } = other;
     this.world = this.#sameTimeAs(other);
+    setLitFlames(this.world, litFlames(other));
     moveCamera(this.world, player.position, player.yaw, player.pitch);
     standLike(this.world, other);
     this.view.follow(this.#subject);
@@ -207,7 +198,13 @@ export class CandleFlame {
 
   /** Goes on from the snapshot of an earlier candle; in another room, at its door. */
   resume(snapshot: Snapshot, isSameRoom: boolean): void {
-    this.world = this.#createWorld(snapshot.tick, snapshot.isLit, snapshot.fieldOfView);
+    const { tick: age, isLit, areLit, fieldOfView } = snapshot;
+    this.world = this.#createWorld({
+      age,
+      isLit,
+      fieldOfView,
+      ...(isSameRoom && areLit && { areLit }),
+    });
     this.world.remainder = snapshot.remainder;
     if (isSameRoom) restoreSnapshot(this.world, snapshot);
     this.view.follow(this.#subject);
@@ -225,9 +222,9 @@ export class CandleFlame {
 
   /** Time 0, as if new. */
   reset(): void {
-    const { isLit } = this.world.flame;
+    const before = litFlames(this.world);
     this.world = this.#createWorld();
-    if (this.world.flame.isLit !== isLit) this.onFlameChanged();
+    this.#reportFlames(before);
     this.view.follow(this.#subject);
   }
 
@@ -235,12 +232,12 @@ export class CandleFlame {
   step(seconds: number): void {
     const begin = performance.now();
     const { isHeld } = this.world.candle;
-    const { isLit } = this.world.flame;
+    const before = litFlames(this.world);
     const intent = this.input?.read() ?? STILL;
     advance(this.world, intent, seconds);
     this.draw();
     this.#cpuMs = performance.now() - begin;
-    if (this.world.flame.isLit !== isLit) this.onFlameChanged();
+    this.#reportFlames(before);
     if (this.world.candle.isHeld !== isHeld) this.onCandleMoved();
     if (intent.placesOrTakes && isHeld) this.onRefused();
   }
@@ -295,6 +292,19 @@ export class CandleFlame {
     if (this.#options.look === "physical") return flameReport(carriedFlame(this.world));
     const light = candleLight(this.world, this.#features, this.#options.isStill);
     return paperFlameReport(this.world, light.position);
+  }
+
+  /** The same of any candle; null where there is none. */
+  reportOf(index: number): FlameReport | null {
+    if (index === 0) return this.flame;
+    const rooted = rootedFlame(this.world, index);
+    return rooted && flameReport(rooted);
+  }
+
+  /** Of all candles, candela. */
+  get luminousIntensity(): number {
+    const standing = this.world.standing.map((candle) => flameReport(candle).luminousIntensity);
+    return standing.reduce((sum, one) => sum + one, this.flame.luminousIntensity);
   }
 
   get stats(): Stats {

@@ -54,6 +54,7 @@ export const SETTINGS = {
   paused: { kind: "flag" },
   seed: { ...number("", [1, 0, 0xffffffff]), integer: true },
   unlit: { kind: "flag" },
+  "lit-wicks": { kind: "text", default: "" },
   wind: number("m/s", [0.05, 0, 5]),
   "wind-direction": number("degrees", [0, -360, 360]),
   gustiness: number("", [0.5, 0, 1]),
@@ -101,6 +102,12 @@ export function parseChoice<Choice extends string>(
 ): Choice {
   const word = text?.trim().toLowerCase();
   return setting.choices.find((known) => known === word) ?? setting.default;
+}
+
+/** Parses a list of indices, such as "0 2"; null where there is none in it. */
+export function parseIndices(text: string): readonly number[] | null {
+  const words = text.split(/[\s,]+/).filter((word) => /^\d{1,4}$/.test(word));
+  return words.length > 0 ? [...new Set(words.map(Number))] : null;
 }
 
 const PARTICLE_FEATURES = ["particles", "core"] as const;

@@ -27,9 +27,13 @@ export class CandleReporter {
     candle.onCandleMoved = () => emit(element, candle.world.candle.isHeld ? "take" : "place", null);
     candle.onRefused = () => this.refusal(candle);
     candle.view.onQualityChanged = () => emit(element, "qualitychange", null);
-    candle.onFlameChanged = () => {
+    candle.onFlameChanged = (index) => {
+      const name = candle.candleNames[index] ?? "";
+      const isLit = candle.isLit(index);
       this.flame(candle);
-      emit(element, candle.world.flame.isLit ? "light" : "extinguish", null);
+      if (index > 0)
+        this.#hint.tellOther({ index, name, isLit }, candle.isLit(0), element.controls);
+      emit(element, isLit ? "light" : "extinguish", { index, name });
     };
     this.#camera = keyOf(candle);
   }
@@ -47,7 +51,7 @@ export class CandleReporter {
   }
 
   glow(candle: CandleFlame): void {
-    if (this.#states.has("alone")) this.#glow.follow(candle.flame.luminousIntensity);
+    if (this.#states.has("alone")) this.#glow.follow(candle.luminousIntensity);
   }
 
   /** Whether the candle burns. */

@@ -10,6 +10,13 @@ export interface ErrorDetail {
   readonly cause: unknown;
 }
 
+/** The candle that was lit or went out. */
+export interface CandleDetail {
+  /** Its place in `candles`. */
+  readonly index: number;
+  readonly name: string;
+}
+
 export interface CandleFlameEventMap {
   progress: CustomEvent<{ readonly totalProgress: number }>;
   load: CustomEvent<null>;
@@ -20,8 +27,8 @@ export interface CandleFlameEventMap {
   take: CustomEvent<null>;
   enter: CustomEvent<null>;
   leave: CustomEvent<null>;
-  light: CustomEvent<null>;
-  extinguish: CustomEvent<null>;
+  light: CustomEvent<CandleDetail>;
+  extinguish: CustomEvent<CandleDetail>;
   camerachange: CustomEvent<null>;
   qualitychange: CustomEvent<null>;
   contextlost: CustomEvent<null>;

@@ -1,6 +1,6 @@
 import type { Device } from "../input/first-person-input.js";
 import type { Refusal } from "../world/room/placement.js";
-import { outSentence, REFUSALS } from "./messages.js";
+import { type CandleChange, changeSentence, outSentence, REFUSALS } from "./messages.js";
 
 /** Controls of each device; keys are in brackets. */
 const CONTROLS: Readonly<Record<Device, string>> = {
@@ -36,6 +36,12 @@ export class Hint {
   /** That the candle is out, and how to light it; nothing while it burns. */
   tellFlame(isLit: boolean, hasControls: boolean): void {
     this.tell(isLit ? null : outSentence(hasControls), hasControls);
+  }
+
+  /** That another candle was lit or went out, and that the first is out, if it is. */
+  tellOther(change: CandleChange, isLit: boolean, hasControls: boolean): void {
+    const sentences = [changeSentence(change), isLit ? null : outSentence(hasControls)];
+    this.tell(sentences.filter(Boolean).join(" "), hasControls && !isLit);
   }
 
   /** Why the candle could not be put down, and that it is out, if it is. */

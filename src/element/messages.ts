@@ -23,3 +23,20 @@ export function outSentence(canLight: boolean): string {
   const hasFingersAlone = matchMedia("(hover: none)").matches;
   return hasFingersAlone ? `${out} Tap twice to light it.` : `${out} Press E to light it.`;
 }
+
+/** A standing candle that was lit or went out. */
+export interface CandleChange {
+  readonly index: number;
+  /** Of its wick's node: `wick-mantel-left`. */
+  readonly name: string;
+  readonly isLit: boolean;
+}
+
+/** Says which candle was lit or went out: by the words in its wick's name, or else by its number. */
+export function changeSentence({ index, name, isLit }: CandleChange): string {
+  const words = name
+    .replace(/^wick/, "")
+    .replace(/[^\p{L}]+/gu, " ")
+    .trim();
+  return `Candle ${index + 1}${words ? `, ${words},` : ""} ${isLit ? "burns" : "is out"}.`;
+}

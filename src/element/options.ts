@@ -1,6 +1,6 @@
 import type { Options } from "../candle-flame.js";
 import { resolveUrl } from "../scenes/resolve-url.js";
-import type { Look } from "../settings.js";
+import { type Look, parseIndices } from "../settings.js";
 import type { ReflectedAttributes } from "./reflected-attributes.js";
 
 const LESS_MOTION = "(prefers-reduced-motion: reduce)";
@@ -11,7 +11,8 @@ export function optionsOf(element: ReflectedAttributes, look: Look): Options {
   const isStill = motion === "reduced" || (motion === "auto" && matchMedia(LESS_MOTION).matches);
   const direction = (element.windDirection * Math.PI) / 180;
   const wind = { speed: element.wind, direction, gustiness };
-  return { look, seed, quality, exposure, particles, isStill, unlit, wick: wick / 1000, wind };
+  const flame = { unlit, litWicks: parseIndices(element.litWicks), wick: wick / 1000, wind };
+  return { look, seed, quality, exposure, particles, isStill, ...flame };
 }
 
 export function observeLessMotion(signal: AbortSignal, onChange: () => void): void {

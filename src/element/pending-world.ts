@@ -42,6 +42,13 @@ export class PendingWorld {
     if (this.#saved) this.#saved = { ...this.#saved, snapshot: { ...this.#saved.snapshot, isLit } };
   }
 
+  /** The attributes say which standing candles burn. */
+  forgetFlames(): void {
+    if (this.#saved) {
+      this.#saved = { ...this.#saved, snapshot: { ...this.#saved.snapshot, areLit: null } };
+    }
+  }
+
   save(snapshot: Snapshot, request: SceneRequest): void {
     this.#saved = { snapshot, request };
   }

@@ -4,6 +4,7 @@ import { type CanvasTarget, createCanvasTarget } from "../scenes/canvas-target.j
 import type { Scene, SceneRequest } from "../scenes/scene.js";
 import { measureTarget } from "../scenes/scene-view.js";
 import type { Features, Inspection, Look, SceneName } from "../settings.js";
+import { CandleList } from "./candle-list.js";
 import { watchContext } from "./context-watch.js";
 import { guessDevicePixels, observeDevicePixels, type Size } from "./device-pixels.js";
 import { assetRootOf, optionsOf } from "./options.js";
@@ -26,6 +27,8 @@ export interface SessionOwner extends FetchObserver {
   onScene(candle: CandleFlame): void;
   /** Something failed that was to draw, or to prepare drawing. */
   onError(cause: unknown): void;
+  /** Something about the candle is not as in the last frame. */
+  changed(): void;
   onContextLost(): void;
   onContextRestored(): void;
   onContextGivenUp(): void;
@@ -47,6 +50,7 @@ export class Session {
   readonly #fetcher: SceneFetcher;
   #scene: Scene | null = null;
   #candle: CandleFlame | null = null;
+  #candles = this.#listCandles();
   /** Creations of candles under way, of which one at most is wanted. */
   #creations = 0;
   /** Of the canvas on the page; the renderer may draw fewer. */
@@ -84,6 +88,11 @@ export class Session {
   /** Null until it can draw. */
   get candle(): CandleFlame | null {
     return this.#candle;
+  }
+
+  /** Candles of the scene on show. */
+  get candles(): CandleList["entries"] {
+    return this.#candles.entries;
   }
 
   /** The scene on show; while another is fetched the attributes ask for that. */
@@ -157,12 +166,22 @@ export class Session {
     }
   }
 
+  #listCandles(): CandleList {
+    return new CandleList(this.#candle, () => this.#owner.changed());
+  }
+
+  #renewCandles(): void {
+    this.#candles.retire();
+    this.#candles = this.#listCandles();
+  }
+
   #show(scene: Scene): void {
     const previous = this.#scene;
     const candle = this.#candle;
     this.#scene = scene;
     this.use((candle) => {
       candle.show(scene, this.options);
+      this.#renewCandles();
       this.#owner.onScene(candle);
     });
     previous?.close();
@@ -190,6 +209,7 @@ export class Session {
 
   #begin(candle: CandleFlame): void {
     this.#candle = candle;
+    this.#renewCandles();
     candle.options = this.options; // which may have changed meanwhile
     candle.view.inspect = this.#input.inspect;
     candle.onFailure = (error) => this.#owner.onError(error);
@@ -215,6 +235,7 @@ export class Session {
     if (this.#candle) this.#candle.dispose();
     else this.#target.dispose();
     this.#candle = null;
+    this.#candles.retire();
     this.#scene?.close();
     this.#scene = null;
   }

@@ -12,6 +12,7 @@ export const SETTING_MEANINGS: Readonly<Record<SettingName, string>> = {
   paused: "No time passes; a frame is drawn only when something changes.",
   seed: "Same seed, same steps, same pixels on the same renderer.",
   unlit: "The candle starts, or is put, out.",
+  "lit-wicks": "Which candles burn at first, by their numbers: 0 is the carried one.",
   wind: "Mean draught in the room.",
   "wind-direction": "Where the wind blows to: 0 is −Z, counter-clockwise from above.",
   gustiness: "How squally the wind is: 0 is steady.",

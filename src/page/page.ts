@@ -1,6 +1,6 @@
-import type { Camera } from "../candle-flame-element.js";
+import type { Camera, CandleFlameElement } from "../candle-flame-element.js";
 import "../define.js";
-import { FIELDS_OF_VIEW } from "../settings.js";
+import { FIELDS_OF_VIEW, parseIndices } from "../settings.js";
 import { find } from "./find.js";
 import { bindMicrophone } from "./microphone-switch.js";
 import { addSettings } from "./settings-form.js";
@@ -88,12 +88,31 @@ function applyView(view: View): void {
     if (text === undefined) room.removeAttribute(name);
     else room.setAttribute(name, text);
   }
-  // The visitor may have put out or lit the candle without the attribute.
-  room.lit = view.settings.unlit === undefined;
+  applyFlames(view);
   if (view.camera) room.camera = { fieldOfView: FIELDS_OF_VIEW[room.look], ...view.camera };
   // Before there is a room, a camera alone decides how it opens.
   if (room.flame || view.camera) setCandle(view.candle);
   else room.addEventListener("load", () => setCandle(view.candle), { once: true });
+}
+
+/** The visitor may have put out or lit candles without the attributes. */
+function applyFlames({ settings }: View): void {
+  const isUnlit = settings.unlit !== undefined;
+  const lit = parseIndices(settings["lit-wicks"] ?? "") ?? [0];
+  if (!room?.flame) {
+    if (room) room.lit = !isUnlit;
+    return;
+  }
+  for (const [index, candle] of room.candles.entries()) {
+    candle.lit = !isUnlit && lit.includes(index);
+  }
+}
+
+/** Which candles burn, as the attributes that say so. */
+function flameSettings({ candles }: CandleFlameElement): Partial<Record<Shared, string>> {
+  const lit = [...candles.keys()].filter((index) => candles[index]?.lit);
+  if (lit.length === 0) return { unlit: "" };
+  return lit.join() === "0" ? {} : { "lit-wicks": lit.join(" ") };
 }
 
 /** View that the cabin opens with: its candle stands on the table, to be taken. */
@@ -119,9 +138,10 @@ let noticeTimer = 0;
 shareButton.addEventListener("click", async () => {
   const settings: Partial<Record<Shared, string>> = {};
   for (const name of SHARED) {
-    const text = name === "unlit" ? (room.lit ? null : "") : room.getAttribute(name);
-    if (text !== null) settings[name] = text;
+    const text = room.getAttribute(name);
+    if (text !== null && name !== "unlit" && name !== "lit-wicks") settings[name] = text;
   }
+  Object.assign(settings, room.flame ? flameSettings(room) : room.lit ? {} : { unlit: "" });
   history.replaceState(
     null,
     "",

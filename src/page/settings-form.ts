@@ -4,7 +4,7 @@ import { SETTING_MEANINGS } from "./meanings.js";
 import { controlOf, type Setting, settingRow } from "./setting-row.js";
 
 /** Settings that can have a control here. */
-type Shown = Exclude<SettingName, "max-pixel-ratio" | "asset-base">;
+type Shown = Exclude<SettingName, "max-pixel-ratio" | "asset-base" | "lit-wicks">;
 
 /** How fine a slider is, in the setting's own unit. */
 const SLIDER_STEP = 0.1;

@@ -5,6 +5,7 @@ import {
   type FlagSetting,
   type NumberSetting,
   parseChoice,
+  parseIndices,
   parseNumber,
   SETTINGS,
 } from "../settings.js";
@@ -20,6 +21,7 @@ export const SHARED = [
   "gustiness",
   "wick",
   "unlit",
+  "lit-wicks",
 ] as const;
 export type Shared = (typeof SHARED)[number];
 
@@ -83,6 +85,7 @@ function readCamera(text: string | null): Camera | null {
 
 /** The legal text of a setting; null where that is its default. A flag is set by any text. */
 function legalText(name: Shared, text: string | null): string | null {
+  if (name === "lit-wicks") return parseIndices(text ?? "")?.join(" ") ?? null;
   const setting: ChoiceSetting | NumberSetting | FlagSetting = SETTINGS[name];
   if (setting.kind === "flag") return text === null ? null : "";
   const value = setting.kind === "number" ? parseNumber(setting, text) : parseChoice(setting, text);

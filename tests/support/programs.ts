@@ -62,6 +62,7 @@ export async function reportPrograms(
       particles: 0,
       isStill: false,
       unlit: false,
+      litWicks: null,
       wick: 0.002,
       wind: { speed: 0, direction: 0, gustiness: 0 },
     });

@@ -11,6 +11,7 @@ import {
   INSPECTIONS,
   type NumberSetting,
   parseChoice,
+  parseIndices,
   parseNumber,
   SETTINGS,
 } from "../../src/settings.ts";
@@ -51,6 +52,13 @@ test("every attribute, technique and picture of a pass is explained in sentences
   for (const meanings of [SETTING_MEANINGS, FEATURE_MEANINGS, INSPECTION_MEANINGS]) {
     for (const meaning of Object.values(meanings)) expect(meaning).toMatch(/^\p{Lu}.*\.$/su);
   }
+});
+
+test("a list of indices is read as far as it is one", () => {
+  expect(parseIndices("0 2")).toEqual([0, 2]);
+  expect(parseIndices(" 3,1\n3 , 12 ")).toEqual([3, 1, 12]);
+  expect(parseIndices("-1 1.5 two 2 99999")).toEqual([2]);
+  for (const text of GARBAGE) expect(parseIndices(text), text).toBeNull();
 });
 
 describe.each(numbers)("the number %s", (_, setting) => {

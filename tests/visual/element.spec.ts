@@ -142,6 +142,13 @@ const REFLECTIONS: readonly Reflection[] = [
     write: [[true, ""]],
   },
   {
+    attribute: "lit-wicks",
+    property: "litWicks",
+    fallback: "",
+    read: [["0 2", "0 2"]],
+    write: [[[1, 3], "1,3"]],
+  },
+  {
     attribute: "sensitivity",
     property: "sensitivity",
     fallback: 1,

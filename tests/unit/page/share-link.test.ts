@@ -18,6 +18,7 @@ test("a view survives the round trip", () => {
       gustiness: "0",
       wick: "12.5",
       unlit: "",
+      "lit-wicks": "0 2",
     },
   };
   expect(readShareLink(writeShareLink(view))).toEqual(view);
@@ -73,7 +74,7 @@ describe("hostile hashes", () => {
     "#src=https://elsewhere.example/room.glb&asset-base=//elsewhere.example",
     "#look=<img src=x onerror=alert(1)>",
     "#seed=NaN&exposure=Infinity",
-    "#wind=gale&wick=&wind-direction=[]&gustiness=NaN&Unlit=1&windDirection=90",
+    "#wind=gale&wick=&wind-direction=[]&gustiness=NaN&lit-wicks=all&Unlit=1&windDirection=90",
     `#look=${"x".repeat(1_000_000)}`,
     "&look=paper&".repeat(2).replaceAll("look", "LOOK"),
   ])("say nothing (%#)", (hash) => {
@@ -95,7 +96,7 @@ describe("hostile hashes", () => {
   test("leave the good beside the bad, and numbers within their range", () => {
     expect(
       readShareLink(
-        "#camera=here&unknown=1&look=PAPER&exposure=1e9&seed=-7&wick=99&wind=-1&unlit=no",
+        "#camera=here&unknown=1&look=PAPER&exposure=1e9&seed=-7&wick=99&wind=-1&unlit=no&lit-wicks=x,3_3;-1+2,2,99999",
       ),
     ).toEqual({
       camera: null,
@@ -107,6 +108,7 @@ describe("hostile hashes", () => {
         wick: "50",
         wind: "0",
         unlit: "",
+        "lit-wicks": "2",
       },
     });
   });

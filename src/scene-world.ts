@@ -1,0 +1,58 @@
+import type { Scene } from "./scenes/scene.js";
+import type { Look, Quality } from "./settings.js";
+import type { Wind } from "./world/air/air.js";
+import { createWorld, type WorldOptions } from "./world/create-world.js";
+import type { World } from "./world/world.js";
+import { LONE_CANDLE_SETUP } from "./world/world-setup.js";
+
+/** Name of the carried candle's wick, in its model. */
+const CARRIED = "wick";
+
+/** Everything about a candle that its owner may set at any time. */
+export interface Options {
+  readonly look: Look;
+  readonly seed: number;
+  readonly quality: Quality;
+  /** EV */
+  readonly exposure: number;
+  /** Particles alive; 0 is the look's own count. */
+  readonly particles: number;
+  readonly wind: Wind;
+  /** Diameter of the wick, metres. */
+  readonly wick: number;
+  readonly unlit: boolean;
+  /** Candles that burn at first, unless `unlit`; null: the carried one in a room, all of a model alone. */
+  readonly litWicks: readonly number[] | null;
+  /** No flicker and no sway: `prefers-reduced-motion`. */
+  readonly isStill: boolean;
+}
+
+/** Whether a candle burns at first. */
+export function burnsAtFirst(index: number, { isModelAlone }: Scene, options: Options): boolean {
+  const { unlit, litWicks } = options;
+  return !unlit && (litWicks?.includes(index) ?? (isModelAlone || index === 0));
+}
+
+/** A new world of a scene. */
+export function worldOf(scene: Scene, options: Options, birth: WorldOptions = {}): World {
+  const { room, wicks, isModelAlone } = scene;
+  const { look, seed, isStill, wind, wick } = options;
+  const setup = isModelAlone ? LONE_CANDLE_SETUP : null;
+  const world = createWorld(look, seed, {
+    room,
+    setup,
+    wind,
+    wick,
+    wicks,
+    isLit: burnsAtFirst(0, scene, options),
+    areLit: wicks.map((_, i) => burnsAtFirst(i + 1, scene, options)),
+    ...birth,
+  });
+  world.sways = !isStill;
+  return world;
+}
+
+/** Names of the candles' wicks, the carried one's first. */
+export function candleNamesOf({ wicks }: Scene): readonly string[] {
+  return [CARRIED, ...wicks.map(({ name }) => name)];
+}
