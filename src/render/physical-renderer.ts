@@ -35,6 +35,7 @@ import type { Tier } from "./quality.js";
 import type { Models, Renderer } from "./renderer.js";
 import { SCHEDULE } from "./schedule.js";
 import { expandBox } from "./screen-bounds.js";
+import { clusterIncrementally } from "./shadow/shadow-casters.js";
 import { HANDLE_TURN } from "./volumetric/flame-pass.js";
 import { flamePart, VolumetricStage } from "./volumetric/volumetric-stage.js";
 import type { CompositedFrame } from "./volumetric/volumetric-target.js";
@@ -297,7 +298,8 @@ export class PhysicalRenderer implements Renderer {
 }
 
 /**
- * Goes on with what takes long before a `PhysicalRenderer` can be made: compiling, and tracing rays from the probes.
+ * Goes on with what takes long before a `PhysicalRenderer` can be made: compiling, clustering the casters, and
+ * tracing rays from the probes.
  *
  * @returns whether all of it is done
  */
@@ -307,8 +309,11 @@ export function preparePhysicalRenderer(
   collision: CollisionMesh,
   tier: Tier,
 ): boolean {
-  if (tier.physical.opaque === "deferred") return true;
-  const { isCompiled } = forwardProgram(gpu, tier);
-  const { indirect } = tier.physical;
-  return traceProbesIncrementally(collision, room, indirect, SCHEDULE.probesPerFrame) && isCompiled;
+  const { opaque, indirect, casterError } = tier.physical;
+  const isCompiled = opaque === "deferred" || forwardProgram(gpu, tier).isCompiled;
+  return (
+    clusterIncrementally(room, casterError) &&
+    traceProbesIncrementally(collision, room, indirect, SCHEDULE.probesPerFrame) &&
+    isCompiled
+  );
 }

@@ -61,6 +61,8 @@ export class SceneView {
   #pixels = { width: 1, height: 1 };
   /** Whether targets and textures were made since the driver was last asked whether it accepts them. */
   #isUnchecked = false;
+  /** Whether the GPU still draws the first frame with them, which may take seconds on a CPU. */
+  #isChecking = false;
 
   /**
    * Prepares a view in small tasks, so that the page stays responsive.
@@ -113,6 +115,8 @@ export class SceneView {
   async finish(isWanted: () => boolean): Promise<boolean> {
     const { gpu } = this.#target;
     await gpu.whenCompiled();
+    // What is asked of the driver waits for all that it was told before.
+    await gpu.whenIdle();
     if (!isWanted()) return false;
     gpu.finishPrograms();
     gpu.check("picture");
@@ -184,6 +188,8 @@ export class SceneView {
     const target = this.#target;
     const { gpu } = target;
     if (gpu.isLost) return;
+    // A question to the driver would wait for the first frame, and the page with it.
+    if (view.canDefer && this.#isChecking) return;
     this.#chooseQuality();
     target.prepare();
     gpu.beginFrame();
@@ -196,7 +202,7 @@ export class SceneView {
 
   /** Takes the time of a frame of the animation loop, by which `auto` goes. Seconds. */
   measure(seconds: number): void {
-    if (this.#settings.quality !== "auto") return;
+    if (this.#settings.quality !== "auto" || this.#isChecking) return;
     const { milliseconds } = this.#target.gpu.timer;
     this.#auto.take(seconds, milliseconds === null ? null : milliseconds / 1000);
     // Prepares another tier, a little in each frame, and takes it when nothing holds it up.
@@ -294,8 +300,10 @@ export class SceneView {
   /** Asks the driver whether it accepts what was made, once the GPU has drawn, so that nothing waits. */
   async #check(): Promise<void> {
     this.#isUnchecked = false;
+    this.#isChecking = true;
     const { gpu } = this.#target;
     await gpu.whenIdle();
+    this.#isChecking = false;
     try {
       if (gpu === this.#target.gpu) gpu.check("picture");
     } catch (error) {

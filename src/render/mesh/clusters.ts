@@ -29,21 +29,43 @@ export interface Clusters {
 /**
  * Merges a model's parts into clusters of triangles, simplified by vertex clustering.
  *
- * @param detail edge of the cells whose vertices become one, metres; 0 keeps all
- *
  * Rossignac and Borrel 1993, "Multi-resolution 3D approximations for rendering complex scenes": vertices
  * within one cell become their mean, and degenerate triangles are dropped. Each part is simplified by itself, so
  * that a thing on a table does not merge with it.
  */
-export function clusterTriangles(parts: readonly Part[], detail: number): Clusters {
-  const vertices: number[] = [];
-  const indices: number[] = [];
-  const clusters: Cluster[] = [];
-  for (const [part, source] of parts.entries()) {
-    const mesh = detail > 0 ? clusterVertices(source, detail) : source;
-    appendInOrder(mesh, part, { vertices, indices, clusters });
+export class ClusterBuilder {
+  readonly #parts: readonly Part[];
+  readonly #detail: number;
+  readonly #vertices: number[] = [];
+  readonly #indices: number[] = [];
+  readonly #clusters: Cluster[] = [];
+  #done = 0;
+  #result: Clusters | null = null;
+
+  /** @param detail edge of the cells whose vertices become one, metres; 0 keeps all */
+  constructor(parts: readonly Part[], detail: number) {
+    this.#parts = parts;
+    this.#detail = detail;
   }
-  return { vertices: Float32Array.from(vertices), ...sortByPlace(indices, clusters) };
+
+  /** Goes on with one part. True when all are done. */
+  proceed(): boolean {
+    const source = this.#parts[this.#done];
+    if (!source) return true;
+    const mesh = this.#detail > 0 ? clusterVertices(source, this.#detail) : source;
+    const to = { vertices: this.#vertices, indices: this.#indices, clusters: this.#clusters };
+    appendInOrder(mesh, this.#done++, to);
+    return this.#done === this.#parts.length;
+  }
+
+  finish(): Clusters {
+    while (!this.proceed());
+    this.#result ??= {
+      vertices: Float32Array.from(this.#vertices.splice(0)),
+      ...sortByPlace(this.#indices.splice(0), this.#clusters.splice(0)),
+    };
+    return this.#result;
+  }
 }
 
 /** Clusters of all parts in one Morton order, so that those of one side of a room are few runs. */

@@ -3,7 +3,7 @@ import type { Buffer } from "../../gl/buffer.js";
 import type { Draw, Gpu } from "../../gl/gpu.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
-import { type Clusters, clusterTriangles, runsOf, VERTEX_SIZE } from "../mesh/clusters.js";
+import { ClusterBuilder, type Clusters, runsOf, VERTEX_SIZE } from "../mesh/clusters.js";
 import type { Mesh } from "../mesh/mesh.js";
 import { casterAlbedoOf } from "./caster-albedo.js";
 import { isInCubeFace } from "./cube-map.js";
@@ -14,14 +14,23 @@ const MOST_DRAWS = 3;
 const FLOAT = 4;
 
 /** Clusters of each model by level of detail, shared by all contexts. */
-const cache = new WeakMap<Model, Map<number, Clusters>>();
+const cache = new WeakMap<Model, Map<number, ClusterBuilder>>();
 
-function clustersOf(model: Model, detail: number): Clusters {
-  const levels = cache.get(model) ?? new Map<number, Clusters>();
+function builderOf(model: Model, detail: number): ClusterBuilder {
+  const levels = cache.get(model) ?? new Map<number, ClusterBuilder>();
   cache.set(model, levels);
-  const clusters = levels.get(detail) ?? clusterTriangles(model.parts, detail);
-  levels.set(detail, clusters);
-  return clusters;
+  const builder = levels.get(detail) ?? new ClusterBuilder(model.parts, detail);
+  levels.set(detail, builder);
+  return builder;
+}
+
+/**
+ * Clusters the next part of a model, for the casters to come.
+ *
+ * @returns whether all parts are done
+ */
+export function clusterIncrementally(model: Model, detail: number): boolean {
+  return builderOf(model, detail).proceed();
 }
 
 /** The room's clusters of triangles, culled by face of a cube: casters of shadows and of indirect light. */
@@ -40,7 +49,7 @@ export class ShadowCasters {
     this.#gpu = gpu;
     this.#surfaces = surfaces;
     this.#screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
-    this.#clusters = clustersOf(model, detail);
+    this.#clusters = builderOf(model, detail).finish();
     const { vertices, indices } = this.#clusters;
     const buffer: Buffer = gpu.buffer("casters/vertices", vertices);
     const stride = VERTEX_SIZE * FLOAT;

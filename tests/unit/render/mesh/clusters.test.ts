@@ -2,7 +2,8 @@ import { mat4, vec4 } from "gl-matrix";
 import { expect, test } from "vitest";
 import type { Part } from "../../../../src/assets/model.ts";
 import {
-  clusterTriangles,
+  ClusterBuilder,
+  type Clusters,
   groupTriangles,
   runsOf,
   VERTEX_SIZE,
@@ -33,7 +34,7 @@ function floor(cells: number, size: number, height = 0): Part {
 }
 
 /** Area of all triangles seen from above, m². */
-function area({ vertices, indices }: ReturnType<typeof clusterTriangles>): number {
+function area({ vertices, indices }: Clusters): number {
   let sum = 0;
   for (let i = 0; i < indices.length; i += 3) {
     const [a, b, c] = [0, 1, 2].map((k) => {
@@ -48,7 +49,7 @@ function area({ vertices, indices }: ReturnType<typeof clusterTriangles>): numbe
 
 test("clusters hold every triangle once, within their boxes", () => {
   const parts = [floor(20, 4), floor(3, 1, 0.7)];
-  const clusters = clusterTriangles(parts, 0);
+  const clusters = new ClusterBuilder(parts, 0).finish();
   expect(clusters.indices.length).toBe(3 * (800 + 18));
   expect(area(clusters)).toBeCloseTo(16 + 1, 4);
   let next = 0;
@@ -67,8 +68,8 @@ test("clusters hold every triangle once, within their boxes", () => {
 });
 
 test("what is melted has fewer triangles and covers the same floor", () => {
-  const fine = clusterTriangles([floor(100, 4)], 0);
-  const coarse = clusterTriangles([floor(100, 4)], 0.2);
+  const fine = new ClusterBuilder([floor(100, 4)], 0).finish();
+  const coarse = new ClusterBuilder([floor(100, 4)], 0.2).finish();
   expect(coarse.indices.length).toBeLessThan(fine.indices.length / 10);
   expect(area(coarse)).toBeGreaterThan(0.85 * 16);
   expect(area(coarse)).toBeLessThanOrEqual(16);
@@ -76,7 +77,7 @@ test("what is melted has fewer triangles and covers the same floor", () => {
 
 test("a face of the cube leaves out only what does not show in it", () => {
   const eye: Vec3 = [0.3, 1, -0.2];
-  const { clusters } = clusterTriangles([floor(40, 4)], 0);
+  const { clusters } = new ClusterBuilder([floor(40, 4)], 0).finish();
   let drawn = 0;
   for (const face of FACES.keys()) {
     const clip = clipFromFace(face, eye, mat4.create());
@@ -96,13 +97,13 @@ test("a face of the cube leaves out only what does not show in it", () => {
 });
 
 test("neighbours in the order are drawn as one run", () => {
-  const { clusters, indices } = clusterTriangles([floor(20, 4), floor(20, 4, 1)], 0);
+  const { clusters, indices } = new ClusterBuilder([floor(20, 4), floor(20, 4, 1)], 0).finish();
   expect(runsOf(clusters, () => true)).toEqual([{ first: 0, count: indices.length }]);
   expect(runsOf(clusters, () => false)).toEqual([]);
 });
 
 test("of more runs than are drawn, those with the fewest hidden triangles between them are merged", () => {
-  const { clusters } = clusterTriangles([floor(60, 4)], 0);
+  const { clusters } = new ClusterBuilder([floor(60, 4)], 0).finish();
   const visible = new Set([0, 1, 3, 7, 9].map((i) => clusters[i]));
   const isVisible = (box: object) => visible.has(box as never);
   const at = (i: number) => clusters[i]?.first ?? Number.NaN;
@@ -113,7 +114,10 @@ test("of more runs than are drawn, those with the fewest hidden triangles betwee
 });
 
 test("clusters of all parts are in one order, and each vertex tells its part", () => {
-  const { clusters, indices, vertices } = clusterTriangles([floor(40, 4), floor(40, 4, 0.1)], 0);
+  const { clusters, indices, vertices } = new ClusterBuilder(
+    [floor(40, 4), floor(40, 4, 0.1)],
+    0,
+  ).finish();
   const parts = clusters.map(({ first }) => vertices[(indices[first] ?? 0) * VERTEX_SIZE + 5]);
   const changes = parts.filter((part, i) => i > 0 && part !== parts[i - 1]).length;
   expect(new Set(parts)).toEqual(new Set([0, 1]));
