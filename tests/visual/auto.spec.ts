@@ -84,3 +84,56 @@ for (const { times, width, height } of [
     expect(delays.toSorted((a, b) => a - b)[delays.length >> 1]).toBeLessThan(250);
   });
 }
+
+test("while the first frame is drawn nothing is asked of the driver that would wait for it", async ({
+  page,
+}) => {
+  await page.addInitScript(() => {
+    const gl = WebGL2RenderingContext.prototype;
+    const waits = { pending: 0, longest: 0, meanwhile: [] as string[] };
+    Object.assign(globalThis, { waits });
+    const { fenceSync, clientWaitSync } = gl;
+    gl.fenceSync = function (...call) {
+      waits.pending++;
+      return fenceSync.apply(this, call);
+    };
+    let polls = 0;
+    gl.clientWaitSync = function (...call) {
+      const status = clientWaitSync.apply(this, call);
+      if (status === this.TIMEOUT_EXPIRED) waits.longest = Math.max(waits.longest, ++polls);
+      else {
+        waits.pending--;
+        polls = 0;
+      }
+      return status;
+    };
+    for (const name of [
+      "drawArrays",
+      "drawElements",
+      "getActiveUniform",
+      "checkFramebufferStatus",
+    ] as const) {
+      const original = gl[name] as (...call: unknown[]) => unknown;
+      Object.assign(gl, {
+        [name](this: WebGL2RenderingContext, ...call: unknown[]) {
+          if (waits.pending > 0) waits.meanwhile.push(name);
+          return original.apply(this, call);
+        },
+      });
+    }
+  });
+  await serveSmallTextures(page);
+  const room = await new RoomDriver(page).open(
+    { look: "physical", quality: "low" },
+    { width: 640, height: 360, paused: false },
+  );
+  // Frames of the animation loop, of which the first ones come while the first is drawn.
+  await room.evaluate(async () => {
+    for (let i = 0; i < 30; i++) await new Promise(requestAnimationFrame);
+  });
+  const waits = await page.evaluate(
+    () => Reflect.get(globalThis, "waits") as { longest: number; meanwhile: string[] },
+  );
+  expect(waits.longest, "times that it was not done yet").toBeGreaterThan(3);
+  expect(waits.meanwhile).toEqual([]);
+});
