@@ -4,7 +4,7 @@ import { Decoders } from "./decoders.js";
 import { fetchBytes } from "./fetch-bytes.js";
 import { openContainer } from "./glb.js";
 import { type GltfDocument, readDocument } from "./gltf-document.js";
-import type { Model } from "./model.js";
+import type { Model, TextureImage } from "./model.js";
 import { type PlacedMaterial, readMaterial } from "./read-material.js";
 import { readScene } from "./read-scene.js";
 import { readWarnings } from "./read-warnings.js";
@@ -17,6 +17,8 @@ export interface LoadOptions {
   readonly onProgress: (progress: number) => void;
   /** Where the decoders for Draco and KTX2 lie, with a slash at the end. */
   readonly decoderBase?: string | URL;
+  /** Decoded images by address; models that are loaded together share theirs. */
+  readonly sharedImages?: Map<string, Promise<TextureImage>>;
 }
 
 /** Bytes of the model file count for this share of the progress, the rest for the rest. */
@@ -43,7 +45,7 @@ export async function loadModel(url: string, options: LoadOptions): Promise<Mode
 async function load(
   url: string,
   file: string,
-  { signal, onProgress, decoderBase }: LoadOptions,
+  { signal, onProgress, decoderBase, sharedImages: shared = new Map() }: LoadOptions,
 ): Promise<Model> {
   const address = addressOf(url, window.location.href);
   const bytes = await fetchBytes(address, {
@@ -57,7 +59,8 @@ async function load(
   const decoders = new Decoders(new URL(decoderBase ?? "decoders/", module), signal);
   const resolve = (uri: string) => addressOf(uri, address.href);
   const bufferBytes = new BufferBytes(document, { binary, decoders, resolve, signal });
-  const images = new TextureImages(document, bufferBytes, { file, decoders, resolve, signal });
+  const sources = { file, decoders, resolve, signal, shared };
+  const images = new TextureImages(document, bufferBytes, sources);
   const report = stages(document, onProgress);
   try {
     const warnings = new Set(readWarnings(document));

@@ -19,6 +19,8 @@ interface Sources {
   readonly decoders: Decoders;
   readonly resolve: (uri: string) => URL;
   readonly signal: AbortSignal;
+  /** Decoded images by address, which models that are loaded together share. */
+  readonly shared: Map<string, Promise<TextureImage>>;
 }
 
 /** Texture images of a file: each decoded once, and all of them closed if the model fails. */
@@ -89,18 +91,24 @@ export class TextureImages {
     // A flaw of a buffer is one of the file, not of this image.
     const inside = view === undefined ? null : await this.#bytes.view(view);
     try {
-      return await this.#decode(inside ?? (await this.#fetch(uri)), name);
+      if (inside) return await this.#decode(inside, name);
+      if (uri === undefined) throw new Flaw("is missing");
+      const { resolve, shared } = this.#sources;
+      const address = resolve(uri);
+      const decoded =
+        shared.get(address.href) ?? this.#fetch(address).then((bytes) => this.#decode(bytes, name));
+      shared.set(address.href, decoded);
+      return await decoded;
     } catch (cause) {
       this.#sources.signal.throwIfAborted();
       throw assetError(`The texture ${name} of ${this.#sources.file}`, cause);
     }
   }
 
-  #fetch(uri: string | undefined): Promise<Uint8Array<ArrayBuffer>> {
-    if (uri === undefined) throw new Flaw("is missing");
-    const { resolve, signal } = this.#sources;
+  #fetch(address: URL): Promise<Uint8Array<ArrayBuffer>> {
+    const { signal } = this.#sources;
     const isForeign = (type: string) => /^(text|video|audio|font)\//.test(type);
-    return fetchBytes(resolve(uri), { signal, isForeign });
+    return fetchBytes(address, { signal, isForeign });
   }
 
   async #decode(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<TextureImage> {

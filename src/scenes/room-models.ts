@@ -40,9 +40,11 @@ export async function loadModels(
 ): Promise<Models> {
   const { loadModel } = await import("../assets/load-model.js");
   const progress = { room: 0, candle: 0 };
+  const sharedImages = new Map();
   const load = (name: keyof Models): Promise<Model> =>
     loadModel(sources[name], {
       signal,
+      sharedImages,
       decoderBase: new URL("decoders/", assetRoot).href,
       onProgress: (fraction) => {
         progress[name] = Math.max(progress[name], fraction);
