@@ -115,7 +115,7 @@ export class SceneView {
   async finish(isWanted: () => boolean): Promise<boolean> {
     const { gpu } = this.#target;
     await gpu.whenCompiled();
-    // What is asked of the driver waits for all that it was told before.
+    // A question to the driver waits for all work before it.
     await gpu.whenIdle();
     if (!isWanted()) return false;
     gpu.finishPrograms();
