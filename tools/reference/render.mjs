@@ -23,7 +23,7 @@ const { Flame } = await readSource("/src/world/flame/flame.ts");
 const { TAPER_WICK } = await readSource("/src/world/flame/burning.ts");
 const { flameLight, TAPER } = await readSource("/src/light/flame-light.ts");
 const { position: centre, ...emitter } = flameLight(
-  { interpolated: { flame: [0, 0, 0] }, flame: new Flame(TAPER_WICK, true) },
+  { root: [0, 0, 0], flame: new Flame(TAPER_WICK, true) },
   TAPER,
 );
 const lamp = { ...emitter, base: -centre[1], height: TAPER.height, reach: TAPER.radius };
