@@ -21,7 +21,7 @@ const NORMAL_STEP = 2 ** -9;
 const TANGENT_STEP = 2 ** -8;
 const TEXCOORD_STEP = 2 ** -12;
 
-const LIMITS = { triangles: 60_000, draws: 40, bytes: 1_200_000 };
+const LIMITS = { triangles: 64_000, draws: 40, bytes: 1_250_000 };
 
 await MeshoptEncoder.ready;
 

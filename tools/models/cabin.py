@@ -11,6 +11,7 @@ import bpy  # noqa: F401  mathutils comes with it
 
 sys.path.insert(0, str(Path(__file__).parent))
 
+import candlesticks
 import chair
 import chest
 import coat
@@ -55,7 +56,9 @@ THINGS = (
     ("shelf books", "shelf", shelf.build_shelf_books, ("shelf",)),
     ("shelf ware", "shelf", shelf.build_shelf_ware, ("shelf",)),
     ("mantel ware", "shelf", shelf.build_mantel_ware, ("hearth",)),
+    ("mantel candles", "candles", candlesticks.build_mantel_candles, ("hearth",)),
     ("window", "window", window.build_window, ("walls",)),
+    ("window candle", "candles", candlesticks.build_window_candle, ("window",)),
     ("curtain rod", "window", window.build_curtain_rod, ("walls",)),
     ("curtain", "window", window.build_curtain, ("curtain rod",)),
     ("door", "door", door.build_door, ("walls", "floor")),
@@ -155,6 +158,8 @@ def main():
         add_node(name, mesh, normals, bake(mesh, normals, tree))
         print(f"{name}: {len(mesh.faces)} triangles, {', '.join(mesh.materials())}")
     add_anchor("spawn", SPAWN, SPAWN_TURN)
+    for name, place in candlesticks.wicks():
+        add_anchor(name, place)
     write(output / "cabin.glb")
     if faults:
         sys.exit("\n".join(faults))

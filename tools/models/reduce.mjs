@@ -13,9 +13,14 @@ import { openGlb, packGlb } from "./glb-builder.mjs";
 
 /** How far a surface may move, metres: the room is some metres away, the candle in the hand. */
 const ERRORS = { "cabin.glb": 0.006, "chamberstick.glb": 0.0008 };
-/** Both sides of what is thin keep apart. */
-const THIN_ERROR = 0.0015;
-const THIN = new Set(["brass", "pewter", "iron", "linen", "paper", "leather", "cloth-blue"]);
+/** Both sides of what is thin keep apart; candles are seen from near. */
+const THIN_ERRORS = new Map([
+  ...["brass", "pewter", "iron", "linen", "paper", "leather", "cloth-blue"].map((name) => [
+    name,
+    0.0015,
+  ]),
+  ...["wax", "pool", "wick"].map((name) => [name, 0.0008]),
+]);
 /**
  * What a normal of length 1 and the edge of a picture weigh against a metre: at bevels and seams vertices may
  * take each other's, which shows where a floor's planks end unless it costs something.
@@ -31,7 +36,7 @@ export function withLowerLevels(file, glb) {
   let { length } = binary;
   for (const primitive of json.meshes.flatMap(({ primitives }) => primitives)) {
     const { name } = json.materials[primitive.material];
-    const error = Math.min(ERRORS[file], THIN.has(name) ? THIN_ERROR : Number.POSITIVE_INFINITY);
+    const error = Math.min(ERRORS[file], THIN_ERRORS.get(name) ?? Number.POSITIVE_INFINITY);
     const reduced = Uint16Array.from(reducedTriangles({ json, binary }, primitive, error));
     const byteLength = reduced.byteLength;
     const view = { buffer: 0, byteOffset: length, byteLength, target: 34963 };
