@@ -1,6 +1,7 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { pathToFileURL } from "node:url";
 import type { Camera } from "../../src/candle-flame-element.ts";
+import { stageView } from "../../tools/reference/stage.mjs";
 import type { RoomDriver } from "./room-driver.ts";
 
 /** A view as a path tracer renders it; see docs/reference/README.md. */
@@ -13,6 +14,10 @@ export interface View {
   readonly camera: Camera;
   /** Where the visitor stood to put the candle down; held if absent. */
   readonly place?: Camera;
+  /** Candles that burn beside the carried one, by name; and whether that one is out. */
+  readonly wicks?: readonly string[];
+  readonly unlit?: boolean;
+  readonly moon?: { readonly illuminance: number };
   readonly flame: { readonly position: readonly [number, number, number] };
   readonly lamp: Readonly<Record<"halfHeight" | "radius", number>> & { intensity: number[] };
 }
@@ -47,14 +52,8 @@ function half(bits: number): number {
 
 /** Our radiance of a view, of as many pixels as the element renders, and where the flame is. */
 export async function renderView(room: RoomDriver, view: View) {
-  const { text, ...rest } = await room.evaluate((element, { camera, place }) => {
-    element.reset();
-    if (place) {
-      element.camera = place;
-      element.place();
-    }
-    element.camera = camera;
-    element.step(0);
+  await room.evaluate(stageView, view);
+  const { text, ...rest } = await room.evaluate((element) => {
     const { width, height } = element.stats;
     const bytes = new Uint8Array(element.readRadiance(0, 0, width, height).buffer);
     let text = "";
@@ -62,7 +61,7 @@ export async function renderView(room: RoomDriver, view: View) {
       text += String.fromCharCode(...bytes.subarray(i, i + 4096));
     }
     return { text: btoa(text), width, height, position: element.flame?.position };
-  }, view);
+  });
   const bytes = Buffer.from(text, "base64");
   const radiance = new Float32Array(
     bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength),

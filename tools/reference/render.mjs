@@ -8,6 +8,7 @@ import sharp from "sharp";
 import { openGlb, packGlb } from "../models/glb-builder.mjs";
 import { FIXTURES, height, inEachRoom, readSource, views, width } from "./room.mjs";
 import { ROOMS, roomModel } from "./rooms.mjs";
+import { stageView } from "./stage.mjs";
 
 const MODELS = new URL("../../public/models/", import.meta.url);
 /** The ring handle's turn against the visitor, and the wick above the foot: as the renderer has them. */
@@ -32,16 +33,13 @@ const lamp = { ...emitter, base: -centre[1], height: TAPER.height, reach: TAPER.
 const staged = await inEachRoom("low", wanted, async (views, evaluate) => {
   const staged = [];
   for (const view of views) {
-    const seen = await evaluate((element, { place, camera }) => {
-      element.reset();
-      if (place) {
-        element.camera = place;
-        element.place();
-      }
-      if (camera) element.camera = camera;
-      element.step(0);
-      return { camera: element.camera, position: element.flame.position, held: element.held };
-    }, view);
+    await evaluate(stageView, view);
+    const seen = await evaluate((element) => ({
+      camera: element.camera,
+      held: element.held,
+      flames: element.candles.filter(({ lit }) => lit).map(({ position }) => position),
+      position: element.flame.position,
+    }));
     if (seen.held !== !view.place) {
       throw new Error(`${view.name}: the candle would not stand there.`);
     }
@@ -49,6 +47,7 @@ const staged = await inEachRoom("low", wanted, async (views, evaluate) => {
       ...view,
       camera: seen.camera,
       flame: { position: seen.position },
+      flames: seen.flames,
       candle: {
         foot: seen.position.map((x, axis) => x - WICK[axis] - centre[axis]),
         turn: (view.place ?? seen.camera).yaw + HANDLE_TURN,

@@ -8,8 +8,9 @@ import sys
 import tempfile
 
 import bpy
-import exr
 import numpy
+import OpenEXR
+import bmesh  # comes with bpy
 from mathutils import Matrix, Vector
 
 ROOM_TO_BLENDER = Matrix(((1, 0, 0, 0), (0, 0, -1, 0), (0, 1, 0, 0), (0, 0, 0, 1)))
@@ -18,6 +19,9 @@ SAMPLES = int(os.environ.get("SAMPLES", "128"))
 # from the side. An opaque ellipsoid would be four times too dim from above.
 LAMPS = 8
 LUMA = (0.2126729, 0.7151522, 0.072175)
+# Width of the moon, degrees, and the materials of its window.
+MOON_WIDTH = 0.52
+PANES = {"glass", "night"}
 # Pixels around candle and flame that are not compared: half of a filter's width, and a little.
 MARGIN = 2
 
@@ -118,6 +122,44 @@ def material(path, name):
     return made
 
 
+def add_moon(scene, moon):
+    """A full moon, and the sky of its night. Directions in the room, lux and cd/m²."""
+    light = bpy.data.lights.new("moon", "SUN")
+    light.color = [channel / max(moon["color"]) for channel in moon["color"]]
+    light.energy = max(moon["color"])
+    light.angle = math.radians(MOON_WIDTH)
+    node = bpy.data.objects.new("moon", light)
+    way = ROOM_TO_BLENDER.to_3x3() @ Vector(moon["direction"])
+    node.rotation_euler = way.to_track_quat("-Z", "Y").to_euler()
+    scene.collection.objects.link(node)
+    scene.world = bpy.data.worlds.new("night")
+    scene.world.use_nodes = True
+    scene.world.node_tree.nodes["Background"].inputs["Color"].default_value = (*moon["sky"], 1)
+
+
+def open_window(nodes, window):
+    """Takes out panes and the night behind them: faces of these materials within a box of the room, metres."""
+    low, high = window
+    for node in nodes:
+        if node.type != "MESH":
+            continue
+        names = [slot.material.name.split(".")[0].removeprefix("reference-") for slot in node.material_slots]
+        if not PANES & set(names):
+            continue
+        mesh = bmesh.new()
+        mesh.from_mesh(node.data)
+        to_room = ROOM_TO_BLENDER.inverted() @ node.matrix_world
+        gone = []
+        for face in mesh.faces:
+            corners = [to_room @ vertex.co for vertex in face.verts]
+            is_inside = all(low[k] <= corner[k] <= high[k] for corner in corners for k in range(3))
+            if names[face.material_index] in PANES and is_inside:
+                gone.append(face)
+        bmesh.ops.delete(mesh, geom=gone, context="FACES")
+        mesh.to_mesh(node.data)
+        mesh.free()
+
+
 def add_lamps(scene, position, lamp):
     peak = max(lamp["intensity"])
     for i in range(LAMPS):
@@ -163,7 +205,8 @@ def render(scene):
     with tempfile.TemporaryDirectory() as folder:
         scene.render.filepath = os.path.join(folder, "view.exr")
         bpy.ops.render.render(write_still=True)
-        return exr.read(scene.render.filepath)
+        with OpenEXR.File(scene.render.filepath, separate_channels=True) as file:
+            return {name: channel.pixels for name, channel in file.channels().items()}
 
 
 def colour(images, name, channels="RGB"):
@@ -172,15 +215,29 @@ def colour(images, name, channels="RGB"):
 
 
 def left_out(view, index):
-    """Pixels of candle, holder and flame."""
+    """Pixels of candles, holder and flames."""
     mask = index > 0.5
+    for flame in view["flames"]:
+        hide_flame(mask, view, flame)
+    for _ in range(MARGIN):
+        wider = mask.copy()
+        wider[1:] |= mask[:-1]
+        wider[:-1] |= mask[1:]
+        wider[:, 1:] |= mask[:, :-1]
+        wider[:, :-1] |= mask[:, 1:]
+        mask = wider
+    return mask
+
+
+def hide_flame(mask, view, flame):
+    """Marks the pixels of a box around a flame."""
     eye, lamp = view["camera"], view["lamp"]
     from_room = (
         Matrix.Rotation(-eye["pitch"], 4, "X")
         @ Matrix.Rotation(-eye["yaw"], 4, "Y")
         @ Matrix.Translation([-x for x in eye["position"]])
     )
-    x, y, z = view["flame"]["position"]
+    x, y, z = flame
     reach = lamp["reach"] * 1.3
     scale = view["height"] / 2 / math.tan(math.radians(view["fieldOfView"]) / 2)
     corners = []
@@ -197,14 +254,6 @@ def left_out(view, index):
         low = [max(0, int(min(values))) for values in (rows, columns)]
         high = [max(0, int(max(values)) + 1) for values in (rows, columns)]
         mask[low[0] : high[0], low[1] : high[1]] = True
-    for _ in range(MARGIN):
-        wider = mask.copy()
-        wider[1:] |= mask[:-1]
-        wider[:-1] |= mask[1:]
-        wider[:, 1:] |= mask[:, :-1]
-        wider[:, :-1] |= mask[:, 1:]
-        mask = wider
-    return mask
 
 
 def main(view_path, folder):
@@ -212,12 +261,19 @@ def main(view_path, folder):
         view = json.load(file)
     scene = start()
     models = os.path.dirname(view_path)
-    load(os.path.join(models, view.get("room", "cabin") + ".glb"))
+    room = load(os.path.join(models, view.get("room", "cabin") + ".glb"))
+    # Wax that light enters is not compared.
+    for node in room:
+        node.pass_index = 1 if node.name.startswith("candles") else 0
+    if "moon" in view:
+        open_window(room, view["moon"]["window"])
+        add_moon(scene, view["moon"])
     x, y, z = view["candle"]["foot"]
     place = ROOM_TO_BLENDER @ Matrix.Translation((x, y, z)) @ Matrix.Rotation(view["candle"]["turn"], 4, "Y") @ ROOM_TO_BLENDER.inverted()
     for node in load(os.path.join(models, "chamberstick.glb"), place):
         node.pass_index = 1
-    add_lamps(scene, view["flame"]["position"], view["lamp"])
+    for flame in view["flames"]:
+        add_lamps(scene, flame, view["lamp"])
     add_camera(scene, view)
     images = render(scene)
     radiance = colour(images, "Combined")
