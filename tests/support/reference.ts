@@ -1,6 +1,7 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { pathToFileURL } from "node:url";
 import type { Camera } from "../../src/candle-flame-element.ts";
+import { half } from "../../tools/reference/half.mjs";
 import { stageView } from "../../tools/reference/stage.mjs";
 import type { RoomDriver } from "./room-driver.ts";
 
@@ -42,12 +43,6 @@ export function readReference(name: string) {
     (_, pixel) => bytes.readUInt16LE(pixel * 6) < 0x8000,
   );
   return { radiance, isCompared };
-}
-
-function half(bits: number): number {
-  const exponent = bits >> 10;
-  const fraction = bits & 0x3ff;
-  return exponent === 0 ? fraction * 2 ** -24 : (1 + fraction / 1024) * 2 ** (exponent - 15);
 }
 
 /** Our radiance of a view, of as many pixels as the element renders, and where the flame is. */

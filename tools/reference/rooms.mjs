@@ -82,8 +82,12 @@ export const ROOMS = {
   ],
 };
 
-/** @param {readonly (Box | Sphere)[]} parts @returns {Buffer} a .glb */
-export function roomModel(parts) {
+/**
+ * @param {readonly (Box | Sphere)[]} parts
+ * @param {readonly object[]} nodes further nodes of the file, as they are
+ * @returns {Buffer} a .glb
+ */
+export function roomModel(parts, nodes = []) {
   const builder = new GlbBuilder();
   const primitives = parts.flatMap((part) =>
     "radius" in part ? [sphere(part)] : "outline" in part ? walls(part) : faces(part),
@@ -107,7 +111,7 @@ export function roomModel(parts) {
       }),
     });
   }
-  builder.root({ mesh });
+  for (const node of [{ mesh }, ...nodes]) builder.root(node);
   return builder.glb();
 }
 

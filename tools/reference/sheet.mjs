@@ -1,7 +1,9 @@
 // npm run reference:sheet: ours, theirs and the difference, view by view, into docs/reference/.
 import { readdirSync, readFileSync } from "node:fs";
 import sharp from "sharp";
+import { half } from "./half.mjs";
 import { FIXTURES, height, inEachRoom, readSource, width } from "./room.mjs";
+import { stageView } from "./stage.mjs";
 
 const SHEET = new URL("../../docs/reference/sheet.jpg", import.meta.url);
 const GAP = 4;
@@ -11,10 +13,6 @@ const FULL = 0.5;
 const { luma } = await readSource("/src/light/color.ts");
 const { meteredExposure, shown } = await readSource("/tests/support/display-law.ts");
 
-const half = (bits) => {
-  const [exponent, fraction] = [(bits >> 10) & 31, bits & 0x3ff];
-  return exponent === 0 ? fraction * 2 ** -24 : (1 + fraction / 1024) * 2 ** (exponent - 15);
-};
 /** As the settled eye sees our picture, 8-bit sRGB. */
 const displayed = (color, exposure) => shown(color.map((x) => x * exposure)).map(encode);
 const encode = (x) => 255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055);
@@ -32,22 +30,17 @@ const views = files.map((file) => JSON.parse(readFileSync(new URL(file, FIXTURES
 const pictures = await inEachRoom("high", views, async (views, evaluate) => {
   const pictures = [];
   for (const view of views) {
-    const radiance = await evaluate((element, { place, camera, width, height }) => {
-      element.reset();
-      if (place) {
-        element.camera = place;
-        element.place();
-      }
-      element.camera = camera;
-      element.step(0);
-      return Array.from(element.readRadiance(0, 0, width, height));
-    }, view);
+    await evaluate(stageView, view);
+    const radiance = await evaluate(
+      (element, { width, height }) => Array.from(element.readRadiance(0, 0, width, height)),
+      view,
+    );
     const bytes = readFileSync(new URL(`${view.name}.bin`, FIXTURES));
     const exposure = meteredExposure({ width, height, radiance });
     const columns = [0, 1, 2].map(() => Buffer.alloc(width * height * 3));
     for (let i = 0; i < width * height; i++) {
       const ours = radiance.slice(i * 3, i * 3 + 3);
-      const theirs = [0, 1, 2].map((k) => half(bytes.readUInt16LE(i * 6 + k * 2)));
+      const theirs = [0, 1, 2].map((k) => half(bytes.readUInt16LE(i * 6 + k * 2) & 0x7fff));
       const counts = bytes.readUInt16LE(i * 6) < 0x8000;
       for (const [column, color] of [
         displayed(ours, exposure),
