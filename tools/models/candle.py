@@ -21,11 +21,13 @@ def flame_root(height):
     return WICK_TOP + Vector((0, height - POOL_DEPTH, 0))
 
 
-def wick(level=0.0):
+def wick(level, steps=1, sides=6):
+    """`steps` between the points of its curve; `sides` round it."""
+
     def radius(t):
         return 0.00105 - 0.0001 * sin(pi * t) + 0.0001 * wander(12 * t, "ply")
 
-    return tube(smooth_path(WICK, 1), radius, 6, "wick").placed(moved(0, level, 0))
+    return tube(smooth_path(WICK, steps), radius, sides, "wick").placed(moved(0, level, 0))
 
 
 def wax(radius, height, key, sides, runs):

@@ -13,6 +13,7 @@ from mathutils import Vector
 
 sys.path.insert(0, str(Path(__file__).parent))
 
+from candle import WICK_TOP, wick
 from chance import wander, wander_over
 from export import add_anchor, add_node, start, write
 from mesh import moved
@@ -25,13 +26,6 @@ SEAT = 0.031
 COLLAR = 0.0525
 TOP = COLLAR + 0.15
 POOL = TOP - 0.0032
-WICK = [(0, POOL - 0.003, 0), (0.0001, POOL, 0), (0.0003, POOL + 0.0024, 0.0001)]
-WICK += [
-    (0.0011, POOL + 0.0046, 0.0003),
-    (0.0024, POOL + 0.0062, 0.0005),
-    (0.0037, POOL + 0.0069, 0.0006),
-]
-
 # Runs of wax: where round the candle, how far down they got, how wide, how thick.
 DRIPS = (
     (2.2, 0.164, 0.0019, 0.0018),
@@ -164,18 +158,10 @@ def pool():
     return lathe(profile, 24, "pool")
 
 
-def wick():
-
-    def radius(t):
-        return 0.00105 - 0.0001 * sin(pi * t) + 0.0001 * wander(12 * t, "ply")
-
-    return tube(smooth_path(WICK, 3), radius, 7, "wick")
-
-
 def main():
     output = Path(__file__).parents[2] / "work" / "models"
     output.mkdir(parents=True, exist_ok=True)
-    parts = {"holder": holder(), "candle": candle(), "pool": pool(), "wick": wick()}
+    parts = {"holder": holder(), "candle": candle(), "pool": pool(), "wick": wick(POOL, 3, 7)}
     parts = {name: mesh.triangulated() for name, mesh in parts.items()}
     start()
     tree = tree_of(parts.values())
@@ -186,8 +172,7 @@ def main():
         normals = mesh.corner_normals()
         add_node(name, mesh, normals, bake(mesh, normals, tree, reach=0.04))
         print(f"{name}: {len(mesh.faces)} triangles")
-    # At the foot of the wick's upper third.
-    add_anchor("flame", Vector(WICK[3]))
+    add_anchor("flame", WICK_TOP + Vector((0, POOL, 0)))
     write(output / "chamberstick.glb")
 
 
