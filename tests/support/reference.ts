@@ -5,13 +5,8 @@ import { half } from "../../tools/reference/half.mjs";
 import { stageView } from "../../tools/reference/stage.mjs";
 import type { RoomDriver } from "./room-driver.ts";
 
-/** A view as a path tracer renders it; see docs/reference/README.md. */
-export interface View {
-  readonly name: string;
-  readonly width: number;
-  readonly height: number;
-  /** One of `tools/reference/rooms.mjs`; the cabin if absent. */
-  readonly room?: string;
+/** Camera, candles and moon of a view. */
+interface Staging {
   readonly camera: Camera;
   /** Where the visitor stood to put the candle down; held if absent. */
   readonly place?: Camera;
@@ -19,6 +14,15 @@ export interface View {
   readonly wicks?: readonly string[];
   readonly unlit?: boolean;
   readonly moon?: { readonly illuminance: number };
+}
+
+/** A view as a path tracer renders it; see docs/reference/README.md. */
+export interface View extends Staging {
+  readonly name: string;
+  readonly width: number;
+  readonly height: number;
+  /** One of `tools/reference/rooms.mjs`; the cabin if absent. */
+  readonly room?: string;
   readonly flame: { readonly position: readonly [number, number, number] };
   readonly lamp: Readonly<Record<"halfHeight" | "radius", number>> & { intensity: number[] };
 }
@@ -46,7 +50,7 @@ export function readReference(name: string) {
 }
 
 /** Our radiance of a view, of as many pixels as the element renders, and where the flame is. */
-export async function renderView(room: RoomDriver, view: View) {
+export async function renderView(room: RoomDriver, view: Staging) {
   await room.evaluate(stageView, view);
   const { text, ...rest } = await room.evaluate((element) => {
     const { width, height } = element.stats;

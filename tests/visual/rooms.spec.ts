@@ -123,6 +123,43 @@ for (const quality of ["high", "low"] as const) {
   }
 }
 
+for (const quality of ["high", "low"] as const) {
+  test(`At ${quality} a wall of 12 cm lets a thousandth of the light through at most`, async () => {
+    const src = `${LIBRARY}sealed.glb`;
+    await page.route(src, (route) =>
+      route.fulfill({ contentType: "model/gltf-binary", body: roomModel(ROOMS.sealed ?? []) }),
+    );
+    const driver = await new RoomDriver(page).open(
+      { look: "physical", quality, wind: "0", src },
+      SIZE,
+    );
+    const luminances = async (position: [number, number, number], yaw: number) => {
+      const camera = { position, yaw, pitch: 0 };
+      const { radiance } = await renderView(driver, {
+        camera,
+        place: { position: [2, 1.6, 4.2], yaw: 0, pitch: -1 },
+      });
+      const there = await driver.evaluate(({ camera, held }) => ({ ...camera, held }));
+      expect(there.held).toBe(false);
+      expect(there.position[0], "across the wall").toBeCloseTo(position[0], 2);
+      return Array.from({ length: radiance.length / 3 }, (_, i) => luma(colorOf(radiance, i)));
+    };
+    const mean = (values: readonly number[]) =>
+      values.reduce((sum, value) => sum + value, 0) / values.length;
+    const lit = mean(await luminances([1.2, 1.6, 3.2], -1.57));
+    expect(lit).toBeGreaterThan(0.05);
+    for (const dark of [
+      await luminances([7.5, 1.6, 4.8], 1.57),
+      await luminances([8, 1.6, 2], -1.57),
+    ]) {
+      expect(mean(dark) / lit).toBeLessThan(1e-3);
+      // A few pixels of low's coarse lighting are brighter.
+      expect(quantile(dark, quality === "high" ? 0.99 : 0.95) / lit).toBeLessThan(1e-3);
+    }
+    expect(driver.complaints).toEqual([]);
+  });
+}
+
 test("In a white room plaster a metre from the candle is shown as white paper is, in a dark one no brighter than it is", async () => {
   for (const [albedo, least, most] of [
     [0.8, 0.2, 0.5],

@@ -31,6 +31,7 @@ const metal = (color, roughness) => ({ color, roughness, metallic: 1 });
 
 const WHITEWASH = matt(0.8);
 const PALE = matt(0.75);
+const BLACK = matt(0);
 const STEEL = [0.56, 0.57, 0.58];
 const BRASS = [0.85, 0.62, 0.3];
 /** Partition of 12 cm across two rooms, with a doorway. */
@@ -49,7 +50,27 @@ export const ROOMS = {
     box([2.5, 0, 1.6], [3.2, 0.6, 2.3], matt(0.7)),
   ],
   "two-rooms": [shell([8, 2.6, 4], PALE), ...partition(2), box([6, 0, 0.6], [6.8, 0.9, 1.4], PALE)],
-  wall: [shell([8, 2.6, 4], PALE), ...partition(0)],
+  sealed: [
+    shell([10, 2.6, 6], PALE),
+    box([4, 0, 0.9], [4.12, 2.6, 6], PALE),
+    // A black passage with three bends, through which one gets and no light does.
+    ...[
+      box([4, 0, 0], [6.9, 2.6, 0.004], BLACK),
+      box([4.12, 0, 0.9], [6, 2.6, 1], BLACK),
+      box([6.9, 0, 0], [7, 2.6, 4.1], BLACK),
+      box([5.9, 0, 1], [6, 2.6, 3.1], BLACK),
+      box([5, 0, 4], [6.9, 2.6, 4.1], BLACK),
+      box([5, 0, 3], [5.9, 2.6, 3.1], BLACK),
+    ],
+    ...[
+      [0, 0.004],
+      [2.596, 2.6],
+    ].flatMap(([low, high]) => [
+      box([4, low, 0], [6.9, high, 0.9], BLACK),
+      box([6, low, 0.9], [6.9, high, 4], BLACK),
+      box([5, low, 3.1], [6, high, 4], BLACK),
+    ]),
+  ],
   straight: [shell([1.3, 2.4, 8], PALE)],
   corridor: [
     {
