@@ -131,6 +131,11 @@ export class AutoQuality {
     return this.speed.anisotropicPixel * ANISOTROPIC_SHARE * 1e6 <= ANISOTROPY_BUDGET;
   }
 
+  /** Whether pixels were measured to cost what they cost a CPU. */
+  get isSoftware(): boolean {
+    return this.speed !== null && this.speed.pixel >= SOFTWARE_PIXEL;
+  }
+
   /**
    * Records a frame. True if the rung has changed.
    *
@@ -159,7 +164,7 @@ export class AutoQuality {
     this.#frames = [];
     this.#elapsed = 0;
     // A software renderer has no GPU time.
-    const work = this.speed && this.speed.pixel < SOFTWARE_PIXEL ? gpuSeconds : null;
+    const work = this.speed && !this.isSoftware ? gpuSeconds : null;
     if (isLate) {
       this.#steady = 0;
       this.#wanted = null;

@@ -32,7 +32,9 @@ import { BLOOM_REACH, BLOOM_SCALE, FlameBloomPass } from "./post/flame-bloom-pas
 import { type Bloom, FrameBloomPass } from "./post/frame-bloom-pass.js";
 import { InspectPass } from "./post/inspect-pass.js";
 import type { Tier } from "./quality.js";
-import type { Models, Renderer } from "./renderer.js";
+import { RefinedDisplayPass } from "./refinement/refined-display-pass.js";
+import { RefinedStage, type Surfaces } from "./refinement/refined-stage.js";
+import type { Models, Refining, Renderer } from "./renderer.js";
 import { SCHEDULE } from "./schedule.js";
 import { expandBox } from "./screen-bounds.js";
 import { clusterIncrementally } from "./shadow/shadow-casters.js";
@@ -50,6 +52,7 @@ const BLACK = [0, 0, 0, 1] as const;
  * alone, a tone LUT, no dust), and in numbers.
  */
 export class PhysicalRenderer implements Renderer {
+  readonly refining: Refining | null;
   readonly #gpu: Gpu;
   readonly #room: readonly Mesh[];
   readonly #candle: readonly Mesh[];
@@ -60,7 +63,7 @@ export class PhysicalRenderer implements Renderer {
   readonly #exposure: ExposurePass;
   readonly #display: DisplayPass;
   /** Where the composite goes straight to the canvas, but for the volumetric stage's region. */
-  readonly #compositeDisplay: CompositeDisplayPass | null;
+  readonly #compositeDisplay: CompositeDisplayPass | RefinedDisplayPass | null;
   /** Made when a pass is first inspected. */
   #inspector: InspectPass | null = null;
   readonly #makeInspector: () => InspectPass;
@@ -71,19 +74,23 @@ export class PhysicalRenderer implements Renderer {
   #size = { width: 1, height: 1 };
   /** Frames since bloom and exposure were updated. */
   #postAge = 0;
-  /** Composites the whole of the last frame, of which `#radiance` may hold a region. */
-  #compositeWhole: () => void = () => {};
+  /** The last frame, of which `#radiance` may hold a region. */
+  #last: readonly [FrameInput, OpaqueLayer, IrradianceVolume] | null = null;
 
   /** @param collision mesh of the room, for the probes' rays */
   constructor(gpu: Gpu, { room, candle }: Models, collision: CollisionMesh, tier: Tier) {
     this.#gpu = gpu;
     const { physical } = tier;
     const screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
-    const isDeferred = physical.opaque === "deferred";
-    const lods = isDeferred ? new MeshLods(gpu) : null;
-    this.#opaque = lods
-      ? new DeferredStage(gpu, screen, physical.shadow, lods)
-      : new ForwardStage(gpu, screen, tier);
+    // For machines without a GPU.
+    const isFrugal = physical.opaque !== "forward";
+    const lods = physical.opaque === "deferred" ? new MeshLods(gpu) : null;
+    const refined = physical.opaque === "refined" ? new RefinedStage(gpu, screen, tier) : null;
+    this.#opaque =
+      refined ??
+      (lods
+        ? new DeferredStage(gpu, screen, physical.shadow, lods)
+        : new ForwardStage(gpu, screen, tier));
     const { format, blocks, meterFrag } = this.#opaque;
     const surfaces = uploadModel(gpu, room, groupTriangles);
     this.#room = sortedByArea(surfaces);
@@ -96,13 +103,15 @@ export class PhysicalRenderer implements Renderer {
       lods,
     );
     this.#volumetric = new VolumetricStage(gpu, this.#candle, blocks, format, physical);
-    this.#bloom = isDeferred
+    this.#bloom = isFrugal
       ? new FlameBloomPass(gpu, screen, physical.bloomLevels, format)
       : new FrameBloomPass(gpu, screen, physical.bloomLevels);
     this.#exposure = new ExposurePass(gpu, screen, meterFrag);
-    this.#display = new DisplayPass(gpu, screen, isDeferred);
-    this.#compositeDisplay = isDeferred ? new CompositeDisplayPass(gpu, screen) : null;
+    this.#display = new DisplayPass(gpu, screen, isFrugal);
+    if (refined) this.#compositeDisplay = new RefinedDisplayPass(gpu, screen, refined);
+    else this.#compositeDisplay = lods && new CompositeDisplayPass(gpu, screen);
     this.#makeInspector = () => new InspectPass(gpu, screen);
+    this.refining = refined && this.#refiningOf(refined);
   }
 
   resize(width: number, height: number): void {
@@ -139,13 +148,38 @@ export class PhysicalRenderer implements Renderer {
       ? this.#volumetric.bounds(frame, kind, this.#size, BLOOM_SCALE)
       : this.#whole;
     this.#composite(frame, layer, irradiance, region);
-    this.#compositeWhole = () => this.#composite(frame, layer, irradiance, this.#whole);
+    this.#last = [frame, layer, irradiance];
     const post = this.#postIn(kind, shadow.isNew);
     if (post === "before display") this.#updatePost(frame, layer, irradiance, region);
     if (settings.inspect !== "picture" && !this.#compositeDisplay) {
       this.#inspect(frame, layer, shadow.depth, irradiance);
     } else this.#present(frame, layer, region);
     if (post === "after display") this.#updatePost(frame, layer, irradiance, region);
+  }
+
+  #refiningOf(stage: RefinedStage): Refining {
+    return {
+      get remaining() {
+        return stage.remaining;
+      },
+      prepare: (world, settings) => {
+        const { captureLight } = this.#describe(world, settings);
+        return this.#captures.hold(captureLight, settings.steps ?? 0);
+      },
+      begin: (world, settings, coarse) => {
+        const frame = this.#describe(world, settings);
+        if (coarse instanceof PhysicalRenderer) stage.begin(frame, coarse.#surfaces());
+      },
+    };
+  }
+
+  /** The last frame without media. */
+  #surfaces(): Surfaces {
+    if (!this.#last) throw new Error("There is no frame yet.");
+    const [frame, layer] = this.#last;
+    const target = this.#compositedFrame(layer.depth);
+    this.#opaque.composite(frame, layer, target, this.#whole);
+    return { radiance: target.color, depth: layer.depth, light: this.#opaque.blocks.Light };
   }
 
   #describe(world: World, settings: FrameSettings): FrameInput {
@@ -217,9 +251,11 @@ export class PhysicalRenderer implements Renderer {
 
   /** Bloom and exposure are updated at rest in each frame; in motion when there is time, see `SCHEDULE`. */
   #postIn(kind: GBufferKind, isShadowNew: boolean): "before display" | "after display" | "skip" {
-    const isIdle = kind !== "reduced" && !isShadowNew;
-    const isDue = ++this.#postAge > SCHEDULE.post.frames || isIdle;
-    if (kind === "full" || !this.#bloom.isDrawn) return "before display";
+    const isIdle = kind !== "reduced" && !isShadowNew && !this.refining;
+    const isDue =
+      ++this.#postAge > (this.refining ? SCHEDULE.post.refinedFrames : SCHEDULE.post.frames) ||
+      isIdle;
+    if (!this.#bloom.isDrawn || (kind === "full" && !this.refining)) return "before display";
     if (!isDue) return "skip";
     return kind === "reprojected" ? "after display" : "before display";
   }
@@ -292,7 +328,7 @@ export class PhysicalRenderer implements Renderer {
 
   readRadiance(x: number, y: number, width: number, height: number): Float32Array {
     if (!this.#radiance) return new Float32Array(width * height * 3);
-    if (this.#compositeDisplay) this.#compositeWhole();
+    if (this.#compositeDisplay && this.#last) this.#composite(...this.#last, this.#whole);
     return this.#gpu.readFloats(this.#radiance, x, y, width, height);
   }
 }

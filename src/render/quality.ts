@@ -25,8 +25,8 @@ export interface ShadowQuality {
 
 /** Numbers of the physical look. */
 export interface PhysicalTier {
-  /** How surfaces are shaded: forward, or by a G-buffer and lighting at a lower rate. */
-  readonly opaque: "forward" | "deferred";
+  /** How surfaces are shaded: forward, by a G-buffer and lighting at a lower rate, or forward tile by tile. */
+  readonly opaque: "forward" | "deferred" | "refined";
   readonly shadow: ShadowQuality;
   readonly indirect: IndirectDetail;
   /** Largest error of shadow casters, metres. */
@@ -37,6 +37,8 @@ export interface PhysicalTier {
   readonly flameSteps: number;
   /** Whether dust and sparks are drawn. */
   readonly hasParticles: boolean;
+  /** Whether the hot air refracts. */
+  readonly hasHaze: boolean;
 }
 
 const TIERS: Readonly<Record<Tier["name"], Tier>> = {
@@ -60,6 +62,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
       bloomLevels: 3,
       flameSteps: 12,
       hasParticles: false,
+      hasHaze: true,
     },
   },
   medium: {
@@ -82,6 +85,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
       bloomLevels: 5,
       flameSteps: 24,
       hasParticles: true,
+      hasHaze: true,
     },
   },
   high: {
@@ -104,6 +108,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
       bloomLevels: 6,
       flameSteps: 40,
       hasParticles: true,
+      hasHaze: true,
     },
   },
   ultra: {
@@ -126,7 +131,20 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
       bloomLevels: 6,
       flameSteps: 64,
       hasParticles: true,
+      hasHaze: true,
     },
+  },
+};
+
+/** What a picture at rest becomes tile by tile without a GPU: surfaces and flame of `high`. */
+export const REFINED: Tier = {
+  ...TIERS.high,
+  physical: {
+    ...TIERS.high.physical,
+    opaque: "refined",
+    bloomLevels: 4,
+    hasParticles: false,
+    hasHaze: false,
   },
 };
 

@@ -9,8 +9,20 @@ export interface Models {
   readonly candle: Model;
 }
 
+/** What a renderer can do beside drawing frames, if it refines a picture at rest. */
+export interface Refining {
+  /** Tiles that are still those of the coarser picture. */
+  readonly remaining: number;
+  /** Goes on with captures of the light, `steps` of the settings at a time. True once they are done. */
+  prepare(world: World, settings: FrameSettings): boolean;
+  /** Begins with the last picture of a coarser renderer on the same `Gpu`, of the same view. */
+  begin(world: World, settings: FrameSettings, coarse: Renderer): void;
+}
+
 /** Draws the world onto the canvas, for one family of looks. Created on a `Gpu`, which frees it. */
 export interface Renderer {
+  /** Null if each of its frames is complete. */
+  readonly refining?: Refining | null;
   /** Particle slots in use in the last frame. */
   readonly particles: number;
   /** @param width of the canvas, pixels */

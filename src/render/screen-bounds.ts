@@ -1,4 +1,4 @@
-import type { mat4 } from "gl-matrix";
+import { mat4 } from "gl-matrix";
 import type { Box } from "../gl/gpu.js";
 import { clipPosition } from "./camera.js";
 import type { Size } from "./frame-input.js";
@@ -74,4 +74,20 @@ export function scaleBox([x, y, wide, high]: Box, from: Size, to: Size): Box {
   const [left, bottom] = [Math.floor(x * across), Math.floor(y * up)];
   const [right, top] = [Math.ceil((x + wide) * across), Math.ceil((y + high) * up)];
   return [left, bottom, Math.min(right, to.width) - left, Math.min(top, to.height) - bottom];
+}
+
+/** Clip space of a box on a frame, from that of the frame. */
+export function clipOfBox([x, y, wide, high]: Box, { width, height }: Size, clip: mat4): mat4 {
+  const narrow = mat4.clone(clip);
+  const axes = [
+    { middle: (2 * x + wide) / width - 1, factor: width / wide },
+    { middle: (2 * y + high) / height - 1, factor: height / high },
+  ];
+  for (let column = 0; column < 4; column++) {
+    const w = clip[column * 4 + 3]!;
+    for (const [axis, { middle, factor }] of axes.entries()) {
+      narrow[column * 4 + axis] = (clip[column * 4 + axis]! - middle * w) * factor;
+    }
+  }
+  return narrow;
 }

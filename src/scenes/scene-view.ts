@@ -2,13 +2,14 @@ import { nextTask } from "../gl/next-task.js";
 import { AutoQuality, type Rung, WORK, type Work } from "../render/auto-quality.js";
 import { canvasSize } from "../render/canvas-size.js";
 import type { FrameSettings } from "../render/frame-settings.js";
-import { type Tier, tierNamed } from "../render/quality.js";
+import { REFINED, type Tier, tierNamed } from "../render/quality.js";
 import type { Renderer } from "../render/renderer.js";
 import { measureSpeed, type Speed } from "../render/speed.js";
 import type { Inspection, Look, Quality } from "../settings.js";
 import type { ParticleLayer } from "../world/particles/particle-layer.js";
 import type { World } from "../world/world.js";
 import type { CanvasTarget } from "./canvas-target.js";
+import { Refinement } from "./refinement.js";
 import type { Scene } from "./scene.js";
 
 const INSPECTION_RUNG: Rung = { tier: "medium", share: 1 };
@@ -57,6 +58,12 @@ export class SceneView {
   /** Of the tier's resolution. */
   #share: number;
   #renderer: Renderer;
+  /** Of what `auto` shows at rest on machines without a GPU. */
+  readonly #refinement = new Refinement({
+    prepare: () => this.#scene.prepareRenderer(this.#target, REFINED, this.#settings.look),
+    create: () => this.#scene.createRenderer(this.#target, REFINED, this.#settings.look),
+    whenCompiled: () => this.#target.gpu.whenCompiled(),
+  });
   /** CSS size times device pixel ratio, before the tier's scale. */
   #pixels = { width: 1, height: 1 };
   /** Whether targets and textures were made since the driver was last asked whether it accepts them. */
@@ -127,7 +134,9 @@ export class SceneView {
   follow(subject: ViewSubject): void {
     this.#subject = subject;
     // After a lost context, the renderer to come will.
-    if (!this.#target.gpu.isLost) this.#renderer.setLayers(subject.world, subject.layers);
+    if (this.#target.gpu.isLost) return;
+    this.#renderer.setLayers(subject.world, subject.layers);
+    this.#refinement.follow(subject);
   }
 
   /** To be followed by `rebuild` if the quality or the models are others. */
@@ -153,6 +162,7 @@ export class SceneView {
     this.#tier = this.#tierOf(rung);
     this.#share = rung.share;
     this.#target.clear();
+    this.#refinement.forget();
     this.#fitCanvas();
     this.#renderer = this.#createRenderer();
     if (before.tier !== rung.tier || before.share !== rung.share) this.onQualityChanged();
@@ -173,7 +183,10 @@ export class SceneView {
     const isOther = width !== this.#pixels.width || height !== this.#pixels.height;
     this.#pixels = { width, height };
     this.#auto.pixels = width * height;
-    if (isOther) this.#auto.renew();
+    if (isOther) {
+      this.#auto.renew();
+      this.#refinement.stop();
+    }
     const { gpu, canvas } = this.#target;
     const isOtherSize = this.#fitCanvas();
     if (isOtherSize && !gpu.isLost) {
@@ -190,11 +203,19 @@ export class SceneView {
     if (gpu.isLost) return;
     // A question to the driver would wait for the first frame, and the page with it.
     if (view.canDefer && this.#isChecking) return;
+    const wasRefined = this.#refinement.shown !== null;
+    const refines = this.#refines(view);
+    if (!refines) this.#refinement.stop();
     this.#chooseQuality();
     target.prepare();
     gpu.beginFrame();
-    const { gamut } = target;
-    this.#renderer.render(this.#subject.world, { ...view, gamut, inspect: this.inspect });
+    const settings = { ...view, gamut: target.gamut, inspect: this.inspect };
+    const steps = refines ? this.#refine(settings) : 0;
+    if (wasRefined !== (this.#refinement.shown !== null)) {
+      this.#fitCanvas();
+      this.onQualityChanged();
+    }
+    this.#shown.render(this.#subject.world, { ...settings, steps });
     gpu.endFrame();
     target.present();
     if (this.#isUnchecked) void this.#check();
@@ -203,6 +224,8 @@ export class SceneView {
   /** Takes the time of a frame of the animation loop, by which `auto` goes. Seconds. */
   measure(seconds: number): void {
     if (this.#settings.quality !== "auto" || this.#isChecking) return;
+    this.#refinement.take(seconds);
+    if (this.#refinement.isBusy) return;
     const { milliseconds } = this.#target.gpu.timer;
     this.#auto.take(seconds, milliseconds === null ? null : milliseconds / 1000);
     // Prepares another tier, a little in each frame, and takes it when nothing holds it up.
@@ -217,7 +240,7 @@ export class SceneView {
 
   /** Linear RGB of the last frame before exposure and tone mapping; rows from the top. Waits for the GPU. */
   readRadiance(x: number, y: number, width: number, height: number): Float32Array {
-    return this.#renderer.readRadiance(x, y, width, height);
+    return this.#shown.readRadiance(x, y, width, height);
   }
 
   get stats() {
@@ -227,11 +250,11 @@ export class SceneView {
       gpuMs: timer.milliseconds,
       drawCalls,
       triangles,
-      particles: this.#renderer.particles,
+      particles: this.#shown.particles,
       width,
       height,
       resolutionScale: this.#resolutionScale,
-      quality: this.#tier.name,
+      quality: this.#refinement.shown ? REFINED.name : this.#tier.name,
       gpuObjects: objectCount,
       gpuBytes: bytes,
     };
@@ -265,11 +288,14 @@ export class SceneView {
     if (!isOtherTier && rung.share === this.#share) return;
     this.#tier = this.#tierOf(rung);
     this.#share = rung.share;
-    if (isOtherTier) this.#target.clearUnshared();
-    const isOtherSize = this.#fitCanvas();
+    if (isOtherTier) {
+      this.#target.clearUnshared();
+      this.#refinement.forget();
+    }
+    this.#fitCanvas();
     const { width, height } = this.#target.canvas;
     if (isOtherTier) this.#renderer = this.#createRenderer();
-    else if (isOtherSize) this.#renderer.resize(width, height);
+    else this.#renderer.resize(width, height);
     this.onQualityChanged();
   }
 
@@ -283,7 +309,26 @@ export class SceneView {
     return renderer;
   }
 
+  /** The renderer of the frames that are shown. */
+  get #shown(): Renderer {
+    return this.#refinement.shown ?? this.#renderer;
+  }
+
+  /** Whether the picture is refined while it rests: under `auto`, where pixels are those of a CPU. */
+  #refines({ isMoving, canDefer }: Pick<FrameSettings, "isMoving" | "canDefer">): boolean {
+    const { quality, look } = this.#settings;
+    if (quality !== "auto" || look !== "physical" || this.#scene.isModelAlone) return false;
+    if (isMoving || !canDefer || !this.isPlaying || this.inspect !== "picture") return false;
+    return this.#auto.isSoftware && this.#tier.name === "low";
+  }
+
+  #refine(settings: FrameSettings): number {
+    const size = canvasSize(this.#pixels, REFINED.resolutionScale, this.#target.gpu.longestSide);
+    return this.#refinement.advance(this.#subject, settings, this.#renderer, size);
+  }
+
   get #resolutionScale(): number {
+    if (this.#refinement.shown) return REFINED.resolutionScale;
     return this.#tier.resolutionScale * this.#share;
   }
 

@@ -10,19 +10,13 @@ import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Bounds } from "../../world/geometry.js";
 import { frustumTest } from "../camera.js";
-import {
-  AT_ORIGIN,
-  captureOrigin,
-  type FrameInput,
-  type ModelInstance,
-  type Placement,
-  type Size,
-} from "../frame-input.js";
-import { runsOf } from "../mesh/clusters.js";
+import { captureOrigin, type FrameInput, type ModelInstance, type Size } from "../frame-input.js";
 import type { Mesh } from "../mesh/mesh.js";
 import type { MeshLods } from "../mesh/mesh-lods.js";
+import { visibleRuns } from "../mesh/visible-runs.js";
 import { type GBufferSamples, UpsampleGuidePass } from "../opaque/upsample-guide-pass.js";
 import { SCHEDULE } from "../schedule.js";
+import { clipOfBox } from "../screen-bounds.js";
 import { AlbedoCache, isBaked } from "./albedo-cache.js";
 import {
   type GBuffer,
@@ -30,7 +24,7 @@ import {
   reprojectionBetween,
   reprojectionSource,
 } from "./gbuffer.js";
-import { bandOf, clipOfBand } from "./screen-bands.js";
+import { bandOf } from "./screen-bands.js";
 
 const NOTHING = [0, 0, 0, 0] as const;
 
@@ -225,7 +219,7 @@ export class GBufferPass {
   #drawModels(target: RenderTarget, frame: FrameInput, isReduced: boolean, scissor?: Box): void {
     const { clipFromWorld } = frame;
     const isVisible = frustumTest(
-      scissor ? clipOfBand(scissor, target, clipFromWorld) : clipFromWorld,
+      scissor ? clipOfBox(scissor, target, clipFromWorld) : clipFromWorld,
     );
     for (const instance of frame.instances) {
       for (const mesh of isReduced ? this.#lods.merged(instance.meshes) : instance.meshes) {
@@ -285,14 +279,7 @@ export class GBufferPass {
     frame: FrameInput,
     { target, isReduced, isVisible, scissor }: Pass,
   ): void {
-    const { clusters, vertexArray } = mesh;
-    // Frustum culling: by clusters where the model stands as it was made, else as a whole.
-    const runs =
-      placement === AT_ORIGIN
-        ? runsOf(clusters, isVisible)
-        : isVisible(boundsOfTurned(clusters, placement))
-          ? [{ first: 0, count: vertexArray.count }]
-          : [];
+    const { vertexArray } = mesh;
     const cached = isReduced ? this.#albedos.of(mesh) : null;
     const { translucency } = frame.settings.features;
     const draw: Draw = {
@@ -319,7 +306,9 @@ export class GBufferPass {
       scissor,
       cull: mesh.isDoubleSided ? "none" : "back",
     };
-    for (const { first, count } of runs) this.#gpu.draw({ ...draw, first, count });
+    for (const { first, count } of visibleRuns(mesh, placement, isVisible)) {
+      this.#gpu.draw({ ...draw, first, count });
+    }
   }
 }
 
@@ -328,18 +317,6 @@ const ONE_PIXEL: Box = [0, 0, 1, 1];
 function samplesOf({ colors: [albedo, surface], depth }: RenderTarget): GBufferSamples {
   if (!albedo || !surface || !depth) throw new Error("A G-buffer has three textures.");
   return { albedo, surface, depth };
-}
-
-/** Bounds of clusters that are turned about the vertical by any angle, and moved. */
-function boundsOfTurned(clusters: readonly Bounds[], [x, y, z]: Placement): Bounds {
-  let [radius, low, high] = [0, 0, 0];
-  for (const { min, max } of clusters) {
-    const wide = [0, 2].map((axis) => Math.max(Math.abs(min[axis]!), Math.abs(max[axis]!)));
-    radius = Math.max(radius, Math.hypot(...wide));
-    low = Math.min(low, min[1]);
-    high = Math.max(high, max[1]);
-  }
-  return { min: [x - radius, y + low, z - radius], max: [x + radius, y + high, z + radius] };
 }
 
 function gamma2([red, green, blue, opacity]: Mesh["baseColor"]): Mesh["baseColor"] {

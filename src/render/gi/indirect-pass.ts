@@ -18,6 +18,7 @@ import { SCHEDULE } from "../schedule.js";
 import { FACES } from "../shadow/cube-map.js";
 import type { ShadowCasters } from "../shadow/shadow-casters.js";
 import type { ShadowCube } from "../shadow/shadow-pass.js";
+import { drawInBands, finish, type Steps } from "../steps.js";
 import { IrradianceAtlas } from "./irradiance-atlas.js";
 import { IRRADIANCE_TEXELS, type ProbeDetail, traceProbes } from "./probe-rays.js";
 import { type ProbeTextures, uploadProbeRays } from "./probe-textures.js";
@@ -40,6 +41,10 @@ export interface IndirectScene {
   /** Of the model, in the order of its parts. */
   readonly surfaces: readonly Mesh[];
 }
+
+/** Bands that a pass is drawn in, where it is drawn in steps. */
+const BANDS = { surfelRadiance: 9, rayDirect: 3, rayRadiance: 4, gather: 3 };
+const AT_ONCE: typeof BANDS = { surfelRadiance: 1, rayDirect: 1, rayRadiance: 1, gather: 1 };
 
 type ShadowMap = Pick<ShadowCube, "depth" | "captureOrigin">;
 
@@ -180,11 +185,29 @@ export class IndirectPass {
   render(casters: ShadowCasters, light: CaptureLight, shadow: ShadowMap): IrradianceVolume {
     this.#update = null;
     if (!this.#isExact || JSON.stringify(light) !== this.#lastLight) {
-      this.#surfels.clear();
-      for (const face of FACES.keys()) this.#surfels.capture(casters, light.position, face);
-      this.#renderBounces(light, shadow);
+      finish(this.#allSteps(casters, light, shadow, AT_ONCE));
     }
     return this.#volume;
+  }
+
+  /** The same in steps: a face of the surfel cube, or a band of a pass, in each. */
+  *steps(casters: ShadowCasters, light: CaptureLight, shadow: ShadowMap): Steps<IrradianceVolume> {
+    yield* this.#allSteps(casters, light, shadow, BANDS);
+    return this.#volume;
+  }
+
+  *#allSteps(
+    casters: ShadowCasters,
+    light: CaptureLight,
+    shadow: ShadowMap,
+    bands: typeof BANDS,
+  ): Steps {
+    this.#surfels.clear();
+    for (const face of FACES.keys()) {
+      this.#surfels.capture(casters, light.position, face);
+      yield;
+    }
+    yield* this.#renderBounces(light, shadow, bands);
   }
 
   /** Amortised update for a moving light: one face of the surfel cube, or all further passes, in each frame. */
@@ -223,17 +246,18 @@ export class IndirectPass {
     };
   }
 
-  #renderBounces(light: CaptureLight, shadow: ShadowMap): void {
+  *#renderBounces(light: CaptureLight, shadow: ShadowMap, bands: typeof BANDS): Steps {
     this.#lastLight = JSON.stringify(light);
     this.#isExact = true;
-    this.#renderFirstBounce(light, shadow);
+    yield* this.#renderFirstBounce(light, shadow, bands);
     this.#atlas.render(this.#firstBounce);
     const sums = [this.#firstBounce];
     for (let bounce = 1; bounce < this.#detail.bounces; bounce++) {
       const sum = this.#bounces[bounce % this.#bounces.length]!;
-      this.#renderNextBounce(sum);
+      yield* this.#renderNextBounce(sum, bands);
       this.#atlas.render(sum);
       sums.push(sum);
+      yield;
     }
     this.#atlas.renderLimit(sums.slice(-4));
     this.#renderOutgoing();
@@ -243,9 +267,9 @@ export class IndirectPass {
   #updateBounces(light: CaptureLight, shadow: ShadowMap): void {
     this.#lastLight = JSON.stringify(light);
     this.#isExact = false;
-    this.#renderFirstBounce(light, shadow);
+    finish(this.#renderFirstBounce(light, shadow, AT_ONCE));
     const [bounces] = this.#bounces;
-    this.#renderNextBounce(bounces!);
+    finish(this.#renderNextBounce(bounces!, AT_ONCE));
     this.#atlas.render(bounces!);
     this.#renderOutgoing();
   }
@@ -255,13 +279,13 @@ export class IndirectPass {
     this.#surfels.renderOutgoing(textures, block);
   }
 
-  #renderFirstBounce(light: CaptureLight, shadow: ShadowMap): void {
+  *#renderFirstBounce(light: CaptureLight, shadow: ShadowMap, bands: typeof BANDS): Steps {
     this.#surfels.light.update(light);
     this.#surfels.renderRadiosity();
     const { normalDistance: uSurfelNormalDistance, radiosity: uRadiosity } = this.#surfels;
     const { uProbePositions } = this.#probes.volume;
     const pass = { vertexArray: this.#screen, blocks: { Light: this.#surfels.light } };
-    this.#gpu.draw({
+    yield* drawInBands(this.#gpu, bands.surfelRadiance, {
       ...pass,
       program: this.#surfelRadianceProgram,
       target: this.#surfelRadiance,
@@ -274,13 +298,13 @@ export class IndirectPass {
     });
     const [surfelSum] = this.#bounces;
     const [uRadiance, uDirection] = this.#surfelRadiance.colors;
-    this.#gpu.draw({
+    yield* drawInBands(this.#gpu, bands.gather, {
       program: this.#surfelGatherProgram,
       target: surfelSum!,
       vertexArray: this.#screen,
       textures: { uRadiance: uRadiance!, uDirection: uDirection! },
     });
-    this.#gpu.draw({
+    yield* drawInBands(this.#gpu, bands.rayDirect, {
       ...pass,
       program: this.#rayDirectProgram,
       target: this.#rayRadiance,
@@ -292,11 +316,11 @@ export class IndirectPass {
       },
       uniforms: { uShadowOrigin: shadow.captureOrigin },
     });
-    this.#gatherRays(surfelSum!, this.#firstBounce);
+    yield* this.#gatherRays(surfelSum!, this.#firstBounce, bands);
   }
 
-  #renderNextBounce(target: RenderTarget): void {
-    this.#gpu.draw({
+  *#renderNextBounce(target: RenderTarget, bands: typeof BANDS): Steps {
+    yield* drawInBands(this.#gpu, bands.rayRadiance, {
       program: this.#rayRadianceProgram,
       target: this.#rayRadiance,
       vertexArray: this.#screen,
@@ -308,12 +332,12 @@ export class IndirectPass {
       },
       blocks: { Volume: this.#block },
     });
-    this.#gatherRays(this.#firstBounce, target);
+    yield* this.#gatherRays(this.#firstBounce, target, bands);
   }
 
   /** The probes' irradiance before, plus that along their rays. */
-  #gatherRays(before: RenderTarget, target: RenderTarget): void {
-    this.#gpu.draw({
+  *#gatherRays(before: RenderTarget, target: RenderTarget, bands: typeof BANDS): Steps {
+    yield* drawInBands(this.#gpu, bands.gather, {
       program: this.#rayGatherProgram,
       target,
       vertexArray: this.#screen,

@@ -5,15 +5,20 @@ import type { CollisionMesh } from "../../world/room/collision-mesh.js";
 import { shadowFrustumTest } from "../camera.js";
 import type { FrameInput } from "../frame-input.js";
 import type { GBufferKind } from "../gbuffer/gbuffer.js";
+import type { CaptureLight } from "../light-block.js";
 import type { Mesh } from "../mesh/mesh.js";
 import type { MeshLods } from "../mesh/mesh-lods.js";
 import { MOTION_ERROR, type PhysicalTier } from "../quality.js";
 import { ShadowCasters } from "../shadow/shadow-casters.js";
 import { type ShadowCube, ShadowPass } from "../shadow/shadow-pass.js";
+import type { Steps } from "../steps.js";
 import { IndirectPass, type IrradianceVolume } from "./indirect-pass.js";
 
 /** Width of the flame's penumbra in which casters outside the view count, metres. */
 const PENUMBRA = 0.05;
+
+/** Sway of the flame that captures may be held for, metres. */
+const SWAY = 0.006;
 
 /** Shadow cube and irradiance volume of the flame. */
 export interface Captures {
@@ -38,6 +43,8 @@ export class LightCaptures {
   #surfelLod: ShadowCasters | null = null;
   readonly #shadow: ShadowPass;
   readonly #indirect: IndirectPass;
+  #holding: { readonly light: CaptureLight; readonly steps: Steps<Captures> } | null = null;
+  #held: { readonly light: CaptureLight; readonly captures: Captures } | null = null;
 
   /**
    * @param collision mesh of the room, for the probes' rays
@@ -64,6 +71,7 @@ export class LightCaptures {
   }
 
   update({ captureLight, clipFromWorld, settings }: FrameInput, kind: GBufferKind): Captures {
+    if (this.#held) return this.#held.captures;
     if (kind === "full") {
       const captureOrigin = captureLight.position;
       const depth = this.#shadow.render(this.#casters, captureOrigin);
@@ -88,6 +96,33 @@ export class LightCaptures {
     return { shadow, irradiance };
   }
 
+  /**
+   * Goes on with exact captures of a light, which are then kept wherever the light goes, until others are asked for.
+   *
+   * @param steps how many: a face of a cube, or a band of a pass, each
+   * @returns whether they are done
+   */
+  hold(light: CaptureLight, steps: number): boolean {
+    if (!this.#holding && this.#held && areNear(light, this.#held.light)) return true;
+    this.#held = null;
+    this.#holding ??= { light, steps: this.#steps(light) };
+    for (let step = 0; step < steps; step++) {
+      const { done, value } = this.#holding.steps.next();
+      if (!done) continue;
+      this.#held = { light: this.#holding.light, captures: value };
+      this.#holding = null;
+      return true;
+    }
+    return false;
+  }
+
+  *#steps(light: CaptureLight): Steps<Captures> {
+    const captureOrigin = light.position;
+    const depth = yield* this.#shadow.steps(this.#casters, captureOrigin);
+    const shadow = { depth, captureOrigin, isNew: false };
+    return { shadow, irradiance: yield* this.#indirect.steps(this.#casters, light, shadow) };
+  }
+
   /** What the first motion needs, one thing a frame. */
   #prepareLods(): void {
     if (!this.#shadowLod) this.#shadowLod = this.#simplified(MOTION_ERROR.shadow);
@@ -100,4 +135,8 @@ export class LightCaptures {
       ? new ShadowCasters(this.#gpu, { ...this.#model, parts }, this.#meshes, error)
       : null;
   }
+}
+
+function areNear(light: CaptureLight, other: CaptureLight): boolean {
+  return Math.hypot(...light.position.map((x, axis) => x - other.position[axis]!)) <= SWAY;
 }

@@ -3,7 +3,6 @@ import reprojectFrag from "../../../shaders/opaque/reproject-color.frag";
 import displayVert from "../../../shaders/post/display.vert";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import fxaaFrag from "../../../shaders/post/fxaa.frag";
-import toneLutFrag from "../../../shaders/post/tone-lut.frag";
 import upscaleFrag from "../../../shaders/post/upscale.frag";
 import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
@@ -13,11 +12,9 @@ import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Size } from "../frame-input.js";
 import { forEachGBufferKind, type GBufferKind } from "../gbuffer/gbuffer.js";
 import { type DisplayTransform, whiteBalance } from "../post/display-pass.js";
+import { ToneLut } from "../post/tone-lut.js";
 import { scaleBox } from "../screen-bounds.js";
 import type { FrameBlocks, OpaqueLayer } from "./opaque-stage.js";
-
-/** Texels along an edge of the tone LUT: `TONE_LUT_SIZE` of the shader. */
-const LUT_SIZE = 32;
 
 /** What else a composite to the canvas depends on. */
 export interface DisplayOptions {
@@ -45,9 +42,7 @@ export class CompositeDisplayPass {
   readonly #reproject: Program;
   readonly #fxaa: Program;
   readonly #upscale: Program;
-  readonly #fillLut: Program;
-  readonly #lut: Texture;
-  #lutKey = "";
+  readonly #toneLut: ToneLut;
   #color: RenderTarget | null = null;
   #antialiased: RenderTarget | null = null;
   /** The antialiased colours of the previous frame, reprojected. */
@@ -64,14 +59,7 @@ export class CompositeDisplayPass {
       defines: { EDGE_LEAST: 0.06, BY_CODE: 0 },
     });
     this.#upscale = gpu.program("post/upscale", fullscreenVert, upscaleFrag);
-    this.#fillLut = gpu.program("post/tone-lut", fullscreenVert, toneLutFrag);
-    this.#lut = gpu.texture({
-      label: "tone LUT",
-      // Software filters 8 bits twice as fast as floats, and to more bits than they have.
-      format: "RGBA8",
-      source: { width: LUT_SIZE, height: LUT_SIZE },
-      shape: { layers: LUT_SIZE },
-    });
+    this.#toneLut = new ToneLut(gpu, screen);
   }
 
   /** @param textures of the layer, its G-buffer, the bloom, the exposure and the tone LUT */
@@ -135,24 +123,7 @@ export class CompositeDisplayPass {
   }
 
   /** The tone LUT of a display transform. */
-  toneLut({ uAdaptation: _, ...transform }: DisplayTransform): Texture {
-    const key = JSON.stringify(transform);
-    if (key === this.#lutKey) return this.#lut;
-    this.#lutKey = key;
-    for (let layer = 0; layer < LUT_SIZE; layer++) {
-      const target = this.#gpu.textureView({
-        label: `tone LUT/${layer}`,
-        textures: [this.#lut],
-        image: layer,
-      });
-      this.#gpu.draw({
-        program: this.#fillLut,
-        target,
-        vertexArray: this.#screen,
-        uniforms: { ...transform, uLayer: layer },
-      });
-      target.dispose();
-    }
-    return this.#lut;
+  toneLut(transform: DisplayTransform): Texture {
+    return this.#toneLut.of(transform);
   }
 }

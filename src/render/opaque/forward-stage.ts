@@ -3,17 +3,19 @@ import forwardFrag from "../../../shaders/opaque/forward.frag";
 import compositeFrag from "../../../shaders/opaque/forward-composite.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import meterFrag from "../../../shaders/post/meter.frag";
-import type { Box, Gpu } from "../../gl/gpu.js";
+import type { Box, Draw, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
+import type { Bounds } from "../../world/geometry.js";
 import type { FrameInput, ModelInstance, Size } from "../frame-input.js";
 import type { IrradianceVolume } from "../gi/indirect-pass.js";
-import { shadingLight } from "../light-block.js";
+import { type CaptureLight, shadingLight } from "../light-block.js";
 import { type Mesh, surfaceSampling } from "../mesh/mesh.js";
 import { normalMapVisibilityOf } from "../mesh/normal-map-visibility.js";
+import { visibleRuns } from "../mesh/visible-runs.js";
 import type { Tier } from "../quality.js";
 import { SCHEDULE } from "../schedule.js";
 import type { ShadowCube } from "../shadow/shadow-pass.js";
@@ -22,6 +24,12 @@ import { ENVIRONMENT_BRDF_SIZE, tabulateEnvironmentBrdf } from "./environment-br
 import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "./opaque-stage.js";
 
 const BLACK = [0, 0, 0, 1] as const;
+
+/** What surfaces are drawn to: a target, or a part of a larger frame that it holds. */
+interface SurfacePass extends Pick<Draw, "target" | "viewport"> {
+  /** Whether what lies in a box is drawn. Default: all is. */
+  readonly isVisible?: (box: Bounds) => boolean;
+}
 
 /** The program that shades all meshes of a tier. */
 export function forwardProgram(gpu: Gpu, { physical }: Tier): Program {
@@ -105,14 +113,9 @@ export class ForwardStage implements OpaqueStage {
     ]);
     if (key !== this.#key) {
       this.#key = key;
-      this.#shadingLight.update(light);
       const target = this.#samples ?? this.#resolved;
       this.#gpu.clear(target, BLACK);
-      for (const instance of instances) {
-        for (const mesh of instance.meshes) {
-          this.#drawMesh(target, frame, instance, mesh, shadow, irradiance);
-        }
-      }
+      this.draw(frame, light, shadow, irradiance, { target });
       if (this.#samples) this.#gpu.resolve(this.#samples, this.#resolved);
     }
     return {
@@ -124,18 +127,35 @@ export class ForwardStage implements OpaqueStage {
     };
   }
 
-  #drawMesh(
-    target: RenderTarget,
+  /** Draws the surfaces for a flame of 1 cd. */
+  draw(
+    frame: FrameInput,
+    light: CaptureLight,
+    shadow: ShadowCube,
+    irradiance: IrradianceVolume,
+    { isVisible, ...pass }: SurfacePass,
+  ): void {
+    this.#shadingLight.update(light);
+    for (const instance of frame.instances) {
+      for (const mesh of instance.meshes) {
+        const runs = isVisible ? visibleRuns(mesh, instance.placement, isVisible) : [{}];
+        if (runs.length === 0) continue;
+        const draw = this.#drawOf(frame, instance, mesh, shadow, irradiance);
+        for (const run of runs) this.#gpu.draw({ ...draw, ...pass, ...run });
+      }
+    }
+  }
+
+  #drawOf(
     { settings }: FrameInput,
     { placement }: ModelInstance,
     mesh: Mesh,
     shadow: ShadowCube,
     irradiance: IrradianceVolume,
-  ): void {
+  ): Omit<Draw, "target"> {
     const { shadows, indirect, specular, translucency } = settings.features;
-    this.#gpu.draw({
+    return {
       program: this.#program,
-      target,
       vertexArray: mesh.vertexArray,
       textures: {
         ...mesh.textures,
@@ -158,7 +178,7 @@ export class ForwardStage implements OpaqueStage {
       blocks: { Frame: this.blocks.Frame, Light: this.#shadingLight, Volume: irradiance.block },
       depth: "test-and-write",
       cull: mesh.isDoubleSided ? "none" : "back",
-    });
+    };
   }
 
   composite(

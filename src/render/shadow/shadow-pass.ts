@@ -6,6 +6,7 @@ import type { Texture } from "../../gl/texture.js";
 import type { TextureView } from "../../gl/texture-view.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import { SCHEDULE } from "../schedule.js";
+import type { Steps } from "../steps.js";
 import { clipFromShadowFace, FACES, isInCubeFace } from "./cube-map.js";
 import type { ShadowCasters } from "./shadow-casters.js";
 
@@ -99,26 +100,46 @@ export class ShadowPass {
     return Number.isNaN(distance) ? Number.POSITIVE_INFINITY : distance;
   }
 
+  /** Draws the cube, a face at each step. */
+  *steps(casters: ShadowCasters, captureOrigin: Vec3): Steps<Texture> {
+    this.#begin(casters, captureOrigin);
+    for (const face of FACES.keys()) {
+      this.#drawFace(casters, captureOrigin, face);
+      yield;
+    }
+    return this.#depth;
+  }
+
   #draw(casters: ShadowCasters, captureOrigin: Vec3, isNeeded?: (box: Bounds) => boolean): void {
+    this.#begin(casters, captureOrigin, isNeeded);
+    for (const face of FACES.keys()) this.#drawFace(casters, captureOrigin, face, isNeeded);
+  }
+
+  #begin(casters: ShadowCasters, captureOrigin: Vec3, isNeeded?: (box: Bounds) => boolean): void {
     this.#allCasters = isNeeded ? null : casters;
     this.#age = 0;
     this.#lastOrigin = [...captureOrigin];
     this.#gpu.clear(this.#target, NO_COLOR);
+  }
+
+  #drawFace(
+    casters: ShadowCasters,
+    captureOrigin: Vec3,
+    face: number,
+    isNeeded?: (box: Bounds) => boolean,
+  ): void {
     const tile = this.#tile;
-    for (const face of FACES.keys()) {
-      const clipFromWorld = clipFromShadowFace(face, captureOrigin, REACH);
-      const pass = {
-        program: this.#program,
-        target: this.#target,
-        viewport: [(face >> 1) * tile, (face % 2) * tile, tile, tile],
-        uniforms: { uClipFromWorld: clipFromWorld },
-        depth: "test-and-write",
-        cull: "none",
-      } as const;
-      casters.draw(
-        pass,
-        (box) => isInCubeFace(face, captureOrigin, box, REACH) && (isNeeded?.(box) ?? true),
-      );
-    }
+    const pass = {
+      program: this.#program,
+      target: this.#target,
+      viewport: [(face >> 1) * tile, (face % 2) * tile, tile, tile],
+      uniforms: { uClipFromWorld: clipFromShadowFace(face, captureOrigin, REACH) },
+      depth: "test-and-write",
+      cull: "none",
+    } as const;
+    casters.draw(
+      pass,
+      (box) => isInCubeFace(face, captureOrigin, box, REACH) && (isNeeded?.(box) ?? true),
+    );
   }
 }

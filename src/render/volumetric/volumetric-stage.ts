@@ -14,6 +14,7 @@ import type { GBufferKind } from "../gbuffer/gbuffer.js";
 import type { IrradianceVolume } from "../gi/indirect-pass.js";
 import type { Mesh } from "../mesh/mesh.js";
 import type { FrameBlocks } from "../opaque/opaque-stage.js";
+import type { PhysicalTier } from "../quality.js";
 import { type Sphere, screenBounds } from "../screen-bounds.js";
 import { carriedWick, type FlamePart, FlamePass } from "./flame-pass.js";
 import { HazePass } from "./haze-pass.js";
@@ -34,6 +35,7 @@ export class VolumetricStage {
   readonly #wicks: readonly Mesh[];
   readonly #blocks: FrameBlocks;
   readonly #flameSteps: number;
+  readonly #hasHaze: boolean;
   readonly #ember: Program;
   readonly #flame: FlamePass;
   readonly #haze: HazePass;
@@ -47,12 +49,13 @@ export class VolumetricStage {
     candle: readonly Mesh[],
     blocks: FrameBlocks,
     format: TextureFormat,
-    quality: { readonly flameSteps: number; readonly hasParticles: boolean },
+    quality: Pick<PhysicalTier, "flameSteps" | "hasParticles" | "hasHaze">,
   ) {
     this.#gpu = gpu;
     this.#wicks = candle.filter(({ isWick }) => isWick);
     this.#blocks = blocks;
     this.#flameSteps = quality.flameSteps;
+    this.#hasHaze = quality.hasHaze;
     this.#ember = gpu.program("volumetric/ember", meshVert, emberFrag);
     this.#flame = new FlamePass(gpu);
     this.#haze = new HazePass(gpu, format);
@@ -101,7 +104,7 @@ export class VolumetricStage {
     const flameHeight = flame.isLit ? flame.height : 0;
     const isInspected = inspect === "haze";
     if (isInspected) this.#gpu.clear(target, NO_OFFSET);
-    if (isInspected || showsHaze(frame, kind)) {
+    if (isInspected || this.#showsHaze(frame, kind)) {
       this.#haze.render(composited, plume.solver, flameHeight, Frame, clipFromWorld, isInspected);
     }
     if (isInspected) return;
@@ -134,6 +137,11 @@ export class VolumetricStage {
     }
   }
 
+  /** Refraction of less than a pixel is not visible in motion, and the column covers a tenth of the frame. */
+  #showsHaze({ settings }: FrameInput, kind: GBufferKind): boolean {
+    return this.#hasHaze && settings.features.haze && kind === "full";
+  }
+
   /** Spheres around the flame, the hot air over it, and the smoke. */
   *#spheres(frame: FrameInput, kind: GBufferKind): Generator<Sphere> {
     const { flame, plume, interpolated } = frame.world;
@@ -145,14 +153,9 @@ export class VolumetricStage {
     if (!plume) return;
     const { smoke } = frame.settings.features;
     if (smoke && plume.smoke.count >= 2) yield* boundingSpheres(plume.smoke);
-    if (!showsHaze(frame, kind)) return;
+    if (!this.#showsHaze(frame, kind)) return;
     yield* this.#haze.boundingSpheres(plume.solver, flame.isLit ? flame.height : 0);
   }
-}
-
-/** Refraction of less than a pixel is not visible in motion, and the column covers a tenth of the frame. */
-function showsHaze({ settings }: FrameInput, kind: GBufferKind): boolean {
-  return settings.features.haze && kind === "full";
 }
 
 /** The part of the flame that is inspected alone; null where the room is shown. */

@@ -1,6 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { clipFromWorld, clipPosition } from "../../../../src/render/camera.js";
-import { bandOf, clipOfBand } from "../../../../src/render/gbuffer/screen-bands.js";
+import { bandOf } from "../../../../src/render/gbuffer/screen-bands.js";
+import { clipOfBox } from "../../../../src/render/screen-bounds.js";
 
 const SIZE = { width: 853, height: 481 };
 
@@ -19,7 +20,7 @@ describe("Stripes of a picture", () => {
   test("have a clip space that ends where they do", () => {
     const clip = clipFromWorld([1, 1.6, 2], 0.4, -0.3, SIZE.width / SIZE.height);
     const stripe = bandOf(SIZE, 3, 12);
-    const narrow = clipOfBand(stripe, SIZE, clip);
+    const narrow = clipOfBox(stripe, SIZE, clip);
     const [, bottom, , rows] = stripe;
     let inside = 0;
     for (let i = 0; i < 400; i++) {

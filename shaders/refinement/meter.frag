@@ -1,0 +1,23 @@
+#version 300 es
+// Light metering of each cell of the refined picture, the flame excluded.
+// In:  radiance per candela.   Out: red: mean of log2 luminance; green: its weight.
+#include "lib/precision.glsl"
+#include "lib/photometry.glsl"
+#include "lib/flame-light.glsl"
+
+uniform sampler2D uRadiance;
+
+vec3 radianceAt(vec2 uv) {
+  return texelFetch(uRadiance, ivec2(uv * vec2(textureSize(uRadiance, 0))), 0).rgb * light.intensity;
+}
+
+#include "lib/metering.glsl"
+
+in vec2 vUv;
+
+out vec4 oLogLuminance;
+
+void main() {
+  vec2 cell = floor(gl_FragCoord.xy);
+  oLogLuminance = vec4(meterCell(cell, gl_FragCoord.xy / vUv), 0.0, 1.0);
+}

@@ -1,0 +1,164 @@
+import fullscreenVert from "../../../shaders/post/fullscreen.vert";
+import beginFrag from "../../../shaders/refinement/begin.frag";
+import copyFrag from "../../../shaders/refinement/copy-tile.frag";
+import meterFrag from "../../../shaders/refinement/meter.frag";
+import type { Box, Gpu } from "../../gl/gpu.js";
+import type { Program } from "../../gl/program.js";
+import type { RenderTarget } from "../../gl/render-target.js";
+import type { Texture } from "../../gl/texture.js";
+import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { VertexArray } from "../../gl/vertex-array.js";
+import { frustumTest } from "../camera.js";
+import type { FrameInput, Size } from "../frame-input.js";
+import type { IrradianceVolume } from "../gi/indirect-pass.js";
+import { type CaptureLight, shadingLight } from "../light-block.js";
+import { ForwardStage } from "../opaque/forward-stage.js";
+import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "../opaque/opaque-stage.js";
+import type { Tier } from "../quality.js";
+import { SCHEDULE } from "../schedule.js";
+import { clipOfBox } from "../screen-bounds.js";
+import type { ShadowCube } from "../shadow/shadow-pass.js";
+import type { CompositedFrame } from "../volumetric/volumetric-target.js";
+import { TILE, tilesAround } from "./tiles.js";
+
+const BLACK = [0, 0, 0, 1] as const;
+
+/** Surfaces of a frame: radiance in cd/m², its depth, and the flame that it is of. */
+export interface Surfaces {
+  readonly radiance: Texture;
+  readonly depth: Texture;
+  readonly light: UniformBlock;
+}
+
+/**
+ * The opaque stage of a picture at rest, without a GPU: forward shading, a few tiles in each frame.
+ *
+ * It begins with a coarser picture of the same view, and replaces it tile by tile, nearest the flame first. The light
+ * stays where it was at the beginning: the flame's sway moves the shadows by less than is visible.
+ */
+export class RefinedStage implements OpaqueStage {
+  readonly format: ForwardStage["format"];
+  readonly blocks: FrameBlocks;
+  readonly meterFrag = meterFrag;
+  readonly #gpu: Gpu;
+  readonly #screen: VertexArray;
+  readonly #forward: ForwardStage;
+  readonly #begin: Program;
+  readonly #copy: Program;
+  /** Of one tile: its samples, and its pixels. */
+  readonly #samples: RenderTarget;
+  readonly #resolved: RenderTarget;
+  /** Radiance per candela of the whole frame, and its depth. */
+  #picture: RenderTarget | null = null;
+  /** How often it has begun. */
+  beginnings = 0;
+  /** Tiles drawn since that was last asked. */
+  #drawn: Box[] = [];
+  /** Still to be drawn. */
+  #tiles: Box[] = [];
+  #light: CaptureLight | null = null;
+
+  constructor(gpu: Gpu, screen: VertexArray, tier: Tier) {
+    this.#gpu = gpu;
+    this.#screen = screen;
+    this.#forward = new ForwardStage(gpu, screen, tier);
+    this.#begin = gpu.program("refinement/begin", fullscreenVert, beginFrag);
+    this.#copy = gpu.program("refinement/copy-tile", fullscreenVert, copyFrag);
+    const tile = { width: TILE, height: TILE, color: ["RGBA16F"], depth: "texture" } as const;
+    const { samples } = tier;
+    this.#samples = gpu.renderTarget({ label: "refinement/samples", ...tile, samples });
+    this.#resolved = gpu.renderTarget({ label: "refinement/tile", ...tile, filter: "nearest" });
+    this.format = this.#forward.format;
+    this.blocks = this.#forward.blocks;
+  }
+
+  resize({ width, height }: Size): void {
+    this.#picture?.dispose();
+    const options = { label: "refinement/radiance", color: [this.format], width, height } as const;
+    this.#picture = this.#gpu.renderTarget({ ...options, depth: "texture" });
+  }
+
+  /** Tiles still to be drawn. */
+  get remaining(): number {
+    return this.#tiles.length;
+  }
+
+  /** Tiles drawn since this was last asked. */
+  takeDrawn(): readonly Box[] {
+    return this.#drawn.splice(0);
+  }
+
+  /** Begins anew: with a coarser picture, and the light where it is. */
+  begin({ world, settings, flameUv }: FrameInput, { radiance, depth, light }: Surfaces): void {
+    const target = this.#whole;
+    this.beginnings++;
+    this.#drawn = [];
+    this.#light = shadingLight(world, settings.features.candle, SCHEDULE.lighting.forward);
+    this.#tiles = tilesAround(target, flameUv);
+    this.#gpu.clear(target, BLACK);
+    this.#gpu.draw({
+      program: this.#begin,
+      target,
+      vertexArray: this.#screen,
+      textures: { uRadiance: radiance, uDepth: depth },
+      blocks: { Light: light },
+      depth: "test-and-write",
+    });
+  }
+
+  fillGBuffer(): "full" {
+    return "full";
+  }
+
+  shade(frame: FrameInput, shadow: ShadowCube, irradiance: IrradianceVolume): OpaqueLayer {
+    if (!this.#light) throw new Error("The refined picture has not begun yet.");
+    const light = { ...this.#light, captureOrigin: shadow.captureOrigin };
+    for (const tile of this.#tiles.splice(0, frame.settings.steps ?? 0)) {
+      this.#drawTile(frame, light, shadow, irradiance, tile);
+    }
+    const { color: uRadiance, depth } = this.#whole;
+    if (!depth) throw new Error("The refined picture keeps its depth.");
+    const textures = { uRadiance, uDepth: depth };
+    return { kind: "full", textures, uniforms: {}, depth, motion: 0 };
+  }
+
+  /** A tile is drawn to samples of its own, since drivers resolve all of a target, or none. */
+  #drawTile(
+    frame: FrameInput,
+    light: CaptureLight,
+    shadow: ShadowCube,
+    irradiance: IrradianceVolume,
+    tile: Box,
+  ): void {
+    const target = this.#whole;
+    const { width, height } = target;
+    const [x, y] = tile;
+    this.#gpu.clear(this.#samples, BLACK);
+    this.#forward.draw(frame, light, shadow, irradiance, {
+      target: this.#samples,
+      viewport: [-x, -y, width, height],
+      isVisible: frustumTest(clipOfBox(tile, target, frame.clipFromWorld)),
+    });
+    this.#drawn.push(tile);
+    this.#gpu.resolve(this.#samples, this.#resolved);
+    this.#gpu.clear(target, BLACK, tile);
+    this.#gpu.draw({
+      program: this.#copy,
+      target,
+      vertexArray: this.#screen,
+      textures: { uRadiance: this.#resolved.color, uDepth: this.#resolved.depth! },
+      uniforms: { uOrigin: [x, y] },
+      depth: "test-and-write",
+      scissor: tile,
+    });
+  }
+
+  get #whole(): RenderTarget {
+    if (!this.#picture) throw new Error("The refined picture has no size yet.");
+    return this.#picture;
+  }
+
+  composite(frame: FrameInput, layer: OpaqueLayer, target: CompositedFrame, region: Box): void {
+    this.#forward.composite(frame, layer, target, region);
+  }
+}

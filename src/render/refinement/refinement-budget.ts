@@ -1,0 +1,38 @@
+/** Time from frame to frame that is aimed at while the picture is refined, seconds. */
+const AIM = 1 / 20;
+/** A frame that took this much longer was late. */
+const LATE = 1.1;
+/** Steps of work in a frame: at first, at least and at most. */
+const FIRST = 1;
+const LEAST = 1 / 8;
+const MOST = 64;
+/** What a frame in time adds, and what a late one leaves. */
+const MORE = 0.25;
+const LESS = 0.7;
+
+/**
+ * How much of a refinement each frame does, by the time that the frames before took.
+ *
+ * There is no clock: the same times give the same work.
+ */
+export class RefinementBudget {
+  #steps = FIRST;
+  /** Of a step, from the frames before. */
+  #rest = 0;
+
+  /** Takes the time from one frame to the next, seconds. */
+  take(seconds: number): void {
+    if (!(seconds > 0)) return;
+    const isLate = seconds > AIM * LATE;
+    const steps = isLate ? this.#steps * LESS : this.#steps + MORE;
+    this.#steps = Math.min(Math.max(steps, LEAST), MOST);
+  }
+
+  /** Whole steps of the next frame. */
+  next(): number {
+    this.#rest += this.#steps;
+    const steps = Math.floor(this.#rest);
+    this.#rest -= steps;
+    return steps;
+  }
+}

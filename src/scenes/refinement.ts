@@ -1,0 +1,110 @@
+import type { Size } from "../render/frame-input.js";
+import type { FrameSettings } from "../render/frame-settings.js";
+import { RefinementBudget } from "../render/refinement/refinement-budget.js";
+import type { Renderer } from "../render/renderer.js";
+import type { ViewSubject } from "./scene-view.js";
+
+/** Time that camera and candle have stood before the picture is refined, seconds. */
+const REST = 0.5;
+
+/** What makes the renderer of refined pictures. */
+interface Maker {
+  /** Goes on with what it needs, for a few milliseconds. True when it can be made at once. */
+  readonly prepare: () => boolean;
+  readonly create: () => Renderer;
+  /** Resolves when the driver has compiled all programs. */
+  readonly whenCompiled: () => Promise<void>;
+}
+
+/**
+ * Refinement of a picture at rest: a second renderer, of `high`'s surfaces at the canvas's full resolution, which
+ * takes over from a coarser one and replaces its picture tile by tile.
+ *
+ * It is made while the camera first rests, a little in each frame, and kept.
+ */
+export class Refinement {
+  readonly #maker: Maker;
+  #budget = new RefinementBudget();
+  #renderer: Renderer | null = null;
+  #isCompiled = false;
+  #size: Size | null = null;
+  /** Time that camera and candle have stood, seconds. */
+  #rest = 0;
+  #isShown = false;
+
+  constructor(maker: Maker) {
+    this.#maker = maker;
+  }
+
+  /** The renderer of what is shown; null if that is the coarser one. */
+  get shown(): Renderer | null {
+    return this.#isShown ? this.#renderer : null;
+  }
+
+  /** Whether frames do its work beside their own, or are its own: their time says nothing of the coarser one's. */
+  get isBusy(): boolean {
+    return this.#rest >= REST;
+  }
+
+  /** Takes the time from one frame to the next, seconds. */
+  take(seconds: number): void {
+    if (!(seconds > 0)) return;
+    this.#rest += seconds;
+    this.#budget.take(seconds);
+  }
+
+  /** Camera or candle move, or frames do not follow each other. */
+  stop(): void {
+    this.#rest = 0;
+    this.#isShown = false;
+  }
+
+  /** The renderer was freed, with all else of its tier. */
+  forget(): void {
+    this.stop();
+    this.#renderer = null;
+    this.#isCompiled = false;
+    this.#size = null;
+  }
+
+  /** Another world, or other particles. */
+  follow({ world, layers }: ViewSubject): void {
+    this.#renderer?.setLayers(world, layers);
+  }
+
+  /**
+   * A frame at rest.
+   *
+   * @param size of the canvas at its full resolution
+   * @returns steps of the refinement that the frame does
+   */
+  advance(subject: ViewSubject, view: FrameSettings, coarse: Renderer, size: Size): number {
+    if (!this.isBusy) return 0;
+    const steps = this.#budget.next();
+    if (this.#isShown || steps === 0) return steps;
+    if (!this.#renderer) {
+      if (this.#maker.prepare()) this.#create(subject);
+      return 0;
+    }
+    const { refining } = this.#renderer;
+    const { world } = subject;
+    if (!this.#isCompiled || !refining) return 0;
+    if (!refining.prepare(world, { ...view, steps })) return 0;
+    if (this.#size?.width !== size.width || this.#size.height !== size.height) {
+      this.#renderer.resize(size.width, size.height);
+      this.#size = size;
+    }
+    refining.begin(world, view, coarse);
+    this.#isShown = true;
+    return 0;
+  }
+
+  #create(subject: ViewSubject): void {
+    const renderer = this.#maker.create();
+    this.#renderer = renderer;
+    this.follow(subject);
+    void this.#maker.whenCompiled().then(() => {
+      if (this.#renderer === renderer) this.#isCompiled = true;
+    });
+  }
+}
