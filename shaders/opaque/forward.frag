@@ -46,6 +46,7 @@ uniform vec4 uBaseColor;
 uniform float uWax;  // 1 or 0
 uniform float uOcclusionStrength;
 uniform vec4 uFeatures;  // 1 or 0: shadows, indirect light, specular; the normal instead of radiance
+uniform vec2 uOrigin;    // of the target on the frame, pixels
 uniform float uIsWick;   // 1 or 0
 uniform vec4 uSurface;   // roughness, metallic, normal scale, alpha cutoff
 
@@ -93,7 +94,7 @@ void main() {
     facet = faceforward(facet, vPositionWorld - light.position, facet);
     float rise = isCrevice ? CREVICE_HEIGHT * dot(surface, facet) : 0.0;
     visibilities = vec2(candleVisibility(vPositionWorld));
-    visibilities *= flameVisibility(vPositionWorld, facet, rise, gl_FragCoord.xy);
+    visibilities *= flameVisibility(vPositionWorld, facet, rise, gl_FragCoord.xy + uOrigin);
   }
   float visibility = visibilities.x;
   float sidesVisibility = max(visibilities.x, visibilities.y);

@@ -7,16 +7,18 @@
 #include "lib/refined-light.glsl"
 
 uniform sampler2D uExposure;   // stops, from the meter
-uniform sampler2D uReference;  // exposed intensity of the dimmer picture
+uniform sampler2D uReference;  // log2 of the intensity that the dimmer picture is exposed for, times its exposure
 uniform float uAutoExposure;   // 1, or 0 for a fixed exposure
 
-flat out float vShare;
+out vec2 vUv;
+flat out float vExposure;  // factor on radiance, white is about 1
+flat out float vShare;     // of the brighter picture
 
 void main() {
-  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0;
-  gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
-  float exposure = frame.exposure * exp2(uAutoExposure * texelFetch(uExposure, ivec2(0), 0).r);
-  float ratio = exposure * luma(light.intensity) / texelFetch(uReference, ivec2(0), 0).r;
+  vUv = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0;
+  gl_Position = vec4(vUv * 2.0 - 1.0, 0.0, 1.0);
+  vExposure = frame.exposure * exp2(uAutoExposure * texelFetch(uExposure, ivec2(0), 0).r);
+  float ratio = vExposure * luma(light.intensity) / (frame.exposure * exp2(texelFetch(uReference, ivec2(0), 0).r));
   // Display colours rise with about this power of the light: then the mixture is right everywhere, and near it beyond.
   vShare = (pow(ratio, DISPLAY_POWER) - 1.0) / (pow(REFERENCE_RATIO, DISPLAY_POWER) - 1.0);
 }

@@ -1,6 +1,6 @@
 #version 300 es
-// Composite of the refined picture and display transform in one, by the tone LUT.
-// In:  radiance per candela, bloom.   Out: display colour.
+// The refined picture around the flame, whose glare comes on top of it; or all of it, before its colours are kept.
+// In:  radiance per candela, bloom; KEPT: display colours in two lights.   Out: display colour.
 #include "lib/precision.glsl"
 #include "lib/srgb.glsl"
 #include "lib/flame-light.glsl"
@@ -12,18 +12,32 @@ uniform sampler2D uBloom;
 uniform vec2 uGlareOffset;   // from uv of the frame to uv of the bloom
 uniform vec3 uWhiteBalance;  // makes candlelight white
 uniform float uGlareShare;   // share of the light that lens and eye scatter
+#if KEPT
+uniform sampler2D uDimmer;
+uniform sampler2D uBrighter;
+#endif
 
 in vec2 vUv;
 flat in float vExposure;
+flat in float vShare;
 
 out vec4 oColor;
 
-void main() {
-  vec3 radiance = texelFetch(uRadiance, ivec2(gl_FragCoord.xy), 0).rgb * light.intensity;
-  radiance += texture(uBloom, vUv + uGlareOffset).rgb * uGlareShare;
+vec3 shown(vec3 radiance) {
   vec3 exposed = radiance * uWhiteBalance * (vExposure / TONE_LUT_MAX);
   // What exceeds the table keeps its hue.
-  exposed /= max(max(exposed.r, exposed.g), max(exposed.b, 1.0));
+  return lookUpTone(exposed / max(max(exposed.r, exposed.g), max(exposed.b, 1.0)));
+}
+
+void main() {
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  vec3 radiance = texelFetch(uRadiance, texel, 0).rgb * light.intensity;
+  vec3 glare = texture(uBloom, vUv + uGlareOffset).rgb * uGlareShare;
+#if KEPT
+  vec3 kept = mix(texelFetch(uDimmer, texel, 0), texelFetch(uBrighter, texel, 0), vShare).rgb;
+  oColor = vec4(kept + shown(radiance + glare) - shown(radiance), 1.0);
+#else
   // The same dither for all channels.
-  oColor = vec4(lookUpTone(exposed) + dither(gl_FragCoord.xy).r, 1.0);
+  oColor = vec4(shown(radiance + glare) + dither(gl_FragCoord.xy).r, 1.0);
+#endif
 }

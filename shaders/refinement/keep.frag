@@ -1,17 +1,16 @@
 #version 300 es
-// The refined picture in two lights, without the flame's glare.
+// The picture that a refinement begins with in two lights, without the flame's glare.
 // In:  radiance per candela.   Out: display colours, in the dimmer and in the brighter light.
 #include "lib/precision.glsl"
+#include "lib/frame.glsl"
 #include "lib/srgb.glsl"
-#include "lib/flame-light.glsl"
-#include "lib/photometry.glsl"
 #include "lib/refined-light.glsl"
 #include "lib/tone-lut.glsl"
 #include "lib/tone-lut-lookup.glsl"
 
 uniform sampler2D uRadiance;
-uniform sampler2D uReference;  // exposed intensity of the dimmer light
-uniform vec3 uWhiteBalance;    // makes candlelight white
+uniform sampler2D uReference;  // of the dimmer light: refinement/reference.frag
+uniform vec3 uWhiteBalance;    // of a flame of 1 cd
 
 layout(location = 0) out vec4 oDimmer;
 layout(location = 1) out vec4 oBrighter;
@@ -22,8 +21,7 @@ vec4 shown(vec3 exposed) {
 }
 
 void main() {
-  vec3 hue = light.intensity / max(luma(light.intensity), 1e-9);
-  vec3 gain = uWhiteBalance * hue * (texelFetch(uReference, ivec2(0), 0).r / TONE_LUT_MAX);
+  vec3 gain = uWhiteBalance * (frame.exposure * exp2(texelFetch(uReference, ivec2(0), 0).r) / TONE_LUT_MAX);
   vec3 exposed = texelFetch(uRadiance, ivec2(gl_FragCoord.xy), 0).rgb * gain;
   // The same dither for all channels, and for both.
   vec4 dithered = vec4(vec3(dither(gl_FragCoord.xy).r), 0.0);

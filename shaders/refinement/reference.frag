@@ -1,13 +1,13 @@
 #version 300 es
-// The light of the dimmer of two pictures that are kept, so that the frame's lies in their middle.
-// Out: red: exposed intensity.
+// One of the two lights that a picture is kept in, so that the frame's lies in their middle.
+// Out: red: log2 of the intensity, times the metered exposure.
 #include "lib/precision.glsl"
-#include "lib/frame.glsl"
 #include "lib/flame-light.glsl"
 #include "lib/photometry.glsl"
 #include "lib/refined-light.glsl"
 
 uniform sampler2D uExposure;  // stops, from the meter
+uniform float uBrighter;       // 1 or 0
 uniform float uAutoExposure;  // 1, or 0 for a fixed exposure
 
 out vec4 oReference;
@@ -16,7 +16,7 @@ out vec4 oReference;
 const float LEAST_INTENSITY = 1e-3;
 
 void main() {
-  float exposure = frame.exposure * exp2(uAutoExposure * texelFetch(uExposure, ivec2(0), 0).r);
-  float exposed = exposure * max(luma(light.intensity), LEAST_INTENSITY);
-  oReference = vec4(exposed * inversesqrt(REFERENCE_RATIO), 0.0, 0.0, 1.0);
+  float stops = uAutoExposure * texelFetch(uExposure, ivec2(0), 0).r + log2(max(luma(light.intensity), LEAST_INTENSITY));
+  float span = log2(REFERENCE_RATIO);
+  oReference = vec4(stops + (uBrighter - 0.5) * span, 0.0, 0.0, 1.0);
 }

@@ -79,13 +79,13 @@ export class Refinement {
    * @returns steps of the refinement that the frame does
    */
   advance(subject: ViewSubject, view: FrameSettings, coarse: Renderer, size: Size): number {
-    if (!this.isBusy) return 0;
-    const steps = this.#budget.next();
-    if (this.#isShown || steps === 0) return steps;
     if (!this.#renderer) {
       if (this.#maker.prepare()) this.#create(subject);
       return 0;
     }
+    if (!this.isBusy) return 0;
+    const steps = this.#budget.next();
+    if (this.#isShown || steps === 0) return steps;
     const { refining } = this.#renderer;
     const { world } = subject;
     if (!this.#isCompiled || !refining) return 0;

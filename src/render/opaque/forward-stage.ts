@@ -27,6 +27,8 @@ const BLACK = [0, 0, 0, 1] as const;
 
 /** What surfaces are drawn to: a target, or a part of a larger frame that it holds. */
 interface SurfacePass extends Pick<Draw, "target" | "viewport"> {
+  /** Of the target on the frame, pixels. */
+  readonly origin?: readonly [number, number];
   /** Whether what lies in a box is drawn. Default: all is. */
   readonly isVisible?: (box: Bounds) => boolean;
 }
@@ -133,14 +135,14 @@ export class ForwardStage implements OpaqueStage {
     light: CaptureLight,
     shadow: ShadowCube,
     irradiance: IrradianceVolume,
-    { isVisible, ...pass }: SurfacePass,
+    { origin, isVisible, ...pass }: SurfacePass,
   ): void {
     this.#shadingLight.update(light);
     for (const instance of frame.instances) {
       for (const mesh of instance.meshes) {
         const runs = isVisible ? visibleRuns(mesh, instance.placement, isVisible) : [{}];
         if (runs.length === 0) continue;
-        const draw = this.#drawOf(frame, instance, mesh, shadow, irradiance);
+        const draw = this.#drawOf(frame, instance, mesh, shadow, irradiance, origin);
         for (const run of runs) this.#gpu.draw({ ...draw, ...pass, ...run });
       }
     }
@@ -152,6 +154,7 @@ export class ForwardStage implements OpaqueStage {
     mesh: Mesh,
     shadow: ShadowCube,
     irradiance: IrradianceVolume,
+    uOrigin: readonly [number, number] = [0, 0],
   ): Omit<Draw, "target"> {
     const { shadows, indirect, specular, translucency } = settings.features;
     return {
@@ -173,6 +176,7 @@ export class ForwardStage implements OpaqueStage {
         uOcclusionStrength: mesh.occlusionStrength,
         uWax: mesh.isWax && translucency ? 1 : 0,
         uIsWick: mesh.isWick ? 1 : 0,
+        uOrigin,
         uFeatures: [shadows, indirect, specular, settings.inspect === "normals"].map(Number),
       },
       blocks: { Frame: this.blocks.Frame, Light: this.#shadingLight, Volume: irradiance.block },

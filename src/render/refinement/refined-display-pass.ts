@@ -1,3 +1,4 @@
+import exactFrag from "../../../shaders/post/display.frag";
 import displayVert from "../../../shaders/post/display.vert";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import blendFrag from "../../../shaders/refinement/blend.frag";
@@ -5,15 +6,17 @@ import blendVert from "../../../shaders/refinement/blend.vert";
 import displayFrag from "../../../shaders/refinement/display.frag";
 import keepFrag from "../../../shaders/refinement/keep.frag";
 import referenceFrag from "../../../shaders/refinement/reference.frag";
-import type { Box, Gpu } from "../../gl/gpu.js";
+import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
+import type { TextureView } from "../../gl/texture-view.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { bandOf } from "../gbuffer/screen-bands.js";
 import type { DisplayOptions } from "../opaque/composite-display-pass.js";
 import type { FrameBlocks, OpaqueLayer } from "../opaque/opaque-stage.js";
 import { whiteBalance } from "../post/display-pass.js";
+import { HueLut } from "../post/hue-lut.js";
 import { ToneLut } from "../post/tone-lut.js";
 import { expandBox } from "../screen-bounds.js";
 import type { RefinedStage } from "./refined-stage.js";
@@ -35,12 +38,19 @@ export class RefinedDisplayPass {
   readonly #screen: VertexArray;
   readonly #stage: RefinedStage;
   readonly #toneLut: ToneLut;
+  readonly #hueLut: HueLut;
+  /** Without kept colours, and over them. */
   readonly #display: Program;
+  readonly #glare: Program;
+  readonly #exact: Program;
   readonly #blend: Program;
   readonly #keep: Program;
   readonly #setReference: Program;
-  readonly #reference: RenderTarget;
+  /** Of the dimmer light, and of the brighter one. */
+  readonly #references: readonly RenderTarget[];
   #kept: RenderTarget | null = null;
+  /** Each of the two kept textures. */
+  #views: readonly TextureView[] = [];
   /** What all of the kept colours depend on. */
   #key = "";
   /** Bands kept since that has changed. */
@@ -51,12 +61,20 @@ export class RefinedDisplayPass {
     this.#screen = screen;
     this.#stage = stage;
     this.#toneLut = new ToneLut(gpu, screen);
-    this.#display = gpu.program("refinement/display", displayVert, displayFrag);
+    this.#hueLut = new HueLut(gpu, screen);
+    const display = (KEPT: 0 | 1) =>
+      gpu.program("refinement/display", blendVert, displayFrag, { defines: { KEPT } });
+    this.#display = display(0);
+    this.#glare = display(1);
+    const defines = { TONE_LUT: 0 };
+    this.#exact = gpu.program("post/display", displayVert, exactFrag, { defines });
     this.#blend = gpu.program("refinement/blend", blendVert, blendFrag);
     this.#keep = gpu.program("refinement/keep", fullscreenVert, keepFrag);
     this.#setReference = gpu.program("refinement/reference", fullscreenVert, referenceFrag);
     const texel = { width: 1, height: 1, color: ["RGBA16F"], filter: "nearest" } as const;
-    this.#reference = gpu.renderTarget({ label: "refinement/reference", ...texel });
+    this.#references = ["dimmer", "brighter"].map((name) =>
+      gpu.renderTarget({ label: `refinement/${name} reference`, ...texel }),
+    );
   }
 
   toneLut(transform: DisplayOptions["transform"]): Texture {
@@ -70,45 +88,40 @@ export class RefinedDisplayPass {
     blocks: FrameBlocks,
   ): void {
     const { transform, size, autoExposure } = options;
-    const pass = { vertexArray: this.#screen, blocks: { ...blocks } };
     const uAutoExposure = autoExposure ? 1 : 0;
     const key = JSON.stringify([transform, size, this.#stage.beginnings]);
     if (key !== this.#key) {
       this.#key = key;
       this.#bands = 0;
       this.#fit(size);
-      const target = this.#reference;
-      const uniforms = { uAutoExposure };
-      this.#gpu.draw({ ...pass, program: this.#setReference, target, textures, uniforms });
+      for (const [uBrighter, target] of this.#references.entries()) {
+        this.#gpu.draw({
+          program: this.#setReference,
+          target,
+          vertexArray: this.#screen,
+          textures,
+          uniforms: { uAutoExposure, uBrighter },
+          blocks: { Light: blocks.Light },
+        });
+      }
     }
-    const kept = this.#kept!;
-    const [uDimmer, uBrighter] = kept.colors;
-    const uReference = this.#reference.color;
-    for (const scissor of this.#stale(kept)) {
-      this.#gpu.draw({
-        ...pass,
-        program: this.#keep,
-        target: kept,
-        textures: { ...textures, uRadiance: layer.textures.uRadiance!, uReference },
-        uniforms: { uWhiteBalance: whiteBalance(transform) },
-        scissor,
-      });
-    }
+    const all = { ...layer.textures, ...textures };
+    this.#keepBands(all, options, blocks);
     const isKept = this.#bands === BANDS;
-    if (isKept) {
-      this.#gpu.draw({
-        ...pass,
-        program: this.#blend,
-        target: "canvas",
-        textures: { ...textures, uDimmer: uDimmer!, uBrighter: uBrighter!, uReference },
-        uniforms: { uAutoExposure },
-      });
-    }
+    if (isKept) this.#keepTiles(all, options, blocks);
+    const kept = isKept
+      ? { uDimmer: this.#kept!.colors[0]!, uBrighter: this.#kept!.colors[1]! }
+      : {};
+    const pass = {
+      target: "canvas",
+      vertexArray: this.#screen,
+      textures: { ...all, ...kept, uReference: this.#references[0]!.color },
+      blocks: { ...blocks },
+    } as const;
+    if (isKept) this.#gpu.draw({ ...pass, program: this.#blend, uniforms: { uAutoExposure } });
     this.#gpu.draw({
       ...pass,
-      program: this.#display,
-      target: "canvas",
-      textures: { ...layer.textures, ...textures },
+      program: isKept ? this.#glare : this.#display,
       uniforms: {
         uWhiteBalance: whiteBalance(transform),
         uGlareShare: options.glareShare,
@@ -119,19 +132,71 @@ export class RefinedDisplayPass {
     });
   }
 
-  /** Parts to be kept anew. */
-  #stale(kept: RenderTarget): Box[] {
-    const boxes = [...this.#stage.takeDrawn()];
+  /** What the refinement has drawn, antialiased and by the exact display transform, as `high` shows it. */
+  #keepTiles(
+    textures: Readonly<Record<string, Texture>>,
+    { transform, size }: DisplayOptions,
+    { Frame }: FrameBlocks,
+  ): void {
+    for (const tile of this.#stage.takeDrawn()) {
+      for (const [i, target] of this.#views.entries()) {
+        this.#gpu.draw({
+          program: this.#exact,
+          target,
+          vertexArray: this.#screen,
+          textures: {
+            ...textures,
+            uExposure: this.#references[i]!.color,
+            uHueLut: this.#hueLut.of(transform),
+          },
+          uniforms: {
+            ...transform,
+            uWhiteBalance: this.#white(transform),
+            uAutoExposure: 1,
+            uBloomTransform: [1, 1, 0, 0],
+            uGlareShare: 0,
+          },
+          blocks: { Frame },
+          // Antialiasing reads the pixels around.
+          scissor: expandBox(tile, 1, size),
+        });
+      }
+    }
+  }
+
+  /** The picture that the refinement has begun with, a few bands in a frame. */
+  #keepBands(
+    textures: Readonly<Record<string, Texture>>,
+    { transform }: DisplayOptions,
+    { Frame }: FrameBlocks,
+  ): void {
     const end = Math.min(this.#bands + BANDS_PER_FRAME, BANDS);
-    while (this.#bands < end) boxes.push(bandOf(kept, this.#bands++, BANDS));
-    return boxes;
+    while (this.#bands < end) {
+      const target = this.#kept!;
+      this.#gpu.draw({
+        program: this.#keep,
+        target,
+        vertexArray: this.#screen,
+        textures: { ...textures, uReference: this.#references[0]!.color },
+        uniforms: { uWhiteBalance: this.#white(transform) },
+        blocks: { Frame },
+        scissor: bandOf(target, this.#bands++, BANDS),
+      });
+    }
+  }
+
+  /** White balance of radiance per candela. */
+  #white(transform: DisplayOptions["transform"]): readonly number[] {
+    return whiteBalance(transform).map((gain, i) => gain * this.#stage.flameColor[i]!);
   }
 
   #fit({ width, height }: DisplayOptions["size"]): void {
     if (this.#kept?.width === width && this.#kept.height === height) return;
-    this.#kept?.dispose();
+    for (const old of [...this.#views, this.#kept]) old?.dispose();
     const color = ["RGBA8", "RGBA8"] as const;
-    const options = { label: "refinement/kept", width, height, color, filter: "nearest" } as const;
-    this.#kept = this.#gpu.renderTarget(options);
+    this.#kept = this.#gpu.renderTarget({ label: "refinement/kept", width, height, color });
+    this.#views = this.#kept.colors.map((texture) =>
+      this.#gpu.textureView({ label: "refinement/kept", textures: [texture], image: 0 }),
+    );
   }
 }

@@ -8,10 +8,12 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
+import { luma, type Rgb } from "../../light/color.js";
+import { TAPER } from "../../light/flame-light.js";
 import { frustumTest } from "../camera.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { IrradianceVolume } from "../gi/indirect-pass.js";
-import { type CaptureLight, shadingLight } from "../light-block.js";
+import { type CaptureLight, lightBlock, shadingLight } from "../light-block.js";
 import { ForwardStage } from "../opaque/forward-stage.js";
 import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "../opaque/opaque-stage.js";
 import type { Tier } from "../quality.js";
@@ -52,6 +54,8 @@ export class RefinedStage implements OpaqueStage {
   #picture: RenderTarget | null = null;
   /** How often it has begun. */
   beginnings = 0;
+  /** Colour of the flame, luma 1, as it was then. */
+  flameColor: Rgb = TAPER.color;
   /** Tiles drawn since that was last asked. */
   #drawn: Box[] = [];
   /** Still to be drawn. */
@@ -93,6 +97,11 @@ export class RefinedStage implements OpaqueStage {
     const target = this.#whole;
     this.beginnings++;
     this.#drawn = [];
+    const { intensity } = lightBlock(world, settings.features.candle);
+    const strength = luma(intensity);
+    if (strength > 0) {
+      this.flameColor = [intensity[0] / strength, intensity[1] / strength, intensity[2] / strength];
+    }
     this.#light = shadingLight(world, settings.features.candle, SCHEDULE.lighting.forward);
     this.#tiles = tilesAround(target, flameUv);
     this.#gpu.clear(target, BLACK);
@@ -137,6 +146,7 @@ export class RefinedStage implements OpaqueStage {
     this.#forward.draw(frame, light, shadow, irradiance, {
       target: this.#samples,
       viewport: [-x, -y, width, height],
+      origin: [x, y],
       isVisible: frustumTest(clipOfBox(tile, target, frame.clipFromWorld)),
     });
     this.#drawn.push(tile);

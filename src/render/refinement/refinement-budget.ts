@@ -6,9 +6,9 @@ const LATE = 1.1;
 const FIRST = 1;
 const LEAST = 1 / 8;
 const MOST = 64;
-/** What a frame in time adds, and what a late one leaves. */
-const MORE = 0.25;
-const LESS = 0.7;
+/** What a frame in time adds, as a share and beside it; and the most that a late one leaves. */
+const MORE = { share: 1.15, steps: 0.1 } as const;
+const LESS = 0.85;
 
 /**
  * How much of a refinement each frame does, by the time that the frames before took.
@@ -24,7 +24,9 @@ export class RefinementBudget {
   take(seconds: number): void {
     if (!(seconds > 0)) return;
     const isLate = seconds > AIM * LATE;
-    const steps = isLate ? this.#steps * LESS : this.#steps + MORE;
+    const steps = isLate
+      ? this.#steps * Math.min(LESS, AIM / seconds)
+      : this.#steps * MORE.share + MORE.steps;
     this.#steps = Math.min(Math.max(steps, LEAST), MOST);
   }
 

@@ -1,0 +1,147 @@
+// `auto` without a GPU: what a visitor who stands still is shown.
+import type { Page } from "playwright/test";
+import { flip } from "../support/flip.ts";
+import { type Picture, RoomDriver } from "../support/room-driver.ts";
+import { serveSmallTextures } from "../support/small-textures.ts";
+import { expect, test } from "../support/test.ts";
+
+const BOX = { width: 480, height: 270 };
+const TABLE = { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 } as const;
+const CAMERA = { position: [-0.85, 1.3, 1.1], yaw: -0.805, pitch: -0.244 } as const;
+
+/** Frames come when the test says so, and are told the time that it says. */
+async function driveFrames(page: Page): Promise<void> {
+  await page.addInitScript(() => {
+    const request = window.requestAnimationFrame.bind(window);
+    const cancel = window.cancelAnimationFrame.bind(window);
+    const waiting = new Map<number, FrameRequestCallback>();
+    let next = 1e6;
+    let now = 0;
+    const drive = { isOn: false, tiles: 0, tick: (_milliseconds: number) => {} };
+    drive.tick = (milliseconds) => {
+      now += milliseconds;
+      const frames = [...waiting.values()];
+      waiting.clear();
+      for (const frame of frames) frame(now);
+    };
+    window.requestAnimationFrame = (callback) => {
+      if (!drive.isOn) return request(callback);
+      waiting.set(++next, callback);
+      return next;
+    };
+    window.cancelAnimationFrame = (id) => {
+      if (!waiting.delete(id)) cancel(id);
+    };
+    // Each tile's samples are resolved once; nothing else is, at `low`.
+    const { blitFramebuffer } = WebGL2RenderingContext.prototype;
+    WebGL2RenderingContext.prototype.blitFramebuffer = function (...call) {
+      drive.tiles++;
+      blitFramebuffer.apply(this, call);
+    };
+    Object.assign(window, { drive });
+  });
+}
+
+interface Drive {
+  isOn: boolean;
+  tiles: number;
+  tick(milliseconds: number): void;
+}
+
+let page: Page;
+let room: RoomDriver;
+
+test.beforeEach(async ({ browser }) => {
+  page = await browser.newPage();
+  await serveSmallTextures(page);
+  await driveFrames(page);
+  room = await new RoomDriver(page).open({ look: "physical", quality: "auto" }, BOX);
+  await room.evaluate(
+    (element, { table, camera }) => {
+      element.camera = table;
+      element.place();
+      element.camera = camera;
+      (Reflect.get(window, "drive") as Drive).isOn = true;
+      element.play();
+    },
+    { table: TABLE, camera: CAMERA },
+  );
+});
+test.afterEach(async () => {
+  expect(room.complaints).toEqual([]);
+  await page.close();
+});
+
+/** Draws frames, each in a task of its own, and tells how many tiles each has drawn. */
+function frames(count: number, milliseconds: number): Promise<number[]> {
+  return room.evaluate(
+    async (_, { count, milliseconds }) => {
+      const drive = Reflect.get(window, "drive") as Drive;
+      const tiles: number[] = [];
+      for (let frame = 0; frame < count; frame++) {
+        const before = drive.tiles;
+        drive.tick(milliseconds);
+        tiles.push(drive.tiles - before);
+        await new Promise((resolve) => setTimeout(resolve));
+      }
+      return tiles;
+    },
+    { count, milliseconds },
+  );
+}
+
+/** Draws frames until the picture is that of the refinement. */
+async function refine(milliseconds: number): Promise<void> {
+  for (let i = 0; i < 400; i++) {
+    if ((await room.stats()).width === BOX.width) return;
+    await frames(1, milliseconds);
+  }
+  throw new Error("The picture was never refined.");
+}
+
+/** Linear light of a picture. */
+function shown({ width, height, data }: Picture) {
+  const linear = new Float32Array(width * height * 3);
+  for (let i = 0; i < width * height * 3; i++) {
+    const code = (data[Math.floor(i / 3) * 4 + (i % 3)] ?? 0) / 255;
+    linear[i] = code <= 0.04045 ? code / 12.92 : ((code + 0.055) / 1.055) ** 2.4;
+  }
+  return { width, height, linear };
+}
+
+function meanFlip(a: Picture, b: Picture): number {
+  const differences = flip(shown(a), shown(b));
+  return differences.reduce((sum, one) => sum + one, 0) / differences.length;
+}
+
+/** What another quality shows of the same moment. */
+async function paused(quality: "low" | "high"): Promise<Picture> {
+  await room.evaluate((element, quality) => {
+    element.paused = true;
+    element.quality = quality;
+  }, quality);
+  const { width, height, data } = await room.picture();
+  return { width, height, data };
+}
+
+test("is within seconds what `high` shows, at the canvas's full resolution", async () => {
+  await refine(50);
+  const tiles = await frames(60, 50);
+  expect(tiles.slice(-5), "nothing is left to do").toEqual([0, 0, 0, 0, 0]);
+  const refined = await room.picture();
+  const high = await paused("high");
+  expect([refined.width, refined.height]).toEqual([high.width, high.height]);
+  const difference = meanFlip(high, refined);
+  console.log(`mean FLIP ${difference.toFixed(4)}`);
+  expect(difference).toBeLessThan(0.02);
+});
+
+test("is refined by a machine with no time to spare too, a tile in some frames", async () => {
+  await refine(50);
+  await frames(4, 400);
+  const tiles = await frames(40, 400);
+  expect(Math.max(...tiles), "in any frame").toBeLessThanOrEqual(1);
+  const drawn = tiles.reduce((sum, one) => sum + one, 0);
+  expect(drawn).toBeGreaterThanOrEqual(4);
+  expect(drawn).toBeLessThanOrEqual(6);
+});
