@@ -1,5 +1,5 @@
 #version 300 es
-// The refined picture in the frame's light.
+// The refined image in the frame's light.
 // In:  display colours in two lights.   Out: display colour.
 #include "lib/precision.glsl"
 

@@ -7,12 +7,12 @@
 #include "lib/refined-light.glsl"
 
 uniform sampler2D uExposure;   // stops, from the meter
-uniform sampler2D uReference;  // log2 of the intensity that the dimmer picture is exposed for, times its exposure
+uniform sampler2D uReference;  // log2 of the intensity that the dimmer image is exposed for, times its exposure
 uniform float uAutoExposure;   // 1, or 0 for a fixed exposure
 
 out vec2 vUv;
 flat out float vExposure;  // factor on radiance, white is about 1
-flat out float vShare;     // of the brighter picture
+flat out float vShare;     // of the brighter image
 
 void main() {
   vUv = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0;

@@ -1,5 +1,5 @@
 #version 300 es
-// A tile of the refined picture, to its place.
+// A tile of the refined image, to its place.
 // In and out: radiance per candela, depth.
 #include "lib/precision.glsl"
 

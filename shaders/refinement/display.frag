@@ -1,5 +1,5 @@
 #version 300 es
-// The refined picture around the flame, whose glare comes on top of it; or all of it, before its colours are kept.
+// The refined image around the flame, whose glare comes on top of it; or all of it, before its colours are kept.
 // In:  radiance per candela, bloom; KEPT: display colours in two lights.   Out: display colour.
 #include "lib/precision.glsl"
 #include "lib/srgb.glsl"

@@ -1,5 +1,5 @@
 #version 300 es
-// The picture that a refinement begins with in two lights, without the flame's glare.
+// The image that a refinement begins with in two lights, without the flame's glare.
 // In:  radiance per candela.   Out: display colours, in the dimmer and in the brighter light.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"

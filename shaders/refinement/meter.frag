@@ -1,5 +1,5 @@
 #version 300 es
-// Light metering of each cell of the refined picture, the flame excluded.
+// Light metering of each cell of the refined image, the flame excluded.
 // In:  radiance per candela.   Out: red: mean of log2 luminance; green: its weight.
 #include "lib/precision.glsl"
 #include "lib/photometry.glsl"

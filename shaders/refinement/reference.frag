@@ -1,5 +1,5 @@
 #version 300 es
-// One of the two lights that a picture is kept in, so that the frame's lies in their middle.
+// One of the two lights that an image is kept in, so that the frame's lies in their middle.
 // Out: red: log2 of the intensity, times the metered exposure.
 #include "lib/precision.glsl"
 #include "lib/flame-light.glsl"

@@ -33,8 +33,8 @@ import { type Bloom, FrameBloomPass } from "./post/frame-bloom-pass.js";
 import { InspectPass } from "./post/inspect-pass.js";
 import type { Tier } from "./quality.js";
 import { RefinedDisplayPass } from "./refinement/refined-display-pass.js";
-import { RefinedStage, type Surfaces } from "./refinement/refined-stage.js";
-import type { Models, Refining, Renderer } from "./renderer.js";
+import { RefinedStage } from "./refinement/refined-stage.js";
+import type { Models, Refining, Renderer, Surfaces } from "./renderer.js";
 import { SCHEDULE } from "./schedule.js";
 import { expandBox } from "./screen-bounds.js";
 import { clusterIncrementally } from "./shadow/shadow-casters.js";
@@ -111,7 +111,7 @@ export class PhysicalRenderer implements Renderer {
     if (refined) this.#compositeDisplay = new RefinedDisplayPass(gpu, screen, refined);
     else this.#compositeDisplay = lods && new CompositeDisplayPass(gpu, screen);
     this.#makeInspector = () => new InspectPass(gpu, screen);
-    this.refining = refined && this.#refiningOf(refined);
+    this.refining = refined?.refining(this.#captures, (...of) => this.#describe(...of)) ?? null;
   }
 
   resize(width: number, height: number): void {
@@ -157,24 +157,7 @@ export class PhysicalRenderer implements Renderer {
     if (post === "after display") this.#updatePost(frame, layer, irradiance, region);
   }
 
-  #refiningOf(stage: RefinedStage): Refining {
-    return {
-      get remaining() {
-        return stage.remaining;
-      },
-      prepare: (world, settings) => {
-        const { captureLight } = this.#describe(world, settings);
-        return this.#captures.hold(captureLight, settings.steps ?? 0);
-      },
-      begin: (world, settings, coarse) => {
-        const frame = this.#describe(world, settings);
-        if (coarse instanceof PhysicalRenderer) stage.begin(frame, coarse.#surfaces());
-      },
-    };
-  }
-
-  /** The last frame without media. */
-  #surfaces(): Surfaces {
+  surfaces(): Surfaces {
     if (!this.#last) throw new Error("There is no frame yet.");
     const [frame, layer] = this.#last;
     const target = this.#compositedFrame(layer.depth);

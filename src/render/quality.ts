@@ -136,7 +136,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
   },
 };
 
-/** What a picture at rest becomes tile by tile without a GPU: surfaces and flame of `high`. */
+/** What an image at rest becomes tile by tile without a GPU: surfaces and flame of `high`. */
 export const REFINED: Tier = {
   ...TIERS.high,
   physical: {

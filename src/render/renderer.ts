@@ -1,4 +1,6 @@
 import type { Model } from "../assets/model.js";
+import type { Texture } from "../gl/texture.js";
+import type { UniformBlock } from "../gl/uniform-block.js";
 import type { ParticleLayer } from "../world/particles/particle-layer.js";
 import type { World } from "../world/world.js";
 import type { FrameSettings } from "./frame-settings.js";
@@ -9,14 +11,21 @@ export interface Models {
   readonly candle: Model;
 }
 
-/** What a renderer can do beside drawing frames, if it refines a picture at rest. */
+/** What a renderer can do beside drawing frames, if it refines an image at rest. */
 export interface Refining {
-  /** Tiles that are still those of the coarser picture. */
+  /** Tiles that are still those of the coarser image. */
   readonly remaining: number;
   /** Goes on with captures of the light, `steps` of the settings at a time. True once they are done. */
   prepare(world: World, settings: FrameSettings): boolean;
-  /** Begins with the last picture of a coarser renderer on the same `Gpu`, of the same view. */
-  begin(world: World, settings: FrameSettings, coarse: Renderer): void;
+  /** Begins with the last image of a coarser renderer on the same `Gpu`, of the same view. */
+  begin(world: World, settings: FrameSettings, coarse: Surfaces): void;
+}
+
+/** Surfaces of a frame: radiance in cd/m², its depth, and the flame that it is of. */
+export interface Surfaces {
+  readonly radiance: Texture;
+  readonly depth: Texture;
+  readonly light: UniformBlock;
 }
 
 /** Draws the world onto the canvas, for one family of looks. Created on a `Gpu`, which frees it. */
@@ -25,6 +34,8 @@ export interface Renderer {
   readonly refining?: Refining | null;
   /** Particle slots in use in the last frame. */
   readonly particles: number;
+  /** Those of the last frame, without media; absent where there are none to begin a refinement with. */
+  surfaces?(): Surfaces;
   /** @param width of the canvas, pixels */
   resize(width: number, height: number): void;
   /** Replaces the particles by those of a new world, or of other layers. They catch up in the next frame. */

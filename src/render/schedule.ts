@@ -18,7 +18,7 @@ export const SCHEDULE = {
   shadow: { frames: 4, busyFrames: 6, distance: 0.25 },
   /** Surfels and probes in motion: a cube face a frame, one bounce, then this many frames of rest. */
   indirect: { restFrames: 7 },
-  /** Bloom and exposure in motion: in idle frames, or after this many; those of a refined picture after so many. */
+  /** Bloom and exposure in motion: in idle frames, or after this many; those of a refined image after so many. */
   post: { frames: 5, refinedFrames: 1 },
   /** Steps in which normal-map shading of the G-buffer follows the light, metres. */
   normalMapShading: 0.05,

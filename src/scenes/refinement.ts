@@ -2,12 +2,12 @@ import type { Size } from "../render/frame-input.js";
 import type { FrameSettings } from "../render/frame-settings.js";
 import { RefinementBudget } from "../render/refinement/refinement-budget.js";
 import type { Renderer } from "../render/renderer.js";
-import type { ViewSubject } from "./scene-view.js";
+import type { ViewSubject } from "./view-subject.js";
 
-/** Time that camera and candle have stood before the picture is refined, seconds. */
+/** Time that camera and candle have stood before the image is refined, seconds. */
 const REST = 0.5;
 
-/** What makes the renderer of refined pictures. */
+/** What makes the renderer of refined images. */
 interface Maker {
   /** Goes on with what it needs, for a few milliseconds. True when it can be made at once. */
   readonly prepare: () => boolean;
@@ -17,8 +17,8 @@ interface Maker {
 }
 
 /**
- * Refinement of a picture at rest: a second renderer, of `high`'s surfaces at the canvas's full resolution, which
- * takes over from a coarser one and replaces its picture tile by tile.
+ * Refinement of an image at rest: a second renderer, of `high`'s surfaces at the canvas's full resolution, which
+ * takes over from a coarser one and replaces its image tile by tile.
  *
  * It is made while the camera first rests, a little in each frame, and kept.
  */
@@ -88,13 +88,13 @@ export class Refinement {
     if (this.#isShown || steps === 0) return steps;
     const { refining } = this.#renderer;
     const { world } = subject;
-    if (!this.#isCompiled || !refining) return 0;
+    if (!this.#isCompiled || !refining || !coarse.surfaces) return 0;
     if (!refining.prepare(world, { ...view, steps })) return 0;
     if (this.#size?.width !== size.width || this.#size.height !== size.height) {
       this.#renderer.resize(size.width, size.height);
       this.#size = size;
     }
-    refining.begin(world, view, coarse);
+    refining.begin(world, view, coarse.surfaces());
     this.#isShown = true;
     return 0;
   }

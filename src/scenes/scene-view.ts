@@ -1,34 +1,17 @@
 import { nextTask } from "../gl/next-task.js";
-import { AutoQuality, type Rung, WORK, type Work } from "../render/auto-quality.js";
+import { AutoQuality, type Rung } from "../render/auto-quality.js";
 import { canvasSize } from "../render/canvas-size.js";
 import type { FrameSettings } from "../render/frame-settings.js";
 import { REFINED, type Tier, tierNamed } from "../render/quality.js";
 import type { Renderer } from "../render/renderer.js";
 import { measureSpeed, type Speed } from "../render/speed.js";
-import type { Inspection, Look, Quality } from "../settings.js";
-import type { ParticleLayer } from "../world/particles/particle-layer.js";
-import type { World } from "../world/world.js";
+import type { Inspection } from "../settings.js";
 import type { CanvasTarget } from "./canvas-target.js";
 import { Refinement } from "./refinement.js";
 import type { Scene } from "./scene.js";
+import { type ViewSettings, type ViewSubject, workOf } from "./view-subject.js";
 
 const INSPECTION_RUNG: Rung = { tier: "medium", share: 1 };
-
-interface ViewSettings {
-  readonly look: Look;
-  readonly quality: Quality;
-}
-
-/** The world that a view draws, and its particles. */
-export interface ViewSubject {
-  readonly world: World;
-  readonly layers: readonly ParticleLayer[];
-}
-
-/** Work of a scene's frame, by which `auto` predicts its time. */
-function workOf({ isModelAlone }: Scene, { look }: ViewSettings): Work {
-  return look === "physical" && !isModelAlone ? WORK.physical : WORK.plain;
-}
 
 /** Speed of a target's GPU, for `auto`; measured once, best while it has nothing else to do. */
 export function measureTarget({ gpu }: CanvasTarget): Promise<Speed | null> {
@@ -314,7 +297,7 @@ export class SceneView {
     return this.#refinement.shown ?? this.#renderer;
   }
 
-  /** Whether the picture is refined while it rests: under `auto`, where pixels are those of a CPU. */
+  /** Whether the image is refined while it rests: under `auto`, where pixels are those of a CPU. */
   #refines({ isMoving, canDefer }: Pick<FrameSettings, "isMoving" | "canDefer">): boolean {
     const { quality, look } = this.#settings;
     if (quality !== "auto" || look !== "physical" || this.#scene.isModelAlone) return false;

@@ -21,14 +21,14 @@ import { ToneLut } from "../post/tone-lut.js";
 import { expandBox } from "../screen-bounds.js";
 import type { RefinedStage } from "./refined-stage.js";
 
-/** Bands that a whole picture is kept in, and how many of them in a frame. */
+/** Bands that a whole image is kept in, and how many of them in a frame. */
 const BANDS = 12;
 const BANDS_PER_FRAME = 2;
 /** The bloom of a full canvas reaches farther than that of a coarse one, pixels. */
 const FARTHER = 96;
 
 /**
- * Composite and display transform of a refined picture.
+ * Composite and display transform of a refined image.
  *
  * Its surfaces change by their light alone, so their display colours are kept in a dimmer and in a brighter light,
  * and mixed: a third of what the tone LUT costs a CPU. Around the flame, whose glare comes on top, it is looked up.
@@ -164,7 +164,7 @@ export class RefinedDisplayPass {
     }
   }
 
-  /** The picture that the refinement has begun with, a few bands in a frame. */
+  /** The image that the refinement has begun with, a few bands in a frame. */
   #keepBands(
     textures: Readonly<Record<string, Texture>>,
     { transform }: DisplayOptions,

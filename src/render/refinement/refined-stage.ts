@@ -5,18 +5,20 @@ import meterFrag from "../../../shaders/refinement/meter.frag";
 import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
-import type { Texture } from "../../gl/texture.js";
-import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { luma, type Rgb } from "../../light/color.js";
 import { TAPER } from "../../light/flame-light.js";
+import type { World } from "../../world/world.js";
 import { frustumTest } from "../camera.js";
 import type { FrameInput, Size } from "../frame-input.js";
+import type { FrameSettings } from "../frame-settings.js";
 import type { IrradianceVolume } from "../gi/indirect-pass.js";
+import type { LightCaptures } from "../gi/light-captures.js";
 import { type CaptureLight, lightBlock, shadingLight } from "../light-block.js";
 import { ForwardStage } from "../opaque/forward-stage.js";
 import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "../opaque/opaque-stage.js";
 import type { Tier } from "../quality.js";
+import type { Refining, Surfaces } from "../renderer.js";
 import { SCHEDULE } from "../schedule.js";
 import { clipOfBox } from "../screen-bounds.js";
 import type { ShadowCube } from "../shadow/shadow-pass.js";
@@ -25,17 +27,10 @@ import { TILE, tilesAround } from "./tiles.js";
 
 const BLACK = [0, 0, 0, 1] as const;
 
-/** Surfaces of a frame: radiance in cd/m², its depth, and the flame that it is of. */
-export interface Surfaces {
-  readonly radiance: Texture;
-  readonly depth: Texture;
-  readonly light: UniformBlock;
-}
-
 /**
- * The opaque stage of a picture at rest, without a GPU: forward shading, a few tiles in each frame.
+ * The opaque stage of an image at rest, without a GPU: forward shading, a few tiles in each frame.
  *
- * It begins with a coarser picture of the same view, and replaces it tile by tile, nearest the flame first. The light
+ * It begins with a coarser image of the same view, and replaces it tile by tile, nearest the flame first. The light
  * stays where it was at the beginning: the flame's sway moves the shadows by less than is visible.
  */
 export class RefinedStage implements OpaqueStage {
@@ -51,7 +46,7 @@ export class RefinedStage implements OpaqueStage {
   readonly #samples: RenderTarget;
   readonly #resolved: RenderTarget;
   /** Radiance per candela of the whole frame, and its depth. */
-  #picture: RenderTarget | null = null;
+  #image: RenderTarget | null = null;
   /** How often it has begun. */
   beginnings = 0;
   /** Colour of the flame, luma 1, as it was then. */
@@ -76,15 +71,26 @@ export class RefinedStage implements OpaqueStage {
     this.blocks = this.#forward.blocks;
   }
 
-  resize({ width, height }: Size): void {
-    this.#picture?.dispose();
-    const options = { label: "refinement/radiance", color: [this.format], width, height } as const;
-    this.#picture = this.#gpu.renderTarget({ ...options, depth: "texture" });
+  /** @param describe the input of a frame */
+  refining(
+    captures: LightCaptures,
+    describe: (world: World, settings: FrameSettings) => FrameInput,
+  ): Refining {
+    const stage = this;
+    return {
+      get remaining() {
+        return stage.#tiles.length;
+      },
+      prepare: (world, settings) =>
+        captures.hold(describe(world, settings).captureLight, settings.steps ?? 0),
+      begin: (world, settings, coarse) => stage.#beginWith(describe(world, settings), coarse),
+    };
   }
 
-  /** Tiles still to be drawn. */
-  get remaining(): number {
-    return this.#tiles.length;
+  resize({ width, height }: Size): void {
+    this.#image?.dispose();
+    const options = { label: "refinement/radiance", color: [this.format], width, height } as const;
+    this.#image = this.#gpu.renderTarget({ ...options, depth: "texture" });
   }
 
   /** Tiles drawn since this was last asked. */
@@ -92,8 +98,8 @@ export class RefinedStage implements OpaqueStage {
     return this.#drawn.splice(0);
   }
 
-  /** Begins anew: with a coarser picture, and the light where it is. */
-  begin({ world, settings, flameUv }: FrameInput, { radiance, depth, light }: Surfaces): void {
+  /** Begins anew: with a coarser image, and the light where it is. */
+  #beginWith({ world, settings, flameUv }: FrameInput, { radiance, depth, light }: Surfaces): void {
     const target = this.#whole;
     this.beginnings++;
     this.#drawn = [];
@@ -120,13 +126,13 @@ export class RefinedStage implements OpaqueStage {
   }
 
   shade(frame: FrameInput, shadow: ShadowCube, irradiance: IrradianceVolume): OpaqueLayer {
-    if (!this.#light) throw new Error("The refined picture has not begun yet.");
+    if (!this.#light) throw new Error("The refined image has not begun yet.");
     const light = { ...this.#light, captureOrigin: shadow.captureOrigin };
     for (const tile of this.#tiles.splice(0, frame.settings.steps ?? 0)) {
       this.#drawTile(frame, light, shadow, irradiance, tile);
     }
     const { color: uRadiance, depth } = this.#whole;
-    if (!depth) throw new Error("The refined picture keeps its depth.");
+    if (!depth) throw new Error("The refined image keeps its depth.");
     const textures = { uRadiance, uDepth: depth };
     return { kind: "full", textures, uniforms: {}, depth, motion: 0 };
   }
@@ -164,8 +170,8 @@ export class RefinedStage implements OpaqueStage {
   }
 
   get #whole(): RenderTarget {
-    if (!this.#picture) throw new Error("The refined picture has no size yet.");
-    return this.#picture;
+    if (!this.#image) throw new Error("The refined image has no size yet.");
+    return this.#image;
   }
 
   composite(frame: FrameInput, layer: OpaqueLayer, target: CompositedFrame, region: Box): void {

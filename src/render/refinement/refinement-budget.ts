@@ -1,4 +1,4 @@
-/** Time from frame to frame that is aimed at while the picture is refined, seconds. */
+/** Time from frame to frame that is aimed at while the image is refined, seconds. */
 const AIM = 1 / 20;
 /** A frame that took this much longer was late. */
 const LATE = 1.1;

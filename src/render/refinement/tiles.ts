@@ -1,7 +1,7 @@
 import type { Box } from "../../gl/gpu.js";
 import type { Size } from "../frame-input.js";
 
-/** Edge of a tile of the refined picture, pixels. */
+/** Edge of a tile of the refined image, pixels. */
 export const TILE = 64;
 
 /**

@@ -1,0 +1,21 @@
+import { WORK, type Work } from "../render/auto-quality.js";
+import type { Look, Quality } from "../settings.js";
+import type { ParticleLayer } from "../world/particles/particle-layer.js";
+import type { World } from "../world/world.js";
+import type { Scene } from "./scene.js";
+
+export interface ViewSettings {
+  readonly look: Look;
+  readonly quality: Quality;
+}
+
+/** The world that a view draws, and its particles. */
+export interface ViewSubject {
+  readonly world: World;
+  readonly layers: readonly ParticleLayer[];
+}
+
+/** Work of a scene's frame, by which `auto` predicts its time. */
+export function workOf({ isModelAlone }: Scene, { look }: ViewSettings): Work {
+  return look === "physical" && !isModelAlone ? WORK.physical : WORK.plain;
+}
