@@ -229,14 +229,18 @@ export class CandleFlame {
     this.view.follow(this.#subject);
   }
 
-  /** One frame. Tests, the bench and the animation loop all come here. */
+  /** One frame. Tests and the bench come here. */
   step(seconds: number): void {
+    this.#advance(seconds, () => this.draw());
+  }
+
+  #advance(seconds: number, draw: () => void): void {
     const begin = performance.now();
     const { isHeld } = this.world.candle;
     const before = litFlames(this.world);
     const intent = this.input?.read() ?? STILL;
     advance(this.world, intent, seconds);
-    this.draw();
+    draw();
     this.#cpuMs = performance.now() - begin;
     this.#reportFlames(before);
     if (this.world.candle.isHeld !== isHeld) this.onCandleMoved();
@@ -275,7 +279,8 @@ export class CandleFlame {
   #frame(elapsed: number): void {
     this.view.measure(elapsed / 1000);
     try {
-      this.step(elapsed > 0 ? Math.min(elapsed / 1000, MAX_FRAME) : 0);
+      const seconds = elapsed > 0 ? Math.min(elapsed / 1000, MAX_FRAME) : 0;
+      this.#advance(seconds, () => !this.view.isBusy && this.draw());
     } catch (error) {
       this.#fail(error as Error);
       return;

@@ -51,8 +51,11 @@ export class SceneView {
   #pixels = { width: 1, height: 1 };
   /** Whether targets and textures were made since the driver was last asked whether it accepts them. */
   #isUnchecked = false;
-  /** Whether the GPU still draws the first frame with them, which may take seconds on a CPU. */
-  #isChecking = false;
+  /**
+   * Whether the GPU still draws the first frame with them, which may take seconds on a CPU. A question to the driver
+   * would wait for it, and the page with it.
+   */
+  isBusy = false;
 
   /**
    * Prepares a view in small tasks, so that the page stays responsive.
@@ -184,8 +187,6 @@ export class SceneView {
     const target = this.#target;
     const { gpu } = target;
     if (gpu.isLost) return;
-    // A question to the driver would wait for the first frame, and the page with it.
-    if (view.canDefer && this.#isChecking) return;
     const wasRefined = this.#refinement.shown !== null;
     const refines = this.#refines(view);
     if (!refines) this.#refinement.stop();
@@ -206,7 +207,7 @@ export class SceneView {
 
   /** Takes the time of a frame of the animation loop, by which `auto` goes. Seconds. */
   measure(seconds: number): void {
-    if (this.#settings.quality !== "auto" || this.#isChecking) return;
+    if (this.#settings.quality !== "auto" || this.isBusy) return;
     this.#refinement.take(seconds);
     if (this.#refinement.isBusy) return;
     const { milliseconds } = this.#target.gpu.timer;
@@ -328,10 +329,10 @@ export class SceneView {
   /** Asks the driver whether it accepts what was made, once the GPU has drawn, so that nothing waits. */
   async #check(): Promise<void> {
     this.#isUnchecked = false;
-    this.#isChecking = true;
+    this.isBusy = true;
     const { gpu } = this.#target;
     await gpu.whenIdle();
-    this.#isChecking = false;
+    this.isBusy = false;
     try {
       if (gpu === this.#target.gpu) gpu.check("picture");
     } catch (error) {

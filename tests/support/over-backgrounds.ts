@@ -118,6 +118,7 @@ function darkRoom(gpu: Gpu, uDark: Texture): IrradianceVolume {
     textures: { uIrradiance: uDark, uProbePositions: uDark, uProbeDepth: uDark },
     outgoing: uDark,
     support: uDark,
+    revision: 0,
     roomReflectance: uDark,
   };
 }

@@ -47,3 +47,43 @@ test("At high surfaces are drawn again only when the light has moved, and follow
   expect(Math.max(...jumps), "the flame sways").toBeGreaterThan(0.001);
   expect(kept).toBeLessThan(0.1 * Math.max(...triangles));
 });
+
+test("At high a frame in motion computes a part of the indirect light, and the first at rest all of it", async ({
+  page,
+}) => {
+  const room = await new RoomDriver(page).open(
+    { look: "physical", quality: "high", wind: "0" },
+    { width: 160, height: 90 },
+  );
+  const { whole, moving, atRest, difference } = await room.evaluate((element) => {
+    const [x, y, z] = element.camera.position;
+    const walk = (steps: number) => {
+      const draws: number[] = [];
+      for (let i = 1; i <= steps; i++) {
+        element.camera = { ...element.camera, position: [x + 0.03 * i, y, z - 0.03 * i] };
+        element.step(0);
+        draws.push(element.stats.drawCalls);
+      }
+      return draws;
+    };
+    const picture = () => Array.from(element.readRadiance(0, 0, 160, 90));
+    const whole = walk(1)[0] ?? 0;
+    element.play();
+    // The loop's own frames come between tasks: all of this is one.
+    const moving = walk(16);
+    element.step(0);
+    const atRest = element.stats.drawCalls;
+    const after = picture();
+    element.pause();
+    element.step(0);
+    const exact = picture();
+    const sum = (values: number[]) => values.reduce((total, value) => total + value, 0);
+    const difference = sum(after.map((value, i) => Math.abs(value - (exact[i] ?? 0)))) / sum(exact);
+    return { whole, moving, atRest, difference };
+  });
+  // Faces of the surfel cube take most draws of an update, passes over the probes most of its time.
+  const typical = moving.toSorted((a, b) => a - b)[moving.length >> 1] ?? 0;
+  expect(whole).toBeGreaterThan(typical + 25);
+  expect(atRest).toBeGreaterThan(typical);
+  expect(difference).toBeLessThan(1e-4);
+});

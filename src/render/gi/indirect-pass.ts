@@ -62,6 +62,8 @@ export interface IrradianceVolume {
   readonly roomReflectance: Texture;
   /** Of the surface below the flame, for `lib/support-irradiance.glsl`. */
   readonly support: Texture;
+  /** Another number whenever any of it has changed. */
+  readonly revision: number;
 }
 
 /**
@@ -95,6 +97,7 @@ export class IndirectPass {
   #lastLight = "";
   /** Whether the irradiance was computed by `render`. */
   #isExact = false;
+  #revision = 0;
   /** Incremental update in progress, with the number of faces captured so far. */
   #update: { readonly light: CaptureLight; faces: number } | null = null;
   /** Frames until the next incremental update may begin. */
@@ -243,6 +246,7 @@ export class IndirectPass {
       outgoing: this.#surfels.outgoing,
       roomReflectance: this.#probes.roomReflectance,
       support: this.#surfels.support,
+      revision: this.#revision,
     };
   }
 
@@ -250,12 +254,11 @@ export class IndirectPass {
     this.#lastLight = JSON.stringify(light);
     this.#isExact = true;
     yield* this.#renderFirstBounce(light, shadow, bands);
-    this.#atlas.render(this.#firstBounce);
     const sums = [this.#firstBounce];
     for (let bounce = 1; bounce < this.#detail.bounces; bounce++) {
+      this.#atlas.render(sums.at(-1)!);
       const sum = this.#bounces[bounce % this.#bounces.length]!;
       yield* this.#renderNextBounce(sum, bands);
-      this.#atlas.render(sum);
       sums.push(sum);
       yield;
     }
@@ -275,8 +278,8 @@ export class IndirectPass {
   }
 
   #renderOutgoing(): void {
-    const { textures, block } = this.#volume;
-    this.#surfels.renderOutgoing(textures, block);
+    this.#revision++;
+    this.#surfels.renderOutgoing(this.#volume.textures, this.#block);
   }
 
   *#renderFirstBounce(light: CaptureLight, shadow: ShadowMap, bands: typeof BANDS): Steps {

@@ -29,7 +29,8 @@ export interface Captures {
 /**
  * Shadow cube and irradiance volume of the flame.
  *
- * At rest they are exact. In motion they are updated incrementally, from simplified casters.
+ * At rest they are exact. In motion indirect light is updated incrementally; at `low` so is the shadow cube, from
+ * simplified casters.
  */
 export class LightCaptures {
   readonly #gpu: Gpu;
@@ -77,7 +78,11 @@ export class LightCaptures {
       const depth = this.#shadow.render(this.#casters, captureOrigin);
       if (settings.canDefer) this.#prepareLods();
       const shadow = { depth, captureOrigin, isNew: false };
-      return { shadow, irradiance: this.#indirect.render(this.#casters, captureLight, shadow) };
+      const update = [this.#casters, captureLight, shadow] as const;
+      const irradiance = settings.isMoving
+        ? this.#indirect.updateIncrementally(...update)
+        : this.#indirect.render(...update);
+      return { shadow, irradiance };
     }
     this.#prepareLods();
     const shadow = this.#shadow.updateIncrementally(

@@ -99,7 +99,7 @@ export class ForwardStage implements OpaqueStage {
 
   shade(frame: FrameInput, shadow: ShadowCube, irradiance: IrradianceVolume): OpaqueLayer {
     if (!this.#resolved?.depth) throw new Error("The forward stage has no size yet.");
-    const { world, settings, instances, captureLight } = frame;
+    const { world, settings, instances } = frame;
     const { features, inspect } = settings;
     const light = {
       ...shadingLight(world, features.candle, SCHEDULE.lighting.forward),
@@ -108,7 +108,7 @@ export class ForwardStage implements OpaqueStage {
     const key = JSON.stringify([
       [...frame.clipFromWorld],
       light,
-      captureLight,
+      irradiance.revision,
       features,
       inspect === "normals",
       instances.map(({ placement }) => placement),
