@@ -8,7 +8,7 @@ import {
   paperFlameReport,
 } from "./light/flame-light.js";
 import type { AutoQuality } from "./render/auto-quality.js";
-import { burnsAtFirst, candleNamesOf, type Options, worldOf } from "./scene-world.js";
+import { burnsAtFirst, candleNamesOf, type Options, wickOf, worldOf } from "./scene-world.js";
 import type { CanvasTarget } from "./scenes/canvas-target.js";
 import type { Scene } from "./scenes/scene.js";
 import { SceneView } from "./scenes/scene-view.js";
@@ -125,7 +125,7 @@ export class CandleFlame {
     const { air, flame } = this.world;
     this.world.sways = !options.isStill;
     air.wind = options.wind;
-    flame.wick = options.wick;
+    flame.wick = wickOf(this.#scene, options);
     if (options.look !== before.look) this.#changeLook();
     else if (options.seed !== before.seed) this.reset();
     else if (options.particles !== before.particles) this.view.follow(this.#subject);

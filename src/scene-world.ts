@@ -2,8 +2,9 @@ import type { Scene } from "./scenes/scene.js";
 import type { Look, Quality } from "./settings.js";
 import type { Wind } from "./world/air/air.js";
 import { createWorld, type WorldOptions } from "./world/create-world.js";
+import { TAPER_WICK } from "./world/flame/burning.js";
 import type { World } from "./world/world.js";
-import { LONE_CANDLE_SETUP } from "./world/world-setup.js";
+import { LONE_CANDLE_SETUP, type WorldSetup } from "./world/world-setup.js";
 
 /** Name of the carried candle's wick, in its model. */
 const CARRIED = "wick";
@@ -18,8 +19,8 @@ export interface Options {
   /** Particles alive; 0 is the look's own count. */
   readonly particles: number;
   readonly wind: Wind;
-  /** Diameter of the wick, metres. */
-  readonly wick: number;
+  /** Diameter of the first candle's wick, metres; null: the model's own. */
+  readonly wick: number | null;
   readonly unlit: boolean;
   /** Candles that burn at first, unless `unlit`; null: the carried one in a room, all of a model alone. */
   readonly litWicks: readonly number[] | null;
@@ -36,8 +37,9 @@ export function burnsAtFirst(index: number, { isModelAlone }: Scene, options: Op
 /** A new world of a scene. */
 export function worldOf(scene: Scene, options: Options, birth: WorldOptions = {}): World {
   const { room, wicks, isModelAlone } = scene;
-  const { look, seed, isStill, wind, wick } = options;
-  const setup = isModelAlone ? LONE_CANDLE_SETUP : null;
+  const { look, seed, isStill, wind } = options;
+  const wick = wickOf(scene, options);
+  const setup = isModelAlone ? loneSetup(scene) : null;
   const world = createWorld(look, seed, {
     room,
     setup,
@@ -52,7 +54,16 @@ export function worldOf(scene: Scene, options: Options, birth: WorldOptions = {}
   return world;
 }
 
+/** Diameter of the first candle's wick, metres. */
+export function wickOf({ first }: Scene, { wick }: Options): number {
+  return wick ?? first?.wickDiameter ?? TAPER_WICK;
+}
+
+function loneSetup({ first }: Scene): WorldSetup {
+  return first ? { ...LONE_CANDLE_SETUP, wick: first.position } : LONE_CANDLE_SETUP;
+}
+
 /** Names of the candles' wicks, the carried one's first. */
-export function candleNamesOf({ wicks }: Scene): readonly string[] {
-  return [CARRIED, ...wicks.map(({ name }) => name)];
+export function candleNamesOf({ first, wicks }: Scene): readonly string[] {
+  return [first?.name ?? CARRIED, ...wicks.map(({ name }) => name)];
 }

@@ -8,12 +8,12 @@
 #include "lib/flame-light.glsl"
 #include "lib/flame-brdf.glsl"
 #include "lib/wax.glsl"
+#include "lib/studio.glsl"
 
 uniform sampler2D uAlbedo;
 uniform sampler2D uNormal;
 uniform sampler2D uOcclusionRoughness;
 uniform vec4 uBaseColor;
-uniform vec3 uEnvironment; // colour of the environment, luma 1
 uniform float uWax;        // 1: subsurface scattering, 0: none
 uniform float uOcclusionStrength;  // of the map, 0 to 1
 uniform vec3 uEmber;       // radiance of the wick's glowing tip, cd/m²; black for other materials
@@ -26,13 +26,6 @@ centroid in vec2 vUv;
 centroid in vec4 vColor;
 
 out vec4 oRadiance;
-
-// Radiance of the environment, cd/m²: lamplight, brightest above and in front.
-vec3 environment(vec3 direction) {
-  float up = smoothstep(-0.6, 0.9, direction.y);
-  float front = pow(max(dot(direction, normalize(vec3(-0.5, 0.5, 0.7))), 0.0), 3.0);
-  return uEnvironment * (mix(0.02, 0.06, up) + 0.14 * front);
-}
 
 void main() {
   vec4 baseColor = texture(uAlbedo, vUv) * uBaseColor;

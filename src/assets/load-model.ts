@@ -15,6 +15,8 @@ export interface LoadOptions {
   readonly signal: AbortSignal;
   /** Called with the share done, 0 to 1. */
   readonly onProgress: (progress: number) => void;
+  /** Whether it is to be a candle alone, whose wax and glass are drawn as such. */
+  readonly isCandle?: boolean;
   /** Where the decoders for Draco and KTX2 lie, with a slash at the end. */
   readonly decoderBase?: string | URL;
   /** Decoded images by address; models that are loaded together share theirs. */
@@ -45,8 +47,10 @@ export async function loadModel(url: string, options: LoadOptions): Promise<Mode
 async function load(
   url: string,
   file: string,
-  { signal, onProgress, decoderBase, sharedImages: shared = new Map() }: LoadOptions,
+  options: LoadOptions,
 ): Promise<Model> {
+  const { signal, onProgress, isCandle = false, decoderBase } = options;
+  const shared = options.sharedImages ?? new Map();
   const address = addressOf(url, window.location.href);
   const bytes = await fetchBytes(address, {
     signal,
@@ -63,7 +67,7 @@ async function load(
   const images = new TextureImages(document, bufferBytes, sources);
   const report = stages(document, onProgress);
   try {
-    const warnings = new Set(readWarnings(document));
+    const warnings = new Set(readWarnings(document, isCandle));
     const [materials, scene] = await orAborted(
       Promise.all([
         readMaterials(document, images, warnings, report),

@@ -74,6 +74,10 @@ export interface Material {
   readonly occlusionStrength: number;
   /** Whether back faces are drawn, too. */
   readonly isDoubleSided: boolean;
+  /** Whether light that enters it leaves elsewhere, as of wax. */
+  readonly isWax: boolean;
+  /** Share of the light that passes through it, as through glass, 0 to 1. */
+  readonly transmission: number;
   /** Opacity: ignored, all or nothing at `alphaCutoff`, or mixed. */
   readonly alphaMode: "opaque" | "mask" | "blend";
   /** Opacity below which a mask leaves a hole. */

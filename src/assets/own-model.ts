@@ -118,6 +118,8 @@ async function readMaterial(
     normalScale: 1,
     occlusionStrength: packed ? 1 : 0,
     isDoubleSided: false,
+    isWax: name === "wax" || name === "pool",
+    transmission: 0,
     alphaMode: "opaque",
     alphaCutoff: 0.5,
     albedo,

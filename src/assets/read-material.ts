@@ -33,6 +33,8 @@ export const DEFAULT_MATERIAL: PlacedMaterial = {
     normalScale: 1,
     occlusionStrength: 0,
     isDoubleSided: false,
+    isWax: false,
+    transmission: 0,
     alphaMode: "opaque",
     alphaCutoff: 0.5,
     albedo: null,
@@ -97,6 +99,7 @@ export async function readMaterial(
       normalScale: normal?.amount ?? 1,
       occlusionStrength: clamp01(occlusion?.amount ?? 0),
       isDoubleSided: entry.boolean("doubleSided"),
+      ...readDepth(entry, name),
       ...readAlpha(entry),
       albedo: albedoPicture,
       normal: normalPicture,
@@ -127,6 +130,16 @@ function readSurface(entry: JsonEntry) {
     ),
     metallic: glossy ? 0 : clamp01(plain?.number("metallicFactor") ?? 1),
   };
+}
+
+/** How light goes on below the surface: clear glass has a volume, too. */
+function readDepth(entry: JsonEntry, name: string): Pick<Material, "isWax" | "transmission"> {
+  const factor = entry.extension("KHR_materials_transmission")?.number("transmissionFactor") ?? 0;
+  const transmission = clamp01(factor);
+  const isDeep = ["KHR_materials_volume", "KHR_materials_diffuse_transmission"].some(
+    (extension) => entry.extension(extension) !== undefined,
+  );
+  return { isWax: transmission === 0 && (isDeep || name.startsWith("wax")), transmission };
 }
 
 function readAlpha(entry: JsonEntry): Pick<Material, "alphaMode" | "alphaCutoff"> {

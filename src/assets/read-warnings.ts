@@ -14,6 +14,14 @@ const SUPPORTED = new Set([
   "KHR_xmp_json_ld",
 ]);
 
+/** The same, of a candle alone. */
+const SUPPORTED_BY_CANDLES = new Set([
+  "KHR_materials_diffuse_transmission",
+  "KHR_materials_ior",
+  "KHR_materials_transmission",
+  "KHR_materials_volume",
+]);
+
 /** Effects of extensions that are not. */
 const DEGRADED: Readonly<Record<string, string>> = {
   KHR_animation_pointer: "nothing moves",
@@ -35,9 +43,9 @@ const DEGRADED: Readonly<Record<string, string>> = {
 };
 
 /** Sentences about features of the file that are not supported. */
-export function readWarnings(document: GltfDocument): string[] {
+export function readWarnings(document: GltfDocument, isCandle: boolean): string[] {
   const warnings = document.extensionsUsed
-    .filter((name) => !SUPPORTED.has(name))
+    .filter((name) => !SUPPORTED.has(name) && !(isCandle && SUPPORTED_BY_CANDLES.has(name)))
     .map((name) => `${name} is not supported: ${DEGRADED[name] ?? "it is ignored"}.`);
   const { nodes, meshes, sceneCount, hasAnimations, materials } = document;
   if (sceneCount > 1) warnings.push(`Of its ${sceneCount} scenes one is shown.`);

@@ -11,7 +11,8 @@ export function optionsOf(element: ReflectedAttributes, look: Look): Options {
   const isStill = motion === "reduced" || (motion === "auto" && matchMedia(LESS_MOTION).matches);
   const direction = (element.windDirection * Math.PI) / 180;
   const wind = { speed: element.wind, direction, gustiness };
-  const flame = { unlit, litWicks: parseIndices(element.litWicks), wick: wick / 1000, wind };
+  const ownWick = element.hasAttribute("wick") ? wick / 1000 : null;
+  const flame = { unlit, litWicks: parseIndices(element.litWicks), wick: ownWick, wind };
   return { look, seed, quality, exposure, particles, isStill, ...flame };
 }
 

@@ -141,6 +141,19 @@ export class Gpu {
     }
   }
 
+  /** What `make` makes, and how to free it with all that it has shared; others on this context keep theirs. */
+  scoped<T>(make: () => T): { readonly made: T; readonly release: () => void } {
+    const [before, keys] = [new Set(this.#alive), new Set(this.#shared.keys())];
+    const made = make();
+    const objects = [...this.#alive].filter((o) => !(o instanceof Program || before.has(o)));
+    const added = [...this.#shared].filter(([k, o]) => !(o instanceof Program || keys.has(k)));
+    const release = () => {
+      for (const object of objects) object.dispose();
+      for (const [key] of added) this.#shared.delete(key);
+    };
+    return { made, release };
+  }
+
   /** Compiled once for all that ask for the same; see `finishPrograms`. */
   program(
     label: string,

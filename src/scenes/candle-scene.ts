@@ -12,6 +12,7 @@ export async function loadLoneCandle(
   const model: Model = await readOwnModel(url, signal, onProgress);
   return {
     room: null,
+    first: null,
     wicks: [],
     isModelAlone: true,
     prepareRenderer: () => true,

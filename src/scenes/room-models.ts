@@ -26,7 +26,8 @@ export function sourcesOf(look: Look, src: string, assetRoot: string): Sources {
 /** Longest address that a sentence repeats. */
 const REPEATED = 80;
 
-function addressOf(src: string): string {
+/** The absolute address of a visitor's model. */
+export function addressOf(src: string): string {
   const address = resolveUrl(src, document.baseURI);
   if (address !== null) return address;
   throw new AssetError(`The room's address is none that can be read: ${src.slice(0, REPEATED)}`);

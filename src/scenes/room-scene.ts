@@ -22,6 +22,7 @@ export async function loadRoom(request: SceneRequest, loading: Loading): Promise
   const isBox = look !== "physical" && src === "";
   return {
     room: isBox ? null : room,
+    first: null,
     wicks: look === "physical" ? placeWicks(models.room, collision) : [],
     isModelAlone: false,
     prepareRenderer: ({ gpu }, tier, look) =>

@@ -10,7 +10,9 @@ import type { CanvasTarget } from "./canvas-target.js";
 export interface Scene {
   /** The room to walk in; null where there is none, or where the look has a box. */
   readonly room: Room | null;
-  /** Wicks of the models, beside the carried candle's. */
+  /** Wick of the first candle, where that is not a built-in model's. */
+  readonly first: Wick | null;
+  /** Wicks of the models, beside the first candle's. */
   readonly wicks: readonly Wick[];
   /** Whether there is nothing but a model on the page's own background. */
   readonly isModelAlone: boolean;
@@ -25,7 +27,7 @@ export interface Scene {
 export interface SceneRequest {
   readonly scene: SceneName;
   readonly look: Look;
-  /** URL of the visitor's own room, or empty for the built-in one. */
+  /** URL of the visitor's own room or candle, or empty for the built-in one. */
   readonly src: string;
   /** URL of the folder that built-in models lie in. */
   readonly assetRoot: string;
@@ -34,7 +36,9 @@ export interface SceneRequest {
 /** Whether two requests ask for the same files. */
 export function areSame(one: SceneRequest, other: SceneRequest | null | undefined): boolean {
   const key = ({ scene, look, src, assetRoot }: SceneRequest) =>
-    scene === "candle" ? assetRoot : JSON.stringify([look === "physical", src, assetRoot]);
+    scene === "candle"
+      ? JSON.stringify([src, assetRoot])
+      : JSON.stringify([look === "physical", src, assetRoot]);
   return !!other && key(one) === key(other);
 }
 
@@ -47,6 +51,11 @@ export interface Loading {
 /** Fetches a scene, and first the code that it needs: each scene is a chunk of its own. */
 export async function loadScene(request: SceneRequest, loading: Loading): Promise<Scene> {
   if (request.scene === "candle") {
+    if (request.src !== "") {
+      const { loadOwnCandle } = await import("./own-candle-scene.js").catch(missCode);
+      const own = await loadOwnCandle(request, loading);
+      if (own) return own;
+    }
     const { loadLoneCandle } = await import("./candle-scene.js").catch(missCode);
     return loadLoneCandle(request, loading);
   }

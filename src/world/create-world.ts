@@ -48,7 +48,9 @@ export function createWorld(look: Look, seed: number, options: WorldOptions = {}
   const flame: Vec3 = [0, 0, 0];
   const box = setup.hasWalls ? boxBounds(inset(setup.room, WALL_MARGIN)) : UNBOUNDED;
   const { wicks = [], areLit = [] } = options;
-  const standing = (look === "physical" ? wicks : []).map((wick, i) =>
+  // A model alone burns the same in any look.
+  const hasOthers = look === "physical" || setup.stand !== null;
+  const standing = (hasOthers ? wicks : []).map((wick, i) =>
     createStandingCandle(wick, i + 1, seed, areLit[i] ?? false),
   );
   const hasRealLight = room !== null && look === "physical";

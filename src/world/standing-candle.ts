@@ -62,7 +62,8 @@ export function advanceStanding({ standing, air, sways }: World): void {
 }
 
 /** Lets one `PLUME_STEP` pass in the smoke of candles that went out. */
-export function advanceSmoke({ standing, air, sways, seed }: World): void {
+export function advanceSmoke({ standing, air, sways, seed, setup }: World): void {
+  if (setup.stand !== null) return; // smoke is drawn in rooms alone
   let plumes = 0;
   for (let i = 0; i < standing.length; i++) {
     const candle = standing[i]!;

@@ -1,0 +1,127 @@
+#version 300 es
+// Surface of a visitor's own candles, in the light of all their flames and of a studio environment.
+// In:  base colour (sRGB), normal, occlusion/roughness/metallic maps.   Out: radiance, cd/m², premultiplied.
+#include "lib/precision.glsl"
+#include "lib/frame.glsl"
+#include "lib/brdf.glsl"
+#include "lib/normal-map.glsl"
+#include "lib/studio.glsl"
+#include "lib/candle-flames.glsl"
+#include "lib/flame-shadows.glsl"
+
+uniform sampler2D uAlbedo;
+uniform sampler2D uNormal;
+uniform sampler2D uOcclusionRoughness;
+uniform vec4 uBaseColor;
+uniform vec3 uBounce;             // radiance of the model around, cd/m²
+uniform float uWax;               // 1: light of the flame above leaves it below, 0: none
+uniform float uWick;              // 1: its tip glows
+uniform float uTransmission;      // share of the light that passes, 0 to 1
+uniform float uOpacity;           // 1: alpha counts, 0: it is opaque
+uniform float uOcclusionStrength; // of the map, 0 to 1
+uniform vec4 uSurface;            // roughness, metallic, normal scale, alpha cutoff
+
+centroid in vec3 vPositionWorld;
+centroid in vec3 vNormalWorld;
+centroid in vec4 vTangentWorld;
+centroid in vec2 vUv;
+centroid in vec4 vColor;
+
+out vec4 oRadiance;
+
+// A flame is no point: the inverse square does not hold nearer than this. Metres.
+const float LEAST_DISTANCE = 0.01;
+// Diffusion length of thick paraffin, m, and the share of the light on its top that leaves through the side.
+const vec3 DIFFUSION_LENGTH = vec3(0.014, 0.0105, 0.007);
+const float WAX_TRANSMITTANCE = 0.1;
+// Wax begins so far below the root of the flame; a flame's middle is never less above it. Metres.
+const float RIM = 0.003;
+const float LEAST_HEIGHT = 0.01;
+// The wick glows between these heights above the root, to this far from its axis, m.
+const float EMBER_BEGINS = 0.001;
+const float EMBER_FULL = 0.004;
+const float EMBER_REACH = 0.004;
+// What passes through coloured glass is left out by this share of what the colour lacks.
+const float TINT = 0.6;
+
+// Specular lobe of a capsule, times the cosine; y: cosine for Fresnel's term.
+// Karis 2013, "Real Shading in Unreal Engine 4".
+vec2 capsuleLobe(int i, vec3 toLight, vec3 normal, vec3 view, float NoV, float alpha) {
+  vec3 along = flames.alongs[i].xyz;
+  vec3 reflected = reflect(-view, normal);
+  float steepness = dot(reflected, along);
+  float offAxis = dot(toLight, along) - dot(reflected, toLight) * steepness;
+  float halfHeight = flames.centres[i].w;
+  float climb = clamp(-offAxis / max(1.0 - steepness * steepness, 1e-3), -halfHeight, halfHeight);
+  vec3 representative = toLight + along * climb;
+  vec3 S = normalize(representative);
+  vec3 H = normalize(S + view);
+  float width = 0.25 * flames.alongs[i].w / max(length(representative), LEAST_DISTANCE);
+  float widened = clamp(alpha + width, 0.0, 1.0);
+  float NoS = max(dot(normal, S), 0.0);
+  float lobe = distributionGgx(widened, max(dot(normal, H), 0.0)) * visibilitySmith(alpha, NoV, NoS);
+  return vec2(lobe * NoS, max(dot(S, H), 0.0));
+}
+
+// Light of a flame that has entered the wax around its wick, as it leaves: radiance for an albedo of 1, cd/m².
+vec3 waxGlow(int i, vec3 position) {
+  vec3 root = flames.roots[i].xyz;
+  vec2 aside = position.xz - root.xz;
+  float rim = root.y - RIM;
+  float height = max(flames.centres[i].y - rim, LEAST_HEIGHT);
+  float squared = dot(aside, aside) + height * height;
+  vec3 onTop = flames.intensities[i].rgb * (height / (squared * sqrt(squared)));
+  return onTop * exp(-max(rim - position.y, 0.0) / DIFFUSION_LENGTH) * (WAX_TRANSMITTANCE / PI);
+}
+
+vec3 emberGlow(int i, vec3 position) {
+  vec3 offset = position - flames.roots[i].xyz;
+  if (dot(offset.xz, offset.xz) > EMBER_REACH * EMBER_REACH) return vec3(0.0);
+  return flames.embers[i].rgb * smoothstep(EMBER_BEGINS, EMBER_FULL, offset.y);
+}
+
+void main() {
+  vec4 baseColor = texture(uAlbedo, vUv) * uBaseColor * vColor;
+  if (uOpacity < 0.5 && baseColor.a < uSurface.w) discard;
+  vec3 packed = texture(uOcclusionRoughness, vUv).rgb;
+  float occlusion = mix(1.0, packed.r, uOcclusionStrength);
+  float roughness = clamp(packed.g * uSurface.x, 0.03, 1.0);
+  float metallic = packed.b * uSurface.y;
+  vec3 normal = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
+  if (frame.normalMaps > 0.5) {
+    normal = normalize(mix(normal, perturbedNormal(uNormal, vUv, normal, vTangentWorld), uSurface.z));
+  }
+  vec3 view = normalize(frame.eyePosition - vPositionWorld);
+  float NoV = max(abs(dot(normal, view)), 1e-3);
+  vec3 f0 = mix(vec3(0.04), baseColor.rgb, metallic);
+  vec3 diffuseColor = baseColor.rgb * (1.0 - metallic);
+  float alpha = roughness * roughness;
+  vec3 diffuse = vec3(0.0);
+  vec3 specular = vec3(0.0);
+  vec3 glow = vec3(0.0);
+  for (int i = 0; i < int(flames.count); i++) {
+    glow += baseColor.rgb * waxGlow(i, vPositionWorld) * uWax + emberGlow(i, vPositionWorld) * uWick;
+    vec3 toLight = flames.centres[i].xyz - vPositionWorld;
+    float distanceSquared = max(dot(toLight, toLight), LEAST_DISTANCE * LEAST_DISTANCE);
+    float NoL = max(dot(normal, toLight * inversesqrt(distanceSquared)), 0.0);
+    vec2 lobe = capsuleLobe(i, toLight, normal, view, NoV, alpha);
+    if (NoL + lobe.x <= 0.0) continue;
+    vec3 perArea = flames.intensities[i].rgb / distanceSquared;
+    if (uTransmission < 0.5) perArea *= flameVisibility(i, vPositionWorld, normal);
+    vec3 fresnel = fresnelSchlick(f0, lobe.y);
+    diffuse += diffuseColor * (1.0 - fresnel) / PI * NoL * perArea;
+    // A mirror shows the flame no brighter than it is.
+    float area = 4.0 * flames.centres[i].w * flames.alongs[i].w;
+    specular += fresnel * min(lobe.x * perArea, flames.intensities[i].rgb / max(area, 1e-6));
+  }
+  vec3 reflected = environment(mix(reflect(-view, normal), normal, roughness * 0.7));
+  vec3 mirrored = fresnelSchlick(f0, NoV);
+  diffuse += diffuseColor * (environment(normal) + uBounce) * occlusion;
+  specular += mirrored * reflected * occlusion;
+  // Of glass and veils: what is diffuse covers, what is specular lies on top.
+  float covered = mix(1.0, baseColor.a * (1.0 - uTransmission), uOpacity);
+  float tint = uTransmission * TINT * (1.0 - luma(baseColor.rgb));
+  float passes = (1.0 - covered) * (1.0 - luma(mirrored)) * (1.0 - tint);
+  vec3 radiance = (diffuse + glow) * covered + specular;
+  oRadiance = vec4(min(radiance, 3e4), 1.0 - passes);  // the largest half float is 65504
+}

@@ -1,0 +1,35 @@
+// Display of a lone candle, with alpha for the page's background.
+#include "lib/frame.glsl"
+#include "lib/photometry.glsl"
+#include "lib/srgb.glsl"
+#include "lib/chromatic-adaptation.glsl"
+#include "lib/tone-curve.glsl"
+
+vec3 displayColor(vec3 radiance) {
+  return encodeSrgb(tone(adaptRadiance(radiance) * frame.exposure));
+}
+
+// Glare in the eye, which falls off with the square of the angle (Vos 1984, "Disability glare"), and to 0 at the
+// canvas's edges. `source`: centre of the light and its half height, uv; strength. `magnification`: of angles.
+float glare(vec2 uv, vec4 source, float magnification) {
+  float aspect = frame.viewport.x / frame.viewport.y;
+  vec2 offset = (uv - source.xy) * vec2(aspect, 1.0);
+  offset.y -= clamp(offset.y, -source.z, source.z);
+  vec2 margin = smoothstep(vec2(0.0), vec2(0.12), uv) * smoothstep(vec2(0.0), vec2(0.12), 1.0 - uv);
+  float angle = length(offset) / min(aspect, 1.0) * magnification;
+  return source.w * exp(-angle * 7.0) / (1.0 + angle * angle * 900.0) * margin.x * margin.y;
+}
+
+// Display colour of a texel, premultiplied, before glare.
+vec3 displayedColor(vec4 light) {
+  vec3 solid = light.a > 0.0 ? displayColor(light.rgb / light.a) * light.a : vec3(0.0);
+  return mix(displayColor(light.rgb), solid, smoothstep(0.3, 0.6, light.a));
+}
+
+// Alpha is at least the largest channel, so that every compositor gives the same result.
+vec4 overPage(vec3 color, float alpha, vec2 pixel) {
+  // The same dither for all channels: alpha, the largest of three, would be biased. It fades out with the light: a
+  // step would show as a ring on white.
+  color += dither(pixel).x * min(color * 255.0, 1.0);
+  return min(vec4(color, max(alpha, max(max(color.r, color.g), color.b))), 1.0);
+}

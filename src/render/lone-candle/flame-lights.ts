@@ -1,0 +1,64 @@
+import type { mat4 } from "gl-matrix";
+import { luma } from "../../light/color.js";
+import { emberRadiance, flameLight, type RootedFlame, TAPER } from "../../light/flame-light.js";
+import { clipPosition } from "../camera.js";
+
+/** Most flames of the shaders' `Flames` block. */
+export const MOST_FLAMES = 16;
+
+/** Of a flame's glare: brightest that counts, cd, and strength for each candela. */
+const BRIGHTEST_GLARE = 2;
+const GLARE = 0.55;
+
+/** Members of the shaders' `Flames` block. */
+export class FlameLights {
+  readonly #centres = new Float32Array(MOST_FLAMES * 4);
+  readonly #alongs = new Float32Array(MOST_FLAMES * 4);
+  readonly #intensities = new Float32Array(MOST_FLAMES * 4);
+  readonly #roots = new Float32Array(MOST_FLAMES * 4);
+  readonly #embers = new Float32Array(MOST_FLAMES * 4);
+  readonly #glares = new Float32Array(MOST_FLAMES * 4);
+
+  /**
+   * @param clip clip space from world space
+   * @param hasShadows whether the shadow atlas has a tile for each
+   * @param glare factor on the light that the eye scatters
+   */
+  members(
+    flames: readonly RootedFlame[],
+    clip: mat4,
+    hasShadows: boolean,
+    glare: number,
+  ): Record<string, Float32Array | number> {
+    for (const [i, rooted] of flames.entries()) {
+      const at = i * 4;
+      const { position, axis, halfHeight, radius, intensity } = flameLight(rooted, TAPER);
+      const candela = luma(intensity);
+      this.#centres.set([...position, halfHeight], at);
+      this.#alongs.set([...axis, radius], at);
+      this.#intensities.set([...intensity, hasShadows ? i : -1], at);
+      this.#roots.set(rooted.root, at);
+      this.#embers.set(emberRadiance(rooted.flame.ember), at);
+      const [x, y, z] = position;
+      const [u, v] = canvasUv(clip, x, y, z);
+      const [, top] = canvasUv(clip, x, y + halfHeight, z);
+      const strength = glare * GLARE * Math.min(candela, BRIGHTEST_GLARE);
+      this.#glares.set([u, v, Math.abs(top - v), strength], at);
+    }
+    return {
+      "centres[0]": this.#centres,
+      "alongs[0]": this.#alongs,
+      "intensities[0]": this.#intensities,
+      "roots[0]": this.#roots,
+      "embers[0]": this.#embers,
+      "glares[0]": this.#glares,
+      count: flames.length,
+    };
+  }
+}
+
+/** uv on the canvas of a point in world space. */
+function canvasUv(clip: mat4, x: number, y: number, z: number): readonly [number, number] {
+  const [across, up, w] = clipPosition(clip, x, y, z);
+  return [0.5 + (0.5 * across) / w, 0.5 + (0.5 * up) / w];
+}

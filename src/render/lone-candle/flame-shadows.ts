@@ -1,0 +1,107 @@
+import { mat4, type vec3 } from "gl-matrix";
+import shadowFrag from "../../../shaders/candle/own-shadow.frag";
+import shadowVert from "../../../shaders/candle/own-shadow.vert";
+import type { Gpu } from "../../gl/gpu.js";
+import type { Program } from "../../gl/program.js";
+import type { RenderTarget } from "../../gl/render-target.js";
+import type { Texture } from "../../gl/texture.js";
+import type { Vec3 } from "../../world/geometry.js";
+import type { Mesh } from "../mesh/mesh.js";
+
+/** Faces of a cube: direction of the look, and of the atlas's up. In the order of shaders/lib/flame-shadows.glsl. */
+const FACES: readonly (readonly [look: vec3, up: vec3])[] = [
+  [
+    [1, 0, 0],
+    [0, 1, 0],
+  ],
+  [
+    [-1, 0, 0],
+    [0, 1, 0],
+  ],
+  [
+    [0, 1, 0],
+    [0, 0, 1],
+  ],
+  [
+    [0, -1, 0],
+    [0, 0, -1],
+  ],
+  [
+    [0, 0, 1],
+    [0, 1, 0],
+  ],
+  [
+    [0, 0, -1],
+    [0, 1, 0],
+  ],
+];
+const NEAR = 0.003;
+const FAR = 20;
+/** Nothing is farther, metres. */
+const NOTHING = [1e3, 0, 0, 1] as const;
+/** A flame's middle above its root, metres: where its shadows are seen from. */
+const MIDDLE = 0.016;
+
+/**
+ * Shadow cubes of all flames of a model in one atlas: distances from each flame's middle at rest. Model and
+ * flames stand, so they are drawn once.
+ */
+export class FlameShadows {
+  readonly tiles: readonly [across: number, down: number];
+  /** Texels of a face's side. */
+  readonly face: number;
+  readonly #gpu: Gpu;
+  readonly #program: Program;
+  readonly #target: RenderTarget;
+  #isDrawn = false;
+
+  constructor(gpu: Gpu, flames: number, face: number) {
+    this.#gpu = gpu;
+    this.face = face;
+    const across = Math.min(flames, 4);
+    this.tiles = [across, Math.ceil(flames / across)];
+    this.#program = gpu.program("candle/own-shadow", shadowVert, shadowFrag);
+    const [x, y] = this.tiles;
+    const size = { width: x * 3 * face, height: y * 2 * face };
+    const format = { color: ["R16F"], depth: "buffer" } as const;
+    this.#target = gpu.renderTarget({ label: "candle/shadow-atlas", ...size, ...format });
+  }
+
+  /** @param roots of the flames, metres */
+  render(roots: readonly Readonly<Vec3>[], casters: readonly Mesh[]): Texture {
+    const [texture] = this.#target.colors;
+    if (!texture) throw new Error("The shadow atlas has no texture.");
+    if (this.#isDrawn) return texture;
+    this.#isDrawn = true;
+    this.#gpu.clear(this.#target, NOTHING);
+    const projection = mat4.perspective(mat4.create(), Math.PI / 2, 1, NEAR, FAR);
+    for (const [tile, [x, y, z]] of roots.entries()) {
+      const flame: vec3 = [x, y + MIDDLE, z];
+      for (const [face, [look, up]] of FACES.entries()) {
+        const at: vec3 = [flame[0] + look[0], flame[1] + look[1], flame[2] + look[2]];
+        const clip = mat4.lookAt(mat4.create(), flame, at, up);
+        mat4.multiply(clip, projection, clip);
+        this.#drawFace(tile, face, clip, flame, casters);
+      }
+    }
+    return texture;
+  }
+
+  #drawFace(tile: number, face: number, clip: mat4, flame: vec3, casters: readonly Mesh[]): void {
+    const across = this.tiles[0];
+    const side = this.face;
+    const column = (tile % across) * 3 + (face % 3);
+    const row = Math.floor(tile / across) * 2 + Math.floor(face / 3);
+    for (const { vertexArray } of casters) {
+      this.#gpu.draw({
+        program: this.#program,
+        target: this.#target,
+        vertexArray,
+        viewport: [column * side, row * side, side, side],
+        uniforms: { uClipFromWorld: new Float32Array(clip), uFlame: [...flame] },
+        depth: "test-and-write",
+        cull: "none",
+      });
+    }
+  }
+}

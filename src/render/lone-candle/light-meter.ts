@@ -1,0 +1,130 @@
+import type { Part } from "../../assets/model.js";
+import { luma } from "../../light/color.js";
+import { type RootedFlame, TAPER } from "../../light/flame-light.js";
+import type { Vec3 } from "../../world/geometry.js";
+import { CollisionMesh } from "../../world/room/collision-mesh.js";
+
+/** Points that are metered. */
+const POINTS = 192;
+/** Share of them that are darker than the key, and its place on the display's scale. */
+const KEY = 0.6;
+const KEY_VALUE = 0.7;
+/** Of a taper alone, from cd/m² to the display's scale; a model is exposed by no more. */
+export const MOST_EXPOSURE = 5;
+/** Of a flame's light, nearest that counts; of a point from its surface. Metres. */
+const NEAREST = 0.03;
+const CLEARANCE = 0.001;
+/** Mean diffusion length of wax, m, and the share of the light on its top that leaves below. */
+const DIFFUSION_LENGTH = 0.0105;
+const WAX_TRANSMITTANCE = 0.1;
+
+interface Point {
+  readonly position: Vec3;
+  readonly normal: Vec3;
+  readonly albedo: number;
+  readonly isWax: boolean;
+}
+
+/** Exposure meter of a model alone: by the light of its flames on points spread over what faces the camera. */
+export class LightMeter {
+  /** Of each point and flame: luminance for each candela, cd/m². */
+  readonly #perCandela: Float64Array;
+  readonly #luminances: Float64Array;
+  readonly #flames: number;
+
+  /** @param parts without what light passes, and without wicks */
+  constructor(parts: readonly Part[], roots: readonly Readonly<Vec3>[]) {
+    const collision = new CollisionMesh(parts);
+    const points = spreadPoints(parts);
+    this.#flames = roots.length;
+    this.#perCandela = new Float64Array(points.length * roots.length);
+    this.#luminances = new Float64Array(points.length);
+    for (const [i, point] of points.entries()) {
+      for (const [j, root] of roots.entries()) {
+        this.#perCandela[i * roots.length + j] = luminanceOf(point, root, collision);
+      }
+    }
+  }
+
+  /** Luminance of the key, cd/m², and the exposure: from cd/m² to the display's scale. */
+  measure(flames: readonly RootedFlame[]): { readonly key: number; readonly exposure: number } {
+    const count = this.#flames;
+    for (let i = 0; i < this.#luminances.length; i++) {
+      let sum = 0;
+      for (let j = 0; j < count; j++) {
+        sum += this.#perCandela[i * count + j]! * (flames[j]?.flame.glow ?? 0);
+      }
+      this.#luminances[i] = sum;
+    }
+    const sorted = this.#luminances.toSorted();
+    const key = sorted[Math.floor(KEY * sorted.length)] ?? 0;
+    return { key, exposure: Math.min(KEY_VALUE / Math.max(key, 1e-6), MOST_EXPOSURE) };
+  }
+}
+
+/** Luminance of a point by a flame of 1 cd, cd/m². */
+function luminanceOf(
+  { position, normal, albedo, isWax }: Point,
+  [x, y, z]: Readonly<Vec3>,
+  collision: CollisionMesh,
+): number {
+  const flame: Vec3 = [x, y + TAPER.centre, z];
+  const from = position.map((value, axis) => value + normal[axis]! * CLEARANCE) as Vec3;
+  const way = flame.map((value, axis) => value - from[axis]!) as Vec3;
+  const distance = Math.max(Math.hypot(...way), NEAREST);
+  const cosine = way.reduce((sum, value, axis) => sum + value * normal[axis]!, 0) / distance;
+  const isLit = cosine > 0 && collision.isClear(from, flame);
+  const lit = isLit ? cosine / distance ** 2 : 0;
+  const aside = (position[0] - x) ** 2 + (position[2] - z) ** 2;
+  const onTop = TAPER.centre / (aside + TAPER.centre ** 2) ** 1.5;
+  const depth = Math.max(y - position[1], 0);
+  const glow = isWax ? WAX_TRANSMITTANCE * onTop * Math.exp(-depth / DIFFUSION_LENGTH) : 0;
+  return (albedo / Math.PI) * (lit + glow);
+}
+
+/** Middles of triangles, evenly spread over the area that faces forwards or up. */
+function spreadPoints(parts: readonly Part[]): Point[] {
+  const total = parts.reduce((sum, part) => sum + walk(part, () => {}), 0);
+  const points: Point[] = [];
+  let begin = 0;
+  for (const part of parts) {
+    const { isWax } = part.material;
+    const albedo = luma([
+      part.material.baseColor[0],
+      part.material.baseColor[1],
+      part.material.baseColor[2],
+    ]);
+    begin += walk(part, (position, normal, before, area) => {
+      const [first, next] = [before, before + area].map((at) =>
+        Math.floor(((begin + at) / total) * POINTS),
+      );
+      for (let i = first!; i < next!; i++) points.push({ position, normal, albedo, isWax });
+    });
+  }
+  return points;
+}
+
+/** Visits the triangles of a part that face forwards or up. Returns their area, m². */
+function walk(
+  { positions, indices }: Part,
+  visit: (middle: Vec3, normal: Vec3, before: number, area: number) => void,
+): number {
+  let sum = 0;
+  const corner = (i: number): Vec3 => {
+    const at = indices[i]! * 3;
+    return [positions[at]!, positions[at + 1]!, positions[at + 2]!];
+  };
+  for (let i = 0; i + 2 < indices.length; i += 3) {
+    const [a, b, c] = [corner(i), corner(i + 1), corner(i + 2)];
+    const [ux, uy, uz] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+    const [vx, vy, vz] = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
+    const normal: Vec3 = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+    const twice = Math.hypot(...normal);
+    if (!(twice > 0) || normal[1] + normal[2] <= 0) continue;
+    for (const axis of [0, 1, 2] as const) normal[axis] /= twice;
+    const middle: Vec3 = [0, 1, 2].map((axis) => (a[axis]! + b[axis]! + c[axis]!) / 3) as Vec3;
+    visit(middle, normal, sum, twice / 2);
+    sum += twice / 2;
+  }
+  return sum;
+}

@@ -1,0 +1,257 @@
+import displayFrag from "../../../shaders/candle/own-display.frag";
+import surfaceFrag from "../../../shaders/candle/own-surface.frag";
+import surfaceVert from "../../../shaders/mesh/mesh.vert";
+import fullscreenVert from "../../../shaders/post/fullscreen.vert";
+import type { Model } from "../../assets/model.js";
+import type { Gpu } from "../../gl/gpu.js";
+import type { Program } from "../../gl/program.js";
+import type { RenderTarget } from "../../gl/render-target.js";
+import type { Texture } from "../../gl/texture.js";
+import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { VertexArray } from "../../gl/vertex-array.js";
+import { adaptation, adaptedWhite, VIBRANCE } from "../../light/color.js";
+import { carriedFlame, type RootedFlame, TAPER } from "../../light/flame-light.js";
+import type { Bounds } from "../../world/geometry.js";
+import type { Wick } from "../../world/standing-candle.js";
+import type { World } from "../../world/world.js";
+import { clipFromWorld, projectionScale } from "../camera.js";
+import type { FrameSettings } from "../frame-settings.js";
+import { type Mesh, surfaceSampling, uploadModel } from "../mesh/mesh.js";
+import type { Tier } from "../quality.js";
+import type { Renderer } from "../renderer.js";
+import { FlamePass, standingWick } from "../volumetric/flame-pass.js";
+import { FlameLights } from "./flame-lights.js";
+import { FlameShadows } from "./flame-shadows.js";
+import { LightMeter, MOST_EXPOSURE } from "./light-meter.js";
+import { boundsWithFlames, frameBox } from "./own-framing.js";
+
+/** Share of the directions in which a point of the model sees other points of it. */
+const BOUNCE = 0.1;
+const NOTHING = [0, 0, 0, 0] as const;
+const GLARE_COLOR = [1, 0.72, 0.36] as const;
+/** Samples of a soft shadow of up to four flames, by tier; of more, each is a smaller part of the light. */
+const TAPS = { low: 6, medium: 14, high: 24, ultra: 24 } as const;
+/** Texels of a shadow cube's side, at the cheapest tier and at all others. */
+const FACE = { low: 64, others: 128 } as const;
+
+/** GPU objects of one model on a context that others draw on, too. */
+interface Resources {
+  readonly meshes: readonly Mesh[];
+  readonly shadows: FlameShadows;
+  readonly frame: UniformBlock;
+  readonly flames: UniformBlock;
+  readonly flame: FlamePass;
+  readonly screen: VertexArray;
+}
+
+/** Light of a frame, beside its flames. */
+interface Illumination {
+  readonly atlas: Texture;
+  /** Luminance of the model's middle tones, cd/m². */
+  readonly key: number;
+  /** Whether wax glows. */
+  readonly translucency: boolean;
+}
+
+/** Material of a mesh in the terms of candle/own-surface.frag. */
+interface Surface {
+  readonly mesh: Mesh;
+  readonly isClear: boolean;
+  readonly uniforms: Readonly<Record<string, number | readonly number[]>>;
+}
+
+/**
+ * A visitor's own candles with alpha, over the page's background: one to sixteen flames on a model.
+ *
+ * It draws to the lower left corner of a canvas that it may share with others.
+ */
+export class OwnModelRenderer implements Renderer {
+  readonly particles = 0;
+  readonly #gpu: Gpu;
+  readonly #tier: Tier;
+  readonly #surfaceProgram: Program;
+  readonly #displayProgram: Program;
+  readonly #resources: Resources;
+  readonly #release: () => void;
+  readonly #surfaces: readonly Surface[];
+  readonly #casters: readonly Mesh[];
+  readonly #bounds: Bounds;
+  readonly #meter: LightMeter;
+  readonly #lights = new FlameLights();
+  readonly #adaptation = adaptation(TAPER.color);
+  #samples: RenderTarget | null = null;
+  #radiance: RenderTarget | null = null;
+  #size = { width: 1, height: 1 };
+
+  constructor(gpu: Gpu, model: Model, wicks: readonly Wick[], tier: Tier) {
+    this.#gpu = gpu;
+    this.#tier = tier;
+    this.#bounds = boundsWithFlames(model.bounds, wicks);
+    this.#surfaceProgram = gpu.program("candle/own-surface", surfaceVert, surfaceFrag, {
+      defines: { SHADOW_TAPS: tapsOf(tier, wicks.length) },
+    });
+    this.#displayProgram = gpu.program("candle/own-display", fullscreenVert, displayFrag);
+    const face = tier.name === "low" ? FACE.low : FACE.others;
+    const { made, release } = gpu.scoped(() => this.#create(model, wicks.length, face));
+    this.#resources = made;
+    this.#release = release;
+    this.#surfaces = made.meshes.map(surfaceOf);
+    this.#casters = this.#surfaces.filter(castsShadow).map(({ mesh }) => mesh);
+    this.#meter = new LightMeter(
+      this.#casters.map(({ part }) => part),
+      wicks.map(({ position }) => position),
+    );
+  }
+
+  #create(model: Model, flames: number, face: number): Resources {
+    const gpu = this.#gpu;
+    return {
+      meshes: uploadModel(gpu, model),
+      shadows: new FlameShadows(gpu, flames, face),
+      frame: gpu.uniformBlock(this.#surfaceProgram, "Frame"),
+      flames: gpu.uniformBlock(this.#surfaceProgram, "Flames"),
+      flame: new FlamePass(gpu),
+      screen: gpu.vertexArray("screen", { attributes: {}, count: 3 }),
+    };
+  }
+
+  resize(width: number, height: number): void {
+    const { samples } = this.#tier;
+    this.#disposeTargets();
+    this.#size = { width, height };
+    const size = { width, height, color: ["RGBA16F"] as const, depth: "buffer" as const };
+    this.#samples =
+      samples > 1 ? this.#gpu.renderTarget({ label: "candle/samples", ...size, samples }) : null;
+    this.#radiance = this.#gpu.renderTarget({ label: "candle/radiance", ...size });
+  }
+
+  /** The flames have no particles. */
+  setLayers(): void {}
+
+  render(world: World, { features, exposure }: FrameSettings): void {
+    if (!this.#radiance) return;
+    const { frame, flames, flame, screen, shadows } = this.#resources;
+    const target = this.#samples ?? this.#radiance;
+    const { width, height } = this.#size;
+    const { eye, pitch, fieldOfView, magnification } = frameBox(this.#bounds, width / height);
+    const clip = clipFromWorld(eye, 0, pitch, width / height, fieldOfView);
+    const rooted: readonly RootedFlame[] = [carriedFlame(world), ...world.standing];
+    const { key, exposure: keyExposure } = this.#meter.measure(rooted);
+    frame.update({
+      clipFromWorld: clip,
+      eyePosition: eye,
+      exposure: keyExposure * 2 ** exposure,
+      viewport: [width, height],
+      projectionScale: projectionScale(height),
+      normalMaps: features.normalMaps ? 1 : 0,
+    });
+    const glare = features.bloom ? Math.sqrt(keyExposure / MOST_EXPOSURE) : 0;
+    flames.update(this.#lights.members(rooted, clip, features.shadows, glare));
+    const roots = rooted.map(({ root }) => root);
+    const atlas = shadows.render(roots, this.#casters);
+    this.#gpu.clear(target, NOTHING);
+    const scene = { atlas, key, translucency: features.translucency };
+    if (features.candle) this.#drawSurfaces(target, scene, false);
+    for (const one of rooted) {
+      flame.render(target, frame, standingWick(one), this.#tier.physical.flameSteps);
+    }
+    if (features.candle) this.#drawSurfaces(target, scene, true);
+    if (this.#samples) this.#gpu.resolve(this.#samples, this.#radiance);
+    this.#gpu.draw({
+      program: this.#displayProgram,
+      target: "canvas",
+      viewport: [0, 0, width, height],
+      vertexArray: screen,
+      textures: { uRadiance: this.#radiance.color },
+      uniforms: {
+        uAdaptation: this.#adaptation,
+        uWhite: adaptedWhite(),
+        uVibrance: VIBRANCE,
+        uGlareColor: GLARE_COLOR,
+        uMagnification: magnification,
+      },
+      blocks: { Frame: frame, Flames: flames },
+    });
+  }
+
+  /** Draws what is opaque, or what is clear, over flames and all. */
+  #drawSurfaces(
+    target: RenderTarget,
+    { atlas, key, translucency }: Illumination,
+    isClear: boolean,
+  ): void {
+    const { frame, flames, shadows } = this.#resources;
+    for (const { mesh, uniforms, isClear: isThis } of this.#surfaces) {
+      if (isThis !== isClear) continue;
+      this.#gpu.draw({
+        program: this.#surfaceProgram,
+        target,
+        vertexArray: mesh.vertexArray,
+        textures: { ...mesh.textures, uShadowAtlas: atlas },
+        sampling: surfaceSampling({ anisotropy: true }),
+        uniforms: {
+          ...uniforms,
+          ...(translucency ? {} : { uWax: 0 }),
+          uEnvironment: TAPER.color,
+          uBounce: TAPER.color.map((channel) => channel * key * BOUNCE),
+          uPlacement: [0, 0, 0, 0],
+          uShadowTiles: shadows.tiles,
+          uShadowFace: shadows.face,
+        },
+        blocks: { Frame: frame, Flames: flames },
+        blend: isClear ? "premultiplied" : "replace",
+        depth: isClear ? "test" : "test-and-write",
+        cull: isClear || mesh.isDoubleSided ? "none" : "back",
+      });
+    }
+  }
+
+  readRadiance(x: number, y: number, width: number, height: number): Float32Array {
+    if (!this.#radiance) return new Float32Array(width * height * 3);
+    return this.#gpu.readFloats(this.#radiance, x, y, width, height);
+  }
+
+  #disposeTargets(): void {
+    this.#samples?.dispose();
+    this.#radiance?.dispose();
+    this.#samples = null;
+    this.#radiance = null;
+  }
+
+  /** Frees all but the programs, which are shared. */
+  dispose(): void {
+    this.#disposeTargets();
+    this.#release();
+  }
+}
+
+function tapsOf({ name }: Tier, flames: number): number {
+  return Math.max(Math.round((TAPS[name] * 4) / Math.max(flames, 4)), 4);
+}
+
+function surfaceOf(mesh: Mesh): Surface {
+  const { material, name } = mesh.part;
+  const isClear = material.alphaMode === "blend" || material.transmission > 0;
+  return {
+    mesh,
+    isClear,
+    uniforms: {
+      uBaseColor: mesh.baseColor,
+      uSurface: mesh.parameters,
+      uOcclusionStrength: mesh.occlusionStrength,
+      uWax: material.isWax ? 1 : 0,
+      uWick: isWick(material.name) || isWick(name) ? 1 : 0,
+      uTransmission: material.transmission,
+      uOpacity: isClear ? 1 : 0,
+    },
+  };
+}
+
+/** Wicks stand in their own flames, and what is clear lets light pass. */
+function castsShadow({ isClear, uniforms }: Surface): boolean {
+  return !isClear && uniforms.uWick === 0;
+}
+
+function isWick(name: string): boolean {
+  return /^wick(?![a-z])/.test(name);
+}

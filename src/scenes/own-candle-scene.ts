@@ -1,0 +1,54 @@
+import { closeModel } from "../assets/model.js";
+import { OwnModelRenderer } from "../render/lone-candle/own-model-renderer.js";
+import { clampInside, type Vec3 } from "../world/geometry.js";
+import type { Wick } from "../world/standing-candle.js";
+import { addressOf } from "./room-models.js";
+import type { Loading, Scene, SceneRequest } from "./scene.js";
+
+/** A flame's root lies so far from the box of the model at most, metres. */
+const BESIDE = 0.1;
+
+/** A visitor's own candles alone; null where the model has no wick. */
+export async function loadOwnCandle(
+  { src, assetRoot }: SceneRequest,
+  { signal, onProgress }: Loading,
+): Promise<Scene | null> {
+  const { loadModel } = await import("../assets/load-model.js");
+  const decoderBase = new URL("decoders/", assetRoot).href;
+  const options = { signal, onProgress, decoderBase, isCandle: true };
+  const model = await loadModel(addressOf(src), options);
+  let isMoved = false;
+  const { min, max } = model.bounds;
+  const box = {
+    min: [min[0] - BESIDE, min[1] - BESIDE, min[2] - BESIDE],
+    max: [max[0] + BESIDE, max[1] + BESIDE, max[2] + BESIDE],
+  } as const;
+  const wicks = model.wicks.map((wick): Wick => {
+    const position: Vec3 = [...wick.position];
+    clampInside(position, box);
+    if (position.every((x, axis) => x === wick.position[axis])) return wick;
+    isMoved = true;
+    clampInside(position, model.bounds);
+    return { ...wick, position };
+  });
+  if (isMoved) console.warn("Wicks far from the model were moved to it.");
+  const [first, ...others] = wicks;
+  if (!first) {
+    closeModel(model);
+    console.warn("The model has no node named wick: the built-in candle burns in its place.");
+    return null;
+  }
+  return {
+    room: null,
+    first,
+    wicks: others,
+    isModelAlone: true,
+    prepareRenderer: () => true,
+    createRenderer: (screen, tier) => {
+      const renderer = new OwnModelRenderer(screen.gpu, model, wicks, tier);
+      screen.own(renderer);
+      return renderer;
+    },
+    close: () => closeModel(model),
+  };
+}
