@@ -36,11 +36,12 @@ export function burnsAtFirst(index: number, { isModelAlone }: Scene, options: Op
 
 /** A new world of a scene. */
 export function worldOf(scene: Scene, options: Options, birth: WorldOptions = {}): World {
-  const { room, wicks, isModelAlone } = scene;
+  const { room, wicks, createPlume, isModelAlone } = scene;
   const { look, seed, isStill, wind } = options;
   const wick = wickOf(scene, options);
   const setup = isModelAlone ? loneSetup(scene) : null;
   const world = createWorld(look, seed, {
+    createPlume,
     room,
     setup,
     wind,

@@ -33,7 +33,7 @@ out vec4 oRadiance;
 const float LEAST_DISTANCE = 0.01;
 // Diffusion length of thick paraffin, m, and the share of the light on its top that leaves through the side.
 const vec3 DIFFUSION_LENGTH = vec3(0.014, 0.0105, 0.007);
-const float WAX_TRANSMITTANCE = 0.1;
+const float WAX_TRANSMITTANCE = 0.2;
 // Wax begins so far below the root of the flame; a flame's middle is never less above it. Metres.
 const float RIM = 0.003;
 const float LEAST_HEIGHT = 0.01;

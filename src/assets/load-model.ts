@@ -44,11 +44,7 @@ export async function loadModel(url: string, options: LoadOptions): Promise<Mode
   }
 }
 
-async function load(
-  url: string,
-  file: string,
-  options: LoadOptions,
-): Promise<Model> {
+async function load(url: string, file: string, options: LoadOptions): Promise<Model> {
   const { signal, onProgress, isCandle = false, decoderBase } = options;
   const shared = options.sharedImages ?? new Map();
   const address = addressOf(url, window.location.href);

@@ -14,6 +14,7 @@ export async function loadLoneCandle(
     room: null,
     first: null,
     wicks: [],
+    createPlume: null,
     isModelAlone: true,
     prepareRenderer: () => true,
     createRenderer: (screen, tier) => {

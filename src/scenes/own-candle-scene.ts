@@ -42,6 +42,7 @@ export async function loadOwnCandle(
     room: null,
     first,
     wicks: others,
+    createPlume: null,
     isModelAlone: true,
     prepareRenderer: () => true,
     createRenderer: (screen, tier) => {

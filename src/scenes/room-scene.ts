@@ -2,6 +2,7 @@ import { nextTask } from "../gl/next-task.js";
 import { uploadNextImage } from "../render/mesh/mesh.js";
 import { PaperRenderer } from "../render/paper-renderer.js";
 import { PhysicalRenderer, preparePhysicalRenderer } from "../render/physical-renderer.js";
+import { createPlume } from "../world/air/create-plume.js";
 import { CollisionMesh } from "../world/room/collision-mesh.js";
 import { createRoom } from "../world/room/room.js";
 import { closeModels, loadModels, sourcesOf } from "./room-models.js";
@@ -24,6 +25,7 @@ export async function loadRoom(request: SceneRequest, loading: Loading): Promise
     room: isBox ? null : room,
     first: null,
     wicks: look === "physical" ? placeWicks(models.room, collision) : [],
+    createPlume,
     isModelAlone: false,
     prepareRenderer: ({ gpu }, tier, look) =>
       uploadNextImage(gpu, models.room) &&

@@ -2,6 +2,7 @@ import { AssetError } from "../assets/asset-error.js";
 import type { Tier } from "../render/quality.js";
 import type { Renderer } from "../render/renderer.js";
 import type { Look, SceneName } from "../settings.js";
+import type { CreatePlume } from "../world/air/create-plume.js";
 import type { Room } from "../world/room/room.js";
 import type { Wick } from "../world/standing-candle.js";
 import type { CanvasTarget } from "./canvas-target.js";
@@ -14,6 +15,8 @@ export interface Scene {
   readonly first: Wick | null;
   /** Wicks of the models, beside the first candle's. */
   readonly wicks: readonly Wick[];
+  /** Makes hot air and smoke; null where they are not drawn. */
+  readonly createPlume: CreatePlume | null;
   /** Whether there is nothing but a model on the page's own background. */
   readonly isModelAlone: boolean;
   /** Goes on, for a few milliseconds, with what a renderer needs. True when it can be made at once. */

@@ -1,5 +1,4 @@
 import type { Wind } from "./air/air.js";
-import { Plume } from "./air/plume.js";
 import { blow, placeCandle, takeCandle } from "./commands.js";
 import { reachForWick, useFlame } from "./flames.js";
 import type { Vec3 } from "./geometry.js";
@@ -43,8 +42,8 @@ export function advance(world: World, intent: Intent, seconds: number): void {
 export function warmUp(world: World, wind: Wind): void {
   poseCandle(world, 0);
   for (let i = 0; i < HISTORY; i++) {
-    if (world.look === "physical" && i === HISTORY - WARMING) {
-      world.plume = new Plume(world.seed, world.emitter);
+    if (i === HISTORY - WARMING) {
+      world.plume = world.createPlume?.(world.seed, world.emitter, false) ?? null;
     }
     tick(world, STILL);
   }

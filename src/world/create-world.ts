@@ -1,6 +1,7 @@
 import type { Look } from "../settings.js";
 import { warmUp } from "./advance.js";
 import { Air, CALM, type Wind } from "./air/air.js";
+import type { CreatePlume } from "./air/create-plume.js";
 import { TAPER_WICK } from "./flame/burning.js";
 import { Flame } from "./flame/flame.js";
 import { inset, type Vec3 } from "./geometry.js";
@@ -23,6 +24,8 @@ export interface WorldOptions {
   /** Ticks that count as simulated, for a world that takes over from another. */
   readonly age?: number;
   readonly room?: Room | null;
+  /** Makes hot air and smoke; without it there is none. */
+  readonly createPlume?: CreatePlume | null;
   /** Default: the look's. */
   readonly setup?: WorldSetup | null;
   readonly wind?: Wind;
@@ -68,6 +71,7 @@ export function createWorld(look: Look, seed: number, options: WorldOptions = {}
     air: new Air(seed, { ...wind, speed: Math.min(wind.speed, LIGHTABLE) }),
     flame: new Flame(wick, isLit),
     plume: null,
+    createPlume: look === "physical" ? (options.createPlume ?? null) : null,
     adaptation: new ExposureAdaptation(),
     adaptationView: hasRealLight
       ? { collision: room.collision, eye, yaw, pitch, fieldOfView, flame, luminousIntensity: 0 }

@@ -1,5 +1,4 @@
-import { Plume } from "./air/plume.js";
-import { coarsePlumeGrid } from "./air/plume-grid.js";
+import type { Plume } from "./air/plume.js";
 import { Flame, ROOM } from "./flame/flame.js";
 import type { Vec3 } from "./geometry.js";
 import { pcg } from "./random.js";
@@ -62,8 +61,8 @@ export function advanceStanding({ standing, air, sways }: World): void {
 }
 
 /** Lets one `PLUME_STEP` pass in the smoke of candles that went out. */
-export function advanceSmoke({ standing, air, sways, seed, setup }: World): void {
-  if (setup.stand !== null) return; // smoke is drawn in rooms alone
+export function advanceSmoke({ standing, air, sways, seed, createPlume }: World): void {
+  if (!createPlume) return;
   let plumes = 0;
   for (let i = 0; i < standing.length; i++) {
     const candle = standing[i]!;
@@ -79,7 +78,7 @@ export function advanceSmoke({ standing, air, sways, seed, setup }: World): void
     const candle = standing[i]!;
     const { flame, root } = candle;
     if (candle.plume || flame.isLit || flame.measure().smoking === 0) continue;
-    candle.plume = new Plume(seedOf(seed, i + 1), root, coarsePlumeGrid());
+    candle.plume = createPlume(seedOf(seed, i + 1), root, true);
     plumes++;
   }
 }

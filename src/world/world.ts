@@ -1,5 +1,6 @@
 import type { Look } from "../settings.js";
 import type { Air } from "./air/air.js";
+import type { CreatePlume } from "./air/create-plume.js";
 import type { Plume } from "./air/plume.js";
 import type { Candle } from "./candle.js";
 import type { Flame } from "./flame/flame.js";
@@ -36,8 +37,10 @@ export interface World {
   readonly air: Air;
   readonly flame: Flame;
   readonly sparks: SparkSchedule;
-  /** Hot air and smoke; null in the paper's looks, whose flame heats nothing. */
+  /** Hot air and smoke; null where `createPlume` is. */
   plume: Plume | null;
+  /** Null where neither is drawn: the paper's flame heats nothing, and a candle alone shows nothing of it. */
+  readonly createPlume: CreatePlume | null;
   /** At rest in the paper's looks. */
   readonly adaptation: ExposureAdaptation;
   /** Input of `adaptation`; null where there is no room in real light. */

@@ -1,5 +1,6 @@
 import { expect, test } from "playwright/test";
 import { advance } from "../../src/world/advance.ts";
+import { createPlume } from "../../src/world/air/create-plume.ts";
 import { blow } from "../../src/world/commands.ts";
 import { createWorld } from "../../src/world/create-world.ts";
 import { STILL } from "../../src/world/player/intent.ts";
@@ -20,6 +21,7 @@ const CASES: readonly { readonly name: string; readonly prepare: (world: World) 
 test("the world takes a small part of a frame of 1/60 s", () => {
   for (const { name, prepare } of CASES) {
     const world = createWorld("physical", 1, {
+      createPlume,
       wind: { speed: 0.3, direction: 0, gustiness: 1 },
     });
     prepare(world);

@@ -12,6 +12,7 @@ import { MotesPass } from "../../src/render/volumetric/motes-pass.ts";
 import { FEEDBACK } from "../../src/render/volumetric/particle-system.ts";
 import { SmokePass } from "../../src/render/volumetric/smoke-pass.ts";
 import { advance } from "../../src/world/advance.ts";
+import { createPlume } from "../../src/world/air/create-plume.ts";
 import { createWorld } from "../../src/world/create-world.ts";
 import type { Vec3 } from "../../src/world/geometry.ts";
 import { STILL } from "../../src/world/player/intent.ts";
@@ -148,7 +149,7 @@ export function mixtures(seed: number, seconds: number) {
   const volume = darkRoom(gpu, gpu.texture({ label: "dark", format: "RGBA32F", source: dark }));
   const [frame, light] = [blockOf(gpu, "Frame"), blockOf(gpu, "Light")];
 
-  const world = createWorld("physical", seed);
+  const world = createWorld("physical", seed, { createPlume });
   passes.motes.setLayers(world, world.setup.layers);
   const look = () => {
     const [x, y, z] = world.interpolated.flame;

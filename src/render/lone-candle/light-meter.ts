@@ -1,5 +1,4 @@
 import type { Part } from "../../assets/model.js";
-import { luma } from "../../light/color.js";
 import { type RootedFlame, TAPER } from "../../light/flame-light.js";
 import type { Vec3 } from "../../world/geometry.js";
 import { CollisionMesh } from "../../world/room/collision-mesh.js";
@@ -7,8 +6,10 @@ import { CollisionMesh } from "../../world/room/collision-mesh.js";
 /** Points that are metered. */
 const POINTS = 192;
 /** Share of them that are darker than the key, and its place on the display's scale. */
-const KEY = 0.6;
-const KEY_VALUE = 0.7;
+const KEY = 0.68;
+const KEY_VALUE = 0.9;
+/** Of any surface, so that dark things stay dark. */
+const ALBEDO = 0.5;
 /** Of a taper alone, from cd/m² to the display's scale; a model is exposed by no more. */
 export const MOST_EXPOSURE = 5;
 /** Of a flame's light, nearest that counts; of a point from its surface. Metres. */
@@ -16,12 +17,11 @@ const NEAREST = 0.03;
 const CLEARANCE = 0.001;
 /** Mean diffusion length of wax, m, and the share of the light on its top that leaves below. */
 const DIFFUSION_LENGTH = 0.0105;
-const WAX_TRANSMITTANCE = 0.1;
+const WAX_TRANSMITTANCE = 0.2;
 
 interface Point {
   readonly position: Vec3;
   readonly normal: Vec3;
-  readonly albedo: number;
   readonly isWax: boolean;
 }
 
@@ -64,7 +64,7 @@ export class LightMeter {
 
 /** Luminance of a point by a flame of 1 cd, cd/m². */
 function luminanceOf(
-  { position, normal, albedo, isWax }: Point,
+  { position, normal, isWax }: Point,
   [x, y, z]: Readonly<Vec3>,
   collision: CollisionMesh,
 ): number {
@@ -79,7 +79,7 @@ function luminanceOf(
   const onTop = TAPER.centre / (aside + TAPER.centre ** 2) ** 1.5;
   const depth = Math.max(y - position[1], 0);
   const glow = isWax ? WAX_TRANSMITTANCE * onTop * Math.exp(-depth / DIFFUSION_LENGTH) : 0;
-  return (albedo / Math.PI) * (lit + glow);
+  return (ALBEDO / Math.PI) * (lit + glow);
 }
 
 /** Middles of triangles, evenly spread over the area that faces forwards or up. */
@@ -89,16 +89,11 @@ function spreadPoints(parts: readonly Part[]): Point[] {
   let begin = 0;
   for (const part of parts) {
     const { isWax } = part.material;
-    const albedo = luma([
-      part.material.baseColor[0],
-      part.material.baseColor[1],
-      part.material.baseColor[2],
-    ]);
     begin += walk(part, (position, normal, before, area) => {
       const [first, next] = [before, before + area].map((at) =>
         Math.floor(((begin + at) / total) * POINTS),
       );
-      for (let i = first!; i < next!; i++) points.push({ position, normal, albedo, isWax });
+      for (let i = first!; i < next!; i++) points.push({ position, normal, isWax });
     });
   }
   return points;

@@ -9,7 +9,7 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import { adaptation, adaptedWhite, VIBRANCE } from "../../light/color.js";
+import { adaptation, adaptedWhite } from "../../light/color.js";
 import { carriedFlame, type RootedFlame, TAPER } from "../../light/flame-light.js";
 import type { Bounds } from "../../world/geometry.js";
 import type { Wick } from "../../world/standing-candle.js";
@@ -27,7 +27,11 @@ import { boundsWithFlames, frameBox } from "./own-framing.js";
 
 /** Share of the directions in which a point of the model sees other points of it. */
 const BOUNCE = 0.1;
+/** Share of the light that a taper alone has from its studio. */
+const STUDIO = 0.7;
 const NOTHING = [0, 0, 0, 0] as const;
+/** Less than in rooms, where all is of one hue: a product's colours are its own. */
+const VIBRANCE = 0.4;
 const GLARE_COLOR = [1, 0.72, 0.36] as const;
 /** Samples of a soft shadow of up to four flames, by tier; of more, each is a smaller part of the light. */
 const TAPS = { low: 6, medium: 14, high: 24, ultra: 24 } as const;
@@ -49,6 +53,8 @@ interface Illumination {
   readonly atlas: Texture;
   /** Luminance of the model's middle tones, cd/m². */
   readonly key: number;
+  /** Factor on the studio's light. */
+  readonly studio: number;
   /** Whether wax glows. */
   readonly translucency: boolean;
 }
@@ -150,7 +156,9 @@ export class OwnModelRenderer implements Renderer {
     const roots = rooted.map(({ root }) => root);
     const atlas = shadows.render(roots, this.#casters);
     this.#gpu.clear(target, NOTHING);
-    const scene = { atlas, key, translucency: features.translucency };
+    // The page around is as bright for one flame as for sixteen.
+    const studio = (STUDIO * MOST_EXPOSURE) / keyExposure;
+    const scene = { atlas, key, studio, translucency: features.translucency };
     if (features.candle) this.#drawSurfaces(target, scene, false);
     for (const one of rooted) {
       flame.render(target, frame, standingWick(one), this.#tier.physical.flameSteps);
@@ -177,7 +185,7 @@ export class OwnModelRenderer implements Renderer {
   /** Draws what is opaque, or what is clear, over flames and all. */
   #drawSurfaces(
     target: RenderTarget,
-    { atlas, key, translucency }: Illumination,
+    { atlas, key, studio, translucency }: Illumination,
     isClear: boolean,
   ): void {
     const { frame, flames, shadows } = this.#resources;
@@ -192,7 +200,7 @@ export class OwnModelRenderer implements Renderer {
         uniforms: {
           ...uniforms,
           ...(translucency ? {} : { uWax: 0 }),
-          uEnvironment: TAPER.color,
+          uEnvironment: TAPER.color.map((channel) => channel * studio),
           uBounce: TAPER.color.map((channel) => channel * key * BOUNCE),
           uPlacement: [0, 0, 0, 0],
           uShadowTiles: shadows.tiles,

@@ -1,4 +1,5 @@
 import { advance } from "../../../src/world/advance.ts";
+import { createPlume } from "../../../src/world/air/create-plume.ts";
 import { createWorld, type WorldOptions } from "../../../src/world/create-world.ts";
 import { type Intent, STILL } from "../../../src/world/player/intent.ts";
 import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";
@@ -40,7 +41,7 @@ const CASES: Readonly<Record<string, Case>> = {
 
 /** Bytes that each tick leaves to the collector: of several stretches the least, as compilers leave some too. */
 function litterOf({ birth, intent, deed }: Case): number {
-  const world = createWorld("physical", 1, birth);
+  const world = createWorld("physical", 1, { ...birth, createPlume });
   let frame = 0;
   const go = (frames: number): void => {
     for (const end = frame + frames; frame < end; frame++) {

@@ -1,6 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { flameReport } from "../../../src/light/flame-light.ts";
 import { advance } from "../../../src/world/advance.ts";
+import { createPlume } from "../../../src/world/air/create-plume.ts";
 import { createWorld } from "../../../src/world/create-world.ts";
 import type { Vec3 } from "../../../src/world/geometry.ts";
 import { STILL } from "../../../src/world/player/intent.ts";
@@ -17,7 +18,7 @@ const WICKS = [
 ] as const;
 
 const withCandles = (...areLit: boolean[]) =>
-  createWorld("physical", 1, { wind: WIND, wicks: WICKS, areLit });
+  createWorld("physical", 1, { wind: WIND, wicks: WICKS, areLit, createPlume });
 
 const candleOf = ({ standing }: World, index: number) => {
   const candle = standing[index];

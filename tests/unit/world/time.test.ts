@@ -1,6 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { SETTINGS } from "../../../src/settings.ts";
 import { advance } from "../../../src/world/advance.ts";
+import { createPlume } from "../../../src/world/air/create-plume.ts";
 import { createWorld } from "../../../src/world/create-world.ts";
 import { GROUPS } from "../../../src/world/particles/particle-layer.ts";
 import { PARTICLE_FLOATS } from "../../../src/world/particles/particles.ts";
@@ -108,7 +109,7 @@ describe("birth", () => {
   });
 
   test("is of a flame already whole, under hot air: physical", () => {
-    const { flame, plume, emitter } = createWorld("physical", 1);
+    const { flame, plume, emitter } = createWorld("physical", 1, { createPlume });
     expect(flame.height).toBeGreaterThan(0.03);
     const [x, y, z] = emitter;
     expect(plume && temperatureAt(plume.solver, [x, y + 0.2, z])).toBeGreaterThan(320);

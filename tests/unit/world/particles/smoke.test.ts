@@ -1,5 +1,6 @@
 import { beforeAll, describe, expect, test } from "vitest";
 import { advance } from "../../../../src/world/advance.ts";
+import { createPlume } from "../../../../src/world/air/create-plume.ts";
 import { createWorld } from "../../../../src/world/create-world.ts";
 import { LINES, ROWS, SMOKE_FLOATS, type Smoke } from "../../../../src/world/particles/smoke.ts";
 import { STILL } from "../../../../src/world/player/intent.ts";
@@ -60,7 +61,7 @@ describe("smoke after the flame is out", () => {
   let speed = 0;
   let world: World;
   beforeAll(() => {
-    world = createWorld("physical", 1, { wind: DRAUGHT });
+    world = createWorld("physical", 1, { wind: DRAUGHT, createPlume });
     advance(world, STILL, 0.5);
     expect(smokeOf(world).count).toBe(0);
     world.flame.extinguish();
@@ -110,8 +111,11 @@ describe("smoke after the flame is out", () => {
       }
       return { count, seconds, left: smokeOf(again).count };
     };
-    const atOnce = lightAgain(createWorld("physical", 1, { wind: DRAUGHT }), 0.3);
-    const later = lightAgain(createWorld("physical", 1, { wind: DRAUGHT, isLit: false }), 0);
+    const atOnce = lightAgain(createWorld("physical", 1, { wind: DRAUGHT, createPlume }), 0.3);
+    const later = lightAgain(
+      createWorld("physical", 1, { wind: DRAUGHT, isLit: false, createPlume }),
+      0,
+    );
     expect(atOnce.count).toBeGreaterThan(0);
     expect(atOnce.left, "what has risen goes on").toBeGreaterThan(atOnce.count);
     expect(later.left).toBe(0);
@@ -121,7 +125,7 @@ describe("smoke after the flame is out", () => {
 
   test("is the same for the same seed, whatever the frame rate", () => {
     const after = (rate: number) => {
-      const again = createWorld("physical", 1, { wind: DRAUGHT });
+      const again = createWorld("physical", 1, { wind: DRAUGHT, createPlume });
       again.flame.extinguish();
       for (let frame = 0; frame < rate; frame++) advance(again, STILL, 1 / rate);
       return Array.from(smokeOf(again).parcels);
@@ -132,7 +136,7 @@ describe("smoke after the flame is out", () => {
   });
 
   test("is no business of the paper's looks", () => {
-    expect(createWorld("paper", 1).plume).toBeNull();
-    expect(createWorld("original", 1).plume).toBeNull();
+    expect(createWorld("paper", 1, { createPlume }).plume).toBeNull();
+    expect(createWorld("original", 1, { createPlume }).plume).toBeNull();
   });
 });

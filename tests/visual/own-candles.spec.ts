@@ -1,0 +1,132 @@
+import type { Page } from "playwright/test";
+import sharp from "sharp";
+import { candlePlate, jarCandle, ringOf } from "../support/candle-model.ts";
+import { plainRoom } from "../support/plain-room.ts";
+import { LIBRARY, RoomDriver } from "../support/room-driver.ts";
+import { expect, test } from "../support/test.ts";
+
+const MODELS: Readonly<Record<string, Buffer>> = {
+  "own-candle.glb": candlePlate([{ at: [0, 0], height: 0.09, radius: 0.03 }], 0.06),
+  "own-candles-4.glb": candlePlate(ringOf(4, 0.09, 0.07, 0.028), 0.14),
+  "own-candles-16.glb": candlePlate(ringOf(16, 0.085, 0.05, 0.004), 0.11),
+  "own-jar.glb": jarCandle(),
+  "no-wick.glb": plainRoom({ min: [0, 0, 0], max: [0.1, 0.1, 0.1] }, [], 0.5),
+};
+/** The same as goldens.spec.ts. */
+const TOLERANCE = { threshold: 0.1, maxDiffPixelRatio: 0.002 };
+const SIZE = { width: 480, height: 270 };
+
+let page: Page;
+let room: RoomDriver;
+const warnings: string[] = [];
+const fetched: string[] = [];
+
+test.beforeAll(async ({ browser }) => {
+  page = await browser.newPage();
+  page.on("console", (message) => {
+    if (message.type() === "warning" && /wick/.test(message.text())) warnings.push(message.text());
+  });
+  page.on("request", (request) => fetched.push(new URL(request.url()).pathname));
+  for (const [name, body] of Object.entries(MODELS)) {
+    await page.route(`${LIBRARY}${name}`, (route) =>
+      route.fulfill({ contentType: "model/gltf-binary", body }),
+    );
+  }
+  room = await new RoomDriver(page).open(
+    { scene: "candle", src: "own-candle.glb", look: "physical", quality: "medium" },
+    SIZE,
+  );
+});
+test.afterAll(() => page.close());
+test.afterEach(() => expect(room.complaints).toEqual([]));
+
+/** Shows another model, from time 0. */
+const show = (src: string) =>
+  room.evaluate(async (element, src) => {
+    if (element.getAttribute("src") !== src) {
+      const loaded = new Promise((resolve) =>
+        element.addEventListener("load", resolve, { once: true }),
+      );
+      element.src = src;
+      await loaded;
+    }
+    element.reset();
+    element.step(0);
+  }, src);
+
+for (const [src, count] of [
+  ["own-candle.glb", 1],
+  ["own-candles-4.glb", 4],
+  ["own-candles-16.glb", 16],
+  ["own-jar.glb", 1],
+  ["/models/wreath.glb", 4],
+  ["/models/jar.glb", 1],
+] as const) {
+  const name = src.replace(/^\/models\//, "our-").replace(".glb", "");
+  test(`${name} burns alone on the page as it did, with ${count} flames`, async () => {
+    await show(src);
+    const states = await room.evaluate((element) => {
+      element.step(0.5);
+      return element.candles.map(({ lit, name }) => `${name} ${lit}`);
+    });
+    expect(states).toHaveLength(count);
+    expect(states[0]).toBe("wick true");
+    expect(new Set(states).size, "each has its name").toBe(count);
+    const picture = await room.png();
+    expect(picture).toMatchSnapshot(`${name}.png`, TOLERANCE);
+    const { channels } = await sharp(picture).stats();
+    expect(channels[3]?.min, "the page shows around it").toBe(0);
+    expect(warnings).toEqual([]);
+  });
+}
+
+test("its code and its model alone are fetched, and the built-in candle's is not", async () => {
+  const files = fetched.filter((path) => /models|scene|chamberstick/.test(path));
+  expect(files.some((path) => /own-candle-scene/.test(path))).toBe(true);
+  expect(files.filter((path) => /chamberstick|room-scene|\/candle-scene/.test(path))).toEqual([]);
+});
+
+test("flames that go out leave light to the others, and wax glows below a burning one alone", async () => {
+  await show("own-candles-4.glb");
+  const [all, three, none] = await room.evaluate((element) => {
+    // Through the lower half of a front candle's wax.
+    const luminance = () => {
+      element.step(1.5);
+      const { width, height } = element.stats;
+      const [x, y] = [Math.round(0.36 * width), Math.round(0.62 * height)];
+      return element.readRadiance(x, y, 4, 4).reduce((sum, value) => sum + value, 0);
+    };
+    element.reset();
+    const all = luminance();
+    for (const candle of element.candles) {
+      // The front left one: its wick is the lowest and leftmost.
+      if (candle.position[2] > 0 && candle.position[0] < 0) candle.extinguish();
+    }
+    const three = luminance();
+    for (const candle of element.candles) candle.extinguish();
+    return [all, three, luminance()];
+  });
+  expect(three).toBeLessThan(0.9 * (all ?? 0));
+  expect(none).toBeLessThan(0.5 * (three ?? 0));
+});
+
+test("one model after another leaves nothing on the GPU", async () => {
+  await show("own-candle.glb");
+  const before = await room.stats();
+  await show("own-candles-4.glb");
+  await show("own-candle.glb");
+  const { gpuObjects, gpuBytes } = await room.stats();
+  expect({ gpuObjects, gpuBytes }).toEqual({
+    gpuObjects: before.gpuObjects,
+    gpuBytes: before.gpuBytes,
+  });
+});
+
+test("a model without a wick gives way to the built-in candle, with a warning", async () => {
+  await show("no-wick.glb");
+  const candles = await room.evaluate((element) => element.candles.map(({ lit }) => lit));
+  expect(candles).toEqual([true]);
+  expect(warnings).toEqual([
+    "The model has no node named wick: the built-in candle burns in its place.",
+  ]);
+});
