@@ -8,7 +8,14 @@ import {
   paperFlameReport,
 } from "./light/flame-light.js";
 import type { AutoQuality } from "./render/auto-quality.js";
-import { burnsAtFirst, candleNamesOf, type Options, wickOf, worldOf } from "./scene-world.js";
+import {
+  burnsAtFirst,
+  candleNamesOf,
+  moonOver,
+  type Options,
+  wickOf,
+  worldOf,
+} from "./scene-world.js";
 import type { CanvasTarget } from "./scenes/canvas-target.js";
 import type { Scene } from "./scenes/scene.js";
 import { SceneView } from "./scenes/scene-view.js";
@@ -124,6 +131,7 @@ export class CandleFlame {
     this.view.settings = options;
     const { air, flame } = this.world;
     this.world.sways = !options.isStill;
+    this.world.moon = moonOver(this.#scene, options);
     air.wind = options.wind;
     flame.wick = wickOf(this.#scene, options);
     if (options.look !== before.look) this.#changeLook();

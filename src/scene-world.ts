@@ -3,6 +3,7 @@ import type { Look, Quality } from "./settings.js";
 import type { Wind } from "./world/air/air.js";
 import { createWorld, type WorldOptions } from "./world/create-world.js";
 import { TAPER_WICK } from "./world/flame/burning.js";
+import { type Moon, type MoonWish, moonOf } from "./world/moon.js";
 import type { World } from "./world/world.js";
 import { LONE_CANDLE_SETUP, type WorldSetup } from "./world/world-setup.js";
 
@@ -22,6 +23,7 @@ export interface Options {
   /** Diameter of the first candle's wick, metres; null: the model's own. */
   readonly wick: number | null;
   readonly unlit: boolean;
+  readonly moon: MoonWish;
   /** Candles that burn at first, unless `unlit`; null: the carried one in a room, all of a model alone. */
   readonly litWicks: readonly number[] | null;
   /** No flicker and no sway: `prefers-reduced-motion`. */
@@ -34,12 +36,18 @@ export function burnsAtFirst(index: number, { isModelAlone }: Scene, options: Op
   return !unlit && (litWicks?.includes(index) ?? (isModelAlone || index === 0));
 }
 
+/** The moon over a scene; null where none shines. */
+export function moonOver({ moonDirection }: Scene, { look, moon }: Options): Moon | null {
+  return look === "physical" ? moonOf(moon, moonDirection) : null;
+}
+
 /** A new world of a scene. */
 export function worldOf(scene: Scene, options: Options, birth: WorldOptions = {}): World {
   const { room, wicks, createPlume, isModelAlone } = scene;
   const { look, seed, isStill, wind } = options;
   const wick = wickOf(scene, options);
   const setup = isModelAlone ? loneSetup(scene) : null;
+  const moon = moonOver(scene, options);
   const world = createWorld(look, seed, {
     createPlume,
     room,
@@ -47,6 +55,7 @@ export function worldOf(scene: Scene, options: Options, birth: WorldOptions = {}
     wind,
     wick,
     wicks,
+    moon,
     isLit: burnsAtFirst(0, scene, options),
     areLit: wicks.map((_, i) => burnsAtFirst(i + 1, scene, options)),
     ...birth,

@@ -59,6 +59,8 @@ export const SETTINGS = {
   "wind-direction": number("degrees", [0, -360, 360]),
   gustiness: number("", [0.5, 0, 1]),
   wick: number("mm", [2, 1, 50]),
+  moonlight: number("lx", [0.15, 0, 0.3]),
+  "moon-direction": { kind: "text", default: "" },
   exposure: number("EV", [0, -8, 8]),
   particles: { ...number("", [0, 0, 1_000_000]), integer: true },
   "max-pixel-ratio": number("", [2, 0.25, 4]),

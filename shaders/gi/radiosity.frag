@@ -1,9 +1,13 @@
 #version 300 es
-// Radiosity of each surfel in the flame's direct light.
+// Radiosity of each surfel in the flame's direct light; MOON: in the moon's, and of the panes in the sky's.
 // Out: lm/m².
 #include "lib/precision.glsl"
 #include "lib/photometry.glsl"
+#ifdef MOON
+#include "lib/moon.glsl"
+#else
 #include "lib/flame-light.glsl"
+#endif
 #include "lib/surfels.glsl"
 
 uniform sampler2D uSurfelReflectance;
@@ -18,6 +22,14 @@ void main() {
     return;
   }
   // A surfel receives all light in its solid angle, whatever its normal.
+#ifdef MOON
+  if (isPaneSurfel(texel, textureSize(uSurfelNormalDistance, 0).y)) {
+    oRadiosity = vec4(vec3(PI * moon.sky), 1.0);
+    return;
+  }
+  vec3 irradiance = vec3(surfel.solidAngle / surfel.area);
+#else
   vec3 irradiance = light.intensity * (surfel.solidAngle / surfel.area * candleVisibility(surfel.position));
+#endif
   oRadiosity = vec4(texelFetch(uSurfelReflectance, texel, 0).rgb * irradiance, 1.0);
 }

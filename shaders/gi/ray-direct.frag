@@ -4,10 +4,16 @@
 #include "lib/precision.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/photometry.glsl"
+#ifdef MOON
+#include "lib/moon.glsl"
+#else
 #include "lib/flame-light.glsl"
+#endif
 #include "lib/probe-rays.glsl"
 #include "lib/surfels.glsl"
+#ifndef MOON
 #include "lib/shadow-cube.glsl"
+#endif
 
 // A surface this far behind the nearest one in its direction is lit: m, and texels of the shadow cube.
 const float BIAS = 0.02;
@@ -19,6 +25,32 @@ uniform vec3 uShadowOrigin;  // m
 
 out vec4 oRadiance;
 
+#ifdef MOON
+uniform highp sampler2D uShadow;  // the moon's map
+
+// Compared with the lit plane at the texel's centre.
+bool isLit(vec3 position, vec3 normal, float NoL) {
+  vec3 place = onMoonMap(position);
+  if (!isOnMap(place.xy) || !isInBeam(position)) return false;
+  vec2 texels = vec2(textureSize(uShadow, 0));
+  vec2 offset = (floor(place.xy * texels) + 0.5) / texels - place.xy;
+  float slope = (dot(normal, moon.across) * offset.x + dot(normal, moon.up) * offset.y) / limitedCosine(NoL);
+  float caster = texelFetch(uShadow, ivec2(place.xy * texels), 0).r * moon.depth;
+  return place.z + slope <= caster + MOON_BIAS;
+}
+
+// Radiance that a probe receives along a ray, by the weight of the ray; the sky's through panes.
+vec3 radianceAlong(ProbeRay ray, vec3 position) {
+  bool isPane = isOnPane(position);
+  float NoL = -dot(ray.normal, moon.direction);
+  if (!isPane && (NoL <= 0.0 || !isLit(position, ray.normal, NoL))) return vec3(0.0);
+  float columns = moon.surfelColumns;
+  float area = isPane ? moon.paneArea / columns * float(GROUP) : float(GROUP * GROUP) * moon.surfelArea / limitedCosine(NoL);
+  float fromProbe = max(dot(ray.normal, -ray.direction), 0.0) * area / (ray.reach * ray.reach);
+  vec3 radiance = isPane ? vec3(moon.sky) : texelFetch(uRayReflectance, ray.texel, 0).rgb * (NoL / PI);
+  return radiance * rayWeight(fromProbe, ray.solidAngle);
+}
+#else
 bool isLit(vec3 position, float NoL) {
   vec3 fromOrigin = position - uShadowOrigin;
   float reach = length(fromOrigin);
@@ -26,22 +58,29 @@ bool isLit(vec3 position, float NoL) {
   return reach <= reach * casterDistance(fromOrigin) + BIAS + BIAS_TEXELS * texel / limitedCosine(NoL);
 }
 
+// Radiance that a probe receives along a ray, by the weight of the ray.
+vec3 radianceAlong(ProbeRay ray, vec3 position) {
+  vec3 fromLight = position - light.captureOrigin;
+  float distanceSquared = dot(fromLight, fromLight);
+  vec3 lightDirection = fromLight * inversesqrt(distanceSquared);
+  float NoL = dot(ray.normal, -lightDirection);
+  if (NoL <= 0.0 || !isLit(position, NoL)) return vec3(0.0);
+  // Of a group of surfels at the hit, from the probe.
+  float area = float(GROUP * GROUP) * surfelSolidAngle(lightDirection) * distanceSquared / limitedCosine(NoL);
+  float fromProbe = max(dot(ray.normal, -ray.direction), 0.0) * area / (ray.reach * ray.reach);
+  vec3 irradiance = light.intensity * (NoL / distanceSquared * candleVisibility(position));
+  vec3 radiance = texelFetch(uRayReflectance, ray.texel, 0).rgb * irradiance / PI;
+  return radiance * rayWeight(fromProbe, ray.solidAngle);
+}
+#endif
+
 void main() {
   vec3 sum = vec3(0.0);
   for (int i = 0; i < 4; i++) {
     ProbeRay ray = probeRayAt(2 * ivec2(gl_FragCoord.xy) + ivec2(i & 1, i >> 1));
+    if (ray.reach <= 0.0) continue;
     vec3 position = texelFetch(uProbePositions, ray.tile, 0).xyz + ray.direction * ray.reach;
-    vec3 fromLight = position - light.captureOrigin;
-    float distanceSquared = dot(fromLight, fromLight);
-    vec3 lightDirection = fromLight * inversesqrt(distanceSquared);
-    float NoL = dot(ray.normal, -lightDirection);
-    if (ray.reach <= 0.0 || NoL <= 0.0 || !isLit(position, NoL)) continue;
-    // Of a group of surfels at the hit, from the probe.
-    float area = float(GROUP * GROUP) * surfelSolidAngle(lightDirection) * distanceSquared / limitedCosine(NoL);
-    float fromProbe = max(dot(ray.normal, -ray.direction), 0.0) * area / (ray.reach * ray.reach);
-    vec3 irradiance = light.intensity * (NoL / distanceSquared * candleVisibility(position));
-    vec3 radiance = texelFetch(uRayReflectance, ray.texel, 0).rgb * irradiance / PI;
-    sum += radiance * rayWeight(fromProbe, ray.solidAngle) * ray.solidAngle;
+    sum += radianceAlong(ray, position) * ray.solidAngle;
   }
   oRadiance = vec4(sum, 1.0);
 }

@@ -5,7 +5,11 @@
 #include "lib/octahedral.glsl"
 #include "lib/photometry.glsl"
 #include "lib/random.glsl"
+#ifdef MOON
+#include "lib/moon.glsl"
+#else
 #include "lib/flame-light.glsl"
+#endif
 #include "lib/probe-rays.glsl"
 #include "lib/surfels.glsl"
 

@@ -1,11 +1,14 @@
 #version 300 es
-// Captures surfels: the surfaces that the flame lights.
+// Captures surfels: the surfaces that the flame lights; PARALLEL: that parallel light meets.
 // Out: reflectance, less the self-occlusion of the normal map; normal and distance from the capture origin (m, 0 where
 // there is no surface).
 #include "lib/precision.glsl"
 #include "lib/caster-albedo.glsl"
 
-uniform vec3 uCaptureOrigin;  // m
+uniform vec3 uCaptureOrigin;  // m; PARALLEL: a point of the plane that distances are from
+#ifdef PARALLEL
+uniform vec3 uDirection;  // of the light, length 1
+#endif
 uniform sampler2D uCasterAlbedo;
 
 in vec3 vPositionWorld;
@@ -41,6 +44,9 @@ vec3 reflectanceAt(vec2 uv) {
 
 void main() {
   vec3 fromOrigin = vPositionWorld - uCaptureOrigin;
+#ifdef PARALLEL
+  fromOrigin = uDirection * dot(fromOrigin, uDirection);
+#endif
   vec3 normal = cross(dFdx(vPositionWorld), dFdy(vPositionWorld));
   // A triangle smaller than a pixel has no derivatives.
   normal = dot(normal, normal) > 0.0 ? normalize(normal) : -normalize(fromOrigin);

@@ -1,8 +1,14 @@
-// Chromatic adaptation to candlelight, and vibrance. Needs lib/photometry.glsl.
+// Chromatic adaptation to candlelight, vibrance, and the sight of rods. Needs lib/photometry.glsl.
 
 uniform vec3 uAdaptation;  // gain of each channel (von Kries 1902)
 uniform vec3 uWhite;       // adapted colour of candlelight, luma 1
 uniform float uVibrance;   // gain of the saturation of faint hues; 0: none
+uniform float uRods;       // share of the rods in sight, which know no hue
+
+// What rods see looks bluish to the cones that they share nerves with.
+// Cao, Pokorny, Smith and Zele 2008, "Rod contributions to color perception: Linear with rod contrast"; Kirk and O'Brien
+// 2011, "Perceptually Based Tone Mapping for Low-Light Conditions".
+const vec3 ROD_COLOR = vec3(0.76, 1.0, 1.42);
 
 // Raises the saturation of faint hues, at constant luminance. Wood, stone and cloth in candlelight are nearly of one
 // hue, which an eye tells apart and a small bright image in a dark frame does not. Saturation is the logarithmic
@@ -18,7 +24,7 @@ vec3 applyVibrance(vec3 light) {
   float raised = saturation * (1.0 + uVibrance * exp(-saturation * saturation / (FAINT * FAINT)));
   if (raised > STRONG) raised = STRONG + BEYOND * (1.0 - exp((STRONG - raised) / BEYOND));
   vec3 vivid = uWhite * exp(hue * (raised / saturation));
-  return vivid * (luminance / luma(vivid));
+  return mix(vivid * (luminance / luma(vivid)), ROD_COLOR * luminance, uRods);
 }
 
 vec3 adaptRadiance(vec3 radiance) {

@@ -47,7 +47,22 @@ float probeVisibility(vec2 depth, float reach) {
 struct IrradianceSample {
   vec3 alongNormal;
   vec3 alongReflection;
+#ifdef MOONLIT
+  float moonlight;  // along the normal, for 1 lx
+#endif
 };
+
+#ifdef MOONLIT
+uniform sampler2D uMoonIrradiance;
+
+IrradianceSample irradianceSample(vec3 alongNormal, vec3 alongReflection) {
+  return IrradianceSample(alongNormal, alongReflection, 0.0);
+}
+#else
+IrradianceSample irradianceSample(vec3 alongNormal, vec3 alongReflection) {
+  return IrradianceSample(alongNormal, alongReflection);
+}
+#endif
 
 // Tile of a probe, by its place in the grid.
 ivec2 tileAt(vec3 probe) {
@@ -104,10 +119,10 @@ IrradianceSample irradianceAt(vec3 position, vec3 facing, vec3 normal, vec3 refl
   vec2 normalUv = octahedralEncode(normal);
   if (volume.testsVisibility < 0.5) {
     vec3 interpolated = irradianceTetrahedral(cell.low, cell.share, normalUv);
-    return IrradianceSample(interpolated, interpolated);
+    return irradianceSample(interpolated, interpolated);
   }
   vec2 reflectionUv = octahedralEncode(reflection);
-  IrradianceSample sum = IrradianceSample(vec3(0.0), vec3(0.0));
+  IrradianceSample sum = irradianceSample(vec3(0.0), vec3(0.0));
   float total = 0.0;
   for (int i = 0; i < 8; i++) {
     vec3 corner = volumeCorner(i);
@@ -115,8 +130,17 @@ IrradianceSample irradianceAt(vec3 position, vec3 facing, vec3 normal, vec3 refl
     float weight = probeWeight(cell, corner, position, facing);
     sum.alongReflection += weight * probeIrradiance(tile, reflectionUv);
     sum.alongNormal += weight * probeIrradiance(tile, normalUv);
+#ifdef MOONLIT
+    // It is nearly without hue: green stands for all.
+    vec2 uv = atlasUv(tile, IRRADIANCE_EDGE, normalUv);
+    sum.moonlight += weight * textureLod(uMoonIrradiance, uv, 0.0).g;
+#endif
     total += weight;
   }
   float scale = 1.0 / max(total, 1e-12);
+#ifdef MOONLIT
+  return IrradianceSample(sum.alongNormal * scale, sum.alongReflection * scale, sum.moonlight * scale);
+#else
   return IrradianceSample(sum.alongNormal * scale, sum.alongReflection * scale);
+#endif
 }

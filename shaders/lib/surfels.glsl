@@ -1,5 +1,7 @@
 // Surfels: the surfaces that the flame lights, as flat patches, one a texel of a cube map whose faces lie side by side
 // along x. Needs lib/photometry.glsl, lib/flame-light.glsl.
+// MOON: the surfaces that the moon lights, one a texel of its map, and in the last GROUP rows the panes that the sky
+// shines through. Needs lib/moon.glsl instead.
 
 uniform sampler2D uSurfelNormalDistance;
 
@@ -57,6 +59,31 @@ float limitedCosine(float cosine) {
   return max(cosine, 0.15);
 }
 
+#ifdef MOON
+// Whether a texel is a part of the window's panes.
+bool isPaneSurfel(ivec2 texel, int size) {
+  return texel.y >= size - GROUP;
+}
+
+Surfel surfelAt(ivec2 texel, int size) {
+  vec4 normalDistance = texelFetch(uSurfelNormalDistance, texel, 0);
+  vec2 place = (vec2(texel) + 0.5) / vec2(moon.surfelColumns, float(size - GROUP));
+  Surfel surfel;
+  surfel.position = moon.position + moon.across * place.x + moon.up * place.y + moon.direction * normalDistance.w;
+  surfel.normal = normalDistance.xyz;
+  surfel.solidAngle = moon.surfelArea;
+  surfel.area = moon.surfelArea / limitedCosine(-dot(surfel.normal, moon.direction));
+  surfel.distance = normalDistance.w;
+  if (isPaneSurfel(texel, size)) {
+    place = (vec2(texel.x, texel.y - (size - GROUP)) + 0.5) / vec2(moon.surfelColumns, float(GROUP));
+    surfel.position = moon.paneCorner + moon.paneAcross * place.x + moon.paneUp * place.y;
+    surfel.normal = moon.paneNormal;
+    surfel.area = moon.paneArea / (moon.surfelColumns * float(GROUP));
+    surfel.distance = moon.paneArea;
+  }
+  return surfel;
+}
+#else
 Surfel surfelAt(ivec2 texel, int size) {
   vec4 normalDistance = texelFetch(uSurfelNormalDistance, texel, 0);
   int face = texel.x / size;
@@ -74,6 +101,7 @@ Surfel surfelAt(ivec2 texel, int size) {
   surfel.distance = normalDistance.w;
   return surfel;
 }
+#endif
 
 // Visibility of a point at `reach` (m) along a direction, past the surface that a nearby ray from the same origin hit:
 // up to the plane of that surface. The tolerance is a share of the distance, and metres.

@@ -1,8 +1,8 @@
 // Tone curve: from adapted light to linear display light. It is monotonic, and scales all channels by one factor, so
 // that hue stays; highlights far above white bleach through gold to white.
 
-// Contrast around middle grey, that of film: candlelight without it looks like fog.
-const float CONTRAST = 1.5;
+// Contrast around middle grey: src/light/night-vision.ts.
+uniform float uContrast;
 const float MIDDLE_GREY = 0.18;
 // Desaturation for every stop above white, from the second on, and its limit. The slope leaves a flame, ten to sixteen
 // stops above, its gold rim around a yellow core.
@@ -15,7 +15,7 @@ vec3 tone(vec3 color) {
   float peak = max(max(color.r, color.g), color.b);
   if (peak <= 0.0) return vec3(0.0);
   vec3 hue = max(color / peak, vec3(1e-3));
-  float level = MIDDLE_GREY * pow(peak / MIDDLE_GREY, CONTRAST);
+  float level = MIDDLE_GREY * pow(peak / MIDDLE_GREY, uContrast);
   // Reinhard et al. 2002, "Photographic Tone Reproduction for Digital Images".
   float compressed = level / (1.0 + level);
   vec3 shown = hue * compressed;

@@ -1,5 +1,5 @@
 #version 300 es
-// Composite of the forward stage: radiance per candela times the flame's intensity.
+// Composite of the forward stage: radiance per candela times the flame's intensity; MOONLIT: and the moonlight.
 // In:  radiance per candela, or normals to inspect.   Out: radiance, cd/m².
 #include "lib/precision.glsl"
 #include "lib/flame-light.glsl"
@@ -7,10 +7,18 @@
 uniform sampler2D uRadiance;
 uniform float uIsLight;  // 0: normals
 
+#ifdef MOONLIT
+uniform vec3 uMoonlight;  // lx
+#endif
+
 out vec4 oRadiance;
 
 void main() {
-  vec3 radiance = texelFetch(uRadiance, ivec2(gl_FragCoord.xy), 0).rgb;
+  vec4 perUnit = texelFetch(uRadiance, ivec2(gl_FragCoord.xy), 0);
+  vec3 radiance = perUnit.rgb * mix(vec3(1.0), light.intensity, uIsLight);
+#ifdef MOONLIT
+  radiance += perUnit.a * uMoonlight;
+#endif
   // The largest half float is 65504; a mirrored flame can be brighter.
-  oRadiance = vec4(min(radiance * mix(vec3(1.0), light.intensity, uIsLight), 3e4), 1.0);
+  oRadiance = vec4(min(radiance, 3e4), 1.0);
 }

@@ -1,7 +1,7 @@
 #version 300 es
-// Forward shading of a mesh, for a flame of 1 cd.
+// Forward shading of a mesh, for a flame of 1 cd; MOONLIT: and for a moon of 1 lx, with the night behind panes.
 // In:  base colour (sRGB), normal, occlusion/roughness/metallic maps; vertex colour: occlusion (red).
-// Out: radiance per candela; or the normal, to inspect.
+// Out: radiance per candela; or the normal, to inspect. MOONLIT: alpha: luminance per lux. Rods see no more of it.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "lib/octahedral.glsl"
@@ -16,8 +16,6 @@
 #include "lib/irradiance-volume.glsl"
 #include "lib/wax.glsl"
 
-// Bias of the level of detail: the hardware's choice blurs more than a pixel.
-const float LOD_BIAS = -0.5;
 // Occlusion below which a point lies in a crevice.
 const float CREVICE = 0.9;
 // Roughness up to which reflections are traced, and from which the probes alone give them.
@@ -26,10 +24,8 @@ const vec2 TRACED_ROUGHNESS = vec2(0.1, 0.3);
 const float TRACED_METAL = 0.25;
 // Indirect part of the radiance at a traced reflection's end, as a share of the irradiance sample.
 const float TRACED_INDIRECT = 0.3;
-// Surfaces nearer than the probes' spacing, by the baked occlusion: what they occlude of the
-// probes' light, and reflect of the flame's, at most so many times the probes'. Fitted to a path tracer's indirect
-// light in the cabin's views (`npm run reference`).
-const float NEAR_OCCLUSION = 0.5;
+// Surfaces nearer than the probes' spacing reflect the flame's light, by the baked occlusion, at most so many times the
+// probes'. Fitted to a path tracer's indirect light in the cabin's views (`npm run reference`).
 const float NEAR_REFLECTANCE = 0.3;
 const float NEAR_LIMIT = 13.0;
 // Height of a crevice's sides, m: they may be lit while its bottom is in their shadow.
@@ -37,43 +33,43 @@ const float CREVICE_HEIGHT = 0.015;
 // Cosine that stands for the flame around the wick, dimmed by the dark zone.
 const float WICK_COSINE = 0.05;
 
-uniform sampler2D uAlbedo;
-uniform sampler2D uNormal;
-uniform sampler2D uOcclusionRoughness;
+#include "lib/surface.glsl"
+#ifdef MOONLIT
+#include "lib/moon.glsl"
+#include "lib/moon-shadow.glsl"
+#include "lib/night-sky.glsl"
+#endif
+
 uniform sampler2D uEnvironmentBrdf;
-uniform sampler2D uNormalMapVisibility;  // by level of detail: mesh/normal-map-visibility.frag
-uniform vec4 uBaseColor;
 uniform float uWax;  // 1 or 0
-uniform float uOcclusionStrength;
 uniform vec4 uFeatures;  // 1 or 0: shadows, indirect light, specular; the normal instead of radiance
 uniform vec2 uOrigin;    // of the target on the frame, pixels
 uniform float uIsWick;   // 1 or 0
-uniform vec4 uSurface;   // roughness, metallic, normal scale, alpha cutoff
-
-// `centroid`: beyond the edge of a thin triangle attributes are extrapolated.
-centroid in vec3 vPositionWorld;
-centroid in vec3 vNormalWorld;
-centroid in vec4 vTangentWorld;
-centroid in vec2 vUv;
-centroid in vec4 vColor;
 
 out vec4 oRadiance;
 
-vec3 shadingNormal(vec3 surface) {
-  if (frame.normalMaps < 0.5) return surface;
-  vec3 mapped = applyNormalMap(texture(uNormal, vUv, LOD_BIAS).xy, surface, vTangentWorld);
-  return normalize(mix(surface, mapped, uSurface.z));
+#ifdef MOONLIT
+// Luminance of a surface in direct moonlight, cd/m² for 1 lx.
+float directMoonlight(vec3 facet, vec3 surface, vec3 normal, vec3 toEye, vec3 diffuseColor, vec3 f0, float alpha) {
+  vec3 L = -moon.direction;
+  float NoL = dot(normal, L);
+  bool isInside = NoL > 0.0 && isInBeam(vPositionWorld);
+  float sum = 0.0;
+  // A software renderer runs both sides of an if, but leaves a loop that no pixel is in.
+  for (int i = isInside ? 1 : 0; i > 0; i--) {
+    float visibility = moonVisibility(vPositionWorld, faceforward(facet, moon.direction, facet), gl_FragCoord.xy + uOrigin);
+    float lit = NoL * mix(1.0, visibility, uFeatures.x);
+    // The disc's width widens the lobe.
+    float widened = min(alpha + 0.5 * MOON_TANGENT, 1.0);
+    vec3 H = normalize(L + toEye);
+    float lobe = distributionGgx(widened, max(dot(normal, H), 0.0));
+    lobe *= visibilitySmith(alpha, max(abs(dot(normal, toEye)), 1e-3), NoL) * (alpha * alpha) / (widened * widened);
+    float specular = luma(fresnelSchlick(f0, max(dot(L, H), 0.0))) * lobe * uFeatures.z;
+    sum = lit * (luma(diffuseColor) / PI * normalMapVisibility(surface, normal, L) + specular);
+  }
+  return sum;
 }
-
-// What a minified normal map leaves of light from all around, and of direct light.
-vec2 minifiedVisibility() {
-  if (frame.normalMaps < 0.5) return vec2(1.0);
-  vec2 texels = vec2(textureSize(uNormal, 0));
-  float texelsInPixel = abs(determinant(mat2(dFdx(vUv) * texels, dFdy(vUv) * texels)));
-  float level = 0.5 * log2(max(texelsInPixel, 1.0));
-  float levels = float(textureSize(uNormalMapVisibility, 0).x);
-  return textureLod(uNormalMapVisibility, vec2((level + 0.5) / levels, 0.5), 0.0).rg;
-}
+#endif
 
 void main() {
   vec4 baseColor = texture(uAlbedo, vUv, LOD_BIAS) * uBaseColor;
@@ -147,4 +143,13 @@ void main() {
   vec3 radiance = diffuse + specular + indirect + baseColor.rgb * waxGlow(vPositionWorld) * uWax;
   // The largest half float is 65504; a mirrored flame can be brighter.
   oRadiance = vec4(uFeatures.w > 0.5 ? 0.5 + 0.5 * normal : min(radiance, 3e4), 1.0);
+
+#ifdef MOONLIT
+  float moonlight = directMoonlight(facet, surface, normal, view, diffuseColor, f0, alpha);
+  float reflectance = luma(diffuseColor) * skyVisibility(surface, normal) * minified.x + luma(environment.share) * uFeatures.z;
+  moonlight += probes.moonlight * reflectance * unoccluded / PI * uFeatures.y;
+  bool isPane = roughness < PANE_ROUGHNESS && isOnPane(vPositionWorld);
+  for (int i = isPane ? 1 : 0; i > 0; i--) moonlight += nightThroughPane(-view, NoV);
+  oRadiance.a = min(moonlight, 3e4);
+#endif
 }

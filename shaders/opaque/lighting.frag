@@ -17,59 +17,24 @@
 #if !REDUCED
 #include "lib/representative-sample.glsl"
 #endif
+#include "lib/lighting-texel.glsl"
 #include "lib/support-irradiance.glsl"
 
-uniform sampler2D uGBufferSurface;
 uniform vec3 uFeatures;  // 1 or 0: shadows, indirect light, specular
-uniform vec2 uLightingSize;
-uniform mat4 uWorldFromClip;
 
 layout(location = 0) out vec4 oLighting;
 #if REDUCED
 layout(location = 1) out vec4 oInverseDepth;
 #endif
 
-#if REDUCED
-// Of four samples the one whose normal is most similar to all: lit by a joint, a texel would show as a spot.
-ivec2 representativePixel(ivec2 pixel) {
-  ivec2 upperRight = min(pixel + 1, textureSize(uGBufferSurface, 0) - 1);
-  ivec2 right = ivec2(upperRight.x, pixel.y);
-  ivec2 upper = ivec2(pixel.x, upperRight.y);
-  vec3 a = texelFetch(uGBufferSurface, pixel, 0).rgb - 0.5;
-  vec3 b = texelFetch(uGBufferSurface, right, 0).rgb - 0.5;
-  vec3 c = texelFetch(uGBufferSurface, upper, 0).rgb - 0.5;
-  vec3 d = texelFetch(uGBufferSurface, upperRight, 0).rgb - 0.5;
-  vec3 sum = a + b + c + d;
-  vec4 similarity = vec4(dot(a, sum), dot(b, sum), dot(c, sum), dot(d, sum));
-  vec2 columns = max(similarity.xy, similarity.zw);
-  ivec2 inLeft = similarity.x >= similarity.z ? pixel : upper;
-  ivec2 inRight = similarity.y >= similarity.w ? right : upperRight;
-  return columns.x >= columns.y ? inLeft : inRight;
-}
-#endif
-
 void main() {
-  ivec2 texel = ivec2(gl_FragCoord.xy);
+  LightingTexel texel = lightingTexel();
+  vec3 position = texel.position;
+  vec3 normal = texel.normal;
+  float material = texel.material;
+  float roughness = texel.roughness;
 #if REDUCED
-  ivec2 pixel = representativePixel(sampleAtTexel(texel, uLightingSize, vec2(textureSize(uGBufferSurface, 0))));
-#else
-  ivec2 pixel = representativeSample(texel, uLightingSize, textureSize(uGBufferSurface, 0));
-#endif
-  float depth = texelFetch(uDepth, pixel, 0).r;
-  vec2 onScreen = (vec2(pixel) + 0.5) / vec2(textureSize(uGBufferSurface, 0));
-  vec4 placed = uWorldFromClip * vec4(vec3(onScreen, depth) * 2.0 - 1.0, 1.0);
-  vec3 position = placed.xyz / placed.w;
-  vec4 surface = texelFetch(uGBufferSurface, pixel, 0);
-#if REDUCED
-  oInverseDepth = vec4(inverseDepth(depth), 0.0, 0.0, 1.0);
-  vec3 normal = normalize(surface.rgb * 2.0 - 1.0);
-  float code = floor(surface.a * 255.0 + 0.5);
-  float material = floor(code / ROUGHNESS_STEPS) / MATERIAL_STEPS;
-  float roughness = mod(code, ROUGHNESS_STEPS) / (ROUGHNESS_STEPS - 1.0);
-#else
-  vec3 normal = normalize(octahedralDecode(surface.rg));
-  float material = surface.a;
-  float roughness = surface.b;
+  oInverseDepth = vec4(inverseDepth(texel.depth), 0.0, 0.0, 1.0);
 #endif
   // Before all else, which would occupy registers. Four rotations of the taps side by side, which the upsampling averages.
   float visibility = 0.0;

@@ -1,17 +1,19 @@
 #version 300 es
 // A tile of the refined image, to its place.
-// In and out: radiance per candela, depth.
+// In and out: radiance per candela, depth. In: moonlight in alpha, which is counted as the flame's from now on.
 #include "lib/precision.glsl"
 
 uniform sampler2D uRadiance;
 uniform sampler2D uDepth;
 uniform vec2 uOrigin;  // of the tile, pixels
+uniform vec3 uMoonlight;  // lx, for 1 cd
 
 out vec4 oRadiance;
 
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy - uOrigin);
-  oRadiance = texelFetch(uRadiance, texel, 0);
+  vec4 perUnit = texelFetch(uRadiance, texel, 0);
+  oRadiance = vec4(perUnit.rgb + perUnit.a * uMoonlight, 1.0);
   // Less than the cleared depth, or the test would reject it.
   gl_FragDepth = min(texelFetch(uDepth, texel, 0).r, 0.9999999);
 }

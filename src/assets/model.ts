@@ -16,6 +16,8 @@ export interface Anchor {
   readonly position: readonly [number, number, number];
   /** Where its -Z points on the floor: radians, counter-clockwise from above, 0 along -Z. */
   readonly yaw: number;
+  /** Its -Z, of length 1. */
+  readonly forward: readonly [number, number, number];
 }
 
 /** A node named `wick…`: a candle burns there. Metres. */

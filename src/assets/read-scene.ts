@@ -59,6 +59,7 @@ function anchorAt({ matrixWorld }: Object3D): Anchor {
   return {
     position: position.toArray(),
     yaw: isLevel ? Math.atan2(-forward.x, -forward.z) : 0,
+    forward: forward.normalize().toArray(),
   };
 }
 

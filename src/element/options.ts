@@ -1,6 +1,7 @@
 import type { Options } from "../candle-flame.js";
 import { resolveUrl } from "../scenes/resolve-url.js";
 import { type Look, parseIndices } from "../settings.js";
+import { type MoonWish, parseMoonPlace } from "../world/moon.js";
 import type { ReflectedAttributes } from "./reflected-attributes.js";
 
 const LESS_MOTION = "(prefers-reduced-motion: reduce)";
@@ -13,7 +14,16 @@ export function optionsOf(element: ReflectedAttributes, look: Look): Options {
   const wind = { speed: element.wind, direction, gustiness };
   const ownWick = element.hasAttribute("wick") ? wick / 1000 : null;
   const flame = { unlit, litWicks: parseIndices(element.litWicks), wick: ownWick, wind };
-  return { look, seed, quality, exposure, particles, isStill, ...flame };
+  return { look, seed, quality, exposure, particles, isStill, ...flame, moon: moonWish(element) };
+}
+
+/** What the attributes say of the moon; the room says the rest. */
+function moonWish(element: ReflectedAttributes): MoonWish {
+  const isSet = Number.isFinite(Number.parseFloat(element.getAttribute("moonlight") ?? ""));
+  return {
+    illuminance: isSet ? element.moonlight : null,
+    direction: parseMoonPlace(element.moonDirection),
+  };
 }
 
 export function observeLessMotion(signal: AbortSignal, onChange: () => void): void {

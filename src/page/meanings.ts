@@ -17,6 +17,10 @@ export const SETTING_MEANINGS: Readonly<Record<SettingName, string>> = {
   "wind-direction": "Where the wind blows to: 0 is −Z, counter-clockwise from above.",
   gustiness: "How squally the wind is: 0 is steady.",
   wick: "Diameter of the wick: a bigger one burns higher.",
+  moonlight:
+    "Light of a full moon outside; none by default in a room of yours without a node `moon`.",
+  "moon-direction":
+    "Where the moon stands: azimuth (0 is −Z, counter-clockwise from above) and elevation, degrees.",
   exposure: "Exposure compensation.",
   particles: "Particles that the flame keeps alive; 0 is the look's own count.",
   "max-pixel-ratio": "Cap on device pixels per CSS pixel.",

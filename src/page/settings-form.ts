@@ -6,6 +6,12 @@ import { controlOf, type Setting, settingRow } from "./setting-row.js";
 /** Settings that can have a control here. */
 type Shown = Exclude<SettingName, "max-pixel-ratio" | "asset-base" | "lit-wicks">;
 
+/** Properties of attributes that have a hyphen. */
+const PROPERTIES: Readonly<Partial<Record<Shown, keyof CandleFlameElement>>> = {
+  "wind-direction": "windDirection",
+  "moon-direction": "moonDirection",
+};
+
 /** How fine a slider is, in the setting's own unit. */
 const SLIDER_STEP = 0.1;
 const SLIDER_STEPS: Readonly<Partial<Record<Shown, number>>> = {
@@ -52,7 +58,7 @@ function addSetting(
   const row = settingRow(control, { id, name: name.replace("-", " "), meaning });
   row.className = "setting";
   form.append(row);
-  const text = () => String(element[name === "wind-direction" ? "windDirection" : name]);
+  const text = () => String(element[PROPERTIES[name] ?? (name as keyof CandleFlameElement)]);
   const output = document.createElement("output");
   if (isSlider) {
     control.setAttribute("type", "range");

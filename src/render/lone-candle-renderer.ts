@@ -11,6 +11,7 @@ import type { UniformBlock } from "../gl/uniform-block.js";
 import type { VertexArray } from "../gl/vertex-array.js";
 import { adaptation, adaptedWhite, luma, VIBRANCE } from "../light/color.js";
 import { carriedFlame, emberRadiance, flameLight, TAPER } from "../light/flame-light.js";
+import { nightVision } from "../light/night-vision.js";
 import type { Vec3 } from "../world/geometry.js";
 import type { World } from "../world/world.js";
 import { clipFromWorld, clipPosition, projectionScale } from "./camera.js";
@@ -113,6 +114,7 @@ export class LoneCandleRenderer implements Renderer {
     const [x, y] = canvasUv(clip, position);
     const [, top] = canvasUv(clip, [position[0], position[1] + halfHeight, position[2]]);
     const candela = luma(intensity);
+    const { contrast, rods } = nightVision(0);
     this.#gpu.draw({
       program: displayProgram,
       target: "canvas",
@@ -123,6 +125,8 @@ export class LoneCandleRenderer implements Renderer {
         uAdaptation: this.#adaptation,
         uWhite: adaptedWhite(),
         uVibrance: VIBRANCE,
+        uRods: rods,
+        uContrast: contrast,
         uGlare: [x, y, Math.abs(top - y), features.bloom ? Math.min(candela, 2) * 0.55 : 0],
         uGlareColor: [1, 0.72, 0.36],
       },

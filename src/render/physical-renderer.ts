@@ -142,8 +142,9 @@ export class PhysicalRenderer implements Renderer {
     if (kind !== "reprojected") {
       this.#opaque.blocks.Light.update(lightBlock(world, settings.features.candle));
     }
-    const { shadow, irradiance } = this.#captures.update(frame, kind);
-    const layer = this.#opaque.shade(frame, shadow, irradiance);
+    const captures = this.#captures.update(frame, kind);
+    const { shadow, irradiance } = captures;
+    const layer = this.#opaque.shade(frame, captures);
     const region = this.#compositeDisplay
       ? this.#volumetric.bounds(frame, kind, this.#size, BLOOM_SCALE)
       : this.#whole;
@@ -245,7 +246,7 @@ export class PhysicalRenderer implements Renderer {
 
   #updatePost(
     { flameUv, world }: FrameInput,
-    { textures }: OpaqueLayer,
+    { textures, blocks }: OpaqueLayer,
     { roomReflectance }: IrradianceVolume,
     region: Box,
   ): void {
@@ -255,23 +256,23 @@ export class PhysicalRenderer implements Renderer {
     this.#exposure.render(
       this.#compositeDisplay ? textures : { uRadiance: color },
       roomReflectance,
-      world.adaptation.lag,
-      { ...this.#opaque.blocks },
+      world.adaptation,
+      { ...blocks },
     );
   }
 
   /** To the canvas: the region of the media from the radiance, the rest straight from the opaque layer. */
-  #present({ settings, flameUv }: FrameInput, layer: OpaqueLayer, region: Box): void {
+  #present({ settings, flameUv, world }: FrameInput, layer: OpaqueLayer, region: Box): void {
     const size = this.#size;
     const { Frame } = this.#opaque.blocks;
     const bloom = this.#bloom.transform(flameUv);
     const inputs = { uBloom: this.#bloom.latest, uExposure: this.#exposure.latest };
     const uRadiance = this.#radiance!.color;
+    const transform = displayTransform(this.#gpu, settings, world.adaptation.darkness);
     if (!this.#compositeDisplay) {
-      this.#display.render({ ...inputs, uRadiance }, bloom, settings, Frame);
+      this.#display.render({ ...inputs, uRadiance }, bloom, settings, transform, Frame);
       return;
     }
-    const transform = displayTransform(this.#gpu, settings);
     const textures = { ...inputs, uToneLut: this.#compositeDisplay.toneLut(transform) };
     if (layer.kind !== "full" || region[2] * region[3] < size.width * size.height) {
       const options = {
@@ -282,10 +283,10 @@ export class PhysicalRenderer implements Renderer {
         bloomBounds: expandBox(region, BLOOM_REACH + layer.motion * size.width, size),
         size,
       };
-      this.#compositeDisplay.render(layer, textures, options, this.#opaque.blocks);
+      this.#compositeDisplay.render(layer, textures, options, layer.blocks);
     }
     const inner = expandBox(region, -1, size);
-    this.#display.render({ ...textures, uRadiance }, bloom, settings, Frame, inner);
+    this.#display.render({ ...textures, uRadiance }, bloom, settings, transform, Frame, inner);
   }
 
   #inspect(
@@ -326,10 +327,10 @@ export function preparePhysicalRenderer(
   gpu: Gpu,
   { room }: Models,
   collision: CollisionMesh,
-  tier: Tier,
+  { tier, isMoonlit }: { readonly tier: Tier; readonly isMoonlit: boolean },
 ): boolean {
   const { opaque, indirect, casterError } = tier.physical;
-  const isCompiled = opaque === "deferred" || forwardProgram(gpu, tier).isCompiled;
+  const isCompiled = opaque === "deferred" || forwardProgram(gpu, tier, isMoonlit).isCompiled;
   return (
     clusterIncrementally(room, casterError) &&
     traceProbesIncrementally(collision, room, indirect, SCHEDULE.probesPerFrame) &&

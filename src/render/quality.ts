@@ -1,5 +1,5 @@
 import type { Quality } from "../settings.js";
-import type { IndirectDetail } from "./gi/indirect-pass.js";
+import type { IndirectDetail } from "./gi/probe-rays.js";
 
 /** All that a quality level sets. */
 export interface Tier {
@@ -29,6 +29,8 @@ export interface PhysicalTier {
   readonly opaque: "forward" | "deferred" | "refined";
   readonly shadow: ShadowQuality;
   readonly indirect: IndirectDetail;
+  /** Texels along an edge of the moon's map. */
+  readonly moonMap: number;
   /** Largest error of shadow casters, metres. */
   readonly casterError: number;
   /** Levels of the bloom's pyramid. */
@@ -58,6 +60,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
         bounces: 6,
         testsVisibility: true,
       },
+      moonMap: 512,
       casterError: 0.03,
       bloomLevels: 3,
       flameSteps: 12,
@@ -81,6 +84,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
         bounces: 6,
         testsVisibility: true,
       },
+      moonMap: 1024,
       casterError: 0.01,
       bloomLevels: 5,
       flameSteps: 24,
@@ -104,6 +108,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
         bounces: 8,
         testsVisibility: true,
       },
+      moonMap: 1024,
       casterError: 0,
       bloomLevels: 6,
       flameSteps: 40,
@@ -127,6 +132,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
         bounces: 8,
         testsVisibility: true,
       },
+      moonMap: 2048,
       casterError: 0,
       bloomLevels: 6,
       flameSteps: 64,

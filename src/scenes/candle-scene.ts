@@ -15,6 +15,7 @@ export async function loadLoneCandle(
     first: null,
     wicks: [],
     createPlume: null,
+    moonDirection: null,
     isModelAlone: true,
     prepareRenderer: () => true,
     createRenderer: (screen, tier) => {

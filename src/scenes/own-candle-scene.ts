@@ -43,6 +43,7 @@ export async function loadOwnCandle(
     first,
     wicks: others,
     createPlume: null,
+    moonDirection: null,
     isModelAlone: true,
     prepareRenderer: () => true,
     createRenderer: (screen, tier) => {

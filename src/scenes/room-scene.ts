@@ -3,6 +3,8 @@ import { uploadNextImage } from "../render/mesh/mesh.js";
 import { PaperRenderer } from "../render/paper-renderer.js";
 import { PhysicalRenderer, preparePhysicalRenderer } from "../render/physical-renderer.js";
 import { createPlume } from "../world/air/create-plume.js";
+import type { Vec3 } from "../world/geometry.js";
+import { CABIN_MOON, moonOf } from "../world/moon.js";
 import { CollisionMesh } from "../world/room/collision-mesh.js";
 import { createRoom } from "../world/room/room.js";
 import { closeModels, loadModels, sourcesOf } from "./room-models.js";
@@ -21,16 +23,23 @@ export async function loadRoom(request: SceneRequest, loading: Loading): Promise
   await nextTask();
   // The paper's looks have their box, unless the visitor brought a room.
   const isBox = look !== "physical" && src === "";
+  const moon: Vec3 | null = anchors.moon ? [...anchors.moon.forward] : null;
+  const moonDirection = look === "physical" && src === "" ? (moon ?? CABIN_MOON) : moon;
   return {
     room: isBox ? null : room,
     first: null,
     wicks: look === "physical" ? placeWicks(models.room, collision) : [],
     createPlume,
+    moonDirection,
     isModelAlone: false,
-    prepareRenderer: ({ gpu }, tier, look) =>
+    prepareRenderer: ({ gpu }, tier, { look, moon }) =>
       uploadNextImage(gpu, models.room) &&
       uploadNextImage(gpu, models.candle) &&
-      (look !== "physical" || preparePhysicalRenderer(gpu, models, collision, tier)),
+      (look !== "physical" ||
+        preparePhysicalRenderer(gpu, models, collision, {
+          tier,
+          isMoonlit: moonOf(moon, moonDirection) !== null,
+        })),
     createRenderer: ({ gpu }, tier, look) =>
       look === "physical"
         ? new PhysicalRenderer(gpu, models, collision, tier)

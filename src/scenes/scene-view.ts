@@ -9,7 +9,7 @@ import type { Inspection } from "../settings.js";
 import type { CanvasTarget } from "./canvas-target.js";
 import { Refinement } from "./refinement.js";
 import type { Scene } from "./scene.js";
-import { type ViewSettings, type ViewSubject, workOf } from "./view-subject.js";
+import { hasOneFlame, type ViewSettings, type ViewSubject, workOf } from "./view-subject.js";
 
 const INSPECTION_RUNG: Rung = { tier: "medium", share: 1 };
 
@@ -43,7 +43,7 @@ export class SceneView {
   #renderer: Renderer;
   /** Of what `auto` shows at rest on machines without a GPU. */
   readonly #refinement = new Refinement({
-    prepare: () => this.#scene.prepareRenderer(this.#target, REFINED, this.#settings.look),
+    prepare: () => this.#scene.prepareRenderer(this.#target, REFINED, this.#settings),
     create: () => this.#scene.createRenderer(this.#target, REFINED, this.#settings.look),
     whenCompiled: () => this.#target.gpu.whenCompiled(),
   });
@@ -72,11 +72,11 @@ export class SceneView {
     isWanted: () => boolean,
   ): Promise<AutoQuality | null> {
     const auto = new AutoQuality(workOf(scene, settings));
-    const { look, quality } = settings;
+    const { quality } = settings;
     if (quality === "auto") auto.speed = await measureTarget(target);
     const { tier: name } = plays ? auto.rung : auto.stillRung;
     const tier = tierNamed(quality === "auto" ? name : quality);
-    while (!scene.prepareRenderer(target, tier, look)) {
+    while (!scene.prepareRenderer(target, tier, settings)) {
       await nextTask();
       if (!isWanted()) return null;
     }
@@ -127,6 +127,9 @@ export class SceneView {
 
   /** To be followed by `rebuild` if the quality or the models are others. */
   set settings(settings: ViewSettings) {
+    if (JSON.stringify(settings.moon) !== JSON.stringify(this.#settings.moon)) {
+      this.#refinement.stop();
+    }
     this.#settings = settings;
     this.#auto.work = workOf(this.#scene, settings);
   }
@@ -215,10 +218,9 @@ export class SceneView {
     // Prepares another tier, a little in each frame, and takes it when nothing holds it up.
     const { wanted } = this.#auto;
     if (!wanted) return;
-    const { look } = this.#settings;
     const isReady =
       wanted.tier === this.#tier.name ||
-      this.#scene.prepareRenderer(this.#target, this.#tierOf(wanted), look);
+      this.#scene.prepareRenderer(this.#target, this.#tierOf(wanted), this.#settings);
     if (isReady) this.#auto.accept();
   }
 
@@ -303,6 +305,7 @@ export class SceneView {
     const { quality, look } = this.#settings;
     if (quality !== "auto" || look !== "physical" || this.#scene.isModelAlone) return false;
     if (isMoving || !canDefer || !this.isPlaying || this.inspect !== "picture") return false;
+    if (!hasOneFlame(this.#subject.world)) return false;
     return this.#auto.isSoftware && this.#tier.name === "low";
   }
 

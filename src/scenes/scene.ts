@@ -3,6 +3,8 @@ import type { Tier } from "../render/quality.js";
 import type { Renderer } from "../render/renderer.js";
 import type { Look, SceneName } from "../settings.js";
 import type { CreatePlume } from "../world/air/create-plume.js";
+import type { Vec3 } from "../world/geometry.js";
+import type { MoonWish } from "../world/moon.js";
 import type { Room } from "../world/room/room.js";
 import type { Wick } from "../world/standing-candle.js";
 import type { CanvasTarget } from "./canvas-target.js";
@@ -17,10 +19,16 @@ export interface Scene {
   readonly wicks: readonly Wick[];
   /** Makes hot air and smoke; null where they are not drawn. */
   readonly createPlume: CreatePlume | null;
+  /** Direction in which the room's own moonlight goes, of length 1; null where it has none. */
+  readonly moonDirection: Vec3 | null;
   /** Whether there is nothing but a model on the page's own background. */
   readonly isModelAlone: boolean;
   /** Goes on, for a few milliseconds, with what a renderer needs. True when it can be made at once. */
-  prepareRenderer(screen: CanvasTarget, tier: Tier, look: Look): boolean;
+  prepareRenderer(
+    screen: CanvasTarget,
+    tier: Tier,
+    settings: { readonly look: Look; readonly moon: MoonWish },
+  ): boolean;
   createRenderer(screen: CanvasTarget, tier: Tier, look: Look): Renderer;
   /** Frees what was fetched. */
   close(): void;

@@ -5,7 +5,7 @@ import type { Vec3 } from "./geometry.js";
 import { length2 } from "./geometry.js";
 import { interpolate, poseCandle } from "./interpolate.js";
 import { emittingGroups } from "./particles/level-of-detail.js";
-import { adaptationView, settleAdaptation } from "./player/adapt.js";
+import { adaptationView, adaptFully } from "./player/adapt.js";
 import { advanceStride } from "./player/gait.js";
 import { advanceHand } from "./player/hand.js";
 import { type Intent, STILL } from "./player/intent.js";
@@ -48,7 +48,7 @@ export function warmUp(world: World, wind: Wind): void {
     tick(world, STILL);
   }
   world.air.wind = wind;
-  settleAdaptation(world);
+  adaptFully(world);
   interpolate(world);
 }
 

@@ -5,6 +5,7 @@ import type { CreatePlume } from "./air/create-plume.js";
 import { TAPER_WICK } from "./flame/burning.js";
 import { Flame } from "./flame/flame.js";
 import { inset, type Vec3 } from "./geometry.js";
+import type { Moon } from "./moon.js";
 import { GROUPS } from "./particles/particle-layer.js";
 import { layerKey, Particles } from "./particles/particles.js";
 import { SparkSchedule } from "./particles/sparks.js";
@@ -35,6 +36,7 @@ export interface WorldOptions {
   /** Of standing candles, which the paper's looks have none of; and whether each burns, by default none. */
   readonly wicks?: readonly Wick[];
   readonly areLit?: readonly boolean[];
+  readonly moon?: Moon | null;
   readonly fieldOfView?: number | null;
 }
 
@@ -74,7 +76,16 @@ export function createWorld(look: Look, seed: number, options: WorldOptions = {}
     createPlume: look === "physical" ? (options.createPlume ?? null) : null,
     adaptation: new ExposureAdaptation(),
     adaptationView: hasRealLight
-      ? { collision: room.collision, eye, yaw, pitch, fieldOfView, flame, luminousIntensity: 0 }
+      ? {
+          collision: room.collision,
+          eye,
+          yaw,
+          pitch,
+          fieldOfView,
+          flame,
+          luminousIntensity: 0,
+          moonlight: 0,
+        }
       : null,
     emitter: [0, 0, 0],
     interpolated: { eye: [0, 0, 0], foot: [0, 0, 0], flame: [0, 0, 0] },
@@ -85,6 +96,7 @@ export function createWorld(look: Look, seed: number, options: WorldOptions = {}
     fieldOfView: options.fieldOfView ?? null,
     sways: true,
     refusal: null,
+    moon: options.moon ?? null,
   };
   room?.plan.setObstacle(null);
   warmUp(world, wind);

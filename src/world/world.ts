@@ -5,6 +5,7 @@ import type { Plume } from "./air/plume.js";
 import type { Candle } from "./candle.js";
 import type { Flame } from "./flame/flame.js";
 import type { Vec3 } from "./geometry.js";
+import type { Moon } from "./moon.js";
 import type { Particles } from "./particles/particles.js";
 import type { SparkSchedule } from "./particles/sparks.js";
 import type { AdaptationView, ExposureAdaptation } from "./player/exposure-adaptation.js";
@@ -62,6 +63,8 @@ export interface World {
   sways: boolean;
   /** Why the candle could not be put down when it was last tried; null if it could. */
   refusal: Refusal | null;
+  /** Null where it does not shine. */
+  moon: Moon | null;
 }
 
 /** Seconds simulated since the beginning. */

@@ -3,7 +3,7 @@ import displayVert from "../../shaders/post/display.vert";
 import { Gpu } from "../../src/gl/gpu.ts";
 import type { Texture } from "../../src/gl/texture.ts";
 import { BloomPass } from "../../src/render/post/bloom-pass.ts";
-import { DisplayPass } from "../../src/render/post/display-pass.ts";
+import { DisplayPass, displayTransform } from "../../src/render/post/display-pass.ts";
 import { ExposurePass } from "../../src/render/post/exposure-pass.ts";
 import { allFeatures, type Features } from "../../src/settings.ts";
 import { EXPOSURE_LAW } from "../../src/world/player/exposure-adaptation.ts";
@@ -58,7 +58,9 @@ export class Eye {
     const exposure = this.#texel(stops);
     const view = { features: { ...allFeatures(), bloom: false, ...features }, gamut };
     const textures = { uRadiance: picture, uBloom: picture, uExposure: exposure };
-    new DisplayPass(gpu, screen).render(textures, { share: [1, 1], shift: [0, 0] }, view, frame);
+    const bloom = { share: [1, 1], shift: [0, 0] } as const;
+    const transform = displayTransform(gpu, view, 0);
+    new DisplayPass(gpu, screen).render(textures, bloom, view, transform, frame);
     const own = [...gpu.readCanvas(0, 0, width, height)];
     const paper = new OffscreenCanvas(width, height).getContext("2d", { colorSpace: "srgb" });
     paper?.drawImage(this.#canvas, 0, 0);
@@ -103,7 +105,7 @@ export class Eye {
     const exposure = new ExposurePass(gpu, screen).render(
       { uRadiance: this.#picture(radianceAt) },
       this.#texel(reflectance),
-      lag,
+      { lag, darkness: 0 },
     );
     const target = gpu.textureView({ label: "exposure", textures: [exposure], image: 0 });
     const [stops = Number.NaN] = gpu.readFloats(target, 0, 0, 1, 1);

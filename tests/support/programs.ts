@@ -1,5 +1,6 @@
 import { CandleFlame } from "../../src/candle-flame.ts";
 import { Gpu } from "../../src/gl/gpu.ts";
+import { nextTask } from "../../src/gl/next-task.ts";
 import { Program, type ProgramOptions, type ShaderSource } from "../../src/gl/program.ts";
 import { UniformBlock } from "../../src/gl/uniform-block.ts";
 import { createCanvasTarget } from "../../src/scenes/canvas-target.ts";
@@ -23,6 +24,7 @@ export interface ProgramReport {
 export async function reportPrograms(
   look: Look,
   quality: Quality = "medium",
+  isMoonlit = false,
 ): Promise<ProgramReport[]> {
   const made: { program: Program; stages: string[]; set: Set<string> }[] = [];
   const members = new Map<string, Set<string>>();
@@ -52,7 +54,7 @@ export async function reportPrograms(
   };
   try {
     const canvas = document.createElement("canvas");
-    const scene = await loadPaperRoom();
+    const scene = await loadRoom(isMoonlit ? "physical" : "paper");
     const screen = createCanvasTarget("room", canvas);
     const candle = new CandleFlame(screen, scene, allFeatures(), {
       look,
@@ -64,10 +66,13 @@ export async function reportPrograms(
       unlit: false,
       litWicks: null,
       wick: 0.002,
+      moon: { illuminance: isMoonlit ? 0.15 : 0, direction: null },
       wind: { speed: 0, direction: 0, gustiness: 0 },
     });
     candle.view.resize(48, 27);
     for (let i = 0; i < 3; i++) candle.step(1 / 60);
+    await screen.gpu.whenIdle();
+    await nextTask(); // the driver has said whether it accepts all targets
     if (quality === "low") {
       candle.play(); // in motion it has shaders of its own there, for odd and even frames
       for (let picture = 0; picture < 2; picture++) {
@@ -158,13 +163,11 @@ export function complaintOf(vertex: ShaderSource, fragment: ShaderSource): strin
 }
 
 /** Its models are the smallest, and every look can draw them. */
-function loadPaperRoom(): Promise<Scene> {
+/** The paper's room, which loads fast, or the cabin, which has a window. */
+function loadRoom(look: Look): Promise<Scene> {
   const assetRoot = new URL("/", location.href).href;
   const { signal } = new AbortController();
-  return loadScene(
-    { scene: "room", look: "paper", src: "", assetRoot },
-    { signal, onProgress: () => {} },
-  );
+  return loadScene({ scene: "room", look, src: "", assetRoot }, { signal, onProgress: () => {} });
 }
 
 function activeUniforms(gl: WebGL2RenderingContext, program: WebGLProgram): string[] {

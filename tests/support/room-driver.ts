@@ -16,8 +16,8 @@ export const LIBRARY = ORIGINS.library;
 /** Attributes of the element under test; `""` sets a flag. */
 export type Attributes = Readonly<Record<string, string>>;
 
-/** Unless a test says otherwise: a room that is quick to load and to draw, a pixel for a pixel. */
-const PAPER: Attributes = { look: "paper", quality: "medium" };
+/** Unless a test says otherwise: a room that is quick to load and to draw, a pixel for a pixel, and no moon. */
+const PAPER: Attributes = { look: "paper", quality: "medium", moonlight: "0" };
 
 export interface Picture {
   readonly width: number;
@@ -111,7 +111,8 @@ export class RoomDriver {
       element.blur();
       element.paused = true;
       element.quality = "medium";
-      const kept = ["paused", "look", "quality"];
+      element.moonlight = 0;
+      const kept = ["paused", "look", "quality", "moonlight"];
       for (const name of element.getAttributeNames()) {
         if (!kept.includes(name)) element.removeAttribute(name);
       }

@@ -23,9 +23,11 @@ test.describe("The picture", () => {
   });
   test.afterAll(() => page.close());
 
-  for (const { name, attributes, ...change } of SCENES) {
+  for (const { name, attributes, isOut = false, ...change } of SCENES) {
     test(`of ${name} is as it was`, async () => {
-      const picture = await room.png({ attributes, isReset: true, ...change });
+      await room.evaluate((element, isOut) => element.toggleAttribute("unlit", isOut), isOut);
+      const moonless = { moonlight: "0", ...attributes };
+      const picture = await room.png({ attributes: moonless, isReset: true, ...change });
       expect(picture).toMatchSnapshot(`${name}.png`, TOLERANCE);
       const before = await means(test.info().snapshotPath(`${name}.png`));
       for (const [channel, mean] of (await means(picture)).entries()) {

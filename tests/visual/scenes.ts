@@ -8,10 +8,13 @@ export interface Scene {
     readonly seed: string;
     readonly quality?: Quality;
     readonly wind?: string;
+    readonly moonlight?: string;
   };
   readonly camera: Camera;
   /** Time simulated, seconds. */
   readonly seconds: number;
+  /** Whether the candle is out, and the eye used to the dark. */
+  readonly isOut?: boolean;
   /** Strength of a breath at the candle before that time, 0 to 1. */
   readonly breath?: number;
   /** Where the candle is put down first, as seen by a visitor who then goes to `camera`. */
@@ -112,4 +115,19 @@ export const SCENES: readonly Scene[] = [
     breath: 1,
     seconds: 1.5,
   },
+  ...(["high", "low"] as const).flatMap((quality) => [
+    {
+      ...CABIN[0]!,
+      name: `cabin-moonlit-${quality}`,
+      attributes: { look: "physical", seed: "1", quality, moonlight: "0.15" } as const,
+      seconds: 0.5,
+    },
+    {
+      ...CABIN[0]!,
+      name: `cabin-moon-${quality}`,
+      attributes: { look: "physical", seed: "1", quality, moonlight: "0.15" } as const,
+      isOut: true,
+      seconds: 0.5,
+    },
+  ]),
 ];

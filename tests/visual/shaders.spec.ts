@@ -18,13 +18,13 @@ function stagesIn(folders: ReadonlySet<string>): string[] {
     .sort();
 }
 
-function reportPrograms(page: Page, look: Look, quality?: Quality) {
+function reportPrograms(page: Page, look: Look, quality?: Quality, isMoonlit = false) {
   return page.evaluate(
-    async ({ module, look, quality }) => {
+    async ({ module, look, quality, isMoonlit }) => {
       const { reportPrograms }: Programs = await import(module);
-      return reportPrograms(look, quality);
+      return reportPrograms(look, quality, isMoonlit);
     },
-    { module: PROGRAMS, look, quality },
+    { module: PROGRAMS, look, quality, isMoonlit },
   );
 }
 
@@ -76,6 +76,9 @@ test("Every shader compiles and links without a word, and every uniform it has i
   const reports: ProgramReport[] = [];
   for (const look of SETTINGS.look.choices) reports.push(...(await reportPrograms(page, look)));
   reports.push(...(await reportPrograms(page, "physical", "low")));
+  for (const quality of ["low", "medium"] as const) {
+    reports.push(...(await reportPrograms(page, "physical", quality, true)));
+  }
   for (const { label, log, unset: here, set } of reports) {
     // What low shows of the other tiers' insides is made there, and drawn with elsewhere.
     const others = reports.filter((other) => other.label === label);

@@ -20,19 +20,9 @@ import type { ShadowCasters } from "../shadow/shadow-casters.js";
 import type { ShadowCube } from "../shadow/shadow-pass.js";
 import { drawInBands, finish, type Steps } from "../steps.js";
 import { IrradianceAtlas } from "./irradiance-atlas.js";
-import { IRRADIANCE_TEXELS, type ProbeDetail, traceProbes } from "./probe-rays.js";
+import { type IndirectDetail, IRRADIANCE_TEXELS, traceProbes } from "./probe-rays.js";
 import { type ProbeTextures, uploadProbeRays } from "./probe-textures.js";
-import { SurfelPass } from "./surfel-pass.js";
-
-/** Resolution of indirect light. */
-export interface IndirectDetail extends ProbeDetail {
-  /** Surfels along an edge of the cube around the flame, and as how many of them the probes gather each group. */
-  readonly surfels: number;
-  readonly surfelGroup: number;
-  readonly bounces: number;
-  /** Whether probes are weighted by their visibility; otherwise by distance alone. */
-  readonly testsVisibility: boolean;
-}
+import { SurfelPass, type Surfels } from "./surfel-pass.js";
 
 /** The room that reflects light. */
 export interface IndirectScene {
@@ -84,7 +74,7 @@ export class IndirectPass {
   readonly #rayGatherProgram: Program;
   readonly #screen: VertexArray;
   readonly #block: UniformBlock;
-  readonly #surfels: SurfelPass;
+  readonly #surfels: Surfels;
   readonly #surfelRadiance: RenderTarget;
   readonly #rayRadiance: RenderTarget;
   readonly #firstBounce: RenderTarget;
@@ -103,19 +93,30 @@ export class IndirectPass {
   /** Frames until the next incremental update may begin. */
   #pause = 0;
 
-  constructor(gpu: Gpu, screen: VertexArray, scene: IndirectScene, detail: IndirectDetail) {
+  constructor(
+    gpu: Gpu,
+    screen: VertexArray,
+    scene: IndirectScene,
+    detail: IndirectDetail,
+    surfels: Surfels = new SurfelPass(gpu, screen, detail.surfels),
+  ) {
     this.#gpu = gpu;
     this.#screen = screen;
     this.#detail = detail;
     this.#scene = scene;
-    this.#surfels = new SurfelPass(gpu, screen, detail.surfels);
+    this.#surfels = surfels;
     // Surfels lie in the tiles of the probes in rows as long as those of the rays.
     const surfelRows = Math.ceil(
       (FACES.length * (detail.surfels / detail.surfelGroup) ** 2) / detail.rays,
     );
     const perRay = (label: string, fragment: ShaderSource) =>
       gpu.program(label, fullscreenVert, fragment, {
-        defines: { RAYS: detail.rays, SURFEL_ROWS: surfelRows, GROUP: detail.surfelGroup },
+        defines: {
+          RAYS: detail.rays,
+          SURFEL_ROWS: surfelRows,
+          GROUP: detail.surfelGroup,
+          ...surfels.defines,
+        },
       });
     this.#surfelRadianceProgram = perRay("gi/surfel-radiance", surfelRadianceFrag);
     this.#rayRadianceProgram = perRay("gi/ray-radiance", rayRadianceFrag);
@@ -283,11 +284,10 @@ export class IndirectPass {
   }
 
   *#renderFirstBounce(light: CaptureLight, shadow: ShadowMap, bands: typeof BANDS): Steps {
-    this.#surfels.light.update(light);
-    this.#surfels.renderRadiosity();
+    this.#surfels.renderRadiosity(light);
     const { normalDistance: uSurfelNormalDistance, radiosity: uRadiosity } = this.#surfels;
     const { uProbePositions } = this.#probes.volume;
-    const pass = { vertexArray: this.#screen, blocks: { Light: this.#surfels.light } };
+    const pass = { vertexArray: this.#screen, blocks: this.#surfels.light };
     yield* drawInBands(this.#gpu, bands.surfelRadiance, {
       ...pass,
       program: this.#surfelRadianceProgram,

@@ -5,6 +5,8 @@ import type { CollisionMesh } from "../../world/room/collision-mesh.js";
 import { shadowFrustumTest } from "../camera.js";
 import type { FrameInput } from "../frame-input.js";
 import type { GBufferKind } from "../gbuffer/gbuffer.js";
+import type { KeptLight } from "../kept-light.js";
+import { KeptLights } from "../kept-lights.js";
 import type { CaptureLight } from "../light-block.js";
 import type { Mesh } from "../mesh/mesh.js";
 import type { MeshLods } from "../mesh/mesh-lods.js";
@@ -21,9 +23,15 @@ const PENUMBRA = 0.05;
 const SWAY = 0.006;
 
 /** Shadow cube and irradiance volume of the flame. */
-export interface Captures {
+interface FlameCaptures {
   readonly shadow: ShadowCube;
   readonly irradiance: IrradianceVolume;
+}
+
+/** Shadow cube and irradiance volume of the flame, and those of other lights. */
+export interface Captures extends FlameCaptures {
+  /** The lights beside the carried flame. */
+  readonly kept: readonly KeptLight[];
 }
 
 /**
@@ -44,8 +52,9 @@ export class LightCaptures {
   #surfelLod: ShadowCasters | null = null;
   readonly #shadow: ShadowPass;
   readonly #indirect: IndirectPass;
-  #holding: { readonly light: CaptureLight; readonly steps: Steps<Captures> } | null = null;
-  #held: { readonly light: CaptureLight; readonly captures: Captures } | null = null;
+  #holding: { readonly light: CaptureLight; readonly steps: Steps<FlameCaptures> } | null = null;
+  #held: { readonly light: CaptureLight; readonly captures: FlameCaptures } | null = null;
+  readonly #keptLights: KeptLights;
 
   /**
    * @param collision mesh of the room, for the probes' rays
@@ -59,9 +68,10 @@ export class LightCaptures {
       readonly collision: CollisionMesh;
       readonly surfaces: readonly Mesh[];
     },
-    { shadow, indirect, casterError }: PhysicalTier,
+    tier: PhysicalTier,
     lods: MeshLods | null,
   ) {
+    const { shadow, indirect, casterError } = tier;
     this.#gpu = gpu;
     this.#model = room.model;
     this.#meshes = room.surfaces;
@@ -69,9 +79,18 @@ export class LightCaptures {
     this.#casters = new ShadowCasters(gpu, room.model, room.surfaces, casterError);
     this.#shadow = new ShadowPass(gpu, shadow.size);
     this.#indirect = new IndirectPass(gpu, screen, room, indirect);
+    this.#keptLights = new KeptLights(gpu, screen, room, tier);
   }
 
-  update({ captureLight, clipFromWorld, settings }: FrameInput, kind: GBufferKind): Captures {
+  update(frame: FrameInput, kind: GBufferKind): Captures {
+    const kept = this.#keptLights.update(frame.world);
+    return { ...this.#ofFlame(frame, kind), kept };
+  }
+
+  #ofFlame(
+    { captureLight, clipFromWorld, settings }: FrameInput,
+    kind: GBufferKind,
+  ): FlameCaptures {
     if (this.#held) return this.#held.captures;
     if (kind === "full") {
       const captureOrigin = captureLight.position;
@@ -121,7 +140,7 @@ export class LightCaptures {
     return false;
   }
 
-  *#steps(light: CaptureLight): Steps<Captures> {
+  *#steps(light: CaptureLight): Steps<FlameCaptures> {
     const captureOrigin = light.position;
     const depth = yield* this.#shadow.steps(this.#casters, captureOrigin);
     const shadow = { depth, captureOrigin, isNew: false };

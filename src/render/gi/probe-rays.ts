@@ -10,6 +10,16 @@ export interface ProbeDetail {
   readonly rays: number;
 }
 
+/** Resolution of indirect light. */
+export interface IndirectDetail extends ProbeDetail {
+  /** Surfels along an edge of the cube around the flame, and as how many of them the probes gather each group. */
+  readonly surfels: number;
+  readonly surfelGroup: number;
+  readonly bounces: number;
+  /** Whether probes are weighted by their visibility; otherwise by distance alone. */
+  readonly testsVisibility: boolean;
+}
+
 /**
  * Probes and the hits of their rays, for the shaders that include `lib/irradiance-volume.glsl`.
  *

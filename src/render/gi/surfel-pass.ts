@@ -13,11 +13,31 @@ import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Vec3 } from "../../world/geometry.js";
 import { floats } from "../float-format.js";
+import type { CaptureLight } from "../light-block.js";
 import { clipFromFace, FACES } from "../shadow/cube-map.js";
 import type { ShadowCasters } from "../shadow/shadow-casters.js";
 
+/** Surfels that a light falls on, captured and lit: by a flame, or by the moon. */
+export interface Surfels
+  extends Pick<
+    SurfelPass,
+    | "normalDistance"
+    | "radiosity"
+    | "outgoing"
+    | "support"
+    | "clear"
+    | "capture"
+    | "renderRadiosity"
+    | "renderOutgoing"
+  > {
+  /** The block of the light, by its name. */
+  readonly light: Readonly<Record<string, UniformBlock>>;
+  /** Of shaders that read the surfels. */
+  readonly defines: Readonly<Record<string, number>>;
+}
+
 /** Surfels: the surfaces that the flame lights, a cube around it: `lib/surfels.glsl`. */
-export class SurfelPass {
+export class SurfelPass implements Surfels {
   readonly #gpu: Gpu;
   readonly #screen: VertexArray;
   readonly #size: number;
@@ -29,7 +49,8 @@ export class SurfelPass {
   readonly #radiosity: RenderTarget;
   readonly #outgoing: RenderTarget;
   readonly #support: RenderTarget;
-  readonly light: UniformBlock;
+  readonly light: { readonly Light: UniformBlock };
+  readonly defines = {};
 
   /** @param size surfels along an edge of the cube */
   constructor(gpu: Gpu, screen: VertexArray, size: number) {
@@ -40,7 +61,7 @@ export class SurfelPass {
     this.#radiosityProgram = gpu.program("gi/radiosity", fullscreenVert, radiosityFrag);
     this.#outgoingProgram = gpu.program("gi/surfel-outgoing", fullscreenVert, surfelOutgoingFrag);
     this.#supportProgram = gpu.program("gi/support-radiosity", fullscreenVert, supportFrag);
-    this.light = gpu.uniformBlock(this.#radiosityProgram, "Light");
+    this.light = { Light: gpu.uniformBlock(this.#radiosityProgram, "Light") };
     const texel = floats(gpu, 4);
     const cube = { width: size * FACES.length, height: size, filter: "nearest" } as const;
     this.#surfels = gpu.renderTarget({
@@ -99,12 +120,13 @@ export class SurfelPass {
     });
   }
 
-  /** What the surfels, and the surface below the flame, reflect of the light's block. */
-  renderRadiosity(): void {
+  /** What the surfels, and the surface below the flame, reflect of a light. */
+  renderRadiosity(light: CaptureLight): void {
+    this.light.Light.update(light);
     const pass = {
       vertexArray: this.#screen,
       textures: this.#colors,
-      blocks: { Light: this.light },
+      blocks: this.light,
     };
     this.#gpu.draw({ ...pass, program: this.#radiosityProgram, target: this.#radiosity });
     this.#gpu.draw({ ...pass, program: this.#supportProgram, target: this.#support });
@@ -117,7 +139,7 @@ export class SurfelPass {
       target: this.#outgoing,
       vertexArray: this.#screen,
       textures: { ...this.#colors, uRadiosity: this.#radiosity.color, ...volume },
-      blocks: { Light: this.light, Volume: block },
+      blocks: { ...this.light, Volume: block },
     });
   }
 

@@ -11,6 +11,7 @@ import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { adaptation, adaptedWhite } from "../../light/color.js";
 import { carriedFlame, type RootedFlame, TAPER } from "../../light/flame-light.js";
+import { nightVision } from "../../light/night-vision.js";
 import type { Bounds } from "../../world/geometry.js";
 import type { Wick } from "../../world/standing-candle.js";
 import type { World } from "../../world/world.js";
@@ -65,6 +66,9 @@ interface Surface {
   readonly isClear: boolean;
   readonly uniforms: Readonly<Record<string, number | readonly number[]>>;
 }
+
+/** Of an eye that candlelight surrounds. */
+const LIT = nightVision(0);
 
 /**
  * A visitor's own candles with alpha, over the page's background: one to sixteen flames on a model.
@@ -175,6 +179,8 @@ export class OwnModelRenderer implements Renderer {
         uAdaptation: this.#adaptation,
         uWhite: adaptedWhite(),
         uVibrance: VIBRANCE,
+        uRods: LIT.rods,
+        uContrast: LIT.contrast,
         uGlareColor: GLARE_COLOR,
         uMagnification: magnification,
       },

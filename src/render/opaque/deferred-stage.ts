@@ -8,11 +8,11 @@ import type { VertexArray } from "../../gl/vertex-array.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import { forEachGBufferKind, type GBuffer, type GBufferKind } from "../gbuffer/gbuffer.js";
 import { GBufferPass } from "../gbuffer/gbuffer-pass.js";
-import type { IrradianceVolume } from "../gi/indirect-pass.js";
+import type { Captures } from "../gi/light-captures.js";
 import type { MeshLods } from "../mesh/mesh-lods.js";
 import type { ShadowQuality } from "../quality.js";
-import type { ShadowCube } from "../shadow/shadow-pass.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
+import { KeptLighting } from "./kept-lighting.js";
 import { LightingPass } from "./lighting-pass.js";
 import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "./opaque-stage.js";
 
@@ -25,6 +25,7 @@ export class DeferredStage implements OpaqueStage {
   readonly #screen: VertexArray;
   readonly #gbufferPass: GBufferPass;
   readonly #lighting: LightingPass;
+  readonly #kept: KeptLighting;
   readonly #composite: Readonly<Record<GBufferKind, Program>>;
   #gbuffer: GBuffer | null = null;
 
@@ -34,6 +35,8 @@ export class DeferredStage implements OpaqueStage {
     this.#lighting = new LightingPass(gpu, screen, quality);
     this.format = this.#lighting.format;
     this.blocks = { Frame: this.#lighting.frame, Light: this.#lighting.light };
+    const summed = { ...this.blocks, Light: this.#lighting.newLightBlock() };
+    this.#kept = new KeptLighting(gpu, screen, quality, this.format, summed);
     this.#gbufferPass = new GBufferPass(gpu, screen, this.blocks.Frame, lods);
     this.#composite = forEachGBufferKind((defines) =>
       gpu.program("opaque/composite", fullscreenVert, compositeFrag, { defines }),
@@ -41,6 +44,7 @@ export class DeferredStage implements OpaqueStage {
   }
 
   resize(size: Size): void {
+    this.#kept.resize();
     this.#gbufferPass.resize(size);
     this.#lighting.resize(size);
   }
@@ -51,14 +55,22 @@ export class DeferredStage implements OpaqueStage {
     return this.#gbuffer.kind;
   }
 
-  shade(frame: FrameInput, shadow: ShadowCube, irradiance: IrradianceVolume): OpaqueLayer {
+  shade(frame: FrameInput, { shadow, irradiance, kept }: Captures): OpaqueLayer {
     const gbuffer = this.#gbuffer;
     if (!gbuffer) throw new Error("Shading needs a G-buffer.");
     const { textures, uniforms } = this.#lighting.render(frame, gbuffer, shadow, irradiance);
+    const all =
+      kept.length > 0 ? this.#kept.render(frame, gbuffer, textures.uLighting, kept) : null;
     return {
       kind: gbuffer.kind,
-      textures: { ...textures, uGBufferAlbedo: gbuffer.albedo, uDepth: gbuffer.depth },
+      textures: {
+        ...textures,
+        ...(all && { uLighting: all.uLighting }),
+        uGBufferAlbedo: gbuffer.albedo,
+        uDepth: gbuffer.depth,
+      },
       uniforms,
+      blocks: all ? { ...this.blocks, Light: all.Light } : this.blocks,
       depth: gbuffer.frameDepth,
       motion: gbuffer.reprojection?.motion ?? 0,
     };
@@ -78,7 +90,7 @@ export class DeferredStage implements OpaqueStage {
       vertexArray: this.#screen,
       textures: layer.textures,
       uniforms: layer.uniforms,
-      blocks: { Light: this.blocks.Light },
+      blocks: { Light: layer.blocks.Light },
       scissor: region,
       depth: isReduced ? "test-and-write" : "none",
     });

@@ -9,21 +9,20 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
+import type { Inspection } from "../../settings.js";
 import type { Bounds } from "../../world/geometry.js";
 import type { FrameInput, ModelInstance, Size } from "../frame-input.js";
-import type { IrradianceVolume } from "../gi/indirect-pass.js";
+import type { Captures } from "../gi/light-captures.js";
+import type { KeptLight } from "../kept-light.js";
 import { type CaptureLight, shadingLight } from "../light-block.js";
 import { type Mesh, surfaceSampling } from "../mesh/mesh.js";
 import { normalMapVisibilityOf } from "../mesh/normal-map-visibility.js";
 import { visibleRuns } from "../mesh/visible-runs.js";
 import type { Tier } from "../quality.js";
 import { SCHEDULE } from "../schedule.js";
-import type { ShadowCube } from "../shadow/shadow-pass.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
 import { ENVIRONMENT_BRDF_SIZE, tabulateEnvironmentBrdf } from "./environment-brdf.js";
 import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "./opaque-stage.js";
-
-const BLACK = [0, 0, 0, 1] as const;
 
 /** What surfaces are drawn to: a target, or a part of a larger frame that it holds. */
 interface SurfacePass extends Pick<Draw, "target" | "viewport"> {
@@ -33,11 +32,25 @@ interface SurfacePass extends Pick<Draw, "target" | "viewport"> {
   readonly isVisible?: (box: Bounds) => boolean;
 }
 
-/** The program that shades all meshes of a tier. */
-export function forwardProgram(gpu: Gpu, { physical }: Tier): Program {
+/** The program that shades all meshes of a tier: for the flame, or for the moon as well. */
+export function forwardProgram(gpu: Gpu, { physical }: Tier, isMoonlit: boolean): Program {
   const { search, taps, bias } = physical.shadow;
-  const defines = { SHADOW_SEARCH: search, SHADOW_TAPS: taps, SHADOW_BIAS: bias };
+  const shadow = { SHADOW_SEARCH: search, SHADOW_TAPS: taps, SHADOW_BIAS: bias };
+  const defines = isMoonlit ? { ...shadow, MOONLIT: 1 } : shadow;
   return gpu.program("opaque/forward", meshVert, forwardFrag, { defines });
+}
+
+function forwardComposite(gpu: Gpu, isMoonlit: boolean): Program {
+  const options = isMoonlit ? { defines: { MOONLIT: 1 } } : {};
+  return gpu.program("opaque/forward-composite", fullscreenVert, compositeFrag, options);
+}
+
+/** What forward shading needs beside the mesh. */
+type LightPass = Required<Pick<Draw, "program" | "textures" | "blocks">>;
+
+/** The moon among the kept lights. */
+export function moonOf(kept: readonly KeptLight[]): KeptLight | null {
+  return kept.find(({ kind }) => kind === "moon") ?? null;
 }
 
 /** The opaque stage for GPUs: forward shading, multisampled. Kept until camera, models or light have moved. */
@@ -55,6 +68,8 @@ export class ForwardStage implements OpaqueStage {
   readonly #environmentBrdf: Texture;
   #samples: RenderTarget | null = null;
   #resolved: RenderTarget | null = null;
+  /** Moonlight in the last frame that was shaded. */
+  #moon: KeptLight | null = null;
   /** What the radiance depends on. */
   #key = "";
 
@@ -62,8 +77,8 @@ export class ForwardStage implements OpaqueStage {
     this.#gpu = gpu;
     this.#screen = screen;
     this.#tier = tier;
-    this.#program = forwardProgram(gpu, tier);
-    this.#composite = gpu.program("opaque/forward-composite", fullscreenVert, compositeFrag);
+    this.#program = forwardProgram(gpu, tier, false);
+    this.#composite = forwardComposite(gpu, false);
     this.blocks = {
       Frame: gpu.uniformBlock(this.#program, "Frame"),
       Light: gpu.uniformBlock(this.#program, "Light"),
@@ -97,18 +112,20 @@ export class ForwardStage implements OpaqueStage {
     return "full";
   }
 
-  shade(frame: FrameInput, shadow: ShadowCube, irradiance: IrradianceVolume): OpaqueLayer {
+  shade(frame: FrameInput, captures: Captures): OpaqueLayer {
     if (!this.#resolved?.depth) throw new Error("The forward stage has no size yet.");
     const { world, settings, instances } = frame;
     const { features, inspect } = settings;
     const light = {
       ...shadingLight(world, features.candle, SCHEDULE.lighting.forward),
-      captureOrigin: shadow.captureOrigin,
+      captureOrigin: captures.shadow.captureOrigin,
     };
+    this.#moon = inspect === "normals" ? null : moonOf(captures.kept);
     const key = JSON.stringify([
       [...frame.clipFromWorld],
       light,
-      irradiance.revision,
+      captures.irradiance.revision,
+      this.#moon?.key,
       features,
       inspect === "normals",
       instances.map(({ placement }) => placement),
@@ -116,57 +133,69 @@ export class ForwardStage implements OpaqueStage {
     if (key !== this.#key) {
       this.#key = key;
       const target = this.#samples ?? this.#resolved;
-      this.#gpu.clear(target, BLACK);
-      this.draw(frame, light, shadow, irradiance, { target });
+      this.#gpu.clear(target, [0, 0, 0, this.#moon?.background ?? 1]);
+      this.draw(frame, light, captures, { target });
       if (this.#samples) this.#gpu.resolve(this.#samples, this.#resolved);
     }
     return {
       kind: "full",
       textures: { uRadiance: this.#resolved.color, uDepth: this.#resolved.depth },
       uniforms: {},
+      blocks: this.blocks,
       depth: this.#resolved.depth,
       motion: 0,
     };
   }
 
-  /** Draws the surfaces for a flame of 1 cd. */
+  /** Draws the surfaces for a flame of 1 cd, and a moon of 1 lx. */
   draw(
     frame: FrameInput,
     light: CaptureLight,
-    shadow: ShadowCube,
-    irradiance: IrradianceVolume,
-    { origin, isVisible, ...pass }: SurfacePass,
+    captures: Captures,
+    { origin, isVisible, ...target }: SurfacePass,
   ): void {
     this.#shadingLight.update(light);
+    const pass = this.#pass(captures, frame.settings.inspect);
     for (const instance of frame.instances) {
       for (const mesh of instance.meshes) {
         const runs = isVisible ? visibleRuns(mesh, instance.placement, isVisible) : [{}];
         if (runs.length === 0) continue;
-        const draw = this.#drawOf(frame, instance, mesh, shadow, irradiance, origin);
-        for (const run of runs) this.#gpu.draw({ ...draw, ...pass, ...run });
+        const draw = this.#drawOf(frame, instance, mesh, pass, origin);
+        for (const run of runs) this.#gpu.draw({ ...draw, ...target, ...run });
       }
     }
+  }
+
+  #pass({ shadow, irradiance, kept }: Captures, inspect: Inspection): LightPass {
+    const { textures, outgoing, block } = irradiance;
+    const ofFlame = { uShadow: shadow.depth, uOutgoing: outgoing, ...textures };
+    const blocks = { Frame: this.blocks.Frame, Light: this.#shadingLight, Volume: block };
+    const moon = inspect === "normals" ? null : moonOf(kept);
+    if (!moon) return { program: this.#program, textures: ofFlame, blocks };
+    const { uIrradiance: uMoonIrradiance } = moon.irradiance.textures;
+    return {
+      program: forwardProgram(this.#gpu, this.#tier, true),
+      textures: { ...ofFlame, uMoonMap: moon.shadow, uMoonIrradiance },
+      blocks: { ...blocks, Moon: moon.block },
+    };
   }
 
   #drawOf(
     { settings }: FrameInput,
     { placement }: ModelInstance,
     mesh: Mesh,
-    shadow: ShadowCube,
-    irradiance: IrradianceVolume,
+    { program, textures, blocks }: LightPass,
     uOrigin: readonly [number, number] = [0, 0],
   ): Omit<Draw, "target"> {
     const { shadows, indirect, specular, translucency } = settings.features;
     return {
-      program: this.#program,
+      program,
       vertexArray: mesh.vertexArray,
       textures: {
         ...mesh.textures,
-        uShadow: shadow.depth,
         uEnvironmentBrdf: this.#environmentBrdf,
         uNormalMapVisibility: normalMapVisibilityOf(this.#gpu, this.#screen, mesh),
-        uOutgoing: irradiance.outgoing,
-        ...irradiance.textures,
+        ...textures,
       },
       sampling: surfaceSampling(this.#tier),
       uniforms: {
@@ -179,7 +208,7 @@ export class ForwardStage implements OpaqueStage {
         uOrigin,
         uFeatures: [shadows, indirect, specular, settings.inspect === "normals"].map(Number),
       },
-      blocks: { Frame: this.blocks.Frame, Light: this.#shadingLight, Volume: irradiance.block },
+      blocks,
       depth: "test-and-write",
       cull: mesh.isDoubleSided ? "none" : "back",
     };
@@ -191,12 +220,16 @@ export class ForwardStage implements OpaqueStage {
     { target }: CompositedFrame,
     region: Box,
   ): void {
+    const moon = this.#moon;
     this.#gpu.draw({
-      program: this.#composite,
+      program: moon ? forwardComposite(this.#gpu, true) : this.#composite,
       target,
       vertexArray: this.#screen,
       textures: { uRadiance: layer.textures.uRadiance! },
-      uniforms: { uIsLight: settings.inspect === "normals" ? 0 : 1 },
+      uniforms: {
+        uIsLight: settings.inspect === "normals" ? 0 : 1,
+        ...(moon && { uMoonlight: moon.intensity }),
+      },
       blocks: { Light: this.blocks.Light },
       scissor: region,
     });

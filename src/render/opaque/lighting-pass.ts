@@ -5,7 +5,7 @@ import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
-import type { TextureFormat } from "../../gl/texture.js";
+import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { floats } from "../float-format.js";
@@ -49,8 +49,12 @@ export class LightingPass {
     this.#gather = gpu.program("opaque/gather-inverse-depth", fullscreenVert, gatherFrag);
     this.format = floats(gpu, 4);
     this.frame = gpu.uniformBlock(this.#full, "Frame");
-    this.light = gpu.uniformBlock(this.#full, "Light");
-    this.#shadingLight = gpu.uniformBlock(this.#full, "Light");
+    this.light = this.newLightBlock();
+    this.#shadingLight = this.newLightBlock();
+  }
+
+  newLightBlock(): UniformBlock {
+    return this.#gpu.uniformBlock(this.#full, "Light");
   }
 
   #program({ search, taps, bias }: ShadowQuality, REDUCED: 0 | 1): Program {
@@ -102,7 +106,7 @@ export class LightingPass {
     { kind, surface, depth, representative, key: gbufferKey, reprojection }: GBuffer,
     shadow: ShadowCube,
     irradiance: IrradianceVolume,
-  ): Pick<OpaqueLayer, "textures" | "uniforms"> {
+  ): Pick<OpaqueLayer, "uniforms"> & { readonly textures: { readonly uLighting: Texture } } {
     const isReduced = kind !== "full";
     const target = isReduced ? this.#reducedTarget : this.#fullTarget;
     const { support } = irradiance;

@@ -4,8 +4,7 @@ import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { GBufferKind } from "../gbuffer/gbuffer.js";
-import type { IrradianceVolume } from "../gi/indirect-pass.js";
-import type { ShadowCube } from "../shadow/shadow-pass.js";
+import type { Captures } from "../gi/light-captures.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
 
 /** Uniform blocks that all passes of a frame share. */
@@ -16,12 +15,13 @@ export interface FrameBlocks {
   readonly Light: UniformBlock;
 }
 
-/** The lit surfaces of a frame, for each candela of the flame's. */
+/** The lit surfaces of a frame, for each candela of the flame's, or of the light that stands for all. */
 export interface OpaqueLayer {
   readonly kind: GBufferKind;
   /** What the stage's shaders composite: radiance per candela, or its factors. */
   readonly textures: Readonly<Record<string, Texture>>;
   readonly uniforms: Readonly<Record<string, readonly number[] | Float32Array>>;
+  readonly blocks: FrameBlocks;
   /** Depth at the canvas's size; of kinds other than `full` it is written by `composite`. */
   readonly depth: Texture;
   /** Motion in the image since the G-buffer was filled, as a share of its size. */
@@ -43,7 +43,7 @@ export interface OpaqueStage {
   resize(size: Size): void;
   /** Forward shading has no G-buffer, and is always `full`. */
   fillGBuffer(frame: FrameInput): GBufferKind;
-  shade(frame: FrameInput, shadow: ShadowCube, irradiance: IrradianceVolume): OpaqueLayer;
+  shade(frame: FrameInput, captures: Captures): OpaqueLayer;
   /** Radiance in cd/m² within a region. */
   composite(frame: FrameInput, layer: OpaqueLayer, target: CompositedFrame, region: Box): void;
 }

@@ -7,6 +7,7 @@ import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { adaptation, adaptedWhite, P3_FROM_RGB, type Rgb, VIBRANCE } from "../../light/color.js";
 import { TAPER } from "../../light/flame-light.js";
+import { nightVision } from "../../light/night-vision.js";
 import { EXPOSURE_LAW } from "../../world/player/exposure-adaptation.js";
 import type { FrameSettings } from "../frame-settings.js";
 import { HueLut } from "./hue-lut.js";
@@ -34,12 +35,20 @@ export function exposureFactor({ features, exposure }: FrameSettings): number {
   return 2 ** exposure * (features.autoExposure ? 1 : FIXED_EXPOSURE);
 }
 
-/** Uniforms of `lib/display-transform.glsl`. Sets the canvas to the view's primaries. */
+/**
+ * Uniforms of `lib/display-transform.glsl`. Sets the canvas to the view's primaries.
+ *
+ * @param darkness adaptation of the eye to moonlight, 0 to 1
+ */
 export function displayTransform(
   gpu: Gpu,
   { features, gamut }: Pick<FrameSettings, "features" | "gamut">,
+  darkness: number,
 ) {
+  const { contrast, rods } = nightVision(darkness);
   return {
+    uContrast: contrast,
+    uRods: features.adaptation ? rods : 0,
     uAdaptation: features.adaptation ? ADAPTATION : UNADAPTED,
     uWhite: features.adaptation ? WHITE : TAPER.color,
     uVibrance: features.adaptation ? VIBRANCE : 0,
@@ -87,11 +96,11 @@ export class DisplayPass {
       readonly uToneLut?: Texture;
     },
     { share, shift }: BloomTransform,
-    view: Pick<FrameSettings, "features" | "gamut">,
+    view: Pick<FrameSettings, "features">,
+    transform: DisplayTransform,
     frame: UniformBlock,
     scissor?: Box,
   ): void {
-    const transform = displayTransform(this.#gpu, view);
     this.#gpu.draw({
       program: this.#program,
       target: "canvas",

@@ -7,7 +7,11 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import { EXPOSURE_LAW } from "../../world/player/exposure-adaptation.js";
+import {
+  EXPOSURE_LAW,
+  type ExposureAdaptation,
+  mostExposure,
+} from "../../world/player/exposure-adaptation.js";
 
 /** Metered cells of the frame, each of 16 taps. */
 const CELLS = { width: 32, height: 18 } as const;
@@ -41,15 +45,15 @@ export class ExposurePass {
    *
    * @param textures of the meter
    * @param roomReflectance one texel: what the room gives back of light
-   * @param lag stops by which the exposure is above its settled value
+   * @param adaptation of the eye
    */
   render(
     textures: Readonly<Record<string, Texture>>,
     roomReflectance: Texture,
-    lag: number,
+    { lag, darkness }: Pick<ExposureAdaptation, "lag" | "darkness">,
     blocks: Readonly<Record<string, UniformBlock>> = {},
   ): Texture {
-    const { luminance, stops, share, least, most, reflectance, keyShare } = EXPOSURE_LAW;
+    const { luminance, stops, share, least, reflectance, keyShare } = EXPOSURE_LAW;
     this.#gpu.draw({
       program: this.#meterProgram,
       target: this.#logLuminance,
@@ -67,7 +71,7 @@ export class ExposurePass {
       },
       uniforms: {
         uLaw: [stops + share * Math.log2(luminance), share],
-        uLimits: [least, most],
+        uLimits: [least, mostExposure(darkness)],
         uKey: [reflectance, keyShare],
         uLag: lag,
       },

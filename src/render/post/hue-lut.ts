@@ -28,15 +28,15 @@ export class HueLut {
   }
 
   /** The table of a display transform. */
-  of({ uWhite, uVibrance }: DisplayTransform): Texture {
-    const key = JSON.stringify([uWhite, uVibrance]);
+  of({ uWhite, uVibrance, uRods }: DisplayTransform): Texture {
+    const key = JSON.stringify([uWhite, uVibrance, uRods]);
     if (key !== this.#key) {
       this.#key = key;
       this.#gpu.draw({
         program: this.#gpu.program("post/hue-lut", fullscreenVert, hueLutFrag),
         target: this.#target,
         vertexArray: this.#screen,
-        uniforms: { uWhite, uVibrance, uAdaptation: [1, 1, 1] },
+        uniforms: { uWhite, uVibrance, uRods, uAdaptation: [1, 1, 1] },
       });
     }
     return this.#target.color;

@@ -12,20 +12,19 @@ import type { World } from "../../world/world.js";
 import { frustumTest } from "../camera.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { FrameSettings } from "../frame-settings.js";
-import type { IrradianceVolume } from "../gi/indirect-pass.js";
-import type { LightCaptures } from "../gi/light-captures.js";
+import type { Captures, LightCaptures } from "../gi/light-captures.js";
 import { type CaptureLight, lightBlock, shadingLight } from "../light-block.js";
-import { ForwardStage } from "../opaque/forward-stage.js";
+import { ForwardStage, moonOf } from "../opaque/forward-stage.js";
 import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "../opaque/opaque-stage.js";
 import type { Tier } from "../quality.js";
 import type { Refining, Surfaces } from "../renderer.js";
 import { SCHEDULE } from "../schedule.js";
 import { clipOfBox } from "../screen-bounds.js";
-import type { ShadowCube } from "../shadow/shadow-pass.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
 import { TILE, tilesAround } from "./tiles.js";
 
 const BLACK = [0, 0, 0, 1] as const;
+const NOTHING = [0, 0, 0] as const;
 
 /**
  * The opaque stage of an image at rest, without a GPU: forward shading, a few tiles in each frame.
@@ -51,6 +50,8 @@ export class RefinedStage implements OpaqueStage {
   beginnings = 0;
   /** Colour of the flame, luma 1, as it was then. */
   flameColor: Rgb = TAPER.color;
+  /** Of the flame then, cd. */
+  #intensity: Rgb = TAPER.color;
   /** Tiles drawn since that was last asked. */
   #drawn: Box[] = [];
   /** Still to be drawn. */
@@ -104,6 +105,7 @@ export class RefinedStage implements OpaqueStage {
     this.beginnings++;
     this.#drawn = [];
     const { intensity } = lightBlock(world, settings.features.candle);
+    this.#intensity = [intensity[0], intensity[1], intensity[2]];
     const strength = luma(intensity);
     if (strength > 0) {
       this.flameColor = [intensity[0] / strength, intensity[1] / strength, intensity[2] / strength];
@@ -125,31 +127,33 @@ export class RefinedStage implements OpaqueStage {
     return "full";
   }
 
-  shade(frame: FrameInput, shadow: ShadowCube, irradiance: IrradianceVolume): OpaqueLayer {
+  shade(frame: FrameInput, captures: Captures): OpaqueLayer {
     if (!this.#light) throw new Error("The refined image has not begun yet.");
-    const light = { ...this.#light, captureOrigin: shadow.captureOrigin };
+    const light = { ...this.#light, captureOrigin: captures.shadow.captureOrigin };
     for (const tile of this.#tiles.splice(0, frame.settings.steps ?? 0)) {
-      this.#drawTile(frame, light, shadow, irradiance, tile);
+      this.#drawTile(frame, light, captures, tile);
     }
     const { color: uRadiance, depth } = this.#whole;
     if (!depth) throw new Error("The refined image keeps its depth.");
     const textures = { uRadiance, uDepth: depth };
-    return { kind: "full", textures, uniforms: {}, depth, motion: 0 };
+    return { kind: "full", textures, uniforms: {}, blocks: this.blocks, depth, motion: 0 };
+  }
+
+  /** A light as a multiple of the flame's at the beginning: as long as it is refined, the flame burns on. */
+  #perCandela(intensity: Rgb): Rgb {
+    const [red, green, blue] = intensity;
+    const flame = this.#intensity;
+    return [red / flame[0], green / flame[1], blue / flame[2]];
   }
 
   /** A tile is drawn to samples of its own, since drivers resolve all of a target, or none. */
-  #drawTile(
-    frame: FrameInput,
-    light: CaptureLight,
-    shadow: ShadowCube,
-    irradiance: IrradianceVolume,
-    tile: Box,
-  ): void {
+  #drawTile(frame: FrameInput, light: CaptureLight, captures: Captures, tile: Box): void {
     const target = this.#whole;
     const { width, height } = target;
     const [x, y] = tile;
-    this.#gpu.clear(this.#samples, BLACK);
-    this.#forward.draw(frame, light, shadow, irradiance, {
+    const moon = moonOf(captures.kept);
+    this.#gpu.clear(this.#samples, [0, 0, 0, moon?.background ?? 1]);
+    this.#forward.draw(frame, light, captures, {
       target: this.#samples,
       viewport: [-x, -y, width, height],
       origin: [x, y],
@@ -163,7 +167,7 @@ export class RefinedStage implements OpaqueStage {
       target,
       vertexArray: this.#screen,
       textures: { uRadiance: this.#resolved.color, uDepth: this.#resolved.depth! },
-      uniforms: { uOrigin: [x, y] },
+      uniforms: { uOrigin: [x, y], uMoonlight: moon ? this.#perCandela(moon.intensity) : NOTHING },
       depth: "test-and-write",
       scissor: tile,
     });

@@ -40,6 +40,7 @@ export class ShadowCasters {
   readonly #surfaces: readonly Mesh[];
   readonly #screen: VertexArray;
   readonly #vertexArray: VertexArray;
+  readonly #buffers: readonly Buffer[];
 
   /**
    * @param surfaces of the same model, in the order of its parts
@@ -51,7 +52,9 @@ export class ShadowCasters {
     this.#screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
     this.#clusters = builderOf(model, detail).finish();
     const { vertices, indices } = this.#clusters;
-    const buffer: Buffer = gpu.buffer("casters/vertices", vertices);
+    const buffer = gpu.buffer("casters/vertices", vertices);
+    const indexBuffer = gpu.buffer("casters/indices", indices, "index");
+    this.#buffers = [buffer, indexBuffer];
     const stride = VERTEX_SIZE * FLOAT;
     this.#vertexArray = gpu.vertexArray("casters", {
       attributes: {
@@ -59,7 +62,7 @@ export class ShadowCasters {
         3: { buffer, size: 2, stride, offset: 3 * FLOAT },
         5: { buffer, size: 1, stride, offset: 5 * FLOAT },
       },
-      indices: { buffer: gpu.buffer("casters/indices", indices, "index"), type: "uint32" },
+      indices: { buffer: indexBuffer, type: "uint32" },
       count: indices.length,
     });
   }
@@ -75,9 +78,19 @@ export class ShadowCasters {
     }
   }
 
+  /** Draws all clusters, with `uCasterAlbedo`. */
+  drawAllWithAlbedo(pass: Omit<Draw, "vertexArray" | "textures">): void {
+    const uCasterAlbedo = casterAlbedoOf(this.#gpu, this.#screen, this.#surfaces);
+    this.draw({ ...pass, textures: { uCasterAlbedo } }, () => true);
+  }
+
   /** Draws the clusters that touch one face of a cube around `origin` (metres), with `uCasterAlbedo`. */
   drawWithAlbedo(face: number, origin: Vec3, pass: Omit<Draw, "vertexArray" | "textures">): void {
     const uCasterAlbedo = casterAlbedoOf(this.#gpu, this.#screen, this.#surfaces);
     this.draw({ ...pass, textures: { uCasterAlbedo } }, (box) => isInCubeFace(face, origin, box));
+  }
+
+  dispose(): void {
+    for (const object of [this.#vertexArray, ...this.#buffers]) object.dispose();
   }
 }

@@ -1,3 +1,4 @@
+import type { Vec3 } from "../geometry.js";
 import type { World } from "../world.js";
 import type { AdaptationView } from "./exposure-adaptation.js";
 import { fieldOfViewOf } from "./field-of-view.js";
@@ -7,15 +8,25 @@ const MIDDLE = 0.025;
 
 /** Input of the eye's adaptation, as it is now; null where there is no room in real light. */
 export function adaptationView(world: World): AdaptationView | null {
-  const { adaptationView: view, player, flame, emitter } = world;
+  const { adaptationView: view, player } = world;
   if (!view) return null;
   view.fieldOfView = fieldOfViewOf(world);
   view.yaw = player.yaw;
   view.pitch = player.pitch;
-  for (let axis = 0; axis < 3; axis++) view.flame[axis] = emitter[axis]!;
+  const root = brightestRoot(world);
+  for (let axis = 0; axis < 3; axis++) view.flame[axis] = root.place[axis]!;
   view.flame[1] += MIDDLE;
-  view.luminousIntensity = flame.glow;
+  view.luminousIntensity = root.glow;
+  view.moonlight = world.moon?.illuminance ?? 0;
   return view;
+}
+
+/** In a new world the eye is used to its light. */
+export function adaptFully(world: World): void {
+  const view = adaptationView(world);
+  if (!view) return;
+  world.adaptation.adaptToDark(view);
+  world.adaptation.settle(view);
 }
 
 /** After a cut: the eye is adapted to what it sees. */
@@ -28,4 +39,20 @@ export function settleAdaptation(world: World): void {
 export function noticeChange(world: World): void {
   const view = adaptationView(world);
   if (view) world.adaptation.notice(view);
+}
+
+const brightest: { place: Readonly<Vec3>; glow: number } = { place: [0, 0, 0], glow: 0 };
+
+/** Root of the carried flame, or of the brightest one where that is out. */
+function brightestRoot({ flame, emitter, standing }: World): typeof brightest {
+  brightest.place = emitter;
+  brightest.glow = flame.glow;
+  if (flame.isLit) return brightest;
+  for (let i = 0; i < standing.length; i++) {
+    const candle = standing[i]!;
+    if (!(candle.flame.glow > brightest.glow)) continue;
+    brightest.place = candle.root;
+    brightest.glow = candle.flame.glow;
+  }
+  return brightest;
 }

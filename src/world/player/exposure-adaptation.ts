@@ -23,16 +23,34 @@ export const EXPOSURE_LAW = {
 /** Least luminance that counts, cd/m². */
 export const DARKEST = 1e-4;
 
+/** How many stops more than `most` the eye opens in moonlight, where a flame would dazzle it. */
+const NIGHT_STOPS = 3.2;
+
+/**
+ * Largest exposure, stops.
+ *
+ * @param darkness adaptation to moonlight, 0 to 1
+ */
+export function mostExposure(darkness: number): number {
+  return EXPOSURE_LAW.most + NIGHT_STOPS * darkness;
+}
+
 /** Exposure, stops, of a frame whose mean luminance is 2^meanStops cd/m². */
-export function exposureOf(meanStops: number): number {
-  const { luminance, stops, share, least, most } = EXPOSURE_LAW;
+export function exposureOf(meanStops: number, darkness = 0): number {
+  const { luminance, stops, share, least } = EXPOSURE_LAW;
   const wanted = stops - share * (meanStops - Math.log2(luminance));
-  return Math.min(Math.max(wanted, least), most);
+  return Math.min(Math.max(wanted, least), mostExposure(darkness));
 }
 
 /** Time constants of adaptation to brighter and to darker, seconds: nine tenths take 2.1 and 3.5 s. */
 const CLOSING = 0.9;
 const OPENING = 1.5;
+
+/** Adaptation to the dark, which takes minutes in nature, seconds; and its loss to a flame: a time constant. */
+const DARKENING = 20;
+const DAZZLING = 0.9;
+/** All flames are out: candela. */
+const OUT = 1e-3;
 
 /** View that the eye adapts to, and its light. Metres, radians, candela. */
 export interface AdaptationView {
@@ -45,6 +63,8 @@ export interface AdaptationView {
   /** Middle of the flame. */
   readonly flame: Vec3;
   luminousIntensity: number;
+  /** Of the moon outside, lux. */
+  moonlight: number;
 }
 
 /** Rays across a view of 16:9. */
@@ -68,6 +88,8 @@ const TOLERANCE = 1e-3;
 export class ExposureAdaptation {
   /** Stops by which the eye is open wider than the view asks for. */
   lag = 0;
+  /** Adaptation to moonlight, 0 to 1. A room that no moon shines on stays as black as at first. */
+  darkness = 0;
   #target = 0;
   /** Exposure that the last view asks for, stops, and the indirect light in it, lux for each candela. */
   #metered = 0;
@@ -82,6 +104,11 @@ export class ExposureAdaptation {
   /** Exposure by the eye's own estimate, stops. */
   get exposure(): number {
     return this.#target + this.lag;
+  }
+
+  /** The eye has had all the time it needs. */
+  adaptToDark(view: AdaptationView): void {
+    this.darkness = isMoonlit(view) ? 1 : 0;
   }
 
   /** After a cut: the eye is adapted. */
@@ -99,6 +126,9 @@ export class ExposureAdaptation {
   }
 
   advance(view: AdaptationView, seconds: number): void {
+    this.darkness = isMoonlit(view)
+      ? Math.min(this.darkness + seconds / DARKENING, 1)
+      : this.darkness * Math.exp(-seconds / DAZZLING);
     this.notice(view);
     this.lag *= Math.exp(-seconds / (this.lag > 0 ? CLOSING : OPENING));
   }
@@ -109,7 +139,7 @@ export class ExposureAdaptation {
     for (let ray = 0; ray < RAYS; ray++) {
       sum += Math.log2(Math.max(this.#luminances[ray]! * view.luminousIntensity, DARKEST));
     }
-    this.#metered = exposureOf(sum / RAYS);
+    this.#metered = exposureOf(sum / RAYS, this.darkness);
   }
 
   #hasMoved({ eye, yaw, pitch, flame, fieldOfView }: AdaptationView): boolean {
@@ -186,4 +216,8 @@ export class ExposureAdaptation {
     if (!collision.isClear(place, flame)) return;
     this.#luminances[ray]! += ((cosine / squared) * ALBEDO) / Math.PI;
   }
+}
+
+function isMoonlit({ moonlight, luminousIntensity }: AdaptationView): boolean {
+  return moonlight > 0 && luminousIntensity < OUT;
 }

@@ -22,7 +22,7 @@ const BY_THE_WALL: Vec3 = [0, 1.3, -1.7];
 
 function sight(flame: Vec3, luminousIntensity = 1): AdaptationView {
   const view = { eye: [0, 1.6, 1.5], yaw: 0, pitch: -0.1, fieldOfView: 0.98 } as const;
-  return { collision: SOLID, ...view, flame, luminousIntensity };
+  return { collision: SOLID, ...view, flame, luminousIntensity, moonlight: 0 };
 }
 
 /** Seconds until the eye has made nine tenths of the way to what it sees now; and whether it ever turned back. */
@@ -131,4 +131,27 @@ describe("an eye", () => {
     });
     expect(new Set(lags).size).toBe(1);
   });
+});
+
+test("in moonlight alone the eye adapts to the dark in twenty seconds, and loses that to a flame in two", () => {
+  const out = { ...sight(IN_THE_HAND, 0), moonlight: 0.15 };
+  const adaptation = new ExposureAdaptation();
+  adaptation.settle(sight(IN_THE_HAND));
+  for (let i = 0; i < 600; i++) adaptation.advance(out, 1 / 60);
+  expect(adaptation.darkness).toBeCloseTo(0.5, 6);
+  const { exposure } = adaptation;
+  for (let i = 0; i < 660; i++) adaptation.advance(out, 1 / 60);
+  expect(adaptation.darkness).toBe(1);
+  expect(adaptation.exposure).toBeGreaterThan(exposure + 1);
+  for (let i = 0; i < 120; i++) adaptation.advance({ ...out, luminousIntensity: 1 }, 1 / 60);
+  expect(adaptation.darkness).toBeLessThan(0.12);
+  adaptation.adaptToDark(out);
+  expect(adaptation.darkness).toBe(1);
+});
+
+test("where no moon shines, an unlit room stays as black as at first", () => {
+  const adaptation = new ExposureAdaptation();
+  for (let i = 0; i < 60; i++) adaptation.advance(sight(IN_THE_HAND, 0), 1);
+  adaptation.adaptToDark(sight(IN_THE_HAND, 0));
+  expect(adaptation.darkness).toBe(0);
 });

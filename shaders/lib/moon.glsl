@@ -1,0 +1,59 @@
+// The moon as a light source, and the night behind the window: 1 lx on a surface outside that faces it. Light and sky are
+// colourless here: their colour is that of the layer's intensity.
+
+layout(std140) uniform Moon {
+  vec3 position;       // corner of the moon's map, before the room, m
+  float depth;         // of the map, m
+  vec3 across;         // edges of the map, perpendicular to the light, m
+  float surfelArea;    // of a surfel's column of light, m²
+  vec3 up;
+  float sky;           // luminance of the sky, cd/m²
+  vec3 direction;      // in which the light goes, length 1
+  float paneArea;      // of the window, m²; 0 where there is none
+  vec3 paneCorner;     // of the window's panes, m
+  float surfelColumns;
+  vec3 paneAcross;     // edges of the panes, m
+  vec3 paneUp;
+  vec3 paneNormal;     // into the room
+} moon;
+
+// Tangent of the moon's angular radius, 0.26 degrees.
+const float MOON_TANGENT = 0.00454;
+
+// A caster less far before the lit plane is the plane, m.
+const float MOON_BIAS = 0.003;
+
+// Place of a point on the map, as shares of its edges, and its depth, m.
+vec3 onMoonMap(vec3 point) {
+  vec3 d = point - moon.position;
+  float across = dot(d, moon.across) / dot(moon.across, moon.across);
+  return vec3(across, dot(d, moon.up) / dot(moon.up, moon.up), dot(d, moon.direction));
+}
+
+bool isOnMap(vec2 place) {
+  return all(greaterThanEqual(place, vec2(0.0))) && all(lessThan(place, vec2(1.0)));
+}
+
+// Distance before the panes up to which a surface may be one: glass is never flat, m.
+const float PANE_DEPTH = 0.02;
+// What is rougher there is the frame.
+const float PANE_ROUGHNESS = 0.15;
+
+// Place of a point of the panes' plane, as shares of their edges.
+vec2 onPanes(vec3 fromCorner) {
+  return vec2(dot(fromCorner, moon.paneAcross) / dot(moon.paneAcross, moon.paneAcross),
+    dot(fromCorner, moon.paneUp) / dot(moon.paneUp, moon.paneUp));
+}
+
+// Whether a point lies on the window's panes.
+bool isOnPane(vec3 point) {
+  vec3 d = point - moon.paneCorner;
+  return moon.paneArea > 0.0 && isOnMap(onPanes(d)) && abs(dot(d, moon.paneNormal)) < PANE_DEPTH;
+}
+
+// Whether the light on its way to a point comes through the panes, if there are any. Joints of walls let none in.
+bool isInBeam(vec3 point) {
+  vec3 d = point - moon.paneCorner;
+  float way = dot(d, moon.paneNormal) / max(dot(moon.direction, moon.paneNormal), 1e-4);
+  return moon.paneArea <= 0.0 || (way > -PANE_DEPTH && isOnMap(onPanes(d - way * moon.direction)));
+}

@@ -1,0 +1,39 @@
+// The material of a mesh at a pixel of forward shading.
+// Needs lib/frame.glsl, lib/normal-map.glsl.
+
+// Bias of the level of detail: the hardware's choice blurs more than a pixel.
+const float LOD_BIAS = -0.5;
+// Share of the probes' light that surfaces nearer than their spacing occlude, by the baked occlusion. Fitted to a path
+// tracer's indirect light in the cabin's views (`npm run reference`).
+const float NEAR_OCCLUSION = 0.5;
+
+uniform sampler2D uAlbedo;
+uniform sampler2D uNormal;
+uniform sampler2D uOcclusionRoughness;
+uniform sampler2D uNormalMapVisibility;  // by level of detail: mesh/normal-map-visibility.frag
+uniform vec4 uBaseColor;
+uniform float uOcclusionStrength;
+uniform vec4 uSurface;   // roughness, metallic, normal scale, alpha cutoff
+
+// `centroid`: beyond the edge of a thin triangle attributes are extrapolated.
+centroid in vec3 vPositionWorld;
+centroid in vec3 vNormalWorld;
+centroid in vec4 vTangentWorld;
+centroid in vec2 vUv;
+centroid in vec4 vColor;
+
+vec3 shadingNormal(vec3 surface) {
+  if (frame.normalMaps < 0.5) return surface;
+  vec3 mapped = applyNormalMap(texture(uNormal, vUv, LOD_BIAS).xy, surface, vTangentWorld);
+  return normalize(mix(surface, mapped, uSurface.z));
+}
+
+// What a minified normal map leaves of light from all around, and of direct light.
+vec2 minifiedVisibility() {
+  if (frame.normalMaps < 0.5) return vec2(1.0);
+  vec2 texels = vec2(textureSize(uNormal, 0));
+  float texelsInPixel = abs(determinant(mat2(dFdx(vUv) * texels, dFdy(vUv) * texels)));
+  float level = 0.5 * log2(max(texelsInPixel, 1.0));
+  float levels = float(textureSize(uNormalMapVisibility, 0).x);
+  return textureLod(uNormalMapVisibility, vec2((level + 0.5) / levels, 0.5), 0.0).rg;
+}

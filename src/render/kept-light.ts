@@ -1,0 +1,20 @@
+import type { Texture } from "../gl/texture.js";
+import type { UniformBlock } from "../gl/uniform-block.js";
+import type { Rgb } from "../light/color.js";
+import type { IrradianceVolume } from "./gi/indirect-pass.js";
+
+/** A light beside the carried flame. What it lights is known once, and kept for 1 cd or 1 lx of it. */
+export interface KeptLight {
+  readonly kind: "moon" | "candle";
+  readonly name: string;
+  /** `Light` or `Moon`, of 1 cd or 1 lx. */
+  readonly block: UniformBlock;
+  readonly shadow: Texture;
+  readonly irradiance: IrradianceVolume;
+  /** In this frame: candela, or lux. */
+  readonly intensity: Rgb;
+  /** Luminance where there is no surface, cd/m² for 1 cd or 1 lx. */
+  readonly background: number;
+  /** Of all that the block, the shadow and the irradiance depend on. */
+  readonly key: string;
+}

@@ -1,0 +1,108 @@
+import shadowFrag from "../../../shaders/shadow/shadow.frag";
+import shadowVert from "../../../shaders/shadow/shadow.vert";
+import type { Gpu } from "../../gl/gpu.js";
+import type { Texture } from "../../gl/texture.js";
+import type { VertexArray } from "../../gl/vertex-array.js";
+import { adaptedMoonlight } from "../../light/moonlight.js";
+import type { Vec3 } from "../../world/geometry.js";
+import type { Moon } from "../../world/moon.js";
+import type { IndirectScene } from "../gi/indirect-pass.js";
+import { IndirectPass } from "../gi/indirect-pass.js";
+import type { KeptLight } from "../kept-light.js";
+import type { PhysicalTier } from "../quality.js";
+import { ShadowCasters } from "../shadow/shadow-casters.js";
+import { entersRoom } from "./entry.js";
+import {
+  clipFromFrustum,
+  type MoonFrustum,
+  moonBlock,
+  moonCasters,
+  moonFrustum,
+  SKY,
+} from "./moon-frustum.js";
+import { MoonSurfels } from "./moon-surfels.js";
+import { panesOf } from "./panes.js";
+
+/** The moon's map and irradiance volume, captured once for each direction of its light. */
+export class MoonCaptures {
+  readonly #gpu: Gpu;
+  readonly #scene: IndirectScene;
+  readonly #map: Texture;
+  readonly #surfels: MoonSurfels;
+  readonly #indirect: IndirectPass;
+  #key = "";
+  #light: Omit<KeptLight, "intensity"> | null = null;
+
+  constructor(
+    gpu: Gpu,
+    screen: VertexArray,
+    scene: IndirectScene,
+    { moonMap, indirect }: PhysicalTier,
+  ) {
+    this.#gpu = gpu;
+    this.#scene = scene;
+    this.#map = gpu.texture({
+      label: "moon/map",
+      format: "DEPTH_COMPONENT16",
+      source: { width: moonMap, height: moonMap },
+      filter: "nearest",
+    });
+    this.#surfels = new MoonSurfels(gpu, screen, indirect.surfels, indirect.surfelGroup);
+    this.#indirect = new IndirectPass(gpu, screen, scene, indirect, this.#surfels);
+  }
+
+  /** Null where it does not reach the room. */
+  light({ direction, illuminance }: Moon): KeptLight | null {
+    const key = JSON.stringify(direction);
+    if (key !== this.#key) {
+      this.#key = key;
+      const captured = this.#capture(direction);
+      this.#light = captured && { ...captured, key };
+    }
+    return this.#light && { ...this.#light, intensity: adaptedMoonlight(illuminance) };
+  }
+
+  #capture(direction: Vec3): Omit<KeptLight, "intensity" | "key"> | null {
+    const { model, surfaces } = this.#scene;
+    const frustum = moonFrustum(direction, model.bounds, panesOf(model));
+    const parts = moonCasters(model.parts, frustum);
+    if (!frustum.panes && !entersRoom(direction, parts, model.bounds)) return null;
+    const casters = new ShadowCasters(this.#gpu, { ...model, parts }, surfaces, 0);
+    this.#drawMap(frustum, casters);
+    this.#surfels.frustum = frustum;
+    const block = moonBlock(frustum, this.#surfels.detail);
+    const shadow = { depth: this.#map, captureOrigin: frustum.corner };
+    const irradiance = this.#indirect.render(casters, block, shadow);
+    casters.dispose();
+    return {
+      kind: "moon",
+      name: "moon",
+      block: this.#surfels.light.Moon,
+      shadow: this.#map,
+      irradiance,
+      // Through openings the sky shows; what shows behind panes is a crack in the walls.
+      background: frustum.panes ? 0 : SKY,
+    };
+  }
+
+  #drawMap(frustum: MoonFrustum, casters: ShadowCasters): void {
+    const target = this.#gpu.textureView({
+      label: "moon/map",
+      textures: [],
+      image: 0,
+      depth: this.#map,
+    });
+    this.#gpu.clear(target, [0, 0, 0, 0]);
+    casters.draw(
+      {
+        program: this.#gpu.program("shadow/shadow", shadowVert, shadowFrag),
+        target,
+        uniforms: { uClipFromWorld: clipFromFrustum(frustum) },
+        depth: "test-and-write",
+        cull: "none",
+      },
+      () => true,
+    );
+    target.dispose();
+  }
+}

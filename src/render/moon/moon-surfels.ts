@@ -1,0 +1,122 @@
+import radiosityFrag from "../../../shaders/gi/radiosity.frag";
+import surfelFrag from "../../../shaders/gi/surfel.frag";
+import fullscreenVert from "../../../shaders/post/fullscreen.vert";
+import cubeFaceVert from "../../../shaders/shadow/cube-face.vert";
+import type { Gpu } from "../../gl/gpu.js";
+import type { Program } from "../../gl/program.js";
+import type { RenderTarget } from "../../gl/render-target.js";
+import type { Texture } from "../../gl/texture.js";
+import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { VertexArray } from "../../gl/vertex-array.js";
+import { floats } from "../float-format.js";
+import type { Surfels } from "../gi/surfel-pass.js";
+import type { CaptureLight } from "../light-block.js";
+import { FACES } from "../shadow/cube-map.js";
+import type { ShadowCasters } from "../shadow/shadow-casters.js";
+import { clipFromFrustum, type MoonFrustum } from "./moon-frustum.js";
+
+/** Surfels that the moon lights, on its map; in the last rows the panes that the sky shines through. */
+export class MoonSurfels implements Surfels {
+  readonly light: { readonly Moon: UniformBlock };
+  readonly defines = { MOON: 1 };
+  readonly #gpu: Gpu;
+  readonly #screen: VertexArray;
+  readonly #captureProgram: Program;
+  readonly #radiosityProgram: Program;
+  readonly #surfels: RenderTarget;
+  readonly #radiosity: RenderTarget;
+  readonly #rows: number;
+  /** To be set before each capture. */
+  frustum: MoonFrustum | null = null;
+
+  /**
+   * @param size rows of surfels; there are as many columns as six times that
+   * @param group rows of those on the panes
+   */
+  constructor(gpu: Gpu, screen: VertexArray, size: number, group: number) {
+    this.#gpu = gpu;
+    this.#screen = screen;
+    this.#rows = size - group;
+    this.#captureProgram = gpu.program("gi/surfel", cubeFaceVert, surfelFrag, {
+      defines: { PARALLEL: 1 },
+    });
+    this.#radiosityProgram = gpu.program("gi/radiosity", fullscreenVert, radiosityFrag, {
+      defines: { MOON: 1, GROUP: group },
+    });
+    this.light = { Moon: gpu.uniformBlock(this.#radiosityProgram, "Moon") };
+    const texel = floats(gpu, 4);
+    const map = { width: size * FACES.length, height: size, filter: "nearest" } as const;
+    this.#surfels = gpu.renderTarget({
+      label: "moon/surfels",
+      ...map,
+      color: [texel, texel],
+      depth: "buffer",
+    });
+    this.#radiosity = gpu.renderTarget({ label: "moon/radiosity", ...map, color: ["RGBA16F"] });
+  }
+
+  /** Surfels on the map. */
+  get detail(): { readonly columns: number; readonly rows: number } {
+    return { columns: this.#radiosity.width, rows: this.#rows };
+  }
+
+  get normalDistance(): Texture {
+    return this.#colors.uSurfelNormalDistance;
+  }
+
+  get radiosity(): Texture {
+    return this.#radiosity.color;
+  }
+
+  /** Nothing reads these of the moon. */
+  get outgoing(): Texture {
+    return this.#radiosity.color;
+  }
+
+  get support(): Texture {
+    return this.#radiosity.color;
+  }
+
+  clear(): void {
+    this.#gpu.clear(this.#surfels, [0, 0, 0, 0]);
+  }
+
+  /** All at once, with the first face of the six that a flame has. */
+  capture(casters: ShadowCasters, _: unknown, face: number): void {
+    const { frustum } = this;
+    if (face > 0 || !frustum) return;
+    casters.drawAllWithAlbedo({
+      program: this.#captureProgram,
+      target: this.#surfels,
+      viewport: [0, 0, this.#surfels.width, this.#rows],
+      uniforms: {
+        uClipFromWorld: clipFromFrustum(frustum),
+        uCaptureOrigin: frustum.corner,
+        uDirection: frustum.direction,
+      },
+      depth: "test-and-write",
+      cull: "none",
+    });
+  }
+
+  renderRadiosity(light: CaptureLight): void {
+    this.light.Moon.update(light);
+    this.#gpu.draw({
+      program: this.#radiosityProgram,
+      target: this.#radiosity,
+      vertexArray: this.#screen,
+      textures: this.#colors,
+      blocks: this.light,
+    });
+  }
+
+  renderOutgoing(): void {}
+
+  get #colors() {
+    const [uSurfelReflectance, uSurfelNormalDistance] = this.#surfels.colors;
+    if (!uSurfelReflectance || !uSurfelNormalDistance) {
+      throw new Error("Surfels take two textures: reflectance, and normal with distance.");
+    }
+    return { uSurfelReflectance, uSurfelNormalDistance };
+  }
+}

@@ -1,0 +1,160 @@
+import { mat4 } from "gl-matrix";
+import moonFrag from "../../../shaders/opaque/moon-lighting.frag";
+import sumFrag from "../../../shaders/opaque/sum-lighting.frag";
+import fullscreenVert from "../../../shaders/post/fullscreen.vert";
+import type { Gpu } from "../../gl/gpu.js";
+import type { Program } from "../../gl/program.js";
+import type { RenderTarget } from "../../gl/render-target.js";
+import type { Texture, TextureFormat } from "../../gl/texture.js";
+import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { VertexArray } from "../../gl/vertex-array.js";
+import { luma, type Rgb } from "../../light/color.js";
+import { TAPER } from "../../light/flame-light.js";
+import type { FrameInput } from "../frame-input.js";
+import type { GBuffer } from "../gbuffer/gbuffer.js";
+import type { KeptLight } from "../kept-light.js";
+import { lightBlock } from "../light-block.js";
+import type { ShadowQuality } from "../quality.js";
+import type { FrameBlocks } from "./opaque-stage.js";
+
+/** Least intensity by which the sum has the flame's colour, cd: an ember gives less. */
+const BURNING = 0.01;
+
+/** Deferred lighting by kept lights, each in a texture of its own, and their sum with the flame's. */
+export class KeptLighting {
+  readonly #gpu: Gpu;
+  readonly #screen: VertexArray;
+  readonly #shadowQuality: ShadowQuality;
+  readonly #format: TextureFormat;
+  /** By the light's name, and whether it is reduced. */
+  readonly #layers = new Map<string, { readonly target: RenderTarget; key: string }>();
+  /** Sums, used in turn; the last one written is first. */
+  readonly #sums = new Map<boolean, [RenderTarget, RenderTarget]>();
+  /** The light whose lighting the sum is. */
+  readonly #block: UniformBlock;
+
+  readonly #frame: UniformBlock;
+
+  /** @param blocks `Frame`, and a `Light` for the sum */
+  constructor(
+    gpu: Gpu,
+    screen: VertexArray,
+    quality: ShadowQuality,
+    format: TextureFormat,
+    { Frame, Light }: FrameBlocks,
+  ) {
+    this.#gpu = gpu;
+    this.#screen = screen;
+    this.#shadowQuality = quality;
+    this.#format = format;
+    this.#frame = Frame;
+    this.#block = Light;
+  }
+
+  resize(): void {
+    for (const { target } of this.#layers.values()) target.dispose();
+    for (const sums of this.#sums.values()) for (const sum of sums) sum.dispose();
+    this.#layers.clear();
+    this.#sums.clear();
+  }
+
+  /**
+   * The lighting of all lights, and the light that it is for each candela of.
+   *
+   * @param lighting of the flame
+   */
+  render(
+    frame: FrameInput,
+    gbuffer: GBuffer,
+    lighting: Texture,
+    lights: readonly KeptLight[],
+  ): { readonly uLighting: Texture; readonly Light: UniformBlock } {
+    const isReduced = gbuffer.kind !== "full";
+    const size = { width: lighting.width, height: lighting.height };
+    const sums = this.#sums.get(isReduced) ?? [
+      this.#target("sum/a", size),
+      this.#target("sum/b", size),
+    ];
+    this.#sums.set(isReduced, sums);
+    // What is reprojected has the sum of the frame that it was lit in.
+    if (gbuffer.reprojection) return { uLighting: sums[0].color, Light: this.#block };
+    const flame = lightBlock(frame.world, frame.settings.features.candle);
+    const uColor = this.#color(flame.intensity, lights);
+    let uLighting = lighting;
+    let uIntensity: Rgb = flame.intensity;
+    for (const light of lights) {
+      sums.reverse();
+      this.#gpu.draw({
+        program: this.#gpu.program("opaque/sum-lighting", fullscreenVert, sumFrag),
+        target: sums[0],
+        vertexArray: this.#screen,
+        textures: { uLighting, uKeptLighting: this.#layerOf(light, frame, gbuffer, size) },
+        uniforms: { uIntensity, uKeptIntensity: light.intensity, uColor },
+      });
+      uLighting = sums[0].color;
+      uIntensity = uColor;
+    }
+    this.#block.update({ ...flame, intensity: uColor });
+    return { uLighting, Light: this.#block };
+  }
+
+  /** What is added to the albedo's share has one colour: the flames', or the moon's where none burns. */
+  #color(flame: Rgb, lights: readonly KeptLight[]): Rgb {
+    const burning = lights.some(
+      ({ kind, intensity }) => kind === "candle" && luma(intensity) > BURNING,
+    );
+    if (burning || luma(flame) > BURNING) return TAPER.color;
+    const [{ intensity } = { intensity: flame }] = lights;
+    const scale = Math.max(luma(intensity), 1e-9);
+    return [intensity[0] / scale, intensity[1] / scale, intensity[2] / scale];
+  }
+
+  #target(name: string, size: { readonly width: number; readonly height: number }): RenderTarget {
+    return this.#gpu.renderTarget({ label: `lighting/${name}`, ...size, color: [this.#format] });
+  }
+
+  /** The lighting by one light, which stays until camera, models or the light have moved. */
+  #layerOf(
+    light: KeptLight,
+    { settings, clipFromWorld }: FrameInput,
+    { kind, surface, depth, albedo, representative, key: gbufferKey }: GBuffer,
+    size: { readonly width: number; readonly height: number },
+  ): Texture {
+    const isReduced = kind !== "full";
+    const name = `${light.name}/${isReduced ? "reduced" : "full"}`;
+    const layer = this.#layers.get(name) ?? { target: this.#target(name, size), key: "" };
+    this.#layers.set(name, layer);
+    const { shadows, indirect, specular } = settings.features;
+    const key = JSON.stringify([gbufferKey, light.key, shadows, indirect, specular]);
+    if (layer.key === key) return layer.target.color;
+    layer.key = key;
+    const worldFromClip = mat4.invert(mat4.create(), clipFromWorld);
+    if (!worldFromClip) throw new Error("The camera's matrix has no inverse.");
+    this.#gpu.draw({
+      program: this.#program(isReduced),
+      target: layer.target,
+      vertexArray: this.#screen,
+      textures: {
+        uGBufferSurface: surface,
+        uGBufferAlbedo: albedo,
+        uDepth: depth,
+        ...(representative && { uRepresentative: representative }),
+        uMoonMap: light.shadow,
+        ...light.irradiance.textures,
+      },
+      uniforms: {
+        uFeatures: [shadows, indirect, specular].map(Number),
+        uLightingSize: [size.width, size.height],
+        uWorldFromClip: worldFromClip as Float32Array,
+      },
+      blocks: { Frame: this.#frame, Moon: light.block, Volume: light.irradiance.block },
+    });
+    return layer.target.color;
+  }
+
+  #program(isReduced: boolean): Program {
+    const { search, taps } = this.#shadowQuality;
+    const defines = { SHADOW_SEARCH: search, SHADOW_TAPS: taps, REDUCED: isReduced ? 1 : 0 };
+    return this.#gpu.program("opaque/moon-lighting", fullscreenVert, moonFrag, { defines });
+  }
+}

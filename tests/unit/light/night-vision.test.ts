@@ -1,0 +1,30 @@
+import { expect, test } from "vitest";
+import { adaptation, luma } from "../../../src/light/color.ts";
+import { TAPER } from "../../../src/light/flame-light.ts";
+import { adaptedMoonlight } from "../../../src/light/moonlight.ts";
+import { nightVision } from "../../../src/light/night-vision.ts";
+
+test("rods take over late, and contrast falls all the way", () => {
+  expect(nightVision(0)).toEqual({ contrast: 1.5, rods: 0 });
+  expect(nightVision(0.25).rods).toBe(0);
+  let before = nightVision(0);
+  for (let i = 1; i <= 96; i++) {
+    const here = nightVision(i / 96);
+    expect(here.contrast).toBeLessThan(before.contrast);
+    expect(here.rods).toBeGreaterThanOrEqual(before.rods);
+    before = here;
+  }
+  expect(before.rods).toBeGreaterThan(0.5);
+  expect(before.rods).toBeLessThan(1);
+});
+
+test("moonlight is cool beside candlelight, and no neon", () => {
+  const gains = adaptation(TAPER.color);
+  const light = adaptedMoonlight(0.15);
+  const shown = light.map((x, i) => x * (gains[i] ?? 1)) as [number, number, number];
+  expect(luma(shown)).toBeCloseTo(0.15, 6);
+  const [red, green, blue] = shown.map((x) => x / 0.15) as [number, number, number];
+  expect(red).toBeLessThan(green);
+  expect(green).toBeLessThan(blue);
+  expect(blue).toBeLessThan(1.75);
+});

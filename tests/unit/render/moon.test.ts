@@ -1,0 +1,93 @@
+import { describe, expect, test } from "vitest";
+import type { Model, Part } from "../../../src/assets/model.ts";
+import { entersRoom } from "../../../src/render/moon/entry.ts";
+import {
+  clipFromFrustum,
+  moonCasters,
+  moonFrustum,
+} from "../../../src/render/moon/moon-frustum.ts";
+import { panesOf } from "../../../src/render/moon/panes.ts";
+import type { Vec3 } from "../../../src/world/geometry.ts";
+import { lightFrom } from "../../../src/world/moon.ts";
+import { insideOf, quad } from "../world/rooms.ts";
+
+/** A rectangle across the light of a window in the wall at x = 2, that faces the room. */
+function upright(name: string, x: number, low: Vec3, high: Vec3): Part {
+  const { positions, indices } = quad(
+    [x, low[1], low[2]],
+    [x, low[1], high[2]],
+    [x, high[1], high[2]],
+    [x, high[1], low[2]],
+  );
+  return { positions, indices, material: { name, alphaMode: "opaque" } } as Part;
+}
+
+const BOUNDS = { min: [-2, 0, -2], max: [2.2, 2.5, 2] } as const;
+const NIGHT = upright("night", 2.15, [0, 0.8, -0.6], [0, 2, 0.6]);
+const GLASS = upright("glass", 2.1, [0, 1, -0.4], [0, 1.8, 0.4]);
+const FAR_GLASS = upright("glass", 1, [0, 1, -0.4], [0, 1.8, 0.4]);
+const ROOM: Model = {
+  parts: [NIGHT, GLASS, FAR_GLASS],
+  anchors: {},
+  wicks: [],
+  bounds: BOUNDS,
+  warnings: [],
+};
+
+describe("the panes of a window", () => {
+  test("are the glass before an upright night", () => {
+    const panes = panesOf(ROOM);
+    expect(panes?.normal[0]).toBeCloseTo(-1);
+    expect(Math.hypot(...(panes?.across ?? []))).toBeCloseTo(0.8);
+    expect(Math.hypot(...(panes?.up ?? []))).toBeCloseTo(0.8);
+    expect(panes?.corner[0]).toBeCloseTo(2.1);
+    expect(panes?.corner[1]).toBeCloseTo(1);
+  });
+
+  test("are none where no night lies behind", () => {
+    expect(panesOf({ ...ROOM, parts: [GLASS] })).toBeNull();
+    expect(panesOf({ ...ROOM, parts: [NIGHT, FAR_GLASS] })).toBeNull();
+  });
+});
+
+describe("the moon's map", () => {
+  const frustum = moonFrustum(lightFrom(-90, 30), BOUNDS, panesOf(ROOM));
+  const clip = clipFromFrustum(frustum);
+  const project = ([x, y, z]: Vec3) =>
+    [0, 1, 2].map(
+      (row) => clip[row]! * x + clip[4 + row]! * y + clip[8 + row]! * z + clip[12 + row]!,
+    );
+
+  test("holds the panes, and the room's whole depth", () => {
+    for (const y of [1, 1.8]) {
+      for (const z of [-0.4, 0.4]) {
+        const place = project([2.1, y, z]);
+        for (const share of place) expect(Math.abs(share)).toBeLessThan(1);
+      }
+    }
+    const [, , near] = project([2.2, 2.5, 0]);
+    const [, , far] = project([-2, 0, 0]);
+    expect(near).toBeGreaterThan(-1);
+    expect(near).toBeLessThan(far!);
+    expect(far).toBeLessThan(1);
+  });
+
+  test("holds what stops the light, and neither panes nor the night behind them", () => {
+    const [night, glass, far] = moonCasters(ROOM.parts, frustum);
+    expect(night?.indices.length).toBe(0);
+    expect(glass?.indices.length).toBe(0);
+    expect(far?.indices.length).toBe(6);
+  });
+});
+
+test("moonlight enters a room through its opening, and no other way", () => {
+  const room = insideOf([-2, 0, -2], [2, 2.5, 2]);
+  const bounds = { min: [-2, 0, -2], max: [2, 2.5, 2] } as const;
+  const without = { ...room, indices: room.indices.slice(6) }; // the wall at +X
+  for (const azimuth of [0, 90, 180, 270]) {
+    expect(entersRoom(lightFrom(azimuth, 20), [room], bounds), `closed, ${azimuth}`).toBe(false);
+    expect(entersRoom(lightFrom(azimuth, 20), [without], bounds), `open, ${azimuth}`).toBe(
+      azimuth === 270,
+    );
+  }
+});

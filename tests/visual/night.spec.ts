@@ -1,0 +1,170 @@
+import sharp from "sharp";
+import { chromaticity, luma, type Rgb } from "../../src/light/color.ts";
+import { plainRoom } from "../support/plain-room.ts";
+import { LIBRARY, RoomDriver } from "../support/room-driver.ts";
+import { expect, test } from "../support/test.ts";
+
+const SPAWN = { position: [-1.55, 1.6, 1.3], yaw: -0.3 * Math.PI, pitch: -0.08 } as const;
+const NIGHT = { look: "physical", quality: "low", seed: "1", moonlight: "0.15" } as const;
+
+function linear(code: number): number {
+  const value = code / 255;
+  return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
+}
+
+/** Linear light of a picture's pixels, where white is 1, from those of its parts. */
+class Shown {
+  readonly #pixels: readonly Rgb[];
+  readonly #width: number;
+  readonly #height: number;
+
+  constructor(pixels: readonly Rgb[], width: number, height: number) {
+    this.#pixels = pixels;
+    this.#width = width;
+    this.#height = height;
+  }
+
+  static async of(png: Buffer): Promise<Shown> {
+    const { data, info } = await sharp(png)
+      .removeAlpha()
+      .raw()
+      .toBuffer({ resolveWithObject: true });
+    const { width, height } = info;
+    const pixels = Array.from({ length: width * height }, (_, i): Rgb => {
+      return [linear(data[3 * i]!), linear(data[3 * i + 1]!), linear(data[3 * i + 2]!)];
+    });
+    return new Shown(pixels, width, height);
+  }
+
+  /** Of a box, in shares of the picture's width and height. */
+  part(left: number, top: number, right: number, bottom: number): Shown {
+    const isIn = (i: number) => {
+      const x = ((i % this.#width) + 0.5) / this.#width;
+      const y = (Math.floor(i / this.#width) + 0.5) / this.#height;
+      return x > left && x < right && y > top && y < bottom;
+    };
+    return new Shown(
+      this.#pixels.filter((_, i) => isIn(i)),
+      this.#width,
+      this.#height,
+    );
+  }
+
+  /** Luminance that a share of the pixels does not exceed. */
+  quantile(share: number): number {
+    const sorted = this.#pixels.map(luma).toSorted((a, b) => a - b);
+    return sorted[Math.floor(share * (sorted.length - 1))] ?? 0;
+  }
+
+  /** Share of blue in the light. */
+  get blueness(): number {
+    const sum = (i: 0 | 1 | 2) => this.#pixels.reduce((total, pixel) => total + pixel[i], 0);
+    return sum(2) / (sum(0) + sum(1) + sum(2));
+  }
+
+  /** Deviation of the hues in u'v', of what is neither black nor white. */
+  get hueSpread(): number {
+    const hues = this.#pixels
+      .filter((pixel) => luma(pixel) > 0.003 && luma(pixel) < 0.9)
+      .map(chromaticity);
+    const variance = (i: 0 | 1) => {
+      const mean = hues.reduce((sum, hue) => sum + hue[i], 0) / hues.length;
+      return hues.reduce((sum, hue) => sum + (hue[i] - mean) ** 2, 0) / hues.length;
+    };
+    return Math.sqrt(variance(0) + variance(1));
+  }
+}
+
+const WINDOW = [0.56, 0.35, 0.61, 0.42] as const;
+const CROSS = [0.25, 0.9, 0.4, 1] as const;
+const WALL = [0.72, 0.2, 0.98, 0.6] as const;
+
+test.describe("The night", () => {
+  test("comes in twenty seconds: black, the window, the floor, at last the room", async ({
+    page,
+  }) => {
+    const room = await new RoomDriver(page).open(NIGHT, { width: 480, height: 270 });
+    await room.stand(SPAWN);
+    await room.step(0.5);
+    await room.evaluate((element) => element.extinguish());
+    const strip: Shown[] = [];
+    for (const seconds of [1, 3, 5, 5, 6]) {
+      for (let i = 0; i < 4; i++) await room.step(seconds / 4);
+      strip.push(await Shown.of(await room.png()));
+    }
+    const medians = strip.map((picture) => picture.part(...WALL).quantile(0.5));
+    expect(medians[0], "at first the wall is black").toBeLessThan(0.001);
+    for (const [i, median] of medians.slice(1).entries()) {
+      expect(median, `after step ${i + 1}`).toBeGreaterThanOrEqual(medians[i]!);
+    }
+    const early = strip[1]!;
+    expect(early.part(...WINDOW).quantile(0.8), "the window comes first").toBeGreaterThan(0.01);
+    expect(early.part(...CROSS).quantile(0.95), "then what the moon shines on").toBeGreaterThan(
+      0.005,
+    );
+    expect(early.quantile(0.5), "and the room is still dark").toBeLessThan(0.003);
+    const end = strip.at(-1)!;
+    expect(end.quantile(0.5)).toBeGreaterThan(0.01);
+    expect(end.quantile(0.5)).toBeLessThan(0.03);
+    expect(end.part(...CROSS).quantile(0.999), "the cross").toBeLessThan(0.25);
+    expect(end.part(...CROSS).quantile(0.999), "the cross").toBeGreaterThan(0.1);
+    // It pales as rods take over.
+    expect(end.part(...CROSS).blueness).toBeLessThan(early.part(...CROSS).blueness);
+    expect(room.complaints).toEqual([]);
+  });
+
+  test("gives way to a flame in seconds", async ({ page }) => {
+    const room = await new RoomDriver(page).open(
+      { ...NIGHT, unlit: "" },
+      { width: 320, height: 180 },
+    );
+    await room.evaluate((element) => element.light());
+    await room.step(6);
+    const lit = await Shown.of(await room.png({ camera: SPAWN }));
+    await room.evaluate((element) => element.reset());
+    await room.evaluate((element) => element.light());
+    const settled = await Shown.of(await room.png({ camera: SPAWN, seconds: 12 }));
+    expect(lit.quantile(0.5)).toBeGreaterThan(0.02);
+    expect(Math.abs(lit.quantile(0.5) / settled.quantile(0.5) - 1)).toBeLessThan(0.1);
+  });
+
+  for (const quality of ["low", "high"]) {
+    test(`lies cool beside the candle's gold at ${quality}`, async ({ page }) => {
+      const room = await new RoomDriver(page).open(
+        { ...NIGHT, quality },
+        { width: 1280, height: 720 },
+      );
+      const moonlit = await Shown.of(await room.png({ camera: SPAWN, seconds: 0.5 }));
+      await room.set({ moonlight: "0" });
+      const moonless = await Shown.of(await room.png());
+      expect(moonlit.hueSpread).toBeGreaterThan(0.02);
+      expect(moonlit.part(...WINDOW).blueness).toBeGreaterThan(
+        moonless.part(...WINDOW).blueness + 0.1,
+      );
+      expect(room.complaints).toEqual([]);
+    });
+  }
+
+  test("does not enter a room without openings", async ({ page }) => {
+    const glb = plainRoom({ min: [-2, 0, -2], max: [2, 2.6, 2] }, [], 0.5);
+    await page.route("**/closed.glb", (route) =>
+      route.fulfill({ contentType: "model/gltf-binary", body: glb }),
+    );
+    const room = await new RoomDriver(page).open(
+      { ...NIGHT, src: `${LIBRARY}closed.glb`, unlit: "", "moon-direction": "-70 35" },
+      { width: 160, height: 90 },
+    );
+    for (const yaw of [0, 1.6, 3.1, 4.7]) {
+      const camera = { position: [0, 1.5, 0], yaw, pitch: -0.2 } as const;
+      const shown = await Shown.of(await room.png({ camera, seconds: 0.1 }));
+      expect(shown.quantile(1), `dither alone, at ${yaw}`).toBeLessThan(linear(2));
+    }
+  });
+
+  test("is nothing to the paper's look", async ({ page }) => {
+    const room = await new RoomDriver(page).open({}, { width: 160, height: 90 });
+    const before = await room.pixels({ isReset: true, seconds: 0.1 });
+    await room.set({ moonlight: "0.3" });
+    expect(await room.pixels({ isReset: true, seconds: 0.1 })).toBe(before);
+  });
+});
