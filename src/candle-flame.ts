@@ -23,9 +23,9 @@ import type { ViewSubject } from "./scenes/view-subject.js";
 import type { Features } from "./settings.js";
 import type { Stats } from "./stats.js";
 import { advance } from "./world/advance.js";
-import { blowAt, moveCamera, standLike } from "./world/commands.js";
+import { moveCamera, standLike } from "./world/commands.js";
 import type { WorldOptions } from "./world/create-world.js";
-import { candleCount, litFlames, rootedFlame, setLitFlames } from "./world/flames.js";
+import { candleCount, litFlames, rootedFlame, setLitFlames, wickAtFlame } from "./world/flames.js";
 import { withCount } from "./world/particles/particle-layer.js";
 import { STILL } from "./world/player/intent.js";
 import { restoreSnapshot, type Snapshot } from "./world/snapshot.js";
@@ -52,6 +52,8 @@ export class CandleFlame {
   onCandleMoved: () => void = () => {};
   /** Called when a candle was lit or went out, for any reason; 0 is the carried one. */
   onFlameChanged: (index: number) => void = () => {};
+  /** Called when the carried flame was brought to the wick of another candle, which E would light now. */
+  onWickReached: (index: number) => void = () => {};
   /** Called when the visitor wanted to put the candle down, and could not. */
   onRefused: () => void = () => {};
   #scene: Scene;
@@ -62,6 +64,8 @@ export class CandleFlame {
   /** Places of camera and candle in the last frame. */
   #pose = "";
   #cpuMs = 0;
+  /** Candle whose wick the carried flame is at; 0 if none. */
+  #wick = 0;
 
   /**
    * The same as the constructor, in small tasks, so that the page stays responsive.
@@ -161,15 +165,17 @@ export class CandleFlame {
     if (isLit ? flame?.light() : flame?.extinguish()) this.onFlameChanged(index);
   }
 
-  blowAt(index: number, strength: number): void {
-    blowAt(this.world, index, strength);
-  }
-
   /** Calls `onFlameChanged` for each candle that is not as it was. */
   #reportFlames(before: readonly boolean[]): void {
     for (const [index, isLit] of litFlames(this.world).entries()) {
       if (isLit !== (before[index] ?? false)) this.onFlameChanged(index);
     }
+  }
+
+  #reportWick(): void {
+    const wick = this.input ? wickAtFlame(this.world) : 0;
+    if (wick > 0 && wick !== this.#wick) this.onWickReached(wick);
+    this.#wick = wick;
   }
 
   /** Another scene on the same canvas, and its options. The old one is no longer used. */
@@ -251,6 +257,7 @@ export class CandleFlame {
     draw();
     this.#cpuMs = performance.now() - begin;
     this.#reportFlames(before);
+    this.#reportWick();
     if (this.world.candle.isHeld !== isHeld) this.onCandleMoved();
     if (intent.placesOrTakes && isHeld) this.onRefused();
   }

@@ -1,4 +1,5 @@
 import type { CandleFlame } from "../candle-flame.js";
+import { blowAt } from "../world/commands.js";
 import { strengthOfBreath } from "./legal-values.js";
 
 /** A candle of the scene, as its page may use it: metres, candela, kelvin. */
@@ -42,7 +43,7 @@ export class CandleList {
     const report = () => this.#source?.reportOf(index) ?? null;
     const setLit = (isLit: boolean) => this.#change((source) => source.setLit(isLit, index));
     const blow = (strength: unknown) =>
-      this.#change((source) => source.blowAt(index, strengthOfBreath(strength)));
+      this.#change(({ world }) => blowAt(world, index, strengthOfBreath(strength)));
     return {
       name,
       get lit() {

@@ -4,6 +4,7 @@ import type { CustomStates } from "./custom-states.js";
 import { emit } from "./events.js";
 import type { Glow } from "./glow.js";
 import type { Hint } from "./hint.js";
+import { reachedSentence } from "./messages.js";
 import type { ReflectedAttributes } from "./reflected-attributes.js";
 
 /** Reports what the candle does: by the element's events and states, by hints, and by the glow on the page. */
@@ -26,6 +27,10 @@ export class CandleReporter {
     const element = this.#element;
     candle.onCandleMoved = () => emit(element, candle.world.candle.isHeld ? "take" : "place", null);
     candle.onRefused = () => this.refusal(candle);
+    candle.onWickReached = (index) => {
+      const name = candle.candleNames[index] ?? "";
+      this.#hint.tell(reachedSentence({ index, name }));
+    };
     candle.view.onQualityChanged = () => emit(element, "qualitychange", null);
     candle.onFlameChanged = (index) => {
       const name = candle.candleNames[index] ?? "";

@@ -20,23 +20,39 @@ export const REFUSALS: Readonly<Record<Refusal, string>> = {
 export function outSentence(canLight: boolean): string {
   const out = "The candle is out.";
   if (!canLight) return out;
-  const hasFingersAlone = matchMedia("(hover: none)").matches;
-  return hasFingersAlone ? `${out} Tap twice to light it.` : `${out} Press E to light it.`;
+  return hasFingersAlone() ? `${out} Tap twice to light it.` : `${out} Press E to light it.`;
+}
+
+/** A candle by its place in the list, and its wick's node: `wick-mantel-left`. */
+interface NamedCandle {
+  readonly index: number;
+  readonly name: string;
 }
 
 /** A standing candle that was lit or went out. */
-export interface CandleChange {
-  readonly index: number;
-  /** Of its wick's node: `wick-mantel-left`. */
-  readonly name: string;
+export interface CandleChange extends NamedCandle {
   readonly isLit: boolean;
 }
 
-/** Says which candle was lit or went out: by the words in its wick's name, or else by its number. */
-export function changeSentence({ index, name, isLit }: CandleChange): string {
+/** Says which candle was lit or went out. */
+export function changeSentence({ isLit, ...candle }: CandleChange): string {
+  return `${upperFirst(spokenName(candle, ","))} ${isLit ? "burns" : "is out"}.`;
+}
+
+/** Says which candle the carried flame can light now. */
+export function reachedSentence(candle: NamedCandle): string {
+  return `${hasFingersAlone() ? "Tap twice" : "Press E"} to light ${spokenName(candle)}.`;
+}
+
+/** By the words in its wick's name, or else by its number alone. */
+function spokenName({ index, name }: NamedCandle, end = ""): string {
   const words = name
     .replace(/^wick/, "")
     .replace(/[^\p{L}]+/gu, " ")
     .trim();
-  return `Candle ${index + 1}${words ? `, ${words},` : ""} ${isLit ? "burns" : "is out"}.`;
+  return `candle ${index + 1}${words ? `, ${words}${end}` : ""}`;
 }
+
+const upperFirst = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
+
+const hasFingersAlone = () => matchMedia("(hover: none)").matches;

@@ -1,5 +1,5 @@
 import { CANDLE_CYLINDER, isWithinReach, placeOnGround } from "./candle.js";
-import { rootedFlame } from "./flames.js";
+import { candleCount, rootedFlame } from "./flames.js";
 import type { Vec3 } from "./geometry.js";
 import { interpolate, poseCandle } from "./interpolate.js";
 import { noticeChange, settleAdaptation } from "./player/adapt.js";
@@ -16,6 +16,8 @@ const BREATH_REACH = 1.6;
 /** Of a flame, above its root, and distance of a mouth that blows at one. Metres. */
 const HELD_AT = 0.01;
 const BESIDE = 0.5;
+/** Of such a breath at the flame, metres. */
+const BREADTH = 0.035;
 
 /** Puts the camera somewhere: inside the walls if there are any. Metres and radians. */
 export function moveCamera(
@@ -111,12 +113,30 @@ interface BreathTarget {
   readonly ahead: number;
 }
 
+/** Breaths at all candles of a model alone, each weaker by those that blow on the same flame. */
+function blowAtAll(world: World, strength: number): void {
+  const count = candleCount(world);
+  for (let index = 0; index < count; index++) {
+    const root = rootedFlame(world, index)!.root;
+    let breaths = 0;
+    for (let other = 0; other < count; other++) {
+      const [x, y, z] = rootedFlame(world, other)!.root;
+      breaths += Math.exp(-(Math.hypot(x - root[0], y - root[1], z - root[2]) ** 2) / BREADTH ** 2);
+    }
+    blowAt(world, index, strength / breaths);
+  }
+}
+
 /**
  * A breath from the eye: at the flame nearest to the line of sight if it is near, else along that line.
  *
  * @param strength 1 puts a candle out at arm's length
  */
 export function blow(world: World, strength: number): void {
+  if (world.setup.isAlone) {
+    blowAtAll(world, strength);
+    return;
+  }
   const { air, player, emitter, flame, standing } = world;
   const gaze = gazeDirection(player);
   const carried = targetOf(player.position, emitter, gaze);

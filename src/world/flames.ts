@@ -47,17 +47,18 @@ export function setLitFlames(world: World, areLit: readonly boolean[]): void {
 export function useFlame(world: World): void {
   const { flame } = world;
   const wick = wickAtFlame(world);
-  if (wick) wick.light();
+  if (wick > 0) world.standing[wick - 1]!.flame.light();
   else if (flame.isLit) flame.extinguish();
   else flame.light();
 }
 
-/** The nearest unlit wick that the carried flame touches. */
-function wickAtFlame({ candle, flame, emitter, hand, standing }: World): Flame | null {
-  if (!candle.isHeld || !flame.isLit) return null;
+/** The candle with the nearest unlit wick that the carried flame would light; 0 if there is none. */
+export function wickAtFlame({ candle, flame, emitter, hand, standing }: World): number {
+  if (!candle.isHeld || !flame.isLit) return 0;
   let nearest = KINDLING;
-  let wick: Flame | null = null;
-  for (const { root, flame: other } of standing) {
+  let wick = 0;
+  for (let i = 0; i < standing.length; i++) {
+    const { root, flame: other } = standing[i]!;
     if (other.isLit) continue;
     const up = Math.min(Math.max(root[1] - emitter[1], 0), flame.height);
     const distance = length3(root[0] - emitter[0], root[1] - emitter[1] - up, root[2] - emitter[2]);
@@ -65,9 +66,9 @@ function wickAtFlame({ candle, flame, emitter, hand, standing }: World): Flame |
       hand.daring > 0.5 &&
       emitter[1] - root[1] < TIPPED_UP &&
       length2(root[0] - emitter[0], root[2] - emitter[2]) < TIPPED;
-    if (distance > nearest && !(isBelow && wick === null)) continue;
+    if (distance > nearest && !(isBelow && wick === 0)) continue;
     nearest = Math.min(distance, nearest);
-    wick = other;
+    wick = i + 1;
   }
   return wick;
 }

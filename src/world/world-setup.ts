@@ -30,6 +30,8 @@ export interface WorldSetup {
   /** Foot of the candle: from the eye when held (right, up, ahead), or in the room. */
   readonly hold: readonly [number, number, number];
   readonly stand: readonly [number, number, number] | null;
+  /** Whether there is nothing but candles, and nobody among them. */
+  readonly isAlone: boolean;
   readonly layers: readonly ParticleLayer[];
 }
 
@@ -50,6 +52,7 @@ const PAPER: WorldSetup = {
   wick: [0.01, 1.03, 0.005],
   hold: [0.17, -0.4, 0.5],
   stand: null,
+  isAlone: false,
   layers: PAPER_LAYERS,
 };
 
@@ -82,4 +85,5 @@ export const LONE_CANDLE_SETUP: WorldSetup = {
   ...WORLD_SETUPS.physical,
   hasWalls: false,
   stand: [0, 0, 0],
+  isAlone: true,
 };

@@ -164,9 +164,13 @@ test("the keyboard alone lights a candle: E at its wick, B at its flame", async 
     element.controls = true;
     element.focus();
     element.camera = { position: [0, 1.6, 1.3], yaw: 0, pitch: 0 };
-    element.step(1.5);
   });
   await page.keyboard.press("Enter");
+  await room.step(1.5);
+  const hint = await room.evaluate(
+    (element) => element.shadowRoot?.querySelector("[part=hint] p")?.textContent,
+  );
+  expect(hint, "a hint that is announced").toBe("Press E to light candle 2.");
   const press = async (key: string, seconds: number) => {
     await page.keyboard.press(key);
     await room.step(seconds);

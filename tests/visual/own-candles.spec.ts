@@ -110,6 +110,21 @@ test("flames that go out leave light to the others, and wax glows below a burnin
   expect(none).toBeLessThan(0.5 * (three ?? 0));
 });
 
+test("a breath blows all of them out, and the events say which", async () => {
+  await show("own-candles-4.glb");
+  const { events, out } = await room.evaluate((element) => {
+    const events: string[] = [];
+    const listen = ({ detail }: CustomEvent) => void events.push(`${detail.index} ${detail.name}`);
+    element.addEventListener("extinguish", listen);
+    element.blow();
+    for (let i = 0; i < 6; i++) element.step(0.25);
+    element.removeEventListener("extinguish", listen);
+    return { events, out: element.candles.filter(({ lit }) => !lit).length };
+  });
+  expect(out).toBe(4);
+  expect(events.toSorted()).toEqual(["0 wick", "1 wick.001", "2 wick.002", "3 wick.003"]);
+});
+
 test("one model after another leaves nothing on the GPU", async () => {
   await show("own-candle.glb");
   const before = await room.stats();

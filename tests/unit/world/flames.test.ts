@@ -9,6 +9,7 @@ import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";
 import { createRoom } from "../../../src/world/room/room.ts";
 import { restoreSnapshot, takeSnapshot } from "../../../src/world/snapshot.ts";
 import type { World } from "../../../src/world/world.ts";
+import { LONE_CANDLE_SETUP } from "../../../src/world/world-setup.ts";
 import { box, floorOf } from "./rooms.ts";
 
 const room = () =>
@@ -131,6 +132,27 @@ describe("a breath", () => {
     blowAt(world, 9, 1);
   });
 });
+
+test.each([1, 4, 16])(
+  "a breath at %i candles alone blows out all, and a faint one none",
+  (count) => {
+    const wicks = Array.from({ length: count - 1 }, (_, i) => {
+      const angle = (2 * Math.PI * (i + 1)) / count;
+      const position: Vec3 = [0.08 * Math.cos(angle) - 0.08, 0.2, 0.08 * Math.sin(angle)];
+      return { name: `wick.${i}`, position, wickDiameter: 0.002 };
+    });
+    for (const [strength, isLit] of [
+      [1, false],
+      [0.05, true],
+    ] as const) {
+      const areLit = wicks.map(() => true);
+      const world = createWorld("physical", 1, { setup: LONE_CANDLE_SETUP, wicks, areLit });
+      blow(world, strength);
+      advance(world, STILL, 1.5);
+      expect(litFlames(world)).toEqual(Array.from({ length: count }, () => isLit));
+    }
+  },
+);
 
 test("a snapshot has the state of every candle", () => {
   const wicks: Vec3[] = [
