@@ -157,7 +157,8 @@ def build_jar():
         "candle": lathe(fill, 48, "wax", radius_at=uneven)
         .include(pool(0.0215, melted, 32))
         .include(wick(melted)),
-        "label": front,
+        # Towards the page.
+        "label": front.placed(turned(-pi / 2)),
     }
     return parts, {"wick": Vector((0, melted, 0)) + WICK_TOP}
 
