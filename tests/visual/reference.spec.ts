@@ -25,7 +25,7 @@ const MEASURED: Readonly<Record<string, typeof LIMITS>> = {
 };
 const MARGIN = { median: 0.005, high: 0.015, flip: 0.003 };
 
-const views = tracedViews.filter(({ room }) => room === undefined);
+const views = tracedViews.filter(({ name }) => name in MEASURED);
 
 /** Linear colours of the screen for exposed light; black where not compared. */
 function displayed(

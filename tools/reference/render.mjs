@@ -29,6 +29,27 @@ const { position: centre, ...emitter } = flameLight(
 );
 const lamp = { ...emitter, base: -centre[1], height: TAPER.height, reach: TAPER.radius };
 
+const { CABIN_MOON } = await readSource("/src/world/moon.ts");
+const { adaptedMoonlight } = await readSource("/src/light/moonlight.ts");
+/** The cabin's window, metres; what its panes let through; luminance of the sky, cd/m² under a moon of 1 lx. */
+const WINDOW = [
+  [2.4, 0.7, -1.2],
+  [2.9, 2.15, 0.25],
+];
+const PANE = 1;
+const SKY = 0.002 / 0.15;
+
+const moonOf = ({ illuminance }) => {
+  const color = adaptedMoonlight(illuminance * PANE);
+  return {
+    illuminance,
+    direction: CABIN_MOON,
+    color,
+    sky: color.map((channel) => channel * SKY),
+    window: WINDOW,
+  };
+};
+
 /** Where camera, flame and candle are in each view: the element itself says so. */
 const staged = await inEachRoom("low", wanted, async (views, evaluate) => {
   const staged = [];
@@ -48,6 +69,7 @@ const staged = await inEachRoom("low", wanted, async (views, evaluate) => {
       camera: seen.camera,
       flame: { position: seen.position },
       flames: seen.flames,
+      ...(view.moon && { moon: moonOf(view.moon) }),
       candle: {
         foot: seen.position.map((x, axis) => x - WICK[axis] - centre[axis]),
         turn: (view.place ?? seen.camera).yaw + HANDLE_TURN,

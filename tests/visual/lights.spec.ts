@@ -1,0 +1,56 @@
+import type { Page } from "playwright/test";
+import { luma } from "../../src/light/color.ts";
+import { colorOf } from "../support/display-law.ts";
+import { quantile, readReference, renderView, tracedViews } from "../support/reference.ts";
+import { RoomDriver } from "../support/room-driver.ts";
+import { expect, test } from "../support/test.ts";
+
+/** Relative errors of luminance: median and 90th percentile. */
+interface Errors {
+  readonly median: number;
+  readonly high: number;
+}
+/** Views of the cabin by several lights, at `high`, as measured on 2026-11-23. */
+const MEASURED: Readonly<Record<string, Errors>> = {
+  night: { median: 0, high: 0 },
+  moonlit: { median: 0, high: 0 },
+  "three-candles": { median: 0, high: 0 },
+};
+const MARGIN: Errors = { median: 0.01, high: 0.02 };
+
+test.describe("By several lights the cabin is as a path tracer has it", () => {
+  let page: Page;
+  let room: RoomDriver;
+  test.beforeAll(async ({ browser }) => {
+    page = await browser.newPage();
+    room = await new RoomDriver(page).open(
+      { look: "physical", quality: "high", wind: "0" },
+      { width: 320, height: 180 },
+    );
+  });
+  test.afterAll(() => page.close());
+
+  for (const [name, before] of Object.entries(MEASURED)) {
+    test(name, async () => {
+      const view = tracedViews.find((one) => one.name === name);
+      if (!view) throw new Error(`There is no reference of “${name}”.`);
+      const ours = await renderView(room, view);
+      const { radiance, isCompared } = readReference(name);
+      expect([ours.width, ours.height]).toEqual([view.width, view.height]);
+      const errors = isCompared.flatMap((counts, pixel) => {
+        const theirs = luma(colorOf(radiance, pixel));
+        return counts && theirs > 0
+          ? [Math.abs(luma(colorOf(ours.radiance, pixel)) / theirs - 1)]
+          : [];
+      });
+      expect(errors.length).toBeGreaterThan(isCompared.length / 2);
+      const measured = { median: quantile(errors, 0.5), high: quantile(errors, 0.9) };
+      console.log(
+        `${name}: median ${measured.median.toFixed(3)}, high ${measured.high.toFixed(3)}`,
+      );
+      expect.soft(measured.median).toBeLessThanOrEqual(before.median + MARGIN.median);
+      expect.soft(measured.high).toBeLessThanOrEqual(before.high + MARGIN.high);
+      expect(room.complaints).toEqual([]);
+    });
+  }
+});
