@@ -29,6 +29,8 @@ export const SCHEDULE = {
   lighting: {
     deferred: { distance: 0.0015, axis: 1 / 16 },
     forward: { distance: 0.0003, axis: 1 / 64 },
+    /** Where only the flame sways, forward shading follows it in one of these tiles a frame. */
+    restTiles: { rows: 4, columns: 6 },
   },
   /** Probes traced in a frame while a renderer is prepared: a few milliseconds. */
   probesPerFrame: 16,

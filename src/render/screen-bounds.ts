@@ -6,6 +6,11 @@ import type { Size } from "./frame-input.js";
 /** A bounding sphere: x, y, z, radius, metres. */
 export type Sphere = readonly [number, number, number, number];
 
+interface Grid {
+  readonly rows: number;
+  readonly columns: number;
+}
+
 /** Edges of a rectangle on the frame, pixels. */
 interface Extent {
   readonly left: number;
@@ -90,4 +95,14 @@ export function clipOfBox([x, y, wide, high]: Box, { width, height }: Size, clip
     }
   }
   return narrow;
+}
+
+/** A frame cut into rows and columns of boxes. */
+export function tiles({ width, height }: Size, { rows, columns }: Grid): Box[] {
+  const edge = (length: number, count: number, i: number) => Math.round((length * i) / count);
+  return Array.from({ length: rows * columns }, (_, i) => {
+    const [row, column] = [Math.floor(i / columns), i % columns];
+    const [x, y] = [edge(width, columns, column), edge(height, rows, row)];
+    return [x, y, edge(width, columns, column + 1) - x, edge(height, rows, row + 1) - y];
+  });
 }

@@ -87,3 +87,42 @@ test("At high a frame in motion computes a part of the indirect light, and the f
   expect(atRest).toBeGreaterThan(typical);
   expect(difference).toBeLessThan(1e-4);
 });
+
+test("At high, at rest, surfaces follow the flame's sway tile by tile, and beside the flame in each frame", async ({
+  page,
+}) => {
+  const room = await new RoomDriver(page).open(
+    { look: "physical", quality: "high" },
+    { width: 320, height: 180 },
+  );
+  const { triangles, whole, follows, exact } = await room.evaluate((element) => {
+    element.camera = { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 };
+    element.place();
+    element.camera = { position: [-0.85, 1.3, 1.1], yaw: -0.8, pitch: -0.25 };
+    element.step(1);
+    element.play();
+    // The loop's own frames come between tasks: all of this is one.
+    const triangles: number[] = [];
+    for (let frame = 0; frame < 60; frame++) {
+      element.step(1 / 60);
+      triangles.push(element.stats.triangles);
+    }
+    const picture = () => Array.from(element.readRadiance(0, 0, 320, 180));
+    const follows = picture();
+    element.pause();
+    element.step(0);
+    return { triangles, whole: element.stats.triangles, follows, exact: picture() };
+  });
+  const mean = triangles.reduce((sum, value) => sum + value, 0) / triangles.length;
+  console.log(`at rest ${Math.round(mean)} of ${whole} triangles`);
+  expect(mean).toBeLessThan(0.6 * whole);
+  const errors = exact
+    .flatMap((value, i) =>
+      i % 3 === 1 ? [Math.abs((follows[i] ?? 0) - value) / Math.max(value, 1e-4)] : [],
+    )
+    .toSorted((a, b) => a - b);
+  const quantile = (share: number) => errors[Math.floor(share * errors.length)] ?? 0;
+  console.log(`errors ${[0.5, 0.9, 0.99, 0.999].map((share) => quantile(share).toFixed(4))}`);
+  expect(quantile(0.9)).toBeLessThan(0.005);
+  expect(quantile(0.99)).toBeLessThan(0.03);
+});

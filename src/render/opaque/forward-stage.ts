@@ -11,6 +11,7 @@ import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Inspection } from "../../settings.js";
 import type { Bounds } from "../../world/geometry.js";
+import { frustumTest } from "../camera.js";
 import type { FrameInput, ModelInstance, Size } from "../frame-input.js";
 import type { Captures } from "../gi/light-captures.js";
 import type { KeptLight } from "../kept-light.js";
@@ -20,16 +21,26 @@ import { normalMapVisibilityOf } from "../mesh/normal-map-visibility.js";
 import { visibleRuns } from "../mesh/visible-runs.js";
 import type { Tier } from "../quality.js";
 import { SCHEDULE } from "../schedule.js";
+import { clipOfBox, screenBounds, tiles } from "../screen-bounds.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
 import { ENVIRONMENT_BRDF_SIZE, tabulateEnvironmentBrdf } from "./environment-brdf.js";
 import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "./opaque-stage.js";
 
 /** What surfaces are drawn to: a target, or a part of a larger frame that it holds. */
-interface SurfacePass extends Pick<Draw, "target" | "viewport"> {
+interface SurfacePass extends Pick<Draw, "target" | "viewport" | "scissor"> {
   /** Of the target on the frame, pixels. */
   readonly origin?: readonly [number, number];
   /** Whether what lies in a box is drawn. Default: all is. */
   readonly isVisible?: (box: Bounds) => boolean;
+}
+
+/** What is this near to the flame, or to the candle below it, is drawn again with each step of the light, metres. */
+const NEAR = 0.12;
+
+/** Pixels of what is near the flame: the candle and what stands beside it. */
+function boundsNearFlame({ world, clipFromWorld }: FrameInput, size: Size): Box {
+  const [x, y, z] = world.interpolated.flame;
+  return screenBounds([[x, y - 0.5 * NEAR, z, NEAR]], clipFromWorld, size, { margin: 0, cell: 8 });
 }
 
 /** The program that shades all meshes of a tier: for the flame, or for the moon as well. */
@@ -70,8 +81,11 @@ export class ForwardStage implements OpaqueStage {
   #resolved: RenderTarget | null = null;
   /** Moonlight in the last frame that was shaded. */
   #moon: KeptLight | null = null;
-  /** What the radiance depends on. */
+  /** What the radiance depends on beside the flame's place, and that place. */
   #key = "";
+  #lightKey = "";
+  /** Tiles that show the flame where it was before. */
+  readonly #stale: Box[] = [];
 
   constructor(gpu: Gpu, screen: VertexArray, tier: Tier) {
     this.#gpu = gpu;
@@ -123,20 +137,30 @@ export class ForwardStage implements OpaqueStage {
     this.#moon = inspect === "normals" ? null : moonOf(captures.kept);
     const key = JSON.stringify([
       [...frame.clipFromWorld],
-      light,
       captures.irradiance.revision,
       this.#moon?.key,
       features,
       inspect === "normals",
       instances.map(({ placement }) => placement),
     ]);
-    if (key !== this.#key) {
-      this.#key = key;
-      const target = this.#samples ?? this.#resolved;
-      this.#gpu.clear(target, [0, 0, 0, this.#moon?.background ?? 1]);
-      this.draw(frame, light, captures, { target });
-      if (this.#samples) this.#gpu.resolve(this.#samples, this.#resolved);
+    const lightKey = JSON.stringify(light);
+    const hasMoved = lightKey !== this.#lightKey;
+    const isStale = hasMoved || this.#stale.length > 0;
+    if (key !== this.#key || (isStale && !settings.canDefer)) {
+      this.#stale.length = 0;
+      this.#drawBox(frame, light, captures, null);
+    } else if (isStale) {
+      const size = this.#resolved;
+      // Where the flame is near, in each frame; the rest tile by tile.
+      if (hasMoved) this.#drawBox(frame, light, captures, boundsNearFlame(frame, size));
+      if (this.#stale.length === 0) this.#stale.push(...tiles(size, SCHEDULE.lighting.restTiles));
+      this.#drawBox(frame, light, captures, this.#stale.shift()!);
     }
+    if ((isStale || key !== this.#key) && this.#samples) {
+      this.#gpu.resolve(this.#samples, this.#resolved);
+    }
+    this.#key = key;
+    this.#lightKey = lightKey;
     return {
       kind: "full",
       textures: { uRadiance: this.#resolved.color, uDepth: this.#resolved.depth },
@@ -145,6 +169,17 @@ export class ForwardStage implements OpaqueStage {
       depth: this.#resolved.depth,
       motion: 0,
     };
+  }
+
+  /** Draws a box of the frame anew, pixels, or all of it. */
+  #drawBox(frame: FrameInput, light: CaptureLight, captures: Captures, box: Box | null): void {
+    const target = this.#samples ?? this.#resolved!;
+    const part = box && {
+      scissor: box,
+      isVisible: frustumTest(clipOfBox(box, target, frame.clipFromWorld)),
+    };
+    this.#gpu.clear(target, [0, 0, 0, this.#moon?.background ?? 1], box ?? undefined);
+    this.draw(frame, light, captures, { target, ...part });
   }
 
   /** Draws the surfaces for a flame of 1 cd, and a moon of 1 lx. */
