@@ -12,9 +12,9 @@ interface Errors {
 }
 /** Views of the cabin by several lights, at `high`, as measured on 2026-11-23. */
 const MEASURED: Readonly<Record<string, Errors>> = {
-  night: { median: 0, high: 0 },
-  moonlit: { median: 0, high: 0 },
-  "three-candles": { median: 0, high: 0 },
+  // Nothing but light that has bounced, from one patch on the floor.
+  night: { median: 0.251, high: 1.398 },
+  moonlit: { median: 0.055, high: 0.202 },
 };
 const MARGIN: Errors = { median: 0.01, high: 0.02 };
 
