@@ -1,11 +1,18 @@
 #version 300 es
-// Composite of the forward stage: radiance per candela times the flame's intensity; MOONLIT: and the moonlight.
+// Composite of the forward stage: radiance per candela times the flame's intensity; MOONLIT: and the moonlight. CANDLE:
+// a standing candle's, which is added.
 // In:  radiance per candela, or normals to inspect.   Out: radiance, cd/m².
 #include "lib/precision.glsl"
+#ifdef CANDLE
+uniform vec3 uIntensity;  // cd
+#else
 #include "lib/flame-light.glsl"
+#endif
 
 uniform sampler2D uRadiance;
+#ifndef CANDLE
 uniform float uIsLight;  // 0: normals
+#endif
 
 #ifdef MOONLIT
 uniform vec3 uMoonlight;  // lx
@@ -15,10 +22,14 @@ out vec4 oRadiance;
 
 void main() {
   vec4 perUnit = texelFetch(uRadiance, ivec2(gl_FragCoord.xy), 0);
+#ifdef CANDLE
+  oRadiance = vec4(perUnit.rgb * uIntensity, 0.0);
+#else
   vec3 radiance = perUnit.rgb * mix(vec3(1.0), light.intensity, uIsLight);
 #ifdef MOONLIT
   radiance += perUnit.a * uMoonlight;
 #endif
   // The largest half float is 65504; a mirrored flame can be brighter.
   oRadiance = vec4(min(radiance, 3e4), 1.0);
+#endif
 }

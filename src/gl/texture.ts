@@ -9,6 +9,7 @@ export const FORMATS = {
   R16F: { upload: "RED", type: "HALF_FLOAT", bytes: 2 },
   RG16F: { upload: "RG", type: "HALF_FLOAT", bytes: 4 },
   RGBA16F: { upload: "RGBA", type: "HALF_FLOAT", bytes: 8 },
+  R11F_G11F_B10F: { upload: "RGB", type: "UNSIGNED_INT_10F_11F_11F_REV", bytes: 4 },
   R32F: { upload: "RED", type: "FLOAT", bytes: 4 },
   RG32F: { upload: "RG", type: "FLOAT", bytes: 8 },
   RGBA32F: { upload: "RGBA", type: "FLOAT", bytes: 16 },

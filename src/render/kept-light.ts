@@ -2,11 +2,14 @@ import type { Texture } from "../gl/texture.js";
 import type { UniformBlock } from "../gl/uniform-block.js";
 import type { Rgb } from "../light/color.js";
 import type { IrradianceVolume } from "./gi/indirect-pass.js";
+import type { CaptureLight } from "./light-block.js";
 
 /** A light beside the carried flame. What it lights is known once, and kept for 1 cd or 1 lx of it. */
 export interface KeptLight {
   readonly kind: "moon" | "candle";
   readonly name: string;
+  /** Members of a candle's block. */
+  readonly light: CaptureLight | null;
   /** `Light` or `Moon`, of 1 cd or 1 lx. */
   readonly block: UniformBlock;
   readonly shadow: Texture;

@@ -5,20 +5,38 @@ import type { IndirectScene } from "./gi/indirect-pass.js";
 import type { KeptLight } from "./kept-light.js";
 import { MoonCaptures } from "./moon/moon-captures.js";
 import type { PhysicalTier } from "./quality.js";
+import type { ShadowCasters } from "./shadow/shadow-casters.js";
+import { StandingLight } from "./standing-light.js";
 
 /** The lights beside the carried flame, each captured when it first shines. */
 export class KeptLights {
   readonly #makeMoon: () => MoonCaptures;
+  readonly #makeStanding: () => StandingLight;
+  readonly #mostCandles: number;
   #moon: MoonCaptures | null = null;
+  /** By the candle's name. */
+  readonly #standing = new Map<string, StandingLight>();
 
   constructor(gpu: Gpu, screen: VertexArray, scene: IndirectScene, tier: PhysicalTier) {
+    this.#mostCandles = tier.mostCandles;
+    this.#makeStanding = () => new StandingLight(gpu, screen, scene, tier);
     this.#makeMoon = () => new MoonCaptures(gpu, screen, scene, tier);
   }
 
-  update({ moon }: World): readonly KeptLight[] {
-    if (!moon) return [];
-    this.#moon ??= this.#makeMoon();
-    const light = this.#moon.light(moon);
-    return light ? [light] : [];
+  /** @param casters of a standing candle's shadows and bounced light */
+  update({ moon, standing }: World, casters: ShadowCasters): readonly KeptLight[] {
+    const lights: KeptLight[] = [];
+    if (moon) {
+      this.#moon ??= this.#makeMoon();
+      const light = this.#moon.light(moon);
+      if (light) lights.push(light);
+    }
+    const burning = standing.filter(({ flame }) => flame.glow > 0);
+    for (const candle of burning.slice(0, this.#mostCandles)) {
+      const known = this.#standing.get(candle.name) ?? this.#makeStanding();
+      this.#standing.set(candle.name, known);
+      lights.push(known.light(candle, casters));
+    }
+    return lights;
   }
 }

@@ -31,6 +31,8 @@ export interface PhysicalTier {
   readonly indirect: IndirectDetail;
   /** Texels along an edge of the moon's map. */
   readonly moonMap: number;
+  /** Standing candles that light the room. */
+  readonly mostCandles: number;
   /** Largest error of shadow casters, metres. */
   readonly casterError: number;
   /** Levels of the bloom's pyramid. */
@@ -61,6 +63,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
         testsVisibility: true,
       },
       moonMap: 512,
+      mostCandles: 4,
       casterError: 0.03,
       bloomLevels: 3,
       flameSteps: 12,
@@ -85,6 +88,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
         testsVisibility: true,
       },
       moonMap: 1024,
+      mostCandles: 8,
       casterError: 0.01,
       bloomLevels: 5,
       flameSteps: 24,
@@ -109,6 +113,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
         testsVisibility: true,
       },
       moonMap: 1024,
+      mostCandles: 8,
       casterError: 0,
       bloomLevels: 6,
       flameSteps: 40,
@@ -133,6 +138,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
         testsVisibility: true,
       },
       moonMap: 2048,
+      mostCandles: 8,
       casterError: 0,
       bloomLevels: 6,
       flameSteps: 64,

@@ -26,7 +26,7 @@ test.describe("The picture", () => {
   for (const { name, attributes, isOut = false, ...change } of SCENES) {
     test(`of ${name} is as it was`, async () => {
       await room.evaluate((element, isOut) => element.toggleAttribute("unlit", isOut), isOut);
-      const moonless = { moonlight: "0", ...attributes };
+      const moonless = { moonlight: "0", "lit-wicks": "0", ...attributes };
       const picture = await room.png({ attributes: moonless, isReset: true, ...change });
       expect(picture).toMatchSnapshot(`${name}.png`, TOLERANCE);
       const before = await means(test.info().snapshotPath(`${name}.png`));

@@ -9,6 +9,7 @@ export interface Scene {
     readonly quality?: Quality;
     readonly wind?: string;
     readonly moonlight?: string;
+    readonly "lit-wicks"?: string;
   };
   readonly camera: Camera;
   /** Time simulated, seconds. */
@@ -120,6 +121,18 @@ export const SCENES: readonly Scene[] = [
       ...CABIN[0]!,
       name: `cabin-moonlit-${quality}`,
       attributes: { look: "physical", seed: "1", quality, moonlight: "0.15" } as const,
+      seconds: 0.5,
+    },
+    {
+      ...CABIN[0]!,
+      name: `cabin-candles-${quality}`,
+      attributes: {
+        look: "physical",
+        seed: "1",
+        quality,
+        moonlight: "0",
+        "lit-wicks": "0 1 2 3",
+      } as const,
       seconds: 0.5,
     },
     {

@@ -83,7 +83,7 @@ export class LightCaptures {
   }
 
   update(frame: FrameInput, kind: GBufferKind): Captures {
-    const kept = this.#keptLights.update(frame.world);
+    const kept = this.#keptLights.update(frame.world, this.#casters);
     return { ...this.#ofFlame(frame, kind), kept };
   }
 

@@ -77,6 +77,7 @@ export class MoonCaptures {
     return {
       kind: "moon",
       name: "moon",
+      light: null,
       block: this.#surfels.light.Moon,
       shadow: this.#map,
       irradiance,

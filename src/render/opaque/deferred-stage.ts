@@ -36,7 +36,9 @@ export class DeferredStage implements OpaqueStage {
     this.format = this.#lighting.format;
     this.blocks = { Frame: this.#lighting.frame, Light: this.#lighting.light };
     const summed = { ...this.blocks, Light: this.#lighting.newLightBlock() };
-    this.#kept = new KeptLighting(gpu, screen, quality, this.format, summed);
+    this.#kept = new KeptLighting(gpu, screen, quality, this.format, summed, (isReduced) =>
+      this.#lighting.programOf(isReduced),
+    );
     this.#gbufferPass = new GBufferPass(gpu, screen, this.blocks.Frame, lods);
     this.#composite = forEachGBufferKind((defines) =>
       gpu.program("opaque/composite", fullscreenVert, compositeFrag, { defines }),

@@ -23,6 +23,7 @@ import type { Tier } from "../quality.js";
 import { SCHEDULE } from "../schedule.js";
 import { clipOfBox, screenBounds, tiles } from "../screen-bounds.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
+import { CandleLayers } from "./candle-layers.js";
 import { ENVIRONMENT_BRDF_SIZE, tabulateEnvironmentBrdf } from "./environment-brdf.js";
 import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "./opaque-stage.js";
 
@@ -81,6 +82,9 @@ export class ForwardStage implements OpaqueStage {
   #resolved: RenderTarget | null = null;
   /** Moonlight in the last frame that was shaded. */
   #moon: KeptLight | null = null;
+  readonly #candleLayers: CandleLayers;
+  /** The standing candles that burn in it. */
+  #candles: readonly KeptLight[] = [];
   /** What the radiance depends on beside the flame's place, and that place. */
   #key = "";
   #lightKey = "";
@@ -93,6 +97,7 @@ export class ForwardStage implements OpaqueStage {
     this.#tier = tier;
     this.#program = forwardProgram(gpu, tier, false);
     this.#composite = forwardComposite(gpu, false);
+    this.#candleLayers = new CandleLayers(gpu, screen);
     this.blocks = {
       Frame: gpu.uniformBlock(this.#program, "Frame"),
       Light: gpu.uniformBlock(this.#program, "Light"),
@@ -120,6 +125,7 @@ export class ForwardStage implements OpaqueStage {
       samples > 1 ? this.#gpu.renderTarget({ label: "forward/samples", ...size, samples }) : null;
     this.#resolved = this.#gpu.renderTarget({ label: "forward/radiance", ...size });
     this.#key = "";
+    this.#candleLayers.resize({ width, height });
   }
 
   fillGBuffer(): "full" {
@@ -135,14 +141,20 @@ export class ForwardStage implements OpaqueStage {
       captureOrigin: captures.shadow.captureOrigin,
     };
     this.#moon = inspect === "normals" ? null : moonOf(captures.kept);
-    const key = JSON.stringify([
+    this.#candles =
+      inspect === "normals" ? [] : captures.kept.filter(({ kind }) => kind === "candle");
+    const frameKey = JSON.stringify([
       [...frame.clipFromWorld],
-      captures.irradiance.revision,
-      this.#moon?.key,
       features,
       inspect === "normals",
       instances.map(({ placement }) => placement),
     ]);
+    // Each is shaded in the targets of the flame's own layer, which is drawn anew afterwards.
+    const hasShaded = this.#candleLayers.update(this.#candles, frameKey, (candle) =>
+      this.#shadeCandle(frame, candle),
+    );
+    if (hasShaded) this.#key = "";
+    const key = JSON.stringify([frameKey, captures.irradiance.revision, this.#moon?.key]);
     const lightKey = JSON.stringify(light);
     const hasMoved = lightKey !== this.#lightKey;
     const isStale = hasMoved || this.#stale.length > 0;
@@ -180,6 +192,17 @@ export class ForwardStage implements OpaqueStage {
     };
     this.#gpu.clear(target, [0, 0, 0, this.#moon?.background ?? 1], box ?? undefined);
     this.draw(frame, light, captures, { target, ...part });
+  }
+
+  #shadeCandle(frame: FrameInput, { light, shadow, irradiance }: KeptLight): RenderTarget {
+    const resolved = this.#resolved;
+    if (!resolved || !light) throw new Error("A candle is shaded as a flame, in a frame.");
+    const target = this.#samples ?? resolved;
+    this.#gpu.clear(target, [0, 0, 0, 1]);
+    const captured = { depth: shadow, captureOrigin: light.position, isNew: false };
+    this.draw(frame, light, { shadow: captured, irradiance, kept: [] }, { target });
+    if (this.#samples) this.#gpu.resolve(this.#samples, resolved);
+    return resolved;
   }
 
   /** Draws the surfaces for a flame of 1 cd, and a moon of 1 lx. */
@@ -268,5 +291,6 @@ export class ForwardStage implements OpaqueStage {
       blocks: { Light: this.blocks.Light },
       scissor: region,
     });
+    this.#candleLayers.add(this.#candles, target, region);
   }
 }

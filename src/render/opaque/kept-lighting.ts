@@ -34,15 +34,21 @@ export class KeptLighting {
   readonly #block: UniformBlock;
 
   readonly #frame: UniformBlock;
+  readonly #flameProgram: (isReduced: boolean) => Program;
 
-  /** @param blocks `Frame`, and a `Light` for the sum */
+  /**
+   * @param blocks `Frame`, and a `Light` for the sum
+   * @param flameProgram of lighting by a flame
+   */
   constructor(
     gpu: Gpu,
     screen: VertexArray,
     quality: ShadowQuality,
     format: TextureFormat,
     { Frame, Light }: FrameBlocks,
+    flameProgram: (isReduced: boolean) => Program,
   ) {
+    this.#flameProgram = flameProgram;
     this.#gpu = gpu;
     this.#screen = screen;
     this.#shadowQuality = quality;
@@ -130,16 +136,19 @@ export class KeptLighting {
     layer.key = key;
     const worldFromClip = mat4.invert(mat4.create(), clipFromWorld);
     if (!worldFromClip) throw new Error("The camera's matrix has no inverse.");
+    const isMoon = light.kind === "moon";
     this.#gpu.draw({
-      program: this.#program(isReduced),
+      program: isMoon ? this.#program(isReduced) : this.#flameProgram(isReduced),
       target: layer.target,
       vertexArray: this.#screen,
       textures: {
         uGBufferSurface: surface,
-        uGBufferAlbedo: albedo,
+        ...(isMoon && { uGBufferAlbedo: albedo }),
         uDepth: depth,
         ...(representative && { uRepresentative: representative }),
-        uMoonMap: light.shadow,
+        ...(isMoon
+          ? { uMoonMap: light.shadow }
+          : { uShadow: light.shadow, uSupport: light.irradiance.support }),
         ...light.irradiance.textures,
       },
       uniforms: {
@@ -147,7 +156,11 @@ export class KeptLighting {
         uLightingSize: [size.width, size.height],
         uWorldFromClip: worldFromClip as Float32Array,
       },
-      blocks: { Frame: this.#frame, Moon: light.block, Volume: light.irradiance.block },
+      blocks: {
+        Frame: this.#frame,
+        [isMoon ? "Moon" : "Light"]: light.block,
+        Volume: light.irradiance.block,
+      },
     });
     return layer.target.color;
   }

@@ -75,6 +75,11 @@ export class LightingPass {
     return this.#reduced;
   }
 
+  /** Of lighting by a flame. */
+  programOf(isReduced: boolean): Program {
+    return isReduced ? this.prepareReduced() : this.#full;
+  }
+
   resize({ width, height }: Size): void {
     for (const old of [this.#reducedTarget, this.#fullTarget, this.#gathered]) old?.dispose();
     const target = (

@@ -4,7 +4,7 @@ import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { TextureFormat } from "../../gl/texture.js";
 import type { TextureView } from "../../gl/texture-view.js";
-import { emberRadiance, TAPER } from "../../light/flame-light.js";
+import { carriedFlame, emberRadiance, type RootedFlame, TAPER } from "../../light/flame-light.js";
 import { createShape, shapeFlame } from "../../light/flame-shape.js";
 import type { Inspection } from "../../settings.js";
 import type { ParticleLayer } from "../../world/particles/particle-layer.js";
@@ -26,6 +26,8 @@ import type { CompositedFrame } from "./volumetric-target.js";
 const MARGIN = 3;
 /** The hull of the flame is drawn wider than its spheres by this factor. */
 const HULL = 1.4;
+/** Tip of a standing candle's wick from the foot of its flame, metres. */
+const UPRIGHT_TIP = [0, 0.0067, 0] as const;
 /** Colour of a haze that refracts nothing, as `inspect` shows it. */
 const NO_OFFSET = [0.5, 0.5, 0.5, 1] as const;
 
@@ -98,6 +100,10 @@ export class VolumetricStage {
     if (features.candle && !part) this.#drawEmber(frame, target, depth);
     if (features.volume) {
       this.#flame.render(tested, Frame, carriedWick(world), this.#flameSteps, part ?? "all");
+      for (const candle of world.standing) {
+        const wick = { ...candle, tip: UPRIGHT_TIP };
+        this.#flame.render(tested, Frame, wick, this.#flameSteps, part ?? "all");
+      }
     }
     const { plume, flame } = world;
     if (!plume || part) return;
@@ -111,7 +117,12 @@ export class VolumetricStage {
     if (features.dust && !isStill) {
       this.#motes?.render("dust", composited, world, Frame, Light, irradiance);
     }
-    if (features.smoke) this.#smoke.render(composited, plume.smoke, Frame, Light, irradiance);
+    if (features.smoke) {
+      this.#smoke.render(composited, plume.smoke, Frame, Light, irradiance);
+      for (const { plume: own } of world.standing) {
+        if (own) this.#smoke.render(composited, own.smoke, Frame, Light, irradiance);
+      }
+    }
     if (features.sparks && !isStill) {
       this.#motes?.render("spark", composited, world, Frame, Light, irradiance);
     }
@@ -142,13 +153,21 @@ export class VolumetricStage {
     return this.#hasHaze && settings.features.haze && kind === "full";
   }
 
-  /** Spheres around the flame, the hot air over it, and the smoke. */
-  *#spheres(frame: FrameInput, kind: GBufferKind): Generator<Sphere> {
-    const { flame, plume, interpolated } = frame.world;
+  *#flameSpheres({ root: [x, y, z], flame }: RootedFlame): Generator<Sphere> {
     const { balls } = shapeFlame(flame, TAPER, this.#shape);
-    const [x, y, z] = interpolated.flame;
     for (let at = 0; at < balls.length; at += 4) {
       yield [x + balls[at]!, y + balls[at + 1]!, z + balls[at + 2]!, balls[at + 3]! * HULL];
+    }
+  }
+
+  /** Spheres around the flames, the hot air over it, and the smoke. */
+  *#spheres(frame: FrameInput, kind: GBufferKind): Generator<Sphere> {
+    const { flame, plume, standing } = frame.world;
+    yield* this.#flameSpheres(carriedFlame(frame.world));
+    for (const candle of standing) {
+      if (candle.flame.glow > 0) yield* this.#flameSpheres(candle);
+      const own = frame.settings.features.smoke ? candle.plume : null;
+      if (own && own.smoke.count >= 2) yield* boundingSpheres(own.smoke);
     }
     if (!plume) return;
     const { smoke } = frame.settings.features;

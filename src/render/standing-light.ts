@@ -1,0 +1,80 @@
+import radiosityFrag from "../../shaders/gi/radiosity.frag";
+import fullscreenVert from "../../shaders/post/fullscreen.vert";
+import type { Gpu } from "../gl/gpu.js";
+import type { UniformBlock } from "../gl/uniform-block.js";
+import type { VertexArray } from "../gl/vertex-array.js";
+import { flameLight, TAPER } from "../light/flame-light.js";
+import type { Vec3 } from "../world/geometry.js";
+import type { StandingCandle } from "../world/standing-candle.js";
+import { IndirectPass, type IndirectScene } from "./gi/indirect-pass.js";
+import type { KeptLight } from "./kept-light.js";
+import type { CaptureLight } from "./light-block.js";
+import type { PhysicalTier } from "./quality.js";
+import type { ShadowCasters } from "./shadow/shadow-casters.js";
+import { ShadowPass } from "./shadow/shadow-pass.js";
+
+/** A still flame over its root: height of its middle, half its height and its radius as a light, metres. */
+const STILL = { middle: 0.02, halfHeight: 0.0095, radius: 0.0035 } as const;
+/** Top of the candle below the flame's root, and its radius, metres. */
+const RIM = { depth: 0.0015, radius: 0.0101 } as const;
+
+/** The flame of a standing candle, still, 1 cd strong: members of the shaders' `Light` block. */
+function stillLight([x, y, z]: Readonly<Vec3>): CaptureLight {
+  const position: Vec3 = [x, y + STILL.middle, z];
+  const rim = y - RIM.depth;
+  return {
+    position,
+    captureOrigin: position,
+    halfHeight: STILL.halfHeight,
+    intensity: [1, 1, 1],
+    radius: STILL.radius,
+    along: [0, 1, 0],
+    axis: [x, z],
+    rim,
+    rimRadius: RIM.radius,
+    pan: rim,
+    panRadius: 0,
+  };
+}
+
+/** Shadow cube and irradiance volume of a standing candle, captured when it first burns. */
+export class StandingLight {
+  readonly #shadow: ShadowPass;
+  readonly #indirect: IndirectPass;
+  readonly #block: UniformBlock;
+  #light: Omit<KeptLight, "intensity"> | null = null;
+
+  constructor(
+    gpu: Gpu,
+    screen: VertexArray,
+    scene: IndirectScene,
+    { shadow, indirect }: PhysicalTier,
+  ) {
+    this.#shadow = new ShadowPass(gpu, shadow.size);
+    this.#indirect = new IndirectPass(gpu, screen, scene, indirect);
+    const program = gpu.program("gi/radiosity", fullscreenVert, radiosityFrag);
+    this.#block = gpu.uniformBlock(program, "Light");
+  }
+
+  light(candle: StandingCandle, casters: ShadowCasters): KeptLight {
+    this.#light ??= this.#capture(candle, casters);
+    return { ...this.#light, intensity: flameLight(candle, TAPER).intensity };
+  }
+
+  #capture({ name, root }: StandingCandle, casters: ShadowCasters): Omit<KeptLight, "intensity"> {
+    const light = stillLight(root);
+    const { position: captureOrigin } = light;
+    const shadow = { depth: this.#shadow.render(casters, captureOrigin), captureOrigin };
+    this.#block.update(light);
+    return {
+      kind: "candle",
+      name,
+      light,
+      block: this.#block,
+      shadow: shadow.depth,
+      irradiance: this.#indirect.render(casters, light, shadow),
+      background: 0,
+      key: JSON.stringify(root),
+    };
+  }
+}
