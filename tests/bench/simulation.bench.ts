@@ -13,15 +13,30 @@ const FRAMES = 600;
 /** Frames until all of the world is compiled. */
 const WARM_UP = 1500;
 
-const CASES: readonly { readonly name: string; readonly prepare: (world: World) => void }[] = [
-  { name: "a candle in gusts", prepare: () => {} },
-  { name: "smoke of one blown out", prepare: (world) => blow(world, 1) },
+interface Case {
+  readonly name: string;
+  /** Candles that stand around. */
+  readonly standing: number;
+  readonly prepare: (world: World) => void;
+}
+
+const CASES: readonly Case[] = [
+  { name: "a candle in gusts", standing: 0, prepare: () => {} },
+  { name: "smoke of one blown out", standing: 0, prepare: (world) => blow(world, 1) },
+  { name: "sixteen candles around", standing: 16, prepare: () => {} },
 ];
 
 test("the world takes a small part of a frame of 1/60 s", () => {
-  for (const { name, prepare } of CASES) {
+  for (const { name, standing, prepare } of CASES) {
+    const wicks = Array.from({ length: standing }, (_, i) => ({
+      name: `wick.${i}`,
+      position: [0.1 * i, 1, 0] as [number, number, number],
+      wickDiameter: 0.002,
+    }));
     const world = createWorld("physical", 1, {
       createPlume,
+      wicks,
+      areLit: wicks.map(() => true),
       wind: { speed: 0.3, direction: 0, gustiness: 1 },
     });
     prepare(world);

@@ -27,7 +27,7 @@ export interface Hand {
   /** Offset from where a stiff arm would hold it, metres, and its velocity, m/s. */
   readonly sway: Vec3;
   readonly swaying: Vec3;
-  /** Way that it reaches out to another candle's wick, metres, and the share of its caution that it leaves aside. */
+  /** Way that it reaches out to another candle's wick, metres, and the whether it leaves its caution aside, 0 to 1. */
   readonly lean: Vec3;
   daring: number;
   /** Extension of the arm, 0 to 1. */
@@ -137,9 +137,11 @@ export function holdOut(
   foot[2] = eye[2];
   let stretch = 1;
   if (collision) {
-    const margin = CAUTION * (1 - hand.daring);
-    const target = collision.sweepCylinder(foot, reach, stand, margin).fraction;
+    const isCautious = hand.daring < 0.5;
+    // Not by a margin made here: a number that is passed would be boxed.
+    const caution = isCautious ? collision.sweepCylinder(foot, reach, stand, CAUTION).fraction : 1;
     const limit = collision.sweepCylinder(foot, reach, stand).fraction;
+    const target = isCautious ? caution : limit;
     const eased = target + (hand.stretch - target) * Math.exp(-STRETCHING * seconds);
     stretch = Math.min(eased, limit);
   }

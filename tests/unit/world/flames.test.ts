@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import { advance } from "../../../src/world/advance.ts";
 import { blow, blowAt, moveCamera } from "../../../src/world/commands.ts";
 import { createWorld, type WorldOptions } from "../../../src/world/create-world.ts";
-import { litFlames } from "../../../src/world/flames.ts";
+import { litFlames, wickAtFlame } from "../../../src/world/flames.ts";
 import type { Vec3 } from "../../../src/world/geometry.ts";
 import { STILL } from "../../../src/world/player/intent.ts";
 import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";
@@ -10,7 +10,7 @@ import { createRoom } from "../../../src/world/room/room.ts";
 import { restoreSnapshot, takeSnapshot } from "../../../src/world/snapshot.ts";
 import type { World } from "../../../src/world/world.ts";
 import { LONE_CANDLE_SETUP } from "../../../src/world/world-setup.ts";
-import { box, floorOf } from "./rooms.ts";
+import { box, floorOf, modelRoom } from "./rooms.ts";
 
 const room = () =>
   createRoom(new CollisionMesh([floorOf(8), box([-0.5, 0, -2], [0.5, 1, -1.2])]), null);
@@ -100,6 +100,32 @@ describe("the hand", () => {
     const [alone, among] = [worldWith([]), worldWith([[3, 1, 3]])];
     for (const world of [alone, among]) advance(world, { ...STILL, forward: 1, turn: 0.2 }, 1);
     expect(among.emitter).toEqual(alone.emitter);
+  });
+});
+
+describe("in the cabin", () => {
+  const cabin = modelRoom("cabin.glb");
+  if (!cabin) throw new Error("There is no cabin.");
+  const room = createRoom(new CollisionMesh(cabin.parts), null);
+  const wicks = cabin.wicks.map((wick) => ({ ...wick, wickDiameter: 0.002 }));
+  const world = createWorld("physical", 1, { room, wicks });
+  /** Of the flame held out ahead: its bearing to the right, and its distance. */
+  const [bearing, distance] = [Math.atan2(0.24, 0.56), Math.hypot(0.24, 0.56)];
+
+  test.each(wicks)("the candle $name can be lit by hand", ({ name, position: [x, , z] }) => {
+    const directions = Array.from({ length: 16 }, (_, i) => (2 * Math.PI * i) / 16);
+    const isReached = directions.some((direction) => {
+      const eye: Vec3 = [
+        x + distance * Math.sin(direction),
+        1.6,
+        z + distance * Math.cos(direction),
+      ];
+      moveCamera(world, eye, direction + bearing, 0);
+      advance(world, STILL, 1.5);
+      const candle = wickAtFlame(world);
+      return candle > 0 && wicks[candle - 1]?.name === name;
+    });
+    expect(isReached).toBe(true);
   });
 });
 

@@ -147,8 +147,14 @@ interface Gltf {
   readonly bufferViews: readonly { byteOffset?: number; byteStride?: number }[];
 }
 
-/** Triangles of one of our own models, and its spawn point; null if it is not there. */
-export function modelRoom(name: string): { parts: Triangles[]; spawn: Vec3 | null } | null {
+interface ModelRoom {
+  readonly parts: Triangles[];
+  readonly spawn: Vec3 | null;
+  readonly wicks: readonly { readonly name: string; readonly position: Vec3 }[];
+}
+
+/** Triangles of one of our own models, its spawn point and its wicks; null if it is not there. */
+export function modelRoom(name: string): ModelRoom | null {
   const path = resolve(import.meta.dirname, "../../../public/models", name);
   if (!existsSync(path)) return null;
   const file = readFileSync(path);
@@ -180,6 +186,9 @@ export function modelRoom(name: string): { parts: Triangles[]; spawn: Vec3 | nul
       })),
     ),
     spawn: gltf.nodes.find(({ name }) => name === "spawn")?.translation ?? null,
+    wicks: gltf.nodes.flatMap(({ name = "", translation }) =>
+      name.startsWith("wick") && translation ? [{ name, position: translation }] : [],
+    ),
   };
 }
 
