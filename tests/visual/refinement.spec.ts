@@ -32,11 +32,16 @@ async function driveFrames(page: Page): Promise<void> {
     window.cancelAnimationFrame = (id) => {
       if (!waiting.delete(id)) cancel(id);
     };
-    // Each tile's samples are resolved once; nothing else is, at `low`.
-    const { blitFramebuffer } = WebGL2RenderingContext.prototype;
-    WebGL2RenderingContext.prototype.blitFramebuffer = function (...call) {
-      drive.tiles++;
-      blitFramebuffer.apply(this, call);
+    // Each tile is cleared before it is drawn, and nothing else is of its size.
+    const { clear, viewport } = WebGL2RenderingContext.prototype;
+    let isTile = false;
+    WebGL2RenderingContext.prototype.viewport = function (x, y, width, height) {
+      isTile = x === 0 && y === 0 && width === 64 && height === 64;
+      viewport.call(this, x, y, width, height);
+    };
+    WebGL2RenderingContext.prototype.clear = function (mask) {
+      if (isTile) drive.tiles++;
+      clear.call(this, mask);
     };
     Object.assign(window, { drive });
   });

@@ -26,6 +26,12 @@ import { TILE, tilesAround } from "./tiles.js";
 const BLACK = [0, 0, 0, 1] as const;
 const NOTHING = [0, 0, 0] as const;
 
+/** A part of the frame, and what it is drawn to. */
+interface Tile {
+  readonly box: Box;
+  readonly samples: RenderTarget;
+}
+
 /**
  * The opaque stage of an image at rest, without a GPU: forward shading, a few tiles in each frame.
  *
@@ -54,8 +60,8 @@ export class RefinedStage implements OpaqueStage {
   #intensity: Rgb = TAPER.color;
   /** Tiles drawn since that was last asked. */
   #drawn: Box[] = [];
-  /** Still to be drawn. */
-  #tiles: Box[] = [];
+  /** Still to be drawn: all with one sample a pixel, which costs half, and then with all samples. */
+  #tiles: Tile[] = [];
   #light: CaptureLight | null = null;
 
   constructor(gpu: Gpu, screen: VertexArray, tier: Tier) {
@@ -111,7 +117,10 @@ export class RefinedStage implements OpaqueStage {
       this.flameColor = [intensity[0] / strength, intensity[1] / strength, intensity[2] / strength];
     }
     this.#light = shadingLight(world, settings.features.candle, SCHEDULE.lighting.forward);
-    this.#tiles = tilesAround(target, flameUv);
+    const boxes = tilesAround(target, flameUv);
+    this.#tiles = [this.#resolved, this.#samples].flatMap((samples) =>
+      boxes.map((box) => ({ box, samples })),
+    );
     this.#gpu.clear(target, BLACK);
     this.#gpu.draw({
       program: this.#begin,
@@ -147,21 +156,26 @@ export class RefinedStage implements OpaqueStage {
   }
 
   /** A tile is drawn to samples of its own, since drivers resolve all of a target, or none. */
-  #drawTile(frame: FrameInput, light: CaptureLight, captures: Captures, tile: Box): void {
+  #drawTile(
+    frame: FrameInput,
+    light: CaptureLight,
+    captures: Captures,
+    { box, samples }: Tile,
+  ): void {
     const target = this.#whole;
     const { width, height } = target;
-    const [x, y] = tile;
+    const [x, y] = box;
     const moon = moonOf(captures.kept);
-    this.#gpu.clear(this.#samples, [0, 0, 0, moon?.background ?? 1]);
+    this.#gpu.clear(samples, [0, 0, 0, moon?.background ?? 1]);
     this.#forward.draw(frame, light, captures, {
-      target: this.#samples,
+      target: samples,
       viewport: [-x, -y, width, height],
       origin: [x, y],
-      isVisible: frustumTest(clipOfBox(tile, target, frame.clipFromWorld)),
+      isVisible: frustumTest(clipOfBox(box, target, frame.clipFromWorld)),
     });
-    this.#drawn.push(tile);
-    this.#gpu.resolve(this.#samples, this.#resolved);
-    this.#gpu.clear(target, BLACK, tile);
+    this.#drawn.push(box);
+    if (samples !== this.#resolved) this.#gpu.resolve(samples, this.#resolved);
+    this.#gpu.clear(target, BLACK, box);
     this.#gpu.draw({
       program: this.#copy,
       target,
@@ -169,7 +183,7 @@ export class RefinedStage implements OpaqueStage {
       textures: { uRadiance: this.#resolved.color, uDepth: this.#resolved.depth! },
       uniforms: { uOrigin: [x, y], uMoonlight: moon ? this.#perCandela(moon.intensity) : NOTHING },
       depth: "test-and-write",
-      scissor: tile,
+      scissor: box,
     });
   }
 
