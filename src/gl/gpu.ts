@@ -94,6 +94,11 @@ export class Gpu {
     return gl.drawingBufferColorSpace;
   }
 
+  /** Pixels of the canvas. */
+  get canvasSize(): { readonly width: number; readonly height: number } {
+    return this.#canvas;
+  }
+
   get objectCount(): number {
     return this.#alive.size;
   }

@@ -34,9 +34,10 @@ import { InspectPass } from "./post/inspect-pass.js";
 import type { Tier } from "./quality.js";
 import { RefinedDisplayPass } from "./refinement/refined-display-pass.js";
 import { RefinedStage } from "./refinement/refined-stage.js";
+import { SharpStart } from "./refinement/sharp-start.js";
 import type { Models, Refining, Renderer, Surfaces } from "./renderer.js";
 import { SCHEDULE } from "./schedule.js";
-import { expandBox } from "./screen-bounds.js";
+import { expandBox, scaleBox } from "./screen-bounds.js";
 import { clusterIncrementally } from "./shadow/shadow-casters.js";
 import { HANDLE_TURN } from "./volumetric/flame-pass.js";
 import { flamePart, VolumetricStage } from "./volumetric/volumetric-stage.js";
@@ -53,6 +54,7 @@ const BLACK = [0, 0, 0, 1] as const;
  */
 export class PhysicalRenderer implements Renderer {
   readonly refining: Refining | null;
+  readonly sharpStart: SharpStart | null;
   readonly #gpu: Gpu;
   readonly #room: readonly Mesh[];
   readonly #candle: readonly Mesh[];
@@ -108,14 +110,20 @@ export class PhysicalRenderer implements Renderer {
       : new FrameBloomPass(gpu, screen, physical.bloomLevels);
     this.#exposure = new ExposurePass(gpu, screen, meterFrag);
     this.#display = new DisplayPass(gpu, screen, isFrugal);
-    if (refined) this.#compositeDisplay = new RefinedDisplayPass(gpu, screen, refined);
-    else this.#compositeDisplay = lods && new CompositeDisplayPass(gpu, screen);
+    const display = refined && new RefinedDisplayPass(gpu, screen, refined);
+    this.#compositeDisplay = display ?? (lods && new CompositeDisplayPass(gpu, screen));
+    this.sharpStart = lods && new SharpStart(gpu, screen);
     this.#makeInspector = () => new InspectPass(gpu, screen);
-    this.refining = refined?.refining(this.#captures, (...of) => this.#describe(...of)) ?? null;
+    this.refining =
+      display &&
+      refined.refining(this.#captures, display, (world, settings) =>
+        this.#describe(world, settings),
+      );
   }
 
   resize(width: number, height: number): void {
     this.#size = { width, height };
+    this.sharpStart?.end();
     for (const old of [this.#target, this.#radiance, ...this.#tested.values()]) old?.dispose();
     this.#tested.clear();
     this.#opaque.resize(this.#size);
@@ -262,7 +270,8 @@ export class PhysicalRenderer implements Renderer {
   }
 
   /** To the canvas: the region of the media from the radiance, the rest straight from the opaque layer. */
-  #present({ settings, flameUv, world }: FrameInput, layer: OpaqueLayer, region: Box): void {
+  #present(frame: FrameInput, layer: OpaqueLayer, region: Box): void {
+    const { settings, flameUv, world } = frame;
     const size = this.#size;
     const { Frame } = this.#opaque.blocks;
     const bloom = this.#bloom.transform(flameUv);
@@ -285,7 +294,8 @@ export class PhysicalRenderer implements Renderer {
       };
       this.#compositeDisplay.render(layer, textures, options, layer.blocks);
     }
-    const inner = expandBox(region, -1, size);
+    this.sharpStart?.draw(frame, layer, inputs.uExposure, this.#opaque.blocks);
+    const inner = scaleBox(expandBox(region, -1, size), size, this.#gpu.canvasSize);
     this.#display.render({ ...textures, uRadiance }, bloom, settings, transform, Frame, inner);
   }
 

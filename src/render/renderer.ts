@@ -4,6 +4,7 @@ import type { UniformBlock } from "../gl/uniform-block.js";
 import type { ParticleLayer } from "../world/particles/particle-layer.js";
 import type { World } from "../world/world.js";
 import type { FrameSettings } from "./frame-settings.js";
+import type { RefinedImage, SharpStart } from "./refinement/sharp-start.js";
 
 /** Models of a scene. */
 export interface Models {
@@ -19,6 +20,8 @@ export interface Refining {
   prepare(world: World, settings: FrameSettings): boolean;
   /** Begins with the last image of a coarser renderer on the same `Gpu`, of the same view. */
   begin(world: World, settings: FrameSettings, coarse: Surfaces): void;
+  /** What was shown last; null before all of it was kept. */
+  image(): RefinedImage | null;
 }
 
 /** Surfaces of a frame: radiance in cd/m², its depth, and the flame that it is of. */
@@ -36,6 +39,8 @@ export interface Renderer {
   readonly particles: number;
   /** Those of the last frame, without media; absent where there are none to begin a refinement with. */
   surfaces?(): Surfaces;
+  /** Fades from a refined image, which is drawn to the whole of a canvas at its full resolution. */
+  readonly sharpStart?: SharpStart | null;
   /** @param width of the canvas, pixels */
   resize(width: number, height: number): void;
   /** Replaces the particles by those of a new world, or of other layers. They catch up in the next frame. */

@@ -53,8 +53,14 @@ export class Refinement {
     this.#budget.take(seconds);
   }
 
-  /** Camera or candle move, or frames do not follow each other. */
-  stop(): void {
+  /**
+   * Camera or candle move, or frames do not follow each other.
+   *
+   * @param next renders the next frame, and begins with what was shown
+   */
+  stop(next: Renderer | null = null): void {
+    const image = this.shown?.refining?.image();
+    if (image) next?.sharpStart?.begin(image);
     this.#rest = 0;
     this.#isShown = false;
   }

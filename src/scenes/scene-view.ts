@@ -152,6 +152,7 @@ export class SceneView {
     this.#share = rung.share;
     this.#target.clear();
     this.#refinement.forget();
+    this.#renderer.sharpStart?.end();
     this.#fitCanvas();
     this.#renderer = this.#createRenderer();
     if (before.tier !== rung.tier || before.share !== rung.share) this.onQualityChanged();
@@ -175,6 +176,7 @@ export class SceneView {
     if (isOther) {
       this.#auto.renew();
       this.#refinement.stop();
+      this.#renderer.sharpStart?.end();
     }
     const { gpu, canvas } = this.#target;
     const isOtherSize = this.#fitCanvas();
@@ -192,16 +194,14 @@ export class SceneView {
     if (gpu.isLost) return;
     const wasRefined = this.#refinement.shown !== null;
     const refines = this.#refines(view);
-    if (!refines) this.#refinement.stop();
+    if (!refines) this.#refinement.stop(view.isMoving ? this.#renderer : null);
     this.#chooseQuality();
     target.prepare();
     gpu.beginFrame();
     const settings = { ...view, gamut: target.gamut, inspect: this.inspect };
     const steps = refines ? this.#refine(settings) : 0;
-    if (wasRefined !== (this.#refinement.shown !== null)) {
-      this.#fitCanvas();
-      this.onQualityChanged();
-    }
+    this.#fitCanvas();
+    if (wasRefined !== (this.#refinement.shown !== null)) this.onQualityChanged();
     this.#shown.render(this.#subject.world, { ...settings, steps });
     gpu.endFrame();
     target.present();
@@ -212,7 +212,7 @@ export class SceneView {
   measure(seconds: number): void {
     if (this.#settings.quality !== "auto" || this.isBusy) return;
     this.#refinement.take(seconds);
-    if (this.#refinement.isBusy) return;
+    if (this.#refinement.isBusy || this.#renderer.sharpStart?.isOn) return;
     const { milliseconds } = this.#target.gpu.timer;
     this.#auto.take(seconds, milliseconds === null ? null : milliseconds / 1000);
     // Prepares another tier, a little in each frame, and takes it when nothing holds it up.
@@ -274,6 +274,7 @@ export class SceneView {
     if (!isOtherTier && rung.share === this.#share) return;
     this.#tier = this.#tierOf(rung);
     this.#share = rung.share;
+    this.#renderer.sharpStart?.end();
     if (isOtherTier) {
       this.#target.clearUnshared();
       this.#refinement.forget();
@@ -315,7 +316,7 @@ export class SceneView {
   }
 
   get #resolutionScale(): number {
-    if (this.#refinement.shown) return REFINED.resolutionScale;
+    if (this.#refinement.shown || this.#renderer?.sharpStart?.isOn) return REFINED.resolutionScale;
     return this.#tier.resolutionScale * this.#share;
   }
 

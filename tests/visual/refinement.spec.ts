@@ -1,5 +1,6 @@
 // `auto` without a GPU: what a visitor who stands still is shown.
 import type { Page } from "playwright/test";
+import sharp from "sharp";
 import { flip } from "../support/flip.ts";
 import { type Picture, RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
@@ -7,7 +8,11 @@ import { expect, test } from "../support/test.ts";
 
 const BOX = { width: 480, height: 270 };
 const TABLE = { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 } as const;
+const STEP = { position: [-0.84, 1.3, 1.09], yaw: -0.8, pitch: -0.244 } as const;
 const CAMERA = { position: [-0.85, 1.3, 1.1], yaw: -0.805, pitch: -0.244 } as const;
+
+/** Pixels of `low`, as raw data. */
+const LOW = { width: 320, height: 180, channels: 4 } as const;
 
 /** Frames come when the test says so, and are told the time that it says. */
 async function driveFrames(page: Page): Promise<void> {
@@ -149,4 +154,42 @@ test("is refined by a machine with no time to spare too, a tile in some frames",
   const drawn = tiles.reduce((sum, one) => sum + one, 0);
   expect(drawn).toBeGreaterThanOrEqual(4);
   expect(drawn).toBeLessThanOrEqual(6);
+});
+
+test("is what the first step begins with, reprojected", async () => {
+  await refine(50);
+  await frames(60, 50);
+  await room.evaluate((element, camera) => {
+    element.camera = camera;
+  }, STEP);
+  await frames(1, 50);
+  const first = await room.picture();
+  expect([first.width, first.height]).toEqual([BOX.width, BOX.height]);
+  const high = await paused("high");
+  const low = await sharp((await paused("low")).data, { raw: LOW })
+    .resize(BOX.width, BOX.height, { kernel: "linear", fit: "fill" })
+    .raw()
+    .toBuffer();
+  const [ofFirst, ofLow] = [meanFlip(high, first), meanFlip(high, { ...BOX, data: low })];
+  console.log(`mean FLIP of the first step ${ofFirst.toFixed(4)}, of low ${ofLow.toFixed(4)}`);
+  expect(ofFirst).toBeLessThan(0.7 * ofLow);
+});
+
+test("is left for the coarser one within a second of walking", async () => {
+  await refine(50);
+  await frames(10, 50);
+  const widths: number[] = [];
+  for (let step = 1; step <= 20; step++) {
+    await room.evaluate(
+      (element, { camera, yaw }) => {
+        element.camera = { ...camera, yaw };
+      },
+      { camera: CAMERA, yaw: CAMERA.yaw + 0.002 * step },
+    );
+    await frames(1, 50);
+    widths.push((await room.stats()).width);
+  }
+  expect(widths[0]).toBe(BOX.width);
+  expect(widths.at(-1)).toBeLessThan(BOX.width);
+  expect(widths, "the canvas changes once").toEqual(widths.toSorted((a, b) => b - a));
 });

@@ -4,7 +4,7 @@ import displayVert from "../../../shaders/post/display.vert";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import fxaaFrag from "../../../shaders/post/fxaa.frag";
 import upscaleFrag from "../../../shaders/post/upscale.frag";
-import type { Box, Gpu } from "../../gl/gpu.js";
+import type { Box, Draw, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
@@ -83,7 +83,7 @@ export class CompositeDisplayPass {
       blocks: { ...blocks },
     };
     if (layer.kind === "full") {
-      this.#gpu.draw({ ...composite, target: "canvas" });
+      this.#drawFull(composite, options.size);
       return;
     }
     const isReprojected = layer.kind === "reprojected";
@@ -110,6 +110,24 @@ export class CompositeDisplayPass {
     this.#gpu.draw({ ...pass, ...colored, program: this.#fxaa, target });
     const source = { textures: { uSource: target.color } };
     this.#gpu.draw({ ...pass, ...source, program: this.#upscale, target: "canvas" });
+  }
+
+  /** Straight to the canvas, unless that is still of another size. */
+  #drawFull(composite: Omit<Draw, "target">, size: Size): void {
+    const { canvasSize } = this.#gpu;
+    if (canvasSize.width === size.width && canvasSize.height === size.height) {
+      this.#gpu.draw({ ...composite, target: "canvas" });
+      return;
+    }
+    this.#resize(size);
+    const uSource = this.#color!;
+    this.#gpu.draw({ ...composite, target: uSource });
+    this.#gpu.draw({
+      program: this.#upscale,
+      target: "canvas",
+      vertexArray: this.#screen,
+      textures: { uSource: uSource.color },
+    });
   }
 
   #resize({ width, height }: Size): void {

@@ -20,6 +20,7 @@ import { HueLut } from "../post/hue-lut.js";
 import { ToneLut } from "../post/tone-lut.js";
 import { expandBox } from "../screen-bounds.js";
 import type { RefinedStage } from "./refined-stage.js";
+import type { RefinedImage } from "./sharp-start.js";
 
 /** Bands that a whole image is kept in, and how many of them in a frame. */
 const BANDS = 12;
@@ -51,6 +52,7 @@ export class RefinedDisplayPass {
   #kept: RenderTarget | null = null;
   /** Each of the two kept textures. */
   #views: readonly TextureView[] = [];
+  #depth: Texture | null = null;
   /** What all of the kept colours depend on. */
   #key = "";
   /** Bands kept since that has changed. */
@@ -81,6 +83,15 @@ export class RefinedDisplayPass {
     return this.#toneLut.of(transform);
   }
 
+  /** What was shown last; null before all of it was kept. */
+  image(): RefinedImage | null {
+    const { source } = this.#stage;
+    const [uDimmer, uBrighter] = this.#kept?.colors ?? [];
+    if (this.#bands < BANDS || !source || !uDimmer || !uBrighter || !this.#depth) return null;
+    const uReference = this.#references[0]!.color;
+    return { textures: { uDimmer, uBrighter, uReference, uRefinedDepth: this.#depth }, source };
+  }
+
   render(
     layer: OpaqueLayer,
     textures: Readonly<Record<"uBloom" | "uExposure" | "uToneLut", Texture>>,
@@ -88,6 +99,7 @@ export class RefinedDisplayPass {
     blocks: FrameBlocks,
   ): void {
     const { transform, size, autoExposure } = options;
+    this.#depth = layer.depth;
     const uAutoExposure = autoExposure ? 1 : 0;
     const key = JSON.stringify([transform, size, this.#stage.beginnings]);
     if (key !== this.#key) {

@@ -12,6 +12,7 @@ import type { World } from "../../world/world.js";
 import { frustumTest } from "../camera.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { FrameSettings } from "../frame-settings.js";
+import { type ReprojectionSource, reprojectionSource } from "../gbuffer/gbuffer.js";
 import type { Captures, LightCaptures } from "../gi/light-captures.js";
 import { type CaptureLight, lightBlock, shadingLight } from "../light-block.js";
 import { ForwardStage, moonOf } from "../opaque/forward-stage.js";
@@ -21,6 +22,7 @@ import type { Refining, Surfaces } from "../renderer.js";
 import { SCHEDULE } from "../schedule.js";
 import { clipOfBox } from "../screen-bounds.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
+import type { RefinedDisplayPass } from "./refined-display-pass.js";
 import { TILE, tilesAround } from "./tiles.js";
 
 const BLACK = [0, 0, 0, 1] as const;
@@ -54,6 +56,8 @@ export class RefinedStage implements OpaqueStage {
   #image: RenderTarget | null = null;
   /** How often it has begun. */
   beginnings = 0;
+  /** What the last frame was drawn for. */
+  source: ReprojectionSource | null = null;
   /** Colour of the flame, luma 1, as it was then. */
   flameColor: Rgb = TAPER.color;
   /** Of the flame then, cd. */
@@ -81,6 +85,7 @@ export class RefinedStage implements OpaqueStage {
   /** @param describe the input of a frame */
   refining(
     captures: LightCaptures,
+    display: RefinedDisplayPass,
     describe: (world: World, settings: FrameSettings) => FrameInput,
   ): Refining {
     const stage = this;
@@ -91,6 +96,7 @@ export class RefinedStage implements OpaqueStage {
       prepare: (world, settings) =>
         captures.hold(describe(world, settings).captureLight, settings.steps ?? 0),
       begin: (world, settings, coarse) => stage.#beginWith(describe(world, settings), coarse),
+      image: () => display.image(),
     };
   }
 
@@ -139,7 +145,9 @@ export class RefinedStage implements OpaqueStage {
   shade(frame: FrameInput, captures: Captures): OpaqueLayer {
     if (!this.#light) throw new Error("The refined image has not begun yet.");
     const light = { ...this.#light, captureOrigin: captures.shadow.captureOrigin };
-    for (const tile of this.#tiles.splice(0, frame.settings.steps ?? 0)) {
+    const { instances, clipFromWorld, settings } = frame;
+    this.source = reprojectionSource(instances, clipFromWorld, settings.features);
+    for (const tile of this.#tiles.splice(0, settings.steps ?? 0)) {
       this.#drawTile(frame, light, captures, tile);
     }
     const { color: uRadiance, depth } = this.#whole;

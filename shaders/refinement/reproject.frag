@@ -1,0 +1,35 @@
+#version 300 es
+// First frames in motion: the refined image, reprojected over the coarser one.
+// In:  depth and albedo of the frame; refined display colours in two lights, and their depth.   Out: display colour.
+#include "lib/precision.glsl"
+#include "lib/depth.glsl"
+#include "lib/gbuffer.glsl"
+#include "lib/reproject.glsl"
+
+uniform sampler2D uGBufferAlbedo;  // alpha: whether the surface is held
+uniform sampler2D uDimmer;
+uniform sampler2D uBrighter;
+uniform sampler2D uRefinedDepth;
+uniform float uWeight;
+
+in vec2 vUv;
+flat in float vShare;
+
+out vec4 oColor;
+
+// Differences of depth within a surface, at most: relative, and m.
+const vec2 TOLERANCE = vec2(0.03, 0.01);
+
+void main() {
+  vec4 current = vec4(vUv, texture(uDepth, vUv).r, 1.0);
+  float isHeld = isHeldSurface(texture(uGBufferAlbedo, vUv).a);
+  vec4 projected = mix(uPreviousFromCurrentRoom * current, uPreviousFromCurrentHeld * current, isHeld);
+  vec3 previous = projected.xyz / projected.w;
+  vec2 isInside = step(abs(previous.xy - 0.5), vec2(0.5));
+  float expected = linearDepth(previous.z);
+  float found = linearDepth(texture(uRefinedDepth, previous.xy).r);
+  float isSame = step(abs(found - expected), TOLERANCE.x * expected + TOLERANCE.y);
+  float weight = uWeight * isInside.x * isInside.y * isSame;
+  vec3 color = mix(texture(uDimmer, previous.xy), texture(uBrighter, previous.xy), vShare).rgb;
+  oColor = vec4(color * weight, weight);
+}

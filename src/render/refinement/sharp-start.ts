@@ -1,0 +1,92 @@
+import blendVert from "../../../shaders/refinement/blend.vert";
+import reprojectFrag from "../../../shaders/refinement/reproject.frag";
+import type { Gpu } from "../../gl/gpu.js";
+import type { Program } from "../../gl/program.js";
+import type { Texture } from "../../gl/texture.js";
+import type { VertexArray } from "../../gl/vertex-array.js";
+import { reprojectionMatrix } from "../camera.js";
+import type { FrameInput } from "../frame-input.js";
+import { type ReprojectionSource, reprojectionSource } from "../gbuffer/gbuffer.js";
+import type { FrameBlocks, OpaqueLayer } from "../opaque/opaque-stage.js";
+
+/** Frames over which the refined image fades into the coarser one. */
+const FRAMES = 14;
+/** Of these, the first that show it alone. */
+const SHARP_FRAMES = 4;
+
+/** A refined image, as it was last shown. */
+export interface RefinedImage {
+  /** Display colours in two lights, `uReference`, and depth. */
+  readonly textures: Readonly<
+    Record<"uDimmer" | "uBrighter" | "uReference" | "uRefinedDepth", Texture>
+  >;
+  readonly source: ReprojectionSource;
+}
+
+/**
+ * The first frames in motion begin with the refined image: it is reprojected over the coarser frame, by the frame's own
+ * depth, where the same surface was visible.
+ */
+export class SharpStart {
+  readonly #gpu: Gpu;
+  readonly #screen: VertexArray;
+  readonly #program: Program;
+  #image: RefinedImage | null = null;
+  #frames = 0;
+
+  constructor(gpu: Gpu, screen: VertexArray) {
+    this.#gpu = gpu;
+    this.#screen = screen;
+    this.#program = gpu.program("refinement/reproject", blendVert, reprojectFrag);
+  }
+
+  /** Whether the next frame shows anything of it. */
+  get isOn(): boolean {
+    return this.#image !== null;
+  }
+
+  begin(image: RefinedImage): void {
+    this.#image = image;
+    this.#frames = 0;
+  }
+
+  end(): void {
+    this.#image = null;
+  }
+
+  /** Draws it over the canvas. */
+  draw(
+    { instances, clipFromWorld, settings }: FrameInput,
+    layer: OpaqueLayer,
+    uExposure: Texture,
+    blocks: FrameBlocks,
+  ): void {
+    const image = this.#image;
+    if (!image) return;
+    const current = reprojectionSource(instances, clipFromWorld, settings.features);
+    const { source } = image;
+    const left = FRAMES - this.#frames++;
+    if (layer.kind === "full" || left <= 1) this.end();
+    if (layer.kind === "full") return;
+    this.#gpu.draw({
+      program: this.#program,
+      target: "canvas",
+      vertexArray: this.#screen,
+      textures: { ...layer.textures, ...image.textures, uExposure },
+      uniforms: {
+        uPreviousFromCurrentRoom: reprojectionMatrix(
+          current.clipFromWorld,
+          source.clipFromWorld,
+        ) as Float32Array,
+        uPreviousFromCurrentHeld: reprojectionMatrix(
+          current.clipFromHeld,
+          source.clipFromHeld,
+        ) as Float32Array,
+        uWeight: Math.min(1, left / (FRAMES - SHARP_FRAMES)),
+        uAutoExposure: settings.features.autoExposure ? 1 : 0,
+      },
+      blocks: { ...blocks },
+      blend: "premultiplied",
+    });
+  }
+}
