@@ -11,6 +11,7 @@ uniform sampler2D uDimmer;
 uniform sampler2D uBrighter;
 uniform sampler2D uRefinedDepth;
 uniform float uWeight;
+uniform vec4 uMedia;  // the part of the frame that the media are drawn in anew: left, bottom, right, top, uv
 
 in vec2 vUv;
 flat in float vShare;
@@ -19,6 +20,9 @@ out vec4 oColor;
 
 // Differences of depth within a surface, at most: relative, and m.
 const vec2 TOLERANCE = vec2(0.03, 0.01);
+
+// Width over which the image fades towards that part, uv: without the flame's glare it would end at an edge.
+const float FADE = 0.07;
 
 void main() {
   vec4 current = vec4(vUv, texture(uDepth, vUv).r, 1.0);
@@ -29,7 +33,9 @@ void main() {
   float expected = linearDepth(previous.z);
   float found = linearDepth(texture(uRefinedDepth, previous.xy).r);
   float isSame = step(abs(found - expected), TOLERANCE.x * expected + TOLERANCE.y);
-  float weight = uWeight * isInside.x * isInside.y * isSame;
+  vec2 beyond = max(max(uMedia.xy - vUv, vUv - uMedia.zw), 0.0);
+  float fade = smoothstep(0.0, FADE, length(beyond));
+  float weight = uWeight * fade * isInside.x * isInside.y * isSame;
   vec3 color = mix(texture(uDimmer, previous.xy), texture(uBrighter, previous.xy), vShare).rgb;
   oColor = vec4(color * weight, weight);
 }

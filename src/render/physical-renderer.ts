@@ -294,7 +294,7 @@ export class PhysicalRenderer implements Renderer {
       };
       this.#compositeDisplay.render(layer, textures, options, layer.blocks);
     }
-    this.sharpStart?.draw(frame, layer, inputs.uExposure, this.#opaque.blocks);
+    this.sharpStart?.draw(frame, layer, region, size, inputs.uExposure, this.#opaque.blocks);
     const inner = scaleBox(expandBox(region, -1, size), size, this.#gpu.canvasSize);
     this.#display.render({ ...textures, uRadiance }, bloom, settings, transform, Frame, inner);
   }

@@ -43,7 +43,7 @@ export class Refinement {
 
   /** Whether frames do its work beside their own, or are its own: their time says nothing of the coarser one's. */
   get isBusy(): boolean {
-    return this.#rest >= REST;
+    return this.#isCompiled && this.#rest >= REST;
   }
 
   /** Takes the time from one frame to the next, seconds. */
@@ -94,7 +94,7 @@ export class Refinement {
     if (this.#isShown || steps === 0) return steps;
     const { refining } = this.#renderer;
     const { world } = subject;
-    if (!this.#isCompiled || !refining || !coarse.surfaces) return 0;
+    if (!refining || !coarse.surfaces) return 0;
     if (!refining.prepare(world, { ...view, steps })) return 0;
     if (this.#size?.width !== size.width || this.#size.height !== size.height) {
       this.#renderer.resize(size.width, size.height);

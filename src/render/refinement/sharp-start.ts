@@ -1,11 +1,11 @@
 import blendVert from "../../../shaders/refinement/blend.vert";
 import reprojectFrag from "../../../shaders/refinement/reproject.frag";
-import type { Gpu } from "../../gl/gpu.js";
+import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { Texture } from "../../gl/texture.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { reprojectionMatrix } from "../camera.js";
-import type { FrameInput } from "../frame-input.js";
+import type { FrameInput, Size } from "../frame-input.js";
 import { type ReprojectionSource, reprojectionSource } from "../gbuffer/gbuffer.js";
 import type { FrameBlocks, OpaqueLayer } from "../opaque/opaque-stage.js";
 
@@ -54,10 +54,16 @@ export class SharpStart {
     this.#image = null;
   }
 
-  /** Draws it over the canvas. */
+  /**
+   * Draws it over the canvas.
+   *
+   * @param media the part of a frame of `size` that is drawn anew afterwards
+   */
   draw(
     { instances, clipFromWorld, settings }: FrameInput,
     layer: OpaqueLayer,
+    [x, y, width, height]: Box,
+    size: Size,
     uExposure: Texture,
     blocks: FrameBlocks,
   ): void {
@@ -82,6 +88,12 @@ export class SharpStart {
           current.clipFromHeld,
           source.clipFromHeld,
         ) as Float32Array,
+        uMedia: [
+          x / size.width,
+          y / size.height,
+          (x + width) / size.width,
+          (y + height) / size.height,
+        ],
         uWeight: Math.min(1, left / (FRAMES - SHARP_FRAMES)),
         uAutoExposure: settings.features.autoExposure ? 1 : 0,
       },
