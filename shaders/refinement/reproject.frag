@@ -22,7 +22,7 @@ out vec4 oColor;
 const vec2 TOLERANCE = vec2(0.03, 0.01);
 
 // Width over which the image fades towards that part, uv: without the flame's glare it would end at an edge.
-const float FADE = 0.07;
+const float FADE = 0.03;
 
 void main() {
   vec4 current = vec4(vUv, texture(uDepth, vUv).r, 1.0);

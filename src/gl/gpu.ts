@@ -39,7 +39,7 @@ export class Gpu {
   /** Whether textures of full floats can be read between their texels; those of half floats always can. */
   readonly filtersFloats: boolean;
   readonly timer: GpuTimer;
-  readonly #canvas: HTMLCanvasElement;
+  readonly canvas: HTMLCanvasElement;
   readonly #gl: WebGL2RenderingContext;
   readonly #context: GpuContext;
   readonly #alive = new Set<GpuObject>();
@@ -65,7 +65,7 @@ export class Gpu {
     if (!gl) throw new WebGLUnavailableError("This browser or graphics driver offers no WebGL 2.");
     this.#gl = gl;
     this.#context = { gl, forget: (object) => this.#forget(object) };
-    this.#canvas = canvas;
+    this.canvas = canvas;
     // Browsers do not re-enable extensions after a context loss (KhronosGroup/WebGL #2942), so they
     // are asked for here, where the context is born.
     const full = gl.getExtension("EXT_color_buffer_float");
@@ -94,18 +94,13 @@ export class Gpu {
     return gl.drawingBufferColorSpace;
   }
 
-  /** Pixels of the canvas. */
-  get canvasSize(): { readonly width: number; readonly height: number } {
-    return this.#canvas;
-  }
-
   get objectCount(): number {
     return this.#alive.size;
   }
 
   /** Memory of the objects alive and of the canvas, in bytes. */
   get bytes(): number {
-    let bytes = this.#canvas.width * this.#canvas.height * 4;
+    let bytes = this.canvas.width * this.canvas.height * 4;
     for (const object of this.#alive) bytes += object.bytes;
     return bytes;
   }

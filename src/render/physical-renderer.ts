@@ -295,7 +295,7 @@ export class PhysicalRenderer implements Renderer {
       this.#compositeDisplay.render(layer, textures, options, layer.blocks);
     }
     this.sharpStart?.draw(frame, layer, region, size, inputs.uExposure, this.#opaque.blocks);
-    const inner = scaleBox(expandBox(region, -1, size), size, this.#gpu.canvasSize);
+    const inner = scaleBox(expandBox(region, -1, size), size, this.#gpu.canvas);
     this.#display.render({ ...textures, uRadiance }, bloom, settings, transform, Frame, inner);
   }
 

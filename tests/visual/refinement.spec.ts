@@ -157,7 +157,7 @@ test("is refined by a machine with no time to spare too, a tile in some frames",
 });
 
 test("is what the first step begins with, reprojected", async () => {
-  await refine(50);
+  await refine(30);
   await frames(60, 50);
   await room.evaluate((element, camera) => {
     element.camera = camera;

@@ -114,8 +114,8 @@ export class CompositeDisplayPass {
 
   /** Straight to the canvas, unless that is still of another size. */
   #drawFull(composite: Omit<Draw, "target">, size: Size): void {
-    const { canvasSize } = this.#gpu;
-    if (canvasSize.width === size.width && canvasSize.height === size.height) {
+    const { canvas } = this.#gpu;
+    if (canvas.width === size.width && canvas.height === size.height) {
       this.#gpu.draw({ ...composite, target: "canvas" });
       return;
     }
