@@ -83,8 +83,8 @@ test("“How it works” has figures that are computed, and switches that act", 
   const page = await read(fresh, "how.html");
   expect(await fresh.axe()).toEqual([]);
   expect(await widthOf(page)).toBe(390);
-  await expect(page.locator("article")).toHaveCount(11);
-  await expect(page.locator("article > figure.live > .window")).toHaveCount(11);
+  await expect(page.locator("article")).toHaveCount(12);
+  await expect(page.locator("article > figure.live > .window")).toHaveCount(12);
 
   const figure = (name: string) => page.locator(`#${name} figure`);
   expect((await firstFrame(figure("layers"))).particles).toBeGreaterThan(100);

@@ -7,7 +7,7 @@ const FAR = "150%";
 
 /**
  * Binds a figure that the element itself draws. The names of its switches say what they do: a technique to
- * switch off, an attribute, or a method to call.
+ * switch off, a candle to light by its number, an attribute, or a method to call.
  */
 export function bindLiveFigure(figure: HTMLElement): void {
   const element = figure.querySelector("candle-flame");
@@ -45,9 +45,11 @@ function bindControl(element: CandleFlameElement, control: Element): void {
     const method = control.name as "light" | "extinguish";
     control.addEventListener("click", () => element[method]());
   } else if (control instanceof HTMLInputElement && control.type === "checkbox") {
-    const feature = control.name as Feature;
+    const [name, number] = control.name.split(" ");
     control.addEventListener("change", () => {
-      element.features[feature] = control.checked;
+      if (name !== "candle") element.features[name as Feature] = control.checked;
+      else if (control.checked) element.candles[Number(number)]?.light();
+      else element.candles[Number(number)]?.extinguish();
     });
   } else if (control instanceof HTMLInputElement || control instanceof HTMLSelectElement) {
     const output = control.parentElement?.querySelector("output");
