@@ -149,6 +149,25 @@ const REFLECTIONS: readonly Reflection[] = [
     write: [[[1, 3], "1,3"]],
   },
   {
+    attribute: "moonlight",
+    property: "moonlight",
+    fallback: 0.15,
+    read: [
+      ["0.2", 0.2],
+      ["-1", 0],
+      ["9", 0.3],
+      ["full", 0.15],
+    ],
+    write: [[0.1, "0.1"]],
+  },
+  {
+    attribute: "moon-direction",
+    property: "moonDirection",
+    fallback: "",
+    read: [["-98 27", "-98 27"]],
+    write: [["0 45", "0 45"]],
+  },
+  {
     attribute: "sensitivity",
     property: "sensitivity",
     fallback: 1,
