@@ -128,12 +128,12 @@ test.describe("The night", () => {
     expect(Math.abs(lit.quantile(0.5) / settled.quantile(0.5) - 1)).toBeLessThan(0.1);
   });
 
-  for (const quality of ["low", "high"]) {
+  for (const [quality, size] of [
+    ["low", { width: 1280, height: 720 }],
+    ["high", { width: 640, height: 360 }],
+  ] as const) {
     test(`lies cool beside the candle's gold at ${quality}`, async ({ page }) => {
-      const room = await new RoomDriver(page).open(
-        { ...NIGHT, quality },
-        { width: 1280, height: 720 },
-      );
+      const room = await new RoomDriver(page).open({ ...NIGHT, quality }, size);
       const moonlit = await Shown.of(await room.png({ camera: SPAWN, seconds: 0.5 }));
       await room.set({ moonlight: "0" });
       const moonless = await Shown.of(await room.png());
