@@ -45,6 +45,16 @@ export interface PhysicalTier {
   readonly hasHaze: boolean;
 }
 
+/** Indirect light of `high` and `ultra`, which differ by their shadows and their resolution. */
+const FINE_INDIRECT: IndirectDetail = {
+  surfels: 24,
+  surfelGroup: 4,
+  probes: [14, 6, 14],
+  rays: 16,
+  bounces: 8,
+  testsVisibility: true,
+};
+
 const TIERS: Readonly<Record<Tier["name"], Tier>> = {
   low: {
     name: "low",
@@ -104,14 +114,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
     physical: {
       opaque: "forward",
       shadow: { size: 512, search: 16, taps: 32, bias: 2.5 },
-      indirect: {
-        surfels: 24,
-        surfelGroup: 4,
-        probes: [14, 6, 14],
-        rays: 16,
-        bounces: 8,
-        testsVisibility: true,
-      },
+      indirect: FINE_INDIRECT,
       moonMap: 1024,
       mostCandles: 8,
       casterError: 0,
@@ -129,14 +132,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
     physical: {
       opaque: "forward",
       shadow: { size: 1024, search: 24, taps: 48, bias: 2.5 },
-      indirect: {
-        surfels: 24,
-        surfelGroup: 4,
-        probes: [14, 6, 14],
-        rays: 16,
-        bounces: 8,
-        testsVisibility: true,
-      },
+      indirect: FINE_INDIRECT,
       moonMap: 2048,
       mostCandles: 8,
       casterError: 0,
