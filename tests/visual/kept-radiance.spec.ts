@@ -1,17 +1,22 @@
+import type { Page } from "playwright/test";
 import { RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
 
-const FRAMES = 40;
+const SIZE = { width: 240, height: 135 };
+const FRAMES = 24;
 /** The pan of the standing candle: shares of the image, from its upper left. */
 const PAN = [0.36, 0.7, 0.41, 0.8] as const;
 
-test("At high surfaces are drawn again only when the light has moved, and follow it evenly", async ({
-  page,
-}) => {
-  const room = await new RoomDriver(page).open(
-    { look: "physical", quality: "high" },
-    { width: 240, height: 135 },
-  );
+let page: Page;
+let room: RoomDriver;
+test.beforeAll(async ({ browser }) => {
+  page = await browser.newPage();
+  room = await new RoomDriver(page).open({ look: "physical", quality: "high" }, SIZE);
+});
+test.afterEach(() => expect(room.complaints).toEqual([]));
+test.afterAll(() => page.close());
+
+test("At high surfaces are drawn again only when the light has moved, and follow it evenly", async () => {
   const { pan, triangles, kept } = await room.evaluate(
     (element, { frames, box }) => {
       element.reset();
@@ -48,14 +53,11 @@ test("At high surfaces are drawn again only when the light has moved, and follow
   expect(kept).toBeLessThan(0.1 * Math.max(...triangles));
 });
 
-test("At high a frame in motion computes a part of the indirect light, and the first at rest all of it", async ({
-  page,
-}) => {
-  const room = await new RoomDriver(page).open(
-    { look: "physical", quality: "high", wind: "0" },
-    { width: 160, height: 90 },
-  );
+test("At high a frame in motion computes a part of the indirect light, and the first at rest all of it", async () => {
   const { whole, moving, atRest, difference } = await room.evaluate((element) => {
+    element.reset();
+    element.wind = 0;
+    element.step(0);
     const [x, y, z] = element.camera.position;
     const walk = (steps: number) => {
       const draws: number[] = [];
@@ -66,7 +68,7 @@ test("At high a frame in motion computes a part of the indirect light, and the f
       }
       return draws;
     };
-    const picture = () => Array.from(element.readRadiance(0, 0, 160, 90));
+    const picture = () => Array.from(element.readRadiance(0, 0, 240, 135));
     const whole = walk(1)[0] ?? 0;
     element.play();
     // The loop's own frames come between tasks: all of this is one.
@@ -77,6 +79,7 @@ test("At high a frame in motion computes a part of the indirect light, and the f
     element.pause();
     element.step(0);
     const exact = picture();
+    element.removeAttribute("wind");
     const sum = (values: number[]) => values.reduce((total, value) => total + value, 0);
     const difference = sum(after.map((value, i) => Math.abs(value - (exact[i] ?? 0)))) / sum(exact);
     return { whole, moving, atRest, difference };
@@ -88,14 +91,9 @@ test("At high a frame in motion computes a part of the indirect light, and the f
   expect(difference).toBeLessThan(1e-4);
 });
 
-test("At high, at rest, surfaces follow the flame's sway tile by tile, and beside the flame in each frame", async ({
-  page,
-}) => {
-  const room = await new RoomDriver(page).open(
-    { look: "physical", quality: "high" },
-    { width: 240, height: 135 },
-  );
-  const { triangles, whole, follows, exact } = await room.evaluate((element) => {
+test("At high, at rest, surfaces follow the flame's sway tile by tile, and beside the flame in each frame", async () => {
+  const { triangles, whole, follows, exact } = await room.evaluate((element, frames) => {
+    element.reset();
     element.camera = { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 };
     element.place();
     element.camera = { position: [-0.85, 1.3, 1.1], yaw: -0.8, pitch: -0.25 };
@@ -103,7 +101,7 @@ test("At high, at rest, surfaces follow the flame's sway tile by tile, and besid
     element.play();
     // The loop's own frames come between tasks: all of this is one.
     const triangles: number[] = [];
-    for (let frame = 0; frame < 40; frame++) {
+    for (let frame = 0; frame < frames; frame++) {
       element.step(1 / 60);
       triangles.push(element.stats.triangles);
     }
@@ -112,7 +110,7 @@ test("At high, at rest, surfaces follow the flame's sway tile by tile, and besid
     element.pause();
     element.step(0);
     return { triangles, whole: element.stats.triangles, follows, exact: picture() };
-  });
+  }, FRAMES);
   const mean = triangles.reduce((sum, value) => sum + value, 0) / triangles.length;
   console.log(`at rest ${Math.round(mean)} of ${whole} triangles`);
   expect(mean).toBeLessThan(0.6 * whole);
