@@ -22,6 +22,14 @@ layout(location = 1) out vec4 oDirection;
 // A hit this far behind the plane of another lies on its front, m.
 const float COPLANAR = 0.02;
 
+// Visibility of a point at `reach` (m) along a direction, past the surface that a nearby ray from the same origin hit:
+// up to the plane of that surface. The tolerance is a share of the distance, and metres.
+bool isVisiblePast(vec3 hit, vec3 normal, vec3 direction, float reach) {
+  float cosine = dot(normal, direction);
+  float end = max(length(hit), cosine < -1e-3 ? dot(normal, hit) / cosine : 0.0);
+  return reach <= end + 0.03 * reach + 0.02;
+}
+
 // Visible share of a point at `reach` (m) along a direction, from the hits of the four rays around it. Where two hits
 // lie in front of each other's planes the surfaces meet in a hollow edge, and the nearer one hides what is behind both.
 float surfelVisibility(ivec2 tile, vec3 direction, float reach) {

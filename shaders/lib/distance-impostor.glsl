@@ -3,7 +3,7 @@
 // Distance Impostors". Needs lib/photometry.glsl, lib/flame-light.glsl, lib/shadow-cube.glsl,
 // lib/surfels.glsl.
 
-uniform sampler2D uOutgoing;  // radiosity of the surfels in all light, lm/m²
+uniform sampler2D uTotalRadiosity;  // radiosity of the surfels in all light, lm/m²
 
 // Steps of the march: first and last distance, m, and the ratio of each to the one before.
 const float NEAREST_STEP = 0.04;
@@ -26,14 +26,14 @@ float depthBehind(vec3 fromOrigin) {
 
 // Radiosity in a direction from the capture origin, filtered within a face, lm/m².
 vec3 radiosityToward(vec3 fromOrigin) {
-  int size = textureSize(uOutgoing, 0).y;
+  int size = textureSize(uTotalRadiosity, 0).y;
   vec3 uv = cubeFaceUv(fromOrigin);
   vec2 at = clamp(uv.xy * float(size) - 0.5, vec2(0.0), vec2(float(size) - 1.0));
   ivec2 corner = min(ivec2(at), size - 2);
   vec2 share = at - vec2(corner);
   corner.x += int(uv.z) * size;
-  vec3 low = mix(texelFetch(uOutgoing, corner, 0).rgb, texelFetch(uOutgoing, corner + ivec2(1, 0), 0).rgb, share.x);
-  vec3 high = mix(texelFetch(uOutgoing, corner + ivec2(0, 1), 0).rgb, texelFetch(uOutgoing, corner + 1, 0).rgb, share.x);
+  vec3 low = mix(texelFetch(uTotalRadiosity, corner, 0).rgb, texelFetch(uTotalRadiosity, corner + ivec2(1, 0), 0).rgb, share.x);
+  vec3 high = mix(texelFetch(uTotalRadiosity, corner + ivec2(0, 1), 0).rgb, texelFetch(uTotalRadiosity, corner + 1, 0).rgb, share.x);
   return mix(low, high, share.y);
 }
 

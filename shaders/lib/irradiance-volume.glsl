@@ -6,15 +6,12 @@
 // Majercik, Guertin, Nowrouzezahrai and McGuire 2019, "Dynamic Diffuse Global Illumination with Ray-Traced Irradiance
 // Fields".
 
-#include "lib/tetrahedron.glsl"
-
 layout(std140) uniform Volume {
   vec3 corner;    // of the room, m
   float planes;   // probes along z
   vec3 extent;    // of the room, m
   float columns;  // probes along x
   float rows;     // probes along y
-  float testsVisibility;  // 1, or 0: probes are interpolated by distance alone
 } volume;
 
 uniform sampler2D uIrradiance;
@@ -54,14 +51,6 @@ struct IrradianceSample {
 
 #ifdef MOONLIT
 uniform sampler2D uMoonIrradiance;
-
-IrradianceSample irradianceSample(vec3 alongNormal, vec3 alongReflection) {
-  return IrradianceSample(alongNormal, alongReflection, 0.0);
-}
-#else
-IrradianceSample irradianceSample(vec3 alongNormal, vec3 alongReflection) {
-  return IrradianceSample(alongNormal, alongReflection);
-}
 #endif
 
 // Tile of a probe, by its place in the grid.
@@ -71,17 +60,6 @@ ivec2 tileAt(vec3 probe) {
 
 vec3 probeIrradiance(ivec2 tile, vec2 uv) {
   return textureLod(uIrradiance, atlasUv(tile, IRRADIANCE_EDGE, uv), 0.0).rgb;
-}
-
-// Irradiance interpolated by distance alone.
-vec3 irradianceTetrahedral(vec3 cell, vec3 share, vec2 uv) {
-  Tetrahedron tetrahedron = tetrahedronAt(share);
-  vec3 sum = vec3(0.0);
-  for (int i = 0; i < 4; i++) {
-    ivec2 tile = tileAt(cell + tetrahedronCorner(tetrahedron, i, share));
-    sum += tetrahedron.weights[i] * probeIrradiance(tile, uv);
-  }
-  return sum;
 }
 
 // Cell of the grid at a point: its lowest probe, and the point's place between its probes.
@@ -113,16 +91,16 @@ float probeWeight(VolumeCell cell, vec3 corner, vec3 position, vec3 facing) {
   return weight * probe.w * max(visibility * visibility * visibility, 1e-4);
 }
 
-// Without visibility tests both results are the irradiance along the normal: so few probes do not resolve directions.
+// `facing`: normal by which probes are weighted, or 0 in mid-air.
 IrradianceSample irradianceAt(vec3 position, vec3 facing, vec3 normal, vec3 reflection) {
   VolumeCell cell = volumeCellAt(position);
   vec2 normalUv = octahedralEncode(normal);
-  if (volume.testsVisibility < 0.5) {
-    vec3 interpolated = irradianceTetrahedral(cell.low, cell.share, normalUv);
-    return irradianceSample(interpolated, interpolated);
-  }
   vec2 reflectionUv = octahedralEncode(reflection);
-  IrradianceSample sum = irradianceSample(vec3(0.0), vec3(0.0));
+#ifdef MOONLIT
+  IrradianceSample sum = IrradianceSample(vec3(0.0), vec3(0.0), 0.0);
+#else
+  IrradianceSample sum = IrradianceSample(vec3(0.0), vec3(0.0));
+#endif
   float total = 0.0;
   for (int i = 0; i < 8; i++) {
     vec3 corner = volumeCorner(i);

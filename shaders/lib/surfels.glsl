@@ -102,11 +102,3 @@ Surfel surfelAt(ivec2 texel, int size) {
   return surfel;
 }
 #endif
-
-// Visibility of a point at `reach` (m) along a direction, past the surface that a nearby ray from the same origin hit:
-// up to the plane of that surface. The tolerance is a share of the distance, and metres.
-bool isVisiblePast(vec3 hit, vec3 normal, vec3 direction, float reach) {
-  float cosine = dot(normal, direction);
-  float end = max(length(hit), cosine < -1e-3 ? dot(normal, hit) / cosine : 0.0);
-  return reach <= end + 0.03 * reach + 0.02;
-}

@@ -52,7 +52,7 @@ const FINE_INDIRECT: IndirectDetail = {
   probes: [14, 6, 14],
   rays: 16,
   bounces: 8,
-  testsVisibility: true,
+  isMirrored: true,
 };
 
 const TIERS: Readonly<Record<Tier["name"], Tier>> = {
@@ -70,7 +70,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
         probes: [6, 4, 6],
         rays: 12,
         bounces: 6,
-        testsVisibility: true,
+        isMirrored: false,
       },
       moonMap: 512,
       mostCandles: 4,
@@ -95,7 +95,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
         probes: [6, 4, 6],
         rays: 12,
         bounces: 6,
-        testsVisibility: true,
+        isMirrored: true,
       },
       moonMap: 1024,
       mostCandles: 8,

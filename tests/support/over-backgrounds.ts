@@ -113,11 +113,11 @@ function blockOf(gpu: Gpu, name: "Frame" | "Light" | "Volume") {
 function darkRoom(gpu: Gpu, uDark: Texture): IrradianceVolume {
   const block = blockOf(gpu, "Volume");
   const one = { columns: 1, rows: 1, planes: 1 };
-  block.update({ corner: [0, 0, 0], extent: [1, 1, 1], ...one, testsVisibility: 0 });
+  block.update({ corner: [0, 0, 0], extent: [1, 1, 1], ...one });
   return {
     block,
     textures: { uIrradiance: uDark, uProbePositions: uDark, uProbeDepth: uDark },
-    outgoing: uDark,
+    totalRadiosity: uDark,
     support: uDark,
     revision: 0,
     roomReflectance: uDark,

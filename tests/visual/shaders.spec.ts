@@ -187,12 +187,3 @@ test("Surfaces in light from all around give back all that they get: a white fur
   // Without what bounces between facets it would be a grey furnace.
   expect(errors.lost).toBeGreaterThan(0.3);
 });
-
-test("Between the corners of a cell a linear function stays one: no place takes another's corner", async ({
-  page,
-}) => {
-  const found = await drawnBy(page, "tests/support/tetrahedron.frag", 128);
-  const apart = found.filter((_, i) => i % 3 === 0).map((one) => one - 1);
-  expect(apart.length).toBe(128 * 128);
-  expect(Math.max(...apart)).toBeLessThan(0.002);
-});

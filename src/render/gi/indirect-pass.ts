@@ -46,8 +46,8 @@ export interface IrradianceVolume {
     readonly uProbePositions: Texture;
     readonly uProbeDepth: Texture;
   };
-  /** Radiosity of the surfels in all light, lm/m²: for `lib/distance-impostor.glsl`. */
-  readonly outgoing: Texture;
+  /** Of the surfels in all light, lm/m², where surfaces mirror them: for `lib/distance-impostor.glsl`. */
+  readonly totalRadiosity: Texture;
   /** What the room gives back of light, one texel: for the exposure. */
   readonly roomReflectance: Texture;
   /** Of the surface below the flame, for `lib/support-irradiance.glsl`. */
@@ -98,7 +98,7 @@ export class IndirectPass {
     screen: VertexArray,
     scene: IndirectScene,
     detail: IndirectDetail,
-    surfels: Surfels = new SurfelPass(gpu, screen, detail.surfels),
+    surfels: Surfels = new SurfelPass(gpu, screen, detail),
   ) {
     this.#gpu = gpu;
     this.#screen = screen;
@@ -131,7 +131,6 @@ export class IndirectPass {
       columns,
       rows,
       planes,
-      testsVisibility: detail.testsVisibility ? 1 : 0,
     });
     const texel = floats(gpu, 4);
     const radiance = { color: ["RGBA16F"], filter: "nearest" } as const;
@@ -244,7 +243,7 @@ export class IndirectPass {
     return {
       block: this.#block,
       textures: { uIrradiance: this.#atlas.irradiance, ...this.#probes.volume },
-      outgoing: this.#surfels.outgoing,
+      totalRadiosity: this.#surfels.totalRadiosity,
       roomReflectance: this.#probes.roomReflectance,
       support: this.#surfels.support,
       revision: this.#revision,
@@ -264,7 +263,7 @@ export class IndirectPass {
       yield;
     }
     this.#atlas.renderLimit(sums.slice(-4));
-    this.#renderOutgoing();
+    this.#renderTotalRadiosity();
   }
 
   /** One bounce of the previous irradiance stands for all further bounces. */
@@ -275,12 +274,12 @@ export class IndirectPass {
     const [bounces] = this.#bounces;
     finish(this.#renderNextBounce(bounces!, AT_ONCE));
     this.#atlas.render(bounces!);
-    this.#renderOutgoing();
+    this.#renderTotalRadiosity();
   }
 
-  #renderOutgoing(): void {
+  #renderTotalRadiosity(): void {
     this.#revision++;
-    this.#surfels.renderOutgoing(this.#volume.textures, this.#block);
+    this.#surfels.renderTotalRadiosity(this.#volume.textures, this.#block);
   }
 
   *#renderFirstBounce(light: CaptureLight, shadow: ShadowMap, bands: typeof BANDS): Steps {

@@ -16,8 +16,8 @@ export interface IndirectDetail extends ProbeDetail {
   readonly surfels: number;
   readonly surfelGroup: number;
   readonly bounces: number;
-  /** Whether probes are weighted by their visibility; otherwise by distance alone. */
-  readonly testsVisibility: boolean;
+  /** Whether surfaces mirror the surfels. */
+  readonly isMirrored: boolean;
 }
 
 /**

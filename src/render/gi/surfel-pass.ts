@@ -2,7 +2,7 @@ import { mat4 } from "gl-matrix";
 import radiosityFrag from "../../../shaders/gi/radiosity.frag";
 import supportFrag from "../../../shaders/gi/support-radiosity.frag";
 import surfelFrag from "../../../shaders/gi/surfel.frag";
-import surfelOutgoingFrag from "../../../shaders/gi/surfel-outgoing.frag";
+import totalRadiosityFrag from "../../../shaders/gi/total-radiosity.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import cubeFaceVert from "../../../shaders/shadow/cube-face.vert";
 import type { Gpu } from "../../gl/gpu.js";
@@ -16,6 +16,7 @@ import { floats } from "../float-format.js";
 import type { CaptureLight } from "../light-block.js";
 import { clipFromFace, FACES } from "../shadow/cube-map.js";
 import type { ShadowCasters } from "../shadow/shadow-casters.js";
+import type { IndirectDetail } from "./probe-rays.js";
 
 /** Surfels that a light falls on, captured and lit: by a flame, or by the moon. */
 export interface Surfels
@@ -23,12 +24,12 @@ export interface Surfels
     SurfelPass,
     | "normalDistance"
     | "radiosity"
-    | "outgoing"
+    | "totalRadiosity"
     | "support"
     | "clear"
     | "capture"
     | "renderRadiosity"
-    | "renderOutgoing"
+    | "renderTotalRadiosity"
   > {
   /** The block of the light, by its name. */
   readonly light: Readonly<Record<string, UniformBlock>>;
@@ -43,23 +44,21 @@ export class SurfelPass implements Surfels {
   readonly #size: number;
   readonly #captureProgram: Program;
   readonly #radiosityProgram: Program;
-  readonly #outgoingProgram: Program;
   readonly #supportProgram: Program;
   readonly #surfels: RenderTarget;
   readonly #radiosity: RenderTarget;
-  readonly #outgoing: RenderTarget;
+  /** In all light; null where nothing mirrors it. */
+  readonly #total: { readonly program: Program; readonly target: RenderTarget } | null;
   readonly #support: RenderTarget;
   readonly light: { readonly Light: UniformBlock };
   readonly defines = {};
 
-  /** @param size surfels along an edge of the cube */
-  constructor(gpu: Gpu, screen: VertexArray, size: number) {
+  constructor(gpu: Gpu, screen: VertexArray, { surfels: size, isMirrored }: IndirectDetail) {
     this.#gpu = gpu;
     this.#screen = screen;
     this.#size = size;
     this.#captureProgram = gpu.program("gi/surfel", cubeFaceVert, surfelFrag);
     this.#radiosityProgram = gpu.program("gi/radiosity", fullscreenVert, radiosityFrag);
-    this.#outgoingProgram = gpu.program("gi/surfel-outgoing", fullscreenVert, surfelOutgoingFrag);
     this.#supportProgram = gpu.program("gi/support-radiosity", fullscreenVert, supportFrag);
     this.light = { Light: gpu.uniformBlock(this.#radiosityProgram, "Light") };
     const texel = floats(gpu, 4);
@@ -73,7 +72,12 @@ export class SurfelPass implements Surfels {
     const radiosity = (label: string) =>
       gpu.renderTarget({ label, ...cube, color: ["RGBA16F"] as const });
     this.#radiosity = radiosity("gi/radiosity");
-    this.#outgoing = radiosity("gi/surfel-outgoing");
+    this.#total = isMirrored
+      ? {
+          program: gpu.program("gi/total-radiosity", fullscreenVert, totalRadiosityFrag),
+          target: radiosity("gi/total-radiosity"),
+        }
+      : null;
     this.#support = gpu.renderTarget({
       label: "gi/support-radiosity",
       width: 1,
@@ -93,9 +97,9 @@ export class SurfelPass implements Surfels {
     return this.#radiosity.color;
   }
 
-  /** In all light, lm/m². */
-  get outgoing(): Texture {
-    return this.#outgoing.color;
+  /** In all light, lm/m²; in direct light where nothing mirrors it. */
+  get totalRadiosity(): Texture {
+    return (this.#total?.target ?? this.#radiosity).color;
   }
 
   /** Of the surface below the flame, for `lib/support-irradiance.glsl`. */
@@ -133,10 +137,10 @@ export class SurfelPass implements Surfels {
   }
 
   /** The same with indirect light, by the irradiance volume. */
-  renderOutgoing(volume: Readonly<Record<string, Texture>>, block: UniformBlock): void {
+  renderTotalRadiosity(volume: Readonly<Record<string, Texture>>, block: UniformBlock): void {
+    if (!this.#total) return;
     this.#gpu.draw({
-      program: this.#outgoingProgram,
-      target: this.#outgoing,
+      ...this.#total,
       vertexArray: this.#screen,
       textures: { ...this.#colors, uRadiosity: this.#radiosity.color, ...volume },
       blocks: { ...this.light, Volume: block },

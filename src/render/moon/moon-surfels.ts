@@ -69,7 +69,7 @@ export class MoonSurfels implements Surfels {
   }
 
   /** Nothing reads these of the moon. */
-  get outgoing(): Texture {
+  get totalRadiosity(): Texture {
     return this.#radiosity.color;
   }
 
@@ -110,7 +110,7 @@ export class MoonSurfels implements Surfels {
     });
   }
 
-  renderOutgoing(): void {}
+  renderTotalRadiosity(): void {}
 
   get #colors() {
     const [uSurfelReflectance, uSurfelNormalDistance] = this.#surfels.colors;

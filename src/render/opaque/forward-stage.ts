@@ -225,8 +225,8 @@ export class ForwardStage implements OpaqueStage {
   }
 
   #pass({ shadow, irradiance, kept }: Captures, inspect: Inspection): LightPass {
-    const { textures, outgoing, block } = irradiance;
-    const ofFlame = { uShadow: shadow.depth, uOutgoing: outgoing, ...textures };
+    const { textures, totalRadiosity, block } = irradiance;
+    const ofFlame = { uShadow: shadow.depth, uTotalRadiosity: totalRadiosity, ...textures };
     const blocks = { Frame: this.blocks.Frame, Light: this.#shadingLight, Volume: block };
     const moon = inspect === "normals" ? null : moonOf(kept);
     if (!moon) return { program: this.#program, textures: ofFlame, blocks };
