@@ -75,7 +75,6 @@ test("Every shader compiles and links without a word, and every uniform it has i
 }) => {
   const reports: ProgramReport[] = [];
   for (const look of SETTINGS.look.choices) reports.push(...(await reportPrograms(page, look)));
-  reports.push(...(await reportPrograms(page, "physical", "low")));
   for (const quality of ["low", "medium"] as const) {
     reports.push(...(await reportPrograms(page, "physical", quality, true)));
   }
