@@ -41,12 +41,15 @@ export async function main({ isShort, only = "", cases = "", counts }: Options):
   try {
     surveys = await inLanes(LANES, sessions, async (session) => {
       const found = await surveyOf(session, chosen, served);
-      if (!isShort && wanted.includes(session.pair.name)) {
-        trials.set(session.pair.name, await interact(session, served, cases));
-      }
       await session.close();
       return found;
     });
+    // Some trials are timed: no other browser works meanwhile.
+    for (const session of sessions) {
+      if (isShort || !wanted.includes(session.pair.name)) continue;
+      trials.set(session.pair.name, await interact(session, served, cases));
+      await session.close();
+    }
   } finally {
     await Promise.all(sessions.map((session) => session.close()));
     await served.close();
