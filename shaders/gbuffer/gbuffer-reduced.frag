@@ -13,7 +13,7 @@ uniform sampler2D uGamma2Albedo;
 uniform sampler2D uNormal;
 #endif
 uniform vec4 uBaseColor;   // gamma 2
-uniform float uWax;
+uniform float uMaterial;   // wax or glass; 0: what the maps say
 uniform float uIsHeld;  // 1 or 0
 uniform vec4 uSurface;     // roughness, metallic, normal scale, alpha cutoff
 #if !BAKED
@@ -60,6 +60,6 @@ void main() {
 #endif
   }
   oAlbedo = vec4(root.rgb * uBaseColor.rgb * sqrt(shadedAlbedoScale(occlusion, shading)), uIsHeld * HELD);
-  float material = uWax > 0.5 ? WAX : packed.b * uSurface.y * METAL;
+  float material = uMaterial > 0.0 ? uMaterial : packed.b * uSurface.y * METAL;
   oSurface = encodeReducedSurface(vNormalWorld * side, packed.g * uSurface.x, material);
 }

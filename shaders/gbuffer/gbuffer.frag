@@ -14,7 +14,7 @@ uniform sampler2D uAlbedo;
 uniform sampler2D uNormal;
 uniform sampler2D uOcclusionRoughness;
 uniform vec4 uBaseColor;
-uniform float uWax;
+uniform float uMaterial;   // wax or glass; 0: what the maps say
 #if REDUCED
 uniform float uIsHeld;  // 1 or 0
 #endif
@@ -46,7 +46,7 @@ void main() {
   }
   float occlusion = mix(1.0, packed.r, uOcclusionStrength) * vColor.r;
   oAlbedo = vec4(sqrt(min(baseColor.rgb * shadedAlbedoScale(occlusion, shading), 1.0)), 0.0);
-  float material = uWax > 0.5 ? WAX : packed.b * uSurface.y * METAL;
+  float material = uMaterial > 0.0 ? uMaterial : packed.b * uSurface.y * METAL;
 #if REDUCED
   oAlbedo.a = uIsHeld * HELD;
   oSurface = encodeReducedSurface(normal, packed.g * uSurface.x, material);

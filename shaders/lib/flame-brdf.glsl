@@ -4,6 +4,8 @@
 
 // A flame is no point: the inverse square does not hold nearer than this. Metres.
 const float LEAST_DISTANCE = 0.01;
+// A pane reflects next to nothing diffusely: the irradiance up to which its albedo counts, lx for 1 cd.
+const float PANE_IRRADIANCE = 2.0;
 
 struct FlameSpecular {
   float lobe;  // D V / F, times the cosine to the representative point

@@ -5,7 +5,20 @@ const float ALBEDO_SCALE = 1.4;
 
 // Material: 0 to METAL is how much of the surface is metal.
 const float METAL = 0.5;
+const float GLASS = 5.0 / 7.0;
 const float WAX = 1.0;
+
+bool isWax(float material) {
+  return material > 0.5 * (GLASS + WAX);
+}
+
+bool isGlass(float material) {
+  return material > 0.5 * (METAL + GLASS) && !isWax(material);
+}
+
+float metallicOf(float material) {
+  return material < 0.5 * (METAL + GLASS) ? min(material / METAL, 1.0) : 0.0;
+}
 
 // Reduced G-buffer: normal in rgb; material in steps, and roughness between them, in a.
 const float MATERIAL_STEPS = 7.0;

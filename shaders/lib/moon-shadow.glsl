@@ -7,6 +7,8 @@ uniform highp sampler2D uMoonMap;  // depth of the nearest caster, a share of th
 const float DISC_TURN = 2.399963;
 // Least radius of the filter, texels.
 const float LEAST_RADIUS = 0.8;
+// The same in footprints of what is lit: a narrower edge would be stair-steps.
+const float FOOTPRINT = 0.75;
 // Largest change of the plane's depth for each metre across the light.
 const float STEEPEST_PLANE = 12.0;
 
@@ -16,8 +18,8 @@ vec2 onDisc(float i, float count, float turn) {
   return sqrt((i + 0.5) / count) * vec2(cos(angle), sin(angle));
 }
 
-// `normal`: of the surface, on the light's side. `pixel`: seed of the taps' turn.
-float moonVisibility(vec3 position, vec3 normal, vec2 pixel) {
+// `normal`: of the surface, on the light's side. `pixel`: seed of the taps' turn. `footprint`: of a texel, m.
+float moonVisibility(vec3 position, vec3 normal, vec2 pixel, float footprint) {
   vec3 place = onMoonMap(position);
   float width = length(moon.across);
   float height = length(moon.up);
@@ -36,7 +38,7 @@ float moonVisibility(vec3 position, vec3 normal, vec2 pixel) {
   bool isInside = isOnMap(place.xy) && isInBeam(position);
   int count = isInside ? SHADOW_SEARCH : 0;
   for (int i = 0; i < count; i++) {
-    vec2 offset = onDisc(float(i), float(SHADOW_SEARCH), turn) * max(reach, 2.0 * texel);
+    vec2 offset = onDisc(float(i), float(SHADOW_SEARCH), turn) * max(reach, max(2.0 * texel, footprint));
     vec2 at = clamp(place.xy + offset / vec2(width, height), vec2(0.0), vec2(0.9999));
     float caster = texelFetch(uMoonMap, ivec2(at * texels), 0).r * moon.depth;
     if (caster < place.z + dot(slope, offset) - MOON_BIAS) {
@@ -45,7 +47,7 @@ float moonVisibility(vec3 position, vec3 normal, vec2 pixel) {
     }
   }
   float radius = blockers > 0.0 ? MOON_TANGENT * (place.z - sum / blockers) : 0.0;
-  radius = max(radius, LEAST_RADIUS * texel);
+  radius = max(radius, max(LEAST_RADIUS * texel, FOOTPRINT * footprint));
   float lit = 0.0;
   count = blockers > 0.0 ? SHADOW_TAPS : 0;
   for (int i = 0; i < count; i++) {

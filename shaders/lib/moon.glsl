@@ -55,5 +55,8 @@ bool isOnPane(vec3 point) {
 bool isInBeam(vec3 point) {
   vec3 d = point - moon.paneCorner;
   float way = dot(d, moon.paneNormal) / max(dot(moon.direction, moon.paneNormal), 1e-4);
-  return moon.paneArea <= 0.0 || (way > -PANE_DEPTH && isOnMap(onPanes(d - way * moon.direction)));
+  // Its penumbra is cast by the frame, which lies over the panes' rims.
+  vec2 slack = (way * MOON_TANGENT + PANE_DEPTH) / vec2(length(moon.paneAcross), length(moon.paneUp));
+  vec2 place = (onPanes(d - way * moon.direction) + slack) / (1.0 + 2.0 * slack);
+  return moon.paneArea <= 0.0 || (way > -PANE_DEPTH && isOnMap(place));
 }

@@ -10,12 +10,15 @@ const float RADIUS = 0.15;
 const float FORM_FACTOR = 0.1;
 // Height over the surface from which on it counts, m: what lies on it does not face it.
 const float FADE = 0.02;
+// Heights over it between which it ceases to fill the view down, m: a wall over a sill, not the candle.
+const vec2 CEASES = vec2(0.25, 0.5);
 
 // lx, for 1 cd of the flame's.
 vec3 supportIrradiance(vec3 position, float viewFactor) {
   vec4 support = texelFetch(uSupport, ivec2(0), 0);
   vec2 offset = (position.xz - light.axis) / RADIUS;
-  float weight = clamp((position.y - support.a) / FADE, 0.0, 1.0) * exp(-dot(offset, offset));
+  float height = position.y - support.a;
+  float weight = clamp(height / FADE, 0.0, 1.0) * (1.0 - smoothstep(CEASES.x, CEASES.y, height)) * exp(-dot(offset, offset));
   return support.rgb * (FORM_FACTOR * weight * viewFactor);
 }
 

@@ -45,6 +45,7 @@ uniform float uWax;  // 1 or 0
 uniform vec4 uFeatures;  // 1 or 0: shadows, indirect light, specular; the normal instead of radiance
 uniform vec2 uOrigin;    // of the target on the frame, pixels
 uniform float uIsWick;   // 1 or 0
+uniform float uIsPane;   // 1 or 0
 
 out vec4 oRadiance;
 
@@ -57,7 +58,7 @@ float directMoonlight(vec3 facet, vec3 surface, vec3 normal, vec3 toEye, vec3 di
   float sum = 0.0;
   // A software renderer runs both sides of an if, but leaves a loop that no pixel is in.
   for (int i = isInside ? 1 : 0; i > 0; i--) {
-    float visibility = moonVisibility(vPositionWorld, faceforward(facet, moon.direction, facet), gl_FragCoord.xy + uOrigin);
+    float visibility = moonVisibility(vPositionWorld, faceforward(facet, moon.direction, facet), gl_FragCoord.xy + uOrigin, 0.0);
     float lit = NoL * mix(1.0, visibility, uFeatures.x);
     // The disc's width widens the lobe.
     float widened = min(alpha + 0.5 * MOON_TANGENT, 1.0);
@@ -109,6 +110,7 @@ void main() {
   vec3 perCosine = unshadowed * mix(1.0, visibility, uFeatures.x);
   vec3 sides = unshadowed * mix(1.0, sidesVisibility, uFeatures.x);
   vec3 irradiance = perCosine * max(NoL * normalMapVisibility(surface, normal, L) * minified.y, wickCosine);
+  if (uIsPane > 0.5) irradiance = min(irradiance, PANE_IRRADIANCE * light.intensity);
 
   // Reflection.
   float alpha = specularAntialiasing(roughness * roughness, normal);

@@ -43,8 +43,7 @@ void main() {
     visibility = candleVisibility(position);
     visibility *= flameVisibility(position, normal, 0.0, tile).x;
   }
-  bool isWax = material > 0.75;
-  float metallic = isWax ? 0.0 : min(material / METAL, 1.0);
+  float metallic = metallicOf(material);
   vec3 view = normalize(frame.eyePosition - position);
   float NoV = max(abs(dot(normal, view)), 1e-3);
 
@@ -53,11 +52,12 @@ void main() {
   vec3 L = toLight * inversesqrt(distanceSquared);
   float NoL = max(dot(normal, L), 0.0);
   float perArea = mix(1.0, visibility, uFeatures.x) / distanceSquared;
+  float irradiance = isGlass(material) ? min(NoL * perArea, PANE_IRRADIANCE) : NoL * perArea;
   FlameSpecular flame = flameSpecular(toLight, normal, view, NoV, roughness * roughness);
   float fresnel = fresnelSchlick(vec3(0.04), flame.SoH).r;  // of a dielectric; a metal's is its albedo
   float specular = flame.lobe * perArea * uFeatures.z;
   // What the albedo is multiplied by, and what is added to it.
-  vec3 perCandela = vec3((1.0 - metallic) * (1.0 - fresnel) / PI * NoL * perArea + metallic * specular);
+  vec3 perCandela = vec3((1.0 - metallic) * (1.0 - fresnel) / PI * irradiance + metallic * specular);
   float added = (1.0 - metallic) * fresnel * specular;
 
   vec3 reflected = reflect(-view, normal);
@@ -69,6 +69,6 @@ void main() {
   room *= (1.0 - 0.6 * roughness) * uFeatures.y * uFeatures.z;
   perCandela += metallic * room;
   added += (1.0 - metallic) * mirrored * luma(room);
-  if (isWax) perCandela += waxGlow(position);
+  if (isWax(material)) perCandela += waxGlow(position);
   oLighting = sqrt(clamp(vec4(perCandela, added), 0.0, 3e4));
 }

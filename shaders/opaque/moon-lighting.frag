@@ -23,16 +23,19 @@ uniform vec3 uFeatures;  // 1 or 0: shadows, indirect light, specular
 
 out vec4 oLighting;
 
+// Footprint at most: neighbours may be of surfaces far apart, m.
+const float WIDEST = 0.04;
+
 void main() {
   LightingTexel texel = lightingTexel();
   vec3 normal = texel.normal;
   vec3 L = -moon.direction;
   float NoL = max(dot(normal, L), 0.0);
   vec2 tile = mod(floor(gl_FragCoord.xy), 2.0);
-  float visibility = NoL > 0.0 ? moonVisibility(texel.position, normal, tile) : 0.0;
+  float footprint = max(length(dFdx(texel.position)), length(dFdy(texel.position)));
+  float visibility = NoL > 0.0 ? moonVisibility(texel.position, normal, tile, min(footprint, WIDEST)) : 0.0;
   visibility = mix(1.0, visibility, uFeatures.x);
-  bool isWax = texel.material > 0.75;
-  float metallic = isWax ? 0.0 : min(texel.material / METAL, 1.0);
+  float metallic = metallicOf(texel.material);
   vec3 toEye = normalize(frame.eyePosition - texel.position);
   float NoV = max(abs(dot(normal, toEye)), 1e-3);
   float alpha = texel.roughness * texel.roughness;
@@ -51,7 +54,7 @@ void main() {
   vec3 room = indirect.alongReflection / PI * ((1.0 - 0.6 * texel.roughness) * uFeatures.y * uFeatures.z);
   perLux += metallic * room;
   added += (1.0 - metallic) * mirrored * luma(room);
-  if (texel.roughness < PANE_ROUGHNESS && isOnPane(texel.position)) {
+  if (isGlass(texel.material) && isOnPane(texel.position)) {
     // What is added has the flame's colour where that burns, so the night is a factor of the glass.
     vec4 albedo = texture(uGBufferAlbedo, texel.onScreen);
     float glass = max(ALBEDO_SCALE * albedo.g * albedo.g, 1e-3);

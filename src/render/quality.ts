@@ -72,7 +72,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
         bounces: 6,
         isMirrored: false,
       },
-      moonMap: 512,
+      moonMap: 1024,
       mostCandles: 4,
       casterError: 0.03,
       bloomLevels: 3,

@@ -33,6 +33,7 @@ export const materials = {
   paper: textured("paper"),
   wax: textured("wax"),
   glass: plain([0.02, 0.02, 0.02], 0.05),
+  pane: plain([0.02, 0.02, 0.02], 0.05),
   night: plain([0, 0, 0], 1),
   charcoal: plain([0.018, 0.017, 0.016], 0.85),
   ash: plain([0.36, 0.35, 0.34], 0.95),

@@ -90,6 +90,7 @@ SHARED = {
     "iron": "ironwork",
     "leather": "bindings",
     "linen": "linen",
+    "pane": "pane",
     "paper": "paper",
     "pewter": "pewter",
     "broadcloth": "woollens",

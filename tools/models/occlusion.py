@@ -10,7 +10,7 @@ from chance import hashed
 RAYS = 64
 # The renderer's irradiance volume knows what lies further away.
 ROOM_REACH = 0.5
-UNLIT = {"night", "glass"}
+UNLIT = {"night", "glass", "pane"}
 
 
 def directions():

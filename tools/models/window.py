@@ -77,7 +77,7 @@ def pane(left, right, low, high, chance):
     """Crown glass is never flat, which is why a flame wanders as it crosses a pane."""
     mesh = Mesh()
     steps, key = 4, chance.index(1 << 20)
-    mapping = Projection("glass", chance)
+    mapping = Projection("pane", chance)
     grid = []
     for r in range(steps + 1):
         row = []

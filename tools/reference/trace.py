@@ -21,7 +21,7 @@ LAMPS = 8
 LUMA = (0.2126729, 0.7151522, 0.072175)
 # Width of the moon, degrees, and the materials of its window.
 MOON_WIDTH = 0.52
-PANES = {"glass", "night"}
+PANES = {"pane", "night"}
 # Pixels around candle and flame that are not compared: half of a filter's width, and a little.
 MARGIN = 2
 

@@ -31,6 +31,9 @@ const NOTHING = [0, 0, 0, 0] as const;
 /** Samples of the G-buffer along each edge of a pixel. */
 const SAMPLES = { reduced: 0.5, full: 2 } as const;
 
+/** Codes of `shaders/lib/gbuffer.glsl`. */
+const MATERIAL = { glass: 5 / 7, wax: 1 } as const;
+
 /** Sampling of material textures for the reduced G-buffer. */
 const REDUCED_SAMPLING: NonNullable<Draw["sampling"]> = {
   uAlbedo: "level",
@@ -292,7 +295,7 @@ export class GBufferPass {
         uBaseColor: mesh.baseColor,
         uPlacement: placement,
         uSurface: mesh.parameters,
-        uWax: mesh.isWax && translucency ? 1 : 0,
+        uMaterial: mesh.isPane ? MATERIAL.glass : mesh.isWax && translucency ? MATERIAL.wax : 0,
         uCaptureOrigin: this.#shadingOrigin(frame),
         ...(isReduced && { uIsHeld: isHeld ? 1 : 0 }),
         ...(cached && {

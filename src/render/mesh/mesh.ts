@@ -33,6 +33,8 @@ export interface Mesh {
   readonly isUntextured: boolean;
   readonly isWax: boolean;
   readonly isWick: boolean;
+  /** Whether it is glass before the dark. */
+  readonly isPane: boolean;
   readonly textures: {
     readonly uAlbedo: Texture;
     readonly uNormal: Texture;
@@ -85,6 +87,7 @@ function upload(gpu: Gpu, model: Model, group?: (part: Part) => Grouped): readon
       isUntextured: !albedo.source && !normal.source && !packed.source,
       isWax: material.name === "wax" || material.name === "pool",
       isWick: material.name === "wick",
+      isPane: material.name === "pane",
       textures: {
         uAlbedo: textureOf(gpu, albedo) ?? white,
         uNormal: textureOf(gpu, normal) ?? flat,

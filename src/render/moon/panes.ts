@@ -2,7 +2,7 @@ import type { Model, Part } from "../../assets/model.js";
 import type { Vec3 } from "../../world/geometry.js";
 
 /** Materials of the built-in room: panes, and the night behind its openings. */
-const GLASS = "glass";
+const PANE = "pane";
 const NIGHT = "night";
 /** Panes lie at most this far before the night, metres. */
 const NEAR = 0.12;
@@ -126,7 +126,7 @@ export function panesOf({ parts }: Model): Panes | null {
       for (const point of points) backdrop.extend(point);
     }
   }
-  for (const part of parts.filter(({ material }) => material.name === GLASS)) {
+  for (const part of parts.filter(({ material }) => material.name === PANE)) {
     for (let triangle = 0; 3 * triangle < part.indices.length; triangle++) {
       const points = [0, 1, 2].map((i) => corner(part, 3 * triangle + i));
       const backdrop = backdrops.find((one) => points.every((point) => one.isBefore(point)));
@@ -141,7 +141,7 @@ export function panesOf({ parts }: Model): Panes | null {
 export function stopsMoonlight(part: Part, triangle: number, panes: Panes | null): boolean {
   const { name, alphaMode } = part.material;
   if (alphaMode === "blend") return false;
-  if (!panes || (name !== GLASS && name !== NIGHT)) return true;
+  if (!panes || (name !== PANE && name !== NIGHT)) return true;
   const { corner: origin, normal } = panes;
   const depths = [0, 1, 2].map(
     (i) => dot(corner(part, 3 * triangle + i), normal) - dot(origin, normal),

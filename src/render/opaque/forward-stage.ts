@@ -263,6 +263,7 @@ export class ForwardStage implements OpaqueStage {
         uOcclusionStrength: mesh.occlusionStrength,
         uWax: mesh.isWax && translucency ? 1 : 0,
         uIsWick: mesh.isWick ? 1 : 0,
+        uIsPane: mesh.isPane ? 1 : 0,
         uOrigin,
         uFeatures: [shadows, indirect, specular, settings.inspect === "normals"].map(Number),
       },

@@ -166,8 +166,14 @@ export class KeptLighting {
   }
 
   #program(isReduced: boolean): Program {
+    // At rest it is lit once, and its penumbra is next to black.
+    const scale = isReduced ? 1 : 3;
     const { search, taps } = this.#shadowQuality;
-    const defines = { SHADOW_SEARCH: search, SHADOW_TAPS: taps, REDUCED: isReduced ? 1 : 0 };
+    const defines = {
+      SHADOW_SEARCH: scale * search,
+      SHADOW_TAPS: scale * taps,
+      REDUCED: isReduced ? 1 : 0,
+    };
     return this.#gpu.program("opaque/moon-lighting", fullscreenVert, moonFrag, { defines });
   }
 }

@@ -24,8 +24,8 @@ function upright(name: string, x: number, low: Vec3, high: Vec3): Part {
 
 const BOUNDS = { min: [-2, 0, -2], max: [2.2, 2.5, 2] } as const;
 const NIGHT = upright("night", 2.15, [0, 0.8, -0.6], [0, 2, 0.6]);
-const GLASS = upright("glass", 2.1, [0, 1, -0.4], [0, 1.8, 0.4]);
-const FAR_GLASS = upright("glass", 1, [0, 1, -0.4], [0, 1.8, 0.4]);
+const GLASS = upright("pane", 2.1, [0, 1, -0.4], [0, 1.8, 0.4]);
+const FAR_GLASS = upright("pane", 1, [0, 1, -0.4], [0, 1.8, 0.4]);
 const ROOM: Model = {
   parts: [NIGHT, GLASS, FAR_GLASS],
   anchors: {},
