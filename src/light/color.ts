@@ -5,8 +5,8 @@ export type Rgb = readonly [red: number, green: number, blue: number];
 export type Rows = readonly [Rgb, Rgb, Rgb];
 
 /**
- * CIE 1931 chromaticity that the eye believes candlelight to have, once it is used to it: a lamp of
- * 3500 K. Illuminant A leaves cloth, wood and stone too much of one hue.
+ * CIE 1931 chromaticity that candlelight has for an adapted eye: that of a lamp of 3500 K. With illuminant A,
+ * cloth, wood and stone look too much alike.
  */
 const ADAPTED_WHITE = [0.4053, 0.3909] as const;
 
@@ -52,10 +52,10 @@ function whiteOf(chromaticity: readonly [number, number]): Rgb {
  * ones. This little keeps them apart, and moves the light by less than du'v' = 0.003.
  */
 export const LEAST_BLUE = 0.004;
-/** Soot with less green for its red than this is too cool for even so much blue, and more so the cooler it is. */
+/** Ratio of green to red below which soot has less blue still. */
 const COOL = 0.2;
 
-/** Blue of soot's light, in the unit of its red and green: there is none to speak of, and the tip is no salmon. */
+/** Blue of soot's light, in the unit of its red and green: almost none, or the tip would look salmon. */
 export function sootBlue(red: number, green: number): number {
   return red > 0 ? LEAST_BLUE * red * Math.min(green / (COOL * red), 1) ** 6 : 0;
 }

@@ -81,7 +81,7 @@ export function emberRadiance(temperature: number): Rgb {
   return [glow[0] * fade, glow[1] * fade, Math.min(glow[2], blue) * fade];
 }
 
-/** The flame as its page may ask about it. SI: metres, candela, kelvin, radians. */
+/** State of the flame, as the property `flame` reports it: metres, candela, kelvin, radians. */
 export interface FlameReport {
   readonly lit: boolean;
   /** Centre of the light. */

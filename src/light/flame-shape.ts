@@ -52,7 +52,7 @@ export function createShape(): FlameShape {
   };
 }
 
-/** Finest pieces that the spine is walked in. */
+/** Pieces of the spine, for integrals along it. */
 const PIECES = 64;
 const path = new Float64Array((PIECES + 1) * 3);
 
@@ -88,7 +88,7 @@ function tracePath(spine: Float64Array, length: number): void {
   for (let piece = 1; piece <= PIECES; piece++) {
     let remaining = step;
     while (remaining > 0) {
-      // A read past the end would make boxes of all these numbers.
+      // V8 would deoptimize a read past the end.
       const at = Math.min(parcel, PARCELS - 1) * 3;
       const toX = (spine[at] ?? 0) - x;
       const toY = (spine[at + 1] ?? 0) - y;

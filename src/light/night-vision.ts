@@ -5,17 +5,17 @@ const CONTRAST = 1.5;
  * Rose 1948, "The Sensitivity Performance of the Human Eye on an Absolute Scale".
  */
 const DARK_CONTRAST = 0.55;
-/** Share of the rods in sight, in the end. */
+/** Share of rod vision in a fully adapted eye. */
 const RODS = 0.7;
 /** Cones adapt first; then rods take over. Hecht, Haig and Chase 1937, "The Influence of Light Adaptation". */
 const RODS_BEGIN = 0.25;
 /** Steps of adaptation that display tables follow. */
 const STEPS = 96;
 
-/** How an eye sees that is adapted to the dark by a share. */
+/** Vision of an eye that is adapted to the dark by some share. */
 export interface NightVision {
   readonly contrast: number;
-  /** Share of the rods in sight, which know no hue. */
+  /** Share of rod vision, which has no hue. */
   readonly rods: number;
 }
 

@@ -14,7 +14,7 @@ import { advanceSmoke, advanceStanding } from "./standing-candle.js";
 import { HISTORY, TICK } from "./timeline.js";
 import type { World } from "./world.js";
 
-/** Ticks that hot air is given to rise before the first frame; and ticks of each of its steps. */
+/** Ticks of the plume's warm-up before the first frame; and ticks of each of its steps. */
 const WARMING = 60;
 const PLUME_TICKS = 2;
 /** Ticks of a step of the eye's adaptation. */
@@ -23,7 +23,7 @@ const ADAPTATION_TICKS = 2;
 const SPARKING = 0.5;
 const STANDING: Vec3 = [0, 0, 0];
 
-/** Lets time pass, in whole ticks; what is left over is carried to the next call. */
+/** Advances the world in whole ticks. The remainder is carried to the next call. */
 export function advance(world: World, intent: Intent, seconds: number): void {
   turnHead(world.player, intent);
   if (intent.placesOrTakes) placeOrTake(world);
@@ -57,7 +57,7 @@ function placeOrTake(world: World): void {
   else takeCandle(world);
 }
 
-/** Of the tick under way, so that none allocates: the emitter before it, and what `tick` makes of it. */
+/** Values of the current tick, allocated once: the emitter before it, and what `tick` computes. */
 const previousEmitter: Vec3 = [0, 0, 0];
 const motion: Vec3 = [0, 0, 0];
 const flow: Vec3 = [0, 0, 0];
@@ -73,7 +73,7 @@ function tick(world: World, intent: Intent): void {
     motion[axis] = (emitter[axis]! - previousEmitter[axis]!) / TICK;
   const carrying = world.candle.isHeld ? motion : STANDING;
   air.advance(timeline.tick + 1, player.position, player.velocity, emitter, carrying);
-  // The paper's flame has its own law of motion: it is only lit and put out as the physical one is.
+  // The paper's flame has its own law of motion; only lighting it and putting it out are the physical flame's.
   const isPhysical = world.look === "physical";
   flame.advance(emitter, isPhysical ? motion : STANDING, air, !(world.sways && isPhysical), TICK);
   advanceStanding(world);

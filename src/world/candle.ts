@@ -7,9 +7,9 @@ import type { WorldSetup } from "./world-setup.js";
 const ARM_AHEAD = [0, 0, 0.9] as const;
 /** Room that the candle needs around its axis in a box, metres. */
 const CANDLE_MARGIN = 0.12;
-/** From this near to a candle that stands, it can be taken up. Metres, along the floor. */
+/** Farthest at which a standing candle can be taken up, metres along the floor. */
 const GRASP = 1.6;
-/** Of holder, candle and flame. */
+/** Bounds of holder, candle and flame. */
 export const CANDLE_CYLINDER: Cylinder = { radius: 0.07, height: 0.28 };
 
 /** The candle: in the hand, or standing in the room. Always upright. */

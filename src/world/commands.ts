@@ -10,7 +10,7 @@ import type { World } from "./world.js";
 
 /** Largest coordinate of a camera, metres. */
 const FARTHEST = 1e4;
-/** Within this angle of the line of sight, radians, and this far a breath is meant for the flame. */
+/** Largest angle from the line of sight, radians, and distance of a flame that a breath aims at. */
 const AIM = 0.7;
 const BREATH_REACH = 1.6;
 /** Of a flame, above its root, and distance of a mouth that blows at one. Metres. */
@@ -19,7 +19,7 @@ const BESIDE = 0.5;
 /** Of such a breath at the flame, metres. */
 const BREADTH = 0.035;
 
-/** Puts the camera somewhere: inside the walls if there are any. Metres and radians. */
+/** Moves the camera, clamped to the walls if there are any. Metres and radians. */
 export function moveCamera(
   world: World,
   position: ArrayLike<number>,
@@ -72,7 +72,7 @@ export function standLike(world: World, { candle, setup, room }: World): void {
   standCandle(world, candle.position, candle.yaw);
 }
 
-/** Stands the candle exactly at a place, metres; not where it belongs elsewhere. */
+/** Stands the candle exactly at a position, metres; not in scenes that fix it elsewhere. */
 export function standCandle(world: World, position: Readonly<Vec3>, yaw: number): void {
   const { candle, setup } = world;
   if (setup.stand !== null) return;
@@ -89,7 +89,7 @@ function putDown({ candle, room }: World, position: Readonly<Vec3>): void {
   room?.plan.setObstacle(position, CANDLE_CYLINDER.radius);
 }
 
-/** Takes the candle up. False if it is held, or out of reach, or belongs where it stands. */
+/** Takes the candle up. False if it is held, out of reach, or fixed by the scene. */
 export function takeCandle(world: World): boolean {
   const { candle, player, setup, room } = world;
   const isNear = room ? room.canTake(player, candle.position) : isWithinReach(candle, player);

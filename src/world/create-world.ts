@@ -40,7 +40,7 @@ export interface WorldOptions {
   readonly fieldOfView?: number | null;
 }
 
-/** A world whose flame has burnt for a while, so that it is whole at once. */
+/** A new world, whose flame is fully developed. */
 export function createWorld(look: Look, seed: number, options: WorldOptions = {}): World {
   const { age = 0, room = null, wind = CALM, wick = TAPER_WICK, isLit = true } = options;
   const setup = options.setup ?? WORLD_SETUPS[look];

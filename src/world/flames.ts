@@ -4,12 +4,15 @@ import { length2, length3, type Vec3 } from "./geometry.js";
 import { reachOut } from "./player/hand.js";
 import type { World } from "./world.js";
 
-/** A flame this near to a wick lights it, metres. */
+/** Distance at which a flame lights a wick, metres. */
 const KINDLING = 0.1;
-/** From so near the hand reaches out to a wick: along the floor, and up or down. Metres. */
+/** Distance at which the hand reaches out to a wick: along the floor, and up or down. Metres. */
 const REACH = 0.4;
 const REACH_UP = 0.5;
-/** Of the flame from the wick that the hand reaches for: beside it, and above it, the lowest that is free. Metres. */
+/**
+ * Offset of the carried flame from the wick that it lights: to the side, and up, of which the lowest free one.
+ * Metres.
+ */
 const BESIDE = 0.06;
 const ABOVE = [0.035, 0.075, 0.13, 0.2];
 /** A candle held out over a wick is tipped to light it: from so far to the side and so high, metres. */
@@ -75,7 +78,7 @@ export function wickAtFlame({ candle, flame, emitter, hand, standing }: World): 
 
 const way: Vec3 = [0, 0, 0];
 
-/** Lets the hand reach out to a wick at which there is something to light, the carried one or the other. */
+/** Reaches out with the hand to a wick where either candle can light the other. */
 export function reachForWick(world: World, seconds: number): void {
   const { standing, candle, hand } = world;
   if (standing.length === 0) return;

@@ -31,7 +31,7 @@ export function clampInside(position: Vec3, { min, max }: Bounds, velocity?: Vec
   }
 }
 
-/** Length of a level vector. `Math.hypot` gathers its arguments in a list, anew for each call. */
+/** Length of a level vector. `Math.hypot` allocates a list of its arguments. */
 export function length2(x: number, z: number): number {
   return Math.sqrt(x * x + z * z);
 }

@@ -8,7 +8,7 @@ export interface Moon {
   readonly direction: Vec3;
 }
 
-/** What a page wants of the moon; null is what the room has. */
+/** The page's settings of the moon; null leaves the room's. */
 export interface MoonWish {
   readonly illuminance: number | null;
   readonly direction: Vec3 | null;

@@ -1,5 +1,5 @@
 /**
- * Seeded chance, the same to the bit here and in `shaders/lib/random.glsl`.
+ * Seeded random numbers, bit-identical to those of `shaders/lib/random.glsl`.
  *
  * Jarzynski and Olano 2020, "Hash Functions for GPU Rendering", JCGT 9(3): PCG-RXS-M-XS, 32 bit.
  */

@@ -25,7 +25,7 @@ export interface StandingCandle {
 
 /** Most candles that smoke at a time: their air is solved. */
 const MOST_PLUMES = 4;
-/** This near to the room's temperature a wick is cold, kelvin. */
+/** Difference from the room's temperature at which a wick is cold, kelvin. */
 const COLD = 0.5;
 const STILL: Vec3 = [0, 0, 0];
 /** Steps between the seeds of neighbours. */
@@ -51,7 +51,7 @@ function seedOf(seed: number, index: number): number {
   return pcg((seed + Math.imul(index, SEED_STEP)) >>> 0);
 }
 
-/** Lets a tick pass for all standing candles. */
+/** Advances all standing candles by one tick. */
 export function advanceStanding({ standing, air, sways }: World): void {
   for (let i = 0; i < standing.length; i++) {
     const { flame, root } = standing[i]!;
@@ -60,7 +60,7 @@ export function advanceStanding({ standing, air, sways }: World): void {
   }
 }
 
-/** Lets one `PLUME_STEP` pass in the smoke of candles that went out. */
+/** Advances the smoke of candles that went out by one `PLUME_STEP`. */
 export function advanceSmoke({ standing, air, sways, seed, createPlume }: World): void {
   if (!createPlume) return;
   let plumes = 0;

@@ -8,11 +8,11 @@ export const HISTORY = 256;
 /**
  * Timeline: the emitter's history of the last ticks.
  *
- * Particles are a pure function of it: a GPU that lost its buffers, or begins late, replays the
- * memory and has the same particles as one that watched all along.
+ * Particles are a pure function of it: a GPU that lost its buffers, or begins late, replays the history and has the
+ * same particles.
  */
 export class Timeline {
-  /** Ticks recorded so far. Negative ones warmed the flame up before time 0. */
+  /** Ticks recorded so far. Negative ticks are the warm-up before time 0. */
   tick: number;
   readonly #way = new Float32Array(HISTORY * 3);
   readonly #wind = new Float32Array(HISTORY * 3);

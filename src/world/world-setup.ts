@@ -30,7 +30,7 @@ export interface WorldSetup {
   /** Foot of the candle: from the eye when held (right, up, ahead), or in the room. */
   readonly hold: readonly [number, number, number];
   readonly stand: readonly [number, number, number] | null;
-  /** Whether there is nothing but candles, and nobody among them. */
+  /** Whether there are only candles, and no visitor. */
   readonly isAlone: boolean;
   readonly layers: readonly ParticleLayer[];
 }

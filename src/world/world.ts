@@ -19,7 +19,7 @@ import { TICK, type Timeline } from "./timeline.js";
 import type { WorldSetup } from "./world-setup.js";
 
 /**
- * State of the simulation. It knows no screen, no GPU and no clock.
+ * State of the simulation. Independent of screen, GPU and clock.
  *
  * `createWorld` makes one, `advance` lets time pass, the functions of `commands.ts` act on it.
  */

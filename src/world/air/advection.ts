@@ -7,15 +7,15 @@ const line = new Float64Array(128 + 2 * GHOSTS);
 const origins = new Float64Array(128 + 2 * GHOSTS);
 const sums = new Float64Array(128 + 2 * GHOSTS + 1);
 
-/** A line that nowhere has more than this of an amount has none. */
+/** Largest amount in a line that is treated as empty. */
 const NOTHING = 1e-6;
 
 /** The lines of a field along one axis, and where the flow along them is found. */
 export interface Lines {
-  /** Values of a line, and from each to the next. */
+  /** Values of a line, and the stride between them. */
   readonly count: number;
   readonly stride: number;
-  /** Lines side by side, along the two other axes, and from each to the next. */
+  /** Lines along the two other axes, and the strides between them. */
   readonly inner: number;
   readonly innerStride: number;
   readonly outer: number;
@@ -24,16 +24,16 @@ export interface Lines {
   readonly flowStride: number;
   readonly flowInner: number;
   readonly flowOuter: number;
-  /** Back to the flow on the values' other side, where they lie on faces that it does not; else 0. */
+  /** Offset to the flow on the values' other side, where values and flow lie on different faces; else 0. */
   readonly aside: number;
   /** Whether those faces are counted by the inner lines, and the last of them. */
   readonly isAsideInner: boolean;
   readonly lastAside: number;
-  /** Cells that a flow of 1 m/s comes in a step, at each value of a line. */
+  /** Cells that a flow of 1 m/s travels in a step, at each value of a line. */
   readonly rates: Float64Array;
 }
 
-/** Flow along an axis. An object, since numbers that are handed on are boxed: see DECISIONS.md. */
+/** Flow along an axis. An object, since V8 boxes numbers that are passed: see DECISIONS.md. */
 export interface Stream {
   /** Of the grid itself, m/s. */
   ride: number;
@@ -75,7 +75,7 @@ export function advect(
   }
 }
 
-/** Flow that lives where the values do. */
+/** Origins for flow on the same faces as the values. */
 function traceFaces(
   flow: Float64Array,
   start: number,
@@ -91,7 +91,7 @@ function traceFaces(
   }
 }
 
-/** Flow that lives on other faces is the mean of the four around. */
+/** Origins for flow on other faces: the mean of the four around. */
 function traceMiddles(
   flow: Float64Array,
   near: number,

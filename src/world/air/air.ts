@@ -28,7 +28,7 @@ const GIRTH = 0.22;
 const BELOW_EYE = 1.6;
 const ABOVE_EYE = 0.15;
 
-/** The other hand shelters a carried candle: the air around takes part in its motion. Share of its velocity. */
+/** Share of a carried candle's velocity that the air around it has: the other hand shelters it. */
 const SHELTER = 0.4;
 /** How far around the flame, metres. */
 const SHELTERED = 0.12;
@@ -40,7 +40,7 @@ const SHELTERED = 0.12;
  */
 export class Air {
   #wind = CALM;
-  /** Mean velocity and turbulence that are wanted, m/s. Objects of several shapes would box their numbers. */
+  /** Target mean velocity and turbulence, m/s. Of one shape, or V8 would box the numbers. */
   readonly #target = { x: Number.NaN, z: Number.NaN, unrest: Number.NaN };
   readonly #gusts: Gusts;
   readonly #mean: Vec3 = [0, 0, 0];
@@ -55,7 +55,7 @@ export class Air {
   readonly #carried: Vec3 = [0, 0, 0];
   readonly #shelter: Vec3 = [0, 0, 0];
   readonly #gusty: Vec3 = [0, 0, 0];
-  /** The visitor's first; one for each candle that is blown at by itself. */
+  /** The visitor's breath, then one for each candle that is blown at by itself. */
   readonly #breaths = [new Breath()];
 
   constructor(seed: number, wind: Wind) {
@@ -64,7 +64,7 @@ export class Air {
     this.#veer(Number.POSITIVE_INFINITY);
   }
 
-  /** The wind that is wanted; the air follows within a second. */
+  /** Target wind; the air approaches it within a second. */
   get wind(): Wind {
     return this.#wind;
   }
@@ -78,7 +78,7 @@ export class Air {
   }
 
   /**
-   * A tick has passed.
+   * Advances by one tick.
    *
    * @param tick number of ticks since the beginning
    * @param eye the visitor's, metres

@@ -17,13 +17,13 @@ const SPREAD = 0.107;
 export class Breath {
   readonly #lips: Vec3 = [0, 0, 0];
   readonly #towards: Vec3 = [0, 0, -1];
-  /** Now, seconds: a number in a call would be boxed. */
+  /** Current time, seconds. A field, since V8 boxes numbers that are passed. */
   time = 0;
   #began = Number.NEGATIVE_INFINITY;
   #speed = 0;
 
   /**
-   * It begins now.
+   * Begins at `time`.
    *
    * @param towards of length 1
    * @param distance of the target from the eye, metres

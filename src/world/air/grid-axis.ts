@@ -2,7 +2,7 @@
 const TABLE = 512;
 
 /**
- * One axis of a grid whose cells are small where much happens and widen away from there.
+ * One axis of a stretched grid: fine cells near the flame, wider ones away from it.
  *
  * Cells lie between edges; all lengths in metres.
  */

@@ -21,7 +21,7 @@ const STEP = 0x9e3779b9;
 export class Gusts {
   /** Of each wave: direction times wave number (1/m), frequency (rad/s), phase. */
   readonly #waves = new Float64Array(WAVES * 5);
-  /** Of each wave: the way it swings, for a root mean square of 1 m/s along each axis. */
+  /** Amplitude of each wave, for a root mean square of 1 m/s along each axis. */
   readonly #swings = new Float64Array(WAVES * 3);
   /** Root mean square, m/s, and time, seconds, of the gusts that `add` adds. */
   strength = 0;

@@ -1,7 +1,7 @@
 import type { Vec3 } from "../geometry.js";
 import { type GridAxis, rising, symmetric } from "./grid-axis.js";
 
-/** Grid of the air around a flame, seen from its origin. */
+/** Grid of the air around a flame, relative to its origin. */
 export interface PlumeGrid {
   readonly x: GridAxis;
   readonly y: GridAxis;
@@ -17,7 +17,7 @@ export function plumeGrid(): PlumeGrid {
   };
 }
 
-/** 9 x 20 x 9 cells as wide and as high, for the smoke of a candle that nobody holds. */
+/** 9 x 20 x 9 cells of the same extent, for the smoke of a standing candle. */
 export function coarsePlumeGrid(): PlumeGrid {
   return {
     x: symmetric(0.01, 1.45, 4),
@@ -29,7 +29,7 @@ export function coarsePlumeGrid(): PlumeGrid {
 /**
  * Trilinear interpolation of a field of nx x ny x nz values, written to `out[axis]`.
  *
- * @param place counted from the first value; outside the nearest value counts
+ * @param place counted from the first value, clamped to the grid
  */
 export function trilinear(
   field: Float64Array,

@@ -38,10 +38,10 @@ const MIDDLES = 3;
 /**
  * Buoyant plume solver: the air around a flame, an incompressible fluid that heat makes rise.
  *
- * Velocities (m/s, in the room) lie on the faces of the cells, the excess of temperature (in units of
- * the room's own) in their middles. The grid rides with the flame, and everything around it is wind.
- * Harlow and Welch 1965, "Numerical Calculation of Time-Dependent Viscous Incompressible Flow", for the
- * staggered grid; Boussinesq 1903 for the buoyancy.
+ * Velocities (m/s, in the room) lie on the faces of the cells, the excess of temperature (in units of the room's
+ * own) in their middles. The grid moves with the flame; the air around it is wind. Harlow and Welch 1965,
+ * "Numerical Calculation of Time-Dependent Viscous Incompressible Flow", for the staggered grid; Boussinesq 1903
+ * for the buoyancy.
  */
 export class PlumeSolver {
   readonly grid: PlumeGrid;
@@ -58,7 +58,7 @@ export class PlumeSolver {
   readonly #pressure: PressureSolver;
   readonly #wind: Vec3 = [0, 0, 0];
   readonly #stream: Stream = { ride: Number.NaN, outside: Number.NaN };
-  /** A place on the grid that is asked for. */
+  /** Place of a query, in cells. */
   readonly #at: Vec3 = [0, 0, 0];
   readonly #counts: readonly [number, number, number];
   readonly #rulers: readonly [GridAxis, GridAxis, GridAxis];

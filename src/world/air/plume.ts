@@ -15,9 +15,9 @@ const EMBER_POWER = 2.4;
 const EMBER_HEIGHT = 0.012;
 /** The end of the wick, from the foot of the flame. Metres. */
 const WICK_END = 0.004;
-/** A candle that moves farther in a step was put elsewhere, into air at rest. Metres. */
+/** A candle that moves farther in a step has jumped, into air at rest. Metres. */
 const JUMP = 0.3;
-/** After this long the glowing wick smokes at its full, seconds. */
+/** Time until the glowing wick smokes at full strength, seconds. */
 const KINDLING = 0.12;
 
 /** Plume of a flame: hot gas that rises, and smoke when it is out. */
@@ -36,7 +36,7 @@ export class Plume {
   }
 
   /**
-   * Lets one `PLUME_STEP` pass.
+   * Advances by one `PLUME_STEP`.
    *
    * @param foot of the flame, metres
    * @param air around, or null where it is to stay at rest

@@ -50,7 +50,7 @@ export class PressureSolver {
     this.#pressure.fill(0);
   }
 
-  /** Makes a flow keep its volume everywhere. */
+  /** Removes the divergence of a flow. */
   project(velocities: readonly [Float64Array, Float64Array, Float64Array]): void {
     this.#diverge(velocities);
     for (let sweep = 0; sweep < SWEEPS; sweep++) {

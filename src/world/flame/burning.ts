@@ -34,7 +34,7 @@ export function flameRadius(wick: number, fuel: number): number {
 
 /** Soot takes time to grow: flames much shorter than this are blue. Metres. */
 const SOOT_LENGTH = 0.015;
-/** Air that passes burns soot away: by e for a third of the strain that puts the flame out. */
+/** Loss of soot by strain: a factor e for a third of the strain that puts the flame out. */
 const SOOT_LOSS = 3;
 
 const TAPER_SOOT = TAPER_RATE * grownSoot(flameHeight(TAPER_RATE));
@@ -44,7 +44,7 @@ function grownSoot(length: number): number {
   return 1 - Math.exp(-((length / SOOT_LENGTH) ** 1.5));
 }
 
-/** Combustion and its light. An object, since numbers that are handed on are boxed. */
+/** Combustion and its light. An object, since V8 boxes numbers that are passed. */
 export interface Combustion {
   /** Rate of burning, kg/s. */
   rate: number;

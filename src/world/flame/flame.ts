@@ -13,56 +13,56 @@ import { Limiter } from "./limiter.js";
 import { Puffing, puffingFrequency } from "./puffing.js";
 import { type GasSource, PARCELS, Spine, timeToRise } from "./spine.js";
 
-/** Heat makes vapour, and vapour heat: a small flame grows e-fold in this time. Seconds. */
+/** Time in which a small flame grows by a factor e, as its heat evaporates more wax. Seconds. */
 const GROWTH = 0.15;
-/** A match gives the wick this share of its fuel. */
+/** Share of its fuel that a flame begins with. */
 const SPARK = 0.03;
-/** Vapour that is to catch has to gather first, and does so in this time. Seconds. */
+/** Time in which enough vapour gathers to be lit. Seconds. */
 const GATHERING = 0.4;
-/** Less than this share is no flame. */
+/** Share of fuel below which the flame goes out. */
 const LEAST = 0.035;
 /**
- * Strain that a flame cannot follow, 1/s: air that passes it is gone before it has burnt. Hydrocarbons
- * in air end at 300 to 500 (Tsuji 1982, "Counterflow Diffusion Flames").
+ * Extinction strain, 1/s: with more, air passes the flame faster than it burns. Of hydrocarbons in air it is 300 to
+ * 500 (Tsuji 1982, "Counterflow Diffusion Flames").
  */
 const EXTINCTION_STRAIN = 330;
-/** A remnant in the lee of the wick bears this share of it, so what was almost out is blown out easily. */
+/** Share of it that puts out a remnant in the lee of the wick. */
 const REMNANT_STRENGTH = 0.7;
-/** How fast it dies beyond the limit, 1/s for each limit that the strain is above it. */
+/** Rate of dying beyond the limit, 1/s for each multiple of the limit. */
 const DYING = 14;
-/** Draughts up to this share of the limit cost it nothing. */
+/** Share of the limit below which strain has no effect. */
 const UNNOTICED = 0.04;
 /** Fuel lost at the limit, and what shortens and narrows it there besides. */
 const COOLING = 0.5;
 const SHORTENING = 1;
 const NARROWING = 0.5;
-/** The flame takes this long to feel a change of the air. Seconds. */
+/** Time constant of the flame's response to the air. Seconds. */
 const INERTIA = 0.012;
-/** Where on its way up the flame meets the air that strains it: share of its height. */
+/** Height at which the strain is sampled, as a share of the flame's. */
 const STRAINED_AT = 0.25;
 
 /** The wick's tip in the flame, and the room, kelvin. */
 export const GLOWING = 1120;
 export const ROOM = 293;
-/** How fast it takes up the flame's heat, and loses it: dark (798 K, Draper) after five seconds. */
+/** Rates of heating and of cooling, 1/s: dark (798 K, Draper) after five seconds. */
 const HEATING = 0.3;
 const FADING = 10;
 /** Invisible remainder of light, as a share of a taper's. */
 const UNSEEN = 2e-3;
-/** A puff narrows and widens the tip by this often its share of the volume, and what is below less. */
+/** Change of the tip's radius for each share of the volume, as the flame puffs; less below. */
 const NECKING = 1.5;
 const NARROWEST = 0.4;
-/** Below this no more wax evaporates, kelvin. */
+/** Temperature below which no wax evaporates, kelvin. */
 const DRY = 550;
 /** Share of the fuel that still evaporates just after the flame has gone out. */
 const AFTERGLOW = 0.3;
 
-/** Eddies of a flame with a seed are those of the air at most this far away along each axis, metres. */
+/** Largest offset at which a flame with a seed samples the gusts, along each axis, metres. */
 const ASIDE = 0.25;
 
 /** Measures of a flame, which follow from its state. */
 export interface FlameMeasures extends Combustion {
-  /** The share of fuel that it is as large for: out, it shrinks onto its wick, all but as bright as it was. */
+  /** Share of fuel that sets its size: after it went out, it shrinks onto its wick. */
   extent: number;
   /** Unburnt wax that leaves the wick, as a share of that just after the flame went out. */
   smoking: number;
@@ -71,7 +71,7 @@ export interface FlameMeasures extends Combustion {
 /** The flame on its wick, at the current tick. Lengths in metres, from the foot of the flame. */
 export class Flame {
   isLit: boolean;
-  // Numbers begin as numbers: fields that once held nothing box what they are given for ever.
+  // Initialised, since V8 boxes the numbers of fields that were once undefined.
   /** Fuel that burns, as a share of what the wick gives in still air. */
   fuel = 0;
   /** Strain by the air that passes, as a share of what puts the flame out. */
@@ -84,9 +84,9 @@ export class Flame {
   /** Its neck, which swings by itself over a wide wick. */
   readonly puffing = new Puffing();
   readonly #limiter = new Limiter();
-  /** What lets it lean, flicker and puff; a still one only burns, or goes out. */
+  /** Without lean, flicker and puffing. */
   #isStill = false;
-  /** Once it is out: the share of fuel and the light that it had, and for how long it has been. */
+  /** Of the flame that went out: its share of fuel, its light, and the time since. Seconds. */
   #remains = 0;
   #lastGlow = 1;
   #outFor = Number.POSITIVE_INFINITY;
@@ -105,7 +105,7 @@ export class Flame {
     extent: Number.NaN,
     smoking: Number.NaN,
   };
-  /** From the flame to where its eddies are those of the air, metres: flames side by side differ. */
+  /** Offset at which it samples the gusts, metres: flames side by side differ. */
   readonly #aside: Vec3 = [0, 0, 0];
   readonly #airspeed: Vec3 = [0, 0, 0];
   readonly #place: Vec3 = [0, 0, 0];
@@ -184,7 +184,7 @@ export class Flame {
     return Math.max(1 + NECKING * wave * Math.min(height / this.height, 1), NARROWEST);
   }
 
-  /** The same object each time: numbers in it are not boxed, as those of a call are. */
+  /** Returns the same object each time, since V8 boxes numbers that are returned. */
   measure(): Readonly<FlameMeasures> {
     const gauge = this.#gauge;
     const volume = this.pulse * this.#full;
@@ -203,7 +203,7 @@ export class Flame {
     return AFTERGLOW * this.#full * this.measure().smoking;
   }
 
-  /** Strain beyond the draughts that cost it nothing, as a share of what puts it out. */
+  /** Strain above `UNNOTICED`, as a share of what puts it out. */
   get effectiveStrain(): number {
     return this.measure().effectiveStrain;
   }
@@ -218,15 +218,15 @@ export class Flame {
     return this.isLit ? 1 : this.glow / this.#lastGlow;
   }
 
-  /** Light of its soot as it would be if nothing kept it from flashing. */
+  /** Light of its soot before the limiter. */
   get unlimited(): number {
     return this.measure().light;
   }
 
-  /** Catches at the wick. False if it burns already. */
+  /** Lights the flame. False if it burns already. */
   light(): boolean {
     if (this.isLit) return false;
-    // Toggled in haste, it begins from a spark each time, and cannot flash.
+    // Toggled quickly, it restarts from a spark, and cannot flash.
     const buildUp = Math.min(this.#outFor / GATHERING, 1) ** 3;
     this.fuel = Math.max(SPARK, (buildUp * this.vapour) / this.#full);
     this.isLit = true;
@@ -247,7 +247,7 @@ export class Flame {
   }
 
   /**
-   * Lets a tick pass.
+   * Advances by one tick.
    *
    * @param foot of the flame, metres, at the end of the tick
    * @param motion of the foot, m/s

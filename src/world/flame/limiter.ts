@@ -1,29 +1,29 @@
-/** The light follows with two lags of this length, seconds: what is faster than 2.5 Hz fades. */
+/** Time constant of the low-pass, seconds: cutoff at 2.5 Hz. */
 const LAG = 1 / (2 * Math.PI * 2.5);
-/** What is faster still shows, by no more than this share either way: with the display's contrast, below a tenth. */
+/** Largest share by which faster changes pass: with the display's contrast, below a tenth. */
 const TREMBLE = 0.0295;
 
 /**
- * Light that may change as it likes, and never flashes.
+ * Flash limiter of the flame's light.
  *
- * A room that brightens and darkens by a tenth more than three times a second can bring on a seizure
- * (WCAG 2.2, success criterion 2.3.1), and flames that puff do so ten times a second. So light passes a
- * low-pass of second order, critically damped, beside which only a tremble below a tenth is let by.
+ * A room that brightens and darkens by a tenth more than three times a second can bring on a seizure (WCAG 2.2,
+ * success criterion 2.3.1), and flames that puff do so ten times a second. So light passes a critically damped
+ * low-pass of second order, beside which changes below a tenth pass.
  */
 export class Limiter {
-  /** The light that there would be. */
+  /** Light before the limiter. */
   target = 0;
-  /** The light that is given. */
+  /** Light after it. */
   light = 0;
   #first = 0;
   #slow = 0;
 
-  /** Starts from a light that has been so for long. */
+  /** Sets a steady state. */
   settle(light: number): void {
     this.target = this.light = this.#first = this.#slow = light;
   }
 
-  /** Lets seconds pass. Exact for any step in which the target does not change. */
+  /** Exact for any step in which the target does not change. Seconds. */
   advance(seconds: number): void {
     const { target } = this;
     const lags = seconds / LAG;

@@ -1,14 +1,14 @@
 import { length2 } from "../geometry.js";
 
-/** Widest source over which a flame stands still, m: solved ones do at 10 mm, and hardly puff at 20. */
+/** Widest source without puffing, m: in the solver, flames are steady at 10 mm and hardly puff at 20. */
 const STILL_WIDTH = 0.017;
 /** Share of √(g/D) that a flame puffs at: the mean of the solver's three widths. */
 const STROUHAL = 0.47;
-/** Exponent of growth in a cycle, far above the threshold: from how fast the solved 10 mm calm down. */
+/** Exponent of growth in a cycle, far above the threshold: from the decay at 10 mm in the solver. */
 const GROWTH = 0.72;
 /** Amplitude of the luminous volume far above the threshold, as a share of its mean. */
 const SATURATION = 0.28;
-/** Disturbance that the air always has, so that it can begin. */
+/** Least disturbance by the air, from which puffing begins. */
 const TREMBLE = 1e-3;
 
 /** How often a flame puffs over a source this wide (m), Hz. */
@@ -54,7 +54,7 @@ export class Puffing {
     this.real = real * cos - imaginary * sin;
     this.imaginary = real * sin + imaginary * cos;
     const amplitude = size * change;
-    // Air is never perfectly still, and where the flame can puff, it will.
+    // Disturbances of the air start the oscillation.
     if (excess > 0 && amplitude < TREMBLE) this.real += TREMBLE - amplitude;
     if (excess <= 0 && amplitude < 1e-6) this.real = this.imaginary = 0;
   }

@@ -9,7 +9,7 @@ export const PARCELS = 24;
  * in 12 ms, that of a flame twice as wide in twice the time.
  */
 const ENTRAINMENT = 0.002 / 0.012;
-/** Up to this height above its foot gas clings to the wick, m, and at the foot feels this share of a wind. */
+/** Height up to which the wick shelters the gas, m, and share of the wind at the foot. */
 const CLINGING = 0.004;
 const LEAST_FELT = 0.5;
 /** √z grows at this rate where the gas rises freely, √m/s. */
@@ -68,7 +68,7 @@ export class Spine {
   }
 
   /**
-   * Lets a tick pass.
+   * Advances by one tick.
    *
    * @param foot of the flame, metres, at the end of the tick
    * @param motion of the foot, m/s

@@ -11,7 +11,7 @@ export function emittingGroups({ emitter, player, setup }: World): number {
   const y = emitter[1] - position[1];
   const z = emitter[2] - position[2];
   const distance = Math.sqrt(x * x + y * y + z * z);
-  // A flame twice as large is as large from twice as far.
+  // Distance in sizes of the flame.
   const droppedGroups = Math.floor((distance * 0.125) / (LOD_DISTANCE * setup.flameScale));
   return Math.max(1, GROUPS - droppedGroups);
 }

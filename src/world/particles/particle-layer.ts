@@ -4,7 +4,7 @@ export const GROUPS = 4;
 export type ParticleSource = "flame" | "spark" | "room";
 
 /**
- * One row of the particle system: how a kind of particle is born, moves, looks and dies.
+ * One row of the particle system: emission, motion, size and life of a kind of particle.
  *
  * Lengths are in the emitter's own unit (`Stage.flameScale` metres), times in seconds.
  */
@@ -31,7 +31,7 @@ export interface ParticleLayer {
   readonly drift: number;
   /** Rate at which the velocity nears the wind's, 1/s. */
   readonly drag: number;
-  /** How much of the emitter's own way a particle shares: 1 rides with it, 0 stays in the room. */
+  /** Share of the emitter's motion that a particle follows: 1 moves with it, 0 stays in the room. */
   readonly follow: number;
   readonly life: number;
   /** Diameter at birth. */
@@ -52,7 +52,7 @@ export function withCount(
   return layers.map((layer) => ({
     ...layer,
     rate: layer.rate * factor,
-    // One more than can be alive, so that a slot's last tenant is gone when the next one moves in.
+    // One more than can be alive, so that a slot's particle is dead before the slot is reused.
     capacity: GROUPS * Math.ceil((layer.rate * factor * layer.life + 1) / GROUPS),
     size: layer.size / Math.sqrt(factor),
   }));

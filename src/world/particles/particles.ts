@@ -37,8 +37,8 @@ export function emissionOf(
 /**
  * The particle kernel on the CPU: twin of `shaders/particles/update.vert`, line by line.
  *
- * It is the oracle that the shader is tested against, and it carries the few particles whose
- * whereabouts the CPU must know. Slots are ordered by group; `slots` counts from the first.
+ * The shader is tested against it, and it simulates the few particles whose positions the CPU needs. Slots are
+ * ordered by group; `slots` counts from the first.
  */
 export class Particles {
   readonly layer: ParticleLayer;
@@ -103,7 +103,7 @@ export class Particles {
       state[i + 6]! += layer.drift * TICK * signedLow(hash);
       for (let axis = 0; axis < 3; axis++) {
         const shift = timeline.way(tick, axis) * stays;
-        // The timeline's wind is what the emitter feels; a particle that stays behind feels the room's.
+        // The timeline's wind is relative to the emitter; a particle that stays behind has the room's.
         const wind = timeline.wind(tick, axis) + shift / TICK;
         if (axis !== 1) state[i + 4 + axis]! += (wind - state[i + 4 + axis]!) * dragged;
         state[i + axis]! += state[i + 4 + axis]! * TICK - shift;

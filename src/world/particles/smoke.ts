@@ -76,7 +76,7 @@ export class Smoke {
         const v = at * 3;
         for (let axis = 0; axis < 3; axis++) place[axis] = parcels[p + axis]!;
         air.velocity(place, flow);
-        // Adams and Bashforth 1883: as exact as two looks at the air, for one.
+        // Adams and Bashforth 1883: second order with one sample of the air.
         for (let axis = 0; axis < 3; axis++) {
           const before = velocities[v + axis]!;
           parcels[p + axis]! += PLUME_STEP * (1.5 * flow[axis]! - 0.5 * before);
@@ -129,7 +129,7 @@ export class Smoke {
     return here + (next - here) * t * t * (3 - 2 * t);
   }
 
-  /** Finds how thick and how broad each line is by now. */
+  /** Updates extinction and breadth of each line. */
   #dilute(): void {
     const { parcels } = this;
     for (let n = 0; n < this.count; n++) {

@@ -1,6 +1,6 @@
 import { pcg, unit } from "../random.js";
 
-/** Time is cut into spans of this many ticks, and in one of so many the wick throws sparks. */
+/** Ticks of a span of time, and spans for each one with sparks. */
 const SPAN = 480;
 const ODDS = 6;
 /** Ticks that they last: fewest, and how many more at most. */
@@ -8,7 +8,7 @@ const SHORTEST = 2;
 const LONGER = 4;
 
 /**
- * Schedule of sparks, thrown when water in the wick boils: about every twenty-four seconds, by the seed's chance.
+ * Schedule of sparks, thrown when water in the wick boils: about every twenty-four seconds, at random, by the seed.
  */
 export class SparkSchedule {
   readonly #seed: number;

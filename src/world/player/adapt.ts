@@ -21,7 +21,7 @@ export function adaptationView(world: World): AdaptationView | null {
   return view;
 }
 
-/** In a new world the eye is used to its light. */
+/** Adapts the eye fully, for a new world. */
 export function adaptFully(world: World): void {
   const view = adaptationView(world);
   if (!view) return;
@@ -29,13 +29,13 @@ export function adaptFully(world: World): void {
   world.adaptation.settle(view);
 }
 
-/** After a cut: the eye is adapted to what it sees. */
+/** Adapts the eye to the view, after a cut. */
 export function settleAdaptation(world: World): void {
   const view = adaptationView(world);
   if (view) world.adaptation.settle(view);
 }
 
-/** After a change in no time: the eye has yet to adapt. */
+/** Lets the eye lag behind, after a sudden change. */
 export function noticeChange(world: World): void {
   const view = adaptationView(world);
   if (view) world.adaptation.notice(view);

@@ -23,7 +23,7 @@ export const EXPOSURE_LAW = {
 /** Least luminance that counts, cd/m². */
 export const DARKEST = 1e-4;
 
-/** How many stops more than `most` the eye opens in moonlight, where a flame would dazzle it. */
+/** Stops by which the largest exposure in moonlight exceeds `most`. */
 const NIGHT_STOPS = 3.2;
 
 /**
@@ -49,7 +49,7 @@ const OPENING = 1.5;
 /** Adaptation to the dark, which takes minutes in nature, seconds; and its loss to a flame: a time constant. */
 const DARKENING = 20;
 const DAZZLING = 0.9;
-/** All flames are out: candela. */
+/** Intensity below which all flames count as out, candela. */
 const OUT = 1e-3;
 
 /** View that the eye adapts to, and its light. Metres, radians, candela. */
@@ -88,7 +88,7 @@ const TOLERANCE = 1e-3;
 export class ExposureAdaptation {
   /** Stops by which the eye is open wider than the view asks for. */
   lag = 0;
-  /** Adaptation to moonlight, 0 to 1. A room that no moon shines on stays as black as at first. */
+  /** Adaptation to moonlight, 0 to 1. Stays 0 in a room without moonlight. */
   darkness = 0;
   #target = 0;
   /** Exposure that the last view asks for, stops, and the indirect light in it, lux for each candela. */
@@ -106,7 +106,7 @@ export class ExposureAdaptation {
     return this.#target + this.lag;
   }
 
-  /** The eye has had all the time it needs. */
+  /** Adapts fully, to the dark as well. */
   adaptToDark(view: AdaptationView): void {
     this.darkness = isMoonlit(view) ? 1 : 0;
   }
@@ -118,7 +118,7 @@ export class ExposureAdaptation {
     this.lag = 0;
   }
 
-  /** The view has changed in no time: the eye lags. */
+  /** After a sudden change of the view: the eye lags. */
   notice(view: AdaptationView): void {
     this.#meter(view);
     this.lag += this.#target - this.#metered;

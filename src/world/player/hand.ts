@@ -18,7 +18,7 @@ const REACHING = 6;
 /** The hand begins to draw back this early, metres, so that it seldom has to do so at once. */
 const CAUTION = 0.06;
 
-/** Hand that holds the candle: it has inertia, and draws back from what is near. */
+/** Hand that holds the candle: it has inertia, and draws back from obstacles. */
 export interface Hand {
   /** Angle behind the turn of the head, radians. */
   lag: number;
@@ -27,7 +27,7 @@ export interface Hand {
   /** Offset from where a stiff arm would hold it, metres, and its velocity, m/s. */
   readonly sway: Vec3;
   readonly swaying: Vec3;
-  /** Way that it reaches out to another candle's wick, metres, and the whether it leaves its caution aside, 0 to 1. */
+  /** Offset by which it reaches out to another candle's wick, metres, and how far it ignores `CAUTION`, 0 to 1. */
   readonly lean: Vec3;
   daring: number;
   /** Extension of the arm, 0 to 1. */
@@ -51,7 +51,7 @@ export function createHand(yaw: number): Hand {
   };
 }
 
-/** Brings a hand to rest at once, as after a jump to elsewhere. */
+/** Brings a hand to rest at once, as after a jump. */
 export function calmHand(hand: Hand, yaw: number): void {
   hand.lag = hand.turning = hand.daring = 0;
   hand.stretch = 1;
@@ -138,7 +138,7 @@ export function holdOut(
   let stretch = 1;
   if (collision) {
     const isCautious = hand.daring < 0.5;
-    // Not by a margin made here: a number that is passed would be boxed.
+    // A constant margin, since V8 would box a computed one.
     const caution = isCautious ? collision.sweepCylinder(foot, reach, stand, CAUTION).fraction : 1;
     const limit = collision.sweepCylinder(foot, reach, stand).fraction;
     const target = isCautious ? caution : limit;

@@ -9,7 +9,7 @@ export const WALKER_RADIUS = 0.25;
 /** Turning, and looking up or down, by keys or stick at its limit: rad/s. */
 const TURN_SPEED = 1.6;
 const TILT_SPEED = 1;
-/** Looking straight up or down would leave no line of sight to walk along. */
+/** Largest pitch: straight up or down there would be no direction to walk in. */
 export const MAX_PITCH = 1.5;
 
 /** First-person player: the visitor's eye and how it moves. Right-handed, +Y up, yaw 0 looks along -Z, left positive. */

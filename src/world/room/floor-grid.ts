@@ -7,7 +7,7 @@ const FINEST = 0.02;
 const COARSEST = 0.1;
 /** 20 x 20 m in cells of 24 mm. Rooms of more than 84 m, in the coarsest cells, are cut off. */
 const MAX_CELLS = 700_000;
-/** In cells: rounding must not lose a touch. */
+/** Tolerance of rounding, in cells. */
 const TOUCH = 1e-6;
 
 /** Squares on the floor, row by row towards +Z. Metres. */
@@ -89,7 +89,7 @@ export function markTouched(
   }
 }
 
-/** Fills convex polygons, with every cell that they so much as touch. */
+/** Conservative rasterizer of convex polygons: fills every cell that they touch. */
 class Rasterizer {
   readonly #marked: Uint8Array;
   readonly #grid: FloorGrid;
@@ -132,7 +132,7 @@ class Rasterizer {
     }
   }
 
-  /** Widens each row by an edge's part in it. */
+  /** Extends the span of each row to an edge. */
   #trace(ax: number, az: number, bx: number, bz: number): void {
     const high = Math.min(az, bz);
     const low = Math.max(az, bz);

@@ -6,11 +6,11 @@ const LEVEL = 0.95;
 /** Thickness of the layers in which areas are summed, metres; more in rooms of more than `LAYERS`. */
 const LAYER = 0.02;
 const LAYERS = 8192;
-/** Of the largest level's area: less is a table, a shelf, a step. */
+/** Least area of a floor, as a share of the largest level's; less is a table, a shelf, a step. */
 const WALKABLE_SHARE = 0.3;
 /** A level this close above a floor and nearly as large is the floor: boards on the ground. Metres. */
 const COVERING = 0.1;
-/** Right under the spawn point this much is a floor, m², however large the land around the house. */
+/** Least area of a floor under the spawn point, m², however large the ground outside. */
 const ROOM = 2;
 /** A spawn point may lie this far below the floor that it means, metres. */
 const SPAWN_SLACK = 0.2;

@@ -12,7 +12,7 @@ const STRETCH = WALKER_RADIUS / 4;
 const PUSHES = 8;
 /** Two points of a corner within this are the same, metres. */
 const NEGLIGIBLE = 1e-5;
-/** Around a thing too small to stand in, metres: it is walked around instead. */
+/** Margin for walking around a model that is too small to stand in, metres. */
 const EXHIBIT_MARGIN = 2.5;
 const EXHIBIT_DISTANCE = 1.2;
 
@@ -103,7 +103,7 @@ export class FloorPlan {
   }
 
   /**
-   * Moves straight on as far as it is free, and slides along obstacles.
+   * Moves straight as far as the way is free, and slides along obstacles.
    *
    * The part of `velocity` that led into something is lost.
    */
@@ -185,7 +185,7 @@ export class FloorPlan {
       destination.x += sample.x * push;
       destination.z += sample.z * push;
     }
-    // In a notch the pushes go back and forth: then along an axis, or not at all.
+    // In a notch the pushes alternate: then along an axis, or not at all.
     return this.#go(x + dx, z) || this.#go(x, z + dz);
   }
 

@@ -4,20 +4,20 @@ import type { CollisionMesh } from "./collision-mesh.js";
 import { distanceField } from "./distance-field.js";
 import { type FloorGrid, gridOver, markTouched } from "./floor-grid.js";
 
-/** Heights above the floor between which things are obstacles: one steps over less. Metres. */
+/** Heights above the floor between which things are obstacles. Metres. */
 const STEP_OVER = 0.1;
 export const HEADROOM = 1.7;
-/** A room has this much space for the walker's middle, m²; less is a cupboard. */
+/** Least area for the walker's centre in a room, m²; less is a cupboard. */
 const ROOM = 1;
-/** In less than this it is no room at all, m². */
+/** Least area for it in any room, m². */
 const CLOSET = 0.2;
-/** Floors have cracks; a gap to the next board of more than twice this is an abyss. Metres. */
+/** Half the widest gap between boards that one walks over. Metres. */
 const CRACK = 0.15;
-/** Where the floor covers this share of the plan, one does not walk where it ends. */
+/** Share of the plan from which the edge of the floor bounds the walk. */
 const FLOOR_SHARE = 0.5;
-/** Without a spawn point one starts with this much space around, if there is any. Metres. */
+/** Clearance of the start without a spawn point, where there is any. Metres. */
 const ELBOW_ROOM = 0.5;
-/** And on the floor, if it is no more than this much farther: a bent corridor leaves its middle out. Metres. */
+/** Farthest detour to a start that is on the floor: the middle of a bent corridor is not. Metres. */
 const DETOUR = 100;
 
 /** Survey of a floor: where a walker fits. */

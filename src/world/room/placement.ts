@@ -8,7 +8,7 @@ export type Refusal = "nothing within reach" | "too steep" | "overhangs" | "no r
 
 /** Bounding cylinder of a standing candle: upright, metres. */
 export interface Cylinder {
-  /** Of the holder's foot, all of which must be carried. */
+  /** Of the holder's foot, all of which must be supported. */
   readonly radius: number;
   /** Includes the space that the flame needs. */
   readonly height: number;
@@ -22,18 +22,18 @@ export const REACH = 1.2;
 /** Highest above the eye, and lowest below the floor: an arm stretched up, a step down. Metres. */
 const REACH_UP = 0.35;
 const REACH_DOWN = 0.3;
-/** A candle that was set down can be taken again, even if one stepped back a little. Metres. */
+/** Farthest at which a standing candle can be taken; more than `REACH`, for a step back. Metres. */
 const GRASP = 1.5;
 /** Distance of the spot where the line of sight meets no surface, metres. */
 const AHEAD = 0.8;
 /** Cosine of 18 degrees: steeper surfaces are refused before their heights are measured. */
 const LEVEL = 0.95;
-/** All of the foot is carried at one height, within metres: on a plane, within 2.2 degrees. */
+/** Largest difference of height under the foot, metres: 2.2 degrees on a plane. */
 const UNEVENNESS = 0.005;
 const COS_TILT = 0.9993;
 /** Cracks between boards are bridged if they are narrower than twice this, metres. */
 const CRACK = 0.008;
-/** A spot that does not quite fit is moved by so much at most, metres. */
+/** Farthest that a spot is moved to fit, metres. */
 const NUDGE = 0.04;
 const NUDGES = 4;
 const BEARINGS = 12;
@@ -65,7 +65,7 @@ const direction: Vec3 = [0, 0, 0];
 /** Finds the spot along the line of sight, or ahead if that is out of reach. Null, or why there is none. */
 export function findSpot(query: PlacementQuery, spot: Vec3): Refusal | null {
   const refusal = findAimedSpot(query, spot);
-  // A look at a wall, or past everything, means the surface ahead.
+  // Looking at a wall, or past everything, selects the surface ahead.
   const meansAhead = refusal === "nothing within reach" || refusal === "too steep";
   return meansAhead && findSpotAhead(query, spot) === null ? null : refusal;
 }
@@ -144,7 +144,7 @@ function fit(reach: PlacementQuery, x: number, y: number, z: number, spot: Vec3)
   const hit = castDown(collision, x, y, z, Infinity);
   let top = hit ? y - hit.distance : Number.NEGATIVE_INFINITY;
   if (top < plan.floor - REACH_DOWN) {
-    // Where the walker walks on nothing, the candle stands on nothing.
+    // In a room without a floor, the candle stands in the air at the floor's height.
     if (plan.hasFloor || plan.clearance(x, z) <= 0) return "nothing within reach";
     top = plan.floor;
   } else if (hit) {

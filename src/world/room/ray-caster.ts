@@ -2,18 +2,18 @@ import type { Vec3 } from "../geometry.js";
 import { type Bvh, MAX_DEPTH } from "./bvh.js";
 
 /**
- * Rays meet triangles this share larger than they are, and boxes this much, in metres: neighbours whose
- * corners were rounded to floats apart leave no seam to slip through.
+ * Share by which triangles are enlarged for intersection, and boxes, in metres: rays must not pass between
+ * neighbours whose vertices were rounded differently.
  */
 const SEAM = 1e-5;
 
 /**
- * Ray casting against triangles. The hit does not depend on the tree: of triangles equally far, it is the one
- * that was listed first.
+ * Ray casting against triangles. The hit does not depend on the tree: of triangles equally far, it is the one that
+ * was listed first.
  *
- * A hundred thousand rays are cast before a room's first frame, so all that their loop needs is in
- * variables of its own, and both children of a node are tested together: the farther is put aside
- * with its distance, and forgotten if something nearer was met meanwhile.
+ * A hundred thousand rays are cast before a room's first frame, so their loop uses local variables only. Both
+ * children of a node are tested together; the farther one is pushed with its distance, and skipped if a nearer hit
+ * was found.
  */
 export class RayCaster {
   /** Distance to the last hit, in lengths of the direction. */
@@ -56,11 +56,11 @@ export class RayCaster {
     const distances = this.#distances;
     const t = this.#triangles;
     const numbers = this.#numbers;
-    // Not infinite, lest a ray in a face of a box meet 0 times infinity.
+    // Finite, since 0 times infinity is NaN for a ray in a face of a box.
     const ix = 1 / (dx || 1e-30);
     const iy = 1 / (dy || 1e-30);
     const iz = 1 / (dz || 1e-30);
-    // Which of a box's six numbers it would enter by, and which it would leave by.
+    // Indices of the box's planes that the ray enters and leaves by.
     const inX = ix > 0 ? 0 : 3;
     const inY = iy > 0 ? 1 : 4;
     const inZ = iz > 0 ? 2 : 5;
