@@ -142,7 +142,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     }
   }
 
-  /** What is shown of each frame: the picture, or the output of a pass. */
+  /** What is displayed: the frame, or the output of one pass. */
   get inspect(): Inspection {
     return this.#input.inspect;
   }
@@ -152,7 +152,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.#requestDraw();
   }
 
-  /** Where the visitor stands and looks, and how widely: metres, radians. */
+  /** The visitor's camera: position, direction and field of view, in metres and radians. */
   get camera(): Required<Camera> {
     return this.#candle ? cameraOf(this.#candle) : this.#pending.cameraFor(this.look);
   }
@@ -208,7 +208,7 @@ export class CandleFlameElement extends ReflectedAttributes {
   step(seconds: number): void {
     const length = lengthOfStep(seconds);
     this.#use((candle, session) => {
-      // A busy browser reports the preference for reduced motion frames late.
+      // A busy browser reports a change of the preference for reduced motion frames late.
       candle.options = session.options;
       candle.step(length);
     });
@@ -216,7 +216,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     if (this.#candle) this.#lifecycle.reporter.frame(this.#candle);
   }
 
-  /** Time 0, as if new; with a seed, another chance. */
+  /** Restarts at time 0; with a seed, with other random numbers. */
   reset(seed?: number): void {
     if (seed !== undefined) this.seed = seed;
     this.#pending.forgetTime();
@@ -261,12 +261,12 @@ export class CandleFlameElement extends ReflectedAttributes {
     else this.extinguish();
   }
 
-  /** A flame catches at the wick, and grows. */
+  /** Lights the candle: the flame grows. */
   light(): void {
     this.#setLit(true);
   }
 
-  /** The flame dies; the ember fades. */
+  /** Puts the candle out: the ember fades. */
   extinguish(): void {
     this.#setLit(false);
   }
@@ -286,12 +286,12 @@ export class CandleFlameElement extends ReflectedAttributes {
     if (this.#candle) blow(this.#candle.world, strengthOfBreath(strength));
   }
 
-  /** Goes in, as a click does: takes the focus and asks for the pointer. Needs `controls`. */
+  /** Enters the room, as a click does: takes the focus and locks the pointer. Needs `controls`. */
   enter(): void {
     this.#candle?.input?.enter();
   }
 
-  /** The frame of this moment, as an image file. */
+  /** The current frame as an image file. */
   toBlob(type = "image/png", quality?: number): Promise<Blob> {
     return new Promise((resolve, reject) => {
       this.#lifecycle.draws.refresh();

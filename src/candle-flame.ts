@@ -33,7 +33,7 @@ import { currentTime, type World } from "./world/world.js";
 
 export type { Options } from "./scene-world.js";
 
-/** Longest time that a live frame makes up for, in seconds: after a hidden tab, resume. */
+/** Longest time step of a live frame, seconds: a tab that was hidden does not fast-forward. */
 const MAX_FRAME = 1 / 20;
 
 /**
@@ -54,7 +54,7 @@ export class CandleFlame {
   onFlameChanged: (index: number) => void = () => {};
   /** Called when the carried flame was brought to the wick of another candle, which E would light now. */
   onWickReached: (index: number) => void = () => {};
-  /** Called when the visitor wanted to put the candle down, and could not. */
+  /** Called when the candle could not be put down where the visitor asked. */
   onRefused: () => void = () => {};
   #scene: Scene;
   readonly #features: Features;
@@ -165,7 +165,7 @@ export class CandleFlame {
     if (isLit ? flame?.light() : flame?.extinguish()) this.onFlameChanged(index);
   }
 
-  /** Calls `onFlameChanged` for each candle that is not as it was. */
+  /** Calls `onFlameChanged` for each candle that was lit or went out. */
   #reportFlames(before: readonly boolean[]): void {
     for (const [index, isLit] of litFlames(this.world).entries()) {
       if (isLit !== (before[index] ?? false)) this.onFlameChanged(index);
@@ -186,7 +186,7 @@ export class CandleFlame {
     this.view.show(scene, options, this.#subject);
   }
 
-  /** A new world at the time of another, its visitor at the door. */
+  /** A new world at another's time, with the camera at its start. */
   #sameTimeAs({ timeline, remainder, flame, fieldOfView }: World): World {
     const world = this.#createWorld({ age: timeline.tick, isLit: flame.isLit, fieldOfView });
     world.remainder = remainder;
@@ -211,7 +211,7 @@ export class CandleFlame {
     this.view.follow(this.#subject);
   }
 
-  /** Goes on from the snapshot of an earlier candle; in another room, at its door. */
+  /** Continues from a snapshot; in another room, from that room's start. */
   resume(snapshot: Snapshot, isSameRoom: boolean): void {
     const { tick: age, isLit, areLit, fieldOfView } = snapshot;
     this.world = this.#createWorld({
@@ -262,7 +262,7 @@ export class CandleFlame {
     if (intent.placesOrTakes && isHeld) this.onRefused();
   }
 
-  /** The frame of this very moment. */
+  /** Draws the current state. */
   draw(): void {
     const { exposure, isStill } = this.#options;
     const canDefer = this.#loop.isRunning;
@@ -270,7 +270,7 @@ export class CandleFlame {
     this.view.render({ features: this.#features, exposure, isMoving, canDefer, isStill });
   }
 
-  /** Whether camera or candle are elsewhere than when this was last asked. */
+  /** Whether camera or candle have moved since the last call. */
   #hasMoved(): boolean {
     const { player, candle, interpolated, fieldOfView } = this.world;
     const camera = [...interpolated.eye, player.yaw, player.pitch, fieldOfView];

@@ -1,6 +1,6 @@
 /**
- * What frameworks may write in a template's tag. Types only: `candle-flame/react`, `/vue` and `/svelte` build
- * on them.
+ * Types of the element's attributes, properties and listeners in templates, for `candle-flame/react`, `/vue` and
+ * `/svelte`.
  */
 import type { CandleFlameElement, CandleFlameEventMap } from "./candle-flame-element.js";
 import type { CamelCase, SETTINGS, SettingName, SettingValue } from "./settings.js";

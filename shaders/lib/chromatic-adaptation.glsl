@@ -1,18 +1,19 @@
-// Chromatic adaptation to candlelight, vibrance, and the sight of rods. Needs lib/photometry.glsl.
+// Chromatic adaptation to candlelight, vibrance, and rod vision. Needs lib/photometry.glsl.
 
 uniform vec3 uAdaptation;  // gain of each channel (von Kries 1902)
 uniform vec3 uWhite;       // adapted colour of candlelight, luma 1
 uniform float uVibrance;   // gain of the saturation of faint hues; 0: none
-uniform float uRods;       // share of the rods in sight, which know no hue
+uniform float uRods;       // share of rod vision, which has no hue
 
-// What rods see looks bluish to the cones that they share nerves with.
-// Cao, Pokorny, Smith and Zele 2008, "Rod contributions to color perception: Linear with rod contrast"; Kirk and O'Brien
-// 2011, "Perceptually Based Tone Mapping for Low-Light Conditions".
+// Rod vision looks bluish, as rods share nerves with cones. Cao, Pokorny, Smith and Zele 2008, "Rod contributions to
+// color perception: Linear with rod contrast"; Kirk and O'Brien 2011, "Perceptually Based Tone Mapping for Low-Light
+// Conditions".
 const vec3 ROD_COLOR = vec3(0.76, 1.0, 1.42);
 
 // Raises the saturation of faint hues, at constant luminance. Wood, stone and cloth in candlelight are nearly of one
-// hue, which an eye tells apart and a small bright image in a dark frame does not. Saturation is the logarithmic
-// distance from white; strong hues keep theirs up to a limit, beyond which the blue base of the flame would lie.
+// hue, which an adapted eye tells apart, but not on a small bright display in a dark room. Saturation is the
+// logarithmic distance from white; strong hues keep theirs up to a limit, beyond which the blue base of the flame
+// would lie.
 vec3 applyVibrance(vec3 light) {
   const float FAINT = 0.95;
   const float STRONG = 1.4;

@@ -1,8 +1,8 @@
-// Particle kernel: one or two ticks of a particle by transform feedback, as src/world/particles/particles.ts has them.
-// Lengths are in the emitter's own unit, positions relative to the emitter.
+// Particle kernel: one or two ticks of a particle by transform feedback, as src/world/particles/particles.ts has
+// them. Lengths are in the emitter's own unit, positions relative to the emitter.
 //
 // A software renderer executes both sides of every branch and checks the bounds of every array access. So a birth is
-// computed once a pass, the ticks are unrolled, and dead particles move on.
+// computed once a pass, the ticks are unrolled, and dead particles are moved, too.
 #include "lib/precision.glsl"
 #include "lib/random.glsl"
 

@@ -4,14 +4,14 @@ export class AssetError extends Error {
 }
 
 /**
- * A flaw of a file, found where its name is not known: the message goes on where the name
- * ends, as in "is cut short".
+ * Error in a file, thrown where the file's name is not known. The message continues a sentence after the name: "is
+ * cut short".
  */
 export class Flaw extends Error {
   override readonly name = "Flaw";
 }
 
-/** The sentence for whatever went wrong with a file. */
+/** Any error of a file as an `AssetError`. */
 export function assetError(file: string, cause: unknown): AssetError {
   if (cause instanceof AssetError) return cause;
   if (cause instanceof Flaw) return new AssetError(`${file} ${cause.message}.`, { cause });

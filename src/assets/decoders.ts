@@ -8,7 +8,7 @@ import type { TextureImage } from "./model.js";
 /** Timeout of a decoder's worker: one that has not answered by then has crashed. */
 const PATIENCE = 20_000; // milliseconds
 
-/** Longest side that is decoded at all, and that is preferred to a smaller mipmap level. Pixels. */
+/** Longest side of an image that is decoded, and of the mipmap level that is taken from it. Pixels. */
 const HUGE_SIDE = 8192;
 const LONGEST_SIDE = 4096;
 
@@ -61,14 +61,14 @@ export class Decoders {
     this.#ktx2 ??= import("three/examples/jsm/loaders/KTX2Loader.js").then(({ KTX2Loader }) => {
       const loader = new KTX2Loader(this.#manager).setWorkerLimit(1);
       loader.setTranscoderPath(this.#base.href);
-      // A renderer that knows no compressed format is given RGBA.
+      // Without compressed formats the transcoder returns RGBA.
       const plain = { extensions: { has: () => false } };
       return loader.detectSupport(plain as never);
     });
     const loader = await this.#ktx2;
     const { image, mipmaps, format } = await withTimeout(
       new Promise<PlainTexture>((resolve, reject) => {
-        // The transcoder takes the buffer with it.
+        // A copy: the buffer is transferred to the transcoder's worker.
         loader.parse(bytes.slice().buffer, (made) => resolve(made as never), reject);
       }),
     ).catch((cause: unknown) => {

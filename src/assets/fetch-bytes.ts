@@ -4,7 +4,7 @@ import { Flaw } from "./asset-error.js";
 const MOST_BYTES = 50e6;
 const MEGABYTE = 1e6;
 
-/** Types that are surely no model, buffer or decoder. */
+/** Content types of files that are no model, buffer or decoder. */
 const FOREIGN_TYPE = /^(text\/(html|css|javascript)|image|video|audio|font)\b/;
 
 export interface FetchOptions {
@@ -67,7 +67,7 @@ async function readBody(
       chunks.push(read.value);
       received += read.value.byteLength;
       if (received > MOST_BYTES) throw tooLarge("more");
-      // With compression on the way the length counts other bytes than we do.
+      // With a content encoding, Content-Length counts the encoded bytes.
       if (total > 0) onProgress(Math.min(1, received / total));
     }
   } finally {
@@ -79,7 +79,7 @@ async function readBody(
 const tooLarge = (size: string) =>
   new Flaw(`is too large: ${size}, where ${MOST_BYTES / MEGABYTE} MB are the limit`);
 
-/** A data URL's bytes. Not by `fetch`, which a page's content security policy may forbid it. */
+/** Bytes of a data URL. Not by `fetch`: a content security policy may forbid that. */
 function embeddedBytes(url: string): Uint8Array<ArrayBuffer> {
   const comma = url.indexOf(",");
   const data = url.slice(comma + 1);

@@ -6,7 +6,7 @@ const BINARY_CHUNK = 0x004e4942;
 const HEADER = 12;
 const CHUNK_HEADER = 8;
 
-/** A glTF file taken apart. */
+/** JSON document and binary chunk of a glTF file. */
 export interface Container {
   readonly json: unknown;
   /** The binary chunk, where there is one. */

@@ -42,7 +42,7 @@ interface Sparse {
   readonly values: { readonly view: number; readonly byteOffset: number };
 }
 
-/** Elements of an accessor, enough for five million triangles that share nothing. */
+/** Most elements of an accessor: five million triangles without shared vertices. */
 const MOST_ELEMENTS = 15e6;
 const MOST_DECODED_BYTES = 256e6;
 
@@ -148,7 +148,7 @@ function readSparse(entry: JsonEntry, views: readonly BufferView[]): Sparse | un
   };
 }
 
-/** An accessor's elements one after the other, with its sparse changes made. */
+/** An accessor's elements, tightly packed, with its sparse substitution applied. */
 export async function denseBytes(
   accessor: Accessor,
   views: readonly BufferView[],

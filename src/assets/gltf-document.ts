@@ -4,8 +4,8 @@ import { type Mesh, readMeshes } from "./gltf-meshes.js";
 import { JsonEntry } from "./json-entry.js";
 
 /**
- * The part of a glTF file that is used here, each reference and number checked: a parser that reads
- * it cannot be led round in circles or out of bounds.
+ * The parts of a glTF file that are used here. All references and numbers are validated: there are no cycles and no
+ * indices out of bounds.
  */
 export interface GltfDocument {
   /** Nodes of the scene shown that have no parent. */
@@ -36,9 +36,9 @@ export interface Node {
   readonly isEmpty: boolean;
   readonly skin: number | undefined;
   readonly weights: readonly number[] | undefined;
-  /** Whether it is a wick, or a wick's flame, whose place is no number. */
+  /** Whether it is a wick, or the flame of one, whose position is not finite. */
   readonly isMisplaced: boolean;
-  /** Of a wick: millimetres, or anything else. */
+  /** Wick diameter as in the file: millimetres, not validated. */
   readonly wickDiameter: unknown;
   readonly matrix: readonly number[] | undefined;
   readonly translation: readonly number[] | undefined;
@@ -58,11 +58,11 @@ export interface GltfBuffer {
   readonly byteLength: number;
 }
 
-/** Deeper trees are no scenes, and a parser that recurses runs out of stack. */
+/** Most levels of the node tree: recursion over more runs out of stack. */
 const MOST_DEPTH = 500;
 const MOST_NODES = 100_000;
 const MOST_TRIANGLES = 5e6;
-/** Vertices of so many triangles that share no corner: a small file can ask for no more than a large one. */
+/** Most vertices: those of `MOST_TRIANGLES` without shared vertices, since a small file can ask for any number. */
 const MOST_VERTICES = 3 * MOST_TRIANGLES;
 
 export function readDocument(json: unknown): GltfDocument {
@@ -144,7 +144,7 @@ function readPlacement(entry: JsonEntry) {
   };
 }
 
-/** Null where it is not of numbers: one candle less is no reason to refuse a model. */
+/** Null for invalid numbers: a missing candle is no reason to refuse a model. */
 function readLeniently(entry: JsonEntry): ReturnType<typeof readPlacement> | null {
   try {
     return readPlacement(entry);
@@ -193,7 +193,7 @@ function readSkin(entry: JsonEntry, nodeCount: number, accessors: readonly Acces
   return { joints, inverseBindMatrices };
 }
 
-/** Of several scenes the one the file prefers; a file without scenes shows all it has. */
+/** Root nodes of the default scene, or of the whole file where it has no scenes. */
 function rootsOf(root: JsonEntry, scenes: readonly JsonEntry[], nodes: readonly Node[]): number[] {
   const scene = scenes[root.index("scene", scenes.length) ?? 0];
   if (scene) return [...new Set(scene.indices("nodes", nodes.length))];
@@ -215,7 +215,7 @@ function checkTree(nodes: readonly Node[], roots: readonly number[]): void {
   }
 }
 
-/** Every node has at most one parent, so going up from it ends, or comes round. */
+/** Finds cycles: every node has at most one parent, so the way up from it ends or repeats. */
 function checkAscent(count: number, parents: ReadonlyMap<number, number>): void {
   const depths = new Map<number, number>();
   for (let start = 0; start < count; start++) {

@@ -42,7 +42,7 @@ export class JsonEntry {
     return value;
   }
 
-  /** As it stands in the file, of any type. */
+  /** The raw value, of any type. */
   value(name: string): unknown {
     return this.#field(name);
   }

@@ -23,7 +23,7 @@ export interface LoadOptions {
   readonly sharedImages?: Map<string, Promise<TextureImage>>;
 }
 
-/** Bytes of the model file count for this share of the progress, the rest for the rest. */
+/** Share of the progress that the bytes of the model file take. */
 const FILE_SHARE = 0.3;
 
 /**
@@ -54,7 +54,7 @@ async function load(url: string, file: string, options: LoadOptions): Promise<Mo
   });
   const { json, binary } = openContainer(bytes);
   const document = readDocument(json);
-  // Built from a variable: a bundler would take a literal for a file of its own.
+  // Through a variable: bundlers take `new URL` of a literal for an asset.
   const module = import.meta.url;
   const decoders = new Decoders(new URL(decoderBase ?? "decoders/", module), signal);
   const resolve = (uri: string) => addressOf(uri, address.href);
@@ -105,7 +105,7 @@ function usedMaterials({ meshes, nodes }: GltfDocument): number[] {
   return [...new Set(used)].filter((material) => material !== undefined);
 }
 
-/** Counts the materials and the geometry, each as one step from the file's share to the whole. */
+/** Progress after the file's share: a step for each material, and one for the geometry. */
 function stages(document: GltfDocument, onProgress: (progress: number) => void): () => void {
   const count = usedMaterials(document).length + 2;
   let done = 0;
@@ -115,7 +115,7 @@ function stages(document: GltfDocument, onProgress: (progress: number) => void):
   };
 }
 
-/** The work, or the signal's reason as soon as it aborts: decoders cannot be stopped. */
+/** Rejects as soon as the signal aborts, since decoders cannot be stopped. */
 function orAborted<Value>(work: Promise<Value>, signal: AbortSignal): Promise<Value> {
   return new Promise((resolve, reject) => {
     const abort = () => reject(signal.reason);
@@ -133,7 +133,7 @@ function addressOf(url: string, base: string): URL {
   }
 }
 
-/** The last part of the path, as a visitor would write it. */
+/** File name of a URL, decoded. */
 function fileName(url: string): string {
   if (/^(data|blob):/.test(url)) return "The model";
   const path = url.split(/[?#]/)[0] ?? "";

@@ -46,7 +46,7 @@ interface OwnMaterial {
 }
 
 const SIZES = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 } as const;
-/** The file counts for this share of the progress, its images for the rest. */
+/** Share of the progress that the file takes; its images take the rest. */
 const FILE_SHARE = 0.6;
 
 /**
@@ -142,7 +142,7 @@ function modelOf(
     const begin = (view.byteOffset ?? 0) + (accessor.byteOffset ?? 0);
     const types = { 5121: Uint8Array, 5123: Uint16Array, 5126: Float32Array };
     const Type = types[accessor.componentType];
-    // Copied, so that it begins on a multiple of its size and outlives the file.
+    // A copy is aligned, and does not keep the file's buffer alive.
     const end = begin + count * Type.BYTES_PER_ELEMENT;
     return new Type(binary.slice(begin, end).buffer);
   };

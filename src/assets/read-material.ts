@@ -21,8 +21,8 @@ export interface PlacedMaterial {
 const MIRRORED_REPEAT = 33648;
 
 /**
- * Material of a surface without one. glTF's own default is a rough metal, which by a single
- * flame is all but black; this is the same as plaster.
+ * Material of a surface without one. glTF's default, a rough metal, is nearly black in the light of one flame; this
+ * resembles plaster.
  */
 export const DEFAULT_MATERIAL: PlacedMaterial = {
   material: {
@@ -132,7 +132,7 @@ function readSurface(entry: JsonEntry) {
   };
 }
 
-/** How light goes on below the surface: clear glass has a volume, too. */
+/** Subsurface scattering, or transmission: clear glass has a volume, too. */
 function readDepth(entry: JsonEntry, name: string): Pick<Material, "isWax" | "transmission"> {
   const factor = entry.extension("KHR_materials_transmission")?.number("transmissionFactor") ?? 0;
   const transmission = clamp01(factor);

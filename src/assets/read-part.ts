@@ -94,7 +94,7 @@ function withNormals(geometry: BufferGeometry): BufferGeometry {
   const isShared = corners > 0 && corners / 3 <= MOST_FLAT_TRIANGLES;
   if (isShared) indicesOf(geometry, geometry.getAttribute("position").count);
   const flat = isShared ? geometry.toNonIndexed() : geometry.clone();
-  flat.deleteAttribute("tangent"); // of no use without the normals they were made for
+  flat.deleteAttribute("tangent"); // valid for the removed normals only
   flat.computeVertexNormals();
   return flat;
 }
@@ -126,7 +126,7 @@ function floats(attribute: Attribute): Float32Array {
   return values;
 }
 
-/** Colours of three or four numbers, of which some exporters forget that they are normalized. */
+/** Vertex colours, RGB or RGBA. Some exporters omit the flag `normalized`. */
 function colorsOf(attribute: Attribute): Float32Array {
   const values = floats(attribute);
   const { itemSize, normalized, array } = attribute;
@@ -175,7 +175,7 @@ const isSkinned = (mesh: Mesh): mesh is SkinnedMesh =>
 
 const isInstanced = (mesh: Mesh): mesh is InstancedMesh => "isInstancedMesh" in mesh;
 
-/** glTF's bones take the place of the mesh's own node: specification, section 3.7.3.3. */
+/** Bones replace the transform of the mesh's own node: specification, section 3.7.3.3. */
 function skinMatrices({ skeleton }: SkinnedMesh, geometry: BufferGeometry): Matrix4[] {
   const bones = skeleton.bones.map((bone, i) =>
     new Matrix4().multiplyMatrices(bone.matrixWorld, skeleton.boneInverses[i] ?? new Matrix4()),

@@ -20,7 +20,7 @@ export function readScene(
   scene.traverse((node) => {
     if ("isMesh" in node) {
       const mesh = node as Mesh;
-      // The default material has no name, and 0 would be one.
+      // The default material has no name, and `Number("")` is 0.
       const { name } = mesh.material as { readonly name: string };
       const material =
         name === "" ? DEFAULT_MATERIAL : (materials.get(Number(name)) ?? DEFAULT_MATERIAL);

@@ -7,7 +7,7 @@ const MOST = 16;
 const DIAMETER = { default: 0.002, least: 0.001, most: 0.05 } as const;
 /** Cosine of the lean from which a wick burns upright: 45 degrees. */
 const LEANING = Math.SQRT1_2;
-/** Scale of a node, or one over it, beyond which its diameter was probably meant. */
+/** Scale of a node, or its reciprocal, beyond which the author probably meant the wick's diameter. */
 const SCALED = 50;
 /** Farthest from the origin, metres. */
 const FARTHEST = 10_000;
@@ -20,7 +20,7 @@ const WARNINGS = {
   scale: "The scale of a wick is ignored: its diameter is wickDiameter, in mm.",
 } as const;
 
-/** Ending of a wick's name; undefined where it is none. Wickerwork is none. */
+/** Suffix of a wick's name; undefined for other nodes, such as `wickerwork`. */
 export function wickEnding(name: string): string | undefined {
   return /^wick(?![a-z])(.*)$/s.exec(name)?.[1];
 }
@@ -66,7 +66,7 @@ function readWick(
   const scale = new Vector3().setFromMatrixScale(object.matrixWorld).length() / Math.sqrt(3);
   if (!(scale < SCALED && scale > 1 / SCALED)) warnings.add(WARNINGS.scale);
   const up = new Vector3().setFromMatrixColumn(object.matrixWorld, 1).normalize();
-  // A comparison with what is no number is false.
+  // False for NaN, too.
   const isUpright = up.y >= LEANING;
   if (!isUpright) warnings.add(WARNINGS.lean);
   return {
@@ -77,7 +77,7 @@ function readWick(
   };
 }
 
-/** Metres, of millimetres in the file. */
+/** Wick diameter, metres, from millimetres in the file. */
 function readDiameter(value: unknown, warnings: Set<string>): number {
   if (value === undefined) return DIAMETER.default;
   const asked = typeof value === "number" ? value / 1000 : Number.NaN;

@@ -42,7 +42,7 @@ export function tangentsOf({ positions, normals, uvs, indices }: Surface): Float
 
 const vectors = Array.from({ length: 5 }, () => new Vector3());
 
-/** Metres a triangle goes with u and with v, both as long as its area is large in metres. */
+/** Directions of u and v in a triangle, with its doubled area as their length. */
 function slopesOf(positions: Float32Array, uvs: Float32Array, corners: Uint32Array) {
   const [a = 0, b = 0, c = 0] = corners;
   const [origin, edge1, edge2, u, v] = vectors as [Vector3, Vector3, Vector3, Vector3, Vector3];
@@ -66,7 +66,7 @@ function add(sums: Float32Array, vertex: number, { x, y, z }: Vector3): void {
   }
 }
 
-/** Some direction across each normal, for surfaces without texture coordinates to follow. */
+/** Arbitrary tangents, for surfaces without texture coordinates. */
 export function anyTangents(normals: Float32Array): Float32Array {
   const count = normals.length / 3;
   const tangents = new Float32Array(count * 4);

@@ -5,7 +5,7 @@ import { fetchBytes } from "./fetch-bytes.js";
 import type { GltfDocument } from "./gltf-document.js";
 import { closeImage, type TextureImage } from "./model.js";
 
-/** Pixels of a side; more than a wall shows by candlelight, and than some GPUs take. */
+/** Longest side of an image, pixels: more than is visible by candlelight, and than some GPUs accept. */
 const LONGEST_SIDE = 4096;
 
 /** Sources of a texture that the browser decodes itself, the smallest first. */
@@ -69,7 +69,7 @@ export class TextureImages {
     const sources = [
       ...SOURCES.map((name) => texture?.extension(name)?.index("source", count)),
       texture?.index("source", count),
-      // Its decoder has to be fetched first, for an image that ends as the same plain pixels.
+      // Last: its decoder has to be fetched, and the result is plain pixels as well.
       texture?.extension("KHR_texture_basisu")?.index("source", count),
     ];
     return sources.filter((source) => source !== undefined);
@@ -88,7 +88,7 @@ export class TextureImages {
     const uri = image?.string("uri");
     const view = image?.index("bufferView", this.#document.views.length);
     const name = image?.string("name") ?? (uri === undefined ? `number ${index}` : nameOf(uri));
-    // A flaw of a buffer is one of the file, not of this image.
+    // Errors of a buffer are reported for the file, not for this image.
     const inside = view === undefined ? null : await this.#bytes.view(view);
     try {
       if (inside) return await this.#decode(inside, name);
@@ -115,7 +115,7 @@ export class TextureImages {
     if (KTX2_IDENTIFIER.every((byte, i) => bytes[i] === byte)) {
       return this.#sources.decoders.ktx2(bytes);
     }
-    // Its colours and its opacity as they are in the file: they may be normals.
+    // Values as in the file: they may be normals.
     const asStored = { premultiplyAlpha: "none", colorSpaceConversion: "none" } as const;
     const bitmap = await createImageBitmap(new Blob([bytes]), asStored).catch((cause: unknown) => {
       throw new Flaw("is not a picture that can be read", { cause });

@@ -44,7 +44,7 @@ export async function buildScene(
       }
     },
   }));
-  // It parses an object as well as text.
+  // `parseAsync` accepts a parsed document, too.
   const parsing = loader.parseAsync(gltfFor(document, isDraco) as never, "");
   const { scene } = await (isDraco ? withTimeout(parsing) : parsing).catch((cause: unknown) => {
     throw isDraco ? decoders.failure("holds geometry that cannot be decoded", cause) : cause;
@@ -74,7 +74,7 @@ function gltfFor(document: GltfDocument, isDraco: boolean) {
       type,
       count,
       normalized: isNormalized,
-      // It warns where they are missing; nothing here asks for its boxes.
+      // The loader warns where they are missing. They are not used.
       min: [0, 0, 0],
       max: [0, 0, 0],
     })),

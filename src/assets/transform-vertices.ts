@@ -35,7 +35,7 @@ export function transformed(vertices: Vertices, { each, all }: VertexTransforms)
       if (tangents) move.tangent(tangents, vertex);
     }
     const corners = vertices.indices.length;
-    // The bones of a mesh turn it inside out together or not at all.
+    // Either all bones of a mesh mirror it or none.
     if (move.isMirror) flipWinding(indices.subarray(copy * corners, (copy + 1) * corners));
   }
   if (!positions.every(Number.isFinite)) throw new Flaw("has positions that are not numbers");
@@ -116,7 +116,7 @@ class VertexTransform {
 const ACROSS = new Vector3(1, 0, 0);
 const linear = new Matrix3();
 
-/** Of length 1; degenerate triangles have normals of none, and files hold worse. */
+/** Normalized, or `otherwise` for a zero or invalid vector. */
 function direction(vector: Vector3, otherwise: Vector3): Vector3 {
   const length = vector.length();
   return length > 0 && Number.isFinite(length)

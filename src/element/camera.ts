@@ -20,9 +20,9 @@ export function cameraOf({ world }: CandleFlame): Required<Camera> {
   return { position: [x, y, z], yaw, pitch, fieldOfView: fieldOfViewOf(world) };
 }
 
-/** The legal part of what is written to `camera`. A field of view that stays is left to the look. */
+/** The valid members of a value written to `camera`. An unchanged field of view remains the look's. */
 export function changeOf(camera: Partial<Camera>, before: Camera): Partial<Camera> {
-  // A text, spread, would give an object of a million letters.
+  // Spreading a string would make an object of its letters.
   const { fieldOfView, ...others } = typeof camera === "object" ? { ...camera } : {};
   const legal = legalFieldOfView(fieldOfView);
   const isSame = legal === null || legal === before.fieldOfView;

@@ -18,7 +18,7 @@ export interface Candle {
   blow(strength?: number): void;
 }
 
-/** Candles of one scene, the carried one first. They do nothing any more once another scene is shown. */
+/** Candles of one scene, the carried one first. They have no effect once another scene is shown. */
 export class CandleList {
   readonly entries: readonly Candle[];
   #source: CandleFlame | null;

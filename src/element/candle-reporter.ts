@@ -59,13 +59,13 @@ export class CandleReporter {
     if (this.#states.has("alone")) this.#glow.follow(candle.luminousIntensity);
   }
 
-  /** Whether the candle burns. */
+  /** Shows whether the candle burns. */
   flame({ world: { flame } }: CandleFlame): void {
     this.#states.toggle("lit", flame.isLit);
     this.#hint.tellFlame(flame.isLit, this.#element.controls);
   }
 
-  /** Why the candle could not be put down, if it could not. */
+  /** Shows why the candle could not be put down. */
   refusal({ world: { flame, refusal } }: CandleFlame): void {
     this.#hint.tellRefusal(refusal, flame.isLit, this.#element.controls);
   }

@@ -9,7 +9,8 @@ interface Hooks {
 /**
  * Draw scheduler: one draw in a frame at most, and none while the canvas is invisible.
  *
- * It also knows whether the canvas still holds its pixels: the browser takes them after the task that drew them.
+ * It also tracks whether the canvas still holds its pixels, which the browser may discard after the task that drew
+ * them.
  */
 export class DrawScheduler {
   readonly #hooks: Hooks;
@@ -43,12 +44,12 @@ export class DrawScheduler {
     else this.#isStale = true;
   }
 
-  /** Draws unless the canvas holds the pixels of this very moment. */
+  /** Draws unless the canvas holds the current frame. */
   refresh(): void {
     if (!this.#isFresh) this.draw();
   }
 
-  /** The canvas does not hold the pixels of this moment any more. */
+  /** Marks the pixels of the canvas as outdated. */
   invalidate(): void {
     this.#isFresh = false;
   }
@@ -58,7 +59,7 @@ export class DrawScheduler {
     if (this.#isStale && this.#hooks.isVisible()) this.draw();
   }
 
-  /** A frame was drawn, by whomever. */
+  /** To be called after a frame was drawn. */
   drawn(): void {
     this.#cancel();
     this.#isFresh = true;

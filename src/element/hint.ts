@@ -15,10 +15,10 @@ const CONTROLS: Readonly<Record<Device, string>> = {
 };
 
 /**
- * Line over the canvas that says something for a moment, and fades by itself.
+ * Line of text over the canvas that is shown for a moment, then fades.
  *
- * Screen readers announce it politely when it changes; to them it stays. The page may have words of its own for
- * the controls, in the slot `hint`.
+ * Screen readers announce it politely when it changes; to them it stays. The page may have words of its own for the
+ * controls, in the slot `hint`.
  */
 export class Hint {
   readonly element = document.createElement("div");
@@ -33,24 +33,24 @@ export class Hint {
     this.element.append(this.#controls);
   }
 
-  /** That the candle is out, and how to light it; nothing while it burns. */
+  /** Says that the candle is out, and how to light it; nothing while it burns. */
   tellFlame(isLit: boolean, hasControls: boolean): void {
     this.tell(isLit ? null : outSentence(hasControls), hasControls);
   }
 
-  /** That another candle was lit or went out, and that the first is out, if it is. */
+  /** Says that another candle was lit or went out, and that the first is out, if it is. */
   tellOther(change: CandleChange, isLit: boolean, hasControls: boolean): void {
     const sentences = [changeSentence(change), isLit ? null : outSentence(hasControls)];
     this.tell(sentences.filter(Boolean).join(" "), hasControls && !isLit);
   }
 
-  /** Why the candle could not be put down, and that it is out, if it is. */
+  /** Says why the candle could not be put down, and that it is out, if it is. */
   tellRefusal(refusal: Refusal | null, isLit: boolean, hasControls: boolean): void {
     const sentences = [refusal && REFUSALS[refusal], isLit ? null : outSentence(hasControls)];
     this.tell(sentences.filter(Boolean).join(" ") || null, hasControls && !isLit);
   }
 
-  /** One sentence, or none. One that lasts grows faint, and stays until there is another. */
+  /** Shows a sentence, or none. One that lasts becomes fainter, and stays until the next. */
   tell(sentence: string | null, lasts = false): void {
     this.#clear();
     if (sentence === null) return;

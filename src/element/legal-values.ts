@@ -1,6 +1,6 @@
-/** Longest step, seconds: with hot air in every tick it takes some seconds of script. */
+/** Longest step, seconds: simulating it with the plume takes seconds. */
 const LONGEST_STEP = 60;
-/** A breath ten times as strong as one that puts the candle out is a storm. */
+/** Strongest breath, where 1 puts out a candle at arm's length. */
 const STRONGEST_BREATH = 10;
 
 /** A step's length, seconds; 0 for illegal values. */

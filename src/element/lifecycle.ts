@@ -67,7 +67,7 @@ export class Lifecycle implements SessionOwner {
     });
   }
 
-  /** Null until a WebGL context was had, and after a failure. */
+  /** Null before there is a WebGL context, and after a failure. */
   get session(): Session | null {
     return this.#session;
   }
@@ -92,7 +92,7 @@ export class Lifecycle implements SessionOwner {
     this.#ready.renew();
   }
 
-  /** As if the element had been taken out and put back, but time goes on from this moment. */
+  /** Like a removal and a new insertion, but the simulated time continues. */
   #restart(): void {
     if (!this.#machine.send("restart")) return;
     const { candle, shownRequest } = this.#session ?? {};
@@ -132,7 +132,7 @@ export class Lifecycle implements SessionOwner {
     this.changed();
   }
 
-  /** Something about the candle is not as in the last frame. */
+  /** To be called when the candle has changed since the last frame. */
   changed(): void {
     const { candle } = this.#session ?? {};
     if (!candle) return;
@@ -161,7 +161,7 @@ export class Lifecycle implements SessionOwner {
     else this.#queue();
   }
 
-  /** A room has to wait until the page has a context left; lone candles share one. */
+  /** A room waits for one of the page's contexts; lone candles share one. */
   #queue(): void {
     this.#machine.send("approach");
     if (this.#element.scene === "candle") {
@@ -184,7 +184,7 @@ export class Lifecycle implements SessionOwner {
     this.#machine.send("admit");
     const element = this.#element;
     const { signal } = this.#abort;
-    // A context once given back cannot be had again from the same canvas, so each session has its own.
+    // A canvas cannot have another context after its own was released, so each session has its own canvas.
     const canvas = document.createElement("canvas");
     canvas.part.add("canvas");
     element.shadowRoot?.prepend(canvas);
@@ -276,7 +276,7 @@ export class Lifecycle implements SessionOwner {
     return !this.#element.paused && this.isVisible;
   }
 
-  /** Lets time pass or stand still, and gives the visitor the controls or takes them, as the attributes say. */
+  /** Applies the attributes `paused` and `controls`. */
   #applyMotion(): void {
     const session = this.#session;
     const candle = session?.candle;
@@ -299,14 +299,14 @@ export class Lifecycle implements SessionOwner {
     emit(this.#element, isIn ? "enter" : "leave", null);
   }
 
-  /** Ends the session for whatever was thrown while something was drawn, or made to be drawn. */
+  /** Ends the session after an error in drawing or in preparing to draw. */
   onError(cause: unknown): void {
     const error = frameError(cause);
     // The event of a lost context follows, and the frame comes back with it.
     if (typeOf(error) !== "context-lost") this.#fail(error);
   }
 
-  /** A sentence in the place of frames, with the poster behind it. Nothing is thrown at the page. */
+  /** Shows an error message in place of frames, over the poster. Does not throw. */
   #fail(error: Error): void {
     if (!this.#machine.send("fail")) return;
     this.#release();
@@ -328,7 +328,7 @@ export class Lifecycle implements SessionOwner {
   #offerReload(): void {
     this.#overlay.fail(LOST, "alert", () => {
       this.#restart();
-      // The button takes the focus with it.
+      // The focus would go with the button.
       if (this.#element.controls) this.#element.focus({ preventScroll: true });
     });
   }

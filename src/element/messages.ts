@@ -44,7 +44,7 @@ export function reachedSentence(candle: NamedCandle): string {
   return `${hasFingersAlone() ? "Tap twice" : "Press E"} to light ${spokenName(candle)}.`;
 }
 
-/** By the words in its wick's name, or else by its number alone. */
+/** Name of a candle in a sentence: the words of its wick's name, or its number. */
 function spokenName({ index, name }: NamedCandle, end = ""): string {
   const words = name
     .replace(/^wick/, "")

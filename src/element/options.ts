@@ -17,7 +17,7 @@ export function optionsOf(element: ReflectedAttributes, look: Look): Options {
   return { look, seed, quality, exposure, particles, isStill, ...flame, moon: moonWish(element) };
 }
 
-/** What the attributes say of the moon; the room says the rest. */
+/** The attributes of the moon; null leaves a value to the room. */
 function moonWish(element: ReflectedAttributes): MoonWish {
   const isSet = Number.isFinite(Number.parseFloat(element.getAttribute("moonlight") ?? ""));
   return {

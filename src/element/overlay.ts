@@ -24,7 +24,7 @@ export class Overlay {
     this.#reload.part.add("reload");
     this.#reload.type = "button";
     this.#reload.textContent = "Reload";
-    // Not for the canvas beneath, where they would go in.
+    // Keys for the button must not reach the canvas, where they enter the room.
     for (const type of ["keydown", "keyup"]) {
       this.#reload.addEventListener(type, (event) => event.stopPropagation());
     }
@@ -33,7 +33,7 @@ export class Overlay {
     root.append(this.#posterSlot, this.#progressSlot, this.#failure, this.hint.element);
   }
 
-  /** Whether a sentence stands in the place of frames. */
+  /** Whether an error message is shown in place of frames. */
   get isFailing(): boolean {
     return !this.#failure.hidden;
   }
@@ -62,7 +62,7 @@ export class Overlay {
     this.#progressSlot.hidden = true;
   }
 
-  /** A sentence in the place of frames, and where it helps a button that begins anew. */
+  /** Shows an error message in place of frames, with a reload button where that may help. */
   fail(sentence: string, urgency: "alert" | "status", reload: (() => void) | null = null): void {
     this.#failure.setAttribute("role", urgency);
     this.#sentence.textContent = sentence;

@@ -42,7 +42,7 @@ export class PendingWorld {
     if (this.#saved) this.#saved = { ...this.#saved, snapshot: { ...this.#saved.snapshot, isLit } };
   }
 
-  /** The attributes say which standing candles burn. */
+  /** Leaves it to the attributes which standing candles burn. */
   forgetFlames(): void {
     if (this.#saved) {
       this.#saved = { ...this.#saved, snapshot: { ...this.#saved.snapshot, areLit: null } };
@@ -53,7 +53,7 @@ export class PendingWorld {
     this.#saved = { snapshot, request };
   }
 
-  /** Time is to begin anew. */
+  /** Drops the snapshot: the next world begins at time 0. */
   forgetTime(): void {
     this.#saved = null;
   }
@@ -62,7 +62,7 @@ export class PendingWorld {
     this.#camera = { ...this.#camera, ...camera };
   }
 
-  /** The candle is to be put down, from the camera as it is now. */
+  /** Has the candle put down from the current camera. */
   place(): void {
     if (!this.#saved?.snapshot.stand) this.#placing = { ...this.#camera };
   }
@@ -71,15 +71,15 @@ export class PendingWorld {
     this.#placing = null;
   }
 
-  /** No other world is to come. */
+  /** Drops the camera: no other world follows. */
   forgetCamera(): void {
     this.#camera = null;
   }
 
   /**
-   * Applies all of it to the world that has come; its places only in the room of the snapshot.
+   * Applies all of it to the new world; positions of the snapshot only in its own room.
    *
-   * @param onPlaced called when the candle has been put down, while the camera is where that was done
+   * @param onPlaced called when the candle has been put down, with the camera that it was put down from
    */
   applyTo(candle: CandleFlame, shownRequest: SceneRequest | null, onPlaced: () => void): void {
     if (this.#saved)

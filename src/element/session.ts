@@ -25,9 +25,9 @@ export interface SessionOwner extends FetchObserver {
   onCandle(candle: CandleFlame): void;
   /** The candle has changed to another scene. */
   onScene(candle: CandleFlame): void;
-  /** Something failed that was to draw, or to prepare drawing. */
+  /** Drawing failed, or preparing it. */
   onError(cause: unknown): void;
-  /** Something about the candle is not as in the last frame. */
+  /** The candle has changed since the last frame. */
   changed(): void;
   onContextLost(): void;
   onContextRestored(): void;
@@ -37,7 +37,7 @@ export interface SessionOwner extends FetchObserver {
 /**
  * Rendering session: a canvas with its WebGL context, the scene fetched for it, and the candle drawn there.
  *
- * It ends with `dispose`: a context once given back cannot be had again from the same canvas.
+ * It ends with `dispose`: a canvas cannot have another context after its own was released.
  */
 export class Session {
   readonly canvas: HTMLCanvasElement;
@@ -121,7 +121,7 @@ export class Session {
     return { scene, look: this.look, src, assetRoot: assetRootOf(attributes) };
   }
 
-  /** The attributes may ask for another scene now. */
+  /** To be called when the attributes may ask for another scene. */
   follow(): void {
     this.#fetcher.follow();
   }
@@ -192,7 +192,7 @@ export class Session {
     const target = this.#target;
     if (target.gpu.isLost) return; // the candle is created when the context is restored
     const isWanted = () => !this.#signal.aborted && this.#scene === scene && !this.#candle;
-    // Of another scene's creation, which is no longer wanted.
+    // Frees what another scene's creation made, which is no longer wanted.
     if (this.#creations++ > 0) target.clear();
     const { features } = this.#input;
     try {

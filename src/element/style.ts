@@ -129,14 +129,14 @@ slot[name="poster"][hidden] {
 const sheets = new WeakMap<Document, CSSStyleSheet>();
 
 /**
- * The style for shadow trees in a document, constructed, so that a strict CSP allows it; none where there is
- * no window to see them in.
+ * The style for shadow trees in a document, constructed, so that a strict CSP allows it; none for a document
+ * without a window.
  */
 export function styleFor(document: Document): CSSStyleSheet[] {
   const cached = sheets.get(document);
   if (cached) return [cached];
   if (!document.defaultView) return [];
-  // Of the document's own window, or the document refuses it.
+  // A document accepts only style sheets of its own window.
   const sheet = new document.defaultView.CSSStyleSheet();
   sheet.replaceSync(STYLE);
   sheets.set(document, sheet);

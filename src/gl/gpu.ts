@@ -26,7 +26,7 @@ export class WebGLUnavailableError extends Error {
 /**
  * A WebGL2 context and everything that lives in it.
  *
- * It alone makes GPU objects, so it can count them and free them all.
+ * It creates all GPU objects, so it can count and free them.
  */
 export class Gpu {
   /** The driver's name of the renderer, for reports. */
@@ -49,7 +49,7 @@ export class Gpu {
   #isSharing = false;
   readonly #commands: DrawCommands;
   readonly #mostSamples: number;
-  /** Targets of which the driver has yet to say whether it accepts them. */
+  /** Targets whose completeness has not been queried. */
   readonly #toCheck = new Set<RenderTarget | TextureView>();
 
   constructor(canvas: HTMLCanvasElement) {
@@ -66,8 +66,7 @@ export class Gpu {
     this.#gl = gl;
     this.#context = { gl, forget: (object) => this.#forget(object) };
     this.canvas = canvas;
-    // Browsers do not re-enable extensions after a context loss (KhronosGroup/WebGL #2942), so they
-    // are asked for here, where the context is born.
+    // Here, because extensions are lost with the context (KhronosGroup/WebGL #2942).
     const full = gl.getExtension("EXT_color_buffer_float");
     const half = gl.getExtension("EXT_color_buffer_half_float");
     this.drawsToFloats = full !== null;
@@ -154,7 +153,7 @@ export class Gpu {
     return { made, release };
   }
 
-  /** Compiled once for all that ask for the same; see `finishPrograms`. */
+  /** Equal programs are compiled once; see `finishPrograms`. */
   program(
     label: string,
     vertex: ShaderSource,
@@ -235,7 +234,7 @@ export class Gpu {
     return this.#keep(new UniformBlock(this.#context, program, name));
   }
 
-  /** Resolves when the GPU has done all that it was asked so far, or the context is lost. */
+  /** Resolves when all commands so far have completed, or the context is lost. */
   async whenIdle(): Promise<void> {
     const gl = this.#gl;
     const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);

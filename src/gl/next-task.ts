@@ -1,7 +1,7 @@
 const waiting: (() => void)[] = [];
 const channel = globalThis.MessageChannel ? new MessageChannel() : null;
 
-/** Resolves in a task of its own, sooner than any timer: between two of them the page can answer its visitor. */
+/** Resolves in a new task, sooner than any timer: the page handles input between tasks. */
 export function nextTask(): Promise<void> {
   return new Promise((resolve) => {
     if (!channel) return resolve();

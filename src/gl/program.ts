@@ -62,7 +62,7 @@ function uniformOf(
   return setter;
 }
 
-/** The same, silent where the program has the value already: GL keeps it from draw to draw. */
+/** Sends only values that differ from the last: programs keep their uniforms. */
 function remembering(send: Uniform): Uniform {
   let single = Number.NaN;
   const list: number[] = [];
@@ -106,8 +106,7 @@ interface Stage {
 /**
  * A linked program that knows its uniforms by name.
  *
- * The driver compiles while others are made: whether that went well is asked when somebody needs to know,
- * since the answer is waited for.
+ * Drivers compile programs in parallel. The result is queried on first use, since the query blocks.
  */
 export class Program extends GpuObject {
   readonly bytes = 0;
@@ -142,7 +141,7 @@ export class Program extends GpuObject {
     gl.linkProgram(this.#handle);
   }
 
-  /** Whether asking for anything of it would not wait. */
+  /** Whether a query would not block. */
   get isCompiled(): boolean {
     const parallel = this.gl.getExtension("KHR_parallel_shader_compile");
     if (this.#stages.length === 0 || !parallel || this.gl.isContextLost()) return true;
@@ -229,8 +228,7 @@ export class Program extends GpuObject {
   /**
    * Sets a loose uniform of the program in use.
    *
-   * Whether a uniform that is declared and not used is there is up to the driver's linker, so it is ignored. A
-   * name that is not declared is the caller's mistake on every driver, and throws.
+   * A declared uniform that the linker has removed is ignored. A name that is not declared throws.
    */
   set(name: string, value: UniformValue): void {
     const uniform = this.#uniforms.get(name);

@@ -18,7 +18,7 @@ export interface RenderTargetOptions {
 /**
  * A surface that passes draw to: textures to read afterwards, or samples to resolve.
  *
- * Whether the driver accepts it is asked by `Gpu.check`, since the answer is waited for.
+ * Its completeness is queried by `Gpu.check`, since the query blocks.
  */
 export class RenderTarget extends GpuObject {
   readonly bytes: number;

@@ -13,9 +13,9 @@ interface Layout {
 /**
  * A std140 uniform block, written by member name.
  *
- * Offsets are asked of the driver, never computed: std140 lets a float sit in the fourth slot of a vec3, and
- * tables written by hand get that wrong. They are asked for at the first draw, since the answer waits for the
- * program to be linked; values written before that are remembered.
+ * Offsets are queried, not computed: std140 puts a float in the fourth slot of a vec3, which tables written by hand
+ * get wrong. They are queried at the first draw, since the query blocks until the program is linked; earlier writes
+ * are kept.
  */
 export class UniformBlock extends GpuObject {
   readonly #name: string;

@@ -5,7 +5,7 @@ import { Touch } from "./touch.js";
 
 /** Radians turned per CSS pixel of pointer movement. */
 const SENSITIVITY = 0.0022;
-/** The keys that go in. */
+/** Keys that enter the room. */
 const ENTER: ReadonlySet<string> = new Set(["Enter", "NumpadEnter"]);
 /** Browsers refuse to lock the pointer again for about this long after Esc, in milliseconds. */
 const LOCK_COOL_DOWN = 1300;
@@ -16,9 +16,9 @@ export type Device = "mouse" | "keyboard" | "touch" | "gamepad";
 /**
  * Keyboard, mouse, touch and gamepad, as an intent per frame.
  *
- * It listens to its host alone, and only while the visitor is in: from a click, a tap, Enter or a
- * gamepad's A until Esc or the loss of focus. The mouse looks while the pointer is locked; where a
- * browser refuses the lock, dragging looks instead.
+ * It listens to its host alone, and only while the visitor is in the room: from a click, a tap, Enter or a
+ * gamepad's A until Esc or the loss of focus. The mouse turns the view while the pointer is locked; where a browser
+ * refuses the lock, dragging does.
  */
 export class FirstPersonInput {
   /** Factor to how far mouse and fingers turn the view. */
@@ -90,7 +90,7 @@ export class FirstPersonInput {
     return intent;
   }
 
-  /** The gamepad goes in where the host has the focus, and leaves; it counts while the visitor is in. */
+  /** Intent of the gamepads, which also enter and leave the room while the host has the focus. */
   #readGamepads(): Intent {
     const { activeElement } = this.#host.getRootNode() as Document | ShadowRoot;
     const isMeant = this.#isIn || activeElement === this.#host;
@@ -106,7 +106,7 @@ export class FirstPersonInput {
     return root.pointerLockElement === this.#canvas;
   }
 
-  /** Goes in, and asks for the pointer where there is a mouse. */
+  /** Enters the room, and locks the pointer of a mouse. */
   enter(): void {
     const hasMouse = !this.#isTouched && matchMedia("(any-pointer: fine)").matches;
     this.#goIn(hasMouse ? "mouse" : "touch");
@@ -151,7 +151,7 @@ export class FirstPersonInput {
     this.#freeOutside();
   }
 
-  /** The first click goes in; under a locked pointer, the next ones are for the flame. */
+  /** The first click enters the room; with a locked pointer, further clicks are for the flame. */
   readonly #click = (): void => {
     if (this.#isIn && this.#isLocked) this.#clicks = true;
     else if (!this.#isIn || !this.#isTouched) this.enter();
@@ -214,15 +214,14 @@ export class FirstPersonInput {
 
   readonly #pointerUp = (event: PointerEvent): void => this.#touch.up(event);
 
-  /** A finger held still is for the candle, not for a menu. */
+  /** A long press puts the candle down, and opens no menu. */
   readonly #contextMenu = (event: Event): void => {
     if (this.#isIn && this.#isTouched) event.preventDefault();
   };
 
   /**
-   * Not every browser takes the focus away when a finger touches something else. Before that hears of
-   * the click, since it may be a button to go in; not when the finger comes down, or what the page then
-   * hides would no longer get the click.
+   * Leaves on a click elsewhere, since not all browsers move the focus on touch. In the capture phase, because the
+   * click may be on a button that enters; not on `pointerdown`, after which the page may hide that button.
    */
   readonly #clickAnywhere = (event: MouseEvent): void => {
     if (!event.composedPath().includes(this.#host)) this.leave();

@@ -1,7 +1,7 @@
 import type { Action } from "../world/player/intent.js";
 import { type Intent, STILL } from "../world/player/intent.js";
 
-/** Dead zone: share of a stick's way that worn springs leave it at. */
+/** Dead zone, as a share of a stick's range. */
 const DEAD_ZONE = 0.15;
 /** Exponent of the looking stick: fine near the middle, fast at the rim. */
 const LOOK_CURVE = 1.6;
@@ -23,7 +23,7 @@ export interface Pad {
   readonly buttons: readonly { readonly pressed: boolean }[];
 }
 
-/** A stick without its dead zone, which is round: the rim stays at length 1 in every direction. */
+/** Applies a radial dead zone: the rim stays at length 1 in every direction. */
 export function beyondDeadZone(x: number, y: number, exponent = 1): [x: number, y: number] {
   const length = Math.hypot(x, y);
   if (!(length > DEAD_ZONE)) return [0, 0];
@@ -38,7 +38,7 @@ export class Gamepads {
   enters = false;
   leaves = false;
 
-  /** Buttons that are down already mean nothing until they come up. */
+  /** Ignores buttons that are down until they are released. */
   release(): void {
     this.#pressed = Array<boolean>(BUTTONS.leftStick + 1).fill(true);
   }

@@ -1,20 +1,20 @@
 import type { Action } from "../world/player/intent.js";
 import { type Intent, STILL } from "../world/player/intent.js";
 
-/** Way of a thumb for full walking pace, CSS pixels; further out one runs. */
+/** Distance of a thumb for walking pace, CSS pixels; farther is running. */
 const REACH = 60;
 const RUN_REACH = 105;
-/** A thumb at rest trembles by this share of its reach. */
+/** Dead zone, as a share of `REACH`. */
 const DEAD_ZONE = 0.15;
 /** Radians turned per CSS pixel of a finger: half a turn across a phone held upright. */
 const SENSITIVITY = 0.006;
-/** A finger that goes no further than this has not moved, CSS pixels. */
+/** Distance up to which a finger counts as still, CSS pixels. */
 const STEADY = 12;
 /** Longest tap, longest time between two of them, and shortest hold, milliseconds. */
 const TAP = 250;
 const DOUBLE_TAP = 350;
 const HOLD = 550;
-/** Two taps further apart than this are two taps, CSS pixels. */
+/** Largest distance between the taps of a double tap, CSS pixels. */
 const SAME_PLACE = 48;
 
 interface Finger {

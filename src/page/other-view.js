@@ -1,5 +1,5 @@
-// A classic script, before anything is drawn: a link to another view gets no poster of the first one. Of all
-// settings of a link (share-link.ts), only the quality leaves the view as it is.
+// A classic script, run before the first paint: removes the poster if the link is to another view than the poster's.
+// Of a link's settings (share-link.ts), only the quality does not change the view.
 if (!/^#?(quality=\w+)?$/.test(location.hash)) {
   document.documentElement.classList.add("other-view");
 }

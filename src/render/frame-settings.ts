@@ -13,7 +13,7 @@ export interface FrameSettings {
   readonly canDefer: boolean;
   /** No flicker and no sway: `prefers-reduced-motion`. */
   readonly isStill: boolean;
-  /** Steps of a refinement that this frame may do; of no account to renderers that do not refine. */
+  /** Steps of a refinement that this frame may do; only for renderers that refine. */
   readonly steps?: number;
   /** Pass to inspect; looks without passes show the frame. */
   readonly inspect: Inspection;

@@ -70,7 +70,7 @@ class OwnContextTarget implements CanvasTarget {
   }
 }
 
-/** The context that all lone candles share, since a page may have many and browsers give sixteen. */
+/** The context that all lone candles share: a page may have many, and browsers allow sixteen contexts. */
 class SharedContext {
   readonly canvas = document.createElement("canvas");
   gpu = new Gpu(this.canvas);

@@ -5,7 +5,7 @@ import type { Wick } from "../world/standing-candle.js";
 import { addressOf } from "./room-models.js";
 import type { Loading, Scene, SceneRequest } from "./scene.js";
 
-/** A flame's root lies so far from the box of the model at most, metres. */
+/** Largest distance of a flame's root from the box of the model, metres. */
 const BESIDE = 0.1;
 
 /** A visitor's own candles alone; null where the model has no wick. */

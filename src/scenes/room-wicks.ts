@@ -35,7 +35,7 @@ export function placeWicks({ wicks, parts }: Model, collision: CollisionMesh): r
   return placed;
 }
 
-/** Whether a triangle's back is never seen, being inside of a solid. Numbers go through the parts. */
+/** Whether a triangle's back is never visible, as it is inside a solid. Triangles are numbered across the parts. */
 function isOpaque(parts: Model["parts"], triangle: number): boolean {
   let first = 0;
   for (const { indices, material } of parts) {

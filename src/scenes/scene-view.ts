@@ -21,12 +21,12 @@ export function measureTarget({ gpu }: CanvasTarget): Promise<Speed | null> {
 /**
  * View of a scene on a canvas: its renderer, at the tier and the resolution that `quality` asks for.
  *
- * The renderer goes with its tier and with the WebGL context; the view stays.
+ * The renderer is replaced with its tier and with the WebGL context; the view stays.
  */
 export class SceneView {
   /** What is shown of each frame. */
   inspect: Inspection = "picture";
-  /** Whether a next frame follows each, or will once the first is shown. */
+  /** Whether frames follow each other, or will after the first. */
   isPlaying: boolean;
   /** Called when frames are of another tier or resolution than before. */
   onQualityChanged: () => void = () => {};
@@ -52,8 +52,8 @@ export class SceneView {
   /** Whether targets and textures were made since the driver was last asked whether it accepts them. */
   #isUnchecked = false;
   /**
-   * Whether the GPU still draws the first frame with them, which may take seconds on a CPU. A question to the driver
-   * would wait for it, and the page with it.
+   * Whether the GPU still draws the first frame with them, which may take seconds on a CPU. A query would block the
+   * page until then.
    */
   isBusy = false;
 
@@ -108,7 +108,7 @@ export class SceneView {
   async finish(isWanted: () => boolean): Promise<boolean> {
     const { gpu } = this.#target;
     await gpu.whenCompiled();
-    // A question to the driver waits for all work before it.
+    // A query blocks until all earlier work is done.
     await gpu.whenIdle();
     if (!isWanted()) return false;
     gpu.finishPrograms();
@@ -261,13 +261,13 @@ export class SceneView {
   get #rung(): Rung {
     const { quality } = this.#settings;
     const isLow = quality === "low" || (quality === "auto" && this.#auto.rung.tier === "low");
-    // Only the dearer tiers draw pass by pass.
+    // `low` has no separate passes to inspect.
     if (this.inspect !== "picture" && isLow) return INSPECTION_RUNG;
     if (quality !== "auto") return { tier: quality, share: 1 };
     return this.isPlaying ? this.#auto.rung : this.#auto.stillRung;
   }
 
-  /** Turns to another tier or resolution, if the next frame is to have it. */
+  /** Changes to the tier and the resolution of the next frame. */
   #chooseQuality(): void {
     const rung = this.#rung;
     const isOtherTier = rung.tier !== this.#tier.name;

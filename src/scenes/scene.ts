@@ -74,7 +74,7 @@ export async function loadScene(request: SceneRequest, loading: Loading): Promis
   return loadRoom(request, loading);
 }
 
-/** Browsers name a chunk's address, and each in its own words; visitors need neither. */
+/** One message for all browsers, without the address of the chunk. */
 function missCode(cause: unknown): never {
   throw new AssetError(
     "A part of the program could not be fetched. Reload the page to try again.",

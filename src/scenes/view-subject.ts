@@ -25,7 +25,10 @@ export function workOf({ isModelAlone }: Scene, { look }: ViewSettings): Work {
 /** Least share of its light with which a flame burns well. */
 const BURNING = 0.05;
 
-/** Whether all of an image's light changes as the carried flame's does: the moon's is counted as that while it burns. */
+/**
+ * Whether all light of the image is proportional to the carried flame's. Moonlight is treated so while the flame
+ * burns.
+ */
 export function hasOneFlame({ flame, standing, moon }: World): boolean {
   if (standing.some((candle) => candle.flame.glow > 0)) return false;
   return moon === null || flame.glow > BURNING;

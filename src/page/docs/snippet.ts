@@ -1,6 +1,6 @@
 import { SETTINGS, type SettingName } from "../../settings.js";
 
-/** The line of HTML that an element with these attributes is; what is at its default is not said. */
+/** Markup of an element with these attributes; defaults are left out. */
 export function tagOf(attributes: Readonly<Partial<Record<SettingName, string>>>): string {
   const words = (Object.keys(SETTINGS) as SettingName[]).flatMap((name) => {
     const text = attributes[name];

@@ -3,7 +3,7 @@ import { FEATURES, SETTINGS } from "../../settings.js";
 
 export type ComparisonState = "closed" | "loading" | "open";
 
-/** Longest time that one frame makes up for, in seconds: after a hidden tab, resume. */
+/** Longest time step of a frame, seconds: a tab that was hidden does not fast-forward. */
 const MAX_FRAME = 1 / 20;
 /** Attributes that the two rooms do not share. */
 const OWN: readonly string[] = ["look", "controls", "paused", "alt"];
@@ -131,7 +131,7 @@ export class Comparison {
     }
   }
 
-  // Not by `camerachange`: each room stands at its door again after a reset, and says nothing.
+  // Not by `camerachange`, which a reset does not fire.
   #copyCamera(second: CandleFlameElement): void {
     const { camera } = this.#room;
     if (JSON.stringify(camera) !== JSON.stringify(second.camera)) second.camera = camera;

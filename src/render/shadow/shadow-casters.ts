@@ -8,7 +8,7 @@ import type { Mesh } from "../mesh/mesh.js";
 import { casterAlbedoOf } from "./caster-albedo.js";
 import { isInCubeFace } from "./cube-map.js";
 
-/** Draws of a face of a cube. Each takes a script longer than the hidden triangles that it would leave out. */
+/** Most draws for a cube face: a further draw call costs more than the triangles that it would cull. */
 const MOST_DRAWS = 3;
 /** Bytes of a float. */
 const FLOAT = 4;

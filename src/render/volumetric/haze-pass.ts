@@ -18,8 +18,8 @@ const LEVELS = plumeGrid().y.count;
 /** Refractive index of the room's air, less 1 (Ciddor 1996, 550 nm, 20 °C). */
 const REFRACTION = 2.72e-4;
 /**
- * Exaggeration of the angle: a candle deflects a ray by 3e-4 rad at most, a fifth of a pixel, which an eye, having no
- * pixels, just sees.
+ * Exaggeration of the angle: a candle deflects a ray by 3e-4 rad at most, which an eye just resolves, but is a
+ * fifth of a pixel.
  */
 const EXAGGERATION = 16;
 /** Heights between which the haze fades in, in heights of the flame: within the flame it has no background. */
