@@ -1,9 +1,10 @@
 import type { Refusal } from "../world/room/placement.js";
 
 export const NO_PHYSICAL_LOOK =
-  "This graphics driver cannot hold light in real units, so the room is drawn in the paper's look.";
+  "This graphics driver has no floating-point render targets, so the room is drawn in the paper's look.";
 
-export const LOST = "The graphics driver has taken the picture away, and has not given it back.";
+export const LOST =
+  "The connection to the graphics driver was lost, and the browser has not restored it.";
 
 export const FULL =
   "This page has as many rooms open as a browser can show. This one opens as soon as there is a place.";
