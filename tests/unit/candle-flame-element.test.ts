@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import { SETTINGS } from "../../src/settings.ts";
 
 describe("on a server, where there is no page", () => {
-  test("there is none indeed", () => {
+  test("the test runs without a DOM", () => {
     for (const name of ["HTMLElement", "document", "window", "customElements"]) {
       expect(globalThis).not.toHaveProperty(name);
     }

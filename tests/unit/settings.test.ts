@@ -124,7 +124,7 @@ describe.each(choices)("the choice %s", (_, setting) => {
   });
 });
 
-test("ten thousand storms of nonsense leave every setting legal", () => {
+test("ten thousand rounds of random text leave every setting legal", () => {
   const named = new Set<string>();
   const isLegal = (name: keyof typeof SETTINGS, value: string | null) => {
     const setting: Setting = SETTINGS[name];
@@ -148,7 +148,7 @@ test("ten thousand storms of nonsense leave every setting legal", () => {
   expect(named.size).toBe(entries.length);
 });
 
-test("the look is real light unless told otherwise", () => {
+test("the default look is physical", () => {
   expect(SETTINGS.look.default).toBe("physical");
 });
 

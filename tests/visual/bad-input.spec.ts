@@ -421,7 +421,7 @@ test("A room that cannot be seen is there all the same, once it can", async ({ p
   expect(room.complaints).toEqual([]);
 });
 
-test("A thousand storms of nonsense in attributes and properties throw nothing, stop nothing, leave nothing", async ({
+test("A thousand rounds of random attributes and properties throw nothing, stop nothing and leave nothing", async ({
   page,
 }) => {
   await recordContexts(page);

@@ -12,7 +12,7 @@ function extremes(): unknown[] {
   return [...numbers, ...texts, ...things];
 }
 
-test("Nothing that is written to any attribute or property throws, lasts, or stays", async ({
+test("No value of any attribute or property throws, takes long, or remains if it is illegal", async ({
   room,
 }) => {
   // Those fetch other models, which a thousand storms are about.
@@ -91,7 +91,7 @@ test("Nothing that is written to any attribute or property throws, lasts, or sta
   expect(found.most, "the picture is not black").toBeGreaterThan(0.1);
 });
 
-test("Nothing that any method is given throws, lasts, or stays", async ({ room }) => {
+test("No argument of any method throws, takes long, or has lasting effects", async ({ room }) => {
   await room.set({ quality: "low" });
   const found = await room.evaluate(
     async (element, { make, longest }) => {

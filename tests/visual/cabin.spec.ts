@@ -231,7 +231,7 @@ test.describe("The cabin", () => {
     expect(await after("take")).toEqual({ events: [], held: true });
   });
 
-  test("sways under a walker, and not for one who asked for less motion", async () => {
+  test("sways in walking, but not with reduced motion", async () => {
     await putDown();
     await enter();
     /** Whether the picture of a moment of walking is that of standing at the same spot. */

@@ -163,7 +163,9 @@ for (const { motion, between } of [
   });
 }
 
-test("A poster that never fades, since nobody sees it, is gone all the same", async ({ page }) => {
+test("A poster that is not rendered, so that its fade never ends, is removed all the same", async ({
+  page,
+}) => {
   await openPage(page, "");
   const shown = await page.evaluate(async (poster) => {
     const element = document.createElement("candle-flame");
@@ -309,7 +311,7 @@ test.describe("A lost context", () => {
     await expect(button).toHaveCount(0);
     await page.clock.runFor(200);
     await expect(button).toBeVisible();
-    await expect(page.getByRole("alert")).toHaveText(/taken the picture away.*\./);
+    await expect(page.getByRole("alert")).toHaveText(/has not restored it\./);
     expect(await errors()).toEqual(["context-lost"]);
 
     await test.step("comes back late all the same", async () => {

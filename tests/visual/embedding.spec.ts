@@ -108,7 +108,7 @@ test("For visitors who want less motion the flame stands still by itself", async
   expect(await flameAt(8, 1.5)).not.toEqual(flame);
 });
 
-test("A wish for less motion holds from the next step on, however late the browser tells of it", async ({
+test("Reduced motion holds from the next step on, even if the browser reports the change late", async ({
   page,
 }) => {
   await page.addInitScript(() => {

@@ -104,7 +104,7 @@ test("The camera's moves are reported, and only moves", async ({ room }) => {
   expect(counts).toEqual([0, 1, 1, 2, 4, 4, 6]);
 });
 
-test("Nothing that the element tells of leaves it", async ({ room }) => {
+test("No event of the element bubbles", async ({ room }) => {
   const { eventTypes, left } = await room.evaluate((element) => {
     const types = ["play", "pause", "place", "take", "camerachange", "progress", "load", "error"];
     const eventTypes: string[] = [];

@@ -72,7 +72,7 @@ const scaled = ([r, g, b]: Rgb, by: number): Rgb => [r * by, g * by, b * by];
 /** Steps of 255 by which what is left of dither in the mean of 16 pixels may move a colour. */
 const DITHER = 1;
 
-test("What pictures are compared by is what the display does", async () => {
+test("The tests' display transform equals the renderer's", async () => {
   const hues: Rgb[] = [
     TAPER.color,
     emberRadiance(1100),
@@ -240,7 +240,7 @@ test("The meter takes no notice of the flame, lags as set, and keeps to its limi
   expect(stops.darker).toBeCloseTo(most, 2);
 });
 
-test("On a screen of Display P3 the same colours are seen, by other numbers", async () => {
+test("On a Display P3 screen the same colours are shown, by other values", async () => {
   const colors: Rgb[] = [
     scaled(TAPER.color, 0.05),
     [0.05, 0.04, 0.01],

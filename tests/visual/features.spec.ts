@@ -135,7 +135,7 @@ test("Fewer particles burn the farther the candle is, and all of them again near
   expect(back).toBe(held);
 });
 
-test("Who asked for less motion has a flame that does not flicker", async ({ room }) => {
+test("With reduced motion the flame does not flicker", async ({ room }) => {
   await room.page.emulateMedia({ reducedMotion: "reduce" });
   try {
     await room.set({ look: "paper" });

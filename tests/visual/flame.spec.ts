@@ -118,7 +118,7 @@ async function film(
 test.describe("No picture flashes", () => {
   const SIZE = { width: 128, height: 96 };
 
-  test("physical: the widest wick in gusts, blown out, lit, and toggled in haste", async ({
+  test("physical: the widest wick in gusts, blown out, lit, and toggled quickly", async ({
     page,
   }) => {
     const room = await openPlain(page, 0.8, SIZE);
@@ -134,7 +134,7 @@ test.describe("No picture flashes", () => {
     expect(room.complaints).toEqual([]);
   });
 
-  test("paper and original: flickering, walked with, and toggled in haste", async ({ room }) => {
+  test("paper and original: flickering, carried, and toggled quickly", async ({ room }) => {
     for (const look of ["paper", "original"] as const) {
       await room.change(look);
       const deeds: Record<number, "light" | "extinguish"> = {};
@@ -146,7 +146,7 @@ test.describe("No picture flashes", () => {
   });
 });
 
-test("The flame is lit and put out by name, by key and by breath, and tells of it once", async ({
+test("The flame is lit and put out by method, key and breath, with one event each", async ({
   room,
 }) => {
   const { page } = room;

@@ -30,7 +30,7 @@ async function open(
   return { complaints, fetched };
 }
 
-test("A candle alone stands whole in a box of any shape, and nothing lies beside it", async ({
+test("A lone candle is uncropped in a box of any shape, on a transparent background", async ({
   page,
 }) => {
   const { complaints, fetched } = await open(
@@ -83,9 +83,7 @@ test("A candle alone stands whole in a box of any shape, and nothing lies beside
   expect(complaints).toEqual([]);
 });
 
-test("On white its glow fades outwards into the page, and nowhere ends in a ring", async ({
-  page,
-}) => {
+test("On white its glow fades smoothly into the page, without a ring", async ({ page }) => {
   const { complaints } = await open(
     page,
     `<candle-flame scene="candle" paused quality="medium" style="width: 300px; height: 400px"></candle-flame>`,
@@ -174,7 +172,9 @@ test("Over black, white or a photograph the candle is the same, and its light on
   expect(complaints).toEqual([]);
 });
 
-test("Twenty-four candles share one context, and those out of sight sleep", async ({ page }) => {
+test("Twenty-four candles share one context, and invisible ones draw no frames", async ({
+  page,
+}) => {
   const one = `<candle-flame scene="candle" quality="low" style="width: 40px; height: 40px; margin-bottom: 23px"></candle-flame>`;
   const { complaints, fetched } = await open(page, one.repeat(24));
   const frames = await page.evaluate(async () => {

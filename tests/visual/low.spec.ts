@@ -211,7 +211,7 @@ test("At low a picture is as bright while the eye moves, and as sharp as ever so
   expect(await room.pixels()).toBe(rested);
 });
 
-test("At low a glance that is over before its picture was painted leaves nothing of it", async () => {
+test("At low a view that is left before its G-buffer was full leaves no trace in the next frame", async () => {
   const picture = await room.pixels();
   await room.evaluate((element) => {
     const { yaw } = element.camera;

@@ -91,7 +91,9 @@ test("in an old browser the page opens, one walks in and out, and its dialogs op
   await expect(page.getByRole("slider", { name: "Divider between the two looks" })).toBeVisible();
 });
 
-test("so do a lone candle and the physical room, and a failure speaks", async ({ page }) => {
+test("a lone candle and the physical room open, and a failure shows a message", async ({
+  page,
+}) => {
   await page.addInitScript(removeNewerApis);
   await serveSmallTextures(page);
   const size = { width: 64, height: 36 };

@@ -104,7 +104,7 @@ test.describe("The shader and its twin on the CPU", () => {
       }
     });
 
-    test(`a ${name} first watched late is the same as one watched all along`, async () => {
+    test(`a ${name} simulated from a late start equals one simulated from the beginning`, async () => {
       const groups = [
         { ticks: 250, count: 4 },
         { ticks: 240, count: 1 },
@@ -125,7 +125,7 @@ test.describe("The shader and its twin on the CPU", () => {
     });
   }
 
-  test("agree on the dust of the room, and on the sparks of a wick that spits now and then", async () => {
+  test("agree on the dust of the room, and on the sparks of a wick", async () => {
     const alive: Readonly<Record<string, number>> = { dust: 120, spark: 5 };
     for (const layer of PHYSICAL_LAYERS) {
       const { worst, most, fewest } = await compareTwins(page, {

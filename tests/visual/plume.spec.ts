@@ -50,7 +50,7 @@ test("A flame put out smokes for seconds, and no longer than twenty", async ({ p
   expect(room.complaints).toEqual([]);
 });
 
-test("Hot air bends what is behind it, dust drifts through the light, and a wick that spits throws sparks", async ({
+test("Hot air refracts the background, dust drifts through the light, and the wick throws sparks", async ({
   page,
 }) => {
   const { seed, tick } = soonest();

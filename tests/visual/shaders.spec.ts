@@ -70,7 +70,7 @@ function lineNumber(file: string, line: string): number {
 
 test.beforeEach(({ page }) => openSources(page));
 
-test("Every shader compiles and links without a word, and every uniform it has is set", async ({
+test("Every shader compiles and links without warnings, and each of its uniforms is set", async ({
   page,
 }) => {
   const reports: ProgramReport[] = [];

@@ -33,7 +33,7 @@ function read(nodes: readonly Given[]) {
 const DIAMETERS = "Wick diameters are 1 to 50 mm: what is no number is 2 mm, all else the nearest.";
 
 describe("wicks of a model", () => {
-  test("are its nodes of that name, with any ending but more of a word", () => {
+  test("are its nodes named wick, with any suffix that does not continue the word", () => {
     expect(["wick", "wick.001", "wick-left", "wick_2", "wickLeft"].map(wickEnding)).toEqual([
       "",
       ".001",
@@ -94,7 +94,7 @@ describe("wicks of a model", () => {
     expect(warnings).toEqual([warning]);
   });
 
-  test("are left out where their place is no number", () => {
+  test("are left out where their position is not finite", () => {
     const { wicks, warnings } = read([
       { name: "wick", isMisplaced: true },
       { name: "wick.001", position: [1e300, 1, 0] },

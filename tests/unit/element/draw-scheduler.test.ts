@@ -61,7 +61,7 @@ test("while the animation plays nothing is requested beside it", () => {
   expect(page.draws).toBe(0);
 });
 
-test("what changes while nobody sees it is drawn once it is visible", () => {
+test("changes of an invisible canvas are drawn once it is visible", () => {
   const scheduler = createScheduler();
   page.isVisible = false;
   scheduler.request();

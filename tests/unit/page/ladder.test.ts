@@ -56,7 +56,7 @@ test("from another look, nothing is measured before the paper's room is there", 
   expect([room.look, room.paused]).toEqual(["physical", false]);
 });
 
-test("who stops while the paper's room is on its way has his own again", async () => {
+test("a climb that is stopped while the paper's room loads restores the look", async () => {
   const room = new Room();
   const stop = new AbortController();
   const climbing = begin(room, stop.signal);
@@ -65,7 +65,7 @@ test("who stops while the paper's room is on its way has his own again", async (
   expect([room.look, room.paused, room.drawn.size]).toEqual(["physical", false, 0]);
 });
 
-test("a room that does not come says why", async () => {
+test("a room that fails to load rejects with the reason", async () => {
   const room = new Room();
   const climbing = begin(room);
   room.dispatchEvent(Object.assign(new Event("error"), { detail: { message: "no room." } }));

@@ -93,7 +93,7 @@ describe("hostile hashes", () => {
     expect(readShareLink(`#candle=${camera}`).candle).toBeNull();
   });
 
-  test("leave the good beside the bad, and numbers within their range", () => {
+  test("lose illegal values only, and numbers are clamped to their range", () => {
     expect(
       readShareLink(
         "#camera=here&unknown=1&look=PAPER&exposure=1e9&seed=-7&wick=99&wind=-1&unlit=no&lit-wicks=x,3_3;-1+2,2,99999",

@@ -53,7 +53,7 @@ test("over a source of 10 mm what moves dies away", () => {
   expect(rms).toBeLessThan(0.1);
 });
 
-test("the solver puffs here as it did when it was written down, at a coarser grid", () => {
+test("the solver's puffing agrees with the recorded one, on a coarser grid", () => {
   const { frequency, growth } = measure({
     ...trial(0.05),
     cellsPerDiameter: 10,

@@ -61,7 +61,7 @@ const squalls =
 const gale = (speed: number): Wind => ({ speed, direction: 0, gustiness: 1 });
 const shown = (flame: Flame) => flame.glow;
 
-test("no flame flashes, however wide, in gusts, as it puffs, goes out and is lit in haste", () => {
+test("no flame flashes, however wide, in gusts, as it puffs, goes out and is lit quickly", () => {
   const cases: [name: string, wick: number, wind: Wind, deed: Deed][] = [];
   for (const wick of [0.002, 0.02, 0.03, 0.05]) cases.push([`${wick} m`, wick, CALM, leave]);
   for (const speed of [0.25, 0.6, 1, 1.6]) {

@@ -21,7 +21,7 @@ function spitsOf(seed: number, ticks = HOUR): { readonly tick: number; readonly 
   return spits;
 }
 
-describe("a wick that spits", () => {
+describe("sparks of a wick", () => {
   test("does so rarely, briefly, and by its seed's chance", () => {
     const spits = spitsOf(1);
     expect(spits.length).toBeGreaterThan(110);

@@ -224,7 +224,7 @@ describe("an upright cylinder", { timeout: 30_000 }, () => {
 });
 
 describe("a collision", { timeout: 30_000 }, () => {
-  test("knows its bounds", () => {
+  test("has the bounds of its triangles", () => {
     const { bounds } = new CollisionMesh([box([-1, 0, -2], [3, 2, 1]), floorOf(1, -0.25)]);
     expect(bounds).toEqual({ min: [-1, -0.25, -2], max: [3, 2, 1] });
   });
