@@ -18,12 +18,12 @@ import { type GBufferSamples, UpsampleGuidePass } from "../opaque/upsample-guide
 import { SCHEDULE } from "../schedule.js";
 import { clipOfBox } from "../screen-bounds.js";
 import { AlbedoCache, isBaked } from "./albedo-cache.js";
+import type { GBuffer } from "./gbuffer.js";
 import {
-  type GBuffer,
   type ReprojectionSource,
   reprojectionBetween,
   reprojectionSource,
-} from "./gbuffer.js";
+} from "./reprojection.js";
 import { bandOf } from "./screen-bands.js";
 
 const NOTHING = [0, 0, 0, 0] as const;

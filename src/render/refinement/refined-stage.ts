@@ -12,7 +12,7 @@ import type { World } from "../../world/world.js";
 import { frustumTest } from "../camera.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { FrameSettings } from "../frame-settings.js";
-import { type ReprojectionSource, reprojectionSource } from "../gbuffer/gbuffer.js";
+import { type ReprojectionSource, reprojectionSource } from "../gbuffer/reprojection.js";
 import type { Captures, LightCaptures } from "../gi/light-captures.js";
 import { type CaptureLight, lightBlock, shadingLight } from "../light-block.js";
 import { ForwardStage, moonOf } from "../opaque/forward-stage.js";

@@ -6,7 +6,7 @@ import type { Texture } from "../../gl/texture.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import { reprojectionMatrix } from "../camera.js";
 import type { FrameInput, Size } from "../frame-input.js";
-import { type ReprojectionSource, reprojectionSource } from "../gbuffer/gbuffer.js";
+import { type ReprojectionSource, reprojectionSource } from "../gbuffer/reprojection.js";
 import type { FrameBlocks, OpaqueLayer } from "../opaque/opaque-stage.js";
 
 /** Frames over which the refined image fades into the coarser one. */
