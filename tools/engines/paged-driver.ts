@@ -30,7 +30,6 @@ const PLAYWRIGHT = { chromium, firefox, webkit } as const;
 interface Page {
   goto(url: string, options: { timeout: number }): Promise<unknown>;
   evaluate(expression: string): Promise<unknown>;
-  screenshot(options: { timeout: number }): Promise<Uint8Array>;
   readonly keyboard: {
     down(code: never): Promise<void>;
     up(code: never): Promise<void>;
@@ -79,10 +78,6 @@ class PagedDriver implements Driver {
 
   evaluate(expression: string): Promise<unknown> {
     return this.#page.evaluate(expression);
-  }
-
-  async screenshot(): Promise<Buffer> {
-    return Buffer.from(await this.#page.screenshot({ timeout: LONG }));
   }
 
   key(type: "down" | "up", code: string): Promise<void> {

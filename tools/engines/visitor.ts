@@ -9,8 +9,6 @@ export interface Driver {
   goto(url: string): Promise<void>;
   /** The value of a JavaScript expression; a promise's is awaited. */
   evaluate(expression: string): Promise<unknown>;
-  /** The viewport as a PNG. */
-  screenshot(): Promise<Buffer>;
   /** A key by its code: `KeyW`, `Enter`, `Escape`. */
   key(type: "down" | "up", code: string): Promise<void>;
   /** CSS pixels of the viewport. */
@@ -27,7 +25,7 @@ export class HungError extends Error {
 }
 
 /** Seconds. */
-const LIMITS = { open: 60, evaluate: 60, screenshot: 60, input: 30, close: 10 } as const;
+const LIMITS = { open: 60, evaluate: 60, input: 30, close: 10 } as const;
 
 /**
  * A visitor of pages in one browser: opens, evaluates, presses, drags, and hears what the page complains of.
@@ -73,10 +71,6 @@ export class Visitor {
       if (performance.now() > end) throw new Error(`not within ${seconds} s: ${run}`);
       await new Promise((resolve) => setTimeout(resolve, 50));
     }
-  }
-
-  screenshot(): Promise<Buffer> {
-    return this.#within(LIMITS.screenshot, "screenshot", this.#driver.screenshot());
   }
 
   async press(code: string): Promise<void> {

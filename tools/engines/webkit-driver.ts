@@ -64,10 +64,6 @@ export class WebKitDriver implements Driver {
     return value;
   }
 
-  async screenshot(): Promise<Buffer> {
-    return Buffer.from((await call("GET", `${this.#session}/screenshot`)) as string, "base64");
-  }
-
   key(type: "down" | "up", code: string): Promise<void> {
     const value = KEYS[code] ?? code.replace(/^Key/, "").toLowerCase();
     return this.#act("key", { type: type === "down" ? "keyDown" : "keyUp", value });

@@ -194,34 +194,6 @@ export class Fire {
     return 2 * Math.PI * sum;
   }
 
-  /** Radius of the flame's sheet at a height, metres; 0 above the tip. */
-  sheet(height) {
-    let j = 0;
-    while (j < this.nz - 1 && this.zc[j] < height) j++;
-    for (let i = this.nr - 1; i >= 0; i--) {
-      const q = this.#at(i, j);
-      const [within, without] = [this.mixture[q], this.mixture[q + 1]];
-      if (within < STOICHIOMETRIC) continue;
-      const share = (within - STOICHIOMETRIC) / (within - without);
-      return this.rc[i] + share * this.gr[i + 1];
-    }
-    return 0;
-  }
-
-  /** Height of the highest burning place on the axis, metres. */
-  get tip() {
-    for (let j = this.nz - 1; j >= 0; j--) {
-      const q = this.#at(0, j);
-      if (this.mixture[q] < STOICHIOMETRIC) continue;
-      const above = this.mixture[q + this.stride];
-      return (
-        this.zc[j] +
-        ((this.mixture[q] - STOICHIOMETRIC) / (this.mixture[q] - above)) * this.gz[j + 1]
-      );
-    }
-    return 0;
-  }
-
   #at(i, j) {
     return (j + GHOSTS) * this.stride + i + GHOSTS;
   }

@@ -11,7 +11,7 @@ const GAP = 4;
 const FULL = 0.5;
 
 const { luma } = await readSource("/src/light/color.ts");
-const { meteredExposure, shown } = await readSource("/tests/support/display-law.ts");
+const { meteredExposure, shown } = await readSource("/tests/support/display-transform.ts");
 
 /** As the settled eye sees our picture, 8-bit sRGB. */
 const displayed = (color, exposure) => shown(color.map((x) => x * exposure)).map(encode);
