@@ -185,7 +185,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     return this.#candle?.flame ?? null;
   }
 
-  /** Numbers of the last frame. */
+  /** Statistics of the last frame. */
   get stats(): Stats {
     return this.#candle?.stats ?? NO_STATS;
   }

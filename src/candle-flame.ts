@@ -308,7 +308,6 @@ export class CandleFlame {
     this.onFailure(error);
   }
 
-  /** The flame, as of the last frame. */
   get flame(): FlameReport {
     if (this.#options.look === "physical") return flameReport(carriedFlame(this.world));
     const light = candleLight(this.world, this.#features, this.#options.isStill);

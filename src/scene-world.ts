@@ -41,7 +41,6 @@ export function moonOver({ moonDirection }: Scene, { look, moon }: Options): Moo
   return look === "physical" ? moonOf(moon, moonDirection) : null;
 }
 
-/** A new world of a scene. */
 export function worldOf(scene: Scene, options: Options, birth: WorldOptions = {}): World {
   const { room, wicks, createPlume, isModelAlone } = scene;
   const { look, seed, isStill, wind } = options;

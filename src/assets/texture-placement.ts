@@ -12,7 +12,6 @@ export interface Placement {
 
 export const UNTURNED: Placement = { uvSet: 0, rotation: 0, scale: [1, 1], offset: [0, 0] };
 
-/** Use of a texture by a material. */
 export interface TextureUse {
   readonly texture: number;
   readonly placement: Placement;

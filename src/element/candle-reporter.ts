@@ -59,7 +59,6 @@ export class CandleReporter {
     if (this.#states.has("alone")) this.#glow.follow(candle.luminousIntensity);
   }
 
-  /** Shows whether the candle burns. */
   flame({ world: { flame } }: CandleFlame): void {
     this.#states.toggle("lit", flame.isLit);
     this.#hint.tellFlame(flame.isLit, this.#element.controls);

@@ -13,7 +13,6 @@ export interface FetchObserver {
  * new models have loaded, and if they fail to load.
  */
 export class SceneFetcher {
-  /** Request of the scene that is shown. */
   shownRequest: SceneRequest | null = null;
   readonly #request: () => SceneRequest;
   readonly #signal: AbortSignal;

@@ -90,7 +90,6 @@ export class Session {
     return this.#candle;
   }
 
-  /** Candles of the scene on show. */
   get candles(): CandleList["entries"] {
     return this.#candles.entries;
   }

@@ -213,13 +213,11 @@ export class Program extends GpuObject {
     }
   }
 
-  /** Texture unit of each sampler. */
   get samplers(): ReadonlyMap<string, number> {
     this.finish();
     return this.#samplers;
   }
 
-  /** Binding point of each uniform block. */
   get blocks(): ReadonlyMap<string, number> {
     this.finish();
     return this.#blocks;

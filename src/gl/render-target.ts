@@ -63,7 +63,6 @@ export class RenderTarget extends GpuObject {
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 
-  /** The first colour attachment. */
   get color(): Texture {
     const [first] = this.colors;
     if (!first) throw new Error(`${this.label} holds samples: resolve it to read it.`);

@@ -10,7 +10,6 @@ const ENTER: ReadonlySet<string> = new Set(["Enter", "NumpadEnter"]);
 /** Browsers refuse to lock the pointer again for about this long after Esc, in milliseconds. */
 const LOCK_COOL_DOWN = 1300;
 
-/** Input device. */
 export type Device = "mouse" | "keyboard" | "touch" | "gamepad";
 
 /**

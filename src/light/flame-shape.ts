@@ -30,7 +30,6 @@ export interface FlameShape {
   /** Candela: of soot and of the blue bands. */
   sootIntensity: number;
   blueIntensity: number;
-  /** Centre of the light. */
   readonly centre: Float64Array;
   /** From the centre to the upper end of the light, as a capsule. */
   readonly reach: Float64Array;

@@ -67,7 +67,7 @@ export function shadowFrustumTest(
   return (box) => !planes.some((plane) => isOutside(plane, box, margin));
 }
 
-/** Clip coordinates x, y and w of a point. */
+/** Returns x, y and w. */
 export function clipPosition(
   m: mat4,
   x: number,

@@ -17,7 +17,6 @@ export type Placement = readonly [number, number, number, number];
 /** The placement of a model that stands where it was made. */
 export const AT_ORIGIN: Placement = [0, 0, 0, 0];
 
-/** A model in the frame. */
 export interface ModelInstance {
   readonly meshes: readonly Mesh[];
   readonly placement: Placement;

@@ -6,7 +6,6 @@ import type { World } from "../world/world.js";
 import type { FrameSettings } from "./frame-settings.js";
 import type { RefinedImage, SharpStart } from "./refinement/sharp-start.js";
 
-/** Models of a scene. */
 export interface Models {
   readonly room: Model;
   readonly candle: Model;

@@ -6,7 +6,6 @@ export interface CanvasTarget {
   readonly gpu: Gpu;
   /** The canvas that owns the WebGL context, and gets the events of its loss. */
   readonly source: HTMLCanvasElement;
-  /** The canvas on the page. */
   readonly canvas: HTMLCanvasElement;
   /** Primaries that the canvas can show now: a window may move to another monitor. */
   readonly gamut: PredefinedColorSpace;
@@ -30,7 +29,6 @@ export function createCanvasTarget(scene: SceneName, canvas: HTMLCanvasElement):
   return scene === "candle" ? new SharedContextTarget(canvas) : new OwnContextTarget(canvas);
 }
 
-/** A canvas with a WebGL context of its own. */
 class OwnContextTarget implements CanvasTarget {
   gpu: Gpu;
   readonly source: HTMLCanvasElement;

@@ -1,7 +1,6 @@
 /** Holder of a WebGL context of its own, or an applicant for one. */
 export interface ContextClient {
   isVisible(): boolean;
-  /** A context may be created now. */
   acquire(): void;
   /** The context must go, in favour of a visible client. Another may be requested. */
   release(): void;

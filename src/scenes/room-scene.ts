@@ -2,7 +2,7 @@ import { nextTask } from "../gl/next-task.js";
 import { uploadNextImage } from "../render/mesh/mesh.js";
 import { PaperRenderer } from "../render/paper-renderer.js";
 import { PhysicalRenderer, preparePhysicalRenderer } from "../render/physical-renderer.js";
-import { createPlume } from "../world/air/create-plume.js";
+import { createPlume } from "../world/air/plume.js";
 import type { Vec3 } from "../world/geometry.js";
 import { CABIN_MOON, moonOf } from "../world/moon.js";
 import { CollisionMesh } from "../world/room/collision-mesh.js";

@@ -296,7 +296,6 @@ export class SceneView {
     return renderer;
   }
 
-  /** The renderer of the frames that are shown. */
   get #shown(): Renderer {
     return this.#refinement.shown ?? this.#renderer;
   }

@@ -2,7 +2,7 @@ import { AssetError } from "../assets/asset-error.js";
 import type { Tier } from "../render/quality.js";
 import type { Renderer } from "../render/renderer.js";
 import type { Look, SceneName } from "../settings.js";
-import type { CreatePlume } from "../world/air/create-plume.js";
+import type { CreatePlume } from "../world/air/plume.js";
 import type { Vec3 } from "../world/geometry.js";
 import type { MoonWish } from "../world/moon.js";
 import type { Room } from "../world/room/room.js";

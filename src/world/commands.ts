@@ -103,7 +103,6 @@ export function takeCandle(world: World): boolean {
   return true;
 }
 
-/** A flame that a breath from the eye may be meant for. */
 interface BreathTarget {
   /** Of length 1. */
   readonly direction: Vec3;

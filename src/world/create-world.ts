@@ -1,7 +1,7 @@
 import type { Look } from "../settings.js";
 import { warmUp } from "./advance.js";
 import { Air, CALM, type Wind } from "./air/air.js";
-import type { CreatePlume } from "./air/create-plume.js";
+import type { CreatePlume } from "./air/plume.js";
 import { TAPER_WICK } from "./flame/burning.js";
 import { Flame } from "./flame/flame.js";
 import { inset, type Vec3 } from "./geometry.js";

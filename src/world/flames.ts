@@ -32,7 +32,6 @@ export function rootedFlame(
   return index === 0 ? { root: interpolated.flame, flame } : (standing[index - 1] ?? null);
 }
 
-/** Whether each candle burns. */
 export function litFlames({ standing, flame }: World): boolean[] {
   return [flame.isLit, ...standing.map((candle) => candle.flame.isLit)];
 }

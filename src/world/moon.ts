@@ -1,6 +1,5 @@
 import type { Vec3 } from "./geometry.js";
 
-/** A full moon over the room. */
 export interface Moon {
   /** Of a surface outside that faces it, lux. */
   readonly illuminance: number;

@@ -1,7 +1,6 @@
 import type { Look } from "../settings.js";
 import type { Air } from "./air/air.js";
-import type { CreatePlume } from "./air/create-plume.js";
-import type { Plume } from "./air/plume.js";
+import type { CreatePlume, Plume } from "./air/plume.js";
 import type { Candle } from "./candle.js";
 import type { Flame } from "./flame/flame.js";
 import type { Vec3 } from "./geometry.js";

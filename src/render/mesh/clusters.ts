@@ -99,7 +99,6 @@ type Mesh = {
   readonly indices: ArrayLike<number>;
 };
 
-/** Vertex clustering. */
 function clusterVertices({ positions, uvs, indices }: Mesh, detail: number): Mesh {
   const known = new Map<number, number>();
   const members: number[] = [];

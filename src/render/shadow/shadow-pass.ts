@@ -34,12 +34,10 @@ export class ShadowPass {
   readonly #program: Program;
   readonly #depth: Texture;
   readonly #target: TextureView;
-  /** Texels along a tile's edge. */
   readonly #tile: number;
   #lastOrigin: Vec3 = [Number.NaN, 0, 0];
   /** Casters in the cube; null if some of them were culled. */
   #allCasters: ShadowCasters | null = null;
-  /** Frames since the cube was drawn. */
   #age = 0;
 
   /** @param size texels along an edge of the cube */

@@ -16,7 +16,6 @@ import type { World } from "../../world/world.js";
 /** Emitters of the flame that are drawn. */
 export type FlamePart = "all" | "soot" | "blue";
 
-/** A flame to draw, and its wick. */
 export interface BurningWick extends RootedFlame {
   /** Tip of the wick from the flame's root, metres. */
   readonly tip: Readonly<Vec3>;

@@ -189,7 +189,6 @@ export class PlumeSolver {
     return out;
   }
 
-  /** The lines of a velocity component along an axis. */
   #linesOf(axis: Component, along: Component): Lines {
     const inner = INNER[along];
     const outer = OUTER[along];

@@ -3,7 +3,7 @@ import { type Flame, type FlameMeasures, GLOWING, ROOM } from "../flame/flame.js
 import type { Vec3 } from "../geometry.js";
 import { Smoke } from "../particles/smoke.js";
 import type { Air } from "./air.js";
-import type { PlumeGrid } from "./plume-grid.js";
+import { coarsePlumeGrid, type PlumeGrid } from "./plume-grid.js";
 import { type Heater, PLUME_STEP, PlumeSolver } from "./plume-solver.js";
 
 /** Share of a flame's heat that rises with its gas; the rest shines, and melts the wax. */
@@ -80,3 +80,9 @@ export class Plume {
     smoke.isFed = smoking > 0;
   }
 }
+
+/** Makes the plume of a flame at a foot, metres; for standing candles on a coarse grid. */
+export type CreatePlume = (seed: number, foot: Readonly<Vec3>, isCoarse: boolean) => Plume;
+
+export const createPlume: CreatePlume = (seed, foot, isCoarse) =>
+  new Plume(seed, foot, isCoarse ? coarsePlumeGrid() : undefined);

@@ -130,7 +130,6 @@ export class Flame {
     this.puffing.begin(Math.PI * signed(pcg(seed + 3)));
   }
 
-  /** Diameter of the wick, metres. */
   get wick(): number {
     return this.#wick;
   }
@@ -223,7 +222,7 @@ export class Flame {
     return this.measure().light;
   }
 
-  /** Lights the flame. False if it burns already. */
+  /** False if it burns already. */
   light(): boolean {
     if (this.isLit) return false;
     // Toggled quickly, it restarts from a spark, and cannot flash.

@@ -6,7 +6,6 @@ import { GROUPS, type ParticleLayer } from "./particle-layer.js";
 /** Floats per particle: position, remaining life, velocity, life at birth. */
 export const PARTICLE_FLOATS = 8;
 
-/** Random key of a layer. */
 export function layerKey(seed: number, layer: number): number {
   return pcg((seed + pcg(layer)) >>> 0);
 }

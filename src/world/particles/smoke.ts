@@ -33,9 +33,7 @@ const GRAIN = 0.45;
 export class Smoke {
   /** One row after the other, `LINES` parcels in each; the youngest row is `newest`. */
   readonly parcels = new Float32Array(LINES * ROWS * SMOKE_FLOATS);
-  /** Row of the youngest parcels. */
   newest = 0;
-  /** Rows that hold parcels. */
   count = 0;
   /** Share of the smoke that a wick gives off at most, and whether it gives off any. */
   strength = 0;

@@ -10,7 +10,6 @@ export interface Triangles {
   readonly indices: Uint16Array | Uint32Array;
 }
 
-/** Hit of a ray. */
 export interface RayHit {
   distance: number;
   /** Number of the triangle, as the parts list them, one part after the other. */
@@ -207,7 +206,6 @@ interface Soup {
   readonly numbers: Uint32Array;
 }
 
-/** All triangles that are finite. */
 function gather(parts: readonly Triangles[]): Soup {
   const most = parts.reduce((sum, { indices }) => sum + Math.floor(indices.length / 3), 0);
   const soup = new Float32Array(most * 9);

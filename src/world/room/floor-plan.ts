@@ -24,7 +24,6 @@ const EXHIBIT_DISTANCE = 1.2;
  * more than there is, so a walker with that clearance never overlaps a triangle.
  */
 export class FloorPlan {
-  /** Height of the floor, metres. */
   readonly floor: number;
   /** Whether there is anything to stand on. Rooms without a floor are walked in all the same. */
   readonly hasFloor: boolean;

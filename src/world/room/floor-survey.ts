@@ -27,9 +27,7 @@ export interface FloorSurvey {
   readonly clearance: Float32Array;
   /** Squares whose middle can be walked to from the start. */
   readonly isReachable: Uint8Array;
-  /** Whether there is anything to stand on. */
   readonly hasFloor: boolean;
-  /** The square where the visitor starts. */
   readonly start: number;
 }
 

@@ -10,7 +10,6 @@ import { canTake, findSpot, type Refusal } from "./placement.js";
 /** The eye keeps this far from floor and ceiling, metres. */
 const HEADROOM = 0.15;
 
-/** Collision geometry of a room. */
 export interface Room {
   readonly collision: CollisionMesh;
   readonly plan: FloorPlan;
