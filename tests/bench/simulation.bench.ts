@@ -1,11 +1,11 @@
 import { expect, test } from "playwright/test";
 import { advance } from "../../src/world/advance.ts";
-import { createPlume } from "../../src/world/air/create-plume.ts";
+import { createPlume } from "../../src/world/air/plume.ts";
 import { blow } from "../../src/world/commands.ts";
 import { createWorld } from "../../src/world/create-world.ts";
 import { STILL } from "../../src/world/player/intent.ts";
 import type { World } from "../../src/world/world.ts";
-import { litterPerTick, MOST_LITTER } from "../support/litter.ts";
+import { garbagePerTick, MOST_GARBAGE } from "../support/garbage.ts";
 
 /** Most that a frame's world may take of one core, in milliseconds. */
 const MOST = 2;
@@ -55,10 +55,10 @@ test("the world takes a small part of a frame of 1/60 s", () => {
 });
 
 test("the world leaves nothing to the collector", async () => {
-  const litter = await litterPerTick(["gusts", "walking", "smoke", "still"], WARM_UP);
-  expect(Object.keys(litter)).toHaveLength(4);
-  for (const [name, bytes] of Object.entries(litter)) {
+  const garbage = await garbagePerTick(["gusts", "walking", "smoke", "still"], WARM_UP);
+  expect(Object.keys(garbage)).toHaveLength(4);
+  for (const [name, bytes] of Object.entries(garbage)) {
     console.log(`${name}: ${bytes} bytes a tick`);
-    expect(bytes, name).toBeLessThanOrEqual(MOST_LITTER);
+    expect(bytes, name).toBeLessThanOrEqual(MOST_GARBAGE);
   }
 });

@@ -5,7 +5,7 @@ import type { Texture } from "../../src/gl/texture.ts";
 import { BloomPass } from "../../src/render/post/bloom-pass.ts";
 import { DisplayPass, displayTransform } from "../../src/render/post/display-pass.ts";
 import { ExposurePass } from "../../src/render/post/exposure-pass.ts";
-import { allFeatures, type Features } from "../../src/settings.ts";
+import { allFeatures } from "../../src/settings.ts";
 import { EXPOSURE_LAW } from "../../src/world/player/exposure-adaptation.ts";
 
 /** Linear Rec. 709, cd/m². */
@@ -37,7 +37,6 @@ export class Eye {
     radianceAt: (x: number, y: number) => Radiance,
     stops: number,
     gamut: PredefinedColorSpace = "srgb",
-    features: Partial<Features> = {},
   ): { own: number[]; seen: number[] } {
     const { width, height } = this.#canvas;
     const gpu = this.#gpu;
@@ -56,7 +55,7 @@ export class Eye {
     });
     const picture = this.#picture(radianceAt);
     const exposure = this.#texel(stops);
-    const view = { features: { ...allFeatures(), bloom: false, ...features }, gamut };
+    const view = { features: { ...allFeatures(), bloom: false }, gamut };
     const textures = { uRadiance: picture, uBloom: picture, uExposure: exposure };
     const bloom = { share: [1, 1], shift: [0, 0] } as const;
     const transform = displayTransform(gpu, view, 0);
@@ -94,17 +93,13 @@ export class Eye {
     return [before, after];
   }
 
-  /** Stops that the meter asks for, in a room that gives back so much of the light. */
-  meter(
-    radianceAt: (x: number, y: number) => Radiance,
-    lag = 0,
-    reflectance: number = EXPOSURE_LAW.reflectance,
-  ): number {
+  /** Metered exposure in a room of the cabin's reflectance, stops. */
+  meter(radianceAt: (x: number, y: number) => Radiance, lag = 0): number {
     const gpu = this.#gpu;
     const screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
     const exposure = new ExposurePass(gpu, screen).render(
       { uRadiance: this.#picture(radianceAt) },
-      this.#texel(reflectance),
+      this.#texel(EXPOSURE_LAW.reflectance),
       { lag, darkness: 0 },
     );
     const target = gpu.textureView({ label: "exposure", textures: [exposure], image: 0 });

@@ -12,7 +12,7 @@ import { MotesPass } from "../../src/render/volumetric/motes-pass.ts";
 import { FEEDBACK } from "../../src/render/volumetric/particle-system.ts";
 import { SmokePass } from "../../src/render/volumetric/smoke-pass.ts";
 import { advance } from "../../src/world/advance.ts";
-import { createPlume } from "../../src/world/air/create-plume.ts";
+import { createPlume } from "../../src/world/air/plume.ts";
 import { createWorld } from "../../src/world/create-world.ts";
 import type { Vec3 } from "../../src/world/geometry.ts";
 import { STILL } from "../../src/world/player/intent.ts";

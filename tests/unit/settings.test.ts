@@ -15,7 +15,7 @@ import {
   parseNumber,
   SETTINGS,
 } from "../../src/settings.ts";
-import { attributeStorms } from "../support/storms.ts";
+import { attributeValues } from "../support/random-values.ts";
 
 type Setting = (typeof SETTINGS)[keyof typeof SETTINGS];
 const entries = Object.entries(SETTINGS) as [string, Setting][];
@@ -138,7 +138,7 @@ test("ten thousand rounds of random text leave every setting legal", () => {
     const isWhole = !("integer" in setting) || Number.isInteger(number);
     return number >= setting.min && number <= setting.max && isWhole;
   };
-  const illegal = attributeStorms(10_000)
+  const illegal = attributeValues(10_000)
     .flat()
     .filter(({ name, value }) => {
       named.add(name);

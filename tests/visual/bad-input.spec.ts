@@ -1,9 +1,9 @@
 import { readFileSync } from "node:fs";
 import type { Page, Route } from "playwright/test";
 import { graphicsErrors, lostContexts, recordContexts } from "../support/contexts.ts";
+import { attributeValues } from "../support/random-values.ts";
 import { LIBRARY, RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
-import { attributeStorms } from "../support/storms.ts";
 import { expect, test } from "../support/test.ts";
 
 // Dear, and each for itself: whichever worker is free takes the next.
@@ -457,15 +457,15 @@ test("A thousand rounds of random attributes and properties throw nothing, stop 
   // A million particles are legal, but take SwiftShader minutes.
   const isQuick = (name: string, value: string | null) =>
     name !== "scene" && !(name === "particles" && Number.parseFloat(value ?? "") > 2000);
-  const storms = attributeStorms(1000).map((storm) =>
-    storm.filter(({ name, value }) => isQuick(name, value)),
+  const rounds = attributeValues(1000).map((round) =>
+    round.filter(({ name, value }) => isQuick(name, value)),
   );
-  /** What is left of the storms once nothing is set any more. */
+  /** What is left of the rounds once nothing is set any more. */
   const rage = async (from: number, to: number) => {
     const left = await room.evaluate(
-      async (element, storms) => {
-        for (const [i, storm] of storms.entries()) {
-          for (const { name, value } of storm) {
+      async (element, rounds) => {
+        for (const [i, round] of rounds.entries()) {
+          for (const { name, value } of round) {
             const property = name.replace(/-(.)/g, (_, letter: string) => letter.toUpperCase());
             if (value === null) element.removeAttribute(name);
             else if (i % 2 === 0) element.setAttribute(name, value);
@@ -486,7 +486,7 @@ test("A thousand rounds of random attributes and properties throw nothing, stop 
         const { gpuObjects, gpuBytes } = element.stats;
         return { gpuObjects, gpuBytes, time: element.currentTime };
       },
-      storms.slice(from, to),
+      rounds.slice(from, to),
     );
     return { ...left, listeners: await countListeners() };
   };

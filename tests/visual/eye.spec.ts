@@ -2,7 +2,7 @@ import type { Page } from "playwright/test";
 import type { Rgb } from "../../src/light/color.ts";
 import { emberRadiance, TAPER } from "../../src/light/flame-light.ts";
 import { EXPOSURE_LAW, exposureOf } from "../../src/world/player/exposure-adaptation.ts";
-import { shown } from "../support/display-law.ts";
+import { shown } from "../support/display-transform.ts";
 import { openSources } from "../support/sources.ts";
 import { expect, test } from "../support/test.ts";
 

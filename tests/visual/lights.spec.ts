@@ -1,6 +1,6 @@
 import type { Page } from "playwright/test";
 import { luma } from "../../src/light/color.ts";
-import { colorOf } from "../support/display-law.ts";
+import { colorOf } from "../support/display-transform.ts";
 import { quantile, readReference, renderView, tracedViews } from "../support/reference.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";

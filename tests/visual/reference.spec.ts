@@ -3,7 +3,7 @@ import { luma } from "../../src/light/color.ts";
 import { flameLight, TAPER } from "../../src/light/flame-light.ts";
 import { TAPER_WICK } from "../../src/world/flame/burning.ts";
 import { Flame } from "../../src/world/flame/flame.ts";
-import { colorOf, meteredExposure, shown } from "../support/display-law.ts";
+import { colorOf, meteredExposure, shown } from "../support/display-transform.ts";
 import { flip } from "../support/flip.ts";
 import { quantile, readReference, renderView, tracedViews } from "../support/reference.ts";
 import { RoomDriver } from "../support/room-driver.ts";

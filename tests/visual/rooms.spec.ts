@@ -1,7 +1,7 @@
 import type { Page } from "playwright/test";
 import { luma } from "../../src/light/color.ts";
 import { ROOMS, roomModel } from "../../tools/reference/rooms.mjs";
-import { colorOf } from "../support/display-law.ts";
+import { colorOf } from "../support/display-transform.ts";
 import {
   quantile,
   readReference,

@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { flameReport } from "../../../src/light/flame-light.ts";
 import { advance } from "../../../src/world/advance.ts";
-import { createPlume } from "../../../src/world/air/create-plume.ts";
+import { createPlume } from "../../../src/world/air/plume.ts";
 import { createWorld } from "../../../src/world/create-world.ts";
 import type { Vec3 } from "../../../src/world/geometry.ts";
 import { STILL } from "../../../src/world/player/intent.ts";

@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { SETTINGS } from "../../../src/settings.ts";
 import { advance } from "../../../src/world/advance.ts";
-import { createPlume } from "../../../src/world/air/create-plume.ts";
+import { createPlume } from "../../../src/world/air/plume.ts";
 import { createWorld } from "../../../src/world/create-world.ts";
 import { GROUPS } from "../../../src/world/particles/particle-layer.ts";
 import { PARTICLE_FLOATS } from "../../../src/world/particles/particles.ts";

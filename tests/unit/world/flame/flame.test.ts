@@ -16,10 +16,10 @@ import type { World } from "../../../../src/world/world.ts";
 const DEGREE = Math.PI / 180;
 const wind = (speed: number, gustiness = 0) => ({ speed, direction: 0, gustiness });
 
-function inWind(speed: number, seconds: number, gustiness = 0): World {
+function inWind(speed: number, seconds: number): World {
   const world = createWorld("physical", 1);
   world.plume = null; // hot air above the flame costs time, and carries nothing here
-  world.air.wind = wind(speed, gustiness);
+  world.air.wind = wind(speed);
   advance(world, STILL, seconds);
   return world;
 }

@@ -1,6 +1,6 @@
 import { beforeAll, describe, expect, test } from "vitest";
 import { advance } from "../../../../src/world/advance.ts";
-import { createPlume } from "../../../../src/world/air/create-plume.ts";
+import { createPlume } from "../../../../src/world/air/plume.ts";
 import { createWorld } from "../../../../src/world/create-world.ts";
 import { LINES, ROWS, SMOKE_FLOATS, type Smoke } from "../../../../src/world/particles/smoke.ts";
 import { STILL } from "../../../../src/world/player/intent.ts";

@@ -46,7 +46,7 @@ function chance(index: number): number {
 }
 
 /** Changes of one to five attributes each, the same in every run: nonsense, legal values and numbers of any size. */
-export function attributeStorms(count: number): readonly (readonly Change[])[] {
+export function attributeValues(count: number): readonly (readonly Change[])[] {
   let drawn = 0;
   const pick = <T>(list: readonly T[]): T => list[Math.floor(chance(drawn++) * list.length)] as T;
   const names = Object.keys(SETTINGS) as SettingName[];

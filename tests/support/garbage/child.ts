@@ -1,5 +1,5 @@
 import { advance } from "../../../src/world/advance.ts";
-import { createPlume } from "../../../src/world/air/create-plume.ts";
+import { createPlume } from "../../../src/world/air/plume.ts";
 import { createWorld, type WorldOptions } from "../../../src/world/create-world.ts";
 import { type Intent, STILL } from "../../../src/world/player/intent.ts";
 import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";
@@ -40,7 +40,7 @@ const CASES: Readonly<Record<string, Case>> = {
 };
 
 /** Bytes that each tick leaves to the collector: of several stretches the least, as compilers leave some too. */
-function litterOf({ birth, intent, deed }: Case): number {
+function garbageOf({ birth, intent, deed }: Case): number {
   const world = createWorld("physical", 1, { ...birth, createPlume });
   let frame = 0;
   const go = (frames: number): void => {
@@ -54,13 +54,13 @@ function litterOf({ birth, intent, deed }: Case): number {
   for (let i = 0; i < STRETCHES; i++) {
     const before = process.memoryUsage().heapUsed;
     go(STRETCH);
-    const litter = process.memoryUsage().heapUsed - before;
+    const garbage = process.memoryUsage().heapUsed - before;
     // A collection in between would show as a gain; there is none, since the nursery is large.
-    if (litter >= 0) least = Math.min(least, litter / (STRETCH * TICKS_PER_FRAME));
+    if (garbage >= 0) least = Math.min(least, garbage / (STRETCH * TICKS_PER_FRAME));
   }
   return least;
 }
 
 const asked = Object.entries(CASES).filter(([name]) => process.argv.includes(name, 3));
-const litter = asked.map(([name, each]) => [name, Math.round(litterOf(each))]);
-console.log(JSON.stringify(Object.fromEntries(litter)));
+const garbage = asked.map(([name, each]) => [name, Math.round(garbageOf(each))]);
+console.log(JSON.stringify(Object.fromEntries(garbage)));

@@ -3,7 +3,7 @@ import { fileURLToPath } from "node:url";
 import { build } from "vite";
 
 /** Bytes that a tick of the world may leave to the collector: one number that a compiler boxes. */
-export const MOST_LITTER = 16;
+export const MOST_GARBAGE = 16;
 
 /** Megabytes of nursery: so many that nothing is collected while it is measured. */
 const NURSERY = 64;
@@ -13,10 +13,10 @@ const EAGER = ["--interrupt-budget=10000", "--no-concurrent-recompilation"];
 /**
  * Bytes that each tick of the world leaves to the collector, in a process of its own, by what happens.
  *
- * @param cases of `litter/child.ts`
+ * @param cases of `garbage/child.ts`
  * @param warmUp frames, until all is compiled
  */
-export async function litterPerTick(
+export async function garbagePerTick(
   cases: readonly string[],
   warmUp: number,
 ): Promise<Readonly<Record<string, number>>> {
@@ -27,7 +27,7 @@ export async function litterPerTick(
       write: false,
       minify: false,
       target: "esnext",
-      ssr: fileURLToPath(new URL("litter/child.ts", import.meta.url)),
+      ssr: fileURLToPath(new URL("garbage/child.ts", import.meta.url)),
     },
   });
   const code = "output" in built ? built.output[0].code : "";
