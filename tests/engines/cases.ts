@@ -65,6 +65,25 @@ const LONE: ElementCase = {
   steps: STEPS,
 };
 
+const WREATH: ElementCase = {
+  ...LONE,
+  name: "advent wreath",
+  attributes: { ...LONE.attributes, src: "models/wreath.glb" },
+};
+
+function fourCandles(quality: Quality): ElementCase {
+  const room = inRoom("physical", quality);
+  const attributes = { ...room.attributes, "lit-wicks": "0 1 2 3" };
+  return { ...room, name: `four candles, ${quality}`, attributes };
+}
+
+/** Moonlight alone, as bright as it may be: the candle is out. */
+function moonAlone(quality: Quality): ElementCase {
+  const room = inRoom("physical", quality);
+  const attributes = { ...room.attributes, unlit: "", moonlight: "0.3" };
+  return { ...room, name: `moon alone, ${quality}`, attributes };
+}
+
 const HOSTED: PageCase = { kind: "page", name: "hosted page, auto", path: "" };
 
 /** What `npm test` looks at. */
@@ -74,6 +93,7 @@ export const SHORT: readonly Case[] = [
   inRoom("original", "low"),
   inRoom("physical", "low"),
   inRoom("physical", "medium"),
+  fourCandles("low"),
   HOSTED,
 ];
 
@@ -83,7 +103,12 @@ const TIERS: readonly Quality[] = ["low", "medium", "high", "ultra"];
 /** The matrix of `npm run test:engines`. */
 export const LONG: readonly Case[] = [
   LONE,
+  WREATH,
   ...LOOKS.flatMap((look) => TIERS.map((quality) => inRoom(look, quality))),
+  fourCandles("low"),
+  fourCandles("medium"),
+  moonAlone("low"),
+  moonAlone("medium"),
   HOSTED,
   { kind: "page", name: "how.html", path: "how.html" },
   { kind: "page", name: "use.html", path: "use.html" },

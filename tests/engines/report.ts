@@ -88,6 +88,8 @@ async function writeSheet(results: readonly Result[]): Promise<void> {
     "physical, low",
     "paper, medium",
     "original, medium",
+    "four candles, medium",
+    "advent wreath",
     "lone candle",
   ];
   const [across, down] = [TILE.width, TILE.height + TILE.line];

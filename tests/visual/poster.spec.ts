@@ -160,10 +160,14 @@ test.describe("Before there is a script", () => {
     const poster = page.locator("candle-flame > picture > img");
     const shown = () =>
       poster.evaluate(async (image: HTMLImageElement) => {
-        await image.decode();
+        // Refused while another source is fetched.
+        const isDecoded = await image.decode().then(
+          () => true,
+          () => false,
+        );
         const { width, height } = image.getBoundingClientRect();
         const [name] = /\w+(?=-[^/]*$)/.exec(image.currentSrc) ?? [];
-        return { name, fills: width === innerWidth && height === innerHeight };
+        return { name, isDecoded, fills: width === innerWidth && height === innerHeight };
       });
     await openWithoutModules(page, "");
     for (const [width, height, name] of [
@@ -174,7 +178,11 @@ test.describe("Before there is a script", () => {
       [98, 211, "portrait"],
     ] as const) {
       await page.setViewportSize({ width, height });
-      await expect.poll(shown, `${width} x ${height}`).toEqual({ name, fills: true });
+      await expect.poll(shown, `${width} x ${height}`).toEqual({
+        name,
+        isDecoded: true,
+        fills: true,
+      });
     }
     for (const hash of ["#quality=low", "#"]) {
       await openWithoutModules(page, hash);
