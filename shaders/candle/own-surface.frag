@@ -16,7 +16,7 @@ uniform vec4 uBaseColor;
 uniform vec3 uBounce;             // radiance of the model around, cd/m²
 uniform float uWax;               // 1: light of the flame above leaves it below, 0: none
 uniform float uWick;              // 1: its tip glows
-uniform float uTransmission;      // share of the light that passes, 0 to 1
+uniform float uTransmission;      // transmitted share of the light, 0 to 1
 uniform float uOpacity;           // 1: alpha counts, 0: it is opaque
 uniform float uOcclusionStrength; // of the map, 0 to 1
 uniform vec4 uSurface;            // roughness, metallic, normal scale, alpha cutoff
@@ -29,7 +29,7 @@ centroid in vec4 vColor;
 
 out vec4 oRadiance;
 
-// A flame is no point: the inverse square does not hold nearer than this. Metres.
+// Least distance of a flame for the inverse square law, metres.
 const float LEAST_DISTANCE = 0.01;
 // Diffusion length of thick paraffin, m, and the share of the light on its top that leaves through the side.
 const vec3 DIFFUSION_LENGTH = vec3(0.014, 0.0105, 0.007);
@@ -41,7 +41,7 @@ const float LEAST_HEIGHT = 0.01;
 const float EMBER_BEGINS = 0.001;
 const float EMBER_FULL = 0.004;
 const float EMBER_REACH = 0.004;
-// What passes through coloured glass is left out by this share of what the colour lacks.
+// Share by which coloured glass absorbs the complement of its colour.
 const float TINT = 0.6;
 
 // Specular lobe of a capsule, times the cosine; y: cosine for Fresnel's term.
@@ -110,7 +110,7 @@ void main() {
     if (uTransmission < 0.5) perArea *= flameVisibility(i, vPositionWorld, normal);
     vec3 fresnel = fresnelSchlick(f0, lobe.y);
     diffuse += diffuseColor * (1.0 - fresnel) / PI * NoL * perArea;
-    // A mirror shows the flame no brighter than it is.
+    // A mirror image is no brighter than the flame.
     float area = 4.0 * flames.centres[i].w * flames.alongs[i].w;
     specular += fresnel * min(lobe.x * perArea, flames.intensities[i].rgb / max(area, 1e-6));
   }
@@ -118,7 +118,7 @@ void main() {
   vec3 mirrored = fresnelSchlick(f0, NoV);
   diffuse += diffuseColor * (environment(normal) + uBounce) * occlusion;
   specular += mirrored * reflected * occlusion;
-  // Of glass and veils: what is diffuse covers, what is specular lies on top.
+  // Of glass and blended surfaces: diffuse light by coverage, specular light in full.
   float covered = mix(1.0, baseColor.a * (1.0 - uTransmission), uOpacity);
   float tint = uTransmission * TINT * (1.0 - luma(baseColor.rgb));
   float passes = (1.0 - covered) * (1.0 - luma(mirrored)) * (1.0 - tint);

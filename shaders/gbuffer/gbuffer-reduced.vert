@@ -1,5 +1,5 @@
 #version 300 es
-// Vertices of the reduced G-buffer: the direction to the light is found here, in tangent space.
+// Vertices of the reduced G-buffer, with the direction to the light in tangent space.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 

@@ -1,6 +1,6 @@
 #version 300 es
-// Mean reflectance of the room, as its probes see it: what it gives back of the light that falls on it.
-// Out: red, luma; rays that meet nothing give nothing back.
+// Mean reflectance of the room at the hits of its probes' rays.
+// Out: red, luma; rays that hit nothing count as black.
 #include "lib/precision.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/photometry.glsl"

@@ -25,8 +25,7 @@ vec3 fresnelSchlick(vec3 f0, float LoH) {
   return f0 + (1.0 - f0) * (m2 * m2 * m);
 }
 
-// What a rough surface mirrors of light from all around, and by how much its lobe is too weak because
-// light that bounces from facet to facet is left out of it.
+// Directional albedo of a rough mirror, and compensation for the energy that single scattering loses between facets.
 struct EnvironmentReflection {
   vec3 share;
   vec3 boost;

@@ -1,4 +1,4 @@
-// Composite: albedo x lighting x the flame's intensity.
+// Composite: albedo x lighting x intensity.
 // Needs lib/flame-light.glsl, lib/gbuffer.glsl, and lib/upsample-guided.glsl or lib/upsample-bilateral.glsl.
 
 // Radiance, cd/m². `albedo`: of the G-buffer, gamma 2.

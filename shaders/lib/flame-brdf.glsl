@@ -2,7 +2,7 @@
 // Needs lib/flame-light.glsl.
 #include "lib/brdf.glsl"
 
-// A flame is no point: the inverse square does not hold nearer than this. Metres.
+// Least distance of the flame for the inverse square law, metres.
 const float LEAST_DISTANCE = 0.01;
 // A pane reflects next to nothing diffusely: the irradiance up to which its albedo counts, lx for 1 cd.
 const float PANE_IRRADIANCE = 2.0;

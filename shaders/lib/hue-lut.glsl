@@ -1,4 +1,4 @@
-// Lookup of the vibrance, which is of the hue alone: it scales with the light, as a 2D table of half floats.
+// Lookup of the vibrance in a 2D table of half floats: it depends on hue alone, and scales with the light.
 // Needs lib/chromatic-adaptation.glsl.
 
 const float HUE_LUT_SIZE = 64.0;
@@ -13,7 +13,7 @@ vec3 lookUpVibrance(vec3 balanced) {
   vec2 hue = balanced.rb / max(sum, 1e-9);
   vec2 uv = hue * ((HUE_LUT_SIZE - 1.0) / HUE_LUT_SIZE) + 0.5 / HUE_LUT_SIZE;
   vec3 vivid = textureLod(uHueLut, uv, 0.0).rgb * sum;
-  // A software renderer runs both sides of an if, but leaves a loop that no pixel is in.
+  // Software renderers execute both sides of an `if`, but skip a loop that no pixel enters.
   int exact = min(min(balanced.r, balanced.g), balanced.b) < HUE_LUT_LEAST * sum ? 1 : 0;
   for (int i = 0; i < exact; i++) vivid = applyVibrance(balanced * uWhite);
   return vivid;

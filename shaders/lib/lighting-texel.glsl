@@ -15,7 +15,7 @@ struct LightingTexel {
 };
 
 #if REDUCED
-// Of four samples the one whose normal is most similar to all: lit by a joint, a texel would show as a spot.
+// Of four samples the one whose normal is most similar to all: a texel lit by a joint would be a visible spot.
 ivec2 representativePixel(ivec2 pixel) {
   ivec2 upperRight = min(pixel + 1, textureSize(uGBufferSurface, 0) - 1);
   ivec2 right = ivec2(upperRight.x, pixel.y);

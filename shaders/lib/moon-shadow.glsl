@@ -1,4 +1,4 @@
-// Soft shadow of the moon: share of its disc that a point sees past the room.
+// Soft shadow of the moon (PCSS): share of its disc that is visible from a point.
 // Needs lib/random.glsl, lib/moon.glsl; defines SHADOW_SEARCH and SHADOW_TAPS (taps).
 // After Fernando 2005, "Percentage-Closer Soft Shadows".
 
@@ -34,7 +34,7 @@ float moonVisibility(vec3 position, vec3 normal, vec2 pixel, float footprint) {
   float texel = width / texels.x;
   float sum = 0.0;
   float blockers = 0.0;
-  // A software renderer runs both sides of an if, but leaves a loop that no pixel is in.
+  // Software renderers execute both sides of an `if`, but skip a loop that no pixel enters.
   bool isInside = isOnMap(place.xy) && isInBeam(position);
   int count = isInside ? SHADOW_SEARCH : 0;
   for (int i = 0; i < count; i++) {

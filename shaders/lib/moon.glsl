@@ -51,7 +51,7 @@ bool isOnPane(vec3 point) {
   return moon.paneArea > 0.0 && isOnMap(onPanes(d)) && abs(dot(d, moon.paneNormal)) < PANE_DEPTH;
 }
 
-// Whether the light on its way to a point comes through the panes, if there are any. Joints of walls let none in.
+// Whether the light to a point passes through the panes, if there are any, and not through joints of walls.
 bool isInBeam(vec3 point) {
   vec3 d = point - moon.paneCorner;
   float way = dot(d, moon.paneNormal) / max(dot(moon.direction, moon.paneNormal), 1e-4);

@@ -24,7 +24,7 @@ float nightLuminance(vec3 direction) {
   float slope = direction.y / max(length(direction.xz), 1e-3);
   float line = treeNoise(azimuth * 9.0, 1u) + 0.5 * treeNoise(azimuth * 31.0, 2u) + 0.25 * treeNoise(azimuth * 90.0, 3u);
   float edge = TREES + UNEVENNESS * (line / 1.75 - 0.5);
-  // Brighter towards the horizon, as the air is.
+  // Brighter towards the horizon, by scattering in the air.
   float sky = moon.sky * (1.0 + 0.5 * exp(-4.0 * max(slope, 0.0)));
   float luminance = mix(moon.sky * WOOD, sky, smoothstep(-0.004, 0.004, slope - edge));
   float offAxis = length(cross(direction, moon.direction));

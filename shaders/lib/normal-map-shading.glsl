@@ -2,9 +2,9 @@
 // so that lighting at a lower rate need not know of them.
 // Needs lib/gbuffer.glsl.
 
-// Share of a surface's light that is direct, and so shows its relief. Fitted to the forward stage by eye.
+// Direct share of a surface's light, which the normal map affects. Fitted to the forward stage by eye.
 const float DIRECT_SHARE = 0.65;
-// Cosine below which grazing light would turn the normal map to noise.
+// Least cosine: grazing light would turn the normal map into noise.
 const float LEAST_COSINE = 0.25;
 
 // Ratio of N.L with the normal map to N.L without.

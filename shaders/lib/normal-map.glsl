@@ -1,4 +1,4 @@
-// Normal mapping, and the self-occlusion of the relief that a normal map stands for.
+// Normal mapping, and the self-occlusion of the relief that a normal map represents.
 
 // World normal of a texel, of which two channels are stored: the third follows from the length of 1.
 // Bitangent as in glTF: cross(normal, tangent), with the sign in tangent.w. The paper's code applies the inverse of

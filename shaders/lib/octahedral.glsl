@@ -1,5 +1,5 @@
-// Octahedral map: directions mapped to a square, with up at the centre and down at the corners. Cigolle et al. 2014,
-// "A Survey of Efficient Representations for Independent Unit Vectors".
+// Octahedral map: directions mapped to a square, with up at the centre and down at the corners.
+// Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit Vectors".
 
 vec2 octahedralFold(vec2 e) {
   return (1.0 - abs(e.yx)) * vec2(e.x < 0.0 ? -1.0 : 1.0, e.y < 0.0 ? -1.0 : 1.0);

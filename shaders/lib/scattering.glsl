@@ -1,6 +1,9 @@
 // Single scattering by fine droplets.
 // Needs lib/octahedral.glsl, lib/photometry.glsl, lib/flame-light.glsl, lib/irradiance-volume.glsl.
-#include "lib/night.glsl"
+
+// Ambient light of a dark room at night, from a window: mean radiance, cd/m².
+// Its hue looks like moonlight to an eye adapted to candlelight.
+const vec3 NIGHT = vec3(0.0096, 0.0055, 0.00036);
 
 // Albedo of droplets smaller than a wavelength: more of blue than of red.
 const vec3 DROPLET_ALBEDO = vec3(0.95, 1.0, 1.1);

@@ -1,4 +1,4 @@
-// Studio that a lone candle stands in.
+// Studio environment of a lone candle.
 
 uniform vec3 uEnvironment; // colour of the environment, luma 1
 

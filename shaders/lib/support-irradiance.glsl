@@ -1,14 +1,14 @@
-// Light from the surface that the candle stands on, which sparse probes cannot tell from the room's.
+// Light from the surface that the candle stands on, which sparse probes do not resolve.
 // Needs lib/flame-light.glsl.
 
 uniform sampler2D uSupport;  // radiosity and height of that surface: gi/support-radiosity.frag
 
-// Distance from the candle's axis over which it gives way to the probes, m.
+// Distance from the candle's axis over which it fades to the probes' light, m.
 const float RADIUS = 0.15;
 // Form factor of the surface for a facet that faces it, beside what probes give. Fitted by eye to the candle at high;
 // an endless plane would give 0.21 to 0.33 outside of the holder's shadow, 3 to 20 cm above it.
 const float FORM_FACTOR = 0.1;
-// Height over the surface from which on it counts, m: what lies on it does not face it.
+// Height over the surface from which it has full effect, m: surfaces on it do not face it.
 const float FADE = 0.02;
 // Heights over it between which it ceases to fill the view down, m: a wall over a sill, not the candle.
 const vec2 CEASES = vec2(0.25, 0.5);

@@ -28,7 +28,7 @@ vec3 shadingNormal(vec3 surface) {
   return normalize(mix(surface, mapped, uSurface.z));
 }
 
-// What a minified normal map leaves of light from all around, and of direct light.
+// Normal-map visibility of light from all around, and of direct light.
 vec2 minifiedVisibility() {
   if (frame.normalMaps < 0.5) return vec2(1.0);
   vec2 texels = vec2(textureSize(uNormal, 0));

@@ -19,7 +19,7 @@ vec3 tone(vec3 color) {
   // Reinhard et al. 2002, "Photographic Tone Reproduction for Digital Images".
   float compressed = level / (1.0 + level);
   vec3 shown = hue * compressed;
-  // A software renderer runs both sides of an if, but leaves a loop that no pixel is in.
+  // Software renderers execute both sides of an `if`, but skip a loop that no pixel enters.
   for (float excess = peak; excess > 1.0; excess = 0.0) {
     // A mixture with white would go from orange by salmon; so green rises before blue.
     float stops = log2(excess);

@@ -12,7 +12,7 @@ const float DEPTH_TOLERANCE = 0.03;
 // Weight of a texel of another surface, where there is no better one.
 const float LEAST_WEIGHT = 0.01;
 
-// Selected, not branched, here and below: that costs a CPU less.
+// Selection without branches, here and below, which is faster on a CPU.
 #if REPROJECTED
 // The pixel's surface in the previous frame: uv and depth. Its albedo replaces `albedo`, but for disocclusions,
 // which keep what the G-buffer has at the pixel.

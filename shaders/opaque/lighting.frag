@@ -36,7 +36,7 @@ void main() {
 #if REDUCED
   oInverseDepth = vec4(inverseDepth(texel.depth), 0.0, 0.0, 1.0);
 #endif
-  // Before all else, which would occupy registers. Four rotations of the taps side by side, which the upsampling averages.
+  // Computed first, to save registers. Four rotations of the taps side by side, which the upsampling averages.
   float visibility = 0.0;
   if (dot(normal, light.position) > dot(normal, position)) {
     vec2 tile = mod(floor(gl_FragCoord.xy), 2.0);
@@ -56,7 +56,7 @@ void main() {
   FlameSpecular flame = flameSpecular(toLight, normal, view, NoV, roughness * roughness);
   float fresnel = fresnelSchlick(vec3(0.04), flame.SoH).r;  // of a dielectric; a metal's is its albedo
   float specular = flame.lobe * perArea * uFeatures.z;
-  // What the albedo is multiplied by, and what is added to it.
+  // Factor of the albedo, and the part without albedo.
   vec3 perCandela = vec3((1.0 - metallic) * (1.0 - fresnel) / PI * irradiance + metallic * specular);
   float added = (1.0 - metallic) * fresnel * specular;
 

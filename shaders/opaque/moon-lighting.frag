@@ -55,7 +55,7 @@ void main() {
   perLux += metallic * room;
   added += (1.0 - metallic) * mirrored * luma(room);
   if (isGlass(texel.material) && isOnPane(texel.position)) {
-    // What is added has the flame's colour where that burns, so the night is a factor of the glass.
+    // The part without albedo has the flame's colour while that burns, so the night is in the albedo's factor.
     vec4 albedo = texture(uGBufferAlbedo, texel.onScreen);
     float glass = max(ALBEDO_SCALE * albedo.g * albedo.g, 1e-3);
     perLux += nightThroughPane(-toEye, NoV) / glass;

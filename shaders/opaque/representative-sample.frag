@@ -1,6 +1,6 @@
 #version 300 es
 // The G-buffer sample that represents each lighting texel: the one most similar to all around it, by normal and
-// depth. Any other would now and then light a board by the joint beside it.
+// depth. Others would sometimes light a board by the joint beside it.
 // In:  G-buffer.   Out: number of the candidate, over 255.
 #include "lib/precision.glsl"
 #include "lib/octahedral.glsl"

@@ -16,6 +16,6 @@ void main() {
   vec4 center = texture(uHistory, vUv);
   float isHeld = isHeldSurface(center.a);
   vec4 previous = texture(uHistory, previousUv(vec4(vUv, texture(uDepth, vUv).r, 1.0), isHeld));
-  // A disocclusion has no colour in the history: it keeps what stands at the pixel.
+  // A disocclusion has no colour in the history: it keeps the previous colour of the pixel.
   oColor = mix(previous, center, isDisoccluded(isHeld, previous.a));
 }

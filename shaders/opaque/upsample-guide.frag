@@ -1,7 +1,7 @@
 #version 300 es
-// Upsample guide: joint bilateral upsampling, decided once for an image at rest. Each pixel learns where among the
-// four lighting texels around it to read: in between where all lie on its own surface, else at the nearest that
-// does. Where a pixel's samples see several surfaces their places are averaged, as their albedos are.
+// Upsample guide: joint bilateral upsampling, decided once for an image at rest. Each pixel stores where among the
+// four lighting texels around it to read: interpolated where all lie on its own surface, else at the nearest that
+// does. Where a pixel's samples lie on several surfaces, their guides are averaged, as their albedos are.
 // In:  G-buffer, SAMPLES x SAMPLES for each pixel.   Out: gamma-2 albedo; guide in alpha. Depth.
 // After Kopf, Cohen, Lischinski and Uyttendaele 2007, "Joint Bilateral Upsampling".
 #include "lib/precision.glsl"

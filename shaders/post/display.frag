@@ -62,7 +62,7 @@ vec3 antialiasedColor(vec2 uv) {
   vec4 luminances = vec4(luma(neighbors[0]), luma(neighbors[1]), luma(neighbors[2]), luma(neighbors[3]));
   luminances = max(luminances * exposure + luma(glare), 0.0);
   float difference = approximateLuma(most(luminances)) - approximateLuma(least(luminances));
-  // A software renderer runs both sides of an if, but leaves a loop that no pixel is in.
+  // Software renderers execute both sides of an `if`, but skip a loop that no pixel enters.
   int count = difference < 0.5 * EDGE ? 0 : 4;
   vec3 sum = vec3(0.0);
   vec2 lumas = vec2(1.0, 0.0);  // the least, and the most

@@ -1,8 +1,8 @@
 #version 300 es
 // Antialiasing of a frame of one sample a pixel: each pixel at an edge is mixed with its neighbours along the edge, whose
 // direction comes from the four nearest pixels.   In and out: display colour; alpha passes through, unless it is a code.
-// After Lottes 2009, "FXAA". Defines EDGE_LEAST, and BY_CODE: 1 if edges are where
-// the code in alpha changes, 0 if where green does, which is most of the luma.
+// After Lottes 2009, "FXAA". Defines EDGE_LEAST, and BY_CODE: 1 if edges are changes of the code in alpha, 0 if of
+// green, which is most of the luma.
 #include "lib/precision.glsl"
 
 uniform sampler2D uSource;
@@ -32,7 +32,7 @@ void main() {
   );
   vec4 differences = neighbours - valueOf(here);
   vec2 gradient = vec2(abs(differences.x) + abs(differences.y), abs(differences.z) + abs(differences.w));
-  // A software renderer runs both sides of an if, but leaves a loop that no pixel is in.
+  // Software renderers execute both sides of an `if`, but skip a loop that no pixel enters.
   for (; max(gradient.x, gradient.y) > EDGE.x; gradient = vec2(0.0)) {
     // The edge is perpendicular to the gradient.
     float side = (neighbours.y - neighbours.x) * (neighbours.w - neighbours.z) > 0.0 ? -1.0 : 1.0;

@@ -1,5 +1,5 @@
 #version 300 es
-// Fullscreen triangle, with the place of the frame's light between two that are kept.
+// Fullscreen triangle, with the weights of the two kept lights for the frame's.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "lib/flame-light.glsl"

@@ -4,7 +4,7 @@ import type { Rgb } from "../light/color.js";
 import type { IrradianceVolume } from "./gi/indirect-pass.js";
 import type { CaptureLight } from "./light-block.js";
 
-/** A light beside the carried flame. What it lights is known once, and kept for 1 cd or 1 lx of it. */
+/** A light beside the carried flame. Its shadow and irradiance are captured once, for 1 cd or 1 lx of it. */
 export interface KeptLight {
   readonly kind: "moon" | "candle";
   readonly name: string;

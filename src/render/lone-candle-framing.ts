@@ -7,7 +7,7 @@ const HALF = { width: 0.088, height: 0.15 } as const;
 const CENTRE = 0.119;
 /** Across the canvas's shorter side, radians: a portrait's, from about a metre. */
 const FIELD_OF_VIEW = 0.3;
-/** Radians: a little downwards, into the pan. */
+/** Pitch of the camera, radians: slightly downwards, into the pan. */
 const PITCH = -0.16;
 
 /** Largest height of a puffing flame, in mean heights. */

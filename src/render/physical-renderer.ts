@@ -46,7 +46,7 @@ import type { CompositedFrame } from "./volumetric/volumetric-target.js";
 const BLACK = [0, 0, 0, 1] as const;
 
 /**
- * The physical look: the room as a real flame lights it, in candela and metres.
+ * The physical look: a room in the light of a flame, in candela and metres.
  *
  * One frame at every tier: G-buffer, captures of the light, shading, composite, participating media, bloom and
  * exposure, display. Tiers differ in the opaque stage, in what follows from it (bloom of the frame or of the flame
@@ -84,7 +84,7 @@ export class PhysicalRenderer implements Renderer {
     this.#gpu = gpu;
     const { physical } = tier;
     const screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
-    // For machines without a GPU.
+    // On machines without a GPU.
     const isFrugal = physical.opaque !== "forward";
     const lods = physical.opaque === "deferred" ? new MeshLods(gpu) : null;
     const refined = physical.opaque === "refined" ? new RefinedStage(gpu, screen, tier) : null;
@@ -328,8 +328,7 @@ export class PhysicalRenderer implements Renderer {
 }
 
 /**
- * Goes on with what takes long before a `PhysicalRenderer` can be made: compiling, clustering the casters, and
- * tracing rays from the probes.
+ * Prepares a `PhysicalRenderer` a little at a time: compiles, clusters the casters, and traces the probes' rays.
  *
  * @returns whether all of it is done
  */

@@ -11,15 +11,15 @@ export interface Models {
   readonly candle: Model;
 }
 
-/** What a renderer can do beside drawing frames, if it refines an image at rest. */
+/** Refinement of an image at rest by a renderer. */
 export interface Refining {
   /** Tiles that are still those of the coarser image. */
   readonly remaining: number;
-  /** Goes on with captures of the light, `steps` of the settings at a time. True once they are done. */
+  /** Continues captures of the light by `steps` of the settings. True once they are done. */
   prepare(world: World, settings: FrameSettings): boolean;
   /** Begins with the last image of a coarser renderer on the same `Gpu`, of the same view. */
   begin(world: World, settings: FrameSettings, coarse: Surfaces): void;
-  /** What was shown last; null before all of it was kept. */
+  /** The last displayed image; null before all of it was kept. */
   image(): RefinedImage | null;
 }
 

@@ -18,7 +18,7 @@ import { clipFromFace, FACES } from "../shadow/cube-map.js";
 import type { ShadowCasters } from "../shadow/shadow-casters.js";
 import type { IndirectDetail } from "./probe-rays.js";
 
-/** Surfels that a light falls on, captured and lit: by a flame, or by the moon. */
+/** Surfels, captured and lit by a flame or by the moon. */
 export interface Surfels
   extends Pick<
     SurfelPass,
@@ -124,7 +124,7 @@ export class SurfelPass implements Surfels {
     });
   }
 
-  /** What the surfels, and the surface below the flame, reflect of a light. */
+  /** Radiosity of the surfels and of the support by a light. */
   renderRadiosity(light: CaptureLight): void {
     this.light.Light.update(light);
     const pass = {

@@ -8,11 +8,11 @@ const POINTS = 192;
 /** Share of them that are darker than the key, and its place on the display's scale. */
 const KEY = 0.68;
 const KEY_VALUE = 0.9;
-/** Of any surface, so that dark things stay dark. */
+/** Albedo that all surfaces are metered with, so that dark ones remain dark. */
 const ALBEDO = 0.5;
-/** Of a taper alone, from cd/m² to the display's scale; a model is exposed by no more. */
+/** Largest exposure of a model, from cd/m² to the display's scale: that of the lone taper. */
 export const MOST_EXPOSURE = 5;
-/** Of a flame's light, nearest that counts; of a point from its surface. Metres. */
+/** Least distance of a point from a flame; distance of a point from its surface. Metres. */
 const NEAREST = 0.03;
 const CLEARANCE = 0.001;
 /** Mean diffusion length of wax, m, and the share of the light on its top that leaves below. */
@@ -25,7 +25,7 @@ interface Point {
   readonly isWax: boolean;
 }
 
-/** Exposure meter of a model alone: by the light of its flames on points spread over what faces the camera. */
+/** Exposure meter of a model alone: by the light of its flames on points of the surfaces that face the camera. */
 export class LightMeter {
   /** Of each point and flame: luminance for each candela, cd/m². */
   readonly #perCandela: Float64Array;

@@ -48,7 +48,7 @@ export function frameBox({ min, max }: Bounds, aspect: number): OwnFraming {
   const sin = Math.sin(pitch);
   const cos = Math.cos(pitch);
   const middle = [0, 1, 2].map((axis) => (min[axis]! + max[axis]!) / 2);
-  // Corners as the camera sees them from the middle: to the side, up, and towards it.
+  // Corners in view space, from the middle.
   const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((corner) => {
     const [x = 0, y = 0, z = 0] = [0, 1, 2].map(
       (axis) => (corner & (1 << axis) ? max : min)[axis]! - middle[axis]!,

@@ -26,12 +26,12 @@ import { FlameShadows } from "./flame-shadows.js";
 import { LightMeter, MOST_EXPOSURE } from "./light-meter.js";
 import { boundsWithFlames, frameBox } from "./own-framing.js";
 
-/** Share of the directions in which a point of the model sees other points of it. */
+/** Share of the hemisphere that the model itself fills, as seen from its points. */
 const BOUNCE = 0.1;
 /** Share of the light that a taper alone has from its studio. */
 const STUDIO = 0.7;
 const NOTHING = [0, 0, 0, 0] as const;
-/** Less than in rooms, where all is of one hue: a product's colours are its own. */
+/** Less than in rooms, to keep the model's own colours. */
 const VIBRANCE = 0.4;
 const GLARE_COLOR = [1, 0.72, 0.36] as const;
 /** Samples of a soft shadow of up to four flames, by tier; of more, each is a smaller part of the light. */
@@ -67,7 +67,7 @@ interface Surface {
   readonly uniforms: Readonly<Record<string, number | readonly number[]>>;
 }
 
-/** Of an eye that candlelight surrounds. */
+/** Vision of an eye that is adapted to candlelight. */
 const LIT = nightVision(0);
 
 /**
@@ -160,7 +160,7 @@ export class OwnModelRenderer implements Renderer {
     const roots = rooted.map(({ root }) => root);
     const atlas = shadows.render(roots, this.#casters);
     this.#gpu.clear(target, NOTHING);
-    // The page around is as bright for one flame as for sixteen.
+    // The page around has the same brightness for one flame and for sixteen.
     const studio = (STUDIO * MOST_EXPOSURE) / keyExposure;
     const scene = { atlas, key, studio, translucency: features.translucency };
     if (features.candle) this.#drawSurfaces(target, scene, false);
@@ -261,7 +261,7 @@ function surfaceOf(mesh: Mesh): Surface {
   };
 }
 
-/** Wicks stand in their own flames, and what is clear lets light pass. */
+/** Wicks stand in their own flames, and clear surfaces transmit light. */
 function castsShadow({ isClear, uniforms }: Surface): boolean {
   return !isClear && uniforms.uWick === 0;
 }

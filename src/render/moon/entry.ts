@@ -2,16 +2,16 @@ import type { Model, Part } from "../../assets/model.js";
 import type { Vec3 } from "../../world/geometry.js";
 import { CollisionMesh } from "../../world/room/collision-mesh.js";
 
-/** Points along each edge of the room that are asked whether they see the moon. */
+/** Points along each edge of the room that rays to the moon are cast from. */
 const POINTS = [20, 10, 20] as const;
 
 /**
  * Whether moonlight reaches any point of a room.
  *
- * A room whose walls have no thickness would show a bright hair along the edges where they meet, since a shadow map
- * tells a caster from a lit surface by a distance of some millimetres.
+ * Without this test, a room of walls without thickness would have thin bright lines where they meet, since the bias
+ * of the shadow map is some millimetres.
  *
- * @param parts that stop the light
+ * @param parts that block the light
  */
 export function entersRoom(
   direction: Vec3,

@@ -68,7 +68,7 @@ export class MoonSurfels implements Surfels {
     return this.#radiosity.color;
   }
 
-  /** Nothing reads these of the moon. */
+  /** Not used for the moon. */
   get totalRadiosity(): Texture {
     return this.#radiosity.color;
   }
@@ -81,7 +81,7 @@ export class MoonSurfels implements Surfels {
     this.#gpu.clear(this.#surfels, [0, 0, 0, 0]);
   }
 
-  /** All at once, with the first face of the six that a flame has. */
+  /** Captures all surfels at the first of a flame's six faces. */
   capture(casters: ShadowCasters, _: unknown, face: number): void {
     const { frustum } = this;
     if (face > 0 || !frustum) return;

@@ -4,9 +4,9 @@ import type { Vec3 } from "../../world/geometry.js";
 /** Materials of the built-in room: panes, and the night behind its openings. */
 const PANE = "pane";
 const NIGHT = "night";
-/** Panes lie at most this far before the night, metres. */
+/** Largest distance of panes from the backdrop, metres. */
 const NEAR = 0.12;
-/** A night that lies flatter than this is under the floor or over the ceiling: vertical share of its normal. */
+/** Vertical share of the normal from which a backdrop lies under the floor or over the ceiling. */
 const UPRIGHT = 0.5;
 
 /** Panes of a window, as a rectangle, through which the night is seen. Metres. */
@@ -51,7 +51,7 @@ class Range {
   }
 }
 
-/** A part of the night, as a level rectangle, and the glass before it. */
+/** Part of the backdrop, as an upright rectangle, and the glass before it. */
 class Backdrop {
   readonly normal: Vec3;
   readonly level: Vec3;
@@ -137,7 +137,7 @@ export function panesOf({ parts }: Model): Panes | null {
   return windows.toSorted((a, b) => areaOf(b) - areaOf(a))[0] ?? null;
 }
 
-/** Whether a triangle stops moonlight: panes do not, nor the night behind them. */
+/** Whether a triangle blocks moonlight: panes and the backdrop behind them do not. */
 export function stopsMoonlight(part: Part, triangle: number, panes: Panes | null): boolean {
   const { name, alphaMode } = part.material;
   if (alphaMode === "blend") return false;
@@ -146,6 +146,6 @@ export function stopsMoonlight(part: Part, triangle: number, panes: Panes | null
   const depths = [0, 1, 2].map(
     (i) => dot(corner(part, 3 * triangle + i), normal) - dot(origin, normal),
   );
-  // Slack, since glass is never flat.
+  // With a tolerance, since glass is not flat.
   return depths.some((depth) => Math.abs(depth) > NEAR);
 }

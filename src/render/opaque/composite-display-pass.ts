@@ -16,7 +16,7 @@ import { ToneLut } from "../post/tone-lut.js";
 import { scaleBox } from "../screen-bounds.js";
 import type { FrameBlocks, OpaqueLayer } from "./opaque-stage.js";
 
-/** What else a composite to the canvas depends on. */
+/** Options of a composite to the canvas. */
 export interface DisplayOptions {
   /** Share of the light that lens and eye scatter. */
   readonly glareShare: number;

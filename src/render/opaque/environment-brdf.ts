@@ -1,14 +1,14 @@
 /** Edge of the table. */
 export const ENVIRONMENT_BRDF_SIZE = 32;
-/** Facets along each axis of the sample of a surface's facets that face the eye. */
+/** Samples of the visible facets along each axis. */
 const FACETS = 16;
 
 /**
- * How much a rough mirror sends back of light from all around: (of a perfect mirror, of its Fresnel term
- * alone) by the cosine of the eye's angle along x and roughness along y, each from 0 to 1 in texels.
+ * Directional albedo of a rough mirror: (with Fresnel's term at 1, its part by that term), by the cosine of the
+ * view angle along x and roughness along y, each from 0 to 1 in texels.
  *
- * After Karis 2013, "Real Shading in Unreal Engine 4", by the facets that the eye sees: Heitz 2018,
- * "Sampling the GGX Distribution of Visible Normals".
+ * After Karis 2013, "Real Shading in Unreal Engine 4", by sampling visible normals: Heitz 2018, "Sampling the GGX
+ * Distribution of Visible Normals".
  */
 export function tabulateEnvironmentBrdf(): Float32Array {
   const table = new Float32Array(ENVIRONMENT_BRDF_SIZE * ENVIRONMENT_BRDF_SIZE * 2);
@@ -22,15 +22,15 @@ export function tabulateEnvironmentBrdf(): Float32Array {
   return table;
 }
 
-/** Heitz 2014, "Understanding the Masking-Shadowing Function": what a facet hides, per what it shows. */
+/** Heitz 2014, "Understanding the Masking-Shadowing Function": ratio of hidden to visible area. */
 function hidden(alpha: number, cosine: number): number {
   const slope = (alpha * alpha * (1 - cosine * cosine)) / (cosine * cosine);
   return (Math.sqrt(1 + slope) - 1) / 2;
 }
 
-/** @param cosine of the eye's angle to the normal */
+/** @param cosine of the view angle */
 function reflectance(cosine: number, alpha: number): [number, number] {
-  // The eye in the space where facets are spread over a hemisphere; it is in the plane y = 0.
+  // View direction in the space where facets are spread over a hemisphere; it lies in the plane y = 0.
   const sine = Math.sqrt(Math.max(1 - cosine * cosine, 0));
   const stretch = Math.hypot(alpha * sine, cosine);
   const [ex, ez] = [(alpha * sine) / stretch, cosine / stretch];
@@ -45,7 +45,7 @@ function reflectance(cosine: number, alpha: number): [number, number] {
     const share = (1 + ez) / 2;
     const up = (1 - share) * rest + share * radius * Math.sin(angle);
     const ahead = Math.sqrt(Math.max(1 - across * across - up * up, 0));
-    // Axes: y, and across the eye in its plane.
+    // Axes: y, and perpendicular to the view direction in its plane.
     const hx = alpha * (ahead * ex - up * ez);
     const hy = alpha * across;
     const hz = Math.max(ahead * ez + up * ex, 1e-6);

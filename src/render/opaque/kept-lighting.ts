@@ -65,7 +65,7 @@ export class KeptLighting {
   }
 
   /**
-   * The lighting of all lights, and the light that it is for each candela of.
+   * The lighting of all lights, and the block of the light that it is per candela of.
    *
    * @param lighting of the flame
    */
@@ -82,7 +82,7 @@ export class KeptLighting {
       this.#target("sum/b", size),
     ];
     this.#sums.set(isReduced, sums);
-    // What is reprojected has the sum of the frame that it was lit in.
+    // A reprojected frame has the sum of the frame that it was lit in.
     if (gbuffer.reprojection) return { uLighting: sums[0].color, Light: this.#block };
     const flame = lightBlock(frame.world, frame.settings.features.candle);
     const uColor = this.#color(flame.intensity, lights);
@@ -104,7 +104,7 @@ export class KeptLighting {
     return { uLighting, Light: this.#block };
   }
 
-  /** What is added to the albedo's share has one colour: the flames', or the moon's where none burns. */
+  /** Colour of specular light in the sum: the flames', or the moon's where none burns. */
   #color(flame: Rgb, lights: readonly KeptLight[]): Rgb {
     const burning = lights.some(
       ({ kind, intensity }) => kind === "candle" && luma(intensity) > BURNING,

@@ -15,7 +15,7 @@ export interface FrameBlocks {
   readonly Light: UniformBlock;
 }
 
-/** The lit surfaces of a frame, for each candela of the flame's, or of the light that stands for all. */
+/** The lit surfaces of a frame, for each candela of the flame, or of the light that represents all. */
 export interface OpaqueLayer {
   readonly kind: GBufferKind;
   /** What the stage's shaders composite: radiance per candela, or its factors. */

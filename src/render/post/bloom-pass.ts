@@ -58,8 +58,8 @@ export class BloomPass {
   /**
    * Radiance in, bloom out, at half the size.
    *
-   * @param fullSize target for a bloom of the radiance's own size, which may hold the radiance: at low resolution the
-   *   texels of half a size would show
+   * @param fullSize target for a bloom of the radiance's own size, which may hold the radiance: at low resolution,
+   *   texels of half the size would be visible
    */
   render(radiance: Texture, fullSize: RenderTarget | null = null): Texture {
     let source = radiance;

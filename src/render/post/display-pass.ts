@@ -78,7 +78,7 @@ export class DisplayPass {
   readonly #gpu: Gpu;
   readonly #program: Program;
   readonly #screen: VertexArray;
-  /** Where there is no tone LUT. */
+  /** Null with a tone LUT. */
   readonly #hueLut: HueLut | null;
 
   /** @param usesToneLut whether the display transform is looked up in `uToneLut`, but for the brightest light */

@@ -20,7 +20,7 @@ type Uv = readonly [number, number];
 /**
  * Bloom of the flame alone: nothing else is bright enough.
  *
- * It may be that of an earlier frame, moved along with the flame.
+ * It may be an earlier frame's, shifted with the flame.
  */
 export class FlameBloomPass implements Bloom {
   readonly #gpu: Gpu;

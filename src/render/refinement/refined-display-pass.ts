@@ -31,8 +31,8 @@ const FARTHER = 96;
 /**
  * Composite and display transform of a refined image.
  *
- * Its surfaces change by their light alone, so their display colours are kept in a dimmer and in a brighter light,
- * and mixed: a third of what the tone LUT costs a CPU. Around the flame, whose glare comes on top, it is looked up.
+ * Only the light of its surfaces changes, so their display colours are kept for a dimmer and for a brighter light,
+ * and mixed: a third of the tone LUT's cost on a CPU. Around the flame, where glare is added, the LUT is used.
  */
 export class RefinedDisplayPass {
   readonly #gpu: Gpu;
@@ -53,7 +53,7 @@ export class RefinedDisplayPass {
   /** Each of the two kept textures. */
   #views: readonly TextureView[] = [];
   #depth: Texture | null = null;
-  /** What all of the kept colours depend on. */
+  /** Key of everything that the kept colours depend on. */
   #key = "";
   /** Bands kept since that has changed. */
   #bands = 0;
@@ -83,7 +83,7 @@ export class RefinedDisplayPass {
     return this.#toneLut.of(transform);
   }
 
-  /** What was shown last; null before all of it was kept. */
+  /** The last displayed image; null before all of it was kept. */
   image(): RefinedImage | null {
     const { source } = this.#stage;
     const [uDimmer, uBrighter] = this.#kept?.colors ?? [];
@@ -144,7 +144,7 @@ export class RefinedDisplayPass {
     });
   }
 
-  /** What the refinement has drawn, antialiased and by the exact display transform, as `high` shows it. */
+  /** Keeps new tiles, antialiased and by the exact display transform, as `high` displays them. */
   #keepTiles(
     textures: Readonly<Record<string, Texture>>,
     { transform, size }: DisplayOptions,
@@ -176,7 +176,7 @@ export class RefinedDisplayPass {
     }
   }
 
-  /** The image that the refinement has begun with, a few bands in a frame. */
+  /** Keeps the image that the refinement has begun with, a few bands in a frame. */
   #keepBands(
     textures: Readonly<Record<string, Texture>>,
     { transform }: DisplayOptions,

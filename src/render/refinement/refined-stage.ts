@@ -62,7 +62,7 @@ export class RefinedStage implements OpaqueStage {
   flameColor: Rgb = TAPER.color;
   /** Of the flame then, cd. */
   #intensity: Rgb = TAPER.color;
-  /** Tiles drawn since that was last asked. */
+  /** Tiles drawn since the last call of `takeDrawn`. */
   #drawn: Box[] = [];
   /** Still to be drawn: all with one sample a pixel, which costs half, and then with all samples. */
   #tiles: Tile[] = [];
@@ -106,12 +106,12 @@ export class RefinedStage implements OpaqueStage {
     this.#image = this.#gpu.renderTarget({ ...options, depth: "texture" });
   }
 
-  /** Tiles drawn since this was last asked. */
+  /** Tiles drawn since the last call. */
   takeDrawn(): readonly Box[] {
     return this.#drawn.splice(0);
   }
 
-  /** Begins anew: with a coarser image, and the light where it is. */
+  /** Begins with a coarser image and the current light. */
   #beginWith({ world, settings, flameUv }: FrameInput, { radiance, depth, light }: Surfaces): void {
     const target = this.#whole;
     this.beginnings++;
@@ -156,14 +156,14 @@ export class RefinedStage implements OpaqueStage {
     return { kind: "full", textures, uniforms: {}, blocks: this.blocks, depth, motion: 0 };
   }
 
-  /** A light as a multiple of the flame's at the beginning: as long as it is refined, the flame burns on. */
+  /** A light as a multiple of the flame's at the beginning, since the flame changes while the image is refined. */
   #perCandela(intensity: Rgb): Rgb {
     const [red, green, blue] = intensity;
     const flame = this.#intensity;
     return [red / flame[0], green / flame[1], blue / flame[2]];
   }
 
-  /** A tile is drawn to samples of its own, since drivers resolve all of a target, or none. */
+  /** Draws a tile to a multisampled target of its own, since drivers resolve whole targets only. */
   #drawTile(
     frame: FrameInput,
     light: CaptureLight,

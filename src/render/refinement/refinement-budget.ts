@@ -1,12 +1,12 @@
-/** Time from frame to frame that is aimed at while the image is refined, seconds. */
+/** Target frame time while the image is refined, seconds. */
 const AIM = 1 / 20;
-/** A frame that took this much longer was late. */
+/** Multiple of it above which a frame is late. */
 const LATE = 1.1;
 /** Steps of work in a frame: at first, at least and at most. */
 const FIRST = 1;
 const LEAST = 1 / 8;
 const MOST = 64;
-/** What a frame in time adds, as a share and beside it; and the most that a late one leaves. */
+/** Growth of the budget after a frame in time: a factor, and steps; and the largest factor after a late one. */
 const MORE = { share: 1.15, steps: 0.1 } as const;
 const LESS = 0.85;
 
