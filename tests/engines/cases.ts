@@ -91,9 +91,8 @@ export const SHORT: readonly Case[] = [
   LONE,
   inRoom("paper", "low"),
   inRoom("original", "low"),
-  inRoom("physical", "low"),
-  inRoom("physical", "medium"),
   fourCandles("low"),
+  inRoom("physical", "medium"),
   HOSTED,
 ];
 
