@@ -31,18 +31,9 @@ function apply(rows: Rows, [x, y, z]: Rgb): Rgb {
   return rows.map((row) => row[0] * x + row[1] * y + row[2] * z) as unknown as Rgb;
 }
 
-function xyzOf([x, y]: readonly [number, number]): Rgb {
-  return [x / y, 1, (1 - x - y) / y];
-}
-
 /** Luminance's weights of Rec. 709. */
 export function luma([red, green, blue]: Rgb): number {
   return 0.2126729 * red + 0.7151522 * green + 0.072175 * blue;
-}
-
-/** Linear Rec. 709 of a chromaticity, with luma 1. */
-function whiteOf(chromaticity: readonly [number, number]): Rgb {
-  return apply(RGB_FROM_XYZ, xyzOf(chromaticity));
 }
 
 /**
@@ -75,7 +66,8 @@ export function adaptation(candle: Rgb): Rgb {
 
 /** The adapted white of candlelight, with luma 1. */
 export function adaptedWhite(): Rgb {
-  return whiteOf(ADAPTED_WHITE);
+  const [x, y] = ADAPTED_WHITE;
+  return apply(RGB_FROM_XYZ, [x / y, 1, (1 - x - y) / y]);
 }
 
 /** How much further than in nature a faint hue is shown from white; see shaders/lib/chromatic-adaptation.glsl. */

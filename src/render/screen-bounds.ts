@@ -97,6 +97,11 @@ export function clipOfBox([x, y, wide, high]: Box, { width, height }: Size, clip
   return narrow;
 }
 
+/** A horizontal band of an image: one of `count`, from the bottom up. */
+export function bandOf(size: Size, band: number, count: number): Box {
+  return tiles(size, { rows: count, columns: 1 })[band]!;
+}
+
 /** A frame cut into rows and columns of boxes. */
 export function tiles({ width, height }: Size, { rows, columns }: Grid): Box[] {
   const edge = (length: number, count: number, i: number) => Math.round((length * i) / count);

@@ -1,6 +1,6 @@
 import type { Draw, Gpu } from "../gl/gpu.js";
 import type { RenderTarget } from "../gl/render-target.js";
-import { bandOf } from "./gbuffer/screen-bands.js";
+import { bandOf } from "./screen-bounds.js";
 
 /** Work in steps, of which each frame does a few. */
 export type Steps<Result = void> = Generator<void, Result>;

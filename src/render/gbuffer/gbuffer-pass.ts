@@ -16,7 +16,7 @@ import type { MeshLods } from "../mesh/mesh-lods.js";
 import { visibleRuns } from "../mesh/visible-runs.js";
 import { type GBufferSamples, UpsampleGuidePass } from "../opaque/upsample-guide-pass.js";
 import { SCHEDULE } from "../schedule.js";
-import { clipOfBox } from "../screen-bounds.js";
+import { bandOf, clipOfBox } from "../screen-bounds.js";
 import { AlbedoCache, isBaked } from "./albedo-cache.js";
 import type { GBuffer } from "./gbuffer.js";
 import {
@@ -24,7 +24,6 @@ import {
   reprojectionBetween,
   reprojectionSource,
 } from "./reprojection.js";
-import { bandOf } from "./screen-bands.js";
 
 const NOTHING = [0, 0, 0, 0] as const;
 

@@ -12,13 +12,12 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { TextureView } from "../../gl/texture-view.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import { bandOf } from "../gbuffer/screen-bands.js";
 import type { DisplayOptions } from "../opaque/composite-display-pass.js";
 import type { FrameBlocks, OpaqueLayer } from "../opaque/opaque-stage.js";
 import { whiteBalance } from "../post/display-pass.js";
 import { HueLut } from "../post/hue-lut.js";
 import { ToneLut } from "../post/tone-lut.js";
-import { expandBox } from "../screen-bounds.js";
+import { bandOf, expandBox } from "../screen-bounds.js";
 import type { RefinedStage } from "./refined-stage.js";
 import type { RefinedImage } from "./sharp-start.js";
 

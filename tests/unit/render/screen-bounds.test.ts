@@ -1,7 +1,6 @@
 import { describe, expect, test } from "vitest";
-import { clipFromWorld, clipPosition } from "../../../../src/render/camera.js";
-import { bandOf } from "../../../../src/render/gbuffer/screen-bands.js";
-import { clipOfBox } from "../../../../src/render/screen-bounds.js";
+import { clipFromWorld, clipPosition } from "../../../src/render/camera.js";
+import { bandOf, clipOfBox } from "../../../src/render/screen-bounds.js";
 
 const SIZE = { width: 853, height: 481 };
 
