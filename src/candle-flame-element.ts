@@ -43,15 +43,15 @@ const SCENE_ATTRIBUTES: readonly SettingName[] = ["scene", "look", "src", "asset
  *
  * @tagname candle-flame
  * @fires {CustomEvent} progress - Loading goes on; detail.totalProgress is 0 to 1.
- * @fires {CustomEvent} load - The first frame is there, or that of another look or room.
+ * @fires {CustomEvent} load - The first frame is drawn, or the first of another look or room.
  * @fires {CustomEvent} error - detail.type, detail.message and detail.cause say what failed.
  * @fires {CustomEvent} play - Time passes from now on.
- * @fires {CustomEvent} pause - Time stands still: `paused` is set, or nobody can see the canvas.
+ * @fires {CustomEvent} pause - Time stops: `paused` is set, or the canvas is invisible.
  * @fires {CustomEvent} light - A candle was lit; detail.index and detail.name say which.
  * @fires {CustomEvent} extinguish - A candle went out; the same.
  * @fires {CustomEvent} place - The candle was put down.
  * @fires {CustomEvent} take - The candle was taken up.
- * @fires {CustomEvent} enter - The visitor went in.
+ * @fires {CustomEvent} enter - The visitor entered the room.
  * @fires {CustomEvent} leave - The visitor left.
  * @fires {CustomEvent} qualitychange - Another quality draws, by `quality` or by `auto`.
  * @fires {CustomEvent} camerachange - The visitor moved, looked around or was moved.

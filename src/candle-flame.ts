@@ -39,7 +39,7 @@ const MAX_FRAME = 1 / 20;
 /**
  * Composition of input, world, light and renderer on one canvas.
  *
- * The world lives as long as this does; the GPU and its renderer come and go with the context.
+ * The world has this object's lifetime; the GPU and its renderer have the context's.
  */
 export class CandleFlame {
   world: World;

@@ -11,8 +11,8 @@ type Semantic = keyof typeof ATTRIBUTES;
 /**
  * Accessibility of the element: role, name, description and focus, of itself, its canvas and its poster.
  *
- * With `controls` the element is an application that takes the focus; without, the canvas alone is an image.
- * The element's own is default semantics, each of which the page's attribute overrides.
+ * With `controls` the element is an application that takes the focus; without, the canvas alone is an image. The
+ * element sets default semantics, which the page's attributes override.
  */
 export class Accessibility {
   readonly #host: ReflectedAttributes;

@@ -4,7 +4,7 @@ import { fieldOfViewOf, legalFieldOfView } from "../world/player/field-of-view.j
 
 /** The camera, as the property `camera` has it. */
 export interface Camera {
-  /** Metres; the origin is on the floor, amid the room. */
+  /** Metres; the origin is on the floor, in the middle of the room. */
   readonly position: readonly [number, number, number];
   /** Radians, counter-clockwise from above; 0 looks along -Z. */
   readonly yaw: number;

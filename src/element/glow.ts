@@ -1,4 +1,4 @@
-/** The warm light of a lone candle on the page around it, as strong as the flame at any moment. */
+/** The warm light of a lone candle on the page around it, in proportion to the flame's intensity. */
 export class Glow {
   readonly element = document.createElement("div");
   #intensity = "";

@@ -28,7 +28,7 @@ export type LifecycleEvent =
   | "lose"
   | "restore"
   | "fail"
-  /** Begins anew: for another scene, after a failure, or when the context went to another element. */
+  /** Restarts: for another scene, after a failure, or when the context went to another element. */
   | "restart";
 
 const RESTART = { restart: "deferred", disconnect: "detached" } as const;

@@ -24,7 +24,7 @@ export class WebGLUnavailableError extends Error {
 }
 
 /**
- * A WebGL2 context and everything that lives in it.
+ * A WebGL2 context and its objects.
  *
  * It creates all GPU objects, so it can count and free them.
  */

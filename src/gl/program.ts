@@ -104,7 +104,7 @@ interface Stage {
 }
 
 /**
- * A linked program that knows its uniforms by name.
+ * A linked program, with its uniforms by name.
  *
  * Drivers compile programs in parallel. The result is queried on first use, since the query blocks.
  */

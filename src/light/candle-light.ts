@@ -26,7 +26,7 @@ const FLICKER = 0.04;
 /** rad/s */
 const FLICKER_RATE = 2 * Math.PI * 2.3;
 
-/** The light of the paper's flame: amid its glowing particles, and moving with them. */
+/** The light of the paper's flame, at the centre of its glowing particles. */
 export function candleLight(world: World, features: Features, isStill: boolean): PointLight {
   const { setup } = world;
   const { flame } = world.interpolated;

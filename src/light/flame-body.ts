@@ -29,7 +29,7 @@ export interface FlameBody {
   readonly height: number;
   /** Largest radius, metres. */
   readonly radius: number;
-  /** Candela, in every horizontal direction alike: the flame is all but transparent. */
+  /** Candela, equal in all horizontal directions, as the flame is nearly transparent. */
   readonly luminousIntensity: number;
   /** Linear Rec. 709 with luma 1. */
   readonly color: Rgb;
@@ -114,8 +114,8 @@ export function flameBody(height: number, radius: number, luminousIntensity: num
   const blue = sum(blueRows);
   const soot = sum(sootRows);
   const total = soot + blue;
-  // Emission integrated over the volume is intensity: scaled, it is the one asked for.
-  // By Kirchhoff's law absorption is emission over what a black body would give: it scales alike.
+  // Emission integrated over the volume is intensity: scaled, it is the one asked for. By Kirchhoff's law absorption
+  // is emission over that of a black body: it scales in proportion.
   const scale = luminousIntensity / total;
   for (let i = 0; i < texels.length; i++) texels[i] = (texels[i] ?? 0) * scale;
   for (let row = 0; row < rows; row++) {

@@ -52,7 +52,7 @@ function addSetting(
   const isSlider = setting.kind === "number" && !setting.integer;
   control.addEventListener(isSlider ? "input" : "change", () => {
     element.setAttribute(name, control.value);
-    onChange(); // the element may have made another value of it
+    onChange(); // the element may have changed the value
   });
   const meaning = SETTING_MEANINGS[name];
   const row = settingRow(control, { id, name: name.replace("-", " "), meaning });

@@ -9,7 +9,7 @@ export interface CanvasTarget {
   readonly canvas: HTMLCanvasElement;
   /** Primaries that the canvas can show now: a window may move to another monitor. */
   readonly gamut: PredefinedColorSpace;
-  /** Takes ownership of what lives on `gpu`, to free it with the rest. */
+  /** Takes ownership of an object on `gpu`, to free it with the rest. */
   own(object: { dispose(): void }): void;
   /** Frees what the renderer made on `gpu`; the context stays. */
   clear(): void;

@@ -49,7 +49,7 @@ export async function loadModels(
       decoderBase: new URL("decoders/", assetRoot).href,
       onProgress: (fraction) => {
         progress[name] = Math.max(progress[name], fraction);
-        // The room is most of the way.
+        // The room is most of the download.
         if (!signal.aborted) onProgress((progress.room * 3 + progress.candle) / 4);
       },
     });

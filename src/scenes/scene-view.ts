@@ -143,7 +143,7 @@ export class SceneView {
     this.rebuild();
   }
 
-  /** Makes the renderer anew. */
+  /** Creates a new renderer. */
   rebuild(): void {
     if (this.#target.gpu.isLost) return; // it is rebuilt once the context is restored
     const before = { tier: this.#tier.name, share: this.#share };

@@ -24,7 +24,7 @@ export function interpolate(world: World): void {
   for (let axis = 0; axis < 3; axis++) eye[axis]! += bob[axis]!;
 }
 
-/** Moves candle and flame to where the hand is, after so many seconds; 0 leaves the hand as it is. */
+/** Moves candle and flame with the hand, after some seconds; 0 leaves the hand unchanged. */
 export function poseCandle(world: World, seconds: number): void {
   const { candle, player, hand, setup, room, emitter } = world;
   if (candle.isHeld && room) {

@@ -82,7 +82,7 @@ export async function climb(
   }
 }
 
-/** The paper's room has models of its own, which have to come before there is anything to measure. */
+/** Shows the paper's look, and waits for the models of its room. */
 async function turnToPaper(element: CandleFlameElement, signal: AbortSignal): Promise<void> {
   const hasOtherModels = element.look === "physical";
   const stop = new AbortController();
@@ -134,7 +134,7 @@ function framesThatFit(element: CandleFlameElement): number {
 
 /** Mean time of a frame, in milliseconds. */
 function burst(element: CandleFlameElement, frames: number): number {
-  // One frame for what the last change brought with it. Reading a pixel waits for the GPU.
+  // One frame for the cost of the last change. Reading a pixel waits for the GPU.
   element.step(TIME_STEP);
   element.readRadiance(0, 0, 1, 1);
   const begin = performance.now();

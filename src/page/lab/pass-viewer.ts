@@ -23,6 +23,6 @@ export function bindPassViewer(section: HTMLElement, room: CandleFlameElement) {
   };
   list.addEventListener("change", () => show(list.value as Inspection));
   refresh();
-  // Back to the frame itself, so that no visitor is left with a depth buffer.
+  // Closing the lab displays the frame again.
   return { refresh, close: () => show("picture") };
 }

@@ -17,12 +17,12 @@ export function puffingFrequency(width: number, gravity = 9.81): number {
 }
 
 /**
- * Puffing of a wide flame: its neck is an oscillator that excites itself.
+ * Puffing of a wide flame: a self-excited oscillator.
  *
- * Stuart and Landau's equation, dA/dt = (s + iw) A - l |A|² A, which every flow obeys just above the
- * threshold of such an instability (Landau 1944, "On the Problem of Turbulence"). Threshold, frequency
- * and saturation are those of the axisymmetric solver in tools/puffing. Below the threshold s < 0 and
- * what disturbs it dies away: a candle has no tone of its own.
+ * Stuart and Landau's equation, dA/dt = (s + iw) A - l |A|² A, which every flow obeys just above the threshold of
+ * such an instability (Landau 1944, "On the Problem of Turbulence"). Threshold, frequency and saturation are those
+ * of the axisymmetric solver in tools/puffing. Below the threshold s < 0 and disturbances decay: a candle has no
+ * tone of its own.
  */
 export class Puffing {
   /** Share of its mean by which the luminous volume is off it: the amplitude's real part. */

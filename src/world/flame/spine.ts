@@ -28,9 +28,8 @@ export interface GasSource {
 /**
  * The middle of the flame as a streakline: parcels of gas that left the wick one after another.
  *
- * Each has risen by the measured law since, and been carried by the air around it. So the flame lags
- * when it is carried, leans in a wind and straightens within the time that gas takes from base to tip:
- * there is no spring to tune.
+ * Each rises by a measured law and is advected by the air. So the flame lags when it is carried, leans in a wind,
+ * and straightens within the time that gas takes from base to tip, without a spring to tune.
  */
 export class Spine {
   /** x, y, z of each parcel from the foot of the flame, the youngest first, metres. */

@@ -18,24 +18,23 @@ const SPREADING = 1.1e-6;
 const THICKNESS = 7e-6;
 /** Seconds over which an old parcel dissolves. */
 const DISSOLVING = 2.2;
-/** How fast the glowing end of the wick flares and fades, Hz, and by what share of it. */
+/** Frequency, Hz, and amplitude of the variations of the smoke's strength. */
 const GRAIN_RATE = 14;
 const GRAIN = 0.45;
 
 /**
- * White smoke of wax that a hot wick still gives off when its flame is out.
+ * White smoke: wax vapour of a hot wick whose flame is out.
  *
- * Parcels that left the rim of the wick one after another make streaklines, which the air carries and
- * stretches; where it pulls neighbours apart the smoke thins. After von Funck, Weinkauf, Theisel and
- * Seidel 2008, "Smoke Surfaces: An Interactive Flow Visualization Technique Inspired by Real-World Flow
- * Experiments".
+ * Parcels that left the rim of the wick one after another make streaklines, which the air carries and stretches;
+ * where it pulls neighbours apart the smoke thins. After von Funck, Weinkauf, Theisel and Seidel 2008, "Smoke
+ * Surfaces: An Interactive Flow Visualization Technique Inspired by Real-World Flow Experiments".
  */
 export class Smoke {
   /** One row after the other, `LINES` parcels in each; the youngest row is `newest`. */
   readonly parcels = new Float32Array(LINES * ROWS * SMOKE_FLOATS);
   newest = 0;
   count = 0;
-  /** Share of the smoke that a wick gives off at most, and whether it gives off any. */
+  /** Strength of the smoke, as a share of the most that a wick gives off, and whether it gives off any. */
   strength = 0;
   isFed = false;
   readonly #velocities = new Float32Array(LINES * ROWS * 3);

@@ -81,9 +81,9 @@ const TOLERANCE = 1e-3;
 /**
  * Exposure adaptation of the eye: how far it lags behind the exposure that the view asks for.
  *
- * The exposure itself is metered on the GPU, from the frame. The eye takes seconds to get there; that lag is
- * kept in the world, so that it is the same however often frames are drawn, and outlives a lost context. It
- * casts a few rays to estimate the luminance; since only differences count, that need not be exact.
+ * The exposure is metered on the GPU, from the frame. The eye takes seconds to adapt. This lag is a part of the
+ * world, so it is independent of the frame rate and survives a lost context. A few rays estimate the luminance;
+ * only its changes matter, so the estimate may be coarse.
  */
 export class ExposureAdaptation {
   /** Stops by which the eye is open wider than the view asks for. */

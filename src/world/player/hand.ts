@@ -15,7 +15,7 @@ const MAX_SWAY = 0.05;
 const STRETCHING = 7;
 /** Rate at which the hand reaches out, 1/s. */
 const REACHING = 6;
-/** The hand begins to draw back this early, metres, so that it seldom has to do so at once. */
+/** Distance from an obstacle at which the hand begins to draw back, metres. */
 const CAUTION = 0.06;
 
 /** Hand that holds the candle: it has inertia, and draws back from obstacles. */

@@ -12,8 +12,8 @@ export const MAX_DEPTH = UNBALANCED_DEPTH + 32;
 /**
  * Bounding volume hierarchy: a query tests the items of the leaves whose boxes it overlaps.
  *
- * `link` is a node's first child, and the second follows it: both are needed together. In a
- * leaf, `link` is the first of its `count` items.
+ * `link` is a node's first child, and the second follows it: both are read together. In a leaf, `link` is the first
+ * of its `count` items.
  */
 export interface Bvh {
   /** min xyz, max xyz */

@@ -19,9 +19,9 @@ const EXHIBIT_DISTANCE = 1.2;
 /**
  * Floor plan: the walkable area of a room, and collision against it, with sliding.
  *
- * A grid marks the squares that anything touches between ankle and head; its exact distance field gives
- * the clearance. Rounded down by half a square's diagonal and by the error of interpolation, it is never
- * more than there is, so a walker with that clearance never overlaps a triangle.
+ * A grid marks the squares that anything touches between ankle and head; its exact distance field gives the
+ * clearance. Reduced by half a square's diagonal and by the error of interpolation, it is a lower bound, so a
+ * walker never overlaps a triangle.
  */
 export class FloorPlan {
   readonly floor: number;

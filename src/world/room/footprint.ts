@@ -17,7 +17,7 @@ export interface CircleSweep {
 /**
  * Footprint of a triangle: the plan of its part between two heights, a convex polygon, often a mere line.
  *
- * One is made once and filled anew for each triangle.
+ * One object is reused for all triangles.
  */
 export class Footprint {
   readonly x = new Float64Array(CORNERS);

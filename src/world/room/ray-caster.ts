@@ -37,7 +37,7 @@ export class RayCaster {
 
   /** Where the coordinates of the triangle begin that a ray meets first; -1 if it meets none. */
   cast(origin: Readonly<Vec3>, direction: Readonly<Vec3>, farthest: number): number {
-    // Read back from an array of doubles, V8 knows them for doubles: a quarter faster.
+    // Read from a Float64Array, so that V8 treats them as doubles: a quarter faster.
     const ray = this.#ray;
     for (let axis = 0; axis < 3; axis++) {
       ray[axis] = origin[axis]!;
