@@ -1,7 +1,6 @@
 import type { Vec3 } from "../geometry.js";
 import type { World } from "../world.js";
 import type { AdaptationView } from "./exposure-adaptation.js";
-import { fieldOfViewOf } from "./field-of-view.js";
 
 /** Middle of a flame from its foot, metres. */
 const MIDDLE = 0.025;
@@ -10,7 +9,9 @@ const MIDDLE = 0.025;
 export function adaptationView(world: World): AdaptationView | null {
   const { adaptationView: view, player } = world;
   if (!view) return null;
-  view.fieldOfView = fieldOfViewOf(world);
+  // Chosen by branches: as the value of an expression that may be null, a number is boxed.
+  if (world.fieldOfView === null) view.fieldOfView = world.setup.fieldOfView;
+  else view.fieldOfView = world.fieldOfView;
   view.yaw = player.yaw;
   view.pitch = player.pitch;
   const root = brightestRoot(world);
