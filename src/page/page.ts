@@ -181,6 +181,8 @@ const refreshSettings = addSettings(room, find(settings, "fieldset", HTMLFieldSe
   "wind-direction",
   "gustiness",
   "wick",
+  "moonlight",
+  "moon-direction",
   "sensitivity",
   "motion",
 ]);

@@ -19,6 +19,7 @@ const SLIDER_STEPS: Readonly<Partial<Record<Shown, number>>> = {
   "wind-direction": 5,
   gustiness: 0.05,
   wick: 0.5,
+  moonlight: 0.01,
 };
 
 /**

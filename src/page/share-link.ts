@@ -20,6 +20,8 @@ export const SHARED = [
   "wind-direction",
   "gustiness",
   "wick",
+  "moonlight",
+  "moon-direction",
   "unlit",
   "lit-wicks",
 ] as const;
@@ -37,6 +39,9 @@ export interface View {
 const DIGITS = 4;
 
 const NUMBER = /^-?\d{1,5}(\.\d{1,9})?$/;
+
+/** Azimuth and elevation of the moon. */
+const MOON_PLACE = /^-?\d{1,3}(\.\d{1,9})? -?\d{1,2}(\.\d{1,9})?$/;
 
 /** The view as a location's hash. */
 export function writeShareLink({ camera, candle, settings }: View): string {
@@ -86,6 +91,7 @@ function readCamera(text: string | null): Camera | null {
 /** The legal text of a setting; null where that is its default. A flag is set by any text. */
 function legalText(name: Shared, text: string | null): string | null {
   if (name === "lit-wicks") return parseIndices(text ?? "")?.join(" ") ?? null;
+  if (name === "moon-direction") return MOON_PLACE.exec(text?.trim() ?? "")?.[0] ?? null;
   const setting: ChoiceSetting | NumberSetting | FlagSetting = SETTINGS[name];
   if (setting.kind === "flag") return text === null ? null : "";
   const value = setting.kind === "number" ? parseNumber(setting, text) : parseChoice(setting, text);

@@ -17,6 +17,8 @@ test("a view survives the round trip", () => {
       "wind-direction": "-90",
       gustiness: "0",
       wick: "12.5",
+      moonlight: "0.3",
+      "moon-direction": "-70 32.5",
       unlit: "",
       "lit-wicks": "0 2",
     },
