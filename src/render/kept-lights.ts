@@ -2,6 +2,7 @@ import type { Gpu } from "../gl/gpu.js";
 import type { VertexArray } from "../gl/vertex-array.js";
 import type { World } from "../world/world.js";
 import type { IndirectScene } from "./gi/indirect-pass.js";
+import { type IndirectTargets, indirectTargets } from "./gi/indirect-targets.js";
 import type { KeptLight } from "./kept-light.js";
 import { MoonCaptures } from "./moon/moon-captures.js";
 import type { PhysicalTier } from "./quality.js";
@@ -17,10 +18,23 @@ export class KeptLights {
   /** By the candle's name. */
   readonly #standing = new Map<string, StandingLight>();
 
-  constructor(gpu: Gpu, screen: VertexArray, scene: IndirectScene, tier: PhysicalTier) {
+  /** @param known targets that bounces are computed in at once; null for its own */
+  constructor(
+    gpu: Gpu,
+    screen: VertexArray,
+    scene: IndirectScene,
+    tier: PhysicalTier,
+    known: IndirectTargets | null,
+  ) {
     this.#mostCandles = tier.mostCandles;
-    this.#makeStanding = () => new StandingLight(gpu, screen, scene, tier);
-    this.#makeMoon = () => new MoonCaptures(gpu, screen, scene, tier);
+    // Each light is captured at once, so that one set of targets serves all.
+    let shared = known;
+    const targets = () => {
+      shared ??= indirectTargets(gpu, tier.indirect);
+      return shared;
+    };
+    this.#makeStanding = () => new StandingLight(gpu, screen, scene, tier, targets());
+    this.#makeMoon = () => new MoonCaptures(gpu, screen, scene, tier, targets());
   }
 
   /** @param casters of a standing candle's shadows and bounced light */

@@ -7,6 +7,7 @@ import { flameLight, TAPER } from "../light/flame-light.js";
 import type { Vec3 } from "../world/geometry.js";
 import type { StandingCandle } from "../world/standing-candle.js";
 import { IndirectPass, type IndirectScene } from "./gi/indirect-pass.js";
+import type { IndirectTargets } from "./gi/indirect-targets.js";
 import type { KeptLight } from "./kept-light.js";
 import type { CaptureLight } from "./light-block.js";
 import type { PhysicalTier } from "./quality.js";
@@ -49,9 +50,10 @@ export class StandingLight {
     screen: VertexArray,
     scene: IndirectScene,
     { shadow, indirect }: PhysicalTier,
+    targets: IndirectTargets,
   ) {
     this.#shadow = new ShadowPass(gpu, shadow.size);
-    this.#indirect = new IndirectPass(gpu, screen, scene, indirect);
+    this.#indirect = new IndirectPass(gpu, screen, scene, indirect, { targets });
     const program = gpu.program("gi/radiosity", fullscreenVert, radiosityFrag);
     this.#block = gpu.uniformBlock(program, "Light");
   }

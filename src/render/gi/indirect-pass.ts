@@ -19,6 +19,12 @@ import { FACES } from "../shadow/cube-map.js";
 import type { ShadowCasters } from "../shadow/shadow-casters.js";
 import type { ShadowCube } from "../shadow/shadow-pass.js";
 import { drawInBands, finish, type Steps } from "../steps.js";
+import {
+  type IndirectTargets,
+  indirectTargets,
+  probeTiles,
+  surfelRowsOf,
+} from "./indirect-targets.js";
 import { IrradianceAtlas } from "./irradiance-atlas.js";
 import { type IndirectDetail, IRRADIANCE_TEXELS, traceProbes } from "./probe-rays.js";
 import { type ProbeTextures, uploadProbeRays } from "./probe-textures.js";
@@ -75,11 +81,7 @@ export class IndirectPass {
   readonly #screen: VertexArray;
   readonly #block: UniformBlock;
   readonly #surfels: Surfels;
-  readonly #surfelRadiance: RenderTarget;
-  readonly #rayRadiance: RenderTarget;
-  readonly #firstBounce: RenderTarget;
-  /** Sums after each further bounce, used in turn. */
-  readonly #bounces: readonly RenderTarget[];
+  readonly #targets: IndirectTargets;
   readonly #atlas: IrradianceAtlas;
   readonly #scene: IndirectScene;
   #uploaded: ProbeTextures | null = null;
@@ -98,17 +100,18 @@ export class IndirectPass {
     screen: VertexArray,
     scene: IndirectScene,
     detail: IndirectDetail,
-    surfels: Surfels = new SurfelPass(gpu, screen, detail),
+    {
+      surfels = new SurfelPass(gpu, screen, detail),
+      targets = indirectTargets(gpu, detail),
+    }: { readonly surfels?: Surfels; readonly targets?: IndirectTargets } = {},
   ) {
     this.#gpu = gpu;
     this.#screen = screen;
     this.#detail = detail;
     this.#scene = scene;
     this.#surfels = surfels;
-    // Surfels lie in the tiles of the probes in rows as long as those of the rays.
-    const surfelRows = Math.ceil(
-      (FACES.length * (detail.surfels / detail.surfelGroup) ** 2) / detail.rays,
-    );
+    this.#targets = targets;
+    const surfelRows = surfelRowsOf(detail);
     const perRay = (label: string, fragment: ShaderSource) =>
       gpu.program(label, fullscreenVert, fragment, {
         defines: {
@@ -132,41 +135,13 @@ export class IndirectPass {
       rows,
       planes,
     });
-    const texel = floats(gpu, 4);
-    const radiance = { color: ["RGBA16F"], filter: "nearest" } as const;
-    const tiles = { width: columns, height: rows * planes };
-    // Rays in groups of four.
-    const rayEdge = detail.rays / 2;
-    this.#rayRadiance = gpu.renderTarget({
-      label: "gi/ray-radiance",
-      width: tiles.width * rayEdge,
-      height: tiles.height * rayEdge,
-      ...radiance,
-    });
-    this.#surfelRadiance = gpu.renderTarget({
-      label: "gi/surfel-radiance",
-      width: tiles.width * detail.rays,
-      height: tiles.height * surfelRows,
-      color: ["RGBA16F", "RGBA16F"],
-      filter: "nearest",
-    });
-    const maps = {
-      width: tiles.width * IRRADIANCE_TEXELS,
-      height: tiles.height * IRRADIANCE_TEXELS,
-      color: [texel],
-      filter: "nearest",
-    } as const;
-    this.#firstBounce = gpu.renderTarget({ label: "gi/first-bounce", ...maps });
-    this.#bounces = ["a", "b", "c", "d"].map((label) =>
-      gpu.renderTarget({ label: `gi/bounces/${label}`, ...maps }),
-    );
     const gather = (SURFELS: 0 | 1, ROWS: number, COLUMNS: number) =>
       gpu.program("gi/gather", fullscreenVert, gatherFrag, {
         defines: { SURFELS, ROWS, COLUMNS, IRRADIANCE_TEXELS },
       });
     this.#surfelGatherProgram = gather(1, surfelRows, detail.rays);
-    this.#rayGatherProgram = gather(0, rayEdge, rayEdge);
-    this.#atlas = new IrradianceAtlas(gpu, screen, this.#block, tiles, texel);
+    this.#rayGatherProgram = gather(0, detail.rays / 2, detail.rays / 2);
+    this.#atlas = new IrradianceAtlas(gpu, screen, this.#block, probeTiles(detail), floats(gpu, 4));
   }
 
   /** Uploaded on first use: their albedo waits for a program. */
@@ -254,10 +229,10 @@ export class IndirectPass {
     this.#lastLight = JSON.stringify(light);
     this.#isExact = true;
     yield* this.#renderFirstBounce(light, shadow, bands);
-    const sums = [this.#firstBounce];
+    const sums = [this.#targets.firstBounce];
     for (let bounce = 1; bounce < this.#detail.bounces; bounce++) {
       this.#atlas.render(sums.at(-1)!);
-      const sum = this.#bounces[bounce % this.#bounces.length]!;
+      const sum = this.#targets.bounces[bounce % this.#targets.bounces.length]!;
       yield* this.#renderNextBounce(sum, bands);
       sums.push(sum);
       yield;
@@ -271,7 +246,7 @@ export class IndirectPass {
     this.#lastLight = JSON.stringify(light);
     this.#isExact = false;
     finish(this.#renderFirstBounce(light, shadow, AT_ONCE));
-    const [bounces] = this.#bounces;
+    const [bounces] = this.#targets.bounces;
     finish(this.#renderNextBounce(bounces!, AT_ONCE));
     this.#atlas.render(bounces!);
     this.#renderTotalRadiosity();
@@ -290,7 +265,7 @@ export class IndirectPass {
     yield* drawInBands(this.#gpu, bands.surfelRadiance, {
       ...pass,
       program: this.#surfelRadianceProgram,
-      target: this.#surfelRadiance,
+      target: this.#targets.surfelRadiance,
       textures: {
         uSurfelNormalDistance,
         uRadiosity,
@@ -298,8 +273,8 @@ export class IndirectPass {
         uProbePositions,
       },
     });
-    const [surfelSum] = this.#bounces;
-    const [uRadiance, uDirection] = this.#surfelRadiance.colors;
+    const [surfelSum] = this.#targets.bounces;
+    const [uRadiance, uDirection] = this.#targets.surfelRadiance.colors;
     yield* drawInBands(this.#gpu, bands.gather, {
       program: this.#surfelGatherProgram,
       target: surfelSum!,
@@ -309,7 +284,7 @@ export class IndirectPass {
     yield* drawInBands(this.#gpu, bands.rayDirect, {
       ...pass,
       program: this.#rayDirectProgram,
-      target: this.#rayRadiance,
+      target: this.#targets.rayRadiance,
       textures: {
         uSurfelNormalDistance,
         uProbePositions,
@@ -318,13 +293,13 @@ export class IndirectPass {
       },
       uniforms: { uShadowOrigin: shadow.captureOrigin },
     });
-    yield* this.#gatherRays(surfelSum!, this.#firstBounce, bands);
+    yield* this.#gatherRays(surfelSum!, this.#targets.firstBounce, bands);
   }
 
   *#renderNextBounce(target: RenderTarget, bands: typeof BANDS): Steps {
     yield* drawInBands(this.#gpu, bands.rayRadiance, {
       program: this.#rayRadianceProgram,
-      target: this.#rayRadiance,
+      target: this.#targets.rayRadiance,
       vertexArray: this.#screen,
       textures: {
         uIrradiance: this.#atlas.irradiance,
@@ -334,7 +309,7 @@ export class IndirectPass {
       },
       blocks: { Volume: this.#block },
     });
-    yield* this.#gatherRays(this.#firstBounce, target, bands);
+    yield* this.#gatherRays(this.#targets.firstBounce, target, bands);
   }
 
   /** The probes' irradiance before, plus that along their rays. */
@@ -343,7 +318,7 @@ export class IndirectPass {
       program: this.#rayGatherProgram,
       target,
       vertexArray: this.#screen,
-      textures: { uRadiance: this.#rayRadiance.color, uIrradianceBefore: before.color },
+      textures: { uRadiance: this.#targets.rayRadiance.color, uIrradianceBefore: before.color },
     });
   }
 }

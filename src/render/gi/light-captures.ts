@@ -15,6 +15,7 @@ import { ShadowCasters } from "../shadow/shadow-casters.js";
 import { type ShadowCube, ShadowPass } from "../shadow/shadow-pass.js";
 import type { Steps } from "../steps.js";
 import { IndirectPass, type IrradianceVolume } from "./indirect-pass.js";
+import { indirectTargets } from "./indirect-targets.js";
 
 /** Width of the flame's penumbra in which casters outside the view count, metres. */
 const PENUMBRA = 0.05;
@@ -78,8 +79,11 @@ export class LightCaptures {
     this.#lods = lods;
     this.#casters = new ShadowCasters(gpu, room.model, room.surfaces, casterError);
     this.#shadow = new ShadowPass(gpu, shadow.size);
-    this.#indirect = new IndirectPass(gpu, screen, room, indirect);
-    this.#keptLights = new KeptLights(gpu, screen, room, tier);
+    const targets = indirectTargets(gpu, indirect);
+    this.#indirect = new IndirectPass(gpu, screen, room, indirect, { targets });
+    // Where the flame's bounces are computed in steps, other lights' may come in between.
+    const shared = tier.opaque === "refined" ? null : targets;
+    this.#keptLights = new KeptLights(gpu, screen, room, tier, shared);
   }
 
   update(frame: FrameInput, kind: GBufferKind): Captures {

@@ -8,6 +8,7 @@ import type { Vec3 } from "../../world/geometry.js";
 import type { Moon } from "../../world/moon.js";
 import type { IndirectScene } from "../gi/indirect-pass.js";
 import { IndirectPass } from "../gi/indirect-pass.js";
+import type { IndirectTargets } from "../gi/indirect-targets.js";
 import type { KeptLight } from "../kept-light.js";
 import type { PhysicalTier } from "../quality.js";
 import { ShadowCasters } from "../shadow/shadow-casters.js";
@@ -38,6 +39,7 @@ export class MoonCaptures {
     screen: VertexArray,
     scene: IndirectScene,
     { moonMap, indirect }: PhysicalTier,
+    targets: IndirectTargets,
   ) {
     this.#gpu = gpu;
     this.#scene = scene;
@@ -48,7 +50,10 @@ export class MoonCaptures {
       filter: "nearest",
     });
     this.#surfels = new MoonSurfels(gpu, screen, indirect.surfels, indirect.surfelGroup);
-    this.#indirect = new IndirectPass(gpu, screen, scene, indirect, this.#surfels);
+    this.#indirect = new IndirectPass(gpu, screen, scene, indirect, {
+      surfels: this.#surfels,
+      targets,
+    });
   }
 
   /** Null where it does not reach the room. */

@@ -1,0 +1,56 @@
+import type { Gpu } from "../../gl/gpu.js";
+import type { RenderTarget } from "../../gl/render-target.js";
+import { floats } from "../float-format.js";
+import { FACES } from "../shadow/cube-map.js";
+import { type IndirectDetail, IRRADIANCE_TEXELS } from "./probe-rays.js";
+
+/** What the bounces are computed in. Lights whose bounces are computed at once can share it. */
+export interface IndirectTargets {
+  readonly rayRadiance: RenderTarget;
+  readonly surfelRadiance: RenderTarget;
+  readonly firstBounce: RenderTarget;
+  /** Sums after each further bounce, used in turn. */
+  readonly bounces: readonly RenderTarget[];
+}
+
+/** Surfels lie in the tiles of the probes in rows as long as those of the rays. */
+export function surfelRowsOf({ surfels, surfelGroup, rays }: IndirectDetail): number {
+  return Math.ceil((FACES.length * (surfels / surfelGroup) ** 2) / rays);
+}
+
+/** Probes along each axis of the atlas. */
+export function probeTiles({ probes: [columns, rows, planes] }: IndirectDetail) {
+  return { width: columns, height: rows * planes };
+}
+
+export function indirectTargets(gpu: Gpu, detail: IndirectDetail): IndirectTargets {
+  const { width, height } = probeTiles(detail);
+  // Rays in groups of four.
+  const rayEdge = detail.rays / 2;
+  const radiance = { color: ["RGBA16F"], filter: "nearest" } as const;
+  const maps = {
+    width: width * IRRADIANCE_TEXELS,
+    height: height * IRRADIANCE_TEXELS,
+    color: [floats(gpu, 4)],
+    filter: "nearest",
+  } as const;
+  return {
+    rayRadiance: gpu.renderTarget({
+      label: "gi/ray-radiance",
+      width: width * rayEdge,
+      height: height * rayEdge,
+      ...radiance,
+    }),
+    surfelRadiance: gpu.renderTarget({
+      label: "gi/surfel-radiance",
+      width: width * detail.rays,
+      height: height * surfelRowsOf(detail),
+      color: ["RGBA16F", "RGBA16F"],
+      filter: "nearest",
+    }),
+    firstBounce: gpu.renderTarget({ label: "gi/first-bounce", ...maps }),
+    bounces: ["a", "b", "c", "d"].map((label) =>
+      gpu.renderTarget({ label: `gi/bounces/${label}`, ...maps }),
+    ),
+  };
+}
