@@ -33,7 +33,7 @@ const FLAT_GLOW = { core: 0.8, haze: 0.08 } as const;
 /** Least difference of the surfaces' codes in alpha at an edge that is antialiased at `low`. */
 const CODE_DIFFERENCE = 0.02;
 /** At `low`, one level of the maps that change shading less than albedo does. */
-const LEVELS = { uNormal: "level", uOcclusionRoughness: "level" } as const;
+const LEVELS = { uAlbedo: "level", uNormal: "level", uOcclusionRoughness: "texel" } as const;
 
 /**
  * The paper's forward renderer: room, candle, particles, straight to display colour.
