@@ -8,7 +8,7 @@ const float DARKEST = 1e-4;  // cd/m²
 const float SURFACE = 3.0;
 const float FLAME = 6.0;
 
-// Weighted mean of log2 luminance, and the mean weight. `cells`: number of cells.
+// Mean of weighted log2 luminance, and of the weight. `cells`: number of cells.
 vec2 meterCell(vec2 cell, vec2 cells) {
   float sum = 0.0;
   float weights = 0.0;
@@ -19,5 +19,5 @@ vec2 meterCell(vec2 cell, vec2 cells) {
     sum += logLuminance * weight;
     weights += weight;
   }
-  return vec2(sum / max(weights, 1e-3), weights / float(TAPS * TAPS));
+  return vec2(sum, weights) / float(TAPS * TAPS);
 }

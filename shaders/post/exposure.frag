@@ -13,19 +13,15 @@ uniform float uLag;    // stops by which the exposure is above its settled value
 out vec4 oExposure;
 
 void main() {
-  ivec2 size = textureSize(uLogLuminance, 0);
-  float sum = 0.0;
-  float weights = 1e-3;
-  for (int y = 0; y < size.y; y++) {
-    for (int x = 0; x < size.x; x++) {
-      vec2 cell = texelFetch(uLogLuminance, ivec2(x, y), 0).rg;
-      sum += cell.r * cell.g;
-      weights += cell.g;
-    }
+  // Each tap is the mean of four cells.
+  ivec2 taps = textureSize(uLogLuminance, 0) / 2;
+  vec2 sum = vec2(0.0, 1e-5);
+  for (int y = 0; y < taps.y; y++) {
+    for (int x = 0; x < taps.x; x++) sum += textureLod(uLogLuminance, (vec2(x, y) + 0.5) / vec2(taps), 0.0).rg;
   }
   // A white room is shown bright, a dark one dark.
   float reflectance = max(texelFetch(uRoomReflectance, ivec2(0), 0).r, 0.05);
   float key = uKey.y * log2(reflectance / uKey.x);
-  float settled = clamp(uLaw.x - uLaw.y * sum / weights, uLimits.x, uLimits.y);
+  float settled = clamp(uLaw.x - uLaw.y * sum.x / sum.y, uLimits.x, uLimits.y);
   oExposure = vec4(clamp(settled + uLag, uLimits.x, uLimits.y) + key, 0.0, 0.0, 1.0);
 }

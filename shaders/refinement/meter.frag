@@ -1,6 +1,6 @@
 #version 300 es
 // Light metering of each cell of the refined image, the flame excluded.
-// In:  radiance per candela.   Out: red: mean of log2 luminance; green: its weight.
+// In:  radiance per candela.   Out: red: mean of weighted log2 luminance; green: of the weight.
 #include "lib/precision.glsl"
 #include "lib/photometry.glsl"
 #include "lib/flame-light.glsl"

@@ -13,7 +13,7 @@ import {
   mostExposure,
 } from "../../world/player/exposure-adaptation.js";
 
-/** Metered cells of the frame, each of 16 taps. */
+/** Metered cells of the frame, each of 16 taps; even numbers. */
 const CELLS = { width: 32, height: 18 } as const;
 
 /**
@@ -35,9 +35,10 @@ export class ExposurePass {
     this.#screen = screen;
     this.#meterProgram = gpu.program("post/meter", fullscreenVert, meter);
     this.#exposureProgram = gpu.program("post/exposure", fullscreenVert, exposureFrag);
-    const target = { color: ["RGBA16F"], filter: "nearest" } as const;
-    this.#logLuminance = gpu.renderTarget({ label: "exposure/log-luminance", ...target, ...CELLS });
-    this.#exposure = gpu.renderTarget({ label: "exposure", ...target, width: 1, height: 1 });
+    const color = ["RGBA16F"] as const;
+    this.#logLuminance = gpu.renderTarget({ label: "exposure/log-luminance", color, ...CELLS });
+    const texel = { width: 1, height: 1, filter: "nearest" } as const;
+    this.#exposure = gpu.renderTarget({ label: "exposure", color, ...texel });
   }
 
   /**
