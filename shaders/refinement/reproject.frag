@@ -24,18 +24,36 @@ const vec2 TOLERANCE = vec2(0.03, 0.01);
 // Width over which the image fades towards that part, uv: without the flame's glare it would end at an edge.
 const float FADE = 0.03;
 
-void main() {
-  vec4 current = vec4(vUv, texture(uDepth, vUv).r, 1.0);
-  float isHeld = isHeldSurface(texture(uGBufferAlbedo, vUv).a);
-  vec4 projected = mix(uPreviousFromCurrentRoom * current, uPreviousFromCurrentHeld * current, isHeld);
-  vec3 previous = projected.xyz / projected.w;
+// Place on the refined image of what the pixel would show at the depth that the frame has at `uv`.
+vec3 previousAt(vec2 uv) {
+  vec4 current = vec4(vUv, texture(uDepth, uv).r, 1.0);
+  float isHeld = isHeldSurface(texture(uGBufferAlbedo, uv).a);
+  vec4 previous = mix(uPreviousFromCurrentRoom * current, uPreviousFromCurrentHeld * current, isHeld);
+  return previous.xyz / previous.w;
+}
+
+// 1 where the refined image shows that surface, else 0.
+float showsSame(vec3 previous) {
   vec2 isInside = step(abs(previous.xy - 0.5), vec2(0.5));
   float expected = linearDepth(previous.z);
   float found = linearDepth(texture(uRefinedDepth, previous.xy).r);
-  float isSame = step(abs(found - expected), TOLERANCE.x * expected + TOLERANCE.y);
+  return step(abs(found - expected), TOLERANCE.x * expected + TOLERANCE.y) * isInside.x * isInside.y;
+}
+
+void main() {
+  vec3 previous = previousAt(vUv);
+  float isSame = showsSame(previous);
+  // Beside an edge the frame's coarser depth may be that of the other surface: of four neighbours one has the right one.
+  int others = isSame > 0.5 ? 0 : 4;
+  vec2 texel = 1.0 / vec2(textureSize(uDepth, 0));
+  for (int i = 0; i < others; i++) {
+    vec3 other = previousAt(vUv + (vec2(i & 1, i >> 1) * 2.0 - 1.0) * texel);
+    float isOther = showsSame(other) * (1.0 - isSame);
+    previous = mix(previous, other, isOther);
+    isSame += isOther;
+  }
   vec2 beyond = max(max(uMedia.xy - vUv, vUv - uMedia.zw), 0.0);
-  float fade = smoothstep(0.0, FADE, length(beyond));
-  float weight = uWeight * fade * isInside.x * isInside.y * isSame;
+  float weight = uWeight * smoothstep(0.0, FADE, length(beyond)) * isSame;
   vec3 color = mix(texture(uDimmer, previous.xy), texture(uBrighter, previous.xy), vShare).rgb;
   oColor = vec4(color * weight, weight);
 }
