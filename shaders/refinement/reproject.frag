@@ -1,12 +1,15 @@
 #version 300 es
 // First frames in motion: the refined image, reprojected over the coarser one.
-// In:  depth and albedo of the frame; refined display colours in two lights, and their depth.   Out: display colour.
+// In:  G-buffer of the frame, or of the one before; refined display colours in two lights, and their depth.
+// Out: display colour.
 #include "lib/precision.glsl"
 #include "lib/depth.glsl"
 #include "lib/gbuffer.glsl"
 #include "lib/reproject.glsl"
+#include "lib/upsample-bilateral.glsl"
 
-uniform sampler2D uGBufferAlbedo;  // alpha: whether the surface is held
+uniform mat4 uRefinedFromCurrentRoom;
+uniform mat4 uRefinedFromCurrentHeld;
 uniform sampler2D uDimmer;
 uniform sampler2D uBrighter;
 uniform sampler2D uRefinedDepth;
@@ -26,9 +29,9 @@ const float FADE = 0.03;
 
 // Place on the refined image of what the pixel would show at the depth that the frame has at `uv`.
 vec3 previousAt(vec2 uv) {
-  vec4 current = vec4(vUv, texture(uDepth, uv).r, 1.0);
+  vec4 current = vec4(vUv, frameDepth(uv), 1.0);
   float isHeld = isHeldSurface(texture(uGBufferAlbedo, uv).a);
-  vec4 previous = mix(uPreviousFromCurrentRoom * current, uPreviousFromCurrentHeld * current, isHeld);
+  vec4 previous = mix(uRefinedFromCurrentRoom * current, uRefinedFromCurrentHeld * current, isHeld);
   return previous.xyz / previous.w;
 }
 

@@ -30,14 +30,17 @@ export interface RefinedImage {
 export class SharpStart {
   readonly #gpu: Gpu;
   readonly #screen: VertexArray;
-  readonly #program: Program;
+  /** By whether the frame is reprojected itself. */
+  readonly #programs: Readonly<Record<"reduced" | "reprojected", Program>>;
   #image: RefinedImage | null = null;
   #frames = 0;
 
   constructor(gpu: Gpu, screen: VertexArray) {
     this.#gpu = gpu;
     this.#screen = screen;
-    this.#program = gpu.program("refinement/reproject", blendVert, reprojectFrag);
+    const program = (REPROJECTED: 0 | 1) =>
+      gpu.program("refinement/reproject", blendVert, reprojectFrag, { defines: { REPROJECTED } });
+    this.#programs = { reduced: program(0), reprojected: program(1) };
   }
 
   /** Whether the next frame shows anything of it. */
@@ -75,16 +78,17 @@ export class SharpStart {
     if (layer.kind === "full" || left <= 1) this.end();
     if (layer.kind === "full") return;
     this.#gpu.draw({
-      program: this.#program,
+      program: this.#programs[layer.kind],
       target: "canvas",
       vertexArray: this.#screen,
       textures: { ...layer.textures, ...image.textures, uExposure },
       uniforms: {
-        uPreviousFromCurrentRoom: reprojectionMatrix(
+        ...layer.uniforms,
+        uRefinedFromCurrentRoom: reprojectionMatrix(
           current.clipFromWorld,
           source.clipFromWorld,
         ) as Float32Array,
-        uPreviousFromCurrentHeld: reprojectionMatrix(
+        uRefinedFromCurrentHeld: reprojectionMatrix(
           current.clipFromHeld,
           source.clipFromHeld,
         ) as Float32Array,
