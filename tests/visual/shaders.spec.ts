@@ -4,6 +4,7 @@ import type { Page } from "playwright/test";
 import { type Look, type Quality, SETTINGS } from "../../src/settings.ts";
 import { resolveShader } from "../../tools/vite-glsl.ts";
 import type { ProgramReport } from "../support/programs.ts";
+import { serveSmallTextures } from "../support/small-textures.ts";
 import { openSources } from "../support/sources.ts";
 import { expect, test } from "../support/test.ts";
 
@@ -68,7 +69,10 @@ function lineNumber(file: string, line: string): number {
   return readFileSync(join(SHADERS, file), "utf8").split("\n").indexOf(line) + 1;
 }
 
-test.beforeEach(({ page }) => openSources(page));
+test.beforeEach(async ({ page }) => {
+  await serveSmallTextures(page);
+  await openSources(page);
+});
 
 test("Every shader compiles and links without warnings, and each of its uniforms is set", async ({
   page,

@@ -1,7 +1,7 @@
 /**
  * Brings an element to a view of `views.json`: the page runs it, so that it uses nothing from outside.
  *
- * The carried candle is put down from `place`. `wicks` names further candles that burn, `unlit` puts the carried one out,
+ * The carried candle is put down from `place`. `wicks` names further candles that burn, `unlit` leaves the carried one out,
  * and there is a moon only where the view has one.
  *
  * @param {import("../../src/candle-flame-element.js").CandleFlameElement} element
@@ -14,6 +14,7 @@
  * }} view
  */
 export function stageView(element, { place, camera, wicks = [], unlit = false, moon }) {
+  element.unlit = unlit;
   element.reset();
   element.setAttribute("moonlight", String(moon?.illuminance ?? 0));
   if (place) {
@@ -22,7 +23,6 @@ export function stageView(element, { place, camera, wicks = [], unlit = false, m
   }
   if (camera) element.camera = camera;
   for (const candle of element.candles.slice(1)) candle.lit = wicks.includes(candle.name);
-  if (unlit) element.extinguish();
-  // Until a new flame has grown, or the ember of the old one is dark.
-  element.step(unlit ? 30 : wicks.length > 0 ? 2 : 0);
+  // Until a new flame has grown.
+  element.step(wicks.length > 0 ? 2 : 0);
 }
