@@ -99,25 +99,31 @@ export const SCENES: readonly Scene[] = [
     })),
   ),
   {
+    ...CABIN[0]!,
+    name: "cabin-moonlit-high",
+    attributes: { look: "physical", seed: "1", quality: "high", moonlight: "0.15" },
+    seconds: 0.5,
+  },
+  {
+    ...CABIN[1]!,
+    name: "cabin-table-medium",
+    attributes: { look: "physical", seed: "1", quality: "medium" },
+    seconds: 0.5,
+  },
+  {
     ...CABIN[4]!,
     name: "cabin-wind",
-    attributes: { look: "physical", seed: "1", quality: "high", wind: "0.8" },
+    attributes: { look: "physical", seed: "1", quality: "medium", wind: "0.8" },
     seconds: 1.5,
   },
   {
     ...CABIN[4]!,
     name: "cabin-smoke",
-    attributes: { look: "physical", seed: "1", quality: "high", wind: "0.05" },
+    attributes: { look: "physical", seed: "1", quality: "medium", wind: "0.05" },
     breath: 1,
     seconds: 1.5,
   },
-  ...(["high", "low"] as const).flatMap((quality) => [
-    {
-      ...CABIN[0]!,
-      name: `cabin-moonlit-${quality}`,
-      attributes: { look: "physical", seed: "1", quality, moonlight: "0.15" } as const,
-      seconds: 0.5,
-    },
+  ...(["medium", "low"] as const).flatMap((quality) => [
     {
       ...CABIN[0]!,
       name: `cabin-candles-${quality}`,
@@ -138,10 +144,16 @@ export const SCENES: readonly Scene[] = [
       seconds: 0.5,
     },
   ]),
-  ...(["medium", "ultra"] as const).map((quality) => ({
-    ...CABIN[1]!,
-    name: `cabin-table-${quality}`,
-    attributes: { look: "physical", seed: "1", quality } as const,
+  {
+    ...CABIN[0]!,
+    name: "cabin-moonlit-low",
+    attributes: { look: "physical", seed: "1", quality: "low", moonlight: "0.15" },
     seconds: 0.5,
-  })),
+  },
+  {
+    ...CABIN[1]!,
+    name: "cabin-table-ultra",
+    attributes: { look: "physical", seed: "1", quality: "ultra" },
+    seconds: 0.5,
+  },
 ];
