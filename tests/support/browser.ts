@@ -28,6 +28,8 @@ export const browser: NonNullable<PlaywrightTestConfig["use"]> = {
       "--hide-scrollbars",
       // A page's pictures are there as soon as the page is.
       "--disable-checker-imaging",
+      // Texts and boxes of a page take a GPU that is a processor longer than the processor itself.
+      "--disable-gpu-rasterization",
       WITHOUT_OWN_PAGES,
       ...(process.env.CHROMIUM_ARGS?.split(" ").filter(Boolean) ?? []),
     ],

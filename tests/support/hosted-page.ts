@@ -3,6 +3,7 @@ import { test as base, expect, type Locator, type Page } from "playwright/test";
 import type { CandleFlameElement, Feature } from "../../src/candle-flame-element.ts";
 import { ORIGINS, browser as options } from "./browser.ts";
 import { complaintsOf } from "./room-driver.ts";
+import { serveSmallTextures } from "./small-textures.ts";
 
 export { expect };
 export const PAGE = ORIGINS.page;
@@ -161,6 +162,7 @@ export const test = base.extend<
         locale,
         timezoneId,
       });
+      await serveSmallTextures(page);
       const shared = await new HostedPage(page).open();
       await shared.evaluate((room) => room.pause());
       await use(shared);

@@ -10,6 +10,7 @@ import type {
 } from "../../src/candle-flame-element.ts";
 import type { Inspection } from "../../src/settings.ts";
 import { ORIGINS } from "./browser.ts";
+import { serveSmallTextures } from "./small-textures.ts";
 
 export const LIBRARY = ORIGINS.library;
 
@@ -30,6 +31,8 @@ export interface Opening {
   readonly width?: number;
   readonly height?: number;
   readonly paused?: boolean;
+  /** Whether the paper's looks have their own textures: else small grey ones, which are quick to load. */
+  readonly hasTextures?: boolean;
   /** More of the page, after the element. */
   readonly after?: string;
 }
@@ -94,7 +97,9 @@ export class RoomDriver {
 
   /** The same, without waiting: for elements that are to fail. */
   async load(attributes: Attributes = {}, opening: Opening = {}): Promise<this> {
-    const { paused = true } = opening;
+    const { paused = true, hasTextures = attributes.look === "physical" } = opening;
+    // Routes of the page itself come first.
+    if (!hasTextures) await serveSmallTextures(this.page.context());
     const body = html({ ...PAPER, ...(paused ? { paused: "" } : {}), ...attributes }, opening);
     await this.page.route(`${LIBRARY}room.html`, (route) =>
       route.fulfill({ contentType: "text/html", body }),

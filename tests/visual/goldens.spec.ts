@@ -19,7 +19,7 @@ test.describe("The picture", () => {
   let room: RoomDriver;
   test.beforeAll(async ({ browser }) => {
     page = await browser.newPage();
-    room = await new RoomDriver(page).open({}, { width: 480, height: 270 });
+    room = await new RoomDriver(page).open({}, { width: 480, height: 270, hasTextures: true });
   });
   test.afterAll(() => page.close());
 

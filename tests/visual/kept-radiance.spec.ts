@@ -72,7 +72,7 @@ test("At high a frame in motion computes a part of the indirect light, and the f
     const whole = walk(1)[0] ?? 0;
     element.play();
     // The loop's own frames come between tasks: all of this is one.
-    const moving = walk(10);
+    const moving = walk(8);
     element.step(0);
     const atRest = element.stats.drawCalls;
     const after = picture();

@@ -138,7 +138,7 @@ test.describe("The night of the cabin", () => {
   });
 
   for (const { quality, width, height, rendered } of [
-    { quality: "high", width: 480, height: 270, rendered: 480 },
+    { quality: "medium", width: 480, height: 270, rendered: 480 },
     { quality: "low", width: 1280, height: 720, rendered: 853 },
   ]) {
     test(`lies cool beside the candle's gold at ${quality}`, async () => {

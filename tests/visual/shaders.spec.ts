@@ -69,14 +69,15 @@ function lineNumber(file: string, line: string): number {
   return readFileSync(join(SHADERS, file), "utf8").split("\n").indexOf(line) + 1;
 }
 
-test.beforeEach(async ({ page }) => {
+let page: Page;
+test.beforeAll(async ({ browser }) => {
+  page = await browser.newPage();
   await serveSmallTextures(page);
   await openSources(page);
 });
+test.afterAll(() => page.close());
 
-test("Every shader compiles and links without warnings, and each of its uniforms is set", async ({
-  page,
-}) => {
+test("Every shader compiles and links without warnings, and each of its uniforms is set", async () => {
   const reports: ProgramReport[] = [];
   for (const look of SETTINGS.look.choices) reports.push(...(await reportPrograms(page, look)));
   for (const quality of ["low", "medium"] as const) {
@@ -98,9 +99,7 @@ test("Every shader compiles and links without warnings, and each of its uniforms
 });
 
 for (const look of ["physical", "paper"] as const) {
-  test(`A mistake in any shader of the ${look} look is reported by its file and line`, async ({
-    page,
-  }) => {
+  test(`A mistake in any shader of the ${look} look is reported by its file and line`, async () => {
     const breakages = await page.evaluate(
       async ({ module, look }) => {
         const { breakPrograms }: Programs = await import(module);
@@ -116,32 +115,26 @@ for (const look of ["physical", "paper"] as const) {
   });
 }
 
-test("A mistake in an included file is reported by that file's own name and line", async ({
-  page,
-}) => {
+test("A mistake in an included file is reported by that file's own name and line", async () => {
   const line = "  float peak = max(max(linear.r, linear.g), linear.b);";
   const complaint = await complaintAbout(page, "lib/srgb.glsl", line, "  float peak = maxx(1);");
   expect(complaint).toContain("ShaderError: broken SAMPLES=4 TAPS=12: ");
   expect(complaint).toContain(`shaders/lib/srgb.glsl:${lineNumber("lib/srgb.glsl", line)}: 'maxx'`);
 });
 
-test("A mistake after the includes is reported by the shader's own name and line", async ({
-  page,
-}) => {
+test("A mistake after the includes is reported by the shader's own name and line", async () => {
   const line = "  vec3 normal = surfaceNormal();";
   const complaint = await complaintAbout(page, "paper/room.frag", line, "  vec3 normal = 1;");
   expect(complaint).toContain(`shaders/paper/room.frag:${lineNumber("paper/room.frag", line)}: '`);
 });
 
-test("Stages that do not fit together are reported by the program's name", async ({ page }) => {
+test("Stages that do not fit together are reported by the program's name", async () => {
   const line = "in vec2 vUv;";
   const complaint = await complaintAbout(page, "paper/room.frag", line, "flat in vec2 vUv;");
   expect(complaint).toMatch(/^ShaderError: broken SAMPLES=4 TAPS=12: .*vUv/s);
 });
 
-test("Relief finer than a pixel widens a highlight instead of making it sparkle", async ({
-  page,
-}) => {
+test("Relief finer than a pixel widens a highlight instead of making it sparkle", async () => {
   const [tiles, tile] = [4, 16];
   const size = tiles * tile;
   const found = await drawnBy(page, "tests/support/sparkle.frag", size);
@@ -172,9 +165,7 @@ test("Relief finer than a pixel widens a highlight instead of making it sparkle"
   expect(widened.mean / truth.mean).toBeLessThan(2);
 });
 
-test("Surfaces in light from all around give back all that they get: a white furnace", async ({
-  page,
-}) => {
+test("Surfaces in light from all around give back all that they get: a white furnace", async () => {
   const size = 12;
   const found = await drawnBy(page, "tests/support/furnace.frag", size);
   expect(found.length).toBe(size * size * 3);
