@@ -31,7 +31,8 @@ bool isVisiblePast(vec3 hit, vec3 normal, vec3 direction, float reach) {
 }
 
 // Visible share of a point at `reach` (m) along a direction, from the hits of the four rays around it. Where two hits
-// lie in front of each other's planes the surfaces meet in a hollow edge, and the nearer one hides what is behind both.
+// lie in front of each other's planes, the surfaces meet in a concave edge, and the nearer one hides what is behind
+// both.
 float surfelVisibility(ivec2 tile, vec3 direction, float reach) {
   vec2 place = octahedralEncode(direction) * float(RAYS) - 0.5;
   vec2 cell = floor(place);

@@ -17,8 +17,8 @@ layout(std140) uniform Light {
 // Height of the candle's lip over its top, mean around it, m.
 const float LIP = 0.0007;
 
-// Place of a point light in the penumbra of a horizontal disc around the candle's axis, as a receiver below the disc
-// meets it: 0 where the disc hides all of the capsule's width, 1 where none.
+// Penumbra of a horizontal disc around the candle's axis, by a point of the light, at a receiver below the disc: 0
+// where the disc hides all of the capsule's width, 1 where none.
 float discPenumbra(vec3 from, vec3 to, float height, float radius) {
   vec3 descent = vec3(from.x, max(from.y, height + 1e-4), from.z) - to;
   float way = (height - to.y) / descent.y;

@@ -1,4 +1,4 @@
-// Soft shadow of the flame (PCSS): share of the flame that a point sees past the room.
+// Soft shadow of the flame (PCSS): share of the flame that is visible from a point, past the room.
 // Needs lib/random.glsl, lib/flame-light.glsl, lib/shadow-cube.glsl; defines SHADOW_SEARCH and SHADOW_TAPS (taps),
 // SHADOW_BIAS (texels).
 // After Fernando 2005, "Percentage-Closer Soft Shadows"; here each tap is a point of the flame, so that the penumbra
@@ -18,7 +18,7 @@ const float LEAST_PENUMBRA = 0.4;
 // Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences".
 const vec2 R2 = vec2(0.7548776662466927, 0.5698402909980532);
 
-// Taps of the filter that are under way at once.
+// Taps of the filter in one iteration, unrolled.
 const int TAPS_AT_ONCE = 4;
 
 // A lit point and the flame, about the capture origin.
@@ -29,7 +29,7 @@ struct ShadowReceiver {
   float offset;   // of the lit plane along its normal, m
   float distance; // m
   float bias;     // m
-  vec3 across;    // of the flame, as the point sees it: axes, and half-extents, m
+  vec3 across;    // of the flame, from the point: axes, and half-extents, m
   vec3 up;
   vec2 extent;
 };

@@ -1,7 +1,7 @@
 #version 300 es
 // Forward shading of a mesh, for a flame of 1 cd; MOONLIT: and for a moon of 1 lx, with the night behind panes.
 // In:  base colour (sRGB), normal, occlusion/roughness/metallic maps; vertex colour: occlusion (red).
-// Out: radiance per candela; or the normal, to inspect. MOONLIT: alpha: luminance per lux. Rods see no more of it.
+// Out: radiance per candela; or the normal, to inspect. MOONLIT: alpha: luminance per lux. Rod vision needs no more.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "lib/octahedral.glsl"
@@ -28,9 +28,9 @@ const float TRACED_INDIRECT = 0.3;
 // probes'. Fitted to a path tracer's indirect light in the cabin's views (`npm run reference`).
 const float NEAR_REFLECTANCE = 0.3;
 const float NEAR_LIMIT = 13.0;
-// Height of a crevice's sides, m: they may be lit while its bottom is in their shadow.
+// Height of a crevice's sides, m: they may be lit while its bottom is in shadow.
 const float CREVICE_HEIGHT = 0.015;
-// Cosine that stands for the flame around the wick, dimmed by the dark zone.
+// Mean cosine of the wick to the flame around it, dimmed by the dark zone.
 const float WICK_COSINE = 0.05;
 
 #include "lib/surface.glsl"
@@ -82,8 +82,8 @@ void main() {
   vec3 surface = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
   vec3 normal = shadingNormal(surface);
 
-  // Share of the flame that is visible past the room, the candle and its holder; and from a crevice's sides. Before all
-  // else, which would occupy registers. Crevices are lit by their sides, whichever way they face themselves.
+  // Visible share of the flame, past the room, the candle and its holder; and from a crevice's sides. Computed first,
+  // to save registers. Crevices are lit by their sides, whatever their own normal.
   bool isCrevice = occlusion < CREVICE;
   vec3 facet = facetNormal(vPositionWorld);
   vec2 visibilities = vec2(0.0);
@@ -118,7 +118,7 @@ void main() {
   vec3 f0 = mix(vec3(0.04), baseColor.rgb, metallic);
   EnvironmentReflection environment = environmentReflection(uEnvironmentBrdf, f0, sqrt(alpha), NoV);
   vec3 specular = fresnelSchlick(f0, flame.SoH) * environment.boost * flame.lobe * perCosine * uFeatures.z;
-  // What is reflected does not reach the diffuse layer below.
+  // Reflected light does not reach the diffuse layer below.
   vec3 diffuseColor = baseColor.rgb * (1.0 - metallic) * (1.0 - environment.share);
   vec3 diffuse = diffuseColor / PI * irradiance;
 
@@ -128,7 +128,7 @@ void main() {
   vec3 around = probes.alongNormal * light.intensity;
   float near = 1.0 - occlusion;
   float unoccluded = 1.0 - NEAR_OCCLUSION * near;
-  // Near surfaces have this point's colour and its distance from the flame.
+  // Nearby surfaces are taken to have this point's colour and distance from the flame.
   vec3 nearby = NEAR_REFLECTANCE * near * baseColor.rgb * sides;
   nearby /= 1.0 + sides / max(NEAR_LIMIT * around, 1e-9);
   vec3 indirect = (around * unoccluded + nearby) * diffuseColor * (skyVisibility(surface, normal) * minified.x / PI);

@@ -1,7 +1,7 @@
 import type { Quality } from "../settings.js";
 import type { IndirectDetail } from "./gi/probe-rays.js";
 
-/** All that a quality level sets. */
+/** Settings of a quality level. */
 export interface Tier {
   readonly name: Exclude<Quality, "auto">;
   /** Share of the canvas's full resolution, along each axis. */
@@ -144,7 +144,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
   },
 };
 
-/** What an image at rest becomes tile by tile without a GPU: surfaces and flame of `high`. */
+/** Tier of refinement at rest without a GPU: surfaces and flame of `high`. */
 export const REFINED: Tier = {
   ...TIERS.high,
   physical: {

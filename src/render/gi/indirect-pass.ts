@@ -54,11 +54,11 @@ export interface IrradianceVolume {
   };
   /** Of the surfels in all light, lm/m², where surfaces mirror them: for `lib/distance-impostor.glsl`. */
   readonly totalRadiosity: Texture;
-  /** What the room gives back of light, one texel: for the exposure. */
+  /** Mean reflectance of the room, one texel: for the exposure. */
   readonly roomReflectance: Texture;
   /** Of the surface below the flame, for `lib/support-irradiance.glsl`. */
   readonly support: Texture;
-  /** Another number whenever any of it has changed. */
+  /** Changes with any of these. */
   readonly revision: number;
 }
 
@@ -129,7 +129,7 @@ export class IndirectPass {
     this.#block = gpu.uniformBlock(this.#rayRadianceProgram, "Volume");
     this.#block.update({
       corner: min,
-      // A floor without walls is a room, too.
+      // A floor without walls has no height.
       extent: min.map((low, axis) => Math.max((max[axis] ?? low) - low, 0.01)),
       columns,
       rows,
@@ -241,7 +241,7 @@ export class IndirectPass {
     this.#renderTotalRadiosity();
   }
 
-  /** One bounce of the previous irradiance stands for all further bounces. */
+  /** One bounce of the previous irradiance approximates all further bounces. */
   #updateBounces(light: CaptureLight, shadow: ShadowMap): void {
     this.#lastLight = JSON.stringify(light);
     this.#isExact = false;

@@ -17,7 +17,7 @@ import type { Steps } from "../steps.js";
 import { IndirectPass, type IrradianceVolume } from "./indirect-pass.js";
 import { indirectTargets } from "./indirect-targets.js";
 
-/** Width of the flame's penumbra in which casters outside the view count, metres. */
+/** Margin of the view frustum in culling of casters, for the flame's penumbra, metres. */
 const PENUMBRA = 0.05;
 
 /** Sway of the flame that captures may be held for, metres. */
@@ -125,7 +125,7 @@ export class LightCaptures {
   }
 
   /**
-   * Goes on with exact captures of a light, which are then kept wherever the light goes, until others are asked for.
+   * Continues exact captures of a light, which are then held, wherever the light moves, until the next ones.
    *
    * @param steps how many: a face of a cube, or a band of a pass, each
    * @returns whether they are done
@@ -151,7 +151,7 @@ export class LightCaptures {
     return { shadow, irradiance: yield* this.#indirect.steps(this.#casters, light, shadow) };
   }
 
-  /** What the first motion needs, one thing a frame. */
+  /** Prepares the first frames in motion, one part a frame. */
   #prepareLods(): void {
     if (!this.#shadowLod) this.#shadowLod = this.#simplified(MOTION_ERROR.shadow);
     else this.#surfelLod ??= this.#simplified(MOTION_ERROR.surfels);

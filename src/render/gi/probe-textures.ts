@@ -22,7 +22,7 @@ export interface ProbeTextures {
   readonly rays: { readonly uRayHits: Texture; readonly uRayReflectance: Texture };
   /** Of the probes around each hit. */
   readonly weights: { readonly uRayNearWeights: Texture; readonly uRayFarWeights: Texture };
-  /** Mean of what the rays hit, one texel. */
+  /** Mean reflectance at the hits, one texel. */
   readonly roomReflectance: Texture;
 }
 
@@ -102,7 +102,7 @@ export function uploadProbeRays(
   };
 }
 
-/** Reflectance at the hits, read on the GPU: compressed images may be nowhere else. */
+/** Reflectance at the hits, sampled on the GPU, since decoded images may exist only there. */
 function renderRayReflectance(
   gpu: Gpu,
   { hitUvs, runs }: ProbeRays,

@@ -86,7 +86,7 @@ export class MoonCaptures {
       block: this.#surfels.light.Moon,
       shadow: this.#map,
       irradiance,
-      // Through openings the sky shows; what shows behind panes is a crack in the walls.
+      // The sky shows through openings. In a room with panes, background is a gap between walls.
       background: frustum.panes ? 0 : SKY,
     };
   }

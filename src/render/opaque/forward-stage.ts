@@ -35,10 +35,13 @@ interface SurfacePass extends Pick<Draw, "target" | "viewport" | "scissor"> {
   readonly isVisible?: (box: Bounds) => boolean;
 }
 
-/** What is this near to the flame, or to the candle below it, is drawn again with each step of the light, metres. */
+/**
+ * Distance from the flame, or from the candle below it, within which surfaces are drawn again with each step of the
+ * light, metres.
+ */
 const NEAR = 0.12;
 
-/** Pixels of what is near the flame: the candle and what stands beside it. */
+/** Bounds on the frame of what is near the flame, pixels. */
 function boundsNearFlame({ world, clipFromWorld }: FrameInput, size: Size): Box {
   const [x, y, z] = world.interpolated.flame;
   return screenBounds([[x, y - 0.5 * NEAR, z, NEAR]], clipFromWorld, size, { margin: 0, cell: 8 });
@@ -88,7 +91,7 @@ export class ForwardStage implements OpaqueStage {
   /** What the radiance depends on beside the flame's place, and that place. */
   #key = "";
   #lightKey = "";
-  /** Tiles that show the flame where it was before. */
+  /** Tiles that were shaded for an earlier place of the flame. */
   readonly #stale: Box[] = [];
 
   constructor(gpu: Gpu, screen: VertexArray, tier: Tier) {
@@ -163,7 +166,7 @@ export class ForwardStage implements OpaqueStage {
       this.#drawBox(frame, light, captures, null);
     } else if (isStale) {
       const size = this.#resolved;
-      // Where the flame is near, in each frame; the rest tile by tile.
+      // Near the flame in each frame; elsewhere tile by tile.
       if (hasMoved) this.#drawBox(frame, light, captures, boundsNearFlame(frame, size));
       if (this.#stale.length === 0) this.#stale.push(...tiles(size, SCHEDULE.lighting.restTiles));
       this.#drawBox(frame, light, captures, this.#stale.shift()!);

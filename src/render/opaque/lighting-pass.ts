@@ -121,7 +121,7 @@ export class LightingPass {
       ...(isReduced && { uInverseDepthGather: this.#gathered.color }),
     };
     if (reprojection) {
-      // The lighting of the previous frame goes with its G-buffer.
+      // The previous frame's lighting is reprojected with its G-buffer.
       const uniforms = {
         uPreviousFromCurrentRoom: reprojection.room as Float32Array,
         uPreviousFromCurrentHeld: reprojection.held as Float32Array,

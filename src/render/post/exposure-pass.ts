@@ -19,7 +19,7 @@ const CELLS = { width: 32, height: 18 } as const;
 /**
  * Automatic exposure, metered from the frame without the flame.
  *
- * It has no history: the lag of the eye's adaptation is part of the world.
+ * It has no history: the lag of adaptation is part of the world.
  */
 export class ExposurePass {
   readonly #gpu: Gpu;
@@ -45,7 +45,7 @@ export class ExposurePass {
    * Radiance in, one texel out: stops.
    *
    * @param textures of the meter
-   * @param roomReflectance one texel: what the room gives back of light
+   * @param roomReflectance mean of the room, one texel
    * @param adaptation of the eye
    */
   render(
