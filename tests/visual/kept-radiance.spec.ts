@@ -3,7 +3,7 @@ import { RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
 
 const SIZE = { width: 240, height: 135 };
-const FRAMES = 16;
+const FRAMES = 12;
 /** The pan of the standing candle: shares of the image, from its upper left. */
 const PAN = [0.36, 0.7, 0.41, 0.8] as const;
 
