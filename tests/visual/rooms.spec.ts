@@ -40,14 +40,30 @@ const BLOCK = { high: 1, low: 6 } as const;
 const SIZE = { width: 320, height: 180 };
 
 let page: Page;
-/** The room that the page shows, and its tier. */
-let opened = "";
-let driver: RoomDriver;
+let shown: { readonly key: string; readonly driver: RoomDriver } | null = null;
 
 test.beforeAll(async ({ browser }) => {
   page = await browser.newPage();
 });
 test.afterAll(() => page.close());
+
+/** A room at a tier: opened, unless the page shows it already. */
+async function open(
+  name: string,
+  quality: string,
+  parts: Parameters<typeof roomModel>[0] = ROOMS[name] ?? [],
+): Promise<RoomDriver> {
+  const key = `${name} ${quality}`;
+  if (shown?.key !== key) {
+    const src = `${LIBRARY}${name}.glb`;
+    await page.route(src, (route) =>
+      route.fulfill({ contentType: "model/gltf-binary", body: roomModel(parts) }),
+    );
+    const attributes = { look: "physical", quality, wind: "0", src };
+    shown = { key, driver: await new RoomDriver(page).open(attributes, SIZE) };
+  }
+  return shown.driver;
+}
 
 /** Errors of means over blocks of so many pixels along each edge. */
 function errorsOf(
@@ -92,17 +108,7 @@ for (const quality of ["high", "low"] as const) {
   for (const view of views.filter(({ name }) => name in MEASURED[quality])) {
     const { name, room = "" } = view;
     test(`At ${quality} the light of “${name}” is a path tracer's`, async () => {
-      const src = `${LIBRARY}${room}.glb`;
-      await page.route(src, (route) =>
-        route.fulfill({ contentType: "model/gltf-binary", body: roomModel(ROOMS[room] ?? []) }),
-      );
-      if (opened !== quality + room) {
-        driver = await new RoomDriver(page).open(
-          { look: "physical", quality, wind: "0", src },
-          SIZE,
-        );
-      }
-      opened = quality + room;
+      const driver = await open(room, quality);
       const mine = await renderView(driver, view);
       for (const axis of [0, 1, 2] as const) {
         expect(mine.position?.[axis]).toBeCloseTo(view.flame.position[axis], 3);
@@ -131,14 +137,7 @@ for (const quality of ["high", "low"] as const) {
 
 for (const quality of ["high", "low"] as const) {
   test(`At ${quality} a wall of 12 cm lets a thousandth of the light through at most`, async () => {
-    const src = `${LIBRARY}sealed.glb`;
-    await page.route(src, (route) =>
-      route.fulfill({ contentType: "model/gltf-binary", body: roomModel(ROOMS.sealed ?? []) }),
-    );
-    const driver = await new RoomDriver(page).open(
-      { look: "physical", quality, wind: "0", src },
-      SIZE,
-    );
+    const driver = await open("sealed", quality);
     const luminances = async (position: [number, number, number], yaw: number) => {
       const camera = { position, yaw, pitch: 0 };
       const { radiance } = await renderView(driver, {
@@ -172,20 +171,13 @@ test("In a white room plaster a metre from the candle is shown as white paper is
     [0.1, 0.005, 0.1],
   ] as const) {
     const material = { color: [albedo, albedo, albedo] as const, roughness: 1 };
-    const src = `${LIBRARY}plaster-${albedo}.glb`;
-    await page.route(src, (route) =>
-      route.fulfill({
-        contentType: "model/gltf-binary",
-        body: roomModel([{ min: [0, 0, 0], max: [4, 2.6, 4], material, isShell: true }]),
-      }),
-    );
-    const driver = await new RoomDriver(page).open(
-      { look: "physical", quality: "low", wind: "0", motion: "reduced", src },
-      SIZE,
-    );
+    const driver = await open(`plaster-${albedo}`, "low", [
+      { min: [0, 0, 0], max: [4, 2.6, 4], material, isShell: true },
+    ]);
     // The candle in the hand is 0.55 m ahead: a metre from the wall.
     const position = [2, 1.4, 1.55] as const;
     const { data, width } = await driver.picture({
+      attributes: { motion: "reduced" },
       camera: { position, yaw: 0, pitch: 0 },
       seconds: 12,
     });

@@ -25,16 +25,23 @@ export interface Scene {
 /** A view of the cabin, a visitor's. */
 type View = Pick<Scene, "name" | "camera" | "place">;
 
+const SPAWN: View = {
+  name: "spawn",
+  camera: { position: [-1.55, 1.6, 1.3], yaw: -0.3 * Math.PI, pitch: -0.08 },
+};
+const TABLE: View = {
+  name: "table",
+  place: { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 },
+  camera: { position: [-0.85, 1.3, 1.1], yaw: -0.805, pitch: -0.244 },
+};
+const CLOSE: View = {
+  name: "close",
+  place: { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 },
+  camera: { position: [0, 1.08, 0.61], yaw: -0.7, pitch: -0.3 },
+};
 const CABIN: readonly View[] = [
-  {
-    name: "spawn",
-    camera: { position: [-1.55, 1.6, 1.3], yaw: -0.3 * Math.PI, pitch: -0.08 },
-  },
-  {
-    name: "table",
-    place: { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 },
-    camera: { position: [-0.85, 1.3, 1.1], yaw: -0.805, pitch: -0.244 },
-  },
+  SPAWN,
+  TABLE,
   {
     name: "hearth",
     place: { position: [-0.5, 1.6, -0.5], yaw: 0, pitch: -1.27 },
@@ -44,12 +51,21 @@ const CABIN: readonly View[] = [
     name: "window",
     camera: { position: [0.6, 1.5, -0.75], yaw: -1.45, pitch: -0.1 },
   },
-  {
-    name: "close",
-    place: { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 },
-    camera: { position: [0, 1.08, 0.61], yaw: -0.7, pitch: -0.3 },
-  },
+  CLOSE,
 ];
+
+/** A view of the cabin at a tier, half a second after it opens. */
+function inCabin(
+  { name: view, ...rest }: View,
+  quality: Quality,
+  {
+    name = `cabin-${view}-${quality}`,
+    ...more
+  }: Partial<Scene["attributes"]> & { name?: string } = {},
+): Scene {
+  const attributes = { look: "physical", seed: "1", quality, ...more } as const;
+  return { name, attributes, ...rest, seconds: 0.5 };
+}
 
 /** In an order that changes the tier seldom: each change prepares the room's light anew. */
 export const SCENES: readonly Scene[] = [
@@ -90,70 +106,23 @@ export const SCENES: readonly Scene[] = [
     camera: { position: [-3.4, 1.6, -3.6], yaw: 0.9, pitch: -0.1 },
     seconds: 0.1,
   },
-  ...(["low", "high"] as const).flatMap((quality) =>
-    CABIN.map(({ name, ...view }) => ({
-      name: `cabin-${name}-${quality}`,
-      attributes: { look: "physical", seed: "1", quality } as const,
-      ...view,
-      seconds: 0.5,
-    })),
-  ),
+  ...CABIN.map((view) => inCabin(view, "low")),
+  ...CABIN.map((view) => inCabin(view, "high")),
+  inCabin(SPAWN, "high", { name: "cabin-moonlit-high", moonlight: "0.15" }),
+  inCabin(TABLE, "medium"),
+  { ...inCabin(CLOSE, "medium", { name: "cabin-wind", wind: "0.8" }), seconds: 1.5 },
   {
-    ...CABIN[0]!,
-    name: "cabin-moonlit-high",
-    attributes: { look: "physical", seed: "1", quality: "high", moonlight: "0.15" },
-    seconds: 0.5,
-  },
-  {
-    ...CABIN[1]!,
-    name: "cabin-table-medium",
-    attributes: { look: "physical", seed: "1", quality: "medium" },
-    seconds: 0.5,
-  },
-  {
-    ...CABIN[4]!,
-    name: "cabin-wind",
-    attributes: { look: "physical", seed: "1", quality: "medium", wind: "0.8" },
-    seconds: 1.5,
-  },
-  {
-    ...CABIN[4]!,
-    name: "cabin-smoke",
-    attributes: { look: "physical", seed: "1", quality: "medium", wind: "0.05" },
+    ...inCabin(CLOSE, "medium", { name: "cabin-smoke", wind: "0.05" }),
     breath: 1,
     seconds: 1.5,
   },
   ...(["medium", "low"] as const).flatMap((quality) => [
+    inCabin(SPAWN, quality, { name: `cabin-candles-${quality}`, "lit-wicks": "0 1 2 3" }),
     {
-      ...CABIN[0]!,
-      name: `cabin-candles-${quality}`,
-      attributes: {
-        look: "physical",
-        seed: "1",
-        quality,
-        moonlight: "0",
-        "lit-wicks": "0 1 2 3",
-      } as const,
-      seconds: 0.5,
-    },
-    {
-      ...CABIN[0]!,
-      name: `cabin-moon-${quality}`,
-      attributes: { look: "physical", seed: "1", quality, moonlight: "0.15" } as const,
+      ...inCabin(SPAWN, quality, { name: `cabin-moon-${quality}`, moonlight: "0.15" }),
       isOut: true,
-      seconds: 0.5,
     },
   ]),
-  {
-    ...CABIN[0]!,
-    name: "cabin-moonlit-low",
-    attributes: { look: "physical", seed: "1", quality: "low", moonlight: "0.15" },
-    seconds: 0.5,
-  },
-  {
-    ...CABIN[1]!,
-    name: "cabin-table-ultra",
-    attributes: { look: "physical", seed: "1", quality: "ultra" },
-    seconds: 0.5,
-  },
+  inCabin(SPAWN, "low", { name: "cabin-moonlit-low", moonlight: "0.15" }),
+  inCabin(TABLE, "ultra"),
 ];
