@@ -160,7 +160,7 @@ export class VolumetricStage {
     }
   }
 
-  /** Spheres around the flames, the hot air over it, and the smoke. */
+  /** Spheres around the flames, the hot air over them, and the smoke. */
   *#spheres(frame: FrameInput, kind: GBufferKind): Generator<Sphere> {
     const { flame, plume, standing } = frame.world;
     yield* this.#flameSpheres(carriedFlame(frame.world));
