@@ -35,8 +35,10 @@ export class MeshLods {
       const group = surfaces.filter((surface) => surface.part.material === material);
       const part = reduced(group.map((surface) => surface.part));
       const { indices, clusters } = groupTriangles(part);
+      // Again, with the vertices in the order of their first use now: neighbours stay in a vertex cache.
+      const inOrder = reduced([{ ...part, reducedIndices: Uint32Array.from(indices) }]);
       const name = `${part.name}/lod`;
-      const vertexArray = uploadTriangles(this.#gpu, { ...part, name, indices });
+      const vertexArray = uploadTriangles(this.#gpu, { ...inOrder, name });
       return { ...group[0]!, part, vertexArray, clusters };
     });
   }
