@@ -5,7 +5,8 @@
 // green, which is most of the luma.
 #include "lib/precision.glsl"
 
-uniform sampler2D uSource;
+uniform sampler2D uSource;  // nearest texel
+uniform sampler2D uSmooth;  // the same, bilinear
 
 in vec2 vUv;
 
@@ -21,14 +22,13 @@ float valueOf(vec4 texel) {
 }
 
 void main() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  ivec2 last = textureSize(uSource, 0) - 1;
-  vec4 here = texelFetch(uSource, pixel, 0);
+  vec2 pixel = 1.0 / vec2(textureSize(uSource, 0));
+  vec4 here = texture(uSource, vUv);
   vec4 neighbours = vec4(
-    valueOf(texelFetch(uSource, max(pixel - ivec2(1, 0), 0), 0)),
-    valueOf(texelFetch(uSource, min(pixel + ivec2(1, 0), last), 0)),
-    valueOf(texelFetch(uSource, max(pixel - ivec2(0, 1), 0), 0)),
-    valueOf(texelFetch(uSource, min(pixel + ivec2(0, 1), last), 0))
+    valueOf(texture(uSource, vUv - vec2(pixel.x, 0.0))),
+    valueOf(texture(uSource, vUv + vec2(pixel.x, 0.0))),
+    valueOf(texture(uSource, vUv - vec2(0.0, pixel.y))),
+    valueOf(texture(uSource, vUv + vec2(0.0, pixel.y)))
   );
   vec4 differences = neighbours - valueOf(here);
   vec2 gradient = vec2(abs(differences.x) + abs(differences.y), abs(differences.z) + abs(differences.w));
@@ -37,8 +37,8 @@ void main() {
     // The edge is perpendicular to the gradient.
     float side = (neighbours.y - neighbours.x) * (neighbours.w - neighbours.z) > 0.0 ? -1.0 : 1.0;
     vec2 along = normalize(vec2(gradient.y, side * gradient.x));
-    vec2 offset = along * TAP_DISTANCE / vec2(last + 1);
-    vec3 sum = textureLod(uSource, vUv + offset, 0.0).rgb + textureLod(uSource, vUv - offset, 0.0).rgb;
+    vec2 offset = along * TAP_DISTANCE * pixel;
+    vec3 sum = textureLod(uSmooth, vUv + offset, 0.0).rgb + textureLod(uSmooth, vUv - offset, 0.0).rgb;
     here.rgb = mix(here.rgb, sum * 0.5, 0.8 * smoothstep(EDGE.x, EDGE.y, max(gradient.x, gradient.y)));
   }
   oColor = vec4(here.rgb, BY_CODE == 1 ? 1.0 : here.a);

@@ -21,7 +21,7 @@ export interface Draw {
   readonly vertexArray: VertexArray;
   readonly uniforms?: Readonly<Record<string, UniformValue>>;
   readonly textures?: Readonly<Record<string, Texture>>;
-  /** How textures with mipmaps are read, by uniform. Default: trilinear. */
+  /** How textures are read, by uniform. Default: with mipmaps trilinear, without as they were made. */
   readonly sampling?: Readonly<Record<string, Sampling>>;
   readonly blocks?: Readonly<Record<string, UniformBlock>>;
   /** Default: triangles. */
@@ -209,7 +209,8 @@ export class DrawCommands {
       if (!texture) throw new Error(`${program.label} needs a texture ${name}.`);
       gl.activeTexture(gl.TEXTURE0 + unit);
       gl.bindTexture(texture.target, texture.handle);
-      this.#samplers.bind(unit, texture.hasMipmaps ? sampling[name] : undefined);
+      const how = sampling[name];
+      this.#samplers.bind(unit, texture.hasMipmaps || how === "nearest" ? how : undefined);
     }
   }
 

@@ -1,7 +1,10 @@
-/** How a texture with mipmaps is read: its nearest texel, one level bilinearly, or two by so many taps. */
-export type Sampling = "texel" | "level" | { readonly anisotropy: number };
+/**
+ * How a texture is read. One with mipmaps, repeated: its nearest texel, one level bilinearly, or two by so many taps.
+ * "nearest": the nearest texel of a target, up to its edges, which costs a CPU half of a `texelFetch`.
+ */
+export type Sampling = "nearest" | "texel" | "level" | { readonly anisotropy: number };
 
-/** WebGL sampler objects, one for each way of sampling, bound to texture units. They repeat textures. */
+/** WebGL sampler objects, one for each way of sampling, bound to texture units. */
 export class Samplers {
   readonly #gl: WebGL2RenderingContext;
   readonly #anisotropic: EXT_texture_filter_anisotropic | null;
@@ -34,13 +37,18 @@ export class Samplers {
     const sampler = gl.createSampler();
     this.#samplers.set(key, sampler);
     if (!sampler) return null; // a lost context: nothing will be drawn with it
-    const isTexel = sampling === "texel";
-    const oneLevel = isTexel ? gl.NEAREST_MIPMAP_NEAREST : gl.LINEAR_MIPMAP_NEAREST;
-    const minification = typeof sampling === "object" ? gl.LINEAR_MIPMAP_LINEAR : oneLevel;
+    const isSmooth = typeof sampling === "object" || sampling === "level";
+    const minification = {
+      nearest: gl.NEAREST,
+      texel: gl.NEAREST_MIPMAP_NEAREST,
+      level: gl.LINEAR_MIPMAP_NEAREST,
+      anisotropic: gl.LINEAR_MIPMAP_LINEAR,
+    }[typeof sampling === "object" ? "anisotropic" : sampling];
+    const wrap = sampling === "nearest" ? gl.CLAMP_TO_EDGE : gl.REPEAT;
     gl.samplerParameteri(sampler, gl.TEXTURE_MIN_FILTER, minification);
-    gl.samplerParameteri(sampler, gl.TEXTURE_MAG_FILTER, isTexel ? gl.NEAREST : gl.LINEAR);
-    gl.samplerParameteri(sampler, gl.TEXTURE_WRAP_S, gl.REPEAT);
-    gl.samplerParameteri(sampler, gl.TEXTURE_WRAP_T, gl.REPEAT);
+    gl.samplerParameteri(sampler, gl.TEXTURE_MAG_FILTER, isSmooth ? gl.LINEAR : gl.NEAREST);
+    gl.samplerParameteri(sampler, gl.TEXTURE_WRAP_S, wrap);
+    gl.samplerParameteri(sampler, gl.TEXTURE_WRAP_T, wrap);
     if (taps > 1 && this.#anisotropic) {
       gl.samplerParameterf(sampler, this.#anisotropic.TEXTURE_MAX_ANISOTROPY_EXT, taps);
     }

@@ -126,8 +126,13 @@ export class PaperRenderer implements Renderer {
       return;
     }
     const { program, screen } = this.#fxaa;
-    const textures = { uSource: target.color };
-    gpu.draw({ program, target: "canvas", vertexArray: screen, textures });
+    gpu.draw({
+      program,
+      target: "canvas",
+      vertexArray: screen,
+      textures: { uSource: target.color, uSmooth: target.color },
+      sampling: { uSource: "nearest" },
+    });
   }
 
   #updateBlocks(world: World, { features, exposure, isStill }: FrameSettings): void {

@@ -106,8 +106,14 @@ export class CompositeDisplayPass {
     // The bloom does not move with the surfaces.
     const scissor = isReprojected ? scaleBox(options.bloomBounds, options.size, color) : undefined;
     this.#gpu.draw({ ...composite, target: color, scissor });
-    const colored = { textures: { uSource: color.color }, scissor };
-    this.#gpu.draw({ ...pass, ...colored, program: this.#fxaa, target });
+    this.#gpu.draw({
+      ...pass,
+      program: this.#fxaa,
+      target,
+      textures: { uSource: color.color, uSmooth: color.color },
+      sampling: { uSource: "nearest" },
+      scissor,
+    });
     const source = { textures: { uSource: target.color } };
     this.#gpu.draw({ ...pass, ...source, program: this.#upscale, target: "canvas" });
   }
