@@ -37,7 +37,7 @@ vec3 radiosityToward(vec3 fromOrigin) {
   return mix(low, high, share.y);
 }
 
-// Light along a ray from surfaces that the flame lights, cd/m² for 1 cd; alpha: share of the ray that hits none.
+// Light along a ray from surfaces that the flame lights, cd/m²; alpha: share of the ray that hits none.
 vec4 traceRadiance(vec3 position, vec3 ray) {
   vec3 start = position - light.captureOrigin;
   float near = NEAREST_STEP;
@@ -63,10 +63,10 @@ vec4 traceRadiance(vec3 position, vec3 ray) {
     wasBehind = isBehind;
     near = far;
   }
-  return vec4(sum / PI, transmittance);
+  return vec4(sum / PI * light.intensity, transmittance);
 }
 
-// Light from around a mirrored direction, cd/m² for 1 cd, by rays over the microfacets of a rough surface.
+// Light from around a mirrored direction, cd/m², by rays over the microfacets of a rough surface.
 // `alpha`: GGX. `beyond`: light along rays that hit nothing that the flame lights.
 vec3 traceReflection(vec3 position, vec3 normal, vec3 view, float alpha, vec3 beyond) {
   vec3 tangent = normalize(abs(normal.y) < 0.9 ? cross(normal, vec3(0.0, 1.0, 0.0)) : cross(normal, vec3(1.0, 0.0, 0.0)));

@@ -1,6 +1,7 @@
 // The flame as a light source: a capsule, equally intense in all directions, on its candle.
+// CANDLES: in shaders that shade for standing candles as well, the most of them.
 
-layout(std140) uniform Light {
+struct FlameLight {
   vec3 position;     // centre of the capsule, m
   float halfHeight;  // m
   vec3 intensity;    // cd
@@ -11,8 +12,25 @@ layout(std140) uniform Light {
   float pan;         // height of the holder's pan, m
   float panRadius;   // m
   vec3 captureOrigin;  // of the shadow cube and the surfels, near the centre of the capsule, m
+  float shadowSlot;  // place of its shadow cube in the texture
   vec3 along;        // direction of the capsule's axis, length 1
-} light;
+};
+
+#ifdef CANDLES
+layout(std140) uniform Light {
+  FlameLight carried;
+};
+layout(std140) uniform Candles {
+  FlameLight candles[CANDLES];
+  float count;
+} standing;
+
+FlameLight light;  // the flame that is shaded for
+#else
+layout(std140) uniform Light {
+  FlameLight light;
+};
+#endif
 
 // Height of the candle's lip over its top, mean around it, m.
 const float LIP = 0.0007;

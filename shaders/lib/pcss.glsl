@@ -1,6 +1,5 @@
 // Soft shadow of the flame (PCSS): share of the flame that is visible from a point, past the room.
-// Needs lib/random.glsl, lib/flame-light.glsl, lib/shadow-cube.glsl; defines SHADOW_SEARCH and SHADOW_TAPS (taps),
-// SHADOW_BIAS (texels).
+// Needs lib/random.glsl, lib/flame-light.glsl, lib/shadow-cube.glsl; defines SHADOW_BIAS (texels).
 // After Fernando 2005, "Percentage-Closer Soft Shadows"; here each tap is a point of the flame, so that the penumbra
 // has the flame's width and height.
 //
@@ -85,8 +84,8 @@ float planeDepth(ShadowTaps taps, vec2 texel) {
 }
 
 // Shares of the flame that are visible from a point, and from one higher than it by `rise` along the normal (m).
-// `normal`: of the triangle, on the light's side. `pixel`: seed of the taps' offset.
-vec2 flameVisibility(vec3 position, vec3 normal, float rise, vec2 pixel) {
+// `cube`: the flame's shadow cube. `normal`: of the triangle, on the light's side. `pixel`: seed of the taps' offset.
+vec2 flameVisibility(sampler2D cube, int searchTaps, int filterTaps, vec3 position, vec3 normal, float rise, vec2 pixel) {
   ShadowReceiver r;
   r.position = position - light.captureOrigin;
   r.shift = light.position - light.captureOrigin;
@@ -94,7 +93,7 @@ vec2 flameVisibility(vec3 position, vec3 normal, float rise, vec2 pixel) {
   r.distance = length(r.position);
   r.offset = dot(r.position, normal);
   r.offset = r.offset < 0.0 ? min(r.offset, -1e-5) : max(r.offset, 1e-5);
-  float tile = shadowTileSize();
+  float tile = shadowTileSize(cube);
   float texels = 0.5 * tile / SHADOW_REACH;
   // A step of the stored depth is half as many metres to either side.
   float stepBias = r.distance * r.distance * (0.5 * SHADOW_STEP / SHADOW_NEAR);
@@ -111,10 +110,10 @@ vec2 flameVisibility(vec3 position, vec3 normal, float rise, vec2 pixel) {
   vec2 place = seed;
   float inverseDepth = 0.0;
   float blockers = 0.0;
-  for (int i = 0; i < SHADOW_SEARCH; i++) {
+  for (int i = 0; i < searchTaps; i++) {
     vec2 texel = tapTexel(taps, fract(place), tile - 0.01);
     place += R2;
-    float caster = texelFetch(uShadow, ivec2(texel), 0).r;
+    float caster = texelFetch(cube, ivec2(texel), 0).r;
     if (caster < min(planeDepth(taps, texel), taps.farthest)) {
       inverseDepth += 1.0 - caster;
       blockers += 1.0;
@@ -128,15 +127,15 @@ vec2 flameVisibility(vec3 position, vec3 normal, float rise, vec2 pixel) {
   float higher = r.offset / min(r.offset + rise, -1e-4);
   place = seed;
   vec2 visible = vec2(0.0);
-  for (int i = 0; i < SHADOW_TAPS; i += TAPS_AT_ONCE) {
+  for (int i = 0; i < filterTaps; i += TAPS_AT_ONCE) {
     for (int j = 0; j < TAPS_AT_ONCE; j++) {
       vec2 texel = tapTexel(taps, fract(place), tile - 0.01);
       place += R2;
-      float caster = texelFetch(uShadow, ivec2(texel), 0).r;
+      float caster = texelFetch(cube, ivec2(texel), 0).r;
       float plane = planeDepth(taps, texel);
       visible.x += caster < min(plane, taps.farthest) ? 0.0 : 1.0;
       visible.y += caster < min(1.0 - (1.0 - plane) * higher, taps.farthest) ? 0.0 : 1.0;
     }
   }
-  return visible / float(SHADOW_TAPS);
+  return visible / float(filterTaps);
 }

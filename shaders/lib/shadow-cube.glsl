@@ -1,5 +1,6 @@
 // Shadow cube: depth of the nearest caster in every direction from the capture origin. Its faces are tiles of one
-// texture, a column for each axis and a row for each sign: src/render/shadow/shadow-pass.ts.
+// texture, a column for each axis and a row for each sign; cubes of several flames lie one above another:
+// src/render/shadow/shadow-pass.ts. Needs lib/flame-light.glsl.
 //
 // A face's depth is 1 - SHADOW_NEAR / distance along its axis. It is linear across a plane, so that the depth of a lit
 // surface in any texel is a dot product.
@@ -25,19 +26,19 @@ vec3 onShadowFace(vec3 v, bvec2 axis) {
 
 // Center of a face's tile, texels. `along`: component along the face's axis. `tile`: texels along its edge.
 vec2 shadowTileCenter(bvec2 axis, float along, float tile) {
-  return (vec2(axis.x ? 0.5 : axis.y ? 1.5 : 2.5, along > 0.0 ? 0.5 : 1.5)) * tile;
+  return (vec2(axis.x ? 0.5 : axis.y ? 1.5 : 2.5, 2.0 * light.shadowSlot + (along > 0.0 ? 0.5 : 1.5))) * tile;
 }
 
 // Texels along a tile's edge.
-float shadowTileSize() {
-  return 0.5 * float(textureSize(uShadow, 0).y);
+float shadowTileSize(sampler2D cube) {
+  return float(textureSize(cube, 0).x / 3);
 }
 
 // Distance of the nearest caster in a direction, as a multiple of the direction's length.
 float casterDistance(vec3 direction) {
   bvec2 axis = shadowAxis(direction);
   vec3 d = onShadowFace(direction, axis);
-  float tile = shadowTileSize();
+  float tile = shadowTileSize(uShadow);
   vec2 texel = shadowTileCenter(axis, d.z, tile) + d.xy / d.z * (0.5 * tile / SHADOW_REACH);
   float depth = texelFetch(uShadow, ivec2(texel), 0).r;
   return SHADOW_NEAR / (abs(d.z) * max(1.0 - depth, SHADOW_STEP));

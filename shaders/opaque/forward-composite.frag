@@ -1,6 +1,6 @@
 #version 300 es
 // Composite of the forward stage: radiance per candela times the flame's intensity; MOONLIT: and the moonlight. CANDLE:
-// a standing candle's, which is added.
+// of a standing candle, added to the rest.
 // In:  radiance per candela, or normals to inspect.   Out: radiance, cd/m².
 #include "lib/precision.glsl"
 #ifdef CANDLE
@@ -11,7 +11,7 @@ uniform vec3 uIntensity;  // cd
 
 uniform sampler2D uRadiance;
 #ifndef CANDLE
-uniform float uIsLight;  // 0: normals
+uniform float uIsLight;  // 0: normals, or radiance of all flames as they burn
 #endif
 
 #ifdef MOONLIT

@@ -1,5 +1,6 @@
 #version 300 es
 // Forward shading of a mesh, for a flame of 1 cd; MOONLIT: and for a moon of 1 lx, with the night behind panes.
+// CANDLES: for all flames as they burn, with the irradiance volume of all; standing candles with half the shadow taps.
 // In:  base colour (sRGB), normal, occlusion/roughness/metallic maps; vertex colour: occlusion (red).
 // Out: radiance per candela; or the normal, to inspect. MOONLIT: alpha: luminance per lux. Rod vision needs no more.
 #include "lib/precision.glsl"
@@ -41,6 +42,9 @@ const float WICK_COSINE = 0.05;
 #endif
 
 uniform sampler2D uEnvironmentBrdf;
+#ifdef CANDLES
+uniform sampler2D uStandingShadow;  // cubes of the standing candles
+#endif
 uniform float uWax;  // 1 or 0
 uniform vec4 uFeatures;  // 1 or 0: shadows, indirect light, specular; the normal instead of radiance
 uniform vec2 uOrigin;    // of the target on the frame, pixels
@@ -72,6 +76,55 @@ float directMoonlight(vec3 facet, vec3 surface, vec3 normal, vec3 toEye, vec3 di
 }
 #endif
 
+// Visible share of the flame, past the room, the candle and its holder; and from a crevice's sides. Crevices are lit by
+// their sides, whatever their own normal. `cube`: the flame's shadow cube. `divisor`: of the number of taps.
+vec2 visibilitiesOf(sampler2D cube, int divisor, vec3 surface, vec3 normal, vec3 facet, bool isCrevice) {
+  vec2 visibilities = vec2(0.0);
+  if (dot(normal, light.position) > dot(normal, vPositionWorld) || isCrevice) {
+    vec3 toward = faceforward(facet, vPositionWorld - light.position, facet);
+    float rise = isCrevice ? CREVICE_HEIGHT * dot(surface, toward) : 0.0;
+    vec2 pixel = gl_FragCoord.xy + uOrigin;
+    visibilities = vec2(candleVisibility(vPositionWorld));
+    int search = SHADOW_SEARCH / divisor;
+    int taps = SHADOW_TAPS / divisor;
+    visibilities *= flameVisibility(cube, search, taps, vPositionWorld, toward, rise, pixel);
+  }
+  return visibilities;
+}
+
+struct Shading {
+  vec3 surface;  // normals: the mesh's, and the normal map's
+  vec3 normal;
+  vec3 view;
+  float NoV;
+  float alpha;
+  vec3 f0;
+  float minified;  // visibility of a minified normal map
+};
+
+struct DirectLight {
+  vec3 irradiance;  // lx
+  vec3 sides;       // on a crevice's sides, at right angles, lx
+  vec3 specular;    // cd/m², of single scattering
+};
+
+// Direct light of the flame.
+DirectLight directLight(Shading s, vec2 visibilities) {
+  vec3 toLight = light.position - vPositionWorld;
+  float distanceSquared = max(dot(toLight, toLight), LEAST_DISTANCE * LEAST_DISTANCE);
+  vec3 L = toLight * inversesqrt(distanceSquared);
+  float NoL = max(dot(s.normal, L), 0.0);
+  float wickCosine = uIsWick * WICK_COSINE;
+  float visibility = wickCosine > 0.0 ? 1.0 : visibilities.x;
+  vec3 unshadowed = light.intensity / distanceSquared;
+  vec3 perCosine = unshadowed * mix(1.0, visibility, uFeatures.x);
+  vec3 irradiance = perCosine * max(NoL * normalMapVisibility(s.surface, s.normal, L) * s.minified, wickCosine);
+  if (uIsPane > 0.5) irradiance = min(irradiance, PANE_IRRADIANCE * light.intensity);
+  vec3 sides = unshadowed * mix(1.0, max(visibilities.x, visibilities.y), uFeatures.x);
+  FlameSpecular flame = flameSpecular(toLight, s.normal, s.view, s.NoV, s.alpha);
+  return DirectLight(irradiance, sides, fresnelSchlick(s.f0, flame.SoH) * flame.lobe * perCosine * uFeatures.z);
+}
+
 void main() {
   vec4 baseColor = texture(uAlbedo, vUv, LOD_BIAS) * uBaseColor;
   if (baseColor.a < uSurface.w) discard;
@@ -82,67 +135,68 @@ void main() {
   vec3 surface = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
   vec3 normal = shadingNormal(surface);
 
-  // Visible share of the flame, past the room, the candle and its holder; and from a crevice's sides. Computed first,
-  // to save registers. Crevices are lit by their sides, whatever their own normal.
+#ifdef CANDLES
+  light = carried;
+#endif
+  // Computed first, to save registers.
   bool isCrevice = occlusion < CREVICE;
   vec3 facet = facetNormal(vPositionWorld);
-  vec2 visibilities = vec2(0.0);
-  if (dot(normal, light.position) > dot(normal, vPositionWorld) || isCrevice) {
-    facet = faceforward(facet, vPositionWorld - light.position, facet);
-    float rise = isCrevice ? CREVICE_HEIGHT * dot(surface, facet) : 0.0;
-    visibilities = vec2(candleVisibility(vPositionWorld));
-    visibilities *= flameVisibility(vPositionWorld, facet, rise, gl_FragCoord.xy + uOrigin);
-  }
-  float visibility = visibilities.x;
-  float sidesVisibility = max(visibilities.x, visibilities.y);
+  vec2 visibilities = visibilitiesOf(uShadow, 1, surface, normal, facet, isCrevice);
 
   // Direct light.
   vec3 view = normalize(frame.eyePosition - vPositionWorld);
   float NoV = max(abs(dot(normal, view)), 1e-3);
   vec2 minified = minifiedVisibility();
-  vec3 toLight = light.position - vPositionWorld;
-  float distanceSquared = max(dot(toLight, toLight), LEAST_DISTANCE * LEAST_DISTANCE);
-  vec3 L = toLight * inversesqrt(distanceSquared);
-  float NoL = max(dot(normal, L), 0.0);
-  float wickCosine = uIsWick * WICK_COSINE;
-  if (wickCosine > 0.0) visibility = 1.0;
-  vec3 unshadowed = light.intensity / distanceSquared;
-  vec3 perCosine = unshadowed * mix(1.0, visibility, uFeatures.x);
-  vec3 sides = unshadowed * mix(1.0, sidesVisibility, uFeatures.x);
-  vec3 irradiance = perCosine * max(NoL * normalMapVisibility(surface, normal, L) * minified.y, wickCosine);
-  if (uIsPane > 0.5) irradiance = min(irradiance, PANE_IRRADIANCE * light.intensity);
+  float alpha = specularAntialiasing(roughness * roughness, normal);
+  vec3 f0 = mix(vec3(0.04), baseColor.rgb, metallic);
+  Shading shading = Shading(surface, normal, view, NoV, alpha, f0, minified.y);
+  DirectLight direct = directLight(shading, visibilities);
+  vec3 glow = waxGlow(vPositionWorld);
+  float carriedShare = 1.0;  // of the irradiance volume's light
+#ifdef CANDLES
+  float others = 1e-9;
+  for (int i = 0; i < int(standing.count); i++) {
+    light = standing.candles[i];
+    visibilities = visibilitiesOf(uStandingShadow, 2, surface, normal, facet, isCrevice);
+    DirectLight more = directLight(shading, visibilities);
+    direct.irradiance += more.irradiance;
+    direct.sides += more.sides;
+    direct.specular += more.specular;
+    glow += waxGlow(vPositionWorld);
+    others += luma(light.intensity);
+  }
+  light = carried;
+  carriedShare = luma(light.intensity) / (luma(light.intensity) + others);
+#endif
 
   // Reflection.
-  float alpha = specularAntialiasing(roughness * roughness, normal);
-  FlameSpecular flame = flameSpecular(toLight, normal, view, NoV, alpha);
-  vec3 f0 = mix(vec3(0.04), baseColor.rgb, metallic);
   EnvironmentReflection environment = environmentReflection(uEnvironmentBrdf, f0, sqrt(alpha), NoV);
-  vec3 specular = fresnelSchlick(f0, flame.SoH) * environment.boost * flame.lobe * perCosine * uFeatures.z;
+  vec3 specular = direct.specular * environment.boost;
   // Reflected light does not reach the diffuse layer below.
   vec3 diffuseColor = baseColor.rgb * (1.0 - metallic) * (1.0 - environment.share);
-  vec3 diffuse = diffuseColor / PI * irradiance;
+  vec3 diffuse = diffuseColor / PI * direct.irradiance;
 
   // Indirect light.
   vec3 reflected = reflect(-view, normal);
   IrradianceSample probes = irradianceAt(vPositionWorld + surface * 0.05, normal, normal, reflected);
-  vec3 around = probes.alongNormal * light.intensity;
   float near = 1.0 - occlusion;
   float unoccluded = 1.0 - NEAR_OCCLUSION * near;
   // Nearby surfaces are taken to have this point's colour and distance from the flame.
-  vec3 nearby = NEAR_REFLECTANCE * near * baseColor.rgb * sides;
-  nearby /= 1.0 + sides / max(NEAR_LIMIT * around, 1e-9);
-  vec3 indirect = (around * unoccluded + nearby) * diffuseColor * (skyVisibility(surface, normal) * minified.x / PI);
-  vec3 mirrored = (probes.alongReflection * light.intensity * unoccluded + nearby) / PI;
+  vec3 nearby = NEAR_REFLECTANCE * near * baseColor.rgb * direct.sides;
+  nearby /= 1.0 + direct.sides / max(NEAR_LIMIT * probes.alongNormal, 1e-9);
+  vec3 indirect = (probes.alongNormal * unoccluded + nearby) * diffuseColor * (skyVisibility(surface, normal) * minified.x / PI);
+  vec3 mirrored = (probes.alongReflection * unoccluded + nearby) / PI;
   float traced = 1.0 - smoothstep(TRACED_ROUGHNESS.x, TRACED_ROUGHNESS.y, roughness - metallic * TRACED_METAL);
   if (traced > 0.0) {
-    vec3 beyond = probes.alongReflection * (TRACED_INDIRECT / PI);
+    // Rays hit what the carried flame lights. What other flames light is taken from the probes.
+    vec3 beyond = probes.alongReflection * (carriedShare * TRACED_INDIRECT / PI);
     vec3 rays = traceReflection(vPositionWorld + surface * 0.01, normal, view, roughness * roughness, beyond);
-    mirrored = mix(mirrored, rays * light.intensity, traced);
+    mirrored = mix(mirrored, rays + probes.alongReflection * ((1.0 - carriedShare) / PI), traced);
   }
   mirrored *= environment.share;
   indirect = (indirect + mirrored * uFeatures.z) * uFeatures.y;
 
-  vec3 radiance = diffuse + specular + indirect + baseColor.rgb * waxGlow(vPositionWorld) * uWax;
+  vec3 radiance = diffuse + specular + indirect + baseColor.rgb * glow * uWax;
   // The largest half float is 65504; a mirrored flame can be brighter.
   oRadiance = vec4(uFeatures.w > 0.5 ? 0.5 + 0.5 * normal : min(radiance, 3e4), 1.0);
 

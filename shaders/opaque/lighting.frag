@@ -41,7 +41,7 @@ void main() {
   if (dot(normal, light.position) > dot(normal, position)) {
     vec2 tile = mod(floor(gl_FragCoord.xy), 2.0);
     visibility = candleVisibility(position);
-    visibility *= flameVisibility(position, normal, 0.0, tile).x;
+    visibility *= flameVisibility(uShadow, SHADOW_SEARCH, SHADOW_TAPS, position, normal, 0.0, tile).x;
   }
   float metallic = metallicOf(material);
   vec3 view = normalize(frame.eyePosition - position);

@@ -28,6 +28,7 @@ export function lightBlock(world: World, showsCandle: boolean) {
     rimRadius: showsCandle ? CANDLE.rimRadius : 0,
     pan: foot[1] + CANDLE.pan,
     panRadius: showsCandle ? CANDLE.panRadius : 0,
+    shadowSlot: 0,
   };
 }
 

@@ -8,11 +8,11 @@ import type { Vec3 } from "../world/geometry.js";
 import type { StandingCandle } from "../world/standing-candle.js";
 import { IndirectPass, type IndirectScene } from "./gi/indirect-pass.js";
 import type { IndirectTargets } from "./gi/indirect-targets.js";
+import type { IndirectDetail } from "./gi/probe-rays.js";
 import type { KeptLight } from "./kept-light.js";
 import type { CaptureLight } from "./light-block.js";
-import type { PhysicalTier } from "./quality.js";
 import type { ShadowCasters } from "./shadow/shadow-casters.js";
-import { ShadowPass } from "./shadow/shadow-pass.js";
+import { type ShadowAtlas, ShadowPass } from "./shadow/shadow-pass.js";
 
 /** A still flame over its root: height of its middle, half its height and its radius as a light, metres. */
 const STILL = { middle: 0.02, halfHeight: 0.0095, radius: 0.0035 } as const;
@@ -20,7 +20,7 @@ const STILL = { middle: 0.02, halfHeight: 0.0095, radius: 0.0035 } as const;
 const RIM = { depth: 0.0015, radius: 0.0101 } as const;
 
 /** The flame of a standing candle, still, 1 cd strong: members of the shaders' `Light` block. */
-function stillLight([x, y, z]: Readonly<Vec3>): CaptureLight {
+function stillLight([x, y, z]: Readonly<Vec3>, shadowSlot: number): CaptureLight {
   const position: Vec3 = [x, y + STILL.middle, z];
   const rim = y - RIM.depth;
   return {
@@ -35,11 +35,13 @@ function stillLight([x, y, z]: Readonly<Vec3>): CaptureLight {
     rimRadius: RIM.radius,
     pan: rim,
     panRadius: 0,
+    shadowSlot,
   };
 }
 
 /** Shadow cube and irradiance volume of a standing candle, captured when it first burns. */
 export class StandingLight {
+  readonly #slot: number;
   readonly #shadow: ShadowPass;
   readonly #indirect: IndirectPass;
   readonly #block: UniformBlock;
@@ -49,22 +51,29 @@ export class StandingLight {
     gpu: Gpu,
     screen: VertexArray,
     scene: IndirectScene,
-    { shadow, indirect }: PhysicalTier,
+    indirect: IndirectDetail,
     targets: IndirectTargets,
+    { shadows, slot }: { readonly shadows: ShadowAtlas; readonly slot: number },
   ) {
-    this.#shadow = new ShadowPass(gpu, shadow.size);
+    this.#slot = slot;
+    this.#shadow = new ShadowPass(gpu, shadows, slot);
     this.#indirect = new IndirectPass(gpu, screen, scene, indirect, { targets });
     const program = gpu.program("gi/radiosity", fullscreenVert, radiosityFrag);
     this.#block = gpu.uniformBlock(program, "Light");
   }
 
+  /** Of the candle that it was last captured for. */
+  get name(): string | null {
+    return this.#light?.name ?? null;
+  }
+
   light(candle: StandingCandle, casters: ShadowCasters): KeptLight {
-    this.#light ??= this.#capture(candle, casters);
+    if (this.name !== candle.name || !this.#light) this.#light = this.#capture(candle, casters);
     return { ...this.#light, intensity: flameLight(candle, TAPER).intensity };
   }
 
   #capture({ name, root }: StandingCandle, casters: ShadowCasters): Omit<KeptLight, "intensity"> {
-    const light = stillLight(root);
+    const light = stillLight(root, this.#slot);
     const { position: captureOrigin } = light;
     const shadow = { depth: this.#shadow.render(casters, captureOrigin), captureOrigin };
     this.#block.update(light);

@@ -124,3 +124,64 @@ test("At high, at rest, surfaces follow the flame's sway tile by tile, and besid
   expect(quantile(0.9)).toBeLessThan(0.005);
   expect(quantile(0.99)).toBeLessThan(0.03);
 });
+
+test("At high four candles light a frame in motion as one at rest, for the surfaces of one", async () => {
+  const { one, all, errors, stopped } = await room.evaluate(async (element) => {
+    element.reset();
+    element.wind = 0;
+    element.camera = { position: [-1.55, 1.6, 1.3], yaw: -0.94, pitch: -0.08 };
+    element.style.width = "120px";
+    element.style.height = "72px";
+    // The observer of sizes runs within the frame, after its callbacks.
+    await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+    element.step(1);
+    const one = element.stats.triangles;
+    for (const candle of element.candles.slice(1)) candle.light();
+    element.step(1);
+    const { camera } = element;
+    const [x, y, z] = camera.position;
+    const draw = () => {
+      element.step(1e-4);
+      const { triangles, width, height } = element.stats;
+      const radiance = element.readRadiance(0, 0, width, height);
+      const blocks: number[] = [];
+      for (let pixel = 0; pixel < width * height; pixel++) {
+        const column = Math.floor((pixel % width) / 8);
+        const block = 15 * Math.floor(pixel / width / 8) + column;
+        blocks[block] = (blocks[block] ?? 0) + radiance[3 * pixel + 1]!;
+      }
+      return { triangles, blocks };
+    };
+    const atRest = draw().blocks;
+    // A playing element counts as in motion.
+    const move = (nudge: number) => {
+      element.camera = { ...camera, position: [x + nudge, y, z] };
+      return draw();
+    };
+    element.play();
+    for (let tries = 1; move(1e-4 * tries).triangles > 2 * one && tries < 20; tries++) {
+      element.pause();
+      // Until the program is compiled.
+      await new Promise((resolve) => setTimeout(resolve, 500));
+      element.play();
+    }
+    const moving = move(0);
+    const afterwards = draw();
+    element.pause();
+    const errorsOf = (blocks: number[]) => blocks.map((sum, i) => sum / (atRest[i] ?? 0) - 1);
+    const errors = errorsOf(moving.blocks);
+    return { one, all: moving.triangles, errors, stopped: errorsOf(afterwards.blocks) };
+  });
+  const sizes = errors.map(Math.abs).sort((a, b) => a - b);
+  const [median, high] = [0.5, 0.95].map((share) => sizes[Math.floor(share * sizes.length)]!);
+  const mean = errors.reduce((sum, error) => sum + error, 0) / errors.length;
+  console.log(`${all} and ${one} triangles; errors ${[median, high, mean].join(", ")}`);
+  expect(errors).toHaveLength(135);
+  expect(one).toBeGreaterThan(1000);
+  expect(all).toBeLessThan(1.1 * one);
+  expect(median, "in motion it is another program's").toBeGreaterThan(1e-5);
+  expect(median).toBeLessThan(0.02);
+  expect(high).toBeLessThan(0.1);
+  expect(Math.abs(mean)).toBeLessThan(0.02);
+  expect(Math.max(...stopped.map(Math.abs))).toBeLessThan(0.01);
+});

@@ -12,7 +12,7 @@ import type { Mesh } from "../mesh/mesh.js";
 import type { MeshLods } from "../mesh/mesh-lods.js";
 import { MOTION_ERROR, type PhysicalTier } from "../quality.js";
 import { ShadowCasters } from "../shadow/shadow-casters.js";
-import { type ShadowCube, ShadowPass } from "../shadow/shadow-pass.js";
+import { type ShadowCube, ShadowPass, shadowAtlas } from "../shadow/shadow-pass.js";
 import type { Steps } from "../steps.js";
 import { IndirectPass, type IrradianceVolume } from "./indirect-pass.js";
 import { indirectTargets } from "./indirect-targets.js";
@@ -78,7 +78,7 @@ export class LightCaptures {
     this.#meshes = room.surfaces;
     this.#lods = lods;
     this.#casters = new ShadowCasters(gpu, room.model, room.surfaces, casterError);
-    this.#shadow = new ShadowPass(gpu, shadow.size);
+    this.#shadow = new ShadowPass(gpu, shadowAtlas(gpu, shadow.size, 1));
     const targets = indirectTargets(gpu, indirect);
     this.#indirect = new IndirectPass(gpu, screen, room, indirect, { targets });
     // Where the flame's bounces are computed in steps, other lights' may come in between.

@@ -2,11 +2,34 @@ import compositeFrag from "../../../shaders/opaque/forward-composite.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Box, Gpu } from "../../gl/gpu.js";
 import type { RenderTarget } from "../../gl/render-target.js";
-import type { TextureFormat } from "../../gl/texture.js";
+import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { TextureView } from "../../gl/texture-view.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
+import type { Rgb } from "../../light/color.js";
 import type { Size } from "../frame-input.js";
 import type { KeptLight } from "../kept-light.js";
+
+/** Draws a texture times a light's intensity, cd. Within a scissor it is added to what is there. */
+export function drawScaled(
+  gpu: Gpu,
+  screen: VertexArray,
+  uRadiance: Texture,
+  target: TextureView | RenderTarget,
+  uIntensity: Rgb,
+  scissor?: Box,
+): void {
+  gpu.draw({
+    program: gpu.program("opaque/forward-composite", fullscreenVert, compositeFrag, {
+      defines: { CANDLE: 1 },
+    }),
+    target,
+    vertexArray: screen,
+    textures: { uRadiance },
+    uniforms: { uIntensity },
+    blend: scissor ? "premultiplied" : "replace",
+    scissor,
+  });
+}
 
 /** Radiance that each standing candle gives for 1 cd: kept until camera or models have moved. */
 export class CandleLayers {
@@ -33,28 +56,30 @@ export class CandleLayers {
    *
    * @param frameKey of all but the lights
    * @param shade draws the surfaces, and returns their radiance
+   * @param most candles that are shaded
    * @returns whether any was shaded
    */
   update(
     candles: readonly KeptLight[],
     frameKey: string,
     shade: (candle: KeptLight) => RenderTarget,
+    most: number,
   ): boolean {
     for (const [name, { target }] of this.#layers) {
       if (candles.some((candle) => candle.name === name)) continue;
       target.dispose();
       this.#layers.delete(name);
     }
-    let isAny = false;
+    let shaded = 0;
     for (const candle of candles) {
       const layer = this.#layerOf(candle.name);
       const key = JSON.stringify([frameKey, candle.key]);
-      if (layer.key === key) continue;
+      if (layer.key === key || shaded === most) continue;
       layer.key = key;
-      isAny = true;
-      this.#copy(shade(candle), layer.target, [1, 1, 1]);
+      shaded++;
+      drawScaled(this.#gpu, this.#screen, shade(candle).color, layer.target, [1, 1, 1]);
     }
-    return isAny;
+    return shaded > 0;
   }
 
   #layerOf(name: string): { readonly target: RenderTarget; key: string } {
@@ -74,27 +99,8 @@ export class CandleLayers {
   /** Adds the candles' radiance, cd/m², within a region. */
   add(candles: readonly KeptLight[], target: TextureView | RenderTarget, scissor: Box): void {
     for (const { name, intensity } of candles) {
-      const layer = this.#layers.get(name);
-      if (layer) this.#copy(layer.target, target, intensity, scissor);
+      const from = this.#layers.get(name)?.target.color;
+      if (from) drawScaled(this.#gpu, this.#screen, from, target, intensity, scissor);
     }
-  }
-
-  #copy(
-    from: RenderTarget,
-    target: TextureView | RenderTarget,
-    uIntensity: readonly number[],
-    scissor?: Box,
-  ): void {
-    this.#gpu.draw({
-      program: this.#gpu.program("opaque/forward-composite", fullscreenVert, compositeFrag, {
-        defines: { CANDLE: 1 },
-      }),
-      target,
-      vertexArray: this.#screen,
-      textures: { uRadiance: from.color },
-      uniforms: { uIntensity },
-      blend: scissor ? "premultiplied" : "replace",
-      scissor,
-    });
   }
 }

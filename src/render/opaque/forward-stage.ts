@@ -9,13 +9,12 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import type { Inspection } from "../../settings.js";
 import type { Bounds } from "../../world/geometry.js";
 import { frustumTest } from "../camera.js";
 import type { FrameInput, ModelInstance, Size } from "../frame-input.js";
 import type { Captures } from "../gi/light-captures.js";
 import type { KeptLight } from "../kept-light.js";
-import { type CaptureLight, shadingLight } from "../light-block.js";
+import { type CaptureLight, lightBlock, shadingLight } from "../light-block.js";
 import { type Mesh, surfaceSampling } from "../mesh/mesh.js";
 import { normalMapVisibilityOf } from "../mesh/normal-map-visibility.js";
 import { visibleRuns } from "../mesh/visible-runs.js";
@@ -26,6 +25,7 @@ import type { CompositedFrame } from "../volumetric/volumetric-target.js";
 import { CandleLayers } from "./candle-layers.js";
 import { ENVIRONMENT_BRDF_SIZE, tabulateEnvironmentBrdf } from "./environment-brdf.js";
 import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "./opaque-stage.js";
+import { StandingLights } from "./standing-lights.js";
 
 /** What surfaces are drawn to: a target, or a part of a larger frame that it holds. */
 interface SurfacePass extends Pick<Draw, "target" | "viewport" | "scissor"> {
@@ -33,6 +33,8 @@ interface SurfacePass extends Pick<Draw, "target" | "viewport" | "scissor"> {
   readonly origin?: readonly [number, number];
   /** Whether what lies in a box is drawn. Default: all is. */
   readonly isVisible?: (box: Bounds) => boolean;
+  /** Standing candles that are shaded for as well, all flames as they burn. Default: none. */
+  readonly candles?: readonly KeptLight[];
 }
 
 /**
@@ -47,11 +49,21 @@ function boundsNearFlame({ world, clipFromWorld }: FrameInput, size: Size): Box 
   return screenBounds([[x, y - 0.5 * NEAR, z, NEAR]], clipFromWorld, size, { margin: 0, cell: 8 });
 }
 
-/** The program that shades all meshes of a tier: for the flame, or for the moon as well. */
-export function forwardProgram(gpu: Gpu, { physical }: Tier, isMoonlit: boolean): Program {
+/** The program that shades all meshes of a tier: for the flame, for the moon as well, and for standing candles. */
+export function forwardProgram(
+  gpu: Gpu,
+  { physical }: Tier,
+  isMoonlit: boolean,
+  hasCandles = false,
+): Program {
   const { search, taps, bias } = physical.shadow;
-  const shadow = { SHADOW_SEARCH: search, SHADOW_TAPS: taps, SHADOW_BIAS: bias };
-  const defines = isMoonlit ? { ...shadow, MOONLIT: 1 } : shadow;
+  const defines = {
+    SHADOW_SEARCH: search,
+    SHADOW_TAPS: taps,
+    SHADOW_BIAS: bias,
+    ...(isMoonlit && { MOONLIT: 1 }),
+    ...(hasCandles && { CANDLES: physical.mostCandles }),
+  };
   return gpu.program("opaque/forward", meshVert, forwardFrag, { defines });
 }
 
@@ -88,6 +100,9 @@ export class ForwardStage implements OpaqueStage {
   readonly #candleLayers: CandleLayers;
   /** The standing candles that burn in it. */
   #candles: readonly KeptLight[] = [];
+  #standing: StandingLights | null = null;
+  /** Whether the radiance is of all flames as they burn: in motion, and until each candle has its layer. */
+  #isOfAll = false;
   /** What the radiance depends on beside the flame's place, and that place. */
   #key = "";
   #lightKey = "";
@@ -152,11 +167,7 @@ export class ForwardStage implements OpaqueStage {
       inspect === "normals",
       instances.map(({ placement }) => placement),
     ]);
-    // Each is shaded in the targets of the flame's own layer, which is drawn anew afterwards.
-    const hasShaded = this.#candleLayers.update(this.#candles, frameKey, (candle) =>
-      this.#shadeCandle(frame, candle),
-    );
-    if (hasShaded) this.#key = "";
+    this.#updateLayers(frame, frameKey);
     const key = JSON.stringify([frameKey, captures.irradiance.revision, this.#moon?.key]);
     const lightKey = JSON.stringify(light);
     const hasMoved = lightKey !== this.#lightKey;
@@ -194,7 +205,29 @@ export class ForwardStage implements OpaqueStage {
       isVisible: frustumTest(clipOfBox(box, target, frame.clipFromWorld)),
     };
     this.#gpu.clear(target, [0, 0, 0, this.#moon?.background ?? 1], box ?? undefined);
-    this.draw(frame, light, captures, { target, ...part });
+    const candles = this.#isOfAll ? this.#candles : [];
+    this.draw(frame, light, captures, { target, candles, ...part });
+  }
+
+  /** Shades the layers of the standing candles: none in motion, afterwards one a frame, else all. */
+  #updateLayers(frame: FrameInput, frameKey: string): void {
+    const { isMoving, canDefer } = frame.settings;
+    const wasOfAll = this.#isOfAll;
+    // Compiled while the camera rests.
+    const canShadeAll =
+      canDefer &&
+      this.#candles.length > 0 &&
+      forwardProgram(this.#gpu, this.#tier, this.#moon !== null, true).isCompiled;
+    this.#isOfAll = canShadeAll && isMoving;
+    if (!this.#isOfAll) {
+      const most = canShadeAll && wasOfAll ? 1 : this.#candles.length;
+      // Each is shaded in the targets of the flame's own layer, which is drawn anew afterwards.
+      const shade = (candle: KeptLight) => this.#shadeCandle(frame, candle);
+      const hasShaded = this.#candleLayers.update(this.#candles, frameKey, shade, most);
+      if (hasShaded) this.#key = "";
+      this.#isOfAll = canShadeAll && wasOfAll && hasShaded;
+    }
+    if (wasOfAll || this.#isOfAll) this.#key = "";
   }
 
   #shadeCandle(frame: FrameInput, { light, shadow, irradiance }: KeptLight): RenderTarget {
@@ -208,15 +241,24 @@ export class ForwardStage implements OpaqueStage {
     return resolved;
   }
 
-  /** Draws the surfaces for a flame of 1 cd, and a moon of 1 lx. */
+  /** Draws the surfaces for a flame of 1 cd and a moon of 1 lx, or for all flames. */
   draw(
     frame: FrameInput,
     light: CaptureLight,
     captures: Captures,
-    { origin, isVisible, ...target }: SurfacePass,
+    { origin, isVisible, candles = [], ...target }: SurfacePass,
   ): void {
+    const moon = frame.settings.inspect === "normals" ? null : moonOf(captures.kept);
+    const pass = this.#pass(captures, moon, candles.length > 0);
     this.#shadingLight.update(light);
-    const pass = this.#pass(captures, frame.settings.inspect);
+    if (candles.length > 0) {
+      const { intensity } = lightBlock(frame.world, frame.settings.features.candle);
+      this.#shadingLight.update({ intensity });
+      this.#standing ??= new StandingLights(this.#gpu, this.#screen, pass.program);
+      const inputs = this.#standing.inputs(candles, captures.irradiance, intensity);
+      Object.assign(pass.textures, inputs.textures);
+      Object.assign(pass.blocks, inputs.blocks);
+    }
     for (const instance of frame.instances) {
       for (const mesh of instance.meshes) {
         const runs = isVisible ? visibleRuns(mesh, instance.placement, isVisible) : [{}];
@@ -227,17 +269,25 @@ export class ForwardStage implements OpaqueStage {
     }
   }
 
-  #pass({ shadow, irradiance, kept }: Captures, inspect: Inspection): LightPass {
+  #pass({ shadow, irradiance }: Captures, moon: KeptLight | null, hasCandles: boolean): LightPass {
     const { textures, totalRadiosity, block } = irradiance;
-    const ofFlame = { uShadow: shadow.depth, uTotalRadiosity: totalRadiosity, ...textures };
-    const blocks = { Frame: this.blocks.Frame, Light: this.#shadingLight, Volume: block };
-    const moon = inspect === "normals" ? null : moonOf(kept);
-    if (!moon) return { program: this.#program, textures: ofFlame, blocks };
-    const { uIrradiance: uMoonIrradiance } = moon.irradiance.textures;
     return {
-      program: forwardProgram(this.#gpu, this.#tier, true),
-      textures: { ...ofFlame, uMoonMap: moon.shadow, uMoonIrradiance },
-      blocks: { ...blocks, Moon: moon.block },
+      program: forwardProgram(this.#gpu, this.#tier, moon !== null, hasCandles),
+      textures: {
+        uShadow: shadow.depth,
+        uTotalRadiosity: totalRadiosity,
+        ...textures,
+        ...(moon && {
+          uMoonMap: moon.shadow,
+          uMoonIrradiance: moon.irradiance.textures.uIrradiance,
+        }),
+      },
+      blocks: {
+        Frame: this.blocks.Frame,
+        Light: this.#shadingLight,
+        Volume: block,
+        ...(moon && { Moon: moon.block }),
+      },
     };
   }
 
@@ -289,12 +339,12 @@ export class ForwardStage implements OpaqueStage {
       vertexArray: this.#screen,
       textures: { uRadiance: layer.textures.uRadiance! },
       uniforms: {
-        uIsLight: settings.inspect === "normals" ? 0 : 1,
+        uIsLight: settings.inspect === "normals" || this.#isOfAll ? 0 : 1,
         ...(moon && { uMoonlight: moon.intensity }),
       },
       blocks: { Light: this.blocks.Light },
       scissor: region,
     });
-    this.#candleLayers.add(this.#candles, target, region);
+    if (!this.#isOfAll) this.#candleLayers.add(this.#candles, target, region);
   }
 }

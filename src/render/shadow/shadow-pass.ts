@@ -14,6 +14,29 @@ import type { ShadowCasters } from "./shadow-casters.js";
 const REACH = 1.125;
 const NO_COLOR = [0, 0, 0, 0] as const;
 
+/** A texture of one shadow cube or several, one above another. */
+export interface ShadowAtlas {
+  readonly depth: Texture;
+  readonly target: TextureView;
+  /** Texels along a tile's edge. */
+  readonly tile: number;
+}
+
+/** @param size texels along an edge of a cube, at most */
+export function shadowAtlas(gpu: Gpu, size: number, slots: number): ShadowAtlas {
+  let tile = size * REACH;
+  while (2 * tile * slots > gpu.longestSide) tile /= 2;
+  const depth = gpu.texture({
+    label: "shadow/depth",
+    format: "DEPTH_COMPONENT16",
+    source: { width: 3 * tile, height: 2 * tile * slots },
+    // Depths must not be filtered: the mean of a caster and its background is neither.
+    filter: "nearest",
+  });
+  const target = gpu.textureView({ label: "shadow", textures: [], image: 0, depth });
+  return { depth, target, tile };
+}
+
 /** A shadow cube and the point that it was captured from. */
 export interface ShadowCube {
   /** Depth of the faces, in tiles. */
@@ -32,32 +55,19 @@ export interface ShadowCube {
 export class ShadowPass {
   readonly #gpu: Gpu;
   readonly #program: Program;
-  readonly #depth: Texture;
-  readonly #target: TextureView;
-  readonly #tile: number;
+  readonly #atlas: ShadowAtlas;
+  readonly #slot: number;
   #lastOrigin: Vec3 = [Number.NaN, 0, 0];
   /** Casters in the cube; null if some of them were culled. */
   #allCasters: ShadowCasters | null = null;
   #age = 0;
 
-  /** @param size texels along an edge of the cube */
-  constructor(gpu: Gpu, size: number) {
+  /** @param slot in the texture, which other lights may share */
+  constructor(gpu: Gpu, atlas: ShadowAtlas, slot = 0) {
     this.#gpu = gpu;
     this.#program = gpu.program("shadow/shadow", shadowVert, shadowFrag);
-    this.#tile = size * REACH;
-    this.#depth = gpu.texture({
-      label: "shadow/depth",
-      format: "DEPTH_COMPONENT16",
-      source: { width: 3 * this.#tile, height: 2 * this.#tile },
-      // Depths must not be filtered: the mean of a caster and its background is neither.
-      filter: "nearest",
-    });
-    this.#target = gpu.textureView({
-      label: "shadow",
-      textures: [],
-      image: 0,
-      depth: this.#depth,
-    });
+    this.#atlas = atlas;
+    this.#slot = slot;
   }
 
   /** Depth of the faces; drawn only if origin or casters have changed. */
@@ -65,7 +75,7 @@ export class ShadowPass {
     if (this.#distanceMoved(captureOrigin) > 0 || this.#allCasters !== casters) {
       this.#draw(casters, captureOrigin);
     }
-    return this.#depth;
+    return this.#atlas.depth;
   }
 
   /**
@@ -87,7 +97,7 @@ export class ShadowPass {
     const isAtRest = moved === 0;
     const isNew = isAtRest ? !this.#allCasters : isDue;
     if (isNew) this.#draw(casters, captureOrigin, isAtRest ? undefined : isNeeded);
-    return { depth: this.#depth, captureOrigin: this.#lastOrigin, isNew };
+    return { depth: this.#atlas.depth, captureOrigin: this.#lastOrigin, isNew };
   }
 
   /** Metres since the last capture; infinite before the first. */
@@ -105,7 +115,7 @@ export class ShadowPass {
       this.#drawFace(casters, captureOrigin, face);
       yield;
     }
-    return this.#depth;
+    return this.#atlas.depth;
   }
 
   #draw(casters: ShadowCasters, captureOrigin: Vec3, isNeeded?: (box: Bounds) => boolean): void {
@@ -117,7 +127,8 @@ export class ShadowPass {
     this.#allCasters = isNeeded ? null : casters;
     this.#age = 0;
     this.#lastOrigin = [...captureOrigin];
-    this.#gpu.clear(this.#target, NO_COLOR);
+    const { target, tile } = this.#atlas;
+    this.#gpu.clear(target, NO_COLOR, [0, 2 * tile * this.#slot, 3 * tile, 2 * tile]);
   }
 
   #drawFace(
@@ -126,11 +137,11 @@ export class ShadowPass {
     face: number,
     isNeeded?: (box: Bounds) => boolean,
   ): void {
-    const tile = this.#tile;
+    const { target, tile } = this.#atlas;
     const pass = {
       program: this.#program,
-      target: this.#target,
-      viewport: [(face >> 1) * tile, (face % 2) * tile, tile, tile],
+      target,
+      viewport: [(face >> 1) * tile, ((face % 2) + 2 * this.#slot) * tile, tile, tile],
       uniforms: { uClipFromWorld: clipFromShadowFace(face, captureOrigin, REACH) },
       depth: "test-and-write",
       cull: "none",
