@@ -4,7 +4,6 @@ layout(std140) uniform Light {
   vec3 position;     // m
   float attenuates;  // 1 or 0
   vec3 color;        // linear Rec. 709
-  float flatShading; // 1 or 0
 } light;
 
 // Phong's lobe, of exponent 16.

@@ -1,5 +1,5 @@
 // Material maps and shading normal of a surface in the paper's lighting.
-// Needs lib/frame.glsl, paper/light.glsl.
+// Defines FACETS or NORMAL_MAPS for normals of triangles or of the map, else they are the vertices'.
 #include "lib/normal-map.glsl"
 
 uniform sampler2D uAlbedo;
@@ -21,7 +21,11 @@ float edgeCode(float least) {
 }
 
 vec3 surfaceNormal() {
-  if (light.flatShading > 0.5) return facetNormal(vPositionWorld);
-  if (frame.normalMaps > 0.5) return perturbedNormal(uNormal, vUv, vNormalWorld, vTangentWorld);
+#if defined(FACETS)
+  return facetNormal(vPositionWorld);
+#elif defined(NORMAL_MAPS)
+  return perturbedNormal(uNormal, vUv, vNormalWorld, vTangentWorld);
+#else
   return normalize(vNormalWorld);
+#endif
 }

@@ -12,7 +12,7 @@ import type { RenderTarget } from "../gl/render-target.js";
 import type { UniformBlock } from "../gl/uniform-block.js";
 import type { VertexArray } from "../gl/vertex-array.js";
 import { candleLight } from "../light/candle-light.js";
-import type { Features } from "../settings.js";
+import type { Features, Look } from "../settings.js";
 import type { ParticleLayer } from "../world/particles/particle-layer.js";
 import { layerKey } from "../world/particles/particles.js";
 import { fieldOfViewOf } from "../world/player/field-of-view.js";
@@ -35,6 +35,9 @@ const CODE_DIFFERENCE = 0.02;
 /** At `low`, one level of the maps that change shading less than albedo does. */
 const LEVELS = { uAlbedo: "level", uNormal: "level", uOcclusionRoughness: "texel" } as const;
 
+/** Normals of triangles, of vertices, or of normal maps. */
+type Normals = "FACETS" | "VERTICES" | "NORMAL_MAPS";
+
 /**
  * The paper's forward renderer: room, candle, particles, straight to display colour.
  *
@@ -46,8 +49,8 @@ export class PaperRenderer implements Renderer {
   readonly #tier: Tier;
   readonly #frame: UniformBlock;
   readonly #light: UniformBlock;
-  readonly #roomProgram: Program;
-  readonly #candleProgram: Program;
+  /** Of room and candle, by how their normals are found. */
+  readonly #surfacePrograms = new Map<Normals, Record<"room" | "candle", Program>>();
   readonly #particlePrograms = new Map<string, Program>();
   readonly #updateProgram: Program;
   readonly #room: readonly Mesh[];
@@ -61,11 +64,10 @@ export class PaperRenderer implements Renderer {
   /** Exposure of the last frame. */
   #exposure = EXPOSURE;
 
-  constructor(gpu: Gpu, { room, candle }: Models, tier: Tier) {
+  constructor(gpu: Gpu, { room, candle }: Models, tier: Tier, look: Look) {
     this.#gpu = gpu;
     this.#tier = tier;
-    this.#roomProgram = gpu.program("paper/room", meshVert, roomFrag);
-    this.#candleProgram = gpu.program("paper/candle", meshVert, candleFrag);
+    const programs = this.#programsFor(look === "original" ? "FACETS" : "NORMAL_MAPS");
     this.#updateProgram = particleProgram(gpu);
     this.#fxaa =
       tier.name === "low"
@@ -76,8 +78,8 @@ export class PaperRenderer implements Renderer {
             screen: gpu.vertexArray("screen", { attributes: {}, count: 3 }),
           }
         : null;
-    this.#frame = gpu.uniformBlock(this.#roomProgram, "Frame");
-    this.#light = gpu.uniformBlock(this.#roomProgram, "Light");
+    this.#frame = gpu.uniformBlock(programs.room, "Frame");
+    this.#light = gpu.uniformBlock(programs.room, "Light");
     this.#room = uploadModel(gpu, room);
     this.#candle = uploadModel(gpu, candle);
   }
@@ -114,11 +116,13 @@ export class PaperRenderer implements Renderer {
     this.#updateBlocks(world, view);
     gpu.setColorSpace("srgb");
     gpu.clear(target, [0, 0, 0, 1]);
-    this.#drawSurfaces(target, this.#roomProgram, this.#room, [0, 0, 0, 1]);
+    const smooth = features.normalMaps ? "NORMAL_MAPS" : "VERTICES";
+    const programs = this.#programsFor(world.look === "original" ? "FACETS" : smooth);
+    this.#drawSurfaces(target, programs.room, this.#room, [0, 0, 0, 1]);
     if (features.candle) {
       const [x, y, z] = world.interpolated.foot;
       const placement = [x, y, z, world.setup.candleScale];
-      this.#drawSurfaces(target, this.#candleProgram, this.#candle, placement);
+      this.#drawSurfaces(target, programs.candle, this.#candle, placement);
     }
     if (features.particles) this.#drawParticles(target, world, features);
     if (!this.#fxaa) {
@@ -136,7 +140,7 @@ export class PaperRenderer implements Renderer {
   }
 
   #updateBlocks(world: World, { features, exposure, isStill }: FrameSettings): void {
-    const { player, look, interpolated } = world;
+    const { player, interpolated } = world;
     this.#exposure = EXPOSURE * 2 ** exposure;
     const { width, height } = this.#size;
     this.#clipFromWorld = clipFromWorld(
@@ -152,15 +156,27 @@ export class PaperRenderer implements Renderer {
       exposure: this.#exposure,
       viewport: [width, height],
       projectionScale: projectionScale(Math.min(width, height)) * magnification(world),
-      normalMaps: features.normalMaps && look === "paper" ? 1 : 0,
+      normalMaps: features.normalMaps ? 1 : 0,
     });
     const light = candleLight(world, features, isStill);
     this.#light.update({
       position: light.position,
       attenuates: light.attenuates ? 1 : 0,
       color: light.color,
-      flatShading: look === "original" ? 1 : 0,
     });
+  }
+
+  /** Programs of their own, since a software renderer executes both sides of an `if`. Compiled on first use. */
+  #programsFor(normals: Normals): Record<"room" | "candle", Program> {
+    const existing = this.#surfacePrograms.get(normals);
+    if (existing) return existing;
+    const defines = { [normals]: 1 };
+    const programs = {
+      room: this.#gpu.program("paper/room", meshVert, roomFrag, { defines }),
+      candle: this.#gpu.program("paper/candle", meshVert, candleFrag, { defines }),
+    };
+    this.#surfacePrograms.set(normals, programs);
+    return programs;
   }
 
   #drawSurfaces(

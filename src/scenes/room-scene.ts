@@ -43,7 +43,7 @@ export async function loadRoom(request: SceneRequest, loading: Loading): Promise
     createRenderer: ({ gpu }, tier, look) =>
       look === "physical"
         ? new PhysicalRenderer(gpu, models, collision, tier)
-        : new PaperRenderer(gpu, models, tier),
+        : new PaperRenderer(gpu, models, tier, look),
     close: () => closeModels(models),
   };
 }
