@@ -78,6 +78,22 @@ for (const [quality, rounds] of Object.entries(PASS_ROUNDS) as [TierName, number
   });
 }
 
+/** Most that each standing candle may add to a frame at medium, as shares of one without. */
+const MOST_OF_CANDLE = { atRest: 0.1, inMotion: 0.3 };
+
+test("three standing candles add little to a frame at medium", async ({ page }) => {
+  await open(page);
+  const costs = await page.evaluate(() => window.bench.measureCandles("medium", [3], 8));
+  expect(costs).toHaveLength(1);
+  for (const { candles, atRest, inMotion } of costs) {
+    console.log(
+      `${candles} candles: ${atRest.toFixed(2)} at rest, ${inMotion.toFixed(2)} in motion`,
+    );
+    expect.soft(inMotion).toBeLessThanOrEqual(1 + candles * MOST_OF_CANDLE.inMotion);
+    expect.soft(atRest).toBeLessThanOrEqual(1 + candles * MOST_OF_CANDLE.atRest);
+  }
+});
+
 for (const cell of CELLS) {
   const { count, pixels } = cell;
   test(`${count} particles of ${pixels} px cost little more than the least they can`, async ({

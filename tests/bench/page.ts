@@ -1,4 +1,5 @@
 import "../../src/define.js";
+import { measureCandles } from "./candles.js";
 import { measureLadder } from "./ladder.js";
 import { measurePasses } from "./passes.js";
 import { measureScaling } from "./scaling.js";
@@ -6,6 +7,7 @@ import { measureScaling } from "./scaling.js";
 declare global {
   interface Window {
     bench: {
+      readonly measureCandles: typeof measureCandles;
       readonly measureLadder: typeof measureLadder;
       readonly measurePasses: typeof measurePasses;
       readonly measureScaling: typeof measureScaling;
@@ -13,4 +15,4 @@ declare global {
   }
 }
 
-window.bench = { measureLadder, measurePasses, measureScaling };
+window.bench = { measureCandles, measureLadder, measurePasses, measureScaling };
