@@ -1,9 +1,10 @@
 #version 300 es
 // Irradiance at each probe, by the radiance that it receives from SURFELS, or along its rays and before.
-// Out: lx, an octahedral map of IRRADIANCE_TEXELS along an edge for each probe.
+// Out: lx, an octahedral map of IRRADIANCE_TEXELS along an edge for each probe, from one end of the edge to the other.
 #include "lib/precision.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/photometry.glsl"
+#include "lib/probe-rays.glsl"
 
 uniform sampler2D uRadiance;  // times solid angle, cd/m² sr: ROWS times COLUMNS for each probe
 #if SURFELS
@@ -18,7 +19,10 @@ void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
   ivec2 tile = texel / IRRADIANCE_TEXELS;
   ivec2 place = texel - tile * IRRADIANCE_TEXELS;
-  vec3 normal = normalize(octahedralDecode((vec2(place) + 0.5) / float(IRRADIANCE_TEXELS)));
+  vec3 normal = normalize(octahedralDecode(vec2(place) / float(IRRADIANCE_TEXELS - 1)));
+#if !SURFELS
+  normal = turnedBack(normal, turnOf(tile));
+#endif
   vec3 sum = vec3(0.0);
   for (int row = 0; row < ROWS; row++) {
     for (int column = 0; column < COLUMNS; column++) {

@@ -3,6 +3,7 @@
 // Out: of the eight probes around each hit.
 #include "lib/precision.glsl"
 #include "lib/octahedral.glsl"
+#include "lib/photometry.glsl"
 #include "lib/probe-rays.glsl"
 #include "lib/irradiance-volume.glsl"
 

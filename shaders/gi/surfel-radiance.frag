@@ -26,7 +26,7 @@ const float COPLANAR = 0.02;
 // up to the plane of that surface. The tolerance is a share of the distance, and metres.
 bool isVisiblePast(vec3 hit, vec3 normal, vec3 direction, float reach) {
   float cosine = dot(normal, direction);
-  float end = max(length(hit), cosine < -1e-3 ? dot(normal, hit) / cosine : 0.0);
+  float end = cosine < -1e-3 ? max(length(hit), dot(normal, hit) / cosine) : 1e9;
   return reach <= end + 0.03 * reach + 0.02;
 }
 
@@ -34,7 +34,8 @@ bool isVisiblePast(vec3 hit, vec3 normal, vec3 direction, float reach) {
 // lie in front of each other's planes, the surfaces meet in a concave edge, and the nearer one hides what is behind
 // both.
 float surfelVisibility(ivec2 tile, vec3 direction, float reach) {
-  vec2 place = octahedralEncode(direction) * float(RAYS) - 0.5;
+  vec3 turn = turnOf(tile);
+  vec2 place = octahedralEncode(turnedBack(direction, turn)) * float(RAYS) - 0.5;
   vec2 cell = floor(place);
   vec3 hits[4];
   vec3 normals[4];
@@ -45,7 +46,7 @@ float surfelVisibility(ivec2 tile, vec3 direction, float reach) {
     vec2 shares = mix(1.0 - (place - cell), place - cell, corner);
     vec2 texel = clamp(cell + corner, vec2(0.0), vec2(RAYS - 1));
     vec4 hit = texelFetch(uRayHits, tile * RAYS + ivec2(texel), 0);
-    hits[i] = normalize(octahedralDecode((texel + 0.5) / float(RAYS))) * hit.w;
+    hits[i] = turned(normalize(octahedralDecode((texel + 0.5) / float(RAYS))), turn) * hit.w;
     normals[i] = hit.xyz;
     weights[i] = hit.w > 0.0 ? shares.x * shares.y : 0.0;
     isVisible[i] = isVisiblePast(hits[i], normals[i], direction, reach);
@@ -80,7 +81,8 @@ void main() {
   float cosine = dot(surfel.normal, -direction);
   if (cosine <= 0.0 || surfel.distance <= 0.0) return;
   float solidAngle = cosine * surfel.area * float(GROUP * GROUP) / distanceSquared;
-  solidAngle *= 1.0 - rayWeight(solidAngle, raySolidAngle(direction / dot(abs(direction), vec3(1.0))));
+  vec3 unturned = turnedBack(direction, turnOf(tile));
+  solidAngle *= 1.0 - rayWeight(solidAngle, raySolidAngle(unturned / dot(abs(unturned), vec3(1.0))));
   float visibility = surfelVisibility(tile, direction, reach);
   oDirection.xyz = direction;
   oRadiance.rgb = texelFetch(uRadiosity, texel, 0).rgb * (solidAngle * visibility / PI);

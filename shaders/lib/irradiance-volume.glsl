@@ -18,15 +18,18 @@ uniform sampler2D uIrradiance;
 uniform sampler2D uProbePositions;  // m; 1, or 0 for a probe inside a solid
 uniform sampler2D uProbeDepth;  // mean and standard deviation of the distance along a direction, m: octahedral maps
 
-// Edges of the tiles and width of their border, texels: src/render/gi/probe-rays.ts.
-const float PROBE_DEPTH_EDGE = 18.0;
-const float IRRADIANCE_EDGE = 8.0;
-const float BORDER = 1.0;
+// Edges of the tiles, texels, and of their maps within them: src/render/gi/probe-rays.ts. Maps of depth have a border;
+// those of irradiance have a texel on each axis, so that walls along them are exact, and end in the middle of texels.
+const vec2 PROBE_DEPTH_EDGE = vec2(18.0, 16.0);
+const vec2 IRRADIANCE_EDGE = vec2(7.0, 6.0);
+
+// Distance of the outermost probes from the room's bounds, cells: src/render/gi/probe-rays.ts.
+const float PROBE_INSET = 0.25;
 
 // From uv on a probe's map to uv on the atlas.
-vec2 atlasUv(ivec2 tile, float edge, vec2 uv) {
+vec2 atlasUv(ivec2 tile, vec2 edge, vec2 uv) {
   vec2 tiles = vec2(volume.columns, volume.rows * volume.planes);
-  return (vec2(tile) + (BORDER + uv * (edge - 2.0 * BORDER)) / edge) / tiles;
+  return (vec2(tile) + 0.5 + (uv - 0.5) * (edge.y / edge.x)) / tiles;
 }
 
 vec2 probeDepth(ivec2 tile, vec3 direction) {
@@ -70,7 +73,8 @@ struct VolumeCell {
 
 VolumeCell volumeCellAt(vec3 position) {
   vec3 count = vec3(volume.columns, volume.rows, volume.planes);
-  vec3 place = clamp((position - volume.corner) / volume.extent * count - 0.5, vec3(0.0), count - 1.001);
+  vec3 cells = count - 1.0 + 2.0 * PROBE_INSET;
+  vec3 place = clamp((position - volume.corner) / volume.extent * cells - PROBE_INSET, vec3(0.0), count - 1.001);
   return VolumeCell(floor(place), fract(place));
 }
 

@@ -1,11 +1,31 @@
-// Hits of the probes' rays: an octahedral map for each probe, RAYS texels along an edge, in tiles.
-// Needs lib/octahedral.glsl.
+// Hits of the probes' rays: an octahedral map for each probe, RAYS texels along an edge, in tiles,
+// PROBE_ROWS of which are a plane.
+// Needs lib/octahedral.glsl, lib/photometry.glsl.
 //
 // The first bounce is sampled twice: by surfels, which are fine near the flame, and by rays, which are fine near the
 // probe. They are combined by the balance heuristic (Veach and Guibas 1995, "Optimally Combining Sampling Techniques
 // for Monte Carlo Rendering").
 
 uniform sampler2D uRayHits;  // normal on the ray's side; distance, m, 0 for a miss or a back face
+
+// Turn of a probe's rays about (1, 1, 1): other directions for each of the eight probes around a point, so that their
+// errors differ and interpolation averages them. First row of a matrix whose next rows are the same, moved on.
+// `rayDirections` of src/render/gi/probe-rays.ts.
+vec3 turnOf(ivec2 tile) {
+  int corner = (tile.x & 1) + 2 * ((tile.y % PROBE_ROWS) & 1) + 4 * ((tile.y / PROBE_ROWS) & 1);
+  float angle = float(corner) * (2.0 * PI / 24.0);
+  float rest = (1.0 - cos(angle)) / 3.0;
+  float sine = sin(angle) / sqrt(3.0);
+  return vec3(1.0 - 2.0 * rest, rest - sine, rest + sine);
+}
+
+vec3 turned(vec3 v, vec3 turn) {
+  return vec3(dot(v, turn), dot(v, turn.zxy), dot(v, turn.yzx));
+}
+
+vec3 turnedBack(vec3 v, vec3 turn) {
+  return turned(v, turn.xzy);
+}
 
 // Solid angle of the texel around a point of the octahedron, sr.
 float raySolidAngle(vec3 onOctahedron) {
@@ -27,7 +47,7 @@ ProbeRay probeRayAt(ivec2 texel) {
   ray.texel = texel;
   ray.tile = texel / RAYS;
   vec3 onOctahedron = octahedralDecode((vec2(texel - ray.tile * RAYS) + 0.5) / float(RAYS));
-  ray.direction = normalize(onOctahedron);
+  ray.direction = turned(normalize(onOctahedron), turnOf(ray.tile));
   ray.solidAngle = raySolidAngle(onOctahedron);
   vec4 hit = texelFetch(uRayHits, texel, 0);
   ray.normal = hit.xyz;

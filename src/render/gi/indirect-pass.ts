@@ -11,7 +11,6 @@ import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import type { CollisionMesh } from "../../world/room/collision-mesh.js";
-import { floats } from "../float-format.js";
 import type { CaptureLight } from "../light-block.js";
 import type { Mesh } from "../mesh/mesh.js";
 import { SCHEDULE } from "../schedule.js";
@@ -19,13 +18,13 @@ import { FACES } from "../shadow/cube-map.js";
 import type { ShadowCasters } from "../shadow/shadow-casters.js";
 import type { ShadowCube } from "../shadow/shadow-pass.js";
 import { drawInBands, finish, type Steps } from "../steps.js";
+import { BounceLimit } from "./bounce-limit.js";
 import {
   type IndirectTargets,
   indirectTargets,
-  probeTiles,
+  irradianceMaps,
   surfelRowsOf,
 } from "./indirect-targets.js";
-import { IrradianceAtlas } from "./irradiance-atlas.js";
 import { type IndirectDetail, IRRADIANCE_TEXELS, traceProbes } from "./probe-rays.js";
 import { type ProbeTextures, uploadProbeRays } from "./probe-textures.js";
 import { SurfelPass, type Surfels } from "./surfel-pass.js";
@@ -82,7 +81,9 @@ export class IndirectPass {
   readonly #block: UniformBlock;
   readonly #surfels: Surfels;
   readonly #targets: IndirectTargets;
-  readonly #atlas: IrradianceAtlas;
+  /** After all bounces. */
+  readonly #irradiance: RenderTarget;
+  readonly #limit: BounceLimit;
   readonly #scene: IndirectScene;
   #uploaded: ProbeTextures | null = null;
   /** Light of the current irradiance, as JSON. */
@@ -112,10 +113,11 @@ export class IndirectPass {
     this.#surfels = surfels;
     this.#targets = targets;
     const surfelRows = surfelRowsOf(detail);
+    const tile = { RAYS: detail.rays, PROBE_ROWS: detail.probes[1] };
     const perRay = (label: string, fragment: ShaderSource) =>
       gpu.program(label, fullscreenVert, fragment, {
         defines: {
-          RAYS: detail.rays,
+          ...tile,
           SURFEL_ROWS: surfelRows,
           GROUP: detail.surfelGroup,
           ...surfels.defines,
@@ -137,11 +139,12 @@ export class IndirectPass {
     });
     const gather = (SURFELS: 0 | 1, ROWS: number, COLUMNS: number) =>
       gpu.program("gi/gather", fullscreenVert, gatherFrag, {
-        defines: { SURFELS, ROWS, COLUMNS, IRRADIANCE_TEXELS },
+        defines: { ...tile, SURFELS, ROWS, COLUMNS, IRRADIANCE_TEXELS },
       });
     this.#surfelGatherProgram = gather(1, surfelRows, detail.rays);
     this.#rayGatherProgram = gather(0, detail.rays / 2, detail.rays / 2);
-    this.#atlas = new IrradianceAtlas(gpu, screen, this.#block, probeTiles(detail), floats(gpu, 4));
+    this.#irradiance = irradianceMaps(gpu, detail, "gi/irradiance");
+    this.#limit = new BounceLimit(gpu, screen);
   }
 
   /** Uploaded on first use: their albedo waits for a program. */
@@ -217,7 +220,7 @@ export class IndirectPass {
   get #volume(): IrradianceVolume {
     return {
       block: this.#block,
-      textures: { uIrradiance: this.#atlas.irradiance, ...this.#probes.volume },
+      textures: { uIrradiance: this.#irradiance.color, ...this.#probes.volume },
       totalRadiosity: this.#surfels.totalRadiosity,
       roomReflectance: this.#probes.roomReflectance,
       support: this.#surfels.support,
@@ -231,13 +234,12 @@ export class IndirectPass {
     yield* this.#renderFirstBounce(light, shadow, bands);
     const sums = [this.#targets.firstBounce];
     for (let bounce = 1; bounce < this.#detail.bounces; bounce++) {
-      this.#atlas.render(sums.at(-1)!);
       const sum = this.#targets.bounces[bounce % this.#targets.bounces.length]!;
-      yield* this.#renderNextBounce(sum, bands);
+      yield* this.#renderNextBounce(sums.at(-1)!, sum, bands);
       sums.push(sum);
       yield;
     }
-    this.#atlas.renderLimit(sums.slice(-4));
+    this.#limit.render(sums.slice(-4), this.#irradiance);
     this.#renderTotalRadiosity();
   }
 
@@ -246,9 +248,7 @@ export class IndirectPass {
     this.#lastLight = JSON.stringify(light);
     this.#isExact = false;
     finish(this.#renderFirstBounce(light, shadow, AT_ONCE));
-    const [bounces] = this.#targets.bounces;
-    finish(this.#renderNextBounce(bounces!, AT_ONCE));
-    this.#atlas.render(bounces!);
+    finish(this.#renderNextBounce(this.#irradiance, this.#irradiance, AT_ONCE));
     this.#renderTotalRadiosity();
   }
 
@@ -296,13 +296,13 @@ export class IndirectPass {
     yield* this.#gatherRays(surfelSum!, this.#targets.firstBounce, bands);
   }
 
-  *#renderNextBounce(target: RenderTarget, bands: typeof BANDS): Steps {
+  *#renderNextBounce(last: RenderTarget, target: RenderTarget, bands: typeof BANDS): Steps {
     yield* drawInBands(this.#gpu, bands.rayRadiance, {
       program: this.#rayRadianceProgram,
       target: this.#targets.rayRadiance,
       vertexArray: this.#screen,
       textures: {
-        uIrradiance: this.#atlas.irradiance,
+        uIrradiance: last.color,
         uProbePositions: this.#probes.volume.uProbePositions,
         ...this.#probes.rays,
         ...this.#probes.weights,

@@ -18,22 +18,26 @@ export function surfelRowsOf({ surfels, surfelGroup, rays }: IndirectDetail): nu
   return Math.ceil((FACES.length * (surfels / surfelGroup) ** 2) / rays);
 }
 
-/** Probes along each axis of the atlas. */
-export function probeTiles({ probes: [columns, rows, planes] }: IndirectDetail) {
-  return { width: columns, height: rows * planes };
+/** Octahedral maps of the irradiance at all probes, lx for a flame of 1 cd: `lib/irradiance-volume.glsl`. */
+export function irradianceMaps(
+  gpu: Gpu,
+  { probes: [columns, rows, planes] }: IndirectDetail,
+  label: string,
+): RenderTarget {
+  return gpu.renderTarget({
+    label,
+    width: columns * IRRADIANCE_TEXELS,
+    height: rows * planes * IRRADIANCE_TEXELS,
+    color: [floats(gpu, 4)],
+  });
 }
 
 export function indirectTargets(gpu: Gpu, detail: IndirectDetail): IndirectTargets {
-  const { width, height } = probeTiles(detail);
+  const [width, rows, planes] = detail.probes;
+  const height = rows * planes;
   // Rays in groups of four.
   const rayEdge = detail.rays / 2;
   const radiance = { color: ["RGBA16F"], filter: "nearest" } as const;
-  const maps = {
-    width: width * IRRADIANCE_TEXELS,
-    height: height * IRRADIANCE_TEXELS,
-    color: [floats(gpu, 4)],
-    filter: "nearest",
-  } as const;
   return {
     rayRadiance: gpu.renderTarget({
       label: "gi/ray-radiance",
@@ -48,9 +52,9 @@ export function indirectTargets(gpu: Gpu, detail: IndirectDetail): IndirectTarge
       color: ["RGBA16F", "RGBA16F"],
       filter: "nearest",
     }),
-    firstBounce: gpu.renderTarget({ label: "gi/first-bounce", ...maps }),
+    firstBounce: irradianceMaps(gpu, detail, "gi/first-bounce"),
     bounces: ["a", "b", "c", "d"].map((label) =>
-      gpu.renderTarget({ label: `gi/bounces/${label}`, ...maps }),
+      irradianceMaps(gpu, detail, `gi/bounces/${label}`),
     ),
   };
 }

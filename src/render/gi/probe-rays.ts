@@ -1,6 +1,7 @@
 import type { Model, Part } from "../../assets/model.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import type { CollisionMesh, RayHit } from "../../world/room/collision-mesh.js";
+import { octahedral, rayDirections } from "./ray-directions.js";
 
 /** Resolution of an irradiance volume. */
 export interface ProbeDetail {
@@ -44,9 +45,13 @@ export interface ProbeRays {
 
 /** Edge of a probe's depth map, texels: sixteen, and a border of one that repeats those across the seam. */
 export const PROBE_DEPTH_EDGE = 18;
-/** Edge of a probe's irradiance map, texels: without, and with a border of one. */
-export const IRRADIANCE_TEXELS = 6;
-export const IRRADIANCE_EDGE = IRRADIANCE_TEXELS + 2;
+/** Edge of a probe's irradiance map, texels, from the middle of the first to that of the last. */
+export const IRRADIANCE_TEXELS = 7;
+/**
+ * Distance of the outermost probes from the room's bounds, cells. Walls take their light: in the middles of cells, half a
+ * cell nearer to what shines, they got more light than the room has.
+ */
+const PROBE_INSET = 0.25;
 /** Largest depth, metres. */
 const FARTHEST = 60;
 /** Exponent of the cosine lobe that depths are averaged over, for each ray: so wide that it always has several. */
@@ -57,6 +62,9 @@ const INSIDE_TEST_RAYS = 4;
 const INSIDE_SHARE = 0.2;
 /** Offsets tried for a probe inside a solid, in cells, nearest first. */
 const RELOCATIONS: readonly Vec3[] = relocations();
+
+/** Corners of a cell of the grid, by the parity of x, y and z. */
+const CORNERS = [...Array(8).keys()];
 
 const traces = new WeakMap<CollisionMesh, Map<string, ProbeTrace>>();
 
@@ -107,8 +115,8 @@ class ProbeTrace {
   readonly #hit: RayHit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
   readonly #attributes = new HitAttributes();
   readonly #insideTestDirections = octahedral(INSIDE_TEST_RAYS, INSIDE_TEST_RAYS, 0);
-  readonly #directions: readonly Vec3[];
-  readonly #lobes: Lobes;
+  /** Of the rays, by the corner of a cell that the probe is. */
+  readonly #bundles: readonly { readonly directions: readonly Vec3[]; readonly lobes: Lobes }[];
   readonly #positions: Float32Array;
   readonly #hits: Float32Array;
   readonly #depths: Float32Array;
@@ -127,10 +135,12 @@ class ProbeTrace {
       return first - Math.floor(indices.length / 3);
     });
     const count = this.#count;
-    this.#directions = octahedral(detail.rays, detail.rays, 0);
-    this.#lobes = lobesOf(this.#directions);
+    this.#bundles = CORNERS.map((corner) => {
+      const directions = rayDirections(detail.rays, corner);
+      return { directions, lobes: lobesOf(directions) };
+    });
     this.#positions = new Float32Array(count * 4);
-    this.#hits = new Float32Array(count * this.#directions.length * 4);
+    this.#hits = new Float32Array(count * detail.rays ** 2 * 4);
     this.#depths = new Float32Array(count * PROBE_DEPTH_EDGE ** 2 * 2);
     this.#hitUvs = parts.map(() => []);
   }
@@ -157,12 +167,15 @@ class ProbeTrace {
     const width = columns * rays;
     const column = tile % columns;
     const row = Math.floor(tile / columns);
-    const position = this.#relocate(column, row % rows, Math.floor(row / rows));
+    const plane = Math.floor(row / rows);
+    const position = this.#relocate(column, row % rows, plane);
     if (!position) return;
+    const corner = (column & 1) + 2 * ((row % rows) & 1) + 4 * (plane & 1);
+    const { directions, lobes } = this.#bundles[corner]!;
     this.#positions.set(position, tile * 4);
     this.#positions[tile * 4 + 3] = 1;
-    const depths = new Float32Array(this.#directions.length);
-    for (const [ray, direction] of this.#directions.entries()) {
+    const depths = new Float32Array(directions.length);
+    for (const [ray, direction] of directions.entries()) {
       const hit = this.#cast(position, direction);
       depths[ray] = hit ? Math.min(hit.distance, FARTHEST) : FARTHEST;
       if (!hit || this.#attributes.isBackFace) continue;
@@ -174,7 +187,7 @@ class ProbeTrace {
       const { part, u, v } = this.#attributes;
       this.#hitUvs[part]?.push(x, y, u, v);
     }
-    averageDepths(depths, this.#lobes, this.#depths, column, row, columns);
+    averageDepths(depths, lobes, this.#depths, column, row, columns);
   }
 
   #collect(): ProbeRays {
@@ -190,15 +203,18 @@ class ProbeTrace {
     return { positions, hits, depths, hitUvs, runs };
   }
 
-  /** Position of a probe: the centre of its cell, or the nearest point tried that is outside all solids. */
+  /** Position of a probe: its place in the grid, or the nearest point tried that is outside all solids. */
   #relocate(i: number, j: number, k: number): Vec3 | null {
     const { min, max } = this.#bounds;
     const cell = [i, j, k] as const;
     for (const offset of RELOCATIONS) {
       const position = [0, 1, 2].map((axis) => {
         const low = min[axis] ?? 0;
-        const size = ((max[axis] ?? 0) - low) / (this.#detail.probes[axis] ?? 1);
-        return low + ((cell[axis] ?? 0) + 0.5 + (offset[axis] ?? 0)) * size;
+        const cells = (this.#detail.probes[axis] ?? 1) - 1 + 2 * PROBE_INSET;
+        const place = (cell[axis] ?? 0) + PROBE_INSET + (offset[axis] ?? 0);
+        const margin = 0.05;
+        const within = Math.min(Math.max(place, margin), cells - margin);
+        return low + (within * ((max[axis] ?? 0) - low)) / cells;
       }) as Vec3;
       let backFaces = 0;
       for (const direction of this.#insideTestDirections) {
@@ -262,28 +278,6 @@ class HitAttributes {
     this.v =
       ofA * uvs[cornerA * 2 + 1]! + ofB * uvs[cornerB * 2 + 1]! + ofC * uvs[cornerC * 2 + 1]!;
   }
-}
-
-/**
- * Directions of an octahedral map's texels, row by row, with a border that continues across the seam.
- *
- * Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit Vectors".
- *
- * @param width texels along an edge, border included
- * @param size the same without it
- */
-export function octahedral(width: number, size: number, border: number): Vec3[] {
-  return Array.from({ length: width * width }, (_, n) => {
-    let u = (((n % width) + 0.5 - border) / size) * 2 - 1;
-    let v = ((Math.floor(n / width) + 0.5 - border) / size) * 2 - 1;
-    if (Math.abs(u) > 1) [u, v] = [Math.sign(u) * 2 - u, -v];
-    if (Math.abs(v) > 1) [u, v] = [-u, Math.sign(v) * 2 - v];
-    const y = 1 - Math.abs(u) - Math.abs(v);
-    const x = y < 0 ? (1 - Math.abs(v)) * (u < 0 ? -1 : 1) : u;
-    const z = y < 0 ? (1 - Math.abs(u)) * (v < 0 ? -1 : 1) : v;
-    const length = Math.hypot(x, y, z);
-    return [x / length, y / length, z / length];
-  });
 }
 
 /** For each texel of a depth map the rays in its lobe, and their weights. */

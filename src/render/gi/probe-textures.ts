@@ -70,7 +70,7 @@ export function uploadProbeRays(
   });
   gpu.draw({
     program: gpu.program("gi/ray-weights", fullscreenVert, rayWeightsFrag, {
-      defines: { RAYS: rays },
+      defines: { RAYS: rays, PROBE_ROWS: rows },
     }),
     target: weights,
     vertexArray: screen,
@@ -88,7 +88,7 @@ export function uploadProbeRays(
   });
   gpu.draw({
     program: gpu.program("gi/room-reflectance", fullscreenVert, roomReflectanceFrag, {
-      defines: { RAYS: rays },
+      defines: { RAYS: rays, PROBE_ROWS: rows },
     }),
     target: roomReflectance,
     vertexArray: screen,

@@ -1,6 +1,7 @@
 import { describe, expect, test } from "vitest";
 import type { Model, Part } from "../../../src/assets/model.ts";
-import { octahedral, PROBE_DEPTH_EDGE, traceProbes } from "../../../src/render/gi/probe-rays.ts";
+import { PROBE_DEPTH_EDGE, traceProbes } from "../../../src/render/gi/probe-rays.ts";
+import { octahedral, rayDirections } from "../../../src/render/gi/ray-directions.ts";
 import type { Vec3 } from "../../../src/world/geometry.ts";
 import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";
 
@@ -36,14 +37,28 @@ function modelOf(...parts: Part[]): Model {
 
 const DETAIL = { probes: [2, 2, 2], rays: 8 } as const;
 const ROOM = box([0, 0, 0], [4, 2, 4], false);
+/** Directions of the eight probes' rays. */
+const CORNERS = Array.from({ length: 8 }, (_, corner) => rayDirections(DETAIL.rays, corner));
 
 describe("Probes of an empty room", () => {
   const rays = traceProbes(new CollisionMesh([ROOM]), modelOf(ROOM), DETAIL);
 
-  test("stand in the middles of their cells, one plane above the other", () => {
-    expect([...rays.positions.subarray(0, 4)]).toEqual([1, 0.5, 1, 1]);
+  test("stand a quarter of a cell from the walls, one plane above the other", () => {
+    const places = Array.from(rays.positions, (x) => Math.round(x * 6 * 1e4) / 1e4);
+    expect(places.slice(0, 4)).toEqual([4, 2, 4, 6]);
     // Second row, second plane, second column.
-    expect([...rays.positions.subarray(7 * 4)]).toEqual([3, 1.5, 3, 1]);
+    expect(places.slice(7 * 4)).toEqual([20, 10, 20, 6]);
+  });
+
+  test("look in other directions each", () => {
+    const first = CORNERS.map(([direction = []]) => direction);
+    for (const [i, direction] of first.entries()) {
+      expect(Math.hypot(...direction)).toBeCloseTo(1, 6);
+      for (const other of first.slice(0, i)) {
+        const cosine = direction.reduce((sum, x, axis) => sum + x * (other[axis] ?? 0), 0);
+        expect(cosine).toBeLessThan(0.99);
+      }
+    }
   });
 
   test("see its walls from inside, where they are", () => {
@@ -52,7 +67,7 @@ describe("Probes of an empty room", () => {
       const at = ((ray >> 3) * 2 * 8 + (ray & 7)) * 4;
       const [nx = 0, ny = 0, nz = 0, distance = 0] = rays.hits.subarray(at, at + 4);
       expect(nx * dx + ny * dy + nz * dz).toBeLessThan(0);
-      const ends = [1 + dx * distance, 0.5 + dy * distance, 1 + dz * distance] as const;
+      const ends = [2 / 3 + dx * distance, 1 / 3 + dy * distance, 2 / 3 + dz * distance] as const;
       const away = Math.min(...ends.map((x, axis) => Math.min(x, (axis === 1 ? 2 : 4) - x)));
       expect(away).toBeCloseTo(0, 5);
     }
@@ -64,7 +79,7 @@ describe("Probes of an empty room", () => {
     for (let i = 0; i < rays.hitUvs.length; i += 4) {
       const [x = 0, y = 0, u = 0, v = 0] = rays.hitUvs.subarray(i, i + 4);
       const [hit, ray] = [(y * 16 + x) * 4, (y & 7) * 8 + (x & 7)];
-      const [dx, dy] = octahedral(8, 8, 0)[ray] ?? [0, 0];
+      const [dx, dy] = CORNERS[(x >> 3) + 2 * (y >> 3)]?.[ray] ?? [0, 0];
       const distance = rays.hits[hit + 3] ?? 0;
       const probe = ((y >> 3) * 2 + (x >> 3)) * 4;
       // The box has its x and y for texture coordinates.
@@ -82,9 +97,9 @@ describe("Probes of an empty room", () => {
         (Math.floor(texel / PROBE_DEPTH_EDGE) * 2 * PROBE_DEPTH_EDGE + (texel % PROBE_DEPTH_EDGE)) *
         2;
       const wall = Math.min(
-        (x > 0 ? 3 : 1) / Math.abs(x),
-        (y > 0 ? 1.5 : 0.5) / Math.abs(y),
-        (z > 0 ? 3 : 1) / Math.abs(z),
+        (x > 0 ? 10 / 3 : 2 / 3) / Math.abs(x),
+        (y > 0 ? 5 / 3 : 1 / 3) / Math.abs(y),
+        (z > 0 ? 10 / 3 : 2 / 3) / Math.abs(z),
       );
       const mean = depths[at] ?? 0;
       const deviation = depths[at + 1] ?? 0;
@@ -94,11 +109,11 @@ describe("Probes of an empty room", () => {
 });
 
 test("a probe in a block of stone moves out of it, and none sees the block's inside", () => {
-  const block = box([0.4, 0, 0.4], [1.3, 0.95, 1.3], true);
+  const block = box([0.4, 0, 0.37], [1.3, 0.95, 1.28], true);
   const rays = traceProbes(new CollisionMesh([ROOM, block]), modelOf(ROOM, block), DETAIL);
   const [x = 0, y = 0, z = 0, isOutside] = rays.positions;
   expect(isOutside).toBe(1);
-  expect(x > 1.3 || y > 0.95 || z > 1.3 || x < 0.4 || z < 0.4).toBe(true);
+  expect(x > 1.3 || y > 0.95 || z > 1.28 || x < 0.4 || z < 0.37).toBe(true);
   for (let i = 3; i < rays.hits.length; i += 4) expect(rays.hits[i]).toBeGreaterThan(0);
 });
 

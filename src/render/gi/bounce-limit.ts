@@ -1,0 +1,56 @@
+import bounceLimitFrag from "../../../shaders/gi/bounce-limit.frag";
+import irradianceFrag from "../../../shaders/gi/irradiance.frag";
+import fullscreenVert from "../../../shaders/post/fullscreen.vert";
+import type { Gpu } from "../../gl/gpu.js";
+import type { Program } from "../../gl/program.js";
+import type { RenderTarget } from "../../gl/render-target.js";
+import type { VertexArray } from "../../gl/vertex-array.js";
+import { IRRADIANCE_TEXELS } from "./probe-rays.js";
+
+/** Limit of the series of bounces. */
+export class BounceLimit {
+  readonly #gpu: Gpu;
+  readonly #screen: VertexArray;
+  readonly #weightsProgram: Program;
+  readonly #program: Program;
+  readonly #weights: RenderTarget;
+
+  constructor(gpu: Gpu, screen: VertexArray) {
+    this.#gpu = gpu;
+    this.#screen = screen;
+    this.#program = gpu.program("gi/irradiance", fullscreenVert, irradianceFrag);
+    this.#weightsProgram = gpu.program("gi/bounce-limit", fullscreenVert, bounceLimitFrag, {
+      defines: { IRRADIANCE_TEXELS },
+    });
+    this.#weights = gpu.renderTarget({
+      label: "gi/bounce-limit",
+      width: 1,
+      height: 1,
+      color: ["RGBA16F", "RGBA16F"],
+      filter: "nearest",
+    });
+  }
+
+  /** Irradiance after all bounces, extrapolated from four sums of the series in a row. */
+  render([first, before, previous, last]: readonly RenderTarget[], target: RenderTarget): void {
+    if (!first || !before || !previous || !last) throw new Error("A limit takes four sums.");
+    const textures = { uLast: last.color, uPrevious: previous.color, uBefore: before.color };
+    this.#gpu.draw({
+      program: this.#weightsProgram,
+      target: this.#weights,
+      vertexArray: this.#screen,
+      textures: { ...textures, uFirst: first.color },
+    });
+    const [uPreviousWeight, uBeforeWeight] = this.#weights.colors;
+    this.#gpu.draw({
+      program: this.#program,
+      target,
+      vertexArray: this.#screen,
+      textures: {
+        ...textures,
+        uPreviousWeight: uPreviousWeight!,
+        uBeforeWeight: uBeforeWeight!,
+      },
+    });
+  }
+}
