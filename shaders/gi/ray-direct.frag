@@ -18,6 +18,7 @@
 // A surface this far behind the nearest one in its direction is lit: m, and texels of the shadow cube.
 const float BIAS = 0.02;
 const float BIAS_TEXELS = 1.0;
+const float MOST_BIAS = 0.1;  // m: less than a wall
 
 uniform sampler2D uProbePositions;  // m
 uniform sampler2D uRayReflectance;
@@ -55,7 +56,7 @@ bool isLit(vec3 position, float NoL) {
   vec3 fromOrigin = position - uShadowOrigin;
   float reach = length(fromOrigin);
   float texel = 2.0 * SHADOW_REACH * reach / shadowTileSize(uShadow);
-  return reach <= reach * casterDistance(fromOrigin) + BIAS + BIAS_TEXELS * texel / limitedCosine(NoL);
+  return reach <= reach * casterDistance(fromOrigin) + min(BIAS + BIAS_TEXELS * texel / limitedCosine(NoL), MOST_BIAS);
 }
 
 // Radiance that a probe receives along a ray, by the weight of the ray.

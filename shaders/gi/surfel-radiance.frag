@@ -23,10 +23,11 @@ layout(location = 1) out vec4 oDirection;
 const float COPLANAR = 0.02;
 
 // Visibility of a point at `reach` (m) along a direction, past the surface that a nearby ray from the same origin hit:
-// up to the plane of that surface. The tolerance is a share of the distance, and metres.
+// up to the plane of that surface, or three times as far along a plane that it never meets. The tolerance is a share of
+// the distance, and metres.
 bool isVisiblePast(vec3 hit, vec3 normal, vec3 direction, float reach) {
   float cosine = dot(normal, direction);
-  float end = cosine < -1e-3 ? max(length(hit), dot(normal, hit) / cosine) : 1e9;
+  float end = cosine < -1e-3 ? max(length(hit), dot(normal, hit) / cosine) : 3.0 * length(hit);
   return reach <= end + 0.03 * reach + 0.02;
 }
 

@@ -24,5 +24,8 @@ void main() {
   vec3 position = surfel.position + surfel.normal * NORMAL_OFFSET;
   vec3 irradiance = irradianceAt(position, surfel.normal, surfel.normal, surfel.normal).alongNormal;
   vec3 reflected = texelFetch(uSurfelReflectance, texel, 0).rgb * irradiance;
-  oRadiosity.rgb = texelFetch(uRadiosity, texel, 0).rgb + reflected;
+  // Of a surfel at a grazing angle, the area is limited and the flux is kept: its radiosity is not.
+  float cosine = dot(surfel.normal, normalize(light.captureOrigin - surfel.position));
+  vec3 direct = texelFetch(uRadiosity, texel, 0).rgb * (max(cosine, 0.0) / limitedCosine(cosine));
+  oRadiosity.rgb = direct + reflected;
 }

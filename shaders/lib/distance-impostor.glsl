@@ -13,6 +13,8 @@ const int BISECTIONS = 6;
 const float IMPOSTOR_BIAS = 0.02;  // m
 // Depth behind a surface up to which a ray hits it for certain, and from which it passes behind. Metres.
 const vec2 THICKNESS = vec2(0.06, 0.25);
+// Distance from a surfel's plane, m, at which a point is half as likely to be of its surface.
+const float PLANE_TOLERANCE = 0.01;
 
 // A surface as smooth as this is a mirror, by its alpha of GGX; others take this many rays.
 const float MIRROR_ALPHA = 0.01;
@@ -24,17 +26,27 @@ float depthBehind(vec3 fromOrigin) {
   return length(fromOrigin) * (1.0 - casterDistance(fromOrigin)) - IMPOSTOR_BIAS;
 }
 
-// Radiosity in a direction from the capture origin, filtered within a face, lm/m².
-vec3 radiosityToward(vec3 fromOrigin) {
+// Radiosity at a point, from the capture origin, of the four surfels around its direction: those whose planes it lies in,
+// lm/m².
+vec3 radiosityAt(vec3 fromOrigin) {
   int size = textureSize(uTotalRadiosity, 0).y;
   vec3 uv = cubeFaceUv(fromOrigin);
   vec2 at = clamp(uv.xy * float(size) - 0.5, vec2(0.0), vec2(float(size) - 1.0));
   ivec2 corner = min(ivec2(at), size - 2);
   vec2 share = at - vec2(corner);
   corner.x += int(uv.z) * size;
-  vec3 low = mix(texelFetch(uTotalRadiosity, corner, 0).rgb, texelFetch(uTotalRadiosity, corner + ivec2(1, 0), 0).rgb, share.x);
-  vec3 high = mix(texelFetch(uTotalRadiosity, corner + ivec2(0, 1), 0).rgb, texelFetch(uTotalRadiosity, corner + 1, 0).rgb, share.x);
-  return mix(low, high, share.y);
+  vec3 sum = vec3(0.0);
+  float total = 0.0;
+  for (int i = 0; i < 4; i++) {
+    ivec2 offset = ivec2(i & 1, i >> 1);
+    Surfel surfel = surfelAt(corner + offset, size);
+    vec2 shares = mix(1.0 - share, share, vec2(offset));
+    float outside = dot(surfel.normal, surfel.position - light.captureOrigin - fromOrigin) / PLANE_TOLERANCE;
+    float weight = (shares.x * shares.y + 1e-3) / (1.0 + outside * outside);
+    sum += weight * texelFetch(uTotalRadiosity, corner + offset, 0).rgb;
+    total += weight;
+  }
+  return sum / total;
 }
 
 // Light along a ray from surfaces that the flame lights, cd/m²; alpha: share of the ray that hits none.
@@ -57,7 +69,7 @@ vec4 traceRadiance(vec3 position, vec3 ray) {
       vec3 hit = start + ray * (isBehind ? high : low);
       float opacity = transmittance * (1.0 - smoothstep(THICKNESS.x, THICKNESS.y, depthBehind(hit)));
       // A ray that leaves a shadow through its caster hits the caster's unlit side.
-      if (isBehind) sum += opacity * radiosityToward(hit);
+      if (isBehind) sum += opacity * radiosityAt(hit);
       transmittance -= opacity;
     }
     wasBehind = isBehind;

@@ -12,6 +12,8 @@ layout(std140) uniform Volume {
   vec3 extent;    // of the room, m
   float columns;  // probes along x
   float rows;     // probes along y
+  float inset;    // distance of the outermost probes from the bounds, cells
+  float bias;     // of a surface's distance to the probes, along its normal, m
 } volume;
 
 uniform sampler2D uIrradiance;
@@ -22,9 +24,6 @@ uniform sampler2D uProbeDepth;  // mean and standard deviation of the distance a
 // those of irradiance have a texel on each axis, so that walls along them are exact, and end in the middle of texels.
 const vec2 PROBE_DEPTH_EDGE = vec2(18.0, 16.0);
 const vec2 IRRADIANCE_EDGE = vec2(7.0, 6.0);
-
-// Distance of the outermost probes from the room's bounds, cells: src/render/gi/probe-rays.ts.
-const float PROBE_INSET = 0.25;
 
 // From uv on a probe's map to uv on the atlas.
 vec2 atlasUv(ivec2 tile, vec2 edge, vec2 uv) {
@@ -73,8 +72,8 @@ struct VolumeCell {
 
 VolumeCell volumeCellAt(vec3 position) {
   vec3 count = vec3(volume.columns, volume.rows, volume.planes);
-  vec3 cells = count - 1.0 + 2.0 * PROBE_INSET;
-  vec3 place = clamp((position - volume.corner) / volume.extent * cells - PROBE_INSET, vec3(0.0), count - 1.001);
+  vec3 cells = count - 1.0 + 2.0 * volume.inset;
+  vec3 place = clamp((position - volume.corner) / volume.extent * cells - volume.inset, vec3(0.0), count - 1.001);
   return VolumeCell(floor(place), fract(place));
 }
 
@@ -90,9 +89,11 @@ float probeWeight(VolumeCell cell, vec3 corner, vec3 position, vec3 facing) {
   vec3 fromProbe = position - probe.xyz;
   float reach = max(length(fromProbe), 1e-4);
   float wrapped = 0.5 - 0.5 * dot(fromProbe, facing) / reach;
-  float visibility = probeVisibility(probeDepth(tile, fromProbe / reach), reach);
+  vec3 toSurface = fromProbe + facing * volume.bias;
+  float distance = max(length(toSurface), 1e-4);
+  float visibility = probeVisibility(probeDepth(tile, toSurface / distance), distance);
   float weight = max(shares.x * shares.y * shares.z, 1e-4) * (wrapped * wrapped + 0.04);
-  return weight * probe.w * max(visibility * visibility * visibility, 1e-4);
+  return weight * probe.w * max(visibility * visibility * visibility, 1e-6);
 }
 
 // `facing`: normal by which probes are weighted, or 0 in mid-air.

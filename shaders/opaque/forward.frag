@@ -178,7 +178,7 @@ void main() {
 
   // Indirect light.
   vec3 reflected = reflect(-view, normal);
-  IrradianceSample probes = irradianceAt(vPositionWorld + surface * 0.05, normal, normal, reflected);
+  IrradianceSample probes = irradianceAt(vPositionWorld + surface * 0.02, normal, normal, reflected);
   float near = 1.0 - occlusion;
   float unoccluded = 1.0 - NEAR_OCCLUSION * near;
   // Nearby surfaces are taken to have this point's colour and distance from the flame.

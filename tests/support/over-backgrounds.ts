@@ -112,12 +112,12 @@ function blockOf(gpu: Gpu, name: "Frame" | "Light" | "Volume") {
 /** A room that throws nothing back, for passes that ask what it does. */
 function darkRoom(gpu: Gpu, uDark: Texture): IrradianceVolume {
   const block = blockOf(gpu, "Volume");
-  const one = { columns: 1, rows: 1, planes: 1 };
+  const one = { columns: 1, rows: 1, planes: 1, inset: 0.5, bias: 0 };
   block.update({ corner: [0, 0, 0], extent: [1, 1, 1], ...one });
   return {
     block,
     textures: { uIrradiance: uDark, uProbePositions: uDark, uProbeDepth: uDark },
-    totalRadiosity: uDark,
+    surfels: { uSurfelNormalDistance: uDark, uTotalRadiosity: uDark },
     support: uDark,
     revision: 0,
     roomReflectance: uDark,

@@ -25,6 +25,7 @@ import {
   irradianceMaps,
   surfelRowsOf,
 } from "./indirect-targets.js";
+import { interiorBounds } from "./interior-bounds.js";
 import { type IndirectDetail, IRRADIANCE_TEXELS, traceProbes } from "./probe-rays.js";
 import { type ProbeTextures, uploadProbeRays } from "./probe-textures.js";
 import { SurfelPass, type Surfels } from "./surfel-pass.js";
@@ -39,6 +40,8 @@ export interface IndirectScene {
 
 /** Bands that a pass is drawn in, where it is drawn in steps. */
 const BANDS = { surfelRadiance: 9, rayDirect: 3, rayRadiance: 4, gather: 3 };
+/** Bias along the normal, for the visibility of probes, as a share of their least spacing. */
+const NORMAL_BIAS = 0.15;
 const AT_ONCE: typeof BANDS = { surfelRadiance: 1, rayDirect: 1, rayRadiance: 1, gather: 1 };
 
 type ShadowMap = Pick<ShadowCube, "depth" | "captureOrigin">;
@@ -51,8 +54,12 @@ export interface IrradianceVolume {
     readonly uProbePositions: Texture;
     readonly uProbeDepth: Texture;
   };
-  /** Of the surfels in all light, lm/m², where surfaces mirror them: for `lib/distance-impostor.glsl`. */
-  readonly totalRadiosity: Texture;
+  /** The surfels, and their light, where surfaces mirror them: for `lib/distance-impostor.glsl`. */
+  readonly surfels: {
+    readonly uSurfelNormalDistance: Texture;
+    /** In all light, lm/m². */
+    readonly uTotalRadiosity: Texture;
+  };
   /** Mean reflectance of the room, one texel: for the exposure. */
   readonly roomReflectance: Texture;
   /** Of the surface below the flame, for `lib/support-irradiance.glsl`. */
@@ -127,7 +134,7 @@ export class IndirectPass {
     this.#rayRadianceProgram = perRay("gi/ray-radiance", rayRadianceFrag);
     this.#rayDirectProgram = perRay("gi/ray-direct", rayDirectFrag);
     const [columns, rows, planes] = detail.probes;
-    const { min, max } = scene.model.bounds;
+    const { min, max } = interiorBounds(scene.collision, scene.model);
     this.#block = gpu.uniformBlock(this.#rayRadianceProgram, "Volume");
     this.#block.update({
       corner: min,
@@ -136,6 +143,10 @@ export class IndirectPass {
       columns,
       rows,
       planes,
+      inset: detail.inset,
+      bias:
+        NORMAL_BIAS *
+        Math.min(...detail.probes.map((n, axis) => ((max[axis] ?? 0) - (min[axis] ?? 0)) / n)),
     });
     const gather = (SURFELS: 0 | 1, ROWS: number, COLUMNS: number) =>
       gpu.program("gi/gather", fullscreenVert, gatherFrag, {
@@ -221,7 +232,10 @@ export class IndirectPass {
     return {
       block: this.#block,
       textures: { uIrradiance: this.#irradiance.color, ...this.#probes.volume },
-      totalRadiosity: this.#surfels.totalRadiosity,
+      surfels: {
+        uSurfelNormalDistance: this.#surfels.normalDistance,
+        uTotalRadiosity: this.#surfels.totalRadiosity,
+      },
       roomReflectance: this.#probes.roomReflectance,
       support: this.#surfels.support,
       revision: this.#revision,

@@ -1,12 +1,15 @@
 import type { Model, Part } from "../../assets/model.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import type { CollisionMesh, RayHit } from "../../world/room/collision-mesh.js";
+import { interiorBounds } from "./interior-bounds.js";
 import { octahedral, rayDirections } from "./ray-directions.js";
 
 /** Resolution of an irradiance volume. */
 export interface ProbeDetail {
   /** Probes along x, y, z. */
   readonly probes: readonly [number, number, number];
+  /** Distance of the outermost probes from the room's inner surfaces, cells: fitted to a path tracer's rooms. */
+  readonly inset: number;
   /** Rays along an edge of the octahedral map of all directions. */
   readonly rays: number;
 }
@@ -47,11 +50,6 @@ export interface ProbeRays {
 export const PROBE_DEPTH_EDGE = 18;
 /** Edge of a probe's irradiance map, texels, from the middle of the first to that of the last. */
 export const IRRADIANCE_TEXELS = 7;
-/**
- * Distance of the outermost probes from the room's bounds, cells. Walls take their light: in the middles of cells, half a
- * cell nearer to what shines, they got more light than the room has.
- */
-const PROBE_INSET = 0.25;
 /** Largest depth, metres. */
 const FARTHEST = 60;
 /** Exponent of the cosine lobe that depths are averaged over, for each ray: so wide that it always has several. */
@@ -94,12 +92,12 @@ export function traceProbesIncrementally(
 function probeTraceOf(
   collision: CollisionMesh,
   model: Model,
-  { probes, rays }: ProbeDetail,
+  { probes, inset, rays }: ProbeDetail,
 ): ProbeTrace {
   const ofMesh = traces.get(collision) ?? new Map<string, ProbeTrace>();
   traces.set(collision, ofMesh);
-  const key = JSON.stringify([probes, rays]);
-  const trace = ofMesh.get(key) ?? new ProbeTrace(collision, model, { probes, rays });
+  const key = JSON.stringify([probes, inset, rays]);
+  const trace = ofMesh.get(key) ?? new ProbeTrace(collision, model, { probes, inset, rays });
   ofMesh.set(key, trace);
   return trace;
 }
@@ -124,11 +122,12 @@ class ProbeTrace {
   #traced = 0;
   #result: ProbeRays | null = null;
 
-  constructor(collision: CollisionMesh, { parts, bounds }: Model, detail: ProbeDetail) {
+  constructor(collision: CollisionMesh, model: Model, detail: ProbeDetail) {
+    const { parts } = model;
     this.#collision = collision;
     this.#parts = parts;
     this.#detail = detail;
-    this.#bounds = { min: [...bounds.min], max: [...bounds.max] };
+    this.#bounds = interiorBounds(collision, model);
     let first = 0;
     this.#firsts = parts.map(({ indices }) => {
       first += Math.floor(indices.length / 3);
@@ -206,12 +205,13 @@ class ProbeTrace {
   /** Position of a probe: its place in the grid, or the nearest point tried that is outside all solids. */
   #relocate(i: number, j: number, k: number): Vec3 | null {
     const { min, max } = this.#bounds;
+    const { probes, inset } = this.#detail;
     const cell = [i, j, k] as const;
     for (const offset of RELOCATIONS) {
       const position = [0, 1, 2].map((axis) => {
         const low = min[axis] ?? 0;
-        const cells = (this.#detail.probes[axis] ?? 1) - 1 + 2 * PROBE_INSET;
-        const place = (cell[axis] ?? 0) + PROBE_INSET + (offset[axis] ?? 0);
+        const cells = (probes[axis] ?? 1) - 1 + 2 * inset;
+        const place = (cell[axis] ?? 0) + inset + (offset[axis] ?? 0);
         const margin = 0.05;
         const within = Math.min(Math.max(place, margin), cells - margin);
         return low + (within * ((max[axis] ?? 0) - low)) / cells;

@@ -270,12 +270,12 @@ export class ForwardStage implements OpaqueStage {
   }
 
   #pass({ shadow, irradiance }: Captures, moon: KeptLight | null, hasCandles: boolean): LightPass {
-    const { textures, totalRadiosity, block } = irradiance;
+    const { textures, surfels, block } = irradiance;
     return {
       program: forwardProgram(this.#gpu, this.#tier, moon !== null, hasCandles),
       textures: {
         uShadow: shadow.depth,
-        uTotalRadiosity: totalRadiosity,
+        ...surfels,
         ...textures,
         ...(moon && {
           uMoonMap: moon.shadow,

@@ -1,5 +1,6 @@
 import { describe, expect, test } from "vitest";
 import type { Model, Part } from "../../../src/assets/model.ts";
+import { interiorBounds } from "../../../src/render/gi/interior-bounds.ts";
 import { PROBE_DEPTH_EDGE, traceProbes } from "../../../src/render/gi/probe-rays.ts";
 import { octahedral, rayDirections } from "../../../src/render/gi/ray-directions.ts";
 import type { Vec3 } from "../../../src/world/geometry.ts";
@@ -35,7 +36,7 @@ function modelOf(...parts: Part[]): Model {
   return { parts, bounds: { min: [0, 0, 0], max: [4, 2, 4] } } as unknown as Model;
 }
 
-const DETAIL = { probes: [2, 2, 2], rays: 8 } as const;
+const DETAIL = { probes: [2, 2, 2], inset: 0.25, rays: 8 } as const;
 const ROOM = box([0, 0, 0], [4, 2, 4], false);
 /** Directions of the eight probes' rays. */
 const CORNERS = Array.from({ length: 8 }, (_, corner) => rayDirections(DETAIL.rays, corner));
@@ -122,4 +123,27 @@ test("a probe without a place in the open says so", () => {
   const rays = traceProbes(new CollisionMesh([stone]), modelOf(stone), DETAIL);
   expect([...rays.positions].every((x) => x === 0)).toBe(true);
   expect(rays.runs).toEqual([]);
+});
+
+describe("Bounds of the irradiance volume", () => {
+  const [low, high]: [Vec3, Vec3] = [
+    [-0.3, -0.1, -0.4],
+    [4.2, 2.5, 4.1],
+  ];
+  const walls = box(low, high, true);
+  const bounds = { min: low, max: high };
+
+  test("are those of a room's inner surfaces, without its walls or a recess", () => {
+    const pane = box([4, 0.8, 1.9], [4.15, 1.1, 2.1], false);
+    const parts = [ROOM, walls, pane];
+    const inside = interiorBounds(new CollisionMesh(parts), { ...modelOf(...parts), bounds });
+    for (const axis of [0, 1, 2] as const) {
+      expect(inside.min[axis]).toBeCloseTo(0, 5);
+      expect(inside.max[axis]).toBeCloseTo([4, 2, 4][axis]!, 5);
+    }
+  });
+
+  test("are a model's own where it has no inside", () => {
+    expect(interiorBounds(new CollisionMesh([walls]), { ...modelOf(walls), bounds })).toBe(bounds);
+  });
 });
