@@ -170,14 +170,19 @@ function loadRoom(look: Look): Promise<Scene> {
   return loadScene({ scene: "room", look, src: "", assetRoot }, { signal, onProgress: () => {} });
 }
 
+/** Names of loose uniforms, and of members of blocks after the block's, whatever its instance is called. */
 function activeUniforms(gl: WebGL2RenderingContext, program: WebGLProgram): string[] {
   const count = gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS) as number;
-  const names: string[] = [];
-  for (let i = 0; i < count; i++) {
-    const name = gl.getActiveUniform(program, i)?.name ?? "";
-    names.push(name.replace(/\[0\]$/, ""));
-  }
-  return names;
+  const blocks: number[] = gl.getActiveUniforms(
+    program,
+    [...Array(count).keys()],
+    gl.UNIFORM_BLOCK_INDEX,
+  );
+  return blocks.map((block, i) => {
+    const name = gl.getActiveUniform(program, i)?.name.replace(/\[0\]$/, "") ?? "";
+    if (block < 0) return name;
+    return `${gl.getActiveUniformBlockName(program, block)}.${name.slice(name.indexOf(".") + 1)}`;
+  });
 }
 
 function logOf(gl: WebGL2RenderingContext, program: WebGLProgram): string {

@@ -13,15 +13,15 @@ import { expect, test } from "../support/test.ts";
 const LIMITS = { median: 0.08, high: 0.25, flip: 0.081 };
 /** What each view measured on 2026-11-23, and by how much it may get worse. */
 const MEASURED: Readonly<Record<string, typeof LIMITS>> = {
-  bench: { median: 0.054, high: 0.225, flip: 0.077 },
-  coat: { median: 0.042, high: 0.138, flip: 0.067 },
-  door: { median: 0.039, high: 0.138, flip: 0.061 },
-  floor: { median: 0.054, high: 0.22, flip: 0.078 },
-  hearth: { median: 0.032, high: 0.144, flip: 0.059 },
-  held: { median: 0.044, high: 0.151, flip: 0.07 },
-  "table-behind": { median: 0.042, high: 0.163, flip: 0.066 },
-  table: { median: 0.047, high: 0.201, flip: 0.07 },
-  window: { median: 0.042, high: 0.228, flip: 0.072 },
+  bench: { median: 0.053, high: 0.228, flip: 0.077 },
+  coat: { median: 0.043, high: 0.141, flip: 0.069 },
+  door: { median: 0.042, high: 0.137, flip: 0.063 },
+  floor: { median: 0.053, high: 0.219, flip: 0.078 },
+  hearth: { median: 0.033, high: 0.146, flip: 0.06 },
+  held: { median: 0.046, high: 0.149, flip: 0.072 },
+  "table-behind": { median: 0.044, high: 0.165, flip: 0.065 },
+  table: { median: 0.047, high: 0.202, flip: 0.071 },
+  window: { median: 0.041, high: 0.245, flip: 0.074 },
 };
 const MARGIN = { median: 0.005, high: 0.015, flip: 0.003 };
 
