@@ -284,17 +284,25 @@ class HitAttributes {
 type Lobes = readonly { readonly rays: Uint16Array; readonly weights: Float32Array }[];
 
 function lobesOf(directions: readonly Vec3[]): Lobes {
-  return octahedral(PROBE_DEPTH_EDGE, PROBE_DEPTH_EDGE - 2, 1).map(([x, y, z]) => {
-    const exponent = LOBE_EXPONENT * directions.length;
-    const weights = directions.map(
-      ([dx, dy, dz]) => Math.max(x * dx + y * dy + z * dz, 0) ** exponent,
-    );
-    const sum = weights.reduce((total, weight) => total + weight, 0);
-    const rays = [...weights.keys()].filter((ray) => (weights[ray] ?? 0) > 1e-3 * sum);
-    const remaining = rays.reduce((total, ray) => total + (weights[ray] ?? 0), 0);
+  const exponent = LOBE_EXPONENT * directions.length;
+  // Of rays beyond, a thousandth of the lobe at most.
+  const leastCosine = 1e-4 ** (1 / exponent);
+  return octahedral(PROBE_DEPTH_EDGE, PROBE_DEPTH_EDGE - 2, 1).map((texel) => {
+    const rays: number[] = [];
+    const weights: number[] = [];
+    let sum = 0;
+    for (let ray = 0; ray < directions.length; ray++) {
+      const direction = directions[ray]!;
+      const cosine = texel[0] * direction[0] + texel[1] * direction[1] + texel[2] * direction[2];
+      if (cosine < leastCosine) continue;
+      const weight = cosine ** exponent;
+      rays.push(ray);
+      weights.push(weight);
+      sum += weight;
+    }
     return {
       rays: Uint16Array.from(rays),
-      weights: Float32Array.from(rays, (ray) => (weights[ray] ?? 0) / remaining),
+      weights: Float32Array.from(weights, (weight) => weight / sum),
     };
   });
 }
