@@ -40,13 +40,14 @@ vec3 radiosityAt(vec3 fromOrigin) {
   for (int i = 0; i < 4; i++) {
     ivec2 offset = ivec2(i & 1, i >> 1);
     Surfel surfel = surfelAt(corner + offset, size);
+    if (surfel.distance <= 0.0) continue;
     vec2 shares = mix(1.0 - share, share, vec2(offset));
     float outside = dot(surfel.normal, surfel.position - light.captureOrigin - fromOrigin) / PLANE_TOLERANCE;
     float weight = (shares.x * shares.y + 1e-3) / (1.0 + outside * outside);
     sum += weight * texelFetch(uTotalRadiosity, corner + offset, 0).rgb;
     total += weight;
   }
-  return sum / total;
+  return sum / max(total, 1e-9);
 }
 
 // Light along a ray from surfaces that the flame lights, cd/m²; alpha: share of the ray that hits none.

@@ -89,9 +89,9 @@ float probeWeight(VolumeCell cell, vec3 corner, vec3 position, vec3 facing) {
   vec3 fromProbe = position - probe.xyz;
   float reach = max(length(fromProbe), 1e-4);
   float wrapped = 0.5 - 0.5 * dot(fromProbe, facing) / reach;
-  vec3 toSurface = fromProbe + facing * volume.bias;
-  float distance = max(length(toSurface), 1e-4);
-  float visibility = probeVisibility(probeDepth(tile, toSurface / distance), distance);
+  vec3 toBiased = fromProbe + facing * volume.bias;
+  float biasedReach = max(length(toBiased), 1e-4);
+  float visibility = probeVisibility(probeDepth(tile, toBiased / biasedReach), biasedReach);
   float weight = max(shares.x * shares.y * shares.z, 1e-4) * (wrapped * wrapped + 0.04);
   return weight * probe.w * max(visibility * visibility * visibility, 1e-6);
 }

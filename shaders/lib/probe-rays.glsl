@@ -10,7 +10,7 @@ uniform sampler2D uRayHits;  // normal on the ray's side; distance, m, 0 for a m
 
 // Turn of a probe's rays about (1, 1, 1): other directions for each of the eight probes around a point, so that their
 // errors differ and interpolation averages them. First row of a matrix whose next rows are the same, moved on.
-// `rayDirections` of src/render/gi/probe-rays.ts.
+// `rayDirections` of src/render/gi/ray-directions.ts.
 vec3 turnOf(ivec2 tile) {
   int corner = (tile.x & 1) + 2 * ((tile.y % PROBE_ROWS) & 1) + 4 * ((tile.y / PROBE_ROWS) & 1);
   float angle = float(corner) * (2.0 * PI / 24.0);

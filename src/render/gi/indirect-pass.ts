@@ -40,9 +40,9 @@ export interface IndirectScene {
 
 /** Bands that a pass is drawn in, where it is drawn in steps. */
 const BANDS = { surfelRadiance: 9, rayDirect: 3, rayRadiance: 4, gather: 3 };
+const AT_ONCE: typeof BANDS = { surfelRadiance: 1, rayDirect: 1, rayRadiance: 1, gather: 1 };
 /** Bias along the normal, for the visibility of probes, as a share of their least spacing. */
 const NORMAL_BIAS = 0.15;
-const AT_ONCE: typeof BANDS = { surfelRadiance: 1, rayDirect: 1, rayRadiance: 1, gather: 1 };
 
 type ShadowMap = Pick<ShadowCube, "depth" | "captureOrigin">;
 

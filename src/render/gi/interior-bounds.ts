@@ -3,11 +3,13 @@ import type { Bounds, Vec3 } from "../../world/geometry.js";
 import type { CollisionMesh } from "../../world/room/collision-mesh.js";
 import { octahedral } from "./ray-directions.js";
 
-/** Points along each axis from which the room is looked at, and rays from each. */
+/** Points along each axis that rays start from, and the rays' directions. */
 const POINTS: Readonly<Vec3> = [6, 4, 6];
 const DIRECTIONS = octahedral(4, 4, 0);
 /** Share of a point's rays that must meet the front of a surface, for it to lie inside. */
 const INSIDE_SHARE = 0.6;
+/** Share of the points that must lie inside: an alcove of an open yard is not the room. */
+const LEAST_INSIDE = 0.25;
 /** Share of all hits that may lie beyond each face of the bounds: panes and doors in their recesses. */
 const OUTSIDE_SHARE = 0.02;
 
@@ -21,15 +23,19 @@ export function interiorBounds(collision: CollisionMesh, { bounds }: Model): Bou
   const before = known.get(collision);
   if (before) return before;
   const hits: Vec3[] = [];
-  for (const point of pointsIn(bounds)) {
+  let pointsInside = 0;
+  const points = pointsIn(bounds);
+  for (const point of points) {
     const inFront = DIRECTIONS.flatMap((direction): Vec3[] => {
       const hit = collision.raycast(point, direction, Infinity);
       if (!hit || collision.hitsBack) return [];
       return [[0, 1, 2].map((axis) => point[axis]! + direction[axis]! * hit.distance) as Vec3];
     });
-    if (inFront.length >= INSIDE_SHARE * DIRECTIONS.length) hits.push(...inFront);
+    if (inFront.length < INSIDE_SHARE * DIRECTIONS.length) continue;
+    pointsInside++;
+    hits.push(...inFront);
   }
-  const inside = hits.length > 0 ? boundsOf(hits) : bounds;
+  const inside = pointsInside >= LEAST_INSIDE * points.length ? boundsOf(hits) : bounds;
   known.set(collision, inside);
   return inside;
 }

@@ -143,6 +143,14 @@ describe("Bounds of the irradiance volume", () => {
     }
   });
 
+  test("are a model's own where only an alcove of it is closed", () => {
+    const alcove = box([0, 0, 0], [1, 1, 1], false);
+    const floor = box([0, -0.1, 0], [4, 0, 4], true);
+    const parts = [alcove, floor];
+    const own = modelOf(...parts);
+    expect(interiorBounds(new CollisionMesh(parts), own)).toBe(own.bounds);
+  });
+
   test("are a model's own where it has no inside", () => {
     expect(interiorBounds(new CollisionMesh([walls]), { ...modelOf(walls), bounds })).toBe(bounds);
   });
