@@ -6,6 +6,7 @@
 #include "lib/brdf.glsl"
 #include "lib/normal-map.glsl"
 #include "lib/studio.glsl"
+#include "lib/ember.glsl"
 #include "lib/candle-flames.glsl"
 #include "lib/flame-shadows.glsl"
 
@@ -37,10 +38,8 @@ const float WAX_TRANSMITTANCE = 0.2;
 // Wax begins so far below the root of the flame; a flame's middle is never less above it. Metres.
 const float RIM = 0.003;
 const float LEAST_HEIGHT = 0.01;
-// The wick glows between these heights above the root, to this far from its axis, m.
-const float EMBER_BEGINS = 0.001;
-const float EMBER_FULL = 0.004;
-const float EMBER_REACH = 0.004;
+// The candle's rim is so far below the root of its flame, m.
+const float RIM_DEPTH = 0.0015;
 // Share by which coloured glass absorbs the complement of its colour.
 const float TINT = 0.6;
 
@@ -75,9 +74,7 @@ vec3 waxGlow(int i, vec3 position) {
 }
 
 vec3 emberGlow(int i, vec3 position) {
-  vec3 offset = position - flames.roots[i].xyz;
-  if (dot(offset.xz, offset.xz) > EMBER_REACH * EMBER_REACH) return vec3(0.0);
-  return flames.embers[i].rgb * smoothstep(EMBER_BEGINS, EMBER_FULL, offset.y);
+  return flames.embers[i].rgb * emberShare(position - flames.roots[i].xyz + vec3(0.0, RIM_DEPTH, 0.0));
 }
 
 void main() {

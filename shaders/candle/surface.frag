@@ -8,6 +8,7 @@
 #include "lib/flame-light.glsl"
 #include "lib/flame-brdf.glsl"
 #include "lib/wax.glsl"
+#include "lib/ember.glsl"
 #include "lib/studio.glsl"
 
 uniform sampler2D uAlbedo;
@@ -54,6 +55,6 @@ void main() {
   vec3 reflected = environment(mix(reflect(-view, normal), normal, roughness * 0.7));
   vec3 ambient = diffuseColor * environment(normal) + fresnelSchlick(f0, NoV) * reflected;
   vec3 radiance = diffuse + specular + ambient * occlusion + baseColor.rgb * waxGlow(vPositionWorld) * uWax;
-  radiance += uEmber * emberShare(vPositionWorld);
+  radiance += uEmber * emberShare(vPositionWorld - vec3(light.axis.x, light.rim, light.axis.y));
   oRadiance = vec4(min(radiance, 3e4), 1.0);  // the largest half float is 65504
 }

@@ -69,12 +69,3 @@ float candleVisibility(vec3 position) {
   float pan = position.y < light.pan - 0.004 ? discVisibility(position, light.pan, light.panRadius) : 1.0;
   return min(pan, discVisibility(position, light.rim + LIP, light.rimRadius));
 }
-
-// The wick glows where it leaves the flame's dark zone: from and to these heights above the candle's rim, m.
-const float EMBER_BEGINS = 0.0028;
-const float EMBER_FULL = 0.0052;
-
-// Share of the ember's radiance at a point of the wick.
-float emberShare(vec3 position) {
-  return smoothstep(EMBER_BEGINS, EMBER_FULL, position.y - light.rim);
-}

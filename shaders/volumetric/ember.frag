@@ -2,8 +2,9 @@
 // The wick's glowing tip.   Out: radiance to add, cd/m².
 #include "lib/precision.glsl"
 #include "lib/depth.glsl"
-#include "lib/flame-light.glsl"
+#include "lib/ember.glsl"
 
+uniform vec3 uRim;    // middle of the candle's rim, m
 uniform vec3 uEmber;  // cd/m²
 
 in vec3 vPositionWorld;
@@ -16,5 +17,5 @@ const float DEPTH_BIAS = 0.004;
 void main() {
   float room = linearDepth(texelFetch(uDepth, ivec2(gl_FragCoord.xy), 0).r);
   float isVisible = step(linearDepth(gl_FragCoord.z) - DEPTH_BIAS, room);
-  oRadiance = vec4(uEmber * emberShare(vPositionWorld) * isVisible, 0.0);
+  oRadiance = vec4(uEmber * emberShare(vPositionWorld - uRim) * isVisible, 0.0);
 }

@@ -4,7 +4,12 @@ import type { Vec3 } from "../world/geometry.js";
 import type { World } from "../world/world.js";
 
 /** Casters of the chamberstick, as discs: heights above its foot and radii, metres. */
-const CANDLE = { rim: 0.2015, rimRadius: 0.0101, pan: 0.018, panRadius: 0.066 } as const;
+export const CHAMBERSTICK = {
+  rim: 0.2015,
+  rimRadius: 0.0101,
+  pan: 0.018,
+  panRadius: 0.066,
+} as const;
 
 /** Members of the shaders' `Light` block: the flame as a capsule. A hidden candle casts no shadow. */
 export function lightBlock(world: World, showsCandle: boolean) {
@@ -24,10 +29,10 @@ export function lightBlock(world: World, showsCandle: boolean) {
     radius,
     along,
     axis: [foot[0], foot[2]],
-    rim: foot[1] + CANDLE.rim,
-    rimRadius: showsCandle ? CANDLE.rimRadius : 0,
-    pan: foot[1] + CANDLE.pan,
-    panRadius: showsCandle ? CANDLE.panRadius : 0,
+    rim: foot[1] + CHAMBERSTICK.rim,
+    rimRadius: showsCandle ? CHAMBERSTICK.rimRadius : 0,
+    pan: foot[1] + CHAMBERSTICK.pan,
+    panRadius: showsCandle ? CHAMBERSTICK.panRadius : 0,
     shadowSlot: 0,
   };
 }

@@ -104,7 +104,7 @@ export class PhysicalRenderer implements Renderer {
       physical,
       lods,
     );
-    this.#volumetric = new VolumetricStage(gpu, this.#candle, blocks, format, physical);
+    this.#volumetric = new VolumetricStage(gpu, this.#candle, surfaces, blocks, format, physical);
     this.#bloom = isFrugal
       ? new FlameBloomPass(gpu, screen, physical.bloomLevels, format)
       : new FrameBloomPass(gpu, screen, physical.bloomLevels);

@@ -41,8 +41,8 @@ export interface PhysicalTier {
   readonly flameSteps: number;
   /** Whether dust and sparks are drawn. */
   readonly hasParticles: boolean;
-  /** Whether the hot air refracts. */
-  readonly hasHaze: boolean;
+  /** Flames, the carried one first, above which the hot air refracts. */
+  readonly mostHazes: number;
 }
 
 /** Indirect light of `high` and `ultra`, which differ by their shadows and their resolution. */
@@ -80,7 +80,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
       bloomLevels: 3,
       flameSteps: 12,
       hasParticles: false,
-      hasHaze: true,
+      mostHazes: 1,
     },
   },
   medium: {
@@ -106,7 +106,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
       bloomLevels: 5,
       flameSteps: 24,
       hasParticles: true,
-      hasHaze: true,
+      mostHazes: 9,
     },
   },
   high: {
@@ -124,7 +124,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
       bloomLevels: 6,
       flameSteps: 40,
       hasParticles: true,
-      hasHaze: true,
+      mostHazes: 9,
     },
   },
   ultra: {
@@ -142,7 +142,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
       bloomLevels: 6,
       flameSteps: 64,
       hasParticles: true,
-      hasHaze: true,
+      mostHazes: 9,
     },
   },
 };
@@ -155,7 +155,7 @@ export const REFINED: Tier = {
     opaque: "refined",
     bloomLevels: 4,
     hasParticles: false,
-    hasHaze: false,
+    mostHazes: 0,
   },
 };
 

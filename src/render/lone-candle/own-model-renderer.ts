@@ -244,7 +244,7 @@ function tapsOf({ name }: Tier, flames: number): number {
 }
 
 function surfaceOf(mesh: Mesh): Surface {
-  const { material, name } = mesh.part;
+  const { material } = mesh.part;
   const isClear = material.alphaMode === "blend" || material.transmission > 0;
   return {
     mesh,
@@ -254,7 +254,7 @@ function surfaceOf(mesh: Mesh): Surface {
       uSurface: mesh.parameters,
       uOcclusionStrength: mesh.occlusionStrength,
       uWax: material.isWax ? 1 : 0,
-      uWick: isWick(material.name) || isWick(name) ? 1 : 0,
+      uWick: mesh.isWick ? 1 : 0,
       uTransmission: material.transmission,
       uOpacity: isClear ? 1 : 0,
     },
@@ -264,8 +264,4 @@ function surfaceOf(mesh: Mesh): Surface {
 /** Wicks stand in their own flames, and clear surfaces transmit light. */
 function castsShadow({ isClear, uniforms }: Surface): boolean {
   return !isClear && uniforms.uWick === 0;
-}
-
-function isWick(name: string): boolean {
-  return /^wick(?![a-z])/.test(name);
 }

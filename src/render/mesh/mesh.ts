@@ -60,6 +60,10 @@ export function sortedByArea(surfaces: readonly Mesh[]): readonly Mesh[] {
   return surfaces.toSorted((a, b) => a.area - b.area);
 }
 
+function isWick(name: string): boolean {
+  return /^wick(?![a-z])/.test(name);
+}
+
 function upload(gpu: Gpu, model: Model, group?: (part: Part) => Grouped): readonly Mesh[] {
   const plain = (label: string, ...texel: readonly [number, number, number]) =>
     gpu.texture({
@@ -86,7 +90,7 @@ function upload(gpu: Gpu, model: Model, group?: (part: Part) => Grouped): readon
       isDoubleSided: material.isDoubleSided,
       isUntextured: !albedo.source && !normal.source && !packed.source,
       isWax: material.name === "wax" || material.name === "pool",
-      isWick: material.name === "wick",
+      isWick: isWick(material.name) || isWick(part.name),
       isPane: material.name === "pane",
       textures: {
         uAlbedo: textureOf(gpu, albedo) ?? white,

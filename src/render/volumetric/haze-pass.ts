@@ -8,13 +8,16 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import { COLUMN_FLOATS, hotColumn } from "../../world/air/hot-column.js";
+import type { RootedFlame } from "../../light/flame-light.js";
+import { COLUMN_FLOATS, hotColumn, unsolvedColumn } from "../../world/air/hot-column.js";
 import { plumeGrid } from "../../world/air/plume-grid.js";
 import type { PlumeSolver } from "../../world/air/plume-solver.js";
+import type { Vec3 } from "../../world/geometry.js";
 import { projectedExtent, type Sphere } from "../screen-bounds.js";
 import type { CompositedFrame } from "./volumetric-target.js";
 
-const LEVELS = plumeGrid().y.count;
+const GRID = plumeGrid();
+const LEVELS = GRID.y.count;
 /** Refractive index of the room's air, less 1 (Ciddor 1996, 550 nm, 20 °C). */
 const REFRACTION = 2.72e-4;
 /**
@@ -31,6 +34,11 @@ const VISIBLE = 5e-4;
 const REACH = 3;
 /** The frame is refracted in so many strips, each copied back before the next, to save a copy of all of it. */
 const STRIPS = 4;
+
+/** A flame, and the air over it: solved, or the wind that bends its column, m/s. */
+export interface HotAir extends RootedFlame {
+  readonly air: PlumeSolver | Readonly<Vec3>;
+}
 
 /** Visible part of the column: columns of pixels, and vertices of its ribbon. */
 interface VisiblePart {
@@ -78,19 +86,17 @@ export class HazePass {
   /**
    * Refracts the background of the column.
    *
-   * @param flameHeight of the flame at the column's foot, or 0, metres
    * @param clip clip space from world space, as in `frame`
    * @param showsOffset draws the offset as a colour instead
    */
   render(
     { target, depth, color }: CompositedFrame,
-    plume: PlumeSolver,
-    flameHeight: number,
+    source: HotAir,
     frame: UniformBlock,
     clip: mat4,
     showsOffset = false,
   ): void {
-    if (!this.#strip || !this.#measure(plume, flameHeight)) return;
+    if (!this.#strip || !this.#measure(source)) return;
     const { left: begin, right: end, first, count } = this.#visiblePart(clip);
     const ribbon = {
       vertexArray: this.#ribbon,
@@ -128,8 +134,8 @@ export class HazePass {
   }
 
   /** Bounding spheres of the levels with visible deflection. */
-  *boundingSpheres(plume: PlumeSolver, flameHeight: number): Generator<Sphere> {
-    if (!this.#measure(plume, flameHeight)) return;
+  *boundingSpheres(source: HotAir): Generator<Sphere> {
+    if (!this.#measure(source)) return;
     for (let level = 0; level < LEVELS; level++) {
       if (this.#deflections[level]! >= VISIBLE) yield this.#sphere(level);
     }
@@ -157,8 +163,11 @@ export class HazePass {
   }
 
   /** Deflection at each level. False if none is visible. */
-  #measure(plume: PlumeSolver, flameHeight: number): boolean {
-    hotColumn(plume, this.#plumeColumn);
+  #measure({ air, root, flame }: HotAir): boolean {
+    if ("heat" in air) hotColumn(air, this.#plumeColumn);
+    else unsolvedColumn(GRID, flame, root, air, this.#plumeColumn);
+    const foot = "heat" in air ? air.origin[1] : root[1];
+    const flameHeight = flame.isLit ? flame.height : 0;
     let largest = 0;
     for (let level = 0; level < LEVELS; level++) {
       const at = level * COLUMN_FLOATS;
@@ -169,7 +178,7 @@ export class HazePass {
       this.#column.set([x, y, z, width], level * 4);
       // Largest gradient of a Gaussian column, one standard deviation from its centre.
       const steepest = (REFRACTION * deficit) / (width * width * Math.sqrt(2 * Math.PI * Math.E));
-      const above = y - plume.origin[1];
+      const above = y - foot;
       const share = (above / Math.max(flameHeight, 1e-3) - FADE_BEGINS) / (FADE_ENDS - FADE_BEGINS);
       const top = (LEVELS - 1 - level) / 6;
       const fade = Math.min(Math.max(share, 0), 1) * Math.min(top, 1) * (above > 0 ? 1 : 0);

@@ -3,21 +3,23 @@ import emberFrag from "../../../shaders/volumetric/ember.frag";
 import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { TextureFormat } from "../../gl/texture.js";
-import type { TextureView } from "../../gl/texture-view.js";
 import { carriedFlame, emberRadiance, type RootedFlame, TAPER } from "../../light/flame-light.js";
 import { createShape, shapeFlame } from "../../light/flame-shape.js";
 import type { Inspection } from "../../settings.js";
+import type { Flame } from "../../world/flame/flame.js";
+import type { Vec3 } from "../../world/geometry.js";
 import type { ParticleLayer } from "../../world/particles/particle-layer.js";
 import type { World } from "../../world/world.js";
-import type { FrameInput, Size } from "../frame-input.js";
+import { AT_ORIGIN, type FrameInput, type Placement, type Size } from "../frame-input.js";
 import type { GBufferKind } from "../gbuffer/gbuffer.js";
 import type { IrradianceVolume } from "../gi/indirect-pass.js";
+import { CHAMBERSTICK } from "../light-block.js";
 import type { Mesh } from "../mesh/mesh.js";
 import type { FrameBlocks } from "../opaque/opaque-stage.js";
 import type { PhysicalTier } from "../quality.js";
 import { type Sphere, screenBounds } from "../screen-bounds.js";
-import { carriedWick, type FlamePart, FlamePass } from "./flame-pass.js";
-import { HazePass } from "./haze-pass.js";
+import { carriedWick, type FlamePart, FlamePass, standingWick } from "./flame-pass.js";
+import { HazePass, type HotAir } from "./haze-pass.js";
 import { MotesPass } from "./motes-pass.js";
 import { boundingSpheres, SmokePass } from "./smoke-pass.js";
 import type { CompositedFrame } from "./volumetric-target.js";
@@ -26,18 +28,20 @@ import type { CompositedFrame } from "./volumetric-target.js";
 const MARGIN = 3;
 /** The hull of the flame is drawn wider than its spheres by this factor. */
 const HULL = 1.4;
-/** Tip of a standing candle's wick from the foot of its flame, metres. */
-const UPRIGHT_TIP = [0, 0.0067, 0] as const;
+/** Rim of a standing candle below the root of its flame, metres. */
+const RIM_DEPTH = 0.0015;
+/** Least radiance of an ember that is drawn, cd/m². */
+const FAINTEST_EMBER = 1e-5;
 /** Colour of a haze that refracts nothing, as `inspect` shows it. */
 const NO_OFFSET = [0.5, 0.5, 0.5, 1] as const;
 
 /** Participating media over the opaque surfaces: ember, flame, hot air, dust, smoke, sparks. */
 export class VolumetricStage {
   readonly #gpu: Gpu;
-  readonly #wicks: readonly Mesh[];
+  readonly #models: Readonly<Record<"candle" | "room", readonly Mesh[]>>;
   readonly #blocks: FrameBlocks;
   readonly #flameSteps: number;
-  readonly #hasHaze: boolean;
+  readonly #mostHazes: number;
   readonly #ember: Program;
   readonly #flame: FlamePass;
   readonly #haze: HazePass;
@@ -49,15 +53,17 @@ export class VolumetricStage {
   constructor(
     gpu: Gpu,
     candle: readonly Mesh[],
+    room: readonly Mesh[],
     blocks: FrameBlocks,
     format: TextureFormat,
-    quality: Pick<PhysicalTier, "flameSteps" | "hasParticles" | "hasHaze">,
+    quality: Pick<PhysicalTier, "flameSteps" | "hasParticles" | "mostHazes">,
   ) {
     this.#gpu = gpu;
-    this.#wicks = candle.filter(({ isWick }) => isWick);
+    const wicks = (meshes: readonly Mesh[]) => meshes.filter(({ isWick }) => isWick);
+    this.#models = { candle: wicks(candle), room: wicks(room) };
     this.#blocks = blocks;
     this.#flameSteps = quality.flameSteps;
-    this.#hasHaze = quality.hasHaze;
+    this.#mostHazes = quality.mostHazes;
     this.#ember = gpu.program("volumetric/ember", meshVert, emberFrag);
     this.#flame = new FlamePass(gpu);
     this.#haze = new HazePass(gpu, format);
@@ -92,26 +98,26 @@ export class VolumetricStage {
     irradiance: IrradianceVolume,
   ): void {
     const { world, settings, clipFromWorld } = frame;
-    const { target, tested, depth } = composited;
+    const { target, tested } = composited;
     const { features, inspect, isStill } = settings;
     const { Frame, Light } = this.#blocks;
     const part = flamePart(inspect);
     if (inspect === "normals") return;
-    if (features.candle && !part) this.#drawEmber(frame, target, depth);
+    if (!part) this.#drawEmbers(frame, composited);
     if (features.volume) {
       this.#flame.render(tested, Frame, carriedWick(world), this.#flameSteps, part ?? "all");
       for (const candle of world.standing) {
-        const wick = { ...candle, tip: UPRIGHT_TIP };
-        this.#flame.render(tested, Frame, wick, this.#flameSteps, part ?? "all");
+        this.#flame.render(tested, Frame, standingWick(candle), this.#flameSteps, part ?? "all");
       }
     }
-    const { plume, flame } = world;
+    const { plume } = world;
     if (!plume || part) return;
-    const flameHeight = flame.isLit ? flame.height : 0;
     const isInspected = inspect === "haze";
     if (isInspected) this.#gpu.clear(target, NO_OFFSET);
     if (isInspected || this.#showsHaze(frame, kind)) {
-      this.#haze.render(composited, plume.solver, flameHeight, Frame, clipFromWorld, isInspected);
+      for (const hotAir of this.#hotAir(world)) {
+        this.#haze.render(composited, hotAir, Frame, clipFromWorld, isInspected);
+      }
     }
     if (isInspected) return;
     if (features.dust && !isStill) {
@@ -128,29 +134,54 @@ export class VolumetricStage {
     }
   }
 
+  #drawEmbers({ world, settings, candlePlacement }: FrameInput, composited: CompositedFrame): void {
+    const [x, y, z] = world.interpolated.foot;
+    if (settings.features.candle) {
+      const rim: Vec3 = [x, y + CHAMBERSTICK.rim, z];
+      this.#drawEmber(this.#models.candle, candlePlacement, rim, world.flame, composited);
+    }
+    for (const { root, flame } of world.standing) {
+      const rim: Vec3 = [root[0], root[1] - RIM_DEPTH, root[2]];
+      this.#drawEmber(this.#models.room, AT_ORIGIN, rim, flame, composited);
+    }
+  }
+
   #drawEmber(
-    { world, candlePlacement }: FrameInput,
-    target: TextureView,
-    uDepth: CompositedFrame["depth"],
-  ) {
-    const glow = emberRadiance(world.flame.ember);
-    if (!(glow[0] > 0)) return;
-    for (const { vertexArray } of this.#wicks) {
+    wicks: readonly Mesh[],
+    uPlacement: Placement,
+    uRim: Vec3,
+    { ember }: Flame,
+    { target, depth }: CompositedFrame,
+  ): void {
+    const uEmber = emberRadiance(ember);
+    if (uEmber[0] < FAINTEST_EMBER) return;
+    for (const { vertexArray } of wicks) {
       this.#gpu.draw({
         program: this.#ember,
         target,
         vertexArray,
-        textures: { uDepth },
-        uniforms: { uPlacement: candlePlacement, uEmber: glow },
-        blocks: { ...this.#blocks },
+        textures: { uDepth: depth },
+        uniforms: { uPlacement, uRim, uEmber },
+        blocks: { Frame: this.#blocks.Frame },
         blend: "premultiplied",
       });
     }
   }
 
+  /** Above the carried flame, and above standing ones that burn. */
+  *#hotAir({ plume, flame, interpolated, standing, air, sways }: World): Generator<HotAir> {
+    if (plume && this.#mostHazes > 0) yield { root: interpolated.flame, flame, air: plume.solver };
+    const burning = standing.filter((candle) => candle.flame.isLit);
+    for (const { root, flame } of burning.slice(0, Math.max(this.#mostHazes - 1, 0))) {
+      const wind: Vec3 = [0, 0, 0];
+      if (sways) air.velocity(root, wind);
+      yield { root, flame, air: wind };
+    }
+  }
+
   /** Refraction of less than a pixel is not visible in motion, and the column covers a tenth of the frame. */
   #showsHaze({ settings }: FrameInput, kind: GBufferKind): boolean {
-    return this.#hasHaze && settings.features.haze && kind === "full";
+    return this.#mostHazes > 0 && settings.features.haze && kind === "full";
   }
 
   *#flameSpheres({ root: [x, y, z], flame }: RootedFlame): Generator<Sphere> {
@@ -162,7 +193,7 @@ export class VolumetricStage {
 
   /** Spheres around the flames, the hot air over them, and the smoke. */
   *#spheres(frame: FrameInput, kind: GBufferKind): Generator<Sphere> {
-    const { flame, plume, standing } = frame.world;
+    const { plume, standing } = frame.world;
     yield* this.#flameSpheres(carriedFlame(frame.world));
     for (const candle of standing) {
       if (candle.flame.glow > 0) yield* this.#flameSpheres(candle);
@@ -173,7 +204,7 @@ export class VolumetricStage {
     const { smoke } = frame.settings.features;
     if (smoke && plume.smoke.count >= 2) yield* boundingSpheres(plume.smoke);
     if (!this.#showsHaze(frame, kind)) return;
-    yield* this.#haze.boundingSpheres(plume.solver, flame.isLit ? flame.height : 0);
+    for (const hotAir of this.#hotAir(frame.world)) yield* this.#haze.boundingSpheres(hotAir);
   }
 }
 

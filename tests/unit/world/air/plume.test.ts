@@ -1,7 +1,8 @@
 import { beforeAll, describe, expect, test } from "vitest";
-import { hotColumn } from "../../../../src/world/air/hot-column.ts";
+import { hotColumn, unsolvedColumn } from "../../../../src/world/air/hot-column.ts";
 import { PLUME_STEP, PlumeSolver } from "../../../../src/world/air/plume-solver.ts";
 import { HEAT, TAPER_RATE } from "../../../../src/world/flame/burning.ts";
+import { Flame } from "../../../../src/world/flame/flame.ts";
 import type { Vec3 } from "../../../../src/world/geometry.ts";
 import { divergenceOf, temperatureAt } from "../../../support/plume.ts";
 
@@ -125,6 +126,29 @@ describe("hot air in a draught", () => {
       (levels[Math.floor(plume.grid.y.place(height)) * 5] ?? 0) - FOOT[0];
     expect(lean(0.1)).toBeGreaterThan(0.002);
     expect(lean(0.3)).toBeGreaterThan(2 * lean(0.1));
+  });
+
+  test("has nearly the same shape where it is not solved, but by laws", () => {
+    for (const [wind, height, tolerance] of [
+      [STILL, 0.06, 0.15],
+      [STILL, 0.25, 0.15],
+      [[0.3, 0, 0], 0.06, 0.35],
+    ] as const) {
+      const plume = started([...wind], POWER, 0.03);
+      const { grid } = plume;
+      const [solved, unsolved] = [0, 1].map(() => new Float32Array(grid.y.count * 5)) as [
+        Float32Array,
+        Float32Array,
+      ];
+      hotColumn(plume, solved);
+      unsolvedColumn(grid, new Flame(0.002, true), FOOT, wind, unsolved);
+      const level = 5 * Math.floor(grid.y.place(height));
+      for (let i = 0; i < 5; i++) {
+        const [is, wanted] = [unsolved[level + i] ?? Number.NaN, solved[level + i] ?? Number.NaN];
+        const near = i < 3 ? 0.2 * height : tolerance * wanted;
+        expect(Math.abs(is - wanted), `${i} at ${height} m in ${wind}`).toBeLessThan(near);
+      }
+    }
   });
 
   test("wind alone goes through the grid unchanged", () => {
