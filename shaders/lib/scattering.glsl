@@ -1,5 +1,6 @@
 // Single scattering by fine droplets.
-// Needs lib/octahedral.glsl, lib/photometry.glsl, lib/flame-light.glsl, lib/irradiance-volume.glsl.
+// Needs lib/photometry.glsl; but where ALONE is defined, also lib/octahedral.glsl, lib/flame-light.glsl and
+// lib/irradiance-volume.glsl.
 
 // Ambient light of a dark room at night, from a window: mean radiance, cd/m².
 // Its hue looks like moonlight to an eye adapted to candlelight.
@@ -22,6 +23,7 @@ vec3 scatteredDirect(vec3 intensity, vec3 toLight, vec3 toEye) {
   return intensity * (phase(cosine) / max(distanceSquared, 2.5e-5));  // no nearer than 5 mm
 }
 
+#ifndef ALONE
 // Mean of the irradiance from above and from below: a droplet has no normal.
 vec3 scatteredIndirect(vec3 position) {
   IrradianceSample upDown = irradianceAt(position, vec3(0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, -1.0, 0.0));
@@ -33,3 +35,4 @@ vec3 scatteredRadiance(vec3 position, vec3 eye) {
   vec3 direct = scatteredDirect(light.intensity, light.position - position, eye - position);
   return DROPLET_ALBEDO * (direct * candleVisibility(position) + scatteredIndirect(position) + NIGHT);
 }
+#endif

@@ -1,12 +1,18 @@
 #version 300 es
 // Smoke as streaklines: each a camera-facing ribbon, as wide as the line has diffused.
+// ALONE: over a page, where there is no room, and the smoke ends before the edges of the canvas.
 // In:  parcels, a row for each moment of their birth, two texels each.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
-#include "lib/octahedral.glsl"
 #include "lib/photometry.glsl"
+#include "lib/candle-flames.glsl"
+#ifdef ALONE
+#include "lib/studio.glsl"
+#else
+#include "lib/octahedral.glsl"
 #include "lib/flame-light.glsl"
 #include "lib/irradiance-volume.glsl"
+#endif
 #include "lib/scattering.glsl"
 
 // Half width of the ribbon, in standard deviations of the line.
@@ -27,6 +33,20 @@ vec4 parcel(int age, int line) {
   return texelFetch(uParcels, ivec2(2 * line, row), 0);
 }
 
+// Radiance of optically thick smoke in the light of all flames, cd/m².
+vec3 smokeRadiance(vec3 position) {
+  vec3 direct = vec3(0.0);
+  for (int i = 0; i < int(flames.count); i++) {
+    direct += scatteredDirect(flames.intensities[i].rgb, flames.centres[i].xyz - position, frame.eyePosition - position);
+  }
+#ifdef ALONE
+  vec3 ambient = 0.5 * (environment(vec3(0.0, 1.0, 0.0)) + environment(vec3(0.0, -1.0, 0.0)));
+  return DROPLET_ALBEDO * (direct + ambient);
+#else
+  return DROPLET_ALBEDO * direct + scatteredRadiance(position, frame.eyePosition);
+#endif
+}
+
 void main() {
   int side = gl_VertexID & 1;
   int line = (gl_VertexID >> 1) % LINES;
@@ -41,8 +61,13 @@ void main() {
   float drawnWidth = max(width, LEAST_WIDTH * distance / frame.projectionScale);
   // A line nearly parallel to the view ray has a longer path through it.
   vOpticalDepth = here.w / (drawnWidth * sqrt(2.0 * PI) * max(sine, 0.3));
-  vRadiance = scatteredRadiance(here.xyz, frame.eyePosition);
+  vRadiance = smokeRadiance(here.xyz);
   vAcross = (float(side) * 2.0 - 1.0) * REACH;
   vec3 position = here.xyz + sideways / max(sine, 1e-4) * (vAcross * drawnWidth);
   gl_Position = frame.clipFromWorld * vec4(position, 1.0);
+#ifdef ALONE
+  vec2 uv = 0.5 + 0.5 * gl_Position.xy / gl_Position.w;
+  vec2 margin = smoothstep(vec2(0.0), vec2(0.12), min(uv, 1.0 - uv));
+  vOpticalDepth *= margin.x * margin.y;
+#endif
 }

@@ -22,6 +22,7 @@ import { type Mesh, surfaceSampling, uploadModel } from "./mesh/mesh.js";
 import type { Tier } from "./quality.js";
 import type { Renderer } from "./renderer.js";
 import { carriedWick, FlamePass, HANDLE_TURN } from "./volumetric/flame-pass.js";
+import type { SmokePass } from "./volumetric/smoke-pass.js";
 
 /** From cd/m² to the display's scale. */
 const EXPOSURE = 5;
@@ -66,12 +67,15 @@ export class LoneCandleRenderer implements Renderer {
   readonly #gpu: Gpu;
   readonly #tier: Tier;
   readonly #shared: Shared;
+  readonly #smokePass: (gpu: Gpu) => SmokePass | null;
   readonly #adaptation = adaptation(TAPER.color);
   #samples: RenderTarget | null = null;
   #radiance: RenderTarget | null = null;
   #size = { width: 1, height: 1 };
 
-  constructor(gpu: Gpu, model: Model, tier: Tier) {
+  /** @param smokePass null until its code is there */
+  constructor(gpu: Gpu, model: Model, tier: Tier, smokePass: (gpu: Gpu) => SmokePass | null) {
+    this.#smokePass = smokePass;
     this.#gpu = gpu;
     this.#tier = tier;
     this.#shared = sharedByGpu.get(gpu) ?? share(gpu, model);
@@ -109,6 +113,14 @@ export class LoneCandleRenderer implements Renderer {
     this.#gpu.clear(target, NOTHING);
     if (features.candle) this.#drawCandle(target, world);
     flame.render(target, frame, carriedWick(world), this.#tier.physical.flameSteps);
+    if (features.smoke) {
+      const uniforms = { uEnvironment: TAPER.color };
+      this.#smokePass(this.#gpu)?.render(world, clip, {
+        target,
+        uniforms,
+        blocks: { Frame: frame },
+      });
+    }
     if (this.#samples) this.#gpu.resolve(this.#samples, this.#radiance);
     const { position, halfHeight, intensity } = flameLight(carriedFlame(world), TAPER);
     const [x, y] = canvasUv(clip, position);

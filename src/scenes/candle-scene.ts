@@ -1,12 +1,14 @@
 import { closeModel, type Model } from "../assets/model.js";
 import { readOwnModel } from "../assets/own-model.js";
 import { LoneCandleRenderer } from "../render/lone-candle-renderer.js";
+import type { PageSmoke } from "./page-smoke.js";
 import type { Loading, Scene, SceneRequest } from "./scene.js";
 
 /** The candle alone, whatever the look. */
 export async function loadLoneCandle(
   { assetRoot }: SceneRequest,
   { signal, onProgress }: Loading,
+  { createPlume, smokePass }: PageSmoke,
 ): Promise<Scene> {
   const url = new URL("models/chamberstick.glb", assetRoot);
   const model: Model = await readOwnModel(url, signal, onProgress);
@@ -14,12 +16,12 @@ export async function loadLoneCandle(
     room: null,
     first: null,
     wicks: [],
-    createPlume: null,
+    createPlume,
     moonDirection: null,
     isModelAlone: true,
     prepareRenderer: () => true,
     createRenderer: (screen, tier) => {
-      const renderer = new LoneCandleRenderer(screen.gpu, model, tier);
+      const renderer = new LoneCandleRenderer(screen.gpu, model, tier, smokePass);
       screen.own(renderer);
       return renderer;
     },

@@ -2,6 +2,7 @@ import { closeModel } from "../assets/model.js";
 import { OwnModelRenderer } from "../render/lone-candle/own-model-renderer.js";
 import { clampInside, type Vec3 } from "../world/geometry.js";
 import type { Wick } from "../world/standing-candle.js";
+import type { PageSmoke } from "./page-smoke.js";
 import { addressOf } from "./room-models.js";
 import type { Loading, Scene, SceneRequest } from "./scene.js";
 
@@ -12,6 +13,7 @@ const BESIDE = 0.1;
 export async function loadOwnCandle(
   { src, assetRoot }: SceneRequest,
   { signal, onProgress }: Loading,
+  { createPlume, smokePass }: PageSmoke,
 ): Promise<Scene | null> {
   const { loadModel } = await import("../assets/load-model.js");
   const decoderBase = new URL("decoders/", assetRoot).href;
@@ -42,12 +44,12 @@ export async function loadOwnCandle(
     room: null,
     first,
     wicks: others,
-    createPlume: null,
+    createPlume,
     moonDirection: null,
     isModelAlone: true,
     prepareRenderer: () => true,
     createRenderer: (screen, tier) => {
-      const renderer = new OwnModelRenderer(screen.gpu, model, wicks, tier);
+      const renderer = new OwnModelRenderer(screen.gpu, model, wicks, tier, smokePass);
       screen.own(renderer);
       return renderer;
     },

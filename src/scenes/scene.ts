@@ -8,6 +8,7 @@ import type { MoonWish } from "../world/moon.js";
 import type { Room } from "../world/room/room.js";
 import type { Wick } from "../world/standing-candle.js";
 import type { CanvasTarget } from "./canvas-target.js";
+import { PAGE_SMOKE } from "./page-smoke.js";
 
 /** Scene: the models of a room or of a lone candle, fetched and decoded. */
 export interface Scene {
@@ -64,11 +65,11 @@ export async function loadScene(request: SceneRequest, loading: Loading): Promis
   if (request.scene === "candle") {
     if (request.src !== "") {
       const { loadOwnCandle } = await import("./own-candle-scene.js").catch(missCode);
-      const own = await loadOwnCandle(request, loading);
+      const own = await loadOwnCandle(request, loading, PAGE_SMOKE);
       if (own) return own;
     }
     const { loadLoneCandle } = await import("./candle-scene.js").catch(missCode);
-    return loadLoneCandle(request, loading);
+    return loadLoneCandle(request, loading, PAGE_SMOKE);
   }
   const { loadRoom } = await import("./room-scene.js").catch(missCode);
   return loadRoom(request, loading);

@@ -42,7 +42,7 @@ export function advance(world: World, intent: Intent, seconds: number): void {
 export function warmUp(world: World, wind: Wind): void {
   poseCandle(world, 0);
   for (let i = 0; i < HISTORY; i++) {
-    if (i === HISTORY - WARMING) {
+    if (i === HISTORY - WARMING && !world.setup.isAlone) {
       world.plume = world.createPlume?.(world.seed, world.emitter, false) ?? null;
     }
     tick(world, STILL);
@@ -82,7 +82,7 @@ function tick(world: World, intent: Intent): void {
     if (view) world.adaptation.advance(view, ADAPTATION_TICKS * TICK);
   }
   if (timeline.tick % PLUME_TICKS === 0) {
-    world.plume?.step(flame, emitter, world.sways ? air : null);
+    if (!world.setup.isAlone) world.plume?.step(flame, emitter, world.sways ? air : null);
     advanceSmoke(world);
   }
   record(world, isPhysical);

@@ -73,7 +73,7 @@ export function createWorld(look: Look, seed: number, options: WorldOptions = {}
     air: new Air(seed, { ...wind, speed: Math.min(wind.speed, LIGHTABLE) }),
     flame: new Flame(wick, isLit),
     plume: null,
-    createPlume: look === "physical" ? (options.createPlume ?? null) : null,
+    createPlume: look === "physical" || setup.isAlone ? (options.createPlume ?? null) : null,
     adaptation: new ExposureAdaptation(),
     adaptationView: hasRealLight
       ? {

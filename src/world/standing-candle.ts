@@ -60,25 +60,27 @@ export function advanceStanding({ standing, air, sways }: World): void {
   }
 }
 
-/** Advances the smoke of candles that went out by one `PLUME_STEP`. */
-export function advanceSmoke({ standing, air, sways, seed, createPlume }: World): void {
+/** Advances the smoke of candles that went out by one `PLUME_STEP`; on a page, of the first one as well. */
+export function advanceSmoke(world: World): void {
+  const { standing, air, sways, seed, createPlume, setup, emitter } = world;
   if (!createPlume) return;
   let plumes = 0;
-  for (let i = 0; i < standing.length; i++) {
-    const candle = standing[i]!;
-    const { flame, root, plume } = candle;
+  const first = setup.isAlone ? 0 : 1;
+  for (let i = first; i <= standing.length; i++) {
+    const candle = i === 0 ? world : standing[i - 1]!;
+    const { flame, plume } = candle;
+    const root = i === 0 ? emitter : standing[i - 1]!.root;
     const smokes = !flame.isLit && flame.measure().smoking > 0;
-    if (plume) {
-      plume.step(flame, root, sways ? air : null);
-      if (!smokes && plume.smoke.count === 0) candle.plume = null;
-      else plumes++;
-    }
+    if (!plume) continue;
+    plume.step(flame, root, sways ? air : null);
+    if (!smokes && plume.smoke.count === 0) candle.plume = null;
+    else plumes++;
   }
-  for (let i = 0; i < standing.length && plumes < MOST_PLUMES; i++) {
-    const candle = standing[i]!;
-    const { flame, root } = candle;
+  for (let i = first; i <= standing.length && plumes < MOST_PLUMES; i++) {
+    const candle = i === 0 ? world : standing[i - 1]!;
+    const { flame } = candle;
     if (candle.plume || flame.isLit || flame.measure().smoking === 0) continue;
-    candle.plume = createPlume(seedOf(seed, i + 1), root, true);
+    candle.plume = createPlume(seedOf(seed, i), i === 0 ? emitter : standing[i - 1]!.root, true);
     plumes++;
   }
 }

@@ -37,9 +37,9 @@ export interface World {
   readonly air: Air;
   readonly flame: Flame;
   readonly sparks: SparkSchedule;
-  /** Hot air and smoke; null where `createPlume` is. */
+  /** Hot air and smoke; null where `createPlume` is, and on a page unless there is smoke. */
   plume: Plume | null;
-  /** Null where neither is drawn: the paper's flame heats nothing, and a candle alone shows nothing of it. */
+  /** Null where neither is drawn: the paper's flame heats nothing. */
   readonly createPlume: CreatePlume | null;
   /** At rest in the paper's looks. */
   readonly adaptation: ExposureAdaptation;

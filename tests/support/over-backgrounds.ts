@@ -1,3 +1,4 @@
+import { mat4 } from "gl-matrix";
 import dustVert from "../../shaders/volumetric/dust.vert";
 import moteFrag from "../../shaders/volumetric/mote.frag";
 import { type Box, type Draw, Gpu } from "../../src/gl/gpu.ts";
@@ -135,7 +136,7 @@ export function mixtures(seed: number, seconds: number) {
   const passes = {
     flame: new FlamePass(gpu),
     motes: new MotesPass(gpu),
-    smoke: new SmokePass(gpu),
+    smoke: new SmokePass(gpu, false),
   };
   const color = gpu.texture({
     label: "background",
@@ -151,11 +152,12 @@ export function mixtures(seed: number, seconds: number) {
 
   const world = createWorld("physical", seed, { createPlume });
   passes.motes.setLayers(world, world.setup.layers);
+  const clip = mat4.create();
   const look = () => {
     const [x, y, z] = world.interpolated.flame;
     const eye: Vec3 = [x + EYE[0], y + EYE[1], z + EYE[2]];
     frame.update({
-      clipFromWorld: clipFromWorld(eye, 0, 0, WIDTH / HEIGHT, FIELD),
+      clipFromWorld: mat4.copy(clip, clipFromWorld(eye, 0, 0, WIDTH / HEIGHT, FIELD)),
       eyePosition: eye,
       exposure: 1,
       viewport: [WIDTH, HEIGHT],
@@ -189,9 +191,13 @@ export function mixtures(seed: number, seconds: number) {
   world.flame.extinguish();
   advance(world, STILL, 1);
   look();
-  const { plume } = world;
-  if (!plume) throw new Error("The candle has no smoke.");
-  const smoke = repeated(0.03, () => passes.smoke.render(veil, plume.smoke, frame, light, volume));
+  const smoke = repeated(0.03, () =>
+    passes.smoke.render(world, clip, {
+      target,
+      textures: { uDepth: depth, ...volume.textures },
+      blocks: { Frame: frame, Light: light, Volume: volume.block },
+    }),
+  );
   gpu.dispose();
   return { flame, dust, spark, smoke };
 }

@@ -299,6 +299,45 @@ test("A lazy element fetches and asks for nothing until the visitor is near", as
   expect(complaints).toEqual([]);
 });
 
+test("Blown out, it smokes over the page, by code that is fetched for it only then", async ({
+  page,
+}) => {
+  const { complaints, fetched } = await open(
+    page,
+    `<candle-flame scene="candle" paused quality="low" style="width: 120px; height: 120px"></candle-flame>`,
+  );
+  const candle = page.locator("candle-flame");
+  await candle.evaluate((element: CandleFlameElement) => element.ready);
+  const isSmoke = (path: string) => path.includes("page-smoke-code");
+  expect(fetched.filter(isSmoke)).toEqual([]);
+  /** Opacity over the wick, where a flame would end, and at the upper edge. */
+  const opacities = () =>
+    candle.evaluate(async (element: CandleFlameElement) => {
+      const image = await createImageBitmap(await element.toBlob());
+      const copy = new OffscreenCanvas(image.width, image.height).getContext("2d");
+      if (!copy) throw new Error("There is no 2D context.");
+      copy.drawImage(image, 0, 0);
+      const most = (share: number, rows: number) => {
+        const { data } = copy.getImageData(0, Math.round(share * image.height), image.width, rows);
+        return Math.max(...data.filter((_, i) => i % 4 === 3));
+      };
+      return [most(0.12, 6), most(0, 1)];
+    });
+  await candle.evaluate((element: CandleFlameElement) => {
+    element.extinguish();
+    element.step(0.1);
+  });
+  await expect.poll(() => fetched.some(isSmoke)).toBe(true);
+  await expect
+    .poll(async () => {
+      await candle.evaluate((element: CandleFlameElement) => element.step(0.2));
+      return (await opacities())[0];
+    })
+    .toBeGreaterThan(20);
+  expect((await opacities())[1]).toBeLessThan(4);
+  expect(complaints).toEqual([]);
+});
+
 test("It works under a policy that allows nothing from elsewhere and no code from text", async ({
   page,
 }) => {

@@ -21,6 +21,7 @@ import { type Mesh, surfaceSampling, uploadModel } from "../mesh/mesh.js";
 import type { Tier } from "../quality.js";
 import type { Renderer } from "../renderer.js";
 import { FlamePass, standingWick } from "../volumetric/flame-pass.js";
+import type { SmokePass } from "../volumetric/smoke-pass.js";
 import { FlameLights } from "./flame-lights.js";
 import { FlameShadows } from "./flame-shadows.js";
 import { LightMeter, MOST_EXPOSURE } from "./light-meter.js";
@@ -82,6 +83,7 @@ export class OwnModelRenderer implements Renderer {
   readonly #surfaceProgram: Program;
   readonly #displayProgram: Program;
   readonly #resources: Resources;
+  readonly #smokePass: (gpu: Gpu) => SmokePass | null;
   readonly #release: () => void;
   readonly #surfaces: readonly Surface[];
   readonly #casters: readonly Mesh[];
@@ -93,7 +95,15 @@ export class OwnModelRenderer implements Renderer {
   #radiance: RenderTarget | null = null;
   #size = { width: 1, height: 1 };
 
-  constructor(gpu: Gpu, model: Model, wicks: readonly Wick[], tier: Tier) {
+  /** @param smokePass null until its code is there */
+  constructor(
+    gpu: Gpu,
+    model: Model,
+    wicks: readonly Wick[],
+    tier: Tier,
+    smokePass: (gpu: Gpu) => SmokePass | null,
+  ) {
+    this.#smokePass = smokePass;
     this.#gpu = gpu;
     this.#tier = tier;
     this.#bounds = boundsWithFlames(model.bounds, wicks);
@@ -166,6 +176,14 @@ export class OwnModelRenderer implements Renderer {
     if (features.candle) this.#drawSurfaces(target, scene, false);
     for (const one of rooted) {
       flame.render(target, frame, standingWick(one), this.#tier.physical.flameSteps);
+    }
+    if (features.smoke) {
+      const uniforms = { uEnvironment: TAPER.color.map((channel) => channel * studio) };
+      this.#smokePass(this.#gpu)?.render(world, clip, {
+        target,
+        uniforms,
+        blocks: { Frame: frame },
+      });
     }
     if (features.candle) this.#drawSurfaces(target, scene, true);
     if (this.#samples) this.#gpu.resolve(this.#samples, this.#radiance);

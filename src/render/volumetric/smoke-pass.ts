@@ -1,30 +1,42 @@
+import type { mat4 } from "gl-matrix";
 import smokeFrag from "../../../shaders/volumetric/smoke.frag";
 import smokeVert from "../../../shaders/volumetric/smoke.vert";
+import type { Draw } from "../../gl/draw-commands.js";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
+import { carriedFlame } from "../../light/flame-light.js";
 import { LINES, ROWS, SMOKE_FLOATS, type Smoke } from "../../world/particles/smoke.js";
-import type { IrradianceVolume } from "../gi/indirect-pass.js";
+import type { World } from "../../world/world.js";
+import { FlameLights, MOST_FLAMES } from "../lone-candle/flame-lights.js";
 import type { Sphere } from "../screen-bounds.js";
-import type { VolumetricTarget } from "./volumetric-target.js";
 
 /** Half width of a ribbon, in standard deviations: `REACH` of the shader. */
 const REACH = 2.4;
 
-/** Smoke of the wick: streaklines of droplets that scatter the room's light. */
+/** Light of the place that smoke scatters, beside that of standing flames, and what it is drawn with. */
+type SmokeDraw = Pick<Draw, "target" | "textures" | "uniforms" | "blocks">;
+
+/** Smoke of the wicks: streaklines of droplets that scatter the light around. */
 export class SmokePass {
   readonly #gpu: Gpu;
+  readonly #isAlone: boolean;
   readonly #program: Program;
+  readonly #flames: UniformBlock;
+  readonly #lights = new FlameLights();
   readonly #parcels: Texture;
   readonly #ribbons: VertexArray;
 
-  constructor(gpu: Gpu) {
+  /** @param isAlone over a page, in place of a room */
+  constructor(gpu: Gpu, isAlone: boolean) {
     this.#gpu = gpu;
+    this.#isAlone = isAlone;
     this.#program = gpu.program("volumetric/smoke", smokeVert, smokeFrag, {
-      defines: { LINES, ROWS },
+      defines: { LINES, ROWS, ...(isAlone ? { ALONE: 1 } : {}) },
     });
+    this.#flames = gpu.uniformBlock(this.#program, "Flames");
     this.#parcels = gpu.texture({
       label: "smoke/parcels",
       format: "RGBA32F",
@@ -39,35 +51,44 @@ export class SmokePass {
     });
   }
 
-  /** Blends the smoke over the target. */
-  render(
-    { target, depth }: VolumetricTarget,
-    smoke: Smoke,
-    frame: UniformBlock,
-    light: UniformBlock,
-    volume: IrradianceVolume,
-  ): void {
-    if (smoke.count < 2) return;
-    this.#parcels.update(smoke.parcels);
-    this.#gpu.draw({
-      program: this.#program,
-      target,
-      vertexArray: this.#ribbons,
-      count: (smoke.count - 1) * LINES * 6,
-      textures: { uParcels: this.#parcels, uDepth: depth, ...volume.textures },
-      uniforms: {
-        uNewest: smoke.newest,
-        uCount: smoke.count,
-      },
-      blocks: { Frame: frame, Light: light, Volume: volume.block },
-      blend: "premultiplied",
-      cull: "none",
-    });
+  /** Blends the smoke of all candles over the target. */
+  render(world: World, clip: mat4, draw: SmokeDraw): void {
+    const smokes = [...visibleSmokes(world)];
+    if (smokes.length === 0) return;
+    const flames = [...(this.#isAlone ? [carriedFlame(world)] : []), ...world.standing];
+    const burning = flames.filter(({ flame }) => flame.glow > 0).slice(0, MOST_FLAMES);
+    this.#flames.update(this.#lights.members(burning, clip, false, 0));
+    for (const smoke of smokes) {
+      this.#parcels.update(smoke.parcels);
+      this.#gpu.draw({
+        ...draw,
+        program: this.#program,
+        vertexArray: this.#ribbons,
+        count: (smoke.count - 1) * LINES * 6,
+        textures: { uParcels: this.#parcels, ...draw.textures },
+        uniforms: { uNewest: smoke.newest, uCount: smoke.count, ...draw.uniforms },
+        blocks: { Flames: this.#flames, ...draw.blocks },
+        blend: "premultiplied",
+        depth: this.#isAlone ? "test" : "none",
+        cull: "none",
+      });
+    }
   }
 }
 
-/** Bounding spheres of the smoke, one for each row of parcels. */
-export function* boundingSpheres({ parcels, newest, count }: Smoke): Generator<Sphere> {
+function* visibleSmokes({ plume, standing }: World): Generator<Smoke> {
+  for (const { plume: own } of [{ plume }, ...standing]) {
+    if (own && own.smoke.count >= 2) yield own.smoke;
+  }
+}
+
+/** Bounding spheres of the smoke of all candles. */
+export function* boundingSpheres(world: World): Generator<Sphere> {
+  for (const smoke of visibleSmokes(world)) yield* spheresOf(smoke);
+}
+
+/** One for each row of parcels. */
+function* spheresOf({ parcels, newest, count }: Smoke): Generator<Sphere> {
   for (let age = 0; age < count; age++) {
     const first = ((newest - age + ROWS) % ROWS) * LINES * SMOKE_FLOATS;
     const end = first + LINES * SMOKE_FLOATS;

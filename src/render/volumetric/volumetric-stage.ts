@@ -67,7 +67,7 @@ export class VolumetricStage {
     this.#ember = gpu.program("volumetric/ember", meshVert, emberFrag);
     this.#flame = new FlamePass(gpu);
     this.#haze = new HazePass(gpu, format);
-    this.#smoke = new SmokePass(gpu);
+    this.#smoke = new SmokePass(gpu, false);
     this.#motes = quality.hasParticles ? new MotesPass(gpu) : null;
   }
 
@@ -124,10 +124,11 @@ export class VolumetricStage {
       this.#motes?.render("dust", composited, world, Frame, Light, irradiance);
     }
     if (features.smoke) {
-      this.#smoke.render(composited, plume.smoke, Frame, Light, irradiance);
-      for (const { plume: own } of world.standing) {
-        if (own) this.#smoke.render(composited, own.smoke, Frame, Light, irradiance);
-      }
+      this.#smoke.render(world, clipFromWorld, {
+        target,
+        textures: { uDepth: composited.depth, ...irradiance.textures },
+        blocks: { Frame, Light, Volume: irradiance.block },
+      });
     }
     if (features.sparks && !isStill) {
       this.#motes?.render("spark", composited, world, Frame, Light, irradiance);
@@ -197,12 +198,9 @@ export class VolumetricStage {
     yield* this.#flameSpheres(carriedFlame(frame.world));
     for (const candle of standing) {
       if (candle.flame.glow > 0) yield* this.#flameSpheres(candle);
-      const own = frame.settings.features.smoke ? candle.plume : null;
-      if (own && own.smoke.count >= 2) yield* boundingSpheres(own.smoke);
     }
     if (!plume) return;
-    const { smoke } = frame.settings.features;
-    if (smoke && plume.smoke.count >= 2) yield* boundingSpheres(plume.smoke);
+    if (frame.settings.features.smoke) yield* boundingSpheres(frame.world);
     if (!this.#showsHaze(frame, kind)) return;
     for (const hotAir of this.#hotAir(frame.world)) yield* this.#haze.boundingSpheres(hotAir);
   }

@@ -81,8 +81,8 @@ export class Plume {
   }
 }
 
-/** Makes the plume of a flame at a foot, metres; for standing candles on a coarse grid. */
-export type CreatePlume = (seed: number, foot: Readonly<Vec3>, isCoarse: boolean) => Plume;
+/** Makes the plume of a flame at a foot, metres; for standing candles on a coarse grid. Null: not yet. */
+export type CreatePlume = (seed: number, foot: Readonly<Vec3>, isCoarse: boolean) => Plume | null;
 
-export const createPlume: CreatePlume = (seed, foot, isCoarse) =>
+export const createPlume = (seed: number, foot: Readonly<Vec3>, isCoarse: boolean): Plume =>
   new Plume(seed, foot, isCoarse ? coarsePlumeGrid() : undefined);
