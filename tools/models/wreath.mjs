@@ -20,7 +20,8 @@ const MATERIALS = {
   bark: { color: [0.09, 0.055, 0.03], roughness: 0.9 },
   berry: { color: [0.42, 0.022, 0.018], roughness: 0.25 },
   brass: { color: [0.83, 0.6, 0.24], roughness: 0.28, metallic: 1 },
-  label: { color: [0.74, 0.68, 0.55], roughness: 0.8 },
+  label: { color: [0.36, 0.25, 0.15], roughness: 0.8 },
+  print: { color: [0.06, 0.045, 0.035], roughness: 0.7 },
   wick: { color: [0.012, 0.011, 0.01], roughness: 0.9 },
   glass: { color: [1, 1, 1], roughness: 0.02, transmission: 1 },
 };

@@ -123,6 +123,17 @@ def build_wreath():
 INNER, OUTER, RIM, BASE, LEVEL = 0.0345, 0.0375, 0.088, 0.007, 0.05
 
 
+def front_of(low, high, thickness, cosine, material):
+    """Paper around the front of the jar, between two heights, to an angle with this cosine."""
+    inner, outer = OUTER + 0.00005, OUTER + thickness
+    ring = lathe([(inner, low), (outer, low), (outer, high), (inner, high)], 48, material)
+    front = Mesh().include(ring)
+    front.faces = [
+        face for face in ring.faces if min(front.points[corner].x for corner in face.corners) > OUTER * cosine
+    ]
+    return front
+
+
 def build_jar():
     glass = [(0, 0.0012), (OUTER - 0.006, 0.0012), (OUTER - 0.004, 0), (OUTER - 0.001, 0.001)]
     glass += [(OUTER, 0.004), (OUTER, RIM - 0.0015)]
@@ -140,25 +151,17 @@ def build_jar():
         return radius * (1 + 0.05 * wander(3 * angle / pi, "pool"))
 
     melted = LEVEL - 0.0009
-    label = lathe(
-        [(OUTER + 0.00005, 0.022), (OUTER + 0.00025, 0.022), (OUTER + 0.00025, 0.06), (OUTER + 0.00005, 0.06)],
-        48,
-        "label",
-    )
-    # A third of the way round.
-    front = Mesh().include(label)
-    front.faces = [
-        face
-        for face in label.faces
-        if min(front.points[corner].x for corner in face.corners) > OUTER * 0.45
-    ]
+    label = front_of(0.013, 0.033, 0.00025, 0.78, "label")
+    # A printed line near each of its long edges.
+    for low in (0.0148, 0.0306):
+        label.include(front_of(low, low + 0.0006, 0.0003, 0.85, "print"))
     parts = {
         "glass": lathe(glass, 64, "glass"),
         "candle": lathe(fill, 48, "wax", radius_at=uneven)
         .include(pool(0.0215, melted, 32))
         .include(wick(melted)),
         # Towards the page.
-        "label": front.placed(turned(-pi / 2)),
+        "label": label.placed(turned(-pi / 2)),
     }
     return parts, {"wick": Vector((0, melted, 0)) + WICK_TOP}
 
