@@ -1,5 +1,7 @@
 import type { Gpu } from "../gl/gpu.js";
 import type { VertexArray } from "../gl/vertex-array.js";
+import { flameLight, TAPER } from "../light/flame-light.js";
+import { length3 } from "../world/geometry.js";
 import type { StandingCandle } from "../world/standing-candle.js";
 import type { World } from "../world/world.js";
 import type { IndirectScene } from "./gi/indirect-pass.js";
@@ -52,9 +54,16 @@ export class KeptLights {
       if (light) lights.push(light);
     }
     const slots = Math.min(standing.length, this.#mostCandles);
-    const burning = standing.filter(({ flame }) => flame.glow > 0).slice(0, slots);
-    for (const candle of burning) {
-      lights.push(this.#capturesOf(candle, burning, slots).light(candle, casters));
+    const groups = groupedAroundFirst(
+      standing.filter(({ flame }) => flame.glow > 0),
+      slots,
+    );
+    const burning = groups.map(([first]) => first);
+    for (const [first, ...others] of groups) {
+      const light = this.#capturesOf(first, burning, slots).light(first, casters);
+      const all = [light.intensity, ...others.map((one) => flameLight(one, TAPER).intensity)];
+      const sum = (channel: 0 | 1 | 2) => all.reduce((sum, one) => sum + one[channel], 0);
+      lights.push({ ...light, intensity: [sum(0), sum(1), sum(2)] });
     }
     return lights;
   }
@@ -74,4 +83,19 @@ export class KeptLights {
     if (!free) throw new Error("No more candles light the room than there are captures.");
     return free;
   }
+}
+
+/** One of the candles that have captures, then those beyond them whose light comes from its place. */
+type Group = [first: StandingCandle, ...others: StandingCandle[]];
+
+/** Puts each candle beyond the first `most` to the nearest of these. */
+export function groupedAroundFirst(candles: readonly StandingCandle[], most: number): Group[] {
+  const groups = candles.slice(0, most).map((candle): Group => [candle]);
+  for (const candle of candles.slice(most)) {
+    const distanceTo = ([{ root }]: Group) =>
+      length3(root[0] - candle.root[0], root[1] - candle.root[1], root[2] - candle.root[2]);
+    const [nearest] = groups.toSorted((one, other) => distanceTo(one) - distanceTo(other));
+    nearest?.push(candle);
+  }
+  return groups;
 }
