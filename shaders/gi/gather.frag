@@ -24,18 +24,30 @@ void main() {
   normal = turnedBack(normal, turnOf(tile));
 #endif
   vec3 sum = vec3(0.0);
+  ivec2 corner = tile * ivec2(COLUMNS, ROWS);
+#if SURFELS
   for (int row = 0; row < ROWS; row++) {
     for (int column = 0; column < COLUMNS; column++) {
-      ivec2 sampleAt = tile * ivec2(COLUMNS, ROWS) + ivec2(column, row);
-#if SURFELS
-      vec3 direction = texelFetch(uDirection, sampleAt, 0).xyz;
-#else
-      vec3 direction = normalize(octahedralDecode((vec2(column, row) + 0.5) / vec2(COLUMNS, ROWS)));
-#endif
-      float cosine = dot(normal, direction);
+      ivec2 sampleAt = corner + ivec2(column, row);
+      float cosine = dot(normal, texelFetch(uDirection, sampleAt, 0).xyz);
       if (cosine > 0.0) sum += texelFetch(uRadiance, sampleAt, 0).rgb * cosine;
     }
   }
+#else
+  // Four directions at once, which the map's symmetry mirrors in x and z.
+  ivec2 last = ivec2(COLUMNS, ROWS) - 1;
+  for (int row = 0; row < ROWS / 2; row++) {
+    for (int column = 0; column < COLUMNS / 2; column++) {
+      ivec2 low = ivec2(column, row);
+      ivec2 high = last - low;
+      vec3 parts = normal * normalize(octahedralDecode((vec2(high) + 0.5) / vec2(COLUMNS, ROWS)));
+      sum += texelFetch(uRadiance, corner + high, 0).rgb * max(parts.y + parts.x + parts.z, 0.0);
+      sum += texelFetch(uRadiance, corner + ivec2(low.x, high.y), 0).rgb * max(parts.y - parts.x + parts.z, 0.0);
+      sum += texelFetch(uRadiance, corner + ivec2(high.x, low.y), 0).rgb * max(parts.y + parts.x - parts.z, 0.0);
+      sum += texelFetch(uRadiance, corner + low, 0).rgb * max(parts.y - parts.x - parts.z, 0.0);
+    }
+  }
+#endif
 #if !SURFELS
   sum += texelFetch(uIrradianceBefore, texel, 0).rgb;
 #endif

@@ -1,6 +1,6 @@
 #version 300 es
 // Radiosity of each surfel in the flame's direct light; MOON: in the moon's, and of the panes in the sky's.
-// Out: lm/m².
+// Out: lm/m²; gloss.
 #include "lib/precision.glsl"
 #include "lib/photometry.glsl"
 #ifdef MOON
@@ -24,12 +24,13 @@ void main() {
   // A surfel receives all light in its solid angle, whatever its normal.
 #ifdef MOON
   if (isPaneSurfel(texel, textureSize(uSurfelNormalDistance, 0).y)) {
-    oRadiosity = vec4(vec3(PI * moon.sky), 1.0);
+    oRadiosity = vec4(vec3(PI * moon.sky), 0.0);
     return;
   }
   vec3 irradiance = vec3(surfel.solidAngle / surfel.area);
 #else
   vec3 irradiance = light.intensity * (surfel.solidAngle / surfel.area * candleVisibility(surfel.position));
 #endif
-  oRadiosity = vec4(texelFetch(uSurfelReflectance, texel, 0).rgb * irradiance, 1.0);
+  vec4 reflectance = texelFetch(uSurfelReflectance, texel, 0);
+  oRadiosity = vec4(reflectance.rgb * irradiance, reflectance.a);
 }

@@ -11,6 +11,7 @@
 #endif
 #include "lib/probe-rays.glsl"
 #include "lib/surfels.glsl"
+#include "lib/glossy-lobe.glsl"
 #ifndef MOON
 #include "lib/shadow-cube.glsl"
 #endif
@@ -18,7 +19,6 @@
 // A surface this far behind the nearest one in its direction is lit: m, and texels of the shadow cube.
 const float BIAS = 0.02;
 const float BIAS_TEXELS = 1.0;
-const float MOST_BIAS = 0.1;  // m: less than a wall
 
 uniform sampler2D uProbePositions;  // m
 uniform sampler2D uRayReflectance;
@@ -48,7 +48,9 @@ vec3 radianceAlong(ProbeRay ray, vec3 position) {
   float columns = moon.surfelColumns;
   float area = isPane ? moon.paneArea / columns * float(GROUP) : float(GROUP * GROUP) * moon.surfelArea / limitedCosine(NoL);
   float fromProbe = max(dot(ray.normal, -ray.direction), 0.0) * area / (ray.reach * ray.reach);
-  vec3 radiance = isPane ? vec3(moon.sky) : texelFetch(uRayReflectance, ray.texel, 0).rgb * (NoL / PI);
+  vec4 reflectance = texelFetch(uRayReflectance, ray.texel, 0);
+  vec3 reflected = reflectance.rgb * (NoL * glossyLobe(reflectance.a, ray.normal, -moon.direction, -ray.direction));
+  vec3 radiance = isPane ? vec3(moon.sky) : reflected;
   return radiance * rayWeight(fromProbe, ray.solidAngle);
 }
 #else
@@ -56,7 +58,7 @@ bool isLit(vec3 position, float NoL) {
   vec3 fromOrigin = position - uShadowOrigin;
   float reach = length(fromOrigin);
   float texel = 2.0 * SHADOW_REACH * reach / shadowTileSize(uShadow);
-  return reach <= reach * casterDistance(fromOrigin) + min(BIAS + BIAS_TEXELS * texel / limitedCosine(NoL), MOST_BIAS);
+  return reach <= reach * casterDistance(fromOrigin) + BIAS + BIAS_TEXELS * texel / limitedCosine(NoL);
 }
 
 // Radiance that a probe receives along a ray, by the weight of the ray.
@@ -70,7 +72,8 @@ vec3 radianceAlong(ProbeRay ray, vec3 position) {
   float area = float(GROUP * GROUP) * surfelSolidAngle(lightDirection) * distanceSquared / limitedCosine(NoL);
   float fromProbe = max(dot(ray.normal, -ray.direction), 0.0) * area / (ray.reach * ray.reach);
   vec3 irradiance = light.intensity * (NoL / distanceSquared * candleVisibility(position));
-  vec3 radiance = texelFetch(uRayReflectance, ray.texel, 0).rgb * irradiance / PI;
+  vec4 reflectance = texelFetch(uRayReflectance, ray.texel, 0);
+  vec3 radiance = reflectance.rgb * irradiance * glossyLobe(reflectance.a, ray.normal, -lightDirection, -ray.direction);
   return radiance * rayWeight(fromProbe, ray.solidAngle);
 }
 #endif

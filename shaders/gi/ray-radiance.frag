@@ -8,26 +8,21 @@
 #include "lib/irradiance-volume.glsl"
 
 uniform sampler2D uRayReflectance;
-uniform sampler2D uRayNearWeights;  // of the probes around a hit: gi/ray-weights.frag
-uniform sampler2D uRayFarWeights;
+uniform sampler2D uRayProbes;  // two at each hit: gi/ray-probes.frag
 
 out vec4 oRadiance;
 
 void main() {
   vec3 sum = vec3(0.0);
-  for (int n = 0; n < 4; n++) {
-    ProbeRay ray = probeRayAt(2 * ivec2(gl_FragCoord.xy) + ivec2(n & 1, n >> 1));
+  for (int i = 0; i < 4; i++) {
+    ProbeRay ray = probeRayAt(2 * ivec2(gl_FragCoord.xy) + ivec2(i & 1, i >> 1));
     if (ray.reach <= 0.0) continue;
-    VolumeCell cell = volumeCellAt(hitPosition(ray, texelFetch(uProbePositions, ray.tile, 0).xyz));
-    vec2 uv = octahedralEncode(ray.normal);
-    vec4 nearWeights = texelFetch(uRayNearWeights, ray.texel, 0);
-    vec4 farWeights = texelFetch(uRayFarWeights, ray.texel, 0);
-    vec3 irradiance = vec3(0.0);
-    for (int i = 0; i < 8; i++) {
-      float weight = i < 4 ? nearWeights[i] : farWeights[i - 4];
-      if (weight > 0.0) irradiance += weight * probeIrradiance(tileAt(cell.low + volumeCorner(i)), uv);
-    }
-    sum += texelFetch(uRayReflectance, ray.texel, 0).rgb * irradiance * (ray.solidAngle / PI);
+    vec4 reflectance = texelFetch(uRayReflectance, ray.texel, 0);
+    // A metal mirrors the light of one side.
+    vec2 uv = octahedralEncode(mix(ray.normal, reflect(ray.direction, ray.normal), reflectance.a));
+    ivec4 tiles = ivec4(texelFetch(uRayProbes, ray.texel, 0) * 255.0 + 0.5);
+    vec3 irradiance = 0.5 * (probeIrradiance(tiles.xy, uv) + probeIrradiance(tiles.zw, uv));
+    sum += reflectance.rgb * irradiance * (ray.solidAngle / PI);
   }
   oRadiance = vec4(sum, 1.0);
 }

@@ -1,6 +1,6 @@
 #version 300 es
 // Reflectance at the hits of the probes' rays, at the mip level of a ray's footprint, less the self-occlusion of the
-// normal map.
+// normal map; and gloss.
 #include "lib/precision.glsl"
 #include "lib/photometry.glsl"
 #include "lib/normal-map.glsl"
@@ -23,5 +23,5 @@ void main() {
   vec3 baseColor = textureLod(uAlbedo, vUv, level).rgb * uBaseColor.rgb;
   baseColor *= meanSkyVisibility(uNormal, vUv, uSurface.z);
   vec2 roughnessMetallic = textureLod(uOcclusionRoughness, vUv, level).gb * uSurface.xy;
-  oReflectance = vec4(hemisphericalReflectance(baseColor, roughnessMetallic.x, roughnessMetallic.y), 1.0);
+  oReflectance = vec4(hemisphericalReflectance(baseColor, roughnessMetallic.x, roughnessMetallic.y), glossOf(roughnessMetallic.x, roughnessMetallic.y));
 }

@@ -12,9 +12,10 @@
 #endif
 #include "lib/probe-rays.glsl"
 #include "lib/surfels.glsl"
+#include "lib/glossy-lobe.glsl"
 
 uniform sampler2D uProbePositions;  // m
-uniform sampler2D uRadiosity;       // of the surfels, lm/m²
+uniform sampler2D uRadiosity;       // of the surfels, lm/m²; gloss
 
 layout(location = 0) out vec4 oRadiance;
 layout(location = 1) out vec4 oDirection;
@@ -85,6 +86,12 @@ void main() {
   vec3 unturned = turnedBack(direction, turnOf(tile));
   solidAngle *= 1.0 - rayWeight(solidAngle, raySolidAngle(unturned / dot(abs(unturned), vec3(1.0))));
   float visibility = surfelVisibility(tile, direction, reach);
+#ifdef MOON
+  vec3 toLight = -moon.direction;
+#else
+  vec3 toLight = normalize(light.captureOrigin - surfel.position);
+#endif
+  vec4 radiosity = texelFetch(uRadiosity, texel, 0);
   oDirection.xyz = direction;
-  oRadiance.rgb = texelFetch(uRadiosity, texel, 0).rgb * (solidAngle * visibility / PI);
+  oRadiance.rgb = radiosity.rgb * (solidAngle * visibility * glossyLobe(radiosity.a, surfel.normal, toLight, -direction));
 }

@@ -1,6 +1,6 @@
 #version 300 es
 // Captures surfels: the surfaces that the flame lights; PARALLEL: that parallel light meets.
-// Out: reflectance, less the self-occlusion of the normal map; normal and distance from the capture origin (m, 0 where
+// Out: reflectance, less the self-occlusion of the normal map, and gloss; normal and distance from the capture origin (m, 0 where
 // there is no surface).
 #include "lib/precision.glsl"
 #include "lib/caster-albedo.glsl"
@@ -19,20 +19,20 @@ layout(location = 0) out vec4 oReflectance;
 layout(location = 1) out vec4 oNormalDistance;
 
 // Reflectance at a level of detail, filtered as a texture that repeats.
-vec3 reflectanceAtLevel(vec2 uv, int level) {
+vec4 reflectanceAtLevel(vec2 uv, int level) {
   int size = casterLevelSize(level);
   ivec2 tile = casterTile(int(vSurface)) + ivec2(0, casterLevelRow(level));
   vec2 place = fract(uv) * float(size) - 0.5;
   vec2 share = fract(place);
   ivec2 low = (ivec2(floor(place)) + size) % size;
   ivec2 high = (low + 1) % size;
-  vec3 left = mix(texelFetch(uCasterAlbedo, tile + low, 0), texelFetch(uCasterAlbedo, tile + ivec2(low.x, high.y), 0), share.y).rgb;
-  vec3 right = mix(texelFetch(uCasterAlbedo, tile + ivec2(high.x, low.y), 0), texelFetch(uCasterAlbedo, tile + high, 0), share.y).rgb;
+  vec4 left = mix(texelFetch(uCasterAlbedo, tile + low, 0), texelFetch(uCasterAlbedo, tile + ivec2(low.x, high.y), 0), share.y);
+  vec4 right = mix(texelFetch(uCasterAlbedo, tile + ivec2(high.x, low.y), 0), texelFetch(uCasterAlbedo, tile + high, 0), share.y);
   return mix(left, right, share.x);
 }
 
 // Mean of the reflectance over a pixel.
-vec3 reflectanceAt(vec2 uv) {
+vec4 reflectanceAt(vec2 uv) {
   vec2 across = dFdx(uv) * float(CASTER_TILE);
   vec2 up = dFdy(uv) * float(CASTER_TILE);
   float footprint = max(max(dot(across, across), dot(up, up)), 1.0);  // texels, squared
@@ -50,6 +50,6 @@ void main() {
   vec3 normal = cross(dFdx(vPositionWorld), dFdy(vPositionWorld));
   // A triangle smaller than a pixel has no derivatives.
   normal = dot(normal, normal) > 0.0 ? normalize(normal) : -normalize(fromOrigin);
-  oReflectance = vec4(reflectanceAt(vUv), 1.0);
+  oReflectance = reflectanceAt(vUv);
   oNormalDistance = vec4(faceforward(normal, fromOrigin, normal), length(fromOrigin));
 }

@@ -7,10 +7,10 @@ const float DIRECT_SHARE = 0.65;
 // Least cosine: grazing light would turn the normal map into noise.
 const float LEAST_COSINE = 0.25;
 
-// Ratio of N.L with the normal map to N.L without.
+// Ratio of N.L with the normal map to N.L without: 1 where the map is flat, and on the side without direct light.
 float normalMapShading(float surfaceNoL, float mappedNoL, float scale) {
-  float NoL = max(surfaceNoL + (mappedNoL - surfaceNoL) * scale, 0.0);
-  return min(NoL / max(surfaceNoL, LEAST_COSINE) + max(LEAST_COSINE - surfaceNoL, 0.0), 1.6);
+  float lit = clamp(1.0 + surfaceNoL / LEAST_COSINE, 0.0, 1.0);
+  return clamp(1.0 + lit * scale * (mappedNoL - surfaceNoL) / max(surfaceNoL, LEAST_COSINE), 0.0, 1.6);
 }
 
 // Factor on the albedo.

@@ -12,3 +12,8 @@ float luma(vec3 color) {
 vec3 hemisphericalReflectance(vec3 baseColor, float roughness, float metallic) {
   return mix(baseColor, vec3(1.0), 0.02 * exp(1.85 * (1.0 - roughness)) * (1.0 - metallic));
 }
+
+// How much of that is mirrored rather than scattered: 0, or of a metal what its alpha of GGX leaves of 1.
+float glossOf(float roughness, float metallic) {
+  return metallic * (1.0 - roughness * roughness);
+}

@@ -62,7 +62,7 @@ void main() {
 
   vec3 reflected = reflect(-view, normal);
   IrradianceSample indirect = irradianceAt(position + normal * 0.08, normal, normal, reflected);
-  float mirrored = fresnelSchlick(vec3(0.04), NoV).r;
+  float mirrored = dielectricShare(roughness, NoV);
   float diffuse = (1.0 - metallic) * (1.0 - mirrored) / PI;
   perCandela += (indirect.alongNormal + supportIrradiance(position, supportViewFactor(normal))) * (diffuse * uFeatures.y);
   vec3 room = (indirect.alongReflection + supportIrradiance(position, 0.5 - 0.5 * reflected.y)) / PI;

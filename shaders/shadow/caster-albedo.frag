@@ -1,6 +1,6 @@
 #version 300 es
 // One surface's tile of the caster albedo.
-// Out: reflectance for light from all around, less the self-occlusion of the normal map.
+// Out: reflectance for light from all around, less the self-occlusion of the normal map; gloss.
 #include "lib/precision.glsl"
 #include "lib/photometry.glsl"
 #include "lib/normal-map.glsl"
@@ -36,5 +36,5 @@ void main() {
   }
   baseColor *= visibility / float(blocks * blocks);
   vec2 roughnessMetallic = textureGrad(uOcclusionRoughness, uv, footprint, footprint.yx).gb * uSurface.xy;
-  oReflectance = vec4(hemisphericalReflectance(baseColor, roughnessMetallic.x, roughnessMetallic.y), 1.0);
+  oReflectance = vec4(hemisphericalReflectance(baseColor, roughnessMetallic.x, roughnessMetallic.y), glossOf(roughnessMetallic.x, roughnessMetallic.y));
 }

@@ -52,7 +52,7 @@ const FINE_INDIRECT: IndirectDetail = {
   probes: [14, 6, 14],
   inset: 0.2,
   rays: 16,
-  bounces: 8,
+  bounces: 10,
   isMirrored: true,
 };
 
@@ -66,12 +66,12 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
       opaque: "deferred",
       shadow: { size: 128, search: 4, taps: 8, bias: 1 },
       indirect: {
-        surfels: 6,
-        surfelGroup: 1,
+        surfels: 18,
+        surfelGroup: 3,
         probes: [6, 4, 6],
         inset: 0.3,
         rays: 12,
-        bounces: 6,
+        bounces: 12,
         isMirrored: false,
       },
       moonMap: 1024,
@@ -97,7 +97,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
         probes: [6, 4, 6],
         inset: 0.3,
         rays: 12,
-        bounces: 6,
+        bounces: 12,
         isMirrored: true,
       },
       moonMap: 1024,

@@ -317,9 +317,8 @@ export class IndirectPass {
       vertexArray: this.#screen,
       textures: {
         uIrradiance: last.color,
-        uProbePositions: this.#probes.volume.uProbePositions,
         ...this.#probes.rays,
-        ...this.#probes.weights,
+        uRayProbes: this.#probes.uRayProbes,
       },
       blocks: { Volume: this.#block },
     });

@@ -1,6 +1,6 @@
+import rayProbesFrag from "../../../shaders/gi/ray-probes.frag";
 import rayReflectanceFrag from "../../../shaders/gi/ray-reflectance.frag";
 import rayReflectanceVert from "../../../shaders/gi/ray-reflectance.vert";
-import rayWeightsFrag from "../../../shaders/gi/ray-weights.frag";
 import roomReflectanceFrag from "../../../shaders/gi/room-reflectance.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Gpu } from "../../gl/gpu.js";
@@ -20,8 +20,8 @@ export interface ProbeTextures {
   readonly volume: { readonly uProbePositions: Texture; readonly uProbeDepth: Texture };
   /** For shaders that include `lib/probe-rays.glsl`. */
   readonly rays: { readonly uRayHits: Texture; readonly uRayReflectance: Texture };
-  /** Of the probes around each hit. */
-  readonly weights: { readonly uRayNearWeights: Texture; readonly uRayFarWeights: Texture };
+  /** Two of the probes around each hit. */
+  readonly uRayProbes: Texture;
   /** Mean reflectance at the hits, one texel. */
   readonly roomReflectance: Texture;
 }
@@ -62,22 +62,21 @@ export function uploadProbeRays(
     filter: "nearest",
   });
   const volume = { uProbePositions, uProbeDepth };
-  const weights = gpu.renderTarget({
-    label: "gi/ray-weights",
+  const rayProbes = gpu.renderTarget({
+    label: "gi/ray-probes",
     ...size,
-    color: ["RGBA8", "RGBA8"],
+    color: ["RGBA8"],
     filter: "nearest",
   });
   gpu.draw({
-    program: gpu.program("gi/ray-weights", fullscreenVert, rayWeightsFrag, {
+    program: gpu.program("gi/ray-probes", fullscreenVert, rayProbesFrag, {
       defines: { RAYS: rays, PROBE_ROWS: rows },
     }),
-    target: weights,
+    target: rayProbes,
     vertexArray: screen,
     textures: { uRayHits, ...volume },
     blocks: { Volume: block },
   });
-  const [uRayNearWeights, uRayFarWeights] = weights.colors;
   const hits = { uRayHits, uRayReflectance: renderRayReflectance(gpu, traced, size, surfaces) };
   const roomReflectance = gpu.renderTarget({
     label: "gi/room-reflectance",
@@ -98,7 +97,7 @@ export function uploadProbeRays(
     volume,
     rays: hits,
     roomReflectance: roomReflectance.color,
-    weights: { uRayNearWeights: uRayNearWeights!, uRayFarWeights: uRayFarWeights! },
+    uRayProbes: rayProbes.color,
   };
 }
 
