@@ -12,7 +12,7 @@ struct FlameLight {
   float pan;         // height of the holder's pan, m
   float panRadius;   // m
   vec3 captureOrigin;  // of the shadow cube and the surfels, near the centre of the capsule, m
-  float shadowSlot;  // place of its shadow cube in the texture
+  float shadowSlot;  // place of its shadow cube, and of its support, in their textures
   vec3 along;        // direction of the capsule's axis, length 1
 };
 

@@ -1,7 +1,7 @@
 // Light from the surface that the candle stands on, which sparse probes do not resolve.
 // Needs lib/flame-light.glsl.
 
-uniform sampler2D uSupport;  // radiosity and height of that surface: gi/support-radiosity.frag
+uniform sampler2D uSupport;  // radiosity and height of that surface, a texel a flame: gi/support-radiosity.frag
 
 // Distance from the candle's axis over which it fades to the probes' light, m.
 const float RADIUS = 0.15;
@@ -13,9 +13,9 @@ const float FADE = 0.02;
 // Heights over it between which it ceases to fill the view down, m: a wall over a sill, not the candle.
 const vec2 CEASES = vec2(0.25, 0.5);
 
-// lx, for 1 cd of the flame's.
-vec3 supportIrradiance(vec3 position, float viewFactor) {
-  vec4 support = texelFetch(uSupport, ivec2(0), 0);
+// lx, for 1 cd of the flame's. `supports`: `uSupport`, or those of standing candles.
+vec3 supportIrradiance(sampler2D supports, vec3 position, float viewFactor) {
+  vec4 support = texelFetch(supports, ivec2(int(light.shadowSlot), 0), 0);
   vec2 offset = (position.xz - light.axis) / RADIUS;
   float height = position.y - support.a;
   float weight = clamp(height / FADE, 0.0, 1.0) * (1.0 - smoothstep(CEASES.x, CEASES.y, height)) * exp(-dot(offset, offset));

@@ -1,5 +1,6 @@
 #version 300 es
 // Deferred lighting at a lower rate than the G-buffer's, for a flame of 1 cd.
+// CANDLES: for all flames as they burn, with the irradiance volume of all; WITH_MOON: and for the moon.
 // In:  G-buffer, shadow cube, irradiance volume.
 // Out: square roots of the albedo's factor, cd/m², and of what is added to it; REDUCED: inverse depth.
 #include "lib/precision.glsl"
@@ -19,56 +20,103 @@
 #endif
 #include "lib/lighting-texel.glsl"
 #include "lib/support-irradiance.glsl"
+#ifdef WITH_MOON
+#include "lib/moon.glsl"
+#include "lib/moon-shadow.glsl"
+#include "lib/night-sky.glsl"
+#include "lib/moon-lighting.glsl"
+#endif
 
 uniform vec3 uFeatures;  // 1 or 0: shadows, indirect light, specular
+#ifdef CANDLES
+uniform sampler2D uStandingShadow;   // cubes of the standing candles
+uniform sampler2D uStandingSupport;
+uniform vec3 uColor;                 // of the light that represents all: luma 1
+#endif
+#ifdef WITH_MOON
+uniform vec3 uMoonlight;             // lx
+#endif
 
 layout(location = 0) out vec4 oLighting;
 #if REDUCED
 layout(location = 1) out vec4 oInverseDepth;
 #endif
 
-void main() {
-  LightingTexel texel = lightingTexel();
+struct Viewing {
+  vec3 view;
+  float NoV;
+  vec3 reflected;
+  float mirrored;  // share of light from all around that a dielectric mirrors
+  vec2 factors;  // of the irradiance by the normal, and by the reflection
+};
+
+// Lighting by one flame without the room's: its direct light, its support, and the wax that it shines through.
+// Factor of the albedo (rgb), and the part without albedo, cd/m².
+vec4 flameLighting(LightingTexel texel, Viewing v, sampler2D cube, sampler2D supports) {
   vec3 position = texel.position;
   vec3 normal = texel.normal;
-  float material = texel.material;
-  float roughness = texel.roughness;
-#if REDUCED
-  oInverseDepth = vec4(inverseDepth(texel.depth), 0.0, 0.0, 1.0);
-#endif
   // Computed first, to save registers. Four rotations of the taps side by side, which the upsampling averages.
   float visibility = 0.0;
   if (dot(normal, light.position) > dot(normal, position)) {
     vec2 tile = mod(floor(gl_FragCoord.xy), 2.0);
     visibility = candleVisibility(position);
-    visibility *= flameVisibility(uShadow, SHADOW_SEARCH, SHADOW_TAPS, position, normal, 0.0, tile).x;
+    visibility *= flameVisibility(cube, SHADOW_SEARCH, SHADOW_TAPS, position, normal, 0.0, tile).x;
   }
-  float metallic = metallicOf(material);
-  vec3 view = normalize(frame.eyePosition - position);
-  float NoV = max(abs(dot(normal, view)), 1e-3);
-
+  float metallic = metallicOf(texel.material);
   vec3 toLight = light.position - position;
   float distanceSquared = max(dot(toLight, toLight), LEAST_DISTANCE * LEAST_DISTANCE);
   vec3 L = toLight * inversesqrt(distanceSquared);
   float NoL = max(dot(normal, L), 0.0);
   float perArea = mix(1.0, visibility, uFeatures.x) / distanceSquared;
-  float irradiance = isGlass(material) ? min(NoL * perArea, PANE_IRRADIANCE) : NoL * perArea;
-  FlameSpecular flame = flameSpecular(toLight, normal, view, NoV, roughness * roughness);
+  float irradiance = isGlass(texel.material) ? min(NoL * perArea, PANE_IRRADIANCE) : NoL * perArea;
+  FlameSpecular flame = flameSpecular(toLight, normal, v.view, v.NoV, texel.roughness * texel.roughness);
   float fresnel = fresnelSchlick(vec3(0.04), flame.SoH).r;  // of a dielectric; a metal's is its albedo
   float specular = flame.lobe * perArea * uFeatures.z;
-  // Factor of the albedo, and the part without albedo.
   vec3 perCandela = vec3((1.0 - metallic) * (1.0 - fresnel) / PI * irradiance + metallic * specular);
-  float added = (1.0 - metallic) * fresnel * specular;
-
-  vec3 reflected = reflect(-view, normal);
-  IrradianceSample indirect = irradianceAt(position + normal * 0.08, normal, normal, reflected);
-  float mirrored = dielectricShare(roughness, NoV);
-  float diffuse = (1.0 - metallic) * (1.0 - mirrored) / PI;
-  perCandela += (indirect.alongNormal + supportIrradiance(position, supportViewFactor(normal))) * (diffuse * uFeatures.y);
-  vec3 room = (indirect.alongReflection + supportIrradiance(position, 0.5 - 0.5 * reflected.y)) / PI;
-  room *= (1.0 - 0.6 * roughness) * uFeatures.y * uFeatures.z;
+  perCandela += supportIrradiance(supports, position, supportViewFactor(normal)) * v.factors.x;
+  vec3 room = supportIrradiance(supports, position, 0.5 - 0.5 * v.reflected.y) * v.factors.y;
   perCandela += metallic * room;
-  added += (1.0 - metallic) * mirrored * luma(room);
-  if (isWax(material)) perCandela += waxGlow(position);
-  oLighting = sqrt(clamp(vec4(perCandela, added), 0.0, 3e4));
+  float added = (1.0 - metallic) * (fresnel * specular + v.mirrored * luma(room));
+  vec3 glow = isWax(texel.material) ? waxGlow(position) : vec3(0.0);
+  return vec4(perCandela * light.intensity + glow, added * luma(light.intensity));
+}
+
+void main() {
+  LightingTexel texel = lightingTexel();
+#if REDUCED
+  oInverseDepth = vec4(inverseDepth(texel.depth), 0.0, 0.0, 1.0);
+#endif
+  vec3 normal = texel.normal;
+  float metallic = metallicOf(texel.material);
+  Viewing v;
+  v.view = normalize(frame.eyePosition - texel.position);
+  v.NoV = max(abs(dot(normal, v.view)), 1e-3);
+  v.reflected = reflect(-v.view, normal);
+  v.mirrored = dielectricShare(texel.roughness, v.NoV);
+  v.factors.x = (1.0 - metallic) * (1.0 - v.mirrored) / PI * uFeatures.y;
+  v.factors.y = (1.0 - 0.6 * texel.roughness) / PI * uFeatures.y * uFeatures.z;
+
+#ifdef CANDLES
+  light = carried;
+#endif
+  vec4 lighting = flameLighting(texel, v, uShadow, uSupport);
+#ifdef CANDLES
+  for (int i = 0; i < int(standing.count); i++) {
+    light = standing.candles[i];
+    lighting += flameLighting(texel, v, uStandingShadow, uStandingSupport);
+  }
+#endif
+#ifdef WITH_MOON
+  lighting += moonLighting(texel, v.view, v.NoV, uFeatures.xz).xxxy * vec4(uMoonlight, luma(uMoonlight));
+  lighting.rgb += nightLighting(texel, v.view, v.NoV) * uMoonlight;
+#endif
+
+  IrradianceSample indirect = irradianceAt(texel.position + normal * 0.08, normal, normal, v.reflected);
+  vec3 room = indirect.alongReflection * v.factors.y;
+  lighting.rgb += indirect.alongNormal * v.factors.x + metallic * room;
+  lighting.a += (1.0 - metallic) * v.mirrored * luma(room);
+#ifdef CANDLES
+  lighting.rgb /= uColor;
+#endif
+  oLighting = sqrt(clamp(lighting, 0.0, 3e4));
 }

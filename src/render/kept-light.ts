@@ -21,3 +21,8 @@ export interface KeptLight {
   /** Of all that the block, the shadow and the irradiance depend on. */
   readonly key: string;
 }
+
+/** The moon among the kept lights. */
+export function moonOf(kept: readonly KeptLight[]): KeptLight | null {
+  return kept.find(({ kind }) => kind === "moon") ?? null;
+}

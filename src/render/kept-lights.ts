@@ -6,12 +6,13 @@ import type { StandingCandle } from "../world/standing-candle.js";
 import type { World } from "../world/world.js";
 import type { IndirectScene } from "./gi/indirect-pass.js";
 import { type IndirectTargets, indirectTargets } from "./gi/indirect-targets.js";
+import { supportTarget } from "./gi/surfel-pass.js";
 import type { KeptLight } from "./kept-light.js";
 import { MoonCaptures } from "./moon/moon-captures.js";
 import type { PhysicalTier } from "./quality.js";
 import type { ShadowCasters } from "./shadow/shadow-casters.js";
-import { type ShadowAtlas, shadowAtlas } from "./shadow/shadow-pass.js";
-import { StandingLight } from "./standing-light.js";
+import { shadowAtlas } from "./shadow/shadow-pass.js";
+import { StandingLight, type StandingSlot } from "./standing-light.js";
 
 /** The lights beside the carried flame, each captured when it first shines. */
 export class KeptLights {
@@ -37,10 +38,13 @@ export class KeptLights {
       shared ??= indirectTargets(gpu, tier.indirect);
       return shared;
     };
-    let shadows: ShadowAtlas | null = null;
+    let standing: Omit<StandingSlot, "slot"> | null = null;
     this.#makeStanding = (slot, slots) => {
-      shadows ??= shadowAtlas(gpu, tier.shadow.size, slots);
-      return new StandingLight(gpu, screen, scene, tier.indirect, targets(), { shadows, slot });
+      standing ??= {
+        shadows: shadowAtlas(gpu, tier.shadow.size, slots),
+        supports: supportTarget(gpu, slots),
+      };
+      return new StandingLight(gpu, screen, scene, tier.indirect, targets(), { ...standing, slot });
     };
     this.#makeMoon = () => new MoonCaptures(gpu, screen, scene, tier, targets());
   }

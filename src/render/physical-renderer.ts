@@ -90,9 +90,7 @@ export class PhysicalRenderer implements Renderer {
     const refined = physical.opaque === "refined" ? new RefinedStage(gpu, screen, tier) : null;
     this.#opaque =
       refined ??
-      (lods
-        ? new DeferredStage(gpu, screen, physical.shadow, lods)
-        : new ForwardStage(gpu, screen, tier));
+      (lods ? new DeferredStage(gpu, screen, physical, lods) : new ForwardStage(gpu, screen, tier));
     const { format, blocks, meterFrag } = this.#opaque;
     const surfaces = uploadModel(gpu, room, groupTriangles);
     this.#room = sortedByArea(surfaces);

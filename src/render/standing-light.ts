@@ -9,6 +9,7 @@ import type { StandingCandle } from "../world/standing-candle.js";
 import { IndirectPass, type IndirectScene } from "./gi/indirect-pass.js";
 import type { IndirectTargets } from "./gi/indirect-targets.js";
 import type { IndirectDetail } from "./gi/probe-rays.js";
+import { type SupportSlot, SurfelPass } from "./gi/surfel-pass.js";
 import type { KeptLight } from "./kept-light.js";
 import type { CaptureLight } from "./light-block.js";
 import type { ShadowCasters } from "./shadow/shadow-casters.js";
@@ -39,6 +40,11 @@ function stillLight([x, y, z]: Readonly<Vec3>, shadowSlot: number): CaptureLight
   };
 }
 
+/** What all standing candles draw to, each in its slot. */
+export interface StandingSlot extends SupportSlot {
+  readonly shadows: ShadowAtlas;
+}
+
 /** Shadow cube and irradiance volume of a standing candle, captured when it first burns. */
 export class StandingLight {
   readonly #slot: number;
@@ -53,11 +59,14 @@ export class StandingLight {
     scene: IndirectScene,
     indirect: IndirectDetail,
     targets: IndirectTargets,
-    { shadows, slot }: { readonly shadows: ShadowAtlas; readonly slot: number },
+    { shadows, ...support }: StandingSlot,
   ) {
-    this.#slot = slot;
-    this.#shadow = new ShadowPass(gpu, shadows, slot);
-    this.#indirect = new IndirectPass(gpu, screen, scene, indirect, { targets });
+    this.#slot = support.slot;
+    this.#shadow = new ShadowPass(gpu, shadows, support.slot);
+    this.#indirect = new IndirectPass(gpu, screen, scene, indirect, {
+      targets,
+      surfels: new SurfelPass(gpu, screen, indirect, support),
+    });
     const program = gpu.program("gi/radiosity", fullscreenVert, radiosityFrag);
     this.#block = gpu.uniformBlock(program, "Light");
   }

@@ -20,6 +20,11 @@ export interface ProgramReport {
   readonly set: number;
 }
 
+/** Members of an array of structures are set alike, or not at all. */
+function member(name: string): string {
+  return name.replace(/\[0\]$/, "").replace(/\[\d+\]\./, "[].");
+}
+
 /** Draws a look for a few frames, and tells of each program that took part. Runs in the browser. */
 export async function reportPrograms(
   look: Look,
@@ -48,7 +53,7 @@ export async function reportPrograms(
   UniformBlock.prototype.update = function (values) {
     const block = this.label.replace("block ", "");
     const known = members.get(block) ?? new Set();
-    for (const name of Object.keys(values)) known.add(name.replace(/\[0\]$/, ""));
+    for (const name of Object.keys(values)) known.add(member(name));
     members.set(block, known);
     original.update.call(this, values);
   };
@@ -74,6 +79,8 @@ export async function reportPrograms(
     await screen.gpu.whenIdle();
     await nextTask(); // the driver has said whether it accepts all targets
     if (quality === "low") {
+      for (const { flame } of candle.world.standing) flame.light();
+      candle.step(0.2);
       candle.play(); // in motion it has shaders of its own there, for odd and even frames
       for (let picture = 0; picture < 2; picture++) {
         candle.world.player.yaw += 0.02;
@@ -93,7 +100,7 @@ export async function reportPrograms(
     const reports = made.map(({ program, stages, set }) => {
       for (const name of program.samplers.keys()) set.add(name); // `Gpu.draw` insists on each
       for (const [block, names] of members) for (const name of names) set.add(`${block}.${name}`);
-      const active = activeUniforms(gl, program.handle);
+      const active = [...new Set(activeUniforms(gl, program.handle).map(member))];
       return {
         label: program.label,
         stages,

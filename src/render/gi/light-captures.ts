@@ -24,7 +24,7 @@ const PENUMBRA = 0.05;
 const SWAY = 0.006;
 
 /** Shadow cube and irradiance volume of the flame. */
-interface FlameCaptures {
+export interface FlameCaptures {
   readonly shadow: ShadowCube;
   readonly irradiance: IrradianceVolume;
 }

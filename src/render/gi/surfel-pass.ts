@@ -37,6 +37,23 @@ export interface Surfels
   readonly defines: Readonly<Record<string, number>>;
 }
 
+/** The texel of a candle's support in a texture of those of several. */
+export interface SupportSlot {
+  readonly supports: RenderTarget;
+  readonly slot: number;
+}
+
+/** A texture of the radiosity of candles' supports, a texel each. */
+export function supportTarget(gpu: Gpu, slots: number): RenderTarget {
+  return gpu.renderTarget({
+    label: "gi/support-radiosity",
+    width: slots,
+    height: 1,
+    color: [floats(gpu, 4)],
+    filter: "nearest",
+  });
+}
+
 /** Surfels: the surfaces that the flame lights, a cube around it: `lib/surfels.glsl`. */
 export class SurfelPass implements Surfels {
   readonly #gpu: Gpu;
@@ -49,12 +66,19 @@ export class SurfelPass implements Surfels {
   readonly #radiosity: RenderTarget;
   /** In all light; null where nothing mirrors it. */
   readonly #total: { readonly program: Program; readonly target: RenderTarget } | null;
-  readonly #support: RenderTarget;
+  readonly #support: SupportSlot;
   readonly light: { readonly Light: UniformBlock };
   readonly defines = {};
 
-  constructor(gpu: Gpu, screen: VertexArray, { surfels: size, isMirrored }: IndirectDetail) {
+  /** @param support where the radiosity of the candle's support goes */
+  constructor(
+    gpu: Gpu,
+    screen: VertexArray,
+    { surfels: size, isMirrored }: IndirectDetail,
+    support: SupportSlot = { supports: supportTarget(gpu, 1), slot: 0 },
+  ) {
     this.#gpu = gpu;
+    this.#support = support;
     this.#screen = screen;
     this.#size = size;
     this.#captureProgram = gpu.program("gi/surfel", cubeFaceVert, surfelFrag);
@@ -78,13 +102,6 @@ export class SurfelPass implements Surfels {
           target: radiosity("gi/total-radiosity"),
         }
       : null;
-    this.#support = gpu.renderTarget({
-      label: "gi/support-radiosity",
-      width: 1,
-      height: 1,
-      color: [texel],
-      filter: "nearest",
-    });
   }
 
   /** Normal, and distance from the capture origin. */
@@ -104,7 +121,7 @@ export class SurfelPass implements Surfels {
 
   /** Of the surface below the flame, for `lib/support-irradiance.glsl`. */
   get support(): Texture {
-    return this.#support.color;
+    return this.#support.supports.color;
   }
 
   clear(): void {
@@ -133,7 +150,12 @@ export class SurfelPass implements Surfels {
       blocks: this.light,
     };
     this.#gpu.draw({ ...pass, program: this.#radiosityProgram, target: this.#radiosity });
-    this.#gpu.draw({ ...pass, program: this.#supportProgram, target: this.#support });
+    this.#gpu.draw({
+      ...pass,
+      program: this.#supportProgram,
+      target: this.#support.supports,
+      scissor: [this.#support.slot, 0, 1, 1],
+    });
   }
 
   /** The same with indirect light, by the irradiance volume. */

@@ -10,7 +10,7 @@ import { forEachGBufferKind, type GBuffer, type GBufferKind } from "../gbuffer/g
 import { GBufferPass } from "../gbuffer/gbuffer-pass.js";
 import type { Captures } from "../gi/light-captures.js";
 import type { MeshLods } from "../mesh/mesh-lods.js";
-import type { ShadowQuality } from "../quality.js";
+import type { PhysicalTier } from "../quality.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
 import { KeptLighting } from "./kept-lighting.js";
 import { LightingPass } from "./lighting-pass.js";
@@ -29,16 +29,15 @@ export class DeferredStage implements OpaqueStage {
   readonly #composite: Readonly<Record<GBufferKind, Program>>;
   #gbuffer: GBuffer | null = null;
 
-  constructor(gpu: Gpu, screen: VertexArray, quality: ShadowQuality, lods: MeshLods) {
+  constructor(gpu: Gpu, screen: VertexArray, tier: PhysicalTier, lods: MeshLods) {
     this.#gpu = gpu;
     this.#screen = screen;
-    this.#lighting = new LightingPass(gpu, screen, quality);
+    this.#lighting = new LightingPass(gpu, screen, tier);
     this.format = this.#lighting.format;
     this.blocks = { Frame: this.#lighting.frame, Light: this.#lighting.light };
     const summed = { ...this.blocks, Light: this.#lighting.newLightBlock() };
-    this.#kept = new KeptLighting(gpu, screen, quality, this.format, summed, (isReduced) =>
-      this.#lighting.programOf(isReduced),
-    );
+    const { full } = this.#lighting;
+    this.#kept = new KeptLighting(gpu, screen, tier.shadow, this.format, summed, full);
     this.#gbufferPass = new GBufferPass(gpu, screen, this.blocks.Frame, lods);
     this.#composite = forEachGBufferKind((defines) =>
       gpu.program("opaque/composite", fullscreenVert, compositeFrag, { defines }),
@@ -53,26 +52,31 @@ export class DeferredStage implements OpaqueStage {
 
   fillGBuffer(frame: FrameInput): GBufferKind {
     this.#gbuffer = this.#gbufferPass.render(frame, this.#lighting.size);
-    if (frame.settings.canDefer && this.#gbuffer.kind === "full") this.#lighting.prepareReduced();
     return this.#gbuffer.kind;
   }
 
-  shade(frame: FrameInput, { shadow, irradiance, kept }: Captures): OpaqueLayer {
+  shade(frame: FrameInput, captures: Captures): OpaqueLayer {
     const gbuffer = this.#gbuffer;
     if (!gbuffer) throw new Error("Shading needs a G-buffer.");
-    const { textures, uniforms } = this.#lighting.render(frame, gbuffer, shadow, irradiance);
+    const { kept } = captures;
+    const isAtRest = gbuffer.kind === "full";
+    // Compiled while the camera rests.
+    if (frame.settings.canDefer && isAtRest) this.#lighting.reducedProgram(kept);
+    const lit = this.#lighting.render(frame, gbuffer, captures);
     const all =
-      kept.length > 0 ? this.#kept.render(frame, gbuffer, textures.uLighting, kept) : null;
+      isAtRest && kept.length > 0
+        ? this.#kept.render(frame, gbuffer, lit.textures.uLighting, kept)
+        : null;
     return {
       kind: gbuffer.kind,
       textures: {
-        ...textures,
+        ...lit.textures,
         ...(all && { uLighting: all.uLighting }),
         uGBufferAlbedo: gbuffer.albedo,
         uDepth: gbuffer.depth,
       },
-      uniforms,
-      blocks: all ? { ...this.blocks, Light: all.Light } : this.blocks,
+      uniforms: lit.uniforms,
+      blocks: { ...this.blocks, Light: all?.Light ?? lit.Light },
       depth: gbuffer.frameDepth,
       motion: gbuffer.reprojection?.motion ?? 0,
     };

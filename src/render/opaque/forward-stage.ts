@@ -13,7 +13,7 @@ import type { Bounds } from "../../world/geometry.js";
 import { frustumTest } from "../camera.js";
 import type { FrameInput, ModelInstance, Size } from "../frame-input.js";
 import type { Captures } from "../gi/light-captures.js";
-import type { KeptLight } from "../kept-light.js";
+import { type KeptLight, moonOf } from "../kept-light.js";
 import { type CaptureLight, lightBlock, shadingLight } from "../light-block.js";
 import { type Mesh, surfaceSampling } from "../mesh/mesh.js";
 import { normalMapVisibilityOf } from "../mesh/normal-map-visibility.js";
@@ -74,11 +74,6 @@ function forwardComposite(gpu: Gpu, isMoonlit: boolean): Program {
 
 /** What forward shading needs beside the mesh. */
 type LightPass = Required<Pick<Draw, "program" | "textures" | "blocks">>;
-
-/** The moon among the kept lights. */
-export function moonOf(kept: readonly KeptLight[]): KeptLight | null {
-  return kept.find(({ kind }) => kind === "moon") ?? null;
-}
 
 /** The opaque stage for GPUs: forward shading, multisampled. Kept until camera, models or light have moved. */
 export class ForwardStage implements OpaqueStage {
@@ -254,8 +249,8 @@ export class ForwardStage implements OpaqueStage {
     if (candles.length > 0) {
       const { intensity } = lightBlock(frame.world, frame.settings.features.candle);
       this.#shadingLight.update({ intensity });
-      this.#standing ??= new StandingLights(this.#gpu, this.#screen, pass.program);
-      const inputs = this.#standing.inputs(candles, captures.irradiance, intensity);
+      this.#standing ??= new StandingLights(this.#gpu, this.#screen, pass.program, this.format);
+      const inputs = this.#standing.inputs(candles, captures, intensity);
       Object.assign(pass.textures, inputs.textures);
       Object.assign(pass.blocks, inputs.blocks);
     }

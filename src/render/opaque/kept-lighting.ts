@@ -20,21 +20,32 @@ import type { FrameBlocks } from "./opaque-stage.js";
 /** Least intensity by which the sum has the flame's colour, cd: an ember gives less. */
 const BURNING = 0.01;
 
-/** Deferred lighting by kept lights, each in a texture of its own, and their sum with the flame's. */
+/** Colour of the light that represents all: the flames', or the moon's where none burns. Its luma is 1. */
+export function representativeColor(flame: Rgb, lights: readonly KeptLight[]): Rgb {
+  const burning = lights.some(
+    ({ kind, intensity }) => kind === "candle" && luma(intensity) > BURNING,
+  );
+  if (burning || luma(flame) > BURNING) return TAPER.color;
+  const [{ intensity } = { intensity: flame }] = lights;
+  const scale = Math.max(luma(intensity), 1e-9);
+  return [intensity[0] / scale, intensity[1] / scale, intensity[2] / scale];
+}
+
+/** Deferred lighting at rest by kept lights, each in a texture of its own, and their sum with the flame's. */
 export class KeptLighting {
   readonly #gpu: Gpu;
   readonly #screen: VertexArray;
   readonly #shadowQuality: ShadowQuality;
   readonly #format: TextureFormat;
-  /** By the light's name, and whether it is reduced. */
+  /** By the light's name. */
   readonly #layers = new Map<string, { readonly target: RenderTarget; key: string }>();
   /** Sums, used in turn; the last one written is first. */
-  readonly #sums = new Map<boolean, [RenderTarget, RenderTarget]>();
+  #sums: [RenderTarget, RenderTarget] | null = null;
   /** The light whose lighting the sum is. */
   readonly #block: UniformBlock;
 
   readonly #frame: UniformBlock;
-  readonly #flameProgram: (isReduced: boolean) => Program;
+  readonly #flameProgram: Program;
 
   /**
    * @param blocks `Frame`, and a `Light` for the sum
@@ -46,7 +57,7 @@ export class KeptLighting {
     quality: ShadowQuality,
     format: TextureFormat,
     { Frame, Light }: FrameBlocks,
-    flameProgram: (isReduced: boolean) => Program,
+    flameProgram: Program,
   ) {
     this.#flameProgram = flameProgram;
     this.#gpu = gpu;
@@ -59,9 +70,9 @@ export class KeptLighting {
 
   resize(): void {
     for (const { target } of this.#layers.values()) target.dispose();
-    for (const sums of this.#sums.values()) for (const sum of sums) sum.dispose();
+    for (const sum of this.#sums ?? []) sum.dispose();
     this.#layers.clear();
-    this.#sums.clear();
+    this.#sums = null;
   }
 
   /**
@@ -75,17 +86,11 @@ export class KeptLighting {
     lighting: Texture,
     lights: readonly KeptLight[],
   ): { readonly uLighting: Texture; readonly Light: UniformBlock } {
-    const isReduced = gbuffer.kind !== "full";
     const size = { width: lighting.width, height: lighting.height };
-    const sums = this.#sums.get(isReduced) ?? [
-      this.#target("sum/a", size),
-      this.#target("sum/b", size),
-    ];
-    this.#sums.set(isReduced, sums);
-    // A reprojected frame has the sum of the frame that it was lit in.
-    if (gbuffer.reprojection) return { uLighting: sums[0].color, Light: this.#block };
+    this.#sums ??= [this.#target("sum/a", size), this.#target("sum/b", size)];
+    const sums = this.#sums;
     const flame = lightBlock(frame.world, frame.settings.features.candle);
-    const uColor = this.#color(flame.intensity, lights);
+    const uColor = representativeColor(flame.intensity, lights);
     let uLighting = lighting;
     let uIntensity: Rgb = flame.intensity;
     for (const light of lights) {
@@ -104,17 +109,6 @@ export class KeptLighting {
     return { uLighting, Light: this.#block };
   }
 
-  /** Colour of specular light in the sum: the flames', or the moon's where none burns. */
-  #color(flame: Rgb, lights: readonly KeptLight[]): Rgb {
-    const burning = lights.some(
-      ({ kind, intensity }) => kind === "candle" && luma(intensity) > BURNING,
-    );
-    if (burning || luma(flame) > BURNING) return TAPER.color;
-    const [{ intensity } = { intensity: flame }] = lights;
-    const scale = Math.max(luma(intensity), 1e-9);
-    return [intensity[0] / scale, intensity[1] / scale, intensity[2] / scale];
-  }
-
   #target(name: string, size: { readonly width: number; readonly height: number }): RenderTarget {
     return this.#gpu.renderTarget({ label: `lighting/${name}`, ...size, color: [this.#format] });
   }
@@ -123,13 +117,12 @@ export class KeptLighting {
   #layerOf(
     light: KeptLight,
     { settings, clipFromWorld }: FrameInput,
-    { kind, surface, depth, albedo, representative, key: gbufferKey }: GBuffer,
+    { surface, depth, albedo, representative, key: gbufferKey }: GBuffer,
     size: { readonly width: number; readonly height: number },
   ): Texture {
-    const isReduced = kind !== "full";
-    const name = `${light.name}/${isReduced ? "reduced" : "full"}`;
-    const layer = this.#layers.get(name) ?? { target: this.#target(name, size), key: "" };
-    this.#layers.set(name, layer);
+    const known = this.#layers.get(light.name);
+    const layer = known ?? { target: this.#target(light.name, size), key: "" };
+    this.#layers.set(light.name, layer);
     const { shadows, indirect, specular } = settings.features;
     const key = JSON.stringify([gbufferKey, light.key, shadows, indirect, specular]);
     if (layer.key === key) return layer.target.color;
@@ -138,7 +131,7 @@ export class KeptLighting {
     if (!worldFromClip) throw new Error("The camera's matrix has no inverse.");
     const isMoon = light.kind === "moon";
     this.#gpu.draw({
-      program: isMoon ? this.#program(isReduced) : this.#flameProgram(isReduced),
+      program: isMoon ? this.#moonProgram : this.#flameProgram,
       target: layer.target,
       vertexArray: this.#screen,
       textures: {
@@ -165,15 +158,10 @@ export class KeptLighting {
     return layer.target.color;
   }
 
-  #program(isReduced: boolean): Program {
-    // At rest it is lit once, and its penumbra is next to black.
-    const scale = isReduced ? 1 : 3;
+  get #moonProgram(): Program {
+    // It is lit once, and its penumbra is next to black.
     const { search, taps } = this.#shadowQuality;
-    const defines = {
-      SHADOW_SEARCH: scale * search,
-      SHADOW_TAPS: scale * taps,
-      REDUCED: isReduced ? 1 : 0,
-    };
+    const defines = { SHADOW_SEARCH: 3 * search, SHADOW_TAPS: 3 * taps, REDUCED: 0 };
     return this.#gpu.program("opaque/moon-lighting", fullscreenVert, moonFrag, { defines });
   }
 }

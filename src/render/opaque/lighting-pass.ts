@@ -2,7 +2,7 @@ import { mat4 } from "gl-matrix";
 import gatherFrag from "../../../shaders/opaque/gather-inverse-depth.frag";
 import lightingFrag from "../../../shaders/opaque/lighting.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
-import type { Gpu } from "../../gl/gpu.js";
+import type { Draw, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
@@ -11,12 +11,20 @@ import type { VertexArray } from "../../gl/vertex-array.js";
 import { floats } from "../float-format.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { GBuffer } from "../gbuffer/gbuffer.js";
-import type { IrradianceVolume } from "../gi/indirect-pass.js";
-import { shadingLight } from "../light-block.js";
-import type { ShadowQuality } from "../quality.js";
+import type { Captures } from "../gi/light-captures.js";
+import { type KeptLight, moonOf } from "../kept-light.js";
+import { lightBlock, shadingLight } from "../light-block.js";
+import type { PhysicalTier, ShadowQuality } from "../quality.js";
 import { SCHEDULE } from "../schedule.js";
-import type { ShadowCube } from "../shadow/shadow-pass.js";
+import { representativeColor } from "./kept-lighting.js";
 import type { OpaqueLayer } from "./opaque-stage.js";
+import { StandingLights } from "./standing-lights.js";
+
+/** Lighting of a frame, and the light that it is per candela of. */
+interface Lit extends Pick<OpaqueLayer, "uniforms"> {
+  readonly textures: { readonly uLighting: Texture };
+  readonly Light: UniformBlock;
+}
 
 /** Lighting texels along an edge for each pixel, by kind of the G-buffer. */
 const RATE = { reduced: 0.2, full: 0.5 } as const;
@@ -26,58 +34,60 @@ export class LightingPass {
   readonly format: TextureFormat;
   readonly frame: UniformBlock;
   readonly light: UniformBlock;
+  /** Of lighting at rest, by one flame. */
+  readonly full: Program;
   readonly #gpu: Gpu;
   readonly #screen: VertexArray;
-  readonly #shadowQuality: ShadowQuality;
-  readonly #full: Program;
-  /** Of the reduced lighting; made when it is first needed. */
-  #reduced: Program | null = null;
+  readonly #tier: PhysicalTier;
   readonly #gather: Program;
   /** The flame that the lighting is of. */
   readonly #shadingLight: UniformBlock;
+  /** The light that represents all, of which the lighting in motion is. */
+  readonly #representative: UniformBlock;
+  #isOfAll = false;
+  #standing: StandingLights | null = null;
   #key = "";
   #fullTarget: RenderTarget | null = null;
   #reducedTarget: RenderTarget | null = null;
   /** Inverse depths of four neighbours in each texel, for the bilateral upsampling. */
   #gathered: RenderTarget | null = null;
 
-  constructor(gpu: Gpu, screen: VertexArray, quality: ShadowQuality) {
+  constructor(gpu: Gpu, screen: VertexArray, tier: PhysicalTier) {
     this.#gpu = gpu;
     this.#screen = screen;
-    this.#shadowQuality = quality;
-    this.#full = this.#program(quality, 0);
+    this.#tier = tier;
+    this.full = this.#program(tier.shadow, { REDUCED: 0 });
     this.#gather = gpu.program("opaque/gather-inverse-depth", fullscreenVert, gatherFrag);
     this.format = floats(gpu, 4);
-    this.frame = gpu.uniformBlock(this.#full, "Frame");
+    this.frame = gpu.uniformBlock(this.full, "Frame");
     this.light = this.newLightBlock();
     this.#shadingLight = this.newLightBlock();
+    this.#representative = this.newLightBlock();
   }
 
   newLightBlock(): UniformBlock {
-    return this.#gpu.uniformBlock(this.#full, "Light");
+    return this.#gpu.uniformBlock(this.full, "Light");
   }
 
-  #program({ search, taps, bias }: ShadowQuality, REDUCED: 0 | 1): Program {
-    const defines = { SHADOW_SEARCH: search, SHADOW_TAPS: taps, SHADOW_BIAS: bias, REDUCED };
+  #program({ search, taps, bias }: ShadowQuality, kind: Readonly<Record<string, number>>): Program {
+    const defines = { SHADOW_SEARCH: search, SHADOW_TAPS: taps, SHADOW_BIAS: bias, ...kind };
     return this.#gpu.program("opaque/lighting", fullscreenVert, lightingFrag, { defines });
   }
 
-  /** Compiles, while the camera rests, what its first motion needs. */
-  prepareReduced(): Program {
-    const { search, taps } = this.#shadowQuality;
+  /** Of lighting in motion: by the flame alone, or by all lights at once, which then share what they compute. */
+  reducedProgram(kept: readonly KeptLight[]): Program {
+    const { shadow, mostCandles } = this.#tier;
     // Texels four times as large are averaged over as many shadow taps again.
-    const half = {
-      ...this.#shadowQuality,
-      search: Math.ceil(search / 2),
-      taps: Math.ceil(taps / 2),
-    };
-    this.#reduced ??= this.#program(half, 1);
-    return this.#reduced;
-  }
-
-  /** Of lighting by a flame. */
-  programOf(isReduced: boolean): Program {
-    return isReduced ? this.prepareReduced() : this.#full;
+    const search = Math.ceil(shadow.search / 2);
+    const taps = Math.ceil(shadow.taps / 2);
+    return this.#program(
+      { ...shadow, search, taps },
+      {
+        REDUCED: 1,
+        ...(kept.length > 0 && { CANDLES: mostCandles }),
+        ...(moonOf(kept) && { WITH_MOON: 1 }),
+      },
+    );
   }
 
   resize({ width, height }: Size): void {
@@ -106,27 +116,25 @@ export class LightingPass {
     return this.#fullTarget ?? { width: 1, height: 1 };
   }
 
-  render(
-    frame: FrameInput,
-    { kind, surface, depth, representative, key: gbufferKey, reprojection }: GBuffer,
-    shadow: ShadowCube,
-    irradiance: IrradianceVolume,
-  ): Pick<OpaqueLayer, "uniforms"> & { readonly textures: { readonly uLighting: Texture } } {
+  render(frame: FrameInput, gbuffer: GBuffer, { shadow, irradiance, kept }: Captures): Lit {
+    const { kind, surface, depth, representative, key: gbufferKey, reprojection } = gbuffer;
     const isReduced = kind !== "full";
     const target = isReduced ? this.#reducedTarget : this.#fullTarget;
-    const { support } = irradiance;
     if (!target || !this.#gathered) throw new Error("Lighting has no size yet.");
-    const textures = {
-      uLighting: target.color,
-      ...(isReduced && { uInverseDepthGather: this.#gathered.color }),
+    // A reprojected frame has the lighting of the frame that it was lit in.
+    if (!reprojection) this.#isOfAll = isReduced && kept.length > 0;
+    const lit = {
+      textures: {
+        uLighting: target.color,
+        ...(isReduced && { uInverseDepthGather: this.#gathered.color }),
+      },
+      uniforms: {},
+      Light: this.#isOfAll ? this.#representative : this.light,
     };
     if (reprojection) {
-      // The previous frame's lighting is reprojected with its G-buffer.
-      const uniforms = {
-        uPreviousFromCurrentRoom: reprojection.room as Float32Array,
-        uPreviousFromCurrentHeld: reprojection.held as Float32Array,
-      };
-      return { textures, uniforms };
+      const uPreviousFromCurrentRoom = reprojection.room as Float32Array;
+      const uPreviousFromCurrentHeld = reprojection.held as Float32Array;
+      return { ...lit, uniforms: { uPreviousFromCurrentRoom, uPreviousFromCurrentHeld } };
     }
     const { shadows, indirect, specular, candle } = frame.settings.features;
     const light = {
@@ -134,13 +142,15 @@ export class LightingPass {
       captureOrigin: shadow.captureOrigin,
     };
     const key = JSON.stringify([gbufferKey, light, shadows, indirect, specular]);
-    if (key === this.#key) return { textures, uniforms: {} };
+    if (key === this.#key && !this.#isOfAll) return lit;
     this.#key = key;
     this.#shadingLight.update(light);
     const worldFromClip = mat4.invert(mat4.create(), frame.clipFromWorld);
     if (!worldFromClip) throw new Error("The camera's matrix has no inverse.");
+    const program = isReduced ? this.reducedProgram(kept) : this.full;
+    const all = this.#isOfAll ? this.#ofAll(frame, program, { shadow, irradiance, kept }) : null;
     this.#gpu.draw({
-      program: isReduced ? this.prepareReduced() : this.#full,
+      program,
       target,
       vertexArray: this.#screen,
       textures: {
@@ -149,17 +159,51 @@ export class LightingPass {
         ...(representative && { uRepresentative: representative }),
         uShadow: shadow.depth,
         ...irradiance.textures,
-        uSupport: support,
+        uSupport: irradiance.support,
+        ...all?.textures,
+        ...(moonOf(kept) && isReduced && { uGBufferAlbedo: gbuffer.albedo }),
       },
       uniforms: {
         uFeatures: [shadows, indirect, specular].map(Number),
         uLightingSize: [target.width, target.height],
         uWorldFromClip: worldFromClip as Float32Array,
+        ...all?.uniforms,
       },
-      blocks: { Frame: this.frame, Light: this.#shadingLight, Volume: irradiance.block },
+      blocks: {
+        Frame: this.frame,
+        Light: this.#shadingLight,
+        Volume: irradiance.block,
+        ...all?.blocks,
+      },
     });
     if (isReduced) this.#gatherInverseDepth(target, this.#gathered);
-    return { textures, uniforms: {} };
+    return lit;
+  }
+
+  /** What lighting by all lights reads beside lighting by the flame. */
+  #ofAll(
+    { world, settings }: FrameInput,
+    program: Program,
+    { shadow, irradiance, kept }: Captures,
+  ): Required<Pick<Draw, "textures" | "uniforms" | "blocks">> {
+    const flame = lightBlock(world, settings.features.candle);
+    const { intensity } = flame;
+    const uColor = representativeColor(intensity, kept);
+    this.#representative.update({ ...flame, intensity: uColor });
+    this.#shadingLight.update({ intensity });
+    this.#standing ??= new StandingLights(this.#gpu, this.#screen, program, this.format);
+    const { textures, blocks } = this.#standing.inputs(kept, { shadow, irradiance }, intensity);
+    const moon = moonOf(kept);
+    const candle = kept.find(({ kind }) => kind === "candle");
+    return {
+      textures: {
+        ...textures,
+        uStandingSupport: (candle?.irradiance ?? irradiance).support,
+        ...(moon && { uMoonMap: moon.shadow }),
+      },
+      uniforms: { uColor, ...(moon && { uMoonlight: moon.intensity }) },
+      blocks: { ...blocks, ...(moon && { Moon: moon.block }) },
+    };
   }
 
   #gatherInverseDepth({ colors: [, uInverseDepth] }: RenderTarget, target: RenderTarget): void {

@@ -1,47 +1,57 @@
 import type { Draw, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
+import type { TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Rgb } from "../../light/color.js";
-import type { IrradianceVolume } from "../gi/indirect-pass.js";
+import type { FlameCaptures } from "../gi/light-captures.js";
 import type { KeptLight } from "../kept-light.js";
 import { drawScaled } from "./candle-layers.js";
 
-/** Inputs of the program that shades for all flames at once: as they burn, in cd. */
+/** Inputs of a program that shades for all flames at once: as they burn, in cd. */
 export class StandingLights {
   readonly #gpu: Gpu;
   readonly #screen: VertexArray;
+  readonly #format: TextureFormat;
   readonly #block: UniformBlock;
-  /** Irradiance volume of all flames. */
+  /** Irradiance volume of all lights. */
   #irradiance: RenderTarget | null = null;
 
-  /** @param program that has the block `Candles` */
-  constructor(gpu: Gpu, screen: VertexArray, program: Program) {
+  /**
+   * @param program that has the block `Candles`
+   * @param format of the irradiance volume
+   */
+  constructor(gpu: Gpu, screen: VertexArray, program: Program, format: TextureFormat) {
     this.#gpu = gpu;
+    this.#format = format;
     this.#screen = screen;
     this.#block = gpu.uniformBlock(program, "Candles");
   }
 
-  /** @param carried the volume of the carried flame, for 1 cd */
+  /**
+   * @param lights the volume of all has theirs
+   * @param carried captures of the carried flame, for 1 cd
+   */
   inputs(
-    candles: readonly KeptLight[],
-    carried: IrradianceVolume,
+    lights: readonly KeptLight[],
+    { shadow, irradiance: carried }: FlameCaptures,
     intensity: Rgb,
   ): Required<Pick<Draw, "textures" | "blocks">> {
     const { width, height } = carried.textures.uIrradiance;
     this.#irradiance ??= this.#gpu.renderTarget({
-      label: "forward/irradiance",
+      label: "opaque/irradiance",
       width,
       height,
-      color: ["RGBA16F"],
+      color: [this.#format],
     });
     const target = this.#irradiance;
-    for (const { irradiance, ...light } of [{ irradiance: carried, intensity }, ...candles]) {
+    for (const { irradiance, ...light } of [{ irradiance: carried, intensity }, ...lights]) {
       const from = irradiance.textures.uIrradiance;
       const scissor = irradiance === carried ? undefined : ([0, 0, width, height] as const);
       drawScaled(this.#gpu, this.#screen, from, target, light.intensity, scissor);
     }
+    const candles = lights.filter(({ kind }) => kind === "candle");
     for (const [i, { light, intensity }] of candles.entries()) {
       const members = Object.entries({ ...light, intensity });
       this.#block.update(
@@ -50,7 +60,7 @@ export class StandingLights {
     }
     this.#block.update({ count: candles.length });
     return {
-      textures: { uStandingShadow: candles[0]!.shadow, uIrradiance: target.color },
+      textures: { uStandingShadow: candles[0]?.shadow ?? shadow.depth, uIrradiance: target.color },
       blocks: { Candles: this.#block },
     };
   }
