@@ -37,7 +37,7 @@ import { RefinedStage } from "./refinement/refined-stage.js";
 import { SharpStart } from "./refinement/sharp-start.js";
 import type { Models, Refining, Renderer, Surfaces } from "./renderer.js";
 import { SCHEDULE } from "./schedule.js";
-import { expandBox, scaleBox } from "./screen-bounds.js";
+import { boundsOf, expandBox, expandBoxes, scaleBox } from "./screen-bounds.js";
 import { clusterIncrementally } from "./shadow/shadow-casters.js";
 import { HANDLE_TURN } from "./volumetric/flame-pass.js";
 import { flamePart, VolumetricStage } from "./volumetric/volumetric-stage.js";
@@ -76,7 +76,7 @@ export class PhysicalRenderer implements Renderer {
   #size = { width: 1, height: 1 };
   /** Frames since bloom and exposure were updated. */
   #postAge = 0;
-  /** The last frame, of which `#radiance` may hold a region. */
+  /** The last frame, of which `#radiance` may hold regions. */
   #last: readonly [FrameInput, OpaqueLayer, IrradianceVolume] | null = null;
 
   /** @param collision mesh of the room, for the probes' rays */
@@ -151,17 +151,17 @@ export class PhysicalRenderer implements Renderer {
     const captures = this.#captures.update(frame, kind);
     const { shadow, irradiance } = captures;
     const layer = this.#opaque.shade(frame, captures);
-    const region = this.#compositeDisplay
+    const regions = this.#compositeDisplay
       ? this.#volumetric.bounds(frame, kind, this.#size, BLOOM_SCALE)
-      : this.#whole;
-    this.#composite(frame, layer, irradiance, region);
+      : [this.#whole];
+    this.#composite(frame, layer, irradiance, regions);
     this.#last = [frame, layer, irradiance];
     const post = this.#postIn(kind, shadow.isNew);
-    if (post === "before display") this.#updatePost(frame, layer, irradiance, region);
+    if (post === "before display") this.#updatePost(frame, layer, irradiance, regions);
     if (settings.inspect !== "picture" && !this.#compositeDisplay) {
       this.#inspect(frame, layer, shadow.depth, irradiance);
-    } else this.#present(frame, layer, region);
-    if (post === "after display") this.#updatePost(frame, layer, irradiance, region);
+    } else this.#present(frame, layer, regions);
+    if (post === "after display") this.#updatePost(frame, layer, irradiance, regions);
   }
 
   surfaces(): Surfaces {
@@ -214,16 +214,16 @@ export class PhysicalRenderer implements Renderer {
     return [{ meshes: this.#candle, placement, isHeld: candle.isHeld }, room];
   }
 
-  /** Radiance of surfaces and participating media, cd/m², within a region. */
+  /** Radiance of surfaces and participating media, cd/m², within regions. */
   #composite(
     frame: FrameInput,
     layer: OpaqueLayer,
     irradiance: IrradianceVolume,
-    region: Box,
+    regions: readonly Box[],
   ): void {
     const target = this.#compositedFrame(layer.depth);
     if (flamePart(frame.settings.inspect)) this.#gpu.clear(target.target, BLACK);
-    else this.#opaque.composite(frame, layer, target, region);
+    else for (const region of regions) this.#opaque.composite(frame, layer, target, region);
     this.#volumetric.render(frame, layer.kind, target, irradiance);
   }
 
@@ -254,11 +254,11 @@ export class PhysicalRenderer implements Renderer {
     { flameUv, world }: FrameInput,
     { textures, blocks }: OpaqueLayer,
     { roomReflectance }: IrradianceVolume,
-    region: Box,
+    regions: readonly Box[],
   ): void {
     this.#postAge = 0;
     const { color } = this.#radiance!;
-    this.#bloom.render(color, region, flameUv);
+    this.#bloom.render(color, regions, flameUv);
     this.#exposure.render(
       this.#compositeDisplay ? textures : { uRadiance: color },
       roomReflectance,
@@ -267,8 +267,8 @@ export class PhysicalRenderer implements Renderer {
     );
   }
 
-  /** To the canvas: the region of the media from the radiance, the rest straight from the opaque layer. */
-  #present(frame: FrameInput, layer: OpaqueLayer, region: Box): void {
+  /** To the canvas: the regions of the media from the radiance, the rest straight from the opaque layer. */
+  #present(frame: FrameInput, layer: OpaqueLayer, regions: readonly Box[]): void {
     const { settings, flameUv, world } = frame;
     const size = this.#size;
     const { Frame } = this.#opaque.blocks;
@@ -281,20 +281,24 @@ export class PhysicalRenderer implements Renderer {
       return;
     }
     const textures = { ...inputs, uToneLut: this.#compositeDisplay.toneLut(transform) };
-    if (layer.kind !== "full" || region[2] * region[3] < size.width * size.height) {
+    const isFilled = regions.some((box) => box[2] * box[3] === size.width * size.height);
+    if (layer.kind !== "full" || !isFilled) {
       const options = {
         glareShare: glareShareOf(settings),
         bloomOffset: bloom.shift,
         autoExposure: settings.features.autoExposure,
         transform,
-        bloomBounds: expandBox(region, BLOOM_REACH + layer.motion * size.width, size),
+        bloomBounds: expandBoxes(regions, BLOOM_REACH + layer.motion * size.width, size),
         size,
       };
       this.#compositeDisplay.render(layer, textures, options, layer.blocks);
     }
-    this.sharpStart?.draw(frame, layer, region, size, inputs.uExposure, this.#opaque.blocks);
-    const inner = scaleBox(expandBox(region, -1, size), size, this.#gpu.canvas);
-    this.#display.render({ ...textures, uRadiance }, bloom, settings, transform, Frame, inner);
+    const media = boundsOf(regions);
+    this.sharpStart?.draw(frame, layer, media, size, inputs.uExposure, this.#opaque.blocks);
+    for (const region of regions) {
+      const inner = scaleBox(expandBox(region, -1, size), size, this.#gpu.canvas);
+      this.#display.render({ ...textures, uRadiance }, bloom, settings, transform, Frame, inner);
+    }
   }
 
   #inspect(
@@ -320,7 +324,7 @@ export class PhysicalRenderer implements Renderer {
 
   readRadiance(x: number, y: number, width: number, height: number): Float32Array {
     if (!this.#radiance) return new Float32Array(width * height * 3);
-    if (this.#compositeDisplay && this.#last) this.#composite(...this.#last, this.#whole);
+    if (this.#compositeDisplay && this.#last) this.#composite(...this.#last, [this.#whole]);
     return this.#gpu.readFloats(this.#radiance, x, y, width, height);
   }
 }

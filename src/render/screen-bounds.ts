@@ -28,7 +28,7 @@ export function projectedExtent(
   clip: mat4,
   { width, height }: Size,
 ): Extent | null {
-  let [left, bottom, right, top] = [width, height, 0, 0];
+  let [left, bottom, right, top] = [Infinity, Infinity, -Infinity, -Infinity];
   for (const [x, y, z, radius] of spheres) {
     for (let corner = 0; corner < 8; corner++) {
       const offset = (axis: number) => ((corner >> axis) & 1 ? radius : -radius);
@@ -44,7 +44,7 @@ export function projectedExtent(
 }
 
 /**
- * Bounding box of spheres on the frame: whole cells, and one more on each side.
+ * Bounding box of spheres on the frame: whole cells, and one more on each side. Null where none of them is on the frame.
  *
  * @param margin around the spheres, pixels
  * @param cell edge of a cell, pixels
@@ -54,9 +54,15 @@ export function screenBounds(
   clip: mat4,
   { width, height }: Size,
   { margin, cell }: { readonly margin: number; readonly cell: number },
-): Box {
-  const extent = projectedExtent(spheres, clip, { width, height });
+): Box | null {
+  const isAhead = ([x, y, z, radius]: Sphere) =>
+    clipPosition(clip, x, y, z)[2] + Math.sqrt(3) * radius > NEAREST;
+  const ahead = [...spheres].filter(isAhead);
+  if (ahead.length === 0) return null;
+  const extent = projectedExtent(ahead, clip, { width, height });
   if (!extent) return [0, 0, width, height];
+  const { left, right, bottom, top } = extent;
+  if (Math.max(left - width, bottom - height, -right, -top) > margin) return null;
   const begin = (at: number, length: number) =>
     Math.min(Math.max((Math.floor((at - margin) / cell) - 1) * cell, 0), length - 1);
   const end = (at: number, from: number, length: number) =>
@@ -65,12 +71,45 @@ export function screenBounds(
   return [x, y, end(extent.right, x, width) - x, end(extent.top, y, height) - y];
 }
 
+/** Bounding box of boxes; nothing where there is none. */
+export function boundsOf(boxes: readonly Box[]): Box {
+  if (boxes.length === 0) return [0, 0, 0, 0];
+  const left = Math.min(...boxes.map(([x]) => x));
+  const bottom = Math.min(...boxes.map(([, y]) => y));
+  const right = Math.max(...boxes.map(([x, , width]) => x + width));
+  const top = Math.max(...boxes.map(([, y, , height]) => y + height));
+  return [left, bottom, right - left, top - bottom];
+}
+
+/** Boxes that cover the same pixels, where those that overlap are one. */
+export function mergeOverlapping(boxes: readonly Box[]): Box[] {
+  const merged: Box[] = [];
+  for (let box of boxes) {
+    for (let i = 0; i < merged.length; i++) {
+      if (!overlaps(merged[i]!, box)) continue;
+      box = boundsOf([box, ...merged.splice(i, 1)]);
+      i = -1; // it may now overlap earlier ones
+    }
+    merged.push(box);
+  }
+  return merged;
+}
+
+function overlaps([x, y, width, height]: Box, [u, v, wide, high]: Box): boolean {
+  return x < u + wide && u < x + width && y < v + high && v < y + height;
+}
+
 /** A box expanded by a number of pixels on each side that is no edge of the frame; negative to shrink. */
 export function expandBox([x, y, wide, high]: Box, by: number, { width, height }: Size): Box {
   const [left, bottom] = [x === 0 ? 0 : Math.max(x - by, 0), y === 0 ? 0 : Math.max(y - by, 0)];
   const right = x + wide === width ? width : Math.min(x + wide + by, width);
   const top = y + high === height ? height : Math.min(y + high + by, height);
   return [left, bottom, right - left, top - bottom];
+}
+
+/** Boxes expanded on each side; those that then overlap are one. */
+export function expandBoxes(boxes: readonly Box[], by: number, size: Size): Box[] {
+  return mergeOverlapping(boxes.map((box) => expandBox(box, by, size)));
 }
 
 /** The pixels that a box touches at another resolution. */

@@ -25,7 +25,7 @@ export interface DisplayOptions {
   readonly autoExposure: boolean;
   readonly transform: DisplayTransform;
   /** Where the bloom is, in pixels of a canvas of `size`. */
-  readonly bloomBounds: Box;
+  readonly bloomBounds: readonly Box[];
   readonly size: Size;
 }
 
@@ -104,16 +104,20 @@ export class CompositeDisplayPass {
       });
     }
     // The bloom does not move with the surfaces.
-    const scissor = isReprojected ? scaleBox(options.bloomBounds, options.size, color) : undefined;
-    this.#gpu.draw({ ...composite, target: color, scissor });
-    this.#gpu.draw({
-      ...pass,
-      program: this.#fxaa,
-      target,
-      textures: { uSource: color.color, uSmooth: color.color },
-      sampling: { uSource: "nearest" },
-      scissor,
-    });
+    const drawn = isReprojected
+      ? options.bloomBounds.map((box) => scaleBox(box, options.size, color))
+      : [undefined];
+    for (const scissor of drawn) {
+      this.#gpu.draw({ ...composite, target: color, scissor });
+      this.#gpu.draw({
+        ...pass,
+        program: this.#fxaa,
+        target,
+        textures: { uSource: color.color, uSmooth: color.color },
+        sampling: { uSource: "nearest" },
+        scissor,
+      });
+    }
     const source = { textures: { uSource: target.color } };
     this.#gpu.draw({ ...pass, ...source, program: this.#upscale, target: "canvas" });
   }

@@ -43,8 +43,8 @@ interface SurfacePass extends Pick<Draw, "target" | "viewport" | "scissor"> {
  */
 const NEAR = 0.12;
 
-/** Bounds on the frame of what is near the flame, pixels. */
-function boundsNearFlame({ world, clipFromWorld }: FrameInput, size: Size): Box {
+/** Bounds on the frame of what is near the flame, pixels; null where that is off the frame. */
+function boundsNearFlame({ world, clipFromWorld }: FrameInput, size: Size): Box | null {
   const [x, y, z] = world.interpolated.flame;
   return screenBounds([[x, y - 0.5 * NEAR, z, NEAR]], clipFromWorld, size, { margin: 0, cell: 8 });
 }
@@ -173,7 +173,8 @@ export class ForwardStage implements OpaqueStage {
     } else if (isStale) {
       const size = this.#resolved;
       // Near the flame in each frame; elsewhere tile by tile.
-      if (hasMoved) this.#drawBox(frame, light, captures, boundsNearFlame(frame, size));
+      const near = boundsNearFlame(frame, size);
+      if (hasMoved && near) this.#drawBox(frame, light, captures, near);
       if (this.#stale.length === 0) this.#stale.push(...tiles(size, SCHEDULE.lighting.restTiles));
       this.#drawBox(frame, light, captures, this.#stale.shift()!);
     }

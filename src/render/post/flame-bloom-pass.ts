@@ -73,23 +73,26 @@ export class FlameBloomPass implements Bloom {
   }
 
   /**
-   * @param box of the radiance that was drawn; it contains the flame
-   * @param flame position of the flame
+   * @param boxes of the radiance that were drawn; all flames in the frame are in them
+   * @param flame position of the carried flame
    */
-  render(radiance: Texture, [x, y, width, height]: Box, flame: Uv): void {
+  render(radiance: Texture, boxes: readonly Box[], flame: Uv): void {
     const target = this.#prefiltered!;
-    const left = Math.floor(x / BLOOM_SCALE) + (x > 0 ? 1 : 0);
-    const bottom = Math.floor(y / BLOOM_SCALE) + (y > 0 ? 1 : 0);
-    const right = Math.floor((x + width) / BLOOM_SCALE) - (x + width < this.#size.width ? 1 : -1);
-    const top = Math.floor((y + height) / BLOOM_SCALE) - (y + height < this.#size.height ? 1 : -1);
     this.#gpu.clear(target, [0, 0, 0, 1]);
-    this.#gpu.draw({
-      program: this.#program,
-      target,
-      vertexArray: this.#screen,
-      textures: { uSource: radiance },
-      scissor: [left, bottom, Math.max(right - left, 0), Math.max(top - bottom, 0)],
-    });
+    for (const [x, y, width, height] of boxes) {
+      const left = Math.floor(x / BLOOM_SCALE) + (x > 0 ? 1 : 0);
+      const bottom = Math.floor(y / BLOOM_SCALE) + (y > 0 ? 1 : 0);
+      const right = Math.floor((x + width) / BLOOM_SCALE) - (x + width < this.#size.width ? 1 : -1);
+      const top =
+        Math.floor((y + height) / BLOOM_SCALE) - (y + height < this.#size.height ? 1 : -1);
+      this.#gpu.draw({
+        program: this.#program,
+        target,
+        vertexArray: this.#screen,
+        textures: { uSource: radiance },
+        scissor: [left, bottom, Math.max(right - left, 0), Math.max(top - bottom, 0)],
+      });
+    }
     this.#latest = this.#bloom.render(target.color, target);
     this.#flame = flame;
   }

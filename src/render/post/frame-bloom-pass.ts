@@ -10,8 +10,8 @@ export interface Bloom {
   readonly isDrawn: boolean;
   readonly latest: Texture;
   resize(width: number, height: number): void;
-  /** @param region of the radiance: all that blooms is in it */
-  render(radiance: Texture, region: Box, flameUv: readonly [number, number]): void;
+  /** @param regions of the radiance: all that blooms is in them */
+  render(radiance: Texture, regions: readonly Box[], flameUv: readonly [number, number]): void;
   /** Where `latest` lies on a frame with the flame at a place. */
   transform(flameUv: readonly [number, number]): BloomTransform;
 }

@@ -17,7 +17,7 @@ import type { FrameBlocks, OpaqueLayer } from "../opaque/opaque-stage.js";
 import { whiteBalance } from "../post/display-pass.js";
 import { HueLut } from "../post/hue-lut.js";
 import { ToneLut } from "../post/tone-lut.js";
-import { bandOf, expandBox } from "../screen-bounds.js";
+import { bandOf, expandBox, expandBoxes } from "../screen-bounds.js";
 import type { RefinedStage } from "./refined-stage.js";
 import type { RefinedImage } from "./sharp-start.js";
 
@@ -130,17 +130,20 @@ export class RefinedDisplayPass {
       blocks: { ...blocks },
     } as const;
     if (isKept) this.#gpu.draw({ ...pass, program: this.#blend, uniforms: { uAutoExposure } });
-    this.#gpu.draw({
-      ...pass,
-      program: isKept ? this.#glare : this.#display,
-      uniforms: {
-        uWhiteBalance: whiteBalance(transform),
-        uGlareShare: options.glareShare,
-        uGlareOffset: options.bloomOffset,
-        uAutoExposure,
-      },
-      scissor: isKept ? expandBox(options.bloomBounds, FARTHER, size) : undefined,
-    });
+    const glaring = expandBoxes(options.bloomBounds, FARTHER, size);
+    for (const scissor of isKept ? glaring : [undefined]) {
+      this.#gpu.draw({
+        ...pass,
+        program: isKept ? this.#glare : this.#display,
+        uniforms: {
+          uWhiteBalance: whiteBalance(transform),
+          uGlareShare: options.glareShare,
+          uGlareOffset: options.bloomOffset,
+          uAutoExposure,
+        },
+        scissor,
+      });
+    }
   }
 
   /** Keeps new tiles, antialiased and by the exact display transform, as `high` displays them. */

@@ -155,8 +155,8 @@ export class HazePass {
     const spheres = Array.from({ length: high - low + 1 }, (_, i) => this.#sphere(low + i));
     const extent = projectedExtent(spheres, clip, this.#size);
     return {
-      left: extent ? Math.max(Math.floor(extent.left), 0) : 0,
-      right: extent ? Math.min(extent.right, width) : width,
+      left: extent ? Math.min(Math.max(Math.floor(extent.left), 0), width) : 0,
+      right: extent ? Math.min(Math.max(extent.right, 0), width) : width,
       first: 2 * low,
       count: 2 * (high - low + 1),
     };

@@ -82,9 +82,9 @@ function* visibleSmokes({ plume, standing }: World): Generator<Smoke> {
   }
 }
 
-/** Bounding spheres of the smoke of all candles. */
-export function* boundingSpheres(world: World): Generator<Sphere> {
-  for (const smoke of visibleSmokes(world)) yield* spheresOf(smoke);
+/** Bounding spheres of the smoke of each candle. */
+export function* smokeSpheres(world: World): Generator<Iterable<Sphere>> {
+  for (const smoke of visibleSmokes(world)) yield spheresOf(smoke);
 }
 
 /** One for each row of parcels. */

@@ -17,11 +17,11 @@ import { CHAMBERSTICK } from "../light-block.js";
 import type { Mesh } from "../mesh/mesh.js";
 import type { FrameBlocks } from "../opaque/opaque-stage.js";
 import type { PhysicalTier } from "../quality.js";
-import { type Sphere, screenBounds } from "../screen-bounds.js";
+import { mergeOverlapping, type Sphere, screenBounds } from "../screen-bounds.js";
 import { carriedWick, type FlamePart, FlamePass, standingWick } from "./flame-pass.js";
 import { HazePass, type HotAir } from "./haze-pass.js";
 import { MotesPass } from "./motes-pass.js";
-import { boundingSpheres, SmokePass } from "./smoke-pass.js";
+import { SmokePass, smokeSpheres } from "./smoke-pass.js";
 import type { CompositedFrame } from "./volumetric-target.js";
 
 /** Pixels around the flame that bloom and antialiasing read. */
@@ -32,6 +32,8 @@ const HULL = 1.4;
 const RIM_DEPTH = 0.0015;
 /** Least radiance of an ember that is drawn, cd/m². */
 const FAINTEST_EMBER = 1e-5;
+/** Radius around the flame's root within which the wick glows, metres. */
+const EMBER_REACH = 0.01;
 /** Colour of a haze that refracts nothing, as `inspect` shows it. */
 const NO_OFFSET = [0.5, 0.5, 0.5, 1] as const;
 
@@ -84,10 +86,15 @@ export class VolumetricStage {
     return this.#motes?.particles ?? 0;
   }
 
-  /** Pixels that anything may be drawn to, in whole cells of the bloom's source. */
-  bounds(frame: FrameInput, kind: GBufferKind, size: Size, cell: number): Box {
+  /** Pixels that anything may be drawn to, as boxes apart from each other, in whole cells of the bloom's source. */
+  bounds(frame: FrameInput, kind: GBufferKind, size: Size, cell: number): Box[] {
     const fit = { margin: MARGIN, cell };
-    return screenBounds(this.#spheres(frame, kind), frame.clipFromWorld, size, fit);
+    const boxes: Box[] = [];
+    for (const spheres of this.#spheres(frame, kind)) {
+      const box = screenBounds(spheres, frame.clipFromWorld, size, fit);
+      if (box) boxes.push(box);
+    }
+    return mergeOverlapping(boxes);
   }
 
   /** Draws over the composited radiance, within its depth. */
@@ -192,17 +199,20 @@ export class VolumetricStage {
     }
   }
 
-  /** Spheres around the flames, the hot air over them, and the smoke. */
-  *#spheres(frame: FrameInput, kind: GBufferKind): Generator<Sphere> {
-    const { plume, standing } = frame.world;
-    yield* this.#flameSpheres(carriedFlame(frame.world));
-    for (const candle of standing) {
-      if (candle.flame.glow > 0) yield* this.#flameSpheres(candle);
+  /** Spheres around each flame, each candle's smoke, and the hot air over each flame. */
+  *#spheres(frame: FrameInput, kind: GBufferKind): Generator<Iterable<Sphere>> {
+    const { world, settings } = frame;
+    yield this.#flameSpheres(carriedFlame(world));
+    for (const candle of world.standing) {
+      const [x, y, z] = candle.root;
+      if (candle.flame.glow > 0) yield this.#flameSpheres(candle);
+      else if (emberRadiance(candle.flame.ember)[0] >= FAINTEST_EMBER)
+        yield [[x, y, z, EMBER_REACH]];
     }
-    if (!plume) return;
-    if (frame.settings.features.smoke) yield* boundingSpheres(frame.world);
+    if (!world.plume) return;
+    if (settings.features.smoke) yield* smokeSpheres(world);
     if (!this.#showsHaze(frame, kind)) return;
-    for (const hotAir of this.#hotAir(frame.world)) yield* this.#haze.boundingSpheres(hotAir);
+    for (const hotAir of this.#hotAir(world)) yield this.#haze.boundingSpheres(hotAir);
   }
 }
 

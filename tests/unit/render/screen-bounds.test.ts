@@ -1,6 +1,12 @@
 import { describe, expect, test } from "vitest";
 import { clipFromWorld, clipPosition } from "../../../src/render/camera.js";
-import { bandOf, clipOfBox } from "../../../src/render/screen-bounds.js";
+import {
+  bandOf,
+  boundsOf,
+  clipOfBox,
+  mergeOverlapping,
+  screenBounds,
+} from "../../../src/render/screen-bounds.js";
 
 const SIZE = { width: 853, height: 481 };
 
@@ -33,5 +39,35 @@ describe("Stripes of a picture", () => {
       if (Math.abs(high) < w) inside++;
     }
     expect(inside).toBeGreaterThan(5);
+  });
+});
+
+describe("Bounds on the frame", () => {
+  const clip = clipFromWorld([0, 1.5, 0], 0, 0, SIZE.width / SIZE.height);
+  const fit = { margin: 4, cell: 4 };
+  const bounds = (...spheres: [number, number, number, number][]) =>
+    screenBounds(spheres, clip, SIZE, fit);
+
+  test("hold what is ahead, and only that", () => {
+    const [x, y, width, height] = bounds([0, 1.5, -2, 0.05])!;
+    expect(Math.abs(x + width / 2 - SIZE.width / 2)).toBeLessThan(4);
+    expect(Math.abs(y + height / 2 - SIZE.height / 2)).toBeLessThan(4);
+    expect(width).toBeLessThan(60);
+    expect(bounds([0, 1.5, -2, 0.05], [0, 1.5, 2, 0.05])).toEqual([x, y, width, height]);
+  });
+
+  test("are none of what is behind or beside, and all of the frame around the eye", () => {
+    expect(bounds([0, 1.5, 2, 0.05])).toBeNull();
+    expect(bounds([9, 1.5, -2, 0.05])).toBeNull();
+    expect(bounds()).toBeNull();
+    expect(bounds([0, 1.5, 0, 0.2])).toEqual([0, 0, SIZE.width, SIZE.height]);
+  });
+
+  test("that overlap become one, those apart stay apart", () => {
+    const [left, right] = [[0, 0, 10, 10] as const, [30, 0, 10, 10] as const];
+    expect(mergeOverlapping([left, right])).toEqual([left, right]);
+    expect(mergeOverlapping([left, right, [5, 5, 26, 2]])).toEqual([[0, 0, 40, 10]]);
+    expect(boundsOf([left, right])).toEqual([0, 0, 40, 10]);
+    expect(boundsOf([])).toEqual([0, 0, 0, 0]);
   });
 });
