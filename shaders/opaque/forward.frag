@@ -188,9 +188,10 @@ void main() {
   vec3 mirrored = (probes.alongReflection * unoccluded + nearby) / PI;
   float traced = 1.0 - smoothstep(TRACED_ROUGHNESS.x, TRACED_ROUGHNESS.y, roughness - metallic * TRACED_METAL);
   if (traced > 0.0) {
-    // Rays hit what the carried flame lights. What other flames light is taken from the probes.
+    // Rays hit what the carried flame lights; what others light is taken from the probes. They spread as the normals
+    // within a pixel do: the rim of a dish would be dots.
     vec3 beyond = probes.alongReflection * (carriedShare * TRACED_INDIRECT / PI);
-    vec3 rays = traceReflection(vPositionWorld + surface * 0.01, normal, view, roughness * roughness, beyond);
+    vec3 rays = traceReflection(vPositionWorld + surface * 0.01, normal, view, alpha, beyond);
     mirrored = mix(mirrored, rays + probes.alongReflection * ((1.0 - carriedShare) / PI), traced);
   }
   mirrored *= environment.share;
