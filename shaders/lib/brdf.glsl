@@ -25,13 +25,6 @@ vec3 fresnelSchlick(vec3 f0, float LoH) {
   return f0 + (1.0 - f0) * (m2 * m2 * m);
 }
 
-// Directional albedo of a dielectric's surface. Karis 2014, "Physically Based Shading on Mobile".
-float dielectricShare(float roughness, float NoV) {
-  vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
-  float grazing = min(r.x * r.x, exp2(-9.28 * NoV)) * r.x + r.y;
-  return 0.04 * (r.z - 1.04 * grazing) + 1.04 * grazing + r.w;
-}
-
 // Directional albedo of a rough mirror, and compensation for the energy that single scattering loses between facets.
 struct EnvironmentReflection {
   vec3 share;

@@ -10,6 +10,7 @@
 #include "lib/depth.glsl"
 #include "lib/flame-light.glsl"
 #include "lib/flame-brdf.glsl"
+#include "lib/dielectric.glsl"
 #include "lib/shadow-cube.glsl"
 #include "lib/pcss.glsl"
 #include "lib/irradiance-volume.glsl"

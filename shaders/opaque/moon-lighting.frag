@@ -8,6 +8,7 @@
 #include "lib/random.glsl"
 #include "lib/depth.glsl"
 #include "lib/brdf.glsl"
+#include "lib/dielectric.glsl"
 #include "lib/moon.glsl"
 #include "lib/moon-shadow.glsl"
 #include "lib/night-sky.glsl"
