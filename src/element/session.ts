@@ -116,8 +116,8 @@ export class Session {
 
   get #request(): SceneRequest {
     const { attributes } = this.#input;
-    const { scene, src } = attributes;
-    return { scene, look: this.look, src, assetRoot: assetRootOf(attributes) };
+    const { scene, src, paused: isStepped } = attributes;
+    return { scene, look: this.look, src, assetRoot: assetRootOf(attributes), isStepped };
   }
 
   /** To be called when the attributes may ask for another scene. */

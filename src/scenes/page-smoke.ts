@@ -9,28 +9,25 @@ export interface PageSmoke {
   readonly smokePass: (gpu: Gpu) => SmokePass | null;
 }
 
-let plume: CreatePlume | null = null;
-let makePass: ((gpu: Gpu) => SmokePass) | null = null;
-let isAsked = false;
+let code: typeof import("./page-smoke-code.js") | null = null;
+let fetching: Promise<void> | null = null;
 const passes = new WeakMap<Gpu, SmokePass>();
 
-/** A candle whose code cannot be fetched goes out without smoke. */
-function fetchCode(): void {
-  if (isAsked) return;
-  isAsked = true;
-  import("./page-smoke-code.js").then(({ createPlume, SmokePass }) => {
-    plume = createPlume;
-    makePass = (gpu) => new SmokePass(gpu, true);
+/** Fetches the code; without it a candle goes out without smoke. */
+export function fetchPageSmoke(): Promise<void> {
+  fetching ??= import("./page-smoke-code.js").then((fetched) => {
+    code = fetched;
   }, console.warn);
+  return fetching;
 }
 
 export const PAGE_SMOKE: PageSmoke = {
   createPlume: (...birth) => {
-    fetchCode();
-    return plume?.(...birth) ?? null;
+    void fetchPageSmoke();
+    return code?.createPlume(...birth) ?? null;
   },
   smokePass: (gpu) => {
-    const pass = passes.get(gpu) ?? makePass?.(gpu) ?? null;
+    const pass = passes.get(gpu) ?? (code && new code.SmokePass(gpu, true));
     if (pass) passes.set(gpu, pass);
     return pass;
   },

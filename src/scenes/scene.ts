@@ -8,7 +8,7 @@ import type { MoonWish } from "../world/moon.js";
 import type { Room } from "../world/room/room.js";
 import type { Wick } from "../world/standing-candle.js";
 import type { CanvasTarget } from "./canvas-target.js";
-import { PAGE_SMOKE } from "./page-smoke.js";
+import { fetchPageSmoke, PAGE_SMOKE } from "./page-smoke.js";
 
 /** Scene: the models of a room or of a lone candle, fetched and decoded. */
 export interface Scene {
@@ -43,6 +43,8 @@ export interface SceneRequest {
   readonly src: string;
   /** URL of the folder that built-in models lie in. */
   readonly assetRoot: string;
+  /** Whether only steps advance time: their images must not depend on when code arrives. */
+  readonly isStepped: boolean;
 }
 
 /** Whether two requests ask for the same files. */
@@ -63,6 +65,7 @@ export interface Loading {
 /** Fetches a scene, and first the code that it needs: each scene is a chunk of its own. */
 export async function loadScene(request: SceneRequest, loading: Loading): Promise<Scene> {
   if (request.scene === "candle") {
+    if (request.isStepped) await fetchPageSmoke();
     if (request.src !== "") {
       const { loadOwnCandle } = await import("./own-candle-scene.js").catch(missCode);
       const own = await loadOwnCandle(request, loading, PAGE_SMOKE);

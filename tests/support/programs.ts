@@ -174,7 +174,8 @@ export function complaintOf(vertex: ShaderSource, fragment: ShaderSource): strin
 function loadRoom(look: Look): Promise<Scene> {
   const assetRoot = new URL("/", location.href).href;
   const { signal } = new AbortController();
-  return loadScene({ scene: "room", look, src: "", assetRoot }, { signal, onProgress: () => {} });
+  const request = { scene: "room", look, src: "", assetRoot, isStepped: true } as const;
+  return loadScene(request, { signal, onProgress: () => {} });
 }
 
 /** Names of loose uniforms, and of members of blocks after the block's, whatever its instance is called. */

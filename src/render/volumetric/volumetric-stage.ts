@@ -18,6 +18,7 @@ import type { Mesh } from "../mesh/mesh.js";
 import type { FrameBlocks } from "../opaque/opaque-stage.js";
 import type { PhysicalTier } from "../quality.js";
 import { mergeOverlapping, type Sphere, screenBounds } from "../screen-bounds.js";
+import { RIM } from "../standing-light.js";
 import { carriedWick, type FlamePart, FlamePass, standingWick } from "./flame-pass.js";
 import { HazePass, type HotAir } from "./haze-pass.js";
 import { MotesPass } from "./motes-pass.js";
@@ -28,8 +29,6 @@ import type { CompositedFrame } from "./volumetric-target.js";
 const MARGIN = 3;
 /** The hull of the flame is drawn wider than its spheres by this factor. */
 const HULL = 1.4;
-/** Rim of a standing candle below the root of its flame, metres. */
-const RIM_DEPTH = 0.0015;
 /** Least radiance of an ember that is drawn, cd/m². */
 const FAINTEST_EMBER = 1e-5;
 /** Radius around the flame's root within which the wick glows, metres. */
@@ -149,7 +148,7 @@ export class VolumetricStage {
       this.#drawEmber(this.#models.candle, candlePlacement, rim, world.flame, composited);
     }
     for (const { root, flame } of world.standing) {
-      const rim: Vec3 = [root[0], root[1] - RIM_DEPTH, root[2]];
+      const rim: Vec3 = [root[0], root[1] - RIM.depth, root[2]];
       this.#drawEmber(this.#models.room, AT_ORIGIN, rim, flame, composited);
     }
   }
