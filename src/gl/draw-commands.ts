@@ -18,7 +18,8 @@ export type Box = readonly [number, number, number, number];
 export interface Draw {
   readonly program: Program;
   readonly target: Surface;
-  readonly vertexArray: VertexArray;
+  /** Default: none, for a shader that makes the three corners of a triangle over the whole target. */
+  readonly vertexArray?: VertexArray;
   readonly uniforms?: Readonly<Record<string, UniformValue>>;
   readonly textures?: Readonly<Record<string, Texture>>;
   /** How textures are read, by uniform. Default: with mipmaps trilinear, without as they were made. */
@@ -97,7 +98,7 @@ export class DrawCommands {
     sampling = {},
     blocks = {},
     primitive = "triangles",
-    count = vertexArray.count,
+    count = vertexArray?.count ?? 3,
     first = 0,
     blend = "replace",
     depth = "none",
@@ -116,9 +117,9 @@ export class DrawCommands {
     this.#switch(gl.DEPTH_TEST, depth !== "none");
     if (depth !== "none") this.#writeDepth(depth === "test-and-write");
     this.#switch(gl.CULL_FACE, cull === "back");
-    gl.bindVertexArray(vertexArray.handle);
+    gl.bindVertexArray(vertexArray?.handle ?? null);
     const mode = gl[MODES[primitive]];
-    if (vertexArray.indexType) {
+    if (vertexArray?.indexType) {
       const type = vertexArray.indexType === "uint16" ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT;
       gl.drawElements(mode, count, type, first * (type === gl.UNSIGNED_SHORT ? 2 : 4));
     } else if (into) {

@@ -1,5 +1,4 @@
 import type { Gpu } from "../gl/gpu.js";
-import type { VertexArray } from "../gl/vertex-array.js";
 import { flameLight, TAPER } from "../light/flame-light.js";
 import { length3 } from "../world/geometry.js";
 import type { StandingCandle } from "../world/standing-candle.js";
@@ -24,13 +23,7 @@ export class KeptLights {
   readonly #standing: StandingLight[] = [];
 
   /** @param known targets that bounces are computed in at once; null for its own */
-  constructor(
-    gpu: Gpu,
-    screen: VertexArray,
-    scene: IndirectScene,
-    tier: PhysicalTier,
-    known: IndirectTargets | null,
-  ) {
+  constructor(gpu: Gpu, scene: IndirectScene, tier: PhysicalTier, known: IndirectTargets | null) {
     this.#mostCandles = tier.mostCandles;
     // Each light is captured at once, so that one set of targets serves all.
     let shared = known;
@@ -44,9 +37,9 @@ export class KeptLights {
         shadows: shadowAtlas(gpu, tier.shadow.size, slots),
         supports: supportTarget(gpu, slots),
       };
-      return new StandingLight(gpu, screen, scene, tier.indirect, targets(), { ...standing, slot });
+      return new StandingLight(gpu, scene, tier.indirect, targets(), { ...standing, slot });
     };
-    this.#makeMoon = () => new MoonCaptures(gpu, screen, scene, tier, targets());
+    this.#makeMoon = () => new MoonCaptures(gpu, scene, tier, targets());
   }
 
   /** @param casters of a standing candle's shadows and bounced light */

@@ -8,7 +8,6 @@ import type { Gpu } from "../gl/gpu.js";
 import type { Program } from "../gl/program.js";
 import type { RenderTarget } from "../gl/render-target.js";
 import type { UniformBlock } from "../gl/uniform-block.js";
-import type { VertexArray } from "../gl/vertex-array.js";
 import { adaptation, adaptedWhite, luma, VIBRANCE } from "../light/color.js";
 import { carriedFlame, emberRadiance, flameLight, TAPER } from "../light/flame-light.js";
 import { nightVision } from "../light/night-vision.js";
@@ -37,7 +36,6 @@ interface Shared {
   readonly light: UniformBlock;
   readonly flame: FlamePass;
   readonly candle: readonly Mesh[];
-  readonly screen: VertexArray;
 }
 
 const sharedByGpu = new WeakMap<Gpu, Shared>();
@@ -51,7 +49,6 @@ function share(gpu: Gpu, model: Model): Shared {
     light: gpu.uniformBlock(surfaceProgram, "Light"),
     flame: new FlamePass(gpu),
     candle: uploadModel(gpu, model),
-    screen: gpu.vertexArray("screen", { attributes: {}, count: 3 }),
   };
   sharedByGpu.set(gpu, shared);
   return shared;
@@ -96,7 +93,7 @@ export class LoneCandleRenderer implements Renderer {
 
   render(world: World, { features, exposure }: FrameSettings): void {
     if (!this.#radiance) return;
-    const { frame, light, flame, displayProgram, screen } = this.#shared;
+    const { frame, light, flame, displayProgram } = this.#shared;
     const target = this.#samples ?? this.#radiance;
     const { width, height } = this.#size;
     const { eye, pitch, fieldOfView } = frameCandle(width / height, world.flame.wick);
@@ -131,7 +128,6 @@ export class LoneCandleRenderer implements Renderer {
       program: displayProgram,
       target: "canvas",
       viewport: [0, 0, width, height],
-      vertexArray: screen,
       textures: { uRadiance: this.#radiance.color },
       uniforms: {
         uAdaptation: this.#adaptation,

@@ -10,7 +10,6 @@ import type { Gpu, Surface as Target } from "../gl/gpu.js";
 import type { Program } from "../gl/program.js";
 import type { RenderTarget } from "../gl/render-target.js";
 import type { UniformBlock } from "../gl/uniform-block.js";
-import type { VertexArray } from "../gl/vertex-array.js";
 import { candleLight } from "../light/candle-light.js";
 import type { Features, Look } from "../settings.js";
 import type { ParticleLayer } from "../world/particles/particle-layer.js";
@@ -59,7 +58,7 @@ export class PaperRenderer implements Renderer {
   #clipFromWorld = mat4.create();
   #target: RenderTarget | null = null;
   /** Where edges are antialiased after shading: samples are what a CPU pays most for. */
-  readonly #fxaa: { readonly program: Program; readonly screen: VertexArray } | null;
+  readonly #fxaa: Program | null;
   #size = { width: 1, height: 1 };
   /** Exposure of the last frame. */
   #exposure = EXPOSURE;
@@ -71,12 +70,9 @@ export class PaperRenderer implements Renderer {
     this.#updateProgram = particleProgram(gpu);
     this.#fxaa =
       tier.name === "low"
-        ? {
-            program: gpu.program("post/fxaa", fullscreenVert, fxaaFrag, {
-              defines: { EDGE_LEAST: CODE_DIFFERENCE, BY_CODE: 1 },
-            }),
-            screen: gpu.vertexArray("screen", { attributes: {}, count: 3 }),
-          }
+        ? gpu.program("post/fxaa", fullscreenVert, fxaaFrag, {
+            defines: { EDGE_LEAST: CODE_DIFFERENCE, BY_CODE: 1 },
+          })
         : null;
     this.#frame = gpu.uniformBlock(programs.room, "Frame");
     this.#light = gpu.uniformBlock(programs.room, "Light");
@@ -129,11 +125,9 @@ export class PaperRenderer implements Renderer {
       gpu.resolve(target, "canvas");
       return;
     }
-    const { program, screen } = this.#fxaa;
     gpu.draw({
-      program,
+      program: this.#fxaa,
       target: "canvas",
-      vertexArray: screen,
       textures: { uSource: target.color, uSmooth: target.color },
       sampling: { uSource: "nearest" },
     });

@@ -83,35 +83,27 @@ export class PhysicalRenderer implements Renderer {
   constructor(gpu: Gpu, { room, candle }: Models, collision: CollisionMesh, tier: Tier) {
     this.#gpu = gpu;
     const { physical } = tier;
-    const screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
     // On machines without a GPU.
     const isFrugal = physical.opaque !== "forward";
     const lods = physical.opaque === "deferred" ? new MeshLods(gpu) : null;
-    const refined = physical.opaque === "refined" ? new RefinedStage(gpu, screen, tier) : null;
+    const refined = physical.opaque === "refined" ? new RefinedStage(gpu, tier) : null;
     this.#opaque =
-      refined ??
-      (lods ? new DeferredStage(gpu, screen, physical, lods) : new ForwardStage(gpu, screen, tier));
+      refined ?? (lods ? new DeferredStage(gpu, physical, lods) : new ForwardStage(gpu, tier));
     const { format, blocks, meterFrag } = this.#opaque;
     const surfaces = uploadModel(gpu, room, groupTriangles);
     this.#room = sortedByArea(surfaces);
     this.#candle = uploadModel(gpu, candle, groupTriangles);
-    this.#captures = new LightCaptures(
-      gpu,
-      screen,
-      { model: room, collision, surfaces },
-      physical,
-      lods,
-    );
+    this.#captures = new LightCaptures(gpu, { model: room, collision, surfaces }, physical, lods);
     this.#volumetric = new VolumetricStage(gpu, this.#candle, surfaces, blocks, format, physical);
     this.#bloom = isFrugal
-      ? new FlameBloomPass(gpu, screen, physical.bloomLevels, format)
-      : new FrameBloomPass(gpu, screen, physical.bloomLevels);
-    this.#exposure = new ExposurePass(gpu, screen, meterFrag);
-    this.#display = new DisplayPass(gpu, screen, isFrugal);
-    const display = refined && new RefinedDisplayPass(gpu, screen, refined);
-    this.#compositeDisplay = display ?? (lods && new CompositeDisplayPass(gpu, screen));
-    this.sharpStart = lods && new SharpStart(gpu, screen);
-    this.#makeInspector = () => new InspectPass(gpu, screen);
+      ? new FlameBloomPass(gpu, physical.bloomLevels, format)
+      : new FrameBloomPass(gpu, physical.bloomLevels);
+    this.#exposure = new ExposurePass(gpu, meterFrag);
+    this.#display = new DisplayPass(gpu, isFrugal);
+    const display = refined && new RefinedDisplayPass(gpu, refined);
+    this.#compositeDisplay = display ?? (lods && new CompositeDisplayPass(gpu));
+    this.sharpStart = lods && new SharpStart(gpu);
+    this.#makeInspector = () => new InspectPass(gpu);
     this.refining =
       display &&
       refined.refining(this.#captures, display, (world, settings) =>

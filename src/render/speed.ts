@@ -55,7 +55,6 @@ class Load {
   readonly #program;
   readonly #texture;
   readonly #target;
-  readonly #screen;
 
   constructor(gpu: Gpu, isGrazing: boolean, clock: Clock) {
     this.#gpu = gpu;
@@ -82,7 +81,6 @@ class Load {
       height: edge,
       color: ["RGBA8"],
     });
-    this.#screen = gpu.vertexArray("speed", { attributes: {}, count: 3 });
   }
 
   /** Drivers clear undrawn textures on first use, which must not be measured. */
@@ -121,7 +119,6 @@ class Load {
     this.#gpu.draw({
       program: this.#program,
       target: this.#target,
-      vertexArray: this.#screen,
       textures: { uTexture: this.#texture },
       sampling: { uTexture: { anisotropy } },
       viewport: [0, 0, edge, edge],
@@ -131,7 +128,7 @@ class Load {
   }
 
   dispose(): void {
-    for (const object of [this.#program, this.#texture, this.#target, this.#screen]) {
+    for (const object of [this.#program, this.#texture, this.#target]) {
       object.dispose();
     }
   }

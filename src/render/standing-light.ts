@@ -2,7 +2,6 @@ import radiosityFrag from "../../shaders/gi/radiosity.frag";
 import fullscreenVert from "../../shaders/post/fullscreen.vert";
 import type { Gpu } from "../gl/gpu.js";
 import type { UniformBlock } from "../gl/uniform-block.js";
-import type { VertexArray } from "../gl/vertex-array.js";
 import { flameLight, TAPER } from "../light/flame-light.js";
 import type { Vec3 } from "../world/geometry.js";
 import type { StandingCandle } from "../world/standing-candle.js";
@@ -55,7 +54,6 @@ export class StandingLight {
 
   constructor(
     gpu: Gpu,
-    screen: VertexArray,
     scene: IndirectScene,
     indirect: IndirectDetail,
     targets: IndirectTargets,
@@ -63,9 +61,9 @@ export class StandingLight {
   ) {
     this.#slot = support.slot;
     this.#shadow = new ShadowPass(gpu, shadows, support.slot);
-    this.#indirect = new IndirectPass(gpu, screen, scene, indirect, {
+    this.#indirect = new IndirectPass(gpu, scene, indirect, {
       targets,
-      surfels: new SurfelPass(gpu, screen, indirect, support),
+      surfels: new SurfelPass(gpu, indirect, support),
     });
     const program = gpu.program("gi/radiosity", fullscreenVert, radiosityFrag);
     this.#block = gpu.uniformBlock(program, "Light");

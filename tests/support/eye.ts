@@ -40,7 +40,6 @@ export class Eye {
   ): { own: number[]; seen: number[] } {
     const { width, height } = this.#canvas;
     const gpu = this.#gpu;
-    const screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
     const frame = gpu.uniformBlock(
       gpu.program("frame", displayVert, displayFrag, { defines: { TONE_LUT: 0 } }),
       "Frame",
@@ -59,7 +58,7 @@ export class Eye {
     const textures = { uRadiance: picture, uBloom: picture, uExposure: exposure };
     const bloom = { share: [1, 1], shift: [0, 0] } as const;
     const transform = displayTransform(gpu, view, 0);
-    new DisplayPass(gpu, screen).render(textures, bloom, view, transform, frame);
+    new DisplayPass(gpu).render(textures, bloom, view, transform, frame);
     const own = [...gpu.readCanvas(0, 0, width, height)];
     const paper = new OffscreenCanvas(width, height).getContext("2d", { colorSpace: "srgb" });
     paper?.drawImage(this.#canvas, 0, 0);
@@ -76,8 +75,7 @@ export class Eye {
   ): [number, number] {
     const { width, height } = this.#canvas;
     const gpu = this.#gpu;
-    const screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
-    const pass = new BloomPass(gpu, screen, levels, { format: "RGBA16F", isFrugal });
+    const pass = new BloomPass(gpu, levels, { format: "RGBA16F", isFrugal });
     pass.resize(width, height);
     const scattered = pass.render(this.#picture(radianceAt));
     const target = gpu.textureView({ label: "scattered", textures: [scattered], image: 0 });
@@ -96,8 +94,7 @@ export class Eye {
   /** Metered exposure in a room of the cabin's reflectance, stops. */
   meter(radianceAt: (x: number, y: number) => Radiance, lag = 0): number {
     const gpu = this.#gpu;
-    const screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
-    const exposure = new ExposurePass(gpu, screen).render(
+    const exposure = new ExposurePass(gpu).render(
       { uRadiance: this.#picture(radianceAt) },
       this.#texel(EXPOSURE_LAW.reflectance),
       { lag, darkness: 0 },

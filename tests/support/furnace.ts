@@ -26,7 +26,6 @@ export function furnace(vertex: ShaderSource, fragment: ShaderSource, size: numb
   gpu.draw({
     program: gpu.program("furnace", vertex, fragment),
     target,
-    vertexArray: gpu.vertexArray("screen", { attributes: {}, count: 3 }),
     textures: { uEnvironmentBrdf },
   });
   const found = Array.from(gpu.readFloats(target, 0, 0, size, size));

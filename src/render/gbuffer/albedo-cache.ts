@@ -2,7 +2,6 @@ import gamma2Frag from "../../../shaders/gbuffer/gamma2-albedo.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Texture } from "../../gl/texture.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Mesh } from "../mesh/mesh.js";
 
 /** Texels along the longer edge: a reduced G-buffer shows no more. */
@@ -16,15 +15,13 @@ export function isBaked({ parameters: [, metallic, , alphaCutoff] }: Mesh): bool
 /** Gamma-2 albedo textures for the reduced G-buffer, made one a frame. */
 export class AlbedoCache {
   readonly #gpu: Gpu;
-  readonly #screen: VertexArray;
   /** By albedo, and by the occlusion/roughness map that is baked in. */
   readonly #textures = new Map<Texture, Map<Texture | null, Texture>>();
   /** Whether none was missing at the last update. */
   isComplete = false;
 
-  constructor(gpu: Gpu, screen: VertexArray) {
+  constructor(gpu: Gpu) {
     this.#gpu = gpu;
-    this.#screen = screen;
   }
 
   /** Null before it is made. */
@@ -66,7 +63,6 @@ export class AlbedoCache {
         defines: { BAKED },
       }),
       target,
-      vertexArray: this.#screen,
       textures: BAKED ? { uAlbedo, uOcclusionRoughness } : { uAlbedo },
       ...(BAKED && { uniforms: { uOcclusionStrength: mesh.occlusionStrength } }),
     });

@@ -7,7 +7,6 @@ import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Bounds } from "../../world/geometry.js";
 import { frustumTest } from "../camera.js";
 import { captureOrigin, type FrameInput, type ModelInstance, type Size } from "../frame-input.js";
@@ -74,12 +73,12 @@ export class GBufferPass {
   #refinement: { readonly key: string; bands: number } | null = null;
   #wasReduced = false;
 
-  constructor(gpu: Gpu, screen: VertexArray, frame: UniformBlock, lods: MeshLods) {
+  constructor(gpu: Gpu, frame: UniformBlock, lods: MeshLods) {
     this.#gpu = gpu;
     this.#frame = frame;
     this.#lods = lods;
-    this.#albedos = new AlbedoCache(gpu, screen);
-    this.#guide = new UpsampleGuidePass(gpu, screen, SAMPLES.full);
+    this.#albedos = new AlbedoCache(gpu);
+    this.#guide = new UpsampleGuidePass(gpu, SAMPLES.full);
   }
 
   resize(size: Size): void {

@@ -4,20 +4,17 @@ import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import { IRRADIANCE_TEXELS } from "./probe-rays.js";
 
 /** Limit of the series of bounces. */
 export class BounceLimit {
   readonly #gpu: Gpu;
-  readonly #screen: VertexArray;
   readonly #weightsProgram: Program;
   readonly #program: Program;
   readonly #weights: RenderTarget;
 
-  constructor(gpu: Gpu, screen: VertexArray) {
+  constructor(gpu: Gpu) {
     this.#gpu = gpu;
-    this.#screen = screen;
     this.#program = gpu.program("gi/irradiance", fullscreenVert, irradianceFrag);
     this.#weightsProgram = gpu.program("gi/bounce-limit", fullscreenVert, bounceLimitFrag, {
       defines: { IRRADIANCE_TEXELS },
@@ -38,14 +35,12 @@ export class BounceLimit {
     this.#gpu.draw({
       program: this.#weightsProgram,
       target: this.#weights,
-      vertexArray: this.#screen,
       textures: { ...textures, uFirst: first.color },
     });
     const [uPreviousWeight, uBeforeWeight] = this.#weights.colors;
     this.#gpu.draw({
       program: this.#program,
       target,
-      vertexArray: this.#screen,
       textures: {
         ...textures,
         uPreviousWeight: uPreviousWeight!,

@@ -9,7 +9,6 @@ import type { Program, ShaderSource } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import type { CollisionMesh } from "../../world/room/collision-mesh.js";
 import type { CaptureLight } from "../light-block.js";
 import type { Mesh } from "../mesh/mesh.js";
@@ -84,7 +83,6 @@ export class IndirectPass {
   readonly #rayDirectProgram: Program;
   readonly #surfelGatherProgram: Program;
   readonly #rayGatherProgram: Program;
-  readonly #screen: VertexArray;
   readonly #block: UniformBlock;
   readonly #surfels: Surfels;
   readonly #targets: IndirectTargets;
@@ -105,16 +103,14 @@ export class IndirectPass {
 
   constructor(
     gpu: Gpu,
-    screen: VertexArray,
     scene: IndirectScene,
     detail: IndirectDetail,
     {
-      surfels = new SurfelPass(gpu, screen, detail),
+      surfels = new SurfelPass(gpu, detail),
       targets = indirectTargets(gpu, detail),
     }: { readonly surfels?: Surfels; readonly targets?: IndirectTargets } = {},
   ) {
     this.#gpu = gpu;
-    this.#screen = screen;
     this.#detail = detail;
     this.#scene = scene;
     this.#surfels = surfels;
@@ -155,7 +151,7 @@ export class IndirectPass {
     this.#surfelGatherProgram = gather(1, surfelRows, detail.rays);
     this.#rayGatherProgram = gather(0, detail.rays / 2, detail.rays / 2);
     this.#irradiance = irradianceMaps(gpu, detail, "gi/irradiance");
-    this.#limit = new BounceLimit(gpu, screen);
+    this.#limit = new BounceLimit(gpu);
   }
 
   /** Uploaded on first use: their albedo waits for a program. */
@@ -164,7 +160,7 @@ export class IndirectPass {
     const { collision, model, surfaces } = this.#scene;
     const rays = traceProbes(collision, model, this.#detail);
     this.#uploaded = this.#gpu.share(rays, () =>
-      uploadProbeRays(this.#gpu, this.#screen, this.#block, rays, this.#detail, surfaces),
+      uploadProbeRays(this.#gpu, this.#block, rays, this.#detail, surfaces),
     );
     return this.#uploaded;
   }
@@ -275,9 +271,8 @@ export class IndirectPass {
     this.#surfels.renderRadiosity(light);
     const { normalDistance: uSurfelNormalDistance, radiosity: uRadiosity } = this.#surfels;
     const { uProbePositions } = this.#probes.volume;
-    const pass = { vertexArray: this.#screen, blocks: this.#surfels.light };
     yield* drawInBands(this.#gpu, bands.surfelRadiance, {
-      ...pass,
+      blocks: this.#surfels.light,
       program: this.#surfelRadianceProgram,
       target: this.#targets.surfelRadiance,
       textures: {
@@ -292,11 +287,10 @@ export class IndirectPass {
     yield* drawInBands(this.#gpu, bands.gather, {
       program: this.#surfelGatherProgram,
       target: surfelSum!,
-      vertexArray: this.#screen,
       textures: { uRadiance: uRadiance!, uDirection: uDirection! },
     });
     yield* drawInBands(this.#gpu, bands.rayDirect, {
-      ...pass,
+      blocks: this.#surfels.light,
       program: this.#rayDirectProgram,
       target: this.#targets.rayRadiance,
       textures: {
@@ -314,7 +308,6 @@ export class IndirectPass {
     yield* drawInBands(this.#gpu, bands.rayRadiance, {
       program: this.#rayRadianceProgram,
       target: this.#targets.rayRadiance,
-      vertexArray: this.#screen,
       textures: {
         uIrradiance: last.color,
         ...this.#probes.rays,
@@ -330,7 +323,6 @@ export class IndirectPass {
     yield* drawInBands(this.#gpu, bands.gather, {
       program: this.#rayGatherProgram,
       target,
-      vertexArray: this.#screen,
       textures: { uRadiance: this.#targets.rayRadiance.color, uIrradianceBefore: before.color },
     });
   }

@@ -1,6 +1,5 @@
 import type { Model } from "../../assets/model.js";
 import type { Gpu } from "../../gl/gpu.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import type { CollisionMesh } from "../../world/room/collision-mesh.js";
 import { shadowFrustumTest } from "../camera.js";
 import type { FrameInput } from "../frame-input.js";
@@ -63,7 +62,6 @@ export class LightCaptures {
    */
   constructor(
     gpu: Gpu,
-    screen: VertexArray,
     room: {
       readonly model: Model;
       readonly collision: CollisionMesh;
@@ -80,10 +78,10 @@ export class LightCaptures {
     this.#casters = new ShadowCasters(gpu, room.model, room.surfaces, casterError);
     this.#shadow = new ShadowPass(gpu, shadowAtlas(gpu, shadow.size, 1));
     const targets = indirectTargets(gpu, indirect);
-    this.#indirect = new IndirectPass(gpu, screen, room, indirect, { targets });
+    this.#indirect = new IndirectPass(gpu, room, indirect, { targets });
     // Where the flame's bounces are computed in steps, other lights' may come in between.
     const shared = tier.opaque === "refined" ? null : targets;
-    this.#keptLights = new KeptLights(gpu, screen, room, tier, shared);
+    this.#keptLights = new KeptLights(gpu, room, tier, shared);
   }
 
   update(frame: FrameInput, kind: GBufferKind): Captures {

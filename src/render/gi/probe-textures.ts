@@ -6,7 +6,6 @@ import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import { floats } from "../float-format.js";
 import type { Mesh } from "../mesh/mesh.js";
 import { PROBE_DEPTH_EDGE, type ProbeDetail, type ProbeRays } from "./probe-rays.js";
@@ -32,7 +31,6 @@ export interface ProbeTextures {
  */
 export function uploadProbeRays(
   gpu: Gpu,
-  screen: VertexArray,
   block: UniformBlock,
   traced: ProbeRays,
   { probes: [columns, rows, planes], rays }: ProbeDetail,
@@ -73,7 +71,6 @@ export function uploadProbeRays(
       defines: { RAYS: rays, PROBE_ROWS: rows },
     }),
     target: rayProbes,
-    vertexArray: screen,
     textures: { uRayHits, ...volume },
     blocks: { Volume: block },
   });
@@ -90,7 +87,6 @@ export function uploadProbeRays(
       defines: { RAYS: rays, PROBE_ROWS: rows },
     }),
     target: roomReflectance,
-    vertexArray: screen,
     textures: { ...hits, uProbePositions },
   });
   return {

@@ -10,7 +10,6 @@ import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Vec3 } from "../../world/geometry.js";
 import { floats } from "../float-format.js";
 import type { CaptureLight } from "../light-block.js";
@@ -57,7 +56,6 @@ export function supportTarget(gpu: Gpu, slots: number): RenderTarget {
 /** Surfels: the surfaces that the flame lights, a cube around it: `lib/surfels.glsl`. */
 export class SurfelPass implements Surfels {
   readonly #gpu: Gpu;
-  readonly #screen: VertexArray;
   readonly #size: number;
   readonly #captureProgram: Program;
   readonly #radiosityProgram: Program;
@@ -73,13 +71,11 @@ export class SurfelPass implements Surfels {
   /** @param support where the radiosity of the candle's support goes */
   constructor(
     gpu: Gpu,
-    screen: VertexArray,
     { surfels: size, isMirrored }: IndirectDetail,
     support: SupportSlot = { supports: supportTarget(gpu, 1), slot: 0 },
   ) {
     this.#gpu = gpu;
     this.#support = support;
-    this.#screen = screen;
     this.#size = size;
     this.#captureProgram = gpu.program("gi/surfel", cubeFaceVert, surfelFrag);
     this.#radiosityProgram = gpu.program("gi/radiosity", fullscreenVert, radiosityFrag);
@@ -145,7 +141,6 @@ export class SurfelPass implements Surfels {
   renderRadiosity(light: CaptureLight): void {
     this.light.Light.update(light);
     const pass = {
-      vertexArray: this.#screen,
       textures: this.#colors,
       blocks: this.light,
     };
@@ -163,7 +158,6 @@ export class SurfelPass implements Surfels {
     if (!this.#total) return;
     this.#gpu.draw({
       ...this.#total,
-      vertexArray: this.#screen,
       textures: { ...this.#colors, uRadiosity: this.#radiosity.color, ...volume },
       blocks: { ...this.light, Volume: block },
     });

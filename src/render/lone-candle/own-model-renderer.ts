@@ -8,7 +8,6 @@ import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import { adaptation, adaptedWhite } from "../../light/color.js";
 import { carriedFlame, type RootedFlame, TAPER } from "../../light/flame-light.js";
 import { nightVision } from "../../light/night-vision.js";
@@ -47,7 +46,6 @@ interface Resources {
   readonly frame: UniformBlock;
   readonly flames: UniformBlock;
   readonly flame: FlamePass;
-  readonly screen: VertexArray;
 }
 
 /** Light of a frame, beside its flames. */
@@ -131,7 +129,6 @@ export class OwnModelRenderer implements Renderer {
       frame: gpu.uniformBlock(this.#surfaceProgram, "Frame"),
       flames: gpu.uniformBlock(this.#surfaceProgram, "Flames"),
       flame: new FlamePass(gpu),
-      screen: gpu.vertexArray("screen", { attributes: {}, count: 3 }),
     };
   }
 
@@ -150,7 +147,7 @@ export class OwnModelRenderer implements Renderer {
 
   render(world: World, { features, exposure }: FrameSettings): void {
     if (!this.#radiance) return;
-    const { frame, flames, flame, screen, shadows } = this.#resources;
+    const { frame, flames, flame, shadows } = this.#resources;
     const target = this.#samples ?? this.#radiance;
     const { width, height } = this.#size;
     const { eye, pitch, fieldOfView, magnification } = frameBox(this.#bounds, width / height);
@@ -191,7 +188,6 @@ export class OwnModelRenderer implements Renderer {
       program: this.#displayProgram,
       target: "canvas",
       viewport: [0, 0, width, height],
-      vertexArray: screen,
       textures: { uRadiance: this.#radiance.color },
       uniforms: {
         uAdaptation: this.#adaptation,

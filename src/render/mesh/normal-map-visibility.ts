@@ -2,7 +2,6 @@ import visibilityFrag from "../../../shaders/mesh/normal-map-visibility.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Texture } from "../../gl/texture.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Mesh } from "./mesh.js";
 
 /** Levels of detail of a normal map; coarser ones are as the last. */
@@ -12,7 +11,7 @@ const LEVELS = 8;
  * Normal-map visibility: what a normal map's relief leaves of light, by level of detail. Minified normal maps are
  * flatter than the relief that they stand for, and so too bright. Made once for each mesh.
  */
-export function normalMapVisibilityOf(gpu: Gpu, screen: VertexArray, mesh: Mesh): Texture {
+export function normalMapVisibilityOf(gpu: Gpu, mesh: Mesh): Texture {
   return gpu.share(mesh, () => {
     const { uNormal } = mesh.textures;
     const [, , uNormalScale] = mesh.parameters;
@@ -25,7 +24,6 @@ export function normalMapVisibilityOf(gpu: Gpu, screen: VertexArray, mesh: Mesh)
     gpu.draw({
       program: gpu.program("mesh/normal-map-visibility", fullscreenVert, visibilityFrag),
       target,
-      vertexArray: screen,
       textures: { uNormal },
       uniforms: { uNormalScale },
     });

@@ -2,7 +2,6 @@ import shadowFrag from "../../../shaders/shadow/shadow.frag";
 import shadowVert from "../../../shaders/shadow/shadow.vert";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Texture } from "../../gl/texture.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import { adaptedMoonlight } from "../../light/moonlight.js";
 import type { Vec3 } from "../../world/geometry.js";
 import type { Moon } from "../../world/moon.js";
@@ -36,7 +35,6 @@ export class MoonCaptures {
 
   constructor(
     gpu: Gpu,
-    screen: VertexArray,
     scene: IndirectScene,
     { moonMap, indirect }: PhysicalTier,
     targets: IndirectTargets,
@@ -49,8 +47,8 @@ export class MoonCaptures {
       source: { width: moonMap, height: moonMap },
       filter: "nearest",
     });
-    this.#surfels = new MoonSurfels(gpu, screen, indirect.surfels, indirect.surfelGroup);
-    this.#indirect = new IndirectPass(gpu, screen, scene, indirect, {
+    this.#surfels = new MoonSurfels(gpu, indirect.surfels, indirect.surfelGroup);
+    this.#indirect = new IndirectPass(gpu, scene, indirect, {
       surfels: this.#surfels,
       targets,
     });

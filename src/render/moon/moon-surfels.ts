@@ -7,7 +7,6 @@ import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import { floats } from "../float-format.js";
 import type { Surfels } from "../gi/surfel-pass.js";
 import type { CaptureLight } from "../light-block.js";
@@ -20,7 +19,6 @@ export class MoonSurfels implements Surfels {
   readonly light: { readonly Moon: UniformBlock };
   readonly defines = { MOON: 1 };
   readonly #gpu: Gpu;
-  readonly #screen: VertexArray;
   readonly #captureProgram: Program;
   readonly #radiosityProgram: Program;
   readonly #surfels: RenderTarget;
@@ -33,9 +31,8 @@ export class MoonSurfels implements Surfels {
    * @param size rows of surfels; there are as many columns as six times that
    * @param group rows of those on the panes
    */
-  constructor(gpu: Gpu, screen: VertexArray, size: number, group: number) {
+  constructor(gpu: Gpu, size: number, group: number) {
     this.#gpu = gpu;
-    this.#screen = screen;
     this.#rows = size - group;
     this.#captureProgram = gpu.program("gi/surfel", cubeFaceVert, surfelFrag, {
       defines: { PARALLEL: 1 },
@@ -104,7 +101,6 @@ export class MoonSurfels implements Surfels {
     this.#gpu.draw({
       program: this.#radiosityProgram,
       target: this.#radiosity,
-      vertexArray: this.#screen,
       textures: this.#colors,
       blocks: this.light,
     });

@@ -4,7 +4,6 @@ import type { Box, Gpu } from "../../gl/gpu.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { TextureView } from "../../gl/texture-view.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Rgb } from "../../light/color.js";
 import type { Size } from "../frame-input.js";
 import type { KeptLight } from "../kept-light.js";
@@ -12,7 +11,6 @@ import type { KeptLight } from "../kept-light.js";
 /** Draws a texture times a light's intensity, cd. Within a scissor it is added to what is there. */
 export function drawScaled(
   gpu: Gpu,
-  screen: VertexArray,
   uRadiance: Texture,
   target: TextureView | RenderTarget,
   uIntensity: Rgb,
@@ -23,7 +21,6 @@ export function drawScaled(
       defines: { CANDLE: 1 },
     }),
     target,
-    vertexArray: screen,
     textures: { uRadiance },
     uniforms: { uIntensity },
     blend: scissor ? "premultiplied" : "replace",
@@ -34,14 +31,12 @@ export function drawScaled(
 /** Radiance that each standing candle gives for 1 cd: kept until camera or models have moved. */
 export class CandleLayers {
   readonly #gpu: Gpu;
-  readonly #screen: VertexArray;
   readonly #format: TextureFormat;
   readonly #layers = new Map<string, { readonly target: RenderTarget; key: string }>();
   #size: Size = { width: 1, height: 1 };
 
-  constructor(gpu: Gpu, screen: VertexArray) {
+  constructor(gpu: Gpu) {
     this.#gpu = gpu;
-    this.#screen = screen;
     this.#format = gpu.drawsToFloats ? "R11F_G11F_B10F" : "RGBA16F";
   }
 
@@ -77,7 +72,7 @@ export class CandleLayers {
       if (layer.key === key || shaded === most) continue;
       layer.key = key;
       shaded++;
-      drawScaled(this.#gpu, this.#screen, shade(candle).color, layer.target, [1, 1, 1]);
+      drawScaled(this.#gpu, shade(candle).color, layer.target, [1, 1, 1]);
     }
     return shaded > 0;
   }
@@ -100,7 +95,7 @@ export class CandleLayers {
   add(candles: readonly KeptLight[], target: TextureView | RenderTarget, scissor: Box): void {
     for (const { name, intensity } of candles) {
       const from = this.#layers.get(name)?.target.color;
-      if (from) drawScaled(this.#gpu, this.#screen, from, target, intensity, scissor);
+      if (from) drawScaled(this.#gpu, from, target, intensity, scissor);
     }
   }
 }

@@ -8,7 +8,6 @@ import type { Box, Draw, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Size } from "../frame-input.js";
 import { forEachGBufferKind, type GBufferKind } from "../gbuffer/gbuffer.js";
 import { type DisplayTransform, whiteBalance } from "../post/display-pass.js";
@@ -37,7 +36,6 @@ export interface DisplayOptions {
  */
 export class CompositeDisplayPass {
   readonly #gpu: Gpu;
-  readonly #screen: VertexArray;
   readonly #composite: Readonly<Record<GBufferKind, Program>>;
   readonly #reproject: Program;
   readonly #fxaa: Program;
@@ -48,9 +46,8 @@ export class CompositeDisplayPass {
   /** The antialiased colours of the previous frame, reprojected. */
   #reprojected: RenderTarget | null = null;
 
-  constructor(gpu: Gpu, screen: VertexArray) {
+  constructor(gpu: Gpu) {
     this.#gpu = gpu;
-    this.#screen = screen;
     this.#composite = forEachGBufferKind((defines) =>
       gpu.program("opaque/composite-display", displayVert, compositeDisplayFrag, { defines }),
     );
@@ -59,7 +56,7 @@ export class CompositeDisplayPass {
       defines: { EDGE_LEAST: 0.06, BY_CODE: 0 },
     });
     this.#upscale = gpu.program("post/upscale", fullscreenVert, upscaleFrag);
-    this.#toneLut = new ToneLut(gpu, screen);
+    this.#toneLut = new ToneLut(gpu);
   }
 
   /** @param textures of the layer, its G-buffer, the bloom, the exposure and the tone LUT */
@@ -71,7 +68,6 @@ export class CompositeDisplayPass {
   ): void {
     const composite = {
       program: this.#composite[layer.kind],
-      vertexArray: this.#screen,
       textures: { ...layer.textures, ...textures },
       uniforms: {
         ...layer.uniforms,
@@ -93,10 +89,8 @@ export class CompositeDisplayPass {
     const [color, antialiased, reprojected] = [this.#color, this.#antialiased, this.#reprojected];
     if (!color || !antialiased || !reprojected) throw new Error("There is no previous frame.");
     const target = isReprojected ? reprojected : antialiased;
-    const pass = { vertexArray: this.#screen };
     if (isReprojected) {
       this.#gpu.draw({
-        ...pass,
         program: this.#reproject,
         target,
         textures: { uHistory: antialiased.color, uDepth },
@@ -110,7 +104,6 @@ export class CompositeDisplayPass {
     for (const scissor of drawn) {
       this.#gpu.draw({ ...composite, target: color, scissor });
       this.#gpu.draw({
-        ...pass,
         program: this.#fxaa,
         target,
         textures: { uSource: color.color, uSmooth: color.color },
@@ -119,7 +112,7 @@ export class CompositeDisplayPass {
       });
     }
     const source = { textures: { uSource: target.color } };
-    this.#gpu.draw({ ...pass, ...source, program: this.#upscale, target: "canvas" });
+    this.#gpu.draw({ ...source, program: this.#upscale, target: "canvas" });
   }
 
   /** Straight to the canvas, unless that is still of another size. */
@@ -135,7 +128,6 @@ export class CompositeDisplayPass {
     this.#gpu.draw({
       program: this.#upscale,
       target: "canvas",
-      vertexArray: this.#screen,
       textures: { uSource: uSource.color },
     });
   }

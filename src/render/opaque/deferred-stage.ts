@@ -4,7 +4,6 @@ import meterFrag from "../../../shaders/post/meter-deferred.frag";
 import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { TextureFormat } from "../../gl/texture.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import { forEachGBufferKind, type GBuffer, type GBufferKind } from "../gbuffer/gbuffer.js";
 import { GBufferPass } from "../gbuffer/gbuffer-pass.js";
@@ -22,23 +21,21 @@ export class DeferredStage implements OpaqueStage {
   readonly blocks: FrameBlocks;
   readonly meterFrag = meterFrag;
   readonly #gpu: Gpu;
-  readonly #screen: VertexArray;
   readonly #gbufferPass: GBufferPass;
   readonly #lighting: LightingPass;
   readonly #kept: KeptLighting;
   readonly #composite: Readonly<Record<GBufferKind, Program>>;
   #gbuffer: GBuffer | null = null;
 
-  constructor(gpu: Gpu, screen: VertexArray, tier: PhysicalTier, lods: MeshLods) {
+  constructor(gpu: Gpu, tier: PhysicalTier, lods: MeshLods) {
     this.#gpu = gpu;
-    this.#screen = screen;
-    this.#lighting = new LightingPass(gpu, screen, tier);
+    this.#lighting = new LightingPass(gpu, tier);
     this.format = this.#lighting.format;
     this.blocks = { Frame: this.#lighting.frame, Light: this.#lighting.light };
     const summed = { ...this.blocks, Light: this.#lighting.newLightBlock() };
     const { full } = this.#lighting;
-    this.#kept = new KeptLighting(gpu, screen, tier.shadow, this.format, summed, full);
-    this.#gbufferPass = new GBufferPass(gpu, screen, this.blocks.Frame, lods);
+    this.#kept = new KeptLighting(gpu, tier.shadow, this.format, summed, full);
+    this.#gbufferPass = new GBufferPass(gpu, this.blocks.Frame, lods);
     this.#composite = forEachGBufferKind((defines) =>
       gpu.program("opaque/composite", fullscreenVert, compositeFrag, { defines }),
     );
@@ -93,7 +90,6 @@ export class DeferredStage implements OpaqueStage {
     this.#gpu.draw({
       program: this.#composite[layer.kind],
       target: isReduced ? tested : target,
-      vertexArray: this.#screen,
       textures: layer.textures,
       uniforms: layer.uniforms,
       blocks: { Light: layer.blocks.Light },

@@ -8,7 +8,6 @@ import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Bounds } from "../../world/geometry.js";
 import { frustumTest } from "../camera.js";
 import type { FrameInput, ModelInstance, Size } from "../frame-input.js";
@@ -81,7 +80,6 @@ export class ForwardStage implements OpaqueStage {
   readonly blocks: FrameBlocks;
   readonly meterFrag = meterFrag;
   readonly #gpu: Gpu;
-  readonly #screen: VertexArray;
   readonly #tier: Tier;
   readonly #program: Program;
   readonly #composite: Program;
@@ -104,13 +102,12 @@ export class ForwardStage implements OpaqueStage {
   /** Tiles that were shaded for an earlier place of the flame. */
   readonly #stale: Box[] = [];
 
-  constructor(gpu: Gpu, screen: VertexArray, tier: Tier) {
+  constructor(gpu: Gpu, tier: Tier) {
     this.#gpu = gpu;
-    this.#screen = screen;
     this.#tier = tier;
     this.#program = forwardProgram(gpu, tier, false);
     this.#composite = forwardComposite(gpu, false);
-    this.#candleLayers = new CandleLayers(gpu, screen);
+    this.#candleLayers = new CandleLayers(gpu);
     this.blocks = {
       Frame: gpu.uniformBlock(this.#program, "Frame"),
       Light: gpu.uniformBlock(this.#program, "Light"),
@@ -250,7 +247,7 @@ export class ForwardStage implements OpaqueStage {
     if (candles.length > 0) {
       const { intensity } = lightBlock(frame.world, frame.settings.features.candle);
       this.#shadingLight.update({ intensity });
-      this.#standing ??= new StandingLights(this.#gpu, this.#screen, pass.program, this.format);
+      this.#standing ??= new StandingLights(this.#gpu, pass.program, this.format);
       const inputs = this.#standing.inputs(candles, captures, intensity);
       Object.assign(pass.textures, inputs.textures);
       Object.assign(pass.blocks, inputs.blocks);
@@ -301,7 +298,7 @@ export class ForwardStage implements OpaqueStage {
       textures: {
         ...mesh.textures,
         uEnvironmentBrdf: this.#environmentBrdf,
-        uNormalMapVisibility: normalMapVisibilityOf(this.#gpu, this.#screen, mesh),
+        uNormalMapVisibility: normalMapVisibilityOf(this.#gpu, mesh),
         ...textures,
       },
       sampling: surfaceSampling(this.#tier),
@@ -332,7 +329,6 @@ export class ForwardStage implements OpaqueStage {
     this.#gpu.draw({
       program: moon ? forwardComposite(this.#gpu, true) : this.#composite,
       target,
-      vertexArray: this.#screen,
       textures: { uRadiance: layer.textures.uRadiance! },
       uniforms: {
         uIsLight: settings.inspect === "normals" || this.#isOfAll ? 0 : 1,

@@ -7,7 +7,6 @@ import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import { luma, type Rgb } from "../../light/color.js";
 import { TAPER } from "../../light/flame-light.js";
 import type { FrameInput } from "../frame-input.js";
@@ -34,7 +33,6 @@ export function representativeColor(flame: Rgb, lights: readonly KeptLight[]): R
 /** Deferred lighting at rest by kept lights, each in a texture of its own, and their sum with the flame's. */
 export class KeptLighting {
   readonly #gpu: Gpu;
-  readonly #screen: VertexArray;
   readonly #shadowQuality: ShadowQuality;
   readonly #format: TextureFormat;
   /** By the light's name. */
@@ -53,7 +51,6 @@ export class KeptLighting {
    */
   constructor(
     gpu: Gpu,
-    screen: VertexArray,
     quality: ShadowQuality,
     format: TextureFormat,
     { Frame, Light }: FrameBlocks,
@@ -61,7 +58,6 @@ export class KeptLighting {
   ) {
     this.#flameProgram = flameProgram;
     this.#gpu = gpu;
-    this.#screen = screen;
     this.#shadowQuality = quality;
     this.#format = format;
     this.#frame = Frame;
@@ -98,7 +94,6 @@ export class KeptLighting {
       this.#gpu.draw({
         program: this.#gpu.program("opaque/sum-lighting", fullscreenVert, sumFrag),
         target: sums[0],
-        vertexArray: this.#screen,
         textures: { uLighting, uKeptLighting: this.#layerOf(light, frame, gbuffer, size) },
         uniforms: { uIntensity, uKeptIntensity: light.intensity, uColor },
       });
@@ -133,7 +128,6 @@ export class KeptLighting {
     this.#gpu.draw({
       program: isMoon ? this.#moonProgram : this.#flameProgram,
       target: layer.target,
-      vertexArray: this.#screen,
       textures: {
         uGBufferSurface: surface,
         ...(isMoon && { uGBufferAlbedo: albedo }),

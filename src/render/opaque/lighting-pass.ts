@@ -7,7 +7,6 @@ import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import { floats } from "../float-format.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { GBuffer } from "../gbuffer/gbuffer.js";
@@ -37,7 +36,6 @@ export class LightingPass {
   /** Of lighting at rest, by one flame. */
   readonly full: Program;
   readonly #gpu: Gpu;
-  readonly #screen: VertexArray;
   readonly #tier: PhysicalTier;
   readonly #gather: Program;
   /** The flame that the lighting is of. */
@@ -52,9 +50,8 @@ export class LightingPass {
   /** Inverse depths of four neighbours in each texel, for the bilateral upsampling. */
   #gathered: RenderTarget | null = null;
 
-  constructor(gpu: Gpu, screen: VertexArray, tier: PhysicalTier) {
+  constructor(gpu: Gpu, tier: PhysicalTier) {
     this.#gpu = gpu;
-    this.#screen = screen;
     this.#tier = tier;
     this.full = this.#program(tier.shadow, { REDUCED: 0 });
     this.#gather = gpu.program("opaque/gather-inverse-depth", fullscreenVert, gatherFrag);
@@ -152,7 +149,6 @@ export class LightingPass {
     this.#gpu.draw({
       program,
       target,
-      vertexArray: this.#screen,
       textures: {
         uGBufferSurface: surface,
         uDepth: depth,
@@ -191,7 +187,7 @@ export class LightingPass {
     const uColor = representativeColor(intensity, kept);
     this.#representative.update({ ...flame, intensity: uColor });
     this.#shadingLight.update({ intensity });
-    this.#standing ??= new StandingLights(this.#gpu, this.#screen, program, this.format);
+    this.#standing ??= new StandingLights(this.#gpu, program, this.format);
     const { textures, blocks } = this.#standing.inputs(kept, { shadow, irradiance }, intensity);
     const moon = moonOf(kept);
     const candle = kept.find(({ kind }) => kind === "candle");
@@ -211,7 +207,6 @@ export class LightingPass {
     this.#gpu.draw({
       program: this.#gather,
       target,
-      vertexArray: this.#screen,
       textures: { uInverseDepth },
     });
   }

@@ -3,7 +3,6 @@ import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Rgb } from "../../light/color.js";
 import type { FlameCaptures } from "../gi/light-captures.js";
 import type { KeptLight } from "../kept-light.js";
@@ -12,7 +11,6 @@ import { drawScaled } from "./candle-layers.js";
 /** Inputs of a program that shades for all flames at once: as they burn, in cd. */
 export class StandingLights {
   readonly #gpu: Gpu;
-  readonly #screen: VertexArray;
   readonly #format: TextureFormat;
   readonly #block: UniformBlock;
   /** Irradiance volume of all lights. */
@@ -22,10 +20,9 @@ export class StandingLights {
    * @param program that has the block `Candles`
    * @param format of the irradiance volume
    */
-  constructor(gpu: Gpu, screen: VertexArray, program: Program, format: TextureFormat) {
+  constructor(gpu: Gpu, program: Program, format: TextureFormat) {
     this.#gpu = gpu;
     this.#format = format;
-    this.#screen = screen;
     this.#block = gpu.uniformBlock(program, "Candles");
   }
 
@@ -49,7 +46,7 @@ export class StandingLights {
     for (const { irradiance, ...light } of [{ irradiance: carried, intensity }, ...lights]) {
       const from = irradiance.textures.uIrradiance;
       const scissor = irradiance === carried ? undefined : ([0, 0, width, height] as const);
-      drawScaled(this.#gpu, this.#screen, from, target, light.intensity, scissor);
+      drawScaled(this.#gpu, from, target, light.intensity, scissor);
     }
     const candles = lights.filter(({ kind }) => kind === "candle");
     for (const [i, { light, intensity }] of candles.entries()) {

@@ -5,7 +5,6 @@ import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Size } from "../frame-input.js";
 
 const NOTHING = [0, 0, 0, 0] as const;
@@ -20,16 +19,14 @@ export interface GBufferSamples {
 /** Resolves a supersampled G-buffer to pixels, each with a guide to the lighting texels of its own surface. */
 export class UpsampleGuidePass {
   readonly #gpu: Gpu;
-  readonly #screen: VertexArray;
   readonly #chooseRepresentatives: Program;
   readonly #guide: Program;
   #resolved: RenderTarget | null = null;
   #representative: RenderTarget | null = null;
 
   /** @param samples of the G-buffer along each edge of a pixel */
-  constructor(gpu: Gpu, screen: VertexArray, samples: number) {
+  constructor(gpu: Gpu, samples: number) {
     this.#gpu = gpu;
-    this.#screen = screen;
     this.#chooseRepresentatives = gpu.program(
       "opaque/representative-sample",
       fullscreenVert,
@@ -77,7 +74,6 @@ export class UpsampleGuidePass {
     this.#gpu.draw({
       program: this.#chooseRepresentatives,
       target: this.#representative,
-      vertexArray: this.#screen,
       textures: { uGBufferSurface: surface, uDepth: depth },
       uniforms: { uLightingSize: [width, height] },
     });
@@ -93,7 +89,6 @@ export class UpsampleGuidePass {
     this.#gpu.draw({
       program: this.#guide,
       target: this.resolved,
-      vertexArray: this.#screen,
       textures: {
         uAlbedo: albedo,
         uGBufferSurface: surface,

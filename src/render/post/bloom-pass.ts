@@ -5,7 +5,6 @@ import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Size } from "../frame-input.js";
 
 /** Weight of the coarser levels against each level: the larger, the wider the bloom. */
@@ -21,20 +20,17 @@ export class BloomPass {
   readonly #gpu: Gpu;
   readonly #down: Program;
   readonly #up: Program;
-  readonly #screen: VertexArray;
   readonly #levels: number;
   readonly #format: TextureFormat;
   #pyramid: RenderTarget[] = [];
 
   constructor(
     gpu: Gpu,
-    screen: VertexArray,
     levels: number,
     { format, isFrugal }: { readonly format: TextureFormat; readonly isFrugal: boolean },
   ) {
     this.#format = format;
     this.#gpu = gpu;
-    this.#screen = screen;
     this.#levels = levels;
     this.#down = gpu.program("post/bloom-down", fullscreenVert, downFrag);
     this.#up = gpu.program("post/bloom-up", fullscreenVert, upFrag, {
@@ -67,7 +63,6 @@ export class BloomPass {
       this.#gpu.draw({
         program: this.#down,
         target,
-        vertexArray: this.#screen,
         textures: { uSource: source },
       });
       source = target.color;
@@ -77,7 +72,6 @@ export class BloomPass {
       this.#gpu.draw({
         program: this.#up,
         target,
-        vertexArray: this.#screen,
         textures: { uSource: source },
         uniforms: { uWeight: target === fullSize ? 1 : COARSER_WEIGHT },
         blend: "premultiplied",

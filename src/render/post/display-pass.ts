@@ -4,7 +4,6 @@ import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import { adaptation, adaptedWhite, P3_FROM_RGB, type Rgb, VIBRANCE } from "../../light/color.js";
 import { TAPER } from "../../light/flame-light.js";
 import { nightVision } from "../../light/night-vision.js";
@@ -77,17 +76,15 @@ export interface BloomTransform {
 export class DisplayPass {
   readonly #gpu: Gpu;
   readonly #program: Program;
-  readonly #screen: VertexArray;
   /** Null with a tone LUT. */
   readonly #hueLut: HueLut | null;
 
   /** @param usesToneLut whether the display transform is looked up in `uToneLut`, but for the brightest light */
-  constructor(gpu: Gpu, screen: VertexArray, usesToneLut = false) {
+  constructor(gpu: Gpu, usesToneLut = false) {
     this.#gpu = gpu;
-    this.#screen = screen;
     const defines = { TONE_LUT: usesToneLut ? 1 : 0 };
     this.#program = gpu.program("post/display", displayVert, displayFrag, { defines });
-    this.#hueLut = usesToneLut ? null : new HueLut(gpu, screen);
+    this.#hueLut = usesToneLut ? null : new HueLut(gpu);
   }
 
   /** @param scissor part of the frame; all of it if absent */
@@ -104,7 +101,6 @@ export class DisplayPass {
     this.#gpu.draw({
       program: this.#program,
       target: "canvas",
-      vertexArray: this.#screen,
       textures: { ...textures, ...(this.#hueLut && { uHueLut: this.#hueLut.of(transform) }) },
       uniforms: {
         ...transform,

@@ -6,7 +6,6 @@ import type { Program, ShaderSource } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import {
   EXPOSURE_LAW,
   type ExposureAdaptation,
@@ -23,16 +22,14 @@ const CELLS = { width: 32, height: 18 } as const;
  */
 export class ExposurePass {
   readonly #gpu: Gpu;
-  readonly #screen: VertexArray;
   readonly #meterProgram: Program;
   readonly #exposureProgram: Program;
   readonly #logLuminance: RenderTarget;
   readonly #exposure: RenderTarget;
 
   /** @param meter fragment shader that includes `lib/metering.glsl` */
-  constructor(gpu: Gpu, screen: VertexArray, meter: ShaderSource = meterFrag) {
+  constructor(gpu: Gpu, meter: ShaderSource = meterFrag) {
     this.#gpu = gpu;
-    this.#screen = screen;
     this.#meterProgram = gpu.program("post/meter", fullscreenVert, meter);
     this.#exposureProgram = gpu.program("post/exposure", fullscreenVert, exposureFrag);
     const color = ["RGBA16F"] as const;
@@ -58,14 +55,12 @@ export class ExposurePass {
     this.#gpu.draw({
       program: this.#meterProgram,
       target: this.#logLuminance,
-      vertexArray: this.#screen,
       textures,
       blocks,
     });
     this.#gpu.draw({
       program: this.#exposureProgram,
       target: this.#exposure,
-      vertexArray: this.#screen,
       textures: {
         uLogLuminance: this.#logLuminance.color,
         uRoomReflectance: roomReflectance,

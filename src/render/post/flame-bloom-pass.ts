@@ -4,7 +4,6 @@ import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import { BloomPass } from "./bloom-pass.js";
 import type { BloomTransform } from "./display-pass.js";
 import type { Bloom } from "./frame-bloom-pass.js";
@@ -24,7 +23,6 @@ type Uv = readonly [number, number];
  */
 export class FlameBloomPass implements Bloom {
   readonly #gpu: Gpu;
-  readonly #screen: VertexArray;
   readonly #format: TextureFormat;
   readonly #program: Program;
   readonly #bloom: BloomPass;
@@ -34,12 +32,11 @@ export class FlameBloomPass implements Bloom {
   /** Position of the flame in the frame that the bloom is of; null before the first. */
   #flame: Uv | null = null;
 
-  constructor(gpu: Gpu, screen: VertexArray, levels: number, format: TextureFormat) {
+  constructor(gpu: Gpu, levels: number, format: TextureFormat) {
     this.#gpu = gpu;
-    this.#screen = screen;
     this.#format = format;
     this.#program = gpu.program("post/bloom-prefilter", fullscreenVert, prefilterFrag);
-    this.#bloom = new BloomPass(gpu, screen, levels, { format, isFrugal: true });
+    this.#bloom = new BloomPass(gpu, levels, { format, isFrugal: true });
   }
 
   resize(width: number, height: number): void {
@@ -88,7 +85,6 @@ export class FlameBloomPass implements Bloom {
       this.#gpu.draw({
         program: this.#program,
         target,
-        vertexArray: this.#screen,
         textures: { uSource: radiance },
         scissor: [left, bottom, Math.max(right - left, 0), Math.max(top - bottom, 0)],
       });

@@ -1,6 +1,5 @@
 import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Texture } from "../../gl/texture.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Size } from "../frame-input.js";
 import { BloomPass, shareOf } from "./bloom-pass.js";
 import type { BloomTransform } from "./display-pass.js";
@@ -22,8 +21,8 @@ export class FrameBloomPass implements Bloom {
   #latest: Texture | null = null;
   #size: Size = { width: 1, height: 1 };
 
-  constructor(gpu: Gpu, screen: VertexArray, levels: number) {
-    this.#bloom = new BloomPass(gpu, screen, levels, { format: "RGBA16F", isFrugal: false });
+  constructor(gpu: Gpu, levels: number) {
+    this.#bloom = new BloomPass(gpu, levels, { format: "RGBA16F", isFrugal: false });
   }
 
   get isDrawn(): boolean {

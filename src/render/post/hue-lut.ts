@@ -3,7 +3,6 @@ import hueLutFrag from "../../../shaders/post/hue-lut.frag";
 import type { Gpu } from "../../gl/gpu.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import type { DisplayTransform } from "./display-pass.js";
 
 /** Texels along an edge: `HUE_LUT_SIZE` of the shader. */
@@ -12,13 +11,11 @@ const SIZE = 64;
 /** Vibrance of each hue, as a table; without it the display pass took a third longer. */
 export class HueLut {
   readonly #gpu: Gpu;
-  readonly #screen: VertexArray;
   readonly #target: RenderTarget;
   #key = "";
 
-  constructor(gpu: Gpu, screen: VertexArray) {
+  constructor(gpu: Gpu) {
     this.#gpu = gpu;
-    this.#screen = screen;
     this.#target = gpu.renderTarget({
       label: "hue LUT",
       width: SIZE,
@@ -35,7 +32,6 @@ export class HueLut {
       this.#gpu.draw({
         program: this.#gpu.program("post/hue-lut", fullscreenVert, hueLutFrag),
         target: this.#target,
-        vertexArray: this.#screen,
         uniforms: { uWhite, uVibrance, uRods, uAdaptation: [1, 1, 1] },
       });
     }

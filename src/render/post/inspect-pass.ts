@@ -4,7 +4,6 @@ import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import { adaptation } from "../../light/color.js";
 import { TAPER } from "../../light/flame-light.js";
 import type { Inspection } from "../../settings.js";
@@ -39,11 +38,9 @@ const ADAPTATION = adaptation(TAPER.color);
 export class InspectPass {
   readonly #gpu: Gpu;
   readonly #program: Program;
-  readonly #screen: VertexArray;
 
-  constructor(gpu: Gpu, screen: VertexArray) {
+  constructor(gpu: Gpu) {
     this.#gpu = gpu;
-    this.#screen = screen;
     this.#program = gpu.program("post/inspect", displayVert, inspectFrag);
   }
 
@@ -57,7 +54,6 @@ export class InspectPass {
     this.#gpu.draw({
       program: this.#program,
       target: "canvas",
-      vertexArray: this.#screen,
       textures: { ...passes, uIrradiance: volume.textures.uIrradiance },
       uniforms: {
         uView: VIEWS[inspect],

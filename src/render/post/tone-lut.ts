@@ -3,7 +3,6 @@ import toneLutFrag from "../../../shaders/post/tone-lut.frag";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { Texture } from "../../gl/texture.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import type { DisplayTransform } from "./display-pass.js";
 
 /** Texels along an edge of the tone LUT: `TONE_LUT_SIZE` of the shader. */
@@ -12,14 +11,12 @@ const SIZE = 32;
 /** The tone LUT, filled when the display transform changes. */
 export class ToneLut {
   readonly #gpu: Gpu;
-  readonly #screen: VertexArray;
   readonly #fill: Program;
   readonly #lut: Texture;
   #key = "";
 
-  constructor(gpu: Gpu, screen: VertexArray) {
+  constructor(gpu: Gpu) {
     this.#gpu = gpu;
-    this.#screen = screen;
     this.#fill = gpu.program("post/tone-lut", fullscreenVert, toneLutFrag);
     this.#lut = gpu.texture({
       label: "tone LUT",
@@ -43,7 +40,6 @@ export class ToneLut {
       this.#gpu.draw({
         program: this.#fill,
         target,
-        vertexArray: this.#screen,
         uniforms: { ...transform, uLayer: layer },
       });
       target.dispose();

@@ -11,7 +11,6 @@ import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { TextureView } from "../../gl/texture-view.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import type { DisplayOptions } from "../opaque/composite-display-pass.js";
 import type { FrameBlocks, OpaqueLayer } from "../opaque/opaque-stage.js";
 import { whiteBalance } from "../post/display-pass.js";
@@ -35,7 +34,6 @@ const FARTHER = 96;
  */
 export class RefinedDisplayPass {
   readonly #gpu: Gpu;
-  readonly #screen: VertexArray;
   readonly #stage: RefinedStage;
   readonly #toneLut: ToneLut;
   readonly #hueLut: HueLut;
@@ -57,12 +55,11 @@ export class RefinedDisplayPass {
   /** Bands kept since that has changed. */
   #bands = 0;
 
-  constructor(gpu: Gpu, screen: VertexArray, stage: RefinedStage) {
+  constructor(gpu: Gpu, stage: RefinedStage) {
     this.#gpu = gpu;
-    this.#screen = screen;
     this.#stage = stage;
-    this.#toneLut = new ToneLut(gpu, screen);
-    this.#hueLut = new HueLut(gpu, screen);
+    this.#toneLut = new ToneLut(gpu);
+    this.#hueLut = new HueLut(gpu);
     const display = (KEPT: 0 | 1) =>
       gpu.program("refinement/display", blendVert, displayFrag, { defines: { KEPT } });
     this.#display = display(0);
@@ -109,7 +106,6 @@ export class RefinedDisplayPass {
         this.#gpu.draw({
           program: this.#setReference,
           target,
-          vertexArray: this.#screen,
           textures,
           uniforms: { uAutoExposure, uBrighter },
           blocks: { Light: blocks.Light },
@@ -125,7 +121,6 @@ export class RefinedDisplayPass {
       : {};
     const pass = {
       target: "canvas",
-      vertexArray: this.#screen,
       textures: { ...all, ...kept, uReference: this.#references[0]!.color },
       blocks: { ...blocks },
     } as const;
@@ -157,7 +152,6 @@ export class RefinedDisplayPass {
         this.#gpu.draw({
           program: this.#exact,
           target,
-          vertexArray: this.#screen,
           textures: {
             ...textures,
             uExposure: this.#references[i]!.color,
@@ -190,7 +184,6 @@ export class RefinedDisplayPass {
       this.#gpu.draw({
         program: this.#keep,
         target,
-        vertexArray: this.#screen,
         textures: { ...textures, uReference: this.#references[0]!.color },
         uniforms: { uWhiteBalance: this.#white(transform) },
         blocks: { Frame },

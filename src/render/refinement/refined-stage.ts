@@ -5,7 +5,6 @@ import meterFrag from "../../../shaders/refinement/meter.frag";
 import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import { luma, type Rgb } from "../../light/color.js";
 import { TAPER } from "../../light/flame-light.js";
 import type { World } from "../../world/world.js";
@@ -46,7 +45,6 @@ export class RefinedStage implements OpaqueStage {
   readonly blocks: FrameBlocks;
   readonly meterFrag = meterFrag;
   readonly #gpu: Gpu;
-  readonly #screen: VertexArray;
   readonly #forward: ForwardStage;
   readonly #begin: Program;
   readonly #copy: Program;
@@ -69,10 +67,9 @@ export class RefinedStage implements OpaqueStage {
   #tiles: Tile[] = [];
   #light: CaptureLight | null = null;
 
-  constructor(gpu: Gpu, screen: VertexArray, tier: Tier) {
+  constructor(gpu: Gpu, tier: Tier) {
     this.#gpu = gpu;
-    this.#screen = screen;
-    this.#forward = new ForwardStage(gpu, screen, tier);
+    this.#forward = new ForwardStage(gpu, tier);
     this.#begin = gpu.program("refinement/begin", fullscreenVert, beginFrag);
     this.#copy = gpu.program("refinement/copy-tile", fullscreenVert, copyFrag);
     const tile = { width: TILE, height: TILE, color: ["RGBA16F"], depth: "texture" } as const;
@@ -132,7 +129,6 @@ export class RefinedStage implements OpaqueStage {
     this.#gpu.draw({
       program: this.#begin,
       target,
-      vertexArray: this.#screen,
       textures: { uRadiance: radiance, uDepth: depth },
       blocks: { Light: light },
       depth: "test-and-write",
@@ -188,7 +184,6 @@ export class RefinedStage implements OpaqueStage {
     this.#gpu.draw({
       program: this.#copy,
       target,
-      vertexArray: this.#screen,
       textures: { uRadiance: this.#resolved.color, uDepth: this.#resolved.depth! },
       uniforms: { uOrigin: [x, y], uMoonlight: moon ? this.#perCandela(moon.intensity) : NOTHING },
       depth: "test-and-write",

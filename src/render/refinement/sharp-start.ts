@@ -3,7 +3,6 @@ import reprojectFrag from "../../../shaders/refinement/reproject.frag";
 import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { Texture } from "../../gl/texture.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import { reprojectionMatrix } from "../camera.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import { type ReprojectionSource, reprojectionSource } from "../gbuffer/reprojection.js";
@@ -29,15 +28,13 @@ export interface RefinedImage {
  */
 export class SharpStart {
   readonly #gpu: Gpu;
-  readonly #screen: VertexArray;
   /** By whether the frame is reprojected itself. */
   readonly #programs: Readonly<Record<"reduced" | "reprojected", Program>>;
   #image: RefinedImage | null = null;
   #frames = 0;
 
-  constructor(gpu: Gpu, screen: VertexArray) {
+  constructor(gpu: Gpu) {
     this.#gpu = gpu;
-    this.#screen = screen;
     const program = (REPROJECTED: 0 | 1) =>
       gpu.program("refinement/reproject", blendVert, reprojectFrag, { defines: { REPROJECTED } });
     this.#programs = { reduced: program(0), reprojected: program(1) };
@@ -80,7 +77,6 @@ export class SharpStart {
     this.#gpu.draw({
       program: this.#programs[layer.kind],
       target: "canvas",
-      vertexArray: this.#screen,
       textures: { ...layer.textures, ...image.textures, uExposure },
       uniforms: {
         ...layer.uniforms,

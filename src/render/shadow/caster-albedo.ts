@@ -2,7 +2,6 @@ import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import casterAlbedoFrag from "../../../shaders/shadow/caster-albedo.frag";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Texture } from "../../gl/texture.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
 import { floats } from "../float-format.js";
 import type { Mesh } from "../mesh/mesh.js";
 
@@ -15,7 +14,7 @@ const COLUMNS = 128;
  * Caster albedo: what all surfaces of a model reflect, in one small texture, so that a capture of surfels draws them
  * together. Each has a tile with its levels of detail. Made once for each model.
  */
-export function casterAlbedoOf(gpu: Gpu, screen: VertexArray, surfaces: readonly Mesh[]): Texture {
+export function casterAlbedoOf(gpu: Gpu, surfaces: readonly Mesh[]): Texture {
   return gpu.share(surfaces, () => {
     const target = gpu.renderTarget({
       label: "caster albedo",
@@ -29,7 +28,6 @@ export function casterAlbedoOf(gpu: Gpu, screen: VertexArray, surfaces: readonly
       gpu.draw({
         program,
         target,
-        vertexArray: screen,
         viewport: [
           (i % COLUMNS) * TILE.width,
           Math.floor(i / COLUMNS) * TILE.height,

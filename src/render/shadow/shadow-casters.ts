@@ -38,7 +38,6 @@ export class ShadowCasters {
   readonly #gpu: Gpu;
   readonly #clusters: Clusters;
   readonly #surfaces: readonly Mesh[];
-  readonly #screen: VertexArray;
   readonly #vertexArray: VertexArray;
   readonly #buffers: readonly Buffer[];
 
@@ -49,7 +48,6 @@ export class ShadowCasters {
   constructor(gpu: Gpu, model: Model, surfaces: readonly Mesh[], detail: number) {
     this.#gpu = gpu;
     this.#surfaces = surfaces;
-    this.#screen = gpu.vertexArray("screen", { attributes: {}, count: 3 });
     this.#clusters = builderOf(model, detail).finish();
     const { vertices, indices } = this.#clusters;
     const buffer = gpu.buffer("casters/vertices", vertices);
@@ -80,13 +78,13 @@ export class ShadowCasters {
 
   /** Draws all clusters, with `uCasterAlbedo`. */
   drawAllWithAlbedo(pass: Omit<Draw, "vertexArray" | "textures">): void {
-    const uCasterAlbedo = casterAlbedoOf(this.#gpu, this.#screen, this.#surfaces);
+    const uCasterAlbedo = casterAlbedoOf(this.#gpu, this.#surfaces);
     this.draw({ ...pass, textures: { uCasterAlbedo } }, () => true);
   }
 
   /** Draws the clusters that touch one face of a cube around `origin` (metres), with `uCasterAlbedo`. */
   drawWithAlbedo(face: number, origin: Vec3, pass: Omit<Draw, "vertexArray" | "textures">): void {
-    const uCasterAlbedo = casterAlbedoOf(this.#gpu, this.#screen, this.#surfaces);
+    const uCasterAlbedo = casterAlbedoOf(this.#gpu, this.#surfaces);
     this.draw({ ...pass, textures: { uCasterAlbedo } }, (box) => isInCubeFace(face, origin, box));
   }
 
