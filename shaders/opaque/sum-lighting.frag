@@ -5,9 +5,9 @@
 #include "lib/photometry.glsl"
 
 uniform sampler2D uLighting;
-uniform sampler2D uKeptLighting;
+uniform sampler2D uCachedLighting;
 uniform vec3 uIntensity;      // of the flame, cd
-uniform vec3 uKeptIntensity;  // cd or lx
+uniform vec3 uCachedIntensity;  // cd or lx
 uniform vec3 uColor;          // luma 1
 
 out vec4 oLighting;
@@ -16,7 +16,7 @@ void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
   vec4 lighting = texelFetch(uLighting, texel, 0);
   vec4 sum = lighting * lighting * vec4(uIntensity / uColor, luma(uIntensity));
-  lighting = texelFetch(uKeptLighting, texel, 0);
-  sum += lighting * lighting * vec4(uKeptIntensity / uColor, luma(uKeptIntensity));
+  lighting = texelFetch(uCachedLighting, texel, 0);
+  sum += lighting * lighting * vec4(uCachedIntensity / uColor, luma(uCachedIntensity));
   oLighting = sqrt(min(sum, 6e4));
 }

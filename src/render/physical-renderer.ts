@@ -33,8 +33,8 @@ import { type Bloom, FrameBloomPass } from "./post/frame-bloom-pass.js";
 import { InspectPass } from "./post/inspect-pass.js";
 import type { Tier } from "./quality.js";
 import { RefinedDisplayPass } from "./refinement/refined-display-pass.js";
+import { RefinedFade } from "./refinement/refined-fade.js";
 import { RefinedStage } from "./refinement/refined-stage.js";
-import { SharpStart } from "./refinement/sharp-start.js";
 import type { Models, Refining, Renderer, Surfaces } from "./renderer.js";
 import { SCHEDULE } from "./schedule.js";
 import { boundsOf, expandBox, expandBoxes, scaleBox } from "./screen-bounds.js";
@@ -54,7 +54,7 @@ const BLACK = [0, 0, 0, 1] as const;
  */
 export class PhysicalRenderer implements Renderer {
   readonly refining: Refining | null;
-  readonly sharpStart: SharpStart | null;
+  readonly refinedFade: RefinedFade | null;
   readonly #gpu: Gpu;
   readonly #room: readonly Mesh[];
   readonly #candle: readonly Mesh[];
@@ -102,7 +102,7 @@ export class PhysicalRenderer implements Renderer {
     this.#display = new DisplayPass(gpu, isFrugal);
     const display = refined && new RefinedDisplayPass(gpu, refined);
     this.#compositeDisplay = display ?? (lods && new CompositeDisplayPass(gpu));
-    this.sharpStart = lods && new SharpStart(gpu);
+    this.refinedFade = lods && new RefinedFade(gpu);
     this.#makeInspector = () => new InspectPass(gpu);
     this.refining =
       display &&
@@ -113,7 +113,7 @@ export class PhysicalRenderer implements Renderer {
 
   resize(width: number, height: number): void {
     this.#size = { width, height };
-    this.sharpStart?.end();
+    this.refinedFade?.end();
     for (const old of [this.#target, this.#radiance, ...this.#tested.values()]) old?.dispose();
     this.#tested.clear();
     this.#opaque.resize(this.#size);
@@ -286,7 +286,7 @@ export class PhysicalRenderer implements Renderer {
       this.#compositeDisplay.render(layer, textures, options, layer.blocks);
     }
     const media = boundsOf(regions);
-    this.sharpStart?.draw(frame, layer, media, size, inputs.uExposure, this.#opaque.blocks);
+    this.refinedFade?.draw(frame, layer, media, size, inputs.uExposure, this.#opaque.blocks);
     for (const region of regions) {
       const inner = scaleBox(expandBox(region, -1, size), size, this.#gpu.canvas);
       this.#display.render({ ...textures, uRadiance }, bloom, settings, transform, Frame, inner);

@@ -4,7 +4,7 @@ import type { UniformBlock } from "../gl/uniform-block.js";
 import type { ParticleLayer } from "../world/particles/particle-layer.js";
 import type { World } from "../world/world.js";
 import type { FrameSettings } from "./frame-settings.js";
-import type { RefinedImage, SharpStart } from "./refinement/sharp-start.js";
+import type { RefinedFade, RefinedImage } from "./refinement/refined-fade.js";
 
 export interface Models {
   readonly room: Model;
@@ -39,7 +39,7 @@ export interface Renderer {
   /** Those of the last frame, without media; absent where there are none to begin a refinement with. */
   surfaces?(): Surfaces;
   /** Fades from a refined image, which is drawn to the whole of a canvas at its full resolution. */
-  readonly sharpStart?: SharpStart | null;
+  readonly refinedFade?: RefinedFade | null;
   /** @param width of the canvas, pixels */
   resize(width: number, height: number): void;
   /** Replaces the particles by those of a new world, or of other layers. They catch up in the next frame. */

@@ -5,11 +5,11 @@ import type { UniformBlock } from "../gl/uniform-block.js";
 import { flameLight, TAPER } from "../light/flame-light.js";
 import type { Vec3 } from "../world/geometry.js";
 import type { StandingCandle } from "../world/standing-candle.js";
+import type { CachedLight } from "./cached-light.js";
 import { IndirectPass, type IndirectScene } from "./gi/indirect-pass.js";
 import type { IndirectTargets } from "./gi/indirect-targets.js";
 import type { IndirectDetail } from "./gi/probe-rays.js";
 import { type SupportSlot, SurfelPass } from "./gi/surfel-pass.js";
-import type { KeptLight } from "./kept-light.js";
 import type { CaptureLight } from "./light-block.js";
 import type { ShadowCasters } from "./shadow/shadow-casters.js";
 import { type ShadowAtlas, ShadowPass } from "./shadow/shadow-pass.js";
@@ -50,7 +50,7 @@ export class StandingLight {
   readonly #shadow: ShadowPass;
   readonly #indirect: IndirectPass;
   readonly #block: UniformBlock;
-  #light: Omit<KeptLight, "intensity"> | null = null;
+  #light: Omit<CachedLight, "intensity"> | null = null;
 
   constructor(
     gpu: Gpu,
@@ -74,12 +74,12 @@ export class StandingLight {
     return this.#light?.name ?? null;
   }
 
-  light(candle: StandingCandle, casters: ShadowCasters): KeptLight {
+  light(candle: StandingCandle, casters: ShadowCasters): CachedLight {
     if (this.name !== candle.name || !this.#light) this.#light = this.#capture(candle, casters);
     return { ...this.#light, intensity: flameLight(candle, TAPER).intensity };
   }
 
-  #capture({ name, root }: StandingCandle, casters: ShadowCasters): Omit<KeptLight, "intensity"> {
+  #capture({ name, root }: StandingCandle, casters: ShadowCasters): Omit<CachedLight, "intensity"> {
     const light = stillLight(root, this.#slot);
     const { position: captureOrigin } = light;
     const shadow = { depth: this.#shadow.render(casters, captureOrigin), captureOrigin };

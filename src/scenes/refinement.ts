@@ -60,7 +60,7 @@ export class Refinement {
    */
   stop(next: Renderer | null = null): void {
     const image = this.shown?.refining?.image();
-    if (image) next?.sharpStart?.begin(image);
+    if (image) next?.refinedFade?.begin(image);
     this.#rest = 0;
     this.#isShown = false;
   }

@@ -152,7 +152,7 @@ export class SceneView {
     this.#share = rung.share;
     this.#target.clear();
     this.#refinement.forget();
-    this.#renderer.sharpStart?.end();
+    this.#renderer.refinedFade?.end();
     this.#fitCanvas();
     this.#renderer = this.#createRenderer();
     if (before.tier !== rung.tier || before.share !== rung.share) this.onQualityChanged();
@@ -176,7 +176,7 @@ export class SceneView {
     if (isOther) {
       this.#auto.renew();
       this.#refinement.stop();
-      this.#renderer.sharpStart?.end();
+      this.#renderer.refinedFade?.end();
     }
     const { gpu, canvas } = this.#target;
     const isOtherSize = this.#fitCanvas();
@@ -212,7 +212,7 @@ export class SceneView {
   measure(seconds: number): void {
     if (this.#settings.quality !== "auto" || this.isBusy) return;
     this.#refinement.take(seconds);
-    if (this.#refinement.isBusy || this.#renderer.sharpStart?.isOn) return;
+    if (this.#refinement.isBusy || this.#renderer.refinedFade?.isOn) return;
     const { milliseconds } = this.#target.gpu.timer;
     this.#auto.take(seconds, milliseconds === null ? null : milliseconds / 1000);
     // Prepares another tier, a little in each frame, and takes it when nothing holds it up.
@@ -274,7 +274,7 @@ export class SceneView {
     if (!isOtherTier && rung.share === this.#share) return;
     this.#tier = this.#tierOf(rung);
     this.#share = rung.share;
-    this.#renderer.sharpStart?.end();
+    this.#renderer.refinedFade?.end();
     if (isOtherTier) {
       this.#target.clearUnshared();
       this.#refinement.forget();
@@ -315,7 +315,7 @@ export class SceneView {
   }
 
   get #resolutionScale(): number {
-    if (this.#refinement.shown || this.#renderer?.sharpStart?.isOn) return REFINED.resolutionScale;
+    if (this.#refinement.shown || this.#renderer?.refinedFade?.isOn) return REFINED.resolutionScale;
     return this.#tier.resolutionScale * this.#share;
   }
 

@@ -1,11 +1,11 @@
 import type { Model } from "../../assets/model.js";
 import type { Gpu } from "../../gl/gpu.js";
 import type { CollisionMesh } from "../../world/room/collision-mesh.js";
+import type { CachedLight } from "../cached-light.js";
+import { CachedLights } from "../cached-lights.js";
 import { shadowFrustumTest } from "../camera.js";
 import type { FrameInput } from "../frame-input.js";
 import type { GBufferKind } from "../gbuffer/gbuffer.js";
-import type { KeptLight } from "../kept-light.js";
-import { KeptLights } from "../kept-lights.js";
 import type { CaptureLight } from "../light-block.js";
 import type { Mesh } from "../mesh/mesh.js";
 import type { MeshLods } from "../mesh/mesh-lods.js";
@@ -31,7 +31,7 @@ export interface FlameCaptures {
 /** Shadow cube and irradiance volume of the flame, and those of other lights. */
 export interface Captures extends FlameCaptures {
   /** The lights beside the carried flame. */
-  readonly kept: readonly KeptLight[];
+  readonly cached: readonly CachedLight[];
 }
 
 /**
@@ -54,7 +54,7 @@ export class LightCaptures {
   readonly #indirect: IndirectPass;
   #holding: { readonly light: CaptureLight; readonly steps: Steps<FlameCaptures> } | null = null;
   #held: { readonly light: CaptureLight; readonly captures: FlameCaptures } | null = null;
-  readonly #keptLights: KeptLights;
+  readonly #cachedLights: CachedLights;
 
   /**
    * @param collision mesh of the room, for the probes' rays
@@ -81,12 +81,12 @@ export class LightCaptures {
     this.#indirect = new IndirectPass(gpu, room, indirect, { targets });
     // Where the flame's bounces are computed in steps, other lights' may come in between.
     const shared = tier.opaque === "refined" ? null : targets;
-    this.#keptLights = new KeptLights(gpu, room, tier, shared);
+    this.#cachedLights = new CachedLights(gpu, room, tier, shared);
   }
 
   update(frame: FrameInput, kind: GBufferKind): Captures {
-    const kept = this.#keptLights.update(frame.world, this.#casters);
-    return { ...this.#ofFlame(frame, kind), kept };
+    const cached = this.#cachedLights.update(frame.world, this.#casters);
+    return { ...this.#ofFlame(frame, kind), cached };
   }
 
   #ofFlame(

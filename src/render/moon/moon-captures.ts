@@ -5,10 +5,10 @@ import type { Texture } from "../../gl/texture.js";
 import { adaptedMoonlight } from "../../light/moonlight.js";
 import type { Vec3 } from "../../world/geometry.js";
 import type { Moon } from "../../world/moon.js";
+import type { CachedLight } from "../cached-light.js";
 import type { IndirectScene } from "../gi/indirect-pass.js";
 import { IndirectPass } from "../gi/indirect-pass.js";
 import type { IndirectTargets } from "../gi/indirect-targets.js";
-import type { KeptLight } from "../kept-light.js";
 import type { PhysicalTier } from "../quality.js";
 import { ShadowCasters } from "../shadow/shadow-casters.js";
 import { entersRoom } from "./entry.js";
@@ -31,7 +31,7 @@ export class MoonCaptures {
   readonly #surfels: MoonSurfels;
   readonly #indirect: IndirectPass;
   #key = "";
-  #light: Omit<KeptLight, "intensity"> | null = null;
+  #light: Omit<CachedLight, "intensity"> | null = null;
 
   constructor(
     gpu: Gpu,
@@ -55,7 +55,7 @@ export class MoonCaptures {
   }
 
   /** Null where it does not reach the room. */
-  light({ direction, illuminance }: Moon): KeptLight | null {
+  light({ direction, illuminance }: Moon): CachedLight | null {
     const key = JSON.stringify(direction);
     if (key !== this.#key) {
       this.#key = key;
@@ -65,7 +65,7 @@ export class MoonCaptures {
     return this.#light && { ...this.#light, intensity: adaptedMoonlight(illuminance) };
   }
 
-  #capture(direction: Vec3): Omit<KeptLight, "intensity" | "key"> | null {
+  #capture(direction: Vec3): Omit<CachedLight, "intensity" | "key"> | null {
     const { model, surfaces } = this.#scene;
     const frustum = moonFrustum(direction, model.bounds, panesOf(model));
     const parts = moonCasters(model.parts, frustum);

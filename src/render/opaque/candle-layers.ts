@@ -5,8 +5,8 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { TextureView } from "../../gl/texture-view.js";
 import type { Rgb } from "../../light/color.js";
+import type { CachedLight } from "../cached-light.js";
 import type { Size } from "../frame-input.js";
-import type { KeptLight } from "../kept-light.js";
 
 /** Draws a texture times a light's intensity, cd. Within a scissor it is added to what is there. */
 export function drawScaled(
@@ -55,9 +55,9 @@ export class CandleLayers {
    * @returns whether any was shaded
    */
   update(
-    candles: readonly KeptLight[],
+    candles: readonly CachedLight[],
     frameKey: string,
-    shade: (candle: KeptLight) => RenderTarget,
+    shade: (candle: CachedLight) => RenderTarget,
     most: number,
   ): boolean {
     for (const [name, { target }] of this.#layers) {
@@ -92,7 +92,7 @@ export class CandleLayers {
   }
 
   /** Adds the candles' radiance, cd/m², within a region. */
-  add(candles: readonly KeptLight[], target: TextureView | RenderTarget, scissor: Box): void {
+  add(candles: readonly CachedLight[], target: TextureView | RenderTarget, scissor: Box): void {
     for (const { name, intensity } of candles) {
       const from = this.#layers.get(name)?.target.color;
       if (from) drawScaled(this.#gpu, from, target, intensity, scissor);

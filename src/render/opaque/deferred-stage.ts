@@ -11,7 +11,7 @@ import type { Captures } from "../gi/light-captures.js";
 import type { MeshLods } from "../mesh/mesh-lods.js";
 import type { PhysicalTier } from "../quality.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
-import { KeptLighting } from "./kept-lighting.js";
+import { CachedLighting } from "./cached-lighting.js";
 import { LightingPass } from "./lighting-pass.js";
 import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "./opaque-stage.js";
 
@@ -23,7 +23,7 @@ export class DeferredStage implements OpaqueStage {
   readonly #gpu: Gpu;
   readonly #gbufferPass: GBufferPass;
   readonly #lighting: LightingPass;
-  readonly #kept: KeptLighting;
+  readonly #cached: CachedLighting;
   readonly #composite: Readonly<Record<GBufferKind, Program>>;
   #gbuffer: GBuffer | null = null;
 
@@ -34,7 +34,7 @@ export class DeferredStage implements OpaqueStage {
     this.blocks = { Frame: this.#lighting.frame, Light: this.#lighting.light };
     const summed = { ...this.blocks, Light: this.#lighting.newLightBlock() };
     const { full } = this.#lighting;
-    this.#kept = new KeptLighting(gpu, tier.shadow, this.format, summed, full);
+    this.#cached = new CachedLighting(gpu, tier.shadow, this.format, summed, full);
     this.#gbufferPass = new GBufferPass(gpu, this.blocks.Frame, lods);
     this.#composite = forEachGBufferKind((defines) =>
       gpu.program("opaque/composite", fullscreenVert, compositeFrag, { defines }),
@@ -42,7 +42,7 @@ export class DeferredStage implements OpaqueStage {
   }
 
   resize(size: Size): void {
-    this.#kept.resize();
+    this.#cached.resize();
     this.#gbufferPass.resize(size);
     this.#lighting.resize(size);
   }
@@ -55,14 +55,14 @@ export class DeferredStage implements OpaqueStage {
   shade(frame: FrameInput, captures: Captures): OpaqueLayer {
     const gbuffer = this.#gbuffer;
     if (!gbuffer) throw new Error("Shading needs a G-buffer.");
-    const { kept } = captures;
+    const { cached } = captures;
     const isAtRest = gbuffer.kind === "full";
     // Compiled while the camera rests.
-    if (frame.settings.canDefer && isAtRest) this.#lighting.reducedProgram(kept);
+    if (frame.settings.canDefer && isAtRest) this.#lighting.reducedProgram(cached);
     const lit = this.#lighting.render(frame, gbuffer, captures);
     const all =
-      isAtRest && kept.length > 0
-        ? this.#kept.render(frame, gbuffer, lit.textures.uLighting, kept)
+      isAtRest && cached.length > 0
+        ? this.#cached.render(frame, gbuffer, lit.textures.uLighting, cached)
         : null;
     return {
       kind: gbuffer.kind,

@@ -9,10 +9,10 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { Bounds } from "../../world/geometry.js";
+import { type CachedLight, moonOf } from "../cached-light.js";
 import { frustumTest } from "../camera.js";
 import type { FrameInput, ModelInstance, Size } from "../frame-input.js";
 import type { Captures } from "../gi/light-captures.js";
-import { type KeptLight, moonOf } from "../kept-light.js";
 import { type CaptureLight, lightBlock, shadingLight } from "../light-block.js";
 import { type Mesh, surfaceSampling } from "../mesh/mesh.js";
 import { normalMapVisibilityOf } from "../mesh/normal-map-visibility.js";
@@ -33,7 +33,7 @@ interface SurfacePass extends Pick<Draw, "target" | "viewport" | "scissor"> {
   /** Whether what lies in a box is drawn. Default: all is. */
   readonly isVisible?: (box: Bounds) => boolean;
   /** Standing candles that are shaded for as well, all flames as they burn. Default: none. */
-  readonly candles?: readonly KeptLight[];
+  readonly candles?: readonly CachedLight[];
 }
 
 /**
@@ -89,10 +89,10 @@ export class ForwardStage implements OpaqueStage {
   #samples: RenderTarget | null = null;
   #resolved: RenderTarget | null = null;
   /** Moonlight in the last frame that was shaded. */
-  #moon: KeptLight | null = null;
+  #moon: CachedLight | null = null;
   readonly #candleLayers: CandleLayers;
   /** The standing candles that burn in it. */
-  #candles: readonly KeptLight[] = [];
+  #candles: readonly CachedLight[] = [];
   #standing: StandingLights | null = null;
   /** Whether the radiance is of all flames as they burn: in motion, and until each candle has its layer. */
   #isOfAll = false;
@@ -150,9 +150,9 @@ export class ForwardStage implements OpaqueStage {
       ...shadingLight(world, features.candle, SCHEDULE.lighting.forward),
       captureOrigin: captures.shadow.captureOrigin,
     };
-    this.#moon = inspect === "normals" ? null : moonOf(captures.kept);
+    this.#moon = inspect === "normals" ? null : moonOf(captures.cached);
     this.#candles =
-      inspect === "normals" ? [] : captures.kept.filter(({ kind }) => kind === "candle");
+      inspect === "normals" ? [] : captures.cached.filter(({ kind }) => kind === "candle");
     const frameKey = JSON.stringify([
       [...frame.clipFromWorld],
       features,
@@ -215,7 +215,7 @@ export class ForwardStage implements OpaqueStage {
     if (!this.#isOfAll) {
       const most = canShadeAll && wasOfAll ? 1 : this.#candles.length;
       // Each is shaded in the targets of the flame's own layer, which is drawn anew afterwards.
-      const shade = (candle: KeptLight) => this.#shadeCandle(frame, candle);
+      const shade = (candle: CachedLight) => this.#shadeCandle(frame, candle);
       const hasShaded = this.#candleLayers.update(this.#candles, frameKey, shade, most);
       if (hasShaded) this.#key = "";
       this.#isOfAll = canShadeAll && wasOfAll && hasShaded;
@@ -223,13 +223,13 @@ export class ForwardStage implements OpaqueStage {
     if (wasOfAll || this.#isOfAll) this.#key = "";
   }
 
-  #shadeCandle(frame: FrameInput, { light, shadow, irradiance }: KeptLight): RenderTarget {
+  #shadeCandle(frame: FrameInput, { light, shadow, irradiance }: CachedLight): RenderTarget {
     const resolved = this.#resolved;
     if (!resolved || !light) throw new Error("A candle is shaded as a flame, in a frame.");
     const target = this.#samples ?? resolved;
     this.#gpu.clear(target, [0, 0, 0, 1]);
     const captured = { depth: shadow, captureOrigin: light.position, isNew: false };
-    this.draw(frame, light, { shadow: captured, irradiance, kept: [] }, { target });
+    this.draw(frame, light, { shadow: captured, irradiance, cached: [] }, { target });
     if (this.#samples) this.#gpu.resolve(this.#samples, resolved);
     return resolved;
   }
@@ -241,7 +241,7 @@ export class ForwardStage implements OpaqueStage {
     captures: Captures,
     { origin, isVisible, candles = [], ...target }: SurfacePass,
   ): void {
-    const moon = frame.settings.inspect === "normals" ? null : moonOf(captures.kept);
+    const moon = frame.settings.inspect === "normals" ? null : moonOf(captures.cached);
     const pass = this.#pass(captures, moon, candles.length > 0);
     this.#shadingLight.update(light);
     if (candles.length > 0) {
@@ -262,7 +262,11 @@ export class ForwardStage implements OpaqueStage {
     }
   }
 
-  #pass({ shadow, irradiance }: Captures, moon: KeptLight | null, hasCandles: boolean): LightPass {
+  #pass(
+    { shadow, irradiance }: Captures,
+    moon: CachedLight | null,
+    hasCandles: boolean,
+  ): LightPass {
     const { textures, surfels, block } = irradiance;
     return {
       program: forwardProgram(this.#gpu, this.#tier, moon !== null, hasCandles),

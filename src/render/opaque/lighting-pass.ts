@@ -7,15 +7,15 @@ import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
+import { type CachedLight, moonOf } from "../cached-light.js";
 import { floats } from "../float-format.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { GBuffer } from "../gbuffer/gbuffer.js";
 import type { Captures } from "../gi/light-captures.js";
-import { type KeptLight, moonOf } from "../kept-light.js";
 import { lightBlock, shadingLight } from "../light-block.js";
 import type { PhysicalTier, ShadowQuality } from "../quality.js";
 import { SCHEDULE } from "../schedule.js";
-import { representativeColor } from "./kept-lighting.js";
+import { representativeColor } from "./cached-lighting.js";
 import type { OpaqueLayer } from "./opaque-stage.js";
 import { StandingLights } from "./standing-lights.js";
 
@@ -72,7 +72,7 @@ export class LightingPass {
   }
 
   /** Of lighting in motion: by the flame alone, or by all lights at once, which then share what they compute. */
-  reducedProgram(kept: readonly KeptLight[]): Program {
+  reducedProgram(cached: readonly CachedLight[]): Program {
     const { shadow, mostCandles } = this.#tier;
     // Texels four times as large are averaged over as many shadow taps again.
     const search = Math.ceil(shadow.search / 2);
@@ -81,8 +81,8 @@ export class LightingPass {
       { ...shadow, search, taps },
       {
         REDUCED: 1,
-        ...(kept.length > 0 && { CANDLES: mostCandles }),
-        ...(moonOf(kept) && { WITH_MOON: 1 }),
+        ...(cached.length > 0 && { CANDLES: mostCandles }),
+        ...(moonOf(cached) && { WITH_MOON: 1 }),
       },
     );
   }
@@ -113,13 +113,13 @@ export class LightingPass {
     return this.#fullTarget ?? { width: 1, height: 1 };
   }
 
-  render(frame: FrameInput, gbuffer: GBuffer, { shadow, irradiance, kept }: Captures): Lit {
+  render(frame: FrameInput, gbuffer: GBuffer, { shadow, irradiance, cached }: Captures): Lit {
     const { kind, surface, depth, representative, key: gbufferKey, reprojection } = gbuffer;
     const isReduced = kind !== "full";
     const target = isReduced ? this.#reducedTarget : this.#fullTarget;
     if (!target || !this.#gathered) throw new Error("Lighting has no size yet.");
     // A reprojected frame has the lighting of the frame that it was lit in.
-    if (!reprojection) this.#isOfAll = isReduced && kept.length > 0;
+    if (!reprojection) this.#isOfAll = isReduced && cached.length > 0;
     const lit = {
       textures: {
         uLighting: target.color,
@@ -144,8 +144,8 @@ export class LightingPass {
     this.#shadingLight.update(light);
     const worldFromClip = mat4.invert(mat4.create(), frame.clipFromWorld);
     if (!worldFromClip) throw new Error("The camera's matrix has no inverse.");
-    const program = isReduced ? this.reducedProgram(kept) : this.full;
-    const all = this.#isOfAll ? this.#ofAll(frame, program, { shadow, irradiance, kept }) : null;
+    const program = isReduced ? this.reducedProgram(cached) : this.full;
+    const all = this.#isOfAll ? this.#ofAll(frame, program, { shadow, irradiance, cached }) : null;
     this.#gpu.draw({
       program,
       target,
@@ -157,7 +157,7 @@ export class LightingPass {
         ...irradiance.textures,
         uSupport: irradiance.support,
         ...all?.textures,
-        ...(moonOf(kept) && isReduced && { uGBufferAlbedo: gbuffer.albedo }),
+        ...(moonOf(cached) && isReduced && { uGBufferAlbedo: gbuffer.albedo }),
       },
       uniforms: {
         uFeatures: [shadows, indirect, specular].map(Number),
@@ -180,17 +180,17 @@ export class LightingPass {
   #ofAll(
     { world, settings }: FrameInput,
     program: Program,
-    { shadow, irradiance, kept }: Captures,
+    { shadow, irradiance, cached }: Captures,
   ): Required<Pick<Draw, "textures" | "uniforms" | "blocks">> {
     const flame = lightBlock(world, settings.features.candle);
     const { intensity } = flame;
-    const uColor = representativeColor(intensity, kept);
+    const uColor = representativeColor(intensity, cached);
     this.#representative.update({ ...flame, intensity: uColor });
     this.#shadingLight.update({ intensity });
     this.#standing ??= new StandingLights(this.#gpu, program, this.format);
-    const { textures, blocks } = this.#standing.inputs(kept, { shadow, irradiance }, intensity);
-    const moon = moonOf(kept);
-    const candle = kept.find(({ kind }) => kind === "candle");
+    const { textures, blocks } = this.#standing.inputs(cached, { shadow, irradiance }, intensity);
+    const moon = moonOf(cached);
+    const candle = cached.find(({ kind }) => kind === "candle");
     return {
       textures: {
         ...textures,

@@ -4,8 +4,8 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { Rgb } from "../../light/color.js";
+import type { CachedLight } from "../cached-light.js";
 import type { FlameCaptures } from "../gi/light-captures.js";
-import type { KeptLight } from "../kept-light.js";
 import { drawScaled } from "./candle-layers.js";
 
 /** Inputs of a program that shades for all flames at once: as they burn, in cd. */
@@ -31,7 +31,7 @@ export class StandingLights {
    * @param carried captures of the carried flame, for 1 cd
    */
   inputs(
-    lights: readonly KeptLight[],
+    lights: readonly CachedLight[],
     { shadow, irradiance: carried }: FlameCaptures,
     intensity: Rgb,
   ): Required<Pick<Draw, "textures" | "blocks">> {

@@ -17,8 +17,8 @@ import { whiteBalance } from "../post/display-pass.js";
 import { HueLut } from "../post/hue-lut.js";
 import { ToneLut } from "../post/tone-lut.js";
 import { bandOf, expandBox, expandBoxes } from "../screen-bounds.js";
+import type { RefinedImage } from "./refined-fade.js";
 import type { RefinedStage } from "./refined-stage.js";
-import type { RefinedImage } from "./sharp-start.js";
 
 /** Bands that a whole image is kept in, and how many of them in a frame. */
 const BANDS = 12;

@@ -8,12 +8,12 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import { luma, type Rgb } from "../../light/color.js";
 import { TAPER } from "../../light/flame-light.js";
 import type { World } from "../../world/world.js";
+import { moonOf } from "../cached-light.js";
 import { frustumTest } from "../camera.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { FrameSettings } from "../frame-settings.js";
 import { type ReprojectionSource, reprojectionSource } from "../gbuffer/reprojection.js";
 import type { Captures, LightCaptures } from "../gi/light-captures.js";
-import { moonOf } from "../kept-light.js";
 import { type CaptureLight, lightBlock, shadingLight } from "../light-block.js";
 import { ForwardStage } from "../opaque/forward-stage.js";
 import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "../opaque/opaque-stage.js";
@@ -170,7 +170,7 @@ export class RefinedStage implements OpaqueStage {
     const target = this.#whole;
     const { width, height } = target;
     const [x, y] = box;
-    const moon = moonOf(captures.kept);
+    const moon = moonOf(captures.cached);
     this.#gpu.clear(samples, [0, 0, 0, moon?.background ?? 1]);
     this.#forward.draw(frame, light, captures, {
       target: samples,

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { groupedAroundFirst } from "../../../src/render/kept-lights.ts";
+import { groupedAroundFirst } from "../../../src/render/cached-lights.ts";
 import { createStandingCandle } from "../../../src/world/standing-candle.ts";
 
 test("A candle beyond those with shadows lights from the place of the nearest that has them", () => {

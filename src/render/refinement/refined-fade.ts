@@ -26,7 +26,7 @@ export interface RefinedImage {
  * The first frames in motion begin with the refined image: it is reprojected over the coarser frame, by the frame's own
  * depth, where the same surface was visible.
  */
-export class SharpStart {
+export class RefinedFade {
   readonly #gpu: Gpu;
   /** By whether the frame is reprojected itself. */
   readonly #programs: Readonly<Record<"reduced" | "reprojected", Program>>;

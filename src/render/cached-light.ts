@@ -5,7 +5,7 @@ import type { IrradianceVolume } from "./gi/indirect-pass.js";
 import type { CaptureLight } from "./light-block.js";
 
 /** A light beside the carried flame. Its shadow and irradiance are captured once, for 1 cd or 1 lx of it. */
-export interface KeptLight {
+export interface CachedLight {
   readonly kind: "moon" | "candle";
   readonly name: string;
   /** Members of a candle's block. */
@@ -22,7 +22,7 @@ export interface KeptLight {
   readonly key: string;
 }
 
-/** The moon among the kept lights. */
-export function moonOf(kept: readonly KeptLight[]): KeptLight | null {
-  return kept.find(({ kind }) => kind === "moon") ?? null;
+/** The moon among the cached lights. */
+export function moonOf(cached: readonly CachedLight[]): CachedLight | null {
+  return cached.find(({ kind }) => kind === "moon") ?? null;
 }

@@ -9,9 +9,9 @@ import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import { luma, type Rgb } from "../../light/color.js";
 import { TAPER } from "../../light/flame-light.js";
+import type { CachedLight } from "../cached-light.js";
 import type { FrameInput } from "../frame-input.js";
 import type { GBuffer } from "../gbuffer/gbuffer.js";
-import type { KeptLight } from "../kept-light.js";
 import { lightBlock } from "../light-block.js";
 import type { ShadowQuality } from "../quality.js";
 import type { FrameBlocks } from "./opaque-stage.js";
@@ -20,7 +20,7 @@ import type { FrameBlocks } from "./opaque-stage.js";
 const BURNING = 0.01;
 
 /** Colour of the light that represents all: the flames', or the moon's where none burns. Its luma is 1. */
-export function representativeColor(flame: Rgb, lights: readonly KeptLight[]): Rgb {
+export function representativeColor(flame: Rgb, lights: readonly CachedLight[]): Rgb {
   const burning = lights.some(
     ({ kind, intensity }) => kind === "candle" && luma(intensity) > BURNING,
   );
@@ -30,8 +30,8 @@ export function representativeColor(flame: Rgb, lights: readonly KeptLight[]): R
   return [intensity[0] / scale, intensity[1] / scale, intensity[2] / scale];
 }
 
-/** Deferred lighting at rest by kept lights, each in a texture of its own, and their sum with the flame's. */
-export class KeptLighting {
+/** Deferred lighting at rest by cached lights, each in a texture of its own, and their sum with the flame's. */
+export class CachedLighting {
   readonly #gpu: Gpu;
   readonly #shadowQuality: ShadowQuality;
   readonly #format: TextureFormat;
@@ -80,7 +80,7 @@ export class KeptLighting {
     frame: FrameInput,
     gbuffer: GBuffer,
     lighting: Texture,
-    lights: readonly KeptLight[],
+    lights: readonly CachedLight[],
   ): { readonly uLighting: Texture; readonly Light: UniformBlock } {
     const size = { width: lighting.width, height: lighting.height };
     this.#sums ??= [this.#target("sum/a", size), this.#target("sum/b", size)];
@@ -94,8 +94,8 @@ export class KeptLighting {
       this.#gpu.draw({
         program: this.#gpu.program("opaque/sum-lighting", fullscreenVert, sumFrag),
         target: sums[0],
-        textures: { uLighting, uKeptLighting: this.#layerOf(light, frame, gbuffer, size) },
-        uniforms: { uIntensity, uKeptIntensity: light.intensity, uColor },
+        textures: { uLighting, uCachedLighting: this.#layerOf(light, frame, gbuffer, size) },
+        uniforms: { uIntensity, uCachedIntensity: light.intensity, uColor },
       });
       uLighting = sums[0].color;
       uIntensity = uColor;
@@ -110,7 +110,7 @@ export class KeptLighting {
 
   /** The lighting by one light, which stays until camera, models or the light have moved. */
   #layerOf(
-    light: KeptLight,
+    light: CachedLight,
     { settings, clipFromWorld }: FrameInput,
     { surface, depth, albedo, representative, key: gbufferKey }: GBuffer,
     size: { readonly width: number; readonly height: number },

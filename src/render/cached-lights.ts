@@ -3,10 +3,10 @@ import { flameLight, TAPER } from "../light/flame-light.js";
 import { length3 } from "../world/geometry.js";
 import type { StandingCandle } from "../world/standing-candle.js";
 import type { World } from "../world/world.js";
+import type { CachedLight } from "./cached-light.js";
 import type { IndirectScene } from "./gi/indirect-pass.js";
 import { type IndirectTargets, indirectTargets } from "./gi/indirect-targets.js";
 import { supportTarget } from "./gi/surfel-pass.js";
-import type { KeptLight } from "./kept-light.js";
 import { MoonCaptures } from "./moon/moon-captures.js";
 import type { PhysicalTier } from "./quality.js";
 import type { ShadowCasters } from "./shadow/shadow-casters.js";
@@ -14,7 +14,7 @@ import { shadowAtlas } from "./shadow/shadow-pass.js";
 import { StandingLight, type StandingSlot } from "./standing-light.js";
 
 /** The lights beside the carried flame, each captured when it first shines. */
-export class KeptLights {
+export class CachedLights {
   readonly #makeMoon: () => MoonCaptures;
   readonly #makeStanding: (slot: number, slots: number) => StandingLight;
   readonly #mostCandles: number;
@@ -43,8 +43,8 @@ export class KeptLights {
   }
 
   /** @param casters of a standing candle's shadows and bounced light */
-  update({ moon, standing }: World, casters: ShadowCasters): readonly KeptLight[] {
-    const lights: KeptLight[] = [];
+  update({ moon, standing }: World, casters: ShadowCasters): readonly CachedLight[] {
+    const lights: CachedLight[] = [];
     if (moon) {
       this.#moon ??= this.#makeMoon();
       const light = this.#moon.light(moon);
