@@ -45,6 +45,17 @@ export interface PhysicalTier {
   readonly mostHazes: number;
 }
 
+/** Indirect light of `low`, but for mirrors, and of `medium`. */
+const COARSE_INDIRECT: IndirectDetail = {
+  surfels: 18,
+  surfelGroup: 3,
+  probes: [6, 4, 6],
+  inset: 0.3,
+  rays: 12,
+  bounces: 12,
+  isMirrored: true,
+};
+
 /** Indirect light of `high` and `ultra`, which differ by their shadows and their resolution. */
 const FINE_INDIRECT: IndirectDetail = {
   surfels: 24,
@@ -65,15 +76,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
     physical: {
       opaque: "deferred",
       shadow: { size: 128, search: 4, taps: 8, bias: 1 },
-      indirect: {
-        surfels: 18,
-        surfelGroup: 3,
-        probes: [6, 4, 6],
-        inset: 0.3,
-        rays: 12,
-        bounces: 12,
-        isMirrored: false,
-      },
+      indirect: { ...COARSE_INDIRECT, isMirrored: false },
       moonMap: 1024,
       mostCandles: 4,
       casterError: 0.03,
@@ -91,15 +94,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
     physical: {
       opaque: "forward",
       shadow: { size: 512, search: 12, taps: 24, bias: 2.5 },
-      indirect: {
-        surfels: 18,
-        surfelGroup: 3,
-        probes: [6, 4, 6],
-        inset: 0.3,
-        rays: 12,
-        bounces: 12,
-        isMirrored: true,
-      },
+      indirect: COARSE_INDIRECT,
       moonMap: 1024,
       mostCandles: 8,
       casterError: 0.01,
