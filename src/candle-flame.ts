@@ -8,6 +8,7 @@ import {
   paperFlameReport,
 } from "./light/flame-light.js";
 import type { AutoQuality } from "./render/auto-quality.js";
+import type { Steps } from "./render/steps.js";
 import {
   burnsAtFirst,
   candleNamesOf,
@@ -66,29 +67,6 @@ export class CandleFlame {
   #cpuMs = 0;
   /** Candle whose wick the carried flame is at; 0 if none. */
   #wick = 0;
-
-  /**
-   * The same as the constructor, in small tasks, so that the page stays responsive.
-   *
-   * @param isWanted whether it is still wanted
-   * @returns null where it is not, or the context was lost
-   */
-  static async create(
-    target: CanvasTarget,
-    scene: Scene,
-    features: Features,
-    options: Options,
-    plays: boolean,
-    isWanted: () => boolean,
-  ): Promise<CandleFlame | null> {
-    const { gpu } = target;
-    const isOn = () => isWanted() && target.gpu === gpu && !gpu.isLost;
-    const world = worldOf(scene, options);
-    const auto = await SceneView.prepare(target, scene, options, plays, isOn);
-    if (!auto) return null;
-    const candle = new CandleFlame(target, scene, features, options, plays, { auto, world });
-    return (await candle.view.finish(isOn)) ? candle : null;
-  }
 
   /**
    * @param target from now on this disposes of it
@@ -264,10 +242,19 @@ export class CandleFlame {
 
   /** Draws the current state. */
   draw(): void {
-    const { exposure, isStill } = this.#options;
     const canDefer = this.#loop.isRunning;
     const isMoving = this.#hasMoved() && canDefer;
-    this.view.render({ features: this.#features, exposure, isMoving, canDefer, isStill });
+    this.view.render({ ...this.#frameSettings, isMoving, canDefer });
+  }
+
+  /** What `draw` keeps for further frames, drawn in steps; null where it keeps little. */
+  prepareFrame(): Steps | null {
+    return this.view.prepareFrame({ ...this.#frameSettings, isMoving: false, canDefer: false });
+  }
+
+  get #frameSettings() {
+    const { exposure, isStill } = this.#options;
+    return { features: this.#features, exposure, isStill };
   }
 
   /** Whether camera or candle have moved since the last call. */

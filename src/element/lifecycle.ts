@@ -228,6 +228,10 @@ export class Lifecycle implements SessionOwner {
     this.pending.applyTo(candle, shownRequest, () => emit(this.#element, "place", null));
   }
 
+  onRehearsal(candle: CandleFlame): void {
+    this.pending.applyTo(candle, this.#session?.shownRequest ?? null);
+  }
+
   /** Shows the first frame. */
   onCandle(candle: CandleFlame): void {
     this.#applyPending(candle);

@@ -79,18 +79,20 @@ export class PendingWorld {
   /**
    * Applies all of it to the new world; positions of the snapshot only in its own room.
    *
-   * @param onPlaced called when the candle has been put down, with the camera that it was put down from
+   * @param onPlaced called when the candle has been put down, with the camera that it was put down from; without it
+   * all is kept, to be applied again
    */
-  applyTo(candle: CandleFlame, shownRequest: SceneRequest | null, onPlaced: () => void): void {
+  applyTo(candle: CandleFlame, shownRequest: SceneRequest | null, onPlaced?: () => void): void {
     if (this.#saved)
       candle.resume(this.#saved.snapshot, areSame(this.#saved.request, shownRequest));
     if (this.#placing) {
       const before = cameraOf(candle);
       setCamera(candle, this.#placing);
-      if (placeCandle(candle.world)) onPlaced();
+      if (placeCandle(candle.world)) onPlaced?.();
       setCamera(candle, before);
     }
     if (this.#camera) setCamera(candle, this.#camera);
+    if (!onPlaced) return;
     this.#saved = null;
     this.#placing = null;
     this.#camera = null;

@@ -1,4 +1,5 @@
-import { CandleFlame, type Options } from "../candle-flame.js";
+import type { CandleFlame, Options } from "../candle-flame.js";
+import { createCandle } from "../create-candle.js";
 import { type Device, FirstPersonInput } from "../input/first-person-input.js";
 import { type CanvasTarget, createCanvasTarget } from "../scenes/canvas-target.js";
 import type { Scene, SceneRequest } from "../scenes/scene.js";
@@ -21,6 +22,8 @@ export interface SessionInput {
 export interface SessionOwner extends FetchObserver {
   /** Whether time is to pass. */
   plays(): boolean;
+  /** The candle is drawn for the first time, but not shown: it is to be what it will be in `onCandle`. */
+  onRehearsal(candle: CandleFlame): void;
   /** The candle can draw its first frame. */
   onCandle(candle: CandleFlame): void;
   /** The candle has changed to another scene. */
@@ -137,10 +140,13 @@ export class Session {
 
   /** Fits the frame to the canvas. Returns whether it has to be drawn again. */
   resize(): boolean {
+    return this.use((candle) => this.#fit(candle)) ?? false;
+  }
+
+  #fit(candle: CandleFlame): boolean {
     const cap = Math.min(1, this.#input.attributes.maxPixelRatio / devicePixelRatio);
     const { width, height } = this.#pixels;
-    const [w, h] = [Math.max(1, width * cap), Math.max(1, height * cap)];
-    return this.use((candle) => candle.view.resize(w, h)) ?? false;
+    return candle.view.resize(Math.max(1, width * cap), Math.max(1, height * cap));
   }
 
   /** Keeps the frame fitted to the canvas from now on. */
@@ -195,15 +201,25 @@ export class Session {
     if (this.#creations++ > 0) target.clear();
     const { features } = this.#input;
     try {
-      const plays = this.#owner.plays();
-      const options = this.options;
-      const created = await CandleFlame.create(target, scene, features, options, plays, isWanted);
+      const created = await createCandle(target, scene, features, this.options, {
+        plays: this.#owner.plays(),
+        isWanted,
+        rehearse: (candle) => this.#rehearse(candle),
+      });
       if (created) this.#begin(created);
     } catch (error) {
       if (isWanted()) this.#owner.onError(error);
     } finally {
       this.#creations--;
     }
+  }
+
+  #rehearse(candle: CandleFlame): void {
+    candle.options = this.options;
+    candle.view.inspect = this.#input.inspect;
+    this.#pixels = guessDevicePixels(this.canvas);
+    this.#fit(candle);
+    this.#owner.onRehearsal(candle);
   }
 
   #begin(candle: CandleFlame): void {

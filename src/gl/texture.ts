@@ -32,8 +32,8 @@ export interface TextureOptions {
   readonly source: ImageBitmap | Pixels | { readonly width: number; readonly height: number };
   /** A cube has six square faces; layers make it three-dimensional. Default: two-dimensional. */
   readonly shape?: "2d" | "cube" | { readonly layers: number };
-  /** Trilinear, with mipmaps made on the GPU. */
-  readonly mipmaps?: boolean;
+  /** Trilinear, with mipmaps made on the GPU: at once if there are pixels, or by `updateMipmaps`. */
+  readonly mipmaps?: boolean | "later";
   readonly filter?: "nearest" | "linear";
   readonly wrap?: "clamp" | "repeat";
 }
@@ -45,6 +45,8 @@ export class Texture extends GpuObject {
   readonly width: number;
   readonly height: number;
   readonly hasMipmaps: boolean;
+  /** Whether its mipmaps are those of no pixels yet. */
+  needsMipmaps: boolean;
   readonly handle: WebGLTexture;
   /** GL's binding point. */
   readonly target: GLenum;
@@ -57,7 +59,8 @@ export class Texture extends GpuObject {
     this.#format = format;
     this.width = width;
     this.height = height;
-    this.hasMipmaps = mipmaps;
+    this.hasMipmaps = mipmaps !== false;
+    this.needsMipmaps = this.hasMipmaps;
     const layers = typeof shape === "object" ? shape.layers : shape === "cube" ? 6 : 1;
     const texels = width * height * layers * (mipmaps ? 4 / 3 : 1);
     this.bytes = Math.ceil(texels * FORMATS[format].bytes);
@@ -79,9 +82,9 @@ export class Texture extends GpuObject {
     this.#upload(source, layers);
     // Textures that are drawn later have their mipmaps then: `updateMipmaps`.
     const isFilled = "close" in options.source || "data" in options.source;
-    if (mipmaps && isFilled) gl.generateMipmap(this.target);
     this.#sample(options);
     gl.bindTexture(this.target, null);
+    if (mipmaps === true && isFilled) this.updateMipmaps();
   }
 
   /** Makes the mipmaps of a texture that has been drawn. */
@@ -91,6 +94,7 @@ export class Texture extends GpuObject {
     gl.bindTexture(this.target, this.handle);
     gl.generateMipmap(this.target);
     gl.bindTexture(this.target, null);
+    this.needsMipmaps = false;
   }
 
   #upload(source: TextureOptions["source"], layers = 1): void {

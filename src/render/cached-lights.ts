@@ -12,6 +12,7 @@ import type { PhysicalTier } from "./quality.js";
 import type { ShadowCasters } from "./shadow/shadow-casters.js";
 import { shadowAtlas } from "./shadow/shadow-pass.js";
 import { StandingLight, type StandingSlot } from "./standing-light.js";
+import type { Steps } from "./steps.js";
 
 /** The lights beside the carried flame, each captured when it first shines. */
 export class CachedLights {
@@ -42,12 +43,16 @@ export class CachedLights {
     this.#makeMoon = () => new MoonCaptures(gpu, scene, tier, targets());
   }
 
-  /** @param casters of a standing candle's shadows and bounced light */
-  update({ moon, standing }: World, casters: ShadowCasters): readonly CachedLight[] {
+  /**
+   * The lights that shine, in steps where one of them is captured.
+   *
+   * @param casters of a standing candle's shadows and bounced light
+   */
+  *steps({ moon, standing }: World, casters: ShadowCasters): Steps<readonly CachedLight[]> {
     const lights: CachedLight[] = [];
     if (moon) {
       this.#moon ??= this.#makeMoon();
-      const light = this.#moon.light(moon);
+      const light = yield* this.#moon.light(moon);
       if (light) lights.push(light);
     }
     const slots = Math.min(standing.length, this.#mostCandles);
@@ -57,7 +62,7 @@ export class CachedLights {
     );
     const burning = groups.map(([first]) => first);
     for (const [first, ...others] of groups) {
-      const light = this.#capturesOf(first, burning, slots).light(first, casters);
+      const light = yield* this.#capturesOf(first, burning, slots).light(first, casters);
       const all = [light.intensity, ...others.map((one) => flameLight(one, TAPER).intensity)];
       const sum = (channel: 0 | 1 | 2) => all.reduce((sum, one) => sum + one[channel], 0);
       lights.push({ ...light, intensity: [sum(0), sum(1), sum(2)] });

@@ -12,14 +12,13 @@ import type { FrameSettings } from "./frame-settings.js";
 import type { GBufferKind } from "./gbuffer/gbuffer.js";
 import type { IrradianceVolume } from "./gi/indirect-pass.js";
 import { LightCaptures } from "./gi/light-captures.js";
-import { traceProbesIncrementally } from "./gi/probe-rays.js";
 import { captureLight, lightBlock } from "./light-block.js";
 import { groupTriangles } from "./mesh/clusters.js";
 import { type Mesh, sortedByArea, uploadModel } from "./mesh/mesh.js";
 import { MeshLods } from "./mesh/mesh-lods.js";
 import { CompositeDisplayPass } from "./opaque/composite-display-pass.js";
 import { DeferredStage } from "./opaque/deferred-stage.js";
-import { ForwardStage, forwardProgram } from "./opaque/forward-stage.js";
+import { ForwardStage } from "./opaque/forward-stage.js";
 import type { OpaqueLayer, OpaqueStage } from "./opaque/opaque-stage.js";
 import {
   DisplayPass,
@@ -38,7 +37,7 @@ import { RefinedStage } from "./refinement/refined-stage.js";
 import type { Models, Refining, Renderer, Surfaces } from "./renderer.js";
 import { SCHEDULE } from "./schedule.js";
 import { boundsOf, expandBox, expandBoxes, scaleBox } from "./screen-bounds.js";
-import { clusterIncrementally } from "./shadow/shadow-casters.js";
+import type { Steps } from "./steps.js";
 import { HANDLE_TURN } from "./volumetric/flame-pass.js";
 import { flamePart, VolumetricStage } from "./volumetric/volumetric-stage.js";
 import type { CompositedFrame } from "./volumetric/volumetric-target.js";
@@ -93,7 +92,12 @@ export class PhysicalRenderer implements Renderer {
     const surfaces = uploadModel(gpu, room, groupTriangles);
     this.#room = sortedByArea(surfaces);
     this.#candle = uploadModel(gpu, candle, groupTriangles);
-    this.#captures = new LightCaptures(gpu, { model: room, collision, surfaces }, physical, lods);
+    this.#captures = new LightCaptures(
+      gpu,
+      { model: room, collision, surfaces },
+      physical,
+      lods !== null,
+    );
     this.#volumetric = new VolumetricStage(gpu, this.#candle, surfaces, blocks, format, physical);
     this.#bloom = isFrugal
       ? new FlameBloomPass(gpu, physical.bloomLevels, format)
@@ -131,6 +135,16 @@ export class PhysicalRenderer implements Renderer {
 
   get particles(): number {
     return this.#volumetric.particles;
+  }
+
+  *prepare(world: World, settings: FrameSettings): Steps {
+    const frame = this.#describe(world, settings);
+    const captures = yield* this.#captures.steps(frame);
+    yield;
+    this.#opaque.fillGBuffer(frame);
+    yield;
+    this.#opaque.shade(frame, captures);
+    yield;
   }
 
   render(world: World, settings: FrameSettings): void {
@@ -319,24 +333,4 @@ export class PhysicalRenderer implements Renderer {
     if (this.#compositeDisplay && this.#last) this.#composite(...this.#last, [this.#whole]);
     return this.#gpu.readFloats(this.#radiance, x, y, width, height);
   }
-}
-
-/**
- * Prepares a `PhysicalRenderer` a little at a time: compiles, clusters the casters, and traces the probes' rays.
- *
- * @returns whether all of it is done
- */
-export function preparePhysicalRenderer(
-  gpu: Gpu,
-  { room }: Models,
-  collision: CollisionMesh,
-  { tier, isMoonlit }: { readonly tier: Tier; readonly isMoonlit: boolean },
-): boolean {
-  const { opaque, indirect, casterError } = tier.physical;
-  const isCompiled = opaque === "deferred" || forwardProgram(gpu, tier, isMoonlit).isCompiled;
-  return (
-    clusterIncrementally(room, casterError) &&
-    traceProbesIncrementally(collision, room, indirect, SCHEDULE.probesPerFrame) &&
-    isCompiled
-  );
 }

@@ -13,6 +13,7 @@ import { type SupportSlot, SurfelPass } from "./gi/surfel-pass.js";
 import type { CaptureLight } from "./light-block.js";
 import type { ShadowCasters } from "./shadow/shadow-casters.js";
 import { type ShadowAtlas, ShadowPass } from "./shadow/shadow-pass.js";
+import type { Steps } from "./steps.js";
 
 /** A still flame over its root: height of its middle, half its height and its radius as a light, metres. */
 const STILL = { middle: 0.02, halfHeight: 0.0095, radius: 0.0035 } as const;
@@ -74,12 +75,17 @@ export class StandingLight {
     return this.#light?.name ?? null;
   }
 
-  light(candle: StandingCandle, casters: ShadowCasters): CachedLight {
-    if (this.name !== candle.name || !this.#light) this.#light = this.#capture(candle, casters);
+  *light(candle: StandingCandle, casters: ShadowCasters): Steps<CachedLight> {
+    if (this.name !== candle.name || !this.#light) {
+      this.#light = yield* this.#capture(candle, casters);
+    }
     return { ...this.#light, intensity: flameLight(candle, TAPER).intensity };
   }
 
-  #capture({ name, root }: StandingCandle, casters: ShadowCasters): Omit<CachedLight, "intensity"> {
+  *#capture(
+    { name, root }: StandingCandle,
+    casters: ShadowCasters,
+  ): Steps<Omit<CachedLight, "intensity">> {
     const light = stillLight(root, this.#slot);
     const { position: captureOrigin } = light;
     const shadow = { depth: this.#shadow.render(casters, captureOrigin), captureOrigin };
@@ -90,7 +96,7 @@ export class StandingLight {
       light,
       block: this.#block,
       shadow: shadow.depth,
-      irradiance: this.#indirect.render(casters, light, shadow),
+      irradiance: yield* this.#indirect.passes(casters, light, shadow),
       background: 0,
       key: JSON.stringify(root),
     };

@@ -1,7 +1,8 @@
 import { nextTask } from "../gl/next-task.js";
 import { uploadNextImage } from "../render/mesh/mesh.js";
 import { PaperRenderer } from "../render/paper-renderer.js";
-import { PhysicalRenderer, preparePhysicalRenderer } from "../render/physical-renderer.js";
+import { PhysicalRenderer } from "../render/physical-renderer.js";
+import { preparePhysicalRenderer } from "../render/prepare-physical-renderer.js";
 import { createPlume } from "../world/air/plume.js";
 import type { Vec3 } from "../world/geometry.js";
 import { CABIN_MOON, moonOf } from "../world/moon.js";

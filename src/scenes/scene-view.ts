@@ -5,6 +5,7 @@ import type { FrameSettings } from "../render/frame-settings.js";
 import { REFINED, type Tier, tierNamed } from "../render/quality.js";
 import type { Renderer } from "../render/renderer.js";
 import { measureSpeed, type Speed } from "../render/speed.js";
+import type { Steps } from "../render/steps.js";
 import type { Inspection } from "../settings.js";
 import type { CanvasTarget } from "./canvas-target.js";
 import { Refinement } from "./refinement.js";
@@ -104,18 +105,6 @@ export class SceneView {
     this.#renderer = this.#createRenderer();
   }
 
-  /** Waits for the driver's compiler. False if not wanted any more; throws if a program or a target is refused. */
-  async finish(isWanted: () => boolean): Promise<boolean> {
-    const { gpu } = this.#target;
-    await gpu.whenCompiled();
-    // A query blocks until all earlier work is done.
-    await gpu.whenIdle();
-    if (!isWanted()) return false;
-    gpu.finishPrograms();
-    gpu.check("picture");
-    return true;
-  }
-
   /** Another world, or other particles: the renderer's catch up in the next frame. */
   follow(subject: ViewSubject): void {
     this.#subject = subject;
@@ -185,6 +174,12 @@ export class SceneView {
       this.#isUnchecked = true;
     }
     return isOtherSize;
+  }
+
+  /** What the next frame keeps for further ones, drawn in steps; null where it keeps little. */
+  prepareFrame(view: Omit<FrameSettings, "gamut" | "inspect">): Steps | null {
+    const settings = { ...view, gamut: this.#target.gamut, inspect: this.inspect };
+    return this.#renderer.prepare?.(this.#subject.world, settings) ?? null;
   }
 
   /** Draws a frame and shows it. Nothing is drawn while the context is lost. */

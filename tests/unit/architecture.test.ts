@@ -27,6 +27,7 @@ const ALLOWED: Readonly<Record<string, readonly string[]>> = {
   "src/scenes": ["src/gl", "src/render", "src/light", "src/world", "src/assets", "src/settings.ts"],
   "src/element": [
     "src/candle-flame.ts",
+    "src/create-candle.ts",
     "src/gl/gpu-object.ts",
     "src/input",
     "src/scenes",

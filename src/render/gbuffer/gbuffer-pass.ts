@@ -231,8 +231,8 @@ export class GBufferPass {
 
   /** At rest: everything that the first frame in motion needs is compiled, and drawn with once. */
   #prepareReduced(frame: FrameInput): void {
-    this.#updateIncrementally(frame.instances);
-    if (this.#isReducedReady || !this.#albedos.isComplete) return;
+    const isMade = this.#updateIncrementally(frame.instances);
+    if (this.#isReducedReady || !isMade) return;
     this.#isReducedReady = true;
     const target = this.#targetOf("reduced");
     const drawn = new Set<Program>();
@@ -252,9 +252,11 @@ export class GBufferPass {
     }
   }
 
-  /** Goes on with what only frames in motion need. */
-  #updateIncrementally(instances: readonly ModelInstance[]): void {
+  /** Goes on with what only frames in motion need. True when all of it is made. */
+  #updateIncrementally(instances: readonly ModelInstance[]): boolean {
     this.#albedos.updateIncrementally(instances.flatMap(({ meshes }) => meshes));
+    const isMerged = instances.every(({ meshes }) => this.#lods.mergeIncrementally(meshes));
+    return isMerged && this.#albedos.isComplete;
   }
 
   /** `discard` costs all that is drawn later its early depth test, so that only cut-out surfaces have it. */

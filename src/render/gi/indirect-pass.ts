@@ -171,14 +171,19 @@ export class IndirectPass {
    * @param light members of the block of `lib/flame-light.glsl`, of a flame at its capture origin
    */
   render(casters: ShadowCasters, light: CaptureLight, shadow: ShadowMap): IrradianceVolume {
+    return finish(this.passes(casters, light, shadow));
+  }
+
+  /** The same, a pass in each step. */
+  *passes(casters: ShadowCasters, light: CaptureLight, shadow: ShadowMap): Steps<IrradianceVolume> {
     this.#update = null;
     if (!this.#isExact || JSON.stringify(light) !== this.#lastLight) {
-      finish(this.#allSteps(casters, light, shadow, AT_ONCE));
+      yield* this.#allSteps(casters, light, shadow, AT_ONCE);
     }
     return this.#volume;
   }
 
-  /** The same in steps: a face of the surfel cube, or a band of a pass, in each. */
+  /** The same in smaller steps: a face of the surfel cube, or a band of a pass, in each. */
   *steps(casters: ShadowCasters, light: CaptureLight, shadow: ShadowMap): Steps<IrradianceVolume> {
     yield* this.#allSteps(casters, light, shadow, BANDS);
     return this.#volume;
@@ -190,6 +195,7 @@ export class IndirectPass {
     shadow: ShadowMap,
     bands: typeof BANDS,
   ): Steps {
+    this.#isExact = false;
     this.#surfels.clear();
     for (const face of FACES.keys()) {
       this.#surfels.capture(casters, light.position, face);
@@ -239,8 +245,6 @@ export class IndirectPass {
   }
 
   *#renderBounces(light: CaptureLight, shadow: ShadowMap, bands: typeof BANDS): Steps {
-    this.#lastLight = JSON.stringify(light);
-    this.#isExact = true;
     yield* this.#renderFirstBounce(light, shadow, bands);
     const sums = [this.#targets.firstBounce];
     for (let bounce = 1; bounce < this.#detail.bounces; bounce++) {
@@ -251,6 +255,8 @@ export class IndirectPass {
     }
     this.#limit.render(sums.slice(-4), this.#irradiance);
     this.#renderTotalRadiosity();
+    this.#lastLight = JSON.stringify(light);
+    this.#isExact = true;
   }
 
   /** One bounce of the previous irradiance approximates all further bounces. */

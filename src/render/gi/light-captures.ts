@@ -8,11 +8,11 @@ import type { FrameInput } from "../frame-input.js";
 import type { GBufferKind } from "../gbuffer/gbuffer.js";
 import type { CaptureLight } from "../light-block.js";
 import type { Mesh } from "../mesh/mesh.js";
-import type { MeshLods } from "../mesh/mesh-lods.js";
+import { hasLods } from "../mesh/mesh-lods.js";
 import { MOTION_ERROR, type PhysicalTier } from "../quality.js";
-import { ShadowCasters } from "../shadow/shadow-casters.js";
+import { clusterIncrementally, ShadowCasters } from "../shadow/shadow-casters.js";
 import { type ShadowCube, ShadowPass, shadowAtlas } from "../shadow/shadow-pass.js";
-import type { Steps } from "../steps.js";
+import { finish, type Steps } from "../steps.js";
 import { IndirectPass, type IrradianceVolume } from "./indirect-pass.js";
 import { indirectTargets } from "./indirect-targets.js";
 
@@ -45,7 +45,7 @@ export class LightCaptures {
   readonly #model: Model;
   /** In the order of the model's parts. */
   readonly #meshes: readonly Mesh[];
-  readonly #lods: MeshLods | null;
+  readonly #hasLods: boolean;
   readonly #casters: ShadowCasters;
   /** Simplified, for motion; null until their meshes are ready. */
   #shadowLod: ShadowCasters | null = null;
@@ -58,7 +58,7 @@ export class LightCaptures {
 
   /**
    * @param collision mesh of the room, for the probes' rays
-   * @param lods null where nothing is simplified in motion
+   * @param isSimplified whether casters are simplified in motion, where the model allows
    */
   constructor(
     gpu: Gpu,
@@ -68,14 +68,14 @@ export class LightCaptures {
       readonly surfaces: readonly Mesh[];
     },
     tier: PhysicalTier,
-    lods: MeshLods | null,
+    isSimplified: boolean,
   ) {
     const { shadow, indirect, casterError } = tier;
     this.#gpu = gpu;
     this.#model = room.model;
     this.#meshes = room.surfaces;
-    this.#lods = lods;
-    this.#casters = new ShadowCasters(gpu, room.model, room.surfaces, casterError);
+    this.#hasLods = isSimplified && hasLods(room.surfaces);
+    this.#casters = new ShadowCasters(gpu, room.model, room.surfaces, { error: casterError });
     this.#shadow = new ShadowPass(gpu, shadowAtlas(gpu, shadow.size, 1));
     const targets = indirectTargets(gpu, indirect);
     this.#indirect = new IndirectPass(gpu, room, indirect, { targets });
@@ -85,8 +85,14 @@ export class LightCaptures {
   }
 
   update(frame: FrameInput, kind: GBufferKind): Captures {
-    const cached = this.#cachedLights.update(frame.world, this.#casters);
+    const cached = finish(this.#cachedLights.steps(frame.world, this.#casters));
     return { ...this.#ofFlame(frame, kind), cached };
+  }
+
+  /** Exact captures for a frame, in steps; `update` has nothing left to do then. */
+  *steps({ world, captureLight }: FrameInput): Steps<Captures> {
+    const cached = yield* this.#cachedLights.steps(world, this.#casters);
+    return { ...(yield* this.#ofLight(captureLight, "passes")), cached };
   }
 
   #ofFlame(
@@ -131,7 +137,7 @@ export class LightCaptures {
   hold(light: CaptureLight, steps: number): boolean {
     if (!this.#holding && this.#held && areNear(light, this.#held.light)) return true;
     this.#held = null;
-    this.#holding ??= { light, steps: this.#steps(light) };
+    this.#holding ??= { light, steps: this.#ofLight(light, "steps") };
     for (let step = 0; step < steps; step++) {
       const { done, value } = this.#holding.steps.next();
       if (!done) continue;
@@ -142,23 +148,24 @@ export class LightCaptures {
     return false;
   }
 
-  *#steps(light: CaptureLight): Steps<FlameCaptures> {
+  *#ofLight(light: CaptureLight, how: "passes" | "steps"): Steps<FlameCaptures> {
     const captureOrigin = light.position;
     const depth = yield* this.#shadow.steps(this.#casters, captureOrigin);
     const shadow = { depth, captureOrigin, isNew: false };
-    return { shadow, irradiance: yield* this.#indirect.steps(this.#casters, light, shadow) };
+    return { shadow, irradiance: yield* this.#indirect[how](this.#casters, light, shadow) };
   }
 
-  /** Prepares the first frames in motion, one part a frame. */
+  /** Prepares the first frames in motion, a part of the model in each frame. */
   #prepareLods(): void {
-    if (!this.#shadowLod) this.#shadowLod = this.#simplified(MOTION_ERROR.shadow);
-    else this.#surfelLod ??= this.#simplified(MOTION_ERROR.surfels);
+    this.#shadowLod ??= this.#simplified(MOTION_ERROR.shadow);
+    this.#surfelLod ??= this.#simplified(MOTION_ERROR.surfels);
   }
 
   #simplified(error: number): ShadowCasters | null {
-    const parts = this.#lods?.partsOf(this.#meshes);
-    return parts
-      ? new ShadowCasters(this.#gpu, { ...this.#model, parts }, this.#meshes, error)
+    if (!this.#hasLods) return null;
+    const detail = { error, isReduced: true };
+    return clusterIncrementally(this.#model, detail)
+      ? new ShadowCasters(this.#gpu, this.#model, this.#meshes, detail)
       : null;
   }
 }

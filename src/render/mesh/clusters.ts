@@ -36,35 +36,43 @@ export interface Clusters {
 export class ClusterBuilder {
   readonly #parts: readonly Part[];
   readonly #detail: number;
+  readonly #levelOf: (part: Part) => Part;
   readonly #vertices: number[] = [];
   readonly #indices: number[] = [];
   readonly #clusters: Cluster[] = [];
   #done = 0;
   #result: Clusters | null = null;
 
-  /** @param detail edge of the cells whose vertices become one, metres; 0 keeps all */
-  constructor(parts: readonly Part[], detail: number) {
+  /**
+   * @param detail edge of the cells whose vertices become one, metres; 0 keeps all
+   * @param levelOf a part at the level of detail to begin with. Default: the part itself
+   */
+  constructor(parts: readonly Part[], detail: number, levelOf = (part: Part) => part) {
     this.#parts = parts;
     this.#detail = detail;
+    this.#levelOf = levelOf;
   }
 
-  /** Goes on with one part. True when all are done. */
+  /** Goes on with one part, in the end with the order of all clusters. True when that is done. */
   proceed(): boolean {
-    const source = this.#parts[this.#done];
-    if (!source) return true;
-    const mesh = this.#detail > 0 ? clusterVertices(source, this.#detail) : source;
-    const to = { vertices: this.#vertices, indices: this.#indices, clusters: this.#clusters };
-    appendInOrder(mesh, this.#done++, to);
-    return this.#done === this.#parts.length;
-  }
-
-  finish(): Clusters {
-    while (!this.proceed());
+    const part = this.#parts[this.#done];
+    if (part) {
+      const source = this.#levelOf(part);
+      const mesh = this.#detail > 0 ? clusterVertices(source, this.#detail) : source;
+      const to = { vertices: this.#vertices, indices: this.#indices, clusters: this.#clusters };
+      appendInOrder(mesh, this.#done++, to);
+      return false;
+    }
     this.#result ??= {
       vertices: Float32Array.from(this.#vertices.splice(0)),
       ...sortByPlace(this.#indices.splice(0), this.#clusters.splice(0)),
     };
-    return this.#result;
+    return true;
+  }
+
+  finish(): Clusters {
+    while (!this.proceed());
+    return this.#result!;
   }
 }
 

@@ -9,61 +9,72 @@ import { type Mesh, uploadTriangles } from "./mesh.js";
  */
 export class MeshLods {
   readonly #gpu: Gpu;
-  /** By the surfaces of one model. */
-  readonly #merged = new Map<readonly Mesh[], readonly Mesh[]>();
+  /** By the surfaces of one model, as far as they are made. */
+  readonly #merged = new Map<readonly Mesh[], Mesh[]>();
 
   constructor(gpu: Gpu) {
     this.#gpu = gpu;
   }
 
-  /** All of a model, those of one material in one draw. */
+  /** All of a model, those of one material in one draw; the model as it is until all of that is made. */
   merged(surfaces: readonly Mesh[]): readonly Mesh[] {
-    const merged = this.#merged.get(surfaces) ?? this.#merge(surfaces);
+    const merged = this.#merged.get(surfaces) ?? [];
+    return merged.length === materialsOf(surfaces).length ? merged : surfaces;
+  }
+
+  /** Merges the surfaces of the next material. True when all are merged. */
+  mergeIncrementally(surfaces: readonly Mesh[]): boolean {
+    const merged = this.#merged.get(surfaces) ?? [];
     this.#merged.set(surfaces, merged);
-    return merged;
+    const material = hasLods(surfaces) ? materialsOf(surfaces)[merged.length] : undefined;
+    if (!material) return true;
+    merged.push(this.#merge(surfaces.filter(({ part }) => part.material === material)));
+    return false;
   }
 
-  /** The parts of a model at its lower level; null where it has none. */
-  partsOf(surfaces: readonly Mesh[]): readonly Part[] | null {
-    return hasLods(surfaces) ? surfaces.map(({ part }) => reduced([part])) : null;
-  }
-
-  #merge(surfaces: readonly Mesh[]): readonly Mesh[] {
-    if (!hasLods(surfaces)) return surfaces;
-    const materials = new Set(surfaces.map(({ part }) => part.material));
-    return Array.from(materials, (material) => {
-      const group = surfaces.filter((surface) => surface.part.material === material);
-      const part = reduced(group.map((surface) => surface.part));
-      const { indices, clusters } = groupTriangles(part);
-      // Again, with the vertices in the order of their first use now: neighbours stay in a vertex cache.
-      const inOrder = reduced([{ ...part, reducedIndices: Uint32Array.from(indices) }]);
-      const name = `${part.name}/lod`;
-      const vertexArray = uploadTriangles(this.#gpu, { ...inOrder, name });
-      return { ...group[0]!, part, vertexArray, clusters };
-    });
+  #merge(surfaces: readonly Mesh[]): Mesh {
+    const part = reducedPart(surfaces.map((surface) => surface.part));
+    const { indices, clusters } = groupTriangles(part);
+    // Again, with the vertices in the order of their first use now: neighbours stay in a vertex cache.
+    const inOrder = reducedPart([{ ...part, reducedIndices: Uint32Array.from(indices) }]);
+    const name = `${part.name}/lod`;
+    const vertexArray = uploadTriangles(this.#gpu, { ...inOrder, name });
+    return { ...surfaces[0]!, part, vertexArray, clusters };
   }
 }
 
-const hasLods = (surfaces: readonly Mesh[]) =>
+const materialsOf = (surfaces: readonly Mesh[]) => [
+  ...new Set(surfaces.map(({ part }) => part.material)),
+];
+
+/** Whether a model brings a lower level of detail along. */
+export const hasLods = (surfaces: readonly { readonly part: Part }[]) =>
   surfaces.some(({ part }) => part.reducedIndices !== undefined);
 
 /** The reduced triangles of parts of one material, and the vertices that they use, as one part. */
-function reduced(parts: readonly Part[]): Part {
-  const vertices: (readonly [Part, number])[] = [];
+export function reducedPart(parts: readonly Part[]): Part {
+  const used: { readonly part: Part; readonly vertices: readonly number[] }[] = [];
   const indices: number[] = [];
+  let count = 0;
   for (const part of parts) {
-    const numbers = new Map<number, number>();
+    const numbers = new Int32Array(part.positions.length / 3).fill(-1);
+    const vertices: number[] = [];
     for (const vertex of part.reducedIndices ?? part.indices) {
-      const number = numbers.get(vertex) ?? vertices.push([part, vertex]) - 1;
-      numbers.set(vertex, number);
-      indices.push(number);
+      if (numbers[vertex] === -1) numbers[vertex] = count + vertices.push(vertex) - 1;
+      indices.push(numbers[vertex]!);
     }
+    used.push({ part, vertices });
+    count += vertices.length;
   }
   const pick = (size: number, attributeOf: (part: Part) => Float32Array | null) => {
-    const values = new Float32Array(vertices.length * size).fill(1); // white, where there are no colours
-    for (const [i, [part, vertex]] of vertices.entries()) {
+    const values = new Float32Array(count * size).fill(1); // white, where there are no colours
+    let to = 0;
+    for (const { part, vertices } of used) {
       const from = attributeOf(part);
-      if (from) values.set(from.subarray(vertex * size, (vertex + 1) * size), i * size);
+      for (const vertex of vertices) {
+        for (let k = 0; from && k < size; k++) values[to + k] = from[vertex * size + k]!;
+        to += size;
+      }
     }
     return values;
   };

@@ -52,7 +52,18 @@ export function uploadModel(
   model: Model,
   group?: (part: Part) => Grouped,
 ): readonly Mesh[] {
-  return gpu.share(model, () => upload(gpu, model, group));
+  return gpu.share(model, () => model.parts.map((part) => uploadPart(gpu, model, part, group)));
+}
+
+/**
+ * Uploads the next part of a model, whose images are there, for `uploadModel`.
+ *
+ * @returns whether all of them are there
+ */
+export function uploadNextPart(gpu: Gpu, model: Model, group: (part: Part) => Grouped): boolean {
+  const next = model.parts.find((part) => !gpu.isShared(part));
+  if (next) uploadPart(gpu, model, next, group);
+  return !next;
 }
 
 /** Meshes from the smallest to the largest: walls and floor are behind all else, so early depth tests hide them. */
@@ -64,16 +75,23 @@ function isWick(name: string): boolean {
   return /^wick(?![a-z])/.test(name);
 }
 
-function upload(gpu: Gpu, model: Model, group?: (part: Part) => Grouped): readonly Mesh[] {
+/** Textures of one texel, where a material has none. */
+function plainTextures(gpu: Gpu, { parts }: Model) {
   const plain = (label: string, ...texel: readonly [number, number, number]) =>
     gpu.texture({
       label,
       format: "RGBA8",
       source: { width: 1, height: 1, data: Uint8Array.of(...texel, 255) },
     });
-  const white = plain("white", 255, 255, 255);
-  const flat = plain("flat normal", 128, 128, 255);
-  const uploadPart = (part: Part): Mesh => {
+  return gpu.share(parts, () => ({
+    white: plain("white", 255, 255, 255),
+    flat: plain("flat normal", 128, 128, 255),
+  }));
+}
+
+function uploadPart(gpu: Gpu, model: Model, part: Part, group?: (part: Part) => Grouped): Mesh {
+  const { white, flat } = plainTextures(gpu, model);
+  return gpu.share(part, () => {
     const { material } = part;
     const { albedo, normal, packed } = imagesOf(material);
     const { indices, clusters, area } = group?.(part) ?? { ...part, clusters: [], area: 0 };
@@ -98,8 +116,7 @@ function upload(gpu: Gpu, model: Model, group?: (part: Part) => Grouped): readon
         uOcclusionRoughness: textureOf(gpu, packed) ?? white,
       },
     };
-  };
-  return model.parts.map(uploadPart);
+  });
 }
 
 /** An image of a material, and its format on the GPU. */
@@ -125,23 +142,36 @@ function imagesOf(material: Material): Record<"albedo" | "normal" | "packed", Ma
 }
 
 /** The texture of an image, made once. */
-function textureOf(gpu: Gpu, { label, format, source }: Mapped): Texture | null {
-  if (!source) return null;
+function textureOf(gpu: Gpu, mapped: Mapped): Texture | null {
+  if (!mapped.source) return null;
+  const texture = shareTexture(gpu, mapped.source, mapped);
+  if (texture.needsMipmaps) texture.updateMipmaps();
+  return texture;
+}
+
+function shareTexture(
+  gpu: Gpu,
+  source: TextureImage,
+  { label, format }: Pick<Mapped, "label" | "format">,
+): Texture {
   return gpu.share(source, () =>
-    gpu.texture({ label, format, source, mipmaps: true, wrap: "repeat" }),
+    gpu.texture({ label, format, source, mipmaps: "later", wrap: "repeat" }),
   );
 }
 
 /**
- * Uploads the next image of a model.
+ * Uploads the next image of a model, or makes its mipmaps.
  *
  * @returns whether all of them are there
  */
 export function uploadNextImage(gpu: Gpu, { parts }: Model): boolean {
   for (const { material } of parts) {
     for (const mapped of Object.values(imagesOf(material))) {
-      if (!mapped.source || gpu.isShared(mapped.source)) continue;
-      textureOf(gpu, mapped);
+      if (!mapped.source) continue;
+      const isThere = gpu.isShared(mapped.source);
+      const texture = shareTexture(gpu, mapped.source, mapped);
+      if (isThere && !texture.needsMipmaps) continue;
+      if (isThere) texture.updateMipmaps();
       return false;
     }
   }

@@ -10,7 +10,8 @@ import type { IndirectScene } from "../gi/indirect-pass.js";
 import { IndirectPass } from "../gi/indirect-pass.js";
 import type { IndirectTargets } from "../gi/indirect-targets.js";
 import type { PhysicalTier } from "../quality.js";
-import { ShadowCasters } from "../shadow/shadow-casters.js";
+import { clusterIncrementally, ShadowCasters } from "../shadow/shadow-casters.js";
+import type { Steps } from "../steps.js";
 import { entersRoom } from "./entry.js";
 import {
   clipFromFrustum,
@@ -55,27 +56,31 @@ export class MoonCaptures {
   }
 
   /** Null where it does not reach the room. */
-  light({ direction, illuminance }: Moon): CachedLight | null {
+  *light({ direction, illuminance }: Moon): Steps<CachedLight | null> {
     const key = JSON.stringify(direction);
     if (key !== this.#key) {
-      this.#key = key;
-      const captured = this.#capture(direction);
+      const captured = yield* this.#capture(direction);
       this.#light = captured && { ...captured, key };
+      this.#key = key;
     }
     return this.#light && { ...this.#light, intensity: adaptedMoonlight(illuminance) };
   }
 
-  #capture(direction: Vec3): Omit<CachedLight, "intensity" | "key"> | null {
+  *#capture(direction: Vec3): Steps<Omit<CachedLight, "intensity" | "key"> | null> {
     const { model, surfaces } = this.#scene;
     const frustum = moonFrustum(direction, model.bounds, panesOf(model));
     const parts = moonCasters(model.parts, frustum);
     if (!frustum.panes && !entersRoom(direction, parts, model.bounds)) return null;
-    const casters = new ShadowCasters(this.#gpu, { ...model, parts }, surfaces, 0);
+    const before = { ...model, parts };
+    const detail = { error: 0 };
+    while (!clusterIncrementally(before, detail)) yield;
+    const casters = new ShadowCasters(this.#gpu, before, surfaces, detail);
     this.#drawMap(frustum, casters);
+    yield;
     this.#surfels.frustum = frustum;
     const block = moonBlock(frustum, this.#surfels.detail);
     const shadow = { depth: this.#map, captureOrigin: frustum.corner };
-    const irradiance = this.#indirect.render(casters, block, shadow);
+    const irradiance = yield* this.#indirect.passes(casters, block, shadow);
     casters.dispose();
     return {
       kind: "moon",

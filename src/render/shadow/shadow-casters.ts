@@ -1,10 +1,11 @@
-import type { Model } from "../../assets/model.js";
+import type { Model, Part } from "../../assets/model.js";
 import type { Buffer } from "../../gl/buffer.js";
 import type { Draw, Gpu } from "../../gl/gpu.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import { ClusterBuilder, type Clusters, runsOf, VERTEX_SIZE } from "../mesh/clusters.js";
 import type { Mesh } from "../mesh/mesh.js";
+import { reducedPart } from "../mesh/mesh-lods.js";
 import { casterAlbedoOf } from "./caster-albedo.js";
 import { isInCubeFace } from "./cube-map.js";
 
@@ -13,23 +14,33 @@ const MOST_DRAWS = 3;
 /** Bytes of a float. */
 const FLOAT = 4;
 
-/** Clusters of each model by level of detail, shared by all contexts. */
-const cache = new WeakMap<Model, Map<number, ClusterBuilder>>();
+/** Level of detail of casters. */
+export interface CasterDetail {
+  /** Size of the largest feature that may be simplified away, metres. */
+  readonly error: number;
+  /** Whether they are of the reduced triangles that a model brings along. */
+  readonly isReduced?: boolean;
+}
 
-function builderOf(model: Model, detail: number): ClusterBuilder {
-  const levels = cache.get(model) ?? new Map<number, ClusterBuilder>();
+/** Clusters of each model by level of detail, shared by all contexts. */
+const cache = new WeakMap<Model, Map<string, ClusterBuilder>>();
+
+function builderOf(model: Model, { error, isReduced = false }: CasterDetail): ClusterBuilder {
+  const levels = cache.get(model) ?? new Map<string, ClusterBuilder>();
   cache.set(model, levels);
-  const builder = levels.get(detail) ?? new ClusterBuilder(model.parts, detail);
-  levels.set(detail, builder);
+  const level = JSON.stringify([error, isReduced]);
+  const reduce = isReduced ? (part: Part) => reducedPart([part]) : undefined;
+  const builder = levels.get(level) ?? new ClusterBuilder(model.parts, error, reduce);
+  levels.set(level, builder);
   return builder;
 }
 
 /**
  * Clusters the next part of a model, for the casters to come.
  *
- * @returns whether all parts are done
+ * @returns whether all of it is done
  */
-export function clusterIncrementally(model: Model, detail: number): boolean {
+export function clusterIncrementally(model: Model, detail: CasterDetail): boolean {
   return builderOf(model, detail).proceed();
 }
 
@@ -41,11 +52,8 @@ export class ShadowCasters {
   readonly #vertexArray: VertexArray;
   readonly #buffers: readonly Buffer[];
 
-  /**
-   * @param surfaces of the same model, in the order of its parts
-   * @param detail size of the largest feature that may be simplified away, metres
-   */
-  constructor(gpu: Gpu, model: Model, surfaces: readonly Mesh[], detail: number) {
+  /** @param surfaces of the same model, in the order of its parts */
+  constructor(gpu: Gpu, model: Model, surfaces: readonly Mesh[], detail: CasterDetail) {
     this.#gpu = gpu;
     this.#surfaces = surfaces;
     this.#clusters = builderOf(model, detail).finish();

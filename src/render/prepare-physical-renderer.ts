@@ -1,0 +1,33 @@
+import type { Gpu } from "../gl/gpu.js";
+import type { CollisionMesh } from "../world/room/collision-mesh.js";
+import { traceProbesIncrementally } from "./gi/probe-rays.js";
+import { groupTriangles } from "./mesh/clusters.js";
+import { uploadNextPart } from "./mesh/mesh.js";
+import { forwardProgram } from "./opaque/forward-stage.js";
+import type { Tier } from "./quality.js";
+import type { Models } from "./renderer.js";
+import { SCHEDULE } from "./schedule.js";
+import { clusterIncrementally } from "./shadow/shadow-casters.js";
+
+/**
+ * Prepares a `PhysicalRenderer` a little at a time: uploads meshes, compiles, clusters the casters, and traces the
+ * probes' rays.
+ *
+ * @returns whether all of it is done
+ */
+export function preparePhysicalRenderer(
+  gpu: Gpu,
+  { room, candle }: Models,
+  collision: CollisionMesh,
+  { tier, isMoonlit }: { readonly tier: Tier; readonly isMoonlit: boolean },
+): boolean {
+  const { opaque, indirect, casterError } = tier.physical;
+  const isCompiled = opaque === "deferred" || forwardProgram(gpu, tier, isMoonlit).isCompiled;
+  return (
+    uploadNextPart(gpu, room, groupTriangles) &&
+    uploadNextPart(gpu, candle, groupTriangles) &&
+    clusterIncrementally(room, { error: casterError }) &&
+    traceProbesIncrementally(collision, room, indirect, SCHEDULE.probesPerFrame) &&
+    isCompiled
+  );
+}
