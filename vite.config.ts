@@ -32,6 +32,8 @@ const builds: Record<string, BuildOptions> = {
       output: {
         chunkFileNames: "[name].js",
         minify: true,
+        // Each module has side effects or is needed: there is nothing for a user's bundler to drop.
+        comments: { annotation: false },
         // What the element always needs is one chunk: many small ones compress worse.
         codeSplitting: { groups: [{ name: "candle-flame-element", tags: ["$initial"] }] },
       },

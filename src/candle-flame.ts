@@ -8,7 +8,6 @@ import {
   paperFlameReport,
 } from "./light/flame-light.js";
 import type { AutoQuality } from "./render/auto-quality.js";
-import type { Steps } from "./render/steps.js";
 import {
   burnsAtFirst,
   candleNamesOf,
@@ -247,14 +246,14 @@ export class CandleFlame {
     this.view.render({ ...this.#frameSettings, isMoving, canDefer });
   }
 
-  /** What `draw` keeps for further frames, drawn in steps; null where it keeps little. */
-  prepareFrame(): Steps | null {
-    return this.view.prepareFrame({ ...this.#frameSettings, isMoving: false, canDefer: false });
+  /** Draws what `draw` keeps for further frames, in small tasks, as long as it is wanted. */
+  prepareFrame(isWanted: () => boolean): Promise<void> | undefined {
+    return this.view.prepareFrame(this.#frameSettings, isWanted);
   }
 
   get #frameSettings() {
     const { exposure, isStill } = this.#options;
-    return { features: this.#features, exposure, isStill };
+    return { features: this.#features, exposure, isStill, isMoving: false, canDefer: false };
   }
 
   /** Whether camera or candle have moved since the last call. */

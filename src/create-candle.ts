@@ -1,5 +1,4 @@
 import { CandleFlame, type Options } from "./candle-flame.js";
-import { nextTask } from "./gl/next-task.js";
 import { worldOf } from "./scene-world.js";
 import type { CanvasTarget } from "./scenes/canvas-target.js";
 import type { Scene } from "./scenes/scene.js";
@@ -41,13 +40,8 @@ export async function createCandle(
   if (!isOn()) return null;
   gpu.finishPrograms();
   gpu.check("picture");
-  if (!candle.prepareFrame()) return candle;
   rehearse(candle);
-  for (const _ of candle.prepareFrame() ?? []) {
-    await gpu.whenIdle();
-    await nextTask();
-    if (!isOn()) return null;
-  }
+  await candle.prepareFrame(isOn);
   candle.reset();
-  return candle;
+  return isOn() ? candle : null;
 }

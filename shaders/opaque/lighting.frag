@@ -48,7 +48,7 @@ struct Viewing {
   float NoV;
   vec3 reflected;
   float mirrored;  // share of light from all around that a dielectric mirrors
-  vec2 factors;  // of the irradiance by the normal, and by the reflection
+  vec2 factors;    // of the irradiance by the normal, and by the reflection
 };
 
 // Lighting by one flame without the room's: its direct light, its support, and the wax that it shines through.

@@ -204,7 +204,11 @@ export class Session {
       const created = await createCandle(target, scene, features, this.options, {
         plays: this.#owner.plays(),
         isWanted,
-        rehearse: (candle) => this.#rehearse(candle),
+        rehearse: (candle) => {
+          this.#setUp(candle);
+          this.#fit(candle);
+          this.#owner.onRehearsal(candle);
+        },
       });
       if (created) this.#begin(created);
     } catch (error) {
@@ -214,21 +218,18 @@ export class Session {
     }
   }
 
-  #rehearse(candle: CandleFlame): void {
+  /** Gives a candle what may have changed while it was created. */
+  #setUp(candle: CandleFlame): void {
     candle.options = this.options;
     candle.view.inspect = this.#input.inspect;
     this.#pixels = guessDevicePixels(this.canvas);
-    this.#fit(candle);
-    this.#owner.onRehearsal(candle);
   }
 
   #begin(candle: CandleFlame): void {
     this.#candle = candle;
     this.#renewCandles();
-    candle.options = this.options; // which may have changed meanwhile
-    candle.view.inspect = this.#input.inspect;
+    this.#setUp(candle);
     candle.onFailure = (error) => this.#owner.onError(error);
-    this.#pixels = guessDevicePixels(this.canvas);
     this.use(() => this.#owner.onCandle(candle));
   }
 

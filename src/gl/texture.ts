@@ -32,8 +32,8 @@ export interface TextureOptions {
   readonly source: ImageBitmap | Pixels | { readonly width: number; readonly height: number };
   /** A cube has six square faces; layers make it three-dimensional. Default: two-dimensional. */
   readonly shape?: "2d" | "cube" | { readonly layers: number };
-  /** Trilinear, with mipmaps made on the GPU: at once if there are pixels, or by `updateMipmaps`. */
-  readonly mipmaps?: boolean | "later";
+  /** Trilinear, with mipmaps that `updateMipmaps` makes on the GPU. */
+  readonly mipmaps?: boolean;
   readonly filter?: "nearest" | "linear";
   readonly wrap?: "clamp" | "repeat";
 }
@@ -45,7 +45,7 @@ export class Texture extends GpuObject {
   readonly width: number;
   readonly height: number;
   readonly hasMipmaps: boolean;
-  /** Whether its mipmaps are those of no pixels yet. */
+  /** Whether its mipmaps were never made. */
   needsMipmaps: boolean;
   readonly handle: WebGLTexture;
   /** GL's binding point. */
@@ -59,8 +59,8 @@ export class Texture extends GpuObject {
     this.#format = format;
     this.width = width;
     this.height = height;
-    this.hasMipmaps = mipmaps !== false;
-    this.needsMipmaps = this.hasMipmaps;
+    this.hasMipmaps = mipmaps;
+    this.needsMipmaps = mipmaps;
     const layers = typeof shape === "object" ? shape.layers : shape === "cube" ? 6 : 1;
     const texels = width * height * layers * (mipmaps ? 4 / 3 : 1);
     this.bytes = Math.ceil(texels * FORMATS[format].bytes);
@@ -80,14 +80,11 @@ export class Texture extends GpuObject {
       gl.texStorage2D(this.target, levels, gl[format], width, height);
     }
     this.#upload(source, layers);
-    // Textures that are drawn later have their mipmaps then: `updateMipmaps`.
-    const isFilled = "close" in options.source || "data" in options.source;
     this.#sample(options);
     gl.bindTexture(this.target, null);
-    if (mipmaps === true && isFilled) this.updateMipmaps();
   }
 
-  /** Makes the mipmaps of a texture that has been drawn. */
+  /** Makes the mipmaps of a texture that has been filled or drawn. */
   updateMipmaps(): void {
     const gl = this.gl;
     gl.activeTexture(gl.TEXTURE0);

@@ -1,4 +1,5 @@
 import type { Box, Gpu } from "../gl/gpu.js";
+import { nextTask } from "../gl/next-task.js";
 import type { RenderTarget } from "../gl/render-target.js";
 import type { Texture } from "../gl/texture.js";
 import type { TextureView } from "../gl/texture-view.js";
@@ -137,8 +138,15 @@ export class PhysicalRenderer implements Renderer {
     return this.#volumetric.particles;
   }
 
-  *prepare(world: World, settings: FrameSettings): Steps {
-    const frame = this.#describe(world, settings);
+  async prepare(world: World, settings: FrameSettings, isWanted: () => boolean): Promise<void> {
+    for (const _ of this.#prepareInSteps(this.#describe(world, settings))) {
+      await this.#gpu.whenIdle();
+      await nextTask();
+      if (!isWanted()) return;
+    }
+  }
+
+  *#prepareInSteps(frame: FrameInput): Steps {
     const captures = yield* this.#captures.steps(frame);
     yield;
     this.#opaque.fillGBuffer(frame);

@@ -1,8 +1,7 @@
 import type { Gpu } from "../gl/gpu.js";
 import type { CollisionMesh } from "../world/room/collision-mesh.js";
 import { traceProbesIncrementally } from "./gi/probe-rays.js";
-import { groupTriangles } from "./mesh/clusters.js";
-import { uploadNextPart } from "./mesh/mesh.js";
+import { uploadNextPart } from "./mesh/upload-steps.js";
 import { forwardProgram } from "./opaque/forward-stage.js";
 import type { Tier } from "./quality.js";
 import type { Models } from "./renderer.js";
@@ -24,8 +23,8 @@ export function preparePhysicalRenderer(
   const { opaque, indirect, casterError } = tier.physical;
   const isCompiled = opaque === "deferred" || forwardProgram(gpu, tier, isMoonlit).isCompiled;
   return (
-    uploadNextPart(gpu, room, groupTriangles) &&
-    uploadNextPart(gpu, candle, groupTriangles) &&
+    uploadNextPart(gpu, room) &&
+    uploadNextPart(gpu, candle) &&
     clusterIncrementally(room, { error: casterError }) &&
     traceProbesIncrementally(collision, room, indirect, SCHEDULE.probesPerFrame) &&
     isCompiled

@@ -5,7 +5,6 @@ import type { ParticleLayer } from "../world/particles/particle-layer.js";
 import type { World } from "../world/world.js";
 import type { FrameSettings } from "./frame-settings.js";
 import type { RefinedFade, RefinedImage } from "./refinement/refined-fade.js";
-import type { Steps } from "./steps.js";
 
 export interface Models {
   readonly room: Model;
@@ -46,10 +45,10 @@ export interface Renderer {
   /** Replaces the particles by those of a new world, or of other layers. They catch up in the next frame. */
   setLayers(world: World, layers: readonly ParticleLayer[]): void;
   /**
-   * Draws what a frame at rest keeps for the next ones, in steps, so that little is left for the first `render`. Absent
-   * where that is quick.
+   * Draws what a frame at rest keeps for the next ones, in small tasks and as long as it is wanted, so that little is left
+   * for the first `render`. Absent where that is quick.
    */
-  prepare?(world: World, settings: FrameSettings): Steps;
+  prepare?(world: World, settings: FrameSettings, isWanted: () => boolean): Promise<void>;
   render(world: World, settings: FrameSettings): void;
   /** Linear RGB of the last frame, rows from the top, origin top left. Waits for the GPU. */
   readRadiance(x: number, y: number, width: number, height: number): Float32Array;

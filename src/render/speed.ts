@@ -73,7 +73,8 @@ class Load {
           }
         : { label: "speed", format: "R16F", source: size, shape: "cube", filter: "nearest" },
     );
-    if (!isGrazing) this.#clearFaces();
+    if (isGrazing) this.#texture.updateMipmaps();
+    else this.#clearFaces();
     const edge = Math.max(...EDGES);
     this.#target = gpu.renderTarget({
       label: "speed",

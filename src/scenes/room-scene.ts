@@ -1,5 +1,5 @@
 import { nextTask } from "../gl/next-task.js";
-import { uploadNextImage } from "../render/mesh/mesh.js";
+import { uploadNextImage } from "../render/mesh/upload-steps.js";
 import { PaperRenderer } from "../render/paper-renderer.js";
 import { PhysicalRenderer } from "../render/physical-renderer.js";
 import { preparePhysicalRenderer } from "../render/prepare-physical-renderer.js";

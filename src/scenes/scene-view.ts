@@ -5,7 +5,6 @@ import type { FrameSettings } from "../render/frame-settings.js";
 import { REFINED, type Tier, tierNamed } from "../render/quality.js";
 import type { Renderer } from "../render/renderer.js";
 import { measureSpeed, type Speed } from "../render/speed.js";
-import type { Steps } from "../render/steps.js";
 import type { Inspection } from "../settings.js";
 import type { CanvasTarget } from "./canvas-target.js";
 import { Refinement } from "./refinement.js";
@@ -176,10 +175,16 @@ export class SceneView {
     return isOtherSize;
   }
 
-  /** What the next frame keeps for further ones, drawn in steps; null where it keeps little. */
-  prepareFrame(view: Omit<FrameSettings, "gamut" | "inspect">): Steps | null {
-    const settings = { ...view, gamut: this.#target.gamut, inspect: this.inspect };
-    return this.#renderer.prepare?.(this.#subject.world, settings) ?? null;
+  /** Draws what the next frame keeps for further ones, in small tasks, as long as it is wanted. */
+  prepareFrame(
+    view: Omit<FrameSettings, "gamut" | "inspect">,
+    isWanted: () => boolean,
+  ): Promise<void> | undefined {
+    return this.#renderer.prepare?.(this.#subject.world, this.#settingsOf(view), isWanted);
+  }
+
+  #settingsOf(view: Omit<FrameSettings, "gamut" | "inspect">): FrameSettings {
+    return { ...view, gamut: this.#target.gamut, inspect: this.inspect };
   }
 
   /** Draws a frame and shows it. Nothing is drawn while the context is lost. */
@@ -193,7 +198,7 @@ export class SceneView {
     this.#chooseQuality();
     target.prepare();
     gpu.beginFrame();
-    const settings = { ...view, gamut: target.gamut, inspect: this.inspect };
+    const settings = this.#settingsOf(view);
     const steps = refines ? this.#refine(settings) : 0;
     this.#fitCanvas();
     if (wasRefined !== (this.#refinement.shown !== null)) this.onQualityChanged();

@@ -52,18 +52,7 @@ export function uploadModel(
   model: Model,
   group?: (part: Part) => Grouped,
 ): readonly Mesh[] {
-  return gpu.share(model, () => model.parts.map((part) => uploadPart(gpu, model, part, group)));
-}
-
-/**
- * Uploads the next part of a model, whose images are there, for `uploadModel`.
- *
- * @returns whether all of them are there
- */
-export function uploadNextPart(gpu: Gpu, model: Model, group: (part: Part) => Grouped): boolean {
-  const next = model.parts.find((part) => !gpu.isShared(part));
-  if (next) uploadPart(gpu, model, next, group);
-  return !next;
+  return gpu.share(model, () => model.parts.map((part) => uploadPart(gpu, part, group)));
 }
 
 /** Meshes from the smallest to the largest: walls and floor are behind all else, so early depth tests hide them. */
@@ -75,22 +64,18 @@ function isWick(name: string): boolean {
   return /^wick(?![a-z])/.test(name);
 }
 
-/** Textures of one texel, where a material has none. */
-function plainTextures(gpu: Gpu, { parts }: Model) {
-  const plain = (label: string, ...texel: readonly [number, number, number]) =>
-    gpu.texture({
-      label,
-      format: "RGBA8",
-      source: { width: 1, height: 1, data: Uint8Array.of(...texel, 255) },
-    });
-  return gpu.share(parts, () => ({
-    white: plain("white", 255, 255, 255),
-    flat: plain("flat normal", 128, 128, 255),
-  }));
+/** Texels of the textures of materials that have none. */
+const WHITE = Uint8Array.of(255, 255, 255, 255);
+const FLAT_NORMAL = Uint8Array.of(128, 128, 255, 255);
+
+function plainTexture(gpu: Gpu, label: string, data: Uint8Array): Texture {
+  return gpu.share(data, () =>
+    gpu.texture({ label, format: "RGBA8", source: { width: 1, height: 1, data } }),
+  );
 }
 
-function uploadPart(gpu: Gpu, model: Model, part: Part, group?: (part: Part) => Grouped): Mesh {
-  const { white, flat } = plainTextures(gpu, model);
+/** Uploads a part of a model, once for all renderers. */
+export function uploadPart(gpu: Gpu, part: Part, group?: (part: Part) => Grouped): Mesh {
   return gpu.share(part, () => {
     const { material } = part;
     const { albedo, normal, packed } = imagesOf(material);
@@ -111,9 +96,9 @@ function uploadPart(gpu: Gpu, model: Model, part: Part, group?: (part: Part) => 
       isWick: isWick(material.name) || isWick(part.name),
       isPane: material.name === "pane",
       textures: {
-        uAlbedo: textureOf(gpu, albedo) ?? white,
-        uNormal: textureOf(gpu, normal) ?? flat,
-        uOcclusionRoughness: textureOf(gpu, packed) ?? white,
+        uAlbedo: textureOf(gpu, albedo) ?? plainTexture(gpu, "white", WHITE),
+        uNormal: textureOf(gpu, normal) ?? plainTexture(gpu, "flat normal", FLAT_NORMAL),
+        uOcclusionRoughness: textureOf(gpu, packed) ?? plainTexture(gpu, "white", WHITE),
       },
     };
   });
@@ -126,7 +111,7 @@ interface Mapped {
   readonly source: TextureImage | null;
 }
 
-function imagesOf(material: Material): Record<"albedo" | "normal" | "packed", Mapped> {
+export function imagesOf(material: Material): Record<"albedo" | "normal" | "packed", Mapped> {
   const { name, albedo, normal, occlusionRoughnessMetallic: packed, metallic } = material;
   return {
     albedo: { label: `${name}/albedo`, format: "SRGB8_ALPHA8", source: albedo },
@@ -149,33 +134,15 @@ function textureOf(gpu: Gpu, mapped: Mapped): Texture | null {
   return texture;
 }
 
-function shareTexture(
+/** The same, perhaps without its mipmaps. */
+export function shareTexture(
   gpu: Gpu,
   source: TextureImage,
   { label, format }: Pick<Mapped, "label" | "format">,
 ): Texture {
   return gpu.share(source, () =>
-    gpu.texture({ label, format, source, mipmaps: "later", wrap: "repeat" }),
+    gpu.texture({ label, format, source, mipmaps: true, wrap: "repeat" }),
   );
-}
-
-/**
- * Uploads the next image of a model, or makes its mipmaps.
- *
- * @returns whether all of them are there
- */
-export function uploadNextImage(gpu: Gpu, { parts }: Model): boolean {
-  for (const { material } of parts) {
-    for (const mapped of Object.values(imagesOf(material))) {
-      if (!mapped.source) continue;
-      const isThere = gpu.isShared(mapped.source);
-      const texture = shareTexture(gpu, mapped.source, mapped);
-      if (isThere && !texture.needsMipmaps) continue;
-      if (isThere) texture.updateMipmaps();
-      return false;
-    }
-  }
-  return true;
 }
 
 // Images decoded by a script have four channels, which WebGL does not repack.
