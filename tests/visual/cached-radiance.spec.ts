@@ -2,7 +2,7 @@ import type { Page } from "playwright/test";
 import { RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
 
-const SIZE = { width: 240, height: 135 };
+const SIZE = { width: 160, height: 90 };
 const FRAMES = 12;
 /** The pan of the standing candle: shares of the image, from its upper left. */
 const PAN = [0.36, 0.7, 0.41, 0.8] as const;
@@ -68,7 +68,7 @@ test("At high a frame in motion computes a part of the indirect light, and the f
       }
       return draws;
     };
-    const picture = () => Array.from(element.readRadiance(0, 0, 240, 135));
+    const picture = () => Array.from(element.readRadiance(0, 0, 160, 90));
     const whole = walk(1)[0] ?? 0;
     element.play();
     // The loop's own frames come between tasks: all of this is one.
@@ -105,7 +105,7 @@ test("At high, at rest, surfaces follow the flame's sway tile by tile, and besid
       element.step(1 / 60);
       triangles.push(element.stats.triangles);
     }
-    const picture = () => Array.from(element.readRadiance(0, 0, 240, 135));
+    const picture = () => Array.from(element.readRadiance(0, 0, 160, 90));
     const follows = picture();
     element.pause();
     element.step(0);

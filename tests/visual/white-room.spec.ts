@@ -96,40 +96,38 @@ async function measure(room: RoomDriver) {
   return { integral, luminousIntensity };
 }
 
-for (const [quality, tolerance, albedos] of [
-  ["high", 0.05, [0.8, 0.9]],
-  ["low", 0.1, [0.8]],
+for (const [quality, tolerance, albedo] of [
+  ["high", 0.05, 0.9],
+  ["low", 0.1, 0.8],
 ] as const) {
-  for (const albedo of albedos) {
-    test(`A closed room of albedo ${albedo} absorbs all that its flame sends out, at ${quality}`, async () => {
-      await page.route(`${LIBRARY}white-${albedo}.glb`, (route) =>
-        route.fulfill({ contentType: "model/gltf-binary", body: plainRoom(ROOM, [], albedo) }),
-      );
-      const src = `${LIBRARY}white-${albedo}.glb`;
-      const room = await new RoomDriver(page).open(
-        { look: "physical", quality, motion: "reduced", src },
-        SIZE,
-      );
-      await room.switchFeatures({
-        candle: false,
-        volume: false,
-        smoke: false,
-        haze: false,
-        dust: false,
-      });
-      await room.evaluate((element, position) => {
-        element.camera = { position, yaw: 0.4, pitch: -1.3 };
-        element.place();
-      }, EYE);
-      const { integral, luminousIntensity } = await measure(room);
-      const reflectance = albedo + (1 - albedo) * SPECULAR;
-      // Outgoing luminance is reflectance times illuminance over pi; what is not reflected is absorbed.
-      const absorbed = ((integral * Math.PI) / reflectance) * (1 - reflectance);
-      const share = absorbed / (4 * Math.PI * luminousIntensity);
-      console.log(
-        `${quality}, albedo ${albedo}: ${share.toFixed(3)} of the flame's flux is absorbed`,
-      );
-      expect(Math.abs(share - 1)).toBeLessThan(tolerance);
+  test(`A closed room of albedo ${albedo} absorbs all that its flame sends out, at ${quality}`, async () => {
+    await page.route(`${LIBRARY}white-${albedo}.glb`, (route) =>
+      route.fulfill({ contentType: "model/gltf-binary", body: plainRoom(ROOM, [], albedo) }),
+    );
+    const src = `${LIBRARY}white-${albedo}.glb`;
+    const room = await new RoomDriver(page).open(
+      { look: "physical", quality, motion: "reduced", src },
+      SIZE,
+    );
+    await room.switchFeatures({
+      candle: false,
+      volume: false,
+      smoke: false,
+      haze: false,
+      dust: false,
     });
-  }
+    await room.evaluate((element, position) => {
+      element.camera = { position, yaw: 0.4, pitch: -1.3 };
+      element.place();
+    }, EYE);
+    const { integral, luminousIntensity } = await measure(room);
+    const reflectance = albedo + (1 - albedo) * SPECULAR;
+    // Outgoing luminance is reflectance times illuminance over pi; what is not reflected is absorbed.
+    const absorbed = ((integral * Math.PI) / reflectance) * (1 - reflectance);
+    const share = absorbed / (4 * Math.PI * luminousIntensity);
+    console.log(
+      `${quality}, albedo ${albedo}: ${share.toFixed(3)} of the flame's flux is absorbed`,
+    );
+    expect(Math.abs(share - 1)).toBeLessThan(tolerance);
+  });
 }
