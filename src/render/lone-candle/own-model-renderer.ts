@@ -33,6 +33,8 @@ const STUDIO = 0.7;
 const NOTHING = [0, 0, 0, 0] as const;
 /** Less than in rooms, to keep the model's own colours. */
 const VIBRANCE = 0.4;
+/** A flame's stops above the display's white at the largest exposure. */
+const FLAME_STOPS = 15.5;
 const GLARE_COLOR = [1, 0.72, 0.36] as const;
 /** Samples of a soft shadow of up to four flames, by tier; of more, each is a smaller part of the light. */
 const TAPS = { low: 6, medium: 14, high: 24, ultra: 24 } as const;
@@ -197,6 +199,7 @@ export class OwnModelRenderer implements Renderer {
         uContrast: LIT.contrast,
         uGlareColor: GLARE_COLOR,
         uMagnification: magnification,
+        uHighlights: FLAME_STOPS / (FLAME_STOPS + Math.log2(keyExposure / MOST_EXPOSURE)),
       },
       blocks: { Frame: frame, Flames: flames },
     });
