@@ -8,8 +8,8 @@ uniform sampler2D uTotalRadiosity;  // radiosity of the surfels in all light, lm
 // Steps of the march: first and last distance, m, and the ratio of each to the one before.
 const float NEAREST_STEP = 0.04;
 const float FARTHEST_STEP = 9.0;
-const float GROWTH = 1.25;
-const int BISECTIONS = 6;
+const float GROWTH = 1.4;
+const int BISECTIONS = 5;
 const float IMPOSTOR_BIAS = 0.02;  // m
 // Depth behind a surface up to which a ray hits it for certain, and from which it passes behind. Metres.
 const vec2 THICKNESS = vec2(0.06, 0.25);
@@ -18,7 +18,7 @@ const float PLANE_TOLERANCE = 0.01;
 
 // A surface as smooth as this is a mirror, by its alpha of GGX; others take this many rays.
 const float MIRROR_ALPHA = 0.01;
-const int REFLECTION_RAYS = 6;
+const int REFLECTION_RAYS = 10;
 const float GOLDEN_ANGLE = 2.399963;
 
 // Depth of a point behind the surface in its direction from the capture origin, m.

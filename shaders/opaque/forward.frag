@@ -20,7 +20,7 @@
 // Occlusion below which a point lies in a crevice.
 const float CREVICE = 0.9;
 // Roughness up to which reflections are traced, and from which the probes alone give them.
-const vec2 TRACED_ROUGHNESS = vec2(0.1, 0.3);
+const vec2 TRACED_ROUGHNESS = vec2(0.15, 0.3);
 // Metals are traced up to so much rougher: they show little else.
 const float TRACED_METAL = 0.25;
 // Indirect part of the radiance at a traced reflection's end, as a share of the irradiance sample.
