@@ -97,7 +97,7 @@ export class IndirectPass {
   #isExact = false;
   #revision = 0;
   /** Incremental update in progress, with the number of faces captured so far. */
-  #update: { readonly light: CaptureLight; faces: number } | null = null;
+  #update: { readonly light: CaptureLight; faces: number; hasWaited: boolean } | null = null;
   /** Frames until the next incremental update may begin. */
   #pause = 0;
 
@@ -204,11 +204,16 @@ export class IndirectPass {
     yield* this.#renderBounces(light, shadow, bands);
   }
 
-  /** Amortised update for a moving light: one face of the surfel cube, or all further passes, in each frame. */
+  /**
+   * Amortised update for a moving light: one face of the surfel cube, or all further passes, in each frame.
+   *
+   * @param isBusy whether this frame takes long anyway: the further passes wait for the next one
+   */
   updateIncrementally(
     casters: ShadowCasters,
     light: CaptureLight,
     shadow: ShadowMap,
+    isBusy = false,
   ): IrradianceVolume {
     if (this.#lastLight === "") {
       this.render(casters, light, shadow);
@@ -217,11 +222,13 @@ export class IndirectPass {
     }
     if (!this.#update) {
       if (this.#pause-- > 0 || JSON.stringify(light) === this.#lastLight) return this.#volume;
-      this.#update = { light, faces: 0 };
+      this.#update = { light, faces: 0, hasWaited: false };
       this.#surfels.clear();
     }
     if (this.#update.faces < FACES.length) {
       this.#surfels.capture(casters, this.#update.light.position, this.#update.faces++);
+    } else if (isBusy && !this.#update.hasWaited) {
+      this.#update.hasWaited = true;
     } else {
       this.#updateBounces(this.#update.light, shadow);
       this.#update = null;

@@ -124,6 +124,7 @@ export class LightCaptures {
       this.#surfelLod ?? this.#casters,
       captureLight,
       shadow,
+      kind === "reduced" || shadow.isNew,
     );
     return { shadow, irradiance };
   }
