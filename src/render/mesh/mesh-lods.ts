@@ -1,7 +1,7 @@
 import type { Part } from "../../assets/model.js";
 import type { Gpu } from "../../gl/gpu.js";
 import { groupTriangles } from "./clusters.js";
-import { type Mesh, sortedByArea, uploadTriangles } from "./mesh.js";
+import { type Mesh, uploadTriangles } from "./mesh.js";
 
 /**
  * The lower level of detail of models, for frames in motion: the reduced triangles that a model brings along,
@@ -10,13 +10,13 @@ import { type Mesh, sortedByArea, uploadTriangles } from "./mesh.js";
 export class MeshLods {
   readonly #gpu: Gpu;
   /** By the surfaces of one model, as far as they are made. */
-  readonly #merged = new Map<readonly Mesh[], readonly Mesh[]>();
+  readonly #merged = new Map<readonly Mesh[], Mesh[]>();
 
   constructor(gpu: Gpu) {
     this.#gpu = gpu;
   }
 
-  /** All of a model, those of one material in one draw, by area; the model as it is until all of that is made. */
+  /** All of a model, those of one material in one draw; the model as it is until all of that is made. */
   merged(surfaces: readonly Mesh[]): readonly Mesh[] {
     const merged = this.#merged.get(surfaces) ?? [];
     return merged.length === materialsOf(surfaces).length ? merged : surfaces;
@@ -25,21 +25,21 @@ export class MeshLods {
   /** Merges the surfaces of the next material. True when all are merged. */
   mergeIncrementally(surfaces: readonly Mesh[]): boolean {
     const merged = this.#merged.get(surfaces) ?? [];
+    this.#merged.set(surfaces, merged);
     const material = hasLods(surfaces) ? materialsOf(surfaces)[merged.length] : undefined;
     if (!material) return true;
-    const next = this.#merge(surfaces.filter(({ part }) => part.material === material));
-    this.#merged.set(surfaces, sortedByArea([...merged, next]));
+    merged.push(this.#merge(surfaces.filter(({ part }) => part.material === material)));
     return false;
   }
 
   #merge(surfaces: readonly Mesh[]): Mesh {
     const part = reducedPart(surfaces.map((surface) => surface.part));
-    const { indices, clusters, area } = groupTriangles(part);
+    const { indices, clusters } = groupTriangles(part);
     // Again, with the vertices in the order of their first use now: neighbours stay in a vertex cache.
     const inOrder = reducedPart([{ ...part, reducedIndices: Uint32Array.from(indices) }]);
     const name = `${part.name}/lod`;
     const vertexArray = uploadTriangles(this.#gpu, { ...inOrder, name });
-    return { ...surfaces[0]!, part, vertexArray, clusters, area };
+    return { ...surfaces[0]!, part, vertexArray, clusters };
   }
 }
 
