@@ -4,7 +4,7 @@ import { length3 } from "../world/geometry.js";
 import type { StandingCandle } from "../world/standing-candle.js";
 import type { World } from "../world/world.js";
 import type { CachedLight } from "./cached-light.js";
-import type { IndirectScene } from "./gi/indirect-pass.js";
+import type { IndirectScene, StepSize } from "./gi/indirect-pass.js";
 import { type IndirectTargets, indirectTargets } from "./gi/indirect-targets.js";
 import { supportTarget } from "./gi/surfel-pass.js";
 import { MoonCaptures } from "./moon/moon-captures.js";
@@ -48,11 +48,15 @@ export class CachedLights {
    *
    * @param casters of a standing candle's shadows and bounced light
    */
-  *steps({ moon, standing }: World, casters: ShadowCasters): Steps<readonly CachedLight[]> {
+  *steps(
+    { moon, standing }: World,
+    casters: ShadowCasters,
+    size: StepSize,
+  ): Steps<readonly CachedLight[]> {
     const lights: CachedLight[] = [];
     if (moon) {
       this.#moon ??= this.#makeMoon();
-      const light = yield* this.#moon.light(moon);
+      const light = yield* this.#moon.light(moon, size);
       if (light) lights.push(light);
     }
     const slots = Math.min(standing.length, this.#mostCandles);
@@ -62,7 +66,7 @@ export class CachedLights {
     );
     const burning = groups.map(([first]) => first);
     for (const [first, ...others] of groups) {
-      const light = yield* this.#capturesOf(first, burning, slots).light(first, casters);
+      const light = yield* this.#capturesOf(first, burning, slots).light(first, casters, size);
       const all = [light.intensity, ...others.map((one) => flameLight(one, TAPER).intensity)];
       const sum = (channel: 0 | 1 | 2) => all.reduce((sum, one) => sum + one[channel], 0);
       lights.push({ ...light, intensity: [sum(0), sum(1), sum(2)] });

@@ -6,7 +6,7 @@ import { flameLight, TAPER } from "../light/flame-light.js";
 import type { Vec3 } from "../world/geometry.js";
 import type { StandingCandle } from "../world/standing-candle.js";
 import type { CachedLight } from "./cached-light.js";
-import { IndirectPass, type IndirectScene } from "./gi/indirect-pass.js";
+import { IndirectPass, type IndirectScene, type StepSize } from "./gi/indirect-pass.js";
 import type { IndirectTargets } from "./gi/indirect-targets.js";
 import type { IndirectDetail } from "./gi/probe-rays.js";
 import { type SupportSlot, SurfelPass } from "./gi/surfel-pass.js";
@@ -75,9 +75,9 @@ export class StandingLight {
     return this.#light?.name ?? null;
   }
 
-  *light(candle: StandingCandle, casters: ShadowCasters): Steps<CachedLight> {
+  *light(candle: StandingCandle, casters: ShadowCasters, size: StepSize): Steps<CachedLight> {
     if (this.name !== candle.name || !this.#light) {
-      this.#light = yield* this.#capture(candle, casters);
+      this.#light = yield* this.#capture(candle, casters, size);
     }
     return { ...this.#light, intensity: flameLight(candle, TAPER).intensity };
   }
@@ -85,10 +85,11 @@ export class StandingLight {
   *#capture(
     { name, root }: StandingCandle,
     casters: ShadowCasters,
+    size: StepSize,
   ): Steps<Omit<CachedLight, "intensity">> {
     const light = stillLight(root, this.#slot);
     const { position: captureOrigin } = light;
-    const shadow = { depth: this.#shadow.render(casters, captureOrigin), captureOrigin };
+    const shadow = { depth: yield* this.#shadow.steps(casters, captureOrigin), captureOrigin };
     this.#block.update(light);
     return {
       kind: "candle",
@@ -96,7 +97,7 @@ export class StandingLight {
       light,
       block: this.#block,
       shadow: shadow.depth,
-      irradiance: yield* this.#indirect.passes(casters, light, shadow),
+      irradiance: yield* this.#indirect[size](casters, light, shadow),
       background: 0,
       key: JSON.stringify(root),
     };

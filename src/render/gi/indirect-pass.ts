@@ -45,6 +45,9 @@ const NORMAL_BIAS = 0.15;
 
 type ShadowMap = Pick<ShadowCube, "depth" | "captureOrigin">;
 
+/** How small the steps of a capture are: `IndirectPass.passes` or `IndirectPass.steps`. */
+export type StepSize = "passes" | "steps";
+
 /** Irradiance volume, for shaders that include `lib/irradiance-volume.glsl`. */
 export interface IrradianceVolume {
   readonly block: UniformBlock;
@@ -154,15 +157,19 @@ export class IndirectPass {
     this.#limit = new BounceLimit(gpu);
   }
 
-  /** Uploaded on first use: their albedo waits for a program. */
   get #probes(): ProbeTextures {
-    if (this.#uploaded) return this.#uploaded;
+    this.#uploaded ??= this.#upload();
+    finish(this.#uploaded.drawing);
+    return this.#uploaded;
+  }
+
+  /** Uploaded on first use: their albedo waits for a program. */
+  #upload(): ProbeTextures {
     const { collision, model, surfaces } = this.#scene;
     const rays = traceProbes(collision, model, this.#detail);
-    this.#uploaded = this.#gpu.share(rays, () =>
+    return this.#gpu.share(rays, () =>
       uploadProbeRays(this.#gpu, this.#block, rays, this.#detail, surfaces),
     );
-    return this.#uploaded;
   }
 
   /**
@@ -196,6 +203,7 @@ export class IndirectPass {
     bands: typeof BANDS,
   ): Steps {
     this.#isExact = false;
+    yield* this.#upload().drawing;
     this.#surfels.clear();
     for (const face of FACES.keys()) {
       this.#surfels.capture(casters, light.position, face);

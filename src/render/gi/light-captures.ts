@@ -13,7 +13,7 @@ import { MOTION_ERROR, type PhysicalTier } from "../quality.js";
 import { clusterIncrementally, ShadowCasters } from "../shadow/shadow-casters.js";
 import { type ShadowCube, ShadowPass, shadowAtlas } from "../shadow/shadow-pass.js";
 import { finish, type Steps } from "../steps.js";
-import { IndirectPass, type IrradianceVolume } from "./indirect-pass.js";
+import { IndirectPass, type IrradianceVolume, type StepSize } from "./indirect-pass.js";
 import { indirectTargets } from "./indirect-targets.js";
 
 /** Margin of the view frustum in culling of casters, for the flame's penumbra, metres. */
@@ -52,7 +52,7 @@ export class LightCaptures {
   #surfelLod: ShadowCasters | null = null;
   readonly #shadow: ShadowPass;
   readonly #indirect: IndirectPass;
-  #holding: { readonly light: CaptureLight; readonly steps: Steps<FlameCaptures> } | null = null;
+  #holding: Steps | null = null;
   #held: { readonly light: CaptureLight; readonly captures: FlameCaptures } | null = null;
   readonly #cachedLights: CachedLights;
 
@@ -85,13 +85,13 @@ export class LightCaptures {
   }
 
   update(frame: FrameInput, kind: GBufferKind): Captures {
-    const cached = finish(this.#cachedLights.steps(frame.world, this.#casters));
+    const cached = finish(this.#cachedLights.steps(frame.world, this.#casters, "passes"));
     return { ...this.#ofFlame(frame, kind), cached };
   }
 
   /** Exact captures for a frame, in steps; `update` has nothing left to do then. */
   *steps({ world, captureLight }: FrameInput): Steps<Captures> {
-    const cached = yield* this.#cachedLights.steps(world, this.#casters);
+    const cached = yield* this.#cachedLights.steps(world, this.#casters, "passes");
     return { ...(yield* this.#ofLight(captureLight, "passes")), cached };
   }
 
@@ -130,30 +130,33 @@ export class LightCaptures {
   }
 
   /**
-   * Continues exact captures of a light, which are then held, wherever the light moves, until the next ones.
+   * Continues exact captures of all lights. Those of the flame are then held, wherever it moves, until the next ones.
    *
    * @param steps how many: a face of a cube, or a band of a pass, each
    * @returns whether they are done
    */
-  hold(light: CaptureLight, steps: number): boolean {
-    if (!this.#holding && this.#held && areNear(light, this.#held.light)) return true;
-    this.#held = null;
-    this.#holding ??= { light, steps: this.#ofLight(light, "steps") };
+  hold(frame: FrameInput, steps: number): boolean {
+    this.#holding ??= this.#holdingSteps(frame);
     for (let step = 0; step < steps; step++) {
-      const { done, value } = this.#holding.steps.next();
-      if (!done) continue;
-      this.#held = { light: this.#holding.light, captures: value };
+      if (!this.#holding.next().done) continue;
       this.#holding = null;
       return true;
     }
     return false;
   }
 
-  *#ofLight(light: CaptureLight, how: "passes" | "steps"): Steps<FlameCaptures> {
+  *#holdingSteps({ world, captureLight: light }: FrameInput): Steps {
+    yield* this.#cachedLights.steps(world, this.#casters, "steps");
+    if (this.#held && areNear(light, this.#held.light)) return;
+    this.#held = null;
+    this.#held = { light, captures: yield* this.#ofLight(light, "steps") };
+  }
+
+  *#ofLight(light: CaptureLight, size: StepSize): Steps<FlameCaptures> {
     const captureOrigin = light.position;
     const depth = yield* this.#shadow.steps(this.#casters, captureOrigin);
     const shadow = { depth, captureOrigin, isNew: false };
-    return { shadow, irradiance: yield* this.#indirect[how](this.#casters, light, shadow) };
+    return { shadow, irradiance: yield* this.#indirect[size](this.#casters, light, shadow) };
   }
 
   /** Prepares the first frames in motion, a part of the model in each frame. */

@@ -4,14 +4,19 @@ import rayReflectanceVert from "../../../shaders/gi/ray-reflectance.vert";
 import roomReflectanceFrag from "../../../shaders/gi/room-reflectance.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Gpu } from "../../gl/gpu.js";
+import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import { floats } from "../float-format.js";
 import type { Mesh } from "../mesh/mesh.js";
+import { drawInBands, type Steps } from "../steps.js";
 import { PROBE_DEPTH_EDGE, type ProbeDetail, type ProbeRays } from "./probe-rays.js";
 
 /** Bytes of a float. */
 const FLOAT = 4;
+/** Hits in a step, but for a part that has more; and bands of the pass over all of them. */
+const HITS_AT_ONCE = 4096;
+const BANDS = 4;
 
 /** Probes and the hits of their rays, as textures. */
 export interface ProbeTextures {
@@ -23,6 +28,8 @@ export interface ProbeTextures {
   readonly uRayProbes: Texture;
   /** Mean reflectance at the hits, one texel. */
   readonly roomReflectance: Texture;
+  /** Draws what depends on the hits. To be finished before use. */
+  readonly drawing: Steps;
 }
 
 /**
@@ -66,15 +73,12 @@ export function uploadProbeRays(
     color: ["RGBA8"],
     filter: "nearest",
   });
-  gpu.draw({
-    program: gpu.program("gi/ray-probes", fullscreenVert, rayProbesFrag, {
-      defines: { RAYS: rays, PROBE_ROWS: rows },
-    }),
-    target: rayProbes,
-    textures: { uRayHits, ...volume },
-    blocks: { Volume: block },
+  const rayReflectance = gpu.renderTarget({
+    label: "gi/ray-reflectance",
+    ...size,
+    color: ["RGBA8"],
+    filter: "nearest",
   });
-  const hits = { uRayHits, uRayReflectance: renderRayReflectance(gpu, traced, size, surfaces) };
   const roomReflectance = gpu.renderTarget({
     label: "gi/room-reflectance",
     width: 1,
@@ -82,35 +86,39 @@ export function uploadProbeRays(
     color: ["RGBA16F"],
     filter: "nearest",
   });
-  gpu.draw({
-    program: gpu.program("gi/room-reflectance", fullscreenVert, roomReflectanceFrag, {
-      defines: { RAYS: rays, PROBE_ROWS: rows },
-    }),
-    target: roomReflectance,
-    textures: { ...hits, uProbePositions },
-  });
+  const hits = { uRayHits, uRayReflectance: rayReflectance.color };
+  const defines = { RAYS: rays, PROBE_ROWS: rows };
+  function* draw(): Steps {
+    yield* drawInBands(gpu, BANDS, {
+      program: gpu.program("gi/ray-probes", fullscreenVert, rayProbesFrag, { defines }),
+      target: rayProbes,
+      textures: { uRayHits, ...volume },
+      blocks: { Volume: block },
+    });
+    yield* drawRayReflectance(gpu, traced, rayReflectance, surfaces);
+    gpu.draw({
+      program: gpu.program("gi/room-reflectance", fullscreenVert, roomReflectanceFrag, { defines }),
+      target: roomReflectance,
+      textures: { ...hits, uProbePositions },
+    });
+  }
   return {
     volume,
     rays: hits,
     roomReflectance: roomReflectance.color,
     uRayProbes: rayProbes.color,
+    drawing: draw(),
   };
 }
 
 /** Reflectance at the hits, sampled on the GPU, since decoded images may exist only there. */
-function renderRayReflectance(
+function* drawRayReflectance(
   gpu: Gpu,
   { hitUvs, runs }: ProbeRays,
-  size: { readonly width: number; readonly height: number },
+  target: RenderTarget,
   surfaces: readonly Mesh[],
-): Texture {
+): Steps {
   const program = gpu.program("gi/ray-reflectance", rayReflectanceVert, rayReflectanceFrag);
-  const target = gpu.renderTarget({
-    label: "gi/ray-reflectance",
-    ...size,
-    color: ["RGBA8"],
-    filter: "nearest",
-  });
   const buffer = gpu.buffer("gi/hit-uvs", hitUvs);
   const vertexArray = gpu.vertexArray("gi/hit-uvs", {
     attributes: {
@@ -120,9 +128,15 @@ function renderRayReflectance(
     count: hitUvs.length / 4,
   });
   gpu.clear(target, [0, 0, 0, 0]);
+  let sum = 0;
   for (const { part, first, count } of runs) {
     const surface = surfaces[part];
     if (!surface) continue;
+    sum += count;
+    if (sum > HITS_AT_ONCE) {
+      yield;
+      sum = count;
+    }
     const { uAlbedo, uNormal, uOcclusionRoughness } = surface.textures;
     gpu.draw({
       program,
@@ -132,7 +146,7 @@ function renderRayReflectance(
       first,
       count,
       uniforms: {
-        uSize: [size.width, size.height],
+        uSize: [target.width, target.height],
         uBaseColor: surface.baseColor,
         uSurface: surface.parameters,
       },
@@ -140,5 +154,4 @@ function renderRayReflectance(
     });
   }
   for (const object of [vertexArray, buffer]) object.dispose();
-  return target.color;
 }

@@ -6,8 +6,7 @@ import { adaptedMoonlight } from "../../light/moonlight.js";
 import type { Vec3 } from "../../world/geometry.js";
 import type { Moon } from "../../world/moon.js";
 import type { CachedLight } from "../cached-light.js";
-import type { IndirectScene } from "../gi/indirect-pass.js";
-import { IndirectPass } from "../gi/indirect-pass.js";
+import { IndirectPass, type IndirectScene, type StepSize } from "../gi/indirect-pass.js";
 import type { IndirectTargets } from "../gi/indirect-targets.js";
 import type { PhysicalTier } from "../quality.js";
 import { clusterIncrementally, ShadowCasters } from "../shadow/shadow-casters.js";
@@ -56,17 +55,17 @@ export class MoonCaptures {
   }
 
   /** Null where it does not reach the room. */
-  *light({ direction, illuminance }: Moon): Steps<CachedLight | null> {
+  *light({ direction, illuminance }: Moon, size: StepSize): Steps<CachedLight | null> {
     const key = JSON.stringify(direction);
     if (key !== this.#key) {
-      const captured = yield* this.#capture(direction);
+      const captured = yield* this.#capture(direction, size);
       this.#light = captured && { ...captured, key };
       this.#key = key;
     }
     return this.#light && { ...this.#light, intensity: adaptedMoonlight(illuminance) };
   }
 
-  *#capture(direction: Vec3): Steps<Omit<CachedLight, "intensity" | "key"> | null> {
+  *#capture(direction: Vec3, size: StepSize): Steps<Omit<CachedLight, "intensity" | "key"> | null> {
     const { model, surfaces } = this.#scene;
     const frustum = moonFrustum(direction, model.bounds, panesOf(model));
     const parts = moonCasters(model.parts, frustum);
@@ -80,7 +79,7 @@ export class MoonCaptures {
     this.#surfels.frustum = frustum;
     const block = moonBlock(frustum, this.#surfels.detail);
     const shadow = { depth: this.#map, captureOrigin: frustum.corner };
-    const irradiance = yield* this.#indirect.passes(casters, block, shadow);
+    const irradiance = yield* this.#indirect[size](casters, block, shadow);
     casters.dispose();
     return {
       kind: "moon",

@@ -91,8 +91,7 @@ export class RefinedStage implements OpaqueStage {
       get remaining() {
         return stage.#tiles.length;
       },
-      prepare: (world, settings) =>
-        captures.hold(describe(world, settings).captureLight, settings.steps ?? 0),
+      prepare: (world, settings) => captures.hold(describe(world, settings), settings.steps ?? 0),
       begin: (world, settings, coarse) => stage.#beginWith(describe(world, settings), coarse),
       image: () => display.image(),
     };

@@ -5,7 +5,7 @@ const LATE = 1.1;
 /** Steps of work in a frame: at first, at least and at most. */
 const FIRST = 1;
 const LEAST = 1 / 8;
-const MOST = 64;
+const MOST = 16;
 /** Growth of the budget after a frame in time: a factor, and steps; and the largest factor after a late one. */
 const MORE = { share: 1.15, steps: 0.1 } as const;
 const LESS = 0.85;
