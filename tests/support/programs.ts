@@ -20,6 +20,9 @@ export interface ProgramReport {
   readonly set: number;
 }
 
+/** Of all programs that each look has asked for. */
+const sources = new Map<Look, (readonly [ShaderSource, ShaderSource, ProgramOptions])[]>();
+
 /** Members of an array of structures are set alike, or not at all. */
 function member(name: string): string {
   return name.replace(/\[0\]$/, "").replace(/\[\d+\]\./, "[].");
@@ -38,7 +41,10 @@ export async function reportPrograms(
     set: Program.prototype.set,
     update: UniformBlock.prototype.update,
   };
-  Gpu.prototype.program = function (label, vertex, fragment, options) {
+  const known = sources.get(look) ?? [];
+  sources.set(look, known);
+  Gpu.prototype.program = function (label, vertex, fragment, options = {}) {
+    known.push([vertex, fragment, options]);
     const program = original.program.call(this, label, vertex, fragment, options);
     const stages = [vertex, fragment].map(({ files }) => files[0] ?? "");
     // A second request gets the same one.
@@ -126,17 +132,8 @@ export interface Breakage {
 
 /** Breaks each stage of each program that a look has, one by one. */
 export async function breakPrograms(look: Look): Promise<Breakage[]> {
-  const made: (readonly [ShaderSource, ShaderSource, ProgramOptions])[] = [];
-  const { program } = Gpu.prototype;
-  Gpu.prototype.program = function (label, vertex, fragment, options = {}) {
-    made.push([vertex, fragment, options]);
-    return program.call(this, label, vertex, fragment, options);
-  };
-  try {
-    await reportPrograms(look);
-  } finally {
-    Gpu.prototype.program = program;
-  }
+  if (!sources.has(look)) await reportPrograms(look);
+  const made = sources.get(look) ?? [];
   const gpu = new Gpu(document.createElement("canvas"));
   const broken = (stage: ShaderSource) => ({ ...stage, source: `${stage.source}surplus;` });
   const breakages = made.flatMap(([vertex, fragment, options]) => {

@@ -60,7 +60,7 @@ for (const { times, width, height } of [
         last = now;
         if (Number.isNaN(begin)) begin = now;
         // What is late is judged after three frames and a second.
-        trace.isDone = trace.frames.length >= 12 && now - begin > 4000;
+        trace.isDone = trace.frames.length >= 12 && now - begin > 3000;
         if (!trace.isDone) requestAnimationFrame(frame);
       };
       requestAnimationFrame(frame);
