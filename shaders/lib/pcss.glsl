@@ -12,7 +12,7 @@ const float BIAS_TEXELS = float(SHADOW_BIAS);
 // A plane seen edge on reaches no farther than this many times the distance of the point.
 const float STEEPEST = 1.02;
 // Least half-width of a penumbra, texels.
-const float LEAST_PENUMBRA = 0.4;
+const float LEAST_PENUMBRA = 0.7;
 // Steps of the R2 sequence of low-discrepancy points.
 // Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences".
 const vec2 R2 = vec2(0.7548776662466927, 0.5698402909980532);
@@ -111,7 +111,9 @@ vec2 flameVisibility(sampler2D cube, int searchTaps, int filterTaps, vec3 positi
   float inverseDepth = 0.0;
   float blockers = 0.0;
   for (int i = 0; i < searchTaps; i++) {
-    vec2 texel = tapTexel(taps, fract(place), tile - 0.01);
+    // Denser towards the center, or they would miss what is thin and near the point.
+    float spread = (float(i) + 0.5) / float(searchTaps);
+    vec2 texel = tapTexel(taps, 0.5 + (fract(place) - 0.5) * spread, tile - 0.01);
     place += R2;
     float caster = texelFetch(cube, ivec2(texel), 0).r;
     if (caster < min(planeDepth(taps, texel), taps.farthest)) {
