@@ -12,7 +12,7 @@ const float BIAS_TEXELS = float(SHADOW_BIAS);
 // A plane seen edge on reaches no farther than this many times the distance of the point.
 const float STEEPEST = 1.02;
 // Least half-width of a penumbra, texels.
-const float LEAST_PENUMBRA = 0.7;
+const float LEAST_PENUMBRA = 0.4;
 // Steps of the R2 sequence of low-discrepancy points.
 // Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences".
 const vec2 R2 = vec2(0.7548776662466927, 0.5698402909980532);

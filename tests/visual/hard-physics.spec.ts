@@ -14,6 +14,8 @@ const ALBEDO = 0.5;
 const WALL = 4;
 const ROOM = { min: [-3, 0, -WALL], max: [3, 3, WALL] } as const;
 const SLAB = { min: [-0.8, 0, 2], max: [0, 0.25, 2.01] } as const;
+/** A wire close before the wall at 4. */
+const WIRE = { min: [1.3, 0.3, WALL - 0.026], max: [1.7, 0.306, WALL - 0.02] } as const;
 /** What a matt surface as rough as can be loses of the light to the mirror on top, seen from ahead. */
 const MIRRORED = 0.0134;
 
@@ -114,7 +116,10 @@ function penumbra(places: readonly number[], values: readonly number[]): number 
 test.beforeAll(async ({ browser }) => {
   page = await browser.newPage();
   await page.route(`${LIBRARY}plain-room.glb`, (route) =>
-    route.fulfill({ contentType: "model/gltf-binary", body: plainRoom(ROOM, [SLAB], ALBEDO) }),
+    route.fulfill({
+      contentType: "model/gltf-binary",
+      body: plainRoom(ROOM, [SLAB, WIRE], ALBEDO),
+    }),
   );
   room = await new RoomDriver(page).open(
     { look: "physical", quality: "high", motion: "reduced", src: `${LIBRARY}plain-room.glb` },
@@ -225,4 +230,26 @@ test("Nothing is in its own shadow, however grazing the light", async () => {
   expect(Math.min(...unshadowed)).toBeGreaterThan(0);
   // Where a wall meets the floor far away, a texel of the cube has both: two centimetres at five metres.
   expect(dark).toBeLessThan(0.0025);
+});
+
+test("The shadow of a wire close before a wall is one line", async () => {
+  await room.evaluate((element, z) => {
+    element.take();
+    element.camera = { position: [1.5, 1.6, z], yaw: Math.PI, pitch: -1.107 };
+    element.place();
+  }, WALL - 1.6);
+  const camera: Camera = { position: [1.5, 0.45, WALL - 0.4], yaw: Math.PI, pitch: 0 };
+  const { luminance } = await look(camera);
+  const { luminance: unshadowed } = await look(camera, false);
+  const darkest = new Map<number, number>();
+  for (const { column, row, index } of pixels()) {
+    const [u, v] = onWall(camera, column, row);
+    if (u < 1.35 || u > 1.65 || v < 0.3 || v > 0.312) continue;
+    const share = (luminance[index] ?? 0) / (unshadowed[index] ?? 1);
+    darkest.set(column, Math.min(share, darkest.get(column) ?? 1));
+  }
+  const broken = [...darkest.values()].filter((share) => share > 0.5).length;
+  console.log(`wire: ${broken} of ${darkest.size} columns without a shadow`);
+  expect(darkest.size).toBeGreaterThan(100);
+  expect(broken).toBe(0);
 });
