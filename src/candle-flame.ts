@@ -246,9 +246,14 @@ export class CandleFlame {
     this.view.render({ ...this.#frameSettings, isMoving, canDefer });
   }
 
-  /** Draws what `draw` keeps for further frames, in small tasks, as long as it is wanted. */
-  prepareFrame(isWanted: () => boolean): Promise<void> | undefined {
-    return this.view.prepareFrame(this.#frameSettings, isWanted);
+  /**
+   * Draws what `draw` keeps for further frames, in small tasks.
+   *
+   * @param plays whether frames follow each other
+   * @param isWanted whether it still is
+   */
+  prepareFrame(plays: boolean, isWanted: () => boolean): Promise<void> | undefined {
+    return this.view.prepareFrame({ ...this.#frameSettings, canDefer: plays }, isWanted);
   }
 
   get #frameSettings() {

@@ -41,7 +41,7 @@ export async function createCandle(
   gpu.finishPrograms();
   gpu.check("picture");
   rehearse(candle);
-  await candle.prepareFrame(isOn);
+  await candle.prepareFrame(plays, isOn);
   candle.reset();
   return isOn() ? candle : null;
 }

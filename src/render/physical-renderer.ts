@@ -1,8 +1,6 @@
 import type { Box, Gpu } from "../gl/gpu.js";
 import { nextTask } from "../gl/next-task.js";
-import type { RenderTarget } from "../gl/render-target.js";
 import type { Texture } from "../gl/texture.js";
-import type { TextureView } from "../gl/texture-view.js";
 import type { ParticleLayer } from "../world/particles/particle-layer.js";
 import { fieldOfViewOf } from "../world/player/field-of-view.js";
 import type { CollisionMesh } from "../world/room/collision-mesh.js";
@@ -12,7 +10,7 @@ import { AT_ORIGIN, type FrameInput, type ModelInstance, type Placement } from "
 import type { FrameSettings } from "./frame-settings.js";
 import type { GBufferKind } from "./gbuffer/gbuffer.js";
 import type { IrradianceVolume } from "./gi/indirect-pass.js";
-import { LightCaptures } from "./gi/light-captures.js";
+import { type Captures, LightCaptures } from "./gi/light-captures.js";
 import { captureLight, lightBlock } from "./light-block.js";
 import { groupTriangles } from "./mesh/clusters.js";
 import { type Mesh, sortedByArea, uploadModel } from "./mesh/mesh.js";
@@ -38,10 +36,10 @@ import { RefinedStage } from "./refinement/refined-stage.js";
 import type { Models, Refining, Renderer, Surfaces } from "./renderer.js";
 import { SCHEDULE } from "./schedule.js";
 import { boundsOf, expandBox, expandBoxes, scaleBox } from "./screen-bounds.js";
-import type { Steps } from "./steps.js";
+import { finish, type Steps } from "./steps.js";
 import { HANDLE_TURN } from "./volumetric/flame-pass.js";
 import { flamePart, VolumetricStage } from "./volumetric/volumetric-stage.js";
-import type { CompositedFrame } from "./volumetric/volumetric-target.js";
+import { type CompositedFrame, RadianceTarget } from "./volumetric/volumetric-target.js";
 
 const BLACK = [0, 0, 0, 1] as const;
 
@@ -69,10 +67,7 @@ export class PhysicalRenderer implements Renderer {
   /** Made when a pass is first inspected. */
   #inspector: InspectPass | null = null;
   readonly #makeInspector: () => InspectPass;
-  #radiance: RenderTarget | null = null;
-  /** The radiance to draw to, without depth; and with each depth that it was composited with. */
-  #target: TextureView | null = null;
-  readonly #tested = new Map<Texture, TextureView>();
+  #radiance: RadianceTarget | null = null;
   #size = { width: 1, height: 1 };
   /** Frames since bloom and exposure were updated. */
   #postAge = 0;
@@ -119,14 +114,10 @@ export class PhysicalRenderer implements Renderer {
   resize(width: number, height: number): void {
     this.#size = { width, height };
     this.refinedFade?.end();
-    for (const old of [this.#target, this.#radiance, ...this.#tested.values()]) old?.dispose();
-    this.#tested.clear();
+    this.#radiance?.dispose();
     this.#opaque.resize(this.#size);
     this.#volumetric.resize(this.#size);
-    const color = [this.#opaque.format];
-    this.#radiance = this.#gpu.renderTarget({ label: "radiance", width, height, color });
-    const textures = [this.#radiance.color];
-    this.#target = this.#gpu.textureView({ label: "radiance", textures, image: 0 });
+    this.#radiance = new RadianceTarget(this.#gpu, this.#size, this.#opaque.format);
     this.#bloom.resize(width, height);
   }
 
@@ -146,35 +137,54 @@ export class PhysicalRenderer implements Renderer {
     }
   }
 
+  /** Many drivers compile a program at its first draw: where frames follow, a few are drawn in advance. */
   *#prepareInSteps(frame: FrameInput): Steps {
+    const { settings } = frame;
     const captures = yield* this.#captures.steps(frame);
     yield;
-    this.#opaque.fillGBuffer(frame);
-    yield;
-    this.#opaque.shade(frame, captures);
-    yield;
+    if (!this.refinedFade || !settings.canDefer) {
+      yield* this.#opaque.fillGBuffer(frame);
+      yield;
+      yield* this.#opaque.shade(frame, captures);
+      yield;
+      return;
+    }
+    const moving = { ...frame, settings: { ...settings, isMoving: true } };
+    for (let frames = 0; frames < 2; frames++) yield* this.#draw(moving, captures);
+    this.resize(this.#size.width, this.#size.height);
+    yield* this.#draw(frame, captures);
   }
 
   render(world: World, settings: FrameSettings): void {
-    const frame = this.#describe(world, settings);
-    const kind = this.#opaque.fillGBuffer(frame);
+    finish(this.#draw(this.#describe(world, settings)));
+  }
+
+  /** @param known captures. Default: they are updated */
+  *#draw(frame: FrameInput, known?: Captures): Steps {
+    const { world, settings } = frame;
+    const kind = yield* this.#opaque.fillGBuffer(frame);
+    yield;
     // A reprojected frame has the intensity of the frame that it was lit in.
     if (kind !== "reprojected") {
       this.#opaque.blocks.Light.update(lightBlock(world, settings.features.candle));
     }
-    const captures = this.#captures.update(frame, kind);
+    const captures = known ?? this.#captures.update(frame, kind);
     const { shadow, irradiance } = captures;
-    const layer = this.#opaque.shade(frame, captures);
+    const layer = yield* this.#opaque.shade(frame, captures);
+    yield;
     const regions = this.#compositeDisplay
       ? this.#volumetric.bounds(frame, kind, this.#size, BLOOM_SCALE)
       : [this.#whole];
     this.#composite(frame, layer, irradiance, regions);
+    yield;
     this.#last = [frame, layer, irradiance];
     const post = this.#postIn(kind, shadow.isNew);
     if (post === "before display") this.#updatePost(frame, layer, irradiance, regions);
+    yield;
     if (settings.inspect !== "picture" && !this.#compositeDisplay) {
       this.#inspect(frame, layer, shadow.depth, irradiance);
-    } else this.#present(frame, layer, regions);
+    } else yield* this.#present(frame, layer, regions);
+    yield;
     if (post === "after display") this.#updatePost(frame, layer, irradiance, regions);
   }
 
@@ -242,15 +252,8 @@ export class PhysicalRenderer implements Renderer {
   }
 
   #compositedFrame(depth: Texture): CompositedFrame {
-    if (!this.#radiance || !this.#target) throw new Error("The renderer has no size yet.");
-    const { color } = this.#radiance;
-    let tested = this.#tested.get(depth);
-    if (!tested) {
-      const view = { label: "radiance and depth", textures: [color], image: 0, depth };
-      tested = this.#gpu.textureView(view);
-      this.#tested.set(depth, tested);
-    }
-    return { color, target: this.#target, tested, depth };
+    if (!this.#radiance) throw new Error("The renderer has no size yet.");
+    return this.#radiance.with(depth);
   }
 
   /** Bloom and exposure are updated at rest in each frame; in motion when there is time, see `SCHEDULE`. */
@@ -271,7 +274,7 @@ export class PhysicalRenderer implements Renderer {
     regions: readonly Box[],
   ): void {
     this.#postAge = 0;
-    const { color } = this.#radiance!;
+    const { color } = this.#radiance!.whole;
     this.#bloom.render(color, regions, flameUv);
     this.#exposure.render(
       this.#compositeDisplay ? textures : { uRadiance: color },
@@ -282,19 +285,20 @@ export class PhysicalRenderer implements Renderer {
   }
 
   /** To the canvas: the regions of the media from the radiance, the rest straight from the opaque layer. */
-  #present(frame: FrameInput, layer: OpaqueLayer, regions: readonly Box[]): void {
+  *#present(frame: FrameInput, layer: OpaqueLayer, regions: readonly Box[]): Steps {
     const { settings, flameUv, world } = frame;
     const size = this.#size;
     const { Frame } = this.#opaque.blocks;
     const bloom = this.#bloom.transform(flameUv);
     const inputs = { uBloom: this.#bloom.latest, uExposure: this.#exposure.latest };
-    const uRadiance = this.#radiance!.color;
+    const uRadiance = this.#radiance!.whole.color;
     const transform = displayTransform(this.#gpu, settings, world.adaptation.darkness);
     if (!this.#compositeDisplay) {
       this.#display.render({ ...inputs, uRadiance }, bloom, settings, transform, Frame);
       return;
     }
     const textures = { ...inputs, uToneLut: this.#compositeDisplay.toneLut(transform) };
+    yield;
     const isFilled = regions.some((box) => box[2] * box[3] === size.width * size.height);
     if (layer.kind !== "full" || !isFilled) {
       const options = {
@@ -306,6 +310,7 @@ export class PhysicalRenderer implements Renderer {
         size,
       };
       this.#compositeDisplay.render(layer, textures, options, layer.blocks);
+      yield;
     }
     const media = boundsOf(regions);
     this.refinedFade?.draw(frame, layer, media, size, inputs.uExposure, this.#opaque.blocks);
@@ -323,7 +328,7 @@ export class PhysicalRenderer implements Renderer {
   ): void {
     this.#inspector ??= this.#makeInspector();
     const textures = {
-      uRadiance: this.#radiance!.color,
+      uRadiance: this.#radiance!.whole.color,
       uBloom: this.#bloom.latest,
       uExposure: this.#exposure.latest,
       uDepth: depth,
@@ -339,6 +344,6 @@ export class PhysicalRenderer implements Renderer {
   readRadiance(x: number, y: number, width: number, height: number): Float32Array {
     if (!this.#radiance) return new Float32Array(width * height * 3);
     if (this.#compositeDisplay && this.#last) this.#composite(...this.#last, [this.#whole]);
-    return this.#gpu.readFloats(this.#radiance, x, y, width, height);
+    return this.#gpu.readFloats(this.#radiance.whole, x, y, width, height);
   }
 }

@@ -86,7 +86,7 @@ describe("docs/frame.md", () => {
 
   test("follows a renderer whose frame fits on one screen", () => {
     const renderer = textOf("src/render/physical-renderer.ts");
-    const [body = ""] = /^ {2}render\([\s\S]*?^ {2}\}/m.exec(renderer) ?? [];
+    const [body = ""] = /^ {2}\*#draw\([\s\S]*?^ {2}\}/m.exec(renderer) ?? [];
     expect(body.split("\n").length).toBeLessThanOrEqual(40);
     const order = [
       "#opaque.fillGBuffer",

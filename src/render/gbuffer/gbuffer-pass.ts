@@ -16,6 +16,7 @@ import { visibleRuns } from "../mesh/visible-runs.js";
 import { type GBufferSamples, UpsampleGuidePass } from "../opaque/upsample-guide-pass.js";
 import { SCHEDULE } from "../schedule.js";
 import { bandOf, clipOfBox } from "../screen-bounds.js";
+import type { Steps } from "../steps.js";
 import { AlbedoCache, isBaked } from "./albedo-cache.js";
 import type { GBuffer } from "./gbuffer.js";
 import {
@@ -60,6 +61,8 @@ export class GBufferPass {
   readonly #programs = new Map<string, Program>();
   readonly #lods: MeshLods;
   readonly #albedos: AlbedoCache;
+  /** Programs of the reduced G-buffer that were drawn with, and whether these are all. */
+  readonly #rehearsed = new Set<Program>();
   #isReducedReady = false;
   #reduced: RenderTarget | null = null;
   #full: RenderTarget | null = null;
@@ -118,7 +121,7 @@ export class GBufferPass {
   }
 
   /** @param lightingSize of the full lighting, which the guide leads to */
-  render(frame: FrameInput, lightingSize: Size): GBuffer {
+  *render(frame: FrameInput, lightingSize: Size): Steps<GBuffer> {
     const { isMoving, canDefer, features } = frame.settings;
     const key = JSON.stringify([
       [...frame.clipFromWorld],
@@ -131,11 +134,12 @@ export class GBufferPass {
     else if (key !== this.#fullKey) {
       // The reduced G-buffer goes on being shown until the full one is complete.
       if (this.#wasReduced && canDefer) this.#refine(frame, key, lightingSize);
-      else this.#fill(frame, key, lightingSize);
+      else yield* this.#fill(frame, key, lightingSize);
     }
     this.#wasReduced = isMoving || key !== this.#fullKey;
     if (this.#wasReduced) return this.#renderReduced(frame, key);
     this.#previous = null;
+    yield;
     if (canDefer) this.#prepareReduced(frame);
     return {
       kind: "full",
@@ -185,12 +189,13 @@ export class GBufferPass {
     };
   }
 
-  #fill(frame: FrameInput, key: string, lightingSize: Size): void {
+  *#fill(frame: FrameInput, key: string, lightingSize: Size): Steps {
     this.#refinement = null;
     this.#fullKey = key;
     const target = this.#targetOf("full");
     this.#gpu.clear(target, NOTHING);
     this.#drawModels(target, frame, false);
+    yield;
     this.#guide.chooseRepresentatives(samplesOf(target), lightingSize);
     this.#guide.resolve(samplesOf(target), lightingSize);
   }
@@ -229,27 +234,26 @@ export class GBufferPass {
     }
   }
 
-  /** At rest: everything that the first frame in motion needs is compiled, and drawn with once. */
+  /** At rest: what the first frame in motion needs is made, and its programs are drawn with, one in each frame. */
   #prepareReduced(frame: FrameInput): void {
-    const isMade = this.#updateIncrementally(frame.instances);
-    if (this.#isReducedReady || !isMade) return;
-    this.#isReducedReady = true;
-    const target = this.#targetOf("reduced");
-    const drawn = new Set<Program>();
+    if (this.#isReducedReady || !this.#updateIncrementally(frame.instances)) return;
     for (const instance of frame.instances) {
       for (const mesh of this.#lods.merged(instance.meshes)) {
         const program = this.#programFor(true, this.#albedos.of(mesh) !== null, mesh);
-        if (drawn.has(program)) continue;
-        drawn.add(program);
-        const pass = {
+        if (this.#rehearsed.has(program)) continue;
+        this.#rehearsed.add(program);
+        const target = this.#targetOf("reduced");
+        const isVisible = () => true;
+        this.#drawMesh(mesh, instance, frame, {
           target,
           isReduced: true,
-          isVisible: () => true,
+          isVisible,
           scissor: ONE_PIXEL,
-        } as const;
-        this.#drawMesh(mesh, instance, frame, pass);
+        });
+        return;
       }
     }
+    this.#isReducedReady = true;
   }
 
   /** Goes on with what only frames in motion need. True when all of it is made. */

@@ -101,6 +101,7 @@ export function uploadProbeRays(
       target: roomReflectance,
       textures: { ...hits, uProbePositions },
     });
+    yield;
   }
   return {
     volume,

@@ -14,6 +14,7 @@ import type { FrameInput } from "../frame-input.js";
 import type { GBuffer } from "../gbuffer/gbuffer.js";
 import { lightBlock } from "../light-block.js";
 import type { ShadowQuality } from "../quality.js";
+import type { Steps } from "../steps.js";
 import type { FrameBlocks } from "./opaque-stage.js";
 
 /** Least intensity by which the sum has the flame's colour, cd: an ember gives less. */
@@ -76,12 +77,12 @@ export class CachedLighting {
    *
    * @param lighting of the flame
    */
-  render(
+  *render(
     frame: FrameInput,
     gbuffer: GBuffer,
     lighting: Texture,
     lights: readonly CachedLight[],
-  ): { readonly uLighting: Texture; readonly Light: UniformBlock } {
+  ): Steps<{ readonly uLighting: Texture; readonly Light: UniformBlock }> {
     const size = { width: lighting.width, height: lighting.height };
     this.#sums ??= [this.#target("sum/a", size), this.#target("sum/b", size)];
     const sums = this.#sums;
@@ -90,6 +91,7 @@ export class CachedLighting {
     let uLighting = lighting;
     let uIntensity: Rgb = flame.intensity;
     for (const light of lights) {
+      yield;
       sums.reverse();
       this.#gpu.draw({
         program: this.#gpu.program("opaque/sum-lighting", fullscreenVert, sumFrag),

@@ -10,6 +10,7 @@ import { GBufferPass } from "../gbuffer/gbuffer-pass.js";
 import type { Captures } from "../gi/light-captures.js";
 import type { MeshLods } from "../mesh/mesh-lods.js";
 import type { PhysicalTier } from "../quality.js";
+import type { Steps } from "../steps.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
 import { CachedLighting } from "./cached-lighting.js";
 import { LightingPass } from "./lighting-pass.js";
@@ -47,22 +48,22 @@ export class DeferredStage implements OpaqueStage {
     this.#lighting.resize(size);
   }
 
-  fillGBuffer(frame: FrameInput): GBufferKind {
-    this.#gbuffer = this.#gbufferPass.render(frame, this.#lighting.size);
+  *fillGBuffer(frame: FrameInput): Steps<GBufferKind> {
+    this.#gbuffer = yield* this.#gbufferPass.render(frame, this.#lighting.size);
     return this.#gbuffer.kind;
   }
 
-  shade(frame: FrameInput, captures: Captures): OpaqueLayer {
+  *shade(frame: FrameInput, captures: Captures): Steps<OpaqueLayer> {
     const gbuffer = this.#gbuffer;
     if (!gbuffer) throw new Error("Shading needs a G-buffer.");
     const { cached } = captures;
     const isAtRest = gbuffer.kind === "full";
     // Compiled while the camera rests.
     if (frame.settings.canDefer && isAtRest) this.#lighting.reducedProgram(cached);
-    const lit = this.#lighting.render(frame, gbuffer, captures);
+    const lit = yield* this.#lighting.render(frame, gbuffer, captures);
     const all =
       isAtRest && cached.length > 0
-        ? this.#cached.render(frame, gbuffer, lit.textures.uLighting, cached)
+        ? yield* this.#cached.render(frame, gbuffer, lit.textures.uLighting, cached)
         : null;
     return {
       kind: gbuffer.kind,

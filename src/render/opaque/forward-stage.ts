@@ -20,6 +20,7 @@ import { visibleRuns } from "../mesh/visible-runs.js";
 import type { Tier } from "../quality.js";
 import { SCHEDULE } from "../schedule.js";
 import { clipOfBox, screenBounds, tiles } from "../screen-bounds.js";
+import type { Steps } from "../steps.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
 import { CandleLayers } from "./candle-layers.js";
 import { ENVIRONMENT_BRDF_SIZE, tabulateEnvironmentBrdf } from "./environment-brdf.js";
@@ -138,11 +139,12 @@ export class ForwardStage implements OpaqueStage {
     this.#candleLayers.resize({ width, height });
   }
 
-  fillGBuffer(): "full" {
+  *fillGBuffer(): Steps<"full"> {
+    yield;
     return "full";
   }
 
-  shade(frame: FrameInput, captures: Captures): OpaqueLayer {
+  *shade(frame: FrameInput, captures: Captures): Steps<OpaqueLayer> {
     if (!this.#resolved?.depth) throw new Error("The forward stage has no size yet.");
     const { world, settings, instances } = frame;
     const { features, inspect } = settings;
@@ -160,6 +162,7 @@ export class ForwardStage implements OpaqueStage {
       instances.map(({ placement }) => placement),
     ]);
     this.#updateLayers(frame, frameKey);
+    yield;
     const key = JSON.stringify([frameKey, captures.irradiance.revision, this.#moon?.key]);
     const lightKey = JSON.stringify(light);
     const hasMoved = lightKey !== this.#lightKey;

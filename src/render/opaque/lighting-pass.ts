@@ -15,6 +15,7 @@ import type { Captures } from "../gi/light-captures.js";
 import { lightBlock, shadingLight } from "../light-block.js";
 import type { PhysicalTier, ShadowQuality } from "../quality.js";
 import { SCHEDULE } from "../schedule.js";
+import type { Steps } from "../steps.js";
 import { representativeColor } from "./cached-lighting.js";
 import type { OpaqueLayer } from "./opaque-stage.js";
 import { StandingLights } from "./standing-lights.js";
@@ -113,7 +114,11 @@ export class LightingPass {
     return this.#fullTarget ?? { width: 1, height: 1 };
   }
 
-  render(frame: FrameInput, gbuffer: GBuffer, { shadow, irradiance, cached }: Captures): Lit {
+  *render(
+    frame: FrameInput,
+    gbuffer: GBuffer,
+    { shadow, irradiance, cached }: Captures,
+  ): Steps<Lit> {
     const { kind, surface, depth, representative, key: gbufferKey, reprojection } = gbuffer;
     const isReduced = kind !== "full";
     const target = isReduced ? this.#reducedTarget : this.#fullTarget;
@@ -146,6 +151,7 @@ export class LightingPass {
     if (!worldFromClip) throw new Error("The camera's matrix has no inverse.");
     const program = isReduced ? this.reducedProgram(cached) : this.full;
     const all = this.#isOfAll ? this.#ofAll(frame, program, { shadow, irradiance, cached }) : null;
+    yield;
     this.#gpu.draw({
       program,
       target,
@@ -172,6 +178,7 @@ export class LightingPass {
         ...all?.blocks,
       },
     });
+    yield;
     if (isReduced) this.#gatherInverseDepth(target, this.#gathered);
     return lit;
   }

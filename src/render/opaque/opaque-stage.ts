@@ -5,6 +5,7 @@ import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { GBufferKind } from "../gbuffer/gbuffer.js";
 import type { Captures } from "../gi/light-captures.js";
+import type { Steps } from "../steps.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
 
 /** Uniform blocks that all passes of a frame share. */
@@ -42,8 +43,8 @@ export interface OpaqueStage {
   readonly meterFrag: ShaderSource;
   resize(size: Size): void;
   /** Forward shading has no G-buffer, and is always `full`. */
-  fillGBuffer(frame: FrameInput): GBufferKind;
-  shade(frame: FrameInput, captures: Captures): OpaqueLayer;
+  fillGBuffer(frame: FrameInput): Steps<GBufferKind>;
+  shade(frame: FrameInput, captures: Captures): Steps<OpaqueLayer>;
   /** Radiance in cd/m² within a region. */
   composite(frame: FrameInput, layer: OpaqueLayer, target: CompositedFrame, region: Box): void;
 }

@@ -21,6 +21,7 @@ import type { Tier } from "../quality.js";
 import type { Refining, Surfaces } from "../renderer.js";
 import { SCHEDULE } from "../schedule.js";
 import { clipOfBox } from "../screen-bounds.js";
+import type { Steps } from "../steps.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
 import type { RefinedDisplayPass } from "./refined-display-pass.js";
 import { TILE, tilesAround } from "./tiles.js";
@@ -134,11 +135,12 @@ export class RefinedStage implements OpaqueStage {
     });
   }
 
-  fillGBuffer(): "full" {
+  *fillGBuffer(): Steps<"full"> {
+    yield;
     return "full";
   }
 
-  shade(frame: FrameInput, captures: Captures): OpaqueLayer {
+  *shade(frame: FrameInput, captures: Captures): Steps<OpaqueLayer> {
     if (!this.#light) throw new Error("The refined image has not begun yet.");
     const light = { ...this.#light, captureOrigin: captures.shadow.captureOrigin };
     const { instances, clipFromWorld, settings } = frame;
@@ -146,6 +148,7 @@ export class RefinedStage implements OpaqueStage {
     for (const tile of this.#tiles.splice(0, settings.steps ?? 0)) {
       this.#drawTile(frame, light, captures, tile);
     }
+    yield;
     const { color: uRadiance, depth } = this.#whole;
     if (!depth) throw new Error("The refined image keeps its depth.");
     const textures = { uRadiance, uDepth: depth };
