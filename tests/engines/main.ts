@@ -11,6 +11,11 @@ import { caseMarkup, Session, type Survey, survey } from "./survey.ts";
 const REFERENCE: PairName = "chromium-swiftshader";
 /** Where draws or queries block the page for longest; the short run tries out keys there. */
 const SLOW_DRIVERS: readonly PairName[] = ["chromium-gl", "webkit"];
+/**
+ * In the matrix each visit is a first one, without the programs that Mesa compiled before. Not in `npm test`: beside
+ * other load, compiling alone takes longer than the trial of keys allows.
+ */
+const COLD = { MESA_SHADER_CACHE_DISABLE: "true", MESA_GLSL_CACHE_DISABLE: "true" };
 /** Browsers at work at a time. */
 const LANES = 2;
 
@@ -31,6 +36,7 @@ export interface Result extends Survey {
 
 /** Surveys every pair, judges, tells; @returns whether nothing failed */
 export async function main({ isShort, only = "", cases = "", counts }: Options): Promise<boolean> {
+  if (!isShort) Object.assign(process.env, COLD);
   const wanted = PAIRS.filter((name) => name.includes(only));
   const { pairs, missing } = await findPairs(
     PAIRS.filter((name) => name === REFERENCE || wanted.includes(name)),

@@ -165,11 +165,8 @@ export function killGroup(pid: number): void {
   }
 }
 
-/** Each visit is a first one: without what Mesa keeps of programs that it compiled before. */
-const COLD = { MESA_SHADER_CACHE_DISABLE: "true", MESA_GLSL_CACHE_DISABLE: "true" };
-
 /** This process's environment with others' values. */
 export function environment(env: Launch["env"]): Record<string, string> {
-  const all = Object.entries({ ...process.env, ...COLD, ...env });
+  const all = Object.entries({ ...process.env, ...env });
   return Object.fromEntries(all.filter((entry): entry is [string, string] => Boolean(entry[1])));
 }
