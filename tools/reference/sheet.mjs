@@ -1,11 +1,13 @@
-// npm run reference:sheet: ours, theirs and the difference, view by view, into docs/reference/.
+// npm run reference:sheet: ours, theirs and the difference, view by view, into docs/reference/ or REFERENCES.
 import { readdirSync, readFileSync } from "node:fs";
 import sharp from "sharp";
 import { half } from "./half.mjs";
 import { FIXTURES, height, inEachRoom, readSource, width } from "./room.mjs";
 import { stageView } from "./stage.mjs";
 
-const SHEET = new URL("../../docs/reference/sheet.jpg", import.meta.url);
+const SHEET = process.env.REFERENCES
+  ? new URL("sheet.jpg", FIXTURES)
+  : new URL("../../docs/reference/sheet.jpg", import.meta.url);
 const GAP = 4;
 /** Relative difference of luminance at which the colour is full. */
 const FULL = 0.5;
@@ -25,8 +27,10 @@ function difference(ours, theirs, counts) {
   return share > 0 ? [255, amount, amount] : [amount, amount, 255];
 }
 
-const files = readdirSync(FIXTURES).filter((file) => file.endsWith(".json"));
-const views = files.map((file) => JSON.parse(readFileSync(new URL(file, FIXTURES))));
+const traced = readdirSync(FIXTURES).filter((file) => file.endsWith(".bin"));
+const views = traced.map((file) =>
+  JSON.parse(readFileSync(new URL(file.replace(".bin", ".json"), FIXTURES))),
+);
 const pictures = await inEachRoom("high", views, async (views, evaluate) => {
   const pictures = [];
   for (const view of views) {
