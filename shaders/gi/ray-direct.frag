@@ -50,7 +50,7 @@ vec3 radianceAlong(ProbeRay ray, vec3 position) {
   float fromProbe = max(dot(ray.normal, -ray.direction), 0.0) * area / (ray.reach * ray.reach);
   vec4 reflectance = texelFetch(uRayReflectance, ray.texel, 0);
   vec3 reflected = reflectance.rgb * (NoL * glossyLobe(reflectance.a, ray.normal, -moon.direction, -ray.direction));
-  vec3 radiance = isPane ? vec3(moon.sky) : reflected;
+  vec3 radiance = isPane ? vec3(moon.sky * paneShare(ray.direction)) : reflected;
   return radiance * rayWeight(fromProbe, ray.solidAngle);
 }
 #else

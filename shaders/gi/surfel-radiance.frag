@@ -88,6 +88,7 @@ void main() {
   float visibility = surfelVisibility(tile, direction, reach);
 #ifdef MOON
   vec3 toLight = -moon.direction;
+  if (isPaneSurfel(texel, size)) solidAngle *= paneShare(direction);
 #else
   vec3 toLight = normalize(light.captureOrigin - surfel.position);
 #endif

@@ -34,6 +34,22 @@ bool isOnMap(vec2 place) {
   return all(greaterThanEqual(place, vec2(0.0))) && all(lessThan(place, vec2(1.0)));
 }
 
+// The wood's luminance as a share of the sky's, and the mean height of its line over the horizon, as a slope.
+const float WOOD = 0.06;
+const float TREES = -0.01;
+
+// Luminance of the night at a slope over the horizon as a share of the sky's, above an edge of trees: brighter towards
+// the horizon, by scattering in the air.
+float nightShare(float slope, float edge) {
+  float sky = 1.0 + 0.5 * exp(-4.0 * max(slope, 0.0));
+  return mix(WOOD, sky, smoothstep(-0.004, 0.004, slope - edge));
+}
+
+// The same through a pane, in a direction of length 1.
+float paneShare(vec3 direction) {
+  return nightShare(direction.y / max(length(direction.xz), 1e-3), TREES);
+}
+
 // Distance before the panes up to which a surface may be one: glass is never flat, m.
 const float PANE_DEPTH = 0.02;
 // What is rougher there is the frame.

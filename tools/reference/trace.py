@@ -19,8 +19,14 @@ SAMPLES = int(os.environ.get("SAMPLES", "128"))
 # from the side. An opaque ellipsoid would be four times too dim from above.
 LAMPS = 8
 LUMA = (0.2126729, 0.7151522, 0.072175)
-# Width of the moon, degrees, and the materials of its window.
+# Width of the moon, degrees.
 MOON_WIDTH = 0.52
+# The wood's luminance as a share of the sky's, its height as a slope, and what is seen through a pane.
+WOOD = 0.06
+TREES = -0.01
+PANE = 0.86
+SKY_ROWS = 4096
+# Materials of its window.
 PANES = {"pane", "night"}
 # Pixels around candle and flame that are not compared: half of a filter's width, and a little.
 MARGIN = 2
@@ -132,14 +138,35 @@ def add_moon(scene, moon):
     way = ROOM_TO_BLENDER.to_3x3() @ Vector(moon["direction"])
     node.rotation_euler = way.to_track_quat("-Z", "Y").to_euler()
     scene.collection.objects.link(node)
+    add_sky(scene, moon["sky"])
+
+
+def add_sky(scene, color):
+    """The night's sky over a wood, cd/m²: `nightShare` of shaders/lib/moon.glsl. What the camera sees, it sees through panes."""
+    slopes = numpy.tan((numpy.arange(SKY_ROWS) + 0.5) / SKY_ROWS * math.pi - math.pi / 2)
+    shares = numpy.where(slopes > TREES, 1 + 0.5 * numpy.exp(-4 * slopes.clip(0)), WOOD)
+    image = bpy.data.images.new("sky", 2, SKY_ROWS, float_buffer=True, is_data=True)
+    image.pixels = numpy.repeat([[*(share * channel for channel in color), 1] for share in shares], 2, axis=0).ravel()
     scene.world = bpy.data.worlds.new("night")
     scene.world.use_nodes = True
-    scene.world.node_tree.nodes["Background"].inputs["Color"].default_value = (*moon["sky"], 1)
+    nodes, link = scene.world.node_tree.nodes, scene.world.node_tree.links.new
+    sky = nodes.new("ShaderNodeTexEnvironment")
+    sky.image = image
+    link(sky.outputs["Color"], nodes["Background"].inputs["Color"])
+    strength = nodes.new("ShaderNodeMapRange")
+    link(nodes.new("ShaderNodeLightPath").outputs["Is Camera Ray"], strength.inputs["Value"])
+    strength.inputs["To Min"].default_value = 1
+    strength.inputs["To Max"].default_value = PANE
+    link(strength.outputs["Result"], nodes["Background"].inputs["Strength"])
 
 
-def open_window(nodes, window):
-    """Takes out panes and the night behind them: faces of these materials within a box of the room, metres."""
+def open_window(scene, nodes, window):
+    """Takes out panes and the night behind them: faces of these materials within a box of the room, metres.
+
+    Light comes in where the panes were: joints between frame and wall are closed, as the night behind them closed them.
+    """
     low, high = window
+    glass = []
     for node in nodes:
         if node.type != "MESH":
             continue
@@ -155,9 +182,30 @@ def open_window(nodes, window):
             is_inside = all(low[k] <= corner[k] <= high[k] for corner in corners for k in range(3))
             if names[face.material_index] in PANES and is_inside:
                 gone.append(face)
+                if names[face.material_index] == "pane":
+                    glass.extend(corners)
         bmesh.ops.delete(mesh, geom=gone, context="FACES")
         mesh.to_mesh(node.data)
         mesh.free()
+    add_surround(scene, glass)
+
+
+def add_surround(scene, glass):
+    """A black wall around an opening whose panes, corners of which these are, face along x."""
+    at = sum(corner.x for corner in glass) / len(glass)
+    edges = [[choose(corner[k] for corner in glass) for choose in (min, max)] for k in (1, 2)]
+    points = [(at, y, z) for y in edges[0] for z in edges[1]]
+    points += [(at, y + side, z + turn) for y, side in zip(edges[0], (-1, 1)) for z, turn in zip(edges[1], (-1, 1))]
+    mesh = bpy.data.meshes.new("surround")
+    mesh.from_pydata(points, [], [(0, 1, 5, 4), (1, 3, 7, 5), (3, 2, 6, 7), (2, 0, 4, 6)])
+    black = bpy.data.materials.new("reference-surround")
+    black.use_nodes = True
+    black.node_tree.nodes["Principled BSDF"].inputs["Base Color"].default_value = (0, 0, 0, 1)
+    black.node_tree.nodes["Principled BSDF"].inputs["Specular IOR Level"].default_value = 0
+    mesh.materials.append(black)
+    node = bpy.data.objects.new("surround", mesh)
+    node.matrix_world = ROOM_TO_BLENDER
+    scene.collection.objects.link(node)
 
 
 def add_lamps(scene, position, lamp):
@@ -266,7 +314,7 @@ def main(view_path, folder):
     for node in room:
         node.pass_index = 1 if node.name.startswith("candles") else 0
     if "moon" in view:
-        open_window(room, view["moon"]["window"])
+        open_window(scene, room, view["moon"]["window"])
         add_moon(scene, view["moon"])
     x, y, z = view["candle"]["foot"]
     place = ROOM_TO_BLENDER @ Matrix.Translation((x, y, z)) @ Matrix.Rotation(view["candle"]["turn"], 4, "Y") @ ROOM_TO_BLENDER.inverted()
