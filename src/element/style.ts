@@ -70,6 +70,7 @@ slot[name="poster"][hidden] {
   text-align: center;
   text-wrap: balance;
 }
+/* The delay is no part of the animation: while one runs, software compositors draw the page 60 times a second. */
 [part="hint"] p {
   display: inline-block;
   margin: 0;
@@ -78,9 +79,9 @@ slot[name="poster"][hidden] {
   background: #0b0705cc;
   color: #e4d5bd;
   font-size: 0.9375rem;
-  animation: hint 5s ease-in forwards;
+  animation: hint 0.5s ease-in 4.5s forwards;
 }
-[part="hint"] .controls, ::slotted([slot="hint"]) { animation: hint 8s ease-in forwards; }
+[part="hint"] .controls, ::slotted([slot="hint"]) { animation: hint 0.5s ease-in 7.5s forwards; }
 [part="hint"] .lasting { animation-name: dim; }
 [part="hint"] kbd {
   display: inline-block;
@@ -91,8 +92,8 @@ slot[name="poster"][hidden] {
   border-radius: 2px;
   font: 0.8em/1.6 system-ui, sans-serif;
 }
-@keyframes hint { 0%, 80% { opacity: 1 } 100% { opacity: 0 } }
-@keyframes dim { 0%, 80% { opacity: 1 } 100% { opacity: 0.6 } }
+@keyframes hint { to { opacity: 0 } }
+@keyframes dim { to { opacity: 0.6 } }
 @media (prefers-contrast: more) {
   [part="hint"] p, [part="error"] p { background: #000; color: #fff; outline: 1px solid; }
   :host(:focus-visible) { outline-width: 4px; outline-color: #fff; }

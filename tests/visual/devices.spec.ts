@@ -188,6 +188,20 @@ test("The sensitivity is how far the mouse turns the view", async ({ page }) => 
   expect((await room.camera()).yaw).toBeCloseTo(-10 * 0.0022 * 3, 6);
 });
 
+test("The hint animates only while it fades: browsers composite the whole page meanwhile", async ({
+  page,
+}) => {
+  const room = await openControls(page);
+  await room.evaluate((element) => element.enter());
+  const timings = await room.evaluate((element) => {
+    const line = element.shadowRoot?.querySelector("[part=hint] p");
+    return line?.getAnimations().map(({ effect }) => effect?.getComputedTiming());
+  });
+  expect(timings).toHaveLength(1);
+  expect(timings?.[0]?.activeDuration).toBeLessThanOrEqual(500);
+  expect(timings?.[0]?.endTime).toBe(8000);
+});
+
 test("Contrast and forced colours reach the hint", async ({ page }) => {
   const room = await openControls(page);
   await room.evaluate((element) => element.enter());
