@@ -16,7 +16,12 @@ const ROWS: Readonly<Record<string, readonly string[]>> = {
     "opaque/upsample",
   ],
   "opaque: forward": ["opaque/forward", "resolve"],
-  "opaque: lighting": ["opaque/lighting", "opaque/gather"],
+  "opaque: lighting": [
+    "opaque/lighting",
+    "opaque/moon-lighting",
+    "opaque/sum-lighting",
+    "opaque/gather",
+  ],
   "volumetric: flame, smoke, haze, particles": ["volumetric/"],
   bloom: ["post/bloom"],
   "anti-aliasing, upscaling": ["post/fxaa", "post/upscale"],
@@ -48,7 +53,8 @@ export function ladderTable({ steps }: Ladder): string {
 
 const written = (copies: number) => copies.toFixed(copies < 100 ? 1 : 0);
 
-function rowOf(pass: string): string {
+/** The row that a pass counts towards. */
+export function rowOf(pass: string): string {
   const row = Object.entries(ROWS).find(([, begins]) =>
     begins.some((begin) => pass.startsWith(begin)),
   );

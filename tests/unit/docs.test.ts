@@ -2,7 +2,7 @@ import { existsSync, readdirSync, readFileSync, statSync } from "node:fs";
 import { dirname, join, posix } from "node:path";
 import sharp from "sharp";
 import { describe, expect, test } from "vitest";
-import { ladderTable, passTable, scalingTable } from "../bench/tables.ts";
+import { ladderTable, passTable, rowOf, scalingTable } from "../bench/tables.ts";
 import { ANISOTROPIC_LIMITS, DECODED_LIMITS, ULTRA_LIMITS } from "../engines/compare.ts";
 
 const read = (file: string): string => readFileSync(file, "utf8");
@@ -135,6 +135,17 @@ describe("README.md", () => {
 describe("what is measured", () => {
   const results = JSON.parse(read("docs/bench/results.json"));
   const page = read("docs/performance.md");
+
+  test("the bench's table has a row for each pass of the frame", () => {
+    const folders = ["gbuffer", "gi", "opaque", "post", "shadow", "volumetric"];
+    const passes = folders.flatMap((folder) =>
+      readdirSync(join("shaders", folder))
+        .filter((file) => file.endsWith(".frag"))
+        .map((file) => `${folder}/${file.replace(".frag", "")}`),
+    );
+    expect(passes.length).toBeGreaterThan(40);
+    for (const pass of passes) expect(() => rowOf(pass), pass).not.toThrow();
+  });
 
   test("docs/performance.md has the tables of docs/bench/*.json", () => {
     expect(page).toContain(ladderTable(results.ladder));
