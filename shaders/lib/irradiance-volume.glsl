@@ -42,6 +42,10 @@ float probeVisibility(vec2 depth, float reach) {
   return variance / (variance + beyond * beyond);
 }
 
+#ifndef VOLUME_CORNERS
+#define VOLUME_CORNERS 8
+#endif
+
 // Irradiance at one point by two normals, lx: the surface's, and its mirrored view ray.
 struct IrradianceSample {
   vec3 alongNormal;
@@ -107,7 +111,7 @@ IrradianceSample irradianceAt(vec3 position, vec3 facing, vec3 normal, vec3 refl
   IrradianceSample sum = IrradianceSample(vec3(0.0), vec3(0.0));
 #endif
   float total = 0.0;
-  for (int i = 0; i < 8; i++) {
+  for (int i = 0; i < VOLUME_CORNERS; i++) {
     vec3 corner = volumeCorner(i);
     ivec2 tile = tileAt(cell.low + corner);
     float weight = probeWeight(cell, corner, position, facing);

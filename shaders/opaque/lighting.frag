@@ -5,6 +5,7 @@
 // Out: square roots of the albedo's factor, cd/m², and of what is added to it; REDUCED: inverse depth.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
+#include "lib/loop-count.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/random.glsl"
 #include "lib/depth.glsl"
@@ -13,6 +14,7 @@
 #include "lib/dielectric.glsl"
 #include "lib/shadow-cube.glsl"
 #include "lib/pcss.glsl"
+#define VOLUME_CORNERS COUNT(8)
 #include "lib/irradiance-volume.glsl"
 #include "lib/wax.glsl"
 #include "lib/gbuffer.glsl"
@@ -61,7 +63,7 @@ vec4 flameLighting(LightingTexel texel, Viewing v, sampler2D cube, sampler2D sup
   if (dot(normal, light.position) > dot(normal, position)) {
     vec2 tile = mod(floor(gl_FragCoord.xy), 2.0);
     visibility = candleVisibility(position);
-    visibility *= flameVisibility(cube, SHADOW_SEARCH, SHADOW_TAPS, position, normal, 0.0, tile).x;
+    visibility *= flameVisibility(cube, COUNT(SHADOW_SEARCH), COUNT(SHADOW_TAPS), position, normal, 0.0, tile).x;
   }
   float metallic = metallicOf(texel.material);
   vec3 toLight = light.position - position;

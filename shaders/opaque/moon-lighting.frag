@@ -4,6 +4,7 @@
 // Out: square roots of the albedo's factor, cd/m², and of what is added to it. The moon's light is colourless here.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
+#include "lib/loop-count.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/random.glsl"
 #include "lib/depth.glsl"
@@ -12,6 +13,7 @@
 #include "lib/moon.glsl"
 #include "lib/moon-shadow.glsl"
 #include "lib/night-sky.glsl"
+#define VOLUME_CORNERS COUNT(8)
 #include "lib/irradiance-volume.glsl"
 #include "lib/gbuffer.glsl"
 #include "lib/representative-sample.glsl"
