@@ -16,7 +16,7 @@ import { visibleRuns } from "../mesh/visible-runs.js";
 import { type GBufferSamples, UpsampleGuidePass } from "../opaque/upsample-guide-pass.js";
 import { SCHEDULE } from "../schedule.js";
 import { bandOf, clipOfBox } from "../screen-bounds.js";
-import type { Steps } from "../steps.js";
+import { finish, type Steps } from "../steps.js";
 import { AlbedoCache, isBaked } from "./albedo-cache.js";
 import type { GBuffer } from "./gbuffer.js";
 import {
@@ -61,7 +61,7 @@ export class GBufferPass {
   readonly #programs = new Map<string, Program>();
   readonly #lods: MeshLods;
   readonly #albedos: AlbedoCache;
-  /** Programs of the reduced G-buffer that were drawn with, and whether these are all. */
+  /** Programs that were drawn with, and whether these are all of the reduced G-buffer. */
   readonly #rehearsed = new Set<Program>();
   #isReducedReady = false;
   #reduced: RenderTarget | null = null;
@@ -137,7 +137,7 @@ export class GBufferPass {
       else yield* this.#fill(frame, key, lightingSize);
     }
     this.#wasReduced = isMoving || key !== this.#fullKey;
-    if (this.#wasReduced) return this.#renderReduced(frame, key);
+    if (this.#wasReduced) return yield* this.#renderReduced(frame, key);
     this.#previous = null;
     yield;
     if (canDefer) this.#prepareReduced(frame);
@@ -158,7 +158,7 @@ export class GBufferPass {
     return captureOrigin(frame).map((x) => Math.round(x / step) * step);
   }
 
-  #renderReduced(frame: FrameInput, key: string): GBuffer {
+  *#renderReduced(frame: FrameInput, key: string): Steps<GBuffer> {
     const target = this.#targetOf("reduced");
     const { clipFromWorld, instances, settings } = frame;
     const current = reprojectionSource(instances, clipFromWorld, settings.features);
@@ -170,7 +170,7 @@ export class GBufferPass {
       this.#reducedKey = key;
       this.#gpu.clear(target, NOTHING);
       this.#updateIncrementally(instances);
-      this.#drawModels(target, frame, true);
+      yield* this.#drawModels(target, frame, true);
       this.#previous = current;
     }
     this.#reducedFrameDepth ??= this.#gpu.texture({
@@ -194,9 +194,9 @@ export class GBufferPass {
     this.#fullKey = key;
     const target = this.#targetOf("full");
     this.#gpu.clear(target, NOTHING);
-    this.#drawModels(target, frame, false);
-    yield;
+    yield* this.#drawModels(target, frame, false);
     this.#guide.chooseRepresentatives(samplesOf(target), lightingSize);
+    yield;
     this.#guide.resolve(samplesOf(target), lightingSize);
   }
 
@@ -210,7 +210,7 @@ export class GBufferPass {
       const target = this.#targetOf("full");
       const scissor = bandOf(target, band, surfaces);
       this.#gpu.clear(target, NOTHING, scissor);
-      this.#drawModels(target, frame, false, scissor);
+      finish(this.#drawModels(target, frame, false, scissor));
       return;
     }
     const samples = samplesOf(this.#targetOf("full"));
@@ -222,14 +222,17 @@ export class GBufferPass {
     this.#fullKey = key;
   }
 
-  #drawModels(target: RenderTarget, frame: FrameInput, isReduced: boolean, scissor?: Box): void {
+  /** In steps that end where many drivers compile: at a program's first draw. */
+  *#drawModels(target: RenderTarget, frame: FrameInput, isReduced: boolean, scissor?: Box): Steps {
     const { clipFromWorld } = frame;
     const isVisible = frustumTest(
       scissor ? clipOfBox(scissor, target, clipFromWorld) : clipFromWorld,
     );
     for (const instance of frame.instances) {
       for (const mesh of isReduced ? this.#lods.merged(instance.meshes) : instance.meshes) {
+        const drawn = this.#rehearsed.size;
         this.#drawMesh(mesh, instance, frame, { target, isReduced, isVisible, scissor });
+        if (this.#rehearsed.size > drawn) yield;
       }
     }
   }
@@ -241,7 +244,6 @@ export class GBufferPass {
       for (const mesh of this.#lods.merged(instance.meshes)) {
         const program = this.#programFor(true, this.#albedos.of(mesh) !== null, mesh);
         if (this.#rehearsed.has(program)) continue;
-        this.#rehearsed.add(program);
         const target = this.#targetOf("reduced");
         const isVisible = () => true;
         this.#drawMesh(mesh, instance, frame, {
@@ -315,6 +317,7 @@ export class GBufferPass {
     };
     for (const { first, count } of visibleRuns(mesh, placement, isVisible)) {
       this.#gpu.draw({ ...draw, first, count });
+      this.#rehearsed.add(draw.program);
     }
   }
 }

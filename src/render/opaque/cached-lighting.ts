@@ -92,11 +92,12 @@ export class CachedLighting {
     let uIntensity: Rgb = flame.intensity;
     for (const light of lights) {
       yield;
+      const uCachedLighting = yield* this.#layerOf(light, frame, gbuffer, size);
       sums.reverse();
       this.#gpu.draw({
         program: this.#gpu.program("opaque/sum-lighting", fullscreenVert, sumFrag),
         target: sums[0],
-        textures: { uLighting, uCachedLighting: this.#layerOf(light, frame, gbuffer, size) },
+        textures: { uLighting, uCachedLighting },
         uniforms: { uIntensity, uCachedIntensity: light.intensity, uColor },
       });
       uLighting = sums[0].color;
@@ -111,12 +112,12 @@ export class CachedLighting {
   }
 
   /** The lighting by one light, which stays until camera, models or the light have moved. */
-  #layerOf(
+  *#layerOf(
     light: CachedLight,
     { settings, clipFromWorld }: FrameInput,
     { surface, depth, albedo, representative, key: gbufferKey }: GBuffer,
     size: { readonly width: number; readonly height: number },
-  ): Texture {
+  ): Steps<Texture> {
     const known = this.#layers.get(light.name);
     const layer = known ?? { target: this.#target(light.name, size), key: "" };
     this.#layers.set(light.name, layer);
@@ -151,6 +152,7 @@ export class CachedLighting {
         Volume: light.irradiance.block,
       },
     });
+    yield;
     return layer.target.color;
   }
 
