@@ -12,8 +12,8 @@ export function optionsOf(element: ReflectedAttributes, look: Look): Options {
   const isStill = motion === "reduced" || (motion === "auto" && matchMedia(LESS_MOTION).matches);
   const direction = (element.windDirection * Math.PI) / 180;
   const wind = { speed: element.wind, direction, gustiness };
-  const ownWick = element.hasAttribute("wick") ? wick / 1000 : null;
-  const flame = { unlit, litWicks: parseIndices(element.litWicks), wick: ownWick, wind };
+  const wickDiameter = element.hasAttribute("wick") ? wick / 1000 : null;
+  const flame = { unlit, litWicks: parseIndices(element.litWicks), wick: wickDiameter, wind };
   return { look, seed, quality, exposure, particles, isStill, ...flame, moon: moonWish(element) };
 }
 

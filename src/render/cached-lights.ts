@@ -11,17 +11,17 @@ import { MoonCaptures } from "./moon/moon-captures.js";
 import type { PhysicalTier } from "./quality.js";
 import type { ShadowCasters } from "./shadow/shadow-casters.js";
 import { shadowAtlas } from "./shadow/shadow-pass.js";
-import { StandingLight, type StandingSlot } from "./standing-light.js";
+import { StandingCandleCaptures, type StandingSlot } from "./standing-candle-captures.js";
 import type { Steps } from "./steps.js";
 
 /** The lights beside the carried flame, each captured when it first shines. */
 export class CachedLights {
   readonly #makeMoon: () => MoonCaptures;
-  readonly #makeStanding: (slot: number, slots: number) => StandingLight;
+  readonly #makeStanding: (slot: number, slots: number) => StandingCandleCaptures;
   readonly #mostCandles: number;
   #moon: MoonCaptures | null = null;
   /** Of candles that burn, or have burnt. */
-  readonly #standing: StandingLight[] = [];
+  readonly #standing: StandingCandleCaptures[] = [];
 
   /** @param known targets that bounces are computed in at once; null for its own */
   constructor(gpu: Gpu, scene: IndirectScene, tier: PhysicalTier, known: IndirectTargets | null) {
@@ -38,7 +38,10 @@ export class CachedLights {
         shadows: shadowAtlas(gpu, tier.shadow.size, slots),
         supports: supportTarget(gpu, slots),
       };
-      return new StandingLight(gpu, scene, tier.indirect, targets(), { ...standing, slot });
+      return new StandingCandleCaptures(gpu, scene, tier.indirect, targets(), {
+        ...standing,
+        slot,
+      });
     };
     this.#makeMoon = () => new MoonCaptures(gpu, scene, tier, targets());
   }
@@ -79,12 +82,13 @@ export class CachedLights {
     { name }: StandingCandle,
     burning: readonly StandingCandle[],
     slots: number,
-  ): StandingLight {
+  ): StandingCandleCaptures {
     const known = this.#standing.find((light) => light.name === name);
     if (known) return known;
     const { length } = this.#standing;
     if (length < slots) this.#standing.push(this.#makeStanding(length, slots));
-    const isFree = (light: StandingLight) => burning.every((candle) => candle.name !== light.name);
+    const isFree = (light: StandingCandleCaptures) =>
+      burning.every((candle) => candle.name !== light.name);
     const free = this.#standing.findLast(isFree);
     if (!free) throw new Error("No more candles light the room than there are captures.");
     return free;

@@ -1,5 +1,5 @@
+import { readBuiltInModel } from "../assets/built-in-model.js";
 import { closeModel, type Model } from "../assets/model.js";
-import { readOwnModel } from "../assets/own-model.js";
 import { LoneCandleRenderer } from "../render/lone-candle-renderer.js";
 import type { PageSmoke } from "./page-smoke.js";
 import type { Loading, Scene, SceneRequest } from "./scene.js";
@@ -11,7 +11,7 @@ export async function loadLoneCandle(
   { createPlume, smokePass }: PageSmoke,
 ): Promise<Scene> {
   const url = new URL("models/chamberstick.glb", assetRoot);
-  const model: Model = await readOwnModel(url, signal, onProgress);
+  const model: Model = await readBuiltInModel(url, signal, onProgress);
   return {
     room: null,
     first: null,

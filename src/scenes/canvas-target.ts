@@ -26,10 +26,10 @@ export interface CanvasTarget {
 
 /** The target that a scene is drawn to. Throws where there is no WebGL 2. */
 export function createCanvasTarget(scene: SceneName, canvas: HTMLCanvasElement): CanvasTarget {
-  return scene === "candle" ? new SharedContextTarget(canvas) : new OwnContextTarget(canvas);
+  return scene === "candle" ? new SharedContextTarget(canvas) : new DedicatedContextTarget(canvas);
 }
 
-class OwnContextTarget implements CanvasTarget {
+class DedicatedContextTarget implements CanvasTarget {
   gpu: Gpu;
   readonly source: HTMLCanvasElement;
   readonly canvas: HTMLCanvasElement;

@@ -67,8 +67,8 @@ export async function loadScene(request: SceneRequest, loading: Loading): Promis
   if (request.scene === "candle") {
     if (request.isStepped) await fetchPageSmoke();
     if (request.src !== "") {
-      const { loadOwnCandle } = await import("./own-candle-scene.js").catch(missCode);
-      const own = await loadOwnCandle(request, loading, PAGE_SMOKE);
+      const { loadCustomCandle } = await import("./custom-candle-scene.js").catch(missCode);
+      const own = await loadCustomCandle(request, loading, PAGE_SMOKE);
       if (own) return own;
     }
     const { loadLoneCandle } = await import("./candle-scene.js").catch(missCode);

@@ -24,8 +24,8 @@ import type { Steps } from "../steps.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
 import { CandleLayers } from "./candle-layers.js";
 import { ENVIRONMENT_BRDF_SIZE, tabulateEnvironmentBrdf } from "./environment-brdf.js";
+import { MultiLightInputs } from "./multi-light-inputs.js";
 import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "./opaque-stage.js";
-import { StandingLights } from "./standing-lights.js";
 
 /** What surfaces are drawn to: a target, or a part of a larger frame that it holds. */
 interface SurfacePass extends Pick<Draw, "target" | "viewport" | "scissor"> {
@@ -94,7 +94,7 @@ export class ForwardStage implements OpaqueStage {
   readonly #candleLayers: CandleLayers;
   /** The standing candles that burn in it. */
   #candles: readonly CachedLight[] = [];
-  #standing: StandingLights | null = null;
+  #standing: MultiLightInputs | null = null;
   /** Whether the radiance is of all flames as they burn: in motion, and until each candle has its layer. */
   #isOfAll = false;
   /** What the radiance depends on beside the flame's place, and that place. */
@@ -250,7 +250,7 @@ export class ForwardStage implements OpaqueStage {
     if (candles.length > 0) {
       const { intensity } = lightBlock(frame.world, frame.settings.features.candle);
       this.#shadingLight.update({ intensity });
-      this.#standing ??= new StandingLights(this.#gpu, pass.program, this.format);
+      this.#standing ??= new MultiLightInputs(this.#gpu, pass.program, this.format);
       const inputs = this.#standing.inputs(candles, captures, intensity);
       Object.assign(pass.textures, inputs.textures);
       Object.assign(pass.blocks, inputs.blocks);

@@ -17,8 +17,8 @@ import type { PhysicalTier, ShadowQuality } from "../quality.js";
 import { SCHEDULE } from "../schedule.js";
 import type { Steps } from "../steps.js";
 import { representativeColor } from "./cached-lighting.js";
+import { MultiLightInputs } from "./multi-light-inputs.js";
 import type { OpaqueLayer } from "./opaque-stage.js";
-import { StandingLights } from "./standing-lights.js";
 
 /** Lighting of a frame, and the light that it is per candela of. */
 interface Lit extends Pick<OpaqueLayer, "uniforms"> {
@@ -44,7 +44,7 @@ export class LightingPass {
   /** The light that represents all, of which the lighting in motion is. */
   readonly #representative: UniformBlock;
   #isOfAll = false;
-  #standing: StandingLights | null = null;
+  #standing: MultiLightInputs | null = null;
   #key = "";
   #fullTarget: RenderTarget | null = null;
   #reducedTarget: RenderTarget | null = null;
@@ -194,7 +194,7 @@ export class LightingPass {
     const uColor = representativeColor(intensity, cached);
     this.#representative.update({ ...flame, intensity: uColor });
     this.#shadingLight.update({ intensity });
-    this.#standing ??= new StandingLights(this.#gpu, program, this.format);
+    this.#standing ??= new MultiLightInputs(this.#gpu, program, this.format);
     const { textures, blocks } = this.#standing.inputs(cached, { shadow, irradiance }, intensity);
     const moon = moonOf(cached);
     const candle = cached.find(({ kind }) => kind === "candle");

@@ -18,7 +18,7 @@ import type { Mesh } from "../mesh/mesh.js";
 import type { FrameBlocks } from "../opaque/opaque-stage.js";
 import type { PhysicalTier } from "../quality.js";
 import { mergeOverlapping, type Sphere, screenBounds } from "../screen-bounds.js";
-import { RIM } from "../standing-light.js";
+import { RIM } from "../standing-candle-captures.js";
 import { carriedWick, type FlamePart, FlamePass, standingWick } from "./flame-pass.js";
 import { HazePass, type HotAir } from "./haze-pass.js";
 import { MotesPass } from "./motes-pass.js";

@@ -1,5 +1,5 @@
 import { closeModel } from "../assets/model.js";
-import { OwnModelRenderer } from "../render/lone-candle/own-model-renderer.js";
+import { CustomModelRenderer } from "../render/lone-candle/custom-model-renderer.js";
 import { clampInside, type Vec3 } from "../world/geometry.js";
 import type { Wick } from "../world/standing-candle.js";
 import type { PageSmoke } from "./page-smoke.js";
@@ -10,7 +10,7 @@ import type { Loading, Scene, SceneRequest } from "./scene.js";
 const BESIDE = 0.1;
 
 /** A visitor's own candles alone; null where the model has no wick. */
-export async function loadOwnCandle(
+export async function loadCustomCandle(
   { src, assetRoot }: SceneRequest,
   { signal, onProgress }: Loading,
   { createPlume, smokePass }: PageSmoke,
@@ -49,7 +49,7 @@ export async function loadOwnCandle(
     isModelAlone: true,
     prepareRenderer: () => true,
     createRenderer: (screen, tier) => {
-      const renderer = new OwnModelRenderer(screen.gpu, model, wicks, tier, smokePass);
+      const renderer = new CustomModelRenderer(screen.gpu, model, wicks, tier, smokePass);
       screen.own(renderer);
       return renderer;
     },

@@ -4,7 +4,7 @@ import { openContainer } from "./glb.js";
 import type { Material, Model, Part, TextureImage } from "./model.js";
 
 /** The subset of glTF that our own files use. */
-interface OwnDocument {
+interface BuiltInDocument {
   readonly accessors: readonly {
     readonly bufferView: number;
     readonly byteOffset?: number;
@@ -25,7 +25,7 @@ interface OwnDocument {
       readonly material: number;
     }[];
   }[];
-  readonly materials: readonly OwnMaterial[];
+  readonly materials: readonly BuiltInMaterial[];
   readonly textures: readonly {
     readonly source: number;
     readonly extensions?: { readonly EXT_texture_avif?: { readonly source: number } };
@@ -33,7 +33,7 @@ interface OwnDocument {
   readonly images: readonly { readonly uri: string }[];
 }
 
-interface OwnMaterial {
+interface BuiltInMaterial {
   readonly name: string;
   readonly pbrMetallicRoughness: {
     readonly baseColorFactor?: readonly [number, number, number, number];
@@ -54,7 +54,7 @@ const FILE_SHARE = 0.6;
  *
  * It needs nothing of three.js, which reads visitors' models.
  */
-export async function readOwnModel(
+export async function readBuiltInModel(
   url: URL,
   signal: AbortSignal,
   onProgress: (progress: number) => void,
@@ -67,7 +67,7 @@ export async function readOwnModel(
     });
     const { json, binary } = openContainer(bytes);
     if (!binary) throw new Flaw("has no binary chunk");
-    const document = json as OwnDocument;
+    const document = json as BuiltInDocument;
     const images = new Map<number, Promise<TextureImage>>();
     const image = (texture: { readonly index: number } | undefined) => {
       if (!texture) return null;
@@ -87,7 +87,7 @@ export async function readOwnModel(
 }
 
 async function readImage(
-  { textures, images }: OwnDocument,
+  { textures, images }: BuiltInDocument,
   index: number,
   base: URL,
   signal: AbortSignal,
@@ -102,7 +102,7 @@ async function readImage(
 }
 
 async function readMaterial(
-  { name, pbrMetallicRoughness: pbr, normalTexture }: OwnMaterial,
+  { name, pbrMetallicRoughness: pbr, normalTexture }: BuiltInMaterial,
   image: (texture: { readonly index: number } | undefined) => Promise<TextureImage> | null,
 ): Promise<Material> {
   const [albedo, packed, normal] = await Promise.all([
@@ -130,7 +130,7 @@ async function readMaterial(
 }
 
 function modelOf(
-  document: OwnDocument,
+  document: BuiltInDocument,
   binary: Uint8Array<ArrayBuffer>,
   materials: readonly Material[],
 ): Model {

@@ -16,7 +16,7 @@ const SWAY = 0.008;
 const TAPER_VIEW = 0.3;
 
 /** Camera of a model alone. */
-export interface OwnFraming {
+export interface CustomFraming {
   readonly eye: Vec3;
   readonly pitch: number;
   readonly fieldOfView: number;
@@ -41,7 +41,7 @@ export function boundsWithFlames({ min, max }: Bounds, wicks: readonly Wick[]): 
 }
 
 /** Camera from in front and a little above, for which a box fills a canvas of this aspect, uncropped. */
-export function frameBox({ min, max }: Bounds, aspect: number): OwnFraming {
+export function frameBox({ min, max }: Bounds, aspect: number): CustomFraming {
   const width = Math.max(max[0] - min[0], max[2] - min[2]);
   const flatness = Math.min(Math.max(1 - (max[1] - min[1]) / width, 0), 1);
   const pitch = LEVEL + (FROM_ABOVE - LEVEL) * flatness;

@@ -1,5 +1,5 @@
-import displayFrag from "../../../shaders/candle/own-display.frag";
-import surfaceFrag from "../../../shaders/candle/own-surface.frag";
+import displayFrag from "../../../shaders/candle/custom-display.frag";
+import surfaceFrag from "../../../shaders/candle/custom-surface.frag";
 import surfaceVert from "../../../shaders/mesh/mesh.vert";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Model } from "../../assets/model.js";
@@ -21,10 +21,10 @@ import type { Tier } from "../quality.js";
 import type { Renderer } from "../renderer.js";
 import { FlamePass, standingWick } from "../volumetric/flame-pass.js";
 import type { SmokePass } from "../volumetric/smoke-pass.js";
+import { boundsWithFlames, frameBox } from "./custom-framing.js";
 import { FlameLights } from "./flame-lights.js";
 import { FlameShadows } from "./flame-shadows.js";
 import { LightMeter, MOST_EXPOSURE } from "./light-meter.js";
-import { boundsWithFlames, frameBox } from "./own-framing.js";
 
 /** Share of the hemisphere that the model itself fills, as seen from its points. */
 const BOUNCE = 0.1;
@@ -61,7 +61,7 @@ interface Illumination {
   readonly translucency: boolean;
 }
 
-/** Material of a mesh in the terms of candle/own-surface.frag. */
+/** Material of a mesh in the terms of candle/custom-surface.frag. */
 interface Surface {
   readonly mesh: Mesh;
   readonly isClear: boolean;
@@ -76,7 +76,7 @@ const LIT = nightVision(0);
  *
  * It draws to the lower left corner of a canvas that it may share with others.
  */
-export class OwnModelRenderer implements Renderer {
+export class CustomModelRenderer implements Renderer {
   readonly particles = 0;
   readonly #gpu: Gpu;
   readonly #tier: Tier;
@@ -107,10 +107,10 @@ export class OwnModelRenderer implements Renderer {
     this.#gpu = gpu;
     this.#tier = tier;
     this.#bounds = boundsWithFlames(model.bounds, wicks);
-    this.#surfaceProgram = gpu.program("candle/own-surface", surfaceVert, surfaceFrag, {
+    this.#surfaceProgram = gpu.program("candle/custom-surface", surfaceVert, surfaceFrag, {
       defines: { SHADOW_TAPS: tapsOf(tier, wicks.length) },
     });
-    this.#displayProgram = gpu.program("candle/own-display", fullscreenVert, displayFrag);
+    this.#displayProgram = gpu.program("candle/custom-display", fullscreenVert, displayFrag);
     const face = tier.name === "low" ? FACE.low : FACE.others;
     const { made, release } = gpu.scoped(() => this.#create(model, wicks.length, face));
     this.#resources = made;

@@ -9,7 +9,7 @@ import type { FlameCaptures } from "../gi/light-captures.js";
 import { drawScaled } from "./candle-layers.js";
 
 /** Inputs of a program that shades for all flames at once: as they burn, in cd. */
-export class StandingLights {
+export class MultiLightInputs {
   readonly #gpu: Gpu;
   readonly #format: TextureFormat;
   readonly #block: UniformBlock;

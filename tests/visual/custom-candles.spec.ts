@@ -6,10 +6,10 @@ import { LIBRARY, RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
 
 const MODELS: Readonly<Record<string, Buffer>> = {
-  "own-candle.glb": candlePlate([{ at: [0, 0], height: 0.09, radius: 0.03 }], 0.06),
-  "own-candles-4.glb": candlePlate(ringOf(4, 0.09, 0.07, 0.028), 0.14),
-  "own-candles-16.glb": candlePlate(ringOf(16, 0.085, 0.05, 0.004), 0.11),
-  "own-jar.glb": jarCandle(),
+  "custom-candle.glb": candlePlate([{ at: [0, 0], height: 0.09, radius: 0.03 }], 0.06),
+  "custom-candles-4.glb": candlePlate(ringOf(4, 0.09, 0.07, 0.028), 0.14),
+  "custom-candles-16.glb": candlePlate(ringOf(16, 0.085, 0.05, 0.004), 0.11),
+  "custom-jar.glb": jarCandle(),
   "no-wick.glb": plainRoom({ min: [0, 0, 0], max: [0.1, 0.1, 0.1] }, [], 0.5),
 };
 /** The same as goldens.spec.ts. */
@@ -33,7 +33,7 @@ test.beforeAll(async ({ browser }) => {
     );
   }
   room = await new RoomDriver(page).open(
-    { scene: "candle", src: "own-candle.glb", look: "physical", quality: "medium" },
+    { scene: "candle", src: "custom-candle.glb", look: "physical", quality: "medium" },
     SIZE,
   );
 });
@@ -55,10 +55,10 @@ const show = (src: string) =>
   }, src);
 
 for (const [src, count] of [
-  ["own-candle.glb", 1],
-  ["own-candles-4.glb", 4],
-  ["own-candles-16.glb", 16],
-  ["own-jar.glb", 1],
+  ["custom-candle.glb", 1],
+  ["custom-candles-4.glb", 4],
+  ["custom-candles-16.glb", 16],
+  ["custom-jar.glb", 1],
   ["/models/wreath.glb", 4],
   ["/models/jar.glb", 1],
 ] as const) {
@@ -82,12 +82,12 @@ for (const [src, count] of [
 
 test("its code and its model alone are fetched, and the built-in candle's is not", async () => {
   const files = fetched.filter((path) => /models|scene|chamberstick/.test(path));
-  expect(files.some((path) => /own-candle-scene/.test(path))).toBe(true);
+  expect(files.some((path) => /custom-candle-scene/.test(path))).toBe(true);
   expect(files.filter((path) => /chamberstick|room-scene|\/candle-scene/.test(path))).toEqual([]);
 });
 
 test("flames that go out leave light to the others, and wax glows below a burning one alone", async () => {
-  await show("own-candles-4.glb");
+  await show("custom-candles-4.glb");
   const [all, three, none] = await room.evaluate((element) => {
     // Through the lower half of a front candle's wax.
     const luminance = () => {
@@ -111,7 +111,7 @@ test("flames that go out leave light to the others, and wax glows below a burnin
 });
 
 test("a breath blows all of them out, and the events say which", async () => {
-  await show("own-candles-4.glb");
+  await show("custom-candles-4.glb");
   const { events, out } = await room.evaluate((element) => {
     const events: string[] = [];
     const listen = ({ detail }: CustomEvent) => void events.push(`${detail.index} ${detail.name}`);
@@ -126,10 +126,10 @@ test("a breath blows all of them out, and the events say which", async () => {
 });
 
 test("one model after another leaves nothing on the GPU", async () => {
-  await show("own-candle.glb");
+  await show("custom-candle.glb");
   const before = await room.stats();
-  await show("own-candles-4.glb");
-  await show("own-candle.glb");
+  await show("custom-candles-4.glb");
+  await show("custom-candle.glb");
   const { gpuObjects, gpuBytes } = await room.stats();
   expect({ gpuObjects, gpuBytes }).toEqual({
     gpuObjects: before.gpuObjects,

@@ -1,8 +1,8 @@
 import { describe, expect, test } from "vitest";
 import type { Part } from "../../../src/assets/model.ts";
 import { clipFromWorld, clipPosition } from "../../../src/render/camera.ts";
+import { boundsWithFlames, frameBox } from "../../../src/render/lone-candle/custom-framing.ts";
 import { LightMeter, MOST_EXPOSURE } from "../../../src/render/lone-candle/light-meter.ts";
-import { boundsWithFlames, frameBox } from "../../../src/render/lone-candle/own-framing.ts";
 import { Flame } from "../../../src/world/flame/flame.ts";
 import type { Bounds, Vec3 } from "../../../src/world/geometry.ts";
 import { floorOf } from "../world/rooms.ts";

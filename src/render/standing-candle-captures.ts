@@ -46,7 +46,7 @@ export interface StandingSlot extends SupportSlot {
 }
 
 /** Shadow cube and irradiance volume of a standing candle, captured when it first burns. */
-export class StandingLight {
+export class StandingCandleCaptures {
   readonly #slot: number;
   readonly #shadow: ShadowPass;
   readonly #indirect: IndirectPass;
