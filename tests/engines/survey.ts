@@ -7,6 +7,9 @@ import type { Case, ElementCase, PageCase } from "./cases.ts";
 /** Seconds that anybody waits for the first frame. */
 export const READY = 30;
 
+/** Seconds that all elements of a page may take, one after the other; each has `READY`. */
+const ALL_READY = 6 * READY;
+
 /** Seconds that the frames of a look may take: at ultra, without a GPU, on a busy machine. */
 const SLOW = 150;
 
@@ -99,7 +102,7 @@ async function look(session: Session, one: Case, served: Served): Promise<Findin
     return await session.use(async (visitor) => {
       try {
         await visitor.open(addressOf(one, served));
-        ready = await visitor.evaluate(becomeReady, [READY], READY + 15);
+        ready = await visitor.evaluate(becomeReady, [READY], ALL_READY);
         const sight = await (one.kind === "element" ? see(visitor, one) : seePage(visitor));
         complaints = await visitor.complaints();
         return { name, ready, complaints, failure: null, sight };
