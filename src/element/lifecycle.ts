@@ -210,12 +210,10 @@ export class Lifecycle implements SessionOwner {
   }
 
   onMissing(error: Error): void {
-    if (!this.#session?.candle) {
-      this.#fail(error);
-      return;
-    }
-    this.onFetchDropped();
-    this.#report(error);
+    if (this.#session?.candle) {
+      this.onFetchDropped();
+      this.#report(error);
+    } else this.#fail(error);
   }
 
   onFetchDropped(): void {
@@ -267,6 +265,7 @@ export class Lifecycle implements SessionOwner {
     this.#machine.send("restore");
     this.#overlay.clearFailure();
     if (this.#machine.current === "running") this.#overlay.hidePoster();
+    else this.#ready.renew();
     this.#applyMotion();
     emit(this.#element, "contextrestored", null);
   }
@@ -318,14 +317,15 @@ export class Lifecycle implements SessionOwner {
     if (typeOf(error) === "context-lost") this.#offerReload();
     else this.#overlay.fail(error.message, "alert");
     this.#overlay.showPoster(this.#element.poster);
-    this.#ready.settle(error);
     this.#report(error);
     // The sentence is for visitors; the driver's own words are in its cause.
     if (typeOf(error) === "graphics") console.error(error);
   }
 
+  /** `ready` rejects with it, if it is pending. */
   #report(error: Error): void {
     const { message } = error;
+    this.#ready.settle(error);
     emit(this.#element, "error", { type: typeOf(error), message, cause: error });
   }
 

@@ -384,6 +384,54 @@ test.describe("A lost context", () => {
   });
 });
 
+test("A context that is lost for good while its room loads rejects `ready`, and comes back late all the same", async ({
+  page,
+}) => {
+  await page.clock.install({ time: 0 });
+  await recordContexts(page);
+  await serveSmallTextures(page);
+  let release = () => {};
+  const released = new Promise<void>((resolve) => {
+    release = resolve;
+  });
+  await page.route(/\.glb$/, async (route) => {
+    await released;
+    await route.continue();
+  });
+  const room = await new RoomDriver(page).load({ look: "original" }, { width: 32, height: 18 });
+  await page.clock.pauseAt(3_600_000);
+  const outcome = () =>
+    room.evaluate((element) =>
+      Promise.race([
+        element.ready.then(
+          () => "resolved",
+          (error: Error) => error.message,
+        ),
+        Promise.resolve().then(() => "pending"),
+      ]),
+    );
+  await room.evaluate(async (element) => {
+    const lost = new Promise((resolve) => element.addEventListener("contextlost", resolve));
+    const extension = contexts[0]?.getExtension("WEBGL_lose_context");
+    Object.assign(globalThis, { extension });
+    extension?.loseContext();
+    await lost;
+  });
+  await page.clock.runFor(4900);
+  expect(await outcome()).toBe("pending");
+  await page.clock.runFor(200);
+  expect(await outcome()).toMatch(/has not restored it/);
+  release();
+  await room.evaluate(async (element) => {
+    const restored = new Promise((resolve) => element.addEventListener("contextrestored", resolve));
+    (Reflect.get(globalThis, "extension") as WEBGL_lose_context).restoreContext();
+    await restored;
+    await element.ready;
+  });
+  expect((await room.stats()).drawCalls).toBeGreaterThan(0);
+  expect(room.complaints).toEqual([]);
+});
+
 test("More rooms than a browser has contexts wait with a sentence, and none in sight is evicted", async ({
   browser,
 }) => {
