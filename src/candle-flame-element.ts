@@ -91,8 +91,8 @@ export class CandleFlameElement extends ReflectedAttributes {
     super();
     const root = this.attachShadow({ mode: "open" });
     this.#lifecycle = new Lifecycle(this, this.attachInternals(), root, this.#input);
-    this.#featureSwitches = featureSwitches(this.#input.features, (name, isOn) => {
-      this.#use((candle) => candle.setFeature(name, isOn));
+    this.#featureSwitches = featureSwitches(this.#input.features, (name) => {
+      this.#use((candle) => candle.followFeature(name));
       this.#requestDraw();
     });
   }

@@ -69,6 +69,7 @@ export class CandleFlame {
 
   /**
    * @param target from now on this disposes of it
+   * @param features may be changed from outside: `followFeature`
    * @param plays whether time will pass, so that each frame is followed by another
    * @param prepared the quality to begin with, and a new world of the scene
    */
@@ -81,7 +82,7 @@ export class CandleFlame {
     prepared?: { readonly auto: AutoQuality; readonly world: World },
   ) {
     this.#scene = scene;
-    this.#features = { ...features };
+    this.#features = features;
     this.#options = options;
     this.world = prepared?.world ?? worldOf(scene, options);
     this.view = new SceneView(target, scene, options, this.#subject, plays, prepared?.auto);
@@ -202,9 +203,8 @@ export class CandleFlame {
     this.view.follow(this.#subject);
   }
 
-  setFeature(name: keyof Features, isOn: boolean): void {
-    if (this.#features[name] === isOn) return;
-    this.#features[name] = isOn;
+  /** Follows a change of one of the features that it was created with. */
+  followFeature(name: keyof Features): void {
     if (name === "drift") this.view.follow(this.#subject);
   }
 

@@ -1,10 +1,7 @@
 import { FEATURES, type Feature, type Features } from "../settings.js";
 
 /** Features as properties that are on or off, whatever is written to them; no others can be added. */
-export function featureSwitches(
-  features: Features,
-  onChange: (name: Feature, isOn: boolean) => void,
-): Features {
+export function featureSwitches(features: Features, onChange: (name: Feature) => void): Features {
   const switches = {} as Features;
   for (const name of FEATURES) {
     Object.defineProperty(switches, name, {
@@ -13,7 +10,7 @@ export function featureSwitches(
       set: (value: unknown) => {
         if (features[name] === Boolean(value)) return;
         features[name] = Boolean(value);
-        onChange(name, features[name]);
+        onChange(name);
       },
     });
   }

@@ -1,3 +1,7 @@
+/**
+ * The hint's animation begins after a delay, which is no part of it: while one runs, software compositors draw the page
+ * 60 times a second.
+ */
 const STYLE = `
 :host {
   display: block;
@@ -70,7 +74,6 @@ slot[name="poster"][hidden] {
   text-align: center;
   text-wrap: balance;
 }
-/* The delay is no part of the animation: while one runs, software compositors draw the page 60 times a second. */
 [part="hint"] p {
   display: inline-block;
   margin: 0;
