@@ -263,6 +263,19 @@ test.describe("The canvas has the device pixels of its box", () => {
   });
 });
 
+/** Holds back the page's models. Returns what releases them. */
+async function holdModels(page: Page): Promise<() => void> {
+  let release = () => {};
+  const released = new Promise<void>((resolve) => {
+    release = resolve;
+  });
+  await page.route(/\.glb$/, async (route) => {
+    await released;
+    await route.continue();
+  });
+  return release;
+}
+
 test.describe("A lost context", () => {
   test("that does not come back in five seconds ends in poster, sentence and button", async ({
     page,
@@ -351,14 +364,7 @@ test.describe("A lost context", () => {
   test("during loading only delays it", async ({ page }) => {
     await recordContexts(page);
     await serveSmallTextures(page);
-    let release = () => {};
-    const released = new Promise<void>((resolve) => {
-      release = resolve;
-    });
-    await page.route(/\.glb$/, async (route) => {
-      await released;
-      await route.continue();
-    });
+    const release = await holdModels(page);
     const room = await new RoomDriver(page).load({ look: "original" }, { width: 32, height: 18 });
     await room.evaluate(async (element) => {
       const lost = new Promise((resolve) => element.addEventListener("contextlost", resolve));
@@ -390,14 +396,7 @@ test("A context that is lost for good while its room loads rejects `ready`, and 
   await page.clock.install({ time: 0 });
   await recordContexts(page);
   await serveSmallTextures(page);
-  let release = () => {};
-  const released = new Promise<void>((resolve) => {
-    release = resolve;
-  });
-  await page.route(/\.glb$/, async (route) => {
-    await released;
-    await route.continue();
-  });
+  const release = await holdModels(page);
   const room = await new RoomDriver(page).load({ look: "original" }, { width: 32, height: 18 });
   await page.clock.pauseAt(3_600_000);
   const outcome = () =>
