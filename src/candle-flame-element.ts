@@ -314,7 +314,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.#lifecycle.draws.invalidate(); // reading may go on drawing
     const box = boxWithin(this.#lifecycle.session?.canvas ?? null, [x, y, width, height]);
     const [, , columns, rows] = box;
-    const radiance = columns * rows > 0 && this.#use((candle) => candle.view.readRadiance(...box));
+    const radiance = columns * rows > 0 && this.#use((candle) => candle.view.readRadiance(box));
     return radiance || new Float32Array(columns * rows * 3);
   }
 

@@ -35,8 +35,6 @@ export async function createCandle(
   if (!auto) return null;
   const candle = new CandleFlame(target, scene, features, options, plays, { auto, world });
   await gpu.whenCompiled();
-  // A query blocks until all earlier work is done.
-  await gpu.whenIdle();
   if (!isOn()) return null;
   gpu.finishPrograms();
   gpu.check("picture");

@@ -1,4 +1,7 @@
 /**
+ * The poster that is hidden fades over a complete canvas. Where nothing is rendered, or a browser knows no discrete
+ * transition, it is gone at once.
+ *
  * The hint's animation begins after a delay, which is no part of it: while one runs, software compositors draw the page
  * 60 times a second.
  */
@@ -42,8 +45,6 @@ slot[name="poster"] {
   position: absolute;
   inset: 0;
 }
-/* A cross-fade: the canvas beneath is complete. Where nothing is rendered, or a browser knows no
-   discrete transition, the poster is gone at once. */
 slot[name="poster"][hidden] {
   opacity: 0;
   pointer-events: none;

@@ -11,6 +11,7 @@ import { GpuTimer } from "./gpu-timer.js";
 import { nextTask } from "./next-task.js";
 import { Program, type ProgramOptions, type ShaderSource } from "./program.js";
 import { RenderTarget, type RenderTargetOptions } from "./render-target.js";
+import { rendererName } from "./renderer-name.js";
 import { Texture, type TextureOptions } from "./texture.js";
 import { TextureView, type TextureViewOptions } from "./texture-view.js";
 import { UniformBlock } from "./uniform-block.js";
@@ -49,6 +50,8 @@ export class Gpu {
   #isSharing = false;
   readonly #commands: DrawCommands;
   readonly #mostSamples: number;
+  /** Programs that the driver has not been sent. */
+  readonly #unsent = new Set<Program>();
   /** Targets whose completeness has not been queried. */
   readonly #toCheck = new Set<RenderTarget | TextureView>();
 
@@ -74,7 +77,7 @@ export class Gpu {
     this.filtersFloats = gl.getExtension("OES_texture_float_linear") !== null;
     // Blending into full floats, which Firefox allows with a warning unless it is asked for.
     gl.getExtension("EXT_float_blend");
-    this.renderer = rendererOf(gl);
+    this.renderer = rendererName(gl);
     this.#commands = new DrawCommands(gl, canvas);
     this.#mostSamples = gl.getParameter(gl.MAX_SAMPLES) as number;
     this.longestSide = Math.min(
@@ -110,6 +113,7 @@ export class Gpu {
 
   #forget(object: GpuObject): void {
     this.#alive.delete(object);
+    this.#unsent.delete(object as Program);
     this.#toCheck.delete(object as RenderTarget | TextureView);
     if (!this.#sharedObjects.delete(object)) return;
     for (const [key, made] of this.#shared) if (made === object) this.#shared.delete(key);
@@ -153,7 +157,7 @@ export class Gpu {
     return { made, release };
   }
 
-  /** Equal programs are compiled once; see `finishPrograms`. */
+  /** Equal programs are compiled once: before the next draw, or in `whenCompiled`; see `finishPrograms`. */
   program(
     label: string,
     vertex: ShaderSource,
@@ -161,23 +165,36 @@ export class Gpu {
     options: ProgramOptions = {},
   ): Program {
     const key = JSON.stringify([label, vertex.source, fragment.source, options]);
-    return this.share(key, () =>
-      this.#keep(new Program(this.#context, label, vertex, fragment, options)),
-    );
+    return this.share(key, () => {
+      const program = new Program(this.#context, label, vertex, fragment, options);
+      this.#unsent.add(program);
+      return this.#keep(program);
+    });
+  }
+
+  /** All at once: some drivers compile side by side what was started. */
+  #startPrograms(): void {
+    for (const program of this.#unsent) program.start();
+    this.#unsent.clear();
   }
 
   /**
-   * Resolves when the driver has compiled all programs, as far as it tells: an asynchronous wait, which needs
-   * no timer, which a test may have stopped.
+   * Resolves when the driver has compiled all programs, as far as it tells. Each is started in a task of its own, since
+   * some drivers compile while one waits; without a timer, which a test may have stopped.
    */
   async whenCompiled(): Promise<void> {
+    for (const program of this.#unsent) {
+      program.start();
+      await nextTask();
+    }
     const isPending = (object: GpuObject) => object instanceof Program && !object.isCompiled;
-    if (this.#gl.getExtension("KHR_parallel_shader_compile") === null) await this.whenIdle();
     while ([...this.#alive].some(isPending)) await nextTask();
+    await this.whenIdle(); // a query of one blocks until all earlier work is done
   }
 
-  /** Waits for all programs, which the driver compiles side by side. Throws if one is refused. */
+  /** Waits for all programs. Throws if one is refused. */
   finishPrograms(): void {
+    this.#startPrograms();
     for (const object of this.#alive) if (object instanceof Program) object.finish();
   }
 
@@ -270,10 +287,12 @@ export class Gpu {
   }
 
   draw(draw: Draw): void {
+    this.#startPrograms();
     this.#commands.draw(draw);
   }
 
   transform(transform: Transform): void {
+    this.#startPrograms();
     this.#commands.transform(transform);
   }
 
@@ -287,7 +306,7 @@ export class Gpu {
    *
    * Only in the task that drew them: afterwards the browser owns them.
    */
-  readCanvas(x: number, y: number, width: number, height: number): Uint8Array {
+  readCanvas([x, y, width, height]: Box): Uint8Array {
     const gl = this.#gl;
     const pixels = new Uint8Array(width * height * 4);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
@@ -296,24 +315,16 @@ export class Gpu {
   }
 
   /** RGB of a floating-point target, rows from the top. Waits for the GPU. */
-  readFloats(
-    target: RenderTarget | TextureView,
-    x: number,
-    y: number,
-    width: number,
-    height: number,
-  ): Float32Array {
+  readFloats(target: RenderTarget | TextureView, [x, y, width, height]: Box): Float32Array {
     const gl = this.#gl;
     const texels = new Float32Array(width * height * 4);
     gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
     gl.readPixels(x, target.height - y - height, width, height, gl.RGBA, gl.FLOAT, texels);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     const rgb = new Float32Array(width * height * 3);
-    for (let row = 0; row < height; row++) {
-      for (let column = 0; column < width; column++) {
-        const from = ((height - 1 - row) * width + column) * 4;
-        rgb.set(texels.subarray(from, from + 3), (row * width + column) * 3);
-      }
+    for (let i = 0; i < width * height; i++) {
+      const from = (i + width * (height - 1 - 2 * Math.floor(i / width))) * 4;
+      rgb.set(texels.subarray(from, from + 3), i * 3);
     }
     return rgb;
   }
@@ -336,12 +347,4 @@ export class Gpu {
     this.#commands.dispose();
     this.#gl.getExtension("WEBGL_lose_context")?.loseContext();
   }
-}
-
-/** The renderer's name. Firefox gives it and deprecates the extension; others give it by the extension alone. */
-function rendererOf(gl: WebGL2RenderingContext): string {
-  const name = String(gl.getParameter(gl.RENDERER));
-  if (name !== "WebKit WebGL") return name;
-  const extension = gl.getExtension("WEBGL_debug_renderer_info");
-  return extension ? String(gl.getParameter(extension.UNMASKED_RENDERER_WEBGL)) : name;
 }

@@ -106,13 +106,16 @@ interface Stage {
 /**
  * A linked program, with its uniforms by name.
  *
- * Drivers compile programs in parallel. The result is queried on first use, since the query blocks.
+ * Some drivers compile at once, others in parallel once all programs are started. The result is queried on first use,
+ * since the query blocks.
  */
 export class Program extends GpuObject {
   readonly bytes = 0;
   readonly #handle: WebGLProgram;
-  /** Until they are linked. */
-  #stages: readonly Stage[];
+  /** Starts the compiler; null once that is done. */
+  #compile: (() => readonly Stage[]) | null;
+  /** From the start until they are linked. */
+  #stages: readonly Stage[] = [];
   readonly #uniforms = new Map<string, Uniform>();
   readonly #declared: ReadonlySet<string>;
   readonly #samplers = new Map<string, number>();
@@ -130,19 +133,30 @@ export class Program extends GpuObject {
     const { gl } = context;
     this.#declared = new Set([vertex, fragment].flatMap(declaredUniforms));
     this.#handle = created(gl, gl.createProgram(), this.label);
-    this.#stages = [
-      { source: vertex, shader: compile(gl, gl.VERTEX_SHADER, vertex, defines) },
-      { source: fragment, shader: compile(gl, gl.FRAGMENT_SHADER, fragment, defines) },
-    ];
-    for (const { shader } of this.#stages) gl.attachShader(this.#handle, shader);
-    if (feedback.length > 0) {
-      gl.transformFeedbackVaryings(this.#handle, [...feedback], gl.INTERLEAVED_ATTRIBS);
-    }
-    gl.linkProgram(this.#handle);
+    this.#compile = () => {
+      const stages = [
+        { source: vertex, shader: compile(gl, gl.VERTEX_SHADER, vertex, defines) },
+        { source: fragment, shader: compile(gl, gl.FRAGMENT_SHADER, fragment, defines) },
+      ];
+      for (const { shader } of stages) gl.attachShader(this.#handle, shader);
+      if (feedback.length > 0) {
+        gl.transformFeedbackVaryings(this.#handle, [...feedback], gl.INTERLEAVED_ATTRIBS);
+      }
+      gl.linkProgram(this.#handle);
+      return stages;
+    };
   }
 
-  /** Whether a query would not block. */
+  /** Has the driver compile and link it, unless that has begun. */
+  start(): void {
+    const compile = this.#compile;
+    this.#compile = null;
+    if (compile) this.#stages = compile();
+  }
+
+  /** Whether a query would not block. Starts it if need be. */
   get isCompiled(): boolean {
+    this.start();
     const parallel = this.gl.getExtension("KHR_parallel_shader_compile");
     if (this.#stages.length === 0 || !parallel || this.gl.isContextLost()) return true;
     const status = this.gl.getProgramParameter(this.#handle, parallel.COMPLETION_STATUS_KHR);
@@ -151,6 +165,7 @@ export class Program extends GpuObject {
 
   /** Waits until it is linked. Throws the compiler's message if it cannot be, and disposes of it. */
   finish(): void {
+    this.start();
     if (this.#stages.length === 0) return;
     const gl = this.gl;
     const stages = this.#stages;
@@ -236,6 +251,7 @@ export class Program extends GpuObject {
   }
 
   protected free(): void {
+    this.#compile = null;
     for (const { shader } of this.#stages) this.gl.deleteShader(shader);
     this.#stages = [];
     this.gl.deleteProgram(this.#handle);

@@ -6,7 +6,7 @@ import particleVert from "../../shaders/paper/particle.vert";
 import roomFrag from "../../shaders/paper/room.frag";
 import fullscreenVert from "../../shaders/post/fullscreen.vert";
 import fxaaFrag from "../../shaders/post/fxaa.frag";
-import type { Gpu, Surface as Target } from "../gl/gpu.js";
+import type { Box, Gpu, Surface as Target } from "../gl/gpu.js";
 import type { Program } from "../gl/program.js";
 import type { RenderTarget } from "../gl/render-target.js";
 import type { UniformBlock } from "../gl/uniform-block.js";
@@ -249,8 +249,8 @@ export class PaperRenderer implements Renderer {
   }
 
   /** There is no HDR buffer: the canvas is decoded, and its exposure undone. */
-  readRadiance(x: number, y: number, width: number, height: number): Float32Array {
-    const bytes = this.#gpu.readCanvas(x, this.#size.height - y - height, width, height);
+  readRadiance([x, y, width, height]: Box): Float32Array {
+    const bytes = this.#gpu.readCanvas([x, this.#size.height - y - height, width, height]);
     const radiance = new Float32Array(width * height * 3);
     for (let row = 0; row < height; row++) {
       for (let column = 0; column < width; column++) {

@@ -1,4 +1,5 @@
 import type { Model } from "../assets/model.js";
+import type { Box } from "../gl/gpu.js";
 import type { Texture } from "../gl/texture.js";
 import type { UniformBlock } from "../gl/uniform-block.js";
 import type { ParticleLayer } from "../world/particles/particle-layer.js";
@@ -51,5 +52,5 @@ export interface Renderer {
   prepare?(world: World, settings: FrameSettings, isWanted: () => boolean): Promise<void>;
   render(world: World, settings: FrameSettings): void;
   /** Linear RGB of the last frame, rows from the top, origin top left. Waits for the GPU. */
-  readRadiance(x: number, y: number, width: number, height: number): Float32Array;
+  readRadiance(box: Box): Float32Array;
 }

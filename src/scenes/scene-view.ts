@@ -1,3 +1,4 @@
+import type { Box } from "../gl/gpu.js";
 import { nextTask } from "../gl/next-task.js";
 import { AutoQuality, type Rung } from "../render/auto-quality.js";
 import { canvasSize } from "../render/canvas-size.js";
@@ -225,8 +226,8 @@ export class SceneView {
   }
 
   /** Linear RGB of the last frame before exposure and tone mapping; rows from the top. Waits for the GPU. */
-  readRadiance(x: number, y: number, width: number, height: number): Float32Array {
-    return this.#shown.readRadiance(x, y, width, height);
+  readRadiance(box: Box): Float32Array {
+    return this.#shown.readRadiance(box);
   }
 
   get stats() {

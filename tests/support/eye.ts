@@ -59,7 +59,7 @@ export class Eye {
     const bloom = { share: [1, 1], shift: [0, 0] } as const;
     const transform = displayTransform(gpu, view, 0);
     new DisplayPass(gpu).render(textures, bloom, view, transform, frame);
-    const own = [...gpu.readCanvas(0, 0, width, height)];
+    const own = [...gpu.readCanvas([0, 0, width, height])];
     const paper = new OffscreenCanvas(width, height).getContext("2d", { colorSpace: "srgb" });
     paper?.drawImage(this.#canvas, 0, 0);
     const seen = [...(paper?.getImageData(0, 0, width, height).data ?? [])];
@@ -80,7 +80,7 @@ export class Eye {
     const scattered = pass.render(this.#picture(radianceAt));
     const target = gpu.textureView({ label: "scattered", textures: [scattered], image: 0 });
     const after = gpu
-      .readFloats(target, 0, 0, target.width, target.height)
+      .readFloats(target, [0, 0, target.width, target.height])
       .reduce((sum, value) => sum + 4 * value, 0); // each covers four pixels
     let before = 0;
     for (let i = 0; i < width * height; i++) {
@@ -100,7 +100,7 @@ export class Eye {
       { lag, darkness: 0 },
     );
     const target = gpu.textureView({ label: "exposure", textures: [exposure], image: 0 });
-    const [stops = Number.NaN] = gpu.readFloats(target, 0, 0, 1, 1);
+    const [stops = Number.NaN] = gpu.readFloats(target, [0, 0, 1, 1]);
     gpu.clearObjects();
     return stops;
   }

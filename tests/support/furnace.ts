@@ -28,7 +28,7 @@ export function furnace(vertex: ShaderSource, fragment: ShaderSource, size: numb
     target,
     textures: { uEnvironmentBrdf },
   });
-  const found = Array.from(gpu.readFloats(target, 0, 0, size, size));
+  const found = Array.from(gpu.readFloats(target, [0, 0, size, size]));
   gpu.dispose();
   return found;
 }

@@ -60,7 +60,7 @@ class Repeater {
     const textures = { ...this.#draw.textures, uDepth };
     this.#gpu.draw({ ...this.#draw, textures, target: this.#target, into: undefined });
     uDepth.dispose();
-    return this.#gpu.readFloats(this.#target, ...box);
+    return this.#gpu.readFloats(this.#target, box);
   }
 }
 

@@ -3,7 +3,7 @@ import surfaceFrag from "../../../shaders/candle/custom-surface.frag";
 import surfaceVert from "../../../shaders/mesh/mesh.vert";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Model } from "../../assets/model.js";
-import type { Gpu } from "../../gl/gpu.js";
+import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
@@ -237,9 +237,8 @@ export class CustomModelRenderer implements Renderer {
     }
   }
 
-  readRadiance(x: number, y: number, width: number, height: number): Float32Array {
-    if (!this.#radiance) return new Float32Array(width * height * 3);
-    return this.#gpu.readFloats(this.#radiance, x, y, width, height);
+  readRadiance(box: Box): Float32Array {
+    return this.#gpu.readFloats(this.#radiance!, box);
   }
 
   #disposeTargets(): void {
