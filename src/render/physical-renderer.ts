@@ -78,8 +78,7 @@ export class PhysicalRenderer implements Renderer {
   constructor(gpu: Gpu, { room, candle }: Models, collision: CollisionMesh, tier: Tier) {
     this.#gpu = gpu;
     const { physical } = tier;
-    // On machines without a GPU.
-    const isFrugal = physical.opaque !== "forward";
+    const isFrugal = physical.opaque !== "forward"; // on machines without a GPU
     const lods = physical.opaque === "deferred" ? new MeshLods(gpu) : null;
     const refined = physical.opaque === "refined" ? new RefinedStage(gpu, tier) : null;
     this.#opaque =
@@ -175,17 +174,17 @@ export class PhysicalRenderer implements Renderer {
     const regions = this.#compositeDisplay
       ? this.#volumetric.bounds(frame, kind, this.#size, BLOOM_SCALE)
       : [this.#whole];
-    this.#composite(frame, layer, irradiance, regions);
+    yield* this.#composite(frame, layer, irradiance, regions);
     yield;
     this.#last = [frame, layer, irradiance];
     const post = this.#postIn(kind, shadow.isNew);
-    if (post === "before display") this.#updatePost(frame, layer, irradiance, regions);
+    if (post === "before display") yield* this.#updatePost(frame, layer, irradiance, regions);
     yield;
     if (settings.inspect !== "picture" && !this.#compositeDisplay) {
       this.#inspect(frame, layer, shadow.depth, irradiance);
     } else yield* this.#present(frame, layer, regions);
     yield;
-    if (post === "after display") this.#updatePost(frame, layer, irradiance, regions);
+    if (post === "after display") yield* this.#updatePost(frame, layer, irradiance, regions);
   }
 
   surfaces(): Surfaces {
@@ -239,15 +238,16 @@ export class PhysicalRenderer implements Renderer {
   }
 
   /** Radiance of surfaces and participating media, cd/m², within regions. */
-  #composite(
+  *#composite(
     frame: FrameInput,
     layer: OpaqueLayer,
     irradiance: IrradianceVolume,
     regions: readonly Box[],
-  ): void {
+  ): Steps {
     const target = this.#compositedFrame(layer.depth);
     if (flamePart(frame.settings.inspect)) this.#gpu.clear(target.target, BLACK);
     else for (const region of regions) this.#opaque.composite(frame, layer, target, region);
+    yield;
     this.#volumetric.render(frame, layer.kind, target, irradiance);
   }
 
@@ -267,15 +267,16 @@ export class PhysicalRenderer implements Renderer {
     return kind === "reprojected" ? "after display" : "before display";
   }
 
-  #updatePost(
+  *#updatePost(
     { flameUv, world }: FrameInput,
     { textures, blocks }: OpaqueLayer,
     { roomReflectance }: IrradianceVolume,
     regions: readonly Box[],
-  ): void {
+  ): Steps {
     this.#postAge = 0;
     const { color } = this.#radiance!.whole;
     this.#bloom.render(color, regions, flameUv);
+    yield;
     this.#exposure.render(
       this.#compositeDisplay ? textures : { uRadiance: color },
       roomReflectance,
@@ -309,7 +310,7 @@ export class PhysicalRenderer implements Renderer {
         bloomBounds: expandBoxes(regions, BLOOM_REACH + layer.motion * size.width, size),
         size,
       };
-      this.#compositeDisplay.render(layer, textures, options, layer.blocks);
+      yield* this.#compositeDisplay.render(layer, textures, options, layer.blocks);
       yield;
     }
     const media = boundsOf(regions);
@@ -341,9 +342,8 @@ export class PhysicalRenderer implements Renderer {
     return [0, 0, this.#size.width, this.#size.height];
   }
 
-  readRadiance(x: number, y: number, width: number, height: number): Float32Array {
-    if (!this.#radiance) return new Float32Array(width * height * 3);
-    if (this.#compositeDisplay && this.#last) this.#composite(...this.#last, [this.#whole]);
-    return this.#gpu.readFloats(this.#radiance.whole, x, y, width, height);
+  readRadiance(box: Box): Float32Array {
+    if (this.#compositeDisplay && this.#last) finish(this.#composite(...this.#last, [this.#whole]));
+    return this.#gpu.readFloats(this.#radiance!.whole, box);
   }
 }

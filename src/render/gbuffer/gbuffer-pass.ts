@@ -195,6 +195,7 @@ export class GBufferPass {
     const target = this.#targetOf("full");
     this.#gpu.clear(target, NOTHING);
     yield* this.#drawModels(target, frame, false);
+    yield;
     this.#guide.chooseRepresentatives(samplesOf(target), lightingSize);
     yield;
     this.#guide.resolve(samplesOf(target), lightingSize);

@@ -173,15 +173,10 @@ export class IndirectPass {
   }
 
   /**
-   * Indirect light for each candela of the flame's.
+   * Indirect light for each candela of the flame's, a pass in each step.
    *
    * @param light members of the block of `lib/flame-light.glsl`, of a flame at its capture origin
    */
-  render(casters: ShadowCasters, light: CaptureLight, shadow: ShadowMap): IrradianceVolume {
-    return finish(this.passes(casters, light, shadow));
-  }
-
-  /** The same, a pass in each step. */
   *passes(casters: ShadowCasters, light: CaptureLight, shadow: ShadowMap): Steps<IrradianceVolume> {
     this.#update = null;
     if (!this.#isExact || JSON.stringify(light) !== this.#lastLight) {
@@ -204,6 +199,7 @@ export class IndirectPass {
   ): Steps {
     this.#isExact = false;
     yield* this.#upload().drawing;
+    yield* casters.prepareAlbedo();
     this.#surfels.clear();
     for (const face of FACES.keys()) {
       this.#surfels.capture(casters, light.position, face);
@@ -224,7 +220,7 @@ export class IndirectPass {
     isBusy = false,
   ): IrradianceVolume {
     if (this.#lastLight === "") {
-      this.render(casters, light, shadow);
+      finish(this.passes(casters, light, shadow));
       this.#isExact = false; // the casters may be of a lower level of detail
       return this.#volume;
     }
@@ -290,6 +286,7 @@ export class IndirectPass {
 
   *#renderFirstBounce(light: CaptureLight, shadow: ShadowMap, bands: typeof BANDS): Steps {
     this.#surfels.renderRadiosity(light);
+    yield;
     const { normalDistance: uSurfelNormalDistance, radiosity: uRadiosity } = this.#surfels;
     const { uProbePositions } = this.#probes.volume;
     yield* drawInBands(this.#gpu, bands.surfelRadiance, {

@@ -108,7 +108,7 @@ export class LightCaptures {
       const update = [this.#casters, captureLight, shadow] as const;
       const irradiance = settings.isMoving
         ? this.#indirect.updateIncrementally(...update)
-        : this.#indirect.render(...update);
+        : finish(this.#indirect.passes(...update));
       return { shadow, irradiance };
     }
     this.#prepareLods();

@@ -14,8 +14,7 @@ import { PROBE_DEPTH_EDGE, type ProbeDetail, type ProbeRays } from "./probe-rays
 
 /** Bytes of a float. */
 const FLOAT = 4;
-/** Hits in a step, but for a part that has more; and bands of the pass over all of them. */
-const HITS_AT_ONCE = 4096;
+/** Bands of the pass over all rays. */
 const BANDS = 4;
 
 /** Probes and the hits of their rays, as textures. */
@@ -112,7 +111,7 @@ export function uploadProbeRays(
   };
 }
 
-/** Reflectance at the hits, sampled on the GPU, since decoded images may exist only there. */
+/** Reflectance at the hits, a part's in each step; sampled on the GPU, since decoded images may exist only there. */
 function* drawRayReflectance(
   gpu: Gpu,
   { hitUvs, runs }: ProbeRays,
@@ -129,15 +128,9 @@ function* drawRayReflectance(
     count: hitUvs.length / 4,
   });
   gpu.clear(target, [0, 0, 0, 0]);
-  let sum = 0;
   for (const { part, first, count } of runs) {
     const surface = surfaces[part];
     if (!surface) continue;
-    sum += count;
-    if (sum > HITS_AT_ONCE) {
-      yield;
-      sum = count;
-    }
     const { uAlbedo, uNormal, uOcclusionRoughness } = surface.textures;
     gpu.draw({
       program,
@@ -153,6 +146,7 @@ function* drawRayReflectance(
       },
       textures: { uAlbedo, uNormal, uOcclusionRoughness },
     });
+    yield;
   }
   for (const object of [vertexArray, buffer]) object.dispose();
 }

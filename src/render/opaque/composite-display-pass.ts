@@ -13,6 +13,7 @@ import { forEachGBufferKind, type GBufferKind } from "../gbuffer/gbuffer.js";
 import { type DisplayTransform, whiteBalance } from "../post/display-pass.js";
 import { ToneLut } from "../post/tone-lut.js";
 import { scaleBox } from "../screen-bounds.js";
+import type { Steps } from "../steps.js";
 import type { FrameBlocks, OpaqueLayer } from "./opaque-stage.js";
 
 /** Options of a composite to the canvas. */
@@ -60,12 +61,12 @@ export class CompositeDisplayPass {
   }
 
   /** @param textures of the layer, its G-buffer, the bloom, the exposure and the tone LUT */
-  render(
+  *render(
     layer: OpaqueLayer,
     textures: Readonly<Record<"uBloom" | "uExposure" | "uToneLut", Texture>>,
     options: DisplayOptions,
     blocks: FrameBlocks,
-  ): void {
+  ): Steps {
     const composite = {
       program: this.#composite[layer.kind],
       textures: { ...layer.textures, ...textures },
@@ -96,6 +97,7 @@ export class CompositeDisplayPass {
         textures: { uHistory: antialiased.color, uDepth },
         uniforms: layer.uniforms,
       });
+      yield;
     }
     // The bloom does not move with the surfaces.
     const drawn = isReprojected
@@ -103,6 +105,7 @@ export class CompositeDisplayPass {
       : [undefined];
     for (const scissor of drawn) {
       this.#gpu.draw({ ...composite, target: color, scissor });
+      yield;
       this.#gpu.draw({
         program: this.#fxaa,
         target,

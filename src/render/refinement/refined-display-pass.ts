@@ -17,6 +17,7 @@ import { whiteBalance } from "../post/display-pass.js";
 import { HueLut } from "../post/hue-lut.js";
 import { ToneLut } from "../post/tone-lut.js";
 import { bandOf, expandBox, expandBoxes } from "../screen-bounds.js";
+import type { Steps } from "../steps.js";
 import type { RefinedImage } from "./refined-fade.js";
 import type { RefinedStage } from "./refined-stage.js";
 
@@ -88,12 +89,12 @@ export class RefinedDisplayPass {
     return { textures: { uDimmer, uBrighter, uReference, uRefinedDepth: this.#depth }, source };
   }
 
-  render(
+  *render(
     layer: OpaqueLayer,
     textures: Readonly<Record<"uBloom" | "uExposure" | "uToneLut", Texture>>,
     options: DisplayOptions,
     blocks: FrameBlocks,
-  ): void {
+  ): Steps {
     const { transform, size, autoExposure } = options;
     this.#depth = layer.depth;
     const uAutoExposure = autoExposure ? 1 : 0;
@@ -111,6 +112,7 @@ export class RefinedDisplayPass {
           blocks: { Light: blocks.Light },
         });
       }
+      yield;
     }
     const all = { ...layer.textures, ...textures };
     this.#keepBands(all, options, blocks);

@@ -4,6 +4,7 @@ import type { Gpu } from "../../gl/gpu.js";
 import type { Texture } from "../../gl/texture.js";
 import { floats } from "../float-format.js";
 import type { Mesh } from "../mesh/mesh.js";
+import type { Steps } from "../steps.js";
 
 /** Texels of a tile: `CASTER_TILE` of `shaders/lib/caster-albedo.glsl`. */
 const TILE = { width: 16, height: 32 } as const;
@@ -12,32 +13,36 @@ const COLUMNS = 128;
 
 /**
  * Caster albedo: what all surfaces of a model reflect, in one small texture, so that a capture of surfels draws them
- * together. Each has a tile with its levels of detail. Made once for each model.
+ * together. Each has a tile with its levels of detail. Made once for each model, a surface in each step.
  */
-export function casterAlbedoOf(gpu: Gpu, surfaces: readonly Mesh[]): Texture {
-  return gpu.share(surfaces, () => {
-    const target = gpu.renderTarget({
+export function* casterAlbedoOf(gpu: Gpu, surfaces: readonly Mesh[]): Steps<Texture> {
+  const albedo = gpu.share(surfaces, () => ({
+    drawn: 0,
+    target: gpu.renderTarget({
       label: "caster albedo",
       width: TILE.width * Math.min(surfaces.length, COLUMNS),
       height: TILE.height * Math.ceil(surfaces.length / COLUMNS),
       color: [floats(gpu, 4)],
       filter: "nearest",
+    }),
+  }));
+  const { target } = albedo;
+  while (albedo.drawn < surfaces.length) {
+    const i = albedo.drawn++;
+    const { textures, baseColor, parameters } = surfaces[i]!;
+    gpu.draw({
+      program: gpu.program("shadow/caster-albedo", fullscreenVert, casterAlbedoFrag),
+      target,
+      viewport: [
+        (i % COLUMNS) * TILE.width,
+        Math.floor(i / COLUMNS) * TILE.height,
+        TILE.width,
+        TILE.height,
+      ],
+      textures,
+      uniforms: { uBaseColor: baseColor, uSurface: parameters, uTile: i },
     });
-    const program = gpu.program("shadow/caster-albedo", fullscreenVert, casterAlbedoFrag);
-    for (const [i, { textures, baseColor, parameters }] of surfaces.entries()) {
-      gpu.draw({
-        program,
-        target,
-        viewport: [
-          (i % COLUMNS) * TILE.width,
-          Math.floor(i / COLUMNS) * TILE.height,
-          TILE.width,
-          TILE.height,
-        ],
-        textures,
-        uniforms: { uBaseColor: baseColor, uSurface: parameters, uTile: i },
-      });
-    }
-    return target.color;
-  });
+    yield;
+  }
+  return target.color;
 }

@@ -6,6 +6,7 @@ import type { Bounds, Vec3 } from "../../world/geometry.js";
 import { ClusterBuilder, type Clusters, runsOf, VERTEX_SIZE } from "../mesh/clusters.js";
 import type { Mesh } from "../mesh/mesh.js";
 import { reducedPart } from "../mesh/mesh-lods.js";
+import { finish, type Steps } from "../steps.js";
 import { casterAlbedoOf } from "./caster-albedo.js";
 import { isInCubeFace } from "./cube-map.js";
 
@@ -84,15 +85,20 @@ export class ShadowCasters {
     }
   }
 
+  /** Draws what draws with albedo need, a surface in each step. */
+  *prepareAlbedo(): Steps {
+    yield* casterAlbedoOf(this.#gpu, this.#surfaces);
+  }
+
   /** Draws all clusters, with `uCasterAlbedo`. */
   drawAllWithAlbedo(pass: Omit<Draw, "vertexArray" | "textures">): void {
-    const uCasterAlbedo = casterAlbedoOf(this.#gpu, this.#surfaces);
+    const uCasterAlbedo = finish(casterAlbedoOf(this.#gpu, this.#surfaces));
     this.draw({ ...pass, textures: { uCasterAlbedo } }, () => true);
   }
 
   /** Draws the clusters that touch one face of a cube around `origin` (metres), with `uCasterAlbedo`. */
   drawWithAlbedo(face: number, origin: Vec3, pass: Omit<Draw, "vertexArray" | "textures">): void {
-    const uCasterAlbedo = casterAlbedoOf(this.#gpu, this.#surfaces);
+    const uCasterAlbedo = finish(casterAlbedoOf(this.#gpu, this.#surfaces));
     this.draw({ ...pass, textures: { uCasterAlbedo } }, (box) => isInCubeFace(face, origin, box));
   }
 
