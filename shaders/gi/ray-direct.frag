@@ -57,7 +57,7 @@ vec3 radianceAlong(ProbeRay ray, vec3 position) {
 bool isLit(vec3 position, float NoL) {
   vec3 fromOrigin = position - uShadowOrigin;
   float reach = length(fromOrigin);
-  float texel = 2.0 * SHADOW_REACH * reach / shadowTileSize(uShadow);
+  float texel = 2.0 * SHADOW_REACH * reach / shadowTileSize();
   return reach <= reach * casterDistance(fromOrigin) + BIAS + BIAS_TEXELS * texel / limitedCosine(NoL);
 }
 

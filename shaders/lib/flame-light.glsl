@@ -25,7 +25,8 @@ layout(std140) uniform Candles {
   float count;
 } standing;
 
-FlameLight light;  // the flame that is shaded for
+FlameLight light;         // the flame that is shaded for
+bool isStanding = false;  // whether it is a standing candle's
 #else
 layout(std140) uniform Light {
   FlameLight light;

@@ -4,7 +4,6 @@
 
 uniform highp sampler2D uMoonMap;  // depth of the nearest caster, a share of the map's depth
 
-const float DISC_TURN = 2.399963;
 // Least radius of the filter, texels.
 const float LEAST_RADIUS = 0.8;
 // The same in footprints of what is lit: a narrower edge would be stair-steps.
@@ -12,10 +11,12 @@ const float FOOTPRINT = 0.75;
 // Largest change of the plane's depth for each metre across the light.
 const float STEEPEST_PLANE = 12.0;
 
-// A point of a disc, evenly spread. Vogel 1979, "A better way to construct the sunflower head".
-vec2 onDisc(float i, float count, float turn) {
-  float angle = i * DISC_TURN + turn;
-  return sqrt((i + 0.5) / count) * vec2(cos(angle), sin(angle));
+// Points of a disc, evenly spread: each is turned by the golden angle from the last.
+// Vogel 1979, "A better way to construct the sunflower head".
+const mat2 GOLDEN_TURN = mat2(-0.7373687, 0.6754905, -0.6754905, -0.7373687);
+
+float discRadius(int i, int count) {
+  return sqrt((float(i) + 0.5) / float(count));
 }
 
 // `normal`: of the surface, on the light's side. `pixel`: seed of the taps' turn. `footprint`: of a texel, m.
@@ -29,6 +30,7 @@ float moonVisibility(vec3 position, vec3 normal, vec2 pixel, float footprint) {
   vec2 slope = -vec2(dot(normal, moon.across) / width, dot(normal, moon.up) / height) / facing;
   slope = clamp(slope, -STEEPEST_PLANE, STEEPEST_PLANE);
   float turn = 6.2831853 * unit(pcg(uint(pixel.x) + pcg(uint(pixel.y))));
+  vec2 begin = vec2(cos(turn), sin(turn));
   // The widest penumbra: of a caster at the map's beginning.
   float reach = MOON_TANGENT * place.z;
   float texel = width / texels.x;
@@ -36,9 +38,12 @@ float moonVisibility(vec3 position, vec3 normal, vec2 pixel, float footprint) {
   float blockers = 0.0;
   // Software renderers execute both sides of an `if`, but skip a loop that no pixel enters.
   bool isInside = isOnMap(place.xy) && isInBeam(position);
+  float radius = max(reach, max(2.0 * texel, footprint));
+  vec2 direction = begin;
   int count = isInside ? SHADOW_SEARCH : 0;
   for (int i = 0; i < count; i++) {
-    vec2 offset = onDisc(float(i), float(SHADOW_SEARCH), turn) * max(reach, max(2.0 * texel, footprint));
+    vec2 offset = direction * (discRadius(i, SHADOW_SEARCH) * radius);
+    direction = GOLDEN_TURN * direction;
     vec2 at = clamp(place.xy + offset / vec2(width, height), vec2(0.0), vec2(0.9999));
     float caster = texelFetch(uMoonMap, ivec2(at * texels), 0).r * moon.depth;
     if (caster < place.z + dot(slope, offset) - MOON_BIAS) {
@@ -46,12 +51,14 @@ float moonVisibility(vec3 position, vec3 normal, vec2 pixel, float footprint) {
       blockers++;
     }
   }
-  float radius = blockers > 0.0 ? MOON_TANGENT * (place.z - sum / blockers) : 0.0;
+  radius = blockers > 0.0 ? MOON_TANGENT * (place.z - sum / blockers) : 0.0;
   radius = max(radius, max(LEAST_RADIUS * texel, FOOTPRINT * footprint));
   float lit = 0.0;
+  direction = begin;
   count = blockers > 0.0 ? SHADOW_TAPS : 0;
   for (int i = 0; i < count; i++) {
-    vec2 offset = onDisc(float(i), float(SHADOW_TAPS), turn) * radius;
+    vec2 offset = direction * (discRadius(i, SHADOW_TAPS) * radius);
+    direction = GOLDEN_TURN * direction;
     vec2 at = clamp(place.xy + offset / vec2(width, height), vec2(0.0), vec2(0.9999));
     float caster = texelFetch(uMoonMap, ivec2(at * texels), 0).r * moon.depth;
     lit += caster < place.z + dot(slope, offset) - MOON_BIAS ? 0.0 : 1.0;

@@ -84,8 +84,8 @@ float planeDepth(ShadowTaps taps, vec2 texel) {
 }
 
 // Shares of the flame that are visible from a point, and from one higher than it by `rise` along the normal (m).
-// `cube`: the flame's shadow cube. `normal`: of the triangle, on the light's side. `pixel`: seed of the taps' offset.
-vec2 flameVisibility(sampler2D cube, int searchTaps, int filterTaps, vec3 position, vec3 normal, float rise, vec2 pixel) {
+// `normal`: of the triangle, on the light's side. `pixel`: seed of the taps' offset.
+vec2 flameVisibility(int searchTaps, int filterTaps, vec3 position, vec3 normal, float rise, vec2 pixel) {
   ShadowReceiver r;
   r.position = position - light.captureOrigin;
   r.shift = light.position - light.captureOrigin;
@@ -93,7 +93,7 @@ vec2 flameVisibility(sampler2D cube, int searchTaps, int filterTaps, vec3 positi
   r.distance = length(r.position);
   r.offset = dot(r.position, normal);
   r.offset = r.offset < 0.0 ? min(r.offset, -1e-5) : max(r.offset, 1e-5);
-  float tile = shadowTileSize(cube);
+  float tile = shadowTileSize();
   float texels = 0.5 * tile / SHADOW_REACH;
   // A step of the stored depth is half as many metres to either side.
   float stepBias = r.distance * r.distance * (0.5 * SHADOW_STEP / SHADOW_NEAR);
@@ -115,7 +115,7 @@ vec2 flameVisibility(sampler2D cube, int searchTaps, int filterTaps, vec3 positi
     float spread = (float(i) + 0.5) / float(searchTaps);
     vec2 texel = tapTexel(taps, 0.5 + (fract(place) - 0.5) * spread, tile - 0.01);
     place += R2;
-    float caster = texelFetch(cube, ivec2(texel), 0).r;
+    float caster = shadowDepth(texel);
     if (caster < min(planeDepth(taps, texel), taps.farthest)) {
       inverseDepth += 1.0 - caster;
       blockers += 1.0;
@@ -133,7 +133,7 @@ vec2 flameVisibility(sampler2D cube, int searchTaps, int filterTaps, vec3 positi
     for (int j = 0; j < TAPS_AT_ONCE; j++) {
       vec2 texel = tapTexel(taps, fract(place), tile - 0.01);
       place += R2;
-      float caster = texelFetch(cube, ivec2(texel), 0).r;
+      float caster = shadowDepth(texel);
       float plane = planeDepth(taps, texel);
       visible.x += caster < min(plane, taps.farthest) ? 0.0 : 1.0;
       visible.y += caster < min(1.0 - (1.0 - plane) * higher, taps.farthest) ? 0.0 : 1.0;

@@ -12,6 +12,9 @@ const float SHADOW_NEAR = 0.04;  // m
 const float SHADOW_STEP = 1.0 / 65535.0;
 
 uniform sampler2D uShadow;
+#ifdef CANDLES
+uniform sampler2D uStandingShadow;  // cubes of the standing candles, of the same size
+#endif
 
 // Whether a direction's face has the axis x, or y.
 bvec2 shadowAxis(vec3 direction) {
@@ -30,16 +33,24 @@ vec2 shadowTileCenter(bvec2 axis, float along, float tile) {
 }
 
 // Texels along a tile's edge.
-float shadowTileSize(sampler2D cube) {
-  return float(textureSize(cube, 0).x / 3);
+float shadowTileSize() {
+  return float(textureSize(uShadow, 0).x / 3);
+}
+
+// Depth in a texel of the cube of the flame that is shaded for.
+float shadowDepth(vec2 texel) {
+#ifdef CANDLES
+  if (isStanding) return texelFetch(uStandingShadow, ivec2(texel), 0).r;
+#endif
+  return texelFetch(uShadow, ivec2(texel), 0).r;
 }
 
 // Distance of the nearest caster in a direction, as a multiple of the direction's length.
 float casterDistance(vec3 direction) {
   bvec2 axis = shadowAxis(direction);
   vec3 d = onShadowFace(direction, axis);
-  float tile = shadowTileSize(uShadow);
+  float tile = shadowTileSize();
   vec2 texel = shadowTileCenter(axis, d.z, tile) + d.xy / d.z * (0.5 * tile / SHADOW_REACH);
-  float depth = texelFetch(uShadow, ivec2(texel), 0).r;
+  float depth = shadowDepth(texel);
   return SHADOW_NEAR / (abs(d.z) * max(1.0 - depth, SHADOW_STEP));
 }

@@ -2,6 +2,9 @@
 // Needs lib/flame-light.glsl.
 
 uniform sampler2D uSupport;  // radiosity and height of that surface, a texel a flame: gi/support-radiosity.frag
+#ifdef CANDLES
+uniform sampler2D uStandingSupport;
+#endif
 
 // Distance from the candle's axis over which it fades to the probes' light, m.
 const float RADIUS = 0.15;
@@ -13,9 +16,17 @@ const float FADE = 0.02;
 // Heights over it between which it ceases to fill the view down, m: a wall over a sill, not the candle.
 const vec2 CEASES = vec2(0.25, 0.5);
 
-// lx, for 1 cd of the flame's. `supports`: `uSupport`, or those of standing candles.
-vec3 supportIrradiance(sampler2D supports, vec3 position, float viewFactor) {
-  vec4 support = texelFetch(supports, ivec2(int(light.shadowSlot), 0), 0);
+// Radiosity and height of the surface below the flame that is shaded for.
+vec4 supportOfLight() {
+  ivec2 texel = ivec2(int(light.shadowSlot), 0);
+#ifdef CANDLES
+  if (isStanding) return texelFetch(uStandingSupport, texel, 0);
+#endif
+  return texelFetch(uSupport, texel, 0);
+}
+
+// lx, for 1 cd of the flame's.
+vec3 supportIrradiance(vec4 support, vec3 position, float viewFactor) {
   vec2 offset = (position.xz - light.axis) / RADIUS;
   float height = position.y - support.a;
   float weight = clamp(height / FADE, 0.0, 1.0) * (1.0 - smoothstep(CEASES.x, CEASES.y, height)) * exp(-dot(offset, offset));

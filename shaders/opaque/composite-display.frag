@@ -2,6 +2,8 @@
 // Composite of the deferred stage and display transform in one, by the tone LUT.
 // In:  G-buffer, lighting, bloom.   Out: display colour; REDUCED: alpha tells what is held.
 #include "lib/precision.glsl"
+#include "lib/frame.glsl"
+#include "lib/compile-time.glsl"
 #include "lib/srgb.glsl"
 #include "lib/flame-light.glsl"
 #include "lib/gbuffer.glsl"
@@ -29,6 +31,7 @@ flat in float vExposure;
 out vec4 oColor;
 
 void main() {
+  COMPILE_ONCE;
   vec4 albedo = texelFetch(uGBufferAlbedo, ivec2(gl_FragCoord.xy), 0);
   vec3 radiance = compositeRadiance(albedo, vUv) + texture(uBloom, vUv + uGlareOffset).rgb * uGlareShare;
   vec3 exposed = max(radiance, 0.0) * uWhiteBalance * (vExposure / TONE_LUT_MAX);

@@ -42,9 +42,6 @@ const float WICK_COSINE = 0.05;
 #endif
 
 uniform sampler2D uEnvironmentBrdf;
-#ifdef CANDLES
-uniform sampler2D uStandingShadow;  // cubes of the standing candles
-#endif
 uniform float uWax;  // 1 or 0
 uniform vec4 uFeatures;  // 1 or 0: shadows, indirect light, specular; the normal instead of radiance
 uniform vec2 uOrigin;    // of the target on the frame, pixels
@@ -77,8 +74,8 @@ float directMoonlight(vec3 facet, vec3 surface, vec3 normal, vec3 toEye, vec3 di
 #endif
 
 // Visible share of the flame, past the room, the candle and its holder; and from a crevice's sides. Crevices are lit by
-// their sides, whatever their own normal. `cube`: the flame's shadow cube. `divisor`: of the number of taps.
-vec2 visibilitiesOf(sampler2D cube, int divisor, vec3 surface, vec3 normal, vec3 facet, bool isCrevice) {
+// their sides, whatever their own normal. `divisor`: of the number of taps.
+vec2 visibilitiesOf(int divisor, vec3 surface, vec3 normal, vec3 facet, bool isCrevice) {
   vec2 visibilities = vec2(0.0);
   if (dot(normal, light.position) > dot(normal, vPositionWorld) || isCrevice) {
     vec3 toward = faceforward(facet, vPositionWorld - light.position, facet);
@@ -87,7 +84,7 @@ vec2 visibilitiesOf(sampler2D cube, int divisor, vec3 surface, vec3 normal, vec3
     visibilities = vec2(candleVisibility(vPositionWorld));
     int search = SHADOW_SEARCH / divisor;
     int taps = SHADOW_TAPS / divisor;
-    visibilities *= flameVisibility(cube, search, taps, vPositionWorld, toward, rise, pixel);
+    visibilities *= flameVisibility(search, taps, vPositionWorld, toward, rise, pixel);
   }
   return visibilities;
 }
@@ -141,7 +138,7 @@ void main() {
   // Computed first, to save registers.
   bool isCrevice = occlusion < CREVICE;
   vec3 facet = facetNormal(vPositionWorld);
-  vec2 visibilities = visibilitiesOf(uShadow, 1, surface, normal, facet, isCrevice);
+  vec2 visibilities = visibilitiesOf(1, surface, normal, facet, isCrevice);
 
   // Direct light.
   vec3 view = normalize(frame.eyePosition - vPositionWorld);
@@ -156,8 +153,9 @@ void main() {
 #ifdef CANDLES
   float others = 1e-9;
   for (int i = 0; i < int(standing.count); i++) {
+    isStanding = true;
     light = standing.candles[i];
-    visibilities = visibilitiesOf(uStandingShadow, 2, surface, normal, facet, isCrevice);
+    visibilities = visibilitiesOf(2, surface, normal, facet, isCrevice);
     DirectLight more = directLight(shading, visibilities);
     direct.irradiance += more.irradiance;
     direct.sides += more.sides;
@@ -165,6 +163,7 @@ void main() {
     glow += waxGlow(vPositionWorld);
     others += luma(light.intensity);
   }
+  isStanding = false;
   light = carried;
   carriedShare = luma(light.intensity) / (luma(light.intensity) + others);
 #endif

@@ -1,11 +1,11 @@
 #version 300 es
 // Deferred lighting at a lower rate than the G-buffer's, for a flame of 1 cd.
-// CANDLES: for all flames as they burn, with the irradiance volume of all; WITH_MOON: and for the moon.
+// OF_ALL: for all lights as they shine, with their irradiance volume: CANDLES, standing ones; WITH_MOON, the moon.
 // In:  G-buffer, shadow cube, irradiance volume.
 // Out: square roots of the albedo's factor, cd/m², and of what is added to it; REDUCED: inverse depth.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
-#include "lib/loop-count.glsl"
+#include "lib/compile-time.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/random.glsl"
 #include "lib/depth.glsl"
@@ -23,21 +23,14 @@
 #endif
 #include "lib/lighting-texel.glsl"
 #include "lib/support-irradiance.glsl"
-#ifdef WITH_MOON
-#include "lib/moon.glsl"
-#include "lib/moon-shadow.glsl"
-#include "lib/night-sky.glsl"
-#include "lib/moon-lighting.glsl"
-#endif
 
 uniform vec3 uFeatures;  // 1 or 0: shadows, indirect light, specular
-#ifdef CANDLES
-uniform sampler2D uStandingShadow;   // cubes of the standing candles
-uniform sampler2D uStandingSupport;
-uniform vec3 uColor;                 // of the light that represents all: luma 1
+#ifdef OF_ALL
+uniform vec3 uColor;              // of the light that represents all: luma 1
 #endif
 #ifdef WITH_MOON
-uniform vec3 uMoonlight;             // lx
+uniform sampler2D uMoonLighting;  // of moon-lighting.frag, REDUCED
+uniform vec3 uMoonlight;          // lx
 #endif
 
 layout(location = 0) out vec4 oLighting;
@@ -55,7 +48,7 @@ struct Viewing {
 
 // Lighting by one flame without the room's: its direct light, its support, and the wax that it shines through.
 // Factor of the albedo (rgb), and the part without albedo, cd/m².
-vec4 flameLighting(LightingTexel texel, Viewing v, sampler2D cube, sampler2D supports) {
+vec4 flameLighting(LightingTexel texel, Viewing v) {
   vec3 position = texel.position;
   vec3 normal = texel.normal;
   // Computed first, to save registers. Four rotations of the taps side by side, which the upsampling averages.
@@ -63,7 +56,7 @@ vec4 flameLighting(LightingTexel texel, Viewing v, sampler2D cube, sampler2D sup
   if (dot(normal, light.position) > dot(normal, position)) {
     vec2 tile = mod(floor(gl_FragCoord.xy), 2.0);
     visibility = candleVisibility(position);
-    visibility *= flameVisibility(cube, COUNT(SHADOW_SEARCH), COUNT(SHADOW_TAPS), position, normal, 0.0, tile).x;
+    visibility *= flameVisibility(COUNT(SHADOW_SEARCH), COUNT(SHADOW_TAPS), position, normal, 0.0, tile).x;
   }
   float metallic = metallicOf(texel.material);
   vec3 toLight = light.position - position;
@@ -76,8 +69,9 @@ vec4 flameLighting(LightingTexel texel, Viewing v, sampler2D cube, sampler2D sup
   float fresnel = fresnelSchlick(vec3(0.04), flame.SoH).r;  // of a dielectric; a metal's is its albedo
   float specular = flame.lobe * perArea * uFeatures.z;
   vec3 perCandela = vec3((1.0 - metallic) * (1.0 - fresnel) / PI * irradiance + metallic * specular);
-  perCandela += supportIrradiance(supports, position, supportViewFactor(normal)) * v.factors.x;
-  vec3 room = supportIrradiance(supports, position, 0.5 - 0.5 * v.reflected.y) * v.factors.y;
+  vec4 support = supportOfLight();
+  perCandela += supportIrradiance(support, position, supportViewFactor(normal)) * v.factors.x;
+  vec3 room = supportIrradiance(support, position, 0.5 - 0.5 * v.reflected.y) * v.factors.y;
   perCandela += metallic * room;
   float added = (1.0 - metallic) * (fresnel * specular + v.mirrored * luma(room));
   vec3 glow = isWax(texel.material) ? waxGlow(position) : vec3(0.0);
@@ -85,6 +79,7 @@ vec4 flameLighting(LightingTexel texel, Viewing v, sampler2D cube, sampler2D sup
 }
 
 void main() {
+  COMPILE_ONCE;
   LightingTexel texel = lightingTexel();
 #if REDUCED
   oInverseDepth = vec4(inverseDepth(texel.depth), 0.0, 0.0, 1.0);
@@ -100,25 +95,27 @@ void main() {
   v.factors.y = (1.0 - 0.6 * texel.roughness) / PI * uFeatures.y * uFeatures.z;
 
 #ifdef CANDLES
-  light = carried;
-#endif
-  vec4 lighting = flameLighting(texel, v, uShadow, uSupport);
-#ifdef CANDLES
-  for (int i = 0; i < int(standing.count); i++) {
-    light = standing.candles[i];
-    lighting += flameLighting(texel, v, uStandingShadow, uStandingSupport);
+  // In one loop, so that the function is compiled once.
+  vec4 lighting = vec4(0.0);
+  for (int i = -1; i < int(standing.count); i++) {
+    isStanding = i >= 0;
+    light = carried;
+    if (isStanding) light = standing.candles[i];
+    lighting += flameLighting(texel, v);
   }
+#else
+  vec4 lighting = flameLighting(texel, v);
 #endif
 #ifdef WITH_MOON
-  lighting += moonLighting(texel, v.view, v.NoV, uFeatures.xz).xxxy * vec4(uMoonlight, luma(uMoonlight));
-  lighting.rgb += nightLighting(texel, v.view, v.NoV) * uMoonlight;
+  vec4 perLux = texelFetch(uMoonLighting, ivec2(gl_FragCoord.xy), 0);
+  lighting += perLux * perLux * vec4(uMoonlight, luma(uMoonlight));
 #endif
 
   IrradianceSample indirect = irradianceAt(texel.position + normal * 0.08, normal, normal, v.reflected);
   vec3 room = indirect.alongReflection * v.factors.y;
   lighting.rgb += indirect.alongNormal * v.factors.x + metallic * room;
   lighting.a += (1.0 - metallic) * v.mirrored * luma(room);
-#ifdef CANDLES
+#ifdef OF_ALL
   lighting.rgb /= uColor;
 #endif
   oLighting = sqrt(clamp(lighting, 0.0, 3e4));

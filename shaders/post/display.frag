@@ -3,6 +3,7 @@
 // In:  radiance, cd/m².   Out: display colour.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
+#include "lib/compile-time.glsl"
 #include "lib/display-transform.glsl"
 #if TONE_LUT
 #include "lib/tone-lut.glsl"
@@ -75,5 +76,6 @@ vec3 antialiasedColor(vec2 uv) {
 }
 
 void main() {
+  COMPILE_ONCE;
   oColor = vec4(antialiasedColor(vUv) + dither(gl_FragCoord.xy), 1.0);
 }

@@ -22,6 +22,11 @@ export interface CachedLight {
   readonly key: string;
 }
 
+/** The standing candles among the cached lights. */
+export function candlesOf(cached: readonly CachedLight[]): readonly CachedLight[] {
+  return cached.filter(({ kind }) => kind === "candle");
+}
+
 /** The moon among the cached lights. */
 export function moonOf(cached: readonly CachedLight[]): CachedLight | null {
   return cached.find(({ kind }) => kind === "moon") ?? null;

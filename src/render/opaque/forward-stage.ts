@@ -9,7 +9,7 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { Bounds } from "../../world/geometry.js";
-import { type CachedLight, moonOf } from "../cached-light.js";
+import { type CachedLight, candlesOf, moonOf } from "../cached-light.js";
 import { frustumTest } from "../camera.js";
 import type { FrameInput, ModelInstance, Size } from "../frame-input.js";
 import type { Captures } from "../gi/light-captures.js";
@@ -153,8 +153,7 @@ export class ForwardStage implements OpaqueStage {
       captureOrigin: captures.shadow.captureOrigin,
     };
     this.#moon = inspect === "normals" ? null : moonOf(captures.cached);
-    this.#candles =
-      inspect === "normals" ? [] : captures.cached.filter(({ kind }) => kind === "candle");
+    this.#candles = inspect === "normals" ? [] : candlesOf(captures.cached);
     const frameKey = JSON.stringify([
       [...frame.clipFromWorld],
       features,
@@ -250,8 +249,8 @@ export class ForwardStage implements OpaqueStage {
     if (candles.length > 0) {
       const { intensity } = lightBlock(frame.world, frame.settings.features.candle);
       this.#shadingLight.update({ intensity });
-      this.#standing ??= new MultiLightInputs(this.#gpu, pass.program, this.format);
-      const inputs = this.#standing.inputs(candles, captures, intensity);
+      this.#standing ??= new MultiLightInputs(this.#gpu, this.format);
+      const inputs = this.#standing.inputs(pass.program, candles, captures, intensity);
       Object.assign(pass.textures, inputs.textures);
       Object.assign(pass.blocks, inputs.blocks);
     }

@@ -1,13 +1,14 @@
 import { mat4 } from "gl-matrix";
 import gatherFrag from "../../../shaders/opaque/gather-inverse-depth.frag";
 import lightingFrag from "../../../shaders/opaque/lighting.frag";
+import moonFrag from "../../../shaders/opaque/moon-lighting.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Draw, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
-import { type CachedLight, moonOf } from "../cached-light.js";
+import { type CachedLight, candlesOf, moonOf } from "../cached-light.js";
 import { floats } from "../float-format.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { GBuffer } from "../gbuffer/gbuffer.js";
@@ -48,6 +49,7 @@ export class LightingPass {
   #key = "";
   #fullTarget: RenderTarget | null = null;
   #reducedTarget: RenderTarget | null = null;
+  #reducedMoon: RenderTarget | null = null;
   /** Inverse depths of four neighbours in each texel, for the bilateral upsampling. */
   #gathered: RenderTarget | null = null;
 
@@ -74,22 +76,30 @@ export class LightingPass {
 
   /** Of lighting in motion: by the flame alone, or by all lights at once, which then share what they compute. */
   reducedProgram(cached: readonly CachedLight[]): Program {
-    const { shadow, mostCandles } = this.#tier;
-    // Texels four times as large are averaged over as many shadow taps again.
-    const search = Math.ceil(shadow.search / 2);
-    const taps = Math.ceil(shadow.taps / 2);
-    return this.#program(
-      { ...shadow, search, taps },
-      {
-        REDUCED: 1,
-        ...(cached.length > 0 && { CANDLES: mostCandles }),
-        ...(moonOf(cached) && { WITH_MOON: 1 }),
-      },
-    );
+    return this.#program(this.#reducedShadow, {
+      REDUCED: 1,
+      ...(cached.length > 0 && { OF_ALL: 1 }),
+      ...(candlesOf(cached).length > 0 && { CANDLES: this.#tier.mostCandles }),
+      ...(moonOf(cached) && { WITH_MOON: 1 }),
+    });
+  }
+
+  /** Texels four times as large are averaged over as many shadow taps again. */
+  get #reducedShadow(): ShadowQuality {
+    const { shadow } = this.#tier;
+    const [search, taps] = [Math.ceil(shadow.search / 2), Math.ceil(shadow.taps / 2)];
+    return { ...shadow, search, taps };
+  }
+
+  get #reducedMoonProgram(): Program {
+    const { search, taps } = this.#reducedShadow;
+    const defines = { SHADOW_SEARCH: search, SHADOW_TAPS: taps, REDUCED: 1 };
+    return this.#gpu.program("opaque/moon-lighting", fullscreenVert, moonFrag, { defines });
   }
 
   resize({ width, height }: Size): void {
-    for (const old of [this.#reducedTarget, this.#fullTarget, this.#gathered]) old?.dispose();
+    const targets = [this.#reducedTarget, this.#reducedMoon, this.#fullTarget, this.#gathered];
+    for (const old of targets) old?.dispose();
     const target = (
       kind: keyof typeof RATE,
       color: readonly TextureFormat[],
@@ -104,6 +114,7 @@ export class LightingPass {
         filter,
       });
     this.#reducedTarget = target("reduced", [this.format, floats(this.#gpu, 1)]);
+    this.#reducedMoon = target("reduced", [this.format], "moon");
     this.#gathered = target("reduced", [this.format], "gathered", "nearest");
     this.#fullTarget = target("full", [this.format]);
     this.#key = "";
@@ -151,26 +162,41 @@ export class LightingPass {
     if (!worldFromClip) throw new Error("The camera's matrix has no inverse.");
     const program = isReduced ? this.reducedProgram(cached) : this.full;
     const all = this.#isOfAll ? this.#ofAll(frame, program, { shadow, irradiance, cached }) : null;
+    const textures = {
+      uGBufferSurface: surface,
+      uDepth: depth,
+      ...(representative && { uRepresentative: representative }),
+    };
+    const uniforms = {
+      uFeatures: [shadows, indirect, specular].map(Number),
+      uLightingSize: [target.width, target.height],
+      uWorldFromClip: worldFromClip as Float32Array,
+    };
     yield;
+    const moon = isReduced ? moonOf(cached) : null;
+    const uMoonLighting = this.#reducedMoon;
+    if (moon && uMoonLighting) {
+      this.#gpu.draw({
+        program: this.#reducedMoonProgram,
+        target: uMoonLighting,
+        textures: { ...textures, uGBufferAlbedo: gbuffer.albedo, uMoonMap: moon.shadow },
+        uniforms,
+        blocks: { Frame: this.frame, Moon: moon.block },
+      });
+      yield;
+    }
     this.#gpu.draw({
       program,
       target,
       textures: {
-        uGBufferSurface: surface,
-        uDepth: depth,
-        ...(representative && { uRepresentative: representative }),
+        ...textures,
         uShadow: shadow.depth,
         ...irradiance.textures,
         uSupport: irradiance.support,
         ...all?.textures,
-        ...(moonOf(cached) && isReduced && { uGBufferAlbedo: gbuffer.albedo }),
+        ...(moon && uMoonLighting && { uMoonLighting: uMoonLighting.color }),
       },
-      uniforms: {
-        uFeatures: [shadows, indirect, specular].map(Number),
-        uLightingSize: [target.width, target.height],
-        uWorldFromClip: worldFromClip as Float32Array,
-        ...all?.uniforms,
-      },
+      uniforms: { ...uniforms, ...all?.uniforms },
       blocks: {
         Frame: this.frame,
         Light: this.#shadingLight,
@@ -194,18 +220,22 @@ export class LightingPass {
     const uColor = representativeColor(intensity, cached);
     this.#representative.update({ ...flame, intensity: uColor });
     this.#shadingLight.update({ intensity });
-    this.#standing ??= new MultiLightInputs(this.#gpu, program, this.format);
-    const { textures, blocks } = this.#standing.inputs(cached, { shadow, irradiance }, intensity);
+    this.#standing ??= new MultiLightInputs(this.#gpu, this.format);
+    const { textures, blocks } = this.#standing.inputs(
+      program,
+      cached,
+      { shadow, irradiance },
+      intensity,
+    );
     const moon = moonOf(cached);
-    const candle = cached.find(({ kind }) => kind === "candle");
+    const [candle] = candlesOf(cached);
     return {
       textures: {
         ...textures,
-        uStandingSupport: (candle?.irradiance ?? irradiance).support,
-        ...(moon && { uMoonMap: moon.shadow }),
+        ...(candle && { uStandingSupport: candle.irradiance.support }),
       },
       uniforms: { uColor, ...(moon && { uMoonlight: moon.intensity }) },
-      blocks: { ...blocks, ...(moon && { Moon: moon.block }) },
+      blocks,
     };
   }
 

@@ -4,7 +4,7 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { Rgb } from "../../light/color.js";
-import type { CachedLight } from "../cached-light.js";
+import { type CachedLight, candlesOf } from "../cached-light.js";
 import type { FlameCaptures } from "../gi/light-captures.js";
 import { drawScaled } from "./candle-layers.js";
 
@@ -12,27 +12,25 @@ import { drawScaled } from "./candle-layers.js";
 export class MultiLightInputs {
   readonly #gpu: Gpu;
   readonly #format: TextureFormat;
-  readonly #block: UniformBlock;
+  #block: UniformBlock | null = null;
   /** Irradiance volume of all lights. */
   #irradiance: RenderTarget | null = null;
 
-  /**
-   * @param program that has the block `Candles`
-   * @param format of the irradiance volume
-   */
-  constructor(gpu: Gpu, program: Program, format: TextureFormat) {
+  /** @param format of the irradiance volume */
+  constructor(gpu: Gpu, format: TextureFormat) {
     this.#gpu = gpu;
     this.#format = format;
-    this.#block = gpu.uniformBlock(program, "Candles");
   }
 
   /**
+   * @param program that shades; where candles stand, it has the block `Candles`
    * @param lights the volume of all has theirs
    * @param carried captures of the carried flame, for 1 cd
    */
   inputs(
+    program: Program,
     lights: readonly CachedLight[],
-    { shadow, irradiance: carried }: FlameCaptures,
+    { irradiance: carried }: FlameCaptures,
     intensity: Rgb,
   ): Required<Pick<Draw, "textures" | "blocks">> {
     const { width, height } = carried.textures.uIrradiance;
@@ -48,7 +46,11 @@ export class MultiLightInputs {
       const scissor = irradiance === carried ? undefined : ([0, 0, width, height] as const);
       drawScaled(this.#gpu, from, target, light.intensity, scissor);
     }
-    const candles = lights.filter(({ kind }) => kind === "candle");
+    const candles = candlesOf(lights);
+    const textures = { uIrradiance: target.color };
+    const [first] = candles;
+    if (!first) return { textures, blocks: {} };
+    this.#block ??= this.#gpu.uniformBlock(program, "Candles");
     for (const [i, { light, intensity }] of candles.entries()) {
       const members = Object.entries({ ...light, intensity });
       this.#block.update(
@@ -57,7 +59,7 @@ export class MultiLightInputs {
     }
     this.#block.update({ count: candles.length });
     return {
-      textures: { uStandingShadow: candles[0]?.shadow ?? shadow.depth, uIrradiance: target.color },
+      textures: { ...textures, uStandingShadow: first.shadow },
       blocks: { Candles: this.#block },
     };
   }
