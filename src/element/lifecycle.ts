@@ -114,7 +114,7 @@ export class Lifecycle implements SessionOwner {
   }
 
   posterChanged(): void {
-    if (!this.#session?.candle) this.#overlay.showPoster(this.#element.poster);
+    if (!this.#session?.candle) this.#overlay.showPoster(this.#element);
   }
 
   /** Goes on without waiting for the viewport. */
@@ -149,7 +149,7 @@ export class Lifecycle implements SessionOwner {
     this.#abort = new AbortController();
     const { signal } = this.#abort;
     this.#overlay.clearFailure();
-    this.#overlay.showPoster(element.poster);
+    this.#overlay.showPoster(element);
     this.#states.toggle("loading", true);
     const visibilityChanged = () => {
       contextPool.review();
@@ -257,7 +257,7 @@ export class Lifecycle implements SessionOwner {
   onContextLost(): void {
     this.#machine.send("lose");
     this.#session?.candle?.pause();
-    this.#overlay.showPoster(this.#element.poster);
+    this.#overlay.showPoster(this.#element);
     emit(this.#element, "contextlost", null);
   }
 
@@ -316,7 +316,7 @@ export class Lifecycle implements SessionOwner {
     this.#overlay.hideProgress();
     if (typeOf(error) === "context-lost") this.#offerReload();
     else this.#overlay.fail(error.message, "alert");
-    this.#overlay.showPoster(this.#element.poster);
+    this.#overlay.showPoster(this.#element);
     this.#report(error);
     // The sentence is for visitors; the driver's own words are in its cause.
     if (typeOf(error) === "graphics") console.error(error);

@@ -1,4 +1,5 @@
 import { Hint } from "./hint.js";
+import type { ReflectedAttributes } from "./reflected-attributes.js";
 
 /**
  * Overlay of the canvas: poster, progress bar, hint and failure, each of which the page may replace by a slot
@@ -38,9 +39,10 @@ export class Overlay {
     return !this.#failure.hidden;
   }
 
-  showPoster(url: string): void {
-    this.#poster.hidden = url === "";
-    if (url !== "") this.#poster.src = url;
+  showPoster({ poster, loading }: Pick<ReflectedAttributes, "poster" | "loading">): void {
+    this.#poster.hidden = poster === "";
+    this.#poster.loading = loading;
+    if (poster !== "") this.#poster.src = poster;
     this.#posterSlot.hidden = false;
   }
 

@@ -283,18 +283,19 @@ test("A lazy element fetches and asks for nothing until the visitor is near", as
   const { complaints, fetched } = await open(
     page,
     `<div style="height: 3000px"></div>
-     <candle-flame scene="candle" loading="lazy" paused quality="low" style="width: 40px; height: 40px"></candle-flame>`,
+     <candle-flame scene="candle" loading="lazy" poster="/textures/leather-albedo.avif" paused quality="low" style="width: 40px; height: 40px"></candle-flame>`,
   );
   const candle = page.locator("candle-flame");
   await page.evaluate(async () => {
     for (let i = 0; i < 5; i++) await new Promise(requestAnimationFrame);
   });
-  const early = fetched.filter((path) => /models|scene/.test(path));
+  const early = fetched.filter((path) => /models|scene|textures/.test(path));
   expect(early).toEqual([]);
   expect(await lostContexts(page)).toEqual([]);
   await page.evaluate(() => scrollTo(0, 2600));
   await candle.evaluate((element: CandleFlameElement) => element.ready);
   expect(fetched).toContain("/models/chamberstick.glb");
+  expect(fetched).toContain("/textures/leather-albedo.avif");
   expect(await lostContexts(page)).toEqual([false]);
   expect(complaints).toEqual([]);
 });
