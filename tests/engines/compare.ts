@@ -28,7 +28,7 @@ export const DECODED_LIMITS: Limits = { ...LIMITS, flip: 0.038 };
 /** The physical look from medium on reads its surfaces anisotropically: llvmpipe (Mesa 22.3) leaves wrong texels there. */
 export const ANISOTROPIC_LIMITS: Limits = { mean: 3, flip: 0.068, block: 0.1 };
 
-/** The same at ultra, where one block beside the flame differs more; why is not known. */
+/** The same at ultra, where a block of which the wick's tip gives nearly all light has other samples of it. */
 export const ULTRA_LIMITS: Limits = { ...ANISOTROPIC_LIMITS, block: 0.2 };
 
 /** Thin edges in strong light, needles of the wreath or a moonlit sill: which samples they cover is the driver's choice. */
@@ -54,7 +54,7 @@ export const CASE_LIMITS: readonly {
   },
   {
     cases: /^physical, ultra$/,
-    title: "`physical` at `ultra`, where one block beside the flame differs more; why is not known",
+    title: "`physical` at `ultra`, where the samples of the wick's tip differ too",
     limits: ULTRA_LIMITS,
   },
   {
