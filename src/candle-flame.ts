@@ -97,10 +97,11 @@ export class CandleFlame {
     return { world, layers: isDrifting ? layers : layers.map((one) => ({ ...one, drift: 0 })) };
   }
 
-  /** After a lost context was restored: the same world, drawn by a new GPU. */
-  restore(): void {
+  /** After a lost context was restored: the same world, drawn by a new GPU, in small tasks where time passes. */
+  async restore(plays: boolean, isWanted: () => boolean): Promise<void> {
     this.view.restore();
-    this.draw();
+    if (plays) await this.prepareFrame(plays, isWanted);
+    else this.draw();
   }
 
   #createWorld(birth: WorldOptions = {}): World {
@@ -247,12 +248,12 @@ export class CandleFlame {
   }
 
   /**
-   * Draws what `draw` keeps for further frames, in small tasks.
+   * Draws what `draw` keeps for further frames, in small tasks, with a new renderer. Meanwhile the loop draws nothing.
    *
    * @param plays whether frames follow each other
    * @param isWanted whether it still is
    */
-  prepareFrame(plays: boolean, isWanted: () => boolean): Promise<void> | undefined {
+  prepareFrame(plays: boolean, isWanted: () => boolean): Promise<void> {
     return this.view.prepareFrame({ ...this.#frameSettings, canDefer: plays }, isWanted);
   }
 

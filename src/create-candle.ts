@@ -1,8 +1,8 @@
 import { CandleFlame, type Options } from "./candle-flame.js";
 import { worldOf } from "./scene-world.js";
 import type { CanvasTarget } from "./scenes/canvas-target.js";
+import { prepareView } from "./scenes/prepare-view.js";
 import type { Scene } from "./scenes/scene.js";
-import { SceneView } from "./scenes/scene-view.js";
 import type { Features } from "./settings.js";
 
 interface Creation {
@@ -31,13 +31,9 @@ export async function createCandle(
   const { gpu } = target;
   const isOn = () => isWanted() && target.gpu === gpu && !gpu.isLost;
   const world = worldOf(scene, options);
-  const auto = await SceneView.prepare(target, scene, options, plays, isOn);
+  const auto = await prepareView(target, scene, options, plays, isOn);
   if (!auto) return null;
   const candle = new CandleFlame(target, scene, features, options, plays, { auto, world });
-  await gpu.whenCompiled();
-  if (!isOn()) return null;
-  gpu.finishPrograms();
-  gpu.check("picture");
   rehearse(candle);
   await candle.prepareFrame(plays, isOn);
   candle.reset();

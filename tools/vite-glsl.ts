@@ -10,12 +10,14 @@ interface Resolved {
   files: string[];
 }
 
-// Comments go, line breaks stay: an error of a released build still names the right line.
-function stripComments(source: string): string {
+// Comments and blanks go, line breaks stay: an error of a released build still names the right line. Directives stay as
+// they are, and so do blanks beside plus, minus and slash, two of which may be other operators.
+function minified(source: string): string {
   return source
     .replace(/\/\*[\s\S]*?\*\//g, (comment) => comment.replace(/[^\n]/g, ""))
     .replace(/[ \t]*\/\/.*$/gm, "")
-    .replace(/^[ \t]+/gm, "");
+    .replace(/^[ \t]+/gm, "")
+    .replace(/^[^#\n].*$/gm, (line) => line.replace(/ *([=(){},;*?:<>|&]) */g, "$1"));
 }
 
 /**
@@ -52,7 +54,7 @@ export function glsl({ minify }: { minify: boolean }): Plugin {
       if (!/\.(vert|frag|glsl)$/.test(file)) return null;
       const { source, files } = resolveShader(file);
       for (const name of files) this.addWatchFile(resolve(ROOT, name));
-      return `export default ${JSON.stringify({ source: minify ? stripComments(source) : source, files })}`;
+      return `export default ${JSON.stringify({ source: minify ? minified(source) : source, files })}`;
     },
   };
 }

@@ -2,8 +2,8 @@ import type { CandleFlame, Options } from "../candle-flame.js";
 import { createCandle } from "../create-candle.js";
 import { type Device, FirstPersonInput } from "../input/first-person-input.js";
 import { type CanvasTarget, createCanvasTarget } from "../scenes/canvas-target.js";
+import { measureTarget } from "../scenes/prepare-view.js";
 import type { Scene, SceneRequest } from "../scenes/scene.js";
-import { measureTarget } from "../scenes/scene-view.js";
 import type { Features, Inspection, Look, SceneName } from "../settings.js";
 import { CandleList } from "./candle-list.js";
 import { watchContext } from "./context-watch.js";
@@ -80,7 +80,7 @@ export class Session {
     if (quality === "auto") void measureTarget(this.#target); // while the files are on their way
     watchContext(this.#target.source, signal, {
       onLost: () => owner.onContextLost(),
-      onRestored: () => this.#restore(),
+      onRestored: () => void this.#restore(),
       onGivenUp: () => owner.onContextGivenUp(),
     });
     const show = (next: Scene) => this.#show(next);
@@ -233,10 +233,12 @@ export class Session {
     this.use(() => this.#owner.onCandle(candle));
   }
 
-  #restore(): void {
+  async #restore(): Promise<void> {
+    const isWanted = () => !this.#signal.aborted && !this.#target.gpu.isLost;
     try {
       if (this.#candle) {
-        this.#candle.restore();
+        await this.#candle.restore(this.#owner.plays(), isWanted);
+        if (!isWanted()) return;
       } else {
         this.#target.renew();
         if (this.#scene) void this.#create(this.#scene);

@@ -1,23 +1,20 @@
 import type { Box } from "../gl/gpu.js";
-import { nextTask } from "../gl/next-task.js";
 import { AutoQuality, type Rung } from "../render/auto-quality.js";
 import { canvasSize } from "../render/canvas-size.js";
+import type { Size } from "../render/frame-input.js";
 import type { FrameSettings } from "../render/frame-settings.js";
 import { REFINED, type Tier, tierNamed } from "../render/quality.js";
 import type { Renderer } from "../render/renderer.js";
-import { measureSpeed, type Speed } from "../render/speed.js";
 import type { Inspection } from "../settings.js";
 import type { CanvasTarget } from "./canvas-target.js";
 import { Refinement } from "./refinement.js";
 import type { Scene } from "./scene.js";
 import { hasOneFlame, type ViewSettings, type ViewSubject, workOf } from "./view-subject.js";
 
-const INSPECTION_RUNG: Rung = { tier: "medium", share: 1 };
+/** Settings of a frame, but for what the view knows itself. */
+type ViewFrame = Omit<FrameSettings, "gamut" | "inspect">;
 
-/** Speed of a target's GPU, for `auto`; measured once, best while it has nothing else to do. */
-export function measureTarget({ gpu }: CanvasTarget): Promise<Speed | null> {
-  return measureSpeed(gpu, () => performance.now() / 1000);
-}
+const INSPECTION_RUNG: Rung = { tier: "medium", share: 1 };
 
 /**
  * View of a scene on a canvas: its renderer, at the tier and the resolution that `quality` asks for.
@@ -53,37 +50,12 @@ export class SceneView {
   /** Whether targets and textures were made since the driver was last asked whether it accepts them. */
   #isUnchecked = false;
   /**
-   * Whether the GPU still draws the first frame with them, which may take seconds on a CPU. A query would block the
-   * page until then.
+   * The renderer whose first frame is drawn, in small tasks or by a GPU that takes seconds: meanwhile the animation loop
+   * draws nothing, and a query would block the page.
    */
-  isBusy = false;
-
-  /**
-   * Prepares a view in small tasks, so that the page stays responsive.
-   *
-   * @param plays whether time will pass, so that each frame is followed by another
-   * @param isWanted whether it is still wanted
-   * @returns the quality to begin with; null where it is not wanted, or the context was lost
-   */
-  static async prepare(
-    target: CanvasTarget,
-    scene: Scene,
-    settings: ViewSettings,
-    plays: boolean,
-    isWanted: () => boolean,
-  ): Promise<AutoQuality | null> {
-    const auto = new AutoQuality(workOf(scene, settings));
-    const { quality } = settings;
-    if (quality === "auto") auto.speed = await measureTarget(target);
-    const { tier: name } = plays ? auto.rung : auto.stillRung;
-    const tier = tierNamed(quality === "auto" ? name : quality);
-    while (!scene.prepareRenderer(target, tier, settings)) {
-      await nextTask();
-      if (!isWanted()) return null;
-    }
-    await nextTask();
-    return isWanted() ? auto : null;
-  }
+  #busy: Renderer | null = null;
+  /** Settings of the last frame. */
+  #last: ViewFrame | null = null;
 
   /** @param target from now on this disposes of it */
   constructor(
@@ -132,7 +104,7 @@ export class SceneView {
     this.rebuild();
   }
 
-  /** Creates a new renderer. */
+  /** Creates a new renderer. While frames follow each other it is prepared before it draws the next one. */
   rebuild(): void {
     if (this.#target.gpu.isLost) return; // it is rebuilt once the context is restored
     const before = { tier: this.#tier.name, share: this.#share };
@@ -142,9 +114,11 @@ export class SceneView {
     this.#target.clear();
     this.#refinement.forget();
     this.#renderer.refinedFade?.end();
-    this.#fitCanvas();
     this.#renderer = this.#createRenderer();
     if (before.tier !== rung.tier || before.share !== rung.share) this.onQualityChanged();
+    if (!this.isPlaying || !this.#last) return;
+    const next = { ...this.#last, isMoving: false, canDefer: true };
+    this.prepareFrame(next, () => true).catch(this.onRefused);
   }
 
   /** After the WebGL context was restored. */
@@ -159,14 +133,13 @@ export class SceneView {
    * @returns whether the frame is of another size now, and gone
    */
   resize(width: number, height: number): boolean {
-    const isOther = width !== this.#pixels.width || height !== this.#pixels.height;
+    if (width === this.#pixels.width && height === this.#pixels.height) return false;
+    this.#busy = null;
     this.#pixels = { width, height };
     this.#auto.pixels = width * height;
-    if (isOther) {
-      this.#auto.renew();
-      this.#refinement.stop();
-      this.#renderer.refinedFade?.end();
-    }
+    this.#auto.renew();
+    this.#refinement.stop();
+    this.#renderer.refinedFade?.end();
     const { gpu, canvas } = this.#target;
     const isOtherSize = this.#fitCanvas();
     if (isOtherSize && !gpu.isLost) {
@@ -176,21 +149,39 @@ export class SceneView {
     return isOtherSize;
   }
 
-  /** Draws what the next frame keeps for further ones, in small tasks, as long as it is wanted. */
-  prepareFrame(
-    view: Omit<FrameSettings, "gamut" | "inspect">,
-    isWanted: () => boolean,
-  ): Promise<void> | undefined {
-    return this.#renderer.prepare?.(this.#subject.world, this.#settingsOf(view), isWanted);
+  /** Whether the animation loop has nothing to draw with yet. */
+  get isBusy(): boolean {
+    return this.#busy !== null;
   }
 
-  #settingsOf(view: Omit<FrameSettings, "gamut" | "inspect">): FrameSettings {
+  /**
+   * Compiles a new renderer's programs, and draws what its next frame keeps for further ones, in small tasks, as long as
+   * it is wanted, of this size, and not drawn or replaced. Throws if something is refused.
+   */
+  async prepareFrame(view: ViewFrame, isWanted: () => boolean): Promise<void> {
+    const renderer = this.#renderer;
+    const { gpu } = this.#target;
+    this.#busy = renderer;
+    const isOn = () => isWanted() && this.#busy === renderer && !gpu.isLost;
+    try {
+      await gpu.whenCompiled();
+      if (!isOn()) return;
+      gpu.finishPrograms();
+      gpu.check("picture");
+      await renderer.prepare?.(this.#subject.world, this.#settingsOf(view), isOn);
+    } finally {
+      if (this.#busy === renderer) this.#busy = null;
+    }
+  }
+
+  #settingsOf(view: ViewFrame): FrameSettings {
     return { ...view, gamut: this.#target.gamut, inspect: this.inspect };
   }
 
   /** Draws a frame and shows it. Nothing is drawn while the context is lost. */
-  render(view: Omit<FrameSettings, "gamut" | "inspect">): void {
+  render(view: ViewFrame): void {
     const target = this.#target;
+    this.#last = view;
     const { gpu } = target;
     if (gpu.isLost) return;
     const wasRefined = this.#refinement.shown !== null;
@@ -287,12 +278,14 @@ export class SceneView {
     this.onQualityChanged();
   }
 
+  /** The canvas keeps its frame until the next one is drawn, which may be of another size. */
   #createRenderer(): Renderer {
-    const { width, height } = this.#target.canvas;
+    const { width, height } = this.#size;
     const renderer = this.#scene.createRenderer(this.#target, this.#tier, this.#settings.look);
     renderer.resize(width, height);
     this.#isUnchecked = true;
     this.#renderer = renderer;
+    this.#busy = null;
     this.follow(this.#subject);
     return renderer;
   }
@@ -320,10 +313,13 @@ export class SceneView {
     return this.#tier.resolutionScale * this.#share;
   }
 
+  get #size(): Size {
+    return canvasSize(this.#pixels, this.#resolutionScale, this.#target.gpu.longestSide);
+  }
+
   #fitCanvas(): boolean {
     const { canvas } = this.#target;
-    const { longestSide } = this.#target.gpu;
-    const { width, height } = canvasSize(this.#pixels, this.#resolutionScale, longestSide);
+    const { width, height } = this.#size;
     if (width === canvas.width && height === canvas.height) return false;
     canvas.width = width;
     canvas.height = height;
@@ -333,10 +329,10 @@ export class SceneView {
   /** Asks the driver whether it accepts what was made, once the GPU has drawn, so that nothing waits. */
   async #check(): Promise<void> {
     this.#isUnchecked = false;
-    this.isBusy = true;
+    this.#busy = this.#renderer;
     const { gpu } = this.#target;
     await gpu.whenIdle();
-    this.isBusy = false;
+    this.#busy = null;
     try {
       if (gpu === this.#target.gpu) gpu.check("picture");
     } catch (error) {
