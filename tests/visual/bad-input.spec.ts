@@ -246,7 +246,7 @@ test("A shader that the driver refuses is named, and its context is given back",
   await serveSmallTextures(page);
   await page.route(/\.js$/, async (route) => {
     const response = await route.fetch();
-    const body = (await response.text()).replaceAll("float peak =", "flot peak =");
+    const body = (await response.text()).replaceAll("float peak=", "flot peak=");
     await route.fulfill({ response, body });
   });
   const room = await new RoomDriver(page).load({ poster: PIXEL }, TINY);

@@ -117,7 +117,7 @@ describe("importing a shader", () => {
   });
 
   test.each([MAIN, resolve(ROOT, "paper/room.frag"), resolve(ROOT, "particles/update.vert")])(
-    "without comments keeps every line in its place: %s",
+    "without comments and blanks keeps every line in its place: %s",
     (file) => {
       const written = imported(file, false);
       const released = imported(file, true);
@@ -132,10 +132,18 @@ describe("importing a shader", () => {
       );
       for (const [i, { text }] of lines.entries()) {
         if (whole[i]!.text.includes("*")) continue; // a product, or a comment of many lines
-        expect(text.trim()).toBe(code(whole[i]!.text));
+        const own = code(whole[i]!.text);
+        expect(text.replaceAll(" ", "")).toBe(own.replaceAll(" ", ""));
+        if (own.startsWith("#")) expect(text).toBe(own);
+        else expect(text).not.toMatch(/ [=({]|[;,] /);
       }
     },
   );
+
+  test("keeps blanks that part two operators", () => {
+    const { source } = imported(MAIN, true);
+    expect(source).toContain("r - -branch(");
+  });
 
   test("without comments still begins with its version", () => {
     expect(imported(MAIN, true).source).toMatch(/^#version 300 es\n/);

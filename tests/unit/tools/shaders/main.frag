@@ -11,4 +11,5 @@ const float MARKER_IN_MAIN = branch(1.0) * twig(2.0); // a product
 #include "../tests/unit/tools/shaders/leaf.glsl"
 void main() {
   oColor = vec4(branch(3.0)); // MARKER_AT_END
+  oColor -= oColor.r - -branch(1.0);
 }
