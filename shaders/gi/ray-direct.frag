@@ -16,9 +16,10 @@
 #include "lib/shadow-cube.glsl"
 #endif
 
-// A surface this far behind the nearest one in its direction is lit: m, and texels of the shadow cube.
+// A surface this far behind the nearest one in its direction is lit, m.
 const float BIAS = 0.02;
-const float BIAS_TEXELS = 1.0;
+// A plane seen edge on reaches no farther than this many times the distance of the point.
+const float STEEPEST = 1.1;
 
 uniform sampler2D uProbePositions;  // m
 uniform sampler2D uRayReflectance;
@@ -54,11 +55,20 @@ vec3 radianceAlong(ProbeRay ray, vec3 position) {
   return radiance * rayWeight(fromProbe, ray.solidAngle);
 }
 #else
-bool isLit(vec3 position, float NoL) {
+// The lit plane is compared with the nearest caster where the ray through the texel's centre meets it.
+bool isLit(vec3 position, vec3 normal) {
   vec3 fromOrigin = position - uShadowOrigin;
-  float reach = length(fromOrigin);
-  float texel = 2.0 * SHADOW_REACH * reach / shadowTileSize();
-  return reach <= reach * casterDistance(fromOrigin) + BIAS + BIAS_TEXELS * texel / limitedCosine(NoL);
+  bvec2 axis = shadowAxis(fromOrigin);
+  vec3 point = onShadowFace(fromOrigin, axis);
+  vec3 n = onShadowFace(normal, axis);
+  float tile = shadowTileSize();
+  float texels = 0.5 * tile / SHADOW_REACH;  // for a length of 1 on a face
+  vec2 tileCenter = shadowTileCenter(axis, point.z, tile);
+  vec2 texel = floor(tileCenter + point.xy / point.z * texels);
+  vec2 center = (texel + 0.5 - tileCenter) / texels;
+  float share = dot(n, point / point.z) / dot(n, vec3(center, 1.0));  // of the point's distance along the axis
+  float plane = abs(point.z) * (share > 0.0 ? min(share, STEEPEST) : STEEPEST);
+  return plane <= SHADOW_NEAR / max(1.0 - shadowDepth(texel), SHADOW_STEP) + BIAS;
 }
 
 // Radiance that a probe receives along a ray, by the weight of the ray.
@@ -67,7 +77,7 @@ vec3 radianceAlong(ProbeRay ray, vec3 position) {
   float distanceSquared = dot(fromLight, fromLight);
   vec3 lightDirection = fromLight * inversesqrt(distanceSquared);
   float NoL = dot(ray.normal, -lightDirection);
-  if (NoL <= 0.0 || !isLit(position, NoL)) return vec3(0.0);
+  if (NoL <= 0.0 || !isLit(position, ray.normal)) return vec3(0.0);
   // Of a group of surfels at the hit, from the probe.
   float area = float(GROUP * GROUP) * surfelSolidAngle(lightDirection) * distanceSquared / limitedCosine(NoL);
   float fromProbe = max(dot(ray.normal, -ray.direction), 0.0) * area / (ray.reach * ray.reach);

@@ -22,6 +22,8 @@ layout(location = 1) out vec4 oDirection;
 
 // A hit this far behind the plane of another lies on its front, m.
 const float COPLANAR = 0.02;
+// So many times as far as the farthest of four hits a point may be.
+const float FARTHER = 1.15;
 
 // Visibility of a point at `reach` (m) along a direction, past the surface that a nearby ray from the same origin hit:
 // up to the plane of that surface, or three times as far along a plane that it never meets. The tolerance is a share of
@@ -30,6 +32,14 @@ bool isVisiblePast(vec3 hit, vec3 normal, vec3 direction, float reach) {
   float cosine = dot(normal, direction);
   float end = cosine < -1e-3 ? max(length(hit), dot(normal, hit) / cosine) : 3.0 * length(hit);
   return reach <= end + 0.03 * reach + 0.02;
+}
+
+// A texel of the octahedral map of rays; beyond an edge the one that meets it there, across the seam.
+vec2 wrapped(vec2 texel) {
+  const float END = float(RAYS - 1);
+  if (texel.x < 0.0 || texel.x > END) texel = vec2(clamp(texel.x, 0.0, END), END - texel.y);
+  if (texel.y < 0.0 || texel.y > END) texel = vec2(END - texel.x, clamp(texel.y, 0.0, END));
+  return texel;
 }
 
 // Visible share of a point at `reach` (m) along a direction, from the hits of the four rays around it. Where two hits
@@ -46,13 +56,16 @@ float surfelVisibility(ivec2 tile, vec3 direction, float reach) {
   for (int i = 0; i < 4; i++) {
     vec2 corner = vec2(i & 1, i >> 1);
     vec2 shares = mix(1.0 - (place - cell), place - cell, corner);
-    vec2 texel = clamp(cell + corner, vec2(0.0), vec2(RAYS - 1));
+    vec2 texel = wrapped(cell + corner);
     vec4 hit = texelFetch(uRayHits, tile * RAYS + ivec2(texel), 0);
     hits[i] = turned(normalize(octahedralDecode((texel + 0.5) / float(RAYS))), turn) * hit.w;
     normals[i] = hit.xyz;
     weights[i] = hit.w > 0.0 ? shares.x * shares.y : 0.0;
     isVisible[i] = isVisiblePast(hits[i], normals[i], direction, reach);
   }
+  // What lies farther than all four is behind something that none of them hit, or at the end of a plane that one grazes.
+  float farthest = max(max(length(hits[0]), length(hits[1])), max(length(hits[2]), length(hits[3])));
+  if (reach > FARTHER * farthest) return 0.0;
   float visible = 0.0;
   for (int i = 0; i < 4; i++) {
     bool isHidden = !isVisible[i];

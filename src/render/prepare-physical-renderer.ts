@@ -1,5 +1,6 @@
 import type { Gpu } from "../gl/gpu.js";
 import type { CollisionMesh } from "../world/room/collision-mesh.js";
+import { fitToRoom } from "./gi/fit-to-room.js";
 import { traceProbesIncrementally } from "./gi/probe-rays.js";
 import { uploadNextPart } from "./mesh/upload-steps.js";
 import { forwardProgram } from "./opaque/forward-stage.js";
@@ -26,7 +27,12 @@ export function preparePhysicalRenderer(
     uploadNextPart(gpu, room) &&
     uploadNextPart(gpu, candle) &&
     clusterIncrementally(room, { error: casterError }) &&
-    traceProbesIncrementally(collision, room, indirect, SCHEDULE.probesPerFrame) &&
+    traceProbesIncrementally(
+      collision,
+      room,
+      fitToRoom(indirect, collision, room),
+      SCHEDULE.probesPerFrame,
+    ) &&
     isCompiled
   );
 }

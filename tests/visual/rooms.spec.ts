@@ -18,21 +18,21 @@ interface Errors {
   readonly high: number;
   readonly mean: number;
 }
-/** Measured on 2026-11-23 at `high`, pixel by pixel, and at `low` by means over blocks of 6 x 6 pixels. */
+/** Measured on 2026-11-25 at `high`, pixel by pixel, and at `low` by means over blocks of 6 x 6 pixels. */
 const MEASURED: Readonly<Record<"high" | "low", Readonly<Record<string, Errors>>>> = {
   high: {
     "white-box": { median: 0.015, high: 0.043, mean: 0.004 },
-    "coloured-box": { median: 0.024, high: 0.072, mean: -0.003 },
-    "two-rooms": { median: 0.039, high: 0.114, mean: 0.014 },
-    "two-rooms-dark": { median: 0.041, high: 0.144, mean: 0.015 },
-    corridor: { median: 0.043, high: 0.084, mean: -0.014 },
-    metals: { median: 0.035, high: 0.149, mean: 0.026 },
+    "coloured-box": { median: 0.024, high: 0.072, mean: -0.004 },
+    "two-rooms": { median: 0.041, high: 0.113, mean: 0.011 },
+    "two-rooms-dark": { median: 0.043, high: 0.141, mean: 0.008 },
+    corridor: { median: 0.047, high: 0.089, mean: -0.017 },
+    metals: { median: 0.035, high: 0.149, mean: 0.025 },
   },
   low: {
-    "white-box": { median: 0.035, high: 0.076, mean: 0.025 },
-    "coloured-box": { median: 0.036, high: 0.138, mean: 0.023 },
-    "two-rooms": { median: 0.116, high: 0.368, mean: 0.073 },
-    corridor: { median: 0.037, high: 0.087, mean: 0.002 },
+    "white-box": { median: 0.034, high: 0.074, mean: 0.024 },
+    "coloured-box": { median: 0.035, high: 0.135, mean: 0.022 },
+    "two-rooms": { median: 0.054, high: 0.202, mean: 0.025 },
+    corridor: { median: 0.044, high: 0.093, mean: -0.005 },
   },
 };
 const NONE: Errors = { median: 0, high: 0, mean: 0 };
@@ -165,8 +165,7 @@ for (const quality of ["high", "low"] as const) {
       await luminances([8, 1.6, 2], -1.57),
     ]) {
       expect(mean(dark) / lit).toBeLessThan(1e-3);
-      // A few pixels of low's coarse lighting are brighter.
-      expect(quantile(dark, quality === "high" ? 0.99 : 0.95) / lit).toBeLessThan(1e-3);
+      expect(quantile(dark, 0.99) / lit).toBeLessThan(1e-3);
     }
     expect(driver.complaints).toEqual([]);
   });

@@ -13,6 +13,7 @@ import { MOTION_ERROR, type PhysicalTier } from "../quality.js";
 import { clusterIncrementally, ShadowCasters } from "../shadow/shadow-casters.js";
 import { type ShadowCube, ShadowPass, shadowAtlas } from "../shadow/shadow-pass.js";
 import { finish, type Steps } from "../steps.js";
+import { fitToRoom } from "./fit-to-room.js";
 import { IndirectPass, type IrradianceVolume, type StepSize } from "./indirect-pass.js";
 import { indirectTargets } from "./indirect-targets.js";
 
@@ -70,7 +71,8 @@ export class LightCaptures {
     tier: PhysicalTier,
     isSimplified: boolean,
   ) {
-    const { shadow, indirect, casterError } = tier;
+    const { shadow, casterError } = tier;
+    const indirect = fitToRoom(tier.indirect, room.collision, room.model);
     this.#gpu = gpu;
     this.#model = room.model;
     this.#meshes = room.surfaces;
@@ -81,7 +83,7 @@ export class LightCaptures {
     this.#indirect = new IndirectPass(gpu, room, indirect, { targets });
     // Where the flame's bounces are computed in steps, other lights' may come in between.
     const shared = tier.opaque === "refined" ? null : targets;
-    this.#cachedLights = new CachedLights(gpu, room, tier, shared);
+    this.#cachedLights = new CachedLights(gpu, room, { ...tier, indirect }, shared);
   }
 
   update(frame: FrameInput, kind: GBufferKind): Captures {

@@ -1,5 +1,6 @@
 import { describe, expect, test } from "vitest";
 import type { Model, Part } from "../../../src/assets/model.ts";
+import { fitToRoom } from "../../../src/render/gi/fit-to-room.ts";
 import { interiorBounds } from "../../../src/render/gi/interior-bounds.ts";
 import { PROBE_DEPTH_EDGE, traceProbes } from "../../../src/render/gi/probe-rays.ts";
 import { octahedral, rayDirections } from "../../../src/render/gi/ray-directions.ts";
@@ -153,5 +154,33 @@ describe("Bounds of the irradiance volume", () => {
 
   test("are a model's own where it has no inside", () => {
     expect(interiorBounds(new CollisionMesh([walls]), { ...modelOf(walls), bounds })).toBe(bounds);
+  });
+});
+
+describe("More probes in a large room", () => {
+  const probesIn = (width: number, depth: number, probes: Vec3 = [6, 4, 6]) => {
+    const room = box([0, 0, 0], [width, 2.5, depth], false);
+    const bounds = { min: [0, 0, 0], max: [width, 2.5, depth] };
+    const model = { parts: [room], bounds } as unknown as Model;
+    return fitToRoom({ probes, inset: 0.3, rays: 8 }, new CollisionMesh([room]), model).probes;
+  };
+
+  test("are none in a small one", () => {
+    expect(probesIn(5, 4)).toEqual([6, 4, 6]);
+  });
+
+  test("stand along its longer side, at most 0.9 m apart, and none in its middle", () => {
+    const [columns, rows, planes] = probesIn(8, 4);
+    expect(8 / columns).toBeLessThanOrEqual(0.9);
+    expect(columns % 2).toBe(0);
+    expect([rows, planes]).toEqual([4, 6]);
+  });
+
+  test("are at most 1.7 times as many", () => {
+    for (const size of [8, 12, 30, 200]) {
+      const [columns, , planes] = probesIn(size, size);
+      expect(columns * planes).toBeLessThanOrEqual(1.7 * 36);
+      expect(columns * planes).toBeGreaterThanOrEqual(36);
+    }
   });
 });
