@@ -1,4 +1,5 @@
 import type { mat4 } from "gl-matrix";
+import type { Surface } from "../gl/gpu.js";
 import type { Vec3 } from "../world/geometry.js";
 import type { World } from "../world/world.js";
 import type { FrameSettings } from "./frame-settings.js";
@@ -26,6 +27,8 @@ export interface ModelInstance {
 
 /** All that a frame of the physical look is drawn from. */
 export interface FrameInput {
+  /** Where the image goes. */
+  readonly screen: Surface;
   readonly world: World;
   readonly settings: FrameSettings;
   readonly clipFromWorld: mat4;

@@ -35,7 +35,7 @@ import { RefinedFade } from "./refinement/refined-fade.js";
 import { RefinedStage } from "./refinement/refined-stage.js";
 import type { Models, Refining, Renderer, Surfaces } from "./renderer.js";
 import { SCHEDULE } from "./schedule.js";
-import { boundsOf, expandBox, expandBoxes, scaleBox } from "./screen-bounds.js";
+import { boundsOf, expandBox, expandBoxes, scaleBox, wholeOf } from "./screen-bounds.js";
 import { finish, type Steps } from "./steps.js";
 import { HANDLE_TURN } from "./volumetric/flame-pass.js";
 import { flamePart, VolumetricStage } from "./volumetric/volumetric-stage.js";
@@ -129,11 +129,14 @@ export class PhysicalRenderer implements Renderer {
   }
 
   async prepare(world: World, settings: FrameSettings, isWanted: () => boolean): Promise<void> {
-    for (const _ of this.#prepareInSteps(this.#describe(world, settings))) {
+    const { width, height } = this.#gpu.canvas; // it keeps its image
+    const screen = this.#gpu.renderTarget({ label: "screen", width, height, color: ["RGBA8"] });
+    for (const _ of this.#prepareInSteps({ ...this.#describe(world, settings), screen })) {
       await this.#gpu.whenIdle();
       await nextTask();
-      if (!isWanted()) return;
+      if (!isWanted()) break;
     }
+    screen.dispose();
   }
 
   /** Many drivers compile a program at its first draw: where frames follow, a few are drawn in advance. */
@@ -173,7 +176,7 @@ export class PhysicalRenderer implements Renderer {
     yield;
     const regions = this.#compositeDisplay
       ? this.#volumetric.bounds(frame, kind, this.#size, BLOOM_SCALE)
-      : [this.#whole];
+      : [wholeOf(this.#size)];
     yield* this.#composite(frame, layer, irradiance, regions);
     yield;
     this.#last = [frame, layer, irradiance];
@@ -191,7 +194,7 @@ export class PhysicalRenderer implements Renderer {
     if (!this.#last) throw new Error("There is no frame yet.");
     const [frame, layer] = this.#last;
     const target = this.#compositedFrame(layer.depth);
-    this.#opaque.composite(frame, layer, target, this.#whole);
+    this.#opaque.composite(frame, layer, target, wholeOf(this.#size));
     return { radiance: target.color, depth: layer.depth, light: this.#opaque.blocks.Light };
   }
 
@@ -218,6 +221,7 @@ export class PhysicalRenderer implements Renderer {
     const candlePlacement: Placement = [x, y, z, candle.yaw + HANDLE_TURN];
     const [flameX, flameY, flameW] = clipPosition(clip, ...interpolated.flame);
     return {
+      screen: "canvas",
       world,
       settings,
       clipFromWorld: clip,
@@ -285,24 +289,26 @@ export class PhysicalRenderer implements Renderer {
     );
   }
 
-  /** To the canvas: the regions of the media from the radiance, the rest straight from the opaque layer. */
+  /** To the screen: the regions of the media from the radiance, the rest straight from the opaque layer. */
   *#present(frame: FrameInput, layer: OpaqueLayer, regions: readonly Box[]): Steps {
-    const { settings, flameUv, world } = frame;
+    const { screen, settings, flameUv, world } = frame;
     const size = this.#size;
-    const { Frame } = this.#opaque.blocks;
+    const { blocks } = this.#opaque;
     const bloom = this.#bloom.transform(flameUv);
     const inputs = { uBloom: this.#bloom.latest, uExposure: this.#exposure.latest };
     const uRadiance = this.#radiance!.whole.color;
     const transform = displayTransform(this.#gpu, settings, world.adaptation.darkness);
-    if (!this.#compositeDisplay) {
-      this.#display.render({ ...inputs, uRadiance }, bloom, settings, transform, Frame);
-      return;
-    }
+    const show = (textures: typeof inputs, scissor?: Box) => {
+      const all = { ...textures, uRadiance };
+      this.#display.render(all, bloom, settings, transform, blocks.Frame, scissor, screen);
+    };
+    if (!this.#compositeDisplay) return show(inputs);
     const textures = { ...inputs, uToneLut: this.#compositeDisplay.toneLut(transform) };
     yield;
     const isFilled = regions.some((box) => box[2] * box[3] === size.width * size.height);
     if (layer.kind !== "full" || !isFilled) {
       const options = {
+        screen,
         glareShare: glareShareOf(settings),
         bloomOffset: bloom.shift,
         autoExposure: settings.features.autoExposure,
@@ -313,11 +319,9 @@ export class PhysicalRenderer implements Renderer {
       yield* this.#compositeDisplay.render(layer, textures, options, layer.blocks);
       yield;
     }
-    const media = boundsOf(regions);
-    this.refinedFade?.draw(frame, layer, media, size, inputs.uExposure, this.#opaque.blocks);
+    this.refinedFade?.draw(frame, layer, boundsOf(regions), size, inputs.uExposure, blocks);
     for (const region of regions) {
-      const inner = scaleBox(expandBox(region, -1, size), size, this.#gpu.canvas);
-      this.#display.render({ ...textures, uRadiance }, bloom, settings, transform, Frame, inner);
+      show(textures, scaleBox(expandBox(region, -1, size), size, this.#gpu.canvas));
     }
   }
 
@@ -338,12 +342,9 @@ export class PhysicalRenderer implements Renderer {
     this.#inspector.render(settings, textures, irradiance, { ...this.#opaque.blocks });
   }
 
-  get #whole(): Box {
-    return [0, 0, this.#size.width, this.#size.height];
-  }
-
   readRadiance(box: Box): Float32Array {
-    if (this.#compositeDisplay && this.#last) finish(this.#composite(...this.#last, [this.#whole]));
+    if (this.#compositeDisplay && this.#last)
+      finish(this.#composite(...this.#last, [wholeOf(this.#size)]));
     return this.#gpu.readFloats(this.#radiance!.whole, box);
   }
 }

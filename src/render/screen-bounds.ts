@@ -150,3 +150,8 @@ export function tiles({ width, height }: Size, { rows, columns }: Grid): Box[] {
     return [x, y, edge(width, columns, column + 1) - x, edge(height, rows, row + 1) - y];
   });
 }
+
+/** All of a frame. */
+export function wholeOf({ width, height }: Size): Box {
+  return [0, 0, width, height];
+}

@@ -4,7 +4,7 @@ import displayVert from "../../../shaders/post/display.vert";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import fxaaFrag from "../../../shaders/post/fxaa.frag";
 import upscaleFrag from "../../../shaders/post/upscale.frag";
-import type { Box, Draw, Gpu } from "../../gl/gpu.js";
+import type { Box, Draw, Gpu, Surface } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
@@ -27,6 +27,7 @@ export interface DisplayOptions {
   /** Where the bloom is, in pixels of a canvas of `size`. */
   readonly bloomBounds: readonly Box[];
   readonly size: Size;
+  readonly screen: Surface;
 }
 
 /**
@@ -80,7 +81,7 @@ export class CompositeDisplayPass {
       blocks: { ...blocks },
     };
     if (layer.kind === "full") {
-      this.#drawFull(composite, options.size);
+      this.#drawFull(composite, options);
       return;
     }
     const isReprojected = layer.kind === "reprojected";
@@ -115,14 +116,14 @@ export class CompositeDisplayPass {
       });
     }
     const source = { textures: { uSource: target.color } };
-    this.#gpu.draw({ ...source, program: this.#upscale, target: "canvas" });
+    this.#gpu.draw({ ...source, program: this.#upscale, target: options.screen });
   }
 
   /** Straight to the canvas, unless that is still of another size. */
-  #drawFull(composite: Omit<Draw, "target">, size: Size): void {
+  #drawFull(composite: Omit<Draw, "target">, { size, screen }: DisplayOptions): void {
     const { canvas } = this.#gpu;
     if (canvas.width === size.width && canvas.height === size.height) {
-      this.#gpu.draw({ ...composite, target: "canvas" });
+      this.#gpu.draw({ ...composite, target: screen });
       return;
     }
     this.#resize(size);
@@ -130,7 +131,7 @@ export class CompositeDisplayPass {
     this.#gpu.draw({ ...composite, target: uSource });
     this.#gpu.draw({
       program: this.#upscale,
-      target: "canvas",
+      target: screen,
       textures: { uSource: uSource.color },
     });
   }

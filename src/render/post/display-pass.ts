@@ -1,6 +1,6 @@
 import displayFrag from "../../../shaders/post/display.frag";
 import displayVert from "../../../shaders/post/display.vert";
-import type { Box, Gpu } from "../../gl/gpu.js";
+import type { Box, Gpu, Surface } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
@@ -97,10 +97,11 @@ export class DisplayPass {
     transform: DisplayTransform,
     frame: UniformBlock,
     scissor?: Box,
+    screen: Surface = "canvas",
   ): void {
     this.#gpu.draw({
       program: this.#program,
-      target: "canvas",
+      target: screen,
       textures: { ...textures, ...(this.#hueLut && { uHueLut: this.#hueLut.of(transform) }) },
       uniforms: {
         ...transform,

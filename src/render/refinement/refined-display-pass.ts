@@ -122,10 +122,10 @@ export class RefinedDisplayPass {
       ? { uDimmer: this.#kept!.colors[0]!, uBrighter: this.#kept!.colors[1]! }
       : {};
     const pass = {
-      target: "canvas",
+      target: options.screen,
       textures: { ...all, ...kept, uReference: this.#references[0]!.color },
       blocks: { ...blocks },
-    } as const;
+    };
     if (isKept) this.#gpu.draw({ ...pass, program: this.#blend, uniforms: { uAutoExposure } });
     const glaring = expandBoxes(options.bloomBounds, FARTHER, size);
     for (const scissor of isKept ? glaring : [undefined]) {

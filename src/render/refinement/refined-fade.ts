@@ -60,7 +60,7 @@ export class RefinedFade {
    * @param media the part of a frame of `size` that is drawn anew afterwards
    */
   draw(
-    { instances, clipFromWorld, settings }: FrameInput,
+    { screen, instances, clipFromWorld, settings }: FrameInput,
     layer: OpaqueLayer,
     [x, y, width, height]: Box,
     size: Size,
@@ -76,7 +76,7 @@ export class RefinedFade {
     if (layer.kind === "full") return;
     this.#gpu.draw({
       program: this.#programs[layer.kind],
-      target: "canvas",
+      target: screen,
       textures: { ...layer.textures, ...image.textures, uExposure },
       uniforms: {
         ...layer.uniforms,
