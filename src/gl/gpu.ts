@@ -102,9 +102,8 @@ export class Gpu {
 
   /** Memory of the objects alive and of the canvas, in bytes. */
   get bytes(): number {
-    let bytes = this.canvas.width * this.canvas.height * 4;
-    for (const object of this.#alive) bytes += object.bytes;
-    return bytes;
+    const canvas = this.canvas.width * this.canvas.height * 4;
+    return [...this.#alive].reduce((sum, { bytes }) => sum + bytes, canvas);
   }
 
   get isLost(): boolean {
@@ -157,7 +156,7 @@ export class Gpu {
     return { made, release };
   }
 
-  /** Equal programs are compiled once: before the next draw, or in `whenCompiled`; see `finishPrograms`. */
+  /** Equal programs are compiled once: when drawn with, in `whenCompiled`, or one after each frame. */
   program(
     label: string,
     vertex: ShaderSource,
@@ -172,10 +171,12 @@ export class Gpu {
     });
   }
 
-  /** All at once: some drivers compile side by side what was started. */
-  #startPrograms(): void {
-    for (const program of this.#unsent) program.start();
-    this.#unsent.clear();
+  /** Before a draw that waits for one all are: some drivers compile side by side what was started. */
+  #startPrograms(most = Infinity): void {
+    for (const program of [...this.#unsent].slice(0, most)) {
+      this.#unsent.delete(program);
+      program.start();
+    }
   }
 
   /**
@@ -183,8 +184,8 @@ export class Gpu {
    * some drivers compile while one waits; without a timer, which a test may have stopped.
    */
   async whenCompiled(): Promise<void> {
-    for (const program of this.#unsent) {
-      program.start();
+    while (this.#unsent.size > 0) {
+      this.#startPrograms(1);
       await nextTask();
     }
     const isPending = (object: GpuObject) => object instanceof Program && !object.isCompiled;
@@ -264,13 +265,13 @@ export class Gpu {
   }
 
   beginFrame(): void {
-    this.#commands.drawCalls = 0;
-    this.#commands.triangles = 0;
+    Object.assign(this.#commands, { drawCalls: 0, triangles: 0 });
     this.timer.begin();
   }
 
   endFrame(): void {
     this.timer.end();
+    this.#startPrograms(1);
   }
 
   get drawCalls(): number {
@@ -287,12 +288,12 @@ export class Gpu {
   }
 
   draw(draw: Draw): void {
-    this.#startPrograms();
+    if (this.#unsent.has(draw.program)) this.#startPrograms();
     this.#commands.draw(draw);
   }
 
   transform(transform: Transform): void {
-    this.#startPrograms();
+    if (this.#unsent.has(transform.program)) this.#startPrograms();
     this.#commands.transform(transform);
   }
 
@@ -302,9 +303,8 @@ export class Gpu {
   }
 
   /**
-   * Pixels of the canvas, 8-bit RGBA, rows from the bottom up. Waits for the GPU.
-   *
-   * Only in the task that drew them: afterwards the browser owns them.
+   * Pixels of the canvas, 8-bit RGBA, rows from the bottom up; only in the task that drew them: afterwards the browser
+   * owns them. Waits for the GPU.
    */
   readCanvas([x, y, width, height]: Box): Uint8Array {
     const gl = this.#gl;
