@@ -177,7 +177,7 @@ export class PhysicalRenderer implements Renderer {
     const regions = this.#compositeDisplay
       ? this.#volumetric.bounds(frame, kind, this.#size, BLOOM_SCALE)
       : [wholeOf(this.#size)];
-    yield* this.#composite(frame, layer, irradiance, regions);
+    if (regions.length > 0) yield* this.#composite(frame, layer, irradiance, regions);
     yield;
     this.#last = [frame, layer, irradiance];
     const post = this.#postIn(kind, shadow.isNew);
