@@ -1,5 +1,6 @@
 #version 300 es
 // Forward shading of a mesh, for a flame of 1 cd; MOONLIT: and for a moon of 1 lx, with the night behind panes.
+// PREPASS: a tile of the refined image, of which hidden fragments are not shaded.
 // CANDLES: for all flames as they burn, with the irradiance volume of all; standing candles with half the shadow taps.
 // In:  base colour (sRGB), normal, occlusion/roughness/metallic maps; vertex colour: occlusion (red).
 // Out: radiance per candela; or the normal, to inspect. MOONLIT: alpha: luminance per lux. Rod vision needs no more.
@@ -35,6 +36,9 @@ const float CREVICE_HEIGHT = 0.015;
 const float WICK_COSINE = 0.05;
 
 #include "lib/surface.glsl"
+#ifdef PREPASS
+#include "lib/prepass.glsl"
+#endif
 #ifdef MOONLIT
 #include "lib/moon.glsl"
 #include "lib/moon-shadow.glsl"
@@ -122,7 +126,8 @@ DirectLight directLight(Shading s, vec2 visibilities) {
   return DirectLight(irradiance, sides, fresnelSchlick(s.f0, flame.SoH) * flame.lobe * perCosine * uFeatures.z);
 }
 
-void main() {
+// Radiance of the fragment. `facet`: normal of the triangle.
+vec4 shade(vec3 facet) {
   vec4 baseColor = texture(uAlbedo, vUv, LOD_BIAS) * uBaseColor;
   if (baseColor.a < uSurface.w) discard;
   vec3 packed = texture(uOcclusionRoughness, vUv, LOD_BIAS).rgb;
@@ -137,7 +142,6 @@ void main() {
 #endif
   // Computed first, to save registers.
   bool isCrevice = occlusion < CREVICE;
-  vec3 facet = facetNormal(vPositionWorld);
   vec2 visibilities = visibilitiesOf(1, surface, normal, facet, isCrevice);
 
   // Direct light.
@@ -198,7 +202,7 @@ void main() {
 
   vec3 radiance = diffuse + specular + indirect + baseColor.rgb * glow * uWax;
   // The largest half float is 65504; a mirrored flame can be brighter.
-  oRadiance = vec4(uFeatures.w > 0.5 ? 0.5 + 0.5 * normal : min(radiance, 3e4), 1.0);
+  vec4 result = vec4(uFeatures.w > 0.5 ? 0.5 + 0.5 * normal : min(radiance, 3e4), 1.0);
 
 #ifdef MOONLIT
   float moonlight = directMoonlight(facet, surface, normal, view, diffuseColor, f0, alpha);
@@ -206,6 +210,20 @@ void main() {
   moonlight += probes.moonlight * reflectance * unoccluded / PI * uFeatures.y;
   bool isPane = roughness < PANE_ROUGHNESS && isOnPane(vPositionWorld);
   for (int i = isPane ? 1 : 0; i > 0; i--) moonlight += nightThroughPane(-view, NoV);
-  oRadiance.a = min(moonlight, 3e4);
+  result.a = min(moonlight, 3e4);
+#endif
+  return result;
+}
+
+void main() {
+  vec3 facet = facetNormal(vPositionWorld);
+#ifdef PREPASS
+  ivec2 pixel = ivec2(gl_FragCoord.xy + uOrigin);
+  int coverage = coverageAt(pixel);
+  oRadiance = coverage == FILLS_PIXEL ? vec4(texelFetch(uShadedOnce, pixel, 0).rgb, 0.0) : vec4(0.0);
+  // Software renderers shade four pixels together: derivatives in a loop that some of them enter are right there.
+  for (int i = coverage == VISIBLE ? 1 : 0; i > 0; i--) oRadiance = shade(facet);
+#else
+  oRadiance = shade(facet);
 #endif
 }

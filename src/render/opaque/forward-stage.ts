@@ -28,9 +28,8 @@ import { MultiLightInputs } from "./multi-light-inputs.js";
 import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "./opaque-stage.js";
 
 /** What surfaces are drawn to: a target, or a part of a larger frame that it holds. */
-interface SurfacePass extends Pick<Draw, "target" | "viewport" | "scissor"> {
-  /** Of the target on the frame, pixels. */
-  readonly origin?: readonly [number, number];
+interface SurfacePass
+  extends Pick<Draw, "target" | "viewport" | "scissor" | "textures" | "uniforms"> {
   /** Whether what lies in a box is drawn. Default: all is. */
   readonly isVisible?: (box: Bounds) => boolean;
   /** Standing candles that are shaded for as well, all flames as they burn. Default: none. */
@@ -61,6 +60,7 @@ export function forwardProgram(
     SHADOW_SEARCH: search,
     SHADOW_TAPS: taps,
     SHADOW_BIAS: bias,
+    ...(physical.opaque === "refined" && { PREPASS: 1 }),
     ...(isMoonlit && { MOONLIT: 1 }),
     ...(hasCandles && { CANDLES: physical.mostCandles }),
   };
@@ -241,11 +241,12 @@ export class ForwardStage implements OpaqueStage {
     frame: FrameInput,
     light: CaptureLight,
     captures: Captures,
-    { origin, isVisible, candles = [], ...target }: SurfacePass,
+    { isVisible, candles = [], textures, uniforms, ...target }: SurfacePass,
   ): void {
     const moon = frame.settings.inspect === "normals" ? null : moonOf(captures.cached);
     const pass = this.#pass(captures, moon, candles.length > 0);
     this.#shadingLight.update(light);
+    Object.assign(pass.textures, textures);
     if (candles.length > 0) {
       const { intensity } = lightBlock(frame.world, frame.settings.features.candle);
       this.#shadingLight.update({ intensity });
@@ -258,7 +259,7 @@ export class ForwardStage implements OpaqueStage {
       for (const mesh of instance.meshes) {
         const runs = isVisible ? visibleRuns(mesh, instance.placement, isVisible) : [{}];
         if (runs.length === 0) continue;
-        const draw = this.#drawOf(frame, instance, mesh, pass, origin);
+        const draw = this.#drawOf(frame, instance, mesh, pass, uniforms);
         for (const run of runs) this.#gpu.draw({ ...draw, ...target, ...run });
       }
     }
@@ -295,7 +296,7 @@ export class ForwardStage implements OpaqueStage {
     { placement }: ModelInstance,
     mesh: Mesh,
     { program, textures, blocks }: LightPass,
-    uOrigin: readonly [number, number] = [0, 0],
+    uniforms: Draw["uniforms"],
   ): Omit<Draw, "target"> {
     const { shadows, indirect, specular, translucency } = settings.features;
     return {
@@ -316,7 +317,8 @@ export class ForwardStage implements OpaqueStage {
         uWax: mesh.isWax && translucency ? 1 : 0,
         uIsWick: mesh.isWick ? 1 : 0,
         uIsPane: mesh.isPane ? 1 : 0,
-        uOrigin,
+        uOrigin: [0, 0],
+        ...uniforms,
         uFeatures: [shadows, indirect, specular, settings.inspect === "normals"].map(Number),
       },
       blocks,

@@ -23,6 +23,7 @@ import { SCHEDULE } from "../schedule.js";
 import { clipOfBox } from "../screen-bounds.js";
 import type { Steps } from "../steps.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
+import { DepthPrepass } from "./depth-prepass.js";
 import type { RefinedDisplayPass } from "./refined-display-pass.js";
 import { TILE, tilesAround } from "./tiles.js";
 
@@ -47,6 +48,7 @@ export class RefinedStage implements OpaqueStage {
   readonly meterFrag = meterFrag;
   readonly #gpu: Gpu;
   readonly #forward: ForwardStage;
+  readonly #prepass: DepthPrepass;
   readonly #begin: Program;
   readonly #copy: Program;
   /** Of one tile: its samples, and its pixels. */
@@ -64,7 +66,7 @@ export class RefinedStage implements OpaqueStage {
   #intensity: Rgb = TAPER.color;
   /** Tiles drawn since the last call of `takeDrawn`. */
   #drawn: Box[] = [];
-  /** Still to be drawn: all with one sample a pixel, which costs half, and then with all samples. */
+  /** Still to be drawn: all with one sample a pixel, and then, where that differs, with all samples. */
   #tiles: Tile[] = [];
   #light: CaptureLight | null = null;
 
@@ -79,6 +81,7 @@ export class RefinedStage implements OpaqueStage {
     this.#resolved = gpu.renderTarget({ label: "refinement/tile", ...tile, filter: "nearest" });
     this.format = this.#forward.format;
     this.blocks = this.#forward.blocks;
+    this.#prepass = new DepthPrepass(gpu, this.blocks.Frame);
   }
 
   /** @param describe the input of a frame */
@@ -102,6 +105,7 @@ export class RefinedStage implements OpaqueStage {
     this.#image?.dispose();
     const options = { label: "refinement/radiance", color: [this.format], width, height } as const;
     this.#image = this.#gpu.renderTarget({ ...options, depth: "texture" });
+    this.#prepass.resize({ width, height });
   }
 
   /** Tiles drawn since the last call. */
@@ -173,15 +177,18 @@ export class RefinedStage implements OpaqueStage {
     const { width, height } = target;
     const [x, y] = box;
     const moon = moonOf(captures.cached);
+    const isMultisampled = samples !== this.#resolved;
+    const uPrepassDepth = this.#prepass.depthAround(box, frame);
     this.#gpu.clear(samples, [0, 0, 0, moon?.background ?? 1]);
     this.#forward.draw(frame, light, captures, {
       target: samples,
       viewport: [-x, -y, width, height],
-      origin: [x, y],
       isVisible: frustumTest(clipOfBox(box, target, frame.clipFromWorld)),
+      textures: { uPrepassDepth, uShadedOnce: target.color },
+      uniforms: { uOrigin: [x, y], uIsMultisampled: Number(isMultisampled) },
     });
     this.#drawn.push(box);
-    if (samples !== this.#resolved) this.#gpu.resolve(samples, this.#resolved);
+    if (isMultisampled) this.#gpu.resolve(samples, this.#resolved);
     this.#gpu.clear(target, BLACK, box);
     this.#gpu.draw({
       program: this.#copy,
