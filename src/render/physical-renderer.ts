@@ -64,9 +64,7 @@ export class PhysicalRenderer implements Renderer {
   readonly #display: DisplayPass;
   /** Where the composite goes straight to the canvas, but for the volumetric stage's region. */
   readonly #compositeDisplay: CompositeDisplayPass | RefinedDisplayPass | null;
-  /** Made when a pass is first inspected. */
   #inspector: InspectPass | null = null;
-  readonly #makeInspector: () => InspectPass;
   #radiance: RadianceTarget | null = null;
   #size = { width: 1, height: 1 };
   /** Frames since bloom and exposure were updated. */
@@ -102,11 +100,13 @@ export class PhysicalRenderer implements Renderer {
     const display = refined && new RefinedDisplayPass(gpu, refined);
     this.#compositeDisplay = display ?? (lods && new CompositeDisplayPass(gpu));
     this.refinedFade = lods && new RefinedFade(gpu);
-    this.#makeInspector = () => new InspectPass(gpu);
     this.refining =
       display &&
-      refined.refining(this.#captures, display, (world, settings) =>
-        this.#describe(world, settings),
+      refined.refining(
+        this.#captures,
+        display,
+        (world, settings) => this.#describe(world, settings),
+        (frame) => this.#draw(frame),
       );
   }
 
@@ -331,7 +331,7 @@ export class PhysicalRenderer implements Renderer {
     uShadow: Texture,
     irradiance: IrradianceVolume,
   ): void {
-    this.#inspector ??= this.#makeInspector();
+    this.#inspector ??= new InspectPass(this.#gpu);
     const textures = {
       uRadiance: this.#radiance!.whole.color,
       uBloom: this.#bloom.latest,

@@ -20,6 +20,8 @@ export interface Refining {
   prepare(world: World, settings: FrameSettings): boolean;
   /** Begins with the last image of a coarser renderer on the same `Gpu`, of the same view. */
   begin(world: World, settings: FrameSettings, coarse: Surfaces): void;
+  /** Goes on with a first frame off the screen, by a pass: many drivers compile at it. True once it is drawn. */
+  drawFirst(world: World, settings: FrameSettings): boolean;
   /** The last displayed image; null before all of it was kept. */
   image(): RefinedImage | null;
 }

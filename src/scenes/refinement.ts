@@ -30,6 +30,7 @@ export class Refinement {
   #size: Size | null = null;
   /** Time that camera and candle have stood, seconds. */
   #rest = 0;
+  #hasBegun = false;
   #isShown = false;
 
   constructor(maker: Maker) {
@@ -50,7 +51,8 @@ export class Refinement {
   take(seconds: number): void {
     if (!(seconds > 0)) return;
     this.#rest += seconds;
-    this.#budget.take(seconds);
+    // Frames that refine nothing say nothing of its cost.
+    if (this.isBusy) this.#budget.take(seconds);
   }
 
   /**
@@ -62,6 +64,8 @@ export class Refinement {
     const image = this.shown?.refining?.image();
     if (image) next?.refinedFade?.begin(image);
     this.#rest = 0;
+    this.#budget = new RefinementBudget();
+    this.#hasBegun = false;
     this.#isShown = false;
   }
 
@@ -95,13 +99,19 @@ export class Refinement {
     const { refining } = this.#renderer;
     const { world } = subject;
     if (!refining || !coarse.surfaces) return 0;
-    if (!refining.prepare(world, { ...view, steps })) return 0;
-    if (this.#size?.width !== size.width || this.#size.height !== size.height) {
-      this.#renderer.resize(size.width, size.height);
-      this.#size = size;
+    if (!this.#hasBegun) {
+      if (!refining.prepare(world, { ...view, steps })) return 0;
+      if (this.#size?.width !== size.width || this.#size.height !== size.height) {
+        this.#renderer.resize(size.width, size.height);
+        this.#size = size;
+      }
+      refining.begin(world, view, coarse.surfaces());
+      this.#hasBegun = true;
+      return 0;
     }
-    refining.begin(world, view, coarse.surfaces());
-    this.#isShown = true;
+    this.#isShown = refining.drawFirst(world, { ...view, steps: 0 });
+    // A tile is dearer than a step of the captures.
+    if (this.#isShown) this.#budget = new RefinementBudget();
     return 0;
   }
 

@@ -15,7 +15,7 @@ import { PROBE_DEPTH_EDGE, type ProbeDetail, type ProbeRays } from "./probe-rays
 /** Bytes of a float. */
 const FLOAT = 4;
 /** Bands of the pass over all rays. */
-const BANDS = 4;
+const BANDS = 12;
 
 /** Probes and the hits of their rays, as textures. */
 export interface ProbeTextures {

@@ -6,7 +6,7 @@ import blendVert from "../../../shaders/refinement/blend.vert";
 import displayFrag from "../../../shaders/refinement/display.frag";
 import keepFrag from "../../../shaders/refinement/keep.frag";
 import referenceFrag from "../../../shaders/refinement/reference.frag";
-import type { Gpu } from "../../gl/gpu.js";
+import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
@@ -113,11 +113,15 @@ export class RefinedDisplayPass {
         });
       }
       yield;
+      this.#keepTile([0, 0, 1, 1], { ...layer.textures, ...textures }, options, blocks); // to compile
+      yield;
     }
     const all = { ...layer.textures, ...textures };
     this.#keepBands(all, options, blocks);
     const isKept = this.#bands === BANDS;
-    if (isKept) this.#keepTiles(all, options, blocks);
+    if (isKept) {
+      for (const tile of this.#stage.takeDrawn()) this.#keepTile(tile, all, options, blocks);
+    }
     const kept = isKept
       ? { uDimmer: this.#kept!.colors[0]!, uBrighter: this.#kept!.colors[1]! }
       : {};
@@ -143,34 +147,33 @@ export class RefinedDisplayPass {
     }
   }
 
-  /** Keeps new tiles, antialiased and by the exact display transform, as `high` displays them. */
-  #keepTiles(
+  /** Keeps a new tile, antialiased and by the exact display transform, as `high` displays it. */
+  #keepTile(
+    tile: Box,
     textures: Readonly<Record<string, Texture>>,
     { transform, size }: DisplayOptions,
     { Frame }: FrameBlocks,
   ): void {
-    for (const tile of this.#stage.takeDrawn()) {
-      for (const [i, target] of this.#views.entries()) {
-        this.#gpu.draw({
-          program: this.#exact,
-          target,
-          textures: {
-            ...textures,
-            uExposure: this.#references[i]!.color,
-            uHueLut: this.#hueLut.of(transform),
-          },
-          uniforms: {
-            ...transform,
-            uWhiteBalance: this.#white(transform),
-            uAutoExposure: 1,
-            uBloomTransform: [1, 1, 0, 0],
-            uGlareShare: 0,
-          },
-          blocks: { Frame },
-          // Antialiasing reads the pixels around.
-          scissor: expandBox(tile, 1, size),
-        });
-      }
+    for (const [i, target] of this.#views.entries()) {
+      this.#gpu.draw({
+        program: this.#exact,
+        target,
+        textures: {
+          ...textures,
+          uExposure: this.#references[i]!.color,
+          uHueLut: this.#hueLut.of(transform),
+        },
+        uniforms: {
+          ...transform,
+          uWhiteBalance: this.#white(transform),
+          uAutoExposure: 1,
+          uBloomTransform: [1, 1, 0, 0],
+          uGlareShare: 0,
+        },
+        blocks: { Frame },
+        // Antialiasing reads the pixels around.
+        scissor: expandBox(tile, 1, size),
+      });
     }
   }
 

@@ -15,6 +15,7 @@ import type { FrameSettings } from "../frame-settings.js";
 import { type ReprojectionSource, reprojectionSource } from "../gbuffer/reprojection.js";
 import type { Captures, LightCaptures } from "../gi/light-captures.js";
 import { type CaptureLight, lightBlock, shadingLight } from "../light-block.js";
+import { normalMapVisibilityOf } from "../mesh/normal-map-visibility.js";
 import { ForwardStage } from "../opaque/forward-stage.js";
 import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "../opaque/opaque-stage.js";
 import type { Tier } from "../quality.js";
@@ -29,6 +30,7 @@ import { TILE, tilesAround } from "./tiles.js";
 
 const BLACK = [0, 0, 0, 1] as const;
 const NOTHING = [0, 0, 0] as const;
+const ONE_PIXEL: Box = [0, 0, 1, 1];
 
 /** A part of the frame, and what it is drawn to. */
 interface Tile {
@@ -69,6 +71,8 @@ export class RefinedStage implements OpaqueStage {
   /** Still to be drawn: all with one sample a pixel, and then, where that differs, with all samples. */
   #tiles: Tile[] = [];
   #light: CaptureLight | null = null;
+  #firstDraws: Steps | null = null;
+  #firstFrame: Steps | null = null;
 
   constructor(gpu: Gpu, tier: Tier) {
     this.#gpu = gpu;
@@ -84,19 +88,32 @@ export class RefinedStage implements OpaqueStage {
     this.#prepass = new DepthPrepass(gpu, this.blocks.Frame);
   }
 
-  /** @param describe the input of a frame */
+  /**
+   * @param describe the input of a frame
+   * @param draw a frame, in steps
+   */
   refining(
     captures: LightCaptures,
     display: RefinedDisplayPass,
     describe: (world: World, settings: FrameSettings) => FrameInput,
+    draw: (frame: FrameInput) => Steps,
   ): Refining {
     const stage = this;
     return {
       get remaining() {
         return stage.#tiles.length;
       },
-      prepare: (world, settings) => captures.hold(describe(world, settings), settings.steps ?? 0),
+      prepare: (world, settings) => {
+        const frame = describe(world, settings);
+        if (!captures.hold(frame, settings.steps ?? 0)) return false;
+        stage.#firstDraws ??= stage.#drawFirst(frame, captures.update(frame, "full"));
+        return stage.#firstDraws.next().done === true;
+      },
       begin: (world, settings, coarse) => stage.#beginWith(describe(world, settings), coarse),
+      drawFirst: (world, settings) => {
+        stage.#firstFrame ??= stage.#drawOffScreen(describe(world, settings), draw);
+        return stage.#firstFrame.next().done === true;
+      },
       image: () => display.image(),
     };
   }
@@ -114,7 +131,8 @@ export class RefinedStage implements OpaqueStage {
   }
 
   /** Begins with a coarser image and the current light. */
-  #beginWith({ world, settings, flameUv }: FrameInput, { radiance, depth, light }: Surfaces): void {
+  #beginWith(frame: FrameInput, { radiance, depth, light }: Surfaces): void {
+    const { world, settings, flameUv } = frame;
     const target = this.#whole;
     this.beginnings++;
     this.#drawn = [];
@@ -124,7 +142,7 @@ export class RefinedStage implements OpaqueStage {
     if (strength > 0) {
       this.flameColor = [intensity[0] / strength, intensity[1] / strength, intensity[2] / strength];
     }
-    this.#light = shadingLight(world, settings.features.candle, SCHEDULE.lighting.forward);
+    this.#light = this.#shadingLight(frame);
     const boxes = tilesAround(target, flameUv);
     this.#tiles = [this.#resolved, this.#samples].flatMap((samples) =>
       boxes.map((box) => ({ box, samples })),
@@ -164,6 +182,38 @@ export class RefinedStage implements OpaqueStage {
     const [red, green, blue] = intensity;
     const flame = this.#intensity;
     return [red / flame[0], green / flame[1], blue / flame[2]];
+  }
+
+  /** Many drivers compile a program for a target at its first draw: each in a frame of its own. */
+  *#drawFirst(frame: FrameInput, captures: Captures): Steps {
+    for (const { meshes } of frame.instances) {
+      for (const mesh of meshes) normalMapVisibilityOf(this.#gpu, mesh);
+    }
+    const { shadow, irradiance } = captures;
+    const light = this.#shadingLight(frame);
+    for (const target of [this.#resolved, this.#samples]) {
+      yield;
+      this.#forward.draw(frame, { ...light, captureOrigin: shadow.captureOrigin }, captures, {
+        target,
+        scissor: ONE_PIXEL,
+        textures: {
+          uPrepassDepth: shadow.depth,
+          uShadedOnce: irradiance.textures.uIrradiance,
+        },
+        uniforms: { uIsMultisampled: Number(target === this.#samples) },
+      });
+    }
+  }
+
+  *#drawOffScreen(frame: FrameInput, draw: (frame: FrameInput) => Steps): Steps {
+    const { width, height } = this.#whole;
+    const screen = this.#gpu.renderTarget({ label: "screen", width, height, color: ["RGBA8"] });
+    yield* draw({ ...frame, screen });
+    screen.dispose();
+  }
+
+  #shadingLight({ world, settings }: FrameInput) {
+    return shadingLight(world, settings.features.candle, SCHEDULE.lighting.forward);
   }
 
   /** Draws a tile to a multisampled target of its own, since drivers resolve whole targets only. */

@@ -1,0 +1,64 @@
+import { expect, test } from "vitest";
+import type { FrameSettings } from "../../../src/render/frame-settings.js";
+import type { Refining, Renderer } from "../../../src/render/renderer.js";
+import { Refinement } from "../../../src/scenes/refinement.js";
+import type { ViewSubject } from "../../../src/scenes/view-subject.js";
+
+const SUBJECT = { world: {}, layers: [] } as unknown as ViewSubject;
+const SIZE = { width: 8, height: 8 };
+const FRAME = 1 / 60;
+
+/** A refinement whose captures take so many calls, and its first frame another number, with what they were told. */
+async function refinement(captures: number, passes: number) {
+  const told = { captures: [] as number[], first: 0, begun: 0 };
+  const refining = {
+    prepare: (_: unknown, { steps = 0 }: FrameSettings) => told.captures.push(steps) > captures,
+    begin: () => told.begun++,
+    drawFirst: () => ++told.first > passes,
+    image: () => null,
+  } as unknown as Refining;
+  const renderer = { refining, resize() {}, setLayers() {} } as unknown as Renderer;
+  const coarse = { surfaces: () => ({}) } as unknown as Renderer;
+  const whenCompiled = () => Promise.resolve();
+  const made = new Refinement({ prepare: () => true, create: () => renderer, whenCompiled });
+  const frame = () => {
+    made.take(FRAME);
+    return made.advance(SUBJECT, {} as FrameSettings, coarse, SIZE);
+  };
+  frame();
+  await Promise.resolve();
+  return { made, told, frame };
+}
+
+test("a refinement begins with single steps, however fast the frames before it were", async () => {
+  const { told, frame } = await refinement(3, 2);
+  for (let i = 0; i < 28; i++) expect(frame()).toBe(0);
+  expect(told.captures).toEqual([]);
+  for (let i = 0; i < 8; i++) frame();
+  expect(told.captures[0]).toBe(1);
+  expect(Math.max(...told.captures)).toBeLessThanOrEqual(2);
+});
+
+test("its first frame is drawn off the screen, a pass in each frame, before it is shown", async () => {
+  const { made, told, frame } = await refinement(1, 3);
+  while (told.begun === 0) frame();
+  for (let pass = 1; pass <= 3; pass++) {
+    expect(frame()).toBe(0);
+    expect([told.first, made.shown]).toEqual([pass, null]);
+  }
+  frame();
+  expect(made.shown).not.toBeNull();
+  expect(frame(), "tiles in the first frame shown").toBe(1);
+});
+
+test("a step aside begins all of it anew", async () => {
+  const { made, told, frame } = await refinement(1, 0);
+  while (made.shown === null) frame();
+  for (let i = 0; i < 60; i++) frame();
+  made.stop();
+  expect(made.shown).toBeNull();
+  const before = told.captures.length;
+  while (told.captures.length === before) frame();
+  expect(told.captures[before]).toBe(1);
+  expect(told.begun).toBe(2);
+});
