@@ -119,8 +119,10 @@ export class Refinement {
     const renderer = this.#maker.create();
     this.#renderer = renderer;
     this.follow(subject);
-    void this.#maker.whenCompiled().then(() => {
+    const proceed = () => {
       if (this.#renderer === renderer) this.#isCompiled = true;
-    });
+    };
+    // A program that was refused is reported by the frame that draws with it.
+    void this.#maker.whenCompiled().then(proceed, proceed);
   }
 }

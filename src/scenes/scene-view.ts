@@ -43,7 +43,11 @@ export class SceneView {
   readonly #refinement = new Refinement({
     prepare: () => this.#scene.prepareRenderer(this.#target, REFINED, this.#settings),
     create: () => this.#scene.createRenderer(this.#target, REFINED, this.#settings.look),
-    whenCompiled: () => this.#target.gpu.whenCompiled(),
+    whenCompiled: async () => {
+      const { gpu } = this.#target;
+      await gpu.whenCompiled();
+      gpu.finishPrograms(); // now: later each would wait for what is being drawn
+    },
   });
   /** CSS size times device pixel ratio, before the tier's scale. */
   #pixels = { width: 1, height: 1 };

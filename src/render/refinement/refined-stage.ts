@@ -30,6 +30,8 @@ import { TILE, tilesAround } from "./tiles.js";
 
 const BLACK = [0, 0, 0, 1] as const;
 const NOTHING = [0, 0, 0] as const;
+/** Frames between draws that compile, so that the GPU is not behind by two of them. */
+const REST_FRAMES = 3;
 const ONE_PIXEL: Box = [0, 0, 1, 1];
 
 /** A part of the frame, and what it is drawn to. */
@@ -192,7 +194,7 @@ export class RefinedStage implements OpaqueStage {
     const { shadow, irradiance } = captures;
     const light = this.#shadingLight(frame);
     for (const target of [this.#resolved, this.#samples]) {
-      yield;
+      for (let rest = 0; rest < REST_FRAMES; rest++) yield;
       this.#forward.draw(frame, { ...light, captureOrigin: shadow.captureOrigin }, captures, {
         target,
         scissor: ONE_PIXEL,
@@ -203,6 +205,7 @@ export class RefinedStage implements OpaqueStage {
         uniforms: { uIsMultisampled: Number(target === this.#samples) },
       });
     }
+    for (let rest = 0; rest < REST_FRAMES; rest++) yield;
   }
 
   *#drawOffScreen(frame: FrameInput, draw: (frame: FrameInput) => Steps): Steps {
