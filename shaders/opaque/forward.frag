@@ -177,7 +177,15 @@ vec4 shade(vec3 facet) {
   vec3 specular = direct.specular * environment.boost;
   // Reflected light does not reach the diffuse layer below.
   vec3 diffuseColor = baseColor.rgb * (1.0 - metallic) * (1.0 - environment.share);
-  vec3 diffuse = diffuseColor / PI * direct.irradiance;
+  vec3 radiance = diffuseColor / PI * direct.irradiance + specular + baseColor.rgb * glow * uWax;
+
+#ifdef MOONLIT
+  // Before indirect light, to save registers.
+  float moonlight = directMoonlight(facet, surface, normal, view, diffuseColor, f0, alpha);
+  bool isPane = roughness < PANE_ROUGHNESS && isOnPane(vPositionWorld);
+  for (int i = isPane ? 1 : 0; i > 0; i--) moonlight += nightThroughPane(-view, NoV);
+  float reflectance = luma(diffuseColor) * skyVisibility(surface, normal) * minified.x + luma(environment.share) * uFeatures.z;
+#endif
 
   // Indirect light.
   vec3 reflected = reflect(-view, normal);
@@ -200,16 +208,11 @@ vec4 shade(vec3 facet) {
   mirrored *= environment.share;
   indirect = (indirect + mirrored * uFeatures.z) * uFeatures.y;
 
-  vec3 radiance = diffuse + specular + indirect + baseColor.rgb * glow * uWax;
+  radiance += indirect;
   // The largest half float is 65504; a mirrored flame can be brighter.
   vec4 result = vec4(uFeatures.w > 0.5 ? 0.5 + 0.5 * normal : min(radiance, 3e4), 1.0);
-
 #ifdef MOONLIT
-  float moonlight = directMoonlight(facet, surface, normal, view, diffuseColor, f0, alpha);
-  float reflectance = luma(diffuseColor) * skyVisibility(surface, normal) * minified.x + luma(environment.share) * uFeatures.z;
   moonlight += probes.moonlight * reflectance * unoccluded / PI * uFeatures.y;
-  bool isPane = roughness < PANE_ROUGHNESS && isOnPane(vPositionWorld);
-  for (int i = isPane ? 1 : 0; i > 0; i--) moonlight += nightThroughPane(-view, NoV);
   result.a = min(moonlight, 3e4);
 #endif
   return result;
