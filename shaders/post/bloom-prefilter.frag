@@ -1,10 +1,13 @@
 #version 300 es
-// Bloom prefilter: radiance at a quarter of the size, cd/m².
+// Bloom prefilter: radiance at a quarter of the size, times the share of the light that the bloom has from there on, cd/m².
 #include "lib/precision.glsl"
 
 uniform sampler2D uSource;
 
 in vec2 vUv;
+
+// Two finer levels of a whole frame's bloom each leave 0.7 to the coarser ones.
+const float COARSER_SHARE = 0.7 * 0.7;
 
 out vec4 oRadiance;
 
@@ -14,5 +17,5 @@ void main() {
   for (int i = 0; i < 4; i++) {
     sum += textureLod(uSource, vUv + vec2(i & 1, i >> 1) * 2.0 * texel - texel, 0.0).rgb;
   }
-  oRadiance = vec4(sum * 0.25, 1.0);
+  oRadiance = vec4(sum * (0.25 * COARSER_SHARE), 1.0);
 }
