@@ -227,7 +227,8 @@ export class SceneView {
 
   get stats() {
     const { drawCalls, triangles, objectCount, bytes, timer } = this.#target.gpu;
-    const { width, height } = this.#target.canvas;
+    // As chosen: after a change of the quality the canvas keeps its size until the next frame.
+    const { width, height } = this.#size;
     return {
       gpuMs: timer.milliseconds,
       drawCalls,

@@ -1,5 +1,5 @@
 import { SETTINGS } from "../../src/settings.ts";
-import type { RoomDriver } from "../support/room-driver.ts";
+import type { Attributes, RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
 
 interface Reflection {
@@ -492,10 +492,19 @@ test.describe("The picture", () => {
       { "max-pixel-ratio": "0.5" },
       { quality: "low" },
       { quality: "high" },
-    ]) {
-      await room.set(attributes);
-      const { width, height, resolutionScale } = await room.stats();
-      sizes.push([width, height, resolutionScale]);
+    ] as Attributes[]) {
+      const [chosen, drawn] = await room.evaluate((element, attributes) => {
+        const size = () => {
+          const { width, height, resolutionScale } = element.stats;
+          return [width, height, resolutionScale];
+        };
+        for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+        const chosen = size();
+        element.step(0);
+        return [chosen, size()];
+      }, attributes);
+      expect(chosen).toEqual(drawn);
+      sizes.push(drawn as number[]);
     }
     expect(sizes).toEqual([
       [160, 90, 1],
