@@ -16,6 +16,9 @@ const vec2 THICKNESS = vec2(0.06, 0.25);
 // Distance from a surfel's plane, m, at which a point is half as likely to be of its surface.
 const float PLANE_TOLERANCE = 0.01;
 
+// Light along a ray that hits nothing that the flame lights, as a share of the mean around it: the irradiance sample / PI.
+const float TRACED_INDIRECT = 0.3;
+
 // A surface as smooth as this is a mirror, by its alpha of GGX; others take this many rays.
 const float MIRROR_ALPHA = 0.01;
 const int REFLECTION_RAYS = 10;

@@ -24,8 +24,6 @@ const float CREVICE = 0.9;
 const vec2 TRACED_ROUGHNESS = vec2(0.15, 0.3);
 // Metals are traced up to so much rougher: they show little else.
 const float TRACED_METAL = 0.25;
-// Indirect part of the radiance at a traced reflection's end, as a share of the irradiance sample.
-const float TRACED_INDIRECT = 0.3;
 // Surfaces nearer than the probes' spacing reflect the flame's light, by the baked occlusion, at most so many times the
 // probes'. Fitted to a path tracer's indirect light in the cabin's views (`npm run reference`).
 const float NEAR_REFLECTANCE = 0.3;

@@ -23,6 +23,10 @@
 #endif
 #include "lib/lighting-texel.glsl"
 #include "lib/support-irradiance.glsl"
+#if !REDUCED
+#include "lib/surfels.glsl"
+#include "lib/distance-impostor.glsl"
+#endif
 
 uniform vec3 uFeatures;  // 1 or 0: shadows, indirect light, specular
 #ifdef OF_ALL
@@ -37,6 +41,11 @@ layout(location = 0) out vec4 oLighting;
 #if REDUCED
 layout(location = 1) out vec4 oInverseDepth;
 #endif
+
+// Roughness of dielectrics up to which reflections are traced.
+const float TRACED_ROUGHNESS = 0.3;
+// Share of light from all around that single scattering in a rough metal loses, for a roughness of 1.
+const float ROUGH_LOSS = 0.25;
 
 struct Viewing {
   vec3 view;
@@ -113,6 +122,14 @@ void main() {
 
   IrradianceSample indirect = irradianceAt(texel.position + normal * 0.08, normal, normal, v.reflected);
   vec3 room = indirect.alongReflection * v.factors.y;
+#if !REDUCED
+  // In motion texels are so large that reflections would be blotches.
+  if (metallic > 0.5 || texel.roughness < TRACED_ROUGHNESS) {
+    vec3 beyond = indirect.alongReflection * (TRACED_INDIRECT / PI);
+    vec3 rays = traceReflection(texel.position, normal, v.view, texel.roughness * texel.roughness, beyond);
+    room = rays * ((1.0 - ROUGH_LOSS * texel.roughness) * uFeatures.y * uFeatures.z);
+  }
+#endif
   lighting.rgb += indirect.alongNormal * v.factors.x + metallic * room;
   lighting.a += (1.0 - metallic) * v.mirrored * luma(room);
 #ifdef OF_ALL

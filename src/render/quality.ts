@@ -45,7 +45,7 @@ export interface PhysicalTier {
   readonly mostHazes: number;
 }
 
-/** Indirect light of `low`, but for mirrors, and of `medium`. */
+/** Indirect light of `low` and `medium`. */
 const COARSE_INDIRECT: IndirectDetail = {
   surfels: 18,
   surfelGroup: 3,
@@ -53,7 +53,6 @@ const COARSE_INDIRECT: IndirectDetail = {
   inset: 0.3,
   rays: 12,
   bounces: 12,
-  isMirrored: true,
 };
 
 /** Indirect light of `high` and `ultra`, which differ by their shadows and their resolution. */
@@ -64,7 +63,6 @@ const FINE_INDIRECT: IndirectDetail = {
   inset: 0.2,
   rays: 16,
   bounces: 10,
-  isMirrored: true,
 };
 
 const TIERS: Readonly<Record<Tier["name"], Tier>> = {
@@ -76,7 +74,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
     physical: {
       opaque: "deferred",
       shadow: { size: 128, search: 4, taps: 8, bias: 1 },
-      indirect: { ...COARSE_INDIRECT, isMirrored: false },
+      indirect: COARSE_INDIRECT,
       moonMap: 1024,
       mostCandles: 4,
       casterError: 0.03,

@@ -56,7 +56,7 @@ export interface IrradianceVolume {
     readonly uProbePositions: Texture;
     readonly uProbeDepth: Texture;
   };
-  /** The surfels, and their light, where surfaces mirror them: for `lib/distance-impostor.glsl`. */
+  /** The surfels, and their light, which surfaces mirror: for `lib/distance-impostor.glsl`. */
   readonly surfels: {
     readonly uSurfelNormalDistance: Texture;
     /** In all light, lm/m². */

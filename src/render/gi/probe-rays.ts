@@ -20,8 +20,6 @@ export interface IndirectDetail extends ProbeDetail {
   readonly surfels: number;
   readonly surfelGroup: number;
   readonly bounces: number;
-  /** Whether surfaces mirror the surfels. */
-  readonly isMirrored: boolean;
 }
 
 /**

@@ -62,8 +62,8 @@ export class SurfelPass implements Surfels {
   readonly #supportProgram: Program;
   readonly #surfels: RenderTarget;
   readonly #radiosity: RenderTarget;
-  /** In all light; null where nothing mirrors it. */
-  readonly #total: { readonly program: Program; readonly target: RenderTarget } | null;
+  readonly #totalProgram: Program;
+  readonly #total: RenderTarget;
   readonly #support: SupportSlot;
   readonly light: { readonly Light: UniformBlock };
   readonly defines = {};
@@ -71,7 +71,7 @@ export class SurfelPass implements Surfels {
   /** @param support where the radiosity of the candle's support goes */
   constructor(
     gpu: Gpu,
-    { surfels: size, isMirrored }: IndirectDetail,
+    { surfels: size }: IndirectDetail,
     support: SupportSlot = { supports: supportTarget(gpu, 1), slot: 0 },
   ) {
     this.#gpu = gpu;
@@ -92,12 +92,8 @@ export class SurfelPass implements Surfels {
     const radiosity = (label: string) =>
       gpu.renderTarget({ label, ...cube, color: ["RGBA16F"] as const });
     this.#radiosity = radiosity("gi/radiosity");
-    this.#total = isMirrored
-      ? {
-          program: gpu.program("gi/total-radiosity", fullscreenVert, totalRadiosityFrag),
-          target: radiosity("gi/total-radiosity"),
-        }
-      : null;
+    this.#totalProgram = gpu.program("gi/total-radiosity", fullscreenVert, totalRadiosityFrag);
+    this.#total = radiosity("gi/total-radiosity");
   }
 
   /** Normal, and distance from the capture origin. */
@@ -110,9 +106,9 @@ export class SurfelPass implements Surfels {
     return this.#radiosity.color;
   }
 
-  /** In all light, lm/m²; in direct light where nothing mirrors it. */
+  /** In all light, lm/m². */
   get totalRadiosity(): Texture {
-    return (this.#total?.target ?? this.#radiosity).color;
+    return this.#total.color;
   }
 
   /** Of the surface below the flame, for `lib/support-irradiance.glsl`. */
@@ -155,9 +151,9 @@ export class SurfelPass implements Surfels {
 
   /** The same with indirect light, by the irradiance volume. */
   renderTotalRadiosity(volume: Readonly<Record<string, Texture>>, block: UniformBlock): void {
-    if (!this.#total) return;
     this.#gpu.draw({
-      ...this.#total,
+      program: this.#totalProgram,
+      target: this.#total,
       textures: { ...this.#colors, uRadiosity: this.#radiosity.color, ...volume },
       blocks: { ...this.light, Volume: block },
     });

@@ -138,7 +138,11 @@ export class CachedLighting {
         ...(representative && { uRepresentative: representative }),
         ...(isMoon
           ? { uMoonMap: light.shadow }
-          : { uShadow: light.shadow, uSupport: light.irradiance.support }),
+          : {
+              uShadow: light.shadow,
+              uSupport: light.irradiance.support,
+              ...light.irradiance.surfels,
+            }),
         ...light.irradiance.textures,
       },
       uniforms: {

@@ -193,6 +193,7 @@ export class LightingPass {
         uShadow: shadow.depth,
         ...irradiance.textures,
         uSupport: irradiance.support,
+        ...(!isReduced && irradiance.surfels),
         ...all?.textures,
         ...(moon && uMoonLighting && { uMoonLighting: uMoonLighting.color }),
       },
