@@ -45,7 +45,7 @@ export interface PhysicalTier {
   readonly mostHazes: number;
 }
 
-/** Indirect light of `low` and `medium`. */
+/** Indirect light of `low`, but for mirrors in motion, and of `medium`. */
 const COARSE_INDIRECT: IndirectDetail = {
   surfels: 18,
   surfelGroup: 3,
@@ -53,6 +53,7 @@ const COARSE_INDIRECT: IndirectDetail = {
   inset: 0.3,
   rays: 12,
   bounces: 12,
+  mirrorsInMotion: true,
 };
 
 /** Indirect light of `high` and `ultra`, which differ by their shadows and their resolution. */
@@ -63,6 +64,7 @@ const FINE_INDIRECT: IndirectDetail = {
   inset: 0.2,
   rays: 16,
   bounces: 10,
+  mirrorsInMotion: true,
 };
 
 const TIERS: Readonly<Record<Tier["name"], Tier>> = {
@@ -74,7 +76,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
     physical: {
       opaque: "deferred",
       shadow: { size: 128, search: 4, taps: 8, bias: 1 },
-      indirect: COARSE_INDIRECT,
+      indirect: { ...COARSE_INDIRECT, mirrorsInMotion: false },
       moonMap: 1024,
       mostCandles: 4,
       casterError: 0.03,

@@ -11,6 +11,7 @@ let page: Page;
 let room: RoomDriver;
 test.beforeAll(async ({ browser }) => {
   page = await browser.newPage();
+  await page.addInitScript(recordBounces);
   room = await new RoomDriver(page).open({ look: "physical", quality: "high" }, SIZE);
 });
 test.afterEach(() => expect(room.complaints).toEqual([]));
@@ -89,6 +90,28 @@ test("At high a frame in motion computes a part of the indirect light, and the f
   expect(whole).toBeGreaterThan(typical + 25);
   expect(atRest).toBeGreaterThan(typical);
   expect(difference).toBeLessThan(1e-4);
+});
+
+test("At high a frame in motion computes one bounce of the indirect light at most", async () => {
+  const frames = await room.evaluate((element) => {
+    element.reset();
+    element.step(0);
+    const [x, y, z] = element.camera.position;
+    const bounces = Reflect.get(globalThis, "bounces") as string[];
+    element.play();
+    const frames: string[][] = [];
+    for (let i = 1; i <= 40; i++) {
+      element.camera = { ...element.camera, position: [x + 0.01 * i, y, z - 0.01 * i] };
+      bounces.length = 0;
+      element.step(0);
+      frames.push([...bounces]);
+    }
+    element.pause();
+    return frames;
+  });
+  const updates = frames.flat();
+  expect(updates.slice(0, 4)).toEqual(["first", "further", "first", "further"]);
+  expect(frames.filter(({ length }) => length > 1)).toEqual([]);
 });
 
 test("At high, at rest, surfaces follow the flame's sway tile by tile, and beside the flame in each frame", async () => {
@@ -185,3 +208,32 @@ test("At high four candles light a frame in motion as one at rest, for the surfa
   expect(Math.abs(mean)).toBeLessThan(0.02);
   expect(Math.max(...stopped.map(Math.abs))).toBeLessThan(0.01);
 });
+
+/** Records which bounce is drawn, in `bounces`. Runs in the browser. */
+function recordBounces(): void {
+  const bounces: string[] = [];
+  Reflect.set(globalThis, "bounces", bounces);
+  const kinds = new Map<WebGLProgram | null, string>();
+  const { linkProgram, useProgram, drawArrays } = WebGL2RenderingContext.prototype;
+  let current: WebGLProgram | null = null;
+  Object.assign(WebGL2RenderingContext.prototype, {
+    linkProgram(this: WebGL2RenderingContext, program: WebGLProgram) {
+      const sources = this.getAttachedShaders(program)?.map((one) => this.getShaderSource(one));
+      const source = sources?.join("") ?? "";
+      if (/sampler2D uRadiosity;/.test(source) && /sampler2D uRayHits;/.test(source)) {
+        kinds.set(program, "first");
+      }
+      if (/sampler2D uRayProbes;/.test(source)) kinds.set(program, "further");
+      linkProgram.call(this, program);
+    },
+    useProgram(this: WebGL2RenderingContext, program: WebGLProgram | null) {
+      current = program;
+      useProgram.call(this, program);
+    },
+    drawArrays(this: WebGL2RenderingContext, ...draw: [number, number, number]) {
+      const kind = kinds.get(current);
+      if (kind) bounces.push(kind);
+      drawArrays.call(this, ...draw);
+    },
+  });
+}

@@ -209,9 +209,9 @@ export class IndirectPass {
   }
 
   /**
-   * Amortised update for a moving light: one face of the surfel cube, or all further passes, in each frame.
+   * Amortised update for a moving light: one face of the surfel cube, or one bounce, in each frame.
    *
-   * @param isBusy whether this frame takes long anyway: the further passes wait for the next one
+   * @param isBusy whether this frame takes long anyway: a bounce waits for the next one
    */
   updateIncrementally(
     casters: ShadowCasters,
@@ -233,8 +233,12 @@ export class IndirectPass {
       this.#surfels.capture(casters, this.#update.light.position, this.#update.faces++);
     } else if (isBusy && !this.#update.hasWaited) {
       this.#update.hasWaited = true;
+    } else if (this.#targets.firstBounceOf !== this.#update.light) {
+      // Not computed yet, or another light's captures have come in between.
+      finish(this.#renderFirstBounce(this.#update.light, shadow, AT_ONCE));
+      this.#update.hasWaited = false;
     } else {
-      this.#updateBounces(this.#update.light, shadow);
+      this.#updateFurtherBounces(this.#update.light);
       this.#update = null;
       this.#pause = SCHEDULE.indirect.restFrames;
     }
@@ -265,26 +269,24 @@ export class IndirectPass {
       yield;
     }
     this.#limit.render(sums.slice(-4), this.#irradiance);
-    this.#renderTotalRadiosity();
+    this.#revision++;
+    this.#surfels.renderTotalRadiosity(this.#volume.textures, this.#block);
     this.#lastLight = JSON.stringify(light);
     this.#isExact = true;
   }
 
   /** One bounce of the previous irradiance approximates all further bounces. */
-  #updateBounces(light: CaptureLight, shadow: ShadowMap): void {
+  #updateFurtherBounces(light: CaptureLight): void {
     this.#lastLight = JSON.stringify(light);
     this.#isExact = false;
-    finish(this.#renderFirstBounce(light, shadow, AT_ONCE));
     finish(this.#renderNextBounce(this.#irradiance, this.#irradiance, AT_ONCE));
-    this.#renderTotalRadiosity();
-  }
-
-  #renderTotalRadiosity(): void {
     this.#revision++;
+    if (!this.#detail.mirrorsInMotion) return;
     this.#surfels.renderTotalRadiosity(this.#volume.textures, this.#block);
   }
 
   *#renderFirstBounce(light: CaptureLight, shadow: ShadowMap, bands: typeof BANDS): Steps {
+    this.#targets.firstBounceOf = null;
     this.#surfels.renderRadiosity(light);
     yield;
     const { normalDistance: uSurfelNormalDistance, radiosity: uRadiosity } = this.#surfels;
@@ -320,6 +322,7 @@ export class IndirectPass {
       uniforms: { uShadowOrigin: shadow.captureOrigin },
     });
     yield* this.#gatherRays(surfelSum!, this.#targets.firstBounce, bands);
+    this.#targets.firstBounceOf = light;
   }
 
   *#renderNextBounce(last: RenderTarget, target: RenderTarget, bands: typeof BANDS): Steps {

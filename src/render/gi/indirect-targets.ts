@@ -1,6 +1,7 @@
 import type { Gpu } from "../../gl/gpu.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import { floats } from "../float-format.js";
+import type { CaptureLight } from "../light-block.js";
 import { FACES } from "../shadow/cube-map.js";
 import { type IndirectDetail, IRRADIANCE_TEXELS } from "./probe-rays.js";
 
@@ -9,6 +10,8 @@ export interface IndirectTargets {
   readonly rayRadiance: RenderTarget;
   readonly surfelRadiance: RenderTarget;
   readonly firstBounce: RenderTarget;
+  /** The light whose first bounce that is. */
+  firstBounceOf: CaptureLight | null;
   /** Sums after each further bounce, used in turn. */
   readonly bounces: readonly RenderTarget[];
 }
@@ -53,6 +56,7 @@ export function indirectTargets(gpu: Gpu, detail: IndirectDetail): IndirectTarge
       filter: "nearest",
     }),
     firstBounce: irradianceMaps(gpu, detail, "gi/first-bounce"),
+    firstBounceOf: null,
     bounces: ["a", "b", "c", "d"].map((label) =>
       irradianceMaps(gpu, detail, `gi/bounces/${label}`),
     ),

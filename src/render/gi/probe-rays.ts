@@ -20,6 +20,8 @@ export interface IndirectDetail extends ProbeDetail {
   readonly surfels: number;
   readonly surfelGroup: number;
   readonly bounces: number;
+  /** Whether surfaces mirror the surfels in motion too. */
+  readonly mirrorsInMotion: boolean;
 }
 
 /**
