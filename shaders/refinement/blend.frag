@@ -6,11 +6,11 @@
 uniform sampler2D uDimmer;
 uniform sampler2D uBrighter;
 
+in vec2 vUv;
 flat in float vShare;
 
 out vec4 oColor;
 
 void main() {
-  ivec2 texel = ivec2(gl_FragCoord.xy);
-  oColor = mix(texelFetch(uDimmer, texel, 0), texelFetch(uBrighter, texel, 0), vShare);
+  oColor = mix(texture(uDimmer, vUv), texture(uBrighter, vUv), vShare);
 }

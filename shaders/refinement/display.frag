@@ -15,6 +15,7 @@ uniform float uGlareShare;   // share of the light that lens and eye scatter
 #if KEPT
 uniform sampler2D uDimmer;
 uniform sampler2D uBrighter;
+uniform vec4 uGlareBounds;   // where glare is added: left, bottom, right, top, pixels
 #endif
 
 in vec2 vUv;
@@ -23,6 +24,16 @@ flat in float vShare;
 
 out vec4 oColor;
 
+#if KEPT
+// Pixels from the bounds over which glare fades out, where it is less than a hundredth of white.
+const float GLARE_FADE = 64.0;
+
+float glareFade() {
+  vec4 inside = vec4(gl_FragCoord.xy - uGlareBounds.xy, uGlareBounds.zw - gl_FragCoord.xy);
+  return smoothstep(0.0, GLARE_FADE, min(min(inside.x, inside.y), min(inside.z, inside.w)));
+}
+#endif
+
 vec3 shown(vec3 radiance) {
   vec3 exposed = radiance * uWhiteBalance * (vExposure / TONE_LUT_MAX);
   // What exceeds the table keeps its hue.
@@ -30,11 +41,11 @@ vec3 shown(vec3 radiance) {
 }
 
 void main() {
-  ivec2 texel = ivec2(gl_FragCoord.xy);
-  vec3 radiance = texelFetch(uRadiance, texel, 0).rgb * light.intensity;
+  vec3 radiance = texture(uRadiance, vUv).rgb * light.intensity;
   vec3 glare = texture(uBloom, vUv + uGlareOffset).rgb * uGlareShare;
 #if KEPT
-  vec3 kept = mix(texelFetch(uDimmer, texel, 0), texelFetch(uBrighter, texel, 0), vShare).rgb;
+  glare *= glareFade();
+  vec3 kept = mix(texture(uDimmer, vUv), texture(uBrighter, vUv), vShare).rgb;
   oColor = vec4(kept + shown(radiance + glare) - shown(radiance), 1.0);
 #else
   // The same dither for all channels.

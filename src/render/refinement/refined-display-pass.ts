@@ -11,6 +11,7 @@ import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { TextureView } from "../../gl/texture-view.js";
+import type { Size } from "../frame-input.js";
 import type { DisplayOptions } from "../opaque/composite-display-pass.js";
 import type { FrameBlocks, OpaqueLayer } from "../opaque/opaque-stage.js";
 import { whiteBalance } from "../post/display-pass.js";
@@ -24,8 +25,12 @@ import type { RefinedStage } from "./refined-stage.js";
 /** Bands that a whole image is kept in, and how many of them in a frame. */
 const BANDS = 12;
 const BANDS_PER_FRAME = 2;
+/** Faster than fetches where a CPU draws. */
+const TEXEL_FOR_PIXEL = { uRadiance: "nearest", uDimmer: "nearest", uBrighter: "nearest" } as const;
 /** The bloom of a full canvas reaches farther than that of a coarse one, pixels. */
-const FARTHER = 96;
+const FARTHER = 24;
+/** Beyond the frame, pixels. */
+const OUTSIDE = 1e4;
 
 /**
  * Composite and display transform of a refined image.
@@ -128,6 +133,7 @@ export class RefinedDisplayPass {
     const pass = {
       target: options.screen,
       textures: { ...all, ...kept, uReference: this.#references[0]!.color },
+      sampling: TEXEL_FOR_PIXEL,
       blocks: { ...blocks },
     };
     if (isKept) this.#gpu.draw({ ...pass, program: this.#blend, uniforms: { uAutoExposure } });
@@ -141,6 +147,7 @@ export class RefinedDisplayPass {
           uGlareShare: options.glareShare,
           uGlareOffset: options.bloomOffset,
           uAutoExposure,
+          ...(scissor && { uGlareBounds: glareBounds(scissor, size) }),
         },
         scissor,
       });
@@ -211,4 +218,14 @@ export class RefinedDisplayPass {
       this.#gpu.textureView({ label: "refinement/kept", textures: [texture], image: 0 }),
     );
   }
+}
+
+/** Edges of a box: left, bottom, right, top. One at the frame's edge lies far outside. */
+function glareBounds([x, y, wide, high]: Box, { width, height }: Size): number[] {
+  return [
+    x > 0 ? x : -OUTSIDE,
+    y > 0 ? y : -OUTSIDE,
+    x + wide < width ? x + wide : width + OUTSIDE,
+    y + high < height ? y + high : height + OUTSIDE,
+  ];
 }
