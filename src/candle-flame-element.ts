@@ -16,6 +16,7 @@ import {
   type Features,
   INSPECTIONS,
   type Inspection,
+  parseIndices,
   type SettingName,
 } from "./settings.js";
 import { NO_STATS, type Stats } from "./stats.js";
@@ -122,8 +123,8 @@ export class CandleFlameElement extends ReflectedAttributes {
     if (name === "loading" && this.loading === "eager") lifecycle.stopWaiting();
     if (SCENE_ATTRIBUTES.includes(name)) lifecycle.sceneChanged(before !== after);
     if (name === "seed") this.#pending.forgetTime();
-    if (name === "unlit") this.#pending.isLit = !this.unlit;
-    if (name === "unlit" || name === "lit-wicks") this.#pending.forgetFlames();
+    if (name === "lit-wicks") this.#pending.forgetFlames();
+    if (name === "unlit") this.#pending.forgetFlames(!this.unlit);
     lifecycle.apply();
   }
 
@@ -172,7 +173,8 @@ export class CandleFlameElement extends ReflectedAttributes {
 
   /** Whether the candle is in the hand; else it stands in the room. */
   get held(): boolean {
-    return this.#candle?.world.candle.isHeld ?? this.#pending.isHeld;
+    const stands = this.scene === "candle" || this.look === "original";
+    return this.#candle?.world.candle.isHeld ?? (!stands && this.#pending.isHeld);
   }
 
   /** The candles of the scene, the carried one first; another list after another scene. Empty before the first frame. */
@@ -254,7 +256,8 @@ export class CandleFlameElement extends ReflectedAttributes {
 
   /** Whether the candle burns; writing lights it or puts it out. */
   get lit(): boolean {
-    return this.#candle?.world.flame.isLit ?? this.#pending.isLit ?? !this.unlit;
+    const isOut = this.unlit || parseIndices(this.litWicks)?.includes(0) === false;
+    return this.#candle?.world.flame.isLit ?? this.#pending.isLit ?? !isOut;
   }
   set lit(value: boolean) {
     if (value) this.light();
@@ -274,7 +277,7 @@ export class CandleFlameElement extends ReflectedAttributes {
   #setLit(isLit: boolean): void {
     if (!this.#candle) {
       this.unlit = !isLit;
-      this.#pending.isLit = isLit;
+      this.#pending.setLit(isLit);
       return;
     }
     this.#candle.setLit(isLit);

@@ -67,7 +67,7 @@ export const SETTINGS = {
   "asset-base": { kind: "text", default: "" },
   loading: choice(["eager", "lazy"]),
   poster: { kind: "text", default: "" },
-  alt: { kind: "text", default: "A burning candle in a dark log room" },
+  alt: { kind: "text", default: "A burning candle" },
 } as const satisfies Record<string, NumberSetting | ChoiceSetting | FlagSetting | TextSetting>;
 
 export type SettingName = keyof typeof SETTINGS;

@@ -4,15 +4,15 @@ export const NO_PHYSICAL_LOOK =
   "This graphics driver has no floating-point render targets, so the room is drawn in the paper's look.";
 
 export const LOST =
-  "The connection to the graphics driver was lost, and the browser has not restored it.";
+  "The graphics driver was lost, and the browser has not restored it.";
 
 export const FULL =
-  "This page has as many rooms open as a browser can show. This one opens as soon as there is a place.";
+  "This page has as many rooms open as a browser can show. This one opens once there is a place.";
 
 /** Why the candle could not be put down. */
 export const REFUSALS: Readonly<Record<Refusal, string>> = {
-  "nothing within reach": "There is nothing within reach to put the candle on.",
-  "too steep": "That is too steep for a candle.",
+  "nothing within reach": "Nothing within reach can hold the candle.",
+  "too steep": "That is too steep.",
   overhangs: "The candle would hang over the edge.",
   "no room": "There is no room for the candle.",
 };

@@ -15,6 +15,8 @@ export class PendingWorld {
   #camera: Partial<Camera> | null = null;
   /** Camera from which the candle is to be put down; null where it is to stay in the hand. */
   #placing: Partial<Camera> | null = null;
+  /** Whether the page wants the first candle lit; null where attributes decide. */
+  #isLit: boolean | null = null;
   /** With the scene that it was taken in. */
   #saved: { readonly snapshot: Snapshot; readonly request: SceneRequest } | null = null;
 
@@ -33,29 +35,36 @@ export class PendingWorld {
     return !this.#placing && !this.#saved?.snapshot.stand;
   }
 
-  /** Null without a snapshot. */
+  /** Null where attributes decide. */
   get isLit(): boolean | null {
-    return this.#saved?.snapshot.isLit ?? null;
+    return this.#isLit ?? this.#saved?.snapshot.isLit ?? null;
   }
 
-  set isLit(isLit: boolean) {
-    if (this.#saved) this.#saved = { ...this.#saved, snapshot: { ...this.#saved.snapshot, isLit } };
+  /** Lights the first candle or puts it out, whatever the attributes say. */
+  setLit(isLit: boolean): void {
+    this.#isLit = isLit;
   }
 
-  /** Leaves it to the attributes which standing candles burn. */
-  forgetFlames(): void {
-    if (this.#saved) {
-      this.#saved = { ...this.#saved, snapshot: { ...this.#saved.snapshot, areLit: null } };
-    }
+  /**
+   * Leaves it to the attributes which candles burn.
+   *
+   * @param isLit whether the first does. Default: as in the snapshot
+   */
+  forgetFlames(isLit?: boolean): void {
+    this.#isLit = null;
+    if (!this.#saved) return;
+    const { request, snapshot } = this.#saved;
+    this.save({ ...snapshot, areLit: null, isLit: isLit ?? snapshot.isLit }, request);
   }
 
   save(snapshot: Snapshot, request: SceneRequest): void {
     this.#saved = { snapshot, request };
   }
 
-  /** Drops the snapshot: the next world begins at time 0. */
+  /** Drops the snapshot and the page's wish: the next world begins at time 0, lit as the attributes say. */
   forgetTime(): void {
     this.#saved = null;
+    this.#isLit = null;
   }
 
   moveCamera(camera: Partial<Camera>): void {
@@ -85,6 +94,7 @@ export class PendingWorld {
   applyTo(candle: CandleFlame, shownRequest: SceneRequest | null, onPlaced?: () => void): void {
     if (this.#saved)
       candle.resume(this.#saved.snapshot, areSame(this.#saved.request, shownRequest));
+    if (this.#isLit !== null) candle.setLit(this.#isLit);
     if (this.#placing) {
       const before = cameraOf(candle);
       setCamera(candle, this.#placing);
@@ -94,6 +104,7 @@ export class PendingWorld {
     if (this.#camera) setCamera(candle, this.#camera);
     if (!onPlaced) return;
     this.#saved = null;
+    this.#isLit = null;
     this.#placing = null;
     this.#camera = null;
   }

@@ -655,3 +655,38 @@ test("There is no picture before the first frame, and nothing throws for want of
     seed: "3",
   });
 });
+
+test("Before the first frame the candle is as its attributes and calls will have it", async ({
+  room,
+}) => {
+  const states = await room.evaluate(async (shown) => {
+    const made = (attributes: Record<string, string>) => {
+      const element = document.createElement("candle-flame");
+      for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+      return element;
+    };
+    const held = [{}, { scene: "candle" }, { look: "original" }].map((one) => made(one).held);
+    const lit = [{}, { unlit: "" }, { "lit-wicks": "1" }, { "lit-wicks": "1 0" }].map(
+      (one) => made(one).lit,
+    );
+    const paper = { look: "paper", paused: "", "lit-wicks": "1" };
+    const called = made(paper);
+    called.light();
+    const later = made(paper);
+    later.light();
+    later.setAttribute("lit-wicks", "2");
+    const before = [called.lit, later.lit];
+    shown.after(called, later);
+    await Promise.all([called.ready, later.ready]);
+    const after = [called.lit, later.lit];
+    called.remove();
+    later.remove();
+    return { held, lit, before, after };
+  });
+  expect(states).toEqual({
+    held: [true, false, false],
+    lit: [true, false, false, true],
+    before: [true, false],
+    after: [true, false],
+  });
+});

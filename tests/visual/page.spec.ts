@@ -136,7 +136,7 @@ test("the page opens on a burning room, from any folder of a site", async ({ fre
       room.place();
     });
     await expect(page.getByText("The candle is out. Press E to light it.")).toHaveText(
-      /^There is nothing within reach to put the candle on\. The candle is out/,
+      /^Nothing within reach can hold the candle\. The candle is out/,
     );
   });
 
