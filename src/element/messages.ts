@@ -3,8 +3,7 @@ import type { Refusal } from "../world/room/placement.js";
 export const NO_PHYSICAL_LOOK =
   "This graphics driver has no floating-point render targets, so the room is drawn in the paper's look.";
 
-export const LOST =
-  "The graphics driver was lost, and the browser has not restored it.";
+export const LOST = "The graphics driver was lost, and the browser has not restored it.";
 
 export const FULL =
   "This page has as many rooms open as a browser can show. This one opens once there is a place.";

@@ -449,9 +449,7 @@ test("More rooms than a browser has contexts wait with a sentence, and none in s
     rooms.evaluateAll((elements) => elements.map((element) => !element.matches(":state(loading)")));
   const seven = Array.from({ length: 7 }, () => true);
   await expect.poll(opened).toEqual([...seven, false, false]);
-  const sentences = rooms
-    .getByText(/opens once there is a place\.$/)
-    .filter({ visible: true });
+  const sentences = rooms.getByText(/opens once there is a place\.$/).filter({ visible: true });
   await expect(sentences).toHaveCount(2);
   expect(await lostContexts(page)).toEqual(seven.map(() => false));
 
