@@ -29,8 +29,7 @@ void main() {
   for (int row = 0; row < ROWS; row++) {
     for (int column = 0; column < COLUMNS; column++) {
       ivec2 sampleAt = corner + ivec2(column, row);
-      float cosine = dot(normal, texelFetch(uDirection, sampleAt, 0).xyz);
-      if (cosine > 0.0) sum += texelFetch(uRadiance, sampleAt, 0).rgb * cosine;
+      sum += texelFetch(uRadiance, sampleAt, 0).rgb * max(dot(normal, texelFetch(uDirection, sampleAt, 0).xyz), 0.0);
     }
   }
 #else

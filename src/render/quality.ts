@@ -148,8 +148,6 @@ export const REFINED: Tier = {
   physical: {
     ...TIERS.high.physical,
     opaque: "refined",
-    // Of what they add up to, further ones change a thousandth.
-    indirect: { ...FINE_INDIRECT, bounces: 6 },
     bloomLevels: 4,
     hasParticles: false,
     mostHazes: 0,

@@ -16,8 +16,8 @@ export const SCHEDULE = {
   refinement: { surfaces: 12, guide: 4 },
   /** Shadow cube in motion: every fourth frame, sixth if those are busy, at once if the light moved this far (m). */
   shadow: { frames: 4, busyFrames: 6, distance: 0.25 },
-  /** Surfels and probes in motion: a cube face a frame, two bounces in idle frames, then so many frames of rest. */
-  indirect: { restFrames: 7 },
+  /** Surfels and probes: faces of the surfel cube or passes over the probes in a frame, frames of rest after an update. */
+  indirect: { steps: 2, restFrames: 7 },
   /** Bloom and exposure in motion: in idle frames, or after this many; those of a refined image after so many. */
   post: { frames: 5, refinedFrames: 1 },
   /** Steps in which normal-map shading of the G-buffer follows the light, metres. */

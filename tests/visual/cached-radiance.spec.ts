@@ -114,6 +114,41 @@ test("At high a frame in motion computes one bounce of the indirect light at mos
   expect(frames.filter(({ length }) => length > 1)).toEqual([]);
 });
 
+test("At high, at rest in wind, a frame computes one bounce at most, and all of them in the end", async () => {
+  const { frames, difference } = await room.evaluate((element) => {
+    element.reset();
+    element.wind = 2;
+    element.step(0);
+    const bounces = Reflect.get(globalThis, "bounces") as string[];
+    element.play();
+    // The loop's own frames come between tasks: all of this is one.
+    const frames: string[][] = [];
+    const draw = (count: number, seconds: number) => {
+      for (let i = 0; i < count; i++) {
+        bounces.length = 0;
+        element.step(seconds);
+        frames.push([...bounces]);
+      }
+    };
+    draw(24, 1 / 15);
+    // The flame stays where it is.
+    draw(48, 0);
+    const picture = () => Array.from(element.readRadiance(0, 0, 160, 90));
+    const after = picture();
+    element.pause();
+    element.step(0);
+    const exact = picture();
+    element.removeAttribute("wind");
+    const sum = (values: number[]) => values.reduce((total, value) => total + value, 0);
+    const difference = sum(after.map((value, i) => Math.abs(value - (exact[i] ?? 0)))) / sum(exact);
+    return { frames, difference };
+  });
+  expect(frames.flat().slice(0, 3)).toEqual(["first", "further", "further"]);
+  expect(frames.filter(({ length }) => length > 1)).toEqual([]);
+  expect(frames.slice(-8).flat()).toEqual([]);
+  expect(difference).toBeLessThan(1e-4);
+});
+
 test("At high, at rest, surfaces follow the flame's sway tile by tile, and beside the flame in each frame", async () => {
   const { triangles, whole, follows, exact } = await room.evaluate((element, frames) => {
     element.reset();

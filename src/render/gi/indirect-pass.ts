@@ -12,7 +12,6 @@ import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { CollisionMesh } from "../../world/room/collision-mesh.js";
 import type { CaptureLight } from "../light-block.js";
 import type { Mesh } from "../mesh/mesh.js";
-import { SCHEDULE } from "../schedule.js";
 import { FACES } from "../shadow/cube-map.js";
 import type { ShadowCasters } from "../shadow/shadow-casters.js";
 import type { ShadowCube } from "../shadow/shadow-pass.js";
@@ -43,7 +42,7 @@ const AT_ONCE: typeof BANDS = { surfelRadiance: 1, rayDirect: 1, rayRadiance: 1,
 /** Bias along the normal, for the visibility of probes, as a share of their least spacing. */
 const NORMAL_BIAS = 0.15;
 
-type ShadowMap = Pick<ShadowCube, "depth" | "captureOrigin">;
+export type ShadowMap = Pick<ShadowCube, "depth" | "captureOrigin">;
 
 /** How small the steps of a capture are: `IndirectPass.passes` or `IndirectPass.steps`. */
 export type StepSize = "passes" | "steps";
@@ -74,9 +73,9 @@ export interface IrradianceVolume {
  * Indirect diffuse light by radiosity and dynamic irradiance probes, without precomputed lighting.
  *
  * First bounce: surfels captured in a cube around the flame, and the hits of the probes' rays, combined by multiple
- * importance sampling. Further bounces: the probes' rays, lit by the irradiance volume. `render` starts from darkness,
- * so its result depends on the light's position alone; `updateIncrementally` starts from the previous result. All of
- * it is for a flame of 1 cd: flicker changes only a factor.
+ * importance sampling. Further bounces: the probes' rays, lit by the irradiance volume. They start from darkness, so that
+ * the result depends on the light's position alone; `twoBounces` starts from the previous result. All of it is for a
+ * flame of 1 cd: flicker changes only a factor.
  */
 export class IndirectPass {
   readonly #gpu: Gpu;
@@ -94,15 +93,13 @@ export class IndirectPass {
   readonly #limit: BounceLimit;
   readonly #scene: IndirectScene;
   #uploaded: ProbeTextures | null = null;
-  /** Light of the current irradiance, as JSON. */
-  #lastLight = "";
-  /** Whether the irradiance was computed by `render`. */
+  /** Of the current irradiance; null before there is one. */
+  lastLight: CaptureLight | null = null;
+  /** Whether all bounces were computed. */
   #isExact = false;
   #revision = 0;
-  /** Incremental update in progress, with the number of faces captured so far. */
-  #update: { readonly light: CaptureLight; faces: number; hasWaited: boolean } | null = null;
-  /** Frames until the next incremental update may begin. */
-  #pause = 0;
+  /** Of the flame in this frame: the rays are lit past it. */
+  shadow: ShadowMap | null = null;
 
   constructor(
     gpu: Gpu,
@@ -178,74 +175,50 @@ export class IndirectPass {
    * @param light members of the block of `lib/flame-light.glsl`, of a flame at its capture origin
    */
   *passes(casters: ShadowCasters, light: CaptureLight, shadow: ShadowMap): Steps<IrradianceVolume> {
-    this.#update = null;
-    if (!this.#isExact || JSON.stringify(light) !== this.#lastLight) {
-      yield* this.#allSteps(casters, light, shadow, AT_ONCE);
-    }
-    return this.#volume;
+    this.shadow = shadow;
+    if (!this.isKnown(light, true)) yield* this.#allSteps(casters, light, AT_ONCE);
+    return this.volume;
   }
 
   /** The same in smaller steps: a face of the surfel cube, or a band of a pass, in each. */
   *steps(casters: ShadowCasters, light: CaptureLight, shadow: ShadowMap): Steps<IrradianceVolume> {
-    yield* this.#allSteps(casters, light, shadow, BANDS);
-    return this.#volume;
+    this.shadow = shadow;
+    yield* this.#allSteps(casters, light, BANDS);
+    return this.volume;
   }
 
-  *#allSteps(
-    casters: ShadowCasters,
-    light: CaptureLight,
-    shadow: ShadowMap,
-    bands: typeof BANDS,
-  ): Steps {
+  *#allSteps(casters: ShadowCasters, light: CaptureLight, bands: typeof BANDS): Steps {
+    yield* this.captureSurfels(casters, light);
+    yield* this.#renderBounces(light, bands);
+  }
+
+  /** A face of the surfel cube in each step. */
+  *captureSurfels(casters: ShadowCasters, light: CaptureLight): Steps {
     this.#isExact = false;
     yield* this.#upload().drawing;
     yield* casters.prepareAlbedo();
-    this.#surfels.clear();
     for (const face of FACES.keys()) {
       this.#surfels.capture(casters, light.position, face);
       yield;
     }
-    yield* this.#renderBounces(light, shadow, bands);
   }
 
-  /**
-   * Amortised update for a moving light: one face of the surfel cube, or one bounce, in each frame.
-   *
-   * @param isBusy whether this frame takes long anyway: a bounce waits for the next one
-   */
-  updateIncrementally(
-    casters: ShadowCasters,
-    light: CaptureLight,
-    shadow: ShadowMap,
-    isBusy = false,
-  ): IrradianceVolume {
-    if (this.#lastLight === "") {
-      finish(this.passes(casters, light, shadow));
-      this.#isExact = false; // the casters may be of a lower level of detail
-      return this.#volume;
-    }
-    if (!this.#update) {
-      if (this.#pause-- > 0 || JSON.stringify(light) === this.#lastLight) return this.#volume;
-      this.#update = { light, faces: 0, hasWaited: false };
-      this.#surfels.clear();
-    }
-    if (this.#update.faces < FACES.length) {
-      this.#surfels.capture(casters, this.#update.light.position, this.#update.faces++);
-    } else if (isBusy && !this.#update.hasWaited) {
-      this.#update.hasWaited = true;
-    } else if (this.#targets.firstBounceOf !== this.#update.light) {
-      // Not computed yet, or another light's captures have come in between.
-      finish(this.#renderFirstBounce(this.#update.light, shadow, AT_ONCE));
-      this.#update.hasWaited = false;
-    } else {
-      this.#updateFurtherBounces(this.#update.light);
-      this.#update = null;
-      this.#pause = SCHEDULE.indirect.restFrames;
-    }
-    return this.#volume;
+  /** Whether the irradiance is that of this light; `isExact`: and all bounces are computed. */
+  isKnown(light: CaptureLight, isExact: boolean): boolean {
+    return (this.#isExact || !isExact) && JSON.stringify(light) === JSON.stringify(this.lastLight);
   }
 
-  get #volume(): IrradianceVolume {
+  /** Whether the bounces that were last begun are those of this light. */
+  hasBegun(light: CaptureLight): boolean {
+    return this.#targets.usedFor === light;
+  }
+
+  /** All bounces, a pass in each step. */
+  allBounces(light: CaptureLight): Steps {
+    return this.#renderBounces(light, AT_ONCE);
+  }
+
+  get volume(): IrradianceVolume {
     return {
       block: this.#block,
       textures: { uIrradiance: this.#irradiance.color, ...this.#probes.volume },
@@ -259,34 +232,33 @@ export class IndirectPass {
     };
   }
 
-  *#renderBounces(light: CaptureLight, shadow: ShadowMap, bands: typeof BANDS): Steps {
-    yield* this.#renderFirstBounce(light, shadow, bands);
+  *#renderBounces(light: CaptureLight, bands: typeof BANDS): Steps {
+    yield* this.#renderFirstBounce(light, bands);
     const sums = [this.#targets.firstBounce];
     for (let bounce = 1; bounce < this.#detail.bounces; bounce++) {
       const sum = this.#targets.bounces[bounce % this.#targets.bounces.length]!;
       yield* this.#renderNextBounce(sums.at(-1)!, sum, bands);
       sums.push(sum);
-      yield;
     }
     this.#limit.render(sums.slice(-4), this.#irradiance);
     this.#revision++;
-    this.#surfels.renderTotalRadiosity(this.#volume.textures, this.#block);
-    this.#lastLight = JSON.stringify(light);
+    this.#surfels.renderTotalRadiosity(this.volume.textures, this.#block);
+    this.lastLight = light;
     this.#isExact = true;
   }
 
-  /** One bounce of the previous irradiance approximates all further bounces. */
-  #updateFurtherBounces(light: CaptureLight): void {
-    this.#lastLight = JSON.stringify(light);
-    this.#isExact = false;
-    finish(this.#renderNextBounce(this.#irradiance, this.#irradiance, AT_ONCE));
+  /** The first bounce, and one of the previous irradiance, which approximates all further bounces. */
+  *twoBounces(light: CaptureLight): Steps {
+    yield* this.#renderFirstBounce(light, AT_ONCE);
+    yield* this.#renderNextBounce(this.#irradiance, this.#irradiance, AT_ONCE);
+    this.lastLight = light;
     this.#revision++;
     if (!this.#detail.mirrorsInMotion) return;
-    this.#surfels.renderTotalRadiosity(this.#volume.textures, this.#block);
+    this.#surfels.renderTotalRadiosity(this.volume.textures, this.#block);
   }
 
-  *#renderFirstBounce(light: CaptureLight, shadow: ShadowMap, bands: typeof BANDS): Steps {
-    this.#targets.firstBounceOf = null;
+  *#renderFirstBounce(light: CaptureLight, bands: typeof BANDS): Steps {
+    this.#targets.usedFor = light;
     this.#surfels.renderRadiosity(light);
     yield;
     const { normalDistance: uSurfelNormalDistance, radiosity: uRadiosity } = this.#surfels;
@@ -309,6 +281,8 @@ export class IndirectPass {
       target: surfelSum!,
       textures: { uRadiance: uRadiance!, uDirection: uDirection! },
     });
+    const { shadow } = this;
+    if (!shadow) throw new Error("Rays are lit past a shadow map.");
     yield* drawInBands(this.#gpu, bands.rayDirect, {
       blocks: this.#surfels.light,
       program: this.#rayDirectProgram,
@@ -322,7 +296,6 @@ export class IndirectPass {
       uniforms: { uShadowOrigin: shadow.captureOrigin },
     });
     yield* this.#gatherRays(surfelSum!, this.#targets.firstBounce, bands);
-    this.#targets.firstBounceOf = light;
   }
 
   *#renderNextBounce(last: RenderTarget, target: RenderTarget, bands: typeof BANDS): Steps {

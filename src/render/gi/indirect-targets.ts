@@ -5,13 +5,13 @@ import type { CaptureLight } from "../light-block.js";
 import { FACES } from "../shadow/cube-map.js";
 import { type IndirectDetail, IRRADIANCE_TEXELS } from "./probe-rays.js";
 
-/** What the bounces are computed in. Lights whose bounces are computed at once can share it. */
+/** What the bounces are computed in. Lights can share it. */
 export interface IndirectTargets {
   readonly rayRadiance: RenderTarget;
   readonly surfelRadiance: RenderTarget;
   readonly firstBounce: RenderTarget;
-  /** The light whose first bounce that is. */
-  firstBounceOf: CaptureLight | null;
+  /** The light whose bounces were last begun. */
+  usedFor: CaptureLight | null;
   /** Sums after each further bounce, used in turn. */
   readonly bounces: readonly RenderTarget[];
 }
@@ -56,7 +56,7 @@ export function indirectTargets(gpu: Gpu, detail: IndirectDetail): IndirectTarge
       filter: "nearest",
     }),
     firstBounce: irradianceMaps(gpu, detail, "gi/first-bounce"),
-    firstBounceOf: null,
+    usedFor: null,
     bounces: ["a", "b", "c", "d"].map((label) =>
       irradianceMaps(gpu, detail, `gi/bounces/${label}`),
     ),

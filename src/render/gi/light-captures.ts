@@ -16,6 +16,7 @@ import { finish, type Steps } from "../steps.js";
 import { fitToRoom } from "./fit-to-room.js";
 import { IndirectPass, type IrradianceVolume, type StepSize } from "./indirect-pass.js";
 import { indirectTargets } from "./indirect-targets.js";
+import { IndirectUpdates } from "./indirect-updates.js";
 
 /** Margin of the view frustum in culling of casters, for the flame's penumbra, metres. */
 const PENUMBRA = 0.05;
@@ -38,8 +39,8 @@ export interface Captures extends FlameCaptures {
 /**
  * Shadow cube and irradiance volume of the flame.
  *
- * At rest they are exact. In motion indirect light is updated incrementally; at `low` so is the shadow cube, from
- * simplified casters.
+ * At rest indirect light becomes exact within a few frames; in motion it is updated incrementally, and at `low` so is the
+ * shadow cube, from simplified casters.
  */
 export class LightCaptures {
   readonly #gpu: Gpu;
@@ -53,6 +54,7 @@ export class LightCaptures {
   #surfelLod: ShadowCasters | null = null;
   readonly #shadow: ShadowPass;
   readonly #indirect: IndirectPass;
+  readonly #updates: IndirectUpdates;
   #holding: Steps | null = null;
   #held: { readonly light: CaptureLight; readonly captures: FlameCaptures } | null = null;
   readonly #cachedLights: CachedLights;
@@ -81,6 +83,7 @@ export class LightCaptures {
     this.#shadow = new ShadowPass(gpu, shadowAtlas(gpu, shadow.size, 1));
     const targets = indirectTargets(gpu, indirect);
     this.#indirect = new IndirectPass(gpu, room, indirect, { targets });
+    this.#updates = new IndirectUpdates(this.#indirect);
     // Where the flame's bounces are computed in steps, other lights' may come in between.
     const shared = tier.opaque === "refined" ? null : targets;
     this.#cachedLights = new CachedLights(gpu, room, { ...tier, indirect }, shared);
@@ -108,8 +111,8 @@ export class LightCaptures {
       if (settings.canDefer) this.#prepareLods();
       const shadow = { depth, captureOrigin, isNew: false };
       const update = [this.#casters, captureLight, shadow] as const;
-      const irradiance = settings.isMoving
-        ? this.#indirect.updateIncrementally(...update)
+      const irradiance = settings.canDefer
+        ? this.#updates.update(...update, { isExact: !settings.isMoving })
         : finish(this.#indirect.passes(...update));
       return { shadow, irradiance };
     }
@@ -122,11 +125,11 @@ export class LightCaptures {
         isNeeded: shadowFrustumTest(clipFromWorld, captureLight.position, PENUMBRA),
       },
     );
-    const irradiance = this.#indirect.updateIncrementally(
+    const irradiance = this.#updates.update(
       this.#surfelLod ?? this.#casters,
       captureLight,
       shadow,
-      kind === "reduced" || shadow.isNew,
+      { isBusy: kind === "reduced" || shadow.isNew },
     );
     return { shadow, irradiance };
   }

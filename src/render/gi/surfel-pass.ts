@@ -5,7 +5,7 @@ import surfelFrag from "../../../shaders/gi/surfel.frag";
 import totalRadiosityFrag from "../../../shaders/gi/total-radiosity.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import cubeFaceVert from "../../../shaders/shadow/cube-face.vert";
-import type { Gpu } from "../../gl/gpu.js";
+import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
@@ -25,7 +25,6 @@ export interface Surfels
     | "radiosity"
     | "totalRadiosity"
     | "support"
-    | "clear"
     | "capture"
     | "renderRadiosity"
     | "renderTotalRadiosity"
@@ -116,17 +115,15 @@ export class SurfelPass implements Surfels {
     return this.#support.supports.color;
   }
 
-  clear(): void {
-    this.#gpu.clear(this.#surfels, [0, 0, 0, 0]);
-  }
-
   capture(casters: ShadowCasters, captureOrigin: Vec3, face: number): void {
     const size = this.#size;
+    const viewport: Box = [face * size, 0, size, size];
     const clipFromWorld = clipFromFace(face, captureOrigin, mat4.create()) as Float32Array;
+    this.#gpu.clear(this.#surfels, [0, 0, 0, 0], viewport);
     casters.drawWithAlbedo(face, captureOrigin, {
       program: this.#captureProgram,
       target: this.#surfels,
-      viewport: [face * size, 0, size, size],
+      viewport,
       uniforms: { uClipFromWorld: clipFromWorld, uCaptureOrigin: captureOrigin },
       depth: "test-and-write",
       cull: "none",

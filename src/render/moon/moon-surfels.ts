@@ -74,14 +74,11 @@ export class MoonSurfels implements Surfels {
     return this.#radiosity.color;
   }
 
-  clear(): void {
-    this.#gpu.clear(this.#surfels, [0, 0, 0, 0]);
-  }
-
   /** Captures all surfels at the first of a flame's six faces. */
   capture(casters: ShadowCasters, _: unknown, face: number): void {
     const { frustum } = this;
     if (face > 0 || !frustum) return;
+    this.#gpu.clear(this.#surfels, [0, 0, 0, 0]);
     casters.drawAllWithAlbedo({
       program: this.#captureProgram,
       target: this.#surfels,
