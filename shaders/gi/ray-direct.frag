@@ -47,7 +47,7 @@ vec3 radianceAlong(ProbeRay ray, vec3 position) {
   float NoL = -dot(ray.normal, moon.direction);
   if (!isPane && (NoL <= 0.0 || !isLit(position, ray.normal, NoL))) return vec3(0.0);
   float columns = moon.surfelColumns;
-  float area = isPane ? moon.paneArea / columns * float(GROUP) : float(GROUP * GROUP) * moon.surfelArea / limitedCosine(NoL);
+  float area = isPane ? moon.paneArea / columns * float(uGroup) : float(uGroup * uGroup) * moon.surfelArea / limitedCosine(NoL);
   float fromProbe = max(dot(ray.normal, -ray.direction), 0.0) * area / (ray.reach * ray.reach);
   vec4 reflectance = texelFetch(uRayReflectance, ray.texel, 0);
   vec3 reflected = reflectance.rgb * (NoL * glossyLobe(reflectance.a, ray.normal, -moon.direction, -ray.direction));
@@ -79,7 +79,7 @@ vec3 radianceAlong(ProbeRay ray, vec3 position) {
   float NoL = dot(ray.normal, -lightDirection);
   if (NoL <= 0.0 || !isLit(position, ray.normal)) return vec3(0.0);
   // Of a group of surfels at the hit, from the probe.
-  float area = float(GROUP * GROUP) * surfelSolidAngle(lightDirection) * distanceSquared / limitedCosine(NoL);
+  float area = float(uGroup * uGroup) * surfelSolidAngle(lightDirection) * distanceSquared / limitedCosine(NoL);
   float fromProbe = max(dot(ray.normal, -ray.direction), 0.0) * area / (ray.reach * ray.reach);
   vec3 irradiance = light.intensity * (NoL / distanceSquared * candleVisibility(position));
   vec4 reflectance = texelFetch(uRayReflectance, ray.texel, 0);

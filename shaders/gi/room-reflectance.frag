@@ -23,9 +23,9 @@ void main() {
     int probe = (i * STRIDE) % count;
     ivec2 tile = ivec2(probe % tiles.x, probe / tiles.x);
     float isOutside = texelFetch(uProbePositions, tile, 0).a;
-    for (int y = 0; y < RAYS; y += 2) {
-      for (int x = 0; x < RAYS; x += 2) {
-        ProbeRay ray = probeRayAt(tile * RAYS + ivec2(x, y));
+    for (int y = 0; y < uRays; y += 2) {
+      for (int x = 0; x < uRays; x += 2) {
+        ProbeRay ray = probeRayAt(tile * uRays + ivec2(x, y));
         float reflectance = ray.reach > 0.0 ? luma(texelFetch(uRayReflectance, ray.texel, 0).rgb) : 0.0;
         sum += isOutside * ray.solidAngle * reflectance;
         total += isOutside * ray.solidAngle;

@@ -1,6 +1,7 @@
 #version 300 es
-// First bounce: radiance of GROUP² surfels as one, as each probe receives it, by its visibility and its weight against the rays.
-// Out: radiance times solid angle, cd/m² sr; direction. A probe's tile has RAYS columns, and rows for all surfels.
+// First bounce: radiance of a group of surfels as one, as each probe receives it, by its visibility and its weight
+// against the rays.
+// Out: radiance times solid angle, cd/m² sr; direction. A probe's tile is as wide as its map of rays.
 #include "lib/precision.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/photometry.glsl"
@@ -36,9 +37,9 @@ bool isVisiblePast(vec3 hit, vec3 normal, vec3 direction, float reach) {
 
 // A texel of the octahedral map of rays; beyond an edge the one that meets it there, across the seam.
 vec2 wrapped(vec2 texel) {
-  const float END = float(RAYS - 1);
-  if (texel.x < 0.0 || texel.x > END) texel = vec2(clamp(texel.x, 0.0, END), END - texel.y);
-  if (texel.y < 0.0 || texel.y > END) texel = vec2(END - texel.x, clamp(texel.y, 0.0, END));
+  float last = float(uRays - 1);
+  if (texel.x < 0.0 || texel.x > last) texel = vec2(clamp(texel.x, 0.0, last), last - texel.y);
+  if (texel.y < 0.0 || texel.y > last) texel = vec2(last - texel.x, clamp(texel.y, 0.0, last));
   return texel;
 }
 
@@ -47,7 +48,7 @@ vec2 wrapped(vec2 texel) {
 // both.
 float surfelVisibility(ivec2 tile, vec3 direction, float reach) {
   vec3 turn = turnOf(tile);
-  vec2 place = octahedralEncode(turnedBack(direction, turn)) * float(RAYS) - 0.5;
+  vec2 place = octahedralEncode(turnedBack(direction, turn)) * float(uRays) - 0.5;
   vec2 cell = floor(place);
   vec3 hits[4];
   vec3 normals[4];
@@ -57,8 +58,8 @@ float surfelVisibility(ivec2 tile, vec3 direction, float reach) {
     vec2 corner = vec2(i & 1, i >> 1);
     vec2 shares = mix(1.0 - (place - cell), place - cell, corner);
     vec2 texel = wrapped(cell + corner);
-    vec4 hit = texelFetch(uRayHits, tile * RAYS + ivec2(texel), 0);
-    hits[i] = turned(normalize(octahedralDecode((texel + 0.5) / float(RAYS))), turn) * hit.w;
+    vec4 hit = texelFetch(uRayHits, tile * uRays + ivec2(texel), 0);
+    hits[i] = turned(normalize(octahedralDecode((texel + 0.5) / float(uRays))), turn) * hit.w;
     normals[i] = hit.xyz;
     weights[i] = hit.w > 0.0 ? shares.x * shares.y : 0.0;
     isVisible[i] = isVisiblePast(hits[i], normals[i], direction, reach);
@@ -80,14 +81,14 @@ float surfelVisibility(ivec2 tile, vec3 direction, float reach) {
 void main() {
   oRadiance = oDirection = vec4(0.0, 0.0, 0.0, 1.0);
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  ivec2 tile = pixel / ivec2(RAYS, SURFEL_ROWS);
-  ivec2 place = pixel - tile * ivec2(RAYS, SURFEL_ROWS);
+  ivec2 tile = quotient(pixel, ivec2(uRays, uSurfelRows));
+  ivec2 place = pixel - tile * ivec2(uRays, uSurfelRows);
   int size = textureSize(uSurfelNormalDistance, 0).y;
-  ivec2 group = surfelOfIndex(place.y * RAYS + place.x, size / GROUP);
-  if (group.y >= size / GROUP) return;
+  ivec2 group = surfelOfIndex(place.y * uRays + place.x, size / uGroup);
+  if (group.y >= size / uGroup) return;
   // Each probe takes another one of the group, so that their errors differ and interpolation averages them.
   uint chance = pcg(uint(group.x + 8192 * group.y) + pcg(uint(tile.x + 8192 * tile.y)));
-  ivec2 texel = group * GROUP + ivec2((chance >> 8) & 4095u, chance >> 20) % GROUP;
+  ivec2 texel = group * uGroup + ivec2((chance >> 8) & 4095u, chance >> 20) % uGroup;
   Surfel surfel = surfelAt(texel, size);
   vec3 toSurfel = surfel.position - texelFetch(uProbePositions, tile, 0).xyz;
   float distanceSquared = max(dot(toSurfel, toSurfel), 1e-6);
@@ -95,7 +96,7 @@ void main() {
   vec3 direction = toSurfel / reach;
   float cosine = dot(surfel.normal, -direction);
   if (cosine <= 0.0 || surfel.distance <= 0.0) return;
-  float solidAngle = cosine * surfel.area * float(GROUP * GROUP) / distanceSquared;
+  float solidAngle = cosine * surfel.area * float(uGroup * uGroup) / distanceSquared;
   vec3 unturned = turnedBack(direction, turnOf(tile));
   solidAngle *= 1.0 - rayWeight(solidAngle, raySolidAngle(unturned / dot(abs(unturned), vec3(1.0))));
   float visibility = surfelVisibility(tile, direction, reach);

@@ -15,6 +15,7 @@ layout(std140) uniform Moon {
   vec3 paneAcross;     // edges of the panes, m
   vec3 paneUp;
   vec3 paneNormal;     // into the room
+  float paneRows;      // of surfels on the panes
 } moon;
 
 // Tangent of the moon's angular radius, 0.26 degrees.

@@ -1,6 +1,6 @@
 // Surfels: the surfaces that the flame lights, as flat patches, one a texel of a cube map whose faces lie side by side
 // along x. Needs lib/photometry.glsl, lib/flame-light.glsl.
-// MOON: the surfaces that the moon lights, one a texel of its map, and in the last GROUP rows the panes that the sky
+// MOON: the surfaces that the moon lights, one a texel of its map, and in the last rows the panes that the sky
 // shines through. Needs lib/moon.glsl instead.
 
 uniform sampler2D uSurfelNormalDistance;
@@ -62,12 +62,12 @@ float limitedCosine(float cosine) {
 #ifdef MOON
 // Whether a texel is a part of the window's panes.
 bool isPaneSurfel(ivec2 texel, int size) {
-  return texel.y >= size - GROUP;
+  return texel.y >= size - int(moon.paneRows);
 }
 
 Surfel surfelAt(ivec2 texel, int size) {
   vec4 normalDistance = texelFetch(uSurfelNormalDistance, texel, 0);
-  vec2 place = (vec2(texel) + 0.5) / vec2(moon.surfelColumns, float(size - GROUP));
+  vec2 place = (vec2(texel) + 0.5) / vec2(moon.surfelColumns, float(size) - moon.paneRows);
   Surfel surfel;
   surfel.position = moon.position + moon.across * place.x + moon.up * place.y + moon.direction * normalDistance.w;
   surfel.normal = normalDistance.xyz;
@@ -75,10 +75,10 @@ Surfel surfelAt(ivec2 texel, int size) {
   surfel.area = moon.surfelArea / limitedCosine(-dot(surfel.normal, moon.direction));
   surfel.distance = normalDistance.w;
   if (isPaneSurfel(texel, size)) {
-    place = (vec2(texel.x, texel.y - (size - GROUP)) + 0.5) / vec2(moon.surfelColumns, float(GROUP));
+    place = (vec2(texel.x, texel.y + int(moon.paneRows) - size) + 0.5) / vec2(moon.surfelColumns, moon.paneRows);
     surfel.position = moon.paneCorner + moon.paneAcross * place.x + moon.paneUp * place.y;
     surfel.normal = moon.paneNormal;
-    surfel.area = moon.paneArea / (moon.surfelColumns * float(GROUP));
+    surfel.area = moon.paneArea / (moon.surfelColumns * moon.paneRows);
     surfel.distance = moon.paneArea;
   }
   return surfel;

@@ -10,6 +10,7 @@ import { type GpuContext, type GpuObject, incomplete, outOfMemory } from "./gpu-
 import { GpuTimer } from "./gpu-timer.js";
 import { nextTask } from "./next-task.js";
 import { Program, type ProgramOptions, type ShaderSource } from "./program.js";
+import { readCanvas, readFloats } from "./read-pixels.js";
 import { RenderTarget, type RenderTargetOptions } from "./render-target.js";
 import { rendererName } from "./renderer-name.js";
 import { Texture, type TextureOptions } from "./texture.js";
@@ -48,6 +49,8 @@ export class Gpu {
   readonly #shared = new Map<unknown, unknown>();
   readonly #sharedObjects = new Set<GpuObject>();
   #isSharing = false;
+  /** Programs that anything was drawn with. */
+  programsUsed = 0;
   readonly #commands: DrawCommands;
   readonly #mostSamples: number;
   /** Programs that the driver has not been sent. */
@@ -184,13 +187,15 @@ export class Gpu {
    * some drivers compile while one waits; without a timer, which a test may have stopped.
    */
   async whenCompiled(): Promise<void> {
-    while (this.#unsent.size > 0) {
-      this.#startPrograms(1);
-      await nextTask();
-    }
-    const isPending = (object: GpuObject) => object instanceof Program && !object.isCompiled;
-    while ([...this.#alive].some(isPending)) await nextTask();
+    while (this.isCompiling) await nextTask();
     await this.whenIdle(); // a query of one blocks until all earlier work is done
+  }
+
+  /** Whether a program is not compiled yet, as far as the driver tells. Starts the next one. */
+  get isCompiling(): boolean {
+    this.#startPrograms(1);
+    const isPending = (object: GpuObject) => object instanceof Program && !object.isCompiled;
+    return this.#unsent.size > 0 || [...this.#alive].some(isPending);
   }
 
   /** Waits for all programs. Throws if one is refused. */
@@ -288,13 +293,19 @@ export class Gpu {
   }
 
   draw(draw: Draw): void {
-    if (this.#unsent.has(draw.program)) this.#startPrograms();
+    this.#use(draw.program);
     this.#commands.draw(draw);
   }
 
   transform(transform: Transform): void {
-    if (this.#unsent.has(transform.program)) this.#startPrograms();
+    this.#use(transform.program);
     this.#commands.transform(transform);
+  }
+
+  #use(program: Program): void {
+    if (this.#unsent.has(program)) this.#startPrograms();
+    if (!program.isUsed) this.programsUsed++;
+    program.isUsed = true;
   }
 
   /** Copies a multisampled target to a surface of its size and format; with depth that can be read there. */
@@ -306,27 +317,13 @@ export class Gpu {
    * Pixels of the canvas, 8-bit RGBA, rows from the bottom up; only in the task that drew them: afterwards the browser
    * owns them. Waits for the GPU.
    */
-  readCanvas([x, y, width, height]: Box): Uint8Array {
-    const gl = this.#gl;
-    const pixels = new Uint8Array(width * height * 4);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    gl.readPixels(x, y, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-    return pixels;
+  readCanvas(box: Box): Uint8Array {
+    return readCanvas(this.#gl, box);
   }
 
   /** RGB of a floating-point target, rows from the top. Waits for the GPU. */
-  readFloats(target: RenderTarget | TextureView, [x, y, width, height]: Box): Float32Array {
-    const gl = this.#gl;
-    const texels = new Float32Array(width * height * 4);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
-    gl.readPixels(x, target.height - y - height, width, height, gl.RGBA, gl.FLOAT, texels);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    const rgb = new Float32Array(width * height * 3);
-    for (let i = 0; i < width * height; i++) {
-      const from = (i + width * (height - 1 - 2 * Math.floor(i / width))) * 4;
-      rgb.set(texels.subarray(from, from + 3), i * 3);
-    }
-    return rgb;
+  readFloats(target: RenderTarget | TextureView, box: Box): Float32Array {
+    return readFloats(this.#gl, target, box);
   }
 
   /** Frees every object, and keeps the context for others. */

@@ -111,6 +111,8 @@ interface Stage {
  */
 export class Program extends GpuObject {
   readonly bytes = 0;
+  /** Whether anything was drawn with it. */
+  isUsed = false;
   readonly #handle: WebGLProgram;
   /** Starts the compiler; null once that is done. */
   #compile: (() => readonly Stage[]) | null;

@@ -59,6 +59,7 @@ export class CachedLights {
     const lights: CachedLight[] = [];
     if (moon) {
       this.#moon ??= this.#makeMoon();
+      yield;
       const light = yield* this.#moon.light(moon, size);
       if (light) lights.push(light);
     }

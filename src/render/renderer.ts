@@ -18,6 +18,8 @@ export interface Refining {
   readonly remaining: number;
   /** Continues captures of the light by `steps` of the settings. True once they are done. */
   prepare(world: World, settings: FrameSettings): boolean;
+  /** Whether the last step has many drivers compile for so long that its frame had better draw nothing else. */
+  readonly isCompiling: boolean;
   /** Begins with the last image of a coarser renderer on the same `Gpu`, of the same view. */
   begin(world: World, settings: FrameSettings, coarse: Surfaces): void;
   /** Goes on with a first frame off the screen, by a pass: many drivers compile at it. True once it is drawn. */

@@ -89,9 +89,9 @@ export class Refinement {
    * A frame at rest.
    *
    * @param size of the canvas at its full resolution
-   * @returns steps of the refinement that the frame does
+   * @returns steps of the refinement that the frame does; null if it draws nothing else
    */
-  advance(subject: ViewSubject, view: FrameSettings, coarse: Renderer, size: Size): number {
+  advance(subject: ViewSubject, view: FrameSettings, coarse: Renderer, size: Size): number | null {
     if (!this.#renderer) {
       for (let part = 0; part < PARTS_IN_FRAME; part++) {
         if (!this.#maker.prepare()) continue;
@@ -107,7 +107,7 @@ export class Refinement {
     const { world } = subject;
     if (!refining || !coarse.surfaces) return 0;
     if (!this.#hasBegun) {
-      if (!refining.prepare(world, { ...view, steps })) return 0;
+      if (!refining.prepare(world, { ...view, steps })) return refining.isCompiling ? null : 0;
       if (this.#size?.width !== size.width || this.#size.height !== size.height) {
         this.#renderer.resize(size.width, size.height);
         this.#size = size;

@@ -192,15 +192,17 @@ export class SceneView {
     const refines = this.#refines(view);
     if (!refines) this.#refinement.stop(view.isMoving ? this.#renderer : null);
     this.#chooseQuality();
+    const settings = this.#settingsOf(view);
     target.prepare();
     gpu.beginFrame();
-    const settings = this.#settingsOf(view);
     const steps = refines ? this.#refine(settings) : 0;
-    this.#fitCanvas();
-    if (wasRefined !== (this.#refinement.shown !== null)) this.onQualityChanged();
-    this.#shown.render(this.#subject.world, { ...settings, steps });
+    if (steps !== null) {
+      this.#fitCanvas();
+      if (wasRefined !== (this.#refinement.shown !== null)) this.onQualityChanged();
+      this.#shown.render(this.#subject.world, { ...settings, steps });
+    }
     gpu.endFrame();
-    target.present();
+    if (steps !== null) target.present();
     if (this.#isUnchecked) void this.#check();
   }
 
@@ -308,7 +310,7 @@ export class SceneView {
     return this.#auto.isSoftware && this.#tier.name === "low";
   }
 
-  #refine(settings: FrameSettings): number {
+  #refine(settings: FrameSettings): number | null {
     const size = canvasSize(this.#pixels, REFINED.resolutionScale, this.#target.gpu.longestSide);
     return this.#refinement.advance(this.#subject, settings, this.#renderer, size);
   }

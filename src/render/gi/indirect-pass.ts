@@ -86,6 +86,8 @@ export class IndirectPass {
   readonly #surfelGatherProgram: Program;
   readonly #rayGatherProgram: Program;
   readonly #block: UniformBlock;
+  /** Of `lib/probe-rays.glsl`. */
+  readonly #uniforms: Readonly<Record<"uRays" | "uProbeRows" | "uGroup" | "uSurfelRows", number>>;
   readonly #surfels: Surfels;
   readonly #targets: IndirectTargets;
   /** After all bounces. */
@@ -115,20 +117,17 @@ export class IndirectPass {
     this.#scene = scene;
     this.#surfels = surfels;
     this.#targets = targets;
-    const surfelRows = surfelRowsOf(detail);
-    const tile = { RAYS: detail.rays, PROBE_ROWS: detail.probes[1] };
-    const perRay = (label: string, fragment: ShaderSource) =>
-      gpu.program(label, fullscreenVert, fragment, {
-        defines: {
-          ...tile,
-          SURFEL_ROWS: surfelRows,
-          GROUP: detail.surfelGroup,
-          ...surfels.defines,
-        },
-      });
-    this.#surfelRadianceProgram = perRay("gi/surfel-radiance", surfelRadianceFrag);
-    this.#rayRadianceProgram = perRay("gi/ray-radiance", rayRadianceFrag);
-    this.#rayDirectProgram = perRay("gi/ray-direct", rayDirectFrag);
+    this.#uniforms = {
+      uRays: detail.rays,
+      uProbeRows: detail.probes[1],
+      uSurfelRows: surfelRowsOf(detail),
+      uGroup: detail.surfelGroup,
+    };
+    const ofLight = (label: string, fragment: ShaderSource) =>
+      gpu.program(label, fullscreenVert, fragment, { defines: surfels.defines });
+    this.#surfelRadianceProgram = ofLight("gi/surfel-radiance", surfelRadianceFrag);
+    this.#rayRadianceProgram = gpu.program("gi/ray-radiance", fullscreenVert, rayRadianceFrag);
+    this.#rayDirectProgram = ofLight("gi/ray-direct", rayDirectFrag);
     const [columns, rows, planes] = detail.probes;
     const { min, max } = interiorBounds(scene.collision, scene.model);
     this.#block = gpu.uniformBlock(this.#rayRadianceProgram, "Volume");
@@ -146,9 +145,9 @@ export class IndirectPass {
     });
     const gather = (SURFELS: 0 | 1, ROWS: number, COLUMNS: number) =>
       gpu.program("gi/gather", fullscreenVert, gatherFrag, {
-        defines: { ...tile, SURFELS, ROWS, COLUMNS, IRRADIANCE_TEXELS },
+        defines: { SURFELS, ROWS, COLUMNS, IRRADIANCE_TEXELS },
       });
-    this.#surfelGatherProgram = gather(1, surfelRows, detail.rays);
+    this.#surfelGatherProgram = gather(1, this.#uniforms.uSurfelRows, detail.rays);
     this.#rayGatherProgram = gather(0, detail.rays / 2, detail.rays / 2);
     this.#irradiance = irradianceMaps(gpu, detail, "gi/irradiance");
     this.#limit = new BounceLimit(gpu);
@@ -266,6 +265,7 @@ export class IndirectPass {
     yield* drawInBands(this.#gpu, bands.surfelRadiance, {
       blocks: this.#surfels.light,
       program: this.#surfelRadianceProgram,
+      uniforms: this.#uniforms,
       target: this.#targets.surfelRadiance,
       textures: {
         uSurfelNormalDistance,
@@ -278,6 +278,7 @@ export class IndirectPass {
     const [uRadiance, uDirection] = this.#targets.surfelRadiance.colors;
     yield* drawInBands(this.#gpu, bands.gather, {
       program: this.#surfelGatherProgram,
+      uniforms: this.#uniforms,
       target: surfelSum!,
       textures: { uRadiance: uRadiance!, uDirection: uDirection! },
     });
@@ -293,7 +294,7 @@ export class IndirectPass {
         ...this.#probes.rays,
         uShadow: shadow.depth,
       },
-      uniforms: { uShadowOrigin: shadow.captureOrigin },
+      uniforms: { ...this.#uniforms, uShadowOrigin: shadow.captureOrigin },
     });
     yield* this.#gatherRays(surfelSum!, this.#targets.firstBounce, bands);
   }
@@ -301,6 +302,7 @@ export class IndirectPass {
   *#renderNextBounce(last: RenderTarget, target: RenderTarget, bands: typeof BANDS): Steps {
     yield* drawInBands(this.#gpu, bands.rayRadiance, {
       program: this.#rayRadianceProgram,
+      uniforms: this.#uniforms,
       target: this.#targets.rayRadiance,
       textures: {
         uIrradiance: last.color,
@@ -316,6 +318,7 @@ export class IndirectPass {
   *#gatherRays(before: RenderTarget, target: RenderTarget, bands: typeof BANDS): Steps {
     yield* drawInBands(this.#gpu, bands.gather, {
       program: this.#rayGatherProgram,
+      uniforms: this.#uniforms,
       target,
       textures: { uRadiance: this.#targets.rayRadiance.color, uIrradianceBefore: before.color },
     });

@@ -56,6 +56,8 @@ export class LightCaptures {
   readonly #indirect: IndirectPass;
   readonly #updates: IndirectUpdates;
   #holding: Steps | null = null;
+  /** Programs used when `hold` was last called. */
+  #programsUsed = 0;
   #held: { readonly light: CaptureLight; readonly captures: FlameCaptures } | null = null;
   readonly #cachedLights: CachedLights;
 
@@ -137,12 +139,19 @@ export class LightCaptures {
   /**
    * Continues exact captures of all lights. Those of the flame are then held, wherever it moves, until the next ones.
    *
-   * @param steps how many: a face of a cube, or a band of a pass, each
+   * Many drivers compile at a program's first draw, once more: it ends a frame's steps, and the next frame has none.
+   *
+   * @param steps how many: a face of a cube, or a band of a pass, each; none while a program compiles
    * @returns whether they are done
    */
   hold(frame: FrameInput, steps: number): boolean {
     this.#holding ??= this.#holdingSteps(frame);
-    for (let step = 0; step < steps; step++) {
+    const gpu = this.#gpu;
+    const used = gpu.programsUsed;
+    const isNew = used !== this.#programsUsed;
+    this.#programsUsed = used;
+    if (isNew) return false;
+    for (let step = 0; step < steps && used === gpu.programsUsed && !gpu.isCompiling; step++) {
       if (!this.#holding.next().done) continue;
       this.#holding = null;
       return true;

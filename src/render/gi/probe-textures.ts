@@ -4,6 +4,7 @@ import rayReflectanceVert from "../../../shaders/gi/ray-reflectance.vert";
 import roomReflectanceFrag from "../../../shaders/gi/room-reflectance.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Gpu } from "../../gl/gpu.js";
+import type { Program, ShaderSource } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
@@ -16,6 +17,8 @@ import { PROBE_DEPTH_EDGE, type ProbeDetail, type ProbeRays } from "./probe-rays
 const FLOAT = 4;
 /** Bands of the pass over all rays. */
 const BANDS = 12;
+/** Hits in a step: a CPU draws a few hundred points in a millisecond. */
+const HITS = 12_000;
 
 /** Probes and the hits of their rays, as textures. */
 export interface ProbeTextures {
@@ -86,18 +89,26 @@ export function uploadProbeRays(
     filter: "nearest",
   });
   const hits = { uRayHits, uRayReflectance: rayReflectance.color };
-  const defines = { RAYS: rays, PROBE_ROWS: rows };
+  const uniforms = { uRays: rays, uProbeRows: rows };
   function* draw(): Steps {
+    const program = (label: string, fragment: ShaderSource) =>
+      gpu.program(label, fullscreenVert, fragment);
+    const ofProbes = program("gi/ray-probes", rayProbesFrag);
+    const ofRoom = program("gi/room-reflectance", roomReflectanceFrag);
+    const ofRays = gpu.program("gi/ray-reflectance", rayReflectanceVert, rayReflectanceFrag);
+    yield;
     yield* drawInBands(gpu, BANDS, {
-      program: gpu.program("gi/ray-probes", fullscreenVert, rayProbesFrag, { defines }),
+      program: ofProbes,
       target: rayProbes,
+      uniforms,
       textures: { uRayHits, ...volume },
       blocks: { Volume: block },
     });
-    yield* drawRayReflectance(gpu, traced, rayReflectance, surfaces);
+    yield* drawRayReflectance(gpu, ofRays, traced, rayReflectance, surfaces);
     gpu.draw({
-      program: gpu.program("gi/room-reflectance", fullscreenVert, roomReflectanceFrag, { defines }),
+      program: ofRoom,
       target: roomReflectance,
+      uniforms,
       textures: { ...hits, uProbePositions },
     });
     yield;
@@ -111,14 +122,14 @@ export function uploadProbeRays(
   };
 }
 
-/** Reflectance at the hits, a part's in each step; sampled on the GPU, since decoded images may exist only there. */
+/** Reflectance at the hits, some of a part's in each step; sampled on the GPU, since decoded images may exist only there. */
 function* drawRayReflectance(
   gpu: Gpu,
+  program: Program,
   { hitUvs, runs }: ProbeRays,
   target: RenderTarget,
   surfaces: readonly Mesh[],
 ): Steps {
-  const program = gpu.program("gi/ray-reflectance", rayReflectanceVert, rayReflectanceFrag);
   const buffer = gpu.buffer("gi/hit-uvs", hitUvs);
   const vertexArray = gpu.vertexArray("gi/hit-uvs", {
     attributes: {
@@ -132,21 +143,23 @@ function* drawRayReflectance(
     const surface = surfaces[part];
     if (!surface) continue;
     const { uAlbedo, uNormal, uOcclusionRoughness } = surface.textures;
-    gpu.draw({
-      program,
-      target,
-      vertexArray,
-      primitive: "points",
-      first,
-      count,
-      uniforms: {
-        uSize: [target.width, target.height],
-        uBaseColor: surface.baseColor,
-        uSurface: surface.parameters,
-      },
-      textures: { uAlbedo, uNormal, uOcclusionRoughness },
-    });
-    yield;
+    for (let drawn = 0; drawn < count; drawn += HITS) {
+      gpu.draw({
+        program,
+        target,
+        vertexArray,
+        primitive: "points",
+        first: first + drawn,
+        count: Math.min(HITS, count - drawn),
+        uniforms: {
+          uSize: [target.width, target.height],
+          uBaseColor: surface.baseColor,
+          uSurface: surface.parameters,
+        },
+        textures: { uAlbedo, uNormal, uOcclusionRoughness },
+      });
+      yield;
+    }
   }
   for (const object of [vertexArray, buffer]) object.dispose();
 }

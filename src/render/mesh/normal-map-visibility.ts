@@ -1,11 +1,16 @@
 import visibilityFrag from "../../../shaders/mesh/normal-map-visibility.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Gpu } from "../../gl/gpu.js";
+import type { Program } from "../../gl/program.js";
 import type { Texture } from "../../gl/texture.js";
 import type { Mesh } from "./mesh.js";
 
 /** Levels of detail of a normal map; coarser ones are as the last. */
 const LEVELS = 8;
+
+export function normalMapVisibilityProgram(gpu: Gpu): Program {
+  return gpu.program("mesh/normal-map-visibility", fullscreenVert, visibilityFrag);
+}
 
 /**
  * Normal-map visibility: what a normal map's relief leaves of light, by level of detail. Minified normal maps are
@@ -22,7 +27,7 @@ export function normalMapVisibilityOf(gpu: Gpu, mesh: Mesh): Texture {
       color: ["RGBA16F"],
     });
     gpu.draw({
-      program: gpu.program("mesh/normal-map-visibility", fullscreenVert, visibilityFrag),
+      program: normalMapVisibilityProgram(gpu),
       target,
       textures: { uNormal },
       uniforms: { uNormalScale },

@@ -92,10 +92,10 @@ export function clipFromFrustum({ corner, across, up, direction, depth }: MoonFr
   return out;
 }
 
-/** Members of the shaders' `Moon` block. `columns` and `rows`: of surfels on the map, and of those on the panes. */
+/** Members of the shaders' `Moon` block. `columns`, `rows`, `paneRows`: of surfels on the map, and on the panes. */
 export function moonBlock(
   { corner, across, up, direction, depth, panes }: MoonFrustum,
-  { columns, rows }: { readonly columns: number; readonly rows: number },
+  { columns, rows, paneRows }: Readonly<Record<"columns" | "rows" | "paneRows", number>>,
 ) {
   const nowhere: Vec3 = [0, 0, 0];
   return {
@@ -107,6 +107,7 @@ export function moonBlock(
     sky: SKY,
     surfelArea: (Math.hypot(...across) * Math.hypot(...up)) / (columns * rows),
     surfelColumns: columns,
+    paneRows,
     paneArea: panes ? areaOf(panes) : 0,
     paneCorner: panes?.corner ?? nowhere,
     paneAcross: panes?.across ?? nowhere,

@@ -38,7 +38,7 @@ export class MoonSurfels implements Surfels {
       defines: { PARALLEL: 1 },
     });
     this.#radiosityProgram = gpu.program("gi/radiosity", fullscreenVert, radiosityFrag, {
-      defines: { MOON: 1, GROUP: group },
+      defines: this.defines,
     });
     this.light = { Moon: gpu.uniformBlock(this.#radiosityProgram, "Moon") };
     const texel = floats(gpu, 4);
@@ -53,8 +53,9 @@ export class MoonSurfels implements Surfels {
   }
 
   /** Surfels on the map. */
-  get detail(): { readonly columns: number; readonly rows: number } {
-    return { columns: this.#radiosity.width, rows: this.#rows };
+  get detail(): Readonly<Record<"columns" | "rows" | "paneRows", number>> {
+    const { width: columns, height } = this.#radiosity;
+    return { columns, rows: this.#rows, paneRows: height - this.#rows };
   }
 
   get normalDistance(): Texture {

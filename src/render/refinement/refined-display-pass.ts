@@ -118,11 +118,14 @@ export class RefinedDisplayPass {
         });
       }
       yield;
+      this.#hueLut.of(transform);
+      yield;
       this.#keepTile([0, 0, 1, 1], { ...layer.textures, ...textures }, options, blocks); // to compile
       yield;
     }
     const all = { ...layer.textures, ...textures };
     this.#keepBands(all, options, blocks);
+    yield;
     const isKept = this.#bands === BANDS;
     if (isKept) {
       for (const tile of this.#stage.takeDrawn()) this.#keepTile(tile, all, options, blocks);

@@ -15,7 +15,10 @@ import type { FrameSettings } from "../frame-settings.js";
 import { type ReprojectionSource, reprojectionSource } from "../gbuffer/reprojection.js";
 import type { Captures, LightCaptures } from "../gi/light-captures.js";
 import { type CaptureLight, lightBlock, shadingLight } from "../light-block.js";
-import { normalMapVisibilityOf } from "../mesh/normal-map-visibility.js";
+import {
+  normalMapVisibilityOf,
+  normalMapVisibilityProgram,
+} from "../mesh/normal-map-visibility.js";
 import { ForwardStage } from "../opaque/forward-stage.js";
 import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "../opaque/opaque-stage.js";
 import type { Tier } from "../quality.js";
@@ -74,6 +77,7 @@ export class RefinedStage implements OpaqueStage {
   #tiles: Tile[] = [];
   #light: CaptureLight | null = null;
   #firstDraws: Steps | null = null;
+  #isCompiling = false;
   #firstFrame: Steps | null = null;
 
   constructor(gpu: Gpu, tier: Tier) {
@@ -105,9 +109,13 @@ export class RefinedStage implements OpaqueStage {
       get remaining() {
         return stage.#tiles.length;
       },
+      get isCompiling() {
+        return stage.#isCompiling;
+      },
       prepare: (world, settings) => {
+        stage.#isCompiling = false;
         const frame = describe(world, settings);
-        if (!captures.hold(frame, settings.steps ?? 0)) return false;
+        if (!captures.hold(frame, settings.steps ?? 0) || stage.#gpu.isCompiling) return false;
         stage.#firstDraws ??= stage.#drawFirst(frame, captures.update(frame, "full"));
         return stage.#firstDraws.next().done === true;
       },
@@ -188,6 +196,8 @@ export class RefinedStage implements OpaqueStage {
 
   /** Many drivers compile a program for a target at its first draw: each in a frame of its own. */
   *#drawFirst(frame: FrameInput, captures: Captures): Steps {
+    normalMapVisibilityProgram(this.#gpu);
+    yield;
     for (const { meshes } of frame.instances) {
       for (const mesh of meshes) normalMapVisibilityOf(this.#gpu, mesh);
     }
@@ -204,6 +214,7 @@ export class RefinedStage implements OpaqueStage {
         },
         uniforms: { uIsMultisampled: Number(target === this.#samples) },
       });
+      this.#isCompiling = true;
     }
     for (let rest = 0; rest < REST_FRAMES; rest++) yield;
   }
