@@ -185,10 +185,13 @@ export class Gpu {
   /**
    * Resolves when the driver has compiled all programs, as far as it tells. Each is started in a task of its own, since
    * some drivers compile while one waits; without a timer, which a test may have stopped.
+   *
+   * @param idles how often the GPU is waited for then: a query of a program blocks until all earlier work is done, and
+   * ANGLE goes on with a program for some frames
    */
-  async whenCompiled(): Promise<void> {
+  async whenCompiled(idles = 1): Promise<void> {
     while (this.isCompiling) await nextTask();
-    await this.whenIdle(); // a query of one blocks until all earlier work is done
+    for (let idle = 0; idle < idles; idle++) await this.whenIdle();
   }
 
   /** Whether a program is not compiled yet, as far as the driver tells. Starts the next one. */

@@ -45,7 +45,7 @@ export class SceneView {
     create: () => this.#scene.createRenderer(this.#target, REFINED, this.#settings.look),
     whenCompiled: async () => {
       const { gpu } = this.#target;
-      await gpu.whenCompiled();
+      await gpu.whenCompiled(3);
       gpu.finishPrograms(); // now: later each would wait for what is being drawn
     },
   });

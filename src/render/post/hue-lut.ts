@@ -1,6 +1,7 @@
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import hueLutFrag from "../../../shaders/post/hue-lut.frag";
 import type { Gpu } from "../../gl/gpu.js";
+import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { DisplayTransform } from "./display-pass.js";
@@ -11,11 +12,13 @@ const SIZE = 64;
 /** Vibrance of each hue, as a table; without it the display pass took a third longer. */
 export class HueLut {
   readonly #gpu: Gpu;
+  readonly #program: Program;
   readonly #target: RenderTarget;
   #key = "";
 
   constructor(gpu: Gpu) {
     this.#gpu = gpu;
+    this.#program = gpu.program("post/hue-lut", fullscreenVert, hueLutFrag);
     this.#target = gpu.renderTarget({
       label: "hue LUT",
       width: SIZE,
@@ -30,7 +33,7 @@ export class HueLut {
     if (key !== this.#key) {
       this.#key = key;
       this.#gpu.draw({
-        program: this.#gpu.program("post/hue-lut", fullscreenVert, hueLutFrag),
+        program: this.#program,
         target: this.#target,
         uniforms: { uWhite, uVibrance, uRods, uAdaptation: [1, 1, 1] },
       });

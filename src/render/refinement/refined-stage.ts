@@ -83,6 +83,7 @@ export class RefinedStage implements OpaqueStage {
   constructor(gpu: Gpu, tier: Tier) {
     this.#gpu = gpu;
     this.#forward = new ForwardStage(gpu, tier);
+    normalMapVisibilityProgram(gpu);
     this.#begin = gpu.program("refinement/begin", fullscreenVert, beginFrag);
     this.#copy = gpu.program("refinement/copy-tile", fullscreenVert, copyFrag);
     const tile = { width: TILE, height: TILE, color: ["RGBA16F"], depth: "texture" } as const;
@@ -196,8 +197,6 @@ export class RefinedStage implements OpaqueStage {
 
   /** Many drivers compile a program for a target at its first draw: each in a frame of its own. */
   *#drawFirst(frame: FrameInput, captures: Captures): Steps {
-    normalMapVisibilityProgram(this.#gpu);
-    yield;
     for (const { meshes } of frame.instances) {
       for (const mesh of meshes) normalMapVisibilityOf(this.#gpu, mesh);
     }
