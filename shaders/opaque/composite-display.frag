@@ -1,6 +1,6 @@
 #version 300 es
 // Composite of the deferred stage and display transform in one, by the tone LUT.
-// In:  G-buffer, lighting, bloom.   Out: display colour; REDUCED: alpha tells what is held.
+// In:  G-buffer, lighting; BLOOM: bloom.   Out: display colour; REDUCED: alpha tells what is held.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "lib/compile-time.glsl"
@@ -20,10 +20,12 @@
 #include "lib/tone-lut.glsl"
 #include "lib/tone-lut-lookup.glsl"
 
+#if BLOOM
 uniform sampler2D uBloom;
 uniform vec2 uGlareOffset;   // from uv of the frame to uv of the bloom
-uniform vec3 uWhiteBalance;  // makes candlelight white
 uniform float uGlareShare;   // share of the light that lens and eye scatter
+#endif
+uniform vec3 uWhiteBalance;  // makes candlelight white
 
 in vec2 vUv;
 flat in float vExposure;
@@ -33,7 +35,10 @@ out vec4 oColor;
 void main() {
   COMPILE_ONCE;
   vec4 albedo = texelFetch(uGBufferAlbedo, ivec2(gl_FragCoord.xy), 0);
-  vec3 radiance = compositeRadiance(albedo, vUv) + texture(uBloom, vUv + uGlareOffset).rgb * uGlareShare;
+  vec3 radiance = compositeRadiance(albedo, vUv);
+#if BLOOM
+  radiance += texture(uBloom, vUv + uGlareOffset).rgb * uGlareShare;
+#endif
   vec3 exposed = max(radiance, 0.0) * uWhiteBalance * (vExposure / TONE_LUT_MAX);
   // What exceeds the table keeps its hue.
   exposed /= max(max(exposed.r, exposed.g), max(exposed.b, 1.0));

@@ -180,7 +180,7 @@ export class PhysicalRenderer implements Renderer {
     if (regions.length > 0) yield* this.#composite(frame, layer, irradiance, regions);
     yield;
     this.#last = [frame, layer, irradiance];
-    const post = this.#postIn(kind, shadow.isNew);
+    const post = this.#postIn(kind, shadow.isNew, settings.canDefer);
     if (post === "before display") yield* this.#updatePost(frame, layer, irradiance, regions);
     yield;
     if (settings.inspect !== "picture" && !this.#compositeDisplay) {
@@ -260,14 +260,13 @@ export class PhysicalRenderer implements Renderer {
     return this.#radiance.with(depth);
   }
 
-  /** Bloom and exposure are updated at rest in each frame; in motion when there is time, see `SCHEDULE`. */
-  #postIn(kind: GBufferKind, isShadowNew: boolean): "before display" | "after display" | "skip" {
-    const isIdle = kind !== "reduced" && !isShadowNew && !this.refining;
-    const isDue =
-      ++this.#postAge > (this.refining ? SCHEDULE.post.refinedFrames : SCHEDULE.post.frames) ||
-      isIdle;
-    if (!this.#bloom.isDrawn || (kind === "full" && !this.refining)) return "before display";
-    if (!isDue) return "skip";
+  /** Bloom and exposure are updated in each frame, or where the frame may defer it when there is time, see `SCHEDULE`. */
+  #postIn(kind: GBufferKind, isShadowNew: boolean, canDefer: boolean) {
+    const isDeferred = this.#compositeDisplay && (kind !== "full" || canDefer);
+    if (!this.#bloom.isDrawn || !isDeferred) return "before display";
+    const { frames, restFrames } = SCHEDULE.post;
+    const isIdle = kind === "reprojected" && !isShadowNew;
+    if (++this.#postAge <= (kind === "full" ? restFrames : frames) && !isIdle) return "skip";
     return kind === "reprojected" ? "after display" : "before display";
   }
 

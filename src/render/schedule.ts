@@ -1,8 +1,8 @@
 /**
  * How often each part of the frame is updated. `quality.ts` says how well.
  *
- * At rest everything is updated whenever what it depends on has changed. What is listed here holds for the
- * tier that draws a G-buffer, while the camera moves, and for caches.
+ * At rest everything is updated when what it depends on has changed, and in a stepped frame at once. What is listed here
+ * holds for running animations: for indirect light, for the tier that draws a G-buffer, and for caches.
  */
 export const SCHEDULE = {
   /** Every other frame in motion reprojects the G-buffer and the lighting of the one before. */
@@ -12,14 +12,16 @@ export const SCHEDULE = {
     /** Largest motion between two frames, as a share of the image's size. */
     motion: 0.08,
   },
+  /** Frames in motion after the first, or after one that draws with a new program, that make and compile nothing. */
+  quietFrames: 3,
   /** Progressive refinement: frames over which a full G-buffer is filled after the camera stops. */
   refinement: { surfaces: 12, guide: 4 },
   /** Shadow cube in motion: every fourth frame, sixth if those are busy, at once if the light moved this far (m). */
   shadow: { frames: 4, busyFrames: 6, distance: 0.25 },
   /** Surfels and probes: faces of the surfel cube or passes over the probes in a frame, frames of rest after an update. */
   indirect: { steps: 2, restFrames: 7 },
-  /** Bloom and exposure in motion: in idle frames, or after this many; those of a refined image after so many. */
-  post: { frames: 5, refinedFrames: 1 },
+  /** Bloom and exposure without a GPU: in motion in idle frames, or after this many; after so many at rest. */
+  post: { frames: 5, restFrames: 1 },
   /** Steps in which normal-map shading of the G-buffer follows the light, metres. */
   normalMapShading: 0.05,
   /**

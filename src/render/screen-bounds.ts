@@ -152,6 +152,24 @@ export function tiles({ width, height }: Size, { rows, columns }: Grid): Box[] {
 }
 
 /** All of a frame. */
+/** The frame without boxes that are apart from each other, as boxes. */
+export function boxesBeside(boxes: readonly Box[], { width, height }: Size): Box[] {
+  const edges = [0, height, ...boxes.flatMap(([, y, , high]) => [y, y + high])];
+  const rows = [...new Set(edges)].sort((a, b) => a - b);
+  const rest: Box[] = [];
+  for (const [i, y] of rows.slice(0, -1).entries()) {
+    const high = rows[i + 1]! - y;
+    const inRow = boxes.filter((box) => box[1] <= y && y < box[1] + box[3]);
+    let x = 0;
+    for (const [left, , wide] of inRow.toSorted(([a], [b]) => a - b)) {
+      if (left > x) rest.push([x, y, left - x, high]);
+      x = Math.max(x, left + wide);
+    }
+    if (x < width) rest.push([x, y, width - x, high]);
+  }
+  return rest;
+}
+
 export function wholeOf({ width, height }: Size): Box {
   return [0, 0, width, height];
 }

@@ -45,6 +45,8 @@ const REDUCED_SAMPLING: NonNullable<Draw["sampling"]> = {
 interface Pass {
   readonly target: RenderTarget;
   readonly isReduced: boolean;
+  /** The mesh's cached albedo, if it is drawn with it. */
+  readonly cached: Texture | null;
   readonly isVisible: (box: Bounds) => boolean;
   readonly scissor: Box | undefined;
 }
@@ -64,6 +66,9 @@ export class GBufferPass {
   /** Programs that were drawn with, and whether these are all of the reduced G-buffer. */
   readonly #rehearsed = new Set<Program>();
   #isReducedReady = false;
+  /** How many there were before this frame, and frames in motion that have added none. */
+  #rehearsedBefore = 0;
+  #quietFrames = 0;
   #reduced: RenderTarget | null = null;
   #full: RenderTarget | null = null;
   /** Depth at the canvas's size, of a reduced G-buffer. */
@@ -123,6 +128,10 @@ export class GBufferPass {
   /** @param lightingSize of the full lighting, which the guide leads to */
   *render(frame: FrameInput, lightingSize: Size): Steps<GBuffer> {
     const { isMoving, canDefer, features } = frame.settings;
+    const { size } = this.#rehearsed;
+    this.#quietFrames =
+      this.#wasReduced && size === this.#rehearsedBefore ? this.#quietFrames + 1 : 0;
+    this.#rehearsedBefore = size;
     const key = JSON.stringify([
       [...frame.clipFromWorld],
       features.normalMaps && this.#shadingOrigin(frame),
@@ -169,7 +178,7 @@ export class GBufferPass {
     if (!reprojection && key !== this.#reducedKey) {
       this.#reducedKey = key;
       this.#gpu.clear(target, NOTHING);
-      this.#updateIncrementally(instances);
+      if (this.#quietFrames >= SCHEDULE.quietFrames) this.#updateIncrementally(instances);
       yield* this.#drawModels(target, frame, true);
       this.#previous = current;
     }
@@ -232,7 +241,8 @@ export class GBufferPass {
     for (const instance of frame.instances) {
       for (const mesh of isReduced ? this.#lods.merged(instance.meshes) : instance.meshes) {
         const drawn = this.#rehearsed.size;
-        this.#drawMesh(mesh, instance, frame, { target, isReduced, isVisible, scissor });
+        const cached = isReduced ? this.#cachedAlbedoOf(mesh) : null;
+        this.#drawMesh(mesh, instance, frame, { target, isReduced, cached, isVisible, scissor });
         if (this.#rehearsed.size > drawn) yield;
       }
     }
@@ -243,16 +253,11 @@ export class GBufferPass {
     if (this.#isReducedReady || !this.#updateIncrementally(frame.instances)) return;
     for (const instance of frame.instances) {
       for (const mesh of this.#lods.merged(instance.meshes)) {
-        const program = this.#programFor(true, this.#albedos.of(mesh) !== null, mesh);
+        const cached = this.#albedos.of(mesh);
+        const program = this.#programFor(true, cached !== null, mesh);
         if (this.#rehearsed.has(program)) continue;
         const target = this.#targetOf("reduced");
-        const isVisible = () => true;
-        this.#drawMesh(mesh, instance, frame, {
-          target,
-          isReduced: true,
-          isVisible,
-          scissor: ONE_PIXEL,
-        });
+        this.#drawMesh(mesh, instance, frame, { ...REHEARSAL, target, cached });
         return;
       }
     }
@@ -283,14 +288,21 @@ export class GBufferPass {
     return program;
   }
 
+  /** In motion one frame in a few draws with a new program; until then a mesh is drawn without its cached albedo. */
+  #cachedAlbedoOf(mesh: Mesh): Texture | null {
+    const isQuiet = this.#quietFrames >= SCHEDULE.quietFrames;
+    const mayCompile = isQuiet && this.#rehearsed.size === this.#rehearsedBefore;
+    const mayUse = mayCompile || this.#rehearsed.has(this.#programFor(true, true, mesh));
+    return mayUse ? this.#albedos.of(mesh) : null;
+  }
+
   #drawMesh(
     mesh: Mesh,
     { placement, isHeld }: ModelInstance,
     frame: FrameInput,
-    { target, isReduced, isVisible, scissor }: Pass,
+    { target, isReduced, cached, isVisible, scissor }: Pass,
   ): void {
     const { vertexArray } = mesh;
-    const cached = isReduced ? this.#albedos.of(mesh) : null;
     const { translucency } = frame.settings.features;
     const draw: Draw = {
       program: this.#programFor(isReduced, cached !== null, mesh),
@@ -323,7 +335,8 @@ export class GBufferPass {
   }
 }
 
-const ONE_PIXEL: Box = [0, 0, 1, 1];
+/** A draw that only has the driver compile: of one pixel. */
+const REHEARSAL = { isReduced: true, isVisible: () => true, scissor: [0, 0, 1, 1] } as const;
 
 function samplesOf({ colors: [albedo, surface], depth }: RenderTarget): GBufferSamples {
   if (!albedo || !surface || !depth) throw new Error("A G-buffer has three textures.");

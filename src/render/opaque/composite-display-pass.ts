@@ -4,7 +4,7 @@ import displayVert from "../../../shaders/post/display.vert";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import fxaaFrag from "../../../shaders/post/fxaa.frag";
 import upscaleFrag from "../../../shaders/post/upscale.frag";
-import type { Box, Draw, Gpu, Surface } from "../../gl/gpu.js";
+import type { Box, Gpu, Surface } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
@@ -12,7 +12,7 @@ import type { Size } from "../frame-input.js";
 import { forEachGBufferKind, type GBufferKind } from "../gbuffer/gbuffer.js";
 import { type DisplayTransform, whiteBalance } from "../post/display-pass.js";
 import { ToneLut } from "../post/tone-lut.js";
-import { scaleBox } from "../screen-bounds.js";
+import { boxesBeside, scaleBox } from "../screen-bounds.js";
 import type { Steps } from "../steps.js";
 import type { FrameBlocks, OpaqueLayer } from "./opaque-stage.js";
 
@@ -38,7 +38,9 @@ export interface DisplayOptions {
  */
 export class CompositeDisplayPass {
   readonly #gpu: Gpu;
+  /** Where the bloom is, and elsewhere; a reprojected layer has nothing else. */
   readonly #composite: Readonly<Record<GBufferKind, Program>>;
+  readonly #withoutBloom: Readonly<Record<GBufferKind, Program | null>>;
   readonly #reproject: Program;
   readonly #fxaa: Program;
   readonly #upscale: Program;
@@ -50,8 +52,13 @@ export class CompositeDisplayPass {
 
   constructor(gpu: Gpu) {
     this.#gpu = gpu;
-    this.#composite = forEachGBufferKind((defines) =>
-      gpu.program("opaque/composite-display", displayVert, compositeDisplayFrag, { defines }),
+    const composite = (kind: Readonly<Record<string, number>>, BLOOM: 0 | 1) =>
+      gpu.program("opaque/composite-display", displayVert, compositeDisplayFrag, {
+        defines: { ...kind, BLOOM },
+      });
+    this.#composite = forEachGBufferKind((kind) => composite(kind, 1));
+    this.#withoutBloom = forEachGBufferKind((kind) =>
+      kind.REPROJECTED ? null : composite(kind, 0),
     );
     this.#reproject = gpu.program("opaque/reproject-color", fullscreenVert, reprojectFrag);
     this.#fxaa = gpu.program("post/fxaa", fullscreenVert, fxaaFrag, {
@@ -68,8 +75,7 @@ export class CompositeDisplayPass {
     options: DisplayOptions,
     blocks: FrameBlocks,
   ): Steps {
-    const composite = {
-      program: this.#composite[layer.kind],
+    const draw = {
       textures: { ...layer.textures, ...textures },
       uniforms: {
         ...layer.uniforms,
@@ -80,11 +86,21 @@ export class CompositeDisplayPass {
       },
       blocks: { ...blocks },
     };
+    const isReprojected = layer.kind === "reprojected";
+    const composite = (target: Surface, size: Size): readonly Box[] => {
+      const boxes = options.bloomBounds.map((box) => scaleBox(box, options.size, size));
+      const { [layer.kind]: program } = this.#composite;
+      for (const scissor of boxes) this.#gpu.draw({ ...draw, program, target, scissor });
+      const { [layer.kind]: beside } = this.#withoutBloom;
+      for (const scissor of beside ? boxesBeside(boxes, size) : []) {
+        this.#gpu.draw({ ...draw, program: beside!, target, scissor });
+      }
+      return boxes;
+    };
     if (layer.kind === "full") {
       this.#drawFull(composite, options);
       return;
     }
-    const isReprojected = layer.kind === "reprojected";
     const { uGBufferAlbedo, uDepth } = layer.textures;
     if (!uGBufferAlbedo || !uDepth) throw new Error("A layer of a G-buffer has albedo and depth.");
     if (!isReprojected) this.#resize(uGBufferAlbedo);
@@ -100,13 +116,10 @@ export class CompositeDisplayPass {
       });
       yield;
     }
+    const boxes = composite(color, color);
+    yield;
     // The bloom does not move with the surfaces.
-    const drawn = isReprojected
-      ? options.bloomBounds.map((box) => scaleBox(box, options.size, color))
-      : [undefined];
-    for (const scissor of drawn) {
-      this.#gpu.draw({ ...composite, target: color, scissor });
-      yield;
+    for (const scissor of isReprojected ? boxes : [undefined]) {
       this.#gpu.draw({
         program: this.#fxaa,
         target,
@@ -120,15 +133,18 @@ export class CompositeDisplayPass {
   }
 
   /** Straight to the canvas, unless that is still of another size. */
-  #drawFull(composite: Omit<Draw, "target">, { size, screen }: DisplayOptions): void {
+  #drawFull(
+    composite: (target: Surface, size: Size) => void,
+    { size, screen }: DisplayOptions,
+  ): void {
     const { canvas } = this.#gpu;
     if (canvas.width === size.width && canvas.height === size.height) {
-      this.#gpu.draw({ ...composite, target: screen });
+      composite(screen, size);
       return;
     }
     this.#resize(size);
     const uSource = this.#color!;
-    this.#gpu.draw({ ...composite, target: uSource });
+    composite(uSource, size);
     this.#gpu.draw({
       program: this.#upscale,
       target: screen,

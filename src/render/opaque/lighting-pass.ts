@@ -13,7 +13,7 @@ import { floats } from "../float-format.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { GBuffer } from "../gbuffer/gbuffer.js";
 import type { Captures } from "../gi/light-captures.js";
-import { lightBlock, shadingLight } from "../light-block.js";
+import { areOneStepApart, type CaptureLight, lightBlock, shadingLight } from "../light-block.js";
 import type { PhysicalTier, ShadowQuality } from "../quality.js";
 import { SCHEDULE } from "../schedule.js";
 import type { Steps } from "../steps.js";
@@ -47,6 +47,7 @@ export class LightingPass {
   #isOfAll = false;
   #standing: MultiLightInputs | null = null;
   #key = "";
+  #light: CaptureLight | null = null;
   #fullTarget: RenderTarget | null = null;
   #reducedTarget: RenderTarget | null = null;
   #reducedMoon: RenderTarget | null = null;
@@ -149,12 +150,23 @@ export class LightingPass {
       const uPreviousFromCurrentHeld = reprojection.held as Float32Array;
       return { ...lit, uniforms: { uPreviousFromCurrentRoom, uPreviousFromCurrentHeld } };
     }
-    const { shadows, indirect, specular, candle } = frame.settings.features;
-    const light = {
-      ...shadingLight(frame.world, candle, SCHEDULE.lighting.deferred),
-      captureOrigin: shadow.captureOrigin,
-    };
-    const key = JSON.stringify([gbufferKey, light, shadows, indirect, specular]);
+    const { features, canDefer } = frame.settings;
+    const { shadows, indirect, specular, candle } = features;
+    const steps = SCHEDULE.lighting.deferred;
+    const { captureOrigin } = shadow;
+    const exact = { ...shadingLight(frame.world, candle, steps), captureOrigin };
+    // A flame that sways about the middle between two steps would be shaded for again and again.
+    const staysNear = canDefer && !isReduced && areOneStepApart(exact, this.#light ?? exact, steps);
+    const light = staysNear ? (this.#light ?? exact) : exact;
+    this.#light = light;
+    const key = JSON.stringify([
+      gbufferKey,
+      light,
+      irradiance.revision,
+      shadows,
+      indirect,
+      specular,
+    ]);
     if (key === this.#key && !this.#isOfAll) return lit;
     this.#key = key;
     this.#shadingLight.update(light);

@@ -3,6 +3,7 @@ import { clipFromWorld, clipPosition } from "../../../src/render/camera.js";
 import {
   bandOf,
   boundsOf,
+  boxesBeside,
   clipOfBox,
   mergeOverlapping,
   screenBounds,
@@ -70,4 +71,21 @@ describe("Bounds on the frame", () => {
     expect(boundsOf([left, right])).toEqual([0, 0, 40, 10]);
     expect(boundsOf([])).toEqual([0, 0, 0, 0]);
   });
+});
+
+test("Boxes beside others are the rest of the frame, each pixel once", () => {
+  const boxes = [
+    [0, 10, 30, 20],
+    [50, 0, 20, 25],
+    [60, 40, 33, 7],
+  ] as const;
+  const size = { width: 93, height: 47 };
+  const counts = new Uint8Array(size.width * size.height);
+  for (const [x, y, width, height] of [...boxes, ...boxesBeside(boxes, size)]) {
+    for (let row = y; row < y + height; row++) {
+      for (let column = x; column < x + width; column++) counts[row * size.width + column]!++;
+    }
+  }
+  expect([...new Set(counts)]).toEqual([1]);
+  expect(boxesBeside([], size)).toEqual([[0, 0, 93, 47]]);
 });
