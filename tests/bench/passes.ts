@@ -45,10 +45,10 @@ const CAMERA = { position: [-0.85, 1.3, 1.1], yaw: -0.805, pitch: -0.244 } as co
 const FRAME = 1 / 30;
 const STRIDE = 1.4 * FRAME;
 /** Frames to and fro, by the end of which whatever is not done in each frame has been done: at low, most. */
-const CYCLE: Readonly<Record<Doing, number>> = { stands: 1, walks: 8, smokes: 1 };
+const CYCLE: Readonly<Record<Doing, number>> = { stands: 8, walks: 8, smokes: 1 };
 const SHORT_CYCLE = 2;
 /** Cycles after which everything that only motion needs is created. */
-const WARM: Readonly<Record<Doing, number>> = { stands: 1, walks: 5, smokes: 30 };
+const WARM: Readonly<Record<Doing, number>> = { stands: 6, walks: 5, smokes: 30 };
 /** Copies in a row, so that waiting for them is nothing against them. */
 const COPIES = 6;
 /** A slow machine has fewer rounds, so that they end: time for each scene, milliseconds. */
@@ -98,8 +98,8 @@ async function measure(
     }
     element.step(FRAME);
   };
-  // A playing element counts as in motion; nothing is drawn in between.
-  if (doing === "walks") element.play();
+  // As frames follow each other for a visitor; nothing is drawn in between.
+  element.play();
   for (let number = 0; number < cycle * (quality === "low" ? WARM[doing] : 1); number++)
     frame(number % cycle);
   const copies: number[] = [];
