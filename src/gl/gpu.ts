@@ -50,7 +50,7 @@ export class Gpu {
   readonly #sharedObjects = new Set<GpuObject>();
   #isSharing = false;
   /** Programs that anything was drawn with. */
-  programsUsed = 0;
+  readonly used = new Set<Program>();
   readonly #commands: DrawCommands;
   readonly #mostSamples: number;
   /** Programs that the driver has not been sent. */
@@ -116,6 +116,7 @@ export class Gpu {
   #forget(object: GpuObject): void {
     this.#alive.delete(object);
     this.#unsent.delete(object as Program);
+    this.used.delete(object as Program);
     this.#toCheck.delete(object as RenderTarget | TextureView);
     if (!this.#sharedObjects.delete(object)) return;
     for (const [key, made] of this.#shared) if (made === object) this.#shared.delete(key);
@@ -307,8 +308,7 @@ export class Gpu {
 
   #use(program: Program): void {
     if (this.#unsent.has(program)) this.#startPrograms();
-    if (!program.isUsed) this.programsUsed++;
-    program.isUsed = true;
+    this.used.add(program);
   }
 
   /** Copies a multisampled target to a surface of its size and format; with depth that can be read there. */

@@ -57,9 +57,7 @@ function uniformOf(
       typeof value === "number" ? gl.uniform1ui(location, value) : gl.uniform1uiv(location, value),
     [gl.UNSIGNED_INT_VEC4]: (value) => gl.uniform4uiv(location, list(value)),
   };
-  const setter = setters[type];
-  if (!setter) throw new Error(`Uniforms of type 0x${type.toString(16)} are not supported.`);
-  return setter;
+  return setters[type]!; // no shader here has another type
 }
 
 /** Sends only values that differ from the last: programs keep their uniforms. */
@@ -111,8 +109,6 @@ interface Stage {
  */
 export class Program extends GpuObject {
   readonly bytes = 0;
-  /** Whether anything was drawn with it. */
-  isUsed = false;
   readonly #handle: WebGLProgram;
   /** Starts the compiler; null once that is done. */
   #compile: (() => readonly Stage[]) | null;

@@ -63,19 +63,6 @@ export function shadingLight(
   };
 }
 
-/** Whether two lights that were shaded for in such steps differ by no more than one. */
-export function areOneStepApart(
-  one: CaptureLight,
-  other: CaptureLight,
-  { distance, axis }: Parameters<typeof shadingLight>[2],
-): boolean {
-  return Object.entries(one).every(([name, value]) => {
-    const limit = 1.01 * (name === "along" ? axis : distance);
-    const others = [other[name] ?? Number.NaN].flat();
-    return [value].flat().every((x, i) => Math.abs(x - others[i]!) <= limit);
-  });
-}
-
 /** The flame at its capture origin: 1 cd, upright, on the grid of captures. */
 export function captureLight(world: World, showsCandle: boolean): CaptureLight {
   const light = lightBlock(world, showsCandle);

@@ -7,9 +7,6 @@ import type { ViewSubject } from "./view-subject.js";
 /** Time that camera and candle have stood before the image is refined, seconds. */
 const REST = 0.5;
 
-/** Parts of the preparation in a frame, a few milliseconds each. */
-const PARTS_IN_FRAME = 2;
-
 /** What makes the renderer of refined images. */
 interface Maker {
   /** Goes on with what it needs, for a few milliseconds. True when it can be made at once. */
@@ -93,11 +90,8 @@ export class Refinement {
    */
   advance(subject: ViewSubject, view: FrameSettings, coarse: Renderer, size: Size): number | null {
     if (!this.#renderer) {
-      for (let part = 0; part < PARTS_IN_FRAME; part++) {
-        if (!this.#maker.prepare()) continue;
-        this.#create(subject);
-        break;
-      }
+      // Two parts in a frame, a few milliseconds each.
+      if (this.#maker.prepare() || this.#maker.prepare()) this.#create(subject);
       return 0;
     }
     if (!this.isBusy) return 0;

@@ -200,9 +200,9 @@ export class SceneView {
       this.#fitCanvas();
       if (wasRefined !== (this.#refinement.shown !== null)) this.onQualityChanged();
       this.#shown.render(this.#subject.world, { ...settings, steps });
+      target.present();
     }
     gpu.endFrame();
-    if (steps !== null) target.present();
     if (this.#isUnchecked) void this.#check();
   }
 

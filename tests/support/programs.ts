@@ -87,12 +87,16 @@ export async function reportPrograms(
     if (quality === "low") {
       for (const { flame } of candle.world.standing) flame.light();
       candle.step(0.2);
-      candle.play(); // in motion it has shaders of its own there, for odd and even frames
-      for (let picture = 0; picture < 2; picture++) {
+      candle.play(); // in motion it has shaders of its own there, a new one in a few frames
+      for (let picture = 0; picture < 40; picture++) {
         candle.world.player.yaw += 0.02;
         candle.step(1 / 60);
       }
+      candle.view.resize(480, 270); // beyond the bloom
+      candle.step(1 / 60);
       candle.pause();
+      candle.step(1 / 60);
+      candle.view.resize(48, 27);
     }
     candle.world.flame.extinguish(); // smoke has its own, too
     candle.step(0.1);

@@ -147,11 +147,11 @@ export class LightCaptures {
   hold(frame: FrameInput, steps: number): boolean {
     this.#holding ??= this.#holdingSteps(frame);
     const gpu = this.#gpu;
-    const used = gpu.programsUsed;
+    const used = gpu.used.size;
     const isNew = used !== this.#programsUsed;
     this.#programsUsed = used;
     if (isNew) return false;
-    for (let step = 0; step < steps && used === gpu.programsUsed && !gpu.isCompiling; step++) {
+    for (let step = 0; step < steps && used === gpu.used.size && !gpu.isCompiling; step++) {
       if (!this.#holding.next().done) continue;
       this.#holding = null;
       return true;

@@ -13,7 +13,7 @@ import { floats } from "../float-format.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { GBuffer } from "../gbuffer/gbuffer.js";
 import type { Captures } from "../gi/light-captures.js";
-import { areOneStepApart, type CaptureLight, lightBlock, shadingLight } from "../light-block.js";
+import { type CaptureLight, lightBlock, shadingLight } from "../light-block.js";
 import type { PhysicalTier, ShadowQuality } from "../quality.js";
 import { SCHEDULE } from "../schedule.js";
 import type { Steps } from "../steps.js";
@@ -260,4 +260,17 @@ export class LightingPass {
       textures: { uInverseDepth },
     });
   }
+}
+
+/** Whether two lights that were shaded for in steps differ by no more than one. */
+function areOneStepApart(
+  one: CaptureLight,
+  other: CaptureLight,
+  { distance, axis }: Record<"distance" | "axis", number>,
+): boolean {
+  return Object.entries(one).every(([name, value]) => {
+    const limit = 1.01 * (name === "along" ? axis : distance);
+    const others = [other[name] ?? Number.NaN].flat();
+    return [value].flat().every((x, i) => Math.abs(x - others[i]!) <= limit);
+  });
 }
