@@ -97,6 +97,8 @@ export class IndirectPass {
   #uploaded: ProbeTextures | null = null;
   /** Of the current irradiance; null before there is one. */
   lastLight: CaptureLight | null = null;
+  /** Of the surfels, whose capture may still go on. */
+  capturedFor: CaptureLight | null = null;
   /** Whether all bounces were computed. */
   #isExact = false;
   #revision = 0;
@@ -194,6 +196,7 @@ export class IndirectPass {
   /** A face of the surfel cube in each step. */
   *captureSurfels(casters: ShadowCasters, light: CaptureLight): Steps {
     this.#isExact = false;
+    this.capturedFor = light;
     yield* this.#upload().drawing;
     yield* casters.prepareAlbedo();
     for (const face of FACES.keys()) {

@@ -40,9 +40,10 @@ export class IndirectUpdates {
     const indirect = this.#indirect;
     const { lastLight } = indirect;
     indirect.shadow = shadow;
-    if (this.#update?.isExact !== isExact) this.#update = null;
+    // A stepped frame, or a prepared one, may have captured surfels of its own since.
+    const goesOn = this.#update?.isExact === isExact && this.#update.light === indirect.capturedFor;
+    if (!goesOn) this.#update = null;
     if (!lastLight || (isExact && areFarApart(light, lastLight))) {
-      this.#update = null;
       return finish(indirect.passes(casters, light, shadow));
     }
     if (!this.#update) {
