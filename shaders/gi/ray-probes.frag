@@ -3,7 +3,7 @@
 // Out: tile of the one, and of the other, x and y / 255.
 //
 // Each probe is taken as often as its weight asks, by systematic sampling along the sum of the weights: the mean over
-// rays is that of all eight, for a quarter of the taps.
+// rays is that of all eight, for a quarter of the taps. They share its light trilinearly, in grids as coarse as those of `low`.
 #include "lib/precision.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/photometry.glsl"
@@ -15,6 +15,10 @@ const vec2 R2 = vec2(0.7548777, 0.5698403);
 
 layout(location = 0) out vec4 oTiles;
 
+vec3 cornerOf(int i) {
+  return vec3(i & 1, (i >> 1) & 1, i >> 2);
+}
+
 void main() {
   ProbeRay ray = probeRayAt(ivec2(gl_FragCoord.xy));
   vec3 position = hitPosition(ray, texelFetch(uProbePositions, ray.tile, 0).xyz);
@@ -22,7 +26,8 @@ void main() {
   float weights[8];
   float total = 1e-12;
   for (int i = 0; i < 8; i++) {
-    weights[i] = probeWeight(cell, volumeCorner(i), position, ray.normal);
+    vec3 shares = mix(1.0 - cell.share, cell.share, cornerOf(i));
+    weights[i] = probeWeight(tileAt(cell.low + cornerOf(i)), shares.x * shares.y * shares.z, position, ray.normal);
     total += weights[i];
   }
   float first = 0.5 * total * fract(dot(vec2(ray.texel), R2));
@@ -30,7 +35,7 @@ void main() {
   float sum = 0.0;
   oTiles = vec4(0.0);
   for (int i = 0; i < 8; i++) {
-    vec2 tile = vec2(tileAt(cell.low + volumeCorner(i))) / 255.0;
+    vec2 tile = vec2(tileAt(cell.low + cornerOf(i))) / 255.0;
     if (sum <= first) oTiles.xy = tile;
     if (sum <= second) oTiles.zw = tile;
     sum += weights[i];

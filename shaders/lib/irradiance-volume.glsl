@@ -42,8 +42,9 @@ float probeVisibility(vec2 depth, float reach) {
   return variance / (variance + beyond * beyond);
 }
 
+// Corners of a tetrahedron.
 #ifndef VOLUME_CORNERS
-#define VOLUME_CORNERS 8
+#define VOLUME_CORNERS 4
 #endif
 
 // Irradiance at one point by two normals, lx: the surface's, and its mirrored view ray.
@@ -81,14 +82,38 @@ VolumeCell volumeCellAt(vec3 position) {
   return VolumeCell(floor(place), fract(place));
 }
 
-vec3 volumeCorner(int i) {
-  return vec3(i & 1, (i >> 1) & 1, i >> 2);
+// The tetrahedron that a point of a cell lies in, one of the six along a diagonal: Kuhn 1960, "Some Combinatorial Lemmas
+// in Topology". Neighbouring cells are mirror images, so that tetrahedra meet face to face. Half the taps of trilinear
+// interpolation, and as continuous.
+struct Tetrahedron {
+  vec3 start;   // corner of the cell that the diagonal starts from
+  vec3 ranks;   // of the axes, by the point's distance from there along each: its four corners follow them in turn
+  vec4 shares;  // barycentric coordinates
+};
+
+Tetrahedron tetrahedronAt(VolumeCell cell) {
+  vec3 start = mod(cell.low, 2.0);
+  vec3 s = abs(start - cell.share);
+  vec3 ranks = 1.0 + vec3(greaterThan(s.yxx, s.xyz)) + vec3(greaterThan(s.zzy, s.xyz));
+  ranks.yz += vec2(equal(s.yz, s.xx));
+  ranks.z += s.z == s.y ? 1.0 : 0.0;
+  float most = max(s.x, max(s.y, s.z));
+  float least = min(s.x, min(s.y, s.z));
+  vec3 sorted = vec3(most, s.x + s.y + s.z - most - least, least);
+  return Tetrahedron(start, ranks, vec4(1.0, sorted) - vec4(sorted, 0.0));
 }
 
-// Weight of a cell's probe at a point. `facing`: normal by which probes are weighted, or 0 in mid-air.
-float probeWeight(VolumeCell cell, vec3 corner, vec3 position, vec3 facing) {
-  ivec2 tile = tileAt(cell.low + corner);
-  vec3 shares = mix(1.0 - cell.share, cell.share, corner);
+// Tile of a corner.
+ivec2 tileOf(Tetrahedron tetrahedron, VolumeCell cell, int corner) {
+  return tileAt(cell.low + abs(tetrahedron.start - step(tetrahedron.ranks, vec3(corner))));
+}
+
+float shareOf(Tetrahedron tetrahedron, int corner) {
+  return dot(tetrahedron.shares, vec4(equal(ivec4(corner), ivec4(0, 1, 2, 3))));
+}
+
+// Weight of a probe at a point. `share`: by place; `facing`: normal by which probes are weighted, or 0 in mid-air.
+float probeWeight(ivec2 tile, float share, vec3 position, vec3 facing) {
   vec4 probe = texelFetch(uProbePositions, tile, 0);
   vec3 fromProbe = position - probe.xyz;
   float reach = max(length(fromProbe), 1e-4);
@@ -96,13 +121,14 @@ float probeWeight(VolumeCell cell, vec3 corner, vec3 position, vec3 facing) {
   vec3 toBiased = fromProbe + facing * volume.bias;
   float biasedReach = max(length(toBiased), 1e-4);
   float visibility = probeVisibility(probeDepth(tile, toBiased / biasedReach), biasedReach);
-  float weight = max(shares.x * shares.y * shares.z, 1e-4) * (wrapped * wrapped + 0.04);
+  float weight = max(share, 1e-4) * (wrapped * wrapped + 0.04);
   return weight * probe.w * max(visibility * visibility * visibility, 1e-6);
 }
 
 // `facing`: normal by which probes are weighted, or 0 in mid-air.
 IrradianceSample irradianceAt(vec3 position, vec3 facing, vec3 normal, vec3 reflection) {
   VolumeCell cell = volumeCellAt(position);
+  Tetrahedron tetrahedron = tetrahedronAt(cell);
   vec2 normalUv = octahedralEncode(normal);
   vec2 reflectionUv = octahedralEncode(reflection);
 #ifdef MOONLIT
@@ -112,9 +138,8 @@ IrradianceSample irradianceAt(vec3 position, vec3 facing, vec3 normal, vec3 refl
 #endif
   float total = 0.0;
   for (int i = 0; i < VOLUME_CORNERS; i++) {
-    vec3 corner = volumeCorner(i);
-    ivec2 tile = tileAt(cell.low + corner);
-    float weight = probeWeight(cell, corner, position, facing);
+    ivec2 tile = tileOf(tetrahedron, cell, i);
+    float weight = probeWeight(tile, shareOf(tetrahedron, i), position, facing);
     sum.alongReflection += weight * probeIrradiance(tile, reflectionUv);
     sum.alongNormal += weight * probeIrradiance(tile, normalUv);
 #ifdef MOONLIT

@@ -14,7 +14,7 @@
 #include "lib/dielectric.glsl"
 #include "lib/shadow-cube.glsl"
 #include "lib/pcss.glsl"
-#define VOLUME_CORNERS COUNT(8)
+#define VOLUME_CORNERS COUNT(4)
 #include "lib/irradiance-volume.glsl"
 #include "lib/wax.glsl"
 #include "lib/gbuffer.glsl"

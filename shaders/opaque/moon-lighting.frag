@@ -16,7 +16,7 @@
 #include "lib/night-sky.glsl"
 #include "lib/gbuffer.glsl"
 #if !REDUCED
-#define VOLUME_CORNERS COUNT(8)
+#define VOLUME_CORNERS COUNT(4)
 #include "lib/irradiance-volume.glsl"
 #include "lib/representative-sample.glsl"
 #endif
