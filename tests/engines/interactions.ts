@@ -1,6 +1,6 @@
 import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
-import type { Served } from "../../tools/engines/serve.ts";
-import { HungError, type Visitor } from "../../tools/engines/visitor.ts";
+import type { Served } from "./drivers/serve.ts";
+import { HungError, type Visitor } from "./drivers/visitor.ts";
 import type { Verdict } from "./judge.ts";
 import { READY, type Session } from "./survey.ts";
 

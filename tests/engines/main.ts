@@ -1,8 +1,8 @@
 import { mkdirSync, writeFileSync } from "node:fs";
 import { dirname } from "node:path";
-import { findPairs, PAIRS, type PairName } from "../../tools/engines/find.ts";
-import { type Served, serveBuilt } from "../../tools/engines/serve.ts";
 import { type Case, LONG, SHORT } from "./cases.ts";
+import { findPairs, PAIRS, type PairName } from "./drivers/find.ts";
+import { type Served, serveBuilt } from "./drivers/serve.ts";
 import { interact, WHILE_LOADING } from "./interactions.ts";
 import { judge, type Verdict, written } from "./judge.ts";
 import { writeReport } from "./report.ts";

@@ -1,7 +1,7 @@
 import { mkdirSync, writeFileSync } from "node:fs";
 import sharp from "sharp";
-import type { Missing } from "../../tools/engines/find.ts";
 import { CASE_LIMITS } from "./compare.ts";
+import type { Missing } from "./drivers/find.ts";
 import { type Verdict, written } from "./judge.ts";
 import type { Result } from "./main.ts";
 

@@ -1,8 +1,8 @@
 import type { Camera, CandleFlameElement } from "../../src/candle-flame-element.ts";
-import type { Pair } from "../../tools/engines/find.ts";
-import type { Served } from "../../tools/engines/serve.ts";
-import { HungError, type Visitor } from "../../tools/engines/visitor.ts";
 import type { Case, ElementCase, PageCase } from "./cases.ts";
+import type { Pair } from "./drivers/find.ts";
+import type { Served } from "./drivers/serve.ts";
+import { HungError, type Visitor } from "./drivers/visitor.ts";
 
 /** Seconds that anybody waits for the first frame. */
 export const READY = 30;

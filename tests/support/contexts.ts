@@ -1,5 +1,5 @@
 import type { Page } from "playwright/test";
-import { contextErrors, recordContexts as record } from "../../tools/engines/recorder.ts";
+import { contextErrors, recordContexts as record } from "../engines/drivers/recorder.ts";
 
 /** Keeps every WebGL2 context of the pages to come in `contexts`. */
 export async function recordContexts(page: Page): Promise<void> {

@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Plugin } from "vite";
-import { serveBuilt as serveFolder } from "../built-site.mjs";
+import { serveBuilt as serveFolder } from "../../../tools/built-site.mjs";
 import { RECORDER } from "./recorder.ts";
 
 const HTML = /^\/(?:[\w-]+\.html)?$/;

@@ -6,7 +6,7 @@ import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } f
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { launchSoftwareBrowser, serveBuilt } from "../built-site.mjs";
+import { launchSoftwareBrowser, serveBuilt } from "../../tools/built-site.mjs";
 
 const VITE = JSON.parse(readFileSync("package.json", "utf8")).devDependencies.vite;
 // Checkers of templates need the JavaScript that TypeScript 7 no longer is.
@@ -61,7 +61,7 @@ const run = (command, cwd) =>
 
 function install({ name, from = name, needs }, tarball) {
   const cwd = join(folder, name);
-  cpSync(resolve("tools/embed", from), cwd, { recursive: true });
+  cpSync(resolve("tests/embed", from), cwd, { recursive: true });
   const dependencies = {
     "candle-flame": `file:${tarball}`,
     vite: VITE,

@@ -1,5 +1,5 @@
 import { type ChildProcess, spawn } from "node:child_process";
-import { freePorts } from "../free-ports.mjs";
+import { freePorts } from "../../../tools/free-ports.mjs";
 import { environment, killGroup, type Launch } from "./paged-driver.ts";
 import type { Driver } from "./visitor.ts";
 

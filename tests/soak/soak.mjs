@@ -1,6 +1,6 @@
 // npm run test:soak: what an element holds after half an hour of flame, a hundred mounts, a hundred sizes and
 // twenty lost contexts, beside what it held at first. Needs `npm run build`. Some minutes on SwiftShader.
-import { launchSoftwareBrowser, serveBuilt } from "./built-site.mjs";
+import { launchSoftwareBrowser, serveBuilt } from "../../tools/built-site.mjs";
 
 const HALF_AN_HOUR = 1800;
 /** Growth that is noise of the collector's, bytes. */
