@@ -1,6 +1,6 @@
 #version 300 es
 // First bounce: radiance of a group of surfels as one, as each probe receives it, by its visibility and its weight
-// against the rays.
+// against the rays. MOON: visibility was traced, by the texel of each group that each probe takes.
 // Out: radiance times solid angle, cd/m² sr; direction. A probe's tile is as wide as its map of rays.
 #include "lib/precision.glsl"
 #include "lib/octahedral.glsl"
@@ -17,10 +17,14 @@
 
 uniform sampler2D uProbePositions;  // m
 uniform sampler2D uRadiosity;       // of the surfels, lm/m²; gloss
+#ifdef MOON
+uniform sampler2D uSurfelVisibility;  // 1 or 0, in the tiles of the output
+#endif
 
 layout(location = 0) out vec4 oRadiance;
 layout(location = 1) out vec4 oDirection;
 
+#ifndef MOON
 // A hit this far behind the plane of another lies on its front, m.
 const float COPLANAR = 0.02;
 // So many times as far as the farthest of four hits a point may be.
@@ -77,6 +81,7 @@ float surfelVisibility(ivec2 tile, vec3 direction, float reach) {
   }
   return visible / (dot(weights, vec4(1.0)) + 1e-6);
 }
+#endif
 
 void main() {
   oRadiance = oDirection = vec4(0.0, 0.0, 0.0, 1.0);
@@ -99,11 +104,12 @@ void main() {
   float solidAngle = cosine * surfel.area * float(uGroup * uGroup) / distanceSquared;
   vec3 unturned = turnedBack(direction, turnOf(tile));
   solidAngle *= 1.0 - rayWeight(solidAngle, raySolidAngle(unturned / dot(abs(unturned), vec3(1.0))));
-  float visibility = surfelVisibility(tile, direction, reach);
 #ifdef MOON
+  float visibility = texelFetch(uSurfelVisibility, pixel, 0).r;
   vec3 toLight = -moon.direction;
   if (isPaneSurfel(texel, size)) solidAngle *= paneShare(direction);
 #else
+  float visibility = surfelVisibility(tile, direction, reach);
   vec3 toLight = normalize(light.captureOrigin - surfel.position);
 #endif
   vec4 radiosity = texelFetch(uRadiosity, texel, 0);

@@ -275,6 +275,7 @@ export class IndirectPass {
         uRadiosity,
         uRayHits: this.#probes.rays.uRayHits,
         uProbePositions,
+        ...this.#surfels.visibility,
       },
     });
     const [surfelSum] = this.#targets.bounces;

@@ -31,6 +31,8 @@ export interface Surfels
   > {
   /** The block of the light, by its name. */
   readonly light: Readonly<Record<string, UniformBlock>>;
+  /** Which of them each probe sees, where that was traced. */
+  readonly visibility: { readonly uSurfelVisibility?: Texture };
   /** Of shaders that read the surfels. */
   readonly defines: Readonly<Record<string, number>>;
 }
@@ -65,6 +67,7 @@ export class SurfelPass implements Surfels {
   readonly #total: RenderTarget;
   readonly #support: SupportSlot;
   readonly light: { readonly Light: UniformBlock };
+  readonly visibility = {};
   readonly defines = {};
 
   /** @param support where the radiosity of the candle's support goes */

@@ -1,13 +1,16 @@
 import shadowFrag from "../../../shaders/shadow/shadow.frag";
 import shadowVert from "../../../shaders/shadow/shadow.vert";
+import type { Part } from "../../assets/model.js";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Texture } from "../../gl/texture.js";
 import { adaptedMoonlight } from "../../light/moonlight.js";
 import type { Vec3 } from "../../world/geometry.js";
 import type { Moon } from "../../world/moon.js";
+import { CollisionMesh } from "../../world/room/collision-mesh.js";
 import type { CachedLight } from "../cached-light.js";
 import { IndirectPass, type IndirectScene, type StepSize } from "../gi/indirect-pass.js";
 import type { IndirectTargets } from "../gi/indirect-targets.js";
+import { type IndirectDetail, traceProbes } from "../gi/probe-rays.js";
 import type { PhysicalTier } from "../quality.js";
 import { clusterIncrementally, ShadowCasters } from "../shadow/shadow-casters.js";
 import type { Steps } from "../steps.js";
@@ -22,6 +25,7 @@ import {
 } from "./moon-frustum.js";
 import { MoonSurfels } from "./moon-surfels.js";
 import { panesOf } from "./panes.js";
+import { type SurfelVisibility, traceSurfelVisibility } from "./surfel-visibility.js";
 
 /** The moon's map and irradiance volume, captured once for each direction of its light. */
 export class MoonCaptures {
@@ -29,6 +33,7 @@ export class MoonCaptures {
   readonly #scene: IndirectScene;
   readonly #map: Texture;
   readonly #surfels: MoonSurfels;
+  readonly #detail: IndirectDetail;
   readonly #indirect: IndirectPass;
   #key = "";
   #light: Omit<CachedLight, "intensity"> | null = null;
@@ -47,6 +52,7 @@ export class MoonCaptures {
       source: { width: moonMap, height: moonMap },
       filter: "nearest",
     });
+    this.#detail = indirect;
     this.#surfels = new MoonSurfels(gpu, indirect.surfels, indirect.surfelGroup);
     this.#indirect = new IndirectPass(gpu, scene, indirect, {
       surfels: this.#surfels,
@@ -76,7 +82,7 @@ export class MoonCaptures {
     const casters = new ShadowCasters(this.#gpu, before, surfaces, detail);
     this.#drawMap(frustum, casters);
     yield;
-    this.#surfels.frustum = frustum;
+    this.#surfels.prepare(frustum, yield* this.#traceVisibility(frustum, parts));
     const block = moonBlock(frustum, this.#surfels.detail);
     const shadow = { depth: this.#map, captureOrigin: frustum.corner };
     const irradiance = yield* this.#indirect[size](casters, block, shadow);
@@ -91,6 +97,13 @@ export class MoonCaptures {
       // The sky shows through openings. In a room with panes, background is a gap between walls.
       background: frustum.panes ? 0 : SKY,
     };
+  }
+
+  *#traceVisibility(frustum: MoonFrustum, parts: readonly Part[]): Steps<SurfelVisibility> {
+    const { collision, model } = this.#scene;
+    const { positions } = traceProbes(collision, model, this.#detail);
+    const meshes = { casters: new CollisionMesh(parts), room: collision };
+    return yield* traceSurfelVisibility(frustum, meshes, positions, this.#detail);
   }
 
   #drawMap(frustum: MoonFrustum, casters: ShadowCasters): void {

@@ -13,6 +13,7 @@ import type { CaptureLight } from "../light-block.js";
 import { FACES } from "../shadow/cube-map.js";
 import type { ShadowCasters } from "../shadow/shadow-casters.js";
 import { clipFromFrustum, type MoonFrustum } from "./moon-frustum.js";
+import type { SurfelVisibility } from "./surfel-visibility.js";
 
 /** Surfels that the moon lights, on its map; in the last rows the panes that the sky shines through. */
 export class MoonSurfels implements Surfels {
@@ -24,8 +25,8 @@ export class MoonSurfels implements Surfels {
   readonly #surfels: RenderTarget;
   readonly #radiosity: RenderTarget;
   readonly #rows: number;
-  /** To be set before each capture. */
-  frustum: MoonFrustum | null = null;
+  #frustum: MoonFrustum | null = null;
+  #visibility: Texture | null = null;
 
   /**
    * @param size rows of surfels; there are as many columns as six times that
@@ -50,6 +51,22 @@ export class MoonSurfels implements Surfels {
       depth: "buffer",
     });
     this.#radiosity = gpu.renderTarget({ label: "moon/radiosity", ...map, color: ["RGBA16F"] });
+  }
+
+  /** To be called before each capture. */
+  prepare(frustum: MoonFrustum, { data, ...size }: SurfelVisibility): void {
+    this.#frustum = frustum;
+    this.#visibility?.dispose();
+    this.#visibility = this.#gpu.texture({
+      label: "moon/surfel-visibility",
+      format: "R8",
+      source: { ...size, data },
+      filter: "nearest",
+    });
+  }
+
+  get visibility(): Surfels["visibility"] {
+    return this.#visibility ? { uSurfelVisibility: this.#visibility } : {};
   }
 
   /** Surfels on the map. */
@@ -77,7 +94,7 @@ export class MoonSurfels implements Surfels {
 
   /** Captures all surfels at the first of a flame's six faces. */
   capture(casters: ShadowCasters, _: unknown, face: number): void {
-    const { frustum } = this;
+    const frustum = this.#frustum;
     if (face > 0 || !frustum) return;
     this.#gpu.clear(this.#surfels, [0, 0, 0, 0]);
     casters.drawAllWithAlbedo({

@@ -7,9 +7,13 @@ import {
   moonFrustum,
 } from "../../../src/render/moon/moon-frustum.ts";
 import { panesOf } from "../../../src/render/moon/panes.ts";
+import { traceSurfelVisibility } from "../../../src/render/moon/surfel-visibility.ts";
+import { tierNamed } from "../../../src/render/quality.ts";
+import { finish } from "../../../src/render/steps.ts";
 import type { Vec3 } from "../../../src/world/geometry.ts";
 import { lightFrom } from "../../../src/world/moon.ts";
-import { insideOf, quad } from "../world/rooms.ts";
+import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";
+import { box, floorOf, insideOf, quad } from "../world/rooms.ts";
 
 /** A rectangle across the light of a window in the wall at x = 2, that faces the room. */
 function upright(name: string, x: number, low: Vec3, high: Vec3): Part {
@@ -90,4 +94,34 @@ test("moonlight enters a room through its opening, and no other way", () => {
       azimuth === 270,
     );
   }
+});
+
+test("a probe sees the moonlit floor on its side of a wall, and not that behind it", () => {
+  const wall = box([-0.05, 0, -2], [0.05, 2, 2]);
+  const room = new CollisionMesh([floorOf(4), wall]);
+  const bounds = { min: [-2, 0, -2], max: [2, 2.5, 2] } as const;
+  const frustum = moonFrustum([0, -1, 0], bounds, null);
+  const probes = new Float32Array([-1, 0.3, 0, 1, 1, 0.3, 0, 1, 0, 2.4, 0, 1]);
+  const detail = { ...tierNamed("low").physical.indirect, probes: [3, 1, 1] } as const;
+  const { width, height, data } = finish(
+    traceSurfelVisibility(frustum, { casters: room, room }, probes, detail),
+  );
+  const { rays, surfels, surfelGroup: group } = detail;
+  const groupColumns = (6 * surfels) / group;
+  const groups = groupColumns * (surfels / group - 1);
+  expect([width, height]).toEqual([3 * rays, Math.ceil((groupColumns * surfels) / group / rays)]);
+  /** Share of the groups on a side, the sign of their x, that a probe sees. */
+  const seen = (probe: number, side: number) => {
+    const places = Array.from({ length: groups }, (_, i) => {
+      const column = (i % groupColumns) + 0.5;
+      const x = frustum.corner[0] + (frustum.across[0] * column) / groupColumns;
+      const texel = Math.floor(i / rays) * width + probe * rays + (i % rays);
+      return { x: x * side, isSeen: data[texel] === 255 };
+    }).filter(({ x }) => x > 0.2 && x < 1.9);
+    expect(places.length).toBeGreaterThan(50);
+    return places.filter(({ isSeen }) => isSeen).length / places.length;
+  };
+  expect([seen(0, -1), seen(0, 1)]).toEqual([1, 0]);
+  expect([seen(1, -1), seen(1, 1)]).toEqual([0, 1]);
+  expect(seen(2, 1), "from above, beside the wall's shadow").toBeGreaterThan(0.9);
 });
