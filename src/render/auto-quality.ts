@@ -23,13 +23,13 @@ const LADDER: readonly Rung[] = [
   { tier: "high", share: 0.87 },
   { tier: "high", share: 1 },
 ];
-/** First rung, for any machine. */
+/** First rung, for any machine: a page that loads takes time from the measured load, which may seem 200 times slower. */
 const START = LADDER.findIndex(({ share }) => share === 0.6);
 const BEST = LADDER.length - 1;
 
-/** Frame budget, seconds: 60 Hz, and 30 Hz for `low`, where every pixel is expensive. */
+/** Frame budget, seconds: 60 Hz, and 24 Hz for `low`, where a coarser image saves little of a frame. */
 const BUDGET: Readonly<Record<Tier["name"], number>> = {
-  low: 1 / 30,
+  low: 1 / 24,
   medium: 1 / 60,
   high: 1 / 60,
   ultra: 1 / 60,
@@ -42,12 +42,17 @@ const MARGIN = 0.7;
 const REFRESH = 1 / 60;
 /** Frames that take longer than this share of their budget are late. */
 const LATE = 1.15;
+/** The same for the first seconds of `low`, so many: a CPU that draws compiles as well. */
+const FIRST_LATE = 2;
+const FIRST_TIME = 4;
 /** Time over which frames are measured, and time without late frames before quality is raised. Seconds. */
 const MEASURE_TIME = 1;
 const RAISE_TIME = 3;
 /** The same until a rung was too slow, so that fast machines rise soon. */
 const FIRST_MEASURE_TIME = 0.25;
 const FIRST_RAISE_TIME = 0.5;
+/** Time without late frames before a rung of the same tier that was too slow is tried again, each of three times. Seconds. */
+const RETRY_TIMES = [6, 20, 60] as const;
 /** Least number of frames in a measurement, unless all took at least `VERY_LATE`, seconds. */
 const LEAST_FRAMES = 5;
 const VERY_LATE = 0.4;
@@ -66,21 +71,27 @@ export interface Work {
   /** Of a pixel of each tier, in pixels of the load, `speed/load.frag`. */
   readonly pixel: Readonly<Record<Tier["name"], number>>;
   /** Independent of resolution, in pixels of the tier. */
-  readonly fixed: number;
+  readonly fixed: Readonly<Record<Tier["name"], number>>;
 }
 
 /** For rooms in the physical look, and for all else. */
 export const WORK: Readonly<Record<"physical" | "plain", Work>> = {
-  physical: { pixel: { low: 0.1, medium: 13, high: 19, ultra: 25 }, fixed: 100_000 },
-  plain: { pixel: { low: 0.3, medium: 0.7, high: 1, ultra: 1.3 }, fixed: 0 },
+  physical: {
+    pixel: { low: 0.1, medium: 13, high: 19, ultra: 25 },
+    fixed: { low: 400_000, medium: 100_000, high: 100_000, ultra: 100_000 },
+  },
+  plain: {
+    pixel: { low: 0.3, medium: 0.7, high: 1, ultra: 1.3 },
+    fixed: { low: 0, medium: 0, high: 0, ultra: 0 },
+  },
 };
 
 /**
  * Adaptive quality by measured frame times: first the resolution, then the tier.
  *
  * It steps up if the cost predicted from measured frames and the measured load fits the budget. A step to another tier
- * waits in `wanted` until that tier is prepared. A rung that was too slow is not tried again before `renew`, so the
- * number of changes is limited. There is no clock: the same times give the same quality.
+ * waits in `wanted` until that tier is prepared. A tier that was too slow is not tried again before `renew`, a resolution
+ * three times, so the number of changes is limited. There is no clock: the same times give the same quality.
  */
 export class AutoQuality {
   /** Null until it is measured; until then the tier stays. */
@@ -97,8 +108,12 @@ export class AutoQuality {
   /** Frame times of the current measurement, and their sum, seconds. */
   #frames: number[] = [];
   #elapsed = 0;
-  /** Time without late frames, seconds. */
+  /** Time without late frames, seconds: since quality might have been raised, and since it was changed. */
   #steady = 0;
+  #untroubled = 0;
+  /** Time that frames were measured for, seconds. */
+  #measured = 0;
+  #retries = 0;
 
   constructor(work: Work) {
     this.work = work;
@@ -156,17 +171,22 @@ export class AutoQuality {
       this.#frames.length > 1 && this.#frames.every((frame) => frame >= VERY_LATE);
     const isEvidence = this.#frames.length >= LEAST_FRAMES || areVeryLate;
     if (this.#elapsed < due || !isEvidence) return false;
-    const typical = median(this.#frames);
-    const isLate = typical > BUDGET[this.rung.tier] * LATE;
+    const typical = middleMean(this.#frames);
+    const isWarmingUp =
+      this.rung.tier === "low" && gpuSeconds === null && this.#measured < FIRST_TIME;
+    const isLate = typical > BUDGET[this.rung.tier] * (isWarmingUp ? FIRST_LATE : LATE);
     // Early late frames may include the cost of the change.
     if (isLate && !areVeryLate && this.#elapsed < MEASURE_TIME) return false;
     this.#steady += this.#elapsed;
+    this.#untroubled += this.#elapsed;
+    this.#measured += this.#elapsed;
     this.#frames = [];
     this.#elapsed = 0;
     // A software renderer has no GPU time.
     const work = this.speed && !this.isSoftware ? gpuSeconds : null;
     if (isLate) {
       this.#steady = 0;
+      this.#untroubled = 0;
       this.#wanted = null;
       // A GPU that was idle half of the time did not cause the delay.
       const isGpuBound = work === null || work > BUDGET[this.rung.tier] / 2;
@@ -179,6 +199,8 @@ export class AutoQuality {
   /** Allows rungs that were too slow again: for another size, room or session. */
   renew(): void {
     this.#ceiling = BEST;
+    this.#retries = 0;
+    this.#measured = 0;
     this.#goTo(this.#index);
   }
 
@@ -198,14 +220,16 @@ export class AutoQuality {
   #raise(seconds: number, isWork: boolean): boolean {
     this.#steady = 0;
     const next = LADDER[this.#index + 1];
-    if (!next || this.#index >= this.#ceiling) return false;
+    if (!next) return false;
+    const isRetry = this.#index >= this.#ceiling;
+    if (isRetry && !(this.#untroubled >= (RETRY_TIMES[this.#retries] ?? Infinity))) return false;
     const best = LADDER.findLastIndex(
       (rung, i) =>
         i <= this.#ceiling &&
         rung.tier !== this.rung.tier &&
         this.#predictedTime(rung) <= BUDGET[rung.tier] * MARGIN,
     );
-    if (best > this.#index) {
+    if (best > this.#index && !isRetry) {
       this.#wanted = best;
       return false;
     }
@@ -213,7 +237,11 @@ export class AutoQuality {
     // A frame limited by the display gives no estimate: the next rung is tried.
     const isDisplayBound = !isWork && seconds <= REFRESH * 1.05;
     const expected = (seconds * this.#cost(next)) / this.#cost(this.rung);
-    if (!isDisplayBound && expected > BUDGET[next.tier]) return false;
+    if ((isRetry || !isDisplayBound) && expected > BUDGET[next.tier]) return false;
+    if (isRetry) {
+      this.#retries++;
+      this.#ceiling = this.#index + 1;
+    }
     this.#goTo(this.#index + 1);
     return true;
   }
@@ -227,7 +255,7 @@ export class AutoQuality {
   #cost({ tier, share }: Rung): number {
     const { pixel, fixed } = this.work;
     const pixels = this.pixels * (tierNamed(tier).resolutionScale * share) ** 2;
-    return (pixels + fixed) * pixel[tier];
+    return (pixels + fixed[tier]) * pixel[tier];
   }
 
   #goTo(index: number): void {
@@ -236,11 +264,15 @@ export class AutoQuality {
     this.#frames = [];
     this.#elapsed = 0;
     this.#steady = 0;
+    this.#untroubled = 0;
     this.#ignored = 0;
     this.#ignoredTime = 0;
   }
 }
 
-function median(values: readonly number[]): number {
-  return values.toSorted((a, b) => a - b)[values.length >> 1]!;
+/** Mean of the middle half: frames end with the display's, so that a median would be one of few values. */
+function middleMean(values: readonly number[]): number {
+  const quarter = values.length >> 2;
+  const middle = values.toSorted((a, b) => a - b).slice(quarter, values.length - quarter);
+  return middle.reduce((sum, value) => sum + value, 0) / middle.length;
 }

@@ -30,6 +30,8 @@ export class Refinement {
   #size: Size | null = null;
   /** Time that camera and candle have stood, seconds. */
   #rest = 0;
+  /** Whether the last frame was one at rest. */
+  #isWanted = false;
   #hasBegun = false;
   #isShown = false;
 
@@ -44,6 +46,10 @@ export class Refinement {
 
   /** Whether frames do its work beside their own, or are its own: their time says nothing of the coarser one's. */
   get isBusy(): boolean {
+    return this.#isWanted && (this.#isReady || !this.#isCompiled);
+  }
+
+  get #isReady(): boolean {
     return this.#isCompiled && this.#rest >= REST;
   }
 
@@ -52,7 +58,7 @@ export class Refinement {
     if (!(seconds > 0)) return;
     this.#rest += seconds;
     // Frames that refine nothing say nothing of its cost.
-    if (this.isBusy) this.#budget.take(seconds);
+    if (this.#isReady) this.#budget.take(seconds);
   }
 
   /**
@@ -64,6 +70,7 @@ export class Refinement {
     const image = this.shown?.refining?.image();
     if (image) next?.refinedFade?.begin(image);
     this.#rest = 0;
+    this.#isWanted = false;
     this.#budget = new RefinementBudget();
     this.#hasBegun = false;
     this.#isShown = false;
@@ -89,12 +96,13 @@ export class Refinement {
    * @returns steps of the refinement that the frame does; null if it draws nothing else
    */
   advance(subject: ViewSubject, view: FrameSettings, coarse: Renderer, size: Size): number | null {
+    this.#isWanted = true;
     if (!this.#renderer) {
       // Two parts in a frame, a few milliseconds each.
       if (this.#maker.prepare() || this.#maker.prepare()) this.#create(subject);
       return 0;
     }
-    if (!this.isBusy) return 0;
+    if (!this.#isReady) return 0;
     const steps = this.#budget.next();
     if (this.#isShown || steps === 0) return steps;
     const { refining } = this.#renderer;

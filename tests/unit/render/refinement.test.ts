@@ -1,6 +1,10 @@
 import { describe, expect, test } from "vitest";
+import type { FrameSettings } from "../../../src/render/frame-settings.js";
 import { RefinementBudget } from "../../../src/render/refinement/refinement-budget.js";
 import { tilesAround } from "../../../src/render/refinement/tiles.js";
+import type { Renderer } from "../../../src/render/renderer.js";
+import { Refinement } from "../../../src/scenes/refinement.js";
+import type { ViewSubject } from "../../../src/scenes/view-subject.js";
 
 const SIZE = { width: 853, height: 481 };
 
@@ -72,4 +76,30 @@ describe("The budget of a refinement", () => {
     };
     expect(run()).toEqual(run());
   });
+});
+
+test("Frames beside which a refinement is prepared do not count for the coarse image, and those in motion do", async () => {
+  let isPrepared = false;
+  let compiled = () => {};
+  const renderer = { setLayers: () => {} } as unknown as Renderer;
+  const refinement = new Refinement({
+    prepare: () => isPrepared,
+    create: () => renderer,
+    whenCompiled: () => new Promise((resolve) => (compiled = resolve)),
+  });
+  const rest = () => {
+    refinement.take(0.1);
+    refinement.advance({} as ViewSubject, {} as FrameSettings, renderer, SIZE);
+    return refinement.isBusy;
+  };
+  expect(refinement.isBusy).toBe(false);
+  expect(rest(), "prepared").toBe(true);
+  isPrepared = true;
+  expect([rest(), rest()], "compiled").toEqual([true, true]);
+  refinement.stop();
+  expect(refinement.isBusy, "in motion").toBe(false);
+  compiled();
+  await Promise.resolve();
+  await Promise.resolve();
+  expect(rest(), "before it begins").toBe(false);
 });
