@@ -29,12 +29,12 @@ import { ExposurePass } from "./post/exposure-pass.js";
 import { BLOOM_REACH, BLOOM_SCALE, FlameBloomPass } from "./post/flame-bloom-pass.js";
 import { type Bloom, FrameBloomPass } from "./post/frame-bloom-pass.js";
 import { InspectPass } from "./post/inspect-pass.js";
+import { PostTiming } from "./post/post-timing.js";
 import type { Tier } from "./quality.js";
 import { RefinedDisplayPass } from "./refinement/refined-display-pass.js";
 import { RefinedFade } from "./refinement/refined-fade.js";
 import { RefinedStage } from "./refinement/refined-stage.js";
 import type { Models, Refining, Renderer, Surfaces } from "./renderer.js";
-import { SCHEDULE } from "./schedule.js";
 import { boundsOf, expandBox, expandBoxes, scaleBox, wholeOf } from "./screen-bounds.js";
 import { finish, type Steps } from "./steps.js";
 import { HANDLE_TURN } from "./volumetric/flame-pass.js";
@@ -67,8 +67,7 @@ export class PhysicalRenderer implements Renderer {
   #inspector: InspectPass | null = null;
   #radiance: RadianceTarget | null = null;
   #size = { width: 1, height: 1 };
-  /** Frames since bloom and exposure were updated. */
-  #postAge = 0;
+  readonly #postTiming = new PostTiming();
   /** The last frame, of which `#radiance` may hold regions. */
   #last: readonly [FrameInput, OpaqueLayer, IrradianceVolume] | null = null;
 
@@ -260,14 +259,10 @@ export class PhysicalRenderer implements Renderer {
     return this.#radiance.with(depth);
   }
 
-  /** Bloom and exposure are updated in each frame, or where the frame may defer it when there is time, see `SCHEDULE`. */
   #postIn(kind: GBufferKind, isShadowNew: boolean, canDefer: boolean) {
-    const isDeferred = this.#compositeDisplay && (kind !== "full" || canDefer);
-    if (!this.#bloom.isDrawn || !isDeferred) return "before display";
-    const { frames, restFrames } = SCHEDULE.post;
-    const isIdle = kind === "reprojected" && !isShadowNew;
-    if (++this.#postAge <= (kind === "full" ? restFrames : frames) && !isIdle) return "skip";
-    return kind === "reprojected" ? "after display" : "before display";
+    const isDeferred = this.#compositeDisplay !== null && (kind !== "full" || canDefer);
+    const canSkip = isDeferred && this.#bloom.isDrawn;
+    return this.#postTiming.of(kind, { canSkip, isShadowNew, images: this.#opaque.images });
   }
 
   *#updatePost(
@@ -276,7 +271,6 @@ export class PhysicalRenderer implements Renderer {
     { roomReflectance }: IrradianceVolume,
     regions: readonly Box[],
   ): Steps {
-    this.#postAge = 0;
     const { color } = this.#radiance!.whole;
     this.#bloom.render(color, regions, flameUv);
     yield;

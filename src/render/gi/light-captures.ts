@@ -56,6 +56,9 @@ export class LightCaptures {
   readonly #indirect: IndirectPass;
   readonly #updates: IndirectUpdates;
   #holding: Steps | null = null;
+  /** Of the last frame that captures are held for, and what is being captured. */
+  #wanted: CaptureLight | null = null;
+  #capturing: CaptureLight | null = null;
   /** Programs used when `hold` was last called. */
   #programsUsed = 0;
   #held: { readonly light: CaptureLight; readonly captures: FlameCaptures } | null = null;
@@ -145,6 +148,9 @@ export class LightCaptures {
    * @returns whether they are done
    */
   hold(frame: FrameInput, steps: number): boolean {
+    this.#wanted = frame.captureLight;
+    // What is captured for another place is given up.
+    if (this.#capturing && !areNear(this.#capturing, this.#wanted)) this.#holding = null;
     this.#holding ??= this.#holdingSteps(frame);
     const gpu = this.#gpu;
     const used = gpu.used.size;
@@ -159,11 +165,15 @@ export class LightCaptures {
     return false;
   }
 
-  *#holdingSteps({ world, captureLight: light }: FrameInput): Steps {
+  *#holdingSteps({ world, captureLight }: FrameInput): Steps {
+    this.#capturing = null;
     yield* this.#cachedLights.steps(world, this.#casters, "steps");
+    const light = this.#wanted ?? captureLight;
     if (this.#held && areNear(light, this.#held.light)) return;
     this.#held = null;
+    this.#capturing = light;
     this.#held = { light, captures: yield* this.#ofLight(light, "steps") };
+    this.#capturing = null;
   }
 
   *#ofLight(light: CaptureLight, size: StepSize): Steps<FlameCaptures> {

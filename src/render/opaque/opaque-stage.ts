@@ -41,6 +41,8 @@ export interface OpaqueStage {
   readonly blocks: FrameBlocks;
   /** Of the metering pass: it reads the textures, uniforms and blocks of a layer. */
   readonly meterFrag: ShaderSource;
+  /** How many images it has begun, each of another moment. */
+  readonly images?: number;
   resize(size: Size): void;
   /** Forward shading has no G-buffer, and is always `full`. */
   fillGBuffer(frame: FrameInput): Steps<GBufferKind>;

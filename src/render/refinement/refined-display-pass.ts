@@ -103,7 +103,7 @@ export class RefinedDisplayPass {
     const { transform, size, autoExposure } = options;
     this.#depth = layer.depth;
     const uAutoExposure = autoExposure ? 1 : 0;
-    const key = JSON.stringify([transform, size, this.#stage.beginnings]);
+    const key = JSON.stringify([transform, size, this.#stage.images]);
     if (key !== this.#key) {
       this.#key = key;
       this.#bands = 0;

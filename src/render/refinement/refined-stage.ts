@@ -63,8 +63,7 @@ export class RefinedStage implements OpaqueStage {
   readonly #resolved: RenderTarget;
   /** Radiance per candela of the whole frame, and its depth. */
   #image: RenderTarget | null = null;
-  /** How often it has begun. */
-  beginnings = 0;
+  images = 0;
   /** What the last frame was drawn for. */
   source: ReprojectionSource | null = null;
   /** Colour of the flame, luma 1, as it was then. */
@@ -145,7 +144,7 @@ export class RefinedStage implements OpaqueStage {
   #beginWith(frame: FrameInput, { radiance, depth, light }: Surfaces): void {
     const { world, settings, flameUv } = frame;
     const target = this.#whole;
-    this.beginnings++;
+    this.images++;
     this.#drawn = [];
     const { intensity } = lightBlock(world, settings.features.candle);
     this.#intensity = [intensity[0], intensity[1], intensity[2]];
