@@ -1,7 +1,7 @@
 import { CANDLE_CYLINDER } from "./candle.js";
 import type { Flame } from "./flame/flame.js";
 import { length2, length3, type Vec3 } from "./geometry.js";
-import { reachOut } from "./player/hand.js";
+import { reachOut, stiffFoot } from "./player/hand.js";
 import type { World } from "./world.js";
 
 /** Distance at which a flame lights a wick, metres. */
@@ -84,16 +84,22 @@ export function reachForWick(world: World, seconds: number): void {
   reachOut(hand, candle.isHeld && findWay(world) ? way : null, seconds);
 }
 
-/** Writes the way to the nearest such wick to `way`. False if there is none. */
+const stiff: Vec3 = [0, 0, 0];
+
+/**
+ * Writes the way to the nearest such wick to `way`, from where a stiff arm holds the flame: if it depended on where the
+ * hand is, it would tremble between two places. False if there is none.
+ */
 function findWay(world: World): boolean {
-  const { standing, hand, emitter, flame } = world;
+  const { standing, player, setup, candle, emitter, flame } = world;
+  stiffFoot(player, setup.hold, stiff);
   let nearest = REACH;
   let isFound = false;
   for (let i = 0; i < standing.length; i++) {
     const { root, flame: other } = standing[i]!;
-    const dx = root[0] - (emitter[0] - hand.lean[0]);
-    const dy = root[1] - (emitter[1] - hand.lean[1]);
-    const dz = root[2] - (emitter[2] - hand.lean[2]);
+    const dx = root[0] - (stiff[0] + emitter[0] - candle.position[0]);
+    const dy = root[1] - (stiff[1] + emitter[1] - candle.position[1]);
+    const dz = root[2] - (stiff[2] + emitter[2] - candle.position[2]);
     const distance = length2(dx, dz);
     if (other.isLit === flame.isLit || Math.abs(dy) > REACH_UP || distance > nearest) continue;
     const share = Math.max(0, 1 - BESIDE / Math.max(distance, 1e-6));
@@ -110,13 +116,11 @@ function findWay(world: World): boolean {
 const foot: Vec3 = [0, 0, 0];
 
 /** Height above the wick at which the candle touches nothing, at the end of `way`. */
-function freeHeight({ room, candle, hand }: World): number {
+function freeHeight({ room }: World): number {
   let above = 0;
   for (let i = 0; i < ABOVE.length; i++) {
     above = ABOVE[i]!;
-    for (let axis = 0; axis < 3; axis++) {
-      foot[axis] = candle.position[axis]! - hand.lean[axis]! + way[axis]!;
-    }
+    for (let axis = 0; axis < 3; axis++) foot[axis] = stiff[axis]! + way[axis]!;
     foot[1] += above;
     const { radius, height } = CANDLE_CYLINDER;
     if (!room?.collision.overlapsCylinder(foot, radius, height)) break;

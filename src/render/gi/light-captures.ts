@@ -23,6 +23,8 @@ const PENUMBRA = 0.05;
 
 /** Sway of the flame that captures may be held for, metres. */
 const SWAY = 0.006;
+/** The same while they are captured, since a held candle sways farther: beyond it they are begun anew. */
+const CAPTURE_SWAY = 0.03;
 
 /** Shadow cube and irradiance volume of the flame. */
 export interface FlameCaptures {
@@ -150,7 +152,9 @@ export class LightCaptures {
   hold(frame: FrameInput, steps: number): boolean {
     this.#wanted = frame.captureLight;
     // What is captured for another place is given up.
-    if (this.#capturing && !areNear(this.#capturing, this.#wanted)) this.#holding = null;
+    if (this.#capturing && distanceBetween(this.#capturing, this.#wanted) > CAPTURE_SWAY) {
+      this.#holding = null;
+    }
     this.#holding ??= this.#holdingSteps(frame);
     const gpu = this.#gpu;
     const used = gpu.used.size;
@@ -169,7 +173,7 @@ export class LightCaptures {
     this.#capturing = null;
     yield* this.#cachedLights.steps(world, this.#casters, "steps");
     const light = this.#wanted ?? captureLight;
-    if (this.#held && areNear(light, this.#held.light)) return;
+    if (this.#held && distanceBetween(light, this.#held.light) <= SWAY) return;
     this.#held = null;
     this.#capturing = light;
     this.#held = { light, captures: yield* this.#ofLight(light, "steps") };
@@ -198,6 +202,6 @@ export class LightCaptures {
   }
 }
 
-function areNear(light: CaptureLight, other: CaptureLight): boolean {
-  return Math.hypot(...light.position.map((x, axis) => x - other.position[axis]!)) <= SWAY;
+function distanceBetween(light: CaptureLight, other: CaptureLight): number {
+  return Math.hypot(...light.position.map((x, axis) => x - other.position[axis]!));
 }

@@ -74,6 +74,17 @@ export function reachOut(hand: Hand, way: Readonly<Vec3> | null, seconds: number
   hand.daring += ((way ? 1 : 0) - hand.daring) * blend;
 }
 
+/** Writes to `foot` where a stiff arm would hold the candle's foot. */
+export function stiffFoot(
+  { position: eye, yaw }: Omit<Player, "pitch">,
+  [right, up, ahead]: readonly [number, number, number],
+  foot: Vec3,
+): void {
+  foot[0] = eye[0] + right * Math.cos(yaw) - ahead * Math.sin(yaw);
+  foot[1] = eye[1] + up;
+  foot[2] = eye[2] - right * Math.sin(yaw) - ahead * Math.cos(yaw);
+}
+
 /**
  * Advances the hand: a critically damped spring behind the turn of the head, and one that the body's
  * acceleration pulls at. Both are exact if turn and acceleration were even.

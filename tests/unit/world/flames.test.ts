@@ -5,6 +5,7 @@ import { createWorld, type WorldOptions } from "../../../src/world/create-world.
 import { litFlames, wickAtFlame } from "../../../src/world/flames.ts";
 import type { Vec3 } from "../../../src/world/geometry.ts";
 import { STILL } from "../../../src/world/player/intent.ts";
+import { pcg, unit } from "../../../src/world/random.ts";
 import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";
 import { createRoom } from "../../../src/world/room/room.ts";
 import { restoreSnapshot, takeSnapshot } from "../../../src/world/snapshot.ts";
@@ -126,6 +127,18 @@ describe("in the cabin", () => {
       return candle > 0 && wicks[candle - 1]?.name === name;
     });
     expect(isReached).toBe(true);
+  });
+
+  test("the hand comes to rest wherever one stands, near wicks and walls too", () => {
+    for (let i = 0; i < 150; i++) {
+      const [x, z, yaw] = [0, 1, 2].map((k) => unit(pcg(3 * i + k)));
+      moveCamera(world, [4 * x! - 2, 1.6, 3 * z! - 1.5], 2 * Math.PI * yaw!, 0);
+      advance(world, STILL, 2.5);
+      const before = [...world.emitter];
+      advance(world, STILL, 0.1);
+      const way = Math.hypot(...world.emitter.map((value, axis) => value - before[axis]!));
+      expect(way, `at ${world.player.position}, ${world.player.yaw}`).toBeLessThan(1e-4);
+    }
   });
 });
 
