@@ -36,9 +36,6 @@ export type { Options } from "./scene-world.js";
 /** Longest time step of a live frame, seconds: a tab that was hidden does not fast-forward. */
 const MAX_FRAME = 1 / 20;
 
-/** A hand that moves by less than this has come to rest, metres: its springs take seconds more. */
-const STILL_HAND = 1e-4;
-
 /**
  * Composition of input, world, light and renderer on one canvas.
  *
@@ -65,7 +62,7 @@ export class CandleFlame {
   readonly view: SceneView;
   readonly #loop = new AnimationLoop((elapsed) => this.#frame(elapsed));
   /** Places of camera and candle in the last frame. */
-  #pose: { readonly camera: string; readonly foot: readonly number[] } = { camera: "", foot: [] };
+  #pose = "";
   #cpuMs = 0;
   /** Candle whose wick the carried flame is at; 0 if none. */
   #wick = 0;
@@ -265,14 +262,14 @@ export class CandleFlame {
     return { features: this.#features, exposure, isStill, isMoving: false, canDefer: false };
   }
 
-  /** Whether camera or candle have moved since the last call that said so. */
+  /** Whether camera or candle have moved since the last call; a hand comes to rest within a tenth of a millimetre. */
   #hasMoved(): boolean {
     const { player, candle, interpolated, fieldOfView } = this.world;
-    const camera = [...interpolated.eye, player.yaw, player.pitch, fieldOfView, candle.yaw];
-    const { foot } = this.#pose;
-    const way = Math.hypot(...interpolated.foot.map((x, axis) => x - (foot[axis] ?? x)));
-    const hasMoved = camera.join(" ") !== this.#pose.camera || way > STILL_HAND;
-    if (hasMoved) this.#pose = { camera: camera.join(" "), foot: [...interpolated.foot] };
+    const camera = [...interpolated.eye, player.yaw, player.pitch, fieldOfView];
+    const foot = interpolated.foot.map((x) => x.toFixed(4));
+    const pose = [...camera, ...foot, candle.yaw].join(" ");
+    const hasMoved = pose !== this.#pose;
+    this.#pose = pose;
     return hasMoved;
   }
 

@@ -70,20 +70,14 @@ const ANISOTROPIC_SHARE = 3 / 32;
 export interface Work {
   /** Of a pixel of each tier, in pixels of the load, `speed/load.frag`. */
   readonly pixel: Readonly<Record<Tier["name"], number>>;
-  /** Independent of resolution, in pixels of the tier. */
-  readonly fixed: Readonly<Record<Tier["name"], number>>;
+  /** Independent of resolution, in pixels of the tier; of `low` four times as much. */
+  readonly fixed: number;
 }
 
 /** For rooms in the physical look, and for all else. */
 export const WORK: Readonly<Record<"physical" | "plain", Work>> = {
-  physical: {
-    pixel: { low: 0.1, medium: 13, high: 19, ultra: 25 },
-    fixed: { low: 400_000, medium: 100_000, high: 100_000, ultra: 100_000 },
-  },
-  plain: {
-    pixel: { low: 0.3, medium: 0.7, high: 1, ultra: 1.3 },
-    fixed: { low: 0, medium: 0, high: 0, ultra: 0 },
-  },
+  physical: { pixel: { low: 0.1, medium: 13, high: 19, ultra: 25 }, fixed: 100_000 },
+  plain: { pixel: { low: 0.3, medium: 0.7, high: 1, ultra: 1.3 }, fixed: 0 },
 };
 
 /**
@@ -255,7 +249,7 @@ export class AutoQuality {
   #cost({ tier, share }: Rung): number {
     const { pixel, fixed } = this.work;
     const pixels = this.pixels * (tierNamed(tier).resolutionScale * share) ** 2;
-    return (pixels + fixed[tier]) * pixel[tier];
+    return (pixels + (tier === "low" ? 4 * fixed : fixed)) * pixel[tier];
   }
 
   #goTo(index: number): void {

@@ -1,11 +1,39 @@
 import type { Size } from "../render/frame-input.js";
 import type { FrameSettings } from "../render/frame-settings.js";
+import { REFINED } from "../render/quality.js";
 import { RefinementBudget } from "../render/refinement/refinement-budget.js";
 import type { Renderer } from "../render/renderer.js";
-import type { ViewSubject } from "./view-subject.js";
+import type { CanvasTarget } from "./canvas-target.js";
+import type { Scene } from "./scene.js";
+import type { ViewSettings, ViewSubject } from "./view-subject.js";
 
 /** Time that camera and candle have stood before the image is refined, seconds. */
 const REST = 0.5;
+
+/** What a refinement is of, at the moment. */
+export interface RefinementParts {
+  readonly scene: Pick<Scene, "prepareRenderer" | "createRenderer">;
+  readonly target: CanvasTarget;
+  readonly settings: ViewSettings;
+}
+
+export function refinementOf(parts: () => RefinementParts): Refinement {
+  return new Refinement({
+    prepare: () => {
+      const { scene, target, settings } = parts();
+      return scene.prepareRenderer(target, REFINED, settings);
+    },
+    create: () => {
+      const { scene, target, settings } = parts();
+      return scene.createRenderer(target, REFINED, settings.look);
+    },
+    whenCompiled: async () => {
+      const { gpu } = parts().target;
+      await gpu.whenCompiled(3);
+      gpu.finishPrograms(); // now: later each would wait for what is being drawn
+    },
+  });
+}
 
 /** What makes the renderer of refined images. */
 interface Maker {

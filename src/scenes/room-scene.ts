@@ -8,6 +8,7 @@ import type { Vec3 } from "../world/geometry.js";
 import { CABIN_MOON, moonOf } from "../world/moon.js";
 import { CollisionMesh } from "../world/room/collision-mesh.js";
 import { createRoom } from "../world/room/room.js";
+import { refinementOf } from "./refinement.js";
 import { closeModels, loadModels, sourcesOf } from "./room-models.js";
 import { placeWicks } from "./room-wicks.js";
 import type { Loading, Scene, SceneRequest } from "./scene.js";
@@ -45,6 +46,7 @@ export async function loadRoom(request: SceneRequest, loading: Loading): Promise
       look === "physical"
         ? new PhysicalRenderer(gpu, models, collision, tier)
         : new PaperRenderer(gpu, models, tier, look),
+    createRefinement: refinementOf,
     close: () => closeModels(models),
   };
 }

@@ -7,7 +7,7 @@ import { REFINED, type Tier, tierNamed } from "../render/quality.js";
 import type { Renderer } from "../render/renderer.js";
 import type { Inspection } from "../settings.js";
 import type { CanvasTarget } from "./canvas-target.js";
-import { Refinement } from "./refinement.js";
+import type { Refinement } from "./refinement.js";
 import type { Scene } from "./scene.js";
 import { hasOneFlame, type ViewSettings, type ViewSubject, workOf } from "./view-subject.js";
 
@@ -39,16 +39,8 @@ export class SceneView {
   /** Of the tier's resolution. */
   #share: number;
   #renderer: Renderer;
-  /** Of what `auto` shows at rest on machines without a GPU. */
-  readonly #refinement = new Refinement({
-    prepare: () => this.#scene.prepareRenderer(this.#target, REFINED, this.#settings),
-    create: () => this.#scene.createRenderer(this.#target, REFINED, this.#settings.look),
-    whenCompiled: async () => {
-      const { gpu } = this.#target;
-      await gpu.whenCompiled(3);
-      gpu.finishPrograms(); // now: later each would wait for what is being drawn
-    },
-  });
+  /** Of what `auto` shows of a room at rest on machines without a GPU. */
+  #refinement: Refinement | null;
   /** CSS size times device pixel ratio, before the tier's scale. */
   #pixels = { width: 1, height: 1 };
   /** Whether targets and textures were made since the driver was last asked whether it accepts them. */
@@ -78,7 +70,13 @@ export class SceneView {
     this.#auto = auto;
     this.#tier = this.#tierOf(this.#rung);
     this.#share = this.#rung.share;
+    this.#refinement = this.#createRefinement();
     this.#renderer = this.#createRenderer();
+  }
+
+  #createRefinement(): Refinement | null {
+    const parts = () => ({ scene: this.#scene, target: this.#target, settings: this.#settings });
+    return this.#scene.createRefinement?.(parts) ?? null;
   }
 
   /** Another world, or other particles: the renderer's catch up in the next frame. */
@@ -87,13 +85,13 @@ export class SceneView {
     // After a lost context, the renderer to come will.
     if (this.#target.gpu.isLost) return;
     this.#renderer.setLayers(subject.world, subject.layers);
-    this.#refinement.follow(subject);
+    this.#refinement?.follow(subject);
   }
 
   /** To be followed by `rebuild` if the quality or the models are others. */
   set settings(settings: ViewSettings) {
     if (JSON.stringify(settings.moon) !== JSON.stringify(this.#settings.moon)) {
-      this.#refinement.stop();
+      this.#refinement?.stop();
     }
     this.#settings = settings;
     this.#auto.work = workOf(this.#scene, settings);
@@ -102,6 +100,7 @@ export class SceneView {
   /** Another scene on the same canvas. */
   show(scene: Scene, settings: ViewSettings, subject: ViewSubject): void {
     this.#scene = scene;
+    this.#refinement = this.#createRefinement();
     this.settings = settings;
     this.#auto.renew();
     this.#subject = subject;
@@ -116,7 +115,7 @@ export class SceneView {
     this.#tier = this.#tierOf(rung);
     this.#share = rung.share;
     this.#target.clear();
-    this.#refinement.forget();
+    this.#refinement?.forget();
     this.#renderer.refinedFade?.end();
     this.#renderer = this.#createRenderer();
     if (before.tier !== rung.tier || before.share !== rung.share) this.onQualityChanged();
@@ -142,7 +141,7 @@ export class SceneView {
     this.#pixels = { width, height };
     this.#auto.pixels = width * height;
     this.#auto.renew();
-    this.#refinement.stop();
+    this.#refinement?.stop();
     this.#renderer.refinedFade?.end();
     const { gpu, canvas } = this.#target;
     const isOtherSize = this.#fitCanvas();
@@ -188,9 +187,9 @@ export class SceneView {
     this.#last = view;
     const { gpu } = target;
     if (gpu.isLost) return;
-    const wasRefined = this.#refinement.shown !== null;
+    const before = this.#refinement?.shown;
     const refines = this.#refines(view);
-    if (!refines) this.#refinement.stop(view.isMoving ? this.#renderer : null);
+    if (!refines) this.#refinement?.stop(view.isMoving ? this.#renderer : null);
     this.#chooseQuality();
     const settings = this.#settingsOf(view);
     target.prepare();
@@ -198,7 +197,7 @@ export class SceneView {
     const steps = refines ? this.#refine(settings) : 0;
     if (steps !== null) {
       this.#fitCanvas();
-      if (wasRefined !== (this.#refinement.shown !== null)) this.onQualityChanged();
+      if (before !== this.#refinement?.shown) this.onQualityChanged();
       this.#shown.render(this.#subject.world, { ...settings, steps });
       target.present();
     }
@@ -209,8 +208,8 @@ export class SceneView {
   /** Takes the time of a frame of the animation loop, by which `auto` goes. Seconds. */
   measure(seconds: number): void {
     if (this.#settings.quality !== "auto" || this.isBusy) return;
-    this.#refinement.take(seconds);
-    if (this.#refinement.isBusy || this.#renderer.refinedFade?.isOn) return;
+    this.#refinement?.take(seconds);
+    if (this.#refinement?.isBusy || this.#renderer.refinedFade?.isOn) return;
     const { milliseconds } = this.#target.gpu.timer;
     this.#auto.take(seconds, milliseconds === null ? null : milliseconds / 1000);
     // Prepares another tier, a little in each frame, and takes it when nothing holds it up.
@@ -239,7 +238,7 @@ export class SceneView {
       width,
       height,
       resolutionScale: this.#resolutionScale,
-      quality: this.#refinement.shown ? REFINED.name : this.#tier.name,
+      quality: this.#refinement?.shown ? REFINED.name : this.#tier.name,
       gpuObjects: objectCount,
       gpuBytes: bytes,
     };
@@ -276,7 +275,7 @@ export class SceneView {
     this.#renderer.refinedFade?.end();
     if (isOtherTier) {
       this.#target.clearUnshared();
-      this.#refinement.forget();
+      this.#refinement?.forget();
     }
     this.#fitCanvas();
     const { width, height } = this.#target.canvas;
@@ -298,13 +297,13 @@ export class SceneView {
   }
 
   get #shown(): Renderer {
-    return this.#refinement.shown ?? this.#renderer;
+    return this.#refinement?.shown ?? this.#renderer;
   }
 
   /** Whether the image is refined while it rests: under `auto`, where pixels are those of a CPU. */
   #refines({ isMoving, canDefer }: Pick<FrameSettings, "isMoving" | "canDefer">): boolean {
     const { quality, look } = this.#settings;
-    if (quality !== "auto" || look !== "physical" || this.#scene.isModelAlone) return false;
+    if (quality !== "auto" || look !== "physical" || !this.#refinement) return false;
     if (isMoving || !canDefer || !this.isPlaying || this.inspect !== "picture") return false;
     if (!hasOneFlame(this.#subject.world)) return false;
     return this.#auto.isSoftware && this.#tier.name === "low";
@@ -312,11 +311,12 @@ export class SceneView {
 
   #refine(settings: FrameSettings): number | null {
     const size = canvasSize(this.#pixels, REFINED.resolutionScale, this.#target.gpu.longestSide);
-    return this.#refinement.advance(this.#subject, settings, this.#renderer, size);
+    return this.#refinement?.advance(this.#subject, settings, this.#renderer, size) ?? null;
   }
 
   get #resolutionScale(): number {
-    if (this.#refinement.shown || this.#renderer?.refinedFade?.isOn) return REFINED.resolutionScale;
+    if (this.#refinement?.shown || this.#renderer?.refinedFade?.isOn)
+      return REFINED.resolutionScale;
     return this.#tier.resolutionScale * this.#share;
   }
 

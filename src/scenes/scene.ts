@@ -9,6 +9,7 @@ import type { Room } from "../world/room/room.js";
 import type { Wick } from "../world/standing-candle.js";
 import type { CanvasTarget } from "./canvas-target.js";
 import { fetchPageSmoke, PAGE_SMOKE } from "./page-smoke.js";
+import type { Refinement, RefinementParts } from "./refinement.js";
 
 /** Scene: the models of a room or of a lone candle, fetched and decoded. */
 export interface Scene {
@@ -31,6 +32,8 @@ export interface Scene {
     settings: { readonly look: Look; readonly moon: MoonWish },
   ): boolean;
   createRenderer(screen: CanvasTarget, tier: Tier, look: Look): Renderer;
+  /** Where an image at rest is refined without a GPU. */
+  readonly createRefinement?: (parts: () => RefinementParts) => Refinement;
   /** Frees what was fetched. */
   close(): void;
 }

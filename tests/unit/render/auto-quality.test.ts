@@ -32,7 +32,7 @@ const slowed = (machine: Machine, times: number): Machine => ({
 function workOn({ pixel, low, error = 1, fixed = 0 }: Machine, { tier, share }: Rung): number {
   const pixels = PIXELS * (tierNamed(tier).resolutionScale * share) ** 2;
   if (tier === "low") return fixed + pixels * low;
-  return fixed + (pixels + WORK.physical.fixed[tier]) * WORK.physical.pixel[tier] * pixel * error;
+  return fixed + (pixels + WORK.physical.fixed) * WORK.physical.pixel[tier] * pixel * error;
 }
 
 function autoOn({ pixel }: Machine): AutoQuality {
