@@ -34,8 +34,17 @@ const builds: Record<string, BuildOptions> = {
         minify: true,
         // Each module has side effects or is needed: there is nothing for a user's bundler to drop.
         comments: { annotation: false },
-        // What the element always needs is one chunk: many small ones compress worse.
-        codeSplitting: { groups: [{ name: "candle-flame-element", tags: ["$initial"] }] },
+        // What the element always needs is one chunk: many small ones compress worse. Defining it is not in it:
+        // package.json tells bundlers that `define.js` alone has side effects.
+        codeSplitting: {
+          groups: [
+            {
+              name: "candle-flame-element",
+              tags: ["$initial"],
+              test: (id) => !id.endsWith("src/define.ts"),
+            },
+          ],
+        },
       },
     },
   },

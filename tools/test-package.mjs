@@ -13,6 +13,7 @@ for (const command of [
   `npx publint run ${FOLDER}/${filename} --strict`,
   `npx attw ${FOLDER}/${filename} --profile esm-only --exclude-entrypoints ./custom-elements.json ./package.json -q`,
   `node tools/package-size.mjs ${FOLDER}/${filename}`,
+  `node tests/embed/consumer.mjs ${FOLDER}/${filename}`,
 ]) {
   try {
     execSync(command, { stdio: "inherit" });

@@ -1,5 +1,5 @@
 import type { CandleFlame } from "../candle-flame.js";
-import { cameraOf } from "./camera.js";
+import { cameraOf } from "./camera-control.js";
 import type { CustomStates } from "./custom-states.js";
 import { emit } from "./events.js";
 import type { Glow } from "./glow.js";

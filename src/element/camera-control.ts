@@ -1,0 +1,22 @@
+import type { CandleFlame } from "../candle-flame.js";
+import { moveCamera } from "../world/commands.js";
+import { fieldOfViewOf } from "../world/player/field-of-view.js";
+import type { Camera } from "./camera.js";
+
+export function cameraOf({ world }: CandleFlame): Required<Camera> {
+  const { position, yaw, pitch } = world.player;
+  const [x, y, z] = position;
+  return { position: [x, y, z], yaw, pitch, fieldOfView: fieldOfViewOf(world) };
+}
+
+/** Moves the camera. Members that are missing or no numbers stay as they are. */
+export function setCamera(candle: CandleFlame, camera: Partial<Camera>): void {
+  const { position, yaw, pitch } = { ...cameraOf(candle), ...camera };
+  moveCamera(
+    candle.world,
+    position ?? candle.world.player.position,
+    Number(yaw),
+    Number(pitch),
+    camera.fieldOfView,
+  );
+}
