@@ -22,6 +22,33 @@ centroid in vec4 vTangentWorld;
 centroid in vec2 vUv;
 centroid in vec4 vColor;
 
+struct Material {
+  vec3 baseColor;
+  float occlusion;
+  float roughness;
+  float metallic;
+};
+
+// What the light is reflected by.
+struct Shading {
+  vec3 surface;  // normals: the mesh's, and the normal map's
+  vec3 normal;
+  vec3 view;
+  float NoV;
+  float alpha;
+  vec3 f0;
+  float minified;  // visibility of a minified normal map
+};
+
+// Discards what is cut out.
+Material materialHere() {
+  vec4 baseColor = texture(uAlbedo, vUv, LOD_BIAS) * uBaseColor;
+  if (baseColor.a < uSurface.w) discard;
+  vec3 packed = texture(uOcclusionRoughness, vUv, LOD_BIAS).rgb;
+  float occlusion = mix(1.0, packed.r, uOcclusionStrength) * vColor.r;
+  return Material(baseColor.rgb, occlusion, clamp(packed.g * uSurface.x, 0.03, 1.0), packed.b * uSurface.y);
+}
+
 vec3 shadingNormal(vec3 surface) {
   if (frame.normalMaps < 0.5) return surface;
   vec3 mapped = applyNormalMap(texture(uNormal, vUv, LOD_BIAS).xy, surface, vTangentWorld);

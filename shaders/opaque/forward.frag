@@ -41,6 +41,7 @@ const float WICK_COSINE = 0.05;
 #include "lib/moon.glsl"
 #include "lib/moon-shadow.glsl"
 #include "lib/night-sky.glsl"
+#include "lib/direct-moonlight.glsl"
 #endif
 
 uniform sampler2D uEnvironmentBrdf;
@@ -51,29 +52,6 @@ uniform float uIsWick;   // 1 or 0
 uniform float uIsPane;   // 1 or 0
 
 out vec4 oRadiance;
-
-#ifdef MOONLIT
-// Luminance of a surface in direct moonlight, cd/m² for 1 lx.
-float directMoonlight(vec3 facet, vec3 surface, vec3 normal, vec3 toEye, vec3 diffuseColor, vec3 f0, float alpha) {
-  vec3 L = -moon.direction;
-  float NoL = dot(normal, L);
-  bool isInside = NoL > 0.0 && isInBeam(vPositionWorld);
-  float sum = 0.0;
-  // A software renderer runs both sides of an if, but leaves a loop that no pixel is in.
-  for (int i = isInside ? 1 : 0; i > 0; i--) {
-    float visibility = moonVisibility(vPositionWorld, faceforward(facet, moon.direction, facet), gl_FragCoord.xy + uOrigin, 0.0);
-    float lit = NoL * mix(1.0, visibility, uFeatures.x);
-    // The disc's width widens the lobe.
-    float widened = min(alpha + 0.5 * MOON_TANGENT, 1.0);
-    vec3 H = normalize(L + toEye);
-    float lobe = distributionGgx(widened, max(dot(normal, H), 0.0));
-    lobe *= visibilitySmith(alpha, max(abs(dot(normal, toEye)), 1e-3), NoL) * (alpha * alpha) / (widened * widened);
-    float specular = luma(fresnelSchlick(f0, max(dot(L, H), 0.0))) * lobe * uFeatures.z;
-    sum = lit * (luma(diffuseColor) / PI * normalMapVisibility(surface, normal, L) + specular);
-  }
-  return sum;
-}
-#endif
 
 // Visible share of the flame, past the room, the candle and its holder; and from a crevice's sides. Crevices are lit by
 // their sides, whatever their own normal. `divisor`: of the number of taps.
@@ -90,16 +68,6 @@ vec2 visibilitiesOf(int divisor, vec3 surface, vec3 normal, vec3 facet, bool isC
   }
   return visibilities;
 }
-
-struct Shading {
-  vec3 surface;  // normals: the mesh's, and the normal map's
-  vec3 normal;
-  vec3 view;
-  float NoV;
-  float alpha;
-  vec3 f0;
-  float minified;  // visibility of a minified normal map
-};
 
 struct DirectLight {
   vec3 irradiance;  // lx
@@ -126,12 +94,11 @@ DirectLight directLight(Shading s, vec2 visibilities) {
 
 // Radiance of the fragment. `facet`: normal of the triangle.
 vec4 shade(vec3 facet) {
-  vec4 baseColor = texture(uAlbedo, vUv, LOD_BIAS) * uBaseColor;
-  if (baseColor.a < uSurface.w) discard;
-  vec3 packed = texture(uOcclusionRoughness, vUv, LOD_BIAS).rgb;
-  float occlusion = mix(1.0, packed.r, uOcclusionStrength) * vColor.r;
-  float roughness = clamp(packed.g * uSurface.x, 0.03, 1.0);
-  float metallic = packed.b * uSurface.y;
+  Material material = materialHere();
+  vec3 baseColor = material.baseColor;
+  float occlusion = material.occlusion;
+  float roughness = material.roughness;
+  float metallic = material.metallic;
   vec3 surface = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
   vec3 normal = shadingNormal(surface);
 
@@ -147,7 +114,7 @@ vec4 shade(vec3 facet) {
   float NoV = max(abs(dot(normal, view)), 1e-3);
   vec2 minified = minifiedVisibility();
   float alpha = specularAntialiasing(roughness * roughness, normal);
-  vec3 f0 = mix(vec3(0.04), baseColor.rgb, metallic);
+  vec3 f0 = mix(vec3(0.04), baseColor, metallic);
   Shading shading = Shading(surface, normal, view, NoV, alpha, f0, minified.y);
   DirectLight direct = directLight(shading, visibilities);
   vec3 glow = waxGlow(vPositionWorld);
@@ -174,12 +141,12 @@ vec4 shade(vec3 facet) {
   EnvironmentReflection environment = environmentReflection(uEnvironmentBrdf, f0, sqrt(alpha), NoV);
   vec3 specular = direct.specular * environment.boost;
   // Reflected light does not reach the diffuse layer below.
-  vec3 diffuseColor = baseColor.rgb * (1.0 - metallic) * (1.0 - environment.share);
-  vec3 radiance = diffuseColor / PI * direct.irradiance + specular + baseColor.rgb * glow * uWax;
+  vec3 diffuseColor = baseColor * (1.0 - metallic) * (1.0 - environment.share);
+  vec3 radiance = diffuseColor / PI * direct.irradiance + specular + baseColor * glow * uWax;
 
 #ifdef MOONLIT
   // Before indirect light, to save registers.
-  float moonlight = directMoonlight(facet, surface, normal, view, diffuseColor, f0, alpha);
+  float moonlight = directMoonlight(shading, facet, diffuseColor, uFeatures.xz, gl_FragCoord.xy + uOrigin);
   bool isPane = roughness < PANE_ROUGHNESS && isOnPane(vPositionWorld);
   for (int i = isPane ? 1 : 0; i > 0; i--) moonlight += nightThroughPane(-view, NoV);
   float reflectance = luma(diffuseColor) * skyVisibility(surface, normal) * minified.x + luma(environment.share) * uFeatures.z;
@@ -191,7 +158,7 @@ vec4 shade(vec3 facet) {
   float near = 1.0 - occlusion;
   float unoccluded = 1.0 - NEAR_OCCLUSION * near;
   // Nearby surfaces are taken to have this point's colour and distance from the flame.
-  vec3 nearby = NEAR_REFLECTANCE * near * baseColor.rgb * direct.sides;
+  vec3 nearby = NEAR_REFLECTANCE * near * baseColor * direct.sides;
   nearby /= 1.0 + direct.sides / max(NEAR_LIMIT * probes.alongNormal, 1e-9);
   vec3 indirect = (probes.alongNormal * unoccluded + nearby) * diffuseColor * (skyVisibility(surface, normal) * minified.x / PI);
   vec3 mirrored = (probes.alongReflection * unoccluded + nearby) / PI;

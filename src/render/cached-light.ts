@@ -1,8 +1,14 @@
 import type { Texture } from "../gl/texture.js";
 import type { UniformBlock } from "../gl/uniform-block.js";
-import type { Rgb } from "../light/color.js";
+import { luma, type Rgb } from "../light/color.js";
+import { carriedFlame, flameLight, TAPER } from "../light/flame-light.js";
+import type { World } from "../world/world.js";
 import type { IrradianceVolume } from "./gi/indirect-pass.js";
 import type { CaptureLight } from "./light-block.js";
+import type { VirtualLightTextures } from "./moon/virtual-lights.js";
+
+/** Luminous intensity below which a flame's light is nothing beside the moon's, candela: of an ember at some 900 K. */
+const DARK = 1e-8;
 
 /** A light beside the carried flame. Its shadow and irradiance are captured once, for 1 cd or 1 lx of it. */
 export interface CachedLight {
@@ -14,6 +20,8 @@ export interface CachedLight {
   readonly block: UniformBlock;
   readonly shadow: Texture;
   readonly irradiance: IrradianceVolume;
+  /** Of the moon, where it is all that shines. */
+  readonly virtual: VirtualLightTextures | null;
   /** In this frame: candela, or lux. */
   readonly intensity: Rgb;
   /** Luminance where there is no surface, cd/m² for 1 cd or 1 lx. */
@@ -25,6 +33,12 @@ export interface CachedLight {
 /** The standing candles among the cached lights. */
 export function candlesOf(cached: readonly CachedLight[]): readonly CachedLight[] {
   return cached.filter(({ kind }) => kind === "candle");
+}
+
+/** Whether the moon is all that shines. */
+export function isMoonAlone(world: World, cached: readonly CachedLight[]): boolean {
+  const { intensity } = flameLight(carriedFlame(world), TAPER);
+  return luma(intensity) < DARK && candlesOf(cached).length === 0 && moonOf(cached) !== null;
 }
 
 /** The moon among the cached lights. */

@@ -78,6 +78,15 @@ export class CachedLights {
     return lights;
   }
 
+  /**
+   * What the moon's light alone needs.
+   *
+   * @param casters of shadows
+   */
+  *night(casters: ShadowCasters): Steps {
+    if (this.#moon) yield* this.#moon.night(casters);
+  }
+
   /** Its own captures, or new ones, or those of a candle that is out. */
   #capturesOf(
     { name }: StandingCandle,

@@ -3,7 +3,7 @@ import type { CollisionMesh } from "../world/room/collision-mesh.js";
 import { fitToRoom } from "./gi/fit-to-room.js";
 import { traceProbesIncrementally } from "./gi/probe-rays.js";
 import { uploadNextPart } from "./mesh/upload-steps.js";
-import { forwardProgram } from "./opaque/forward-stage.js";
+import { forwardProgram } from "./opaque/forward-programs.js";
 import type { Tier } from "./quality.js";
 import type { Models } from "./renderer.js";
 import { SCHEDULE } from "./schedule.js";

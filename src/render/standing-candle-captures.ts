@@ -93,6 +93,7 @@ export class StandingCandleCaptures {
     this.#block.update(light);
     return {
       kind: "candle",
+      virtual: null,
       name,
       light,
       block: this.#block,

@@ -100,6 +100,7 @@ export async function reportPrograms(
     }
     candle.world.flame.extinguish(); // smoke has its own, too
     candle.step(0.1);
+    if (isMoonlit) candle.step(8); // the moon alone, when the ember is cold
     candle.world.flame.light();
     for (const inspect of ["radiance", "haze"] as const) {
       candle.view.inspect = inspect; // made when it is first looked at

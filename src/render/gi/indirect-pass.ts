@@ -259,6 +259,11 @@ export class IndirectPass {
     this.#surfels.renderTotalRadiosity(this.volume.textures, this.#block);
   }
 
+  /** The first bounce alone, until other lights are captured. */
+  get firstBounce(): Texture {
+    return this.#targets.firstBounce.color;
+  }
+
   *#renderFirstBounce(light: CaptureLight, bands: typeof BANDS): Steps {
     this.#targets.usedFor = light;
     this.#surfels.renderRadiosity(light);

@@ -1,7 +1,8 @@
 import type { Model } from "../../assets/model.js";
 import type { Gpu } from "../../gl/gpu.js";
 import type { CollisionMesh } from "../../world/room/collision-mesh.js";
-import type { CachedLight } from "../cached-light.js";
+import type { World } from "../../world/world.js";
+import { type CachedLight, isMoonAlone } from "../cached-light.js";
 import { CachedLights } from "../cached-lights.js";
 import { shadowFrustumTest } from "../camera.js";
 import type { FrameInput } from "../frame-input.js";
@@ -65,6 +66,8 @@ export class LightCaptures {
   #programsUsed = 0;
   #held: { readonly light: CaptureLight; readonly captures: FlameCaptures } | null = null;
   readonly #cachedLights: CachedLights;
+  /** Whether the moon's light alone has shadows of its first bounce. */
+  readonly #hasNight: boolean;
 
   /**
    * @param collision mesh of the room, for the probes' rays
@@ -85,6 +88,7 @@ export class LightCaptures {
     this.#gpu = gpu;
     this.#model = room.model;
     this.#meshes = room.surfaces;
+    this.#hasNight = tier.opaque !== "deferred";
     this.#hasLods = isSimplified && hasLods(room.surfaces);
     this.#casters = new ShadowCasters(gpu, room.model, room.surfaces, { error: casterError });
     this.#shadow = new ShadowPass(gpu, shadowAtlas(gpu, shadow.size, 1));
@@ -97,14 +101,24 @@ export class LightCaptures {
   }
 
   update(frame: FrameInput, kind: GBufferKind): Captures {
-    const cached = finish(this.#cachedLights.steps(frame.world, this.#casters, "passes"));
+    const cached = finish(this.#lights(frame.world, "passes", frame.settings.canDefer));
     return { ...this.#ofFlame(frame, kind), cached };
   }
 
   /** Exact captures for a frame, in steps; `update` has nothing left to do then. */
   *steps({ world, captureLight }: FrameInput): Steps<Captures> {
-    const cached = yield* this.#cachedLights.steps(world, this.#casters, "passes");
+    const cached = yield* this.#lights(world, "passes");
     return { ...(yield* this.#ofLight(captureLight, "passes")), cached };
+  }
+
+  /** @param isGradual whether what the moon's light alone needs may follow, a step in each call */
+  *#lights(world: World, size: StepSize, isGradual = false): Steps<readonly CachedLight[]> {
+    const lights = yield* this.#cachedLights.steps(world, this.#casters, size);
+    if (!this.#hasNight || !isMoonAlone(world, lights)) return lights;
+    const night = this.#cachedLights.night(this.#casters);
+    if (isGradual) night.next();
+    else yield* night;
+    return yield* this.#cachedLights.steps(world, this.#casters, size);
   }
 
   #ofFlame(
@@ -171,7 +185,7 @@ export class LightCaptures {
 
   *#holdingSteps({ world, captureLight }: FrameInput): Steps {
     this.#capturing = null;
-    yield* this.#cachedLights.steps(world, this.#casters, "steps");
+    yield* this.#lights(world, "steps");
     const light = this.#wanted ?? captureLight;
     if (this.#held && distanceBetween(light, this.#held.light) <= SWAY) return;
     this.#held = null;

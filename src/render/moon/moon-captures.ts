@@ -1,7 +1,9 @@
+import laterFrag from "../../../shaders/gi/later-bounces.frag";
+import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import shadowFrag from "../../../shaders/shadow/shadow.frag";
 import shadowVert from "../../../shaders/shadow/shadow.vert";
-import type { Part } from "../../assets/model.js";
 import type { Gpu } from "../../gl/gpu.js";
+import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import { adaptedMoonlight } from "../../light/moonlight.js";
 import type { Vec3 } from "../../world/geometry.js";
@@ -9,7 +11,7 @@ import type { Moon } from "../../world/moon.js";
 import { CollisionMesh } from "../../world/room/collision-mesh.js";
 import type { CachedLight } from "../cached-light.js";
 import { IndirectPass, type IndirectScene, type StepSize } from "../gi/indirect-pass.js";
-import type { IndirectTargets } from "../gi/indirect-targets.js";
+import { type IndirectTargets, irradianceMaps } from "../gi/indirect-targets.js";
 import { type IndirectDetail, traceProbes } from "../gi/probe-rays.js";
 import type { PhysicalTier } from "../quality.js";
 import { clusterIncrementally, ShadowCasters } from "../shadow/shadow-casters.js";
@@ -25,7 +27,8 @@ import {
 } from "./moon-frustum.js";
 import { MoonSurfels } from "./moon-surfels.js";
 import { panesOf } from "./panes.js";
-import { type SurfelVisibility, traceSurfelVisibility } from "./surfel-visibility.js";
+import { moonlitPoints, traceSurfelVisibility } from "./surfel-visibility.js";
+import { type LitPoint, VirtualLights, type VirtualLightTextures } from "./virtual-lights.js";
 
 /** The moon's map and irradiance volume, captured once for each direction of its light. */
 export class MoonCaptures {
@@ -35,6 +38,13 @@ export class MoonCaptures {
   readonly #surfels: MoonSurfels;
   readonly #detail: IndirectDetail;
   readonly #indirect: IndirectPass;
+  /** Irradiance; alpha: without the first bounce. */
+  readonly #irradiance: RenderTarget;
+  /** What the moon lights, of each of its surfels. */
+  #lit: readonly (LitPoint | null)[] = [];
+  /** Made when the moon first is all that shines. */
+  #virtual: VirtualLights | null = null;
+  #capturing: Steps<VirtualLightTextures> | null = null;
   #key = "";
   #light: Omit<CachedLight, "intensity"> | null = null;
 
@@ -58,6 +68,7 @@ export class MoonCaptures {
       surfels: this.#surfels,
       targets,
     });
+    this.#irradiance = irradianceMaps(gpu, indirect, "moon/irradiance");
   }
 
   /** Null where it does not reach the room. */
@@ -71,6 +82,23 @@ export class MoonCaptures {
     return this.#light && { ...this.#light, intensity: adaptedMoonlight(illuminance) };
   }
 
+  /**
+   * What the moon's light alone needs: virtual lights.
+   *
+   * @param casters of the whole room
+   */
+  *night(casters: ShadowCasters): Steps {
+    if (!this.#light || this.#light.virtual) return;
+    this.#virtual ??= new VirtualLights(this.#gpu, this.#surfels);
+    this.#capturing ??= this.#virtual.capture(casters, this.#lit);
+    for (;;) {
+      const { done, value } = this.#capturing.next();
+      if (done) this.#light = { ...this.#light, virtual: value };
+      if (done) return;
+      yield;
+    }
+  }
+
   *#capture(direction: Vec3, size: StepSize): Steps<Omit<CachedLight, "intensity" | "key"> | null> {
     const { model, surfaces } = this.#scene;
     const frustum = moonFrustum(direction, model.bounds, panesOf(model));
@@ -82,28 +110,41 @@ export class MoonCaptures {
     const casters = new ShadowCasters(this.#gpu, before, surfaces, detail);
     this.#drawMap(frustum, casters);
     yield;
-    this.#surfels.prepare(frustum, yield* this.#traceVisibility(frustum, parts));
+    this.#capturing = null;
+    this.#lit = moonlitPoints(frustum, new CollisionMesh(parts), this.#detail);
+    const { collision } = this.#scene;
+    const { positions } = traceProbes(collision, model, this.#detail);
+    const visibility = yield* traceSurfelVisibility(this.#lit, collision, positions, this.#detail);
+    this.#surfels.prepare(frustum, visibility);
     const block = moonBlock(frustum, this.#surfels.detail);
     const shadow = { depth: this.#map, captureOrigin: frustum.corner };
     const irradiance = yield* this.#indirect[size](casters, block, shadow);
     casters.dispose();
+    const textures = {
+      ...irradiance.textures,
+      uIrradiance: this.#withLaterBounces(irradiance.textures.uIrradiance),
+    };
     return {
       kind: "moon",
       name: "moon",
       light: null,
       block: this.#surfels.light.Moon,
       shadow: this.#map,
-      irradiance,
+      irradiance: { ...irradiance, textures },
+      virtual: null,
       // The sky shows through openings. In a room with panes, background is a gap between walls.
       background: frustum.panes ? 0 : SKY,
     };
   }
 
-  *#traceVisibility(frustum: MoonFrustum, parts: readonly Part[]): Steps<SurfelVisibility> {
-    const { collision, model } = this.#scene;
-    const { positions } = traceProbes(collision, model, this.#detail);
-    const meshes = { casters: new CollisionMesh(parts), room: collision };
-    return yield* traceSurfelVisibility(frustum, meshes, positions, this.#detail);
+  /** The volume, and in its alpha what is left without the first bounce: virtual lights cast its shadows. */
+  #withLaterBounces(uIrradiance: Texture): Texture {
+    this.#gpu.draw({
+      program: this.#gpu.program("gi/later-bounces", fullscreenVert, laterFrag),
+      target: this.#irradiance,
+      textures: { uIrradiance, uFirstBounce: this.#indirect.firstBounce },
+    });
+    return this.#irradiance.color;
   }
 
   #drawMap(frustum: MoonFrustum, casters: ShadowCasters): void {

@@ -6,6 +6,7 @@ import type { IndirectDetail } from "../gi/probe-rays.js";
 import { FACES } from "../shadow/cube-map.js";
 import type { Steps } from "../steps.js";
 import type { MoonFrustum } from "./moon-frustum.js";
+import type { LitPoint } from "./virtual-lights.js";
 
 /** What is nearer to a surfel than this does not hide it, metres. */
 const NEAR = 0.03;
@@ -25,25 +26,28 @@ function pointOn(corner: Vec3, across: Vec3, up: Vec3, column: number, row: numb
   return [along(0), along(1), along(2)];
 }
 
-/** Positions of the moon's surfels, as `lib/surfels.glsl` has them; null where its light meets nothing. */
-function surfelPositions(
+/** What the moon lights at each of its surfels, as `lib/surfels.glsl` has them; null where its light meets nothing. */
+export function moonlitPoints(
   { corner, across, up, direction, depth, panes }: MoonFrustum,
   casters: CollisionMesh,
   { surfels: size, surfelGroup: paneRows }: IndirectDetail,
-): (Vec3 | null)[] {
+): (LitPoint | null)[] {
   const columns = FACES.length * size;
   const rows = size - paneRows;
   return Array.from({ length: columns * size }, (_, i) => {
     const column = ((i % columns) + 0.5) / columns;
     const row = Math.floor(i / columns) + 0.5;
     if (row > rows) {
-      return (
-        panes && pointOn(panes.corner, panes.across, panes.up, column, (row - rows) / paneRows)
-      );
+      if (!panes) return null;
+      const share = (row - rows) / paneRows;
+      const position = pointOn(panes.corner, panes.across, panes.up, column, share);
+      return { position, normal: panes.normal, isPane: true };
     }
     const start = pointOn(corner, across, up, column, row / rows);
     const hit = casters.raycast(start, direction, depth);
-    return hit && pointOn(start, direction, up, hit.distance, 0);
+    if (!hit) return null;
+    const position = pointOn(start, direction, up, hit.distance, 0);
+    return { position, normal: [...hit.normal], isPane: false };
   });
 }
 
@@ -52,17 +56,16 @@ function surfelPositions(
  *
  * Its light comes from one place, so that a table's shadow is narrower than a few of a probe's own rays.
  *
- * @param casters what the moon shines on
+ * @param lit what the moon lights
  * @param probes (x, y, z, 1) of each, metres
  */
 export function* traceSurfelVisibility(
-  frustum: MoonFrustum,
-  { casters, room }: Readonly<Record<"casters" | "room", CollisionMesh>>,
+  lit: readonly (LitPoint | null)[],
+  room: CollisionMesh,
   probes: Float32Array,
   detail: IndirectDetail,
 ): Steps<SurfelVisibility> {
   const { rays, surfelGroup: group } = detail;
-  const positions = surfelPositions(frustum, casters, detail);
   const [columns, rows, planes] = detail.probes;
   const surfelRows = surfelRowsOf(detail);
   const surfelColumns = FACES.length * detail.surfels;
@@ -84,13 +87,13 @@ export function* traceSurfelVisibility(
       const chance = pcg((column + 8192 * row + pcg(tileColumn + 8192 * tileRow)) >>> 0);
       const surfelColumn = column * group + (((chance >>> 8) & 4095) % group);
       const surfelRow = row * group + ((chance >>> 20) % group);
-      const surfel = positions[surfelRow * surfelColumns + surfelColumn];
+      const surfel = lit[surfelRow * surfelColumns + surfelColumn];
       if (!surfel) continue;
-      const [x, y, z] = surfel;
+      const [x, y, z] = surfel.position;
       const distance = Math.hypot(x - probe[0], y - probe[1], z - probe[2]);
       const share = Math.max(1 - NEAR / distance, 0);
       for (const axis of [0, 1, 2] as const) {
-        end[axis] = probe[axis] + share * (surfel[axis] - probe[axis]);
+        end[axis] = probe[axis] + share * (surfel.position[axis] - probe[axis]);
       }
       if (!room.isClear(probe, end)) continue;
       const line = tileRow * surfelRows + Math.floor(i / rays);

@@ -1,7 +1,3 @@
-import meshVert from "../../../shaders/mesh/mesh.vert";
-import forwardFrag from "../../../shaders/opaque/forward.frag";
-import compositeFrag from "../../../shaders/opaque/forward-composite.frag";
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import meterFrag from "../../../shaders/post/meter.frag";
 import type { Box, Draw, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
@@ -9,7 +5,7 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { Bounds } from "../../world/geometry.js";
-import { type CachedLight, candlesOf, moonOf } from "../cached-light.js";
+import { type CachedLight, candlesOf, isMoonAlone, moonOf } from "../cached-light.js";
 import { frustumTest } from "../camera.js";
 import type { FrameInput, ModelInstance, Size } from "../frame-input.js";
 import type { Captures } from "../gi/light-captures.js";
@@ -24,6 +20,7 @@ import type { Steps } from "../steps.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
 import { CandleLayers } from "./candle-layers.js";
 import { ENVIRONMENT_BRDF_SIZE, tabulateEnvironmentBrdf } from "./environment-brdf.js";
+import { forwardComposite, forwardProgram, nightProgram } from "./forward-programs.js";
 import { MultiLightInputs } from "./multi-light-inputs.js";
 import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "./opaque-stage.js";
 
@@ -48,32 +45,11 @@ function boundsNearFlame({ world, clipFromWorld }: FrameInput, size: Size): Box 
   return screenBounds([[x, y - 0.5 * NEAR, z, NEAR]], clipFromWorld, size, { margin: 0, cell: 8 });
 }
 
-/** The program that shades all meshes of a tier: for the flame, for the moon as well, and for standing candles. */
-export function forwardProgram(
-  gpu: Gpu,
-  { physical }: Tier,
-  isMoonlit: boolean,
-  hasCandles = false,
-): Program {
-  const { search, taps, bias } = physical.shadow;
-  const defines = {
-    SHADOW_SEARCH: search,
-    SHADOW_TAPS: taps,
-    SHADOW_BIAS: bias,
-    ...(physical.opaque === "refined" && { PREPASS: 1 }),
-    ...(isMoonlit && { MOONLIT: 1 }),
-    ...(hasCandles && { CANDLES: physical.mostCandles }),
-  };
-  return gpu.program("opaque/forward", meshVert, forwardFrag, { defines });
-}
-
-function forwardComposite(gpu: Gpu, isMoonlit: boolean): Program {
-  const options = isMoonlit ? { defines: { MOONLIT: 1 } } : {};
-  return gpu.program("opaque/forward-composite", fullscreenVert, compositeFrag, options);
-}
-
 /** What forward shading needs beside the mesh. */
-type LightPass = Required<Pick<Draw, "program" | "textures" | "blocks">>;
+interface LightPass extends Required<Pick<Draw, "program" | "textures" | "blocks">> {
+  /** Whether the moon is all that shines. */
+  readonly isNight: boolean;
+}
 
 /** The opaque stage for GPUs: forward shading, multisampled. Kept until camera, models or light have moved. */
 export class ForwardStage implements OpaqueStage {
@@ -162,7 +138,8 @@ export class ForwardStage implements OpaqueStage {
     ]);
     this.#updateLayers(frame, frameKey);
     yield;
-    const key = JSON.stringify([frameKey, captures.irradiance.revision, this.#moon?.key]);
+    const isNight = this.isNight(frame, captures);
+    const key = JSON.stringify([frameKey, captures.irradiance.revision, this.#moon?.key, isNight]);
     const lightKey = JSON.stringify(light);
     const hasMoved = lightKey !== this.#lightKey;
     const isStale = hasMoved || this.#stale.length > 0;
@@ -244,7 +221,8 @@ export class ForwardStage implements OpaqueStage {
     { isVisible, candles = [], textures, uniforms, ...target }: SurfacePass,
   ): void {
     const moon = frame.settings.inspect === "normals" ? null : moonOf(captures.cached);
-    const pass = this.#pass(captures, moon, candles.length > 0);
+    const night = moon && this.isNight(frame, captures) ? this.#nightPass(moon) : null;
+    const pass = night ?? this.#pass(captures, moon, candles.length > 0);
     this.#shadingLight.update(light);
     Object.assign(pass.textures, textures);
     if (candles.length > 0) {
@@ -263,6 +241,22 @@ export class ForwardStage implements OpaqueStage {
         for (const run of runs) this.#gpu.draw({ ...draw, ...target, ...run });
       }
     }
+  }
+
+  /** Whether it shades for the moon alone; where frames may wait, once the program is compiled. */
+  isNight({ world, settings }: FrameInput, { cached }: Captures): boolean {
+    if (!isMoonAlone(world, cached) || !moonOf(cached)?.virtual) return false;
+    if (settings.inspect === "normals") return false;
+    return !settings.canDefer || nightProgram(this.#gpu, this.#tier).isCompiled;
+  }
+
+  #nightPass({ shadow, irradiance, block, virtual }: CachedLight): LightPass {
+    return {
+      program: nightProgram(this.#gpu, this.#tier),
+      textures: { uMoonMap: shadow, ...irradiance.textures, ...virtual },
+      blocks: { Frame: this.blocks.Frame, Volume: irradiance.block, Moon: block },
+      isNight: true,
+    };
   }
 
   #pass(
@@ -288,6 +282,7 @@ export class ForwardStage implements OpaqueStage {
         Volume: block,
         ...(moon && { Moon: moon.block }),
       },
+      isNight: false,
     };
   }
 
@@ -295,7 +290,7 @@ export class ForwardStage implements OpaqueStage {
     { settings }: FrameInput,
     { placement }: ModelInstance,
     mesh: Mesh,
-    { program, textures, blocks }: LightPass,
+    { program, textures, blocks, isNight }: LightPass,
     uniforms: Draw["uniforms"],
   ): Omit<Draw, "target"> {
     const { shadows, indirect, specular, translucency } = settings.features;
@@ -314,9 +309,11 @@ export class ForwardStage implements OpaqueStage {
         uPlacement: placement,
         uSurface: mesh.parameters,
         uOcclusionStrength: mesh.occlusionStrength,
-        uWax: mesh.isWax && translucency ? 1 : 0,
-        uIsWick: mesh.isWick ? 1 : 0,
-        uIsPane: mesh.isPane ? 1 : 0,
+        ...(!isNight && {
+          uWax: mesh.isWax && translucency ? 1 : 0,
+          uIsWick: mesh.isWick ? 1 : 0,
+          uIsPane: mesh.isPane ? 1 : 0,
+        }),
         uOrigin: [0, 0],
         ...uniforms,
         uFeatures: [shadows, indirect, specular, settings.inspect === "normals"].map(Number),

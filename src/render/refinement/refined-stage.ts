@@ -75,7 +75,8 @@ export class RefinedStage implements OpaqueStage {
   /** Still to be drawn: all with one sample a pixel, and then, where that differs, with all samples. */
   #tiles: Tile[] = [];
   #light: CaptureLight | null = null;
-  #firstDraws: Steps | null = null;
+  /** With the programs of a flame, or of the moon alone. */
+  readonly #firstDraws: Partial<Record<"flame" | "moon", Steps>> = {};
   #isCompiling = false;
   #firstFrame: Steps | null = null;
 
@@ -115,9 +116,12 @@ export class RefinedStage implements OpaqueStage {
       prepare: (world, settings) => {
         stage.#isCompiling = false;
         const frame = describe(world, settings);
-        if (!captures.hold(frame, settings.steps ?? 0) || stage.#gpu.isCompiling) return false;
-        stage.#firstDraws ??= stage.#drawFirst(frame, captures.update(frame, "full"));
-        return stage.#firstDraws.next().done === true;
+        if (!captures.hold(frame, settings.steps ?? 0)) return false;
+        const held = captures.update(frame, "full");
+        const light = stage.#forward.isNight(frame, held) ? "moon" : "flame";
+        if (stage.#gpu.isCompiling) return false;
+        stage.#firstDraws[light] ??= stage.#drawFirst(frame, held);
+        return stage.#firstDraws[light].next().done === true;
       },
       begin: (world, settings, coarse) => stage.#beginWith(describe(world, settings), coarse),
       drawFirst: (world, settings) => {

@@ -7,7 +7,11 @@ import {
   moonFrustum,
 } from "../../../src/render/moon/moon-frustum.ts";
 import { panesOf } from "../../../src/render/moon/panes.ts";
-import { traceSurfelVisibility } from "../../../src/render/moon/surfel-visibility.ts";
+import {
+  moonlitPoints,
+  traceSurfelVisibility,
+} from "../../../src/render/moon/surfel-visibility.ts";
+import { groupLitPoints } from "../../../src/render/moon/virtual-lights.ts";
 import { tierNamed } from "../../../src/render/quality.ts";
 import { finish } from "../../../src/render/steps.ts";
 import type { Vec3 } from "../../../src/world/geometry.ts";
@@ -104,7 +108,7 @@ test("a probe sees the moonlit floor on its side of a wall, and not that behind 
   const probes = new Float32Array([-1, 0.3, 0, 1, 1, 0.3, 0, 1, 0, 2.4, 0, 1]);
   const detail = { ...tierNamed("low").physical.indirect, probes: [3, 1, 1] } as const;
   const { width, height, data } = finish(
-    traceSurfelVisibility(frustum, { casters: room, room }, probes, detail),
+    traceSurfelVisibility(moonlitPoints(frustum, room, detail), room, probes, detail),
   );
   const { rays, surfels, surfelGroup: group } = detail;
   const groupColumns = (6 * surfels) / group;
@@ -124,4 +128,31 @@ test("a probe sees the moonlit floor on its side of a wall, and not that behind 
   expect([seen(0, -1), seen(0, 1)]).toEqual([1, 0]);
   expect([seen(1, -1), seen(1, 1)]).toEqual([0, 1]);
   expect(seen(2, 1), "from above, beside the wall's shadow").toBeGreaterThan(0.9);
+});
+
+test("virtual lights stand for surfaces apart from each other, and for all points together", () => {
+  const floor = Array.from({ length: 60 }, (_, i) => ({
+    position: [(i % 10) * 0.1, 0, Math.floor(i / 10) * 0.1] as Vec3,
+    normal: [0, 1, 0] as Vec3,
+    isPane: false,
+  }));
+  const wall = floor.map(({ position: [x, , z] }) => ({
+    position: [x, 0.02 + z, -0.02] as Vec3,
+    normal: [0, 0, 1] as Vec3,
+    isPane: false,
+  }));
+  const points = [...floor, null, ...wall];
+  const groups = groupLitPoints(points, 8);
+  expect(groups.length).toBe(8);
+  const members = groups.flatMap((group) => group.members).toSorted((a, b) => a - b);
+  expect(members).toEqual(points.flatMap((point, i) => (point ? [i] : [])));
+  for (const { members, normal, position, extent } of groups) {
+    const isOnFloor = members.every((i) => i < floor.length);
+    expect(isOnFloor || members.every((i) => i > floor.length), "of one surface").toBe(true);
+    expect(normal).toEqual(isOnFloor ? [0, 1, 0] : [0, 0, 1]);
+    expect(position[isOnFloor ? 1 : 2]).toBeCloseTo(isOnFloor ? 0 : -0.02, 6);
+    expect(extent).toBeLessThan(0.25);
+  }
+  expect(groupLitPoints([null, null], 8)).toEqual([]);
+  expect(groupLitPoints([floor[0]!, floor[0]!], 8).length, "none of them empty").toBe(1);
 });

@@ -1,0 +1,65 @@
+#version 300 es
+// Forward shading of a mesh for a moon of 1 lx alone, and the night behind panes: the first bounce casts shadows.
+// PREPASS: a tile of the refined image, of which hidden fragments are not shaded.
+// Out: nothing for a flame; alpha: luminance per lux. Rod vision needs no more.
+#include "lib/precision.glsl"
+#include "lib/frame.glsl"
+#include "lib/octahedral.glsl"
+#include "lib/normal-map.glsl"
+#include "lib/random.glsl"
+#include "lib/brdf.glsl"
+#define VOLUME_CHANNELS aaa
+#include "lib/irradiance-volume.glsl"
+#include "lib/surface.glsl"
+#ifdef PREPASS
+#include "lib/prepass.glsl"
+#endif
+#include "lib/moon.glsl"
+#include "lib/moon-shadow.glsl"
+#include "lib/night-sky.glsl"
+#include "lib/direct-moonlight.glsl"
+#include "lib/virtual-lights.glsl"
+
+uniform sampler2D uEnvironmentBrdf;
+uniform vec4 uFeatures;  // 1 or 0: shadows, indirect light, specular; unused
+uniform vec2 uOrigin;    // of the target on the frame, pixels
+
+out vec4 oRadiance;
+
+float shade(vec3 facet) {
+  Material material = materialHere();
+  vec3 surface = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
+  vec3 normal = shadingNormal(surface);
+  vec3 view = normalize(frame.eyePosition - vPositionWorld);
+  float NoV = max(abs(dot(normal, view)), 1e-3);
+  vec2 minified = minifiedVisibility();
+  float alpha = specularAntialiasing(material.roughness * material.roughness, normal);
+  vec3 f0 = mix(vec3(0.04), material.baseColor, material.metallic);
+  Shading shading = Shading(surface, normal, view, NoV, alpha, f0, minified.y);
+  EnvironmentReflection environment = environmentReflection(uEnvironmentBrdf, f0, sqrt(alpha), NoV);
+  // Reflected light does not reach the diffuse layer below.
+  vec3 diffuseColor = material.baseColor * (1.0 - material.metallic) * (1.0 - environment.share);
+  float luminance = directMoonlight(shading, facet, diffuseColor, uFeatures.xz, gl_FragCoord.xy + uOrigin);
+  bool isPane = material.roughness < PANE_ROUGHNESS && isOnPane(vPositionWorld);
+  for (int i = isPane ? 1 : 0; i > 0; i--) luminance += nightThroughPane(-view, NoV);
+  IrradianceSample probes = irradianceAt(vPositionWorld + surface * 0.02, normal, normal, reflect(-view, normal));
+  float firstBounce = virtualLuminance(shading, vPositionWorld, facet, luma(diffuseColor), uFeatures.xz);
+  float laterBounces = probes.alongNormal.x * skyVisibility(surface, normal) * minified.x * luma(diffuseColor);
+  float mirrored = probes.alongReflection.x * luma(environment.share) * uFeatures.z;
+  float unoccluded = 1.0 - NEAR_OCCLUSION * (1.0 - material.occlusion);
+  float indirect = (firstBounce + (laterBounces + mirrored) / PI) * unoccluded;
+  return luminance + indirect * uFeatures.y;
+}
+
+void main() {
+  vec3 facet = facetNormal(vPositionWorld);
+#ifdef PREPASS
+  ivec2 pixel = ivec2(gl_FragCoord.xy + uOrigin);
+  int coverage = coverageAt(pixel);
+  oRadiance = coverage == FILLS_PIXEL ? vec4(texelFetch(uShadedOnce, pixel, 0).rgb, 0.0) : vec4(0.0);
+  // Software renderers shade four pixels together: derivatives in a loop that some of them enter are right there.
+  for (int i = coverage == VISIBLE ? 1 : 0; i > 0; i--) oRadiance = vec4(0.0, 0.0, 0.0, min(shade(facet), 3e4));
+#else
+  oRadiance = vec4(0.0, 0.0, 0.0, min(shade(facet), 3e4));
+#endif
+}

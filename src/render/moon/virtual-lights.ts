@@ -1,0 +1,190 @@
+import fluxFrag from "../../../shaders/gi/virtual-flux.frag";
+import fullscreenVert from "../../../shaders/post/fullscreen.vert";
+import type { Gpu } from "../../gl/gpu.js";
+import type { RenderTarget } from "../../gl/render-target.js";
+import type { Texture } from "../../gl/texture.js";
+import type { Vec3 } from "../../world/geometry.js";
+import { floats } from "../float-format.js";
+import type { ShadowCasters } from "../shadow/shadow-casters.js";
+import { type ShadowAtlas, ShadowPass, shadowAtlas } from "../shadow/shadow-pass.js";
+import type { Steps } from "../steps.js";
+import type { MoonSurfels } from "./moon-surfels.js";
+
+/** Of shaders that include `lib/virtual-lights.glsl`. The last are on the panes, where the sky's light comes from. */
+export const VIRTUAL_LIGHTS = { VIRTUAL_LIGHTS: 20, PANE_LIGHTS: 4 } as const;
+const COUNT = VIRTUAL_LIGHTS.VIRTUAL_LIGHTS;
+const OF_PANES = VIRTUAL_LIGHTS.PANE_LIGHTS;
+
+/** Texels along an edge of a shadow cube. */
+const CUBE = 64;
+/** Metres of which a turn of the normal by a radian is as far apart. */
+const TURN = 0.3;
+/** Of a light above what it stands for, metres. */
+const HEIGHT = 0.015;
+/** What surfels without a light have for its number. */
+const NONE = 255;
+
+/** A surface that the moon lights, or a pane before the sky: a position, metres, and a normal. */
+interface Place {
+  readonly position: Vec3;
+  readonly normal: Vec3;
+}
+
+export interface LitPoint extends Place {
+  readonly isPane: boolean;
+}
+
+/** A group of lit points, by its means. */
+export interface LitGroup extends Place {
+  /** Root of the mean squared distance from the middle, metres. */
+  readonly extent: number;
+  readonly members: readonly number[];
+}
+
+const coordinates = ({ position, normal }: Place): number[] => [
+  ...position,
+  ...normal.map((share) => share * TURN),
+];
+
+function meanOf(points: readonly (readonly number[])[]): number[] {
+  const sum = new Array<number>(6).fill(0);
+  for (const point of points) for (let k = 0; k < 6; k++) sum[k]! += point[k]!;
+  return sum.map((x) => x / points.length);
+}
+
+/** Sum of the squared deviations along each coordinate. */
+function spreadOf(points: readonly (readonly number[])[]): number[] {
+  const mean = meanOf(points);
+  return mean.map((m, k) => points.reduce((sum, point) => sum + (point[k]! - m) ** 2, 0));
+}
+
+/**
+ * Groups points by place and normal: the group that is spread widest is split in two, again and again.
+ *
+ * @param points null where light meets nothing
+ */
+export function groupLitPoints(points: readonly (LitPoint | null)[], count: number): LitGroup[] {
+  const all = points.flatMap((point, i) => (point ? [i] : []));
+  const at = points.map((point) => point && coordinates(point));
+  const describe = (members: readonly number[]) => {
+    const spread = spreadOf(members.map((i) => at[i]!));
+    return { members, spread, total: spread.reduce((sum, one) => sum + one, 0) };
+  };
+  const groups = all.length > 0 ? [describe(all)] : [];
+  while (groups.length > 0 && groups.length < count) {
+    groups.sort((a, b) => b.total - a.total);
+    const { members, spread, total } = groups[0]!;
+    if (total < 1e-9) break;
+    const axis = spread.indexOf(Math.max(...spread));
+    const middle = meanOf(members.map((i) => at[i]!))[axis]!;
+    const isLow = (i: number) => at[i]![axis]! < middle;
+    groups.splice(
+      0,
+      1,
+      describe(members.filter(isLow)),
+      describe(members.filter((i) => !isLow(i))),
+    );
+  }
+  return groups.map(({ members, spread }) => {
+    const mean = meanOf(members.map((i) => at[i]!));
+    const turned = mean.slice(3) as Vec3;
+    const length = Math.hypot(...turned) || 1;
+    return {
+      position: mean.slice(0, 3) as Vec3,
+      normal: turned.map((x) => x / length) as Vec3,
+      extent: Math.sqrt((spread[0]! + spread[1]! + spread[2]!) / members.length),
+      members,
+    };
+  });
+}
+
+/** For shaders that include `lib/virtual-lights.glsl`. */
+export type VirtualLightTextures = Readonly<
+  Record<"uVirtualLights" | "uVirtualFlux" | "uVirtualShadow", Texture>
+>;
+
+/**
+ * The first bounce of the moon's light and the sky's, from a few points of what they come from, each with a shadow cube.
+ * Keller 1997, "Instant Radiosity".
+ */
+export class VirtualLights {
+  readonly #gpu: Gpu;
+  readonly #surfels: MoonSurfels;
+  readonly #atlas: ShadowAtlas;
+  readonly #flux: RenderTarget;
+  #places: Texture | null = null;
+
+  constructor(gpu: Gpu, surfels: MoonSurfels) {
+    this.#gpu = gpu;
+    this.#surfels = surfels;
+    this.#atlas = shadowAtlas(gpu, CUBE, COUNT);
+    this.#flux = gpu.renderTarget({
+      label: "moon/virtual-flux",
+      width: COUNT,
+      height: 1,
+      color: [floats(gpu, 4)],
+      filter: "nearest",
+    });
+  }
+
+  /**
+   * A face of a cube in each step.
+   *
+   * @param points of the surfels, row by row
+   */
+  *capture(
+    casters: ShadowCasters,
+    points: readonly (LitPoint | null)[],
+  ): Steps<VirtualLightTextures> {
+    const groupsOf = (isPane: boolean, count: number) =>
+      groupLitPoints(
+        points.map((point) => (point?.isPane === isPane ? point : null)),
+        count,
+      );
+    const surfaces = groupsOf(false, COUNT - OF_PANES);
+    const panes = groupsOf(true, OF_PANES);
+    yield;
+    const numbers = new Uint8Array(points.length).fill(NONE);
+    const places = new Float32Array(COUNT * 8);
+    for (const [i, { position, normal, extent, members }] of [...surfaces, ...panes].entries()) {
+      const slot = i < surfaces.length ? i : COUNT - OF_PANES + i - surfaces.length;
+      for (const member of members) numbers[member] = slot;
+      const origin = position.map((x, axis) => x + HEIGHT * normal[axis]!) as Vec3;
+      places.set([...origin, extent], slot * 4);
+      places.set([...normal, 0], (COUNT + slot) * 4);
+      yield* new ShadowPass(this.#gpu, this.#atlas, slot).steps(casters, origin);
+    }
+    this.#places?.dispose();
+    this.#places = this.#gpu.texture({
+      label: "moon/virtual-lights",
+      format: "RGBA32F",
+      source: { width: COUNT, height: 2, data: places },
+      filter: "nearest",
+    });
+    this.#renderFlux(numbers);
+    return {
+      uVirtualLights: this.#places,
+      uVirtualFlux: this.#flux.color,
+      uVirtualShadow: this.#atlas.depth,
+    };
+  }
+
+  /** @param numbers of each surfel's light */
+  #renderFlux(numbers: Uint8Array): void {
+    const { radiosity, normalDistance, light, defines } = this.#surfels;
+    const { width, height } = radiosity;
+    const uGroups = this.#gpu.texture({
+      label: "moon/groups",
+      format: "R8",
+      source: { width, height, data: numbers },
+      filter: "nearest",
+    });
+    this.#gpu.draw({
+      program: this.#gpu.program("gi/virtual-flux", fullscreenVert, fluxFrag, { defines }),
+      target: this.#flux,
+      textures: { uGroups, uRadiosity: radiosity, uSurfelNormalDistance: normalDistance },
+      blocks: light,
+    });
+    uGroups.dispose();
+  }
+}
