@@ -35,10 +35,14 @@ export function candlesOf(cached: readonly CachedLight[]): readonly CachedLight[
   return cached.filter(({ kind }) => kind === "candle");
 }
 
+/** Whether the carried flame is out, and its wick dark. */
+export function isDark(world: World): boolean {
+  return luma(flameLight(carriedFlame(world), TAPER).intensity) < DARK;
+}
+
 /** Whether the moon is all that shines. */
 export function isMoonAlone(world: World, cached: readonly CachedLight[]): boolean {
-  const { intensity } = flameLight(carriedFlame(world), TAPER);
-  return luma(intensity) < DARK && candlesOf(cached).length === 0 && moonOf(cached) !== null;
+  return isDark(world) && candlesOf(cached).length === 0 && moonOf(cached) !== null;
 }
 
 /** The moon among the cached lights. */

@@ -50,17 +50,19 @@ export class CachedLights {
    * The lights that shine, in steps where one of them is captured.
    *
    * @param casters of a standing candle's shadows and bounced light
+   * @param isGradual whether a new direction of the moon may follow later
    */
   *steps(
     { moon, standing }: World,
     casters: ShadowCasters,
     size: StepSize,
+    isGradual = false,
   ): Steps<readonly CachedLight[]> {
     const lights: CachedLight[] = [];
     if (moon) {
       this.#moon ??= this.#makeMoon();
       yield;
-      const light = yield* this.#moon.light(moon, size);
+      const light = yield* this.#moon.light(moon, size, isGradual);
       if (light) lights.push(light);
     }
     const slots = Math.min(standing.length, this.#mostCandles);

@@ -5,7 +5,7 @@ import { RefinementBudget } from "../render/refinement/refinement-budget.js";
 import type { Renderer } from "../render/renderer.js";
 import type { CanvasTarget } from "./canvas-target.js";
 import type { Scene } from "./scene.js";
-import type { ViewSettings, ViewSubject } from "./view-subject.js";
+import { onlyLight, type ViewSettings, type ViewSubject } from "./view-subject.js";
 
 /** Time that camera and candle have stood before the image is refined, seconds. */
 const REST = 0.5;
@@ -62,6 +62,8 @@ export class Refinement {
   #isWanted = false;
   #hasBegun = false;
   #isShown = false;
+  /** What the image is in the light of. */
+  #light: ReturnType<typeof onlyLight> = null;
 
   constructor(maker: Maker) {
     this.#maker = maker;
@@ -124,6 +126,9 @@ export class Refinement {
    * @returns steps of the refinement that the frame does; null if it draws nothing else
    */
   advance(subject: ViewSubject, view: FrameSettings, coarse: Renderer, size: Size): number | null {
+    const light = onlyLight(subject.world);
+    if (light !== this.#light) this.stop();
+    this.#light = light;
     this.#isWanted = true;
     if (!this.#renderer) {
       // Two parts in a frame, a few milliseconds each.

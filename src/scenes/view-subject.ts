@@ -26,10 +26,11 @@ export function workOf({ isModelAlone }: Scene, { look }: ViewSettings): Work {
 const BURNING = 0.05;
 
 /**
- * Whether all light of the image is proportional to the carried flame's. Moonlight is treated so while the flame
- * burns.
+ * What all light of the image is proportional to: the carried flame, as whose moonlight counts while it burns; or the
+ * moon, once the eye is used to it. Null if to neither.
  */
-export function hasOneFlame({ flame, standing, moon }: World): boolean {
-  if (standing.some((candle) => candle.flame.glow > 0)) return false;
-  return moon === null || flame.glow > BURNING;
+export function onlyLight({ flame, standing, moon, adaptation }: World): "flame" | "moon" | null {
+  if (standing.some((candle) => candle.flame.glow > 0)) return null;
+  if (moon === null || flame.glow > BURNING) return "flame";
+  return flame.glow === 0 && adaptation.darkness === 1 ? "moon" : null;
 }

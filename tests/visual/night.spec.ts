@@ -169,6 +169,37 @@ test.describe("The night", () => {
     }
   });
 
+  test("follows the moon in a running animation, after frames in which a part is prepared", async ({
+    page,
+  }) => {
+    const room = await new RoomDriver(page).open(
+      { ...NIGHT, unlit: "", particles: "0" },
+      { width: 160, height: 90 },
+    );
+    const { before, frames, after, exact } = await room.evaluate((element, camera) => {
+      const light = () => element.readRadiance(0, 0, 160, 90).reduce((sum, x) => sum + x, 0);
+      const stepTo = (direction: string) => {
+        element.moonDirection = direction;
+        element.step(0);
+        return light();
+      };
+      element.camera = camera;
+      element.step(1);
+      const before = stepTo("-98 27");
+      element.play();
+      // The loop's own frames come between tasks: all of this is one.
+      const frames = Array.from({ length: 60 }, () => stepTo("-98 40"));
+      element.pause();
+      const after = stepTo("-98 40");
+      stepTo("-98 30");
+      return { before, frames, after, exact: stepTo("-98 40") };
+    }, SPAWN);
+    expect(Math.abs(exact / before - 1), "another light").toBeGreaterThan(0.02);
+    expect(frames.slice(0, 10).every((sum) => Math.abs(sum / before - 1) < 1e-3)).toBe(true);
+    expect(Math.abs(frames.at(-1)! / exact - 1)).toBeLessThan(0.02);
+    expect(after).toBeCloseTo(exact, 6);
+  });
+
   test("is nothing to the paper's look", async ({ page }) => {
     const room = await new RoomDriver(page).open({}, { width: 160, height: 90 });
     const before = await room.pixels({ isReset: true, seconds: 0.1 });

@@ -250,3 +250,35 @@ test("is what `high` shows elsewhere, too, with the candle in the hand, whatever
   // The hand has swayed a little since. With captures of the other place it was 0.16.
   expect(difference).toBeLessThan(0.03);
 });
+
+test("is what `high` shows by the moon alone, too, once the eye is used to it", async () => {
+  await room.set({ quality: "auto" });
+  const wait = (seconds: number) =>
+    room.evaluate(
+      (element, { camera, seconds }) => {
+        element.camera = camera;
+        element.extinguish();
+        element.step(seconds);
+        element.play();
+      },
+      { camera: TABLE, seconds },
+    );
+  await wait(12);
+  await frames(60, 50);
+  expect((await room.stats()).width, "the eye is adapting").toBeLessThan(BOX.width);
+  await wait(5);
+  await refine(50);
+  await frames(120, 50);
+  const picture = await room.picture();
+  await room.evaluate((element, yaw) => {
+    element.camera = { ...element.camera, yaw };
+  }, TABLE.yaw + 0.002);
+  await frames(1, 50);
+  const step = await room.picture();
+  await room.evaluate((element) => element.pause());
+  const high = await paused("high", TABLE);
+  const [ofImage = 1, ofStep = 1] = [picture, step].map((one) => meanFlip(high, one));
+  console.log(`mean FLIP ${[ofImage, ofStep].map((one) => one.toFixed(4))}`);
+  expect(ofImage).toBeLessThan(0.02);
+  expect(ofStep, "the first step begins with it").toBeLessThan(0.05);
+});

@@ -111,14 +111,14 @@ export class LightCaptures {
     return { ...(yield* this.#ofLight(captureLight, "passes")), cached };
   }
 
-  /** @param isGradual whether what the moon's light alone needs may follow, a step in each call */
+  /** @param isGradual whether what a new moon, or its light alone, needs may follow, a step in each call */
   *#lights(world: World, size: StepSize, isGradual = false): Steps<readonly CachedLight[]> {
-    const lights = yield* this.#cachedLights.steps(world, this.#casters, size);
+    const lights = yield* this.#cachedLights.steps(world, this.#casters, size, isGradual);
     if (!this.#hasNight || !isMoonAlone(world, lights)) return lights;
     const night = this.#cachedLights.night(this.#casters);
     if (isGradual) night.next();
     else yield* night;
-    return yield* this.#cachedLights.steps(world, this.#casters, size);
+    return yield* this.#cachedLights.steps(world, this.#casters, size, isGradual);
   }
 
   #ofFlame(

@@ -27,8 +27,20 @@ import {
 } from "./moon-frustum.js";
 import { MoonSurfels } from "./moon-surfels.js";
 import { panesOf } from "./panes.js";
-import { moonlitPoints, traceSurfelVisibility } from "./surfel-visibility.js";
+import {
+  moonlitPoints,
+  type SurfelVisibility,
+  traceSurfelVisibility,
+} from "./surfel-visibility.js";
 import { type LitPoint, VirtualLights, type VirtualLightTextures } from "./virtual-lights.js";
+
+/** What is captured for a direction. */
+interface Prepared {
+  readonly frustum: MoonFrustum;
+  readonly casters: ShadowCasters;
+  readonly lit: readonly (LitPoint | null)[];
+  readonly visibility: SurfelVisibility;
+}
 
 /** The moon's map and irradiance volume, captured once for each direction of its light. */
 export class MoonCaptures {
@@ -46,6 +58,8 @@ export class MoonCaptures {
   #virtual: VirtualLights | null = null;
   #capturing: Steps<VirtualLightTextures> | null = null;
   #key = "";
+  /** The direction to come. */
+  #next: { readonly key: string; readonly preparation: Steps<Prepared | null> } | null = null;
   #light: Omit<CachedLight, "intensity"> | null = null;
 
   constructor(
@@ -71,13 +85,30 @@ export class MoonCaptures {
     this.#irradiance = irradianceMaps(gpu, indirect, "moon/irradiance");
   }
 
-  /** Null where it does not reach the room. */
-  *light({ direction, illuminance }: Moon, size: StepSize): Steps<CachedLight | null> {
+  /**
+   * Null where it does not reach the room.
+   *
+   * @param isGradual whether a new direction is prepared a little in each call, and the last one shines until then
+   */
+  *light(
+    { direction, illuminance }: Moon,
+    size: StepSize,
+    isGradual: boolean,
+  ): Steps<CachedLight | null> {
     const key = JSON.stringify(direction);
-    if (key !== this.#key) {
-      const captured = yield* this.#capture(direction, size);
-      this.#light = captured && { ...captured, key };
-      this.#key = key;
+    const isWaiting = isGradual && this.#key !== "";
+    while (key !== this.#key) {
+      if (this.#next?.key !== key && !isWaiting) this.#next = null;
+      this.#next ??= { key, preparation: this.#prepare(direction) };
+      const { done, value } = this.#next.preparation.next();
+      if (done) {
+        const captured = value && (yield* this.#capture(value, size));
+        this.#key = this.#next.key;
+        this.#light = captured && { ...captured, key: this.#key };
+        this.#next = null;
+      }
+      if (isWaiting) break;
+      yield;
     }
     return this.#light && { ...this.#light, intensity: adaptedMoonlight(illuminance) };
   }
@@ -99,22 +130,30 @@ export class MoonCaptures {
     }
   }
 
-  *#capture(direction: Vec3, size: StepSize): Steps<Omit<CachedLight, "intensity" | "key"> | null> {
-    const { model, surfaces } = this.#scene;
+  /** What the script computes for a direction; null where its light does not reach the room. */
+  *#prepare(direction: Vec3): Steps<Prepared | null> {
+    const { model, surfaces, collision } = this.#scene;
     const frustum = moonFrustum(direction, model.bounds, panesOf(model));
     const parts = moonCasters(model.parts, frustum);
     if (!frustum.panes && !entersRoom(direction, parts, model.bounds)) return null;
     const before = { ...model, parts };
     const detail = { error: 0 };
     while (!clusterIncrementally(before, detail)) yield;
+    const lit = moonlitPoints(frustum, new CollisionMesh(parts), this.#detail);
+    const { positions } = traceProbes(collision, model, this.#detail);
+    const visibility = yield* traceSurfelVisibility(lit, collision, positions, this.#detail);
     const casters = new ShadowCasters(this.#gpu, before, surfaces, detail);
+    return { frustum, casters, lit, visibility };
+  }
+
+  *#capture(
+    { frustum, casters, lit, visibility }: Prepared,
+    size: StepSize,
+  ): Steps<Omit<CachedLight, "intensity" | "key">> {
     this.#drawMap(frustum, casters);
     yield;
     this.#capturing = null;
-    this.#lit = moonlitPoints(frustum, new CollisionMesh(parts), this.#detail);
-    const { collision } = this.#scene;
-    const { positions } = traceProbes(collision, model, this.#detail);
-    const visibility = yield* traceSurfelVisibility(this.#lit, collision, positions, this.#detail);
+    this.#lit = lit;
     this.#surfels.prepare(frustum, visibility);
     const block = moonBlock(frustum, this.#surfels.detail);
     const shadow = { depth: this.#map, captureOrigin: frustum.corner };

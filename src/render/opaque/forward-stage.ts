@@ -339,7 +339,7 @@ export class ForwardStage implements OpaqueStage {
         uIsLight: settings.inspect === "normals" || this.#isOfAll ? 0 : 1,
         ...(moon && { uMoonlight: moon.intensity }),
       },
-      blocks: { Light: this.blocks.Light },
+      blocks: { Light: layer.blocks.Light },
       scissor: region,
     });
     if (!this.#isOfAll) this.#candleLayers.add(this.#candles, target, region);

@@ -91,7 +91,8 @@ export class RefinedDisplayPass {
     const [uDimmer, uBrighter] = this.#kept?.colors ?? [];
     if (this.#bands < BANDS || !source || !uDimmer || !uBrighter || !this.#depth) return null;
     const uReference = this.#references[0]!.color;
-    return { textures: { uDimmer, uBrighter, uReference, uRefinedDepth: this.#depth }, source };
+    const textures = { uDimmer, uBrighter, uReference, uRefinedDepth: this.#depth };
+    return { textures, source, light: this.#stage.isInMoonlight ? this.#stage.imageLight : null };
   }
 
   *render(

@@ -3,6 +3,7 @@ import reprojectFrag from "../../../shaders/refinement/reproject.frag";
 import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { Texture } from "../../gl/texture.js";
+import type { UniformBlock } from "../../gl/uniform-block.js";
 import { reprojectionMatrix } from "../camera.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import { type ReprojectionSource, reprojectionSource } from "../gbuffer/reprojection.js";
@@ -20,6 +21,8 @@ export interface RefinedImage {
     Record<"uDimmer" | "uBrighter" | "uReference" | "uRefinedDepth", Texture>
   >;
   readonly source: ReprojectionSource;
+  /** Where that is not the flame's. */
+  readonly light: UniformBlock | null;
 }
 
 /**
@@ -97,7 +100,7 @@ export class RefinedFade {
         uWeight: Math.min(1, left / (FRAMES - SHARP_FRAMES)),
         uAutoExposure: settings.features.autoExposure ? 1 : 0,
       },
-      blocks: { ...blocks },
+      blocks: { ...blocks, ...(image.light && { Light: image.light }) },
       blend: "premultiplied",
     });
   }

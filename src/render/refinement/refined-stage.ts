@@ -5,10 +5,12 @@ import meterFrag from "../../../shaders/refinement/meter.frag";
 import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
+import type { UniformBlock } from "../../gl/uniform-block.js";
 import { luma, type Rgb } from "../../light/color.js";
 import { TAPER } from "../../light/flame-light.js";
+import { adaptedMoonlight } from "../../light/moonlight.js";
 import type { World } from "../../world/world.js";
-import { moonOf } from "../cached-light.js";
+import { isDark, moonOf } from "../cached-light.js";
 import { frustumTest } from "../camera.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { FrameSettings } from "../frame-settings.js";
@@ -52,6 +54,10 @@ interface Tile {
 export class RefinedStage implements OpaqueStage {
   readonly format: ForwardStage["format"];
   readonly blocks: FrameBlocks;
+  /** The light that the image is per candela of: the flame, or the moon where that is all that shines. */
+  readonly imageLight: UniformBlock;
+  /** Whether that is the moon. */
+  isInMoonlight = false;
   readonly meterFrag = meterFrag;
   readonly #gpu: Gpu;
   readonly #forward: ForwardStage;
@@ -92,6 +98,7 @@ export class RefinedStage implements OpaqueStage {
     this.#resolved = gpu.renderTarget({ label: "refinement/tile", ...tile, filter: "nearest" });
     this.format = this.#forward.format;
     this.blocks = this.#forward.blocks;
+    this.imageLight = gpu.uniformBlock(this.#begin, "Light");
     this.#prepass = new DepthPrepass(gpu, this.blocks.Frame);
   }
 
@@ -146,12 +153,12 @@ export class RefinedStage implements OpaqueStage {
 
   /** Begins with a coarser image and the current light. */
   #beginWith(frame: FrameInput, { radiance, depth, light }: Surfaces): void {
-    const { world, settings, flameUv } = frame;
+    const { flameUv } = frame;
     const target = this.#whole;
     this.images++;
     this.#drawn = [];
-    const { intensity } = lightBlock(world, settings.features.candle);
-    this.#intensity = [intensity[0], intensity[1], intensity[2]];
+    const intensity = this.#updateImageLight(frame);
+    this.#intensity = intensity;
     const strength = luma(intensity);
     if (strength > 0) {
       this.flameColor = [intensity[0] / strength, intensity[1] / strength, intensity[2] / strength];
@@ -166,7 +173,7 @@ export class RefinedStage implements OpaqueStage {
       program: this.#begin,
       target,
       textures: { uRadiance: radiance, uDepth: depth },
-      blocks: { Light: light },
+      blocks: { Light: this.isInMoonlight ? this.imageLight : light },
       depth: "test-and-write",
     });
   }
@@ -187,8 +194,19 @@ export class RefinedStage implements OpaqueStage {
     yield;
     const { color: uRadiance, depth } = this.#whole;
     if (!depth) throw new Error("The refined image keeps its depth.");
+    this.#updateImageLight(frame);
+    const blocks = { ...this.blocks, Light: this.imageLight };
     const textures = { uRadiance, uDepth: depth };
-    return { kind: "full", textures, uniforms: {}, blocks: this.blocks, depth, motion: 0 };
+    return { kind: "full", textures, uniforms: {}, blocks, depth, motion: 0 };
+  }
+
+  #updateImageLight({ world, settings }: FrameInput): Rgb {
+    const flame = lightBlock(world, settings.features.candle);
+    const moon = isDark(world) ? world.moon : null;
+    this.isInMoonlight = moon !== null;
+    const intensity = moon ? adaptedMoonlight(moon.illuminance) : flame.intensity;
+    this.imageLight.update({ ...flame, intensity });
+    return [intensity[0], intensity[1], intensity[2]];
   }
 
   /** A light as a multiple of the flame's at the beginning, since the flame changes while the image is refined. */
