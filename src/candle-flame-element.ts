@@ -222,7 +222,7 @@ export class CandleFlameElement extends ReflectedAttributes {
   /** Restarts at time 0; with a seed, with other random numbers. */
   reset(seed?: number): void {
     if (seed !== undefined) this.seed = seed;
-    this.#pending.forgetTime();
+    this.#pending.forget();
     this.#use((candle) => candle.reset());
     this.#lifecycle.changed();
   }
@@ -276,12 +276,8 @@ export class CandleFlameElement extends ReflectedAttributes {
   }
 
   #setLit(isLit: boolean): void {
-    if (!this.#candle) {
-      this.unlit = !isLit;
-      this.#pending.setLit(isLit);
-      return;
-    }
-    this.#candle.setLit(isLit);
+    if (!this.#candle) this.#pending.setLit(isLit);
+    this.#candle?.setLit(isLit);
     this.#requestDraw();
   }
 
@@ -300,7 +296,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     return new Promise((resolve, reject) => {
       this.#lifecycle.draws.refresh();
       const { session } = this.#lifecycle;
-      if (!session?.candle) {
+      if (!session?.candle || session.isLost) {
         reject(new Error("There is no picture yet: wait for `ready`."));
         return;
       }

@@ -48,7 +48,7 @@ export class CandleFlame {
   onFrame: () => void = () => {};
   /** Called when a frame of the animation loop could not be drawn, or not be held, which ends the loop. */
   onFailure: (error: Error) => void = () => {};
-  /** Called when the visitor's input has put the candle down, or taken it up. */
+  /** Called when the candle was put down or taken up, by the visitor or with a new world. */
   onCandleMoved: () => void = () => {};
   /** Called when a candle was lit or went out, for any reason; 0 is the carried one. */
   onFlameChanged: (index: number) => void = () => {};
@@ -56,6 +56,8 @@ export class CandleFlame {
   onWickReached: (index: number) => void = () => {};
   /** Called when the candle could not be put down where the visitor asked. */
   onRefused: () => void = () => {};
+  /** Called when another look is drawn, of the same scene. */
+  onLookChanged: () => void = () => {};
   #scene: Scene;
   readonly #features: Features;
   #options: Options;
@@ -144,30 +146,38 @@ export class CandleFlame {
     if (isLit ? flame?.light() : flame?.extinguish()) this.onFlameChanged(index);
   }
 
-  /** Calls `onFlameChanged` for each candle that was lit or went out. */
-  #reportFlames(before: readonly boolean[]): void {
+  /** Makes a change, and reports each candle that was lit or went out, and whether the first was put down or taken up. */
+  #reporting(change: () => void): void {
+    const before = litFlames(this.world);
+    const { isHeld } = this.world.candle;
+    change();
     for (const [index, isLit] of litFlames(this.world).entries()) {
       if (isLit !== (before[index] ?? false)) this.onFlameChanged(index);
     }
+    if (this.world.candle.isHeld !== isHeld) this.onCandleMoved();
   }
 
-  #reportWick(): void {
-    const wick = this.input ? wickAtFlame(this.world) : 0;
-    if (wick > 0 && wick !== this.#wick) this.onWickReached(wick);
-    this.#wick = wick;
+  #replace(world: World): void {
+    this.#reporting(() => {
+      this.world = world;
+      this.view.follow(this.#subject);
+    });
   }
 
   /** Another scene on the same canvas, and its options. The old one is no longer used. */
   show(scene: Scene, options: Options): void {
     this.#scene = scene;
     this.#options = options;
+    const { isHeld } = this.world.candle;
     this.world = this.#sameTimeAs(this.world);
     this.view.show(scene, options, this.#subject);
+    if (this.world.candle.isHeld !== isHeld) this.onCandleMoved();
   }
 
   /** A new world at another's time, with the camera at its start. */
-  #sameTimeAs({ timeline, remainder, flame, fieldOfView }: World): World {
-    const world = this.#createWorld({ age: timeline.tick, isLit: flame.isLit, fieldOfView });
+  #sameTimeAs({ timeline, remainder, flame, fieldOfView }: World, birth: WorldOptions = {}): World {
+    const { isLit } = flame;
+    const world = this.#createWorld({ age: timeline.tick, isLit, fieldOfView, ...birth });
     world.remainder = remainder;
     return world;
   }
@@ -175,19 +185,20 @@ export class CandleFlame {
   /** Another look: the same time, and the camera in its place, or inside the new look's walls. */
   #changeLook(): void {
     const { player } = this.world;
-    this.world = this.#sameTimeAs(this.world);
-    moveCamera(this.world, player.position, player.yaw, player.pitch);
-    this.view.follow(this.#subject);
+    const world = this.#sameTimeAs(this.world, { areLit: litFlames(this.world).slice(1) });
+    moveCamera(world, player.position, player.yaw, player.pitch);
+    this.#replace(world);
+    this.onLookChanged();
   }
 
   /** Takes over the time, the camera and the candle of another, as far as the room here allows. */
   mirror({ world: other }: CandleFlame): void {
     const { player } = other;
-    this.world = this.#sameTimeAs(other);
-    setLitFlames(this.world, litFlames(other));
-    moveCamera(this.world, player.position, player.yaw, player.pitch);
-    standLike(this.world, other);
-    this.view.follow(this.#subject);
+    const world = this.#sameTimeAs(other);
+    setLitFlames(world, litFlames(other));
+    moveCamera(world, player.position, player.yaw, player.pitch);
+    standLike(world, other);
+    this.#replace(world);
   }
 
   /** Continues from a snapshot; in another room, from that room's start. */
@@ -215,10 +226,7 @@ export class CandleFlame {
 
   /** Time 0, as if new. */
   reset(): void {
-    const before = litFlames(this.world);
-    this.world = this.#createWorld();
-    this.#reportFlames(before);
-    this.view.follow(this.#subject);
+    this.#replace(this.#createWorld());
   }
 
   /** One frame. Tests and the bench come here. */
@@ -227,16 +235,17 @@ export class CandleFlame {
   }
 
   #advance(seconds: number, draw: () => void): void {
-    const begin = performance.now();
     const { isHeld } = this.world.candle;
-    const before = litFlames(this.world);
     const intent = this.input?.read() ?? STILL;
-    advance(this.world, intent, seconds);
-    draw();
-    this.#cpuMs = performance.now() - begin;
-    this.#reportFlames(before);
-    this.#reportWick();
-    if (this.world.candle.isHeld !== isHeld) this.onCandleMoved();
+    this.#reporting(() => {
+      const begin = performance.now();
+      advance(this.world, intent, seconds);
+      draw();
+      this.#cpuMs = performance.now() - begin;
+    });
+    const wick = this.input ? wickAtFlame(this.world) : 0;
+    if (wick > 0 && wick !== this.#wick) this.onWickReached(wick);
+    this.#wick = wick;
     if (intent.placesOrTakes && isHeld) this.onRefused();
   }
 

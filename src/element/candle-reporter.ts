@@ -1,4 +1,5 @@
 import type { CandleFlame } from "../candle-flame.js";
+import type { Device } from "../input/first-person-input.js";
 import { cameraOf } from "./camera-control.js";
 import type { CustomStates } from "./custom-states.js";
 import { emit } from "./events.js";
@@ -26,6 +27,7 @@ export class CandleReporter {
   watch(candle: CandleFlame): void {
     const element = this.#element;
     candle.onCandleMoved = () => emit(element, candle.world.candle.isHeld ? "take" : "place", null);
+    candle.onLookChanged = () => emit(element, "load", null);
     candle.onRefused = () => this.refusal(candle);
     candle.onWickReached = (index) => {
       const name = candle.candleNames[index] ?? "";
@@ -62,6 +64,14 @@ export class CandleReporter {
   flame({ world: { flame } }: CandleFlame): void {
     this.#states.toggle("lit", flame.isLit);
     this.#hint.tellFlame(flame.isLit, this.#element.controls);
+  }
+
+  /** The visitor has entered the room, or left it. */
+  entered(candle: CandleFlame, isIn: boolean, device: Device): void {
+    this.#states.toggle("walking", isIn);
+    if (isIn) this.#hint.tellControls(device);
+    else this.flame(candle);
+    emit(this.#element, isIn ? "enter" : "leave", null);
   }
 
   /** Shows why the candle could not be put down. */

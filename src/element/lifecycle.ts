@@ -1,6 +1,6 @@
 import type { CandleFlame } from "../candle-flame.js";
-import type { Device } from "../input/first-person-input.js";
 import { type ContextClient, contextPool } from "../scenes/context-pool.js";
+import { fetchPageSmoke } from "../scenes/page-smoke.js";
 import { takeSnapshot } from "../world/snapshot.js";
 import { Accessibility } from "./accessibility.js";
 import { CandleReporter } from "./candle-reporter.js";
@@ -106,7 +106,9 @@ export class Lifecycle implements SessionOwner {
   /** An attribute was set that decides which models are fetched. */
   sceneChanged(isOther: boolean): void {
     const element = this.#element;
-    const isOtherScene = this.#session !== null && this.#session.sceneName !== element.scene;
+    // A room may wait for a context.
+    const scene = this.#session?.sceneName ?? (this.#client && "room");
+    const isOtherScene = scene !== null && scene !== element.scene;
     // After a failure another scene may do better.
     const mayDoBetter = this.#machine.current === "failed" && isOther && element.isConnected;
     if (isOtherScene || mayDoBetter) this.#restart();
@@ -161,7 +163,7 @@ export class Lifecycle implements SessionOwner {
     else this.#queue();
   }
 
-  /** A room waits for one of the page's contexts; lone candles share one. */
+  /** A room waits for a context; lone candles share one. */
   #queue(): void {
     this.#machine.send("approach");
     if (this.#element.scene === "candle") {
@@ -250,13 +252,17 @@ export class Lifecycle implements SessionOwner {
     observeLessMotion(this.#abort.signal, () => this.apply());
     this.#applyMotion();
     if (this.#session.look !== this.#element.look) this.#overlay.hint.tell(NO_PHYSICAL_LOOK);
+    const { settle } = this.#ready;
+    const end = () => this.#ready.settle === settle && settle();
+    // Steps must not depend on when code arrives.
+    if (this.#states.has("alone") && this.#element.paused) void fetchPageSmoke().then(end);
+    else settle();
     emit(this.#element, "load", null);
-    this.#ready.settle();
   }
 
   onContextLost(): void {
     this.#machine.send("lose");
-    this.#session?.candle?.pause();
+    this.#applyMotion();
     this.#overlay.showPoster(this.#element);
     emit(this.#element, "contextlost", null);
   }
@@ -284,22 +290,15 @@ export class Lifecycle implements SessionOwner {
     const session = this.#session;
     const candle = session?.candle;
     if (!candle) return;
-    const plays = this.plays();
-    if (plays !== this.#states.has("playing")) {
-      this.#states.toggle("playing", plays);
-      emit(this.#element, plays ? "play" : "pause", null);
-    }
+    const plays = this.plays() && this.#machine.current === "running";
     if (plays) candle.play();
     else candle.pause();
-    session.applyControls((isIn, device) => this.#goInOrOut(candle, isIn, device));
+    session.applyControls((...entering) => this.reporter.entered(candle, ...entering));
     if (!this.#element.controls) this.#states.toggle("walking", false);
-  }
-
-  #goInOrOut(candle: CandleFlame, isIn: boolean, device: Device): void {
-    this.#states.toggle("walking", isIn);
-    if (isIn) this.#overlay.hint.tellControls(device);
-    else this.reporter.flame(candle);
-    emit(this.#element, isIn ? "enter" : "leave", null);
+    if (plays === this.#states.has("playing")) return;
+    this.#states.toggle("playing", plays);
+    // Last: a listener may have it otherwise.
+    emit(this.#element, plays ? "play" : "pause", null);
   }
 
   /** Ends the session after an error in drawing or in preparing to draw. */

@@ -12,16 +12,19 @@ export function optionsOf(element: ReflectedAttributes, look: Look): Options {
   const isStill = motion === "reduced" || (motion === "auto" && matchMedia(LESS_MOTION).matches);
   const direction = (element.windDirection * Math.PI) / 180;
   const wind = { speed: element.wind, direction, gustiness };
-  const wickDiameter = element.hasAttribute("wick") ? wick / 1000 : null;
+  const wickDiameter = isNumber(element, "wick") ? wick / 1000 : null;
   const flame = { unlit, litWicks: parseIndices(element.litWicks), wick: wickDiameter, wind };
   return { look, seed, quality, exposure, particles, isStill, ...flame, moon: moonWish(element) };
 }
 
+function isNumber(element: Element, name: string): boolean {
+  return Number.isFinite(Number.parseFloat(element.getAttribute(name) ?? ""));
+}
+
 /** The attributes of the moon; null leaves a value to the room. */
 function moonWish(element: ReflectedAttributes): MoonWish {
-  const isSet = Number.isFinite(Number.parseFloat(element.getAttribute("moonlight") ?? ""));
   return {
-    illuminance: isSet ? element.moonlight : null,
+    illuminance: isNumber(element, "moonlight") ? element.moonlight : null,
     direction: parseMoonPlace(element.moonDirection),
   };
 }

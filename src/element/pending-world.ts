@@ -2,7 +2,7 @@ import type { CandleFlame } from "../candle-flame.js";
 import { areSame, type SceneRequest } from "../scenes/scene.js";
 import { FIELDS_OF_VIEW, type Look } from "../settings.js";
 import { placeCandle } from "../world/commands.js";
-import { type Snapshot, timeOf } from "../world/snapshot.js";
+import { type Snapshot, takeSnapshot, timeOf } from "../world/snapshot.js";
 import type { Camera } from "./camera.js";
 import { cameraOf, setCamera } from "./camera-control.js";
 
@@ -68,6 +68,13 @@ export class PendingWorld {
     this.#isLit = null;
   }
 
+  /** Drops all that the page has asked for. */
+  forget(): void {
+    this.forgetTime();
+    this.forgetCamera();
+    this.take();
+  }
+
   moveCamera(camera: Partial<Camera>): void {
     this.#camera = { ...this.#camera, ...camera };
   }
@@ -93,9 +100,12 @@ export class PendingWorld {
    * all is kept, to be applied again
    */
   applyTo(candle: CandleFlame, shownRequest: SceneRequest | null, onPlaced?: () => void): void {
-    if (this.#saved)
-      candle.resume(this.#saved.snapshot, areSame(this.#saved.request, shownRequest));
-    if (this.#isLit !== null) candle.setLit(this.#isLit);
+    const isLit = this.#isLit;
+    if (this.#saved || isLit !== null) {
+      const snapshot = this.#saved?.snapshot ?? takeSnapshot(candle.world);
+      const isSameRoom = !this.#saved || areSame(this.#saved.request, shownRequest);
+      candle.resume({ ...snapshot, isLit: isLit ?? snapshot.isLit }, isSameRoom);
+    }
     if (this.#placing) {
       const before = cameraOf(candle);
       setCamera(candle, this.#placing);

@@ -49,6 +49,7 @@ for (const name of Object.keys(SETTINGS) as SettingName[]) {
     },
     set(this: Element, value: unknown) {
       if (setting.kind === "flag") this.toggleAttribute(name, Boolean(value));
+      else if (value == null) this.removeAttribute(name);
       else this.setAttribute(name, String(value));
     },
   });

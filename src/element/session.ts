@@ -102,6 +102,11 @@ export class Session {
     return this.#fetcher.shownRequest;
   }
 
+  /** Whether nothing can be drawn at the moment. */
+  get isLost(): boolean {
+    return this.#target.gpu.isLost;
+  }
+
   get isFetching(): boolean {
     return this.#fetcher.isFetching;
   }

@@ -89,7 +89,12 @@ test("Frames beside which a refinement is prepared do not count for the coarse i
   });
   const rest = () => {
     refinement.take(0.1);
-    refinement.advance({} as ViewSubject, {} as FrameSettings, renderer, SIZE);
+    refinement.advance(
+      { world: { standing: [], moon: null } } as unknown as ViewSubject,
+      {} as FrameSettings,
+      renderer,
+      SIZE,
+    );
     return refinement.isBusy;
   };
   expect(refinement.isBusy).toBe(false);
