@@ -484,6 +484,19 @@ test("More rooms than a browser has contexts wait with a sentence, and none in s
     expect(await moment()).toEqual(before);
     expect(before.camera.yaw).toBe(1);
   });
+
+  await test.step("and one that waits may become a lone candle", async () => {
+    const states = await rooms.last().evaluate(async (element) => {
+      const room = element.cloneNode() as CandleFlameElement;
+      element.after(room);
+      const states = [room.matches(":state(loading)")];
+      room.scene = "candle";
+      await room.ready;
+      return [...states, room.matches(":state(alone)")];
+    });
+    expect(states).toEqual([true, true]);
+    await expect(sentences).toHaveCount(0);
+  });
   expect(complaints).toEqual([]);
   await context.close();
 });
