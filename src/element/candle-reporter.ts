@@ -38,11 +38,15 @@ export class CandleReporter {
       const name = candle.candleNames[index] ?? "";
       const isLit = candle.isLit(index);
       this.flame(candle);
-      if (index > 0)
-        this.#hint.tellOther({ index, name, isLit }, candle.isLit(0), element.controls);
+      if (index > 0) this.#hint.tellOther({ index, name, isLit }, candle.isLit(0), this.#isWalking);
       emit(element, isLit ? "light" : "extinguish", { index, name });
     };
     this.#camera = keyOf(candle);
+  }
+
+  /** Whether keys and gestures reach the candle. */
+  get #isWalking(): boolean {
+    return this.#states.has("walking");
   }
 
   frame(candle: CandleFlame): void {
@@ -63,7 +67,7 @@ export class CandleReporter {
 
   flame({ world: { flame } }: CandleFlame): void {
     this.#states.toggle("lit", flame.isLit);
-    this.#hint.tellFlame(flame.isLit, this.#element.controls);
+    this.#hint.tellFlame(flame.isLit, this.#isWalking);
   }
 
   /** The visitor has entered the room, or left it. */
@@ -76,7 +80,7 @@ export class CandleReporter {
 
   /** Shows why the candle could not be put down. */
   refusal({ world: { flame, refusal } }: CandleFlame): void {
-    this.#hint.tellRefusal(refusal, flame.isLit, this.#element.controls);
+    this.#hint.tellRefusal(refusal, flame.isLit, this.#isWalking);
   }
 }
 

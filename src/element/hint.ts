@@ -34,20 +34,20 @@ export class Hint {
   }
 
   /** Says that the candle is out, and how to light it; nothing while it burns. */
-  tellFlame(isLit: boolean, hasControls: boolean): void {
-    this.tell(isLit ? null : outSentence(hasControls), hasControls);
+  tellFlame(isLit: boolean, canLight: boolean): void {
+    this.tell(isLit ? null : outSentence(canLight), canLight);
   }
 
   /** Says that another candle was lit or went out, and that the first is out, if it is. */
-  tellOther(change: CandleChange, isLit: boolean, hasControls: boolean): void {
-    const sentences = [changeSentence(change), isLit ? null : outSentence(hasControls)];
-    this.tell(sentences.filter(Boolean).join(" "), hasControls && !isLit);
+  tellOther(change: CandleChange, isLit: boolean, canLight: boolean): void {
+    const sentences = [changeSentence(change), isLit ? null : outSentence(canLight)];
+    this.tell(sentences.filter(Boolean).join(" "), canLight && !isLit);
   }
 
   /** Says why the candle could not be put down, and that it is out, if it is. */
-  tellRefusal(refusal: Refusal | null, isLit: boolean, hasControls: boolean): void {
-    const sentences = [refusal && REFUSALS[refusal], isLit ? null : outSentence(hasControls)];
-    this.tell(sentences.filter(Boolean).join(" ") || null, hasControls && !isLit);
+  tellRefusal(refusal: Refusal | null, isLit: boolean, canLight: boolean): void {
+    const sentences = [refusal && REFUSALS[refusal], isLit ? null : outSentence(canLight)];
+    this.tell(sentences.filter(Boolean).join(" ") || null, canLight && !isLit);
   }
 
   /** Shows a sentence, or none. One that lasts becomes fainter, and stays until the next. */

@@ -97,7 +97,7 @@ slot[name="poster"][hidden] {
   font: 0.8em/1.6 system-ui, sans-serif;
 }
 @keyframes hint { to { opacity: 0 } }
-@keyframes dim { to { opacity: 0.6 } }
+@keyframes dim { to { opacity: 0.8 } }
 @media (prefers-contrast: more) {
   [part="hint"] p, [part="error"] p { background: #000; color: #fff; outline: 1px solid; }
   :host(:focus-visible) { outline-width: 4px; outline-color: #fff; }

@@ -18,7 +18,7 @@ export const SETTING_MEANINGS: Readonly<Record<SettingName, string>> = {
   gustiness: "Gusts of the wind: 0 is steady.",
   wick: "Diameter of the wick: a bigger one burns higher.",
   moonlight:
-    "Light of a full moon outside; none by default in a room of yours without a node `moon`.",
+    "Light of a full moon outside; none by default in a room of yours without a node “moon”.",
   "moon-direction":
     "Where the moon stands: azimuth (0 is −Z, counter-clockwise from above) and elevation, degrees.",
   exposure: "Exposure compensation.",

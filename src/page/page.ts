@@ -54,6 +54,8 @@ photoButton.addEventListener("click", async () => {
   download.download = "candle-flame.png";
   download.click();
   setTimeout(() => URL.revokeObjectURL(url), 60_000); // some browsers read it only later
+  const { width, height } = room.stats;
+  tell(`Saved: ${width} x ${height} pixels.`);
 });
 
 /** Camera from which the standing candle was put down. */
@@ -135,6 +137,14 @@ window.addEventListener("hashchange", () => {
 const NOTICE = 6000;
 let noticeTimer = 0;
 
+function tell(sentence: string): void {
+  notice.textContent = sentence;
+  clearTimeout(noticeTimer);
+  noticeTimer = window.setTimeout(() => {
+    notice.textContent = "";
+  }, NOTICE);
+}
+
 shareButton.addEventListener("click", async () => {
   const settings: Partial<Record<Shared, string>> = {};
   for (const name of SHARED) {
@@ -150,11 +160,7 @@ shareButton.addEventListener("click", async () => {
   link.hidden = true;
   try {
     await navigator.clipboard.writeText(location.href);
-    notice.textContent = "The link is copied.";
-    clearTimeout(noticeTimer);
-    noticeTimer = window.setTimeout(() => {
-      notice.textContent = "";
-    }, NOTICE);
+    tell("The link is copied.");
   } catch {
     // No clipboard without a secure origin and the visitor's leave.
     link.value = location.href;

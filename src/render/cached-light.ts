@@ -1,10 +1,9 @@
 import type { Texture } from "../gl/texture.js";
 import type { UniformBlock } from "../gl/uniform-block.js";
 import { luma, type Rgb } from "../light/color.js";
-import { carriedFlame, flameLight, TAPER } from "../light/flame-light.js";
 import type { World } from "../world/world.js";
 import type { IrradianceVolume } from "./gi/indirect-pass.js";
-import type { CaptureLight } from "./light-block.js";
+import { type CaptureLight, flameIntensity } from "./light-block.js";
 import type { VirtualLightTextures } from "./moon/virtual-lights.js";
 
 /** Luminous intensity below which a flame's light is nothing beside the moon's, candela: of an ember at some 900 K. */
@@ -37,7 +36,7 @@ export function candlesOf(cached: readonly CachedLight[]): readonly CachedLight[
 
 /** Whether the carried flame is out, and its wick dark. */
 export function isDark(world: World): boolean {
-  return luma(flameLight(carriedFlame(world), TAPER).intensity) < DARK;
+  return luma(flameIntensity(world)) < DARK;
 }
 
 /** Whether the moon is all that shines. */

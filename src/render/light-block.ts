@@ -1,4 +1,5 @@
 import { captureOrigin, snapToGrid } from "../light/capture-origin.js";
+import type { Rgb } from "../light/color.js";
 import { carriedFlame, flameLight, TAPER } from "../light/flame-light.js";
 import type { Vec3 } from "../world/geometry.js";
 import type { World } from "../world/world.js";
@@ -35,6 +36,11 @@ export function lightBlock(world: World, showsCandle: boolean) {
     panRadius: showsCandle ? CHAMBERSTICK.panRadius : 0,
     shadowSlot: 0,
   };
+}
+
+/** Of the carried flame, candela. */
+export function flameIntensity(world: World): Rgb {
+  return flameLight(carriedFlame(world), TAPER).intensity;
 }
 
 /** Members of the same block, for a flame of 1 cd in each channel. */

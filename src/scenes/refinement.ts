@@ -3,12 +3,16 @@ import type { FrameSettings } from "../render/frame-settings.js";
 import { REFINED } from "../render/quality.js";
 import { RefinementBudget } from "../render/refinement/refinement-budget.js";
 import type { Renderer } from "../render/renderer.js";
+import type { World } from "../world/world.js";
 import type { CanvasTarget } from "./canvas-target.js";
 import type { Scene } from "./scene.js";
-import { onlyLight, type ViewSettings, type ViewSubject } from "./view-subject.js";
+import type { ViewSettings, ViewSubject } from "./view-subject.js";
 
 /** Time that camera and candle have stood before the image is refined, seconds. */
 const REST = 0.5;
+
+/** Least share of its light with which a flame burns well. */
+const BURNING = 0.05;
 
 /** What a refinement is of, at the moment. */
 export interface RefinementParts {
@@ -63,7 +67,7 @@ export class Refinement {
   #hasBegun = false;
   #isShown = false;
   /** What the image is in the light of. */
-  #light: ReturnType<typeof onlyLight> = null;
+  #lights: string | null = null;
 
   constructor(maker: Maker) {
     this.#maker = maker;
@@ -81,6 +85,17 @@ export class Refinement {
 
   get #isReady(): boolean {
     return this.#isCompiled && this.#rest >= REST;
+  }
+
+  /**
+   * Key of the lights that an image is refined in: which candles burn, as whose moonlight counts; or the moon, once the
+   * eye is used to it. Null while a candle catches or goes out.
+   */
+  lightsOf({ flame, standing, moon, adaptation }: World): string | null {
+    const glows = [flame.glow, ...standing.map((candle) => candle.flame.glow)];
+    if (glows.some((glow) => glow > 0 && glow <= BURNING)) return null;
+    if (moon === null || glows.some((glow) => glow > 0)) return `${glows.map((glow) => glow > 0)}`;
+    return adaptation.darkness === 1 ? "moon" : null;
   }
 
   /** Takes the time from one frame to the next, seconds. */
@@ -126,9 +141,9 @@ export class Refinement {
    * @returns steps of the refinement that the frame does; null if it draws nothing else
    */
   advance(subject: ViewSubject, view: FrameSettings, coarse: Renderer, size: Size): number | null {
-    const light = onlyLight(subject.world);
-    if (light !== this.#light) this.stop();
-    this.#light = light;
+    const lights = this.lightsOf(subject.world);
+    if (lights !== this.#lights) this.stop();
+    this.#lights = lights;
     this.#isWanted = true;
     if (!this.#renderer) {
       // Two parts in a frame, a few milliseconds each.

@@ -9,7 +9,7 @@ import type { Inspection } from "../settings.js";
 import type { CanvasTarget } from "./canvas-target.js";
 import type { Refinement } from "./refinement.js";
 import type { Scene } from "./scene.js";
-import { onlyLight, type ViewSettings, type ViewSubject, workOf } from "./view-subject.js";
+import { type ViewSettings, type ViewSubject, workOf } from "./view-subject.js";
 
 /** Settings of a frame, but for what the view knows itself. */
 type ViewFrame = Omit<FrameSettings, "gamut" | "inspect">;
@@ -305,7 +305,7 @@ export class SceneView {
     const { quality, look } = this.#settings;
     if (quality !== "auto" || look !== "physical" || !this.#refinement) return false;
     if (isMoving || !canDefer || !this.isPlaying || this.inspect !== "picture") return false;
-    if (!onlyLight(this.#subject.world)) return false;
+    if (!this.#refinement.lightsOf(this.#subject.world)) return false;
     return this.#auto.isSoftware && this.#tier.name === "low";
   }
 

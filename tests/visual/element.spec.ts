@@ -343,9 +343,12 @@ test("What the hint says is read aloud, from a picture too", async ({ room }) =>
   await room.set({ controls: "" });
   await room.evaluate((element) => {
     element.light();
+    element.enter();
     element.extinguish();
   });
   await expect.poll(sentences).toEqual(["The candle is out. Press E to light it."]);
+  await room.evaluate((element) => element.blur());
+  await expect.poll(sentences).toEqual(["The candle is out."]);
 });
 
 test.describe("The camera", () => {

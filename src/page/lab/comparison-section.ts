@@ -31,7 +31,6 @@ export function bindComparison(
     if (isClosed && left.value === look) {
       left.value = SETTINGS.look.choices.findLast((other) => other !== look) ?? look;
     }
-    button.setAttribute("aria-pressed", String(!isClosed));
     button.textContent = isClosed ? "Compare" : "Stop comparing";
     status.textContent = state === "loading" ? "Building the second room." : failure;
     if (state === "open") divider.show([lookOf(left), look]);

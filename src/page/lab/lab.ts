@@ -78,8 +78,10 @@ export function addLab(
     button.focus();
   }
   find(panel, ".close", HTMLButtonElement).addEventListener("click", toggle);
-  panel.addEventListener("keydown", (event) => {
-    if (event.key === "Escape") toggle();
-  });
+  for (const part of [panel, button]) {
+    part.addEventListener("keydown", (event) => {
+      if (event.key === "Escape" && !panel.hidden) toggle();
+    });
+  }
   return toggle;
 }

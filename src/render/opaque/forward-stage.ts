@@ -4,12 +4,13 @@ import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { Rgb } from "../../light/color.js";
 import type { Bounds } from "../../world/geometry.js";
 import { type CachedLight, candlesOf, isMoonAlone, moonOf } from "../cached-light.js";
 import { frustumTest } from "../camera.js";
 import type { FrameInput, ModelInstance, Size } from "../frame-input.js";
 import type { Captures } from "../gi/light-captures.js";
-import { type CaptureLight, lightBlock, shadingLight } from "../light-block.js";
+import { type CaptureLight, flameIntensity, shadingLight } from "../light-block.js";
 import { type Mesh, surfaceSampling } from "../mesh/mesh.js";
 import { normalMapVisibilityOf } from "../mesh/normal-map-visibility.js";
 import { visibleRuns } from "../mesh/visible-runs.js";
@@ -31,6 +32,8 @@ interface SurfacePass
   readonly isVisible?: (box: Bounds) => boolean;
   /** Standing candles that are shaded for as well, all flames as they burn. Default: none. */
   readonly candles?: readonly CachedLight[];
+  /** Of the carried flame beside them, candela. Default: as it burns. */
+  readonly carried?: Rgb;
 }
 
 /**
@@ -218,7 +221,7 @@ export class ForwardStage implements OpaqueStage {
     frame: FrameInput,
     light: CaptureLight,
     captures: Captures,
-    { isVisible, candles = [], textures, uniforms, ...target }: SurfacePass,
+    { isVisible, candles = [], carried, textures, uniforms, ...target }: SurfacePass,
   ): void {
     const moon = frame.settings.inspect === "normals" ? null : moonOf(captures.cached);
     const night = moon && this.isNight(frame, captures) ? this.#nightPass(moon) : null;
@@ -226,7 +229,7 @@ export class ForwardStage implements OpaqueStage {
     this.#shadingLight.update(light);
     Object.assign(pass.textures, textures);
     if (candles.length > 0) {
-      const { intensity } = lightBlock(frame.world, frame.settings.features.candle);
+      const intensity = carried ?? flameIntensity(frame.world);
       this.#shadingLight.update({ intensity });
       this.#standing ??= new MultiLightInputs(this.#gpu, this.format);
       const inputs = this.#standing.inputs(pass.program, candles, captures, intensity);

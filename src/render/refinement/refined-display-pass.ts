@@ -87,12 +87,17 @@ export class RefinedDisplayPass {
 
   /** The last displayed image; null before all of it was kept. */
   image(): RefinedImage | null {
-    const { source } = this.#stage;
+    const { source, flame } = this.#stage;
     const [uDimmer, uBrighter] = this.#kept?.colors ?? [];
     if (this.#bands < BANDS || !source || !uDimmer || !uBrighter || !this.#depth) return null;
     const uReference = this.#references[0]!.color;
     const textures = { uDimmer, uBrighter, uReference, uRefinedDepth: this.#depth };
-    return { textures, source, light: this.#stage.isInMoonlight ? this.#stage.imageLight : null };
+    return {
+      textures,
+      source,
+      flame,
+      light: this.#stage.isOfFlame ? null : this.#stage.imageLight,
+    };
   }
 
   *render(

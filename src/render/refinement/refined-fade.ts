@@ -4,15 +4,24 @@ import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { Vec3 } from "../../world/geometry.js";
 import { reprojectionMatrix } from "../camera.js";
 import type { FrameInput, Size } from "../frame-input.js";
-import { type ReprojectionSource, reprojectionSource } from "../gbuffer/reprojection.js";
+import {
+  type ReprojectionSource,
+  reprojectionBetween,
+  reprojectionSource,
+} from "../gbuffer/reprojection.js";
 import type { FrameBlocks, OpaqueLayer } from "../opaque/opaque-stage.js";
 
 /** Frames over which the refined image fades into the coarser one. */
 const FRAMES = 14;
 /** Of these, the first that show it alone. */
 const SHARP_FRAMES = 4;
+
+/** Ways of the flame over which it fades, too, since its light is that of its own place, metres. */
+const NEAR = 0.1;
+const FAR = 0.5;
 
 /** A refined image, as it was last shown. */
 export interface RefinedImage {
@@ -21,6 +30,7 @@ export interface RefinedImage {
     Record<"uDimmer" | "uBrighter" | "uReference" | "uRefinedDepth", Texture>
   >;
   readonly source: ReprojectionSource;
+  readonly flame: Readonly<Vec3>;
   /** Where that is not the flame's. */
   readonly light: UniformBlock | null;
 }
@@ -63,7 +73,7 @@ export class RefinedFade {
    * @param media the part of a frame of `size` that is drawn anew afterwards
    */
   draw(
-    { screen, instances, clipFromWorld, settings }: FrameInput,
+    { screen, world, instances, clipFromWorld, settings }: FrameInput,
     layer: OpaqueLayer,
     [x, y, width, height]: Box,
     size: Size,
@@ -73,10 +83,14 @@ export class RefinedFade {
     const image = this.#image;
     if (!image) return;
     const current = reprojectionSource(instances, clipFromWorld, settings.features);
-    const { source } = image;
+    const { source, flame } = image;
+    const isCut = this.#frames === 0 && !reprojectionBetween(current, source);
     const left = FRAMES - this.#frames++;
-    if (layer.kind === "full" || left <= 1) this.end();
-    if (layer.kind === "full") return;
+    const way = Math.hypot(...world.interpolated.flame.map((x, axis) => x - flame[axis]!));
+    const share = Math.min((FAR - way) / (FAR - NEAR), left / (FRAMES - SHARP_FRAMES), 1);
+    const isOver = isCut || current.key !== source.key || share <= 0 || layer.kind === "full";
+    if (isOver || left <= 1) this.end();
+    if (isOver) return;
     this.#gpu.draw({
       program: this.#programs[layer.kind],
       target: screen,
@@ -97,7 +111,7 @@ export class RefinedFade {
           (x + width) / size.width,
           (y + height) / size.height,
         ],
-        uWeight: Math.min(1, left / (FRAMES - SHARP_FRAMES)),
+        uWeight: share,
         uAutoExposure: settings.features.autoExposure ? 1 : 0,
       },
       blocks: { ...blocks, ...(image.light && { Light: image.light }) },

@@ -7,20 +7,22 @@ import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import { luma, type Rgb } from "../../light/color.js";
-import { TAPER } from "../../light/flame-light.js";
+import { flameLight, TAPER } from "../../light/flame-light.js";
 import { adaptedMoonlight } from "../../light/moonlight.js";
+import type { Vec3 } from "../../world/geometry.js";
 import type { World } from "../../world/world.js";
-import { isDark, moonOf } from "../cached-light.js";
+import { type CachedLight, candlesOf, isDark, moonOf } from "../cached-light.js";
 import { frustumTest } from "../camera.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { FrameSettings } from "../frame-settings.js";
 import { type ReprojectionSource, reprojectionSource } from "../gbuffer/reprojection.js";
 import type { Captures, LightCaptures } from "../gi/light-captures.js";
-import { type CaptureLight, lightBlock, shadingLight } from "../light-block.js";
+import { type CaptureLight, flameIntensity, lightBlock, shadingLight } from "../light-block.js";
 import {
   normalMapVisibilityOf,
   normalMapVisibilityProgram,
 } from "../mesh/normal-map-visibility.js";
+import { forwardProgram } from "../opaque/forward-programs.js";
 import { ForwardStage } from "../opaque/forward-stage.js";
 import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "../opaque/opaque-stage.js";
 import type { Tier } from "../quality.js";
@@ -35,9 +37,14 @@ import { TILE, tilesAround } from "./tiles.js";
 
 const BLACK = [0, 0, 0, 1] as const;
 const NOTHING = [0, 0, 0] as const;
+const WHITE: Rgb = [1, 1, 1];
 /** Frames between draws that compile, so that the GPU is not behind by two of them. */
 const REST_FRAMES = 3;
 const ONE_PIXEL: Box = [0, 0, 1, 1];
+
+function hasStandingFlames({ standing }: World): boolean {
+  return standing.some(({ flame }) => flame.glow > 0);
+}
 
 /** A part of the frame, and what it is drawn to. */
 interface Tile {
@@ -54,12 +61,13 @@ interface Tile {
 export class RefinedStage implements OpaqueStage {
   readonly format: ForwardStage["format"];
   readonly blocks: FrameBlocks;
-  /** The light that the image is per candela of: the flame, or the moon where that is all that shines. */
+  /** The light that the image is per candela of: the flame; the moon alone; or all flames as they burnt at the beginning. */
   readonly imageLight: UniformBlock;
-  /** Whether that is the moon. */
-  isInMoonlight = false;
+  /** Whether that is the flame. */
+  isOfFlame = true;
   readonly meterFrag = meterFrag;
   readonly #gpu: Gpu;
+  readonly #tier: Tier;
   readonly #forward: ForwardStage;
   readonly #prepass: DepthPrepass;
   readonly #begin: Program;
@@ -72,22 +80,30 @@ export class RefinedStage implements OpaqueStage {
   images = 0;
   /** What the last frame was drawn for. */
   source: ReprojectionSource | null = null;
+  /** Place of the flame then. */
+  flame: Vec3 = [0, 0, 0];
   /** Colour of the flame, luma 1, as it was then. */
   flameColor: Rgb = TAPER.color;
-  /** Of the flame then, cd. */
+  /** Of the image's light then. */
   #intensity: Rgb = TAPER.color;
+  /** What that is a multiple of, candela. */
+  #unit: Rgb = WHITE;
+  /** The carried flame then, and the standing candles when the first tile was drawn. */
+  #carried: Rgb = TAPER.color;
+  #candles: readonly CachedLight[] | null = null;
   /** Tiles drawn since the last call of `takeDrawn`. */
   #drawn: Box[] = [];
   /** Still to be drawn: all with one sample a pixel, and then, where that differs, with all samples. */
   #tiles: Tile[] = [];
   #light: CaptureLight | null = null;
   /** With the programs of a flame, or of the moon alone. */
-  readonly #firstDraws: Partial<Record<"flame" | "moon", Steps>> = {};
+  readonly #firstDraws: Partial<Record<"flame" | "flames" | "moon", Steps>> = {};
   #isCompiling = false;
   #firstFrame: Steps | null = null;
 
   constructor(gpu: Gpu, tier: Tier) {
     this.#gpu = gpu;
+    this.#tier = tier;
     this.#forward = new ForwardStage(gpu, tier);
     normalMapVisibilityProgram(gpu);
     this.#begin = gpu.program("refinement/begin", fullscreenVert, beginFrag);
@@ -125,7 +141,12 @@ export class RefinedStage implements OpaqueStage {
         const frame = describe(world, settings);
         if (!captures.hold(frame, settings.steps ?? 0)) return false;
         const held = captures.update(frame, "full");
-        const light = stage.#forward.isNight(frame, held) ? "moon" : "flame";
+        const hasCandles = candlesOf(held.cached).length > 0;
+        const isNight = stage.#forward.isNight(frame, held);
+        const light = isNight ? "moon" : hasCandles ? "flames" : "flame";
+        if (hasCandles) {
+          forwardProgram(stage.#gpu, stage.#tier, moonOf(held.cached) !== null, true).start();
+        }
         if (stage.#gpu.isCompiling) return false;
         stage.#firstDraws[light] ??= stage.#drawFirst(frame, held);
         return stage.#firstDraws[light].next().done === true;
@@ -157,6 +178,10 @@ export class RefinedStage implements OpaqueStage {
     const target = this.#whole;
     this.images++;
     this.#drawn = [];
+    const { world } = frame;
+    this.#candles = null;
+    this.#carried = flameIntensity(world);
+    this.#unit = hasStandingFlames(world) ? this.#totalLight(world) : WHITE;
     const intensity = this.#updateImageLight(frame);
     this.#intensity = intensity;
     const strength = luma(intensity);
@@ -173,7 +198,7 @@ export class RefinedStage implements OpaqueStage {
       program: this.#begin,
       target,
       textures: { uRadiance: radiance, uDepth: depth },
-      blocks: { Light: this.isInMoonlight ? this.imageLight : light },
+      blocks: { Light: this.isOfFlame ? light : this.imageLight },
       depth: "test-and-write",
     });
   }
@@ -188,6 +213,7 @@ export class RefinedStage implements OpaqueStage {
     const light = { ...this.#light, captureOrigin: captures.shadow.captureOrigin };
     const { instances, clipFromWorld, settings } = frame;
     this.source = reprojectionSource(instances, clipFromWorld, settings.features);
+    this.flame = [...frame.world.interpolated.flame];
     for (const tile of this.#tiles.splice(0, settings.steps ?? 0)) {
       this.#drawTile(frame, light, captures, tile);
     }
@@ -200,13 +226,24 @@ export class RefinedStage implements OpaqueStage {
     return { kind: "full", textures, uniforms: {}, blocks, depth, motion: 0 };
   }
 
+  /** Of all flames, or of the moon where that is all that shines. */
+  #totalLight(world: World): Rgb {
+    const { moon, standing } = world;
+    const isAlone = isDark(world) && !hasStandingFlames(world);
+    this.isOfFlame = !isAlone && !hasStandingFlames(world);
+    if (moon && isAlone) return adaptedMoonlight(moon.illuminance);
+    const lights = standing.map((candle) => flameLight(candle, TAPER).intensity);
+    const sum = (i: 0 | 1 | 2) =>
+      lights.reduce((all, one) => all + one[i], flameIntensity(world)[i]);
+    return this.isOfFlame ? flameIntensity(world) : [sum(0), sum(1), sum(2)];
+  }
+
   #updateImageLight({ world, settings }: FrameInput): Rgb {
-    const flame = lightBlock(world, settings.features.candle);
-    const moon = isDark(world) ? world.moon : null;
-    this.isInMoonlight = moon !== null;
-    const intensity = moon ? adaptedMoonlight(moon.illuminance) : flame.intensity;
-    this.imageLight.update({ ...flame, intensity });
-    return [intensity[0], intensity[1], intensity[2]];
+    const [red, green, blue] = this.#totalLight(world);
+    const unit = this.#unit;
+    const intensity: Rgb = [red / unit[0], green / unit[1], blue / unit[2]];
+    this.imageLight.update({ ...lightBlock(world, settings.features.candle), intensity });
+    return intensity;
   }
 
   /** A light as a multiple of the flame's at the beginning, since the flame changes while the image is refined. */
@@ -227,6 +264,7 @@ export class RefinedStage implements OpaqueStage {
       for (let rest = 0; rest < REST_FRAMES; rest++) yield;
       this.#forward.draw(frame, { ...light, captureOrigin: shadow.captureOrigin }, captures, {
         target,
+        candles: candlesOf(captures.cached),
         scissor: ONE_PIXEL,
         textures: {
           uPrepassDepth: shadow.depth,
@@ -263,9 +301,12 @@ export class RefinedStage implements OpaqueStage {
     const moon = moonOf(captures.cached);
     const isMultisampled = samples !== this.#resolved;
     const uPrepassDepth = this.#prepass.depthAround(box, frame);
+    this.#candles ??= candlesOf(captures.cached);
     this.#gpu.clear(samples, [0, 0, 0, moon?.background ?? 1]);
     this.#forward.draw(frame, light, captures, {
       target: samples,
+      candles: this.#candles,
+      carried: this.#carried,
       viewport: [-x, -y, width, height],
       isVisible: frustumTest(clipOfBox(box, target, frame.clipFromWorld)),
       textures: { uPrepassDepth, uShadedOnce: target.color },
