@@ -84,10 +84,10 @@ async function soak(attributes) {
   await client.send("Performance.enable");
   const measure = async () => {
     await element.evaluate((element) => element.step(0));
-    // What a canvas held is free a task after its canvas.
-    for (let i = 0; i < 6; i++) {
+    // What a canvas held is free some tasks after its canvas.
+    for (let i = 0; i < 20; i++) {
       await client.send("HeapProfiler.collectGarbage");
-      await page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 50)));
+      await page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 100)));
     }
     const { metrics } = await client.send("Performance.getMetrics");
     const metric = (name) => metrics.find((one) => one.name === name).value;
