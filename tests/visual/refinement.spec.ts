@@ -270,7 +270,7 @@ test("is what `high` shows by the moon alone, too, once the eye is used to it", 
   expect((await room.stats()).width, "the eye is adapting").toBeLessThan(BOX.width);
   await wait(5);
   await refine(50);
-  await frames(120, 50);
+  await frames(70, 50);
   const picture = await room.picture();
   await room.evaluate((element, yaw) => {
     element.camera = { ...element.camera, yaw };
@@ -296,7 +296,7 @@ test("is what `high` shows by several candles, too", async () => {
     element.play();
   }, MANTEL);
   await refine(50);
-  await frames(160, 50);
+  await frames(80, 50);
   const picture = await room.picture();
   await room.evaluate((element) => element.pause());
   const difference = meanFlip(await paused("high", MANTEL), picture);

@@ -90,7 +90,7 @@ test("Frames beside which a refinement is prepared do not count for the coarse i
   const rest = () => {
     refinement.take(0.1);
     refinement.advance(
-      { world: { standing: [], moon: null } } as unknown as ViewSubject,
+      { world: { flame: { glow: 1 }, standing: [], moon: null } } as unknown as ViewSubject,
       {} as FrameSettings,
       renderer,
       SIZE,

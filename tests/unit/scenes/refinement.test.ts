@@ -4,7 +4,10 @@ import type { Refining, Renderer } from "../../../src/render/renderer.js";
 import { Refinement } from "../../../src/scenes/refinement.js";
 import type { ViewSubject } from "../../../src/scenes/view-subject.js";
 
-const SUBJECT = { world: { standing: [], moon: null }, layers: [] } as unknown as ViewSubject;
+const SUBJECT = {
+  world: { flame: { glow: 1 }, standing: [], moon: null },
+  layers: [],
+} as unknown as ViewSubject;
 const SIZE = { width: 8, height: 8 };
 const FRAME = 1 / 60;
 
