@@ -100,12 +100,14 @@ export class MoonCaptures {
     while (key !== this.#key) {
       if (this.#next?.key !== key && !isWaiting) this.#next = null;
       this.#next ??= { key, preparation: this.#prepare(direction) };
-      const { done, value } = this.#next.preparation.next();
+      const next = this.#next;
+      const { done, value } = next.preparation.next();
       if (done) {
-        const captured = value && (yield* this.#capture(value, size));
-        this.#key = this.#next.key;
-        this.#light = captured && { ...captured, key: this.#key };
+        // Before the capture's steps: a frame may be drawn between them.
         this.#next = null;
+        const captured = value && (yield* this.#capture(value, size));
+        this.#light = captured && { ...captured, key: next.key };
+        this.#key = next.key;
       }
       if (isWaiting) break;
       yield;
@@ -122,11 +124,11 @@ export class MoonCaptures {
     if (!this.#light || this.#light.virtual) return;
     this.#virtual ??= new VirtualLights(this.#gpu, this.#surfels);
     this.#capturing ??= this.#virtual.capture(casters, this.#lit);
-    for (;;) {
+    // Another frame may go on with it between these steps, or another direction replace it.
+    while (this.#capturing && !this.#light.virtual) {
       const { done, value } = this.#capturing.next();
       if (done) this.#light = { ...this.#light, virtual: value };
-      if (done) return;
-      yield;
+      else yield;
     }
   }
 
