@@ -25,7 +25,7 @@ import type { Stats } from "./stats.js";
 import { advance } from "./world/advance.js";
 import { moveCamera, standLike } from "./world/commands.js";
 import type { WorldOptions } from "./world/create-world.js";
-import { candleCount, litFlames, rootedFlame, setLitFlames, wickAtFlame } from "./world/flames.js";
+import { candleCount, litFlames, rootedFlame, wickAtFlame } from "./world/flames.js";
 import { withCount } from "./world/particles/particle-layer.js";
 import { STILL } from "./world/player/intent.js";
 import { restoreSnapshot, type Snapshot } from "./world/snapshot.js";
@@ -194,8 +194,9 @@ export class CandleFlame {
   /** Takes over the time, the camera and the candle of another, as far as the room here allows. */
   mirror({ world: other }: CandleFlame): void {
     const { player } = other;
-    const world = this.#sameTimeAs(other);
-    setLitFlames(world, litFlames(other));
+    const lit = litFlames(other);
+    const areLit = litFlames(this.world).map((isLit, candle) => lit[candle] ?? isLit);
+    const world = this.#sameTimeAs(other, { areLit: areLit.slice(1) });
     moveCamera(world, player.position, player.yaw, player.pitch);
     standLike(world, other);
     this.#replace(world);

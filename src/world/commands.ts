@@ -6,6 +6,7 @@ import { noticeChange, settleAdaptation } from "./player/adapt.js";
 import { fieldOfViewOf } from "./player/field-of-view.js";
 import { calmHand } from "./player/hand.js";
 import { gazeDirection, MAX_PITCH } from "./player/player.js";
+import type { Room } from "./room/room.js";
 import type { World } from "./world.js";
 
 /** Largest coordinate of a camera, metres. */
@@ -64,12 +65,22 @@ export function placeCandle(world: World): boolean {
 export function standLike(world: World, { candle, setup, room }: World): void {
   const isFree = setup.stand === null && world.setup.stand === null;
   if (candle.isHeld || !isFree) return;
-  if (room || world.room) {
-    placeCandle(world);
-    settleAdaptation(world);
+  if (isSameRoom(room, world.room)) {
+    standCandle(world, candle.position, candle.yaw);
     return;
   }
-  standCandle(world, candle.position, candle.yaw);
+  placeCandle(world);
+  settleAdaptation(world);
+}
+
+/** Whether two rooms are of the same model: each element loads its own. */
+function isSameRoom(one: Room | null, other: Room | null): boolean {
+  if (!one || !other) return one === other;
+  const { triangles } = other.collision;
+  return (
+    one.collision.triangles.length === triangles.length &&
+    one.collision.triangles.every((coordinate, i) => coordinate === triangles[i])
+  );
 }
 
 /** Stands the candle exactly at a position, metres; not in scenes that fix it elsewhere. */

@@ -36,15 +36,6 @@ export function litFlames({ standing, flame }: World): boolean[] {
   return [flame.isLit, ...standing.map((candle) => candle.flame.isLit)];
 }
 
-/** Lights each candle or puts it out; those that the list does not have stay as they are. */
-export function setLitFlames(world: World, areLit: readonly boolean[]): void {
-  for (const [index, isLit] of areLit.entries()) {
-    const flame = rootedFlame(world, index)?.flame;
-    if (isLit) flame?.light();
-    else flame?.extinguish();
-  }
-}
-
 /** Lights the wick that the carried flame is held to; else puts the carried flame out, or lights it. */
 export function useFlame(world: World): void {
   const { flame } = world;

@@ -6,8 +6,11 @@ import { createWorld } from "../../../src/world/create-world.ts";
 import { emittingGroups } from "../../../src/world/particles/level-of-detail.ts";
 import { GROUPS } from "../../../src/world/particles/particle-layer.ts";
 import { type Intent, STILL } from "../../../src/world/player/intent.ts";
+import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";
+import { createRoom } from "../../../src/world/room/room.ts";
 import { TICK } from "../../../src/world/timeline.ts";
 import { WORLD_SETUPS } from "../../../src/world/world-setup.ts";
+import { box, floorOf } from "./rooms.ts";
 
 const LOOKS = SETTINGS.look.choices;
 const WALKING: Intent = { ...STILL, forward: 1, right: 0.3, turn: 0.4, runs: true };
@@ -158,6 +161,26 @@ describe("a world that takes over another's candle", () => {
     standLike(world, other);
     expect(world.candle).toEqual(other.candle);
     expect(world.emitter).toEqual(other.emitter);
+  });
+
+  test("has it stand on the same spot of the same room, wherever the visitor looks; in another, ahead", () => {
+    const inRoom = (size: number) => {
+      const collision = new CollisionMesh([floorOf(size), box([-0.5, 0, -1.4], [0.5, 0.8, -0.7])]);
+      return createWorld("physical", 1, { room: createRoom(collision, null) });
+    };
+    const other = inRoom(8);
+    moveCamera(other, [0, 1.6, 0], 0, -0.6);
+    expect(placeCandle(other)).toBe(true);
+    expect(other.candle.position[1], "on the box").toBeCloseTo(0.8, 3);
+    moveCamera(other, [2, 1.6, 2], 2, -0.6);
+    const [same, larger] = [inRoom(8), inRoom(9)];
+    for (const world of [same, larger]) {
+      moveCamera(world, [2, 1.6, 2], 2, -0.6);
+      standLike(world, other);
+    }
+    expect(same.candle.position).toEqual(other.candle.position);
+    expect(larger.candle.isHeld).toBe(false);
+    expect(larger.candle.position[1], "on the floor").toBeCloseTo(0, 3);
   });
 
   test("keeps the original's, which nobody moves, and one that is carried", () => {
