@@ -82,9 +82,12 @@ export function complaintsOf(page: Page): readonly string[] {
 export class RoomDriver {
   readonly page: Page;
   readonly complaints: readonly string[];
+  readonly #element: string;
 
-  constructor(page: Page) {
+  /** @param element selector; of several, the first is meant */
+  constructor(page: Page, element = "candle-flame") {
     this.page = page;
+    this.#element = element;
     this.complaints = complaintsOf(page);
   }
 
@@ -135,7 +138,8 @@ export class RoomDriver {
   ): Promise<Result> {
     // Playwright types the argument of `evaluate` as handles, which plain data never is.
     return this.page
-      .locator("candle-flame")
+      .locator(this.#element)
+      .first()
       .evaluate(run as never, argument as never) as Promise<Result>;
   }
 

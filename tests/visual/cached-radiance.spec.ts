@@ -1,5 +1,6 @@
 import type { Page } from "playwright/test";
 import { RoomDriver } from "../support/room-driver.ts";
+import { serveSmallTextures } from "../support/small-textures.ts";
 import { expect, test } from "../support/test.ts";
 
 const SIZE = { width: 160, height: 90 };
@@ -12,6 +13,7 @@ let room: RoomDriver;
 test.beforeAll(async ({ browser }) => {
   page = await browser.newPage();
   await page.addInitScript(recordBounces);
+  await serveSmallTextures(page);
   room = await new RoomDriver(page).open({ look: "physical", quality: "high" }, SIZE);
 });
 test.afterEach(() => expect(room.complaints).toEqual([]));
@@ -99,7 +101,7 @@ test("At medium a frame in motion computes one bounce of the indirect light at m
     const bounces = Reflect.get(globalThis, "bounces") as string[];
     element.play();
     const frames: string[][] = [];
-    for (let i = 1; i <= 30; i++) {
+    for (let i = 1; i <= 24; i++) {
       element.camera = { ...element.camera, position: [x + 0.01 * i, y, z - 0.01 * i] };
       bounces.length = 0;
       element.step(0);

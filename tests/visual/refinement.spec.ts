@@ -1,7 +1,7 @@
 // `auto` without a GPU: what a visitor who stands still is shown.
 import type { Page } from "playwright/test";
 import sharp from "sharp";
-import type { Camera } from "../../src/candle-flame-element.ts";
+import type { Camera, CandleFlameElement } from "../../src/candle-flame-element.ts";
 import { flip } from "../support/flip.ts";
 import { type Picture, RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
@@ -14,6 +14,14 @@ const CAMERA = { position: [-0.85, 1.3, 1.1], yaw: -0.805, pitch: -0.244 } as co
 const CORNER = { position: [1.468, 1.6, -1.062], yaw: -0.57, pitch: -0.4 } as const;
 
 const MANTEL = { position: [-0.5, 1.6, -0.75], yaw: 0, pitch: -0.25 } as const;
+
+/** Rooms beside it, which show the same moment at another quality. */
+const BESIDE = ["high", "low"]
+  .map(
+    (quality) =>
+      `<candle-flame id="${quality}" look="physical" quality="${quality}" moonlight="0" paused></candle-flame>`,
+  )
+  .join("");
 
 /** Pixels of `low`, as raw data. */
 const LOW = { width: 320, height: 180, channels: 4 } as const;
@@ -90,7 +98,12 @@ test.beforeAll(async ({ browser }) => {
   page = await browser.newPage();
   await serveSmallTextures(page);
   await driveFrames(page);
-  room = await new RoomDriver(page).open({ look: "physical", quality: "auto" }, BOX);
+  const opening = { ...BOX, after: BESIDE };
+  room = await new RoomDriver(page).open({ look: "physical", quality: "auto" }, opening);
+  await room.evaluate(async () => {
+    const rooms = document.querySelectorAll<CandleFlameElement>("candle-flame");
+    for (const { ready } of rooms) await ready;
+  });
   await room.evaluate(
     (element, { table, camera }) => {
       element.camera = table;
@@ -166,7 +179,16 @@ function meanFlip(a: Picture, b: Picture): number {
 
 /** What another quality shows of the same moment, from somewhere. */
 async function paused(quality: "low" | "high", camera: Camera): Promise<Picture> {
-  return room.picture({ attributes: { quality }, camera });
+  await room.evaluate(
+    (element, { quality, camera }) => {
+      const other = document.getElementById(quality) as CandleFlameElement;
+      other.moonlight = element.moonlight;
+      other.mirror(element);
+      other.camera = camera;
+    },
+    { quality, camera },
+  );
+  return new RoomDriver(page, `#${quality}`).picture();
 }
 
 let refined: Picture;
@@ -230,7 +252,6 @@ test("is what `high` shows, and the first step nearer to it than `low` is", asyn
 });
 
 test("is what `high` shows elsewhere, too, with the candle in the hand, whatever was begun on the way", async () => {
-  await room.set({ quality: "auto" });
   const stand = (camera: Camera) =>
     room.evaluate((element, camera) => {
       element.reset();
@@ -254,7 +275,6 @@ test("is what `high` shows elsewhere, too, with the candle in the hand, whatever
 });
 
 test("is what `high` shows by the moon alone, too, once the eye is used to it", async () => {
-  await room.set({ quality: "auto" });
   const wait = (seconds: number) =>
     room.evaluate(
       (element, { camera, seconds }) => {
@@ -265,6 +285,7 @@ test("is what `high` shows by the moon alone, too, once the eye is used to it", 
       },
       { camera: TABLE, seconds },
     );
+  await room.set({ moonlight: "0.3" });
   await wait(12);
   await frames(60, 50);
   expect((await room.stats()).width, "the eye is adapting").toBeLessThan(BOX.width);
@@ -286,7 +307,7 @@ test("is what `high` shows by the moon alone, too, once the eye is used to it", 
 });
 
 test("is what `high` shows by several candles, too", async () => {
-  await room.set({ quality: "auto" });
+  await room.set({ moonlight: "0" });
   await room.evaluate((element, camera) => {
     element.reset();
     element.camera = camera;
