@@ -1,5 +1,4 @@
 import { Flaw } from "./asset-error.js";
-import type { GltfBuffer } from "./gltf-document.js";
 import type { JsonEntry } from "./json-entry.js";
 
 /** Bytes of each component type; the numbers are GL's. */
@@ -9,38 +8,10 @@ const TYPE_SIZES = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT
 type ComponentType = keyof typeof COMPONENT_BYTES;
 export type AccessorType = keyof typeof TYPE_SIZES;
 
-export interface BufferView {
-  readonly buffer: number;
-  readonly byteOffset: number;
-  readonly byteLength: number;
-  readonly byteStride: number | undefined;
-  /** EXT_meshopt_compression of the view; its lengths then mean the decoded bytes. */
-  readonly meshopt: MeshoptCompression | undefined;
-}
-
-export interface MeshoptCompression {
-  readonly byteLength: number;
-  readonly count: number;
-  readonly byteStride: number;
-  readonly mode: string;
-  readonly filter: string | undefined;
-}
-
-export interface Accessor {
-  readonly view: number | undefined;
-  readonly byteOffset: number;
-  readonly componentType: ComponentType;
-  readonly type: AccessorType;
-  readonly count: number;
-  readonly isNormalized: boolean;
-  readonly sparse: Sparse | undefined;
-}
-
-interface Sparse {
-  readonly count: number;
-  readonly indices: { readonly view: number; readonly byteOffset: number; readonly bytes: number };
-  readonly values: { readonly view: number; readonly byteOffset: number };
-}
+export type BufferView = Readonly<ReturnType<typeof readViews>[number]>;
+export type MeshoptCompression = Readonly<ReturnType<typeof readMeshopt>>;
+export type Accessor = Readonly<ReturnType<typeof readAccessors>[number]>;
+type Sparse = NonNullable<ReturnType<typeof readSparse>>;
 
 /** Most elements of an accessor: five million triangles without shared vertices. */
 const MOST_ELEMENTS = 15e6;
@@ -48,8 +19,8 @@ const MOST_DECODED_BYTES = 256e6;
 
 export function readViews(
   entries: readonly JsonEntry[],
-  buffers: readonly GltfBuffer[],
-): BufferView[] {
+  buffers: readonly { readonly byteLength: number }[],
+) {
   return entries.map((entry) => {
     const meshopt =
       entry.extension("EXT_meshopt_compression") ?? entry.extension("KHR_meshopt_compression");
@@ -67,12 +38,13 @@ export function readViews(
       byteOffset,
       byteLength: compression ? compression.count * compression.byteStride : byteLength,
       byteStride: entry.whole("byteStride"),
+      /** EXT_meshopt_compression of the view; its lengths then mean the decoded bytes. */
       meshopt: compression,
     };
   });
 }
 
-function readMeshopt(entry: JsonEntry, byteLength: number): MeshoptCompression {
+function readMeshopt(entry: JsonEntry, byteLength: number) {
   const count = entry.whole("count") ?? 0;
   const byteStride = entry.whole("byteStride") ?? 0;
   if (count * byteStride > MOST_DECODED_BYTES) throw entry.wrong("count", "is too large");
@@ -83,10 +55,7 @@ function readMeshopt(entry: JsonEntry, byteLength: number): MeshoptCompression {
   return { byteLength, count, byteStride, mode, filter: entry.string("filter") };
 }
 
-export function readAccessors(
-  entries: readonly JsonEntry[],
-  views: readonly BufferView[],
-): Accessor[] {
+export function readAccessors(entries: readonly JsonEntry[], views: readonly BufferView[]) {
   return entries.map((entry) => {
     const componentType = oneOf(COMPONENT_BYTES, entry.whole("componentType"));
     if (componentType === undefined) throw entry.wrong("componentType", "is none that is known");
@@ -130,7 +99,7 @@ function checkReach(entry: JsonEntry, accessor: Accessor, views: readonly Buffer
   }
 }
 
-function readSparse(entry: JsonEntry, views: readonly BufferView[]): Sparse | undefined {
+function readSparse(entry: JsonEntry, views: readonly BufferView[]) {
   const sparse = entry.entry("sparse");
   if (!sparse) return undefined;
   const indices = sparse.entry("indices");

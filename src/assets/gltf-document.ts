@@ -1,5 +1,5 @@
 import { Flaw } from "./asset-error.js";
-import { type Accessor, type BufferView, readAccessors, readViews } from "./gltf-accessors.js";
+import { type Accessor, readAccessors, readViews } from "./gltf-accessors.js";
 import { type Mesh, readMeshes } from "./gltf-meshes.js";
 import { JsonEntry } from "./json-entry.js";
 
@@ -7,55 +7,13 @@ import { JsonEntry } from "./json-entry.js";
  * The parts of a glTF file that are used here. All references and numbers are validated: there are no cycles and no
  * indices out of bounds.
  */
-export interface GltfDocument {
-  /** Nodes of the scene shown that have no parent. */
-  readonly roots: readonly number[];
-  readonly nodes: readonly Node[];
+export type GltfDocument = Readonly<ReturnType<typeof readDocument>>;
+export type Node = Readonly<ReturnType<typeof readNode>>;
+
+interface Lists {
   readonly meshes: readonly Mesh[];
-  readonly skins: readonly Skin[];
+  readonly skins: readonly unknown[];
   readonly accessors: readonly Accessor[];
-  readonly views: readonly BufferView[];
-  readonly buffers: readonly GltfBuffer[];
-  /** Read by `read-material.ts` and `texture-images.ts`, where they are used. */
-  readonly materials: readonly JsonEntry[];
-  readonly textures: readonly JsonEntry[];
-  readonly images: readonly JsonEntry[];
-  readonly samplers: readonly JsonEntry[];
-  readonly extensionsUsed: readonly string[];
-  readonly sceneCount: number;
-  readonly hasAnimations: boolean;
-}
-
-type Lists = Pick<GltfDocument, "meshes" | "skins" | "accessors">;
-
-export interface Node {
-  readonly name: string;
-  readonly children: readonly number[];
-  readonly mesh: number | undefined;
-  /** Whether it has no mesh at all, not even one of lines. */
-  readonly isEmpty: boolean;
-  readonly skin: number | undefined;
-  readonly weights: readonly number[] | undefined;
-  /** Whether it is a wick, or the flame of one, whose position is not finite. */
-  readonly isMisplaced: boolean;
-  /** Wick diameter as in the file: millimetres, not validated. */
-  readonly wickDiameter: unknown;
-  readonly matrix: readonly number[] | undefined;
-  readonly translation: readonly number[] | undefined;
-  readonly rotation: readonly number[] | undefined;
-  readonly scale: readonly number[] | undefined;
-  /** Accessors of EXT_mesh_gpu_instancing. */
-  readonly instances: Readonly<Record<string, number>> | undefined;
-}
-
-interface Skin {
-  readonly joints: readonly number[];
-  readonly inverseBindMatrices: number | undefined;
-}
-
-export interface GltfBuffer {
-  readonly uri: string | undefined;
-  readonly byteLength: number;
 }
 
 /** Most levels of the node tree: recursion over more runs out of stack. */
@@ -65,7 +23,7 @@ const MOST_TRIANGLES = 5e6;
 /** Most vertices: those of `MOST_TRIANGLES` without shared vertices, since a small file can ask for any number. */
 const MOST_VERTICES = 3 * MOST_TRIANGLES;
 
-export function readDocument(json: unknown): GltfDocument {
+export function readDocument(json: unknown) {
   const root = new JsonEntry(json, "");
   const version = root.entry("asset")?.string("version");
   if (version === undefined) throw new Flaw("is no glTF: it does not say of which version it is");
@@ -89,6 +47,7 @@ export function readDocument(json: unknown): GltfDocument {
   checkTree(nodes, roots);
   checkTriangles(nodes, meshes, accessors);
   return {
+    /** Nodes of the scene shown that have no parent. */
     roots,
     nodes,
     meshes,
@@ -96,6 +55,7 @@ export function readDocument(json: unknown): GltfDocument {
     accessors,
     views,
     buffers,
+    /** Read by `read-material.ts` and `texture-images.ts`, where they are used. */
     materials,
     textures: root.entries("textures"),
     images: root.entries("images"),
@@ -106,8 +66,7 @@ export function readDocument(json: unknown): GltfDocument {
   };
 }
 
-function readNode(entry: JsonEntry, count: number, lists: Lists): Node {
-  const { meshes, skins, accessors } = lists;
+function readNode(entry: JsonEntry, count: number, { meshes, skins, accessors }: Lists) {
   const index = entry.index("mesh", meshes.length);
   const mesh = index === undefined ? undefined : meshes[index];
   const isSeen = mesh !== undefined && mesh.primitives.length > 0;
@@ -118,22 +77,19 @@ function readNode(entry: JsonEntry, count: number, lists: Lists): Node {
     name,
     children: entry.indices("children", count),
     mesh: isSeen ? index : undefined,
+    /** Whether it has no mesh at all, not even one of lines. */
     isEmpty: mesh === undefined,
     skin: isSeen ? entry.index("skin", skins.length) : undefined,
     weights: isSeen ? entry.numbers("weights") : undefined,
+    /** Whether it is a wick, or the flame of one, whose position is not finite. */
     isMisplaced: placement === null,
+    /** As in the file: millimetres, not validated. */
     wickDiameter: isCandle ? entry.extras()?.value("wickDiameter") : undefined,
-    ...(placement ?? UNPLACED),
+    ...placement,
+    /** Accessors of EXT_mesh_gpu_instancing. */
     instances: isSeen ? readInstances(entry, accessors) : undefined,
   };
 }
-
-const UNPLACED = {
-  matrix: undefined,
-  translation: undefined,
-  rotation: undefined,
-  scale: undefined,
-} as const;
 
 function readPlacement(entry: JsonEntry) {
   return {
@@ -177,7 +133,7 @@ function readInstances(node: JsonEntry, accessors: readonly Accessor[]) {
   return counts.size === 1 ? instances : undefined;
 }
 
-function readSkin(entry: JsonEntry, nodeCount: number, accessors: readonly Accessor[]): Skin {
+function readSkin(entry: JsonEntry, nodeCount: number, accessors: readonly Accessor[]) {
   const joints = entry.indices("joints", nodeCount);
   if (joints.length === 0) throw entry.wrong("joints", "is empty");
   const inverseBindMatrices = entry.index("inverseBindMatrices", accessors.length);
@@ -209,29 +165,20 @@ function checkTree(nodes: readonly Node[], roots: readonly number[]): void {
       parents.set(child, parent);
     }
   }
-  checkAscent(nodes.length, parents);
+  for (const start of nodes.keys()) checkAscent(start, parents);
   for (const root of roots) {
     if (parents.has(root)) throw new Flaw(`is broken: nodes[${root}] is a root and has a parent`);
   }
 }
 
-/** Finds cycles: every node has at most one parent, so the way up from it ends or repeats. */
-function checkAscent(count: number, parents: ReadonlyMap<number, number>): void {
-  const depths = new Map<number, number>();
-  for (let start = 0; start < count; start++) {
-    const path: number[] = [];
-    const onPath = new Set<number>();
-    let node: number | undefined = start;
-    while (node !== undefined && !depths.has(node)) {
-      if (onPath.has(node)) throw new Flaw(`is broken: nodes[${node}] is its own ancestor`);
-      onPath.add(node);
-      path.push(node);
-      node = parents.get(node);
-    }
-    let depth = node === undefined ? 0 : (depths.get(node) ?? 0);
-    for (const below of path.reverse()) depths.set(below, ++depth);
-    if (depth > MOST_DEPTH) throw new Flaw(`is too deep: more than ${MOST_DEPTH} nodes in nodes`);
+/** Every node has at most one parent, so the way up from it ends or repeats. */
+function checkAscent(start: number, parents: ReadonlyMap<number, number>): void {
+  const path = new Set<number>();
+  for (let node: number | undefined = start; node !== undefined; node = parents.get(node)) {
+    if (path.has(node)) throw new Flaw(`is broken: nodes[${node}] is its own ancestor`);
+    path.add(node);
   }
+  if (path.size > MOST_DEPTH) throw new Flaw(`is too deep: more than ${MOST_DEPTH} nodes in nodes`);
 }
 
 function checkTriangles(

@@ -1,34 +1,8 @@
 import type { Accessor, AccessorType, BufferView } from "./gltf-accessors.js";
 import type { JsonEntry } from "./json-entry.js";
 
-export interface Mesh {
-  readonly name: string;
-  readonly primitives: readonly Primitive[];
-  /** Weights of the morph targets in the rest pose. */
-  readonly weights: readonly number[] | undefined;
-  /** Whether it has points or lines, which are not drawn. */
-  readonly hasLines: boolean;
-}
-
-export interface Primitive {
-  /** Accessors by attribute. */
-  readonly attributes: Readonly<Record<string, number>>;
-  readonly indices: number | undefined;
-  /** Fewer triangles of the same vertices, which our own tools add: tools/models/reduce.mjs. */
-  readonly reducedIndices: number | undefined;
-  readonly mode: 4 | 5 | 6;
-  readonly material: number | undefined;
-  /** As many as the file says. */
-  readonly triangles: number;
-  readonly targets: readonly Readonly<Record<string, number>>[];
-  readonly draco: Draco | undefined;
-}
-
-/** KHR_draco_mesh_compression: the buffer view, and Draco's numbers for the attributes. */
-interface Draco {
-  readonly view: number;
-  readonly attributes: Readonly<Record<string, number>>;
-}
+export type Mesh = Readonly<ReturnType<typeof readMeshes>[number]>;
+export type Primitive = Readonly<ReturnType<typeof readPrimitive>>;
 
 interface Lists {
   readonly accessors: readonly Accessor[];
@@ -46,7 +20,7 @@ const ATTRIBUTE_TYPES: readonly (readonly [RegExp, readonly AccessorType[]])[] =
 ];
 const INDEX_COMPONENTS: readonly number[] = [5121, 5123, 5125];
 
-export function readMeshes(entries: readonly JsonEntry[], lists: Lists): Mesh[] {
+export function readMeshes(entries: readonly JsonEntry[], lists: Lists) {
   return entries.map((entry, index) => {
     const all = entry.entries("primitives");
     const surfaces = all.filter((primitive) => isTriangles(primitive));
@@ -55,7 +29,9 @@ export function readMeshes(entries: readonly JsonEntry[], lists: Lists): Mesh[] 
       primitives: surfaces
         .map((primitive) => readPrimitive(primitive, lists))
         .filter(({ triangles }) => triangles > 0),
+      /** Of the morph targets in the rest pose. */
       weights: entry.numbers("weights"),
+      /** Whether it has points or lines, which are not drawn. */
       hasLines: surfaces.length < all.length,
     };
   });
@@ -67,11 +43,10 @@ function isTriangles(primitive: JsonEntry): boolean {
   return mode >= TRIANGLES;
 }
 
-function readPrimitive(entry: JsonEntry, lists: Lists): Primitive {
-  const { accessors, views, materials } = lists;
+function readPrimitive(entry: JsonEntry, { accessors, views, materials }: Lists) {
   const attributes = readAttributes(entry.entry("attributes"), accessors);
   const indices = entry.index("indices", accessors.length);
-  const mode = (entry.whole("mode") ?? TRIANGLES) as Primitive["mode"];
+  const mode = entry.whole("mode") ?? TRIANGLES;
   const count = accessors[indices ?? attributes.POSITION ?? -1]?.count ?? 0;
   if (indices !== undefined) checkIndices(entry, accessors[indices]);
   const reducedIndices = entry.extras()?.index("reducedIndices", accessors.length);
@@ -84,11 +59,14 @@ function readPrimitive(entry: JsonEntry, lists: Lists): Primitive {
     }
   }
   return {
+    /** Accessors by attribute. */
     attributes,
     indices,
+    /** Fewer triangles of the same vertices, which our own tools add: tools/models/reduce.mjs. */
     reducedIndices,
     mode,
     material: entry.index("material", materials.length),
+    /** As many as the file says. */
     triangles:
       attributes.POSITION === undefined
         ? 0
@@ -126,7 +104,8 @@ function checkIndices(entry: JsonEntry, accessor: Accessor | undefined): void {
   }
 }
 
-function readDraco(entry: JsonEntry, viewCount: number): Draco {
+/** KHR_draco_mesh_compression: the buffer view, and Draco's numbers for the attributes. */
+function readDraco(entry: JsonEntry, viewCount: number) {
   const view = entry.index("bufferView", viewCount);
   if (view === undefined) throw entry.wrong("bufferView", "is missing");
   const ids = entry.entry("attributes");

@@ -12,30 +12,24 @@ export interface Placement {
 
 export const UNTURNED: Placement = { uvSet: 0, rotation: 0, scale: [1, 1], offset: [0, 0] };
 
-export interface TextureUse {
-  readonly texture: number;
-  readonly placement: Placement;
-  /** A normal map's scale or an occlusion map's strength. */
-  readonly amount: number;
-}
+export type TextureUse = NonNullable<ReturnType<typeof readTextureUse>>;
 
-export function readTextureUse(
-  entry: JsonEntry | undefined,
-  textureCount: number,
-): TextureUse | null {
+export function readTextureUse(entry: JsonEntry | undefined, textureCount: number) {
   const texture = entry?.index("index", textureCount);
   if (!entry || texture === undefined) return null;
   const transform = entry.extension("KHR_texture_transform");
   const [scaleU = 1, scaleV = 1] = transform?.numbers("scale", 2) ?? [];
   const [offsetU = 0, offsetV = 0] = transform?.numbers("offset", 2) ?? [];
+  const placement: Placement = {
+    uvSet: transform?.whole("texCoord") ?? entry.whole("texCoord") ?? 0,
+    rotation: transform?.number("rotation") ?? 0,
+    scale: [scaleU, scaleV],
+    offset: [offsetU, offsetV],
+  };
   return {
     texture,
-    placement: {
-      uvSet: transform?.whole("texCoord") ?? entry.whole("texCoord") ?? 0,
-      rotation: transform?.number("rotation") ?? 0,
-      scale: [scaleU, scaleV],
-      offset: [offsetU, offsetV],
-    },
+    placement,
+    /** A normal map's scale or an occlusion map's strength. */
     amount: entry.number("scale") ?? entry.number("strength") ?? 1,
   };
 }

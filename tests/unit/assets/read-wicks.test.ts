@@ -111,6 +111,7 @@ test("a document with a wick in no place is read, and one with another such node
     nodes: [{ name, translation: [null, 0, 0], extras: { wickDiameter: [] } }],
   });
   const [wick] = readDocument(document("wick")).nodes;
-  expect(wick).toMatchObject({ isMisplaced: true, translation: undefined, wickDiameter: [] });
+  expect(wick).toMatchObject({ isMisplaced: true, wickDiameter: [] });
+  expect(wick?.translation).toBeUndefined();
   expect(() => readDocument(document("chair"))).toThrow("holds what is not a number");
 });
