@@ -1,7 +1,15 @@
 import { assetError, Flaw } from "./asset-error.js";
 import { fetchBytes } from "./fetch-bytes.js";
 import { openContainer } from "./glb.js";
-import type { Material, Model, Part, TextureImage } from "./model.js";
+import { memoized } from "./memoized.js";
+import {
+  AS_STORED,
+  type Material,
+  type Model,
+  type Part,
+  PLAIN_MATERIAL,
+  type TextureImage,
+} from "./model.js";
 
 /** The subset of glTF that our own files use. */
 interface BuiltInDocument {
@@ -11,8 +19,6 @@ interface BuiltInDocument {
     readonly componentType: 5121 | 5123 | 5126;
     readonly count: number;
     readonly type: "SCALAR" | "VEC2" | "VEC3" | "VEC4";
-    readonly min?: readonly [number, number, number];
-    readonly max?: readonly [number, number, number];
   }[];
   readonly bufferViews: readonly { readonly byteOffset?: number }[];
   readonly scenes: readonly { readonly nodes: readonly number[] }[];
@@ -68,13 +74,7 @@ export async function readBuiltInModel(
     const { json, binary } = openContainer(bytes);
     if (!binary) throw new Flaw("has no binary chunk");
     const document = json as BuiltInDocument;
-    const images = new Map<number, Promise<TextureImage>>();
-    const image = (texture: { readonly index: number } | undefined) => {
-      if (!texture) return null;
-      const known = images.get(texture.index) ?? readImage(document, texture.index, url, signal);
-      images.set(texture.index, known);
-      return known;
-    };
+    const image = memoized((index: number) => readImage(document, index, url, signal));
     const materials = await Promise.all(
       document.materials.map((material) => readMaterial(material, image)),
     );
@@ -93,39 +93,32 @@ async function readImage(
   signal: AbortSignal,
 ): Promise<TextureImage> {
   const texture = textures[index];
-  const asStored = { premultiplyAlpha: "none", colorSpaceConversion: "none" } as const;
   const source = texture?.extensions?.EXT_texture_avif?.source ?? texture?.source;
   const uri = images[source ?? -1]?.uri;
   if (uri === undefined) throw new Flaw("names a picture that is missing");
   const bytes = await fetchBytes(new URL(uri, base), { signal, isForeign: () => false });
-  return createImageBitmap(new Blob([bytes]), asStored);
+  return createImageBitmap(new Blob([bytes]), AS_STORED);
 }
 
 async function readMaterial(
   { name, pbrMetallicRoughness: pbr, normalTexture }: BuiltInMaterial,
-  image: (texture: { readonly index: number } | undefined) => Promise<TextureImage> | null,
+  image: (index: number) => Promise<TextureImage>,
 ): Promise<Material> {
-  const [albedo, packed, normal] = await Promise.all([
-    image(pbr.baseColorTexture),
-    image(pbr.metallicRoughnessTexture),
-    image(normalTexture),
-  ]);
+  const maps = [pbr.baseColorTexture, pbr.metallicRoughnessTexture, normalTexture];
+  const [albedo = null, packed = null, normal = null] = await Promise.all(
+    maps.map((map) => map && image(map.index)),
+  );
   return {
+    ...PLAIN_MATERIAL,
     name,
-    baseColor: pbr.baseColorFactor ?? [1, 1, 1, 1],
+    baseColor: pbr.baseColorFactor ?? PLAIN_MATERIAL.baseColor,
     roughness: pbr.roughnessFactor ?? 1,
     metallic: pbr.metallicFactor ?? 1,
-    normalScale: 1,
     occlusionStrength: packed ? 1 : 0,
-    isDoubleSided: false,
     isWax: name === "wax" || name === "pool",
-    transmission: 0,
-    alphaMode: "opaque",
-    alphaCutoff: 0.5,
     albedo,
     normal,
     occlusionRoughnessMetallic: packed,
-    occlusion: null,
   };
 }
 

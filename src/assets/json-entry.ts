@@ -7,10 +7,8 @@ export class JsonEntry {
 
   /** @param place its path in the file, for error messages */
   constructor(value: unknown, place: string) {
-    if (typeof value !== "object" || value === null || Array.isArray(value)) {
-      throw new Flaw(`is broken: ${place} is not an object`);
-    }
-    this.#fields = value as Record<string, unknown>;
+    if (!isObject(value)) throw new Flaw(`is broken: ${place} is not an object`);
+    this.#fields = value;
     this.#place = place;
   }
 
@@ -27,16 +25,16 @@ export class JsonEntry {
   }
 
   string(name: string): string | undefined {
-    const value = this.#field(name);
+    const value = this.value(name);
     return typeof value === "string" ? value : undefined;
   }
 
   boolean(name: string): boolean {
-    return this.#field(name) === true;
+    return this.value(name) === true;
   }
 
   number(name: string): number | undefined {
-    const value = this.#field(name);
+    const value = this.value(name);
     if (value === undefined) return undefined;
     if (!isNumber(value)) throw this.wrong(name, "is not a number");
     return value;
@@ -44,12 +42,12 @@ export class JsonEntry {
 
   /** The raw value, of any type. */
   value(name: string): unknown {
-    return this.#field(name);
+    return this.has(name) ? this.#fields[name] : undefined;
   }
 
   /** A whole number from 0. */
   whole(name: string): number | undefined {
-    const value = this.#field(name);
+    const value = this.value(name);
     if (value === undefined) return undefined;
     if (!isWhole(value)) throw this.wrong(name, "is not a whole number");
     return value;
@@ -85,7 +83,7 @@ export class JsonEntry {
   }
 
   entry(name: string): JsonEntry | undefined {
-    const value = this.#field(name);
+    const value = this.value(name);
     return value === undefined ? undefined : new JsonEntry(value, this.#placeOf(name));
   }
 
@@ -101,17 +99,12 @@ export class JsonEntry {
 
   /** Application-specific data, of any type. */
   extras(): JsonEntry | undefined {
-    const value = this.#field("extras");
-    const isObject = typeof value === "object" && value !== null && !Array.isArray(value);
-    return isObject ? new JsonEntry(value, this.#placeOf("extras")) : undefined;
-  }
-
-  #field(name: string): unknown {
-    return this.has(name) ? this.#fields[name] : undefined;
+    const value = this.value("extras");
+    return isObject(value) ? new JsonEntry(value, this.#placeOf("extras")) : undefined;
   }
 
   #list(name: string): unknown[] {
-    const value = this.#field(name);
+    const value = this.value(name);
     if (value === undefined) return [];
     if (!Array.isArray(value)) throw this.wrong(name, "is not a list");
     return value;
@@ -121,6 +114,9 @@ export class JsonEntry {
     return this.#place === "" ? name : `${this.#place}.${name}`;
   }
 }
+
+const isObject = (value: unknown): value is Record<string, unknown> =>
+  typeof value === "object" && value !== null && !Array.isArray(value);
 
 const isNumber = (value: unknown): value is number =>
   typeof value === "number" && Number.isFinite(value);

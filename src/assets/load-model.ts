@@ -1,5 +1,5 @@
 import { assetError, Flaw } from "./asset-error.js";
-import { BufferBytes } from "./buffer-bytes.js";
+import { viewReader } from "./buffer-bytes.js";
 import { Decoders } from "./decoders.js";
 import { fetchBytes } from "./fetch-bytes.js";
 import { openContainer } from "./glb.js";
@@ -46,7 +46,6 @@ export async function loadModel(url: string, options: LoadOptions): Promise<Mode
 
 async function load(url: string, file: string, options: LoadOptions): Promise<Model> {
   const { signal, onProgress, isCandle = false, decoderBase } = options;
-  const shared = options.sharedImages ?? new Map();
   const address = addressOf(url, window.location.href);
   const bytes = await fetchBytes(address, {
     signal,
@@ -58,16 +57,17 @@ async function load(url: string, file: string, options: LoadOptions): Promise<Mo
   const module = import.meta.url;
   const decoders = new Decoders(new URL(decoderBase ?? "decoders/", module), signal);
   const resolve = (uri: string) => addressOf(uri, address.href);
-  const bufferBytes = new BufferBytes(document, { binary, decoders, resolve, signal });
-  const sources = { file, decoders, resolve, signal, shared };
-  const images = new TextureImages(document, bufferBytes, sources);
+  const shared = options.sharedImages ?? new Map();
+  const sources = { file, binary, decoders, resolve, signal, shared };
+  const readView = viewReader(document, sources);
+  const images = new TextureImages(document, readView, sources);
   const report = stages(document, onProgress);
   try {
     const warnings = new Set(readWarnings(document, isCandle));
     const [materials, scene] = await orAborted(
       Promise.all([
         readMaterials(document, images, warnings, report),
-        buildScene(document, bufferBytes, decoders).finally(report),
+        buildScene(document, readView, decoders).finally(report),
       ]),
       signal,
     );

@@ -94,6 +94,28 @@ export interface Material {
   readonly occlusion: TextureImage | null;
 }
 
+/** White and rough: what a material is where nothing is said of it. */
+export const PLAIN_MATERIAL: Material = {
+  name: "",
+  baseColor: [1, 1, 1, 1],
+  roughness: 1,
+  metallic: 0,
+  normalScale: 1,
+  occlusionStrength: 0,
+  isDoubleSided: false,
+  isWax: false,
+  transmission: 0,
+  alphaMode: "opaque",
+  alphaCutoff: 0.5,
+  albedo: null,
+  normal: null,
+  occlusionRoughnessMetallic: null,
+  occlusion: null,
+};
+
+/** Values of an image as in the file: they may be normals. */
+export const AS_STORED = { premultiplyAlpha: "none", colorSpaceConversion: "none" } as const;
+
 /** Frees the images. The model is of no use afterwards. */
 export function closeModel({ parts }: Model): void {
   for (const { material } of parts) {

@@ -1,6 +1,6 @@
 import type { GltfDocument } from "./gltf-document.js";
 import type { JsonEntry } from "./json-entry.js";
-import type { Material } from "./model.js";
+import { type Material, PLAIN_MATERIAL } from "./model.js";
 import type { TextureImages } from "./texture-images.js";
 import {
   isSamePlacement,
@@ -25,23 +25,7 @@ const MIRRORED_REPEAT = 33648;
  * resembles plaster.
  */
 export const DEFAULT_MATERIAL: PlacedMaterial = {
-  material: {
-    name: "",
-    baseColor: [1, 1, 1, 1],
-    roughness: 1,
-    metallic: 0,
-    normalScale: 1,
-    occlusionStrength: 0,
-    isDoubleSided: false,
-    isWax: false,
-    transmission: 0,
-    alphaMode: "opaque",
-    alphaCutoff: 0.5,
-    albedo: null,
-    normal: null,
-    occlusionRoughnessMetallic: null,
-    occlusion: null,
-  },
+  material: PLAIN_MATERIAL,
   placement: UNTURNED,
   occlusionPlacement: null,
 };

@@ -1,4 +1,4 @@
-import { type Group, type Mesh, type Object3D, Vector3 } from "three";
+import { Box3, type Group, type Mesh, type Object3D, Vector3 } from "three";
 import { Flaw } from "./asset-error.js";
 import { checkTriangleCount } from "./gltf-document.js";
 import type { Anchor, Box, Part, Wick } from "./model.js";
@@ -65,18 +65,15 @@ function anchorAt({ matrixWorld }: Object3D): Anchor {
 
 function boundsOf(parts: readonly Part[]): Box {
   if (parts.length === 0) throw new Flaw("holds no geometry");
-  const min = new Vector3(Infinity, Infinity, Infinity);
-  const max = new Vector3(-Infinity, -Infinity, -Infinity);
-  const position = new Vector3();
+  const box = new Box3();
+  const vector = new Vector3();
   for (const { positions } of parts) {
     for (let i = 0; i < positions.length; i += 3) {
-      position.fromArray(positions, i);
-      min.min(position);
-      max.max(position);
+      box.expandByPoint(vector.fromArray(positions, i));
     }
   }
-  const size = Math.max(...new Vector3().subVectors(max, min).toArray());
-  const farthest = Math.max(...[...min.toArray(), ...max.toArray()].map(Math.abs));
+  const size = Math.max(...box.getSize(vector));
+  const farthest = Math.max(...[...box.min, ...box.max].map(Math.abs));
   if (size > LARGEST) {
     throw new Flaw(`is ${(size / 1000).toPrecision(3)} km large; glTF counts in metres`);
   }
@@ -86,5 +83,5 @@ function boundsOf(parts: readonly Part[]): Box {
   if (size < SMALLEST) {
     throw new Flaw(`is ${(size * 1000).toPrecision(3)} mm large; glTF counts in metres`);
   }
-  return { min: min.toArray(), max: max.toArray() };
+  return { min: box.min.toArray(), max: box.max.toArray() };
 }

@@ -1,9 +1,8 @@
 import { assetError, Flaw } from "./asset-error.js";
-import { type BufferBytes, nameOf } from "./buffer-bytes.js";
-import type { Decoders } from "./decoders.js";
+import { nameOf, type ReadView, type Sources } from "./buffer-bytes.js";
 import { fetchBytes } from "./fetch-bytes.js";
 import type { GltfDocument } from "./gltf-document.js";
-import { closeImage, type TextureImage } from "./model.js";
+import { AS_STORED, closeImage, type TextureImage } from "./model.js";
 
 /** Longest side of an image, pixels: more than is visible by candlelight, and than some GPUs accept. */
 const LONGEST_SIDE = 4096;
@@ -13,28 +12,18 @@ const SOURCES = ["EXT_texture_avif", "EXT_texture_webp"] as const;
 
 const KTX2_IDENTIFIER = [0xab, 0x4b, 0x54, 0x58, 0x20, 0x32, 0x30, 0xbb];
 
-interface Sources {
-  /** Name of the model's file. */
-  readonly file: string;
-  readonly decoders: Decoders;
-  readonly resolve: (uri: string) => URL;
-  readonly signal: AbortSignal;
-  /** Decoded images by address, which models that are loaded together share. */
-  readonly shared: Map<string, Promise<TextureImage>>;
-}
-
 /** Texture images of a file: each decoded once, and all of them closed if the model fails. */
 export class TextureImages {
   readonly warnings = new Set<string>();
   readonly #document: GltfDocument;
-  readonly #bytes: BufferBytes;
+  readonly #readView: ReadView;
   readonly #sources: Sources;
   readonly #images = new Map<number, Promise<TextureImage>>();
   #isClosed = false;
 
-  constructor(document: GltfDocument, bytes: BufferBytes, sources: Sources) {
+  constructor(document: GltfDocument, readView: ReadView, sources: Sources) {
     this.#document = document;
-    this.#bytes = bytes;
+    this.#readView = readView;
     this.#sources = sources;
   }
 
@@ -89,7 +78,7 @@ export class TextureImages {
     const view = image?.index("bufferView", this.#document.views.length);
     const name = image?.string("name") ?? (uri === undefined ? `number ${index}` : nameOf(uri));
     // Errors of a buffer are reported for the file, not for this image.
-    const inside = view === undefined ? null : await this.#bytes.view(view);
+    const inside = view === undefined ? null : await this.#readView(view);
     try {
       if (inside) return await this.#decode(inside, name);
       if (uri === undefined) throw new Flaw("is missing");
@@ -115,9 +104,7 @@ export class TextureImages {
     if (KTX2_IDENTIFIER.every((byte, i) => bytes[i] === byte)) {
       return this.#sources.decoders.ktx2(bytes);
     }
-    // Values as in the file: they may be normals.
-    const asStored = { premultiplyAlpha: "none", colorSpaceConversion: "none" } as const;
-    const bitmap = await createImageBitmap(new Blob([bytes]), asStored).catch((cause: unknown) => {
+    const bitmap = await createImageBitmap(new Blob([bytes]), AS_STORED).catch((cause: unknown) => {
       throw new Flaw("is not a picture that can be read", { cause });
     });
     const { width, height } = bitmap;
@@ -126,7 +113,7 @@ export class TextureImages {
     this.warnings.add(`The texture ${name} is shrunk from ${width} x ${height} pixels.`);
     try {
       return await createImageBitmap(bitmap, {
-        ...asStored,
+        ...AS_STORED,
         resizeWidth: Math.max(1, Math.round(width * shrink)),
         resizeHeight: Math.max(1, Math.round(height * shrink)),
         resizeQuality: "high",

@@ -1,6 +1,6 @@
 import type { Group, Mesh } from "three";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
-import type { BufferBytes } from "./buffer-bytes.js";
+import type { ReadView } from "./buffer-bytes.js";
 import { type Decoders, withTimeout } from "./decoders.js";
 import { denseBytes } from "./gltf-accessors.js";
 import type { GltfDocument, Node } from "./gltf-document.js";
@@ -17,22 +17,21 @@ const INSTANCING = "EXT_mesh_gpu_instancing";
  */
 export async function buildScene(
   document: GltfDocument,
-  bytes: BufferBytes,
+  readView: ReadView,
   decoders: Decoders,
 ): Promise<Group> {
   const loader = new GLTFLoader();
   const isDraco = document.meshes.some(({ primitives }) => primitives.some(({ draco }) => draco));
   if (isDraco) loader.setDRACOLoader(await decoders.draco());
   const rawViews = document.views.length;
-  const readView = async (index: number): Promise<ArrayBuffer> => {
+  const loadBufferView = async (index: number): Promise<ArrayBuffer> => {
     const accessor = document.accessors[index - rawViews];
-    if (!accessor) return (await bytes.view(index)).slice().buffer;
-    const dense = await denseBytes(accessor, document.views, (view) => bytes.view(view));
-    return dense.buffer;
+    if (!accessor) return (await readView(index)).slice().buffer;
+    return (await denseBytes(accessor, document.views, readView)).buffer;
   };
   loader.register((parser) => ({
     name: "checked views",
-    loadBufferView: readView,
+    loadBufferView,
     afterRoot: async ({ scene }) => {
       const meshes: Mesh[] = [];
       scene.traverse((node) => void ("isMesh" in node && meshes.push(node as Mesh)));
