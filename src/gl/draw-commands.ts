@@ -46,13 +46,9 @@ export interface Draw {
 }
 
 /** Transform feedback without rasterization: a vertex shader's outputs are captured in `into`. */
-export interface Transform {
-  readonly program: Program;
-  readonly vertexArray: VertexArray;
-  readonly uniforms: Readonly<Record<string, UniformValue>>;
-  readonly blocks: Readonly<Record<string, UniformBlock>>;
+export interface Transform
+  extends Required<Pick<Draw, "program" | "vertexArray" | "uniforms" | "blocks" | "count">> {
   readonly into: Buffer;
-  readonly count: number;
 }
 
 const MODES = { triangles: "TRIANGLES", strip: "TRIANGLE_STRIP", points: "POINTS" } as const;
@@ -62,8 +58,8 @@ export class DrawCommands {
   /** Of the frame. */
   drawCalls = 0;
   triangles = 0;
-  readonly #gl: WebGL2RenderingContext;
-  readonly #canvas: HTMLCanvasElement;
+  readonly canvas: HTMLCanvasElement;
+  protected readonly gl: WebGL2RenderingContext;
   readonly #feedback: WebGLTransformFeedback;
   readonly #samplers: Samplers;
   /** What is switched on in GL: each call saved is a microsecond of the page's own thread. */
@@ -71,8 +67,8 @@ export class DrawCommands {
   #writesDepth = true;
 
   constructor(gl: WebGL2RenderingContext, canvas: HTMLCanvasElement) {
-    this.#gl = gl;
-    this.#canvas = canvas;
+    this.gl = gl;
+    this.canvas = canvas;
     this.#feedback = created(gl, gl.createTransformFeedback(), "feedback");
     this.#samplers = new Samplers(gl);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
@@ -80,7 +76,7 @@ export class DrawCommands {
 
   /** @param scissor the part to clear. Default: all of it. */
   clear(target: Surface, color: readonly [number, number, number, number], scissor?: Box): void {
-    const gl = this.#gl;
+    const gl = this.gl;
     this.#bind(target);
     this.#writeDepth(true);
     this.#switch(gl.SCISSOR_TEST, scissor !== undefined);
@@ -107,7 +103,7 @@ export class DrawCommands {
     scissor,
     into,
   }: Draw): void {
-    const gl = this.#gl;
+    const gl = this.gl;
     this.#bind(target);
     if (viewport) gl.viewport(...viewport);
     this.#switch(gl.SCISSOR_TEST, scissor !== undefined);
@@ -132,7 +128,7 @@ export class DrawCommands {
   }
 
   transform({ program, vertexArray, uniforms, blocks, into, count }: Transform): void {
-    const gl = this.#gl;
+    const gl = this.gl;
     this.#use(program, uniforms, {}, {}, blocks);
     gl.bindVertexArray(vertexArray.handle);
     gl.enable(gl.RASTERIZER_DISCARD);
@@ -144,22 +140,22 @@ export class DrawCommands {
   #switch(capability: GLenum, isOn: boolean): void {
     if (this.#enabled.has(capability) === isOn) return;
     if (isOn) {
-      this.#gl.enable(capability);
+      this.gl.enable(capability);
       this.#enabled.add(capability);
     } else {
-      this.#gl.disable(capability);
+      this.gl.disable(capability);
       this.#enabled.delete(capability);
     }
   }
 
   #writeDepth(isOn: boolean): void {
     if (this.#writesDepth === isOn) return;
-    this.#gl.depthMask(isOn);
+    this.gl.depthMask(isOn);
     this.#writesDepth = isOn;
   }
 
   #capture(into: Buffer, count: number): void {
-    const gl = this.#gl;
+    const gl = this.gl;
     gl.bindTransformFeedback(gl.TRANSFORM_FEEDBACK, this.#feedback);
     gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, into.handle);
     gl.beginTransformFeedback(gl.POINTS);
@@ -169,8 +165,9 @@ export class DrawCommands {
     gl.bindTransformFeedback(gl.TRANSFORM_FEEDBACK, null);
   }
 
+  /** Copies a multisampled target to a surface of its size and format; with depth that can be read there. */
   resolve(target: RenderTarget, to: Surface): void {
-    const gl = this.#gl;
+    const gl = this.gl;
     gl.bindFramebuffer(gl.READ_FRAMEBUFFER, target.framebuffer);
     gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, to === "canvas" ? null : to.framebuffer);
     const { width, height } = target;
@@ -181,11 +178,38 @@ export class DrawCommands {
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 
+  /**
+   * Pixels of the canvas, 8-bit RGBA, rows from the bottom up; only in the task that drew them: afterwards the browser
+   * owns them. Waits for the GPU.
+   */
+  readCanvas([x, y, width, height]: Box): Uint8Array {
+    const gl = this.gl;
+    const pixels = new Uint8Array(width * height * 4);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.readPixels(x, y, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    return pixels;
+  }
+
+  /** RGB of a floating-point target, rows from the top. Waits for the GPU. */
+  readFloats(target: RenderTarget | TextureView, [x, y, width, height]: Box): Float32Array {
+    const gl = this.gl;
+    const texels = new Float32Array(width * height * 4);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
+    gl.readPixels(x, target.height - y - height, width, height, gl.RGBA, gl.FLOAT, texels);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    const rgb = new Float32Array(width * height * 3);
+    for (let i = 0; i < width * height; i++) {
+      const from = (i + width * (height - 1 - 2 * Math.floor(i / width))) * 4;
+      rgb.set(texels.subarray(from, from + 3), i * 3);
+    }
+    return rgb;
+  }
+
   #bind(target: Surface): void {
-    const gl = this.#gl;
+    const gl = this.gl;
     const isCanvas = target === "canvas";
     gl.bindFramebuffer(gl.FRAMEBUFFER, isCanvas ? null : target.framebuffer);
-    if (isCanvas) gl.viewport(0, 0, this.#canvas.width, this.#canvas.height);
+    if (isCanvas) gl.viewport(0, 0, this.canvas.width, this.canvas.height);
     else gl.viewport(0, 0, target.width, target.height);
   }
 
@@ -196,7 +220,7 @@ export class DrawCommands {
     sampling: Readonly<Record<string, Sampling>>,
     blocks: Readonly<Record<string, UniformBlock>>,
   ): void {
-    const gl = this.#gl;
+    const gl = this.gl;
     // First: laying out a block may have to look into another program.
     for (const [name, binding] of program.blocks) {
       const block = blocks[name];
@@ -217,6 +241,6 @@ export class DrawCommands {
 
   dispose(): void {
     this.#samplers.dispose();
-    this.#gl.deleteTransformFeedback(this.#feedback);
+    this.gl.deleteTransformFeedback(this.#feedback);
   }
 }

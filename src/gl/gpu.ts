@@ -10,9 +10,7 @@ import { type GpuContext, type GpuObject, incomplete, outOfMemory } from "./gpu-
 import { GpuTimer } from "./gpu-timer.js";
 import { nextTask } from "./next-task.js";
 import { Program, type ProgramOptions, type ShaderSource } from "./program.js";
-import { readCanvas, readFloats } from "./read-pixels.js";
 import { RenderTarget, type RenderTargetOptions } from "./render-target.js";
-import { rendererName } from "./renderer-name.js";
 import { Texture, type TextureOptions } from "./texture.js";
 import { TextureView, type TextureViewOptions } from "./texture-view.js";
 import { UniformBlock } from "./uniform-block.js";
@@ -26,11 +24,9 @@ export class WebGLUnavailableError extends Error {
 }
 
 /**
- * A WebGL2 context and its objects.
- *
- * It creates all GPU objects, so it can count and free them.
+ * A WebGL2 context: it draws, and creates all objects, so it can count and free them.
  */
-export class Gpu {
+export class Gpu extends DrawCommands {
   /** The driver's name of the renderer, for reports. */
   readonly renderer: string;
   /** Pixels of the longest side that canvas and targets can have. */
@@ -41,8 +37,6 @@ export class Gpu {
   /** Whether textures of full floats can be read between their texels; those of half floats always can. */
   readonly filtersFloats: boolean;
   readonly timer: GpuTimer;
-  readonly canvas: HTMLCanvasElement;
-  readonly #gl: WebGL2RenderingContext;
   readonly #context: GpuContext;
   readonly #alive = new Set<GpuObject>();
   /** Objects that one renderer leaves to the next, by what they were made from. */
@@ -51,7 +45,6 @@ export class Gpu {
   #isSharing = false;
   /** Programs that anything was drawn with. */
   readonly used = new Set<Program>();
-  readonly #commands: DrawCommands;
   readonly #mostSamples: number;
   /** Programs that the driver has not been sent. */
   readonly #unsent = new Set<Program>();
@@ -69,9 +62,8 @@ export class Gpu {
       powerPreference: "high-performance",
     });
     if (!gl) throw new WebGLUnavailableError("This browser or graphics driver offers no WebGL 2.");
-    this.#gl = gl;
+    super(gl, canvas);
     this.#context = { gl, forget: (object) => this.#forget(object) };
-    this.canvas = canvas;
     // Here, because extensions are lost with the context (KhronosGroup/WebGL #2942).
     const full = gl.getExtension("EXT_color_buffer_float");
     const half = gl.getExtension("EXT_color_buffer_half_float");
@@ -81,7 +73,6 @@ export class Gpu {
     // Blending into full floats, which Firefox allows with a warning unless it is asked for.
     gl.getExtension("EXT_float_blend");
     this.renderer = rendererName(gl);
-    this.#commands = new DrawCommands(gl, canvas);
     this.#mostSamples = gl.getParameter(gl.MAX_SAMPLES) as number;
     this.longestSide = Math.min(
       gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) as number,
@@ -93,7 +84,7 @@ export class Gpu {
 
   /** Sets the colour space of the canvas. Returns the one that it has: the browser may know sRGB alone. */
   setColorSpace(gamut: PredefinedColorSpace): PredefinedColorSpace {
-    const gl = this.#gl;
+    const gl = this.gl;
     if (gl.drawingBufferColorSpace === undefined) return "srgb"; // Safari before 16.4
     if (gl.drawingBufferColorSpace !== gamut) gl.drawingBufferColorSpace = gamut;
     return gl.drawingBufferColorSpace;
@@ -110,7 +101,7 @@ export class Gpu {
   }
 
   get isLost(): boolean {
-    return this.#gl.isContextLost();
+    return this.gl.isContextLost();
   }
 
   #forget(object: GpuObject): void {
@@ -210,7 +201,7 @@ export class Gpu {
 
   /** Throws if since this was last asked the driver refused a target or ran out of memory. Waits for it. */
   check(label: string): void {
-    const gl = this.#gl;
+    const gl = this.gl;
     const targets = [...this.#toCheck];
     this.#toCheck.clear();
     for (const target of targets) {
@@ -263,7 +254,7 @@ export class Gpu {
 
   /** Resolves when all commands so far have completed, or the context is lost. */
   async whenIdle(): Promise<void> {
-    const gl = this.#gl;
+    const gl = this.gl;
     const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.flush();
     if (!fence) return;
@@ -274,7 +265,7 @@ export class Gpu {
   }
 
   beginFrame(): void {
-    Object.assign(this.#commands, { drawCalls: 0, triangles: 0 });
+    this.drawCalls = this.triangles = 0;
     this.timer.begin();
   }
 
@@ -283,50 +274,19 @@ export class Gpu {
     this.#startPrograms(1);
   }
 
-  get drawCalls(): number {
-    return this.#commands.drawCalls;
-  }
-
-  get triangles(): number {
-    return this.#commands.triangles;
-  }
-
-  /** @param scissor the part to clear. Default: all of it. */
-  clear(target: Surface, color: readonly [number, number, number, number], scissor?: Box): void {
-    this.#commands.clear(target, color, scissor);
-  }
-
-  draw(draw: Draw): void {
+  override draw(draw: Draw): void {
     this.#use(draw.program);
-    this.#commands.draw(draw);
+    super.draw(draw);
   }
 
-  transform(transform: Transform): void {
+  override transform(transform: Transform): void {
     this.#use(transform.program);
-    this.#commands.transform(transform);
+    super.transform(transform);
   }
 
   #use(program: Program): void {
     if (this.#unsent.has(program)) this.#startPrograms();
     this.used.add(program);
-  }
-
-  /** Copies a multisampled target to a surface of its size and format; with depth that can be read there. */
-  resolve(target: RenderTarget, to: Surface): void {
-    this.#commands.resolve(target, to);
-  }
-
-  /**
-   * Pixels of the canvas, 8-bit RGBA, rows from the bottom up; only in the task that drew them: afterwards the browser
-   * owns them. Waits for the GPU.
-   */
-  readCanvas(box: Box): Uint8Array {
-    return readCanvas(this.#gl, box);
-  }
-
-  /** RGB of a floating-point target, rows from the top. Waits for the GPU. */
-  readFloats(target: RenderTarget | TextureView, box: Box): Float32Array {
-    return readFloats(this.#gl, target, box);
   }
 
   /** Frees every object, and keeps the context for others. */
@@ -341,10 +301,18 @@ export class Gpu {
   }
 
   /** Frees everything and gives the context back, so that the page's next one does not evict another. */
-  dispose(): void {
+  override dispose(): void {
     this.clearObjects();
     this.timer.dispose();
-    this.#commands.dispose();
-    this.#gl.getExtension("WEBGL_lose_context")?.loseContext();
+    super.dispose();
+    this.gl.getExtension("WEBGL_lose_context")?.loseContext();
   }
+}
+
+/** The renderer's name. Firefox gives it and deprecates the extension; others give it by the extension alone. */
+function rendererName(gl: WebGL2RenderingContext): string {
+  const name = String(gl.getParameter(gl.RENDERER));
+  if (name !== "WebKit WebGL") return name;
+  const extension = gl.getExtension("WEBGL_debug_renderer_info");
+  return extension ? String(gl.getParameter(extension.UNMASKED_RENDERER_WEBGL)) : name;
 }
