@@ -14,6 +14,11 @@ export class GridAxis {
   readonly widths: Float64Array;
   /** From the middle of the cell below each edge to the middle of the one above it. */
   readonly spans: Float64Array;
+  /** Reciprocals of widths and spans; and of each cell, the weights of its neighbours in a second derivative. */
+  readonly perWidth: Float64Array;
+  readonly perSpan: Float64Array;
+  readonly lower: Float64Array;
+  readonly upper: Float64Array;
   readonly #table = new Float32Array(TABLE + 2);
   readonly #perMetre: number;
 
@@ -29,6 +34,10 @@ export class GridAxis {
       this.edges,
       (_, i) => ((widths[i - 1] ?? first) + (widths[i] ?? last)) / 2,
     );
+    this.perWidth = this.widths.map((width) => 1 / width);
+    this.perSpan = this.spans.map((span) => 1 / span);
+    this.lower = this.widths.map((width, i) => 1 / (width * this.spans[i]!));
+    this.upper = this.widths.map((width, i) => 1 / (width * this.spans[i + 1]!));
     this.low = low;
     this.high = this.edges[this.count]!;
     this.#perMetre = TABLE / (this.high - low);

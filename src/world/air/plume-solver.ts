@@ -82,7 +82,7 @@ export class PlumeSolver {
     this.#lower = widths.map((width, i) => PLUME_STEP / (width * spans[i]!));
     this.#upper = widths.map((width, i) => PLUME_STEP / (width * spans[i + 1]!));
     const faces = (axis: Component) =>
-      new Float64Array(counts.reduce((size, n, i) => size * (i === axis ? n + 1 : n), 1));
+      new Float64Array(this.#sizes[axis]!.reduce((size, n) => size * n));
     this.velocities = [faces(0), faces(1), faces(2)];
     this.#previous = [faces(0), faces(1), faces(2)];
     this.heat = new Float64Array(counts[0] * counts[1] * counts[2]);

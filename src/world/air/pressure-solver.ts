@@ -1,4 +1,5 @@
 import type { GridAxis } from "./grid-axis.js";
+import type { PlumeGrid } from "./plume-grid.js";
 
 /** Sweeps over the grid in each step. Each starts from the step before, so few are needed. */
 const SWEEPS = 6;
@@ -12,32 +13,20 @@ const PUSH = 1.6;
  * that a symmetric flow stays symmetric. Outside of the grid the pressure is the room's.
  */
 export class PressureSolver {
-  readonly #x: GridAxis;
-  readonly #y: GridAxis;
-  readonly #z: GridAxis;
+  readonly #grid: PlumeGrid;
   /** With a rim of the room's pressure, 0, all around. */
   readonly #pressure: Float64Array;
   readonly #excess: Float64Array;
-  /** Weights of a cell's lower and upper neighbours along each axis. */
-  readonly #weights: readonly [Weights, Weights, Weights];
   /** Of each cell, the reciprocal of its six neighbours' weights, over-relaxed. */
   readonly #relaxations: Float64Array;
-  /** Of each axis, 1 / width of its cells and 1 / span between them. */
-  readonly #perWidth: readonly [Float64Array, Float64Array, Float64Array];
-  readonly #perSpan: readonly [Float64Array, Float64Array, Float64Array];
 
-  constructor({ x, y, z }: { readonly x: GridAxis; readonly y: GridAxis; readonly z: GridAxis }) {
-    this.#x = x;
-    this.#y = y;
-    this.#z = z;
+  constructor(grid: PlumeGrid) {
+    const { x, y, z } = grid;
+    this.#grid = grid;
     this.#pressure = new Float64Array((x.count + 2) * (y.count + 2) * (z.count + 2));
     this.#excess = new Float64Array(x.count * y.count * z.count);
-    this.#weights = [weights(x), weights(y), weights(z)];
-    this.#perWidth = [inverse(x.widths), inverse(y.widths), inverse(z.widths)];
-    this.#perSpan = [inverse(x.spans), inverse(y.spans), inverse(z.spans)];
-    const [east, north, back] = this.#weights.map(({ lower, upper }) =>
-      lower.map((weight, i) => weight + upper[i]!),
-    ) as [Float64Array, Float64Array, Float64Array];
+    const both = ({ lower, upper }: GridAxis) => lower.map((weight, i) => weight + upper[i]!);
+    const [east, north, back] = [both(x), both(y), both(z)];
     this.#relaxations = Float64Array.from(this.#excess, (_, cell) => {
       const i = cell % x.count;
       const j = Math.floor(cell / x.count) % y.count;
@@ -65,13 +54,10 @@ export class PressureSolver {
     const u = velocities[0];
     const v = velocities[1];
     const w = velocities[2];
-    const nx = this.#x.count;
-    const ny = this.#y.count;
-    const nz = this.#z.count;
+    const { count: nx, perWidth: perX } = this.#grid.x;
+    const { count: ny, perWidth: perY } = this.#grid.y;
+    const { count: nz, perWidth: perZ } = this.#grid.z;
     const excess = this.#excess;
-    const perX = this.#perWidth[0];
-    const perY = this.#perWidth[1];
-    const perZ = this.#perWidth[2];
     let cell = 0;
     for (let k = 0; k < nz; k++) {
       const deep = perZ[k]!;
@@ -92,17 +78,14 @@ export class PressureSolver {
   }
 
   #relax(color: number): void {
-    const nx = this.#x.count;
-    const ny = this.#y.count;
-    const nz = this.#z.count;
+    const { count: nx, lower: west, upper: east } = this.#grid.x;
+    const { count: ny, lower: south, upper: north } = this.#grid.y;
+    const { count: nz, lower: front, upper: back } = this.#grid.z;
     const row = nx + 2;
     const plane = row * (ny + 2);
     const pressure = this.#pressure;
     const excess = this.#excess;
     const relaxations = this.#relaxations;
-    const { lower: west, upper: east } = this.#weights[0];
-    const { lower: south, upper: north } = this.#weights[1];
-    const { lower: front, upper: back } = this.#weights[2];
     for (let k = 0; k < nz; k++) {
       const f = front[k]!;
       const b = back[k]!;
@@ -131,15 +114,12 @@ export class PressureSolver {
     const u = velocities[0];
     const v = velocities[1];
     const w = velocities[2];
-    const nx = this.#x.count;
-    const ny = this.#y.count;
-    const nz = this.#z.count;
+    const { count: nx, perSpan: perX } = this.#grid.x;
+    const { count: ny, perSpan: perY } = this.#grid.y;
+    const { count: nz, perSpan: perZ } = this.#grid.z;
     const row = nx + 2;
     const plane = row * (ny + 2);
     const pressure = this.#pressure;
-    const perX = this.#perSpan[0];
-    const perY = this.#perSpan[1];
-    const perZ = this.#perSpan[2];
     for (let k = 0; k <= nz; k++) {
       const deep = perZ[k]!;
       for (let j = 0; j <= ny; j++) {
@@ -166,21 +146,4 @@ export class PressureSolver {
       }
     }
   }
-}
-
-/** Weights of the neighbours along an axis. */
-interface Weights {
-  readonly lower: Float64Array;
-  readonly upper: Float64Array;
-}
-
-function weights({ widths, spans }: GridAxis): Weights {
-  return {
-    lower: widths.map((width, i) => 1 / (width * spans[i]!)),
-    upper: widths.map((width, i) => 1 / (width * spans[i + 1]!)),
-  };
-}
-
-function inverse(lengths: Float64Array): Float64Array {
-  return lengths.map((length) => 1 / length);
 }
