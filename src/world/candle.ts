@@ -1,4 +1,5 @@
 import type { Vec3 } from "./geometry.js";
+import { stiffFoot } from "./player/hand.js";
 import type { Player } from "./player/player.js";
 import type { Cylinder } from "./room/placement.js";
 import type { WorldSetup } from "./world-setup.js";
@@ -24,7 +25,6 @@ export interface Candle {
 /** Holds the candle in a stiff hand, which turns with the head but does not tilt with it. */
 export function holdCandle(candle: Candle, player: Player, setup: WorldSetup): void {
   putAhead(candle, player, setup.hold, setup);
-  candle.position[1] = player.position[1] + setup.hold[1];
   candle.yaw = player.yaw;
 }
 
@@ -43,16 +43,11 @@ export function isWithinReach(candle: Candle, player: Player): boolean {
 
 function putAhead(
   candle: Candle,
-  { position: eye, yaw }: Player,
+  player: Player,
   hold: readonly [right: number, up: number, ahead: number],
   setup: WorldSetup,
 ): void {
-  const right = hold[0];
-  const ahead = hold[2];
-  const sin = Math.sin(yaw);
-  const cos = Math.cos(yaw);
-  candle.position[0] = eye[0] + right * cos - ahead * sin;
-  candle.position[2] = eye[2] - right * sin - ahead * cos;
+  stiffFoot(player, hold, candle.position);
   if (!setup.hasWalls) return;
   // Only the walls: the hand may be as low as the floor.
   const { min, max } = setup.room;
