@@ -19,35 +19,26 @@ const REACHING = 6;
 const CAUTION = 0.06;
 
 /** Hand that holds the candle: it has inertia, and draws back from obstacles. */
-export interface Hand {
-  /** Angle behind the turn of the head, radians. */
-  lag: number;
-  /** Its own angular velocity, rad/s. */
-  turning: number;
-  /** Offset from where a stiff arm would hold it, metres, and its velocity, m/s. */
-  readonly sway: Vec3;
-  readonly swaying: Vec3;
-  /** Offset by which it reaches out to another candle's wick, metres, and how far it ignores `CAUTION`, 0 to 1. */
-  readonly lean: Vec3;
-  daring: number;
-  /** Extension of the arm, 0 to 1. */
-  stretch: number;
-  /** Of the body, when the hand was last advanced. */
-  yaw: number;
-  readonly velocity: Vec3;
-}
+export type Hand = ReturnType<typeof createHand>;
 
-export function createHand(yaw: number): Hand {
+export function createHand(yaw: number) {
+  const atRest = (): Vec3 => [0, 0, 0];
   return {
+    /** Angle behind the turn of the head, radians. */
     lag: 0,
+    /** Its own angular velocity, rad/s. */
     turning: 0,
-    sway: [0, 0, 0],
-    swaying: [0, 0, 0],
-    lean: [0, 0, 0],
+    /** Offset from where a stiff arm would hold it, metres, and its velocity, m/s. */
+    sway: atRest(),
+    swaying: atRest(),
+    /** Offset by which it reaches out to another candle's wick, metres, and how far it ignores `CAUTION`, 0 to 1. */
+    lean: atRest(),
     daring: 0,
+    /** Extension of the arm, 0 to 1. */
     stretch: 1,
+    /** Of the body, when the hand was last advanced. */
     yaw,
-    velocity: [0, 0, 0],
+    velocity: atRest(),
   };
 }
 
@@ -77,11 +68,13 @@ export function reachOut(hand: Hand, way: Readonly<Vec3> | null, seconds: number
 /** Writes to `foot` where a stiff arm would hold the candle's foot. */
 export function stiffFoot(
   { position: eye, yaw }: Omit<Player, "pitch">,
-  [right, up, ahead]: readonly [number, number, number],
+  hold: readonly [right: number, up: number, ahead: number],
   foot: Vec3,
 ): void {
+  const right = hold[0];
+  const ahead = hold[2];
   foot[0] = eye[0] + right * Math.cos(yaw) - ahead * Math.sin(yaw);
-  foot[1] = eye[1] + up;
+  foot[1] = eye[1] + hold[1];
   foot[2] = eye[2] - right * Math.sin(yaw) - ahead * Math.cos(yaw);
 }
 

@@ -4,7 +4,7 @@ import { WALKER_RADIUS } from "../player/player.js";
 import type { CollisionMesh } from "./collision-mesh.js";
 import { type FloorGrid, middleOf } from "./floor-grid.js";
 import { floorLevel } from "./floor-level.js";
-import { HEADROOM, surveyFloor } from "./floor-survey.js";
+import { type FloorSurvey, HEADROOM, surveyFloor } from "./floor-survey.js";
 
 /** Longest stretch walked at once, metres. */
 const STRETCH = WALKER_RADIUS / 4;
@@ -32,10 +32,8 @@ export class FloorPlan {
   /** Whether it is too small to stand in, so that one walks around it. */
   readonly isExhibit: boolean;
   readonly #grid: FloorGrid;
-  /** Distance from the middle of each square to the nearest thing is at least this, metres. */
-  readonly #clearance: Float32Array;
-  /** Squares whose middle can be walked to from the start. */
-  readonly #isReachable: Uint8Array;
+  readonly #clearance: FloorSurvey["clearance"];
+  readonly #isReachable: FloorSurvey["isReachable"];
   /** Round obstacle: x, z, radius. Metres. */
   #obstacle: readonly [number, number, number] | null = null;
   /** Of the last point sampled: clearance, metres, and its gradient. */

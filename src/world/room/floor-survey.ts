@@ -2,7 +2,7 @@ import type { Bounds } from "../geometry.js";
 import { WALKER_RADIUS } from "../player/player.js";
 import type { CollisionMesh } from "./collision-mesh.js";
 import { distanceField } from "./distance-field.js";
-import { type FloorGrid, gridOver, markTouched } from "./floor-grid.js";
+import { gridOver, markTouched } from "./floor-grid.js";
 
 /** Heights above the floor between which things are obstacles. Metres. */
 const STEP_OVER = 0.1;
@@ -21,15 +21,7 @@ const ELBOW_ROOM = 0.5;
 const DETOUR = 100;
 
 /** Survey of a floor: where a walker fits. */
-export interface FloorSurvey {
-  readonly grid: FloorGrid;
-  /** Distance from the middle of each square to the nearest thing is at least this, metres. */
-  readonly clearance: Float32Array;
-  /** Squares whose middle can be walked to from the start. */
-  readonly isReachable: Uint8Array;
-  readonly hasFloor: boolean;
-  readonly start: number;
-}
+export type FloorSurvey = NonNullable<ReturnType<typeof surveyFloor>>;
 
 /**
  * Surveys the floor within some bounds; null if a walker fits nowhere.
@@ -43,7 +35,7 @@ export function surveyFloor(
   floor: number,
   target: readonly [number, number],
   isExact: boolean,
-): FloorSurvey | null {
+) {
   const grid = gridOver(bounds, target);
   const { columns, rows, cell } = grid;
   const isTaken = new Uint8Array(columns * rows);
@@ -90,7 +82,15 @@ export function surveyFloor(
   }
   const isReachable = new Uint8Array(region.length);
   for (let at = 0; at < region.length; at++) if (region[at] === region[start]) isReachable[at] = 1;
-  return { grid, clearance, isReachable, hasFloor: floorArea > 0, start };
+  return {
+    grid,
+    /** Distance from the middle of each square to the nearest thing is at least this, metres. */
+    clearance,
+    /** Squares whose middle can be walked to from the start. */
+    isReachable,
+    hasFloor: floorArea > 0,
+    start,
+  };
 }
 
 /** Numbers the regions that a walker's middle can roam, from 1; their areas in squares. */
