@@ -54,7 +54,8 @@ export function buildBvh(items: Float32Array): { bvh: Bvh; order: Uint32Array } 
     if (end - first <= LEAF) {
       link[node] = first;
       count[node] = end - first;
-      encloseItems(boxes, node * 6, items, order, first, end);
+      empty(boxes, node * 6);
+      for (let i = first; i < end; i++) enclose(boxes, node * 6, items, order[i]! * 6);
       return;
     }
     const along = middles(items, order, first, end);
@@ -68,10 +69,9 @@ export function buildBvh(items: Float32Array): { bvh: Bvh; order: Uint32Array } 
     link[node] = left;
     build(left, first, beyond, depth + 1);
     build(right, beyond, end, depth + 1);
-    for (let k = 0; k < 3; k++) {
-      boxes[node * 6 + k] = Math.min(boxes[left * 6 + k]!, boxes[right * 6 + k]!);
-      boxes[node * 6 + k + 3] = Math.max(boxes[left * 6 + k + 3]!, boxes[right * 6 + k + 3]!);
-    }
+    empty(boxes, node * 6);
+    enclose(boxes, node * 6, boxes, left * 6);
+    enclose(boxes, node * 6, boxes, right * 6);
   }
 
   if (itemCount > 0) build(addNodes(1), 0, itemCount, 0);
@@ -86,26 +86,6 @@ export function buildBvh(items: Float32Array): { bvh: Bvh; order: Uint32Array } 
 function grown<T extends Float32Array | Uint32Array | Uint8Array>(from: T, to: T): T {
   to.set(from);
   return to;
-}
-
-function encloseItems(
-  boxes: Float32Array,
-  box: number,
-  items: Float32Array,
-  order: Uint32Array,
-  first: number,
-  end: number,
-): void {
-  for (let k = 0; k < 3; k++) {
-    let low = Infinity;
-    let high = -Infinity;
-    for (let i = first; i < end; i++) {
-      low = Math.min(low, items[order[i]! * 6 + k]!);
-      high = Math.max(high, items[order[i]! * 6 + k + 3]!);
-    }
-    boxes[box + k] = low;
-    boxes[box + k + 3] = high;
-  }
 }
 
 /** Range of the items' doubled centres along an axis, and the split plane. */
