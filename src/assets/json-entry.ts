@@ -34,10 +34,7 @@ export class JsonEntry {
   }
 
   number(name: string): number | undefined {
-    const value = this.value(name);
-    if (value === undefined) return undefined;
-    if (!isNumber(value)) throw this.wrong(name, "is not a number");
-    return value;
+    return this.#typed(name, isNumber, "is not a number");
   }
 
   /** The raw value, of any type. */
@@ -47,10 +44,7 @@ export class JsonEntry {
 
   /** A whole number from 0. */
   whole(name: string): number | undefined {
-    const value = this.value(name);
-    if (value === undefined) return undefined;
-    if (!isWhole(value)) throw this.wrong(name, "is not a whole number");
-    return value;
+    return this.#typed(name, isWhole, "is not a whole number");
   }
 
   /** The number of an entry in a list of so many. */
@@ -101,6 +95,12 @@ export class JsonEntry {
   extras(): JsonEntry | undefined {
     const value = this.value("extras");
     return isObject(value) ? new JsonEntry(value, this.#placeOf("extras")) : undefined;
+  }
+
+  #typed<T>(name: string, isOne: (value: unknown) => value is T, flaw: string): T | undefined {
+    const value = this.value(name);
+    if (value === undefined || isOne(value)) return value;
+    throw this.wrong(name, flaw);
   }
 
   #list(name: string): unknown[] {

@@ -79,9 +79,7 @@ function finished(vertices: Vertices, hasRelief: boolean) {
   const count = positions.length / 3;
   return {
     ...vertices,
-    tangents:
-      tangents ??
-      (hasRelief && uvs ? tangentsOf({ positions, normals, uvs, indices }) : anyTangents(normals)),
+    tangents: tangents ?? (hasRelief && uvs ? tangentsOf(vertices, uvs) : anyTangents(normals)),
     uvs: uvs ?? new Float32Array(count * 2),
     indices: count <= 0xffff ? Uint16Array.from(indices) : indices,
   };

@@ -25,40 +25,34 @@ export function wickEnding(name: string): string | undefined {
   return /^wick(?![a-z])(.*)$/s.exec(name)?.[1];
 }
 
-/** A node of the scene as a wick, before it is known to be legal. */
-interface WickNode {
-  readonly object: Object3D;
-  readonly name: string;
-  readonly order: number;
-}
-
 /** The wicks of a scene in the file's order; sentences about what is wrong with them are added. */
 export function readWicks(scene: Object3D, warnings: Set<string>): Wick[] {
-  const found: WickNode[] = [];
+  const found: Object3D[] = [];
   const flames = new Map<string, Object3D>();
   scene.traverse((object) => {
     const { name, order, isMisplaced } = object.userData;
     if (typeof name !== "string" || typeof order !== "number") return;
-    if (wickEnding(name) !== undefined) found.push({ object, name, order });
+    if (wickEnding(name) !== undefined) found.push(object);
     if (name.startsWith("flame") && !flames.has(name) && isMisplaced !== true) {
       flames.set(name, object);
     }
   });
   const wicks = found
-    .toSorted((a, b) => a.order - b.order)
-    .flatMap((node) => readWick(node, flames, warnings) ?? []);
+    .toSorted((a, b) => a.userData.order - b.userData.order)
+    .flatMap((object) => readWick(object, flames, warnings) ?? []);
   if (wicks.length > MOST) warnings.add(WARNINGS.count(wicks.length));
   return wicks.slice(0, MOST);
 }
 
 function readWick(
-  { object, name }: WickNode,
+  object: Object3D,
   flames: ReadonlyMap<string, Object3D>,
   warnings: Set<string>,
 ): Wick | null {
+  const { name, wickDiameter, isMisplaced } = object.userData;
   const root = flames.get(`flame${wickEnding(name)}`) ?? object;
   const position = new Vector3().setFromMatrixPosition(root.matrixWorld);
-  const isPlaced = object.userData.isMisplaced !== true && position.length() <= FARTHEST;
+  const isPlaced = isMisplaced !== true && position.length() <= FARTHEST;
   if (!isPlaced) {
     warnings.add(WARNINGS.place);
     return null;
@@ -73,7 +67,7 @@ function readWick(
     name,
     position: position.toArray(),
     up: isUpright ? up.toArray() : [0, 1, 0],
-    wickDiameter: readDiameter(object.userData.wickDiameter, warnings),
+    wickDiameter: readDiameter(wickDiameter, warnings),
   };
 }
 

@@ -1,17 +1,14 @@
 import { Vector3 } from "three";
-
-interface Surface {
-  readonly positions: Float32Array;
-  readonly normals: Float32Array;
-  readonly uvs: Float32Array;
-  readonly indices: Uint32Array;
-}
+import type { Vertices } from "./transform-vertices.js";
 
 /**
  * Tangents along u, with the sign of the bitangent, which glTF has point up in the image (towards
  * smaller v). Lengyel 2001, "Computing Tangent Space Basis Vectors for an Arbitrary Mesh".
  */
-export function tangentsOf({ positions, normals, uvs, indices }: Surface): Float32Array {
+export function tangentsOf(
+  { positions, normals, indices }: Vertices,
+  uvs: Float32Array,
+): Float32Array {
   const count = positions.length / 3;
   const alongU = new Float32Array(count * 3);
   const alongV = new Float32Array(count * 3);

@@ -1,14 +1,11 @@
 import { Matrix3, Matrix4, Vector3 } from "three";
 import { Flaw } from "./asset-error.js";
+import type { Part } from "./model.js";
 
 /** The arrays of a part while it is made. */
-export interface Vertices {
-  readonly positions: Float32Array;
-  readonly normals: Float32Array;
+export interface Vertices extends Pick<Part, "positions" | "normals" | "occlusionUvs" | "colors"> {
   readonly tangents: Float32Array | null;
   readonly uvs: Float32Array | null;
-  readonly occlusionUvs: Float32Array | null;
-  readonly colors: Float32Array | null;
   readonly indices: Uint32Array;
 }
 
