@@ -1,4 +1,5 @@
 import type { Vec3 } from "../geometry.js";
+import type { GridAxis } from "./grid-axis.js";
 
 /** Ghost values on either side of a line: those of the outside. */
 const GHOSTS = 4;
@@ -10,27 +11,57 @@ const sums = new Float64Array(128 + 2 * GHOSTS + 1);
 /** Largest amount in a line that is treated as empty. */
 const NOTHING = 1e-6;
 
-/** The lines of a field along one axis, and where the flow along them is found. */
-export interface Lines {
-  /** Values of a line, and the stride between them. */
-  readonly count: number;
-  readonly stride: number;
-  /** Lines along the two other axes, and the strides between them. */
-  readonly inner: number;
-  readonly innerStride: number;
-  readonly outer: number;
-  readonly outerStride: number;
-  /** The same steps in the field of the flow. */
-  readonly flowStride: number;
-  readonly flowInner: number;
-  readonly flowOuter: number;
-  /** Offset to the flow on the values' other side, where values and flow lie on different faces; else 0. */
-  readonly aside: number;
-  /** Whether those faces are counted by the inner lines, and the last of them. */
-  readonly isAsideInner: boolean;
-  readonly lastAside: number;
-  /** Cells that a flow of 1 m/s travels in a step, at each value of a line. */
-  readonly rates: Float64Array;
+/** Values of a field along each axis, and the strides from one to the next. */
+export interface Layout {
+  readonly sizes: Readonly<Vec3>;
+  readonly strides: Readonly<Vec3>;
+}
+
+export type Lines = Readonly<ReturnType<typeof linesOf>>;
+
+/** The axes that lines along x, y and z lie side by side on. */
+const INNER = [1, 0, 0] as const;
+const OUTER = [2, 2, 1] as const;
+
+/**
+ * The lines of a field along one axis, and where the flow along them is found.
+ *
+ * @param across axis of the faces that the values lie on; null in the middles of the cells
+ * @param flow the field of the flow, on the faces across `along`
+ * @param seconds of a step
+ */
+export function linesOf(
+  { sizes, strides }: Layout,
+  flow: Layout,
+  across: 0 | 1 | 2 | null,
+  along: 0 | 1 | 2,
+  { widths, spans }: GridAxis,
+  seconds: number,
+) {
+  const inner = INNER[along];
+  const outer = OUTER[along];
+  const isAside = across !== null && across !== along;
+  return {
+    /** Values of a line, and the stride between them. */
+    count: sizes[along],
+    stride: strides[along],
+    /** Lines along the two other axes, and the strides between them. */
+    inner: sizes[inner],
+    innerStride: strides[inner],
+    outer: sizes[outer],
+    outerStride: strides[outer],
+    /** The same steps in the field of the flow. */
+    flowStride: flow.strides[along],
+    flowInner: flow.strides[inner],
+    flowOuter: flow.strides[outer],
+    /** Offset to the flow on the values' other side, where values and flow lie on different faces; else 0. */
+    aside: isAside ? flow.strides[across] : 0,
+    /** Whether those faces are counted by the inner lines, and the last of them. */
+    isAsideInner: across === inner,
+    lastAside: isAside ? sizes[across] - 1 : 0,
+    /** Cells that a flow of 1 m/s travels in a step, at each value of a line, or face between them. */
+    rates: (isAside ? widths : spans).map((length) => seconds / length),
+  };
 }
 
 /** Flow along an axis. An object, since V8 boxes numbers that are passed: see DECISIONS.md. */
@@ -138,28 +169,20 @@ function through(values: Float64Array, cell: number, t: number): number {
  * Lin and Rood 1996, "Multidimensional Flux-Form Semi-Lagrangian Transport Schemes", with the amounts
  * summed up along the line, and Lagrange's cubic through the sums. Nothing flows in from outside.
  *
- * @param field amount per cell's length, and `widths` of the cells along the axis
- * @param faces of the cells along the axis, where the flow is
- * @param strides from one cell to the next, along x, y and z
- * @param along which axis; the lines are numbered along the axes `inner` and `outer`
+ * @param field amount per cell's length, in the middles of the cells, and `widths` of those along the axis
  */
 export function advectAmount(
   field: Float64Array,
   flow: Float64Array,
   widths: Float64Array,
-  faces: Lines,
-  strides: Readonly<Vec3>,
-  along: number,
-  inner: number,
-  outer: number,
+  lines: Lines,
   stream: Stream,
 ): void {
-  const stride = strides[along]!;
-  const count = widths.length;
+  const { count, stride, inner, outer, innerStride, outerStride } = lines;
   sums.fill(0, 0, GHOSTS + 1);
-  for (let b = 0; b < faces.outer; b++) {
-    for (let a = 0; a < faces.inner; a++) {
-      const start = a * strides[inner]! + b * strides[outer]!;
+  for (let b = 0; b < outer; b++) {
+    for (let a = 0; a < inner; a++) {
+      const start = a * innerStride + b * outerStride;
       let sum = 0;
       let most = 0;
       for (let n = 0, at = start; n < count; n++, at += stride) {
@@ -173,8 +196,8 @@ export function advectAmount(
         continue;
       }
       for (let n = GHOSTS + count + 1; n < count + 2 * GHOSTS; n++) sums[n] = sum;
-      const face = a * faces.flowInner + b * faces.flowOuter;
-      traceFaces(flow, face, faces.flowStride, faces.rates, count + 1, stream);
+      const face = a * lines.flowInner + b * lines.flowOuter;
+      traceFaces(flow, face, lines.flowStride, lines.rates, count + 1, stream);
       let below = 0;
       for (let n = 0, at = start - stride; n <= count; n++, at += stride) {
         const from = Math.min(origins[n]!, count + 2 * GHOSTS - 3);

@@ -1,5 +1,12 @@
 import { length3, type Vec3 } from "../geometry.js";
-import { advect, advectAmount, type Lines, type Stream } from "./advection.js";
+import {
+  advect,
+  advectAmount,
+  type Layout,
+  type Lines,
+  linesOf,
+  type Stream,
+} from "./advection.js";
 import type { GridAxis } from "./grid-axis.js";
 import { type PlumeGrid, plumeGrid, trilinear } from "./plume-grid.js";
 import { PressureSolver } from "./pressure-solver.js";
@@ -29,11 +36,7 @@ export interface Heater {
   height: number;
 }
 
-/** Component of velocity: it is stored on the faces across its axis. */
-type Component = 0 | 1 | 2;
 type Three<T> = readonly [T, T, T];
-/** Index of what is stored in the middles of the cells, after the three components. */
-const MIDDLES = 3;
 
 /**
  * Buoyant plume solver: the air around a flame, an incompressible fluid that heat makes rise.
@@ -46,50 +49,50 @@ const MIDDLES = 3;
 export class PlumeSolver {
   readonly grid: PlumeGrid;
   /** Velocities along x, y and z. */
-  readonly velocities: readonly [Float64Array, Float64Array, Float64Array];
+  readonly velocities: Three<Float64Array>;
   /** T / T0 - 1 */
   readonly heat: Float64Array;
   /** Origin of the grid in the room, metres. */
   readonly origin: Vec3 = [0, 0, 0];
-  readonly #previous: readonly [Float64Array, Float64Array, Float64Array];
+  readonly #previous: Three<Float64Array>;
   readonly #warmth: Float64Array;
-  /** Of each component, the lines along each axis. */
-  readonly #lines: readonly [Three<Lines>, Three<Lines>, Three<Lines>];
+  /** Of each component of velocity and of heat, the lines along each axis. */
+  readonly #lines: Three<Three<Lines>>;
+  readonly #heatLines: Three<Lines>;
   readonly #pressure: PressureSolver;
   readonly #wind: Vec3 = [0, 0, 0];
   readonly #stream: Stream = { ride: Number.NaN, outside: Number.NaN };
   /** Place of a query, in cells. */
   readonly #at: Vec3 = [0, 0, 0];
-  readonly #counts: readonly [number, number, number];
-  readonly #rulers: readonly [GridAxis, GridAxis, GridAxis];
-  /** Values along each axis, and from one to the next: of each component, and in the `MIDDLES`. */
-  readonly #sizes: readonly Vec3[];
-  readonly #strides: readonly Vec3[];
+  readonly #rulers: Three<GridAxis>;
   /** Weights of a cell's lower and upper neighbours along x in diffusion. */
   readonly #lower: Float64Array;
   readonly #upper: Float64Array;
 
   constructor(grid: PlumeGrid = plumeGrid()) {
     this.grid = grid;
-    const counts = [grid.x.count, grid.y.count, grid.z.count] as const;
-    this.#counts = counts;
     this.#rulers = [grid.x, grid.y, grid.z];
-    this.#sizes = [0, 1, 2, MIDDLES].map(
-      (axis) => counts.map((n, i) => (i === axis ? n + 1 : n)) as unknown as Vec3,
-    );
-    this.#strides = this.#sizes.map(([nx, ny]) => [1, nx, nx * ny]);
     const { widths, spans } = grid.x;
     this.#lower = widths.map((width, i) => PLUME_STEP / (width * spans[i]!));
     this.#upper = widths.map((width, i) => PLUME_STEP / (width * spans[i + 1]!));
-    const faces = (axis: Component) =>
-      new Float64Array(this.#sizes[axis]!.reduce((size, n) => size * n));
-    this.velocities = [faces(0), faces(1), faces(2)];
-    this.#previous = [faces(0), faces(1), faces(2)];
-    this.heat = new Float64Array(counts[0] * counts[1] * counts[2]);
-    this.#warmth = new Float64Array(this.heat.length);
-    const linesOf = (axis: Component) =>
-      [this.#linesOf(axis, 0), this.#linesOf(axis, 1), this.#linesOf(axis, 2)] as const;
-    this.#lines = [linesOf(0), linesOf(1), linesOf(2)];
+    const { x, y, z } = grid;
+    const middles = layout(x.count, y.count, z.count);
+    // A component of velocity lies on the faces across its axis.
+    const faces = [
+      layout(x.count + 1, y.count, z.count),
+      layout(x.count, y.count + 1, z.count),
+      layout(x.count, y.count, z.count + 1),
+    ] as const;
+    this.velocities = three((axis) => zeros(faces[axis]));
+    this.#previous = three((axis) => zeros(faces[axis]));
+    this.heat = zeros(middles);
+    this.#warmth = zeros(middles);
+    const lines = (field: Layout, across: 0 | 1 | 2 | null) =>
+      three((along) =>
+        linesOf(field, faces[along], across, along, this.#rulers[along], PLUME_STEP),
+      );
+    this.#lines = three((axis) => lines(faces[axis], axis));
+    this.#heatLines = lines(middles, null);
     this.#pressure = new PressureSolver(grid);
   }
 
@@ -130,19 +133,7 @@ export class PlumeSolver {
         advect(velocities[axis]!, flow, this.#lines[axis]![along]!, stream);
       }
       const { widths } = this.#rulers[along]!;
-      const faces = this.#lines[along]![along]!;
-      const strides = this.#strides[MIDDLES]!;
-      advectAmount(
-        this.heat,
-        flow,
-        widths,
-        faces,
-        strides,
-        along,
-        INNER[along]!,
-        OUTER[along]!,
-        stream,
-      );
+      advectAmount(this.heat, flow, widths, this.#heatLines[along]!, stream);
     }
     for (let axis = 0; axis < 3; axis++) this.origin[axis] = origin[axis]!;
     if (heater.power > 0) this.#addHeat(heater);
@@ -189,34 +180,9 @@ export class PlumeSolver {
     return out;
   }
 
-  #linesOf(axis: Component, along: Component): Lines {
-    const inner = INNER[along];
-    const outer = OUTER[along];
-    const sizes = this.#sizes[axis]!;
-    const strides = this.#strides[axis]!;
-    const flowStrides = this.#strides[along]!;
-    const { spans, widths } = this.#rulers[along]!;
-    const lengths = axis === along ? spans : widths;
-    return {
-      count: sizes[along],
-      stride: strides[along],
-      inner: sizes[inner],
-      innerStride: strides[inner],
-      outer: sizes[outer],
-      outerStride: strides[outer],
-      flowStride: flowStrides[along],
-      flowInner: flowStrides[inner],
-      flowOuter: flowStrides[outer],
-      aside: axis === along ? 0 : flowStrides[axis],
-      isAsideInner: axis === inner,
-      lastAside: this.#counts[axis],
-      rates: lengths.map((length) => PLUME_STEP / length),
-    };
-  }
-
   /** Diffusion of heat and of upward motion; hotter air has more of it. */
   #diffuse(): void {
-    const { z } = this.grid;
+    const { x, y, z } = this.grid;
     const { heat } = this;
     const v = this.velocities[1];
     const warm = this.#warmth;
@@ -230,9 +196,9 @@ export class PlumeSolver {
       const hotter = 1 + h;
       ease[at] = h > 0 ? 0.5 * VISCOSITY * hotter * Math.sqrt(hotter) : 0.5 * VISCOSITY;
     }
-    const nx = this.#counts[0];
-    const ny = this.#counts[1];
-    const nz = this.#counts[2];
+    const nx = x.count;
+    const ny = y.count;
+    const nz = z.count;
     const plane = nx * ny;
     const vPlane = nx * (ny + 1);
     for (let k = 1; k < nz - 1; k++) {
@@ -302,6 +268,10 @@ export class PlumeSolver {
   }
 }
 
-/** The axes that lines along x, y and z lie side by side on. */
-const INNER = [1, 0, 0] as const;
-const OUTER = [2, 2, 1] as const;
+function layout(nx: number, ny: number, nz: number): Layout {
+  return { sizes: [nx, ny, nz], strides: [1, nx, nx * ny] };
+}
+
+const zeros = ({ sizes }: Layout) => new Float64Array(sizes[0] * sizes[1] * sizes[2]);
+
+const three = <T>(make: (axis: 0 | 1 | 2) => T): Three<T> => [make(0), make(1), make(2)];
