@@ -58,11 +58,11 @@ export function buildBvh(items: Float32Array): { bvh: Bvh; order: Uint32Array } 
       for (let i = first; i < end; i++) enclose(boxes, node * 6, items, order[i]! * 6);
       return;
     }
-    const along = middles(items, order, first, end);
+    findMiddle(items, order, first, end);
     let beyond = (first + end) >> 1;
     if (depth < UNBALANCED_DEPTH && middle.extent > 0) {
-      if (end - first >= COMPARED) slice(items, order, first, end, along);
-      beyond = partition(items, order, first, end, along, middle.plane);
+      if (end - first >= COMPARED) slice(items, order, first, end);
+      beyond = partition(items, order, first, end);
     }
     const left = addNodes(2);
     const right = left + 1;
@@ -88,43 +88,26 @@ function grown<T extends Float32Array | Uint32Array | Uint8Array>(from: T, to: T
   return to;
 }
 
-/** Range of the items' doubled centres along an axis, and the split plane. */
-const middle = { low: 0, plane: 0, extent: 0 };
+/** The axis along which some items' doubled centres are spread most, their range along it, and the split plane. */
+const middle = { axis: 0, low: 0, plane: 0, extent: 0 };
 
-/** Returns the axis along which the items' centres are spread most, and fills `middle`. */
-function middles(items: Float32Array, order: Uint32Array, first: number, end: number): 0 | 1 | 2 {
-  let x0 = Infinity;
-  let y0 = Infinity;
-  let z0 = Infinity;
-  let x1 = -Infinity;
-  let y1 = -Infinity;
-  let z1 = -Infinity;
-  for (let i = first; i < end; i++) {
-    const at = order[i]! * 6;
-    const x = items[at]! + items[at + 3]!;
-    const y = items[at + 1]! + items[at + 4]!;
-    const z = items[at + 2]! + items[at + 5]!;
-    if (x < x0) x0 = x;
-    if (x > x1) x1 = x;
-    if (y < y0) y0 = y;
-    if (y > y1) y1 = y;
-    if (z < z0) z0 = z;
-    if (z > z1) z1 = z;
+function findMiddle(items: Float32Array, order: Uint32Array, first: number, end: number): void {
+  middle.extent = -1;
+  for (let axis = 0; axis < 3; axis++) {
+    let low = Infinity;
+    let high = -Infinity;
+    for (let i = first; i < end; i++) {
+      const at = order[i]! * 6 + axis;
+      const centre = items[at]! + items[at + 3]!;
+      if (centre < low) low = centre;
+      if (centre > high) high = centre;
+    }
+    if (high - low <= middle.extent) continue;
+    middle.axis = axis;
+    middle.low = low;
+    middle.plane = (low + high) / 2;
+    middle.extent = high - low;
   }
-  middle.extent = Math.max(x1 - x0, y1 - y0, z1 - z0);
-  if (middle.extent === x1 - x0) {
-    middle.low = x0;
-    middle.plane = (x0 + x1) / 2;
-    return 0;
-  }
-  if (middle.extent === y1 - y0) {
-    middle.low = y0;
-    middle.plane = (y0 + y1) / 2;
-    return 1;
-  }
-  middle.low = z0;
-  middle.plane = (z0 + z1) / 2;
-  return 2;
 }
 
 const slices = {
@@ -138,14 +121,8 @@ const slices = {
 };
 
 /** Puts `middle.plane` between the two bins where it costs the least. */
-function slice(
-  items: Float32Array,
-  order: Uint32Array,
-  first: number,
-  end: number,
-  along: number,
-): void {
-  const { low, extent } = middle;
+function slice(items: Float32Array, order: Uint32Array, first: number, end: number): void {
+  const { axis, low, extent } = middle;
   const { counts, boxes, costs, side } = slices;
   // The last centre lies in the last bin, not beyond it.
   const perLength = (SLICES * (1 - 1e-6)) / extent;
@@ -153,7 +130,7 @@ function slice(
   for (let s = 0; s < SLICES; s++) empty(boxes, s * 6);
   for (let i = first; i < end; i++) {
     const at = order[i]! * 6;
-    const s = ((items[at + along]! + items[at + along + 3]! - low) * perLength) | 0;
+    const s = ((items[at + axis]! + items[at + axis + 3]! - low) * perLength) | 0;
     counts[s]!++;
     enclose(boxes, s * 6, items, at);
   }
@@ -196,20 +173,14 @@ function surface(box: Float32Array): number {
   return x * y + y * z + z * x;
 }
 
-/** Sorts the items to both sides of a plane, and returns the first beyond it; never all to one. */
-function partition(
-  items: Float32Array,
-  order: Uint32Array,
-  first: number,
-  end: number,
-  along: number,
-  plane: number,
-): number {
+/** Sorts the items to both sides of `middle.plane`, and returns the first beyond it; never all to one. */
+function partition(items: Float32Array, order: Uint32Array, first: number, end: number): number {
+  const { axis, plane } = middle;
   let left = first;
   let right = end - 1;
   while (left <= right) {
     const item = order[left]!;
-    if (items[item * 6 + along]! + items[item * 6 + along + 3]! <= plane) left++;
+    if (items[item * 6 + axis]! + items[item * 6 + axis + 3]! <= plane) left++;
     else {
       order[left] = order[right]!;
       order[right--] = item;
