@@ -18,29 +18,8 @@ const BLUE_SHARE = 0.00002;
  *
  * A laminar sheet, not a turbulent fire: a shell of soot that is thin and hollow below and closes to
  * the axis above, a dark zone round the wick, and a blue cup that hugs the outside of the base.
- *
- * Texels, over height (rows, base to tip) and radius (columns, axis to `BODY_REACH` radii): soot's
- * emission per metre, red and green (cd/m² per m, linear Rec. 709; its blue is `sootBlue`);
- * its absorption, 1/m; luminance of the blue bands, cd/m² per m.
  */
-export interface FlameBody {
-  readonly texels: Float32Array;
-  /** Metres, from the base to the tip. */
-  readonly height: number;
-  /** Largest radius, metres. */
-  readonly radius: number;
-  /** Candela, equal in all horizontal directions, as the flame is nearly transparent. */
-  readonly luminousIntensity: number;
-  /** Linear Rec. 709 with luma 1. */
-  readonly color: Rgb;
-  /** Linear Rec. 709 of soot alone, with luma 1. */
-  readonly sootColor: Rgb;
-  /** Height of the centre of the light above the base, metres. */
-  readonly centre: number;
-  /** Luminous intensity of each row, cd: of its soot, and of its blue bands. They add up to the whole. */
-  readonly sootRows: Float64Array;
-  readonly blueRows: Float64Array;
-}
+export type FlameBody = Readonly<ReturnType<typeof flameBody>>;
 
 const smooth = (low: number, high: number, x: number): number => {
   const t = Math.min(Math.max((x - low) / (high - low), 0), 1);
@@ -79,9 +58,9 @@ function at(height: number, radius: number) {
  *
  * @param height metres from base to tip
  * @param radius largest radius of the luminous zone, metres
- * @param luminousIntensity candela
+ * @param luminousIntensity candela, equal in all horizontal directions, as the flame is nearly transparent
  */
-export function flameBody(height: number, radius: number, luminousIntensity: number): FlameBody {
+export function flameBody(height: number, radius: number, luminousIntensity: number) {
   const { width, height: rows } = BODY_SIZE;
   const texels = new Float32Array(width * rows * 4);
   const sootRows = new Float64Array(rows);
@@ -124,14 +103,23 @@ export function flameBody(height: number, radius: number, luminousIntensity: num
   }
   const sootRgb: Rgb = [red / soot, green / soot, faintBlue / soot];
   const mixed = (channel: 0 | 1 | 2) => (sootRgb[channel] * soot + BLUE[channel] * blue) / total;
+  const color: Rgb = [mixed(0), mixed(1), mixed(2)];
   return {
+    /**
+     * Over height (rows, base to tip) and radius (columns, axis to `BODY_REACH` radii): soot's emission per metre, red
+     * and green (cd/m² per m, linear Rec. 709; its blue is `sootBlue`); its absorption, 1/m; luminance of the blue
+     * bands, cd/m² per m.
+     */
     texels,
     height,
     radius,
     luminousIntensity,
-    color: [mixed(0), mixed(1), mixed(2)],
+    /** Linear Rec. 709 with luma 1: of the whole, and of soot alone. */
+    color,
     sootColor: sootRgb,
+    /** Height of the centre of the light above the base, metres. */
     centre: moment / total,
+    /** Luminous intensity of each row, cd: of its soot, and of its blue bands. They add up to the whole. */
     sootRows,
     blueRows,
   };

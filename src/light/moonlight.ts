@@ -10,15 +10,10 @@ import { TAPER } from "./flame-light.js";
  */
 const BESIDE_CANDLE: Rgb = [0.73, 0.965, 1.33];
 
-/** What an adapted colour was before the adaptation to candlelight. */
-function unadapted(color: Rgb): Rgb {
-  const gain = adaptation(TAPER.color);
-  return [color[0] / gain[0], color[1] / gain[1], color[2] / gain[2]];
-}
-
 /** Moonlight of some lux, before the adaptation to candlelight. */
 export function adaptedMoonlight(illuminance: number): Rgb {
   const scale = illuminance / luma(BESIDE_CANDLE);
-  const [red, green, blue] = unadapted(BESIDE_CANDLE);
-  return [red * scale, green * scale, blue * scale];
+  const gain = adaptation(TAPER.color);
+  const [red, green, blue] = BESIDE_CANDLE;
+  return [(red / gain[0]) * scale, (green / gain[1]) * scale, (blue / gain[2]) * scale];
 }

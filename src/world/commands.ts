@@ -114,15 +114,6 @@ export function takeCandle(world: World): boolean {
   return true;
 }
 
-interface BreathTarget {
-  /** Of length 1. */
-  readonly direction: Vec3;
-  /** Metres. */
-  readonly distance: number;
-  /** Cosine of its angle from the line of sight. */
-  readonly ahead: number;
-}
-
 /** Breaths at all candles of a model alone, each weaker by those that blow on the same flame. */
 function blowAtAll(world: World, strength: number): void {
   const count = candleCount(world);
@@ -159,7 +150,8 @@ export function blow(world: World, strength: number): void {
   air.blow(player.position, meant?.direction ?? gaze, distance, strength);
 }
 
-function targetOf(eye: Readonly<Vec3>, root: Readonly<Vec3>, gaze: Readonly<Vec3>): BreathTarget {
+/** Unit direction to a flame, its distance, and the cosine of its angle from the line of sight. */
+function targetOf(eye: Readonly<Vec3>, root: Readonly<Vec3>, gaze: Readonly<Vec3>) {
   // The lowest third of the flame is what holds it on its wick.
   const direction: Vec3 = [root[0] - eye[0], root[1] - eye[1] + HELD_AT, root[2] - eye[2]];
   const distance = Math.hypot(...direction);

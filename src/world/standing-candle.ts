@@ -38,13 +38,8 @@ export function createStandingCandle(
   seed: number,
   isLit: boolean,
 ): StandingCandle {
-  const own = seedOf(seed, index);
-  return {
-    name,
-    root: [...position],
-    flame: new Flame(wickDiameter, isLit, own),
-    plume: null,
-  };
+  const flame = new Flame(wickDiameter, isLit, seedOf(seed, index));
+  return { name, root: [...position], flame, plume: null };
 }
 
 function seedOf(seed: number, index: number): number {

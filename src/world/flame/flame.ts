@@ -1,5 +1,5 @@
 import type { Air } from "../air/air.js";
-import type { Vec3 } from "../geometry.js";
+import { length3, type Vec3 } from "../geometry.js";
 import { pcg, signed } from "../random.js";
 import {
   type Combustion,
@@ -290,10 +290,8 @@ export class Flame {
     for (let axis = 0; axis < 3; axis++) {
       airspeed[axis]! += (flow[axis]! - motion[axis]! - airspeed[axis]!) * blend;
     }
-    const x = airspeed[0];
-    const y = airspeed[1];
-    const z = airspeed[2];
-    this.strain = Math.sqrt(x * x + y * y + z * z) / (this.#width * EXTINCTION_STRAIN);
+    const speed = length3(airspeed[0], airspeed[1], airspeed[2]);
+    this.strain = speed / (this.#width * EXTINCTION_STRAIN);
   }
 
   #burn(seconds: number): void {

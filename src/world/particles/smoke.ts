@@ -1,5 +1,5 @@
 import { PLUME_STEP, type PlumeSolver } from "../air/plume-solver.js";
-import type { Vec3 } from "../geometry.js";
+import { length3, type Vec3 } from "../geometry.js";
 import { pcg, signed } from "../random.js";
 
 /** Streaklines, born around the rim of the wick's end. */
@@ -155,8 +155,9 @@ export class Smoke {
 }
 
 function apart(parcels: Float32Array, a: number, b: number): number {
-  const x = parcels[a]! - parcels[b]!;
-  const y = parcels[a + 1]! - parcels[b + 1]!;
-  const z = parcels[a + 2]! - parcels[b + 2]!;
-  return Math.sqrt(x * x + y * y + z * z);
+  return length3(
+    parcels[a]! - parcels[b]!,
+    parcels[a + 1]! - parcels[b + 1]!,
+    parcels[a + 2]! - parcels[b + 2]!,
+  );
 }

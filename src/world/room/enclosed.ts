@@ -14,12 +14,6 @@ const REACH = 100;
 /** Share of the rays that meet a back first, inside a solid; and a front, inside a room. */
 const MOST = 0.75;
 
-/** What the rays from a place meet first. */
-interface FirstHits {
-  readonly backs: readonly { readonly distance: number; readonly direction: Readonly<Vec3> }[];
-  readonly fronts: number;
-}
-
 /**
  * Moves a place that lies inside a solid to the nearest one outside of it, in the room if there is one.
  *
@@ -54,11 +48,12 @@ function along(from: Readonly<Vec3>, direction: Readonly<Vec3>, distance: number
   return [x + dx * distance, y + dy * distance, z + dz * distance];
 }
 
+/** What the rays from a place meet first. */
 function lookAround(
   collision: CollisionMesh,
   place: Readonly<Vec3>,
   isSolid: (triangle: number) => boolean,
-): FirstHits {
+) {
   const backs: { distance: number; direction: Readonly<Vec3> }[] = [];
   let fronts = 0;
   const hit: RayHit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
