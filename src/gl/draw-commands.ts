@@ -85,30 +85,16 @@ export class DrawCommands {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   }
 
-  draw({
-    program,
-    target,
-    vertexArray,
-    uniforms = {},
-    textures = {},
-    sampling = {},
-    blocks = {},
-    primitive = "triangles",
-    count = vertexArray?.count ?? 3,
-    first = 0,
-    blend = "replace",
-    depth = "none",
-    cull = "back",
-    viewport,
-    scissor,
-    into,
-  }: Draw): void {
+  draw(draw: Draw): void {
     const gl = this.gl;
+    const { target, vertexArray, primitive = "triangles", viewport, scissor, into } = draw;
+    const { count = vertexArray?.count ?? 3, first = 0 } = draw;
+    const { blend = "replace", depth = "none", cull = "back" } = draw;
     this.#bind(target);
     if (viewport) gl.viewport(...viewport);
     this.#switch(gl.SCISSOR_TEST, scissor !== undefined);
     if (scissor) gl.scissor(...scissor);
-    this.#use(program, uniforms, textures, sampling, blocks);
+    this.#use(draw);
     this.#switch(gl.BLEND, blend === "premultiplied");
     this.#switch(gl.DEPTH_TEST, depth !== "none");
     if (depth !== "none") this.#writeDepth(depth === "test-and-write");
@@ -127,12 +113,12 @@ export class DrawCommands {
     if (primitive === "triangles") this.triangles += count / 3;
   }
 
-  transform({ program, vertexArray, uniforms, blocks, into, count }: Transform): void {
+  transform(transform: Transform): void {
     const gl = this.gl;
-    this.#use(program, uniforms, {}, {}, blocks);
-    gl.bindVertexArray(vertexArray.handle);
+    this.#use(transform);
+    gl.bindVertexArray(transform.vertexArray.handle);
     gl.enable(gl.RASTERIZER_DISCARD);
-    this.#capture(into, count);
+    this.#capture(transform.into, transform.count);
     gl.disable(gl.RASTERIZER_DISCARD);
     this.drawCalls++;
   }
@@ -213,14 +199,9 @@ export class DrawCommands {
     else gl.viewport(0, 0, target.width, target.height);
   }
 
-  #use(
-    program: Program,
-    uniforms: Readonly<Record<string, UniformValue>>,
-    textures: Readonly<Record<string, Texture>>,
-    sampling: Readonly<Record<string, Sampling>>,
-    blocks: Readonly<Record<string, UniformBlock>>,
-  ): void {
+  #use(draw: Omit<Draw, "target">): void {
     const gl = this.gl;
+    const { program, uniforms = {}, textures = {}, sampling = {}, blocks = {} } = draw;
     // First: laying out a block may have to look into another program.
     for (const [name, binding] of program.blocks) {
       const block = blocks[name];
