@@ -6,15 +6,8 @@ const BINARY_CHUNK = 0x004e4942;
 const HEADER = 12;
 const CHUNK_HEADER = 8;
 
-/** JSON document and binary chunk of a glTF file. */
-export interface Container {
-  readonly json: unknown;
-  /** The binary chunk, where there is one. */
-  readonly binary: Uint8Array<ArrayBuffer> | null;
-}
-
-/** Opens a .glb or .gltf file: glTF 2.0 specification, section 4.4. */
-export function openContainer(bytes: Uint8Array<ArrayBuffer>): Container {
+/** JSON document of a .glb or .gltf file, and its binary chunk if it has one: glTF 2.0 specification, section 4.4. */
+export function openContainer(bytes: Uint8Array<ArrayBuffer>) {
   if (bytes.byteLength === 0) throw new Flaw("is empty");
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   if (bytes.byteLength >= 4 && view.getUint32(0, true) === MAGIC) return openBinary(bytes, view);
@@ -24,7 +17,7 @@ export function openContainer(bytes: Uint8Array<ArrayBuffer>): Container {
   return { json: parse(text), binary: null };
 }
 
-function openBinary(bytes: Uint8Array<ArrayBuffer>, view: DataView): Container {
+function openBinary(bytes: Uint8Array<ArrayBuffer>, view: DataView) {
   if (bytes.byteLength < HEADER + CHUNK_HEADER)
     throw cutShort(bytes.byteLength, `at least ${HEADER + CHUNK_HEADER}`);
   const version = view.getUint32(4, true);

@@ -2,13 +2,7 @@ import type { GltfDocument } from "./gltf-document.js";
 import type { JsonEntry } from "./json-entry.js";
 import { type Material, PLAIN_MATERIAL } from "./model.js";
 import type { TextureImages } from "./texture-images.js";
-import {
-  isSamePlacement,
-  type Placement,
-  readTextureUse,
-  type TextureUse,
-  UNTURNED,
-} from "./texture-placement.js";
+import { type Placement, readTextureUse, type TextureUse, UNTURNED } from "./texture-placement.js";
 
 /** A material and the placement of its maps. */
 export interface PlacedMaterial {
@@ -53,7 +47,7 @@ export async function readMaterial(
 
   const placement = (albedo ?? normal ?? metallicRoughness ?? occlusion)?.placement ?? UNTURNED;
   const isPlacedAlike = (map: TextureUse | null) =>
-    map === null || isSamePlacement(map.placement, placement);
+    map === null || JSON.stringify(map.placement) === JSON.stringify(placement);
   const pictureOf = (map: TextureUse | null, what: string) => {
     if (map === null) return null;
     if (isPlacedAlike(map)) return images.texture(map.texture);

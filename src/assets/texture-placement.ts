@@ -34,10 +34,6 @@ export function readTextureUse(entry: JsonEntry | undefined, textureCount: numbe
   };
 }
 
-export function isSamePlacement(a: Placement, b: Placement): boolean {
-  return JSON.stringify(a) === JSON.stringify(b);
-}
-
 /** Texture coordinates with the placement's transform applied. */
 export function placedUvs(uvs: Float32Array, { rotation, scale, offset }: Placement): Float32Array {
   const placed = new Float32Array(uvs.length);
