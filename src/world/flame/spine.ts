@@ -60,7 +60,7 @@ export class Spine {
       const at = i * 3 + 1;
       while (left > 1e-9) {
         const step = Math.min(left, 0.002);
-        this.positions[at] = heightAfter(this.positions[at] ?? 0, step, rate, 0);
+        this.positions[at] = heightAfter(this.positions[at] ?? 0, step, rate);
         left -= step;
       }
     }
@@ -152,21 +152,15 @@ export class Spine {
 const AT_REST: Vec3 = [0, 0, 0];
 
 /** Where gas at a height is after a while, metres. Exact where it rises freely. */
-export function heightAfter(
-  height: number,
-  seconds: number,
-  rate: number,
-  updraught: number,
-): number {
+export function heightAfter(height: number, seconds: number, rate: number): number {
   const freeHeight = (Math.sqrt(height) + CLIMB * seconds) ** 2;
-  const capped = height + topSpeed(rate, height) * seconds;
-  return Math.max(0, Math.min(freeHeight, capped) + updraught * seconds);
+  return Math.min(freeHeight, height + topSpeed(rate, height) * seconds);
 }
 
 /** How long gas takes to rise to a height, seconds. */
 export function timeToRise(height: number, rate: number): number {
   const STEP = 0.0005;
   let seconds = 0;
-  for (let z = 0; z < height && seconds < 5; z = heightAfter(z, STEP, rate, 0)) seconds += STEP;
+  for (let z = 0; z < height && seconds < 5; z = heightAfter(z, STEP, rate)) seconds += STEP;
   return seconds;
 }

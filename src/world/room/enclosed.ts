@@ -1,5 +1,5 @@
 import { length3, type Vec3 } from "../geometry.js";
-import type { CollisionMesh, RayHit } from "./collision-mesh.js";
+import type { CollisionMesh } from "./collision-mesh.js";
 
 /** Rays along the axes and the diagonals. */
 const DIRECTIONS: readonly Readonly<Vec3>[] = [-1, 0, 1].flatMap((x) =>
@@ -56,9 +56,9 @@ function lookAround(
 ) {
   const backs: { distance: number; direction: Readonly<Vec3> }[] = [];
   let fronts = 0;
-  const hit: RayHit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
   for (const direction of DIRECTIONS) {
-    if (!collision.raycast(place, direction, REACH, hit)) continue;
+    const hit = collision.raycast(place, direction, REACH);
+    if (!hit) continue;
     const { distance, triangle } = hit;
     if (collision.hitsBack && isSolid(triangle)) backs.push({ distance, direction });
     else fronts++;

@@ -1,5 +1,4 @@
-import type { Bounds, Vec3 } from "../geometry.js";
-import { length2 } from "../geometry.js";
+import { inset, length2, type Vec3 } from "../geometry.js";
 import { WALKER_RADIUS } from "../player/player.js";
 import type { CollisionMesh } from "./collision-mesh.js";
 import { type FloorGrid, middleOf } from "./floor-grid.js";
@@ -34,8 +33,8 @@ export class FloorPlan {
   readonly #grid: FloorGrid;
   readonly #clearance: FloorSurvey["clearance"];
   readonly #isReachable: FloorSurvey["isReachable"];
-  /** Round obstacle: x, z, radius. Metres. */
-  #obstacle: readonly [number, number, number] | null = null;
+  /** Round, metres. */
+  #obstacle: { readonly x: number; readonly z: number; readonly radius: number } | null = null;
   /** Of the last point sampled: clearance, metres, and its gradient. */
   readonly #sampled = { clearance: Number.NaN, x: Number.NaN, z: Number.NaN };
   /** A point that is asked for, the next stretch of a walk, and where it leads. Metres. */
@@ -54,12 +53,8 @@ export class FloorPlan {
     let survey = surveyFloor(collision, bounds, this.floor, target, from !== null);
     this.isExhibit = survey === null;
     if (!survey) {
-      const margin = EXHIBIT_MARGIN;
       target = from ? target : [x, bounds.max[2] + EXHIBIT_DISTANCE];
-      const around: Bounds = {
-        min: [bounds.min[0] - margin, bounds.min[1], bounds.min[2] - margin],
-        max: [bounds.max[0] + margin, bounds.max[1], bounds.max[2] + margin],
-      };
+      const around = inset(bounds, -EXHIBIT_MARGIN);
       survey = surveyFloor(collision, around, this.floor, target, true);
     }
     if (!survey) throw new RangeError("There is nowhere to stand in or around the room.");
@@ -76,7 +71,7 @@ export class FloorPlan {
   /** Adds a round obstacle, metres, or removes it; above the head there is none. */
   setObstacle(foot: Readonly<Vec3> | null, radius = 0): void {
     const isInTheWay = foot !== null && foot[1] < this.floor + HEADROOM;
-    this.#obstacle = isInTheWay ? [foot[0], foot[2], radius] : null;
+    this.#obstacle = isInTheWay ? { x: foot[0], z: foot[2], radius } : null;
   }
 
   /** Lower bound of the distance to the nearest obstacle, metres. 0 or less outside the room. */
@@ -229,9 +224,7 @@ export class FloorPlan {
     sample.z = ((c - a) * (1 - s) + (d - b) * s) / cell;
     sample.clearance = (a * (1 - s) + b * s) * (1 - t) + (c * (1 - s) + d * s) * t;
     if (!this.#obstacle) return;
-    const standingX = this.#obstacle[0];
-    const standingZ = this.#obstacle[1];
-    const radius = this.#obstacle[2];
+    const { x: standingX, z: standingZ, radius } = this.#obstacle;
     const distance = length2(x - standingX, z - standingZ);
     if (distance - radius >= sample.clearance) return;
     sample.x = distance > 0 ? (x - standingX) / distance : 1;
@@ -275,9 +268,7 @@ export class FloorPlan {
 
   #isUnderObstacle(x: number, z: number): boolean {
     if (!this.#obstacle) return false;
-    const standingX = this.#obstacle[0];
-    const standingZ = this.#obstacle[1];
-    const radius = this.#obstacle[2];
+    const { x: standingX, z: standingZ, radius } = this.#obstacle;
     return length2(x - standingX, z - standingZ) < radius + WALKER_RADIUS + NEGLIGIBLE;
   }
 }

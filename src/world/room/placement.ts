@@ -57,8 +57,6 @@ export interface PlacementQuery {
   readonly cylinder: Cylinder;
 }
 
-const sightHit: RayHit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
-const supportHit: RayHit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
 const from: Vec3 = [0, 0, 0];
 const direction: Vec3 = [0, 0, 0];
 
@@ -78,7 +76,7 @@ export function findSpot(query: PlacementQuery, spot: Vec3): Refusal | null {
 export function findAimedSpot(reach: PlacementQuery, spot: Vec3): Refusal | null {
   const { collision, eye, direction, cylinder } = reach;
   const level = Math.hypot(direction[0], direction[2]);
-  const hit = collision.raycast(eye, direction, Infinity, sightHit);
+  const hit = collision.raycast(eye, direction, Infinity);
   const [away, y] = hit
     ? [hit.distance * level, eye[1] + hit.distance * direction[1]]
     : whereFloorWouldBe(reach, level);
@@ -97,7 +95,7 @@ export function findAimedSpot(reach: PlacementQuery, spot: Vec3): Refusal | null
 export function findSpotAhead(reach: PlacementQuery, spot: Vec3): Refusal | null {
   const { collision, eye, direction, cylinder } = reach;
   const level = Math.hypot(direction[0], direction[2]);
-  const hit = collision.raycast(eye, direction, Infinity, sightHit);
+  const hit = collision.raycast(eye, direction, Infinity);
   const clearance = (hit ? hit.distance * level : Infinity) - cylinder.radius - NUDGE;
   const distance = Math.min(AHEAD, clearance);
   if (distance < WALKER_RADIUS + cylinder.radius + ELBOW_ROOM) return "no room";
@@ -215,11 +213,11 @@ function castDown(
   from[0] = x;
   from[1] = y;
   from[2] = z;
-  return collision.raycast(from, DOWN, distance, supportHit);
+  return collision.raycast(from, DOWN, distance);
 }
 
 function isInSight(collision: CollisionMesh, eye: Readonly<Vec3>, point: Readonly<Vec3>): boolean {
   const distance = Math.hypot(point[0] - eye[0], point[1] - eye[1], point[2] - eye[2]);
   for (const axis of [0, 1, 2] as const) direction[axis] = (point[axis] - eye[axis]) / distance;
-  return collision.raycast(eye, direction, distance, supportHit) === null;
+  return collision.raycast(eye, direction, distance) === null;
 }

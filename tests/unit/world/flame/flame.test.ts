@@ -83,7 +83,7 @@ describe("a taper in still air", () => {
   });
 
   test("rises as measured plumes do", () => {
-    const speed = (z: number) => (heightAfter(z, 1e-4, TAPER_RATE, 0) - z) / 1e-4;
+    const speed = (z: number) => (heightAfter(z, 1e-4, TAPER_RATE) - z) / 1e-4;
     for (const [z, measured] of [
       [0.01, 0.71],
       [0.02, 1.0],
