@@ -44,12 +44,7 @@ export function createHand(yaw: number) {
 
 /** Brings a hand to rest at once, as after a jump. */
 export function calmHand(hand: Hand, yaw: number): void {
-  hand.lag = hand.turning = hand.daring = 0;
-  hand.stretch = 1;
-  hand.yaw = yaw;
-  for (const axis of [0, 1, 2] as const) {
-    hand.sway[axis] = hand.swaying[axis] = hand.lean[axis] = hand.velocity[axis] = 0;
-  }
+  Object.assign(hand, createHand(yaw));
 }
 
 /**
