@@ -67,15 +67,11 @@ export function flameLight({ root, flame }: RootedFlame, body: FlameBody): Flame
   };
 }
 
-/** Below 1000 K light falls by e for every 48 K. */
-function fading(temperature: number): number {
-  return Math.exp((temperature - 1000) / 48);
-}
-
 /** Radiance of the glowing wick, cd/m². */
 export function emberRadiance(temperature: number): Rgb {
   const glow = sootRadiance(Math.max(temperature, 1000));
-  const fade = temperature > 1000 ? 1 : fading(temperature);
+  // Below 1000 K light falls by e for every 48 K.
+  const fade = temperature > 1000 ? 1 : Math.exp((temperature - 1000) / 48);
   // No more blue for its green than the flame has: with more, an eye used to the flame would see pink.
   const blue = (glow[1] * TAPER.color[2]) / TAPER.color[1];
   return [glow[0] * fade, glow[1] * fade, Math.min(glow[2], blue) * fade];
