@@ -9,24 +9,13 @@
 #include "lib/ember.glsl"
 #include "lib/candle-flames.glsl"
 #include "lib/flame-shadows.glsl"
+#include "lib/mesh-fragment.glsl"
 
-uniform sampler2D uAlbedo;
-uniform sampler2D uNormal;
-uniform sampler2D uOcclusionRoughness;
-uniform vec4 uBaseColor;
 uniform vec3 uBounce;             // radiance of the model around, cd/m²
 uniform float uWax;               // 1: light of the flame above leaves it below, 0: none
 uniform float uWick;              // 1: its tip glows
 uniform float uTransmission;      // transmitted share of the light, 0 to 1
 uniform float uOpacity;           // 1: alpha counts, 0: it is opaque
-uniform float uOcclusionStrength; // of the map, 0 to 1
-uniform vec4 uSurface;            // roughness, metallic, normal scale, alpha cutoff
-
-centroid in vec3 vPositionWorld;
-centroid in vec3 vNormalWorld;
-centroid in vec4 vTangentWorld;
-centroid in vec2 vUv;
-centroid in vec4 vColor;
 
 out vec4 oRadiance;
 

@@ -10,21 +10,10 @@
 #include "lib/wax.glsl"
 #include "lib/ember.glsl"
 #include "lib/studio.glsl"
+#include "lib/mesh-fragment.glsl"
 
-uniform sampler2D uAlbedo;
-uniform sampler2D uNormal;
-uniform sampler2D uOcclusionRoughness;
-uniform vec4 uBaseColor;
 uniform float uWax;        // 1: subsurface scattering, 0: none
-uniform float uOcclusionStrength;  // of the map, 0 to 1
 uniform vec3 uEmber;       // radiance of the wick's glowing tip, cd/m²; black for other materials
-uniform vec4 uSurface;     // roughness, metallic, normal scale, alpha cutoff
-
-centroid in vec3 vPositionWorld;
-centroid in vec3 vNormalWorld;
-centroid in vec4 vTangentWorld;
-centroid in vec2 vUv;
-centroid in vec4 vColor;
 
 out vec4 oRadiance;
 

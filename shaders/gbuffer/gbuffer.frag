@@ -9,24 +9,13 @@
 #include "lib/normal-map.glsl"
 #include "lib/gbuffer.glsl"
 #include "lib/normal-map-shading.glsl"
+#include "lib/mesh-fragment.glsl"
 
-uniform sampler2D uAlbedo;
-uniform sampler2D uNormal;
-uniform sampler2D uOcclusionRoughness;
-uniform vec4 uBaseColor;
 uniform float uMaterial;   // wax or glass; 0: what the maps say
 #if REDUCED
 uniform float uIsHeld;  // 1 or 0
 #endif
-uniform float uOcclusionStrength;
-uniform vec4 uSurface;         // roughness, metallic, normal scale, alpha cutoff
 uniform vec3 uCaptureOrigin;   // of the light, m
-
-centroid in vec3 vPositionWorld;
-centroid in vec3 vNormalWorld;
-centroid in vec4 vTangentWorld;
-centroid in vec2 vUv;
-centroid in vec4 vColor;
 
 layout(location = 0) out vec4 oAlbedo;
 layout(location = 1) out vec4 oSurface;

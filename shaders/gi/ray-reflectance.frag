@@ -4,12 +4,7 @@
 #include "lib/precision.glsl"
 #include "lib/photometry.glsl"
 #include "lib/normal-map.glsl"
-
-uniform sampler2D uAlbedo;
-uniform sampler2D uNormal;
-uniform vec4 uBaseColor;
-uniform sampler2D uOcclusionRoughness;
-uniform vec4 uSurface;  // roughness, metallic, normal scale, alpha cutoff
+#include "lib/material.glsl"
 
 // Texels along an edge of the mip level that is read.
 const float FOOTPRINT_TEXELS = 16.0;

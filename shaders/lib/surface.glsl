@@ -1,5 +1,6 @@
 // The material of a mesh at a pixel of forward shading.
 // Needs lib/frame.glsl, lib/normal-map.glsl.
+#include "lib/mesh-fragment.glsl"
 
 // Bias of the level of detail: the hardware's choice blurs more than a pixel.
 const float LOD_BIAS = -0.5;
@@ -7,20 +8,7 @@ const float LOD_BIAS = -0.5;
 // tracer's indirect light in the cabin's views (`npm run reference`).
 const float NEAR_OCCLUSION = 0.5;
 
-uniform sampler2D uAlbedo;
-uniform sampler2D uNormal;
-uniform sampler2D uOcclusionRoughness;
 uniform sampler2D uNormalMapVisibility;  // by level of detail: mesh/normal-map-visibility.frag
-uniform vec4 uBaseColor;
-uniform float uOcclusionStrength;
-uniform vec4 uSurface;   // roughness, metallic, normal scale, alpha cutoff
-
-// `centroid`: beyond the edge of a thin triangle attributes are extrapolated.
-centroid in vec3 vPositionWorld;
-centroid in vec3 vNormalWorld;
-centroid in vec4 vTangentWorld;
-centroid in vec2 vUv;
-centroid in vec4 vColor;
 
 struct Material {
   vec3 baseColor;

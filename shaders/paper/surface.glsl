@@ -1,12 +1,8 @@
 // Material maps and shading normal of a surface in the paper's lighting.
 // Defines FACETS or NORMAL_MAPS for normals of triangles or of the map, else they are the vertices'.
 #include "lib/normal-map.glsl"
+#include "lib/material.glsl"
 
-uniform sampler2D uAlbedo;
-uniform sampler2D uNormal;
-uniform sampler2D uOcclusionRoughness;
-uniform vec4 uBaseColor;
-uniform float uOcclusionStrength;  // of the map, 0 to 1
 uniform float uCodesEdges;  // 1 or 0
 
 in vec3 vPositionWorld;

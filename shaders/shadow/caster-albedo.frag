@@ -5,12 +5,8 @@
 #include "lib/photometry.glsl"
 #include "lib/normal-map.glsl"
 #include "lib/caster-albedo.glsl"
+#include "lib/material.glsl"
 
-uniform vec4 uBaseColor;
-uniform sampler2D uAlbedo;
-uniform sampler2D uNormal;
-uniform sampler2D uOcclusionRoughness;
-uniform vec4 uSurface;  // roughness, metallic, normal scale, alpha cutoff
 uniform float uTile;  // its number
 
 out vec4 oReflectance;
