@@ -63,7 +63,7 @@ bool isLit(vec3 position, vec3 normal) {
   vec3 n = onShadowFace(normal, axis);
   float tile = shadowTileSize();
   float texels = 0.5 * tile / SHADOW_REACH;  // for a length of 1 on a face
-  vec2 tileCenter = shadowTileCenter(axis, point.z, tile);
+  vec2 tileCenter = shadowTileCenter(axis, point.z, light.shadowSlot, tile);
   vec2 texel = floor(tileCenter + point.xy / point.z * texels);
   vec2 center = (texel + 0.5 - tileCenter) / texels;
   float share = dot(n, point / point.z) / dot(n, vec3(center, 1.0));  // of the point's distance along the axis

@@ -56,7 +56,7 @@ ShadowTaps shadowTaps(ShadowReceiver r, float share, float tile) {
   vec2 onFace = center.xy / center.z;
   vec2 halfSize = max((1.0 - share) * r.extent, share * (LEAST_PENUMBRA * r.distance / texels));
   halfSize /= SHADOW_REACH * center.z;
-  vec2 tileCenter = shadowTileCenter(axis, center.z, tile);
+  vec2 tileCenter = shadowTileCenter(axis, center.z, light.shadowSlot, tile);
   ShadowTaps taps;
   taps.right = (across.xy - onFace * across.z) * halfSize.x;
   taps.up = (up.xy - onFace * up.z) * halfSize.y;

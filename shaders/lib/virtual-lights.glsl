@@ -1,13 +1,11 @@
 // The first bounce of moonlight, and the sky's light, from points of what they come from, each with a shadow cube: for
 // 1 lx outside. Keller 1997, "Instant Radiosity". Needs lib/photometry.glsl, lib/normal-map.glsl, lib/moon.glsl.
+#include "lib/shadow-tiles.glsl"
 
 uniform sampler2D uVirtualLights;  // a column each: position, m, and extent, m; normal, length 1, and area, m²
 uniform sampler2D uVirtualFlux;    // lm
-uniform highp sampler2D uVirtualShadow;  // cubes as in lib/shadow-cube.glsl, one above another
+uniform highp sampler2D uVirtualShadow;
 
-// Of src/render/shadow/shadow-pass.ts and cube-map.ts.
-const float VIRTUAL_REACH = 1.125;
-const float VIRTUAL_NEAR = 0.04;  // m
 // A caster less far before the lit plane is the plane: metres, and a share of the distance.
 const vec2 VIRTUAL_BIAS = vec2(0.01, 0.01);
 // A plane seen edge on reaches no farther than this many times the distance of the point.
@@ -15,16 +13,13 @@ const float VIRTUAL_STEEPEST = 1.1;
 
 // Share of the light of one cube that reaches a point: of four texels. `d`: from the light, m.
 float virtualVisibility(vec3 d, vec3 facet, float slot) {
-  vec3 size = abs(d);
-  bool isX = size.x >= max(size.y, size.z);
-  bool isY = !isX && size.y >= size.z;
-  vec3 point = isX ? d.yzx : isY ? d.zxy : d;
-  vec3 n = isX ? facet.yzx : isY ? facet.zxy : facet;
+  bvec2 axis = shadowAxis(d);
+  vec3 point = onShadowFace(d, axis);
+  vec3 n = onShadowFace(facet, axis);
   float tile = float(textureSize(uVirtualShadow, 0).x / 3);
-  float texels = 0.5 * tile / VIRTUAL_REACH;  // for a length of 1 on a face
-  vec2 corner = vec2(isX ? 0.0 : isY ? 1.0 : 2.0, 2.0 * slot + (point.z > 0.0 ? 0.0 : 1.0)) * tile;
-  vec2 center = corner + 0.5 * tile;
-  vec2 place = clamp(center + point.xy / point.z * texels, corner + 1.0, corner + tile - 1.0) - 0.5;
+  float texels = 0.5 * tile / SHADOW_REACH;  // for a length of 1 on a face
+  vec2 center = shadowTileCenter(axis, point.z, slot, tile);
+  vec2 place = center + clamp(point.xy / point.z * texels, 1.0 - 0.5 * tile, 0.5 * tile - 1.0) - 0.5;
   vec2 low = floor(place);
   vec2 share = place - low;
   float offset = dot(n, point / point.z);
@@ -35,7 +30,7 @@ float virtualVisibility(vec3 d, vec3 facet, float slot) {
     vec2 texel = low + vec2(i & 1, i >> 1);
     float plane = offset / dot(n, vec3((texel + 0.5 - center) / texels, 1.0));  // as a multiple of the point's distance
     plane = plane > 0.0 ? min(plane, VIRTUAL_STEEPEST) : VIRTUAL_STEEPEST;
-    float caster = VIRTUAL_NEAR / max(1.0 - texelFetch(uVirtualShadow, ivec2(texel), 0).r, 1.0 / 65535.0);
+    float caster = SHADOW_NEAR / max(1.0 - texelFetch(uVirtualShadow, ivec2(texel), 0).r, SHADOW_STEP);
     lit[i] = caster < plane * nearest ? 0.0 : 1.0;
   }
   vec2 across = mix(lit.xz, lit.yw, share.x);
