@@ -4,10 +4,10 @@
 
 uniform vec3 uFlame;  // m
 
-in vec3 vPosition;
+in vec3 vPositionWorld;
 
 out vec4 oDistance;
 
 void main() {
-  oDistance = vec4(distance(vPosition, uFlame), 0.0, 0.0, 1.0);
+  oDistance = vec4(distance(vPositionWorld, uFlame), 0.0, 0.0, 1.0);
 }

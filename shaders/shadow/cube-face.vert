@@ -1,5 +1,5 @@
 #version 300 es
-// Geometry projected onto one face of a cube around the capture origin.
+// Geometry projected onto one face of a cube around a flame.
 #include "lib/precision.glsl"
 
 layout(location = 0) in vec3 aPosition;

@@ -1,6 +1,6 @@
 import { mat4, type vec3 } from "gl-matrix";
 import shadowFrag from "../../../shaders/candle/custom-shadow.frag";
-import shadowVert from "../../../shaders/candle/custom-shadow.vert";
+import cubeFaceVert from "../../../shaders/shadow/cube-face.vert";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
@@ -60,7 +60,7 @@ export class FlameShadows {
     this.face = face;
     const across = Math.min(flames, 4);
     this.tiles = [across, Math.ceil(flames / across)];
-    this.#program = gpu.program("candle/custom-shadow", shadowVert, shadowFrag);
+    this.#program = gpu.program("candle/custom-shadow", cubeFaceVert, shadowFrag);
     const [x, y] = this.tiles;
     const size = { width: x * 3 * face, height: y * 2 * face };
     const format = { color: ["R16F"], depth: "buffer" } as const;
