@@ -46,8 +46,6 @@ void main() {
       sum += texelFetch(uRadiance, corner + low, 0).rgb * max(parts.y - parts.x - parts.z, 0.0);
     }
   }
-#endif
-#if !SURFELS
   sum += texelFetch(uIrradianceBefore, texel, 0).rgb;
 #endif
   oIrradiance = vec4(sum, 1.0);

@@ -18,5 +18,5 @@ void main() {
   vec3 baseColor = textureLod(uAlbedo, vUv, level).rgb * uBaseColor.rgb;
   baseColor *= meanSkyVisibility(uNormal, vUv, uSurface.z);
   vec2 roughnessMetallic = textureLod(uOcclusionRoughness, vUv, level).gb * uSurface.xy;
-  oReflectance = vec4(hemisphericalReflectance(baseColor, roughnessMetallic.x, roughnessMetallic.y), glossOf(roughnessMetallic.x, roughnessMetallic.y));
+  oReflectance = reflectanceAndGloss(baseColor, roughnessMetallic.x, roughnessMetallic.y);
 }

@@ -12,7 +12,7 @@ out vec4 oSupport;
 
 void main() {
   int size = textureSize(uSurfelNormalDistance, 0).y;
-  ivec2 centre = surfelTexel(vec3(0.0, -1.0, 0.0), size);
+  ivec2 centre = ivec2(3 * size, 0) + size / 2;  // of the face below
   vec4 sum = vec4(0.0);
   float count = 0.0;
   for (int i = 0; i < 4; i++) {

@@ -51,9 +51,7 @@ float probeVisibility(vec2 depth, float reach) {
 struct IrradianceSample {
   vec3 alongNormal;
   vec3 alongReflection;
-#ifdef MOONLIT
-  float moonlight;  // along the normal, for 1 lx
-#endif
+  float moonlight;  // MOONLIT: along the normal, for 1 lx
 };
 
 #ifdef MOONLIT
@@ -134,11 +132,7 @@ IrradianceSample irradianceAt(vec3 position, vec3 facing, vec3 normal, vec3 refl
   Tetrahedron tetrahedron = tetrahedronAt(cell);
   vec2 normalUv = octahedralEncode(normal);
   vec2 reflectionUv = octahedralEncode(reflection);
-#ifdef MOONLIT
   IrradianceSample sum = IrradianceSample(vec3(0.0), vec3(0.0), 0.0);
-#else
-  IrradianceSample sum = IrradianceSample(vec3(0.0), vec3(0.0));
-#endif
   float total = 0.0;
   for (int i = 0; i < VOLUME_CORNERS; i++) {
     ivec2 tile = tileOf(tetrahedron, cell, i);
@@ -153,9 +147,5 @@ IrradianceSample irradianceAt(vec3 position, vec3 facing, vec3 normal, vec3 refl
     total += weight;
   }
   float scale = 1.0 / max(total, 1e-12);
-#ifdef MOONLIT
   return IrradianceSample(sum.alongNormal * scale, sum.alongReflection * scale, sum.moonlight * scale);
-#else
-  return IrradianceSample(sum.alongNormal * scale, sum.alongReflection * scale);
-#endif
 }

@@ -34,12 +34,6 @@ vec3 cubeFaceUv(vec3 d) {
   return vec3(0.5 + 0.5 * st / size[axis], float(face));
 }
 
-// Texel of the surfel in a direction from the capture origin.
-ivec2 surfelTexel(vec3 d, int size) {
-  vec3 uv = cubeFaceUv(d);
-  return min(ivec2(uv.xy * float(size)), size - 1) + ivec2(int(uv.z) * size, 0);
-}
-
 // Texel of a surfel by its number, row by row; beyond the last row there is none.
 ivec2 surfelOfIndex(int index, int size) {
   int columns = FACE_COUNT * size;

@@ -32,5 +32,5 @@ void main() {
   }
   baseColor *= visibility / float(blocks * blocks);
   vec2 roughnessMetallic = textureGrad(uOcclusionRoughness, uv, footprint, footprint.yx).gb * uSurface.xy;
-  oReflectance = vec4(hemisphericalReflectance(baseColor, roughnessMetallic.x, roughnessMetallic.y), glossOf(roughnessMetallic.x, roughnessMetallic.y));
+  oReflectance = reflectanceAndGloss(baseColor, roughnessMetallic.x, roughnessMetallic.y);
 }
