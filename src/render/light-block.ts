@@ -1,7 +1,7 @@
 import { captureOrigin, snapToGrid } from "../light/capture-origin.js";
 import type { Rgb } from "../light/color.js";
 import { carriedFlame, flameLight, TAPER } from "../light/flame-light.js";
-import type { Vec3 } from "../world/geometry.js";
+import { length3, type Vec3 } from "../world/geometry.js";
 import type { World } from "../world/world.js";
 
 /** Casters of the chamberstick, as discs: heights above its foot and radii, metres. */
@@ -46,6 +46,13 @@ export function flameIntensity(world: World): Rgb {
 /** Members of the same block, for a flame of 1 cd in each channel. */
 export interface CaptureLight extends Readonly<Record<string, number | readonly number[]>> {
   readonly position: Vec3;
+}
+
+export function distanceBetween(
+  { position: [x, y, z] }: CaptureLight,
+  other: CaptureLight,
+): number {
+  return length3(x - other.position[0], y - other.position[1], z - other.position[2]);
 }
 
 /** The flame that the opaque stage shades for: 1 cd, in steps, so that flicker and small sway change nothing. */

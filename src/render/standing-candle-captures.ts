@@ -98,7 +98,7 @@ export class StandingCandleCaptures {
       light,
       block: this.#block,
       shadow: shadow.depth,
-      irradiance: yield* this.#indirect[size](casters, light, shadow),
+      irradiance: yield* this.#indirect.capture(casters, light, shadow, size),
       background: 0,
       key: JSON.stringify(root),
     };

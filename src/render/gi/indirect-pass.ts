@@ -44,7 +44,7 @@ const NORMAL_BIAS = 0.15;
 
 export type ShadowMap = Pick<ShadowCube, "depth" | "captureOrigin">;
 
-/** How small the steps of a capture are: `IndirectPass.passes` or `IndirectPass.steps`. */
+/** How small the steps of a capture are: a pass each, or less: a band of a pass, or a face of the surfel cube. */
 export type StepSize = "passes" | "steps";
 
 /** Irradiance volume, for shaders that include `lib/irradiance-volume.glsl`. */
@@ -171,26 +171,22 @@ export class IndirectPass {
   }
 
   /**
-   * Indirect light for each candela of the flame's, a pass in each step.
+   * Indirect light for each candela of the flame's.
    *
    * @param light members of the block of `lib/flame-light.glsl`, of a flame at its capture origin
    */
-  *passes(casters: ShadowCasters, light: CaptureLight, shadow: ShadowMap): Steps<IrradianceVolume> {
+  *capture(
+    casters: ShadowCasters,
+    light: CaptureLight,
+    shadow: ShadowMap,
+    size: StepSize,
+  ): Steps<IrradianceVolume> {
     this.shadow = shadow;
-    if (!this.isKnown(light, true)) yield* this.#allSteps(casters, light, AT_ONCE);
+    if (size === "steps" || !this.isKnown(light, true)) {
+      yield* this.captureSurfels(casters, light);
+      yield* this.allBounces(light, size === "steps" ? BANDS : AT_ONCE);
+    }
     return this.volume;
-  }
-
-  /** The same in smaller steps: a face of the surfel cube, or a band of a pass, in each. */
-  *steps(casters: ShadowCasters, light: CaptureLight, shadow: ShadowMap): Steps<IrradianceVolume> {
-    this.shadow = shadow;
-    yield* this.#allSteps(casters, light, BANDS);
-    return this.volume;
-  }
-
-  *#allSteps(casters: ShadowCasters, light: CaptureLight, bands: typeof BANDS): Steps {
-    yield* this.captureSurfels(casters, light);
-    yield* this.#renderBounces(light, bands);
   }
 
   /** A face of the surfel cube in each step. */
@@ -215,11 +211,6 @@ export class IndirectPass {
     return this.#targets.usedFor === light;
   }
 
-  /** All bounces, a pass in each step. */
-  allBounces(light: CaptureLight): Steps {
-    return this.#renderBounces(light, AT_ONCE);
-  }
-
   get volume(): IrradianceVolume {
     return {
       block: this.#block,
@@ -234,7 +225,8 @@ export class IndirectPass {
     };
   }
 
-  *#renderBounces(light: CaptureLight, bands: typeof BANDS): Steps {
+  /** All bounces, a band of a pass in each step. */
+  *allBounces(light: CaptureLight, bands = AT_ONCE): Steps {
     yield* this.#renderFirstBounce(light, bands);
     const sums = [this.#targets.firstBounce];
     for (let bounce = 1; bounce < this.#detail.bounces; bounce++) {

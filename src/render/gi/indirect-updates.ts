@@ -1,5 +1,4 @@
-import { length3 } from "../../world/geometry.js";
-import type { CaptureLight } from "../light-block.js";
+import { type CaptureLight, distanceBetween } from "../light-block.js";
 import { SCHEDULE } from "../schedule.js";
 import type { ShadowCasters } from "../shadow/shadow-casters.js";
 import { finish, type Steps } from "../steps.js";
@@ -43,8 +42,9 @@ export class IndirectUpdates {
     // A stepped frame, or a prepared one, may have captured surfels of its own since.
     const goesOn = this.#update?.isExact === isExact && this.#update.light === indirect.capturedFor;
     if (!goesOn) this.#update = null;
-    if (!lastLight || (isExact && areFarApart(light, lastLight))) {
-      return finish(indirect.passes(casters, light, shadow));
+    const isFar = lastLight && distanceBetween(light, lastLight) > SCHEDULE.shadow.distance;
+    if (!lastLight || (isExact && isFar)) {
+      return finish(indirect.capture(casters, light, shadow, "passes"));
     }
     if (!this.#update) {
       if (this.#pause-- > 0 || indirect.isKnown(light, isExact)) return indirect.volume;
@@ -74,9 +74,4 @@ export class IndirectUpdates {
     }
     return update.bounces.next().done === true;
   }
-}
-
-function areFarApart({ position }: CaptureLight, other: CaptureLight): boolean {
-  const [x, y, z] = other.position;
-  return length3(position[0] - x, position[1] - y, position[2] - z) > SCHEDULE.shadow.distance;
 }

@@ -1,21 +1,23 @@
-import type { Model } from "../../assets/model.js";
 import type { Gpu } from "../../gl/gpu.js";
-import type { CollisionMesh } from "../../world/room/collision-mesh.js";
 import type { World } from "../../world/world.js";
 import { type CachedLight, isMoonAlone } from "../cached-light.js";
 import { CachedLights } from "../cached-lights.js";
 import { shadowFrustumTest } from "../camera.js";
 import type { FrameInput } from "../frame-input.js";
 import type { GBufferKind } from "../gbuffer/gbuffer.js";
-import type { CaptureLight } from "../light-block.js";
-import type { Mesh } from "../mesh/mesh.js";
+import { type CaptureLight, distanceBetween } from "../light-block.js";
 import { hasLods } from "../mesh/mesh-lods.js";
 import { MOTION_ERROR, type PhysicalTier } from "../quality.js";
 import { clusterIncrementally, ShadowCasters } from "../shadow/shadow-casters.js";
 import { type ShadowCube, ShadowPass, shadowAtlas } from "../shadow/shadow-pass.js";
 import { finish, type Steps } from "../steps.js";
 import { fitToRoom } from "./fit-to-room.js";
-import { IndirectPass, type IrradianceVolume, type StepSize } from "./indirect-pass.js";
+import {
+  IndirectPass,
+  type IndirectScene,
+  type IrradianceVolume,
+  type StepSize,
+} from "./indirect-pass.js";
 import { indirectTargets } from "./indirect-targets.js";
 import { IndirectUpdates } from "./indirect-updates.js";
 
@@ -47,9 +49,7 @@ export interface Captures extends FlameCaptures {
  */
 export class LightCaptures {
   readonly #gpu: Gpu;
-  readonly #model: Model;
-  /** In the order of the model's parts. */
-  readonly #meshes: readonly Mesh[];
+  readonly #room: IndirectScene;
   readonly #hasLods: boolean;
   readonly #casters: ShadowCasters;
   /** Simplified, for motion; null until their meshes are ready. */
@@ -70,24 +70,13 @@ export class LightCaptures {
   readonly #hasNight: boolean;
 
   /**
-   * @param collision mesh of the room, for the probes' rays
    * @param isSimplified whether casters are simplified in motion, where the model allows
    */
-  constructor(
-    gpu: Gpu,
-    room: {
-      readonly model: Model;
-      readonly collision: CollisionMesh;
-      readonly surfaces: readonly Mesh[];
-    },
-    tier: PhysicalTier,
-    isSimplified: boolean,
-  ) {
+  constructor(gpu: Gpu, room: IndirectScene, tier: PhysicalTier, isSimplified: boolean) {
     const { shadow, casterError } = tier;
     const indirect = fitToRoom(tier.indirect, room.collision, room.model);
     this.#gpu = gpu;
-    this.#model = room.model;
-    this.#meshes = room.surfaces;
+    this.#room = room;
     this.#hasNight = tier.opaque !== "deferred";
     this.#hasLods = isSimplified && hasLods(room.surfaces);
     this.#casters = new ShadowCasters(gpu, room.model, room.surfaces, { error: casterError });
@@ -134,7 +123,7 @@ export class LightCaptures {
       const update = [this.#casters, captureLight, shadow] as const;
       const irradiance = settings.canDefer
         ? this.#updates.update(...update, { isExact: !settings.isMoving })
-        : finish(this.#indirect.passes(...update));
+        : finish(this.#indirect.capture(...update, "passes"));
       return { shadow, irradiance };
     }
     this.#prepareLods();
@@ -198,7 +187,8 @@ export class LightCaptures {
     const captureOrigin = light.position;
     const depth = yield* this.#shadow.steps(this.#casters, captureOrigin);
     const shadow = { depth, captureOrigin, isNew: false };
-    return { shadow, irradiance: yield* this.#indirect[size](this.#casters, light, shadow) };
+    const irradiance = yield* this.#indirect.capture(this.#casters, light, shadow, size);
+    return { shadow, irradiance };
   }
 
   /** Prepares the first frames in motion, a part of the model in each frame. */
@@ -210,12 +200,9 @@ export class LightCaptures {
   #simplified(error: number): ShadowCasters | null {
     if (!this.#hasLods) return null;
     const detail = { error, isReduced: true };
-    return clusterIncrementally(this.#model, detail)
-      ? new ShadowCasters(this.#gpu, this.#model, this.#meshes, detail)
+    const { model, surfaces } = this.#room;
+    return clusterIncrementally(model, detail)
+      ? new ShadowCasters(this.#gpu, model, surfaces, detail)
       : null;
   }
-}
-
-function distanceBetween(light: CaptureLight, other: CaptureLight): number {
-  return Math.hypot(...light.position.map((x, axis) => x - other.position[axis]!));
 }

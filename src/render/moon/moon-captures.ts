@@ -159,7 +159,7 @@ export class MoonCaptures {
     this.#surfels.prepare(frustum, visibility);
     const block = moonBlock(frustum, this.#surfels.detail);
     const shadow = { depth: this.#map, captureOrigin: frustum.corner };
-    const irradiance = yield* this.#indirect[size](casters, block, shadow);
+    const irradiance = yield* this.#indirect.capture(casters, block, shadow, size);
     casters.dispose();
     const textures = {
       ...irradiance.textures,
