@@ -10,7 +10,7 @@ import { layerKey } from "../../world/particles/particles.js";
 import type { World } from "../../world/world.js";
 import type { IrradianceVolume } from "../gi/indirect-pass.js";
 import { FEEDBACK, ParticleSystem, particleProgram } from "./particle-system.js";
-import type { VolumetricTarget } from "./volumetric-target.js";
+import type { CompositedFrame } from "./volumetric-target.js";
 
 /** Kelvin of a droplet of burning wax, from birth to death. */
 const COOLING = [1850, 1700, 1500, 1300, 1100, 1000];
@@ -50,7 +50,7 @@ export class MotesPass {
   /** Blends one layer over the target. A layer that is not drawn catches up when it is. */
   render(
     name: "dust" | "spark",
-    { target, depth }: VolumetricTarget,
+    { target, depth }: Pick<CompositedFrame, "target" | "depth">,
     world: World,
     frame: UniformBlock,
     light: UniformBlock,

@@ -4,15 +4,12 @@ import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { TextureView } from "../../gl/texture-view.js";
 import type { Size } from "../frame-input.js";
 
-export interface VolumetricTarget {
+/** The composited frame: opaque surfaces, and later the media. */
+export interface CompositedFrame {
   /** Radiance, cd/m², without a depth attachment, so that `depth` can be sampled. */
-  readonly target: TextureView;
+  readonly target: RenderTarget | TextureView;
   /** Of the opaque surfaces. */
   readonly depth: Texture;
-}
-
-/** The composited frame: opaque surfaces, and later the media. */
-export interface CompositedFrame extends VolumetricTarget {
   /** The radiance to read. */
   readonly color: Texture;
   /** The radiance with a depth buffer to test against. */
@@ -23,15 +20,12 @@ export interface CompositedFrame extends VolumetricTarget {
 export class RadianceTarget {
   readonly whole: RenderTarget;
   readonly #gpu: Gpu;
-  readonly #target: TextureView;
   /** With each depth that it was composited with. */
   readonly #tested = new Map<Texture, TextureView>();
 
   constructor(gpu: Gpu, size: Size, format: TextureFormat) {
     this.#gpu = gpu;
     this.whole = gpu.renderTarget({ label: "radiance", ...size, color: [format] });
-    const textures = [this.whole.color];
-    this.#target = gpu.textureView({ label: "radiance", textures, image: 0 });
   }
 
   with(depth: Texture): CompositedFrame {
@@ -42,10 +36,10 @@ export class RadianceTarget {
       tested = this.#gpu.textureView(view);
       this.#tested.set(depth, tested);
     }
-    return { color, target: this.#target, tested, depth };
+    return { color, target: this.whole, tested, depth };
   }
 
   dispose(): void {
-    for (const old of [this.#target, this.whole, ...this.#tested.values()]) old.dispose();
+    for (const old of [this.whole, ...this.#tested.values()]) old.dispose();
   }
 }
