@@ -1,6 +1,5 @@
 import type { mat4 } from "gl-matrix";
 import type { Surface } from "../gl/gpu.js";
-import type { Vec3 } from "../world/geometry.js";
 import type { World } from "../world/world.js";
 import type { FrameSettings } from "./frame-settings.js";
 import type { CaptureLight } from "./light-block.js";
@@ -39,9 +38,4 @@ export interface FrameInput {
   readonly candlePlacement: Placement;
   /** Root of the flame in the frame: shares of its width and height. The centre for a flame behind the camera. */
   readonly flameUv: readonly [number, number];
-}
-
-/** The point that the shadow cube and the surfels are captured from, metres. */
-export function captureOrigin({ captureLight }: FrameInput): Vec3 {
-  return captureLight.position;
 }

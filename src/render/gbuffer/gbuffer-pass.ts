@@ -9,7 +9,7 @@ import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { Bounds } from "../../world/geometry.js";
 import { frustumTest } from "../camera.js";
-import { captureOrigin, type FrameInput, type ModelInstance, type Size } from "../frame-input.js";
+import type { FrameInput, ModelInstance, Size } from "../frame-input.js";
 import type { Mesh } from "../mesh/mesh.js";
 import type { MeshLods } from "../mesh/mesh-lods.js";
 import { visibleRuns } from "../mesh/visible-runs.js";
@@ -162,9 +162,9 @@ export class GBufferPass {
   }
 
   /** Where normal-map shading takes the light to be, metres. */
-  #shadingOrigin(frame: FrameInput): readonly number[] {
+  #shadingOrigin({ captureLight }: FrameInput): readonly number[] {
     const step = SCHEDULE.normalMapShading;
-    return captureOrigin(frame).map((x) => Math.round(x / step) * step);
+    return captureLight.position.map((x) => Math.round(x / step) * step);
   }
 
   *#renderReduced(frame: FrameInput, key: string): Steps<GBuffer> {
