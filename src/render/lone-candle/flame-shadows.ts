@@ -1,4 +1,4 @@
-import { mat4, type vec3 } from "gl-matrix";
+import { mat4 } from "gl-matrix";
 import shadowFrag from "../../../shaders/candle/custom-shadow.frag";
 import cubeFaceVert from "../../../shaders/shadow/cube-face.vert";
 import type { Gpu } from "../../gl/gpu.js";
@@ -7,34 +7,8 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { Vec3 } from "../../world/geometry.js";
 import type { Mesh } from "../mesh/mesh.js";
+import { FACES, viewOfFace } from "../shadow/cube-map.js";
 
-/** Faces of a cube: direction of the look, and of the atlas's up. In the order of shaders/lib/flame-shadows.glsl. */
-const FACES: readonly (readonly [look: vec3, up: vec3])[] = [
-  [
-    [1, 0, 0],
-    [0, 1, 0],
-  ],
-  [
-    [-1, 0, 0],
-    [0, 1, 0],
-  ],
-  [
-    [0, 1, 0],
-    [0, 0, 1],
-  ],
-  [
-    [0, -1, 0],
-    [0, 0, -1],
-  ],
-  [
-    [0, 0, 1],
-    [0, 1, 0],
-  ],
-  [
-    [0, 0, -1],
-    [0, 1, 0],
-  ],
-];
 const NEAR = 0.003;
 const FAR = 20;
 /** Nothing is farther, metres. */
@@ -76,10 +50,9 @@ export class FlameShadows {
     this.#gpu.clear(this.#target, NOTHING);
     const projection = mat4.perspective(mat4.create(), Math.PI / 2, 1, NEAR, FAR);
     for (const [tile, [x, y, z]] of roots.entries()) {
-      const flame: vec3 = [x, y + MIDDLE, z];
-      for (const [face, [look, up]] of FACES.entries()) {
-        const at: vec3 = [flame[0] + look[0], flame[1] + look[1], flame[2] + look[2]];
-        const clip = mat4.lookAt(mat4.create(), flame, at, up);
+      const flame: Vec3 = [x, y + MIDDLE, z];
+      for (const face of FACES.keys()) {
+        const clip = viewOfFace(face, flame, 1);
         mat4.multiply(clip, projection, clip);
         this.#drawFace(tile, face, clip, flame, casters);
       }
@@ -87,7 +60,7 @@ export class FlameShadows {
     return texture;
   }
 
-  #drawFace(tile: number, face: number, clip: mat4, flame: vec3, casters: readonly Mesh[]): void {
+  #drawFace(tile: number, face: number, clip: mat4, flame: Vec3, casters: readonly Mesh[]): void {
     const across = this.tiles[0];
     const side = this.face;
     const column = (tile % across) * 3 + (face % 3);
@@ -98,7 +71,7 @@ export class FlameShadows {
         target: this.#target,
         vertexArray,
         viewport: [column * side, row * side, side, side],
-        uniforms: { uClipFromWorld: new Float32Array(clip), uFlame: [...flame] },
+        uniforms: { uClipFromWorld: new Float32Array(clip), uFlame: flame },
         depth: "test-and-write",
         cull: "none",
       });

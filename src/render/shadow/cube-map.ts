@@ -5,47 +5,24 @@ import type { Bounds, Vec3 } from "../../world/geometry.js";
 const NEAR = 0.04;
 const FAR = 60;
 
-/** Direction and up of each face of a cube map, in GL's order. */
-export const FACES: readonly (readonly [direction: Vec3, up: Vec3])[] = [
-  [
-    [1, 0, 0],
-    [0, -1, 0],
-  ],
-  [
-    [-1, 0, 0],
-    [0, -1, 0],
-  ],
-  [
-    [0, 1, 0],
-    [0, 0, 1],
-  ],
-  [
-    [0, -1, 0],
-    [0, 0, -1],
-  ],
-  [
-    [0, 0, 1],
-    [0, -1, 0],
-  ],
-  [
-    [0, 0, -1],
-    [0, -1, 0],
-  ],
-];
+/** Faces of a cube map, in GL's order: their axes, and which way along them. */
+export const FACES = [0, 1, 2, 3, 4, 5].map((face) => ({
+  axis: face >> 1,
+  sign: face % 2 === 0 ? 1 : -1,
+}));
+
+/** View from `origin` (metres) through one face of a cube. `up`: along the vertical, 1 or -1, through its four sides. */
+export function viewOfFace(face: number, origin: Readonly<Vec3>, up: number): mat4 {
+  const { axis, sign } = FACES[face]!;
+  const ahead: Vec3 = [...origin];
+  ahead[axis]! += sign;
+  return mat4.lookAt(mat4.create(), origin, ahead, axis === 1 ? [0, 0, sign] : [0, up, 0]);
+}
 
 /** Clip space of one face of a cube around `origin` (metres), from world space. */
 export function clipFromFace(face: number, origin: Vec3, out: mat4): mat4 {
-  const [direction, up] = FACES[face] ?? [
-    [0, 0, -1],
-    [0, 1, 0],
-  ];
-  const target: Vec3 = [
-    origin[0] + direction[0],
-    origin[1] + direction[1],
-    origin[2] + direction[2],
-  ];
   const clipFromView = mat4.perspective(mat4.create(), Math.PI / 2, 1, NEAR, FAR);
-  return mat4.multiply(out, clipFromView, mat4.lookAt(mat4.create(), origin, target, up));
+  return mat4.multiply(out, clipFromView, viewOfFace(face, origin, -1));
 }
 
 /**
@@ -55,8 +32,7 @@ export function clipFromFace(face: number, origin: Vec3, out: mat4): mat4 {
  * @param reach half the width of what is drawn, as a share of the distance along the axis
  */
 export function clipFromShadowFace(face: number, origin: Vec3, reach: number): Float32Array {
-  const ahead = face >> 1;
-  const sign = face % 2 === 0 ? 1 : -1;
+  const { axis: ahead, sign } = FACES[face]!;
   const rows: readonly (readonly [axis: number, scale: number])[] = [
     [(ahead + 1) % 3, sign / reach],
     [(ahead + 2) % 3, sign / reach],
@@ -78,8 +54,7 @@ export function clipFromShadowFace(face: number, origin: Vec3, reach: number): F
  * @param reach half the frustum's width, as a share of the distance along the face's direction
  */
 export function isInCubeFace(face: number, origin: Vec3, { min, max }: Bounds, reach = 1): boolean {
-  const axis = face >> 1;
-  const sign = face % 2 === 0 ? 1 : -1;
+  const { axis, sign } = FACES[face]!;
   // Farthest extent of the box along the face's direction.
   const ahead =
     sign > 0 ? (max[axis] ?? 0) - (origin[axis] ?? 0) : (origin[axis] ?? 0) - (min[axis] ?? 0);

@@ -18,8 +18,8 @@ function projected(face: number, point: Vec3) {
 }
 
 test("each face of the shadow cube looks along its axis, wider than the cube's own by its reach", () => {
-  for (const [face, [direction]] of FACES.entries()) {
-    const ahead = ORIGIN.map((x, axis) => x + 2 * (direction[axis] ?? 0)) as Vec3;
+  for (const [face, { axis, sign }] of FACES.entries()) {
+    const ahead = ORIGIN.map((x, i) => (i === axis ? x + 2 * sign : x)) as Vec3;
     expect(projected(face, ahead).w).toBeCloseTo(2, 6);
     expect(projected(face, ahead).x).toBeCloseTo(0, 6);
     expect(projected(face, ahead).y).toBeCloseTo(0, 6);
