@@ -1,6 +1,7 @@
 import { flameHeight, flameRadius, fuelRate } from "../../world/flame/burning.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import type { Wick } from "../../world/standing-candle.js";
+import type { LoneCamera } from "./lone-renderer.js";
 
 /** Across the canvas's shorter side, radians: a portrait's. */
 const FIELD_OF_VIEW = 0.3;
@@ -16,10 +17,7 @@ const SWAY = 0.008;
 const TAPER_VIEW = 0.3;
 
 /** Camera of a model alone. */
-export interface CustomFraming {
-  readonly eye: Vec3;
-  readonly pitch: number;
-  readonly fieldOfView: number;
+interface CustomFraming extends LoneCamera {
   /** Of a taper alone over this view's. */
   readonly magnification: number;
 }

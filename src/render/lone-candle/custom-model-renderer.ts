@@ -3,39 +3,33 @@ import surfaceFrag from "../../../shaders/candle/custom-surface.frag";
 import surfaceVert from "../../../shaders/mesh/mesh.vert";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Model } from "../../assets/model.js";
-import type { Box, Gpu } from "../../gl/gpu.js";
+import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
-import { adaptation, adaptedWhite } from "../../light/color.js";
 import { carriedFlame, type RootedFlame, TAPER } from "../../light/flame-light.js";
-import { nightVision } from "../../light/night-vision.js";
 import type { Bounds } from "../../world/geometry.js";
 import type { Wick } from "../../world/standing-candle.js";
 import type { World } from "../../world/world.js";
-import { clipFromWorld, projectionScale } from "../camera.js";
 import type { FrameSettings } from "../frame-settings.js";
 import { type Mesh, surfaceSampling, uploadModel } from "../mesh/mesh.js";
 import type { Tier } from "../quality.js";
-import type { Renderer } from "../renderer.js";
 import { FlamePass, standingWick } from "../volumetric/flame-pass.js";
-import type { SmokePass } from "../volumetric/smoke-pass.js";
 import { boundsWithFlames, frameBox } from "./custom-framing.js";
 import { FlameLights } from "./flame-lights.js";
 import { FlameShadows } from "./flame-shadows.js";
 import { LightMeter, MOST_EXPOSURE } from "./light-meter.js";
+import { LoneRenderer, type SmokePassOf } from "./lone-renderer.js";
 
 /** Share of the hemisphere that the model itself fills, as seen from its points. */
 const BOUNCE = 0.1;
 /** Share of the light that a taper alone has from its studio. */
 const STUDIO = 0.7;
-const NOTHING = [0, 0, 0, 0] as const;
 /** Less than in rooms, to keep the model's own colours. */
 const VIBRANCE = 0.4;
 /** A flame's stops above the display's white at the largest exposure. */
 const FLAME_STOPS = 15.5;
-const GLARE_COLOR = [1, 0.72, 0.36] as const;
 /** Samples of a soft shadow of up to four flames, by tier; of more, each is a smaller part of the light. */
 const TAPS = { low: 6, medium: 14, high: 24, ultra: 24 } as const;
 /** Texels of a shadow cube's side, at the cheapest tier and at all others. */
@@ -68,44 +62,20 @@ interface Surface {
   readonly uniforms: Readonly<Record<string, number | readonly number[]>>;
 }
 
-/** Vision of an eye that is adapted to candlelight. */
-const LIT = nightVision(0);
-
-/**
- * A visitor's own candles with alpha, over the page's background: one to sixteen flames on a model.
- *
- * It draws to the lower left corner of a canvas that it may share with others.
- */
-export class CustomModelRenderer implements Renderer {
-  readonly particles = 0;
-  readonly #gpu: Gpu;
-  readonly #tier: Tier;
+/** A visitor's own candles over the page's background: one to sixteen flames on a model. */
+export class CustomModelRenderer extends LoneRenderer {
   readonly #surfaceProgram: Program;
   readonly #displayProgram: Program;
   readonly #resources: Resources;
-  readonly #smokePass: (gpu: Gpu) => SmokePass | null;
   readonly #release: () => void;
   readonly #surfaces: readonly Surface[];
   readonly #casters: readonly Mesh[];
   readonly #bounds: Bounds;
   readonly #meter: LightMeter;
   readonly #lights = new FlameLights();
-  readonly #adaptation = adaptation(TAPER.color);
-  #samples: RenderTarget | null = null;
-  #radiance: RenderTarget | null = null;
-  #size = { width: 1, height: 1 };
 
-  /** @param smokePass null until its code is there */
-  constructor(
-    gpu: Gpu,
-    model: Model,
-    wicks: readonly Wick[],
-    tier: Tier,
-    smokePass: (gpu: Gpu) => SmokePass | null,
-  ) {
-    this.#smokePass = smokePass;
-    this.#gpu = gpu;
-    this.#tier = tier;
+  constructor(gpu: Gpu, model: Model, wicks: readonly Wick[], tier: Tier, smokePass: SmokePassOf) {
+    super(gpu, tier, smokePass);
     this.#bounds = boundsWithFlames(model.bounds, wicks);
     this.#surfaceProgram = gpu.program("candle/custom-surface", surfaceVert, surfaceFrag, {
       defines: { SHADOW_TAPS: tapsOf(tier, wicks.length) },
@@ -124,7 +94,7 @@ export class CustomModelRenderer implements Renderer {
   }
 
   #create(model: Model, flames: number, face: number): Resources {
-    const gpu = this.#gpu;
+    const { gpu } = this;
     return {
       meshes: uploadModel(gpu, model),
       shadows: new FlameShadows(gpu, flames, face),
@@ -134,75 +104,37 @@ export class CustomModelRenderer implements Renderer {
     };
   }
 
-  resize(width: number, height: number): void {
-    const { samples } = this.#tier;
-    this.#disposeTargets();
-    this.#size = { width, height };
-    const size = { width, height, color: ["RGBA16F"] as const, depth: "buffer" as const };
-    this.#samples =
-      samples > 1 ? this.#gpu.renderTarget({ label: "candle/samples", ...size, samples }) : null;
-    this.#radiance = this.#gpu.renderTarget({ label: "candle/radiance", ...size });
-  }
-
-  /** The flames have no particles. */
-  setLayers(): void {}
-
-  render(world: World, { features, exposure }: FrameSettings): void {
-    if (!this.#radiance) return;
+  render(world: World, settings: FrameSettings): void {
     const { frame, flames, flame, shadows } = this.#resources;
-    const target = this.#samples ?? this.#radiance;
-    const { width, height } = this.#size;
-    const { eye, pitch, fieldOfView, magnification } = frameBox(this.#bounds, width / height);
-    const clip = clipFromWorld(eye, 0, pitch, width / height, fieldOfView);
+    const { features } = settings;
+    const { magnification, ...camera } = frameBox(this.#bounds, this.aspect);
     const rooted: readonly RootedFlame[] = [carriedFlame(world), ...world.standing];
-    const { key, exposure: keyExposure } = this.#meter.measure(rooted);
-    frame.update({
-      clipFromWorld: clip,
-      eyePosition: eye,
-      exposure: keyExposure * 2 ** exposure,
-      viewport: [width, height],
-      projectionScale: projectionScale(height),
-      normalMaps: features.normalMaps ? 1 : 0,
-    });
-    const glare = features.bloom ? Math.sqrt(keyExposure / MOST_EXPOSURE) : 0;
+    const { key, exposure } = this.#meter.measure(rooted);
+    const drawn = this.begin(frame, camera, exposure, settings);
+    if (!drawn) return;
+    const { target, clip } = drawn;
+    const glare = features.bloom ? Math.sqrt(exposure / MOST_EXPOSURE) : 0;
     flames.update(this.#lights.members(rooted, clip, features.shadows, glare));
     const roots = rooted.map(({ root }) => root);
     const atlas = shadows.render(roots, this.#casters);
-    this.#gpu.clear(target, NOTHING);
     // The page around has the same brightness for one flame and for sixteen.
-    const studio = (STUDIO * MOST_EXPOSURE) / keyExposure;
+    const studio = (STUDIO * MOST_EXPOSURE) / exposure;
     const scene = { atlas, key, studio, translucency: features.translucency };
     if (features.candle) this.#drawSurfaces(target, scene, false);
     for (const one of rooted) {
-      flame.render(target, frame, standingWick(one), this.#tier.physical.flameSteps);
+      flame.render(target, frame, standingWick(one), this.tier.physical.flameSteps);
     }
     if (features.smoke) {
-      const uniforms = { uEnvironment: TAPER.color.map((channel) => channel * studio) };
-      this.#smokePass(this.#gpu)?.render(world, clip, {
-        target,
-        uniforms,
-        blocks: { Frame: frame },
-      });
+      const environment = TAPER.color.map((channel) => channel * studio);
+      this.drawSmoke(world, drawn, frame, environment);
     }
     if (features.candle) this.#drawSurfaces(target, scene, true);
-    if (this.#samples) this.#gpu.resolve(this.#samples, this.#radiance);
-    this.#gpu.draw({
-      program: this.#displayProgram,
-      target: "canvas",
-      viewport: [0, 0, width, height],
-      textures: { uRadiance: this.#radiance.color },
-      uniforms: {
-        uAdaptation: this.#adaptation,
-        uWhite: adaptedWhite(),
-        uVibrance: VIBRANCE,
-        uRods: LIT.rods,
-        uContrast: LIT.contrast,
-        uGlareColor: GLARE_COLOR,
-        uMagnification: magnification,
-        uHighlights: FLAME_STOPS / (FLAME_STOPS + Math.log2(keyExposure / MOST_EXPOSURE)),
-      },
-      blocks: { Frame: frame, Flames: flames },
-    });
+    const uniforms = {
+      uVibrance: VIBRANCE,
+      uMagnification: magnification,
+      uHighlights: FLAME_STOPS / (FLAME_STOPS + Math.log2(exposure / MOST_EXPOSURE)),
+    };
+    this.display(this.#displayProgram, uniforms, { Frame: frame, Flames: flames });
   }
 
   /** Draws what is opaque, or what is clear, over flames and all. */
@@ -214,7 +146,7 @@ export class CustomModelRenderer implements Renderer {
     const { frame, flames, shadows } = this.#resources;
     for (const { mesh, uniforms, isClear: isThis } of this.#surfaces) {
       if (isThis !== isClear) continue;
-      this.#gpu.draw({
+      this.gpu.draw({
         program: this.#surfaceProgram,
         target,
         vertexArray: mesh.vertexArray,
@@ -237,20 +169,9 @@ export class CustomModelRenderer implements Renderer {
     }
   }
 
-  readRadiance(box: Box): Float32Array {
-    return this.#gpu.readFloats(this.#radiance!, box);
-  }
-
-  #disposeTargets(): void {
-    this.#samples?.dispose();
-    this.#radiance?.dispose();
-    this.#samples = null;
-    this.#radiance = null;
-  }
-
   /** Frees all but the programs, which are shared. */
-  dispose(): void {
-    this.#disposeTargets();
+  override dispose(): void {
+    super.dispose();
     this.#release();
   }
 }

@@ -1,6 +1,12 @@
 import type { mat4 } from "gl-matrix";
 import { luma } from "../../light/color.js";
-import { emberRadiance, flameLight, type RootedFlame, TAPER } from "../../light/flame-light.js";
+import {
+  emberRadiance,
+  type FlameLight,
+  flameLight,
+  type RootedFlame,
+  TAPER,
+} from "../../light/flame-light.js";
 import { clipPosition } from "../camera.js";
 
 /** Most flames of the shaders' `Flames` block. */
@@ -32,18 +38,14 @@ export class FlameLights {
   ): Record<string, Float32Array | number> {
     for (const [i, rooted] of flames.entries()) {
       const at = i * 4;
-      const { position, axis, halfHeight, radius, intensity } = flameLight(rooted, TAPER);
-      const candela = luma(intensity);
+      const light = flameLight(rooted, TAPER);
+      const { position, axis, halfHeight, radius, intensity } = light;
       this.#centres.set([...position, halfHeight], at);
       this.#alongs.set([...axis, radius], at);
       this.#intensities.set([...intensity, hasShadows ? i : -1], at);
       this.#roots.set(rooted.root, at);
       this.#embers.set(emberRadiance(rooted.flame.ember), at);
-      const [x, y, z] = position;
-      const [u, v] = canvasUv(clip, x, y, z);
-      const [, top] = canvasUv(clip, x, y + halfHeight, z);
-      const strength = glare * GLARE * Math.min(candela, BRIGHTEST_GLARE);
-      this.#glares.set([u, v, Math.abs(top - v), strength], at);
+      this.#glares.set(glareOf(light, clip, glare), at);
     }
     return {
       "centres[0]": this.#centres,
@@ -55,6 +57,18 @@ export class FlameLights {
       count: flames.length,
     };
   }
+}
+
+/** Centre of a light on the canvas, and its half height, uv; strength of its glare, by a factor. */
+export function glareOf(
+  { position: [x, y, z], halfHeight, intensity }: FlameLight,
+  clip: mat4,
+  factor: number,
+): readonly [number, number, number, number] {
+  const [u, v] = canvasUv(clip, x, y, z);
+  const [, top] = canvasUv(clip, x, y + halfHeight, z);
+  const strength = factor * GLARE * Math.min(luma(intensity), BRIGHTEST_GLARE);
+  return [u, v, Math.abs(top - v), strength];
 }
 
 /** uv on the canvas of a point in world space. */

@@ -1,0 +1,155 @@
+import type { mat4 } from "gl-matrix";
+import type { Box, Gpu } from "../../gl/gpu.js";
+import type { Program, UniformValue } from "../../gl/program.js";
+import type { RenderTarget } from "../../gl/render-target.js";
+import type { UniformBlock } from "../../gl/uniform-block.js";
+import { adaptation, adaptedWhite } from "../../light/color.js";
+import { TAPER } from "../../light/flame-light.js";
+import { nightVision } from "../../light/night-vision.js";
+import type { Vec3 } from "../../world/geometry.js";
+import type { World } from "../../world/world.js";
+import { clipFromWorld, projectionScale } from "../camera.js";
+import type { FrameSettings } from "../frame-settings.js";
+import type { Tier } from "../quality.js";
+import type { Renderer } from "../renderer.js";
+import type { SmokePass } from "../volumetric/smoke-pass.js";
+
+const NOTHING = [0, 0, 0, 0] as const;
+const ADAPTATION = adaptation(TAPER.color);
+/** Vision of an eye that is adapted to candlelight. */
+const LIT = nightVision(0);
+
+/** Camera of a candle alone. */
+export interface LoneCamera {
+  readonly eye: Vec3;
+  readonly pitch: number;
+  readonly fieldOfView: number;
+}
+
+/** What a frame is drawn to, and its camera. */
+export interface LoneFrame {
+  readonly target: RenderTarget;
+  readonly clip: mat4;
+}
+
+/** A pass over smoke; null until its code is there. */
+export type SmokePassOf = (gpu: Gpu) => SmokePass | null;
+
+/**
+ * Candles and their flames with alpha, over the page's background.
+ *
+ * It draws to the lower left corner of a canvas that it may share with others.
+ */
+export abstract class LoneRenderer implements Renderer {
+  readonly particles = 0;
+  protected readonly gpu: Gpu;
+  protected readonly tier: Tier;
+  readonly #smokePass: SmokePassOf;
+  #samples: RenderTarget | null = null;
+  #radiance: RenderTarget | null = null;
+  #size = { width: 1, height: 1 };
+
+  constructor(gpu: Gpu, tier: Tier, smokePass: SmokePassOf) {
+    this.gpu = gpu;
+    this.tier = tier;
+    this.#smokePass = smokePass;
+  }
+
+  abstract render(world: World, settings: FrameSettings): void;
+
+  resize(width: number, height: number): void {
+    const { samples } = this.tier;
+    this.#disposeTargets();
+    this.#size = { width, height };
+    const size = { width, height, color: ["RGBA16F"] as const, depth: "buffer" as const };
+    this.#samples =
+      samples > 1 ? this.gpu.renderTarget({ label: "candle/samples", ...size, samples }) : null;
+    this.#radiance = this.gpu.renderTarget({ label: "candle/radiance", ...size });
+  }
+
+  /** Its flames have no particles. */
+  setLayers(): void {}
+
+  protected get aspect(): number {
+    return this.#size.width / this.#size.height;
+  }
+
+  /**
+   * Null before there is a size.
+   *
+   * @param factor from cd/m² to the display's scale, before the visitor's exposure
+   */
+  protected begin(
+    frame: UniformBlock,
+    { eye, pitch, fieldOfView }: LoneCamera,
+    factor: number,
+    { features, exposure }: FrameSettings,
+  ): LoneFrame | null {
+    const target = this.#samples ?? this.#radiance;
+    if (!target) return null;
+    const { width, height } = this.#size;
+    const clip = clipFromWorld(eye, 0, pitch, this.aspect, fieldOfView);
+    frame.update({
+      clipFromWorld: clip,
+      eyePosition: eye,
+      exposure: factor * 2 ** exposure,
+      viewport: [width, height],
+      projectionScale: projectionScale(height),
+      normalMaps: features.normalMaps ? 1 : 0,
+    });
+    this.gpu.clear(target, NOTHING);
+    return { target, clip };
+  }
+
+  protected drawSmoke(
+    world: World,
+    { target, clip }: LoneFrame,
+    frame: UniformBlock,
+    uEnvironment: readonly number[],
+  ): void {
+    const draw = { target, uniforms: { uEnvironment }, blocks: { Frame: frame } };
+    this.#smokePass(this.gpu)?.render(world, clip, draw);
+  }
+
+  /** From the radiance to the canvas. */
+  protected display(
+    program: Program,
+    uniforms: Readonly<Record<string, UniformValue>>,
+    blocks: Readonly<Record<string, UniformBlock>>,
+  ): void {
+    const radiance = this.#radiance;
+    if (!radiance) return;
+    if (this.#samples) this.gpu.resolve(this.#samples, radiance);
+    this.gpu.draw({
+      program,
+      target: "canvas",
+      viewport: [0, 0, radiance.width, radiance.height],
+      textures: { uRadiance: radiance.color },
+      uniforms: {
+        uAdaptation: ADAPTATION,
+        uWhite: adaptedWhite(),
+        uRods: LIT.rods,
+        uContrast: LIT.contrast,
+        uGlareColor: [1, 0.72, 0.36],
+        ...uniforms,
+      },
+      blocks,
+    });
+  }
+
+  readRadiance(box: Box): Float32Array {
+    return this.gpu.readFloats(this.#radiance!, box);
+  }
+
+  #disposeTargets(): void {
+    this.#samples?.dispose();
+    this.#radiance?.dispose();
+    this.#samples = null;
+    this.#radiance = null;
+  }
+
+  /** Frees the targets; all else is shared. */
+  dispose(): void {
+    this.#disposeTargets();
+  }
+}
