@@ -13,7 +13,7 @@ import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { Vec3 } from "../../world/geometry.js";
 import { floats } from "../float-format.js";
 import type { CaptureLight } from "../light-block.js";
-import { clipFromFace, FACES } from "../shadow/cube-map.js";
+import { clipFromFace, FACES, isInCubeFace } from "../shadow/cube-map.js";
 import type { ShadowCasters } from "../shadow/shadow-casters.js";
 import type { IndirectDetail } from "./probe-rays.js";
 
@@ -123,23 +123,21 @@ export class SurfelPass implements Surfels {
     const viewport: Box = [face * size, 0, size, size];
     const clipFromWorld = clipFromFace(face, captureOrigin, mat4.create()) as Float32Array;
     this.#gpu.clear(this.#surfels, [0, 0, 0, 0], viewport);
-    casters.drawWithAlbedo(face, captureOrigin, {
+    const pass = {
       program: this.#captureProgram,
       target: this.#surfels,
       viewport,
       uniforms: { uClipFromWorld: clipFromWorld, uCaptureOrigin: captureOrigin },
       depth: "test-and-write",
       cull: "none",
-    });
+    } as const;
+    casters.drawWithAlbedo(pass, (box) => isInCubeFace(face, captureOrigin, box));
   }
 
   /** Radiosity of the surfels and of the support by a light. */
   renderRadiosity(light: CaptureLight): void {
     this.light.Light.update(light);
-    const pass = {
-      textures: this.#colors,
-      blocks: this.light,
-    };
+    const pass = { textures: this.#colors, blocks: this.light };
     this.#gpu.draw({ ...pass, program: this.#radiosityProgram, target: this.#radiosity });
     this.#gpu.draw({
       ...pass,

@@ -97,7 +97,7 @@ export class MoonSurfels implements Surfels {
     const frustum = this.#frustum;
     if (face > 0 || !frustum) return;
     this.#gpu.clear(this.#surfels, [0, 0, 0, 0]);
-    casters.drawAllWithAlbedo({
+    const pass = {
       program: this.#captureProgram,
       target: this.#surfels,
       viewport: [0, 0, this.#surfels.width, this.#rows],
@@ -108,7 +108,8 @@ export class MoonSurfels implements Surfels {
       },
       depth: "test-and-write",
       cull: "none",
-    });
+    } as const;
+    casters.drawWithAlbedo(pass, () => true);
   }
 
   renderRadiosity(light: CaptureLight): void {

@@ -2,13 +2,12 @@ import type { Model, Part } from "../../assets/model.js";
 import type { Buffer } from "../../gl/buffer.js";
 import type { Draw, Gpu } from "../../gl/gpu.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import type { Bounds, Vec3 } from "../../world/geometry.js";
+import type { Bounds } from "../../world/geometry.js";
 import { ClusterBuilder, type Clusters, runsOf, VERTEX_SIZE } from "../mesh/clusters.js";
 import type { Mesh } from "../mesh/mesh.js";
 import { reducedPart } from "../mesh/mesh-lods.js";
 import { finish, type Steps } from "../steps.js";
 import { casterAlbedoOf } from "./caster-albedo.js";
-import { isInCubeFace } from "./cube-map.js";
 
 /** Most draws for a cube face: a further draw call costs more than the triangles that it would cull. */
 const MOST_DRAWS = 3;
@@ -90,16 +89,13 @@ export class ShadowCasters {
     yield* casterAlbedoOf(this.#gpu, this.#surfaces);
   }
 
-  /** Draws all clusters, with `uCasterAlbedo`. */
-  drawAllWithAlbedo(pass: Omit<Draw, "vertexArray" | "textures">): void {
+  /** The same with `uCasterAlbedo`. */
+  drawWithAlbedo(
+    pass: Omit<Draw, "vertexArray" | "textures">,
+    isVisible: (box: Bounds) => boolean,
+  ): void {
     const uCasterAlbedo = finish(casterAlbedoOf(this.#gpu, this.#surfaces));
-    this.draw({ ...pass, textures: { uCasterAlbedo } }, () => true);
-  }
-
-  /** Draws the clusters that touch one face of a cube around `origin` (metres), with `uCasterAlbedo`. */
-  drawWithAlbedo(face: number, origin: Vec3, pass: Omit<Draw, "vertexArray" | "textures">): void {
-    const uCasterAlbedo = finish(casterAlbedoOf(this.#gpu, this.#surfaces));
-    this.draw({ ...pass, textures: { uCasterAlbedo } }, (box) => isInCubeFace(face, origin, box));
+    this.draw({ ...pass, textures: { uCasterAlbedo } }, isVisible);
   }
 
   dispose(): void {

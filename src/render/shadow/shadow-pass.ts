@@ -6,7 +6,7 @@ import type { Texture } from "../../gl/texture.js";
 import type { TextureView } from "../../gl/texture-view.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import { SCHEDULE } from "../schedule.js";
-import type { Steps } from "../steps.js";
+import { finish, type Steps } from "../steps.js";
 import { clipFromShadowFace, FACES, isInCubeFace } from "./cube-map.js";
 import type { ShadowCasters } from "./shadow-casters.js";
 
@@ -73,7 +73,7 @@ export class ShadowPass {
   /** Depth of the faces; drawn only if origin or casters have changed. */
   render(casters: ShadowCasters, captureOrigin: Vec3): Texture {
     if (this.#distanceMoved(captureOrigin) > 0 || this.#allCasters !== casters) {
-      this.#draw(casters, captureOrigin);
+      finish(this.steps(casters, captureOrigin));
     }
     return this.#atlas.depth;
   }
@@ -96,7 +96,7 @@ export class ShadowPass {
     // A cube for a light at rest serves many frames: no caster is culled.
     const isAtRest = moved === 0;
     const isNew = isAtRest ? !this.#allCasters : isDue;
-    if (isNew) this.#draw(casters, captureOrigin, isAtRest ? undefined : isNeeded);
+    if (isNew) finish(this.steps(casters, captureOrigin, isAtRest ? undefined : isNeeded));
     return { depth: this.#atlas.depth, captureOrigin: this.#lastOrigin, isNew };
   }
 
@@ -108,47 +108,35 @@ export class ShadowPass {
     return Number.isNaN(distance) ? Number.POSITIVE_INFINITY : distance;
   }
 
-  /** Draws the cube, a face at each step. */
-  *steps(casters: ShadowCasters, captureOrigin: Vec3): Steps<Texture> {
-    this.#begin(casters, captureOrigin);
-    for (const face of FACES.keys()) {
-      this.#drawFace(casters, captureOrigin, face);
-      yield;
-    }
-    return this.#atlas.depth;
-  }
-
-  #draw(casters: ShadowCasters, captureOrigin: Vec3, isNeeded?: (box: Bounds) => boolean): void {
-    this.#begin(casters, captureOrigin, isNeeded);
-    for (const face of FACES.keys()) this.#drawFace(casters, captureOrigin, face, isNeeded);
-  }
-
-  #begin(casters: ShadowCasters, captureOrigin: Vec3, isNeeded?: (box: Bounds) => boolean): void {
+  /**
+   * Draws the cube, a face at each step.
+   *
+   * @param isNeeded whether the contents of a box are drawn. Default: all are
+   */
+  *steps(
+    casters: ShadowCasters,
+    captureOrigin: Vec3,
+    isNeeded?: (box: Bounds) => boolean,
+  ): Steps<Texture> {
     this.#allCasters = isNeeded ? null : casters;
     this.#age = 0;
     this.#lastOrigin = [...captureOrigin];
-    const { target, tile } = this.#atlas;
+    const { target, tile, depth } = this.#atlas;
     this.#gpu.clear(target, NO_COLOR, [0, 2 * tile * this.#slot, 3 * tile, 2 * tile]);
-  }
-
-  #drawFace(
-    casters: ShadowCasters,
-    captureOrigin: Vec3,
-    face: number,
-    isNeeded?: (box: Bounds) => boolean,
-  ): void {
-    const { target, tile } = this.#atlas;
-    const pass = {
-      program: this.#program,
-      target,
-      viewport: [(face >> 1) * tile, ((face % 2) + 2 * this.#slot) * tile, tile, tile],
-      uniforms: { uClipFromWorld: clipFromShadowFace(face, captureOrigin, REACH) },
-      depth: "test-and-write",
-      cull: "none",
-    } as const;
-    casters.draw(
-      pass,
-      (box) => isInCubeFace(face, captureOrigin, box, REACH) && (isNeeded?.(box) ?? true),
-    );
+    for (const face of FACES.keys()) {
+      casters.draw(
+        {
+          program: this.#program,
+          target,
+          viewport: [(face >> 1) * tile, ((face % 2) + 2 * this.#slot) * tile, tile, tile],
+          uniforms: { uClipFromWorld: clipFromShadowFace(face, captureOrigin, REACH) },
+          depth: "test-and-write",
+          cull: "none",
+        },
+        (box) => isInCubeFace(face, captureOrigin, box, REACH) && (isNeeded?.(box) ?? true),
+      );
+      yield;
+    }
+    return depth;
   }
 }
