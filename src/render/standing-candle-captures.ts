@@ -1,5 +1,3 @@
-import radiosityFrag from "../../shaders/gi/radiosity.frag";
-import fullscreenVert from "../../shaders/post/fullscreen.vert";
 import type { Gpu } from "../gl/gpu.js";
 import type { UniformBlock } from "../gl/uniform-block.js";
 import { flameLight, TAPER } from "../light/flame-light.js";
@@ -62,12 +60,9 @@ export class StandingCandleCaptures {
   ) {
     this.#slot = support.slot;
     this.#shadow = new ShadowPass(gpu, shadows, support.slot);
-    this.#indirect = new IndirectPass(gpu, scene, indirect, {
-      targets,
-      surfels: new SurfelPass(gpu, indirect, support),
-    });
-    const program = gpu.program("gi/radiosity", fullscreenVert, radiosityFrag);
-    this.#block = gpu.uniformBlock(program, "Light");
+    const surfels = new SurfelPass(gpu, indirect, support);
+    this.#indirect = new IndirectPass(gpu, scene, indirect, { targets, surfels });
+    this.#block = surfels.light.Light;
   }
 
   /** Of the candle that it was last captured for. */
@@ -90,7 +85,6 @@ export class StandingCandleCaptures {
     const light = stillLight(root, this.#slot);
     const { position: captureOrigin } = light;
     const shadow = { depth: yield* this.#shadow.steps(casters, captureOrigin), captureOrigin };
-    this.#block.update(light);
     return {
       kind: "candle",
       virtual: null,
