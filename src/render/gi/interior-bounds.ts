@@ -24,8 +24,7 @@ export function interiorBounds(collision: CollisionMesh, { bounds }: Model): Bou
   if (before) return before;
   const hits: Vec3[] = [];
   let pointsInside = 0;
-  const points = pointsIn(bounds);
-  for (const point of points) {
+  for (const point of pointsIn(bounds, POINTS)) {
     const inFront = DIRECTIONS.flatMap((direction): Vec3[] => {
       const hit = collision.raycast(point, direction, Infinity);
       if (!hit || collision.hitsBack) return [];
@@ -35,19 +34,21 @@ export function interiorBounds(collision: CollisionMesh, { bounds }: Model): Bou
     pointsInside++;
     hits.push(...inFront);
   }
-  const inside = pointsInside >= LEAST_INSIDE * points.length ? boundsOf(hits) : bounds;
+  const inside =
+    pointsInside >= LEAST_INSIDE * POINTS[0] * POINTS[1] * POINTS[2] ? boundsOf(hits) : bounds;
   known.set(collision, inside);
   return inside;
 }
 
-function pointsIn({ min, max }: Bounds): Vec3[] {
-  const [columns, rows, planes] = POINTS;
-  return Array.from({ length: columns * rows * planes }, (_, n) => {
+/** The middles of so many cells along each axis of a box. */
+export function* pointsIn({ min, max }: Bounds, counts: Readonly<Vec3>): Generator<Vec3> {
+  const [columns, rows, planes] = counts;
+  for (let n = 0; n < columns * rows * planes; n++) {
     const cell = [n % columns, Math.floor(n / columns) % rows, Math.floor(n / columns / rows)];
-    return [0, 1, 2].map(
-      (axis) => min[axis]! + ((cell[axis]! + 0.5) / POINTS[axis]!) * (max[axis]! - min[axis]!),
+    yield [0, 1, 2].map(
+      (axis) => min[axis]! + ((cell[axis]! + 0.5) / counts[axis]!) * (max[axis]! - min[axis]!),
     ) as Vec3;
-  });
+  }
 }
 
 function boundsOf(hits: readonly Vec3[]): Bounds {
