@@ -58,14 +58,24 @@ const COARSE_INDIRECT: IndirectDetail = {
 
 /** Indirect light of `high` and `ultra`, which differ by their shadows and their resolution. */
 const FINE_INDIRECT: IndirectDetail = {
+  ...COARSE_INDIRECT,
   surfels: 24,
   surfelGroup: 4,
   probes: [14, 6, 14],
   inset: 0.2,
   rays: 16,
   bounces: 10,
-  mirrorsInMotion: true,
 };
+
+/** What tiers of forward shading have in common, by the numbers of `high`. */
+const FORWARD = {
+  moonMap: 1024,
+  mostCandles: 8,
+  casterError: 0,
+  bloomLevels: 6,
+  hasParticles: true,
+  mostHazes: 9,
+} as const;
 
 const TIERS: Readonly<Record<Tier["name"], Tier>> = {
   low: {
@@ -92,16 +102,13 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
     samples: 2,
     anisotropy: true,
     physical: {
+      ...FORWARD,
       opaque: "forward",
       shadow: { size: 512, search: 12, taps: 24, bias: 2.5 },
       indirect: COARSE_INDIRECT,
-      moonMap: 1024,
-      mostCandles: 8,
       casterError: 0.01,
       bloomLevels: 5,
       flameSteps: 24,
-      hasParticles: true,
-      mostHazes: 9,
     },
   },
   high: {
@@ -110,16 +117,11 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
     samples: 4,
     anisotropy: true,
     physical: {
+      ...FORWARD,
       opaque: "forward",
       shadow: { size: 512, search: 16, taps: 32, bias: 2.5 },
       indirect: FINE_INDIRECT,
-      moonMap: 1024,
-      mostCandles: 8,
-      casterError: 0,
-      bloomLevels: 6,
       flameSteps: 40,
-      hasParticles: true,
-      mostHazes: 9,
     },
   },
   ultra: {
@@ -128,16 +130,12 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
     samples: 4,
     anisotropy: true,
     physical: {
+      ...FORWARD,
       opaque: "forward",
       shadow: { size: 1024, search: 24, taps: 48, bias: 2.5 },
       indirect: FINE_INDIRECT,
       moonMap: 2048,
-      mostCandles: 8,
-      casterError: 0,
-      bloomLevels: 6,
       flameSteps: 64,
-      hasParticles: true,
-      mostHazes: 9,
     },
   },
 };
