@@ -5,7 +5,7 @@ import meshVert from "../../../shaders/mesh/mesh.vert";
 import type { Box, Draw, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
-import type { Texture, TextureFormat } from "../../gl/texture.js";
+import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { Bounds } from "../../world/geometry.js";
 import { frustumTest } from "../camera.js";
@@ -69,8 +69,7 @@ export class GBufferPass {
   /** How many there were before this frame, and frames in motion that have added none. */
   #rehearsedBefore = 0;
   #quietFrames = 0;
-  #reduced: RenderTarget | null = null;
-  #full: RenderTarget | null = null;
+  #targets: Partial<Record<keyof typeof SAMPLES, RenderTarget>> = {};
   /** Depth at the canvas's size, of a reduced G-buffer. */
   #reducedFrameDepth: Texture | null = null;
   #reducedKey = "";
@@ -90,9 +89,8 @@ export class GBufferPass {
   }
 
   resize(size: Size): void {
-    for (const old of [this.#reduced, this.#full, this.#reducedFrameDepth]) old?.dispose();
-    this.#reduced = null;
-    this.#full = null;
+    for (const old of [...Object.values(this.#targets), this.#reducedFrameDepth]) old?.dispose();
+    this.#targets = {};
     this.#reducedFrameDepth = null;
     this.#reducedKey = "";
     this.#fullKey = "";
@@ -102,27 +100,18 @@ export class GBufferPass {
     this.#guide.resize(size);
   }
 
-  #target(
-    name: string,
-    { width, height }: Size,
-    color: readonly TextureFormat[],
-    filter: "nearest" | "linear",
-  ): RenderTarget {
-    const label = `gbuffer/${name}`;
-    return this.#gpu.renderTarget({ label, width, height, color, depth: "texture", filter });
-  }
-
   /** Made when it is first needed: an image that never moves, or never rests, needs one of the two. */
   #targetOf(kind: keyof typeof SAMPLES): RenderTarget {
     const { width, height } = this.#guide.resolved;
-    const size = {
+    this.#targets[kind] ??= this.#gpu.renderTarget({
+      label: `gbuffer/${kind}`,
       width: Math.ceil(width * SAMPLES[kind]),
       height: Math.ceil(height * SAMPLES[kind]),
-    };
-    const color = ["RGBA8", "RGBA8"] as const;
-    if (kind === "reduced") this.#reduced ??= this.#target(kind, size, color, "linear");
-    else this.#full ??= this.#target(kind, size, color, "nearest");
-    return (kind === "reduced" ? this.#reduced : this.#full)!;
+      color: ["RGBA8", "RGBA8"],
+      depth: "texture",
+      filter: kind === "reduced" ? "linear" : "nearest",
+    });
+    return this.#targets[kind];
   }
 
   /** @param lightingSize of the full lighting, which the guide leads to */
@@ -152,7 +141,7 @@ export class GBufferPass {
     if (canDefer) this.#prepareReduced(frame);
     return {
       kind: "full",
-      ...samplesOf(this.#full!),
+      ...samplesOf(this.#targetOf("full")),
       albedo: this.#guide.resolved.color,
       frameDepth: this.#guide.resolved.depth!,
       representative: this.#guide.representative,
