@@ -4,9 +4,7 @@ import surfaceVert from "../../shaders/mesh/mesh.vert";
 import fullscreenVert from "../../shaders/post/fullscreen.vert";
 import type { Model } from "../assets/model.js";
 import type { Gpu } from "../gl/gpu.js";
-import type { Program } from "../gl/program.js";
 import type { RenderTarget } from "../gl/render-target.js";
-import type { UniformBlock } from "../gl/uniform-block.js";
 import { VIBRANCE } from "../light/color.js";
 import { carriedFlame, emberRadiance, flameLight, TAPER } from "../light/flame-light.js";
 import type { World } from "../world/world.js";
@@ -15,7 +13,7 @@ import { lightBlock } from "./light-block.js";
 import { glareOf } from "./lone-candle/flame-lights.js";
 import { LoneRenderer, type SmokePassOf } from "./lone-candle/lone-renderer.js";
 import { frameCandle } from "./lone-candle-framing.js";
-import { type Mesh, surfaceSampling, uploadModel } from "./mesh/mesh.js";
+import { surfaceSampling, uploadModel } from "./mesh/mesh.js";
 import type { Tier } from "./quality.js";
 import { carriedWick, FlamePass, HANDLE_TURN } from "./volumetric/flame-pass.js";
 
@@ -23,39 +21,28 @@ import { carriedWick, FlamePass, HANDLE_TURN } from "./volumetric/flame-pass.js"
 const EXPOSURE = 5;
 const NO_EMBER = [0, 0, 0] as const;
 
-/** GPU objects shared by all lone candles on one context. */
-interface Shared {
-  readonly surfaceProgram: Program;
-  readonly displayProgram: Program;
-  readonly frame: UniformBlock;
-  readonly light: UniformBlock;
-  readonly flame: FlamePass;
-  readonly candle: readonly Mesh[];
-}
-
-const sharedByGpu = new WeakMap<Gpu, Shared>();
-
-function share(gpu: Gpu, model: Model): Shared {
-  const surfaceProgram = gpu.program("candle/surface", surfaceVert, surfaceFrag);
-  const shared: Shared = {
-    surfaceProgram,
-    displayProgram: gpu.program("candle/display", fullscreenVert, displayFrag),
-    frame: gpu.uniformBlock(surfaceProgram, "Frame"),
-    light: gpu.uniformBlock(surfaceProgram, "Light"),
-    flame: new FlamePass(gpu),
-    candle: uploadModel(gpu, model),
-  };
-  sharedByGpu.set(gpu, shared);
-  return shared;
+/** What all lone candles on one context share. */
+function share(gpu: Gpu, model: Model) {
+  return gpu.share("lone candle", () => {
+    const surfaceProgram = gpu.program("candle/surface", surfaceVert, surfaceFrag);
+    return {
+      surfaceProgram,
+      displayProgram: gpu.program("candle/display", fullscreenVert, displayFrag),
+      frame: gpu.uniformBlock(surfaceProgram, "Frame"),
+      light: gpu.uniformBlock(surfaceProgram, "Light"),
+      flame: new FlamePass(gpu),
+      candle: uploadModel(gpu, model),
+    };
+  });
 }
 
 /** The built-in candle over the page's background. */
 export class LoneCandleRenderer extends LoneRenderer {
-  readonly #shared: Shared;
+  readonly #shared: ReturnType<typeof share>;
 
   constructor(gpu: Gpu, model: Model, tier: Tier, smokePass: SmokePassOf) {
     super(gpu, tier, smokePass);
-    this.#shared = sharedByGpu.get(gpu) ?? share(gpu, model);
+    this.#shared = share(gpu, model);
   }
 
   render(world: World, settings: FrameSettings): void {
