@@ -151,7 +151,6 @@ export function tiles({ width, height }: Size, { rows, columns }: Grid): Box[] {
   });
 }
 
-/** All of a frame. */
 /** The frame without boxes that are apart from each other, as boxes. */
 export function boxesBeside(boxes: readonly Box[], { width, height }: Size): Box[] {
   const edges = [0, height, ...boxes.flatMap(([, y, , high]) => [y, y + high])];
@@ -170,6 +169,7 @@ export function boxesBeside(boxes: readonly Box[], { width, height }: Size): Box
   return rest;
 }
 
+/** All of a frame. */
 export function wholeOf({ width, height }: Size): Box {
   return [0, 0, width, height];
 }

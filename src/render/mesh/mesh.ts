@@ -1,7 +1,7 @@
 import type { Material, Model, Part, TextureImage } from "../../assets/model.js";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
-import type { VertexArray, VertexArrayOptions } from "../../gl/vertex-array.js";
+import type { VertexArray } from "../../gl/vertex-array.js";
 import type { Cluster, Grouped } from "./clusters.js";
 
 /** Anisotropic filtering of material textures, for floors and walls at grazing angles. */
@@ -155,23 +155,18 @@ function parametersOf({ roughness, metallic, normalScale, alphaMode, alphaCutoff
   return [roughness, metallic, normalScale, nothingBelow] as const;
 }
 
-function uploadVertices(gpu: Gpu, part: Part): VertexArrayOptions["attributes"] {
-  const { name, positions, normals, tangents, uvs } = part;
-  const colors = part.colors ?? new Float32Array((positions.length / 3) * 4).fill(1);
-  return {
-    0: { buffer: gpu.buffer(`${name}/positions`, positions), size: 3 },
-    1: { buffer: gpu.buffer(`${name}/normals`, normals), size: 3 },
-    2: { buffer: gpu.buffer(`${name}/tangents`, tangents), size: 4 },
-    3: { buffer: gpu.buffer(`${name}/uvs`, uvs), size: 2 },
-    4: { buffer: gpu.buffer(`${name}/colors`, colors), size: 4 },
-  };
-}
-
 /** Vertices and triangles of a part, in the layout of mesh/mesh.vert. */
 export function uploadTriangles(gpu: Gpu, part: Part): VertexArray {
-  const { name, indices } = part;
+  const { name, positions, normals, tangents, uvs, indices } = part;
+  const colors = part.colors ?? new Float32Array((positions.length / 3) * 4).fill(1);
   return gpu.vertexArray(name, {
-    attributes: uploadVertices(gpu, part),
+    attributes: {
+      0: { buffer: gpu.buffer(`${name}/positions`, positions), size: 3 },
+      1: { buffer: gpu.buffer(`${name}/normals`, normals), size: 3 },
+      2: { buffer: gpu.buffer(`${name}/tangents`, tangents), size: 4 },
+      3: { buffer: gpu.buffer(`${name}/uvs`, uvs), size: 2 },
+      4: { buffer: gpu.buffer(`${name}/colors`, colors), size: 4 },
+    },
     indices: {
       buffer: gpu.buffer(`${name}/indices`, indices, "index"),
       type: indices instanceof Uint16Array ? "uint16" : "uint32",
