@@ -2,6 +2,7 @@ import type { Part } from "../../assets/model.js";
 import { type RootedFlame, TAPER } from "../../light/flame-light.js";
 import type { Vec3 } from "../../world/geometry.js";
 import { CollisionMesh } from "../../world/room/collision-mesh.js";
+import { crossOf, verticesOf } from "../mesh/triangles.js";
 
 /** Points that are metered. */
 const POINTS = 192;
@@ -101,19 +102,14 @@ function spreadPoints(parts: readonly Part[]): Point[] {
 
 /** Visits the triangles of a part that face forwards or up. Returns their area, m². */
 function walk(
-  { positions, indices }: Part,
+  part: Part,
   visit: (middle: Vec3, normal: Vec3, before: number, area: number) => void,
 ): number {
   let sum = 0;
-  const corner = (i: number): Vec3 => {
-    const at = indices[i]! * 3;
-    return [positions[at]!, positions[at + 1]!, positions[at + 2]!];
-  };
-  for (let i = 0; i + 2 < indices.length; i += 3) {
-    const [a, b, c] = [corner(i), corner(i + 1), corner(i + 2)];
-    const [ux, uy, uz] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
-    const [vx, vy, vz] = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
-    const normal: Vec3 = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+  for (let triangle = 0; 3 * triangle + 2 < part.indices.length; triangle++) {
+    const corners = verticesOf(part, triangle);
+    const [a, b, c] = corners;
+    const normal = crossOf(corners);
     const twice = Math.hypot(...normal);
     if (!(twice > 0) || normal[1] + normal[2] <= 0) continue;
     for (const axis of [0, 1, 2] as const) normal[axis] /= twice;

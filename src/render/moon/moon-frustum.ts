@@ -1,6 +1,8 @@
+import { vec3 } from "gl-matrix";
 import type { Model, Part } from "../../assets/model.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
-import { areaOf, type Panes, stopsMoonlight } from "./panes.js";
+import { verticesOf } from "../mesh/triangles.js";
+import { areaOf, type Panes, rangeAlong, stopsMoonlight } from "./panes.js";
 
 /** Luminance of the sky under a moon of 1 lx, cd/m²: 0.002 under one of 0.15 lx. */
 export const SKY = 0.002 / 0.15;
@@ -20,8 +22,6 @@ export interface MoonFrustum {
   readonly panes: Panes | null;
 }
 
-const dot = (a: Readonly<Vec3>, b: Readonly<Vec3>): number =>
-  a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const scale = (v: Readonly<Vec3>, by: number): Vec3 => [v[0] * by, v[1] * by, v[2] * by];
 const add = (...all: readonly Readonly<Vec3>[]): Vec3 =>
   [0, 1, 2].map((axis) => all.reduce((sum, v) => sum + v[axis]!, 0)) as Vec3;
@@ -34,11 +34,6 @@ function cornersOf({ min, max }: Bounds): Vec3[] {
   ]);
 }
 
-function rangeAlong(axis: Vec3, points: readonly Vec3[]): [number, number] {
-  const along = points.map((point) => dot(axis, point));
-  return [Math.min(...along), Math.max(...along)];
-}
-
 export function moonFrustum(
   direction: Vec3,
   { min, max }: Model["bounds"],
@@ -48,11 +43,7 @@ export function moonFrustum(
   const [dx, dz] = isSteep ? [0, 1] : [direction[0], direction[2]];
   const level = Math.hypot(dx, dz);
   const across: Vec3 = [-dz / level, 0, dx / level];
-  const up: Vec3 = [
-    across[1] * direction[2] - across[2] * direction[1],
-    across[2] * direction[0] - across[0] * direction[2],
-    across[0] * direction[1] - across[1] * direction[0],
-  ];
+  const up = vec3.cross([0, 0, 0], across, direction) as Vec3;
   const room = cornersOf({ min: [...min], max: [...max] });
   const lit = panes
     ? [0, 1, 2, 3].map((i) =>
@@ -79,14 +70,14 @@ export function moonFrustum(
 /** Clip space of the map, from world space. */
 export function clipFromFrustum({ corner, across, up, direction, depth }: MoonFrustum) {
   const rows: readonly (readonly [axis: Vec3, scale: number])[] = [
-    [across, 2 / dot(across, across)],
-    [up, 2 / dot(up, up)],
+    [across, 2 / vec3.dot(across, across)],
+    [up, 2 / vec3.dot(up, up)],
     [direction, 2 / depth],
   ];
   const out = new Float32Array(16);
   for (const [row, [axis, factor]] of rows.entries()) {
     for (let column = 0; column < 3; column++) out[column * 4 + row] = axis[column]! * factor;
-    out[12 + row] = -dot(axis, corner) * factor - 1;
+    out[12 + row] = -vec3.dot(axis, corner) * factor - 1;
   }
   out[15] = 1;
   return out;
@@ -119,18 +110,11 @@ export function moonBlock(
 /** The parts of a room that the map can show, of the triangles that stop the light. */
 export function moonCasters(parts: readonly Part[], frustum: MoonFrustum): Part[] {
   const { corner, across, up, panes } = frustum;
-  const placeAlong = (edge: Vec3, { positions }: Part, vertex: number) => {
-    const at = vertex * 3;
-    const point: Vec3 = [
-      positions[at]! - corner[0],
-      positions[at + 1]! - corner[1],
-      positions[at + 2]! - corner[2],
-    ];
-    return dot(point, edge) / dot(edge, edge);
-  };
   const isOnMap = (part: Part, triangle: number) =>
     [across, up].every((edge) => {
-      const places = [0, 1, 2].map((i) => placeAlong(edge, part, part.indices[3 * triangle + i]!));
+      const places = verticesOf(part, triangle).map(
+        (point) => vec3.dot(vec3.subtract(point, point, corner), edge) / vec3.dot(edge, edge),
+      );
       return Math.max(...places) >= 0 && Math.min(...places) <= 1;
     });
   return parts.map((part) => {
