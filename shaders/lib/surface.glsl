@@ -1,5 +1,5 @@
 // The material of a mesh at a pixel of forward shading.
-// Needs lib/frame.glsl, lib/normal-map.glsl.
+// Needs lib/frame.glsl, lib/normal-map.glsl, lib/brdf.glsl.
 #include "lib/mesh-fragment.glsl"
 
 // Bias of the level of detail: the hardware's choice blurs more than a pixel.
@@ -8,7 +8,10 @@ const float LOD_BIAS = -0.5;
 // tracer's indirect light in the cabin's views (`npm run reference`).
 const float NEAR_OCCLUSION = 0.5;
 
+uniform sampler2D uEnvironmentBrdf;
 uniform sampler2D uNormalMapVisibility;  // by level of detail: mesh/normal-map-visibility.frag
+uniform vec4 uFeatures;  // 1 or 0: shadows, indirect light, specular; the normal instead of radiance
+uniform vec2 uOrigin;    // of the target on the frame, pixels
 
 struct Material {
   vec3 baseColor;
@@ -25,7 +28,7 @@ struct Shading {
   float NoV;
   float alpha;
   vec3 f0;
-  float minified;  // visibility of a minified normal map
+  vec2 minified;  // visibility of a minified normal map: of light from all around, and of direct light
 };
 
 // Discards what is cut out.
@@ -43,7 +46,6 @@ vec3 shadingNormal(vec3 surface) {
   return normalize(mix(surface, mapped, uSurface.z));
 }
 
-// Normal-map visibility of light from all around, and of direct light.
 vec2 minifiedVisibility() {
   if (frame.normalMaps < 0.5) return vec2(1.0);
   vec2 texels = vec2(textureSize(uNormal, 0));
@@ -51,4 +53,13 @@ vec2 minifiedVisibility() {
   float level = 0.5 * log2(max(texelsInPixel, 1.0));
   float levels = float(textureSize(uNormalMapVisibility, 0).x);
   return textureLod(uNormalMapVisibility, vec2((level + 0.5) / levels, 0.5), 0.0).rg;
+}
+
+Shading shadingOf(Material material, vec3 surface, vec3 normal) {
+  vec3 view = normalize(frame.eyePosition - vPositionWorld);
+  float NoV = max(abs(dot(normal, view)), 1e-3);
+  vec2 minified = minifiedVisibility();
+  float alpha = specularAntialiasing(material.roughness * material.roughness, normal);
+  vec3 f0 = mix(vec3(0.04), material.baseColor, material.metallic);
+  return Shading(surface, normal, view, NoV, alpha, f0, minified);
 }

@@ -57,7 +57,7 @@ float virtualLuminance(Shading s, vec3 position, vec3 facet, float diffuse, vec2
     vec3 H = normalize(L + s.view);
     float lobe = distributionGgx(widened, max(dot(s.normal, H), 0.0)) * visibilitySmith(s.alpha, s.NoV, NoL);
     lobe *= s.alpha * s.alpha / (widened * widened) * luma(fresnelSchlick(s.f0, max(dot(L, H), 0.0)));
-    float reflected = diffuse / PI * normalMapVisibility(s.surface, s.normal, L) * s.minified + lobe * seen.y;
+    float reflected = diffuse / PI * normalMapVisibility(s.surface, s.normal, L) * s.minified.y + lobe * seen.y;
     float visibility = mix(1.0, virtualVisibility(d, facet, float(i)), seen.x);
     sum += intensity / max(squared, extent * extent) * NoL * visibility * reflected;
   }

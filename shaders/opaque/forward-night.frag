@@ -20,31 +20,22 @@
 #include "lib/direct-moonlight.glsl"
 #include "lib/virtual-lights.glsl"
 
-uniform sampler2D uEnvironmentBrdf;
-uniform vec4 uFeatures;  // 1 or 0: shadows, indirect light, specular; unused
-uniform vec2 uOrigin;    // of the target on the frame, pixels
-
 out vec4 oRadiance;
 
 float shade(vec3 facet) {
   Material material = materialHere();
   vec3 surface = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
   vec3 normal = shadingNormal(surface);
-  vec3 view = normalize(frame.eyePosition - vPositionWorld);
-  float NoV = max(abs(dot(normal, view)), 1e-3);
-  vec2 minified = minifiedVisibility();
-  float alpha = specularAntialiasing(material.roughness * material.roughness, normal);
-  vec3 f0 = mix(vec3(0.04), material.baseColor, material.metallic);
-  Shading shading = Shading(surface, normal, view, NoV, alpha, f0, minified.y);
-  EnvironmentReflection environment = environmentReflection(uEnvironmentBrdf, f0, sqrt(alpha), NoV);
+  Shading s = shadingOf(material, surface, normal);
+  EnvironmentReflection environment = environmentReflection(uEnvironmentBrdf, s.f0, sqrt(s.alpha), s.NoV);
   // Reflected light does not reach the diffuse layer below.
   vec3 diffuseColor = material.baseColor * (1.0 - material.metallic) * (1.0 - environment.share);
-  float luminance = directMoonlight(shading, facet, diffuseColor, uFeatures.xz, gl_FragCoord.xy + uOrigin);
+  float luminance = directMoonlight(s, facet, diffuseColor, uFeatures.xz, gl_FragCoord.xy + uOrigin);
   bool isPane = material.roughness < PANE_ROUGHNESS && isOnPane(vPositionWorld);
-  for (int i = isPane ? 1 : 0; i > 0; i--) luminance += nightThroughPane(-view, NoV);
-  IrradianceSample probes = irradianceAt(vPositionWorld + surface * 0.02, normal, normal, reflect(-view, normal));
-  float firstBounce = virtualLuminance(shading, vPositionWorld, facet, luma(diffuseColor), uFeatures.xz);
-  float laterBounces = probes.alongNormal.x * skyVisibility(surface, normal) * minified.x * luma(diffuseColor);
+  for (int i = isPane ? 1 : 0; i > 0; i--) luminance += nightThroughPane(-s.view, s.NoV);
+  IrradianceSample probes = irradianceAt(vPositionWorld + surface * 0.02, normal, normal, reflect(-s.view, normal));
+  float firstBounce = virtualLuminance(s, vPositionWorld, facet, luma(diffuseColor), uFeatures.xz);
+  float laterBounces = probes.alongNormal.x * skyVisibility(surface, normal) * s.minified.x * luma(diffuseColor);
   float mirrored = probes.alongReflection.x * luma(environment.share) * uFeatures.z;
   float unoccluded = 1.0 - NEAR_OCCLUSION * (1.0 - material.occlusion);
   float indirect = (firstBounce + (laterBounces + mirrored) / PI) * unoccluded;

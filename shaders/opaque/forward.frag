@@ -44,12 +44,9 @@ const float WICK_COSINE = 0.05;
 #include "lib/direct-moonlight.glsl"
 #endif
 
-uniform sampler2D uEnvironmentBrdf;
-uniform float uWax;  // 1 or 0
-uniform vec4 uFeatures;  // 1 or 0: shadows, indirect light, specular; the normal instead of radiance
-uniform vec2 uOrigin;    // of the target on the frame, pixels
-uniform float uIsWick;   // 1 or 0
-uniform float uIsPane;   // 1 or 0
+uniform float uWax;     // 1 or 0
+uniform float uIsWick;  // 1 or 0
+uniform float uIsPane;  // 1 or 0
 
 out vec4 oRadiance;
 
@@ -85,7 +82,7 @@ DirectLight directLight(Shading s, vec2 visibilities) {
   float visibility = wickCosine > 0.0 ? 1.0 : visibilities.x;
   vec3 unshadowed = light.intensity / distanceSquared;
   vec3 perCosine = unshadowed * mix(1.0, visibility, uFeatures.x);
-  vec3 irradiance = perCosine * max(NoL * normalMapVisibility(s.surface, s.normal, L) * s.minified, wickCosine);
+  vec3 irradiance = perCosine * max(NoL * normalMapVisibility(s.surface, s.normal, L) * s.minified.y, wickCosine);
   if (uIsPane > 0.5) irradiance = min(irradiance, PANE_IRRADIANCE * light.intensity);
   vec3 sides = unshadowed * mix(1.0, max(visibilities.x, visibilities.y), uFeatures.x);
   FlameSpecular flame = flameSpecular(toLight, s.normal, s.view, s.NoV, s.alpha);
@@ -110,13 +107,8 @@ vec4 shade(vec3 facet) {
   vec2 visibilities = visibilitiesOf(1, surface, normal, facet, isCrevice);
 
   // Direct light.
-  vec3 view = normalize(frame.eyePosition - vPositionWorld);
-  float NoV = max(abs(dot(normal, view)), 1e-3);
-  vec2 minified = minifiedVisibility();
-  float alpha = specularAntialiasing(roughness * roughness, normal);
-  vec3 f0 = mix(vec3(0.04), baseColor, metallic);
-  Shading shading = Shading(surface, normal, view, NoV, alpha, f0, minified.y);
-  DirectLight direct = directLight(shading, visibilities);
+  Shading s = shadingOf(material, surface, normal);
+  DirectLight direct = directLight(s, visibilities);
   vec3 glow = waxGlow(vPositionWorld);
   float carriedShare = 1.0;  // of the irradiance volume's light
 #ifdef CANDLES
@@ -125,7 +117,7 @@ vec4 shade(vec3 facet) {
     isStanding = true;
     light = standing.candles[i];
     visibilities = visibilitiesOf(2, surface, normal, facet, isCrevice);
-    DirectLight more = directLight(shading, visibilities);
+    DirectLight more = directLight(s, visibilities);
     direct.irradiance += more.irradiance;
     direct.sides += more.sides;
     direct.specular += more.specular;
@@ -138,7 +130,7 @@ vec4 shade(vec3 facet) {
 #endif
 
   // Reflection.
-  EnvironmentReflection environment = environmentReflection(uEnvironmentBrdf, f0, sqrt(alpha), NoV);
+  EnvironmentReflection environment = environmentReflection(uEnvironmentBrdf, s.f0, sqrt(s.alpha), s.NoV);
   vec3 specular = direct.specular * environment.boost;
   // Reflected light does not reach the diffuse layer below.
   vec3 diffuseColor = baseColor * (1.0 - metallic) * (1.0 - environment.share);
@@ -146,28 +138,28 @@ vec4 shade(vec3 facet) {
 
 #ifdef MOONLIT
   // Before indirect light, to save registers.
-  float moonlight = directMoonlight(shading, facet, diffuseColor, uFeatures.xz, gl_FragCoord.xy + uOrigin);
+  float moonlight = directMoonlight(s, facet, diffuseColor, uFeatures.xz, gl_FragCoord.xy + uOrigin);
   bool isPane = roughness < PANE_ROUGHNESS && isOnPane(vPositionWorld);
-  for (int i = isPane ? 1 : 0; i > 0; i--) moonlight += nightThroughPane(-view, NoV);
-  float reflectance = luma(diffuseColor) * skyVisibility(surface, normal) * minified.x + luma(environment.share) * uFeatures.z;
+  for (int i = isPane ? 1 : 0; i > 0; i--) moonlight += nightThroughPane(-s.view, s.NoV);
+  float reflectance = luma(diffuseColor) * skyVisibility(surface, normal) * s.minified.x + luma(environment.share) * uFeatures.z;
 #endif
 
   // Indirect light.
-  vec3 reflected = reflect(-view, normal);
+  vec3 reflected = reflect(-s.view, normal);
   IrradianceSample probes = irradianceAt(vPositionWorld + surface * 0.02, normal, normal, reflected);
   float near = 1.0 - occlusion;
   float unoccluded = 1.0 - NEAR_OCCLUSION * near;
   // Nearby surfaces are taken to have this point's colour and distance from the flame.
   vec3 nearby = NEAR_REFLECTANCE * near * baseColor * direct.sides;
   nearby /= 1.0 + direct.sides / max(NEAR_LIMIT * probes.alongNormal, 1e-9);
-  vec3 indirect = (probes.alongNormal * unoccluded + nearby) * diffuseColor * (skyVisibility(surface, normal) * minified.x / PI);
+  vec3 indirect = (probes.alongNormal * unoccluded + nearby) * diffuseColor * (skyVisibility(surface, normal) * s.minified.x / PI);
   vec3 mirrored = (probes.alongReflection * unoccluded + nearby) / PI;
   float traced = 1.0 - smoothstep(TRACED_ROUGHNESS.x, TRACED_ROUGHNESS.y, roughness - metallic * TRACED_METAL);
   if (traced > 0.0) {
     // Rays hit what the carried flame lights; what others light is taken from the probes. They spread as the normals
     // within a pixel do: the rim of a dish would be dots.
     vec3 beyond = probes.alongReflection * (carriedShare * TRACED_INDIRECT / PI);
-    vec3 rays = traceReflection(vPositionWorld + surface * 0.01, normal, view, alpha, beyond);
+    vec3 rays = traceReflection(vPositionWorld + surface * 0.01, normal, s.view, s.alpha, beyond);
     mirrored = mix(mirrored, rays + probes.alongReflection * ((1.0 - carriedShare) / PI), traced);
   }
   mirrored *= environment.share;
