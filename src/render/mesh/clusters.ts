@@ -112,17 +112,11 @@ function clusterVertices({ positions, uvs, indices }: Mesh, detail: number): Mes
   const members: number[] = [];
   const mean: { positions: number[]; uvs: number[] } = { positions: [], uvs: [] };
   const vertexOf = new Uint32Array(positions.length / 3);
-  const add = (
-    sums: number[],
-    vertex: number,
-    from: ArrayLike<number>,
-    i: number,
-    size: number,
-  ) => {
+  const add = (to: number[], vertex: number, from: ArrayLike<number>, i: number, size: number) => {
     for (let k = 0; k < size; k++) {
-      const before = sums[vertex * size + k] ?? 0;
+      const before = to[vertex * size + k] ?? 0;
       const x = from[i * size + k] ?? 0;
-      sums[vertex * size + k] = before + (x - before) / (members[vertex] ?? 1);
+      to[vertex * size + k] = before + (x - before) / (members[vertex] ?? 1);
     }
   };
   for (let i = 0; i < vertexOf.length; i++) {
@@ -161,8 +155,7 @@ function orderByPlace({ positions, indices }: Mesh): Uint32Array {
   const low = [0, 0, 0];
   let longest = 1e-6;
   for (let axis = 0; axis < 3; axis++) {
-    let least = Number.POSITIVE_INFINITY;
-    let most = Number.NEGATIVE_INFINITY;
+    let [least, most] = [Infinity, -Infinity];
     for (let i = axis; i < positions.length; i += 3) {
       least = Math.min(least, positions[i] ?? 0);
       most = Math.max(most, positions[i] ?? 0);
@@ -204,16 +197,8 @@ function inOrder(mesh: Mesh): { corners: Uint32Array; clusters: Cluster[] } {
   const clusters: Cluster[] = [];
   for (let begin = 0; begin < order.length; begin += CLUSTER) {
     const end = Math.min(begin + CLUSTER, order.length);
-    const min: Vec3 = [
-      Number.POSITIVE_INFINITY,
-      Number.POSITIVE_INFINITY,
-      Number.POSITIVE_INFINITY,
-    ];
-    const max: Vec3 = [
-      Number.NEGATIVE_INFINITY,
-      Number.NEGATIVE_INFINITY,
-      Number.NEGATIVE_INFINITY,
-    ];
+    const min: Vec3 = [Infinity, Infinity, Infinity];
+    const max: Vec3 = [-Infinity, -Infinity, -Infinity];
     for (let i = begin * 3; i < end * 3; i++) {
       const corner = indices[(order[Math.floor(i / 3)] ?? 0) * 3 + (i % 3)] ?? 0;
       corners[i] = corner;
@@ -295,7 +280,7 @@ function appendInOrder(
 export function runsOf(
   clusters: readonly Cluster[],
   isVisible: (box: Bounds) => boolean,
-  most = Number.POSITIVE_INFINITY,
+  most = Infinity,
 ): Run[] {
   const runs: { first: number; count: number }[] = [];
   for (const cluster of clusters) {

@@ -6,15 +6,12 @@ import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { Size } from "../frame-input.js";
+import type { GBuffer } from "../gbuffer/gbuffer.js";
 
 const NOTHING = [0, 0, 0, 0] as const;
 
 /** A supersampled G-buffer. */
-export interface GBufferSamples {
-  readonly albedo: Texture;
-  readonly surface: Texture;
-  readonly depth: Texture;
-}
+export type GBufferSamples = Pick<GBuffer, "albedo" | "surface" | "depth">;
 
 /** Resolves a supersampled G-buffer to pixels, each with a guide to the lighting texels of its own surface. */
 export class UpsampleGuidePass {

@@ -10,11 +10,6 @@ import type { Inspection } from "../../settings.js";
 import type { FrameSettings } from "../frame-settings.js";
 import type { IrradianceVolume } from "../gi/indirect-pass.js";
 
-/** Results of a frame's passes. */
-export type PassTextures = Readonly<
-  Record<"uRadiance" | "uBloom" | "uExposure" | "uDepth" | "uShadow", Texture>
->;
-
 /** Numbers of the views in `post/inspect.frag`. */
 const VIEWS: Readonly<Record<Exclude<Inspection, "picture">, number>> = {
   radiance: 0,
@@ -46,7 +41,7 @@ export class InspectPass {
 
   render(
     { inspect, features }: Pick<FrameSettings, "inspect" | "features">,
-    passes: PassTextures,
+    passes: Readonly<Record<"uRadiance" | "uBloom" | "uExposure" | "uDepth" | "uShadow", Texture>>,
     volume: IrradianceVolume,
     blocks: Readonly<Record<"Frame" | "Light", UniformBlock>>,
   ): void {

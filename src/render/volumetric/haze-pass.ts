@@ -40,14 +40,6 @@ export interface HotAir extends RootedFlame {
   readonly air: PlumeSolver | Readonly<Vec3>;
 }
 
-/** Visible part of the column: columns of pixels, and vertices of its ribbon. */
-interface VisiblePart {
-  readonly left: number;
-  readonly right: number;
-  readonly first: number;
-  readonly count: number;
-}
-
 /** Heat haze: refraction by the hot air over the flame. */
 export class HazePass {
   readonly #gpu: Gpu;
@@ -146,8 +138,8 @@ export class HazePass {
     return [x!, y!, z!, REACH * width!];
   }
 
-  /** Levels with visible deflection and one more at each end. */
-  #visiblePart(clip: mat4): VisiblePart {
+  /** Levels with visible deflection and one more at each end: columns of pixels, and vertices of the ribbon. */
+  #visiblePart(clip: mat4) {
     const { width } = this.#size;
     const isVisible = (deflection: number) => deflection >= VISIBLE;
     const low = Math.max(this.#deflections.findIndex(isVisible) - 1, 0);
