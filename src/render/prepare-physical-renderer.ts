@@ -1,13 +1,13 @@
 import type { Gpu } from "../gl/gpu.js";
 import type { CollisionMesh } from "../world/room/collision-mesh.js";
 import { fitToRoom } from "./gi/fit-to-room.js";
-import { traceProbesIncrementally } from "./gi/probe-rays.js";
+import { probeTraceOf } from "./gi/probe-rays.js";
 import { uploadNextPart } from "./mesh/upload-steps.js";
 import { forwardProgram } from "./opaque/forward-programs.js";
 import type { Tier } from "./quality.js";
 import type { Models } from "./renderer.js";
 import { SCHEDULE } from "./schedule.js";
-import { clusterIncrementally } from "./shadow/shadow-casters.js";
+import { clustersOf } from "./shadow/shadow-casters.js";
 
 /**
  * Prepares a `PhysicalRenderer` a little at a time: uploads meshes, compiles, clusters the casters, and traces the
@@ -26,11 +26,8 @@ export function preparePhysicalRenderer(
   return (
     uploadNextPart(gpu, room) &&
     uploadNextPart(gpu, candle) &&
-    clusterIncrementally(room, { error: casterError }) &&
-    traceProbesIncrementally(
-      collision,
-      room,
-      fitToRoom(indirect, collision, room),
+    clustersOf(room, { error: casterError }).proceed() &&
+    probeTraceOf(collision, room, fitToRoom(indirect, collision, room)).proceed(
       SCHEDULE.probesPerFrame,
     ) &&
     isCompiled

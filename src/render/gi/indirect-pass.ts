@@ -24,7 +24,7 @@ import {
   surfelRowsOf,
 } from "./indirect-targets.js";
 import { interiorBounds } from "./interior-bounds.js";
-import { type IndirectDetail, IRRADIANCE_TEXELS, traceProbes } from "./probe-rays.js";
+import { type IndirectDetail, IRRADIANCE_TEXELS, probeTraceOf } from "./probe-rays.js";
 import { type ProbeTextures, uploadProbeRays } from "./probe-textures.js";
 import { SurfelPass, type Surfels } from "./surfel-pass.js";
 
@@ -164,7 +164,7 @@ export class IndirectPass {
   /** Uploaded on first use: their albedo waits for a program. */
   #upload(): ProbeTextures {
     const { collision, model, surfaces } = this.#scene;
-    const rays = traceProbes(collision, model, this.#detail);
+    const rays = probeTraceOf(collision, model, this.#detail).finish();
     return this.#gpu.share(rays, () =>
       uploadProbeRays(this.#gpu, this.#block, rays, this.#detail, surfaces),
     );

@@ -8,7 +8,7 @@ import type { GBufferKind } from "../gbuffer/gbuffer.js";
 import { type CaptureLight, distanceBetween } from "../light-block.js";
 import { hasLods } from "../mesh/mesh-lods.js";
 import { MOTION_ERROR, type PhysicalTier } from "../quality.js";
-import { clusterIncrementally, ShadowCasters } from "../shadow/shadow-casters.js";
+import { clustersOf, ShadowCasters } from "../shadow/shadow-casters.js";
 import { type ShadowCube, ShadowPass, shadowAtlas } from "../shadow/shadow-pass.js";
 import { finish, type Steps } from "../steps.js";
 import { fitToRoom } from "./fit-to-room.js";
@@ -201,7 +201,7 @@ export class LightCaptures {
     if (!this.#hasLods) return null;
     const detail = { error, isReduced: true };
     const { model, surfaces } = this.#room;
-    return clusterIncrementally(model, detail)
+    return clustersOf(model, detail).proceed()
       ? new ShadowCasters(this.#gpu, model, surfaces, detail)
       : null;
   }

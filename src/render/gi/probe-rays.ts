@@ -66,30 +66,8 @@ const CORNERS = [...Array(8).keys()];
 
 const traces = new WeakMap<CollisionMesh, Map<string, ProbeTrace>>();
 
-/** Traces the rays of all probes. Cached by room and resolution. */
-export function traceProbes(
-  collision: CollisionMesh,
-  model: Model,
-  detail: ProbeDetail,
-): ProbeRays {
-  return probeTraceOf(collision, model, detail).finish();
-}
-
-/**
- * Traces the rays of the next few probes.
- *
- * @returns whether all probes are traced
- */
-export function traceProbesIncrementally(
-  collision: CollisionMesh,
-  model: Model,
-  detail: ProbeDetail,
-  probes: number,
-): boolean {
-  return probeTraceOf(collision, model, detail).proceed(probes);
-}
-
-function probeTraceOf(
+/** The rays of all probes. Cached by room and resolution. */
+export function probeTraceOf(
   collision: CollisionMesh,
   model: Model,
   { probes, inset, rays }: ProbeDetail,
@@ -148,6 +126,7 @@ class ProbeTrace {
     return this.#detail.probes.reduce((product, along) => product * along, 1);
   }
 
+  /** Traces the rays of the next few probes. True when all are traced. */
   proceed(probes: number): boolean {
     const end = Math.min(this.#traced + probes, this.#count);
     while (this.#traced < end) this.#trace(this.#traced++);

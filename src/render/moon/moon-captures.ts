@@ -12,9 +12,9 @@ import { CollisionMesh } from "../../world/room/collision-mesh.js";
 import type { CachedLight } from "../cached-light.js";
 import { IndirectPass, type IndirectScene, type StepSize } from "../gi/indirect-pass.js";
 import { type IndirectTargets, irradianceMaps } from "../gi/indirect-targets.js";
-import { type IndirectDetail, traceProbes } from "../gi/probe-rays.js";
+import { type IndirectDetail, probeTraceOf } from "../gi/probe-rays.js";
 import type { PhysicalTier } from "../quality.js";
-import { clusterIncrementally, ShadowCasters } from "../shadow/shadow-casters.js";
+import { clustersOf, ShadowCasters } from "../shadow/shadow-casters.js";
 import type { Steps } from "../steps.js";
 import { entersRoom } from "./entry.js";
 import {
@@ -140,9 +140,9 @@ export class MoonCaptures {
     if (!frustum.panes && !entersRoom(direction, parts, model.bounds)) return null;
     const before = { ...model, parts };
     const detail = { error: 0 };
-    while (!clusterIncrementally(before, detail)) yield;
+    while (!clustersOf(before, detail).proceed()) yield;
     const lit = moonlitPoints(frustum, new CollisionMesh(parts), this.#detail);
-    const { positions } = traceProbes(collision, model, this.#detail);
+    const { positions } = probeTraceOf(collision, model, this.#detail).finish();
     const visibility = yield* traceSurfelVisibility(lit, collision, positions, this.#detail);
     const casters = new ShadowCasters(this.#gpu, before, surfaces, detail);
     return { frustum, casters, lit, visibility };

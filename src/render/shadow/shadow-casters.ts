@@ -25,7 +25,11 @@ export interface CasterDetail {
 /** Clusters of each model by level of detail, shared by all contexts. */
 const cache = new WeakMap<Model, Map<string, ClusterBuilder>>();
 
-function builderOf(model: Model, { error, isReduced = false }: CasterDetail): ClusterBuilder {
+/** The clusters of a model, for the casters to come. */
+export function clustersOf(
+  model: Model,
+  { error, isReduced = false }: CasterDetail,
+): ClusterBuilder {
   const levels = cache.get(model) ?? new Map<string, ClusterBuilder>();
   cache.set(model, levels);
   const level = JSON.stringify([error, isReduced]);
@@ -33,15 +37,6 @@ function builderOf(model: Model, { error, isReduced = false }: CasterDetail): Cl
   const builder = levels.get(level) ?? new ClusterBuilder(model.parts, error, reduce);
   levels.set(level, builder);
   return builder;
-}
-
-/**
- * Clusters the next part of a model, for the casters to come.
- *
- * @returns whether all of it is done
- */
-export function clusterIncrementally(model: Model, detail: CasterDetail): boolean {
-  return builderOf(model, detail).proceed();
 }
 
 /** The room's clusters of triangles, culled by face of a cube: casters of shadows and of indirect light. */
@@ -56,7 +51,7 @@ export class ShadowCasters {
   constructor(gpu: Gpu, model: Model, surfaces: readonly Mesh[], detail: CasterDetail) {
     this.#gpu = gpu;
     this.#surfaces = surfaces;
-    this.#clusters = builderOf(model, detail).finish();
+    this.#clusters = clustersOf(model, detail).finish();
     const { vertices, indices } = this.#clusters;
     const buffer = gpu.buffer("casters/vertices", vertices);
     const indexBuffer = gpu.buffer("casters/indices", indices, "index");

@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import type { Model, Part } from "../../../src/assets/model.ts";
 import { fitToRoom } from "../../../src/render/gi/fit-to-room.ts";
 import { interiorBounds } from "../../../src/render/gi/interior-bounds.ts";
-import { PROBE_DEPTH_EDGE, traceProbes } from "../../../src/render/gi/probe-rays.ts";
+import { PROBE_DEPTH_EDGE, probeTraceOf } from "../../../src/render/gi/probe-rays.ts";
 import { octahedral, rayDirections } from "../../../src/render/gi/ray-directions.ts";
 import type { Vec3 } from "../../../src/world/geometry.ts";
 import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";
@@ -43,7 +43,7 @@ const ROOM = box([0, 0, 0], [4, 2, 4], false);
 const CORNERS = Array.from({ length: 8 }, (_, corner) => rayDirections(DETAIL.rays, corner));
 
 describe("Probes of an empty room", () => {
-  const rays = traceProbes(new CollisionMesh([ROOM]), modelOf(ROOM), DETAIL);
+  const rays = probeTraceOf(new CollisionMesh([ROOM]), modelOf(ROOM), DETAIL).finish();
 
   test("stand a quarter of a cell from the walls, one plane above the other", () => {
     const places = Array.from(rays.positions, (x) => Math.round(x * 6 * 1e4) / 1e4);
@@ -92,7 +92,7 @@ describe("Probes of an empty room", () => {
 
   test("see as far as the wall is, in all directions and across the map's seam", () => {
     const detail = { ...DETAIL, rays: 16 };
-    const { depths } = traceProbes(new CollisionMesh([ROOM]), modelOf(ROOM), detail);
+    const { depths } = probeTraceOf(new CollisionMesh([ROOM]), modelOf(ROOM), detail).finish();
     const directions = octahedral(PROBE_DEPTH_EDGE, PROBE_DEPTH_EDGE - 2, 1);
     for (const [texel, [x, y, z]] of directions.entries()) {
       const at =
@@ -112,7 +112,11 @@ describe("Probes of an empty room", () => {
 
 test("a probe in a block of stone moves out of it, and none sees the block's inside", () => {
   const block = box([0.4, 0, 0.37], [1.3, 0.95, 1.28], true);
-  const rays = traceProbes(new CollisionMesh([ROOM, block]), modelOf(ROOM, block), DETAIL);
+  const rays = probeTraceOf(
+    new CollisionMesh([ROOM, block]),
+    modelOf(ROOM, block),
+    DETAIL,
+  ).finish();
   const [x = 0, y = 0, z = 0, isOutside] = rays.positions;
   expect(isOutside).toBe(1);
   expect(x > 1.3 || y > 0.95 || z > 1.28 || x < 0.4 || z < 0.37).toBe(true);
@@ -121,7 +125,7 @@ test("a probe in a block of stone moves out of it, and none sees the block's ins
 
 test("a probe without a place in the open says so", () => {
   const stone = box([0, 0, 0], [4, 2, 4], true);
-  const rays = traceProbes(new CollisionMesh([stone]), modelOf(stone), DETAIL);
+  const rays = probeTraceOf(new CollisionMesh([stone]), modelOf(stone), DETAIL).finish();
   expect([...rays.positions].every((x) => x === 0)).toBe(true);
   expect(rays.runs).toEqual([]);
 });
