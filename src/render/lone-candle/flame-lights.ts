@@ -16,14 +16,18 @@ export const MOST_FLAMES = 16;
 const BRIGHTEST_GLARE = 2;
 const GLARE = 0.55;
 
+const vectors = () => new Float32Array(MOST_FLAMES * 4);
+
 /** Members of the shaders' `Flames` block. */
 export class FlameLights {
-  readonly #centres = new Float32Array(MOST_FLAMES * 4);
-  readonly #alongs = new Float32Array(MOST_FLAMES * 4);
-  readonly #intensities = new Float32Array(MOST_FLAMES * 4);
-  readonly #roots = new Float32Array(MOST_FLAMES * 4);
-  readonly #embers = new Float32Array(MOST_FLAMES * 4);
-  readonly #glares = new Float32Array(MOST_FLAMES * 4);
+  readonly #members = {
+    "centres[0]": vectors(),
+    "alongs[0]": vectors(),
+    "intensities[0]": vectors(),
+    "roots[0]": vectors(),
+    "embers[0]": vectors(),
+    "glares[0]": vectors(),
+  };
 
   /**
    * @param clip clip space from world space
@@ -36,26 +40,19 @@ export class FlameLights {
     hasShadows: boolean,
     glare: number,
   ): Record<string, Float32Array | number> {
+    const all = this.#members;
     for (const [i, rooted] of flames.entries()) {
       const at = i * 4;
       const light = flameLight(rooted, TAPER);
       const { position, axis, halfHeight, radius, intensity } = light;
-      this.#centres.set([...position, halfHeight], at);
-      this.#alongs.set([...axis, radius], at);
-      this.#intensities.set([...intensity, hasShadows ? i : -1], at);
-      this.#roots.set(rooted.root, at);
-      this.#embers.set(emberRadiance(rooted.flame.ember), at);
-      this.#glares.set(glareOf(light, clip, glare), at);
+      all["centres[0]"].set([...position, halfHeight], at);
+      all["alongs[0]"].set([...axis, radius], at);
+      all["intensities[0]"].set([...intensity, hasShadows ? i : -1], at);
+      all["roots[0]"].set(rooted.root, at);
+      all["embers[0]"].set(emberRadiance(rooted.flame.ember), at);
+      all["glares[0]"].set(glareOf(light, clip, glare), at);
     }
-    return {
-      "centres[0]": this.#centres,
-      "alongs[0]": this.#alongs,
-      "intensities[0]": this.#intensities,
-      "roots[0]": this.#roots,
-      "embers[0]": this.#embers,
-      "glares[0]": this.#glares,
-      count: flames.length,
-    };
+    return { ...all, count: flames.length };
   }
 }
 
