@@ -62,7 +62,7 @@ export class StandingCandleCaptures {
     this.#shadow = new ShadowPass(gpu, shadows, support.slot);
     const surfels = new SurfelPass(gpu, indirect, support);
     this.#indirect = new IndirectPass(gpu, scene, indirect, { targets, surfels });
-    this.#block = surfels.light.Light;
+    this.#block = surfels.block;
   }
 
   /** Of the candle that it was last captured for. */

@@ -26,7 +26,8 @@ import {
 import { interiorBounds } from "./interior-bounds.js";
 import { type IndirectDetail, IRRADIANCE_TEXELS, probeTraceOf } from "./probe-rays.js";
 import { type ProbeTextures, uploadProbeRays } from "./probe-textures.js";
-import { SurfelPass, type Surfels } from "./surfel-pass.js";
+import { SurfelPass } from "./surfel-pass.js";
+import type { Surfels } from "./surfels.js";
 
 /** The room that reflects light. */
 export interface IndirectScene {
@@ -263,7 +264,7 @@ export class IndirectPass {
     const { normalDistance: uSurfelNormalDistance, radiosity: uRadiosity } = this.#surfels;
     const { uProbePositions } = this.#probes.volume;
     yield* drawInBands(this.#gpu, bands.surfelRadiance, {
-      blocks: this.#surfels.light,
+      blocks: this.#surfels.blocks,
       program: this.#surfelRadianceProgram,
       uniforms: this.#uniforms,
       target: this.#targets.surfelRadiance,
@@ -286,7 +287,7 @@ export class IndirectPass {
     const { shadow } = this;
     if (!shadow) throw new Error("Rays are lit past a shadow map.");
     yield* drawInBands(this.#gpu, bands.rayDirect, {
-      blocks: this.#surfels.light,
+      blocks: this.#surfels.blocks,
       program: this.#rayDirectProgram,
       target: this.#targets.rayRadiance,
       textures: {

@@ -169,7 +169,7 @@ export class MoonCaptures {
       kind: "moon",
       name: "moon",
       light: null,
-      block: this.#surfels.light.Moon,
+      block: this.#surfels.block,
       shadow: this.#map,
       irradiance: { ...irradiance, textures },
       virtual: null,

@@ -171,7 +171,7 @@ export class VirtualLights {
 
   /** @param numbers of each surfel's light */
   #renderFlux(numbers: Uint8Array): void {
-    const { radiosity, normalDistance, light, defines } = this.#surfels;
+    const { radiosity, normalDistance, blocks, defines } = this.#surfels;
     const { width, height } = radiosity;
     const uGroups = this.#gpu.texture({
       label: "moon/groups",
@@ -183,7 +183,7 @@ export class VirtualLights {
       program: this.#gpu.program("gi/virtual-flux", fullscreenVert, fluxFrag, { defines }),
       target: this.#flux,
       textures: { uGroups, uRadiosity: radiosity, uSurfelNormalDistance: normalDistance },
-      blocks: light,
+      blocks,
     });
     uGroups.dispose();
   }
