@@ -5,16 +5,7 @@ import type { CaptureLight } from "../light-block.js";
 import { FACES } from "../shadow/cube-map.js";
 import { type IndirectDetail, IRRADIANCE_TEXELS } from "./probe-rays.js";
 
-/** What the bounces are computed in. Lights can share it. */
-export interface IndirectTargets {
-  readonly rayRadiance: RenderTarget;
-  readonly surfelRadiance: RenderTarget;
-  readonly firstBounce: RenderTarget;
-  /** The light whose bounces were last begun. */
-  usedFor: CaptureLight | null;
-  /** Sums after each further bounce, used in turn. */
-  readonly bounces: readonly RenderTarget[];
-}
+export type IndirectTargets = ReturnType<typeof indirectTargets>;
 
 /** Surfels lie in the tiles of the probes in rows as long as those of the rays. */
 export function surfelRowsOf({ surfels, surfelGroup, rays }: IndirectDetail): number {
@@ -35,7 +26,8 @@ export function irradianceMaps(
   });
 }
 
-export function indirectTargets(gpu: Gpu, detail: IndirectDetail): IndirectTargets {
+/** What the bounces are computed in. Lights can share it. */
+export function indirectTargets(gpu: Gpu, detail: IndirectDetail) {
   const [width, rows, planes] = detail.probes;
   const height = rows * planes;
   // Rays in groups of four.
@@ -56,7 +48,9 @@ export function indirectTargets(gpu: Gpu, detail: IndirectDetail): IndirectTarge
       filter: "nearest",
     }),
     firstBounce: irradianceMaps(gpu, detail, "gi/first-bounce"),
-    usedFor: null,
+    /** The light whose bounces were last begun. */
+    usedFor: null as CaptureLight | null,
+    /** Sums after each further bounce, used in turn. */
     bounces: ["a", "b", "c", "d"].map((label) =>
       irradianceMaps(gpu, detail, `gi/bounces/${label}`),
     ),

@@ -6,7 +6,6 @@ import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Program, ShaderSource } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
-import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import { floats } from "../float-format.js";
 import type { Mesh } from "../mesh/mesh.js";
@@ -20,21 +19,11 @@ const BANDS = 12;
 /** Hits in a step: a CPU draws a few hundred points in a millisecond. */
 const HITS = 12_000;
 
-/** Probes and the hits of their rays, as textures. */
-export interface ProbeTextures {
-  /** For shaders that include `lib/irradiance-volume.glsl`. */
-  readonly volume: { readonly uProbePositions: Texture; readonly uProbeDepth: Texture };
-  /** For shaders that include `lib/probe-rays.glsl`. */
-  readonly rays: { readonly uRayHits: Texture; readonly uRayReflectance: Texture };
-  /** Two of the probes around each hit. */
-  readonly uRayProbes: Texture;
-  /** Mean reflectance at the hits, one texel. */
-  readonly roomReflectance: Texture;
-  /** Draws what depends on the hits. To be finished before use. */
-  readonly drawing: Steps;
-}
+export type ProbeTextures = ReturnType<typeof uploadProbeRays>;
 
 /**
+ * Probes and the hits of their rays, as textures.
+ *
  * @param block of `lib/irradiance-volume.glsl`
  * @param surfaces of the traced model, in the order of its parts
  */
@@ -44,7 +33,7 @@ export function uploadProbeRays(
   traced: ProbeRays,
   { probes: [columns, rows, planes], rays }: ProbeDetail,
   surfaces: readonly Mesh[],
-): ProbeTextures {
+) {
   const tiles = { width: columns, height: rows * planes };
   const uProbePositions = gpu.texture({
     label: "gi/probe-positions",
@@ -114,10 +103,15 @@ export function uploadProbeRays(
     yield;
   }
   return {
+    /** For shaders that include `lib/irradiance-volume.glsl`. */
     volume,
+    /** For shaders that include `lib/probe-rays.glsl`. */
     rays: hits,
+    /** Mean reflectance at the hits, one texel. */
     roomReflectance: roomReflectance.color,
+    /** Two of the probes around each hit. */
     uRayProbes: rayProbes.color,
+    /** Draws what depends on the hits. To be finished before use. */
     drawing: draw(),
   };
 }
