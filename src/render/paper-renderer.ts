@@ -34,8 +34,11 @@ const CODE_DIFFERENCE = 0.02;
 /** At `low`, one level of the maps that change shading less than albedo does. */
 const LEVELS = { uAlbedo: "level", uNormal: "level", uOcclusionRoughness: "texel" } as const;
 
-/** Normals of triangles, of vertices, or of normal maps. */
-type Normals = "FACETS" | "VERTICES" | "NORMAL_MAPS";
+const SHADERS = {
+  room: [meshVert, roomFrag],
+  candle: [meshVert, candleFrag],
+  particle: [particleVert, particleFrag],
+} as const;
 
 /**
  * The paper's forward renderer: room, candle, particles, straight to display colour.
@@ -48,9 +51,7 @@ export class PaperRenderer implements Renderer {
   readonly #tier: Tier;
   readonly #frame: UniformBlock;
   readonly #light: UniformBlock;
-  /** Of room and candle, by how their normals are found. */
-  readonly #surfacePrograms = new Map<Normals, Record<"room" | "candle", Program>>();
-  readonly #particlePrograms = new Map<string, Program>();
+  readonly #programs = new Map<string, Program>();
   readonly #updateProgram: Program;
   readonly #room: readonly Mesh[];
   readonly #candle: readonly Mesh[];
@@ -66,7 +67,7 @@ export class PaperRenderer implements Renderer {
   constructor(gpu: Gpu, { room, candle }: Models, tier: Tier, look: Look) {
     this.#gpu = gpu;
     this.#tier = tier;
-    const programs = this.#programsFor(look === "original" ? "FACETS" : "NORMAL_MAPS");
+    const normals = { [look === "original" ? "FACETS" : "NORMAL_MAPS"]: 1 };
     this.#updateProgram = particleProgram(gpu);
     this.#fxaa =
       tier.name === "low"
@@ -74,8 +75,10 @@ export class PaperRenderer implements Renderer {
             defines: { EDGE_LEAST: CODE_DIFFERENCE, BY_CODE: 1 },
           })
         : null;
-    this.#frame = gpu.uniformBlock(programs.room, "Frame");
-    this.#light = gpu.uniformBlock(programs.room, "Light");
+    const program = this.#program("room", normals);
+    this.#program("candle", normals);
+    this.#frame = gpu.uniformBlock(program, "Frame");
+    this.#light = gpu.uniformBlock(program, "Light");
     this.#room = uploadModel(gpu, room);
     this.#candle = uploadModel(gpu, candle);
   }
@@ -113,12 +116,12 @@ export class PaperRenderer implements Renderer {
     gpu.setColorSpace("srgb");
     gpu.clear(target, [0, 0, 0, 1]);
     const smooth = features.normalMaps ? "NORMAL_MAPS" : "VERTICES";
-    const programs = this.#programsFor(world.look === "original" ? "FACETS" : smooth);
-    this.#drawSurfaces(target, programs.room, this.#room, [0, 0, 0, 1]);
+    const normals = { [world.look === "original" ? "FACETS" : smooth]: 1 };
+    this.#drawSurfaces(target, this.#program("room", normals), this.#room, [0, 0, 0, 1]);
     if (features.candle) {
       const [x, y, z] = world.interpolated.foot;
       const placement = [x, y, z, world.setup.candleScale];
-      this.#drawSurfaces(target, programs.candle, this.#candle, placement);
+      this.#drawSurfaces(target, this.#program("candle", normals), this.#candle, placement);
     }
     if (features.particles) this.#drawParticles(target, world, features);
     if (!this.#fxaa) {
@@ -161,16 +164,14 @@ export class PaperRenderer implements Renderer {
   }
 
   /** Programs of their own, since a software renderer executes both sides of an `if`. Compiled on first use. */
-  #programsFor(normals: Normals): Record<"room" | "candle", Program> {
-    const existing = this.#surfacePrograms.get(normals);
-    if (existing) return existing;
-    const defines = { [normals]: 1 };
-    const programs = {
-      room: this.#gpu.program("paper/room", meshVert, roomFrag, { defines }),
-      candle: this.#gpu.program("paper/candle", meshVert, candleFrag, { defines }),
-    };
-    this.#surfacePrograms.set(normals, programs);
-    return programs;
+  #program(name: keyof typeof SHADERS, defines: Readonly<Record<string, number>>): Program {
+    const key = JSON.stringify([name, defines]);
+    const feedback = name === "particle" ? FEEDBACK : [];
+    const program =
+      this.#programs.get(key) ??
+      this.#gpu.program(`paper/${name}`, ...SHADERS[name], { defines, feedback });
+    this.#programs.set(key, program);
+    return program;
   }
 
   #drawSurfaces(
@@ -219,7 +220,10 @@ export class PaperRenderer implements Renderer {
         continue;
       }
       system.draw(world.timeline, {
-        program: this.#particleProgram(name === "haze", hasGradient),
+        program: this.#program("particle", {
+          HAZE: Number(name === "haze"),
+          GRADIENT: Number(hasGradient),
+        }),
         target,
         uniforms: {
           uClipFromFlame: new Float32Array(clipFromFlame),
@@ -233,19 +237,6 @@ export class PaperRenderer implements Renderer {
         cull: "none",
       });
     }
-  }
-
-  /** Compiled on first use: a look needs one or two of the four variants. */
-  #particleProgram(isHaze: boolean, hasGradient: boolean): Program {
-    const defines = { HAZE: isHaze ? 1 : 0, GRADIENT: hasGradient ? 1 : 0 };
-    const key = JSON.stringify(defines);
-    let program = this.#particlePrograms.get(key);
-    if (!program) {
-      const options = { defines, feedback: FEEDBACK };
-      program = this.#gpu.program("paper/particle", particleVert, particleFrag, options);
-      this.#particlePrograms.set(key, program);
-    }
-    return program;
   }
 
   /** There is no HDR buffer: the canvas is decoded, and its exposure undone. */
