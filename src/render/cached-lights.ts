@@ -1,6 +1,6 @@
+import { vec3 } from "gl-matrix";
 import type { Gpu } from "../gl/gpu.js";
 import { flameLight, TAPER } from "../light/flame-light.js";
-import { length3 } from "../world/geometry.js";
 import type { StandingCandle } from "../world/standing-candle.js";
 import type { World } from "../world/world.js";
 import type { CachedLight } from "./cached-light.js";
@@ -114,8 +114,7 @@ type Group = [first: StandingCandle, ...others: StandingCandle[]];
 export function groupedAroundFirst(candles: readonly StandingCandle[], most: number): Group[] {
   const groups = candles.slice(0, most).map((candle): Group => [candle]);
   for (const candle of candles.slice(most)) {
-    const distanceTo = ([{ root }]: Group) =>
-      length3(root[0] - candle.root[0], root[1] - candle.root[1], root[2] - candle.root[2]);
+    const distanceTo = ([{ root }]: Group) => vec3.distance(root, candle.root);
     const [nearest] = groups.toSorted((one, other) => distanceTo(one) - distanceTo(other));
     nearest?.push(candle);
   }

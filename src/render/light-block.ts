@@ -1,7 +1,7 @@
 import { captureOrigin, snapToGrid } from "../light/capture-origin.js";
 import type { Rgb } from "../light/color.js";
 import { carriedFlame, flameLight, TAPER } from "../light/flame-light.js";
-import { length3, type Vec3 } from "../world/geometry.js";
+import type { Vec3 } from "../world/geometry.js";
 import type { World } from "../world/world.js";
 
 /** Casters of the chamberstick, as discs: heights above its foot and radii, metres. */
@@ -15,19 +15,10 @@ export const CHAMBERSTICK = {
 /** Members of the shaders' `Light` block: the flame as a capsule. A hidden candle casts no shadow. */
 export function lightBlock(world: World, showsCandle: boolean) {
   const { foot } = world.interpolated;
-  const {
-    position,
-    axis: along,
-    halfHeight,
-    intensity,
-    radius,
-  } = flameLight(carriedFlame(world), TAPER);
+  const { axis: along, ...light } = flameLight(carriedFlame(world), TAPER);
   return {
-    position,
-    captureOrigin: captureOrigin(world.interpolated.flame, position),
-    halfHeight,
-    intensity,
-    radius,
+    ...light,
+    captureOrigin: captureOrigin(world.interpolated.flame, light.position),
     along,
     axis: [foot[0], foot[2]],
     rim: foot[1] + CHAMBERSTICK.rim,
@@ -46,13 +37,6 @@ export function flameIntensity(world: World): Rgb {
 /** Members of the same block, for a flame of 1 cd in each channel. */
 export interface CaptureLight extends Readonly<Record<string, number | readonly number[]>> {
   readonly position: Vec3;
-}
-
-export function distanceBetween(
-  { position: [x, y, z] }: CaptureLight,
-  other: CaptureLight,
-): number {
-  return length3(x - other.position[0], y - other.position[1], z - other.position[2]);
 }
 
 /** The flame that the opaque stage shades for: 1 cd, in steps, so that flicker and small sway change nothing. */

@@ -1,4 +1,5 @@
-import { type CaptureLight, distanceBetween } from "../light-block.js";
+import { vec3 } from "gl-matrix";
+import type { CaptureLight } from "../light-block.js";
 import { SCHEDULE } from "../schedule.js";
 import type { ShadowCasters } from "../shadow/shadow-casters.js";
 import { finish, type Steps } from "../steps.js";
@@ -42,7 +43,8 @@ export class IndirectUpdates {
     // A stepped frame, or a prepared one, may have captured surfels of its own since.
     const goesOn = this.#update?.isExact === isExact && this.#update.light === indirect.capturedFor;
     if (!goesOn) this.#update = null;
-    const isFar = lastLight && distanceBetween(light, lastLight) > SCHEDULE.shadow.distance;
+    const isFar =
+      lastLight && vec3.distance(light.position, lastLight.position) > SCHEDULE.shadow.distance;
     if (!lastLight || (isExact && isFar)) {
       return finish(indirect.capture(casters, light, shadow, "passes"));
     }

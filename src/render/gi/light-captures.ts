@@ -1,3 +1,4 @@
+import { vec3 } from "gl-matrix";
 import type { Gpu } from "../../gl/gpu.js";
 import type { World } from "../../world/world.js";
 import { type CachedLight, isMoonAlone } from "../cached-light.js";
@@ -5,7 +6,7 @@ import { CachedLights } from "../cached-lights.js";
 import { shadowFrustumTest } from "../camera.js";
 import type { FrameInput } from "../frame-input.js";
 import type { GBufferKind } from "../gbuffer/gbuffer.js";
-import { type CaptureLight, distanceBetween } from "../light-block.js";
+import type { CaptureLight } from "../light-block.js";
 import { hasLods } from "../mesh/mesh-lods.js";
 import { MOTION_ERROR, type PhysicalTier } from "../quality.js";
 import { clustersOf, ShadowCasters } from "../shadow/shadow-casters.js";
@@ -155,7 +156,10 @@ export class LightCaptures {
   hold(frame: FrameInput, steps: number): boolean {
     this.#wanted = frame.captureLight;
     // What is captured for another place is given up.
-    if (this.#capturing && distanceBetween(this.#capturing, this.#wanted) > CAPTURE_SWAY) {
+    if (
+      this.#capturing &&
+      vec3.distance(this.#capturing.position, this.#wanted.position) > CAPTURE_SWAY
+    ) {
       this.#holding = null;
     }
     this.#holding ??= this.#holdingSteps(frame);
@@ -176,7 +180,7 @@ export class LightCaptures {
     this.#capturing = null;
     yield* this.#lights(world, "steps");
     const light = this.#wanted ?? captureLight;
-    if (this.#held && distanceBetween(light, this.#held.light) <= SWAY) return;
+    if (this.#held && vec3.distance(light.position, this.#held.light.position) <= SWAY) return;
     this.#held = null;
     this.#capturing = light;
     this.#held = { light, captures: yield* this.#ofLight(light, "steps") };

@@ -1,9 +1,9 @@
+import { vec3 } from "gl-matrix";
 import shadowFrag from "../../../shaders/shadow/shadow.frag";
 import shadowVert from "../../../shaders/shadow/shadow.vert";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { Texture } from "../../gl/texture.js";
-import type { TextureView } from "../../gl/texture-view.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import { SCHEDULE } from "../schedule.js";
 import { finish, type Steps } from "../steps.js";
@@ -14,16 +14,15 @@ import type { ShadowCasters } from "./shadow-casters.js";
 const REACH = 1.125;
 const NO_COLOR = [0, 0, 0, 0] as const;
 
-/** A texture of one shadow cube or several, one above another. */
-export interface ShadowAtlas {
-  readonly depth: Texture;
-  readonly target: TextureView;
-  /** Texels along a tile's edge. */
-  readonly tile: number;
-}
+export type ShadowAtlas = ReturnType<typeof shadowAtlas>;
 
-/** @param size texels along an edge of a cube, at most */
-export function shadowAtlas(gpu: Gpu, size: number, slots: number): ShadowAtlas {
+/**
+ * A texture of one shadow cube or several, one above another.
+ *
+ * @param size texels along an edge of a cube, at most
+ */
+export function shadowAtlas(gpu: Gpu, size: number, slots: number) {
+  /** Texels along a tile's edge. */
   let tile = size * REACH;
   while (2 * tile * slots > gpu.longestSide) tile /= 2;
   const depth = gpu.texture({
@@ -102,10 +101,8 @@ export class ShadowPass {
 
   /** Metres since the last capture; infinite before the first. */
   #distanceMoved(captureOrigin: Vec3): number {
-    const distance = Math.hypot(
-      ...captureOrigin.map((x, axis) => x - (this.#lastOrigin[axis] ?? 0)),
-    );
-    return Number.isNaN(distance) ? Number.POSITIVE_INFINITY : distance;
+    const distance = vec3.distance(captureOrigin, this.#lastOrigin);
+    return Number.isNaN(distance) ? Infinity : distance;
   }
 
   /**
