@@ -5,7 +5,6 @@ import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
-import type { Size } from "../frame-input.js";
 
 /** Weight of the coarser levels against each level: the larger, the wider the bloom. */
 const COARSER_WEIGHT = 0.7;
@@ -80,9 +79,4 @@ export class BloomPass {
     }
     return source;
   }
-}
-
-/** Share of a bloom of half the size, rounded up, that the frame fills. */
-export function shareOf(frame: Size, bloom: Size): readonly [number, number] {
-  return [frame.width / (2 * bloom.width), frame.height / (2 * bloom.height)];
 }

@@ -1,7 +1,7 @@
 import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Texture } from "../../gl/texture.js";
 import type { Size } from "../frame-input.js";
-import { BloomPass, shareOf } from "./bloom-pass.js";
+import { BloomPass } from "./bloom-pass.js";
 import type { BloomTransform } from "./display-pass.js";
 
 /** Bloom of a frame, drawn anew or that of an earlier one. */
@@ -45,6 +45,8 @@ export class FrameBloomPass implements Bloom {
   }
 
   transform(): BloomTransform {
-    return { share: shareOf(this.#size, this.latest), shift: [0, 0] };
+    const { width, height } = this.latest; // half the size, rounded up
+    const share = [this.#size.width / (2 * width), this.#size.height / (2 * height)] as const;
+    return { share, shift: [0, 0] };
   }
 }

@@ -41,8 +41,7 @@ export class VolumetricStage {
   readonly #gpu: Gpu;
   readonly #models: Readonly<Record<"candle" | "room", readonly Mesh[]>>;
   readonly #blocks: FrameBlocks;
-  readonly #flameSteps: number;
-  readonly #mostHazes: number;
+  readonly #quality: PhysicalTier;
   readonly #ember: Program;
   readonly #flame: FlamePass;
   readonly #haze: HazePass;
@@ -57,14 +56,13 @@ export class VolumetricStage {
     room: readonly Mesh[],
     blocks: FrameBlocks,
     format: TextureFormat,
-    quality: Pick<PhysicalTier, "flameSteps" | "hasParticles" | "mostHazes">,
+    quality: PhysicalTier,
   ) {
     this.#gpu = gpu;
     const wicks = (meshes: readonly Mesh[]) => meshes.filter(({ isWick }) => isWick);
     this.#models = { candle: wicks(candle), room: wicks(room) };
     this.#blocks = blocks;
-    this.#flameSteps = quality.flameSteps;
-    this.#mostHazes = quality.mostHazes;
+    this.#quality = quality;
     this.#ember = gpu.program("volumetric/ember", meshVert, emberFrag);
     this.#flame = new FlamePass(gpu);
     this.#haze = new HazePass(gpu, format);
@@ -76,7 +74,6 @@ export class VolumetricStage {
     this.#haze.resize(width, height);
   }
 
-  /** Replaces the particles by those of a new world, or of other layers. */
   setLayers(world: World, layers: readonly ParticleLayer[]): void {
     this.#motes?.setLayers(world, layers);
   }
@@ -111,9 +108,8 @@ export class VolumetricStage {
     if (inspect === "normals") return;
     if (!part) this.#drawEmbers(frame, composited);
     if (features.volume) {
-      this.#flame.render(tested, Frame, carriedWick(world), this.#flameSteps, part ?? "all");
-      for (const candle of world.standing) {
-        this.#flame.render(tested, Frame, standingWick(candle), this.#flameSteps, part ?? "all");
+      for (const wick of [carriedWick(world), ...world.standing.map(standingWick)]) {
+        this.#flame.render(tested, Frame, wick, this.#quality.flameSteps, part ?? "all");
       }
     }
     const { plume } = world;
@@ -177,9 +173,10 @@ export class VolumetricStage {
 
   /** Above the carried flame, and above standing ones that burn. */
   *#hotAir({ plume, flame, interpolated, standing, air, sways }: World): Generator<HotAir> {
-    if (plume && this.#mostHazes > 0) yield { root: interpolated.flame, flame, air: plume.solver };
+    if (plume && this.#quality.mostHazes > 0)
+      yield { root: interpolated.flame, flame, air: plume.solver };
     const burning = standing.filter((candle) => candle.flame.isLit);
-    for (const { root, flame } of burning.slice(0, Math.max(this.#mostHazes - 1, 0))) {
+    for (const { root, flame } of burning.slice(0, Math.max(this.#quality.mostHazes - 1, 0))) {
       const wind: Vec3 = [0, 0, 0];
       if (sways) air.velocity(root, wind);
       yield { root, flame, air: wind };
@@ -188,7 +185,7 @@ export class VolumetricStage {
 
   /** Refraction of less than a pixel is not visible in motion, and the column covers a tenth of the frame. */
   #showsHaze({ settings }: FrameInput, kind: GBufferKind): boolean {
-    return this.#mostHazes > 0 && settings.features.haze && kind === "full";
+    return this.#quality.mostHazes > 0 && settings.features.haze && kind === "full";
   }
 
   *#flameSpheres({ root: [x, y, z], flame }: RootedFlame): Generator<Sphere> {
