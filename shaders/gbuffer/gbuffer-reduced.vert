@@ -2,12 +2,7 @@
 // Vertices of the reduced G-buffer, with the direction to the light in tangent space.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
-
-layout(location = 0) in vec3 aPosition;
-layout(location = 1) in vec3 aNormal;
-layout(location = 2) in vec4 aTangent;
-layout(location = 3) in vec2 aUv;
-layout(location = 4) in vec4 aColor;
+#include "lib/mesh-vertex.glsl"
 
 uniform vec4 uPlacement;    // origin of the model, m
 uniform vec2 uRotation;     // turn about the vertical: cosine, sine

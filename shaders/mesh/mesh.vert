@@ -2,12 +2,7 @@
 // Vertices of a mesh: the room, or the candle at its placement.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
-
-layout(location = 0) in vec3 aPosition;
-layout(location = 1) in vec3 aNormal;
-layout(location = 2) in vec4 aTangent;
-layout(location = 3) in vec2 aUv;
-layout(location = 4) in vec4 aColor;
+#include "lib/mesh-vertex.glsl"
 
 uniform vec4 uPlacement;  // of the model's origin, m; w: yaw, rad
 

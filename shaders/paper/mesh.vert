@@ -2,11 +2,7 @@
 // Vertices of the room or the upright candle.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
-
-layout(location = 0) in vec3 aPosition;
-layout(location = 1) in vec3 aNormal;
-layout(location = 2) in vec4 aTangent;
-layout(location = 3) in vec2 aUv;
+#include "lib/mesh-vertex.glsl"
 
 uniform vec4 uWorldFromModel;  // origin of the model, m; w: metres per unit
 
