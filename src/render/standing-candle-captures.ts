@@ -61,7 +61,7 @@ export class StandingCandleCaptures {
     this.#slot = support.slot;
     this.#shadow = new ShadowPass(gpu, shadows, support.slot);
     const surfels = new SurfelPass(gpu, indirect, support);
-    this.#indirect = new IndirectPass(gpu, scene, indirect, { targets, surfels });
+    this.#indirect = new IndirectPass(gpu, scene, indirect, targets, surfels);
     this.#block = surfels.block;
   }
 

@@ -17,12 +17,7 @@ import type { ShadowCasters } from "../shadow/shadow-casters.js";
 import type { ShadowCube } from "../shadow/shadow-pass.js";
 import { drawInBands, finish, type Steps } from "../steps.js";
 import { BounceLimit } from "./bounce-limit.js";
-import {
-  type IndirectTargets,
-  indirectTargets,
-  irradianceMaps,
-  surfelRowsOf,
-} from "./indirect-targets.js";
+import { type IndirectTargets, irradianceMaps, surfelRowsOf } from "./indirect-targets.js";
 import { interiorBounds } from "./interior-bounds.js";
 import { type IndirectDetail, IRRADIANCE_TEXELS, probeTraceOf } from "./probe-rays.js";
 import { type ProbeTextures, uploadProbeRays } from "./probe-textures.js";
@@ -110,10 +105,8 @@ export class IndirectPass {
     gpu: Gpu,
     scene: IndirectScene,
     detail: IndirectDetail,
-    {
-      surfels = new SurfelPass(gpu, detail),
-      targets = indirectTargets(gpu, detail),
-    }: { readonly surfels?: Surfels; readonly targets?: IndirectTargets } = {},
+    targets: IndirectTargets,
+    surfels: Surfels = new SurfelPass(gpu, detail),
   ) {
     this.#gpu = gpu;
     this.#detail = detail;

@@ -83,7 +83,7 @@ export class LightCaptures {
     this.#casters = new ShadowCasters(gpu, room.model, room.surfaces, { error: casterError });
     this.#shadow = new ShadowPass(gpu, shadowAtlas(gpu, shadow.size, 1));
     const targets = indirectTargets(gpu, indirect);
-    this.#indirect = new IndirectPass(gpu, room, indirect, { targets });
+    this.#indirect = new IndirectPass(gpu, room, indirect, targets);
     this.#updates = new IndirectUpdates(this.#indirect);
     // Where the flame's bounces are computed in steps, other lights' may come in between.
     const shared = tier.opaque === "refined" ? null : targets;

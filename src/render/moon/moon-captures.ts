@@ -78,10 +78,7 @@ export class MoonCaptures {
     });
     this.#detail = indirect;
     this.#surfels = new MoonSurfels(gpu, indirect.surfels, indirect.surfelGroup);
-    this.#indirect = new IndirectPass(gpu, scene, indirect, {
-      surfels: this.#surfels,
-      targets,
-    });
+    this.#indirect = new IndirectPass(gpu, scene, indirect, targets, this.#surfels);
     this.#irradiance = irradianceMaps(gpu, indirect, "moon/irradiance");
   }
 

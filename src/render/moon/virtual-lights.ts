@@ -78,12 +78,8 @@ export function groupLitPoints(points: readonly (LitPoint | null)[], count: numb
     const axis = spread.indexOf(Math.max(...spread));
     const middle = meanOf(members.map((i) => at[i]!))[axis]!;
     const isLow = (i: number) => at[i]![axis]! < middle;
-    groups.splice(
-      0,
-      1,
-      describe(members.filter(isLow)),
-      describe(members.filter((i) => !isLow(i))),
-    );
+    const [low, high] = [members.filter(isLow), members.filter((i) => !isLow(i))];
+    groups.splice(0, 1, describe(low), describe(high));
   }
   return groups.map(({ members, spread }) => {
     const mean = meanOf(members.map((i) => at[i]!));
