@@ -10,7 +10,7 @@ import { carriedFlame, emberRadiance, flameLight, TAPER } from "../light/flame-l
 import type { World } from "../world/world.js";
 import type { FrameSettings } from "./frame-settings.js";
 import { lightBlock } from "./light-block.js";
-import { glareOf } from "./lone-candle/flame-lights.js";
+import { glareOf } from "./lone-candle/glare.js";
 import { LoneRenderer, type SmokePassOf } from "./lone-candle/lone-renderer.js";
 import { frameCandle } from "./lone-candle-framing.js";
 import { surfaceSampling, uploadModel } from "./mesh/mesh.js";

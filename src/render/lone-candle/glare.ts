@@ -1,0 +1,26 @@
+import type { mat4 } from "gl-matrix";
+import { luma } from "../../light/color.js";
+import type { FlameLight } from "../../light/flame-light.js";
+import { clipPosition } from "../camera.js";
+
+/** Of a flame's glare: brightest that counts, cd, and strength for each candela. */
+const BRIGHTEST_GLARE = 2;
+const GLARE = 0.55;
+
+/** Centre of a light on the canvas, and its half height, uv; strength of its glare, by a factor. */
+export function glareOf(
+  { position: [x, y, z], halfHeight, intensity }: FlameLight,
+  clip: mat4,
+  factor: number,
+): readonly [number, number, number, number] {
+  const [u, v] = canvasUv(clip, x, y, z);
+  const [, top] = canvasUv(clip, x, y + halfHeight, z);
+  const strength = factor * GLARE * Math.min(luma(intensity), BRIGHTEST_GLARE);
+  return [u, v, Math.abs(top - v), strength];
+}
+
+/** uv on the canvas of a point in world space. */
+function canvasUv(clip: mat4, x: number, y: number, z: number): readonly [number, number] {
+  const [across, up, w] = clipPosition(clip, x, y, z);
+  return [0.5 + (0.5 * across) / w, 0.5 + (0.5 * up) / w];
+}
