@@ -2,8 +2,8 @@
 // Reflectance at the hits of the probes' rays, at the mip level of a ray's footprint, less the self-occlusion of the
 // normal map; and gloss.
 #include "lib/precision.glsl"
-#include "lib/photometry.glsl"
-#include "lib/normal-map.glsl"
+#include "lib/reflectance.glsl"
+#include "lib/relief.glsl"
 #include "lib/material.glsl"
 
 // Texels along an edge of the mip level that is read.

@@ -1,5 +1,5 @@
 // Luminance of a surface of forward shading in direct moonlight, for 1 lx.
-// Needs lib/brdf.glsl, lib/surface.glsl, lib/moon-shadow.glsl.
+// Needs lib/brdf.glsl, lib/relief.glsl, lib/surface.glsl, lib/moon-shadow.glsl.
 
 // `seen`: 1 or 0: shadows, specular. `pixel`: seed of the shadow's taps.
 float directMoonlight(Shading s, vec3 facet, vec3 diffuseColor, vec2 seen, vec2 pixel) {

@@ -5,7 +5,7 @@
 // cube at every tier. Kaplanyan and Dachsbacher 2013, "Path Space Regularization for Holistic and Robust Light Transport".
 const float LEAST_LOBE_ALPHA = 0.26;
 
-// Share of the reflected light by direction, 1/sr: `gloss` as in lib/photometry.glsl; of a scattering surface 1 / PI.
+// Share of the reflected light by direction, 1/sr: `gloss` as in lib/reflectance.glsl; of a scattering surface 1 / PI.
 float glossyLobe(float gloss, vec3 normal, vec3 toLight, vec3 toEye) {
   if (gloss <= 0.0) return 1.0 / PI;
   float alpha = max(1.0 - gloss, LEAST_LOBE_ALPHA);

@@ -1,5 +1,5 @@
 // The material of a mesh at a pixel of forward shading.
-// Needs lib/frame.glsl, lib/normal-map.glsl, lib/brdf.glsl.
+// Needs lib/frame.glsl, lib/normal-map.glsl, lib/environment-brdf.glsl.
 #include "lib/mesh-fragment.glsl"
 
 // Bias of the level of detail: the hardware's choice blurs more than a pixel.

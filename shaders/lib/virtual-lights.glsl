@@ -1,5 +1,5 @@
 // The first bounce of moonlight, and the sky's light, from points of what they come from, each with a shadow cube: for
-// 1 lx outside. Keller 1997, "Instant Radiosity". Needs lib/photometry.glsl, lib/normal-map.glsl, lib/moon.glsl.
+// 1 lx outside. Keller 1997, "Instant Radiosity". Needs lib/photometry.glsl, lib/relief.glsl, lib/moon.glsl.
 #include "lib/shadow-tiles.glsl"
 
 uniform sampler2D uVirtualLights;  // a column each: position, m, and extent, m; normal, length 1, and area, m²

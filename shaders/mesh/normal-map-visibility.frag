@@ -2,7 +2,7 @@
 // Mean self-occlusion of a normal map, by mip level: one texel a level.
 // Out: visibility of the sky and of a light at 45 degrees, over that which the mip level itself accounts for.
 #include "lib/precision.glsl"
-#include "lib/normal-map.glsl"
+#include "lib/relief.glsl"
 
 uniform sampler2D uNormal;
 uniform float uNormalScale;

@@ -6,8 +6,10 @@
 #include "lib/frame.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/normal-map.glsl"
+#include "lib/relief.glsl"
 #include "lib/random.glsl"
 #include "lib/brdf.glsl"
+#include "lib/environment-brdf.glsl"
 #define VOLUME_CHANNELS aaa
 #include "lib/irradiance-volume.glsl"
 #include "lib/surface.glsl"

@@ -2,8 +2,8 @@
 // One surface's tile of the caster albedo.
 // Out: reflectance for light from all around, less the self-occlusion of the normal map; gloss.
 #include "lib/precision.glsl"
-#include "lib/photometry.glsl"
-#include "lib/normal-map.glsl"
+#include "lib/reflectance.glsl"
+#include "lib/relief.glsl"
 #include "lib/caster-albedo.glsl"
 #include "lib/material.glsl"
 

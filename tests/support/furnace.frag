@@ -3,6 +3,7 @@
 // Out: radiance of a perfect mirror; of a white one under a clear layer; of what the first mirrors at all.
 #include "lib/precision.glsl"
 #include "lib/brdf.glsl"
+#include "lib/environment-brdf.glsl"
 
 uniform sampler2D uEnvironmentBrdf;
 

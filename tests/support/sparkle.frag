@@ -3,6 +3,7 @@
 // Out: radiance as the relief widens the highlight; as if it did not; as 256 points of the pixel have it.
 #include "lib/precision.glsl"
 #include "lib/brdf.glsl"
+#include "lib/environment-brdf.glsl"
 
 in vec2 vUv;
 

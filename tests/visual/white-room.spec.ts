@@ -10,7 +10,7 @@ const SIZE = { width: 96, height: 96 };
 const FIELD_OF_VIEW = 1.7;
 /** Cells along each edge of a wall. */
 const CELLS = 6;
-/** Share of the light from all around that rough dielectrics reflect specularly: `lib/photometry.glsl`. */
+/** Share of the light from all around that rough dielectrics reflect specularly: `lib/reflectance.glsl`. */
 const SPECULAR = 0.02;
 
 let page: Page;
