@@ -5,7 +5,7 @@ import type { CustomStates } from "./custom-states.js";
 import { emit } from "./events.js";
 import type { Glow } from "./glow.js";
 import type { Hint } from "./hint.js";
-import { reachedSentence } from "./messages.js";
+import { changeSentence, REFUSALS, reachedSentence } from "./messages.js";
 import type { ReflectedAttributes } from "./reflected-attributes.js";
 
 /** Reports what the candle does: by the element's events and states, by hints, and by the glow on the page. */
@@ -29,24 +29,15 @@ export class CandleReporter {
     candle.onCandleMoved = () => emit(element, candle.world.candle.isHeld ? "take" : "place", null);
     candle.onLookChanged = () => emit(element, "load", null);
     candle.onRefused = () => this.refusal(candle);
-    candle.onWickReached = (index) => {
-      const name = candle.candleNames[index] ?? "";
-      this.#hint.tell(reachedSentence({ index, name }));
-    };
+    const detailOf = (index: number) => ({ index, name: candle.candleNames[index] ?? "" });
+    candle.onWickReached = (index) => this.#hint.tell(reachedSentence(detailOf(index)));
     candle.view.onQualityChanged = () => emit(element, "qualitychange", null);
     candle.onFlameChanged = (index) => {
-      const name = candle.candleNames[index] ?? "";
       const isLit = candle.isLit(index);
-      this.flame(candle);
-      if (index > 0) this.#hint.tellOther({ index, name, isLit }, candle.isLit(0), this.#isWalking);
-      emit(element, isLit ? "light" : "extinguish", { index, name });
+      this.flame(candle, index > 0 ? changeSentence(detailOf(index), isLit) : null);
+      emit(element, isLit ? "light" : "extinguish", detailOf(index));
     };
     this.#camera = keyOf(candle);
-  }
-
-  /** Whether keys and gestures reach the candle. */
-  get #isWalking(): boolean {
-    return this.#states.has("walking");
   }
 
   frame(candle: CandleFlame): void {
@@ -65,9 +56,10 @@ export class CandleReporter {
     if (this.#states.has("alone")) this.#glow.follow(candle.luminousIntensity);
   }
 
-  flame({ world: { flame } }: CandleFlame): void {
+  flame({ world: { flame } }: CandleFlame, news: string | null = null): void {
     this.#states.toggle("lit", flame.isLit);
-    this.#hint.tellFlame(flame.isLit, this.#isWalking);
+    // Keys and gestures reach the candle while the visitor walks.
+    this.#hint.tellFlame(flame.isLit, this.#states.has("walking"), news);
   }
 
   /** The visitor has entered the room, or left it. */
@@ -79,8 +71,9 @@ export class CandleReporter {
   }
 
   /** Shows why the candle could not be put down. */
-  refusal({ world: { flame, refusal } }: CandleFlame): void {
-    this.#hint.tellRefusal(refusal, flame.isLit, this.#isWalking);
+  refusal(candle: CandleFlame): void {
+    const { refusal } = candle.world;
+    this.flame(candle, refusal && REFUSALS[refusal]);
   }
 }
 

@@ -1,6 +1,5 @@
 import type { Device } from "../input/first-person-input.js";
-import type { Refusal } from "../world/room/placement.js";
-import { type CandleChange, changeSentence, outSentence, REFUSALS } from "./messages.js";
+import { outSentence } from "./messages.js";
 
 /** Controls of each device; keys are in brackets. */
 const CONTROLS: Readonly<Record<Device, string>> = {
@@ -33,21 +32,10 @@ export class Hint {
     this.element.append(this.#controls);
   }
 
-  /** Says that the candle is out, and how to light it; nothing while it burns. */
-  tellFlame(isLit: boolean, canLight: boolean): void {
-    this.tell(isLit ? null : outSentence(canLight), canLight);
-  }
-
-  /** Says that another candle was lit or went out, and that the first is out, if it is. */
-  tellOther(change: CandleChange, isLit: boolean, canLight: boolean): void {
-    const sentences = [changeSentence(change), isLit ? null : outSentence(canLight)];
-    this.tell(sentences.filter(Boolean).join(" "), canLight && !isLit);
-  }
-
-  /** Says why the candle could not be put down, and that it is out, if it is. */
-  tellRefusal(refusal: Refusal | null, isLit: boolean, canLight: boolean): void {
-    const sentences = [refusal && REFUSALS[refusal], isLit ? null : outSentence(canLight)];
-    this.tell(sentences.filter(Boolean).join(" ") || null, canLight && !isLit);
+  /** Tells news, if there are any, and that the carried candle is out, if it is, and how to light it. */
+  tellFlame(isLit: boolean, canLight: boolean, news: string | null = null): void {
+    const sentences = [news, isLit ? null : outSentence(canLight)].filter(Boolean);
+    this.tell(sentences.join(" ") || null, canLight && !isLit);
   }
 
   /** Shows a sentence, or none. One that lasts becomes fainter, and stays until the next. */

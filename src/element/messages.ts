@@ -1,4 +1,5 @@
 import type { Refusal } from "../world/room/placement.js";
+import type { CandleDetail } from "./events.js";
 
 export const NO_PHYSICAL_LOOK =
   "This graphics driver has no floating-point render targets, so the room is drawn in the paper's look.";
@@ -23,29 +24,18 @@ export function outSentence(canLight: boolean): string {
   return hasFingersAlone() ? `${out} Tap twice to light it.` : `${out} Press E to light it.`;
 }
 
-/** A candle by its place in the list, and its wick's node: `wick-mantel-left`. */
-interface NamedCandle {
-  readonly index: number;
-  readonly name: string;
-}
-
-/** A standing candle that was lit or went out. */
-export interface CandleChange extends NamedCandle {
-  readonly isLit: boolean;
-}
-
-/** Says which candle was lit or went out. */
-export function changeSentence({ isLit, ...candle }: CandleChange): string {
+/** Says which standing candle was lit or went out. */
+export function changeSentence(candle: CandleDetail, isLit: boolean): string {
   return `${upperFirst(spokenName(candle, ","))} ${isLit ? "burns" : "is out"}.`;
 }
 
 /** Says which candle the carried flame can light now. */
-export function reachedSentence(candle: NamedCandle): string {
+export function reachedSentence(candle: CandleDetail): string {
   return `${hasFingersAlone() ? "Tap twice" : "Press E"} to light ${spokenName(candle)}.`;
 }
 
-/** Name of a candle in a sentence: the words of its wick's name, or its number. */
-function spokenName({ index, name }: NamedCandle, end = ""): string {
+/** Name of a candle in a sentence: its number, and the words of its wick's name: `wick-mantel-left`. */
+function spokenName({ index, name }: CandleDetail, end = ""): string {
   const words = name
     .replace(/^wick/, "")
     .replace(/[^\p{L}]+/gu, " ")
