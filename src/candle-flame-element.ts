@@ -92,7 +92,7 @@ export class CandleFlameElement extends ReflectedAttributes {
   constructor() {
     super();
     const root = this.attachShadow({ mode: "open" });
-    this.#lifecycle = new Lifecycle(this, this.attachInternals(), root, this.#input);
+    this.#lifecycle = new Lifecycle(this.attachInternals(), root, this.#input);
     this.#featureSwitches = featureSwitches(this.#input.features, (name) => {
       this.#use((candle) => candle.followFeature(name));
       this.#requestDraw();
@@ -161,7 +161,7 @@ export class CandleFlameElement extends ReflectedAttributes {
   set camera(value: Partial<Camera>) {
     const change = changeOf(value, this.camera);
     const { session } = this.#lifecycle;
-    if (!session?.candle || session.isFetching) this.#pending.moveCamera(change);
+    if (!session?.candle || session.fetcher.isFetching) this.#pending.moveCamera(change);
     if (!session?.candle) return;
     setCamera(session.candle, change);
     this.#lifecycle.changed();

@@ -3,24 +3,21 @@ import type { Device } from "../input/first-person-input.js";
 import { cameraOf } from "./camera-control.js";
 import type { CustomStates } from "./custom-states.js";
 import { emit } from "./events.js";
-import type { Glow } from "./glow.js";
-import type { Hint } from "./hint.js";
 import { changeSentence, REFUSALS, reachedSentence } from "./messages.js";
+import type { Overlay } from "./overlay.js";
 import type { ReflectedAttributes } from "./reflected-attributes.js";
 
 /** Reports what the candle does: by the element's events and states, by hints, and by the glow on the page. */
 export class CandleReporter {
   readonly #element: ReflectedAttributes;
   readonly #states: CustomStates;
-  readonly #hint: Hint;
-  readonly #glow: Glow;
+  readonly #overlay: Overlay;
   #camera = "";
 
-  constructor(element: ReflectedAttributes, states: CustomStates, hint: Hint, glow: Glow) {
+  constructor(element: ReflectedAttributes, states: CustomStates, overlay: Overlay) {
     this.#element = element;
     this.#states = states;
-    this.#hint = hint;
-    this.#glow = glow;
+    this.#overlay = overlay;
   }
 
   /** Reports from now on what happens in a new candle's frames. */
@@ -30,7 +27,7 @@ export class CandleReporter {
     candle.onLookChanged = () => emit(element, "load", null);
     candle.onRefused = () => this.refusal(candle);
     const detailOf = (index: number) => ({ index, name: candle.candleNames[index] ?? "" });
-    candle.onWickReached = (index) => this.#hint.tell(reachedSentence(detailOf(index)));
+    candle.onWickReached = (index) => this.#overlay.hint.tell(reachedSentence(detailOf(index)));
     candle.view.onQualityChanged = () => emit(element, "qualitychange", null);
     candle.onFlameChanged = (index) => {
       const isLit = candle.isLit(index);
@@ -53,19 +50,19 @@ export class CandleReporter {
   }
 
   glow(candle: CandleFlame): void {
-    if (this.#states.has("alone")) this.#glow.follow(candle.luminousIntensity);
+    if (this.#states.has("alone")) this.#overlay.glow.follow(candle.luminousIntensity);
   }
 
   flame({ world: { flame } }: CandleFlame, news: string | null = null): void {
     this.#states.toggle("lit", flame.isLit);
     // Keys and gestures reach the candle while the visitor walks.
-    this.#hint.tellFlame(flame.isLit, this.#states.has("walking"), news);
+    this.#overlay.hint.tellFlame(flame.isLit, this.#states.has("walking"), news);
   }
 
   /** The visitor has entered the room, or left it. */
   entered(candle: CandleFlame, isIn: boolean, device: Device): void {
     this.#states.toggle("walking", isIn);
-    if (isIn) this.#hint.tellControls(device);
+    if (isIn) this.#overlay.hint.tellControls(device);
     else this.flame(candle);
     emit(this.#element, isIn ? "enter" : "leave", null);
   }

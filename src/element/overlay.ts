@@ -1,3 +1,4 @@
+import { Glow } from "./glow.js";
 import { Hint } from "./hint.js";
 import type { ReflectedAttributes } from "./reflected-attributes.js";
 
@@ -7,6 +8,7 @@ import type { ReflectedAttributes } from "./reflected-attributes.js";
  */
 export class Overlay {
   readonly hint = new Hint();
+  readonly glow = new Glow();
   onFailureChange: () => void = () => {};
   readonly #posterSlot = slot("poster");
   readonly #poster = document.createElement("img");
@@ -31,7 +33,8 @@ export class Overlay {
     }
     this.#failure.append(errorSlot);
     this.#failure.hidden = true;
-    root.append(this.#posterSlot, this.#progressSlot, this.#failure, this.hint.element);
+    const { hint, glow } = this;
+    root.append(glow.element, this.#posterSlot, this.#progressSlot, this.#failure, hint.element);
   }
 
   /** Whether an error message is shown in place of frames. */

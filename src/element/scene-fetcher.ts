@@ -1,22 +1,16 @@
 import { areSame, loadScene, type Scene, type SceneRequest } from "../scenes/scene.js";
-
-export interface FetchObserver {
-  onProgress(progress: number): void;
-  /** The scene asked for cannot be fetched. */
-  onMissing(error: Error): void;
-  /** The fetch was aborted: the attributes ask for the scene that is shown. */
-  onFetchDropped(): void;
-}
+import type { Lifecycle } from "./lifecycle.js";
 
 /**
  * Scene fetcher: fetches the scene asked for, and aborts the fetch before it. The shown scene stays until the
  * new models have loaded, and if they fail to load.
  */
 export class SceneFetcher {
+  /** The scene on show; while another is fetched the attributes ask for that. */
   shownRequest: SceneRequest | null = null;
   readonly #request: () => SceneRequest;
   readonly #signal: AbortSignal;
-  readonly #observer: FetchObserver;
+  readonly #owner: Lifecycle;
   readonly #onScene: (scene: Scene) => void;
   #pending: SceneRequest | null = null;
   #loading: AbortController | null = null;
@@ -25,12 +19,12 @@ export class SceneFetcher {
   constructor(
     request: () => SceneRequest,
     signal: AbortSignal,
-    observer: FetchObserver,
+    owner: Lifecycle,
     onScene: (scene: Scene) => void,
   ) {
     this.#request = request;
     this.#signal = signal;
-    this.#observer = observer;
+    this.#owner = owner;
     this.#onScene = onScene;
   }
 
@@ -45,7 +39,7 @@ export class SceneFetcher {
       this.#loading?.abort();
       this.#pending = null;
       this.shownRequest = request;
-      this.#observer.onFetchDropped();
+      this.#owner.onFetchDropped();
     } else if (!areSame(request, this.#pending)) {
       void this.fetch();
     }
@@ -57,7 +51,7 @@ export class SceneFetcher {
     this.#loading = loading;
     const { signal } = loading;
     this.#signal.addEventListener("abort", () => loading.abort(), { signal });
-    const onProgress = (progress: number) => this.#observer.onProgress(progress);
+    const onProgress = (progress: number) => this.#owner.onProgress(progress);
     const request = this.#request();
     this.#pending = request;
     let scene: Scene;
@@ -66,7 +60,7 @@ export class SceneFetcher {
     } catch (error) {
       if (signal.aborted) return;
       this.#pending = null;
-      this.#observer.onMissing(error as Error);
+      this.#owner.onMissing(error as Error);
       return;
     }
     if (signal.aborted) return scene.close();

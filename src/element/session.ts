@@ -8,33 +8,16 @@ import type { Features, Inspection, Look, SceneName } from "../settings.js";
 import { CandleList } from "./candle-list.js";
 import { watchContext } from "./context-watch.js";
 import { guessDevicePixels, observeDevicePixels, type Size } from "./device-pixels.js";
+import type { Lifecycle } from "./lifecycle.js";
 import { assetRootOf, optionsOf } from "./options.js";
 import type { ReflectedAttributes } from "./reflected-attributes.js";
-import { type FetchObserver, SceneFetcher } from "./scene-fetcher.js";
+import { SceneFetcher } from "./scene-fetcher.js";
 
 /** Input of a session: the attributes as they are at any time, and settings without attribute. */
 export interface SessionInput {
   readonly attributes: ReflectedAttributes;
   readonly features: Features;
   inspect: Inspection;
-}
-
-export interface SessionOwner extends FetchObserver {
-  /** Whether time is to pass. */
-  plays(): boolean;
-  /** The candle is drawn for the first time, but not shown: it is to be what it will be in `onCandle`. */
-  onRehearsal(candle: CandleFlame): void;
-  /** The candle can draw its first frame. */
-  onCandle(candle: CandleFlame): void;
-  /** The candle has changed to another scene. */
-  onScene(candle: CandleFlame): void;
-  /** Drawing failed, or preparing it. */
-  onError(cause: unknown): void;
-  /** The candle has changed since the last frame. */
-  changed(): void;
-  onContextLost(): void;
-  onContextRestored(): void;
-  onContextGivenUp(): void;
 }
 
 /**
@@ -47,10 +30,10 @@ export class Session {
   /** Scene that the canvas was made for. */
   readonly sceneName: SceneName;
   readonly #input: SessionInput;
-  readonly #owner: SessionOwner;
+  readonly #owner: Lifecycle;
   readonly #signal: AbortSignal;
   readonly #target: CanvasTarget;
-  readonly #fetcher: SceneFetcher;
+  readonly fetcher: SceneFetcher;
   #scene: Scene | null = null;
   #candle: CandleFlame | null = null;
   #candles = this.#listCandles();
@@ -68,7 +51,7 @@ export class Session {
     canvas: HTMLCanvasElement,
     input: SessionInput,
     signal: AbortSignal,
-    owner: SessionOwner,
+    owner: Lifecycle,
   ) {
     const { scene, quality } = input.attributes;
     this.canvas = canvas;
@@ -78,14 +61,10 @@ export class Session {
     this.#signal = signal;
     this.#target = createCanvasTarget(scene, canvas);
     if (quality === "auto") void measureTarget(this.#target); // while the files are on their way
-    watchContext(this.#target.source, signal, {
-      onLost: () => owner.onContextLost(),
-      onRestored: () => void this.#restore(),
-      onGivenUp: () => owner.onContextGivenUp(),
-    });
+    watchContext(this.#target.source, signal, owner, () => void this.#restore());
     const show = (next: Scene) => this.#show(next);
-    this.#fetcher = new SceneFetcher(() => this.#request, signal, owner, show);
-    void this.#fetcher.fetch();
+    this.fetcher = new SceneFetcher(() => this.#request, signal, owner, show);
+    void this.fetcher.fetch();
   }
 
   /** Null until it can draw. */
@@ -97,18 +76,9 @@ export class Session {
     return this.#candles.entries;
   }
 
-  /** The scene on show; while another is fetched the attributes ask for that. */
-  get shownRequest(): SceneRequest | null {
-    return this.#fetcher.shownRequest;
-  }
-
   /** Whether nothing can be drawn at the moment. */
   get isLost(): boolean {
     return this.#target.gpu.isLost;
-  }
-
-  get isFetching(): boolean {
-    return this.#fetcher.isFetching;
   }
 
   /** The look asked for, or the nearest that the GPU can draw. */
@@ -119,18 +89,13 @@ export class Session {
 
   get options(): Options {
     const { attributes } = this.#input;
-    return optionsOf(attributes, this.shownRequest?.look ?? attributes.look);
+    return optionsOf(attributes, this.fetcher.shownRequest?.look ?? attributes.look);
   }
 
   get #request(): SceneRequest {
     const { attributes } = this.#input;
     const { scene, src, paused: isStepped } = attributes;
     return { scene, look: this.look, src, assetRoot: assetRootOf(attributes), isStepped };
-  }
-
-  /** To be called when the attributes may ask for another scene. */
-  follow(): void {
-    this.#fetcher.follow();
   }
 
   /** Calls an action with the candle, if there is one. Exceptions go to `onError`. */
