@@ -1,6 +1,5 @@
 import type { CandleFlame } from "./candle-flame.js";
-import { type Camera, changeOf } from "./element/camera.js";
-import { cameraOf, setCamera } from "./element/camera-control.js";
+import { type Camera, cameraOf, changeOf, setCamera } from "./element/camera.js";
 import type { Candle } from "./element/candle.js";
 import { emit } from "./element/events.js";
 import { featureSwitches } from "./element/feature-switches.js";

@@ -1,6 +1,6 @@
 import type { CandleFlame } from "../candle-flame.js";
 import type { Device } from "../input/first-person-input.js";
-import { cameraOf } from "./camera-control.js";
+import { cameraOf } from "./camera.js";
 import type { CustomStates } from "./custom-states.js";
 import { emit } from "./events.js";
 import { changeSentence, REFUSALS, reachedSentence } from "./messages.js";

@@ -1,20 +1,5 @@
 /** State of the element between its insertion into a document and its removal. */
-export type LifecycleState =
-  /** Not in a document: nothing is held. */
-  | "detached"
-  /** Waits for the viewport to come near, with `loading="lazy"`. */
-  | "deferred"
-  /** Waits for one of the page's WebGL contexts. */
-  | "queued"
-  /** Fetches models and compiles programs. */
-  | "loading"
-  /** Draws, or could. */
-  | "running"
-  /** The WebGL context is lost, before or after the first frame. */
-  | "loading-lost"
-  | "running-lost"
-  /** A sentence says why there is no frame. */
-  | "failed";
+export type LifecycleState = keyof typeof TRANSITIONS;
 
 export type LifecycleEvent =
   | "connect"
@@ -35,18 +20,23 @@ const RESTART = { restart: "deferred", disconnect: "detached" } as const;
 const FAIL = { ...RESTART, fail: "failed" } as const;
 
 /** Transitions: the state that an event leads to. Events that are not listed have no effect. */
-const TRANSITIONS: Readonly<
-  Record<LifecycleState, Readonly<Partial<Record<LifecycleEvent, LifecycleState>>>>
-> = {
+const TRANSITIONS = {
+  /** Not in a document: nothing is held. */
   detached: { connect: "deferred" },
+  /** Waits for the viewport to come near, with `loading="lazy"`. */
   deferred: { ...RESTART, approach: "queued" },
+  /** Waits for one of the page's WebGL contexts. */
   queued: { ...RESTART, admit: "loading" },
+  /** Fetches models and compiles programs. */
   loading: { ...FAIL, reveal: "running", lose: "loading-lost" },
+  /** Draws, or could. */
   running: { ...FAIL, lose: "running-lost" },
+  /** The WebGL context is lost, before or after the first frame. */
   "loading-lost": { ...FAIL, restore: "loading" },
   "running-lost": { ...FAIL, restore: "running" },
+  /** A sentence says why there is no frame. */
   failed: RESTART,
-};
+} as const satisfies Record<string, Readonly<Partial<Record<LifecycleEvent, string>>>>;
 
 /** State machine of the element's lifecycle. It does nothing by itself: see `Lifecycle`. */
 export class LifecycleStates {
@@ -58,7 +48,9 @@ export class LifecycleStates {
 
   /** Takes the transition of an event. Returns whether there is one from the current state. */
   send(event: LifecycleEvent): boolean {
-    const next = TRANSITIONS[this.#current][event];
+    const from: Readonly<Partial<Record<LifecycleEvent, LifecycleState>>> =
+      TRANSITIONS[this.#current];
+    const next = from[event];
     this.#current = next ?? this.#current;
     return next !== undefined;
   }
