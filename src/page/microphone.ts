@@ -1,61 +1,83 @@
+import type { CandleFlameElement } from "../candle-flame-element.js";
 import { BreathDetector, soundOf } from "./breath.js";
+import { find } from "./find.js";
 
 /** Samples of each frame: some 40 ms. */
 const WINDOW = 2048;
 /** Frames farther apart than this are not one breath, seconds. */
 const LONGEST_FRAME = 0.1;
+/** Phones filter wind out of speech, unless asked not to. */
+const AUDIO = { echoCancellation: false, noiseSuppression: false, autoGainControl: false };
 
-/** Microphone that detects blowing. Sound is measured and forgotten; nothing leaves the page. */
-export class Microphone {
-  readonly #stream: MediaStream;
-  readonly #context = new AudioContext();
-  readonly #analyser: AnalyserNode;
-  readonly #samples = new Float32Array(WINDOW);
-  readonly #detector = new BreathDetector();
-  readonly #onBreath: (strength: number) => void;
-  #lastTime = Number.NaN;
-  #request: number;
+/**
+ * Binds the button that opens the microphone, so that the visitor can blow at the flame, and its status line.
+ *
+ * Sound is measured and forgotten; nothing leaves the page.
+ */
+export function bindMicrophone(room: CandleFlameElement, section: HTMLElement): void {
+  const button = find(section, "button", HTMLButtonElement);
+  const status = find(section, "[role=status]", HTMLElement);
+  let stop: (() => void) | null = null;
 
-  private constructor(stream: MediaStream, onBreath: (strength: number) => void) {
-    this.#stream = stream;
-    this.#onBreath = onBreath;
-    this.#analyser = new AnalyserNode(this.#context, { fftSize: WINDOW });
-    this.#context.createMediaStreamSource(stream).connect(this.#analyser);
-    this.#request = requestAnimationFrame(this.#listen);
-  }
-
-  /** Asks the visitor. Rejects with a sentence for the visitor where there is none, or none is allowed. */
-  static async open(onBreath: (strength: number) => void): Promise<Microphone> {
-    // Phones filter wind out of speech, unless asked not to.
-    const audio = { echoCancellation: false, noiseSuppression: false, autoGainControl: false };
+  async function open(): Promise<void> {
+    button.disabled = true;
     try {
-      const stream = await navigator.mediaDevices.getUserMedia({ audio });
-      return new Microphone(stream, onBreath);
-    } catch (cause) {
-      throw new Error(sentenceOf(cause), { cause });
+      const stream = await navigator.mediaDevices.getUserMedia({ audio: AUDIO });
+      stop = listen(stream, (strength) => room.blow(strength));
+      status.textContent = "Blow at the microphone.";
+      if (document.hidden) close("");
+    } catch (error) {
+      status.textContent = sentenceOf(error as Error);
     }
+    button.disabled = false;
+    button.setAttribute("aria-pressed", String(stop !== null));
   }
 
-  close(): void {
-    cancelAnimationFrame(this.#request);
-    for (const track of this.#stream.getTracks()) track.stop();
-    void this.#context.close();
+  function close(sentence: string): void {
+    stop?.();
+    stop = null;
+    button.setAttribute("aria-pressed", "false");
+    status.textContent = sentence;
   }
 
-  readonly #listen = (milliseconds: DOMHighResTimeStamp): void => {
-    this.#request = requestAnimationFrame(this.#listen);
-    const elapsed = (milliseconds - this.#lastTime) / 1000;
-    this.#lastTime = milliseconds;
+  button.addEventListener("click", () => {
+    if (stop) close("");
+    else void open();
+  });
+  document.addEventListener("visibilitychange", () => {
+    if (document.hidden && stop) {
+      close("The microphone was switched off when you left the page.");
+    }
+  });
+}
+
+/** Detects blowing in a microphone's sound, until what it returns is called. */
+function listen(stream: MediaStream, onBreath: (strength: number) => void): () => void {
+  const context = new AudioContext();
+  const analyser = new AnalyserNode(context, { fftSize: WINDOW });
+  context.createMediaStreamSource(stream).connect(analyser);
+  const samples = new Float32Array(WINDOW);
+  const detector = new BreathDetector();
+  let lastTime = Number.NaN;
+  const hear = (milliseconds: DOMHighResTimeStamp): void => {
+    request = requestAnimationFrame(hear);
+    const elapsed = (milliseconds - lastTime) / 1000;
+    lastTime = milliseconds;
     if (!(elapsed > 0)) return;
-    this.#analyser.getFloatTimeDomainData(this.#samples);
-    const sound = soundOf(this.#samples, this.#context.sampleRate);
-    const strength = this.#detector.hear(sound, Math.min(elapsed, LONGEST_FRAME));
-    if (strength > 0) this.#onBreath(strength);
+    analyser.getFloatTimeDomainData(samples);
+    const sound = soundOf(samples, context.sampleRate);
+    const strength = detector.hear(sound, Math.min(elapsed, LONGEST_FRAME));
+    if (strength > 0) onBreath(strength);
+  };
+  let request = requestAnimationFrame(hear);
+  return () => {
+    cancelAnimationFrame(request);
+    for (const track of stream.getTracks()) track.stop();
+    void context.close();
   };
 }
 
-function sentenceOf(cause: unknown): string {
-  const name = cause instanceof Error || cause instanceof DOMException ? cause.name : "";
+function sentenceOf({ name }: Error): string {
   if (name === "NotAllowedError") return "The browser keeps the microphone from this page.";
   if (name === "NotFoundError") return "No microphone was found.";
   if (!navigator.mediaDevices) return "This browser has no microphone for this page.";

@@ -2,15 +2,13 @@ import type { Camera, CandleFlameElement } from "../candle-flame-element.js";
 import "../define.js";
 import { FIELDS_OF_VIEW, parseIndices } from "../settings.js";
 import { find } from "./find.js";
-import { bindMicrophone } from "./microphone-switch.js";
+import { bindMicrophone } from "./microphone.js";
 import { addSettings } from "./settings-form.js";
 import { readShareLink, SHARED, type Shared, type View, writeShareLink } from "./share-link.js";
 import { reflectWalking } from "./walking.js";
 
 const stage = find(document, ".stage", HTMLElement);
-const room = document.querySelector("candle-flame");
-if (!room) throw new Error("The page's markup has no room.");
-
+const room = find(document, "candle-flame", HTMLElement) as CandleFlameElement;
 const enterButton = find(stage, ".enter", HTMLButtonElement);
 const hint = find(stage, ".hint", HTMLElement);
 const status = find(stage, ".status", HTMLElement);
@@ -69,7 +67,7 @@ room.addEventListener("take", () => {
 
 /** Puts the candle down from a camera, or takes it up; the camera stays where it is. */
 function setCandle(from: Camera | null): void {
-  if (!room || (!from && room.held)) return;
+  if (!from && room.held) return;
   const camera = room.camera;
   if (!room.held) {
     if (putDownFrom) room.camera = putDownFrom; // within reach of it
@@ -84,7 +82,6 @@ function setCandle(from: Camera | null): void {
 
 /** Settings that the view does not name take their defaults. */
 function applyView(view: View): void {
-  if (!room) return;
   for (const name of SHARED) {
     const text = view.settings[name];
     if (text === undefined) room.removeAttribute(name);
@@ -101,10 +98,7 @@ function applyView(view: View): void {
 function applyFlames({ settings }: View): void {
   const isUnlit = settings.unlit !== undefined;
   const lit = parseIndices(settings["lit-wicks"] ?? "") ?? [0];
-  if (!room?.flame) {
-    if (room) room.lit = !isUnlit;
-    return;
-  }
+  if (!room.flame) room.lit = !isUnlit;
   for (const [index, candle] of room.candles.entries()) {
     candle.lit = !isUnlit && lit.includes(index);
   }

@@ -10,8 +10,7 @@ const FAR = "150%";
  * switch off, a candle to light by its number, an attribute, or a method to call.
  */
 export function bindLiveFigure(figure: HTMLElement): void {
-  const element = figure.querySelector("candle-flame");
-  if (!element) throw new Error("The page's markup has a figure without a flame.");
+  const element = find(figure, "candle-flame", HTMLElement) as CandleFlameElement;
   const { camera, place } = figure.dataset;
   const moveCamera = () => {
     if (camera) element.camera = cameraOf(camera);

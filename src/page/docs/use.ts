@@ -1,3 +1,4 @@
+import type { CandleFlameElement } from "../../candle-flame-element.js";
 import "../../define.js";
 import { find } from "../find.js";
 import { addCopyButton } from "./copy-button.js";
@@ -7,9 +8,8 @@ import { addTryOut } from "./try-out.js";
 document.querySelectorAll<HTMLElement>("figure.live").forEach(bindLiveFigure);
 document.querySelectorAll<HTMLElement>(".snippet").forEach(addCopyButton);
 
-const tried = document.querySelector<HTMLElementTagNameMap["candle-flame"]>("#tried");
-const glowing = document.querySelector<HTMLElement>(".glowing");
-if (!tried || !glowing) throw new Error("The page's markup lacks a candle.");
+const tried = find(document, "#tried", HTMLElement) as CandleFlameElement;
+const glowing = find(document, ".glowing", HTMLElement);
 addTryOut(
   tried,
   find(document, ".attributes", HTMLFormElement),
