@@ -30,6 +30,8 @@ export interface TextSetting {
   readonly default: string;
 }
 
+export type Setting = NumberSetting | ChoiceSetting | FlagSetting | TextSetting;
+
 function choice<const Choice extends string>(
   choices: readonly [Choice, ...Choice[]],
 ): ChoiceSetting<Choice> {
@@ -68,9 +70,10 @@ export const SETTINGS = {
   loading: choice(["eager", "lazy"]),
   poster: { kind: "text", default: "" },
   alt: { kind: "text", default: "A burning candle" },
-} as const satisfies Record<string, NumberSetting | ChoiceSetting | FlagSetting | TextSetting>;
+} as const satisfies Record<string, Setting>;
 
 export type SettingName = keyof typeof SETTINGS;
+export const SETTING_NAMES = Object.keys(SETTINGS) as readonly SettingName[];
 export type Look = (typeof SETTINGS.look.choices)[number];
 export type SceneName = (typeof SETTINGS.scene.choices)[number];
 export type Quality = (typeof SETTINGS.quality.choices)[number];
@@ -89,6 +92,10 @@ export type SettingValue<Setting> =
 export type CamelCase<Name extends string> = Name extends `${infer Head}-${infer Tail}`
   ? `${Head}${Capitalize<CamelCase<Tail>>}`
   : Name;
+
+export function camelCase<Name extends SettingName>(name: Name): CamelCase<Name> {
+  return name.replace(/-(.)/g, (_, letter: string) => letter.toUpperCase()) as CamelCase<Name>;
+}
 
 /** Parses an attribute's text; `null` is an absent attribute. */
 export function parseNumber(setting: NumberSetting, text: string | null): number {

@@ -1,7 +1,9 @@
 import {
   type CamelCase,
+  camelCase,
   parseChoice,
   parseNumber,
+  SETTING_NAMES,
   SETTINGS,
   type SettingName,
   type SettingValue,
@@ -20,7 +22,7 @@ const Base = (globalThis.HTMLElement ?? class {}) as unknown as {
 
 /** The element's attributes as properties: text becomes the value that `SETTINGS` describes, and back. */
 export class ReflectedAttributes extends Base {
-  static readonly observedAttributes: readonly string[] = Object.keys(SETTINGS);
+  static readonly observedAttributes: readonly string[] = SETTING_NAMES;
 
   // A property set before the element was defined hides the accessor: set it again through it.
   protected upgrade(name: string): void {
@@ -32,11 +34,11 @@ export class ReflectedAttributes extends Base {
   }
 
   protected upgradeAttributes(): void {
-    for (const name of Object.keys(SETTINGS)) this.upgrade(camelCase(name));
+    for (const name of SETTING_NAMES) this.upgrade(camelCase(name));
   }
 }
 
-for (const name of Object.keys(SETTINGS) as SettingName[]) {
+for (const name of SETTING_NAMES) {
   const setting = SETTINGS[name];
   Object.defineProperty(ReflectedAttributes.prototype, camelCase(name), {
     configurable: true,
@@ -53,8 +55,4 @@ for (const name of Object.keys(SETTINGS) as SettingName[]) {
       else this.setAttribute(name, String(value));
     },
   });
-}
-
-function camelCase(name: string): string {
-  return name.replace(/-(.)/g, (_, letter: string) => letter.toUpperCase());
 }

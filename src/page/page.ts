@@ -174,7 +174,7 @@ document.addEventListener("fullscreenchange", () => {
   fullScreenButton.setAttribute("aria-pressed", String(document.fullscreenElement !== null));
 });
 
-const refreshSettings = addSettings(room, find(settings, "fieldset", HTMLFieldSetElement), [
+addSettings(room, find(settings, "fieldset", HTMLFieldSetElement), [
   "quality",
   "exposure",
   "wind",
@@ -187,7 +187,6 @@ const refreshSettings = addSettings(room, find(settings, "fieldset", HTMLFieldSe
   "motion",
 ]);
 find(stage, ".settings-button", HTMLButtonElement).addEventListener("click", () => {
-  refreshSettings();
   settings.showModal();
   document.body.classList.add("settings-open");
 });

@@ -1,20 +1,12 @@
 import type { CandleFlameElement } from "../candle-flame-element.js";
-import { SETTINGS, type SettingName } from "../settings.js";
+import { camelCase, SETTINGS, type Setting, type SettingName } from "../settings.js";
 import { SETTING_MEANINGS } from "./meanings.js";
-import { controlOf, type Setting, settingRow } from "./setting-row.js";
 
-/** Settings that can have a control here. */
-type Shown = Exclude<SettingName, "max-pixel-ratio" | "asset-base" | "lit-wicks">;
-
-/** Properties of attributes that have a hyphen. */
-const PROPERTIES: Readonly<Partial<Record<Shown, keyof CandleFlameElement>>> = {
-  "wind-direction": "windDirection",
-  "moon-direction": "moonDirection",
-};
+export type Control = HTMLInputElement | HTMLSelectElement;
 
 /** How fine a slider is, in the setting's own unit. */
 const SLIDER_STEP = 0.1;
-const SLIDER_STEPS: Readonly<Partial<Record<Shown, number>>> = {
+const SLIDER_STEPS: Readonly<Partial<Record<SettingName, number>>> = {
   wind: 0.05,
   "wind-direction": 5,
   gustiness: 0.05,
@@ -23,52 +15,87 @@ const SLIDER_STEPS: Readonly<Partial<Record<Shown, number>>> = {
 };
 
 /**
- * Adds a control for each of some settings, made from the table of settings.
+ * Adds a control for each of some settings, made from the table of settings. It shows the element's values.
  *
  * @param form where the controls go; its id begins theirs
- * @returns what shows the element's values again
  */
 export function addSettings(
   element: CandleFlameElement,
   form: HTMLElement,
-  names: readonly Shown[],
-): () => void {
-  const refreshes = names.map((name) => addSetting(element, form, name, () => refresh()));
+  names: readonly SettingName[],
+): void {
+  const refreshes = names.map((name) => addSetting(element, form, name));
   const refresh = () => {
     for (const refreshOne of refreshes) refreshOne();
   };
   refresh();
-  return refresh;
+  new MutationObserver(refresh).observe(element, { attributes: true });
 }
 
-function addSetting(
-  element: CandleFlameElement,
-  form: HTMLElement,
-  name: Shown,
-  onChange: () => void,
-): () => void {
-  const id = `${form.id}-${name}`;
+function addSetting(element: CandleFlameElement, form: HTMLElement, name: SettingName): () => void {
   const setting: Setting = SETTINGS[name];
-  const control = controlOf(setting, SLIDER_STEPS[name] ?? SLIDER_STEP);
+  const step = SLIDER_STEPS[name] ?? SLIDER_STEP;
+  const control = addRow(form, name, name.replace("-", " "), SETTING_MEANINGS[name], step);
   const isSlider = setting.kind === "number" && !setting.integer;
   control.addEventListener(isSlider ? "input" : "change", () => {
     element.setAttribute(name, control.value);
-    onChange(); // the element may have changed the value
   });
-  const meaning = SETTING_MEANINGS[name];
-  const row = settingRow(control, { id, name: name.replace("-", " "), meaning });
-  row.className = "setting";
-  form.append(row);
-  const text = () => String(element[PROPERTIES[name] ?? (name as keyof CandleFlameElement)]);
   const output = document.createElement("output");
   if (isSlider) {
     control.setAttribute("type", "range");
-    output.htmlFor.add(id);
+    output.htmlFor.add(control.id);
     control.after(output);
   }
   const unit = isSlider ? setting.unit : "";
   return () => {
-    control.value = text();
-    output.value = `${text()}${unit === "degrees" ? "°" : ` ${unit}`}`.trim();
+    const text = String(element[camelCase(name)]);
+    control.value = text;
+    output.value = `${text}${unit === "degrees" ? "°" : ` ${unit}`}`.trim();
   };
+}
+
+/**
+ * Adds a setting's row to a form: label, control at its default, and meaning.
+ *
+ * @param form its id begins the control's
+ * @param step of numbers that need not be whole
+ */
+export function addRow(
+  form: HTMLElement,
+  name: SettingName,
+  label: string,
+  meaning: string,
+  step: number | "any",
+): Control {
+  const control = controlOf(SETTINGS[name], step);
+  control.id = `${form.id}-${name}`;
+  const row = document.createElement("div");
+  row.className = "setting";
+  const term = document.createElement("label");
+  term.htmlFor = control.id;
+  term.textContent = label;
+  const sentence = document.createElement("p");
+  sentence.id = `${control.id}-meaning`;
+  sentence.textContent = meaning;
+  control.setAttribute("aria-describedby", sentence.id);
+  row.append(term, control, sentence);
+  form.append(row);
+  return control;
+}
+
+function controlOf(setting: Setting, step: number | "any"): Control {
+  if (setting.kind === "choice") {
+    const select = document.createElement("select");
+    for (const choice of setting.choices) select.add(new Option(choice, choice));
+    return select;
+  }
+  const input = document.createElement("input");
+  input.type = { flag: "checkbox", number: "number", text: "text" }[setting.kind];
+  if (setting.kind === "number") {
+    input.min = String(setting.min);
+    input.max = String(setting.max);
+    input.step = setting.integer ? "1" : String(step);
+  }
+  if (setting.kind !== "flag") input.value = String(setting.default);
+  return input;
 }

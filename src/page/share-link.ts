@@ -1,13 +1,11 @@
 import type { Camera } from "../candle-flame-element.js";
 import {
-  type ChoiceSetting,
   FIELDS_OF_VIEW,
-  type FlagSetting,
-  type NumberSetting,
   parseChoice,
   parseIndices,
   parseNumber,
   SETTINGS,
+  type Setting,
 } from "../settings.js";
 
 /** Settings that a link carries beside the camera. */
@@ -92,7 +90,7 @@ function readCamera(text: string | null): Camera | null {
 function legalText(name: Shared, text: string | null): string | null {
   if (name === "lit-wicks") return parseIndices(text ?? "")?.join(" ") ?? null;
   if (name === "moon-direction") return MOON_PLACE.exec(text?.trim() ?? "")?.[0] ?? null;
-  const setting: ChoiceSetting | NumberSetting | FlagSetting = SETTINGS[name];
+  const setting: Exclude<Setting, { kind: "text" }> = SETTINGS[name];
   if (setting.kind === "flag") return text === null ? null : "";
   const value = setting.kind === "number" ? parseNumber(setting, text) : parseChoice(setting, text);
   return value === setting.default ? null : String(value);

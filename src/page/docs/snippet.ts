@@ -1,8 +1,8 @@
-import { SETTINGS, type SettingName } from "../../settings.js";
+import { SETTING_NAMES, SETTINGS, type SettingName } from "../../settings.js";
 
 /** Markup of an element with these attributes; defaults are left out. */
 export function tagOf(attributes: Readonly<Partial<Record<SettingName, string>>>): string {
-  const words = (Object.keys(SETTINGS) as SettingName[]).flatMap((name) => {
+  const words = SETTING_NAMES.flatMap((name) => {
     const text = attributes[name];
     if (text === undefined) return [];
     const setting = SETTINGS[name];

@@ -1,7 +1,7 @@
 import type { CandleFlameElement } from "../../candle-flame-element.js";
-import { SETTINGS, type SettingName } from "../../settings.js";
+import { SETTING_NAMES, SETTINGS, type Setting, type SettingName } from "../../settings.js";
 import { SETTING_MEANINGS } from "../meanings.js";
-import { type Control, controlOf, type Setting, settingRow } from "../setting-row.js";
+import { addRow, type Control } from "../settings-form.js";
 import { tagOf } from "./snippet.js";
 
 /** Adds a control for every attribute to a form, made from the table of settings; the code shows their markup. */
@@ -11,8 +11,7 @@ export function addTryOut(
   code: HTMLElement,
 ): void {
   const { assetBase } = element;
-  const names = Object.keys(SETTINGS) as SettingName[];
-  const controls = names.map((name) => [name, addControl(element, form, name)] as const);
+  const controls = SETTING_NAMES.map((name) => [name, addControl(element, form, name)] as const);
   const show = () => {
     const attributes: Partial<Record<SettingName, string>> = {};
     for (const [name, control] of controls) {
@@ -32,15 +31,13 @@ export function addTryOut(
 }
 
 function addControl(element: CandleFlameElement, form: HTMLElement, name: SettingName): Control {
-  const setting: Setting = SETTINGS[name];
-  const control = controlOf(setting, "any");
+  const meaning = `${SETTING_MEANINGS[name]}${rangeOf(SETTINGS[name])}`;
+  const control = addRow(form, name, name, meaning, "any");
   control.name = name;
   control.addEventListener("change", () => {
     if (isCheckbox(control)) element.toggleAttribute(name, control.checked);
     else element.setAttribute(name, control.value);
   });
-  const meaning = `${SETTING_MEANINGS[name]}${rangeOf(setting)}`;
-  form.append(settingRow(control, { id: `try-${name}`, name, meaning }));
   return control;
 }
 

@@ -41,7 +41,7 @@ export function addLab(
   const techniques = find(section("techniques"), "fieldset", HTMLFieldSetElement);
   const settings = find(section("settings"), "fieldset", HTMLFieldSetElement);
   const refreshSwitches = addFeatureSwitches(room, techniques);
-  const refreshSettings = addSettings(room, settings, SHOWN);
+  addSettings(room, settings, SHOWN);
   const looks = bindComparison(section("comparison"), divider, room, stage, comparison);
   const readOut = addReadOut(room, find(section("last-frame"), "dl", HTMLElement), comparison);
   const refreshMeter = bindSpotMeter(section("meter"), spot, room, stage);
@@ -56,7 +56,6 @@ export function addLab(
   });
   new MutationObserver(() => {
     refreshSwitches();
-    refreshSettings();
     looks.refresh();
     passes.refresh();
   }).observe(room, { attributes: true });
