@@ -1,13 +1,11 @@
 import type { CandleFlameElement, Look } from "../../candle-flame-element.js";
-import { FEATURES, SETTINGS } from "../../settings.js";
-
-export type ComparisonState = "closed" | "loading" | "open";
+import { SETTING_NAMES, type SettingName } from "../../settings.js";
 
 /** Longest time step of a frame, seconds: a tab that was hidden does not fast-forward. */
 const MAX_FRAME = 1 / 20;
 /** Attributes that the two rooms do not share. */
-const OWN: readonly string[] = ["look", "controls", "paused", "alt"];
-const SHARED = Object.keys(SETTINGS).filter((name) => !OWN.includes(name));
+const OWN: readonly SettingName[] = ["look", "controls", "paused", "alt"];
+const SHARED = SETTING_NAMES.filter((name) => !OWN.includes(name));
 
 /**
  * A second room over the first, in another look, with the same camera at the same time.
@@ -25,7 +23,7 @@ export class Comparison {
   #open = new AbortController();
   #wasPaused = false;
   #wasHeld = true;
-  #state: ComparisonState = "closed";
+  #state: "closed" | "loading" | "open" = "closed";
   #request = 0;
   #lastTime = Number.NaN;
   #frameMs = Number.NaN;
@@ -35,7 +33,7 @@ export class Comparison {
     this.#stage = stage;
   }
 
-  get state(): ComparisonState {
+  get state() {
     return this.#state;
   }
 
@@ -107,7 +105,7 @@ export class Comparison {
   #step(seconds: number): void {
     const second = this.#second;
     if (!second) return;
-    this.#copyFeatures(second);
+    second.features = this.#room.features;
     this.#room.step(seconds);
     this.#copyCamera(second);
     this.#copyCandle(second);
@@ -121,13 +119,6 @@ export class Comparison {
       if (value === this.#second?.getAttribute(name)) continue;
       if (value === null) this.#second?.removeAttribute(name);
       else this.#second?.setAttribute(name, value);
-    }
-  }
-
-  #copyFeatures(second: CandleFlameElement): void {
-    const { features } = this.#room;
-    for (const name of FEATURES) {
-      if (second.features[name] !== features[name]) second.features[name] = features[name];
     }
   }
 

@@ -1,5 +1,6 @@
 import type { CandleFlameElement, FlameReport } from "../../candle-flame-element.js";
 import { find } from "../find.js";
+import { readWhileOpen } from "./readings.js";
 import { BINS, spectrumOf, WAVELENGTHS, wavelengthOf } from "./spectrum.js";
 
 /** Length of the plot in the flame's own time, seconds. */
@@ -13,14 +14,13 @@ const HEIGHT = 120;
 /**
  * Plots the flame's luminous intensity over time, and its spectrum now.
  *
- * @returns to be called when the lab is shown or hidden: it samples while its section is open, and the lab too
+ * @returns to be called when the lab is shown or hidden
  */
 export function bindFlamePlot(section: HTMLDetailsElement, room: CandleFlameElement): () => void {
   const course = find(section, ".course polyline", SVGPolylineElement);
   const courseScale = find(section, ".course figcaption", HTMLElement);
   const words = find(section, ".status", HTMLElement);
   let samples: { readonly time: number; readonly candela: number }[] = [];
-  let timer = 0;
   let sampleCount = 0;
 
   function sample(): void {
@@ -44,16 +44,9 @@ export function bindFlamePlot(section: HTMLDetailsElement, room: CandleFlameElem
     words.textContent = `${numbers[0]}${unit} now; ${numbers[1]} to ${numbers[2]} lately. ${Math.round(flame.colorTemperature)} K.`;
   }
 
-  function refresh(): void {
-    clearInterval(timer);
-    if (!section.open || section.closest("[hidden]")) return;
+  return readWhileOpen(section, INTERVAL, sample, () => {
     sampleCount = 0;
-    sample();
-    timer = window.setInterval(sample, INTERVAL);
-  }
-
-  section.addEventListener("toggle", refresh);
-  return refresh;
+  });
 }
 
 /** @param flame null where its light has no unit */

@@ -11,7 +11,7 @@ import { bindFlamePlot } from "./flame-plot.js";
 import markup from "./lab.html?raw";
 import { bindLadder } from "./ladder-section.js";
 import { bindPassViewer } from "./pass-viewer.js";
-import { addReadOut } from "./read-out.js";
+import { bindReadOut } from "./read-out.js";
 import { bindSpotMeter } from "./spot-meter.js";
 
 const SHOWN = ["look", "quality", "seed", "exposure", "particles"] as const;
@@ -43,10 +43,12 @@ export function addLab(
   const refreshSwitches = addFeatureSwitches(room, techniques);
   addSettings(room, settings, SHOWN);
   const looks = bindComparison(section("comparison"), divider, room, stage, comparison);
-  const readOut = addReadOut(room, find(section("last-frame"), "dl", HTMLElement), comparison);
-  const refreshMeter = bindSpotMeter(section("meter"), spot, room, stage);
   const passes = bindPassViewer(section("passes"), room);
-  const refreshPlot = bindFlamePlot(section("flame-plot"), room);
+  const instruments = [
+    bindReadOut(section("last-frame"), room, comparison),
+    bindSpotMeter(section("meter"), spot, room, stage),
+    bindFlamePlot(section("flame-plot"), room),
+  ];
   const stopLadder = bindLadder(section("ladder"), room, (isRunning) => {
     // What is being measured must not change meanwhile.
     if (isRunning) comparison.close();
@@ -65,14 +67,9 @@ export function addLab(
     panel.hidden = !opens;
     button.setAttribute("aria-expanded", String(opens));
     document.body.classList.toggle("lab-open", opens);
-    refreshMeter();
-    refreshPlot();
-    if (opens) {
-      readOut.start();
-      return;
-    }
+    for (const refresh of instruments) refresh();
+    if (opens) return;
     stopLadder();
-    readOut.stop();
     passes.close();
     button.focus();
   }

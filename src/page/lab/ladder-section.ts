@@ -38,14 +38,12 @@ export function bindLadder(
     try {
       await element.ready;
       const rounds = roundsInput.valueAsNumber;
-      const onProgress = (fraction: number, medians: readonly number[]) => {
+      const frames = await climb(element, rounds, signal, (fraction, medians) => {
         progress.value = fraction;
         showMedians(medians);
         // Walking changes the view, and with it what is measured.
         if (isWalking(element)) stop();
-      };
-      const { medians, frames } = await climb(element, { rounds, signal, onProgress });
-      showMedians(medians);
+      });
       const { width, height, quality } = element.stats;
       show(
         false,

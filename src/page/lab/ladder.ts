@@ -34,30 +34,21 @@ const BURST = 50;
 const FEWEST_FRAMES = 4;
 const MOST_FRAMES = 120;
 
-export interface Climb {
-  readonly rounds: number;
-  readonly signal: AbortSignal;
-  /** Called after each burst, with each rung's median so far, in milliseconds. */
-  readonly onProgress: (fraction: number, medians: readonly number[]) => void;
-}
-
-export interface Measurement {
-  /** Median frame time of each rung, milliseconds. */
-  readonly medians: readonly number[];
-  /** Frames in one burst. */
-  readonly frames: number;
-}
-
 /**
  * Measures the frame time on each rung, in the paper's look.
  *
  * Rounds go up and down the ladder in turn, so that a machine that warms up or slows down favours no
  * rung. Rejects when the signal aborts. Either way the element is left as it was found.
+ *
+ * @param onProgress called after each burst, with each rung's median frame time so far, milliseconds
+ * @returns frames in one burst
  */
 export async function climb(
   element: CandleFlameElement,
-  { rounds, signal, onProgress }: Climb,
-): Promise<Measurement> {
+  rounds: number,
+  signal: AbortSignal,
+  onProgress: (fraction: number, medians: readonly number[]) => void,
+): Promise<number> {
   const restore = remember(element);
   try {
     element.pause();
@@ -65,18 +56,16 @@ export async function climb(
     await nextFrame(signal);
     const frames = framesThatFit(element);
     const times: number[][] = RUNGS.map(() => []);
-    let medians: number[] = [];
     for (let round = 0; round < rounds; round++) {
       for (let i = 0; i < RUNGS.length; i++) {
         const rung = round % 2 === 0 ? i : RUNGS.length - 1 - i;
         await nextFrame(signal);
         standOn(element, rung);
         times[rung]?.push(burst(element, frames));
-        medians = times.map(median);
-        onProgress((round * RUNGS.length + i + 1) / (rounds * RUNGS.length), medians);
+        onProgress((round * RUNGS.length + i + 1) / (rounds * RUNGS.length), times.map(median));
       }
     }
-    return { medians, frames };
+    return frames;
   } finally {
     restore();
   }
@@ -105,25 +94,17 @@ function remember(element: CandleFlameElement): () => void {
   const look = element.getAttribute("look");
   const wasPaused = element.paused;
   return () => {
-    switchTo(element, features);
+    Object.assign(element.features, features);
     if (look === null) element.removeAttribute("look");
     else element.setAttribute("look", look);
     element.paused = wasPaused;
   };
 }
 
-function standOn(element: CandleFlameElement, rung: number): void {
-  const features: Partial<Features> = {};
+function standOn({ features }: CandleFlameElement, rung: number): void {
   RUNGS.forEach(({ adds }, i) => {
     for (const feature of adds) features[feature] = i <= rung;
   });
-  switchTo(element, features);
-}
-
-function switchTo(element: CandleFlameElement, features: Partial<Features>): void {
-  for (const [name, isOn] of Object.entries(features) as [Feature, boolean][]) {
-    if (element.features[name] !== isOn) element.features[name] = isOn;
-  }
 }
 
 function framesThatFit(element: CandleFlameElement): number {

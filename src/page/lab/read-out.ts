@@ -1,7 +1,8 @@
 import type { CandleFlameElement, Stats } from "../../candle-flame-element.js";
+import { find } from "../find.js";
 import type { Comparison } from "./comparison.js";
 import { formatMilliseconds } from "./ladder-chart.js";
-import { addRows } from "./readings.js";
+import { addRows, readWhileOpen } from "./readings.js";
 
 const INTERVAL = 500;
 
@@ -20,23 +21,20 @@ const ROWS: Readonly<Record<string, (stats: Stats, frameMs: number | null) => st
 };
 
 /**
- * Fills a list with the element's statistics, read twice a second between `start` and `stop`.
+ * Lists the element's statistics, read twice a second.
  *
  * @param comparison whose loop draws the element while it is open
+ * @returns to be called when the lab is shown or hidden
  */
-export function addReadOut(element: CandleFlameElement, list: HTMLElement, comparison: Comparison) {
-  const values = addRows(list, Object.keys(ROWS));
-  let timer = 0;
-  const refresh = () => {
+export function bindReadOut(
+  section: HTMLDetailsElement,
+  element: CandleFlameElement,
+  comparison: Comparison,
+): () => void {
+  const values = addRows(find(section, "dl", HTMLElement), Object.keys(ROWS));
+  return readWhileOpen(section, INTERVAL, () => {
     const { stats, paused } = element;
     const frameMs = paused ? comparison.frameMs : stats.frameMs;
     for (const [name, value] of values) value.textContent = ROWS[name]?.(stats, frameMs) ?? "";
-  };
-  const stop = () => clearInterval(timer);
-  const start = () => {
-    stop();
-    refresh();
-    timer = window.setInterval(refresh, INTERVAL);
-  };
-  return { start, stop };
+  });
 }

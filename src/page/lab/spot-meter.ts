@@ -1,7 +1,7 @@
 import type { CandleFlameElement } from "../../candle-flame-element.js";
 import { find } from "../find.js";
 import { type Radiance, type Reading, readingOf } from "./colorimetry.js";
-import { addRows } from "./readings.js";
+import { addRows, readWhileOpen } from "./readings.js";
 
 /** Pixels of the canvas along an edge of the spot. */
 const SPOT = 5;
@@ -22,7 +22,7 @@ const LIGHT: Readonly<Record<string, (reading: Reading) => string>> = {
 /**
  * Spot meter: binds a spot on the canvas, moved by pointer or keys, and shows the light that comes from there.
  *
- * @returns to be called when the lab is shown or hidden: it measures while its section is open, and the lab too
+ * @returns to be called when the lab is shown or hidden
  */
 export function bindSpotMeter(
   section: HTMLDetailsElement,
@@ -34,7 +34,6 @@ export function bindSpotMeter(
   const status = find(section, ".status", HTMLElement);
   const values = addRows(find(section, "dl", HTMLElement), Object.keys(LIGHT));
   let place: readonly [x: number, y: number] = [0.5, 0.5];
-  let timer = 0;
 
   function moveTo(x: number, y: number): void {
     place = [Math.min(Math.max(x, 0), 1), Math.min(Math.max(y, 0), 1)];
@@ -47,11 +46,7 @@ export function bindSpotMeter(
     const corner = (position: number, length: number) =>
       Math.round(Math.min(Math.max(position * length - SPOT / 2, 0), Math.max(length - SPOT, 0)));
     const [x, y] = place;
-    const [columns, rows] = [Math.min(SPOT, width), Math.min(SPOT, height)];
-    const light =
-      columns * rows > 0
-        ? room.readRadiance(corner(x, width), corner(y, height), columns, rows)
-        : new Float32Array(0);
+    const light = room.readRadiance(corner(x, width), corner(y, height), SPOT, SPOT);
     const reading = readingOf(meanOf(light), Number(albedo.value) || 0.5);
     const hasUnits = room.look === "physical";
     for (const [name, value] of values) {
@@ -59,15 +54,6 @@ export function bindSpotMeter(
     }
     if (!hasUnits) status.textContent = "The paper's light has no unit.";
     else if (status.textContent?.startsWith("The paper")) status.textContent = "";
-  }
-
-  function refresh(): void {
-    clearInterval(timer);
-    spot.remove();
-    if (!section.open || section.closest("[hidden]")) return;
-    stage.append(spot);
-    moveTo(...place);
-    timer = window.setInterval(read, INTERVAL);
   }
 
   spot.tabIndex = 0;
@@ -92,9 +78,12 @@ export function bindSpotMeter(
     const { left, top, width, height } = room.getBoundingClientRect();
     moveTo((clientX - left) / width, (clientY - top) / height);
   });
-  section.addEventListener("toggle", refresh);
   albedo.addEventListener("input", read);
-  return refresh;
+  moveTo(...place);
+  return readWhileOpen(section, INTERVAL, read, (isOpen) => {
+    if (isOpen) stage.append(spot);
+    else spot.remove();
+  });
 }
 
 function meanOf(texels: Float32Array): Radiance {
