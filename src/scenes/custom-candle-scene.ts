@@ -1,6 +1,6 @@
 import { closeModel } from "../assets/model.js";
 import { CustomModelRenderer } from "../render/lone-candle/custom-model-renderer.js";
-import { clampInside, type Vec3 } from "../world/geometry.js";
+import { clampInside, inset, type Vec3 } from "../world/geometry.js";
 import type { Wick } from "../world/standing-candle.js";
 import type { PageSmoke } from "./page-smoke.js";
 import { addressOf } from "./room-models.js";
@@ -20,11 +20,7 @@ export async function loadCustomCandle(
   const options = { signal, onProgress, decoderBase, isCandle: true };
   const model = await loadModel(addressOf(src), options);
   let isMoved = false;
-  const { min, max } = model.bounds;
-  const box = {
-    min: [min[0] - BESIDE, min[1] - BESIDE, min[2] - BESIDE],
-    max: [max[0] + BESIDE, max[1] + BESIDE, max[2] + BESIDE],
-  } as const;
+  const box = inset(model.bounds, -BESIDE);
   const wicks = model.wicks.map((wick): Wick => {
     const position: Vec3 = [...wick.position];
     clampInside(position, box);

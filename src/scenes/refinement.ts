@@ -21,33 +21,6 @@ export interface RefinementParts {
   readonly settings: ViewSettings;
 }
 
-export function refinementOf(parts: () => RefinementParts): Refinement {
-  return new Refinement({
-    prepare: () => {
-      const { scene, target, settings } = parts();
-      return scene.prepareRenderer(target, REFINED, settings);
-    },
-    create: () => {
-      const { scene, target, settings } = parts();
-      return scene.createRenderer(target, REFINED, settings.look);
-    },
-    whenCompiled: async () => {
-      const { gpu } = parts().target;
-      await gpu.whenCompiled(3);
-      gpu.finishPrograms(); // now: later each would wait for what is being drawn
-    },
-  });
-}
-
-/** What makes the renderer of refined images. */
-interface Maker {
-  /** Goes on with what it needs, for a few milliseconds. True when it can be made at once. */
-  readonly prepare: () => boolean;
-  readonly create: () => Renderer;
-  /** Resolves when the driver has compiled all programs. */
-  readonly whenCompiled: () => Promise<void>;
-}
-
 /**
  * Refinement of an image at rest: a second renderer, of `high`'s surfaces at the canvas's full resolution, which
  * takes over from a coarser one and replaces its image tile by tile.
@@ -55,7 +28,7 @@ interface Maker {
  * It is made while the camera first rests, a little in each frame, and kept.
  */
 export class Refinement {
-  readonly #maker: Maker;
+  readonly #parts: () => RefinementParts;
   #budget = new RefinementBudget();
   #renderer: Renderer | null = null;
   #isCompiled = false;
@@ -69,8 +42,8 @@ export class Refinement {
   /** What the image is in the light of. */
   #lights: string | null = null;
 
-  constructor(maker: Maker) {
-    this.#maker = maker;
+  constructor(parts: () => RefinementParts) {
+    this.#parts = parts;
   }
 
   /** The renderer of what is shown; null if that is the coarser one. */
@@ -146,8 +119,10 @@ export class Refinement {
     this.#lights = lights;
     this.#isWanted = true;
     if (!this.#renderer) {
+      const { scene, target, settings } = this.#parts();
+      const isPrepared = () => scene.prepareRenderer(target, REFINED, settings);
       // Two parts in a frame, a few milliseconds each.
-      if (this.#maker.prepare() || this.#maker.prepare()) this.#create(subject);
+      if (isPrepared() || isPrepared()) this.#create(subject);
       return 0;
     }
     if (!this.#isReady) return 0;
@@ -173,13 +148,17 @@ export class Refinement {
   }
 
   #create(subject: ViewSubject): void {
-    const renderer = this.#maker.create();
+    const { scene, target, settings } = this.#parts();
+    const { gpu } = target;
+    const renderer = scene.createRenderer(target, REFINED, settings.look);
     this.#renderer = renderer;
     this.follow(subject);
     const proceed = () => {
       if (this.#renderer === renderer) this.#isCompiled = true;
     };
-    // A program that was refused is reported by the frame that draws with it.
-    void this.#maker.whenCompiled().then(proceed, proceed);
+    // Finished now: later each program would wait for what is being drawn. One that was refused is reported by the
+    // frame that draws with it.
+    const finish = () => gpu.finishPrograms();
+    void gpu.whenCompiled(3).then(finish).then(proceed, proceed);
   }
 }

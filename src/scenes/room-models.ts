@@ -3,7 +3,7 @@ import { closeModel, type Model } from "../assets/model.js";
 import type { Models } from "../render/renderer.js";
 import type { Look } from "../settings.js";
 import { resolveUrl } from "./resolve-url.js";
-import type { Loading } from "./scene.js";
+import type { Loading, SceneRequest } from "./scene.js";
 
 /** Models that the built-in rooms are made of, under `asset-base`. */
 const BUILT_IN: Readonly<Record<Look, Readonly<Record<keyof Models, string>>>> = {
@@ -11,17 +11,6 @@ const BUILT_IN: Readonly<Record<Look, Readonly<Record<keyof Models, string>>>> =
   paper: { room: "models/paper-room.glb", candle: "models/paper-candle.glb" },
   original: { room: "models/paper-room.glb", candle: "models/paper-candle.glb" },
 };
-
-/** Where a look's models come from, as absolute URLs. */
-export type Sources = Readonly<Record<keyof Models, string>>;
-
-export function sourcesOf(look: Look, src: string, assetRoot: string): Sources {
-  const { room, candle } = BUILT_IN[look];
-  return {
-    room: src === "" ? new URL(room, assetRoot).href : addressOf(src),
-    candle: new URL(candle, assetRoot).href,
-  };
-}
 
 /** Longest address that a sentence repeats. */
 const REPEATED = 80;
@@ -35,10 +24,14 @@ export function addressOf(src: string): string {
 
 /** Fetches and decodes a look's models. three.js comes with the first of them. */
 export async function loadModels(
-  sources: Sources,
-  assetRoot: string,
+  { look, src, assetRoot }: SceneRequest,
   { signal, onProgress }: Loading,
 ): Promise<Models> {
+  const builtIn = (name: keyof Models) => new URL(BUILT_IN[look][name], assetRoot).href;
+  const sources = {
+    room: src === "" ? builtIn("room") : addressOf(src),
+    candle: builtIn("candle"),
+  };
   const { loadModel } = await import("../assets/load-model.js");
   const progress = { room: 0, candle: 0 };
   const sharedImages = new Map();
@@ -53,14 +46,13 @@ export async function loadModels(
         if (!signal.aborted) onProgress((progress.room * 3 + progress.candle) / 4);
       },
     });
-  const [room, candle] = await Promise.allSettled([load("room"), load("candle")]);
-  const reason = [room, candle].find((result) => result.status === "rejected")?.reason;
-  if (room.status === "fulfilled" && candle.status === "fulfilled" && !signal.aborted) {
-    return { room: room.value, candle: candle.value };
-  }
-  for (const result of [room, candle]) if (result.status === "fulfilled") closeModel(result.value);
+  const results = await Promise.allSettled([load("room"), load("candle")]);
+  const models = results.flatMap((one) => (one.status === "fulfilled" ? one.value : []));
+  const [room, candle] = models;
+  if (room && candle && !signal.aborted) return { room, candle };
+  models.forEach(closeModel);
   signal.throwIfAborted();
-  throw reason;
+  throw results.find((one) => one.status === "rejected")?.reason;
 }
 
 export function closeModels({ room, candle }: Models): void {

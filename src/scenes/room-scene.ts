@@ -8,15 +8,15 @@ import type { Vec3 } from "../world/geometry.js";
 import { CABIN_MOON, moonOf } from "../world/moon.js";
 import { CollisionMesh } from "../world/room/collision-mesh.js";
 import { createRoom } from "../world/room/room.js";
-import { refinementOf } from "./refinement.js";
-import { closeModels, loadModels, sourcesOf } from "./room-models.js";
+import { Refinement } from "./refinement.js";
+import { closeModels, loadModels } from "./room-models.js";
 import { placeWicks } from "./room-wicks.js";
 import type { Loading, Scene, SceneRequest } from "./scene.js";
 
 /** The candle in a room to walk in. */
 export async function loadRoom(request: SceneRequest, loading: Loading): Promise<Scene> {
-  const { look, src, assetRoot } = request;
-  const models = await loadModels(sourcesOf(look, src, assetRoot), assetRoot, loading);
+  const { look, src } = request;
+  const models = await loadModels(request, loading);
   const { parts, anchors } = models.room;
   await nextTask();
   const collision = new CollisionMesh(parts);
@@ -46,7 +46,7 @@ export async function loadRoom(request: SceneRequest, loading: Loading): Promise
       look === "physical"
         ? new PhysicalRenderer(gpu, models, collision, tier)
         : new PaperRenderer(gpu, models, tier, look),
-    createRefinement: refinementOf,
+    createRefinement: (parts) => new Refinement(parts),
     close: () => closeModels(models),
   };
 }

@@ -5,6 +5,7 @@ import { tilesAround } from "../../../src/render/refinement/tiles.js";
 import type { Renderer } from "../../../src/render/renderer.js";
 import { Refinement } from "../../../src/scenes/refinement.js";
 import type { ViewSubject } from "../../../src/scenes/view-subject.js";
+import { partsOf } from "../../support/refinement-parts.ts";
 
 const SIZE = { width: 853, height: 481 };
 
@@ -82,11 +83,8 @@ test("Frames beside which a refinement is prepared do not count for the coarse i
   let isPrepared = false;
   let compiled = () => {};
   const renderer = { setLayers: () => {} } as unknown as Renderer;
-  const refinement = new Refinement({
-    prepare: () => isPrepared,
-    create: () => renderer,
-    whenCompiled: () => new Promise((resolve) => (compiled = resolve)),
-  });
+  const whenCompiled = () => new Promise<void>((resolve) => (compiled = resolve));
+  const refinement = new Refinement(partsOf(renderer, whenCompiled, () => isPrepared));
   const rest = () => {
     refinement.take(0.1);
     refinement.advance(
@@ -104,7 +102,6 @@ test("Frames beside which a refinement is prepared do not count for the coarse i
   refinement.stop();
   expect(refinement.isBusy, "in motion").toBe(false);
   compiled();
-  await Promise.resolve();
-  await Promise.resolve();
+  await new Promise((resolve) => setTimeout(resolve));
   expect(rest(), "before it begins").toBe(false);
 });

@@ -3,6 +3,7 @@ import type { FrameSettings } from "../../../src/render/frame-settings.js";
 import type { Refining, Renderer } from "../../../src/render/renderer.js";
 import { Refinement } from "../../../src/scenes/refinement.js";
 import type { ViewSubject } from "../../../src/scenes/view-subject.js";
+import { partsOf } from "../../support/refinement-parts.ts";
 
 const SUBJECT = {
   world: { flame: { glow: 1 }, standing: [], moon: null },
@@ -22,14 +23,13 @@ async function refinement(captures: number, passes: number) {
   } as unknown as Refining;
   const renderer = { refining, resize() {}, setLayers() {} } as unknown as Renderer;
   const coarse = { surfaces: () => ({}) } as unknown as Renderer;
-  const whenCompiled = () => Promise.resolve();
-  const made = new Refinement({ prepare: () => true, create: () => renderer, whenCompiled });
+  const made = new Refinement(partsOf(renderer));
   const frame = () => {
     made.take(FRAME);
     return made.advance(SUBJECT, {} as FrameSettings, coarse, SIZE);
   };
   frame();
-  await Promise.resolve();
+  await new Promise((resolve) => setTimeout(resolve));
   return { made, told, frame };
 }
 
