@@ -1,4 +1,4 @@
-import { type Intent, STILL } from "../world/player/intent.js";
+import { type Action, type Intent, STILL } from "../world/player/intent.js";
 import { Gamepads, type Pad } from "./gamepads.js";
 import { Keyboard } from "./keyboard.js";
 import { Touch } from "./touch.js";
@@ -66,22 +66,22 @@ export class FirstPersonInput {
 
   /** Intent since the last call. */
   read(): Intent {
-    const pad = this.#readGamepads();
-    const keys = this.#keyboard.read();
-    const fingers = this.#touch.read();
-    const sum = (name: "forward" | "right" | "turn" | "tilt") =>
-      Math.min(1, Math.max(-1, keys[name] + fingers[name] + pad[name]));
+    const intents = [this.#readGamepads(), this.#keyboard.read(), this.#touch.read()];
+    const sum = (name: "forward" | "right" | "turn" | "tilt" | "yaw" | "pitch") =>
+      intents.reduce((sum, intent) => sum + intent[name], 0);
+    const atMost1 = (value: number) => Math.min(1, Math.max(-1, value));
+    const any = (name: "runs" | Action) => intents.some((intent) => intent[name]);
     const intent: Intent = {
-      forward: sum("forward"),
-      right: sum("right"),
-      turn: sum("turn"),
-      tilt: sum("tilt"),
-      runs: keys.runs || fingers.runs || pad.runs,
-      yaw: this.#yaw + fingers.yaw,
-      pitch: this.#pitch + fingers.pitch,
-      placesOrTakes: keys.placesOrTakes || fingers.placesOrTakes || pad.placesOrTakes,
-      togglesFlame: this.#clicks || keys.togglesFlame || fingers.togglesFlame || pad.togglesFlame,
-      blows: keys.blows || pad.blows,
+      forward: atMost1(sum("forward")),
+      right: atMost1(sum("right")),
+      turn: atMost1(sum("turn")),
+      tilt: atMost1(sum("tilt")),
+      runs: any("runs"),
+      yaw: this.#yaw + sum("yaw"),
+      pitch: this.#pitch + sum("pitch"),
+      placesOrTakes: any("placesOrTakes"),
+      togglesFlame: this.#clicks || any("togglesFlame"),
+      blows: any("blows"),
     };
     this.#yaw = 0;
     this.#pitch = 0;

@@ -1,5 +1,4 @@
-import type { Action } from "../world/player/intent.js";
-import { type Intent, STILL } from "../world/player/intent.js";
+import { type Action, type Intent, STILL } from "../world/player/intent.js";
 
 /** Dead zone, as a share of a stick's range. */
 const DEAD_ZONE = 0.15;

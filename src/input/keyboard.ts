@@ -1,29 +1,23 @@
-import type { Action } from "../world/player/intent.js";
-import { type Intent, STILL } from "../world/player/intent.js";
+import { type Action, type Intent, STILL } from "../world/player/intent.js";
 
-/** Effect of a key while it is held: a share of one axis of the intent, or running. */
-type KeyEffect =
-  | { readonly axis: "forward" | "right" | "turn" | "tilt"; readonly way: 1 | -1 }
-  | { readonly axis: "runs" };
-
-/** By the key's place on the keyboard, whatever the layout. */
-const EFFECTS: Readonly<Record<string, KeyEffect>> = {
-  KeyW: { axis: "forward", way: 1 },
-  ArrowUp: { axis: "forward", way: 1 },
-  KeyS: { axis: "forward", way: -1 },
-  ArrowDown: { axis: "forward", way: -1 },
-  KeyD: { axis: "right", way: 1 },
-  ArrowRight: { axis: "right", way: 1 },
-  KeyA: { axis: "right", way: -1 },
-  ArrowLeft: { axis: "right", way: -1 },
-  KeyQ: { axis: "turn", way: 1 },
-  Home: { axis: "turn", way: 1 },
-  KeyR: { axis: "turn", way: -1 },
-  End: { axis: "turn", way: -1 },
-  PageUp: { axis: "tilt", way: 1 },
-  PageDown: { axis: "tilt", way: -1 },
-  ShiftLeft: { axis: "runs" },
-  ShiftRight: { axis: "runs" },
+/** What keys do while they are held, by their place on the keyboard, whatever the layout. */
+const EFFECTS: Readonly<Record<string, Partial<Intent>>> = {
+  KeyW: { forward: 1 },
+  ArrowUp: { forward: 1 },
+  KeyS: { forward: -1 },
+  ArrowDown: { forward: -1 },
+  KeyD: { right: 1 },
+  ArrowRight: { right: 1 },
+  KeyA: { right: -1 },
+  ArrowLeft: { right: -1 },
+  KeyQ: { turn: 1 },
+  Home: { turn: 1 },
+  KeyR: { turn: -1 },
+  End: { turn: -1 },
+  PageUp: { tilt: 1 },
+  PageDown: { tilt: -1 },
+  ShiftLeft: { runs: true },
+  ShiftRight: { runs: true },
 };
 
 /** Actions, triggered when the key goes down. */
@@ -55,21 +49,17 @@ export class Keyboard {
   }
 
   read(): Intent {
-    const sums = { forward: 0, right: 0, turn: 0, tilt: 0 };
-    let runs = false;
-    for (const code of this.#down) {
-      const effect = EFFECTS[code];
-      if (effect?.axis === "runs") runs = true;
-      else if (effect) sums[effect.axis] += effect.way;
-    }
+    const effects = [...this.#down].map((code) => EFFECTS[code] ?? STILL);
     // Two keys for the same way are no faster than one.
+    const way = (axis: "forward" | "right" | "turn" | "tilt") =>
+      Math.sign(effects.reduce((sum, effect) => sum + (effect[axis] ?? 0), 0));
     const intent: Intent = {
       ...STILL,
-      forward: Math.sign(sums.forward),
-      right: Math.sign(sums.right),
-      turn: Math.sign(sums.turn),
-      tilt: Math.sign(sums.tilt),
-      runs,
+      forward: way("forward"),
+      right: way("right"),
+      turn: way("turn"),
+      tilt: way("tilt"),
+      runs: effects.some(({ runs }) => runs),
       ...this.#actions,
     };
     this.#actions = {};

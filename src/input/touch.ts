@@ -1,5 +1,4 @@
-import type { Action } from "../world/player/intent.js";
-import { type Intent, STILL } from "../world/player/intent.js";
+import { type Action, type Intent, STILL } from "../world/player/intent.js";
 
 /** Distance of a thumb for walking pace, CSS pixels; farther is running. */
 const REACH = 60;
