@@ -1,8 +1,12 @@
 import { CandleFlame, type Options } from "./candle-flame.js";
+import { nextTask } from "./gl/next-task.js";
+import { AutoQuality } from "./render/auto-quality.js";
+import { tierNamed } from "./render/quality.js";
+import { measureSpeed, type Speed } from "./render/speed.js";
 import { worldOf } from "./scene-world.js";
 import type { CanvasTarget } from "./scenes/canvas-target.js";
-import { prepareView } from "./scenes/prepare-view.js";
 import type { Scene } from "./scenes/scene.js";
+import { workOf } from "./scenes/view-subject.js";
 import type { Features } from "./settings.js";
 
 interface Creation {
@@ -12,6 +16,11 @@ interface Creation {
   readonly isWanted: () => boolean;
   /** Makes a candle what it will be in its first frame. */
   readonly rehearse: (candle: CandleFlame) => void;
+}
+
+/** Speed of a target's GPU, for `auto`; measured once, best while it has nothing else to do. */
+export function measureTarget({ gpu }: CanvasTarget): Promise<Speed | null> {
+  return measureSpeed(gpu, () => performance.now() / 1000);
 }
 
 /**
@@ -31,8 +40,17 @@ export async function createCandle(
   const { gpu } = target;
   const isOn = () => isWanted() && target.gpu === gpu && !gpu.isLost;
   const world = worldOf(scene, options);
-  const auto = await prepareView(target, scene, options, plays, isOn);
-  if (!auto) return null;
+  const auto = new AutoQuality(workOf(scene, options));
+  const { quality } = options;
+  if (quality === "auto") auto.speed = await measureTarget(target);
+  const { tier: name } = plays ? auto.rung : auto.stillRung;
+  const tier = tierNamed(quality === "auto" ? name : quality);
+  while (!scene.prepareRenderer(target, tier, options)) {
+    await nextTask();
+    if (!isOn()) return null;
+  }
+  await nextTask();
+  if (!isOn()) return null;
   const candle = new CandleFlame(target, scene, features, options, plays, { auto, world });
   rehearse(candle);
   await candle.prepareFrame(plays, isOn);

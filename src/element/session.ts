@@ -1,8 +1,7 @@
 import type { CandleFlame, Options } from "../candle-flame.js";
-import { createCandle } from "../create-candle.js";
+import { createCandle, measureTarget } from "../create-candle.js";
 import { type Device, FirstPersonInput } from "../input/first-person-input.js";
 import { type CanvasTarget, createCanvasTarget } from "../scenes/canvas-target.js";
-import { measureTarget } from "../scenes/prepare-view.js";
 import type { Scene, SceneRequest } from "../scenes/scene.js";
 import type { Features, Inspection, Look, SceneName } from "../settings.js";
 import { CandleList } from "./candle-list.js";
