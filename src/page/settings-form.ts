@@ -1,5 +1,6 @@
 import type { CandleFlameElement } from "../candle-flame-element.js";
 import { camelCase, SETTINGS, type Setting, type SettingName } from "../settings.js";
+import { followAttributes } from "./follow-attributes.js";
 import { SETTING_MEANINGS } from "./meanings.js";
 
 export type Control = HTMLInputElement | HTMLSelectElement;
@@ -25,11 +26,9 @@ export function addSettings(
   names: readonly SettingName[],
 ): void {
   const refreshes = names.map((name) => addSetting(element, form, name));
-  const refresh = () => {
-    for (const refreshOne of refreshes) refreshOne();
-  };
-  refresh();
-  new MutationObserver(refresh).observe(element, { attributes: true });
+  followAttributes(element, () => {
+    for (const refresh of refreshes) refresh();
+  });
 }
 
 function addSetting(element: CandleFlameElement, form: HTMLElement, name: SettingName): () => void {

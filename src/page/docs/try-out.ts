@@ -1,5 +1,6 @@
 import type { CandleFlameElement } from "../../candle-flame-element.js";
 import { SETTING_NAMES, SETTINGS, type Setting, type SettingName } from "../../settings.js";
+import { followAttributes } from "../follow-attributes.js";
 import { SETTING_MEANINGS } from "../meanings.js";
 import { addRow, type Control } from "../settings-form.js";
 import { tagOf } from "./snippet.js";
@@ -12,7 +13,8 @@ export function addTryOut(
 ): void {
   const { assetBase } = element;
   const controls = SETTING_NAMES.map((name) => [name, addControl(element, form, name)] as const);
-  const show = () => {
+  form.addEventListener("submit", (event) => event.preventDefault());
+  followAttributes(element, () => {
     const attributes: Partial<Record<SettingName, string>> = {};
     for (const [name, control] of controls) {
       const text = element.getAttribute(name);
@@ -23,11 +25,7 @@ export function addTryOut(
       if (text !== null && !isOurs) attributes[name] = text;
     }
     code.textContent = tagOf(attributes);
-  };
-  form.addEventListener("submit", (event) => event.preventDefault());
-  show();
-  // Methods change attributes too.
-  new MutationObserver(show).observe(element, { attributes: true });
+  });
 }
 
 function addControl(element: CandleFlameElement, form: HTMLElement, name: SettingName): Control {

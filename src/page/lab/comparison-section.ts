@@ -1,17 +1,22 @@
 import type { CandleFlameElement } from "../../candle-flame-element.js";
 import { parseChoice, SETTINGS } from "../../settings.js";
 import { find } from "../find.js";
+import { followAttributes } from "../follow-attributes.js";
 import type { Comparison } from "./comparison.js";
 import { bindDivider } from "./divider.js";
 
-/** Binds Table 2, live: the choice of two looks, and the button that opens and closes the comparison. */
+/**
+ * Binds Table 2, live: the choice of two looks, and the button that opens and closes the comparison.
+ *
+ * @returns what disables them, or enables them
+ */
 export function bindComparison(
   section: HTMLElement,
   line: HTMLElement,
   room: CandleFlameElement,
   stage: HTMLElement,
   comparison: Comparison,
-) {
+): (isDisabled: boolean) => void {
   const left = find(section, "[name=left]", HTMLSelectElement);
   const right = find(section, "[name=right]", HTMLSelectElement);
   const button = find(section, ".compare", HTMLButtonElement);
@@ -55,11 +60,8 @@ export function bindComparison(
     else comparison.close();
   });
   comparison.onChange = show;
-  show("");
-  return {
-    refresh: () => show(""),
-    setDisabled(isDisabled: boolean): void {
-      for (const control of [left, right, button]) control.disabled = isDisabled;
-    },
+  followAttributes(room, () => show(""));
+  return (isDisabled) => {
+    for (const control of [left, right, button]) control.disabled = isDisabled;
   };
 }

@@ -1,13 +1,10 @@
 import type { CandleFlameElement } from "../../candle-flame-element.js";
 import { FEATURES, FEATURES_OF } from "../../settings.js";
+import { followAttributes } from "../follow-attributes.js";
 import { FEATURE_MEANINGS } from "../meanings.js";
 
-/**
- * Fills a list with a checkbox for each technique of the current look, and its meaning.
- *
- * @returns what shows the element's features again
- */
-export function addFeatureSwitches(element: CandleFlameElement, list: HTMLElement): () => void {
+/** Fills a list with a checkbox for each technique of the current look, and its meaning. */
+export function addFeatureSwitches(element: CandleFlameElement, list: HTMLElement): void {
   const rows = FEATURES.map((name) => {
     const box = document.createElement("input");
     box.type = "checkbox";
@@ -21,7 +18,7 @@ export function addFeatureSwitches(element: CandleFlameElement, list: HTMLElemen
     label.append(box, name, meaning);
     return { name, box, label };
   });
-  const refresh = () => {
+  followAttributes(element, () => {
     const { features, look } = element;
     for (const { name, box } of rows) box.checked = features[name];
     const labels = FEATURES_OF[look].flatMap(
@@ -30,7 +27,5 @@ export function addFeatureSwitches(element: CandleFlameElement, list: HTMLElemen
     // Labels that stay keep the focus.
     const isSame = labels.every((label, i) => label === list.children[i]);
     if (!isSame || labels.length !== list.childElementCount) list.replaceChildren(...labels);
-  };
-  refresh();
-  return refresh;
+  });
 }

@@ -40,10 +40,10 @@ export function addLab(
   const comparison = new Comparison(room, stage);
   const techniques = find(section("techniques"), "fieldset", HTMLFieldSetElement);
   const settings = find(section("settings"), "fieldset", HTMLFieldSetElement);
-  const refreshSwitches = addFeatureSwitches(room, techniques);
+  addFeatureSwitches(room, techniques);
   addSettings(room, settings, SHOWN);
-  const looks = bindComparison(section("comparison"), divider, room, stage, comparison);
-  const passes = bindPassViewer(section("passes"), room);
+  const disableLooks = bindComparison(section("comparison"), divider, room, stage, comparison);
+  const showFrame = bindPassViewer(section("passes"), room);
   const instruments = [
     bindReadOut(section("last-frame"), room, comparison),
     bindSpotMeter(section("meter"), spot, room, stage),
@@ -53,14 +53,8 @@ export function addLab(
     // What is being measured must not change meanwhile.
     if (isRunning) comparison.close();
     for (const controls of [techniques, settings]) controls.disabled = isRunning;
-    looks.setDisabled(isRunning);
-    refreshSwitches();
+    disableLooks(isRunning);
   });
-  new MutationObserver(() => {
-    refreshSwitches();
-    looks.refresh();
-    passes.refresh();
-  }).observe(room, { attributes: true });
 
   function toggle(): void {
     const opens = panel.hidden === true;
@@ -70,7 +64,7 @@ export function addLab(
     for (const refresh of instruments) refresh();
     if (opens) return;
     stopLadder();
-    passes.close();
+    showFrame();
     button.focus();
   }
   find(panel, ".close", HTMLButtonElement).addEventListener("click", toggle);

@@ -41,9 +41,10 @@ export function addLadderChart(
     const multiples = medians.map((milliseconds) => milliseconds / (medians[0] ?? Number.NaN));
     const longest = Math.max(...PAPER_MULTIPLES, ...multiples.filter(Number.isFinite));
     rows.forEach(({ cells, bar, paperBar }, i) => {
-      const time = medians[i];
-      const texts = [formatMilliseconds(time), formatRate(time && 1000 / time)];
-      [...texts, formatMultiple(multiples[i])].forEach((text, column) => {
+      const time = medians[i] ?? Number.NaN;
+      const rate = format(1000 / time, time > 100 ? 1 : 0);
+      const texts = [formatMilliseconds(time), rate, formatMultiple(multiples[i])];
+      texts.forEach((text, column) => {
         cells[column]?.replaceChildren(text);
       });
       bar.style.inlineSize = percentOf(multiples[i], longest);
@@ -54,22 +55,18 @@ export function addLadderChart(
   return show;
 }
 
-function percentOf(value: number | undefined, whole: number): string {
-  return `${Number.isFinite(value) ? ((value ?? 0) / whole) * 100 : 0}%`;
+function percentOf(value = Number.NaN, whole: number): string {
+  return `${Number.isFinite(value) ? (value / whole) * 100 : 0}%`;
 }
 
-export function formatMilliseconds(value: number | undefined): string {
-  return format(value, (value ?? 0) < 10 ? 2 : (value ?? 0) < 100 ? 1 : 0);
+export function formatMilliseconds(value = Number.NaN): string {
+  return format(value, value < 10 ? 2 : value < 100 ? 1 : 0);
 }
 
-function formatRate(value: number | undefined): string {
-  return format(value, (value ?? 0) < 10 ? 1 : 0);
-}
-
-function formatMultiple(value: number | undefined): string {
+function formatMultiple(value = Number.NaN): string {
   return format(value, 2);
 }
 
-function format(value: number | undefined, digits: number): string {
-  return value === undefined || !Number.isFinite(value) ? "–" : value.toFixed(digits);
+function format(value: number, digits: number): string {
+  return Number.isFinite(value) ? value.toFixed(digits) : "–";
 }

@@ -1,10 +1,15 @@
 import type { CandleFlameElement, Inspection } from "../../candle-flame-element.js";
 import { INSPECTIONS } from "../../settings.js";
 import { find } from "../find.js";
+import { followAttributes } from "../follow-attributes.js";
 import { INSPECTION_MEANINGS } from "../meanings.js";
 
-/** Pass viewer: binds a list by whose choice the output of a pass is shown instead of the frame. */
-export function bindPassViewer(section: HTMLElement, room: CandleFlameElement) {
+/**
+ * Pass viewer: binds a list by whose choice the output of a pass is shown instead of the frame.
+ *
+ * @returns what displays the frame again
+ */
+export function bindPassViewer(section: HTMLElement, room: CandleFlameElement): () => void {
   const list = find(section, "select", HTMLSelectElement);
   const sentence = find(section, ".status", HTMLElement);
   for (const name of INSPECTIONS) list.add(new Option(name.replace("-", " "), name));
@@ -22,7 +27,6 @@ export function bindPassViewer(section: HTMLElement, room: CandleFlameElement) {
     refresh();
   };
   list.addEventListener("change", () => show(list.value as Inspection));
-  refresh();
-  // Closing the lab displays the frame again.
-  return { refresh, close: () => show("picture") };
+  followAttributes(room, refresh);
+  return () => show("picture");
 }
