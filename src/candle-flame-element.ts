@@ -160,7 +160,7 @@ export class CandleFlameElement extends ReflectedAttributes {
   set camera(value: Partial<Camera>) {
     const change = changeOf(value, this.camera);
     const { session } = this.#lifecycle;
-    if (!session?.candle || session.fetcher.isFetching) this.#pending.moveCamera(change);
+    if (!session?.candle || session.isFetching) this.#pending.moveCamera(change);
     if (!session?.candle) return;
     setCamera(session.candle, change);
     this.#lifecycle.changed();

@@ -84,11 +84,11 @@ export class Lifecycle {
   /** Like a removal and a new insertion, but the simulated time continues. */
   #restart(): void {
     if (!this.#machine.send("restart")) return;
-    const { candle, fetcher } = this.session ?? {};
+    const { candle, shownRequest } = this.session ?? {};
     const snapshot = candle && takeSnapshot(candle.world);
     this.#release();
     this.#ready.renew();
-    if (snapshot && fetcher?.shownRequest) this.pending.save(snapshot, fetcher.shownRequest);
+    if (snapshot && shownRequest) this.pending.save(snapshot, shownRequest);
     this.#begin();
   }
 
@@ -101,7 +101,7 @@ export class Lifecycle {
     // After a failure another scene may do better.
     const mayDoBetter = this.#machine.current === "failed" && isOther && element.isConnected;
     if (isOtherScene || mayDoBetter) this.#restart();
-    this.session?.fetcher.follow();
+    this.session?.follow();
   }
 
   posterChanged(): void {
@@ -216,13 +216,13 @@ export class Lifecycle {
   }
 
   #applyPending(candle: CandleFlame): void {
-    const shownRequest = this.session?.fetcher.shownRequest ?? null;
+    const shownRequest = this.session?.shownRequest ?? null;
     this.pending.applyTo(candle, shownRequest, () => emit(this.#element, "place", null));
   }
 
   /** The candle is drawn for the first time, but not shown: makes it what it will be in `onCandle`. */
   onRehearsal(candle: CandleFlame): void {
-    this.pending.applyTo(candle, this.session?.fetcher.shownRequest ?? null);
+    this.pending.applyTo(candle, this.session?.shownRequest ?? null);
   }
 
   /** Shows the first frame, which the candle can draw now. */

@@ -2,7 +2,7 @@ import type { CandleFlame, Options } from "../candle-flame.js";
 import { createCandle, measureTarget } from "../create-candle.js";
 import { type Device, FirstPersonInput } from "../input/first-person-input.js";
 import { type CanvasTarget, createCanvasTarget } from "../scenes/canvas-target.js";
-import type { Scene, SceneRequest } from "../scenes/scene.js";
+import { areSame, loadScene, type Scene, type SceneRequest } from "../scenes/scene.js";
 import type { Features, Inspection, Look, SceneName } from "../settings.js";
 import { CandleList } from "./candle-list.js";
 import { watchContext } from "./context-watch.js";
@@ -10,7 +10,6 @@ import { guessDevicePixels, observeDevicePixels, type Size } from "./device-pixe
 import type { Lifecycle } from "./lifecycle.js";
 import { assetRootOf, optionsOf } from "./options.js";
 import type { ReflectedAttributes } from "./reflected-attributes.js";
-import { SceneFetcher } from "./scene-fetcher.js";
 
 /** Input of a session: the attributes as they are at any time, and settings without attribute. */
 export interface SessionInput {
@@ -32,7 +31,10 @@ export class Session {
   readonly #owner: Lifecycle;
   readonly #signal: AbortSignal;
   readonly #target: CanvasTarget;
-  readonly fetcher: SceneFetcher;
+  /** The scene on show; while another is fetched the attributes ask for that. */
+  shownRequest: SceneRequest | null = null;
+  #pendingRequest: SceneRequest | null = null;
+  #loading: AbortController | null = null;
   #scene: Scene | null = null;
   #candle: CandleFlame | null = null;
   #candles = this.#listCandles();
@@ -61,9 +63,8 @@ export class Session {
     this.#target = createCanvasTarget(scene, canvas);
     if (quality === "auto") void measureTarget(this.#target); // while the files are on their way
     watchContext(this.#target.source, signal, owner, () => void this.#restore());
-    const show = (next: Scene) => this.#show(next);
-    this.fetcher = new SceneFetcher(() => this.#request, signal, owner, show);
-    void this.fetcher.fetch();
+    signal.addEventListener("abort", () => this.#loading?.abort());
+    void this.#fetch();
   }
 
   /** Null until it can draw. */
@@ -80,6 +81,10 @@ export class Session {
     return this.#target.gpu.isLost;
   }
 
+  get isFetching(): boolean {
+    return this.#pendingRequest !== null;
+  }
+
   /** The look asked for, or the nearest that the GPU can draw. */
   get look(): Look {
     const { look } = this.#input.attributes;
@@ -88,13 +93,52 @@ export class Session {
 
   get options(): Options {
     const { attributes } = this.#input;
-    return optionsOf(attributes, this.fetcher.shownRequest?.look ?? attributes.look);
+    return optionsOf(attributes, this.shownRequest?.look ?? attributes.look);
   }
 
   get #request(): SceneRequest {
     const { attributes } = this.#input;
     const { scene, src, paused: isStepped } = attributes;
     return { scene, look: this.look, src, assetRoot: assetRootOf(attributes), isStepped };
+  }
+
+  /** To be called when an attribute that selects a scene has changed. */
+  follow(): void {
+    const request = this.#request;
+    if (areSame(request, this.shownRequest)) {
+      this.#loading?.abort();
+      this.#pendingRequest = null;
+      this.shownRequest = request;
+      this.#owner.onFetchDropped();
+    } else if (!areSame(request, this.#pendingRequest)) {
+      void this.#fetch();
+    }
+  }
+
+  /**
+   * Fetches the scene asked for, and aborts the fetch before it. The shown scene stays until the new models have
+   * loaded, and if they fail to load.
+   */
+  async #fetch(): Promise<void> {
+    this.#loading?.abort();
+    this.#loading = new AbortController();
+    const { signal } = this.#loading;
+    const onProgress = (progress: number) => this.#owner.onProgress(progress);
+    const request = this.#request;
+    this.#pendingRequest = request;
+    let scene: Scene;
+    try {
+      scene = await loadScene(request, { signal, onProgress });
+    } catch (error) {
+      if (signal.aborted) return;
+      this.#pendingRequest = null;
+      this.#owner.onMissing(error as Error);
+      return;
+    }
+    if (signal.aborted) return scene.close();
+    this.#pendingRequest = null;
+    this.shownRequest = this.#request;
+    this.#show(scene);
   }
 
   /** Calls an action with the candle, if there is one. Exceptions go to `onError`. */
