@@ -2,26 +2,33 @@ import { Gpu } from "../gl/gpu.js";
 import type { SceneName } from "../settings.js";
 
 /** A canvas on the page, and the WebGL context that its frames are drawn in. */
-export interface CanvasTarget {
-  readonly gpu: Gpu;
+export abstract class CanvasTarget {
+  abstract readonly gpu: Gpu;
   /** The canvas that owns the WebGL context, and gets the events of its loss. */
-  readonly source: HTMLCanvasElement;
+  abstract readonly source: HTMLCanvasElement;
   readonly canvas: HTMLCanvasElement;
   /** Primaries that the canvas can show now: a window may move to another monitor. */
-  readonly gamut: PredefinedColorSpace;
+  abstract readonly gamut: PredefinedColorSpace;
+
+  constructor(canvas: HTMLCanvasElement) {
+    this.canvas = canvas;
+  }
+
   /** Takes ownership of an object on `gpu`, to free it with the rest. */
-  own(object: { dispose(): void }): void;
+  own(_object: { dispose(): void }): void {}
   /** Frees what the renderer made on `gpu`; the context stays. */
-  clear(): void;
+  abstract clear(): void;
   /** The same, except what the next renderer of the same scene can take over. */
-  clearUnshared(): void;
+  clearUnshared(): void {
+    this.clear();
+  }
   /** A new `gpu`, after a lost context was restored. */
-  renew(): void;
+  abstract renew(): void;
   /** To be called before a frame is drawn. */
-  prepare(): void;
+  prepare(): void {}
   /** Shows the frame. In the task that drew it: afterwards the browser owns the pixels. */
-  present(): void;
-  dispose(): void;
+  present(): void {}
+  abstract dispose(): void;
 }
 
 /** The target that a scene is drawn to. Throws where there is no WebGL 2. */
@@ -29,39 +36,26 @@ export function createCanvasTarget(scene: SceneName, canvas: HTMLCanvasElement):
   return scene === "candle" ? new SharedContextTarget(canvas) : new DedicatedContextTarget(canvas);
 }
 
-class DedicatedContextTarget implements CanvasTarget {
-  gpu: Gpu;
-  readonly source: HTMLCanvasElement;
-  readonly canvas: HTMLCanvasElement;
+class DedicatedContextTarget extends CanvasTarget {
+  gpu = new Gpu(this.canvas);
+  readonly source = this.canvas;
   readonly #wide = matchMedia("(color-gamut: p3)");
-
-  constructor(canvas: HTMLCanvasElement) {
-    this.source = canvas;
-    this.canvas = canvas;
-    this.gpu = new Gpu(canvas);
-  }
 
   get gamut(): PredefinedColorSpace {
     return this.#wide.matches ? "display-p3" : "srgb";
   }
 
-  own(): void {}
-
   clear(): void {
     this.gpu.clearObjects();
   }
 
-  clearUnshared(): void {
+  override clearUnshared(): void {
     this.gpu.clearUnshared();
   }
 
   renew(): void {
     this.gpu = new Gpu(this.canvas);
   }
-
-  prepare(): void {}
-
-  present(): void {}
 
   dispose(): void {
     this.gpu.dispose();
@@ -98,8 +92,7 @@ class SharedContext {
 let sharedContext: SharedContext | null = null;
 
 /** A 2D canvas that frames drawn in the shared context are copied to. */
-class SharedContextTarget implements CanvasTarget {
-  readonly canvas: HTMLCanvasElement;
+class SharedContextTarget extends CanvasTarget {
   /** The page around a lone candle is sRGB. */
   readonly gamut = "srgb";
   readonly #shared: SharedContext;
@@ -110,7 +103,7 @@ class SharedContextTarget implements CanvasTarget {
   constructor(canvas: HTMLCanvasElement) {
     const copy = canvas.getContext("2d");
     if (!copy) throw new Error("There is no canvas to draw on.");
-    this.canvas = canvas;
+    super(canvas);
     this.#copy = copy;
     if (!sharedContext || sharedContext.gpu.isLost) sharedContext = new SharedContext();
     this.#shared = sharedContext;
@@ -125,7 +118,7 @@ class SharedContextTarget implements CanvasTarget {
     return this.#shared.canvas;
   }
 
-  own(object: { dispose(): void }): void {
+  override own(object: { dispose(): void }): void {
     this.#owned.add(object);
   }
 
@@ -134,20 +127,16 @@ class SharedContextTarget implements CanvasTarget {
     this.#owned.clear();
   }
 
-  clearUnshared(): void {
-    this.clear();
-  }
-
   renew(): void {
     this.#owned.clear(); // gone with the context
     this.#shared.renew();
   }
 
-  prepare(): void {
+  override prepare(): void {
     this.#shared.fit(this.canvas.width, this.canvas.height);
   }
 
-  present(): void {
+  override present(): void {
     const { width, height } = this.canvas;
     const from = this.#shared.canvas.height - height;
     this.#copy.clearRect(0, 0, width, height);
