@@ -1,5 +1,4 @@
-import { ContextLostError, GraphicsError } from "../gl/gpu-object.js";
-import { LOST } from "./messages.js";
+import { GraphicsError } from "../gl/gpu-object.js";
 
 /** `graphics`: an allocation, a framebuffer or a frame that failed. */
 export type ErrorType = "webgl-unavailable" | "asset" | "shader" | "graphics" | "context-lost";
@@ -53,10 +52,6 @@ export function typeOf({ name }: Error): ErrorType {
 export function frameError(cause: unknown): Error {
   if (cause instanceof Error && typeOf(cause) !== "asset") return cause;
   return new GraphicsError("The picture cannot be drawn.", { cause });
-}
-
-export function contextLostError(): Error {
-  return new ContextLostError(LOST);
 }
 
 export function emit<Type extends keyof CandleFlameEventMap>(

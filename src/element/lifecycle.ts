@@ -1,4 +1,5 @@
 import type { CandleFlame } from "../candle-flame.js";
+import { ContextLostError } from "../gl/gpu-object.js";
 import { type ContextClient, contextPool } from "../scenes/context-pool.js";
 import { fetchPageSmoke } from "../scenes/page-smoke.js";
 import { takeSnapshot } from "../world/snapshot.js";
@@ -6,7 +7,7 @@ import { Accessibility } from "./accessibility.js";
 import { CandleReporter } from "./candle-reporter.js";
 import { CustomStates } from "./custom-states.js";
 import { DrawScheduler } from "./draw-scheduler.js";
-import { contextLostError, emit, frameError, typeOf } from "./events.js";
+import { emit, frameError, typeOf } from "./events.js";
 import { LifecycleStates } from "./lifecycle-states.js";
 import { FULL, LOST, NO_PHYSICAL_LOOK } from "./messages.js";
 import { observeLessMotion } from "./options.js";
@@ -271,7 +272,7 @@ export class Lifecycle {
 
   onContextGivenUp(): void {
     this.#offerReload();
-    this.#report(contextLostError());
+    this.#report(new ContextLostError(LOST));
   }
 
   /** Whether time is to pass. */

@@ -19,9 +19,7 @@ export const REFUSALS: Readonly<Record<Refusal, string>> = {
 
 /** Says that the candle is out, and how to light it if the visitor can. */
 export function outSentence(canLight: boolean): string {
-  const out = "The candle is out.";
-  if (!canLight) return out;
-  return hasFingersAlone() ? `${out} Tap twice to light it.` : `${out} Press E to light it.`;
+  return canLight ? `The candle is out. ${toLight("it")}` : "The candle is out.";
 }
 
 /** Says which standing candle was lit or went out. */
@@ -31,7 +29,7 @@ export function changeSentence(candle: CandleDetail, isLit: boolean): string {
 
 /** Says which candle the carried flame can light now. */
 export function reachedSentence(candle: CandleDetail): string {
-  return `${hasFingersAlone() ? "Tap twice" : "Press E"} to light ${spokenName(candle)}.`;
+  return toLight(spokenName(candle));
 }
 
 /** Name of a candle in a sentence: its number, and the words of its wick's name: `wick-mantel-left`. */
@@ -45,4 +43,5 @@ function spokenName({ index, name }: CandleDetail, end = ""): string {
 
 const upperFirst = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
 
-const hasFingersAlone = () => matchMedia("(hover: none)").matches;
+const toLight = (name: string) =>
+  `${matchMedia("(hover: none)").matches ? "Tap twice" : "Press E"} to light ${name}.`;

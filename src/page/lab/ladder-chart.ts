@@ -1,7 +1,6 @@
 import { RUNGS } from "./ladder.js";
 
-const BASELINE = RUNGS[0]?.paper.milliseconds ?? Number.NaN;
-const PAPER_MULTIPLES = RUNGS.map(({ paper }) => paper.milliseconds / BASELINE);
+const PAPER_MULTIPLES = multiplesOf(RUNGS.map(({ milliseconds }) => milliseconds));
 
 /**
  * Table 1: each rung's cost here and in the paper, as numbers and as bars in multiples of the first.
@@ -12,7 +11,7 @@ const PAPER_MULTIPLES = RUNGS.map(({ paper }) => paper.milliseconds / BASELINE);
 export function addLadderChart(
   body: HTMLTableSectionElement,
 ): (medians: readonly number[]) => void {
-  const rows = RUNGS.map(({ name, paper }, i) => {
+  const rows = RUNGS.map(({ name, milliseconds, perSecond }, i) => {
     const numbers = body.insertRow();
     const head = document.createElement("th");
     head.scope = "row";
@@ -20,7 +19,7 @@ export function addLadderChart(
     numbers.append(head);
     const cells = Array.from({ length: 3 }, () => numbers.insertCell());
     const multiple = formatMultiple(PAPER_MULTIPLES[i]);
-    for (const text of [paper.milliseconds.toFixed(1), `${paper.framesPerSecond}`, multiple]) {
+    for (const text of [milliseconds.toFixed(1), `${perSecond}`, multiple]) {
       const cell = numbers.insertCell();
       cell.className = "of-paper";
       cell.textContent = text;
@@ -31,14 +30,15 @@ export function addLadderChart(
     drawing.setAttribute("aria-hidden", "true");
     const space = drawing.insertCell();
     space.colSpan = 7;
-    const [bar, paperBar] = [document.createElement("div"), document.createElement("div")];
+    const bar = document.createElement("div");
     bar.className = "bar";
+    const paperBar = document.createElement("div");
     paperBar.className = "bar of-paper";
     space.append(bar, paperBar);
     return { cells, bar, paperBar };
   });
   const show = (medians: readonly number[]) => {
-    const multiples = medians.map((milliseconds) => milliseconds / (medians[0] ?? Number.NaN));
+    const multiples = multiplesOf(medians);
     const longest = Math.max(...PAPER_MULTIPLES, ...multiples.filter(Number.isFinite));
     rows.forEach(({ cells, bar, paperBar }, i) => {
       const time = medians[i] ?? Number.NaN;
@@ -53,6 +53,10 @@ export function addLadderChart(
   };
   show([]);
   return show;
+}
+
+function multiplesOf(times: readonly number[]): readonly number[] {
+  return times.map((time) => time / (times[0] ?? Number.NaN));
 }
 
 function percentOf(value = Number.NaN, whole: number): string {

@@ -1,31 +1,25 @@
 import type { CandleFlameElement, Feature, Features } from "../../candle-flame-element.js";
 
-/** A step of the paper's Table 1: what it adds, and what it cost there. */
-export interface Rung {
+/** A step of the paper's Table 1: what it adds, and what a frame cost there. */
+interface Rung {
   readonly name: string;
   readonly adds: readonly Feature[];
-  readonly paper: { readonly milliseconds: number; readonly framesPerSecond: number };
+  readonly milliseconds: number;
+  readonly perSecond: number;
 }
 
 /** "Dynamic Fire Effects Using OpenGL Rasterization Techniques", Table 1. */
 export const RUNGS: readonly Rung[] = [
-  { name: "no particles", adds: [], paper: { milliseconds: 2.1, framesPerSecond: 475 } },
+  { name: "no particles", adds: [], milliseconds: 2.1, perSecond: 475 },
   {
     name: "+ basic emission",
     adds: ["particles", "core", "hazeLayer"],
-    paper: { milliseconds: 4.5, framesPerSecond: 222 },
+    milliseconds: 4.5,
+    perSecond: 222,
   },
-  {
-    name: "+ gradient shading",
-    adds: ["gradient"],
-    paper: { milliseconds: 5.2, framesPerSecond: 192 },
-  },
-  {
-    name: "+ attenuation",
-    adds: ["attenuation"],
-    paper: { milliseconds: 6.7, framesPerSecond: 149 },
-  },
-  { name: "+ drift", adds: ["drift"], paper: { milliseconds: 7.5, framesPerSecond: 133 } },
+  { name: "+ gradient shading", adds: ["gradient"], milliseconds: 5.2, perSecond: 192 },
+  { name: "+ attenuation", adds: ["attenuation"], milliseconds: 6.7, perSecond: 149 },
+  { name: "+ drift", adds: ["drift"], milliseconds: 7.5, perSecond: 133 },
 ];
 
 const TIME_STEP = 1 / 60;
