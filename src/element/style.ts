@@ -31,7 +31,7 @@ const STYLE = `
   box-shadow: 0 0 120px 60px rgb(255 176 84 / 0.5), 0 0 320px 160px rgb(255 150 60 / 0.35);
 }
 :host([hidden]) { display: none; }
-:host(:focus-visible) { outline: 2px solid #f3c98b; outline-offset: 2px; }
+:host(:focus-visible), [part="reload"]:focus-visible { outline: 2px solid #f3c98b; outline-offset: 2px; }
 canvas, [part="poster"], ::slotted([slot="poster"]) {
   position: absolute;
   inset: 0;
@@ -128,7 +128,6 @@ slot[name="poster"][hidden] {
   cursor: pointer;
 }
 [part="reload"]:hover { background: #2a1c10; }
-[part="reload"]:focus-visible { outline: 2px solid #f3c98b; outline-offset: 2px; }
 `;
 
 const sheets = new WeakMap<Document, CSSStyleSheet>();
