@@ -1,32 +1,26 @@
 import type { Options } from "../candle-flame.js";
 import { resolveUrl } from "../scenes/resolve-url.js";
-import { type Look, parseIndices } from "../settings.js";
-import { type MoonWish, parseMoonPlace } from "../world/moon.js";
+import { type Look, parseIndices, type SettingName } from "../settings.js";
+import { parseMoonPlace } from "../world/moon.js";
 import type { ReflectedAttributes } from "./reflected-attributes.js";
 
 const LESS_MOTION = "(prefers-reduced-motion: reduce)";
 
-/** Options of the candle, in SI units, from the element's attributes. */
+/** Options of the candle, in SI units, from the element's attributes; null leaves a value to the room. */
 export function optionsOf(element: ReflectedAttributes, look: Look): Options {
   const { seed, quality, exposure, particles, motion, unlit, wick, gustiness } = element;
   const isStill = motion === "reduced" || (motion === "auto" && matchMedia(LESS_MOTION).matches);
   const direction = (element.windDirection * Math.PI) / 180;
   const wind = { speed: element.wind, direction, gustiness };
-  const wickDiameter = isNumber(element, "wick") ? wick / 1000 : null;
-  const flame = { unlit, litWicks: parseIndices(element.litWicks), wick: wickDiameter, wind };
-  return { look, seed, quality, exposure, particles, isStill, ...flame, moon: moonWish(element) };
-}
-
-function isNumber(element: Element, name: string): boolean {
-  return Number.isFinite(Number.parseFloat(element.getAttribute(name) ?? ""));
-}
-
-/** The attributes of the moon; null leaves a value to the room. */
-function moonWish(element: ReflectedAttributes): MoonWish {
-  return {
-    illuminance: isNumber(element, "moonlight") ? element.moonlight : null,
+  const isGiven = (name: SettingName) =>
+    Number.isFinite(Number.parseFloat(element.getAttribute(name) ?? ""));
+  const moon = {
+    illuminance: isGiven("moonlight") ? element.moonlight : null,
     direction: parseMoonPlace(element.moonDirection),
   };
+  const wickDiameter = isGiven("wick") ? wick / 1000 : null;
+  const flame = { unlit, litWicks: parseIndices(element.litWicks), wick: wickDiameter, wind };
+  return { look, seed, quality, exposure, particles, isStill, ...flame, moon };
 }
 
 export function observeLessMotion(signal: AbortSignal, onChange: () => void): void {

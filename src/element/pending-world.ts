@@ -112,10 +112,6 @@ export class PendingWorld {
       setCamera(candle, before);
     }
     if (this.#camera) setCamera(candle, this.#camera);
-    if (!onPlaced) return;
-    this.#saved = null;
-    this.#isLit = null;
-    this.#placing = null;
-    this.#camera = null;
+    if (onPlaced) this.forget();
   }
 }

@@ -24,13 +24,12 @@ for (const type of EVENTS) {
   });
 }
 
-const DEEDS = ["blow", "extinguish", "light", "pause", "play", "reset"] as const;
-for (const name of DEEDS) {
-  const button = find(document, `#deeds [name=${name}]`, HTMLButtonElement);
-  const output = find(document, "#deeds output", HTMLOutputElement);
+const state = find(document, "#deeds output", HTMLOutputElement);
+for (const button of document.querySelectorAll<HTMLButtonElement>("#deeds button")) {
+  const deed = button.name as "blow" | "extinguish" | "light" | "pause" | "play" | "reset";
   button.addEventListener("click", () => {
-    tried[name]();
-    output.value = tried.lit ? "lit" : "out";
+    tried[deed]();
+    state.value = tried.lit ? "lit" : "out";
   });
 }
 
