@@ -1,14 +1,13 @@
 import { readBuiltInModel } from "../assets/built-in-model.js";
 import { closeModel, type Model } from "../assets/model.js";
 import { LoneCandleRenderer } from "../render/lone-candle-renderer.js";
-import type { PageSmoke } from "./page-smoke.js";
+import { createPageSmoke, pageSmokePass } from "./page-smoke.js";
 import type { Loading, Scene, SceneRequest } from "./scene.js";
 
 /** The candle alone, whatever the look. */
 export async function loadLoneCandle(
   { assetRoot }: SceneRequest,
   { signal, onProgress }: Loading,
-  { createPlume, smokePass }: PageSmoke,
 ): Promise<Scene> {
   const url = new URL("models/chamberstick.glb", assetRoot);
   const model: Model = await readBuiltInModel(url, signal, onProgress);
@@ -16,12 +15,12 @@ export async function loadLoneCandle(
     room: null,
     first: null,
     wicks: [],
-    createPlume,
+    createPlume: createPageSmoke,
     moonDirection: null,
     isModelAlone: true,
     prepareRenderer: () => true,
     createRenderer: (screen, tier) => {
-      const renderer = new LoneCandleRenderer(screen.gpu, model, tier, smokePass);
+      const renderer = new LoneCandleRenderer(screen.gpu, model, tier, pageSmokePass);
       screen.own(renderer);
       return renderer;
     },

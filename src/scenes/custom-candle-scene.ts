@@ -2,7 +2,7 @@ import { closeModel } from "../assets/model.js";
 import { CustomModelRenderer } from "../render/lone-candle/custom-model-renderer.js";
 import { clampInside, inset, type Vec3 } from "../world/geometry.js";
 import type { Wick } from "../world/standing-candle.js";
-import type { PageSmoke } from "./page-smoke.js";
+import { createPageSmoke, pageSmokePass } from "./page-smoke.js";
 import { addressOf } from "./room-models.js";
 import type { Loading, Scene, SceneRequest } from "./scene.js";
 
@@ -13,7 +13,6 @@ const BESIDE = 0.1;
 export async function loadCustomCandle(
   { src, assetRoot }: SceneRequest,
   { signal, onProgress }: Loading,
-  { createPlume, smokePass }: PageSmoke,
 ): Promise<Scene | null> {
   const { loadModel } = await import("../assets/load-model.js");
   const decoderBase = new URL("decoders/", assetRoot).href;
@@ -40,12 +39,12 @@ export async function loadCustomCandle(
     room: null,
     first,
     wicks: others,
-    createPlume,
+    createPlume: createPageSmoke,
     moonDirection: null,
     isModelAlone: true,
     prepareRenderer: () => true,
     createRenderer: (screen, tier) => {
-      const renderer = new CustomModelRenderer(screen.gpu, model, wicks, tier, smokePass);
+      const renderer = new CustomModelRenderer(screen.gpu, model, wicks, tier, pageSmokePass);
       screen.own(renderer);
       return renderer;
     },

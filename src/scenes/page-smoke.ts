@@ -2,12 +2,7 @@ import type { Gpu } from "../gl/gpu.js";
 import type { SmokePass } from "../render/volumetric/smoke-pass.js";
 import type { CreatePlume } from "../world/air/plume.js";
 
-/** Smoke over a page. Its code is fetched when a first candle goes out: those that burn need none of it. */
-export interface PageSmoke {
-  readonly createPlume: CreatePlume;
-  /** The pass that all candles of a context share; null until its code is there. */
-  readonly smokePass: (gpu: Gpu) => SmokePass | null;
-}
+// Smoke over a page. Its code is fetched when a first candle goes out: those that burn need none of it.
 
 let code: typeof import("./page-smoke-code.js") | null = null;
 let fetching: Promise<void> | null = null;
@@ -21,14 +16,14 @@ export function fetchPageSmoke(): Promise<void> {
   return fetching;
 }
 
-export const PAGE_SMOKE: PageSmoke = {
-  createPlume: (...birth) => {
-    void fetchPageSmoke();
-    return code?.createPlume(...birth) ?? null;
-  },
-  smokePass: (gpu) => {
-    const pass = passes.get(gpu) ?? (code && new code.SmokePass(gpu, true));
-    if (pass) passes.set(gpu, pass);
-    return pass;
-  },
+export const createPageSmoke: CreatePlume = (...birth) => {
+  void fetchPageSmoke();
+  return code?.createPlume(...birth) ?? null;
 };
+
+/** The pass that all candles of a context share; null until its code is there. */
+export function pageSmokePass(gpu: Gpu): SmokePass | null {
+  const pass = passes.get(gpu) ?? (code && new code.SmokePass(gpu, true));
+  if (pass) passes.set(gpu, pass);
+  return pass;
+}

@@ -8,7 +8,7 @@ import type { MoonWish } from "../world/moon.js";
 import type { Room } from "../world/room/room.js";
 import type { Wick } from "../world/standing-candle.js";
 import type { CanvasTarget } from "./canvas-target.js";
-import { fetchPageSmoke, PAGE_SMOKE } from "./page-smoke.js";
+import { fetchPageSmoke } from "./page-smoke.js";
 import type { Refinement, RefinementParts } from "./refinement.js";
 
 /** Scene: the models of a room or of a lone candle, fetched and decoded. */
@@ -53,9 +53,7 @@ export interface SceneRequest {
 /** Whether two requests ask for the same files. */
 export function areSame(one: SceneRequest, other: SceneRequest | null | undefined): boolean {
   const key = ({ scene, look, src, assetRoot }: SceneRequest) =>
-    scene === "candle"
-      ? JSON.stringify([src, assetRoot])
-      : JSON.stringify([look === "physical", src, assetRoot]);
+    JSON.stringify([scene === "candle" ? scene : look === "physical", src, assetRoot]);
   return !!other && key(one) === key(other);
 }
 
@@ -71,11 +69,11 @@ export async function loadScene(request: SceneRequest, loading: Loading): Promis
     if (request.isStepped) await fetchPageSmoke();
     if (request.src !== "") {
       const { loadCustomCandle } = await import("./custom-candle-scene.js").catch(missCode);
-      const own = await loadCustomCandle(request, loading, PAGE_SMOKE);
+      const own = await loadCustomCandle(request, loading);
       if (own) return own;
     }
     const { loadLoneCandle } = await import("./candle-scene.js").catch(missCode);
-    return loadLoneCandle(request, loading, PAGE_SMOKE);
+    return loadLoneCandle(request, loading);
   }
   const { loadRoom } = await import("./room-scene.js").catch(missCode);
   return loadRoom(request, loading);
@@ -83,10 +81,6 @@ export async function loadScene(request: SceneRequest, loading: Loading): Promis
 
 /** One message for all browsers, without the address of the chunk. */
 function missCode(cause: unknown): never {
-  throw new AssetError(
-    "A part of the program could not be fetched. Reload the page to try again.",
-    {
-      cause,
-    },
-  );
+  const sentence = "A part of the program could not be fetched. Reload the page to try again.";
+  throw new AssetError(sentence, { cause });
 }
