@@ -1,6 +1,6 @@
 import type { CandleFlame } from "./candle-flame.js";
 import { type Camera, cameraOf, changeOf, setCamera } from "./element/camera.js";
-import type { Candle } from "./element/candle.js";
+import type { Candle } from "./element/candle-list.js";
 import { emit } from "./element/events.js";
 import { featureSwitches } from "./element/feature-switches.js";
 import { boxWithin, lengthOfStep, strengthOfBreath } from "./element/legal-values.js";
@@ -23,7 +23,7 @@ import { NO_STATS, type Stats } from "./stats.js";
 import { blow, placeCandle, takeCandle } from "./world/commands.js";
 
 export type { AssetError } from "./assets/asset-error.js";
-export type { Candle } from "./element/candle.js";
+export type { Candle } from "./element/candle-list.js";
 export type {
   CandleDetail,
   CandleFlameEventMap,

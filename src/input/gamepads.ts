@@ -1,4 +1,4 @@
-import { type Action, type Intent, STILL } from "../world/player/intent.js";
+import { type Intent, STILL } from "../world/player/intent.js";
 
 /** Dead zone, as a share of a stick's range. */
 const DEAD_ZONE = 0.15;
@@ -8,12 +8,6 @@ const LOOK_CURVE = 1.6;
 /** Indices of the W3C's standard gamepad. Other layouts are not supported. */
 const AXES = { right: 0, back: 1, turnRight: 2, down: 3 } as const;
 const BUTTONS = { a: 0, b: 1, x: 2, y: 3, rightTrigger: 7, leftStick: 10 } as const;
-
-const ONCE: readonly (readonly [button: number, action: Action])[] = [
-  [BUTTONS.a, "togglesFlame"],
-  [BUTTONS.x, "placesOrTakes"],
-  [BUTTONS.y, "blows"],
-];
 
 /** The part of a `Gamepad` that is read. */
 export interface Pad {
@@ -62,7 +56,9 @@ export class Gamepads {
       turn: -turn,
       tilt: -down,
       runs: [BUTTONS.leftStick, BUTTONS.rightTrigger].some((button) => this.#pressed[button]),
-      ...Object.fromEntries(ONCE.map(([button, action]) => [action, goesDown(button)])),
+      togglesFlame: goesDown(BUTTONS.a),
+      placesOrTakes: goesDown(BUTTONS.x),
+      blows: goesDown(BUTTONS.y),
     };
   }
 }
