@@ -28,7 +28,8 @@ export class Accessibility {
 
   /** To be called when `controls`, `alt`, the canvas or the failure has changed. */
   update(canvas: HTMLCanvasElement | null): void {
-    const { alt, controls } = this.#host;
+    const host = this.#host;
+    const { alt, controls } = host;
     const { isFailing } = this.#overlay;
     // Not the element itself: screen readers read nothing of an image but its name, and the hint must be read.
     const isImage = !controls && !isFailing;
@@ -42,7 +43,6 @@ export class Accessibility {
     canvas?.setAttribute("role", isImage ? "img" : "presentation");
     if (isImage) canvas?.setAttribute("aria-label", alt);
     else canvas?.removeAttribute("aria-label");
-    const host = this.#host;
     if (controls && !host.hasAttribute("tabindex")) host.tabIndex = 0;
     if (!controls && host.getAttribute("tabindex") === "0") host.removeAttribute("tabindex");
   }

@@ -9,12 +9,18 @@ export type StateName = "loading" | "lit" | "walking" | "playing" | "alone";
  */
 export class CustomStates {
   readonly #host: Element;
-  readonly #custom: CustomStateSet | null;
+  #custom: CustomStateSet | null = null;
   readonly #names = new Set<StateName>();
 
-  constructor(host: Element, internals: ElementInternals) {
+  constructor(host: Element, { states }: ElementInternals) {
     this.#host = host;
-    this.#custom = customStates(internals);
+    try {
+      states.add("loading");
+      states.delete("loading");
+      this.#custom = states;
+    } catch {
+      // The attributes do.
+    }
   }
 
   has(name: StateName): boolean {
@@ -30,15 +36,5 @@ export class CustomStates {
 
   clear(): void {
     for (const name of [...this.#names]) this.toggle(name, false);
-  }
-}
-
-function customStates({ states }: ElementInternals): CustomStateSet | null {
-  try {
-    states.add("loading");
-    states.delete("loading");
-    return states;
-  } catch {
-    return null;
   }
 }

@@ -3,15 +3,11 @@ export class ReadyPromise {
   /** Resolves the promise, or rejects it with an error. */
   settle: (error?: Error) => void = () => {};
   #isSettled = false;
-  #promise = this.#create();
-
-  get promise(): Promise<void> {
-    return this.#promise;
-  }
+  promise = this.#create();
 
   /** A promise of another first frame, unless the last one is still pending. */
   renew(): void {
-    if (this.#isSettled) this.#promise = this.#create();
+    if (this.#isSettled) this.promise = this.#create();
   }
 
   #create(): Promise<void> {
