@@ -25,13 +25,10 @@ export function addSettings(
   form: HTMLElement,
   names: readonly SettingName[],
 ): void {
-  const refreshes = names.map((name) => addSetting(element, form, name));
-  followAttributes(element, () => {
-    for (const refresh of refreshes) refresh();
-  });
+  for (const name of names) addSetting(element, form, name);
 }
 
-function addSetting(element: CandleFlameElement, form: HTMLElement, name: SettingName): () => void {
+function addSetting(element: CandleFlameElement, form: HTMLElement, name: SettingName): void {
   const setting: Setting = SETTINGS[name];
   const step = SLIDER_STEPS[name] ?? SLIDER_STEP;
   const control = addRow(form, name, name.replace("-", " "), SETTING_MEANINGS[name], step);
@@ -46,11 +43,11 @@ function addSetting(element: CandleFlameElement, form: HTMLElement, name: Settin
     control.after(output);
   }
   const unit = isSlider ? setting.unit : "";
-  return () => {
+  followAttributes(element, () => {
     const text = String(element[camelCase(name)]);
     control.value = text;
     output.value = `${text}${unit === "degrees" ? "°" : ` ${unit}`}`.trim();
-  };
+  });
 }
 
 /**

@@ -21,7 +21,6 @@ export class Comparison {
   readonly #observer = new MutationObserver(() => this.#copyAttributes());
   #second: CandleFlameElement | null = null;
   #open = new AbortController();
-  #wasPaused = false;
   #wasHeld = true;
   #state: "closed" | "loading" | "open" = "closed";
   #request = 0;
@@ -71,7 +70,7 @@ export class Comparison {
     const room = this.#room;
     this.#state = "open";
     this.#copyAttributes();
-    this.#wasPaused = room.paused;
+    const wasPaused = room.paused;
     room.pause();
     second.mirror(room);
     this.#wasHeld = room.held;
@@ -81,7 +80,7 @@ export class Comparison {
     signal.addEventListener("abort", () => {
       cancelAnimationFrame(this.#request);
       this.#observer.disconnect();
-      room.paused = this.#wasPaused;
+      room.paused = wasPaused;
     });
     this.onChange("");
   }
