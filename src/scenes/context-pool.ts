@@ -62,8 +62,6 @@ export class ContextPool {
 }
 
 /** Browsers give a page sixteen contexts, on phones eight; some are left to lone candles and to the page. */
-const LIMIT = { fine: 14, coarse: 7 } as const;
-
 export const contextPool = new ContextPool(() =>
-  matchMedia("(pointer: coarse)").matches ? LIMIT.coarse : LIMIT.fine,
+  matchMedia("(pointer: coarse)").matches ? 7 : 14,
 );

@@ -1,6 +1,14 @@
 /** Steps of the keys, in per cent of the stage's width. */
-const STEP = 2;
-const LEAP = 10;
+const STEPS: Readonly<Record<string, number>> = {
+  ArrowLeft: -2,
+  ArrowDown: -2,
+  ArrowRight: 2,
+  ArrowUp: 2,
+  PageDown: -10,
+  PageUp: 10,
+  Home: Number.NEGATIVE_INFINITY,
+  End: Number.POSITIVE_INFINITY,
+};
 
 /**
  * Binds the divider of two views: a slider that is dragged, or moved by its keys.
@@ -27,20 +35,10 @@ export function bindDivider(line: HTMLElement, stage: HTMLElement, onEscape: () 
     move(((clientX - left) / width) * 100);
   });
   line.addEventListener("keydown", (event) => {
-    const targets: Readonly<Record<string, number>> = {
-      ArrowLeft: percent - STEP,
-      ArrowDown: percent - STEP,
-      ArrowRight: percent + STEP,
-      ArrowUp: percent + STEP,
-      PageDown: percent - LEAP,
-      PageUp: percent + LEAP,
-      Home: 0,
-      End: 100,
-    };
-    const target = targets[event.key];
+    const step = STEPS[event.key];
     if (event.key === "Escape") onEscape();
-    else if (target === undefined) return;
-    else move(target);
+    else if (step === undefined) return;
+    else move(percent + step);
     event.preventDefault();
   });
 

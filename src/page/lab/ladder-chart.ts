@@ -12,30 +12,17 @@ export function addLadderChart(
   body: HTMLTableSectionElement,
 ): (medians: readonly number[]) => void {
   const rows = RUNGS.map(({ name, milliseconds, perSecond }, i) => {
+    const texts = [milliseconds.toFixed(1), perSecond, formatMultiple(PAPER_MULTIPLES[i])];
+    const paperCells = texts.map((text) => `<td class="of-paper">${text}</td>`).join("");
     const numbers = body.insertRow();
-    const head = document.createElement("th");
-    head.scope = "row";
-    head.textContent = name;
-    numbers.append(head);
-    const cells = Array.from({ length: 3 }, () => numbers.insertCell());
-    const multiple = formatMultiple(PAPER_MULTIPLES[i]);
-    for (const text of [milliseconds.toFixed(1), `${perSecond}`, multiple]) {
-      const cell = numbers.insertCell();
-      cell.className = "of-paper";
-      cell.textContent = text;
-    }
+    numbers.innerHTML = `<th scope="row">${name}</th>${"<td></td>".repeat(3)}${paperCells}`;
     // The same numbers as bars, which screen readers need not announce.
     const drawing = body.insertRow();
     drawing.className = "bars";
     drawing.setAttribute("aria-hidden", "true");
-    const space = drawing.insertCell();
-    space.colSpan = 7;
-    const bar = document.createElement("div");
-    bar.className = "bar";
-    const paperBar = document.createElement("div");
-    paperBar.className = "bar of-paper";
-    space.append(bar, paperBar);
-    return { cells, bar, paperBar };
+    drawing.innerHTML = `<td colspan="7"><div class="bar"></div><div class="bar of-paper"></div></td>`;
+    const [bar, paperBar] = drawing.querySelectorAll("div");
+    return { cells: numbers.querySelectorAll("td"), bar, paperBar };
   });
   const show = (medians: readonly number[]) => {
     const multiples = multiplesOf(medians);
@@ -47,8 +34,8 @@ export function addLadderChart(
       texts.forEach((text, column) => {
         cells[column]?.replaceChildren(text);
       });
-      bar.style.inlineSize = percentOf(multiples[i], longest);
-      paperBar.style.inlineSize = percentOf(PAPER_MULTIPLES[i], longest);
+      if (bar) bar.style.inlineSize = percentOf(multiples[i], longest);
+      if (paperBar) paperBar.style.inlineSize = percentOf(PAPER_MULTIPLES[i], longest);
     });
   };
   show([]);
