@@ -21,17 +21,13 @@ export function observeDevicePixels(
   signal: AbortSignal,
   onChange: (size: Size) => void,
 ): void {
-  let last = guessDevicePixels(element);
-  let isExact = false;
-  const report = (size: Size): void => {
-    last = size;
-    onChange(size);
-  };
+  let exact: Size | null = null;
+  const report = () => onChange(exact ?? guessDevicePixels(element));
   const observer = new ResizeObserver((entries) => {
     const box = entries.at(-1)?.devicePixelContentBoxSize?.[0];
     const reported = box && { width: box.inlineSize, height: box.blockSize };
-    isExact = reported !== undefined && !isEmulated(reported, element);
-    report(reported && isExact ? reported : guessDevicePixels(element));
+    exact = reported && !isEmulated(reported, element) ? reported : null;
+    report();
   });
   try {
     observer.observe(element, { box: "device-pixel-content-box" });
@@ -43,7 +39,7 @@ export function observeDevicePixels(
   const awaitRatio = (): void => {
     const query = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
     const handleChange = (): void => {
-      report(isExact ? last : guessDevicePixels(element));
+      report();
       awaitRatio();
     };
     query.addEventListener("change", handleChange, { once: true, signal });

@@ -25,16 +25,14 @@ export class ReflectedAttributes extends Base {
   static readonly observedAttributes: readonly string[] = SETTING_NAMES;
 
   // A property set before the element was defined hides the accessor: set it again through it.
-  protected upgrade(name: string): void {
-    if (!Object.hasOwn(this, name)) return;
+  protected upgrade(others: readonly string[]): void {
     const element = this as unknown as Record<string, unknown>;
-    const value = element[name];
-    delete element[name];
-    element[name] = value;
-  }
-
-  protected upgradeAttributes(): void {
-    for (const name of SETTING_NAMES) this.upgrade(camelCase(name));
+    for (const name of [...SETTING_NAMES.map(camelCase), ...others]) {
+      if (!Object.hasOwn(this, name)) continue;
+      const value = element[name];
+      delete element[name];
+      element[name] = value;
+    }
   }
 }
 
