@@ -1,6 +1,6 @@
 import type { CandleFlame } from "./candle-flame.js";
-import { type Camera, cameraOf, changeOf, setCamera } from "./element/camera.js";
-import type { Candle } from "./element/candle-list.js";
+import { cameraOf, changeOf, setCamera } from "./element/camera.js";
+import type { Camera, Candle } from "./element/element-types.js";
 import { emit } from "./element/events.js";
 import { featureSwitches } from "./element/feature-switches.js";
 import { boxWithin, lengthOfStep, strengthOfBreath } from "./element/legal-values.js";
@@ -23,7 +23,7 @@ import { NO_STATS, type Stats } from "./stats.js";
 import { blow, placeCandle, takeCandle } from "./world/commands.js";
 
 export type { AssetError } from "./assets/asset-error.js";
-export type { Candle } from "./element/candle-list.js";
+export type { Camera, Candle } from "./element/element-types.js";
 export type {
   CandleDetail,
   CandleFlameEventMap,
@@ -32,7 +32,7 @@ export type {
 } from "./element/events.js";
 export type * from "./framework-types.js";
 export type { Feature, Look, Quality } from "./settings.js";
-export type { Camera, Features, FlameReport, Inspection, Stats };
+export type { Features, FlameReport, Inspection, Stats };
 
 const NO_CANDLES: readonly Candle[] = Object.freeze([]);
 

@@ -1,18 +1,7 @@
 import type { CandleFlame } from "../candle-flame.js";
 import { moveCamera } from "../world/commands.js";
 import { fieldOfViewOf, legalFieldOfView } from "../world/player/field-of-view.js";
-
-/** The camera, as the property `camera` has it. */
-export interface Camera {
-  /** Metres; the origin is on the floor, in the middle of the room. */
-  readonly position: readonly [number, number, number];
-  /** Radians, counter-clockwise from above; 0 looks along -Z. */
-  readonly yaw: number;
-  /** Radians, up positive. */
-  readonly pitch: number;
-  /** Radians across the frame's shorter side, 0.3 to 2.1; the look's own if it is not given. */
-  readonly fieldOfView?: number;
-}
+import type { Camera } from "./element-types.js";
 
 /** The valid members of a value written to `camera`. An unchanged field of view remains the look's. */
 export function changeOf(camera: Partial<Camera>, before: Camera): Partial<Camera> {

@@ -1,22 +1,7 @@
 import type { CandleFlame } from "../candle-flame.js";
 import { blowAt } from "../world/commands.js";
+import type { Candle } from "./element-types.js";
 import { strengthOfBreath } from "./legal-values.js";
-
-/** A candle of the scene, as its page may use it: metres, candela, kelvin. */
-export interface Candle {
-  /** Of its wick's node in the model. */
-  readonly name: string;
-  /** Whether it burns; writing lights it or puts it out. */
-  lit: boolean;
-  /** Centre of its light. */
-  readonly position: readonly [number, number, number];
-  readonly luminousIntensity: number;
-  readonly colorTemperature: number;
-  light(): void;
-  extinguish(): void;
-  /** A breath from half a metre away, level, at this candle. */
-  blow(strength?: number): void;
-}
 
 /** Candles of one scene, the carried one first. They have no effect once another scene is shown. */
 export class CandleList {

@@ -3,7 +3,8 @@ import { areSame, type SceneRequest } from "../scenes/scene.js";
 import { FIELDS_OF_VIEW, type Look } from "../settings.js";
 import { placeCandle } from "../world/commands.js";
 import { type Snapshot, takeSnapshot, timeOf } from "../world/snapshot.js";
-import { type Camera, cameraOf, setCamera } from "./camera.js";
+import { cameraOf, setCamera } from "./camera.js";
+import type { Camera } from "./element-types.js";
 
 const ORIGIN = { position: [0, 0, 0], yaw: 0, pitch: 0, fieldOfView: null } as const;
 
