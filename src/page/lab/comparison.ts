@@ -58,7 +58,11 @@ export class Comparison {
     second.setAttribute("aria-hidden", "true"); // the same room once more: the divider says what is where
     this.#open = new AbortController();
     const { signal } = this.#open;
-    second.addEventListener("load", () => this.#begin(second, signal), { signal });
+    const loaded = () => {
+      if (this.#state === "loading") this.#begin(signal);
+      second.mirror(this.#room); // its models may change later, too
+    };
+    second.addEventListener("load", loaded, { signal });
     for (const room of [this.#room, second]) {
       room.addEventListener("error", ({ detail }) => this.close(detail.message), { signal });
     }
@@ -66,13 +70,12 @@ export class Comparison {
     this.onChange("");
   }
 
-  #begin(second: CandleFlameElement, signal: AbortSignal): void {
+  #begin(signal: AbortSignal): void {
     const room = this.#room;
     this.#state = "open";
     this.#copyAttributes();
     const wasPaused = room.paused;
     room.pause();
-    second.mirror(room);
     this.#wasHeld = room.held;
     this.#observer.observe(room, { attributeFilter: SHARED });
     this.#lastTime = Number.NaN;
