@@ -79,12 +79,12 @@ export type SceneName = (typeof SETTINGS.scene.choices)[number];
 export type Quality = (typeof SETTINGS.quality.choices)[number];
 
 /** Value of an attribute's property. */
-export type SettingValue<Setting> =
-  Setting extends ChoiceSetting<infer Choice>
+export type SettingValue<One> =
+  One extends ChoiceSetting<infer Choice>
     ? Choice
-    : Setting extends { kind: "number" }
+    : One extends { kind: "number" }
       ? number
-      : Setting extends { kind: "flag" }
+      : One extends { kind: "flag" }
         ? boolean
         : string;
 

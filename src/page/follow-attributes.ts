@@ -1,5 +1,11 @@
-/** Calls a function now, and whenever an attribute of the element was set: methods set them, too. */
-export function followAttributes(element: Element, show: () => void): void {
+import type { SettingName } from "../settings.js";
+
+/** Calls a function now, and whenever one of these attributes was set: methods set them, too. */
+export function followAttributes(
+  element: Element,
+  names: readonly SettingName[],
+  show: () => void,
+): void {
   show();
-  new MutationObserver(show).observe(element, { attributes: true });
+  new MutationObserver(show).observe(element, { attributeFilter: names as SettingName[] });
 }

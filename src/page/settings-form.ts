@@ -43,7 +43,7 @@ function addSetting(element: CandleFlameElement, form: HTMLElement, name: Settin
     control.after(output);
   }
   const unit = isSlider ? setting.unit : "";
-  followAttributes(element, () => {
+  followAttributes(element, [name], () => {
     const text = String(element[camelCase(name)]);
     control.value = text;
     output.value = `${text}${unit === "degrees" ? "°" : ` ${unit}`}`.trim();

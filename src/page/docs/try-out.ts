@@ -14,7 +14,7 @@ export function addTryOut(
   const { assetBase } = element;
   const controls = SETTING_NAMES.map((name) => [name, addControl(element, form, name)] as const);
   form.addEventListener("submit", (event) => event.preventDefault());
-  followAttributes(element, () => {
+  followAttributes(element, SETTING_NAMES, () => {
     const attributes: Partial<Record<SettingName, string>> = {};
     for (const [name, control] of controls) {
       const text = element.getAttribute(name);

@@ -60,7 +60,7 @@ export function bindComparison(
     else comparison.close();
   });
   comparison.onChange = show;
-  followAttributes(room, () => show(""));
+  followAttributes(room, ["look"], () => show(""));
   return (isDisabled) => {
     for (const control of [left, right, button]) control.disabled = isDisabled;
   };

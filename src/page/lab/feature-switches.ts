@@ -18,7 +18,7 @@ export function addFeatureSwitches(element: CandleFlameElement, list: HTMLElemen
     label.append(box, name, meaning);
     return { name, box, label };
   });
-  followAttributes(element, () => {
+  followAttributes(element, ["look"], () => {
     const { features, look } = element;
     for (const { name, box } of rows) box.checked = features[name];
     const labels = FEATURES_OF[look].flatMap(

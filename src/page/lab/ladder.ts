@@ -89,6 +89,7 @@ function remember(element: CandleFlameElement): () => void {
   const wasPaused = element.paused;
   return () => {
     Object.assign(element.features, features);
+    // After the features: the page's switches follow this attribute.
     if (look === null) element.removeAttribute("look");
     else element.setAttribute("look", look);
     element.paused = wasPaused;

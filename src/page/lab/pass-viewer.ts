@@ -27,6 +27,6 @@ export function bindPassViewer(section: HTMLElement, room: CandleFlameElement): 
     refresh();
   };
   list.addEventListener("change", () => show(list.value as Inspection));
-  followAttributes(room, refresh);
+  followAttributes(room, ["look"], refresh);
   return () => show("picture");
 }

@@ -87,10 +87,12 @@ export function bindSpotMeter(
 }
 
 function meanOf(texels: Float32Array): Radiance {
-  const mean = (channel: number) =>
-    texels.reduce((sum, value, i) => (i % 3 === channel ? sum + value : sum), 0) /
-    Math.max(texels.length / 3, 1);
-  return [mean(0), mean(1), mean(2)];
+  const sum: [number, number, number] = [0, 0, 0];
+  for (let i = 0; i < texels.length; i += 3) {
+    for (const channel of [0, 1, 2] as const) sum[channel] += texels[i + channel] ?? 0;
+  }
+  const count = Math.max(texels.length / 3, 1);
+  return [sum[0] / count, sum[1] / count, sum[2] / count];
 }
 
 function figures(value: number): string {
