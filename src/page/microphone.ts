@@ -21,12 +21,14 @@ export function bindMicrophone(room: CandleFlameElement, section: HTMLElement): 
 
   async function open(): Promise<void> {
     button.disabled = true;
+    let stream: MediaStream | null = null;
     try {
-      const stream = await navigator.mediaDevices.getUserMedia({ audio: AUDIO });
+      stream = await navigator.mediaDevices.getUserMedia({ audio: AUDIO });
       stop = listen(stream, (strength) => room.blow(strength));
       status.textContent = "Blow at the microphone.";
       if (document.hidden) close("");
     } catch (error) {
+      closeTracks(stream);
       status.textContent = sentenceOf(error as Error);
     }
     button.disabled = false;
@@ -72,9 +74,13 @@ function listen(stream: MediaStream, onBreath: (strength: number) => void): () =
   let request = requestAnimationFrame(hear);
   return () => {
     cancelAnimationFrame(request);
-    for (const track of stream.getTracks()) track.stop();
+    closeTracks(stream);
     void context.close();
   };
+}
+
+function closeTracks(stream: MediaStream | null): void {
+  for (const track of stream?.getTracks() ?? []) track.stop();
 }
 
 function sentenceOf({ name }: Error): string {
