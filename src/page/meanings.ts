@@ -12,7 +12,8 @@ export const SETTING_MEANINGS: Readonly<Record<SettingName, string>> = {
   paused: "No time passes; a frame is drawn only when something changes.",
   seed: "Same seed, same steps, same pixels on the same renderer.",
   unlit: "The candle starts, or is put, out.",
-  "lit-wicks": "Which candles burn at first, by their numbers: 0 is the carried one.",
+  "lit-wicks":
+    "Which candles burn at first, by their numbers, such as “0 2”: 0 is the carried one.",
   wind: "Mean draught in the room.",
   "wind-direction": "Where the wind blows to: 0 is −Z, counter-clockwise from above.",
   gustiness: "Gusts of the wind: 0 is steady.",
@@ -20,7 +21,7 @@ export const SETTING_MEANINGS: Readonly<Record<SettingName, string>> = {
   moonlight:
     "Light of a full moon outside; none by default in a room of yours without a node “moon”.",
   "moon-direction":
-    "Where the moon stands: azimuth (0 is −Z, counter-clockwise from above) and elevation, degrees.",
+    "Where the moon stands, such as “120 30”: azimuth (0 is −Z, counter-clockwise from above) and elevation, degrees.",
   exposure: "Exposure compensation.",
   particles: "Particles that the flame keeps alive; 0 is the look's own count.",
   "max-pixel-ratio": "Cap on device pixels per CSS pixel.",
