@@ -165,20 +165,27 @@ function checkTree(nodes: readonly Node[], roots: readonly number[]): void {
       parents.set(child, parent);
     }
   }
-  for (const start of nodes.keys()) checkAscent(start, parents);
+  checkDepths(nodes.length, parents);
   for (const root of roots) {
     if (parents.has(root)) throw new Flaw(`is broken: nodes[${root}] is a root and has a parent`);
   }
 }
 
-/** Every node has at most one parent, so the way up from it ends or repeats. */
-function checkAscent(start: number, parents: ReadonlyMap<number, number>): void {
-  const path = new Set<number>();
-  for (let node: number | undefined = start; node !== undefined; node = parents.get(node)) {
-    if (path.has(node)) throw new Flaw(`is broken: nodes[${node}] is its own ancestor`);
-    path.add(node);
+/** Refuses cycles and deep trees. A node has one parent at most, so the way up from it ends or repeats. */
+function checkDepths(count: number, parents: ReadonlyMap<number, number>): void {
+  const depths = new Map<number, number>();
+  for (let start = 0; start < count; start++) {
+    const path = new Set<number>();
+    let node: number | undefined = start;
+    while (node !== undefined && !depths.has(node)) {
+      if (path.has(node)) throw new Flaw(`is broken: nodes[${node}] is its own ancestor`);
+      path.add(node);
+      node = parents.get(node);
+    }
+    let depth = depths.get(node ?? -1) ?? 0;
+    for (const below of [...path].reverse()) depths.set(below, ++depth);
+    if (depth > MOST_DEPTH) throw new Flaw(`is too deep: more than ${MOST_DEPTH} nodes in nodes`);
   }
-  if (path.size > MOST_DEPTH) throw new Flaw(`is too deep: more than ${MOST_DEPTH} nodes in nodes`);
 }
 
 function checkTriangles(
