@@ -101,7 +101,7 @@ export class CandleFlameElement extends ReflectedAttributes {
   connectedCallback(): void {
     // Here, and not once for all: an element that another document takes in loses its style.
     if (this.shadowRoot) this.shadowRoot.adoptedStyleSheets = styleFor(this.ownerDocument);
-    this.upgrade(["features", "camera", "lit", "inspect"]);
+    this.upgradeProperties(["features", "camera", "lit", "inspect"]);
     this.#lifecycle.connect();
   }
 

@@ -1,4 +1,4 @@
-// Types of the element's properties: their declarations need no others.
+// Types of the element's properties, apart from what has them: declarations of the package need no other package.
 
 /** The camera, as the property `camera` has it. */
 export interface Camera {

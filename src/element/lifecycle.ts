@@ -15,7 +15,7 @@ import { Overlay } from "./overlay.js";
 import { PendingWorld } from "./pending-world.js";
 import { ReadyPromise } from "./ready-promise.js";
 import type { ReflectedAttributes } from "./reflected-attributes.js";
-import { Session, type SessionInput } from "./session.js";
+import { Session, type SessionInput, type SessionOwner } from "./session.js";
 import { Visibility } from "./visibility.js";
 
 /**
@@ -24,9 +24,7 @@ import { Visibility } from "./visibility.js";
  * connected -> near the viewport -> a WebGL context -> models -> first frame; with a lost context, a failure,
  * and a restart from each. What a session holds is freed by `#release`.
  */
-export class Lifecycle {
-  /** Null before there is a WebGL context, and after a failure. */
-  session: Session | null = null;
+export class Lifecycle implements SessionOwner {
   readonly pending = new PendingWorld();
   readonly draws: DrawScheduler;
   readonly reporter: CandleReporter;
@@ -40,6 +38,7 @@ export class Lifecycle {
   #abort = new AbortController();
   #visibility: Visibility | null = null;
   #client: ContextClient | null = null;
+  #session: Session | null = null;
 
   constructor(internals: ElementInternals, root: ShadowRoot, input: SessionInput) {
     const element = input.attributes;
@@ -54,12 +53,17 @@ export class Lifecycle {
       isVisible: () => this.isVisible,
       isPlaying: () => this.#states.has("playing"),
       draw: () => {
-        this.session?.use((candle) => {
+        this.#session?.use((candle) => {
           candle.draw();
           this.reporter.glow(candle);
         });
       },
     });
+  }
+
+  /** Null before there is a WebGL context, and after a failure. */
+  get session(): Session | null {
+    return this.#session;
   }
 
   get ready(): Promise<void> {
@@ -85,7 +89,7 @@ export class Lifecycle {
   /** Like a removal and a new insertion, but the simulated time continues. */
   #restart(): void {
     if (!this.#machine.send("restart")) return;
-    const { candle, shownRequest } = this.session ?? {};
+    const { candle, shownRequest } = this.#session ?? {};
     const snapshot = candle && takeSnapshot(candle.world);
     this.#release();
     this.#ready.renew();
@@ -97,16 +101,16 @@ export class Lifecycle {
   sceneChanged(isOther: boolean): void {
     const element = this.#element;
     // A room may wait for a context.
-    const scene = this.session?.sceneName ?? (this.#client && "room");
+    const scene = this.#session?.sceneName ?? (this.#client && "room");
     const isOtherScene = scene !== null && scene !== element.scene;
     // After a failure another scene may do better.
     const mayDoBetter = this.#machine.current === "failed" && isOther && element.isConnected;
     if (isOtherScene || mayDoBetter) this.#restart();
-    this.session?.follow();
+    this.#session?.follow();
   }
 
   posterChanged(): void {
-    if (!this.session?.candle) this.#overlay.showPoster(this.#element);
+    if (!this.#session?.candle) this.#overlay.showPoster(this.#element);
   }
 
   /** Goes on without waiting for the viewport. */
@@ -116,7 +120,7 @@ export class Lifecycle {
 
   /** Hands the attributes to the candle. */
   apply(): void {
-    const session = this.session;
+    const session = this.#session;
     session?.use((candle) => {
       candle.options = session.options;
     });
@@ -126,14 +130,14 @@ export class Lifecycle {
 
   /** To be called when the candle has changed since the last frame. */
   changed(): void {
-    const { candle } = this.session ?? {};
+    const { candle } = this.#session ?? {};
     if (!candle) return;
     this.reporter.camera(candle);
     this.draws.request();
   }
 
   updateAccessibility(): void {
-    this.#accessibility.update(this.session?.canvas ?? null);
+    this.#accessibility.update(this.#session?.canvas ?? null);
   }
 
   #begin(): void {
@@ -183,7 +187,7 @@ export class Lifecycle {
     signal.addEventListener("abort", () => canvas.remove());
     this.#accessibility.update(canvas);
     try {
-      this.session = new Session(canvas, this.#input, signal, this);
+      this.#session = new Session(canvas, this.#input, signal, this);
     } catch (error) {
       this.onError(error);
     }
@@ -194,7 +198,6 @@ export class Lifecycle {
     emit(this.#element, "progress", { totalProgress });
   }
 
-  /** The candle has changed to another scene. */
   onScene(candle: CandleFlame): void {
     this.#applyPending(candle);
     this.#overlay.hideProgress();
@@ -202,31 +205,28 @@ export class Lifecycle {
     emit(this.#element, "load", null);
   }
 
-  /** The scene asked for cannot be fetched. */
   onMissing(error: Error): void {
-    if (this.session?.candle) {
+    if (this.#session?.candle) {
       this.onFetchDropped();
       this.#report(error);
     } else this.#fail(error);
   }
 
-  /** The fetch was aborted: the attributes ask for the scene that is shown. */
   onFetchDropped(): void {
     this.pending.forgetCamera();
     this.#overlay.hideProgress();
   }
 
   #applyPending(candle: CandleFlame): void {
-    const shownRequest = this.session?.shownRequest ?? null;
+    const shownRequest = this.#session?.shownRequest ?? null;
     this.pending.applyTo(candle, shownRequest, () => emit(this.#element, "place", null));
   }
 
-  /** The candle is drawn for the first time, but not shown: makes it what it will be in `onCandle`. */
   onRehearsal(candle: CandleFlame): void {
-    this.pending.applyTo(candle, this.session?.shownRequest ?? null);
+    this.pending.applyTo(candle, this.#session?.shownRequest ?? null);
   }
 
-  /** Shows the first frame, which the candle can draw now. */
+  /** Shows the first frame. */
   onCandle(candle: CandleFlame): void {
     this.#applyPending(candle);
     this.reporter.watch(candle);
@@ -234,18 +234,18 @@ export class Lifecycle {
       this.draws.drawn();
       this.reporter.frame(candle);
     };
-    this.session?.resize();
+    this.#session?.resize();
     this.draws.draw();
-    if (!this.session?.candle) return; // it could not be drawn
+    if (!this.#session?.candle) return; // it could not be drawn
     this.#machine.send("reveal");
     this.#overlay.hideProgress();
     this.#overlay.hidePoster();
     this.#states.toggle("loading", false);
     this.reporter.flame(candle);
-    this.session.followSize(() => this.draws.drawIfVisible());
+    this.#session.followSize(() => this.draws.drawIfVisible());
     observeLessMotion(this.#abort.signal, () => this.apply());
     this.#applyMotion();
-    if (this.session.look !== this.#element.look) this.#overlay.hint.tell(NO_PHYSICAL_LOOK);
+    if (this.#session.look !== this.#element.look) this.#overlay.hint.tell(NO_PHYSICAL_LOOK);
     const { settle } = this.#ready;
     const end = () => this.#ready.settle === settle && settle();
     // Steps must not depend on when code arrives.
@@ -275,14 +275,13 @@ export class Lifecycle {
     this.#report(new ContextLostError(LOST));
   }
 
-  /** Whether time is to pass. */
   plays(): boolean {
     return !this.#element.paused && this.isVisible;
   }
 
   /** Applies the attributes `paused` and `controls`. */
   #applyMotion(): void {
-    const session = this.session;
+    const session = this.#session;
     const candle = session?.candle;
     if (!candle) return;
     const plays = this.plays() && this.#machine.current === "running";
@@ -333,8 +332,8 @@ export class Lifecycle {
 
   #release(): void {
     this.#abort.abort();
-    this.session?.dispose();
-    this.session = null;
+    this.#session?.dispose();
+    this.#session = null;
     this.draws.reset();
     this.#states.clear();
     const client = this.#client;

@@ -4,7 +4,7 @@ import type { ReflectedAttributes } from "./reflected-attributes.js";
 
 /**
  * Overlay of the canvas: poster, progress bar, hint and failure, each of which the page may replace by a slot
- * of that name, and style as a part of that name.
+ * of that name, and style as a part of that name; and the glow of a lone candle on the page.
  */
 export class Overlay {
   readonly hint = new Hint();
@@ -61,6 +61,7 @@ export class Overlay {
   showProgress(totalProgress: number): void {
     this.#progressSlot.hidden = false;
     this.#progress.style.transform = `scaleX(${totalProgress})`;
+    this.#progress.classList.toggle("full", totalProgress === 1); // shaders are compiled next
   }
 
   hideProgress(): void {

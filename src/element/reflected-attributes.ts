@@ -25,7 +25,7 @@ export class ReflectedAttributes extends Base {
   static readonly observedAttributes: readonly string[] = SETTING_NAMES;
 
   // A property set before the element was defined hides the accessor: set it again through it.
-  protected upgrade(others: readonly string[]): void {
+  protected upgradeProperties(others: readonly string[]): void {
     const element = this as unknown as Record<string, unknown>;
     for (const name of [...SETTING_NAMES.map(camelCase), ...others]) {
       if (!Object.hasOwn(this, name)) continue;

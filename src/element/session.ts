@@ -7,7 +7,6 @@ import type { Features, Inspection, Look, SceneName } from "../settings.js";
 import { CandleList } from "./candle-list.js";
 import { watchContext } from "./context-watch.js";
 import { guessDevicePixels, observeDevicePixels, type Size } from "./device-pixels.js";
-import type { Lifecycle } from "./lifecycle.js";
 import { assetRootOf, optionsOf } from "./options.js";
 import type { ReflectedAttributes } from "./reflected-attributes.js";
 
@@ -16,6 +15,31 @@ export interface SessionInput {
   readonly attributes: ReflectedAttributes;
   readonly features: Features;
   inspect: Inspection;
+}
+
+/** What a session tells. */
+export interface SessionOwner {
+  /** Whether time is to pass. */
+  plays(): boolean;
+  /** @param progress of the models' files, 0 to 1 */
+  onProgress(progress: number): void;
+  /** The candle is drawn for the first time, but not shown: it is to be what it will be in `onCandle`. */
+  onRehearsal(candle: CandleFlame): void;
+  /** The candle can draw its first frame. */
+  onCandle(candle: CandleFlame): void;
+  /** The candle has changed to another scene. */
+  onScene(candle: CandleFlame): void;
+  /** The scene asked for cannot be fetched. */
+  onMissing(error: Error): void;
+  /** The fetch was aborted: the attributes ask for the scene that is shown. */
+  onFetchDropped(): void;
+  /** Drawing failed, or preparing it. */
+  onError(cause: unknown): void;
+  /** The candle has changed since the last frame. */
+  changed(): void;
+  onContextLost(): void;
+  onContextRestored(): void;
+  onContextGivenUp(): void;
 }
 
 /**
@@ -28,11 +52,10 @@ export class Session {
   /** Scene that the canvas was made for. */
   readonly sceneName: SceneName;
   readonly #input: SessionInput;
-  readonly #owner: Lifecycle;
+  readonly #owner: SessionOwner;
   readonly #signal: AbortSignal;
   readonly #target: CanvasTarget;
-  /** The scene on show; while another is fetched the attributes ask for that. */
-  shownRequest: SceneRequest | null = null;
+  #shownRequest: SceneRequest | null = null;
   #pendingRequest: SceneRequest | null = null;
   #loading: AbortController | null = null;
   #scene: Scene | null = null;
@@ -52,7 +75,7 @@ export class Session {
     canvas: HTMLCanvasElement,
     input: SessionInput,
     signal: AbortSignal,
-    owner: Lifecycle,
+    owner: SessionOwner,
   ) {
     const { scene, quality } = input.attributes;
     this.canvas = canvas;
@@ -62,7 +85,11 @@ export class Session {
     this.#signal = signal;
     this.#target = createCanvasTarget(scene, canvas);
     if (quality === "auto") void measureTarget(this.#target); // while the files are on their way
-    watchContext(this.#target.source, signal, owner, () => void this.#restore());
+    watchContext(this.#target.source, signal, {
+      onLost: () => owner.onContextLost(),
+      onRestored: () => void this.#restore(),
+      onGivenUp: () => owner.onContextGivenUp(),
+    });
     signal.addEventListener("abort", () => this.#loading?.abort());
     void this.#fetch();
   }
@@ -74,6 +101,11 @@ export class Session {
 
   get candles(): CandleList["entries"] {
     return this.#candles.entries;
+  }
+
+  /** The scene on show; while another is fetched the attributes ask for that. */
+  get shownRequest(): SceneRequest | null {
+    return this.#shownRequest;
   }
 
   /** Whether nothing can be drawn at the moment. */
@@ -93,7 +125,7 @@ export class Session {
 
   get options(): Options {
     const { attributes } = this.#input;
-    return optionsOf(attributes, this.shownRequest?.look ?? attributes.look);
+    return optionsOf(attributes, this.#shownRequest?.look ?? attributes.look);
   }
 
   get #request(): SceneRequest {
@@ -105,10 +137,10 @@ export class Session {
   /** To be called when an attribute that selects a scene has changed. */
   follow(): void {
     const request = this.#request;
-    if (areSame(request, this.shownRequest)) {
+    if (areSame(request, this.#shownRequest)) {
       this.#loading?.abort();
       this.#pendingRequest = null;
-      this.shownRequest = request;
+      this.#shownRequest = request;
       this.#owner.onFetchDropped();
     } else if (!areSame(request, this.#pendingRequest)) {
       void this.#fetch();
@@ -137,7 +169,7 @@ export class Session {
     }
     if (signal.aborted) return scene.close();
     this.#pendingRequest = null;
-    this.shownRequest = this.#request;
+    this.#shownRequest = this.#request;
     this.#show(scene);
   }
 

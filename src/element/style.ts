@@ -96,6 +96,9 @@ slot[name="poster"][hidden] {
   border-radius: 2px;
   font: 0.8em/1.6 system-ui, sans-serif;
 }
+@media (prefers-reduced-motion: no-preference) {
+  [part="progress"].full { animation: hint 1.2s ease-in-out infinite alternate; }
+}
 @keyframes hint { to { opacity: 0 } }
 @keyframes dim { to { opacity: 0.8 } }
 @media (prefers-contrast: more) {

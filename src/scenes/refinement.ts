@@ -120,9 +120,9 @@ export class Refinement {
     this.#isWanted = true;
     if (!this.#renderer) {
       const { scene, target, settings } = this.#parts();
-      const isPrepared = () => scene.prepareRenderer(target, REFINED, settings);
+      const prepare = () => scene.prepareRenderer(target, REFINED, settings);
       // Two parts in a frame, a few milliseconds each.
-      if (isPrepared() || isPrepared()) this.#create(subject);
+      if (prepare() || prepare()) this.#create(subject);
       return 0;
     }
     if (!this.#isReady) return 0;
