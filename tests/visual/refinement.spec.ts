@@ -2,6 +2,7 @@
 import type { Page } from "playwright/test";
 import sharp from "sharp";
 import type { Camera, CandleFlameElement } from "../../src/candle-flame-element.ts";
+import { type Drive, drawFrames, driveFrames } from "../support/driven-frames.ts";
 import { flip } from "../support/flip.ts";
 import { type Picture, RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
@@ -25,68 +26,6 @@ const BESIDE = ["high", "low"]
 
 /** Pixels of `low`, as raw data. */
 const LOW = { width: 320, height: 180, channels: 4 } as const;
-
-/** Frames come when the test says so, and are told the time that it says. */
-async function driveFrames(page: Page): Promise<void> {
-  await page.addInitScript(() => {
-    const request = window.requestAnimationFrame.bind(window);
-    const cancel = window.cancelAnimationFrame.bind(window);
-    const waiting = new Map<number, FrameRequestCallback>();
-    let next = 1e6;
-    let now = 0;
-    const drive = { isOn: false, tiles: 0, programs: 0, points: 0, tick: (_: number) => {} };
-    drive.tick = (milliseconds) => {
-      now += milliseconds;
-      drive.programs = 0;
-      drive.points = 0;
-      const frames = [...waiting.values()];
-      waiting.clear();
-      for (const frame of frames) frame(now);
-    };
-    window.requestAnimationFrame = (callback) => {
-      if (!drive.isOn) return request(callback);
-      waiting.set(++next, callback);
-      return next;
-    };
-    window.cancelAnimationFrame = (id) => {
-      if (!waiting.delete(id)) cancel(id);
-    };
-    // Each tile is cleared before it is drawn, and nothing else is of its size.
-    const { clear, viewport } = WebGL2RenderingContext.prototype;
-    let isTile = false;
-    WebGL2RenderingContext.prototype.viewport = function (x, y, width, height) {
-      isTile = x === 0 && y === 0 && width === 64 && height === 64;
-      viewport.call(this, x, y, width, height);
-    };
-    WebGL2RenderingContext.prototype.clear = function (mask) {
-      if (isTile) drive.tiles++;
-      clear.call(this, mask);
-    };
-    const used = new Set<WebGLProgram | null>();
-    const { drawArrays, useProgram } = WebGL2RenderingContext.prototype;
-    let program: WebGLProgram | null = null;
-    WebGL2RenderingContext.prototype.useProgram = function (next) {
-      program = next;
-      useProgram.call(this, next);
-    };
-    WebGL2RenderingContext.prototype.drawArrays = function (mode, first, count) {
-      if (!used.has(program)) drive.programs++;
-      used.add(program);
-      if (mode === this.POINTS) drive.points += count;
-      drawArrays.call(this, mode, first, count);
-    };
-    Object.assign(window, { drive });
-  });
-}
-
-interface Drive {
-  isOn: boolean;
-  tiles: number;
-  /** Programs that the last frame was the first to draw with, and points that it drew. */
-  programs: number;
-  points: number;
-  tick(milliseconds: number): void;
-}
 
 let page: Page;
 let room: RoomDriver;
@@ -118,23 +57,7 @@ test.beforeAll(async ({ browser }) => {
 test.afterEach(() => expect(room.complaints).toEqual([]));
 test.afterAll(() => page.close());
 
-/** Draws frames, each in a task of its own, and tells how many tiles each has drawn. */
-function frames(count: number, milliseconds: number): Promise<number[]> {
-  return room.evaluate(
-    async (_, { count, milliseconds }) => {
-      const drive = Reflect.get(window, "drive") as Drive;
-      const tiles: number[] = [];
-      for (let frame = 0; frame < count; frame++) {
-        const before = drive.tiles;
-        drive.tick(milliseconds);
-        tiles.push(drive.tiles - before);
-        await new Promise((resolve) => setTimeout(resolve));
-      }
-      return tiles;
-    },
-    { count, milliseconds },
-  );
-}
+const frames = (count: number, milliseconds: number) => drawFrames(room, count, milliseconds);
 
 /**
  * Draws frames until the picture is that of the refinement.
