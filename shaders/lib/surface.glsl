@@ -8,10 +8,7 @@ const float LOD_BIAS = -0.5;
 // tracer's indirect light in the cabin's views (`npm run reference`).
 const float NEAR_OCCLUSION = 0.5;
 
-uniform sampler2D uEnvironmentBrdf;
 uniform sampler2D uNormalMapVisibility;  // by level of detail: mesh/normal-map-visibility.frag
-uniform vec4 uFeatures;  // 1 or 0: shadows, indirect light, specular; the normal instead of radiance
-uniform vec2 uOrigin;    // of the target on the frame, pixels
 
 struct Material {
   vec3 baseColor;

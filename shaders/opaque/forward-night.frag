@@ -22,6 +22,10 @@
 #include "lib/direct-moonlight.glsl"
 #include "lib/virtual-lights.glsl"
 
+uniform sampler2D uEnvironmentBrdf;
+uniform vec4 uFeatures;  // 1 or 0: shadows, indirect light, specular; the last is unused
+uniform vec2 uOrigin;    // of the target on the frame, pixels
+
 out vec4 oRadiance;
 
 float shade(vec3 facet) {

@@ -46,9 +46,12 @@ const float WICK_COSINE = 0.05;
 #include "lib/direct-moonlight.glsl"
 #endif
 
-uniform float uWax;     // 1 or 0
-uniform float uIsWick;  // 1 or 0
-uniform float uIsPane;  // 1 or 0
+uniform sampler2D uEnvironmentBrdf;
+uniform float uWax;      // 1 or 0
+uniform vec4 uFeatures;  // 1 or 0: shadows, indirect light, specular; the normal instead of radiance
+uniform vec2 uOrigin;    // of the target on the frame, pixels
+uniform float uIsWick;   // 1 or 0
+uniform float uIsPane;   // 1 or 0
 
 out vec4 oRadiance;
 

@@ -45,12 +45,11 @@ export class LoneCandleRenderer extends LoneRenderer {
     this.#shared = share(gpu, model);
   }
 
-  render(world: World, settings: FrameSettings): void {
+  protected drawFrame(world: World, settings: FrameSettings): void {
     const { frame, light, flame, displayProgram } = this.#shared;
     const { features } = settings;
     const camera = frameCandle(this.aspect, world.flame.wick);
     const drawn = this.begin(frame, camera, EXPOSURE, settings);
-    if (!drawn) return;
     light.update(lightBlock(world, features.candle));
     if (features.candle) this.#drawCandle(drawn.target, world);
     flame.render(drawn.target, frame, carriedWick(world), this.tier.physical.flameSteps);

@@ -7,7 +7,7 @@ import { forwardProgram } from "./opaque/forward-programs.js";
 import type { Tier } from "./quality.js";
 import type { Models } from "./renderer.js";
 import { SCHEDULE } from "./schedule.js";
-import { clustersOf } from "./shadow/shadow-casters.js";
+import { clusterBuilderOf } from "./shadow/shadow-casters.js";
 
 /**
  * Prepares a `PhysicalRenderer` a little at a time: uploads meshes, compiles, clusters the casters, and traces the
@@ -26,7 +26,7 @@ export function preparePhysicalRenderer(
   return (
     uploadNextPart(gpu, room) &&
     uploadNextPart(gpu, candle) &&
-    clustersOf(room, { error: casterError }).proceed() &&
+    clusterBuilderOf(room, { error: casterError }).proceed() &&
     probeTraceOf(collision, room, fitToRoom(indirect, collision, room)).proceed(
       SCHEDULE.probesPerFrame,
     ) &&

@@ -40,7 +40,7 @@ const NORMAL_BIAS = 0.15;
 
 export type ShadowMap = Pick<ShadowCube, "depth" | "captureOrigin">;
 
-/** How small the steps of a capture are: a pass each, or less: a band of a pass, or a face of the surfel cube. */
+/** How much a step of a capture draws: a whole pass, or a band of one. A face of the surfel cube is a step in both. */
 export type StepSize = "passes" | "steps";
 
 /** Irradiance volume, for shaders that include `lib/irradiance-volume.glsl`. */

@@ -5,7 +5,16 @@ import type { CaptureLight } from "../light-block.js";
 import { FACES } from "../shadow/cube-map.js";
 import { type IndirectDetail, IRRADIANCE_TEXELS } from "./probe-rays.js";
 
-export type IndirectTargets = ReturnType<typeof indirectTargets>;
+/** What the bounces are computed in. Lights can share it. */
+export interface IndirectTargets {
+  readonly rayRadiance: RenderTarget;
+  readonly surfelRadiance: RenderTarget;
+  readonly firstBounce: RenderTarget;
+  /** The light whose bounces were last begun. */
+  usedFor: CaptureLight | null;
+  /** Sums after each further bounce, used in turn. */
+  readonly bounces: readonly RenderTarget[];
+}
 
 /** Surfels lie in the tiles of the probes in rows as long as those of the rays. */
 export function surfelRowsOf({ surfels, surfelGroup, rays }: IndirectDetail): number {
@@ -26,8 +35,7 @@ export function irradianceMaps(
   });
 }
 
-/** What the bounces are computed in. Lights can share it. */
-export function indirectTargets(gpu: Gpu, detail: IndirectDetail) {
+export function indirectTargets(gpu: Gpu, detail: IndirectDetail): IndirectTargets {
   const [width, rows, planes] = detail.probes;
   const height = rows * planes;
   // Rays in groups of four.
@@ -48,9 +56,7 @@ export function indirectTargets(gpu: Gpu, detail: IndirectDetail) {
       filter: "nearest",
     }),
     firstBounce: irradianceMaps(gpu, detail, "gi/first-bounce"),
-    /** The light whose bounces were last begun. */
-    usedFor: null as CaptureLight | null,
-    /** Sums after each further bounce, used in turn. */
+    usedFor: null,
     bounces: ["a", "b", "c", "d"].map((label) =>
       irradianceMaps(gpu, detail, `gi/bounces/${label}`),
     ),

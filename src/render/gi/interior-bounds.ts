@@ -1,6 +1,7 @@
 import type { Model } from "../../assets/model.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import type { CollisionMesh } from "../../world/room/collision-mesh.js";
+import { pointsIn } from "../points.js";
 import { octahedral } from "./ray-directions.js";
 
 /** Points along each axis that rays start from, and the rays' directions. */
@@ -38,17 +39,6 @@ export function interiorBounds(collision: CollisionMesh, { bounds }: Model): Bou
     pointsInside >= LEAST_INSIDE * POINTS[0] * POINTS[1] * POINTS[2] ? boundsOf(hits) : bounds;
   known.set(collision, inside);
   return inside;
-}
-
-/** The middles of so many cells along each axis of a box. */
-export function* pointsIn({ min, max }: Bounds, counts: Readonly<Vec3>): Generator<Vec3> {
-  const [columns, rows, planes] = counts;
-  for (let n = 0; n < columns * rows * planes; n++) {
-    const cell = [n % columns, Math.floor(n / columns) % rows, Math.floor(n / columns / rows)];
-    yield [0, 1, 2].map(
-      (axis) => min[axis]! + ((cell[axis]! + 0.5) / counts[axis]!) * (max[axis]! - min[axis]!),
-    ) as Vec3;
-  }
 }
 
 function boundsOf(hits: readonly Vec3[]): Bounds {

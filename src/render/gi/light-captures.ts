@@ -9,7 +9,7 @@ import type { GBufferKind } from "../gbuffer/gbuffer.js";
 import type { CaptureLight } from "../light-block.js";
 import { hasLods } from "../mesh/mesh-lods.js";
 import { MOTION_ERROR, type PhysicalTier } from "../quality.js";
-import { clustersOf, ShadowCasters } from "../shadow/shadow-casters.js";
+import { clusterBuilderOf, ShadowCasters } from "../shadow/shadow-casters.js";
 import { type ShadowCube, ShadowPass, shadowAtlas } from "../shadow/shadow-pass.js";
 import { finish, type Steps } from "../steps.js";
 import { fitToRoom } from "./fit-to-room.js";
@@ -205,7 +205,7 @@ export class LightCaptures {
     if (!this.#hasLods) return null;
     const detail = { error, isReduced: true };
     const { model, surfaces } = this.#room;
-    return clustersOf(model, detail).proceed()
+    return clusterBuilderOf(model, detail).proceed()
       ? new ShadowCasters(this.#gpu, model, surfaces, detail)
       : null;
   }

@@ -66,7 +66,7 @@ const CORNERS = [...Array(8).keys()];
 
 const traces = new WeakMap<CollisionMesh, Map<string, ProbeTrace>>();
 
-/** The rays of all probes. Cached by room and resolution. */
+/** What traces the rays of all probes, all at once or a few at a time. Cached by room and resolution. */
 export function probeTraceOf(
   collision: CollisionMesh,
   model: Model,

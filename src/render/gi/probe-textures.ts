@@ -19,7 +19,7 @@ const BANDS = 12;
 /** Hits in a step: a CPU draws a few hundred points in a millisecond. */
 const HITS = 12_000;
 
-export type ProbeTextures = ReturnType<typeof uploadProbeRays>;
+export type ProbeTextures = Readonly<ReturnType<typeof uploadProbeRays>>;
 
 /**
  * Probes and the hits of their rays, as textures.

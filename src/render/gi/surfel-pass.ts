@@ -45,18 +45,18 @@ export class SurfelPass extends Surfels {
     { surfels: size }: IndirectDetail,
     support: SupportSlot = { supports: supportTarget(gpu, 1), slot: 0 },
   ) {
-    super(gpu, size, "Light", [{}, {}]);
+    super(gpu, size, "Light");
     this.#support = support;
     this.#supportProgram = gpu.program("gi/support-radiosity", fullscreenVert, supportFrag);
     this.#totalProgram = gpu.program("gi/total-radiosity", fullscreenVert, totalRadiosityFrag);
-    this.#total = this.target("total radiosity");
+    this.#total = this.target("gi/total-radiosity");
   }
 
-  override get totalRadiosity(): Texture {
+  get totalRadiosity(): Texture {
     return this.#total.color;
   }
 
-  override get support(): Texture {
+  get support(): Texture {
     return this.#support.supports.color;
   }
 
@@ -81,10 +81,7 @@ export class SurfelPass extends Surfels {
     });
   }
 
-  override renderTotalRadiosity(
-    volume: Readonly<Record<string, Texture>>,
-    block: UniformBlock,
-  ): void {
+  renderTotalRadiosity(volume: Readonly<Record<string, Texture>>, block: UniformBlock): void {
     this.gpu.draw({
       program: this.#totalProgram,
       target: this.#total,

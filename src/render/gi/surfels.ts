@@ -32,13 +32,13 @@ export abstract class Surfels {
   /**
    * @param size rows of surfels; there are as many columns as six times that
    * @param light name of its block
-   * @param defines of shaders that capture surfels, and of those that read them
+   * @param defines of shaders that capture surfels, and of those that read them. Default: none
    */
   constructor(
     gpu: Gpu,
     size: number,
     light: "Light" | "Moon",
-    [capture, read]: readonly [Defines, Defines],
+    { capture = {}, read = {} }: Partial<Readonly<Record<"capture" | "read", Defines>>> = {},
   ) {
     this.gpu = gpu;
     this.size = size;
@@ -50,8 +50,8 @@ export abstract class Surfels {
     this.block = gpu.uniformBlock(this.#radiosityProgram, light);
     this.blocks = { [light]: this.block };
     const texel = floats(gpu, 4);
-    this.#surfels = this.target(`surfels/${light}`, [texel, texel], "buffer");
-    this.#radiosity = this.target(`radiosity/${light}`);
+    this.#surfels = this.target(`gi/surfels/${light}`, [texel, texel], "buffer");
+    this.#radiosity = this.target(`gi/radiosity/${light}`);
   }
 
   protected target(
@@ -71,6 +71,7 @@ export abstract class Surfels {
     draw: Required<Pick<Draw, "viewport" | "uniforms">>,
     isVisible: (box: Bounds) => boolean,
   ): void {
+    // What no capture draws to, as the moon's rows on the panes, is zero since WebGL created it.
     this.gpu.clear(this.#surfels, [0, 0, 0, 0], draw.viewport);
     const pass = { program: this.#captureProgram, target: this.#surfels, ...draw };
     casters.drawWithAlbedo({ ...pass, depth: "test-and-write", cull: "none" }, isVisible);
@@ -91,15 +92,11 @@ export abstract class Surfels {
     return this.#radiosity.color;
   }
 
-  /** In all light, lm/m²; in direct light where nobody asks. */
-  get totalRadiosity(): Texture {
-    return this.radiosity;
-  }
+  /** In all light, lm/m². */
+  abstract get totalRadiosity(): Texture;
 
   /** Of the surface below the flame, for `lib/support-irradiance.glsl`. */
-  get support(): Texture {
-    return this.radiosity;
-  }
+  abstract get support(): Texture;
 
   /** Radiosity by a light. */
   renderRadiosity(light: CaptureLight): void {
@@ -109,7 +106,10 @@ export abstract class Surfels {
   }
 
   /** The same with indirect light, by the irradiance volume. */
-  renderTotalRadiosity(_volume: Readonly<Record<string, Texture>>, _block: UniformBlock): void {}
+  abstract renderTotalRadiosity(
+    volume: Readonly<Record<string, Texture>>,
+    block: UniformBlock,
+  ): void;
 
   protected get textures() {
     const [uSurfelReflectance, uSurfelNormalDistance] = this.#surfels.colors;

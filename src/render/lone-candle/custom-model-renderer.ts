@@ -104,14 +104,13 @@ export class CustomModelRenderer extends LoneRenderer {
     };
   }
 
-  render(world: World, settings: FrameSettings): void {
+  protected drawFrame(world: World, settings: FrameSettings): void {
     const { frame, flames, flame, shadows } = this.#resources;
     const { features } = settings;
     const { magnification, ...camera } = frameBox(this.#bounds, this.aspect);
     const rooted: readonly RootedFlame[] = [carriedFlame(world), ...world.standing];
     const { key, exposure } = this.#meter.measure(rooted);
     const drawn = this.begin(frame, camera, exposure, settings);
-    if (!drawn) return;
     const { target, clip } = drawn;
     const glare = features.bloom ? Math.sqrt(exposure / MOST_EXPOSURE) : 0;
     flames.update(this.#lights.members(rooted, clip, features.shadows, glare));

@@ -18,7 +18,8 @@ const MIDDLE = 0.016;
 
 /**
  * Shadow cubes of all flames of a model in one atlas: distances from each flame's middle at rest. Model and
- * flames stand, so they are drawn once.
+ * flames stand, so they are drawn once. The tiles of a cube are in the order of `FACES`, which is that of
+ * `shaders/lib/flame-shadows.glsl`.
  */
 export class FlameShadows {
   readonly tiles: readonly [across: number, down: number];

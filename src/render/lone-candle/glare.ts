@@ -15,7 +15,8 @@ export function glareOf(
 ): readonly [number, number, number, number] {
   const [u, v] = canvasUv(clip, x, y, z);
   const [, top] = canvasUv(clip, x, y + halfHeight, z);
-  const strength = factor * GLARE * Math.min(luma(intensity), BRIGHTEST_GLARE);
+  // Exactly none without a factor, even if the intensity is no number.
+  const strength = factor === 0 ? 0 : factor * GLARE * Math.min(luma(intensity), BRIGHTEST_GLARE);
   return [u, v, Math.abs(top - v), strength];
 }
 

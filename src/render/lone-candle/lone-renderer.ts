@@ -32,7 +32,7 @@ export interface LoneFrame {
   readonly clip: mat4;
 }
 
-/** A pass over smoke; null until its code is there. */
+/** The smoke pass of a context; null until its code is there. */
 export type SmokePassOf = (gpu: Gpu) => SmokePass | null;
 
 /**
@@ -55,7 +55,13 @@ export abstract class LoneRenderer implements Renderer {
     this.#smokePass = smokePass;
   }
 
-  abstract render(world: World, settings: FrameSettings): void;
+  /** Draws nothing before there is a size. */
+  render(world: World, settings: FrameSettings): void {
+    if (this.#radiance) this.drawFrame(world, settings);
+  }
+
+  /** Calls `begin`, draws to its target, and calls `display`. */
+  protected abstract drawFrame(world: World, settings: FrameSettings): void;
 
   resize(width: number, height: number): void {
     const { samples } = this.tier;
@@ -75,7 +81,7 @@ export abstract class LoneRenderer implements Renderer {
   }
 
   /**
-   * Null before there is a size.
+   * Writes camera and exposure to the block of the frame, and clears the target.
    *
    * @param factor from cd/m² to the display's scale, before the visitor's exposure
    */
@@ -84,9 +90,8 @@ export abstract class LoneRenderer implements Renderer {
     { eye, pitch, fieldOfView }: LoneCamera,
     factor: number,
     { features, exposure }: FrameSettings,
-  ): LoneFrame | null {
-    const target = this.#samples ?? this.#radiance;
-    if (!target) return null;
+  ): LoneFrame {
+    const target = (this.#samples ?? this.#radiance)!;
     const { width, height } = this.#size;
     const clip = clipFromWorld(eye, 0, pitch, this.aspect, fieldOfView);
     frame.update({
@@ -117,8 +122,7 @@ export abstract class LoneRenderer implements Renderer {
     uniforms: Readonly<Record<string, UniformValue>>,
     blocks: Readonly<Record<string, UniformBlock>>,
   ): void {
-    const radiance = this.#radiance;
-    if (!radiance) return;
+    const radiance = this.#radiance!;
     if (this.#samples) this.gpu.resolve(this.#samples, radiance);
     this.gpu.draw({
       program,

@@ -1,7 +1,7 @@
 import type { Model, Part } from "../../assets/model.js";
 import type { Vec3 } from "../../world/geometry.js";
 import { CollisionMesh } from "../../world/room/collision-mesh.js";
-import { pointsIn } from "../gi/interior-bounds.js";
+import { pointsIn } from "../points.js";
 
 /** Points along each edge of the room that rays to the moon are cast from. */
 const POINTS: Readonly<Vec3> = [20, 10, 20];

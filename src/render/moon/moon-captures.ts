@@ -14,7 +14,7 @@ import { IndirectPass, type IndirectScene, type StepSize } from "../gi/indirect-
 import { type IndirectTargets, irradianceMaps } from "../gi/indirect-targets.js";
 import { type IndirectDetail, probeTraceOf } from "../gi/probe-rays.js";
 import type { PhysicalTier } from "../quality.js";
-import { clustersOf, ShadowCasters } from "../shadow/shadow-casters.js";
+import { clusterBuilderOf, ShadowCasters } from "../shadow/shadow-casters.js";
 import type { Steps } from "../steps.js";
 import { entersRoom } from "./entry.js";
 import {
@@ -137,7 +137,7 @@ export class MoonCaptures {
     if (!frustum.panes && !entersRoom(direction, parts, model.bounds)) return null;
     const before = { ...model, parts };
     const detail = { error: 0 };
-    while (!clustersOf(before, detail).proceed()) yield;
+    while (!clusterBuilderOf(before, detail).proceed()) yield;
     const lit = moonlitPoints(frustum, new CollisionMesh(parts), this.#detail);
     const { positions } = probeTraceOf(collision, model, this.#detail).finish();
     const visibility = yield* traceSurfelVisibility(lit, collision, positions, this.#detail);

@@ -2,7 +2,8 @@ import { vec3 } from "gl-matrix";
 import type { Model, Part } from "../../assets/model.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import { verticesOf } from "../mesh/triangles.js";
-import { areaOf, type Panes, rangeAlong, stopsMoonlight } from "./panes.js";
+import { rangeAlong } from "../points.js";
+import { areaOf, type Panes, stopsMoonlight } from "./panes.js";
 
 /** Luminance of the sky under a moon of 1 lx, cd/m²: 0.002 under one of 0.15 lx. */
 export const SKY = 0.002 / 0.15;

@@ -14,7 +14,7 @@ export class MoonSurfels extends Surfels {
 
   /** @param group rows of those on the panes */
   constructor(gpu: Gpu, size: number, group: number) {
-    super(gpu, size, "Moon", [{ PARALLEL: 1 }, { MOON: 1 }]);
+    super(gpu, size, "Moon", { capture: { PARALLEL: 1 }, read: { MOON: 1 } });
     this.#rows = size - group;
   }
 
@@ -33,6 +33,17 @@ export class MoonSurfels extends Surfels {
   override get visibility(): { readonly uSurfelVisibility?: Texture } {
     return this.#visibility ? { uSurfelVisibility: this.#visibility } : {};
   }
+
+  /** Not used for the moon; nor is the support. */
+  get totalRadiosity(): Texture {
+    return this.radiosity;
+  }
+
+  get support(): Texture {
+    return this.radiosity;
+  }
+
+  renderTotalRadiosity(): void {}
 
   /** Surfels on the map. */
   get detail(): Readonly<Record<"columns" | "rows" | "paneRows", number>> {

@@ -2,6 +2,7 @@ import { vec3 } from "gl-matrix";
 import type { Model, Part } from "../../assets/model.js";
 import type { Vec3 } from "../../world/geometry.js";
 import { crossOf, verticesOf } from "../mesh/triangles.js";
+import { rangeAlong } from "../points.js";
 
 /** Materials of the built-in room: panes, and the night behind its openings. */
 const PANE = "pane";
@@ -28,17 +29,6 @@ interface Backdrop {
   readonly offset: number;
   readonly points: Vec3[];
   readonly glass: Vec3[];
-}
-
-/** Least and largest place of points along an axis. */
-export function rangeAlong(axis: Vec3, points: readonly Vec3[]): readonly [number, number] {
-  let [least, most] = [Infinity, -Infinity];
-  for (const point of points) {
-    const along = vec3.dot(axis, point);
-    least = Math.min(least, along);
-    most = Math.max(most, along);
-  }
-  return [least, most];
 }
 
 const UP: Vec3 = [0, 1, 0];

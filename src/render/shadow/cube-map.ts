@@ -11,7 +11,11 @@ export const FACES = [0, 1, 2, 3, 4, 5].map((face) => ({
   sign: face % 2 === 0 ? 1 : -1,
 }));
 
-/** View from `origin` (metres) through one face of a cube. `up`: along the vertical, 1 or -1, through its four sides. */
+/**
+ * View from `origin` (metres) through one face of a cube.
+ *
+ * @param up vertical direction that is up in the view through the four sides. 1: in an atlas, -1: in GL's cube maps
+ */
 export function viewOfFace(face: number, origin: Readonly<Vec3>, up: number): mat4 {
   const { axis, sign } = FACES[face]!;
   const ahead: Vec3 = [...origin];
@@ -27,7 +31,7 @@ export function clipFromFace(face: number, origin: Vec3, out: mat4): mat4 {
 
 /**
  * Clip space of one face of the shadow cube, of `FACES`' axis and sign, from world space. Depth in [0, 1] is
- * 1 - NEAR / distance along the axis: linear across a plane, as in `shaders/lib/shadow-cube.glsl`.
+ * 1 - NEAR / distance along the axis: linear across a plane, as in `shaders/lib/shadow-tiles.glsl`.
  *
  * @param reach half the width of what is drawn, as a share of the distance along the axis
  */

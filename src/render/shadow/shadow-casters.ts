@@ -25,8 +25,8 @@ export interface CasterDetail {
 /** Clusters of each model by level of detail, shared by all contexts. */
 const cache = new WeakMap<Model, Map<string, ClusterBuilder>>();
 
-/** The clusters of a model, for the casters to come. */
-export function clustersOf(
+/** What builds the clusters of a model, all at once or a part at a time, for the casters to come. Cached. */
+export function clusterBuilderOf(
   model: Model,
   { error, isReduced = false }: CasterDetail,
 ): ClusterBuilder {
@@ -51,7 +51,7 @@ export class ShadowCasters {
   constructor(gpu: Gpu, model: Model, surfaces: readonly Mesh[], detail: CasterDetail) {
     this.#gpu = gpu;
     this.#surfaces = surfaces;
-    this.#clusters = clustersOf(model, detail).finish();
+    this.#clusters = clusterBuilderOf(model, detail).finish();
     const { vertices, indices } = this.#clusters;
     const buffer = gpu.buffer("casters/vertices", vertices);
     const indexBuffer = gpu.buffer("casters/indices", indices, "index");
@@ -84,7 +84,7 @@ export class ShadowCasters {
     yield* casterAlbedoOf(this.#gpu, this.#surfaces);
   }
 
-  /** The same with `uCasterAlbedo`. */
+  /** Draws clusters with `uCasterAlbedo`. */
   drawWithAlbedo(
     pass: Omit<Draw, "vertexArray" | "textures">,
     isVisible: (box: Bounds) => boolean,

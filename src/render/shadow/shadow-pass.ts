@@ -10,11 +10,11 @@ import { finish, type Steps } from "../steps.js";
 import { clipFromShadowFace, FACES, isInCubeFace } from "./cube-map.js";
 import type { ShadowCasters } from "./shadow-casters.js";
 
-/** Width of a face's tile as a share of the face's: `SHADOW_REACH` of `shaders/lib/shadow-cube.glsl`. */
+/** Width of a face's tile as a share of the face's: `SHADOW_REACH` of `shaders/lib/shadow-tiles.glsl`. */
 const REACH = 1.125;
 const NO_COLOR = [0, 0, 0, 0] as const;
 
-export type ShadowAtlas = ReturnType<typeof shadowAtlas>;
+export type ShadowAtlas = Readonly<ReturnType<typeof shadowAtlas>>;
 
 /**
  * A texture of one shadow cube or several, one above another.
@@ -22,7 +22,6 @@ export type ShadowAtlas = ReturnType<typeof shadowAtlas>;
  * @param size texels along an edge of a cube, at most
  */
 export function shadowAtlas(gpu: Gpu, size: number, slots: number) {
-  /** Texels along a tile's edge. */
   let tile = size * REACH;
   while (2 * tile * slots > gpu.longestSide) tile /= 2;
   const depth = gpu.texture({
@@ -33,7 +32,12 @@ export function shadowAtlas(gpu: Gpu, size: number, slots: number) {
     filter: "nearest",
   });
   const target = gpu.textureView({ label: "shadow", textures: [], image: 0, depth });
-  return { depth, target, tile };
+  return {
+    depth,
+    target,
+    /** Texels along a tile's edge. */
+    tile,
+  };
 }
 
 /** A shadow cube and the point that it was captured from. */
@@ -49,7 +53,7 @@ export interface ShadowCube {
  * Shadow cube: depth of the nearest caster in every direction from the capture origin.
  *
  * Its faces are tiles of one depth texture, a column for each axis and a row for each sign, so that a tap needs no
- * choice of a face: `shaders/lib/shadow-cube.glsl`.
+ * choice of a face: `shaders/lib/shadow-tiles.glsl`.
  */
 export class ShadowPass {
   readonly #gpu: Gpu;
