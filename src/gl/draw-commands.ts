@@ -85,16 +85,16 @@ export class DrawCommands {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   }
 
-  draw(draw: Draw): void {
+  draw(call: Draw): void {
     const gl = this.gl;
-    const { target, vertexArray, primitive = "triangles", viewport, scissor, into } = draw;
-    const { count = vertexArray?.count ?? 3, first = 0 } = draw;
-    const { blend = "replace", depth = "none", cull = "back" } = draw;
+    const { target, vertexArray, primitive = "triangles", viewport, scissor, into } = call;
+    const { count = vertexArray?.count ?? 3, first = 0 } = call;
+    const { blend = "replace", depth = "none", cull = "back" } = call;
     this.#bind(target);
     if (viewport) gl.viewport(...viewport);
     this.#switch(gl.SCISSOR_TEST, scissor !== undefined);
     if (scissor) gl.scissor(...scissor);
-    this.#use(draw);
+    this.#bindInputs(call);
     this.#switch(gl.BLEND, blend === "premultiplied");
     this.#switch(gl.DEPTH_TEST, depth !== "none");
     if (depth !== "none") this.#writeDepth(depth === "test-and-write");
@@ -113,12 +113,12 @@ export class DrawCommands {
     if (primitive === "triangles") this.triangles += count / 3;
   }
 
-  transform(transform: Transform): void {
+  transform(call: Transform): void {
     const gl = this.gl;
-    this.#use(transform);
-    gl.bindVertexArray(transform.vertexArray.handle);
+    this.#bindInputs(call);
+    gl.bindVertexArray(call.vertexArray.handle);
     gl.enable(gl.RASTERIZER_DISCARD);
-    this.#capture(transform.into, transform.count);
+    this.#capture(call.into, call.count);
     gl.disable(gl.RASTERIZER_DISCARD);
     this.drawCalls++;
   }
@@ -199,9 +199,9 @@ export class DrawCommands {
     else gl.viewport(0, 0, target.width, target.height);
   }
 
-  #use(draw: Omit<Draw, "target">): void {
+  #bindInputs(call: Omit<Draw, "target">): void {
     const gl = this.gl;
-    const { program, uniforms = {}, textures = {}, sampling = {}, blocks = {} } = draw;
+    const { program, uniforms = {}, textures = {}, sampling = {}, blocks = {} } = call;
     // First: laying out a block may have to look into another program.
     for (const [name, binding] of program.blocks) {
       const block = blocks[name];

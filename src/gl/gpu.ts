@@ -274,17 +274,17 @@ export class Gpu extends DrawCommands {
     this.#startPrograms(1);
   }
 
-  override draw(draw: Draw): void {
-    this.#use(draw.program);
-    super.draw(draw);
+  override draw(call: Draw): void {
+    this.#noteUse(call.program);
+    super.draw(call);
   }
 
-  override transform(transform: Transform): void {
-    this.#use(transform.program);
-    super.transform(transform);
+  override transform(call: Transform): void {
+    this.#noteUse(call.program);
+    super.transform(call);
   }
 
-  #use(program: Program): void {
+  #noteUse(program: Program): void {
     if (this.#unsent.has(program)) this.#startPrograms();
     this.used.add(program);
   }
