@@ -111,6 +111,7 @@ export function flameBody(height: number, radius: number, luminousIntensity: num
      * bands, cd/m² per m.
      */
     texels,
+    /** As `flameBody` was given them. */
     height,
     radius,
     luminousIntensity,

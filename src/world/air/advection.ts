@@ -26,18 +26,22 @@ const OUTER = [2, 2, 1] as const;
 /**
  * The lines of a field along one axis, and where the flow along them is found.
  *
+ * @param field layout of the values
+ * @param flow layout of the flow, on the faces across `along`
  * @param across axis of the faces that the values lie on; null in the middles of the cells
- * @param flow the field of the flow, on the faces across `along`
+ * @param along axis of the lines
+ * @param ruler of the grid along that axis
  * @param seconds of a step
  */
 export function linesOf(
-  { sizes, strides }: Layout,
+  field: Layout,
   flow: Layout,
   across: 0 | 1 | 2 | null,
   along: 0 | 1 | 2,
-  { widths, spans }: GridAxis,
+  ruler: GridAxis,
   seconds: number,
 ) {
+  const { sizes, strides } = field;
   const inner = INNER[along];
   const outer = OUTER[along];
   const isAside = across !== null && across !== along;
@@ -60,7 +64,7 @@ export function linesOf(
     isAsideInner: across === inner,
     lastAside: isAside ? sizes[across] - 1 : 0,
     /** Cells that a flow of 1 m/s travels in a step, at each value of a line, or face between them. */
-    rates: (isAside ? widths : spans).map((length) => seconds / length),
+    rates: (isAside ? ruler.widths : ruler.spans).map((length) => seconds / length),
   };
 }
 

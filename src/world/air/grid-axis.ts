@@ -14,10 +14,13 @@ export class GridAxis {
   readonly widths: Float64Array;
   /** From the middle of the cell below each edge to the middle of the one above it. */
   readonly spans: Float64Array;
-  /** Reciprocals of widths and spans; and of each cell, the weights of its neighbours in a second derivative. */
+  /** Reciprocal of each width. */
   readonly perWidth: Float64Array;
+  /** Reciprocal of each span. */
   readonly perSpan: Float64Array;
+  /** Of each cell, the weight of the one below it in a second derivative. */
   readonly lower: Float64Array;
+  /** The same of the one above it. */
   readonly upper: Float64Array;
   readonly #table = new Float32Array(TABLE + 2);
   readonly #perMetre: number;

@@ -65,16 +65,16 @@ export class PlumeSolver {
   /** Place of a query, in cells. */
   readonly #at: Vec3 = [0, 0, 0];
   readonly #rulers: Three<GridAxis>;
-  /** Weights of a cell's lower and upper neighbours along x in diffusion. */
-  readonly #lower: Float64Array;
-  readonly #upper: Float64Array;
+  /** `GridAxis`' weights of a cell's neighbours along x, times the step. */
+  readonly #diffusionLower: Float64Array;
+  readonly #diffusionUpper: Float64Array;
 
   constructor(grid: PlumeGrid = plumeGrid()) {
     this.grid = grid;
     this.#rulers = [grid.x, grid.y, grid.z];
     const { widths, spans } = grid.x;
-    this.#lower = widths.map((width, i) => PLUME_STEP / (width * spans[i]!));
-    this.#upper = widths.map((width, i) => PLUME_STEP / (width * spans[i + 1]!));
+    this.#diffusionLower = widths.map((width, i) => PLUME_STEP / (width * spans[i]!));
+    this.#diffusionUpper = widths.map((width, i) => PLUME_STEP / (width * spans[i + 1]!));
     const { x, y, z } = grid;
     const middles = layout(x.count, y.count, z.count);
     // A component of velocity lies on the faces across its axis.
@@ -211,8 +211,8 @@ export class PlumeSolver {
           const at = row + i;
           const h = warm[at]!;
           const d = ease[at]!;
-          const west = (d + ease[at - 1]!) * this.#lower[i]!;
-          const east = (d + ease[at + 1]!) * this.#upper[i]!;
+          const west = (d + ease[at - 1]!) * this.#diffusionLower[i]!;
+          const east = (d + ease[at + 1]!) * this.#diffusionUpper[i]!;
           const front = (d + ease[at - plane]!) * nearer;
           const back = (d + ease[at + plane]!) * farther;
           heat[at] =

@@ -58,11 +58,11 @@ export function buildBvh(items: Float32Array): { bvh: Bvh; order: Uint32Array } 
       for (let i = first; i < end; i++) enclose(boxes, node * 6, items, order[i]! * 6);
       return;
     }
-    findMiddle(items, order, first, end);
+    const along = findMiddle(items, order, first, end);
     let beyond = (first + end) >> 1;
     if (depth < UNBALANCED_DEPTH && middle.extent > 0) {
-      if (end - first >= COMPARED) slice(items, order, first, end);
-      beyond = partition(items, order, first, end);
+      if (end - first >= COMPARED) slice(items, order, first, end, along);
+      beyond = partition(items, order, first, end, along, middle.plane);
     }
     const left = addNodes(2);
     const right = left + 1;
@@ -88,10 +88,12 @@ function grown<T extends Float32Array | Uint32Array | Uint8Array>(from: T, to: T
   return to;
 }
 
-/** The axis along which some items' doubled centres are spread most, their range along it, and the split plane. */
-const middle = { axis: 0, low: 0, plane: 0, extent: 0 };
+/** Range of some items' doubled centres along an axis, and the split plane. */
+const middle = { low: 0, plane: 0, extent: 0 };
 
-function findMiddle(items: Float32Array, order: Uint32Array, first: number, end: number): void {
+/** Returns the axis along which the items' centres are spread most, and fills `middle`. */
+function findMiddle(items: Float32Array, order: Uint32Array, first: number, end: number): number {
+  let along = 0;
   middle.extent = -1;
   for (let axis = 0; axis < 3; axis++) {
     let low = Infinity;
@@ -103,11 +105,12 @@ function findMiddle(items: Float32Array, order: Uint32Array, first: number, end:
       if (centre > high) high = centre;
     }
     if (high - low <= middle.extent) continue;
-    middle.axis = axis;
+    along = axis;
     middle.low = low;
     middle.plane = (low + high) / 2;
     middle.extent = high - low;
   }
+  return along;
 }
 
 const slices = {
@@ -121,8 +124,14 @@ const slices = {
 };
 
 /** Puts `middle.plane` between the two bins where it costs the least. */
-function slice(items: Float32Array, order: Uint32Array, first: number, end: number): void {
-  const { axis, low, extent } = middle;
+function slice(
+  items: Float32Array,
+  order: Uint32Array,
+  first: number,
+  end: number,
+  along: number,
+): void {
+  const { low, extent } = middle;
   const { counts, boxes, costs, side } = slices;
   // The last centre lies in the last bin, not beyond it.
   const perLength = (SLICES * (1 - 1e-6)) / extent;
@@ -130,7 +139,7 @@ function slice(items: Float32Array, order: Uint32Array, first: number, end: numb
   for (let s = 0; s < SLICES; s++) empty(boxes, s * 6);
   for (let i = first; i < end; i++) {
     const at = order[i]! * 6;
-    const s = ((items[at + axis]! + items[at + axis + 3]! - low) * perLength) | 0;
+    const s = ((items[at + along]! + items[at + along + 3]! - low) * perLength) | 0;
     counts[s]!++;
     enclose(boxes, s * 6, items, at);
   }
@@ -173,14 +182,20 @@ function surface(box: Float32Array): number {
   return x * y + y * z + z * x;
 }
 
-/** Sorts the items to both sides of `middle.plane`, and returns the first beyond it; never all to one. */
-function partition(items: Float32Array, order: Uint32Array, first: number, end: number): number {
-  const { axis, plane } = middle;
+/** Sorts the items to both sides of a plane, and returns the first beyond it; never all to one. */
+function partition(
+  items: Float32Array,
+  order: Uint32Array,
+  first: number,
+  end: number,
+  along: number,
+  plane: number,
+): number {
   let left = first;
   let right = end - 1;
   while (left <= right) {
     const item = order[left]!;
-    if (items[item * 6 + axis]! + items[item * 6 + axis + 3]! <= plane) left++;
+    if (items[item * 6 + along]! + items[item * 6 + along + 3]! <= plane) left++;
     else {
       order[left] = order[right]!;
       order[right--] = item;

@@ -54,6 +54,7 @@ export class FloorPlan {
     this.isExhibit = survey === null;
     if (!survey) {
       target = from ? target : [x, bounds.max[2] + EXHIBIT_DISTANCE];
+      // Only x and z of it are read.
       const around = inset(bounds, -EXHIBIT_MARGIN);
       survey = surveyFloor(collision, around, this.floor, target, true);
     }

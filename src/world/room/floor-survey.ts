@@ -21,7 +21,7 @@ const ELBOW_ROOM = 0.5;
 const DETOUR = 100;
 
 /** Survey of a floor: where a walker fits. */
-export type FloorSurvey = NonNullable<ReturnType<typeof surveyFloor>>;
+export type FloorSurvey = Readonly<NonNullable<ReturnType<typeof surveyFloor>>>;
 
 /**
  * Surveys the floor within some bounds; null if a walker fits nowhere.

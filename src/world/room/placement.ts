@@ -146,6 +146,7 @@ function fit(reach: PlacementQuery, x: number, y: number, z: number, spot: Vec3)
     if (plan.hasFloor || plan.clearance(x, z) <= 0) return "nothing within reach";
     top = plan.floor;
   } else if (hit) {
+    // Read before the next ray overwrites the hit.
     const slope = hit.normal[1];
     if (slope < LEVEL) return "too steep";
     const highest = highestSupport(collision, x, top, z, cylinder.radius);
