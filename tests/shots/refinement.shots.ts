@@ -1,4 +1,5 @@
 import { expect, test } from "playwright/test";
+import sharp from "sharp";
 import { type Drive, drawFrames, driveFrames } from "../support/driven-frames.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { type Tile, writeSheet } from "./sheet.ts";
@@ -17,7 +18,14 @@ test("shot: the refined image without a GPU, and the first steps from it", async
   const room = await new RoomDriver(page).open(attributes, SIZE);
   const tiles: Tile[] = [];
   const shoot = async (name: string) => {
-    tiles.push({ name, picture: await page.locator("candle-flame").screenshot() });
+    const picture = await page.locator("candle-flame").screenshot();
+    tiles.push({
+      name,
+      picture: await sharp(picture)
+        .resize(SIZE.width / 2)
+        .png()
+        .toBuffer(),
+    });
   };
   await room.evaluate(
     (element, { table, camera }) => {
