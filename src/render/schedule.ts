@@ -14,7 +14,7 @@ export const SCHEDULE = {
   },
   /** Frames in motion after the first, or after one that draws with a new program, that make and compile nothing. */
   quietFrames: 3,
-  /** Progressive refinement: frames over which a full G-buffer is filled after the camera stops. */
+  /** Progressive refinement: frames over which a full G-buffer is filled after the camera stops or the size changes. */
   refinement: { surfaces: 12, guide: 4 },
   /** Shadow cube in motion: every fourth frame, sixth if those are busy, at once if the light moved this far (m). */
   shadow: { frames: 4, busyFrames: 6, distance: 0.25 },

@@ -96,7 +96,8 @@ export class GBufferPass {
     this.#fullKey = "";
     this.#previous = null;
     this.#refinement = null;
-    this.#wasReduced = false;
+    // The first frame of another size is reduced, too: a full one would take as long as ten.
+    this.#wasReduced = this.#isReducedReady;
     this.#guide.resize(size);
   }
 
@@ -131,8 +132,8 @@ export class GBufferPass {
     if (isMoving) this.#refinement = null;
     else if (key !== this.#fullKey) {
       // The reduced G-buffer goes on being shown until the full one is complete.
-      if (this.#wasReduced && canDefer) this.#refine(frame, key, lightingSize);
-      else yield* this.#fill(frame, key, lightingSize);
+      if (!this.#wasReduced || !canDefer) yield* this.#fill(frame, key, lightingSize);
+      else if (this.#reducedKey !== "") this.#refine(frame, key, lightingSize);
     }
     this.#wasReduced = isMoving || key !== this.#fullKey;
     if (this.#wasReduced) return yield* this.#renderReduced(frame, key);
