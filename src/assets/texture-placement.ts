@@ -12,7 +12,7 @@ export interface Placement {
 
 export const UNTURNED: Placement = { uvSet: 0, rotation: 0, scale: [1, 1], offset: [0, 0] };
 
-export type TextureUse = NonNullable<ReturnType<typeof readTextureUse>>;
+export type TextureUse = Readonly<NonNullable<ReturnType<typeof readTextureUse>>>;
 
 export function readTextureUse(entry: JsonEntry | undefined, textureCount: number) {
   const texture = entry?.index("index", textureCount);

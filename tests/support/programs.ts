@@ -171,7 +171,6 @@ export function complaintOf(vertex: ShaderSource, fragment: ShaderSource): strin
   }
 }
 
-/** Its models are the smallest, and every look can draw them. */
 /** The paper's room, which loads fast, or the cabin, which has a window. */
 function loadRoom(look: Look): Promise<Scene> {
   const assetRoot = new URL("/", location.href).href;
