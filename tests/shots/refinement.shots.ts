@@ -1,12 +1,10 @@
 import { expect, test } from "playwright/test";
 import sharp from "sharp";
-import { type Drive, drawFrames, driveFrames } from "../support/driven-frames.ts";
+import { CAMERA, drawFrames, driveFrames, playAtTable } from "../support/driven-frames.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { type Tile, writeSheet } from "./sheet.ts";
 
 const SIZE = { width: 1280, height: 720 };
-const TABLE = { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 } as const;
-const CAMERA = { position: [-0.85, 1.3, 1.1], yaw: -0.805, pitch: -0.244 } as const;
 /** Of a frame, milliseconds, and of a step, metres. */
 const FRAME = 50;
 const STEP = 0.02;
@@ -18,25 +16,12 @@ test("shot: the refined image without a GPU, and the first steps from it", async
   const room = await new RoomDriver(page).open(attributes, SIZE);
   const tiles: Tile[] = [];
   const shoot = async (name: string) => {
-    const picture = await page.locator("candle-flame").screenshot();
-    tiles.push({
-      name,
-      picture: await sharp(picture)
-        .resize(SIZE.width / 2)
-        .png()
-        .toBuffer(),
-    });
+    const picture = await sharp(await room.png())
+      .resize(SIZE.width / 2)
+      .toBuffer();
+    tiles.push({ name, picture });
   };
-  await room.evaluate(
-    (element, { table, camera }) => {
-      element.camera = table;
-      element.place();
-      element.camera = camera;
-      (Reflect.get(window, "drive") as Drive).isOn = true;
-      element.play();
-    },
-    { table: TABLE, camera: CAMERA },
-  );
+  await playAtTable(room);
   await drawFrames(room, 2, FRAME);
   await shoot("first frame");
   while ((await room.stats()).width < SIZE.width) await drawFrames(room, 1, FRAME);

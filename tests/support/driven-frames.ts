@@ -84,3 +84,21 @@ export function drawFrames(
     { count, milliseconds },
   );
 }
+
+/** The candle on the cabin's table, and where one sees it from. */
+export const TABLE = { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 } as const;
+export const CAMERA = { position: [-0.85, 1.3, 1.1], yaw: -0.805, pitch: -0.244 } as const;
+
+/** Puts the candle on the table, and plays in driven frames from then on. */
+export function playAtTable(room: RoomDriver): Promise<void> {
+  return room.evaluate(
+    (element, { table, camera }) => {
+      element.camera = table;
+      element.place();
+      element.camera = camera;
+      (Reflect.get(window, "drive") as Drive).isOn = true;
+      element.play();
+    },
+    { table: TABLE, camera: CAMERA },
+  );
+}

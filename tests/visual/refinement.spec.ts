@@ -2,16 +2,21 @@
 import type { Page } from "playwright/test";
 import sharp from "sharp";
 import type { Camera, CandleFlameElement } from "../../src/candle-flame-element.ts";
-import { type Drive, drawFrames, driveFrames } from "../support/driven-frames.ts";
+import {
+  CAMERA,
+  type Drive,
+  drawFrames,
+  driveFrames,
+  playAtTable,
+  TABLE,
+} from "../support/driven-frames.ts";
 import { flip } from "../support/flip.ts";
 import { type Picture, RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
 import { expect, test } from "../support/test.ts";
 
 const BOX = { width: 480, height: 270 };
-const TABLE = { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 } as const;
 const STEP = { position: [-0.84, 1.3, 1.09], yaw: -0.8, pitch: -0.244 } as const;
-const CAMERA = { position: [-0.85, 1.3, 1.1], yaw: -0.805, pitch: -0.244 } as const;
 const CORNER = { position: [1.468, 1.6, -1.062], yaw: -0.57, pitch: -0.4 } as const;
 
 const MANTEL = { position: [-0.5, 1.6, -0.75], yaw: 0, pitch: -0.25 } as const;
@@ -43,16 +48,7 @@ test.beforeAll(async ({ browser }) => {
     const rooms = document.querySelectorAll<CandleFlameElement>("candle-flame");
     for (const { ready } of rooms) await ready;
   });
-  await room.evaluate(
-    (element, { table, camera }) => {
-      element.camera = table;
-      element.place();
-      element.camera = camera;
-      (Reflect.get(window, "drive") as Drive).isOn = true;
-      element.play();
-    },
-    { table: TABLE, camera: CAMERA },
-  );
+  await playAtTable(room);
 });
 test.afterEach(() => expect(room.complaints).toEqual([]));
 test.afterAll(() => page.close());
