@@ -28,10 +28,12 @@ struct Shading {
   vec2 minified;  // visibility of a minified normal map: of light from all around, and of direct light
 };
 
-// Discards what is cut out.
+// CUTOUT: discards what is cut out; depth is tested late in a program that discards.
 Material materialHere() {
   vec4 baseColor = texture(uAlbedo, vUv, LOD_BIAS) * uBaseColor;
+#ifdef CUTOUT
   if (baseColor.a < uSurface.w) discard;
+#endif
   vec3 packed = texture(uOcclusionRoughness, vUv, LOD_BIAS).rgb;
   float occlusion = mix(1.0, packed.r, uOcclusionStrength) * vColor.r;
   return Material(baseColor.rgb, occlusion, clamp(packed.g * uSurface.x, 0.03, 1.0), packed.b * uSurface.y);

@@ -1,5 +1,6 @@
 #version 300 es
 // Forward shading of a mesh, for a flame of 1 cd; MOONLIT: and for a moon of 1 lx, with the night behind panes.
+// GLOSSY: with reflections by rays, which take most of a GPU's registers, and panes.
 // PREPASS: a tile of the refined image, of which hidden fragments are not shaded.
 // CANDLES: for all flames as they burn, with the irradiance volume of all; standing candles with half the shadow taps.
 // In:  base colour (sRGB), normal, occlusion/roughness/metallic maps; vertex colour: occlusion (red).
@@ -15,8 +16,10 @@
 #include "lib/environment-brdf.glsl"
 #include "lib/shadow-cube.glsl"
 #include "lib/pcss.glsl"
+#ifdef GLOSSY
 #include "lib/surfels.glsl"
 #include "lib/distance-impostor.glsl"
+#endif
 #include "lib/irradiance-volume.glsl"
 #include "lib/wax.glsl"
 
@@ -144,8 +147,10 @@ vec4 shade(vec3 facet) {
 #ifdef MOONLIT
   // Before indirect light, to save registers.
   float moonlight = directMoonlight(s, facet, diffuseColor, uFeatures.xz, gl_FragCoord.xy + uOrigin);
+#ifdef GLOSSY
   bool isPane = roughness < PANE_ROUGHNESS && isOnPane(vPositionWorld);
   for (int i = isPane ? 1 : 0; i > 0; i--) moonlight += nightThroughPane(-s.view, s.NoV);
+#endif
   float reflectance = luma(diffuseColor) * skyVisibility(surface, normal) * s.minified.x + luma(environment.share) * uFeatures.z;
 #endif
 
@@ -159,6 +164,7 @@ vec4 shade(vec3 facet) {
   nearby /= 1.0 + direct.sides / max(NEAR_LIMIT * probes.alongNormal, 1e-9);
   vec3 indirect = (probes.alongNormal * unoccluded + nearby) * diffuseColor * (skyVisibility(surface, normal) * s.minified.x / PI);
   vec3 mirrored = (probes.alongReflection * unoccluded + nearby) / PI;
+#ifdef GLOSSY
   float traced = 1.0 - smoothstep(TRACED_ROUGHNESS.x, TRACED_ROUGHNESS.y, roughness - metallic * TRACED_METAL);
   if (traced > 0.0) {
     // Rays hit what the carried flame lights; what others light is taken from the probes. They spread as the normals
@@ -167,6 +173,7 @@ vec4 shade(vec3 facet) {
     vec3 rays = traceReflection(vPositionWorld + surface * 0.01, normal, s.view, s.alpha, beyond);
     mirrored = mix(mirrored, rays + probes.alongReflection * ((1.0 - carriedShare) / PI), traced);
   }
+#endif
   mirrored *= environment.share;
   indirect = (indirect + mirrored * uFeatures.z) * uFeatures.y;
 

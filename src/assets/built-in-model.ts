@@ -4,6 +4,7 @@ import { openContainer } from "./glb.js";
 import { memoized } from "./memoized.js";
 import {
   AS_STORED,
+  isGlossy,
   type Material,
   type Model,
   type Part,
@@ -116,6 +117,8 @@ async function readMaterial(
     metallic: pbr.metallicFactor ?? 1,
     occlusionStrength: packed ? 1 : 0,
     isWax: name === "wax" || name === "pool",
+    // Our maps of all but metals are rough.
+    isGlossy: pbr.metallicFactor !== 0 || isGlossy(pbr.roughnessFactor ?? 1, 0),
     albedo,
     normal,
     occlusionRoughnessMetallic: packed,

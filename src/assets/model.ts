@@ -78,6 +78,8 @@ export interface Material {
   readonly isDoubleSided: boolean;
   /** Whether light that enters it leaves elsewhere, as of wax. */
   readonly isWax: boolean;
+  /** Whether it mirrors what is around it: metal, or smooth somewhere. */
+  readonly isGlossy: boolean;
   /** Share of the light that passes through it, as through glass, 0 to 1. */
   readonly transmission: number;
   /** Opacity: ignored, all or nothing at `alphaCutoff`, or mixed. */
@@ -104,6 +106,7 @@ export const PLAIN_MATERIAL: Material = {
   occlusionStrength: 0,
   isDoubleSided: false,
   isWax: false,
+  isGlossy: false,
   transmission: 0,
   alphaMode: "opaque",
   alphaCutoff: 0.5,
@@ -112,6 +115,11 @@ export const PLAIN_MATERIAL: Material = {
   occlusionRoughnessMetallic: null,
   occlusion: null,
 };
+
+/** Whether a surface mirrors what is around it: the limits of `shaders/opaque/forward.frag`. */
+export function isGlossy(roughness: number, metallic: number): boolean {
+  return roughness - 0.25 * metallic < 0.3;
+}
 
 /** Values of an image as in the file: they may be normals. */
 export const AS_STORED = { premultiplyAlpha: "none", colorSpaceConversion: "none" } as const;

@@ -1,6 +1,6 @@
 import type { GltfDocument } from "./gltf-document.js";
 import type { JsonEntry } from "./json-entry.js";
-import { type Material, PLAIN_MATERIAL } from "./model.js";
+import { AS_STORED, isGlossy, type Material, PLAIN_MATERIAL, type TextureImage } from "./model.js";
 import type { TextureImages } from "./texture-images.js";
 import { type Placement, readTextureUse, type TextureUse, UNTURNED } from "./texture-placement.js";
 
@@ -78,6 +78,7 @@ export async function readMaterial(
       occlusionStrength: clamp01(occlusion?.amount ?? 0),
       isDoubleSided: entry.boolean("doubleSided"),
       ...readDepth(entry, name),
+      isGlossy: await isGlossySomewhere(surface, packedPicture),
       ...readAlpha(entry),
       albedo: albedoPicture,
       normal: normalPicture,
@@ -133,4 +134,42 @@ function isMirrored(document: GltfDocument, texture: number): boolean {
   const sampler = document.textures[texture]?.index("sampler", document.samplers.length);
   const entry = document.samplers[sampler ?? -1];
   return [entry?.whole("wrapS"), entry?.whole("wrapT")].includes(MIRRORED_REPEAT);
+}
+
+/** Parts of a map along each of its sides, and texels of a smaller copy along those of a part. */
+const PARTS = 8;
+const TEXELS = 8;
+
+/**
+ * Whether a material mirrors what is around it. The means of its map's parts tell: what is smooth is larger than a spot,
+ * and shading it costs the more.
+ */
+async function isGlossySomewhere(
+  { roughness, metallic }: Pick<Material, "roughness" | "metallic">,
+  map: TextureImage | null,
+): Promise<boolean> {
+  if (!map) return isGlossy(roughness, metallic);
+  const [, greens, blues] = await meansOf(map);
+  return greens.some((green, part) => isGlossy(roughness * green, metallic * (blues[part] ?? 0)));
+}
+
+/** Red, green and blue of the parts of a map, 0 to 1. */
+async function meansOf(map: TextureImage): Promise<[number[], number[], number[]]> {
+  const size = PARTS * TEXELS;
+  const source = "data" in map ? new ImageData(Uint8ClampedArray.from(map.data), map.width) : map;
+  const resized = { resizeWidth: size, resizeHeight: size } as const;
+  const copy = await createImageBitmap(source, { ...AS_STORED, ...resized });
+  const context = new OffscreenCanvas(size, size).getContext("2d");
+  context?.drawImage(copy, 0, 0);
+  copy.close();
+  const none = () => Array.from({ length: PARTS * PARTS }, () => 0);
+  const means: [number[], number[], number[]] = [none(), none(), none()];
+  const { data = [] } = context?.getImageData(0, 0, size, size) ?? {};
+  for (const [i, value] of data.entries()) {
+    const [x, y] = [(i >> 2) % size, Math.floor((i >> 2) / size)];
+    const part = Math.floor(y / TEXELS) * PARTS + Math.floor(x / TEXELS);
+    const mean = means[i & 3];
+    if (mean) mean[part] = (mean[part] ?? 0) + value / (255 * TEXELS ** 2);
+  }
+  return means;
 }

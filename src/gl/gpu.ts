@@ -40,6 +40,7 @@ export class Gpu extends DrawCommands {
   readonly #context: GpuContext;
   readonly #alive = new Set<GpuObject>();
   /** Objects that one renderer leaves to the next, by what they were made from. */
+  readonly #sources = new Map<ShaderSource, number>();
   readonly #shared = new Map<unknown, unknown>();
   readonly #sharedObjects = new Set<GpuObject>();
   #isSharing = false;
@@ -151,6 +152,13 @@ export class Gpu extends DrawCommands {
     return { made, release };
   }
 
+  /** Stands for a source in keys, which would be as long. */
+  #numberOf(source: ShaderSource): number {
+    const number = this.#sources.get(source) ?? this.#sources.size;
+    this.#sources.set(source, number);
+    return number;
+  }
+
   /** Equal programs are compiled once: when drawn with, in `whenCompiled`, or one after each frame. */
   program(
     label: string,
@@ -158,7 +166,7 @@ export class Gpu extends DrawCommands {
     fragment: ShaderSource,
     options: ProgramOptions = {},
   ): Program {
-    const key = JSON.stringify([label, vertex.source, fragment.source, options]);
+    const key = JSON.stringify([label, this.#numberOf(vertex), this.#numberOf(fragment), options]);
     return this.share(key, () => {
       const program = new Program(this.#context, label, vertex, fragment, options);
       this.#unsent.add(program);

@@ -2,8 +2,9 @@ import type { Gpu } from "../gl/gpu.js";
 import type { CollisionMesh } from "../world/room/collision-mesh.js";
 import { fitToRoom } from "./gi/fit-to-room.js";
 import { probeTraceOf } from "./gi/probe-rays.js";
+import { kindOf } from "./mesh/mesh.js";
 import { uploadNextPart } from "./mesh/upload-steps.js";
-import { forwardProgram } from "./opaque/forward-programs.js";
+import { areForwardProgramsCompiled } from "./opaque/forward-programs.js";
 import type { Tier } from "./quality.js";
 import type { Models } from "./renderer.js";
 import { SCHEDULE } from "./schedule.js";
@@ -22,7 +23,9 @@ export function preparePhysicalRenderer(
   { tier, isMoonlit }: { readonly tier: Tier; readonly isMoonlit: boolean },
 ): boolean {
   const { opaque, indirect, casterError } = tier.physical;
-  const isCompiled = opaque === "deferred" || forwardProgram(gpu, tier, isMoonlit).isCompiled;
+  const kinds = [...room.parts, ...candle.parts].map(({ material }) => kindOf(material));
+  const isCompiled =
+    opaque === "deferred" || areForwardProgramsCompiled(gpu, tier, { isMoonlit }, kinds);
   return (
     uploadNextPart(gpu, room) &&
     uploadNextPart(gpu, candle) &&

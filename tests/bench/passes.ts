@@ -25,12 +25,21 @@ export interface Passes {
   readonly width: number;
   readonly height: number;
   readonly rounds: number;
+  /** Time from the beginning until the element is ready, milliseconds. */
+  readonly readyMs: number;
+  /** Main thread's time for one frame, milliseconds: the median. */
+  readonly scriptMs: number;
+  /** Draws of one frame: the most. */
+  readonly draws: number;
+  readonly gpuBytes: number;
   /** Time of a copy, milliseconds. */
   readonly copyMs: number;
   /** All passes, waited for once: the mean of the frames of a cycle. */
   readonly frame: PassCost;
   /** Copies of the dearest of these frames. */
   readonly worst: number;
+  /** Milliseconds of the dearest by the GPU's own clock. */
+  readonly worstGpuMs: number | null;
   /** Each waited for by itself: more than its share of a frame. */
   readonly passes: readonly PassCost[];
 }
@@ -51,32 +60,40 @@ const SHORT_CYCLE = 2;
 const WARM: Readonly<Record<Doing, number>> = { stands: 6, walks: 5, smokes: 30 };
 /** Copies in a row, so that waiting for them is nothing against them. */
 const COPIES = 6;
+/** Frames whose script is timed, a cycle's number of times. */
+const SCRIPTS = 6;
 /** A slow machine has fewer rounds, so that they end: time for each scene, milliseconds. */
 const PATIENCE = 25_000;
 const LEAST_ROUNDS = 2;
 
 /** Each pass of each frame in copies, copies and frames interleaved. */
-export async function measurePasses(quality: TierName, rounds: number): Promise<Passes[]> {
+export async function measurePasses(
+  quality: TierName,
+  rounds: number,
+  size: { readonly width: number; readonly height: number } = quality === "low" ? PAGE : SMALL_PAGE,
+): Promise<Passes[]> {
   const element = document.createElement("candle-flame");
   element.paused = true;
   element.look = "physical";
   element.quality = quality;
   element.assetBase = "/";
-  const { width, height } = quality === "low" ? PAGE : SMALL_PAGE;
-  element.style.cssText = `width: ${width}px; height: ${height}px`;
+  element.style.cssText = `width: ${size.width}px; height: ${size.height}px`;
+  const begin = performance.now();
   document.body.replaceChildren(element);
   await element.ready;
+  const readyMs = performance.now() - begin;
   const gl = element.shadowRoot?.querySelector("canvas")?.getContext("webgl2");
   if (!gl) throw new Error("The element has no picture.");
   const clock = new Clock(gl);
-  const results = [await measure(element, clock, { quality, doing: "walks", most: rounds })];
+  const how = { quality, most: rounds, readyMs };
+  const results = [await measure(element, clock, { ...how, doing: "walks" })];
   element.camera = PLACE;
   element.place();
   element.camera = CAMERA;
-  results.unshift(await measure(element, clock, { quality, doing: "stands", most: rounds }));
+  results.unshift(await measure(element, clock, { ...how, doing: "stands" }));
   if (quality === "low") {
     element.extinguish();
-    results.push(await measure(element, clock, { quality, doing: "smokes", most: rounds }));
+    results.push(await measure(element, clock, { ...how, doing: "smokes" }));
   }
   clock.dispose();
   element.remove();
@@ -86,9 +103,15 @@ export async function measurePasses(quality: TierName, rounds: number): Promise<
 async function measure(
   element: CandleFlameElement,
   clock: Clock,
-  { quality, doing, most }: { quality: TierName; doing: Doing; most: number },
+  {
+    quality,
+    doing,
+    most,
+    readyMs,
+  }: { quality: TierName; doing: Doing; most: number; readyMs: number },
 ): Promise<Passes> {
-  const cycle = quality === "low" ? CYCLE[doing] : Math.min(CYCLE[doing], SHORT_CYCLE);
+  const isFast = quality === "low" || clock.isReal;
+  const cycle = isFast ? CYCLE[doing] : Math.min(CYCLE[doing], SHORT_CYCLE);
   const frame = (number: number) => {
     if (doing === "walks") {
       const [x, y, z] = CAMERA.position;
@@ -100,10 +123,9 @@ async function measure(
   };
   // As frames follow each other for a visitor; nothing is drawn in between.
   element.play();
-  for (let number = 0; number < cycle * (quality === "low" ? WARM[doing] : 1); number++)
-    frame(number % cycle);
+  for (let number = 0; number < cycle * (isFast ? WARM[doing] : 1); number++) frame(number % cycle);
   const copies: number[] = [];
-  const wholes: number[][] = Array.from({ length: cycle }, () => []);
+  const wholes: Span[][] = Array.from({ length: cycle }, () => []);
   const passes = new Map<string, Span[][]>();
   const end = performance.now() + PATIENCE;
   let rounds = 0;
@@ -111,7 +133,8 @@ async function measure(
     const copy = clock.copy();
     copies.push(copy);
     for (let number = 0; number < cycle; number++) {
-      wholes[number]?.push(clock.time(() => frame(number)) / copy);
+      const { ms, gpuMs } = await clock.time(() => frame(number));
+      wholes[number]?.push({ ms: ms / copy, gpuMs });
     }
     for (let number = 0; number < cycle; number++) {
       for (const [pass, { ms, gpuMs }] of await clock.timeEach(() => frame(number))) {
@@ -122,17 +145,30 @@ async function measure(
     }
     rounds++;
   }
+  const scripts: number[] = [];
+  let draws = 0;
+  for (let number = 0; number < cycle * SCRIPTS; number++) {
+    clock.wait();
+    frame(number % cycle);
+    scripts.push(element.stats.cpuMs);
+    draws = Math.max(draws, element.stats.drawCalls);
+  }
   element.pause();
   // What is not done in each frame of a cycle, or not in each round, counts by its share.
-  const mean = (frames: readonly (readonly number[])[]) =>
-    frames.reduce((sum, values) => sum + usual(values, rounds), 0) / cycle;
+  const eachOf = (frames: readonly (readonly Span[])[], time: keyof Span) =>
+    frames.map((spans) =>
+      usual(
+        spans.map((span) => span[time]),
+        rounds,
+      ),
+    );
+  const mean = (values: readonly number[]) => values.reduce((sum, value) => sum + value, 0) / cycle;
   const cost = (pass: string, frames: readonly (readonly Span[])[]): PassCost => ({
     pass,
-    copies: mean(frames.map((spans) => spans.map(({ ms }) => ms))),
-    gpuMs: clock.isReal ? mean(frames.map((spans) => spans.map(({ gpuMs }) => gpuMs))) : null,
+    copies: mean(eachOf(frames, "ms")),
+    gpuMs: clock.isReal ? mean(eachOf(frames, "gpuMs")) : null,
   });
-  const costs = [...passes].map(([pass, frames]) => cost(pass, frames));
-  const { width, height } = element.stats;
+  const { width, height, gpuBytes } = element.stats;
   return {
     renderer: clock.renderer,
     quality,
@@ -140,14 +176,15 @@ async function measure(
     width,
     height,
     rounds,
+    readyMs,
+    scriptMs: median(scripts),
+    draws,
+    gpuBytes,
     copyMs: median(copies),
-    frame: {
-      pass: "frame",
-      copies: mean(wholes),
-      gpuMs: clock.isReal ? costs.reduce((sum, { gpuMs }) => sum + (gpuMs ?? 0), 0) : null,
-    },
-    worst: Math.max(...wholes.map((values) => usual(values, rounds))),
-    passes: costs,
+    frame: cost("frame", wholes),
+    worst: Math.max(...eachOf(wholes, "ms")),
+    worstGpuMs: clock.isReal ? Math.max(...eachOf(wholes, "gpuMs")) : null,
+    passes: [...passes].map(([pass, frames]) => cost(pass, frames)),
   };
 }
 
@@ -208,14 +245,16 @@ class Clock {
     return this.#copier.time();
   }
 
-  /** All that a frame draws, milliseconds. */
-  time(frame: () => void): number {
+  /** All that a frame draws. */
+  async time(frame: () => void): Promise<Span> {
     this.#isWhole = true;
     this.#begin = Number.NaN;
     frame();
-    this.#wait();
+    this.#endQuery();
+    this.wait();
     this.#isWhole = false;
-    return performance.now() - this.#begin;
+    const ms = performance.now() - this.#begin;
+    return { ms, gpuMs: await this.#read(this.#query) };
   }
 
   /** Of each pass, in the order of the first draw. */
@@ -237,25 +276,26 @@ class Clock {
 
   #enter(pass: string): void {
     if (this.#isWhole && Number.isNaN(this.#begin)) {
-      this.#wait();
+      this.wait();
+      this.#query = this.#beginQuery();
       this.#begin = performance.now();
     }
     if (!this.#passes || pass === this.#pass) return;
     if (this.#pass !== "") {
       this.#endQuery();
-      this.#wait();
+      this.wait();
       const known = this.#passes.get(this.#pass) ?? { ms: 0, queries: [] };
       known.ms += performance.now() - this.#begin;
       if (this.#query) known.queries.push(this.#query);
       this.#passes.set(this.#pass, known);
-    } else this.#wait();
+    } else this.wait();
     this.#pass = pass;
     this.#query = pass === "" ? null : this.#beginQuery();
     this.#begin = performance.now();
   }
 
-  /** Chromium's `finish` returns before the GPU has; reading a pixel does not. */
-  #wait(): void {
+  /** Until the GPU is done. Chromium's `finish` returns before; reading a pixel does not. */
+  wait(): void {
     const gl = this.#gl;
     const bound = gl.getParameter(gl.FRAMEBUFFER_BINDING) as WebGLFramebuffer | null;
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);

@@ -5,7 +5,7 @@ import { barChart } from "../../tools/chart.mjs";
 import type { Ladder } from "./ladder.ts";
 import type { Passes } from "./passes.ts";
 import type { Scaling } from "./scaling.ts";
-import { ladderTable, passTable, scalingTable, withTable } from "./tables.ts";
+import { gpuTable, ladderTable, passTable, scalingTable, withTable } from "./tables.ts";
 
 const FOLDER = "docs/bench";
 const PAGE = "docs/performance.md";
@@ -20,11 +20,13 @@ export default class Report implements Reporter {
   #ladder: Ladder | null = null;
   readonly #scaling: Scaling[] = [];
   readonly #passes: Passes[] = [];
+  readonly #onGpu: Passes[] = [];
 
   onTestEnd(_test: TestCase, { attachments }: TestResult): void {
     for (const { name, body } of attachments) {
       if (name === "ladder") this.#ladder = JSON.parse(String(body)) as Ladder;
       if (name === "passes") this.#passes.push(...(JSON.parse(String(body)) as Passes[]));
+      if (name === "gpu") this.#onGpu.push(...(JSON.parse(String(body)) as Passes[]));
       if (name === "scaling") this.#scaling.push(JSON.parse(String(body)) as Scaling);
     }
   }
@@ -32,6 +34,7 @@ export default class Report implements Reporter {
   onEnd({ startTime }: FullResult): void {
     mkdirSync(FOLDER, { recursive: true });
     this.#reportPasses();
+    this.#reportGpu();
     this.#reportParticles(startTime);
   }
 
@@ -39,6 +42,18 @@ export default class Report implements Reporter {
     if (this.#passes.length === 0) return;
     writeFileSync(`${FOLDER}/passes.json`, `${JSON.stringify(this.#passes, null, 2)}\n`);
     writeTables(passTable(this.#passes));
+  }
+
+  /** Other GPUs' frames stay as they were. */
+  #reportGpu(): void {
+    const [first] = this.#onGpu;
+    if (!first) return;
+    const file = `${FOLDER}/gpus.json`;
+    const before = JSON.parse(readFileSync(file, "utf8")) as Passes[];
+    const others = before.filter(({ renderer }) => renderer !== first.renderer);
+    const all = [...others, ...this.#onGpu];
+    writeFileSync(file, `${JSON.stringify(all, null, 2)}\n`);
+    writeTables(gpuTable(all));
   }
 
   /** What was not measured this time stays as it was. */

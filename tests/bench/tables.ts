@@ -82,6 +82,33 @@ export function passTable(scenes: readonly Passes[]): string {
   );
 }
 
+/** Frames of real GPUs, 1920 x 1080. */
+export function gpuTable(scenes: readonly Passes[]): string {
+  const sum = ({ passes }: Passes, titles: readonly string[]) =>
+    passes
+      .filter(({ pass }) => titles.includes(rowOf(pass)))
+      .reduce((sum, { gpuMs }) => sum + (gpuMs ?? 0), 0);
+  const opaque = Object.keys(ROWS).filter((title) => title.startsWith("opaque"));
+  return table(
+    ["GPU", "frame", "GPU, ms", "at most", "of it opaque", "script, ms", "draws", "memory, MB"],
+    scenes.map((scene) => [
+      gpuName(scene.renderer),
+      `${scene.quality}, ${TITLES[scene.doing]}`,
+      scene.frame.gpuMs?.toFixed(2) ?? "",
+      scene.worstGpuMs?.toFixed(2) ?? "",
+      sum(scene, opaque).toFixed(2),
+      scene.scriptMs.toFixed(1),
+      String(scene.draws),
+      (scene.gpuBytes / 1e6).toFixed(0),
+    ]),
+  );
+}
+
+/** "ANGLE (NVIDIA, Vulkan 1.4.303 (NVIDIA NVIDIA H100 80GB HBM3 (0x00002330)), NVIDIA-580)": the innermost name. */
+function gpuName(renderer: string): string {
+  return renderer;
+}
+
 export function scalingTable(cells: readonly Scaling[]): string {
   const [first] = cells;
   return table(

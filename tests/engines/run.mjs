@@ -3,6 +3,7 @@
 //   --short            the few cases of `npm test`
 //   --only firefox     pairs whose name contains this
 //   --cases "^phys|lock" cases whose name matches this
+// ANGLE_BACKEND=vulkan (gl, gl-egl, …) lets Chromium's native pair draw on the machine's own GPU.
 //   --counts file      where the numbers of passed and failed cases go
 import { parseArgs } from "node:util";
 import { runnerImport } from "vite";

@@ -122,6 +122,14 @@ function drawn(picture: ImageBitmap): Uint8ClampedArray {
   return context.getImageData(0, 0, picture.width, picture.height).data;
 }
 
+/** Names of a model's glossy materials, in order. */
+export async function glossyMaterials(url: string): Promise<string[]> {
+  const model = await loadModel(url, { signal: never, onProgress() {}, decoderBase: DECODERS });
+  closeModel(model);
+  const glossy = model.parts.filter(({ material }) => material.isGlossy);
+  return [...new Set(glossy.map(({ material }) => material.name))].toSorted();
+}
+
 /** Begins to load, aborts at a moment of its progress, and tells what the promise then said. */
 export async function loadAndAbort(url: string, atShare: number): Promise<Failure | "loaded"> {
   const controller = new AbortController();

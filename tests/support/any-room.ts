@@ -58,6 +58,16 @@ export class AnyRoom {
     );
   }
 
+  glossyMaterials(url: string): Promise<string[]> {
+    return this.page.evaluate(
+      async ({ module, url }) => {
+        const { glossyMaterials }: InPage = await import(module);
+        return glossyMaterials(url);
+      },
+      { module: IN_PAGE, url },
+    );
+  }
+
   /** The sentence that a file is refused with. */
   async refusal(url: string, decoderBase?: string): Promise<string> {
     const result = await this.try(url, decoderBase);

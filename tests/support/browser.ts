@@ -10,31 +10,44 @@ const SWIFTSHADER = [
   "--ignore-gpu-blocklist",
 ];
 
+type Use = NonNullable<PlaywrightTestConfig["use"]>;
+
 /** Playwright's `use` of the tests, the bench and the shots. */
-export const browser: NonNullable<PlaywrightTestConfig["use"]> = {
-  browserName: "chromium",
-  viewport: { width: 640, height: 360 },
-  deviceScaleFactor: 1,
-  colorScheme: "dark",
-  locale: "en-US",
-  timezoneId: "UTC",
-  launchOptions: {
-    ...(process.env.CHROMIUM_PATH ? { executablePath: process.env.CHROMIUM_PATH } : {}),
-    args: [
-      ...SWIFTSHADER,
-      "--force-color-profile=srgb",
-      "--font-render-hinting=none",
-      "--disable-lcd-text",
-      "--hide-scrollbars",
-      // A page's pictures are there as soon as the page is.
-      "--disable-checker-imaging",
-      // Texts and boxes of a page take a GPU that is a processor longer than the processor itself.
-      "--disable-gpu-rasterization",
-      WITHOUT_OWN_PAGES,
-      ...(process.env.CHROMIUM_ARGS?.split(" ").filter(Boolean) ?? []),
-    ],
-  },
-};
+export const browser: Use = browserOn(SWIFTSHADER);
+
+/** The same on the machine's own GPU, by the backend of ANGLE that `ANGLE_BACKEND` names, or by ANGLE's choice. */
+export const onOwnGpu: Use = browserOn([
+  "--use-gl=angle",
+  `--use-angle=${process.env.ANGLE_BACKEND ?? "default"}`,
+  "--ignore-gpu-blocklist",
+]);
+
+function browserOn(driver: readonly string[]): Use {
+  return {
+    browserName: "chromium",
+    viewport: { width: 640, height: 360 },
+    deviceScaleFactor: 1,
+    colorScheme: "dark",
+    locale: "en-US",
+    timezoneId: "UTC",
+    launchOptions: {
+      ...(process.env.CHROMIUM_PATH ? { executablePath: process.env.CHROMIUM_PATH } : {}),
+      args: [
+        ...driver,
+        "--force-color-profile=srgb",
+        "--font-render-hinting=none",
+        "--disable-lcd-text",
+        "--hide-scrollbars",
+        // A page's pictures are there as soon as the page is.
+        "--disable-checker-imaging",
+        // Texts and boxes of a page take a GPU that is a processor longer than the processor itself.
+        "--disable-gpu-rasterization",
+        WITHOUT_OWN_PAGES,
+        ...(process.env.CHROMIUM_ARGS?.split(" ").filter(Boolean) ?? []),
+      ],
+    },
+  };
+}
 
 const vite = "node node_modules/vite/bin/vite.js";
 const bench = "--config tests/bench/vite.config.ts";

@@ -2,6 +2,7 @@ import { expect, test } from "playwright/test";
 import { packGlb } from "../../tools/models/glb-builder.mjs";
 import { AnyRoom, edited, facings, fixtureUrl, verticesAt } from "../support/any-room.ts";
 import type { Loaded, LoadedPart } from "../support/any-room-page.ts";
+import { ORIGINS } from "../support/browser.ts";
 
 let room: AnyRoom;
 
@@ -278,6 +279,11 @@ test.describe("Geometry stands where its file puts it", () => {
     expect(Object.keys(anchors)).toEqual(["spawn"]);
     expect(anchors.spawn?.position).toEqual([1, 0, 2]);
     expect(anchors.spawn?.yaw).toBeCloseTo(Math.PI / 2, 6);
+  });
+
+  test("metals and what is smooth are glossy, by their maps", async () => {
+    const glossy = await room.glossyMaterials(`${ORIGINS.sources}models/cabin.glb`);
+    expect(glossy).toEqual(["brass", "glass", "iron", "pane", "pewter", "pool"]);
   });
 
   test("an element that the last stride cuts off is read all the same", async () => {

@@ -30,6 +30,8 @@ export interface Mesh {
   readonly parameters: readonly [number, number, number, number];
   readonly occlusionStrength: number;
   readonly isDoubleSided: boolean;
+  readonly isGlossy: boolean;
+  readonly isCutOut: boolean;
   readonly isUntextured: boolean;
   readonly isWax: boolean;
   readonly isWick: boolean;
@@ -91,6 +93,7 @@ export function uploadPart(gpu: Gpu, part: Part, group?: (part: Part) => Grouped
       // An occlusion map with UVs of its own is left out: shadows do its work.
       occlusionStrength: material.occlusion ? 0 : material.occlusionStrength,
       isDoubleSided: material.isDoubleSided,
+      ...kindOf(material),
       isUntextured: !albedo.source && !normal.source && !packed.source,
       isWax: material.name === "wax" || material.name === "pool",
       isWick: isWick(material.name) || isWick(part.name),
@@ -148,6 +151,11 @@ export function shareTexture(
 // Images decoded by a script have four channels, which WebGL does not repack.
 function channels(image: TextureImage | null, format: TextureFormat): TextureFormat {
   return image && "data" in image ? "RGBA8" : format;
+}
+
+/** What of a material chooses the program of forward shading. */
+export function kindOf({ isGlossy, alphaMode }: Material): Pick<Mesh, "isGlossy" | "isCutOut"> {
+  return { isGlossy, isCutOut: alphaMode !== "opaque" };
 }
 
 function parametersOf({ roughness, metallic, normalScale, alphaMode, alphaCutoff }: Material) {

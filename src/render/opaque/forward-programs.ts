@@ -5,6 +5,7 @@ import nightFrag from "../../../shaders/opaque/forward-night.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { VIRTUAL_LIGHTS } from "../moon/virtual-lights.js";
 import type { PhysicalTier, Tier } from "../quality.js";
 
@@ -16,20 +17,44 @@ function definesOf({ shadow: { search, taps }, opaque }: PhysicalTier) {
   };
 }
 
-/** The program that shades all meshes of a tier: for the flame, for the moon as well, and for standing candles. */
+/** What of a mesh chooses its program. */
+type Kind = Pick<Mesh, "isGlossy" | "isCutOut">;
+/** Lights that a program shades for beside the carried flame. */
+export interface LightsOf {
+  readonly isMoonlit: boolean;
+  readonly hasCandles?: boolean;
+}
+
+const GLOSSY: Kind = { isGlossy: true, isCutOut: false };
+
+/** The program that shades meshes of a kind. */
 export function forwardProgram(
   gpu: Gpu,
   { physical }: Tier,
-  isMoonlit: boolean,
-  hasCandles = false,
+  { isMoonlit, hasCandles = false }: LightsOf,
+  { isGlossy, isCutOut }: Kind = GLOSSY,
 ): Program {
   const defines = {
     ...definesOf(physical),
     SHADOW_BIAS: physical.shadow.bias,
     ...(isMoonlit && { MOONLIT: 1 }),
     ...(hasCandles && { CANDLES: physical.mostCandles }),
+    // To compile a program more takes a processor longer than it saves.
+    ...((isGlossy || physical.opaque === "refined") && { GLOSSY: 1 }),
+    ...(isCutOut && { CUTOUT: 1 }),
   };
   return gpu.program("opaque/forward", meshVert, forwardFrag, { defines });
+}
+
+/** Whether the programs of all kinds are compiled; begins with those that are not. */
+export function areForwardProgramsCompiled(
+  gpu: Gpu,
+  tier: Tier,
+  lights: LightsOf,
+  kinds: Iterable<Kind>,
+): boolean {
+  const programs = Array.from(kinds, (kind) => forwardProgram(gpu, tier, lights, kind));
+  return programs.every(({ isCompiled }) => isCompiled);
 }
 
 /** The program that multiplies radiance per candela by the light's intensity. */
@@ -40,6 +65,6 @@ export function forwardComposite(gpu: Gpu, isMoonlit: boolean): Program {
 
 /** The program that shades all meshes of a tier for the moon alone. */
 export function nightProgram(gpu: Gpu, { physical }: Tier): Program {
-  const defines = { ...definesOf(physical), ...VIRTUAL_LIGHTS };
+  const defines = { ...definesOf(physical), ...VIRTUAL_LIGHTS, CUTOUT: 1 };
   return gpu.program("opaque/forward-night", meshVert, nightFrag, { defines });
 }

@@ -21,7 +21,13 @@ import type { Steps } from "../steps.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
 import { CandleLayers } from "./candle-layers.js";
 import { ENVIRONMENT_BRDF_SIZE, tabulateEnvironmentBrdf } from "./environment-brdf.js";
-import { forwardComposite, forwardProgram, nightProgram } from "./forward-programs.js";
+import {
+  areForwardProgramsCompiled,
+  forwardComposite,
+  forwardProgram,
+  nightProgram,
+} from "./forward-programs.js";
+import { type LightPass, lightPass, nightPass } from "./light-pass.js";
 import { MultiLightInputs } from "./multi-light-inputs.js";
 import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "./opaque-stage.js";
 
@@ -46,12 +52,6 @@ const NEAR = 0.12;
 function boundsNearFlame({ world, clipFromWorld }: FrameInput, size: Size): Box | null {
   const [x, y, z] = world.interpolated.flame;
   return screenBounds([[x, y - 0.5 * NEAR, z, NEAR]], clipFromWorld, size, { margin: 0, cell: 8 });
-}
-
-/** What forward shading needs beside the mesh. */
-interface LightPass extends Required<Pick<Draw, "program" | "textures" | "blocks">> {
-  /** Whether the moon is all that shines. */
-  readonly isNight: boolean;
 }
 
 /** The opaque stage for GPUs: forward shading, multisampled. Kept until camera, models or light have moved. */
@@ -85,7 +85,7 @@ export class ForwardStage implements OpaqueStage {
   constructor(gpu: Gpu, tier: Tier) {
     this.#gpu = gpu;
     this.#tier = tier;
-    this.#program = forwardProgram(gpu, tier, false);
+    this.#program = forwardProgram(gpu, tier, { isMoonlit: false });
     this.#composite = forwardComposite(gpu, false);
     this.#candleLayers = new CandleLayers(gpu);
     this.blocks = {
@@ -192,7 +192,12 @@ export class ForwardStage implements OpaqueStage {
     const canShadeAll =
       canDefer &&
       this.#candles.length > 0 &&
-      forwardProgram(this.#gpu, this.#tier, this.#moon !== null, true).isCompiled;
+      areForwardProgramsCompiled(
+        this.#gpu,
+        this.#tier,
+        { isMoonlit: this.#moon !== null, hasCandles: true },
+        frame.instances.flatMap(({ meshes }) => meshes),
+      );
     this.#isOfAll = canShadeAll && isMoving;
     if (!this.#isOfAll) {
       const most = canShadeAll && wasOfAll ? 1 : this.#candles.length;
@@ -224,15 +229,22 @@ export class ForwardStage implements OpaqueStage {
     { isVisible, candles = [], carried, textures, uniforms, ...target }: SurfacePass,
   ): void {
     const moon = frame.settings.inspect === "normals" ? null : moonOf(captures.cached);
-    const night = moon && this.isNight(frame, captures) ? this.#nightPass(moon) : null;
-    const pass = night ?? this.#pass(captures, moon, candles.length > 0);
+    const context = {
+      gpu: this.#gpu,
+      tier: this.#tier,
+      blocks: { Frame: this.blocks.Frame, Light: this.#shadingLight },
+    };
+    const pass =
+      moon && this.isNight(frame, captures)
+        ? nightPass(context, moon)
+        : lightPass(context, captures, moon, candles.length > 0);
     this.#shadingLight.update(light);
     Object.assign(pass.textures, textures);
     if (candles.length > 0) {
       const intensity = carried ?? flameIntensity(frame.world);
       this.#shadingLight.update({ intensity });
       this.#standing ??= new MultiLightInputs(this.#gpu, this.format);
-      const inputs = this.#standing.inputs(pass.program, candles, captures, intensity);
+      const inputs = this.#standing.inputs(pass.programOf(), candles, captures, intensity);
       Object.assign(pass.textures, inputs.textures);
       Object.assign(pass.blocks, inputs.blocks);
     }
@@ -253,52 +265,16 @@ export class ForwardStage implements OpaqueStage {
     return !settings.canDefer || nightProgram(this.#gpu, this.#tier).isCompiled;
   }
 
-  #nightPass({ shadow, irradiance, block, virtual }: CachedLight): LightPass {
-    return {
-      program: nightProgram(this.#gpu, this.#tier),
-      textures: { uMoonMap: shadow, ...irradiance.textures, ...virtual },
-      blocks: { Frame: this.blocks.Frame, Volume: irradiance.block, Moon: block },
-      isNight: true,
-    };
-  }
-
-  #pass(
-    { shadow, irradiance }: Captures,
-    moon: CachedLight | null,
-    hasCandles: boolean,
-  ): LightPass {
-    const { textures, surfels, block } = irradiance;
-    return {
-      program: forwardProgram(this.#gpu, this.#tier, moon !== null, hasCandles),
-      textures: {
-        uShadow: shadow.depth,
-        ...surfels,
-        ...textures,
-        ...(moon && {
-          uMoonMap: moon.shadow,
-          uMoonIrradiance: moon.irradiance.textures.uIrradiance,
-        }),
-      },
-      blocks: {
-        Frame: this.blocks.Frame,
-        Light: this.#shadingLight,
-        Volume: block,
-        ...(moon && { Moon: moon.block }),
-      },
-      isNight: false,
-    };
-  }
-
   #drawOf(
     { settings }: FrameInput,
     { placement }: ModelInstance,
     mesh: Mesh,
-    { program, textures, blocks, isNight }: LightPass,
+    { programOf, textures, blocks, isNight }: LightPass,
     uniforms: Draw["uniforms"],
   ): Omit<Draw, "target"> {
     const { shadows, indirect, specular, translucency } = settings.features;
     return {
-      program,
+      program: programOf(mesh),
       vertexArray: mesh.vertexArray,
       textures: {
         ...mesh.textures,

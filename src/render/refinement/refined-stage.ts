@@ -145,7 +145,8 @@ export class RefinedStage implements OpaqueStage {
         const isNight = stage.#forward.isNight(frame, held);
         const light = isNight ? "moon" : hasCandles ? "flames" : "flame";
         if (hasCandles) {
-          forwardProgram(stage.#gpu, stage.#tier, moonOf(held.cached) !== null, true).start();
+          const isMoonlit = moonOf(held.cached) !== null;
+          forwardProgram(stage.#gpu, stage.#tier, { isMoonlit, hasCandles }).start();
         }
         if (stage.#gpu.isCompiling) return false;
         stage.#firstDraws[light] ??= stage.#drawFirst(frame, held);

@@ -29,19 +29,25 @@ export interface Missing {
   readonly why: string;
 }
 
-const isLinux = process.platform === "linux";
+/** A backend of ANGLE, `vulkan` say, by which Chromium draws on the machine's own GPU. */
+const ownGpu = process.env.ANGLE_BACKEND;
+const isMesa = process.platform === "linux" && !ownGpu;
 /**
  * Mesa's software renderer, whatever GPU there is: the same on every machine. Without its short cuts it filters
  * textures as GPUs do, each pixel by its own level and not in 8 bits.
  */
-const MESA: Readonly<Record<string, string>> = isLinux
+const MESA: Readonly<Record<string, string>> = isMesa
   ? {
       LIBGL_ALWAYS_SOFTWARE: "1",
       GALLIUM_DRIVER: "llvmpipe",
       GALLIVM_PERF: "no_aos_sampling,no_quad_lod,no_filter_hacks",
     }
   : {};
-const NATIVE = isLinux ? /llvmpipe/ : /^(?!.*SwiftShader)./;
+const NATIVE = isMesa
+  ? /llvmpipe/
+  : ownGpu
+    ? /^(?!.*(SwiftShader|llvmpipe))./
+    : /^(?!.*SwiftShader)./;
 
 /** Colours and pixels as the other tests have them: tests/support/browser.ts. */
 const CHROMIUM = [
@@ -51,7 +57,7 @@ const CHROMIUM = [
   WITHOUT_OWN_PAGES,
 ];
 const SWIFTSHADER = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
-const NATIVE_GL = ["--use-gl=angle", `--use-angle=${isLinux ? "gl-egl" : "default"}`];
+const NATIVE_GL = ["--use-gl=angle", `--use-angle=${isMesa ? "gl-egl" : (ownGpu ?? "default")}`];
 
 /** What Debian has, and what is missing of it in a bare container. */
 const PACKAGES = ["firefox-esr", "webkit2gtk-driver", "xvfb", "libegl1", "libgl1-mesa-dri"];
