@@ -151,16 +151,17 @@ export class DrawCommands {
     gl.bindTransformFeedback(gl.TRANSFORM_FEEDBACK, null);
   }
 
-  /** Copies a multisampled target to a surface of its size and format; with depth that can be read there. */
-  resolve(target: RenderTarget, to: Surface): void {
+  /** Copies a multisampled target to a surface of its size and format; with depth that can be read there. All, or a part. */
+  resolve(target: RenderTarget, to: Surface, part?: Box): void {
     const gl = this.gl;
     gl.bindFramebuffer(gl.READ_FRAMEBUFFER, target.framebuffer);
     gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, to === "canvas" ? null : to.framebuffer);
-    const { width, height } = target;
+    const [x, y, width, height] = part ?? [0, 0, target.width, target.height];
+    const box = [x, y, x + width, y + height] as const;
     this.#switch(gl.SCISSOR_TEST, false);
     const depth = to !== "canvas" && "depth" in to && to.depth ? gl.DEPTH_BUFFER_BIT : 0;
     const bits = gl.COLOR_BUFFER_BIT | depth;
-    gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, bits, gl.NEAREST);
+    gl.blitFramebuffer(...box, ...box, bits, gl.NEAREST);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 
