@@ -8,8 +8,8 @@ uniform sampler2D uTotalRadiosity;  // radiosity of the surfels in all light, lm
 // Steps of the march: first and last distance, m, and the ratio of each to the one before.
 const float NEAREST_STEP = 0.04;
 const float FARTHEST_STEP = 9.0;
-const float GROWTH = 1.4;
-const int BISECTIONS = 5;
+const float GROWTH = 1.7;
+const int BISECTIONS = 6;
 const float IMPOSTOR_BIAS = 0.02;  // m
 // Depth behind a surface up to which a ray hits it for certain, and from which it passes behind. Metres.
 const vec2 THICKNESS = vec2(0.06, 0.25);
@@ -19,9 +19,8 @@ const float PLANE_TOLERANCE = 0.01;
 // Light along a ray that hits nothing that the flame lights, as a share of the mean around it: the irradiance sample / PI.
 const float TRACED_INDIRECT = 0.3;
 
-// A surface as smooth as this is a mirror, by its alpha of GGX; others take this many rays.
+// A surface as smooth as this is a mirror, by its alpha of GGX, and takes one ray.
 const float MIRROR_ALPHA = 0.01;
-const int REFLECTION_RAYS = 10;
 const float GOLDEN_ANGLE = 2.399963;
 
 // Depth of a point behind the surface in its direction from the capture origin, m.
@@ -83,11 +82,11 @@ vec4 traceRadiance(vec3 position, vec3 ray) {
 }
 
 // Light from around a mirrored direction, cd/m², by rays over the microfacets of a rough surface.
-// `alpha`: GGX. `beyond`: light along rays that hit nothing that the flame lights.
-vec3 traceReflection(vec3 position, vec3 normal, vec3 view, float alpha, vec3 beyond) {
+// `alpha`: GGX. `most`: rays for it. `beyond`: light along rays that hit nothing that the flame lights.
+vec3 traceReflection(vec3 position, vec3 normal, vec3 view, float alpha, int most, vec3 beyond) {
   vec3 tangent = normalize(abs(normal.y) < 0.9 ? cross(normal, vec3(0.0, 1.0, 0.0)) : cross(normal, vec3(1.0, 0.0, 0.0)));
   vec3 bitangent = cross(normal, tangent);
-  int rays = alpha < MIRROR_ALPHA ? 1 : REFLECTION_RAYS;
+  int rays = alpha < MIRROR_ALPHA ? 1 : most;
   vec3 sum = vec3(0.0);
   float count = 0.0;
   for (int i = 0; i < rays; i++) {

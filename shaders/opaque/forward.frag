@@ -55,6 +55,9 @@ uniform vec4 uFeatures;  // 1 or 0: shadows, indirect light, specular; the norma
 uniform vec2 uOrigin;    // of the target on the frame, pixels
 uniform float uIsWick;   // 1 or 0
 uniform float uIsPane;   // 1 or 0
+#ifdef GLOSSY
+uniform float uReflectionRays;  // of a rough surface
+#endif
 
 out vec4 oRadiance;
 
@@ -170,7 +173,7 @@ vec4 shade(vec3 facet) {
     // Rays hit what the carried flame lights; what others light is taken from the probes. They spread as the normals
     // within a pixel do: the rim of a dish would be dots.
     vec3 beyond = probes.alongReflection * (carriedShare * TRACED_INDIRECT / PI);
-    vec3 rays = traceReflection(vPositionWorld + surface * 0.01, normal, s.view, s.alpha, beyond);
+    vec3 rays = traceReflection(vPositionWorld + surface * 0.01, normal, s.view, s.alpha, int(uReflectionRays), beyond);
     mirrored = mix(mirrored, rays + probes.alongReflection * ((1.0 - carriedShare) / PI), traced);
   }
 #endif

@@ -44,6 +44,7 @@ layout(location = 1) out vec4 oInverseDepth;
 
 // Roughness of dielectrics up to which reflections are traced.
 const float TRACED_ROUGHNESS = 0.3;
+const int REFLECTION_RAYS = 10;
 // Share of light from all around that single scattering in a rough metal loses, for a roughness of 1.
 const float ROUGH_LOSS = 0.25;
 
@@ -126,7 +127,8 @@ void main() {
   // In motion texels are so large that reflections would be blotches.
   if (metallic > 0.5 || texel.roughness < TRACED_ROUGHNESS) {
     vec3 beyond = indirect.alongReflection * (TRACED_INDIRECT / PI);
-    vec3 rays = traceReflection(texel.position, normal, v.view, texel.roughness * texel.roughness, beyond);
+    float alpha = texel.roughness * texel.roughness;
+    vec3 rays = traceReflection(texel.position, normal, v.view, alpha, REFLECTION_RAYS, beyond);
     room = rays * ((1.0 - ROUGH_LOSS * texel.roughness) * uFeatures.y * uFeatures.z);
   }
 #endif

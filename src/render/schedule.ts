@@ -34,6 +34,8 @@ export const SCHEDULE = {
     /** Where only the flame sways, forward shading follows it in one of these tiles a frame. */
     restTiles: { rows: 4, columns: 6 },
   },
+  /** Rays of forward shading by which a rough surface's reflections are traced; on GPUs they take a third of a frame. */
+  reflectionRays: { inMotion: 5, atRest: 10 },
   /** Probes traced in a frame while a renderer is prepared: a few milliseconds. */
   probesPerFrame: 16,
 } as const;

@@ -4,7 +4,7 @@ import type { TierName } from "./passes.ts";
 
 const PAGE = { width: 1920, height: 1080 };
 const TIERS: readonly TierName[] = ["low", "medium", "high", "ultra"];
-const ROUNDS = 12;
+const ROUNDS = 6;
 
 for (const quality of TIERS) {
   test(`a frame at ${quality} on the machine's own GPU`, async ({ page }, info) => {

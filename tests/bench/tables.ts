@@ -104,9 +104,9 @@ export function gpuTable(scenes: readonly Passes[]): string {
   );
 }
 
-/** "ANGLE (NVIDIA, Vulkan 1.4.303 (NVIDIA NVIDIA H100 80GB HBM3 (0x00002330)), NVIDIA-580)": the innermost name. */
+/** Chromium's name without what is ANGLE's: `ANGLE (vendor, renderer, driver)`. */
 function gpuName(renderer: string): string {
-  return renderer;
+  return /^ANGLE \([^,]*, (.*), [^,]*\)$/.exec(renderer)?.[1] ?? renderer;
 }
 
 export function scalingTable(cells: readonly Scaling[]): string {

@@ -48,6 +48,11 @@ interface SurfacePass
  */
 const NEAR = 0.12;
 
+/** Rays that a rough surface's reflections are traced by. */
+function reflectionRays({ isMoving }: FrameInput["settings"]): number {
+  return isMoving ? SCHEDULE.reflectionRays.inMotion : SCHEDULE.reflectionRays.atRest;
+}
+
 /** Bounds on the frame of what is near the flame, pixels; null where that is off the frame. */
 function boundsNearFlame({ world, clipFromWorld }: FrameInput, size: Size): Box | null {
   const [x, y, z] = world.interpolated.flame;
@@ -137,6 +142,7 @@ export class ForwardStage implements OpaqueStage {
       [...frame.clipFromWorld],
       features,
       inspect === "normals",
+      reflectionRays(frame.settings),
       instances.map(({ placement }) => placement),
     ]);
     this.#updateLayers(frame, frameKey);
@@ -156,9 +162,6 @@ export class ForwardStage implements OpaqueStage {
       if (hasMoved && near) this.#drawBox(frame, light, captures, near);
       if (this.#stale.length === 0) this.#stale.push(...tiles(size, SCHEDULE.lighting.restTiles));
       this.#drawBox(frame, light, captures, this.#stale.shift()!);
-    }
-    if ((isStale || key !== this.#key) && this.#samples) {
-      this.#gpu.resolve(this.#samples, this.#resolved);
     }
     this.#key = key;
     this.#lightKey = lightKey;
@@ -182,6 +185,7 @@ export class ForwardStage implements OpaqueStage {
     this.#gpu.clear(target, [0, 0, 0, this.#moon?.background ?? 1], box ?? undefined);
     const candles = this.#isOfAll ? this.#candles : [];
     this.draw(frame, light, captures, { target, candles, ...part });
+    if (this.#samples) this.#gpu.resolve(this.#samples, this.#resolved!, box ?? undefined);
   }
 
   /** Shades the layers of the standing candles: none in motion, afterwards one a frame, else all. */
@@ -292,6 +296,7 @@ export class ForwardStage implements OpaqueStage {
           uWax: mesh.isWax && translucency ? 1 : 0,
           uIsWick: mesh.isWick ? 1 : 0,
           uIsPane: mesh.isPane ? 1 : 0,
+          uReflectionRays: reflectionRays(settings),
         }),
         uOrigin: [0, 0],
         ...uniforms,
