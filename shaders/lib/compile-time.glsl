@@ -1,4 +1,4 @@
-// What shortens llvmpipe's compile time, and costs nothing at run time. Needs lib/frame.glsl.
+// What shortens llvmpipe's compile time, and a Mali's spills, and costs nothing at run time. Needs lib/frame.glsl.
 
 // A loop's count that no compiler knows, so that it unrolls nothing: three quarters of the time.
 #define COUNT(n) (frame.viewport.x > 0.0 ? (n) : 0)

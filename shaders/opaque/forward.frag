@@ -7,6 +7,7 @@
 // Out: radiance per candela; or the normal, to inspect. MOONLIT: alpha: luminance per lux. Rod vision needs no more.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
+#include "lib/compile-time.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/normal-map.glsl"
 #include "lib/relief.glsl"
@@ -70,8 +71,8 @@ vec2 visibilitiesOf(int divisor, vec3 surface, vec3 normal, vec3 facet, bool isC
     float rise = isCrevice ? CREVICE_HEIGHT * dot(surface, toward) : 0.0;
     vec2 pixel = gl_FragCoord.xy + uOrigin;
     visibilities = vec2(candleVisibility(vPositionWorld));
-    int search = SHADOW_SEARCH / divisor;
-    int taps = SHADOW_TAPS / divisor;
+    int search = COUNT(SHADOW_SEARCH / divisor);
+    int taps = COUNT(SHADOW_TAPS / divisor);
     visibilities *= flameVisibility(search, taps, vPositionWorld, toward, rise, pixel);
   }
   return visibilities;
