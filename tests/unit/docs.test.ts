@@ -2,7 +2,7 @@ import { existsSync, readdirSync, readFileSync, statSync } from "node:fs";
 import { dirname, join, posix } from "node:path";
 import sharp from "sharp";
 import { describe, expect, test } from "vitest";
-import { ladderTable, passTable, rowOf, scalingTable } from "../bench/tables.ts";
+import { gpuTable, ladderTable, passTable, rowOf, scalingTable } from "../bench/tables.ts";
 import { ANISOTROPIC_LIMITS, DECODED_LIMITS, ULTRA_LIMITS } from "../engines/compare.ts";
 
 const read = (file: string): string => readFileSync(file, "utf8");
@@ -151,6 +151,7 @@ describe("what is measured", () => {
     expect(page).toContain(ladderTable(results.ladder));
     expect(page).toContain(scalingTable(results.scaling));
     expect(page).toContain(passTable(JSON.parse(read("docs/bench/passes.json"))));
+    expect(page).toContain(gpuTable(JSON.parse(read("docs/bench/gpus.json"))));
   });
 
   test("a multiple printed beside times is that of the times", () => {
