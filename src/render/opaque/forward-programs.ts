@@ -39,8 +39,7 @@ export function forwardProgram(
     SHADOW_BIAS: physical.shadow.bias,
     ...(isMoonlit && { MOONLIT: 1 }),
     ...(hasCandles && { CANDLES: physical.mostCandles }),
-    // To compile a program more takes a processor longer than it saves.
-    ...((isGlossy || physical.opaque === "refined") && { GLOSSY: 1 }),
+    ...(isGlossy && { GLOSSY: 1 }),
     ...(isCutOut && { CUTOUT: 1 }),
   };
   return gpu.program("opaque/forward", meshVert, forwardFrag, { defines });

@@ -36,6 +36,8 @@ interface SurfacePass
   extends Pick<Draw, "target" | "viewport" | "scissor" | "textures" | "uniforms"> {
   /** Whether what lies in a box is drawn. Default: all is. */
   readonly isVisible?: (box: Bounds) => boolean;
+  /** Whether a mesh is drawn. Default: each is. */
+  readonly isDrawn?: (mesh: Mesh) => boolean;
   /** Standing candles that are shaded for as well, all flames as they burn. Default: none. */
   readonly candles?: readonly CachedLight[];
   /** Of the carried flame beside them, candela. Default: as it burns. */
@@ -230,7 +232,15 @@ export class ForwardStage implements OpaqueStage {
     frame: FrameInput,
     light: CaptureLight,
     captures: Captures,
-    { isVisible, candles = [], carried, textures, uniforms, ...target }: SurfacePass,
+    {
+      isVisible,
+      isDrawn = () => true,
+      candles = [],
+      carried,
+      textures,
+      uniforms,
+      ...target
+    }: SurfacePass,
   ): void {
     const moon = frame.settings.inspect === "normals" ? null : moonOf(captures.cached);
     const context = {
@@ -253,7 +263,7 @@ export class ForwardStage implements OpaqueStage {
       Object.assign(pass.blocks, inputs.blocks);
     }
     for (const instance of frame.instances) {
-      for (const mesh of instance.meshes) {
+      for (const mesh of instance.meshes.filter(isDrawn)) {
         const runs = isVisible ? visibleRuns(mesh, instance.placement, isVisible) : [{}];
         if (runs.length === 0) continue;
         const draw = this.#drawOf(frame, instance, mesh, pass, uniforms);

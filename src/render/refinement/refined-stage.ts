@@ -22,7 +22,7 @@ import {
   normalMapVisibilityOf,
   normalMapVisibilityProgram,
 } from "../mesh/normal-map-visibility.js";
-import { forwardProgram } from "../opaque/forward-programs.js";
+import { areForwardProgramsCompiled } from "../opaque/forward-programs.js";
 import { ForwardStage } from "../opaque/forward-stage.js";
 import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "../opaque/opaque-stage.js";
 import type { Tier } from "../quality.js";
@@ -41,6 +41,8 @@ const WHITE: Rgb = [1, 1, 1];
 /** Frames between draws that compile, so that the GPU is not behind by two of them. */
 const REST_FRAMES = 3;
 const ONE_PIXEL: Box = [0, 0, 1, 1];
+
+const meshesOf = ({ instances }: FrameInput) => instances.flatMap(({ meshes }) => meshes);
 
 function hasStandingFlames({ standing }: World): boolean {
   return standing.some(({ flame }) => flame.glow > 0);
@@ -144,9 +146,9 @@ export class RefinedStage implements OpaqueStage {
         const hasCandles = candlesOf(held.cached).length > 0;
         const isNight = stage.#forward.isNight(frame, held);
         const light = isNight ? "moon" : hasCandles ? "flames" : "flame";
+        const lights = { isMoonlit: moonOf(held.cached) !== null, hasCandles };
         if (hasCandles) {
-          const isMoonlit = moonOf(held.cached) !== null;
-          forwardProgram(stage.#gpu, stage.#tier, { isMoonlit, hasCandles }).start();
+          areForwardProgramsCompiled(stage.#gpu, stage.#tier, lights, meshesOf(frame));
         }
         if (stage.#gpu.isCompiling) return false;
         stage.#firstDraws[light] ??= stage.#drawFirst(frame, held);
@@ -256,16 +258,18 @@ export class RefinedStage implements OpaqueStage {
 
   /** Many drivers compile a program for a target at its first draw: each in a frame of its own. */
   *#drawFirst(frame: FrameInput, captures: Captures): Steps {
-    for (const { meshes } of frame.instances) {
-      for (const mesh of meshes) normalMapVisibilityOf(this.#gpu, mesh);
-    }
+    for (const mesh of meshesOf(frame)) normalMapVisibilityOf(this.#gpu, mesh);
     const { shadow, irradiance } = captures;
     const light = this.#shadingLight(frame);
-    for (const target of [this.#resolved, this.#samples]) {
+    const kinds = [false, true].flatMap((isGlossy) =>
+      [this.#resolved, this.#samples].map((target) => ({ target, isGlossy })),
+    );
+    for (const { target, isGlossy } of kinds) {
       for (let rest = 0; rest < REST_FRAMES; rest++) yield;
       this.#forward.draw(frame, { ...light, captureOrigin: shadow.captureOrigin }, captures, {
         target,
         candles: candlesOf(captures.cached),
+        isDrawn: (mesh) => mesh.isGlossy === isGlossy,
         scissor: ONE_PIXEL,
         textures: {
           uPrepassDepth: shadow.depth,
