@@ -156,7 +156,7 @@ async function isGlossySomewhere(
 /** Red, green and blue of the parts of a map, 0 to 1. */
 async function meansOf(map: TextureImage): Promise<[number[], number[], number[]]> {
   const size = PARTS * TEXELS;
-  const source = "data" in map ? new ImageData(Uint8ClampedArray.from(map.data), map.width) : map;
+  const source = "data" in map ? new ImageData(new Uint8ClampedArray(map.data), map.width) : map;
   const resized = { resizeWidth: size, resizeHeight: size } as const;
   const copy = await createImageBitmap(source, { ...AS_STORED, ...resized });
   const context = new OffscreenCanvas(size, size).getContext("2d");
