@@ -154,16 +154,31 @@ async function isGlossySomewhere(
 }
 
 /** Red, green and blue of the parts of a map, 0 to 1. */
-async function meansOf(map: TextureImage): Promise<[number[], number[], number[]]> {
+type Means = readonly [number[], number[], number[]];
+
+/** Of maps that have been read, each after the one before: some browsers shrink images while the page waits. */
+const known = new WeakMap<TextureImage, Promise<Means>>();
+let reading: Promise<unknown> = Promise.resolve();
+
+function meansOf(map: TextureImage): Promise<Means> {
+  const before = known.get(map);
+  if (before) return before;
+  const means = reading.then(() => readMeans(map));
+  known.set(map, means);
+  reading = means.catch(() => {});
+  return means;
+}
+
+async function readMeans(map: TextureImage): Promise<Means> {
   const size = PARTS * TEXELS;
   const source = "data" in map ? new ImageData(new Uint8ClampedArray(map.data), map.width) : map;
   const resized = { resizeWidth: size, resizeHeight: size } as const;
   const copy = await createImageBitmap(source, { ...AS_STORED, ...resized });
-  const context = new OffscreenCanvas(size, size).getContext("2d");
+  const context = new OffscreenCanvas(size, size).getContext("2d", { willReadFrequently: true });
   context?.drawImage(copy, 0, 0);
   copy.close();
   const none = () => Array.from({ length: PARTS * PARTS }, () => 0);
-  const means: [number[], number[], number[]] = [none(), none(), none()];
+  const means = [none(), none(), none()] as const;
   const { data = [] } = context?.getImageData(0, 0, size, size) ?? {};
   for (const [i, value] of data.entries()) {
     const [x, y] = [(i >> 2) % size, Math.floor((i >> 2) / size)];
