@@ -45,7 +45,7 @@ export function forwardProgram(
   return gpu.program("opaque/forward", meshVert, forwardFrag, { defines });
 }
 
-/** Whether the programs of all kinds are compiled; begins with those that are not. */
+/** Whether the programs of all kinds are compiled; begins with the first that is not. */
 export function areForwardProgramsCompiled(
   gpu: Gpu,
   tier: Tier,
