@@ -65,6 +65,12 @@ export class DrawCommands {
   /** What is switched on in GL: each call saved is a microsecond of the page's own thread. */
   readonly #enabled = new Set<GLenum>();
   #writesDepth = true;
+  /** What draws have bound: textures by unit, uniform buffers by binding point. */
+  readonly #textures: WebGLTexture[] = [];
+  readonly #uniformBuffers: WebGLBuffer[] = [];
+  /** Target and viewport of the last draw; null once something else has bound a framebuffer. */
+  #target: Surface | null = null;
+  #viewport: Box = [0, 0, 0, 0];
 
   constructor(gl: WebGL2RenderingContext, canvas: HTMLCanvasElement) {
     this.gl = gl;
@@ -90,8 +96,7 @@ export class DrawCommands {
     const { target, vertexArray, primitive = "triangles", viewport, scissor, into } = call;
     const { count = vertexArray?.count ?? 3, first = 0 } = call;
     const { blend = "replace", depth = "none", cull = "back" } = call;
-    this.#bind(target);
-    if (viewport) gl.viewport(...viewport);
+    this.#bind(target, viewport);
     this.#switch(gl.SCISSOR_TEST, scissor !== undefined);
     if (scissor) gl.scissor(...scissor);
     this.#bindInputs(call);
@@ -154,6 +159,7 @@ export class DrawCommands {
   /** Copies a multisampled target to a surface of its size and format; with depth that can be read there. All, or a part. */
   resolve(target: RenderTarget, to: Surface, part?: Box): void {
     const gl = this.gl;
+    this.forgetTarget();
     gl.bindFramebuffer(gl.READ_FRAMEBUFFER, target.framebuffer);
     gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, to === "canvas" ? null : to.framebuffer);
     const [x, y, width, height] = part ?? [0, 0, target.width, target.height];
@@ -172,6 +178,7 @@ export class DrawCommands {
   readCanvas([x, y, width, height]: Box): Uint8Array {
     const gl = this.gl;
     const pixels = new Uint8Array(width * height * 4);
+    this.forgetTarget();
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.readPixels(x, y, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
     return pixels;
@@ -181,6 +188,7 @@ export class DrawCommands {
   readFloats(target: RenderTarget | TextureView, [x, y, width, height]: Box): Float32Array {
     const gl = this.gl;
     const texels = new Float32Array(width * height * 4);
+    this.forgetTarget();
     gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
     gl.readPixels(x, target.height - y - height, width, height, gl.RGBA, gl.FLOAT, texels);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
@@ -192,12 +200,22 @@ export class DrawCommands {
     return rgb;
   }
 
-  #bind(target: Surface): void {
+  /** A framebuffer was bound by other means than a draw. */
+  protected forgetTarget(): void {
+    this.#target = null;
+  }
+
+  #bind(target: Surface, viewport?: Box): void {
     const gl = this.gl;
-    const isCanvas = target === "canvas";
-    gl.bindFramebuffer(gl.FRAMEBUFFER, isCanvas ? null : target.framebuffer);
-    if (isCanvas) gl.viewport(0, 0, this.canvas.width, this.canvas.height);
-    else gl.viewport(0, 0, target.width, target.height);
+    if (target !== this.#target) {
+      gl.bindFramebuffer(gl.FRAMEBUFFER, target === "canvas" ? null : target.framebuffer);
+      this.#target = target;
+    }
+    const { width, height } = target === "canvas" ? this.canvas : target;
+    const next = viewport ?? ([0, 0, width, height] as const);
+    if (next.every((x, i) => x === this.#viewport[i])) return;
+    gl.viewport(...next);
+    this.#viewport = next;
   }
 
   #bindInputs(call: Omit<Draw, "target">): void {
@@ -207,15 +225,21 @@ export class DrawCommands {
     for (const [name, binding] of program.blocks) {
       const block = blocks[name];
       if (!block) throw new Error(`${program.label} needs a block ${name}.`);
-      gl.bindBufferBase(gl.UNIFORM_BUFFER, binding, block.handle);
+      const { handle } = block;
+      if (handle === this.#uniformBuffers[binding]) continue;
+      gl.bindBufferBase(gl.UNIFORM_BUFFER, binding, handle);
+      this.#uniformBuffers[binding] = handle;
     }
     gl.useProgram(program.handle);
     for (const name in uniforms) program.set(name, uniforms[name]!);
     for (const [name, unit] of program.samplers) {
       const texture = textures[name];
       if (!texture) throw new Error(`${program.label} needs a texture ${name}.`);
-      gl.activeTexture(gl.TEXTURE0 + unit);
-      gl.bindTexture(texture.target, texture.handle);
+      if (texture.handle !== this.#textures[unit]) {
+        gl.activeTexture(gl.TEXTURE0 + unit);
+        gl.bindTexture(texture.target, texture.handle);
+        this.#textures[unit] = texture.handle;
+      }
       const how = sampling[name];
       this.#samplers.bind(unit, texture.hasMipmaps || how === "nearest" ? how : undefined);
     }

@@ -212,6 +212,7 @@ export class Gpu extends DrawCommands {
     const gl = this.gl;
     const targets = [...this.#toCheck];
     this.#toCheck.clear();
+    this.forgetTarget();
     for (const target of targets) {
       gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
       const status = gl.checkFramebufferStatus(gl.FRAMEBUFFER);
@@ -243,10 +244,12 @@ export class Gpu extends DrawCommands {
   }
 
   renderTarget(options: RenderTargetOptions): RenderTarget {
+    this.forgetTarget();
     return this.#unchecked(new RenderTarget(this.#context, options, this.#mostSamples));
   }
 
   textureView(options: TextureViewOptions): TextureView {
+    this.forgetTarget();
     return this.#unchecked(new TextureView(this.#context, options));
   }
 

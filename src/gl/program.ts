@@ -212,8 +212,10 @@ export class Program extends GpuObject {
       const location = gl.getUniformLocation(this.#handle, active.name);
       if (location === null) continue; // a member of a block
       if (samplers.includes(active.type)) {
-        gl.uniform1i(location, this.#samplers.size);
-        this.#samplers.set(active.name, this.#samplers.size);
+        // The first unit is for filling textures.
+        const unit = this.#samplers.size + 1;
+        gl.uniform1i(location, unit);
+        this.#samplers.set(active.name, unit);
         continue;
       }
       const name = active.name.replace(/\[0\]$/, "");

@@ -22,3 +22,49 @@ test("WebGL 2 draws as asked", async ({ page }) => {
   expect(version).toContain("WebGL 2.0");
   expect(pixel).toEqual([255, 128, 0, 255]);
 });
+
+test("A frame binds only what is not bound", async ({ room }) => {
+  const { calls, again } = await room.evaluate((element) => {
+    const gl = element.shadowRoot?.querySelector("canvas")?.getContext("webgl2");
+    if (!gl) throw new Error("There is no context.");
+    const bound = new Map<string, unknown>();
+    let unit = 0;
+    const log = { calls: 0, again: [] as string[] };
+    const note = (place: string, value: unknown) => {
+      log.calls++;
+      if (bound.get(place) === value) log.again.push(place);
+      bound.set(place, value);
+    };
+    const { activeTexture, bindTexture, bindBufferBase, bindFramebuffer, viewport } = gl;
+    const noting = {
+      activeTexture: (name: GLenum) => {
+        unit = name;
+        activeTexture.call(gl, name);
+      },
+      bindTexture: (target: GLenum, texture: WebGLTexture | null) => {
+        // The first unit is for filling textures.
+        if (unit !== gl.TEXTURE0) note(`texture ${unit} ${target}`, texture);
+        bindTexture.call(gl, target, texture);
+      },
+      bindBufferBase: (target: GLenum, index: GLuint, buffer: WebGLBuffer | null) => {
+        if (target === gl.UNIFORM_BUFFER) note(`block ${index}`, buffer);
+        bindBufferBase.call(gl, target, index, buffer);
+      },
+      bindFramebuffer: (target: GLenum, framebuffer: WebGLFramebuffer | null) => {
+        if (target === gl.FRAMEBUFFER) note("framebuffer", framebuffer);
+        else bound.delete("framebuffer");
+        bindFramebuffer.call(gl, target, framebuffer);
+      },
+      viewport: (...box: Parameters<typeof viewport>) => {
+        note("viewport", box.join());
+        viewport.apply(gl, box);
+      },
+    };
+    Object.assign(gl, noting);
+    for (let i = 0; i < 3; i++) element.step(1 / 60);
+    for (const name in noting) Reflect.deleteProperty(gl, name);
+    return log;
+  });
+  expect(calls).toBeGreaterThan(20);
+  expect(again).toEqual([]);
+});

@@ -45,15 +45,15 @@ export function forwardProgram(
   return gpu.program("opaque/forward", meshVert, forwardFrag, { defines });
 }
 
-/** Whether the programs of all kinds are compiled; begins with the first that is not. */
+/** Whether the programs of all kinds are compiled; begins with all that are not: some drivers compile side by side. */
 export function areForwardProgramsCompiled(
   gpu: Gpu,
   tier: Tier,
   lights: LightsOf,
   kinds: Iterable<Kind>,
 ): boolean {
-  const programs = Array.from(kinds, (kind) => forwardProgram(gpu, tier, lights, kind));
-  return programs.every(({ isCompiled }) => isCompiled);
+  const programs = new Set(Array.from(kinds, (kind) => forwardProgram(gpu, tier, lights, kind)));
+  return Array.from(programs, ({ isCompiled }) => isCompiled).every(Boolean);
 }
 
 /** The program that multiplies radiance per candela by the light's intensity. */
