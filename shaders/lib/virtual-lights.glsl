@@ -6,10 +6,11 @@ uniform sampler2D uVirtualLights;  // a column each: position, m, and extent, m;
 uniform sampler2D uVirtualFlux;    // lm
 uniform highp sampler2D uVirtualShadow;
 
+const float VIRTUAL_NEAR = 0.008;  // near plane of the cubes, m
 // A caster less far before the lit plane is the plane: metres, and a share of the distance.
 const vec2 VIRTUAL_BIAS = vec2(0.01, 0.01);
 // A plane seen edge on reaches no farther than this many times the distance of the point.
-const float VIRTUAL_STEEPEST = 1.1;
+const float VIRTUAL_STEEPEST = 1.03;
 
 // Share of the light of one cube that reaches a point: of four texels. `d`: from the light, m.
 float virtualVisibility(vec3 d, vec3 facet, float slot) {
@@ -30,7 +31,7 @@ float virtualVisibility(vec3 d, vec3 facet, float slot) {
     vec2 texel = low + vec2(i & 1, i >> 1);
     float plane = offset / dot(n, vec3((texel + 0.5 - center) / texels, 1.0));  // as a multiple of the point's distance
     plane = plane > 0.0 ? min(plane, VIRTUAL_STEEPEST) : VIRTUAL_STEEPEST;
-    float caster = SHADOW_NEAR / max(1.0 - texelFetch(uVirtualShadow, ivec2(texel), 0).r, SHADOW_STEP);
+    float caster = VIRTUAL_NEAR / max(1.0 - texelFetch(uVirtualShadow, ivec2(texel), 0).r, SHADOW_STEP);
     lit[i] = caster < plane * nearest ? 0.0 : 1.0;
   }
   vec2 across = mix(lit.xz, lit.yw, share.x);

@@ -17,6 +17,8 @@ const OF_PANES = VIRTUAL_LIGHTS.PANE_LIGHTS;
 
 /** Texels along an edge of a shadow cube. */
 const CUBE = 64;
+/** What is nearer to a light casts no shadow, metres: as in shaders/lib/virtual-lights.glsl. */
+const NEAR = 0.008;
 /** Metres of which a turn of the normal by a radian is as far apart. */
 const TURN = 0.3;
 /** Of a light above what it stands for, metres. */
@@ -34,7 +36,7 @@ export interface LitPoint extends Place {
   readonly isPane: boolean;
 }
 
-/** A group of lit points, by its means. */
+/** A group of lit points: its mean normal, and the member nearest to its means. A mean place may be within a fold. */
 export interface LitGroup extends Place {
   /** Root of the mean squared distance from the middle, metres. */
   readonly extent: number;
@@ -85,8 +87,10 @@ export function groupLitPoints(points: readonly (LitPoint | null)[], count: numb
     const mean = meanOf(members.map((i) => at[i]!));
     const turned = mean.slice(3) as Vec3;
     const length = Math.hypot(...turned) || 1;
+    const off = (i: number) => at[i]!.reduce((sum, x, k) => sum + (x - mean[k]!) ** 2, 0);
+    const nearest = members.reduce((best, i) => (off(i) < off(best) ? i : best));
     return {
-      position: mean.slice(0, 3) as Vec3,
+      position: points[nearest]!.position,
       normal: turned.map((x) => x / length) as Vec3,
       extent: Math.sqrt((spread[0]! + spread[1]! + spread[2]!) / members.length),
       members,
@@ -113,7 +117,7 @@ export class VirtualLights {
   constructor(gpu: Gpu, surfels: MoonSurfels) {
     this.#gpu = gpu;
     this.#surfels = surfels;
-    this.#atlas = shadowAtlas(gpu, CUBE, COUNT);
+    this.#atlas = shadowAtlas(gpu, CUBE, COUNT, NEAR);
     this.#flux = gpu.renderTarget({
       label: "moon/virtual-flux",
       width: COUNT,

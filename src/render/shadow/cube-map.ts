@@ -1,8 +1,8 @@
 import { mat4 } from "gl-matrix";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 
-/** Near plane, metres: the candle itself is nearer to the centre of the cube. */
-const NEAR = 0.04;
+/** Near plane of a candle's cube, metres: the candle itself is nearer to the centre. */
+export const NEAR = 0.04;
 const FAR = 60;
 
 /** Faces of a cube map, in GL's order: their axes, and which way along them. */
@@ -31,11 +31,17 @@ export function clipFromFace(face: number, origin: Vec3, out: mat4): mat4 {
 
 /**
  * Clip space of one face of the shadow cube, of `FACES`' axis and sign, from world space. Depth in [0, 1] is
- * 1 - NEAR / distance along the axis: linear across a plane, as in `shaders/lib/shadow-tiles.glsl`.
+ * 1 - near / distance along the axis: linear across a plane, as in `shaders/lib/shadow-tiles.glsl`.
  *
  * @param reach half the width of what is drawn, as a share of the distance along the axis
+ * @param near distance of the near plane, metres
  */
-export function clipFromShadowFace(face: number, origin: Vec3, reach: number): Float32Array {
+export function clipFromShadowFace(
+  face: number,
+  origin: Vec3,
+  reach: number,
+  near: number,
+): Float32Array {
   const { axis: ahead, sign } = FACES[face]!;
   const rows: readonly (readonly [axis: number, scale: number])[] = [
     [(ahead + 1) % 3, sign / reach],
@@ -48,7 +54,7 @@ export function clipFromShadowFace(face: number, origin: Vec3, reach: number): F
     out[axis * 4 + row] = scale;
     out[12 + row] = -scale * (origin[axis] ?? 0);
   }
-  out[14]! -= 2 * NEAR;
+  out[14]! -= 2 * near;
   return out;
 }
 

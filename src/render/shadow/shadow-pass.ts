@@ -7,7 +7,7 @@ import type { Texture } from "../../gl/texture.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import { SCHEDULE } from "../schedule.js";
 import { finish, type Steps } from "../steps.js";
-import { clipFromShadowFace, FACES, isInCubeFace } from "./cube-map.js";
+import { clipFromShadowFace, FACES, isInCubeFace, NEAR } from "./cube-map.js";
 import type { ShadowCasters } from "./shadow-casters.js";
 
 /** Width of a face's tile as a share of the face's: `SHADOW_REACH` of `shaders/lib/shadow-tiles.glsl`. */
@@ -20,8 +20,9 @@ export type ShadowAtlas = Readonly<ReturnType<typeof shadowAtlas>>;
  * A texture of one shadow cube or several, one above another.
  *
  * @param size texels along an edge of a cube, at most
+ * @param near what is nearer to a light casts no shadow, metres
  */
-export function shadowAtlas(gpu: Gpu, size: number, slots: number) {
+export function shadowAtlas(gpu: Gpu, size: number, slots: number, near = NEAR) {
   let tile = size * REACH;
   while (2 * tile * slots > gpu.longestSide) tile /= 2;
   const depth = gpu.texture({
@@ -37,6 +38,7 @@ export function shadowAtlas(gpu: Gpu, size: number, slots: number) {
     target,
     /** Texels along a tile's edge. */
     tile,
+    near,
   };
 }
 
@@ -122,7 +124,7 @@ export class ShadowPass {
     this.#allCasters = isNeeded ? null : casters;
     this.#age = 0;
     this.#lastOrigin = [...captureOrigin];
-    const { target, tile, depth } = this.#atlas;
+    const { target, tile, near, depth } = this.#atlas;
     this.#gpu.clear(target, NO_COLOR, [0, 2 * tile * this.#slot, 3 * tile, 2 * tile]);
     for (const face of FACES.keys()) {
       casters.draw(
@@ -130,7 +132,7 @@ export class ShadowPass {
           program: this.#program,
           target,
           viewport: [(face >> 1) * tile, ((face % 2) + 2 * this.#slot) * tile, tile, tile],
-          uniforms: { uClipFromWorld: clipFromShadowFace(face, captureOrigin, REACH) },
+          uniforms: { uClipFromWorld: clipFromShadowFace(face, captureOrigin, REACH, near) },
           depth: "test-and-write",
           cull: "none",
         },

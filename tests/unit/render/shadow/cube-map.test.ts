@@ -5,10 +5,11 @@ import type { Vec3 } from "../../../../src/world/geometry.ts";
 
 const ORIGIN: Vec3 = [0.4, 1.1, -0.7];
 const REACH = 1.125;
+const NEAR = 0.04;
 
 /** Clip position of a point, and its window position from -1 to 1. */
 function projected(face: number, point: Vec3) {
-  const clip = clipFromShadowFace(face, ORIGIN, REACH) as unknown as mat4;
+  const clip = clipFromShadowFace(face, ORIGIN, REACH, NEAR) as unknown as mat4;
   const [x = 0, y = 0, z = 0, w = 0] = vec4.transformMat4(
     vec4.create(),
     [...point, 1] as never,
