@@ -56,9 +56,7 @@ uniform vec4 uFeatures;  // 1 or 0: shadows, indirect light, specular; the norma
 uniform vec2 uOrigin;    // of the target on the frame, pixels
 uniform float uIsWick;   // 1 or 0
 uniform float uIsPane;   // 1 or 0
-#ifdef GLOSSY
-uniform float uReflectionRays;  // of a rough surface
-#endif
+uniform vec3 uSamples;   // numbers of them: shadow taps of the blocker search, of the filter; rays of a rough surface's reflection
 
 out vec4 oRadiance;
 
@@ -71,8 +69,8 @@ vec2 visibilitiesOf(int divisor, vec3 surface, vec3 normal, vec3 facet, bool isC
     float rise = isCrevice ? CREVICE_HEIGHT * dot(surface, toward) : 0.0;
     vec2 pixel = gl_FragCoord.xy + uOrigin;
     visibilities = vec2(candleVisibility(vPositionWorld));
-    int search = COUNT(SHADOW_SEARCH / divisor);
-    int taps = COUNT(SHADOW_TAPS / divisor);
+    int search = int(uSamples.x) / divisor;
+    int taps = int(uSamples.y) / divisor;
     visibilities *= flameVisibility(search, taps, vPositionWorld, toward, rise, pixel);
   }
   return visibilities;
@@ -174,7 +172,7 @@ vec4 shade(vec3 facet) {
     // Rays hit what the carried flame lights; what others light is taken from the probes. They spread as the normals
     // within a pixel do: the rim of a dish would be dots.
     vec3 beyond = probes.alongReflection * (carriedShare * TRACED_INDIRECT / PI);
-    vec3 rays = traceReflection(vPositionWorld + surface * 0.01, normal, s.view, s.alpha, int(uReflectionRays), beyond);
+    vec3 rays = traceReflection(vPositionWorld + surface * 0.01, normal, s.view, s.alpha, int(uSamples.z), beyond);
     mirrored = mix(mirrored, rays + probes.alongReflection * ((1.0 - carriedShare) / PI), traced);
   }
 #endif

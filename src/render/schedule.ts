@@ -31,11 +31,11 @@ export const SCHEDULE = {
   lighting: {
     deferred: { distance: 0.0015, axis: 1 / 16 },
     forward: { distance: 0.0003, axis: 1 / 64 },
-    /** Where only the flame sways, forward shading follows it in one of these tiles a frame. */
-    restTiles: { rows: 4, columns: 6 },
+    /** Where only the flame sways, forward shading follows it in one of these tiles every other frame. */
+    restTiles: { rows: 3, columns: 4 },
   },
-  /** Rays of forward shading by which a rough surface's reflections are traced; on GPUs they take a third of a frame. */
-  reflectionRays: { inMotion: 5, atRest: 10 },
+  /** Samples of forward shading in motion, as shares of those at rest: on GPUs they take half of a frame. */
+  samplesInMotion: { shadow: 2 / 3, reflection: 1 / 2 },
   /** Probes traced in a frame while a renderer is prepared: a few milliseconds. */
   probesPerFrame: 16,
 } as const;

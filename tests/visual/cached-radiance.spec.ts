@@ -115,7 +115,7 @@ test("At medium a frame in motion computes one bounce of the indirect light at m
   expect(frames.filter(({ length }) => length > 1)).toEqual([]);
 });
 
-test("At medium, at rest, surfaces follow the flame's sway tile by tile, and beside the flame in each frame", async () => {
+test("At medium, at rest, surfaces follow the flame's sway in turns: those beside it, and a tile of the others", async () => {
   const { triangles, whole, follows, exact } = await room.evaluate((element, frames) => {
     element.reset();
     element.camera = { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 };

@@ -8,6 +8,7 @@ import type { Program } from "../../gl/program.js";
 import type { Mesh } from "../mesh/mesh.js";
 import { VIRTUAL_LIGHTS } from "../moon/virtual-lights.js";
 import type { PhysicalTier, Tier } from "../quality.js";
+import { SCHEDULE } from "../schedule.js";
 
 function definesOf({ shadow: { search, taps }, opaque }: PhysicalTier) {
   return {
@@ -15,6 +16,19 @@ function definesOf({ shadow: { search, taps }, opaque }: PhysicalTier) {
     SHADOW_TAPS: taps,
     ...(opaque === "refined" && { PREPASS: 1 }),
   };
+}
+
+/** Rays by which a rough surface's reflections are traced, at rest. */
+const REFLECTION_RAYS = 10;
+
+/** `uSamples` of `forwardProgram`. */
+export function samplesOf({ physical }: Tier, isMoving: boolean): readonly number[] {
+  const { search, taps } = physical.shadow;
+  if (!isMoving) return [search, taps, REFLECTION_RAYS];
+  const { shadow, reflection } = SCHEDULE.samplesInMotion;
+  // Standing candles have half the taps, of which four are filtered at once.
+  const most = 8 * Math.round((taps * shadow) / 8);
+  return [Math.round(search * shadow), most, REFLECTION_RAYS * reflection];
 }
 
 /** What of a mesh chooses its program. */

@@ -26,6 +26,7 @@ import {
   forwardComposite,
   forwardProgram,
   nightProgram,
+  samplesOf,
 } from "./forward-programs.js";
 import { type LightPass, lightPass, nightPass } from "./light-pass.js";
 import { MultiLightInputs } from "./multi-light-inputs.js";
@@ -49,11 +50,6 @@ interface SurfacePass
  * light, metres.
  */
 const NEAR = 0.12;
-
-/** Rays that a rough surface's reflections are traced by. */
-function reflectionRays({ isMoving }: FrameInput["settings"]): number {
-  return isMoving ? SCHEDULE.reflectionRays.inMotion : SCHEDULE.reflectionRays.atRest;
-}
 
 /** Bounds on the frame of what is near the flame, pixels; null where that is off the frame. */
 function boundsNearFlame({ world, clipFromWorld }: FrameInput, size: Size): Box | null {
@@ -88,6 +84,8 @@ export class ForwardStage implements OpaqueStage {
   #lightKey = "";
   /** Tiles that were shaded for an earlier place of the flame. */
   readonly #stale: Box[] = [];
+  /** Whether it is the turn of what is near the flame. */
+  #isNearDue = true;
 
   constructor(gpu: Gpu, tier: Tier) {
     this.#gpu = gpu;
@@ -144,7 +142,7 @@ export class ForwardStage implements OpaqueStage {
       [...frame.clipFromWorld],
       features,
       inspect === "normals",
-      reflectionRays(frame.settings),
+      samplesOf(this.#tier, frame.settings.isMoving),
       instances.map(({ placement }) => placement),
     ]);
     this.#updateLayers(frame, frameKey);
@@ -159,11 +157,11 @@ export class ForwardStage implements OpaqueStage {
       this.#drawBox(frame, light, captures, null);
     } else if (isStale) {
       const size = this.#resolved;
-      // Near the flame in each frame; elsewhere tile by tile.
-      const near = boundsNearFlame(frame, size);
-      if (hasMoved && near) this.#drawBox(frame, light, captures, near);
       if (this.#stale.length === 0) this.#stale.push(...tiles(size, SCHEDULE.lighting.restTiles));
-      this.#drawBox(frame, light, captures, this.#stale.shift()!);
+      // In turns: near the flame, and a tile elsewhere.
+      const near = hasMoved && this.#isNearDue ? boundsNearFlame(frame, size) : null;
+      this.#isNearDue = !near;
+      this.#drawBox(frame, light, captures, near ?? this.#stale.shift()!);
     }
     this.#key = key;
     this.#lightKey = lightKey;
@@ -306,7 +304,7 @@ export class ForwardStage implements OpaqueStage {
           uWax: mesh.isWax && translucency ? 1 : 0,
           uIsWick: mesh.isWick ? 1 : 0,
           uIsPane: mesh.isPane ? 1 : 0,
-          uReflectionRays: reflectionRays(settings),
+          uSamples: samplesOf(this.#tier, settings.isMoving),
         }),
         uOrigin: [0, 0],
         ...uniforms,
