@@ -64,15 +64,16 @@ vec3 antialiasedColor(vec2 uv) {
   luminances = max(luminances * exposure + luma(glare), 0.0);
   float difference = approximateLuma(most(luminances)) - approximateLuma(least(luminances));
   // Software renderers execute both sides of an `if`, but skip a loop that no pixel enters.
-  int count = difference < 0.5 * EDGE ? 0 : 4;
-  vec3 sum = vec3(0.0);
-  vec2 lumas = vec2(1.0, 0.0);  // the least, and the most
-  for (int i = 0; i < count; i++) {
-    vec3 color = fastDisplayColor(neighbors[i] * exposure + glare);
-    sum += color;
-    lumas = vec2(min(lumas.x, luma(color)), max(lumas.y, luma(color)));
+  int edges = difference < EDGE ? 0 : 1;
+  vec3 around = here;
+  for (int i = 0; i < edges; i++) {
+    // Averaged by that luma, so that one display transform is enough for all four.
+    vec4 shares = 0.25 * inversesqrt(max(luminances * (luminances + 1.0), 1e-6));
+    vec3 mean = mat4x3(neighbors[0], neighbors[1], neighbors[2], neighbors[3]) * shares * exposure + glare * dot(shares, vec4(1.0));
+    float meanLuma = luma(mean);
+    around = fastDisplayColor(mean * (meanLuma / max(1.0 - meanLuma * meanLuma, 1e-3)));
   }
-  return mix(here, sum * 0.25, 0.6 * smoothstep(EDGE, 3.0 * EDGE, lumas.y - lumas.x));
+  return mix(here, around, 0.6 * smoothstep(EDGE, 3.0 * EDGE, difference));
 }
 
 void main() {
