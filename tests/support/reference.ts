@@ -49,7 +49,24 @@ export function readReference(name: string) {
   return { radiance, isCompared };
 }
 
-/** Our radiance of a view, of as many pixels as the element renders, and where the flame is. */
+/** Edge of the block of our pixels, in number, whose mean stands for one of the reference's. */
+const SUPERSAMPLING = Number(process.env.SUPERSAMPLING ?? 1);
+/** Of the element whose views are compared. */
+export const VIEW_SIZE = { width: 320 * SUPERSAMPLING, height: 180 * SUPERSAMPLING };
+
+/** Means of blocks of pixels. */
+function averaged(radiance: Float32Array, width: number, height: number) {
+  const size = { width: width / SUPERSAMPLING, height: height / SUPERSAMPLING };
+  const means = new Float32Array(size.width * size.height * 3);
+  for (const [i, value] of radiance.entries()) {
+    const [x, y] = [Math.floor(i / 3) % width, Math.floor(i / 3 / width)];
+    const [column, row] = [x, y].map((at) => Math.floor(at / SUPERSAMPLING)) as [number, number];
+    means[(row * size.width + column) * 3 + (i % 3)]! += value / SUPERSAMPLING ** 2;
+  }
+  return { radiance: means, ...size };
+}
+
+/** Our radiance of a view and where the flame is. */
 export async function renderView(room: RoomDriver, view: Staging) {
   await room.evaluate(stageView, view);
   const { text, ...rest } = await room.evaluate((element) => {
@@ -65,7 +82,7 @@ export async function renderView(room: RoomDriver, view: Staging) {
   const radiance = new Float32Array(
     bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength),
   );
-  return { radiance, ...rest };
+  return { ...rest, ...averaged(radiance, rest.width, rest.height) };
 }
 
 export function quantile(values: readonly number[], share: number): number {

@@ -46,15 +46,16 @@ def hanging_cloth(width, on_table, drop):
 
 
 def curtain(width, height):
-    """Hangs from y = 0 to -height over x = 0 to width, gathered in pleats that deepen downwards."""
+    """Hangs from y = 0 to -height over x = 0 to width, gathered in round pleats that deepen downwards."""
     pleats = 5.5
 
     def surface(s, t):
         down = 1 - t
-        phase = 2 * pi * pleats * s + 0.9 * wander(down * 2.2, "pleat", round(s * pleats))
-        swing = 0.35 + 0.65 * down
-        z = 0.026 * swing * sin(phase) + 0.012 * wander_over(s * 3, down * 2, "curtain")
-        x = width * (s + 0.018 * sin(2 * phase)) * (0.93 + 0.1 * down * down)
+        phase = 2 * pi * pleats * s + 0.9 * wander_over(s * pleats, down * 2.2, "pleat")
+        swing = (0.35 + 0.65 * down) * (1 + 0.35 * wander_over(s * pleats, down * 1.1, "depth"))
+        z = 0.017 * swing * sin(phase) + 0.012 * wander_over(s * 3, down * 2, "curtain")
+        # Slower across the sides than over the crowns, which are round so.
+        x = width * (s - 0.01 * swing * sin(2 * phase)) * (0.93 + 0.1 * down * down)
         return x, -height * down - 0.008 * sin(phase * 0.5) * down, z
 
-    return slab(surface, 33, 7, 0.0016, "linen", (width * 2.1, height))
+    return slab(surface, 50, 5, 0.0016, "linen", (width * 2.1, height))
