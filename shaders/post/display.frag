@@ -67,7 +67,7 @@ vec3 antialiasedColor(vec2 uv) {
   int edges = difference < EDGE ? 0 : 1;
   vec3 around = here;
   for (int i = 0; i < edges; i++) {
-    // Averaged by that luma, so that one display transform is enough for all four.
+    // Averaged on the scale of the approximate luma, so that one display transform is enough for all four.
     vec4 shares = 0.25 * inversesqrt(max(luminances * (luminances + 1.0), 1e-6));
     vec3 mean = mat4x3(neighbors[0], neighbors[1], neighbors[2], neighbors[3]) * shares * exposure + glare * dot(shares, vec4(1.0));
     float meanLuma = luma(mean);
