@@ -3,7 +3,7 @@ import { nextTask } from "./gl/next-task.js";
 import { AutoQuality } from "./render/auto-quality.js";
 import { tierNamed } from "./render/quality.js";
 import { measureSpeed, type Speed } from "./render/speed.js";
-import { worldOf } from "./scene-world.js";
+import { worldInSteps } from "./scene-world.js";
 import type { CanvasTarget } from "./scenes/canvas-target.js";
 import type { Scene } from "./scenes/scene.js";
 import { workOf } from "./scenes/view-subject.js";
@@ -39,7 +39,12 @@ export async function createCandle(
 ): Promise<CandleFlame | null> {
   const { gpu } = target;
   const isOn = () => isWanted() && target.gpu === gpu && !gpu.isLost;
-  const world = worldOf(scene, options);
+  const steps = worldInSteps(scene, options);
+  let step = steps.next();
+  for (; !step.done; step = steps.next()) {
+    await nextTask();
+    if (!isOn()) return null;
+  }
   const auto = new AutoQuality(workOf(scene, options));
   const { quality } = options;
   if (quality === "auto") auto.speed = await measureTarget(target);
@@ -51,7 +56,10 @@ export async function createCandle(
   }
   await nextTask();
   if (!isOn()) return null;
-  const candle = new CandleFlame(target, scene, features, options, plays, { auto, world });
+  const candle = new CandleFlame(target, scene, features, options, plays, {
+    auto,
+    world: step.value,
+  });
   rehearse(candle);
   await candle.prepareFrame(plays, isOn);
   candle.reset();

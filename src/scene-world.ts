@@ -1,7 +1,7 @@
 import type { Scene } from "./scenes/scene.js";
 import type { Look, Quality } from "./settings.js";
 import type { Wind } from "./world/air/air.js";
-import { createWorld, type WorldOptions } from "./world/create-world.js";
+import { createWorldInSteps, finishWorld, type WorldOptions } from "./world/create-world.js";
 import { TAPER_WICK } from "./world/flame/burning.js";
 import { type Moon, type MoonWish, moonOf } from "./world/moon.js";
 import type { World } from "./world/world.js";
@@ -41,20 +41,28 @@ export function moonOver({ moonDirection }: Scene, { look, moon }: Options): Moo
   return look === "physical" ? moonOf(moon, moonDirection) : null;
 }
 
+/** A new world of a scene. */
 export function worldOf(scene: Scene, options: Options, birth: WorldOptions = {}): World {
+  return finishWorld(worldInSteps(scene, options, birth));
+}
+
+/** The same in steps of a few milliseconds. */
+export function* worldInSteps(
+  scene: Scene,
+  options: Options,
+  birth: WorldOptions = {},
+): Generator<void, World> {
   const { room, wicks, createPlume, isModelAlone } = scene;
   const { look, seed, isStill, wind } = options;
-  const wick = wickOf(scene, options);
   const setup = isModelAlone ? loneSetup(scene) : null;
-  const moon = moonOver(scene, options);
-  const world = createWorld(look, seed, {
+  const world = yield* createWorldInSteps(look, seed, {
     createPlume,
     room,
     setup,
     wind,
-    wick,
+    wick: wickOf(scene, options),
     wicks,
-    moon,
+    moon: moonOver(scene, options),
     isLit: burnsAtFirst(0, scene, options),
     areLit: wicks.map((_, i) => burnsAtFirst(i + 1, scene, options)),
     ...birth,

@@ -1,21 +1,19 @@
-import type { Wind } from "./air/air.js";
 import { blow, placeCandle, takeCandle } from "./commands.js";
 import { reachForWick, useFlame } from "./flames.js";
 import type { Vec3 } from "./geometry.js";
 import { length2 } from "./geometry.js";
 import { interpolate, poseCandle } from "./interpolate.js";
 import { emittingGroups } from "./particles/level-of-detail.js";
-import { adaptationView, adaptFully } from "./player/adapt.js";
+import { adaptationView } from "./player/adapt.js";
 import { advanceStride } from "./player/gait.js";
 import { advanceHand } from "./player/hand.js";
-import { type Intent, STILL } from "./player/intent.js";
+import type { Intent } from "./player/intent.js";
 import { turnHead, walk } from "./player/player.js";
 import { advanceSmoke, advanceStanding } from "./standing-candle.js";
-import { HISTORY, TICK } from "./timeline.js";
+import { TICK } from "./timeline.js";
 import type { World } from "./world.js";
 
-/** Ticks of the plume's warm-up before the first frame; and ticks of each of its steps. */
-const WARMING = 60;
+/** Ticks of a step of the plume. */
 const PLUME_TICKS = 2;
 /** Ticks of a step of the eye's adaptation. */
 const ADAPTATION_TICKS = 2;
@@ -38,20 +36,6 @@ export function advance(world: World, intent: Intent, seconds: number): void {
   interpolate(world);
 }
 
-/** Lets a new world's flame burn for as long as particles live; then the wind comes up. */
-export function warmUp(world: World, wind: Wind): void {
-  poseCandle(world, 0);
-  for (let i = 0; i < HISTORY; i++) {
-    if (i === HISTORY - WARMING && !world.setup.isAlone) {
-      world.plume = world.createPlume?.(world.seed, world.emitter, false) ?? null;
-    }
-    tick(world, STILL);
-  }
-  world.air.wind = wind;
-  adaptFully(world);
-  interpolate(world);
-}
-
 function placeOrTake(world: World): void {
   if (world.candle.isHeld) placeCandle(world);
   else takeCandle(world);
@@ -64,7 +48,8 @@ const flow: Vec3 = [0, 0, 0];
 const way: Vec3 = [0, 0, 0];
 const wind: Vec3 = [0, 0, 0];
 
-function tick(world: World, intent: Intent): void {
+/** Advances the world by a tick. */
+export function tick(world: World, intent: Intent): void {
   const { player, emitter, timeline, air, flame } = world;
   for (let axis = 0; axis < 3; axis++) previousEmitter[axis] = emitter[axis]!;
   movePlayer(world, intent);

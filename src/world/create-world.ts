@@ -1,5 +1,4 @@
 import type { Look } from "../settings.js";
-import { warmUp } from "./advance.js";
 import { Air, CALM, type Wind } from "./air/air.js";
 import type { CreatePlume } from "./air/plume.js";
 import { TAPER_WICK } from "./flame/burning.js";
@@ -15,6 +14,7 @@ import { boxBounds, UNBOUNDED } from "./room/movement-bounds.js";
 import type { Room } from "./room/room.js";
 import { createStandingCandle, type Wick } from "./standing-candle.js";
 import { HISTORY, Timeline } from "./timeline.js";
+import { warmUp } from "./warm-up.js";
 import type { World } from "./world.js";
 import { WALL_MARGIN, WORLD_SETUPS, type WorldSetup } from "./world-setup.js";
 
@@ -42,6 +42,22 @@ export interface WorldOptions {
 
 /** A new world, whose flame is fully developed. */
 export function createWorld(look: Look, seed: number, options: WorldOptions = {}): World {
+  return finishWorld(createWorldInSteps(look, seed, options));
+}
+
+/** All of a world's steps at once. */
+export function finishWorld(steps: Generator<void, World>): World {
+  let step = steps.next();
+  while (!step.done) step = steps.next();
+  return step.value;
+}
+
+/** The same in steps of a few milliseconds. */
+export function* createWorldInSteps(
+  look: Look,
+  seed: number,
+  options: WorldOptions = {},
+): Generator<void, World> {
   const { age = 0, room = null, wind = CALM, wick = TAPER_WICK, isLit = true } = options;
   const setup = options.setup ?? WORLD_SETUPS[look];
   const brightest = setup.layers.length - 1;
@@ -99,6 +115,6 @@ export function createWorld(look: Look, seed: number, options: WorldOptions = {}
     moon: options.moon ?? null,
   };
   room?.plan.setObstacle(null);
-  warmUp(world, wind);
+  yield* warmUp(world, wind);
   return world;
 }

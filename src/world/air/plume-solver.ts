@@ -107,6 +107,17 @@ export class PlumeSolver {
     this.#pressure.forget();
   }
 
+  /** Takes over the state of another, on the same grid. */
+  copy(other: PlumeSolver): void {
+    for (let axis = 0; axis < 3; axis++) {
+      this.velocities[axis]!.set(other.velocities[axis]!);
+      this.origin[axis] = other.origin[axis]!;
+      this.#wind[axis] = other.#wind[axis]!;
+    }
+    this.heat.set(other.heat);
+    this.#pressure.copy(other.#pressure);
+  }
+
   /**
    * One `PLUME_STEP`.
    *

@@ -35,6 +35,12 @@ export class Plume {
     this.solver.reset(foot, this.#wind);
   }
 
+  /** Takes over the state of another, of the same seed and on the same grid. */
+  copy({ solver, smoke }: Plume): void {
+    this.solver.copy(solver);
+    this.smoke.copy(smoke);
+  }
+
   /**
    * Advances by one `PLUME_STEP`.
    *

@@ -39,6 +39,11 @@ export class PressureSolver {
     this.#pressure.fill(0);
   }
 
+  /** Begins its next step where another, on the same grid, would. */
+  copy(other: PressureSolver): void {
+    this.#pressure.set(other.#pressure);
+  }
+
   /** Removes the divergence of a flow. */
   project(velocities: readonly [Float64Array, Float64Array, Float64Array]): void {
     this.#diverge(velocities);

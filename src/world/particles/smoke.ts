@@ -48,6 +48,18 @@ export class Smoke {
     this.#key = pcg(seed ^ 0x5306e);
   }
 
+  /** Takes over the state of another, of the same seed. */
+  copy(other: Smoke): void {
+    this.parcels.set(other.parcels);
+    this.#velocities.set(other.#velocities);
+    this.#amounts.set(other.#amounts);
+    this.#step = other.#step;
+    this.newest = other.newest;
+    this.count = other.count;
+    this.strength = other.strength;
+    this.isFed = other.isFed;
+  }
+
   /**
    * One `PLUME_STEP`.
    *
