@@ -267,9 +267,10 @@ async function tryOut(
   page: string,
   run: (visitor: Visitor, page: string) => Promise<void>,
 ): Promise<string[]> {
-  const faults: string[] = [];
+  let faults: string[] = [];
   try {
     await session.use(async (visitor) => {
+      faults = [];
       try {
         await open(visitor, page);
         await run(visitor, page);

@@ -41,7 +41,10 @@ export interface Survey {
   readonly findings: readonly Finding[];
 }
 
-/** A pair's browser, launched anew where it hung. */
+/** What a call rejects with when the browser's process has ended. */
+const ENDED = /closed|crash|disconnected|fetch failed/i;
+
+/** A pair's browser, launched anew where it hung or ended. */
 export class Session {
   readonly pair: Pair;
   #visitor: Promise<Visitor> | null = null;
@@ -55,20 +58,23 @@ export class Session {
     return this.#visitor;
   }
 
-  /** Does something with the visitor; the browser of one that hung, or died, is no more used. */
-  async use<Result>(run: (visitor: Visitor) => Promise<Result>): Promise<Result> {
+  /**
+   * Does something with the visitor. The browser of one that hung is no more used; where one ended by itself, as
+   * WebKit's was seen to, it is done once more in another.
+   */
+  async use<Result>(run: (visitor: Visitor) => Promise<Result>, isFirst = true): Promise<Result> {
     const visitor = await this.visitor;
     try {
       return await run(visitor);
     } catch (error) {
-      if (
-        error instanceof HungError ||
-        /closed|crash|disconnected|fetch failed/i.test(`${error}`)
-      ) {
+      const hasEnded = !(error instanceof HungError) && ENDED.test(`${error}`);
+      if (hasEnded || error instanceof HungError) {
         this.#visitor = null;
         await visitor.close();
       }
-      throw error;
+      if (!hasEnded || !isFirst) throw error;
+      console.log(`${this.pair.name}: the browser ended by itself (${error}); once more`);
+      return this.use(run, false);
     }
   }
 
