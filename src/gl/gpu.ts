@@ -8,7 +8,7 @@ import {
 } from "./draw-commands.js";
 import { type GpuContext, type GpuObject, incomplete, outOfMemory } from "./gpu-object.js";
 import { GpuTimer } from "./gpu-timer.js";
-import { nextTask } from "./next-task.js";
+import { laterTask } from "./next-task.js";
 import { Program, type ProgramOptions, type ShaderSource } from "./program.js";
 import { RenderTarget, type RenderTargetOptions } from "./render-target.js";
 import { Texture, type TextureOptions } from "./texture.js";
@@ -190,7 +190,7 @@ export class Gpu extends DrawCommands {
    * ANGLE goes on with a program for some frames
    */
   async whenCompiled(idles = 1): Promise<void> {
-    while (this.isCompiling) await nextTask();
+    while (this.isCompiling) await laterTask();
     for (let idle = 0; idle < idles; idle++) await this.whenIdle();
   }
 
@@ -263,15 +263,19 @@ export class Gpu extends DrawCommands {
     return this.#keep(new UniformBlock(this.#context, program, name));
   }
 
-  /** Resolves when all commands so far have completed, or the context is lost. */
-  async whenIdle(): Promise<void> {
+  /**
+   * Resolves when all commands so far have completed, or the context is lost.
+   *
+   * @param wait resolves when it is time to ask again, in another task. Default: after a short pause
+   */
+  async whenIdle(wait: () => Promise<unknown> = laterTask): Promise<void> {
     const gl = this.gl;
     const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.flush();
     if (!fence) return;
     // The answer changes from task to task only.
     while (gl.clientWaitSync(fence, gl.SYNC_FLUSH_COMMANDS_BIT, 0) === gl.TIMEOUT_EXPIRED)
-      await nextTask();
+      await wait();
     gl.deleteSync(fence);
   }
 

@@ -10,3 +10,14 @@ export function nextTask(): Promise<void> {
     channel.port2.postMessage(null);
   });
 }
+
+/** Milliseconds between two questions whether something has ended. */
+const PAUSE = 2;
+
+/**
+ * Resolves in a later task, after a pause that leaves the processor to others, software renderers among them; without
+ * one where the browser has none but timers, which pause for longer.
+ */
+export function laterTask(): Promise<unknown> {
+  return globalThis.scheduler?.postTask(() => {}, { delay: PAUSE }) ?? nextTask();
+}

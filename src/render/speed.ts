@@ -1,6 +1,7 @@
 import fullscreenVert from "../../shaders/post/fullscreen.vert";
 import loadFrag from "../../shaders/speed/load.frag";
 import type { Gpu } from "../gl/gpu.js";
+import { nextTask } from "../gl/next-task.js";
 
 /** Measured speed of a GPU. */
 export interface Speed {
@@ -124,7 +125,7 @@ class Load {
       sampling: { uTexture: { anisotropy } },
       viewport: [0, 0, edge, edge],
     });
-    await this.#gpu.whenIdle();
+    await this.#gpu.whenIdle(nextTask);
     return this.#gpu.isLost ? Number.NaN : this.#clock() - begin;
   }
 

@@ -89,12 +89,12 @@ for (const { times, width, height } of [
   });
 }
 
-test("while the first frame is drawn nothing is asked of the driver that would wait for it", async ({
+test("while the first frame is drawn nothing is asked of the driver that would wait for it, and nothing all the time", async ({
   page,
 }) => {
   await page.addInitScript(() => {
     const gl = WebGL2RenderingContext.prototype;
-    const waits = { pending: 0, longest: 0, meanwhile: [] as string[] };
+    const waits = { pending: 0, longest: 0, pauses: [] as number[], meanwhile: [] as string[] };
     Object.assign(globalThis, { waits });
     const { fenceSync, clientWaitSync } = gl;
     gl.fenceSync = function (...call) {
@@ -102,8 +102,12 @@ test("while the first frame is drawn nothing is asked of the driver that would w
       return fenceSync.apply(this, call);
     };
     let polls = 0;
+    let last = 0;
     gl.clientWaitSync = function (...call) {
       const status = clientWaitSync.apply(this, call);
+      const now = performance.now();
+      if (polls > 0) waits.pauses.push(now - last);
+      last = now;
       if (status === this.TIMEOUT_EXPIRED) waits.longest = Math.max(waits.longest, ++polls);
       else {
         waits.pending--;
@@ -136,8 +140,15 @@ test("while the first frame is drawn nothing is asked of the driver that would w
     for (let i = 0; i < 30; i++) await new Promise(requestAnimationFrame);
   });
   const waits = await page.evaluate(
-    () => Reflect.get(globalThis, "waits") as { longest: number; meanwhile: string[] },
+    () =>
+      Reflect.get(globalThis, "waits") as {
+        longest: number;
+        pauses: number[];
+        meanwhile: string[];
+      },
   );
   expect(waits.longest, "times that it was not done yet").toBeGreaterThan(3);
+  // Without a pause this thread would take the processor from the renderer.
+  expect(Math.min(...waits.pauses), "milliseconds between two questions").toBeGreaterThan(1);
   expect(waits.meanwhile).toEqual([]);
 });
