@@ -41,10 +41,7 @@ export async function createCandle(
   const isOn = () => isWanted() && target.gpu === gpu && !gpu.isLost;
   const steps = worldInSteps(scene, options);
   let step = steps.next();
-  for (; !step.done; step = steps.next()) {
-    await nextTask();
-    if (!isOn()) return null;
-  }
+  for (; !step.done; step = steps.next()) await nextTask();
   const auto = new AutoQuality(workOf(scene, options));
   const { quality } = options;
   if (quality === "auto") auto.speed = await measureTarget(target);
@@ -56,10 +53,8 @@ export async function createCandle(
   }
   await nextTask();
   if (!isOn()) return null;
-  const candle = new CandleFlame(target, scene, features, options, plays, {
-    auto,
-    world: step.value,
-  });
+  const world = step.value;
+  const candle = new CandleFlame(target, scene, features, options, plays, { auto, world });
   rehearse(candle);
   await candle.prepareFrame(plays, isOn);
   candle.reset();

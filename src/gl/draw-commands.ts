@@ -1,5 +1,4 @@
 import type { Buffer } from "./buffer.js";
-import { created } from "./gpu-object.js";
 import type { Program, UniformValue } from "./program.js";
 import type { RenderTarget } from "./render-target.js";
 import { Samplers, type Sampling } from "./samplers.js";
@@ -60,7 +59,6 @@ export class DrawCommands {
   triangles = 0;
   readonly canvas: HTMLCanvasElement;
   protected readonly gl: WebGL2RenderingContext;
-  readonly #feedback: WebGLTransformFeedback;
   readonly #samplers: Samplers;
   /** What is switched on in GL: each call saved is a microsecond of the page's own thread. */
   readonly #enabled = new Set<GLenum>();
@@ -75,7 +73,6 @@ export class DrawCommands {
   constructor(gl: WebGL2RenderingContext, canvas: HTMLCanvasElement) {
     this.gl = gl;
     this.canvas = canvas;
-    this.#feedback = created(gl, gl.createTransformFeedback(), "feedback");
     this.#samplers = new Samplers(gl);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
   }
@@ -147,13 +144,11 @@ export class DrawCommands {
 
   #capture(into: Buffer, count: number): void {
     const gl = this.gl;
-    gl.bindTransformFeedback(gl.TRANSFORM_FEEDBACK, this.#feedback);
     gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, into.handle);
     gl.beginTransformFeedback(gl.POINTS);
     gl.drawArrays(gl.POINTS, 0, count);
     gl.endTransformFeedback();
     gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, null);
-    gl.bindTransformFeedback(gl.TRANSFORM_FEEDBACK, null);
   }
 
   /** Copies a multisampled target to a surface of its size and format; with depth that can be read there. All, or a part. */
@@ -200,6 +195,9 @@ export class DrawCommands {
     return rgb;
   }
 
+  /** A program is about to draw. */
+  protected beforeUse(_program: Program): void {}
+
   /** A framebuffer was bound by other means than a draw. */
   protected forgetTarget(): void {
     this.#target = null;
@@ -221,6 +219,7 @@ export class DrawCommands {
   #bindInputs(call: Omit<Draw, "target">): void {
     const gl = this.gl;
     const { program, uniforms = {}, textures = {}, sampling = {}, blocks = {} } = call;
+    this.beforeUse(program);
     // First: laying out a block may have to look into another program.
     for (const [name, binding] of program.blocks) {
       const block = blocks[name];
@@ -247,6 +246,5 @@ export class DrawCommands {
 
   dispose(): void {
     this.#samplers.dispose();
-    this.gl.deleteTransformFeedback(this.#feedback);
   }
 }

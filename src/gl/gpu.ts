@@ -1,11 +1,5 @@
 import { Buffer } from "./buffer.js";
-import {
-  type Box,
-  type Draw,
-  DrawCommands,
-  type Surface,
-  type Transform,
-} from "./draw-commands.js";
+import { type Box, type Draw, DrawCommands, type Surface } from "./draw-commands.js";
 import { type GpuContext, type GpuObject, incomplete, outOfMemory } from "./gpu-object.js";
 import { GpuTimer } from "./gpu-timer.js";
 import { laterTask } from "./next-task.js";
@@ -289,17 +283,7 @@ export class Gpu extends DrawCommands {
     this.#startPrograms(1);
   }
 
-  override draw(call: Draw): void {
-    this.#noteUse(call.program);
-    super.draw(call);
-  }
-
-  override transform(call: Transform): void {
-    this.#noteUse(call.program);
-    super.transform(call);
-  }
-
-  #noteUse(program: Program): void {
+  protected override beforeUse(program: Program): void {
     if (this.#unsent.has(program)) this.#startPrograms();
     this.used.add(program);
   }

@@ -24,21 +24,26 @@ const KINDLING = 0.12;
 export class Plume {
   readonly solver: PlumeSolver;
   readonly smoke: Smoke;
+  readonly #seed: number;
   readonly #heater: Heater = { power: Number.NaN, height: Number.NaN };
   readonly #wind: Vec3 = [0, 0, 0];
   readonly #wick: Vec3 = [0, 0, 0];
 
   /** @param grid of its air; default: the carried candle's */
   constructor(seed: number, foot: Readonly<Vec3>, grid?: PlumeGrid) {
+    this.#seed = seed;
     this.solver = new PlumeSolver(grid);
     this.smoke = new Smoke(seed);
     this.solver.reset(foot, this.#wind);
   }
 
-  /** Takes over the state of another, of the same seed and on the same grid. */
-  copy({ solver, smoke }: Plume): void {
-    this.solver.copy(solver);
-    this.smoke.copy(smoke);
+  /** Another in the same state. */
+  clone(): Plume {
+    const { solver, smoke } = this;
+    const other = new Plume(this.#seed, solver.origin, solver.grid);
+    other.solver.copy(solver);
+    other.smoke.copy(smoke);
+    return other;
   }
 
   /**

@@ -59,7 +59,7 @@ test.each<[name: string, options: WorldOptions, seed?: number]>([
   expect(made({ wind: WIND, ...options }, seed).steps).toBe(30);
 });
 
-test("a world is made in steps of at most two of its plume's", () => {
+test("a world is made in steps of at most one of its plume's", () => {
   made({}, 6);
   const step = vi.spyOn(Plume.prototype, "step");
   const steps = createWorldInSteps("physical", 5, { createPlume });
@@ -69,6 +69,6 @@ test("a world is made in steps of at most two of its plume's", () => {
     step.mockClear();
   }
   step.mockRestore();
-  expect(counts.length).toBeGreaterThan(10);
-  expect(Math.max(...counts)).toBeLessThanOrEqual(2);
+  expect(counts.length).toBeGreaterThan(30);
+  expect(Math.max(...counts)).toBe(1);
 });
