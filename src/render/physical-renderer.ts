@@ -174,7 +174,7 @@ export class PhysicalRenderer implements Renderer {
     const layer = yield* this.#opaque.shade(frame, captures);
     yield;
     const regions = this.#compositeDisplay
-      ? this.#volumetric.bounds(frame, kind, this.#size, BLOOM_SCALE)
+      ? this.#volumetric.bounds(frame, this.#size, BLOOM_SCALE)
       : [wholeOf(this.#size)];
     if (regions.length > 0) yield* this.#composite(frame, layer, irradiance, regions);
     yield;
@@ -251,7 +251,7 @@ export class PhysicalRenderer implements Renderer {
     if (flamePart(frame.settings.inspect)) this.#gpu.clear(target.target, BLACK);
     else for (const region of regions) this.#opaque.composite(frame, layer, target, region);
     yield;
-    this.#volumetric.render(frame, layer.kind, target, irradiance);
+    this.#volumetric.render(frame, target, irradiance);
   }
 
   #compositedFrame(depth: Texture): CompositedFrame {

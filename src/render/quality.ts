@@ -39,10 +39,8 @@ export interface PhysicalTier {
   readonly bloomLevels: number;
   /** Steps of the ray march through the flame. */
   readonly flameSteps: number;
-  /** Whether dust and sparks are drawn. */
-  readonly hasParticles: boolean;
-  /** Flames, the carried one first, above which the hot air refracts. */
-  readonly mostHazes: number;
+  /** Whether hot air refracts, and dust and sparks are drawn. */
+  readonly hasAir: boolean;
 }
 
 /** Indirect light of `low`, but for mirrors in motion, and of `medium`. */
@@ -73,8 +71,7 @@ const FORWARD = {
   mostCandles: 8,
   casterError: 0,
   bloomLevels: 6,
-  hasParticles: true,
-  mostHazes: 9,
+  hasAir: true,
 } as const;
 
 const TIERS: Readonly<Record<Tier["name"], Tier>> = {
@@ -92,8 +89,7 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
       casterError: 0.03,
       bloomLevels: 3,
       flameSteps: 12,
-      hasParticles: false,
-      mostHazes: 1,
+      hasAir: false,
     },
   },
   medium: {
@@ -147,8 +143,7 @@ export const REFINED: Tier = {
     ...TIERS.high.physical,
     opaque: "refined",
     bloomLevels: 4,
-    hasParticles: false,
-    mostHazes: 0,
+    hasAir: false,
   },
 };
 

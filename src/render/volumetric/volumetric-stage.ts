@@ -11,7 +11,6 @@ import type { Vec3 } from "../../world/geometry.js";
 import type { ParticleLayer } from "../../world/particles/particle-layer.js";
 import type { World } from "../../world/world.js";
 import { AT_ORIGIN, type FrameInput, type Placement, type Size } from "../frame-input.js";
-import type { GBufferKind } from "../gbuffer/gbuffer.js";
 import type { IrradianceVolume } from "../gi/indirect-pass.js";
 import { CHAMBERSTICK } from "../light-block.js";
 import type { Mesh } from "../mesh/mesh.js";
@@ -44,7 +43,7 @@ export class VolumetricStage {
   readonly #quality: PhysicalTier;
   readonly #ember: Program;
   readonly #flame: FlamePass;
-  readonly #haze: HazePass;
+  readonly #haze: HazePass | null;
   readonly #smoke: SmokePass;
   readonly #motes: MotesPass | null;
   readonly #shape = createShape();
@@ -65,13 +64,13 @@ export class VolumetricStage {
     this.#quality = quality;
     this.#ember = gpu.program("volumetric/ember", meshVert, emberFrag);
     this.#flame = new FlamePass(gpu);
-    this.#haze = new HazePass(gpu, format);
+    this.#haze = quality.hasAir ? new HazePass(gpu, format) : null;
     this.#smoke = new SmokePass(gpu, false);
-    this.#motes = quality.hasParticles ? new MotesPass(gpu) : null;
+    this.#motes = quality.hasAir ? new MotesPass(gpu) : null;
   }
 
   resize({ width, height }: Size): void {
-    this.#haze.resize(width, height);
+    this.#haze?.resize(width, height);
   }
 
   /** Replaces the particles by those of a new world, or of other layers. */
@@ -85,10 +84,10 @@ export class VolumetricStage {
   }
 
   /** Pixels that anything may be drawn to, as boxes apart from each other, in whole cells of the bloom's source. */
-  bounds(frame: FrameInput, kind: GBufferKind, size: Size, cell: number): Box[] {
+  bounds(frame: FrameInput, size: Size, cell: number): Box[] {
     const fit = { margin: MARGIN, cell };
     const boxes: Box[] = [];
-    for (const spheres of this.#spheres(frame, kind)) {
+    for (const spheres of this.#spheres(frame)) {
       const box = screenBounds(spheres, frame.clipFromWorld, size, fit);
       if (box) boxes.push(box);
     }
@@ -96,12 +95,7 @@ export class VolumetricStage {
   }
 
   /** Draws over the composited radiance, within its depth. */
-  render(
-    frame: FrameInput,
-    kind: GBufferKind,
-    composited: CompositedFrame,
-    irradiance: IrradianceVolume,
-  ): void {
+  render(frame: FrameInput, composited: CompositedFrame, irradiance: IrradianceVolume): void {
     const { world, settings, clipFromWorld } = frame;
     const { target, tested } = composited;
     const { features, inspect, isStill } = settings;
@@ -118,7 +112,7 @@ export class VolumetricStage {
     if (!plume || part) return;
     const isInspected = inspect === "haze";
     if (isInspected) this.#gpu.clear(target, NO_OFFSET);
-    if (isInspected || this.#showsHaze(frame, kind)) {
+    if (this.#haze && (isInspected || features.haze)) {
       for (const hotAir of this.#hotAir(world)) {
         this.#haze.render(composited, hotAir, Frame, clipFromWorld, isInspected);
       }
@@ -175,19 +169,13 @@ export class VolumetricStage {
 
   /** Above the carried flame, and above standing ones that burn. */
   *#hotAir({ plume, flame, interpolated, standing, air, sways }: World): Generator<HotAir> {
-    if (plume && this.#quality.mostHazes > 0)
-      yield { root: interpolated.flame, flame, air: plume.solver };
+    if (plume) yield { root: interpolated.flame, flame, air: plume.solver };
     const burning = standing.filter((candle) => candle.flame.isLit);
-    for (const { root, flame } of burning.slice(0, Math.max(this.#quality.mostHazes - 1, 0))) {
+    for (const { root, flame } of burning.slice(0, this.#quality.mostCandles)) {
       const wind: Vec3 = [0, 0, 0];
       if (sways) air.velocity(root, wind);
       yield { root, flame, air: wind };
     }
-  }
-
-  /** Refraction of less than a pixel is not visible in motion, and the column covers a tenth of the frame. */
-  #showsHaze({ settings }: FrameInput, kind: GBufferKind): boolean {
-    return this.#quality.mostHazes > 0 && settings.features.haze && kind === "full";
   }
 
   *#flameSpheres({ root: [x, y, z], flame }: RootedFlame): Generator<Sphere> {
@@ -198,8 +186,7 @@ export class VolumetricStage {
   }
 
   /** Spheres around each flame, each candle's smoke, and the hot air over each flame. */
-  *#spheres(frame: FrameInput, kind: GBufferKind): Generator<Iterable<Sphere>> {
-    const { world, settings } = frame;
+  *#spheres({ world, settings }: FrameInput): Generator<Iterable<Sphere>> {
     yield this.#flameSpheres(carriedFlame(world));
     for (const candle of world.standing) {
       const [x, y, z] = candle.root;
@@ -209,7 +196,7 @@ export class VolumetricStage {
     }
     if (!world.plume) return;
     if (settings.features.smoke) yield* smokeSpheres(world);
-    if (!this.#showsHaze(frame, kind)) return;
+    if (!this.#haze || !settings.features.haze) return;
     for (const hotAir of this.#hotAir(world)) yield this.#haze.boundingSpheres(hotAir);
   }
 }
