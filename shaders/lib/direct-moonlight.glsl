@@ -11,11 +11,8 @@ float directMoonlight(Shading s, vec3 facet, vec3 diffuseColor, vec2 seen, vec2 
   for (int i = isInside ? 1 : 0; i > 0; i--) {
     float visibility = moonVisibility(vPositionWorld, faceforward(facet, moon.direction, facet), pixel, 0.0);
     float lit = NoL * mix(1.0, visibility, seen.x);
-    // The disc's width widens the lobe.
-    float widened = min(s.alpha + 0.5 * MOON_TANGENT, 1.0);
     vec3 H = normalize(L + s.view);
-    float lobe = distributionGgx(widened, max(dot(s.normal, H), 0.0));
-    lobe *= visibilitySmith(s.alpha, max(abs(dot(s.normal, s.view)), 1e-3), NoL) * (s.alpha * s.alpha) / (widened * widened);
+    float lobe = widenedLobe(s.alpha, MOON_TANGENT, dot(s.normal, H), s.NoV, NoL);
     float specular = luma(fresnelSchlick(s.f0, max(dot(L, H), 0.0))) * lobe * seen.y;
     sum = lit * (luma(diffuseColor) / PI * normalMapVisibility(s.surface, s.normal, L) + specular);
   }

@@ -12,8 +12,8 @@ struct FlameSpecular {
   float SoH;   // cosine for Fresnel's term
 };
 
-// The flame as a capsule light, by its representative point: the one nearest to the reflected ray. Its width
-// widens the lobe, which keeps its energy. `toLight`: from the surface, m.
+// The flame as a capsule light, by its representative point: the one nearest to the reflected ray. `toLight`: from the
+// surface, m.
 // Karis 2013, "Real Shading in Unreal Engine 4".
 FlameSpecular flameSpecular(vec3 toLight, vec3 normal, vec3 view, float NoV, float alpha) {
   vec3 reflected = reflect(-view, normal);
@@ -24,8 +24,8 @@ FlameSpecular flameSpecular(vec3 toLight, vec3 normal, vec3 view, float NoV, flo
   vec3 representative = toLight + light.along * climb;
   vec3 S = normalize(representative);
   vec3 H = normalize(S + view);
-  float widened = clamp(alpha + 0.5 * light.radius / max(length(representative), LEAST_DISTANCE), 0.0, 1.0);
+  float tangent = light.radius / max(length(representative), LEAST_DISTANCE);
   float NoS = max(dot(normal, S), 0.0);
-  float lobe = distributionGgx(widened, max(dot(normal, H), 0.0)) * visibilitySmith(alpha, NoV, NoS);
-  return FlameSpecular(lobe * (alpha * alpha) / (widened * widened) * NoS, max(dot(S, H), 0.0));
+  float lobe = widenedLobe(alpha, tangent, dot(normal, H), NoV, NoS);
+  return FlameSpecular(lobe * NoS, max(dot(S, H), 0.0));
 }

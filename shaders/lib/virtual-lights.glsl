@@ -53,11 +53,9 @@ float virtualLuminance(Shading s, vec3 position, vec3 facet, float diffuse, vec2
     float intensity = texelFetch(uVirtualFlux, ivec2(i, 0), 0).r / PI * max(-dot(axis, L), 0.0);
     if (min(intensity, NoL) <= 0.0) continue;
     if (i >= VIRTUAL_LIGHTS - PANE_LIGHTS) intensity *= paneShare(L);
-    // The light's extent widens the lobe.
-    float widened = min(s.alpha + 0.5 * extent * inversesqrt(squared), 1.0);
     vec3 H = normalize(L + s.view);
-    float lobe = distributionGgx(widened, max(dot(s.normal, H), 0.0)) * visibilitySmith(s.alpha, s.NoV, NoL);
-    lobe *= s.alpha * s.alpha / (widened * widened) * luma(fresnelSchlick(s.f0, max(dot(L, H), 0.0)));
+    float lobe = widenedLobe(s.alpha, extent * inversesqrt(squared), dot(s.normal, H), s.NoV, NoL);
+    lobe *= luma(fresnelSchlick(s.f0, max(dot(L, H), 0.0)));
     float reflected = diffuse / PI * normalMapVisibility(s.surface, s.normal, L) * s.minified.y + lobe * seen.y;
     float visibility = mix(1.0, virtualVisibility(d, facet, float(i)), seen.x);
     sum += intensity / max(squared, extent * extent) * NoL * visibility * reflected;

@@ -41,12 +41,9 @@ vec2 moonLighting(LightingTexel texel, vec3 toEye, float NoV, vec2 seen) {
   float perArea = NoL * mix(1.0, visibility, seen.x);
   float metallic = metallicOf(texel.material);
   float alpha = texel.roughness * texel.roughness;
-  // The disc's width widens the lobe.
-  float widened = clamp(alpha + 0.5 * MOON_TANGENT, 0.0, 1.0);
   vec3 H = normalize(L + toEye);
   float fresnel = fresnelSchlick(vec3(0.04), max(dot(L, H), 0.0)).r;
-  float specular = distributionGgx(widened, max(dot(normal, H), 0.0)) * visibilitySmith(alpha, NoV, NoL);
-  specular *= alpha * alpha / (widened * widened) * perArea * seen.y;
+  float specular = widenedLobe(alpha, MOON_TANGENT, dot(normal, H), NoV, NoL) * perArea * seen.y;
   float factor = (1.0 - metallic) * (1.0 - fresnel) / PI * perArea + metallic * specular;
   return vec2(factor, (1.0 - metallic) * fresnel * specular);
 }

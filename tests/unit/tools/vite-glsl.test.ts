@@ -125,15 +125,16 @@ describe("importing a shader", () => {
       expect(released.source.length).toBeLessThan(written.source.length);
       expect(released.files).toEqual(written.files);
       const code = (text: string) => text.replace(/\/\/.*$/, "").trim();
-      const lines = positions(released);
-      const whole = positions(written);
-      expect(lines.map(({ file, line }) => [file, line])).toEqual(
-        whole.map(({ file, line }) => [file, line]),
-      );
-      for (const [i, { text }] of lines.entries()) {
-        if (whole[i]!.text.includes("*")) continue; // a product, or a comment of many lines
-        const own = code(whole[i]!.text);
-        expect(text.replaceAll(" ", "")).toBe(own.replaceAll(" ", ""));
+      const placed = (shader: Shader) =>
+        new Map(positions(shader).map(({ text, file, line }) => [`${file}:${line}`, text]));
+      const lines = placed(released);
+      const whole = placed(written);
+      for (const place of lines.keys()) expect([...whole.keys()]).toContain(place);
+      for (const [place, original] of whole) {
+        if (original.includes("*")) continue; // a product, or a comment of many lines
+        const own = code(original);
+        const text = lines.get(place) ?? "";
+        expect(text.replaceAll(" ", ""), place).toBe(own.replaceAll(" ", ""));
         if (own.startsWith("#")) expect(text).toBe(own);
         else expect(text).not.toMatch(/ [=({]|[;,] /);
       }
