@@ -2,7 +2,7 @@ import { Buffer } from "./buffer.js";
 import { type Box, type Draw, DrawCommands, type Surface } from "./draw-commands.js";
 import { type GpuContext, type GpuObject, incomplete, outOfMemory } from "./gpu-object.js";
 import { GpuTimer } from "./gpu-timer.js";
-import { laterTask } from "./next-task.js";
+import { laterTask, nextTask } from "./next-task.js";
 import { Program, type ProgramOptions, type ShaderSource } from "./program.js";
 import { RenderTarget, type RenderTargetOptions } from "./render-target.js";
 import { Texture, type TextureOptions } from "./texture.js";
@@ -184,7 +184,7 @@ export class Gpu extends DrawCommands {
    * ANGLE goes on with a program for some frames
    */
   async whenCompiled(idles = 1): Promise<void> {
-    while (this.isCompiling) await laterTask();
+    while (this.isCompiling) await (this.#unsent.size > 0 ? nextTask() : laterTask());
     for (let idle = 0; idle < idles; idle++) await this.whenIdle();
   }
 
@@ -260,16 +260,20 @@ export class Gpu extends DrawCommands {
   /**
    * Resolves when all commands so far have completed, or the context is lost.
    *
-   * @param wait resolves when it is time to ask again, in another task. Default: after a short pause
+   * @param questions to be asked before there is a pause between two: a GPU answers within a millisecond or two
    */
-  async whenIdle(wait: () => Promise<unknown> = laterTask): Promise<void> {
+  async whenIdle(questions = 16): Promise<void> {
     const gl = this.gl;
     const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.flush();
     if (!fence) return;
     // The answer changes from task to task only.
-    while (gl.clientWaitSync(fence, gl.SYNC_FLUSH_COMMANDS_BIT, 0) === gl.TIMEOUT_EXPIRED)
-      await wait();
+    for (
+      let asked = 0;
+      gl.clientWaitSync(fence, gl.SYNC_FLUSH_COMMANDS_BIT, 0) === gl.TIMEOUT_EXPIRED;
+      asked++
+    )
+      await (asked < questions ? nextTask() : laterTask());
     gl.deleteSync(fence);
   }
 

@@ -13,9 +13,9 @@ export function nextTask(): Promise<void> {
 }
 
 /**
- * Resolves in a later task, after a pause of 2 ms that leaves the processor to others, software renderers among them;
+ * Resolves in a later task, after a pause of 1 ms that leaves the processor to others, software renderers among them;
  * without one where the browser has none but timers, which pause for longer.
  */
 export function laterTask(): Promise<unknown> {
-  return globalThis.scheduler?.postTask(() => {}, { delay: 2 }) ?? nextTask();
+  return globalThis.scheduler?.postTask(() => {}, { delay: 1 }) ?? nextTask();
 }
