@@ -10,8 +10,9 @@ export interface Speed {
   readonly anisotropicPixel: number;
 }
 
-/** Edges of the squares drawn, pixels, and how often: a fast GPU draws a million of them before a task has ended. */
+/** Edge of the largest square drawn, pixels. */
 const EDGE = 1024;
+/** Edges of the squares, and how often they are drawn: a fast GPU draws a million pixels before a task has ended. */
 const LOADS: readonly (readonly [edge: number, times: number])[] = [
   [16, 1],
   [32, 1],
