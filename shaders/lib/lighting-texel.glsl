@@ -15,17 +15,25 @@ struct LightingTexel {
 };
 
 #if REDUCED
-// Of four samples the one whose normal is most similar to all: a texel lit by a joint would be a visible spot.
+// 1 for a pane, else 0.
+float isPane(float code) {
+  return float(isGlass(floor(code * 255.0 / ROUGHNESS_STEPS) / MATERIAL_STEPS));
+}
+
+// Of four samples the one whose normal is most similar to all: a texel lit by a joint would be a visible spot. Panes
+// represent only panes.
 ivec2 representativePixel(ivec2 pixel) {
+  const vec4 OFFSET = vec4(0.5, 0.5, 0.5, 0.0);
   ivec2 upperRight = min(pixel + 1, textureSize(uGBufferSurface, 0) - 1);
   ivec2 right = ivec2(upperRight.x, pixel.y);
   ivec2 upper = ivec2(pixel.x, upperRight.y);
-  vec3 a = texelFetch(uGBufferSurface, pixel, 0).rgb - 0.5;
-  vec3 b = texelFetch(uGBufferSurface, right, 0).rgb - 0.5;
-  vec3 c = texelFetch(uGBufferSurface, upper, 0).rgb - 0.5;
-  vec3 d = texelFetch(uGBufferSurface, upperRight, 0).rgb - 0.5;
-  vec3 sum = a + b + c + d;
-  vec4 similarity = vec4(dot(a, sum), dot(b, sum), dot(c, sum), dot(d, sum));
+  vec4 a = texelFetch(uGBufferSurface, pixel, 0) - OFFSET;
+  vec4 b = texelFetch(uGBufferSurface, right, 0) - OFFSET;
+  vec4 c = texelFetch(uGBufferSurface, upper, 0) - OFFSET;
+  vec4 d = texelFetch(uGBufferSurface, upperRight, 0) - OFFSET;
+  vec3 sum = a.xyz + b.xyz + c.xyz + d.xyz;
+  vec4 similarity = vec4(dot(a.xyz, sum), dot(b.xyz, sum), dot(c.xyz, sum), dot(d.xyz, sum));
+  similarity -= 10.0 * vec4(isPane(a.w), isPane(b.w), isPane(c.w), isPane(d.w));
   vec2 columns = max(similarity.xy, similarity.zw);
   ivec2 inLeft = similarity.x >= similarity.z ? pixel : upper;
   ivec2 inRight = similarity.y >= similarity.w ? right : upperRight;

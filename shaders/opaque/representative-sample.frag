@@ -1,6 +1,7 @@
 #version 300 es
 // The G-buffer sample that represents each lighting texel: the one most similar to all around it, by normal and
-// depth. Others would sometimes light a board by the joint beside it.
+// depth. Others would sometimes light a board by the joint beside it. Panes represent only panes: their lighting is the
+// night's by their small albedo, in which a bar of the window would shine.
 // In:  G-buffer.   Out: number of the candidate, over 255.
 #include "lib/precision.glsl"
 #include "lib/octahedral.glsl"
@@ -16,25 +17,29 @@ out vec4 oRepresentative;
 const float DEPTH_WEIGHT = 0.2;
 // Similarity by which a candidate has to exceed the central one.
 const float HYSTERESIS = 0.02;
+const float PANE_LOSS = 10.0;
 
 // Normal, and inverse depth.
-vec4 surfaceAt(ivec2 texel) {
+vec4 surfaceAt(ivec2 texel, out bool isPane) {
   ivec2 inside = clamp(texel, ivec2(0), textureSize(uGBufferSurface, 0) - 1);
-  vec3 normal = normalize(octahedralDecode(texelFetch(uGBufferSurface, inside, 0).rg));
-  return vec4(normal, inverseDepth(texelFetch(uDepth, inside, 0).r));
+  vec4 surface = texelFetch(uGBufferSurface, inside, 0);
+  isPane = isGlass(surface.a);
+  return vec4(normalize(octahedralDecode(surface.rg)), inverseDepth(texelFetch(uDepth, inside, 0).r));
 }
 
 void main() {
   const int COUNT = CANDIDATES * CANDIDATES;
   ivec2 center = sampleAtTexel(ivec2(gl_FragCoord.xy), uLightingSize, vec2(textureSize(uGBufferSurface, 0)));
   vec4 mean = vec4(0.0);
-  for (int i = 0; i < COUNT; i++) mean += surfaceAt(center + candidateOffset(i)) / float(COUNT);
+  bool isPane;
+  for (int i = 0; i < COUNT; i++) mean += surfaceAt(center + candidateOffset(i), isPane) / float(COUNT);
   int representative = CENTER;
   float highest = -1e9;
   for (int i = 0; i < COUNT; i++) {
-    vec4 surface = surfaceAt(center + candidateOffset(i));
+    vec4 surface = surfaceAt(center + candidateOffset(i), isPane);
     float similarity = dot(surface.xyz, mean.xyz) - abs(surface.w / mean.w - 1.0) / DEPTH_WEIGHT;
     if (i == CENTER) similarity += HYSTERESIS;
+    if (isPane) similarity -= PANE_LOSS;
     if (similarity > highest) representative = i;
     highest = max(highest, similarity);
   }

@@ -1,7 +1,8 @@
 #version 300 es
 // Upsample guide: joint bilateral upsampling, decided once for an image at rest. Each pixel stores where among the
 // four lighting texels around it to read: interpolated where all lie on its own surface, else at the nearest that
-// does. Where a pixel's samples lie on several surfaces, their guides are averaged, as their albedos are.
+// does. Where a pixel's samples lie on several surfaces, their guides are averaged, as their albedos are; those of
+// panes, whose lighting is the night's by a small albedo, only where all are.
 // In:  G-buffer, SAMPLES x SAMPLES for each pixel.   Out: gamma-2 albedo; guide in alpha. Depth.
 // After Kopf, Cohen, Lischinski and Uyttendaele 2007, "Joint Bilateral Upsampling".
 #include "lib/precision.glsl"
@@ -18,8 +19,11 @@ out vec4 oAlbedo;
 // Differences within a surface, at most: of depth, relative, and of the normal, on the octahedral square.
 const float DEPTH_TOLERANCE = 0.02;
 const float NORMAL_TOLERANCE = 0.06;
+const float PANE_DIFFERENCE = 4.0;
 // Weight of other surfaces' texels up to which the lighting is interpolated all the same.
 const float NEGLIGIBLE = 0.04;
+// Weight of a sample on a pane.
+const float PANE_WEIGHT = 1e-3;
 
 float inverseDistance(ivec2 texel) {
   return 1.0 / linearDepth(texelFetch(uDepth, texel, 0).r);
@@ -31,8 +35,7 @@ float slope(float before, float center, float after) {
 }
 
 // Where a sample reads among the lighting texels from `corner` on, 0 to 1; `isInterpolated` is 1 or 0.
-vec2 guideOf(ivec2 texel, vec2 corner, vec2 size, out float isInterpolated) {
-  vec2 normal = texelFetch(uGBufferSurface, texel, 0).rg;
+vec2 guideOf(ivec2 texel, vec4 surface, vec2 corner, vec2 size, out float isInterpolated) {
   ivec2 last = ivec2(size) - 1;
   // Inverse depth is linear across a plane.
   float center = inverseDistance(texel);
@@ -51,9 +54,12 @@ vec2 guideOf(ivec2 texel, vec2 corner, vec2 size, out float isInterpolated) {
     ivec2 neighbour = representativeSample(lightingTexel, uLightingSize, ivec2(size));
     float expected = center + dot(vec2(neighbour - texel), slopes);
     float depthDifference = abs(inverseDistance(neighbour) - expected) / center;
-    vec2 normalDifference = abs(texelFetch(uGBufferSurface, neighbour, 0).rg - normal);
+    vec4 other = texelFetch(uGBufferSurface, neighbour, 0);
+    vec2 normalDifference = abs(other.rg - surface.rg);
     float difference = depthDifference / DEPTH_TOLERANCE
       + (normalDifference.x + normalDifference.y) / NORMAL_TOLERANCE;
+    // A pane is as near as its frame, and as upright.
+    if (isGlass(other.a) != isGlass(surface.a)) difference += PANE_DIFFERENCE;
     vec2 weights = mix(1.0 - fraction, fraction, vec2(offset));
     float weight = weights.x * weights.y;
     bool isOther = difference > 2.0;
@@ -74,21 +80,23 @@ void main() {
   vec2 corner = floor(gl_FragCoord.xy / pixels * uLightingSize - 0.5);
   ivec2 first = ivec2(gl_FragCoord.xy) * SAMPLES;
   vec3 albedo = vec3(0.0);
-  vec2 guide = vec2(0.0);
-  float interpolated = 0.0;
+  vec4 guide = vec4(0.0);  // in zw how many are interpolated, and how many there are
   float depth = 1.0;
   for (int i = 0; i < SAMPLES * SAMPLES; i++) {
     ivec2 texel = first + ivec2(i % SAMPLES, i / SAMPLES);
     vec3 root = texelFetch(uAlbedo, texel, 0).rgb;
     albedo += root * root;
+    vec4 surface = texelFetch(uGBufferSurface, texel, 0);
+    float weight = isGlass(surface.a) ? PANE_WEIGHT : 1.0;
     float isInterpolated;
-    guide += guideOf(texel, corner, size, isInterpolated);
-    interpolated += isInterpolated;
+    guide.xy += weight * guideOf(texel, surface, corner, size, isInterpolated);
+    guide.zw += weight * vec2(isInterpolated, 1.0);
     depth = min(depth, texelFetch(uDepth, texel, 0).r);
   }
   const float COUNT = float(SAMPLES * SAMPLES);
-  vec2 steps = floor(guide / COUNT * GUIDE_STEPS + 0.5);
-  float code = interpolated > COUNT - 0.5 ? 0.0 : 1.0 + steps.x + steps.y * (GUIDE_STEPS + 1.0);
+  guide /= guide.w;
+  vec2 steps = floor(guide.xy * GUIDE_STEPS + 0.5);
+  float code = guide.z > 0.9 ? 0.0 : 1.0 + steps.x + steps.y * (GUIDE_STEPS + 1.0);
   oAlbedo = vec4(sqrt(albedo / COUNT), code / 255.0);
   gl_FragDepth = depth;
 }
