@@ -62,12 +62,18 @@ def build_rug():
             )
     grown = loft(rings, Coils(half_width), capped=False)
     hub = [len(grown.points) - sides + k for k in range(sides)]
-    heights = sum(grown.points[k].y for k in hub) / sides
-    tip = grown.add_point(0, heights, 0)
+    core = half_length - half_width
+    spine = []
+    for corner in hub:
+        x, y, _ = grown.points[corner]
+        spine.append(grown.add_point(max(-core, min(core, x)), y, 0))
+    coil = Coils(half_width)
     for k in range(sides):
-        corners = [hub[k], hub[(k + 1) % sides], tip]
-        texcoords = [Coils(half_width).texcoord(grown.points[c], None) for c in corners]
-        grown.add_face(corners, texcoords, "wool")
+        following = (k + 1) % sides
+        for corners in (hub[k], hub[following], spine[k]), (hub[following], spine[following], spine[k]):
+            points = [grown.points[corner] for corner in corners]
+            if (points[1] - points[0]).cross(points[2] - points[0]).length > 1e-9:
+                grown.add_face(corners, [coil.texcoord(p, None) for p in points], "wool")
     mesh.include(grown)
     return mesh.placed(moved(-0.72, 0.0008, -0.62) @ turned(0.06))
 

@@ -78,7 +78,7 @@ def bowl():
 def spectacles():
     """Round wire spectacles lying on the table, lenses up, temples folded out and down behind."""
     mesh = Mesh()
-    wire, rim = 0.0011, 0.0205
+    wire, rim = 0.0017, 0.0205
     tilt = 0.0155
     apart = 0.0285
 
@@ -102,7 +102,7 @@ def spectacles():
             Vector((hinge_x + side * 0.002, 0.006, -0.1)),
             Vector((hinge_x - side * 0.002, wire * 0.9, -0.125)),
         ]
-        mesh.include(tube(smooth_path(arm, 3), 0.00095, 5, "brass"))
+        mesh.include(tube(smooth_path(arm, 3), 0.0016, 5, "brass"))
     bridge = [
         raised(-apart + rim, -0.004),
         raised(-0.004, -0.0115),
