@@ -11,6 +11,9 @@ import type { ViewSettings, ViewSubject } from "./view-subject.js";
 /** Time that camera and candle have stood before the image is refined, seconds. */
 const REST = 0.5;
 
+/** Longest frame that had time left, seconds. */
+const SHORT = 0.06;
+
 /** Least share of its light with which a flame burns well. */
 const BURNING = 0.05;
 
@@ -33,7 +36,8 @@ export class Refinement {
   #renderer: Renderer | null = null;
   #isCompiled = false;
   #size: Size | null = null;
-  /** Time that camera and candle have stood, seconds. */
+  /** Time of the last frame, and time that camera and candle have stood, seconds. */
+  #frame = 0;
   #rest = 0;
   /** Whether the last frame was one at rest. */
   #isWanted = false;
@@ -74,6 +78,7 @@ export class Refinement {
   /** Takes the time from one frame to the next, seconds. */
   take(seconds: number): void {
     if (!(seconds > 0)) return;
+    this.#frame = seconds;
     this.#rest += seconds;
     // Frames that refine nothing say nothing of its cost.
     if (this.#isReady) this.#budget.take(seconds);
@@ -121,8 +126,8 @@ export class Refinement {
     if (!this.#renderer) {
       const { scene, target, settings } = this.#parts();
       const prepare = () => scene.prepareRenderer(target, REFINED, settings);
-      // Two parts in a frame, a few milliseconds each.
-      if (prepare() || prepare()) this.#create(subject);
+      // Two parts in a frame, a few milliseconds each; one where drivers compile while the page waits.
+      if (prepare() || (this.#frame <= SHORT && prepare())) this.#create(subject);
       return 0;
     }
     if (!this.#isReady) return 0;

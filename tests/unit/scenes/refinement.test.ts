@@ -65,3 +65,16 @@ test("a step aside begins all of it anew", async () => {
   expect(told.captures[before]).toBe(1);
   expect(told.begun).toBe(2);
 });
+
+test("programs are prepared two in a frame, and one after a frame in which a driver compiled", () => {
+  let prepared = 0;
+  const renderer = {} as Renderer;
+  const made = new Refinement(partsOf(renderer, undefined, () => ++prepared > 100));
+  const after = (seconds: number) => {
+    const before = prepared;
+    made.take(seconds);
+    made.advance(SUBJECT, {} as FrameSettings, renderer, SIZE);
+    return prepared - before;
+  };
+  expect([0.05, 0.3, 0.1, 0.03].map(after)).toEqual([2, 1, 1, 2]);
+});
