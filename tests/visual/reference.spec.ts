@@ -17,11 +17,11 @@ import { expect, test } from "../support/test.ts";
 
 /** The largest errors allowed: relative error of luminance, and mean FLIP. */
 const LIMITS = { median: 0.08, high: 0.25, flip: 0.081 };
-/** What each view measured on 2026-11-23, and by how much it may get worse. */
+/** What each view measured on 2026-11-23, and by how much it may get worse; the door's since the cloth before it bends. */
 const MEASURED: Readonly<Record<string, typeof LIMITS>> = {
   bench: { median: 0.053, high: 0.228, flip: 0.077 },
   coat: { median: 0.043, high: 0.141, flip: 0.069 },
-  door: { median: 0.042, high: 0.137, flip: 0.063 },
+  door: { median: 0.042, high: 0.142, flip: 0.066 },
   floor: { median: 0.053, high: 0.219, flip: 0.078 },
   hearth: { median: 0.033, high: 0.146, flip: 0.06 },
   held: { median: 0.046, high: 0.149, flip: 0.072 },

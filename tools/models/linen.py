@@ -3,7 +3,7 @@
 from math import cos, pi, sin
 
 from chance import wander, wander_over
-from shapes import slab
+from shapes import slab, tile_of
 
 FOLDED = 0.006
 
@@ -14,7 +14,17 @@ def hanging_cloth(width, on_table, drop):
     """
     turn = 0.012
     bend = turn * pi / 2
-    length = on_table + bend + drop
+    # Columns are narrow where it bends: its shading is smooth there, and so is the edge of its shadow.
+    parts = (8, on_table), (6, bend), (8, drop)
+    columns = sum(count for count, _ in parts)
+
+    def place_along(s):
+        """Distance along the cloth of a share of its columns."""
+        column, along = s * columns, 0
+        for count, part in parts:
+            along += part * max(0, min(1, column / count))
+            column -= count
+        return along
 
     def fold(along, across):
         """How far the hanging part stands off: two soft flutes that grow downwards."""
@@ -23,7 +33,7 @@ def hanging_cloth(width, on_table, drop):
         return depth * (0.026 * flute + 0.006 * wander(across * 5, "flute")) + 0.002 * depth
 
     def surface(s, t):
-        along = length * s
+        along = place_along(s)
         across = t * width
         crease = 0.006 * max(0, wander_over(along / 0.11 + 0.3 * t, across / 0.09, "crease") - 0.15)
         crease += 0.0022 * max(0, 1 - abs(across / width - 0.5) * 16)
@@ -42,7 +52,10 @@ def hanging_cloth(width, on_table, drop):
             z = across + 0.02 * (t - 0.5) * down / drop
         return x, y, -z
 
-    return slab(surface, 22, 14, FOLDED * 0.92, "linen", (length, width))
+    def printed(s, t):
+        return place_along(s) / tile_of("linen"), -t * width / tile_of("linen")
+
+    return slab(surface, columns, 14, FOLDED * 0.92, "linen", None, printed)
 
 
 def curtain(width, height):
