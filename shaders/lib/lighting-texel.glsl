@@ -20,8 +20,8 @@ float isPane(float code) {
   return float(isGlass(floor(code * 255.0 / ROUGHNESS_STEPS) / MATERIAL_STEPS));
 }
 
-// Of four samples the one whose normal is most similar to all: a texel lit by a joint would be a visible spot. Panes
-// represent only panes.
+// Of four samples the one whose normal is most similar to all: a texel lit by a joint would be a visible spot. A
+// pane represents only panes.
 ivec2 representativePixel(ivec2 pixel) {
   const vec4 OFFSET = vec4(0.5, 0.5, 0.5, 0.0);
   ivec2 upperRight = min(pixel + 1, textureSize(uGBufferSurface, 0) - 1);

@@ -1,7 +1,7 @@
 #version 300 es
 // The G-buffer sample that represents each lighting texel: the one most similar to all around it, by normal and
-// depth. Others would sometimes light a board by the joint beside it. Panes represent only panes: their lighting is the
-// night's by their small albedo, in which a bar of the window would shine.
+// depth. Others would sometimes light a board by the joint beside it. A pane represents only panes: its lighting is the
+// night's luminance over its small albedo, too bright for the window's bars.
 // In:  G-buffer.   Out: number of the candidate, over 255.
 #include "lib/precision.glsl"
 #include "lib/octahedral.glsl"
@@ -17,6 +17,7 @@ out vec4 oRepresentative;
 const float DEPTH_WEIGHT = 0.2;
 // Similarity by which a candidate has to exceed the central one.
 const float HYSTERESIS = 0.02;
+// Similarity that a pane loses: more than there is.
 const float PANE_LOSS = 10.0;
 
 // Normal, and inverse depth.

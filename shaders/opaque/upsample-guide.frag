@@ -1,8 +1,8 @@
 #version 300 es
 // Upsample guide: joint bilateral upsampling, decided once for an image at rest. Each pixel stores where among the
 // four lighting texels around it to read: interpolated where all lie on its own surface, else at the nearest that
-// does. Where a pixel's samples lie on several surfaces, their guides are averaged, as their albedos are; those of
-// panes, whose lighting is the night's by a small albedo, only where all are.
+// does. Where a pixel's samples lie on several surfaces, their guides are averaged, as their albedos are; panes' guides
+// only where all samples are panes.
 // In:  G-buffer, SAMPLES x SAMPLES for each pixel.   Out: gamma-2 albedo; guide in alpha. Depth.
 // After Kopf, Cohen, Lischinski and Uyttendaele 2007, "Joint Bilateral Upsampling".
 #include "lib/precision.glsl"
@@ -19,6 +19,7 @@ out vec4 oAlbedo;
 // Differences within a surface, at most: of depth, relative, and of the normal, on the octahedral square.
 const float DEPTH_TOLERANCE = 0.02;
 const float NORMAL_TOLERANCE = 0.06;
+// Difference between a pane and anything else: it is as near as its frame, and as upright.
 const float PANE_DIFFERENCE = 4.0;
 // Weight of other surfaces' texels up to which the lighting is interpolated all the same.
 const float NEGLIGIBLE = 0.04;
@@ -58,7 +59,6 @@ vec2 guideOf(ivec2 texel, vec4 surface, vec2 corner, vec2 size, out float isInte
     vec2 normalDifference = abs(other.rg - surface.rg);
     float difference = depthDifference / DEPTH_TOLERANCE
       + (normalDifference.x + normalDifference.y) / NORMAL_TOLERANCE;
-    // A pane is as near as its frame, and as upright.
     if (isGlass(other.a) != isGlass(surface.a)) difference += PANE_DIFFERENCE;
     vec2 weights = mix(1.0 - fraction, fraction, vec2(offset));
     float weight = weights.x * weights.y;
