@@ -98,8 +98,8 @@ export class RefinedStage implements OpaqueStage {
   /** Still to be drawn: all with one sample a pixel, and then, where that differs, with all samples. */
   #tiles: Tile[] = [];
   #light: CaptureLight | null = null;
-  /** With the programs of a flame, or of the moon alone. */
-  readonly #firstDraws: Partial<Record<"flame" | "flames" | "moon", Steps>> = {};
+  /** For a target, with the programs of a flame, or of the moon alone. */
+  readonly #firstDraws = new Map<string, Steps>();
   #isCompiling = false;
   #firstFrame: Steps | null = null;
 
@@ -144,15 +144,12 @@ export class RefinedStage implements OpaqueStage {
         if (!captures.hold(frame, settings.steps ?? 0)) return false;
         const held = captures.update(frame, "full");
         const hasCandles = candlesOf(held.cached).length > 0;
-        const isNight = stage.#forward.isNight(frame, held);
-        const light = isNight ? "moon" : hasCandles ? "flames" : "flame";
         const lights = { isMoonlit: moonOf(held.cached) !== null, hasCandles };
         if (hasCandles) {
           areForwardProgramsCompiled(stage.#gpu, stage.#tier, lights, meshesOf(frame));
         }
         if (stage.#gpu.isCompiling) return false;
-        stage.#firstDraws[light] ??= stage.#drawFirst(frame, held);
-        return stage.#firstDraws[light].next().done === true;
+        return stage.#hasDrawn(frame, held, stage.#resolved);
       },
       begin: (world, settings, coarse) => stage.#beginWith(describe(world, settings), coarse),
       drawFirst: (world, settings) => {
@@ -217,7 +214,10 @@ export class RefinedStage implements OpaqueStage {
     const { instances, clipFromWorld, settings } = frame;
     this.source = reprojectionSource(instances, clipFromWorld, settings.features);
     this.flame = [...frame.world.interpolated.flame];
-    for (const tile of this.#tiles.splice(0, settings.steps ?? 0)) {
+    let steps = settings.steps ?? 0;
+    const isReady = ({ samples }: Tile) => this.#hasDrawn(frame, captures, samples);
+    for (let [tile] = this.#tiles; tile && steps-- > 0 && isReady(tile); [tile] = this.#tiles) {
+      this.#tiles.shift();
       this.#drawTile(frame, light, captures, tile);
     }
     yield;
@@ -256,15 +256,22 @@ export class RefinedStage implements OpaqueStage {
     return [red / flame[0], green / flame[1], blue / flame[2]];
   }
 
+  /** Goes on with the first draws to a target. Those with all samples wait until tiles with one are drawn. */
+  #hasDrawn(frame: FrameInput, captures: Captures, target: RenderTarget): boolean {
+    const isNight = this.#forward.isNight(frame, captures);
+    const light = isNight ? "moon" : candlesOf(captures.cached).length > 0 ? "flames" : "flame";
+    const key = `${light}, ${target.label}`;
+    const draws = this.#firstDraws.get(key) ?? this.#drawFirst(frame, captures, target);
+    this.#firstDraws.set(key, draws);
+    return draws.next().done === true;
+  }
+
   /** Many drivers compile a program for a target at its first draw: each in a frame of its own. */
-  *#drawFirst(frame: FrameInput, captures: Captures): Steps {
+  *#drawFirst(frame: FrameInput, captures: Captures, target: RenderTarget): Steps {
     for (const mesh of meshesOf(frame)) normalMapVisibilityOf(this.#gpu, mesh);
     const { shadow, irradiance } = captures;
     const light = this.#shadingLight(frame);
-    const kinds = [false, true].flatMap((isGlossy) =>
-      [this.#resolved, this.#samples].map((target) => ({ target, isGlossy })),
-    );
-    for (const { target, isGlossy } of kinds) {
+    for (const isGlossy of [false, true]) {
       for (let rest = 0; rest < REST_FRAMES; rest++) yield;
       this.#forward.draw(frame, { ...light, captureOrigin: shadow.captureOrigin }, captures, {
         target,
