@@ -3,6 +3,7 @@
 uniform highp sampler2D uPrepassDepth;  // of the frame, one sample a pixel
 uniform sampler2D uShadedOnce;          // radiance per candela with one sample a pixel, moonlight included
 uniform float uIsMultisampled;          // 1 or 0: whether a pixel has several samples now
+uniform float uIsShadedOnce;            // 1 or 0: whether that was in the same light
 
 // Depths on one surface differ by rounding: a millimetre at 3 m.
 const float SAME_DEPTH = 1e-6;
@@ -17,7 +18,7 @@ int coverageAt(ivec2 pixel) {
   ivec2 end = textureSize(uPrepassDepth, 0) - 1;
   int reach = uIsMultisampled > 0.5 ? 1 : 0;
   float farthest = 0.0;
-  bool isPlane = reach > 0;
+  bool isPlane = uIsShadedOnce > 0.5;
   for (int y = -reach; y <= reach; y++) {
     for (int x = -reach; x <= reach; x++) {
       float nearest = texelFetch(uPrepassDepth, clamp(pixel + ivec2(x, y), ivec2(0), end), 0).r;

@@ -31,6 +31,7 @@ import { type Bloom, FrameBloomPass } from "./post/frame-bloom-pass.js";
 import { InspectPass } from "./post/inspect-pass.js";
 import { PostTiming } from "./post/post-timing.js";
 import type { Tier } from "./quality.js";
+import { RefinedCaptures } from "./refinement/refined-captures.js";
 import { RefinedDisplayPass } from "./refinement/refined-display-pass.js";
 import { RefinedFade } from "./refinement/refined-fade.js";
 import { RefinedStage } from "./refinement/refined-stage.js";
@@ -57,7 +58,7 @@ export class PhysicalRenderer implements Renderer {
   readonly #room: readonly Mesh[];
   readonly #candle: readonly Mesh[];
   readonly #opaque: OpaqueStage;
-  readonly #captures: LightCaptures;
+  readonly #captures: Pick<LightCaptures, "update" | "steps">;
   readonly #volumetric: VolumetricStage;
   readonly #bloom: Bloom;
   readonly #exposure: ExposurePass;
@@ -84,12 +85,9 @@ export class PhysicalRenderer implements Renderer {
     const surfaces = uploadModel(gpu, room, groupTriangles);
     this.#room = sortedByArea(surfaces);
     this.#candle = uploadModel(gpu, candle, groupTriangles);
-    this.#captures = new LightCaptures(
-      gpu,
-      { model: room, collision, surfaces },
-      physical,
-      lods !== null,
-    );
+    const scene = { model: room, collision, surfaces };
+    const refinedCaptures = refined && new RefinedCaptures(gpu, scene, physical);
+    this.#captures = refinedCaptures ?? new LightCaptures(gpu, scene, physical, lods !== null);
     this.#volumetric = new VolumetricStage(gpu, this.#candle, surfaces, blocks, format, physical);
     this.#bloom = isFrugal
       ? new FlameBloomPass(gpu, physical.bloomLevels, format)
@@ -101,8 +99,9 @@ export class PhysicalRenderer implements Renderer {
     this.refinedFade = lods && new RefinedFade(gpu);
     this.refining =
       display &&
+      refinedCaptures &&
       refined.refining(
-        this.#captures,
+        refinedCaptures,
         display,
         (world, settings) => this.#describe(world, settings),
         (frame) => this.#draw(frame),

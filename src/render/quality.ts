@@ -55,7 +55,7 @@ const COARSE_INDIRECT: IndirectDetail = {
 };
 
 /** Indirect light of `high` and `ultra`, which differ by their shadows and their resolution. */
-const FINE_INDIRECT: IndirectDetail = {
+export const FINE_INDIRECT: IndirectDetail = {
   ...COARSE_INDIRECT,
   surfels: 24,
   surfelGroup: 4,
@@ -136,12 +136,15 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
   },
 };
 
-/** Tier of refinement at rest without a GPU: surfaces and flame of `high`. */
+/**
+ * Tier of refinement at rest without a GPU: surfaces and flame of `high`, and indirect light of `medium` to begin with.
+ */
 export const REFINED: Tier = {
   ...TIERS.high,
   physical: {
     ...TIERS.high.physical,
     opaque: "refined",
+    indirect: COARSE_INDIRECT,
     bloomLevels: 4,
     hasAir: false,
   },

@@ -22,6 +22,8 @@ export interface Refining {
   readonly isCompiling: boolean;
   /** Begins with the last image of a coarser renderer on the same `Gpu`, of the same view. */
   begin(world: World, settings: FrameSettings, coarse: Surfaces): void;
+  /** Continues captures of finer light by `steps` of the settings. True once: when all is to be drawn again in it. */
+  refineLight(world: World, settings: FrameSettings): boolean;
   /** Goes on with a first frame off the screen, by a pass: many drivers compile at it. True once it is drawn. */
   drawFirst(world: World, settings: FrameSettings): boolean;
   /** The last displayed image; null before all of it was kept. */

@@ -132,10 +132,14 @@ export class Refinement {
     }
     if (!this.#isReady) return 0;
     const steps = this.#budget.next();
-    if (this.#isShown || steps === 0) return steps;
     const { refining } = this.#renderer;
     const { world } = subject;
-    if (!refining || !coarse.surfaces) return 0;
+    if (steps === 0 || !refining || !coarse.surfaces) return 0;
+    if (this.#isShown) {
+      if (refining.remaining > 0) return steps;
+      if (refining.refineLight(world, { ...view, steps })) this.#budget = new RefinementBudget();
+      return 0;
+    }
     if (!this.#hasBegun) {
       if (!refining.prepare(world, { ...view, steps })) return refining.isCompiling ? null : 0;
       if (this.#size?.width !== size.width || this.#size.height !== size.height) {

@@ -176,11 +176,21 @@ export class LightCaptures {
     return false;
   }
 
+  /** The light whose captures are held. */
+  get heldLight(): CaptureLight | null {
+    return this.#held?.light ?? null;
+  }
+
+  /** Whether the captures that are held are good enough for a light. */
+  isHeldFor({ position }: CaptureLight): boolean {
+    return this.#held !== null && vec3.distance(position, this.#held.light.position) <= SWAY;
+  }
+
   *#holdingSteps({ world, captureLight }: FrameInput): Steps {
     this.#capturing = null;
     yield* this.#lights(world, "steps");
     const light = this.#wanted ?? captureLight;
-    if (this.#held && vec3.distance(light.position, this.#held.light.position) <= SWAY) return;
+    if (this.isHeldFor(light)) return;
     this.#held = null;
     this.#capturing = light;
     this.#held = { light, captures: yield* this.#ofLight(light, "steps") };

@@ -17,7 +17,7 @@ const FLOAT = 4;
 /** Bands of the pass over all rays. */
 const BANDS = 12;
 /** Hits in a step: a CPU draws a few hundred points in a millisecond. */
-const HITS = 12_000;
+const HITS = 4_000;
 
 export type ProbeTextures = Readonly<ReturnType<typeof uploadProbeRays>>;
 

@@ -5,6 +5,7 @@ import type { TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { Rgb } from "../../light/color.js";
 import { type CachedLight, candlesOf } from "../cached-light.js";
+import type { Size } from "../frame-input.js";
 import type { FlameCaptures } from "../gi/light-captures.js";
 import { drawScaled } from "./candle-layers.js";
 
@@ -34,13 +35,7 @@ export class MultiLightInputs {
     intensity: Rgb,
   ): Required<Pick<Draw, "textures" | "blocks">> {
     const { width, height } = carried.textures.uIrradiance;
-    this.#irradiance ??= this.#gpu.renderTarget({
-      label: "opaque/irradiance",
-      width,
-      height,
-      color: [this.#format],
-    });
-    const target = this.#irradiance;
+    const target = this.#targetOf({ width, height });
     for (const { irradiance, ...light } of [{ irradiance: carried, intensity }, ...lights]) {
       const from = irradiance.textures.uIrradiance;
       const scissor = irradiance === carried ? undefined : ([0, 0, width, height] as const);
@@ -62,5 +57,15 @@ export class MultiLightInputs {
       textures: { ...textures, uStandingShadow: first.shadow },
       blocks: { Candles: this.#block },
     };
+  }
+
+  /** One of the size of a light's volume. */
+  #targetOf({ width, height }: Size): RenderTarget {
+    const known = this.#irradiance;
+    if (known?.width === width && known.height === height) return known;
+    known?.dispose();
+    const options = { label: "opaque/irradiance", width, height, color: [this.#format] } as const;
+    this.#irradiance = this.#gpu.renderTarget(options);
+    return this.#irradiance;
   }
 }

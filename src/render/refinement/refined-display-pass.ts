@@ -96,7 +96,7 @@ export class RefinedDisplayPass {
       textures,
       source,
       flame,
-      light: this.#stage.isOfFlame ? null : this.#stage.imageLight,
+      light: this.#stage.imageLight.isOfFlame ? null : this.#stage.imageLight.block,
     };
   }
 
@@ -215,7 +215,7 @@ export class RefinedDisplayPass {
 
   /** White balance of radiance per candela. */
   #white(transform: DisplayOptions["transform"]): readonly number[] {
-    return whiteBalance(transform).map((gain, i) => gain * this.#stage.flameColor[i]!);
+    return whiteBalance(transform).map((gain, i) => gain * this.#stage.imageLight.flameColor[i]!);
   }
 
   #fit({ width, height }: DisplayOptions["size"]): void {

@@ -5,19 +5,15 @@ import meterFrag from "../../../shaders/refinement/meter.frag";
 import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
-import type { UniformBlock } from "../../gl/uniform-block.js";
-import { luma, type Rgb } from "../../light/color.js";
-import { flameLight, TAPER } from "../../light/flame-light.js";
-import { adaptedMoonlight } from "../../light/moonlight.js";
 import type { Vec3 } from "../../world/geometry.js";
 import type { World } from "../../world/world.js";
-import { type CachedLight, candlesOf, isDark, moonOf } from "../cached-light.js";
+import { candlesOf, moonOf } from "../cached-light.js";
 import { frustumTest } from "../camera.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { FrameSettings } from "../frame-settings.js";
 import { type ReprojectionSource, reprojectionSource } from "../gbuffer/reprojection.js";
-import type { Captures, LightCaptures } from "../gi/light-captures.js";
-import { type CaptureLight, flameIntensity, lightBlock, shadingLight } from "../light-block.js";
+import type { Captures } from "../gi/light-captures.js";
+import { type CaptureLight, shadingLight } from "../light-block.js";
 import {
   normalMapVisibilityOf,
   normalMapVisibilityProgram,
@@ -32,26 +28,25 @@ import { clipOfBox } from "../screen-bounds.js";
 import type { Steps } from "../steps.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
 import { DepthPrepass } from "./depth-prepass.js";
+import { ImageLight } from "./image-light.js";
+import type { RefinedCaptures } from "./refined-captures.js";
 import type { RefinedDisplayPass } from "./refined-display-pass.js";
 import { TILE, tilesAround } from "./tiles.js";
 
 const BLACK = [0, 0, 0, 1] as const;
 const NOTHING = [0, 0, 0] as const;
-const WHITE: Rgb = [1, 1, 1];
 /** Frames between draws that compile, so that the GPU is not behind by two of them. */
 const REST_FRAMES = 3;
 const ONE_PIXEL: Box = [0, 0, 1, 1];
 
 const meshesOf = ({ instances }: FrameInput) => instances.flatMap(({ meshes }) => meshes);
 
-function hasStandingFlames({ standing }: World): boolean {
-  return standing.some(({ flame }) => flame.glow > 0);
-}
-
 /** A part of the frame, and what it is drawn to. */
 interface Tile {
   readonly box: Box;
   readonly samples: RenderTarget;
+  /** Whether pixels that one surface fills keep their radiance. */
+  readonly isShadedOnce: boolean;
 }
 
 /**
@@ -63,10 +58,7 @@ interface Tile {
 export class RefinedStage implements OpaqueStage {
   readonly format: ForwardStage["format"];
   readonly blocks: FrameBlocks;
-  /** The light that the image is per candela of: the flame; the moon alone; or all flames as they burnt at the beginning. */
-  readonly imageLight: UniformBlock;
-  /** Whether that is the flame. */
-  isOfFlame = true;
+  readonly imageLight: ImageLight;
   readonly meterFrag = meterFrag;
   readonly #gpu: Gpu;
   readonly #tier: Tier;
@@ -84,18 +76,9 @@ export class RefinedStage implements OpaqueStage {
   source: ReprojectionSource | null = null;
   /** Place of the flame then. */
   flame: Vec3 = [0, 0, 0];
-  /** Colour of the flame, luma 1, as it was then. */
-  flameColor: Rgb = TAPER.color;
-  /** Of the image's light then. */
-  #intensity: Rgb = TAPER.color;
-  /** What that is a multiple of, candela. */
-  #unit: Rgb = WHITE;
-  /** The carried flame then, and the standing candles when the first tile was drawn. */
-  #carried: Rgb = TAPER.color;
-  #candles: readonly CachedLight[] | null = null;
   /** Tiles drawn since the last call of `takeDrawn`. */
   #drawn: Box[] = [];
-  /** Still to be drawn: all with one sample a pixel, and then, where that differs, with all samples. */
+  /** Still to be drawn: all with one sample a pixel, and then with all samples. */
   #tiles: Tile[] = [];
   #light: CaptureLight | null = null;
   /** For a target, with the programs of a flame, or of the moon alone. */
@@ -116,7 +99,7 @@ export class RefinedStage implements OpaqueStage {
     this.#resolved = gpu.renderTarget({ label: "refinement/tile", ...tile, filter: "nearest" });
     this.format = this.#forward.format;
     this.blocks = this.#forward.blocks;
-    this.imageLight = gpu.uniformBlock(this.#begin, "Light");
+    this.imageLight = new ImageLight(gpu.uniformBlock(this.#begin, "Light"));
     this.#prepass = new DepthPrepass(gpu, this.blocks.Frame);
   }
 
@@ -125,7 +108,7 @@ export class RefinedStage implements OpaqueStage {
    * @param draw a frame, in steps
    */
   refining(
-    captures: LightCaptures,
+    captures: RefinedCaptures,
     display: RefinedDisplayPass,
     describe: (world: World, settings: FrameSettings) => FrameInput,
     draw: (frame: FrameInput) => Steps,
@@ -151,7 +134,18 @@ export class RefinedStage implements OpaqueStage {
         if (stage.#gpu.isCompiling) return false;
         return stage.#hasDrawn(frame, held, stage.#resolved);
       },
-      begin: (world, settings, coarse) => stage.#beginWith(describe(world, settings), coarse),
+      begin: (world, settings, coarse) => {
+        const frame = describe(world, settings);
+        stage.#beginWith(frame, coarse);
+        stage.#queue(frame, stage.#resolved);
+        if (captures.isFine) stage.#queue(frame, stage.#samples, true);
+      },
+      refineLight: (world, settings) => {
+        const frame = describe(world, settings);
+        if (captures.isFine || !captures.refine(frame, settings.steps ?? 0)) return false;
+        stage.#queue(frame, stage.#samples);
+        return true;
+      },
       drawFirst: (world, settings) => {
         stage.#firstFrame ??= stage.#drawOffScreen(describe(world, settings), draw);
         return stage.#firstFrame.next().done === true;
@@ -174,33 +168,25 @@ export class RefinedStage implements OpaqueStage {
 
   /** Begins with a coarser image and the current light. */
   #beginWith(frame: FrameInput, { radiance, depth, light }: Surfaces): void {
-    const { flameUv } = frame;
     const target = this.#whole;
     this.images++;
     this.#drawn = [];
-    const { world } = frame;
-    this.#candles = null;
-    this.#carried = flameIntensity(world);
-    this.#unit = hasStandingFlames(world) ? this.#totalLight(world) : WHITE;
-    const intensity = this.#updateImageLight(frame);
-    this.#intensity = intensity;
-    const strength = luma(intensity);
-    if (strength > 0) {
-      this.flameColor = [intensity[0] / strength, intensity[1] / strength, intensity[2] / strength];
-    }
+    this.imageLight.begin(frame);
     this.#light = this.#shadingLight(frame);
-    const boxes = tilesAround(target, flameUv);
-    this.#tiles = [this.#resolved, this.#samples].flatMap((samples) =>
-      boxes.map((box) => ({ box, samples })),
-    );
+    this.#tiles = [];
     this.#gpu.clear(target, BLACK);
     this.#gpu.draw({
       program: this.#begin,
       target,
       textures: { uRadiance: radiance, uDepth: depth },
-      blocks: { Light: this.isOfFlame ? light : this.imageLight },
+      blocks: { Light: this.imageLight.isOfFlame ? light : this.imageLight.block },
       depth: "test-and-write",
     });
+  }
+
+  #queue({ flameUv }: FrameInput, samples: RenderTarget, isShadedOnce = false): void {
+    const boxes = tilesAround(this.#whole, flameUv);
+    this.#tiles.push(...boxes.map((box) => ({ box, samples, isShadedOnce })));
   }
 
   *fillGBuffer(): Steps<"full"> {
@@ -223,37 +209,10 @@ export class RefinedStage implements OpaqueStage {
     yield;
     const { color: uRadiance, depth } = this.#whole;
     if (!depth) throw new Error("The refined image keeps its depth.");
-    this.#updateImageLight(frame);
-    const blocks = { ...this.blocks, Light: this.imageLight };
+    this.imageLight.update(frame);
+    const blocks = { ...this.blocks, Light: this.imageLight.block };
     const textures = { uRadiance, uDepth: depth };
     return { kind: "full", textures, uniforms: {}, blocks, depth, motion: 0 };
-  }
-
-  /** Of all flames, or of the moon where that is all that shines. */
-  #totalLight(world: World): Rgb {
-    const { moon, standing } = world;
-    const isAlone = isDark(world) && !hasStandingFlames(world);
-    this.isOfFlame = !isAlone && !hasStandingFlames(world);
-    if (moon && isAlone) return adaptedMoonlight(moon.illuminance);
-    const lights = standing.map((candle) => flameLight(candle, TAPER).intensity);
-    const sum = (i: 0 | 1 | 2) =>
-      lights.reduce((all, one) => all + one[i], flameIntensity(world)[i]);
-    return this.isOfFlame ? flameIntensity(world) : [sum(0), sum(1), sum(2)];
-  }
-
-  #updateImageLight({ world, settings }: FrameInput): Rgb {
-    const [red, green, blue] = this.#totalLight(world);
-    const unit = this.#unit;
-    const intensity: Rgb = [red / unit[0], green / unit[1], blue / unit[2]];
-    this.imageLight.update({ ...lightBlock(world, settings.features.candle), intensity });
-    return intensity;
-  }
-
-  /** A light as a multiple of the flame's at the beginning, since the flame changes while the image is refined. */
-  #perCandela(intensity: Rgb): Rgb {
-    const [red, green, blue] = intensity;
-    const flame = this.#intensity;
-    return [red / flame[0], green / flame[1], blue / flame[2]];
   }
 
   /** Goes on with the first draws to a target. Those with all samples wait until tiles with one are drawn. */
@@ -282,7 +241,7 @@ export class RefinedStage implements OpaqueStage {
           uPrepassDepth: shadow.depth,
           uShadedOnce: irradiance.textures.uIrradiance,
         },
-        uniforms: { uIsMultisampled: Number(target === this.#samples) },
+        uniforms: { uIsMultisampled: Number(target === this.#samples), uIsShadedOnce: 0 },
       });
       this.#isCompiling = true;
     }
@@ -305,7 +264,7 @@ export class RefinedStage implements OpaqueStage {
     frame: FrameInput,
     light: CaptureLight,
     captures: Captures,
-    { box, samples }: Tile,
+    { box, samples, isShadedOnce }: Tile,
   ): void {
     const target = this.#whole;
     const { width, height } = target;
@@ -313,16 +272,19 @@ export class RefinedStage implements OpaqueStage {
     const moon = moonOf(captures.cached);
     const isMultisampled = samples !== this.#resolved;
     const uPrepassDepth = this.#prepass.depthAround(box, frame);
-    this.#candles ??= candlesOf(captures.cached);
     this.#gpu.clear(samples, [0, 0, 0, moon?.background ?? 1]);
     this.#forward.draw(frame, light, captures, {
       target: samples,
-      candles: this.#candles,
-      carried: this.#carried,
+      candles: this.imageLight.candlesOf(captures.cached),
+      carried: this.imageLight.carried,
       viewport: [-x, -y, width, height],
       isVisible: frustumTest(clipOfBox(box, target, frame.clipFromWorld)),
       textures: { uPrepassDepth, uShadedOnce: target.color },
-      uniforms: { uOrigin: [x, y], uIsMultisampled: Number(isMultisampled) },
+      uniforms: {
+        uOrigin: [x, y],
+        uIsMultisampled: Number(isMultisampled),
+        uIsShadedOnce: Number(isShadedOnce),
+      },
     });
     this.#drawn.push(box);
     if (isMultisampled) this.#gpu.resolve(samples, this.#resolved);
@@ -331,7 +293,10 @@ export class RefinedStage implements OpaqueStage {
       program: this.#copy,
       target,
       textures: { uRadiance: this.#resolved.color, uDepth: this.#resolved.depth! },
-      uniforms: { uOrigin: [x, y], uMoonlight: moon ? this.#perCandela(moon.intensity) : NOTHING },
+      uniforms: {
+        uOrigin: [x, y],
+        uMoonlight: moon ? this.imageLight.perCandela(moon.intensity) : NOTHING,
+      },
       depth: "test-and-write",
       scissor: box,
     });

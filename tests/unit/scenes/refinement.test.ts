@@ -12,10 +12,17 @@ const SUBJECT = {
 const SIZE = { width: 8, height: 8 };
 const FRAME = 1 / 60;
 
-/** A refinement whose captures take so many calls, and its first frame another number, with what they were told. */
-async function refinement(captures: number, passes: number) {
-  const told = { captures: [] as number[], first: 0, begun: 0 };
+/**
+ * A refinement whose captures take so many calls, its first frame another number, and its finer light a third, with
+ * what they were told.
+ */
+async function refinement(captures: number, passes: number, lights = 0) {
+  const told = { captures: [] as number[], first: 0, begun: 0, remaining: 1, lights: 0 };
   const refining = {
+    get remaining() {
+      return told.remaining;
+    },
+    refineLight: () => ++told.lights === lights,
     prepare: (_: unknown, { steps = 0 }: FrameSettings) => told.captures.push(steps) > captures,
     begin: () => told.begun++,
     drawFirst: () => ++told.first > passes,
@@ -52,6 +59,17 @@ test("its first frame is drawn off the screen, a pass in each frame, before it i
   frame();
   expect(made.shown).not.toBeNull();
   expect(frame(), "tiles in the first frame shown").toBe(1);
+});
+
+test("finer light is captured when no tile is left, and tiles in it are drawn from the next frame on", async () => {
+  const { made, told, frame } = await refinement(1, 0, 9);
+  while (made.shown === null) frame();
+  for (let i = 0; i < 20; i++) frame();
+  expect(told.lights).toBe(0);
+  told.remaining = 0;
+  while (told.lights < 9) expect(frame()).toBe(0);
+  told.remaining = 1;
+  expect(frame(), "a tile is dearer than a step of captures").toBe(1);
 });
 
 test("a step aside begins all of it anew", async () => {
