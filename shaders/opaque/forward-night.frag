@@ -51,11 +51,10 @@ float shade(vec3 facet) {
 void main() {
   vec3 facet = facetNormal(vPositionWorld);
 #ifdef PREPASS
-  ivec2 pixel = ivec2(gl_FragCoord.xy + uOrigin);
-  int coverage = coverageAt(pixel);
-  oRadiance = coverage == FILLS_PIXEL ? vec4(texelFetch(uShadedOnce, pixel, 0).rgb, 0.0) : vec4(0.0);
+  bool isVisible = isVisibleAt(ivec2(gl_FragCoord.xy + uOrigin));
+  oRadiance = vec4(0.0);
   // Software renderers shade four pixels together: derivatives in a loop that some of them enter are right there.
-  for (int i = coverage == VISIBLE ? 1 : 0; i > 0; i--) oRadiance = vec4(0.0, 0.0, 0.0, min(shade(facet), 3e4));
+  for (int i = isVisible ? 1 : 0; i > 0; i--) oRadiance = vec4(0.0, 0.0, 0.0, min(shade(facet), 3e4));
 #else
   oRadiance = vec4(0.0, 0.0, 0.0, min(shade(facet), 3e4));
 #endif

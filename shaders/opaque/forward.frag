@@ -192,11 +192,10 @@ vec4 shade(vec3 facet) {
 void main() {
   vec3 facet = facetNormal(vPositionWorld);
 #ifdef PREPASS
-  ivec2 pixel = ivec2(gl_FragCoord.xy + uOrigin);
-  int coverage = coverageAt(pixel);
-  oRadiance = coverage == FILLS_PIXEL ? vec4(texelFetch(uShadedOnce, pixel, 0).rgb, 0.0) : vec4(0.0);
+  bool isVisible = isVisibleAt(ivec2(gl_FragCoord.xy + uOrigin));
+  oRadiance = vec4(0.0);
   // Software renderers shade four pixels together: derivatives in a loop that some of them enter are right there.
-  for (int i = coverage == VISIBLE ? 1 : 0; i > 0; i--) oRadiance = shade(facet);
+  for (int i = isVisible ? 1 : 0; i > 0; i--) oRadiance = shade(facet);
 #else
   oRadiance = shade(facet);
 #endif

@@ -45,8 +45,6 @@ const meshesOf = ({ instances }: FrameInput) => instances.flatMap(({ meshes }) =
 interface Tile {
   readonly box: Box;
   readonly samples: RenderTarget;
-  /** Whether pixels that one surface fills keep their radiance. */
-  readonly isShadedOnce: boolean;
 }
 
 /**
@@ -138,11 +136,12 @@ export class RefinedStage implements OpaqueStage {
         const frame = describe(world, settings);
         stage.#beginWith(frame, coarse);
         stage.#queue(frame, stage.#resolved);
-        if (captures.isFine) stage.#queue(frame, stage.#samples, true);
+        if (captures.isFine) stage.#queue(frame, stage.#samples);
       },
       refineLight: (world, settings) => {
+        if (captures.isFine) return false;
         const frame = describe(world, settings);
-        if (captures.isFine || !captures.refine(frame, settings.steps ?? 0)) return false;
+        if (!captures.refine(frame, settings.steps ?? 0)) return false;
         stage.#queue(frame, stage.#samples);
         return true;
       },
@@ -184,9 +183,9 @@ export class RefinedStage implements OpaqueStage {
     });
   }
 
-  #queue({ flameUv }: FrameInput, samples: RenderTarget, isShadedOnce = false): void {
+  #queue({ flameUv }: FrameInput, samples: RenderTarget): void {
     const boxes = tilesAround(this.#whole, flameUv);
-    this.#tiles.push(...boxes.map((box) => ({ box, samples, isShadedOnce })));
+    this.#tiles.push(...boxes.map((box) => ({ box, samples })));
   }
 
   *fillGBuffer(): Steps<"full"> {
@@ -228,7 +227,7 @@ export class RefinedStage implements OpaqueStage {
   /** Many drivers compile a program for a target at its first draw: each in a frame of its own. */
   *#drawFirst(frame: FrameInput, captures: Captures, target: RenderTarget): Steps {
     for (const mesh of meshesOf(frame)) normalMapVisibilityOf(this.#gpu, mesh);
-    const { shadow, irradiance } = captures;
+    const { shadow } = captures;
     const light = this.#shadingLight(frame);
     for (const isGlossy of [false, true]) {
       for (let rest = 0; rest < REST_FRAMES; rest++) yield;
@@ -237,11 +236,8 @@ export class RefinedStage implements OpaqueStage {
         candles: candlesOf(captures.cached),
         isDrawn: (mesh) => mesh.isGlossy === isGlossy,
         scissor: ONE_PIXEL,
-        textures: {
-          uPrepassDepth: shadow.depth,
-          uShadedOnce: irradiance.textures.uIrradiance,
-        },
-        uniforms: { uIsMultisampled: Number(target === this.#samples), uIsShadedOnce: 0 },
+        textures: { uPrepassDepth: shadow.depth },
+        uniforms: { uIsMultisampled: Number(target === this.#samples) },
       });
       this.#isCompiling = true;
     }
@@ -264,7 +260,7 @@ export class RefinedStage implements OpaqueStage {
     frame: FrameInput,
     light: CaptureLight,
     captures: Captures,
-    { box, samples, isShadedOnce }: Tile,
+    { box, samples }: Tile,
   ): void {
     const target = this.#whole;
     const { width, height } = target;
@@ -279,11 +275,10 @@ export class RefinedStage implements OpaqueStage {
       carried: this.imageLight.carried,
       viewport: [-x, -y, width, height],
       isVisible: frustumTest(clipOfBox(box, target, frame.clipFromWorld)),
-      textures: { uPrepassDepth, uShadedOnce: target.color },
+      textures: { uPrepassDepth },
       uniforms: {
         uOrigin: [x, y],
         uIsMultisampled: Number(isMultisampled),
-        uIsShadedOnce: Number(isShadedOnce),
       },
     });
     this.#drawn.push(box);
