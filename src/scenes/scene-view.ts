@@ -209,6 +209,7 @@ export class SceneView {
   measure(seconds: number): void {
     if (this.#settings.quality !== "auto" || this.isBusy) return;
     this.#refinement?.take(seconds);
+    this.#renderer.refinedFade?.take(seconds);
     if (this.#refinement?.isBusy || this.#renderer.refinedFade?.isOn) return;
     const { milliseconds } = this.#target.gpu.timer;
     this.#auto.take(seconds, milliseconds === null ? null : milliseconds / 1000);

@@ -14,10 +14,12 @@ import {
 } from "../gbuffer/reprojection.js";
 import type { FrameBlocks, OpaqueLayer } from "../opaque/opaque-stage.js";
 
-/** Frames over which the refined image fades into the coarser one. */
-const FRAMES = 14;
-/** Of these, the first that show it alone. */
-const SHARP_FRAMES = 4;
+/** Time over which the refined image fades into the coarser one, seconds. */
+const TIME = 0.7;
+/** Of that, the time in which it is shown alone. */
+const SHARP_TIME = 0.2;
+/** What a frame counts for, at least and at most, seconds. */
+const FRAME = { least: 0.05, most: 0.15 } as const;
 
 /** Ways of the flame over which it fades, too, since its light is that of its own place, metres. */
 const NEAR = 0.1;
@@ -44,7 +46,9 @@ export class RefinedFade {
   /** By whether the frame is reprojected itself. */
   readonly #programs: Readonly<Record<"reduced" | "reprojected", Program>>;
   #image: RefinedImage | null = null;
-  #frames = 0;
+  /** Since the first frame, and of a frame, seconds. */
+  #time = 0;
+  #frame: number = FRAME.least;
 
   constructor(gpu: Gpu) {
     this.#gpu = gpu;
@@ -60,7 +64,12 @@ export class RefinedFade {
 
   begin(image: RefinedImage): void {
     this.#image = image;
-    this.#frames = 0;
+    this.#time = 0;
+  }
+
+  /** Takes the time from one frame to the next, seconds. */
+  take(seconds: number): void {
+    if (seconds > 0) this.#frame = Math.min(Math.max(seconds, FRAME.least), FRAME.most);
   }
 
   end(): void {
@@ -84,12 +93,13 @@ export class RefinedFade {
     if (!image) return;
     const current = reprojectionSource(instances, clipFromWorld, settings.features);
     const { source, flame } = image;
-    const isCut = this.#frames === 0 && !reprojectionBetween(current, source);
-    const left = FRAMES - this.#frames++;
+    const isCut = this.#time === 0 && !reprojectionBetween(current, source);
+    const left = TIME - this.#time;
+    this.#time += this.#frame;
     const way = Math.hypot(...world.interpolated.flame.map((x, axis) => x - flame[axis]!));
-    const share = Math.min((FAR - way) / (FAR - NEAR), left / (FRAMES - SHARP_FRAMES), 1);
+    const share = Math.min((FAR - way) / (FAR - NEAR), left / (TIME - SHARP_TIME), 1);
     const isOver = isCut || current.key !== source.key || share <= 0 || layer.kind === "full";
-    if (isOver || left <= 1) this.end();
+    if (isOver || this.#time > TIME - FRAME.least / 2) this.end();
     if (isOver) return;
     this.#gpu.draw({
       program: this.#programs[layer.kind],
