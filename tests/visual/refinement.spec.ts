@@ -16,6 +16,8 @@ import { serveSmallTextures } from "../support/small-textures.ts";
 import { expect, test } from "../support/test.ts";
 
 const BOX = { width: 480, height: 270 };
+/** Edge of a tile, pixels. */
+const TILE = 64;
 const STEP = { position: [-0.84, 1.3, 1.09], yaw: -0.8, pitch: -0.244 } as const;
 const CORNER = { position: [1.468, 1.6, -1.062], yaw: -0.57, pitch: -0.4 } as const;
 
@@ -79,6 +81,17 @@ async function framesUntil(
     most.programs = Math.max(most.programs, programs);
   }
   throw new Error("The picture was never refined.");
+}
+
+/** Draws frames until all tiles have been drawn, with one sample a pixel and with all. */
+async function complete(): Promise<void> {
+  let left = 2 * Math.ceil(BOX.width / TILE) * Math.ceil(BOX.height / TILE);
+  const countDown = (tiles: number) => {
+    left -= tiles;
+    return left <= 0;
+  };
+  await framesUntil(countDown, 50);
+  await frames(20, 50); // first draws to a target of the size are counted, too
 }
 
 /** Linear light of a picture. */
@@ -211,7 +224,7 @@ test("is what `high` shows elsewhere, too, with the candle in the hand, whatever
   await frames(14, 50);
   await stand(CORNER);
   await refine(50);
-  await frames(300, 50);
+  await complete();
   const picture = await room.picture();
   await room.evaluate((element) => element.pause());
   const difference = meanFlip(await paused("high", CORNER), picture);
@@ -237,7 +250,7 @@ test("is what `high` shows by the moon alone, too, once the eye is used to it", 
   expect((await room.stats()).width, "the eye is adapting").toBeLessThan(BOX.width);
   await wait(5);
   await refine(50);
-  await frames(70, 50);
+  await complete();
   const picture = await room.picture();
   await room.evaluate((element, yaw) => {
     element.camera = { ...element.camera, yaw };
@@ -263,7 +276,7 @@ test("is what `high` shows by several candles, too", async () => {
     element.play();
   }, MANTEL);
   await refine(50);
-  await frames(250, 50);
+  await complete();
   const picture = await room.picture();
   await room.evaluate((element) => element.pause());
   const difference = meanFlip(await paused("high", MANTEL), picture);
