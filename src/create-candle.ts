@@ -2,7 +2,7 @@ import { CandleFlame, type Options } from "./candle-flame.js";
 import { nextTask } from "./gl/next-task.js";
 import { AutoQuality } from "./render/auto-quality.js";
 import { tierNamed } from "./render/quality.js";
-import { measureSpeed, type Speed } from "./render/speed.js";
+import { measureSpeed } from "./render/speed.js";
 import { worldInSteps } from "./scene-world.js";
 import type { CanvasTarget } from "./scenes/canvas-target.js";
 import type { Scene } from "./scenes/scene.js";
@@ -18,9 +18,9 @@ interface Creation {
   readonly rehearse: (candle: CandleFlame) => void;
 }
 
-/** Speed of a target's GPU, for `auto`; measured once, best while it has nothing else to do. */
-export function measureTarget({ gpu }: CanvasTarget): Promise<Speed | null> {
-  return measureSpeed(gpu, () => performance.now() / 1000);
+/** Speed of a target's GPU, for `auto`: seconds for a pixel of a load; measured once, or `again`, best while it has nothing else to do. */
+export function measureTarget({ gpu }: CanvasTarget, again?: boolean): Promise<number | null> {
+  return measureSpeed(gpu, () => performance.now() / 1000, again);
 }
 
 /**
@@ -42,9 +42,9 @@ export async function createCandle(
   const steps = worldInSteps(scene, options);
   let step = steps.next();
   for (; !step.done; step = steps.next()) await nextTask();
-  const auto = new AutoQuality(workOf(scene, options));
+  const auto = new AutoQuality(workOf(scene, options), () => measureTarget(target, true));
   const { quality } = options;
-  if (quality === "auto") auto.speed = await measureTarget(target);
+  if (quality === "auto") auto.pixel = await measureTarget(target);
   const { tier: name } = plays ? auto.rung : auto.stillRung;
   const tier = tierNamed(quality === "auto" ? name : quality);
   while (!scene.prepareRenderer(target, tier, options)) {

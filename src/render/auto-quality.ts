@@ -1,5 +1,5 @@
 import { type Tier, tierNamed } from "./quality.js";
-import type { Speed } from "./speed.js";
+import { SOFTWARE_PIXEL } from "./speed.js";
 
 /** A step of quality: a tier and a resolution. */
 export interface Rung {
@@ -56,15 +56,15 @@ const RETRY_TIMES = [6, 20, 60] as const;
 /** Least number of frames in a measurement, unless all took at least `VERY_LATE`, seconds. */
 const LEAST_FRAMES = 5;
 const VERY_LATE = 0.4;
+/** How often the load is measured again. */
+const MOST_DOUBTS = 2;
 /** Frames ignored after a change, whose cost they include: so many, or for so many seconds. */
 const IGNORED_FRAMES = 3;
 const IGNORED_TIME = 0.5;
-/** A slower pixel of the load is that of a software renderer, seconds: GPUs are a hundred times as fast. */
-const SOFTWARE_PIXEL = 3e-7;
 /** Budget of anisotropic filtering in a frame of a million pixels under `auto`, seconds. */
 const ANISOTROPY_BUDGET = 0.0015;
-/** Anisotropic taps of a pixel (albedo, normal, roughness) over those of the load, `TAPS`. */
-const ANISOTROPIC_SHARE = 3 / 32;
+/** Anisotropic filtering of a pixel's maps (albedo, normal, roughness) by eight taps each, over the load's 32 taps. */
+const ANISOTROPIC_SHARE = (3 * 8) / 32;
 
 /** Cost model of a frame, fitted to software renderers' times and used with a margin. */
 export interface Work {
@@ -88,8 +88,8 @@ export const WORK: Readonly<Record<"physical" | "plain", Work>> = {
  * three times, so the number of changes is limited. There is no clock: the same times give the same quality.
  */
 export class AutoQuality {
-  /** Null until it is measured; until then the tier stays. */
-  speed: Speed | null = null;
+  /** Time of a pixel of the load, `speed/load.frag`, seconds. Null until it is measured; until then the tier stays. */
+  pixel: number | null = null;
   /** Pixels of the canvas at full resolution. */
   pixels = 1;
   work: Work;
@@ -109,8 +109,13 @@ export class AutoQuality {
   #measured = 0;
   #retries = 0;
 
-  constructor(work: Work) {
+  readonly #measure: (() => Promise<number | null>) | undefined;
+  #doubts = MOST_DOUBTS;
+
+  /** @param measure measures `pixel` again */
+  constructor(work: Work, measure?: () => Promise<number | null>) {
     this.work = work;
+    this.#measure = measure;
   }
 
   get rung(): Rung {
@@ -134,15 +139,14 @@ export class AutoQuality {
     return LADDER[Math.max(best, this.#index)]!;
   }
 
-  /** Whether anisotropic filtering was measured to fit its budget. */
+  /** Whether anisotropic filtering is predicted to fit its budget. */
   get allowsAnisotropy(): boolean {
-    if (!this.speed) return false;
-    return this.speed.anisotropicPixel * ANISOTROPIC_SHARE * 1e6 <= ANISOTROPY_BUDGET;
+    return (this.pixel ?? Infinity) * ANISOTROPIC_SHARE * 1e6 <= ANISOTROPY_BUDGET;
   }
 
   /** Whether pixels were measured to cost what they cost a CPU. */
   get isSoftware(): boolean {
-    return this.speed !== null && this.speed.pixel >= SOFTWARE_PIXEL;
+    return this.pixel !== null && this.pixel >= SOFTWARE_PIXEL;
   }
 
   /**
@@ -177,7 +181,7 @@ export class AutoQuality {
     this.#frames = [];
     this.#elapsed = 0;
     // A software renderer has no GPU time.
-    const work = this.speed && !this.isSoftware ? gpuSeconds : null;
+    const work = this.pixel !== null && !this.isSoftware ? gpuSeconds : null;
     if (isLate) {
       this.#steady = 0;
       this.#untroubled = 0;
@@ -227,6 +231,7 @@ export class AutoQuality {
       this.#wanted = best;
       return false;
     }
+    if (seconds <= REFRESH * 1.05) void this.#doubt();
     if (next.tier !== this.rung.tier) return false;
     // A frame limited by the display gives no estimate: the next rung is tried.
     const isDisplayBound = !isWork && seconds <= REFRESH * 1.05;
@@ -240,9 +245,17 @@ export class AutoQuality {
     return true;
   }
 
+  /** Frames are fast, and yet no other tier seems to be: the load may have been measured while the GPU was busy. */
+  async #doubt(): Promise<void> {
+    if (this.#doubts-- <= 0) return;
+    const pixel = await this.#measure?.();
+    // Other work only adds time.
+    if (pixel != null) this.pixel = Math.min(pixel, this.pixel ?? Infinity);
+  }
+
   /** Frame time of a rung predicted from the load, seconds. */
   #predictedTime(rung: Rung): number {
-    return this.speed ? this.#cost(rung) * this.speed.pixel : Infinity;
+    return this.#cost(rung) * (this.pixel ?? Infinity);
   }
 
   /** Of a frame on a rung, in pixels of the load. */

@@ -2,61 +2,74 @@ import fullscreenVert from "../../shaders/post/fullscreen.vert";
 import loadFrag from "../../shaders/speed/load.frag";
 import type { Gpu } from "../gl/gpu.js";
 
-/** Measured speed of a GPU. */
-export interface Speed {
-  /** Time for a pixel of `speed/load.frag`, seconds. */
-  readonly pixel: number;
-  /** The same for one of `GRAZING` footprints, with anisotropic filtering, seconds. */
-  readonly anisotropicPixel: number;
-}
+/** A slower pixel of the load is that of a software renderer, seconds: GPUs are a hundred times as fast. */
+export const SOFTWARE_PIXEL = 3e-7;
 
 /** Edge of the largest square drawn, pixels. */
 const EDGE = 1024;
-/** Edges of the squares, and how often they are drawn: a fast GPU draws a million pixels before a task has ended. */
-const LOADS: readonly (readonly [edge: number, times: number])[] = [
-  [16, 1],
-  [32, 1],
-  [64, 1],
-  [128, 1],
-  [256, 1],
-  [512, 1],
-  [EDGE, 1],
-  [EDGE, 8],
-  [EDGE, 32],
-];
-/** Least time of a reliable measurement, seconds. */
-const LEAST_TIME = 0.006;
+/** Pixels drawn, from the least to the most, each load four times the one before: a fast GPU draws a million in 0.1 ms. */
+const LEAST_PIXELS = 16 ** 2;
+const MOST_PIXELS = 8192 ** 2;
+/** Least time of a reliable measurement, and a time that needs no other load to compare with, seconds. */
+const LEAST_TIME = 0.012;
+const LONG_TIME = 0.05;
+/** Differences of this size may be the clock's, seconds. */
+const CLOCK_NOISE = 0.001;
 /** Repetitions, of which the shortest counts: other work only adds time. */
 const TRIES = 3;
 /** Edge of the sampled texture, texels. */
 const TEXELS = 64;
 
-const measured = new WeakMap<Gpu, Promise<Speed | null>>();
+const measured = new WeakMap<Gpu, Promise<number | null>>();
 
 /** The time, seconds. */
 type Clock = () => number;
 
-/** Measures once, without blocking; a software renderer takes 0.15 to 0.4 s. Null if the context is lost. */
-export function measureSpeed(gpu: Gpu, clock: Clock): Promise<Speed | null> {
-  const speed = measured.get(gpu) ?? measure(gpu, clock);
-  measured.set(gpu, speed);
-  return speed;
+/**
+ * Time for a pixel of `speed/load.frag`, seconds, measured once or `again`, without blocking; a software renderer takes 0.1
+ * to 0.4 s. Null if the context is lost or cleared.
+ */
+export function measureSpeed(gpu: Gpu, clock: Clock, again = false): Promise<number | null> {
+  const pixel = (!again && measured.get(gpu)) || measure(gpu, clock);
+  measured.set(gpu, pixel);
+  return pixel;
 }
 
-async function measure(gpu: Gpu, clock: Clock): Promise<Speed | null> {
-  const loads: Load[] = [];
-  const load = (isGrazing: boolean) => {
-    loads.push(new Load(gpu, isGrazing, clock));
-    return loads.at(-1)!;
-  };
+async function measure(gpu: Gpu, clock: Clock): Promise<number | null> {
+  let load: Load | null = null;
   try {
-    const pixel = await load(false).pixel();
-    const anisotropicPixel = await load(true).pixel(8);
-    return Number.isFinite(pixel + anisotropicPixel) ? { pixel, anisotropicPixel } : null;
+    load = new Load(gpu, clock);
+    const pixel = await load.pixel();
+    return Number.isNaN(pixel) ? null : pixel;
   } catch {
     return null; // the renderer reports the error
   } finally {
-    for (const each of loads) each.dispose();
+    load?.dispose();
+  }
+}
+
+/**
+ * Seconds for a pixel, from the smallest load of a reliable time, else from the largest.
+ *
+ * @param draw draws so many pixels, a square number, and gives the time it took, seconds
+ */
+export async function secondsPerPixel(draw: (pixels: number) => Promise<number>): Promise<number> {
+  const shortest = async (pixels: number) => {
+    let time = Infinity;
+    for (let i = 0; i < TRIES; i++) time = Math.min(time, await draw(pixels));
+    return time;
+  };
+  const overhead = await shortest(1);
+  let before = CLOCK_NOISE;
+  let growth = 0;
+  for (let pixels = LEAST_PIXELS; ; pixels *= 4) {
+    const time = await shortest(pixels);
+    const net = Math.max(time - overhead, CLOCK_NOISE);
+    // Time that does not grow with the load, twice, is that of other tasks.
+    growth = net > 2.5 * before ? growth + 1 : 0;
+    before = net;
+    const isReliable = net > LONG_TIME || (net > LEAST_TIME && growth > 1);
+    if (isReliable || !(pixels < MOST_PIXELS && time < Infinity)) return time / pixels;
   }
 }
 
@@ -68,31 +81,21 @@ class Load {
   readonly #texture;
   readonly #target;
 
-  constructor(gpu: Gpu, isGrazing: boolean, clock: Clock) {
+  constructor(gpu: Gpu, clock: Clock) {
     this.#gpu = gpu;
     this.#clock = clock;
-    const defines = { GRAZING: isGrazing ? 1 : 0 };
-    this.#program = gpu.program("speed/load", fullscreenVert, loadFrag, { defines });
-    const size = { width: TEXELS, height: TEXELS };
-    this.#texture = gpu.texture(
-      isGrazing
-        ? {
-            label: "speed",
-            format: "RGBA8",
-            source: { ...size, data: new Uint8Array(TEXELS * TEXELS * 4) },
-            mipmaps: true,
-            wrap: "repeat",
-          }
-        : { label: "speed", format: "R16F", source: size, shape: "cube", filter: "nearest" },
-    );
-    if (isGrazing) this.#texture.updateMipmaps();
-    else this.#clearFaces();
-    this.#target = gpu.renderTarget({
-      label: "speed",
-      width: EDGE,
-      height: EDGE,
-      color: ["RGBA8"],
+    this.#program = gpu.program("speed/load", fullscreenVert, loadFrag);
+    const source = { width: TEXELS, height: TEXELS };
+    const label = "speed";
+    this.#texture = gpu.texture({
+      label,
+      format: "R16F",
+      source,
+      shape: "cube",
+      filter: "nearest",
     });
+    this.#clearFaces();
+    this.#target = gpu.renderTarget({ label, width: EDGE, height: EDGE, color: ["RGBA8"] });
   }
 
   /** Drivers clear undrawn textures on first use, which must not be measured. */
@@ -105,46 +108,35 @@ class Load {
     }
   }
 
-  /** Seconds for a pixel, from the smallest load of a reliable time, else from the largest. */
-  async pixel(anisotropy = 1): Promise<number> {
+  /** Seconds for a pixel. */
+  async pixel(): Promise<number> {
     await this.#gpu.whenCompiled();
-    await this.#time(1, 1, anisotropy); // drivers finish a program on its first draw
-    const overhead = await this.#shortest(1, 1, anisotropy);
-    let seconds = Number.NaN;
-    for (const [edge, times] of LOADS) {
-      const time = await this.#shortest(edge, times, anisotropy);
-      // The overhead may be below the clock's resolution; then the whole time is an upper bound.
-      seconds = (time > 2 * overhead ? time - overhead : time) / (edge ** 2 * times);
-      if (!(time < LEAST_TIME)) break;
-    }
-    return seconds;
+    await this.#time(1); // drivers finish a program on its first draw
+    return secondsPerPixel((pixels) => this.#time(pixels));
   }
 
-  async #shortest(edge: number, times: number, anisotropy: number): Promise<number> {
-    let shortest = Infinity;
-    for (let i = 0; i < TRIES; i++)
-      shortest = Math.min(shortest, await this.#time(edge, times, anisotropy));
-    return shortest;
+  /** Whether it was freed with the rest of the context's objects, or the context is lost. */
+  get #isGone(): boolean {
+    return this.#gpu.isLost || this.#program.isDisposed;
   }
 
-  async #time(edge: number, times: number, anisotropy: number): Promise<number> {
+  async #time(pixels: number): Promise<number> {
+    if (this.#isGone) return Number.NaN;
+    const edge = Math.min(Math.sqrt(pixels), EDGE);
     const begin = this.#clock();
-    for (let i = 0; i < times; i++) {
+    for (let left = pixels; left > 0; left -= edge ** 2) {
       this.#gpu.draw({
         program: this.#program,
         target: this.#target,
         textures: { uTexture: this.#texture },
-        sampling: { uTexture: { anisotropy } },
         viewport: [0, 0, edge, edge],
       });
     }
     await this.#gpu.whenIdle(Number.POSITIVE_INFINITY);
-    return this.#gpu.isLost ? Number.NaN : this.#clock() - begin;
+    return this.#isGone ? Number.NaN : this.#clock() - begin;
   }
 
   dispose(): void {
-    for (const object of [this.#program, this.#texture, this.#target]) {
-      object.dispose();
-    }
+    for (const object of [this.#program, this.#texture, this.#target]) object.dispose();
   }
 }

@@ -38,7 +38,7 @@ function workOn({ pixel, low, error = 1, fixed = 0 }: Machine, { tier, share }: 
 function autoOn({ pixel }: Machine): AutoQuality {
   const auto = new AutoQuality(WORK.physical);
   auto.pixels = PIXELS;
-  auto.speed = { pixel, anisotropicPixel: pixel };
+  auto.pixel = pixel;
   return auto;
 }
 
@@ -128,10 +128,47 @@ test("A prediction that was too hopeful is taken back, and not tried again", () 
 
 test("Without a measured speed no tier is raised", () => {
   const auto = autoOn(DESKTOP);
-  auto.speed = null;
+  auto.pixel = null;
   run(auto, DESKTOP, 60);
   expect(auto.rung).toEqual({ tier: "low", share: 1 });
   expect(auto.stillRung).toEqual(auto.rung);
+});
+
+test("A GPU that was measured while it was busy is measured again, twice at most, once its frames are fast", async () => {
+  for (const fails of [0, 1, 2]) {
+    let measurements = 0;
+    const auto = new AutoQuality(WORK.physical, async () => {
+      measurements++;
+      return measurements > fails ? DESKTOP.pixel : 2e-8;
+    });
+    auto.pixels = PIXELS;
+    auto.pixel = 2e-8;
+    for (let i = 0; i < 600; i++) {
+      auto.take(FRAME, 0.002);
+      await null; // the measurement's promise
+      if (auto.wanted) auto.accept();
+    }
+    expect(measurements).toBe(Math.min(fails + 1, 2));
+    expect(auto.rung.tier).toBe(fails < 2 ? "high" : "low");
+  }
+});
+
+test("A later measurement never makes a machine slower, and none is asked for where frames are slow", async () => {
+  const measured: number[] = [];
+  const auto = new AutoQuality(WORK.physical, async () => measured.push(1));
+  auto.pixels = PIXELS;
+  auto.pixel = SOFTWARE.pixel;
+  for (let i = 0; i < 600; i++) {
+    auto.take(0.03);
+    await null;
+  }
+  expect(measured).toHaveLength(0);
+  for (let i = 0; i < 600; i++) {
+    auto.take(FRAME);
+    await null;
+  }
+  expect(measured).toHaveLength(2);
+  expect(auto.pixel).toBe(SOFTWARE.pixel);
 });
 
 test("A picture that nothing follows is drawn at high where that takes a quarter of a second at most", () => {
@@ -145,9 +182,9 @@ test("A picture that nothing follows is drawn at high where that takes a quarter
 test("Anisotropic filtering is allowed where it was measured to be cheap", () => {
   const auto = autoOn(DESKTOP);
   expect(auto.allowsAnisotropy).toBe(true);
-  auto.speed = { pixel: DESKTOP.pixel, anisotropicPixel: 2e-5 };
+  auto.pixel = 10 * INTEGRATED.pixel;
   expect(auto.allowsAnisotropy).toBe(false);
-  auto.speed = null;
+  auto.pixel = null;
   expect(auto.allowsAnisotropy).toBe(false);
 });
 

@@ -1,0 +1,53 @@
+import { expect, test } from "vitest";
+import { SOFTWARE_PIXEL, secondsPerPixel } from "../../../src/render/speed.ts";
+import { chance } from "../chance.ts";
+
+/** What a load takes: its pixels, and other tasks. Seconds. */
+function machine(pixel: number, others: (load: number) => number) {
+  const loads: number[] = [];
+  const draw = async (pixels: number) => {
+    loads.push(pixels);
+    return pixel * pixels + others(loads.length);
+  };
+  return { loads, draw };
+}
+
+const quiet = () => 0.001;
+
+test.each([
+  ["a desktop's GPU", 5e-11],
+  ["a slow GPU", 1e-8],
+  ["a processor", 2e-6],
+  ["a processor a hundred times slower", 2e-4],
+])("%s is measured within a third on an idle page, in half a second", async (_, pixel) => {
+  const { draw, loads } = machine(pixel, quiet);
+  const measured = await secondsPerPixel(draw);
+  expect(measured / pixel).toBeGreaterThan(0.9);
+  expect(measured / pixel).toBeLessThan(1.33);
+  const total = loads.reduce((sum, pixels) => sum + pixel * pixels + quiet(), 0);
+  expect(total).toBeLessThan(0.5);
+});
+
+test("a page that loads makes no GPU a slow one", async () => {
+  for (let visit = 0; visit < 200; visit++) {
+    const random = chance(visit);
+    // Tasks of up to 12 ms, from some load on or for all of them.
+    const from = Math.floor(random(0, 20));
+    const others = (load: number) => 0.001 + (load > from ? random(0, 0.012) : 0);
+    const measured = await secondsPerPixel(machine(3e-10, others).draw);
+    expect(measured).toBeLessThan(1e-9);
+  }
+});
+
+test("a busy processor is still one, and is measured in two seconds", async () => {
+  for (let visit = 0; visit < 200; visit++) {
+    const random = chance(visit);
+    const { draw, loads } = machine(2e-6, () => random(0, 0.03));
+    expect(await secondsPerPixel(draw)).toBeGreaterThan(SOFTWARE_PIXEL);
+    expect(loads.reduce((sum, pixels) => sum + 2e-6 * pixels, 0)).toBeLessThan(2);
+  }
+});
+
+test("a lost context ends it", async () => {
+  expect(await secondsPerPixel(async () => Number.NaN)).toBeNaN();
+});
