@@ -66,18 +66,26 @@ const ANISOTROPY_BUDGET = 0.0015;
 /** Anisotropic filtering of a pixel's maps (albedo, normal, roughness) by eight taps each, over the load's 32 taps. */
 const ANISOTROPIC_SHARE = (3 * 8) / 32;
 
-/** Cost model of a frame, fitted to software renderers' times and used with a margin. */
+/** Cost model of a frame, used with a margin. */
 export interface Work {
-  /** Of a pixel of each tier, in pixels of the load, `speed/load.frag`. */
+  /** Of a pixel of each tier, in pixels of the load, `speed/load.frag`; fitted to software renderers' times. */
   readonly pixel: Readonly<Record<Tier["name"], number>>;
+  /** The same of GPUs, on which the load waits for its taps: hopeful, since frames are measured afterwards. */
+  readonly gpuPixel: Readonly<Record<Tier["name"], number>>;
   /** Independent of resolution, in pixels of the tier; of `low` four times as much. */
   readonly fixed: number;
 }
 
+const PLAIN_PIXEL = { low: 0.3, medium: 0.7, high: 1, ultra: 1.3 };
+
 /** For rooms in the physical look, and for all else. */
 export const WORK: Readonly<Record<"physical" | "plain", Work>> = {
-  physical: { pixel: { low: 0.1, medium: 13, high: 19, ultra: 25 }, fixed: 100_000 },
-  plain: { pixel: { low: 0.3, medium: 0.7, high: 1, ultra: 1.3 }, fixed: 0 },
+  physical: {
+    pixel: { low: 0.1, medium: 13, high: 19, ultra: 25 },
+    gpuPixel: { low: 0.1, medium: 2, high: 2.5, ultra: 4 },
+    fixed: 100_000,
+  },
+  plain: { pixel: PLAIN_PIXEL, gpuPixel: PLAIN_PIXEL, fixed: 0 },
 };
 
 /**
@@ -134,7 +142,7 @@ export class AutoQuality {
   /** The highest rung for a still frame. */
   get stillRung(): Rung {
     const best = LADDER.findLastIndex(
-      (rung, i) => i > this.#index && this.#predictedTime(rung) <= STILL_BUDGET,
+      (rung, i) => i > this.#index && this.#predictedTime(rung, this.pixel) <= STILL_BUDGET,
     );
     return LADDER[Math.max(best, this.#index)]!;
   }
@@ -221,11 +229,13 @@ export class AutoQuality {
     if (!next) return false;
     const isRetry = this.#index >= this.#ceiling;
     if (isRetry && !(this.#untroubled >= (RETRY_TIMES[this.#retries] ?? Infinity))) return false;
+    // From frames of a GPU where shading is most of them, else from the load.
+    const pixel = isWork && this.rung.tier !== "low" ? seconds / this.#cost(this.rung) : this.pixel;
     const best = LADDER.findLastIndex(
       (rung, i) =>
         i <= this.#ceiling &&
         rung.tier !== this.rung.tier &&
-        this.#predictedTime(rung) <= BUDGET[rung.tier] * MARGIN,
+        this.#predictedTime(rung, pixel) <= BUDGET[rung.tier] * MARGIN,
     );
     if (best > this.#index && !isRetry) {
       this.#wanted = best;
@@ -253,14 +263,15 @@ export class AutoQuality {
     if (pixel != null) this.pixel = Math.min(pixel, this.pixel ?? Infinity);
   }
 
-  /** Frame time of a rung predicted from the load, seconds. */
-  #predictedTime(rung: Rung): number {
-    return this.#cost(rung) * (this.pixel ?? Infinity);
+  /** Frame time of a rung predicted from that of a pixel of the load, seconds. */
+  #predictedTime(rung: Rung, pixel: number | null): number {
+    return this.#cost(rung) * (pixel ?? Infinity);
   }
 
   /** Of a frame on a rung, in pixels of the load. */
   #cost({ tier, share }: Rung): number {
-    const { pixel, fixed } = this.work;
+    const { fixed, ...work } = this.work;
+    const pixel = this.isSoftware ? work.pixel : work.gpuPixel;
     const pixels = this.pixels * (tierNamed(tier).resolutionScale * share) ** 2;
     return (pixels + (tier === "low" ? 4 * fixed : fixed)) * pixel[tier];
   }

@@ -1,6 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { AutoQuality, type Rung, WORK } from "../../../src/render/auto-quality.ts";
 import { tierNamed } from "../../../src/render/quality.ts";
+import { SOFTWARE_PIXEL } from "../../../src/render/speed.ts";
 
 const FRAME = 1 / 60;
 const PIXELS = 1280 * 720;
@@ -21,7 +22,7 @@ interface Machine {
 
 /** A desktop's, an integrated one, and two cores. */
 const DESKTOP: Machine = { pixel: 5e-11, low: 6e-10 };
-const INTEGRATED: Machine = { pixel: 1.2e-9, low: 1.4e-8 };
+const INTEGRATED: Machine = { pixel: 1e-8, low: 1.4e-8 };
 const SOFTWARE: Machine = { pixel: 5e-7, low: 6e-8 };
 const slowed = (machine: Machine, times: number): Machine => ({
   ...machine,
@@ -32,7 +33,9 @@ const slowed = (machine: Machine, times: number): Machine => ({
 function workOn({ pixel, low, error = 1, fixed = 0 }: Machine, { tier, share }: Rung): number {
   const pixels = PIXELS * (tierNamed(tier).resolutionScale * share) ** 2;
   if (tier === "low") return fixed + pixels * low;
-  return fixed + (pixels + WORK.physical.fixed) * WORK.physical.pixel[tier] * pixel * error;
+  const { pixel: software, gpuPixel } = WORK.physical;
+  const work = pixel >= SOFTWARE_PIXEL ? software : gpuPixel;
+  return fixed + (pixels + WORK.physical.fixed) * work[tier] * pixel * error;
 }
 
 function autoOn({ pixel }: Machine): AutoQuality {
@@ -88,6 +91,23 @@ test("An integrated GPU gets the tier that it was predicted to hold, and holds i
   run(auto, INTEGRATED, 60);
   expect(auto.rung.tier).toBe("medium");
   expect(workOn(INTEGRATED, auto.rung)).toBeLessThan(FRAME);
+});
+
+test("By the times of an H200 it stands at high in full HD, and walks with a coarser image", () => {
+  const auto = autoOn({ pixel: 6.2e-9, low: 1e-9 });
+  auto.pixels = 1920 * 1080;
+  // `docs/bench/gpus.json`: seconds at rest, and in motion at full resolution.
+  const atRest = { low: 0.001, medium: 0.0039, high: 0.0044, ultra: 0.009 };
+  const inMotion = { low: 0.001, medium: 0.0178, high: 0.0212, ultra: 0.046 };
+  const frame = (work: number) => {
+    auto.take(Math.ceil(work / FRAME) * FRAME, work);
+    if (auto.wanted) auto.accept();
+  };
+  for (let i = 0; i < 5 / FRAME; i++) frame(atRest[auto.rung.tier]);
+  expect(auto.rung).toEqual({ tier: "high", share: 1 });
+  for (let i = 0; i < 3 / FRAME; i++) frame(inMotion[auto.rung.tier] * auto.rung.share ** 2);
+  expect(inMotion[auto.rung.tier] * auto.rung.share ** 2).toBeLessThan(FRAME);
+  expect(auto.rung.tier).not.toBe("low");
 });
 
 describe.each([1, 10, 100])("Two cores, slowed %d times", (times) => {
