@@ -142,16 +142,18 @@ export class PhysicalRenderer implements Renderer {
     const { settings } = frame;
     const captures = yield* this.#captures.steps(frame);
     yield;
-    if (!this.refinedFade || !settings.canDefer) {
+    if (!settings.canDefer) {
       yield* this.#opaque.fillGBuffer(frame);
       yield;
       yield* this.#opaque.shade(frame, captures);
       yield;
       return;
     }
-    const moving = { ...frame, settings: { ...settings, isMoving: true } };
-    for (let frames = 0; frames < 2; frames++) yield* this.#draw(moving, captures);
-    this.resize(this.#size.width, this.#size.height);
+    if (this.refinedFade) {
+      const moving = { ...frame, settings: { ...settings, isMoving: true } };
+      for (let frames = 0; frames < 2; frames++) yield* this.#draw(moving, captures);
+      this.resize(this.#size.width, this.#size.height);
+    }
     yield* this.#draw(frame, captures);
   }
 

@@ -110,11 +110,15 @@ export class SceneView {
   /** Creates a new renderer. While frames follow each other it is prepared before it draws the next one. */
   rebuild(): void {
     if (this.#target.gpu.isLost) return; // it is rebuilt once the context is restored
+    this.#target.clear();
+    this.#replaceRenderer();
+  }
+
+  #replaceRenderer(): void {
     const before = { tier: this.#tier.name, share: this.#share };
     const rung = this.#rung;
     this.#tier = this.#tierOf(rung);
     this.#share = rung.share;
-    this.#target.clear();
     this.#refinement?.forget();
     this.#renderer.refinedFade?.end();
     this.#renderer = this.#createRenderer();
@@ -190,7 +194,7 @@ export class SceneView {
     const before = this.#refinement?.shown;
     const refines = this.#refines(view);
     if (!refines) this.#refinement?.stop(view.isMoving ? this.#renderer : null);
-    this.#chooseQuality();
+    if (!this.#chooseQuality(view)) return;
     const settings = this.#settingsOf(view);
     target.prepare();
     gpu.beginFrame();
@@ -216,10 +220,8 @@ export class SceneView {
     // Prepares another tier, a little in each frame, and takes it when nothing holds it up.
     const { wanted } = this.#auto;
     if (!wanted) return;
-    const isReady =
-      wanted.tier === this.#tier.name ||
-      this.#scene.prepareRenderer(this.#target, this.#tierOf(wanted), this.#settings);
-    if (isReady) this.#auto.accept();
+    const tier = this.#tierOf(wanted);
+    if (this.#scene.prepareRenderer(this.#target, tier, this.#settings)) this.#auto.accept();
   }
 
   /** Linear RGB of the last frame before exposure and tone mapping; rows from the top. Waits for the GPU. */
@@ -266,23 +268,21 @@ export class SceneView {
     return this.isPlaying ? this.#auto.rung : this.#auto.stillRung;
   }
 
-  /** Changes to the tier and the resolution of the next frame. */
-  #chooseQuality(): void {
+  /** Changes to the tier and the resolution of the next frame. Whether it is drawn now: preparing a tier takes time. */
+  #chooseQuality({ canDefer }: ViewFrame): boolean {
     const rung = this.#rung;
-    const isOtherTier = rung.tier !== this.#tier.name;
-    if (!isOtherTier && rung.share === this.#share) return;
-    this.#tier = this.#tierOf(rung);
+    if (rung.tier !== this.#tier.name) {
+      this.#target.clearUnshared();
+      this.#replaceRenderer();
+      return !(canDefer && this.isBusy);
+    }
+    if (rung.share === this.#share) return true;
     this.#share = rung.share;
     this.#renderer.refinedFade?.end();
-    if (isOtherTier) {
-      this.#target.clearUnshared();
-      this.#refinement?.forget();
-    }
-    this.#fitCanvas();
-    const { width, height } = this.#target.canvas;
-    if (isOtherTier) this.#renderer = this.#createRenderer();
-    else this.#renderer.resize(width, height);
+    const { width, height } = this.#size;
+    this.#renderer.resize(width, height);
     this.onQualityChanged();
+    return true;
   }
 
   /** The canvas keeps its frame until the next one is drawn, which may be of another size. */

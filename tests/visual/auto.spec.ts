@@ -89,11 +89,23 @@ for (const { times, width, height } of [
   });
 }
 
-test("where drawing takes no time it rises to `high` at full resolution", async ({ page }) => {
+test("where drawing takes no time it rises to `high` at full resolution, in no frame of many draws", async ({
+  page,
+}) => {
   await page.addInitScript(() => {
     const gl = WebGL2RenderingContext.prototype;
-    gl.drawArrays = () => {};
-    gl.drawElements = () => {};
+    const draws = { now: 0, most: 0 };
+    Object.assign(globalThis, { draws });
+    gl.drawArrays = gl.drawElements = () => {
+      draws.now++;
+    };
+    const { requestAnimationFrame } = globalThis;
+    globalThis.requestAnimationFrame = (callback) =>
+      requestAnimationFrame((time) => {
+        draws.now = 0;
+        callback(time);
+        draws.most = Math.max(draws.most, draws.now);
+      });
   });
   await serveSmallTextures(page);
   const room = await new RoomDriver(page).open(
@@ -103,10 +115,14 @@ test("where drawing takes no time it rises to `high` at full resolution", async 
   const reached = await room.evaluate(async (element) => {
     const isBest = () => element.stats.quality === "high" && element.stats.resolutionScale === 1;
     for (let i = 0; i < 2000 && !isBest(); i++) await new Promise(requestAnimationFrame);
+    for (let i = 0; i < 10; i++) await new Promise(requestAnimationFrame);
     const { quality, resolutionScale } = element.stats;
     return { quality, resolutionScale };
   });
   expect(reached).toEqual({ quality: "high", resolutionScale: 1 });
+  const { most } = await page.evaluate(() => Reflect.get(globalThis, "draws") as { most: number });
+  expect(most).toBeGreaterThan(10);
+  expect(most, "a new tier is prepared in tasks between frames").toBeLessThanOrEqual(120);
   expect(room.complaints).toEqual([]);
 });
 
