@@ -9,7 +9,6 @@ export abstract class GpuObject {
   readonly label: string;
   /** Memory it takes, in bytes, as far as WebGL lets us know. */
   abstract readonly bytes: number;
-  isDisposed = false;
   protected readonly gl: WebGL2RenderingContext;
   readonly #forget: (object: GpuObject) => void;
 
@@ -20,7 +19,6 @@ export abstract class GpuObject {
   }
 
   dispose(): void {
-    this.isDisposed = true;
     this.free();
     this.#forget(this);
   }

@@ -38,6 +38,9 @@ export class Gpu extends DrawCommands {
   readonly #shared = new Map<unknown, unknown>();
   readonly #sharedObjects = new Set<GpuObject>();
   #isSharing = false;
+  /** Whether what is made now is the next renderer's; what was, until that takes over or is given up. */
+  isAhead = false;
+  ahead = new Set<GpuObject>();
   /** Programs that anything was drawn with. */
   readonly used = new Set<Program>();
   readonly #mostSamples: number;
@@ -104,6 +107,7 @@ export class Gpu extends DrawCommands {
     this.#unsent.delete(object as Program);
     this.used.delete(object as Program);
     this.#toCheck.delete(object as RenderTarget | TextureView);
+    this.ahead.delete(object);
     if (!this.#sharedObjects.delete(object)) return;
     for (const [key, made] of this.#shared) if (made === object) this.#shared.delete(key);
   }
@@ -111,6 +115,7 @@ export class Gpu extends DrawCommands {
   #keep<T extends GpuObject>(object: T): T {
     this.#alive.add(object);
     if (this.#isSharing) this.#sharedObjects.add(object);
+    else if (this.isAhead) this.ahead.add(object);
     return object;
   }
 
@@ -296,11 +301,14 @@ export class Gpu extends DrawCommands {
   clearObjects(): void {
     for (const object of this.#alive) object.dispose();
     this.#shared.clear();
+    this.ahead = new Set();
   }
 
-  /** Frees what is not shared: the next renderer on this context takes the rest over. */
-  clearUnshared(): void {
-    for (const object of this.#alive) if (!this.#sharedObjects.has(object)) object.dispose();
+  /** Frees what is not shared and was made ahead, or was not: the next renderer on this context takes the rest over. */
+  clearUnshared(isAhead = false): void {
+    for (const object of this.#alive)
+      if (this.ahead.has(object) === isAhead && !this.#sharedObjects.has(object)) object.dispose();
+    this.ahead = new Set();
   }
 
   /** Frees everything and gives the context back, so that the page's next one does not evict another. */

@@ -28,12 +28,7 @@ const START = LADDER.findIndex(({ share }) => share === 0.6);
 const BEST = LADDER.length - 1;
 
 /** Frame budget, seconds: 60 Hz, and 24 Hz for `low`, where a coarser image saves little of a frame. */
-const BUDGET: Readonly<Record<Tier["name"], number>> = {
-  low: 1 / 24,
-  medium: 1 / 60,
-  high: 1 / 60,
-  ultra: 1 / 60,
-};
+const budgetOf = ({ tier }: Rung) => 1 / (tier === "low" ? 24 : 60);
 /** Budget of a still frame, seconds. */
 const STILL_BUDGET = 0.25;
 /** Share of a budget that a predicted frame may fill. */
@@ -180,7 +175,7 @@ export class AutoQuality {
     const typical = middleMean(this.#frames);
     const isWarmingUp =
       this.rung.tier === "low" && gpuSeconds === null && this.#measured < FIRST_TIME;
-    const isLate = typical > BUDGET[this.rung.tier] * (isWarmingUp ? FIRST_LATE : LATE);
+    const isLate = typical > budgetOf(this.rung) * (isWarmingUp ? FIRST_LATE : LATE);
     // Early late frames may include the cost of the change.
     if (isLate && !areVeryLate && this.#elapsed < MEASURE_TIME) return false;
     this.#steady += this.#elapsed;
@@ -195,7 +190,7 @@ export class AutoQuality {
       this.#untroubled = 0;
       this.#wanted = null;
       // A GPU that was idle half of the time did not cause the delay.
-      const isGpuBound = work === null || work > BUDGET[this.rung.tier] / 2;
+      const isGpuBound = work === null || work > budgetOf(this.rung) / 2;
       return isGpuBound && this.#lower(typical);
     }
     const steadyTime = this.#hasBeenSlow ? RAISE_TIME : FIRST_RAISE_TIME;
@@ -215,7 +210,7 @@ export class AutoQuality {
     this.#hasBeenSlow = true;
     this.#ceiling = this.#index - 1;
     // A frame may have waited for one refresh of the display.
-    const budget = BUDGET[this.rung.tier];
+    const budget = budgetOf(this.rung);
     const affordable = (this.#cost(this.rung) * budget) / Math.max(typical - REFRESH, budget);
     let next = this.#ceiling;
     while (next > 0 && this.#cost(LADDER[next]!) > affordable) next--;
@@ -235,7 +230,7 @@ export class AutoQuality {
       (rung, i) =>
         i <= this.#ceiling &&
         rung.tier !== this.rung.tier &&
-        this.#predictedTime(rung, pixel) <= BUDGET[rung.tier] * MARGIN,
+        this.#predictedTime(rung, pixel) <= budgetOf(rung) * MARGIN,
     );
     if (best > this.#index && !isRetry) {
       this.#wanted = best;
@@ -246,7 +241,7 @@ export class AutoQuality {
     // A frame limited by the display gives no estimate: the next rung is tried.
     const isDisplayBound = !isWork && seconds <= REFRESH * 1.05;
     const expected = (seconds * this.#cost(next)) / this.#cost(this.rung);
-    if ((isRetry || !isDisplayBound) && expected > BUDGET[next.tier]) return false;
+    if ((isRetry || !isDisplayBound) && expected > budgetOf(next)) return false;
     if (isRetry) {
       this.#retries++;
       this.#ceiling = this.#index + 1;

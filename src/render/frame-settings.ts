@@ -18,3 +18,8 @@ export interface FrameSettings {
   /** Pass to inspect; looks without passes show the frame. */
   readonly inspect: Inspection;
 }
+
+/** A frame of the same settings at rest, in a running animation. */
+export function atRest<T extends Pick<FrameSettings, "isMoving" | "canDefer">>(frame: T): T {
+  return { ...frame, isMoving: false, canDefer: true };
+}

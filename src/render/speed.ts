@@ -5,8 +5,10 @@ import type { Gpu } from "../gl/gpu.js";
 /** A slower pixel of the load is that of a software renderer, seconds: GPUs are a hundred times as fast. */
 export const SOFTWARE_PIXEL = 3e-7;
 
+/** Of the load, which is kept for another measurement until everything is cleared. */
+const KEY = "speed";
 /** Edge of the largest square drawn, pixels. */
-const EDGE = 1024;
+const EDGE = 512;
 /** Pixels drawn, from the least to the most, each load four times the one before: a fast GPU draws a million in 0.1 ms. */
 const LEAST_PIXELS = 16 ** 2;
 const MOST_PIXELS = 8192 ** 2;
@@ -36,15 +38,11 @@ export function measureSpeed(gpu: Gpu, clock: Clock, again = false): Promise<num
 }
 
 async function measure(gpu: Gpu, clock: Clock): Promise<number | null> {
-  let load: Load | null = null;
   try {
-    load = new Load(gpu, clock);
-    const pixel = await load.pixel();
+    const pixel = await gpu.share(KEY, () => new Load(gpu, clock)).pixel();
     return Number.isNaN(pixel) ? null : pixel;
   } catch {
     return null; // the renderer reports the error
-  } finally {
-    load?.dispose();
   }
 }
 
@@ -86,7 +84,7 @@ class Load {
     this.#clock = clock;
     this.#program = gpu.program("speed/load", fullscreenVert, loadFrag);
     const source = { width: TEXELS, height: TEXELS };
-    const label = "speed";
+    const label = KEY;
     this.#texture = gpu.texture({
       label,
       format: "R16F",
@@ -102,7 +100,7 @@ class Load {
   #clearFaces(): void {
     for (let image = 0; image < 6; image++) {
       const textures = [this.#texture];
-      const face = this.#gpu.textureView({ label: "speed", textures, image });
+      const face = this.#gpu.textureView({ label: KEY, textures, image });
       this.#gpu.clear(face, [1, 0, 0, 1]);
       face.dispose();
     }
@@ -115,9 +113,8 @@ class Load {
     return secondsPerPixel((pixels) => this.#time(pixels));
   }
 
-  /** Whether it was freed with the rest of the context's objects, or the context is lost. */
   get #isGone(): boolean {
-    return this.#gpu.isLost || this.#program.isDisposed;
+    return this.#gpu.isLost || !this.#gpu.isShared(KEY);
   }
 
   async #time(pixels: number): Promise<number> {
@@ -134,9 +131,5 @@ class Load {
     }
     await this.#gpu.whenIdle(Number.POSITIVE_INFINITY);
     return this.#isGone ? Number.NaN : this.#clock() - begin;
-  }
-
-  dispose(): void {
-    for (const object of [this.#program, this.#texture, this.#target]) object.dispose();
   }
 }

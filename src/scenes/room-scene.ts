@@ -8,6 +8,7 @@ import type { Vec3 } from "../world/geometry.js";
 import { CABIN_MOON, moonOf } from "../world/moon.js";
 import { CollisionMesh } from "../world/room/collision-mesh.js";
 import { createRoom } from "../world/room/room.js";
+import { NextRenderer } from "./next-renderer.js";
 import { Refinement } from "./refinement.js";
 import { closeModels, loadModels } from "./room-models.js";
 import { placeWicks } from "./room-wicks.js";
@@ -47,6 +48,7 @@ export async function loadRoom(request: SceneRequest, loading: Loading): Promise
         ? new PhysicalRenderer(gpu, models, collision, tier)
         : new PaperRenderer(gpu, models, tier, look),
     createRefinement: (parts) => new Refinement(parts),
+    createNext: (parts) => new NextRenderer(parts),
     close: () => closeModels(models),
   };
 }

@@ -1,20 +1,20 @@
 import type { Box } from "../gl/gpu.js";
-import { AutoQuality, type Rung } from "../render/auto-quality.js";
+import { AutoQuality } from "../render/auto-quality.js";
 import { canvasSize } from "../render/canvas-size.js";
 import type { Size } from "../render/frame-input.js";
-import type { FrameSettings } from "../render/frame-settings.js";
-import { REFINED, type Tier, tierNamed } from "../render/quality.js";
+import { atRest, type FrameSettings } from "../render/frame-settings.js";
+import { REFINED } from "../render/quality.js";
 import type { Renderer } from "../render/renderer.js";
 import type { Inspection } from "../settings.js";
+import { type AskedQuality, askedQuality } from "./asked-quality.js";
 import type { CanvasTarget } from "./canvas-target.js";
+import type { NextRenderer } from "./next-renderer.js";
 import type { Refinement } from "./refinement.js";
 import type { Scene } from "./scene.js";
 import { type ViewSettings, type ViewSubject, workOf } from "./view-subject.js";
 
 /** Settings of a frame, but for what the view knows itself. */
 type ViewFrame = Omit<FrameSettings, "gamut" | "inspect">;
-
-const INSPECTION_RUNG: Rung = { tier: "medium", share: 1 };
 
 /**
  * View of a scene on a canvas: its renderer, at the tier and the resolution that `quality` asks for.
@@ -35,12 +35,11 @@ export class SceneView {
   #settings: ViewSettings;
   #subject: ViewSubject;
   readonly #auto: AutoQuality;
-  #tier: Tier;
-  /** Of the tier's resolution. */
-  #share: number;
+  #quality: AskedQuality;
   #renderer: Renderer;
   /** Of what `auto` shows of a room at rest on machines without a GPU. */
-  #refinement: Refinement | null;
+  #refinement: Refinement | null = null;
+  #next: NextRenderer | null = null;
   /** CSS size times device pixel ratio, before the tier's scale. */
   #pixels = { width: 1, height: 1 };
   /** Whether targets and textures were made since the driver was last asked whether it accepts them. */
@@ -68,15 +67,24 @@ export class SceneView {
     this.#subject = subject;
     this.isPlaying = plays;
     this.#auto = auto;
-    this.#tier = this.#tierOf(this.#rung);
-    this.#share = this.#rung.share;
-    this.#refinement = this.#createRefinement();
+    this.#quality = this.#asked;
+    this.#createFollowing();
     this.#renderer = this.#createRenderer();
   }
 
-  #createRefinement(): Refinement | null {
-    const parts = () => ({ scene: this.#scene, target: this.#target, settings: this.#settings });
-    return this.#scene.createRefinement?.(parts) ?? null;
+  #createFollowing(): void {
+    const parts = () => ({
+      scene: this.#scene,
+      target: this.#target,
+      settings: this.#settings,
+      subject: this.#subject,
+      pixels: this.#pixels,
+      auto: this.#auto,
+      frame: this.#last && this.#settingsOf(atRest(this.#last)),
+      onRefused: this.onRefused,
+    });
+    this.#refinement = this.#scene.createRefinement?.(parts) ?? null;
+    this.#next = this.#scene.createNext?.(parts) ?? null;
   }
 
   /** Another world, or other particles: the renderer's catch up in the next frame. */
@@ -86,6 +94,7 @@ export class SceneView {
     if (this.#target.gpu.isLost) return;
     this.#renderer.setLayers(subject.world, subject.layers);
     this.#refinement?.follow(subject);
+    this.#next?.follow(subject);
   }
 
   /** To be followed by `rebuild` if the quality or the models are others. */
@@ -100,32 +109,32 @@ export class SceneView {
   /** Another scene on the same canvas. */
   show(scene: Scene, settings: ViewSettings, subject: ViewSubject): void {
     this.#scene = scene;
-    this.#refinement = this.#createRefinement();
+    this.#createFollowing();
     this.settings = settings;
     this.#auto.renew();
     this.#subject = subject;
     this.rebuild();
   }
 
-  /** Creates a new renderer. While frames follow each other it is prepared before it draws the next one. */
+  /** Creates a new renderer. */
   rebuild(): void {
     if (this.#target.gpu.isLost) return; // it is rebuilt once the context is restored
     this.#target.clear();
     this.#replaceRenderer();
   }
 
-  #replaceRenderer(): void {
-    const before = { tier: this.#tier.name, share: this.#share };
-    const rung = this.#rung;
-    this.#tier = this.#tierOf(rung);
-    this.#share = rung.share;
+  /** @param next prepared for the tier to come; else it is made, and prepared while frames follow each other */
+  #replaceRenderer(next?: Renderer | null): void {
+    const before = this.#quality;
+    this.#quality = this.#asked;
+    const { tier, share } = this.#quality;
+    this.#target.clearUnshared();
     this.#refinement?.forget();
     this.#renderer.refinedFade?.end();
-    this.#renderer = this.#createRenderer();
-    if (before.tier !== rung.tier || before.share !== rung.share) this.onQualityChanged();
-    if (!this.isPlaying || !this.#last) return;
-    const next = { ...this.#last, isMoving: false, canDefer: true };
-    this.prepareFrame(next, () => true).catch(this.onRefused);
+    this.#renderer = next ?? this.#createRenderer();
+    if (before.tier.name !== tier.name || before.share !== share) this.onQualityChanged();
+    if (next || !this.isPlaying || !this.#last) return;
+    this.prepareFrame(atRest(this.#last), () => true).catch(this.onRefused);
   }
 
   /** After the WebGL context was restored. */
@@ -148,6 +157,7 @@ export class SceneView {
     this.#refinement?.stop();
     this.#renderer.refinedFade?.end();
     const { gpu, canvas } = this.#target;
+    gpu.clearUnshared(true);
     const isOtherSize = this.#fitCanvas();
     if (isOtherSize && !gpu.isLost) {
       this.#renderer.resize(canvas.width, canvas.height);
@@ -191,6 +201,7 @@ export class SceneView {
     this.#last = view;
     const { gpu } = target;
     if (gpu.isLost) return;
+    gpu.isAhead = false;
     const before = this.#refinement?.shown;
     const refines = this.#refines(view);
     if (!refines) this.#refinement?.stop(view.isMoving ? this.#renderer : null);
@@ -216,12 +227,10 @@ export class SceneView {
     this.#renderer.refinedFade?.take(seconds);
     if (this.#refinement?.isBusy || this.#renderer.refinedFade?.isOn) return;
     const { milliseconds } = this.#target.gpu.timer;
-    this.#auto.take(seconds, milliseconds === null ? null : milliseconds / 1000);
-    // Prepares another tier, a little in each frame, and takes it when nothing holds it up.
+    if (!this.#next?.isBusy)
+      this.#auto.take(seconds, milliseconds === null ? null : milliseconds / 1000);
     const { wanted } = this.#auto;
-    if (!wanted) return;
-    const tier = this.#tierOf(wanted);
-    if (this.#scene.prepareRenderer(this.#target, tier, this.#settings)) this.#auto.accept();
+    if (wanted && (this.#next?.proceed(wanted) ?? true)) this.#auto.accept();
   }
 
   /** Linear RGB of the last frame before exposure and tone mapping; rows from the top. Waits for the GPU. */
@@ -241,7 +250,7 @@ export class SceneView {
       width,
       height,
       resolutionScale: this.#resolutionScale,
-      quality: this.#refinement?.shown ? REFINED.name : this.#tier.name,
+      quality: this.#refinement?.shown ? REFINED.name : this.#quality.tier.name,
       gpuObjects: objectCount,
       gpuBytes: bytes,
     };
@@ -251,33 +260,20 @@ export class SceneView {
     this.#target.dispose();
   }
 
-  /** `auto` filters anisotropically only where that was measured to be cheap. */
-  #tierOf({ tier }: Rung): Tier {
-    const { anisotropy, ...rest } = tierNamed(tier);
-    const isAllowed = this.#settings.quality !== "auto" || this.#auto.allowsAnisotropy;
-    return { ...rest, anisotropy: anisotropy && isAllowed };
-  }
-
   /** Tier and resolution of the next frame. */
-  get #rung(): Rung {
-    const { quality } = this.#settings;
-    const isLow = quality === "low" || (quality === "auto" && this.#auto.rung.tier === "low");
-    // `low` has no separate passes to inspect.
-    if (this.inspect !== "picture" && isLow) return INSPECTION_RUNG;
-    if (quality !== "auto") return { tier: quality, share: 1 };
-    return this.isPlaying ? this.#auto.rung : this.#auto.stillRung;
+  get #asked() {
+    return askedQuality(this.#settings.quality, this.#auto, this.isPlaying, this.inspect);
   }
 
   /** Changes to the tier and the resolution of the next frame. Whether it is drawn now: preparing a tier takes time. */
   #chooseQuality({ canDefer }: ViewFrame): boolean {
-    const rung = this.#rung;
-    if (rung.tier !== this.#tier.name) {
-      this.#target.clearUnshared();
-      this.#replaceRenderer();
+    const { tier, share } = this.#asked;
+    if (tier.name !== this.#quality.tier.name) {
+      this.#replaceRenderer(this.#next?.take(tier.name));
       return !(canDefer && this.isBusy);
     }
-    if (rung.share === this.#share) return true;
-    this.#share = rung.share;
+    if (share === this.#quality.share) return true;
+    this.#quality = { ...this.#quality, share };
     this.#renderer.refinedFade?.end();
     const { width, height } = this.#size;
     this.#renderer.resize(width, height);
@@ -288,7 +284,11 @@ export class SceneView {
   /** The canvas keeps its frame until the next one is drawn, which may be of another size. */
   #createRenderer(): Renderer {
     const { width, height } = this.#size;
-    const renderer = this.#scene.createRenderer(this.#target, this.#tier, this.#settings.look);
+    const renderer = this.#scene.createRenderer(
+      this.#target,
+      this.#quality.tier,
+      this.#settings.look,
+    );
     renderer.resize(width, height);
     this.#isUnchecked = true;
     this.#renderer = renderer;
@@ -307,7 +307,7 @@ export class SceneView {
     if (quality !== "auto" || look !== "physical" || !this.#refinement) return false;
     if (isMoving || !canDefer || !this.isPlaying || this.inspect !== "picture") return false;
     if (!this.#refinement.lightsOf(this.#subject.world)) return false;
-    return this.#auto.isSoftware && this.#tier.name === "low";
+    return this.#auto.isSoftware && this.#quality.tier.name === "low";
   }
 
   #refine(settings: FrameSettings): number | null {
@@ -318,7 +318,7 @@ export class SceneView {
   get #resolutionScale(): number {
     if (this.#refinement?.shown || this.#renderer?.refinedFade?.isOn)
       return REFINED.resolutionScale;
-    return this.#tier.resolutionScale * this.#share;
+    return this.#quality.tier.resolutionScale * this.#quality.share;
   }
 
   get #size(): Size {

@@ -8,6 +8,7 @@ import type { MoonWish } from "../world/moon.js";
 import type { Room } from "../world/room/room.js";
 import type { Wick } from "../world/standing-candle.js";
 import type { CanvasTarget } from "./canvas-target.js";
+import type { NextParts, NextRenderer } from "./next-renderer.js";
 import { fetchPageSmoke } from "./page-smoke.js";
 import type { Refinement, RefinementParts } from "./refinement.js";
 
@@ -34,6 +35,8 @@ export interface Scene {
   createRenderer(screen: CanvasTarget, tier: Tier, look: Look): Renderer;
   /** Where an image at rest is refined without a GPU. */
   readonly createRefinement?: (parts: () => RefinementParts) => Refinement;
+  /** Where another tier's renderer is prepared while the one before draws. */
+  readonly createNext?: (parts: () => NextParts) => NextRenderer;
   /** Frees what was fetched. */
   close(): void;
 }

@@ -1,0 +1,94 @@
+import type { Gpu } from "../gl/gpu.js";
+import type { AutoQuality, Rung } from "../render/auto-quality.js";
+import { canvasSize } from "../render/canvas-size.js";
+import type { Size } from "../render/frame-input.js";
+import type { FrameSettings } from "../render/frame-settings.js";
+import type { Tier } from "../render/quality.js";
+import type { Renderer } from "../render/renderer.js";
+import { tierOf } from "./asked-quality.js";
+import type { RefinementParts } from "./refinement.js";
+import type { ViewSubject } from "./view-subject.js";
+
+/** What a renderer is prepared for, at the moment. */
+export interface NextParts extends RefinementParts {
+  readonly subject: ViewSubject;
+  /** Of the canvas at full resolution. */
+  readonly pixels: Size;
+  readonly auto: AutoQuality;
+  /** A frame like the last one, at rest; null before that. */
+  readonly frame: FrameSettings | null;
+  /** Called when the driver refused what it needs. */
+  readonly onRefused: (error: Error) => void;
+}
+
+/**
+ * The renderer of another tier, made and prepared in tasks between the frames of the one before, which goes on: on many
+ * drivers the first frame of a tier takes half a second.
+ */
+export class NextRenderer {
+  readonly #parts: () => NextParts;
+  #renderer: Renderer | null = null;
+  #tier: Tier["name"] | null = null;
+  #isPrepared = false;
+  /** What was made for it, as long as it is wanted. */
+  #objects: Gpu["ahead"] | null = null;
+
+  constructor(parts: () => NextParts) {
+    this.#parts = parts;
+  }
+
+  /** Whether its work is done beside the frames, so that their time says nothing. */
+  get isBusy(): boolean {
+    const { gpu } = this.#parts().target;
+    return gpu.ahead === this.#objects && !gpu.isLost;
+  }
+
+  /** Another world, or other particles. */
+  follow({ world, layers }: ViewSubject): void {
+    if (this.isBusy) this.#renderer?.setLayers(world, layers);
+  }
+
+  /** Begins, or goes on. True once that rung's is prepared. */
+  proceed(rung: Rung): boolean {
+    if (this.isBusy) return this.#isPrepared;
+    const { scene, target, settings, auto, onRefused } = this.#parts();
+    const { share } = rung;
+    const tier = tierOf(rung.tier, "auto", auto);
+    if (scene.prepareRenderer(target, tier, settings)) this.#prepare(tier, share).catch(onRefused);
+    return false;
+  }
+
+  async #prepare(tier: Tier, share: number): Promise<void> {
+    const { scene, target, settings, subject, pixels, frame } = this.#parts();
+    const { gpu } = target;
+    const { width, height } = canvasSize(pixels, tier.resolutionScale * share, gpu.longestSide);
+    this.#isPrepared = false;
+    this.#tier = tier.name;
+    this.#objects = gpu.ahead;
+    gpu.isAhead = true;
+    const renderer = scene.createRenderer(target, tier, settings.look);
+    this.#renderer = renderer;
+    renderer.resize(width, height);
+    this.follow(subject);
+    gpu.isAhead = false;
+    // Asked before each step, and what a step makes is this renderer's.
+    const isOn = () => {
+      gpu.isAhead = this.isBusy && this.#renderer === renderer;
+      return gpu.isAhead;
+    };
+    await gpu.whenCompiled();
+    if (!isOn()) return;
+    gpu.finishPrograms();
+    gpu.check("picture");
+    if (frame) await renderer.prepare?.(subject.world, frame, isOn);
+    this.#isPrepared ||= isOn();
+    gpu.isAhead = false;
+  }
+
+  /** The renderer of a tier, if it is prepared, to take over: all else that is not shared is then freed. */
+  take(tier: Tier["name"]): Renderer | null {
+    if (this.isBusy && this.#isPrepared && this.#tier === tier) return this.#renderer;
+    this.#parts().target.gpu.clearUnshared(true);
+    return null;
+  }
+}
