@@ -131,14 +131,14 @@ test("where drawing takes no time it rises to `high`: no frame has many draws, o
     const reached = { ...element.stats };
     const { most, mostIdle } = draws;
     element.quality = "high";
-    await frames(60);
+    // But for programs and the measured load.
+    await frames(600, () => element.stats.gpuBytes > reached.gpuBytes - 4e6);
     return { reached, draws: { most, mostIdle }, again: { ...element.stats } };
   });
   expect(reached).toMatchObject({ quality: "high", resolutionScale: 1 });
   expect(draws.most).toBeGreaterThan(10);
   expect(draws.most, "in a frame: the new tier is prepared in tasks").toBeLessThanOrEqual(120);
   expect(draws.mostIdle, "frames without a draw: the tier before goes on").toBeLessThanOrEqual(3);
-  // But for programs and the measured load.
   expect(reached.gpuBytes, "of the tier before").toBeLessThan(again.gpuBytes + 4e6);
   expect(room.complaints).toEqual([]);
 });
