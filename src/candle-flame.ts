@@ -295,8 +295,8 @@ export class CandleFlame {
 
   /** @param elapsed milliseconds; NaN in the first frame */
   #frame(elapsed: number): void {
-    this.view.measure(elapsed / 1000);
     try {
+      this.view.measure(elapsed / 1000);
       const seconds = elapsed > 0 ? Math.min(elapsed / 1000, MAX_FRAME) : 0;
       this.#advance(seconds, () => !this.view.isBusy && this.draw());
     } catch (error) {

@@ -4,10 +4,10 @@ const RING = 4;
 /**
  * GPU time of a frame, where the driver offers `EXT_disjoint_timer_query_webgl2`.
  *
- * Nothing waits: `milliseconds` is that of the newest frame whose result has arrived.
+ * Nothing waits: `seconds` are that of the newest frame whose result has arrived.
  */
 export class GpuTimer {
-  milliseconds: number | null = null;
+  seconds: number | null = null;
   readonly #gl: WebGL2RenderingContext;
   readonly #extension: { TIME_ELAPSED_EXT: number; GPU_DISJOINT_EXT: number } | null;
   readonly #pending: WebGLQuery[] = [];
@@ -41,7 +41,7 @@ export class GpuTimer {
     if (!oldest || !gl.getQueryParameter(oldest, gl.QUERY_RESULT_AVAILABLE)) return;
     const nanoseconds = gl.getQueryParameter(oldest, gl.QUERY_RESULT) as number;
     // A disjoint clock (the GPU slept, or changed its frequency) makes the number meaningless.
-    if (!gl.getParameter(disjointFlag)) this.milliseconds = nanoseconds / 1e6;
+    if (!gl.getParameter(disjointFlag)) this.seconds = nanoseconds / 1e9;
     gl.deleteQuery(oldest);
     this.#pending.shift();
   }

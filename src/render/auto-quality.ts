@@ -8,23 +8,18 @@ export interface Rung {
   readonly share: number;
 }
 
+const SHARES = {
+  low: [0.3, 0.45, 0.6, 0.8, 1],
+  medium: [0.6, 0.75, 0.87, 1],
+  high: [0.75, 0.87, 1],
+} as const;
 /** From lowest to highest: within a tier the resolution rises first. */
-const LADDER: readonly Rung[] = [
-  { tier: "low", share: 0.3 },
-  { tier: "low", share: 0.45 },
-  { tier: "low", share: 0.6 },
-  { tier: "low", share: 0.8 },
-  { tier: "low", share: 1 },
-  { tier: "medium", share: 0.6 },
-  { tier: "medium", share: 0.75 },
-  { tier: "medium", share: 0.87 },
-  { tier: "medium", share: 1 },
-  { tier: "high", share: 0.75 },
-  { tier: "high", share: 0.87 },
-  { tier: "high", share: 1 },
-];
+const LADDER: readonly Rung[] = (["low", "medium", "high"] as const).flatMap((tier) =>
+  SHARES[tier].map((share) => ({ tier, share })),
+);
 /** First rung, for any machine: a page that loads takes time from the measured load, which may seem 200 times slower. */
-const START = LADDER.findIndex(({ share }) => share === 0.6);
+const START = 2;
+const BEST_LOW = SHARES.low.length - 1;
 const BEST = LADDER.length - 1;
 
 /** Frame budget, seconds: 60 Hz, and 24 Hz for `low`, where a coarser image saves little of a frame. */
@@ -51,15 +46,14 @@ const RETRY_TIMES = [6, 20, 60] as const;
 /** Least number of frames in a measurement, unless all took at least `VERY_LATE`, seconds. */
 const LEAST_FRAMES = 5;
 const VERY_LATE = 0.4;
-/** How often the load is measured again. */
-const MOST_DOUBTS = 2;
 /** Frames ignored after a change, whose cost they include: so many, or for so many seconds. */
 const IGNORED_FRAMES = 3;
 const IGNORED_TIME = 0.5;
-/** Budget of anisotropic filtering in a frame of a million pixels under `auto`, seconds. */
-const ANISOTROPY_BUDGET = 0.0015;
-/** Anisotropic filtering of a pixel's maps (albedo, normal, roughness) by eight taps each, over the load's 32 taps. */
-const ANISOTROPIC_SHARE = (3 * 8) / 32;
+/**
+ * Dearest pixel of the load with anisotropic filtering under `auto`, seconds: by an H200's times, a sixtieth of it, that
+ * takes 0.8 ms of a frame of a million pixels.
+ */
+const ANISOTROPY_PIXEL = 5e-8;
 
 /** Cost model of a frame, used with a margin. */
 export interface Work {
@@ -113,7 +107,8 @@ export class AutoQuality {
   #retries = 0;
 
   readonly #measure: (() => Promise<number | null>) | undefined;
-  #doubts = MOST_DOUBTS;
+  /** How often the load may be measured again. */
+  #doubts = 2;
 
   /** @param measure measures `pixel` again */
   constructor(work: Work, measure?: () => Promise<number | null>) {
@@ -144,7 +139,7 @@ export class AutoQuality {
 
   /** Whether anisotropic filtering is predicted to fit its budget. */
   get allowsAnisotropy(): boolean {
-    return (this.pixel ?? Infinity) * ANISOTROPIC_SHARE * 1e6 <= ANISOTROPY_BUDGET;
+    return (this.pixel ?? 1) <= ANISOTROPY_PIXEL;
   }
 
   /** Whether pixels were measured to cost what they cost a CPU. */
@@ -195,6 +190,14 @@ export class AutoQuality {
     }
     const steadyTime = this.#hasBeenSlow ? RAISE_TIME : FIRST_RAISE_TIME;
     return this.#steady >= steadyTime && this.#raise(work ?? typical, work !== null);
+  }
+
+  /**
+   * While another renderer's image is shown: takes the highest resolution of `low` for the next motion, unless a rung was
+   * too slow before.
+   */
+  riseUnseen(): void {
+    if (!this.#hasBeenSlow && this.#index < BEST_LOW) this.#goTo(BEST_LOW);
   }
 
   /** Allows rungs that were too slow again: for another size, room or session. */

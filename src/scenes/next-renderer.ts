@@ -1,5 +1,5 @@
 import type { Gpu } from "../gl/gpu.js";
-import type { AutoQuality, Rung } from "../render/auto-quality.js";
+import type { Rung } from "../render/auto-quality.js";
 import { canvasSize } from "../render/canvas-size.js";
 import type { Size } from "../render/frame-input.js";
 import type { FrameSettings } from "../render/frame-settings.js";
@@ -14,11 +14,8 @@ export interface NextParts extends RefinementParts {
   readonly subject: ViewSubject;
   /** Of the canvas at full resolution. */
   readonly pixels: Size;
-  readonly auto: AutoQuality;
   /** A frame like the last one, at rest; null before that. */
   readonly frame: FrameSettings | null;
-  /** Called when the driver refused what it needs. */
-  readonly onRefused: (error: Error) => void;
 }
 
 /**
@@ -30,6 +27,7 @@ export class NextRenderer {
   #renderer: Renderer | null = null;
   #tier: Tier["name"] | null = null;
   #isPrepared = false;
+  #error: unknown = null;
   /** What was made for it, as long as it is wanted. */
   #objects: Gpu["ahead"] | null = null;
 
@@ -48,13 +46,17 @@ export class NextRenderer {
     if (this.isBusy) this.#renderer?.setLayers(world, layers);
   }
 
-  /** Begins, or goes on. True once that rung's is prepared. */
+  /** Begins, or goes on. True once that rung's is prepared. Throws if the driver refuses what it needs. */
   proceed(rung: Rung): boolean {
+    if (this.#error) throw this.#error;
     if (this.isBusy) return this.#isPrepared;
-    const { scene, target, settings, auto, onRefused } = this.#parts();
-    const { share } = rung;
+    const { scene, target, settings, auto } = this.#parts();
     const tier = tierOf(rung.tier, "auto", auto);
-    if (scene.prepareRenderer(target, tier, settings)) this.#prepare(tier, share).catch(onRefused);
+    if (scene.prepareRenderer(target, tier, settings)) {
+      this.#prepare(tier, rung.share).catch((error: unknown) => {
+        this.#error = error;
+      });
+    }
     return false;
   }
 

@@ -1,3 +1,4 @@
+import type { AutoQuality } from "../render/auto-quality.js";
 import type { Size } from "../render/frame-input.js";
 import type { FrameSettings } from "../render/frame-settings.js";
 import { REFINED } from "../render/quality.js";
@@ -22,6 +23,7 @@ export interface RefinementParts {
   readonly scene: Pick<Scene, "prepareRenderer" | "createRenderer">;
   readonly target: CanvasTarget;
   readonly settings: ViewSettings;
+  readonly auto: AutoQuality;
 }
 
 /**
@@ -80,6 +82,7 @@ export class Refinement {
     if (!(seconds > 0)) return;
     this.#frame = seconds;
     this.#rest += seconds;
+    if (this.#isShown) this.#parts().auto.riseUnseen();
     // Frames that refine nothing say nothing of its cost.
     if (this.#isReady) this.#budget.take(seconds);
   }

@@ -81,7 +81,6 @@ export class SceneView {
       pixels: this.#pixels,
       auto: this.#auto,
       frame: this.#last && this.#settingsOf(atRest(this.#last)),
-      onRefused: this.onRefused,
     });
     this.#refinement = this.#scene.createRefinement?.(parts) ?? null;
     this.#next = this.#scene.createNext?.(parts) ?? null;
@@ -220,15 +219,13 @@ export class SceneView {
     if (this.#isUnchecked) void this.#check();
   }
 
-  /** Takes the time of a frame of the animation loop, by which `auto` goes. Seconds. */
+  /** Takes the time of a frame of the animation loop, by which `auto` goes. Seconds. Throws if a tier is refused. */
   measure(seconds: number): void {
     if (this.#settings.quality !== "auto" || this.isBusy) return;
     this.#refinement?.take(seconds);
     this.#renderer.refinedFade?.take(seconds);
     if (this.#refinement?.isBusy || this.#renderer.refinedFade?.isOn) return;
-    const { milliseconds } = this.#target.gpu.timer;
-    if (!this.#next?.isBusy)
-      this.#auto.take(seconds, milliseconds === null ? null : milliseconds / 1000);
+    if (!this.#next?.isBusy) this.#auto.take(seconds, this.#target.gpu.timer.seconds);
     const { wanted } = this.#auto;
     if (wanted && (this.#next?.proceed(wanted) ?? true)) this.#auto.accept();
   }
@@ -241,9 +238,9 @@ export class SceneView {
   get stats() {
     const { drawCalls, triangles, objectCount, bytes, timer } = this.#target.gpu;
     // As chosen: after a change of the quality the canvas keeps its size until the next frame.
-    const { width, height } = this.#size;
+    const { width, height } = this.#sizeAt(this.#resolutionScale);
     return {
-      gpuMs: timer.milliseconds,
+      gpuMs: timer.seconds === null ? null : 1000 * timer.seconds,
       drawCalls,
       triangles,
       particles: this.#shown.particles,
@@ -275,20 +272,17 @@ export class SceneView {
     if (share === this.#quality.share) return true;
     this.#quality = { ...this.#quality, share };
     this.#renderer.refinedFade?.end();
-    const { width, height } = this.#size;
+    const { width, height } = this.#sizeAt(this.#ownScale);
     this.#renderer.resize(width, height);
-    this.onQualityChanged();
+    if (!this.#refinement?.shown) this.onQualityChanged();
     return true;
   }
 
   /** The canvas keeps its frame until the next one is drawn, which may be of another size. */
   #createRenderer(): Renderer {
-    const { width, height } = this.#size;
-    const renderer = this.#scene.createRenderer(
-      this.#target,
-      this.#quality.tier,
-      this.#settings.look,
-    );
+    const { width, height } = this.#sizeAt(this.#ownScale);
+    const { tier } = this.#quality;
+    const renderer = this.#scene.createRenderer(this.#target, tier, this.#settings.look);
     renderer.resize(width, height);
     this.#isUnchecked = true;
     this.#renderer = renderer;
@@ -311,23 +305,27 @@ export class SceneView {
   }
 
   #refine(settings: FrameSettings): number | null {
-    const size = canvasSize(this.#pixels, REFINED.resolutionScale, this.#target.gpu.longestSide);
+    const size = this.#sizeAt(REFINED.resolutionScale);
     return this.#refinement?.advance(this.#subject, settings, this.#renderer, size) ?? null;
   }
 
-  get #resolutionScale(): number {
-    if (this.#refinement?.shown || this.#renderer?.refinedFade?.isOn)
-      return REFINED.resolutionScale;
+  /** Of the renderer that is not the refinement's. */
+  get #ownScale(): number {
     return this.#quality.tier.resolutionScale * this.#quality.share;
   }
 
-  get #size(): Size {
-    return canvasSize(this.#pixels, this.#resolutionScale, this.#target.gpu.longestSide);
+  get #resolutionScale(): number {
+    const isRefined = this.#refinement?.shown || this.#renderer.refinedFade?.isOn;
+    return isRefined ? REFINED.resolutionScale : this.#ownScale;
+  }
+
+  #sizeAt(scale: number): Size {
+    return canvasSize(this.#pixels, scale, this.#target.gpu.longestSide);
   }
 
   #fitCanvas(): boolean {
     const { canvas } = this.#target;
-    const { width, height } = this.#size;
+    const { width, height } = this.#sizeAt(this.#resolutionScale);
     if (width === canvas.width && height === canvas.height) return false;
     canvas.width = width;
     canvas.height = height;
