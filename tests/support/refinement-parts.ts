@@ -9,5 +9,6 @@ export function partsOf(
 ): () => RefinementParts {
   const scene = { prepareRenderer, createRenderer: () => renderer };
   const target = { gpu: { whenCompiled, finishPrograms: () => {} } };
-  return () => ({ scene, target, settings: {} }) as unknown as RefinementParts;
+  const auto = { riseUnseen: () => {} };
+  return () => ({ scene, target, settings: {}, auto }) as unknown as RefinementParts;
 }
