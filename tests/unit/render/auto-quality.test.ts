@@ -208,6 +208,17 @@ test("Anisotropic filtering is allowed where it was measured to be cheap", () =>
   expect(auto.allowsAnisotropy).toBe(false);
 });
 
+test("Unseen it takes the highest resolution of low, unless a rung was too slow; late frames lower it from there", () => {
+  const auto = autoOn(SOFTWARE);
+  auto.riseUnseen();
+  expect(auto.rung).toEqual({ tier: "low", share: 1 });
+  run(auto, { ...SOFTWARE, fixed: 0.09 }, 8);
+  const { rung } = auto;
+  expect(rung.share).toBeLessThan(0.7);
+  auto.riseUnseen();
+  expect(auto.rung).toEqual(rung);
+});
+
 test("A step that was wanted is dropped when frames become late", () => {
   const auto = autoOn(DESKTOP);
   for (let i = 0; i < 60 && !auto.wanted; i++) auto.take(FRAME);
