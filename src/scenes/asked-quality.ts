@@ -4,6 +4,7 @@ import type { Inspection, Quality } from "../settings.js";
 
 const INSPECTION_RUNG: Rung = { tier: "medium", share: 1 };
 
+/** How frames are drawn. */
 export interface AskedQuality {
   readonly tier: Tier;
   /** Of the tier's resolution. */

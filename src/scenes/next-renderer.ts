@@ -54,7 +54,8 @@ export class NextRenderer {
     const tier = tierOf(rung.tier, "auto", auto);
     if (scene.prepareRenderer(target, tier, settings)) {
       this.#prepare(tier, rung.share).catch((error: unknown) => {
-        this.#error = error;
+        // Not of one that was given up, or that a lost context took.
+        if (this.isBusy) this.#error = error;
       });
     }
     return false;

@@ -1,0 +1,101 @@
+import { expect, test } from "vitest";
+import { AutoQuality, type Rung, WORK } from "../../../src/render/auto-quality.ts";
+import type { Renderer } from "../../../src/render/renderer.ts";
+import { type NextParts, NextRenderer } from "../../../src/scenes/next-renderer.ts";
+
+const MEDIUM: Rung = { tier: "medium", share: 0.6 };
+/** Until all promises of a preparation have been kept. */
+const settled = () => new Promise((resolve) => setTimeout(resolve));
+
+/** As much of a GPU and a scene as a renderer is prepared with. */
+function place({ error = null as Error | null } = {}) {
+  const gpu = {
+    isAhead: false,
+    isLost: false,
+    ahead: new Set<object>(),
+    longestSide: 4096,
+    whenCompiled: () => Promise.resolve(),
+    finishPrograms: () => {
+      if (error) throw error;
+    },
+    check: () => {},
+    clearUnshared: () => {
+      gpu.ahead = new Set();
+    },
+  };
+  const sizes: number[][] = [];
+  const ahead: boolean[] = [];
+  const renderer = {
+    resize: (...size: number[]) => sizes.push(size),
+    setLayers: () => ahead.push(gpu.isAhead),
+    async prepare(_: unknown, __: unknown, isWanted: () => boolean) {
+      for (let step = 0; step < 3 && isWanted(); step++) {
+        ahead.push(gpu.isAhead);
+        await Promise.resolve();
+        gpu.isAhead = false; // a frame of the renderer before
+      }
+    },
+  } as unknown as Renderer;
+  let isReady = false;
+  const scene = { prepareRenderer: () => isReady, createRenderer: () => renderer };
+  const parts = {
+    scene,
+    target: { gpu },
+    settings: { look: "physical" },
+    auto: new AutoQuality(WORK.physical),
+    subject: { world: {}, layers: [] },
+    pixels: { width: 1000, height: 500 },
+    frame: {},
+  } as unknown as NextParts;
+  const uploaded = () => {
+    isReady = true;
+  };
+  return { next: new NextRenderer(() => parts), gpu, renderer, sizes, ahead, uploaded };
+}
+
+test("a renderer is prepared once its parts are, at its rung's size, and taken by its tier alone", async () => {
+  const { next, renderer, sizes, ahead, uploaded } = place();
+  expect([next.proceed(MEDIUM), next.isBusy]).toEqual([false, false]);
+  uploaded();
+  expect([next.proceed(MEDIUM), next.isBusy]).toEqual([false, true]);
+  await settled();
+  expect(next.proceed(MEDIUM)).toBe(true);
+  expect(sizes).toEqual([[600, 300]]);
+  expect(ahead, "what it makes is its own").toEqual([true, true, true, true]);
+  expect(next.take("medium")).toBe(renderer);
+});
+
+test("another tier's is given up, and made again where it is wanted", async () => {
+  const { next, uploaded } = place();
+  uploaded();
+  next.proceed(MEDIUM);
+  await settled();
+  expect(next.take("high")).toBeNull();
+  expect([next.isBusy, next.proceed(MEDIUM), next.isBusy]).toEqual([false, false, true]);
+});
+
+test("one whose objects were freed meanwhile is no longer prepared", async () => {
+  const { next, gpu, ahead, uploaded } = place();
+  uploaded();
+  next.proceed(MEDIUM);
+  gpu.clearUnshared();
+  await settled();
+  expect(ahead, "the layers alone").toEqual([true]);
+  expect([next.isBusy, next.take("medium")]).toEqual([false, null]);
+});
+
+test("what the driver refuses is thrown in the next frame, but for what a lost context took", async () => {
+  const { next, uploaded } = place({ error: new Error("refused") });
+  uploaded();
+  next.proceed(MEDIUM);
+  await settled();
+  expect(() => next.proceed(MEDIUM)).toThrow("refused");
+
+  const lost = place();
+  lost.gpu.whenCompiled = () => Promise.reject(new Error("lost"));
+  lost.uploaded();
+  lost.next.proceed(MEDIUM);
+  lost.gpu.isLost = true;
+  await settled();
+  expect(lost.next.proceed(MEDIUM)).toBe(false);
+});
