@@ -196,7 +196,7 @@ export class AutoQuality {
    * While another renderer's image is shown: takes the highest resolution of `low` for the next motion, unless a rung was
    * too slow before.
    */
-  riseUnseen(): void {
+  rise(): void {
     if (!this.#hasBeenSlow && this.#index < BEST_LOW) this.#goTo(BEST_LOW);
   }
 
@@ -239,7 +239,7 @@ export class AutoQuality {
       this.#wanted = best;
       return false;
     }
-    if (seconds <= REFRESH * 1.05) void this.#doubt();
+    if (seconds <= REFRESH * 1.05) void this.doubt();
     if (next.tier !== this.rung.tier) return false;
     // A frame limited by the display gives no estimate: the next rung is tried.
     const isDisplayBound = !isWork && seconds <= REFRESH * 1.05;
@@ -254,7 +254,7 @@ export class AutoQuality {
   }
 
   /** Frames are fast, and yet no other tier seems to be: the load may have been measured while the GPU was busy. */
-  async #doubt(): Promise<void> {
+  async doubt(): Promise<void> {
     if (this.#doubts-- <= 0) return;
     const pixel = await this.#measure?.();
     // Other work only adds time.

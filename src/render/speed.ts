@@ -2,8 +2,11 @@ import fullscreenVert from "../../shaders/post/fullscreen.vert";
 import loadFrag from "../../shaders/speed/load.frag";
 import type { Gpu } from "../gl/gpu.js";
 
-/** A slower pixel of the load is that of a software renderer, seconds: GPUs are a hundred times as fast. */
-export const SOFTWARE_PIXEL = 3e-7;
+/**
+ * A slower pixel of the load is that of a software renderer, seconds: two cores take ten times as long, sixteen as long,
+ * an H200 an eighth.
+ */
+export const SOFTWARE_PIXEL = 5e-8;
 
 /** Of the load, which is kept for another measurement until everything is cleared. */
 const KEY = "speed";

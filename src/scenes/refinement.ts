@@ -15,6 +15,10 @@ const REST = 0.5;
 /** Longest frame that had time left, seconds. */
 const SHORT = 0.06;
 
+/** Longest frame that may have waited for the display, seconds, and so many on end are none of a processor's. */
+const DISPLAY = 0.0175;
+const FAST_FRAMES = 12;
+
 /** Least share of its light with which a flame burns well. */
 const BURNING = 0.05;
 
@@ -41,6 +45,8 @@ export class Refinement {
   /** Time of the last frame, and time that camera and candle have stood, seconds. */
   #frame = 0;
   #rest = 0;
+  /** Frames on end that waited for the display. */
+  #fast = 0;
   /** Whether the last frame was one at rest. */
   #isWanted = false;
   #hasBegun = false;
@@ -82,7 +88,9 @@ export class Refinement {
     if (!(seconds > 0)) return;
     this.#frame = seconds;
     this.#rest += seconds;
-    if (this.#isShown) this.#parts().auto.riseUnseen();
+    if (this.#isShown) this.#parts().auto.rise();
+    this.#fast = seconds < DISPLAY ? this.#fast + 1 : 0;
+    if (this.#fast === FAST_FRAMES) void this.#parts().auto.doubt();
     // Frames that refine nothing say nothing of its cost.
     if (this.#isReady) this.#budget.take(seconds);
   }

@@ -210,12 +210,12 @@ test("Anisotropic filtering is allowed where it was measured to be cheap", () =>
 
 test("Unseen it takes the highest resolution of low, unless a rung was too slow; late frames lower it from there", () => {
   const auto = autoOn(SOFTWARE);
-  auto.riseUnseen();
+  auto.rise();
   expect(auto.rung).toEqual({ tier: "low", share: 1 });
   run(auto, { ...SOFTWARE, fixed: 0.09 }, 8);
   const { rung } = auto;
   expect(rung.share).toBeLessThan(0.7);
-  auto.riseUnseen();
+  auto.rise();
   expect(auto.rung).toEqual(rung);
 });
 

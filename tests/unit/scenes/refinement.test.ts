@@ -1,4 +1,5 @@
 import { expect, test } from "vitest";
+import type { AutoQuality } from "../../../src/render/auto-quality.ts";
 import type { FrameSettings } from "../../../src/render/frame-settings.js";
 import type { Refining, Renderer } from "../../../src/render/renderer.js";
 import { Refinement } from "../../../src/scenes/refinement.js";
@@ -95,4 +96,21 @@ test("programs are prepared two in a frame, and one after a frame in which a dri
     return prepared - before;
   };
   expect([0.05, 0.3, 0.1, 0.03].map(after)).toEqual([2, 1, 1, 2]);
+});
+
+test("frames that wait for the display are a reason to measure the machine again, and slow ones none", () => {
+  let doubts = 0;
+  const parts = partsOf({} as Renderer);
+  const auto = { rise: () => {}, doubt: async () => doubts++ } as unknown as AutoQuality;
+  const made = new Refinement(() => ({ ...parts(), auto }));
+  const take = (count: number, seconds: number) => {
+    for (let i = 0; i < count; i++) made.take(seconds);
+  };
+  for (let i = 0; i < 20; i++) {
+    take(8, 1 / 60);
+    take(1, 0.05);
+  }
+  expect(doubts).toBe(0);
+  take(30, 1 / 60);
+  expect(doubts).toBe(1);
 });
