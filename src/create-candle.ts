@@ -18,7 +18,7 @@ interface Creation {
   readonly rehearse: (candle: CandleFlame) => void;
 }
 
-/** Speed of a target's GPU, for `auto`: seconds for a pixel of a load; measured once, or `again`, best while it has nothing else to do. */
+/** Time of a pixel of the benchmark load on a target, seconds, for `auto`; measured once, or `again`. */
 export function measureTarget({ gpu }: CanvasTarget, again?: boolean): Promise<number | null> {
   return measureSpeed(gpu, () => performance.now() / 1000, again);
 }

@@ -108,7 +108,7 @@ export class AutoQuality {
 
   readonly #measure: (() => Promise<number | null>) | undefined;
   /** How often the load may be measured again. */
-  #doubts = 2;
+  #remeasurements = 2;
 
   /** @param measure measures `pixel` again */
   constructor(work: Work, measure?: () => Promise<number | null>) {
@@ -239,7 +239,7 @@ export class AutoQuality {
       this.#wanted = best;
       return false;
     }
-    if (seconds <= REFRESH * 1.05) void this.doubt();
+    if (seconds <= REFRESH * 1.05) void this.remeasure();
     if (next.tier !== this.rung.tier) return false;
     // A frame limited by the display gives no estimate: the next rung is tried.
     const isDisplayBound = !isWork && seconds <= REFRESH * 1.05;
@@ -254,8 +254,8 @@ export class AutoQuality {
   }
 
   /** Frames are fast, and yet no other tier seems to be: the load may have been measured while the GPU was busy. */
-  async doubt(): Promise<void> {
-    if (this.#doubts-- <= 0) return;
+  async remeasure(): Promise<void> {
+    if (this.#remeasurements-- <= 0) return;
     const pixel = await this.#measure?.();
     // Other work only adds time.
     if (pixel != null) this.pixel = Math.min(pixel, this.pixel ?? Infinity);

@@ -90,7 +90,7 @@ export class Refinement {
     this.#rest += seconds;
     if (this.#isShown) this.#parts().auto.rise();
     this.#fast = seconds < DISPLAY ? this.#fast + 1 : 0;
-    if (this.#fast === FAST_FRAMES) void this.#parts().auto.doubt();
+    if (this.#fast === FAST_FRAMES) void this.#parts().auto.remeasure();
     // Frames that refine nothing say nothing of its cost.
     if (this.#isReady) this.#budget.take(seconds);
   }

@@ -9,6 +9,6 @@ export function partsOf(
 ): () => RefinementParts {
   const scene = { prepareRenderer, createRenderer: () => renderer };
   const target = { gpu: { whenCompiled, finishPrograms: () => {} } };
-  const auto = { rise: () => {}, doubt: () => {} };
+  const auto = { rise: () => {}, remeasure: () => {} };
   return () => ({ scene, target, settings: {}, auto }) as unknown as RefinementParts;
 }

@@ -99,9 +99,9 @@ test("programs are prepared two in a frame, and one after a frame in which a dri
 });
 
 test("frames that wait for the display are a reason to measure the machine again, and slow ones none", () => {
-  let doubts = 0;
+  let remeasured = 0;
   const parts = partsOf({} as Renderer);
-  const auto = { rise: () => {}, doubt: async () => doubts++ } as unknown as AutoQuality;
+  const auto = { rise: () => {}, remeasure: async () => remeasured++ } as unknown as AutoQuality;
   const made = new Refinement(() => ({ ...parts(), auto }));
   const take = (count: number, seconds: number) => {
     for (let i = 0; i < count; i++) made.take(seconds);
@@ -110,7 +110,7 @@ test("frames that wait for the display are a reason to measure the machine again
     take(8, 1 / 60);
     take(1, 0.05);
   }
-  expect(doubts).toBe(0);
+  expect(remeasured).toBe(0);
   take(30, 1 / 60);
-  expect(doubts).toBe(1);
+  expect(remeasured).toBe(1);
 });
