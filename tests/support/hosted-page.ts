@@ -51,7 +51,8 @@ export class HostedPage {
     const served = address === PAGE ? PAGE : `${address}**`;
     await this.page.route(served, async (route) => {
       const url = route.request().url().replace(address, PAGE);
-      const response = await route.fetch({ url });
+      // A server may close a connection that was idle just as it is used again.
+      const response = await route.fetch({ url, maxRetries: 3 });
       const headers = { ...response.headers(), "content-security-policy": POLICY };
       await route.fulfill({ response, headers });
     });

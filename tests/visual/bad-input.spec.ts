@@ -245,7 +245,7 @@ test("A shader that the driver refuses is named, and its context is given back",
   await recordContexts(page);
   await serveSmallTextures(page);
   await page.route(/\.js$/, async (route) => {
-    const response = await route.fetch();
+    const response = await route.fetch({ maxRetries: 3 });
     const body = (await response.text()).replaceAll("float peak=", "flot peak=");
     await route.fulfill({ response, body });
   });
