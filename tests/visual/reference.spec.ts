@@ -31,6 +31,15 @@ const MEASURED: Readonly<Record<string, typeof LIMITS>> = {
 };
 const MARGIN = { median: 0.005, high: 0.015, flip: 0.003 };
 
+/** Relative errors of luminance by several lights, as measured on 2026-11-26: `mean` is that of the means, signed. */
+const BY_SEVERAL_LIGHTS = {
+  "three-candles": { median: 0.068, high: 0.256, mean: -0.054 },
+  // Nothing but light that has bounced, from one patch on the floor.
+  night: { median: 0.125, high: 0.42, mean: -0.038 },
+  moonlit: { median: 0.05, high: 0.188, mean: 0 },
+};
+const MARGIN_BY_SEVERAL_LIGHTS = { median: 0.01, high: 0.02, mean: 0.01 };
+
 const views = tracedViews.filter(({ name }) => name in MEASURED);
 
 /** Linear colours of the screen for exposed light; black where not compared. */
@@ -156,11 +165,36 @@ test.describe("Beside a path tracer's picture of the same room", () => {
     expect(await bytesAtFullSize(4)).toBeLessThanOrEqual(320e6);
   });
 
+  for (const [name, before] of Object.entries(BY_SEVERAL_LIGHTS)) {
+    test(`so is the light of several, in the view “${name}”`, async () => {
+      const view = tracedViews.find((one) => one.name === name);
+      if (!view) throw new Error(`There is no reference of “${name}”.`);
+      const ours = await renderView(room, view);
+      const { radiance, isCompared } = readReference(name);
+      expect([ours.width, ours.height]).toEqual([view.width, view.height]);
+      const pairs = isCompared.flatMap((counts, pixel) => {
+        const theirs = luma(colorOf(radiance, pixel));
+        return counts && theirs > 0 ? [[luma(colorOf(ours.radiance, pixel)), theirs] as const] : [];
+      });
+      expect(pairs.length).toBeGreaterThan(isCompared.length / 2);
+      const errors = pairs.map(([mine, theirs]) => Math.abs(mine / theirs - 1));
+      const sum = (which: 0 | 1) => pairs.reduce((total, pair) => total + pair[which], 0);
+      const measured = {
+        median: quantile(errors, 0.5),
+        high: quantile(errors, 0.9),
+        mean: sum(0) / sum(1) - 1,
+      };
+      console.log(name, measured);
+      for (const what of ["median", "high", "mean"] as const) {
+        const limit = Math.abs(before[what]) + MARGIN_BY_SEVERAL_LIGHTS[what];
+        expect.soft(Math.abs(measured[what]), `${what} error`).toBeLessThanOrEqual(limit);
+      }
+      expect(room.complaints).toEqual([]);
+    });
+  }
+
   const bytesAtFullSize = async (candles: number) => {
     const sizes = await room.evaluate(async (element, candles) => {
-      // Memory is what is measured, and four candles take long to draw. No test comes after.
-      const gl = WebGL2RenderingContext.prototype;
-      gl.drawArrays = gl.drawElements = () => {};
       for (const candle of element.candles.slice(1, candles)) candle.light();
       if (candles > 1) element.step(1);
       const { width, height } = element.style;
