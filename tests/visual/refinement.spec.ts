@@ -15,7 +15,7 @@ import { type Picture, RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
 import { expect, test } from "../support/test.ts";
 
-const BOX = { width: 480, height: 270 };
+const BOX = { width: 384, height: 216 };
 /** Edge of a tile, pixels. */
 const TILE = 64;
 const STEP = { position: [-0.84, 1.3, 1.09], yaw: -0.8, pitch: -0.244 } as const;
@@ -32,7 +32,7 @@ const BESIDE = ["high", "low"]
   .join("");
 
 /** Pixels of `low`, as raw data. */
-const LOW = { width: 320, height: 180, channels: 4 } as const;
+const LOW = { width: 256, height: 144, channels: 4 } as const;
 
 let page: Page;
 let room: RoomDriver;

@@ -67,6 +67,14 @@ function inCabin(
   return { name, attributes, ...rest, seconds: 0.5 };
 }
 
+function byMoonAndCandles(quality: Quality): Scene[] {
+  const moon = inCabin(SPAWN, quality, { name: `cabin-moon-${quality}`, moonlight: "0.15" });
+  return [
+    inCabin(SPAWN, quality, { name: `cabin-candles-${quality}`, "lit-wicks": "0 1 2 3" }),
+    { ...moon, isOut: true },
+  ];
+}
+
 /** In an order that changes the tier seldom: each change prepares the room's light anew. */
 export const SCENES: readonly Scene[] = [
   {
@@ -107,6 +115,8 @@ export const SCENES: readonly Scene[] = [
     seconds: 0.1,
   },
   ...CABIN.map((view) => inCabin(view, "low")),
+  inCabin(SPAWN, "low", { name: "cabin-moonlit-low", moonlight: "0.15" }),
+  ...byMoonAndCandles("low"),
   ...CABIN.map((view) => inCabin(view, "high")),
   inCabin(SPAWN, "high", { name: "cabin-moonlit-high", moonlight: "0.15" }),
   inCabin(TABLE, "medium"),
@@ -116,13 +126,6 @@ export const SCENES: readonly Scene[] = [
     breath: 1,
     seconds: 1.5,
   },
-  ...(["medium", "low"] as const).flatMap((quality) => [
-    inCabin(SPAWN, quality, { name: `cabin-candles-${quality}`, "lit-wicks": "0 1 2 3" }),
-    {
-      ...inCabin(SPAWN, quality, { name: `cabin-moon-${quality}`, moonlight: "0.15" }),
-      isOut: true,
-    },
-  ]),
-  inCabin(SPAWN, "low", { name: "cabin-moonlit-low", moonlight: "0.15" }),
+  ...byMoonAndCandles("medium"),
   inCabin(TABLE, "ultra"),
 ];
