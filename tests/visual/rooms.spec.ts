@@ -153,9 +153,7 @@ for (const quality of ["high", "low"] as const) {
       expect(driver.complaints).toEqual([]);
     });
   }
-}
 
-for (const quality of ["high", "low"] as const) {
   test(`At ${quality} a wall of 12 cm lets a thousandth of the light through at most`, async () => {
     const driver = await open("sealed", quality);
     const luminances = async (position: [number, number, number], yaw: number) => {
