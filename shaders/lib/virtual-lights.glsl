@@ -38,10 +38,17 @@ float virtualVisibility(vec3 d, vec3 facet, float slot) {
   return mix(across.x, across.y, share.y);
 }
 
+// Direction to the point of a light nearest to a reflected ray. Karis 2013, "Real Shading in Unreal Engine 4".
+vec3 representative(vec3 toLight, vec3 ray, float radius) {
+  vec3 across = dot(toLight, ray) * ray - toLight;
+  return normalize(toLight + across * min(radius / max(length(across), 1e-4), 1.0));
+}
+
 // Luminance that a surface reflects of the lights, cd/m². `facet`: normal of the triangle. `seen`: 1 or 0: shadows,
 // specular.
 float virtualLuminance(Shading s, vec3 position, vec3 facet, float diffuse, vec2 seen) {
   float sum = 0.0;
+  vec3 reflected = reflect(-s.view, s.normal);
   for (int i = 0; i < VIRTUAL_LIGHTS; i++) {
     vec4 origin = texelFetch(uVirtualLights, ivec2(i, 0), 0);
     vec3 axis = texelFetch(uVirtualLights, ivec2(i, 1), 0).xyz;
@@ -53,12 +60,13 @@ float virtualLuminance(Shading s, vec3 position, vec3 facet, float diffuse, vec2
     float intensity = texelFetch(uVirtualFlux, ivec2(i, 0), 0).r / PI * max(-dot(axis, L), 0.0);
     if (min(intensity, NoL) <= 0.0) continue;
     if (i >= VIRTUAL_LIGHTS - PANE_LIGHTS) intensity *= paneShare(L);
-    vec3 H = normalize(L + s.view);
+    vec3 R = representative(-d, reflected, extent);
+    vec3 H = normalize(R + s.view);
     float lobe = widenedLobe(s.alpha, extent * inversesqrt(squared), dot(s.normal, H), s.NoV, NoL);
-    lobe *= luma(fresnelSchlick(s.f0, max(dot(L, H), 0.0)));
-    float reflected = diffuse / PI * normalMapVisibility(s.surface, s.normal, L) * s.minified.y + lobe * seen.y;
+    lobe *= luma(fresnelSchlick(s.f0, max(dot(R, H), 0.0)));
+    float share = diffuse / PI * normalMapVisibility(s.surface, s.normal, L) * s.minified.y + lobe * seen.y;
     float visibility = mix(1.0, virtualVisibility(d, facet, float(i)), seen.x);
-    sum += intensity / max(squared, extent * extent) * NoL * visibility * reflected;
+    sum += intensity / max(squared, extent * extent) * NoL * visibility * share;
   }
   return sum;
 }

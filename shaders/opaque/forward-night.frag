@@ -44,7 +44,7 @@ float shade(vec3 facet) {
   float laterBounces = probes.alongNormal.x * skyVisibility(surface, normal) * s.minified.x * luma(diffuseColor);
   float mirrored = probes.alongReflection.x * luma(environment.share) * uFeatures.z;
   float unoccluded = 1.0 - NEAR_OCCLUSION * (1.0 - material.occlusion);
-  float indirect = (firstBounce + (laterBounces + mirrored) / PI) * unoccluded;
+  float indirect = firstBounce + (laterBounces + mirrored) / PI * unoccluded;
   return luminance + indirect * uFeatures.y;
 }
 
