@@ -35,20 +35,11 @@ export function buildBvh(items: Float32Array): { bvh: Bvh; order: Uint32Array } 
   const itemCount = items.length / 6;
   const order = new Uint32Array(itemCount);
   for (let i = 0; i < itemCount; i++) order[i] = i;
-  let boxes = new Float32Array(Math.max(16, itemCount >> 1) * 6);
-  let link = new Uint32Array(boxes.length / 6);
-  let count = new Uint8Array(link.length);
+  // No leaf is empty, so there are fewer inner nodes than items.
+  const boxes = new Float32Array(itemCount * 2 * 6);
+  const link = new Uint32Array(itemCount * 2);
+  const count = new Uint8Array(itemCount * 2);
   let nodeCount = 0;
-
-  function addNodes(more: number): number {
-    if (nodeCount + more > link.length) {
-      boxes = grown(boxes, new Float32Array(boxes.length * 2));
-      link = grown(link, new Uint32Array(link.length * 2));
-      count = grown(count, new Uint8Array(count.length * 2));
-    }
-    nodeCount += more;
-    return nodeCount - more;
-  }
 
   function build(node: number, first: number, end: number, depth: number): void {
     if (end - first <= LEAF) {
@@ -64,8 +55,9 @@ export function buildBvh(items: Float32Array): { bvh: Bvh; order: Uint32Array } 
       if (end - first >= COMPARED) slice(items, order, first, end, along);
       beyond = partition(items, order, first, end, along, middle.plane);
     }
-    const left = addNodes(2);
+    const left = nodeCount;
     const right = left + 1;
+    nodeCount += 2;
     link[node] = left;
     build(left, first, beyond, depth + 1);
     build(right, beyond, end, depth + 1);
@@ -74,18 +66,13 @@ export function buildBvh(items: Float32Array): { bvh: Bvh; order: Uint32Array } 
     enclose(boxes, node * 6, boxes, right * 6);
   }
 
-  if (itemCount > 0) build(addNodes(1), 0, itemCount, 0);
+  if (itemCount > 0) build(nodeCount++, 0, itemCount, 0);
   const bvh = {
     boxes: boxes.slice(0, nodeCount * 6),
     link: link.slice(0, nodeCount),
     count: count.slice(0, nodeCount),
   };
   return { bvh, order };
-}
-
-function grown<T extends Float32Array | Uint32Array | Uint8Array>(from: T, to: T): T {
-  to.set(from);
-  return to;
 }
 
 /** Range of some items' doubled centres along an axis, and the split plane. */
