@@ -14,39 +14,27 @@ const BLUENESS = 2.5;
  * The body of a flame as it is bent, stretched and dimmed at this moment: what is drawn, and what
  * lights the room. Lengths in metres from the foot of the flame.
  */
-export interface FlameShape {
-  /** Luminous length along the spine, and largest radius. */
-  length: number;
-  radius: number;
-  /** Height above the foot of the last node. */
-  top: number;
-  /** Factors on the table's soot and blue. */
-  soot: number;
-  blue: number;
-  /** Of each node: x, z, share of the length, factor on the radius. */
-  readonly nodes: Float32Array;
-  /** Of each ball: x, y, z, radius. */
-  readonly balls: Float32Array;
-  /** Candela: of soot and of the blue bands. */
-  sootIntensity: number;
-  blueIntensity: number;
-  readonly centre: Float64Array;
-  /** From the centre to the upper end of the light, as a capsule. */
-  readonly reach: Float64Array;
-}
+export type FlameShape = ReturnType<typeof createShape>;
 
-export function createShape(): FlameShape {
+export function createShape() {
   return {
+    /** Luminous length along the spine, and largest radius. */
     length: 0,
     radius: 0,
+    /** Height above the foot of the last node. */
     top: 0,
+    /** Factors on the table's soot and blue. */
     soot: 0,
     blue: 0,
+    /** Of each node: x, z, share of the length, factor on the radius. */
     nodes: new Float32Array(NODES * 4),
+    /** Of each ball: x, y, z, radius. */
     balls: new Float32Array(BALLS * 4),
+    /** Candela: of soot and of the blue bands. */
     sootIntensity: 0,
     blueIntensity: 0,
     centre: new Float64Array(3),
+    /** From the centre to the upper end of the light, as a capsule. */
     reach: new Float64Array(3),
   };
 }
