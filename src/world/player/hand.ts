@@ -19,35 +19,25 @@ const REACHING = 6;
 const CAUTION = 0.06;
 
 /** Hand that holds the candle: it has inertia, and draws back from obstacles. */
-export interface Hand {
-  /** Angle behind the turn of the head, radians. */
-  lag: number;
-  /** Its own angular velocity, rad/s. */
-  turning: number;
-  /** Offset from where a stiff arm would hold it, metres, and its velocity, m/s. */
-  readonly sway: Vec3;
-  readonly swaying: Vec3;
-  /** Offset by which it reaches out to another candle's wick, metres, and how far it ignores `CAUTION`, 0 to 1. */
-  readonly lean: Vec3;
-  daring: number;
-  /** Extension of the arm, 0 to 1. */
-  stretch: number;
-  /** Of the body, when the hand was last advanced. */
-  yaw: number;
-  readonly velocity: Vec3;
-}
+export type Hand = ReturnType<typeof createHand>;
 
-export function createHand(yaw: number): Hand {
+export function createHand(yaw: number) {
   return {
+    /** Angle behind the turn of the head, radians. */
     lag: 0,
+    /** Its own angular velocity, rad/s. */
     turning: 0,
-    sway: [0, 0, 0],
-    swaying: [0, 0, 0],
-    lean: [0, 0, 0],
+    /** Offset from where a stiff arm would hold it, metres, and its velocity, m/s. */
+    sway: [0, 0, 0] as Vec3,
+    swaying: [0, 0, 0] as Vec3,
+    /** Offset by which it reaches out to another candle's wick, metres, and how far it ignores `CAUTION`, 0 to 1. */
+    lean: [0, 0, 0] as Vec3,
     daring: 0,
+    /** Extension of the arm, 0 to 1. */
     stretch: 1,
+    /** Of the body, when the hand was last advanced. */
     yaw,
-    velocity: [0, 0, 0],
+    velocity: [0, 0, 0] as Vec3,
   };
 }
 
