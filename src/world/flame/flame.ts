@@ -113,7 +113,10 @@ export class Flame {
 
   /** @param seed of its own; null for the carried candle's, which is in the air as it is */
   constructor(wick: number, isLit: boolean, seed: number | null = null) {
-    if (seed !== null) this.#differ(seed);
+    if (seed !== null) {
+      for (const axis of [0, 1, 2] as const) this.#aside[axis] = ASIDE * signed(pcg(seed + axis));
+      this.puffing.begin(Math.PI * signed(pcg(seed + 3)));
+    }
     this.wick = wick;
     this.isLit = isLit;
     this.fuel = isLit ? 1 : 0;
@@ -123,11 +126,6 @@ export class Flame {
     this.glow = this.#limiter.light;
     this.#feed.rate = this.#full;
     this.spine = new Spine(this.#feed, this.#aside);
-  }
-
-  #differ(seed: number): void {
-    for (const axis of [0, 1, 2] as const) this.#aside[axis] = ASIDE * signed(pcg(seed + axis));
-    this.puffing.begin(Math.PI * signed(pcg(seed + 3)));
   }
 
   get wick(): number {
@@ -260,7 +258,7 @@ export class Flame {
     seconds: number,
   ): void {
     this.#isStill = isStill;
-    if (isStill) this.puffing.calm();
+    if (isStill) this.puffing.begin();
     else this.puffing.advance(this.#feed, seconds);
     const target = this.isLit ? GLOWING : ROOM;
     const pace = this.isLit ? HEATING : FADING;

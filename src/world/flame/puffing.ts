@@ -29,8 +29,8 @@ export class Puffing {
   real = TREMBLE;
   imaginary = 0;
 
-  /** Begins at another phase, radians. */
-  begin(phase: number): void {
+  /** Begins anew at a phase, radians. */
+  begin(phase = 0): void {
     this.real = TREMBLE * Math.cos(phase);
     this.imaginary = TREMBLE * Math.sin(phase);
   }
@@ -57,12 +57,6 @@ export class Puffing {
     // Disturbances of the air start the oscillation.
     if (excess > 0 && amplitude < TREMBLE) this.real += TREMBLE - amplitude;
     if (excess <= 0 && amplitude < 1e-6) this.real = this.imaginary = 0;
-  }
-
-  /** At rest, as over a narrow source. */
-  calm(): void {
-    this.real = TREMBLE;
-    this.imaginary = 0;
   }
 
   /** Luminous volume as a share of its mean; exactly 1 where the flame stands still. */
