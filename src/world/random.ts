@@ -9,6 +9,11 @@ export function pcg(value: number): number {
   return ((word >>> 22) ^ word) >>> 0;
 }
 
+/** Seed of one of several things that share a seed. */
+export function seedOf(seed: number, index: number): number {
+  return pcg((seed + Math.imul(index, 0x9e3779b9)) >>> 0);
+}
+
 /** A hash as a number in [0, 1). 24 bits, so that it is exact as a float. */
 export function unit(hash: number): number {
   return (hash >>> 8) / 0x1000000;

@@ -1,7 +1,7 @@
 import type { Plume } from "./air/plume.js";
 import { Flame, ROOM } from "./flame/flame.js";
 import type { Vec3 } from "./geometry.js";
-import { pcg } from "./random.js";
+import { seedOf } from "./random.js";
 import { TICK } from "./timeline.js";
 import type { World } from "./world.js";
 
@@ -28,8 +28,6 @@ const MOST_PLUMES = 4;
 /** Difference from the room's temperature at which a wick is cold, kelvin. */
 const COLD = 0.5;
 const STILL: Vec3 = [0, 0, 0];
-/** Steps between the seeds of neighbours. */
-const SEED_STEP = 0x9e3779b9;
 
 /** @param index from 1: the carried candle is 0 */
 export function createStandingCandle(
@@ -40,10 +38,6 @@ export function createStandingCandle(
 ): StandingCandle {
   const flame = new Flame(wickDiameter, isLit, seedOf(seed, index));
   return { name, root: [...position], flame, plume: null };
-}
-
-function seedOf(seed: number, index: number): number {
-  return pcg((seed + Math.imul(index, SEED_STEP)) >>> 0);
 }
 
 /** Advances all standing candles by one tick. */

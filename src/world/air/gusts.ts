@@ -1,5 +1,5 @@
 import type { Vec3 } from "../geometry.js";
-import { pcg, signed, unit } from "../random.js";
+import { pcg, seedOf, signed, unit } from "../random.js";
 
 /** Waves that a gust is made of. */
 const WAVES = 14;
@@ -8,8 +8,6 @@ const SLOWEST = 0.12;
 const FASTEST = 15;
 /** A wave of frequency f is this long times 1/f, m/s: eddies of a metre turn within seconds. */
 const TURNOVER = 0.45;
-/** Phases are kept apart by this step of the hash. */
-const STEP = 0x9e3779b9;
 
 /**
  * Gusts: turbulence as a sum of plane waves: seeded, smooth in space and time, and free of divergence,
@@ -31,7 +29,7 @@ export class Gusts {
     let power = 0;
     for (let i = 0; i < WAVES; i++) {
       const frequency = SLOWEST * (FASTEST / SLOWEST) ** (i / (WAVES - 1));
-      const key = pcg((seed + Math.imul(i + 1, STEP)) >>> 0);
+      const key = seedOf(seed, i + 1);
       const [x, y, z] = direction(key);
       // Any vector crossed with the direction lies across it.
       const [a, b, c] = direction(pcg(key + 1));
