@@ -10,20 +10,14 @@ export interface PlumeGrid {
 
 /** 15 x 31 x 15 cells, 24 cm wide and 51 cm high; 7 mm small around the flame. */
 export function plumeGrid(): PlumeGrid {
-  return {
-    x: symmetric(0.007, 1.22, 7),
-    y: rising(-0.035, 0.008, 1.044, 31),
-    z: symmetric(0.007, 1.22, 7),
-  };
+  const level = symmetric(0.007, 1.22, 7);
+  return { x: level, y: rising(-0.035, 0.008, 1.044, 31), z: level };
 }
 
 /** 9 x 20 x 9 cells of the same extent, for the smoke of a standing candle. */
 export function coarsePlumeGrid(): PlumeGrid {
-  return {
-    x: symmetric(0.01, 1.45, 4),
-    y: rising(-0.035, 0.012, 1.07, 20),
-    z: symmetric(0.01, 1.45, 4),
-  };
+  const level = symmetric(0.01, 1.45, 4);
+  return { x: level, y: rising(-0.035, 0.012, 1.07, 20), z: level };
 }
 
 /**
