@@ -1,5 +1,4 @@
-import type { Rgb } from "./color.js";
-import { adaptation, luma } from "./color.js";
+import { adaptation, luma, type Rgb } from "./color.js";
 import { TAPER } from "./flame-light.js";
 
 /**

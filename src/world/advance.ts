@@ -1,7 +1,6 @@
 import { blow, placeCandle, takeCandle } from "./commands.js";
 import { reachForWick, useFlame } from "./flames.js";
-import type { Vec3 } from "./geometry.js";
-import { length2 } from "./geometry.js";
+import { length2, type Vec3 } from "./geometry.js";
 import { interpolate, poseCandle } from "./interpolate.js";
 import { emittingGroups } from "./particles/level-of-detail.js";
 import { adaptationView } from "./player/adapt.js";

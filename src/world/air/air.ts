@@ -1,5 +1,4 @@
-import type { Vec3 } from "../geometry.js";
-import { length2 } from "../geometry.js";
+import { length2, type Vec3 } from "../geometry.js";
 import { TICK } from "../timeline.js";
 import { Breath } from "./breath.js";
 import { Gusts } from "./gusts.js";

@@ -1,5 +1,4 @@
-import type { Vec3 } from "../geometry.js";
-import { length3 } from "../geometry.js";
+import { length3, type Vec3 } from "../geometry.js";
 import type { CollisionMesh } from "../room/collision-mesh.js";
 
 /**

@@ -1,5 +1,4 @@
-import type { Vec3 } from "../geometry.js";
-import { length2 } from "../geometry.js";
+import { length2, type Vec3 } from "../geometry.js";
 import type { Player } from "./player.js";
 
 /** Of a grown visitor, metres above the floor. */

@@ -1,5 +1,4 @@
-import type { Vec3 } from "../geometry.js";
-import { length2 } from "../geometry.js";
+import { length2, type Vec3 } from "../geometry.js";
 import type { MovementBounds } from "../room/movement-bounds.js";
 import { accelerate } from "./gait.js";
 import type { Intent } from "./intent.js";
