@@ -21,16 +21,11 @@ export interface ChoiceSetting<Choice extends string = string> {
   readonly default: Choice;
 }
 
-export interface FlagSetting {
-  readonly kind: "flag";
-}
-
-export interface TextSetting {
-  readonly kind: "text";
-  readonly default: string;
-}
-
-export type Setting = NumberSetting | ChoiceSetting | FlagSetting | TextSetting;
+export type Setting =
+  | NumberSetting
+  | ChoiceSetting
+  | { readonly kind: "flag" }
+  | { readonly kind: "text"; readonly default: string };
 
 function choice<const Choice extends string>(
   choices: readonly [Choice, ...Choice[]],
