@@ -85,7 +85,11 @@ export class CollisionMesh {
     if (found < 0) return null;
     hit.distance = this.#rays.distance;
     hit.triangle = this.#numbers[found / 9]!;
-    this.#facing(found, direction, hit.normal);
+    const { normal } = hit;
+    normalOf(this.triangles, found, normal);
+    const along = normal[0] * direction[0] + normal[1] * direction[1] + normal[2] * direction[2];
+    this.hitsBack = along > 0;
+    if (this.hitsBack) for (let axis = 0; axis < 3; axis++) normal[axis] = -normal[axis]!;
     return hit;
   }
 
@@ -94,13 +98,6 @@ export class CollisionMesh {
     const between = this.#between;
     for (let axis = 0; axis < 3; axis++) between[axis] = to[axis]! - from[axis]!;
     return this.#rays.cast(from, between, 1) < 0;
-  }
-
-  #facing(at: number, way: Readonly<Vec3>, normal: Vec3): void {
-    normalOf(this.triangles, at, normal);
-    this.hitsBack = normal[0] * way[0] + normal[1] * way[1] + normal[2] * way[2] > 0;
-    if (!this.hitsBack) return;
-    for (let axis = 0; axis < 3; axis++) normal[axis] = -normal[axis]!;
   }
 
   /** Whether anything is nearer than `radius` to an upright axis, or in between. */

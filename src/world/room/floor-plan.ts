@@ -132,11 +132,7 @@ export class FloorPlan {
   settle(position: Vec3): void {
     this.#spot.x = position[0];
     this.#spot.z = position[2];
-    if (!this.#isSpotFree()) this.#moveToFree(position);
-  }
-
-  /** Moves a position that is not free. */
-  #moveToFree(position: Vec3): void {
+    if (this.#isSpotFree()) return;
     const x = position[0];
     const z = position[2];
     const nearest = this.#nearestSquare(x, z);
