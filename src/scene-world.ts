@@ -5,7 +5,7 @@ import { createWorldInSteps, finishWorld, type WorldOptions } from "./world/crea
 import { TAPER_WICK } from "./world/flame/burning.js";
 import { type Moon, type MoonWish, moonOf } from "./world/moon.js";
 import type { World } from "./world/world.js";
-import { LONE_CANDLE_SETUP, type WorldSetup } from "./world/world-setup.js";
+import { LONE_CANDLE_SETUP } from "./world/world-setup.js";
 
 /** Name of the carried candle's wick, in its model. */
 const CARRIED = "wick";
@@ -52,13 +52,13 @@ export function* worldInSteps(
   options: Options,
   birth: WorldOptions = {},
 ): Generator<void, World> {
-  const { room, wicks, createPlume, isModelAlone } = scene;
+  const { room, wicks, createPlume, isModelAlone, first } = scene;
   const { look, seed, isStill, wind } = options;
-  const setup = isModelAlone ? loneSetup(scene) : null;
+  const alone = first ? { ...LONE_CANDLE_SETUP, wick: first.position } : LONE_CANDLE_SETUP;
   const world = yield* createWorldInSteps(look, seed, {
     createPlume,
     room,
-    setup,
+    setup: isModelAlone ? alone : null,
     wind,
     wick: wickOf(scene, options),
     wicks,
@@ -74,10 +74,6 @@ export function* worldInSteps(
 /** Diameter of the first candle's wick, metres. */
 export function wickOf({ first }: Scene, { wick }: Options): number {
   return wick ?? first?.wickDiameter ?? TAPER_WICK;
-}
-
-function loneSetup({ first }: Scene): WorldSetup {
-  return first ? { ...LONE_CANDLE_SETUP, wick: first.position } : LONE_CANDLE_SETUP;
 }
 
 /** Names of the candles' wicks, the carried one's first. */

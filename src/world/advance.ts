@@ -23,7 +23,8 @@ const STANDING: Vec3 = [0, 0, 0];
 /** Advances the world in whole ticks. The remainder is carried to the next call. */
 export function advance(world: World, intent: Intent, seconds: number): void {
   turnHead(world.player, intent);
-  if (intent.placesOrTakes) placeOrTake(world);
+  if (intent.placesOrTakes && world.candle.isHeld) placeCandle(world);
+  else if (intent.placesOrTakes) takeCandle(world);
   if (intent.togglesFlame) useFlame(world);
   if (intent.blows) blow(world, 1);
   // 144 x 1/144 must be one second: the error of a sum is far below a millionth of a tick.
@@ -33,11 +34,6 @@ export function advance(world: World, intent: Intent, seconds: number): void {
   if (ticks === 0) poseCandle(world, 0);
   for (let i = 0; i < ticks; i++) tick(world, intent);
   interpolate(world);
-}
-
-function placeOrTake(world: World): void {
-  if (world.candle.isHeld) placeCandle(world);
-  else takeCandle(world);
 }
 
 /** Values of the current tick, allocated once: the emitter before it, and what `tick` computes. */
