@@ -114,14 +114,13 @@ export function advanceHand(
  * something: so it never reaches into anything, nor through it.
  *
  * @param hold from the eye: right, up, ahead, metres
- * @param collision null if nothing is ever in the way
  * @param seconds since the last time; 0 to look ahead, which leaves the hand as it is
  */
 export function holdOut(
   hand: Hand,
   { position: eye, yaw }: Omit<Player, "pitch">,
   hold: readonly [number, number, number],
-  collision: CollisionMesh | null,
+  collision: CollisionMesh,
   stand: Cylinder,
   seconds: number,
   foot: Vec3,
@@ -136,16 +135,13 @@ export function holdOut(
   foot[0] = eye[0];
   foot[1] = eye[1] + hold[1] + hand.lean[1];
   foot[2] = eye[2];
-  let stretch = 1;
-  if (collision) {
-    const isCautious = hand.daring < 0.5;
-    // A constant margin, since V8 would box a computed one.
-    const caution = isCautious ? collision.sweepCylinder(foot, reach, stand, CAUTION).fraction : 1;
-    const limit = collision.sweepCylinder(foot, reach, stand).fraction;
-    const target = isCautious ? caution : limit;
-    const eased = target + (hand.stretch - target) * Math.exp(-STRETCHING * seconds);
-    stretch = Math.min(eased, limit);
-  }
+  const isCautious = hand.daring < 0.5;
+  // A constant margin, since V8 would box a computed one.
+  const caution = isCautious ? collision.sweepCylinder(foot, reach, stand, CAUTION).fraction : 1;
+  const limit = collision.sweepCylinder(foot, reach, stand).fraction;
+  const target = isCautious ? caution : limit;
+  const eased = target + (hand.stretch - target) * Math.exp(-STRETCHING * seconds);
+  const stretch = Math.min(eased, limit);
   if (seconds > 0) hand.stretch = stretch;
   foot[0] += reach[0] * stretch;
   foot[2] += reach[2] * stretch;

@@ -28,8 +28,6 @@ export class FloorPlan {
   readonly hasFloor: boolean;
   /** Start of the visitor: on the floor, free. Metres. */
   readonly start: Readonly<Vec3>;
-  /** Whether it is too small to stand in, so that one walks around it. */
-  readonly isExhibit: boolean;
   readonly #grid: FloorGrid;
   readonly #clearance: FloorSurvey["clearance"];
   readonly #isReachable: FloorSurvey["isReachable"];
@@ -51,7 +49,8 @@ export class FloorPlan {
     const [x, z] = [(bounds.min[0] + bounds.max[0]) / 2, (bounds.min[2] + bounds.max[2]) / 2];
     let target: readonly [number, number] = from ? [from[0], from[2]] : [x, z];
     let survey = surveyFloor(collision, bounds, this.floor, target, from !== null);
-    this.isExhibit = survey === null;
+    // Too small to stand in: one walks around it.
+    const isExhibit = survey === null;
     if (!survey) {
       target = from ? target : [x, bounds.max[2] + EXHIBIT_DISTANCE];
       // Only x and z of it are read.
@@ -64,7 +63,7 @@ export class FloorPlan {
     this.#isReachable = survey.isReachable;
     this.hasFloor = survey.hasFloor;
     const start: Vec3 = [target[0], this.floor, target[1]];
-    if (from || this.isExhibit) this.settle(start);
+    if (from || isExhibit) this.settle(start);
     else [start[0], start[2]] = middleOf(survey.grid, survey.start);
     this.start = start;
   }

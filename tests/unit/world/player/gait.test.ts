@@ -23,6 +23,7 @@ import { box, FURNISHED, insideOf, modelRoom, Rubble } from "../rooms.ts";
 
 const HOLD = [0.25, -0.4, 0.55] as const;
 const CANDLE = { radius: 0.07, height: 0.3 };
+const NOTHING = new CollisionMesh([]);
 const AT_REST: Omit<Player, "pitch"> = { position: [0, 0, 0], velocity: [0, 0, 0], yaw: 0 };
 
 describe("the walker", () => {
@@ -161,7 +162,7 @@ describe("the hand", () => {
       hand,
       { ...AT_REST, position: [1, 1.6, 2], yaw: 0.7 },
       HOLD,
-      null,
+      NOTHING,
       CANDLE,
       1 / 60,
       foot,
@@ -181,7 +182,7 @@ describe("the hand", () => {
         hand,
         { ...AT_REST, position: [0, 1.6, 0], yaw: (i % 7) * 0.9 },
         HOLD,
-        null,
+        NOTHING,
         CANDLE,
         1 / 120,
         foot,
