@@ -55,7 +55,6 @@ function uniformOf(
       typeof value === "number" ? gl.uniform1i(location, value) : gl.uniform1iv(location, value),
     [gl.UNSIGNED_INT]: (value) =>
       typeof value === "number" ? gl.uniform1ui(location, value) : gl.uniform1uiv(location, value),
-    [gl.UNSIGNED_INT_VEC4]: (value) => gl.uniform4uiv(location, list(value)),
   };
   return setters[type]!; // no shader here has another type
 }
@@ -196,15 +195,7 @@ export class Program extends GpuObject {
 
   #reflect(): void {
     const gl = this.gl;
-    const samplers: number[] = [
-      gl.SAMPLER_2D,
-      gl.SAMPLER_3D,
-      gl.SAMPLER_CUBE,
-      gl.SAMPLER_2D_ARRAY,
-      gl.SAMPLER_2D_SHADOW,
-      gl.SAMPLER_CUBE_SHADOW,
-      gl.UNSIGNED_INT_SAMPLER_2D,
-    ];
+    const samplers: number[] = [gl.SAMPLER_2D, gl.SAMPLER_3D, gl.SAMPLER_CUBE];
     gl.useProgram(this.#handle);
     const count = gl.getProgramParameter(this.#handle, gl.ACTIVE_UNIFORMS) as number;
     for (let i = 0; i < count; i++) {
