@@ -24,19 +24,10 @@ export function askedQuality(
   isPlaying: boolean,
   inspect: Inspection,
 ): AskedQuality {
-  const { tier, share } = rungOf(quality, auto, isPlaying, inspect);
-  return { tier: tierOf(tier, quality, auto), share };
-}
-
-function rungOf(
-  quality: Quality,
-  auto: AutoQuality,
-  isPlaying: boolean,
-  inspect: Inspection,
-): Rung {
-  const isLow = quality === "low" || (quality === "auto" && auto.rung.tier === "low");
+  const automatic = isPlaying ? auto.rung : auto.stillRung;
+  const chosen: Rung = quality === "auto" ? automatic : { tier: quality, share: 1 };
   // `low` has no separate passes to inspect.
-  if (inspect !== "picture" && isLow) return INSPECTION_RUNG;
-  if (quality !== "auto") return { tier: quality, share: 1 };
-  return isPlaying ? auto.rung : auto.stillRung;
+  const isLow = (quality === "auto" ? auto.rung.tier : quality) === "low";
+  const { tier, share } = isLow && inspect !== "picture" ? INSPECTION_RUNG : chosen;
+  return { tier: tierOf(tier, quality, auto), share };
 }
