@@ -54,8 +54,3 @@ export async function loadModels(
   signal.throwIfAborted();
   throw results.find((one) => one.status === "rejected")?.reason;
 }
-
-export function closeModels({ room, candle }: Models): void {
-  closeModel(room);
-  closeModel(candle);
-}

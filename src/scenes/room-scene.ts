@@ -1,3 +1,4 @@
+import { closeModel } from "../assets/model.js";
 import { nextTask } from "../gl/next-task.js";
 import { uploadNextImage } from "../render/mesh/upload-steps.js";
 import { PaperRenderer } from "../render/paper-renderer.js";
@@ -10,7 +11,7 @@ import { CollisionMesh } from "../world/room/collision-mesh.js";
 import { createRoom } from "../world/room/room.js";
 import { NextRenderer } from "./next-renderer.js";
 import { Refinement } from "./refinement.js";
-import { closeModels, loadModels } from "./room-models.js";
+import { loadModels } from "./room-models.js";
 import { placeWicks } from "./room-wicks.js";
 import type { Loading, Scene, SceneRequest } from "./scene.js";
 
@@ -49,6 +50,6 @@ export async function loadRoom(request: SceneRequest, loading: Loading): Promise
         : new PaperRenderer(gpu, models, tier, look),
     createRefinement: (parts) => new Refinement(parts),
     createNext: (parts) => new NextRenderer(parts),
-    close: () => closeModels(models),
+    close: () => [models.room, models.candle].forEach(closeModel),
   };
 }
