@@ -88,11 +88,11 @@ async function readMaterials(
   images: TextureImages,
   warnings: Set<string>,
   report: () => void,
-): Promise<Map<number, PlacedMaterial>> {
-  const materials = new Map<number, PlacedMaterial>();
+): Promise<Map<string, PlacedMaterial>> {
+  const materials = new Map<string, PlacedMaterial>();
   const readOne = async (index: number) => {
     const entry = document.materials[index];
-    if (entry) materials.set(index, await readMaterial(document, entry, images, warnings));
+    if (entry) materials.set(String(index), await readMaterial(document, entry, images, warnings));
     report();
   };
   await Promise.all(usedMaterials(document).map(readOne));

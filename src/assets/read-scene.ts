@@ -12,7 +12,7 @@ const SMALLEST = 0.001; // metres
 /** The triangles of a scene and the places it names; sentences about what is wrong there are added. */
 export function readScene(
   scene: Group,
-  materials: ReadonlyMap<number, PlacedMaterial>,
+  materials: ReadonlyMap<string, PlacedMaterial>,
   warnings: Set<string>,
 ): { parts: Part[]; anchors: Record<string, Anchor>; wicks: Wick[]; bounds: Box } {
   const parts: Part[] = [];
@@ -20,11 +20,8 @@ export function readScene(
   scene.traverse((node) => {
     if ("isMesh" in node) {
       const mesh = node as Mesh;
-      // The default material has no name, and `Number("")` is 0.
       const { name } = mesh.material as { readonly name: string };
-      const material =
-        name === "" ? DEFAULT_MATERIAL : (materials.get(Number(name)) ?? DEFAULT_MATERIAL);
-      const part = readPart(mesh, nameOf(mesh), material);
+      const part = readPart(mesh, nameOf(mesh), materials.get(name) ?? DEFAULT_MATERIAL);
       if (part) parts.push(part);
     } else if (isPlace(node) && !anchors.has(nameOf(node))) {
       anchors.set(nameOf(node), anchorAt(node));
