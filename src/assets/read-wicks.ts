@@ -12,14 +12,6 @@ const SCALED = 50;
 /** Farthest from the origin, metres. */
 const FARTHEST = 10_000;
 
-const WARNINGS = {
-  count: (count: number) => `Of its ${count} wicks ${MOST} burn.`,
-  place: "Wicks whose places are no numbers are left out.",
-  lean: "Wicks that lean by more than 45 degrees burn upright.",
-  diameter: "Wick diameters are 1 to 50 mm: what is no number is 2 mm, all else the nearest.",
-  scale: "The scale of a wick is ignored: its diameter is wickDiameter, in mm.",
-} as const;
-
 /** Suffix of a wick's name; undefined for other nodes, such as `wickerwork`. */
 export function wickEnding(name: string): string | undefined {
   return /^wick(?![a-z])(.*)$/s.exec(name)?.[1];
@@ -40,7 +32,7 @@ export function readWicks(scene: Object3D, warnings: Set<string>): Wick[] {
   const wicks = found
     .toSorted((a, b) => a.userData.order - b.userData.order)
     .flatMap((object) => readWick(object, flames, warnings) ?? []);
-  if (wicks.length > MOST) warnings.add(WARNINGS.count(wicks.length));
+  if (wicks.length > MOST) warnings.add(`Of its ${wicks.length} wicks ${MOST} burn.`);
   return wicks.slice(0, MOST);
 }
 
@@ -52,17 +44,18 @@ function readWick(
   const { name, wickDiameter, isMisplaced } = object.userData;
   const root = flames.get(`flame${wickEnding(name)}`) ?? object;
   const position = new Vector3().setFromMatrixPosition(root.matrixWorld);
-  const isPlaced = isMisplaced !== true && position.length() <= FARTHEST;
-  if (!isPlaced) {
-    warnings.add(WARNINGS.place);
+  if (isMisplaced === true || !(position.length() <= FARTHEST)) {
+    warnings.add("Wicks whose places are no numbers are left out.");
     return null;
   }
   const scale = new Vector3().setFromMatrixScale(object.matrixWorld).length() / Math.sqrt(3);
-  if (!(scale < SCALED && scale > 1 / SCALED)) warnings.add(WARNINGS.scale);
+  if (!(scale < SCALED && scale > 1 / SCALED)) {
+    warnings.add("The scale of a wick is ignored: its diameter is wickDiameter, in mm.");
+  }
   const up = new Vector3().setFromMatrixColumn(object.matrixWorld, 1).normalize();
   // False for NaN, too.
   const isUpright = up.y >= LEANING;
-  if (!isUpright) warnings.add(WARNINGS.lean);
+  if (!isUpright) warnings.add("Wicks that lean by more than 45 degrees burn upright.");
   return {
     name,
     position: position.toArray(),
@@ -78,6 +71,8 @@ function readDiameter(value: unknown, warnings: Set<string>): number {
   const diameter = Number.isFinite(asked)
     ? Math.min(Math.max(asked, DIAMETER.least), DIAMETER.most)
     : DIAMETER.default;
-  if (diameter !== asked) warnings.add(WARNINGS.diameter);
+  if (diameter !== asked) {
+    warnings.add("Wick diameters are 1 to 50 mm: what is no number is 2 mm, all else the nearest.");
+  }
   return diameter;
 }
