@@ -17,8 +17,8 @@ export interface LoadOptions {
   readonly onProgress: (progress: number) => void;
   /** Whether it is to be a candle alone, whose wax and glass are drawn as such. */
   readonly isCandle?: boolean;
-  /** Where the decoders for Draco and KTX2 lie, with a slash at the end. */
-  readonly decoderBase?: string | URL;
+  /** Absolute URL where the decoders for Draco and KTX2 lie, with a slash at the end. */
+  readonly decoderBase: string | URL;
   /** Decoded images by address; models that are loaded together share theirs. */
   readonly sharedImages?: Map<string, Promise<TextureImage>>;
 }
@@ -53,9 +53,7 @@ async function load(url: string, file: string, options: LoadOptions): Promise<Mo
   });
   const { json, binary } = openContainer(bytes);
   const document = readDocument(json);
-  // Through a variable: bundlers take `new URL` of a literal for an asset.
-  const module = import.meta.url;
-  const decoders = new Decoders(new URL(decoderBase ?? "decoders/", module), signal);
+  const decoders = new Decoders(new URL(decoderBase), signal);
   const resolve = (uri: string) => addressOf(uri, address.href);
   const shared = options.sharedImages ?? new Map();
   const sources = { file, binary, decoders, resolve, signal, shared };
