@@ -122,10 +122,9 @@ function readDepth(entry: JsonEntry, name: string): Pick<Material, "isWax" | "tr
 }
 
 function readAlpha(entry: JsonEntry): Pick<Material, "alphaMode" | "alphaCutoff"> {
-  const modes = { MASK: "mask", BLEND: "blend" } as const;
   const mode = entry.string("alphaMode");
   return {
-    alphaMode: mode === "MASK" || mode === "BLEND" ? modes[mode] : "opaque",
+    alphaMode: mode === "MASK" ? "mask" : mode === "BLEND" ? "blend" : "opaque",
     alphaCutoff: clamp01(entry.number("alphaCutoff") ?? 0.5),
   };
 }
