@@ -1,10 +1,9 @@
 import { type Action, type Intent, STILL } from "../world/player/intent.js";
+import { beyondDeadZone } from "./gamepads.js";
 
 /** Distance of a thumb for walking pace, CSS pixels; farther is running. */
 const REACH = 60;
 const RUN_REACH = 105;
-/** Dead zone, as a share of `REACH`. */
-const DEAD_ZONE = 0.15;
 /** Radians turned per CSS pixel of a finger: half a turn across a phone held upright. */
 const SENSITIVITY = 0.006;
 /** Distance up to which a finger counts as still, CSS pixels. */
@@ -101,10 +100,9 @@ export class Touch {
     for (const finger of this.#fingers.values()) {
       if (!finger.walks) continue;
       const [dx, dy] = [finger.x - finger.startX, finger.y - finger.startY];
-      const way = Math.hypot(dx, dy);
-      const deflection = Math.min(1, Math.max(0, (way / REACH - DEAD_ZONE) / (1 - DEAD_ZONE)));
-      if (deflection > 0) [forward, right] = [(-dy / way) * deflection, (dx / way) * deflection];
-      runs = way > RUN_REACH;
+      const [x, y] = beyondDeadZone(dx / REACH, dy / REACH);
+      if (x !== 0 || y !== 0) [forward, right] = [-y, x];
+      runs = Math.hypot(dx, dy) > RUN_REACH;
     }
     const intent: Intent = {
       ...STILL,
