@@ -81,7 +81,7 @@ export class PhysicalRenderer implements Renderer {
     const refined = physical.opaque === "refined" ? new RefinedStage(gpu, tier) : null;
     this.#opaque =
       refined ?? (lods ? new DeferredStage(gpu, physical, lods) : new ForwardStage(gpu, tier));
-    const { format, blocks, meterFrag } = this.#opaque;
+    const { format, blocks, meterDefines } = this.#opaque;
     const surfaces = uploadModel(gpu, room, groupTriangles);
     this.#room = sortedByArea(surfaces);
     this.#candle = uploadModel(gpu, candle, groupTriangles);
@@ -92,7 +92,7 @@ export class PhysicalRenderer implements Renderer {
     this.#bloom = isFrugal
       ? new FlameBloomPass(gpu, physical.bloomLevels, format)
       : new FrameBloomPass(gpu, physical.bloomLevels);
-    this.#exposure = new ExposurePass(gpu, meterFrag);
+    this.#exposure = new ExposurePass(gpu, meterDefines);
     this.#display = new DisplayPass(gpu, isFrugal);
     const display = refined && new RefinedDisplayPass(gpu, refined);
     this.#compositeDisplay = display ?? (lods && new CompositeDisplayPass(gpu));

@@ -1,6 +1,5 @@
 import compositeFrag from "../../../shaders/opaque/composite.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
-import meterFrag from "../../../shaders/post/meter-deferred.frag";
 import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { TextureFormat } from "../../gl/texture.js";
@@ -20,7 +19,7 @@ import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "./opaque-stage.js";
 export class DeferredStage implements OpaqueStage {
   readonly format: TextureFormat;
   readonly blocks: FrameBlocks;
-  readonly meterFrag = meterFrag;
+  readonly meterDefines = { DEFERRED: 1 };
   readonly #gpu: Gpu;
   readonly #gbufferPass: GBufferPass;
   readonly #lighting: LightingPass;

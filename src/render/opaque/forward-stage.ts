@@ -1,4 +1,3 @@
-import meterFrag from "../../../shaders/post/meter.frag";
 import type { Box, Draw, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
@@ -61,7 +60,6 @@ function boundsNearFlame({ world, clipFromWorld }: FrameInput, size: Size): Box 
 export class ForwardStage implements OpaqueStage {
   readonly format = "RGBA16F";
   readonly blocks: FrameBlocks;
-  readonly meterFrag = meterFrag;
   readonly #gpu: Gpu;
   readonly #tier: Tier;
   readonly #program: Program;

@@ -1,5 +1,5 @@
 import type { Box } from "../../gl/gpu.js";
-import type { ShaderSource } from "../../gl/program.js";
+import type { ProgramOptions } from "../../gl/program.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { FrameInput, Size } from "../frame-input.js";
@@ -39,8 +39,8 @@ export interface OpaqueStage {
   /** Of radiance, in all stages. */
   readonly format: TextureFormat;
   readonly blocks: FrameBlocks;
-  /** Of the metering pass: it reads the textures, uniforms and blocks of a layer. */
-  readonly meterFrag: ShaderSource;
+  /** Of the metering pass: it reads the textures and blocks of a layer. Default: radiance. */
+  readonly meterDefines?: NonNullable<ProgramOptions["defines"]>;
   /** How many images it has begun, each of another moment. */
   readonly images?: number;
   resize(size: Size): void;

@@ -2,7 +2,7 @@ import exposureFrag from "../../../shaders/post/exposure.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import meterFrag from "../../../shaders/post/meter.frag";
 import type { Gpu } from "../../gl/gpu.js";
-import type { Program, ShaderSource } from "../../gl/program.js";
+import type { Program, ProgramOptions } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
@@ -27,10 +27,10 @@ export class ExposurePass {
   readonly #logLuminance: RenderTarget;
   readonly #exposure: RenderTarget;
 
-  /** @param meter fragment shader that includes `lib/metering.glsl` */
-  constructor(gpu: Gpu, meter: ShaderSource = meterFrag) {
+  /** @param meter defines of the metering pass. Default: it reads radiance */
+  constructor(gpu: Gpu, meter: ProgramOptions["defines"] = {}) {
     this.#gpu = gpu;
-    this.#meterProgram = gpu.program("post/meter", fullscreenVert, meter);
+    this.#meterProgram = gpu.program("post/meter", fullscreenVert, meterFrag, { defines: meter });
     this.#exposureProgram = gpu.program("post/exposure", fullscreenVert, exposureFrag);
     const color = ["RGBA16F"] as const;
     this.#logLuminance = gpu.renderTarget({ label: "exposure/log-luminance", color, ...CELLS });

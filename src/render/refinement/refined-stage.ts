@@ -1,7 +1,6 @@
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import beginFrag from "../../../shaders/refinement/begin.frag";
 import copyFrag from "../../../shaders/refinement/copy-tile.frag";
-import meterFrag from "../../../shaders/refinement/meter.frag";
 import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
@@ -57,7 +56,7 @@ export class RefinedStage implements OpaqueStage {
   readonly format: ForwardStage["format"];
   readonly blocks: FrameBlocks;
   readonly imageLight: ImageLight;
-  readonly meterFrag = meterFrag;
+  readonly meterDefines = { PER_CANDELA: 1 };
   readonly #gpu: Gpu;
   readonly #tier: Tier;
   readonly #forward: ForwardStage;
