@@ -6,16 +6,6 @@
 #include "lib/compile-time.glsl"
 #include "lib/srgb.glsl"
 #include "lib/flame-light.glsl"
-#include "lib/gbuffer.glsl"
-#if REDUCED
-#include "lib/depth.glsl"
-#if REPROJECTED
-#include "lib/reproject.glsl"
-#endif
-#include "lib/upsample-bilateral.glsl"
-#else
-#include "lib/upsample-guided.glsl"
-#endif
 #include "lib/composite.glsl"
 #include "lib/tone-lut.glsl"
 #include "lib/tone-lut-lookup.glsl"

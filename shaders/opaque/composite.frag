@@ -3,16 +3,6 @@
 // Out: radiance, cd/m²; REDUCED: depth at the canvas's size.
 #include "lib/precision.glsl"
 #include "lib/flame-light.glsl"
-#include "lib/gbuffer.glsl"
-#if REDUCED
-#include "lib/depth.glsl"
-#if REPROJECTED
-#include "lib/reproject.glsl"
-#endif
-#include "lib/upsample-bilateral.glsl"
-#else
-#include "lib/upsample-guided.glsl"
-#endif
 #include "lib/composite.glsl"
 
 in vec2 vUv;

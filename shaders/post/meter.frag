@@ -8,8 +8,6 @@
 #include "lib/flame-light.glsl"
 #endif
 #ifdef DEFERRED
-#include "lib/gbuffer.glsl"
-#include "lib/upsample-guided.glsl"
 #include "lib/composite.glsl"
 #else
 uniform sampler2D uRadiance;

@@ -19,7 +19,7 @@ import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "./opaque-stage.js";
 export class DeferredStage implements OpaqueStage {
   readonly format: TextureFormat;
   readonly blocks: FrameBlocks;
-  readonly meterDefines = { DEFERRED: 1 };
+  readonly meterDefines = { DEFERRED: 1, REDUCED: 0 };
   readonly #gpu: Gpu;
   readonly #gbufferPass: GBufferPass;
   readonly #lighting: LightingPass;
