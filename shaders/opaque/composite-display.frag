@@ -8,7 +8,6 @@
 #include "lib/flame-light.glsl"
 #include "lib/composite.glsl"
 #include "lib/tone-lut.glsl"
-#include "lib/tone-lut-lookup.glsl"
 
 #if BLOOM
 uniform sampler2D uBloom;

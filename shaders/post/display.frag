@@ -7,7 +7,6 @@
 #include "lib/display-transform.glsl"
 #if TONE_LUT
 #include "lib/tone-lut.glsl"
-#include "lib/tone-lut-lookup.glsl"
 #else
 #include "lib/hue-lut.glsl"
 #endif

@@ -5,7 +5,6 @@
 #include "lib/srgb.glsl"
 #include "lib/flame-light.glsl"
 #include "lib/tone-lut.glsl"
-#include "lib/tone-lut-lookup.glsl"
 
 uniform sampler2D uRadiance;
 uniform sampler2D uBloom;

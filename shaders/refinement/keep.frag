@@ -6,7 +6,6 @@
 #include "lib/srgb.glsl"
 #include "lib/refined-light.glsl"
 #include "lib/tone-lut.glsl"
-#include "lib/tone-lut-lookup.glsl"
 
 uniform sampler2D uRadiance;
 uniform sampler2D uReference;  // of the dimmer light: refinement/reference.frag
