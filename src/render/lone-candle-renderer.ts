@@ -75,11 +75,9 @@ export class LoneCandleRenderer extends LoneRenderer {
         textures: surface.textures,
         sampling: surfaceSampling({ anisotropy: true }),
         uniforms: {
-          uBaseColor: surface.baseColor,
+          ...surface.uniforms,
           uEnvironment: TAPER.color,
           uPlacement: [x, y, z, HANDLE_TURN],
-          uSurface: surface.parameters,
-          uOcclusionStrength: surface.occlusionStrength,
           uWax: surface.isWax ? 1 : 0,
           uEmber: surface.isWick ? ember : NO_EMBER,
         },

@@ -180,19 +180,14 @@ export class PaperRenderer implements Renderer {
     surfaces: readonly Mesh[],
     uWorldFromModel: readonly number[],
   ): void {
-    for (const { vertexArray, textures, baseColor, occlusionStrength } of surfaces) {
+    for (const { vertexArray, textures, uniforms } of surfaces) {
       this.#gpu.draw({
         program,
         target,
         vertexArray,
         textures,
         sampling: this.#fxaa ? LEVELS : surfaceSampling(this.#tier),
-        uniforms: {
-          uBaseColor: baseColor,
-          uOcclusionStrength: occlusionStrength,
-          uWorldFromModel,
-          uCodesEdges: this.#fxaa ? 1 : 0,
-        },
+        uniforms: { ...uniforms, uWorldFromModel, uCodesEdges: this.#fxaa ? 1 : 0 },
         blocks: { Frame: this.#frame, Light: this.#light },
         depth: "test-and-write",
       });

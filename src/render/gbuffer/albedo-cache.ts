@@ -8,7 +8,8 @@ import type { Mesh } from "../mesh/mesh.js";
 const LONGEST_EDGE = 256;
 
 /** Whether roughness and occlusion are baked into the albedo: for what is neither metal nor cut out. */
-export function isBaked({ parameters: [, metallic, , alphaCutoff] }: Mesh): boolean {
+export function isBaked({ uniforms }: Mesh): boolean {
+  const [, metallic, , alphaCutoff] = uniforms.uSurface;
   return metallic === 0 && alphaCutoff === 0;
 }
 
@@ -63,8 +64,8 @@ export class AlbedoCache {
         defines: { BAKED },
       }),
       target,
-      textures: BAKED ? { uAlbedo, uOcclusionRoughness } : { uAlbedo },
-      ...(BAKED && { uniforms: { uOcclusionStrength: mesh.occlusionStrength } }),
+      textures: mesh.textures,
+      uniforms: { uOcclusionStrength: mesh.uniforms.uOcclusionStrength },
     });
     target.dispose();
     texture.updateMipmaps();

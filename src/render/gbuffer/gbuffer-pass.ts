@@ -263,7 +263,7 @@ export class GBufferPass {
 
   /** `discard` costs all that is drawn later its early depth test, so that only cut-out surfaces have it. */
   #programFor(isReduced: boolean, isCached: boolean, mesh: Mesh): Program {
-    const ALPHA_TESTED = mesh.parameters[3] > 0 ? 1 : 0;
+    const ALPHA_TESTED = mesh.uniforms.uSurface[3] > 0 ? 1 : 0;
     const BAKED = isBaked(mesh) ? 1 : 0;
     const UNTEXTURED = BAKED && mesh.isUntextured ? 1 : 0;
     const detail = isCached ? { BAKED, UNTEXTURED } : { REDUCED: isReduced ? 1 : 0 };
@@ -301,17 +301,15 @@ export class GBufferPass {
       textures: cached ? { ...mesh.textures, uGamma2Albedo: cached } : mesh.textures,
       sampling: isReduced ? REDUCED_SAMPLING : {},
       uniforms: {
-        uBaseColor: mesh.baseColor,
+        ...mesh.uniforms,
         uPlacement: placement,
-        uSurface: mesh.parameters,
         uMaterial: mesh.isPane ? MATERIAL.glass : mesh.isWax && translucency ? MATERIAL.wax : 0,
         uCaptureOrigin: this.#shadingOrigin(frame),
-        ...(isReduced && { uIsHeld: isHeld ? 1 : 0 }),
+        uIsHeld: isHeld ? 1 : 0,
         ...(cached && {
-          uBaseColor: gamma2(mesh.baseColor),
+          uBaseColor: gamma2(mesh.uniforms.uBaseColor),
           uRotation: [Math.cos(placement[3]), Math.sin(placement[3])],
         }),
-        ...(!(cached && isBaked(mesh)) && { uOcclusionStrength: mesh.occlusionStrength }),
       },
       blocks: { Frame: this.#frame },
       depth: "test-and-write",
@@ -333,6 +331,6 @@ function samplesOf({ colors: [albedo, surface], depth }: RenderTarget): GBufferS
   return { albedo, surface, depth };
 }
 
-function gamma2([red, green, blue, opacity]: Mesh["baseColor"]): Mesh["baseColor"] {
+function gamma2([red, green, blue, opacity]: Mesh["uniforms"]["uBaseColor"]) {
   return [Math.sqrt(red), Math.sqrt(green), Math.sqrt(blue), opacity];
 }

@@ -136,7 +136,6 @@ function* drawRayReflectance(
   for (const { part, first, count } of runs) {
     const surface = surfaces[part];
     if (!surface) continue;
-    const { uAlbedo, uNormal, uOcclusionRoughness } = surface.textures;
     for (let drawn = 0; drawn < count; drawn += HITS) {
       gpu.draw({
         program,
@@ -145,12 +144,8 @@ function* drawRayReflectance(
         primitive: "points",
         first: first + drawn,
         count: Math.min(HITS, count - drawn),
-        uniforms: {
-          uSize: [target.width, target.height],
-          uBaseColor: surface.baseColor,
-          uSurface: surface.parameters,
-        },
-        textures: { uAlbedo, uNormal, uOcclusionRoughness },
+        uniforms: { uSize: [target.width, target.height], ...surface.uniforms },
+        textures: surface.textures,
       });
       yield;
     }

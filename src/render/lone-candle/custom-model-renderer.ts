@@ -186,9 +186,7 @@ function surfaceOf(mesh: Mesh): Surface {
     mesh,
     isClear,
     uniforms: {
-      uBaseColor: mesh.baseColor,
-      uSurface: mesh.parameters,
-      uOcclusionStrength: mesh.occlusionStrength,
+      ...mesh.uniforms,
       uWax: material.isWax ? 1 : 0,
       uWick: mesh.isWick ? 1 : 0,
       uTransmission: material.transmission,

@@ -25,10 +25,6 @@ export interface Mesh {
   readonly clusters: readonly Cluster[];
   /** Of all triangles, m²; 0 if they were not grouped. */
   readonly area: number;
-  readonly baseColor: readonly [number, number, number, number];
-  /** Roughness, metallic, normal scale, alpha cutoff. */
-  readonly parameters: readonly [number, number, number, number];
-  readonly occlusionStrength: number;
   readonly isDoubleSided: boolean;
   readonly isGlossy: boolean;
   readonly isCutOut: boolean;
@@ -37,6 +33,13 @@ export interface Mesh {
   readonly isWick: boolean;
   /** Whether it is glass before the dark. */
   readonly isPane: boolean;
+  /** Of `lib/material.glsl`, as the textures. */
+  readonly uniforms: {
+    readonly uBaseColor: readonly [number, number, number, number];
+    readonly uOcclusionStrength: number;
+    /** Roughness, metallic, normal scale, alpha cutoff. */
+    readonly uSurface: readonly [number, number, number, number];
+  };
   readonly textures: {
     readonly uAlbedo: Texture;
     readonly uNormal: Texture;
@@ -88,16 +91,18 @@ export function uploadPart(gpu: Gpu, part: Part, group?: (part: Part) => Grouped
       vertexArray: uploadTriangles(gpu, { ...part, indices }),
       clusters,
       area,
-      baseColor: material.baseColor,
-      parameters: parametersOf(material),
-      // An occlusion map with UVs of its own is left out: shadows do its work.
-      occlusionStrength: material.occlusion ? 0 : material.occlusionStrength,
       isDoubleSided: material.isDoubleSided,
       ...kindOf(material),
       isUntextured: !albedo.source && !normal.source && !packed.source,
       isWax: material.name === "wax" || material.name === "pool",
       isWick: isWick(material.name) || isWick(part.name),
       isPane: material.name === "pane",
+      uniforms: {
+        uBaseColor: material.baseColor,
+        // An occlusion map with UVs of its own is left out: shadows do its work.
+        uOcclusionStrength: material.occlusion ? 0 : material.occlusionStrength,
+        uSurface: surfaceNumbers(material),
+      },
       textures: {
         uAlbedo: textureOf(gpu, albedo) ?? plainTexture(gpu, "white", WHITE),
         uNormal: textureOf(gpu, normal) ?? plainTexture(gpu, "flat normal", FLAT_NORMAL),
@@ -158,7 +163,7 @@ export function kindOf({ isGlossy, alphaMode }: Material): Pick<Mesh, "isGlossy"
   return { isGlossy, isCutOut: alphaMode !== "opaque" };
 }
 
-function parametersOf({ roughness, metallic, normalScale, alphaMode, alphaCutoff }: Material) {
+function surfaceNumbers({ roughness, metallic, normalScale, alphaMode, alphaCutoff }: Material) {
   const nothingBelow = alphaMode === "opaque" ? 0 : alphaMode === "mask" ? alphaCutoff : 0.5;
   return [roughness, metallic, normalScale, nothingBelow] as const;
 }

@@ -19,7 +19,7 @@ export function normalMapVisibilityProgram(gpu: Gpu): Program {
 export function normalMapVisibilityOf(gpu: Gpu, mesh: Mesh): Texture {
   return gpu.share(mesh, () => {
     const { uNormal } = mesh.textures;
-    const [, , uNormalScale] = mesh.parameters;
+    const [, , uNormalScale] = mesh.uniforms.uSurface;
     const target = gpu.renderTarget({
       label: "normal-map visibility",
       width: LEVELS,

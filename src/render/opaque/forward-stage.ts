@@ -294,10 +294,8 @@ export class ForwardStage implements OpaqueStage {
       },
       sampling: surfaceSampling(this.#tier),
       uniforms: {
-        uBaseColor: mesh.baseColor,
+        ...mesh.uniforms,
         uPlacement: placement,
-        uSurface: mesh.parameters,
-        uOcclusionStrength: mesh.occlusionStrength,
         ...(!isNight && {
           uWax: mesh.isWax && translucency ? 1 : 0,
           uIsWick: mesh.isWick ? 1 : 0,

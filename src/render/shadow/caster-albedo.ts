@@ -29,7 +29,7 @@ export function* casterAlbedoOf(gpu: Gpu, surfaces: readonly Mesh[]): Steps<Text
   const { target } = albedo;
   while (albedo.drawn < surfaces.length) {
     const i = albedo.drawn++;
-    const { textures, baseColor, parameters } = surfaces[i]!;
+    const { textures, uniforms } = surfaces[i]!;
     gpu.draw({
       program: gpu.program("shadow/caster-albedo", fullscreenVert, casterAlbedoFrag),
       target,
@@ -40,7 +40,7 @@ export function* casterAlbedoOf(gpu: Gpu, surfaces: readonly Mesh[]): Steps<Text
         TILE.height,
       ],
       textures,
-      uniforms: { uBaseColor: baseColor, uSurface: parameters, uTile: i },
+      uniforms: { ...uniforms, uTile: i },
     });
     yield;
   }
