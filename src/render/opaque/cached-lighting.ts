@@ -10,7 +10,7 @@ import type { UniformBlock } from "../../gl/uniform-block.js";
 import { luma, type Rgb } from "../../light/color.js";
 import { TAPER } from "../../light/flame-light.js";
 import type { CachedLight } from "../cached-light.js";
-import type { FrameInput } from "../frame-input.js";
+import type { FrameInput, Size } from "../frame-input.js";
 import type { GBuffer } from "../gbuffer/gbuffer.js";
 import { lightBlock } from "../light-block.js";
 import type { ShadowQuality } from "../quality.js";
@@ -29,6 +29,30 @@ export function representativeColor(flame: Rgb, lights: readonly CachedLight[]):
   const [{ intensity } = { intensity: flame }] = lights;
   const scale = Math.max(luma(intensity), 1e-9);
   return [intensity[0] / scale, intensity[1] / scale, intensity[2] / scale];
+}
+
+/** What all deferred lighting reads, at one of its sizes. */
+export function lightingInputs(
+  { settings, clipFromWorld }: FrameInput,
+  { surface, depth, albedo, representative }: GBuffer,
+  { width, height }: Size,
+) {
+  const worldFromClip = mat4.invert(mat4.create(), clipFromWorld);
+  if (!worldFromClip) throw new Error("The camera's matrix has no inverse.");
+  const { shadows, indirect, specular } = settings.features;
+  return {
+    textures: {
+      uGBufferSurface: surface,
+      uGBufferAlbedo: albedo,
+      uDepth: depth,
+      ...(representative && { uRepresentative: representative }),
+    },
+    uniforms: {
+      uFeatures: [shadows, indirect, specular].map(Number),
+      uLightingSize: [width, height],
+      uWorldFromClip: worldFromClip as Float32Array,
+    },
+  };
 }
 
 /** Deferred lighting at rest by cached lights, each in a texture of its own, and their sum with the flame's. */
@@ -107,49 +131,32 @@ export class CachedLighting {
     return { uLighting, Light: this.#block };
   }
 
-  #target(name: string, size: { readonly width: number; readonly height: number }): RenderTarget {
+  #target(name: string, size: Size): RenderTarget {
     return this.#gpu.renderTarget({ label: `lighting/${name}`, ...size, color: [this.#format] });
   }
 
   /** The lighting by one light, which stays until camera, models or the light have moved. */
-  *#layerOf(
-    light: CachedLight,
-    { settings, clipFromWorld }: FrameInput,
-    { surface, depth, albedo, representative, key: gbufferKey }: GBuffer,
-    size: { readonly width: number; readonly height: number },
-  ): Steps<Texture> {
+  *#layerOf(light: CachedLight, frame: FrameInput, gbuffer: GBuffer, size: Size): Steps<Texture> {
     const known = this.#layers.get(light.name);
     const layer = known ?? { target: this.#target(light.name, size), key: "" };
     this.#layers.set(light.name, layer);
-    const { shadows, indirect, specular } = settings.features;
-    const key = JSON.stringify([gbufferKey, light.key, shadows, indirect, specular]);
+    const { shadows, indirect, specular } = frame.settings.features;
+    const key = JSON.stringify([gbuffer.key, light.key, shadows, indirect, specular]);
     if (layer.key === key) return layer.target.color;
     layer.key = key;
-    const worldFromClip = mat4.invert(mat4.create(), clipFromWorld);
-    if (!worldFromClip) throw new Error("The camera's matrix has no inverse.");
+    const { textures, uniforms } = lightingInputs(frame, gbuffer, size);
     const isMoon = light.kind === "moon";
     this.#gpu.draw({
       program: isMoon ? this.#moonProgram : this.#flameProgram,
       target: layer.target,
       textures: {
-        uGBufferSurface: surface,
-        ...(isMoon && { uGBufferAlbedo: albedo }),
-        uDepth: depth,
-        ...(representative && { uRepresentative: representative }),
-        ...(isMoon
-          ? { uMoonMap: light.shadow }
-          : {
-              uShadow: light.shadow,
-              uSupport: light.irradiance.support,
-              ...light.irradiance.surfels,
-            }),
+        ...textures,
+        [isMoon ? "uMoonMap" : "uShadow"]: light.shadow,
+        uSupport: light.irradiance.support,
+        ...light.irradiance.surfels,
         ...light.irradiance.textures,
       },
-      uniforms: {
-        uFeatures: [shadows, indirect, specular].map(Number),
-        uLightingSize: [size.width, size.height],
-        uWorldFromClip: worldFromClip as Float32Array,
-      },
+      uniforms,
       blocks: {
         Frame: this.#frame,
         [isMoon ? "Moon" : "Light"]: light.block,

@@ -1,4 +1,3 @@
-import { mat4 } from "gl-matrix";
 import gatherFrag from "../../../shaders/opaque/gather-inverse-depth.frag";
 import lightingFrag from "../../../shaders/opaque/lighting.frag";
 import moonFrag from "../../../shaders/opaque/moon-lighting.frag";
@@ -17,7 +16,7 @@ import { type CaptureLight, lightBlock, shadingLight } from "../light-block.js";
 import type { PhysicalTier, ShadowQuality } from "../quality.js";
 import { SCHEDULE } from "../schedule.js";
 import type { Steps } from "../steps.js";
-import { representativeColor } from "./cached-lighting.js";
+import { lightingInputs, representativeColor } from "./cached-lighting.js";
 import { MultiLightInputs } from "./multi-light-inputs.js";
 import type { OpaqueLayer } from "./opaque-stage.js";
 
@@ -131,7 +130,7 @@ export class LightingPass {
     gbuffer: GBuffer,
     { shadow, irradiance, cached }: Captures,
   ): Steps<Lit> {
-    const { kind, surface, depth, representative, key: gbufferKey, reprojection } = gbuffer;
+    const { kind, reprojection } = gbuffer;
     const isReduced = kind !== "full";
     const target = isReduced ? this.#reducedTarget : this.#fullTarget;
     if (!target || !this.#gathered) throw new Error("Lighting has no size yet.");
@@ -159,31 +158,14 @@ export class LightingPass {
     const staysNear = canDefer && !isReduced && areOneStepApart(exact, this.#light ?? exact, steps);
     const light = staysNear ? (this.#light ?? exact) : exact;
     this.#light = light;
-    const key = JSON.stringify([
-      gbufferKey,
-      light,
-      irradiance.revision,
-      shadows,
-      indirect,
-      specular,
-    ]);
+    const { revision } = irradiance;
+    const key = JSON.stringify([gbuffer.key, light, revision, shadows, indirect, specular]);
     if (key === this.#key && !this.#isOfAll) return lit;
     this.#key = key;
     this.#shadingLight.update(light);
-    const worldFromClip = mat4.invert(mat4.create(), frame.clipFromWorld);
-    if (!worldFromClip) throw new Error("The camera's matrix has no inverse.");
     const program = isReduced ? this.reducedProgram(cached) : this.full;
     const all = this.#isOfAll ? this.#ofAll(frame, program, { shadow, irradiance, cached }) : null;
-    const textures = {
-      uGBufferSurface: surface,
-      uDepth: depth,
-      ...(representative && { uRepresentative: representative }),
-    };
-    const uniforms = {
-      uFeatures: [shadows, indirect, specular].map(Number),
-      uLightingSize: [target.width, target.height],
-      uWorldFromClip: worldFromClip as Float32Array,
-    };
+    const { textures, uniforms } = lightingInputs(frame, gbuffer, target);
     yield;
     const moon = isReduced ? moonOf(cached) : null;
     const uMoonLighting = this.#reducedMoon;
@@ -191,7 +173,7 @@ export class LightingPass {
       this.#gpu.draw({
         program: this.#reducedMoonProgram,
         target: uMoonLighting,
-        textures: { ...textures, uGBufferAlbedo: gbuffer.albedo, uMoonMap: moon.shadow },
+        textures: { ...textures, uMoonMap: moon.shadow },
         uniforms,
         blocks: { Frame: this.frame, Moon: moon.block },
       });
@@ -205,7 +187,7 @@ export class LightingPass {
         uShadow: shadow.depth,
         ...irradiance.textures,
         uSupport: irradiance.support,
-        ...(!isReduced && irradiance.surfels),
+        ...irradiance.surfels,
         ...all?.textures,
         ...(moon && uMoonLighting && { uMoonLighting: uMoonLighting.color }),
       },
