@@ -1,4 +1,3 @@
-import { mat4 } from "gl-matrix";
 import supportFrag from "../../../shaders/gi/support-radiosity.frag";
 import totalRadiosityFrag from "../../../shaders/gi/total-radiosity.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
@@ -62,7 +61,7 @@ export class SurfelPass extends Surfels {
 
   capture(casters: ShadowCasters, captureOrigin: Vec3, face: number): void {
     const { size } = this;
-    const uClipFromWorld = clipFromFace(face, captureOrigin, mat4.create()) as Float32Array;
+    const uClipFromWorld = clipFromFace(face, captureOrigin, -1);
     const uniforms = { uClipFromWorld, uCaptureOrigin: captureOrigin };
     this.draw(casters, { viewport: [face * size, 0, size, size], uniforms }, (box) =>
       isInCubeFace(face, captureOrigin, box),

@@ -1,4 +1,3 @@
-import { mat4 } from "gl-matrix";
 import shadowFrag from "../../../shaders/candle/custom-shadow.frag";
 import cubeFaceVert from "../../../shaders/shadow/cube-face.vert";
 import type { Gpu } from "../../gl/gpu.js";
@@ -7,7 +6,7 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { Vec3 } from "../../world/geometry.js";
 import type { Mesh } from "../mesh/mesh.js";
-import { FACES, viewOfFace } from "../shadow/cube-map.js";
+import { clipFromFace, FACES } from "../shadow/cube-map.js";
 
 const NEAR = 0.003;
 const FAR = 20;
@@ -49,19 +48,15 @@ export class FlameShadows {
     if (this.#isDrawn) return texture;
     this.#isDrawn = true;
     this.#gpu.clear(this.#target, NOTHING);
-    const projection = mat4.perspective(mat4.create(), Math.PI / 2, 1, NEAR, FAR);
     for (const [tile, [x, y, z]] of roots.entries()) {
       const flame: Vec3 = [x, y + MIDDLE, z];
-      for (const face of FACES.keys()) {
-        const clip = viewOfFace(face, flame, 1);
-        mat4.multiply(clip, projection, clip);
-        this.#drawFace(tile, face, clip, flame, casters);
-      }
+      for (const face of FACES.keys()) this.#drawFace(tile, face, flame, casters);
     }
     return texture;
   }
 
-  #drawFace(tile: number, face: number, clip: mat4, flame: Vec3, casters: readonly Mesh[]): void {
+  #drawFace(tile: number, face: number, uFlame: Vec3, casters: readonly Mesh[]): void {
+    const uClipFromWorld = clipFromFace(face, uFlame, 1, NEAR, FAR);
     const across = this.tiles[0];
     const side = this.face;
     const column = (tile % across) * 3 + (face % 3);
@@ -72,7 +67,7 @@ export class FlameShadows {
         target: this.#target,
         vertexArray,
         viewport: [column * side, row * side, side, side],
-        uniforms: { uClipFromWorld: new Float32Array(clip), uFlame: flame },
+        uniforms: { uClipFromWorld, uFlame },
         depth: "test-and-write",
         cull: "none",
       });

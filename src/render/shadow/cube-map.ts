@@ -12,21 +12,24 @@ export const FACES = [0, 1, 2, 3, 4, 5].map((face) => ({
 }));
 
 /**
- * View from `origin` (metres) through one face of a cube.
+ * Clip space of one face of a cube around `origin` (metres), from world space.
  *
  * @param up vertical direction that is up in the view through the four sides. 1: in an atlas, -1: in GL's cube maps
+ * @param near plane, as `far`, metres
  */
-export function viewOfFace(face: number, origin: Readonly<Vec3>, up: number): mat4 {
+export function clipFromFace(
+  face: number,
+  origin: Readonly<Vec3>,
+  up: 1 | -1,
+  near = NEAR,
+  far = FAR,
+): Float32Array {
   const { axis, sign } = FACES[face]!;
   const ahead: Vec3 = [...origin];
   ahead[axis]! += sign;
-  return mat4.lookAt(mat4.create(), origin, ahead, axis === 1 ? [0, 0, sign] : [0, up, 0]);
-}
-
-/** Clip space of one face of a cube around `origin` (metres), from world space. */
-export function clipFromFace(face: number, origin: Vec3, out: mat4): mat4 {
-  const clipFromView = mat4.perspective(mat4.create(), Math.PI / 2, 1, NEAR, FAR);
-  return mat4.multiply(out, clipFromView, viewOfFace(face, origin, -1));
+  const clip = mat4.lookAt(mat4.create(), origin, ahead, axis === 1 ? [0, 0, sign] : [0, up, 0]);
+  const clipFromView = mat4.perspective(mat4.create(), Math.PI / 2, 1, near, far);
+  return mat4.multiply(clip, clipFromView, clip) as Float32Array;
 }
 
 /**
