@@ -13,3 +13,8 @@ vec3 lookUpTone(vec3 light) {
   vec3 uvw = sqrt(sqrt(light));
   return texture(uToneLut, uvw * ((TONE_LUT_SIZE - 1.0) / TONE_LUT_SIZE) + 0.5 / TONE_LUT_SIZE).rgb;
 }
+
+// The same of light that may exceed the table: it keeps its hue.
+vec3 lookUpToneOfHue(vec3 light) {
+  return lookUpTone(light / max(max(light.r, light.g), max(light.b, 1.0)));
+}

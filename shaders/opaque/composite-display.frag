@@ -29,8 +29,6 @@ void main() {
   radiance += texture(uBloom, vUv + uGlareOffset).rgb * uGlareShare;
 #endif
   vec3 exposed = max(radiance, 0.0) * uWhiteBalance * (vExposure / TONE_LUT_MAX);
-  // What exceeds the table keeps its hue.
-  exposed /= max(max(exposed.r, exposed.g), max(exposed.b, 1.0));
   // The same dither for all channels.
-  oColor = vec4(lookUpTone(exposed) + dither(gl_FragCoord.xy).r, REDUCED == 1 ? albedo.a : 1.0);
+  oColor = vec4(lookUpToneOfHue(exposed) + dither(gl_FragCoord.xy).r, REDUCED == 1 ? albedo.a : 1.0);
 }

@@ -34,9 +34,7 @@ float glareFade() {
 #endif
 
 vec3 shown(vec3 radiance) {
-  vec3 exposed = radiance * uWhiteBalance * (vExposure / TONE_LUT_MAX);
-  // What exceeds the table keeps its hue.
-  return lookUpTone(exposed / max(max(exposed.r, exposed.g), max(exposed.b, 1.0)));
+  return lookUpToneOfHue(radiance * uWhiteBalance * (vExposure / TONE_LUT_MAX));
 }
 
 void main() {

@@ -14,16 +14,11 @@ uniform vec3 uWhiteBalance;    // of a flame of 1 cd
 layout(location = 0) out vec4 oDimmer;
 layout(location = 1) out vec4 oBrighter;
 
-vec4 shown(vec3 exposed) {
-  // What exceeds the table keeps its hue.
-  return vec4(lookUpTone(exposed / max(max(exposed.r, exposed.g), max(exposed.b, 1.0))), 1.0);
-}
-
 void main() {
   vec3 gain = uWhiteBalance * (frame.exposure * exp2(texelFetch(uReference, ivec2(0), 0).r) / TONE_LUT_MAX);
   vec3 exposed = texelFetch(uRadiance, ivec2(gl_FragCoord.xy), 0).rgb * gain;
   // The same dither for all channels, and for both.
-  vec4 dithered = vec4(vec3(dither(gl_FragCoord.xy).r), 0.0);
-  oDimmer = shown(exposed) + dithered;
-  oBrighter = shown(exposed * REFERENCE_RATIO) + dithered;
+  float dithering = dither(gl_FragCoord.xy).r;
+  oDimmer = vec4(lookUpToneOfHue(exposed) + dithering, 1.0);
+  oBrighter = vec4(lookUpToneOfHue(exposed * REFERENCE_RATIO) + dithering, 1.0);
 }
