@@ -42,8 +42,6 @@ import { HANDLE_TURN } from "./volumetric/flame-pass.js";
 import { flamePart, VolumetricStage } from "./volumetric/volumetric-stage.js";
 import { type CompositedFrame, RadianceTarget } from "./volumetric/volumetric-target.js";
 
-const BLACK = [0, 0, 0, 1] as const;
-
 /**
  * The physical look: a room in the light of a flame, in candela and metres.
  *
@@ -249,7 +247,7 @@ export class PhysicalRenderer implements Renderer {
     regions: readonly Box[],
   ): Steps {
     const target = this.#compositedFrame(layer.depth);
-    if (flamePart(frame.settings.inspect)) this.#gpu.clear(target.target, BLACK);
+    if (flamePart(frame.settings.inspect)) this.#gpu.clear(target.target, [0, 0, 0, 1]);
     else for (const region of regions) this.#opaque.composite(frame, layer, target, region);
     yield;
     this.#volumetric.render(frame, target, irradiance);

@@ -14,7 +14,6 @@ import type { Tier } from "../quality.js";
 import type { Renderer } from "../renderer.js";
 import type { SmokePass } from "../volumetric/smoke-pass.js";
 
-const NOTHING = [0, 0, 0, 0] as const;
 const ADAPTATION = adaptation(TAPER.color);
 /** Vision of an eye that is adapted to candlelight. */
 const LIT = nightVision(0);
@@ -102,7 +101,7 @@ export abstract class LoneRenderer implements Renderer {
       projectionScale: projectionScale(height),
       normalMaps: features.normalMaps ? 1 : 0,
     });
-    this.gpu.clear(target, NOTHING);
+    this.gpu.clear(target, [0, 0, 0, 0]);
     return { target, clip };
   }
 

@@ -8,8 +8,6 @@ import type { Texture } from "../../gl/texture.js";
 import type { Size } from "../frame-input.js";
 import type { GBuffer } from "../gbuffer/gbuffer.js";
 
-const NOTHING = [0, 0, 0, 0] as const;
-
 /** A supersampled G-buffer. */
 export type GBufferSamples = Pick<GBuffer, "albedo" | "surface" | "depth">;
 
@@ -82,7 +80,7 @@ export class UpsampleGuidePass {
     { width, height }: Size,
     scissor?: Box,
   ): void {
-    this.#gpu.clear(this.resolved, NOTHING, scissor);
+    this.#gpu.clear(this.resolved, [0, 0, 0, 0], scissor);
     this.#gpu.draw({
       program: this.#guide,
       target: this.resolved,

@@ -13,7 +13,6 @@ import { TILE } from "./tiles.js";
 
 /** Edge of the blocks that it is drawn in, pixels. */
 const BLOCK = 4 * TILE;
-const NO_COLOR = [0, 0, 0, 0] as const;
 
 /** Depth of a frame's meshes, a block at a time: a software renderer shades what depth then hides. */
 export class DepthPrepass {
@@ -47,7 +46,7 @@ export class DepthPrepass {
     if (view !== this.#view) {
       this.#view = view;
       this.#drawn.clear();
-      this.#gpu.clear(target, NO_COLOR);
+      this.#gpu.clear(target, [0, 0, 0, 0]);
     }
     const corner = [Math.floor(x / BLOCK) * BLOCK, Math.floor(y / BLOCK) * BLOCK] as const;
     if (!this.#drawn.has(`${corner}`)) this.#draw(frame, target, [...corner, BLOCK, BLOCK]);

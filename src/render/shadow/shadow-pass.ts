@@ -12,7 +12,6 @@ import type { ShadowCasters } from "./shadow-casters.js";
 
 /** Width of a face's tile as a share of the face's: `SHADOW_REACH` of `shaders/lib/shadow-tiles.glsl`. */
 const REACH = 1.125;
-const NO_COLOR = [0, 0, 0, 0] as const;
 
 export type ShadowAtlas = Readonly<ReturnType<typeof shadowAtlas>>;
 
@@ -125,7 +124,7 @@ export class ShadowPass {
     this.#age = 0;
     this.#lastOrigin = [...captureOrigin];
     const { target, tile, near, depth } = this.#atlas;
-    this.#gpu.clear(target, NO_COLOR, [0, 2 * tile * this.#slot, 3 * tile, 2 * tile]);
+    this.#gpu.clear(target, [0, 0, 0, 0], [0, 2 * tile * this.#slot, 3 * tile, 2 * tile]);
     for (const face of FACES.keys()) {
       casters.draw(
         {
