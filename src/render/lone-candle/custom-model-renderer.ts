@@ -7,7 +7,6 @@ import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
-import type { UniformBlock } from "../../gl/uniform-block.js";
 import { carriedFlame, type RootedFlame, TAPER } from "../../light/flame-light.js";
 import type { Bounds } from "../../world/geometry.js";
 import type { Wick } from "../../world/standing-candle.js";
@@ -36,12 +35,14 @@ const TAPS = { low: 6, medium: 14, high: 24, ultra: 24 } as const;
 const FACE = { low: 64, others: 128 } as const;
 
 /** GPU objects of one model on a context that others draw on, too. */
-interface Resources {
-  readonly meshes: readonly Mesh[];
-  readonly shadows: FlameShadows;
-  readonly frame: UniformBlock;
-  readonly flames: UniformBlock;
-  readonly flame: FlamePass;
+function createResources(gpu: Gpu, program: Program, model: Model, flames: number, face: number) {
+  return {
+    meshes: uploadModel(gpu, model),
+    shadows: new FlameShadows(gpu, flames, face),
+    frame: gpu.uniformBlock(program, "Frame"),
+    flames: gpu.uniformBlock(program, "Flames"),
+    flame: new FlamePass(gpu),
+  };
 }
 
 /** Light of a frame, beside its flames. */
@@ -66,7 +67,7 @@ interface Surface {
 export class CustomModelRenderer extends LoneRenderer {
   readonly #surfaceProgram: Program;
   readonly #displayProgram: Program;
-  readonly #resources: Resources;
+  readonly #resources: ReturnType<typeof createResources>;
   readonly #release: () => void;
   readonly #surfaces: readonly Surface[];
   readonly #casters: readonly Mesh[];
@@ -82,7 +83,9 @@ export class CustomModelRenderer extends LoneRenderer {
     });
     this.#displayProgram = gpu.program("candle/custom-display", fullscreenVert, displayFrag);
     const face = tier.name === "low" ? FACE.low : FACE.others;
-    const { made, release } = gpu.scoped(() => this.#create(model, wicks.length, face));
+    const { made, release } = gpu.scoped(() =>
+      createResources(gpu, this.#surfaceProgram, model, wicks.length, face),
+    );
     this.#resources = made;
     this.#release = release;
     this.#surfaces = made.meshes.map(surfaceOf);
@@ -91,17 +94,6 @@ export class CustomModelRenderer extends LoneRenderer {
       this.#casters.map(({ part }) => part),
       wicks.map(({ position }) => position),
     );
-  }
-
-  #create(model: Model, flames: number, face: number): Resources {
-    const { gpu } = this;
-    return {
-      meshes: uploadModel(gpu, model),
-      shadows: new FlameShadows(gpu, flames, face),
-      frame: gpu.uniformBlock(this.#surfaceProgram, "Frame"),
-      flames: gpu.uniformBlock(this.#surfaceProgram, "Flames"),
-      flame: new FlamePass(gpu),
-    };
   }
 
   protected drawFrame(world: World, settings: FrameSettings): void {
