@@ -6,28 +6,11 @@ import type { Size } from "./frame-input.js";
 /** A bounding sphere: x, y, z, radius, metres. */
 export type Sphere = readonly [number, number, number, number];
 
-interface Grid {
-  readonly rows: number;
-  readonly columns: number;
-}
-
-/** Edges of a rectangle on the frame, pixels. */
-interface Extent {
-  readonly left: number;
-  readonly bottom: number;
-  readonly right: number;
-  readonly top: number;
-}
-
 /** Points nearer than this along the view axis may project anywhere, metres. */
 const NEAREST = 0.01;
 
-/** Bounding rectangle of the projected cubes around spheres; null where it is unbounded. */
-export function projectedExtent(
-  spheres: Iterable<Sphere>,
-  clip: mat4,
-  { width, height }: Size,
-): Extent | null {
+/** Edges of the projected cubes around spheres, pixels; null where they are unbounded. */
+export function projectedExtent(spheres: Iterable<Sphere>, clip: mat4, { width, height }: Size) {
   let [left, bottom, right, top] = [Infinity, Infinity, -Infinity, -Infinity];
   for (const [x, y, z, radius] of spheres) {
     for (let corner = 0; corner < 8; corner++) {
@@ -142,7 +125,10 @@ export function bandOf(size: Size, band: number, count: number): Box {
 }
 
 /** A frame cut into rows and columns of boxes. */
-export function tiles({ width, height }: Size, { rows, columns }: Grid): Box[] {
+export function tiles(
+  { width, height }: Size,
+  { rows, columns }: Readonly<Record<"rows" | "columns", number>>,
+): Box[] {
   const edge = (length: number, count: number, i: number) => Math.round((length * i) / count);
   return Array.from({ length: rows * columns }, (_, i) => {
     const [row, column] = [Math.floor(i / columns), i % columns];
