@@ -41,8 +41,10 @@ export interface Survey {
   readonly findings: readonly Finding[];
 }
 
-/** What a call rejects with when the browser's process has ended. */
-const ENDED = /closed|crash|disconnected|fetch failed/i;
+/** What a call rejects with when the browser's process has ended: WebKit's driver may say no more than that. */
+const ENDED = /closed|crash|disconnected|fetch failed|invalid session id|unknown error: *$/i;
+/** So often something is tried in browsers that end by themselves: one that we make crash crashes each time. */
+const ATTEMPTS = 3;
 
 /** A pair's browser, launched anew where it hung or ended. */
 export class Session {
@@ -60,9 +62,9 @@ export class Session {
 
   /**
    * Does something with the visitor. The browser of one that hung is no more used; where one ended by itself, as
-   * WebKit's was seen to, it is done once more in another.
+   * WebKit's was seen to, within the software driver, it is done again in another.
    */
-  async use<Result>(run: (visitor: Visitor) => Promise<Result>, isFirst = true): Promise<Result> {
+  async use<Result>(run: (visitor: Visitor) => Promise<Result>, attempt = 1): Promise<Result> {
     const visitor = await this.visitor;
     try {
       return await run(visitor);
@@ -72,9 +74,9 @@ export class Session {
         this.#visitor = null;
         await visitor.close();
       }
-      if (!hasEnded || !isFirst) throw error;
-      console.log(`${this.pair.name}: the browser ended by itself (${error}); once more`);
-      return this.use(run, false);
+      if (!hasEnded || attempt === ATTEMPTS) throw error;
+      console.log(`${this.pair.name}: the browser ended by itself (${error}); again`);
+      return this.use(run, attempt + 1);
     }
   }
 
