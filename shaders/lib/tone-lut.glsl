@@ -15,6 +15,6 @@ vec3 lookUpTone(vec3 light) {
 }
 
 // The same of light that may exceed the table: it keeps its hue.
-vec3 lookUpToneOfHue(vec3 light) {
+vec3 lookUpTonePreservingHue(vec3 light) {
   return lookUpTone(light / max(max(light.r, light.g), max(light.b, 1.0)));
 }

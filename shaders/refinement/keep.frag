@@ -19,6 +19,6 @@ void main() {
   vec3 exposed = texelFetch(uRadiance, ivec2(gl_FragCoord.xy), 0).rgb * gain;
   // The same dither for all channels, and for both.
   float dithering = dither(gl_FragCoord.xy).r;
-  oDimmer = vec4(lookUpToneOfHue(exposed) + dithering, 1.0);
-  oBrighter = vec4(lookUpToneOfHue(exposed * REFERENCE_RATIO) + dithering, 1.0);
+  oDimmer = vec4(lookUpTonePreservingHue(exposed) + dithering, 1.0);
+  oBrighter = vec4(lookUpTonePreservingHue(exposed * REFERENCE_RATIO) + dithering, 1.0);
 }
