@@ -7,3 +7,6 @@ centroid in vec3 vNormalWorld;
 centroid in vec4 vTangentWorld;
 centroid in vec2 vUv;
 centroid in vec4 vColor;
+
+// Bias of the level of detail: the hardware's choice blurs more than a pixel.
+const float LOD_BIAS = -0.5;

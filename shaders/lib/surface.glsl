@@ -2,8 +2,6 @@
 // Needs lib/frame.glsl, lib/normal-map.glsl, lib/environment-brdf.glsl.
 #include "lib/mesh-fragment.glsl"
 
-// Bias of the level of detail: the hardware's choice blurs more than a pixel.
-const float LOD_BIAS = -0.5;
 // Share of the probes' light that surfaces nearer than their spacing occlude, by the baked occlusion. Fitted to a path
 // tracer's indirect light in the cabin's views (`npm run reference`).
 const float NEAR_OCCLUSION = 0.5;

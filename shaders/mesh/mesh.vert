@@ -1,5 +1,6 @@
 #version 300 es
 // Vertices of a mesh: the room, or the candle at its placement.
+// DEPTH_BIAS: farther by so much of the depth, 0 to 1: what is drawn again passes the test.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "lib/mesh-vertex.glsl"
@@ -25,4 +26,7 @@ void main() {
   vUv = aUv;
   vColor = aColor;
   gl_Position = frame.clipFromWorld * vec4(vPositionWorld, 1.0);
+#ifdef DEPTH_BIAS
+  gl_Position.z += 2.0 * DEPTH_BIAS * gl_Position.w;
+#endif
 }

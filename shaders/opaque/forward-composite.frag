@@ -27,7 +27,7 @@ void main() {
 #else
   vec3 radiance = perUnit.rgb * mix(vec3(1.0), light.intensity, uIsLight);
 #ifdef MOONLIT
-  radiance += perUnit.a * uMoonlight;
+  radiance += abs(perUnit.a) * uMoonlight;  // alpha below 0: reprojected
 #endif
   // The largest half float is 65504; a mirrored flame can be brighter.
   oRadiance = vec4(min(radiance, 3e4), 1.0);

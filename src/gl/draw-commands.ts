@@ -34,6 +34,8 @@ export interface Draw {
   readonly blend?: "replace" | "premultiplied";
   /** Default: none. */
   readonly depth?: "none" | "test" | "test-and-write";
+  /** Whether colours are written. Default: they are. */
+  readonly writesColor?: boolean;
   /** Part of the target, in its pixels: x, y, width, height. Default: all of it. */
   readonly viewport?: Box;
   /** Part of the target outside of which nothing is drawn: x, y, width, height. Default: all of it. */
@@ -63,6 +65,7 @@ export class DrawCommands {
   /** What is switched on in GL: each call saved is a microsecond of the page's own thread. */
   readonly #enabled = new Set<GLenum>();
   #writesDepth = true;
+  #writesColor = true;
   /** What draws have bound: textures by unit, uniform buffers by binding point. */
   readonly #textures: WebGLTexture[] = [];
   readonly #uniformBuffers: WebGLBuffer[] = [];
@@ -82,6 +85,7 @@ export class DrawCommands {
     const gl = this.gl;
     this.#bind(target);
     this.#writeDepth(true);
+    this.#writeColor(true);
     this.#switch(gl.SCISSOR_TEST, scissor !== undefined);
     if (scissor) gl.scissor(...scissor);
     gl.clearColor(...color);
@@ -92,7 +96,7 @@ export class DrawCommands {
     const gl = this.gl;
     const { target, vertexArray, primitive = "triangles", viewport, scissor, into } = call;
     const { count = vertexArray?.count ?? 3, first = 0 } = call;
-    const { blend = "replace", depth = "none", cull = "back" } = call;
+    const { blend = "replace", depth = "none", cull = "back", writesColor = true } = call;
     this.#bind(target, viewport);
     this.#switch(gl.SCISSOR_TEST, scissor !== undefined);
     if (scissor) gl.scissor(...scissor);
@@ -100,6 +104,7 @@ export class DrawCommands {
     this.#switch(gl.BLEND, blend === "premultiplied");
     this.#switch(gl.DEPTH_TEST, depth !== "none");
     if (depth !== "none") this.#writeDepth(depth === "test-and-write");
+    this.#writeColor(writesColor);
     this.#switch(gl.CULL_FACE, cull === "back");
     gl.bindVertexArray(vertexArray?.handle ?? null);
     const mode = gl[MODES[primitive]];
@@ -140,6 +145,12 @@ export class DrawCommands {
     if (this.#writesDepth === isOn) return;
     this.gl.depthMask(isOn);
     this.#writesDepth = isOn;
+  }
+
+  #writeColor(isOn: boolean): void {
+    if (this.#writesColor === isOn) return;
+    this.gl.colorMask(isOn, isOn, isOn, isOn);
+    this.#writesColor = isOn;
   }
 
   #capture(into: Buffer, count: number): void {

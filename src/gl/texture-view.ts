@@ -17,6 +17,7 @@ export class TextureView extends GpuObject {
   readonly width: number;
   readonly height: number;
   readonly framebuffer: WebGLFramebuffer;
+  readonly depth: Texture | undefined;
 
   constructor(context: GpuContext, { label, textures, image, depth }: TextureViewOptions) {
     super(context, label);
@@ -25,6 +26,7 @@ export class TextureView extends GpuObject {
     if (!first) throw new Error(`${label}: nothing to draw to.`);
     this.width = first.width;
     this.height = first.height;
+    this.depth = depth;
     this.framebuffer = created(gl, gl.createFramebuffer(), label);
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
     attachTextures(gl, textures, depth ?? null, image);

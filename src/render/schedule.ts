@@ -5,7 +5,7 @@
  * holds for running animations: for indirect light, for the tier that draws a G-buffer, and for caches.
  */
 export const SCHEDULE = {
-  /** Every other frame in motion reprojects the G-buffer and the lighting of the one before. */
+  /** In motion every other frame is reprojected from the one before; in forward shading half of each frame's pixels. */
   reprojection: {
     /** Distance of the surface by which motion in the image is judged, metres. */
     distance: 2,

@@ -1,7 +1,7 @@
 import { mat4 } from "gl-matrix";
 import type { Box } from "../gl/gpu.js";
 import { clipPosition } from "./camera.js";
-import type { Size } from "./frame-input.js";
+import type { FrameInput, Size } from "./frame-input.js";
 
 /** A bounding sphere: x, y, z, radius, metres. */
 export type Sphere = readonly [number, number, number, number];
@@ -52,6 +52,18 @@ export function screenBounds(
     Math.min(Math.max((Math.ceil((at + margin) / cell) + 1) * cell, from + 1), length);
   const [x, y] = [begin(extent.left, width), begin(extent.bottom, height)];
   return [x, y, end(extent.right, x, width) - x, end(extent.top, y, height) - y];
+}
+
+/**
+ * Distance from the flame, or from the candle below it, within which surfaces are drawn again with each step of the
+ * light, metres.
+ */
+const NEAR = 0.12;
+
+/** Bounds on the frame of what is near the flame, pixels; null where that is off the frame. */
+export function boundsNearFlame({ world, clipFromWorld }: FrameInput, size: Size): Box | null {
+  const [x, y, z] = world.interpolated.flame;
+  return screenBounds([[x, y - 0.5 * NEAR, z, NEAR]], clipFromWorld, size, { margin: 0, cell: 8 });
 }
 
 /** Bounding box of boxes; nothing where there is none. */

@@ -121,7 +121,10 @@ async function measure(
     }
     element.step(FRAME);
   };
-  // As frames follow each other for a visitor; nothing is drawn in between.
+  // As frames follow each other for a visitor; nothing is drawn in between, while a clock is read. At `low` Chromium then
+  // ended the page on a GPU, for reasons that were not found.
+  const request = window.requestAnimationFrame;
+  if (quality !== "low") window.requestAnimationFrame = () => 1;
   element.play();
   for (let number = 0; number < cycle * (isFast ? WARM[doing] : 1); number++) frame(number % cycle);
   const copies: number[] = [];
@@ -154,6 +157,7 @@ async function measure(
     draws = Math.max(draws, element.stats.drawCalls);
   }
   element.pause();
+  window.requestAnimationFrame = request;
   // What is not done in each frame of a cycle, or not in each round, counts by its share.
   const eachOf = (frames: readonly (readonly Span[])[], time: keyof Span) =>
     frames.map((spans) =>

@@ -15,7 +15,7 @@ const ROWS: Readonly<Record<string, readonly string[]>> = {
     "opaque/representative",
     "opaque/upsample",
   ],
-  "opaque: forward": ["opaque/forward", "resolve"],
+  "opaque: forward": ["opaque/forward", "opaque/checkerboard", "mesh/depth", "resolve"],
   "opaque: lighting": [
     "opaque/lighting",
     "opaque/moon-lighting",

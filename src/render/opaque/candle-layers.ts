@@ -42,6 +42,11 @@ export class CandleLayers {
 
   resize(size: Size): void {
     this.#size = size;
+    this.release();
+  }
+
+  /** Frees all layers: in motion none is used, and each is of another frame afterwards. */
+  release(): void {
     for (const { target } of this.#layers.values()) target.dispose();
     this.#layers.clear();
   }

@@ -13,12 +13,13 @@ import { type CaptureLight, flameIntensity, shadingLight } from "../light-block.
 import { type Mesh, surfaceSampling } from "../mesh/mesh.js";
 import { normalMapVisibilityOf } from "../mesh/normal-map-visibility.js";
 import { visibleRuns } from "../mesh/visible-runs.js";
-import type { Tier } from "../quality.js";
+import { isSoftware, type Tier } from "../quality.js";
 import { SCHEDULE } from "../schedule.js";
-import { clipOfBox, screenBounds, tiles } from "../screen-bounds.js";
+import { boundsNearFlame, clipOfBox, tiles } from "../screen-bounds.js";
 import type { Steps } from "../steps.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
 import { CandleLayers } from "./candle-layers.js";
+import { Checkerboard } from "./checkerboard.js";
 import { ENVIRONMENT_BRDF_SIZE, tabulateEnvironmentBrdf } from "./environment-brdf.js";
 import {
   areForwardProgramsCompiled,
@@ -34,7 +35,7 @@ import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "./opaque-stage.js";
 /** What surfaces are drawn to: a target, or a part of a larger frame that it holds. */
 interface SurfacePass
   extends Pick<Draw, "target" | "viewport" | "scissor" | "textures" | "uniforms"> {
-  /** Whether what lies in a box is drawn. Default: all is. */
+  /** Whether what lies in a box is drawn. Default: what is in the view frustum, a mesh in one draw. */
   readonly isVisible?: (box: Bounds) => boolean;
   /** Whether a mesh is drawn. Default: each is. */
   readonly isDrawn?: (mesh: Mesh) => boolean;
@@ -42,18 +43,6 @@ interface SurfacePass
   readonly candles?: readonly CachedLight[];
   /** Of the carried flame beside them, candela. Default: as it burns. */
   readonly carried?: Rgb;
-}
-
-/**
- * Distance from the flame, or from the candle below it, within which surfaces are drawn again with each step of the
- * light, metres.
- */
-const NEAR = 0.12;
-
-/** Bounds on the frame of what is near the flame, pixels; null where that is off the frame. */
-function boundsNearFlame({ world, clipFromWorld }: FrameInput, size: Size): Box | null {
-  const [x, y, z] = world.interpolated.flame;
-  return screenBounds([[x, y - 0.5 * NEAR, z, NEAR]], clipFromWorld, size, { margin: 0, cell: 8 });
 }
 
 /** The opaque stage for GPUs: forward shading, multisampled. Kept until camera, models or light have moved. */
@@ -75,6 +64,7 @@ export class ForwardStage implements OpaqueStage {
   /** The standing candles that burn in it. */
   #candles: readonly CachedLight[] = [];
   #standing: MultiLightInputs | null = null;
+  readonly #checkerboard: Checkerboard | null;
   /** Whether the radiance is of all flames as they burn: in motion, and until each candle has its layer. */
   #isOfAll = false;
   /** What the radiance depends on beside the flame's place, and that place. */
@@ -95,6 +85,9 @@ export class ForwardStage implements OpaqueStage {
       Frame: gpu.uniformBlock(this.#program, "Frame"),
       Light: gpu.uniformBlock(this.#program, "Light"),
     };
+    // Software shades what depth hides, and would gain nothing.
+    const isKeeping = tier.physical.opaque === "forward" && !isSoftware(gpu.renderer);
+    this.#checkerboard = isKeeping ? new Checkerboard(gpu, this.blocks.Frame) : null;
     this.#shadingLight = gpu.uniformBlock(this.#program, "Light");
     this.#environmentBrdf = gpu.share("environment BRDF", () =>
       gpu.texture({
@@ -113,6 +106,7 @@ export class ForwardStage implements OpaqueStage {
     const { samples } = this.#tier;
     this.#samples?.dispose();
     this.#resolved?.dispose();
+    this.#checkerboard?.release();
     const size = { width, height, color: [this.format] as const, depth: "texture" as const };
     this.#samples =
       samples > 1 ? this.#gpu.renderTarget({ label: "forward/samples", ...size, samples }) : null;
@@ -150,8 +144,19 @@ export class ForwardStage implements OpaqueStage {
     const lightKey = JSON.stringify(light);
     const hasMoved = lightKey !== this.#lightKey;
     const isStale = hasMoved || this.#stale.length > 0;
-    if (key !== this.#key || (isStale && !settings.canDefer)) {
-      this.#stale.length = 0;
+    let radiance = this.#resolved.color;
+    const isWhole = key !== this.#key || (isStale && !settings.canDefer);
+    if (isWhole) this.#stale.length = 0;
+    const candles = this.#isOfAll ? this.#candles : [];
+    const target = this.#samples;
+    if (isWhole && settings.isMoving && this.#checkerboard && target) {
+      const targets = { samples: target, resolved: this.#resolved };
+      this.#gpu.clear(target, [0, 0, 0, this.#moon?.background ?? 1]);
+      const lights = [inspect, this.#moon?.key, isNight, candles.map(({ key }) => key)];
+      radiance = this.#checkerboard.draw(frame, JSON.stringify(lights), targets, () =>
+        this.draw(frame, light, captures, { target, candles }),
+      );
+    } else if (isWhole) {
       this.#drawBox(frame, light, captures, null);
     } else if (isStale) {
       const size = this.#resolved;
@@ -165,7 +170,7 @@ export class ForwardStage implements OpaqueStage {
     this.#lightKey = lightKey;
     return {
       kind: "full",
-      textures: { uRadiance: this.#resolved.color, uDepth: this.#resolved.depth },
+      textures: { uRadiance: radiance, uDepth: this.#resolved.depth },
       uniforms: {},
       blocks: this.blocks,
       depth: this.#resolved.depth,
@@ -201,7 +206,10 @@ export class ForwardStage implements OpaqueStage {
         frame.instances.flatMap(({ meshes }) => meshes),
       );
     this.#isOfAll = canShadeAll && isMoving;
-    if (!this.#isOfAll) {
+    const isApart = this.#candles.length > 0 && !this.#isOfAll;
+    if (!isMoving || isApart) this.#checkerboard?.release();
+    if (this.#isOfAll) this.#candleLayers.release();
+    else {
       const most = canShadeAll && wasOfAll ? 1 : this.#candles.length;
       // Each is shaded in the targets of the flame's own layer, which is drawn anew afterwards.
       const shade = (candle: CachedLight) => this.#shadeCandle(frame, candle);
@@ -258,9 +266,11 @@ export class ForwardStage implements OpaqueStage {
       Object.assign(pass.textures, inputs.textures);
       Object.assign(pass.blocks, inputs.blocks);
     }
+    const isInView = isVisible ?? frustumTest(frame.clipFromWorld);
+    const most = isVisible ? undefined : 1;
     for (const instance of frame.instances) {
       for (const mesh of instance.meshes.filter(isDrawn)) {
-        const runs = isVisible ? visibleRuns(mesh, instance.placement, isVisible) : [{}];
+        const runs = visibleRuns(mesh, instance.placement, isInView, most);
         if (runs.length === 0) continue;
         const draw = this.#drawOf(frame, instance, mesh, pass, uniforms);
         for (const run of runs) this.#gpu.draw({ ...draw, ...target, ...run });

@@ -1,5 +1,5 @@
+import depthFrag from "../../../shaders/mesh/depth.frag";
 import meshVert from "../../../shaders/mesh/mesh.vert";
-import depthFrag from "../../../shaders/refinement/depth.frag";
 import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
@@ -27,7 +27,7 @@ export class DepthPrepass {
   /** @param block `Frame` of a program with the same vertex shader */
   constructor(gpu: Gpu, block: UniformBlock) {
     this.#gpu = gpu;
-    this.#program = gpu.program("refinement/depth", meshVert, depthFrag);
+    this.#program = gpu.program("mesh/depth", meshVert, depthFrag);
     this.#frame = block;
   }
 

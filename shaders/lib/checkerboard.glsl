@@ -1,0 +1,64 @@
+// Checkerboard rendering: in motion half of the pixels, by quads, keep what the previous frame had, reprojected. A quad
+// that kept it is shaded in the next frame.
+// Needs lib/depth.glsl: depth of the current frame.
+
+uniform sampler2D uPreviousRadiance;  // alpha below 0: reprojected
+uniform sampler2D uPreviousDepth;
+uniform mat4 uPreviousFromCurrent;    // of uv and depth, 0 to 1
+uniform vec4 uHeldBounds;             // of what moves with the camera, pixels: from, to
+uniform float uHeldDistance;          // of its farthest point along the view axis, m
+uniform float uIsFirst;               // 1 or 0: whether all of the previous frame was shaded
+
+// Depths on one surface differ by less, as a share of the distance.
+const float SAME_SURFACE = 0.005;
+
+bool isHeldSurface(ivec2 pixel, float depth) {
+  vec2 center = vec2(pixel) + 0.5;
+  bool isWithin = all(greaterThan(center, uHeldBounds.xy)) && all(lessThan(center, uHeldBounds.zw));
+  return isWithin && linearDepth(depth) < uHeldDistance;
+}
+
+// Whether depth bends within two pixels: what multisampling mixes is shaded in each frame.
+bool isBesideEdge(ivec2 pixel, float depth, ivec2 end) {
+  vec2 beside = vec2(0.0);
+  for (int i = -1; i < 2; i += 2) {
+    beside.x += texelFetch(uDepth, clamp(pixel + i * ivec2(2, 1), ivec2(0), end), 0).r;
+    beside.y += texelFetch(uDepth, clamp(pixel + i * ivec2(-1, 2), ivec2(0), end), 0).r;
+  }
+  vec2 bend = abs(0.5 * beside - depth);
+  return max(bend.x, bend.y) > SAME_SURFACE * inverseDepth(depth);
+}
+
+// Whether it is the turn of a pixel's quad. `previous`: of the pixel, in the previous frame.
+bool isQuadKept(ivec2 pixel, vec2 previous, ivec2 end) {
+  if (uIsFirst > 0.5) return (((pixel.x ^ pixel.y) >> 1) & 1) == 0;
+  ivec2 corner = clamp(ivec2(previous) - (pixel & 1), ivec2(0), end);
+  return texelFetch(uPreviousRadiance, corner, 0).a >= 0.0;
+}
+
+// Whether a pixel keeps what the previous frame had. `radiance`: that, reprojected.
+bool isKept(ivec2 pixel, out vec4 radiance) {
+  radiance = vec4(0.0);
+  ivec2 size = textureSize(uDepth, 0);
+  float depth = texelFetch(uDepth, pixel, 0).r;
+  vec4 place = uPreviousFromCurrent * vec4((vec2(pixel) + 0.5) / vec2(size), depth, 1.0);
+  vec3 previous = vec3(place.xy * vec2(size), place.z) / place.w;
+  if (!isQuadKept(pixel, previous.xy, size - 1) || isHeldSurface(pixel, depth)) return false;
+  if (isBesideEdge(pixel, depth, size - 1)) return false;
+  vec2 corner = previous.xy - 0.5;
+  if (any(lessThan(corner, vec2(0.0))) || any(greaterThan(corner, vec2(size - 1)))) return false;
+  ivec2 base = ivec2(corner);
+  vec2 part = corner - vec2(base);
+  float before = 0.0;
+  for (int i = 0; i < 4; i++) {
+    ivec2 offset = ivec2(i & 1, i >> 1);
+    ivec2 texel = min(base + offset, size - 1);
+    vec2 weights = mix(1.0 - part, part, vec2(offset));
+    float weight = weights.x * weights.y;
+    vec4 kept = texelFetch(uPreviousRadiance, texel, 0);
+    radiance += weight * vec4(kept.rgb, abs(kept.a));
+    before += weight * texelFetch(uPreviousDepth, texel, 0).r;
+  }
+  // Linear across a plane: at an edge, and where something was uncovered, it differs.
+  return abs(inverseDepth(before) / inverseDepth(previous.z) - 1.0) < SAME_SURFACE;
+}

@@ -1,0 +1,156 @@
+import clampFrag from "../../../shaders/opaque/checkerboard-clamp.frag";
+import reprojectFrag from "../../../shaders/opaque/checkerboard-reproject.frag";
+import fullscreenVert from "../../../shaders/post/fullscreen.vert";
+import type { Gpu } from "../../gl/gpu.js";
+import type { Program } from "../../gl/program.js";
+import type { RenderTarget } from "../../gl/render-target.js";
+import type { Texture } from "../../gl/texture.js";
+import type { TextureView } from "../../gl/texture-view.js";
+import type { UniformBlock } from "../../gl/uniform-block.js";
+import { clipPosition } from "../camera.js";
+import type { FrameInput } from "../frame-input.js";
+import {
+  type ReprojectionSource,
+  reprojectionBetween,
+  reprojectionSource,
+} from "../gbuffer/reprojection.js";
+import { DepthPass } from "../mesh/depth-pass.js";
+import { boundsOfTurned } from "../mesh/visible-runs.js";
+import { screenBounds } from "../screen-bounds.js";
+
+/** What surfaces are shaded in: samples, and what they are resolved to. */
+interface Targets {
+  readonly samples: RenderTarget;
+  readonly resolved: RenderTarget;
+}
+
+/** The previous frame, its depth alone, and both parts of the current one. */
+interface KeptTargets {
+  readonly previous: RenderTarget;
+  readonly previousDepth: TextureView;
+  readonly color: TextureView;
+  readonly depth: TextureView;
+}
+
+/**
+ * Checkerboard rendering: in motion half of the pixels keep what the previous frame had, reprojected.
+ *
+ * A depth prepass tells where each surface was. What was not visible then, edges, and the held candle are shaded in each
+ * frame. Source: El Mansouri 2016, "Rendering Rainbow Six Siege"; kept colours are clamped to those shaded beside them, as
+ * in Karis 2014, "High Quality Temporal Supersampling".
+ */
+export class Checkerboard {
+  readonly #gpu: Gpu;
+  readonly #depthPass: DepthPass;
+  readonly #reproject: Program;
+  readonly #clamp: Program;
+  /** While the camera moves. */
+  #targets: KeptTargets | null = null;
+  #source: ReprojectionSource | null = null;
+  /** Whether all of the previous frame was shaded. */
+  #isFirst = true;
+
+  /** @param frame block `Frame` of a program with the same vertex shader */
+  constructor(gpu: Gpu, frame: UniformBlock) {
+    this.#gpu = gpu;
+    // Compiled before the first step.
+    this.#depthPass = new DepthPass(gpu, frame);
+    this.#reproject = gpu.program("opaque/checkerboard-reproject", fullscreenVert, reprojectFrag);
+    this.#clamp = gpu.program("opaque/checkerboard-clamp", fullscreenVert, clampFrag);
+  }
+
+  /** Frees the previous frame. */
+  release(): void {
+    for (const target of Object.values(this.#targets ?? {})) target.dispose();
+    this.#targets = this.#source = null;
+  }
+
+  /**
+   * Draws a frame, of which what is kept is not shaded.
+   *
+   * @param key all but the camera that it depends on
+   * @param shade draws the surfaces, tested against the depth of the samples
+   * @returns radiance of the frame
+   */
+  draw(frame: FrameInput, key: string, targets: Targets, shade: () => void): Texture {
+    const { samples, resolved } = targets;
+    const gpu = this.#gpu;
+    const source = reprojectionSource(
+      frame.instances,
+      frame.clipFromWorld,
+      frame.settings.features,
+    );
+    const current = { ...source, key: source.key + key };
+    const reprojection = this.#source && reprojectionBetween(current, this.#source);
+    this.#source = current;
+    if (!reprojection) {
+      shade();
+      gpu.resolve(samples, resolved);
+      this.#isFirst = true;
+      return resolved.color;
+    }
+    this.#targets ??= keptTargets(gpu, resolved);
+    const { previous, color, depth, previousDepth } = this.#targets;
+    gpu.resolve(resolved, this.#isFirst ? previous : previousDepth);
+    this.#depthPass.draw(frame.instances, samples);
+    gpu.resolve(samples, depth);
+    gpu.draw({
+      program: this.#reproject,
+      target: samples,
+      textures: {
+        uDepth: resolved.depth!,
+        uPreviousRadiance: previous.color,
+        uPreviousDepth: previous.depth!,
+      },
+      uniforms: {
+        uPreviousFromCurrent: reprojection.room as Float32Array,
+        uIsFirst: this.#isFirst ? 1 : 0,
+        ...heldExtent(frame, resolved),
+      },
+      depth: "test-and-write",
+    });
+    shade();
+    gpu.resolve(samples, color);
+    gpu.draw({
+      program: this.#clamp,
+      target: previous,
+      textures: { uRadiance: resolved.color },
+    });
+    this.#isFirst = false;
+    return previous.color;
+  }
+}
+
+function keptTargets(gpu: Gpu, { width, height, color, depth }: RenderTarget): KeptTargets {
+  const previous = gpu.renderTarget({
+    label: "checkerboard/previous",
+    width,
+    height,
+    color: ["RGBA16F"],
+    depth: "texture",
+  });
+  const depthOf = (depth: Texture | null) =>
+    gpu.textureView({ label: "checkerboard/depth", textures: [], image: 0, depth: depth! });
+  return {
+    previous,
+    previousDepth: depthOf(previous.depth),
+    color: gpu.textureView({ label: "checkerboard", textures: [color], image: 0 }),
+    depth: depthOf(depth),
+  };
+}
+
+/** Bounds of what moves with the camera, pixels and metres. */
+function heldExtent({ instances, clipFromWorld }: FrameInput, size: RenderTarget) {
+  const held = instances.find(({ isHeld }) => isHeld);
+  const bounds = { uHeldBounds: [0, 0, 0, 0], uHeldDistance: 0 };
+  if (!held) return bounds;
+  const clusters = held.meshes.flatMap(({ clusters }) => clusters);
+  const { min, max } = boundsOfTurned(clusters, held.placement);
+  const center = min.map((least, axis) => (least + max[axis]!) / 2) as [number, number, number];
+  const radius = Math.max(...max.map((most, axis) => most - center[axis]!));
+  const box = screenBounds([[...center, radius]], clipFromWorld, size, { margin: 0, cell: 2 });
+  if (!box) return bounds;
+  const [x, y, wide, high] = box;
+  const [, , away] = clipPosition(clipFromWorld, ...center);
+  return { uHeldBounds: [x, y, x + wide, y + high], uHeldDistance: away + Math.sqrt(3) * radius };
+}

@@ -1,0 +1,170 @@
+import type { Browser, Page } from "playwright/test";
+import { RoomDriver } from "../support/room-driver.ts";
+import { serveSmallTextures } from "../support/small-textures.ts";
+import { openSources } from "../support/sources.ts";
+import { expect, test } from "../support/test.ts";
+
+type Support = typeof import("../support/checkerboard.ts");
+
+/** Frames of a walk, and what of each is moved: metres and radians. */
+const FRAMES = 6;
+const STRIDE = { across: 0.012, away: 0.02, turned: 0.006 } as const;
+
+interface Frame {
+  /** By pixel: place, and -1 if it was kept, else 1. */
+  readonly kept: readonly number[];
+  /** The same of all pixels shaded. */
+  readonly shaded: readonly number[];
+}
+
+let page: Page;
+let size: { readonly width: number; readonly height: number };
+let frames: readonly Frame[];
+
+test.beforeAll(async ({ browser }) => {
+  page = await browser.newPage();
+  await openSources(page);
+  ({ size, frames } = await page.evaluate(
+    async ({ count, stride }) => {
+      const { CheckerboardScene }: Support = await import(
+        "/tests/support/checkerboard.ts" as string
+      );
+      const [scene, whole] = [new CheckerboardScene(), new CheckerboardScene()];
+      const { size } = scene;
+      const frames = Array.from({ length: count }, (_, number) => {
+        const [x, z] = [stride.across * number, -stride.away * number];
+        const draw = (scene: InstanceType<Support["CheckerboardScene"]>) =>
+          scene.draw([x, 0, z], stride.turned * number, [x - 0.2, 0, z - 1]);
+        const kept = draw(scene);
+        whole.release();
+        return { kept, shaded: draw(whole) };
+      });
+      for (const drawn of [scene, whole]) drawn.dispose();
+      return { size, frames };
+    },
+    { count: FRAMES, stride: STRIDE },
+  ));
+});
+test.afterAll(() => page.close());
+
+const pixelsOf = () => Array.from({ length: size.width * size.height }, (_, pixel) => pixel);
+const isKept = ({ kept }: Frame, pixel: number) => kept[4 * pixel + 3]! < 0;
+/** Distance from the camera's first place along -Z, m, to a centimetre. */
+const depthOf = ({ shaded }: Frame, pixel: number) => -Number(shaded[4 * pixel + 2]!.toFixed(2));
+const farthestAway = (pixel: number, frame: Frame) =>
+  Math.max(
+    ...[0, 1, 2].map((i) => Math.abs(frame.kept[4 * pixel + i]! - frame.shaded[4 * pixel + i]!)),
+  );
+
+test("The first frame shades all pixels, and each of the following about half", () => {
+  const shares = frames.map(
+    (frame) => pixelsOf().filter((pixel) => isKept(frame, pixel)).length / pixelsOf().length,
+  );
+  console.log(`kept: ${shares.map((share) => share.toFixed(3)).join(" ")}`);
+  expect(shares[0]).toBe(0);
+  for (const share of shares.slice(1)) {
+    expect(share).toBeGreaterThan(0.35);
+    expect(share).toBeLessThan(0.6);
+  }
+});
+
+test("What is kept is what was at the same place of the same surface", () => {
+  const last = frames.at(-1)!;
+  const kept = pixelsOf().filter((pixel) => isKept(last, pixel));
+  const errors = kept.map((pixel) => farthestAway(pixel, last)).sort((a, b) => a - b);
+  console.log(`of kept places: median ${errors[errors.length >> 1]} m, most ${errors.at(-1)} m`);
+  // A pixel of the wall is 35 mm wide, and half floats there are 8 mm apart. At an edge of the board it would be 2 m.
+  expect(errors[errors.length >> 1]).toBeLessThan(0.01);
+  expect(errors.at(-1)).toBeLessThan(0.07);
+});
+
+test("A pixel that was kept is shaded in the next frame", () => {
+  // Within the wall a point moves by a pixel or two: its neighbours are of the same quad, or of the next.
+  const [before, after] = frames.slice(-2) as [Frame, Frame];
+  const near = (pixel: number) =>
+    [-2, -1, 0, 1, 2].flatMap((y) => [-2, -1, 0, 1, 2].map((x) => pixel + y * size.width + x));
+  const inside = pixelsOf().filter((pixel) => {
+    const [x, y] = [pixel % size.width, Math.floor(pixel / size.width)];
+    return x > 8 && y > 8 && x < size.width - 8 && y < size.height - 8;
+  });
+  const shadedTwice = inside.filter(
+    (pixel) => !near(pixel).some((beside) => isKept(before, beside) || isKept(after, beside)),
+  );
+  const keptTwice = inside.filter((pixel) =>
+    near(pixel).every((beside) => isKept(before, beside) && isKept(after, beside)),
+  );
+  expect(keptTwice).toEqual([]);
+  expect(shadedTwice.length).toBeLessThan(0.1 * inside.length);
+});
+
+test("What is held is shaded in each frame", () => {
+  const last = frames.at(-1)!;
+  const depths = new Set(pixelsOf().map((pixel) => depthOf(last, pixel)));
+  expect(depths.size, "wall, board, and what is held").toBeGreaterThanOrEqual(3);
+  const held = pixelsOf().filter((pixel) => depthOf(last, pixel) < 1.5);
+  expect(held.length).toBeGreaterThan(20);
+  expect(held.filter((pixel) => isKept(last, pixel))).toEqual([]);
+});
+
+const SIZE = { width: 160, height: 90 };
+
+/** A walk in the cabin: its last frames, and the GPU's bytes afterwards. */
+async function walk(browser: Browser, isRenamed: boolean) {
+  const page = await browser.newPage();
+  await serveSmallTextures(page);
+  if (isRenamed) {
+    await page.addInitScript(() => {
+      const { getParameter } = WebGL2RenderingContext.prototype;
+      WebGL2RenderingContext.prototype.getParameter = function (name: number) {
+        return name === this.RENDERER ? "A GPU" : getParameter.call(this, name);
+      };
+    });
+  }
+  const room = await new RoomDriver(page).open(
+    { look: "physical", quality: "medium", moonlight: "0.15" },
+    SIZE,
+  );
+  const walked = await room.evaluate((element) => {
+    const view = { position: [-0.85, 1.3, 1.1], yaw: -0.805, pitch: -0.244 } as const;
+    element.reset();
+    element.wind = 0;
+    element.camera = view;
+    element.step(0);
+    element.play();
+    const frames = [1, 2, 3, 4].map((number) => {
+      const [x, y, z] = view.position;
+      const position = [x + 0.02 * number, y, z - 0.01 * number] as const;
+      element.camera = { ...view, position, yaw: view.yaw + 0.008 * number };
+      element.step(1 / 60);
+      const { width, height, drawCalls, gpuBytes } = element.stats;
+      const radiance = Array.from(element.readRadiance(0, 0, width, height));
+      return { drawCalls, gpuBytes, radiance };
+    });
+    element.pause();
+    element.step(0);
+    return { frames: frames.slice(-2), bytesAtRest: element.stats.gpuBytes };
+  });
+  expect(room.complaints).toEqual([]);
+  await page.close();
+  return walked;
+}
+
+test("A walk in the cabin shows what it shows with all pixels shaded, in few draws, and frees what it took", async ({
+  browser,
+}) => {
+  const [kept, shaded] = [await walk(browser, true), await walk(browser, false)];
+  for (const [i, { radiance, drawCalls, gpuBytes }] of kept.frames.entries()) {
+    const whole = shaded.frames[i]!;
+    expect(drawCalls, "a prepass, and what is kept").toBeGreaterThan(whole.drawCalls);
+    expect(drawCalls).toBeLessThanOrEqual(120);
+    const errors = radiance
+      .map((value, k) => Math.abs(value / Math.max(whole.radiance[k]!, 1e-9) - 1))
+      .sort((a, b) => a - b);
+    const [median, most] = [0.5, 0.9].map((share) => errors[Math.floor(share * errors.length)]!);
+    console.log(`frame: median ${median}, 90th percentile ${most}, ${drawCalls} draws`);
+    expect(median).toBeLessThan(0.02);
+    expect(most).toBeLessThan(0.15);
+    // The previous frame: radiance and depth.
+    expect(gpuBytes - kept.bytesAtRest).toBe(SIZE.width * SIZE.height * 12);
+  }
+});
