@@ -20,6 +20,8 @@ export interface ElementCase {
   readonly place?: Camera | undefined;
   /** Seconds; each is stepped, and drawn. */
   readonly steps: readonly number[];
+  /** What the camera moves by with each step, while the animation runs, metres. */
+  readonly stride?: readonly [x: number, y: number, z: number];
 }
 
 /** A page as it is hosted, which is to come up and to say nothing. */
@@ -84,6 +86,15 @@ function moonAlone(quality: Quality): ElementCase {
   return { ...room, name: `moon alone, ${quality}`, attributes };
 }
 
+/** Frames in motion, each from the one before. */
+const WALK: ElementCase = {
+  ...inRoom("physical", "medium"),
+  name: "physical, medium, in motion",
+  attributes: { ...inRoom("physical", "medium").attributes, "data-gpu": "" },
+  place: undefined,
+  stride: [0.02, 0, 0.01],
+};
+
 const HOSTED: PageCase = { kind: "page", name: "hosted page, auto", path: "" };
 
 /** What `npm test` looks at. The hosted page is at `low`. */
@@ -107,6 +118,7 @@ export const LONG: readonly Case[] = [
   fourCandles("medium"),
   moonAlone("low"),
   moonAlone("medium"),
+  WALK,
   HOSTED,
   { kind: "page", name: "how.html", path: "how.html" },
   { kind: "page", name: "use.html", path: "use.html" },

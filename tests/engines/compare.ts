@@ -47,7 +47,7 @@ export const CASE_LIMITS: readonly {
     limits: DECODED_LIMITS,
   },
   {
-    cases: /^(physical|four candles), (medium|high)$/,
+    cases: /^(physical|four candles), (medium|high)(, in motion)?$/,
     title:
       "`physical` and four candles at `medium` and `high`, where llvmpipe's anisotropic filter leaves wrong texels",
     limits: ANISOTROPIC_LIMITS,

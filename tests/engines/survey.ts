@@ -133,13 +133,23 @@ function addressOf(one: ElementCase | PageCase, { page, library }: Served): stri
   return `${library}case.html?${new URLSearchParams({ ...one.attributes, paused: "", style })}`;
 }
 
+/** In the page: its renderer's name is no software's, for which half of a moving frame's pixels are kept. */
+function seemGpu(): void {
+  const { getParameter } = WebGL2RenderingContext.prototype;
+  WebGL2RenderingContext.prototype.getParameter = function (name: number) {
+    const value: unknown = getParameter.call(this, name);
+    return typeof value === "string" && /swiftshader|llvmpipe/i.test(value) ? "A GPU" : value;
+  };
+}
+
 /** The page of an element's case: its attributes are the address's. */
 export function caseMarkup({ pathname, searchParams }: URL): string | null {
   if (pathname !== "/case.html") return null;
   const attributes = [...searchParams].map(([name, value]) => `${name}="${value}"`).join(" ");
   const isAlone = searchParams.get("scene") === "candle";
+  const script = searchParams.has("data-gpu") ? `<script>(${seemGpu})()</script>` : "";
   return `<!doctype html><html lang="en"><head><meta charset="utf-8"><title>case</title>
-    <link rel="icon" href="data:,">
+    <link rel="icon" href="data:,">${script}
     <style>body { margin: 0; background: ${isAlone ? "#fff" : "#000"} }</style></head>
     <body><candle-flame ${attributes}></candle-flame>
     <script type="module" src="/define.js"></script></body></html>`;
@@ -169,8 +179,9 @@ async function becomeReady(limit: number): Promise<number> {
   return first;
 }
 
-async function see(visitor: Visitor, { camera, place, steps }: ElementCase): Promise<Sight> {
-  const request = { camera, place, steps, ...BLOCKS };
+async function see(visitor: Visitor, one: ElementCase): Promise<Sight> {
+  const { camera, place, steps, stride } = one;
+  const request = { camera, place, steps, stride, ...BLOCKS };
   const { png, blocks } = await visitor.evaluate(takeSight, [request], SLOW);
   return { png: Buffer.from(png, "base64"), blocks };
 }
@@ -184,12 +195,13 @@ interface SightRequest {
   readonly camera?: Camera | undefined;
   readonly place?: Camera | undefined;
   readonly steps: readonly number[];
+  readonly stride?: ElementCase["stride"];
   readonly across: number;
   readonly down: number;
 }
 
 /** In the page: stands where the case says, steps, and reads the picture and its light. */
-async function takeSight({ camera, place, steps, across, down }: SightRequest) {
+async function takeSight({ camera, place, steps, stride, across, down }: SightRequest) {
   const element = document.querySelector<CandleFlameElement>("candle-flame");
   if (!element) throw new Error("There is no candle.");
   if (place) {
@@ -198,9 +210,16 @@ async function takeSight({ camera, place, steps, across, down }: SightRequest) {
     if (element.held) throw new Error("The candle cannot be put down.");
   }
   if (camera) element.camera = camera;
-  for (const seconds of steps) element.step(seconds);
-  const bytes = new Uint8Array(await (await element.toBlob()).arrayBuffer());
-  const png = btoa(bytes.reduce((text, byte) => text + String.fromCharCode(byte), ""));
+  if (stride) element.play();
+  for (const seconds of steps) {
+    if (stride) {
+      const position = element.camera.position.map((x, axis) => x + stride[axis]!);
+      element.camera = { ...element.camera, position: position as [number, number, number] };
+    }
+    element.step(seconds);
+  }
+  // Before the loop draws a frame at rest.
+  const moving = stride && element.shadowRoot?.querySelector("canvas")?.toDataURL();
   const { width, height } = element.stats;
   const [w, h] = [Math.floor(width / across), Math.floor(height / down)];
   const blocks: number[][] = [];
@@ -217,5 +236,11 @@ async function takeSight({ camera, place, steps, across, down }: SightRequest) {
     }
     blocks.push(sum);
   }
+  if (moving) {
+    element.pause();
+    return { png: moving.slice(moving.indexOf(",") + 1), blocks };
+  }
+  const bytes = new Uint8Array(await (await element.toBlob()).arrayBuffer());
+  const png = btoa(bytes.reduce((text, byte) => text + String.fromCharCode(byte), ""));
   return { png, blocks };
 }
