@@ -121,10 +121,9 @@ async function measure(
     }
     element.step(FRAME);
   };
-  // As frames follow each other for a visitor; nothing is drawn in between, while a clock is read. At `low` Chromium then
-  // ended the page on a GPU, for reasons that were not found.
+  // As frames follow each other for a visitor; nothing is drawn in between, while a clock is read.
   const request = window.requestAnimationFrame;
-  if (quality !== "low") window.requestAnimationFrame = () => 1;
+  window.requestAnimationFrame = () => 1;
   element.play();
   for (let number = 0; number < cycle * (isFast ? WARM[doing] : 1); number++) frame(number % cycle);
   const copies: number[] = [];
