@@ -206,11 +206,11 @@ export class SceneView {
     if (!refines) this.#refinement?.stop(view.isMoving ? this.#renderer : null);
     if (!this.#chooseQuality(view)) return;
     const settings = this.#settingsOf(view);
-    target.prepare();
     gpu.beginFrame();
     const steps = refines ? this.#refine(settings) : 0;
     if (steps !== null) {
       this.#fitCanvas();
+      target.prepare();
       if (before !== this.#refinement?.shown) this.onQualityChanged();
       this.#shown.render(this.#subject.world, { ...settings, steps });
       target.present();

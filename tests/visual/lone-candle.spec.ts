@@ -83,6 +83,27 @@ test("A lone candle is uncropped in a box of any shape, on a transparent backgro
   expect(complaints).toEqual([]);
 });
 
+test("The first frame of a higher quality is whole", async ({ page }) => {
+  const { complaints } = await open(
+    page,
+    `<candle-flame scene="candle" paused quality="low" style="width: 120px; height: 180px">
+      </candle-flame>`,
+  );
+  const [first, second] = await page
+    .locator("candle-flame")
+    .evaluate(async (element: CandleFlameElement) => {
+      await element.ready;
+      element.quality = "high";
+      const frame = () => {
+        element.step(0);
+        return element.shadowRoot?.querySelector("canvas")?.toDataURL();
+      };
+      return [frame(), frame()];
+    });
+  expect(first).toBe(second);
+  expect(complaints).toEqual([]);
+});
+
 test("On white its glow fades smoothly into the page, without a ring", async ({ page }) => {
   const { complaints } = await open(
     page,
