@@ -26,7 +26,7 @@ const LIMITS: Limits = { mean: 2, flip: 0.03, block: 0.05 };
 export const DECODED_LIMITS: Limits = { ...LIMITS, flip: 0.038 };
 
 /** The physical look from medium on reads its surfaces anisotropically: llvmpipe (Mesa 22.3) leaves wrong texels there. */
-export const ANISOTROPIC_LIMITS: Limits = { mean: 3, flip: 0.068, block: 0.1 };
+export const ANISOTROPIC_LIMITS: Limits = { mean: 3, flip: 0.068, block: 0.12 };
 
 /** The same at ultra, where a block of which the wick's tip gives nearly all light has other samples of it. */
 export const ULTRA_LIMITS: Limits = { ...ANISOTROPIC_LIMITS, block: 0.2 };
