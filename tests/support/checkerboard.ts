@@ -16,7 +16,7 @@ import placeFrag from "./place.frag";
 
 const SIZE = { width: 128, height: 96 } as const;
 
-/** A wall, a board before it, and another that is held. Runs in the browser. */
+/** A wall, before it a board, and one of which half is cut out, and another that is held. Runs in the browser. */
 export class CheckerboardScene {
   readonly size = SIZE;
   readonly #gpu: Gpu;
@@ -27,6 +27,7 @@ export class CheckerboardScene {
   readonly #resolved;
   readonly #wall: Mesh;
   readonly #board: Mesh;
+  readonly #cutOut: Mesh;
   readonly #held: Mesh;
 
   constructor() {
@@ -42,6 +43,7 @@ export class CheckerboardScene {
     this.#resolved = gpu.renderTarget({ label: "resolved", ...options });
     this.#wall = square(gpu, [0, 0, -4], 6);
     this.#board = square(gpu, [0.2, 0, -2], 0.3);
+    this.#cutOut = square(gpu, [0.9, 0, -3], 0.6, true);
     this.#held = square(gpu, [0, 0, 0], 0.1);
   }
 
@@ -70,6 +72,7 @@ export class CheckerboardScene {
     const instances = [
       instance(this.#wall, AT_ORIGIN, false),
       instance(this.#board, AT_ORIGIN, false),
+      instance(this.#cutOut, AT_ORIGIN, false),
       instance(this.#held, [...held, 0], true),
     ];
     const frame = { clipFromWorld: clip, instances, settings: { features: allFeatures() } };
@@ -77,9 +80,11 @@ export class CheckerboardScene {
     gpu.clear(this.#samples, [0, 0, 0, 1]);
     const radiance = this.#checkerboard.draw(frame as unknown as FrameInput, "", targets, () => {
       for (const { meshes, placement } of instances) {
-        for (const { vertexArray } of meshes) {
+        for (const { vertexArray, textures, isCutOut } of meshes) {
+          const cutOut = { defines: { CUTOUT: 1 } };
           gpu.draw({
-            program: this.#program,
+            program: isCutOut ? gpu.program("place", meshVert, placeFrag, cutOut) : this.#program,
+            textures,
             target: this.#samples,
             vertexArray,
             uniforms: { uPlacement: placement },
@@ -114,8 +119,8 @@ export class CheckerboardScene {
   }
 }
 
-/** A square that faces +Z. */
-function square(gpu: Gpu, [x, y, z]: Vec3, side: number): Mesh {
+/** A square that faces +Z; of one that is cut out the right half is missing. */
+function square(gpu: Gpu, [x, y, z]: Vec3, side: number, isCutOut = false): Mesh {
   const half = side / 2;
   const corners = [
     [-half, -half],
@@ -129,13 +134,22 @@ function square(gpu: Gpu, [x, y, z]: Vec3, side: number): Mesh {
   const indices = Uint16Array.of(0, 1, 2, 0, 2, 3);
   const min = [x - half, y - half, z] as const;
   const max = [x + half, y + half, z] as const;
+  const uvs = Float32Array.of(0, 0, 1, 0, 1, 1, 0, 1);
+  const source = { width: 2, height: 1, data: Uint8Array.of(0, 0, 0, 255, 0, 0, 0, 0) };
   const mesh = {
+    isCutOut,
+    textures: {
+      uAlbedo: gpu.texture({ label: "half", format: "RGBA8", source, filter: "nearest" }),
+    },
     part: { positions, indices },
     isDoubleSided: false,
     clusters: [{ min, max, first: 0, count: indices.length }],
-    uniforms: { uSurface: [1, 0, 1, 0] },
+    uniforms: { uBaseColor: [1, 1, 1, 1], uSurface: [1, 0, 1, isCutOut ? 0.5 : 0] },
     vertexArray: gpu.vertexArray("square", {
-      attributes: { 0: { buffer: gpu.buffer("positions", positions), size: 3 } },
+      attributes: {
+        0: { buffer: gpu.buffer("positions", positions), size: 3 },
+        3: { buffer: gpu.buffer("uvs", uvs), size: 2 },
+      },
       indices: { buffer: gpu.buffer("indices", indices, "index"), type: "uint16" },
       count: indices.length,
     }),

@@ -67,6 +67,8 @@ export async function reportPrograms(
     const canvas = document.createElement("canvas");
     const scene = await loadRoom(isMoonlit ? "physical" : "paper");
     const screen = createCanvasTarget("room", canvas);
+    // By its name a GPU, on which frames in motion have shaders of their own.
+    if (quality !== "low") Object.assign(screen.gpu, { renderer: "A GPU" });
     const candle = new CandleFlame(screen, scene, allFeatures(), {
       look,
       seed: 1,
@@ -98,6 +100,12 @@ export async function reportPrograms(
       candle.step(1 / 60);
       candle.view.resize(48, 27);
     }
+    candle.play();
+    for (let picture = 0; picture < 3; picture++) {
+      candle.world.player.yaw += 0.02;
+      candle.step(1 / 60);
+    }
+    candle.pause();
     candle.world.flame.extinguish(); // smoke has its own, too
     candle.step(0.1);
     if (isMoonlit) candle.step(8); // the moon alone, when the ember is cold

@@ -78,6 +78,15 @@ test("What is kept is what was at the same place of the same surface", () => {
   expect(errors.at(-1)).toBeLessThan(0.07);
 });
 
+test("Half of a board that is cut out is kept, too, and the wall behind its other half", () => {
+  const last = frames.at(-1)!;
+  const onBoard = pixelsOf().filter((pixel) => Math.abs(depthOf(last, pixel) - 3) < 0.02);
+  const places = onBoard.map((pixel) => last.shaded[4 * pixel]!);
+  expect(onBoard.length).toBeGreaterThan(20);
+  expect(onBoard.some((pixel) => isKept(last, pixel))).toBe(true);
+  expect(Math.max(...places), "of 0.6 m up to 1.2 m").toBeLessThan(0.92);
+});
+
 test("A pixel that was kept is shaded in the next frame", () => {
   // Within the wall a point moves by a pixel or two: its neighbours are of the same quad, or of the next.
   const [before, after] = frames.slice(-2) as [Frame, Frame];

@@ -25,17 +25,18 @@ export class DepthPass {
   readonly #gpu: Gpu;
   readonly #frame: UniformBlock;
   readonly #program: Program;
-  readonly #cutOut: Program;
   readonly #merged = new Map<readonly Mesh[], Merged>();
 
   /** @param frame block `Frame` of a program with the same vertex shader */
   constructor(gpu: Gpu, frame: UniformBlock) {
     this.#gpu = gpu;
     this.#frame = frame;
-    const program = (defines: Record<string, number>) =>
-      gpu.program("mesh/depth", meshVert, depthFrag, { defines: { DEPTH_BIAS, ...defines } });
-    this.#program = program({});
-    this.#cutOut = program({ CUTOUT: 1 });
+    this.#program = this.#programOf({});
+  }
+
+  #programOf(kind: { readonly CUTOUT?: 1 }): Program {
+    const defines = { DEPTH_BIAS, ...kind };
+    return this.#gpu.program("mesh/depth", meshVert, depthFrag, { defines });
   }
 
   draw(instances: readonly ModelInstance[], target: Draw["target"]): void {
@@ -55,7 +56,7 @@ export class DepthPass {
       if (doubleSided.count > 0) draw({ program, vertexArray: doubleSided, cull: "none" });
       for (const { vertexArray, textures, uniforms, isDoubleSided } of cutOut) {
         const cull = isDoubleSided ? "none" : "back";
-        draw({ program: this.#cutOut, vertexArray, textures, uniforms, cull });
+        draw({ program: this.#programOf({ CUTOUT: 1 }), vertexArray, textures, uniforms, cull });
       }
     }
   }

@@ -208,8 +208,10 @@ export class ForwardStage implements OpaqueStage {
     this.#isOfAll = canShadeAll && isMoving;
     const isApart = this.#candles.length > 0 && !this.#isOfAll;
     if (!isMoving || isApart) this.#checkerboard?.release();
-    if (this.#isOfAll) this.#candleLayers.release();
-    else {
+    if (this.#isOfAll) {
+      // The previous frame takes their place.
+      if (this.#checkerboard) this.#candleLayers.release();
+    } else {
       const most = canShadeAll && wasOfAll ? 1 : this.#candles.length;
       // Each is shaded in the targets of the flame's own layer, which is drawn anew afterwards.
       const shade = (candle: CachedLight) => this.#shadeCandle(frame, candle);
