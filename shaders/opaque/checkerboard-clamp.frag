@@ -3,6 +3,7 @@
 // shaded, since shadows move.
 // In:  radiance, alpha below 0: reprojected.   Out: the same, clamped.
 #include "lib/precision.glsl"
+#include "lib/kept-radiance.glsl"
 
 uniform sampler2D uRadiance;
 
@@ -28,6 +29,5 @@ void main() {
     most = max(most, shaded);
   }
   if (most.a < 0.0) return;
-  vec4 clamped = clamp(vec4(radiance.rgb, -radiance.a), least, most);
-  oRadiance = vec4(clamped.rgb, min(-clamped.a, radiance.a * 1e-3));
+  oRadiance = keptRadiance(clamp(vec4(radiance.rgb, -radiance.a), least, most));
 }

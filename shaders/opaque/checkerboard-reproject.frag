@@ -4,15 +4,13 @@
 #include "lib/precision.glsl"
 #include "lib/depth.glsl"
 #include "lib/checkerboard.glsl"
-
-// Least normal half float.
-const float LEAST = 6.2e-5;
+#include "lib/kept-radiance.glsl"
 
 out vec4 oRadiance;
 
 void main() {
   vec4 radiance;
   if (!isKept(ivec2(gl_FragCoord.xy), radiance)) discard;
-  oRadiance = vec4(radiance.rgb, -max(radiance.a, LEAST));
+  oRadiance = keptRadiance(radiance);
   gl_FragDepth = 0.0;
 }

@@ -51,7 +51,7 @@ export class CheckerboardScene {
    * Draws a frame.
    *
    * @param held place of what is held
-   * @returns by pixel, rows from the bottom: the place that is seen there, metres, and -1 if it was kept, else 1
+   * @returns by pixel, rows from the bottom: the place that is seen there, metres, and a number below 0 if it was kept
    */
   draw(eye: Vec3, yaw: number, held: Vec3): number[] {
     const gpu = this.#gpu;

@@ -11,7 +11,7 @@ const FRAMES = 6;
 const STRIDE = { across: 0.012, away: 0.02, turned: 0.006 } as const;
 
 interface Frame {
-  /** By pixel: place, and -1 if it was kept, else 1. */
+  /** By pixel: place, and a number below 0 if it was kept. */
   readonly kept: readonly number[];
   /** The same of all pixels shaded. */
   readonly shaded: readonly number[];
@@ -48,7 +48,8 @@ test.beforeAll(async ({ browser }) => {
 test.afterAll(() => page.close());
 
 const pixelsOf = () => Array.from({ length: size.width * size.height }, (_, pixel) => pixel);
-const isKept = ({ kept }: Frame, pixel: number) => kept[4 * pixel + 3]! < 0;
+/** By a normal half float. */
+const isKept = ({ kept }: Frame, pixel: number) => kept[4 * pixel + 3]! < -6e-5;
 /** Distance from the camera's first place along -Z, m, to a centimetre. */
 const depthOf = ({ shaded }: Frame, pixel: number) => -Number(shaded[4 * pixel + 2]!.toFixed(2));
 const farthestAway = (pixel: number, frame: Frame) =>
