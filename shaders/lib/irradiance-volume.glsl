@@ -1,5 +1,5 @@
 // Irradiance volume: indirect light anywhere in the room, for 1 cd of the flame's, from a grid of probes.
-// Needs lib/octahedral.glsl.
+// Needs lib/octahedral.glsl; MOONLIT: lib/moon.glsl.
 //
 // Planes of probes of constant z lie one above another. Each probe is a tile of `uIrradiance`, an octahedral map of
 // irradiance, lx, by surface normal. A probe is weighted by distance, by the surface's normal, and by its visibility:
@@ -51,7 +51,7 @@ float probeVisibility(vec2 depth, float reach) {
 struct IrradianceSample {
   vec3 alongNormal;
   vec3 alongReflection;
-  float moonlight;  // MOONLIT: along the normal, for 1 lx
+  float moonlight;  // MOONLIT: along the normal, for 1 lx, by the weights of its luma
 };
 
 #ifdef MOONLIT
@@ -140,9 +140,8 @@ IrradianceSample irradianceAt(vec3 position, vec3 facing, vec3 normal, vec3 refl
     sum.alongReflection += weight * probeIrradiance(tile, reflectionUv);
     sum.alongNormal += weight * probeIrradiance(tile, normalUv);
 #ifdef MOONLIT
-    // It is nearly without hue: green stands for all.
     vec2 uv = atlasUv(tile, IRRADIANCE_EDGE, normalUv);
-    sum.moonlight += weight * textureLod(uMoonIrradiance, uv, 0.0).g;
+    sum.moonlight += weight * moonLuma(textureLod(uMoonIrradiance, uv, 0.0).rgb);
 #endif
     total += weight;
   }

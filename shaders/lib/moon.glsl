@@ -1,5 +1,5 @@
 // The moon as a light source, and the night behind the window: 1 lx on a surface outside that faces it. Light and sky are
-// colourless here: their colour is that of the layer's intensity.
+// white here: their colour is that of the layer's intensity.
 
 layout(std140) uniform Moon {
   vec3 position;       // corner of the moon's map, before the room, m
@@ -16,7 +16,13 @@ layout(std140) uniform Moon {
   vec3 paneUp;
   vec3 paneNormal;     // into the room
   float paneRows;      // of surfels on the panes
+  vec3 luma;           // weights of luma for light of its colour
 } moon;
+
+// Luminance, for 1 lx of the moon's, of a colour that would be that of white light's reflection.
+float moonLuma(vec3 color) {
+  return dot(color, moon.luma);
+}
 
 // Tangent of the moon's angular radius, 0.26 degrees.
 const float MOON_TANGENT = 0.00454;

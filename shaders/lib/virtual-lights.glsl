@@ -1,9 +1,10 @@
 // The first bounce of moonlight, and the sky's light, from points of what they come from, each with a shadow cube: for
-// 1 lx outside. Keller 1997, "Instant Radiosity". Needs lib/photometry.glsl, lib/relief.glsl, lib/moon.glsl.
+// 1 lx outside. Keller 1997, "Instant Radiosity". Needs lib/photometry.glsl, lib/moon.glsl.
 #include "lib/shadow-tiles.glsl"
+#include "lib/glossy-lobe.glsl"
 
 uniform sampler2D uVirtualLights;  // a column each: position, m, and extent, m; normal, length 1, and area, m²
-uniform sampler2D uVirtualFlux;    // lm
+uniform sampler2D uVirtualFlux;    // gi/virtual-flux.frag
 uniform highp sampler2D uVirtualShadow;
 
 const float VIRTUAL_NEAR = 0.008;  // near plane of the cubes, m
@@ -38,35 +39,37 @@ float virtualVisibility(vec3 d, vec3 facet, float slot) {
   return mix(across.x, across.y, share.y);
 }
 
-// Direction to the point of a light nearest to a reflected ray. Karis 2013, "Real Shading in Unreal Engine 4".
-vec3 representative(vec3 toLight, vec3 ray, float radius) {
-  vec3 across = dot(toLight, ray) * ray - toLight;
-  return normalize(toLight + across * min(radius / max(length(across), 1e-4), 1.0));
+// A light as it shines on a point.
+struct VirtualLight {
+  vec3 d;           // from the light, m
+  vec3 L;           // to the light, length 1
+  float squared;    // distance, m²
+  float extent;     // m
+  vec3 intensity;   // without its shadow, cd
+};
+
+VirtualLight virtualLightAt(int i, vec3 position) {
+  vec4 origin = texelFetch(uVirtualLights, ivec2(i, 0), 0);
+  vec3 axis = texelFetch(uVirtualLights, ivec2(i, 1), 0).xyz;
+  VirtualLight v;
+  v.d = position - origin.xyz;
+  v.squared = max(dot(v.d, v.d), 1e-4);
+  v.L = -v.d * inversesqrt(v.squared);
+  v.extent = origin.w;
+  v.intensity = texelFetch(uVirtualFlux, ivec2(i, 0), 0).rgb / PI;
+  if (i < VIRTUAL_LIGHTS - PANE_LIGHTS) {
+    vec2 incident = texelFetch(uVirtualFlux, ivec2(i, 1), 0).rg;
+    vec3 toMoon = -moon.direction;
+    float fresnel = fresnelSchlick(vec3(0.04), dot(-v.L, normalize(toMoon - v.L))).r;
+    v.intensity += incident.r * fresnel * glossyLobe(incident.g, axis, toMoon, -v.L);
+  } else {
+    v.intensity *= paneShare(v.L);
+  }
+  v.intensity *= max(-dot(axis, v.L), 0.0);
+  return v;
 }
 
-// Luminance that a surface reflects of the lights, cd/m². `facet`: normal of the triangle. `seen`: 1 or 0: shadows,
-// specular.
-float virtualLuminance(Shading s, vec3 position, vec3 facet, float diffuse, vec2 seen) {
-  float sum = 0.0;
-  vec3 reflected = reflect(-s.view, s.normal);
-  for (int i = 0; i < VIRTUAL_LIGHTS; i++) {
-    vec4 origin = texelFetch(uVirtualLights, ivec2(i, 0), 0);
-    vec3 axis = texelFetch(uVirtualLights, ivec2(i, 1), 0).xyz;
-    vec3 d = position - origin.xyz;
-    float extent = origin.w;
-    float squared = max(dot(d, d), 1e-4);
-    vec3 L = -d * inversesqrt(squared);
-    float NoL = dot(s.normal, L);
-    float intensity = texelFetch(uVirtualFlux, ivec2(i, 0), 0).r / PI * max(-dot(axis, L), 0.0);
-    if (min(intensity, NoL) <= 0.0) continue;
-    if (i >= VIRTUAL_LIGHTS - PANE_LIGHTS) intensity *= paneShare(L);
-    vec3 R = representative(-d, reflected, extent);
-    vec3 H = normalize(R + s.view);
-    float lobe = widenedLobe(s.alpha, extent * inversesqrt(squared), dot(s.normal, H), s.NoV, NoL);
-    lobe *= luma(fresnelSchlick(s.f0, max(dot(R, H), 0.0)));
-    float share = diffuse / PI * normalMapVisibility(s.surface, s.normal, L) * s.minified.y + lobe * seen.y;
-    float visibility = mix(1.0, virtualVisibility(d, facet, float(i)), seen.x);
-    sum += intensity / max(squared, extent * extent) * NoL * visibility * share;
-  }
-  return sum;
+// Without shadows, lx. Nearer than its extent the light is not a point.
+vec3 virtualIrradiance(VirtualLight v, float NoL) {
+  return v.intensity / max(v.squared, v.extent * v.extent) * NoL;
 }

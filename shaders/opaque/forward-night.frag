@@ -1,7 +1,7 @@
 #version 300 es
 // Forward shading of a mesh for a moon of 1 lx alone, and the night behind panes: the first bounce casts shadows.
 // PREPASS: a tile of the refined image, of which hidden fragments are not shaded.
-// Out: nothing for a flame; alpha: luminance per lux. Rod vision needs no more.
+// Out: nothing for a flame; alpha: luminance for 1 lx. Rod vision needs no more.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "lib/octahedral.glsl"
@@ -10,7 +10,6 @@
 #include "lib/random.glsl"
 #include "lib/brdf.glsl"
 #include "lib/environment-brdf.glsl"
-#define VOLUME_CHANNELS aaa
 #include "lib/irradiance-volume.glsl"
 #include "lib/surface.glsl"
 #ifdef PREPASS
@@ -28,6 +27,32 @@ uniform vec2 uOrigin;    // of the target on the frame, pixels
 
 out vec4 oRadiance;
 
+// Direction to the point of a light nearest to a reflected ray. Karis 2013, "Real Shading in Unreal Engine 4".
+vec3 representative(vec3 toLight, vec3 ray, float radius) {
+  vec3 across = dot(toLight, ray) * ray - toLight;
+  return normalize(toLight + across * min(radius / max(length(across), 1e-4), 1.0));
+}
+
+// Luminance that a surface reflects of the virtual lights, cd/m². `facet`: normal of the triangle. `seen`: 1 or 0:
+// shadows, specular.
+float virtualLuminance(Shading s, vec3 position, vec3 facet, vec3 diffuseColor, vec2 seen) {
+  float sum = 0.0;
+  vec3 reflected = reflect(-s.view, s.normal);
+  for (int i = 0; i < VIRTUAL_LIGHTS; i++) {
+    VirtualLight v = virtualLightAt(i, position);
+    float NoL = dot(s.normal, v.L);
+    if (min(v.intensity.g, NoL) <= 0.0) continue;
+    vec3 R = representative(-v.d, reflected, v.extent);
+    vec3 H = normalize(R + s.view);
+    float lobe = widenedLobe(s.alpha, v.extent * inversesqrt(v.squared), dot(s.normal, H), s.NoV, NoL);
+    vec3 share = diffuseColor / PI * normalMapVisibility(s.surface, s.normal, v.L) * s.minified.y;
+    share += fresnelSchlick(s.f0, max(dot(R, H), 0.0)) * lobe * seen.y;
+    float visibility = mix(1.0, virtualVisibility(v.d, facet, float(i)), seen.x);
+    sum += moonLuma(virtualIrradiance(v, NoL) * share) * visibility;
+  }
+  return sum;
+}
+
 float shade(vec3 facet) {
   Material material = materialHere();
   vec3 surface = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
@@ -40,9 +65,9 @@ float shade(vec3 facet) {
   bool isPane = material.roughness < PANE_ROUGHNESS && isOnPane(vPositionWorld);
   for (int i = isPane ? 1 : 0; i > 0; i--) luminance += nightThroughPane(-s.view, s.NoV);
   IrradianceSample probes = irradianceAt(vPositionWorld + surface * 0.02, normal, normal, reflect(-s.view, normal));
-  float firstBounce = virtualLuminance(s, vPositionWorld, facet, luma(diffuseColor), uFeatures.xz);
-  float laterBounces = probes.alongNormal.x * skyVisibility(surface, normal) * s.minified.x * luma(diffuseColor);
-  float mirrored = probes.alongReflection.x * luma(environment.share) * uFeatures.z;
+  float firstBounce = virtualLuminance(s, vPositionWorld, facet, diffuseColor, uFeatures.xz);
+  float laterBounces = moonLuma(probes.alongNormal * diffuseColor) * skyVisibility(surface, normal) * s.minified.x;
+  float mirrored = moonLuma(probes.alongReflection * environment.share) * uFeatures.z;
   float unoccluded = 1.0 - NEAR_OCCLUSION * (1.0 - material.occlusion);
   float indirect = firstBounce + (laterBounces + mirrored) / PI * unoccluded;
   return luminance + indirect * uFeatures.y;

@@ -21,6 +21,9 @@
 #include "lib/surfels.glsl"
 #include "lib/distance-impostor.glsl"
 #endif
+#ifdef MOONLIT
+#include "lib/moon.glsl"
+#endif
 #include "lib/irradiance-volume.glsl"
 #include "lib/wax.glsl"
 
@@ -44,7 +47,6 @@ const float WICK_COSINE = 0.05;
 #include "lib/prepass.glsl"
 #endif
 #ifdef MOONLIT
-#include "lib/moon.glsl"
 #include "lib/moon-shadow.glsl"
 #include "lib/night-sky.glsl"
 #include "lib/direct-moonlight.glsl"
@@ -153,7 +155,7 @@ vec4 shade(vec3 facet) {
   bool isPane = roughness < PANE_ROUGHNESS && isOnPane(vPositionWorld);
   for (int i = isPane ? 1 : 0; i > 0; i--) moonlight += nightThroughPane(-s.view, s.NoV);
 #endif
-  float reflectance = luma(diffuseColor) * skyVisibility(surface, normal) * s.minified.x + luma(environment.share) * uFeatures.z;
+  float reflectance = moonLuma(diffuseColor) * skyVisibility(surface, normal) * s.minified.x + moonLuma(environment.share) * uFeatures.z;
 #endif
 
   // Indirect light.

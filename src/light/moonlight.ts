@@ -9,6 +9,14 @@ import { TAPER } from "./flame-light.js";
  */
 const BESIDE_CANDLE: Rgb = [0.73, 0.965, 1.33];
 
+/** Weights of luma for white light in place of moonlight: of what reflects it, some of whose colours it has less of. */
+export function moonLuma(): Rgb {
+  const color = adaptedMoonlight(1);
+  const [red, green, blue] = color;
+  const scale = 1 / luma(color);
+  return [luma([red, 0, 0]) * scale, luma([0, green, 0]) * scale, luma([0, 0, blue]) * scale];
+}
+
 /** Moonlight of some lux, before the adaptation to candlelight. */
 export function adaptedMoonlight(illuminance: number): Rgb {
   const scale = illuminance / luma(BESIDE_CANDLE);

@@ -2,7 +2,7 @@ import type { Texture } from "../gl/texture.js";
 import type { UniformBlock } from "../gl/uniform-block.js";
 import { luma, type Rgb } from "../light/color.js";
 import type { World } from "../world/world.js";
-import type { IrradianceVolume } from "./gi/indirect-pass.js";
+import type { IrradianceVolume } from "./gi/irradiance-volume.js";
 import { type CaptureLight, flameIntensity } from "./light-block.js";
 import type { VirtualLightTextures } from "./moon/virtual-lights.js";
 

@@ -85,8 +85,8 @@ export class CachedLights {
    *
    * @param casters of shadows
    */
-  *night(casters: ShadowCasters): Steps {
-    if (this.#moon) yield* this.#moon.night(casters);
+  *night(casters: ShadowCasters, size: StepSize): Steps {
+    if (this.#moon) yield* this.#moon.night(casters, size);
   }
 
   /** Its own captures, or new ones, or those of a candle that is out. */

@@ -9,7 +9,7 @@ import { clipFromWorld, clipPosition, magnification, projectionScale } from "./c
 import { AT_ORIGIN, type FrameInput, type ModelInstance, type Placement } from "./frame-input.js";
 import type { FrameSettings } from "./frame-settings.js";
 import type { GBufferKind } from "./gbuffer/gbuffer.js";
-import type { IrradianceVolume } from "./gi/indirect-pass.js";
+import type { IrradianceVolume } from "./gi/irradiance-volume.js";
 import { type Captures, LightCaptures } from "./gi/light-captures.js";
 import { captureLight, lightBlock } from "./light-block.js";
 import { groupTriangles } from "./mesh/clusters.js";

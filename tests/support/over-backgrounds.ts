@@ -5,7 +5,7 @@ import { type Box, type Draw, Gpu } from "../../src/gl/gpu.ts";
 import type { Texture } from "../../src/gl/texture.ts";
 import type { TextureView } from "../../src/gl/texture-view.ts";
 import { clipFromWorld, projectionScale } from "../../src/render/camera.ts";
-import type { IrradianceVolume } from "../../src/render/gi/indirect-pass.ts";
+import type { IrradianceVolume } from "../../src/render/gi/irradiance-volume.ts";
 import { lightBlock } from "../../src/render/light-block.ts";
 import { tierNamed } from "../../src/render/quality.ts";
 import { carriedWick, FlamePass } from "../../src/render/volumetric/flame-pass.ts";

@@ -4,10 +4,9 @@ import rayRadianceFrag from "../../../shaders/gi/ray-radiance.frag";
 import surfelRadianceFrag from "../../../shaders/gi/surfel-radiance.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Model } from "../../assets/model.js";
-import type { Gpu } from "../../gl/gpu.js";
+import type { Draw, Gpu } from "../../gl/gpu.js";
 import type { Program, ShaderSource } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
-import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { CollisionMesh } from "../../world/room/collision-mesh.js";
 import type { CaptureLight } from "../light-block.js";
@@ -17,8 +16,14 @@ import type { ShadowCasters } from "../shadow/shadow-casters.js";
 import type { ShadowCube } from "../shadow/shadow-pass.js";
 import { drawInBands, finish, type Steps } from "../steps.js";
 import { BounceLimit } from "./bounce-limit.js";
-import { type IndirectTargets, irradianceMaps, surfelRowsOf } from "./indirect-targets.js";
+import {
+  type IndirectTargets,
+  irradianceMaps,
+  rayRadianceTarget,
+  surfelRowsOf,
+} from "./indirect-targets.js";
 import { interiorBounds } from "./interior-bounds.js";
+import type { IrradianceVolume } from "./irradiance-volume.js";
 import { type IndirectDetail, IRRADIANCE_TEXELS, probeTraceOf } from "./probe-rays.js";
 import { type ProbeTextures, uploadProbeRays } from "./probe-textures.js";
 import { SurfelPass } from "./surfel-pass.js";
@@ -35,6 +40,8 @@ export interface IndirectScene {
 /** Bands that a pass is drawn in, where it is drawn in steps. */
 const BANDS = { surfelRadiance: 9, rayDirect: 3, rayRadiance: 4, gather: 3 };
 const AT_ONCE: typeof BANDS = { surfelRadiance: 1, rayDirect: 1, rayRadiance: 1, gather: 1 };
+/** Of `bouncesAfter`. */
+const PASS_BANDS = 40;
 /** Bias along the normal, for the visibility of probes, as a share of their least spacing. */
 const NORMAL_BIAS = 0.15;
 
@@ -42,28 +49,6 @@ export type ShadowMap = Pick<ShadowCube, "depth" | "captureOrigin">;
 
 /** How much a step of a capture draws: a whole pass, or a band of one. A face of the surfel cube is a step in both. */
 export type StepSize = "passes" | "steps";
-
-/** Irradiance volume, for shaders that include `lib/irradiance-volume.glsl`. */
-export interface IrradianceVolume {
-  readonly block: UniformBlock;
-  readonly textures: {
-    readonly uIrradiance: Texture;
-    readonly uProbePositions: Texture;
-    readonly uProbeDepth: Texture;
-  };
-  /** The surfels, and their light, which surfaces mirror: for `lib/distance-impostor.glsl`. */
-  readonly surfels: {
-    readonly uSurfelNormalDistance: Texture;
-    /** In all light, lm/m². */
-    readonly uTotalRadiosity: Texture;
-  };
-  /** Mean reflectance of the room, one texel: for the exposure. */
-  readonly roomReflectance: Texture;
-  /** Of the surface below the flame, for `lib/support-irradiance.glsl`. */
-  readonly support: Texture;
-  /** Changes with any of these. */
-  readonly revision: number;
-}
 
 /**
  * Indirect diffuse light by radiosity and dynamic irradiance probes, without precomputed lighting.
@@ -222,17 +207,57 @@ export class IndirectPass {
   /** All bounces, a band of a pass in each step. */
   *allBounces(light: CaptureLight, bands = AT_ONCE): Steps {
     yield* this.#renderFirstBounce(light, bands);
+    yield* this.#renderFurtherBounces(this.#irradiance, bands);
+    this.#revision++;
+    this.#surfels.renderTotalRadiosity(this.volume.textures, this.#block);
+    this.lastLight = light;
+    this.#isExact = true;
+  }
+
+  /**
+   * What light does after a bounce that a pass finds at the hits of the probes' rays.
+   *
+   * @param pass draws its radiance times solid angle, as gi/ray-radiance does
+   * @param target irradiance, lx
+   */
+  *bouncesAfter(pass: Omit<Draw, "target">, target: RenderTarget, size: StepSize): Steps {
+    // Of its own: with large steps, another light's bounces may come between its bands, and not after them.
+    const radiance = rayRadianceTarget(this.#gpu, this.#detail);
+    yield* drawInBands(this.#gpu, PASS_BANDS, {
+      ...pass,
+      target: radiance,
+      textures: {
+        ...pass.textures,
+        ...this.#probes.rays,
+        uProbePositions: this.#probes.volume.uProbePositions,
+      },
+      uniforms: this.#uniforms,
+    });
+    this.#targets.usedFor = null;
+    const bands = size === "steps" ? BANDS : AT_ONCE;
+    const rest = this.#bouncesFrom(radiance, target, bands);
+    if (size === "steps") yield* rest;
+    else finish(rest);
+    radiance.dispose();
+  }
+
+  *#bouncesFrom(radiance: RenderTarget, target: RenderTarget, bands: typeof BANDS): Steps {
+    const { firstBounce, bounces } = this.#targets;
+    const [nothing] = bounces;
+    this.#gpu.clear(nothing!, [0, 0, 0, 1]);
+    yield* this.#gatherRays(radiance, nothing!, firstBounce, bands);
+    yield* this.#renderFurtherBounces(target, bands);
+  }
+
+  /** The limit of what begins with the targets' first bounce. */
+  *#renderFurtherBounces(target: RenderTarget, bands: typeof BANDS): Steps {
     const sums = [this.#targets.firstBounce];
     for (let bounce = 1; bounce < this.#detail.bounces; bounce++) {
       const sum = this.#targets.bounces[bounce % this.#targets.bounces.length]!;
       yield* this.#renderNextBounce(sums.at(-1)!, sum, bands);
       sums.push(sum);
     }
-    this.#limit.render(sums.slice(-4), this.#irradiance);
-    this.#revision++;
-    this.#surfels.renderTotalRadiosity(this.volume.textures, this.#block);
-    this.lastLight = light;
-    this.#isExact = true;
+    this.#limit.render(sums.slice(-4), target);
   }
 
   /** The first bounce, and one of the previous irradiance, which approximates all further bounces. */
@@ -243,11 +268,6 @@ export class IndirectPass {
     this.#revision++;
     if (!this.#detail.mirrorsInMotion) return;
     this.#surfels.renderTotalRadiosity(this.volume.textures, this.#block);
-  }
-
-  /** The first bounce alone, until other lights are captured. */
-  get firstBounce(): Texture {
-    return this.#targets.firstBounce.color;
   }
 
   *#renderFirstBounce(light: CaptureLight, bands: typeof BANDS): Steps {
@@ -291,14 +311,16 @@ export class IndirectPass {
       },
       uniforms: { ...this.#uniforms, uShadowOrigin: shadow.captureOrigin },
     });
-    yield* this.#gatherRays(surfelSum!, this.#targets.firstBounce, bands);
+    const { rayRadiance, firstBounce } = this.#targets;
+    yield* this.#gatherRays(rayRadiance, surfelSum!, firstBounce, bands);
   }
 
   *#renderNextBounce(last: RenderTarget, target: RenderTarget, bands: typeof BANDS): Steps {
+    const { rayRadiance, firstBounce } = this.#targets;
     yield* drawInBands(this.#gpu, bands.rayRadiance, {
       program: this.#rayRadianceProgram,
       uniforms: this.#uniforms,
-      target: this.#targets.rayRadiance,
+      target: rayRadiance,
       textures: {
         uIrradiance: last.color,
         ...this.#probes.rays,
@@ -306,16 +328,21 @@ export class IndirectPass {
       },
       blocks: { Volume: this.#block },
     });
-    yield* this.#gatherRays(this.#targets.firstBounce, target, bands);
+    yield* this.#gatherRays(rayRadiance, firstBounce, target, bands);
   }
 
   /** The probes' irradiance before, plus that along their rays. */
-  *#gatherRays(before: RenderTarget, target: RenderTarget, bands: typeof BANDS): Steps {
+  *#gatherRays(
+    radiance: RenderTarget,
+    before: RenderTarget,
+    target: RenderTarget,
+    bands: typeof BANDS,
+  ): Steps {
     yield* drawInBands(this.#gpu, bands.gather, {
       program: this.#rayGatherProgram,
       uniforms: this.#uniforms,
       target,
-      textures: { uRadiance: this.#targets.rayRadiance.color, uIrradianceBefore: before.color },
+      textures: { uRadiance: radiance.color, uIrradianceBefore: before.color },
     });
   }
 }

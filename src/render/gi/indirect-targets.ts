@@ -35,19 +35,25 @@ export function irradianceMaps(
   });
 }
 
+/** What all probes receive along their rays, in groups of four. */
+export function rayRadianceTarget(
+  gpu: Gpu,
+  { probes: [columns, rows, planes], rays }: IndirectDetail,
+): RenderTarget {
+  return gpu.renderTarget({
+    label: "gi/ray-radiance",
+    width: (columns * rays) / 2,
+    height: (rows * planes * rays) / 2,
+    color: ["RGBA16F"],
+    filter: "nearest",
+  });
+}
+
 export function indirectTargets(gpu: Gpu, detail: IndirectDetail): IndirectTargets {
   const [width, rows, planes] = detail.probes;
   const height = rows * planes;
-  // Rays in groups of four.
-  const rayEdge = detail.rays / 2;
-  const radiance = { color: ["RGBA16F"], filter: "nearest" } as const;
   return {
-    rayRadiance: gpu.renderTarget({
-      label: "gi/ray-radiance",
-      width: width * rayEdge,
-      height: height * rayEdge,
-      ...radiance,
-    }),
+    rayRadiance: rayRadianceTarget(gpu, detail),
     surfelRadiance: gpu.renderTarget({
       label: "gi/surfel-radiance",
       width: width * detail.rays,

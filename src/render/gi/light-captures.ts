@@ -13,14 +13,10 @@ import { clusterBuilderOf, ShadowCasters } from "../shadow/shadow-casters.js";
 import { type ShadowCube, ShadowPass, shadowAtlas } from "../shadow/shadow-pass.js";
 import { finish, type Steps } from "../steps.js";
 import { fitToRoom } from "./fit-to-room.js";
-import {
-  IndirectPass,
-  type IndirectScene,
-  type IrradianceVolume,
-  type StepSize,
-} from "./indirect-pass.js";
+import { IndirectPass, type IndirectScene, type StepSize } from "./indirect-pass.js";
 import { indirectTargets } from "./indirect-targets.js";
 import { IndirectUpdates } from "./indirect-updates.js";
+import type { IrradianceVolume } from "./irradiance-volume.js";
 
 /** Margin of the view frustum in culling of casters, for the flame's penumbra, metres. */
 const PENUMBRA = 0.05;
@@ -105,7 +101,7 @@ export class LightCaptures {
   *#lights(world: World, size: StepSize, isGradual = false): Steps<readonly CachedLight[]> {
     const lights = yield* this.#cachedLights.steps(world, this.#casters, size, isGradual);
     if (!this.#hasNight || !isMoonAlone(world, lights)) return lights;
-    const night = this.#cachedLights.night(this.#casters);
+    const night = this.#cachedLights.night(this.#casters, size);
     if (isGradual) night.next();
     else yield* night;
     return yield* this.#cachedLights.steps(world, this.#casters, size, isGradual);

@@ -1,9 +1,6 @@
-import laterFrag from "../../../shaders/gi/later-bounces.frag";
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import shadowFrag from "../../../shaders/shadow/shadow.frag";
 import shadowVert from "../../../shaders/shadow/shadow.vert";
 import type { Gpu } from "../../gl/gpu.js";
-import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import { adaptedMoonlight } from "../../light/moonlight.js";
 import type { Vec3 } from "../../world/geometry.js";
@@ -11,7 +8,7 @@ import type { Moon } from "../../world/moon.js";
 import { CollisionMesh } from "../../world/room/collision-mesh.js";
 import type { CachedLight } from "../cached-light.js";
 import { IndirectPass, type IndirectScene, type StepSize } from "../gi/indirect-pass.js";
-import { type IndirectTargets, irradianceMaps } from "../gi/indirect-targets.js";
+import type { IndirectTargets } from "../gi/indirect-targets.js";
 import { type IndirectDetail, probeTraceOf } from "../gi/probe-rays.js";
 import type { PhysicalTier } from "../quality.js";
 import { clusterBuilderOf, ShadowCasters } from "../shadow/shadow-casters.js";
@@ -50,8 +47,6 @@ export class MoonCaptures {
   readonly #surfels: MoonSurfels;
   readonly #detail: IndirectDetail;
   readonly #indirect: IndirectPass;
-  /** Irradiance; alpha: without the first bounce. */
-  readonly #irradiance: RenderTarget;
   /** What the moon lights, of each of its surfels. */
   #lit: readonly (LitPoint | null)[] = [];
   /** Made when the moon first is all that shines. */
@@ -79,7 +74,6 @@ export class MoonCaptures {
     this.#detail = indirect;
     this.#surfels = new MoonSurfels(gpu, indirect.surfels, indirect.surfelGroup);
     this.#indirect = new IndirectPass(gpu, scene, indirect, targets, this.#surfels);
-    this.#irradiance = irradianceMaps(gpu, indirect, "moon/irradiance");
   }
 
   /**
@@ -117,10 +111,10 @@ export class MoonCaptures {
    *
    * @param casters of the whole room
    */
-  *night(casters: ShadowCasters): Steps {
+  *night(casters: ShadowCasters, size: StepSize): Steps {
     if (!this.#light || this.#light.virtual) return;
-    this.#virtual ??= new VirtualLights(this.#gpu, this.#surfels);
-    this.#capturing ??= this.#virtual.capture(casters, this.#lit);
+    this.#virtual ??= new VirtualLights(this.#gpu, this.#surfels, this.#indirect, this.#detail);
+    this.#capturing ??= this.#virtual.capture(casters, this.#lit, size);
     // Another frame may go on with it between these steps, or another direction replace it.
     while (this.#capturing && !this.#light.virtual) {
       const { done, value } = this.#capturing.next();
@@ -158,31 +152,17 @@ export class MoonCaptures {
     const shadow = { depth: this.#map, captureOrigin: frustum.corner };
     const irradiance = yield* this.#indirect.capture(casters, block, shadow, size);
     casters.dispose();
-    const textures = {
-      ...irradiance.textures,
-      uIrradiance: this.#withLaterBounces(irradiance.textures.uIrradiance),
-    };
     return {
       kind: "moon",
       name: "moon",
       light: null,
       block: this.#surfels.block,
       shadow: this.#map,
-      irradiance: { ...irradiance, textures },
+      irradiance,
       virtual: null,
       // The sky shows through openings. In a room with panes, background is a gap between walls.
       background: frustum.panes ? 0 : SKY,
     };
-  }
-
-  /** The volume, and in its alpha what is left without the first bounce: virtual lights cast its shadows. */
-  #withLaterBounces(uIrradiance: Texture): Texture {
-    this.#gpu.draw({
-      program: this.#gpu.program("gi/later-bounces", fullscreenVert, laterFrag),
-      target: this.#irradiance,
-      textures: { uIrradiance, uFirstBounce: this.#indirect.firstBounce },
-    });
-    return this.#irradiance.color;
   }
 
   #drawMap(frustum: MoonFrustum, casters: ShadowCasters): void {

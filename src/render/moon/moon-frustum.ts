@@ -1,5 +1,6 @@
 import { vec3 } from "gl-matrix";
 import type { Model, Part } from "../../assets/model.js";
+import { moonLuma } from "../../light/moonlight.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import { verticesOf } from "../mesh/triangles.js";
 import { rangeAlong } from "../points.js";
@@ -105,6 +106,7 @@ export function moonBlock(
     paneAcross: panes?.across ?? nowhere,
     paneUp: panes?.up ?? nowhere,
     paneNormal: panes?.normal ?? nowhere,
+    luma: moonLuma(),
   };
 }
 

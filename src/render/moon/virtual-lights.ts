@@ -1,3 +1,4 @@
+import rayVirtualFrag from "../../../shaders/gi/ray-virtual.frag";
 import fluxFrag from "../../../shaders/gi/virtual-flux.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Gpu } from "../../gl/gpu.js";
@@ -5,13 +6,16 @@ import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { Vec3 } from "../../world/geometry.js";
 import { floats } from "../float-format.js";
+import type { IndirectPass, StepSize } from "../gi/indirect-pass.js";
+import { irradianceMaps } from "../gi/indirect-targets.js";
+import type { IndirectDetail } from "../gi/probe-rays.js";
 import type { ShadowCasters } from "../shadow/shadow-casters.js";
 import { type ShadowAtlas, ShadowPass, shadowAtlas } from "../shadow/shadow-pass.js";
 import type { Steps } from "../steps.js";
 import type { MoonSurfels } from "./moon-surfels.js";
 
 /** Of shaders that include `lib/virtual-lights.glsl`. The last are on the panes, where the sky's light comes from. */
-export const VIRTUAL_LIGHTS = { VIRTUAL_LIGHTS: 20, PANE_LIGHTS: 4 } as const;
+export const VIRTUAL_LIGHTS = { VIRTUAL_LIGHTS: 32, PANE_LIGHTS: 8 } as const;
 const COUNT = VIRTUAL_LIGHTS.VIRTUAL_LIGHTS;
 const OF_PANES = VIRTUAL_LIGHTS.PANE_LIGHTS;
 
@@ -98,9 +102,9 @@ export function groupLitPoints(points: readonly (LitPoint | null)[], count: numb
   });
 }
 
-/** For shaders that include `lib/virtual-lights.glsl`. */
+/** For shaders that include `lib/virtual-lights.glsl`; the irradiance volume is that of all bounces but the first. */
 export type VirtualLightTextures = Readonly<
-  Record<"uVirtualLights" | "uVirtualFlux" | "uVirtualShadow", Texture>
+  Record<"uVirtualLights" | "uVirtualFlux" | "uVirtualShadow" | "uIrradiance", Texture>
 >;
 
 /**
@@ -112,29 +116,34 @@ export class VirtualLights {
   readonly #surfels: MoonSurfels;
   readonly #atlas: ShadowAtlas;
   readonly #flux: RenderTarget;
+  readonly #indirect: IndirectPass;
+  readonly #irradiance: RenderTarget;
   #places: Texture | null = null;
 
-  constructor(gpu: Gpu, surfels: MoonSurfels) {
+  constructor(gpu: Gpu, surfels: MoonSurfels, indirect: IndirectPass, detail: IndirectDetail) {
     this.#gpu = gpu;
     this.#surfels = surfels;
+    this.#indirect = indirect;
+    this.#irradiance = irradianceMaps(gpu, detail, "moon/later-bounces");
     this.#atlas = shadowAtlas(gpu, CUBE, COUNT, NEAR);
     this.#flux = gpu.renderTarget({
       label: "moon/virtual-flux",
       width: COUNT,
-      height: 1,
+      height: 2,
       color: [floats(gpu, 4)],
       filter: "nearest",
     });
   }
 
   /**
-   * A face of a cube in each step.
+   * A face of a cube in each step, or a band of the next bounce.
    *
    * @param points of the surfels, row by row
    */
   *capture(
     casters: ShadowCasters,
     points: readonly (LitPoint | null)[],
+    size: StepSize,
   ): Steps<VirtualLightTextures> {
     const groupsOf = (isPane: boolean, count: number) =>
       groupLitPoints(
@@ -162,11 +171,20 @@ export class VirtualLights {
       filter: "nearest",
     });
     this.#renderFlux(numbers);
-    return {
+    const lights = {
       uVirtualLights: this.#places,
       uVirtualFlux: this.#flux.color,
       uVirtualShadow: this.#atlas.depth,
     };
+    const nextBounce = {
+      program: this.#gpu.program("gi/ray-virtual", fullscreenVert, rayVirtualFrag, {
+        defines: VIRTUAL_LIGHTS,
+      }),
+      textures: lights,
+      blocks: this.#surfels.blocks,
+    };
+    yield* this.#indirect.bouncesAfter(nextBounce, this.#irradiance, size);
+    return { ...lights, uIrradiance: this.#irradiance.color };
   }
 
   /** @param numbers of each surfel's light */

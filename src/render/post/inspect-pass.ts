@@ -8,7 +8,7 @@ import { adaptation } from "../../light/color.js";
 import { TAPER } from "../../light/flame-light.js";
 import type { Inspection } from "../../settings.js";
 import type { FrameSettings } from "../frame-settings.js";
-import type { IrradianceVolume } from "../gi/indirect-pass.js";
+import type { IrradianceVolume } from "../gi/irradiance-volume.js";
 
 /** Numbers of the views in `post/inspect.frag`. */
 const VIEWS: Readonly<Record<Exclude<Inspection, "picture">, number>> = {

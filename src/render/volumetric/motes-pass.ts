@@ -8,7 +8,7 @@ import { sootRadiance } from "../../light/soot.js";
 import type { ParticleLayer } from "../../world/particles/particle-layer.js";
 import { layerKey } from "../../world/particles/particles.js";
 import type { World } from "../../world/world.js";
-import type { IrradianceVolume } from "../gi/indirect-pass.js";
+import type { IrradianceVolume } from "../gi/irradiance-volume.js";
 import { FEEDBACK, ParticleSystem, particleProgram } from "./particle-system.js";
 import type { CompositedFrame } from "./volumetric-target.js";
 

@@ -11,7 +11,7 @@ import type { Vec3 } from "../../world/geometry.js";
 import type { ParticleLayer } from "../../world/particles/particle-layer.js";
 import type { World } from "../../world/world.js";
 import { AT_ORIGIN, type FrameInput, type Placement, type Size } from "../frame-input.js";
-import type { IrradianceVolume } from "../gi/indirect-pass.js";
+import type { IrradianceVolume } from "../gi/irradiance-volume.js";
 import { CHAMBERSTICK } from "../light-block.js";
 import type { Mesh } from "../mesh/mesh.js";
 import type { FrameBlocks } from "../opaque/opaque-stage.js";
