@@ -123,9 +123,8 @@ export class CandleFlame {
     else if (options.seed !== before.seed) this.reset();
     else if (options.particles !== before.particles) this.view.follow(this.#subject);
     if (options.quality !== before.quality) this.view.rebuild();
-    const isOther =
-      options.unlit !== before.unlit || `${options.litWicks}` !== `${before.litWicks}`;
-    if (!isOther) return;
+    const burning = ({ unlit, litWicks }: Options) => `${unlit} ${litWicks}`;
+    if (burning(options) === burning(before)) return;
     for (let index = 0; index < candleCount(this.world); index++) {
       this.setLit(burnsAtFirst(index, this.#scene, options), index);
     }
@@ -225,8 +224,9 @@ export class CandleFlame {
     return currentTime(this.world);
   }
 
-  /** Time 0, as if new. */
+  /** Time 0, as if new: without what keys have asked for. */
   reset(): void {
+    this.input?.read();
     this.#replace(this.#createWorld());
   }
 
@@ -313,8 +313,8 @@ export class CandleFlame {
 
   get flame(): FlameReport {
     if (this.#options.look === "physical") return flameReport(carriedFlame(this.world));
-    const light = candleLight(this.world, this.#features, this.#options.isStill);
-    return paperFlameReport(this.world, light.position);
+    const { position } = candleLight(this.world, this.#features, this.#options.isStill);
+    return paperFlameReport(this.world, position);
   }
 
   /** The same of any candle; null where there is none. */
@@ -326,13 +326,13 @@ export class CandleFlame {
 
   /** Of all candles, candela. */
   get luminousIntensity(): number {
-    const standing = this.world.standing.map((candle) => flameReport(candle).luminousIntensity);
-    return standing.reduce((sum, one) => sum + one, this.flame.luminousIntensity);
+    const reports = [this.flame, ...this.world.standing.map(flameReport)];
+    return reports.reduce((sum, { luminousIntensity }) => sum + luminousIntensity, 0);
   }
 
   get stats(): Stats {
-    const frameMs = Number.isNaN(this.#loop.frameMs) ? 0 : this.#loop.frameMs;
     const { particles, ...view } = this.view.stats;
+    const frameMs = this.#loop.frameMs || 0;
     return {
       ...view,
       fps: frameMs > 0 ? 1000 / frameMs : 0,

@@ -83,9 +83,7 @@ export class FirstPersonInput {
       togglesFlame: this.#clicks || any("togglesFlame"),
       blows: any("blows"),
     };
-    this.#yaw = 0;
-    this.#pitch = 0;
-    this.#clicks = false;
+    this.#forgetMouse();
     return intent;
   }
 
@@ -172,9 +170,17 @@ export class FirstPersonInput {
     this.#keyboard.release();
     this.#touch.release();
     this.#gamepads.release();
+    this.#forgetMouse();
+  }
+
+  #forgetMouse(): void {
+    this.#yaw = 0;
+    this.#pitch = 0;
+    this.#clicks = false;
   }
 
   readonly #keyDown = (event: KeyboardEvent): void => {
+    if (event.target !== this.#host) return; // of a control in a slot
     if (ENTER.has(event.code) && !this.#isIn) {
       event.preventDefault();
       this.#isTouched = false;

@@ -44,8 +44,10 @@ export class Keyboard {
     this.#down.delete(code);
   }
 
+  /** Forgets keys that are down, and actions that no frame has read. */
   release(): void {
     this.#down.clear();
+    this.#actions = {};
   }
 
   read(): Intent {

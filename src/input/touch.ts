@@ -89,10 +89,12 @@ export class Touch {
     this.#lastTap = isSecond ? null : { x, y, time };
   }
 
+  /** Forgets fingers, and what no frame has read of them. */
   release(): void {
     clearTimeout(this.#holdTimer);
     this.#fingers.clear();
     this.#lastTap = null;
+    this.read();
   }
 
   read(): Intent {

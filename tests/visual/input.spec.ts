@@ -452,6 +452,40 @@ test.describe("The keyboard", () => {
   });
 });
 
+test("What keys asked for while no frame ran is forgotten once the visitor leaves, or time begins anew", async ({
+  page,
+}) => {
+  const room = await openControls(page);
+  const isLit = () => room.evaluate((element) => element.lit);
+  await enterByKeyboard(room);
+  await page.keyboard.press("KeyE");
+  await page.keyboard.press("Escape");
+  await expect.poll(() => room.isWalking()).toBe(false);
+  await room.step(0.1);
+  expect(await isLit()).toBe(true);
+  await enterByKeyboard(room);
+  await page.keyboard.press("KeyE");
+  await room.evaluate((element) => element.reset());
+  await room.step(0.1);
+  expect(await isLit()).toBe(true);
+  await page.keyboard.press("KeyE");
+  await room.step(0.1);
+  expect(await isLit()).toBe(false);
+});
+
+test("A control in a slot has its keys to itself", async ({ page }) => {
+  const room = await openControls(page);
+  const isPrevented = await room.evaluate((element) => {
+    const button = document.createElement("button");
+    button.slot = "error";
+    element.append(button);
+    const key = { code: "Enter", bubbles: true, composed: true, cancelable: true };
+    return !button.dispatchEvent(new KeyboardEvent("keydown", key));
+  });
+  expect(isPrevented).toBe(false);
+  expect(await room.isWalking()).toBe(false);
+});
+
 test("Either Enter walks in, and no other key", async ({ page }) => {
   const room = await openControls(page);
   await room.evaluate((element) => element.focus());
