@@ -55,7 +55,7 @@ export function* worldInSteps(
   const { room, wicks, createPlume, isModelAlone, first } = scene;
   const { look, seed, isStill, wind } = options;
   const alone = first ? { ...LONE_CANDLE_SETUP, wick: first.position } : LONE_CANDLE_SETUP;
-  const world = yield* createWorldInSteps(look, seed, {
+  return yield* createWorldInSteps(look, seed, {
     createPlume,
     room,
     setup: isModelAlone ? alone : null,
@@ -65,10 +65,9 @@ export function* worldInSteps(
     moon: moonOver(scene, options),
     isLit: burnsAtFirst(0, scene, options),
     areLit: wicks.map((_, i) => burnsAtFirst(i + 1, scene, options)),
+    sways: !isStill,
     ...birth,
   });
-  world.sways = !isStill;
-  return world;
 }
 
 /** Diameter of the first candle's wick, metres. */

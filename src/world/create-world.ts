@@ -38,6 +38,8 @@ export interface WorldOptions {
   readonly areLit?: readonly boolean[];
   readonly moon?: Moon | null;
   readonly fieldOfView?: number | null;
+  /** `World`'s. Default: they do. */
+  readonly sways?: boolean;
 }
 
 /** A new world, whose flame is fully developed. */
@@ -110,7 +112,7 @@ export function* createWorldInSteps(
     remainder: 0,
     stride: 0,
     fieldOfView: options.fieldOfView ?? null,
-    sways: true,
+    sways: options.sways ?? true,
     refusal: null,
     moon: options.moon ?? null,
   };

@@ -20,9 +20,9 @@ let risen: { readonly cause: string | null; readonly plume: Plume } | null = nul
 export function* warmUp(world: World, wind: Wind): Generator<void, void> {
   poseCandle(world, 0);
   for (let i = RISING; i < HISTORY; i++) tick(world, STILL);
-  const { setup, seed, emitter, flame, air, timeline } = world;
+  const { setup, seed, emitter, flame, air, timeline, sways } = world;
   const createPlume = setup.isAlone ? null : world.createPlume;
-  const causes = [seed, emitter, flame.wick, flame.isLit, air.wind, timeline.tick];
+  const causes = [seed, emitter, flame.wick, flame.isLit, air.wind, timeline.tick, sways];
   const cause = createPlume && JSON.stringify(causes);
   const known = risen?.cause === cause ? risen?.plume : null;
   if (!known) world.plume = createPlume?.(seed, emitter, false) ?? null;

@@ -1,4 +1,5 @@
 import { expect, test, vi } from "vitest";
+import { carriedFlame, flameReport } from "../../../src/light/flame-light.ts";
 import { advance } from "../../../src/world/advance.ts";
 import { createPlume, Plume } from "../../../src/world/air/plume.ts";
 import {
@@ -71,4 +72,14 @@ test("a world is made in steps of at most one of its plume's", () => {
   step.mockRestore();
   expect(counts.length).toBeGreaterThan(30);
   expect(Math.max(...counts)).toBe(1);
+});
+
+test("where nothing sways, the flame of a new world stands as it goes on to, whatever the seed", () => {
+  for (const seed of [1, 2, 3]) {
+    const { world } = made({ sways: false, wind: WIND }, seed);
+    const { tilt } = flameReport(carriedFlame(world));
+    expect(tilt).toBeCloseTo(0, 9);
+    advance(world, STILL, 0.5);
+    expect(flameReport(carriedFlame(world)).tilt).toBeCloseTo(0, 9);
+  }
 });
