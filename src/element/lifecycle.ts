@@ -1,5 +1,6 @@
 import type { CandleFlame } from "../candle-flame.js";
 import { ContextLostError } from "../gl/gpu-object.js";
+import { nextTask } from "../gl/next-task.js";
 import { type ContextClient, contextPool } from "../scenes/context-pool.js";
 import { fetchPageSmoke } from "../scenes/page-smoke.js";
 import { takeSnapshot } from "../world/snapshot.js";
@@ -189,7 +190,8 @@ export class Lifecycle implements SessionOwner {
     try {
       this.#session = new Session(canvas, this.#input, signal, this);
     } catch (error) {
-      this.onError(error);
+      // Later: a page that inserts it listens afterwards.
+      void nextTask().then(() => signal.aborted || this.onError(error));
     }
   }
 

@@ -29,6 +29,7 @@ const ALLOWED: Readonly<Record<string, readonly string[]>> = {
     "src/candle-flame.ts",
     "src/create-candle.ts",
     "src/gl/gpu-object.ts",
+    "src/gl/next-task.ts",
     "src/input",
     "src/scenes",
     "src/world",

@@ -239,6 +239,25 @@ test("Without WebGL 2 there is a sentence and the poster", async ({ page }) => {
   expect(uncaught(room)).toEqual([]);
 });
 
+test("Without WebGL 2 whoever inserts the element may listen for the error afterwards", async ({
+  page,
+}) => {
+  await page.addInitScript(() => {
+    HTMLCanvasElement.prototype.getContext = () => null;
+  });
+  const room = await new RoomDriver(page).load({ poster: PIXEL }, TINY);
+  const type = await room.evaluate(
+    (element) =>
+      new Promise((resolve) => {
+        const other = element.cloneNode() as typeof element;
+        other.ready.catch(() => {});
+        element.replaceWith(other);
+        other.addEventListener("error", ({ detail }) => resolve(detail.type));
+      }),
+  );
+  expect(type).toBe("webgl-unavailable");
+});
+
 test("A shader that the driver refuses is named, and its context is given back", async ({
   page,
 }) => {
