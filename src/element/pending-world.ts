@@ -24,7 +24,13 @@ export class PendingWorld {
   /** @param look of the world to come, which has its own field of view */
   cameraFor(look: Look): Required<Camera> {
     const { position, yaw, pitch, fieldOfView } = this.#saved?.snapshot ?? ORIGIN;
-    const saved = { position, yaw, pitch, fieldOfView: fieldOfView ?? FIELDS_OF_VIEW[look] };
+    const [x, y, z] = position;
+    const saved = {
+      position: [x, y, z] as const,
+      yaw,
+      pitch,
+      fieldOfView: fieldOfView ?? FIELDS_OF_VIEW[look],
+    };
     return { ...saved, ...this.#camera };
   }
 
