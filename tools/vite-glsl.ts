@@ -11,14 +11,16 @@ interface Resolved {
 }
 
 // Comments and blanks go, line breaks stay: an error of a released build still names the right line. Directives stay as
-// they are, and so do blanks beside plus, minus and slash, two of which may be other operators. Beside `#line`, which says
-// where the next line is, empty lines go too.
+// they are, and so do blanks between two signs, which may be another operator. Beside `#line`, which says where the next
+// line is, empty lines go too.
 function minified(source: string): string {
   return source
     .replace(/\/\*[\s\S]*?\*\//g, (comment) => comment.replace(/[^\n]/g, ""))
     .replace(/[ \t]*\/\/.*$/gm, "")
     .replace(/^[ \t]+/gm, "")
-    .replace(/^[^#\n].*$/gm, (line) => line.replace(/ *([=(){},;*?:<>|&]) */g, "$1"))
+    .replace(/^[^#\n].*$/gm, (line) =>
+      line.replace(/ *([=(){},;*?:<>|&]) */g, "$1").replace(/ ([+/-]) (?![+-])/g, "$1"),
+    )
     .replace(/(\n(#line \d+ \d+)?)+(?=\n#line )/g, "")
     .replace(
       /^#line (\d+) (\d+)\n(\n*)/gm,

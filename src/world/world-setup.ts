@@ -84,6 +84,9 @@ export const WORLD_SETUPS: Readonly<Record<Look, WorldSetup>> = {
 export const LONE_CANDLE_SETUP: WorldSetup = {
   ...WORLD_SETUPS.physical,
   hasWalls: false,
+  yaw: 0,
+  // As its model is turned, whose handle is at the right.
+  wick: [0, 0.2, 0.001],
   stand: [0, 0, 0],
   isAlone: true,
 };
