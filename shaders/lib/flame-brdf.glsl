@@ -5,7 +5,7 @@
 // Least distance of the flame for the inverse square law, metres.
 const float LEAST_DISTANCE = 0.01;
 // A pane reflects next to nothing diffusely: the irradiance up to which its albedo counts, lx for 1 cd.
-const float PANE_IRRADIANCE = 2.0;
+const float PANE_IRRADIANCE = 0.5;
 
 struct FlameSpecular {
   float lobe;  // D V / F, times the cosine to the representative point

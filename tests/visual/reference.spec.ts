@@ -17,9 +17,12 @@ import { expect, test } from "../support/test.ts";
 
 /** The largest errors allowed: relative error of luminance, and mean FLIP. */
 const LIMITS = { median: 0.08, high: 0.25, flip: 0.081 };
-/** What each view measured on 2026-11-23, and by how much it may get worse; the door's since the cloth before it bends. */
+/**
+ * What each view measured on 2026-11-23, and by how much it may get worse; the door's since the cloth before it bends, the
+ * bench's since glass scatters a tenth of the light that it was traced with.
+ */
 const MEASURED: Readonly<Record<string, typeof LIMITS>> = {
-  bench: { median: 0.053, high: 0.228, flip: 0.077 },
+  bench: { median: 0.054, high: 0.245, flip: 0.079 },
   coat: { median: 0.043, high: 0.141, flip: 0.069 },
   door: { median: 0.042, high: 0.142, flip: 0.066 },
   floor: { median: 0.053, high: 0.219, flip: 0.078 },
@@ -33,7 +36,7 @@ const MARGIN = { median: 0.005, high: 0.015, flip: 0.003 };
 
 /** Relative errors of luminance by several lights, as measured on 2026-11-27: `mean` is that of the means, signed. */
 const BY_SEVERAL_LIGHTS = {
-  "three-candles": { median: 0.068, high: 0.256, mean: -0.054 },
+  "three-candles": { median: 0.068, high: 0.257, mean: -0.055 },
   // Nothing but light that has bounced, from one patch on the floor.
   night: { median: 0.103, high: 0.35, mean: 0.001 },
   moonlit: { median: 0.05, high: 0.188, mean: 0 },

@@ -32,7 +32,7 @@ export const materials = {
   "cloth-red": textured("leather", { tint: [0.3, 0.05, 0.042] }),
   paper: textured("paper"),
   wax: textured("wax"),
-  glass: plain([0.02, 0.02, 0.02], 0.05),
+  glass: plain([0.002, 0.002, 0.002], 0.05),
   pane: plain([0.02, 0.02, 0.02], 0.05),
   night: plain([0, 0, 0], 1),
   charcoal: plain([0.018, 0.017, 0.016], 0.85),
