@@ -63,11 +63,8 @@ ivec2 tileAt(vec3 probe) {
   return ivec2(int(probe.x), int(probe.z * volume.rows + probe.y));
 }
 
-#ifndef VOLUME_CHANNELS
-#define VOLUME_CHANNELS rgb
-#endif
 vec3 probeIrradiance(ivec2 tile, vec2 uv) {
-  return textureLod(uIrradiance, atlasUv(tile, IRRADIANCE_EDGE, uv), 0.0).VOLUME_CHANNELS;
+  return textureLod(uIrradiance, atlasUv(tile, IRRADIANCE_EDGE, uv), 0.0).rgb;
 }
 
 // Cell of the grid at a point: its lowest probe, and the point's place between its probes.

@@ -16,10 +16,10 @@ layout(std140) uniform Moon {
   vec3 paneUp;
   vec3 paneNormal;     // into the room
   float paneRows;      // of surfels on the panes
-  vec3 luma;           // weights of luma for light of its colour
+  vec3 luma;           // weights of luma, times its colour
 } moon;
 
-// Luminance, for 1 lx of the moon's, of a colour that would be that of white light's reflection.
+// Luminance of radiance that was computed for white moonlight, cd/m².
 float moonLuma(vec3 color) {
   return dot(color, moon.luma);
 }

@@ -9,7 +9,7 @@ import { TAPER } from "./flame-light.js";
  */
 const BESIDE_CANDLE: Rgb = [0.73, 0.965, 1.33];
 
-/** Weights of luma for white light in place of moonlight: of what reflects it, some of whose colours it has less of. */
+/** Weights of luma for radiance that was computed for white moonlight: those of Rec. 709 times its colour, 1 together. */
 export function moonLuma(): Rgb {
   const color = adaptedMoonlight(1);
   const [red, green, blue] = color;

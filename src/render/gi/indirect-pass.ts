@@ -40,8 +40,7 @@ export interface IndirectScene {
 /** Bands that a pass is drawn in, where it is drawn in steps. */
 const BANDS = { surfelRadiance: 9, rayDirect: 3, rayRadiance: 4, gather: 3 };
 const AT_ONCE: typeof BANDS = { surfelRadiance: 1, rayDirect: 1, rayRadiance: 1, gather: 1 };
-/** Of `bouncesAfter`. */
-const PASS_BANDS = 40;
+const PASS_BANDS = 40; // of `bouncesAfter`
 /** Bias along the normal, for the visibility of probes, as a share of their least spacing. */
 const NORMAL_BIAS = 0.15;
 
@@ -82,6 +81,8 @@ export class IndirectPass {
   capturedFor: CaptureLight | null = null;
   /** Whether all bounces were computed. */
   #isExact = false;
+  /** Of `bouncesAfter`: not shared, since other lights' bounces may come between its bands. */
+  #passRadiance: RenderTarget | null = null;
   #revision = 0;
   /** Of the flame in this frame: the rays are lit past it. */
   shadow: ShadowMap | null = null;
@@ -221,11 +222,10 @@ export class IndirectPass {
    * @param target irradiance, lx
    */
   *bouncesAfter(pass: Omit<Draw, "target">, target: RenderTarget, size: StepSize): Steps {
-    // Of its own: with large steps, another light's bounces may come between its bands, and not after them.
-    const radiance = rayRadianceTarget(this.#gpu, this.#detail);
+    this.#passRadiance ??= rayRadianceTarget(this.#gpu, this.#detail);
     yield* drawInBands(this.#gpu, PASS_BANDS, {
       ...pass,
-      target: radiance,
+      target: this.#passRadiance,
       textures: {
         ...pass.textures,
         ...this.#probes.rays,
@@ -233,12 +233,14 @@ export class IndirectPass {
       },
       uniforms: this.#uniforms,
     });
-    this.#targets.usedFor = null;
-    const bands = size === "steps" ? BANDS : AT_ONCE;
-    const rest = this.#bouncesFrom(radiance, target, bands);
-    if (size === "steps") yield* rest;
-    else finish(rest);
-    radiance.dispose();
+    const light = this.lastLight;
+    do {
+      this.#targets.usedFor = light;
+      const bands = size === "steps" ? BANDS : AT_ONCE;
+      const rest = this.#bouncesFrom(this.#passRadiance, target, bands);
+      if (size === "steps") yield* rest;
+      else finish(rest);
+    } while (this.#targets.usedFor !== light); // another's have come in between
   }
 
   *#bouncesFrom(radiance: RenderTarget, target: RenderTarget, bands: typeof BANDS): Steps {
