@@ -1,10 +1,18 @@
 #version 300 es
 // Composite of the forward stage: radiance per candela times the flame's intensity; MOONLIT: and the moonlight. CANDLE:
-// of a standing candle, added to the rest.
+// of a standing candle, added to the rest. CANDLES: of two to four.
 // In:  radiance per candela, or normals to inspect.   Out: radiance, cd/m².
 #include "lib/precision.glsl"
 #ifdef CANDLE
 uniform vec3 uIntensity;  // cd
+#ifdef CANDLES
+uniform sampler2D uRadiance1;
+uniform sampler2D uRadiance2;
+uniform sampler2D uRadiance3;
+uniform vec3 uIntensity1;
+uniform vec3 uIntensity2;
+uniform vec3 uIntensity3;
+#endif
 #else
 #include "lib/flame-light.glsl"
 #endif
@@ -24,6 +32,12 @@ void main() {
   vec4 perUnit = texelFetch(uRadiance, ivec2(gl_FragCoord.xy), 0);
 #ifdef CANDLE
   oRadiance = vec4(perUnit.rgb * uIntensity, 0.0);
+#ifdef CANDLES
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  oRadiance.rgb += texelFetch(uRadiance1, pixel, 0).rgb * uIntensity1;
+  if (uIntensity2.g > 0.0) oRadiance.rgb += texelFetch(uRadiance2, pixel, 0).rgb * uIntensity2;
+  if (uIntensity3.g > 0.0) oRadiance.rgb += texelFetch(uRadiance3, pixel, 0).rgb * uIntensity3;
+#endif
 #else
   vec3 radiance = perUnit.rgb * mix(vec3(1.0), light.intensity, uIsLight);
 #ifdef MOONLIT

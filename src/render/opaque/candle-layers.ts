@@ -28,6 +28,16 @@ export function drawScaled(
   });
 }
 
+/** Candles that are added in one draw. */
+const GROUP = 4;
+const DARK: Rgb = [0, 0, 0];
+
+/** Radiance for 1 cd, and the intensity that it is multiplied by. */
+interface Layer {
+  readonly uRadiance: Texture;
+  readonly uIntensity: Rgb;
+}
+
 /** Radiance that each standing candle gives for 1 cd: kept until camera or models have moved. */
 export class CandleLayers {
   readonly #gpu: Gpu;
@@ -96,11 +106,41 @@ export class CandleLayers {
     return layer;
   }
 
-  /** Adds the candles' radiance, cd/m², within a region. */
+  /** Adds the candles' radiance, cd/m², within a region: of up to four in a draw. */
   add(candles: readonly CachedLight[], target: TextureView | RenderTarget, scissor: Box): void {
-    for (const { name, intensity } of candles) {
-      const from = this.#layers.get(name)?.target.color;
-      if (from) drawScaled(this.#gpu, from, target, intensity, scissor);
+    const shaded = candles.flatMap(({ name, intensity }) => {
+      const uRadiance = this.#layers.get(name)?.target.color;
+      return uRadiance ? [{ uRadiance, uIntensity: intensity }] : [];
+    });
+    for (let first = 0; first < shaded.length; first += GROUP) {
+      const group = shaded.slice(first, first + GROUP);
+      const [only] = group;
+      if (group.length === 1 && only) {
+        drawScaled(this.#gpu, only.uRadiance, target, only.uIntensity, scissor);
+      } else {
+        this.#addGroup(group, target, scissor);
+      }
     }
+  }
+
+  #addGroup(group: readonly Layer[], target: TextureView | RenderTarget, scissor: Box): void {
+    const textures: Record<string, Texture> = {};
+    const uniforms: Record<string, Rgb> = {};
+    for (let i = 0; i < GROUP; i++) {
+      const suffix = i > 0 ? String(i) : "";
+      const { uRadiance, uIntensity } = group[i] ?? { ...group[0]!, uIntensity: DARK };
+      textures[`uRadiance${suffix}`] = uRadiance;
+      uniforms[`uIntensity${suffix}`] = uIntensity;
+    }
+    this.#gpu.draw({
+      program: this.#gpu.program("opaque/forward-composite", fullscreenVert, compositeFrag, {
+        defines: { CANDLE: 1, CANDLES: 1 },
+      }),
+      target,
+      textures,
+      uniforms,
+      blend: "premultiplied",
+      scissor,
+    });
   }
 }
