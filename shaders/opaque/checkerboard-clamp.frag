@@ -1,11 +1,12 @@
 #version 300 es
-// Checkerboard rendering, after surfaces are shaded: what was kept is clamped to the pixels beside its quad that were
-// shaded, since shadows move.
+// Checkerboard rendering, after surfaces are shaded: where shadows move, what was kept is clamped to the pixels beside its
+// quad that were shaded.
 // In:  radiance, alpha below 0: reprojected.   Out: the same, clamped.
 #include "lib/precision.glsl"
 #include "lib/kept-radiance.glsl"
 
 uniform sampler2D uRadiance;
+uniform float uClamps;  // 1 or 0
 
 out vec4 oRadiance;
 
@@ -13,7 +14,7 @@ void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec4 radiance = texelFetch(uRadiance, pixel, 0);
   oRadiance = radiance;
-  if (radiance.a >= 0.0) return;
+  if (radiance.a >= 0.0 || uClamps < 0.5) return;
   ivec2 end = textureSize(uRadiance, 0) - 1;
   ivec2 quad = (pixel >> 1) << 1;
   vec4 least = vec4(1e9);
@@ -29,5 +30,5 @@ void main() {
     most = max(most, shaded);
   }
   if (most.a < 0.0) return;
-  oRadiance = keptRadiance(clamp(vec4(radiance.rgb, -radiance.a), least, most));
+  oRadiance = keptRadiance(clamp(vec4(radiance.rgb, luminancePerLux(radiance.a)), least, most), ageOf(radiance.a));
 }

@@ -23,6 +23,7 @@ uniform float uIsLight;  // 0: normals, or radiance of all flames as they burn
 #endif
 
 #ifdef MOONLIT
+#include "lib/kept-radiance.glsl"
 uniform vec3 uMoonlight;  // lx
 #endif
 
@@ -41,7 +42,7 @@ void main() {
 #else
   vec3 radiance = perUnit.rgb * mix(vec3(1.0), light.intensity, uIsLight);
 #ifdef MOONLIT
-  radiance += abs(perUnit.a) * uMoonlight;  // alpha below 0: reprojected
+  radiance += luminancePerLux(perUnit.a) * uMoonlight;
 #endif
   // The largest half float is 65504; a mirrored flame can be brighter.
   oRadiance = vec4(min(radiance, 3e4), 1.0);

@@ -5,13 +5,15 @@
  * holds for running animations: for indirect light, for the tier that draws a G-buffer, and for caches.
  */
 export const SCHEDULE = {
-  /** In motion every other frame is reprojected from the one before; in forward shading half of each frame's pixels. */
+  /** In motion every other frame is reprojected from the one before. */
   reprojection: {
     /** Distance of the surface by which motion in the image is judged, metres. */
     distance: 2,
     /** Largest motion between two frames, as a share of the image's size. */
     motion: 0.08,
   },
+  /** Frames in motion after which forward shading shades a pixel again: by a flame that moves, and in still light. */
+  checkerboard: { turns: 2, stillTurns: 4 },
   /** Frames in motion after the first, or after one that draws with a new program, that make and compile nothing. */
   quietFrames: 3,
   /** Progressive refinement: frames over which a full G-buffer is filled after the camera stops or the size changes. */

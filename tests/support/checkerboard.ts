@@ -29,8 +29,11 @@ export class CheckerboardScene {
   readonly #board: Mesh;
   readonly #cutOut: Mesh;
   readonly #held: Mesh;
+  readonly #isStill: boolean;
 
-  constructor() {
+  /** @param isStill whether its light does not move */
+  constructor(isStill = false) {
+    this.#isStill = isStill;
     const canvas = document.createElement("canvas");
     Object.assign(canvas, SIZE);
     const gpu = new Gpu(canvas);
@@ -76,24 +79,29 @@ export class CheckerboardScene {
       instance(this.#held, [...held, 0], true),
     ];
     const frame = { clipFromWorld: clip, instances, settings: { features: allFeatures() } };
-    const targets = { samples: this.#samples, resolved: this.#resolved };
     gpu.clear(this.#samples, [0, 0, 0, 1]);
-    const radiance = this.#checkerboard.draw(frame as unknown as FrameInput, "", targets, () => {
-      for (const { meshes, placement } of instances) {
-        for (const { vertexArray, textures, isCutOut } of meshes) {
-          const cutOut = { defines: { CUTOUT: 1 } };
-          gpu.draw({
-            program: isCutOut ? gpu.program("place", meshVert, placeFrag, cutOut) : this.#program,
-            textures,
-            target: this.#samples,
-            vertexArray,
-            uniforms: { uPlacement: placement },
-            blocks: { Frame: this.#frame },
-            depth: "test-and-write",
-          });
+    const radiance = this.#checkerboard.draw(
+      frame as unknown as FrameInput,
+      { key: "", flame: 1, moon: 1, isStill: this.#isStill },
+      this.#samples,
+      this.#resolved,
+      () => {
+        for (const { meshes, placement } of instances) {
+          for (const { vertexArray, textures, isCutOut } of meshes) {
+            const cutOut = { defines: { CUTOUT: 1 } };
+            gpu.draw({
+              program: isCutOut ? gpu.program("place", meshVert, placeFrag, cutOut) : this.#program,
+              textures,
+              target: this.#samples,
+              vertexArray,
+              uniforms: { uPlacement: placement },
+              blocks: { Frame: this.#frame },
+              depth: "test-and-write",
+            });
+          }
         }
-      }
-    });
+      },
+    );
     return this.#read(radiance);
   }
 

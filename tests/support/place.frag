@@ -1,5 +1,5 @@
 #version 300 es
-// Places as colours, m: 8 m more, so that none is negative. Alpha: 0 on the left, 1 on the right. CUTOUT: without what is cut out.
+// Places as colours, m: 8 m more, so that none is negative. Alpha: 0.00001 on the left, 1 on the right. CUTOUT: without what is cut out.
 #include "lib/precision.glsl"
 
 centroid in vec3 vPositionWorld;
@@ -14,5 +14,5 @@ void main() {
 #ifdef CUTOUT
   if (texture(uAlbedo, vUv).a < 0.5) discard;
 #endif
-  oColor = vec4(vPositionWorld + 8.0, step(0.0, vPositionWorld.x));
+  oColor = vec4(vPositionWorld + 8.0, max(step(0.0, vPositionWorld.x), 1e-5));
 }

@@ -8,6 +8,7 @@ type Support = typeof import("../support/checkerboard.ts");
 
 /** Frames of a walk, and what of each is moved: metres and radians. */
 const FRAMES = 6;
+const STILL_FRAMES = 10;
 const STRIDE = { across: 0.012, away: 0.02, turned: 0.006 } as const;
 
 interface Frame {
@@ -20,16 +21,24 @@ interface Frame {
 let page: Page;
 let size: { readonly width: number; readonly height: number };
 let frames: readonly Frame[];
+/** The same in light that does not move. */
+let still: readonly Frame[];
 
 test.beforeAll(async ({ browser }) => {
   page = await browser.newPage();
   await openSources(page);
-  ({ size, frames } = await page.evaluate(
-    async ({ count, stride }) => {
+  ({ size, frames } = await drawWalk(FRAMES, false));
+  ({ frames: still } = await drawWalk(STILL_FRAMES, true));
+});
+test.afterAll(() => page.close());
+
+function drawWalk(count: number, isStill: boolean) {
+  return page.evaluate(
+    async ({ count, stride, isStill }) => {
       const { CheckerboardScene }: Support = await import(
         "/tests/support/checkerboard.ts" as string
       );
-      const [scene, whole] = [new CheckerboardScene(), new CheckerboardScene()];
+      const [scene, whole] = [new CheckerboardScene(isStill), new CheckerboardScene()];
       const { size } = scene;
       const frames = Array.from({ length: count }, (_, number) => {
         const [x, z] = [stride.across * number, -stride.away * number];
@@ -42,14 +51,15 @@ test.beforeAll(async ({ browser }) => {
       for (const drawn of [scene, whole]) drawn.dispose();
       return { size, frames };
     },
-    { count: FRAMES, stride: STRIDE },
-  ));
-});
-test.afterAll(() => page.close());
+    { count, stride: STRIDE, isStill },
+  );
+}
 
 const pixelsOf = () => Array.from({ length: size.width * size.height }, (_, pixel) => pixel);
 /** By a normal half float. */
 const isKept = ({ kept }: Frame, pixel: number) => kept[4 * pixel + 3]! < -6e-5;
+/** As in shaders/lib/kept-radiance.glsl, of a kept pixel. */
+const luminancePerLux = (alpha: number) => -alpha - 1 / 8192;
 /** Distance from the camera's first place along -Z, m, to a centimetre. */
 const depthOf = ({ shaded }: Frame, pixel: number) => -Number(shaded[4 * pixel + 2]!.toFixed(2));
 const farthestAway = (pixel: number, frame: Frame) =>
@@ -91,20 +101,58 @@ test("Half of a board that is cut out is kept, too, and the wall behind its othe
 test("A pixel that was kept is shaded in the next frame", () => {
   // Within the wall a point moves by a pixel or two: its neighbours are of the same quad, or of the next.
   const [before, after] = frames.slice(-2) as [Frame, Frame];
-  const near = (pixel: number) =>
-    [-2, -1, 0, 1, 2].flatMap((y) => [-2, -1, 0, 1, 2].map((x) => pixel + y * size.width + x));
-  const inside = pixelsOf().filter((pixel) => {
-    const [x, y] = [pixel % size.width, Math.floor(pixel / size.width)];
-    return x > 8 && y > 8 && x < size.width - 8 && y < size.height - 8;
-  });
+  const inside = innerPixels();
   const shadedTwice = inside.filter(
-    (pixel) => !near(pixel).some((beside) => isKept(before, beside) || isKept(after, beside)),
+    (pixel) => !besides(pixel).some((beside) => isKept(before, beside) || isKept(after, beside)),
   );
   const keptTwice = inside.filter((pixel) =>
-    near(pixel).every((beside) => isKept(before, beside) && isKept(after, beside)),
+    besides(pixel).every((beside) => isKept(before, beside) && isKept(after, beside)),
   );
   expect(keptTwice).toEqual([]);
   expect(shadedTwice.length).toBeLessThan(0.1 * inside.length);
+});
+
+/** Pixels away from the image's edges, and a pixel's neighbours. */
+function innerPixels() {
+  return pixelsOf().filter((pixel) => {
+    const [x, y] = [pixel % size.width, Math.floor(pixel / size.width)];
+    return x > 8 && y > 8 && x < size.width - 8 && y < size.height - 8;
+  });
+}
+const besides = (pixel: number) =>
+  [-2, -1, 0, 1, 2].flatMap((y) => [-2, -1, 0, 1, 2].map((x) => pixel + y * size.width + x));
+
+test("In still light a pixel is kept for three frames, and not for four", () => {
+  const shares = still.map(
+    (frame) => pixelsOf().filter((pixel) => isKept(frame, pixel)).length / pixelsOf().length,
+  );
+  console.log(`kept in still light: ${shares.map((share) => share.toFixed(3)).join(" ")}`);
+  for (const share of shares.slice(1)) {
+    expect(share).toBeGreaterThan(0.55);
+    expect(share).toBeLessThan(0.85);
+  }
+  const runs = (length: number) =>
+    innerPixels().filter((pixel) =>
+      still.slice(-length).every((frame) => besides(pixel).every((near) => isKept(frame, near))),
+    );
+  expect(runs(4)).toEqual([]);
+});
+
+test("In still light it is what was at the same place, too, and luminance for each lux is kept, small as it is", () => {
+  const last = still.at(-1)!;
+  const kept = pixelsOf().filter((pixel) => isKept(last, pixel));
+  const errors = kept.map((pixel) => farthestAway(pixel, last)).sort((a, b) => a - b);
+  console.log(
+    `kept in still light: median ${errors[errors.length >> 1]} m, most ${errors.at(-1)} m`,
+  );
+  expect(errors[errors.length >> 1]).toBeLessThan(0.012);
+  expect(errors.at(-1)).toBeLessThan(0.07);
+  const onLeft = kept.filter((pixel) => last.shaded[4 * pixel]! < -0.1);
+  expect(onLeft.length).toBeGreaterThan(20);
+  for (const pixel of onLeft) {
+    const alpha = last.shaded[4 * pixel + 3]!;
+    expect(Math.abs(luminancePerLux(last.kept[4 * pixel + 3]!) - alpha)).toBeLessThan(1e-6);
+  }
 });
 
 test("What is held is shaded in each frame", () => {
@@ -118,7 +166,13 @@ test("What is held is shaded in each frame", () => {
 
 const SIZE = { width: 160, height: 90 };
 
-/** A walk in the cabin: its last frames, and the GPU's bytes afterwards. */
+interface Walked {
+  readonly drawCalls: number;
+  readonly gpuBytes: number;
+  readonly radiance: readonly number[];
+}
+
+/** The last frames of a walk in the cabin, by candle and by the moon alone, and the GPU's bytes after each. */
 async function walk(browser: Browser, isRenamed: boolean) {
   const page = await browser.newPage();
   await serveSmallTextures(page);
@@ -136,45 +190,79 @@ async function walk(browser: Browser, isRenamed: boolean) {
   );
   const walked = await room.evaluate((element) => {
     const view = { position: [-0.85, 1.3, 1.1], yaw: -0.805, pitch: -0.244 } as const;
+    const frames = (seconds: number) => {
+      element.camera = view;
+      element.step(seconds);
+      element.play();
+      const frames = [1, 2, 3, 4].map((number) => {
+        const [x, y, z] = view.position;
+        const position = [x + 0.02 * number, y, z - 0.01 * number] as const;
+        element.camera = { ...view, position, yaw: view.yaw + 0.008 * number };
+        element.step(1 / 60);
+        const { width, height, drawCalls, gpuBytes } = element.stats;
+        const radiance = Array.from(element.readRadiance(0, 0, width, height));
+        return { drawCalls, gpuBytes, radiance };
+      });
+      element.pause();
+      element.step(0);
+      return { frames: frames.slice(-2), bytesAtRest: element.stats.gpuBytes };
+    };
     element.reset();
     element.wind = 0;
-    element.camera = view;
-    element.step(0);
-    element.play();
-    const frames = [1, 2, 3, 4].map((number) => {
-      const [x, y, z] = view.position;
-      const position = [x + 0.02 * number, y, z - 0.01 * number] as const;
-      element.camera = { ...view, position, yaw: view.yaw + 0.008 * number };
-      element.step(1 / 60);
-      const { width, height, drawCalls, gpuBytes } = element.stats;
-      const radiance = Array.from(element.readRadiance(0, 0, width, height));
-      return { drawCalls, gpuBytes, radiance };
-    });
-    element.pause();
-    element.step(0);
-    return { frames: frames.slice(-2), bytesAtRest: element.stats.gpuBytes };
+    const byCandle = frames(0);
+    element.extinguish();
+    return { byCandle, byMoon: frames(9) };
   });
   expect(room.complaints).toEqual([]);
   await page.close();
   return walked;
 }
 
+let walks: Promise<Awaited<ReturnType<typeof walk>>[]> | null = null;
+
+/** Of the frames with kept pixels, and of those with all pixels shaded. */
+async function walked(browser: Browser, lights: "byCandle" | "byMoon") {
+  walks ??= Promise.all([walk(browser, true), walk(browser, false)]);
+  const [kept, shaded] = (await walks).map(({ [lights]: frames }) => frames);
+  if (!kept || !shaded) throw new Error("There are two walks.");
+  return { kept, shaded };
+}
+
+/** Relative errors of a frame's radiance: of all values from the least to the largest. */
+function errorsOf({ radiance }: Walked, whole: Walked): readonly number[] {
+  return radiance
+    .map((value, k) => Math.abs(value / Math.max(whole.radiance[k]!, 1e-9) - 1))
+    .sort((a, b) => a - b);
+}
+const at = (errors: readonly number[], share: number) => errors[Math.floor(share * errors.length)];
+
 test("A walk in the cabin shows what it shows with all pixels shaded, in few draws, and frees what it took", async ({
   browser,
 }) => {
-  const [kept, shaded] = [await walk(browser, true), await walk(browser, false)];
-  for (const [i, { radiance, drawCalls, gpuBytes }] of kept.frames.entries()) {
-    const whole = shaded.frames[i]!;
-    expect(drawCalls, "a prepass, and what is kept").toBeGreaterThan(whole.drawCalls);
-    expect(drawCalls).toBeLessThanOrEqual(120);
-    const errors = radiance
-      .map((value, k) => Math.abs(value / Math.max(whole.radiance[k]!, 1e-9) - 1))
-      .sort((a, b) => a - b);
-    const [median, most] = [0.5, 0.9].map((share) => errors[Math.floor(share * errors.length)]!);
-    console.log(`frame: median ${median}, 90th percentile ${most}, ${drawCalls} draws`);
+  const { kept, shaded } = await walked(browser, "byCandle");
+  for (const [i, frame] of kept.frames.entries()) {
+    const errors = errorsOf(frame, shaded.frames[i]!);
+    const [median, most] = [at(errors, 0.5), at(errors, 0.9)];
+    console.log(`frame: median ${median}, 90th percentile ${most}, ${frame.drawCalls} draws`);
+    expect(frame.drawCalls, "a prepass, and what is kept").toBeGreaterThan(
+      shaded.frames[i]!.drawCalls,
+    );
+    expect(frame.drawCalls).toBeLessThanOrEqual(120);
     expect(median).toBeLessThan(0.02);
     expect(most).toBeLessThan(0.15);
     // The previous frame: radiance and depth.
-    expect(gpuBytes - kept.bytesAtRest).toBe(SIZE.width * SIZE.height * 12);
+    expect(frame.gpuBytes - kept.bytesAtRest).toBe(SIZE.width * SIZE.height * 12);
+  }
+});
+
+test("So does a walk by the moon alone, of which more is kept", async ({ browser }) => {
+  const { kept, shaded } = await walked(browser, "byMoon");
+  for (const [i, frame] of kept.frames.entries()) {
+    const errors = errorsOf(frame, shaded.frames[i]!);
+    const [median, most] = [at(errors, 0.5), at(errors, 0.95)];
+    console.log(`by the moon: median ${median}, 95th percentile ${most}`);
+    expect(at(errors, 0.85), "of what is kept").toBeGreaterThan(0);
+    expect(median).toBeLessThan(0.02);
+    expect(most).toBeLessThan(0.15);
   }
 });

@@ -16,12 +16,17 @@ import {
 } from "../gbuffer/reprojection.js";
 import { DepthPass } from "../mesh/depth-pass.js";
 import { boundsOfTurned } from "../mesh/visible-runs.js";
+import { SCHEDULE } from "../schedule.js";
 import { screenBounds } from "../screen-bounds.js";
 
-/** What surfaces are shaded in: samples, and what they are resolved to. */
-interface Targets {
-  readonly samples: RenderTarget;
-  readonly resolved: RenderTarget;
+/** Light of a frame: what its radiance is multiplied by, of the flame, cd, and of the moon, lx. */
+interface Lighting {
+  /** All but the camera that it depends on. */
+  readonly key: string;
+  readonly flame: number;
+  readonly moon: number;
+  /** Whether no shadow moves: then a pixel is kept for three frames, else for one. */
+  readonly isStill: boolean;
 }
 
 /** The previous frame, its depth alone, and both parts of the current one. */
@@ -33,7 +38,8 @@ interface KeptTargets {
 }
 
 /**
- * Checkerboard rendering: in motion half of the pixels keep what the previous frame had, reprojected.
+ * Checkerboard rendering: in motion half of the pixels keep what the previous frame had, reprojected, and in still light
+ * three quarters.
  *
  * A depth prepass tells where each surface was. What was not visible then, edges, and the held candle are shaded in each
  * frame. Source: El Mansouri 2016, "Rendering Rainbow Six Siege"; kept colours are clamped to those shaded beside them, as
@@ -68,12 +74,18 @@ export class Checkerboard {
   /**
    * Draws a frame, of which what is kept is not shaded.
    *
-   * @param key all but the camera that it depends on
+   * @param samples what surfaces are shaded in
+   * @param resolved what these are resolved to
    * @param shade draws the surfaces, tested against the depth of the samples
    * @returns radiance of the frame
    */
-  draw(frame: FrameInput, key: string, targets: Targets, shade: () => void): Texture {
-    const { samples, resolved } = targets;
+  draw(
+    frame: FrameInput,
+    { key, isStill, flame, moon }: Lighting,
+    samples: RenderTarget,
+    resolved: RenderTarget,
+    shade: () => void,
+  ): Texture {
     const gpu = this.#gpu;
     const source = reprojectionSource(
       frame.instances,
@@ -105,6 +117,9 @@ export class Checkerboard {
       uniforms: {
         uPreviousFromCurrent: reprojection.room as Float32Array,
         uIsFirst: this.#isFirst ? 1 : 0,
+        uIntensity: [flame, moon],
+        uIsStill: isStill ? 1 : 0,
+        uTurns: isStill ? SCHEDULE.checkerboard.stillTurns : SCHEDULE.checkerboard.turns,
         ...heldExtent(frame, resolved),
       },
       depth: "test-and-write",
@@ -115,6 +130,7 @@ export class Checkerboard {
       program: this.#clamp,
       target: previous,
       textures: { uRadiance: resolved.color },
+      uniforms: { uClamps: isStill ? 0 : 1 },
     });
     this.#isFirst = false;
     return previous.color;

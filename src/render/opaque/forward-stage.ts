@@ -3,7 +3,7 @@ import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
-import type { Rgb } from "../../light/color.js";
+import { luma, type Rgb } from "../../light/color.js";
 import type { Bounds } from "../../world/geometry.js";
 import { type CachedLight, candlesOf, isMoonAlone, moonOf } from "../cached-light.js";
 import { frustumTest } from "../camera.js";
@@ -150,12 +150,15 @@ export class ForwardStage implements OpaqueStage {
     const candles = this.#isOfAll ? this.#candles : [];
     const target = this.#samples;
     if (isWhole && settings.isMoving && this.#checkerboard && target) {
-      const targets = { samples: target, resolved: this.#resolved };
       this.#gpu.clear(target, [0, 0, 0, this.#moon?.background ?? 1]);
-      const lights = [inspect, this.#moon?.key, isNight, candles.map(({ key }) => key)];
-      radiance = this.#checkerboard.draw(frame, JSON.stringify(lights), targets, () =>
-        this.draw(frame, light, captures, { target, candles }),
-      );
+      const lighting = {
+        key: JSON.stringify([inspect, this.#moon?.key, isNight, candles.map(({ key }) => key)]),
+        isStill: isNight || !(this.#isOfAll || instances.some(({ isHeld }) => isHeld)),
+        flame: this.#isOfAll ? 1 : luma(flameIntensity(world)),
+        moon: luma(this.#moon?.intensity ?? [0, 0, 0]),
+      };
+      const shade = () => this.draw(frame, light, captures, { target, candles });
+      radiance = this.#checkerboard.draw(frame, lighting, target, this.#resolved, shade);
     } else if (isWhole) {
       this.#drawBox(frame, light, captures, null);
     } else if (isStale) {
@@ -269,10 +272,9 @@ export class ForwardStage implements OpaqueStage {
       Object.assign(pass.blocks, inputs.blocks);
     }
     const isInView = isVisible ?? frustumTest(frame.clipFromWorld);
-    const most = isVisible ? undefined : 1;
     for (const instance of frame.instances) {
       for (const mesh of instance.meshes.filter(isDrawn)) {
-        const runs = visibleRuns(mesh, instance.placement, isInView, most);
+        const runs = visibleRuns(mesh, instance.placement, isInView, isVisible ? undefined : 1);
         if (runs.length === 0) continue;
         const draw = this.#drawOf(frame, instance, mesh, pass, uniforms);
         for (const run of runs) this.#gpu.draw({ ...draw, ...target, ...run });
@@ -295,6 +297,7 @@ export class ForwardStage implements OpaqueStage {
     uniforms: Draw["uniforms"],
   ): Omit<Draw, "target"> {
     const { shadows, indirect, specular, translucency } = settings.features;
+    const last = isNight ? settings.isMoving : settings.inspect === "normals";
     return {
       program: programOf(mesh),
       vertexArray: mesh.vertexArray,
@@ -316,7 +319,7 @@ export class ForwardStage implements OpaqueStage {
         }),
         uOrigin: [0, 0],
         ...uniforms,
-        uFeatures: [shadows, indirect, specular, settings.inspect === "normals"].map(Number),
+        uFeatures: [shadows, indirect, specular, last].map(Number),
       },
       blocks,
       depth: "test-and-write",
