@@ -18,8 +18,8 @@ vec3 irradianceAt(vec3 position, vec3 normal) {
   for (int i = 0; i < VIRTUAL_LIGHTS; i++) {
     VirtualLight v = virtualLightAt(i, position);
     float NoL = dot(normal, v.L);
-    if (min(v.intensity.g, NoL) <= 0.0) continue;
-    sum += virtualIrradiance(v, NoL) * virtualVisibility(v.d, normal, float(i));
+    if (min(v.facing, NoL) <= 0.0) continue;
+    sum += virtualIrradiance(v, i, NoL) * virtualVisibility(v.d, normal, float(i));
   }
   return sum;
 }

@@ -39,37 +39,43 @@ float virtualVisibility(vec3 d, vec3 facet, float slot) {
   return mix(across.x, across.y, share.y);
 }
 
-// A light as it shines on a point.
+// A light as it is seen from a point.
 struct VirtualLight {
   vec3 d;           // from the light, m
   vec3 L;           // to the light, length 1
   float squared;    // distance, m²
   float extent;     // m
-  vec3 intensity;   // without its shadow, cd
+  vec3 axis;        // its normal
+  float facing;     // cosine between that and the way to the point, at least 0
 };
 
 VirtualLight virtualLightAt(int i, vec3 position) {
   vec4 origin = texelFetch(uVirtualLights, ivec2(i, 0), 0);
-  vec3 axis = texelFetch(uVirtualLights, ivec2(i, 1), 0).xyz;
   VirtualLight v;
   v.d = position - origin.xyz;
   v.squared = max(dot(v.d, v.d), 1e-4);
   v.L = -v.d * inversesqrt(v.squared);
   v.extent = origin.w;
-  v.intensity = texelFetch(uVirtualFlux, ivec2(i, 0), 0).rgb / PI;
+  v.axis = texelFetch(uVirtualLights, ivec2(i, 1), 0).xyz;
+  v.facing = max(-dot(v.axis, v.L), 0.0);
+  return v;
+}
+
+// Towards the point, without its shadow, cd.
+vec3 virtualIntensity(VirtualLight v, int i) {
+  vec3 intensity = texelFetch(uVirtualFlux, ivec2(i, 0), 0).rgb / PI;
   if (i < VIRTUAL_LIGHTS - PANE_LIGHTS) {
     vec2 incident = texelFetch(uVirtualFlux, ivec2(i, 1), 0).rg;
     vec3 toMoon = -moon.direction;
     float fresnel = fresnelSchlick(vec3(0.04), dot(-v.L, normalize(toMoon - v.L))).r;
-    v.intensity += incident.r * fresnel * glossyLobe(incident.g, axis, toMoon, -v.L);
+    intensity += incident.r * fresnel * glossyLobe(incident.g, v.axis, toMoon, -v.L);
   } else {
-    v.intensity *= paneShare(v.L);
+    intensity *= paneShare(v.L);
   }
-  v.intensity *= max(-dot(axis, v.L), 0.0);
-  return v;
+  return intensity * v.facing;
 }
 
 // Without shadows, lx. Nearer than its extent the light is not a point.
-vec3 virtualIrradiance(VirtualLight v, float NoL) {
-  return v.intensity / max(v.squared, v.extent * v.extent) * NoL;
+vec3 virtualIrradiance(VirtualLight v, int i, float NoL) {
+  return virtualIntensity(v, i) / max(v.squared, v.extent * v.extent) * NoL;
 }

@@ -22,10 +22,13 @@
 #include "lib/virtual-lights.glsl"
 
 uniform sampler2D uEnvironmentBrdf;
-uniform vec4 uFeatures;  // 1 or 0: shadows, indirect light, specular; the last is unused
+uniform vec4 uFeatures;  // 1 or 0: shadows, indirect light, specular; whether the camera moves
 uniform vec2 uOrigin;    // of the target on the frame, pixels
 
 out vec4 oRadiance;
+
+// Alpha from which the virtual lights' reflections are the same in all directions while the camera moves.
+const float ROUGH_IN_MOTION = 0.5;
 
 // Direction to the point of a light nearest to a reflected ray. Karis 2013, "Real Shading in Unreal Engine 4".
 vec3 representative(vec3 toLight, vec3 ray, float radius) {
@@ -33,22 +36,28 @@ vec3 representative(vec3 toLight, vec3 ray, float radius) {
   return normalize(toLight + across * min(radius / max(length(across), 1e-4), 1.0));
 }
 
-// Luminance that a surface reflects of the virtual lights, cd/m². `facet`: normal of the triangle. `seen`: 1 or 0:
-// shadows, specular.
-float virtualLuminance(Shading s, vec3 position, vec3 facet, vec3 diffuseColor, vec2 seen) {
+// Luminance that a surface reflects of the virtual lights, cd/m². `facet`: normal of the triangle. `mirrored`: share of
+// light from all directions that it mirrors.
+float virtualLuminance(Shading s, vec3 position, vec3 facet, vec3 diffuseColor, vec3 mirrored) {
   float sum = 0.0;
   vec3 reflected = reflect(-s.view, s.normal);
+  bool isMirroring = s.alpha < ROUGH_IN_MOTION || uFeatures.w < 0.5;
+  vec3 evenly = isMirroring ? vec3(0.0) : mirrored / PI;
   for (int i = 0; i < VIRTUAL_LIGHTS; i++) {
     VirtualLight v = virtualLightAt(i, position);
     float NoL = dot(s.normal, v.L);
-    if (min(v.intensity.g, NoL) <= 0.0) continue;
-    vec3 R = representative(-v.d, reflected, v.extent);
-    vec3 H = normalize(R + s.view);
-    float lobe = widenedLobe(s.alpha, v.extent * inversesqrt(v.squared), dot(s.normal, H), s.NoV, NoL);
+    if (min(v.facing, NoL) <= 0.0) continue;
+    vec3 specular = evenly;
+    if (isMirroring) {
+      vec3 R = representative(-v.d, reflected, v.extent);
+      vec3 H = normalize(R + s.view);
+      float lobe = widenedLobe(s.alpha, v.extent * inversesqrt(v.squared), dot(s.normal, H), s.NoV, NoL);
+      specular = fresnelSchlick(s.f0, max(dot(R, H), 0.0)) * lobe;
+    }
     vec3 share = diffuseColor / PI * normalMapVisibility(s.surface, s.normal, v.L) * s.minified.y;
-    share += fresnelSchlick(s.f0, max(dot(R, H), 0.0)) * lobe * seen.y;
-    float visibility = mix(1.0, virtualVisibility(v.d, facet, float(i)), seen.x);
-    sum += moonLuma(virtualIrradiance(v, NoL) * share) * visibility;
+    share += specular * uFeatures.z;
+    float visibility = mix(1.0, virtualVisibility(v.d, facet, float(i)), uFeatures.x);
+    sum += moonLuma(virtualIrradiance(v, i, NoL) * share) * visibility;
   }
   return sum;
 }
@@ -65,7 +74,7 @@ float shade(vec3 facet) {
   bool isPane = material.roughness < PANE_ROUGHNESS && isOnPane(vPositionWorld);
   for (int i = isPane ? 1 : 0; i > 0; i--) luminance += nightThroughPane(-s.view, s.NoV);
   IrradianceSample probes = irradianceAt(vPositionWorld + surface * 0.02, normal, normal, reflect(-s.view, normal));
-  float firstBounce = virtualLuminance(s, vPositionWorld, facet, diffuseColor, uFeatures.xz);
+  float firstBounce = virtualLuminance(s, vPositionWorld, facet, diffuseColor, environment.share);
   float laterBounces = moonLuma(probes.alongNormal * diffuseColor) * skyVisibility(surface, normal) * s.minified.x;
   float mirrored = moonLuma(probes.alongReflection * environment.share) * uFeatures.z;
   float unoccluded = 1.0 - NEAR_OCCLUSION * (1.0 - material.occlusion);
