@@ -9,6 +9,21 @@ export type TierName = Exclude<Quality, "auto">;
 /** What the visitor does, or the candle that was just put out. */
 export type Doing = "stands" | "walks" | "smokes";
 
+/** What burns beside the carried candle, or in its place. */
+export type Lights =
+  | "candle on the table"
+  | "one more candle"
+  | "three more candles"
+  | "moon alone";
+const STANDING: Readonly<Record<Lights, number>> = {
+  "candle on the table": 0,
+  "one more candle": 1,
+  "three more candles": 3,
+  "moon alone": 0,
+};
+/** Frames until a night's light is captured, and the eye is used to it. */
+const NIGHTFALL = 480;
+
 export interface PassCost {
   readonly pass: string;
   /** Full-screen copies of 640 x 360 pixels of RGBA8 that take as long. */
@@ -22,6 +37,8 @@ export interface Passes {
   readonly renderer: string;
   readonly quality: TierName;
   readonly doing: Doing;
+  /** Default: the carried candle, and moonlight. */
+  readonly lights?: Lights;
   readonly width: number;
   readonly height: number;
   readonly rounds: number;
@@ -60,6 +77,8 @@ const SHORT_CYCLE = 2;
 const WARM: Readonly<Record<Doing, number>> = { stands: 6, walks: 5, smokes: 30 };
 /** Copies in a row, so that waiting for them is nothing against them. */
 const COPIES = 6;
+/** Copies before a frame on a GPU: some milliseconds. */
+const BUSY = 200;
 /** Frames whose script is timed, a cycle's number of times. */
 const SCRIPTS = 6;
 /** A slow machine has fewer rounds, so that they end: time for each scene, milliseconds. */
@@ -71,6 +90,7 @@ export async function measurePasses(
   quality: TierName,
   rounds: number,
   size: { readonly width: number; readonly height: number } = quality === "low" ? PAGE : SMALL_PAGE,
+  lights?: Lights,
 ): Promise<Passes[]> {
   const element = document.createElement("candle-flame");
   element.paused = true;
@@ -85,13 +105,14 @@ export async function measurePasses(
   const gl = element.shadowRoot?.querySelector("canvas")?.getContext("webgl2");
   if (!gl) throw new Error("The element has no picture.");
   const clock = new Clock(gl);
-  const how = { quality, most: rounds, readyMs };
+  const how = { quality, most: rounds, readyMs, lights };
+  if (lights) await light(element, lights);
   const results = [await measure(element, clock, { ...how, doing: "walks" })];
-  element.camera = PLACE;
-  element.place();
-  element.camera = CAMERA;
-  results.unshift(await measure(element, clock, { ...how, doing: "stands" }));
-  if (quality === "low") {
+  if (lights !== "candle on the table") {
+    place(element);
+    results.unshift(await measure(element, clock, { ...how, doing: "stands" }));
+  }
+  if (quality === "low" && !lights) {
     element.extinguish();
     results.push(await measure(element, clock, { ...how, doing: "smokes" }));
   }
@@ -100,15 +121,38 @@ export async function measurePasses(
   return results;
 }
 
+/** Sets the carried candle down on the table. */
+function place(element: CandleFlameElement): void {
+  element.camera = PLACE;
+  element.place();
+  element.camera = CAMERA;
+}
+
+/** Lights standing candles, or puts the carried one out, and waits until what is drawn with is compiled and captured. */
+async function light(element: CandleFlameElement, lights: Lights): Promise<void> {
+  for (const candle of element.candles.slice(1, 1 + STANDING[lights])) candle.light();
+  if (lights === "moon alone") element.extinguish();
+  if (lights === "candle on the table") place(element);
+  element.play();
+  for (let number = 0; number < NIGHTFALL; number++) {
+    element.step(FRAME);
+    if (number % CYCLE.walks === 0) await new Promise((resolve) => setTimeout(resolve));
+  }
+  element.pause();
+}
+
+interface How {
+  readonly quality: TierName;
+  readonly doing: Doing;
+  readonly lights?: Lights | undefined;
+  readonly most: number;
+  readonly readyMs: number;
+}
+
 async function measure(
   element: CandleFlameElement,
   clock: Clock,
-  {
-    quality,
-    doing,
-    most,
-    readyMs,
-  }: { quality: TierName; doing: Doing; most: number; readyMs: number },
+  { quality, doing, lights, most, readyMs }: How,
 ): Promise<Passes> {
   const isFast = quality === "low" || clock.isReal;
   const cycle = isFast ? CYCLE[doing] : Math.min(CYCLE[doing], SHORT_CYCLE);
@@ -176,6 +220,7 @@ async function measure(
     renderer: clock.renderer,
     quality,
     doing,
+    ...(lights && { lights }),
     width,
     height,
     rounds,
@@ -248,8 +293,14 @@ class Clock {
     return this.#copier.time();
   }
 
+  /** A GPU with little to do lowers its clock. */
+  #keepClockUp(): void {
+    if (this.isReal) this.#copier.draw(BUSY);
+  }
+
   /** All that a frame draws. */
   async time(frame: () => void): Promise<Span> {
+    this.#keepClockUp();
     this.#isWhole = true;
     this.#begin = Number.NaN;
     frame();
@@ -262,6 +313,7 @@ class Clock {
 
   /** Of each pass, in the order of the first draw. */
   async timeEach(frame: () => void): Promise<Map<string, Span>> {
+    this.#keepClockUp();
     this.#passes = new Map();
     this.#pass = "";
     frame();
@@ -386,13 +438,19 @@ class Copier {
     this.time();
   }
 
+  /** Copies, and waits for none. */
+  draw(copies: number): void {
+    for (let i = 0; i < copies; i++) this.#gl.drawArrays(this.#gl.TRIANGLES, 0, 3);
+    this.#gl.flush();
+  }
+
   /** Milliseconds. */
   time(): number {
     const gl = this.#gl;
     const wait = () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, this.#pixel);
     wait();
     const begin = performance.now();
-    for (let i = 0; i < COPIES; i++) gl.drawArrays(gl.TRIANGLES, 0, 3);
+    this.draw(COPIES);
     wait();
     return (performance.now() - begin) / COPIES;
   }

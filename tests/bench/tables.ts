@@ -93,7 +93,7 @@ export function gpuTable(scenes: readonly Passes[]): string {
     ["GPU", "frame", "GPU, ms", "at most", "of it opaque", "script, ms", "draws", "memory, MB"],
     scenes.map((scene) => [
       gpuName(scene.renderer),
-      `${scene.quality}, ${TITLES[scene.doing]}`,
+      [scene.quality, TITLES[scene.doing], scene.lights].filter(Boolean).join(", "),
       scene.frame.gpuMs?.toFixed(2) ?? "",
       scene.worstGpuMs?.toFixed(2) ?? "",
       sum(scene, opaque).toFixed(2),
