@@ -6,6 +6,7 @@ import { fieldOfViewOf } from "../world/player/field-of-view.js";
 import type { CollisionMesh } from "../world/room/collision-mesh.js";
 import type { World } from "../world/world.js";
 import { clipFromWorld, clipPosition, magnification, projectionScale } from "./camera.js";
+import { carriedPlacement } from "./carried-placement.js";
 import { AT_ORIGIN, type FrameInput, type ModelInstance, type Placement } from "./frame-input.js";
 import type { FrameSettings } from "./frame-settings.js";
 import type { GBufferKind } from "./gbuffer/gbuffer.js";
@@ -38,7 +39,7 @@ import { RefinedStage } from "./refinement/refined-stage.js";
 import type { Models, Refining, Renderer, Surfaces } from "./renderer.js";
 import { boundsOf, expandBox, expandBoxes, scaleBox, wholeOf } from "./screen-bounds.js";
 import { finish, type Steps } from "./steps.js";
-import { HANDLE_TURN } from "./volumetric/flame-pass.js";
+
 import { flamePart, VolumetricStage } from "./volumetric/volumetric-stage.js";
 import { type CompositedFrame, RadianceTarget } from "./volumetric/volumetric-target.js";
 
@@ -215,8 +216,7 @@ export class PhysicalRenderer implements Renderer {
       projectionScale: projectionScale(Math.min(width, height)) * magnification(world),
       normalMaps: features.normalMaps ? 1 : 0,
     });
-    const [x, y, z] = interpolated.foot;
-    const candlePlacement: Placement = [x, y, z, candle.yaw + HANDLE_TURN];
+    const candlePlacement = carriedPlacement(world);
     const [flameX, flameY, flameW] = clipPosition(clip, ...interpolated.flame);
     return {
       screen: "canvas",
