@@ -86,14 +86,16 @@ function moonAlone(quality: Quality): ElementCase {
   return { ...room, name: `moon alone, ${quality}`, attributes };
 }
 
-/** Frames in motion, each from the one before. */
-const WALK: ElementCase = {
-  ...inRoom("physical", "medium"),
-  name: "physical, medium, in motion",
-  attributes: { ...inRoom("physical", "medium").attributes, "data-gpu": "" },
-  place: undefined,
-  stride: [0.02, 0, 0.01],
-};
+/** Frames in motion, each from the one before, of which a GPU keeps a part. */
+function inMotion(one: ElementCase): ElementCase {
+  return {
+    ...one,
+    name: `${one.name}, in motion`,
+    attributes: { ...one.attributes, "data-gpu": "" },
+    place: undefined,
+    stride: [0.02, 0, 0.01],
+  };
+}
 
 const HOSTED: PageCase = { kind: "page", name: "hosted page, auto", path: "" };
 
@@ -118,7 +120,8 @@ export const LONG: readonly Case[] = [
   fourCandles("medium"),
   moonAlone("low"),
   moonAlone("medium"),
-  WALK,
+  inMotion(inRoom("physical", "medium")),
+  inMotion(moonAlone("medium")),
   HOSTED,
   { kind: "page", name: "how.html", path: "how.html" },
   { kind: "page", name: "use.html", path: "use.html" },

@@ -58,6 +58,11 @@ export const CASE_LIMITS: readonly {
     limits: ULTRA_LIMITS,
   },
   {
+    cases: /^moon alone, medium, in motion$/,
+    title: "the moon alone in motion, where the window's moonlit edges are thinner still",
+    limits: { ...THIN_LIMITS, block: 0.4 },
+  },
+  {
     cases: /^(advent wreath$|moon alone)/,
     title: "the advent wreath and the moon alone, where the samples of thin bright edges differ",
     limits: THIN_LIMITS,
