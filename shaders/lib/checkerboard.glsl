@@ -8,7 +8,7 @@ uniform vec4 uHeldBounds;             // of what moves with the camera, pixels: 
 uniform float uHeldDistance;          // of its farthest point along the view axis, m
 uniform float uIsFirst;               // 1 or 0: whether all of the previous frame was shaded
 uniform vec2 uIntensity;              // of the flame, cd, and the moon, lx
-uniform float uIsStill;               // 1 or 0: whether no light moves, so that what is kept is clamped to nothing
+uniform float uIsStill;               // 1 or 0: whether no light moves: what is kept is not clamped
 uniform float uTurns;                 // frames after which a quad is shaded again: 2 or 4
 
 // Depths on one surface differ by less, as a share of the distance.

@@ -36,8 +36,8 @@ void main() {
 #ifdef CANDLES
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   oRadiance.rgb += texelFetch(uRadiance1, pixel, 0).rgb * uIntensity1;
-  if (uIntensity2.g > 0.0) oRadiance.rgb += texelFetch(uRadiance2, pixel, 0).rgb * uIntensity2;
-  if (uIntensity3.g > 0.0) oRadiance.rgb += texelFetch(uRadiance3, pixel, 0).rgb * uIntensity3;
+  if (uIntensity2.r > 0.0) oRadiance.rgb += texelFetch(uRadiance2, pixel, 0).rgb * uIntensity2;
+  if (uIntensity3.r > 0.0) oRadiance.rgb += texelFetch(uRadiance3, pixel, 0).rgb * uIntensity3;
 #endif
 #else
   vec3 radiance = perUnit.rgb * mix(vec3(1.0), light.intensity, uIsLight);

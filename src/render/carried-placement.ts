@@ -5,7 +5,7 @@ import { HANDLE_TURN } from "./volumetric/flame-pass.js";
 /** Foot of the flame in the model's frame, metres: its node `flame`. */
 const WICK = { x: 0.0011, z: 0.0003 } as const;
 
-/** Where the carried candle is drawn: its wick is below the flame, which does not go round with it. */
+/** Where the carried candle is drawn: its wick is below the flame, whose place does not turn with the model. */
 export function carriedPlacement({ candle, interpolated }: World): Placement {
   const { foot, flame } = interpolated;
   const yaw = candle.yaw + HANDLE_TURN;

@@ -39,7 +39,6 @@ import { RefinedStage } from "./refinement/refined-stage.js";
 import type { Models, Refining, Renderer, Surfaces } from "./renderer.js";
 import { boundsOf, expandBox, expandBoxes, scaleBox, wholeOf } from "./screen-bounds.js";
 import { finish, type Steps } from "./steps.js";
-
 import { flamePart, VolumetricStage } from "./volumetric/volumetric-stage.js";
 import { type CompositedFrame, RadianceTarget } from "./volumetric/volumetric-target.js";
 
