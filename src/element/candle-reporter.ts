@@ -24,7 +24,8 @@ export class CandleReporter {
   watch(candle: CandleFlame): void {
     const element = this.#element;
     candle.onCandleMoved = () => emit(element, candle.world.candle.isHeld ? "take" : "place", null);
-    candle.onLookChanged = () => emit(element, "load", null);
+    // Later: a page that sets the look listens afterwards.
+    candle.onLookChanged = () => queueMicrotask(() => emit(element, "load", null));
     candle.onRefused = () => this.refusal(candle);
     const detailOf = (index: number) => ({ index, name: candle.candleNames[index] ?? "" });
     candle.onWickReached = (index) => this.#overlay.hint.tell(reachedSentence(detailOf(index)));

@@ -257,14 +257,15 @@ export class Lifecycle implements SessionOwner {
   }
 
   onContextLost(): void {
-    this.#machine.send("lose");
+    // It may be lost again before all of it is restored.
+    if (!this.#machine.send("lose")) return;
     this.#applyMotion();
     this.#overlay.showPoster(this.#element);
     emit(this.#element, "contextlost", null);
   }
 
   onContextRestored(): void {
-    this.#machine.send("restore");
+    if (!this.#machine.send("restore")) return;
     this.#overlay.clearFailure();
     if (this.#machine.current === "running") this.#overlay.hidePoster();
     else this.#ready.renew();
@@ -337,6 +338,8 @@ export class Lifecycle implements SessionOwner {
     this.#session?.dispose();
     this.#session = null;
     this.draws.reset();
+    const emitPause = () => emit(this.#element, "pause", null);
+    if (this.#states.has("playing")) queueMicrotask(emitPause); // all is free by then
     this.#states.clear();
     const client = this.#client;
     this.#client = null;

@@ -68,10 +68,9 @@ export class PendingWorld {
     this.#saved = { snapshot, request };
   }
 
-  /** Drops the snapshot and the page's wish: the next world begins at time 0, lit as the attributes say. */
+  /** Drops the snapshot: the next world begins at time 0. */
   forgetTime(): void {
     this.#saved = null;
-    this.#isLit = null;
   }
 
   /** Drops all that the page has asked for. */
@@ -79,6 +78,7 @@ export class PendingWorld {
     this.forgetTime();
     this.forgetCamera();
     this.take();
+    this.#isLit = null;
   }
 
   moveCamera(camera: Partial<Camera>): void {

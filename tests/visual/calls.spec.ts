@@ -118,13 +118,15 @@ test("Another look leaves lone candles as they burn, and is reported", async ({ 
     room,
     { scene: "candle", src: WREATH, paused: "" },
     () => {},
-    (element) => {
+    async (element) => {
       element.candles[1]?.extinguish();
       const events: string[] = [];
+      element.look = "paper";
+      // Listened to after the change, as a page may.
       for (const type of ["load", "light", "extinguish"]) {
         element.addEventListener(type, () => events.push(type));
       }
-      element.look = "paper";
+      await Promise.resolve();
       return { lit: element.candles.map((candle) => candle.lit), events };
     },
   );

@@ -76,6 +76,50 @@ test("Playing and pausing are reported once each, when they happen", async ({ ro
   expect(events).toEqual(["play false", "pause true", "play false", "pause true"]);
 });
 
+test("A removal while time passes is reported as a pause, once", async ({ room }) => {
+  const events = await room.page.evaluate(async () => {
+    const element = document.createElement("candle-flame");
+    element.look = "paper";
+    element.style.cssText = "width: 32px; height: 18px";
+    document.body.append(element);
+    await element.ready;
+    const events: string[] = [];
+    for (const type of ["play", "pause"]) element.addEventListener(type, () => events.push(type));
+    element.remove();
+    await new Promise((resolve) => setTimeout(resolve));
+    element.paused = true;
+    document.body.append(element);
+    await element.ready;
+    element.remove();
+    await new Promise((resolve) => setTimeout(resolve));
+    return events;
+  });
+  expect(events).toEqual(["pause"]);
+});
+
+test("A candle put out before insertion stays out after a removal while it loads", async ({
+  room,
+}) => {
+  const lit = await room.page.evaluate(async () => {
+    const element = document.createElement("candle-flame");
+    element.look = "paper";
+    element.paused = true;
+    element.style.cssText = "width: 32px; height: 18px";
+    element.lit = false;
+    document.body.append(element);
+    element.remove();
+    await new Promise((resolve) => setTimeout(resolve));
+    const lit = [element.lit];
+    document.body.append(element);
+    await element.ready;
+    lit.push(element.lit);
+    element.remove();
+    await new Promise((resolve) => setTimeout(resolve));
+    return [...lit, element.lit];
+  });
+  expect(lit).toEqual([false, false, true]);
+});
+
 test("The camera's moves are reported, and only moves", async ({ room }) => {
   const counts = await room.evaluate((element) => {
     let count = 0;

@@ -406,3 +406,36 @@ for (const look of SETTINGS.look.choices) {
     expect(room.complaints).toEqual([]);
   });
 }
+
+test("A context lost again while it is restored is reported lost once and restored once", async ({
+  page,
+}) => {
+  await recordContexts(page);
+  const room = await new RoomDriver(page).open({ look: "paper" }, { width: 96, height: 54 });
+  const events = await room.evaluate(async (element) => {
+    const events: string[] = [];
+    for (const type of ["contextlost", "contextrestored"]) {
+      element.addEventListener(type, () => events.push(type));
+    }
+    const canvas = element.shadowRoot?.querySelector("canvas");
+    const happens = (type: string, target: EventTarget | null | undefined) =>
+      new Promise((resolve) => target?.addEventListener(type, resolve, { once: true }));
+    const extension = contexts[0]?.getExtension("WEBGL_lose_context");
+    element.play();
+    for (let loss = 0; loss < 2; loss++) {
+      const lost = happens("webglcontextlost", canvas);
+      extension?.loseContext();
+      await lost;
+      // The browser learns that it is wanted back only after the event's task.
+      await new Promise((resolve) => setTimeout(resolve));
+      const restored = happens("webglcontextrestored", canvas);
+      const drawn = happens("contextrestored", element);
+      extension?.restoreContext();
+      await (loss === 0 ? restored : drawn);
+    }
+    element.pause();
+    return events;
+  });
+  expect(events).toEqual(["contextlost", "contextrestored"]);
+  expect(room.complaints).toEqual([]);
+});
