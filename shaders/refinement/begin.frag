@@ -1,5 +1,5 @@
 #version 300 es
-// First state of the refined image: a coarser one of the same view, upsampled.
+// First state of the refined image: surfaces of the same view by deferred shading.
 // In:  radiance, cd/m², and its depth.   Out: radiance per candela, depth.
 #include "lib/precision.glsl"
 #include "lib/flame-light.glsl"

@@ -36,11 +36,14 @@ import { RefinedCaptures } from "./refinement/refined-captures.js";
 import { RefinedDisplayPass } from "./refinement/refined-display-pass.js";
 import { RefinedFade } from "./refinement/refined-fade.js";
 import { RefinedStage } from "./refinement/refined-stage.js";
-import type { Models, Refining, Renderer, Surfaces } from "./renderer.js";
+import { SharpSurfaces } from "./refinement/sharp-surfaces.js";
+import type { Models, Refining, Renderer, SharpImage } from "./renderer.js";
 import { boundsOf, expandBox, expandBoxes, scaleBox, wholeOf } from "./screen-bounds.js";
 import { finish, type Steps } from "./steps.js";
 import { flamePart, VolumetricStage } from "./volumetric/volumetric-stage.js";
-import { type CompositedFrame, RadianceTarget } from "./volumetric/volumetric-target.js";
+import { RadianceTarget } from "./volumetric/volumetric-target.js";
+
+type Sharpen = NonNullable<Renderer["sharpen"]>;
 
 /**
  * The physical look: a room in the light of a flame, in candela and metres.
@@ -52,6 +55,7 @@ import { type CompositedFrame, RadianceTarget } from "./volumetric/volumetric-ta
 export class PhysicalRenderer implements Renderer {
   readonly refining: Refining | null;
   readonly refinedFade: RefinedFade | null;
+  readonly sharpen?: Sharpen;
   readonly #gpu: Gpu;
   readonly #room: readonly Mesh[];
   readonly #candle: readonly Mesh[];
@@ -68,7 +72,7 @@ export class PhysicalRenderer implements Renderer {
   #size = { width: 1, height: 1 };
   readonly #postTiming = new PostTiming();
   /** The last frame, of which `#radiance` may hold regions. */
-  #last: readonly [FrameInput, OpaqueLayer, IrradianceVolume] | null = null;
+  #last: readonly [FrameInput, OpaqueLayer, Captures] | null = null;
 
   /** @param collision mesh of the room, for the probes' rays */
   constructor(gpu: Gpu, { room, candle }: Models, collision: CollisionMesh, tier: Tier) {
@@ -95,6 +99,10 @@ export class PhysicalRenderer implements Renderer {
     const display = refined && new RefinedDisplayPass(gpu, refined);
     this.#compositeDisplay = display ?? (lods && new CompositeDisplayPass(gpu));
     this.refinedFade = lods && new RefinedFade(gpu);
+    if (lods) {
+      const sharp = new SharpSurfaces(gpu, physical, lods);
+      this.sharpen = (...image) => this.#sharpen(sharp, ...image);
+    }
     this.refining =
       display &&
       refinedCaptures &&
@@ -175,9 +183,9 @@ export class PhysicalRenderer implements Renderer {
     const regions = this.#compositeDisplay
       ? this.#volumetric.bounds(frame, this.#size, BLOOM_SCALE)
       : [wholeOf(this.#size)];
-    if (regions.length > 0) yield* this.#composite(frame, layer, irradiance, regions);
+    if (regions.length > 0) yield* this.#composite(frame, layer, captures, regions);
     yield;
-    this.#last = [frame, layer, irradiance];
+    this.#last = [frame, layer, captures];
     const post = this.#postIn(kind, shadow.isNew, settings.canDefer);
     if (post === "before display") yield* this.#updatePost(frame, layer, irradiance, regions);
     yield;
@@ -188,17 +196,19 @@ export class PhysicalRenderer implements Renderer {
     if (post === "after display") yield* this.#updatePost(frame, layer, irradiance, regions);
   }
 
-  surfaces(): Surfaces {
-    if (!this.#last) throw new Error("There is no frame yet.");
-    const [frame, layer] = this.#last;
-    const target = this.#compositedFrame(layer.depth);
-    this.#opaque.composite(frame, layer, target, wholeOf(this.#size));
-    return { radiance: target.color, depth: layer.depth, light: this.#opaque.blocks.Light };
+  #sharpen(sharp: SharpSurfaces, ...[world, settings, size]: Parameters<Sharpen>): SharpImage {
+    const atRest = { ...settings, canDefer: false };
+    const describe = () => this.#describe(world, atRest, size, sharp.blocks);
+    return sharp.begin(size, describe, () => this.#last![2]);
   }
 
-  #describe(world: World, settings: FrameSettings): FrameInput {
+  #describe(
+    world: World,
+    settings: FrameSettings,
+    { width, height } = this.#size,
+    { Frame } = this.#opaque.blocks,
+  ): FrameInput {
     const { player, interpolated, candle } = world;
-    const { width, height } = this.#size;
     const { features } = settings;
     const clip = clipFromWorld(
       interpolated.eye,
@@ -207,7 +217,7 @@ export class PhysicalRenderer implements Renderer {
       width / height,
       fieldOfViewOf(world),
     );
-    this.#opaque.blocks.Frame.update({
+    Frame.update({
       clipFromWorld: clip,
       eyePosition: interpolated.eye,
       exposure: exposureFactor(settings),
@@ -242,19 +252,15 @@ export class PhysicalRenderer implements Renderer {
   *#composite(
     frame: FrameInput,
     layer: OpaqueLayer,
-    irradiance: IrradianceVolume,
+    { irradiance }: Captures,
     regions: readonly Box[],
   ): Steps {
-    const target = this.#compositedFrame(layer.depth);
+    if (!this.#radiance) throw new Error("The renderer has no size yet.");
+    const target = this.#radiance.with(layer.depth);
     if (flamePart(frame.settings.inspect)) this.#gpu.clear(target.target, [0, 0, 0, 1]);
     else for (const region of regions) this.#opaque.composite(frame, layer, target, region);
     yield;
     this.#volumetric.render(frame, target, irradiance);
-  }
-
-  #compositedFrame(depth: Texture): CompositedFrame {
-    if (!this.#radiance) throw new Error("The renderer has no size yet.");
-    return this.#radiance.with(depth);
   }
 
   #postIn(kind: GBufferKind, isShadowNew: boolean, canDefer: boolean) {

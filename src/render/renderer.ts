@@ -4,8 +4,11 @@ import type { Texture } from "../gl/texture.js";
 import type { UniformBlock } from "../gl/uniform-block.js";
 import type { ParticleLayer } from "../world/particles/particle-layer.js";
 import type { World } from "../world/world.js";
+import type { Size } from "./frame-input.js";
 import type { FrameSettings } from "./frame-settings.js";
+import type { Captures } from "./gi/light-captures.js";
 import type { RefinedFade, RefinedImage } from "./refinement/refined-fade.js";
+import type { Steps } from "./steps.js";
 
 export interface Models {
   readonly room: Model;
@@ -14,13 +17,13 @@ export interface Models {
 
 /** Refinement of an image at rest by a renderer. */
 export interface Refining {
-  /** Tiles that are still those of the coarser image. */
+  /** Tiles that are still to be drawn. */
   readonly remaining: number;
-  /** Continues captures of the light by `steps` of the settings. True once they are done. */
+  /** Continues captures of the light by `steps` of the settings. True once: when tiles can be drawn in it. */
   prepare(world: World, settings: FrameSettings): boolean;
   /** Whether the last step has many drivers compile for so long that its frame had better draw nothing else. */
   readonly isCompiling: boolean;
-  /** Begins with the last image of a coarser renderer on the same `Gpu`, of the same view. */
+  /** Begins with the surfaces of a coarser renderer on the same `Gpu`, of the same view. */
   begin(world: World, settings: FrameSettings, coarse: Surfaces): void;
   /** Continues captures of finer light by `steps` of the settings. True once: when all is to be drawn again in it. */
   refineLight(world: World, settings: FrameSettings): boolean;
@@ -30,11 +33,22 @@ export interface Refining {
   image(): RefinedImage | null;
 }
 
-/** Surfaces of a frame: radiance in cd/m², its depth, and the flame that it is of. */
+/** Surfaces without media: radiance in cd/m², its depth, the flame that it is of, and captures of its light. */
 export interface Surfaces {
   readonly radiance: Texture;
   readonly depth: Texture;
   readonly light: UniformBlock;
+  readonly captures: Captures;
+}
+
+/** Surfaces of an image at rest, drawn in steps. */
+export interface SharpImage {
+  /** All that does not depend on the light. */
+  readonly fill: Steps<unknown>;
+  /** After it: the surfaces in the light of that moment. */
+  shade(): Steps<Surfaces>;
+  /** Frees what was drawn. */
+  release(): void;
 }
 
 /** Draws the world onto the canvas, for one family of looks. Created on a `Gpu`, which frees it. */
@@ -43,8 +57,8 @@ export interface Renderer {
   readonly refining?: Refining | null;
   /** Particle slots in use in the last frame. */
   readonly particles: number;
-  /** Those of the last frame, without media; absent where there are none to begin a refinement with. */
-  surfaces?(): Surfaces;
+  /** Surfaces at another size than the canvas's; absent where there are none to begin a refinement with. */
+  sharpen?(world: World, settings: FrameSettings, size: Size): SharpImage;
   /** Fades from a refined image, which is drawn to the whole of a canvas at its full resolution. */
   readonly refinedFade?: RefinedFade | null;
   /** @param width of the canvas, pixels */

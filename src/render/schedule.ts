@@ -16,8 +16,11 @@ export const SCHEDULE = {
   checkerboard: { turns: 2, stillTurns: 4 },
   /** Frames in motion after the first, or after one that draws with a new program, that make and compile nothing. */
   quietFrames: 3,
-  /** Progressive refinement: frames over which a full G-buffer is filled after the camera stops or the size changes. */
-  refinement: { surfaces: 12, guide: 4 },
+  /**
+   * Progressive refinement: frames over which a full G-buffer is filled after the camera stops or the size changes, and
+   * pixels in a frame of the one that a refined image begins with.
+   */
+  refinement: { surfaces: 12, guide: 4, pixels: 76_800 },
   /** Shadow cube in motion: every fourth frame, sixth if those are busy, at once if the light moved this far (m). */
   shadow: { frames: 4, busyFrames: 6, distance: 0.25 },
   /** Surfels and probes: faces of the surfel cube or passes over the probes in a frame, frames of rest after an update. */

@@ -3,7 +3,8 @@ import type { Size } from "../render/frame-input.js";
 import type { FrameSettings } from "../render/frame-settings.js";
 import { REFINED } from "../render/quality.js";
 import { RefinementBudget } from "../render/refinement/refinement-budget.js";
-import type { Renderer } from "../render/renderer.js";
+import type { Renderer, SharpImage, Surfaces } from "../render/renderer.js";
+import type { Steps } from "../render/steps.js";
 import type { World } from "../world/world.js";
 import type { CanvasTarget } from "./canvas-target.js";
 import type { Scene } from "./scene.js";
@@ -49,6 +50,11 @@ export class Refinement {
   #fast = 0;
   /** Whether the last frame was one at rest. */
   #isWanted = false;
+  /** What it is to begin with, in progress: the surfaces, and their light. */
+  #sharp: SharpImage | null = null;
+  #isFilled = false;
+  #shading: Steps<Surfaces> | null = null;
+  #isPrepared = false;
   #hasBegun = false;
   #isShown = false;
   /** What the image is in the light of. */
@@ -92,7 +98,7 @@ export class Refinement {
     this.#fast = seconds < DISPLAY ? this.#fast + 1 : 0;
     if (this.#fast === FAST_FRAMES) void this.#parts().auto.remeasure();
     // Frames that refine nothing say nothing of its cost.
-    if (this.#isReady) this.#budget.take(seconds);
+    if (this.#isReady || this.#sharp) this.#budget.take(seconds);
   }
 
   /**
@@ -106,6 +112,10 @@ export class Refinement {
     this.#rest = 0;
     this.#isWanted = false;
     this.#budget = new RefinementBudget();
+    this.#sharp = null;
+    this.#isFilled = false;
+    this.#shading = null;
+    this.#isPrepared = false;
     this.#hasBegun = false;
     this.#isShown = false;
   }
@@ -141,29 +151,42 @@ export class Refinement {
       if (prepare() || (this.#frame <= SHORT && prepare())) this.#create(subject);
       return 0;
     }
-    if (!this.#isReady) return 0;
-    const steps = this.#budget.next();
-    const { refining } = this.#renderer;
+    if (this.#rest < REST) return 0;
     const { world } = subject;
-    if (steps === 0 || !refining || !coarse.surfaces) return 0;
+    const steps = this.#budget.next();
+    // While programs are compiled, too.
+    this.#sharp ??= coarse.sharpen?.(world, view, size) ?? null;
+    if (!this.#sharp) return 0;
+    const { fill } = this.#sharp;
+    for (let step = 0; step < steps && !this.#isFilled; step++) {
+      this.#isFilled = fill.next().done === true;
+    }
+    const { refining } = this.#renderer;
+    if (!this.#isFilled || !this.#isReady || steps === 0 || !refining) return 0;
     if (this.#isShown) {
+      if (!this.#isPrepared) {
+        this.#isPrepared = refining.prepare(world, { ...view, steps });
+        if (this.#isPrepared) this.#budget = new RefinementBudget(); // a tile is dearer
+        return refining.isCompiling ? null : 0;
+      }
       if (refining.remaining > 0) return steps;
       if (refining.refineLight(world, { ...view, steps })) this.#budget = new RefinementBudget();
       return 0;
     }
     if (!this.#hasBegun) {
-      if (!refining.prepare(world, { ...view, steps })) return refining.isCompiling ? null : 0;
+      this.#shading ??= this.#sharp.shade();
+      const { done, value } = this.#shading.next();
+      if (!done) return 0;
       if (this.#size?.width !== size.width || this.#size.height !== size.height) {
         this.#renderer.resize(size.width, size.height);
         this.#size = size;
       }
-      refining.begin(world, view, coarse.surfaces());
+      refining.begin(world, view, value);
       this.#hasBegun = true;
+      this.#sharp.release();
       return 0;
     }
     this.#isShown = refining.drawFirst(world, { ...view, steps: 0 });
-    // A tile is dearer than a step of the captures.
-    if (this.#isShown) this.#budget = new RefinementBudget();
     return 0;
   }
 

@@ -27,8 +27,14 @@ import {
 
 const NOTHING = [0, 0, 0, 0] as const;
 
-/** Samples of the G-buffer along each edge of a pixel. */
-const SAMPLES = { reduced: 0.5, full: 2 } as const;
+/** Samples of the G-buffer in motion along each edge of a pixel. */
+const REDUCED_SAMPLES = 0.5;
+
+/** A G-buffer at rest: samples along each edge of a pixel, and pixels that are filled in one step. */
+export interface FullGBuffer {
+  readonly samples: number;
+  readonly pixelsPerStep: number;
+}
 
 /** Codes of `shaders/lib/gbuffer.glsl`. */
 const MATERIAL = { glass: 5 / 7, wax: 1 } as const;
@@ -59,6 +65,7 @@ export class GBufferPass {
   readonly #gpu: Gpu;
   readonly #frame: UniformBlock;
   readonly #guide: UpsampleGuidePass;
+  readonly #full: FullGBuffer;
   /** By their defines. */
   readonly #programs = new Map<string, Program>();
   readonly #lods: MeshLods;
@@ -69,7 +76,7 @@ export class GBufferPass {
   /** How many there were before this frame, and frames in motion that have added none. */
   #rehearsedBefore = 0;
   #quietFrames = 0;
-  #targets: Partial<Record<keyof typeof SAMPLES, RenderTarget>> = {};
+  #targets: Partial<Record<"reduced" | "full", RenderTarget>> = {};
   /** Depth at the canvas's size, of a reduced G-buffer. */
   #reducedFrameDepth: Texture | null = null;
   #reducedKey = "";
@@ -80,12 +87,13 @@ export class GBufferPass {
   #refinement: { readonly key: string; bands: number } | null = null;
   #wasReduced = false;
 
-  constructor(gpu: Gpu, frame: UniformBlock, lods: MeshLods) {
+  constructor(gpu: Gpu, frame: UniformBlock, lods: MeshLods, full: FullGBuffer) {
     this.#gpu = gpu;
+    this.#full = full;
     this.#frame = frame;
     this.#lods = lods;
     this.#albedos = new AlbedoCache(gpu);
-    this.#guide = new UpsampleGuidePass(gpu, SAMPLES.full);
+    this.#guide = new UpsampleGuidePass(gpu, full.samples);
   }
 
   resize(size: Size): void {
@@ -102,12 +110,13 @@ export class GBufferPass {
   }
 
   /** Made when it is first needed: an image that never moves, or never rests, needs one of the two. */
-  #targetOf(kind: keyof typeof SAMPLES): RenderTarget {
+  #targetOf(kind: "reduced" | "full"): RenderTarget {
     const { width, height } = this.#guide.resolved;
+    const samples = kind === "full" ? this.#full.samples : REDUCED_SAMPLES;
     this.#targets[kind] ??= this.#gpu.renderTarget({
       label: `gbuffer/${kind}`,
-      width: Math.ceil(width * SAMPLES[kind]),
-      height: Math.ceil(height * SAMPLES[kind]),
+      width: Math.ceil(width * samples),
+      height: Math.ceil(height * samples),
       color: ["RGBA8", "RGBA8"],
       depth: "texture",
       filter: kind === "reduced" ? "linear" : "nearest",
@@ -192,12 +201,22 @@ export class GBufferPass {
     this.#refinement = null;
     this.#fullKey = key;
     const target = this.#targetOf("full");
-    this.#gpu.clear(target, NOTHING);
-    yield* this.#drawModels(target, frame, false);
-    yield;
+    const { width, height } = this.#guide.resolved;
+    const bands = Math.ceil((width * height) / this.#full.pixelsPerStep) || 1;
+    for (let band = 0; band < bands; band++) {
+      const scissor = bands > 1 ? bandOf(target, band, bands) : undefined;
+      this.#gpu.clear(target, NOTHING, scissor);
+      yield* this.#drawModels(target, frame, false, scissor);
+      yield;
+    }
     this.#guide.chooseRepresentatives(samplesOf(target), lightingSize);
-    yield;
-    this.#guide.resolve(samplesOf(target), lightingSize);
+    const { guide, surfaces } = SCHEDULE.refinement;
+    const parts = Math.ceil((bands * guide) / surfaces);
+    for (let part = 0; part < parts; part++) {
+      yield;
+      const scissor = parts > 1 ? bandOf(this.#guide.resolved, part, parts) : undefined;
+      this.#guide.resolve(samplesOf(target), lightingSize, scissor);
+    }
   }
 
   /** Progressive refinement: one band of what `#fill` draws. */

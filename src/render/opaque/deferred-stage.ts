@@ -5,7 +5,7 @@ import type { Program } from "../../gl/program.js";
 import type { TextureFormat } from "../../gl/texture.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import { forEachGBufferKind, type GBuffer, type GBufferKind } from "../gbuffer/gbuffer.js";
-import { GBufferPass } from "../gbuffer/gbuffer-pass.js";
+import { type FullGBuffer, GBufferPass } from "../gbuffer/gbuffer-pass.js";
 import type { Captures } from "../gi/light-captures.js";
 import type { MeshLods } from "../mesh/mesh-lods.js";
 import type { PhysicalTier } from "../quality.js";
@@ -14,6 +14,8 @@ import type { CompositedFrame } from "../volumetric/volumetric-target.js";
 import { CachedLighting } from "./cached-lighting.js";
 import { LightingPass } from "./lighting-pass.js";
 import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "./opaque-stage.js";
+
+const SUPERSAMPLED: FullGBuffer = { samples: 2, pixelsPerStep: Infinity };
 
 /** The opaque stage for machines without a GPU: a G-buffer, lighting at a lower rate, joint bilateral upsampling. */
 export class DeferredStage implements OpaqueStage {
@@ -27,7 +29,7 @@ export class DeferredStage implements OpaqueStage {
   readonly #composite: Readonly<Record<GBufferKind, Program>>;
   #gbuffer: GBuffer | null = null;
 
-  constructor(gpu: Gpu, tier: PhysicalTier, lods: MeshLods) {
+  constructor(gpu: Gpu, tier: PhysicalTier, lods: MeshLods, atRest = SUPERSAMPLED) {
     this.#gpu = gpu;
     this.#lighting = new LightingPass(gpu, tier);
     this.format = this.#lighting.format;
@@ -35,7 +37,7 @@ export class DeferredStage implements OpaqueStage {
     const summed = { ...this.blocks, Light: this.#lighting.newLightBlock() };
     const { full } = this.#lighting;
     this.#cached = new CachedLighting(gpu, tier.shadow, this.format, summed, full);
-    this.#gbufferPass = new GBufferPass(gpu, this.blocks.Frame, lods);
+    this.#gbufferPass = new GBufferPass(gpu, this.blocks.Frame, lods, atRest);
     this.#composite = forEachGBufferKind((defines) =>
       gpu.program("opaque/composite", fullscreenVert, compositeFrag, { defines }),
     );

@@ -21,6 +21,8 @@ export class RefinedCaptures {
   readonly #first: LightCaptures;
   #fine: LightCaptures | null = null;
   #current: LightCaptures;
+  /** Another renderer's, as long as none are held. */
+  #lent: Captures | null = null;
 
   constructor(gpu: Gpu, room: IndirectScene, tier: PhysicalTier) {
     this.#room = room;
@@ -30,9 +32,14 @@ export class RefinedCaptures {
       new LightCaptures(gpu, room, { ...tier, indirect: FINE_INDIRECT }, false);
   }
 
+  /** Takes another renderer's until some are held. */
+  borrow(captures: Captures): void {
+    this.#lent = captures;
+  }
+
   /** Those that are held. */
   update(frame: FrameInput, kind: GBufferKind): Captures {
-    return this.#current.update(frame, kind);
+    return this.#lent ?? this.#current.update(frame, kind);
   }
 
   steps(frame: FrameInput): Steps<Captures> {
@@ -48,8 +55,12 @@ export class RefinedCaptures {
   hold(frame: FrameInput, steps: number): boolean {
     const { world, captureLight } = frame;
     if (isUnlit(world) || this.#fine?.isHeldFor(captureLight)) return this.#holdFine(frame, steps);
-    if (!this.#first.hold(frame, steps)) return false;
-    this.#current = this.#first;
+    return this.#first.hold(frame, steps) && this.#use(this.#first);
+  }
+
+  #use(captures: LightCaptures): true {
+    this.#current = captures;
+    this.#lent = null;
     return true;
   }
 
@@ -67,8 +78,6 @@ export class RefinedCaptures {
     for (let step = 0; step < steps && !this.#fine; step++) {
       if (trace.proceed(SCHEDULE.probesPerFrame)) this.#fine = this.#makeFine();
     }
-    if (!this.#fine?.hold(frame, steps)) return false;
-    this.#current = this.#fine;
-    return true;
+    return this.#fine?.hold(frame, steps) ? this.#use(this.#fine) : false;
   }
 }

@@ -128,14 +128,14 @@ export class RefinedStage implements OpaqueStage {
         if (hasCandles) {
           areForwardProgramsCompiled(stage.#gpu, stage.#tier, lights, meshesOf(frame));
         }
-        if (stage.#gpu.isCompiling) return false;
-        return stage.#hasDrawn(frame, held, stage.#resolved);
-      },
-      begin: (world, settings, coarse) => {
-        const frame = describe(world, settings);
-        stage.#beginWith(frame, coarse);
+        if (stage.#gpu.isCompiling || !stage.#hasDrawn(frame, held, stage.#resolved)) return false;
         stage.#queue(frame, stage.#resolved);
         if (captures.isFine) stage.#queue(frame, stage.#samples);
+        return true;
+      },
+      begin: (world, settings, coarse) => {
+        stage.#beginWith(describe(world, settings), coarse);
+        captures.borrow(coarse.captures);
       },
       refineLight: (world, settings) => {
         if (captures.isFine) return false;
