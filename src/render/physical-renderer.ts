@@ -100,8 +100,11 @@ export class PhysicalRenderer implements Renderer {
     this.#compositeDisplay = display ?? (lods && new CompositeDisplayPass(gpu));
     this.refinedFade = lods && new RefinedFade(gpu);
     if (lods) {
-      const sharp = new SharpSurfaces(gpu, physical, lods);
-      this.sharpen = (...image) => this.#sharpen(sharp, ...image);
+      let sharp: SharpSurfaces | null = null;
+      this.sharpen = (...image) => {
+        sharp ??= new SharpSurfaces(gpu, physical, lods);
+        return this.#sharpen(sharp, ...image);
+      };
     }
     this.refining =
       display &&

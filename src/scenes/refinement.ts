@@ -187,6 +187,7 @@ export class Refinement {
       return 0;
     }
     this.#isShown = refining.drawFirst(world, { ...view, steps: 0 });
+    if (this.#isShown) this.#budget = new RefinementBudget(); // its own frames are dearer
     return 0;
   }
 

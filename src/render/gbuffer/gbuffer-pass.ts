@@ -18,7 +18,7 @@ import { SCHEDULE } from "../schedule.js";
 import { bandOf, clipOfBox } from "../screen-bounds.js";
 import { finish, type Steps } from "../steps.js";
 import { AlbedoCache, isBaked } from "./albedo-cache.js";
-import type { GBuffer } from "./gbuffer.js";
+import type { FullGBuffer, GBuffer } from "./gbuffer.js";
 import {
   type ReprojectionSource,
   reprojectionBetween,
@@ -29,12 +29,6 @@ const NOTHING = [0, 0, 0, 0] as const;
 
 /** Samples of the G-buffer in motion along each edge of a pixel. */
 const REDUCED_SAMPLES = 0.5;
-
-/** A G-buffer at rest: samples along each edge of a pixel, and pixels that are filled in one step. */
-export interface FullGBuffer {
-  readonly samples: number;
-  readonly pixelsPerStep: number;
-}
 
 /** Codes of `shaders/lib/gbuffer.glsl`. */
 const MATERIAL = { glass: 5 / 7, wax: 1 } as const;

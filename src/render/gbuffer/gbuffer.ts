@@ -39,3 +39,9 @@ export interface GBuffer {
   /** Null if the G-buffer is of the current frame. */
   readonly reprojection: Reprojection | null;
 }
+
+/** A G-buffer at rest: samples along each edge of a pixel, and pixels that are filled in one step. */
+export interface FullGBuffer {
+  readonly samples: number;
+  readonly pixelsPerStep: number;
+}

@@ -4,8 +4,13 @@ import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { TextureFormat } from "../../gl/texture.js";
 import type { FrameInput, Size } from "../frame-input.js";
-import { forEachGBufferKind, type GBuffer, type GBufferKind } from "../gbuffer/gbuffer.js";
-import { type FullGBuffer, GBufferPass } from "../gbuffer/gbuffer-pass.js";
+import {
+  type FullGBuffer,
+  forEachGBufferKind,
+  type GBuffer,
+  type GBufferKind,
+} from "../gbuffer/gbuffer.js";
+import { GBufferPass } from "../gbuffer/gbuffer-pass.js";
 import type { Captures } from "../gi/light-captures.js";
 import type { MeshLods } from "../mesh/mesh-lods.js";
 import type { PhysicalTier } from "../quality.js";

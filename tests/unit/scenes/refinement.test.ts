@@ -15,10 +15,19 @@ const FRAME = 1 / 60;
 
 /**
  * A refinement whose captures take so many calls, its first frame another number, and its finer light a third, with
- * what they were told.
+ * what they were told. Its surfaces take six steps, and their light two.
  */
 async function refinement(captures: number, passes: number, lights = 0) {
-  const told = { captures: [] as number[], first: 0, begun: 0, remaining: 1, lights: 0 };
+  const told = {
+    captures: [] as number[],
+    filled: 0,
+    shaded: 0,
+    released: 0,
+    first: 0,
+    begun: 0,
+    remaining: 1,
+    lights: 0,
+  };
   const refining = {
     get remaining() {
       return told.remaining;
@@ -30,7 +39,15 @@ async function refinement(captures: number, passes: number, lights = 0) {
     image: () => null,
   } as unknown as Refining;
   const renderer = { refining, resize() {}, setLayers() {} } as unknown as Renderer;
-  const coarse = { surfaces: () => ({}) } as unknown as Renderer;
+  function* fill() {
+    for (let step = 0; step < 6; step++) yield told.filled++;
+  }
+  function* shade() {
+    for (let step = 0; step < 2; step++) yield told.shaded++;
+    return {};
+  }
+  const sharpen = () => ({ fill: fill(), shade, release: () => told.released++ });
+  const coarse = { sharpen } as unknown as Renderer;
   const made = new Refinement(partsOf(renderer));
   const frame = () => {
     made.take(FRAME);
@@ -38,51 +55,69 @@ async function refinement(captures: number, passes: number, lights = 0) {
   };
   frame();
   await new Promise((resolve) => setTimeout(resolve));
-  return { made, told, frame };
+  const until = (isDone: () => boolean) => {
+    for (let frames = 0; !isDone(); frames++) {
+      if (frames > 1000) throw new Error("It has never happened.");
+      frame();
+    }
+  };
+  return { made, told, frame, until };
 }
 
 test("a refinement begins with single steps, however fast the frames before it were", async () => {
-  const { told, frame } = await refinement(3, 2);
+  const { told, frame, until } = await refinement(3, 2);
   for (let i = 0; i < 28; i++) expect(frame()).toBe(0);
-  expect(told.captures).toEqual([]);
-  for (let i = 0; i < 8; i++) frame();
+  expect(told.filled).toBe(0);
+  for (let i = 0; i < 3; i++) frame();
+  expect(told.filled).toBeGreaterThan(0);
+  expect(told.filled).toBeLessThanOrEqual(3);
+  until(() => told.captures.length > 2);
+  expect(told.begun).toBe(1);
   expect(told.captures[0]).toBe(1);
   expect(Math.max(...told.captures)).toBeLessThanOrEqual(2);
 });
 
-test("its first frame is drawn off the screen, a pass in each frame, before it is shown", async () => {
-  const { made, told, frame } = await refinement(1, 3);
-  while (told.begun === 0) frame();
+test("the surfaces that it begins with are drawn, then lit in the light of that moment, and freed", async () => {
+  const { told, until } = await refinement(3, 2);
+  until(() => told.shaded > 0);
+  expect(told.filled, "all of them").toBe(6);
+  until(() => told.begun > 0);
+  expect([told.shaded, told.released, told.captures.length]).toEqual([2, 1, 0]);
+});
+
+test("its first frame is drawn off the screen, a pass in each frame, before it is shown and tiles are", async () => {
+  const { made, told, frame, until } = await refinement(1, 3);
+  until(() => told.begun > 0);
   for (let pass = 1; pass <= 3; pass++) {
     expect(frame()).toBe(0);
     expect([told.first, made.shown]).toEqual([pass, null]);
   }
   frame();
   expect(made.shown).not.toBeNull();
-  expect(frame(), "tiles in the first frame shown").toBe(1);
+  expect(told.captures).toEqual([]);
+  while (told.captures.length < 2) expect(frame(), "captures of the tiles' light").toBe(0);
+  expect(frame(), "tiles").toBe(1);
 });
 
 test("finer light is captured when no tile is left, and tiles in it are drawn from the next frame on", async () => {
-  const { made, told, frame } = await refinement(1, 0, 9);
-  while (made.shown === null) frame();
+  const { made, told, frame, until } = await refinement(1, 0, 9);
+  until(() => made.shown !== null);
   for (let i = 0; i < 20; i++) frame();
   expect(told.lights).toBe(0);
   told.remaining = 0;
-  while (told.lights < 9) expect(frame()).toBe(0);
+  until(() => told.lights === 9);
   told.remaining = 1;
   expect(frame(), "a tile is dearer than a step of captures").toBe(1);
 });
 
 test("a step aside begins all of it anew", async () => {
-  const { made, told, frame } = await refinement(1, 0);
-  while (made.shown === null) frame();
+  const { made, told, frame, until } = await refinement(1, 0);
+  until(() => made.shown !== null);
   for (let i = 0; i < 60; i++) frame();
   made.stop();
   expect(made.shown).toBeNull();
-  const before = told.captures.length;
-  while (told.captures.length === before) frame();
-  expect(told.captures[before]).toBe(1);
-  expect(told.begun).toBe(2);
+  until(() => told.begun === 2);
+  expect(told.filled).toBe(12);
 });
 
 test("programs are prepared two in a frame, and one after a frame in which a driver compiled", () => {
