@@ -3,6 +3,7 @@ import candleFrag from "../../shaders/paper/candle.frag";
 import meshVert from "../../shaders/paper/mesh.vert";
 import particleFrag from "../../shaders/paper/particle.frag";
 import particleVert from "../../shaders/paper/particle.vert";
+import presentFrag from "../../shaders/paper/present.frag";
 import roomFrag from "../../shaders/paper/room.frag";
 import fullscreenVert from "../../shaders/post/fullscreen.vert";
 import fxaaFrag from "../../shaders/post/fxaa.frag";
@@ -58,8 +59,11 @@ export class PaperRenderer implements Renderer {
   #systems: ParticleSystem[] = [];
   #clipFromWorld = mat4.create();
   #target: RenderTarget | null = null;
+  #resolved: RenderTarget | null = null;
   /** Where edges are antialiased after shading: samples are what a CPU pays most for. */
-  readonly #fxaa: Program | null;
+  readonly #isFiltered: boolean;
+  /** Copies the frame to the canvas, or antialiases it. */
+  readonly #present: Program;
   #size = { width: 1, height: 1 };
   /** Exposure of the last frame. */
   #exposure = EXPOSURE;
@@ -69,12 +73,11 @@ export class PaperRenderer implements Renderer {
     this.#tier = tier;
     const normals = { [look === "original" ? "FACETS" : "NORMAL_MAPS"]: 1 };
     this.#updateProgram = particleProgram(gpu);
-    this.#fxaa =
-      tier.name === "low"
-        ? gpu.program("post/fxaa", fullscreenVert, fxaaFrag, {
-            defines: { EDGE_LEAST: CODE_DIFFERENCE, BY_CODE: 1 },
-          })
-        : null;
+    this.#isFiltered = tier.name === "low";
+    const defines = { EDGE_LEAST: CODE_DIFFERENCE, BY_CODE: 1 };
+    this.#present = this.#isFiltered
+      ? gpu.program("post/fxaa", fullscreenVert, fxaaFrag, { defines })
+      : gpu.program("paper/present", fullscreenVert, presentFrag);
     const program = this.#program("room", normals);
     this.#program("candle", normals);
     this.#frame = gpu.uniformBlock(program, "Frame");
@@ -86,14 +89,11 @@ export class PaperRenderer implements Renderer {
   resize(width: number, height: number): void {
     this.#size = { width, height };
     this.#target?.dispose();
-    this.#target = this.#gpu.renderTarget({
-      label: "frame",
-      width,
-      height,
-      color: ["RGBA8"],
-      depth: "buffer",
-      samples: this.#fxaa ? 1 : this.#tier.samples,
-    });
+    this.#resolved?.dispose();
+    const options = { label: "frame", width, height, color: ["RGBA8"] } as const;
+    const samples = this.#isFiltered ? 1 : this.#tier.samples;
+    this.#target = this.#gpu.renderTarget({ ...options, depth: "buffer", samples });
+    this.#resolved = this.#isFiltered ? null : this.#gpu.renderTarget(options);
   }
 
   setLayers({ seed }: World, layers: readonly ParticleLayer[]): void {
@@ -124,16 +124,19 @@ export class PaperRenderer implements Renderer {
       this.#drawSurfaces(target, this.#program("candle", normals), this.#candle, placement);
     }
     if (features.particles) this.#drawParticles(target, world, features);
-    if (!this.#fxaa) {
-      gpu.resolve(target, "canvas");
-      return;
+    const resolved = this.#resolved;
+    if (resolved) {
+      gpu.resolve(target, resolved);
+      const textures = { uFrame: resolved.color };
+      gpu.draw({ program: this.#present, target: "canvas", textures });
+    } else {
+      gpu.draw({
+        program: this.#present,
+        target: "canvas",
+        textures: { uSource: target.color, uSmooth: target.color },
+        sampling: { uSource: "nearest" },
+      });
     }
-    gpu.draw({
-      program: this.#fxaa,
-      target: "canvas",
-      textures: { uSource: target.color, uSmooth: target.color },
-      sampling: { uSource: "nearest" },
-    });
   }
 
   #updateBlocks(world: World, { features, exposure, isStill }: FrameSettings): void {
@@ -186,8 +189,8 @@ export class PaperRenderer implements Renderer {
         target,
         vertexArray,
         textures,
-        sampling: this.#fxaa ? LEVELS : surfaceSampling(this.#tier),
-        uniforms: { ...uniforms, uWorldFromModel, uCodesEdges: this.#fxaa ? 1 : 0 },
+        sampling: this.#isFiltered ? LEVELS : surfaceSampling(this.#tier),
+        uniforms: { ...uniforms, uWorldFromModel, uCodesEdges: this.#isFiltered ? 1 : 0 },
         blocks: { Frame: this.#frame, Light: this.#light },
         depth: "test-and-write",
       });

@@ -65,7 +65,7 @@ class DedicatedContextTarget extends CanvasTarget {
 /** The context that all lone candles share: a page may have many, and browsers allow sixteen contexts. */
 class SharedContext {
   readonly canvas = document.createElement("canvas");
-  gpu = new Gpu(this.canvas);
+  gpu = new Gpu(this.canvas, true);
   users = 0;
   #isStale = false;
 
@@ -79,7 +79,7 @@ class SharedContext {
   renew(): void {
     if (!this.#isStale) return;
     this.#isStale = false;
-    this.gpu = new Gpu(this.canvas);
+    this.gpu = new Gpu(this.canvas, true);
   }
 
   /** Grows the canvas to the largest target; smaller ones use its corner. */
