@@ -25,8 +25,7 @@ test("shot: the refined image without a GPU, and the first steps from it", async
   await drawFrames(room, 2, FRAME);
   await shoot("first frame");
   while ((await room.stats()).width < SIZE.width) await drawFrames(room, 1, FRAME);
-  await drawFrames(room, 8, FRAME);
-  await shoot("tiles around the flame");
+  await shoot("sharp surfaces");
   await drawFrames(room, 400, FRAME);
   await shoot("refined");
   const [x, y, z] = CAMERA.position;
