@@ -71,7 +71,7 @@ const PLAIN_PIXEL = { low: 0.3, medium: 0.7, high: 1, ultra: 1.3 };
 export const WORK: Readonly<Record<"physical" | "plain", Work>> = {
   physical: {
     pixel: { low: 0.1, medium: 13, high: 19, ultra: 25 },
-    gpuPixel: { low: 0.1, medium: 2, high: 2.5, ultra: 4 },
+    gpuPixel: { low: 0.1, medium: 1.2, high: 1.5, ultra: 2 },
     fixed: 100_000,
   },
   plain: { pixel: PLAIN_PIXEL, gpuPixel: PLAIN_PIXEL, fixed: 0 },
