@@ -29,7 +29,7 @@ interface Trace {
 }
 
 for (const { times, width, height } of [
-  { times: 10, width: 960, height: 540 },
+  { times: 10, width: 640, height: 360 },
   { times: 40, width: 192, height: 108 },
 ]) {
   test(`${times} times slower than a CPU it comes down, and is answered within 250 ms`, async ({

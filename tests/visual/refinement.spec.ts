@@ -268,7 +268,7 @@ test("is what `high` shows by the moon alone, too, once the eye is used to it", 
     );
   await room.set({ moonlight: "0.3" });
   await wait(12);
-  await frames(60, 50);
+  await frames(20, 50);
   expect((await room.stats()).width, "the eye is adapting").toBeLessThan(BOX.width);
   await wait(5);
   await refine(50);
