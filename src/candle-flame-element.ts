@@ -47,7 +47,7 @@ const SCENE_ATTRIBUTES: readonly SettingName[] = ["scene", "look", "src", "asset
  * @fires {CustomEvent} load - The first frame is drawn, or the first of another look or room.
  * @fires {CustomEvent} error - detail.type, detail.message and detail.cause say what failed.
  * @fires {CustomEvent} play - Time passes from now on.
- * @fires {CustomEvent} pause - Time stops: `paused` is set, or the canvas is invisible.
+ * @fires {CustomEvent} pause - Time stops: `paused` is set, the canvas is invisible, or the element is taken out.
  * @fires {CustomEvent} light - A candle was lit; detail.index and detail.name say which.
  * @fires {CustomEvent} extinguish - A candle went out; the same.
  * @fires {CustomEvent} place - The candle was put down.

@@ -163,18 +163,17 @@ export class DrawCommands {
   }
 
   /** Copies a multisampled target to a surface of its size and format; with depth that can be read there. All, or a part. */
-  resolve(target: RenderTarget, to: Surface, part?: Box): void {
+  resolve(target: RenderTarget, to: RenderTarget | TextureView, part?: Box): void {
     const gl = this.gl;
     this.forgetTarget();
     gl.bindFramebuffer(gl.READ_FRAMEBUFFER, target.framebuffer);
-    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, to === "canvas" ? null : to.framebuffer);
+    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, to.framebuffer);
     const [x, y, width, height] = part ?? [0, 0, target.width, target.height];
     const box = [x, y, x + width, y + height] as const;
     this.#switch(gl.SCISSOR_TEST, false);
-    const depth = to !== "canvas" && "depth" in to && to.depth ? gl.DEPTH_BUFFER_BIT : 0;
+    const depth = "depth" in to && to.depth ? gl.DEPTH_BUFFER_BIT : 0;
     const bits = gl.COLOR_BUFFER_BIT | depth;
     gl.blitFramebuffer(...box, ...box, bits, gl.NEAREST);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 
   /**
