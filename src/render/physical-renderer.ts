@@ -32,18 +32,16 @@ import { type Bloom, FrameBloomPass } from "./post/frame-bloom-pass.js";
 import { InspectPass } from "./post/inspect-pass.js";
 import { PostTiming } from "./post/post-timing.js";
 import type { Tier } from "./quality.js";
+import { InitialSurfaces } from "./refinement/initial-surfaces.js";
 import { RefinedCaptures } from "./refinement/refined-captures.js";
 import { RefinedDisplayPass } from "./refinement/refined-display-pass.js";
 import { RefinedFade } from "./refinement/refined-fade.js";
 import { RefinedStage } from "./refinement/refined-stage.js";
-import { SharpSurfaces } from "./refinement/sharp-surfaces.js";
-import type { Models, Refining, Renderer, SharpImage } from "./renderer.js";
+import type { Models, Refining, Renderer } from "./renderer.js";
 import { boundsOf, expandBox, expandBoxes, scaleBox, wholeOf } from "./screen-bounds.js";
 import { finish, type Steps } from "./steps.js";
 import { flamePart, VolumetricStage } from "./volumetric/volumetric-stage.js";
 import { RadianceTarget } from "./volumetric/volumetric-target.js";
-
-type Sharpen = NonNullable<Renderer["sharpen"]>;
 
 /**
  * The physical look: a room in the light of a flame, in candela and metres.
@@ -55,7 +53,7 @@ type Sharpen = NonNullable<Renderer["sharpen"]>;
 export class PhysicalRenderer implements Renderer {
   readonly refining: Refining | null;
   readonly refinedFade: RefinedFade | null;
-  readonly sharpen?: Sharpen;
+  readonly initialImage?: NonNullable<Renderer["initialImage"]>;
   readonly #gpu: Gpu;
   readonly #room: readonly Mesh[];
   readonly #candle: readonly Mesh[];
@@ -100,10 +98,13 @@ export class PhysicalRenderer implements Renderer {
     this.#compositeDisplay = display ?? (lods && new CompositeDisplayPass(gpu));
     this.refinedFade = lods && new RefinedFade(gpu);
     if (lods) {
-      let sharp: SharpSurfaces | null = null;
-      this.sharpen = (...image) => {
-        sharp ??= new SharpSurfaces(gpu, physical, lods);
-        return this.#sharpen(sharp, ...image);
+      let initial: InitialSurfaces | null = null;
+      this.initialImage = (world, settings, size) => {
+        initial ??= new InitialSurfaces(gpu, physical, lods);
+        const { blocks } = initial;
+        const atRest = { ...settings, canDefer: false };
+        const describe = () => this.#describe(world, atRest, size, blocks);
+        return initial.begin(size, describe, () => this.#last![2]);
       };
     }
     this.refining =
@@ -197,12 +198,6 @@ export class PhysicalRenderer implements Renderer {
     } else yield* this.#present(frame, layer, regions);
     yield;
     if (post === "after display") yield* this.#updatePost(frame, layer, irradiance, regions);
-  }
-
-  #sharpen(sharp: SharpSurfaces, ...[world, settings, size]: Parameters<Sharpen>): SharpImage {
-    const atRest = { ...settings, canDefer: false };
-    const describe = () => this.#describe(world, atRest, size, sharp.blocks);
-    return sharp.begin(size, describe, () => this.#last![2]);
   }
 
   #describe(

@@ -42,7 +42,7 @@ export interface Surfaces {
 }
 
 /** Surfaces of an image at rest, drawn in steps. */
-export interface SharpImage {
+export interface InitialImage {
   /** All that does not depend on the light. */
   readonly fill: Steps<unknown>;
   /** After it: the surfaces in the light of that moment. */
@@ -58,7 +58,7 @@ export interface Renderer {
   /** Particle slots in use in the last frame. */
   readonly particles: number;
   /** Surfaces at another size than the canvas's; absent where there are none to begin a refinement with. */
-  sharpen?(world: World, settings: FrameSettings, size: Size): SharpImage;
+  initialImage?(world: World, settings: FrameSettings, size: Size): InitialImage;
   /** Fades from a refined image, which is drawn to the whole of a canvas at its full resolution. */
   readonly refinedFade?: RefinedFade | null;
   /** @param width of the canvas, pixels */

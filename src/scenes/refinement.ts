@@ -3,7 +3,7 @@ import type { Size } from "../render/frame-input.js";
 import type { FrameSettings } from "../render/frame-settings.js";
 import { REFINED } from "../render/quality.js";
 import { RefinementBudget } from "../render/refinement/refinement-budget.js";
-import type { Renderer, SharpImage, Surfaces } from "../render/renderer.js";
+import type { InitialImage, Renderer, Surfaces } from "../render/renderer.js";
 import type { Steps } from "../render/steps.js";
 import type { World } from "../world/world.js";
 import type { CanvasTarget } from "./canvas-target.js";
@@ -51,7 +51,7 @@ export class Refinement {
   /** Whether the last frame was one at rest. */
   #isWanted = false;
   /** What it is to begin with, in progress: the surfaces, and their light. */
-  #sharp: SharpImage | null = null;
+  #initial: InitialImage | null = null;
   #isFilled = false;
   #shading: Steps<Surfaces> | null = null;
   #isPrepared = false;
@@ -98,7 +98,7 @@ export class Refinement {
     this.#fast = seconds < DISPLAY ? this.#fast + 1 : 0;
     if (this.#fast === FAST_FRAMES) void this.#parts().auto.remeasure();
     // Frames that refine nothing say nothing of its cost.
-    if (this.#isReady || this.#sharp) this.#budget.take(seconds);
+    if (this.#isReady || this.#initial) this.#budget.take(seconds);
   }
 
   /**
@@ -112,7 +112,7 @@ export class Refinement {
     this.#rest = 0;
     this.#isWanted = false;
     this.#budget = new RefinementBudget();
-    this.#sharp = null;
+    this.#initial = null;
     this.#isFilled = false;
     this.#shading = null;
     this.#isPrepared = false;
@@ -155,9 +155,9 @@ export class Refinement {
     const { world } = subject;
     const steps = this.#budget.next();
     // While programs are compiled, too.
-    this.#sharp ??= coarse.sharpen?.(world, view, size) ?? null;
-    if (!this.#sharp) return 0;
-    const { fill } = this.#sharp;
+    this.#initial ??= coarse.initialImage?.(world, view, size) ?? null;
+    if (!this.#initial) return 0;
+    const { fill } = this.#initial;
     for (let step = 0; step < steps && !this.#isFilled; step++) {
       this.#isFilled = fill.next().done === true;
     }
@@ -174,7 +174,7 @@ export class Refinement {
       return 0;
     }
     if (!this.#hasBegun) {
-      this.#shading ??= this.#sharp.shade();
+      this.#shading ??= this.#initial.shade();
       const { done, value } = this.#shading.next();
       if (!done) return 0;
       if (this.#size?.width !== size.width || this.#size.height !== size.height) {
@@ -183,7 +183,7 @@ export class Refinement {
       }
       refining.begin(world, view, value);
       this.#hasBegun = true;
-      this.#sharp.release();
+      this.#initial.release();
       return 0;
     }
     this.#isShown = refining.drawFirst(world, { ...view, steps: 0 });

@@ -22,7 +22,7 @@ export class RefinedCaptures {
   #fine: LightCaptures | null = null;
   #current: LightCaptures;
   /** Another renderer's, as long as none are held. */
-  #lent: Captures | null = null;
+  #borrowed: Captures | null = null;
 
   constructor(gpu: Gpu, room: IndirectScene, tier: PhysicalTier) {
     this.#room = room;
@@ -34,12 +34,12 @@ export class RefinedCaptures {
 
   /** Takes another renderer's until some are held. */
   borrow(captures: Captures): void {
-    this.#lent = captures;
+    this.#borrowed = captures;
   }
 
   /** Those that are held. */
   update(frame: FrameInput, kind: GBufferKind): Captures {
-    return this.#lent ?? this.#current.update(frame, kind);
+    return this.#borrowed ?? this.#current.update(frame, kind);
   }
 
   steps(frame: FrameInput): Steps<Captures> {
@@ -60,7 +60,7 @@ export class RefinedCaptures {
 
   #use(captures: LightCaptures): true {
     this.#current = captures;
-    this.#lent = null;
+    this.#borrowed = null;
     return true;
   }
 

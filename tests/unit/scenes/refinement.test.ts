@@ -46,8 +46,8 @@ async function refinement(captures: number, passes: number, lights = 0) {
     for (let step = 0; step < 2; step++) yield told.shaded++;
     return {};
   }
-  const sharpen = () => ({ fill: fill(), shade, release: () => told.released++ });
-  const coarse = { sharpen } as unknown as Renderer;
+  const initialImage = () => ({ fill: fill(), shade, release: () => told.released++ });
+  const coarse = { initialImage } as unknown as Renderer;
   const made = new Refinement(partsOf(renderer));
   const frame = () => {
     made.take(FRAME);

@@ -6,7 +6,7 @@ import type { MeshLods } from "../mesh/mesh-lods.js";
 import { DeferredStage } from "../opaque/deferred-stage.js";
 import type { FrameBlocks } from "../opaque/opaque-stage.js";
 import type { PhysicalTier } from "../quality.js";
-import type { SharpImage, Surfaces } from "../renderer.js";
+import type { InitialImage, Surfaces } from "../renderer.js";
 import { SCHEDULE } from "../schedule.js";
 import { wholeOf } from "../screen-bounds.js";
 import type { Steps } from "../steps.js";
@@ -17,7 +17,7 @@ import { RadianceTarget } from "../volumetric/volumetric-target.js";
  *
  * They take a tenth of the time of forward shading, so that all edges and textures are sharp at once.
  */
-export class SharpSurfaces {
+export class InitialSurfaces {
   readonly blocks: FrameBlocks;
   readonly #gpu: Gpu;
   readonly #stage: DeferredStage;
@@ -34,7 +34,7 @@ export class SharpSurfaces {
    * @param describe the input of a frame of that size, which does not move
    * @param captures of the light
    */
-  begin(size: Size, describe: () => FrameInput, captures: () => Captures): SharpImage {
+  begin(size: Size, describe: () => FrameInput, captures: () => Captures): InitialImage {
     this.#resize(size);
     return {
       fill: this.#stage.fillGBuffer(describe()),
