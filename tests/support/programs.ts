@@ -143,24 +143,28 @@ export interface Breakage {
   readonly complaint: string;
 }
 
-/** Breaks each stage of each program that a look has, one by one. */
+/** Breaks each stage that a look's programs have, one by one, each in one program. */
 export async function breakPrograms(look: Look): Promise<Breakage[]> {
   if (!sources.has(look)) await reportPrograms(look);
-  const made = sources.get(look) ?? [];
   const gpu = new Gpu(document.createElement("canvas"));
-  const broken = (stage: ShaderSource) => ({ ...stage, source: `${stage.source}surplus;` });
-  const breakages = made.flatMap(([vertex, fragment, options]) => {
-    const attempt = (v: ShaderSource, f: ShaderSource, { files: [file = ""] }: ShaderSource) => {
-      try {
-        const program = gpu.program("broken", v, f, options);
-        program.finish();
-        program.dispose();
-        return { file, complaint: "" };
-      } catch (error) {
-        return { file, complaint: String(error) };
-      }
+  const attempts = new Map<string, () => void>();
+  for (const [vertex, fragment, options] of sources.get(look) ?? []) {
+    const attempt = (...stages: [ShaderSource, ShaderSource]) => {
+      const program = gpu.program("broken", ...stages, options);
+      program.finish();
+      program.dispose();
     };
-    return [attempt(broken(vertex), fragment, vertex), attempt(vertex, broken(fragment), fragment)];
+    const broken = (stage: ShaderSource) => ({ ...stage, source: `${stage.source}surplus;` });
+    attempts.set(vertex.files[0] ?? "", () => attempt(broken(vertex), fragment));
+    attempts.set(fragment.files[0] ?? "", () => attempt(vertex, broken(fragment)));
+  }
+  const breakages = [...attempts].map(([file, attempt]) => {
+    try {
+      attempt();
+      return { file, complaint: "" };
+    } catch (error) {
+      return { file, complaint: String(error) };
+    }
   });
   gpu.dispose();
   return breakages;

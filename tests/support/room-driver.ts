@@ -33,6 +33,8 @@ export interface Opening {
   readonly paused?: boolean;
   /** Whether the paper's looks have their own textures: else small grey ones, which are quick to load. */
   readonly hasTextures?: boolean;
+  /** A .glb, in place of the room that the look has. */
+  readonly model?: Buffer;
   /** More of the page, after the element. */
   readonly after?: string;
 }
@@ -100,10 +102,17 @@ export class RoomDriver {
 
   /** The same, without waiting: for elements that are to fail. */
   async load(attributes: Attributes = {}, opening: Opening = {}): Promise<this> {
-    const { paused = true, hasTextures = attributes.look === "physical" } = opening;
+    const { paused = true, model, hasTextures = attributes.look === "physical" } = opening;
     // Routes of the page itself come first.
     if (!hasTextures) await serveSmallTextures(this.page.context());
-    const body = html({ ...PAPER, ...(paused ? { paused: "" } : {}), ...attributes }, opening);
+    const src = `${LIBRARY}own-room.glb`;
+    if (model) {
+      await this.page.route(src, (route) =>
+        route.fulfill({ contentType: "model/gltf-binary", body: model }),
+      );
+    }
+    const given = { ...(paused ? { paused: "" } : {}), ...(model ? { src } : {}), ...attributes };
+    const body = html({ ...PAPER, ...given }, opening);
     await this.page.route(`${LIBRARY}room.html`, (route) =>
       route.fulfill({ contentType: "text/html", body }),
     );

@@ -1,6 +1,7 @@
 import { readFileSync } from "node:fs";
 import type { Page, Route } from "playwright/test";
 import { graphicsErrors, lostContexts, recordContexts } from "../support/contexts.ts";
+import { QUICK_ROOM } from "../support/plain-room.ts";
 import { attributeValues } from "../support/random-values.ts";
 import { LIBRARY, RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
@@ -287,7 +288,10 @@ test("A shader refused at a later change ends in a sentence and the poster, not 
     };
   });
   await serveSmallTextures(page);
-  const room = await new RoomDriver(page).open({ look: "physical", poster: PIXEL }, TINY);
+  const room = await new RoomDriver(page).open(
+    { look: "physical", poster: PIXEL },
+    { ...TINY, model: QUICK_ROOM },
+  );
   const failing = (refused: string, change: string) =>
     room.evaluate(
       async (element, { refused, change }) => {
@@ -343,7 +347,10 @@ test.describe("Where targets cannot hold floats", () => {
     await withhold(page, ["EXT_color_buffer_float"]);
     await serveSmallTextures(page);
     // The flame is a pixel wide.
-    const room = await new RoomDriver(page).open({ look: "physical" }, { width: 96, height: 54 });
+    const room = await new RoomDriver(page).open(
+      { look: "physical" },
+      { width: 96, height: 54, model: QUICK_ROOM },
+    );
     const brightest = await room.evaluate((element) =>
       Math.max(...element.readRadiance(0, 0, 96, 54)),
     );

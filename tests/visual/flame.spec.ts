@@ -1,7 +1,7 @@
 import type { Page } from "playwright/test";
 import { FlashMeter } from "../support/flash.ts";
 import { plainRoom } from "../support/plain-room.ts";
-import { LIBRARY, RoomDriver } from "../support/room-driver.ts";
+import { RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
 
 const ROOM = { min: [-3, 0, -3], max: [3, 3, 3] } as const;
@@ -16,12 +16,8 @@ async function openPlain(
   size: { width: number; height: number },
   quality = "low",
 ) {
-  const body = plainRoom(ROOM, [SHELF], albedo);
-  await page.route(`${LIBRARY}plain-room.glb`, (route) =>
-    route.fulfill({ contentType: "model/gltf-binary", body }),
-  );
-  const src = `${LIBRARY}plain-room.glb`;
-  return new RoomDriver(page).open({ look: "physical", quality, src }, size);
+  const model = plainRoom(ROOM, [SHELF], albedo);
+  return new RoomDriver(page).open({ look: "physical", quality }, { ...size, model });
 }
 
 test("Light integrated over the picture is the flame's, from all sides, straight and leaning, far and near", async ({

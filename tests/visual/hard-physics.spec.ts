@@ -4,7 +4,7 @@ import { luma } from "../../src/light/color.ts";
 import { carriedFlame, flameLight, TAPER } from "../../src/light/flame-light.ts";
 import { createWorld } from "../../src/world/create-world.ts";
 import { plainRoom } from "../support/plain-room.ts";
-import { LIBRARY, RoomDriver } from "../support/room-driver.ts";
+import { RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
 
 const SIZE = { width: 320, height: 180 };
@@ -115,15 +115,9 @@ function penumbra(places: readonly number[], values: readonly number[]): number 
 
 test.beforeAll(async ({ browser }) => {
   page = await browser.newPage();
-  await page.route(`${LIBRARY}plain-room.glb`, (route) =>
-    route.fulfill({
-      contentType: "model/gltf-binary",
-      body: plainRoom(ROOM, [SLAB, WIRE], ALBEDO),
-    }),
-  );
   room = await new RoomDriver(page).open(
-    { look: "physical", quality: "high", motion: "reduced", src: `${LIBRARY}plain-room.glb` },
-    SIZE,
+    { look: "physical", quality: "high", motion: "reduced" },
+    { ...SIZE, model: plainRoom(ROOM, [SLAB, WIRE], ALBEDO) },
   );
   await room.switchFeatures({ indirect: false, specular: false, candle: false, volume: false });
 });

@@ -1,6 +1,7 @@
 import type { Page } from "playwright/test";
 import { SETTINGS } from "../../src/settings.ts";
 import { graphicsErrors, lostContexts, recordContexts } from "../support/contexts.ts";
+import { QUICK_ROOM } from "../support/plain-room.ts";
 import { type Attributes, RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
 import { expect, test } from "../support/test.ts";
@@ -366,7 +367,8 @@ for (const look of SETTINGS.look.choices) {
   test(`A lost context given back shows the ${look} look's very same picture`, async ({ page }) => {
     await recordContexts(page);
     await serveSmallTextures(page);
-    const room = await new RoomDriver(page).open({ look }, { width: 96, height: 54 });
+    const model = look === "physical" ? { model: QUICK_ROOM } : {};
+    const room = await new RoomDriver(page).open({ look }, { width: 96, height: 54, ...model });
     await room.step(1 / 15, 2);
     const picture = await room.pixels();
     const { gpuObjects, gpuBytes } = await room.stats();

@@ -1,8 +1,8 @@
 import type { Page } from "playwright/test";
 import sharp from "sharp";
 import { chromaticity, luma, type Rgb } from "../../src/light/color.ts";
-import { plainRoom } from "../support/plain-room.ts";
-import { LIBRARY, RoomDriver } from "../support/room-driver.ts";
+import { QUICK_ROOM } from "../support/plain-room.ts";
+import { RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
 
 const SPAWN = { position: [-1.55, 1.6, 1.3], yaw: -0.3 * Math.PI, pitch: -0.08 } as const;
@@ -154,13 +154,9 @@ test.describe("The night of the cabin", () => {
 
 test.describe("The night", () => {
   test("does not enter a room without openings", async ({ page }) => {
-    const glb = plainRoom({ min: [-2, 0, -2], max: [2, 2.6, 2] }, [], 0.5);
-    await page.route("**/closed.glb", (route) =>
-      route.fulfill({ contentType: "model/gltf-binary", body: glb }),
-    );
     const room = await new RoomDriver(page).open(
-      { ...NIGHT, src: `${LIBRARY}closed.glb`, unlit: "", "moon-direction": "-70 35" },
-      { width: 160, height: 90 },
+      { ...NIGHT, unlit: "", "moon-direction": "-70 35" },
+      { width: 160, height: 90, model: QUICK_ROOM },
     );
     for (const yaw of [0, 1.6, 3.1, 4.7]) {
       const camera = { position: [0, 1.5, 0], yaw, pitch: -0.2 } as const;

@@ -60,7 +60,7 @@ for (const where of ["in the hand", "on the table"]) {
         element.place();
       }, TABLE);
     }
-    await walk(60); // by then all that is coarse is made
+    await walk(44); // by then all that is coarse is made
     const ways = [await walk(8), await walk(9)];
     const [kept, painted] = ways.toSorted(
       (a, b) => (a[1]?.triangles ?? 0) - (b[1]?.triangles ?? 0),

@@ -15,7 +15,7 @@ import { type Picture, RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
 import { expect, test } from "../support/test.ts";
 
-const BOX = { width: 384, height: 216 };
+const BOX = { width: 320, height: 180 };
 /** Edge of a tile, pixels. */
 const TILE = 64;
 const STEP = { position: [-0.84, 1.3, 1.09], yaw: -0.8, pitch: -0.244 } as const;
@@ -32,7 +32,7 @@ const BESIDE = ["high", "low"]
   .join("");
 
 /** Pixels of `low`, as raw data. */
-const LOW = { width: 256, height: 144, channels: 4 } as const;
+const LOW = { width: 213, height: 120, channels: 4 } as const;
 
 let page: Page;
 let room: RoomDriver;
@@ -212,7 +212,7 @@ test("is what `high` shows, and the first step nearer to it than `low` is", asyn
   const still = await paused("high", CAMERA);
   const difference = meanFlip(still, refined);
   const atFirst = meanFlip(still, inFirstLight);
-  expect(dark(refined, still), "dots in corners").toBeLessThan(90);
+  expect(dark(refined, still), "dots in corners").toBeLessThan(130);
   const high = await paused("high", STEP);
   const low = await sharp((await paused("low", STEP)).data, { raw: LOW })
     .resize(BOX.width, BOX.height, { kernel: "linear", fit: "fill" })
@@ -270,7 +270,7 @@ test("is what `high` shows by the moon alone, too, once the eye is used to it", 
   await wait(12);
   await frames(20, 50);
   expect((await room.stats()).width, "the eye is adapting").toBeLessThan(BOX.width);
-  await wait(5);
+  await wait(10);
   await refine(50);
   await complete();
   const picture = await room.picture();
@@ -285,7 +285,7 @@ test("is what `high` shows by the moon alone, too, once the eye is used to it", 
   console.log(`mean FLIP ${[ofImage, ofStep].map((one) => one.toFixed(4))}`);
   expect(ofImage).toBeLessThan(0.02);
   // 0.044 where the exposure has settled before it begins.
-  expect(ofStep, "the first step begins with it").toBeLessThan(0.065);
+  expect(ofStep, "the first step begins with it").toBeLessThan(0.045);
 });
 
 test("is what `high` shows by several candles, too", async () => {

@@ -1,7 +1,7 @@
 import type { Page } from "playwright/test";
 import { luma } from "../../src/light/color.ts";
 import { plainRoom } from "../support/plain-room.ts";
-import { LIBRARY, RoomDriver } from "../support/room-driver.ts";
+import { RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
 
 const ROOM = { min: [-2, 0, -2], max: [2, 2.6, 2] } as const;
@@ -101,13 +101,9 @@ for (const [quality, tolerance, albedo] of [
   ["low", 0.1, 0.8],
 ] as const) {
   test(`A closed room of albedo ${albedo} absorbs all that its flame sends out, at ${quality}`, async () => {
-    await page.route(`${LIBRARY}white-${albedo}.glb`, (route) =>
-      route.fulfill({ contentType: "model/gltf-binary", body: plainRoom(ROOM, [], albedo) }),
-    );
-    const src = `${LIBRARY}white-${albedo}.glb`;
     const room = await new RoomDriver(page).open(
-      { look: "physical", quality, motion: "reduced", src },
-      SIZE,
+      { look: "physical", quality, motion: "reduced" },
+      { ...SIZE, model: plainRoom(ROOM, [], albedo) },
     );
     await room.switchFeatures({
       candle: false,
