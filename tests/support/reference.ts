@@ -1,8 +1,10 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { pathToFileURL } from "node:url";
 import type { Camera } from "../../src/candle-flame-element.ts";
+import { luma } from "../../src/light/color.ts";
 import { half } from "../../tools/reference/half.mjs";
 import { stageView } from "../../tools/reference/stage.mjs";
+import { colorOf } from "./display-transform.ts";
 import type { RoomDriver } from "./room-driver.ts";
 
 /** Camera, candles and moon of a view. */
@@ -88,4 +90,48 @@ export async function renderView(room: RoomDriver, view: Staging) {
 export function quantile(values: readonly number[], share: number): number {
   const sorted = values.toSorted((a, b) => a - b);
   return sorted[Math.floor(share * (sorted.length - 1))] ?? 0;
+}
+
+/** Relative errors of luminance: median, 90th percentile, and mean, signed. */
+export interface Errors {
+  readonly median: number;
+  readonly high: number;
+  readonly mean: number;
+}
+
+/**
+ * Errors of our radiance beside a path tracer's, by means over blocks of so many of its pixels along each edge. Ours may
+ * have another resolution.
+ */
+export function errorsBesideReference(
+  { name, width, height }: View,
+  mine: Readonly<Record<"width" | "height", number>> & { readonly radiance: Float32Array },
+  block: number,
+): Errors {
+  const { radiance, isCompared } = readReference(name);
+  const errors: number[] = [];
+  const sums = { ours: 0, theirs: 0 };
+  for (let top = 0; top < height; top += block) {
+    for (let left = 0; left < width; left += block) {
+      const means = { ours: 0, theirs: 0 };
+      for (let y = top; y < Math.min(top + block, height); y++) {
+        for (let x = left; x < Math.min(left + block, width); x++) {
+          if (!isCompared[y * width + x]) continue;
+          const column = Math.floor(((x + 0.5) / width) * mine.width);
+          const row = Math.floor(((y + 0.5) / height) * mine.height);
+          means.ours += luma(colorOf(mine.radiance, row * mine.width + column));
+          means.theirs += Math.max(luma(colorOf(radiance, y * width + x)), 1e-5);
+        }
+      }
+      if (means.theirs === 0) continue;
+      errors.push(Math.abs(means.ours / means.theirs - 1));
+      sums.ours += means.ours;
+      sums.theirs += means.theirs;
+    }
+  }
+  return {
+    median: quantile(errors, 0.5),
+    high: quantile(errors, 0.9),
+    mean: sums.ours / sums.theirs - 1,
+  };
 }

@@ -6,6 +6,8 @@ import { Flame } from "../../src/world/flame/flame.ts";
 import { colorOf, meteredExposure, shown } from "../support/display-transform.ts";
 import { flip } from "../support/flip.ts";
 import {
+  type Errors,
+  errorsBesideReference,
   quantile,
   readReference,
   renderView,
@@ -41,6 +43,8 @@ const BY_SEVERAL_LIGHTS = {
   night: { median: 0.103, high: 0.35, mean: 0.001 },
   moonlit: { median: 0.05, high: 0.188, mean: 0 },
 };
+/** Of `low`, over blocks of 6 x 6 pixels, as measured on 2026-11-27: means over the views. */
+const AT_LOW: Errors = { median: 0.046, high: 0.173, mean: -0.013 };
 const MARGIN_BY_SEVERAL_LIGHTS = { median: 0.01, high: 0.02, mean: 0.01 };
 
 const views = tracedViews.filter(({ name }) => name in MEASURED);
@@ -195,6 +199,29 @@ test.describe("Beside a path tracer's picture of the same room", () => {
       expect(room.complaints).toEqual([]);
     });
   }
+
+  test("and nearly so in the mean of a few pixels at low", async () => {
+    // Where it has as many pixels.
+    const box = { width: `${VIEW_SIZE.width * 1.5}px`, height: `${VIEW_SIZE.height * 1.5}px` };
+    await room.evaluate((element, box) => {
+      element.quality = "low";
+      Object.assign(element.style, box);
+    }, box);
+    const all: Errors[] = [];
+    for (const view of views) {
+      const errors = errorsBesideReference(view, await renderView(room, view), 6);
+      const report = Object.entries(errors).map(([what, x]) => `${what} ${x.toFixed(3)}`);
+      console.log(`low, ${view.name}: ${report.join(", ")}`);
+      all.push(errors);
+    }
+    const meanOf = (what: keyof Errors) =>
+      all.reduce((sum, errors) => sum + errors[what] / all.length, 0);
+    console.log(`low: ${meanOf("median")}, ${meanOf("high")}, ${meanOf("mean")}`);
+    expect.soft(meanOf("median")).toBeLessThan(AT_LOW.median + 0.005);
+    expect.soft(meanOf("high")).toBeLessThan(AT_LOW.high + 0.015);
+    expect.soft(Math.abs(meanOf("mean") - AT_LOW.mean)).toBeLessThan(0.01);
+    expect(room.complaints).toEqual([]);
+  });
 
   const bytesAtFullSize = async (candles: number) => {
     const sizes = await room.evaluate(async (element, candles) => {

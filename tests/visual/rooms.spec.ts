@@ -3,21 +3,15 @@ import { luma } from "../../src/light/color.ts";
 import { ROOMS, roomModel } from "../../tools/reference/rooms.mjs";
 import { colorOf } from "../support/display-transform.ts";
 import {
+  type Errors,
+  errorsBesideReference,
   quantile,
-  readReference,
   renderView,
   tracedViews,
-  type View,
 } from "../support/reference.ts";
 import { LIBRARY, RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
 
-/** Relative errors of luminance: median, 90th percentile, and mean, signed. */
-interface Errors {
-  readonly median: number;
-  readonly high: number;
-  readonly mean: number;
-}
 /** Measured on 2026-11-25 at `high`, pixel by pixel, and at `low` by means over blocks of 6 x 6 pixels. */
 const MEASURED: Readonly<Record<"high" | "low", Readonly<Record<string, Errors>>>> = {
   high: {
@@ -81,39 +75,6 @@ async function open(
   return driver;
 }
 
-/** Errors of means over blocks of so many pixels along each edge. */
-function errorsOf(
-  { width, height }: View,
-  ours: (x: number, y: number) => number,
-  theirs: (x: number, y: number) => number | null,
-  block: number,
-): Errors {
-  const errors: number[] = [];
-  const sums = { ours: 0, theirs: 0 };
-  for (let top = 0; top < height; top += block) {
-    for (let left = 0; left < width; left += block) {
-      const means = { ours: 0, theirs: 0 };
-      for (let y = top; y < Math.min(top + block, height); y++) {
-        for (let x = left; x < Math.min(left + block, width); x++) {
-          const luminance = theirs(x, y);
-          if (luminance === null) continue;
-          means.theirs += luminance;
-          means.ours += ours(x, y);
-        }
-      }
-      if (means.theirs === 0) continue;
-      errors.push(Math.abs(means.ours / means.theirs - 1));
-      sums.ours += means.ours;
-      sums.theirs += means.theirs;
-    }
-  }
-  return {
-    median: quantile(errors, 0.5),
-    high: quantile(errors, 0.9),
-    mean: sums.ours / sums.theirs - 1,
-  };
-}
-
 const views = tracedViews.filter(({ room }) => room !== undefined);
 
 test("There are rooms of several kinds", () => {
@@ -129,17 +90,7 @@ for (const quality of ["high", "low"] as const) {
       for (const axis of [0, 1, 2] as const) {
         expect(mine.position?.[axis]).toBeCloseTo(view.flame.position[axis], 3);
       }
-      const { radiance, isCompared } = readReference(name);
-      const ours = (x: number, y: number) => {
-        const column = Math.floor(((x + 0.5) / view.width) * mine.width);
-        const row = Math.floor(((y + 0.5) / view.height) * mine.height);
-        return luma(colorOf(mine.radiance, row * mine.width + column));
-      };
-      const theirs = (x: number, y: number) => {
-        const pixel = y * view.width + x;
-        return isCompared[pixel] ? Math.max(luma(colorOf(radiance, pixel)), 1e-5) : null;
-      };
-      const measured = errorsOf(view, ours, theirs, BLOCK[quality]);
+      const measured = errorsBesideReference(view, mine, BLOCK[quality]);
       const report = Object.entries(measured).map(([what, x]) => `${what}: ${x.toFixed(3)}`);
       console.log(`${quality} "${name}": { ${report.join(", ")} },`);
       const before = MEASURED[quality][name] ?? NONE;
