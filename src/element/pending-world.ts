@@ -82,7 +82,9 @@ export class PendingWorld {
   }
 
   moveCamera(camera: Partial<Camera>): void {
-    this.#camera = { ...this.#camera, ...camera };
+    const { position: p } = camera;
+    // A page may write to its array afterwards.
+    this.#camera = { ...this.#camera, ...camera, ...(p && { position: [p[0], p[1], p[2]] }) };
   }
 
   /** Has the candle put down from the current camera. */

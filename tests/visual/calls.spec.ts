@@ -113,6 +113,27 @@ test("A reset before the first frame drops what was asked for, as one after it d
   expect(found[0]).toEqual(found[1]);
 });
 
+test("An array of the page's is read when it is set, and written to by nobody", async ({
+  room,
+}) => {
+  const found = await useAnother(
+    room,
+    { look: "paper", paused: "" },
+    (element) => {
+      const position: [number, number, number] = [0.5, 1.6, -0.5];
+      element.camera = { position };
+      position[0] = 2;
+      Reflect.set(element, "given", position);
+    },
+    (element) => {
+      element.step(1);
+      return [element.camera.position, Reflect.get(element, "given")];
+    },
+  );
+  expect(found[0]?.[0]).toBeCloseTo(0.5, 3);
+  expect(found[1]).toEqual([2, 1.6, -0.5]);
+});
+
 test("Another look leaves lone candles as they burn, and is reported", async ({ room }) => {
   const { lit, events } = await useAnother(
     room,
