@@ -9,7 +9,7 @@
 #include "lib/upsample-bilateral.glsl"
 
 uniform mat4 uRefinedFromCurrentRoom;
-uniform mat4 uRefinedFromCurrentHeld;
+uniform mat4 uRefinedFromCurrentHeld;  // of what moves with the camera
 uniform sampler2D uDimmer;
 uniform sampler2D uBrighter;
 uniform sampler2D uRefinedDepth;
@@ -18,6 +18,8 @@ uniform vec4 uMedia;  // the part of the frame that the media are drawn in anew:
 
 in vec2 vUv;
 flat in float vShare;
+in vec4 vRoom;
+in vec4 vHeld;
 
 out vec4 oColor;
 
@@ -29,9 +31,9 @@ const float FADE = 0.03;
 
 // Place on the refined image of what the pixel would show at the depth that the frame has at `uv`.
 vec3 previousAt(vec2 uv) {
-  vec4 current = vec4(vUv, frameDepth(uv), 1.0);
-  float isHeld = isHeldSurface(texture(uGBufferAlbedo, uv).a);
-  vec4 previous = mix(uRefinedFromCurrentRoom * current, uRefinedFromCurrentHeld * current, isHeld);
+  float depth = frameDepth(uv);
+  bool isHeld = isHeldSurface(textureLod(uGBufferAlbedo, uv, 0.0).a) > 0.5;
+  vec4 previous = isHeld ? vHeld + depth * uRefinedFromCurrentHeld[2] : vRoom + depth * uRefinedFromCurrentRoom[2];
   return previous.xyz / previous.w;
 }
 
@@ -39,7 +41,7 @@ vec3 previousAt(vec2 uv) {
 float showsSame(vec3 previous) {
   vec2 isInside = step(abs(previous.xy - 0.5), vec2(0.5));
   float expected = linearDepth(previous.z);
-  float found = linearDepth(texture(uRefinedDepth, previous.xy).r);
+  float found = linearDepth(textureLod(uRefinedDepth, previous.xy, 0.0).r);
   return step(abs(found - expected), TOLERANCE.x * expected + TOLERANCE.y) * isInside.x * isInside.y;
 }
 
@@ -47,16 +49,13 @@ void main() {
   vec3 previous = previousAt(vUv);
   float isSame = showsSame(previous);
   // Beside an edge the frame's coarser depth may be that of the other surface: of four neighbours one has the right one.
-  int others = isSame > 0.5 ? 0 : 4;
   vec2 texel = 1.0 / vec2(textureSize(uDepth, 0));
-  for (int i = 0; i < others; i++) {
-    vec3 other = previousAt(vUv + (vec2(i & 1, i >> 1) * 2.0 - 1.0) * texel);
-    float isOther = showsSame(other) * (1.0 - isSame);
-    previous = mix(previous, other, isOther);
-    isSame += isOther;
+  for (int i = 0; i < 4 && isSame < 0.5; i++) {
+    previous = previousAt(vUv + (vec2(i & 1, i >> 1) * 2.0 - 1.0) * texel);
+    isSame = showsSame(previous);
   }
   vec2 beyond = max(max(uMedia.xy - vUv, vUv - uMedia.zw), 0.0);
   float weight = uWeight * smoothstep(0.0, FADE, length(beyond)) * isSame;
-  vec3 color = mix(texture(uDimmer, previous.xy), texture(uBrighter, previous.xy), vShare).rgb;
+  vec3 color = mix(textureLod(uDimmer, previous.xy, 0.0), textureLod(uBrighter, previous.xy, 0.0), vShare).rgb;
   oColor = vec4(color * weight, weight);
 }

@@ -15,9 +15,9 @@ import {
 import type { FrameBlocks, OpaqueLayer } from "../opaque/opaque-stage.js";
 
 /** Time over which the refined image fades into the coarser one, seconds. */
-const TIME = 0.7;
+const TIME = 0.45;
 /** Of that, the time in which it is shown alone. */
-const SHARP_TIME = 0.2;
+const SHARP_TIME = 0.1;
 /** What a frame counts for, at least and at most, seconds. */
 const FRAME = { least: 0.05, most: 0.15 } as const;
 

@@ -33,13 +33,13 @@ function weights(seconds: number): number[] {
   return drawn;
 }
 
-test("the refined image fades within 0.7 s, in fewer frames where they are slow", () => {
+test("the refined image fades within 0.45 s, in fewer frames where they are slow", () => {
   for (const [seconds, most] of [
-    [0.02, 14],
-    [0.05, 14],
-    [0.1, 7],
-    [2, 5],
-    [Number.NaN, 14],
+    [0.02, 9],
+    [0.05, 9],
+    [0.1, 5],
+    [2, 3],
+    [Number.NaN, 9],
   ] as const) {
     const drawn = weights(seconds);
     expect(drawn, `${seconds} s`).toHaveLength(most);
