@@ -11,19 +11,19 @@ import {
 import { quantize, reorder } from "@gltf-transform/functions";
 import { MeshoptDecoder, MeshoptEncoder } from "meshoptimizer";
 import sharp from "sharp";
-import { GlbBuilder } from "./glb-builder.mjs";
+import { GlbBuilder } from "../../tools/models/glb-builder.mjs";
 
 /**
  * Makes the models that the tests of any visitor's room load, one for each kind of file:
  *
- *     node tools/models/fixtures.mjs
+ *     node tests/support/fixture-models.mjs
  *
  * All show the same sign: 2 x 1 m, upright at z = 0, facing +Z, its left half red, its right half
  * blue. The encoders of Draco (draco3d 1.5.7) and KTX2 (ktx2-encoder 0.6.0) are no dependencies of
  * ours; where they are not installed those files stay as they are.
  */
 
-const FOLDER = new URL("../../tests/fixtures/models/", import.meta.url);
+const FOLDER = new URL("../fixtures/models/", import.meta.url);
 mkdirSync(FOLDER, { recursive: true });
 
 const write = (name, bytes) => {
