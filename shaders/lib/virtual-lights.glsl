@@ -75,7 +75,7 @@ vec3 virtualIntensity(VirtualLight v, int i) {
   return intensity * v.facing;
 }
 
-// Without shadows, lx. Nearer than its extent the light is not a point.
+// Without shadows, lx: as on the axis of a disc, whose squared radius is twice the mean squared distance from its middle.
 vec3 virtualIrradiance(VirtualLight v, int i, float NoL) {
-  return virtualIntensity(v, i) / max(v.squared, v.extent * v.extent) * NoL;
+  return virtualIntensity(v, i) / (v.squared + 2.0 * v.extent * v.extent) * NoL;
 }
