@@ -1,4 +1,5 @@
 import type { Page } from "playwright/test";
+import { drawOneSample } from "../support/one-sample.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
 import { expect, test } from "../support/test.ts";
@@ -14,6 +15,7 @@ test.beforeAll(async ({ browser }) => {
   page = await browser.newPage();
   await page.addInitScript(recordBounces);
   await serveSmallTextures(page);
+  await drawOneSample(page);
   room = await new RoomDriver(page).open({ look: "physical", quality: "high" }, SIZE);
 });
 test.afterEach(() => expect(room.complaints).toEqual([]));

@@ -1,4 +1,5 @@
 import type { Browser, Page } from "playwright/test";
+import { drawOneSample } from "../support/one-sample.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
 import { openSources } from "../support/sources.ts";
@@ -183,6 +184,7 @@ interface Walked {
 async function walk(browser: Browser) {
   const page = await browser.newPage();
   await serveSmallTextures(page);
+  await drawOneSample(page);
   // All pixels are shaded where a processor draws.
   await page.addInitScript(() => {
     const { getParameter } = WebGL2RenderingContext.prototype;

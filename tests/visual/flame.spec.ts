@@ -1,5 +1,6 @@
 import type { Page } from "playwright/test";
 import { FlashMeter } from "../support/flash.ts";
+import { drawOneSample } from "../support/one-sample.ts";
 import { plainRoom } from "../support/plain-room.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
@@ -16,6 +17,7 @@ async function openPlain(
   size: { width: number; height: number },
   quality = "low",
 ) {
+  await drawOneSample(page);
   const model = plainRoom(ROOM, [SHELF], albedo);
   return new RoomDriver(page).open({ look: "physical", quality }, { ...size, model });
 }

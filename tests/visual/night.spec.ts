@@ -1,6 +1,7 @@
 import type { Page } from "playwright/test";
 import sharp from "sharp";
 import { chromaticity, luma, type Rgb } from "../../src/light/color.ts";
+import { drawOneSample } from "../support/one-sample.ts";
 import { QUICK_ROOM } from "../support/plain-room.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
@@ -85,6 +86,7 @@ test.describe("The night of the cabin", () => {
   let room: RoomDriver;
   test.beforeAll(async ({ browser }) => {
     page = await browser.newPage();
+    await drawOneSample(page);
     room = await new RoomDriver(page).open(NIGHT, { width: 480, height: 270 });
   });
   test.afterEach(() => expect(room.complaints).toEqual([]));
@@ -168,6 +170,7 @@ test.describe("The night", () => {
   test("follows the moon in a running animation, after frames in which a part is prepared", async ({
     page,
   }) => {
+    await drawOneSample(page);
     const room = await new RoomDriver(page).open(
       { ...NIGHT, unlit: "", particles: "0" },
       { width: 160, height: 90 },

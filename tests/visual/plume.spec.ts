@@ -1,5 +1,6 @@
 import { SparkSchedule } from "../../src/world/particles/sparks.ts";
 import { TICK } from "../../src/world/timeline.ts";
+import { drawOneSample } from "../support/one-sample.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
 import { openSources } from "../support/sources.ts";
@@ -16,6 +17,7 @@ function soonest(): { seed: number; tick: number } {
 
 test("A flame put out smokes for seconds, and no longer than twenty", async ({ page }) => {
   await serveSmallTextures(page);
+  await drawOneSample(page);
   const options = { look: "physical", controls: "", quality: "low" };
   const room = await new RoomDriver(page).open(options, { width: 160, height: 90 });
   const withAndWithout = async () => {
@@ -55,6 +57,7 @@ test("Hot air refracts the background, dust drifts through the light, and the wi
 }) => {
   const { seed, tick } = soonest();
   await serveSmallTextures(page);
+  await drawOneSample(page);
   const attributes = { look: "physical", quality: "medium", seed: String(seed), motion: "full" };
   const size = { width: 192, height: 108 };
   const room = await new RoomDriver(page).open(attributes, size);
