@@ -1,5 +1,4 @@
 import type { Browser, Page } from "playwright/test";
-import { drawOneSample } from "../support/one-sample.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
 import { openSources } from "../support/sources.ts";
@@ -184,7 +183,6 @@ interface Walked {
 async function walk(browser: Browser) {
   const page = await browser.newPage();
   await serveSmallTextures(page);
-  await drawOneSample(page);
   // All pixels are shaded where a processor draws.
   await page.addInitScript(() => {
     const { getParameter } = WebGL2RenderingContext.prototype;
@@ -270,6 +268,7 @@ test("So does a walk by the moon alone, of which more is kept", async ({ browser
     const errors = errorsOf(frame, shaded[i]!);
     const [median, most] = [at(errors, 0.5), at(errors, 0.95)];
     console.log(`by the moon: median ${median}, 95th percentile ${most}`);
+    expect(at(errors, 0.9), "of what is kept").toBeGreaterThan(0);
     expect(median).toBeLessThan(0.02);
     expect(most).toBeLessThan(0.15);
     expect(frame.gpuBytes - shaded[i]!.gpuBytes).toBe(SIZE.width * SIZE.height * 12);

@@ -284,7 +284,7 @@ test("is what `high` shows by the moon alone, too, once the eye is used to it", 
   const [ofImage = 1, ofStep = 1] = [picture, step].map((one) => meanFlip(high, one));
   console.log(`mean FLIP ${[ofImage, ofStep].map((one) => one.toFixed(4))}`);
   expect(ofImage).toBeLessThan(0.02);
-  // 0.044 where the exposure has settled before it begins.
+  // The exposure has settled before it begins: else it is 0.06.
   expect(ofStep, "the first step begins with it").toBeLessThan(0.045);
 });
 
