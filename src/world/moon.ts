@@ -31,10 +31,8 @@ export const CABIN_MOON = lightFrom(-98, 27);
 
 /** Direction of the light by azimuth and elevation in degrees, as text; null if it cannot be read. */
 export function parseMoonPlace(text: string): Vec3 | null {
-  const [azimuth = Number.NaN, elevation = Number.NaN, ...rest] = text
-    .trim()
-    .split(/[\s,]+/)
-    .map(Number);
+  const words = text.match(/[^\s,]+/g) ?? [];
+  const [azimuth = Number.NaN, elevation = Number.NaN, ...rest] = words.map(Number);
   if (!Number.isFinite(azimuth) || !Number.isFinite(elevation) || rest.length > 0) return null;
   return lightFrom(azimuth % 360, Math.min(Math.max(elevation, LOWEST), 90));
 }

@@ -14,7 +14,7 @@ test("a place in the sky is two numbers; what is none is the room's own", () => 
   expect(parseMoonPlace("450, 30")).toEqual(lightFrom(90, 30));
   expect(parseMoonPlace("90 -20")).toEqual(lightFrom(90, 1));
   expect(parseMoonPlace("90 120")).toEqual(lightFrom(90, 90));
-  for (const text of ["", "90", "east 30", "1 2 3", "NaN 3", "Infinity 3"]) {
+  for (const text of ["90,", ",", "", "90", "east 30", "1 2 3", "NaN 3", "Infinity 3"]) {
     expect(parseMoonPlace(text), text).toBeNull();
   }
 });
