@@ -312,7 +312,7 @@ export class CandleFlame {
   }
 
   get flame(): FlameReport {
-    if (this.#options.look === "physical") return flameReport(carriedFlame(this.world));
+    if (this.world.look === "physical") return flameReport(carriedFlame(this.world));
     const { position } = candleLight(this.world, this.#features, this.#options.isStill);
     return paperFlameReport(this.world, position);
   }

@@ -53,7 +53,9 @@ export function* worldInSteps(
   birth: WorldOptions = {},
 ): Generator<void, World> {
   const { room, wicks, createPlume, isModelAlone, first } = scene;
-  const { look, seed, isStill, wind } = options;
+  const { seed, isStill, wind } = options;
+  // A model alone burns the same in any look.
+  const look = isModelAlone ? "physical" : options.look;
   const alone = first ? { ...LONE_CANDLE_SETUP, wick: first.position } : LONE_CANDLE_SETUP;
   return yield* createWorldInSteps(look, seed, {
     createPlume,

@@ -71,12 +71,10 @@ export function* createWorldInSteps(
   const flame: Vec3 = [0, 0, 0];
   const box = setup.hasWalls ? boxBounds(inset(setup.room, WALL_MARGIN)) : UNBOUNDED;
   const { wicks = [], areLit = [] } = options;
-  // A model alone burns the same in any look.
-  const hasOthers = look === "physical" || setup.stand !== null;
-  const standing = (hasOthers ? wicks : []).map((wick, i) =>
+  const isPhysical = look === "physical";
+  const standing = (isPhysical ? wicks : []).map((wick, i) =>
     createStandingCandle(wick, i + 1, seed, areLit[i] ?? false),
   );
-  const hasRealLight = room !== null && look === "physical";
   const world: World = {
     look,
     setup,
@@ -91,20 +89,21 @@ export function* createWorldInSteps(
     air: new Air(seed, { ...wind, speed: Math.min(wind.speed, LIGHTABLE) }),
     flame: new Flame(wick, isLit),
     plume: null,
-    createPlume: look === "physical" || setup.isAlone ? (options.createPlume ?? null) : null,
+    createPlume: isPhysical ? (options.createPlume ?? null) : null,
     adaptation: new ExposureAdaptation(),
-    adaptationView: hasRealLight
-      ? {
-          collision: room.collision,
-          eye,
-          yaw,
-          pitch,
-          fieldOfView,
-          flame,
-          luminousIntensity: 0,
-          moonlight: 0,
-        }
-      : null,
+    adaptationView:
+      isPhysical && room
+        ? {
+            collision: room.collision,
+            eye,
+            yaw,
+            pitch,
+            fieldOfView,
+            flame,
+            luminousIntensity: 0,
+            moonlight: 0,
+          }
+        : null,
     emitter: [0, 0, 0],
     interpolated: { eye: [0, 0, 0], foot: [0, 0, 0], flame: [0, 0, 0] },
     timeline: new Timeline(age - HISTORY),

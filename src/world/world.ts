@@ -23,6 +23,7 @@ import type { WorldSetup } from "./world-setup.js";
  * `createWorld` makes one, `advance` lets time pass, the functions of `commands.ts` act on it.
  */
 export interface World {
+  /** `physical` for a model alone, whatever the attribute. */
   readonly look: Look;
   readonly setup: WorldSetup;
   readonly seed: number;
