@@ -5,8 +5,9 @@ import type { World } from "../world/world.js";
 
 /** Field of view across the image's shorter side, radians: the paper's 45 degrees. */
 export const FIELD_OF_VIEW = Math.PI / 4;
-const NEAR = 0.05;
-const FAR = 60;
+/** Depths of the clip planes, metres. */
+export const NEAR = 0.05;
+export const FAR = 60;
 
 /** Clip space from world space. At yaw and pitch 0 the camera at `eye` (metres) looks along -Z. */
 export function clipFromWorld(
@@ -76,40 +77,6 @@ export function clipPosition(
 ): readonly [number, number, number] {
   const row = (i: number) => m[i]! * x + m[i + 4]! * y + m[i + 8]! * z + m[i + 12]!;
   return [row(0), row(1), row(3)];
-}
-
-/**
- * Reprojection from one frame to another, of uv and depth, each 0 to 1.
- *
- * @param from clip space of the one, from world space
- * @param to of the other
- */
-export function reprojectionMatrix(from: mat4, to: mat4): mat4 {
-  const worldFromClip = mat4.invert(mat4.create(), from);
-  if (!worldFromClip) throw new Error("The camera's matrix has no inverse.");
-  const clipFromPlace = mat4.fromScaling(mat4.create(), [2, 2, 2]);
-  mat4.translate(clipFromPlace, clipFromPlace, [-0.5, -0.5, -0.5]);
-  const placeFromClip = mat4.fromTranslation(mat4.create(), [0.5, 0.5, 0.5]);
-  mat4.scale(placeFromClip, placeFromClip, [0.5, 0.5, 0.5]);
-  const between = mat4.multiply(mat4.create(), to, worldFromClip);
-  mat4.multiply(between, placeFromClip, between);
-  return mat4.multiply(between, between, clipFromPlace);
-}
-
-/** Motion of an image's corners under a reprojection, as a share of its size, for surfaces at a distance (m). */
-export function screenMotion(between: mat4, distance: number): number {
-  const depth = (FAR - (NEAR * FAR) / distance) / (FAR - NEAR);
-  let most = 0;
-  for (let corner = 0; corner < 4; corner++) {
-    const [x, y] = [corner & 1, corner >> 1];
-    const [u, v, , w] = [0, 1, 2, 3].map(
-      (row) =>
-        between[row]! * x + between[row + 4]! * y + between[row + 8]! * depth + between[row + 12]!,
-    ) as [number, number, number, number];
-    if (!(w > 0)) return Number.POSITIVE_INFINITY;
-    most = Math.max(most, Math.abs(u / w - x), Math.abs(v / w - y));
-  }
-  return most;
 }
 
 /** Pixels of a length of 1 m at a distance of 1 m, by the image's shorter side. */

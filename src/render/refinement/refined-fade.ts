@@ -5,11 +5,11 @@ import type { Program } from "../../gl/program.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { Vec3 } from "../../world/geometry.js";
-import { reprojectionMatrix } from "../camera.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import {
   type ReprojectionSource,
   reprojectionBetween,
+  reprojectionMatrix,
   reprojectionSource,
 } from "../gbuffer/reprojection.js";
 import type { FrameBlocks, OpaqueLayer } from "../opaque/opaque-stage.js";

@@ -5,10 +5,9 @@ import {
   FIELD_OF_VIEW,
   frustumTest,
   projectionScale,
-  reprojectionMatrix,
-  screenMotion,
   shadowFrustumTest,
 } from "../../../src/render/camera.ts";
+import { reprojectionMatrix, screenMotion } from "../../../src/render/gbuffer/reprojection.ts";
 import type { Vec3 } from "../../../src/world/geometry.ts";
 import { STILL } from "../../../src/world/player/intent.ts";
 import { type Player, walk } from "../../../src/world/player/player.ts";
