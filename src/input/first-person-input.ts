@@ -103,10 +103,14 @@ export class FirstPersonInput {
     return root.pointerLockElement === this.#canvas;
   }
 
-  /** Enters the room, and locks the pointer of a mouse. */
-  enter(): void {
+  /**
+   * Enters the room, and locks the pointer of a mouse.
+   *
+   * @param device in hand. Default: the one that there is
+   */
+  enter(device?: Device): void {
     const hasMouse = !this.#isTouched && matchMedia("(any-pointer: fine)").matches;
-    this.#goIn(hasMouse ? "mouse" : "touch");
+    this.#goIn(device ?? (hasMouse ? "mouse" : "touch"));
     if (!hasMouse || this.#isLocked) return;
     const wait = Math.max(0, this.#unlockedAt + LOCK_COOL_DOWN - performance.now());
     clearTimeout(this.#lockTimer);
@@ -184,7 +188,7 @@ export class FirstPersonInput {
     if (ENTER.has(event.code) && !this.#isIn) {
       event.preventDefault();
       this.#isTouched = false;
-      this.enter();
+      this.enter("keyboard");
       return;
     }
     if (!this.#isIn || event.ctrlKey || event.metaKey || event.altKey) return;

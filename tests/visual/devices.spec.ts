@@ -157,7 +157,9 @@ test("The keyboard alone looks up and down and says what it can", async ({ page 
   expect(ring).toBe("rgb(243, 201, 139) solid 2px");
   await page.keyboard.press("Enter");
   expect(await room.isWalking()).toBe(true);
-  expect(await hintOf(room)).toMatch(/^WASD walk.* F for the candle, Esc leaves$/);
+  expect(await hintOf(room)).toBe(
+    "WASD walk, QR turn, E is for the flame, F for the candle, Esc leaves",
+  );
   await page.keyboard.down("PageDown");
   await room.step(0.5);
   await page.keyboard.up("PageDown");
