@@ -40,8 +40,9 @@ export class Accessibility {
       ariaDescription: controls ? "Press Enter to walk in, and Escape to leave." : null,
     });
     this.#overlay.posterAlt = isImage ? alt : "";
-    canvas?.setAttribute("role", isImage ? "img" : "presentation");
-    if (isImage) canvas?.setAttribute("aria-label", alt);
+    // An empty text is of an image without meaning.
+    canvas?.setAttribute("role", isImage && alt ? "img" : "presentation");
+    if (isImage && alt) canvas?.setAttribute("aria-label", alt);
     else canvas?.removeAttribute("aria-label");
     if (controls && !host.hasAttribute("tabindex")) host.tabIndex = 0;
     if (!controls && host.getAttribute("tabindex") === "0") host.removeAttribute("tabindex");
