@@ -250,11 +250,11 @@ export class CandleFlame {
     if (intent.placesOrTakes && isHeld) this.onRefused();
   }
 
-  /** Draws the current state. */
-  draw(): void {
+  /** Draws the current state; unless it is required, not while a renderer is prepared. */
+  draw(isRequired = false): void {
     const canDefer = this.#loop.isRunning;
     const isMoving = this.#hasMoved() && canDefer;
-    this.view.render({ ...this.#frameSettings, isMoving, canDefer });
+    this.view.render({ ...this.#frameSettings, isMoving, canDefer }, isRequired);
   }
 
   /**

@@ -3,7 +3,8 @@ interface Hooks {
   readonly isVisible: () => boolean;
   /** Whether the animation loop draws anyway. */
   readonly isPlaying: () => boolean;
-  readonly draw: () => void;
+  /** @param isRequired whether the canvas may not keep the image that it has */
+  readonly draw: (isRequired: boolean) => void;
 }
 
 /**
@@ -31,9 +32,9 @@ export class DrawScheduler {
     else this.#isStale = true;
   }
 
-  draw(): void {
+  draw(isRequired = false): void {
     this.#isStale = false;
-    this.#hooks.draw();
+    this.#hooks.draw(isRequired);
     this.drawn();
   }
 
@@ -46,7 +47,7 @@ export class DrawScheduler {
 
   /** Draws unless the canvas holds the current frame. */
   refresh(): void {
-    if (!this.#isFresh) this.draw();
+    if (!this.#isFresh) this.draw(true);
   }
 
   /** Marks the pixels of the canvas as outdated. */

@@ -194,8 +194,8 @@ export class SceneView {
     return { ...view, gamut: this.#target.gamut, inspect: this.inspect };
   }
 
-  /** Draws a frame and shows it. Nothing is drawn while the context is lost. */
-  render(view: ViewFrame): void {
+  /** Draws a frame and shows it; unless it is required, none while a renderer is prepared. None without a context. */
+  render(view: ViewFrame, isRequired = false): void {
     const target = this.#target;
     this.#last = view;
     const { gpu } = target;
@@ -204,10 +204,10 @@ export class SceneView {
     const before = this.#refinement?.shown;
     const refines = this.#refines(view);
     if (!refines) this.#refinement?.stop(view.isMoving ? this.#renderer : null);
-    if (!this.#chooseQuality(view)) return;
+    if (!this.#chooseQuality(view) && !isRequired) return;
     const settings = this.#settingsOf(view);
     gpu.beginFrame();
-    const steps = refines ? this.#refine(settings) : 0;
+    const steps = refines && !isRequired ? this.#refine(settings) : 0;
     if (steps !== null) {
       this.#fitCanvas();
       target.prepare();
