@@ -122,8 +122,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     if (name === "loading" && this.loading === "eager") lifecycle.stopWaiting();
     if (SCENE_ATTRIBUTES.includes(name)) lifecycle.sceneChanged(before !== after);
     if (name === "seed") this.#pending.forgetTime();
-    if (name === "lit-wicks") this.#pending.forgetFlames();
-    if (name === "unlit") this.#pending.forgetFlames(!this.unlit);
+    if (name === "lit-wicks" || name === "unlit") this.#pending.forgetFlames(this.#burnsAtFirst);
     lifecycle.apply();
   }
 
@@ -158,10 +157,9 @@ export class CandleFlameElement extends ReflectedAttributes {
   }
   set camera(value: Partial<Camera>) {
     const change = changeOf(value, this.camera);
-    const { session } = this.#lifecycle;
-    if (!session?.candle || session.isFetching) this.#pending.moveCamera(change);
-    if (!session?.candle) return;
-    setCamera(session.candle, change);
+    if (this.#isPending) this.#pending.moveCamera(change);
+    if (!this.#candle) return;
+    setCamera(this.#candle, change);
     this.#lifecycle.changed();
   }
 
@@ -236,9 +234,9 @@ export class CandleFlameElement extends ReflectedAttributes {
     this.#lifecycle.changed();
   }
 
-  /** Puts the candle down ahead; before there is a room, once there is one. */
+  /** Puts the candle down ahead; before there is a room, or while another is fetched, once there is one. */
   place(): void {
-    if (!this.#candle) this.#pending.place();
+    if (this.#isPending) this.#pending.place();
     const candle = this.#candle;
     if (!candle?.world.candle.isHeld) return;
     if (placeCandle(candle.world)) emit(this, "place", null);
@@ -248,15 +246,14 @@ export class CandleFlameElement extends ReflectedAttributes {
 
   /** Takes the candle up, where it is within reach. */
   take(): void {
-    if (!this.#candle) this.#pending.take();
+    if (this.#isPending) this.#pending.take();
     if (this.#candle && takeCandle(this.#candle.world)) emit(this, "take", null);
     this.#requestDraw();
   }
 
   /** Whether the candle burns; writing lights it or puts it out. */
   get lit(): boolean {
-    const isOut = this.unlit || parseIndices(this.litWicks)?.includes(0) === false;
-    return this.#candle?.world.flame.isLit ?? this.#pending.isLit ?? !isOut;
+    return this.#candle?.world.flame.isLit ?? this.#pending.isLit ?? this.#burnsAtFirst;
   }
   set lit(value: boolean) {
     if (value) this.light();
@@ -314,6 +311,17 @@ export class CandleFlameElement extends ReflectedAttributes {
     const [, , columns, rows] = box;
     const radiance = columns * rows > 0 && this.#use((candle) => candle.view.readRadiance(box));
     return radiance || new Float32Array(columns * rows * 3);
+  }
+
+  /** Whether the attributes light the first candle. */
+  get #burnsAtFirst(): boolean {
+    return !this.unlit && parseIndices(this.litWicks)?.includes(0) !== false;
+  }
+
+  /** Whether a world is to come that will be as the page asks now. */
+  get #isPending(): boolean {
+    const { session } = this.#lifecycle;
+    return !session?.candle || session.isFetching;
   }
 
   get #candle(): CandleFlame | null {

@@ -40,6 +40,7 @@ export class Lifecycle implements SessionOwner {
   #visibility: Visibility | null = null;
   #client: ContextClient | null = null;
   #session: Session | null = null;
+  readonly #emitPlace = () => emit(this.#element, "place", null);
 
   constructor(internals: ElementInternals, root: ShadowRoot, input: SessionInput) {
     const element = input.attributes;
@@ -53,9 +54,9 @@ export class Lifecycle implements SessionOwner {
     this.draws = new DrawScheduler({
       isVisible: () => this.isVisible,
       isPlaying: () => this.#states.has("playing"),
-      draw: () => {
+      draw: (isRequired) => {
         this.#session?.use((candle) => {
-          candle.draw();
+          candle.draw(isRequired);
           this.reporter.glow(candle);
         });
       },
@@ -148,6 +149,7 @@ export class Lifecycle implements SessionOwner {
     this.#overlay.clearFailure();
     this.#overlay.showPoster(element);
     this.#states.toggle("loading", true);
+    this.#states.toggle("alone", element.scene === "candle");
     const visibilityChanged = () => {
       contextPool.review();
       this.#applyMotion();
@@ -162,7 +164,6 @@ export class Lifecycle implements SessionOwner {
   #queue(): void {
     this.#machine.send("approach");
     if (this.#element.scene === "candle") {
-      this.#states.toggle("alone", true);
       this.#load();
       return;
     }
@@ -179,12 +180,11 @@ export class Lifecycle implements SessionOwner {
 
   #load(): void {
     this.#machine.send("admit");
-    const element = this.#element;
     const { signal } = this.#abort;
     // A canvas cannot have another context after its own was released, so each session has its own canvas.
     const canvas = document.createElement("canvas");
     canvas.part.add("canvas");
-    element.shadowRoot?.prepend(canvas);
+    this.#element.shadowRoot?.prepend(canvas);
     signal.addEventListener("abort", () => canvas.remove());
     this.#accessibility.update(canvas);
     try {
@@ -201,7 +201,7 @@ export class Lifecycle implements SessionOwner {
   }
 
   onScene(candle: CandleFlame): void {
-    this.#applyPending(candle);
+    this.#applyPending(candle, this.#emitPlace);
     this.#overlay.hideProgress();
     this.changed();
     emit(this.#element, "load", null);
@@ -215,41 +215,43 @@ export class Lifecycle implements SessionOwner {
   }
 
   onFetchDropped(): void {
-    this.pending.forgetCamera();
+    if (this.#session?.candle) this.pending.forgetPlaces();
     this.#overlay.hideProgress();
   }
 
-  #applyPending(candle: CandleFlame): void {
-    const shownRequest = this.#session?.shownRequest ?? null;
-    this.pending.applyTo(candle, shownRequest, () => emit(this.#element, "place", null));
+  onRehearsal(candle: CandleFlame): void {
+    this.#applyPending(candle);
   }
 
-  onRehearsal(candle: CandleFlame): void {
-    this.pending.applyTo(candle, this.#session?.shownRequest ?? null);
+  #applyPending(candle: CandleFlame, onPlaced?: () => void): void {
+    const { shownRequest = null, isFetching = false } = this.#session ?? {};
+    this.pending.applyTo(candle, shownRequest, isFetching, onPlaced);
   }
 
   /** Shows the first frame. */
   onCandle(candle: CandleFlame): void {
-    this.#applyPending(candle);
+    const session = this.#session;
+    this.#applyPending(candle, this.#emitPlace);
     this.reporter.watch(candle);
     candle.onFrame = () => {
       this.draws.drawn();
       this.reporter.frame(candle);
     };
-    this.#session?.resize();
+    session?.resize();
     this.draws.draw();
-    if (!this.#session?.candle) return; // it could not be drawn
+    if (!session?.candle) return; // it could not be drawn
     this.#machine.send("reveal");
     this.#overlay.hideProgress();
     this.#overlay.hidePoster();
     this.#states.toggle("loading", false);
     this.reporter.flame(candle);
-    this.#session.followSize(() => this.draws.drawIfVisible());
+    session.followSize(() => this.draws.drawIfVisible());
     observeLessMotion(this.#abort.signal, () => this.apply());
     this.#applyMotion();
-    if (this.#session.look !== this.#element.look) this.#overlay.hint.tell(NO_PHYSICAL_LOOK);
+    if (this.#session !== session) return; // a listener asked for another scene
+    if (session.look !== this.#element.look) this.#overlay.hint.tell(NO_PHYSICAL_LOOK);
     const { settle } = this.#ready;
-    const end = () => this.#ready.settle === settle && settle();
+    const end = () => this.#session === session && settle();
     // Steps must not depend on when code arrives.
     if (this.#states.has("alone") && this.#element.paused) void fetchPageSmoke().then(end);
     else settle();
@@ -309,7 +311,6 @@ export class Lifecycle implements SessionOwner {
   #fail(error: Error): void {
     if (!this.#machine.send("fail")) return;
     this.#release();
-    this.#overlay.hideProgress();
     if (typeOf(error) === "context-lost") this.#offerReload();
     else this.#overlay.fail(error.message, "alert");
     this.#overlay.showPoster(this.#element);
@@ -337,9 +338,10 @@ export class Lifecycle implements SessionOwner {
     this.#abort.abort();
     this.#session?.dispose();
     this.#session = null;
+    this.#overlay.clear();
     this.draws.reset();
-    const emitPause = () => emit(this.#element, "pause", null);
-    if (this.#states.has("playing")) queueMicrotask(emitPause); // all is free by then
+    // All is free by then.
+    if (this.#states.has("playing")) queueMicrotask(() => emit(this.#element, "pause", null));
     this.#states.clear();
     const client = this.#client;
     this.#client = null;

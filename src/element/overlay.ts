@@ -68,6 +68,12 @@ export class Overlay {
     this.#progressSlot.hidden = true;
   }
 
+  /** Nothing goes on: without progress and hint. */
+  clear(): void {
+    this.hideProgress();
+    this.hint.tell(null);
+  }
+
   /** Shows an error message in place of frames, with a reload button where that may help. */
   fail(sentence: string, urgency: "alert" | "status", reload: (() => void) | null = null): void {
     this.#failure.setAttribute("role", urgency);

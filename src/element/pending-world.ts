@@ -24,14 +24,8 @@ export class PendingWorld {
   /** @param look of the world to come, which has its own field of view */
   cameraFor(look: Look): Required<Camera> {
     const { position, yaw, pitch, fieldOfView } = this.#saved?.snapshot ?? ORIGIN;
-    const [x, y, z] = position;
-    const saved = {
-      position: [x, y, z] as const,
-      yaw,
-      pitch,
-      fieldOfView: fieldOfView ?? FIELDS_OF_VIEW[look],
-    };
-    return { ...saved, ...this.#camera };
+    const saved = { position, yaw, pitch, fieldOfView: fieldOfView ?? FIELDS_OF_VIEW[look] };
+    return structuredClone({ ...saved, ...this.#camera });
   }
 
   get currentTime(): number {
@@ -55,13 +49,13 @@ export class PendingWorld {
   /**
    * Leaves it to the attributes which candles burn.
    *
-   * @param isLit whether the first does. Default: as in the snapshot
+   * @param isLit whether the first does
    */
-  forgetFlames(isLit?: boolean): void {
+  forgetFlames(isLit: boolean): void {
     this.#isLit = null;
     if (!this.#saved) return;
     const { request, snapshot } = this.#saved;
-    this.save({ ...snapshot, areLit: null, isLit: isLit ?? snapshot.isLit }, request);
+    this.save({ ...snapshot, areLit: null, isLit }, request);
   }
 
   save(snapshot: Snapshot, request: SceneRequest): void {
@@ -76,15 +70,12 @@ export class PendingWorld {
   /** Drops all that the page has asked for. */
   forget(): void {
     this.forgetTime();
-    this.forgetCamera();
-    this.take();
+    this.forgetPlaces();
     this.#isLit = null;
   }
 
   moveCamera(camera: Partial<Camera>): void {
-    const { position: p } = camera;
-    // A page may write to its array afterwards.
-    this.#camera = { ...this.#camera, ...camera, ...(p && { position: [p[0], p[1], p[2]] }) };
+    this.#camera = { ...this.#camera, ...camera };
   }
 
   /** Has the candle put down from the current camera. */
@@ -96,18 +87,24 @@ export class PendingWorld {
     this.#placing = null;
   }
 
-  /** Drops the camera: no other world follows. */
-  forgetCamera(): void {
-    this.#camera = null;
+  /** Drops camera and placing: no other world follows. */
+  forgetPlaces(): void {
+    this.#camera = this.#placing = null;
   }
 
   /**
    * Applies all of it to the new world; positions of the snapshot only in its own room.
    *
+   * @param isFollowed whether another world is on its way, for which camera and placing are kept
    * @param onPlaced called when the candle has been put down, with the camera that it was put down from; without it
    * all is kept, to be applied again
    */
-  applyTo(candle: CandleFlame, shownRequest: SceneRequest | null, onPlaced?: () => void): void {
+  applyTo(
+    candle: CandleFlame,
+    shownRequest: SceneRequest | null,
+    isFollowed: boolean,
+    onPlaced?: () => void,
+  ): void {
     const isLit = this.#isLit;
     if (this.#saved || isLit !== null) {
       const snapshot = this.#saved?.snapshot ?? takeSnapshot(candle.world);
@@ -121,6 +118,9 @@ export class PendingWorld {
       setCamera(candle, before);
     }
     if (this.#camera) setCamera(candle, this.#camera);
-    if (onPlaced) this.forget();
+    if (!onPlaced) return;
+    this.forgetTime();
+    this.#isLit = null;
+    if (!isFollowed) this.forgetPlaces();
   }
 }

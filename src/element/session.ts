@@ -155,7 +155,13 @@ export class Session {
     this.#loading?.abort();
     this.#loading = new AbortController();
     const { signal } = this.#loading;
-    const onProgress = (progress: number) => this.#owner.onProgress(progress);
+    let most = 0;
+    // Files may still arrive after an abort; and after a model without a wick comes the built-in candle.
+    const onProgress = (progress: number) => {
+      if (signal.aborted || progress < most) return;
+      most = progress;
+      this.#owner.onProgress(progress);
+    };
     const request = this.#request;
     this.#pendingRequest = request;
     let scene: Scene;

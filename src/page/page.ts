@@ -65,10 +65,9 @@ room.addEventListener("take", () => {
   putDownFrom = null;
 });
 
-/** Puts the candle down from a camera, or takes it up; the camera stays where it is. */
-function setCandle(from: Camera | null): void {
+/** Puts the candle down from a camera, or takes it up; afterwards the camera is another, or where it was. */
+function setCandle(from: Camera | null, camera: Camera = room.camera): void {
   if (!from && room.held) return;
-  const camera = room.camera;
   if (!room.held) {
     if (putDownFrom) room.camera = putDownFrom; // within reach of it
     room.take();
@@ -88,9 +87,11 @@ function applyView(view: View): void {
     else room.setAttribute(name, text);
   }
   applyFlames(view);
-  if (view.camera) room.camera = { fieldOfView: FIELDS_OF_VIEW[room.look], ...view.camera };
+  // Another room may be on its way: this one's walls are not its.
+  const camera = view.camera && { fieldOfView: FIELDS_OF_VIEW[room.look], ...view.camera };
+  if (camera) room.camera = camera;
   // Before there is a room, a camera alone decides how it opens.
-  if (room.flame || view.camera) setCandle(view.candle);
+  if (room.flame || camera) setCandle(view.candle, camera ?? undefined);
   else room.addEventListener("load", () => setCandle(view.candle), { once: true });
 }
 

@@ -257,6 +257,15 @@ test("Without WebGL 2 whoever inserts the element may listen for the error after
       }),
   );
   expect(type).toBe("webgl-unavailable");
+  const [background, state] = await room.evaluate(async (element) => {
+    element.scene = "candle";
+    await element.ready.catch(() => {});
+    return [getComputedStyle(element).backgroundColor, element.matches(":state(alone)")];
+  });
+  expect([background, state], "nothing lies behind a lone candle").toEqual([
+    "rgba(0, 0, 0, 0)",
+    true,
+  ]);
 });
 
 test("A shader that the driver refuses is named, and its context is given back", async ({

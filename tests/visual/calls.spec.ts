@@ -113,6 +113,205 @@ test("A reset before the first frame drops what was asked for, as one after it d
   expect(found[0]).toEqual(found[1]);
 });
 
+test("Before the first frame, too, members of a camera that are missing or no numbers stay as they are", async ({
+  room,
+}) => {
+  const [before, after] = await useAnother(
+    room,
+    { look: "paper", paused: "" },
+    (element) => {
+      element.camera = { position: [1, 1.5, -1], yaw: 1 };
+      const nothing = { position: [Number.NaN, undefined, -2], yaw: null, pitch: 0.2 };
+      element.camera = nothing as never;
+      element.camera = { position: undefined, yaw: Number.NaN } as never;
+      element.camera = null as never;
+      const { position, yaw, pitch } = element.camera;
+      Reflect.set(element, "before", { position: [...position], yaw, pitch });
+      Reflect.set(position, "0", 3); // the page's own copy
+    },
+    (element) => {
+      const { position, yaw, pitch } = element.camera;
+      return [Reflect.get(element, "before"), { position, yaw, pitch }];
+    },
+  );
+  expect(before).toEqual({ position: [1, 1.5, -2], yaw: 1, pitch: 0.2 });
+  expect(after).toEqual(before);
+});
+
+test("What is asked for while another room is fetched is done there, too", async ({ room }) => {
+  const found = await useAnother(
+    room,
+    { look: "paper", paused: "" },
+    () => {},
+    async (element) => {
+      const loaded = new Promise((resolve) =>
+        element.addEventListener("load", resolve, { once: true }),
+      );
+      element.src = "/models/paper-room.glb";
+      element.camera = { yaw: 1, pitch: -0.5 };
+      element.place();
+      element.camera = { yaw: 2, pitch: 0 };
+      await loaded;
+      return [element.held, element.camera.yaw, element.camera.pitch];
+    },
+  );
+  expect(found).toEqual([false, 2, 0]);
+});
+
+for (const [change, what] of [
+  [{ look: "original" }, "is of the same files"],
+  [{ src: "/models/paper-room.glb" }, "has other files"],
+] as const) {
+  test(`A camera set while programs are compiled is kept where another look or room ${what}`, async ({
+    room,
+  }) => {
+    const found = await useAnother(
+      room,
+      { look: "paper", quality: "medium", paused: "", "data-change": JSON.stringify(change) },
+      (element) => {
+        const change = JSON.parse(element.dataset.change ?? "");
+        const isShown = new Promise((resolve) => {
+          let fetches = change.src ? 2 : 1;
+          element.addEventListener("progress", ({ detail }) => {
+            if (detail.totalProgress === 1) fetches--;
+          });
+          element.addEventListener("load", () => fetches === 0 && resolve(null));
+        });
+        const { prototype } = WebGL2RenderingContext;
+        const { linkProgram } = prototype;
+        prototype.linkProgram = function (program) {
+          prototype.linkProgram = linkProgram;
+          linkProgram.call(this, program);
+          // All files are there.
+          setTimeout(() => {
+            Reflect.set(element, "wasCompiling", element.flame === null);
+            element.camera = { yaw: 1.5 };
+            Object.assign(element, change);
+          });
+        };
+        Reflect.set(element, "isShown", isShown);
+      },
+      async (element) => {
+        await Reflect.get(element, "isShown");
+        return [Reflect.get(element, "wasCompiling"), element.camera.yaw];
+      },
+    );
+    expect(found).toEqual([true, 1.5]);
+  });
+}
+
+test("The picture is that of the quality asked for, also where it has just changed", async ({
+  room,
+}) => {
+  const shades = await useAnother(
+    room,
+    { look: "paper", quality: "low" },
+    () => {},
+    async (element) => {
+      for (let frame = 0; frame < 3; frame++) await new Promise(requestAnimationFrame);
+      await new Promise((resolve) => setTimeout(resolve)); // the browser has taken the last one
+      element.inspect = "depth"; // drawn as at medium
+      const bitmap = await createImageBitmap(await element.toBlob());
+      element.pause();
+      const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
+      context?.drawImage(bitmap, 0, 0);
+      const { data } = context?.getImageData(0, 0, bitmap.width, bitmap.height) ?? { data: [] };
+      return new Set(data).size;
+    },
+  );
+  expect(shades).toBeGreaterThan(10);
+});
+
+test("A fetch that was given up reports no progress", async ({ room }) => {
+  const { before, after, isHidden } = await useAnother(
+    room,
+    { scene: "candle", src: "/models/jar.glb", paused: "" },
+    () => {},
+    async (element) => {
+      let before = 0;
+      let after = 0;
+      let isOver = false;
+      element.addEventListener("progress", ({ detail }) => {
+        if (isOver) after++;
+        else before = detail.totalProgress;
+        if (isOver || before < 0.5) return;
+        isOver = true;
+        element.src = "/models/jar.glb";
+      });
+      element.src = "/models/wreath.glb";
+      await (await fetch("/models/wreath.glb")).arrayBuffer();
+      for (let frame = 0; frame < 30; frame++) await new Promise(requestAnimationFrame);
+      const slot = element.shadowRoot?.querySelector<HTMLElement>("slot[name=progress]");
+      return { before, after, isHidden: slot?.hidden };
+    },
+  );
+  expect(before).toBeGreaterThan(0.5);
+  expect({ after, isHidden }).toEqual({ after: 0, isHidden: true });
+});
+
+test("A lone candle burns the same in any look", async ({ room }) => {
+  const flameIn = (look: string) =>
+    useAnother(
+      room,
+      { scene: "candle", look, paused: "", wind: "0.5", gustiness: "1" },
+      () => {},
+      (element) => {
+        element.step(1);
+        return element.flame;
+      },
+    );
+  const flame = await flameIn("physical");
+  expect(flame?.height).toBeGreaterThan(0.01);
+  for (const look of ["paper", "original"]) expect(await flameIn(look), look).toEqual(flame);
+});
+
+test("Which candles burn is what the attributes say, also before another scene's first frame", async ({
+  room,
+}) => {
+  const lit = await useAnother(
+    room,
+    { look: "paper", paused: "" },
+    () => {},
+    async (element) => {
+      element.scene = "candle";
+      element.litWicks = "1";
+      const lit = [element.lit];
+      await element.ready;
+      return [...lit, element.lit];
+    },
+  );
+  expect(lit).toEqual([false, false]);
+});
+
+test("An element that is taken out tells and shows nothing of what it did", async ({ room }) => {
+  const found = await useAnother(
+    room,
+    { look: "paper", paused: "" },
+    () => {},
+    async (element) => {
+      const hint = () => element.shadowRoot?.querySelector("[part=hint]")?.textContent;
+      element.extinguish();
+      const said = hint();
+      element.remove();
+      await new Promise((resolve) => setTimeout(resolve));
+      return [said, hint()];
+    },
+  );
+  expect(found[0]).toMatch(/out/);
+  expect(found[1]).toBe("");
+});
+
+test("An empty alternative text is that of an image without meaning", async ({ room }) => {
+  const semantics = () =>
+    room.evaluate((element) => {
+      const canvas = element.shadowRoot?.querySelector("canvas");
+      return [canvas?.getAttribute("role"), canvas?.getAttribute("aria-label")];
+    });
+  expect(await semantics()).toEqual(["img", "A burning candle"]);
+  await room.set({ alt: "" });
+  expect(await semantics()).toEqual(["presentation", null]);
+});
+
 test("An array of the page's is read when it is set, and written to by nobody", async ({
   room,
 }) => {
@@ -177,28 +376,30 @@ test("What a reset and another's moment change is reported as what the visitor d
   expect(events).toEqual(["place", "take", "extinguish", "place"]);
 });
 
-test("`ready` of a scene that a listener of `load` has chosen waits for that scene", async ({
-  room,
-}) => {
-  const found = await useAnother(
+for (const type of ["load", "play"] as const) {
+  test(`\`ready\` of a scene that a listener of \`${type}\` has chosen waits for that scene`, async ({
     room,
-    { look: "paper", paused: "" },
-    (element) => {
-      element.addEventListener(
-        "load",
-        () => {
-          element.scene = "candle";
-        },
-        { once: true },
-      );
-    },
-    async (element) => {
-      await element.ready;
-      return [element.flame !== null, element.matches(":state(loading)")];
-    },
-  );
-  expect(found).toEqual([true, false]);
-});
+  }) => {
+    const found = await useAnother(
+      room,
+      { look: "paper", ...(type === "load" && { paused: "" }), "data-type": type },
+      (element) => {
+        element.addEventListener(
+          element.dataset.type as "load",
+          () => {
+            element.scene = "candle";
+          },
+          { once: true },
+        );
+      },
+      async (element) => {
+        await element.ready;
+        return [element.flame !== null, element.matches(":state(loading)")];
+      },
+    );
+    expect(found).toEqual([true, false]);
+  });
+}
 
 test("A wick that is no number is the model's own", async ({ room }) => {
   const scene = { scene: "candle", src: "/models/jar.glb", paused: "" };

@@ -140,6 +140,15 @@ test("the page opens on a burning room, from any folder of a site", async ({ fre
     );
   });
 
+  await test.step("and opens a link to another look as a fresh page does", async () => {
+    await page.evaluate(() => {
+      // In a corner that the cabin does not have.
+      location.hash = "#look=paper&camera=4_1.6_4_0.5_-0.1&candle=3.5_1.6_3.5_0.5_-0.5";
+    });
+    const seen = () => fresh.evaluate(({ held, camera }) => [held, ...camera.position, camera.yaw]);
+    await expect.poll(seen).toEqual([false, 4, 1.6, 4, 0.5]);
+  });
+
   const foreign = requests.filter((url) => !url.startsWith(folder) && !url.startsWith("blob:"));
   expect(foreign).toEqual([]);
 });
