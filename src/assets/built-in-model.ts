@@ -162,7 +162,6 @@ function modelOf(
         normals: floats(attributes.NORMAL),
         tangents: floats(attributes.TANGENT),
         uvs: floats(attributes.TEXCOORD_0),
-        occlusionUvs: null,
         colors: floats(attributes.COLOR_0),
         indices: Uint16Array.from(read(indices)),
       };

@@ -25,8 +25,6 @@ export interface Wick {
   readonly name: string;
   /** Root of its flame. */
   readonly position: readonly [number, number, number];
-  /** Of length 1. */
-  readonly up: readonly [number, number, number];
   readonly wickDiameter: number;
 }
 
@@ -45,10 +43,8 @@ export interface Part {
   readonly normals: Float32Array;
   /** xyz of length 1 and the bitangent's sign. */
   readonly tangents: Float32Array;
-  /** uv of every map but the occlusion, (0, 0) at the image's top left; zeros where there are none. */
+  /** uv of every map, (0, 0) at the image's top left; zeros where there are none. */
   readonly uvs: Float32Array;
-  /** uv of the material's `occlusion`, where that lies otherwise than the other maps. */
-  readonly occlusionUvs: Float32Array | null;
   /** rgba, linear Rec. 709 and opacity, 0 to 1; multiplies the base colour. */
   readonly colors: Float32Array | null;
   /** Three to a triangle. */
@@ -90,10 +86,8 @@ export interface Material {
   readonly albedo: TextureImage | null;
   /** Tangent space, +Y up in the image, as glTF has it. */
   readonly normal: TextureImage | null;
-  /** Red: occlusion (unless `occlusion` has it), green: roughness, blue: metallic. */
+  /** Red: occlusion, green: roughness, blue: metallic. */
   readonly occlusionRoughnessMetallic: TextureImage | null;
-  /** Red: occlusion, where it is another image or lies by `Part.occlusionUvs`. */
-  readonly occlusion: TextureImage | null;
 }
 
 /** White and rough: what a material is where nothing is said of it. */
@@ -113,7 +107,6 @@ export const PLAIN_MATERIAL: Material = {
   albedo: null,
   normal: null,
   occlusionRoughnessMetallic: null,
-  occlusion: null,
 };
 
 /** Whether a surface mirrors what is around it: the limits of `shaders/opaque/forward.frag`. */
@@ -127,8 +120,8 @@ export const AS_STORED = { premultiplyAlpha: "none", colorSpaceConversion: "none
 /** Frees the images. The model is of no use afterwards. */
 export function closeModel({ parts }: Model): void {
   for (const { material } of parts) {
-    const { albedo, normal, occlusionRoughnessMetallic, occlusion } = material;
-    for (const image of [albedo, normal, occlusionRoughnessMetallic, occlusion]) {
+    const { albedo, normal, occlusionRoughnessMetallic } = material;
+    for (const image of [albedo, normal, occlusionRoughnessMetallic]) {
       if (image) closeImage(image);
     }
   }

@@ -8,8 +8,6 @@ import { type Placement, readTextureUse, type TextureUse, UNTURNED } from "./tex
 export interface PlacedMaterial {
   readonly material: Material;
   readonly placement: Placement;
-  /** Placement of the occlusion map, where that differs from the other maps'. */
-  readonly occlusionPlacement: Placement | null;
 }
 
 const MIRRORED_REPEAT = 33648;
@@ -21,7 +19,6 @@ const MIRRORED_REPEAT = 33648;
 export const DEFAULT_MATERIAL: PlacedMaterial = {
   material: PLAIN_MATERIAL,
   placement: UNTURNED,
-  occlusionPlacement: null,
 };
 
 /** Reads a material and its images; unsupported parts are added to the warnings. */
@@ -45,7 +42,7 @@ export async function readMaterial(
   const normal = use(entry, "normalTexture");
   const occlusion = use(entry, "occlusionTexture");
 
-  const placement = (albedo ?? normal ?? metallicRoughness ?? occlusion)?.placement ?? UNTURNED;
+  const placement = (albedo ?? normal ?? metallicRoughness)?.placement ?? UNTURNED;
   const isPlacedAlike = (map: TextureUse | null) =>
     map === null || JSON.stringify(map.placement) === JSON.stringify(placement);
   const pictureOf = (map: TextureUse | null, what: string) => {
@@ -56,18 +53,17 @@ export async function readMaterial(
     );
     return null;
   };
+  // An occlusion map apart is left out: shadows do its work.
   const isPacked =
     occlusion !== null &&
-    occlusion.texture === metallicRoughness?.texture &&
+    metallicRoughness !== null &&
+    images.areSame(occlusion.texture, metallicRoughness.texture) &&
     isPlacedAlike(occlusion);
-  const [albedoPicture, normalPicture, packedPicture, occlusionPicture] = await Promise.all([
+  const [albedoPicture, normalPicture, packedPicture] = await Promise.all([
     pictureOf(albedo, "colour"),
     pictureOf(normal, "normal"),
     pictureOf(metallicRoughness, "roughness"),
-    occlusion && !isPacked ? images.texture(occlusion.texture) : null,
   ]);
-  const isShared = occlusionPicture !== null && occlusionPicture === packedPicture;
-  const occlusionApart = isShared && isPlacedAlike(occlusion) ? null : occlusionPicture;
   return {
     material: {
       name,
@@ -75,7 +71,7 @@ export async function readMaterial(
       roughness: surface.roughness,
       metallic: surface.metallic,
       normalScale: normal?.amount ?? 1,
-      occlusionStrength: clamp01(occlusion?.amount ?? 0),
+      occlusionStrength: isPacked ? clamp01(occlusion.amount) : 0,
       isDoubleSided: entry.boolean("doubleSided"),
       ...readDepth(entry, name),
       isGlossy: await isGlossySomewhere(surface, packedPicture),
@@ -83,11 +79,8 @@ export async function readMaterial(
       albedo: albedoPicture,
       normal: normalPicture,
       occlusionRoughnessMetallic: packedPicture,
-      occlusion: occlusionApart,
     },
     placement,
-    occlusionPlacement:
-      occlusionApart && !isPlacedAlike(occlusion) ? (occlusion?.placement ?? null) : null,
   };
 }
 

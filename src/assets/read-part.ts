@@ -11,7 +11,7 @@ import { Flaw } from "./asset-error.js";
 import type { Part } from "./model.js";
 import type { PlacedMaterial } from "./read-material.js";
 import { anyTangents, tangentsOf } from "./tangents.js";
-import { type Placement, placedUvs } from "./texture-placement.js";
+import { placedUvs } from "./texture-placement.js";
 import {
   blendBones,
   transformed,
@@ -28,17 +28,14 @@ const MOST_FLAT_TRIANGLES = 300_000;
 export function readPart(
   mesh: Mesh,
   name: string,
-  { material, placement, occlusionPlacement }: PlacedMaterial,
+  { material, placement }: PlacedMaterial,
 ): Part | null {
   const geometry = withNormals(mesh.geometry);
   const position = geometry.getAttribute("position");
   const indices = indicesOf(geometry, position.count);
   const moves = matricesOf(mesh, geometry);
   if (indices.length === 0 || moves.all.length === 0) return null;
-  const uvs = (placed: Placement | null) => {
-    const uv = placed && geometry.getAttribute(uvName(placed.uvSet));
-    return placed && uv ? placedUvs(floats(uv), placed) : null;
-  };
+  const uv = geometry.getAttribute(uvName(placement.uvSet));
   const tangent = geometry.getAttribute("tangent");
   const color = geometry.getAttribute("color");
   const vertices = transformed(
@@ -46,8 +43,7 @@ export function readPart(
       positions: morphedPositions(mesh, geometry),
       normals: floats(geometry.getAttribute("normal")),
       tangents: tangent ? floats(tangent) : null,
-      uvs: uvs(placement),
-      occlusionUvs: uvs(occlusionPlacement),
+      uvs: uv ? placedUvs(floats(uv), placement) : null,
       colors: color ? colorsOf(color) : null,
       indices,
     },

@@ -53,13 +53,11 @@ function readWick(
     warnings.add("The scale of a wick is ignored: its diameter is wickDiameter, in mm.");
   }
   const up = new Vector3().setFromMatrixColumn(object.matrixWorld, 1).normalize();
-  // False for NaN, too.
-  const isUpright = up.y >= LEANING;
-  if (!isUpright) warnings.add("Wicks that lean by more than 45 degrees burn upright.");
+  // NaN leans, too.
+  if (!(up.y >= LEANING)) warnings.add("Wicks that lean by more than 45 degrees burn upright.");
   return {
     name,
     position: position.toArray(),
-    up: isUpright ? up.toArray() : [0, 1, 0],
     wickDiameter: readDiameter(wickDiameter, warnings),
   };
 }

@@ -45,6 +45,11 @@ export class TextureImages {
     throw failure;
   }
 
+  /** Whether two textures are of the same image. */
+  areSame(one: number, other: number): boolean {
+    return this.#imagesOf(one).join() === this.#imagesOf(other).join();
+  }
+
   /** Closes the decoded images and those being decoded; none is begun afterwards. */
   close(): void {
     this.#isClosed = true;

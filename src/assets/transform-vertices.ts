@@ -3,7 +3,7 @@ import { Flaw } from "./asset-error.js";
 import type { Part } from "./model.js";
 
 /** The arrays of a part while it is made. */
-export interface Vertices extends Pick<Part, "positions" | "normals" | "occlusionUvs" | "colors"> {
+export interface Vertices extends Pick<Part, "positions" | "normals" | "colors"> {
   readonly tangents: Float32Array | null;
   readonly uvs: Float32Array | null;
   readonly indices: Uint32Array;
@@ -45,7 +45,7 @@ function repeat(vertices: Vertices, copies: number, count: number): Vertices {
     for (let copy = 0; copy < copies; copy++) all.set(values, copy * values.length);
     return all;
   };
-  const { positions, normals, tangents, uvs, occlusionUvs, colors, indices } = vertices;
+  const { positions, normals, tangents, uvs, colors, indices } = vertices;
   const all = new Uint32Array(indices.length * copies);
   for (let copy = 0; copy < copies; copy++) {
     all.set(
@@ -58,7 +58,6 @@ function repeat(vertices: Vertices, copies: number, count: number): Vertices {
     normals: array(normals),
     tangents: tangents && array(tangents),
     uvs: uvs && array(uvs),
-    occlusionUvs: occlusionUvs && array(occlusionUvs),
     colors: colors && array(colors),
     indices: all,
   };

@@ -9,13 +9,12 @@ export interface LoadedPart {
   readonly normals: number[];
   readonly tangents: number[];
   readonly uvs: number[];
-  readonly occlusionUvs: number[] | null;
   readonly colors: number[] | null;
   readonly indices: number[];
   readonly material: LoadedMaterial;
 }
 
-type Maps = "albedo" | "normal" | "occlusionRoughnessMetallic" | "occlusion";
+type Maps = "albedo" | "normal" | "occlusionRoughnessMetallic";
 export type LoadedMaterial = Omit<Part["material"], Maps> & Record<Maps, LoadedPicture | null>;
 
 /** A picture by two of its pixels. */
@@ -82,12 +81,11 @@ const failure = (error: unknown): Failure => {
 };
 
 async function summary(part: Part): Promise<LoadedPart> {
-  const { material, occlusionUvs, colors } = part;
-  const [albedo, normal, occlusionRoughnessMetallic, occlusion] = [
+  const { material, colors } = part;
+  const [albedo, normal, occlusionRoughnessMetallic] = [
     pixels(material.albedo),
     pixels(material.normal),
     pixels(material.occlusionRoughnessMetallic),
-    pixels(material.occlusion),
   ];
   return {
     name: part.name,
@@ -95,10 +93,9 @@ async function summary(part: Part): Promise<LoadedPart> {
     normals: [...part.normals],
     tangents: [...part.tangents],
     uvs: [...part.uvs],
-    occlusionUvs: occlusionUvs && [...occlusionUvs],
     colors: colors && [...colors],
     indices: [...part.indices],
-    material: { ...material, albedo, normal, occlusionRoughnessMetallic, occlusion },
+    material: { ...material, albedo, normal, occlusionRoughnessMetallic },
   };
 }
 

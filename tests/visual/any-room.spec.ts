@@ -133,13 +133,11 @@ test.describe("What a surface is made of survives", () => {
     }
   });
 
-  test("a second set of uv carries the colour, and the occlusion keeps the first", async () => {
+  test("a second set of uv carries the colour, and maps by the first are left out", async () => {
     const model = await room.load(fixtureUrl("uv-sets.glb"));
     const part = only(model);
     expect(part.uvs).toEqual([0.25, 0.75, 0.75, 0.75, 0.75, 0.25, 0.25, 0.25]);
-    expect(part.occlusionUvs).toEqual([0, 1, 1, 1, 1, 0, 0, 0]);
-    expect(part.material.occlusion?.left).toEqual([128, 128, 128, 255]);
-    expect(part.material.occlusionStrength).toBe(0.5);
+    expect(part.material.occlusionStrength).toBe(0);
     expect(part.material.normal).toBeNull();
     expect(model.warnings).toEqual([
       'The normal map of material "two sets" lies otherwise than its colour and is left out.',
@@ -165,13 +163,9 @@ test.describe("What a surface is made of survives", () => {
       alphaCutoff: 0.3,
       isDoubleSided: true,
     });
-    expect(material("packed")).toMatchObject({
-      normalScale: 0.5,
-      occlusionStrength: 0.25,
-      occlusion: null,
-    });
+    expect(material("packed")).toMatchObject({ normalScale: 0.5, occlusionStrength: 0.25 });
     expect(material("packed").occlusionRoughnessMetallic?.left).toEqual(RED);
-    expect(material("apart").occlusion?.left).toEqual([128, 128, 128, 255]);
+    expect(material("apart").occlusionStrength).toBe(0);
     expect(material("glossy")).toMatchObject({ roughness: 0.75, metallic: 0 });
     expect(material("glossy").baseColor).toEqual([0.1, 0.2, 0.3, 1]);
   });

@@ -99,8 +99,7 @@ export function uploadPart(gpu: Gpu, part: Part, group?: (part: Part) => Grouped
       isPane: material.name === "pane",
       uniforms: {
         uBaseColor: material.baseColor,
-        // An occlusion map with UVs of its own is left out: shadows do its work.
-        uOcclusionStrength: material.occlusion ? 0 : material.occlusionStrength,
+        uOcclusionStrength: material.occlusionStrength,
         uSurface: surfaceNumbers(material),
       },
       textures: {

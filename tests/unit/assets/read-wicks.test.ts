@@ -57,8 +57,8 @@ describe("wicks of a model", () => {
       { name: "flame.002", position: [9, 9, 9] },
     ]);
     expect(wicks).toEqual([
-      { name: "wick", position: [1, 2, 3], up: [0, 1, 0], wickDiameter: 0.002 },
-      { name: "wick.001", position: [4, 5.01, 6], up: [0, 1, 0], wickDiameter: 0.003 },
+      { name: "wick", position: [1, 2, 3], wickDiameter: 0.002 },
+      { name: "wick.001", position: [4, 5.01, 6], wickDiameter: 0.003 },
     ]);
     expect(warnings).toEqual([]);
   });
@@ -89,7 +89,6 @@ describe("wicks of a model", () => {
       { name: "wick.001", ...given },
     ]);
     expect(wicks).toHaveLength(2);
-    expect(wicks[0]?.up).toEqual([0, 1, 0]);
     expect(wicks[0]?.wickDiameter).toBe(given.wickDiameter === 2000 ? 0.05 : 0.002);
     expect(warnings).toEqual([warning]);
   });
