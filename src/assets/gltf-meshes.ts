@@ -18,6 +18,8 @@ const ATTRIBUTE_TYPES: readonly (readonly [RegExp, readonly AccessorType[]])[] =
   [/^TEXCOORD_\d$/, ["VEC2"]],
   [/^COLOR_0$/, ["VEC3", "VEC4"]],
 ];
+/** Of a morph target: all that is used of one. */
+const TARGET_TYPES: typeof ATTRIBUTE_TYPES = [[/^POSITION$/, ["VEC3"]]];
 const INDEX_COMPONENTS: readonly number[] = [5121, 5123, 5125];
 
 export function readMeshes(entries: readonly JsonEntry[], lists: Lists) {
@@ -52,7 +54,9 @@ function readPrimitive(entry: JsonEntry, { accessors, views, materials }: Lists)
   const reducedIndices = entry.extras()?.index("reducedIndices", accessors.length);
   if (reducedIndices !== undefined) checkIndices(entry, accessors[reducedIndices]);
   const draco = entry.extension("KHR_draco_mesh_compression");
-  const targets = entry.entries("targets").map((target) => readAttributes(target, accessors));
+  const targets = entry
+    .entries("targets")
+    .map((target) => readAttributes(target, accessors, TARGET_TYPES));
   for (const { POSITION = attributes.POSITION } of targets) {
     if (accessors[POSITION ?? -1]?.count !== accessors[attributes.POSITION ?? -1]?.count) {
       throw entry.wrong("targets", "has another count than the positions");
@@ -82,11 +86,12 @@ function readPrimitive(entry: JsonEntry, { accessors, views, materials }: Lists)
 function readAttributes(
   entry: JsonEntry | undefined,
   accessors: readonly Accessor[],
+  known = ATTRIBUTE_TYPES,
 ): Record<string, number> {
   const attributes: Record<string, number> = {};
   let count: number | undefined;
   for (const name of entry?.names() ?? []) {
-    const types = ATTRIBUTE_TYPES.find(([pattern]) => pattern.test(name))?.[1];
+    const types = known.find(([pattern]) => pattern.test(name))?.[1];
     const index = types && entry?.index(name, accessors.length);
     const accessor = accessors[index ?? -1];
     if (!entry || !types || index === undefined || !accessor) continue;

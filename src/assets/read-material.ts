@@ -11,6 +11,8 @@ export interface PlacedMaterial {
 }
 
 const MIRRORED_REPEAT = 33648;
+const CLAMP_TO_EDGE = 33071;
+const NEAREST = 9728;
 
 /**
  * Material of a surface without one. glTF's default, a rough metal, is nearly black in the light of one flame; this
@@ -31,8 +33,8 @@ export async function readMaterial(
   const name = entry.string("name") ?? "";
   const use = (of: JsonEntry | undefined, map: string) => {
     const found = readTextureUse(of?.entry(map), document.textures.length);
-    if (found && isMirrored(document, found.texture)) {
-      warnings.add("Textures that repeat in mirror images repeat plainly.");
+    for (const warning of found ? samplingWarnings(document, found.texture) : []) {
+      warnings.add(warning);
     }
     return found;
   };
@@ -122,10 +124,18 @@ function readAlpha(entry: JsonEntry): Pick<Material, "alphaMode" | "alphaCutoff"
   };
 }
 
-function isMirrored(document: GltfDocument, texture: number): boolean {
+/** What of a texture's sampler is not done: all repeat, and are filtered. */
+function samplingWarnings(document: GltfDocument, texture: number): readonly string[] {
   const sampler = document.textures[texture]?.index("sampler", document.samplers.length);
   const entry = document.samplers[sampler ?? -1];
-  return [entry?.whole("wrapS"), entry?.whole("wrapT")].includes(MIRRORED_REPEAT);
+  const wraps = [entry?.whole("wrapS"), entry?.whole("wrapT")];
+  return [
+    ...(wraps.includes(MIRRORED_REPEAT)
+      ? ["Textures that repeat in mirror images repeat plainly."]
+      : []),
+    ...(wraps.includes(CLAMP_TO_EDGE) ? ["Textures that end at their edges repeat."] : []),
+    ...(entry?.whole("magFilter") === NEAREST ? ["Textures of hard texels are filtered."] : []),
+  ];
 }
 
 /** Parts of a map along each of its sides, and texels of a smaller copy along those of a part. */

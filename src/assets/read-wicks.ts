@@ -31,9 +31,31 @@ export function readWicks(scene: Object3D, warnings: Set<string>): Wick[] {
   });
   const wicks = found
     .toSorted((a, b) => a.userData.order - b.userData.order)
-    .flatMap((object) => readWick(object, flames, warnings) ?? []);
+    .flatMap((object) => readWick(object, flames, warnings) ?? [])
+    .map(numbered(warnings));
   if (wicks.length > MOST) warnings.add(`Of its ${wicks.length} wicks ${MOST} burn.`);
   return wicks.slice(0, MOST);
+}
+
+/** Gives wicks of one name a number each: light and events go by names. */
+function numbered(warnings: Set<string>): (wick: Wick) => Wick {
+  const counts = new Map<string, number>();
+  return (wick) => {
+    const count = (counts.get(wick.name) ?? 0) + 1;
+    counts.set(wick.name, count);
+    if (count === 1) return wick;
+    warnings.add("Wicks of one name are numbered.");
+    return { ...wick, name: `${wick.name}#${count}` };
+  };
+}
+
+/** The flame of a wick: beside it or below it in the tree, else the first of that name. */
+function flameOf(object: Object3D, flames: ReadonlyMap<string, Object3D>): Object3D {
+  const name = `flame${wickEnding(object.userData.name)}`;
+  const near = [...object.children, ...(object.parent?.children ?? [])].find(
+    ({ userData }) => userData.name === name && userData.isMisplaced !== true,
+  );
+  return near ?? flames.get(name) ?? object;
 }
 
 function readWick(
@@ -42,7 +64,7 @@ function readWick(
   warnings: Set<string>,
 ): Wick | null {
   const { name, wickDiameter, isMisplaced } = object.userData;
-  const root = flames.get(`flame${wickEnding(name)}`) ?? object;
+  const root = flameOf(object, flames);
   const position = new Vector3().setFromMatrixPosition(root.matrixWorld);
   if (isMisplaced === true || !(position.length() <= FARTHEST)) {
     warnings.add("Wicks whose places are no numbers are left out.");

@@ -281,7 +281,7 @@ function posed() {
     skin: 0,
   });
   const target = builder.accessor(floats(POSITIONS.map((_, i) => (i % 3 === 0 ? 4 : 0))), 3);
-  const mesh = signMesh(builder, { targets: [{ POSITION: target }] });
+  const mesh = signMesh(builder, { targets: [{ POSITION: target, TANGENT: target }] });
   builder.json.meshes[mesh].weights = [0.5];
   builder.root({ name: "morphed", mesh });
   return builder;

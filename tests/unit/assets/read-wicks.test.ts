@@ -33,6 +33,31 @@ function read(nodes: readonly Given[]) {
 const DIAMETERS = "Wick diameters are 1 to 50 mm: what is no number is 2 mm, all else the nearest.";
 
 describe("wicks of a model", () => {
+  test("of one name are numbered, and each has the flame beside it", () => {
+    const scene = new Object3D();
+    for (const [i, x] of [0, 5].entries()) {
+      const candle = new Object3D();
+      for (const [name, y] of [
+        ["wick", 1],
+        ["flame", 2],
+      ] as const) {
+        const node = new Object3D();
+        node.userData = { name, order: i };
+        node.position.set(x, y, 0);
+        candle.add(node);
+      }
+      scene.add(candle);
+    }
+    scene.updateMatrixWorld(true);
+    const warnings = new Set<string>();
+    const wicks = readWicks(scene, warnings);
+    expect(wicks.map(({ name, position }) => [name, ...position])).toEqual([
+      ["wick", 0, 2, 0],
+      ["wick#2", 5, 2, 0],
+    ]);
+    expect([...warnings]).toEqual(["Wicks of one name are numbered."]);
+  });
+
   test("are its nodes named wick, with any suffix that does not continue the word", () => {
     expect(["wick", "wick.001", "wick-left", "wick_2", "wickLeft"].map(wickEnding)).toEqual([
       "",
