@@ -2,6 +2,7 @@ import { AssetError } from "../assets/asset-error.js";
 import { closeModel, type Model } from "../assets/model.js";
 import type { Models } from "../render/renderer.js";
 import type { Look } from "../settings.js";
+import { withMeanColors } from "./mean-colors.js";
 import { resolveUrl } from "./resolve-url.js";
 import type { Loading, SceneRequest } from "./scene.js";
 
@@ -49,7 +50,9 @@ export async function loadModels(
   const results = await Promise.allSettled([load("room"), load("candle")]);
   const models = results.flatMap((one) => (one.status === "fulfilled" ? one.value : []));
   const [room, candle] = models;
-  if (room && candle && !signal.aborted) return { room, candle };
+  if (room && candle && !signal.aborted) {
+    return { room: src === "" ? room : withMeanColors(room), candle };
+  }
   models.forEach(closeModel);
   signal.throwIfAborted();
   throw results.find((one) => one.status === "rejected")?.reason;
