@@ -135,21 +135,26 @@ export function imagesOf(material: Material): Record<"albedo" | "normal" | "pack
 
 /** The texture of an image, made once. */
 function textureOf(gpu: Gpu, mapped: Mapped): Texture | null {
-  if (!mapped.source) return null;
-  const texture = shareTexture(gpu, mapped.source, mapped);
-  if (texture.needsMipmaps) texture.updateMipmaps();
+  const texture = mapped.source && shareTexture(gpu, mapped, mapped.source);
+  if (texture?.needsMipmaps) texture.updateMipmaps();
   return texture;
 }
 
 /** The same, perhaps without its mipmaps. */
-export function shareTexture(
-  gpu: Gpu,
-  source: TextureImage,
-  { label, format }: Pick<Mapped, "label" | "format">,
-): Texture {
-  return gpu.share(source, () =>
-    gpu.texture({ label, format, source, mipmaps: true, wrap: "repeat" }),
+export function shareTexture(gpu: Gpu, mapped: Mapped, source: TextureImage): Texture {
+  return gpu.share(textureKey(gpu, mapped), () =>
+    gpu.texture({ ...mapped, source, mipmaps: true, wrap: "repeat" }),
   );
+}
+
+/** Stands for an image in a format: of two materials that share one, one may read its metallic channel alone. */
+export function textureKey(
+  gpu: Gpu,
+  { source, format }: Pick<Mapped, "source" | "format">,
+): object {
+  const keys = gpu.share(source, (): Partial<Record<TextureFormat, object>> => ({}));
+  keys[format] ??= {};
+  return keys[format];
 }
 
 // Images decoded by a script have four channels, which WebGL does not repack.

@@ -1,7 +1,7 @@
 import type { Model } from "../../assets/model.js";
 import type { Gpu } from "../../gl/gpu.js";
 import { groupTriangles } from "./clusters.js";
-import { imagesOf, shareTexture, uploadPart } from "./mesh.js";
+import { imagesOf, shareTexture, textureKey, uploadPart } from "./mesh.js";
 
 /**
  * Uploads the next image of a model, or makes its mipmaps.
@@ -12,8 +12,8 @@ export function uploadNextImage(gpu: Gpu, { parts }: Model): boolean {
   for (const { material } of parts) {
     for (const mapped of Object.values(imagesOf(material))) {
       if (!mapped.source) continue;
-      const isThere = gpu.isShared(mapped.source);
-      const texture = shareTexture(gpu, mapped.source, mapped);
+      const isThere = gpu.isShared(textureKey(gpu, mapped));
+      const texture = shareTexture(gpu, mapped, mapped.source);
       if (isThere && !texture.needsMipmaps) continue;
       if (isThere) texture.updateMipmaps();
       return false;
