@@ -64,11 +64,10 @@ export class GBufferPass {
   readonly #programs = new Map<string, Program>();
   readonly #lods: MeshLods;
   readonly #albedos: AlbedoCache;
-  /** Programs that were drawn with, and whether these are all of the reduced G-buffer. */
+  /** Programs that were drawn with, whether these are all of the reduced G-buffer, and frames that have added none. */
   readonly #rehearsed = new Set<Program>();
   #isReducedReady = false;
-  /** How many there were before this frame, and frames in motion that have added none. */
-  #rehearsedBefore = 0;
+  #rehearsedBefore = 0; // before this frame
   #quietFrames = 0;
   #targets: Partial<Record<"reduced" | "full", RenderTarget>> = {};
   /** Depth at the canvas's size, of a reduced G-buffer. */
@@ -169,10 +168,11 @@ export class GBufferPass {
     const reprojection =
       previous && settings.isMoving ? reprojectionBetween(current, previous) : null;
     if (!reprojection && key !== this.#reducedKey) {
-      this.#reducedKey = key;
+      this.#reducedKey = "";
       this.#gpu.clear(target, NOTHING);
       if (this.#quietFrames >= SCHEDULE.quietFrames) this.#updateIncrementally(instances);
       yield* this.#drawModels(target, frame, true);
+      this.#reducedKey = key;
       this.#previous = current;
     }
     this.#reducedFrameDepth ??= this.#gpu.texture({
@@ -193,7 +193,7 @@ export class GBufferPass {
 
   *#fill(frame: FrameInput, key: string, lightingSize: Size): Steps {
     this.#refinement = null;
-    this.#fullKey = key;
+    this.#fullKey = ""; // until it is complete
     const target = this.#targetOf("full");
     const { width, height } = this.#guide.resolved;
     const bands = Math.ceil((width * height) / this.#full.pixelsPerStep) || 1;
@@ -211,6 +211,7 @@ export class GBufferPass {
       const scissor = parts > 1 ? bandOf(this.#guide.resolved, part, parts) : undefined;
       this.#guide.resolve(samplesOf(target), lightingSize, scissor);
     }
+    this.#fullKey = key;
   }
 
   /** Progressive refinement: one band of what `#fill` draws. */

@@ -22,8 +22,7 @@ import {
   rayRadianceTarget,
   surfelRowsOf,
 } from "./indirect-targets.js";
-import { interiorBounds } from "./interior-bounds.js";
-import type { IrradianceVolume } from "./irradiance-volume.js";
+import { type IrradianceVolume, volumeBlock } from "./irradiance-volume.js";
 import { type IndirectDetail, IRRADIANCE_TEXELS, probeTraceOf } from "./probe-rays.js";
 import { type ProbeTextures, uploadProbeRays } from "./probe-textures.js";
 import { SurfelPass } from "./surfel-pass.js";
@@ -41,8 +40,6 @@ export interface IndirectScene {
 const BANDS = { surfelRadiance: 9, rayDirect: 3, rayRadiance: 4, gather: 3 };
 const AT_ONCE: typeof BANDS = { surfelRadiance: 1, rayDirect: 1, rayRadiance: 1, gather: 1 };
 const PASS_BANDS = 40; // of `bouncesAfter`
-/** Bias along the normal, for the visibility of probes, as a share of their least spacing. */
-const NORMAL_BIAS = 0.15;
 
 export type ShadowMap = Pick<ShadowCube, "depth" | "captureOrigin">;
 
@@ -110,21 +107,7 @@ export class IndirectPass {
     this.#surfelRadianceProgram = ofLight("gi/surfel-radiance", surfelRadianceFrag);
     this.#rayRadianceProgram = gpu.program("gi/ray-radiance", fullscreenVert, rayRadianceFrag);
     this.#rayDirectProgram = ofLight("gi/ray-direct", rayDirectFrag);
-    const [columns, rows, planes] = detail.probes;
-    const { min, max } = interiorBounds(scene.collision, scene.model);
-    this.#block = gpu.uniformBlock(this.#rayRadianceProgram, "Volume");
-    this.#block.update({
-      corner: min,
-      // A floor without walls has no height.
-      extent: min.map((low, axis) => Math.max((max[axis] ?? low) - low, 0.01)),
-      columns,
-      rows,
-      planes,
-      inset: detail.inset,
-      bias:
-        NORMAL_BIAS *
-        Math.min(...detail.probes.map((n, axis) => ((max[axis] ?? 0) - (min[axis] ?? 0)) / n)),
-    });
+    this.#block = volumeBlock(gpu, this.#rayRadianceProgram, scene, detail);
     const gather = (SURFELS: 0 | 1, ROWS: number, COLUMNS: number) =>
       gpu.program("gi/gather", fullscreenVert, gatherFrag, {
         defines: { SURFELS, ROWS, COLUMNS, IRRADIANCE_TEXELS },
@@ -173,7 +156,9 @@ export class IndirectPass {
   *captureSurfels(casters: ShadowCasters, light: CaptureLight): Steps {
     this.#isExact = false;
     this.capturedFor = light;
-    yield* this.#upload().drawing;
+    // Not delegated: others go on with it where these steps are given up.
+    const { drawing } = this.#upload();
+    while (!drawing.next().done) yield;
     yield* casters.prepareAlbedo();
     for (const face of FACES.keys()) {
       this.#surfels.capture(casters, light.position, face);

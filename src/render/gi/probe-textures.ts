@@ -7,6 +7,7 @@ import type { Gpu } from "../../gl/gpu.js";
 import type { Program, ShaderSource } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { VertexArray } from "../../gl/vertex-array.js";
 import { floats } from "../float-format.js";
 import type { Mesh } from "../mesh/mesh.js";
 import { drawInBands, type Steps } from "../steps.js";
@@ -77,6 +78,8 @@ export function uploadProbeRays(
     color: ["RGBA16F"],
     filter: "nearest",
   });
+  // Here, where they are shared as the textures are.
+  const points = pointsOf(gpu, traced);
   const hits = { uRayHits, uRayReflectance: rayReflectance.color };
   const uniforms = { uRays: rays, uProbeRows: rows };
   function* draw(): Steps {
@@ -93,7 +96,8 @@ export function uploadProbeRays(
       textures: { uRayHits, ...volume },
       blocks: { Volume: block },
     });
-    yield* drawRayReflectance(gpu, ofRays, traced, rayReflectance, surfaces);
+    yield* drawRayReflectance(gpu, ofRays, traced, points.vertexArray, rayReflectance, surfaces);
+    points.dispose();
     gpu.draw({
       program: ofRoom,
       target: roomReflectance,
@@ -116,14 +120,8 @@ export function uploadProbeRays(
   };
 }
 
-/** Reflectance at the hits, some of a part's in each step; sampled on the GPU, since decoded images may exist only there. */
-function* drawRayReflectance(
-  gpu: Gpu,
-  program: Program,
-  { hitUvs, runs }: ProbeRays,
-  target: RenderTarget,
-  surfaces: readonly Mesh[],
-): Steps {
+/** A point for each hit. */
+function pointsOf(gpu: Gpu, { hitUvs }: ProbeRays) {
   const buffer = gpu.buffer("gi/hit-uvs", hitUvs);
   const vertexArray = gpu.vertexArray("gi/hit-uvs", {
     attributes: {
@@ -132,6 +130,21 @@ function* drawRayReflectance(
     },
     count: hitUvs.length / 4,
   });
+  const dispose = () => {
+    for (const object of [vertexArray, buffer]) object.dispose();
+  };
+  return { vertexArray, dispose };
+}
+
+/** Reflectance at the hits, some of a part's in each step; sampled on the GPU, since decoded images may exist only there. */
+function* drawRayReflectance(
+  gpu: Gpu,
+  program: Program,
+  { runs }: ProbeRays,
+  vertexArray: VertexArray,
+  target: RenderTarget,
+  surfaces: readonly Mesh[],
+): Steps {
   gpu.clear(target, [0, 0, 0, 0]);
   for (const { part, first, count } of runs) {
     const surface = surfaces[part];
@@ -150,5 +163,4 @@ function* drawRayReflectance(
       yield;
     }
   }
-  for (const object of [vertexArray, buffer]) object.dispose();
 }

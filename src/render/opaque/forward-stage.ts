@@ -70,8 +70,8 @@ export class ForwardStage implements OpaqueStage {
   /** What the radiance depends on beside the flame's place, and that place. */
   #key = "";
   #lightKey = "";
-  /** Tiles that were shaded for an earlier place of the flame. */
-  readonly #stale: Box[] = [];
+  #stale = 0; // tiles that were shaded for an earlier place of the flame
+  #turn = 0;
   /** Whether it is the turn of what is near the flame. */
   #isNearDue = true;
 
@@ -143,10 +143,11 @@ export class ForwardStage implements OpaqueStage {
     const key = JSON.stringify([frameKey, captures.irradiance.revision, this.#moon?.key, isNight]);
     const lightKey = JSON.stringify(light);
     const hasMoved = lightKey !== this.#lightKey;
-    const isStale = hasMoved || this.#stale.length > 0;
+    const boxes = tiles(this.#resolved, SCHEDULE.lighting.restTiles);
+    if (hasMoved) this.#stale = boxes.length;
     let radiance = this.#resolved.color;
-    const isWhole = key !== this.#key || (isStale && !settings.canDefer);
-    if (isWhole) this.#stale.length = 0;
+    const isWhole = key !== this.#key || (this.#stale > 0 && !settings.canDefer);
+    if (isWhole) this.#stale = 0;
     const candles = this.#isOfAll ? this.#candles : [];
     const target = this.#samples;
     if (isWhole && settings.isMoving && this.#checkerboard && target) {
@@ -161,13 +162,12 @@ export class ForwardStage implements OpaqueStage {
       radiance = this.#checkerboard.draw(frame, lighting, target, this.#resolved, shade);
     } else if (isWhole) {
       this.#drawBox(frame, light, captures, null);
-    } else if (isStale) {
-      const size = this.#resolved;
-      if (this.#stale.length === 0) this.#stale.push(...tiles(size, SCHEDULE.lighting.restTiles));
+    } else if (this.#stale > 0) {
       // In turns: near the flame, and a tile elsewhere.
-      const near = hasMoved && this.#isNearDue ? boundsNearFlame(frame, size) : null;
+      const near = hasMoved && this.#isNearDue ? boundsNearFlame(frame, this.#resolved) : null;
       this.#isNearDue = !near;
-      this.#drawBox(frame, light, captures, near ?? this.#stale.shift()!);
+      if (!near) this.#stale--;
+      this.#drawBox(frame, light, captures, near ?? boxes[this.#turn++ % boxes.length]!);
     }
     this.#key = key;
     this.#lightKey = lightKey;

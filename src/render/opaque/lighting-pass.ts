@@ -161,7 +161,7 @@ export class LightingPass {
     const { revision } = irradiance;
     const key = JSON.stringify([gbuffer.key, light, revision, shadows, indirect, specular]);
     if (key === this.#key && !this.#isOfAll) return lit;
-    this.#key = key;
+    this.#key = "";
     this.#shadingLight.update(light);
     const program = isReduced ? this.reducedProgram(cached) : this.full;
     const all = this.#isOfAll ? this.#ofAll(frame, program, { shadow, irradiance, cached }) : null;
@@ -201,6 +201,7 @@ export class LightingPass {
     });
     yield;
     if (isReduced) this.#gatherInverseDepth(target, this.#gathered);
+    this.#key = key;
     return lit;
   }
 

@@ -120,9 +120,9 @@ export class ShadowPass {
     captureOrigin: Vec3,
     isNeeded?: (box: Bounds) => boolean,
   ): Steps<Texture> {
-    this.#allCasters = isNeeded ? null : casters;
+    this.#allCasters = null;
     this.#age = 0;
-    this.#lastOrigin = [...captureOrigin];
+    this.#lastOrigin = [Number.NaN, 0, 0];
     const { target, tile, near, depth } = this.#atlas;
     this.#gpu.clear(target, [0, 0, 0, 0], [0, 2 * tile * this.#slot, 3 * tile, 2 * tile]);
     for (const face of FACES.keys()) {
@@ -139,6 +139,8 @@ export class ShadowPass {
       );
       yield;
     }
+    this.#allCasters = isNeeded ? null : casters;
+    this.#lastOrigin = [...captureOrigin];
     return depth;
   }
 }
