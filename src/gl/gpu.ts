@@ -300,7 +300,7 @@ export class Gpu extends DrawCommands {
   clearObjects(): void {
     for (const object of this.#alive) object.dispose();
     this.#shared.clear();
-    this.ahead = new Set();
+    this.clearUnshared(); // none is left
   }
 
   /** Frees what is not shared and was made ahead, or was not: the next renderer on this context takes the rest over. */
@@ -308,6 +308,7 @@ export class Gpu extends DrawCommands {
     for (const object of this.#alive)
       if (this.ahead.has(object) === isAhead && !this.#sharedObjects.has(object)) object.dispose();
     this.ahead = new Set();
+    this.isAhead = false;
   }
 
   /** Frees everything and gives the context back, so that the page's next one does not evict another. */

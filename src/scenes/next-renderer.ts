@@ -1,6 +1,6 @@
 import type { Gpu } from "../gl/gpu.js";
 import type { Rung } from "../render/auto-quality.js";
-import { canvasSize } from "../render/canvas-size.js";
+import { canvasSize, longestSide } from "../render/canvas-size.js";
 import type { Size } from "../render/frame-input.js";
 import type { FrameSettings } from "../render/frame-settings.js";
 import type { Tier } from "../render/quality.js";
@@ -64,7 +64,8 @@ export class NextRenderer {
   async #prepare(tier: Tier, share: number): Promise<void> {
     const { scene, target, settings, subject, pixels, frame } = this.#parts();
     const { gpu } = target;
-    const { width, height } = canvasSize(pixels, tier.resolutionScale * share, gpu.longestSide);
+    const scale = tier.resolutionScale * share;
+    const { width, height } = canvasSize(pixels, scale, longestSide(gpu, tier));
     this.#isPrepared = false;
     this.#tier = tier.name;
     this.#objects = gpu.ahead;

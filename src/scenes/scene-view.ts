@@ -1,6 +1,6 @@
 import type { Box } from "../gl/gpu.js";
 import { AutoQuality } from "../render/auto-quality.js";
-import { canvasSize } from "../render/canvas-size.js";
+import { canvasSize, longestSide } from "../render/canvas-size.js";
 import type { Size } from "../render/frame-input.js";
 import { atRest, type FrameSettings } from "../render/frame-settings.js";
 import { REFINED } from "../render/quality.js";
@@ -40,14 +40,13 @@ export class SceneView {
   /** Of what `auto` shows of a room at rest on machines without a GPU. */
   #refinement: Refinement | null = null;
   #next: NextRenderer | null = null;
+  /** Of the renderer's frames. */
+  #frameSize: Size | null = null;
   /** CSS size times device pixel ratio, before the tier's scale. */
   #pixels = { width: 1, height: 1 };
   /** Whether targets and textures were made since the driver was last asked whether it accepts them. */
   #isUnchecked = false;
-  /**
-   * The renderer whose first frame is drawn, in small tasks or by a GPU that takes seconds: meanwhile the animation loop
-   * draws nothing, and a query would block the page.
-   */
+  /** The renderer whose first frame is drawn: meanwhile the animation loop draws nothing, and a query would block. */
   #busy: Renderer | null = null;
   /** Settings of the last frame. */
   #last: ViewFrame | null = null;
@@ -131,6 +130,7 @@ export class SceneView {
     this.#refinement?.forget();
     this.#renderer.refinedFade?.end();
     this.#renderer = next ?? this.#createRenderer();
+    this.#frameSize = this.#sizeAt(this.#ownScale);
     if (before.tier.name !== tier.name || before.share !== share) this.onQualityChanged();
     if (next || !this.isPlaying || !this.#last) return;
     this.prepareFrame(atRest(this.#last), () => true).catch(this.onRefused);
@@ -155,14 +155,10 @@ export class SceneView {
     this.#auto.renew();
     this.#refinement?.stop();
     this.#renderer.refinedFade?.end();
-    const { gpu, canvas } = this.#target;
+    const { gpu } = this.#target;
     gpu.clearUnshared(true);
-    const isOtherSize = this.#fitCanvas();
-    if (isOtherSize && !gpu.isLost) {
-      this.#renderer.resize(canvas.width, canvas.height);
-      this.#isUnchecked = true;
-    }
-    return isOtherSize;
+    if (!gpu.isLost && this.#fitRenderer()) this.#isUnchecked = true;
+    return this.#fitCanvas();
   }
 
   /** Whether the animation loop has nothing to draw with yet. */
@@ -202,12 +198,14 @@ export class SceneView {
     if (gpu.isLost) return;
     gpu.isAhead = false;
     const before = this.#refinement?.shown;
-    const refines = this.#refines(view);
-    if (!refines) this.#refinement?.stop(view.isMoving ? this.#renderer : null);
+    const refining = this.#refines(view) ? this.#refinement : null;
+    if (!refining) this.#refinement?.stop(view.isMoving ? this.#renderer : null);
     if (!this.#chooseQuality(view) && !isRequired) return;
     const settings = this.#settingsOf(view);
     gpu.beginFrame();
-    const steps = refines && !isRequired ? this.#refine(settings) : 0;
+    const size = this.#sizeAt(REFINED.resolutionScale);
+    const steps =
+      refining && !isRequired ? refining.advance(this.#subject, settings, this.#renderer, size) : 0;
     if (steps !== null) {
       this.#fitCanvas();
       target.prepare();
@@ -272,23 +270,31 @@ export class SceneView {
     if (share === this.#quality.share) return true;
     this.#quality = { ...this.#quality, share };
     this.#renderer.refinedFade?.end();
-    const { width, height } = this.#sizeAt(this.#ownScale);
-    this.#renderer.resize(width, height);
+    this.#fitRenderer();
     if (!this.#refinement?.shown) this.onQualityChanged();
     return true;
   }
 
   /** The canvas keeps its frame until the next one is drawn, which may be of another size. */
   #createRenderer(): Renderer {
-    const { width, height } = this.#sizeAt(this.#ownScale);
     const { tier } = this.#quality;
     const renderer = this.#scene.createRenderer(this.#target, tier, this.#settings.look);
+    const { width, height } = this.#sizeAt(this.#ownScale);
     renderer.resize(width, height);
     this.#isUnchecked = true;
     this.#renderer = renderer;
     this.#busy = null;
     this.follow(this.#subject);
     return renderer;
+  }
+
+  /** Whether the renderer's frames are of another size now. The canvas has another one while a refined image is shown. */
+  #fitRenderer(): boolean {
+    const { width, height } = this.#sizeAt(this.#ownScale);
+    if (this.#frameSize?.width === width && this.#frameSize.height === height) return false;
+    this.#renderer.resize(width, height);
+    this.#frameSize = { width, height };
+    return true;
   }
 
   get #shown(): Renderer {
@@ -304,11 +310,6 @@ export class SceneView {
     return this.#auto.isSoftware && this.#quality.tier.name === "low";
   }
 
-  #refine(settings: FrameSettings): number | null {
-    const size = this.#sizeAt(REFINED.resolutionScale);
-    return this.#refinement?.advance(this.#subject, settings, this.#renderer, size) ?? null;
-  }
-
   /** Of the renderer that is not the refinement's. */
   get #ownScale(): number {
     return this.#quality.tier.resolutionScale * this.#quality.share;
@@ -320,7 +321,7 @@ export class SceneView {
   }
 
   #sizeAt(scale: number): Size {
-    return canvasSize(this.#pixels, scale, this.#target.gpu.longestSide);
+    return canvasSize(this.#pixels, scale, longestSide(this.#target.gpu, this.#quality.tier));
   }
 
   #fitCanvas(): boolean {
@@ -335,10 +336,11 @@ export class SceneView {
   /** Asks the driver whether it accepts what was made, once the GPU has drawn, so that nothing waits. */
   async #check(): Promise<void> {
     this.#isUnchecked = false;
-    this.#busy = this.#renderer;
+    const renderer = this.#renderer;
+    this.#busy = renderer;
     const { gpu } = this.#target;
     await gpu.whenIdle();
-    this.#busy = null;
+    if (this.#busy === renderer) this.#busy = null;
     try {
       if (gpu === this.#target.gpu) gpu.check("picture");
     } catch (error) {

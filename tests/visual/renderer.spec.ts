@@ -1,3 +1,4 @@
+import { openSources } from "../support/sources.ts";
 import { expect, test } from "../support/test.ts";
 
 test("Pixels come from SwiftShader, the same on every machine", async ({ room }) => {
@@ -67,4 +68,20 @@ test("A frame binds only what is not bound", async ({ room }) => {
   });
   expect(calls).toBeGreaterThan(20);
   expect(again).toEqual([]);
+});
+
+test("What is made after the next renderer was given up is not its own", async ({ page }) => {
+  await openSources(page);
+  const count = await page.evaluate(async () => {
+    const { Gpu } = await import(/* @vite-ignore */ `${location.origin}/src/gl/gpu.ts`);
+    const gpu = new Gpu(document.createElement("canvas"));
+    gpu.isAhead = true;
+    gpu.clearUnshared(true);
+    gpu.buffer("of the renderer that goes on", 16);
+    gpu.clearUnshared(true);
+    const { objectCount } = gpu;
+    gpu.dispose();
+    return objectCount;
+  });
+  expect(count).toBe(1);
 });

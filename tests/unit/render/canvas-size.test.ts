@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
-import { canvasSize } from "../../../src/render/canvas-size.ts";
+import { canvasSize, longestSide } from "../../../src/render/canvas-size.ts";
+import { tierNamed } from "../../../src/render/quality.ts";
 
 const LONGEST = 8192;
 
@@ -11,6 +12,13 @@ test.each([
   ["a pixel, where the box has none", { width: 1, height: 1 }, 0.25, { width: 1, height: 1 }],
 ])("a canvas is %s", (_, box, scale, size) => {
   expect(canvasSize(box, scale, LONGEST)).toEqual(size);
+});
+
+test("a G-buffer of two samples along each axis is no longer than the GPU draws", () => {
+  const sides = (["low", "medium"] as const).map((name) =>
+    longestSide({ longestSide: LONGEST }, tierNamed(name)),
+  );
+  expect(sides).toEqual([LONGEST / 2, LONGEST]);
 });
 
 test("a canvas keeps the shape of its box", () => {
