@@ -57,8 +57,8 @@ export class Refinement {
   #isPrepared = false;
   #hasBegun = false;
   #isShown = false;
-  /** What the image is in the light of. */
-  #lights: string | null = null;
+  /** What the image is of, beside places: its lights, and settings. */
+  #key = "";
 
   constructor(parts: () => RefinementParts) {
     this.#parts = parts;
@@ -112,6 +112,9 @@ export class Refinement {
     this.#rest = 0;
     this.#isWanted = false;
     this.#budget = new RefinementBudget();
+    if (this.#initial && !this.#hasBegun && !this.#parts().target.gpu.isLost) {
+      this.#initial.release();
+    }
     this.#initial = null;
     this.#isFilled = false;
     this.#shading = null;
@@ -122,6 +125,7 @@ export class Refinement {
 
   /** The renderer was freed, with all else of its tier. */
   forget(): void {
+    this.#initial = null;
     this.stop();
     this.#renderer = null;
     this.#isCompiled = false;
@@ -140,9 +144,11 @@ export class Refinement {
    * @returns steps of the refinement that the frame does; null if it draws nothing else
    */
   advance(subject: ViewSubject, view: FrameSettings, coarse: Renderer, size: Size): number | null {
-    const lights = this.lightsOf(subject.world);
-    if (lights !== this.#lights) this.stop();
-    this.#lights = lights;
+    const { world } = subject;
+    const { features, exposure } = view;
+    const key = JSON.stringify([this.lightsOf(world), features, exposure, world.flame.wick]);
+    if (key !== this.#key) this.stop();
+    this.#key = key;
     this.#isWanted = true;
     if (!this.#renderer) {
       const { scene, target, settings } = this.#parts();
@@ -152,7 +158,6 @@ export class Refinement {
       return 0;
     }
     if (this.#rest < REST) return 0;
-    const { world } = subject;
     const steps = this.#budget.next();
     // While programs are compiled, too.
     this.#initial ??= coarse.initialImage?.(world, view, size) ?? null;

@@ -81,7 +81,9 @@ export class RefinedStage implements OpaqueStage {
   /** For a target, with the programs of a flame, or of the moon alone. */
   readonly #firstDraws = new Map<string, Steps>();
   #isCompiling = false;
+  /** In progress, of the image that it began with. */
   #firstFrame: Steps | null = null;
+  #hasDrawnFirst = false;
 
   constructor(gpu: Gpu, tier: Tier) {
     this.#gpu = gpu;
@@ -146,7 +148,8 @@ export class RefinedStage implements OpaqueStage {
       },
       drawFirst: (world, settings) => {
         stage.#firstFrame ??= stage.#drawOffScreen(describe(world, settings), draw);
-        return stage.#firstFrame.next().done === true;
+        stage.#hasDrawnFirst ||= stage.#firstFrame.next().done === true;
+        return stage.#hasDrawnFirst;
       },
       image: () => display.image(),
     };
@@ -167,6 +170,8 @@ export class RefinedStage implements OpaqueStage {
   /** Begins with a coarser image and the current light. */
   #beginWith(frame: FrameInput, { radiance, depth, light }: Surfaces): void {
     const target = this.#whole;
+    this.#firstFrame?.return();
+    this.#firstFrame = null;
     this.images++;
     this.#drawn = [];
     this.imageLight.begin(frame);
@@ -246,8 +251,11 @@ export class RefinedStage implements OpaqueStage {
   *#drawOffScreen(frame: FrameInput, draw: (frame: FrameInput) => Steps): Steps {
     const { width, height } = this.#whole;
     const screen = this.#gpu.renderTarget({ label: "screen", width, height, color: ["RGBA8"] });
-    yield* draw({ ...frame, screen });
-    screen.dispose();
+    try {
+      yield* draw({ ...frame, screen });
+    } finally {
+      screen.dispose();
+    }
   }
 
   #shadingLight({ world, settings }: FrameInput) {

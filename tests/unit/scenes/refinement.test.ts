@@ -49,9 +49,9 @@ async function refinement(captures: number, passes: number, lights = 0) {
   const initialImage = () => ({ fill: fill(), shade, release: () => told.released++ });
   const coarse = { initialImage } as unknown as Renderer;
   const made = new Refinement(partsOf(renderer));
-  const frame = () => {
+  const frame = (settings = {} as FrameSettings) => {
     made.take(FRAME);
-    return made.advance(SUBJECT, {} as FrameSettings, coarse, SIZE);
+    return made.advance(SUBJECT, settings, coarse, SIZE);
   };
   frame();
   await new Promise((resolve) => setTimeout(resolve));
@@ -118,6 +118,25 @@ test("a step aside begins all of it anew", async () => {
   expect(made.shown).toBeNull();
   until(() => told.begun === 2);
   expect(told.filled).toBe(12);
+});
+
+test("another exposure, or another feature, begins all of it anew", async () => {
+  for (const settings of [{ exposure: 1 }, { features: { shadows: false } }]) {
+    const { made, frame, until } = await refinement(1, 0);
+    until(() => made.shown !== null);
+    frame();
+    expect(made.shown).not.toBeNull();
+    frame(settings as unknown as FrameSettings);
+    expect(made.shown).toBeNull();
+  }
+});
+
+test("surfaces that nothing begins with are freed, once", async () => {
+  const { made, told, until } = await refinement(1, 0);
+  until(() => told.filled > 3);
+  made.stop();
+  made.stop();
+  expect(told.released).toBe(1);
 });
 
 test("programs are prepared two in a frame, and one after a frame in which a driver compiled", () => {
