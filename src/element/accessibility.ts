@@ -41,8 +41,9 @@ export class Accessibility {
     });
     this.#overlay.posterAlt = isImage ? alt : "";
     // An empty text is of an image without meaning.
-    canvas?.setAttribute("role", isImage && alt ? "img" : "presentation");
-    if (isImage && alt) canvas?.setAttribute("aria-label", alt);
+    const isNamed = isImage && alt !== "";
+    canvas?.setAttribute("role", isNamed ? "img" : "presentation");
+    if (isNamed) canvas?.setAttribute("aria-label", alt);
     else canvas?.removeAttribute("aria-label");
     if (controls && !host.hasAttribute("tabindex")) host.tabIndex = 0;
     if (!controls && host.getAttribute("tabindex") === "0") host.removeAttribute("tabindex");

@@ -41,7 +41,7 @@ export function moonFrustum(
   { min, max }: Model["bounds"],
   panes: Panes | null,
 ): MoonFrustum {
-  const isSteep = Math.abs(direction[1]) > 0.999;
+  const isSteep = Math.hypot(direction[0], direction[2]) < 1e-4;
   const [dx, dz] = isSteep ? [0, 1] : [direction[0], direction[2]];
   const level = Math.hypot(dx, dz);
   const across: Vec3 = [-dz / level, 0, dx / level];

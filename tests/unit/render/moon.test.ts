@@ -100,6 +100,26 @@ test("moonlight enters a room through its opening, and no other way", () => {
   }
 });
 
+test("a map's edges are at right angles to the light, also near the zenith", () => {
+  for (const [azimuth, elevation] of [
+    [90, 88],
+    [-90, 89.9],
+    [10, 90],
+    [30, 27],
+  ] as const) {
+    const direction = lightFrom(azimuth, elevation);
+    const { across, up } = moonFrustum(direction, BOUNDS, null);
+    for (const [one, other] of [
+      [across, up],
+      [across, direction],
+      [up, direction],
+    ] as const) {
+      const cosine = one.reduce((sum, x, axis) => sum + x * other[axis]!, 0);
+      expect(Math.abs(cosine), `${azimuth} ${elevation}`).toBeLessThan(1e-3);
+    }
+  }
+});
+
 test("a probe sees the moonlit floor on its side of a wall, and not that behind it", () => {
   const wall = box([-0.05, 0, -2], [0.05, 2, 2]);
   const room = new CollisionMesh([floorOf(4), wall]);
