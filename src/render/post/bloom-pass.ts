@@ -1,10 +1,11 @@
 import downFrag from "../../../shaders/post/bloom-down.frag";
 import upFrag from "../../../shaders/post/bloom-up.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
-import type { Gpu } from "../../gl/gpu.js";
+import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
+import { expandBox, scaleBox } from "../screen-bounds.js";
 
 /** Weight of the coarser levels against each level: the larger, the wider the bloom. */
 const COARSER_WEIGHT = 0.7;
@@ -55,14 +56,23 @@ export class BloomPass {
    *
    * @param fullSize target for a bloom of the radiance's own size, which may hold the radiance: at low resolution,
    *   texels of half the size would be visible
+   * @param region pixels of it that the bloom is wanted in: the rest is black. Default: all
    */
-  render(radiance: Texture, fullSize: RenderTarget | null = null): Texture {
+  render(
+    radiance: Texture,
+    fullSize: RenderTarget | null = null,
+    region: Box | null = null,
+  ): Texture {
     let source = radiance;
+    const scissorOf = (target: RenderTarget) =>
+      region && fullSize ? expandBox(scaleBox(region, fullSize, target), 1, target) : undefined;
     for (const target of this.#pyramid) {
+      if (region) this.#gpu.clear(target, [0, 0, 0, 1]);
       this.#gpu.draw({
         program: this.#down,
         target,
         textures: { uSource: source },
+        scissor: scissorOf(target),
       });
       source = target.color;
     }
@@ -74,6 +84,7 @@ export class BloomPass {
         textures: { uSource: source },
         uniforms: { uWeight: target === fullSize ? 1 : COARSER_WEIGHT },
         blend: "premultiplied",
+        scissor: scissorOf(target),
       });
       source = target.color;
     }

@@ -4,6 +4,7 @@ import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
+import { boundsOf, expandBox, scaleBox } from "../screen-bounds.js";
 import { BloomPass } from "./bloom-pass.js";
 import type { BloomTransform } from "./display-pass.js";
 import type { Bloom } from "./frame-bloom-pass.js";
@@ -12,6 +13,8 @@ import type { Bloom } from "./frame-bloom-pass.js";
 export const BLOOM_SCALE = 4;
 /** Extent of the bloom around the flame, pixels. */
 export const BLOOM_REACH = 96;
+/** Extent in which it is drawn: a later frame may show it shifted. */
+const FARTHEST = 2 * BLOOM_REACH;
 
 /** A point of the frame, uv. */
 type Uv = readonly [number, number];
@@ -89,7 +92,9 @@ export class FlameBloomPass implements Bloom {
         scissor: [left, bottom, Math.max(right - left, 0), Math.max(top - bottom, 0)],
       });
     }
-    this.#latest = this.#bloom.render(target.color, target);
+    const around = expandBox(boundsOf(boxes), FARTHEST, this.#size);
+    const region = scaleBox(around, this.#size, target);
+    this.#latest = this.#bloom.render(target.color, target, region);
     this.#flame = flame;
   }
 }
