@@ -100,6 +100,7 @@ export function* createWorldInSteps(
             pitch,
             fieldOfView,
             flame,
+            source: 0,
             luminousIntensity: 0,
             moonlight: 0,
           }

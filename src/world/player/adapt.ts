@@ -17,6 +17,7 @@ export function adaptationView(world: World): AdaptationView | null {
   const root = brightestRoot(world);
   for (let axis = 0; axis < 3; axis++) view.flame[axis] = root.place[axis]!;
   view.flame[1] += MIDDLE;
+  view.source = root.candle;
   view.luminousIntensity = root.glow;
   view.moonlight = world.moon?.illuminance ?? 0;
   return view;
@@ -42,18 +43,27 @@ export function noticeChange(world: World): void {
   if (view) world.adaptation.notice(view);
 }
 
-const brightest: { place: Readonly<Vec3>; glow: number } = { place: [0, 0, 0], glow: 0 };
+const brightest: { candle: number; place: Readonly<Vec3>; glow: number } = {
+  candle: 0,
+  place: [0, 0, 0],
+  glow: 0,
+};
+/** How much brighter than the carried flame, which is near, another one has to be. */
+const BRIGHTER = 2;
 
-/** Root of the carried flame, or of the brightest one where that is out. */
+/** Root of the carried flame, or of a brighter one. */
 function brightestRoot({ flame, emitter, standing }: World): typeof brightest {
+  brightest.candle = 0;
   brightest.place = emitter;
   brightest.glow = flame.glow;
-  if (flame.isLit) return brightest;
+  let most = flame.glow * BRIGHTER;
   for (let i = 0; i < standing.length; i++) {
     const candle = standing[i]!;
-    if (!(candle.flame.glow > brightest.glow)) continue;
+    if (!(candle.flame.glow > most)) continue;
+    most = candle.flame.glow;
+    brightest.candle = i + 1;
     brightest.place = candle.root;
-    brightest.glow = candle.flame.glow;
+    brightest.glow = most;
   }
   return brightest;
 }

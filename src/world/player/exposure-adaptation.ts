@@ -61,6 +61,8 @@ export interface AdaptationView {
   fieldOfView: number;
   /** Middle of the flame. */
   readonly flame: Vec3;
+  /** Number of its candle. */
+  source: number;
   luminousIntensity: number;
   /** Of the moon outside, lux. */
   moonlight: number;
@@ -97,6 +99,8 @@ export class ExposureAdaptation {
   readonly #luminances = new Float64Array(RAYS);
   /** View of those: eye, yaw, pitch, flame, field of view. */
   readonly #lastView = new Float64Array(9).fill(Number.NaN);
+  /** Candle that the estimate goes by. */
+  #source = 0;
   readonly #direction: Vec3 = [0, 0, 0];
   readonly #place: Vec3 = [0, 0, 0];
 
@@ -119,8 +123,10 @@ export class ExposureAdaptation {
 
   /** After a sudden change of the view: the eye lags. */
   notice(view: AdaptationView): void {
+    const before = this.#source;
     this.#meter(view);
-    this.lag += this.#target - this.#metered;
+    // By another candle's light the estimate is another one, and the view is not.
+    if (before === this.#source) this.lag += this.#target - this.#metered;
     this.#target = this.#metered;
   }
 
@@ -133,6 +139,7 @@ export class ExposureAdaptation {
   }
 
   #meter(view: AdaptationView): void {
+    this.#source = view.source;
     if (this.#hasMoved(view)) this.#castRays(view);
     let sum = 0;
     for (let ray = 0; ray < RAYS; ray++) {

@@ -22,7 +22,7 @@ const BY_THE_WALL: Vec3 = [0, 1.3, -1.7];
 
 function sight(flame: Vec3, luminousIntensity = 1): AdaptationView {
   const view = { eye: [0, 1.6, 1.5], yaw: 0, pitch: -0.1, fieldOfView: 0.98 } as const;
-  return { collision: SOLID, ...view, flame, luminousIntensity, moonlight: 0 };
+  return { collision: SOLID, ...view, flame, source: 0, luminousIntensity, moonlight: 0 };
 }
 
 /** Seconds until the eye has made nine tenths of the way to what it sees now; and whether it ever turned back. */
@@ -49,6 +49,30 @@ test("a wider view is another view", () => {
   const { exposure } = adaptation;
   adaptation.settle({ ...seen, fieldOfView: 2 });
   expect(Math.abs(adaptation.exposure - exposure)).toBeGreaterThan(0.1);
+});
+
+test("beside another candle one that is lit or put out moves no exposure at once", () => {
+  const world = createWorld("physical", 1, {
+    room: createRoom(SOLID, null),
+    wicks: [{ name: "wick", position: [0.4, 1.2, -1.5], wickDiameter: 0.002 }],
+    areLit: [true],
+    isLit: false,
+  });
+  const steps = (seconds: number) => {
+    let most = 0;
+    for (let tick = 0; tick < seconds * 120; tick++) {
+      const before = world.adaptation.lag;
+      advance(world, STILL, 1 / 120);
+      most = Math.max(most, Math.abs(world.adaptation.lag - before));
+    }
+    return most;
+  };
+  steps(2);
+  world.flame.light();
+  expect(steps(1)).toBeLessThan(0.1);
+  world.flame.extinguish();
+  // Its own light fades within a few ticks.
+  expect(steps(1)).toBeLessThan(0.25);
 });
 
 describe("the exposure that a picture asks for", () => {
