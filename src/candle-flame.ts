@@ -251,7 +251,7 @@ export class CandleFlame {
   }
 
   /** Draws the current state; unless it is required, not while a renderer is prepared. */
-  draw(isRequired = false): void {
+  draw(isRequired?: boolean): void {
     const canDefer = this.#loop.isRunning;
     const isMoving = this.#hasMoved() && canDefer;
     this.view.render({ ...this.#frameSettings, isMoving, canDefer }, isRequired);
@@ -275,15 +275,15 @@ export class CandleFlame {
   /** Whether camera or candle have moved since the last call; a hand comes to rest within a tenth of a millimetre. */
   #hasMoved(): boolean {
     const { player, candle, interpolated, fieldOfView } = this.world;
-    const camera = [...interpolated.eye, player.yaw, player.pitch, fieldOfView];
     const foot = interpolated.foot.map((x) => x.toFixed(4));
-    const pose = [...camera, ...foot, candle.yaw].join(" ");
-    const hasMoved = pose !== this.#pose;
-    this.#pose = pose;
-    return hasMoved;
+    const camera = [...interpolated.eye, player.yaw, player.pitch, fieldOfView];
+    const before = this.#pose;
+    this.#pose = `${[...camera, ...foot, candle.yaw]}`;
+    return this.#pose !== before;
   }
 
   play(): void {
+    if (!this.#loop.isRunning) this.input?.read(); // what was asked for while time stood
     this.view.isPlaying = true;
     this.#loop.start();
   }

@@ -4,7 +4,7 @@ interface Hooks {
   /** Whether the animation loop draws anyway. */
   readonly isPlaying: () => boolean;
   /** @param isRequired whether the canvas may not keep the image that it has */
-  readonly draw: (isRequired: boolean) => void;
+  readonly draw: (isRequired?: boolean) => void;
 }
 
 /**
@@ -32,7 +32,7 @@ export class DrawScheduler {
     else this.#isStale = true;
   }
 
-  draw(isRequired = false): void {
+  draw(isRequired?: boolean): void {
     this.#isStale = false;
     this.#hooks.draw(isRequired);
     this.drawn();

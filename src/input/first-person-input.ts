@@ -59,6 +59,11 @@ export class FirstPersonInput {
     canvas.addEventListener("pointerup", this.#pointerUp, { signal });
     canvas.addEventListener("pointercancel", this.#pointerUp, { signal });
     canvas.addEventListener("contextmenu", this.#contextMenu, { signal });
+    // Of a button that enters, too.
+    const noteTouch = ({ pointerType }: PointerEvent) => {
+      this.#isTouched = pointerType === "touch";
+    };
+    ownerDocument.addEventListener("pointerdown", noteTouch, { signal, capture: true });
     ownerDocument.addEventListener("click", this.#clickAnywhere, { signal, capture: true });
     ownerDocument.addEventListener("pointerlockchange", this.#lockChange, { signal });
     ownerDocument.addEventListener("visibilitychange", () => this.#release(), { signal });
@@ -197,7 +202,6 @@ export class FirstPersonInput {
   };
 
   readonly #pointerDown = (event: PointerEvent): void => {
-    this.#isTouched = event.pointerType === "touch";
     if (!this.#isIn || this.#isLocked) return;
     this.#canvas.setPointerCapture(event.pointerId);
     if (this.#isTouched) this.#touch.down(event, this.#canvas.getBoundingClientRect());

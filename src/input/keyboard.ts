@@ -40,7 +40,9 @@ export class Keyboard {
     return action !== undefined || EFFECTS[code] !== undefined;
   }
 
-  lift({ code }: KeyboardEvent): void {
+  lift({ code, key }: KeyboardEvent): void {
+    // macOS reports no key that is released while Command is down.
+    if (key === "Meta") this.#down.clear();
     this.#down.delete(code);
   }
 

@@ -191,7 +191,7 @@ export class SceneView {
   }
 
   /** Draws a frame and shows it; unless it is required, none while a renderer is prepared. None without a context. */
-  render(view: ViewFrame, isRequired = false): void {
+  render(view: ViewFrame, isRequired?: boolean): void {
     const target = this.#target;
     this.#last = view;
     const { gpu } = target;

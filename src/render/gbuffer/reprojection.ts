@@ -4,6 +4,10 @@ import { FAR, NEAR } from "../camera.js";
 import { AT_ORIGIN, type ModelInstance } from "../frame-input.js";
 import { SCHEDULE } from "../schedule.js";
 
+/** From clip space, -1 to 1, to uv and depth, and back: by columns. */
+const PLACE_FROM_CLIP: mat4 = [0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0.5, 0.5, 0.5, 1];
+const CLIP_FROM_PLACE: mat4 = [2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, -1, -1, -1, 1];
+
 /** Matrices from the current frame to the previous one: uv and depth, 0 to 1. */
 export interface Reprojection {
   readonly room: mat4;
@@ -28,7 +32,8 @@ export function reprojectionSource(
 ): ReprojectionSource {
   const standing = instances.map(({ placement, isHeld }) => isHeld || placement);
   const [x, y, z, yaw] = instances.find(({ isHeld }) => isHeld)?.placement ?? AT_ORIGIN;
-  const worldFromHeld = mat4.fromTranslation(mat4.create(), [x, y, z]);
+  const worldFromHeld = mat4.create();
+  mat4.translate(worldFromHeld, worldFromHeld, [x, y, z]);
   mat4.rotateY(worldFromHeld, worldFromHeld, yaw);
   return {
     clipFromWorld,
@@ -58,13 +63,9 @@ export function reprojectionBetween(
 export function reprojectionMatrix(from: mat4, to: mat4): mat4 {
   const worldFromClip = mat4.invert(mat4.create(), from);
   if (!worldFromClip) throw new Error("The camera's matrix has no inverse.");
-  const clipFromPlace = mat4.fromScaling(mat4.create(), [2, 2, 2]);
-  mat4.translate(clipFromPlace, clipFromPlace, [-0.5, -0.5, -0.5]);
-  const placeFromClip = mat4.fromTranslation(mat4.create(), [0.5, 0.5, 0.5]);
-  mat4.scale(placeFromClip, placeFromClip, [0.5, 0.5, 0.5]);
   const between = mat4.multiply(mat4.create(), to, worldFromClip);
-  mat4.multiply(between, placeFromClip, between);
-  return mat4.multiply(between, between, clipFromPlace);
+  mat4.multiply(between, PLACE_FROM_CLIP, between);
+  return mat4.multiply(between, between, CLIP_FROM_PLACE);
 }
 
 /** Motion of an image's corners under a reprojection, as a share of its size, for surfaces at a distance (m). */

@@ -25,6 +25,13 @@ describe("the keyboard", () => {
     expect(keyboard.read()).toEqual(STILL);
   });
 
+  test("forgets what is down when Command is lifted, since macOS reports no key lifted before that", () => {
+    const keyboard = new Keyboard();
+    press(keyboard, "KeyW");
+    keyboard.lift({ code: "MetaLeft", key: "Meta" } as KeyboardEvent);
+    expect(keyboard.read()).toEqual(STILL);
+  });
+
   test.each([
     ["KeyE", { togglesFlame: true }],
     ["KeyB", { blows: true }],
