@@ -79,8 +79,16 @@ function setCandle(from: Camera | null, camera: Camera = room.camera): void {
   room.camera = camera;
 }
 
+/** View whose candle is put in its place once there is a room; null where nothing is left to do. */
+let awaited: View | null = null;
+room.addEventListener("load", () => {
+  if (awaited) setCandle(awaited.candle);
+  awaited = null;
+});
+
 /** Settings that the view does not name take their defaults. */
 function applyView(view: View): void {
+  awaited = null;
   for (const name of SHARED) {
     const text = view.settings[name];
     if (text === undefined) room.removeAttribute(name);
@@ -92,14 +100,14 @@ function applyView(view: View): void {
   if (camera) room.camera = camera;
   // Before there is a room, a camera alone decides how it opens.
   if (room.flame || camera) setCandle(view.candle, camera ?? undefined);
-  else room.addEventListener("load", () => setCandle(view.candle), { once: true });
+  else awaited = view;
 }
 
 /** The visitor may have put out or lit candles without the attributes. */
 function applyFlames({ settings }: View): void {
   const isUnlit = settings.unlit !== undefined;
   const lit = parseIndices(settings["lit-wicks"] ?? "") ?? [0];
-  if (!room.flame) room.lit = !isUnlit;
+  if (!room.flame) room.lit = !isUnlit && lit.includes(0);
   for (const [index, candle] of room.candles.entries()) {
     candle.lit = !isUnlit && lit.includes(index);
   }

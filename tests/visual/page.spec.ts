@@ -299,6 +299,11 @@ test.describe("what one sees", () => {
   test("can be shared, kept, and set", async ({ fresh }) => {
     const { page } = fresh;
     await fresh.load("");
+    // A first link, without a camera, that another replaces while the room is on its way.
+    await page.evaluate(() => {
+      location.hash = "#lit-wicks=1";
+    });
+    await expect.poll(() => fresh.evaluate((room) => room.lit)).toBe(false);
     await page.evaluate(() => {
       location.hash =
         "#look=paper&seed=7&camera=-1_0_1_0.5_-0.1&candle=-1_0_1_0.5_-0.5&exposure=%&src=elsewhere.glb";
