@@ -1,6 +1,8 @@
 #!/usr/bin/env node
 // npx candle-flame poster …: a picture of a scene, made by the renderer itself, for a page to open on.
+import { existsSync } from "node:fs";
 import { writeFile } from "node:fs/promises";
+import { dirname } from "node:path";
 import { makePoster, Refusal } from "./poster.mjs";
 
 const USAGE = `npx candle-flame poster [options] [attributes]
@@ -44,6 +46,7 @@ if (command !== "poster" || words.includes("--help")) {
 try {
   const { options, attributes } = parse(words);
   const out = options.out || "poster.webp";
+  if (!existsSync(dirname(out))) throw new Refusal(`There is no folder ${dirname(out)}.`);
   const picture = await makePoster({ ...options, out, attributes });
   await writeFile(out, picture);
   console.log(`${out}: ${(picture.length / 1000).toFixed(1)} kB`);

@@ -94,7 +94,11 @@ export async function openBrowser(path, patience) {
     async close() {
       child.kill();
       await ended;
-      rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
+      try {
+        rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
+      } catch {
+        // A browser that has just ended may hold its files: the system empties the folder.
+      }
     },
   };
 }

@@ -3,7 +3,7 @@ import { existsSync, readFileSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import { createRequire } from "node:module";
-import { extname, join, normalize } from "node:path";
+import { dirname, extname, isAbsolute, join, posix, relative, resolve, sep } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { BROWSERS } from "./browsers.mjs";
 import { openBrowser } from "./devtools.mjs";
@@ -95,12 +95,19 @@ function checkAttributes(attributes) {
   }
 }
 
-/** The package at `/`, the working folder at `/here/`, and a page with one element. */
-async function servePackage() {
+/** The working folder, or that of a model which lies elsewhere. */
+function folderOf(model) {
+  const way = relative(process.cwd(), model ?? process.cwd());
+  return way.startsWith("..") || isAbsolute(way) ? dirname(model) : process.cwd();
+}
+
+/** The package at `/`, a folder at `/here/`, and a page with one element. */
+async function servePackage(folder) {
   const server = createServer(async ({ url }, response) => {
-    const path = normalize(decodeURIComponent(new URL(url, "http://localhost").pathname));
-    const file = path.startsWith("/here/") ? join(process.cwd(), path.slice(5)) : join(DIST, path);
     try {
+      // Of an address on any system: `normalize` of Windows has backslashes.
+      const path = posix.normalize(decodeURIComponent(new URL(url, "http://localhost").pathname));
+      const file = path.startsWith("/here/") ? join(folder, path.slice(5)) : join(DIST, path);
       const body =
         path === "/poster.html"
           ? `<!doctype html><meta charset="utf-8"><title>poster</title><style>body { margin: 0 }</style>
@@ -198,10 +205,16 @@ export async function makePoster(options) {
   }
   const path = await findBrowser(options.browser);
   const { src } = attributes;
-  const site = url === undefined ? await servePackage() : null;
-  if (site && src && existsSync(src)) wanted.attributes.src = `/here/${src}`;
-  const browser = await openBrowser(path, PATIENCE);
+  const model = src && existsSync(src) ? resolve(src) : null;
+  const folder = folderOf(model);
+  const site = url === undefined ? await servePackage(folder) : null;
+  if (site && model) {
+    const steps = relative(folder, model).split(sep).map(encodeURIComponent);
+    wanted.attributes.src = `/here/${steps.join("/")}`;
+  }
+  let browser = null;
   try {
+    browser = await openBrowser(path, PATIENCE);
     const address = url ?? `${site.address}poster.html`;
     const page = await browser.openPage(address, { width, height });
     const picture = Buffer.from(await page.evaluate(draw, wanted), "base64");
@@ -213,7 +226,7 @@ export async function makePoster(options) {
   } catch (error) {
     throw new Refusal(error.message);
   } finally {
-    await browser.close();
+    await browser?.close();
     site?.server.close();
   }
 }

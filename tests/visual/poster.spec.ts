@@ -1,5 +1,7 @@
 import { spawnSync } from "node:child_process";
-import { mkdirSync, readFileSync, statSync } from "node:fs";
+import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import type { Browser, Page } from "playwright/test";
 import sharp from "sharp";
 import { browser as settings } from "../support/browser.ts";
@@ -217,7 +219,13 @@ test.describe("npx candle-flame poster", () => {
     mkdirSync(FOLDER, { recursive: true });
     const out = `${FOLDER}/paper.webp`;
     const size = ["--size", "160x90", "--quality", "low", "--out", out];
-    const { status, stderr } = run("--look", "paper", "--camera", "0 1.6 3 0 0", ...size);
+    // A room elsewhere, whose name is no address.
+    const elsewhere = mkdtempSync(join(tmpdir(), "a room "));
+    const src = join(elsewhere, "50% #1.glb");
+    copyFileSync("public/models/paper-room.glb", src);
+    const room = ["--look", "paper", "--src", src, "--camera", "0 1.6 3 0 0"];
+    const { status, stderr } = run(...room, ...size);
+    rmSync(elsewhere, { recursive: true });
     expect(stderr).toBe("");
     expect(status).toBe(0);
     const { width, height, channels } = await sharp(out)
@@ -239,6 +247,7 @@ test.describe("npx candle-flame poster", () => {
     { words: ["--size", "large"], answer: /--size is like 1600x900, not large/ },
     { words: ["--camera", "0 0"], answer: /--camera is five numbers/ },
     { words: ["--out", "poster.gif"], answer: /\.avif, \.webp, \.jpg or \.png, not poster\.gif/ },
+    { words: ["--out", "/nowhere/poster.webp"], answer: /no folder \/nowhere/ },
     { words: ["--browser", "/nowhere"], answer: /no browser at \/nowhere/ },
     { words: ["paper"], answer: /What is paper\?/ },
   ]) {
