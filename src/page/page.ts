@@ -2,6 +2,7 @@ import type { Camera, CandleFlameElement } from "../candle-flame-element.js";
 import "../define.js";
 import { FIELDS_OF_VIEW, parseIndices } from "../settings.js";
 import { find } from "./find.js";
+import { followAttributes } from "./follow-attributes.js";
 import { bindMicrophone } from "./microphone.js";
 import { addSettings } from "./settings-form.js";
 import { readShareLink, SHARED, type Shared, type View, writeShareLink } from "./share-link.js";
@@ -32,9 +33,21 @@ room.addEventListener("progress", ({ detail }) => {
   const quarters = Math.floor(detail.totalProgress * 4);
   status.textContent = `Loading the room: ${quarters * 25} %`;
 });
+// A look that is chosen and taken back meanwhile ends its loading without an event.
+followAttributes(room, ["look"], () => {
+  status.textContent = "";
+});
 room.addEventListener("load", () => welcome(true));
-// The element itself says what is missing.
-room.addEventListener("error", () => welcome(false));
+// After a context that was given up; without a room, one is still to load.
+room.addEventListener("contextrestored", () => {
+  if (room.flame) welcome(true);
+});
+room.addEventListener("error", ({ detail }) => {
+  // The element itself says what is missing, unless the room before it goes on.
+  if (detail.type !== "asset" || !room.flame) return welcome(false);
+  status.textContent = "";
+  tell(detail.message);
+});
 
 function welcome(isOpen: boolean): void {
   status.textContent = "";
@@ -46,7 +59,9 @@ function welcome(isOpen: boolean): void {
 }
 
 photoButton.addEventListener("click", async () => {
-  const url = URL.createObjectURL(await room.toBlob());
+  const blob = await room.toBlob().catch(() => null);
+  if (!blob) return tell("There is no image at the moment.");
+  const url = URL.createObjectURL(blob);
   const download = document.createElement("a");
   download.href = url;
   download.download = "candle-flame.png";
@@ -206,5 +221,10 @@ bindMicrophone(room, find(settings, ".microphone", HTMLElement));
 let toggleLab: Promise<() => void> | null = null;
 labButton.addEventListener("click", async () => {
   toggleLab ??= import("./lab/lab.js").then(({ addLab }) => addLab(room, stage, labButton));
-  (await toggleLab)();
+  try {
+    (await toggleLab)();
+  } catch {
+    toggleLab = null; // another click tries again
+    tell("The lab cannot be fetched.");
+  }
 });

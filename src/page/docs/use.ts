@@ -25,13 +25,17 @@ for (const type of EVENTS) {
 }
 
 const state = find(document, "#deeds output", HTMLOutputElement);
+function showState(): void {
+  state.value = tried.lit ? "lit" : "out";
+}
 for (const button of document.querySelectorAll<HTMLButtonElement>("#deeds button")) {
   const deed = button.name as "blow" | "extinguish" | "light" | "pause" | "play" | "reset";
   button.addEventListener("click", () => {
     tried[deed]();
-    state.value = tried.lit ? "lit" : "out";
+    showState();
   });
 }
+for (const type of ["light", "extinguish"] as const) tried.addEventListener(type, showState);
 
 const slider = find(document, ".glow", HTMLInputElement);
 const output = find(document, ".glow ~ output", HTMLOutputElement);

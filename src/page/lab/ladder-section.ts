@@ -21,7 +21,7 @@ export function bindLadder(
   const progress = find(section, "progress", HTMLProgressElement);
   const status = find(section, ".status", HTMLElement);
   let running: AbortController | null = null;
-  const stop = () => running?.abort();
+  const stop = (sentence = "Stopped before the end.") => running?.abort(new Error(sentence));
 
   function show(isRunning: boolean, sentence: string): void {
     if (!isRunning) running = null;
@@ -51,7 +51,7 @@ export function bindLadder(
           `${rounds === 1 ? "round" : "rounds"} of ${frames} frames.`,
       );
     } catch (error) {
-      show(false, signal.aborted ? "Stopped before the end." : (error as Error).message);
+      show(false, (error as Error).message);
     }
   }
 
@@ -61,6 +61,7 @@ export function bindLadder(
     running = new AbortController();
     void measure(running);
   });
-  for (const type of ["error", "contextlost"] as const) element.addEventListener(type, stop);
+  element.addEventListener("error", ({ detail }) => stop(detail.message));
+  element.addEventListener("contextlost", () => stop());
   return stop;
 }
