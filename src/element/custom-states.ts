@@ -34,8 +34,7 @@ export class CustomStates {
     else this.#host.toggleAttribute(`state-${name}`, isOn);
   }
 
-  /** Clears all but `alone`: nothing lies behind a lone candle, not even where it fails. */
   clear(): void {
-    for (const name of [...this.#names]) if (name !== "alone") this.toggle(name, false);
+    for (const name of [...this.#names]) this.toggle(name, false);
   }
 }

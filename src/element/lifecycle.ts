@@ -84,7 +84,7 @@ export class Lifecycle implements SessionOwner {
   disconnect(): void {
     if (!this.#machine.send("disconnect")) return;
     this.#release();
-    this.#ready.settle(new DOMException("The element was taken out.", "AbortError"));
+    this.#ready.settle(new DOMException("The element was removed.", "AbortError"));
     this.#ready.renew();
   }
 
@@ -149,7 +149,7 @@ export class Lifecycle implements SessionOwner {
     this.#overlay.clearFailure();
     this.#overlay.showPoster(element);
     this.#states.toggle("loading", true);
-    this.#states.toggle("alone", element.scene === "candle");
+    this.#states.toggle("alone", this.#element.scene === "candle");
     const visibilityChanged = () => {
       contextPool.review();
       this.#applyMotion();
@@ -311,12 +311,12 @@ export class Lifecycle implements SessionOwner {
   #fail(error: Error): void {
     if (!this.#machine.send("fail")) return;
     this.#release();
+    this.#states.toggle("alone", this.#element.scene === "candle"); // nothing lies behind it
     if (typeOf(error) === "context-lost") this.#offerReload();
     else this.#overlay.fail(error.message, "alert");
     this.#overlay.showPoster(this.#element);
     this.#report(error);
-    // The sentence is for visitors; the driver's own words are in its cause.
-    if (typeOf(error) === "graphics") console.error(error);
+    if (typeOf(error) === "graphics") console.error(error); // the driver's own words are in its cause
   }
 
   /** `ready` rejects with it, if it is pending. */
@@ -340,8 +340,8 @@ export class Lifecycle implements SessionOwner {
     this.#session = null;
     this.#overlay.clear();
     this.draws.reset();
-    // All is free by then.
-    if (this.#states.has("playing")) queueMicrotask(() => emit(this.#element, "pause", null));
+    const emitPause = () => emit(this.#element, "pause", null);
+    if (this.#states.has("playing")) queueMicrotask(emitPause); // all is free by then
     this.#states.clear();
     const client = this.#client;
     this.#client = null;
