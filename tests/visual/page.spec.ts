@@ -401,6 +401,49 @@ test.describe("what one sees", () => {
       await expect.poll(seen).toEqual({ ...next, wick: 8, lit: false });
     });
 
+    const status = page.locator(".threshold [role=status]");
+    await test.step("a photo that cannot be taken is answered with a sentence", async () => {
+      await fresh.evaluate((room) => {
+        room.toBlob = () => Promise.reject(new Error("lost"));
+      });
+      await page.getByRole("button", { name: "Photo" }).click();
+      await expect(page.getByText("There is no image at the moment.")).toBeVisible();
+    });
+
+    await test.step("a look that is chosen and taken back leaves no word of its loading", async () => {
+      await fresh.evaluate((room) => {
+        room.look = "physical";
+        room.dispatchEvent(new CustomEvent("progress", { detail: { totalProgress: 0.3 } }));
+      });
+      await fresh.evaluate((room) => {
+        room.look = "paper";
+      });
+      await expect(status).toHaveText("");
+    });
+
+    await test.step("and one that cannot be fetched leaves the room as it is", async () => {
+      await page.route("**/*.glb", (route) => route.fulfill({ body: "no model" }));
+      await fresh.evaluate((room) => {
+        room.look = "physical";
+      });
+      await expect(page.locator(".notice")).toContainText("cabin.glb");
+      await expect(fresh.enter).toBeVisible();
+      await expect(status).toHaveText("");
+      await fresh.evaluate((room) => {
+        room.look = "paper";
+      });
+    });
+
+    await test.step("a context that comes back late opens the room again", async () => {
+      await fresh.evaluate((room) => {
+        const detail = { type: "context-lost", message: "", cause: null };
+        room.dispatchEvent(new CustomEvent("error", { detail }));
+      });
+      await expect(fresh.enter).toBeHidden();
+      await fresh.evaluate((room) => void room.dispatchEvent(new CustomEvent("contextrestored")));
+      await expect(fresh.enter).toBeVisible();
+    });
+
     await test.step("the whole screen shows it", async () => {
       const button = page.getByRole("button", { name: "Full screen" });
       await button.click();
@@ -463,6 +506,12 @@ test.describe("the ladder", () => {
     await ladder.getByRole("button", { name: "Stop" }).click();
     await expect(ladder.getByRole("status")).toHaveText("Stopped before the end.");
     expect(await hosted.evaluate((room) => room.paused)).toBe(false);
+    await ladder.getByRole("button", { name: "Measure" }).click();
+    await hosted.evaluate((room) => {
+      const detail = { type: "asset", message: "The models are gone.", cause: null };
+      room.dispatchEvent(new CustomEvent("error", { detail }));
+    });
+    await expect(ladder.getByRole("status")).toHaveText("The models are gone.");
     const features = await hosted.evaluate((room) => ({ ...room.features }));
     expect(Object.values(features)).not.toContain(false);
   });
@@ -647,6 +696,11 @@ test.describe("without its models", () => {
     await page.getByRole("button", { name: "Help" }).click();
     await expect(page.getByRole("dialog")).toBeVisible();
     await page.keyboard.press("Escape");
+    const lab = /\/lab-[^/]*\.js$/;
+    await page.route(lab, (route) => route.fulfill({ status: 404 }));
+    await page.getByRole("button", { name: "Lab", exact: true }).click();
+    await expect(page.getByText("The lab cannot be fetched.")).toBeVisible();
+    await page.unroute(lab);
     const ladder = await fresh.openLab("What each technique costs");
     await ladder.getByRole("button", { name: "Measure" }).click();
     await expect(ladder.getByRole("status")).toContainText("could not be fetched");
