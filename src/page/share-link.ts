@@ -20,6 +20,7 @@ export const SHARED = [
   "wick",
   "moonlight",
   "moon-direction",
+  "particles",
   "unlit",
   "lit-wicks",
 ] as const;
@@ -37,9 +38,6 @@ export interface View {
 const DIGITS = 4;
 
 const NUMBER = /^-?\d{1,5}(\.\d{1,9})?$/;
-
-/** Azimuth and elevation of the moon. */
-const MOON_PLACE = /^-?\d{1,3}(\.\d{1,9})? -?\d{1,2}(\.\d{1,9})?$/;
 
 /** The view as a location's hash. */
 export function writeShareLink({ camera, candle, settings }: View): string {
@@ -89,9 +87,16 @@ function readCamera(text: string | null): Camera | null {
 /** The legal text of a setting; null where that is its default. A flag is set by any text. */
 function legalText(name: Shared, text: string | null): string | null {
   if (name === "lit-wicks") return parseIndices(text ?? "")?.join(" ") ?? null;
-  if (name === "moon-direction") return MOON_PLACE.exec(text?.trim() ?? "")?.[0] ?? null;
+  if (name === "moon-direction") return moonPlaceOf(text ?? "");
   const setting: Exclude<Setting, { kind: "text" }> = SETTINGS[name];
   if (setting.kind === "flag") return text === null ? null : "";
   const value = setting.kind === "number" ? parseNumber(setting, text) : parseChoice(setting, text);
   return value === setting.default ? null : String(value);
+}
+
+/** Azimuth and elevation of the moon, by the element's own rules; null where it reads none. */
+function moonPlaceOf(text: string): string | null {
+  const numbers = (text.match(/[^\s,]+/g) ?? []).map(Number);
+  if (numbers.length !== 2 || !numbers.every(Number.isFinite)) return null;
+  return numbers.map((degrees) => Number(degrees.toFixed(DIGITS))).join(" ");
 }

@@ -19,12 +19,25 @@ test("a view survives the round trip", () => {
       wick: "12.5",
       moonlight: "0.3",
       "moon-direction": "-70 32.5",
+      particles: "1200",
       unlit: "",
       "lit-wicks": "0 2",
     },
   };
   expect(readShareLink(writeShareLink(view))).toEqual(view);
   expect(Object.keys(view.settings).toSorted()).toEqual([...SHARED].toSorted());
+});
+
+test.each([
+  ["120, 30", "120 30"],
+  [" .5  30 ", "0.5 30"],
+  ["-1080,1e1", "-1080 10"],
+  ["east", undefined],
+  ["1 2 3", undefined],
+  ["1 Infinity", undefined],
+])("the moon at “%s” is carried as the element reads it", (text, carried) => {
+  const hash = writeShareLink({ ...NOTHING, settings: { "moon-direction": text } });
+  expect(readShareLink(hash).settings["moon-direction"]).toBe(carried);
 });
 
 test("a camera is carried to a tenth of a millimetre", () => {
