@@ -21,6 +21,9 @@ const FLAGS = [
   ...(process.getuid?.() === 0 ? ["--no-sandbox"] : []),
 ];
 
+/** What ends the process before its time: Ctrl-C, or a system that shuts down. */
+const SIGNALS = ["SIGINT", "SIGTERM"];
+
 /** @param patience for any answer, milliseconds */
 export async function openBrowser(path, patience) {
   const profile = mkdtempSync(join(tmpdir(), "candle-flame-"));
@@ -43,6 +46,18 @@ export async function openBrowser(path, patience) {
     child.on("error", (error) => end(error.message));
     child.on("close", (code) => end(`the browser ended with ${code}.`));
   });
+  const clean = () => {
+    try {
+      rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
+    } catch {
+      // A browser that has just ended may hold its files: the system empties the folder.
+    }
+  };
+  const interrupt = () => {
+    child.kill();
+    void ended.then(clean).then(() => process.exit(130));
+  };
+  for (const signal of SIGNALS) process.once(signal, interrupt);
   toBrowser.on("error", () => {}); // that it ended is said once
   let rest = "";
   fromBrowser.setEncoding("utf8").on("data", (text) => {
@@ -94,11 +109,8 @@ export async function openBrowser(path, patience) {
     async close() {
       child.kill();
       await ended;
-      try {
-        rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
-      } catch {
-        // A browser that has just ended may hold its files: the system empties the folder.
-      }
+      clean();
+      for (const signal of SIGNALS) process.off(signal, interrupt);
     },
   };
 }
