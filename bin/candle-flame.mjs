@@ -9,7 +9,8 @@ const USAGE = `npx candle-flame poster [options] [attributes]
 
   --out file        .avif (needs the package sharp), .webp, .jpg or .png; poster.webp unless said otherwise
   --size 1600x900   pixels
-  --camera "x y z yaw pitch"   metres and radians, as the property camera has them
+  --camera "x y z yaw pitch"   metres and radians, as the property camera has them; a sixth number is the
+                    field of view
   --candle "x y z yaw pitch"   from where the candle is put down; without it, it is held
   --seconds 0       for how long it has burnt
   --url address     a page of yours, whose element is taken as it stands there
@@ -48,7 +49,9 @@ try {
   const out = options.out || "poster.webp";
   if (!existsSync(dirname(out))) throw new Refusal(`There is no folder ${dirname(out)}.`);
   const picture = await makePoster({ ...options, out, attributes });
-  await writeFile(out, picture);
+  await writeFile(out, picture).catch(({ message }) => {
+    throw new Refusal(message);
+  });
   console.log(`${out}: ${(picture.length / 1000).toFixed(1)} kB`);
 } catch (error) {
   console.error(error instanceof Refusal ? error.message : error);

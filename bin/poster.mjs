@@ -26,6 +26,8 @@ const MIME = {
 };
 /** Longest that a picture may take: a CPU draws a large one in a minute or two. Milliseconds. */
 const PATIENCE = 900_000;
+/** Longest that a page may take to define the element and to insert it, milliseconds. */
+const ARRIVAL = 30_000;
 
 /** Packages of the calling project: this package depends on nothing. */
 async function own(name) {
@@ -65,11 +67,15 @@ function readCamera(name, text) {
     .trim()
     .split(/[\s,_]+/)
     .map(Number);
-  if (numbers.length !== 5 || !numbers.every(Number.isFinite)) {
-    throw new Refusal(`--${name} is five numbers, x y z yaw pitch, not ${text || "none"}.`);
+  const isLegal = numbers.length === 5 || (name === "camera" && numbers.length === 6);
+  if (!isLegal || !numbers.every(Number.isFinite)) {
+    const further = name === "camera" ? ", or six with the field of view" : "";
+    throw new Refusal(
+      `--${name} is five numbers, x y z yaw pitch${further}, not ${text || "none"}.`,
+    );
   }
-  const [x, y, z, yaw, pitch] = numbers;
-  return { position: [x, y, z], yaw, pitch };
+  const [x, y, z, yaw, pitch, fieldOfView] = numbers;
+  return { position: [x, y, z], yaw, pitch, fieldOfView };
 }
 
 function readNumber(name, text, least, most) {
@@ -124,11 +130,23 @@ async function servePackage(folder) {
 }
 
 /** Runs in the page. It draws once, in the frame in which the room is there. */
-async function draw({ selector, attributes, camera, candle, seconds, type, compression }) {
-  await customElements.whenDefined("candle-flame");
-  const element = document.querySelector(selector);
-  if (!(element instanceof customElements.get("candle-flame"))) {
-    throw new Error(`The page has no <candle-flame> that is ${selector}.`);
+async function draw(wanted) {
+  const { selector, arrival, attributes, camera, candle, seconds, type, compression } = wanted;
+  const find = () => {
+    const found = document.querySelector(selector);
+    const Element = customElements.get("candle-flame");
+    return Element && found instanceof Element ? found : null;
+  };
+  // Frameworks insert it after the page has loaded.
+  const latest = performance.now() + arrival;
+  let element = find();
+  for (; !element; element = find()) {
+    if (performance.now() > latest) {
+      const isDefined = customElements.get("candle-flame");
+      if (!isDefined) throw new Error("The page does not define <candle-flame>.");
+      throw new Error(`The page has no <candle-flame> that is ${selector}.`);
+    }
+    await new Promise((resolve) => setTimeout(resolve, 20));
   }
   element.pause();
   // However large the page has it.
@@ -154,6 +172,7 @@ async function draw({ selector, attributes, camera, candle, seconds, type, compr
       element.toBlob(type, compression).then(resolve, reject);
     };
     element.addEventListener("error", ({ detail }) => reject(new Error(detail.message)));
+    element.ready.catch(reject); // it may have failed before
     if (element.flame) take();
     else element.addEventListener("load", take, { once: true });
   });
@@ -187,6 +206,7 @@ export async function makePoster(options) {
   const { width, height } = readSize(options.size ?? "1600x900");
   const wanted = {
     selector,
+    arrival: ARRIVAL,
     camera: readCamera("camera", options.camera),
     candle: readCamera("candle", options.candle),
     seconds: readNumber("seconds", options.seconds ?? "0", 0, 60),

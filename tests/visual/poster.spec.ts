@@ -1,5 +1,7 @@
-import { spawnSync } from "node:child_process";
+import { execFile, spawnSync } from "node:child_process";
 import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync } from "node:fs";
+import { createServer } from "node:http";
+import type { AddressInfo } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Browser, Page } from "playwright/test";
@@ -207,12 +209,13 @@ test.describe("Before there is a script", () => {
 
 test.describe("npx candle-flame poster", () => {
   const FOLDER = "test-results/poster";
+  const options = {
+    encoding: "utf8",
+    timeout: 110_000,
+    env: { ...process.env, CHROMIUM_PATH: process.env.CHROMIUM_PATH ?? "" },
+  } as const;
   const run = (...words: string[]) =>
-    spawnSync(process.execPath, ["bin/candle-flame.mjs", "poster", ...words], {
-      encoding: "utf8",
-      timeout: 110_000,
-      env: { ...process.env, CHROMIUM_PATH: process.env.CHROMIUM_PATH ?? "" },
-    });
+    spawnSync(process.execPath, ["bin/candle-flame.mjs", "poster", ...words], options);
 
   test("makes a picture of the scene that is asked for", async () => {
     test.setTimeout(120_000);
@@ -223,7 +226,7 @@ test.describe("npx candle-flame poster", () => {
     const elsewhere = mkdtempSync(join(tmpdir(), "a room "));
     const src = join(elsewhere, "50% #1.glb");
     copyFileSync("public/models/paper-room.glb", src);
-    const room = ["--look", "paper", "--src", src, "--camera", "0 1.6 3 0 0"];
+    const room = ["--look", "paper", "--src", src, "--camera", "0 1.6 3 0 0 0.8"];
     const { status, stderr } = run(...room, ...size);
     rmSync(elsewhere, { recursive: true });
     expect(stderr).toBe("");
@@ -240,6 +243,52 @@ test.describe("npx candle-flame poster", () => {
     expect(red?.mean).toBeGreaterThan(10);
     expect(red?.stdev).toBeGreaterThan(10);
     expect(red?.mean).toBeGreaterThan(blue?.mean ?? 0);
+  });
+
+  test("waits for the element of a page, and says why that one failed", async () => {
+    test.setTimeout(120_000);
+    mkdirSync(FOLDER, { recursive: true });
+    const define = 'await import("/define.js"); const { body } = document;';
+    const pages: Readonly<Record<string, string>> = {
+      // In a later task than the definition, as frameworks insert it.
+      "/late": `${define} setTimeout(() => {
+        body.innerHTML = '<candle-flame scene="candle" quality="low"></candle-flame>';
+      })`,
+      "/failed": `${define} const one = document.createElement("candle-flame");
+        one.addEventListener("error", () => { one.id = "failed"; });
+        one.src = "/none.glb";
+        body.append(one)`,
+    };
+    const server = createServer(({ url = "" }, response) => {
+      const script = pages[url];
+      if (script) {
+        response.setHeader("content-type", "text/html");
+        response.end(`<!doctype html><body><script type="module">${script}</script>`);
+        return;
+      }
+      try {
+        const body = readFileSync(`dist${url}`);
+        if (url.endsWith(".js")) response.setHeader("content-type", "text/javascript");
+        response.end(body);
+      } catch {
+        response.writeHead(404).end();
+      }
+    });
+    await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
+    const { port } = server.address() as AddressInfo;
+    /** Beside the server, which is in this process. */
+    const take = (path: string, ...words: string[]) =>
+      new Promise<string>((resolve) => {
+        const page = ["--url", `http://127.0.0.1:${port}${path}`, "--size", "32x32"];
+        const all = ["bin/candle-flame.mjs", "poster", ...page, ...words];
+        execFile(process.execPath, all, options, (_, out, errors) => resolve(out + errors));
+      });
+    const out = `${FOLDER}/late.png`;
+    const late = await take("/late", "--quality", "low", "--out", out);
+    expect(late).toMatch(/^\S*late\.png: [\d.]+ kB/);
+    const failed = await take("/failed", "--selector", "#failed", "--out", out);
+    expect(failed).toMatch(/none.* could not be fetched/);
+    server.close();
   });
 
   for (const { words, answer } of [
