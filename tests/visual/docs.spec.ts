@@ -107,6 +107,24 @@ test("“How it works” has figures that are computed, and switches that act", 
   await expect(figure("body").getByText("4 mm")).toBeVisible();
   expect(await height()).toBeGreaterThan(before * 1.2);
 
+  await test.step("candles are chosen while there is no room, too", async () => {
+    const night = figure("sum");
+    const choose = (label: string) =>
+      night.getByLabel(label).evaluate((box: HTMLInputElement) => box.click());
+    const chosen = () =>
+      night
+        .locator("candle-flame")
+        .evaluate(({ litWicks, unlit }: CandleFlameElement) => (unlit ? "none" : litWicks));
+    await expect(night.locator("candle-flame")).toHaveCount(0);
+    await choose("at the window");
+    await figure("eye").scrollIntoViewIfNeeded();
+    expect(await chosen()).toBe("0 1 3");
+    for (const label of ["the carried candle", "left", "at the window"]) await choose(label);
+    expect(await chosen()).toBe("none");
+    await choose("right");
+    expect(await chosen()).toBe("2");
+  });
+
   await test.step("a room far away is given back, and comes again as it was", async () => {
     await figure("eye").scrollIntoViewIfNeeded();
     await expect(layers).toHaveCount(0);

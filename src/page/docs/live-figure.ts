@@ -1,5 +1,5 @@
 import type { Camera, CandleFlameElement, Feature } from "../../candle-flame-element.js";
-import { SETTINGS } from "../../settings.js";
+import { parseIndices, SETTINGS } from "../../settings.js";
 import { find } from "../find.js";
 
 /** A room this many screens away is removed, and inserted again when it is near. */
@@ -27,8 +27,8 @@ export function bindLiveFigure(figure: HTMLElement): void {
   if (element.scene !== "room") return;
   const window = find(figure, ".window", HTMLElement);
   const nearness = new IntersectionObserver(
-    ([entry]) => {
-      const isNear = entry?.isIntersecting ?? true;
+    (entries) => {
+      const isNear = entries.at(-1)?.isIntersecting ?? true;
       if (isNear === element.isConnected) return;
       if (!isNear) return element.remove();
       window.append(element);
@@ -39,28 +39,38 @@ export function bindLiveFigure(figure: HTMLElement): void {
   nearness.observe(figure);
 }
 
+/** The element follows the control from now on, and what a reload has left in it. */
 function bindControl(element: CandleFlameElement, control: Element): void {
   if (control instanceof HTMLButtonElement) {
     const method = control.name as "light" | "extinguish";
     control.addEventListener("click", () => element[method]());
   } else if (control instanceof HTMLInputElement && control.type === "checkbox") {
     const [name, number] = control.name.split(" ");
-    control.addEventListener("change", () => {
-      if (name !== "candle") element.features[name as Feature] = control.checked;
-      else if (control.checked) element.candles[Number(number)]?.light();
-      else element.candles[Number(number)]?.extinguish();
-    });
+    const act = () => {
+      if (name === "candle") chooseCandle(element, Number(number), control.checked);
+      else element.features[name as Feature] = control.checked;
+    };
+    control.addEventListener("change", act);
+    act();
   } else if (control instanceof HTMLInputElement || control instanceof HTMLSelectElement) {
     const output = control.parentElement?.querySelector("output");
-    const show = () => {
+    const act = () => {
+      element.setAttribute(control.name, control.value);
       if (output) output.value = `${control.value} ${unitOf(control.name)}`;
     };
-    control.addEventListener("input", () => {
-      element.setAttribute(control.name, control.value);
-      show();
-    });
-    show();
+    control.addEventListener("input", act);
+    act();
   }
+}
+
+/** Lights a candle or puts it out, by attributes: they last while there is no room. */
+function chooseCandle(element: CandleFlameElement, index: number, isLit: boolean): void {
+  const lit = new Set(element.unlit ? [] : parseIndices(element.litWicks));
+  if (isLit) lit.add(index);
+  else lit.delete(index);
+  // Without a number it would be the carried one that burns.
+  if (lit.size > 0) element.litWicks = [...lit].sort().join(" ");
+  element.unlit = lit.size === 0;
 }
 
 function unitOf(name: string): string {
