@@ -79,6 +79,18 @@ test("“Use it” has snippets to copy, and every attribute to try", async ({ f
   });
 });
 
+test("without JavaScript each page says so, in sight", async ({ browser }) => {
+  const page = await browser.newPage({ javaScriptEnabled: false });
+  for (const name of ["", "use.html", "how.html"]) {
+    await page.goto(PAGE + name);
+    const sentence = page.locator("noscript p");
+    await expect(sentence).toContainText("with JavaScript, which is switched off.");
+    // As for a click, which nothing may lie over.
+    await sentence.click({ trial: true });
+  }
+  await page.close();
+});
+
 test("“How it works” has figures that are computed, and switches that act", async ({ fresh }) => {
   const page = await read(fresh, "how.html");
   expect(await fresh.axe()).toEqual([]);
