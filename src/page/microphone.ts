@@ -25,6 +25,10 @@ export function bindMicrophone(room: CandleFlameElement, section: HTMLElement): 
     try {
       stream = await navigator.mediaDevices.getUserMedia({ audio: AUDIO });
       stop = listen(stream, (strength) => room.blow(strength));
+      for (const track of stream.getTracks()) {
+        // Unplugged, or no longer allowed: the page itself ends tracks without this event.
+        track.addEventListener("ended", () => close("The microphone was switched off."));
+      }
       status.textContent = "Blow at the microphone.";
       if (document.hidden) close("");
     } catch (error) {
@@ -57,7 +61,12 @@ export function bindMicrophone(room: CandleFlameElement, section: HTMLElement): 
 function listen(stream: MediaStream, onBreath: (strength: number) => void): () => void {
   const context = new AudioContext();
   const analyser = new AnalyserNode(context, { fftSize: WINDOW });
-  context.createMediaStreamSource(stream).connect(analyser);
+  try {
+    context.createMediaStreamSource(stream).connect(analyser);
+  } catch (error) {
+    void context.close();
+    throw error;
+  }
   const samples = new Float32Array(WINDOW);
   const detector = new BreathDetector();
   let lastTime = Number.NaN;

@@ -290,6 +290,14 @@ test("blowing at the microphone blows, while the visitor lets it", async ({ host
   });
   await expect(settings.getByText("switched off when you left")).toBeVisible();
   expect(await isOn()).toBe(false);
+
+  await button.click();
+  await expect(button).toHaveAttribute("aria-pressed", "true");
+  await page.evaluate(() => {
+    for (const track of window.microphone.getTracks()) track.dispatchEvent(new Event("ended"));
+  });
+  await expect(settings.getByText("The microphone was switched off.")).toBeVisible();
+  await expect(button).toHaveAttribute("aria-pressed", "false");
   await hosted.evaluate((room) => void Reflect.deleteProperty(room, "blow"));
 });
 
@@ -587,7 +595,9 @@ test("the comparison shows two looks from one place at one time, while it is ope
 
   await test.step("to the end, also if the second room loads other models meanwhile", async () => {
     await page.locator("candle-flame.second").dispatchEvent("load");
+    await hosted.lab.getByRole("button", { name: "Close the lab" }).click();
     await divider.press("Escape");
+    await expect(page.getByRole("button", { name: "Lab", exact: true })).toBeFocused();
     await expect(page.locator("candle-flame")).toHaveCount(1);
     await expect(divider).toBeHidden();
     expect(await hosted.evaluate((room) => room.paused)).toBe(false);

@@ -8,6 +8,7 @@ import { bindDivider } from "./divider.js";
 /**
  * Binds Table 2, live: the choice of two looks, and the button that opens and closes the comparison.
  *
+ * @param opener button that opens the lab
  * @returns what disables them, or enables them
  */
 export function bindComparison(
@@ -16,6 +17,7 @@ export function bindComparison(
   room: CandleFlameElement,
   stage: HTMLElement,
   comparison: Comparison,
+  opener: HTMLElement,
 ): (isDisabled: boolean) => void {
   const left = find(section, "[name=left]", HTMLSelectElement);
   const right = find(section, "[name=right]", HTMLSelectElement);
@@ -24,6 +26,8 @@ export function bindComparison(
   const divider = bindDivider(line, stage, () => {
     comparison.close();
     button.focus();
+    // With the lab closed, its button cannot have the focus.
+    if (document.activeElement !== button) opener.focus();
   });
   const lookOf = ({ value }: HTMLSelectElement) => parseChoice(SETTINGS.look, value);
 

@@ -42,7 +42,14 @@ export function addLab(
   const settings = find(section("settings"), "fieldset", HTMLFieldSetElement);
   addFeatureSwitches(room, techniques);
   addSettings(room, settings, SHOWN);
-  const disableLooks = bindComparison(section("comparison"), divider, room, stage, comparison);
+  const disableLooks = bindComparison(
+    section("comparison"),
+    divider,
+    room,
+    stage,
+    comparison,
+    button,
+  );
   const showFrame = bindPassViewer(section("passes"), room);
   const instruments = [
     bindReadOut(section("last-frame"), room, comparison),
