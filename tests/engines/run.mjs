@@ -5,6 +5,7 @@
 //   --cases "^phys|lock" cases whose name matches this
 // ANGLE_BACKEND=vulkan (gl, gl-egl, …) lets Chromium's native pair draw on the machine's own GPU.
 //   --counts file      where the numbers of passed and failed cases go
+import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
 import { runnerImport } from "vite";
 
@@ -17,7 +18,7 @@ const { values } = parseArgs({
   },
 });
 const { short: isShort, ...filters } = values;
-const { module } = await runnerImport(new URL("main.ts", import.meta.url).pathname, {
+const { module } = await runnerImport(fileURLToPath(new URL("main.ts", import.meta.url)), {
   configFile: false,
 });
 process.exit((await module.main({ isShort, ...filters })) ? 0 : 1);

@@ -4,6 +4,7 @@ import { spawnSync } from "node:child_process";
 import { mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { fileURLToPath } from "node:url";
 import sharp from "sharp";
 import { openGlb, packGlb } from "../models/glb-builder.mjs";
 import { FIXTURES, height, inEachRoom, readSource, views, width } from "./room.mjs";
@@ -88,10 +89,9 @@ mkdirSync(FIXTURES, { recursive: true });
 for (const view of staged) {
   const file = join(folder, `${view.name}.json`);
   writeFileSync(file, JSON.stringify({ ...view, width, height, fieldOfView: FIELD_OF_VIEW, lamp }));
-  const trace = new URL("trace.py", import.meta.url).pathname;
-  const { status } = spawnSync(process.env.PYTHON ?? "python3", [trace, file, FIXTURES.pathname], {
-    stdio: "inherit",
-  });
+  const trace = fileURLToPath(new URL("trace.py", import.meta.url));
+  const words = [trace, file, fileURLToPath(FIXTURES)];
+  const { status } = spawnSync(process.env.PYTHON ?? "python3", words, { stdio: "inherit" });
   if (status !== 0) throw new Error(`${view.name} could not be traced.`);
 }
 
@@ -108,7 +108,7 @@ async function exportModel(name) {
   }));
   for (const image of json.images) {
     const file = `${image.name}.png`;
-    await sharp(new URL(image.uri, MODELS).pathname)
+    await sharp(fileURLToPath(new URL(image.uri, MODELS)))
       .png({ compressionLevel: 1 })
       .toFile(join(folder, file));
     Object.assign(image, { uri: file, mimeType: "image/png" });

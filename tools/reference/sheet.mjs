@@ -1,5 +1,6 @@
 // npm run reference:sheet: ours, theirs and the difference, view by view, into docs/reference/ or REFERENCES.
 import { readdirSync, readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
 import sharp from "sharp";
 import { half } from "./half.mjs";
 import { FIXTURES, height, inEachRoom, readSource, width } from "./room.mjs";
@@ -78,4 +79,4 @@ await sharp({
     ),
   )
   .jpeg({ quality: 90 })
-  .toFile(SHEET.pathname);
+  .toFile(fileURLToPath(SHEET));
