@@ -4,9 +4,9 @@ import type { Model, Part } from "../assets/model.js";
 const VISIBLE = 0.02;
 
 /**
- * A model whose parts have the mean of their vertex colours in their base colour. Says so where colours in a part differ.
+ * A model whose parts have the mean of their vertex colours in their base colour, with a warning where these differ.
  *
- * For rooms of visitors: in the built-in rooms vertex colours are baked occlusion, as which rooms are shaded by them.
+ * For rooms of visitors: rooms are shaded by vertex colours as by baked occlusion, which those of built-in rooms are.
  */
 export function withMeanColors(model: Model): Model {
   let differ = false;

@@ -100,7 +100,7 @@ export function* createWorldInSteps(
             pitch,
             fieldOfView,
             flame,
-            source: 0,
+            candle: 0,
             luminousIntensity: 0,
             moonlight: 0,
           }

@@ -78,7 +78,7 @@ export function uploadProbeRays(
     color: ["RGBA16F"],
     filter: "nearest",
   });
-  // Here, where they are shared as the textures are.
+  // Made with the textures, so that they are shared, too.
   const points = pointsOf(gpu, traced);
   const hits = { uRayHits, uRayReflectance: rayReflectance.color };
   const uniforms = { uRays: rays, uProbeRows: rows };

@@ -17,7 +17,7 @@ export function adaptationView(world: World): AdaptationView | null {
   const root = brightestRoot(world);
   for (let axis = 0; axis < 3; axis++) view.flame[axis] = root.place[axis]!;
   view.flame[1] += MIDDLE;
-  view.source = root.candle;
+  view.candle = root.candle;
   view.luminousIntensity = root.glow;
   view.moonlight = world.moon?.illuminance ?? 0;
   return view;

@@ -62,7 +62,7 @@ export interface AdaptationView {
   /** Middle of the flame. */
   readonly flame: Vec3;
   /** Number of its candle. */
-  source: number;
+  candle: number;
   luminousIntensity: number;
   /** Of the moon outside, lux. */
   moonlight: number;
@@ -100,7 +100,7 @@ export class ExposureAdaptation {
   /** View of those: eye, yaw, pitch, flame, field of view. */
   readonly #lastView = new Float64Array(9).fill(Number.NaN);
   /** Candle that the estimate goes by. */
-  #source = 0;
+  #candle = 0;
   readonly #direction: Vec3 = [0, 0, 0];
   readonly #place: Vec3 = [0, 0, 0];
 
@@ -123,10 +123,10 @@ export class ExposureAdaptation {
 
   /** After a sudden change of the view: the eye lags. */
   notice(view: AdaptationView): void {
-    const before = this.#source;
+    const before = this.#candle;
     this.#meter(view);
     // By another candle's light the estimate is another one, and the view is not.
-    if (before === this.#source) this.lag += this.#target - this.#metered;
+    if (before === this.#candle) this.lag += this.#target - this.#metered;
     this.#target = this.#metered;
   }
 
@@ -139,7 +139,7 @@ export class ExposureAdaptation {
   }
 
   #meter(view: AdaptationView): void {
-    this.#source = view.source;
+    this.#candle = view.candle;
     if (this.#hasMoved(view)) this.#castRays(view);
     let sum = 0;
     for (let ray = 0; ray < RAYS; ray++) {

@@ -22,7 +22,7 @@ const BY_THE_WALL: Vec3 = [0, 1.3, -1.7];
 
 function sight(flame: Vec3, luminousIntensity = 1): AdaptationView {
   const view = { eye: [0, 1.6, 1.5], yaw: 0, pitch: -0.1, fieldOfView: 0.98 } as const;
-  return { collision: SOLID, ...view, flame, source: 0, luminousIntensity, moonlight: 0 };
+  return { collision: SOLID, ...view, flame, candle: 0, luminousIntensity, moonlight: 0 };
 }
 
 /** Seconds until the eye has made nine tenths of the way to what it sees now; and whether it ever turned back. */
