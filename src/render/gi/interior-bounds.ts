@@ -28,7 +28,7 @@ export function interiorBounds(collision: CollisionMesh, { bounds }: Model): Bou
   for (const point of pointsIn(bounds, POINTS)) {
     const inFront = DIRECTIONS.flatMap((direction): Vec3[] => {
       const hit = collision.raycast(point, direction, Infinity);
-      if (!hit || collision.hitsBack) return [];
+      if (!hit || hit.isBack) return [];
       return [[0, 1, 2].map((axis) => point[axis]! + direction[axis]! * hit.distance) as Vec3];
     });
     if (inFront.length < INSIDE_SHARE * DIRECTIONS.length) continue;

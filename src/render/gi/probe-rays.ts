@@ -88,8 +88,6 @@ class ProbeTrace {
   readonly #firsts: readonly number[];
   readonly #detail: ProbeDetail;
   readonly #bounds: Bounds;
-  readonly #hit: RayHit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
-  readonly #attributes = new HitAttributes();
   readonly #insideTestDirections = octahedral(INSIDE_TEST_RAYS, INSIDE_TEST_RAYS, 0);
   /** Of the rays, by the corner of a cell that the probe is. */
   readonly #bundles: readonly { readonly directions: readonly Vec3[]; readonly lobes: Lobes }[];
@@ -154,16 +152,16 @@ class ProbeTrace {
     this.#positions[tile * 4 + 3] = 1;
     const depths = new Float32Array(directions.length);
     for (const [ray, direction] of directions.entries()) {
-      const hit = this.#cast(position, direction);
+      const hit = this.#collision.raycast(position, direction, Infinity);
       depths[ray] = hit ? Math.min(hit.distance, FARTHEST) : FARTHEST;
-      if (!hit || this.#attributes.isBackFace) continue;
+      if (!hit || this.#isInside(hit)) continue;
       const x = column * rays + (ray % rays);
       const y = row * rays + Math.floor(ray / rays);
       const to = (y * width + x) * 4;
       this.#hits.set(hit.normal, to);
       this.#hits[to + 3] = hit.distance;
-      const { part, u, v } = this.#attributes;
-      this.#hitUvs[part]?.push(x, y, u, v);
+      const part = this.#partOf(hit.triangle);
+      this.#hitUvs[part]?.push(x, y, ...this.#uvOf(hit, part));
     }
     averageDepths(depths, lobes, this.#depths, column, row, columns);
   }
@@ -197,65 +195,34 @@ class ProbeTrace {
       }) as Vec3;
       let backFaces = 0;
       for (const direction of this.#insideTestDirections) {
-        if (this.#cast(position, direction) && this.#attributes.isBackFace) backFaces++;
+        const hit = this.#collision.raycast(position, direction, Infinity);
+        if (hit && this.#isInside(hit)) backFaces++;
       }
       if (backFaces < INSIDE_SHARE * this.#insideTestDirections.length) return position;
     }
     return null;
   }
 
-  /** Nearest hit of a ray, whose attributes are then in `#attributes`. */
-  #cast(origin: Vec3, direction: Vec3): RayHit | null {
-    const hit = this.#collision.raycast(origin, direction, Infinity, this.#hit);
-    if (!hit) return null;
-    let number = this.#firsts.length - 1;
-    while (number > 0 && this.#firsts[number]! > hit.triangle) number--;
-    this.#attributes.part = number;
-    const first = (hit.triangle - this.#firsts[number]!) * 3;
-    this.#attributes.interpolate(this.#parts[number]!, first, origin, direction, hit.distance);
-    return hit;
+  /** Index of the part that a triangle of the room belongs to. */
+  #partOf(triangle: number): number {
+    let part = this.#firsts.length - 1;
+    while (part > 0 && this.#firsts[part]! > triangle) part--;
+    return part;
   }
-}
 
-/** Attributes of a hit. One object serves all rays: there are a hundred thousand of them. */
-class HitAttributes {
-  /** Index of the model's part. */
-  part = 0;
-  isBackFace = false;
-  u = 0;
-  v = 0;
+  /** Whether a ray has met the inside of a solid. */
+  #isInside({ triangle, isBack }: RayHit): boolean {
+    return isBack && !this.#parts[this.#partOf(triangle)]!.material.isDoubleSided;
+  }
 
-  /** @param first of the triangle's indices */
-  interpolate(part: Part, first: number, origin: Vec3, direction: Vec3, distance: number): void {
-    const { positions: p, uvs, indices, material } = part;
-    const cornerA = indices[first]!;
-    const cornerB = indices[first + 1]!;
-    const cornerC = indices[first + 2]!;
-    const a = cornerA * 3;
-    const b = cornerB * 3;
-    const c = cornerC * 3;
-    const ex = p[b]! - p[a]!;
-    const ey = p[b + 1]! - p[a + 1]!;
-    const ez = p[b + 2]! - p[a + 2]!;
-    const fx = p[c]! - p[a]!;
-    const fy = p[c + 1]! - p[a + 1]!;
-    const fz = p[c + 2]! - p[a + 2]!;
-    const nx = ey * fz - ez * fy;
-    const ny = ez * fx - ex * fz;
-    const nz = ex * fy - ey * fx;
-    const cosine = nx * direction[0] + ny * direction[1] + nz * direction[2];
-    this.isBackFace = !material.isDoubleSided && cosine > 0;
-    // Barycentric coordinates.
-    const x = origin[0] + distance * direction[0] - p[a]!;
-    const y = origin[1] + distance * direction[1] - p[a + 1]!;
-    const z = origin[2] + distance * direction[2] - p[a + 2]!;
-    const scale = 1 / Math.max(nx * nx + ny * ny + nz * nz, 1e-30);
-    const ofB = ((y * fz - z * fy) * nx + (z * fx - x * fz) * ny + (x * fy - y * fx) * nz) * scale;
-    const ofC = ((ey * z - ez * y) * nx + (ez * x - ex * z) * ny + (ex * y - ey * x) * nz) * scale;
-    const ofA = 1 - ofB - ofC;
-    this.u = ofA * uvs[cornerA * 2]! + ofB * uvs[cornerB * 2]! + ofC * uvs[cornerC * 2]!;
-    this.v =
-      ofA * uvs[cornerA * 2 + 1]! + ofB * uvs[cornerB * 2 + 1]! + ofC * uvs[cornerC * 2 + 1]!;
+  /** Texture coordinates of a hit. */
+  #uvOf({ triangle, u, v }: RayHit, part: number): [number, number] {
+    const { indices, uvs } = this.#parts[part]!;
+    const first = (triangle - this.#firsts[part]!) * 3;
+    const [a, b, c] = [indices[first]!, indices[first + 1]!, indices[first + 2]!];
+    const mix = (axis: 0 | 1) =>
+      (1 - u - v) * uvs[a * 2 + axis]! + u * uvs[b * 2 + axis]! + v * uvs[c * 2 + axis]!;
+    return [mix(0), mix(1)];
   }
 }
 

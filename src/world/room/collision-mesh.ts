@@ -14,6 +14,11 @@ export interface RayHit {
   distance: number;
   /** Number of the triangle, as the parts list them, one part after the other. */
   triangle: number;
+  /** Whether it is on the back of the triangle. */
+  isBack: boolean;
+  /** Barycentric coordinates: weights of the triangle's second and third corner. */
+  u: number;
+  v: number;
   /** Unit, on the side that the ray came from. */
   readonly normal: Vec3;
 }
@@ -31,8 +36,6 @@ export class CollisionMesh {
   /** Nine coordinates each. */
   readonly triangles: Float32Array;
   readonly bounds: Bounds;
-  /** Whether the last hit was on the back of its triangle. */
-  hitsBack = false;
   readonly #bvh: Bvh;
   /** Original number of each triangle. */
   readonly #numbers: Uint32Array;
@@ -42,7 +45,14 @@ export class CollisionMesh {
   readonly #rays: RayCaster;
   readonly #between: Vec3 = [0, 0, 0];
   readonly #way: CircleSweep = { x: 0, z: 0, dx: 0, dz: 0, radius: 0, fraction: 1 };
-  readonly #hit: RayHit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
+  readonly #hit: RayHit = {
+    distance: 0,
+    triangle: 0,
+    isBack: false,
+    u: 0,
+    v: 0,
+    normal: [0, 0, 0],
+  };
 
   constructor(parts: readonly Triangles[], maxTriangles = MAX_TRIANGLES) {
     const { soup, numbers } = largest(gather(parts), maxTriangles);
@@ -70,26 +80,27 @@ export class CollisionMesh {
   }
 
   /**
-   * Nearest hit along a ray, from either side.
+   * Nearest hit along a ray, from either side. The next ray overwrites it.
    *
    * @param direction unit
-   * @param hit filled and returned; without it, one that the next ray overwrites
    */
   raycast(
     origin: Readonly<Vec3>,
     direction: Readonly<Vec3>,
     maxDistance: number,
-    hit: RayHit = this.#hit,
-  ): RayHit | null {
+  ): Readonly<RayHit> | null {
     const found = this.#rays.cast(origin, direction, maxDistance);
     if (found < 0) return null;
+    const hit = this.#hit;
     hit.distance = this.#rays.distance;
+    hit.u = this.#rays.u;
+    hit.v = this.#rays.v;
     hit.triangle = this.#numbers[found / 9]!;
     const { normal } = hit;
     normalOf(this.triangles, found, normal);
     const along = normal[0] * direction[0] + normal[1] * direction[1] + normal[2] * direction[2];
-    this.hitsBack = along > 0;
-    if (this.hitsBack) for (let axis = 0; axis < 3; axis++) normal[axis] = -normal[axis]!;
+    hit.isBack = along > 0;
+    if (hit.isBack) for (let axis = 0; axis < 3; axis++) normal[axis] = -normal[axis]!;
     return hit;
   }
 

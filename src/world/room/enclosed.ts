@@ -60,7 +60,7 @@ function lookAround(
     const hit = collision.raycast(place, direction, REACH);
     if (!hit) continue;
     const { distance, triangle } = hit;
-    if (collision.hitsBack && isSolid(triangle)) backs.push({ distance, direction });
+    if (hit.isBack && isSolid(triangle)) backs.push({ distance, direction });
     else fronts++;
   }
   return { backs, fronts };

@@ -18,6 +18,9 @@ const SEAM = 1e-5;
 export class RayCaster {
   /** Distance to the last hit, in lengths of the direction. */
   distance = Number.NaN;
+  /** Its barycentric coordinates: weights of the triangle's second and third corner. */
+  u = Number.NaN;
+  v = Number.NaN;
   readonly #bvh: Bvh;
   readonly #triangles: Float32Array;
   readonly #numbers: Uint32Array;
@@ -76,6 +79,7 @@ export class RayCaster {
     const outFromZ = oz - (iz > 0 ? SEAM : -SEAM);
     let nearest = ray[6]!;
     let found = -1;
+    let [foundU, foundV] = [0, 0];
     let height = 0;
     for (let node = 0; ; ) {
       const items = count[node]!;
@@ -162,10 +166,14 @@ export class RayCaster {
         if (distance === nearest && found >= 0 && numbers[at / 9]! > numbers[found / 9]!) continue;
         nearest = distance;
         found = at;
+        foundU = u;
+        foundV = v;
       }
       do {
         if (height === 0) {
           this.distance = nearest;
+          this.u = foundU;
+          this.v = foundV;
           return found;
         }
         height--;

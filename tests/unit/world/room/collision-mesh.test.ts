@@ -1,10 +1,6 @@
 import { describe, expect, test } from "vitest";
 import type { Vec3 } from "../../../../src/world/geometry.ts";
-import {
-  CollisionMesh,
-  type RayHit,
-  type Triangles,
-} from "../../../../src/world/room/collision-mesh.ts";
+import { CollisionMesh, type Triangles } from "../../../../src/world/room/collision-mesh.ts";
 import { chance } from "../../chance.ts";
 import { box, floorOf, insideOf, modelRoom, quad, Rubble, sphere } from "../rooms.ts";
 
@@ -93,12 +89,29 @@ describe("a ray", { timeout: 30_000 }, () => {
     expect(collision.raycast([2.1, 2, 0], DOWN, 9)).toBeNull();
   });
 
-  test("fills what it is given, and each call its own", () => {
-    const collision = new CollisionMesh([floorOf(4)]);
-    const mine: RayHit = { distance: 0, triangle: 0, normal: [0, 0, 0] };
-    expect(collision.raycast([0, 2, 0.5], DOWN, 9, mine)).toBe(mine);
-    collision.raycast([0, 5, 0.5], DOWN, 9);
-    expect(mine.distance).toBeCloseTo(2, 6);
+  test("says where in its triangle it met it, and from which side", () => {
+    const triangles = strewn(200, 0.8, 3);
+    const collision = new CollisionMesh([triangles]);
+    const between = chance(4);
+    const sides = new Set<boolean>();
+    for (let i = 0; i < 100; i++) {
+      const origin: Vec3 = [between(-2, 2), between(-2, 2), between(-2, 2)];
+      const direction = unit(between);
+      const hit = collision.raycast(origin, direction, Infinity);
+      if (!hit) continue;
+      const { distance, triangle, isBack, u, v } = hit;
+      const [a, b, c] = [0, 3, 6].map((at): Vec3 => {
+        const [x = 0, y = 0, z = 0] = triangles.positions.subarray(triangle * 9 + at);
+        return [x, y, z];
+      }) as [Vec3, Vec3, Vec3];
+      for (const [axis, from] of origin.entries()) {
+        const place = a[axis]! + u * (b[axis]! - a[axis]!) + v * (c[axis]! - a[axis]!);
+        expect(place).toBeCloseTo(from + distance * direction[axis]!, 4);
+      }
+      expect(isBack).toBe(dot(cross(sub(b, a), sub(c, a)), direction) > 0);
+      sides.add(isBack);
+    }
+    expect(sides.size).toBe(2);
   });
 
   test("names the triangle by its place in the parts, whatever order the tree keeps", () => {
