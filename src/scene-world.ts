@@ -1,7 +1,8 @@
 import type { Scene } from "./scenes/scene.js";
 import type { Look, Quality } from "./settings.js";
+import { finish, type Steps } from "./steps.js";
 import type { Wind } from "./world/air/air.js";
-import { createWorldInSteps, finishWorld, type WorldOptions } from "./world/create-world.js";
+import { createWorldInSteps, type WorldOptions } from "./world/create-world.js";
 import { TAPER_WICK } from "./world/flame/burning.js";
 import { type Moon, type MoonWish, moonOf } from "./world/moon.js";
 import type { World } from "./world/world.js";
@@ -43,7 +44,7 @@ export function moonOver({ moonDirection }: Scene, { look, moon }: Options): Moo
 
 /** A new world of a scene. */
 export function worldOf(scene: Scene, options: Options, birth: WorldOptions = {}): World {
-  return finishWorld(worldInSteps(scene, options, birth));
+  return finish(worldInSteps(scene, options, birth));
 }
 
 /** The same in steps of a few milliseconds. */
@@ -51,7 +52,7 @@ export function* worldInSteps(
   scene: Scene,
   options: Options,
   birth: WorldOptions = {},
-): Generator<void, World> {
+): Steps<World> {
   const { room, wicks, createPlume, isModelAlone, first } = scene;
   const { seed, isStill, wind } = options;
   // A model alone burns the same in any look.

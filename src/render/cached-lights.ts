@@ -1,6 +1,7 @@
 import { vec3 } from "gl-matrix";
 import type { Gpu } from "../gl/gpu.js";
 import { flameLight, TAPER } from "../light/flame-light.js";
+import type { Steps } from "../steps.js";
 import type { StandingCandle } from "../world/standing-candle.js";
 import type { World } from "../world/world.js";
 import type { CachedLight } from "./cached-light.js";
@@ -12,7 +13,6 @@ import type { PhysicalTier } from "./quality.js";
 import type { ShadowCasters } from "./shadow/shadow-casters.js";
 import { shadowAtlas } from "./shadow/shadow-pass.js";
 import { StandingCandleCaptures, type StandingSlot } from "./standing-candle-captures.js";
-import type { Steps } from "./steps.js";
 
 /** The lights beside the carried flame, each captured when it first shines. */
 export class CachedLights {

@@ -1,6 +1,7 @@
 import type { Box, Gpu } from "../gl/gpu.js";
 import { nextTask } from "../gl/next-task.js";
 import type { Texture } from "../gl/texture.js";
+import { finish, type Steps } from "../steps.js";
 import type { ParticleLayer } from "../world/particles/particle-layer.js";
 import { fieldOfViewOf } from "../world/player/field-of-view.js";
 import type { CollisionMesh } from "../world/room/collision-mesh.js";
@@ -39,7 +40,6 @@ import { RefinedFade } from "./refinement/refined-fade.js";
 import { RefinedStage } from "./refinement/refined-stage.js";
 import type { Models, Refining, Renderer } from "./renderer.js";
 import { boundsOf, expandBox, expandBoxes, scaleBox, wholeOf } from "./screen-bounds.js";
-import { finish, type Steps } from "./steps.js";
 import { flamePart, VolumetricStage } from "./volumetric/volumetric-stage.js";
 import { RadianceTarget } from "./volumetric/volumetric-target.js";
 

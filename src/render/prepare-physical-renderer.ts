@@ -8,7 +8,7 @@ import { areForwardProgramsCompiled } from "./opaque/forward-programs.js";
 import type { Tier } from "./quality.js";
 import type { Models } from "./renderer.js";
 import { SCHEDULE } from "./schedule.js";
-import { clusterBuilderOf } from "./shadow/shadow-casters.js";
+import { clustersOf } from "./shadow/shadow-casters.js";
 
 /**
  * Prepares a `PhysicalRenderer` a little at a time: uploads meshes, compiles, clusters the casters, and traces the
@@ -29,7 +29,7 @@ export function preparePhysicalRenderer(
   return (
     uploadNextPart(gpu, room) &&
     uploadNextPart(gpu, candle) &&
-    clusterBuilderOf(room, { error: casterError }).proceed() &&
+    clustersOf(room, { error: casterError }).proceed() &&
     probeTraceOf(collision, room, fitToRoom(indirect, collision, room)).proceed(
       SCHEDULE.probesPerFrame,
     ) &&

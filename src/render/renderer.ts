@@ -2,13 +2,13 @@ import type { Model } from "../assets/model.js";
 import type { Box } from "../gl/gpu.js";
 import type { Texture } from "../gl/texture.js";
 import type { UniformBlock } from "../gl/uniform-block.js";
+import type { Steps } from "../steps.js";
 import type { ParticleLayer } from "../world/particles/particle-layer.js";
 import type { World } from "../world/world.js";
 import type { Size } from "./frame-input.js";
 import type { FrameSettings } from "./frame-settings.js";
 import type { Captures } from "./gi/light-captures.js";
 import type { RefinedFade, RefinedImage } from "./refinement/refined-fade.js";
-import type { Steps } from "./steps.js";
 
 export interface Models {
   readonly room: Model;

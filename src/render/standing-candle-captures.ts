@@ -1,6 +1,7 @@
 import type { Gpu } from "../gl/gpu.js";
 import type { UniformBlock } from "../gl/uniform-block.js";
 import { flameLight, TAPER } from "../light/flame-light.js";
+import type { Steps } from "../steps.js";
 import type { Vec3 } from "../world/geometry.js";
 import type { StandingCandle } from "../world/standing-candle.js";
 import type { CachedLight } from "./cached-light.js";
@@ -11,7 +12,6 @@ import { type SupportSlot, SurfelPass } from "./gi/surfel-pass.js";
 import type { CaptureLight } from "./light-block.js";
 import type { ShadowCasters } from "./shadow/shadow-casters.js";
 import { type ShadowAtlas, ShadowPass } from "./shadow/shadow-pass.js";
-import type { Steps } from "./steps.js";
 
 /** A still flame over its root: height of its middle, half its height and its radius as a light, metres. */
 const STILL = { middle: 0.02, halfHeight: 0.0095, radius: 0.0035 } as const;

@@ -1,4 +1,5 @@
 import type { Look } from "../settings.js";
+import { finish, type Steps } from "../steps.js";
 import { Air, CALM, type Wind } from "./air/air.js";
 import type { CreatePlume } from "./air/plume.js";
 import { TAPER_WICK } from "./flame/burning.js";
@@ -44,14 +45,7 @@ export interface WorldOptions {
 
 /** A new world, whose flame is fully developed. */
 export function createWorld(look: Look, seed: number, options: WorldOptions = {}): World {
-  return finishWorld(createWorldInSteps(look, seed, options));
-}
-
-/** All of a world's steps at once. */
-export function finishWorld(steps: Generator<void, World>): World {
-  let step = steps.next();
-  while (!step.done) step = steps.next();
-  return step.value;
+  return finish(createWorldInSteps(look, seed, options));
 }
 
 /** The same in steps of a few milliseconds. */
@@ -59,7 +53,7 @@ export function* createWorldInSteps(
   look: Look,
   seed: number,
   options: WorldOptions = {},
-): Generator<void, World> {
+): Steps<World> {
   const { age = 0, room = null, wind = CALM, wick = TAPER_WICK, isLit = true } = options;
   const setup = options.setup ?? WORLD_SETUPS[look];
   const brightest = setup.layers.length - 1;

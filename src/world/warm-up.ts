@@ -1,3 +1,4 @@
+import type { Steps } from "../steps.js";
 import { tick } from "./advance.js";
 import type { Wind } from "./air/air.js";
 import type { Plume } from "./air/plume.js";
@@ -17,7 +18,7 @@ const RISING = 60;
 let risen: { readonly cause: string | null; readonly plume: Plume } | null = null;
 
 /** Lets a new world's flame burn for as long as particles live; then the wind comes up. */
-export function* warmUp(world: World, wind: Wind): Generator<void, void> {
+export function* warmUp(world: World, wind: Wind): Steps {
   poseCandle(world, 0);
   for (let i = RISING; i < HISTORY; i++) tick(world, STILL);
   const { setup, seed, emitter, flame, air, timeline, sways } = world;

@@ -7,6 +7,7 @@ import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
+import { finish, type Steps } from "../../steps.js";
 import type { Bounds } from "../../world/geometry.js";
 import { frustumTest } from "../camera.js";
 import type { FrameInput, ModelInstance, Size } from "../frame-input.js";
@@ -16,7 +17,6 @@ import { visibleRuns } from "../mesh/visible-runs.js";
 import { type GBufferSamples, UpsampleGuidePass } from "../opaque/upsample-guide-pass.js";
 import { SCHEDULE } from "../schedule.js";
 import { bandOf, clipOfBox } from "../screen-bounds.js";
-import { finish, type Steps } from "../steps.js";
 import { AlbedoCache, isBaked } from "./albedo-cache.js";
 import type { FullGBuffer, GBuffer } from "./gbuffer.js";
 import {

@@ -8,13 +8,14 @@ import type { Draw, Gpu } from "../../gl/gpu.js";
 import type { Program, ShaderSource } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
+import { finish, type Steps } from "../../steps.js";
 import type { CollisionMesh } from "../../world/room/collision-mesh.js";
+import { drawInBands } from "../draw-in-bands.js";
 import type { CaptureLight } from "../light-block.js";
 import type { Mesh } from "../mesh/mesh.js";
 import { FACES } from "../shadow/cube-map.js";
 import type { ShadowCasters } from "../shadow/shadow-casters.js";
 import type { ShadowCube } from "../shadow/shadow-pass.js";
-import { drawInBands, finish, type Steps } from "../steps.js";
 import { BounceLimit } from "./bounce-limit.js";
 import {
   type IndirectTargets,

@@ -1,8 +1,8 @@
 import { vec3 } from "gl-matrix";
+import { finish, type Steps } from "../../steps.js";
 import type { CaptureLight } from "../light-block.js";
 import { SCHEDULE } from "../schedule.js";
 import type { ShadowCasters } from "../shadow/shadow-casters.js";
-import { finish, type Steps } from "../steps.js";
 import type { IndirectPass, ShadowMap } from "./indirect-pass.js";
 import type { IrradianceVolume } from "./irradiance-volume.js";
 

@@ -1,5 +1,6 @@
 import { vec3 } from "gl-matrix";
 import type { Gpu } from "../../gl/gpu.js";
+import { finish, type Steps } from "../../steps.js";
 import type { World } from "../../world/world.js";
 import { type CachedLight, isMoonAlone } from "../cached-light.js";
 import { CachedLights } from "../cached-lights.js";
@@ -9,9 +10,8 @@ import type { GBufferKind } from "../gbuffer/gbuffer.js";
 import type { CaptureLight } from "../light-block.js";
 import { hasLods } from "../mesh/mesh-lods.js";
 import { MOTION_ERROR, type PhysicalTier } from "../quality.js";
-import { clusterBuilderOf, ShadowCasters } from "../shadow/shadow-casters.js";
+import { clustersOf, ShadowCasters } from "../shadow/shadow-casters.js";
 import { type ShadowCube, ShadowPass, shadowAtlas } from "../shadow/shadow-pass.js";
-import { finish, type Steps } from "../steps.js";
 import { fitToRoom } from "./fit-to-room.js";
 import { IndirectPass, type IndirectScene, type StepSize } from "./indirect-pass.js";
 import { indirectTargets } from "./indirect-targets.js";
@@ -211,7 +211,7 @@ export class LightCaptures {
     if (!this.#hasLods) return null;
     const detail = { error, isReduced: true };
     const { model, surfaces } = this.#room;
-    return clusterBuilderOf(model, detail).proceed()
+    return clustersOf(model, detail).proceed()
       ? new ShadowCasters(this.#gpu, model, surfaces, detail)
       : null;
   }

@@ -1,4 +1,5 @@
 import type { Model, Part } from "../../assets/model.js";
+import { type Steps, type Task, type Tasks, taskOf } from "../../steps.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import type { CollisionMesh, RayHit } from "../../world/room/collision-mesh.js";
 import { interiorBounds } from "./interior-bounds.js";
@@ -64,166 +65,114 @@ const RELOCATIONS: readonly Vec3[] = relocations();
 /** Corners of a cell of the grid, by the parity of x, y and z. */
 const CORNERS = [...Array(8).keys()];
 
-const traces = new WeakMap<CollisionMesh, Map<string, ProbeTrace>>();
+const traces: Tasks<CollisionMesh, ProbeRays> = new WeakMap();
 
-/** What traces the rays of all probes, all at once or a few at a time. Cached by room and resolution. */
+/** Ray tracing from the probes, a probe in each step: once for each room and resolution. */
 export function probeTraceOf(
   collision: CollisionMesh,
   model: Model,
   { probes, inset, rays }: ProbeDetail,
-): ProbeTrace {
-  const ofMesh = traces.get(collision) ?? new Map<string, ProbeTrace>();
-  traces.set(collision, ofMesh);
-  const key = JSON.stringify([probes, inset, rays]);
-  const trace = ofMesh.get(key) ?? new ProbeTrace(collision, model, { probes, inset, rays });
-  ofMesh.set(key, trace);
-  return trace;
+): Task<ProbeRays> {
+  const detail = { probes, inset, rays };
+  return taskOf(traces, collision, detail, () => trace(collision, model, detail));
 }
 
-/** Ray tracing from the probes, in progress. */
-class ProbeTrace {
-  readonly #collision: CollisionMesh;
-  readonly #parts: readonly Part[];
-  /** Index of the first triangle of each part. */
-  readonly #firsts: readonly number[];
-  readonly #detail: ProbeDetail;
-  readonly #bounds: Bounds;
-  readonly #insideTestDirections = octahedral(INSIDE_TEST_RAYS, INSIDE_TEST_RAYS, 0);
-  /** Of the rays, by the corner of a cell that the probe is. */
-  readonly #bundles: readonly { readonly directions: readonly Vec3[]; readonly lobes: Lobes }[];
-  readonly #positions: Float32Array;
-  readonly #hits: Float32Array;
-  readonly #depths: Float32Array;
-  readonly #hitUvs: readonly number[][];
-  #traced = 0;
-  #result: ProbeRays | null = null;
-
-  constructor(collision: CollisionMesh, model: Model, detail: ProbeDetail) {
-    const { parts } = model;
-    this.#collision = collision;
-    this.#parts = parts;
-    this.#detail = detail;
-    this.#bounds = interiorBounds(collision, model);
-    let first = 0;
-    this.#firsts = parts.map(({ indices }) => {
-      first += Math.floor(indices.length / 3);
-      return first - Math.floor(indices.length / 3);
-    });
-    const count = this.#count;
-    this.#bundles = CORNERS.map((corner) => {
-      const directions = rayDirections(detail.rays, corner);
-      return { directions, lobes: lobesOf(directions) };
-    });
-    this.#positions = new Float32Array(count * 4);
-    this.#hits = new Float32Array(count * detail.rays ** 2 * 4);
-    this.#depths = new Float32Array(count * PROBE_DEPTH_EDGE ** 2 * 2);
-    this.#hitUvs = parts.map(() => []);
-  }
-
-  get #count(): number {
-    return this.#detail.probes.reduce((product, along) => product * along, 1);
-  }
-
-  /** Traces the rays of the next few probes. True when all are traced. */
-  proceed(probes: number): boolean {
-    const end = Math.min(this.#traced + probes, this.#count);
-    while (this.#traced < end) this.#trace(this.#traced++);
-    return this.#traced === this.#count;
-  }
-
-  finish(): ProbeRays {
-    this.proceed(this.#count);
-    this.#result ??= this.#collect();
-    return this.#result;
-  }
-
-  #trace(tile: number): void {
-    const { probes, rays } = this.#detail;
-    const [columns, rows] = probes;
-    const width = columns * rays;
+function* trace(collision: CollisionMesh, model: Model, detail: ProbeDetail): Steps<ProbeRays> {
+  const { probes, rays } = detail;
+  const { isInside, partOf, uvOf } = hitsOn(model.parts);
+  const bounds = interiorBounds(collision, model);
+  const insideTestDirections = octahedral(INSIDE_TEST_RAYS, INSIDE_TEST_RAYS, 0);
+  const isOutside = (position: Vec3) => {
+    let backFaces = 0;
+    for (const direction of insideTestDirections) {
+      const hit = collision.raycast(position, direction, Infinity);
+      if (hit && isInside(hit)) backFaces++;
+    }
+    return backFaces < INSIDE_SHARE * insideTestDirections.length;
+  };
+  const bundles = CORNERS.map((corner) => {
+    const directions = rayDirections(rays, corner);
+    return { directions, lobes: lobesOf(directions) };
+  });
+  const [columns, rows, planes] = probes;
+  const count = columns * rows * planes;
+  const positions = new Float32Array(count * 4);
+  const hits = new Float32Array(count * rays ** 2 * 4);
+  const depths = new Float32Array(count * PROBE_DEPTH_EDGE ** 2 * 2);
+  const uvsOfParts = model.parts.map((): number[] => []);
+  for (let tile = 0; tile < count; tile++) {
+    if (tile > 0) yield;
     const column = tile % columns;
     const row = Math.floor(tile / columns);
     const plane = Math.floor(row / rows);
-    const position = this.#relocate(column, row % rows, plane);
-    if (!position) return;
+    const place = (offset: Vec3) => placeOf([column, row % rows, plane], offset, bounds, detail);
+    const offset = RELOCATIONS.find((offset) => isOutside(place(offset)));
+    if (!offset) continue;
+    const position = place(offset);
     const corner = (column & 1) + 2 * ((row % rows) & 1) + 4 * (plane & 1);
-    const { directions, lobes } = this.#bundles[corner]!;
-    this.#positions.set(position, tile * 4);
-    this.#positions[tile * 4 + 3] = 1;
-    const depths = new Float32Array(directions.length);
+    const { directions, lobes } = bundles[corner]!;
+    positions.set([...position, 1], tile * 4);
+    const rayDepths = new Float32Array(directions.length);
     for (const [ray, direction] of directions.entries()) {
-      const hit = this.#collision.raycast(position, direction, Infinity);
-      depths[ray] = hit ? Math.min(hit.distance, FARTHEST) : FARTHEST;
-      if (!hit || this.#isInside(hit)) continue;
+      const hit = collision.raycast(position, direction, Infinity);
+      rayDepths[ray] = hit ? Math.min(hit.distance, FARTHEST) : FARTHEST;
+      if (!hit || isInside(hit)) continue;
       const x = column * rays + (ray % rays);
       const y = row * rays + Math.floor(ray / rays);
-      const to = (y * width + x) * 4;
-      this.#hits.set(hit.normal, to);
-      this.#hits[to + 3] = hit.distance;
-      const part = this.#partOf(hit.triangle);
-      this.#hitUvs[part]?.push(x, y, ...this.#uvOf(hit, part));
+      hits.set([...hit.normal, hit.distance], (y * columns * rays + x) * 4);
+      uvsOfParts[partOf(hit)]!.push(x, y, ...uvOf(hit));
     }
-    averageDepths(depths, lobes, this.#depths, column, row, columns);
+    averageDepths(rayDepths, lobes, depths, column, row, columns);
   }
-
-  #collect(): ProbeRays {
-    const hitUvs = new Float32Array(this.#hitUvs.reduce((sum, { length }) => sum + length, 0));
-    const runs: { part: number; first: number; count: number }[] = [];
-    let first = 0;
-    for (const [part, uvs] of this.#hitUvs.entries()) {
-      if (uvs.length > 0) runs.push({ part, first: first / 4, count: uvs.length / 4 });
-      hitUvs.set(uvs, first);
-      first += uvs.length;
-    }
-    const [positions, hits, depths] = [this.#positions, this.#hits, this.#depths];
-    return { positions, hits, depths, hitUvs, runs };
+  const hitUvs = new Float32Array(uvsOfParts.reduce((sum, { length }) => sum + length, 0));
+  const runs: { part: number; first: number; count: number }[] = [];
+  let first = 0;
+  for (const [part, uvs] of uvsOfParts.entries()) {
+    if (uvs.length > 0) runs.push({ part, first: first / 4, count: uvs.length / 4 });
+    hitUvs.set(uvs, first);
+    first += uvs.length;
   }
+  return { positions, hits, depths, hitUvs, runs };
+}
 
-  /** Position of a probe: its place in the grid, or the nearest point tried that is outside all solids. */
-  #relocate(i: number, j: number, k: number): Vec3 | null {
-    const { min, max } = this.#bounds;
-    const { probes, inset } = this.#detail;
-    const cell = [i, j, k] as const;
-    for (const offset of RELOCATIONS) {
-      const position = [0, 1, 2].map((axis) => {
-        const low = min[axis] ?? 0;
-        const cells = (probes[axis] ?? 1) - 1 + 2 * inset;
-        const place = (cell[axis] ?? 0) + inset + (offset[axis] ?? 0);
-        const margin = 0.05;
-        const within = Math.min(Math.max(place, margin), cells - margin);
-        return low + (within * ((max[axis] ?? 0) - low)) / cells;
-      }) as Vec3;
-      let backFaces = 0;
-      for (const direction of this.#insideTestDirections) {
-        const hit = this.#collision.raycast(position, direction, Infinity);
-        if (hit && this.#isInside(hit)) backFaces++;
-      }
-      if (backFaces < INSIDE_SHARE * this.#insideTestDirections.length) return position;
-    }
-    return null;
-  }
+/** Place of a probe in the grid, moved by an offset in cells. */
+function placeOf(cell: Vec3, offset: Vec3, { min, max }: Bounds, detail: ProbeDetail): Vec3 {
+  const margin = 0.05;
+  return [0, 1, 2].map((axis) => {
+    const low = min[axis]!;
+    const cells = detail.probes[axis]! - 1 + 2 * detail.inset;
+    const place = cell[axis]! + detail.inset + offset[axis]!;
+    const within = Math.min(Math.max(place, margin), cells - margin);
+    return low + (within * (max[axis]! - low)) / cells;
+  }) as Vec3;
+}
 
-  /** Index of the part that a triangle of the room belongs to. */
-  #partOf(triangle: number): number {
-    let part = this.#firsts.length - 1;
-    while (part > 0 && this.#firsts[part]! > triangle) part--;
+/** Attributes of hits of the parts' triangles, which are numbered one part after the other. */
+function hitsOn(parts: readonly Part[]) {
+  let count = 0;
+  /** Number of the first triangle of each part. */
+  const firsts = parts.map(({ indices }) => {
+    count += Math.floor(indices.length / 3);
+    return count - Math.floor(indices.length / 3);
+  });
+  const partOf = ({ triangle }: RayHit) => {
+    let part = firsts.length - 1;
+    while (part > 0 && firsts[part]! > triangle) part--;
     return part;
-  }
-
-  /** Whether a ray has met the inside of a solid. */
-  #isInside({ triangle, isBack }: RayHit): boolean {
-    return isBack && !this.#parts[this.#partOf(triangle)]!.material.isDoubleSided;
-  }
-
-  /** Texture coordinates of a hit. */
-  #uvOf({ triangle, u, v }: RayHit, part: number): [number, number] {
-    const { indices, uvs } = this.#parts[part]!;
-    const first = (triangle - this.#firsts[part]!) * 3;
+  };
+  const isInside = (hit: RayHit) => hit.isBack && !parts[partOf(hit)]!.material.isDoubleSided;
+  const uvOf = (hit: RayHit) => {
+    const part = partOf(hit);
+    const { indices, uvs } = parts[part]!;
+    const first = (hit.triangle - firsts[part]!) * 3;
     const [a, b, c] = [indices[first]!, indices[first + 1]!, indices[first + 2]!];
     const mix = (axis: 0 | 1) =>
-      (1 - u - v) * uvs[a * 2 + axis]! + u * uvs[b * 2 + axis]! + v * uvs[c * 2 + axis]!;
-    return [mix(0), mix(1)];
-  }
+      (1 - hit.u - hit.v) * uvs[a * 2 + axis]! +
+      hit.u * uvs[b * 2 + axis]! +
+      hit.v * uvs[c * 2 + axis]!;
+    return [mix(0), mix(1)] as const;
+  };
+  return { partOf, isInside, uvOf };
 }
 
 /** For each texel of a depth map the rays in its lobe, and their weights. */

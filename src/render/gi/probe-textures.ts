@@ -8,9 +8,10 @@ import type { Program, ShaderSource } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
+import type { Steps } from "../../steps.js";
+import { drawInBands } from "../draw-in-bands.js";
 import { floats } from "../float-format.js";
 import type { Mesh } from "../mesh/mesh.js";
-import { drawInBands, type Steps } from "../steps.js";
 import { PROBE_DEPTH_EDGE, type ProbeDetail, type ProbeRays } from "./probe-rays.js";
 
 /** Bytes of a float. */

@@ -1,4 +1,5 @@
 import type { Part } from "../../assets/model.js";
+import type { Steps } from "../../steps.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 
 /** Triangles of a cluster: few enough for culling, enough to be worth a draw. */
@@ -27,53 +28,30 @@ export interface Clusters {
 }
 
 /**
- * Merges a model's parts into clusters of triangles, simplified by vertex clustering.
+ * Merges a model's parts into clusters of triangles, simplified by vertex clustering; a part in each step.
  *
  * Rossignac and Borrel 1993, "Multi-resolution 3D approximations for rendering complex scenes": vertices
  * within one cell become their mean, and degenerate triangles are dropped. Each part is simplified by itself, so
  * that a thing on a table does not merge with it.
+ *
+ * @param detail edge of the cells whose vertices become one, metres; 0 keeps all
+ * @param levelOf a part at the level of detail to begin with. Default: the part itself
  */
-export class ClusterBuilder {
-  readonly #parts: readonly Part[];
-  readonly #detail: number;
-  readonly #levelOf: (part: Part) => Part;
-  readonly #vertices: number[] = [];
-  readonly #indices: number[] = [];
-  readonly #clusters: Cluster[] = [];
-  #done = 0;
-  #result: Clusters | null = null;
-
-  /**
-   * @param detail edge of the cells whose vertices become one, metres; 0 keeps all
-   * @param levelOf a part at the level of detail to begin with. Default: the part itself
-   */
-  constructor(parts: readonly Part[], detail: number, levelOf = (part: Part) => part) {
-    this.#parts = parts;
-    this.#detail = detail;
-    this.#levelOf = levelOf;
+export function* clusterSteps(
+  parts: readonly Part[],
+  detail: number,
+  levelOf = (part: Part) => part,
+): Steps<Clusters> {
+  const vertices: number[] = [];
+  const indices: number[] = [];
+  const clusters: Cluster[] = [];
+  for (const [i, part] of parts.entries()) {
+    const source = levelOf(part);
+    const mesh = detail > 0 ? clusterVertices(source, detail) : source;
+    appendInOrder(mesh, i, { vertices, indices, clusters });
+    yield;
   }
-
-  /** Goes on with one part, in the end with the order of all clusters. True when that is done. */
-  proceed(): boolean {
-    const part = this.#parts[this.#done];
-    if (part) {
-      const source = this.#levelOf(part);
-      const mesh = this.#detail > 0 ? clusterVertices(source, this.#detail) : source;
-      const to = { vertices: this.#vertices, indices: this.#indices, clusters: this.#clusters };
-      appendInOrder(mesh, this.#done++, to);
-      return false;
-    }
-    this.#result ??= {
-      vertices: Float32Array.from(this.#vertices.splice(0)),
-      ...sortByPlace(this.#indices.splice(0), this.#clusters.splice(0)),
-    };
-    return true;
-  }
-
-  finish(): Clusters {
-    while (!this.proceed());
-    return this.#result!;
-  }
+  return { vertices: Float32Array.from(vertices), ...sortByPlace(indices, clusters) };
 }
 
 /** Clusters of all parts in one Morton order, so that those of one side of a room are few runs. */

@@ -3,6 +3,7 @@ import shadowVert from "../../../shaders/shadow/shadow.vert";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Texture } from "../../gl/texture.js";
 import { adaptedMoonlight } from "../../light/moonlight.js";
+import type { Steps } from "../../steps.js";
 import type { Vec3 } from "../../world/geometry.js";
 import type { Moon } from "../../world/moon.js";
 import { CollisionMesh } from "../../world/room/collision-mesh.js";
@@ -11,8 +12,7 @@ import { IndirectPass, type IndirectScene, type StepSize } from "../gi/indirect-
 import type { IndirectTargets } from "../gi/indirect-targets.js";
 import { type IndirectDetail, probeTraceOf } from "../gi/probe-rays.js";
 import type { PhysicalTier } from "../quality.js";
-import { clusterBuilderOf, ShadowCasters } from "../shadow/shadow-casters.js";
-import type { Steps } from "../steps.js";
+import { clustersOf, ShadowCasters } from "../shadow/shadow-casters.js";
 import { entersRoom } from "./entry.js";
 import {
   clipFromFrustum,
@@ -131,7 +131,7 @@ export class MoonCaptures {
     if (!frustum.panes && !entersRoom(direction, parts, model.bounds)) return null;
     const before = { ...model, parts };
     const detail = { error: 0 };
-    while (!clusterBuilderOf(before, detail).proceed()) yield;
+    while (!clustersOf(before, detail).proceed()) yield;
     const lit = moonlitPoints(frustum, new CollisionMesh(parts), this.#detail);
     const { positions } = probeTraceOf(collision, model, this.#detail).finish();
     const visibility = yield* traceSurfelVisibility(lit, collision, positions, this.#detail);

@@ -1,10 +1,10 @@
+import type { Steps } from "../../steps.js";
 import type { Vec3 } from "../../world/geometry.js";
 import { pcg } from "../../world/random.js";
 import type { CollisionMesh } from "../../world/room/collision-mesh.js";
 import { surfelRowsOf } from "../gi/indirect-targets.js";
 import type { IndirectDetail } from "../gi/probe-rays.js";
 import { FACES } from "../shadow/cube-map.js";
-import type { Steps } from "../steps.js";
 import type { MoonFrustum } from "./moon-frustum.js";
 import type { LitPoint } from "./virtual-lights.js";
 

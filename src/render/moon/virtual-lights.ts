@@ -4,6 +4,7 @@ import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Gpu } from "../../gl/gpu.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
+import type { Steps } from "../../steps.js";
 import type { Vec3 } from "../../world/geometry.js";
 import { floats } from "../float-format.js";
 import type { IndirectPass, StepSize } from "../gi/indirect-pass.js";
@@ -11,7 +12,6 @@ import { irradianceMaps } from "../gi/indirect-targets.js";
 import type { IndirectDetail } from "../gi/probe-rays.js";
 import type { ShadowCasters } from "../shadow/shadow-casters.js";
 import { type ShadowAtlas, ShadowPass, shadowAtlas } from "../shadow/shadow-pass.js";
-import type { Steps } from "../steps.js";
 import type { MoonSurfels } from "./moon-surfels.js";
 
 /** Of shaders that include `lib/virtual-lights.glsl`. The last are on the panes, where the sky's light comes from. */

@@ -9,12 +9,12 @@ import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
 import { luma, type Rgb } from "../../light/color.js";
 import { TAPER } from "../../light/flame-light.js";
+import type { Steps } from "../../steps.js";
 import type { CachedLight } from "../cached-light.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { GBuffer } from "../gbuffer/gbuffer.js";
 import { lightBlock } from "../light-block.js";
 import type { ShadowQuality } from "../quality.js";
-import type { Steps } from "../steps.js";
 import type { FrameBlocks } from "./opaque-stage.js";
 
 /** Least intensity by which the sum has the flame's colour, cd: an ember gives less. */

@@ -8,12 +8,12 @@ import type { Box, Gpu, Surface } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
+import type { Steps } from "../../steps.js";
 import type { Size } from "../frame-input.js";
 import { forEachGBufferKind, type GBufferKind } from "../gbuffer/gbuffer.js";
 import { type DisplayTransform, whiteBalance } from "../post/display-pass.js";
 import { ToneLut } from "../post/tone-lut.js";
 import { boxesBeside, scaleBox } from "../screen-bounds.js";
-import type { Steps } from "../steps.js";
 import type { FrameBlocks, OpaqueLayer } from "./opaque-stage.js";
 
 /** Options of a composite to the canvas. */

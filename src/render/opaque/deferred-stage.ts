@@ -3,6 +3,7 @@ import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Box, Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { TextureFormat } from "../../gl/texture.js";
+import type { Steps } from "../../steps.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import {
   type FullGBuffer,
@@ -14,7 +15,6 @@ import { GBufferPass } from "../gbuffer/gbuffer-pass.js";
 import type { Captures } from "../gi/light-captures.js";
 import type { MeshLods } from "../mesh/mesh-lods.js";
 import type { PhysicalTier } from "../quality.js";
-import type { Steps } from "../steps.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
 import { CachedLighting } from "./cached-lighting.js";
 import { LightingPass } from "./lighting-pass.js";

@@ -2,10 +2,10 @@ import type { Box } from "../../gl/gpu.js";
 import type { ProgramOptions } from "../../gl/program.js";
 import type { Texture, TextureFormat } from "../../gl/texture.js";
 import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { Steps } from "../../steps.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { GBufferKind } from "../gbuffer/gbuffer.js";
 import type { Captures } from "../gi/light-captures.js";
-import type { Steps } from "../steps.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
 
 /** Uniform blocks that all passes of a frame share. */

@@ -1,4 +1,5 @@
 import type { Gpu } from "../../gl/gpu.js";
+import type { Steps } from "../../steps.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { Captures } from "../gi/light-captures.js";
 import { lightBlock } from "../light-block.js";
@@ -9,7 +10,6 @@ import type { PhysicalTier } from "../quality.js";
 import type { InitialImage, Surfaces } from "../renderer.js";
 import { SCHEDULE } from "../schedule.js";
 import { wholeOf } from "../screen-bounds.js";
-import type { Steps } from "../steps.js";
 import { RadianceTarget } from "../volumetric/volumetric-target.js";
 
 /**

@@ -1,4 +1,5 @@
 import type { Gpu } from "../../gl/gpu.js";
+import type { Steps } from "../../steps.js";
 import { isUnlit } from "../cached-light.js";
 import type { FrameInput } from "../frame-input.js";
 import type { GBufferKind } from "../gbuffer/gbuffer.js";
@@ -8,7 +9,6 @@ import { type Captures, LightCaptures } from "../gi/light-captures.js";
 import { probeTraceOf } from "../gi/probe-rays.js";
 import { FINE_INDIRECT, type PhysicalTier } from "../quality.js";
 import { SCHEDULE } from "../schedule.js";
-import type { Steps } from "../steps.js";
 
 /**
  * Captures of the light that an image is refined in: first with few probes, which take a second, then with `high`'s.

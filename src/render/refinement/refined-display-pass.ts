@@ -11,6 +11,7 @@ import type { Program } from "../../gl/program.js";
 import type { RenderTarget } from "../../gl/render-target.js";
 import type { Texture } from "../../gl/texture.js";
 import type { TextureView } from "../../gl/texture-view.js";
+import type { Steps } from "../../steps.js";
 import type { Size } from "../frame-input.js";
 import type { DisplayOptions } from "../opaque/composite-display-pass.js";
 import type { FrameBlocks, OpaqueLayer } from "../opaque/opaque-stage.js";
@@ -18,7 +19,6 @@ import { whiteBalance } from "../post/display-pass.js";
 import { HueLut } from "../post/hue-lut.js";
 import { ToneLut } from "../post/tone-lut.js";
 import { bandOf, expandBox, expandBoxes } from "../screen-bounds.js";
-import type { Steps } from "../steps.js";
 import type { RefinedImage } from "./refined-fade.js";
 import type { RefinedStage } from "./refined-stage.js";
 

@@ -2,9 +2,9 @@ import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import casterAlbedoFrag from "../../../shaders/shadow/caster-albedo.frag";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Texture } from "../../gl/texture.js";
+import type { Steps } from "../../steps.js";
 import { floats } from "../float-format.js";
 import type { Mesh } from "../mesh/mesh.js";
-import type { Steps } from "../steps.js";
 
 /** Texels of a tile: `CASTER_TILE` of `shaders/lib/caster-albedo.glsl`. */
 const TILE = { width: 16, height: 32 } as const;

@@ -2,11 +2,11 @@ import type { Model, Part } from "../../assets/model.js";
 import type { Buffer } from "../../gl/buffer.js";
 import type { Draw, Gpu } from "../../gl/gpu.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
+import { finish, type Steps, type Task, type Tasks, taskOf } from "../../steps.js";
 import type { Bounds } from "../../world/geometry.js";
-import { ClusterBuilder, type Clusters, runsOf, VERTEX_SIZE } from "../mesh/clusters.js";
+import { type Clusters, clusterSteps, runsOf, VERTEX_SIZE } from "../mesh/clusters.js";
 import type { Mesh } from "../mesh/mesh.js";
 import { reducedPart } from "../mesh/mesh-lods.js";
-import { finish, type Steps } from "../steps.js";
 import { casterAlbedoOf } from "./caster-albedo.js";
 
 /** Most draws for a cube face: a further draw call costs more than the triangles that it would cull. */
@@ -22,21 +22,16 @@ export interface CasterDetail {
   readonly isReduced?: boolean;
 }
 
-/** Clusters of each model by level of detail, shared by all contexts. */
-const cache = new WeakMap<Model, Map<string, ClusterBuilder>>();
+/** Shared by all contexts. */
+const tasks: Tasks<Model, Clusters> = new WeakMap();
 
-/** What builds the clusters of a model, all at once or a part at a time, for the casters to come. Cached. */
-export function clusterBuilderOf(
+/** Clusters of a model for the casters to come, a part in each step: once for each level of detail. */
+export function clustersOf(
   model: Model,
   { error, isReduced = false }: CasterDetail,
-): ClusterBuilder {
-  const levels = cache.get(model) ?? new Map<string, ClusterBuilder>();
-  cache.set(model, levels);
-  const level = JSON.stringify([error, isReduced]);
+): Task<Clusters> {
   const reduce = isReduced ? (part: Part) => reducedPart([part]) : undefined;
-  const builder = levels.get(level) ?? new ClusterBuilder(model.parts, error, reduce);
-  levels.set(level, builder);
-  return builder;
+  return taskOf(tasks, model, { error, isReduced }, () => clusterSteps(model.parts, error, reduce));
 }
 
 /** The room's clusters of triangles, culled by face of a cube: casters of shadows and of indirect light. */
@@ -51,7 +46,7 @@ export class ShadowCasters {
   constructor(gpu: Gpu, model: Model, surfaces: readonly Mesh[], detail: CasterDetail) {
     this.#gpu = gpu;
     this.#surfaces = surfaces;
-    this.#clusters = clusterBuilderOf(model, detail).finish();
+    this.#clusters = clustersOf(model, detail).finish();
     const { vertices, indices } = this.#clusters;
     const buffer = gpu.buffer("casters/vertices", vertices);
     const indexBuffer = gpu.buffer("casters/indices", indices, "index");

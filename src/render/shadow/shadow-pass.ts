@@ -4,9 +4,9 @@ import shadowVert from "../../../shaders/shadow/shadow.vert";
 import type { Gpu } from "../../gl/gpu.js";
 import type { Program } from "../../gl/program.js";
 import type { Texture } from "../../gl/texture.js";
+import { finish, type Steps } from "../../steps.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import { SCHEDULE } from "../schedule.js";
-import { finish, type Steps } from "../steps.js";
 import { clipFromShadowFace, FACES, isInCubeFace, NEAR } from "./cube-map.js";
 import type { ShadowCasters } from "./shadow-casters.js";
 

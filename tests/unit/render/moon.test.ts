@@ -13,7 +13,7 @@ import {
 } from "../../../src/render/moon/surfel-visibility.ts";
 import { groupLitPoints } from "../../../src/render/moon/virtual-lights.ts";
 import { tierNamed } from "../../../src/render/quality.ts";
-import { finish } from "../../../src/render/steps.ts";
+import { finish } from "../../../src/steps.ts";
 import type { Vec3 } from "../../../src/world/geometry.ts";
 import { lightFrom } from "../../../src/world/moon.ts";
 import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";

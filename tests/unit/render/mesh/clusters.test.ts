@@ -2,13 +2,14 @@ import { vec4 } from "gl-matrix";
 import { expect, test } from "vitest";
 import type { Part } from "../../../../src/assets/model.ts";
 import {
-  ClusterBuilder,
   type Clusters,
+  clusterSteps,
   groupTriangles,
   runsOf,
   VERTEX_SIZE,
 } from "../../../../src/render/mesh/clusters.ts";
 import { clipFromFace, FACES, isInCubeFace } from "../../../../src/render/shadow/cube-map.ts";
+import { finish } from "../../../../src/steps.ts";
 import type { Vec3 } from "../../../../src/world/geometry.ts";
 
 /** A square of the floor, of many small triangles. */
@@ -49,7 +50,7 @@ function area({ vertices, indices }: Clusters): number {
 
 test("clusters hold every triangle once, within their boxes", () => {
   const parts = [floor(20, 4), floor(3, 1, 0.7)];
-  const clusters = new ClusterBuilder(parts, 0).finish();
+  const clusters = finish(clusterSteps(parts, 0));
   expect(clusters.indices.length).toBe(3 * (800 + 18));
   expect(area(clusters)).toBeCloseTo(16 + 1, 4);
   let next = 0;
@@ -68,8 +69,8 @@ test("clusters hold every triangle once, within their boxes", () => {
 });
 
 test("what is melted has fewer triangles and covers the same floor", () => {
-  const fine = new ClusterBuilder([floor(100, 4)], 0).finish();
-  const coarse = new ClusterBuilder([floor(100, 4)], 0.2).finish();
+  const fine = finish(clusterSteps([floor(100, 4)], 0));
+  const coarse = finish(clusterSteps([floor(100, 4)], 0.2));
   expect(coarse.indices.length).toBeLessThan(fine.indices.length / 10);
   expect(area(coarse)).toBeGreaterThan(0.85 * 16);
   expect(area(coarse)).toBeLessThanOrEqual(16);
@@ -77,7 +78,7 @@ test("what is melted has fewer triangles and covers the same floor", () => {
 
 test("a face of the cube leaves out only what does not show in it", () => {
   const eye: Vec3 = [0.3, 1, -0.2];
-  const { clusters } = new ClusterBuilder([floor(40, 4)], 0).finish();
+  const { clusters } = finish(clusterSteps([floor(40, 4)], 0));
   let drawn = 0;
   for (const face of FACES.keys()) {
     const clip = clipFromFace(face, eye, -1);
@@ -97,13 +98,13 @@ test("a face of the cube leaves out only what does not show in it", () => {
 });
 
 test("neighbours in the order are drawn as one run", () => {
-  const { clusters, indices } = new ClusterBuilder([floor(20, 4), floor(20, 4, 1)], 0).finish();
+  const { clusters, indices } = finish(clusterSteps([floor(20, 4), floor(20, 4, 1)], 0));
   expect(runsOf(clusters, () => true)).toEqual([{ first: 0, count: indices.length }]);
   expect(runsOf(clusters, () => false)).toEqual([]);
 });
 
 test("of more runs than are drawn, those with the fewest hidden triangles between them are merged", () => {
-  const { clusters } = new ClusterBuilder([floor(60, 4)], 0).finish();
+  const { clusters } = finish(clusterSteps([floor(60, 4)], 0));
   const visible = new Set([0, 1, 3, 7, 9].map((i) => clusters[i]));
   const isVisible = (box: object) => visible.has(box as never);
   const at = (i: number) => clusters[i]?.first ?? Number.NaN;
@@ -114,10 +115,9 @@ test("of more runs than are drawn, those with the fewest hidden triangles betwee
 });
 
 test("clusters of all parts are in one order, and each vertex tells its part", () => {
-  const { clusters, indices, vertices } = new ClusterBuilder(
-    [floor(40, 4), floor(40, 4, 0.1)],
-    0,
-  ).finish();
+  const { clusters, indices, vertices } = finish(
+    clusterSteps([floor(40, 4), floor(40, 4, 0.1)], 0),
+  );
   const parts = clusters.map(({ first }) => vertices[(indices[first] ?? 0) * VERTEX_SIZE + 5]);
   const changes = parts.filter((part, i) => i > 0 && part !== parts[i - 1]).length;
   expect(new Set(parts)).toEqual(new Set([0, 1]));
