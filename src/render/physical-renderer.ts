@@ -35,10 +35,10 @@ import { PostTiming } from "./post/post-timing.js";
 import type { Tier } from "./quality.js";
 import { InitialSurfaces } from "./refinement/initial-surfaces.js";
 import { RefinedCaptures } from "./refinement/refined-captures.js";
-import { RefinedDisplayPass } from "./refinement/refined-display-pass.js";
+import type { RefinedDisplayPass } from "./refinement/refined-display-pass.js";
 import { RefinedFade } from "./refinement/refined-fade.js";
 import { RefinedStage } from "./refinement/refined-stage.js";
-import type { Models, Refining, Renderer } from "./renderer.js";
+import type { Models, Renderer } from "./renderer.js";
 import { boundsOf, expandBox, expandBoxes, scaleBox, wholeOf } from "./screen-bounds.js";
 import { flamePart, VolumetricStage } from "./volumetric/volumetric-stage.js";
 import { RadianceTarget } from "./volumetric/volumetric-target.js";
@@ -51,7 +51,7 @@ import { RadianceTarget } from "./volumetric/volumetric-target.js";
  * alone, a tone LUT, no dust), and in numbers.
  */
 export class PhysicalRenderer implements Renderer {
-  readonly refining: Refining | null;
+  readonly refining: RefinedStage | null = null;
   readonly refinedFade: RefinedFade | null;
   readonly initialImage?: NonNullable<Renderer["initialImage"]>;
   readonly #gpu: Gpu;
@@ -78,24 +78,29 @@ export class PhysicalRenderer implements Renderer {
     const { physical } = tier;
     const isFrugal = physical.opaque !== "forward"; // on machines without a GPU
     const lods = physical.opaque === "deferred" ? new MeshLods(gpu) : null;
-    const refined = physical.opaque === "refined" ? new RefinedStage(gpu, tier) : null;
-    this.#opaque =
-      refined ?? (lods ? new DeferredStage(gpu, physical, lods) : new ForwardStage(gpu, tier));
-    const { format, blocks, meterDefines } = this.#opaque;
     const surfaces = uploadModel(gpu, room, groupTriangles);
     this.#room = sortedByArea(surfaces);
     this.#candle = uploadModel(gpu, candle, groupTriangles);
     const scene = { model: room, collision, surfaces };
-    const refinedCaptures = refined && new RefinedCaptures(gpu, scene, physical);
-    this.#captures = refinedCaptures ?? new LightCaptures(gpu, scene, physical, lods !== null);
+    if (physical.opaque === "refined") {
+      this.refining = new RefinedStage(gpu, tier, new RefinedCaptures(gpu, scene, physical), {
+        describe: (world, settings) => this.#describe(world, settings),
+        draw: (frame) => this.#draw(frame),
+      });
+    }
+    this.#opaque =
+      this.refining ??
+      (lods ? new DeferredStage(gpu, physical, lods) : new ForwardStage(gpu, tier));
+    const { format, blocks, meterDefines } = this.#opaque;
+    this.#captures =
+      this.refining?.captures ?? new LightCaptures(gpu, scene, physical, lods !== null);
     this.#volumetric = new VolumetricStage(gpu, this.#candle, surfaces, blocks, format, physical);
     this.#bloom = isFrugal
       ? new FlameBloomPass(gpu, physical.bloomLevels, format)
       : new FrameBloomPass(gpu, physical.bloomLevels);
     this.#exposure = new ExposurePass(gpu, meterDefines);
     this.#display = new DisplayPass(gpu, isFrugal);
-    const display = refined && new RefinedDisplayPass(gpu, refined);
-    this.#compositeDisplay = display ?? (lods && new CompositeDisplayPass(gpu));
+    this.#compositeDisplay = this.refining?.display ?? (lods && new CompositeDisplayPass(gpu));
     this.refinedFade = lods && new RefinedFade(gpu);
     if (lods) {
       let initial: InitialSurfaces | null = null;
@@ -107,15 +112,6 @@ export class PhysicalRenderer implements Renderer {
         return initial.begin(size, describe, () => this.#last![2]);
       };
     }
-    this.refining =
-      display &&
-      refinedCaptures &&
-      refined.refining(
-        refinedCaptures,
-        display,
-        (world, settings) => this.#describe(world, settings),
-        (frame) => this.#draw(frame),
-      );
   }
 
   resize(width: number, height: number): void {

@@ -8,29 +8,12 @@ import type { World } from "../world/world.js";
 import type { Size } from "./frame-input.js";
 import type { FrameSettings } from "./frame-settings.js";
 import type { Captures } from "./gi/light-captures.js";
-import type { RefinedFade, RefinedImage } from "./refinement/refined-fade.js";
+import type { RefinedFade } from "./refinement/refined-fade.js";
+import type { RefinedStage } from "./refinement/refined-stage.js";
 
 export interface Models {
   readonly room: Model;
   readonly candle: Model;
-}
-
-/** Refinement of an image at rest by a renderer. */
-export interface Refining {
-  /** Tiles that are still to be drawn. */
-  readonly remaining: number;
-  /** Continues captures of the light by `steps` of the settings. True once: when tiles can be drawn in it. */
-  prepare(world: World, settings: FrameSettings): boolean;
-  /** Whether the last step has many drivers compile for so long that its frame had better draw nothing else. */
-  readonly isCompiling: boolean;
-  /** Begins with the surfaces of a coarser renderer on the same `Gpu`, of the same view. */
-  begin(world: World, settings: FrameSettings, coarse: Surfaces): void;
-  /** Continues captures of finer light by `steps` of the settings. True once: when all is to be drawn again in it. */
-  refineLight(world: World, settings: FrameSettings): boolean;
-  /** Goes on with a first frame off the screen, by a pass: many drivers compile at it. True once it is drawn. */
-  drawFirst(world: World, settings: FrameSettings): boolean;
-  /** The last displayed image; null before all of it was kept. */
-  image(): RefinedImage | null;
 }
 
 /** Surfaces without media: radiance in cd/m², its depth, the flame that it is of, and captures of its light. */
@@ -53,8 +36,8 @@ export interface InitialImage {
 
 /** Draws the world onto the canvas, for one family of looks. Created on a `Gpu`, which frees it. */
 export interface Renderer {
-  /** Null if each of its frames is complete. */
-  readonly refining?: Refining | null;
+  /** Of an image at rest; null if each of its frames is complete. */
+  readonly refining?: RefinedStage | null;
   /** Particle slots in use in the last frame. */
   readonly particles: number;
   /** Surfaces at another size than the canvas's; absent where there are none to begin a refinement with. */

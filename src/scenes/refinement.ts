@@ -107,7 +107,7 @@ export class Refinement {
    * @param next renders the next frame, and begins with what was shown
    */
   stop(next: Renderer | null = null): void {
-    const image = this.shown?.refining?.image();
+    const image = this.shown?.refining?.display.image();
     if (image) next?.refinedFade?.begin(image);
     this.#rest = 0;
     this.#isWanted = false;

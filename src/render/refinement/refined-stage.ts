@@ -22,14 +22,14 @@ import { areForwardProgramsCompiled } from "../opaque/forward-programs.js";
 import { ForwardStage } from "../opaque/forward-stage.js";
 import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "../opaque/opaque-stage.js";
 import type { Tier } from "../quality.js";
-import type { Refining, Surfaces } from "../renderer.js";
+import type { Surfaces } from "../renderer.js";
 import { SCHEDULE } from "../schedule.js";
 import { clipOfBox } from "../screen-bounds.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
 import { DepthPrepass } from "./depth-prepass.js";
 import { ImageLight } from "./image-light.js";
 import type { RefinedCaptures } from "./refined-captures.js";
-import type { RefinedDisplayPass } from "./refined-display-pass.js";
+import { RefinedDisplayPass } from "./refined-display-pass.js";
 import { TILE, tilesAround } from "./tiles.js";
 
 const BLACK = [0, 0, 0, 1] as const;
@@ -39,6 +39,12 @@ const REST_FRAMES = 3;
 const ONE_PIXEL: Box = [0, 0, 1, 1];
 
 const meshesOf = ({ instances }: FrameInput) => instances.flatMap(({ meshes }) => meshes);
+
+/** The renderer's frames: their input, and how they are drawn, in steps. */
+interface Frames {
+  describe(world: World, settings: FrameSettings): FrameInput;
+  draw(frame: FrameInput): Steps;
+}
 
 /** A part of the frame, and what it is drawn to. */
 interface Tile {
@@ -57,6 +63,9 @@ export class RefinedStage implements OpaqueStage {
   readonly blocks: FrameBlocks;
   readonly imageLight: ImageLight;
   readonly meterDefines = { PER_CANDELA: 1 };
+  readonly captures: RefinedCaptures;
+  readonly display: RefinedDisplayPass;
+  readonly #frames: Frames;
   readonly #gpu: Gpu;
   readonly #tier: Tier;
   readonly #forward: ForwardStage;
@@ -80,13 +89,16 @@ export class RefinedStage implements OpaqueStage {
   #light: CaptureLight | null = null;
   /** For a target, with the programs of a flame, or of the moon alone. */
   readonly #firstDraws = new Map<string, Steps>();
-  #isCompiling = false;
+  /** Whether the last step has many drivers compile for so long that its frame had better draw nothing else. */
+  isCompiling = false;
   /** In progress, of the image that it began with. */
   #firstFrame: Steps | null = null;
   #hasDrawnFirst = false;
 
-  constructor(gpu: Gpu, tier: Tier) {
+  constructor(gpu: Gpu, tier: Tier, captures: RefinedCaptures, frames: Frames) {
     this.#gpu = gpu;
+    this.captures = captures;
+    this.#frames = frames;
     this.#tier = tier;
     this.#forward = new ForwardStage(gpu, tier);
     normalMapVisibilityProgram(gpu);
@@ -100,75 +112,17 @@ export class RefinedStage implements OpaqueStage {
     this.blocks = this.#forward.blocks;
     this.imageLight = new ImageLight(gpu.uniformBlock(this.#begin, "Light"));
     this.#prepass = new DepthPrepass(gpu, this.blocks.Frame);
+    this.display = new RefinedDisplayPass(gpu, this);
   }
 
-  /**
-   * @param describe the input of a frame
-   * @param draw a frame, in steps
-   */
-  refining(
-    captures: RefinedCaptures,
-    display: RefinedDisplayPass,
-    describe: (world: World, settings: FrameSettings) => FrameInput,
-    draw: (frame: FrameInput) => Steps,
-  ): Refining {
-    const stage = this;
-    return {
-      get remaining() {
-        return stage.#tiles.length;
-      },
-      get isCompiling() {
-        return stage.#isCompiling;
-      },
-      prepare: (world, settings) => {
-        stage.#isCompiling = false;
-        const frame = describe(world, settings);
-        if (!captures.hold(frame, settings.steps ?? 0)) return false;
-        const held = captures.update(frame, "full");
-        const hasCandles = candlesOf(held.cached).length > 0;
-        const lights = { isMoonlit: moonOf(held.cached) !== null, hasCandles };
-        if (hasCandles) {
-          areForwardProgramsCompiled(stage.#gpu, stage.#tier, lights, meshesOf(frame));
-        }
-        if (stage.#gpu.isCompiling || !stage.#hasDrawn(frame, held, stage.#resolved)) return false;
-        stage.#queue(frame, stage.#resolved);
-        if (captures.isFine) stage.#queue(frame, stage.#samples);
-        return true;
-      },
-      begin: (world, settings, coarse) => {
-        stage.#beginWith(describe(world, settings), coarse);
-        captures.borrow(coarse.captures);
-      },
-      refineLight: (world, settings) => {
-        if (captures.isFine) return false;
-        const frame = describe(world, settings);
-        if (!captures.refine(frame, settings.steps ?? 0)) return false;
-        stage.#queue(frame, stage.#samples);
-        return true;
-      },
-      drawFirst: (world, settings) => {
-        stage.#firstFrame ??= stage.#drawOffScreen(describe(world, settings), draw);
-        stage.#hasDrawnFirst ||= stage.#firstFrame.next().done === true;
-        return stage.#hasDrawnFirst;
-      },
-      image: () => display.image(),
-    };
+  /** Tiles that are still to be drawn. */
+  get remaining(): number {
+    return this.#tiles.length;
   }
 
-  resize({ width, height }: Size): void {
-    this.#image?.dispose();
-    const options = { label: "refinement/radiance", color: [this.format], width, height } as const;
-    this.#image = this.#gpu.renderTarget({ ...options, depth: "texture" });
-    this.#prepass.resize({ width, height });
-  }
-
-  /** Tiles drawn since the last call. */
-  takeDrawn(): readonly Box[] {
-    return this.#drawn.splice(0);
-  }
-
-  /** Begins with a coarser image and the current light. */
-  #beginWith(frame: FrameInput, { radiance, depth, light }: Surfaces): void {
+  /** Begins with the surfaces of a coarser renderer on the same `Gpu`, of the same view, and with the current light. */
+  begin(world: World, settings: FrameSettings, coarse: Surfaces): void {
+    const frame = this.#frames.describe(world, settings);
     const target = this.#whole;
     this.#firstFrame?.return();
     this.#firstFrame = null;
@@ -181,10 +135,54 @@ export class RefinedStage implements OpaqueStage {
     this.#gpu.draw({
       program: this.#begin,
       target,
-      textures: { uRadiance: radiance, uDepth: depth },
-      blocks: { Light: this.imageLight.isOfFlame ? light : this.imageLight.block },
+      textures: { uRadiance: coarse.radiance, uDepth: coarse.depth },
+      blocks: { Light: this.imageLight.isOfFlame ? coarse.light : this.imageLight.block },
       depth: "test-and-write",
     });
+    this.captures.borrow(coarse.captures);
+  }
+
+  /** Goes on with a first frame off the screen, by a pass: many drivers compile at it. True once it is drawn. */
+  drawFirst(world: World, settings: FrameSettings): boolean {
+    this.#firstFrame ??= this.#drawOffScreen(this.#frames.describe(world, settings));
+    this.#hasDrawnFirst ||= this.#firstFrame.next().done === true;
+    return this.#hasDrawnFirst;
+  }
+
+  /** Continues captures of the light by `steps` of the settings. True once: when tiles can be drawn in it. */
+  prepare(world: World, settings: FrameSettings): boolean {
+    this.isCompiling = false;
+    const frame = this.#frames.describe(world, settings);
+    if (!this.captures.hold(frame, settings.steps ?? 0)) return false;
+    const held = this.captures.update(frame, "full");
+    const hasCandles = candlesOf(held.cached).length > 0;
+    const lights = { isMoonlit: moonOf(held.cached) !== null, hasCandles };
+    if (hasCandles) areForwardProgramsCompiled(this.#gpu, this.#tier, lights, meshesOf(frame));
+    if (this.#gpu.isCompiling || !this.#hasDrawn(frame, held, this.#resolved)) return false;
+    this.#queue(frame, this.#resolved);
+    if (this.captures.isFine) this.#queue(frame, this.#samples);
+    return true;
+  }
+
+  /** Continues captures of finer light by `steps` of the settings. True once: when all is to be drawn again in it. */
+  refineLight(world: World, settings: FrameSettings): boolean {
+    if (this.captures.isFine) return false;
+    const frame = this.#frames.describe(world, settings);
+    if (!this.captures.refine(frame, settings.steps ?? 0)) return false;
+    this.#queue(frame, this.#samples);
+    return true;
+  }
+
+  resize({ width, height }: Size): void {
+    this.#image?.dispose();
+    const options = { label: "refinement/radiance", color: [this.format], width, height } as const;
+    this.#image = this.#gpu.renderTarget({ ...options, depth: "texture" });
+    this.#prepass.resize({ width, height });
+  }
+
+  /** Tiles drawn since the last call. */
+  takeDrawn(): readonly Box[] {
+    return this.#drawn.splice(0);
   }
 
   #queue({ flameUv }: FrameInput, samples: RenderTarget): void {
@@ -243,16 +241,16 @@ export class RefinedStage implements OpaqueStage {
         textures: { uPrepassDepth: shadow.depth },
         uniforms: { uIsMultisampled: Number(target === this.#samples) },
       });
-      this.#isCompiling = true;
+      this.isCompiling = true;
     }
     for (let rest = 0; rest < REST_FRAMES; rest++) yield;
   }
 
-  *#drawOffScreen(frame: FrameInput, draw: (frame: FrameInput) => Steps): Steps {
+  *#drawOffScreen(frame: FrameInput): Steps {
     const { width, height } = this.#whole;
     const screen = this.#gpu.renderTarget({ label: "screen", width, height, color: ["RGBA8"] });
     try {
-      yield* draw({ ...frame, screen });
+      yield* this.#frames.draw({ ...frame, screen });
     } finally {
       screen.dispose();
     }

@@ -2,11 +2,12 @@ import type { Model, Part } from "../../assets/model.js";
 import type { Buffer } from "../../gl/buffer.js";
 import type { Draw, Gpu } from "../../gl/gpu.js";
 import type { VertexArray } from "../../gl/vertex-array.js";
-import { finish, type Steps, type Task, type Tasks, taskOf } from "../../steps.js";
+import { finish, type Steps } from "../../steps.js";
 import type { Bounds } from "../../world/geometry.js";
 import { type Clusters, clusterSteps, runsOf, VERTEX_SIZE } from "../mesh/clusters.js";
 import type { Mesh } from "../mesh/mesh.js";
 import { reducedPart } from "../mesh/mesh-lods.js";
+import { type Task, type Tasks, taskOf } from "../task.js";
 import { casterAlbedoOf } from "./caster-albedo.js";
 
 /** Most draws for a cube face: a further draw call costs more than the triangles that it would cull. */

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import type { AutoQuality } from "../../../src/render/auto-quality.ts";
 import type { FrameSettings } from "../../../src/render/frame-settings.js";
-import type { Refining, Renderer } from "../../../src/render/renderer.js";
+import type { Renderer } from "../../../src/render/renderer.js";
 import { Refinement } from "../../../src/scenes/refinement.js";
 import type { ViewSubject } from "../../../src/scenes/view-subject.js";
 import { partsOf } from "../../support/refinement-parts.ts";
@@ -36,8 +36,8 @@ async function refinement(captures: number, passes: number, lights = 0) {
     prepare: (_: unknown, { steps = 0 }: FrameSettings) => told.captures.push(steps) > captures,
     begin: () => told.begun++,
     drawFirst: () => ++told.first > passes,
-    image: () => null,
-  } as unknown as Refining;
+    display: { image: () => null },
+  };
   const renderer = { refining, resize() {}, setLayers() {} } as unknown as Renderer;
   function* fill() {
     for (let step = 0; step < 6; step++) yield told.filled++;
