@@ -16,7 +16,7 @@ import { Overlay } from "./overlay.js";
 import { PendingWorld } from "./pending-world.js";
 import { ReadyPromise } from "./ready-promise.js";
 import type { ReflectedAttributes } from "./reflected-attributes.js";
-import { Session, type SessionInput, type SessionOwner } from "./session.js";
+import { Session, type SessionInput } from "./session.js";
 import { Visibility } from "./visibility.js";
 
 /**
@@ -25,7 +25,7 @@ import { Visibility } from "./visibility.js";
  * connected -> near the viewport -> a WebGL context -> models -> first frame; with a lost context, a failure,
  * and a restart from each. What a session holds is freed by `#release`.
  */
-export class Lifecycle implements SessionOwner {
+export class Lifecycle {
   readonly pending = new PendingWorld();
   readonly draws: DrawScheduler;
   readonly reporter: CandleReporter;
@@ -195,13 +195,14 @@ export class Lifecycle implements SessionOwner {
     }
   }
 
+  /** @param totalProgress of the models' files, 0 to 1 */
   onProgress(totalProgress: number): void {
     this.#overlay.showProgress(totalProgress);
     emit(this.#element, "progress", { totalProgress });
   }
 
   onScene(candle: CandleFlame): void {
-    this.#applyPending(candle, this.#emitPlace);
+    this.applyPending(candle, this.#emitPlace);
     this.#overlay.hideProgress();
     this.changed();
     emit(this.#element, "load", null);
@@ -214,16 +215,14 @@ export class Lifecycle implements SessionOwner {
     } else this.#fail(error);
   }
 
+  /** The fetch was aborted: the attributes ask for the scene that is shown. */
   onFetchDropped(): void {
     if (this.#session?.candle) this.pending.forgetPlaces();
     this.#overlay.hideProgress();
   }
 
-  onRehearsal(candle: CandleFlame): void {
-    this.#applyPending(candle);
-  }
-
-  #applyPending(candle: CandleFlame, onPlaced?: () => void): void {
+  /** Gives a candle what the page has asked for meanwhile; without `onPlaced` it is not shown yet. */
+  applyPending(candle: CandleFlame, onPlaced?: () => void): void {
     const { shownRequest = null, isFetching = false } = this.#session ?? {};
     this.pending.applyTo(candle, shownRequest, isFetching, onPlaced);
   }
@@ -231,7 +230,7 @@ export class Lifecycle implements SessionOwner {
   /** Shows the first frame. */
   onCandle(candle: CandleFlame): void {
     const session = this.#session;
-    this.#applyPending(candle, this.#emitPlace);
+    this.applyPending(candle, this.#emitPlace);
     this.reporter.watch(candle);
     candle.onFrame = () => {
       this.draws.drawn();
@@ -321,9 +320,8 @@ export class Lifecycle implements SessionOwner {
 
   /** `ready` rejects with it, if it is pending. */
   #report(error: Error): void {
-    const { message } = error;
     this.#ready.settle(error);
-    emit(this.#element, "error", { type: typeOf(error), message, cause: error });
+    emit(this.#element, "error", { type: typeOf(error), message: error.message, cause: error });
   }
 
   #offerReload(): void {

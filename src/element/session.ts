@@ -7,6 +7,7 @@ import type { Features, Inspection, Look, SceneName } from "../settings.js";
 import { CandleList } from "./candle-list.js";
 import { watchContext } from "./context-watch.js";
 import { guessDevicePixels, observeDevicePixels, type Size } from "./device-pixels.js";
+import type { Lifecycle } from "./lifecycle.js";
 import { assetRootOf, optionsOf } from "./options.js";
 import type { ReflectedAttributes } from "./reflected-attributes.js";
 
@@ -15,31 +16,6 @@ export interface SessionInput {
   readonly attributes: ReflectedAttributes;
   readonly features: Features;
   inspect: Inspection;
-}
-
-/** What a session tells. */
-export interface SessionOwner {
-  /** Whether time is to pass. */
-  plays(): boolean;
-  /** @param progress of the models' files, 0 to 1 */
-  onProgress(progress: number): void;
-  /** The candle is drawn for the first time, but not shown: it is to be what it will be in `onCandle`. */
-  onRehearsal(candle: CandleFlame): void;
-  /** The candle can draw its first frame. */
-  onCandle(candle: CandleFlame): void;
-  /** The candle has changed to another scene. */
-  onScene(candle: CandleFlame): void;
-  /** The scene asked for cannot be fetched. */
-  onMissing(error: Error): void;
-  /** The fetch was aborted: the attributes ask for the scene that is shown. */
-  onFetchDropped(): void;
-  /** Drawing failed, or preparing it. */
-  onError(cause: unknown): void;
-  /** The candle has changed since the last frame. */
-  changed(): void;
-  onContextLost(): void;
-  onContextRestored(): void;
-  onContextGivenUp(): void;
 }
 
 /**
@@ -52,7 +28,7 @@ export class Session {
   /** Scene that the canvas was made for. */
   readonly sceneName: SceneName;
   readonly #input: SessionInput;
-  readonly #owner: SessionOwner;
+  readonly #owner: Lifecycle;
   readonly #signal: AbortSignal;
   readonly #target: CanvasTarget;
   #shownRequest: SceneRequest | null = null;
@@ -75,7 +51,7 @@ export class Session {
     canvas: HTMLCanvasElement,
     input: SessionInput,
     signal: AbortSignal,
-    owner: SessionOwner,
+    owner: Lifecycle,
   ) {
     const { scene, quality } = input.attributes;
     this.canvas = canvas;
@@ -258,7 +234,7 @@ export class Session {
         rehearse: (candle) => {
           this.#setUp(candle);
           this.#fit(candle);
-          this.#owner.onRehearsal(candle);
+          this.#owner.applyPending(candle);
         },
       });
       if (created) this.#begin(created);
