@@ -1,7 +1,5 @@
 import { mat4 } from "gl-matrix";
 import type { Bounds, Vec3 } from "../world/geometry.js";
-import { fieldOfViewOf } from "../world/player/field-of-view.js";
-import type { World } from "../world/world.js";
 
 /** Field of view across the image's shorter side, radians: the paper's 45 degrees. */
 export const FIELD_OF_VIEW = Math.PI / 4;
@@ -82,9 +80,4 @@ export function clipPosition(
 /** Pixels of a length of 1 m at a distance of 1 m, by the image's shorter side. */
 export function projectionScale(shorterSide: number): number {
   return shorterSide / (2 * Math.tan(FIELD_OF_VIEW / 2));
-}
-
-/** Magnification against the field of view of the world's setup. */
-export function magnification(world: World): number {
-  return Math.tan(world.setup.fieldOfView / 2) / Math.tan(fieldOfViewOf(world) / 2);
 }

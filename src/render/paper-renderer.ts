@@ -15,9 +15,8 @@ import { candleLight } from "../light/candle-light.js";
 import type { Features, Look } from "../settings.js";
 import type { ParticleLayer } from "../world/particles/particle-layer.js";
 import { layerKey } from "../world/particles/particles.js";
-import { fieldOfViewOf } from "../world/player/field-of-view.js";
 import type { World } from "../world/world.js";
-import { clipFromWorld, magnification, projectionScale } from "./camera.js";
+import { frameBlock } from "./frame-block.js";
 import type { FrameSettings } from "./frame-settings.js";
 import { type Mesh, surfaceSampling, uploadModel } from "./mesh/mesh.js";
 import type { Tier } from "./quality.js";
@@ -57,7 +56,6 @@ export class PaperRenderer implements Renderer {
   readonly #room: readonly Mesh[];
   readonly #candle: readonly Mesh[];
   #systems: ParticleSystem[] = [];
-  #clipFromWorld = mat4.create();
   #target: RenderTarget | null = null;
   #resolved: RenderTarget | null = null;
   /** Where edges are antialiased after shading: samples are what a CPU pays most for. */
@@ -112,7 +110,7 @@ export class PaperRenderer implements Renderer {
     const target = this.#target;
     if (!target) throw new Error("The paper's renderer has no size yet.");
     const { features } = view;
-    this.#updateBlocks(world, view);
+    const frame = this.#updateBlocks(world, view);
     gpu.setColorSpace("srgb");
     gpu.clear(target, [0, 0, 0, 1]);
     const smooth = features.normalMaps ? "NORMAL_MAPS" : "VERTICES";
@@ -123,7 +121,7 @@ export class PaperRenderer implements Renderer {
       const placement = [x, y, z, world.setup.candleScale];
       this.#drawSurfaces(target, this.#program("candle", normals), this.#candle, placement);
     }
-    if (features.particles) this.#drawParticles(target, world, features);
+    if (features.particles) this.#drawParticles(target, world, features, frame);
     const resolved = this.#resolved;
     if (resolved) {
       gpu.resolve(target, resolved);
@@ -139,31 +137,13 @@ export class PaperRenderer implements Renderer {
     }
   }
 
-  #updateBlocks(world: World, { features, exposure, isStill }: FrameSettings): void {
-    const { player, interpolated } = world;
-    this.#exposure = EXPOSURE * 2 ** exposure;
-    const { width, height } = this.#size;
-    this.#clipFromWorld = clipFromWorld(
-      interpolated.eye,
-      player.yaw,
-      player.pitch,
-      width / height,
-      fieldOfViewOf(world),
-    );
-    this.#frame.update({
-      clipFromWorld: this.#clipFromWorld,
-      eyePosition: interpolated.eye,
-      exposure: this.#exposure,
-      viewport: [width, height],
-      projectionScale: projectionScale(Math.min(width, height)) * magnification(world),
-      normalMaps: features.normalMaps ? 1 : 0,
-    });
-    const light = candleLight(world, features, isStill);
-    this.#light.update({
-      position: light.position,
-      attenuates: light.attenuates ? 1 : 0,
-      color: light.color,
-    });
+  #updateBlocks(world: World, settings: FrameSettings): ReturnType<typeof frameBlock> {
+    this.#exposure = EXPOSURE * 2 ** settings.exposure;
+    const frame = frameBlock(world, settings, this.#size, this.#exposure);
+    this.#frame.update(frame);
+    const light = candleLight(world, settings.features, settings.isStill);
+    this.#light.update({ ...light, attenuates: light.attenuates ? 1 : 0 });
+    return frame;
   }
 
   /** Programs of their own, since a software renderer executes both sides of an `if`. Compiled on first use. */
@@ -197,19 +177,18 @@ export class PaperRenderer implements Renderer {
     }
   }
 
-  #drawParticles(target: Target, world: World, features: Features): void {
+  #drawParticles(
+    target: Target,
+    world: World,
+    features: Features,
+    { clipFromWorld, projectionScale }: ReturnType<typeof frameBlock>,
+  ): void {
     const { setup, interpolated, look, remainder } = world;
     const isFinal = look === "paper";
     const hasGradient = isFinal && features.gradient;
-    const clipFromFlame = mat4.translate(mat4.create(), this.#clipFromWorld, interpolated.flame);
-    mat4.scale(clipFromFlame, clipFromFlame, [
-      setup.flameScale,
-      setup.flameScale,
-      setup.flameScale,
-    ]);
-    const { width, height } = this.#size;
-    const scale = projectionScale(Math.min(width, height)) * magnification(world);
-    const pixels = setup.flameScale * scale;
+    const clipFromFlame = mat4.translate(mat4.create(), clipFromWorld, interpolated.flame);
+    const { flameScale } = setup;
+    mat4.scale(clipFromFlame, clipFromFlame, [flameScale, flameScale, flameScale]);
     for (const system of this.#systems) {
       const { size } = system.layer;
       const name = system.layer.name === "haze" ? "haze" : "core";
@@ -225,7 +204,7 @@ export class PaperRenderer implements Renderer {
         target,
         uniforms: {
           uClipFromFlame: new Float32Array(clipFromFlame),
-          uSize: size * pixels,
+          uSize: size * (flameScale * projectionScale),
           uExtrapolation: remainder,
           uFading: isFinal ? 1 : 0,
           uGlow: hasGradient ? GLOW[name] : FLAT_GLOW[name],

@@ -3,11 +3,11 @@ import { nextTask } from "../gl/next-task.js";
 import type { Texture } from "../gl/texture.js";
 import { finish, type Steps } from "../steps.js";
 import type { ParticleLayer } from "../world/particles/particle-layer.js";
-import { fieldOfViewOf } from "../world/player/field-of-view.js";
 import type { CollisionMesh } from "../world/room/collision-mesh.js";
 import type { World } from "../world/world.js";
-import { clipFromWorld, clipPosition, magnification, projectionScale } from "./camera.js";
+import { clipPosition } from "./camera.js";
 import { carriedPlacement } from "./carried-placement.js";
+import { frameBlock } from "./frame-block.js";
 import { AT_ORIGIN, type FrameInput, type ModelInstance, type Placement } from "./frame-input.js";
 import type { FrameSettings } from "./frame-settings.js";
 import type { GBufferKind } from "./gbuffer/gbuffer.js";
@@ -199,26 +199,14 @@ export class PhysicalRenderer implements Renderer {
   #describe(
     world: World,
     settings: FrameSettings,
-    { width, height } = this.#size,
+    size = this.#size,
     { Frame } = this.#opaque.blocks,
   ): FrameInput {
-    const { player, interpolated, candle } = world;
+    const { interpolated, candle } = world;
     const { features } = settings;
-    const clip = clipFromWorld(
-      interpolated.eye,
-      player.yaw,
-      player.pitch,
-      width / height,
-      fieldOfViewOf(world),
-    );
-    Frame.update({
-      clipFromWorld: clip,
-      eyePosition: interpolated.eye,
-      exposure: exposureFactor(settings),
-      viewport: [width, height],
-      projectionScale: projectionScale(Math.min(width, height)) * magnification(world),
-      normalMaps: features.normalMaps ? 1 : 0,
-    });
+    const block = frameBlock(world, settings, size, exposureFactor(settings));
+    Frame.update(block);
+    const clip = block.clipFromWorld;
     const candlePlacement = carriedPlacement(world);
     const [flameX, flameY, flameW] = clipPosition(clip, ...interpolated.flame);
     return {

@@ -1,0 +1,31 @@
+import { fieldOfViewOf } from "../world/player/field-of-view.js";
+import type { World } from "../world/world.js";
+import { clipFromWorld, projectionScale } from "./camera.js";
+import type { Size } from "./frame-input.js";
+import type { FrameSettings } from "./frame-settings.js";
+
+/** Members of the shaders' `Frame` block: the visitor's camera, and the exposure. */
+export function frameBlock(
+  world: World,
+  { features }: FrameSettings,
+  { width, height }: Size,
+  exposure: number,
+) {
+  const { player, interpolated, setup } = world;
+  const fieldOfView = fieldOfViewOf(world);
+  const magnification = Math.tan(setup.fieldOfView / 2) / Math.tan(fieldOfView / 2);
+  return {
+    clipFromWorld: clipFromWorld(
+      interpolated.eye,
+      player.yaw,
+      player.pitch,
+      width / height,
+      fieldOfView,
+    ),
+    eyePosition: interpolated.eye,
+    exposure,
+    viewport: [width, height],
+    projectionScale: projectionScale(Math.min(width, height)) * magnification,
+    normalMaps: features.normalMaps ? 1 : 0,
+  };
+}
