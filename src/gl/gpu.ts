@@ -3,14 +3,30 @@ import { type Box, type Draw, DrawCommands, type Surface } from "./draw-commands
 import { type GpuContext, type GpuObject, incomplete, outOfMemory } from "./gpu-object.js";
 import { GpuTimer } from "./gpu-timer.js";
 import { laterTask, nextTask } from "./next-task.js";
-import { Program, type ProgramOptions, type ShaderSource } from "./program.js";
+import { Program, type ProgramOptions, type ShaderSource, type UniformValue } from "./program.js";
 import { RenderTarget, type RenderTargetOptions } from "./render-target.js";
-import { Texture, type TextureOptions } from "./texture.js";
+import { Texture, type TextureFormat, type TextureOptions } from "./texture.js";
 import { TextureView, type TextureViewOptions } from "./texture-view.js";
 import { UniformBlock } from "./uniform-block.js";
 import { VertexArray, type VertexArrayOptions } from "./vertex-array.js";
 
-export type { Box, Draw, Surface };
+/** All that a `Gpu` makes. */
+export type {
+  Box,
+  Buffer,
+  Draw,
+  Program,
+  ProgramOptions,
+  RenderTarget,
+  ShaderSource,
+  Surface,
+  Texture,
+  TextureFormat,
+  TextureView,
+  UniformBlock,
+  UniformValue,
+  VertexArray,
+};
 
 /** WebGL2 is missing, or refused. */
 export class WebGLUnavailableError extends Error {

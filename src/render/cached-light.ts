@@ -1,5 +1,4 @@
-import type { Texture } from "../gl/texture.js";
-import type { UniformBlock } from "../gl/uniform-block.js";
+import type { Texture, UniformBlock } from "../gl/gpu.js";
 import { luma, type Rgb } from "../light/color.js";
 import type { World } from "../world/world.js";
 import type { IrradianceVolume } from "./gi/irradiance-volume.js";

@@ -1,5 +1,4 @@
-import type { Draw, Gpu } from "../gl/gpu.js";
-import type { RenderTarget } from "../gl/render-target.js";
+import type { Draw, Gpu, RenderTarget } from "../gl/gpu.js";
 import type { Steps } from "../steps.js";
 import { bandOf } from "./screen-bounds.js";
 

@@ -1,5 +1,4 @@
-import type { Gpu } from "../gl/gpu.js";
-import type { TextureFormat } from "../gl/texture.js";
+import type { Gpu, TextureFormat } from "../gl/gpu.js";
 import { isSoftware } from "./quality.js";
 
 const FULL = { 1: "R32F", 2: "RG32F", 4: "RGBA32F" } as const;

@@ -7,10 +7,14 @@ import presentFrag from "../../shaders/paper/present.frag";
 import roomFrag from "../../shaders/paper/room.frag";
 import fullscreenVert from "../../shaders/post/fullscreen.vert";
 import fxaaFrag from "../../shaders/post/fxaa.frag";
-import type { Box, Gpu, Surface as Target } from "../gl/gpu.js";
-import type { Program } from "../gl/program.js";
-import type { RenderTarget } from "../gl/render-target.js";
-import type { UniformBlock } from "../gl/uniform-block.js";
+import type {
+  Box,
+  Gpu,
+  Program,
+  RenderTarget,
+  Surface as Target,
+  UniformBlock,
+} from "../gl/gpu.js";
 import { candleLight } from "../light/candle-light.js";
 import type { Features, Look } from "../settings.js";
 import type { ParticleLayer } from "../world/particles/particle-layer.js";

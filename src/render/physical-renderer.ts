@@ -1,6 +1,5 @@
-import type { Box, Gpu } from "../gl/gpu.js";
+import type { Box, Gpu, Texture } from "../gl/gpu.js";
 import { nextTask } from "../gl/next-task.js";
-import type { Texture } from "../gl/texture.js";
 import { finish, type Steps } from "../steps.js";
 import type { ParticleLayer } from "../world/particles/particle-layer.js";
 import type { CollisionMesh } from "../world/room/collision-mesh.js";

@@ -1,7 +1,5 @@
 import type { Model } from "../assets/model.js";
-import type { Box } from "../gl/gpu.js";
-import type { Texture } from "../gl/texture.js";
-import type { UniformBlock } from "../gl/uniform-block.js";
+import type { Box, Texture, UniformBlock } from "../gl/gpu.js";
 import type { Steps } from "../steps.js";
 import type { ParticleLayer } from "../world/particles/particle-layer.js";
 import type { World } from "../world/world.js";

@@ -1,5 +1,4 @@
-import type { Gpu } from "../gl/gpu.js";
-import type { UniformBlock } from "../gl/uniform-block.js";
+import type { Gpu, UniformBlock } from "../gl/gpu.js";
 import { flameLight, TAPER } from "../light/flame-light.js";
 import type { Steps } from "../steps.js";
 import type { Vec3 } from "../world/geometry.js";

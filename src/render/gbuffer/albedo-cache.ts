@@ -1,7 +1,6 @@
 import gamma2Frag from "../../../shaders/gbuffer/gamma2-albedo.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
-import type { Gpu } from "../../gl/gpu.js";
-import type { Texture } from "../../gl/texture.js";
+import type { Gpu, Texture } from "../../gl/gpu.js";
 import type { Mesh } from "../mesh/mesh.js";
 
 /** Texels along the longer edge: a reduced G-buffer shows no more. */

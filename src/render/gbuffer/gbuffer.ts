@@ -1,4 +1,4 @@
-import type { Texture } from "../../gl/texture.js";
+import type { Texture } from "../../gl/gpu.js";
 import type { Reprojection } from "./reprojection.js";
 
 /** Defines of the shaders that include `lib/composite.glsl`, by the kind of G-buffer that they read. */

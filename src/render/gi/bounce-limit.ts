@@ -1,9 +1,7 @@
 import bounceLimitFrag from "../../../shaders/gi/bounce-limit.frag";
 import irradianceFrag from "../../../shaders/gi/irradiance.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
-import type { Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { RenderTarget } from "../../gl/render-target.js";
+import type { Gpu, Program, RenderTarget } from "../../gl/gpu.js";
 import { IRRADIANCE_TEXELS } from "./probe-rays.js";
 
 /** Limit of the series of bounces. */

@@ -1,5 +1,4 @@
-import type { Gpu } from "../../gl/gpu.js";
-import type { RenderTarget } from "../../gl/render-target.js";
+import type { Gpu, RenderTarget } from "../../gl/gpu.js";
 import { floats } from "../float-format.js";
 import type { CaptureLight } from "../light-block.js";
 import { FACES } from "../shadow/cube-map.js";

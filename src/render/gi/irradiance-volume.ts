@@ -1,8 +1,5 @@
 import type { Model } from "../../assets/model.js";
-import type { Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { Texture } from "../../gl/texture.js";
-import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { Gpu, Program, Texture, UniformBlock } from "../../gl/gpu.js";
 import type { CollisionMesh } from "../../world/room/collision-mesh.js";
 import { interiorBounds } from "./interior-bounds.js";
 import type { ProbeDetail } from "./probe-rays.js";

@@ -3,11 +3,14 @@ import rayReflectanceFrag from "../../../shaders/gi/ray-reflectance.frag";
 import rayReflectanceVert from "../../../shaders/gi/ray-reflectance.vert";
 import roomReflectanceFrag from "../../../shaders/gi/room-reflectance.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
-import type { Gpu } from "../../gl/gpu.js";
-import type { Program, ShaderSource } from "../../gl/program.js";
-import type { RenderTarget } from "../../gl/render-target.js";
-import type { UniformBlock } from "../../gl/uniform-block.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
+import type {
+  Gpu,
+  Program,
+  RenderTarget,
+  ShaderSource,
+  UniformBlock,
+  VertexArray,
+} from "../../gl/gpu.js";
 import type { Steps } from "../../steps.js";
 import { drawInBands } from "../draw-in-bands.js";
 import { floats } from "../float-format.js";

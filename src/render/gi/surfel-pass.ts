@@ -1,11 +1,7 @@
 import supportFrag from "../../../shaders/gi/support-radiosity.frag";
 import totalRadiosityFrag from "../../../shaders/gi/total-radiosity.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
-import type { Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { RenderTarget } from "../../gl/render-target.js";
-import type { Texture } from "../../gl/texture.js";
-import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { Gpu, Program, RenderTarget, Texture, UniformBlock } from "../../gl/gpu.js";
 import type { Vec3 } from "../../world/geometry.js";
 import { floats } from "../float-format.js";
 import type { CaptureLight } from "../light-block.js";

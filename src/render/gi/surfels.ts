@@ -2,11 +2,15 @@ import radiosityFrag from "../../../shaders/gi/radiosity.frag";
 import surfelFrag from "../../../shaders/gi/surfel.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import cubeFaceVert from "../../../shaders/shadow/cube-face.vert";
-import type { Draw, Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { RenderTarget } from "../../gl/render-target.js";
-import type { Texture, TextureFormat } from "../../gl/texture.js";
-import type { UniformBlock } from "../../gl/uniform-block.js";
+import type {
+  Draw,
+  Gpu,
+  Program,
+  RenderTarget,
+  Texture,
+  TextureFormat,
+  UniformBlock,
+} from "../../gl/gpu.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import { floats } from "../float-format.js";
 import type { CaptureLight } from "../light-block.js";

@@ -1,9 +1,6 @@
 import shadowFrag from "../../../shaders/candle/custom-shadow.frag";
 import cubeFaceVert from "../../../shaders/shadow/cube-face.vert";
-import type { Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { RenderTarget } from "../../gl/render-target.js";
-import type { Texture } from "../../gl/texture.js";
+import type { Gpu, Program, RenderTarget, Texture } from "../../gl/gpu.js";
 import type { Vec3 } from "../../world/geometry.js";
 import type { Mesh } from "../mesh/mesh.js";
 import { clipFromFace, FACES } from "../shadow/cube-map.js";

@@ -1,8 +1,5 @@
 import type { mat4 } from "gl-matrix";
-import type { Box, Gpu } from "../../gl/gpu.js";
-import type { Program, UniformValue } from "../../gl/program.js";
-import type { RenderTarget } from "../../gl/render-target.js";
-import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { Box, Gpu, Program, RenderTarget, UniformBlock, UniformValue } from "../../gl/gpu.js";
 import { adaptation, adaptedWhite } from "../../light/color.js";
 import { TAPER } from "../../light/flame-light.js";
 import { nightVision } from "../../light/night-vision.js";

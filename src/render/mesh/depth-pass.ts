@@ -1,9 +1,6 @@
 import depthFrag from "../../../shaders/mesh/depth.frag";
 import meshVert from "../../../shaders/mesh/mesh.vert";
-import type { Draw, Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { UniformBlock } from "../../gl/uniform-block.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
+import type { Draw, Gpu, Program, UniformBlock, VertexArray } from "../../gl/gpu.js";
 import type { ModelInstance } from "../frame-input.js";
 import type { Mesh } from "./mesh.js";
 

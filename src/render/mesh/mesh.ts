@@ -1,7 +1,5 @@
 import type { Material, Model, Part, TextureImage } from "../../assets/model.js";
-import type { Gpu } from "../../gl/gpu.js";
-import type { Texture, TextureFormat } from "../../gl/texture.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
+import type { Gpu, Texture, TextureFormat, VertexArray } from "../../gl/gpu.js";
 import type { Cluster, Grouped } from "./clusters.js";
 
 /** Anisotropic filtering of material textures, for floors and walls at grazing angles. */

@@ -1,8 +1,6 @@
 import visibilityFrag from "../../../shaders/mesh/normal-map-visibility.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
-import type { Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { Texture } from "../../gl/texture.js";
+import type { Gpu, Program, Texture } from "../../gl/gpu.js";
 import type { Mesh } from "./mesh.js";
 
 /** Levels of detail of a normal map; coarser ones are as the last. */

@@ -1,7 +1,6 @@
 import shadowFrag from "../../../shaders/shadow/shadow.frag";
 import shadowVert from "../../../shaders/shadow/shadow.vert";
-import type { Gpu } from "../../gl/gpu.js";
-import type { Texture } from "../../gl/texture.js";
+import type { Gpu, Texture } from "../../gl/gpu.js";
 import { adaptedMoonlight } from "../../light/moonlight.js";
 import type { Steps } from "../../steps.js";
 import type { Vec3 } from "../../world/geometry.js";

@@ -1,5 +1,4 @@
-import type { Gpu } from "../../gl/gpu.js";
-import type { Texture } from "../../gl/texture.js";
+import type { Gpu, Texture } from "../../gl/gpu.js";
 import { Surfels } from "../gi/surfels.js";
 import { FACES } from "../shadow/cube-map.js";
 import type { ShadowCasters } from "../shadow/shadow-casters.js";

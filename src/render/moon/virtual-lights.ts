@@ -1,9 +1,7 @@
 import rayVirtualFrag from "../../../shaders/gi/ray-virtual.frag";
 import fluxFrag from "../../../shaders/gi/virtual-flux.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
-import type { Gpu } from "../../gl/gpu.js";
-import type { RenderTarget } from "../../gl/render-target.js";
-import type { Texture } from "../../gl/texture.js";
+import type { Gpu, RenderTarget, Texture } from "../../gl/gpu.js";
 import type { Steps } from "../../steps.js";
 import type { Vec3 } from "../../world/geometry.js";
 import { floats } from "../float-format.js";

@@ -2,11 +2,14 @@ import { mat4 } from "gl-matrix";
 import moonFrag from "../../../shaders/opaque/moon-lighting.frag";
 import sumFrag from "../../../shaders/opaque/sum-lighting.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
-import type { Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { RenderTarget } from "../../gl/render-target.js";
-import type { Texture, TextureFormat } from "../../gl/texture.js";
-import type { UniformBlock } from "../../gl/uniform-block.js";
+import type {
+  Gpu,
+  Program,
+  RenderTarget,
+  Texture,
+  TextureFormat,
+  UniformBlock,
+} from "../../gl/gpu.js";
 import { luma, type Rgb } from "../../light/color.js";
 import { TAPER } from "../../light/flame-light.js";
 import type { Steps } from "../../steps.js";

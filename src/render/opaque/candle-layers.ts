@@ -1,9 +1,6 @@
 import compositeFrag from "../../../shaders/opaque/forward-composite.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
-import type { Box, Gpu } from "../../gl/gpu.js";
-import type { RenderTarget } from "../../gl/render-target.js";
-import type { Texture, TextureFormat } from "../../gl/texture.js";
-import type { TextureView } from "../../gl/texture-view.js";
+import type { Box, Gpu, RenderTarget, Texture, TextureFormat, TextureView } from "../../gl/gpu.js";
 import type { Rgb } from "../../light/color.js";
 import type { CachedLight } from "../cached-light.js";
 import type { Size } from "../frame-input.js";

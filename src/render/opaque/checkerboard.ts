@@ -1,12 +1,14 @@
 import clampFrag from "../../../shaders/opaque/checkerboard-clamp.frag";
 import reprojectFrag from "../../../shaders/opaque/checkerboard-reproject.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
-import type { Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { RenderTarget } from "../../gl/render-target.js";
-import type { Texture } from "../../gl/texture.js";
-import type { TextureView } from "../../gl/texture-view.js";
-import type { UniformBlock } from "../../gl/uniform-block.js";
+import type {
+  Gpu,
+  Program,
+  RenderTarget,
+  Texture,
+  TextureView,
+  UniformBlock,
+} from "../../gl/gpu.js";
 import { clipPosition } from "../camera.js";
 import type { FrameInput } from "../frame-input.js";
 import {

@@ -1,8 +1,6 @@
 import compositeFrag from "../../../shaders/opaque/composite.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
-import type { Box, Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { TextureFormat } from "../../gl/texture.js";
+import type { Box, Gpu, Program, TextureFormat } from "../../gl/gpu.js";
 import type { Steps } from "../../steps.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import {

@@ -1,8 +1,4 @@
-import type { Box, Draw, Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { RenderTarget } from "../../gl/render-target.js";
-import type { Texture } from "../../gl/texture.js";
-import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { Box, Draw, Gpu, Program, RenderTarget, Texture, UniformBlock } from "../../gl/gpu.js";
 import { luma, type Rgb } from "../../light/color.js";
 import type { Steps } from "../../steps.js";
 import type { Bounds } from "../../world/geometry.js";

@@ -1,5 +1,4 @@
-import type { Draw, Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
+import type { Draw, Gpu, Program } from "../../gl/gpu.js";
 import type { CachedLight } from "../cached-light.js";
 import type { FlameCaptures } from "../gi/light-captures.js";
 import type { Mesh } from "../mesh/mesh.js";

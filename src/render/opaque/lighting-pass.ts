@@ -2,11 +2,15 @@ import gatherFrag from "../../../shaders/opaque/gather-inverse-depth.frag";
 import lightingFrag from "../../../shaders/opaque/lighting.frag";
 import moonFrag from "../../../shaders/opaque/moon-lighting.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
-import type { Draw, Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { RenderTarget } from "../../gl/render-target.js";
-import type { Texture, TextureFormat } from "../../gl/texture.js";
-import type { UniformBlock } from "../../gl/uniform-block.js";
+import type {
+  Draw,
+  Gpu,
+  Program,
+  RenderTarget,
+  Texture,
+  TextureFormat,
+  UniformBlock,
+} from "../../gl/gpu.js";
 import type { Steps } from "../../steps.js";
 import { type CachedLight, candlesOf, moonOf } from "../cached-light.js";
 import { floats } from "../float-format.js";

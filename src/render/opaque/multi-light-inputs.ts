@@ -1,8 +1,11 @@
-import type { Draw, Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { RenderTarget } from "../../gl/render-target.js";
-import type { TextureFormat } from "../../gl/texture.js";
-import type { UniformBlock } from "../../gl/uniform-block.js";
+import type {
+  Draw,
+  Gpu,
+  Program,
+  RenderTarget,
+  TextureFormat,
+  UniformBlock,
+} from "../../gl/gpu.js";
 import type { Rgb } from "../../light/color.js";
 import { type CachedLight, candlesOf } from "../cached-light.js";
 import type { Size } from "../frame-input.js";

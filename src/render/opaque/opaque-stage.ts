@@ -1,7 +1,4 @@
-import type { Box } from "../../gl/gpu.js";
-import type { ProgramOptions } from "../../gl/program.js";
-import type { Texture, TextureFormat } from "../../gl/texture.js";
-import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { Box, ProgramOptions, Texture, TextureFormat, UniformBlock } from "../../gl/gpu.js";
 import type { Steps } from "../../steps.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { GBufferKind } from "../gbuffer/gbuffer.js";

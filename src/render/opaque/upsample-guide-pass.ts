@@ -1,10 +1,7 @@
 import representativeFrag from "../../../shaders/opaque/representative-sample.frag";
 import guideFrag from "../../../shaders/opaque/upsample-guide.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
-import type { Box, Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { RenderTarget } from "../../gl/render-target.js";
-import type { Texture } from "../../gl/texture.js";
+import type { Box, Gpu, Program, RenderTarget, Texture } from "../../gl/gpu.js";
 import type { Size } from "../frame-input.js";
 import type { GBuffer } from "../gbuffer/gbuffer.js";
 

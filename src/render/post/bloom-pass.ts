@@ -1,10 +1,7 @@
 import downFrag from "../../../shaders/post/bloom-down.frag";
 import upFrag from "../../../shaders/post/bloom-up.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
-import type { Box, Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { RenderTarget } from "../../gl/render-target.js";
-import type { Texture, TextureFormat } from "../../gl/texture.js";
+import type { Box, Gpu, Program, RenderTarget, Texture, TextureFormat } from "../../gl/gpu.js";
 import { expandBox, scaleBox } from "../screen-bounds.js";
 
 /** Weight of the coarser levels against each level: the larger, the wider the bloom. */

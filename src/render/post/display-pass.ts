@@ -1,9 +1,6 @@
 import displayFrag from "../../../shaders/post/display.frag";
 import displayVert from "../../../shaders/post/display.vert";
-import type { Box, Gpu, Surface } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { Texture } from "../../gl/texture.js";
-import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { Box, Gpu, Program, Surface, Texture, UniformBlock } from "../../gl/gpu.js";
 import { adaptation, adaptedWhite, P3_FROM_RGB, type Rgb, VIBRANCE } from "../../light/color.js";
 import { TAPER } from "../../light/flame-light.js";
 import { nightVision } from "../../light/night-vision.js";

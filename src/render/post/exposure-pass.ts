@@ -1,11 +1,14 @@
 import exposureFrag from "../../../shaders/post/exposure.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import meterFrag from "../../../shaders/post/meter.frag";
-import type { Gpu } from "../../gl/gpu.js";
-import type { Program, ProgramOptions } from "../../gl/program.js";
-import type { RenderTarget } from "../../gl/render-target.js";
-import type { Texture } from "../../gl/texture.js";
-import type { UniformBlock } from "../../gl/uniform-block.js";
+import type {
+  Gpu,
+  Program,
+  ProgramOptions,
+  RenderTarget,
+  Texture,
+  UniformBlock,
+} from "../../gl/gpu.js";
 import {
   EXPOSURE_LAW,
   type ExposureAdaptation,

@@ -1,9 +1,6 @@
 import prefilterFrag from "../../../shaders/post/bloom-prefilter.frag";
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
-import type { Box, Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { RenderTarget } from "../../gl/render-target.js";
-import type { Texture, TextureFormat } from "../../gl/texture.js";
+import type { Box, Gpu, Program, RenderTarget, Texture, TextureFormat } from "../../gl/gpu.js";
 import { boundsOf, expandBox, scaleBox } from "../screen-bounds.js";
 import { BloomPass } from "./bloom-pass.js";
 import type { BloomTransform } from "./display-pass.js";

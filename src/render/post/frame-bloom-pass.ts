@@ -1,5 +1,4 @@
-import type { Box, Gpu } from "../../gl/gpu.js";
-import type { Texture } from "../../gl/texture.js";
+import type { Box, Gpu, Texture } from "../../gl/gpu.js";
 import type { Size } from "../frame-input.js";
 import { BloomPass } from "./bloom-pass.js";
 import type { BloomTransform } from "./display-pass.js";

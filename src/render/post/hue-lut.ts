@@ -1,9 +1,6 @@
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import hueLutFrag from "../../../shaders/post/hue-lut.frag";
-import type { Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { RenderTarget } from "../../gl/render-target.js";
-import type { Texture } from "../../gl/texture.js";
+import type { Gpu, Program, RenderTarget, Texture } from "../../gl/gpu.js";
 import type { DisplayTransform } from "./display-pass.js";
 
 /** Texels along an edge: `HUE_LUT_SIZE` of the shader. */

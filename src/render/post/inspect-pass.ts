@@ -1,9 +1,6 @@
 import displayVert from "../../../shaders/post/display.vert";
 import inspectFrag from "../../../shaders/post/inspect.frag";
-import type { Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { Texture } from "../../gl/texture.js";
-import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { Gpu, Program, Texture, UniformBlock } from "../../gl/gpu.js";
 import { adaptation } from "../../light/color.js";
 import { TAPER } from "../../light/flame-light.js";
 import type { Inspection } from "../../settings.js";

@@ -1,8 +1,6 @@
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import toneLutFrag from "../../../shaders/post/tone-lut.frag";
-import type { Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { Texture } from "../../gl/texture.js";
+import type { Gpu, Program, Texture } from "../../gl/gpu.js";
 import type { DisplayTransform } from "./display-pass.js";
 
 /** Texels along an edge of the tone LUT: `TONE_LUT_SIZE` of the shader. */

@@ -1,10 +1,6 @@
 import depthFrag from "../../../shaders/mesh/depth.frag";
 import meshVert from "../../../shaders/mesh/mesh.vert";
-import type { Box, Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { RenderTarget } from "../../gl/render-target.js";
-import type { Texture } from "../../gl/texture.js";
-import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { Box, Gpu, Program, RenderTarget, Texture, UniformBlock } from "../../gl/gpu.js";
 import { frustumTest } from "../camera.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import { visibleRuns } from "../mesh/visible-runs.js";

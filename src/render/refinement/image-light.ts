@@ -1,4 +1,4 @@
-import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { UniformBlock } from "../../gl/gpu.js";
 import { luma, type Rgb } from "../../light/color.js";
 import { flameLight, TAPER } from "../../light/flame-light.js";
 import { adaptedMoonlight } from "../../light/moonlight.js";

@@ -1,9 +1,6 @@
 import blendVert from "../../../shaders/refinement/blend.vert";
 import reprojectFrag from "../../../shaders/refinement/reproject.frag";
-import type { Box, Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { Texture } from "../../gl/texture.js";
-import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { Box, Gpu, Program, Texture, UniformBlock } from "../../gl/gpu.js";
 import type { Vec3 } from "../../world/geometry.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import {

@@ -1,9 +1,7 @@
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import beginFrag from "../../../shaders/refinement/begin.frag";
 import copyFrag from "../../../shaders/refinement/copy-tile.frag";
-import type { Box, Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { RenderTarget } from "../../gl/render-target.js";
+import type { Box, Gpu, Program, RenderTarget } from "../../gl/gpu.js";
 import type { Steps } from "../../steps.js";
 import type { Vec3 } from "../../world/geometry.js";
 import type { World } from "../../world/world.js";

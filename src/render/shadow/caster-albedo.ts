@@ -1,7 +1,6 @@
 import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import casterAlbedoFrag from "../../../shaders/shadow/caster-albedo.frag";
-import type { Gpu } from "../../gl/gpu.js";
-import type { Texture } from "../../gl/texture.js";
+import type { Gpu, Texture } from "../../gl/gpu.js";
 import type { Steps } from "../../steps.js";
 import { floats } from "../float-format.js";
 import type { Mesh } from "../mesh/mesh.js";

@@ -1,7 +1,5 @@
 import type { Model, Part } from "../../assets/model.js";
-import type { Buffer } from "../../gl/buffer.js";
-import type { Draw, Gpu } from "../../gl/gpu.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
+import type { Buffer, Draw, Gpu, VertexArray } from "../../gl/gpu.js";
 import { finish, type Steps } from "../../steps.js";
 import type { Bounds } from "../../world/geometry.js";
 import { type Clusters, clusterSteps, runsOf, VERTEX_SIZE } from "../mesh/clusters.js";

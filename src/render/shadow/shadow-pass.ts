@@ -1,9 +1,7 @@
 import { vec3 } from "gl-matrix";
 import shadowFrag from "../../../shaders/shadow/shadow.frag";
 import shadowVert from "../../../shaders/shadow/shadow.vert";
-import type { Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { Texture } from "../../gl/texture.js";
+import type { Gpu, Program, Texture } from "../../gl/gpu.js";
 import { finish, type Steps } from "../../steps.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import { SCHEDULE } from "../schedule.js";

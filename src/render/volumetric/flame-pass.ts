@@ -1,12 +1,14 @@
 import flameFrag from "../../../shaders/volumetric/flame.frag";
 import flameVert from "../../../shaders/volumetric/flame.vert";
-import type { Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { RenderTarget } from "../../gl/render-target.js";
-import type { Texture } from "../../gl/texture.js";
-import type { TextureView } from "../../gl/texture-view.js";
-import type { UniformBlock } from "../../gl/uniform-block.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
+import type {
+  Gpu,
+  Program,
+  RenderTarget,
+  Texture,
+  TextureView,
+  UniformBlock,
+  VertexArray,
+} from "../../gl/gpu.js";
 import { BODY_SIZE, outline } from "../../light/flame-body.js";
 import { carriedFlame, type RootedFlame, TAPER } from "../../light/flame-light.js";
 import { BALLS, createShape, shapeFlame } from "../../light/flame-shape.js";

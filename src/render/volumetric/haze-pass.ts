@@ -2,12 +2,14 @@ import type { mat4 } from "gl-matrix";
 import hazeFrag from "../../../shaders/volumetric/haze.frag";
 import hazeVert from "../../../shaders/volumetric/haze.vert";
 import copyFrag from "../../../shaders/volumetric/haze-copy.frag";
-import type { Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { RenderTarget } from "../../gl/render-target.js";
-import type { TextureFormat } from "../../gl/texture.js";
-import type { UniformBlock } from "../../gl/uniform-block.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
+import type {
+  Gpu,
+  Program,
+  RenderTarget,
+  TextureFormat,
+  UniformBlock,
+  VertexArray,
+} from "../../gl/gpu.js";
 import type { RootedFlame } from "../../light/flame-light.js";
 import { COLUMN_FLOATS, hotColumn, unsolvedColumn } from "../../world/air/hot-column.js";
 import { plumeGrid } from "../../world/air/plume-grid.js";

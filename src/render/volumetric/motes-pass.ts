@@ -1,9 +1,7 @@
 import dustVert from "../../../shaders/volumetric/dust.vert";
 import moteFrag from "../../../shaders/volumetric/mote.frag";
 import sparkVert from "../../../shaders/volumetric/spark.vert";
-import type { Gpu } from "../../gl/gpu.js";
-import type { Program, UniformValue } from "../../gl/program.js";
-import type { UniformBlock } from "../../gl/uniform-block.js";
+import type { Gpu, Program, UniformBlock, UniformValue } from "../../gl/gpu.js";
 import { sootRadiance } from "../../light/soot.js";
 import type { ParticleLayer } from "../../world/particles/particle-layer.js";
 import { layerKey } from "../../world/particles/particles.js";

@@ -1,10 +1,14 @@
 import updateFrag from "../../../shaders/particles/update.frag";
 import updateVert from "../../../shaders/particles/update.vert";
-import type { Buffer } from "../../gl/buffer.js";
-import type { Draw, Gpu } from "../../gl/gpu.js";
-import type { Program, UniformValue } from "../../gl/program.js";
-import type { UniformBlock } from "../../gl/uniform-block.js";
-import type { VertexArray } from "../../gl/vertex-array.js";
+import type {
+  Buffer,
+  Draw,
+  Gpu,
+  Program,
+  UniformBlock,
+  UniformValue,
+  VertexArray,
+} from "../../gl/gpu.js";
 import { GROUPS, type ParticleLayer } from "../../world/particles/particle-layer.js";
 import { emissionOf, PARTICLE_FLOATS } from "../../world/particles/particles.js";
 import { pcg } from "../../world/random.js";

@@ -1,8 +1,6 @@
 import meshVert from "../../../shaders/mesh/mesh.vert";
 import emberFrag from "../../../shaders/volumetric/ember.frag";
-import type { Box, Gpu } from "../../gl/gpu.js";
-import type { Program } from "../../gl/program.js";
-import type { TextureFormat } from "../../gl/texture.js";
+import type { Box, Gpu, Program, TextureFormat } from "../../gl/gpu.js";
 import { carriedFlame, emberRadiance, type RootedFlame, TAPER } from "../../light/flame-light.js";
 import { createShape, shapeFlame } from "../../light/flame-shape.js";
 import type { Inspection } from "../../settings.js";

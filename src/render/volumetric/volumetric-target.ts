@@ -1,7 +1,4 @@
-import type { Gpu } from "../../gl/gpu.js";
-import type { RenderTarget } from "../../gl/render-target.js";
-import type { Texture, TextureFormat } from "../../gl/texture.js";
-import type { TextureView } from "../../gl/texture-view.js";
+import type { Gpu, RenderTarget, Texture, TextureFormat, TextureView } from "../../gl/gpu.js";
 import type { Size } from "../frame-input.js";
 
 /** The composited frame: opaque surfaces, and later the media. */
