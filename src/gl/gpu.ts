@@ -1,3 +1,4 @@
+import fullscreenVert from "../../shaders/post/fullscreen.vert";
 import { Buffer } from "./buffer.js";
 import { type Box, type Draw, DrawCommands, type Surface } from "./draw-commands.js";
 import { type GpuContext, type GpuObject, incomplete, outOfMemory } from "./gpu-object.js";
@@ -188,6 +189,11 @@ export class Gpu extends DrawCommands {
     });
   }
 
+  /** A program that draws to the whole of a target, without a vertex array. */
+  pass(label: string, fragment: ShaderSource, options?: ProgramOptions): Program {
+    return this.program(label, fullscreenVert, fragment, options);
+  }
+
   /** Before a draw that waits for one all are: some drivers compile side by side what was started. */
   #startPrograms(most = Infinity): void {
     for (const program of [...this.#unsent].slice(0, most)) {
@@ -288,12 +294,10 @@ export class Gpu extends DrawCommands {
     gl.flush();
     if (!fence) return;
     // The answer changes from task to task only.
-    for (
-      let asked = 0;
-      gl.clientWaitSync(fence, gl.SYNC_FLUSH_COMMANDS_BIT, 0) === gl.TIMEOUT_EXPIRED;
-      asked++
-    )
-      await (asked < questions ? nextTask() : laterTask());
+    let asked = 0;
+    while (gl.clientWaitSync(fence, gl.SYNC_FLUSH_COMMANDS_BIT, 0) === gl.TIMEOUT_EXPIRED) {
+      await (asked++ < questions ? nextTask() : laterTask());
+    }
     gl.deleteSync(fence);
   }
 

@@ -1,7 +1,6 @@
 import displayFrag from "../../shaders/candle/display.frag";
 import surfaceFrag from "../../shaders/candle/surface.frag";
 import surfaceVert from "../../shaders/mesh/mesh.vert";
-import fullscreenVert from "../../shaders/post/fullscreen.vert";
 import type { Model } from "../assets/model.js";
 import type { Gpu, RenderTarget } from "../gl/gpu.js";
 import { VIBRANCE } from "../light/color.js";
@@ -26,7 +25,7 @@ function share(gpu: Gpu, model: Model) {
     const surfaceProgram = gpu.program("candle/surface", surfaceVert, surfaceFrag);
     return {
       surfaceProgram,
-      displayProgram: gpu.program("candle/display", fullscreenVert, displayFrag),
+      displayProgram: gpu.pass("candle/display", displayFrag),
       frame: gpu.uniformBlock(surfaceProgram, "Frame"),
       light: gpu.uniformBlock(surfaceProgram, "Light"),
       flame: new FlamePass(gpu),

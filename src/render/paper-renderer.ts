@@ -5,7 +5,6 @@ import particleFrag from "../../shaders/paper/particle.frag";
 import particleVert from "../../shaders/paper/particle.vert";
 import presentFrag from "../../shaders/paper/present.frag";
 import roomFrag from "../../shaders/paper/room.frag";
-import fullscreenVert from "../../shaders/post/fullscreen.vert";
 import fxaaFrag from "../../shaders/post/fxaa.frag";
 import type {
   Box,
@@ -78,8 +77,8 @@ export class PaperRenderer implements Renderer {
     this.#isFiltered = tier.name === "low";
     const defines = { EDGE_LEAST: CODE_DIFFERENCE, BY_CODE: 1 };
     this.#present = this.#isFiltered
-      ? gpu.program("post/fxaa", fullscreenVert, fxaaFrag, { defines })
-      : gpu.program("paper/present", fullscreenVert, presentFrag);
+      ? gpu.pass("post/fxaa", fxaaFrag, { defines })
+      : gpu.pass("paper/present", presentFrag);
     const program = this.#program("room", normals);
     this.#program("candle", normals);
     this.#frame = gpu.uniformBlock(program, "Frame");

@@ -1,4 +1,3 @@
-import fullscreenVert from "../../shaders/post/fullscreen.vert";
 import loadFrag from "../../shaders/speed/load.frag";
 import type { Gpu } from "../gl/gpu.js";
 
@@ -82,7 +81,7 @@ class Load {
   constructor(gpu: Gpu, clock: Clock) {
     this.#gpu = gpu;
     this.#clock = clock;
-    this.#program = gpu.program("speed/load", fullscreenVert, loadFrag);
+    this.#program = gpu.pass("speed/load", loadFrag);
     const source = { width: TEXELS, height: TEXELS };
     const label = KEY;
     this.#texture = gpu.texture({

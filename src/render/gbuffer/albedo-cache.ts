@@ -1,5 +1,4 @@
 import gamma2Frag from "../../../shaders/gbuffer/gamma2-albedo.frag";
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Gpu, Texture } from "../../gl/gpu.js";
 import type { Mesh } from "../mesh/mesh.js";
 
@@ -59,7 +58,7 @@ export class AlbedoCache {
     });
     const target = this.#gpu.textureView({ label: texture.label, textures: [texture], image: 0 });
     this.#gpu.draw({
-      program: this.#gpu.program("gbuffer/gamma2-albedo", fullscreenVert, gamma2Frag, {
+      program: this.#gpu.pass("gbuffer/gamma2-albedo", gamma2Frag, {
         defines: { BAKED },
       }),
       target,

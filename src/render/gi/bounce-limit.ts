@@ -1,6 +1,5 @@
 import bounceLimitFrag from "../../../shaders/gi/bounce-limit.frag";
 import irradianceFrag from "../../../shaders/gi/irradiance.frag";
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Gpu, Program, RenderTarget } from "../../gl/gpu.js";
 import { IRRADIANCE_TEXELS } from "./probe-rays.js";
 
@@ -13,8 +12,8 @@ export class BounceLimit {
 
   constructor(gpu: Gpu) {
     this.#gpu = gpu;
-    this.#program = gpu.program("gi/irradiance", fullscreenVert, irradianceFrag);
-    this.#weightsProgram = gpu.program("gi/bounce-limit", fullscreenVert, bounceLimitFrag, {
+    this.#program = gpu.pass("gi/irradiance", irradianceFrag);
+    this.#weightsProgram = gpu.pass("gi/bounce-limit", bounceLimitFrag, {
       defines: { IRRADIANCE_TEXELS },
     });
     this.#weights = gpu.renderTarget({

@@ -2,7 +2,6 @@ import gatherFrag from "../../../shaders/gi/gather.frag";
 import rayDirectFrag from "../../../shaders/gi/ray-direct.frag";
 import rayRadianceFrag from "../../../shaders/gi/ray-radiance.frag";
 import surfelRadianceFrag from "../../../shaders/gi/surfel-radiance.frag";
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Model } from "../../assets/model.js";
 import type { Draw, Gpu, Program, RenderTarget, ShaderSource, UniformBlock } from "../../gl/gpu.js";
 import { finish, type Steps } from "../../steps.js";
@@ -101,13 +100,13 @@ export class IndirectPass {
       uGroup: detail.surfelGroup,
     };
     const ofLight = (label: string, fragment: ShaderSource) =>
-      gpu.program(label, fullscreenVert, fragment, { defines: surfels.defines });
+      gpu.pass(label, fragment, { defines: surfels.defines });
     this.#surfelRadianceProgram = ofLight("gi/surfel-radiance", surfelRadianceFrag);
-    this.#rayRadianceProgram = gpu.program("gi/ray-radiance", fullscreenVert, rayRadianceFrag);
+    this.#rayRadianceProgram = gpu.pass("gi/ray-radiance", rayRadianceFrag);
     this.#rayDirectProgram = ofLight("gi/ray-direct", rayDirectFrag);
     this.#block = volumeBlock(gpu, this.#rayRadianceProgram, scene, detail);
     const gather = (SURFELS: 0 | 1, ROWS: number, COLUMNS: number) =>
-      gpu.program("gi/gather", fullscreenVert, gatherFrag, {
+      gpu.pass("gi/gather", gatherFrag, {
         defines: { SURFELS, ROWS, COLUMNS, IRRADIANCE_TEXELS },
       });
     this.#surfelGatherProgram = gather(1, this.#uniforms.uSurfelRows, detail.rays);

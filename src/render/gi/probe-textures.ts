@@ -2,15 +2,7 @@ import rayProbesFrag from "../../../shaders/gi/ray-probes.frag";
 import rayReflectanceFrag from "../../../shaders/gi/ray-reflectance.frag";
 import rayReflectanceVert from "../../../shaders/gi/ray-reflectance.vert";
 import roomReflectanceFrag from "../../../shaders/gi/room-reflectance.frag";
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
-import type {
-  Gpu,
-  Program,
-  RenderTarget,
-  ShaderSource,
-  UniformBlock,
-  VertexArray,
-} from "../../gl/gpu.js";
+import type { Gpu, Program, RenderTarget, UniformBlock, VertexArray } from "../../gl/gpu.js";
 import type { Steps } from "../../steps.js";
 import { drawInBands } from "../draw-in-bands.js";
 import { floats } from "../float-format.js";
@@ -87,10 +79,8 @@ export function uploadProbeRays(
   const hits = { uRayHits, uRayReflectance: rayReflectance.color };
   const uniforms = { uRays: rays, uProbeRows: rows };
   function* draw(): Steps {
-    const program = (label: string, fragment: ShaderSource) =>
-      gpu.program(label, fullscreenVert, fragment);
-    const ofProbes = program("gi/ray-probes", rayProbesFrag);
-    const ofRoom = program("gi/room-reflectance", roomReflectanceFrag);
+    const ofProbes = gpu.pass("gi/ray-probes", rayProbesFrag);
+    const ofRoom = gpu.pass("gi/room-reflectance", roomReflectanceFrag);
     const ofRays = gpu.program("gi/ray-reflectance", rayReflectanceVert, rayReflectanceFrag);
     yield;
     yield* drawInBands(gpu, BANDS, {

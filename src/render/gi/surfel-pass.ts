@@ -1,6 +1,5 @@
 import supportFrag from "../../../shaders/gi/support-radiosity.frag";
 import totalRadiosityFrag from "../../../shaders/gi/total-radiosity.frag";
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Gpu, Program, RenderTarget, Texture, UniformBlock } from "../../gl/gpu.js";
 import type { Vec3 } from "../../world/geometry.js";
 import { floats } from "../float-format.js";
@@ -42,8 +41,8 @@ export class SurfelPass extends Surfels {
   ) {
     super(gpu, size, "Light");
     this.#support = support;
-    this.#supportProgram = gpu.program("gi/support-radiosity", fullscreenVert, supportFrag);
-    this.#totalProgram = gpu.program("gi/total-radiosity", fullscreenVert, totalRadiosityFrag);
+    this.#supportProgram = gpu.pass("gi/support-radiosity", supportFrag);
+    this.#totalProgram = gpu.pass("gi/total-radiosity", totalRadiosityFrag);
     this.#total = this.target("gi/total-radiosity");
   }
 

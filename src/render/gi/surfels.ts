@@ -1,6 +1,5 @@
 import radiosityFrag from "../../../shaders/gi/radiosity.frag";
 import surfelFrag from "../../../shaders/gi/surfel.frag";
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import cubeFaceVert from "../../../shaders/shadow/cube-face.vert";
 import type {
   Draw,
@@ -50,7 +49,7 @@ export abstract class Surfels {
     const captureOptions = { defines: capture };
     this.#captureProgram = gpu.program("gi/surfel", cubeFaceVert, surfelFrag, captureOptions);
     const options = { defines: read };
-    this.#radiosityProgram = gpu.program("gi/radiosity", fullscreenVert, radiosityFrag, options);
+    this.#radiosityProgram = gpu.pass("gi/radiosity", radiosityFrag, options);
     this.block = gpu.uniformBlock(this.#radiosityProgram, light);
     this.blocks = { [light]: this.block };
     const texel = floats(gpu, 4);

@@ -1,7 +1,6 @@
 import displayFrag from "../../../shaders/candle/custom-display.frag";
 import surfaceFrag from "../../../shaders/candle/custom-surface.frag";
 import surfaceVert from "../../../shaders/mesh/mesh.vert";
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Model } from "../../assets/model.js";
 import type { Gpu, Program, RenderTarget, Texture } from "../../gl/gpu.js";
 import { carriedFlame, type RootedFlame, TAPER } from "../../light/flame-light.js";
@@ -78,7 +77,7 @@ export class CustomModelRenderer extends LoneRenderer {
     this.#surfaceProgram = gpu.program("candle/custom-surface", surfaceVert, surfaceFrag, {
       defines: { SHADOW_TAPS: tapsOf(tier, wicks.length) },
     });
-    this.#displayProgram = gpu.program("candle/custom-display", fullscreenVert, displayFrag);
+    this.#displayProgram = gpu.pass("candle/custom-display", displayFrag);
     const face = tier.name === "low" ? FACE.low : FACE.others;
     const { made, release } = gpu.scoped(() =>
       createResources(gpu, this.#surfaceProgram, model, wicks.length, face),

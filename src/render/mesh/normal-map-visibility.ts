@@ -1,5 +1,4 @@
 import visibilityFrag from "../../../shaders/mesh/normal-map-visibility.frag";
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Gpu, Program, Texture } from "../../gl/gpu.js";
 import type { Mesh } from "./mesh.js";
 
@@ -7,7 +6,7 @@ import type { Mesh } from "./mesh.js";
 const LEVELS = 8;
 
 export function normalMapVisibilityProgram(gpu: Gpu): Program {
-  return gpu.program("mesh/normal-map-visibility", fullscreenVert, visibilityFrag);
+  return gpu.pass("mesh/normal-map-visibility", visibilityFrag);
 }
 
 /**

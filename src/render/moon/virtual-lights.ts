@@ -1,6 +1,5 @@
 import rayVirtualFrag from "../../../shaders/gi/ray-virtual.frag";
 import fluxFrag from "../../../shaders/gi/virtual-flux.frag";
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Gpu, RenderTarget, Texture } from "../../gl/gpu.js";
 import type { Steps } from "../../steps.js";
 import type { Vec3 } from "../../world/geometry.js";
@@ -175,7 +174,7 @@ export class VirtualLights {
       uVirtualShadow: this.#atlas.depth,
     };
     const nextBounce = {
-      program: this.#gpu.program("gi/ray-virtual", fullscreenVert, rayVirtualFrag, {
+      program: this.#gpu.pass("gi/ray-virtual", rayVirtualFrag, {
         defines: VIRTUAL_LIGHTS,
       }),
       textures: lights,
@@ -196,7 +195,7 @@ export class VirtualLights {
       filter: "nearest",
     });
     this.#gpu.draw({
-      program: this.#gpu.program("gi/virtual-flux", fullscreenVert, fluxFrag, { defines }),
+      program: this.#gpu.pass("gi/virtual-flux", fluxFrag, { defines }),
       target: this.#flux,
       textures: { uGroups, uRadiosity: radiosity, uSurfelNormalDistance: normalDistance },
       blocks,

@@ -1,7 +1,6 @@
 import { mat4 } from "gl-matrix";
 import moonFrag from "../../../shaders/opaque/moon-lighting.frag";
 import sumFrag from "../../../shaders/opaque/sum-lighting.frag";
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type {
   Gpu,
   Program,
@@ -122,7 +121,7 @@ export class CachedLighting {
       const uCachedLighting = yield* this.#layerOf(light, frame, gbuffer, size);
       sums.reverse();
       this.#gpu.draw({
-        program: this.#gpu.program("opaque/sum-lighting", fullscreenVert, sumFrag),
+        program: this.#gpu.pass("opaque/sum-lighting", sumFrag),
         target: sums[0],
         textures: { uLighting, uCachedLighting },
         uniforms: { uIntensity, uCachedIntensity: light.intensity, uColor },
@@ -174,6 +173,6 @@ export class CachedLighting {
     // It is lit once, and its penumbra is next to black.
     const { search, taps } = this.#shadowQuality;
     const defines = { SHADOW_SEARCH: 3 * search, SHADOW_TAPS: 3 * taps, REDUCED: 0 };
-    return this.#gpu.program("opaque/moon-lighting", fullscreenVert, moonFrag, { defines });
+    return this.#gpu.pass("opaque/moon-lighting", moonFrag, { defines });
   }
 }

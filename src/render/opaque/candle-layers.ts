@@ -1,5 +1,4 @@
 import compositeFrag from "../../../shaders/opaque/forward-composite.frag";
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Box, Gpu, RenderTarget, Texture, TextureFormat, TextureView } from "../../gl/gpu.js";
 import type { Rgb } from "../../light/color.js";
 import type { CachedLight } from "../cached-light.js";
@@ -14,7 +13,7 @@ export function drawScaled(
   scissor?: Box,
 ): void {
   gpu.draw({
-    program: gpu.program("opaque/forward-composite", fullscreenVert, compositeFrag, {
+    program: gpu.pass("opaque/forward-composite", compositeFrag, {
       defines: { CANDLE: 1 },
     }),
     target,
@@ -130,7 +129,7 @@ export class CandleLayers {
       uniforms[`uIntensity${suffix}`] = uIntensity;
     }
     this.#gpu.draw({
-      program: this.#gpu.program("opaque/forward-composite", fullscreenVert, compositeFrag, {
+      program: this.#gpu.pass("opaque/forward-composite", compositeFrag, {
         defines: { CANDLE: 1, CANDLES: 1 },
       }),
       target,

@@ -1,6 +1,5 @@
 import clampFrag from "../../../shaders/opaque/checkerboard-clamp.frag";
 import reprojectFrag from "../../../shaders/opaque/checkerboard-reproject.frag";
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type {
   Gpu,
   Program,
@@ -63,8 +62,8 @@ export class Checkerboard {
     this.#gpu = gpu;
     // Compiled before the first step.
     this.#depthPass = new DepthPass(gpu, frame);
-    this.#reproject = gpu.program("opaque/checkerboard-reproject", fullscreenVert, reprojectFrag);
-    this.#clamp = gpu.program("opaque/checkerboard-clamp", fullscreenVert, clampFrag);
+    this.#reproject = gpu.pass("opaque/checkerboard-reproject", reprojectFrag);
+    this.#clamp = gpu.pass("opaque/checkerboard-clamp", clampFrag);
   }
 
   /** Frees the previous frame. */

@@ -1,7 +1,6 @@
 import compositeDisplayFrag from "../../../shaders/opaque/composite-display.frag";
 import reprojectFrag from "../../../shaders/opaque/reproject-color.frag";
 import displayVert from "../../../shaders/post/display.vert";
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import fxaaFrag from "../../../shaders/post/fxaa.frag";
 import upscaleFrag from "../../../shaders/post/upscale.frag";
 import type { Box, Gpu, Program, RenderTarget, Surface, Texture } from "../../gl/gpu.js";
@@ -57,11 +56,11 @@ export class CompositeDisplayPass {
     this.#withoutBloom = forEachGBufferKind((kind) =>
       kind.REPROJECTED ? null : composite(kind, 0),
     );
-    this.#reproject = gpu.program("opaque/reproject-color", fullscreenVert, reprojectFrag);
-    this.#fxaa = gpu.program("post/fxaa", fullscreenVert, fxaaFrag, {
+    this.#reproject = gpu.pass("opaque/reproject-color", reprojectFrag);
+    this.#fxaa = gpu.pass("post/fxaa", fxaaFrag, {
       defines: { EDGE_LEAST: 0.06, BY_CODE: 0 },
     });
-    this.#upscale = gpu.program("post/upscale", fullscreenVert, upscaleFrag);
+    this.#upscale = gpu.pass("post/upscale", upscaleFrag);
     this.#toneLut = new ToneLut(gpu);
   }
 

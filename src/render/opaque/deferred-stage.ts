@@ -1,5 +1,4 @@
 import compositeFrag from "../../../shaders/opaque/composite.frag";
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Box, Gpu, Program, TextureFormat } from "../../gl/gpu.js";
 import type { Steps } from "../../steps.js";
 import type { FrameInput, Size } from "../frame-input.js";
@@ -42,7 +41,7 @@ export class DeferredStage implements OpaqueStage {
     this.#cached = new CachedLighting(gpu, tier.shadow, this.format, summed, full);
     this.#gbufferPass = new GBufferPass(gpu, this.blocks.Frame, lods, atRest);
     this.#composite = forEachGBufferKind((defines) =>
-      gpu.program("opaque/composite", fullscreenVert, compositeFrag, { defines }),
+      gpu.pass("opaque/composite", compositeFrag, { defines }),
     );
   }
 

@@ -2,7 +2,6 @@ import meshVert from "../../../shaders/mesh/mesh.vert";
 import forwardFrag from "../../../shaders/opaque/forward.frag";
 import compositeFrag from "../../../shaders/opaque/forward-composite.frag";
 import nightFrag from "../../../shaders/opaque/forward-night.frag";
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Gpu, Program } from "../../gl/gpu.js";
 import type { Mesh } from "../mesh/mesh.js";
 import { VIRTUAL_LIGHTS } from "../moon/virtual-lights.js";
@@ -72,7 +71,7 @@ export function areForwardProgramsCompiled(
 /** The program that multiplies radiance per candela by the light's intensity. */
 export function forwardComposite(gpu: Gpu, isMoonlit: boolean): Program {
   const options = isMoonlit ? { defines: { MOONLIT: 1 } } : {};
-  return gpu.program("opaque/forward-composite", fullscreenVert, compositeFrag, options);
+  return gpu.pass("opaque/forward-composite", compositeFrag, options);
 }
 
 /** The program that shades all meshes of a tier for the moon alone. */

@@ -1,7 +1,6 @@
 import gatherFrag from "../../../shaders/opaque/gather-inverse-depth.frag";
 import lightingFrag from "../../../shaders/opaque/lighting.frag";
 import moonFrag from "../../../shaders/opaque/moon-lighting.frag";
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type {
   Draw,
   Gpu,
@@ -61,7 +60,7 @@ export class LightingPass {
     this.#gpu = gpu;
     this.#tier = tier;
     this.full = this.#program(tier.shadow, { REDUCED: 0 });
-    this.#gather = gpu.program("opaque/gather-inverse-depth", fullscreenVert, gatherFrag);
+    this.#gather = gpu.pass("opaque/gather-inverse-depth", gatherFrag);
     this.format = floats(gpu, 4);
     this.frame = gpu.uniformBlock(this.full, "Frame");
     this.light = this.newLightBlock();
@@ -75,7 +74,7 @@ export class LightingPass {
 
   #program({ search, taps, bias }: ShadowQuality, kind: Readonly<Record<string, number>>): Program {
     const defines = { SHADOW_SEARCH: search, SHADOW_TAPS: taps, SHADOW_BIAS: bias, ...kind };
-    return this.#gpu.program("opaque/lighting", fullscreenVert, lightingFrag, { defines });
+    return this.#gpu.pass("opaque/lighting", lightingFrag, { defines });
   }
 
   /** Of lighting in motion: by the flame alone, or by all lights at once, which then share what they compute. */
@@ -98,7 +97,7 @@ export class LightingPass {
   get #reducedMoonProgram(): Program {
     const { search, taps } = this.#reducedShadow;
     const defines = { SHADOW_SEARCH: search, SHADOW_TAPS: taps, REDUCED: 1 };
-    return this.#gpu.program("opaque/moon-lighting", fullscreenVert, moonFrag, { defines });
+    return this.#gpu.pass("opaque/moon-lighting", moonFrag, { defines });
   }
 
   resize({ width, height }: Size): void {

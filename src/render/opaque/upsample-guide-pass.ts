@@ -1,6 +1,5 @@
 import representativeFrag from "../../../shaders/opaque/representative-sample.frag";
 import guideFrag from "../../../shaders/opaque/upsample-guide.frag";
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Box, Gpu, Program, RenderTarget, Texture } from "../../gl/gpu.js";
 import type { Size } from "../frame-input.js";
 import type { GBuffer } from "../gbuffer/gbuffer.js";
@@ -19,12 +18,8 @@ export class UpsampleGuidePass {
   /** @param samples of the G-buffer along each edge of a pixel */
   constructor(gpu: Gpu, samples: number) {
     this.#gpu = gpu;
-    this.#chooseRepresentatives = gpu.program(
-      "opaque/representative-sample",
-      fullscreenVert,
-      representativeFrag,
-    );
-    this.#guide = gpu.program("opaque/upsample-guide", fullscreenVert, guideFrag, {
+    this.#chooseRepresentatives = gpu.pass("opaque/representative-sample", representativeFrag);
+    this.#guide = gpu.pass("opaque/upsample-guide", guideFrag, {
       defines: { SAMPLES: samples },
     });
   }

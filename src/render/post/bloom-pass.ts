@@ -1,6 +1,5 @@
 import downFrag from "../../../shaders/post/bloom-down.frag";
 import upFrag from "../../../shaders/post/bloom-up.frag";
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Box, Gpu, Program, RenderTarget, Texture, TextureFormat } from "../../gl/gpu.js";
 import { expandBox, scaleBox } from "../screen-bounds.js";
 
@@ -29,8 +28,8 @@ export class BloomPass {
     this.#format = format;
     this.#gpu = gpu;
     this.#levels = levels;
-    this.#down = gpu.program("post/bloom-down", fullscreenVert, downFrag);
-    this.#up = gpu.program("post/bloom-up", fullscreenVert, upFrag, {
+    this.#down = gpu.pass("post/bloom-down", downFrag);
+    this.#up = gpu.pass("post/bloom-up", upFrag, {
       defines: { FRUGAL: isFrugal ? 1 : 0 },
     });
   }

@@ -1,5 +1,4 @@
 import exposureFrag from "../../../shaders/post/exposure.frag";
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import meterFrag from "../../../shaders/post/meter.frag";
 import type {
   Gpu,
@@ -33,8 +32,8 @@ export class ExposurePass {
   /** @param meter defines of the metering pass. Default: it reads radiance */
   constructor(gpu: Gpu, meter: ProgramOptions["defines"] = {}) {
     this.#gpu = gpu;
-    this.#meterProgram = gpu.program("post/meter", fullscreenVert, meterFrag, { defines: meter });
-    this.#exposureProgram = gpu.program("post/exposure", fullscreenVert, exposureFrag);
+    this.#meterProgram = gpu.pass("post/meter", meterFrag, { defines: meter });
+    this.#exposureProgram = gpu.pass("post/exposure", exposureFrag);
     const color = ["RGBA16F"] as const;
     this.#logLuminance = gpu.renderTarget({ label: "exposure/log-luminance", color, ...CELLS });
     const texel = { width: 1, height: 1, filter: "nearest" } as const;

@@ -1,5 +1,4 @@
 import prefilterFrag from "../../../shaders/post/bloom-prefilter.frag";
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import type { Box, Gpu, Program, RenderTarget, Texture, TextureFormat } from "../../gl/gpu.js";
 import { boundsOf, expandBox, scaleBox } from "../screen-bounds.js";
 import { BloomPass } from "./bloom-pass.js";
@@ -35,7 +34,7 @@ export class FlameBloomPass implements Bloom {
   constructor(gpu: Gpu, levels: number, format: TextureFormat) {
     this.#gpu = gpu;
     this.#format = format;
-    this.#program = gpu.program("post/bloom-prefilter", fullscreenVert, prefilterFrag);
+    this.#program = gpu.pass("post/bloom-prefilter", prefilterFrag);
     this.#bloom = new BloomPass(gpu, levels, { format, isFrugal: true });
   }
 

@@ -1,4 +1,3 @@
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import hueLutFrag from "../../../shaders/post/hue-lut.frag";
 import type { Gpu, Program, RenderTarget, Texture } from "../../gl/gpu.js";
 import type { DisplayTransform } from "./display-pass.js";
@@ -15,7 +14,7 @@ export class HueLut {
 
   constructor(gpu: Gpu) {
     this.#gpu = gpu;
-    this.#program = gpu.program("post/hue-lut", fullscreenVert, hueLutFrag);
+    this.#program = gpu.pass("post/hue-lut", hueLutFrag);
     this.#target = gpu.renderTarget({
       label: "hue LUT",
       width: SIZE,

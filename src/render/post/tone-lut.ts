@@ -1,4 +1,3 @@
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import toneLutFrag from "../../../shaders/post/tone-lut.frag";
 import type { Gpu, Program, Texture } from "../../gl/gpu.js";
 import type { DisplayTransform } from "./display-pass.js";
@@ -15,7 +14,7 @@ export class ToneLut {
 
   constructor(gpu: Gpu) {
     this.#gpu = gpu;
-    this.#fill = gpu.program("post/tone-lut", fullscreenVert, toneLutFrag);
+    this.#fill = gpu.pass("post/tone-lut", toneLutFrag);
     this.#lut = gpu.texture({
       label: "tone LUT",
       // Software filters 8 bits twice as fast as floats, and to more bits than they have.

@@ -1,6 +1,5 @@
 import exactFrag from "../../../shaders/post/display.frag";
 import displayVert from "../../../shaders/post/display.vert";
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import blendFrag from "../../../shaders/refinement/blend.frag";
 import blendVert from "../../../shaders/refinement/blend.vert";
 import displayFrag from "../../../shaders/refinement/display.frag";
@@ -69,8 +68,8 @@ export class RefinedDisplayPass {
     const defines = { TONE_LUT: 0 };
     this.#exact = gpu.program("post/display", displayVert, exactFrag, { defines });
     this.#blend = gpu.program("refinement/blend", blendVert, blendFrag);
-    this.#keep = gpu.program("refinement/keep", fullscreenVert, keepFrag);
-    this.#setReference = gpu.program("refinement/reference", fullscreenVert, referenceFrag);
+    this.#keep = gpu.pass("refinement/keep", keepFrag);
+    this.#setReference = gpu.pass("refinement/reference", referenceFrag);
     const texel = { width: 1, height: 1, color: ["RGBA16F"], filter: "nearest" } as const;
     this.#references = ["dimmer", "brighter"].map((name) =>
       gpu.renderTarget({ label: `refinement/${name} reference`, ...texel }),

@@ -1,4 +1,3 @@
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import beginFrag from "../../../shaders/refinement/begin.frag";
 import copyFrag from "../../../shaders/refinement/copy-tile.frag";
 import type { Box, Gpu, Program, RenderTarget } from "../../gl/gpu.js";
@@ -100,8 +99,8 @@ export class RefinedStage implements OpaqueStage {
     this.#tier = tier;
     this.#forward = new ForwardStage(gpu, tier);
     normalMapVisibilityProgram(gpu);
-    this.#begin = gpu.program("refinement/begin", fullscreenVert, beginFrag);
-    this.#copy = gpu.program("refinement/copy-tile", fullscreenVert, copyFrag);
+    this.#begin = gpu.pass("refinement/begin", beginFrag);
+    this.#copy = gpu.pass("refinement/copy-tile", copyFrag);
     const tile = { width: TILE, height: TILE, color: ["RGBA16F"], depth: "texture" } as const;
     const { samples } = tier;
     this.#samples = gpu.renderTarget({ label: "refinement/samples", ...tile, samples });

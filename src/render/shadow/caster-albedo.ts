@@ -1,4 +1,3 @@
-import fullscreenVert from "../../../shaders/post/fullscreen.vert";
 import casterAlbedoFrag from "../../../shaders/shadow/caster-albedo.frag";
 import type { Gpu, Texture } from "../../gl/gpu.js";
 import type { Steps } from "../../steps.js";
@@ -30,7 +29,7 @@ export function* casterAlbedoOf(gpu: Gpu, surfaces: readonly Mesh[]): Steps<Text
     const i = albedo.drawn++;
     const { textures, uniforms } = surfaces[i]!;
     gpu.draw({
-      program: gpu.program("shadow/caster-albedo", fullscreenVert, casterAlbedoFrag),
+      program: gpu.pass("shadow/caster-albedo", casterAlbedoFrag),
       target,
       viewport: [
         (i % COLUMNS) * TILE.width,
