@@ -1,6 +1,8 @@
+import { vec3 } from "gl-matrix";
 import type { Part } from "../../assets/model.js";
 import type { Steps } from "../../steps.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
+import { crossOf, verticesOf } from "./triangles.js";
 
 /** Triangles of a cluster: few enough for culling, enough to be worth a draw. */
 const CLUSTER = 160;
@@ -206,22 +208,10 @@ export function groupTriangles(part: Part): Grouped {
   return { indices, clusters, area: areaOf(part) };
 }
 
-function areaOf({ positions: p, indices }: Mesh): number {
+function areaOf(part: Part): number {
   let sum = 0;
-  for (let i = 0; i + 2 < indices.length; i += 3) {
-    const a = indices[i]! * 3;
-    const b = indices[i + 1]! * 3;
-    const c = indices[i + 2]! * 3;
-    const ex = p[b]! - p[a]!;
-    const ey = p[b + 1]! - p[a + 1]!;
-    const ez = p[b + 2]! - p[a + 2]!;
-    const fx = p[c]! - p[a]!;
-    const fy = p[c + 1]! - p[a + 1]!;
-    const fz = p[c + 2]! - p[a + 2]!;
-    const nx = ey * fz - ez * fy;
-    const ny = ez * fx - ex * fz;
-    const nz = ex * fy - ey * fx;
-    sum += Math.sqrt(nx * nx + ny * ny + nz * nz) / 2;
+  for (let triangle = 0; triangle < Math.floor(part.indices.length / 3); triangle++) {
+    sum += vec3.length(crossOf(verticesOf(part, triangle))) / 2;
   }
   return sum;
 }
