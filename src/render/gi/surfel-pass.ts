@@ -46,11 +46,11 @@ export class SurfelPass extends Surfels {
     this.#total = this.target("gi/total-radiosity");
   }
 
-  get totalRadiosity(): Texture {
+  override get totalRadiosity(): Texture {
     return this.#total.color;
   }
 
-  get support(): Texture {
+  override get support(): Texture {
     return this.#support.supports.color;
   }
 
@@ -75,7 +75,10 @@ export class SurfelPass extends Surfels {
     });
   }
 
-  renderTotalRadiosity(volume: Readonly<Record<string, Texture>>, block: UniformBlock): void {
+  override renderTotalRadiosity(
+    volume: Readonly<Record<string, Texture>>,
+    block: UniformBlock,
+  ): void {
     this.gpu.draw({
       program: this.#totalProgram,
       target: this.#total,

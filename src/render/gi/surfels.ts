@@ -18,7 +18,7 @@ import type { ShadowCasters } from "../shadow/shadow-casters.js";
 
 type Defines = Readonly<Record<string, number>>;
 
-/** Surfels, captured and lit by a flame or by the moon. */
+/** Surfels, captured and lit by a flame or by the moon, which has neither a support nor reflections of all its light. */
 export abstract class Surfels {
   /** Of the light, and by its name. */
   readonly block: UniformBlock;
@@ -96,10 +96,14 @@ export abstract class Surfels {
   }
 
   /** In all light, lm/m². */
-  abstract get totalRadiosity(): Texture;
+  get totalRadiosity(): Texture {
+    return this.radiosity;
+  }
 
   /** Of the surface below the flame, for `lib/support-irradiance.glsl`. */
-  abstract get support(): Texture;
+  get support(): Texture {
+    return this.radiosity;
+  }
 
   /** Radiosity by a light. */
   renderRadiosity(light: CaptureLight): void {
@@ -109,10 +113,7 @@ export abstract class Surfels {
   }
 
   /** The same with indirect light, by the irradiance volume. */
-  abstract renderTotalRadiosity(
-    volume: Readonly<Record<string, Texture>>,
-    block: UniformBlock,
-  ): void;
+  renderTotalRadiosity(_volume: Readonly<Record<string, Texture>>, _block: UniformBlock): void {}
 
   protected get textures() {
     const [uSurfelReflectance, uSurfelNormalDistance] = this.#surfels.colors;

@@ -33,17 +33,6 @@ export class MoonSurfels extends Surfels {
     return this.#visibility ? { uSurfelVisibility: this.#visibility } : {};
   }
 
-  /** Not used for the moon; nor is the support. */
-  get totalRadiosity(): Texture {
-    return this.radiosity;
-  }
-
-  get support(): Texture {
-    return this.radiosity;
-  }
-
-  renderTotalRadiosity(): void {}
-
   /** Surfels on the map. */
   get detail(): Readonly<Record<"columns" | "rows" | "paneRows", number>> {
     const rows = this.#rows;
