@@ -4,34 +4,42 @@ import type { Rgb } from "../../light/color.js";
 import type { CachedLight } from "../cached-light.js";
 import type { Size } from "../frame-input.js";
 
-/** Draws a texture times a light's intensity, cd. Within a scissor it is added to what is there. */
-export function drawScaled(
-  gpu: Gpu,
-  uRadiance: Texture,
-  target: TextureView | RenderTarget,
-  uIntensity: Rgb,
-  scissor?: Box,
-): void {
-  gpu.draw({
-    program: gpu.pass("opaque/forward-composite", compositeFrag, {
-      defines: { CANDLE: 1 },
-    }),
-    target,
-    textures: { uRadiance },
-    uniforms: { uIntensity },
-    blend: scissor ? "premultiplied" : "replace",
-    scissor,
-  });
-}
-
 /** Candles that are added in one draw. */
 const GROUP = 4;
 const DARK: Rgb = [0, 0, 0];
+const ONE: Rgb = [1, 1, 1];
 
-/** Radiance for 1 cd, and the intensity that it is multiplied by. */
+/** Radiance for 1 cd, and the intensity that it is multiplied by, cd. */
 interface Layer {
   readonly uRadiance: Texture;
   readonly uIntensity: Rgb;
+}
+
+/** Draws one to `GROUP` layers. Within a scissor they are added to what is there. */
+export function drawScaled(
+  gpu: Gpu,
+  layers: readonly Layer[],
+  target: TextureView | RenderTarget,
+  scissor?: Box,
+): void {
+  const textures: Record<string, Texture> = {};
+  const uniforms: Record<string, Rgb> = {};
+  const isGroup = layers.length > 1;
+  for (let i = 0; i < (isGroup ? GROUP : 1); i++) {
+    const suffix = i > 0 ? String(i) : "";
+    const { uRadiance, uIntensity } = layers[i] ?? { ...layers[0]!, uIntensity: DARK };
+    textures[`uRadiance${suffix}`] = uRadiance;
+    uniforms[`uIntensity${suffix}`] = uIntensity;
+  }
+  const defines = { CANDLE: 1, ...(isGroup && { CANDLES: 1 }) };
+  gpu.draw({
+    program: gpu.pass("opaque/forward-composite", compositeFrag, { defines }),
+    target,
+    textures,
+    uniforms,
+    blend: scissor ? "premultiplied" : "replace",
+    scissor,
+  });
 }
 
 /** Radiance that each standing candle gives for 1 cd: kept until camera or models have moved. */
@@ -83,7 +91,7 @@ export class CandleLayers {
       if (layer.key === key || shaded === most) continue;
       layer.key = key;
       shaded++;
-      drawScaled(this.#gpu, shade(candle).color, layer.target, [1, 1, 1]);
+      drawScaled(this.#gpu, [{ uRadiance: shade(candle).color, uIntensity: ONE }], layer.target);
     }
     return shaded > 0;
   }
@@ -109,34 +117,7 @@ export class CandleLayers {
       return uRadiance ? [{ uRadiance, uIntensity: intensity }] : [];
     });
     for (let first = 0; first < shaded.length; first += GROUP) {
-      const group = shaded.slice(first, first + GROUP);
-      const [only] = group;
-      if (group.length === 1 && only) {
-        drawScaled(this.#gpu, only.uRadiance, target, only.uIntensity, scissor);
-      } else {
-        this.#addGroup(group, target, scissor);
-      }
+      drawScaled(this.#gpu, shaded.slice(first, first + GROUP), target, scissor);
     }
-  }
-
-  #addGroup(group: readonly Layer[], target: TextureView | RenderTarget, scissor: Box): void {
-    const textures: Record<string, Texture> = {};
-    const uniforms: Record<string, Rgb> = {};
-    for (let i = 0; i < GROUP; i++) {
-      const suffix = i > 0 ? String(i) : "";
-      const { uRadiance, uIntensity } = group[i] ?? { ...group[0]!, uIntensity: DARK };
-      textures[`uRadiance${suffix}`] = uRadiance;
-      uniforms[`uIntensity${suffix}`] = uIntensity;
-    }
-    this.#gpu.draw({
-      program: this.#gpu.pass("opaque/forward-composite", compositeFrag, {
-        defines: { CANDLE: 1, CANDLES: 1 },
-      }),
-      target,
-      textures,
-      uniforms,
-      blend: "premultiplied",
-      scissor,
-    });
   }
 }

@@ -39,10 +39,11 @@ export class MultiLightInputs {
   ): Required<Pick<Draw, "textures" | "blocks">> {
     const { width, height } = carried.textures.uIrradiance;
     const target = this.#targetOf({ width, height });
-    for (const { irradiance, ...light } of [{ irradiance: carried, intensity }, ...lights]) {
-      const from = irradiance.textures.uIrradiance;
-      const scissor = irradiance === carried ? undefined : ([0, 0, width, height] as const);
-      drawScaled(this.#gpu, from, target, light.intensity, scissor);
+    for (const light of [{ irradiance: carried, intensity }, ...lights]) {
+      const { uIrradiance: uRadiance } = light.irradiance.textures;
+      const isFirst = light.irradiance === carried;
+      const scissor = isFirst ? undefined : ([0, 0, width, height] as const);
+      drawScaled(this.#gpu, [{ uRadiance, uIntensity: light.intensity }], target, scissor);
     }
     const candles = candlesOf(lights);
     const textures = { uIrradiance: target.color };
