@@ -55,7 +55,7 @@ const COARSE_INDIRECT: IndirectDetail = {
 };
 
 /** Indirect light of `high` and `ultra`, which differ by their shadows and their resolution. */
-export const FINE_INDIRECT: IndirectDetail = {
+const FINE_INDIRECT: IndirectDetail = {
   ...COARSE_INDIRECT,
   surfels: 24,
   surfelGroup: 4,
@@ -136,18 +136,10 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
   },
 };
 
-/**
- * Tier of refinement at rest without a GPU: surfaces and flame of `high`, and indirect light of `medium` to begin with.
- */
+/** Tier of refinement at rest without a GPU: surfaces, flame and indirect light of `high`. */
 export const REFINED: Tier = {
   ...TIERS.high,
-  physical: {
-    ...TIERS.high.physical,
-    opaque: "refined",
-    indirect: COARSE_INDIRECT,
-    bloomLevels: 4,
-    hasAir: false,
-  },
+  physical: { ...TIERS.high.physical, opaque: "refined", bloomLevels: 4, hasAir: false },
 };
 
 /** Errors of simplified casters while the camera moves, metres; by `low`'s shadows and surfels. */

@@ -174,9 +174,7 @@ export class Refinement {
         if (this.#isPrepared) this.#budget = new RefinementBudget(); // a tile is dearer
         return refining.isCompiling ? null : 0;
       }
-      if (refining.remaining > 0) return steps;
-      if (refining.refineLight(world, { ...view, steps })) this.#budget = new RefinementBudget();
-      return 0;
+      return refining.remaining > 0 ? steps : 0;
     }
     if (!this.#hasBegun) {
       this.#shading ??= this.#initial.shade();

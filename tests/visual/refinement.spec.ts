@@ -83,9 +83,9 @@ async function framesUntil(
   throw new Error("The picture was never refined.");
 }
 
-/** Draws frames until all tiles have been drawn, with one sample a pixel and with all. */
+/** Draws frames until all tiles have been drawn. */
 async function complete(): Promise<void> {
-  let left = 2 * Math.ceil(BOX.width / TILE) * Math.ceil(BOX.height / TILE);
+  let left = Math.ceil(BOX.width / TILE) * Math.ceil(BOX.height / TILE);
   const countDown = (tiles: number) => {
     left -= tiles;
     return left <= 0;
@@ -144,18 +144,19 @@ async function paused(quality: "low" | "high", camera: Camera): Promise<Picture>
 }
 
 let begun: Picture;
-let inFirstLight: Picture;
 let refined: Picture;
 let firstStep: Picture;
 
-test("is prepared in frames of which each draws with two new programs at most, and no points", async () => {
+test("is prepared in frames of which each draws with two new programs at most, and few points", async () => {
   await frames(1, 50); // of `low`, with programs of its own
   const first = await refine(50);
   begun = await room.picture();
-  const tiles = await framesUntil((tiles) => tiles > 0, 50);
-  for (const { programs, points } of [first, tiles]) {
+  expect(first.points, "it begins with `low`'s light").toBe(0);
+  const captures = await framesUntil((tiles) => tiles > 0, 50);
+  expect(captures.points, "slow without a GPU").toBeGreaterThan(0);
+  expect(captures.points).toBeLessThan(100_000);
+  for (const { programs } of [first, captures]) {
     expect(programs, "one of `low`'s, and one of its own").toBeLessThanOrEqual(2);
-    expect(points, "its first light is that of `low`'s rays").toBe(0);
   }
 });
 
@@ -168,21 +169,7 @@ test("is refined by a machine with no time to spare too, a tile in some frames",
   expect(drawn).toBeLessThanOrEqual(6);
 });
 
-test("is sharp within seconds, at the canvas's full resolution", async () => {
-  let idle = 0;
-  await framesUntil((tiles) => {
-    idle = tiles > 0 ? 0 : idle + 1;
-    return idle > 4;
-  }, 50);
-  inFirstLight = await room.picture();
-  expect([inFirstLight.width, inFirstLight.height]).toEqual([BOX.width, BOX.height]);
-});
-
-test("has finer light captured then, in frames of few points and programs, and is drawn again in it", async () => {
-  const { programs, points } = await framesUntil((tiles) => tiles > 0, 50);
-  expect(programs).toBeLessThanOrEqual(2);
-  expect(points, "slow without a GPU").toBeGreaterThan(0);
-  expect(points).toBeLessThan(100_000);
+test("is complete once all of its tiles are drawn, at the canvas's full resolution", async () => {
   const tiles = await frames(80, 50);
   expect(tiles.slice(-5), "nothing is left to do").toEqual([0, 0, 0, 0, 0]);
   refined = await room.picture();
@@ -211,7 +198,6 @@ test("is what `high` shows, and the first step nearer to it than `low` is", asyn
   await room.evaluate((element) => element.pause());
   const still = await paused("high", CAMERA);
   const difference = meanFlip(still, refined);
-  const atFirst = meanFlip(still, inFirstLight);
   expect(dark(refined, still), "dots in corners").toBeLessThan(130);
   const high = await paused("high", STEP);
   const low = await sharp((await paused("low", STEP)).data, { raw: LOW })
@@ -219,7 +205,7 @@ test("is what `high` shows, and the first step nearer to it than `low` is", asyn
     .raw()
     .toBuffer();
   const [ofFirst, ofLow] = [meanFlip(high, firstStep), meanFlip(high, { ...BOX, data: low })];
-  const all = [atFirst, difference, ofFirst, ofLow];
+  const all = [difference, ofFirst, ofLow];
   console.log(`mean FLIP ${all.map((one) => one.toFixed(4))}`);
   const [ofBegun = 0, ofCoarse = 1] = [begun, { ...BOX, data: low }].map(
     (one) => sharpness(one) / sharpness(still),
@@ -227,7 +213,6 @@ test("is what `high` shows, and the first step nearer to it than `low` is", asyn
   console.log(`as sharp as it: ${ofBegun.toFixed(2)} as it begins, \`low\` ${ofCoarse.toFixed(2)}`);
   expect(ofBegun, "as it begins").toBeGreaterThan(0.9);
   expect(ofCoarse).toBeLessThan(0.8);
-  expect(atFirst, "in its first light").toBeLessThan(0.06);
   expect(difference).toBeLessThan(0.02);
   expect(ofFirst).toBeLessThan(0.7 * ofLow);
 });

@@ -9,6 +9,7 @@ import type { CollisionMesh } from "../../world/room/collision-mesh.js";
 import { drawInBands } from "../draw-in-bands.js";
 import type { CaptureLight } from "../light-block.js";
 import type { Mesh } from "../mesh/mesh.js";
+import { SCHEDULE } from "../schedule.js";
 import { FACES } from "../shadow/cube-map.js";
 import type { ShadowCasters } from "../shadow/shadow-casters.js";
 import type { ShadowCube } from "../shadow/shadow-pass.js";
@@ -153,6 +154,9 @@ export class IndirectPass {
   *captureSurfels(casters: ShadowCasters, light: CaptureLight): Steps {
     this.#isExact = false;
     this.capturedFor = light;
+    const { collision, model } = this.#scene;
+    const trace = probeTraceOf(collision, model, this.#detail);
+    while (!trace.proceed(SCHEDULE.probesPerFrame)) yield;
     // Not delegated: others go on with it where these steps are given up.
     const { drawing } = this.#upload();
     while (!drawing.next().done) yield;

@@ -23,8 +23,6 @@ const PENUMBRA = 0.05;
 
 /** Sway of the flame that captures may be held for, metres. */
 const SWAY = 0.006;
-/** The same while they are captured, since a held candle sways farther: beyond it they are begun anew. */
-const CAPTURE_SWAY = 0.03;
 
 /** Shadow cube and irradiance volume of the flame. */
 export interface FlameCaptures {
@@ -56,8 +54,7 @@ export class LightCaptures {
   readonly #indirect: IndirectPass;
   readonly #updates: IndirectUpdates;
   #holding: Steps | null = null;
-  /** Of the last frame that captures are held for, and what is being captured. */
-  #wanted: CaptureLight | null = null;
+  /** What it captures. */
   #capturing: CaptureLight | null = null;
   /** Programs used when `hold` was last called. */
   #programsUsed = 0;
@@ -142,7 +139,7 @@ export class LightCaptures {
   }
 
   /**
-   * Continues exact captures of all lights. Those of the flame are then held, wherever it moves, until the next ones.
+   * Continues exact captures of all lights, for the flame of an image. They are then held, wherever it moves, until the next ones.
    *
    * Many drivers compile at a program's first draw, once more: it ends a frame's steps, and the next frame has none.
    *
@@ -150,14 +147,9 @@ export class LightCaptures {
    * @returns whether they are done
    */
   hold(frame: FrameInput, steps: number): boolean {
-    this.#wanted = frame.captureLight;
-    // What is captured for another place is given up.
-    if (
-      this.#capturing &&
-      vec3.distance(this.#capturing.position, this.#wanted.position) > CAPTURE_SWAY
-    ) {
-      this.#holding = null;
-    }
+    // What is captured for another image is given up.
+    if (this.#capturing !== frame.captureLight) this.#holding = null;
+    this.#capturing = frame.captureLight;
     this.#holding ??= this.#holdingSteps(frame);
     const gpu = this.#gpu;
     const used = gpu.used.size;
@@ -172,25 +164,12 @@ export class LightCaptures {
     return false;
   }
 
-  /** The light whose captures are held. */
-  get heldLight(): CaptureLight | null {
-    return this.#held?.light ?? null;
-  }
-
-  /** Whether the captures that are held are good enough for a light. */
-  isHeldFor({ position }: CaptureLight): boolean {
-    return this.#held !== null && vec3.distance(position, this.#held.light.position) <= SWAY;
-  }
-
   *#holdingSteps({ world, captureLight }: FrameInput): Steps {
-    this.#capturing = null;
     yield* this.#lights(world, "steps");
-    const light = this.#wanted ?? captureLight;
-    if (this.isHeldFor(light)) return;
+    const held = this.#held?.light;
+    if (held && vec3.distance(captureLight.position, held.position) <= SWAY) return;
     this.#held = null;
-    this.#capturing = light;
-    this.#held = { light, captures: yield* this.#ofLight(light, "steps") };
-    this.#capturing = null;
+    this.#held = { light: captureLight, captures: yield* this.#ofLight(captureLight, "steps") };
   }
 
   *#ofLight(light: CaptureLight, size: StepSize): Steps<FlameCaptures> {

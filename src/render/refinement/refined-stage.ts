@@ -43,12 +43,6 @@ interface Frames {
   draw(frame: FrameInput): Steps;
 }
 
-/** A part of the frame, and what it is drawn to. */
-interface Tile {
-  readonly box: Box;
-  readonly samples: RenderTarget;
-}
-
 /**
  * The opaque stage of an image at rest, without a GPU: forward shading, a few tiles in each frame.
  *
@@ -81,10 +75,10 @@ export class RefinedStage implements OpaqueStage {
   flame: Vec3 = [0, 0, 0];
   /** Tiles drawn since the last call of `takeDrawn`. */
   #drawn: Box[] = [];
-  /** Still to be drawn: all with one sample a pixel, and then with all samples. */
-  #tiles: Tile[] = [];
+  /** Still to be drawn. */
+  #tiles: Box[] = [];
   #light: CaptureLight | null = null;
-  /** For a target, with the programs of a flame, or of the moon alone. */
+  /** With the programs of a flame, of several, or of the moon alone. */
   readonly #firstDraws = new Map<string, Steps>();
   /** Whether the last step has many drivers compile for so long that its frame had better draw nothing else. */
   isCompiling = false;
@@ -136,7 +130,7 @@ export class RefinedStage implements OpaqueStage {
       blocks: { Light: this.imageLight.isOfFlame ? coarse.light : this.imageLight.block },
       depth: "test-and-write",
     });
-    this.captures.borrow(coarse.captures);
+    this.captures.begin(frame, coarse.captures);
   }
 
   /** Goes on with a first frame off the screen, by a pass: many drivers compile at it. True once it is drawn. */
@@ -155,18 +149,8 @@ export class RefinedStage implements OpaqueStage {
     const hasCandles = candlesOf(held.cached).length > 0;
     const lights = { isMoonlit: moonOf(held.cached) !== null, hasCandles };
     if (hasCandles) areForwardProgramsCompiled(this.#gpu, this.#tier, lights, meshesOf(frame));
-    if (this.#gpu.isCompiling || !this.#hasDrawn(frame, held, this.#resolved)) return false;
-    this.#queue(frame, this.#resolved);
-    if (this.captures.isFine) this.#queue(frame, this.#samples);
-    return true;
-  }
-
-  /** Continues captures of finer light by `steps` of the settings. True once: when all is to be drawn again in it. */
-  refineLight(world: World, settings: FrameSettings): boolean {
-    if (this.captures.isFine) return false;
-    const frame = this.#frames.describe(world, settings);
-    if (!this.captures.refine(frame, settings.steps ?? 0)) return false;
-    this.#queue(frame, this.#samples);
+    if (this.#gpu.isCompiling || !this.#hasDrawn(frame, held)) return false;
+    this.#tiles = tilesAround(this.#whole, frame.flameUv);
     return true;
   }
 
@@ -182,11 +166,6 @@ export class RefinedStage implements OpaqueStage {
     return this.#drawn.splice(0);
   }
 
-  #queue({ flameUv }: FrameInput, samples: RenderTarget): void {
-    const boxes = tilesAround(this.#whole, flameUv);
-    this.#tiles.push(...boxes.map((box) => ({ box, samples })));
-  }
-
   *fillGBuffer(): Steps<"full"> {
     yield;
     return "full";
@@ -199,10 +178,9 @@ export class RefinedStage implements OpaqueStage {
     this.source = reprojectionSource(instances, clipFromWorld, settings.features);
     this.flame = [...frame.world.interpolated.flame];
     let steps = settings.steps ?? 0;
-    const isReady = ({ samples }: Tile) => this.#hasDrawn(frame, captures, samples);
-    for (let [tile] = this.#tiles; tile && steps-- > 0 && isReady(tile); [tile] = this.#tiles) {
-      this.#tiles.shift();
-      this.#drawTile(frame, light, captures, tile);
+    while (steps-- > 0) {
+      const tile = this.#tiles.shift();
+      if (tile) this.#drawTile(frame, light, captures, tile);
     }
     yield;
     const { color: uRadiance, depth } = this.#whole;
@@ -213,30 +191,28 @@ export class RefinedStage implements OpaqueStage {
     return { kind: "full", textures, uniforms: {}, blocks, depth, motion: 0 };
   }
 
-  /** Goes on with the first draws to a target. Those with all samples wait until tiles with one are drawn. */
-  #hasDrawn(frame: FrameInput, captures: Captures, target: RenderTarget): boolean {
+  /** Goes on with the first draws to a tile's target. */
+  #hasDrawn(frame: FrameInput, captures: Captures): boolean {
     const isNight = this.#forward.isNight(frame, captures);
     const light = isNight ? "moon" : candlesOf(captures.cached).length > 0 ? "flames" : "flame";
-    const key = `${light}, ${target.label}`;
-    const draws = this.#firstDraws.get(key) ?? this.#drawFirst(frame, captures, target);
-    this.#firstDraws.set(key, draws);
+    const draws = this.#firstDraws.get(light) ?? this.#drawFirstTile(frame, captures);
+    this.#firstDraws.set(light, draws);
     return draws.next().done === true;
   }
 
   /** Many drivers compile a program for a target at its first draw: each in a frame of its own. */
-  *#drawFirst(frame: FrameInput, captures: Captures, target: RenderTarget): Steps {
+  *#drawFirstTile(frame: FrameInput, captures: Captures): Steps {
     for (const mesh of meshesOf(frame)) normalMapVisibilityOf(this.#gpu, mesh);
     const { shadow } = captures;
     const light = this.#shadingLight(frame);
     for (const isGlossy of [false, true]) {
       for (let rest = 0; rest < REST_FRAMES; rest++) yield;
       this.#forward.draw(frame, { ...light, captureOrigin: shadow.captureOrigin }, captures, {
-        target,
+        target: this.#samples,
         candles: candlesOf(captures.cached),
         isDrawn: (mesh) => mesh.isGlossy === isGlossy,
         scissor: ONE_PIXEL,
         textures: { uPrepassDepth: shadow.depth },
-        uniforms: { uIsMultisampled: Number(target === this.#samples) },
       });
       this.isCompiling = true;
     }
@@ -258,33 +234,24 @@ export class RefinedStage implements OpaqueStage {
   }
 
   /** Draws a tile to a multisampled target of its own, since drivers resolve whole targets only. */
-  #drawTile(
-    frame: FrameInput,
-    light: CaptureLight,
-    captures: Captures,
-    { box, samples }: Tile,
-  ): void {
+  #drawTile(frame: FrameInput, light: CaptureLight, captures: Captures, box: Box): void {
     const target = this.#whole;
     const { width, height } = target;
     const [x, y] = box;
     const moon = moonOf(captures.cached);
-    const isMultisampled = samples !== this.#resolved;
     const uPrepassDepth = this.#prepass.depthAround(box, frame);
-    this.#gpu.clear(samples, [0, 0, 0, moon?.background ?? 1]);
+    this.#gpu.clear(this.#samples, [0, 0, 0, moon?.background ?? 1]);
     this.#forward.draw(frame, light, captures, {
-      target: samples,
+      target: this.#samples,
       candles: this.imageLight.candlesOf(captures.cached),
       carried: this.imageLight.carried,
       viewport: [-x, -y, width, height],
       isVisible: frustumTest(clipOfBox(box, target, frame.clipFromWorld)),
       textures: { uPrepassDepth },
-      uniforms: {
-        uOrigin: [x, y],
-        uIsMultisampled: Number(isMultisampled),
-      },
+      uniforms: { uOrigin: [x, y] },
     });
     this.#drawn.push(box);
-    if (isMultisampled) this.#gpu.resolve(samples, this.#resolved);
+    this.#gpu.resolve(this.#samples, this.#resolved);
     this.#gpu.clear(target, BLACK, box);
     this.#gpu.draw({
       program: this.#copy,
