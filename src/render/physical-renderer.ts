@@ -262,7 +262,7 @@ export class PhysicalRenderer implements Renderer {
     this.#exposure.render(
       this.#compositeDisplay ? textures : { uRadiance: color },
       roomReflectance,
-      world.adaptation,
+      world.adaptation ?? {},
       { ...blocks },
     );
   }
@@ -275,7 +275,7 @@ export class PhysicalRenderer implements Renderer {
     const bloom = this.#bloom.transform(flameUv);
     const inputs = { uBloom: this.#bloom.latest, uExposure: this.#exposure.latest };
     const uRadiance = this.#radiance!.whole.color;
-    const transform = displayTransform(this.#gpu, settings, world.adaptation.darkness);
+    const transform = displayTransform(this.#gpu, settings, world.adaptation?.darkness ?? 0);
     const show = (textures: typeof inputs, scissor?: Box) => {
       const all = { ...textures, uRadiance };
       this.#display.render(all, bloom, settings, transform, blocks.Frame, scissor, screen);

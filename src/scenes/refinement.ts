@@ -86,7 +86,7 @@ export class Refinement {
     const glows = [flame.glow, ...standing.map((candle) => candle.flame.glow)];
     if (glows.some((glow) => glow > 0 && glow <= BURNING)) return null;
     if (moon === null || glows.some((glow) => glow > 0)) return `${glows.map((glow) => glow > 0)}`;
-    return adaptation.darkness === 1 ? "moon" : null;
+    return adaptation?.darkness === 1 ? "moon" : null;
   }
 
   /** Takes the time from one frame to the next, seconds. */

@@ -3,7 +3,6 @@ import { reachForWick, useFlame } from "./flames.js";
 import { length2, type Vec3 } from "./geometry.js";
 import { interpolate, poseCandle } from "./interpolate.js";
 import { emittingGroups } from "./particles/level-of-detail.js";
-import { adaptationView } from "./player/adapt.js";
 import { advanceStride } from "./player/gait.js";
 import { advanceHand } from "./player/hand.js";
 import type { Intent } from "./player/intent.js";
@@ -58,8 +57,7 @@ export function tick(world: World, intent: Intent): void {
   flame.advance(emitter, isPhysical ? motion : STANDING, air, !(world.sways && isPhysical), TICK);
   advanceStanding(world);
   if (timeline.tick % ADAPTATION_TICKS === 0) {
-    const view = adaptationView(world);
-    if (view) world.adaptation.advance(view, ADAPTATION_TICKS * TICK);
+    world.adaptation?.advance(world, ADAPTATION_TICKS * TICK);
   }
   if (timeline.tick % PLUME_TICKS === 0) {
     if (!world.setup.isAlone) world.plume?.step(flame, emitter, world.sways ? air : null);

@@ -2,7 +2,6 @@ import { CANDLE_CYLINDER, isWithinReach, placeOnGround } from "./candle.js";
 import { candleCount, rootedFlame } from "./flames.js";
 import type { Vec3 } from "./geometry.js";
 import { interpolate, poseCandle } from "./interpolate.js";
-import { noticeChange, settleAdaptation } from "./player/adapt.js";
 import { fieldOfViewOf } from "./player/field-of-view.js";
 import { calmHand } from "./player/hand.js";
 import { gazeDirection, MAX_PITCH } from "./player/player.js";
@@ -43,7 +42,7 @@ export function moveCamera(
   calmHand(world.hand, player.yaw);
   poseCandle(world, 0);
   const after = [...player.position, player.yaw, player.pitch, fieldOfViewOf(world)];
-  if (after.some((value, i) => value !== before[i])) settleAdaptation(world);
+  if (after.some((value, i) => value !== before[i])) world.adaptation?.settle(world);
   interpolate(world);
 }
 
@@ -70,7 +69,7 @@ export function standLike(world: World, { candle, setup, room }: World): void {
     return;
   }
   placeCandle(world);
-  settleAdaptation(world);
+  world.adaptation?.settle(world);
 }
 
 /** Whether two rooms are of the same model: each element loads its own. */
@@ -90,7 +89,7 @@ export function standCandle(world: World, position: Readonly<Vec3>, yaw: number)
   candle.yaw = yaw;
   putDown(world, position);
   poseCandle(world, 0);
-  settleAdaptation(world);
+  world.adaptation?.settle(world);
   interpolate(world);
 }
 
@@ -109,7 +108,7 @@ export function takeCandle(world: World): boolean {
   room?.plan.setObstacle(null);
   calmHand(world.hand, player.yaw);
   poseCandle(world, 0);
-  noticeChange(world);
+  world.adaptation?.notice(world);
   interpolate(world);
   return true;
 }

@@ -9,7 +9,6 @@ import type { Moon } from "./moon.js";
 import { GROUPS } from "./particles/particle-layer.js";
 import { layerKey, Particles } from "./particles/particles.js";
 import { SparkSchedule } from "./particles/sparks.js";
-import { ExposureAdaptation } from "./player/exposure-adaptation.js";
 import { createHand } from "./player/hand.js";
 import { boxBounds, UNBOUNDED } from "./room/movement-bounds.js";
 import type { Room } from "./room/room.js";
@@ -61,8 +60,7 @@ export function* createWorldInSteps(
   if (!layer) throw new Error(`The look “${look}” has no particle layers.`);
   const { yaw, start } = room ?? { yaw: setup.yaw, start: setup.spawn };
   const eye: Vec3 = [...start];
-  const { pitch, fieldOfView } = setup;
-  const flame: Vec3 = [0, 0, 0];
+  const { pitch } = setup;
   const box = setup.hasWalls ? boxBounds(inset(setup.room, WALL_MARGIN)) : UNBOUNDED;
   const { wicks = [], areLit = [] } = options;
   const isPhysical = look === "physical";
@@ -84,21 +82,7 @@ export function* createWorldInSteps(
     flame: new Flame(wick, isLit),
     plume: null,
     createPlume: isPhysical ? (options.createPlume ?? null) : null,
-    adaptation: new ExposureAdaptation(),
-    adaptationView:
-      isPhysical && room
-        ? {
-            collision: room.collision,
-            eye,
-            yaw,
-            pitch,
-            fieldOfView,
-            flame,
-            candle: 0,
-            luminousIntensity: 0,
-            moonlight: 0,
-          }
-        : null,
+    adaptation: isPhysical && room ? room.createAdaptation(eye) : null,
     emitter: [0, 0, 0],
     interpolated: { eye: [0, 0, 0], foot: [0, 0, 0], flame: [0, 0, 0] },
     timeline: new Timeline(age - HISTORY),

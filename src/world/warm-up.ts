@@ -3,7 +3,6 @@ import { tick } from "./advance.js";
 import type { Wind } from "./air/air.js";
 import type { Plume } from "./air/plume.js";
 import { interpolate, poseCandle } from "./interpolate.js";
-import { adaptFully } from "./player/adapt.js";
 import { STILL } from "./player/intent.js";
 import { HISTORY } from "./timeline.js";
 import type { World } from "./world.js";
@@ -34,6 +33,6 @@ export function* warmUp(world: World, wind: Wind): Steps {
   if (known) world.plume = known.clone();
   else if (world.plume) risen = { cause, plume: world.plume.clone() };
   air.wind = wind;
-  adaptFully(world);
+  world.adaptation?.adaptFully(world);
   interpolate(world);
 }

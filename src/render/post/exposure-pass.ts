@@ -8,11 +8,8 @@ import type {
   Texture,
   UniformBlock,
 } from "../../gl/gpu.js";
-import {
-  EXPOSURE_LAW,
-  type ExposureAdaptation,
-  mostExposure,
-} from "../../world/player/exposure-adaptation.js";
+import { EXPOSURE_LAW, mostExposure } from "../../world/player/exposure-adaptation.js";
+import type { RoomAdaptation } from "../../world/player/room-adaptation.js";
 
 /** Metered cells of the frame, each of 16 taps; even numbers. */
 const CELLS = { width: 32, height: 18 } as const;
@@ -45,12 +42,12 @@ export class ExposurePass {
    *
    * @param textures of the meter
    * @param roomReflectance mean of the room, one texel
-   * @param adaptation of the eye
+   * @param adaptation of the eye. Default: full, to candlelight
    */
   render(
     textures: Readonly<Record<string, Texture>>,
     roomReflectance: Texture,
-    { lag, darkness }: Pick<ExposureAdaptation, "lag" | "darkness">,
+    { lag = 0, darkness = 0 }: Partial<Pick<RoomAdaptation, "lag" | "darkness">>,
     blocks: Readonly<Record<string, UniformBlock>> = {},
   ): Texture {
     const { luminance, stops, share, least, reflectance, keyShare } = EXPOSURE_LAW;

@@ -2,6 +2,7 @@ import { CANDLE_CYLINDER } from "../candle.js";
 import type { Vec3 } from "../geometry.js";
 import { EYE_HEIGHT } from "../player/gait.js";
 import { gazeDirection, type Player } from "../player/player.js";
+import { RoomAdaptation } from "../player/room-adaptation.js";
 import type { CollisionMesh } from "./collision-mesh.js";
 import { FloorPlan } from "./floor-plan.js";
 import type { MovementBounds } from "./movement-bounds.js";
@@ -14,6 +15,7 @@ export interface Room {
   readonly collision: CollisionMesh;
   readonly plan: FloorPlan;
   readonly movementBounds: MovementBounds;
+  createAdaptation(eye: Readonly<Vec3>): RoomAdaptation;
   /** Initial eye position, metres, and yaw. */
   readonly start: Vec3;
   readonly yaw: number;
@@ -44,6 +46,7 @@ export function createRoom(
     collision,
     plan,
     movementBounds,
+    createAdaptation: (eye) => new RoomAdaptation(collision, eye),
     start: [x, y + EYE_HEIGHT, z],
     yaw: spawn?.yaw ?? 0,
     findSpot(player, spot) {
