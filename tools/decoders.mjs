@@ -1,5 +1,4 @@
-import { copyFileSync, mkdirSync } from "node:fs";
-import { fileURLToPath } from "node:url";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 
 /**
  * Copies the decoders of compressed models from three's package to public/decoders/, whence the
@@ -18,9 +17,15 @@ const FILES = [
   "basis/basis_transcoder.wasm",
 ];
 
+/** Line before a decoder's own: the page hears of an exception, but not of a rejection that nobody handles. */
+const REPORT =
+  'addEventListener("unhandledrejection",({reason})=>setTimeout(()=>{throw reason}));' +
+  " // added by candle-flame\n";
+
 mkdirSync(TARGET, { recursive: true });
 for (const file of FILES) {
   const name = file.split("/").at(-1);
-  copyFileSync(fileURLToPath(new URL(file, SOURCE)), fileURLToPath(new URL(name, TARGET)));
+  const bytes = readFileSync(new URL(file, SOURCE));
+  writeFileSync(new URL(name, TARGET), name.endsWith(".js") ? REPORT + bytes : bytes);
   console.log(name);
 }

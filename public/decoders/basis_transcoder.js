@@ -1,3 +1,4 @@
+addEventListener("unhandledrejection",({reason})=>setTimeout(()=>{throw reason})); // added by candle-flame
 
 var BASIS = (() => {
   var _scriptName = typeof document != 'undefined' ? document.currentScript?.src : undefined;

@@ -2,11 +2,9 @@ import { LoadingManager, RGBAFormat } from "three";
 import type { DRACOLoader } from "three/examples/jsm/loaders/DRACOLoader.js";
 import type { KTX2Loader } from "three/examples/jsm/loaders/KTX2Loader.js";
 import { Flaw } from "./asset-error.js";
+import { cannotRun, DecoderJobs } from "./decoder-jobs.js";
 import type { MeshoptCompression } from "./gltf-accessors.js";
 import type { TextureImage } from "./model.js";
-
-/** Timeout of a decoder's worker: one that has not answered by then has crashed. */
-const PATIENCE = 20_000; // milliseconds
 
 /** Longest side of an image that is decoded, and of the mipmap level that is taken from it. Pixels. */
 const HUGE_SIDE = 8192;
@@ -16,26 +14,34 @@ const LONGEST_SIDE = 4096;
 export class Decoders {
   readonly #base: URL;
   readonly #manager = new LoadingManager();
+  readonly #jobs = { draco: new DecoderJobs(), ktx2: new DecoderJobs() };
+  readonly #loaders: { dispose(): unknown }[] = [];
+  #isDisposed = false;
   #missing: string | null = null;
   #draco: Promise<DRACOLoader> | null = null;
   #ktx2: Promise<KTX2Loader> | null = null;
 
   /** @param base where the decoders' own files lie */
-  constructor(base: URL, signal: AbortSignal) {
+  constructor(base: URL) {
     this.#base = base;
     this.#manager.onError = (url) => {
       this.#missing = url;
     };
-    signal.addEventListener("abort", () => this.#manager.abort(), { once: true });
   }
 
   draco(): Promise<DRACOLoader> {
-    this.#draco ??= import("three/examples/jsm/loaders/DRACOLoader.js").then(({ DRACOLoader }) => {
+    this.#draco ??= this.#start(async () => {
+      const { DRACOLoader } = await import("three/examples/jsm/loaders/DRACOLoader.js");
       const path = (file: string) => new URL(file, this.#base).href;
-      return new DRACOLoader(this.#manager).setWorkerLimit(1).setDecoderPath({
+      const loader = new DRACOLoader(this.#manager).setWorkerLimit(1).setDecoderPath({
         js: path("draco_wasm_wrapper.js"),
         wasm: path("draco_decoder.wasm"),
       });
+      const inside = loader as unknown as DracoInside;
+      const decode = inside.decodeGeometry.bind(loader);
+      inside.decodeGeometry = (...job) => this.#jobs.draco.run(() => decode(...job));
+      // The first of no jobs makes the worker.
+      return { loader, worker: () => inside._getWorker(0, 0), jobs: this.#jobs.draco };
     });
     return this.#draco;
   }
@@ -45,7 +51,9 @@ export class Decoders {
     { count, byteStride, mode, filter }: MeshoptCompression,
   ): Promise<Uint8Array<ArrayBuffer>> {
     const { MeshoptDecoder } = await import("three/examples/jsm/libs/meshopt_decoder.module.js");
-    await MeshoptDecoder.ready;
+    await MeshoptDecoder.ready.catch((cause: unknown) => {
+      throw cannotRun(cause);
+    });
     const target = new Uint8Array(count * byteStride);
     try {
       MeshoptDecoder.decodeGltfBuffer(target, count, byteStride, source, mode, filter);
@@ -58,21 +66,27 @@ export class Decoders {
   /** A KTX2 image as plain pixels: the largest of its levels that is not too large. */
   async ktx2(bytes: Uint8Array<ArrayBuffer>): Promise<TextureImage> {
     checkSize(bytes);
-    this.#ktx2 ??= import("three/examples/jsm/loaders/KTX2Loader.js").then(({ KTX2Loader }) => {
+    this.#ktx2 ??= this.#start(async () => {
+      const { KTX2Loader } = await import("three/examples/jsm/loaders/KTX2Loader.js");
       const loader = new KTX2Loader(this.#manager).setWorkerLimit(1);
       loader.setTranscoderPath(this.#base.href);
       // Without compressed formats the transcoder returns RGBA.
-      const plain = { extensions: { has: () => false } };
-      return loader.detectSupport(plain as never);
+      loader.detectSupport({ extensions: { has: () => false } } as never);
+      const worker = async () => {
+        await loader.init();
+        loader.workerPool._initWorker(0);
+        return loader.workerPool.workers[0] as Worker;
+      };
+      return { loader, worker, jobs: this.#jobs.ktx2 };
     });
     const loader = await this.#ktx2;
-    const { image, mipmaps, format } = await withTimeout(
+    const decode = () =>
       new Promise<PlainTexture>((resolve, reject) => {
         // A copy: the buffer is transferred to the transcoder's worker.
         loader.parse(bytes.slice().buffer, (made) => resolve(made as never), reject);
-      }),
-    ).catch((cause: unknown) => {
-      throw this.failure("is KTX2 that cannot be decoded", cause);
+      });
+    const { image, mipmaps, format } = await this.#jobs.ktx2.run(decode).catch((cause: unknown) => {
+      throw failure("is KTX2 that cannot be decoded", cause);
     });
     for (const [level, { data }] of (format === RGBAFormat ? (mipmaps ?? []) : []).entries()) {
       // Not its own width, which three rounds up to whole blocks.
@@ -87,17 +101,44 @@ export class Decoders {
     throw new Flaw("is KTX2, but not of Basis Universal");
   }
 
-  /** Why something was not decoded: it cannot be, or its decoder is missing. */
-  failure(reason: string, cause: unknown): Flaw {
-    if (cause instanceof Flaw) return cause;
-    if (this.#missing === null) return new Flaw(reason, { cause });
-    return new Flaw(`needs a decoder that could not be fetched: ${this.#missing}`, { cause });
+  /** Fetches a decoder and starts its worker, which `dispose` ends whenever it is called. */
+  async #start<Loader extends { dispose(): unknown }>(
+    create: () => Promise<{
+      readonly loader: Loader;
+      readonly worker: () => Promise<Worker>;
+      readonly jobs: DecoderJobs;
+    }>,
+  ): Promise<Loader> {
+    const { loader, worker, jobs } = await create();
+    try {
+      if (!this.#isDisposed) jobs.watch(await worker());
+    } catch (cause) {
+      if (this.#missing === null) throw cannotRun(cause);
+      throw new Flaw(`needs a decoder that could not be fetched: ${this.#missing}`, { cause });
+    } finally {
+      if (this.#isDisposed) loader.dispose();
+      else this.#loaders.push(loader);
+    }
+    return loader;
   }
 
   dispose(): void {
-    this.#draco?.then((loader) => loader.dispose()).catch(() => {});
-    this.#ktx2?.then((loader) => loader.dispose()).catch(() => {});
+    this.#isDisposed = true;
+    this.#manager.abort();
+    for (const jobs of Object.values(this.#jobs)) jobs.end();
+    for (const loader of this.#loaders) loader.dispose();
   }
+}
+
+/** Why something was not decoded. */
+export function failure(reason: string, cause: unknown): Flaw {
+  return cause instanceof Flaw ? cause : new Flaw(reason, { cause });
+}
+
+/** Of three's loader, which its types leave out. */
+interface DracoInside {
+  _getWorker(job: number, cost: number): Promise<Worker>;
+  decodeGeometry(buffer: ArrayBuffer, task: object): Promise<unknown>;
 }
 
 /** KTX 2.0 specification, section 2: the size stands at bytes 20 and 24. */
@@ -115,15 +156,4 @@ interface PlainTexture {
   readonly image: { readonly width: number; readonly height: number };
   readonly mipmaps: readonly { readonly data: unknown }[] | undefined;
   readonly format: number;
-}
-
-export function withTimeout<Value>(work: Promise<Value>): Promise<Value> {
-  let timer = 0;
-  const late = new Promise<never>((_, reject) => {
-    timer = window.setTimeout(
-      () => reject(new Flaw("is not decoded: its decoder does not answer")),
-      PATIENCE,
-    );
-  });
-  return Promise.race([work, late]).finally(() => clearTimeout(timer));
 }

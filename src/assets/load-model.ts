@@ -53,7 +53,7 @@ async function load(url: string, file: string, options: LoadOptions): Promise<Mo
   });
   const { json, binary } = openContainer(bytes);
   const document = readDocument(json);
-  const decoders = new Decoders(new URL(decoderBase), signal);
+  const decoders = new Decoders(new URL(decoderBase));
   const resolve = (uri: string) => addressOf(uri, address.href);
   const shared = options.sharedImages ?? new Map();
   const sources = { file, binary, decoders, resolve, signal, shared };

@@ -1,7 +1,7 @@
 import type { Group, Mesh } from "three";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
 import type { ReadView } from "./buffer-bytes.js";
-import { type Decoders, withTimeout } from "./decoders.js";
+import { type Decoders, failure } from "./decoders.js";
 import { denseBytes } from "./gltf-accessors.js";
 import type { GltfDocument, Node } from "./gltf-document.js";
 import type { Primitive } from "./gltf-meshes.js";
@@ -45,8 +45,8 @@ export async function buildScene(
   }));
   // `parseAsync` accepts a parsed document, too.
   const parsing = loader.parseAsync(gltfFor(document, isDraco) as never, "");
-  const { scene } = await (isDraco ? withTimeout(parsing) : parsing).catch((cause: unknown) => {
-    throw isDraco ? decoders.failure("holds geometry that cannot be decoded", cause) : cause;
+  const { scene } = await parsing.catch((cause: unknown) => {
+    throw isDraco ? failure("holds geometry that cannot be decoded", cause) : cause;
   });
   scene.updateMatrixWorld(true);
   return scene as Group;

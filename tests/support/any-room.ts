@@ -33,10 +33,10 @@ export class AnyRoom {
     });
   }
 
-  static async open(page: Page): Promise<AnyRoom> {
+  static async open(page: Page, policy?: string): Promise<AnyRoom> {
     // The empty page comes from no address, so that Chromium takes other servers here for foreign.
     await page.context().grantPermissions(["local-network-access"]);
-    await openSources(page);
+    await openSources(page, policy);
     return new AnyRoom(page);
   }
 
@@ -101,11 +101,12 @@ export class AnyRoom {
     }, IN_PAGE);
   }
 
-  /** Asserts that every error was caught and every picture closed. */
+  /** Asserts that every error was caught, every picture closed, and every decoder ended. */
   async expectTidy(): Promise<void> {
     const { bitmaps, strays } = await this.leftovers();
     expect(strays, "errors that nobody caught").toEqual([]);
     expect(bitmaps, "pictures that nobody closed").toBe(0);
+    await expect.poll(() => this.page.workers().length, "decoders that nobody ended").toBe(0);
   }
 
   /** Puts a file on the server and gives its address. */

@@ -72,6 +72,46 @@ test.describe("A file that cannot be a room is refused with a sentence", () => {
     );
   });
 
+  test("a file whose decoder a policy forbids says so at once", async ({ browser }) => {
+    const FORBIDDING = {
+      "draco.glb": ["script-src 'self' 'wasm-unsafe-eval'", "script-src 'self'; worker-src blob:"],
+      "ktx2-etc1s.glb": ["script-src 'self' 'wasm-unsafe-eval'; worker-src blob:"],
+      "meshopt.glb": ["script-src 'self'"],
+    };
+    for (const [file, policies] of Object.entries(FORBIDDING)) {
+      for (const policy of policies) {
+        const strict = await AnyRoom.open(await browser.newPage(), policy);
+        const begin = performance.now();
+        expect(await strict.refusal(fixtureUrl(file)), `${file}, ${policy}`).toMatch(
+          / is not decoded: its decoder cannot run; a content security policy may forbid it\.$/,
+        );
+        expect(performance.now() - begin).toBeLessThan(15_000);
+        await strict.page.close();
+      }
+    }
+  });
+
+  test("a decoder that comes after its file was refused is ended", async () => {
+    await room.serve("late/", { body: "" });
+    let release = () => {};
+    const isRefused = new Promise<void>((resolve) => {
+      release = resolve;
+    });
+    await room.page.route("**/late/draco_*", async (route) => {
+      await isRefused;
+      const [, name = ""] = route.request().url().split("/late/");
+      await route.fulfill({ path: `public/decoders/${name}` });
+    });
+    const body = edited("draco.glb", (json) => {
+      json.images[0].bufferView = 1;
+    });
+    const url = await room.serve("draco.glb", { body });
+    const late = new URL("late/", url).href;
+    expect(await room.refusal(url, late)).toMatch(/ is not a picture that can be read\.$/);
+    release();
+    await room.page.waitForTimeout(300); // a worker that is never made has no event
+  });
+
   /** Each with the buffer view that is spoilt, all but its first bytes. */
   const SPOILT = {
     "draco.glb": {
