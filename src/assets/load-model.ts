@@ -4,6 +4,7 @@ import { Decoders } from "./decoders.js";
 import { fetchBytes } from "./fetch-bytes.js";
 import { openContainer } from "./glb.js";
 import { type GltfDocument, readDocument } from "./gltf-document.js";
+import type { Primitive } from "./gltf-meshes.js";
 import type { Model, TextureImage } from "./model.js";
 import { type PlacedMaterial, readMaterial } from "./read-material.js";
 import { readScene } from "./read-scene.js";
@@ -97,9 +98,13 @@ async function readMaterials(
   return materials;
 }
 
-function usedMaterials({ meshes, nodes }: GltfDocument): number[] {
-  const primitives = nodes.flatMap(({ mesh }) => meshes[mesh ?? -1]?.primitives ?? []);
-  const used = primitives.map(({ material }) => material);
+/** Those of the scene that is shown. */
+function usedMaterials({ meshes, nodes, roots }: GltfDocument): number[] {
+  const primitives = (index: number): readonly Primitive[] => {
+    const { mesh = -1, children = [] } = nodes[index] ?? {};
+    return [...(meshes[mesh]?.primitives ?? []), ...children.flatMap(primitives)];
+  };
+  const used = roots.flatMap(primitives).map(({ material }) => material);
   return [...new Set(used)].filter((material) => material !== undefined);
 }
 

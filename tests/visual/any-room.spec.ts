@@ -268,6 +268,17 @@ test.describe("Geometry stands where its file puts it", () => {
     expect(model.warnings).toEqual(["Of its 2 scenes one is shown."]);
   });
 
+  test("textures of hidden scenes are not fetched", async () => {
+    const body = edited("scenes.glb", ({ nodes, meshes, materials, textures, images }) => {
+      images.push({ uri: "gone.png" });
+      textures.push({ source: 1 });
+      materials.push({ pbrMetallicRoughness: { baseColorTexture: { index: 1 } } });
+      meshes.push({ primitives: [{ ...meshes[0].primitives[0], material: 1 }] });
+      nodes[0].mesh = 1;
+    });
+    expect(only(await room.load(await room.serve("scenes.glb", { body }))).name).toBe("other");
+  });
+
   test("a named empty node is a place, and a way to look", async () => {
     const { anchors } = await room.load(fixtureUrl("plain.glb"));
     expect(Object.keys(anchors)).toEqual(["spawn"]);
