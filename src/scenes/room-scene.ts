@@ -32,7 +32,7 @@ export async function loadRoom(request: SceneRequest, loading: Loading): Promise
   return {
     room: isBox ? null : room,
     first: null,
-    wicks: look === "physical" ? placeWicks(models.room, collision) : [],
+    wicks: look === "physical" ? placeWicks(models.room, collision, room.start) : [],
     createPlume,
     moonDirection,
     isModelAlone: false,

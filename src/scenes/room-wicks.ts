@@ -10,9 +10,19 @@ const MIDDLE = 0.015;
 const MARGIN = 0.05;
 const CLEARANCE = 0.03;
 
-/** The wicks of a room, each where a flame can burn; one warning for each kind that was moved. */
-export function placeWicks({ wicks, parts }: Model, collision: CollisionMesh): readonly Wick[] {
+/**
+ * The wicks of a room, each where a flame can burn; one warning for each kind that was moved.
+ *
+ * @param eye initial one, metres
+ */
+export function placeWicks(
+  { wicks, parts }: Model,
+  collision: CollisionMesh,
+  eye: Readonly<Vec3>,
+): readonly Wick[] {
   const isSolid = (triangle: number) => isOpaque(parts, triangle);
+  // Else all faces of the room point outwards, and backs tell nothing.
+  const isEyeFree = freePlace(collision, eye, CLEARANCE, isSolid) === eye;
   const box = inset(collision.bounds, MARGIN);
   let outside = 0;
   let enclosed = 0;
@@ -23,7 +33,7 @@ export function placeWicks({ wicks, parts }: Model, collision: CollisionMesh): r
     clampInside(indoors, collision.bounds);
     const isOutside = indoors.some((x, axis) => x !== middle[axis]);
     if (isOutside) clampInside(indoors, box);
-    const free = freePlace(collision, indoors, CLEARANCE, isSolid);
+    const free = isEyeFree ? freePlace(collision, indoors, CLEARANCE, isSolid) : indoors;
     const isEnclosed = free !== indoors;
     outside += isOutside ? 1 : 0;
     enclosed += isEnclosed ? 1 : 0;

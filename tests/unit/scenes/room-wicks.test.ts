@@ -2,18 +2,22 @@ import { afterEach, expect, test, vi } from "vitest";
 import type { Model } from "../../../src/assets/model.ts";
 import { placeWicks } from "../../../src/scenes/room-wicks.ts";
 import type { Vec3 } from "../../../src/world/geometry.ts";
-import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";
+import { CollisionMesh, type Triangles } from "../../../src/world/room/collision-mesh.ts";
 import { box, insideOf } from "../world/rooms.ts";
 
 afterEach(() => void vi.restoreAllMocks());
 
 const ROOM = insideOf([-2, 0, -2], [2, 3, 2]);
+const EYE: Vec3 = [1.5, 1.6, 1.5];
 const PILLAR = box([-0.5, -0.1, -0.5], [0.5, 3.1, 0.5]);
 
 /** Where wicks at these places burn in a room with a pillar, and what is warned of. */
-function placed(alphaMode: "opaque" | "blend", ...places: readonly Vec3[]) {
+const placed = (alphaMode: "opaque" | "blend", ...places: readonly Vec3[]) =>
+  placedIn(ROOM, alphaMode, ...places);
+
+function placedIn(room: Triangles, alphaMode: "opaque" | "blend", ...places: readonly Vec3[]) {
   const warn = vi.spyOn(console, "warn").mockImplementation(() => {});
-  const parts = [ROOM, PILLAR].map((part) => ({ ...part, material: { alphaMode } }));
+  const parts = [room, PILLAR].map((part) => ({ ...part, material: { alphaMode } }));
   const wicks = places.map((position) => ({
     name: "wick",
     position,
@@ -21,7 +25,9 @@ function placed(alphaMode: "opaque" | "blend", ...places: readonly Vec3[]) {
     wickDiameter: 1,
   }));
   const model = { wicks, parts } as unknown as Model;
-  const positions = placeWicks(model, new CollisionMesh(parts)).map(({ position }) => position);
+  const positions = placeWicks(model, new CollisionMesh(parts), EYE).map(
+    ({ position }) => position,
+  );
   return { positions, warnings: warn.mock.calls.map(([text]) => text) };
 }
 
@@ -53,6 +59,15 @@ test("wicks outside and in the pillar are moved, with a warning for each kind", 
     "Wicks outside of the room were moved into it.",
     "Wicks inside of walls or furniture were moved out.",
   ]);
+});
+
+test("wicks in a room whose faces point outwards stay where they are", () => {
+  const outside = box([-2, 0, -2], [2, 3, 2]);
+  const places: Vec3[] = [
+    [1, 0.5, 1],
+    [-1, 0.01, 0],
+  ];
+  expect(placedIn(outside, "opaque", ...places)).toEqual({ positions: places, warnings: [] });
 });
 
 test("wicks in a lantern of glass stay there", () => {
