@@ -94,8 +94,9 @@ export class FirstPersonInput {
 
   /** Intent of the gamepads, which also enter and leave the room while the host has the focus. */
   #readGamepads(): Intent {
-    const { activeElement } = this.#host.getRootNode() as Document | ShadowRoot;
-    const isMeant = this.#isIn || activeElement === this.#host;
+    // Of a window in the background, the focus is remembered.
+    const hasFocus = this.#host.matches(":focus") && this.#host.ownerDocument.hasFocus();
+    const isMeant = this.#isIn || hasFocus;
     const intent = this.#gamepads.read(isMeant ? connectedGamepads() : []);
     const wasIn = this.#isIn;
     if (!wasIn && this.#gamepads.enters) this.#goIn("gamepad");

@@ -126,6 +126,15 @@ test("A gamepad goes in where the focus is, walks, looks, puts out, puts down, a
   await hold(still);
   await room.evaluate((element) => element.focus());
   await room.step(0.1);
+  const setWindowFocus = (has: boolean) =>
+    page.evaluate((has) => Object.assign(document, { hasFocus: () => has }), has);
+  await setWindowFocus(false);
+  await hold(still, [0]);
+  await room.step(0.1);
+  expect(await room.isWalking()).toBe(false);
+  await setWindowFocus(true);
+  await hold(still);
+  await room.step(0.1);
   await hold(still, [0]);
   await room.step(0.1);
   expect(await room.isWalking()).toBe(true);
