@@ -246,8 +246,8 @@ export class CandleFlameElement extends ReflectedAttributes {
 
   /** Takes the candle up, where it is within reach. */
   take(): void {
-    if (this.#isPending) this.#pending.take();
-    if (this.#candle && takeCandle(this.#candle.world)) emit(this, "take", null);
+    const isTaken = this.#isPending && this.#pending.take();
+    if (isTaken || (this.#candle && takeCandle(this.#candle.world))) emit(this, "take", null);
     this.#requestDraw();
   }
 

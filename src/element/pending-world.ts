@@ -83,8 +83,13 @@ export class PendingWorld {
     if (!this.#saved?.snapshot.stand) this.#placing = { ...this.#camera };
   }
 
-  take(): void {
+  /** Has the candle held. Returns whether it stands in the snapshot. */
+  take(): boolean {
     this.#placing = null;
+    if (!this.#saved?.snapshot.stand) return false;
+    const { snapshot, request } = this.#saved;
+    this.save({ ...snapshot, stand: null }, request);
+    return true;
   }
 
   /** Drops camera and placing: no other world follows. */
