@@ -5,7 +5,6 @@ import { interpolate, poseCandle } from "./interpolate.js";
 import { fieldOfViewOf } from "./player/field-of-view.js";
 import { calmHand } from "./player/hand.js";
 import { gazeDirection, MAX_PITCH } from "./player/player.js";
-import type { Room } from "./room/room.js";
 import type { World } from "./world.js";
 
 /** Largest coordinate of a camera, metres. */
@@ -64,22 +63,12 @@ export function placeCandle(world: World): boolean {
 export function standLike(world: World, { candle, setup, room }: World): void {
   const isFree = setup.stand === null && world.setup.stand === null;
   if (candle.isHeld || !isFree) return;
-  if (isSameRoom(room, world.room)) {
+  if (room && world.room ? room.isSame(world.room) : room === world.room) {
     standCandle(world, candle.position, candle.yaw);
     return;
   }
   placeCandle(world);
   world.adaptation?.settle(world);
-}
-
-/** Whether two rooms are of the same model: each element loads its own. */
-function isSameRoom(one: Room | null, other: Room | null): boolean {
-  if (!one || !other) return one === other;
-  const { triangles } = other.collision;
-  return (
-    one.collision.triangles.length === triangles.length &&
-    one.collision.triangles.every((coordinate, i) => coordinate === triangles[i])
-  );
 }
 
 /** Stands the candle exactly at a position, metres; not in scenes that fix it elsewhere. */
@@ -137,16 +126,22 @@ export function blow(world: World, strength: number): void {
     blowAtAll(world, strength);
     return;
   }
-  const { air, player, emitter, flame, standing } = world;
+  const { air, player, emitter, flame, standing, room } = world;
+  const { position } = player;
   const gaze = gazeDirection(player);
-  const carried = targetOf(player.position, emitter, gaze);
+  const reachTo = (direction: Vec3) => room?.reachOfBreath(position, direction) ?? Infinity;
+  const carried = targetOf(position, emitter, gaze);
   const burning = standing.filter((candle) => candle.flame.isLit);
-  const targets = burning.map(({ root }) => targetOf(player.position, root, gaze));
+  const targets = burning
+    .map(({ root }) => targetOf(position, root, gaze))
+    .filter(({ direction, distance }) => distance < reachTo(direction));
   const meant = [...(flame.isLit || burning.length === 0 ? [carried] : []), ...targets]
     .filter(({ distance, ahead }) => distance < BREATH_REACH && ahead > Math.cos(AIM))
     .sort((a, b) => b.ahead - a.ahead)[0];
-  const distance = meant?.distance ?? carried.distance;
-  air.blow(player.position, meant?.direction ?? gaze, distance, strength);
+  const { direction, distance } = meant ?? { ...carried, direction: gaze };
+  // The hand may hold the candle against a wall.
+  const reach = meant === carried ? BREATH_REACH : reachTo(direction);
+  air.blow(position, direction, distance, strength, 0, reach);
 }
 
 /** Unit direction to a flame, its distance, and the cosine of its angle from the line of sight. */

@@ -1,20 +1,10 @@
-import { CANDLE_CYLINDER } from "./candle.js";
 import type { Flame } from "./flame/flame.js";
 import { length2, length3, type Vec3 } from "./geometry.js";
-import { reachOut, stiffFoot } from "./player/hand.js";
+import { reachOut } from "./player/hand.js";
 import type { World } from "./world.js";
 
 /** Distance at which a flame lights a wick, metres. */
 const KINDLING = 0.1;
-/** Distance at which the hand reaches out to a wick: along the floor, and up or down. Metres. */
-const REACH = 0.4;
-const REACH_UP = 0.5;
-/**
- * Offset of the carried flame from the wick that it lights: to the side, and up, of which the lowest free one.
- * Metres.
- */
-const BESIDE = 0.06;
-const ABOVE = [0.035, 0.075, 0.13, 0.2];
 /** A candle held out over a wick is tipped to light it: from so far to the side and so high, metres. */
 const TIPPED = 0.09;
 const TIPPED_UP = 0.24;
@@ -70,51 +60,7 @@ const way: Vec3 = [0, 0, 0];
 
 /** Reaches out with the hand to a wick where either candle can light the other. */
 export function reachForWick(world: World, seconds: number): void {
-  const { standing, candle, hand } = world;
+  const { standing, candle, hand, room } = world;
   if (standing.length === 0) return;
-  reachOut(hand, candle.isHeld && findWay(world) ? way : null, seconds);
-}
-
-const stiff: Vec3 = [0, 0, 0];
-
-/**
- * Writes the way to the nearest such wick to `way`, from where a stiff arm holds the flame: if it depended on where the
- * hand is, it would tremble between two places. False if there is none.
- */
-function findWay(world: World): boolean {
-  const { standing, player, setup, candle, emitter, flame } = world;
-  stiffFoot(player, setup.hold, stiff);
-  let nearest = REACH;
-  let isFound = false;
-  for (let i = 0; i < standing.length; i++) {
-    const { root, flame: other } = standing[i]!;
-    const dx = root[0] - (stiff[0] + emitter[0] - candle.position[0]);
-    const dy = root[1] - (stiff[1] + emitter[1] - candle.position[1]);
-    const dz = root[2] - (stiff[2] + emitter[2] - candle.position[2]);
-    const distance = length2(dx, dz);
-    if (other.isLit === flame.isLit || Math.abs(dy) > REACH_UP || distance > nearest) continue;
-    const share = Math.max(0, 1 - BESIDE / Math.max(distance, 1e-6));
-    way[0] = dx * share;
-    way[1] = dy;
-    way[2] = dz * share;
-    nearest = distance;
-    isFound = true;
-  }
-  if (isFound) way[1] += freeHeight(world);
-  return isFound;
-}
-
-const foot: Vec3 = [0, 0, 0];
-
-/** Height above the wick at which the candle touches nothing, at the end of `way`. */
-function freeHeight({ room }: World): number {
-  let above = 0;
-  for (let i = 0; i < ABOVE.length; i++) {
-    above = ABOVE[i]!;
-    for (let axis = 0; axis < 3; axis++) foot[axis] = stiff[axis]! + way[axis]!;
-    foot[1] += above;
-    const { radius, height } = CANDLE_CYLINDER;
-    if (!room?.collision.overlapsCylinder(foot, radius, height)) break;
-  }
-  return above;
+  reachOut(hand, candle.isHeld && room?.findWayToWick(world, way) ? way : null, seconds);
 }

@@ -54,7 +54,7 @@ export class Air {
   readonly #carried: Vec3 = [0, 0, 0];
   readonly #shelter: Vec3 = [0, 0, 0];
   readonly #gusty: Vec3 = [0, 0, 0];
-  /** The visitor's breath, then one for each candle that is blown at by itself. */
+  /** The visitor's, then one for each candle that is blown at by itself. */
   readonly #breaths = [new Breath()];
 
   constructor(seed: number, wind: Wind) {
@@ -116,7 +116,8 @@ export class Air {
    * A breath along a direction of length 1, from now on. `strength` 1 blows out a candle at arm's length.
    *
    * @param distance of the target from the eye, metres
-   * @param mouth of which it is the only breath; 0 is the visitor's
+   * @param mouth 0 is the visitor's
+   * @param reach beyond which nothing is felt, metres
    */
   blow(
     eye: Readonly<Vec3>,
@@ -124,12 +125,13 @@ export class Air {
     distance: number,
     strength: number,
     mouth = 0,
+    reach = Infinity,
   ): void {
     const breaths = this.#breaths;
     while (breaths.length <= mouth) breaths.push(new Breath());
     const breath = breaths[mouth]!;
     breath.time = this.#time;
-    breath.begin(eye, towards, distance, strength);
+    breath.begin(eye, towards, distance, strength, reach);
   }
 
   /**

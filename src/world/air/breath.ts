@@ -13,58 +13,93 @@ const CORE = 6.2;
 /** Its half-width where the speed has fallen to 1/e, per metre of way. */
 const SPREAD = 0.107;
 
-/** Breath: a round jet. Pope 2000, "Turbulent Flows". */
+/** Breaths of one mouth that are under way at a time, a further one in place of the first. */
+const PUFFS = 4;
+
+interface Puff {
+  readonly lips: Vec3;
+  readonly towards: Vec3;
+  began: number;
+  speed: number;
+  reach: number;
+  /** At the place asked for, m/s. */
+  felt: number;
+}
+
+/** Breaths of one mouth: round jets. Pope 2000, "Turbulent Flows". Of several at a place the strongest is felt. */
 export class Breath {
-  readonly #lips: Vec3 = [0, 0, 0];
-  readonly #towards: Vec3 = [0, 0, -1];
+  readonly #puffs = Array.from(
+    { length: PUFFS },
+    (): Puff => ({
+      lips: [0, 0, 0],
+      towards: [0, 0, -1],
+      began: Number.NEGATIVE_INFINITY,
+      speed: Number.NaN,
+      reach: Number.NaN,
+      felt: Number.NaN,
+    }),
+  );
   /** Current time, seconds. A field, since V8 boxes numbers that are passed. */
   time = 0;
-  #began = Number.NEGATIVE_INFINITY;
-  #speed = 0;
 
   /**
-   * Begins at `time`.
+   * Begins another at `time`.
    *
    * @param towards of length 1
    * @param distance of the target from the eye, metres
    * @param strength 1 blows out a candle at arm's length
+   * @param reach from the eye, beyond which nothing is felt, metres
    */
-  begin(eye: Readonly<Vec3>, towards: Readonly<Vec3>, distance: number, strength: number): void {
+  begin(
+    eye: Readonly<Vec3>,
+    towards: Readonly<Vec3>,
+    distance: number,
+    strength: number,
+    reach: number,
+  ): void {
     const bent = Math.min(BENDING, distance / 2);
+    const puff = this.#puffs.shift()!;
+    this.#puffs.push(puff);
     for (const axis of [0, 1, 2] as const) {
-      this.#lips[axis] = eye[axis] + towards[axis] * bent;
-      this.#towards[axis] = towards[axis];
+      puff.lips[axis] = eye[axis] + towards[axis] * bent;
+      puff.towards[axis] = towards[axis];
     }
-    this.#began = this.time;
-    this.#speed = BREATH_SPEED * strength;
+    puff.began = this.time;
+    puff.speed = BREATH_SPEED * strength;
+    puff.reach = reach - bent;
   }
 
   /** Adds its velocity at a place to `out`, m/s. */
   add(place: Readonly<Vec3>, out: Vec3): void {
-    const age = this.time - this.#began;
+    let strongest = this.#puffs[0]!;
+    for (let i = 0; i < PUFFS; i++) {
+      const puff = this.#puffs[i]!;
+      this.#feel(puff, place);
+      if (puff.felt > strongest.felt) strongest = puff;
+    }
+    for (let axis = 0; axis < 3; axis++) out[axis]! += strongest.felt * strongest.towards[axis]!;
+  }
+
+  #feel(puff: Puff, place: Readonly<Vec3>): void {
+    const { lips, towards, speed } = puff;
+    puff.felt = 0;
+    const age = this.time - puff.began;
     if (age < 0 || age > BREATH + 1) return;
-    const dx = place[0] - this.#lips[0];
-    const dy = place[1] - this.#lips[1];
-    const dz = place[2] - this.#lips[2];
-    const tx = this.#towards[0];
-    const ty = this.#towards[1];
-    const tz = this.#towards[2];
-    const way = dx * tx + dy * ty + dz * tz;
-    if (way <= 0) return;
+    const dx = place[0] - lips[0];
+    const dy = place[1] - lips[1];
+    const dz = place[2] - lips[2];
+    const way = dx * towards[0] + dy * towards[1] + dz * towards[2];
+    if (way <= 0 || way > puff.reach) return;
     // The front of a jet slows down as the jet does: the time to here is the integral of way/speed.
     const reach = CORE * MOUTH;
     const delay =
       (Math.min(way, reach) + Math.max(0, way * way - reach * reach) / (2 * reach)) /
-      Math.max(this.#speed, 1e-3);
+      Math.max(speed, 1e-3);
     const elapsed = age - delay;
     if (elapsed <= 0 || elapsed >= BREATH) return;
     const swell = Math.min(1, elapsed / SWELL, (BREATH - elapsed) / SWELL);
     const aside = dx * dx + dy * dy + dz * dz - way * way;
     const width = MOUTH / 2 + SPREAD * way;
-    const speed =
-      this.#speed * swell * Math.min(1, reach / way) * Math.exp(-aside / (width * width));
-    out[0] += speed * tx;
-    out[1] += speed * ty;
-    out[2] += speed * tz;
+    puff.felt = speed * swell * Math.min(1, reach / way) * Math.exp(-aside / (width * width));
   }
 }

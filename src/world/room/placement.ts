@@ -103,9 +103,17 @@ export function findSpotAhead(reach: PlacementQuery, spot: Vec3): Refusal | null
   return fitAround(reach, distance, y, spot);
 }
 
-/** Whether a candle that stands can be taken up. */
-export function canTake(eye: Readonly<Vec3>, foot: Readonly<Vec3>): boolean {
-  return Math.hypot(foot[0] - eye[0], foot[2] - eye[2]) <= GRASP && foot[1] <= eye[1] + REACH_UP;
+/** Whether a candle that stands can be taken up: it is near, and some of it in sight. */
+export function canTake(
+  collision: CollisionMesh,
+  eye: Readonly<Vec3>,
+  [x, y, z]: Readonly<Vec3>,
+  { height }: Cylinder,
+): boolean {
+  const isNear = Math.hypot(x - eye[0], z - eye[2]) <= GRASP && y <= eye[1] + REACH_UP;
+  return (
+    isNear && [0.1, 0.5, 1].some((share) => isInSight(collision, eye, [x, y + share * height, z]))
+  );
 }
 
 /** Where the line of sight meets the height of a floor that the room does not have. */

@@ -3,10 +3,12 @@ import type { Vec3 } from "../geometry.js";
 import { EYE_HEIGHT } from "../player/gait.js";
 import { gazeDirection, type Player } from "../player/player.js";
 import { RoomAdaptation } from "../player/room-adaptation.js";
+import type { World } from "../world.js";
 import type { CollisionMesh } from "./collision-mesh.js";
 import { FloorPlan } from "./floor-plan.js";
 import type { MovementBounds } from "./movement-bounds.js";
 import { canTake, findSpot, type Refusal } from "./placement.js";
+import { findWayToWick } from "./wick-reach.js";
 
 /** The eye keeps this far from floor and ceiling, metres. */
 const HEADROOM = 0.15;
@@ -19,10 +21,16 @@ export interface Room {
   /** Initial eye position, metres, and yaw. */
   readonly start: Vec3;
   readonly yaw: number;
+  /** Whether another one is of the same model: each element loads its own. */
+  isSame(other: Room): boolean;
   /** Finds a place for the candle, and writes its foot's to `spot`. Null, or why there is none. */
   findSpot(player: Player, spot: Vec3): Refusal | null;
   /** Whether a candle that stands at a place can be taken up. */
   canTake(player: Player, foot: Readonly<Vec3>): boolean;
+  /** Finds the hand's way to a wick. False if there is none in reach. */
+  findWayToWick(world: World, way: Vec3): boolean;
+  /** Distance that a breath reaches: to what it meets first, and the flame of a candle that it meets. Metres. */
+  reachOfBreath(mouth: Readonly<Vec3>, direction: Readonly<Vec3>): number;
 }
 
 /** @param spawn where to start and which way to face, if the room says so */
@@ -49,11 +57,20 @@ export function createRoom(
     createAdaptation: (eye) => new RoomAdaptation(collision, eye),
     start: [x, y + EYE_HEIGHT, z],
     yaw: spawn?.yaw ?? 0,
+    isSame({ collision: { triangles } }) {
+      const mine = collision.triangles;
+      return mine.length === triangles.length && mine.every((x, i) => x === triangles[i]);
+    },
     findSpot(player, spot) {
       const { position: eye } = player;
       const direction = gazeDirection(player);
       return findSpot({ collision, plan, eye, direction, cylinder: CANDLE_CYLINDER }, spot);
     },
-    canTake: ({ position }, foot) => canTake(position, foot),
+    canTake: ({ position }, foot) => canTake(collision, position, foot, CANDLE_CYLINDER),
+    findWayToWick: (world, way) => findWayToWick(world, way, collision),
+    reachOfBreath(mouth, direction) {
+      const wall = collision.raycast(mouth, direction, Infinity)?.distance ?? Infinity;
+      return wall + CANDLE_CYLINDER.radius;
+    },
   };
 }

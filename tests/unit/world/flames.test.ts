@@ -158,6 +158,37 @@ describe("a breath", () => {
     expect(litFlames(world)).toEqual([true, false, false, true]);
   });
 
+  /** A world without and with a wall at 0.3 m, seen from a gaze at 1.5 m along -Z. */
+  const beforeWall = (...wicks: readonly Vec3[]) =>
+    [[], [box([-1, 0, 0.3], [1, 3, 0.35])]].map((walls) => {
+      const room = createRoom(new CollisionMesh([floorOf(8), ...walls]), null);
+      const world = worldWith(wicks, { room, isLit: false, areLit: wicks.map(() => true) });
+      moveCamera(world, [0, 1.6, 1.5], 0, 0);
+      return world;
+    });
+
+  test("is not for a flame behind a wall", () => {
+    const lit = beforeWall([0, 1.6, 0.1], [-0.3, 1.6, 0.8]).map((world) => {
+      blow(world, 3);
+      advance(world, STILL, 1.5);
+      return litFlames(world);
+    });
+    expect(lit).toEqual([
+      [false, false, true],
+      [false, true, false],
+    ]);
+  });
+
+  test("along the gaze ends at a wall", () => {
+    const felt = beforeWall([3, 1, 3]).map((world) => {
+      blow(world, 1);
+      advance(world, STILL, 0.8);
+      return Math.abs(world.air.velocity([0, 1.6, -0.3], [0, 0, 0])[2]);
+    });
+    expect(felt[0]).toBeGreaterThan(0.5);
+    expect(felt[1]).toBeLessThan(0.05);
+  });
+
   test("at one candle is for that one; several at a time blow out all of them", () => {
     const wicks: Vec3[] = [0, 1, 2].map((i) => [i - 1, 1.2, 0]);
     const world = worldWith(wicks, { areLit: [true, true, true] });

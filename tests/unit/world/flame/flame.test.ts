@@ -167,6 +167,20 @@ describe("out and in again", () => {
     expect(full).toBe(false);
   });
 
+  test("soft breaths, three a second, are one that goes on", () => {
+    const world = createWorld("physical", 1);
+    world.plume = null;
+    const felt: number[] = [];
+    for (let i = 0; i < 30; i++) {
+      if (i % 3 === 0) blow(world, 0.1);
+      advance(world, STILL, 0.1);
+      if (i >= 10) felt.push(Math.hypot(...world.air.velocity(world.emitter, [0, 0, 0])));
+    }
+    expect(Math.min(...felt)).toBeGreaterThan(0.2);
+    expect(Math.max(...felt) / Math.min(...felt)).toBeLessThan(1.5);
+    expect(world.flame.isLit).toBe(true);
+  });
+
   test("lit again once the breath is over, it burns on", () => {
     const world = createWorld("physical", 1);
     world.plume = null;

@@ -209,7 +209,7 @@ describe("wherever it is put down in the cabin", { timeout: 30_000 }, () => {
       reasons.set(refusal, (reasons.get(refusal) ?? 0) + 1);
       if (refusal !== null) continue;
       expect(Math.hypot(spot[0] - eye[0], spot[2] - eye[2])).toBeLessThan(REACH + 0.0401);
-      expect(canTake(eye, spot)).toBe(true);
+      expect(canTake(collision, eye, spot, STAND)).toBe(true);
       heights.add(Math.round((spot[1] - plan.floor) * 10));
       let held = 0;
       for (let k = 0; k < 40; k++) {
@@ -242,7 +242,15 @@ describe("a candle that stands can be taken", () => {
     ["not from across the room", [0, 0.75, 1.6], false],
     ["not from a beam overhead", [0, 2.2, -0.4], false],
   ] as const)("%s", (_, foot, can) => {
-    expect(canTake(EYE, [...foot])).toBe(can);
+    expect(canTake(new CollisionMesh([]), EYE, foot, STAND)).toBe(can);
+  });
+
+  test.each([
+    ["through a wall", 2.5, false],
+    ["over a chest, of the flame alone", 1.25, true],
+  ])("%s: %s m", (_, height, can) => {
+    const wall = new CollisionMesh([box([0.5, 0, -1], [0.6, height, 1])]);
+    expect(canTake(wall, EYE, [1.2, 0.75, 0], STAND)).toBe(can);
   });
 });
 
