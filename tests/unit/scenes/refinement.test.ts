@@ -14,10 +14,10 @@ const SIZE = { width: 8, height: 8 };
 const FRAME = 1 / 60;
 
 /**
- * A refinement whose captures take so many calls, its first frame another number, and its finer light a third, with
- * what they were told. Its surfaces take six steps, and their light two.
+ * A refinement whose captures take so many calls, and its first frame another number, with what they were told. Its
+ * surfaces take six steps, and their light two.
  */
-async function refinement(captures: number, passes: number, lights = 0) {
+async function refinement(captures: number, passes: number) {
   const told = {
     captures: [] as number[],
     filled: 0,
@@ -26,13 +26,11 @@ async function refinement(captures: number, passes: number, lights = 0) {
     first: 0,
     begun: 0,
     remaining: 1,
-    lights: 0,
   };
   const refining = {
     get remaining() {
       return told.remaining;
     },
-    refineLight: () => ++told.lights === lights,
     prepare: (_: unknown, { steps = 0 }: FrameSettings) => told.captures.push(steps) > captures,
     begin: () => told.begun++,
     drawFirst: () => ++told.first > passes,
@@ -99,15 +97,14 @@ test("its first frame is drawn off the screen, a pass in each frame, before it i
   expect(frame(), "tiles").toBe(1);
 });
 
-test("finer light is captured when no tile is left, and tiles in it are drawn from the next frame on", async () => {
-  const { made, told, frame, until } = await refinement(1, 0, 9);
-  until(() => made.shown !== null);
+test("no step is done once no tile is left", async () => {
+  const { told, frame, until } = await refinement(1, 0);
+  until(() => told.captures.length === 2);
   for (let i = 0; i < 20; i++) frame();
-  expect(told.lights).toBe(0);
+  expect(frame()).toBeGreaterThan(1);
   told.remaining = 0;
-  until(() => told.lights === 9);
-  told.remaining = 1;
-  expect(frame(), "a tile is dearer than a step of captures").toBe(1);
+  expect(frame()).toBe(0);
+  expect(told.captures.length).toBe(2);
 });
 
 test("a step aside begins all of it anew", async () => {
