@@ -3,7 +3,6 @@
 // Out: lx, an octahedral map of IRRADIANCE_TEXELS along an edge for each probe, from one end of the edge to the other.
 #include "lib/precision.glsl"
 #include "lib/octahedral.glsl"
-#include "lib/photometry.glsl"
 #include "lib/probe-rays.glsl"
 
 uniform sampler2D uRadiance;  // times solid angle, cd/m² sr: ROWS times COLUMNS for each probe

@@ -2,14 +2,12 @@
 // First bounce at the hits of the probes' rays: direct light, by the weight of the rays against the surfels.
 // Out: radiance times solid angle of four rays side by side, cd/m² sr.
 #include "lib/precision.glsl"
-#include "lib/octahedral.glsl"
-#include "lib/photometry.glsl"
+#include "lib/probe-rays.glsl"
 #ifdef MOON
 #include "lib/moon.glsl"
 #else
 #include "lib/flame-light.glsl"
 #endif
-#include "lib/probe-rays.glsl"
 #include "lib/surfels.glsl"
 #include "lib/glossy-lobe.glsl"
 #ifndef MOON

@@ -5,8 +5,6 @@
 // Each probe is taken as often as its weight asks, by systematic sampling along the sum of the weights: the mean over
 // rays is that of all eight, for a quarter of the taps. They share its light trilinearly, in grids as coarse as those of `low`.
 #include "lib/precision.glsl"
-#include "lib/octahedral.glsl"
-#include "lib/photometry.glsl"
 #include "lib/probe-rays.glsl"
 #include "lib/irradiance-volume.glsl"
 

@@ -2,7 +2,6 @@
 // Second bounce of the moon's light and the sky's at the hits of the probes' rays: that of the virtual lights, reflected.
 // Out: radiance times solid angle of four rays side by side, cd/m² sr.
 #include "lib/precision.glsl"
-#include "lib/octahedral.glsl"
 #include "lib/photometry.glsl"
 #include "lib/moon.glsl"
 #include "lib/virtual-lights.glsl"

@@ -2,7 +2,6 @@
 // Mean reflectance of the room at the hits of its probes' rays.
 // Out: red, luma; rays that hit nothing count as black.
 #include "lib/precision.glsl"
-#include "lib/octahedral.glsl"
 #include "lib/photometry.glsl"
 #include "lib/probe-rays.glsl"
 

@@ -2,7 +2,6 @@
 // Radiosity of the candle's support, the brightest surface of the room: mean of the surfels below the flame.
 // Out: radiosity at the candle's foot for 1 cd, without the candle's shadow, lm/m²; height of the support, m.
 #include "lib/precision.glsl"
-#include "lib/photometry.glsl"
 #include "lib/flame-light.glsl"
 #include "lib/surfels.glsl"
 

@@ -4,14 +4,13 @@
 // Out: radiance times solid angle, cd/m² sr; direction. A probe's tile is as wide as its map of rays.
 #include "lib/precision.glsl"
 #include "lib/octahedral.glsl"
-#include "lib/photometry.glsl"
+#include "lib/probe-rays.glsl"
 #include "lib/random.glsl"
 #ifdef MOON
 #include "lib/moon.glsl"
 #else
 #include "lib/flame-light.glsl"
 #endif
-#include "lib/probe-rays.glsl"
 #include "lib/surfels.glsl"
 #include "lib/glossy-lobe.glsl"
 

@@ -2,8 +2,6 @@
 // Radiosity of each surfel in direct and indirect light, for reflections.
 // Out: lm/m².
 #include "lib/precision.glsl"
-#include "lib/octahedral.glsl"
-#include "lib/photometry.glsl"
 #include "lib/flame-light.glsl"
 #include "lib/surfels.glsl"
 #include "lib/irradiance-volume.glsl"

@@ -1,5 +1,5 @@
 // Chromatic adaptation to candlelight, vibrance, and rod vision.
-// Needs lib/photometry.glsl.
+#include "lib/photometry.glsl"
 
 uniform vec3 uAdaptation;  // gain of each channel (von Kries 1902)
 uniform vec3 uWhite;       // adapted colour of candlelight, luma 1

@@ -1,5 +1,4 @@
 // Display transform: chromatic adaptation, tone curve, gamut, sRGB.
-#include "lib/photometry.glsl"
 #include "lib/srgb.glsl"
 #include "lib/chromatic-adaptation.glsl"
 #include "lib/tone-curve.glsl"

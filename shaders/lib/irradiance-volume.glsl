@@ -1,10 +1,11 @@
 // Irradiance volume: indirect light anywhere in the room, for 1 cd of the flame's, from a grid of probes.
-// Needs lib/octahedral.glsl; MOONLIT: lib/moon.glsl.
+// MOONLIT: needs lib/moon.glsl.
 //
 // Planes of probes of constant z lie one above another. Each probe is a tile of `uIrradiance`, an octahedral map of
 // irradiance, lx, by surface normal. A probe is weighted by distance, by the surface's normal, and by its visibility:
 // Majercik, Guertin, Nowrouzezahrai and McGuire 2019, "Dynamic Diffuse Global Illumination with Ray-Traced Irradiance
 // Fields".
+#include "lib/octahedral.glsl"
 
 layout(std140) uniform Volume {
   vec3 corner;    // of the room, m

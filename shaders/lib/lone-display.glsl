@@ -1,6 +1,5 @@
 // Display of a lone candle, with alpha for the page's background.
 #include "lib/frame.glsl"
-#include "lib/photometry.glsl"
 #include "lib/srgb.glsl"
 #include "lib/chromatic-adaptation.glsl"
 #include "lib/tone-curve.glsl"

@@ -1,6 +1,7 @@
 // Soft shadow of the moon (PCSS): share of its disc that is visible from a point.
-// Needs lib/random.glsl, lib/moon.glsl; defines SHADOW_SEARCH and SHADOW_TAPS (taps).
+// Needs lib/moon.glsl; defines SHADOW_SEARCH and SHADOW_TAPS (taps).
 // After Fernando 2005, "Percentage-Closer Soft Shadows".
+#include "lib/random.glsl"
 
 uniform highp sampler2D uMoonMap;  // depth of the nearest caster, a share of the map's depth
 

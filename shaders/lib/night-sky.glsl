@@ -1,5 +1,6 @@
 // The night behind the window: a faint sky, the line of a wood, the moon.
-// Needs lib/moon.glsl, lib/random.glsl.
+// Needs lib/moon.glsl.
+#include "lib/random.glsl"
 
 // Of the moon, by its solid angle of 0.52 degrees for 1 lx, cd/m².
 const float MOON_LUMINANCE = 15400.0;

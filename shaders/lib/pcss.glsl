@@ -1,10 +1,12 @@
 // Soft shadow of the flame (PCSS): share of the flame that is visible from a point, past the room.
-// Needs lib/random.glsl, lib/flame-light.glsl, lib/shadow-cube.glsl; defines SHADOW_BIAS (texels).
+// Needs lib/flame-light.glsl; defines SHADOW_BIAS (texels).
 // After Fernando 2005, "Percentage-Closer Soft Shadows"; here each tap is a point of the flame, so that the penumbra
 // has the flame's width and height.
 //
 // A texel of the shadow cube is compared with the plane of the lit surface, where the ray through the texel's center
 // meets it: a flat surface never shadows itself, however coarse the cube, and what lies on it does.
+#include "lib/random.glsl"
+#include "lib/shadow-cube.glsl"
 
 // A caster less far before the plane is the plane: metres; texels, since narrower joints are not resolved.
 const float BIAS = 0.0015;

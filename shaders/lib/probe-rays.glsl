@@ -1,9 +1,10 @@
 // Hits of the probes' rays: an octahedral map for each probe, in tiles.
-// Needs lib/octahedral.glsl, lib/photometry.glsl.
 //
 // The first bounce is sampled twice: by surfels, which are fine near the flame, and by rays, which are fine near the
 // probe. They are combined by the balance heuristic (Veach and Guibas 1995, "Optimally Combining Sampling Techniques
 // for Monte Carlo Rendering").
+#include "lib/octahedral.glsl"
+#include "lib/photometry.glsl"
 
 uniform int uRays;        // texels along an edge of a map
 uniform int uProbeRows;   // rows of tiles in a plane of probes

@@ -1,6 +1,5 @@
 // Single scattering by fine droplets.
-// Needs lib/photometry.glsl; but where ALONE is defined, also lib/octahedral.glsl, lib/flame-light.glsl and
-// lib/irradiance-volume.glsl.
+// Needs lib/photometry.glsl; but where ALONE is defined, also lib/flame-light.glsl and lib/irradiance-volume.glsl.
 
 // Ambient light of a dark room at night, from a window: mean radiance, cd/m².
 // Its hue looks like moonlight to an eye adapted to candlelight.

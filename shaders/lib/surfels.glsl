@@ -1,7 +1,8 @@
 // Surfels: the surfaces that the flame lights, as flat patches, one a texel of a cube map whose faces lie side by side
-// along x. Needs lib/photometry.glsl, lib/flame-light.glsl.
+// along x. Needs lib/flame-light.glsl.
 // MOON: the surfaces that the moon lights, one a texel of its map, and in the last rows the panes that the sky
 // shines through. Needs lib/moon.glsl instead.
+#include "lib/photometry.glsl"
 
 uniform sampler2D uSurfelNormalDistance;
 

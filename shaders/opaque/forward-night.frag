@@ -4,10 +4,8 @@
 // Out: nothing for a flame; alpha: luminance for 1 lx. Rod vision needs no more.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
-#include "lib/octahedral.glsl"
 #include "lib/normal-map.glsl"
 #include "lib/relief.glsl"
-#include "lib/random.glsl"
 #include "lib/brdf.glsl"
 #include "lib/environment-brdf.glsl"
 #include "lib/irradiance-volume.glsl"

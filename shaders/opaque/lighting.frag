@@ -6,13 +6,10 @@
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "lib/compile-time.glsl"
-#include "lib/octahedral.glsl"
-#include "lib/random.glsl"
 #include "lib/depth.glsl"
 #include "lib/flame-light.glsl"
 #include "lib/flame-brdf.glsl"
 #include "lib/dielectric.glsl"
-#include "lib/shadow-cube.glsl"
 #include "lib/pcss.glsl"
 #define VOLUME_CORNERS COUNT(4)
 #include "lib/irradiance-volume.glsl"

@@ -7,7 +7,6 @@
 #include "lib/frame.glsl"
 #include "lib/compile-time.glsl"
 #include "lib/octahedral.glsl"
-#include "lib/random.glsl"
 #include "lib/depth.glsl"
 #include "lib/brdf.glsl"
 #include "lib/dielectric.glsl"

@@ -2,7 +2,6 @@
 // Vibrance of each hue.
 // Out: adapted, vivid light for white-balanced light whose channels sum to 1.
 #include "lib/precision.glsl"
-#include "lib/photometry.glsl"
 #include "lib/chromatic-adaptation.glsl"
 #include "lib/hue-lut.glsl"
 

@@ -3,7 +3,6 @@
 // In:  the passes' textures.   Out: display colour.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
-#include "lib/octahedral.glsl"
 #include "lib/photometry.glsl"
 #include "lib/srgb.glsl"
 #include "lib/depth.glsl"

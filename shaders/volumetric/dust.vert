@@ -1,7 +1,6 @@
 #version 300 es
 // A dust particle in the flame's light, advanced and drawn.
 #include "volumetric/mote.glsl"
-#include "lib/octahedral.glsl"
 #include "lib/photometry.glsl"
 #include "lib/flame-light.glsl"
 #include "lib/irradiance-volume.glsl"

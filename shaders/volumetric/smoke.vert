@@ -9,7 +9,6 @@
 #ifdef ALONE
 #include "lib/studio.glsl"
 #else
-#include "lib/octahedral.glsl"
 #include "lib/flame-light.glsl"
 #include "lib/irradiance-volume.glsl"
 #endif

@@ -22,7 +22,7 @@ function smoothstep(low: number, high: number, x: number): number {
   return share * share * (3 - 2 * share);
 }
 
-/** Factor by which the settled eye exposes a picture: shaders/lib/metering.glsl and exposure.frag. */
+/** Factor by which the settled eye exposes a picture: shaders/post/meter.frag and exposure.frag. */
 export function meteredExposure({ width, height, radiance }: Picture): number {
   const { columns, rows, taps, darkest, surface, flame } = METER;
   let sum = 0;
