@@ -3,7 +3,7 @@ import reducedFrag from "../../../shaders/gbuffer/gbuffer-reduced.frag";
 import reducedVert from "../../../shaders/gbuffer/gbuffer-reduced.vert";
 import meshVert from "../../../shaders/mesh/mesh.vert";
 import type { Box, Draw, Gpu, Program, RenderTarget, Texture, UniformBlock } from "../../gl/gpu.js";
-import { finish, type Steps } from "../../steps.js";
+import type { Steps } from "../../steps.js";
 import type { Bounds } from "../../world/geometry.js";
 import { frustumTest } from "../camera.js";
 import type { FrameInput, ModelInstance, Size } from "../frame-input.js";
@@ -72,8 +72,8 @@ export class GBufferPass {
   #fullKey = "";
   /** What the reduced G-buffer of the previous frame was drawn for. */
   #previous: ReprojectionSource | null = null;
-  /** Progressive refinement: the full G-buffer in progress, and how many bands of it are done. */
-  #refinement: { readonly key: string; bands: number } | null = null;
+  /** Progressive refinement: the full G-buffer in progress. */
+  #refinement: { readonly key: string; readonly steps: Steps } | null = null;
   #wasReduced = false;
 
   constructor(gpu: Gpu, frame: UniformBlock, lods: MeshLods, full: FullGBuffer) {
@@ -127,11 +127,23 @@ export class GBufferPass {
       lightingSize,
       frame.instances.map(({ placement }) => placement),
     ]);
+    const { surfaces, guide } = SCHEDULE.refinement;
     if (isMoving) this.#refinement = null;
     else if (key !== this.#fullKey) {
-      // The reduced G-buffer goes on being shown until the full one is complete.
-      if (!this.#wasReduced || !canDefer) yield* this.#fill(frame, key, lightingSize);
-      else if (this.#reducedKey !== "") this.#refine(frame, key, lightingSize);
+      if (!this.#wasReduced || !canDefer) {
+        this.#refinement = null;
+        const { width, height } = this.#guide.resolved;
+        const bands = Math.ceil((width * height) / this.#full.pixelsPerStep) || 1;
+        const parts = Math.ceil((bands * guide) / surfaces);
+        yield* this.#fill(frame, key, lightingSize, bands, parts);
+      } else if (this.#reducedKey !== "") {
+        // The reduced G-buffer goes on being shown until the full one is complete.
+        if (this.#refinement?.key !== key) {
+          const steps = this.#fill(frame, key, lightingSize, surfaces, guide);
+          this.#refinement = { key, steps };
+        }
+        if (this.#refinement.steps.next().done) this.#refinement = null;
+      }
     }
     this.#wasReduced = isMoving || key !== this.#fullKey;
     if (this.#wasReduced) return yield* this.#renderReduced(frame, key);
@@ -187,12 +199,10 @@ export class GBufferPass {
     };
   }
 
-  *#fill(frame: FrameInput, key: string, lightingSize: Size): Steps {
-    this.#refinement = null;
-    this.#fullKey = ""; // until it is complete
+  /** The full G-buffer in bands, a step each, of which the last ones are resolved. */
+  *#fill(frame: FrameInput, key: string, lightingSize: Size, bands: number, parts: number): Steps {
+    this.#fullKey = ""; // the targets hold parts of two images
     const target = this.#targetOf("full");
-    const { width, height } = this.#guide.resolved;
-    const bands = Math.ceil((width * height) / this.#full.pixelsPerStep) || 1;
     for (let band = 0; band < bands; band++) {
       const scissor = bands > 1 ? bandOf(target, band, bands) : undefined;
       this.#gpu.clear(target, NOTHING, scissor);
@@ -200,35 +210,11 @@ export class GBufferPass {
       yield;
     }
     this.#guide.chooseRepresentatives(samplesOf(target), lightingSize);
-    const { guide, surfaces } = SCHEDULE.refinement;
-    const parts = Math.ceil((bands * guide) / surfaces);
     for (let part = 0; part < parts; part++) {
-      yield;
+      if (part > 0) yield;
       const scissor = parts > 1 ? bandOf(this.#guide.resolved, part, parts) : undefined;
       this.#guide.resolve(samplesOf(target), lightingSize, scissor);
     }
-    this.#fullKey = key;
-  }
-
-  /** Progressive refinement: one band of what `#fill` draws. */
-  #refine(frame: FrameInput, key: string, lightingSize: Size): void {
-    if (this.#refinement?.key !== key) this.#refinement = { key, bands: 0 };
-    this.#fullKey = ""; // the targets hold parts of two images
-    const { surfaces, guide } = SCHEDULE.refinement;
-    const band = this.#refinement.bands++;
-    if (band < surfaces) {
-      const target = this.#targetOf("full");
-      const scissor = bandOf(target, band, surfaces);
-      this.#gpu.clear(target, NOTHING, scissor);
-      finish(this.#drawModels(target, frame, false, scissor));
-      return;
-    }
-    const samples = samplesOf(this.#targetOf("full"));
-    if (band === surfaces) this.#guide.chooseRepresentatives(samples, lightingSize);
-    const scissor = bandOf(this.#guide.resolved, band - surfaces, guide);
-    this.#guide.resolve(samples, lightingSize, scissor);
-    if (this.#refinement.bands < surfaces + guide) return;
-    this.#refinement = null;
     this.#fullKey = key;
   }
 
