@@ -1,3 +1,4 @@
+import type { GLTF } from "@gltf-transform/core";
 import { assetError, Flaw } from "./asset-error.js";
 import { fetchBytes } from "./fetch-bytes.js";
 import { openContainer } from "./glb.js";
@@ -12,47 +13,10 @@ import {
   type TextureImage,
 } from "./model.js";
 
-/** The subset of glTF that our own files use. */
-interface BuiltInDocument {
-  readonly accessors: readonly {
-    readonly bufferView: number;
-    readonly byteOffset?: number;
-    readonly componentType: 5121 | 5123 | 5126;
-    readonly count: number;
-    readonly type: "SCALAR" | "VEC2" | "VEC3" | "VEC4";
-  }[];
-  readonly bufferViews: readonly { readonly byteOffset?: number }[];
-  readonly scenes: readonly { readonly nodes: readonly number[] }[];
-  readonly nodes: readonly { readonly mesh?: number }[];
-  readonly meshes: readonly {
-    readonly name: string;
-    readonly primitives: readonly {
-      readonly attributes: Readonly<Record<string, number>>;
-      readonly indices: number;
-      readonly material: number;
-    }[];
-  }[];
-  readonly materials: readonly BuiltInMaterial[];
-  readonly textures: readonly {
-    readonly source: number;
-    readonly extensions?: { readonly EXT_texture_avif?: { readonly source: number } };
-  }[];
-  readonly images: readonly { readonly uri: string }[];
-}
-
-interface BuiltInMaterial {
-  readonly name: string;
-  readonly pbrMetallicRoughness: {
-    readonly baseColorFactor?: readonly [number, number, number, number];
-    readonly roughnessFactor?: number;
-    readonly metallicFactor?: number;
-    readonly baseColorTexture?: { readonly index: number };
-    readonly metallicRoughnessTexture?: { readonly index: number };
-  };
-  readonly normalTexture?: { readonly index: number };
-}
-
-const SIZES = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 } as const;
+const SIZES = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT4: 16 } as const;
+/** Of the components that our own files have. */
+const TYPES: Partial<Record<number, typeof Uint8Array | typeof Uint16Array | typeof Float32Array>> =
+  { 5121: Uint8Array, 5123: Uint16Array, 5126: Float32Array };
 /** Share of the progress that the file takes; its images take the rest. */
 const FILE_SHARE = 0.6;
 
@@ -74,10 +38,10 @@ export async function readBuiltInModel(
     });
     const { json, binary } = openContainer(bytes);
     if (!binary) throw new Flaw("has no binary chunk");
-    const document = json as BuiltInDocument;
+    const document = json as GLTF.IGLTF;
     const image = memoized((index: number) => readImage(document, index, url, signal));
     const materials = await Promise.all(
-      document.materials.map((material) => readMaterial(material, image)),
+      document.materials?.map((material) => readMaterial(material, image)) ?? [],
     );
     onProgress(1);
     return modelOf(document, binary, materials);
@@ -88,21 +52,21 @@ export async function readBuiltInModel(
 }
 
 async function readImage(
-  { textures, images }: BuiltInDocument,
+  { textures, images }: GLTF.IGLTF,
   index: number,
   base: URL,
   signal: AbortSignal,
 ): Promise<TextureImage> {
-  const texture = textures[index];
-  const source = texture?.extensions?.EXT_texture_avif?.source ?? texture?.source;
-  const uri = images[source ?? -1]?.uri;
+  const texture = textures?.[index];
+  const avif = texture?.extensions?.EXT_texture_avif as GLTF.ITexture | undefined;
+  const uri = images?.[avif?.source ?? texture?.source ?? -1]?.uri;
   if (uri === undefined) throw new Flaw("names a picture that is missing");
   const bytes = await fetchBytes(new URL(uri, base), { signal, isForeign: () => false });
   return createImageBitmap(new Blob([bytes]), AS_STORED);
 }
 
 async function readMaterial(
-  { name, pbrMetallicRoughness: pbr, normalTexture }: BuiltInMaterial,
+  { name = "", pbrMetallicRoughness: pbr = {}, normalTexture }: GLTF.IMaterial,
   image: (index: number) => Promise<TextureImage>,
 ): Promise<Material> {
   const maps = [pbr.baseColorTexture, pbr.metallicRoughnessTexture, normalTexture];
@@ -112,7 +76,7 @@ async function readMaterial(
   return {
     ...PLAIN_MATERIAL,
     name,
-    baseColor: pbr.baseColorFactor ?? PLAIN_MATERIAL.baseColor,
+    baseColor: (pbr.baseColorFactor ?? PLAIN_MATERIAL.baseColor) as Material["baseColor"],
     roughness: pbr.roughnessFactor ?? 1,
     metallic: pbr.metallicFactor ?? 1,
     occlusionStrength: packed ? 1 : 0,
@@ -126,18 +90,17 @@ async function readMaterial(
 }
 
 function modelOf(
-  document: BuiltInDocument,
+  { accessors, bufferViews, scenes, nodes, meshes }: GLTF.IGLTF,
   binary: Uint8Array<ArrayBuffer>,
   materials: readonly Material[],
 ): Model {
   const read = (index: number | undefined) => {
-    const accessor = document.accessors[index ?? -1];
-    const view = document.bufferViews[accessor?.bufferView ?? -1];
-    if (!accessor || !view) throw new Flaw("lacks an accessor");
+    const accessor = accessors?.[index ?? -1];
+    const view = bufferViews?.[accessor?.bufferView ?? -1];
+    const Type = TYPES[accessor?.componentType ?? -1];
+    if (!accessor || !view || !Type) throw new Flaw("lacks an accessor");
     const count = accessor.count * SIZES[accessor.type];
     const begin = (view.byteOffset ?? 0) + (accessor.byteOffset ?? 0);
-    const types = { 5121: Uint8Array, 5123: Uint16Array, 5126: Float32Array };
-    const Type = types[accessor.componentType];
     // A copy is aligned, and does not keep the file's buffer alive.
     const end = begin + count * Type.BYTES_PER_ELEMENT;
     return new Type(binary.slice(begin, end).buffer);
@@ -149,11 +112,11 @@ function modelOf(
       : Float32Array.from(values);
   };
   // Nodes beside the scene are lower levels of detail, which nothing here draws.
-  const nodes = document.scenes.flatMap((scene) => scene.nodes);
-  const meshes = nodes.flatMap((node) => document.meshes[document.nodes[node]?.mesh ?? -1] ?? []);
-  const parts = meshes.flatMap(({ name, primitives }) =>
+  const drawn = (scenes ?? []).flatMap((scene) => scene.nodes ?? []);
+  const seen = drawn.flatMap((node) => meshes?.[nodes?.[node]?.mesh ?? -1] ?? []);
+  const parts = seen.flatMap(({ name = "", primitives }) =>
     primitives.map(({ attributes, indices, material }): Part => {
-      const worn = materials[material];
+      const worn = materials[material ?? -1];
       if (!worn) throw new Flaw("lacks a material");
       return {
         name,
