@@ -122,7 +122,7 @@ export class Flame {
     this.fuel = isLit ? 1 : 0;
     this.#remains = this.fuel;
     this.ember = isLit ? GLOWING : ROOM;
-    this.#limiter.settle(this.unlimited);
+    this.#limiter.settle(this.measure().light);
     this.glow = this.#limiter.light;
     this.#feed.rate = this.#full;
     this.spine = new Spine(this.#feed, this.#aside);
@@ -213,11 +213,6 @@ export class Flame {
   /** 1 while it burns; once it is out, the share of its last light that is left. */
   get presence(): number {
     return this.isLit ? 1 : this.glow / this.#lastGlow;
-  }
-
-  /** Light of its soot before the limiter. */
-  get unlimited(): number {
-    return this.measure().light;
   }
 
   /** False if it burns already. */

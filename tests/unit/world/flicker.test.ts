@@ -16,7 +16,7 @@ function lights(wick: number, wind: Wind, seed = 7) {
     flame.advance([0, 1, 0], [...STANDING], air, false, TICK);
     if (i < 2 * RATE) continue;
     shown.push(flame.glow);
-    unlimited.push(flame.unlimited);
+    unlimited.push(flame.measure().light);
   }
   return { shown, unlimited };
 }
