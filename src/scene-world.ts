@@ -1,10 +1,10 @@
 import type { Scene } from "./scenes/scene.js";
 import type { Look, Quality } from "./settings.js";
-import { finish, type Steps } from "./steps.js";
 import type { Wind } from "./world/air/air.js";
 import { createWorldInSteps, type WorldOptions } from "./world/create-world.js";
 import { TAPER_WICK } from "./world/flame/burning.js";
 import { type Moon, type MoonWish, moonOf } from "./world/moon.js";
+import { finish, type Steps } from "./world/steps.js";
 import type { World } from "./world/world.js";
 import { LONE_CANDLE_SETUP } from "./world/world-setup.js";
 

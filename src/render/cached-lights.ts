@@ -1,8 +1,8 @@
 import { vec3 } from "gl-matrix";
 import type { Gpu } from "../gl/gpu.js";
 import { flameLight, TAPER } from "../light/flame-light.js";
-import type { Steps } from "../steps.js";
 import type { StandingCandle } from "../world/standing-candle.js";
+import type { Steps } from "../world/steps.js";
 import type { World } from "../world/world.js";
 import type { CachedLight } from "./cached-light.js";
 import type { IndirectScene, StepSize } from "./gi/indirect-pass.js";

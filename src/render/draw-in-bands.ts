@@ -1,5 +1,5 @@
 import type { Draw, Gpu, RenderTarget } from "../gl/gpu.js";
-import type { Steps } from "../steps.js";
+import type { Steps } from "../world/steps.js";
 import { bandOf } from "./screen-bounds.js";
 
 /** A pass in bands of its target, one at each step. */

@@ -1,8 +1,8 @@
 import type { Box, Gpu, Texture } from "../gl/gpu.js";
 import { nextTask } from "../gl/next-task.js";
-import { finish, type Steps } from "../steps.js";
 import type { ParticleLayer } from "../world/particles/particle-layer.js";
 import type { CollisionMesh } from "../world/room/collision-mesh.js";
+import { finish, type Steps } from "../world/steps.js";
 import type { World } from "../world/world.js";
 import { clipPosition } from "./camera.js";
 import { carriedPlacement } from "./carried-placement.js";

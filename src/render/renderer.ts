@@ -1,7 +1,7 @@
 import type { Model } from "../assets/model.js";
 import type { Box, Texture, UniformBlock } from "../gl/gpu.js";
-import type { Steps } from "../steps.js";
 import type { ParticleLayer } from "../world/particles/particle-layer.js";
+import type { Steps } from "../world/steps.js";
 import type { World } from "../world/world.js";
 import type { Size } from "./frame-input.js";
 import type { FrameSettings } from "./frame-settings.js";

@@ -1,8 +1,8 @@
 import type { Gpu, UniformBlock } from "../gl/gpu.js";
 import { flameLight, TAPER } from "../light/flame-light.js";
-import type { Steps } from "../steps.js";
 import type { Vec3 } from "../world/geometry.js";
 import type { StandingCandle } from "../world/standing-candle.js";
+import type { Steps } from "../world/steps.js";
 import type { CachedLight } from "./cached-light.js";
 import { IndirectPass, type IndirectScene, type StepSize } from "./gi/indirect-pass.js";
 import type { IndirectTargets } from "./gi/indirect-targets.js";

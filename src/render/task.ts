@@ -1,4 +1,4 @@
-import type { Steps } from "../steps.js";
+import type { Steps } from "../world/steps.js";
 
 /** Steps that several may continue, and whose result stays. */
 export class Task<Result> {

@@ -4,7 +4,7 @@ import type { FrameSettings } from "../render/frame-settings.js";
 import { REFINED } from "../render/quality.js";
 import { RefinementBudget } from "../render/refinement/refinement-budget.js";
 import type { InitialImage, Renderer, Surfaces } from "../render/renderer.js";
-import type { Steps } from "../steps.js";
+import type { Steps } from "../world/steps.js";
 import type { World } from "../world/world.js";
 import type { CanvasTarget } from "./canvas-target.js";
 import type { Scene } from "./scene.js";

@@ -1,5 +1,4 @@
 import type { Look } from "../settings.js";
-import { finish, type Steps } from "../steps.js";
 import { Air, CALM, type Wind } from "./air/air.js";
 import type { CreatePlume } from "./air/plume.js";
 import { TAPER_WICK } from "./flame/burning.js";
@@ -13,6 +12,7 @@ import { createHand } from "./player/hand.js";
 import { boxBounds, UNBOUNDED } from "./room/movement-bounds.js";
 import type { Room } from "./room/room.js";
 import { createStandingCandle, type Wick } from "./standing-candle.js";
+import { finish, type Steps } from "./steps.js";
 import { HISTORY, Timeline } from "./timeline.js";
 import { warmUp } from "./warm-up.js";
 import type { World } from "./world.js";

@@ -1,9 +1,9 @@
-import type { Steps } from "../steps.js";
 import { tick } from "./advance.js";
 import type { Wind } from "./air/air.js";
 import type { Plume } from "./air/plume.js";
 import { interpolate, poseCandle } from "./interpolate.js";
 import { STILL } from "./player/intent.js";
+import type { Steps } from "./steps.js";
 import { HISTORY } from "./timeline.js";
 import type { World } from "./world.js";
 

@@ -1,5 +1,5 @@
 import { vec3 } from "gl-matrix";
-import { finish, type Steps } from "../../steps.js";
+import { finish, type Steps } from "../../world/steps.js";
 import type { CaptureLight } from "../light-block.js";
 import { SCHEDULE } from "../schedule.js";
 import type { ShadowCasters } from "../shadow/shadow-casters.js";

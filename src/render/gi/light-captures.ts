@@ -1,6 +1,6 @@
 import { vec3 } from "gl-matrix";
 import type { Gpu } from "../../gl/gpu.js";
-import { finish, type Steps } from "../../steps.js";
+import { finish, type Steps } from "../../world/steps.js";
 import type { World } from "../../world/world.js";
 import { type CachedLight, isMoonAlone } from "../cached-light.js";
 import { CachedLights } from "../cached-lights.js";

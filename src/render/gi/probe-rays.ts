@@ -1,7 +1,7 @@
 import type { Model, Part } from "../../assets/model.js";
-import type { Steps } from "../../steps.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import type { CollisionMesh, RayHit } from "../../world/room/collision-mesh.js";
+import type { Steps } from "../../world/steps.js";
 import { type Task, type Tasks, taskOf } from "../task.js";
 import { interiorBounds } from "./interior-bounds.js";
 import { octahedral, rayDirections } from "./ray-directions.js";

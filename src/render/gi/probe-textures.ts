@@ -3,7 +3,7 @@ import rayReflectanceFrag from "../../../shaders/gi/ray-reflectance.frag";
 import rayReflectanceVert from "../../../shaders/gi/ray-reflectance.vert";
 import roomReflectanceFrag from "../../../shaders/gi/room-reflectance.frag";
 import type { Gpu, Program, RenderTarget, UniformBlock, VertexArray } from "../../gl/gpu.js";
-import type { Steps } from "../../steps.js";
+import type { Steps } from "../../world/steps.js";
 import { drawInBands } from "../draw-in-bands.js";
 import { floats } from "../float-format.js";
 import type { Mesh } from "../mesh/mesh.js";

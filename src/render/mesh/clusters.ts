@@ -1,7 +1,7 @@
 import { vec3 } from "gl-matrix";
 import type { Part } from "../../assets/model.js";
-import type { Steps } from "../../steps.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
+import type { Steps } from "../../world/steps.js";
 import { crossOf, verticesOf } from "./triangles.js";
 
 /** Triangles of a cluster: few enough for culling, enough to be worth a draw. */

@@ -1,7 +1,7 @@
-import type { Steps } from "../../steps.js";
 import type { Vec3 } from "../../world/geometry.js";
 import { pcg } from "../../world/random.js";
 import type { CollisionMesh } from "../../world/room/collision-mesh.js";
+import type { Steps } from "../../world/steps.js";
 import { surfelRowsOf } from "../gi/indirect-targets.js";
 import type { IndirectDetail } from "../gi/probe-rays.js";
 import { FACES } from "../shadow/cube-map.js";

@@ -1,8 +1,8 @@
 import rayVirtualFrag from "../../../shaders/gi/ray-virtual.frag";
 import fluxFrag from "../../../shaders/gi/virtual-flux.frag";
 import type { Gpu, RenderTarget, Texture } from "../../gl/gpu.js";
-import type { Steps } from "../../steps.js";
 import type { Vec3 } from "../../world/geometry.js";
+import type { Steps } from "../../world/steps.js";
 import { floats } from "../float-format.js";
 import type { IndirectPass, StepSize } from "../gi/indirect-pass.js";
 import { irradianceMaps } from "../gi/indirect-targets.js";

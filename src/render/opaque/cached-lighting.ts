@@ -11,7 +11,7 @@ import type {
 } from "../../gl/gpu.js";
 import { luma, type Rgb } from "../../light/color.js";
 import { TAPER } from "../../light/flame-light.js";
-import type { Steps } from "../../steps.js";
+import type { Steps } from "../../world/steps.js";
 import type { CachedLight } from "../cached-light.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { GBuffer } from "../gbuffer/gbuffer.js";

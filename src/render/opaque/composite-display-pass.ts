@@ -4,7 +4,7 @@ import displayVert from "../../../shaders/post/display.vert";
 import fxaaFrag from "../../../shaders/post/fxaa.frag";
 import upscaleFrag from "../../../shaders/post/upscale.frag";
 import type { Box, Gpu, Program, RenderTarget, Surface, Texture } from "../../gl/gpu.js";
-import type { Steps } from "../../steps.js";
+import type { Steps } from "../../world/steps.js";
 import type { Size } from "../frame-input.js";
 import { forEachGBufferKind, type GBufferKind } from "../gbuffer/gbuffer.js";
 import { type DisplayTransform, whiteBalance } from "../post/display-pass.js";

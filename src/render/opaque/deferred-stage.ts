@@ -1,6 +1,6 @@
 import compositeFrag from "../../../shaders/opaque/composite.frag";
 import type { Box, Gpu, Program, TextureFormat } from "../../gl/gpu.js";
-import type { Steps } from "../../steps.js";
+import type { Steps } from "../../world/steps.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import {
   type FullGBuffer,

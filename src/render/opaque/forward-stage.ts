@@ -1,7 +1,7 @@
 import type { Box, Draw, Gpu, Program, RenderTarget, Texture, UniformBlock } from "../../gl/gpu.js";
 import { luma, type Rgb } from "../../light/color.js";
-import type { Steps } from "../../steps.js";
 import type { Bounds } from "../../world/geometry.js";
+import type { Steps } from "../../world/steps.js";
 import { type CachedLight, candlesOf, isMoonAlone, moonOf } from "../cached-light.js";
 import { frustumTest } from "../camera.js";
 import type { FrameInput, ModelInstance, Size } from "../frame-input.js";

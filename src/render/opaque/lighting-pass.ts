@@ -10,7 +10,7 @@ import type {
   TextureFormat,
   UniformBlock,
 } from "../../gl/gpu.js";
-import type { Steps } from "../../steps.js";
+import type { Steps } from "../../world/steps.js";
 import { type CachedLight, candlesOf, moonOf } from "../cached-light.js";
 import { floats } from "../float-format.js";
 import type { FrameInput, Size } from "../frame-input.js";

@@ -1,5 +1,5 @@
 import type { Box, ProgramOptions, Texture, TextureFormat, UniformBlock } from "../../gl/gpu.js";
-import type { Steps } from "../../steps.js";
+import type { Steps } from "../../world/steps.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { GBufferKind } from "../gbuffer/gbuffer.js";
 import type { Captures } from "../gi/light-captures.js";

@@ -1,5 +1,5 @@
 import type { Gpu } from "../../gl/gpu.js";
-import type { Steps } from "../../steps.js";
+import type { Steps } from "../../world/steps.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { Captures } from "../gi/light-captures.js";
 import { lightBlock } from "../light-block.js";

@@ -1,5 +1,5 @@
 import type { Gpu } from "../../gl/gpu.js";
-import type { Steps } from "../../steps.js";
+import type { Steps } from "../../world/steps.js";
 import type { FrameInput } from "../frame-input.js";
 import type { GBufferKind } from "../gbuffer/gbuffer.js";
 import type { IndirectScene } from "../gi/indirect-pass.js";

@@ -6,7 +6,7 @@ import displayFrag from "../../../shaders/refinement/display.frag";
 import keepFrag from "../../../shaders/refinement/keep.frag";
 import referenceFrag from "../../../shaders/refinement/reference.frag";
 import type { Box, Gpu, Program, RenderTarget, Texture, TextureView } from "../../gl/gpu.js";
-import type { Steps } from "../../steps.js";
+import type { Steps } from "../../world/steps.js";
 import type { Size } from "../frame-input.js";
 import type { DisplayOptions } from "../opaque/composite-display-pass.js";
 import type { FrameBlocks, OpaqueLayer } from "../opaque/opaque-stage.js";

@@ -1,8 +1,8 @@
 import beginFrag from "../../../shaders/refinement/begin.frag";
 import copyFrag from "../../../shaders/refinement/copy-tile.frag";
 import type { Box, Gpu, Program, RenderTarget } from "../../gl/gpu.js";
-import type { Steps } from "../../steps.js";
 import type { Vec3 } from "../../world/geometry.js";
+import type { Steps } from "../../world/steps.js";
 import type { World } from "../../world/world.js";
 import { candlesOf, moonOf } from "../cached-light.js";
 import { frustumTest } from "../camera.js";

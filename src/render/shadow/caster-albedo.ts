@@ -1,6 +1,6 @@
 import casterAlbedoFrag from "../../../shaders/shadow/caster-albedo.frag";
 import type { Gpu, Texture } from "../../gl/gpu.js";
-import type { Steps } from "../../steps.js";
+import type { Steps } from "../../world/steps.js";
 import { floats } from "../float-format.js";
 import type { Mesh } from "../mesh/mesh.js";
 

@@ -1,7 +1,7 @@
 import type { Model, Part } from "../../assets/model.js";
 import type { Buffer, Draw, Gpu, VertexArray } from "../../gl/gpu.js";
-import { finish, type Steps } from "../../steps.js";
 import type { Bounds } from "../../world/geometry.js";
+import { finish, type Steps } from "../../world/steps.js";
 import { type Clusters, clusterSteps, runsOf, VERTEX_SIZE } from "../mesh/clusters.js";
 import type { Mesh } from "../mesh/mesh.js";
 import { reducedPart } from "../mesh/mesh-lods.js";

@@ -13,10 +13,10 @@ import {
 } from "../../../src/render/moon/surfel-visibility.ts";
 import { groupLitPoints } from "../../../src/render/moon/virtual-lights.ts";
 import { tierNamed } from "../../../src/render/quality.ts";
-import { finish } from "../../../src/steps.ts";
 import type { Vec3 } from "../../../src/world/geometry.ts";
 import { lightFrom } from "../../../src/world/moon.ts";
 import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";
+import { finish } from "../../../src/world/steps.ts";
 import { box, floorOf, insideOf, quad } from "../world/rooms.ts";
 
 /** A rectangle across the light of a window in the wall at x = 2, that faces the room. */

@@ -9,8 +9,8 @@ import {
   VERTEX_SIZE,
 } from "../../../../src/render/mesh/clusters.ts";
 import { clipFromFace, FACES, isInCubeFace } from "../../../../src/render/shadow/cube-map.ts";
-import { finish } from "../../../../src/steps.ts";
 import type { Vec3 } from "../../../../src/world/geometry.ts";
+import { finish } from "../../../../src/world/steps.ts";
 
 /** A square of the floor, of many small triangles. */
 function floor(cells: number, size: number, height = 0): Part {
