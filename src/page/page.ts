@@ -3,6 +3,7 @@ import "../define.js";
 import { FIELDS_OF_VIEW, parseIndices } from "../settings.js";
 import { find } from "./find.js";
 import { followAttributes } from "./follow-attributes.js";
+import { nameKeys } from "./key-names.js";
 import { bindMicrophone } from "./microphone.js";
 import { addSettings } from "./settings-form.js";
 import { readShareLink, SHARED, type Shared, type View, writeShareLink } from "./share-link.js";
@@ -23,6 +24,7 @@ const notice = find(stage, ".notice", HTMLElement);
 const link = find(stage, ".link", HTMLInputElement);
 
 reflectWalking(room);
+void nameKeys(document.querySelectorAll<HTMLElement>(".with-keys kbd, .keyboard kbd"));
 enterButton.addEventListener("click", () => room.enter());
 // Where there are no keys there is no Esc; a room without the focus ends the walk.
 find(stage, ".leave", HTMLButtonElement).addEventListener("click", () => room.blur());

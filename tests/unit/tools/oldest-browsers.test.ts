@@ -29,6 +29,7 @@ const SCRIPT_EXCEPTIONS: Readonly<Record<string, string>> = {
   ".devicePixelContentBoxSize": "`device-pixels.ts` guesses without it",
   ".drawingBufferColorSpace": "sRGB without it",
   ".exitPointerLock": "phones do not lock the pointer",
+  ".getLayoutMap": "keys are named as on an English keyboard without it",
   ".movementX": "phones do not lock the pointer",
   ".movementY": "phones do not lock the pointer",
   ".pointerLockElement": "phones do not lock the pointer",
