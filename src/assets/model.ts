@@ -82,6 +82,8 @@ export interface Material {
   readonly alphaMode: "opaque" | "mask" | "blend";
   /** Opacity below which a mask leaves a hole. */
   readonly alphaCutoff: number;
+  /** Mean opacity of the albedo map, where it is mixed; else 1. */
+  readonly mapOpacity: number;
   /** sRGB and opacity. */
   readonly albedo: TextureImage | null;
   /** Tangent space, +Y up in the image, as glTF has it. */
@@ -104,6 +106,7 @@ export const PLAIN_MATERIAL: Material = {
   transmission: 0,
   alphaMode: "opaque",
   alphaCutoff: 0.5,
+  mapOpacity: 1,
   albedo: null,
   normal: null,
   occlusionRoughnessMetallic: null,

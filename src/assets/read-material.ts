@@ -66,6 +66,7 @@ export async function readMaterial(
     pictureOf(normal, "normal"),
     pictureOf(metallicRoughness, "roughness"),
   ]);
+  const alpha = readAlpha(entry);
   return {
     material: {
       name,
@@ -77,7 +78,8 @@ export async function readMaterial(
       isDoubleSided: entry.boolean("doubleSided"),
       ...readDepth(entry, name),
       isGlossy: await isGlossySomewhere(surface, packedPicture),
-      ...readAlpha(entry),
+      ...alpha,
+      mapOpacity: alpha.alphaMode === "blend" ? await opacityOf(albedoPicture) : 1,
       albedo: albedoPicture,
       normal: normalPicture,
       occlusionRoughnessMetallic: packedPicture,
@@ -155,8 +157,14 @@ async function isGlossySomewhere(
   return greens.some((green, part) => isGlossy(roughness * green, metallic * (blues[part] ?? 0)));
 }
 
-/** Red, green and blue of the parts of a map, 0 to 1. */
-type Means = readonly [number[], number[], number[]];
+async function opacityOf(map: TextureImage | null): Promise<number> {
+  if (!map) return 1;
+  const [, , , alphas] = await meansOf(map);
+  return alphas.reduce((sum, alpha) => sum + alpha, 0) / alphas.length;
+}
+
+/** Red, green, blue and alpha of the parts of a map, 0 to 1. */
+type Means = readonly [number[], number[], number[], number[]];
 
 /** Of maps that have been read, each after the one before: some browsers shrink images while the page waits. */
 const known = new WeakMap<TextureImage, Promise<Means>>();
@@ -180,7 +188,7 @@ async function readMeans(map: TextureImage): Promise<Means> {
   context?.drawImage(copy, 0, 0);
   copy.close();
   const none = () => Array.from({ length: PARTS * PARTS }, () => 0);
-  const means = [none(), none(), none()] as const;
+  const means: Means = [none(), none(), none(), none()];
   const { data = [] } = context?.getImageData(0, 0, size, size) ?? {};
   for (const [i, value] of data.entries()) {
     const [x, y] = [(i >> 2) % size, Math.floor((i >> 2) / size)];

@@ -4,6 +4,10 @@ import { AnyRoom, edited, facings, fixtureUrl, verticesAt } from "../support/any
 import type { Loaded, LoadedPart } from "../support/any-room-page.ts";
 import { ORIGINS } from "../support/browser.ts";
 
+/** 2 x 2 pixels of a fifth of the opacity. */
+const CLEAR =
+  "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAYAAABytg0kAAAAEUlEQVR42mP4//+/MQgzwBgAd5oMwQ8MwtsAAAAASUVORK5CYII=";
+
 let room: AnyRoom;
 
 test.beforeAll(async ({ browser }) => {
@@ -158,6 +162,7 @@ test.describe("What a surface is made of survives", () => {
     const material = (name: string) => named(model, name).material;
     expect(material("glass")).toMatchObject({ alphaMode: "blend", isDoubleSided: false });
     expect(material("glass").baseColor).toEqual(closeTo([0.5, 0.6, 0.7, 0.25], 1e-6));
+    expect(material("glass").mapOpacity).toBe(1);
     expect(material("leaf")).toMatchObject({
       alphaMode: "mask",
       alphaCutoff: 0.3,
@@ -168,6 +173,15 @@ test.describe("What a surface is made of survives", () => {
     expect(material("apart").occlusionStrength).toBe(0);
     expect(material("glossy")).toMatchObject({ roughness: 0.75, metallic: 0 });
     expect(material("glossy").baseColor).toEqual([0.1, 0.2, 0.3, 1]);
+  });
+
+  test("the opacity of what is mixed is the mean of its map", async () => {
+    const body = edited("plain.glb", (json) => {
+      json.images = [{ uri: CLEAR }];
+      json.materials[0].alphaMode = "BLEND";
+    });
+    const { material } = only(await room.load(await room.serve("clear.glb", { body })));
+    expect(material.mapOpacity).toBeCloseTo(0.2, 2);
   });
 
   test("what cannot be had is named in one warning of the console", async () => {

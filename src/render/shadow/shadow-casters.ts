@@ -29,8 +29,18 @@ export function clustersOf(
   model: Model,
   { error, isReduced = false }: CasterDetail,
 ): Task<Clusters> {
-  const reduce = isReduced ? (part: Part) => reducedPart([part]) : undefined;
-  return taskOf(tasks, model, { error, isReduced }, () => clusterSteps(model.parts, error, reduce));
+  const levelOf = (part: Part) => {
+    if (isMostlyClear(part)) return { ...part, positions: NONE, indices: new Uint16Array() };
+    return isReduced ? reducedPart([part]) : part;
+  };
+  return taskOf(tasks, model, { error, isReduced }, () => clusterSteps(model.parts, error, levelOf));
+}
+
+const NONE = new Float32Array();
+
+/** Glass, of which nothing or little is drawn: what is mixed is, where it is at least half opaque. */
+function isMostlyClear({ material: { alphaMode, baseColor, mapOpacity } }: Part): boolean {
+  return alphaMode === "blend" && baseColor[3] * mapOpacity < 0.5;
 }
 
 /** The room's clusters of triangles, culled by face of a cube: casters of shadows and of indirect light. */
