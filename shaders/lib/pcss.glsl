@@ -13,11 +13,16 @@ const float BIAS = 0.0015;
 const float BIAS_TEXELS = float(SHADOW_BIAS);
 // A plane seen edge on reaches no farther than this many times the distance of the point.
 const float STEEPEST = 1.02;
-// Least half-width of a penumbra, texels.
-const float LEAST_PENUMBRA = 0.4;
+// Least half-width of a penumbra, texels; and most of it, where texels are so large on the screen that their edges would
+// be steps: as a share of their size in pixels.
+const vec2 LEAST_PENUMBRA = vec2(0.4, 1.5);
+const float STEP_SHARE = 0.35;
 // Steps of the R2 sequence of low-discrepancy points.
 // Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences".
 const vec2 R2 = vec2(0.7548776662466927, 0.5698402909980532);
+// Offset of the taps of one pixel from those of its neighbour: by 32 steps, so that the pixels of a small window
+// together have the points of one sequence.
+const vec2 SEED_STEP = fract(32.0 * R2);
 
 // Taps of the filter in one iteration, unrolled.
 const int TAPS_AT_ONCE = 4;
@@ -33,6 +38,7 @@ struct ShadowReceiver {
   vec3 across;    // of the flame, from the point: axes, and half-extents, m
   vec3 up;
   vec2 extent;
+  float least;    // half-width of a penumbra at the point, m
 };
 
 // Taps on one face of the shadow cube, and the depth up to which each is a blocker.
@@ -56,7 +62,7 @@ ShadowTaps shadowTaps(ShadowReceiver r, float share, float tile) {
   vec3 up = onShadowFace(r.up, axis);
   vec3 normal = onShadowFace(r.normal, axis);
   vec2 onFace = center.xy / center.z;
-  vec2 halfSize = max((1.0 - share) * r.extent, share * (LEAST_PENUMBRA * r.distance / texels));
+  vec2 halfSize = max((1.0 - share) * r.extent, vec2(share * r.least));
   halfSize /= SHADOW_REACH * center.z;
   vec2 tileCenter = shadowTileCenter(axis, center.z, light.shadowSlot, tile);
   ShadowTaps taps;
@@ -86,8 +92,8 @@ float planeDepth(ShadowTaps taps, vec2 texel) {
 }
 
 // Shares of the flame that are visible from a point, and from one higher than it by `rise` along the normal (m).
-// `normal`: of the triangle, on the light's side. `pixel`: seed of the taps' offset.
-vec2 flameVisibility(int searchTaps, int filterTaps, vec3 position, vec3 normal, float rise, vec2 pixel) {
+// `normal`: of the triangle, on the light's side. `pixel`: seed of the taps' offset. `footprint`: of a pixel, m.
+vec2 flameVisibility(int searchTaps, int filterTaps, vec3 position, vec3 normal, float rise, vec2 pixel, float footprint) {
   ShadowReceiver r;
   r.position = position - light.captureOrigin;
   r.shift = light.position - light.captureOrigin;
@@ -105,17 +111,22 @@ vec2 flameVisibility(int searchTaps, int filterTaps, vec3 position, vec3 normal,
   r.up = cross(direction, r.across);
   // The flame's half-extents, projected.
   r.extent = vec2(light.radius, mix(light.radius, light.halfHeight, abs(dot(r.up, light.along))));
-  uint hash = pcg(uint(pixel.x) + pcg(uint(pixel.y)));
-  vec2 seed = vec2(unit(hash), unit(pcg(hash)));
+  float texelSize = r.distance / texels;
+  r.least = texelSize * clamp(STEP_SHARE * texelSize / footprint, LEAST_PENUMBRA.x, LEAST_PENUMBRA.y);
+  vec2 seed = fract(SEED_STEP * (floor(pixel.x) + 7.0 * floor(pixel.y)));
   // Blocker search at a quarter of the way, where the penumbra is widest.
   ShadowTaps taps = shadowTaps(r, 0.25, tile);
+  // The least penumbra's share of it, whose corners are searched first: what is thin and near the point is there.
+  vec2 least = 1.0 / max(vec2(1.0), 3.0 * r.extent / r.least);
+  int corners = searchTaps > 8 ? 4 : 0;
   vec2 place = seed;
   float inverseDepth = 0.0;
   float blockers = 0.0;
   for (int i = 0; i < searchTaps; i++) {
     // Denser towards the center, or they would miss what is thin and near the point.
     float spread = (float(i) + 0.5) / float(searchTaps);
-    vec2 texel = tapTexel(taps, 0.5 + (fract(place) - 0.5) * spread, tile - 0.01);
+    vec2 offset = i < corners ? least * (vec2(i & 1, i >> 1) - 0.5) : (fract(place) - 0.5) * spread;
+    vec2 texel = tapTexel(taps, 0.5 + offset, tile - 0.01);
     place += R2;
     float caster = shadowDepth(texel);
     if (caster < min(planeDepth(taps, texel), taps.farthest)) {

@@ -59,6 +59,8 @@ uniform vec3 uSamples;   // numbers of them: shadow taps of the blocker search, 
 
 out vec4 oRadiance;
 
+float footprint;  // of the pixel on the surface, m
+
 // Visible share of the flame, past the room, the candle and its holder; and from a crevice's sides. Crevices are lit by
 // their sides, whatever their own normal. `divisor`: of the number of taps.
 vec2 visibilitiesOf(int divisor, vec3 surface, vec3 normal, vec3 facet, bool isCrevice) {
@@ -70,7 +72,7 @@ vec2 visibilitiesOf(int divisor, vec3 surface, vec3 normal, vec3 facet, bool isC
     visibilities = vec2(candleVisibility(vPositionWorld));
     int search = int(uSamples.x) / divisor;
     int taps = int(uSamples.y) / divisor;
-    visibilities *= flameVisibility(search, taps, vPositionWorld, toward, rise, pixel);
+    visibilities *= flameVisibility(search, taps, vPositionWorld, toward, rise, pixel, footprint);
   }
   return visibilities;
 }
@@ -190,6 +192,7 @@ vec4 shade(vec3 facet) {
 
 void main() {
   vec3 facet = facetNormal(vPositionWorld);
+  footprint = min(length(dFdx(vPositionWorld)), length(dFdy(vPositionWorld)));
 #ifdef PREPASS
   bool isVisible = isVisibleAt(ivec2(gl_FragCoord.xy + uOrigin));
   oRadiance = vec4(0.0);
