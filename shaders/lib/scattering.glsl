@@ -1,10 +1,6 @@
 // Single scattering by fine droplets.
 // Needs lib/photometry.glsl; but where ALONE is defined, also lib/flame-light.glsl and lib/irradiance-volume.glsl.
 
-// Ambient light of a dark room at night, from a window: mean radiance, cd/m².
-// Its hue looks like moonlight to an eye adapted to candlelight.
-const vec3 NIGHT = vec3(0.0096, 0.0055, 0.00036);
-
 // Albedo of droplets smaller than a wavelength: more of blue than of red.
 const vec3 DROPLET_ALBEDO = vec3(0.95, 1.0, 1.1);
 // Anisotropy g of the phase function.
@@ -32,6 +28,6 @@ vec3 scatteredIndirect(vec3 position) {
 // Radiance of optically thick smoke, cd/m².
 vec3 scatteredRadiance(vec3 position, vec3 eye) {
   vec3 direct = scatteredDirect(light.intensity, light.position - position, eye - position);
-  return DROPLET_ALBEDO * (direct * candleVisibility(position) + scatteredIndirect(position) + NIGHT);
+  return DROPLET_ALBEDO * (direct * candleVisibility(position) + scatteredIndirect(position));
 }
 #endif

@@ -46,16 +46,25 @@ vec3 smokeRadiance(vec3 position) {
 #endif
 }
 
+// Across the line and the view ray; its length is the sine between them.
+vec3 acrossLine(int age, int line) {
+  vec3 along = parcel(age - 1, line).xyz - parcel(age + 1, line).xyz + vec3(0.0, 1e-6, 0.0);
+  return cross(normalize(along), normalize(frame.eyePosition - parcel(age, line).xyz));
+}
+
 void main() {
   int side = gl_VertexID & 1;
-  int line = (gl_VertexID >> 1) % LINES;
-  int age = (gl_VertexID >> 1) / LINES;
+  int end = (gl_VertexID >> 1) & 1;
+  int line = (gl_VertexID >> 2) % LINES;
+  int young = (gl_VertexID >> 2) / LINES;
+  int age = young + end;
   vec4 here = parcel(age, line);
   float width = texelFetch(uParcels, ivec2(2 * line + 1, (uNewest - age + ROWS) % ROWS), 0).x;
   vec3 toEye = frame.eyePosition - here.xyz;
   float distance = max(length(toEye), 0.02);
-  vec3 along = parcel(age - 1, line).xyz - parcel(age + 1, line).xyz + vec3(0.0, 1e-6, 0.0);
-  vec3 sideways = cross(normalize(along), toEye / distance);
+  vec3 sideways = acrossLine(age, line);
+  // Where the line folds, or passes the view ray, the ends of a piece have opposite sides: the piece would cross itself.
+  if (end == 1 && dot(sideways, acrossLine(young, line)) < 0.0) sideways = -sideways;
   float sine = length(sideways);
   float drawnWidth = max(width, LEAST_WIDTH * distance / frame.projectionScale);
   // A line nearly parallel to the view ray has a longer path through it.

@@ -102,13 +102,13 @@ function* spheresOf({ parcels, newest, count }: Smoke): Generator<Sphere> {
   }
 }
 
-/** Two triangles between each parcel and the next older one on its line; the youngest first. */
+/** Two triangles for each piece, between a parcel and the next older one on its line; the youngest first. */
 function ribbonIndices(): Uint16Array {
   const indices = new Uint16Array((ROWS - 1) * LINES * 6);
-  for (let n = 0; n < (ROWS - 1) * LINES; n++) {
-    const young = 2 * n;
-    const old = 2 * (n + LINES);
-    indices.set([young, young + 1, old, old, young + 1, old + 1], n * 6);
-  }
+  for (let n = 0; n < (ROWS - 1) * LINES; n++)
+    indices.set(
+      [0, 1, 2, 2, 1, 3].map((corner) => 4 * n + corner),
+      n * 6,
+    );
   return indices;
 }
