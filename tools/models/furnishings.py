@@ -96,7 +96,7 @@ def build_stool():
 
 
 def build_mirror():
-    """A small dark looking-glass in an oak frame, leaning out from its nail as they were hung."""
+    """A small spotted looking-glass in an oak frame, leaning out from its nail as they were hung."""
     chance = Chance("mirror")
     mesh = Mesh()
     width, height, frame = 0.34, 0.46, 0.05
@@ -111,7 +111,9 @@ def build_mirror():
     def glass(s, t):
         return (2 * s - 1) * half_width, (2 * t - 1) * half_height, 0.002
 
-    mesh.include(slab(glass, 2, 2, 0.006, "glass", (width, height)))
+    # The picture of a glass is all of it.
+    sheet = slab(glass, 1, 1, 0.006, "looking-glass", (1, 1), lambda s, t: (s, 1 - t))
+    mesh.include(sheet)
     return mesh.placed(WEST.placement @ moved(-0.75, 1.432, 0.0255) @ turned(0.05, "X"))
 
 

@@ -17,7 +17,7 @@ from masonry import (
 from mesh import Mesh, moved
 from room import HEARTH_MIDDLE, NORTH
 from shapes import add_grid, arc, lathe, smooth_path, timber, tube
-from texturing import Projection
+from texturing import Projection, tile_of
 
 PLACEMENT = NORTH.placement @ moved(HEARTH_MIDDLE, 0, 0)
 MANTEL_TOP = BRESSUMMER_TOP
@@ -119,16 +119,20 @@ def crane_and_pot():
     return mesh.include(tube(bail, 0.004, 5, "iron"))
 
 
-def charred_log(start, end, radius, key):
-    """A log burnt unevenly: thick where the fire did not reach."""
+def charred_log(start, end, radius, key, eaten=0.0):
+    """A log burnt unevenly: thick where the fire did not reach, `eaten` to a point at its end."""
     chance = Chance("charred", key)
     thickest = chance.between(0.0, 0.35)
     start, end = Vector(start), Vector(end)
     path = [
-        start.lerp(end, k / 7) + Vector((0, 0.006 * wander_over(k * 0.8, 0, key), 0))
-        for k in range(8)
+        start.lerp(end, k / 5) + Vector((0, 0.006 * wander_over(k * 1.1, 0, key), 0))
+        for k in range(6)
     ]
-    mesh = tube(path, lambda t: radius * (1 - 0.35 * abs(t - thickest) ** 2), 9, "charcoal")
+
+    def radius_at(t):
+        return radius * (1 - 0.35 * abs(t - thickest) ** 2) * (1 - eaten * max(0, 2 * t - 1) ** 1.5)
+
+    mesh = tube(path, radius_at, 8, "charcoal")
     for point in mesh.points:
         along = (point - start).dot((end - start).normalized())
         axis = start + (end - start).normalized() * along
@@ -136,30 +140,57 @@ def charred_log(start, end, radius, key):
         if out.length > 1e-4:
             angle = out.y * 40 + out.x * 31 + out.z * 17
             point += out * 0.16 * wander_over(along * 22, angle, chance.key)
+    # The picture goes round a whole number of times.
+    girth = 2 * pi * radius_at(0.5) / tile_of("charcoal")
+    around = max(1, round(girth)) / girth
+    shift = chance.fraction(), chance.fraction()
+    mesh.faces = [
+        face._replace(texcoords=[(u + shift[0], v * around + shift[1]) for u, v in face.texcoords])
+        for face in mesh.faces
+    ]
     return mesh
+
+
+def ash_height(x, z):
+    """Above the flags, negative beside the heap; the hearth's own axes."""
+    s, t = x / 0.36, (z - 0.31) / 0.19
+    falling = max(0, 1 - (s * s + t * t) * (1 + 0.3 * wander_over(2.5 * s, 2.5 * t, "outline")))
+    return 0.05 * falling**0.7 + 0.018 * falling**0.5 * wander_over(4 * s, 3 * t, "ash") - 0.006
 
 
 def ash_heap():
     mesh = Mesh()
     columns, rows = 12, 7
-    width, depth = 0.66, 0.34
     grid = []
     for r in range(rows + 1):
         line = []
         for c in range(columns + 1):
-            s, t = c / columns * 2 - 1, r / rows * 2 - 1
-            falling = max(0, 1 - s * s) * max(0, 1 - t * t)
-            height = 0.045 * falling**0.7 + 0.012 * falling**0.5 * wander_over(4 * s, 3 * t, "ash")
-            line.append(mesh.add_point(s * width / 2, SLAB - 0.006 + height, 0.3 - t * depth / 2))
+            x, z = 0.76 * (c / columns - 0.5), 0.5 - 0.38 * r / rows
+            line.append(mesh.add_point(x, SLAB + ash_height(x, z), z))
         grid.append(line)
     return add_grid(mesh, grid, Projection("ash", Chance("ash")))
+
+
+def embers():
+    """Lumps of charcoal in the ash."""
+    mesh = Mesh()
+    for key in range(8):
+        chance = Chance("ember", key)
+        x, z = chance.between(-0.26, 0.26), chance.between(0.2, 0.44)
+        half = Vector((chance.between(-0.02, 0.02), 0, chance.between(-0.02, 0.02)))
+        middle = Vector((x, SLAB + max(0, ash_height(x, z)) + 0.004, z))
+        radius = chance.between(0.007, 0.013)
+        mesh.include(tube([middle - half, middle + half], radius, 4, "charcoal"))
+    return mesh
 
 
 def fire_logs():
     level = SLAB + 0.125 + 0.012
     mesh = Mesh()
     mesh.include(charred_log((-0.3, level + 0.04, 0.26), (0.28, level + 0.035, 0.235), 0.045, 1))
-    mesh.include(charred_log((-0.25, level + 0.043, 0.37), (0.3, level + 0.043, 0.385), 0.048, 2))
+    # Burnt through, its halves on the firedogs.
+    mesh.include(charred_log((-0.33, level + 0.05, 0.37), (-0.03, level, 0.38), 0.048, 2, 0.7))
+    mesh.include(charred_log((0.33, level + 0.055, 0.385), (0.05, level - 0.005, 0.37), 0.046, 5, 0.6))
     mesh.include(charred_log((-0.2, level + 0.115, 0.33), (0.2, level + 0.117, 0.29), 0.037, 3))
     mesh.include(charred_log((0.12, SLAB + 0.05, 0.3), (0.27, SLAB + 0.03, 0.44), 0.022, 4))
     return mesh
@@ -167,7 +198,7 @@ def fire_logs():
 
 def build_hearth():
     parts = [masonry(), mortar(), firebox(), hearthstone(), bressummer(), crane_and_pot()]
-    parts += [andiron(-0.2), andiron(0.2), fire_logs(), ash_heap()]
+    parts += [andiron(-0.2), andiron(0.2), fire_logs(), ash_heap(), embers()]
     mesh = Mesh()
     for part in parts:
         mesh.include(part, PLACEMENT)

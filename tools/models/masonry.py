@@ -148,7 +148,7 @@ def lay_breast(mesh, low, high, chance):
 def mortar():
     """What shows in the joints: a core a finger's breadth behind the stones."""
     mesh = Mesh()
-    mapping = Projection("plaster", Chance("mortar"))
+    mapping = Projection("mortar", Chance("mortar"))
     inset = MORTAR_INSET
     for side in (-1, 1):
         width = HALF_WIDTH - OPENING - 2 * inset

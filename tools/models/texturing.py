@@ -6,7 +6,9 @@ TILE = {
     "logends": 0.2,
     "trim": 1.6,
     "planks": 1.6,
-    "plaster": 2.0,
+    "mortar": 0.3,
+    "ash": 0.16,
+    "char": 0.3,
     "stone": 1.6,
     "brass": 0.3,
     "iron": 0.5,
@@ -20,6 +22,7 @@ TILE = {
 
 # Tints of a texture set, as materials of their own.
 TINTS = {
+    "charcoal": "char",
     "rush": "linen",
     "pine": "trim",
     "cloth-blue": "leather",

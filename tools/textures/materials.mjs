@@ -1,9 +1,11 @@
 import { brass } from "./materials/brass.mjs";
+import { char } from "./materials/char.mjs";
 import { iron } from "./materials/iron.mjs";
 import { leather } from "./materials/leather.mjs";
 import { linen } from "./materials/linen.mjs";
 import { logends } from "./materials/logends.mjs";
 import { logs } from "./materials/logs.mjs";
+import { mirror } from "./materials/mirror.mjs";
 import { paper } from "./materials/paper.mjs";
 import { pewter } from "./materials/pewter.mjs";
 import { planks } from "./materials/planks.mjs";
@@ -29,6 +31,8 @@ export const materials = [
   brass,
   pewter,
   iron,
+  char,
+  mirror,
 ];
 
 export function materialNamed(name) {
