@@ -28,7 +28,7 @@ export const materials = {
   broadcloth: textured("linen", { tint: [0.1, 0.125, 0.15] }),
   wool: textured("wool"),
   leather: textured("leather", { tint: [0.26, 0.17, 0.105] }),
-  "cloth-blue": textured("leather", { tint: [0.075, 0.19, 0.24] }),
+  "cloth-blue": textured("leather", { tint: [0.09, 0.115, 0.14] }),
   "cloth-red": textured("leather", { tint: [0.3, 0.05, 0.042] }),
   paper: textured("paper"),
   wax: textured("wax"),

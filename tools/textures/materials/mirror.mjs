@@ -11,7 +11,7 @@ const WIDTH = 256;
 
 const SILVER = [0.6, 0.6, 0.56];
 const TARNISH = pigment(0x4a4136);
-const BARE = pigment(0x1c1815);
+const BARE = pigment(0x2c2721);
 
 /** Spots where damp has eaten the silvering: how many cells, the share of them that have one, the radius in cells. */
 const SPOTS = [
@@ -51,11 +51,12 @@ function sampler(seed) {
     const color = texel.albedo;
     set(color, SILVER);
     cover(color, TARNISH, 0.1 + 0.3 * cloud * damp);
-    cover(color, BARE, 0.9 * gone);
+    cover(color, BARE, gone);
     // Panes cast by hand are not flat.
     texel.height = 0.22 * everywhere(u, y, 4, 5, 2);
     texel.roughness = 0.19 + 0.06 * cloud + 0.015 * wiped + 0.2 * eaten ** 3;
-    texel.metallic = (0.87 - 0.05 * cloud) * (1 - 0.9 * gone);
+    // Bare spots count as a metal, too: half-way to a dielectric their rims would be bright.
+    texel.metallic = 0.87 - 0.05 * cloud;
   };
 }
 
