@@ -62,7 +62,7 @@ function sampler(seed) {
 
 export const mirror = {
   name: "mirror",
-  size: 512,
+  size: 256,
   tile: 0.38,
   seed: 83,
   sampler,
