@@ -19,6 +19,8 @@ vec3 scatteredDirect(vec3 intensity, vec3 toLight, vec3 toEye) {
 }
 
 #ifndef ALONE
+uniform vec3 uMoonlight;  // scattered by droplets, cd/m²
+
 // Mean of the irradiance from above and from below: a droplet has no normal.
 vec3 scatteredIndirect(vec3 position) {
   IrradianceSample upDown = irradianceAt(position, vec3(0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, -1.0, 0.0));
@@ -28,6 +30,6 @@ vec3 scatteredIndirect(vec3 position) {
 // Radiance of optically thick smoke, cd/m².
 vec3 scatteredRadiance(vec3 position, vec3 eye) {
   vec3 direct = scatteredDirect(light.intensity, light.position - position, eye - position);
-  return DROPLET_ALBEDO * (direct * candleVisibility(position) + scatteredIndirect(position));
+  return DROPLET_ALBEDO * (direct * candleVisibility(position) + scatteredIndirect(position) + uMoonlight);
 }
 #endif

@@ -17,6 +17,14 @@ export function moonLuma(): Rgb {
   return [luma([red, 0, 0]) * scale, luma([0, green, 0]) * scale, luma([0, 0, blue]) * scale];
 }
 
+/** Radiance of a smoke's thread in a moonlit room for 1 lx outside, cd/m²: fitted, so that it shows against a black room. */
+const SMOKE = 0.02;
+
+/** Radiance of moonlight that smoke and dust scatter, cd/m², as above. */
+export function scatteredMoonlight(illuminance: number): Rgb {
+  return adaptedMoonlight(SMOKE * illuminance);
+}
+
 /** Moonlight of some lux, before the adaptation to candlelight. */
 export function adaptedMoonlight(illuminance: number): Rgb {
   const scale = illuminance / luma(BESIDE_CANDLE);

@@ -33,7 +33,9 @@ export function clustersOf(
     if (isMostlyClear(part)) return { ...part, positions: NONE, indices: new Uint16Array() };
     return isReduced ? reducedPart([part]) : part;
   };
-  return taskOf(tasks, model, { error, isReduced }, () => clusterSteps(model.parts, error, levelOf));
+  return taskOf(tasks, model, { error, isReduced }, () =>
+    clusterSteps(model.parts, error, levelOf),
+  );
 }
 
 const NONE = new Float32Array();

@@ -2,6 +2,7 @@ import dustVert from "../../../shaders/volumetric/dust.vert";
 import moteFrag from "../../../shaders/volumetric/mote.frag";
 import sparkVert from "../../../shaders/volumetric/spark.vert";
 import type { Gpu, Program, UniformBlock, UniformValue } from "../../gl/gpu.js";
+import { scatteredMoonlight } from "../../light/moonlight.js";
 import { sootRadiance } from "../../light/soot.js";
 import type { ParticleLayer } from "../../world/particles/particle-layer.js";
 import { layerKey } from "../../world/particles/particles.js";
@@ -63,8 +64,9 @@ export class MotesPass {
       uSize: system.layer.size * flameScale,
       uExtrapolation: world.remainder,
     };
-    if (name === "spark") uniforms.uGlow = GLOW;
     const isDust = name === "dust";
+    if (isDust) uniforms.uMoonlight = scatteredMoonlight(world.moon?.illuminance ?? 0);
+    else uniforms.uGlow = GLOW;
     system.draw(world.timeline, {
       program: isDust ? this.#dust : this.#spark,
       target,

@@ -3,6 +3,7 @@ import emberFrag from "../../../shaders/volumetric/ember.frag";
 import type { Box, Gpu, Program, TextureFormat } from "../../gl/gpu.js";
 import { carriedFlame, emberRadiance, type RootedFlame, TAPER } from "../../light/flame-light.js";
 import { createShape, shapeFlame } from "../../light/flame-shape.js";
+import { scatteredMoonlight } from "../../light/moonlight.js";
 import type { Inspection } from "../../settings.js";
 import type { Flame } from "../../world/flame/flame.js";
 import type { Vec3 } from "../../world/geometry.js";
@@ -123,6 +124,7 @@ export class VolumetricStage {
       this.#smoke.render(world, clipFromWorld, {
         target,
         textures: { uDepth: composited.depth, ...irradiance.textures },
+        uniforms: { uMoonlight: scatteredMoonlight(world.moon?.illuminance ?? 0) },
         blocks: { Frame, Light, Volume: irradiance.block },
       });
     }
