@@ -30,9 +30,11 @@ export function preparePhysicalRenderer(
     uploadNextPart(gpu, room) &&
     uploadNextPart(gpu, candle) &&
     clustersOf(room, { error: casterError }).proceed() &&
-    probeTraceOf(collision, room, fitToRoom(indirect, collision, room)).proceed(
-      SCHEDULE.probesPerFrame,
-    ) &&
+    // A refined image begins in another renderer's light.
+    (opaque === "refined" ||
+      probeTraceOf(collision, room, fitToRoom(indirect, collision, room)).proceed(
+        SCHEDULE.probesPerFrame,
+      )) &&
     isCompiled
   );
 }
