@@ -105,10 +105,9 @@ function* spheresOf({ parcels, newest, count }: Smoke): Generator<Sphere> {
 /** Two triangles for each piece, between a parcel and the next older one on its line; the youngest first. */
 function ribbonIndices(): Uint16Array {
   const indices = new Uint16Array((ROWS - 1) * LINES * 6);
-  for (let n = 0; n < (ROWS - 1) * LINES; n++)
-    indices.set(
-      [0, 1, 2, 2, 1, 3].map((corner) => 4 * n + corner),
-      n * 6,
-    );
+  for (let n = 0; n < (ROWS - 1) * LINES; n++) {
+    const corners = [0, 1, 2, 2, 1, 3].map((corner) => 4 * n + corner);
+    indices.set(corners, n * 6);
+  }
   return indices;
 }
