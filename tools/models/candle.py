@@ -11,14 +11,14 @@ from shapes import arc, lathe, smooth_path, tube
 # From the level of the pool: the wick leans as it burns.
 WICK = [(0, -0.003, 0), (0.0001, 0, 0), (0.0003, 0.0024, 0.0001), (0.0011, 0.0046, 0.0003)]
 WICK += [(0.0024, 0.0062, 0.0005), (0.0037, 0.0069, 0.0006)]
-# At the foot of the wick's upper third.
-WICK_TOP = Vector(WICK[3])
+# Foot of the flame from the level of the pool: where the wick leaves the wax, below its upper third.
+FLAME_ROOT = Vector((0.0011, 0.0007, 0.0003))
 POOL_DEPTH = 0.0026
 
 
 def flame_root(height):
     """Foot of the flame of a candle so high."""
-    return WICK_TOP + Vector((0, height - POOL_DEPTH, 0))
+    return FLAME_ROOT + Vector((0, height - POOL_DEPTH, 0))
 
 
 def wick(level, steps=1, sides=6):

@@ -13,7 +13,7 @@ from mathutils import Vector
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from candle import WICK_TOP, wick
+from candle import FLAME_ROOT, wick
 from chance import wander, wander_over
 from export import add_anchor, add_node, start, write
 from mesh import moved
@@ -172,7 +172,7 @@ def main():
         normals = mesh.corner_normals()
         add_node(name, mesh, normals, bake(mesh, normals, tree, reach=0.04))
         print(f"{name}: {len(mesh.faces)} triangles")
-    add_anchor("flame", WICK_TOP + Vector((0, POOL, 0)))
+    add_anchor("flame", FLAME_ROOT + Vector((0, POOL, 0)))
     write(output / "chamberstick.glb")
 
 

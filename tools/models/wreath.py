@@ -13,7 +13,7 @@ from mathutils import Vector
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from candle import WICK_TOP, candle, flame_root, pool, wick
+from candle import FLAME_ROOT, candle, flame_root, pool, wick
 from chance import Chance, wander
 from export import add_anchor, add_node, start, write
 from mesh import Mesh, moved, turned
@@ -163,7 +163,7 @@ def build_jar():
         # Towards the page.
         "label": label.placed(turned(-pi / 2)),
     }
-    return parts, {"wick": Vector((0, melted, 0)) + WICK_TOP}
+    return parts, {"wick": Vector((0, melted, 0)) + FLAME_ROOT}
 
 
 def build(name, parts, anchors):

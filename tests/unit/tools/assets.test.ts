@@ -4,6 +4,8 @@ import { fileURLToPath } from "node:url";
 import validator from "gltf-validator";
 import sharp from "sharp";
 import { describe, expect, test } from "vitest";
+import { WORLD_SETUPS } from "../../../src/world/world-setup.ts";
+import { openGlb } from "../../../tools/models/glb-builder.mjs";
 import { textureSet } from "../../../tools/textures/texture-set.mjs";
 
 interface Entry {
@@ -120,6 +122,14 @@ describe("What is shipped stays within its budget:", () => {
     const triangles = (cabin?.triangles ?? 0) + (candle?.triangles ?? 0);
     expect(cabin?.triangles).toBeGreaterThan(20_000);
     expect(triangles).toBeLessThanOrEqual(64_000);
+  });
+
+  test("the flame of the chamberstick where the carried candle burns", () => {
+    const { json } = openGlb(readFileSync(new URL("models/chamberstick.glb", PUBLIC)));
+    const flame = json.nodes.find(({ name }: { name: string }) => name === "flame");
+    for (const [axis, at] of WORLD_SETUPS.physical.wick.entries()) {
+      expect(flame.translation[axis]).toBeCloseTo(at, 4);
+    }
   });
 
   test("half of the triangles in their lower level of detail", () => {
