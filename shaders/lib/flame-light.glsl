@@ -35,6 +35,8 @@ layout(std140) uniform Light {
 
 // Height of the candle's lip over its top, mean around it, m.
 const float LIP = 0.0007;
+// Depth of the dish of melted wax below the candle's top, m.
+const float DISH = 0.003;
 
 // Penumbra of a horizontal disc around the candle's axis, by a point of the light, at a receiver below the disc: 0
 // where the disc hides all of the capsule's width, 1 where none.
@@ -66,7 +68,8 @@ float discVisibility(vec3 position, float height, float radius) {
 // Visible share of the capsule past candle and holder, each a disc: a centimetre from the light they are too near for
 // a shadow map.
 float candleVisibility(vec3 position) {
-  if (position.y > light.rim) return 1.0;
+  bool isInDish = position.y > light.rim - DISH && distance(position.xz, light.axis) < light.rimRadius;
+  if (position.y > light.rim || isInDish) return 1.0;
   float pan = position.y < light.pan - 0.004 ? discVisibility(position, light.pan, light.panRadius) : 1.0;
   return min(pan, discVisibility(position, light.rim + LIP, light.rimRadius));
 }

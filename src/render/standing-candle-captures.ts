@@ -14,13 +14,13 @@ import { type ShadowAtlas, ShadowPass } from "./shadow/shadow-pass.js";
 
 /** A still flame over its root: height of its middle, half its height and its radius as a light, metres. */
 const STILL = { middle: 0.02, halfHeight: 0.0095, radius: 0.0035 } as const;
-/** Top of the candle below the flame's root, and its radius, metres. */
-export const RIM = { depth: 0.0015, radius: 0.0101 } as const;
+/** Top of the candle: its height above the flame's root, which stands in the pool, and its radius, metres. */
+export const RIM = { height: 0.0015, radius: 0.0101 } as const;
 
 /** The flame of a standing candle, still, 1 cd strong: members of the shaders' `Light` block. */
 function stillLight([x, y, z]: Readonly<Vec3>, shadowSlot: number): CaptureLight {
   const position: Vec3 = [x, y + STILL.middle, z];
-  const rim = y - RIM.depth;
+  const rim = y + RIM.height;
   return {
     position,
     captureOrigin: position,

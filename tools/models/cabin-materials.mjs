@@ -38,6 +38,7 @@ export const materials = {
   night: plain([0, 0, 0], 1),
   charcoal: textured("char"),
   ash: textured("plaster", { tint: [0.54, 0.56, 0.63] }),
-  pool: plain([0.8, 0.74, 0.6], 0.03),
+  // Clear: more of the light goes down into the wax than from the wax that is solid.
+  pool: plain([0.5, 0.44, 0.3], 0.03),
   wick: plain([0.012, 0.011, 0.01], 0.9),
 };

@@ -140,7 +140,7 @@ export class VolumetricStage {
       this.#drawEmber(this.#models.candle, candlePlacement, rim, world.flame, composited);
     }
     for (const { root, flame } of world.standing) {
-      const rim: Vec3 = [root[0], root[1] - RIM.depth, root[2]];
+      const rim: Vec3 = [root[0], root[1] + RIM.height, root[2]];
       this.#drawEmber(this.#models.room, AT_ORIGIN, rim, flame, composited);
     }
   }
