@@ -13,10 +13,6 @@ const vec2 R2 = vec2(0.7548777, 0.5698403);
 
 layout(location = 0) out vec4 oTiles;
 
-vec3 cornerOf(int i) {
-  return vec3(i & 1, (i >> 1) & 1, i >> 2);
-}
-
 void main() {
   ProbeRay ray = probeRayAt(ivec2(gl_FragCoord.xy));
   vec3 position = hitPosition(ray, texelFetch(uProbePositions, ray.tile, 0).xyz);
@@ -24,8 +20,8 @@ void main() {
   float weights[8];
   float total = 1e-12;
   for (int i = 0; i < 8; i++) {
-    vec3 shares = mix(1.0 - cell.share, cell.share, cornerOf(i));
-    weights[i] = probeWeight(tileAt(cell.low + cornerOf(i)), shares.x * shares.y * shares.z, position, ray.normal);
+    vec3 corner = cornerOf(i);
+    weights[i] = probeWeight(tileAt(cell.low + corner), shareOf(cell, corner), position, ray.normal);
     total += weights[i];
   }
   float first = 0.5 * total * fract(dot(vec2(ray.texel), R2));

@@ -43,10 +43,13 @@ float probeVisibility(vec2 depth, float reach) {
   return variance / (variance + beyond * beyond);
 }
 
-// Corners of a tetrahedron.
-#ifndef VOLUME_CORNERS
-#define VOLUME_CORNERS 4
+// Corners of a tetrahedron, and of the whole cell.
+#ifndef VOLUME_TAPS
+#define VOLUME_TAPS 12
 #endif
+
+// Weight of a tetrahedron's probes below which those of its cell take part: they are behind a corner, or the surface.
+const float SEEN = 0.1;
 
 // Irradiance at one point by two normals, lx: the surface's, and its mirrored view ray.
 struct IrradianceSample {
@@ -102,13 +105,22 @@ Tetrahedron tetrahedronAt(VolumeCell cell) {
   return Tetrahedron(start, ranks, vec4(1.0, sorted) - vec4(sorted, 0.0));
 }
 
-// Tile of a corner.
-ivec2 tileOf(Tetrahedron tetrahedron, VolumeCell cell, int corner) {
-  return tileAt(cell.low + abs(tetrahedron.start - step(tetrahedron.ranks, vec3(corner))));
+// A corner, from the lowest one of its cell.
+vec3 cornerOf(Tetrahedron tetrahedron, int corner) {
+  return abs(tetrahedron.start - step(tetrahedron.ranks, vec3(corner)));
+}
+
+vec3 cornerOf(int corner) {
+  return vec3(corner & 1, (corner >> 1) & 1, corner >> 2);
 }
 
 float shareOf(Tetrahedron tetrahedron, int corner) {
   return dot(tetrahedron.shares, vec4(equal(ivec4(corner), ivec4(0, 1, 2, 3))));
+}
+
+float shareOf(VolumeCell cell, vec3 corner) {
+  vec3 shares = mix(1.0 - cell.share, cell.share, corner);
+  return shares.x * shares.y * shares.z;
 }
 
 // Weight of a probe at a point. `share`: by place; `facing`: normal by which probes are weighted, or 0 in mid-air.
@@ -132,9 +144,14 @@ IrradianceSample irradianceAt(vec3 position, vec3 facing, vec3 normal, vec3 refl
   vec2 reflectionUv = octahedralEncode(reflection);
   IrradianceSample sum = IrradianceSample(vec3(0.0), vec3(0.0), 0.0);
   float total = 0.0;
-  for (int i = 0; i < VOLUME_CORNERS; i++) {
-    ivec2 tile = tileOf(tetrahedron, cell, i);
-    float weight = probeWeight(tile, shareOf(tetrahedron, i), position, facing);
+  float shareOfCell = 0.0;
+  for (int i = 0; i < VOLUME_TAPS; i++) {
+    if (i == 4) shareOfCell = 1.0 - total / SEEN;
+    if (i >= 4 && shareOfCell <= 0.0) break;
+    vec3 corner = i < 4 ? cornerOf(tetrahedron, i) : cornerOf(i - 4);
+    float share = i < 4 ? shareOf(tetrahedron, i) : shareOfCell * shareOf(cell, corner);
+    ivec2 tile = tileAt(cell.low + corner);
+    float weight = probeWeight(tile, share, position, facing);
     sum.alongReflection += weight * probeIrradiance(tile, reflectionUv);
     sum.alongNormal += weight * probeIrradiance(tile, normalUv);
 #ifdef MOONLIT

@@ -11,7 +11,7 @@
 #include "lib/flame-brdf.glsl"
 #include "lib/dielectric.glsl"
 #include "lib/pcss.glsl"
-#define VOLUME_CORNERS COUNT(4)
+#define VOLUME_TAPS COUNT(12)
 #include "lib/irradiance-volume.glsl"
 #include "lib/wax.glsl"
 #include "lib/gbuffer.glsl"

@@ -15,7 +15,7 @@
 #include "lib/night-sky.glsl"
 #include "lib/gbuffer.glsl"
 #if !REDUCED
-#define VOLUME_CORNERS COUNT(4)
+#define VOLUME_TAPS COUNT(12)
 #include "lib/irradiance-volume.glsl"
 #include "lib/representative-sample.glsl"
 #endif
