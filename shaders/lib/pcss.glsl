@@ -11,6 +11,10 @@
 // A caster less far before the plane is the plane: metres; texels, since narrower joints are not resolved.
 const float BIAS = 0.0015;
 const float BIAS_TEXELS = float(SHADOW_BIAS);
+// Facets of a rounded surface stand before each other's planes by this height, m. In grazing light that is more along the
+// ray, up to the second; which those have, too, that face away where the rounded surface does not.
+const float RELIEF = 0.0004;
+const float MOST_RELIEF = 0.03;
 // A plane seen edge on reaches no farther than this many times the distance of the point.
 const float STEEPEST = 1.02;
 // Least half-width of a penumbra, texels; and most of it, where texels are so large on the screen that their edges would
@@ -92,7 +96,7 @@ float planeDepth(ShadowTaps taps, vec2 texel) {
 }
 
 // Shares of the flame that are visible from a point, and from one higher than it by `rise` along the normal (m).
-// `normal`: of the triangle, on the light's side. `pixel`: seed of the taps' offset. `footprint`: of a pixel, m.
+// `normal`: of the triangle. `pixel`: seed of the taps' offset. `footprint`: of a pixel, m.
 vec2 flameVisibility(int searchTaps, int filterTaps, vec3 position, vec3 normal, float rise, vec2 pixel, float footprint) {
   ShadowReceiver r;
   r.position = position - light.captureOrigin;
@@ -105,7 +109,8 @@ vec2 flameVisibility(int searchTaps, int filterTaps, vec3 position, vec3 normal,
   float texels = 0.5 * tile / SHADOW_REACH;
   // A step of the stored depth is half as many metres to either side.
   float stepBias = r.distance * r.distance * (0.5 * SHADOW_STEP / SHADOW_NEAR);
-  r.bias = BIAS + r.distance * (BIAS_TEXELS / texels) + stepBias;
+  float relief = r.offset < 0.0 ? min(-RELIEF * r.distance / r.offset, MOST_RELIEF) : MOST_RELIEF;
+  r.bias = max(BIAS, relief) + r.distance * (BIAS_TEXELS / texels) + stepBias;
   vec3 direction = r.position / r.distance;
   r.across = normalize(vec3(direction.z, 0.0, -direction.x) + vec3(1e-4, 0.0, 0.0));
   r.up = cross(direction, r.across);
@@ -139,7 +144,7 @@ vec2 flameVisibility(int searchTaps, int filterTaps, vec3 position, vec3 normal,
   float share = clamp(SHADOW_NEAR * blockers / (inverseDepth * taps.receiver), 0.02, 0.98);
   taps = shadowTaps(r, share, tile);
   // Inverse depth of the higher plane, as a multiple of the plane's own.
-  float higher = r.offset / min(r.offset + rise, -1e-4);
+  float higher = -abs(r.offset) / min(rise - abs(r.offset), -1e-4);
   place = seed;
   vec2 visible = vec2(0.0);
   for (int i = 0; i < filterTaps; i += TAPS_AT_ONCE) {

@@ -72,7 +72,7 @@ vec2 visibilitiesOf(int divisor, vec3 surface, vec3 normal, vec3 facet, bool isC
     visibilities = vec2(candleVisibility(vPositionWorld));
     int search = int(uSamples.x) / divisor;
     int taps = int(uSamples.y) / divisor;
-    visibilities *= flameVisibility(search, taps, vPositionWorld, toward, rise, pixel, footprint);
+    visibilities *= flameVisibility(search, taps, vPositionWorld, facet, rise, pixel, footprint);
   }
   return visibilities;
 }
