@@ -29,7 +29,7 @@ export function advance(world: World, intent: Intent, seconds: number): void {
   // 144 x 1/144 must be one second: the error of a sum is far below a millionth of a tick.
   const ticks = Math.floor((world.remainder + seconds) / TICK + 1e-6);
   world.remainder = Math.max(0, world.remainder + seconds - ticks * TICK);
-  if (world.remainder < TICK * 1e-6) world.remainder = 0;
+  if (ticks > 0 && world.remainder < TICK * 1e-6) world.remainder = 0;
   for (let i = 0; i < ticks; i++) tick(world, intent);
   if (ticks > 0) interpolate(world);
   else interpolateTurn(world);

@@ -67,6 +67,7 @@ describe("time (P7)", () => {
     ["a little less than a tick", TICK * 0.9995],
     ["a little more than a tick", TICK * 1.0005],
     ["far less than a tick", 1e-4],
+    ["far less than the error of a sum", 1e-9],
     ["a frame at 144 Hz", 1 / 144],
     ["a frame at 60 Hz", 1 / 60],
     ["no round number", 0.0314159],
