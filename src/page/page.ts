@@ -1,6 +1,7 @@
 import type { Camera, CandleFlameElement } from "../candle-flame-element.js";
 import "../define.js";
 import { FIELDS_OF_VIEW, parseIndices } from "../settings.js";
+import { drawnLook } from "./drawn-look.js";
 import { find } from "./find.js";
 import { followAttributes } from "./follow-attributes.js";
 import { nameKeys } from "./key-names.js";
@@ -113,7 +114,8 @@ function applyView(view: View): void {
   }
   applyFlames(view);
   // Another room may be on its way: this one's walls are not its.
-  const camera = view.camera && { fieldOfView: FIELDS_OF_VIEW[room.look], ...view.camera };
+  const look = room.flame ? drawnLook(room) : room.look;
+  const camera = view.camera && { fieldOfView: FIELDS_OF_VIEW[look], ...view.camera };
   if (camera) room.camera = camera;
   // Before there is a room, a camera alone decides how it opens.
   if (room.flame || camera) setCandle(view.candle, camera ?? undefined);

@@ -1,4 +1,5 @@
 import type { CandleFlameElement } from "../../candle-flame-element.js";
+import { drawnLook } from "../drawn-look.js";
 import { find } from "../find.js";
 import { type Radiance, type Reading, readingOf } from "./colorimetry.js";
 import { addRows, readWhileOpen } from "./readings.js";
@@ -48,7 +49,7 @@ export function bindSpotMeter(
     const [x, y] = place;
     const light = room.readRadiance(corner(x, width), corner(y, height), SPOT, SPOT);
     const reading = readingOf(meanOf(light), Number(albedo.value) || 0.5);
-    const hasUnits = room.look === "physical";
+    const hasUnits = drawnLook(room) === "physical";
     for (const [name, value] of values) {
       value.textContent = reading && hasUnits ? (LIGHT[name]?.(reading) ?? "") : "–";
     }
