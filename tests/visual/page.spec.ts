@@ -147,6 +147,9 @@ test("the page opens on a burning room, from any folder of a site", async ({ fre
     });
     const seen = () => fresh.evaluate(({ held, camera }) => [held, ...camera.position, camera.yaw]);
     await expect.poll(seen).toEqual([false, 4, 1.6, 4, 0.5]);
+    await page.getByRole("button", { name: "Lab", exact: true }).click();
+    const course = fresh.lab.locator(".course polyline");
+    await expect(course, "one sample in its own unit").toHaveAttribute("points", /^\S+$/);
   });
 
   const foreign = requests.filter((url) => !url.startsWith(folder) && !url.startsWith("blob:"));

@@ -45,6 +45,11 @@ export function bindFlamePlot(section: HTMLDetailsElement, room: CandleFlameElem
     words.textContent = `${numbers[0]}${unit} now; ${numbers[1]} to ${numbers[2]} lately. ${Math.round(flame.colorTemperature)} K.`;
   }
 
+  // Another look has another unit.
+  room.addEventListener("load", () => {
+    samples = [];
+    sampleCount = 0;
+  });
   return readWhileOpen(section, INTERVAL, sample, () => {
     sampleCount = 0;
   });
