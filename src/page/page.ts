@@ -224,11 +224,15 @@ bindMicrophone(room, find(settings, ".microphone", HTMLElement));
 
 let toggleLab: Promise<() => void> | null = null;
 labButton.addEventListener("click", async () => {
+  if (labButton.hasAttribute("aria-busy")) return; // two clicks ask for one lab
+  labButton.setAttribute("aria-busy", "true");
   toggleLab ??= import("./lab/lab.js").then(({ addLab }) => addLab(room, stage, labButton));
   try {
     (await toggleLab)();
   } catch {
     toggleLab = null; // another click tries again
     tell("The lab cannot be fetched.");
+  } finally {
+    labButton.removeAttribute("aria-busy");
   }
 });
