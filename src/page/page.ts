@@ -144,15 +144,20 @@ const OPENING: Pick<View, "camera" | "candle"> = {
   camera: { position: [-0.6, 1.6, 0.85], yaw: -0.57, pitch: -0.4 },
   candle: { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 },
 };
-const initial = readShareLink(location.hash);
-const asksForNoPlace = !initial.camera && !initial.candle && !initial.settings.look;
-applyView(asksForNoPlace ? { ...initial, ...OPENING } : initial);
 const takeUp = () => room.take();
-if (asksForNoPlace) room.addEventListener("enter", takeUp, { once: true });
+
+/** Shows the view of the page's address; one that names no place opens as the cabin does. */
+function followAddress(): void {
+  const view = readShareLink(location.hash);
+  const isOpening = !view.camera && !view.candle && !view.settings.look;
+  applyView(isOpening ? { ...view, ...OPENING } : view);
+  if (isOpening) room.addEventListener("enter", takeUp, { once: true });
+  else room.removeEventListener("enter", takeUp); // a link says where its candle is
+}
+followAddress();
 window.addEventListener("hashchange", () => {
-  room.removeEventListener("enter", takeUp); // a link says where its candle is
-  room.querySelector(".poster")?.remove(); // and is not of the first view
-  applyView(readShareLink(location.hash));
+  room.querySelector(".poster")?.remove(); // of the first view
+  followAddress();
 });
 
 /** How long a notice stays, milliseconds. */

@@ -40,11 +40,18 @@ test("the page opens on a burning room, from any folder of a site", async ({ fre
     await expect.poll(() => fresh.evaluate((room) => room.held)).toBe(true);
     await fresh.evaluate((room) => room.blur());
     await expect(poster).toHaveCount(1);
-    await page.evaluate((hash) => {
+    await fresh.evaluate((room) => {
+      room.camera = { position: [1.5, 1.6, 0.5], yaw: 1 };
       location.hash = "";
+    });
+    await expect(poster, "the address of a view takes it away").toHaveCount(0);
+    expect(await fresh.evaluate(({ held, camera }) => ({ held, camera }))).toEqual(view);
+    await fresh.enter.click();
+    await expect.poll(() => fresh.evaluate((room) => room.held), "as at first").toBe(true);
+    await fresh.evaluate((room) => room.blur());
+    await page.evaluate((hash) => {
       location.hash = hash;
     }, hash);
-    await expect(poster, "a link to a view takes it away").toHaveCount(0);
     await expect.poll(() => fresh.evaluate((room) => room.held)).toBe(false);
     expect(await fresh.evaluate((room) => room.camera)).toEqual(view.camera);
   });
