@@ -157,6 +157,7 @@ function followAddress(): void {
 followAddress();
 window.addEventListener("hashchange", () => {
   room.querySelector(".poster")?.remove(); // of the first view
+  link.hidden = true; // to the view before
   followAddress();
 });
 
@@ -190,6 +191,7 @@ shareButton.addEventListener("click", async () => {
     tell("The link is copied.");
   } catch {
     // No clipboard without a secure origin and the visitor's leave.
+    tell("Copy this link.");
     link.value = location.href;
     link.hidden = false;
     link.select();

@@ -406,7 +406,7 @@ test.describe("what one sees", () => {
       });
       await share.click();
       await expect(page.getByLabel("Link to what you see")).toHaveValue(href);
-      await expect(page.getByText("The link is copied.")).toBeHidden();
+      await expect(page.getByRole("status").getByText("Copy this link.")).toBeVisible();
     });
 
     await test.step("another link in the same tab is followed", async () => {
@@ -415,6 +415,7 @@ test.describe("what one sees", () => {
       });
       const next = { ...shared, seed: 1, held: true, yaw: 1, pitch: 0 };
       await expect.poll(seen).toEqual(next);
+      await expect(page.getByLabel("Link to what you see")).toBeHidden();
       await page.evaluate(() => {
         location.hash = "#look=paper&camera=0_0_0_1_0&wick=8&unlit=";
       });
