@@ -606,6 +606,28 @@ test("the comparison shows two looks from one place at one time, while it is ope
     expect(clip).toMatch(/^inset\(0px (calc\(25|25)/);
   });
 
+  await test.step("with a spot meter for what is seen under it", async () => {
+    await page.locator("candle-flame").evaluateAll((rooms: CandleFlameElement[]) => {
+      for (const room of rooms) {
+        room.readRadiance = (...box) => {
+          document.body.dataset.read = room.look;
+          return Object.getPrototypeOf(room).readRadiance.apply(room, box);
+        };
+      }
+    });
+    const meter = await hosted.openSection("Spot meter");
+    const { x, y, width } = (await hosted.room.boundingBox()) ?? { x: 0, y: 0, width: 0 };
+    for (const [share, look] of [
+      [0.5, "original"],
+      [0.9, "paper"],
+    ] as const) {
+      await page.mouse.move(x + width * share, y + 20);
+      await expect(page.locator("body")).toHaveAttribute("data-read", look);
+    }
+    await hosted.evaluate((room) => void Reflect.deleteProperty(room, "readRadiance"));
+    await meter.locator("summary").click();
+  });
+
   await test.step("to the end, also if the second room loads other models meanwhile", async () => {
     await page.locator("candle-flame.second").dispatchEvent("load");
     await hosted.lab.getByRole("button", { name: "Close the lab" }).click();
