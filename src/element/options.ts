@@ -11,7 +11,7 @@ export function optionsOf(element: ReflectedAttributes, look: Look): Options {
   const { seed, quality, exposure, particles, motion, unlit, wick, gustiness } = element;
   const isStill = motion === "reduced" || (motion === "auto" && matchMedia(LESS_MOTION).matches);
   const direction = (element.windDirection * Math.PI) / 180;
-  const wind = { speed: element.wind, direction, gustiness };
+  const wind = { speed: element.wind, direction, gustiness: isStill ? 0 : gustiness };
   const isGiven = (name: SettingName) =>
     Number.isFinite(Number.parseFloat(element.getAttribute(name) ?? ""));
   const moon = {

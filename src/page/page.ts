@@ -1,6 +1,7 @@
 import type { Camera, CandleFlameElement } from "../candle-flame-element.js";
 import "../define.js";
 import { FIELDS_OF_VIEW, parseIndices } from "../settings.js";
+import { drawnLook } from "./drawn-look.js";
 import { find } from "./find.js";
 import { followAttributes } from "./follow-attributes.js";
 import { nameKeys } from "./key-names.js";
@@ -113,7 +114,8 @@ function applyView(view: View): void {
   }
   applyFlames(view);
   // Another room may be on its way: this one's walls are not its.
-  const camera = view.camera && { fieldOfView: FIELDS_OF_VIEW[room.look], ...view.camera };
+  const look = room.flame ? drawnLook(room) : room.look;
+  const camera = view.camera && { fieldOfView: FIELDS_OF_VIEW[look], ...view.camera };
   if (camera) room.camera = camera;
   // Before there is a room, a camera alone decides how it opens.
   if (room.flame || camera) setCandle(view.candle, camera ?? undefined);
@@ -142,15 +144,21 @@ const OPENING: Pick<View, "camera" | "candle"> = {
   camera: { position: [-0.6, 1.6, 0.85], yaw: -0.57, pitch: -0.4 },
   candle: { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 },
 };
-const initial = readShareLink(location.hash);
-const asksForNoPlace = !initial.camera && !initial.candle && !initial.settings.look;
-applyView(asksForNoPlace ? { ...initial, ...OPENING } : initial);
 const takeUp = () => room.take();
-if (asksForNoPlace) room.addEventListener("enter", takeUp, { once: true });
+
+/** Shows the view of the page's address; one that names no place opens as the cabin does. */
+function followAddress(): void {
+  const view = readShareLink(location.hash);
+  const isOpening = !view.camera && !view.candle && !view.settings.look;
+  applyView(isOpening ? { ...view, ...OPENING } : view);
+  if (isOpening) room.addEventListener("enter", takeUp, { once: true });
+  else room.removeEventListener("enter", takeUp); // a link says where its candle is
+}
+followAddress();
 window.addEventListener("hashchange", () => {
-  room.removeEventListener("enter", takeUp); // a link says where its candle is
-  room.querySelector(".poster")?.remove(); // and is not of the first view
-  applyView(readShareLink(location.hash));
+  room.querySelector(".poster")?.remove(); // of the first view
+  link.hidden = true; // to the view before
+  followAddress();
 });
 
 /** How long a notice stays, milliseconds. */
@@ -183,6 +191,7 @@ shareButton.addEventListener("click", async () => {
     tell("The link is copied.");
   } catch {
     // No clipboard without a secure origin and the visitor's leave.
+    tell("Copy this link.");
     link.value = location.href;
     link.hidden = false;
     link.select();
@@ -222,11 +231,15 @@ bindMicrophone(room, find(settings, ".microphone", HTMLElement));
 
 let toggleLab: Promise<() => void> | null = null;
 labButton.addEventListener("click", async () => {
+  if (labButton.hasAttribute("aria-busy")) return; // two clicks ask for one lab
+  labButton.setAttribute("aria-busy", "true");
   toggleLab ??= import("./lab/lab.js").then(({ addLab }) => addLab(room, stage, labButton));
   try {
     (await toggleLab)();
   } catch {
     toggleLab = null; // another click tries again
     tell("The lab cannot be fetched.");
+  } finally {
+    labButton.removeAttribute("aria-busy");
   }
 });

@@ -1,7 +1,7 @@
 import { blow, placeCandle, takeCandle } from "./commands.js";
 import { reachForWick, useFlame } from "./flames.js";
 import { length2, type Vec3 } from "./geometry.js";
-import { interpolate, poseCandle } from "./interpolate.js";
+import { interpolate, interpolateTurn, poseCandle } from "./interpolate.js";
 import { emittingGroups } from "./particles/level-of-detail.js";
 import { advanceStride } from "./player/gait.js";
 import { advanceHand } from "./player/hand.js";
@@ -29,10 +29,10 @@ export function advance(world: World, intent: Intent, seconds: number): void {
   // 144 x 1/144 must be one second: the error of a sum is far below a millionth of a tick.
   const ticks = Math.floor((world.remainder + seconds) / TICK + 1e-6);
   world.remainder = Math.max(0, world.remainder + seconds - ticks * TICK);
-  if (world.remainder < TICK * 1e-6) world.remainder = 0;
-  if (ticks === 0) poseCandle(world, 0);
+  if (ticks > 0 && world.remainder < TICK * 1e-6) world.remainder = 0;
   for (let i = 0; i < ticks; i++) tick(world, intent);
-  interpolate(world);
+  if (ticks > 0) interpolate(world);
+  else interpolateTurn(world);
 }
 
 /** Values of the current tick, allocated once: the emitter before it, and what `tick` computes. */

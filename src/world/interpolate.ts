@@ -24,6 +24,16 @@ export function interpolate(world: World): void {
   for (let axis = 0; axis < 3; axis++) eye[axis]! += bob[axis]!;
 }
 
+/** Between ticks, a turn of the head shows the candle where it leads; the motion itself is the next tick's. */
+export function interpolateTurn(world: World): void {
+  const { candle, emitter } = world;
+  const [foot, root] = [[...candle.position], [...emitter]];
+  poseCandle(world, 0);
+  interpolate(world);
+  Object.assign(candle.position, foot);
+  Object.assign(emitter, root);
+}
+
 /** Moves candle and flame with the hand, after some seconds; 0 leaves the hand unchanged. */
 export function poseCandle(world: World, seconds: number): void {
   const { candle, player, hand, setup, room, emitter } = world;

@@ -1,5 +1,5 @@
 import { readFile } from "node:fs/promises";
-import type { Page } from "playwright/test";
+import type { Locator, Page } from "playwright/test";
 import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
 import { FEATURE_MEANINGS, INSPECTION_MEANINGS } from "../../src/page/meanings.ts";
 import { FEATURES_OF, INSPECTIONS, SETTINGS } from "../../src/settings.ts";
@@ -40,11 +40,18 @@ test("the page opens on a burning room, from any folder of a site", async ({ fre
     await expect.poll(() => fresh.evaluate((room) => room.held)).toBe(true);
     await fresh.evaluate((room) => room.blur());
     await expect(poster).toHaveCount(1);
-    await page.evaluate((hash) => {
+    await fresh.evaluate((room) => {
+      room.camera = { position: [1.5, 1.6, 0.5], yaw: 1 };
       location.hash = "";
+    });
+    await expect(poster, "the address of a view takes it away").toHaveCount(0);
+    expect(await fresh.evaluate(({ held, camera }) => ({ held, camera }))).toEqual(view);
+    await fresh.enter.click();
+    await expect.poll(() => fresh.evaluate((room) => room.held), "as at first").toBe(true);
+    await fresh.evaluate((room) => room.blur());
+    await page.evaluate((hash) => {
       location.hash = hash;
     }, hash);
-    await expect(poster, "a link to a view takes it away").toHaveCount(0);
     await expect.poll(() => fresh.evaluate((room) => room.held)).toBe(false);
     expect(await fresh.evaluate((room) => room.camera)).toEqual(view.camera);
   });
@@ -54,8 +61,10 @@ test("the page opens on a burning room, from any folder of a site", async ({ fre
     const isLab = (url: string) => /\/lab-[^/]*\.js$/.test(url);
     expect(requests.filter(isLab)).toEqual([]);
     const button = page.getByRole("button", { name: "Lab", exact: true });
-    await button.focus();
-    await page.keyboard.press("Enter");
+    await button.evaluate((button: HTMLButtonElement) => {
+      button.focus();
+      for (const _ of ["a click", "and another, while the code is on its way"]) button.click();
+    });
     await expect(fresh.lab).toBeVisible();
     expect(requests.filter(isLab)).toHaveLength(1);
     await expect(button).toHaveAttribute("aria-expanded", "true");
@@ -147,6 +156,9 @@ test("the page opens on a burning room, from any folder of a site", async ({ fre
     });
     const seen = () => fresh.evaluate(({ held, camera }) => [held, ...camera.position, camera.yaw]);
     await expect.poll(seen).toEqual([false, 4, 1.6, 4, 0.5]);
+    await page.getByRole("button", { name: "Lab", exact: true }).click();
+    const course = fresh.lab.locator(".course polyline");
+    await expect(course, "one sample in its own unit").toHaveAttribute("points", /^\S+$/);
   });
 
   const foreign = requests.filter((url) => !url.startsWith(folder) && !url.startsWith("blob:"));
@@ -394,7 +406,7 @@ test.describe("what one sees", () => {
       });
       await share.click();
       await expect(page.getByLabel("Link to what you see")).toHaveValue(href);
-      await expect(page.getByText("The link is copied.")).toBeHidden();
+      await expect(page.getByRole("status").getByText("Copy this link.")).toBeVisible();
     });
 
     await test.step("another link in the same tab is followed", async () => {
@@ -403,6 +415,7 @@ test.describe("what one sees", () => {
       });
       const next = { ...shared, seed: 1, held: true, yaw: 1, pitch: 0 };
       await expect.poll(seen).toEqual(next);
+      await expect(page.getByLabel("Link to what you see")).toBeHidden();
       await page.evaluate(() => {
         location.hash = "#look=paper&camera=0_0_0_1_0&wick=8&unlit=";
       });
@@ -593,6 +606,28 @@ test("the comparison shows two looks from one place at one time, while it is ope
     expect(clip).toMatch(/^inset\(0px (calc\(25|25)/);
   });
 
+  await test.step("with a spot meter for what is seen under it", async () => {
+    await page.locator("candle-flame").evaluateAll((rooms: CandleFlameElement[]) => {
+      for (const room of rooms) {
+        room.readRadiance = (...box) => {
+          document.body.dataset.read = room.look;
+          return Object.getPrototypeOf(room).readRadiance.apply(room, box);
+        };
+      }
+    });
+    const meter = await hosted.openSection("Spot meter");
+    const { x, y, width } = (await hosted.room.boundingBox()) ?? { x: 0, y: 0, width: 0 };
+    for (const [share, look] of [
+      [0.5, "original"],
+      [0.9, "paper"],
+    ] as const) {
+      await page.mouse.move(x + width * share, y + 20);
+      await expect(page.locator("body")).toHaveAttribute("data-read", look);
+    }
+    await hosted.evaluate((room) => void Reflect.deleteProperty(room, "readRadiance"));
+    await meter.locator("summary").click();
+  });
+
   await test.step("to the end, also if the second room loads other models meanwhile", async () => {
     await page.locator("candle-flame.second").dispatchEvent("load");
     await hosted.lab.getByRole("button", { name: "Close the lab" }).click();
@@ -676,10 +711,9 @@ test.describe("on a phone", () => {
     const room = await fresh.room.boundingBox();
     expect(room?.width).toBe(390);
     expect(room?.height).toBe(lab?.y);
-    const overflow = await fresh.lab
-      .locator(".sections")
-      .evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth);
-    expect(overflow).toBeLessThanOrEqual(0);
+    const overflowOf = (locator: Locator) =>
+      locator.evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth);
+    expect(await overflowOf(fresh.lab.locator(".sections"))).toBe(0);
 
     await test.step("and whatever is to be touched is as large as a fingertip", async () => {
       for (const title of ["Techniques", "Settings"]) await fresh.openSection(title);
@@ -687,6 +721,7 @@ test.describe("on a phone", () => {
       await page.keyboard.press("Escape");
       await page.getByRole("button", { name: "Settings" }).tap();
       expect(await tooSmall(page)).toEqual([]);
+      expect(await overflowOf(page.getByRole("dialog"))).toBe(0);
       const dialog = await page.getByRole("dialog").boundingBox();
       const { height = 0 } = (await fresh.room.boundingBox()) ?? {};
       expect(height, "the flame stays in sight while it is set").toBe(dialog?.y);

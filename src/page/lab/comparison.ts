@@ -41,6 +41,12 @@ export class Comparison {
     return this.#state === "open" && this.#frameMs > 0 ? this.#frameMs : null;
   }
 
+  /** The room that is visible at a share of the stage's width, which the divider cuts. */
+  roomAt(x: number): CandleFlameElement {
+    const divider = Number.parseFloat(this.#stage.style.getPropertyValue("--divider"));
+    return (this.#state === "open" && 100 * x < divider && this.#second) || this.#room;
+  }
+
   /** The second room's. */
   set look(look: Look) {
     if (this.#second) this.#second.look = look;

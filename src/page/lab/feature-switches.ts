@@ -1,5 +1,6 @@
 import type { CandleFlameElement } from "../../candle-flame-element.js";
 import { FEATURES, FEATURES_OF } from "../../settings.js";
+import { drawnLook } from "../drawn-look.js";
 import { followAttributes } from "../follow-attributes.js";
 import { FEATURE_MEANINGS } from "../meanings.js";
 
@@ -19,9 +20,9 @@ export function addFeatureSwitches(element: CandleFlameElement, list: HTMLElemen
     return { name, box, label };
   });
   followAttributes(element, ["look"], () => {
-    const { features, look } = element;
+    const { features } = element;
     for (const { name, box } of rows) box.checked = features[name];
-    const labels = FEATURES_OF[look].flatMap(
+    const labels = FEATURES_OF[drawnLook(element)].flatMap(
       (name) => rows.find((row) => row.name === name)?.label ?? [],
     );
     // Labels that stay keep the focus.

@@ -1,4 +1,5 @@
 import type { CandleFlameElement, FlameReport } from "../../candle-flame-element.js";
+import { drawnLook } from "../drawn-look.js";
 import { find } from "../find.js";
 import { readWhileOpen } from "./readings.js";
 import { BINS, spectrumOf, WAVELENGTHS, wavelengthOf } from "./spectrum.js";
@@ -24,7 +25,7 @@ export function bindFlamePlot(section: HTMLDetailsElement, room: CandleFlameElem
   let sampleCount = 0;
 
   function sample(): void {
-    const { flame, currentTime: time, look } = room;
+    const { flame, currentTime: time } = room;
     if (!flame) return;
     if (time < (samples.at(-1)?.time ?? 0)) samples = [];
     const candela = flame.luminousIntensity;
@@ -35,7 +36,7 @@ export function bindFlamePlot(section: HTMLDetailsElement, room: CandleFlameElem
     const top = roundUp(Math.max(most, 1e-4));
     const points = samples.map((s) => [1 - (time - s.time) / SPAN, s.candela / top]);
     course.setAttribute("points", pointsOf(points));
-    const hasUnits = look === "physical";
+    const hasUnits = drawnLook(room) === "physical";
     const unit = hasUnits ? " cd" : " of the steady flame's";
     courseScale.textContent = `Luminous intensity in the last ${SPAN} s, 0 to ${top}${unit}`;
     drawSpectrum(section, hasUnits ? flame : null);
@@ -44,6 +45,11 @@ export function bindFlamePlot(section: HTMLDetailsElement, room: CandleFlameElem
     words.textContent = `${numbers[0]}${unit} now; ${numbers[1]} to ${numbers[2]} lately. ${Math.round(flame.colorTemperature)} K.`;
   }
 
+  // Another look has another unit.
+  room.addEventListener("load", () => {
+    samples = [];
+    sampleCount = 0;
+  });
   return readWhileOpen(section, INTERVAL, sample, () => {
     sampleCount = 0;
   });

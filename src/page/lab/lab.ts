@@ -53,7 +53,7 @@ export function addLab(
   const showFrame = bindPassViewer(section("passes"), room);
   const instruments = [
     bindReadOut(section("last-frame"), room, comparison),
-    bindSpotMeter(section("meter"), spot, room, stage),
+    bindSpotMeter(section("meter"), spot, room, stage, comparison),
     bindFlamePlot(section("flame-plot"), room),
   ];
   const stopLadder = bindLadder(section("ladder"), room, (isRunning) => {

@@ -1,4 +1,5 @@
 import type { CandleFlameElement, Feature, Features } from "../../candle-flame-element.js";
+import { drawnLook } from "../drawn-look.js";
 
 /** A step of the paper's Table 1: what it adds, and what a frame cost there. */
 interface Rung {
@@ -67,7 +68,7 @@ export async function climb(
 
 /** Shows the paper's look, and waits for the models of its room. */
 async function turnToPaper(element: CandleFlameElement, signal: AbortSignal): Promise<void> {
-  const hasOtherModels = element.look === "physical";
+  const hasOtherModels = drawnLook(element) === "physical";
   const stop = new AbortController();
   const loaded = new Promise<void>((resolve, reject) => {
     const options = { signal: stop.signal };

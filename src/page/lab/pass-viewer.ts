@@ -1,5 +1,6 @@
 import type { CandleFlameElement, Inspection } from "../../candle-flame-element.js";
 import { INSPECTIONS } from "../../settings.js";
+import { drawnLook } from "../drawn-look.js";
 import { find } from "../find.js";
 import { followAttributes } from "../follow-attributes.js";
 import { INSPECTION_MEANINGS } from "../meanings.js";
@@ -14,8 +15,8 @@ export function bindPassViewer(section: HTMLElement, room: CandleFlameElement): 
   const sentence = find(section, ".status", HTMLElement);
   for (const name of INSPECTIONS) list.add(new Option(name.replace("-", " "), name));
   const refresh = () => {
-    const { inspect, look } = room;
-    const hasPasses = look === "physical";
+    const { inspect } = room;
+    const hasPasses = drawnLook(room) === "physical";
     list.value = inspect;
     list.disabled = !hasPasses;
     sentence.textContent = hasPasses

@@ -1,6 +1,8 @@
 import type { CandleFlameElement } from "../../candle-flame-element.js";
+import { drawnLook } from "../drawn-look.js";
 import { find } from "../find.js";
 import { type Radiance, type Reading, readingOf } from "./colorimetry.js";
+import type { Comparison } from "./comparison.js";
 import { addRows, readWhileOpen } from "./readings.js";
 
 /** Pixels of the canvas along an edge of the spot. */
@@ -29,6 +31,7 @@ export function bindSpotMeter(
   spot: HTMLElement,
   room: CandleFlameElement,
   stage: HTMLElement,
+  comparison: Comparison,
 ): () => void {
   const albedo = find(section, "[name=albedo]", HTMLInputElement);
   const status = find(section, ".status", HTMLElement);
@@ -42,13 +45,14 @@ export function bindSpotMeter(
   }
 
   function read(): void {
-    const { width, height } = room.stats;
+    const [x, y] = place;
+    const seen = comparison.roomAt(x);
+    const { width, height } = seen.stats;
     const corner = (position: number, length: number) =>
       Math.round(Math.min(Math.max(position * length - SPOT / 2, 0), Math.max(length - SPOT, 0)));
-    const [x, y] = place;
-    const light = room.readRadiance(corner(x, width), corner(y, height), SPOT, SPOT);
+    const light = seen.readRadiance(corner(x, width), corner(y, height), SPOT, SPOT);
     const reading = readingOf(meanOf(light), Number(albedo.value) || 0.5);
-    const hasUnits = room.look === "physical";
+    const hasUnits = drawnLook(seen) === "physical";
     for (const [name, value] of values) {
       value.textContent = reading && hasUnits ? (LIGHT[name]?.(reading) ?? "") : "–";
     }

@@ -47,7 +47,16 @@ async function begin(room: Room, signal = new AbortController().signal) {
   return last;
 }
 
-beforeAll(() => void vi.stubGlobal("requestAnimationFrame", (run: () => void) => setTimeout(run)));
+/** A document whose GPU has some extensions. */
+const documentWith = (...names: readonly string[]) => {
+  const getExtension = (name: string) => (names.includes(name) ? {} : null);
+  return { createElement: () => ({ getContext: () => ({ getExtension }) }) };
+};
+
+beforeAll(() => {
+  vi.stubGlobal("requestAnimationFrame", (run: () => void) => setTimeout(run));
+  vi.stubGlobal("document", documentWith("EXT_color_buffer_half_float"));
+});
 afterAll(() => void vi.unstubAllGlobals());
 
 test("from another look, nothing is measured before the paper's room is there", async () => {
@@ -76,4 +85,13 @@ test("a room that fails to load rejects with the reason", async () => {
   room.dispatchEvent(Object.assign(new Event("error"), { detail: { message: "no room." } }));
   await expect(climbing).rejects.toThrow("no room.");
   expect(room.look).toBe("physical");
+});
+
+test("where targets hold no floats, the paper's room is there already", async () => {
+  vi.resetModules();
+  vi.stubGlobal("document", documentWith());
+  const { climb } = await import("../../../src/page/lab/ladder.ts");
+  const room = new Room() as unknown as CandleFlameElement;
+  const { signal } = new AbortController();
+  expect(await climb(room, 1, signal, () => {})).toBeGreaterThan(0);
 });

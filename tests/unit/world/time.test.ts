@@ -2,6 +2,7 @@ import { describe, expect, test } from "vitest";
 import { SETTINGS } from "../../../src/settings.ts";
 import { advance } from "../../../src/world/advance.ts";
 import { createPlume } from "../../../src/world/air/plume.ts";
+import { moveCamera } from "../../../src/world/commands.ts";
 import { createWorld } from "../../../src/world/create-world.ts";
 import { GROUPS } from "../../../src/world/particles/particle-layer.ts";
 import { PARTICLE_FLOATS } from "../../../src/world/particles/particles.ts";
@@ -66,6 +67,7 @@ describe("time (P7)", () => {
     ["a little less than a tick", TICK * 0.9995],
     ["a little more than a tick", TICK * 1.0005],
     ["far less than a tick", 1e-4],
+    ["far less than the error of a sum", 1e-9],
     ["a frame at 144 Hz", 1 / 144],
     ["a frame at 60 Hz", 1 / 60],
     ["no round number", 0.0314159],
@@ -83,6 +85,24 @@ describe("time (P7)", () => {
     const before = structuredClone(shownOf(world));
     advance(world, STILL, 0);
     expect(shownOf(world)).toEqual(before);
+  });
+
+  test("a turn of the head moves the flame as far at 240 Hz as at 60, and a jump after it does not", () => {
+    const wayOf = ({ timeline }: World, tick: number) =>
+      Math.hypot(timeline.way(tick, 0), timeline.way(tick, 2));
+    const ways = [60, 240].map((rate) => {
+      const world = createWorld("physical", 1);
+      const turning = { ...STILL, yaw: 1 / rate };
+      advanced(world, 1 / rate, rate, turning);
+      const ticks = Array.from({ length: world.timeline.tick }, (_, tick) => wayOf(world, tick));
+      advance(world, turning, TICK / 2);
+      moveCamera(world, [1, 1.6, 0], 0, 0);
+      advance(world, STILL, TICK / 2);
+      expect(wayOf(world, 120)).toBe(0);
+      return ticks.reduce((sum, way) => sum + way);
+    });
+    expect(ways[0]).toBeGreaterThan(0.1);
+    expect(ways[1]! / ways[0]!).toBeCloseTo(1, 2);
   });
 
   test("shows a walker between the ticks where he will be", () => {
