@@ -102,9 +102,7 @@ export class Lifecycle {
   /** An attribute was set that decides which models are fetched. */
   sceneChanged(isOther: boolean): void {
     const element = this.#element;
-    // A room may wait for a context.
-    const scene = this.#session?.sceneName ?? (this.#client && "room");
-    const isOtherScene = scene !== null && scene !== element.scene;
+    const isOtherScene = this.#states.has("alone") !== (element.scene === "candle");
     // After a failure another scene may do better.
     const mayDoBetter = this.#machine.current === "failed" && isOther && element.isConnected;
     if (isOtherScene || mayDoBetter) this.#restart();
