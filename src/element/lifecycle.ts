@@ -207,9 +207,9 @@ export class Lifecycle {
   }
 
   onMissing(error: Error): void {
-    if (this.#session?.candle) {
+    if (this.#session?.shownRequest) {
       this.onFetchDropped();
-      this.#report(error);
+      this.#emitError(error);
     } else this.#fail(error);
   }
 
@@ -319,6 +319,10 @@ export class Lifecycle {
   /** `ready` rejects with it, if it is pending. */
   #report(error: Error): void {
     this.#ready.settle(error);
+    this.#emitError(error);
+  }
+
+  #emitError(error: Error): void {
     emit(this.#element, "error", { type: typeOf(error), message: error.message, cause: error });
   }
 
