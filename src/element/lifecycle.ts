@@ -110,7 +110,7 @@ export class Lifecycle {
   }
 
   posterChanged(): void {
-    if (!this.#session?.candle) this.#overlay.showPoster(this.#element);
+    if (this.#machine.current !== "running") this.#overlay.showPoster(this.#element);
   }
 
   /** Goes on without waiting for the viewport. */
@@ -273,6 +273,7 @@ export class Lifecycle {
   }
 
   onContextGivenUp(): void {
+    this.#session?.candle?.input?.leave();
     this.#offerReload();
     this.#report(new ContextLostError(LOST));
   }
