@@ -291,7 +291,6 @@ export class Lifecycle {
     if (plays) candle.play();
     else candle.pause();
     session.applyControls((...entering) => this.reporter.entered(candle, ...entering));
-    if (!this.#element.controls) this.#states.toggle("walking", false);
     if (plays === this.#states.has("playing")) return;
     this.#states.toggle("playing", plays);
     // Last: a listener may have it otherwise.
