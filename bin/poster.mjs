@@ -153,10 +153,24 @@ async function draw(wanted) {
   const box =
     "position: fixed; inset: 0; width: 100vw; height: 100vh; aspect-ratio: auto; margin: 0";
   for (const rule of box.split("; ")) element.style.setProperty(...rule.split(": "), "important");
+  const sceneOf = ({ scene, look, src, assetBase }) =>
+    `${[scene, look === "physical", src, assetBase]}`;
+  const before = sceneOf(element);
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  if (sceneOf(element) !== before) {
+    // Out and in again, or the scene before would be there until this one is.
+    const place = document.createComment("");
+    element.replaceWith(place);
+    await new Promise((resolve) => setTimeout(resolve));
+    place.replaceWith(element);
+  }
   const stand = () => {
     const view = camera ?? element.camera;
     if (candle) {
+      if (!element.held && element.flame) {
+        element.camera = { position: element.flame.position }; // within reach
+        element.take();
+      }
       element.camera = candle;
       element.place();
     }
@@ -240,7 +254,7 @@ export async function makePoster(options) {
     const picture = Buffer.from(await page.evaluate(draw, wanted), "base64");
     return sharp
       ? await sharp(picture)
-          .avif({ quality: Math.round(wanted.compression * 60) })
+          .avif({ quality: Math.max(1, Math.round(wanted.compression * 60)) })
           .toBuffer()
       : picture;
   } catch (error) {

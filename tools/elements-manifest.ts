@@ -31,7 +31,9 @@ const union = (values: readonly string[]) => values.map((value) => `"${value}"`)
  * table of settings.
  */
 export async function manifest() {
-  const analyzed = await cli({ argv: ["analyze", "--quiet", "--globs", SOURCE], noWrite: true });
+  // It writes the folder into package.json, whatever else it is told.
+  const argv = ["analyze", "--quiet", "--outdir", "dist", "--globs", SOURCE];
+  const analyzed = await cli({ argv, noWrite: true });
   const analyzedClass: Declaration = analyzed.modules[0].declarations[0];
   const attributes = Object.entries(SETTINGS).map(([name, setting]) => ({
     name,

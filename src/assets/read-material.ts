@@ -40,7 +40,7 @@ export async function readMaterial(
   };
   const surface = readSurface(entry);
   const albedo = use(surface.entry, surface.albedo);
-  const metallicRoughness = use(entry.entry("pbrMetallicRoughness"), "metallicRoughnessTexture");
+  const metallicRoughness = use(surface.roughnessEntry, "metallicRoughnessTexture");
   const normal = use(entry, "normalTexture");
   const occlusion = use(entry, "occlusionTexture");
 
@@ -93,15 +93,18 @@ const clamp01 = (value: number) => Math.min(1, Math.max(0, value));
 function readSurface(entry: JsonEntry) {
   const glossy = entry.extension("KHR_materials_pbrSpecularGlossiness");
   const plain = entry.entry("pbrMetallicRoughness");
+  // The factor is 1 where there is a map, which is not read.
+  const glossiness = glossy?.has("specularGlossinessTexture") ? undefined : glossy;
   const factor = glossy?.numbers("diffuseFactor", 4) ?? plain?.numbers("baseColorFactor", 4);
   const [red = 1, green = 1, blue = 1, opacity = 1] = (factor ?? []).map(clamp01);
   return {
     entry: glossy ?? plain,
+    roughnessEntry: glossiness ? undefined : plain,
     albedo: glossy ? "diffuseTexture" : "baseColorTexture",
     baseColor: [red, green, blue, opacity] as const,
     roughness: clamp01(
-      glossy
-        ? 1 - (glossy.number("glossinessFactor") ?? 1)
+      glossiness
+        ? 1 - (glossiness.number("glossinessFactor") ?? 1)
         : (plain?.number("roughnessFactor") ?? 1),
     ),
     metallic: glossy ? 0 : clamp01(plain?.number("metallicFactor") ?? 1),

@@ -33,7 +33,8 @@ const DEGRADED: Readonly<Record<string, string>> = {
   KHR_materials_emissive_strength: "nothing glows but the flame",
   KHR_materials_ior: "everything reflects like glass, 4 %",
   KHR_materials_iridescence: "surfaces do not shimmer",
-  KHR_materials_pbrSpecularGlossiness: "diffuse colour and glossiness are kept, specular is not",
+  KHR_materials_pbrSpecularGlossiness:
+    "diffuse colour is kept, and glossiness that has no map, specular is not",
   KHR_materials_sheen: "cloth is drawn without its sheen",
   KHR_materials_specular: "everything reflects like glass, 4 %",
   KHR_materials_transmission: "what should be clear is as opaque as its alpha says",

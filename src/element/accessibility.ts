@@ -19,6 +19,7 @@ export class Accessibility {
   readonly #internals: ElementInternals;
   readonly #overlay: Overlay;
   readonly #own: Partial<Record<Semantic, string | null>> = {};
+  #ownsTabIndex = false;
 
   constructor(host: ReflectedAttributes, internals: ElementInternals, overlay: Overlay) {
     this.#host = host;
@@ -37,7 +38,8 @@ export class Accessibility {
     this.#setSemantics({
       role: isImage ? null : role,
       ariaLabel: isImage ? null : alt,
-      ariaDescription: controls ? "Press Enter to walk in, and Escape to leave." : null,
+      ariaDescription:
+        controls && !isFailing ? "Press Enter to walk in, and Escape to leave." : null,
     });
     this.#overlay.posterAlt = isImage ? alt : "";
     // An empty text is of an image without meaning.
@@ -45,8 +47,13 @@ export class Accessibility {
     canvas?.setAttribute("role", isNamed ? "img" : "presentation");
     if (isNamed) canvas?.setAttribute("aria-label", alt);
     else canvas?.removeAttribute("aria-label");
-    if (controls && !host.hasAttribute("tabindex")) host.tabIndex = 0;
-    if (!controls && host.getAttribute("tabindex") === "0") host.removeAttribute("tabindex");
+    if (controls && !host.hasAttribute("tabindex")) {
+      host.tabIndex = 0;
+      this.#ownsTabIndex = true;
+    } else if (!controls && this.#ownsTabIndex) {
+      host.removeAttribute("tabindex");
+      this.#ownsTabIndex = false;
+    }
   }
 
   /** `ElementInternals`, or in Firefox before 119 the attribute itself unless the page has set it. */

@@ -1,11 +1,12 @@
 import type { CandleFlame } from "../candle-flame.js";
-import { moveCamera } from "../world/commands.js";
+import { FARTHEST, moveCamera } from "../world/commands.js";
 import { fieldOfViewOf, legalFieldOfView } from "../world/player/field-of-view.js";
+import { MAX_PITCH } from "../world/player/player.js";
 import type { Camera } from "./element-types.js";
 
 /**
- * The valid members of a value written to `camera`: those that are missing or no numbers stay as they are. An unchanged
- * field of view remains the look's.
+ * The members of a value written to `camera`, in the range that is legal in any room: those that are missing or not
+ * finite stay as they are. An unchanged field of view remains the look's.
  */
 export function changeOf(camera: Partial<Camera>, before: Camera): Partial<Camera> {
   const { position: p, yaw, pitch, fieldOfView } = camera ?? {};
@@ -15,13 +16,15 @@ export function changeOf(camera: Partial<Camera>, before: Camera): Partial<Camer
   return {
     ...(p && { position: [numberOr(x, p[0]), numberOr(y, p[1]), numberOr(z, p[2])] }),
     ...(isNumber(yaw) && { yaw: Number(yaw) }),
-    ...(isNumber(pitch) && { pitch: Number(pitch) }),
+    ...(isNumber(pitch) && { pitch: within(MAX_PITCH, pitch) }),
     ...(!isSame && { fieldOfView: legal }),
   };
 }
 
-const isNumber = (value: unknown) => !Number.isNaN(Number(value ?? Number.NaN));
-const numberOr = (before: number, value: unknown) => (isNumber(value) ? Number(value) : before);
+const isNumber = (value: unknown) => Number.isFinite(Number(value ?? Number.NaN));
+const within = (limit: number, value: unknown) => Math.min(Math.max(Number(value), -limit), limit);
+const numberOr = (before: number, value: unknown) =>
+  isNumber(value) ? within(FARTHEST, value) : before;
 
 export function cameraOf({ world }: CandleFlame): Required<Camera> {
   const { position, yaw, pitch } = world.player;

@@ -65,7 +65,8 @@ export class CandleReporter {
     this.#states.toggle("walking", isIn);
     if (isIn) this.#overlay.hint.tellControls(device);
     else this.flame(candle);
-    emit(this.#element, isIn ? "enter" : "leave", null);
+    // Later: the canvas may be on its way out, and a listener may want another.
+    queueMicrotask(() => emit(this.#element, isIn ? "enter" : "leave", null));
   }
 
   /** Shows why the candle could not be put down. */

@@ -102,9 +102,7 @@ export class Lifecycle {
   /** An attribute was set that decides which models are fetched. */
   sceneChanged(isOther: boolean): void {
     const element = this.#element;
-    // A room may wait for a context.
-    const scene = this.#session?.sceneName ?? (this.#client && "room");
-    const isOtherScene = scene !== null && scene !== element.scene;
+    const isOtherScene = this.#states.has("alone") !== (element.scene === "candle");
     // After a failure another scene may do better.
     const mayDoBetter = this.#machine.current === "failed" && isOther && element.isConnected;
     if (isOtherScene || mayDoBetter) this.#restart();
@@ -112,7 +110,7 @@ export class Lifecycle {
   }
 
   posterChanged(): void {
-    if (!this.#session?.candle) this.#overlay.showPoster(this.#element);
+    if (this.#machine.current !== "running") this.#overlay.showPoster(this.#element);
   }
 
   /** Goes on without waiting for the viewport. */
@@ -209,9 +207,9 @@ export class Lifecycle {
   }
 
   onMissing(error: Error): void {
-    if (this.#session?.candle) {
+    if (this.#session?.shownRequest) {
       this.onFetchDropped();
-      this.#report(error);
+      this.#emitError(error);
     } else this.#fail(error);
   }
 
@@ -275,6 +273,7 @@ export class Lifecycle {
   }
 
   onContextGivenUp(): void {
+    this.#session?.candle?.input?.leave();
     this.#offerReload();
     this.#report(new ContextLostError(LOST));
   }
@@ -292,7 +291,6 @@ export class Lifecycle {
     if (plays) candle.play();
     else candle.pause();
     session.applyControls((...entering) => this.reporter.entered(candle, ...entering));
-    if (!this.#element.controls) this.#states.toggle("walking", false);
     if (plays === this.#states.has("playing")) return;
     this.#states.toggle("playing", plays);
     // Last: a listener may have it otherwise.
@@ -321,6 +319,10 @@ export class Lifecycle {
   /** `ready` rejects with it, if it is pending. */
   #report(error: Error): void {
     this.#ready.settle(error);
+    this.#emitError(error);
+  }
+
+  #emitError(error: Error): void {
     emit(this.#element, "error", { type: typeOf(error), message: error.message, cause: error });
   }
 

@@ -8,7 +8,7 @@ import { gazeDirection, MAX_PITCH } from "./player/player.js";
 import type { World } from "./world.js";
 
 /** Largest coordinate of a camera, metres. */
-const FARTHEST = 1e4;
+export const FARTHEST = 1e4;
 /** Largest angle from the line of sight, radians, and distance of a flame that a breath aims at. */
 const AIM = 0.7;
 const BREATH_REACH = 1.6;

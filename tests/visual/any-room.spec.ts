@@ -192,7 +192,7 @@ test.describe("What a surface is made of survives", () => {
     expect(warnings).toEqual([
       "KHR_materials_transmission is not supported: what should be clear is as opaque as its alpha says.",
       "KHR_materials_unlit is not supported: unlit surfaces are lit like all others.",
-      "KHR_materials_pbrSpecularGlossiness is not supported: diffuse colour and glossiness are kept, specular is not.",
+      "KHR_materials_pbrSpecularGlossiness is not supported: diffuse colour is kept, and glossiness that has no map, specular is not.",
       "KHR_lights_punctual is not supported: its lights stay out, the flame is the only one.",
       "EXAMPLE_of_tomorrow is not supported: it is ignored.",
       "Materials that glow do not: the flame is the only light.",

@@ -320,9 +320,16 @@ test.describe("A lost context", () => {
 
     await lose(0);
     await expect(poster).toBeVisible();
+    await room.set({ poster: `${PIXEL}#other` });
+    await expect(poster).toHaveAttribute("src", `${PIXEL}#other`);
     await page.clock.runFor(4900);
     await expect(button).toHaveCount(0);
+    await room.set({ controls: "" });
+    await room.evaluate((element) => element.enter());
+    expect(await room.isWalking()).toBe(true);
     await page.clock.runFor(200);
+    expect(await room.isWalking(), "beside the button").toBe(false);
+    await room.evaluate((element) => element.removeAttribute("controls"));
     await expect(button).toBeVisible();
     await expect(page.getByRole("alert")).toHaveText(/has not restored it\./);
     expect(await errors()).toEqual(["context-lost"]);

@@ -213,8 +213,14 @@ test("The bar has the colour and the height that the page gives it", async ({ ro
 });
 
 test("Its states are those of the moment", async ({ room }) => {
-  const states = await room.page.evaluate(
+  const { waiting, states } = await room.page.evaluate(
     async (names) => {
+      const lazy = document.createElement("candle-flame");
+      Object.assign(lazy, { loading: "lazy" });
+      document.body.append(lazy);
+      lazy.scene = "candle";
+      const waiting = lazy.matches(":state(alone)");
+      lazy.remove();
       const element = document.createElement("candle-flame");
       Object.assign(element, { look: "paper", quality: "low", paused: true, controls: true });
       element.style.cssText = "width: 32px; height: 18px";
@@ -238,10 +244,11 @@ test("Its states are those of the moment", async ({ room }) => {
       element.remove();
       await new Promise((resolve) => setTimeout(resolve));
       states.push(now());
-      return states;
+      return { waiting, states };
     },
     ["loading", "lit", "walking", "playing", "alone"],
   );
+  expect(waiting, "of an element that waits for the viewport").toBe(true);
   expect(states).toEqual([
     "",
     "loading",

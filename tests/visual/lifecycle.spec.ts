@@ -324,6 +324,31 @@ test("A look set while the first one loads is the one that comes", async ({ room
   expect(isSame).toBe(true);
 });
 
+test("A model that fails while the first room is prepared leaves that room", async ({ room }) => {
+  const outcome = await room.evaluate(async (shown) => {
+    const element = document.createElement("candle-flame");
+    Object.assign(element, { look: "paper", quality: "low", paused: true });
+    const { linkProgram } = WebGL2RenderingContext.prototype;
+    const begun = new Promise<void>((resolve) => {
+      WebGL2RenderingContext.prototype.linkProgram = function (program) {
+        linkProgram.call(this, program);
+        resolve();
+      };
+    });
+    shown.after(element);
+    await begun;
+    WebGL2RenderingContext.prototype.linkProgram = linkProgram;
+    const failed = new Promise<string>((resolve) =>
+      element.addEventListener("error", ({ detail }) => resolve(detail.type)),
+    );
+    element.src = "data:model/gltf-binary,nonsense";
+    const outcome = [await failed, await element.ready, element.candles.length];
+    element.remove();
+    return outcome;
+  });
+  expect(outcome).toEqual(["asset", undefined, 1]);
+});
+
 test("However much is set, one frame shows it", async ({ room }) => {
   const frames = await room.evaluate(async (element) => {
     let clears = 0;

@@ -258,6 +258,10 @@ test.describe("npx candle-flame poster", () => {
         one.addEventListener("error", () => { one.id = "failed"; });
         one.src = "/none.glb";
         body.append(one)`,
+      "/shown": `${define}
+        body.innerHTML = '<candle-flame scene="candle" quality="low"></candle-flame>';
+        const [one] = body.children;
+        one.ready.then(() => { one.id = "shown"; })`,
     };
     const server = createServer(({ url = "" }, response) => {
       const script = pages[url];
@@ -283,11 +287,13 @@ test.describe("npx candle-flame poster", () => {
         const all = ["bin/candle-flame.mjs", "poster", ...page, ...words];
         execFile(process.execPath, all, options, (_, out, errors) => resolve(out + errors));
       });
-    const out = `${FOLDER}/late.png`;
-    const late = await take("/late", "--quality", "low", "--out", out);
-    expect(late).toMatch(/^\S*late\.png: [\d.]+ kB/);
+    const out = `${FOLDER}/late.avif`;
+    const late = await take("/late", "--quality", "low", "--compression", "0", "--out", out);
+    expect(late).toMatch(/^\S*late\.avif: [\d.]+ kB/);
     const failed = await take("/failed", "--selector", "#failed", "--out", out);
     expect(failed).toMatch(/none.* could not be fetched/);
+    const other = await take("/shown", "--selector", "#shown", "--src", "/none.glb", "--out", out);
+    expect(other, "not what the page has shown before").toMatch(/none.* could not be fetched/);
     server.close();
   });
 

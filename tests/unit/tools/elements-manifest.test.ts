@@ -9,6 +9,11 @@ const { modules } = await manifest();
 const [element] = modules.flatMap(({ declarations }) => declarations ?? []);
 const namesOf = (list: readonly { name: string }[] = []) => list.map(({ name }) => name).toSorted();
 
+test("package.json names the manifest where the package has it", () => {
+  const { customElements, exports } = JSON.parse(readFileSync("package.json", "utf8"));
+  expect(`./${customElements}`).toBe(exports["./custom-elements.json"]);
+});
+
 test("the manifest names each attribute, its type and its default", () => {
   const attributes = element?.attributes ?? [];
   expect(attributes.map(({ name }) => name)).toEqual(Object.keys(SETTINGS));

@@ -1,0 +1,49 @@
+import { expect, test } from "vitest";
+import { Accessibility } from "../../../src/element/accessibility.ts";
+import type { Overlay } from "../../../src/element/overlay.ts";
+import type { ReflectedAttributes } from "../../../src/element/reflected-attributes.ts";
+
+function create(attributes: Map<string, string>) {
+  const host = {
+    alt: "A candle",
+    controls: true,
+    hasAttribute: (name: string) => attributes.has(name),
+    getAttribute: (name: string) => attributes.get(name) ?? null,
+    removeAttribute: (name: string) => attributes.delete(name),
+    set tabIndex(index: number) {
+      attributes.set("tabindex", String(index));
+    },
+  };
+  const internals = { role: null, ariaLabel: null, ariaDescription: null };
+  const overlay = { isFailing: false, posterAlt: "" };
+  const accessibility = new Accessibility(
+    host as unknown as ReflectedAttributes,
+    internals as unknown as ElementInternals,
+    overlay as Overlay,
+  );
+  accessibility.update(null);
+  return { accessibility, host, internals, overlay };
+}
+
+test("a failure in the room's place says nothing of walking in", () => {
+  const { accessibility, internals, overlay } = create(new Map());
+  expect(internals).toMatchObject({
+    role: "application",
+    ariaDescription: expect.stringMatching(/^Press Enter/),
+  });
+  overlay.isFailing = true;
+  accessibility.update(null);
+  expect(internals).toMatchObject({ role: "group", ariaLabel: "A candle", ariaDescription: null });
+});
+
+test("without controls the focus goes, unless the page has asked for it", () => {
+  const own = new Map<string, string>();
+  const page = new Map([["tabindex", "0"]]);
+  for (const attributes of [own, page]) {
+    const { accessibility, host } = create(attributes);
+    expect(attributes.get("tabindex")).toBe("0");
+    host.controls = false;
+    accessibility.update(null);
+  }
+  expect([own.size, page.size]).toEqual([0, 1]);
+});

@@ -1,0 +1,23 @@
+import { expect, test } from "vitest";
+import type { CandleFlame } from "../../../src/candle-flame.ts";
+import { CandleReporter } from "../../../src/element/candle-reporter.ts";
+import type { CustomStates } from "../../../src/element/custom-states.ts";
+import type { Overlay } from "../../../src/element/overlay.ts";
+import type { ReflectedAttributes } from "../../../src/element/reflected-attributes.ts";
+
+test("entering and leaving are reported in their order, once what they interrupt is done", async () => {
+  const element = new EventTarget() as ReflectedAttributes;
+  const states = { toggle() {}, has: () => false } as unknown as CustomStates;
+  const hint = { tellControls() {}, tellFlame() {} };
+  const reporter = new CandleReporter(element, states, { hint } as unknown as Overlay);
+  const candle = { world: { flame: { isLit: true } } } as CandleFlame;
+  const events: string[] = [];
+  for (const type of ["enter", "leave"]) {
+    element.addEventListener(type as "enter", () => events.push(type));
+  }
+  reporter.entered(candle, true, "mouse");
+  reporter.entered(candle, false, "mouse");
+  expect(events).toEqual([]);
+  await Promise.resolve();
+  expect(events).toEqual(["enter", "leave"]);
+});
