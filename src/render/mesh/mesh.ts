@@ -103,7 +103,7 @@ export function uploadPart(gpu: Gpu, part: Part, group?: (part: Part) => Grouped
       uniforms: {
         uBaseColor: material.baseColor,
         uOcclusionStrength: material.occlusionStrength,
-        uSurface: surfaceNumbers(material),
+        uSurface: [material.roughness, material.metallic, material.normalScale, cutoffOf(material)],
       },
       textures: {
         uAlbedo: textureOf(gpu, albedo) ?? white,
@@ -170,9 +170,9 @@ export function kindOf({ isGlossy, alphaMode }: Material): Pick<Mesh, "isGlossy"
   return { isGlossy, isCutOut: alphaMode !== "opaque" };
 }
 
-function surfaceNumbers({ roughness, metallic, normalScale, alphaMode, alphaCutoff }: Material) {
-  const nothingBelow = alphaMode === "opaque" ? 0 : alphaMode === "mask" ? alphaCutoff : 0.5;
-  return [roughness, metallic, normalScale, nothingBelow] as const;
+/** Opacity below which nothing is drawn. */
+export function cutoffOf({ alphaMode, alphaCutoff }: Material): number {
+  return alphaMode === "opaque" ? 0 : alphaMode === "mask" ? alphaCutoff : 0.5;
 }
 
 /** Vertices and triangles of a part, in the layout of mesh/mesh.vert. */
