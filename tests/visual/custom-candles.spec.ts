@@ -138,6 +138,18 @@ test("one model after another leaves nothing on the GPU", async () => {
   });
 });
 
+test("without their volume, flames are not seen", async () => {
+  await show("custom-candle.glb");
+  const brightest = (volume: boolean) =>
+    room.evaluate((element, volume) => {
+      element.features.volume = volume;
+      element.step(0);
+      const { width, height } = element.stats;
+      return element.readRadiance(0, 0, width, height).reduce((a, b) => Math.max(a, b), 0);
+    }, volume);
+  expect(await brightest(false)).toBeLessThan(0.1 * (await brightest(true)));
+});
+
 test("a candle beside another is the same when that shows another model", async () => {
   await show("custom-candle.glb");
   await room.evaluate(async (element) => {

@@ -109,7 +109,7 @@ export class CustomModelRenderer extends LoneRenderer {
     const studio = (STUDIO * MOST_EXPOSURE) / exposure;
     const scene = { atlas, key, studio, translucency: features.translucency };
     if (features.candle) this.#drawSurfaces(target, scene, false);
-    for (const one of rooted) {
+    for (const one of features.volume ? rooted : []) {
       flame.render(target, frame, standingWick(one), this.tier.physical.flameSteps);
     }
     if (features.smoke) {
