@@ -3,11 +3,14 @@
 
 uniform sampler2D uShadow;
 #ifdef CANDLES
-uniform sampler2D uStandingShadow;  // cubes of the standing candles, of the same size
+uniform sampler2D uStandingShadow;  // cubes of the standing candles; many are smaller
 #endif
 
 // Texels along a tile's edge.
 float shadowTileSize() {
+#ifdef CANDLES
+  if (isStanding) return float(textureSize(uStandingShadow, 0).x / 3);
+#endif
   return float(textureSize(uShadow, 0).x / 3);
 }
 

@@ -18,7 +18,7 @@ in float vHeight;
 out vec4 oColor;
 
 void main() {
-  vec3 albedo = texture(uAlbedo, vUv).rgb * uBaseColor.rgb;
+  vec3 albedo = albedoHere();
   float occlusion = mix(1.0, texture(uOcclusionRoughness, vUv).r, uOcclusionStrength);
   vec3 normal = surfaceNormal();
   vec3 toLight = light.position - vPositionWorld;

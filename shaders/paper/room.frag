@@ -12,7 +12,7 @@ const float SPECULAR = 0.5;
 out vec4 oColor;
 
 void main() {
-  vec3 albedo = texture(uAlbedo, vUv).rgb * uBaseColor.rgb;
+  vec3 albedo = albedoHere();
   vec2 occlusionRoughness = texture(uOcclusionRoughness, vUv).rg;
   vec3 normal = surfaceNormal();
   vec3 toLight = light.position - vPositionWorld;

@@ -1,5 +1,6 @@
 // Material maps and shading normal of a surface in the paper's lighting.
-// Defines FACETS or NORMAL_MAPS for normals of triangles or of the map, else they are the vertices'.
+// Defines FACETS or NORMAL_MAPS for normals of triangles or of the map, else they are the vertices'; CUTOUT: discards what
+// is cut out.
 #include "lib/normal-map.glsl"
 #include "lib/material.glsl"
 
@@ -16,12 +17,21 @@ float edgeCode(float least) {
   return mix(1.0, code, uCodesEdges);
 }
 
+vec3 albedoHere() {
+  vec4 baseColor = texture(uAlbedo, vUv) * uBaseColor;
+#if CUTOUT
+  if (baseColor.a < uSurface.w) discard;
+#endif
+  return baseColor.rgb;
+}
+
 vec3 surfaceNormal() {
+  vec3 normal = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
 #if defined(FACETS)
   return facetNormal(vPositionWorld);
 #elif defined(NORMAL_MAPS)
-  return perturbedNormal(uNormal, vUv, vNormalWorld, vTangentWorld);
+  return perturbedNormal(uNormal, vUv, normal, vTangentWorld);
 #else
-  return normalize(vNormalWorld);
+  return normal;
 #endif
 }

@@ -87,12 +87,14 @@ vec3 shadowCube() {
   return distanceGrey(casterDistance(direction) * length(direction));
 }
 
-// The irradiance atlas, in a band across the frame.
+// The irradiance atlas in a band across the frame: its planes, which lie one above another, side by side.
 vec3 irradianceAtlas() {
   float edge = frame.viewport.x / (volume.columns * volume.planes);
   float up = (gl_FragCoord.y - 0.5 * frame.viewport.y) / (edge * volume.rows) + 0.5;
   if (up < 0.0 || up > 1.0) return vec3(0.0);
-  return texture(uIrradiance, vec2(vUv.x, up)).rgb * light.intensity / PI;
+  float across = vUv.x * volume.planes;
+  float plane = min(floor(across), volume.planes - 1.0);
+  return texture(uIrradiance, vec2(across - plane, (plane + up) / volume.planes)).rgb * light.intensity / PI;
 }
 
 vec3 toneMapped(vec3 radiance) {

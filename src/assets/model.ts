@@ -82,7 +82,7 @@ export interface Material {
   readonly alphaMode: "opaque" | "mask" | "blend";
   /** Opacity below which a mask leaves a hole. */
   readonly alphaCutoff: number;
-  /** Mean opacity of the albedo map, where it is mixed; else 1. */
+  /** Opacity of the albedo map: its mean where it is mixed, that of its most opaque part under a mask; else 1. */
   readonly mapOpacity: number;
   /** sRGB and opacity. */
   readonly albedo: TextureImage | null;

@@ -79,7 +79,7 @@ export async function readMaterial(
       ...readDepth(entry, name),
       isGlossy: await isGlossySomewhere(surface, packedPicture),
       ...alpha,
-      mapOpacity: alpha.alphaMode === "blend" ? await opacityOf(albedoPicture) : 1,
+      mapOpacity: await opacityOf(alpha, albedoPicture),
       albedo: albedoPicture,
       normal: normalPicture,
       occlusionRoughnessMetallic: packedPicture,
@@ -160,9 +160,13 @@ async function isGlossySomewhere(
   return greens.some((green, part) => isGlossy(roughness * green, metallic * (blues[part] ?? 0)));
 }
 
-async function opacityOf(map: TextureImage | null): Promise<number> {
-  if (!map) return 1;
+async function opacityOf(
+  { alphaMode }: Pick<Material, "alphaMode">,
+  map: TextureImage | null,
+): Promise<number> {
+  if (!map || alphaMode === "opaque") return 1;
   const [, , , alphas] = await meansOf(map);
+  if (alphaMode === "mask") return Math.max(...alphas);
   return alphas.reduce((sum, alpha) => sum + alpha, 0) / alphas.length;
 }
 

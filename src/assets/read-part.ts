@@ -10,7 +10,7 @@ import {
 import { Flaw } from "./asset-error.js";
 import type { Part } from "./model.js";
 import type { PlacedMaterial } from "./read-material.js";
-import { anyTangents, tangentsOf } from "./tangents.js";
+import { anyTangents, replaceBadTangents, tangentsOf } from "./tangents.js";
 import { placedUvs } from "./texture-placement.js";
 import {
   blendBones,
@@ -73,9 +73,10 @@ const uvName = (set: number) => (set === 0 ? "uv" : set < 4 ? `uv${set}` : `texc
 function finished(vertices: Vertices, hasRelief: boolean) {
   const { positions, normals, tangents, uvs, indices } = vertices;
   const count = positions.length / 3;
+  const made = () => (hasRelief && uvs ? tangentsOf(vertices, uvs) : anyTangents(normals));
   return {
     ...vertices,
-    tangents: tangents ?? (hasRelief && uvs ? tangentsOf(vertices, uvs) : anyTangents(normals)),
+    tangents: tangents ? replaceBadTangents(tangents, normals) : made(),
     uvs: uvs ?? new Float32Array(count * 2),
     indices: count <= 0xffff ? Uint16Array.from(indices) : indices,
   };

@@ -63,6 +63,22 @@ function add(sums: Float32Array, vertex: number, { x, y, z }: Vector3): void {
   }
 }
 
+/** Replaces tangents that no frame can be made of: none across the normal is left of them. */
+export function replaceBadTangents(tangents: Float32Array, normals: Float32Array): Float32Array {
+  const normal = new Vector3();
+  const tangent = new Vector3();
+  let any: Float32Array | null = null;
+  for (let i = 0; i < normals.length / 3; i++) {
+    normal.fromArray(normals, i * 3);
+    tangent.fromArray(tangents, i * 4);
+    tangent.addScaledVector(normal, -normal.dot(tangent));
+    if (tangent.lengthSq() >= 1e-8) continue;
+    any ??= anyTangents(normals);
+    tangents.set(any.subarray(i * 4, i * 4 + 3), i * 4);
+  }
+  return tangents;
+}
+
 /** Arbitrary tangents, for surfaces without texture coordinates. */
 export function anyTangents(normals: Float32Array): Float32Array {
   const count = normals.length / 3;

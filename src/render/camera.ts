@@ -78,6 +78,6 @@ export function clipPosition(
 }
 
 /** Pixels of a length of 1 m at a distance of 1 m, by the image's shorter side. */
-export function projectionScale(shorterSide: number): number {
-  return shorterSide / (2 * Math.tan(FIELD_OF_VIEW / 2));
+export function projectionScale(shorterSide: number, fieldOfView = FIELD_OF_VIEW): number {
+  return shorterSide / (2 * Math.tan(fieldOfView / 2));
 }

@@ -11,9 +11,8 @@ export function frameBlock(
   { width, height }: Size,
   exposure: number,
 ) {
-  const { player, interpolated, setup } = world;
+  const { player, interpolated } = world;
   const fieldOfView = fieldOfViewOf(world);
-  const magnification = Math.tan(setup.fieldOfView / 2) / Math.tan(fieldOfView / 2);
   return {
     clipFromWorld: clipFromWorld(
       interpolated.eye,
@@ -25,7 +24,7 @@ export function frameBlock(
     eyePosition: interpolated.eye,
     exposure,
     viewport: [width, height],
-    projectionScale: projectionScale(Math.min(width, height)) * magnification,
+    projectionScale: projectionScale(Math.min(width, height), fieldOfView),
     normalMaps: features.normalMaps ? 1 : 0,
   };
 }

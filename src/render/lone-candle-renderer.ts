@@ -50,7 +50,9 @@ export class LoneCandleRenderer extends LoneRenderer {
     const drawn = this.begin(frame, camera, EXPOSURE, settings);
     light.update(lightBlock(world, features.candle));
     if (features.candle) this.#drawCandle(drawn.target, world);
-    flame.render(drawn.target, frame, carriedWick(world), this.tier.physical.flameSteps);
+    if (features.volume) {
+      flame.render(drawn.target, frame, carriedWick(world), this.tier.physical.flameSteps);
+    }
     if (features.smoke) this.drawSmoke(world, drawn, frame, TAPER.color);
     const glare = glareOf(
       flameLight(carriedFlame(world), TAPER),

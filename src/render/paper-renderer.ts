@@ -37,6 +37,9 @@ const CODE_DIFFERENCE = 0.02;
 /** At `low`, one level of the maps that change shading less than albedo does. */
 const LEVELS = { uAlbedo: "level", uNormal: "level", uOcclusionRoughness: "texel" } as const;
 
+/** Define that chooses the normals. */
+type Normals = Readonly<Record<string, number>>;
+
 const SHADERS = {
   room: [meshVert, roomFrag],
   candle: [meshVert, candleFrag],
@@ -56,8 +59,7 @@ export class PaperRenderer implements Renderer {
   readonly #light: UniformBlock;
   readonly #programs = new Map<string, Program>();
   readonly #updateProgram: Program;
-  readonly #room: readonly Mesh[];
-  readonly #candle: readonly Mesh[];
+  readonly #models: Readonly<Record<"room" | "candle", readonly Mesh[]>>;
   #systems: ParticleSystem[] = [];
   #target: RenderTarget | null = null;
   #resolved: RenderTarget | null = null;
@@ -79,12 +81,13 @@ export class PaperRenderer implements Renderer {
     this.#present = this.#isFiltered
       ? gpu.pass("post/fxaa", fxaaFrag, { defines })
       : gpu.pass("paper/present", presentFrag);
-    const program = this.#program("room", normals);
-    this.#program("candle", normals);
+    const program = this.#program("room", { ...normals, CUTOUT: 0 });
     this.#frame = gpu.uniformBlock(program, "Frame");
     this.#light = gpu.uniformBlock(program, "Light");
-    this.#room = uploadModel(gpu, room);
-    this.#candle = uploadModel(gpu, candle);
+    this.#models = { room: uploadModel(gpu, room), candle: uploadModel(gpu, candle) };
+    for (const name of ["room", "candle"] as const) {
+      for (const mesh of this.#models[name]) this.#surfaceProgram(name, normals, mesh);
+    }
   }
 
   resize(width: number, height: number): void {
@@ -118,11 +121,11 @@ export class PaperRenderer implements Renderer {
     gpu.clear(target, [0, 0, 0, 1]);
     const smooth = features.normalMaps ? "NORMAL_MAPS" : "VERTICES";
     const normals = { [world.look === "original" ? "FACETS" : smooth]: 1 };
-    this.#drawSurfaces(target, this.#program("room", normals), this.#room, [0, 0, 0, 1]);
+    this.#drawSurfaces(target, "room", normals, [0, 0, 0, 1]);
     if (features.candle) {
       const [x, y, z] = world.interpolated.foot;
       const placement = [x, y, z, world.setup.candleScale];
-      this.#drawSurfaces(target, this.#program("candle", normals), this.#candle, placement);
+      this.#drawSurfaces(target, "candle", normals, placement);
     }
     if (features.particles) this.#drawParticles(target, world, features, frame);
     const resolved = this.#resolved;
@@ -160,15 +163,20 @@ export class PaperRenderer implements Renderer {
     return program;
   }
 
+  #surfaceProgram(name: "room" | "candle", normals: Normals, { isCutOut }: Mesh): Program {
+    return this.#program(name, { ...normals, CUTOUT: Number(isCutOut) });
+  }
+
   #drawSurfaces(
     target: Target,
-    program: Program,
-    surfaces: readonly Mesh[],
+    name: "room" | "candle",
+    normals: Normals,
     uWorldFromModel: readonly number[],
   ): void {
-    for (const { vertexArray, textures, uniforms } of surfaces) {
+    for (const mesh of this.#models[name]) {
+      const { vertexArray, textures, uniforms } = mesh;
       this.#gpu.draw({
-        program,
+        program: this.#surfaceProgram(name, normals, mesh),
         target,
         vertexArray,
         textures,
@@ -176,6 +184,7 @@ export class PaperRenderer implements Renderer {
         uniforms: { ...uniforms, uWorldFromModel, uCodesEdges: this.#isFiltered ? 1 : 0 },
         blocks: { Frame: this.#frame, Light: this.#light },
         depth: "test-and-write",
+        cull: mesh.isDoubleSided ? "none" : "back",
       });
     }
   }

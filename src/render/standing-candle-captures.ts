@@ -71,6 +71,7 @@ export class StandingCandleCaptures {
 
   *light(candle: StandingCandle, casters: ShadowCasters, size: StepSize): Steps<CachedLight> {
     if (this.name !== candle.name || !this.#light) {
+      this.#light = null; // the steps may be abandoned
       this.#light = yield* this.#capture(candle, casters, size);
     }
     return { ...this.#light, intensity: flameLight(candle, TAPER).intensity };

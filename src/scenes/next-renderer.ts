@@ -43,7 +43,10 @@ export class NextRenderer {
 
   /** Another world, or other particles. */
   follow({ world, layers }: ViewSubject): void {
-    if (this.isBusy) this.#renderer?.setLayers(world, layers);
+    const { gpu } = this.#parts().target;
+    gpu.isAhead = this.isBusy;
+    if (gpu.isAhead) this.#renderer?.setLayers(world, layers);
+    gpu.isAhead = false;
   }
 
   /** Begins, or goes on. True once that rung's is prepared. Throws if the driver refuses what it needs. */
@@ -74,7 +77,6 @@ export class NextRenderer {
     this.#renderer = renderer;
     renderer.resize(width, height);
     this.follow(subject);
-    gpu.isAhead = false;
     // Asked before each step, and what a step makes is this renderer's.
     const isOn = () => {
       gpu.isAhead = this.isBusy && this.#renderer === renderer;

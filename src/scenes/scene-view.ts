@@ -88,8 +88,10 @@ export class SceneView {
   /** Another world, or other particles: the renderer's catch up in the next frame. */
   follow(subject: ViewSubject): void {
     this.#subject = subject;
+    const { gpu } = this.#target;
     // After a lost context, the renderer to come will.
-    if (this.#target.gpu.isLost) return;
+    if (gpu.isLost) return;
+    gpu.isAhead = false; // the next renderer's steps follow later
     this.#renderer.setLayers(subject.world, subject.layers);
     this.#refinement?.follow(subject);
     this.#next?.follow(subject);
@@ -235,15 +237,13 @@ export class SceneView {
 
   get stats() {
     const { drawCalls, triangles, objectCount, bytes, timer } = this.#target.gpu;
-    // As chosen: after a change of the quality the canvas keeps its size until the next frame.
-    const { width, height } = this.#sizeAt(this.#resolutionScale);
     return {
       gpuMs: timer.seconds === null ? null : 1000 * timer.seconds,
       drawCalls,
       triangles,
       particles: this.#shown.particles,
-      width,
-      height,
+      // As chosen: after a change of the quality the canvas keeps its size until the next frame.
+      ...this.#sizeAt(this.#resolutionScale),
       resolutionScale: this.#resolutionScale,
       quality: this.#refinement?.shown ? REFINED.name : this.#quality.tier.name,
       gpuObjects: objectCount,

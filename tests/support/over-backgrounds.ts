@@ -161,7 +161,7 @@ export function mixtures(seed: number, seconds: number) {
       eyePosition: eye,
       exposure: 1,
       viewport: [WIDTH, HEIGHT],
-      projectionScale: projectionScale(HEIGHT),
+      projectionScale: projectionScale(Math.min(WIDTH, HEIGHT), FIELD),
       normalMaps: 1,
     });
     light.update(lightBlock(world, true));

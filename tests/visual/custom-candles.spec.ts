@@ -1,5 +1,6 @@
 import type { Page } from "playwright/test";
 import sharp from "sharp";
+import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
 import { candlePlate, jarCandle, ringOf } from "../support/candle-model.ts";
 import { plainRoom } from "../support/plain-room.ts";
 import { LIBRARY, RoomDriver } from "../support/room-driver.ts";
@@ -135,6 +136,37 @@ test("one model after another leaves nothing on the GPU", async () => {
     gpuObjects: before.gpuObjects,
     gpuBytes: before.gpuBytes,
   });
+});
+
+test("without their volume, flames are not seen", async () => {
+  await show("custom-candle.glb");
+  const brightest = (volume: boolean) =>
+    room.evaluate((element, volume) => {
+      element.features.volume = volume;
+      element.step(0);
+      const { width, height } = element.stats;
+      return element.readRadiance(0, 0, width, height).reduce((a, b) => Math.max(a, b), 0);
+    }, volume);
+  expect(await brightest(false)).toBeLessThan(0.1 * (await brightest(true)));
+});
+
+test("a candle beside another is the same when that shows another model", async () => {
+  await show("custom-candle.glb");
+  await room.evaluate(async (element) => {
+    const other = element.cloneNode() as typeof element;
+    other.id = "other";
+    element.after(other);
+    await other.ready;
+  });
+  const radiance = () =>
+    page.locator("#other").evaluate((other: CandleFlameElement) => {
+      other.step(0);
+      return other.readRadiance(0, 0, other.stats.width, other.stats.height).join();
+    });
+  const before = await radiance();
+  await show("custom-jar.glb");
+  expect((await radiance()) === before).toBe(true);
+  await page.locator("#other").evaluate((other) => other.remove());
 });
 
 test("a model without a wick gives way to the built-in candle, with a warning", async () => {

@@ -11,11 +11,22 @@ export function isBaked({ uniforms }: Mesh): boolean {
   return metallic === 0 && alphaCutoff === 0;
 }
 
+/** Whether two meshes have the same gamma-2 albedo. */
+function isSame(one: Mesh, other: Mesh): boolean {
+  if (one.textures.uAlbedo !== other.textures.uAlbedo || isBaked(one) !== isBaked(other))
+    return false;
+  return (
+    !isBaked(one) ||
+    (one.textures.uOcclusionRoughness === other.textures.uOcclusionRoughness &&
+      one.uniforms.uOcclusionStrength === other.uniforms.uOcclusionStrength)
+  );
+}
+
 /** Gamma-2 albedo textures for the reduced G-buffer, made one a frame. */
 export class AlbedoCache {
   readonly #gpu: Gpu;
-  /** By albedo, and by the occlusion/roughness map that is baked in. */
-  readonly #textures = new Map<Texture, Map<Texture | null, Texture>>();
+  /** By the textures of a mesh, which its lower level of detail has, too. */
+  readonly #made = new Map<Mesh["textures"], { readonly mesh: Mesh; readonly albedo: Texture }>();
   /** Whether none was missing at the last update. */
   isComplete = false;
 
@@ -24,21 +35,17 @@ export class AlbedoCache {
   }
 
   /** Null before it is made. */
-  of(mesh: Mesh): Texture | null {
-    const { uAlbedo, uOcclusionRoughness } = mesh.textures;
-    const textures = this.#textures.get(uAlbedo);
-    return textures?.get(isBaked(mesh) ? uOcclusionRoughness : null) ?? null;
+  of({ textures }: Mesh): Texture | null {
+    return this.#made.get(textures)?.albedo ?? null;
   }
 
   /** Makes the next one that is missing. */
   updateIncrementally(meshes: Iterable<Mesh>): void {
     for (const mesh of meshes) {
       if (this.of(mesh)) continue;
-      const { uAlbedo, uOcclusionRoughness } = mesh.textures;
-      const textures = this.#textures.get(uAlbedo) ?? new Map<Texture | null, Texture>();
-      this.#textures.set(uAlbedo, textures);
-      textures.set(isBaked(mesh) ? uOcclusionRoughness : null, this.#make(mesh));
-      return;
+      const known = [...this.#made.values()].find((made) => isSame(made.mesh, mesh));
+      this.#made.set(mesh.textures, { mesh, albedo: known?.albedo ?? this.#make(mesh) });
+      if (!known) return;
     }
     this.isComplete = true;
   }

@@ -167,7 +167,11 @@ export class LightCaptures {
   *#holdingSteps({ world, captureLight }: FrameInput): Steps {
     yield* this.#lights(world, "steps");
     const held = this.#held?.light;
-    if (held && vec3.distance(captureLight.position, held.position) <= SWAY) return;
+    // A hidden candle casts no shadow.
+    const hasSameCandle =
+      held?.rimRadius === captureLight.rimRadius && held?.panRadius === captureLight.panRadius;
+    const distance = held ? vec3.distance(captureLight.position, held.position) : Infinity;
+    if (hasSameCandle && distance <= SWAY) return;
     this.#held = null;
     this.#held = { light: captureLight, captures: yield* this.#ofLight(captureLight, "steps") };
   }

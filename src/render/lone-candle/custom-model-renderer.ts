@@ -8,7 +8,7 @@ import type { Bounds } from "../../world/geometry.js";
 import type { Wick } from "../../world/standing-candle.js";
 import type { World } from "../../world/world.js";
 import type { FrameSettings } from "../frame-settings.js";
-import { type Mesh, surfaceSampling, uploadModel } from "../mesh/mesh.js";
+import { type Mesh, plainTextures, surfaceSampling, uploadModel } from "../mesh/mesh.js";
 import type { Tier } from "../quality.js";
 import { FlamePass, standingWick } from "../volumetric/flame-pass.js";
 import { boundsWithFlames, frameBox } from "./custom-framing.js";
@@ -79,6 +79,7 @@ export class CustomModelRenderer extends LoneRenderer {
     });
     this.#displayProgram = gpu.pass("candle/custom-display", displayFrag);
     const face = tier.name === "low" ? FACE.low : FACE.others;
+    plainTextures(gpu); // outlive the model
     const { made, release } = gpu.scoped(() =>
       createResources(gpu, this.#surfaceProgram, model, wicks.length, face),
     );
@@ -108,7 +109,7 @@ export class CustomModelRenderer extends LoneRenderer {
     const studio = (STUDIO * MOST_EXPOSURE) / exposure;
     const scene = { atlas, key, studio, translucency: features.translucency };
     if (features.candle) this.#drawSurfaces(target, scene, false);
-    for (const one of rooted) {
+    for (const one of features.volume ? rooted : []) {
       flame.render(target, frame, standingWick(one), this.tier.physical.flameSteps);
     }
     if (features.smoke) {

@@ -95,7 +95,7 @@ export abstract class LoneRenderer implements Renderer {
       eyePosition: eye,
       exposure: factor * 2 ** exposure,
       viewport: [width, height],
-      projectionScale: projectionScale(height),
+      projectionScale: projectionScale(Math.min(width, height), fieldOfView),
       normalMaps: features.normalMaps ? 1 : 0,
     });
     this.gpu.clear(target, [0, 0, 0, 0]);

@@ -71,10 +71,14 @@ function isWick(name: string): boolean {
 const WHITE = Uint8Array.of(255, 255, 255, 255);
 const FLAT_NORMAL = Uint8Array.of(128, 128, 255, 255);
 
-function plainTexture(gpu: Gpu, label: string, data: Uint8Array): Texture {
-  return gpu.share(data, () =>
-    gpu.texture({ label, format: "RGBA8", source: { width: 1, height: 1, data } }),
-  );
+/** What all models on a context share. */
+export function plainTextures(gpu: Gpu) {
+  const texel = (label: string, data: Uint8Array) =>
+    gpu.texture({ label, format: "RGBA8", source: { width: 1, height: 1, data } });
+  return gpu.share(WHITE, () => ({
+    white: texel("white", WHITE),
+    flatNormal: texel("flat normal", FLAT_NORMAL),
+  }));
 }
 
 /** Uploads a part of a model, once for all renderers. */
@@ -82,6 +86,7 @@ export function uploadPart(gpu: Gpu, part: Part, group?: (part: Part) => Grouped
   return gpu.share(part, () => {
     const { material } = part;
     const { albedo, normal, packed } = imagesOf(material);
+    const { white, flatNormal } = plainTextures(gpu);
     const { indices, clusters, area } = group?.(part) ?? { ...part, clusters: [], area: 0 };
     return {
       name: part.name,
@@ -98,12 +103,12 @@ export function uploadPart(gpu: Gpu, part: Part, group?: (part: Part) => Grouped
       uniforms: {
         uBaseColor: material.baseColor,
         uOcclusionStrength: material.occlusionStrength,
-        uSurface: surfaceNumbers(material),
+        uSurface: [material.roughness, material.metallic, material.normalScale, cutoffOf(material)],
       },
       textures: {
-        uAlbedo: textureOf(gpu, albedo) ?? plainTexture(gpu, "white", WHITE),
-        uNormal: textureOf(gpu, normal) ?? plainTexture(gpu, "flat normal", FLAT_NORMAL),
-        uOcclusionRoughness: textureOf(gpu, packed) ?? plainTexture(gpu, "white", WHITE),
+        uAlbedo: textureOf(gpu, albedo) ?? white,
+        uNormal: textureOf(gpu, normal) ?? flatNormal,
+        uOcclusionRoughness: textureOf(gpu, packed) ?? white,
       },
     };
   });
@@ -165,9 +170,9 @@ export function kindOf({ isGlossy, alphaMode }: Material): Pick<Mesh, "isGlossy"
   return { isGlossy, isCutOut: alphaMode !== "opaque" };
 }
 
-function surfaceNumbers({ roughness, metallic, normalScale, alphaMode, alphaCutoff }: Material) {
-  const nothingBelow = alphaMode === "opaque" ? 0 : alphaMode === "mask" ? alphaCutoff : 0.5;
-  return [roughness, metallic, normalScale, nothingBelow] as const;
+/** Opacity below which nothing is drawn. */
+export function cutoffOf({ alphaMode, alphaCutoff }: Material): number {
+  return alphaMode === "opaque" ? 0 : alphaMode === "mask" ? alphaCutoff : 0.5;
 }
 
 /** Vertices and triangles of a part, in the layout of mesh/mesh.vert. */

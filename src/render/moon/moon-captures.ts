@@ -95,6 +95,9 @@ export class MoonCaptures {
       if (done) {
         // Before the capture's steps: a frame may be drawn between them.
         this.#next = null;
+        // It replaces the last direction's, and its steps may be abandoned.
+        this.#key = "";
+        this.#light = null;
         const captured = value && (yield* this.#capture(value, size));
         this.#light = captured && { ...captured, key: next.key };
         this.#key = next.key;

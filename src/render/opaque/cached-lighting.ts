@@ -112,6 +112,11 @@ export class CachedLighting {
     const size = { width: lighting.width, height: lighting.height };
     this.#sums ??= [this.#target("sum/a", size), this.#target("sum/b", size)];
     const sums = this.#sums;
+    for (const [name, { target }] of this.#layers) {
+      if (lights.some((light) => light.name === name)) continue;
+      target.dispose();
+      this.#layers.delete(name);
+    }
     const flame = lightBlock(frame.world, frame.settings.features.candle);
     const uColor = representativeColor(flame.intensity, lights);
     let uLighting = lighting;

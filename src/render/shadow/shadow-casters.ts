@@ -3,7 +3,7 @@ import type { Buffer, Draw, Gpu, VertexArray } from "../../gl/gpu.js";
 import type { Bounds } from "../../world/geometry.js";
 import { finish, type Steps } from "../../world/steps.js";
 import { type Clusters, clusterSteps, runsOf, VERTEX_SIZE } from "../mesh/clusters.js";
-import type { Mesh } from "../mesh/mesh.js";
+import { cutoffOf, type Mesh } from "../mesh/mesh.js";
 import { reducedPart } from "../mesh/mesh-lods.js";
 import { type Task, type Tasks, taskOf } from "../task.js";
 import { casterAlbedoOf } from "./caster-albedo.js";
@@ -40,9 +40,9 @@ export function clustersOf(
 
 const NONE = new Float32Array();
 
-/** Glass, of which nothing or little is drawn: what is mixed is, where it is at least half opaque. */
-function isMostlyClear({ material: { alphaMode, baseColor, mapOpacity } }: Part): boolean {
-  return alphaMode === "blend" && baseColor[3] * mapOpacity < 0.5;
+/** Glass and the like, of which nothing or little is drawn. */
+function isMostlyClear({ material }: Part): boolean {
+  return material.baseColor[3] * material.mapOpacity < cutoffOf(material);
 }
 
 /** The room's clusters of triangles, culled by face of a cube: casters of shadows and of indirect light. */

@@ -187,8 +187,7 @@ export class VolumetricStage {
 
   /** Spheres around each flame, each candle's smoke, and the hot air over each flame. */
   *#spheres({ world, settings }: FrameInput): Generator<Iterable<Sphere>> {
-    yield this.#flameSpheres(carriedFlame(world));
-    for (const candle of world.standing) {
+    for (const candle of [carriedFlame(world), ...world.standing]) {
       const [x, y, z] = candle.root;
       if (candle.flame.glow > 0) yield this.#flameSpheres(candle);
       else if (emberRadiance(candle.flame.ember)[0] >= FAINTEST_EMBER)

@@ -174,7 +174,7 @@ export class Flame {
   /** Factor on the radius at a height, m, as necks and bulges travel up with the gas. */
   neck(height: number): number {
     const { real, imaginary } = this.puffing;
-    if (this.#isStill || (real === 0 && imaginary === 0)) return 1;
+    if (this.#isStill || (real === 0 && imaginary === 0) || !(this.height > 0)) return 1;
     const riseDuration = riseTime(this.#full, height);
     const angle = 2 * Math.PI * puffingFrequency(this.wick) * riseDuration;
     const wave = real * Math.cos(angle) + imaginary * Math.sin(angle);

@@ -7,7 +7,10 @@ import {
   projectionScale,
   shadowFrustumTest,
 } from "../../../src/render/camera.ts";
+import { frameBlock } from "../../../src/render/frame-block.ts";
+import type { FrameSettings } from "../../../src/render/frame-settings.ts";
 import { reprojectionMatrix, screenMotion } from "../../../src/render/gbuffer/reprojection.ts";
+import { createWorld } from "../../../src/world/create-world.ts";
 import type { Vec3 } from "../../../src/world/geometry.ts";
 import { STILL } from "../../../src/world/player/intent.ts";
 import { type Player, walk } from "../../../src/world/player/player.ts";
@@ -63,6 +66,11 @@ describe("the camera", () => {
     const above: Vec3 = [1, 2.6, -7];
     const { y } = project(clipFromWorld(EYE, 0, 0, 1), above);
     expect((y / 2) * 720).toBeCloseTo(projectionScale(720) / 5, 2);
+    const settings = { features: { normalMaps: true } } as FrameSettings;
+    const size = { width: 1280, height: 720 };
+    const frame = frameBlock(createWorld("physical", 1), settings, size, 1);
+    const [, a = 0, , , , b = 0, , , , c = 0] = frame.clipFromWorld;
+    expect(frame.projectionScale).toBeCloseTo(360 * Math.hypot(a, b, c), 2);
   });
 });
 

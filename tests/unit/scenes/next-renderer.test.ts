@@ -1,7 +1,11 @@
 import { expect, test } from "vitest";
 import { AutoQuality, type Rung, WORK } from "../../../src/render/auto-quality.ts";
 import type { Renderer } from "../../../src/render/renderer.ts";
+import type { CanvasTarget } from "../../../src/scenes/canvas-target.ts";
 import { type NextParts, NextRenderer } from "../../../src/scenes/next-renderer.ts";
+import type { Scene } from "../../../src/scenes/scene.ts";
+import { SceneView } from "../../../src/scenes/scene-view.ts";
+import type { ViewSettings } from "../../../src/scenes/view-subject.ts";
 
 const MEDIUM: Rung = { tier: "medium", share: 0.6 };
 /** Until all promises of a preparation have been kept. */
@@ -50,7 +54,7 @@ function place({ error = null as Error | null } = {}) {
   const uploaded = () => {
     isReady = true;
   };
-  return { next: new NextRenderer(() => parts), gpu, renderer, sizes, ahead, uploaded };
+  return { next: new NextRenderer(() => parts), parts, gpu, renderer, sizes, ahead, uploaded };
 }
 
 test("a renderer is prepared once its parts are, at its rung's size, and taken by its tier alone", async () => {
@@ -63,6 +67,22 @@ test("a renderer is prepared once its parts are, at its rung's size, and taken b
   expect(sizes).toEqual([[600, 300]]);
   expect(ahead, "what it makes is its own").toEqual([true, true, true, true]);
   expect(next.take("medium")).toBe(renderer);
+});
+
+test("particles made for another world while it is prepared are its own, and those of the one before are not", async () => {
+  const { next, parts, gpu, renderer, ahead, uploaded } = place();
+  const { subject, target, auto } = parts;
+  const scene = { createRenderer: () => renderer } as unknown as Scene;
+  const settings = { look: "physical", quality: "auto" } as ViewSettings;
+  const view = new SceneView(target as CanvasTarget, scene, settings, subject, true, auto);
+  uploaded();
+  next.proceed(MEDIUM);
+  await settled();
+  ahead.length = 0;
+  gpu.isAhead = true; // between two steps
+  view.follow(subject);
+  next.follow(subject);
+  expect([...ahead, gpu.isAhead]).toEqual([false, true, false]);
 });
 
 test("another tier's is given up, and made again where it is wanted", async () => {

@@ -11,12 +11,13 @@ function casts(material: Partial<Material>): number {
   return task.finish().indices.length / 3;
 }
 
-test("what is mixed casts a shadow where it is drawn: from half of the opacity on", () => {
+test("what is mixed or masked casts a shadow where it is drawn: from half of the opacity on, or from the cutoff", () => {
   const blend = { alphaMode: "blend" } as const;
   const baseColor = [1, 1, 1, 0.3] as const;
   expect(casts({ ...blend, baseColor })).toBe(0);
   expect(casts({ ...blend, mapOpacity: 0.4 })).toBe(0);
   expect(casts(blend)).toBe(2);
-  expect(casts({ alphaMode: "mask", baseColor })).toBe(2);
+  expect(casts({ alphaMode: "mask", baseColor, alphaCutoff: 0.25 })).toBe(2);
+  expect(casts({ alphaMode: "mask", baseColor, alphaCutoff: 0.35 })).toBe(0);
   expect(casts({ baseColor })).toBe(2);
 });

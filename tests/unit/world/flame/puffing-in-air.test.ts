@@ -77,6 +77,20 @@ describe("a flame over a wide wick in still air", () => {
     }
     return seen;
   }
+  test("has no neck once it is out", () => {
+    const air = new Air(1, CALM);
+    const flame = new Flame(0.05, true);
+    const burn = (seconds: number) => {
+      for (let tick = 0; tick < seconds / TICK; tick++) {
+        flame.advance([0, 1, 0], [0, 0, 0], air, false, TICK);
+      }
+    };
+    burn(5);
+    flame.extinguish();
+    burn(5);
+    expect([flame.height, flame.neck(0)]).toEqual([0, 1]);
+  });
+
   const spread = (values: readonly number[]) => Math.max(...values) / Math.min(...values);
 
   test("puffs at 1.5 / √D within a fifth, as D^-0.5", () => {
