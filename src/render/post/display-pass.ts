@@ -6,6 +6,7 @@ import { TAPER } from "../../light/flame-light.js";
 import { nightVision } from "../../light/night-vision.js";
 import { EXPOSURE_LAW } from "../../world/player/exposure-adaptation.js";
 import type { FrameSettings } from "../frame-settings.js";
+import type { BloomPass } from "./bloom-pass.js";
 import { HueLut } from "./hue-lut.js";
 
 /** Share of the light that eye and lens scatter. */
@@ -61,14 +62,6 @@ export function whiteBalance({ uAdaptation, uWhite }: DisplayTransform): Rgb {
   return [gain(0), gain(1), gain(2)];
 }
 
-/** From uv on the frame to uv on the bloom. */
-export interface BloomTransform {
-  /** Share of the bloom's texture that the frame fills. */
-  readonly share: readonly [number, number];
-  /** Offset on the frame, uv. */
-  readonly shift: readonly [number, number];
-}
-
 /** Exposure, bloom and display transform: from cd/m² to the canvas. */
 export class DisplayPass {
   readonly #gpu: Gpu;
@@ -89,7 +82,7 @@ export class DisplayPass {
     textures: Readonly<Record<"uRadiance" | "uBloom" | "uExposure", Texture>> & {
       readonly uToneLut?: Texture;
     },
-    { share, shift }: BloomTransform,
+    { share, shift }: ReturnType<BloomPass["transform"]>,
     view: Pick<FrameSettings, "features">,
     transform: DisplayTransform,
     frame: UniformBlock,
