@@ -3,9 +3,9 @@ import candleFrag from "../../shaders/paper/candle.frag";
 import meshVert from "../../shaders/paper/mesh.vert";
 import particleFrag from "../../shaders/paper/particle.frag";
 import particleVert from "../../shaders/paper/particle.vert";
-import presentFrag from "../../shaders/paper/present.frag";
 import roomFrag from "../../shaders/paper/room.frag";
 import fxaaFrag from "../../shaders/post/fxaa.frag";
+import upscaleFrag from "../../shaders/post/upscale.frag";
 import type {
   Box,
   Gpu,
@@ -60,6 +60,7 @@ export class PaperRenderer implements Renderer {
   readonly #candle: readonly Mesh[];
   #systems: ParticleSystem[] = [];
   #target: RenderTarget | null = null;
+  /** Samples can only be resolved to a target of their own format: the canvas has no alpha. */
   #resolved: RenderTarget | null = null;
   /** Where edges are antialiased after shading: samples are what a CPU pays most for. */
   readonly #isFiltered: boolean;
@@ -78,7 +79,7 @@ export class PaperRenderer implements Renderer {
     const defines = { EDGE_LEAST: CODE_DIFFERENCE, BY_CODE: 1 };
     this.#present = this.#isFiltered
       ? gpu.pass("post/fxaa", fxaaFrag, { defines })
-      : gpu.pass("paper/present", presentFrag);
+      : gpu.pass("post/upscale", upscaleFrag);
     const program = this.#program("room", normals);
     this.#program("candle", normals);
     this.#frame = gpu.uniformBlock(program, "Frame");
@@ -125,19 +126,14 @@ export class PaperRenderer implements Renderer {
       this.#drawSurfaces(target, this.#program("candle", normals), this.#candle, placement);
     }
     if (features.particles) this.#drawParticles(target, world, features, frame);
-    const resolved = this.#resolved;
-    if (resolved) {
-      gpu.resolve(target, resolved);
-      const textures = { uFrame: resolved.color };
-      gpu.draw({ program: this.#present, target: "canvas", textures });
-    } else {
-      gpu.draw({
-        program: this.#present,
-        target: "canvas",
-        textures: { uSource: target.color, uSmooth: target.color },
-        sampling: { uSource: "nearest" },
-      });
-    }
+    if (this.#resolved) gpu.resolve(target, this.#resolved);
+    const { color } = this.#resolved ?? target;
+    gpu.draw({
+      program: this.#present,
+      target: "canvas",
+      textures: { uSource: color, uSmooth: color },
+      sampling: { uSource: "nearest" },
+    });
   }
 
   #updateBlocks(world: World, settings: FrameSettings): ReturnType<typeof frameBlock> {

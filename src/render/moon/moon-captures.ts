@@ -1,5 +1,5 @@
+import cubeFaceVert from "../../../shaders/shadow/cube-face.vert";
 import shadowFrag from "../../../shaders/shadow/shadow.frag";
-import shadowVert from "../../../shaders/shadow/shadow.vert";
 import type { Gpu, Texture } from "../../gl/gpu.js";
 import { adaptedMoonlight } from "../../light/moonlight.js";
 import type { Vec3 } from "../../world/geometry.js";
@@ -174,7 +174,7 @@ export class MoonCaptures {
     this.#gpu.clear(target, [0, 0, 0, 0]);
     casters.draw(
       {
-        program: this.#gpu.program("shadow/shadow", shadowVert, shadowFrag),
+        program: this.#gpu.program("shadow/shadow", cubeFaceVert, shadowFrag),
         target,
         uniforms: { uClipFromWorld: clipFromFrustum(frustum) },
         depth: "test-and-write",
