@@ -52,6 +52,7 @@ const COARSE_INDIRECT: IndirectDetail = {
   rays: 12,
   bounces: 12,
   mirrorsInMotion: true,
+  isBanded: false,
 };
 
 /** Indirect light of `high` and `ultra`, which differ by their shadows and their resolution. */
@@ -139,7 +140,13 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
 /** Tier of refinement at rest without a GPU: surfaces, flame and indirect light of `high`. */
 export const REFINED: Tier = {
   ...TIERS.high,
-  physical: { ...TIERS.high.physical, opaque: "refined", bloomLevels: 4, hasAir: false },
+  physical: {
+    ...TIERS.high.physical,
+    opaque: "refined",
+    indirect: { ...FINE_INDIRECT, isBanded: true },
+    bloomLevels: 4,
+    hasAir: false,
+  },
 };
 
 /** Errors of simplified casters while the camera moves, metres; by `low`'s shadows and surfels. */

@@ -47,7 +47,7 @@ export class IndirectUpdates {
     const isFar =
       lastLight && vec3.distance(light.position, lastLight.position) > SCHEDULE.shadow.distance;
     if (!lastLight || (isExact && isFar)) {
-      return finish(indirect.capture(casters, light, shadow, "passes"));
+      return finish(indirect.capture(casters, light, shadow));
     }
     if (!this.#update) {
       if (this.#pause-- > 0 || indirect.isKnown(light, isExact)) return indirect.volume;

@@ -24,6 +24,8 @@ export interface IndirectDetail extends ProbeDetail {
   readonly bounces: number;
   /** Whether surfaces mirror the surfels in motion too. */
   readonly mirrorsInMotion: boolean;
+  /** Whether a step of a capture draws a band of a pass, not all of it. A face of the surfel cube is a step in both. */
+  readonly isBanded: boolean;
 }
 
 /**
