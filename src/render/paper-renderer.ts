@@ -67,7 +67,6 @@ export class PaperRenderer implements Renderer {
   /** Copies the frame to the canvas, or antialiases it. */
   readonly #present: Program;
   #size = { width: 1, height: 1 };
-  /** Exposure of the last frame. */
   #exposure = EXPOSURE;
 
   constructor(gpu: Gpu, { room, candle }: Models, tier: Tier, look: Look) {

@@ -72,7 +72,6 @@ export class IndirectPass {
   lastLight: CaptureLight | null = null;
   /** Of the surfels, whose capture may still go on. */
   capturedFor: CaptureLight | null = null;
-  /** Whether all bounces were computed. */
   #isExact = false;
   /** Of `bouncesAfter`: not shared, since other lights' bounces may come between its bands. */
   #passRadiance: RenderTarget | null = null;

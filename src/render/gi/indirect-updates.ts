@@ -6,7 +6,6 @@ import type { ShadowCasters } from "../shadow/shadow-casters.js";
 import type { IndirectPass, ShadowMap } from "./indirect-pass.js";
 import type { IrradianceVolume } from "./irradiance-volume.js";
 
-/** An update in progress. */
 interface Update {
   readonly light: CaptureLight;
   readonly isExact: boolean;

@@ -12,7 +12,6 @@ import { type DisplayTransform, whiteBalance } from "../post/display-pass.js";
 import { boxesBeside, scaleBox } from "../screen-bounds.js";
 import type { FrameBlocks, OpaqueLayer } from "./opaque-stage.js";
 
-/** Options of a composite to the canvas. */
 export interface DisplayOptions {
   /** Share of the light that lens and eye scatter. */
   readonly glareShare: number;
@@ -43,7 +42,6 @@ export class CompositeDisplayPass {
   readonly toneLut: DisplayLut;
   #color: RenderTarget | null = null;
   #antialiased: RenderTarget | null = null;
-  /** The antialiased colours of the previous frame, reprojected. */
   #reprojected: RenderTarget | null = null;
 
   constructor(gpu: Gpu) {

@@ -203,7 +203,6 @@ export class RefinedDisplayPass {
     }
   }
 
-  /** White balance of radiance per candela. */
   #white(transform: DisplayOptions["transform"]): readonly number[] {
     return whiteBalance(transform).map((gain, i) => gain * this.#stage.imageLight.flameColor[i]!);
   }
