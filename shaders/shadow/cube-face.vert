@@ -1,6 +1,5 @@
 #version 300 es
-// Geometry projected onto one face of a cube around a flame, for surfels or a lone model's shadows; or onto the moon's
-// map, for its surfels.
+// Geometry projected onto one face of a cube around a flame, or onto the moon's map: for shadows, and for surfels.
 #include "lib/precision.glsl"
 
 layout(location = 0) in vec3 aPosition;

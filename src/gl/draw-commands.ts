@@ -205,7 +205,6 @@ export class DrawCommands {
     return rgb;
   }
 
-  /** A program is about to draw. */
   protected beforeUse(_program: Program): void {}
 
   /** A framebuffer was bound by other means than a draw. */

@@ -36,7 +36,6 @@ export class GraphicsError extends Error {
   override readonly name = "GraphicsError";
 }
 
-/** The error for a framebuffer that cannot be drawn to. */
 export function incomplete(label: string, status: GLenum): GraphicsError {
   const cause = new Error(`${label}: framebuffer incomplete (0x${status.toString(16)})`);
   return new GraphicsError("The graphics driver refuses a surface to draw on.", { cause });

@@ -11,7 +11,6 @@ import { TextureView, type TextureViewOptions } from "./texture-view.js";
 import { UniformBlock } from "./uniform-block.js";
 import { VertexArray, type VertexArrayOptions } from "./vertex-array.js";
 
-/** All that a `Gpu` makes. */
 export type {
   Box,
   Buffer,
@@ -135,7 +134,6 @@ export class Gpu extends DrawCommands {
     return object;
   }
 
-  /** Whether `share` has made something for this key. */
   isShared(key: unknown): boolean {
     return this.#shared.has(key);
   }

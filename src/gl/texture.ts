@@ -84,7 +84,6 @@ export class Texture extends GpuObject {
     gl.bindTexture(this.target, null);
   }
 
-  /** Makes the mipmaps of a texture that has been filled or drawn. */
   updateMipmaps(): void {
     const gl = this.gl;
     gl.activeTexture(gl.TEXTURE0);

@@ -14,5 +14,7 @@ function hasFloatTargets(): boolean {
   canvas.width = canvas.height = 1;
   const gl = canvas.getContext("webgl2");
   const names = ["EXT_color_buffer_float", "EXT_color_buffer_half_float"];
-  return names.some((name) => gl?.getExtension(name));
+  const hasOne = names.some((name) => gl?.getExtension(name));
+  gl?.getExtension("WEBGL_lose_context")?.loseContext();
+  return hasOne;
 }

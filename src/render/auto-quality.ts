@@ -129,7 +129,6 @@ export class AutoQuality {
     if (this.#wanted !== null) this.#goTo(this.#wanted);
   }
 
-  /** The highest rung for a still frame. */
   get stillRung(): Rung {
     const best = LADDER.findLastIndex(
       (rung, i) => i > this.#index && this.#predictedTime(rung, this.pixel) <= STILL_BUDGET,

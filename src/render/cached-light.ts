@@ -28,7 +28,6 @@ export interface CachedLight {
   readonly key: string;
 }
 
-/** The standing candles among the cached lights. */
 export function candlesOf(cached: readonly CachedLight[]): readonly CachedLight[] {
   return cached.filter(({ kind }) => kind === "candle");
 }
@@ -38,22 +37,18 @@ export function isDark(world: World): boolean {
   return luma(flameIntensity(world)) < DARK;
 }
 
-/** Whether a standing candle burns. */
 export function hasStandingFlames({ standing }: World): boolean {
   return standing.some(({ flame }) => flame.glow > 0);
 }
 
-/** Whether no flame shines. */
 export function isUnlit(world: World): boolean {
   return isDark(world) && !hasStandingFlames(world);
 }
 
-/** Whether the moon is all that shines. */
 export function isMoonAlone(world: World, cached: readonly CachedLight[]): boolean {
   return isDark(world) && candlesOf(cached).length === 0 && moonOf(cached) !== null;
 }
 
-/** The moon among the cached lights. */
 export function moonOf(cached: readonly CachedLight[]): CachedLight | null {
   return cached.find(({ kind }) => kind === "moon") ?? null;
 }

@@ -5,7 +5,7 @@ import type { StandingCandle } from "../world/standing-candle.js";
 import type { Steps } from "../world/steps.js";
 import type { World } from "../world/world.js";
 import type { CachedLight } from "./cached-light.js";
-import type { IndirectScene, StepSize } from "./gi/indirect-pass.js";
+import type { IndirectScene } from "./gi/indirect-pass.js";
 import { type IndirectTargets, indirectTargets } from "./gi/indirect-targets.js";
 import { supportTarget } from "./gi/surfel-pass.js";
 import { MoonCaptures } from "./moon/moon-captures.js";
@@ -55,14 +55,13 @@ export class CachedLights {
   *steps(
     { moon, standing }: World,
     casters: ShadowCasters,
-    size: StepSize,
     isGradual = false,
   ): Steps<readonly CachedLight[]> {
     const lights: CachedLight[] = [];
     if (moon) {
       this.#moon ??= this.#makeMoon();
       yield;
-      const light = yield* this.#moon.light(moon, size, isGradual);
+      const light = yield* this.#moon.light(moon, isGradual);
       if (light) lights.push(light);
     }
     const slots = Math.min(standing.length, this.#mostCandles);
@@ -72,7 +71,7 @@ export class CachedLights {
     );
     const burning = groups.map(([first]) => first);
     for (const [first, ...others] of groups) {
-      const light = yield* this.#capturesOf(first, burning, slots).light(first, casters, size);
+      const light = yield* this.#capturesOf(first, burning, slots).light(first, casters);
       const all = [light.intensity, ...others.map((one) => flameLight(one, TAPER).intensity)];
       const sum = (channel: 0 | 1 | 2) => all.reduce((sum, one) => sum + one[channel], 0);
       lights.push({ ...light, intensity: [sum(0), sum(1), sum(2)] });
@@ -85,8 +84,8 @@ export class CachedLights {
    *
    * @param casters of shadows
    */
-  *night(casters: ShadowCasters, size: StepSize): Steps {
-    if (this.#moon) yield* this.#moon.night(casters, size);
+  *night(casters: ShadowCasters): Steps {
+    if (this.#moon) yield* this.#moon.night(casters);
   }
 
   /** Its own captures, or new ones, or those of a candle that is out. */

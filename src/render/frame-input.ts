@@ -5,7 +5,6 @@ import type { FrameSettings } from "./frame-settings.js";
 import type { CaptureLight } from "./light-block.js";
 import type { Mesh } from "./mesh/mesh.js";
 
-/** Pixels or texels. */
 export interface Size {
   readonly width: number;
   readonly height: number;
@@ -24,9 +23,7 @@ export interface ModelInstance {
   readonly isHeld: boolean;
 }
 
-/** All that a frame of the physical look is drawn from. */
 export interface FrameInput {
-  /** Where the image goes. */
   readonly screen: Surface;
   readonly world: World;
   readonly settings: FrameSettings;

@@ -1,6 +1,5 @@
 import type { Features, Inspection } from "../settings.js";
 
-/** Settings of a frame, beside the world. */
 export interface FrameSettings {
   readonly features: Features;
   /** Of the screen. */

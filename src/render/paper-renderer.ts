@@ -3,9 +3,9 @@ import candleFrag from "../../shaders/paper/candle.frag";
 import meshVert from "../../shaders/paper/mesh.vert";
 import particleFrag from "../../shaders/paper/particle.frag";
 import particleVert from "../../shaders/paper/particle.vert";
-import presentFrag from "../../shaders/paper/present.frag";
 import roomFrag from "../../shaders/paper/room.frag";
 import fxaaFrag from "../../shaders/post/fxaa.frag";
+import upscaleFrag from "../../shaders/post/upscale.frag";
 import type {
   Box,
   Gpu,
@@ -62,13 +62,13 @@ export class PaperRenderer implements Renderer {
   readonly #models: Readonly<Record<"room" | "candle", readonly Mesh[]>>;
   #systems: ParticleSystem[] = [];
   #target: RenderTarget | null = null;
+  /** Samples can only be resolved to a target of their own format: the canvas has no alpha. */
   #resolved: RenderTarget | null = null;
   /** Where edges are antialiased after shading: samples are what a CPU pays most for. */
   readonly #isFiltered: boolean;
   /** Copies the frame to the canvas, or antialiases it. */
   readonly #present: Program;
   #size = { width: 1, height: 1 };
-  /** Exposure of the last frame. */
   #exposure = EXPOSURE;
 
   constructor(gpu: Gpu, { room, candle }: Models, tier: Tier, look: Look) {
@@ -80,7 +80,7 @@ export class PaperRenderer implements Renderer {
     const defines = { EDGE_LEAST: CODE_DIFFERENCE, BY_CODE: 1 };
     this.#present = this.#isFiltered
       ? gpu.pass("post/fxaa", fxaaFrag, { defines })
-      : gpu.pass("paper/present", presentFrag);
+      : gpu.pass("post/upscale", upscaleFrag);
     const program = this.#program("room", { ...normals, CUTOUT: 0 });
     this.#frame = gpu.uniformBlock(program, "Frame");
     this.#light = gpu.uniformBlock(program, "Light");
@@ -128,19 +128,14 @@ export class PaperRenderer implements Renderer {
       this.#drawSurfaces(target, "candle", normals, placement);
     }
     if (features.particles) this.#drawParticles(target, world, features, frame);
-    const resolved = this.#resolved;
-    if (resolved) {
-      gpu.resolve(target, resolved);
-      const textures = { uFrame: resolved.color };
-      gpu.draw({ program: this.#present, target: "canvas", textures });
-    } else {
-      gpu.draw({
-        program: this.#present,
-        target: "canvas",
-        textures: { uSource: target.color, uSmooth: target.color },
-        sampling: { uSource: "nearest" },
-      });
-    }
+    if (this.#resolved) gpu.resolve(target, this.#resolved);
+    const { color } = this.#resolved ?? target;
+    gpu.draw({
+      program: this.#present,
+      target: "canvas",
+      textures: { uSource: color, uSmooth: color },
+      sampling: { uSource: "nearest" },
+    });
   }
 
   #updateBlocks(world: World, settings: FrameSettings): ReturnType<typeof frameBlock> {

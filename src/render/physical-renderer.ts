@@ -20,6 +20,7 @@ import { CompositeDisplayPass } from "./opaque/composite-display-pass.js";
 import { DeferredStage } from "./opaque/deferred-stage.js";
 import { ForwardStage } from "./opaque/forward-stage.js";
 import type { OpaqueLayer, OpaqueStage } from "./opaque/opaque-stage.js";
+import { BLOOM_REACH, BLOOM_SCALE, BloomPass } from "./post/bloom-pass.js";
 import {
   DisplayPass,
   displayTransform,
@@ -27,8 +28,6 @@ import {
   glareShareOf,
 } from "./post/display-pass.js";
 import { ExposurePass } from "./post/exposure-pass.js";
-import { BLOOM_REACH, BLOOM_SCALE, FlameBloomPass } from "./post/flame-bloom-pass.js";
-import { type Bloom, FrameBloomPass } from "./post/frame-bloom-pass.js";
 import { InspectPass } from "./post/inspect-pass.js";
 import { PostTiming } from "./post/post-timing.js";
 import type { Tier } from "./quality.js";
@@ -59,7 +58,7 @@ export class PhysicalRenderer implements Renderer {
   readonly #opaque: OpaqueStage;
   readonly #captures: Pick<LightCaptures, "update" | "steps">;
   readonly #volumetric: VolumetricStage;
-  readonly #bloom: Bloom;
+  readonly #bloom: BloomPass;
   readonly #exposure: ExposurePass;
   readonly #display: DisplayPass;
   /** Where the composite goes straight to the canvas, but for the volumetric stage's region. */
@@ -94,9 +93,7 @@ export class PhysicalRenderer implements Renderer {
     this.#captures =
       this.refining?.captures ?? new LightCaptures(gpu, scene, physical, lods !== null);
     this.#volumetric = new VolumetricStage(gpu, this.#candle, surfaces, blocks, format, physical);
-    this.#bloom = isFrugal
-      ? new FlameBloomPass(gpu, physical.bloomLevels, format)
-      : new FrameBloomPass(gpu, physical.bloomLevels);
+    this.#bloom = new BloomPass(gpu, physical.bloomLevels, format, isFrugal);
     this.#exposure = new ExposurePass(gpu, meterDefines);
     this.#display = new DisplayPass(gpu, isFrugal);
     this.#compositeDisplay = this.refining?.display ?? (lods && new CompositeDisplayPass(gpu));

@@ -1,7 +1,6 @@
 import type { Quality } from "../settings.js";
 import type { IndirectDetail } from "./gi/probe-rays.js";
 
-/** Settings of a quality level. */
 export interface Tier {
   readonly name: Exclude<Quality, "auto">;
   /** Share of the canvas's full resolution, along each axis. */
@@ -23,7 +22,6 @@ export interface ShadowQuality {
   readonly bias: number;
 }
 
-/** Numbers of the physical look. */
 export interface PhysicalTier {
   /** How surfaces are shaded: forward, by a G-buffer and lighting at a lower rate, or forward tile by tile. */
   readonly opaque: "forward" | "deferred" | "refined";
@@ -35,7 +33,6 @@ export interface PhysicalTier {
   readonly mostCandles: number;
   /** Largest error of shadow casters, metres. */
   readonly casterError: number;
-  /** Levels of the bloom's pyramid. */
   readonly bloomLevels: number;
   /** Steps of the ray march through the flame. */
   readonly flameSteps: number;
@@ -52,6 +49,7 @@ const COARSE_INDIRECT: IndirectDetail = {
   rays: 12,
   bounces: 12,
   mirrorsInMotion: true,
+  isBanded: false,
 };
 
 /** Indirect light of `high` and `ultra`, which differ by their shadows and their resolution. */
@@ -139,7 +137,13 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
 /** Tier of refinement at rest without a GPU: surfaces, flame and indirect light of `high`. */
 export const REFINED: Tier = {
   ...TIERS.high,
-  physical: { ...TIERS.high.physical, opaque: "refined", bloomLevels: 4, hasAir: false },
+  physical: {
+    ...TIERS.high.physical,
+    opaque: "refined",
+    indirect: { ...FINE_INDIRECT, isBanded: true },
+    bloomLevels: 4,
+    hasAir: false,
+  },
 };
 
 /** Errors of simplified casters while the camera moves, metres; by `low`'s shadows and surfels. */

@@ -28,7 +28,6 @@ export interface InitialImage {
   readonly fill: Steps<unknown>;
   /** After it: the surfaces in the light of that moment. */
   shade(): Steps<Surfaces>;
-  /** Frees what was drawn. */
   release(): void;
 }
 

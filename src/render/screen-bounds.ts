@@ -136,7 +136,6 @@ export function bandOf(size: Size, band: number, count: number): Box {
   return tiles(size, { rows: count, columns: 1 })[band]!;
 }
 
-/** A frame cut into rows and columns of boxes. */
 export function tiles(
   { width, height }: Size,
   { rows, columns }: Readonly<Record<"rows" | "columns", number>>,
@@ -167,7 +166,6 @@ export function boxesBeside(boxes: readonly Box[], { width, height }: Size): Box
   return rest;
 }
 
-/** All of a frame. */
 export function wholeOf({ width, height }: Size): Box {
   return [0, 0, width, height];
 }

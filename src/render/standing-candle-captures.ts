@@ -4,7 +4,7 @@ import type { Vec3 } from "../world/geometry.js";
 import type { StandingCandle } from "../world/standing-candle.js";
 import type { Steps } from "../world/steps.js";
 import type { CachedLight } from "./cached-light.js";
-import { IndirectPass, type IndirectScene, type StepSize } from "./gi/indirect-pass.js";
+import { IndirectPass, type IndirectScene } from "./gi/indirect-pass.js";
 import type { IndirectTargets } from "./gi/indirect-targets.js";
 import type { IndirectDetail } from "./gi/probe-rays.js";
 import { type SupportSlot, SurfelPass } from "./gi/surfel-pass.js";
@@ -69,10 +69,10 @@ export class StandingCandleCaptures {
     return this.#light?.name ?? null;
   }
 
-  *light(candle: StandingCandle, casters: ShadowCasters, size: StepSize): Steps<CachedLight> {
+  *light(candle: StandingCandle, casters: ShadowCasters): Steps<CachedLight> {
     if (this.name !== candle.name || !this.#light) {
       this.#light = null; // the steps may be abandoned
-      this.#light = yield* this.#capture(candle, casters, size);
+      this.#light = yield* this.#capture(candle, casters);
     }
     return { ...this.#light, intensity: flameLight(candle, TAPER).intensity };
   }
@@ -80,7 +80,6 @@ export class StandingCandleCaptures {
   *#capture(
     { name, root }: StandingCandle,
     casters: ShadowCasters,
-    size: StepSize,
   ): Steps<Omit<CachedLight, "intensity">> {
     const light = stillLight(root, this.#slot);
     const { position: captureOrigin } = light;
@@ -92,7 +91,7 @@ export class StandingCandleCaptures {
       light,
       block: this.#block,
       shadow: shadow.depth,
-      irradiance: yield* this.#indirect.capture(casters, light, shadow, size),
+      irradiance: yield* this.#indirect.capture(casters, light, shadow),
       background: 0,
       key: JSON.stringify(root),
     };

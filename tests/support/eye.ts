@@ -67,7 +67,7 @@ export class Eye {
     return { own, seen };
   }
 
-  /** Sums of light over the pixels, before and after scattering, by many taps or few. */
+  /** Sums of light over the pixels, before and after scattering, of the whole frame or of a flame alone. */
   scatter(
     radianceAt: (x: number, y: number) => Radiance,
     levels: number,
@@ -75,13 +75,13 @@ export class Eye {
   ): [number, number] {
     const { width, height } = this.#canvas;
     const gpu = this.#gpu;
-    const pass = new BloomPass(gpu, levels, { format: "RGBA16F", isFrugal });
+    const pass = new BloomPass(gpu, levels, "RGBA16F", isFrugal);
     pass.resize(width, height);
-    const scattered = pass.render(this.#picture(radianceAt));
+    const scattered = pass.render(this.#picture(radianceAt), [[0, 0, width, height]], [0, 0]);
     const target = gpu.textureView({ label: "scattered", textures: [scattered], image: 0 });
     const after = gpu
       .readFloats(target, [0, 0, target.width, target.height])
-      .reduce((sum, value) => sum + 4 * value, 0); // each covers four pixels
+      .reduce((sum, value) => sum + value * (isFrugal ? 16 / 0.7 ** 2 : 4), 0); // pixels that each covers, its share
     let before = 0;
     for (let i = 0; i < width * height; i++) {
       const [r, g, b] = radianceAt(i % width, Math.floor(i / width));

@@ -56,9 +56,7 @@ describe("docs/frame.md", () => {
     const expected = { deferred: tiersOf("deferred"), forward: tiersOf("forward") };
     for (const { pass, tiers } of ROWS) {
       const file = PROGRAMS.get(pass) ?? "";
-      const stage = /gbuffer\/|deferred-stage|lighting-pass|composite-display|flame-bloom/.test(
-        file,
-      )
+      const stage = /gbuffer\/|deferred-stage|lighting-pass|composite-display/.test(file)
         ? "deferred"
         : /forward-stage/.test(file)
           ? "forward"

@@ -186,7 +186,7 @@ test("Scattered light is as much as there was, wherever a flame stands in the pi
     const shares: number[] = [];
     for (const [width, height, levels, isFrugal] of [
       [320, 180, 5, false],
-      [213, 117, 3, true],
+      [852, 468, 3, true],
     ] as const) {
       const eye = new Eye(width, height);
       for (const [fx, fy] of [
@@ -195,7 +195,7 @@ test("Scattered light is as much as there was, wherever a flame stands in the pi
         [0.3, 0.7],
       ] as const) {
         const isFlame = (x: number, y: number) =>
-          Math.abs(x - fx * width) < 2 && Math.abs(y - fy * height) < 5;
+          Math.abs(x - fx * width) < 4 && Math.abs(y - fy * height) < 10;
         const [before, after] = eye.scatter(
           (x, y) => (isFlame(x, y) ? [9000, 4000, 300] : [0.02, 0.01, 0.002]),
           levels,

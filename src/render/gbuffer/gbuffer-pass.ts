@@ -37,7 +37,6 @@ const REDUCED_SAMPLING: NonNullable<Draw["sampling"]> = {
   uOcclusionRoughness: "texel",
 };
 
-/** What one call draws into. */
 interface Pass {
   readonly target: RenderTarget;
   readonly isReduced: boolean;

@@ -3,7 +3,6 @@ import irradianceFrag from "../../../shaders/gi/irradiance.frag";
 import type { Gpu, Program, RenderTarget } from "../../gl/gpu.js";
 import { IRRADIANCE_TEXELS } from "./probe-rays.js";
 
-/** Limit of the series of bounces. */
 export class BounceLimit {
   readonly #gpu: Gpu;
   readonly #weightsProgram: Program;

@@ -34,15 +34,12 @@ export interface IndirectScene {
   readonly surfaces: readonly Mesh[];
 }
 
-/** Bands that a pass is drawn in, where it is drawn in steps. */
+/** Bands that a pass is drawn in, where the capture is banded. */
 const BANDS = { surfelRadiance: 9, rayDirect: 3, rayRadiance: 4, gather: 3 };
-const AT_ONCE: typeof BANDS = { surfelRadiance: 1, rayDirect: 1, rayRadiance: 1, gather: 1 };
+const AT_ONCE = { surfelRadiance: 1, rayDirect: 1, rayRadiance: 1, gather: 1 };
 const PASS_BANDS = 40; // of `bouncesAfter`
 
 export type ShadowMap = Pick<ShadowCube, "depth" | "captureOrigin">;
-
-/** How much a step of a capture draws: a whole pass, or a band of one. A face of the surfel cube is a step in both. */
-export type StepSize = "passes" | "steps";
 
 /**
  * Indirect diffuse light by radiosity and dynamic irradiance probes, without precomputed lighting.
@@ -60,6 +57,7 @@ export class IndirectPass {
   readonly #rayDirectProgram: Program;
   readonly #surfelGatherProgram: Program;
   readonly #rayGatherProgram: Program;
+  readonly #bands: typeof BANDS;
   readonly #block: UniformBlock;
   /** Of `lib/probe-rays.glsl`. */
   readonly #uniforms: Readonly<Record<"uRays" | "uProbeRows" | "uGroup" | "uSurfelRows", number>>;
@@ -74,7 +72,6 @@ export class IndirectPass {
   lastLight: CaptureLight | null = null;
   /** Of the surfels, whose capture may still go on. */
   capturedFor: CaptureLight | null = null;
-  /** Whether all bounces were computed. */
   #isExact = false;
   /** Of `bouncesAfter`: not shared, since other lights' bounces may come between its bands. */
   #passRadiance: RenderTarget | null = null;
@@ -94,6 +91,7 @@ export class IndirectPass {
     this.#scene = scene;
     this.#surfels = surfels;
     this.#targets = targets;
+    this.#bands = detail.isBanded ? BANDS : AT_ONCE;
     this.#uniforms = {
       uRays: detail.rays,
       uProbeRows: detail.probes[1],
@@ -140,12 +138,11 @@ export class IndirectPass {
     casters: ShadowCasters,
     light: CaptureLight,
     shadow: ShadowMap,
-    size: StepSize,
   ): Steps<IrradianceVolume> {
     this.shadow = shadow;
-    if (size === "steps" || !this.isKnown(light, true)) {
+    if (this.#detail.isBanded || !this.isKnown(light, true)) {
       yield* this.captureSurfels(casters, light);
-      yield* this.allBounces(light, size === "steps" ? BANDS : AT_ONCE);
+      yield* this.allBounces(light);
     }
     return this.volume;
   }
@@ -191,10 +188,9 @@ export class IndirectPass {
     };
   }
 
-  /** All bounces, a band of a pass in each step. */
-  *allBounces(light: CaptureLight, bands = AT_ONCE): Steps {
-    yield* this.#renderFirstBounce(light, bands);
-    yield* this.#renderFurtherBounces(this.#irradiance, bands);
+  *allBounces(light: CaptureLight): Steps {
+    yield* this.#renderFirstBounce(light);
+    yield* this.#renderFurtherBounces(this.#irradiance);
     this.#revision++;
     this.#surfels.renderTotalRadiosity(this.volume.textures, this.#block);
     this.lastLight = light;
@@ -207,7 +203,7 @@ export class IndirectPass {
    * @param pass draws its radiance times solid angle, as gi/ray-radiance does
    * @param target irradiance, lx
    */
-  *bouncesAfter(pass: Omit<Draw, "target">, target: RenderTarget, size: StepSize): Steps {
+  *bouncesAfter(pass: Omit<Draw, "target">, target: RenderTarget): Steps {
     this.#passRadiance ??= rayRadianceTarget(this.#gpu, this.#detail);
     yield* drawInBands(this.#gpu, PASS_BANDS, {
       ...pass,
@@ -222,27 +218,26 @@ export class IndirectPass {
     const light = this.lastLight;
     do {
       this.#targets.usedFor = light;
-      const bands = size === "steps" ? BANDS : AT_ONCE;
-      const rest = this.#bouncesFrom(this.#passRadiance, target, bands);
-      if (size === "steps") yield* rest;
+      const rest = this.#bouncesFrom(this.#passRadiance, target);
+      if (this.#detail.isBanded) yield* rest;
       else finish(rest);
     } while (this.#targets.usedFor !== light); // another's have come in between
   }
 
-  *#bouncesFrom(radiance: RenderTarget, target: RenderTarget, bands: typeof BANDS): Steps {
+  *#bouncesFrom(radiance: RenderTarget, target: RenderTarget): Steps {
     const { firstBounce, bounces } = this.#targets;
     const [nothing] = bounces;
     this.#gpu.clear(nothing!, [0, 0, 0, 1]);
-    yield* this.#gatherRays(radiance, nothing!, firstBounce, bands);
-    yield* this.#renderFurtherBounces(target, bands);
+    yield* this.#gatherRays(radiance, nothing!, firstBounce);
+    yield* this.#renderFurtherBounces(target);
   }
 
   /** The limit of what begins with the targets' first bounce. */
-  *#renderFurtherBounces(target: RenderTarget, bands: typeof BANDS): Steps {
+  *#renderFurtherBounces(target: RenderTarget): Steps {
     const sums = [this.#targets.firstBounce];
     for (let bounce = 1; bounce < this.#detail.bounces; bounce++) {
       const sum = this.#targets.bounces[bounce % this.#targets.bounces.length]!;
-      yield* this.#renderNextBounce(sums.at(-1)!, sum, bands);
+      yield* this.#renderNextBounce(sums.at(-1)!, sum);
       sums.push(sum);
     }
     this.#limit.render(sums.slice(-4), target);
@@ -250,21 +245,21 @@ export class IndirectPass {
 
   /** The first bounce, and one of the previous irradiance, which approximates all further bounces. */
   *twoBounces(light: CaptureLight): Steps {
-    yield* this.#renderFirstBounce(light, AT_ONCE);
-    yield* this.#renderNextBounce(this.#irradiance, this.#irradiance, AT_ONCE);
+    yield* this.#renderFirstBounce(light);
+    yield* this.#renderNextBounce(this.#irradiance, this.#irradiance);
     this.lastLight = light;
     this.#revision++;
     if (!this.#detail.mirrorsInMotion) return;
     this.#surfels.renderTotalRadiosity(this.volume.textures, this.#block);
   }
 
-  *#renderFirstBounce(light: CaptureLight, bands: typeof BANDS): Steps {
+  *#renderFirstBounce(light: CaptureLight): Steps {
     this.#targets.usedFor = light;
     this.#surfels.renderRadiosity(light);
     yield;
     const { normalDistance: uSurfelNormalDistance, radiosity: uRadiosity } = this.#surfels;
     const { uProbePositions } = this.#probes.volume;
-    yield* drawInBands(this.#gpu, bands.surfelRadiance, {
+    yield* drawInBands(this.#gpu, this.#bands.surfelRadiance, {
       blocks: this.#surfels.blocks,
       program: this.#surfelRadianceProgram,
       uniforms: this.#uniforms,
@@ -279,7 +274,7 @@ export class IndirectPass {
     });
     const [surfelSum] = this.#targets.bounces;
     const [uRadiance, uDirection] = this.#targets.surfelRadiance.colors;
-    yield* drawInBands(this.#gpu, bands.gather, {
+    yield* drawInBands(this.#gpu, this.#bands.gather, {
       program: this.#surfelGatherProgram,
       uniforms: this.#uniforms,
       target: surfelSum!,
@@ -287,7 +282,7 @@ export class IndirectPass {
     });
     const { shadow } = this;
     if (!shadow) throw new Error("Rays are lit past a shadow map.");
-    yield* drawInBands(this.#gpu, bands.rayDirect, {
+    yield* drawInBands(this.#gpu, this.#bands.rayDirect, {
       blocks: this.#surfels.blocks,
       program: this.#rayDirectProgram,
       target: this.#targets.rayRadiance,
@@ -300,12 +295,12 @@ export class IndirectPass {
       uniforms: { ...this.#uniforms, uShadowOrigin: shadow.captureOrigin },
     });
     const { rayRadiance, firstBounce } = this.#targets;
-    yield* this.#gatherRays(rayRadiance, surfelSum!, firstBounce, bands);
+    yield* this.#gatherRays(rayRadiance, surfelSum!, firstBounce);
   }
 
-  *#renderNextBounce(last: RenderTarget, target: RenderTarget, bands: typeof BANDS): Steps {
+  *#renderNextBounce(last: RenderTarget, target: RenderTarget): Steps {
     const { rayRadiance, firstBounce } = this.#targets;
-    yield* drawInBands(this.#gpu, bands.rayRadiance, {
+    yield* drawInBands(this.#gpu, this.#bands.rayRadiance, {
       program: this.#rayRadianceProgram,
       uniforms: this.#uniforms,
       target: rayRadiance,
@@ -316,17 +311,12 @@ export class IndirectPass {
       },
       blocks: { Volume: this.#block },
     });
-    yield* this.#gatherRays(rayRadiance, firstBounce, target, bands);
+    yield* this.#gatherRays(rayRadiance, firstBounce, target);
   }
 
   /** The probes' irradiance before, plus that along their rays. */
-  *#gatherRays(
-    radiance: RenderTarget,
-    before: RenderTarget,
-    target: RenderTarget,
-    bands: typeof BANDS,
-  ): Steps {
-    yield* drawInBands(this.#gpu, bands.gather, {
+  *#gatherRays(radiance: RenderTarget, before: RenderTarget, target: RenderTarget): Steps {
+    yield* drawInBands(this.#gpu, this.#bands.gather, {
       program: this.#rayGatherProgram,
       uniforms: this.#uniforms,
       target,

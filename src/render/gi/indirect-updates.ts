@@ -6,7 +6,6 @@ import type { ShadowCasters } from "../shadow/shadow-casters.js";
 import type { IndirectPass, ShadowMap } from "./indirect-pass.js";
 import type { IrradianceVolume } from "./irradiance-volume.js";
 
-/** An update in progress. */
 interface Update {
   readonly light: CaptureLight;
   readonly isExact: boolean;
@@ -47,7 +46,7 @@ export class IndirectUpdates {
     const isFar =
       lastLight && vec3.distance(light.position, lastLight.position) > SCHEDULE.shadow.distance;
     if (!lastLight || (isExact && isFar)) {
-      return finish(indirect.capture(casters, light, shadow, "passes"));
+      return finish(indirect.capture(casters, light, shadow));
     }
     if (!this.#update) {
       if (this.#pause-- > 0 || indirect.isKnown(light, isExact)) return indirect.volume;

@@ -13,7 +13,7 @@ import { MOTION_ERROR, type PhysicalTier } from "../quality.js";
 import { clustersOf, ShadowCasters } from "../shadow/shadow-casters.js";
 import { type ShadowCube, ShadowPass, shadowAtlas } from "../shadow/shadow-pass.js";
 import { fitToRoom } from "./fit-to-room.js";
-import { IndirectPass, type IndirectScene, type StepSize } from "./indirect-pass.js";
+import { IndirectPass, type IndirectScene } from "./indirect-pass.js";
 import { indirectTargets } from "./indirect-targets.js";
 import { IndirectUpdates } from "./indirect-updates.js";
 import type { IrradianceVolume } from "./irradiance-volume.js";
@@ -84,24 +84,24 @@ export class LightCaptures {
   }
 
   update(frame: FrameInput, kind: GBufferKind): Captures {
-    const cached = finish(this.#lights(frame.world, "passes", frame.settings.canDefer));
+    const cached = finish(this.#lights(frame.world, frame.settings.canDefer));
     return { ...this.#ofFlame(frame, kind), cached };
   }
 
   /** Exact captures for a frame, in steps; `update` has nothing left to do then. */
   *steps({ world, captureLight }: FrameInput): Steps<Captures> {
-    const cached = yield* this.#lights(world, "passes");
-    return { ...(yield* this.#ofLight(captureLight, "passes")), cached };
+    const cached = yield* this.#lights(world);
+    return { ...(yield* this.#ofLight(captureLight)), cached };
   }
 
   /** @param isGradual whether what a new moon, or its light alone, needs may follow, a step in each call */
-  *#lights(world: World, size: StepSize, isGradual = false): Steps<readonly CachedLight[]> {
-    const lights = yield* this.#cachedLights.steps(world, this.#casters, size, isGradual);
+  *#lights(world: World, isGradual = false): Steps<readonly CachedLight[]> {
+    const lights = yield* this.#cachedLights.steps(world, this.#casters, isGradual);
     if (!this.#hasNight || !isMoonAlone(world, lights)) return lights;
-    const night = this.#cachedLights.night(this.#casters, size);
+    const night = this.#cachedLights.night(this.#casters);
     if (isGradual) night.next();
     else yield* night;
-    return yield* this.#cachedLights.steps(world, this.#casters, size, isGradual);
+    return yield* this.#cachedLights.steps(world, this.#casters, isGradual);
   }
 
   #ofFlame(
@@ -117,7 +117,7 @@ export class LightCaptures {
       const update = [this.#casters, captureLight, shadow] as const;
       const irradiance = settings.canDefer
         ? this.#updates.update(...update, { isExact: !settings.isMoving })
-        : finish(this.#indirect.capture(...update, "passes"));
+        : finish(this.#indirect.capture(...update));
       return { shadow, irradiance };
     }
     this.#prepareLods();
@@ -165,7 +165,7 @@ export class LightCaptures {
   }
 
   *#holdingSteps({ world, captureLight }: FrameInput): Steps {
-    yield* this.#lights(world, "steps");
+    yield* this.#lights(world);
     const held = this.#held?.light;
     // A hidden candle casts no shadow.
     const hasSameCandle =
@@ -173,14 +173,14 @@ export class LightCaptures {
     const distance = held ? vec3.distance(captureLight.position, held.position) : Infinity;
     if (hasSameCandle && distance <= SWAY) return;
     this.#held = null;
-    this.#held = { light: captureLight, captures: yield* this.#ofLight(captureLight, "steps") };
+    this.#held = { light: captureLight, captures: yield* this.#ofLight(captureLight) };
   }
 
-  *#ofLight(light: CaptureLight, size: StepSize): Steps<FlameCaptures> {
+  *#ofLight(light: CaptureLight): Steps<FlameCaptures> {
     const captureOrigin = light.position;
     const depth = yield* this.#shadow.steps(this.#casters, captureOrigin);
     const shadow = { depth, captureOrigin, isNew: false };
-    const irradiance = yield* this.#indirect.capture(this.#casters, light, shadow, size);
+    const irradiance = yield* this.#indirect.capture(this.#casters, light, shadow);
     return { shadow, irradiance };
   }
 

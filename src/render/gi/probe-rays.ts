@@ -6,7 +6,6 @@ import { type Task, type Tasks, taskOf } from "../task.js";
 import { interiorBounds } from "./interior-bounds.js";
 import { octahedral, rayDirections } from "./ray-directions.js";
 
-/** Resolution of an irradiance volume. */
 export interface ProbeDetail {
   /** Probes along x, y, z. */
   readonly probes: readonly [number, number, number];
@@ -24,6 +23,8 @@ export interface IndirectDetail extends ProbeDetail {
   readonly bounces: number;
   /** Whether surfaces mirror the surfels in motion too. */
   readonly mirrorsInMotion: boolean;
+  /** Whether a step of a capture draws a band of a pass, not all of it. A face of the surfel cube is a step in both. */
+  readonly isBanded: boolean;
 }
 
 /**
@@ -151,7 +152,6 @@ function placeOf(cell: Vec3, offset: Vec3, { min, max }: Bounds, detail: ProbeDe
 /** Attributes of hits of the parts' triangles, which are numbered one part after the other. */
 function hitsOn(parts: readonly Part[]) {
   let count = 0;
-  /** Number of the first triangle of each part. */
   const firsts = parts.map(({ indices }) => {
     count += Math.floor(indices.length / 3);
     return count - Math.floor(indices.length / 3);

@@ -9,7 +9,6 @@ import { floats } from "../float-format.js";
 import type { Mesh } from "../mesh/mesh.js";
 import { PROBE_DEPTH_EDGE, type ProbeDetail, type ProbeRays } from "./probe-rays.js";
 
-/** Bytes of a float. */
 const FLOAT = 4;
 /** Bands of the pass over all rays. */
 const BANDS = 12;

@@ -16,7 +16,6 @@ const SWAY = 0.008;
 /** Height of the view of a taper alone, metres. */
 const TAPER_VIEW = 0.3;
 
-/** Camera of a model alone. */
 interface CustomFraming extends LoneCamera {
   /** Of a taper alone over this view's. */
   readonly magnification: number;

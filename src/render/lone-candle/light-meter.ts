@@ -4,7 +4,6 @@ import type { Vec3 } from "../../world/geometry.js";
 import { CollisionMesh } from "../../world/room/collision-mesh.js";
 import { crossOf, verticesOf } from "../mesh/triangles.js";
 
-/** Points that are metered. */
 const POINTS = 192;
 /** Share of them that are darker than the key, and its place on the display's scale. */
 const KEY = 0.68;

@@ -15,7 +15,6 @@ const ADAPTATION = adaptation(TAPER.color);
 /** Vision of an eye that is adapted to candlelight. */
 const LIT = nightVision(0);
 
-/** Camera of a candle alone. */
 export interface LoneCamera {
   readonly eye: Vec3;
   readonly pitch: number;

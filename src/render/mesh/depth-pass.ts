@@ -79,7 +79,6 @@ export class DepthPass {
   }
 }
 
-/** Positions and triangles of meshes, as one. */
 function mergedTriangles(gpu: Gpu, meshes: readonly Mesh[]): VertexArray {
   const sum = (of: (mesh: Mesh) => number) => meshes.reduce((sum, mesh) => sum + of(mesh), 0);
   const positions = new Float32Array(sum(({ part }) => part.positions.length));

@@ -1,5 +1,5 @@
+import cubeFaceVert from "../../../shaders/shadow/cube-face.vert";
 import shadowFrag from "../../../shaders/shadow/shadow.frag";
-import shadowVert from "../../../shaders/shadow/shadow.vert";
 import type { Gpu, Texture } from "../../gl/gpu.js";
 import { adaptedMoonlight } from "../../light/moonlight.js";
 import type { Vec3 } from "../../world/geometry.js";
@@ -7,7 +7,7 @@ import type { Moon } from "../../world/moon.js";
 import { CollisionMesh } from "../../world/room/collision-mesh.js";
 import type { Steps } from "../../world/steps.js";
 import type { CachedLight } from "../cached-light.js";
-import { IndirectPass, type IndirectScene, type StepSize } from "../gi/indirect-pass.js";
+import { IndirectPass, type IndirectScene } from "../gi/indirect-pass.js";
 import type { IndirectTargets } from "../gi/indirect-targets.js";
 import { type IndirectDetail, probeTraceOf } from "../gi/probe-rays.js";
 import type { PhysicalTier } from "../quality.js";
@@ -80,11 +80,7 @@ export class MoonCaptures {
    *
    * @param isGradual whether a new direction is prepared a little in each call, and the last one shines until then
    */
-  *light(
-    { direction, illuminance }: Moon,
-    size: StepSize,
-    isGradual: boolean,
-  ): Steps<CachedLight | null> {
+  *light({ direction, illuminance }: Moon, isGradual: boolean): Steps<CachedLight | null> {
     const key = JSON.stringify(direction);
     const isWaiting = isGradual && this.#key !== "";
     while (key !== this.#key) {
@@ -98,7 +94,7 @@ export class MoonCaptures {
         // It replaces the last direction's, and its steps may be abandoned.
         this.#key = "";
         this.#light = null;
-        const captured = value && (yield* this.#capture(value, size));
+        const captured = value && (yield* this.#capture(value));
         this.#light = captured && { ...captured, key: next.key };
         this.#key = next.key;
       }
@@ -113,12 +109,12 @@ export class MoonCaptures {
    *
    * @param casters of the whole room
    */
-  *night(casters: ShadowCasters, size: StepSize): Steps {
+  *night(casters: ShadowCasters): Steps {
     if (!this.#light || this.#light.virtual) return;
     this.#virtual ??= new VirtualLights(this.#gpu, this.#surfels, this.#indirect, this.#detail);
-    this.#capturing ??= this.#virtual.capture(casters, this.#lit, size);
+    this.#capturing ??= this.#virtual.capture(casters, this.#lit);
     // Another frame may go on with it between these steps, or another direction replace it.
-    while (this.#capturing && !this.#light.virtual) {
+    while (this.#capturing && this.#light && !this.#light.virtual) {
       const { done, value } = this.#capturing.next();
       if (done) this.#light = { ...this.#light, virtual: value };
       else yield;
@@ -141,10 +137,12 @@ export class MoonCaptures {
     return { frustum, casters, lit, visibility };
   }
 
-  *#capture(
-    { frustum, casters, lit, visibility }: Prepared,
-    size: StepSize,
-  ): Steps<Omit<CachedLight, "intensity" | "key">> {
+  *#capture({
+    frustum,
+    casters,
+    lit,
+    visibility,
+  }: Prepared): Steps<Omit<CachedLight, "intensity" | "key">> {
     this.#drawMap(frustum, casters);
     yield;
     this.#capturing = null;
@@ -152,7 +150,7 @@ export class MoonCaptures {
     this.#surfels.prepare(frustum, visibility);
     const block = moonBlock(frustum, this.#surfels.detail);
     const shadow = { depth: this.#map, captureOrigin: frustum.corner };
-    const irradiance = yield* this.#indirect.capture(casters, block, shadow, size);
+    const irradiance = yield* this.#indirect.capture(casters, block, shadow);
     casters.dispose();
     return {
       kind: "moon",
@@ -177,7 +175,7 @@ export class MoonCaptures {
     this.#gpu.clear(target, [0, 0, 0, 0]);
     casters.draw(
       {
-        program: this.#gpu.program("shadow/shadow", shadowVert, shadowFrag),
+        program: this.#gpu.program("shadow/shadow", cubeFaceVert, shadowFrag),
         target,
         uniforms: { uClipFromWorld: clipFromFrustum(frustum) },
         depth: "test-and-write",

@@ -36,7 +36,6 @@ const UP: Vec3 = [0, 1, 0];
 const isWithin = ([least, most]: readonly [number, number], axis: Vec3, point: Vec3) =>
   vec3.dot(axis, point) >= least && vec3.dot(axis, point) <= most;
 
-/** All triangles of a material, by their corners. */
 function* trianglesOf({ parts }: Model, name: string): Generator<[Vec3, Vec3, Vec3]> {
   for (const part of parts.filter(({ material }) => material.name === name)) {
     for (let triangle = 0; 3 * triangle < part.indices.length; triangle++) {

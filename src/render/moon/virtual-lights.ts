@@ -4,7 +4,7 @@ import type { Gpu, RenderTarget, Texture } from "../../gl/gpu.js";
 import type { Vec3 } from "../../world/geometry.js";
 import type { Steps } from "../../world/steps.js";
 import { floats } from "../float-format.js";
-import type { IndirectPass, StepSize } from "../gi/indirect-pass.js";
+import type { IndirectPass } from "../gi/indirect-pass.js";
 import { irradianceMaps } from "../gi/indirect-targets.js";
 import type { IndirectDetail } from "../gi/probe-rays.js";
 import type { ShadowCasters } from "../shadow/shadow-casters.js";
@@ -140,7 +140,6 @@ export class VirtualLights {
   *capture(
     casters: ShadowCasters,
     points: readonly (LitPoint | null)[],
-    size: StepSize,
   ): Steps<VirtualLightTextures> {
     const groupsOf = (isPane: boolean, count: number) =>
       groupLitPoints(
@@ -180,7 +179,7 @@ export class VirtualLights {
       textures: lights,
       blocks: this.#surfels.blocks,
     };
-    yield* this.#indirect.bouncesAfter(nextBounce, this.#irradiance, size);
+    yield* this.#indirect.bouncesAfter(nextBounce, this.#irradiance);
     return { ...lights, uIrradiance: this.#irradiance.color };
   }
 

@@ -4,7 +4,6 @@ import type { Rgb } from "../../light/color.js";
 import type { CachedLight } from "../cached-light.js";
 import type { Size } from "../frame-input.js";
 
-/** Candles that are added in one draw. */
 const GROUP = 4;
 const DARK: Rgb = [0, 0, 0];
 const ONE: Rgb = [1, 1, 1];

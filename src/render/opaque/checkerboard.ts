@@ -66,7 +66,6 @@ export class Checkerboard {
     this.#clamp = gpu.pass("opaque/checkerboard-clamp", clampFrag);
   }
 
-  /** Frees the previous frame. */
   release(): void {
     for (const target of Object.values(this.#targets ?? {})) target.dispose();
     this.#targets = this.#source = null;

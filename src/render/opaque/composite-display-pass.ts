@@ -7,12 +7,11 @@ import type { Box, Gpu, Program, RenderTarget, Surface, Texture } from "../../gl
 import type { Steps } from "../../world/steps.js";
 import type { Size } from "../frame-input.js";
 import { forEachGBufferKind, type GBufferKind } from "../gbuffer/gbuffer.js";
+import { type DisplayLut, toneLut } from "../post/display-lut.js";
 import { type DisplayTransform, whiteBalance } from "../post/display-pass.js";
-import { ToneLut } from "../post/tone-lut.js";
 import { boxesBeside, scaleBox } from "../screen-bounds.js";
 import type { FrameBlocks, OpaqueLayer } from "./opaque-stage.js";
 
-/** Options of a composite to the canvas. */
 export interface DisplayOptions {
   /** Share of the light that lens and eye scatter. */
   readonly glareShare: number;
@@ -40,10 +39,9 @@ export class CompositeDisplayPass {
   readonly #reproject: Program;
   readonly #fxaa: Program;
   readonly #upscale: Program;
-  readonly #toneLut: ToneLut;
+  readonly toneLut: DisplayLut;
   #color: RenderTarget | null = null;
   #antialiased: RenderTarget | null = null;
-  /** The antialiased colours of the previous frame, reprojected. */
   #reprojected: RenderTarget | null = null;
 
   constructor(gpu: Gpu) {
@@ -61,7 +59,7 @@ export class CompositeDisplayPass {
       defines: { EDGE_LEAST: 0.06, BY_CODE: 0 },
     });
     this.#upscale = gpu.pass("post/upscale", upscaleFrag);
-    this.#toneLut = new ToneLut(gpu);
+    this.toneLut = toneLut(gpu);
   }
 
   /** @param textures of the layer, its G-buffer, the bloom, the exposure and the tone LUT */
@@ -156,10 +154,5 @@ export class CompositeDisplayPass {
     this.#color = target("color");
     this.#antialiased = target("antialiased");
     this.#reprojected = target("reprojected");
-  }
-
-  /** The tone LUT of a display transform. */
-  toneLut(transform: DisplayTransform): Texture {
-    return this.#toneLut.of(transform);
   }
 }

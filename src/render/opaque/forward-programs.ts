@@ -39,7 +39,6 @@ export interface LightsOf {
 
 const GLOSSY: Kind = { isGlossy: true, isCutOut: false };
 
-/** The program that shades meshes of a kind. */
 export function forwardProgram(
   gpu: Gpu,
   { physical }: Tier,

@@ -123,7 +123,6 @@ export class LightingPass {
     this.#key = "";
   }
 
-  /** Texels of the full lighting. */
   get size(): Size {
     return this.#fullTarget ?? { width: 1, height: 1 };
   }

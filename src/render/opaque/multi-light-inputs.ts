@@ -17,7 +17,6 @@ export class MultiLightInputs {
   readonly #gpu: Gpu;
   readonly #format: TextureFormat;
   #block: UniformBlock | null = null;
-  /** Irradiance volume of all lights. */
   #irradiance: RenderTarget | null = null;
 
   /** @param format of the irradiance volume */

@@ -5,7 +5,6 @@ import type { GBufferKind } from "../gbuffer/gbuffer.js";
 import type { Captures } from "../gi/light-captures.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
 
-/** Uniform blocks that all passes of a frame share. */
 export interface FrameBlocks {
   /** Camera and exposure. */
   readonly Frame: UniformBlock;

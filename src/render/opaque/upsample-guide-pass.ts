@@ -4,7 +4,6 @@ import type { Box, Gpu, Program, RenderTarget, Texture } from "../../gl/gpu.js";
 import type { Size } from "../frame-input.js";
 import type { GBuffer } from "../gbuffer/gbuffer.js";
 
-/** A supersampled G-buffer. */
 export type GBufferSamples = Pick<GBuffer, "albedo" | "surface" | "depth">;
 
 /** Resolves a supersampled G-buffer to pixels, each with a guide to the lighting texels of its own surface. */
@@ -44,7 +43,6 @@ export class UpsampleGuidePass {
     return this.#resolved;
   }
 
-  /** The sample that represents each lighting texel. */
   get representative(): Texture {
     if (!this.#representative) throw new Error("No representative samples are chosen yet.");
     return this.#representative.color;

@@ -6,7 +6,8 @@ import { TAPER } from "../../light/flame-light.js";
 import { nightVision } from "../../light/night-vision.js";
 import { EXPOSURE_LAW } from "../../world/player/exposure-adaptation.js";
 import type { FrameSettings } from "../frame-settings.js";
-import { HueLut } from "./hue-lut.js";
+import type { BloomPass } from "./bloom-pass.js";
+import { type DisplayLut, hueLut } from "./display-lut.js";
 
 /** Share of the light that eye and lens scatter. */
 const GLARE_SHARE = 0.0006;
@@ -61,27 +62,19 @@ export function whiteBalance({ uAdaptation, uWhite }: DisplayTransform): Rgb {
   return [gain(0), gain(1), gain(2)];
 }
 
-/** From uv on the frame to uv on the bloom. */
-export interface BloomTransform {
-  /** Share of the bloom's texture that the frame fills. */
-  readonly share: readonly [number, number];
-  /** Offset on the frame, uv. */
-  readonly shift: readonly [number, number];
-}
-
 /** Exposure, bloom and display transform: from cd/m² to the canvas. */
 export class DisplayPass {
   readonly #gpu: Gpu;
   readonly #program: Program;
   /** Null with a tone LUT. */
-  readonly #hueLut: HueLut | null;
+  readonly #hueLut: DisplayLut | null;
 
   /** @param usesToneLut whether the display transform is looked up in `uToneLut`, but for the brightest light */
   constructor(gpu: Gpu, usesToneLut = false) {
     this.#gpu = gpu;
     const defines = { TONE_LUT: usesToneLut ? 1 : 0 };
     this.#program = gpu.program("post/display", displayVert, displayFrag, { defines });
-    this.#hueLut = usesToneLut ? null : new HueLut(gpu);
+    this.#hueLut = usesToneLut ? null : hueLut(gpu);
   }
 
   /** @param scissor part of the frame; all of it if absent */
@@ -89,7 +82,7 @@ export class DisplayPass {
     textures: Readonly<Record<"uRadiance" | "uBloom" | "uExposure", Texture>> & {
       readonly uToneLut?: Texture;
     },
-    { share, shift }: BloomTransform,
+    { share, shift }: ReturnType<BloomPass["transform"]>,
     view: Pick<FrameSettings, "features">,
     transform: DisplayTransform,
     frame: UniformBlock,
@@ -99,7 +92,7 @@ export class DisplayPass {
     this.#gpu.draw({
       program: this.#program,
       target: screen,
-      textures: { ...textures, ...(this.#hueLut && { uHueLut: this.#hueLut.of(transform) }) },
+      textures: { ...textures, ...(this.#hueLut && { uHueLut: this.#hueLut(transform) }) },
       uniforms: {
         ...transform,
         uWhiteBalance: whiteBalance(transform),

@@ -10,9 +10,8 @@ import type { Steps } from "../../world/steps.js";
 import type { Size } from "../frame-input.js";
 import type { DisplayOptions } from "../opaque/composite-display-pass.js";
 import type { FrameBlocks, OpaqueLayer } from "../opaque/opaque-stage.js";
+import { type DisplayLut, hueLut, toneLut } from "../post/display-lut.js";
 import { whiteBalance } from "../post/display-pass.js";
-import { HueLut } from "../post/hue-lut.js";
-import { ToneLut } from "../post/tone-lut.js";
 import { bandOf, expandBox, expandBoxes } from "../screen-bounds.js";
 import type { RefinedImage } from "./refined-fade.js";
 import type { RefinedStage } from "./refined-stage.js";
@@ -36,8 +35,8 @@ const OUTSIDE = 1e4;
 export class RefinedDisplayPass {
   readonly #gpu: Gpu;
   readonly #stage: RefinedStage;
-  readonly #toneLut: ToneLut;
-  readonly #hueLut: HueLut;
+  readonly toneLut: DisplayLut;
+  readonly #hueLut: DisplayLut;
   /** Without kept colours, and over them. */
   readonly #display: Program;
   readonly #glare: Program;
@@ -59,8 +58,8 @@ export class RefinedDisplayPass {
   constructor(gpu: Gpu, stage: RefinedStage) {
     this.#gpu = gpu;
     this.#stage = stage;
-    this.#toneLut = new ToneLut(gpu);
-    this.#hueLut = new HueLut(gpu);
+    this.toneLut = toneLut(gpu);
+    this.#hueLut = hueLut(gpu);
     const display = (KEPT: 0 | 1) =>
       gpu.program("refinement/display", blendVert, displayFrag, { defines: { KEPT } });
     this.#display = display(0);
@@ -74,10 +73,6 @@ export class RefinedDisplayPass {
     this.#references = ["dimmer", "brighter"].map((name) =>
       gpu.renderTarget({ label: `refinement/${name} reference`, ...texel }),
     );
-  }
-
-  toneLut(transform: DisplayOptions["transform"]): Texture {
-    return this.#toneLut.of(transform);
   }
 
   /** The last displayed image; null before all of it was kept. */
@@ -119,7 +114,7 @@ export class RefinedDisplayPass {
         });
       }
       yield;
-      this.#hueLut.of(transform);
+      this.#hueLut(transform);
       yield;
       this.#keepTile([0, 0, 1, 1], { ...layer.textures, ...textures }, options, blocks); // to compile
       yield;
@@ -172,7 +167,7 @@ export class RefinedDisplayPass {
         textures: {
           ...textures,
           uExposure: this.#references[i]!.color,
-          uHueLut: this.#hueLut.of(transform),
+          uHueLut: this.#hueLut(transform),
         },
         uniforms: {
           ...transform,
@@ -208,7 +203,6 @@ export class RefinedDisplayPass {
     }
   }
 
-  /** White balance of radiance per candela. */
   #white(transform: DisplayOptions["transform"]): readonly number[] {
     return whiteBalance(transform).map((gain, i) => gain * this.#stage.imageLight.flameColor[i]!);
   }

@@ -106,7 +106,6 @@ export class RefinedStage implements OpaqueStage {
     this.display = new RefinedDisplayPass(gpu, this);
   }
 
-  /** Tiles that are still to be drawn. */
   get remaining(): number {
     return this.#tiles.length;
   }
@@ -161,7 +160,6 @@ export class RefinedStage implements OpaqueStage {
     this.#prepass.resize({ width, height });
   }
 
-  /** Tiles drawn since the last call. */
   takeDrawn(): readonly Box[] {
     return this.#drawn.splice(0);
   }

@@ -10,10 +10,8 @@ import { casterAlbedoOf } from "./caster-albedo.js";
 
 /** Most draws for a cube face: a further draw call costs more than the triangles that it would cull. */
 const MOST_DRAWS = 3;
-/** Bytes of a float. */
 const FLOAT = 4;
 
-/** Level of detail of casters. */
 export interface CasterDetail {
   /** Size of the largest feature that may be simplified away, metres. */
   readonly error: number;
@@ -90,7 +88,6 @@ export class ShadowCasters {
     yield* casterAlbedoOf(this.#gpu, this.#surfaces);
   }
 
-  /** Draws clusters with `uCasterAlbedo`. */
   drawWithAlbedo(
     pass: Omit<Draw, "vertexArray" | "textures">,
     isVisible: (box: Bounds) => boolean,

@@ -1,6 +1,6 @@
 import { vec3 } from "gl-matrix";
+import cubeFaceVert from "../../../shaders/shadow/cube-face.vert";
 import shadowFrag from "../../../shaders/shadow/shadow.frag";
-import shadowVert from "../../../shaders/shadow/shadow.vert";
 import type { Gpu, Program, Texture } from "../../gl/gpu.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import { finish, type Steps } from "../../world/steps.js";
@@ -67,7 +67,7 @@ export class ShadowPass {
   /** @param slot in the texture, which other lights may share */
   constructor(gpu: Gpu, atlas: ShadowAtlas, slot = 0) {
     this.#gpu = gpu;
-    this.#program = gpu.program("shadow/shadow", shadowVert, shadowFrag);
+    this.#program = gpu.program("shadow/shadow", cubeFaceVert, shadowFrag);
     this.#atlas = atlas;
     this.#slot = slot;
   }

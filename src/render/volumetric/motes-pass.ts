@@ -33,12 +33,10 @@ export class MotesPass {
     });
   }
 
-  /** Particle slots in use in the last frame. */
   get particles(): number {
     return this.#systems.reduce((sum, { count }) => sum + count, 0);
   }
 
-  /** Replaces the particles by those of a new world, or of other layers. */
   setLayers({ seed }: World, layers: readonly ParticleLayer[]): void {
     for (const system of this.#systems) system.dispose();
     this.#systems = layers.map(

@@ -18,7 +18,6 @@ import { HISTORY, TICK, type Timeline } from "../../world/timeline.js";
 const MAX_TICKS = 2;
 const STRIDE = PARTICLE_FLOATS * Float32Array.BYTES_PER_ELEMENT;
 
-/** Half of the double buffer. */
 interface Half {
   readonly buffer: Buffer;
   readonly vertexArray: VertexArray;

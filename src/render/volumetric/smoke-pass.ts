@@ -47,7 +47,6 @@ export class SmokePass {
     });
   }
 
-  /** Blends the smoke of all candles over the target. */
   render(world: World, clip: mat4, draw: SmokeDraw): void {
     const smokes = [...visibleSmokes(world)];
     if (smokes.length === 0) return;
@@ -78,7 +77,6 @@ function* visibleSmokes({ plume, standing }: World): Generator<Smoke> {
   }
 }
 
-/** Bounding spheres of the smoke of each candle. */
 export function* smokeSpheres(world: World): Generator<Iterable<Sphere>> {
   for (const smoke of visibleSmokes(world)) yield spheresOf(smoke);
 }
