@@ -41,10 +41,14 @@ export async function createCandle(
   const isOn = () => isWanted() && target.gpu === gpu && !gpu.isLost;
   const steps = worldInSteps(scene, options);
   let step = steps.next();
-  for (; !step.done; step = steps.next()) await nextTask();
+  for (; !step.done; step = steps.next()) {
+    await nextTask();
+    if (!isOn()) return null;
+  }
   const auto = new AutoQuality(workOf(scene, options), () => measureTarget(target, true));
   const { quality } = options;
   if (quality === "auto") auto.pixel = await measureTarget(target);
+  if (!isOn()) return null;
   const { tier: name } = plays ? auto.rung : auto.stillRung;
   const tier = tierNamed(quality === "auto" ? name : quality);
   while (!scene.prepareRenderer(target, tier, options)) {
