@@ -36,7 +36,8 @@ export class Session {
   #loading: AbortController | null = null;
   #scene: Scene | null = null;
   #candle: CandleFlame | null = null;
-  #candles = this.#listCandles();
+  /** Listed when they are asked for. */
+  #candles: CandleList | null = null;
   /** Creations of candles under way, of which one at most is wanted. */
   #creations = 0;
   /** Of the canvas on the page; the renderer may draw fewer. */
@@ -76,6 +77,7 @@ export class Session {
   }
 
   get candles(): CandleList["entries"] {
+    this.#candles ??= new CandleList(this.#candle, () => this.#owner.changed());
     return this.#candles.entries;
   }
 
@@ -198,13 +200,9 @@ export class Session {
     }
   }
 
-  #listCandles(): CandleList {
-    return new CandleList(this.#candle, () => this.#owner.changed());
-  }
-
-  #renewCandles(): void {
-    this.#candles.retire();
-    this.#candles = this.#listCandles();
+  #retireCandles(): void {
+    this.#candles?.retire();
+    this.#candles = null;
   }
 
   #show(scene: Scene): void {
@@ -212,8 +210,8 @@ export class Session {
     const candle = this.#candle;
     this.#scene = scene;
     this.use((candle) => {
+      this.#retireCandles(); // before the events of what is shown
       candle.show(scene, this.options);
-      this.#renewCandles();
       this.#owner.onScene(candle);
     });
     previous?.close();
@@ -254,7 +252,7 @@ export class Session {
 
   #begin(candle: CandleFlame): void {
     this.#candle = candle;
-    this.#renewCandles();
+    this.#retireCandles();
     this.#setUp(candle);
     candle.onFailure = (error) => this.#owner.onError(error);
     this.use(() => this.#owner.onCandle(candle));
@@ -280,7 +278,7 @@ export class Session {
     if (this.#candle) this.#candle.dispose();
     else this.#target.dispose();
     this.#candle = null;
-    this.#candles.retire();
+    this.#retireCandles();
     this.#scene?.close();
     this.#scene = null;
   }

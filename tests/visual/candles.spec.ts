@@ -220,6 +220,10 @@ test("another room has other candles, and the old ones do nothing", async () => 
     const loaded = new Promise((resolve) =>
       element.addEventListener("load", resolve, { once: true }),
     );
+    const isOther = new Promise((resolve) =>
+      element.addEventListener("take", () => resolve(element.candles !== old), { once: true }),
+    );
+    element.place();
     element.src = "other.glb";
     await loaded;
     const events: string[] = [];
@@ -232,7 +236,7 @@ test("another room has other candles, and the old ones do nothing", async () => 
     const { candles } = element;
     return {
       events,
-      isOther: candles !== old,
+      isOther: await isOther,
       old: old.map(({ lit, luminousIntensity }) => [lit, luminousIntensity]),
       names: candles.map(({ name }) => name),
       lit: candles.map(({ lit }) => lit),
