@@ -217,9 +217,10 @@ export class CandleFlameElement extends ReflectedAttributes {
 
   /** Restarts at time 0; with a seed, with other random numbers. */
   reset(seed?: number): void {
+    const before = this.seed;
     if (seed !== undefined) this.seed = seed;
     this.#pending.forget();
-    this.#use((candle) => candle.reset());
+    if (this.seed === before) this.#use((candle) => candle.reset()); // else it is new already
     this.#lifecycle.changed();
   }
 

@@ -14,8 +14,8 @@ interface Creation {
   readonly plays: boolean;
   /** Whether it is still wanted. */
   readonly isWanted: () => boolean;
-  /** Makes a candle what it will be in its first frame. */
-  readonly rehearse: (candle: CandleFlame) => void;
+  /** Makes a candle what it will be in its first frame. Whether it is no longer as new thereby. */
+  readonly rehearse: (candle: CandleFlame) => boolean;
 }
 
 /** Time of a pixel of the benchmark load on a target, seconds, for `auto`; measured once, or `again`. */
@@ -59,8 +59,8 @@ export async function createCandle(
   if (!isOn()) return null;
   const world = step.value;
   const candle = new CandleFlame(target, scene, features, options, plays, { auto, world });
-  rehearse(candle);
+  const isChanged = rehearse(candle);
   await candle.prepareFrame(plays, isOn);
-  candle.reset();
+  if (isChanged) candle.reset();
   return isOn() ? candle : null;
 }

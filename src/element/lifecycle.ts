@@ -219,10 +219,10 @@ export class Lifecycle {
     this.#overlay.hideProgress();
   }
 
-  /** Gives a candle what the page has asked for meanwhile; without `onPlaced` it is not shown yet. */
-  applyPending(candle: CandleFlame, onPlaced?: () => void): void {
+  /** Gives a candle what the page has asked for meanwhile, if anything; without `onPlaced` it is not shown yet. */
+  applyPending(candle: CandleFlame, onPlaced?: () => void): boolean {
     const { shownRequest = null, isFetching = false } = this.#session ?? {};
-    this.pending.applyTo(candle, shownRequest, isFetching, onPlaced);
+    return this.pending.applyTo(candle, shownRequest, isFetching, onPlaced);
   }
 
   /** Shows the first frame. */

@@ -103,15 +103,18 @@ export class PendingWorld {
    * @param isFollowed whether another world is on its way, for which camera and placing are kept
    * @param onPlaced called when the candle has been put down, with the camera that it was put down from; without it
    * all is kept, to be applied again
+   * @returns whether there was anything
    */
   applyTo(
     candle: CandleFlame,
     shownRequest: SceneRequest | null,
     isFollowed: boolean,
     onPlaced?: () => void,
-  ): void {
+  ): boolean {
     const isLit = this.#isLit;
-    if (this.#saved || isLit !== null) {
+    const isOther = this.#saved !== null || (isLit !== null && isLit !== candle.isLit(0));
+    const isAny = isOther || this.#placing !== null || this.#camera !== null;
+    if (isOther) {
       const snapshot = this.#saved?.snapshot ?? takeSnapshot(candle.world);
       const isSameRoom = !this.#saved || areSame(this.#saved.request, shownRequest);
       candle.resume({ ...snapshot, isLit: isLit ?? snapshot.isLit }, isSameRoom);
@@ -123,9 +126,10 @@ export class PendingWorld {
       setCamera(candle, before);
     }
     if (this.#camera) setCamera(candle, this.#camera);
-    if (!onPlaced) return;
+    if (!onPlaced) return isAny;
     this.forgetTime();
     this.#isLit = null;
     if (!isFollowed) this.forgetPlaces();
+    return isAny;
   }
 }

@@ -225,14 +225,16 @@ export class Session {
     // Frees what another scene's creation made, which is no longer wanted.
     if (this.#creations++ > 0) target.clear();
     const { features } = this.#input;
+    const { options } = this;
     try {
-      const created = await createCandle(target, scene, features, this.options, {
+      const created = await createCandle(target, scene, features, options, {
         plays: this.#owner.plays(),
         isWanted,
         rehearse: (candle) => {
           this.#setUp(candle);
           this.#fit(candle);
-          this.#owner.applyPending(candle);
+          const isOther = JSON.stringify(this.options) !== JSON.stringify(options);
+          return this.#owner.applyPending(candle) || isOther;
         },
       });
       if (created) this.#begin(created);

@@ -12,7 +12,7 @@ test("a candle that is not wanted any more makes nothing on the GPU", async () =
   const wind = { speed: 0, direction: 0, gustiness: 0 };
   const moon = { illuminance: null, direction: null };
   const options = { look: "physical", seed: 1, quality: "low", wind, moon } as Options;
-  const rehearse = () => {};
+  const rehearse = () => false;
   const creation = { plays: true, isWanted: () => false, rehearse };
   expect(await createCandle(target, scene, allFeatures(), options, creation)).toBeNull();
   expect(prepareRenderer).not.toHaveBeenCalled();

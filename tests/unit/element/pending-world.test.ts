@@ -1,4 +1,5 @@
-import { expect, test } from "vitest";
+import { expect, test, vi } from "vitest";
+import type { CandleFlame } from "../../../src/candle-flame.ts";
 import { PendingWorld } from "../../../src/element/pending-world.ts";
 import { createWorld } from "../../../src/world/create-world.ts";
 import { takeSnapshot } from "../../../src/world/snapshot.ts";
@@ -18,4 +19,22 @@ test("between two worlds a candle that stood is taken up, once", () => {
   pending.save({ ...takeSnapshot(createWorld("physical", 1)), stand }, REQUEST);
   expect(pending.isHeld).toBe(false);
   expect([pending.take(), pending.isHeld, pending.take()]).toEqual([true, true, false]);
+});
+
+test("a new world that is as the page asks is kept", () => {
+  const resume = vi.fn();
+  const candle = { world: createWorld("physical", 1), isLit: () => true, resume };
+  const apply = (pending: PendingWorld) =>
+    pending.applyTo(candle as unknown as CandleFlame, REQUEST, false);
+  const pending = new PendingWorld();
+  expect(apply(pending)).toBe(false);
+  pending.setLit(true);
+  expect(apply(pending)).toBe(false);
+  expect(resume).not.toHaveBeenCalled();
+  pending.setLit(false);
+  expect(apply(pending)).toBe(true);
+  expect(resume).toHaveBeenCalledOnce();
+  pending.setLit(true);
+  pending.moveCamera({ yaw: 1 });
+  expect(apply(pending)).toBe(true);
 });
