@@ -6,7 +6,7 @@ const CONTROLS: Readonly<Record<Device, string>> = {
   mouse:
     "[W][A][S][D] walk, the mouse looks, a click is for the flame, [F] for the candle, [Esc] leaves",
   keyboard:
-    "[W][A][S][D] walk, [Q][R] turn, [E] is for the flame, [F] for the candle, [Esc] leaves",
+    "[W][A][S][D] walk, [Q][R] turn, [PgUp][PgDn] look, [E] is for the flame, [F] for the candle, [Esc] leaves",
   touch:
     "Walk with the left thumb, look with the right. Tap twice for the flame, hold for the candle",
   gamepad:

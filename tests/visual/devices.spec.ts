@@ -167,7 +167,7 @@ test("The keyboard alone looks up and down and says what it can", async ({ page 
   await page.keyboard.press("Enter");
   expect(await room.isWalking()).toBe(true);
   expect(await hintOf(room)).toBe(
-    "WASD walk, QR turn, E is for the flame, F for the candle, Esc leaves",
+    "WASD walk, QR turn, PgUpPgDn look, E is for the flame, F for the candle, Esc leaves",
   );
   await page.keyboard.down("PageDown");
   await room.step(0.5);
