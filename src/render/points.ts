@@ -22,3 +22,9 @@ export function rangeAlong(axis: Vec3, points: readonly Vec3[]): readonly [numbe
   }
   return [least, most];
 }
+
+/** A point, from a corner and shares of two edges. */
+export function pointOn(corner: Vec3, across: Vec3, up: Vec3, column: number, row: number): Vec3 {
+  const along = (axis: 0 | 1 | 2) => corner[axis] + column * across[axis] + row * up[axis];
+  return [along(0), along(1), along(2)];
+}

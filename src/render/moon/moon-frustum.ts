@@ -3,7 +3,7 @@ import type { Model, Part } from "../../assets/model.js";
 import { moonLuma } from "../../light/moonlight.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import { verticesOf } from "../mesh/triangles.js";
-import { rangeAlong } from "../points.js";
+import { pointOn, rangeAlong } from "../points.js";
 import { areaOf, type Panes, stopsMoonlight } from "./panes.js";
 
 /** Luminance of the sky under a moon of 1 lx, cd/m²: 0.002 under one of 0.15 lx. */
@@ -25,8 +25,6 @@ export interface MoonFrustum {
 }
 
 const scale = (v: Readonly<Vec3>, by: number): Vec3 => [v[0] * by, v[1] * by, v[2] * by];
-const add = (...all: readonly Readonly<Vec3>[]): Vec3 =>
-  [0, 1, 2].map((axis) => all.reduce((sum, v) => sum + v[axis]!, 0)) as Vec3;
 
 function cornersOf({ min, max }: Bounds): Vec3[] {
   return Array.from({ length: 8 }, (_, i) => [
@@ -48,19 +46,13 @@ export function moonFrustum(
   const up = vec3.cross([0, 0, 0], across, direction) as Vec3;
   const room = cornersOf({ min: [...min], max: [...max] });
   const lit = panes
-    ? [0, 1, 2, 3].map((i) =>
-        add(panes.corner, scale(panes.across, i & 1), scale(panes.up, i >> 1)),
-      )
+    ? [0, 1, 2, 3].map((i) => pointOn(panes.corner, panes.across, panes.up, i & 1, i >> 1))
     : room;
   const [left, right] = rangeAlong(across, lit);
   const [bottom, top] = rangeAlong(up, lit);
   const [near, far] = rangeAlong(direction, room);
   return {
-    corner: add(
-      scale(across, left - MARGIN),
-      scale(up, bottom - MARGIN),
-      scale(direction, near - MARGIN),
-    ),
+    corner: pointOn(scale(direction, near - MARGIN), across, up, left - MARGIN, bottom - MARGIN),
     across: scale(across, right - left + 2 * MARGIN),
     up: scale(up, top - bottom + 2 * MARGIN),
     direction,

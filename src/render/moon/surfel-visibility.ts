@@ -4,6 +4,7 @@ import type { CollisionMesh } from "../../world/room/collision-mesh.js";
 import type { Steps } from "../../world/steps.js";
 import { surfelRowsOf } from "../gi/indirect-targets.js";
 import type { IndirectDetail } from "../gi/probe-rays.js";
+import { pointOn } from "../points.js";
 import { FACES } from "../shadow/cube-map.js";
 import type { MoonFrustum } from "./moon-frustum.js";
 import type { LitPoint } from "./virtual-lights.js";
@@ -18,12 +19,6 @@ export interface SurfelVisibility {
   readonly width: number;
   readonly height: number;
   readonly data: Uint8Array;
-}
-
-/** A point, from a corner and shares of two edges. */
-function pointOn(corner: Vec3, across: Vec3, up: Vec3, column: number, row: number): Vec3 {
-  const along = (axis: 0 | 1 | 2) => corner[axis] + column * across[axis] + row * up[axis];
-  return [along(0), along(1), along(2)];
 }
 
 /** What the moon lights at each of its surfels, as `lib/surfels.glsl` has them; null where its light meets nothing. */

@@ -1,3 +1,4 @@
+import { vec3 } from "gl-matrix";
 import { length3, type Vec3 } from "../geometry.js";
 import type { CollisionMesh } from "./collision-mesh.js";
 
@@ -33,19 +34,15 @@ export function freePlace(
   if (backs.length < MOST * DIRECTIONS.length) return place;
   const exits = backs
     .toSorted((a, b) => a.distance - b.distance)
-    .map(({ distance, direction }) => along(place, direction, distance + clearance));
+    .map(({ distance, direction }) => {
+      return vec3.scaleAndAdd([0, 0, 0], place, direction, distance + clearance) as Vec3;
+    });
   const around = exits.map((exit) => lookAround(collision, exit, isSolid));
   const isFree = around.map(({ backs }) => backs.length < MOST * DIRECTIONS.length);
   const indoors = around.findIndex(
     ({ fronts }, i) => isFree[i] && fronts >= MOST * DIRECTIONS.length,
   );
   return exits[indoors] ?? exits[isFree.indexOf(true)] ?? place;
-}
-
-function along(from: Readonly<Vec3>, direction: Readonly<Vec3>, distance: number): Vec3 {
-  const [x, y, z] = from;
-  const [dx, dy, dz] = direction;
-  return [x + dx * distance, y + dy * distance, z + dz * distance];
 }
 
 /** What the rays from a place meet first. */
