@@ -4,6 +4,7 @@ import { headBob } from "./player/gait.js";
 import { holdOut } from "./player/hand.js";
 import type { World } from "./world.js";
 
+const way: Vec3 = [0, 0, 0];
 const bob: Vec3 = [0, 0, 0];
 
 /** Extrapolates the frame's positions from the last tick by the time left over, so that motion is smooth. */
@@ -11,8 +12,11 @@ export function interpolate(world: World): void {
   const { player, candle, emitter, interpolated, remainder, room } = world;
   const { position, velocity } = player;
   const { eye, foot, flame } = interpolated;
-  for (let axis = 0; axis < 3; axis++) eye[axis] = position[axis]! + velocity[axis]! * remainder;
-  world.movementBounds.clamp(eye);
+  for (let axis = 0; axis < 3; axis++) {
+    eye[axis] = position[axis]!;
+    way[axis] = velocity[axis]! * remainder;
+  }
+  world.movementBounds.move(eye, way, way);
   const heldWeight = candle.isHeld ? 1 : 0;
   for (let axis = 0; axis < 3; axis++) {
     const carried = (eye[axis]! - position[axis]!) * heldWeight;

@@ -1,4 +1,4 @@
-import { describe, expect, test } from "vitest";
+import { describe, expect, test, vi } from "vitest";
 import { SETTINGS } from "../../../src/settings.ts";
 import { advance } from "../../../src/world/advance.ts";
 import { createPlume } from "../../../src/world/air/plume.ts";
@@ -7,10 +7,13 @@ import { createWorld } from "../../../src/world/create-world.ts";
 import { GROUPS } from "../../../src/world/particles/particle-layer.ts";
 import { PARTICLE_FLOATS } from "../../../src/world/particles/particles.ts";
 import { type Intent, STILL } from "../../../src/world/player/intent.ts";
+import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";
+import { createRoom } from "../../../src/world/room/room.ts";
 import { TICK } from "../../../src/world/timeline.ts";
 import { currentTime, type World } from "../../../src/world/world.ts";
 import { temperatureAt } from "../../support/plume.ts";
 import { chance } from "../chance.ts";
+import { FURNISHED } from "./rooms.ts";
 
 const LOOKS = SETTINGS.look.choices;
 const WALKING: Intent = { ...STILL, forward: 1, right: 0.3, turn: 0.4, runs: true };
@@ -117,6 +120,18 @@ describe("time (P7)", () => {
       expect(world.interpolated.foot[axis] - world.candle.position[axis]).toBeCloseTo(ahead, 9);
     }
     expect(Math.hypot(...velocity)).toBeGreaterThan(1);
+  });
+
+  test("leads a walker nowhere between the ticks that is not free", () => {
+    const room = createRoom(new CollisionMesh(FURNISHED.parts), null);
+    const { plan } = room;
+    let searches = 0;
+    vi.spyOn(plan, "settle").mockImplementation(([x, , z]) => {
+      if (!plan.isFree(x, z)) searches++;
+    });
+    const world = createWorld("physical", 1, { room });
+    for (let i = 0; i < 4; i++) advanced(world, 1 / 144, 144, { ...WALKING, turn: 0.4 * (i % 2) });
+    expect(searches).toBe(0);
   });
 });
 
