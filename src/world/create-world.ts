@@ -82,7 +82,7 @@ export function* createWorldInSteps(
     flame: new Flame(wick, isLit),
     plume: null,
     createPlume: isPhysical ? (options.createPlume ?? null) : null,
-    adaptation: isPhysical && room ? room.createAdaptation(eye) : null,
+    adaptation: isPhysical && room ? room.createAdaptation() : null,
     emitter: [0, 0, 0],
     interpolated: { eye: [0, 0, 0], foot: [0, 0, 0], flame: [0, 0, 0] },
     timeline: new Timeline(age - HISTORY),

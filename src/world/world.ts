@@ -7,9 +7,9 @@ import type { Vec3 } from "./geometry.js";
 import type { Moon } from "./moon.js";
 import type { Particles } from "./particles/particles.js";
 import type { SparkSchedule } from "./particles/sparks.js";
+import type { ExposureAdaptation } from "./player/exposure-adaptation.js";
 import type { Hand } from "./player/hand.js";
 import type { Player } from "./player/player.js";
-import type { RoomAdaptation } from "./player/room-adaptation.js";
 import type { MovementBounds } from "./room/movement-bounds.js";
 import type { Refusal } from "./room/placement.js";
 import type { Room } from "./room/room.js";
@@ -43,7 +43,7 @@ export interface World {
   /** Null where neither is drawn: the paper's flame heats nothing. */
   readonly createPlume: CreatePlume | null;
   /** Null where there is no room in real light. */
-  readonly adaptation: RoomAdaptation | null;
+  readonly adaptation: ExposureAdaptation | null;
   /** Foot of the flame, metres. */
   readonly emitter: Vec3;
   /** Positions at the moment of the frame, up to a tick after the state above. Metres. */

@@ -8,8 +8,11 @@ import type {
   Texture,
   UniformBlock,
 } from "../../gl/gpu.js";
-import { EXPOSURE_LAW, mostExposure } from "../../world/player/exposure-adaptation.js";
-import type { RoomAdaptation } from "../../world/player/room-adaptation.js";
+import {
+  EXPOSURE_LAW,
+  type ExposureAdaptation,
+  mostExposure,
+} from "../../world/player/exposure-adaptation.js";
 
 /** Metered cells of the frame, each of 16 taps; even numbers. */
 const CELLS = { width: 32, height: 18 } as const;
@@ -47,7 +50,7 @@ export class ExposurePass {
   render(
     textures: Readonly<Record<string, Texture>>,
     roomReflectance: Texture,
-    { lag = 0, darkness = 0 }: Partial<Pick<RoomAdaptation, "lag" | "darkness">>,
+    { lag = 0, darkness = 0 }: Partial<Pick<ExposureAdaptation, "lag" | "darkness">>,
     blocks: Readonly<Record<string, UniformBlock>> = {},
   ): Texture {
     const { luminance, stops, share, least, reflectance, keyShare } = EXPOSURE_LAW;

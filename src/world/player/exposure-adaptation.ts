@@ -1,5 +1,6 @@
 import { length3, type Vec3 } from "../geometry.js";
 import type { CollisionMesh } from "../room/collision-mesh.js";
+import type { World } from "../world.js";
 
 /**
  * Auto exposure, in stops; 0 shows 1 cd/m² as the display's white.
@@ -51,22 +52,10 @@ const DAZZLING = 0.9;
 /** Intensity below which all flames count as out, candela. */
 const OUT = 1e-3;
 
-/** View that the eye adapts to, and its light. Metres, radians, candela. */
-export interface AdaptationView {
-  readonly collision: CollisionMesh;
-  readonly eye: Readonly<Vec3>;
-  yaw: number;
-  pitch: number;
-  /** Across the frame's shorter side, radians. */
-  fieldOfView: number;
-  /** Middle of the flame. */
-  readonly flame: Vec3;
-  /** Number of its candle. */
-  candle: number;
-  luminousIntensity: number;
-  /** Of the moon outside, lux. */
-  moonlight: number;
-}
+/** Middle of a flame from its foot, metres. */
+const MIDDLE = 0.025;
+/** How much brighter than the carried flame, which is near, another one has to be. */
+const BRIGHTER = 2;
 
 /** Rays across a view of 16:9. */
 const COLUMNS = 6;
@@ -91,89 +80,109 @@ export class ExposureAdaptation {
   lag = 0;
   /** Adaptation to moonlight, 0 to 1. Stays 0 in a room without moonlight. */
   darkness = 0;
+  readonly #collision: CollisionMesh;
+  /** Indirect light, lux for each candela. */
+  readonly #bounced: number;
   #target = 0;
-  /** Exposure that the last view asks for, stops, and the indirect light in it, lux for each candela. */
+  /** Exposure that the last view asks for, stops. */
   #metered = 0;
-  #bounced = 0;
   /** Luminances at the rays' ends, cd/m² for each candela of the flame. */
   readonly #luminances = new Float64Array(RAYS);
-  /** View of those: eye, yaw, pitch, flame, field of view. */
+  /** View of those, and the current one: eye, yaw, pitch, middle of the flame, field of view. */
   readonly #lastView = new Float64Array(9).fill(Number.NaN);
+  readonly #view = new Float64Array(9);
   /** Candle that the estimate goes by. */
   #candle = 0;
+  readonly #flame: Vec3 = [0, 0, 0];
   readonly #direction: Vec3 = [0, 0, 0];
   readonly #place: Vec3 = [0, 0, 0];
+
+  constructor(collision: CollisionMesh) {
+    this.#collision = collision;
+    // As in an integrating sphere.
+    const { min, max } = collision.bounds;
+    const x = max[0] - min[0];
+    const y = max[1] - min[1];
+    const z = max[2] - min[2];
+    const area = 2 * (x * y + y * z + z * x);
+    this.#bounced = ((4 * Math.PI) / area) * (ALBEDO / (1 - ALBEDO));
+  }
 
   /** Exposure by the eye's own estimate, stops. */
   get exposure(): number {
     return this.#target + this.lag;
   }
 
-  /** Adapts fully, to the dark as well. */
-  adaptToDark(view: AdaptationView): void {
-    this.darkness = isMoonlit(view) ? 1 : 0;
+  /** Adapts fully, to the dark as well: in a new world. */
+  adaptFully(world: World): void {
+    this.darkness = isMoonlit(world) ? 1 : 0;
+    this.settle(world);
   }
 
   /** After a cut: the eye is adapted. */
-  settle(view: AdaptationView): void {
-    this.#meter(view);
+  settle(world: World): void {
+    this.#meter(world);
     this.#target = this.#metered;
     this.lag = 0;
   }
 
   /** After a sudden change of the view: the eye lags. */
-  notice(view: AdaptationView): void {
+  notice(world: World): void {
     const before = this.#candle;
-    this.#meter(view);
+    this.#meter(world);
     // By another candle's light the estimate is another one, and the view is not.
     if (before === this.#candle) this.lag += this.#target - this.#metered;
     this.#target = this.#metered;
   }
 
-  advance(view: AdaptationView, seconds: number): void {
-    this.darkness = isMoonlit(view)
+  advance(world: World, seconds: number): void {
+    this.darkness = isMoonlit(world)
       ? Math.min(this.darkness + seconds / DARKENING, 1)
       : this.darkness * Math.exp(-seconds / DAZZLING);
-    this.notice(view);
+    this.notice(world);
     this.lag *= Math.exp(-seconds / (this.lag > 0 ? CLOSING : OPENING));
   }
 
-  #meter(view: AdaptationView): void {
-    this.#candle = view.candle;
-    if (this.#hasMoved(view)) this.#castRays(view);
+  #meter(world: World): void {
+    const { candle, place, glow } = brightestRoot(world);
+    this.#candle = candle;
+    for (let axis = 0; axis < 3; axis++) this.#flame[axis] = place[axis]!;
+    this.#flame[1] += MIDDLE;
+    if (this.#hasMoved(world)) this.#castRays(world.player.position);
     let sum = 0;
     for (let ray = 0; ray < RAYS; ray++) {
-      sum += Math.log2(Math.max(this.#luminances[ray]! * view.luminousIntensity, DARKEST));
+      sum += Math.log2(Math.max(this.#luminances[ray]! * glow, DARKEST));
     }
     this.#metered = exposureOf(sum / RAYS, this.darkness);
   }
 
-  #hasMoved({ eye, yaw, pitch, flame, fieldOfView }: AdaptationView): boolean {
-    const from = this.#lastView;
-    let most = Math.max(Math.abs(yaw - from[3]!), Math.abs(pitch - from[4]!));
-    most = Math.max(most, Math.abs(fieldOfView - from[8]!));
+  #hasMoved({ player, fieldOfView, setup }: World): boolean {
+    const view = this.#view;
     for (let axis = 0; axis < 3; axis++) {
-      most = Math.max(most, Math.abs(eye[axis]! - from[axis]!));
-      most = Math.max(most, Math.abs(flame[axis]! - from[axis + 5]!));
+      view[axis] = player.position[axis]!;
+      view[axis + 5] = this.#flame[axis]!;
+    }
+    view[3] = player.yaw;
+    view[4] = player.pitch;
+    // Chosen by branches: as the value of an expression that may be null, a number is boxed.
+    if (fieldOfView === null) view[8] = setup.fieldOfView;
+    else view[8] = fieldOfView;
+    let most = 0;
+    for (let i = 0; i < view.length; i++) {
+      most = Math.max(most, Math.abs(view[i]! - this.#lastView[i]!));
     }
     if (most < TOLERANCE) return false; // the first time it is NaN
-    for (let axis = 0; axis < 3; axis++) {
-      from[axis] = eye[axis]!;
-      from[axis + 5] = flame[axis]!;
-    }
-    from[3] = yaw;
-    from[4] = pitch;
-    from[8] = fieldOfView;
+    this.#lastView.set(view);
     return true;
   }
 
-  #castRays({ collision, eye, yaw, pitch, flame, fieldOfView }: AdaptationView): void {
-    const height = Math.tan(fieldOfView / 2);
-    const sinYaw = Math.sin(yaw);
-    const cosYaw = Math.cos(yaw);
-    const sinPitch = Math.sin(pitch);
-    const cosPitch = Math.cos(pitch);
-    this.#bounce(collision);
+  #castRays(eye: Readonly<Vec3>): void {
+    const view = this.#view;
+    const height = Math.tan(view[8]! / 2);
+    const sinYaw = Math.sin(view[3]!);
+    const cosYaw = Math.cos(view[3]!);
+    const sinPitch = Math.sin(view[4]!);
+    const cosPitch = Math.cos(view[4]!);
     for (let ray = 0; ray < RAYS; ray++) {
       const right = (((ray % COLUMNS) + 0.5) * (2 / COLUMNS) - 1) * height * ASPECT;
       const up = ((Math.floor(ray / COLUMNS) + 0.5) * (2 / ROWS) - 1) * height;
@@ -182,26 +191,14 @@ export class ExposureAdaptation {
       this.#direction[0] = (right * cosYaw - ahead * sinYaw) / length;
       this.#direction[1] = (sinPitch + up * cosPitch) / length;
       this.#direction[2] = (-right * sinYaw - ahead * cosYaw) / length;
-      this.#lightRay(ray, collision, eye, flame);
+      this.#lightRay(ray, eye);
     }
   }
 
-  /** Indirect light of a closed room, as in an integrating sphere. */
-  #bounce({ bounds: { min, max } }: CollisionMesh): void {
-    const x = max[0] - min[0];
-    const y = max[1] - min[1];
-    const z = max[2] - min[2];
-    const area = 2 * (x * y + y * z + z * x);
-    this.#bounced = ((4 * Math.PI) / area) * (ALBEDO / (1 - ALBEDO));
-  }
-
   /** Luminance at a ray's end by a flame of 1 cd. */
-  #lightRay(
-    ray: number,
-    collision: CollisionMesh,
-    eye: Readonly<Vec3>,
-    flame: Readonly<Vec3>,
-  ): void {
+  #lightRay(ray: number, eye: Readonly<Vec3>): void {
+    const collision = this.#collision;
+    const flame = this.#flame;
     const direction = this.#direction;
     const place = this.#place;
     const hit = collision.raycast(eye, direction, REACH);
@@ -224,6 +221,29 @@ export class ExposureAdaptation {
   }
 }
 
-function isMoonlit({ moonlight, luminousIntensity }: AdaptationView): boolean {
-  return moonlight > 0 && luminousIntensity < OUT;
+function isMoonlit(world: World): boolean {
+  return world.moon !== null && world.moon.illuminance > 0 && brightestRoot(world).glow < OUT;
+}
+
+const brightest: { candle: number; place: Readonly<Vec3>; glow: number } = {
+  candle: 0,
+  place: [0, 0, 0],
+  glow: 0,
+};
+
+/** Root of the carried flame, or of a brighter one. */
+function brightestRoot({ flame, emitter, standing }: World): typeof brightest {
+  brightest.candle = 0;
+  brightest.place = emitter;
+  brightest.glow = flame.glow;
+  let most = flame.glow * BRIGHTER;
+  for (let i = 0; i < standing.length; i++) {
+    const candle = standing[i]!;
+    if (!(candle.flame.glow > most)) continue;
+    most = candle.flame.glow;
+    brightest.candle = i + 1;
+    brightest.place = candle.root;
+    brightest.glow = most;
+  }
+  return brightest;
 }

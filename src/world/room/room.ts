@@ -1,8 +1,8 @@
 import { CANDLE_CYLINDER } from "../candle.js";
 import type { Vec3 } from "../geometry.js";
+import { ExposureAdaptation } from "../player/exposure-adaptation.js";
 import { EYE_HEIGHT } from "../player/gait.js";
 import { gazeDirection, type Player } from "../player/player.js";
-import { RoomAdaptation } from "../player/room-adaptation.js";
 import type { World } from "../world.js";
 import type { CollisionMesh } from "./collision-mesh.js";
 import { FloorPlan } from "./floor-plan.js";
@@ -17,7 +17,7 @@ export interface Room {
   readonly collision: CollisionMesh;
   readonly plan: FloorPlan;
   readonly movementBounds: MovementBounds;
-  createAdaptation(eye: Readonly<Vec3>): RoomAdaptation;
+  createAdaptation(): ExposureAdaptation;
   /** Initial eye position, metres, and yaw. */
   readonly start: Vec3;
   readonly yaw: number;
@@ -54,7 +54,7 @@ export function createRoom(
     collision,
     plan,
     movementBounds,
-    createAdaptation: (eye) => new RoomAdaptation(collision, eye),
+    createAdaptation: () => new ExposureAdaptation(collision),
     start: [x, y + EYE_HEIGHT, z],
     yaw: spawn?.yaw ?? 0,
     isSame({ collision: { triangles } }) {

@@ -4,7 +4,6 @@ import { moveCamera, placeCandle } from "../../../../src/world/commands.ts";
 import { createWorld } from "../../../../src/world/create-world.ts";
 import type { Vec3 } from "../../../../src/world/geometry.ts";
 import {
-  type AdaptationView,
   DARKEST,
   EXPOSURE_LAW,
   ExposureAdaptation,
@@ -21,16 +20,15 @@ const SOLID = new CollisionMesh(PARTS);
 const IN_THE_HAND: Vec3 = [0.3, 1.45, 0.9];
 const BY_THE_WALL: Vec3 = [0, 1.3, -1.7];
 
-function sight(flame: Vec3, luminousIntensity = 1): AdaptationView {
-  const view = { eye: [0, 1.6, 1.5], yaw: 0, pitch: -0.1, fieldOfView: 0.98 } as const;
-  return { collision: SOLID, ...view, flame, candle: 0, luminousIntensity, moonlight: 0 };
+/** As much of a world as the eye adapts to. */
+function sight(emitter: Vec3, glow = 1, fieldOfView = 0.98, moonlight = 0): World {
+  const player = { position: [0, 1.6, 1.5], yaw: 0, pitch: -0.1 };
+  const moon = moonlight > 0 ? { illuminance: moonlight } : null;
+  return { player, fieldOfView, emitter, flame: { glow }, standing: [], moon } as unknown as World;
 }
 
 /** Seconds until the eye has made nine tenths of the way to what it sees now; and whether it ever turned back. */
-function timing(
-  adaptation: ExposureAdaptation,
-  seen: AdaptationView,
-): { time: number; isSteady: boolean } {
+function timing(adaptation: ExposureAdaptation, seen: World): { time: number; isSteady: boolean } {
   adaptation.notice(seen);
   const first = Math.abs(adaptation.lag);
   let isSteady = true;
@@ -46,11 +44,10 @@ function timing(
 const lagOf = ({ adaptation }: World) => adaptation?.lag ?? Number.NaN;
 
 test("a wider view is another view", () => {
-  const adaptation = new ExposureAdaptation();
-  const seen = sight(BY_THE_WALL);
-  adaptation.settle(seen);
+  const adaptation = new ExposureAdaptation(SOLID);
+  adaptation.settle(sight(BY_THE_WALL));
   const { exposure } = adaptation;
-  adaptation.settle({ ...seen, fieldOfView: 2 });
+  adaptation.settle(sight(BY_THE_WALL, 1, 2));
   expect(Math.abs(adaptation.exposure - exposure)).toBeGreaterThan(0.1);
 });
 
@@ -97,7 +94,7 @@ describe("the exposure that a picture asks for", () => {
 
 describe("an eye", () => {
   test("takes two to four seconds to close and to open, and does not swing", () => {
-    const adaptation = new ExposureAdaptation();
+    const adaptation = new ExposureAdaptation(SOLID);
     adaptation.settle(sight(IN_THE_HAND));
     expect(adaptation.lag).toBe(0);
     for (const [flame, sign] of [
@@ -115,9 +112,9 @@ describe("an eye", () => {
   });
 
   test("ends at the same exposure from brightness and from darkness", () => {
-    const ends = [4, 0].map((luminousIntensity) => {
-      const adaptation = new ExposureAdaptation();
-      adaptation.settle(sight(IN_THE_HAND, luminousIntensity));
+    const ends = [4, 0].map((glow) => {
+      const adaptation = new ExposureAdaptation(SOLID);
+      adaptation.settle(sight(IN_THE_HAND, glow));
       for (let i = 0; i < 600; i++) adaptation.advance(sight(IN_THE_HAND), 1 / 60);
       expect(Math.abs(adaptation.lag)).toBeLessThan(0.01);
       return adaptation.exposure;
@@ -127,7 +124,7 @@ describe("an eye", () => {
   });
 
   test("follows a flickering flame by a fraction, and never by flashes", () => {
-    const adaptation = new ExposureAdaptation();
+    const adaptation = new ExposureAdaptation(SOLID);
     adaptation.settle(sight(IN_THE_HAND));
     const exposures = Array.from({ length: 240 }, (_, i) => {
       // Between half a candela and two, ten times a second: worse than any flame of ours.
@@ -161,8 +158,8 @@ describe("an eye", () => {
 });
 
 test("in moonlight alone the eye adapts to the dark in twenty seconds, and loses that to a flame in two", () => {
-  const out = { ...sight(IN_THE_HAND, 0), moonlight: 0.15 };
-  const adaptation = new ExposureAdaptation();
+  const [out, lit] = [0, 1].map((glow) => sight(IN_THE_HAND, glow, 0.98, 0.15)) as [World, World];
+  const adaptation = new ExposureAdaptation(SOLID);
   adaptation.settle(sight(IN_THE_HAND));
   for (let i = 0; i < 600; i++) adaptation.advance(out, 1 / 60);
   expect(adaptation.darkness).toBeCloseTo(0.5, 6);
@@ -170,15 +167,15 @@ test("in moonlight alone the eye adapts to the dark in twenty seconds, and loses
   for (let i = 0; i < 660; i++) adaptation.advance(out, 1 / 60);
   expect(adaptation.darkness).toBe(1);
   expect(adaptation.exposure).toBeGreaterThan(exposure + 1);
-  for (let i = 0; i < 120; i++) adaptation.advance({ ...out, luminousIntensity: 1 }, 1 / 60);
+  for (let i = 0; i < 120; i++) adaptation.advance(lit, 1 / 60);
   expect(adaptation.darkness).toBeLessThan(0.12);
-  adaptation.adaptToDark(out);
+  adaptation.adaptFully(out);
   expect(adaptation.darkness).toBe(1);
 });
 
 test("where no moon shines, an unlit room stays as black as at first", () => {
-  const adaptation = new ExposureAdaptation();
+  const adaptation = new ExposureAdaptation(SOLID);
   for (let i = 0; i < 60; i++) adaptation.advance(sight(IN_THE_HAND, 0), 1);
-  adaptation.adaptToDark(sight(IN_THE_HAND, 0));
+  adaptation.adaptFully(sight(IN_THE_HAND, 0));
   expect(adaptation.darkness).toBe(0);
 });
