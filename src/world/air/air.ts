@@ -83,13 +83,14 @@ export class Air {
    * @param eye the visitor's, metres
    * @param pace velocity of the visitor, m/s
    * @param flame foot of the flame, metres
+   * @param carrying velocity of the flame that is carried, m/s
    */
   advance(
     tick: number,
     eye: Readonly<Vec3>,
     pace: Readonly<Vec3>,
-    flame: Readonly<Vec3> = eye,
-    carrying: Readonly<Vec3> = NO_MOTION,
+    flame: Readonly<Vec3>,
+    carrying: Readonly<Vec3>,
   ): void {
     const previous = this.#tick;
     this.#tick = tick;

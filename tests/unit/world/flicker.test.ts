@@ -12,7 +12,7 @@ function lights(wick: number, wind: Wind, seed = 7) {
   const flame = new Flame(wick, true);
   const [shown, unlimited]: [number[], number[]] = [[], []];
   for (let i = 0; i < 32 * RATE; i++) {
-    air.advance(i + 1, [0, 1.6, 2], [0, 0, 0]);
+    air.advance(i + 1, [0, 1.6, 2], [0, 0, 0], [0, 1, 0], [0, 0, 0]);
     flame.advance([0, 1, 0], [...STANDING], air, false, TICK);
     if (i < 2 * RATE) continue;
     shown.push(flame.glow);

@@ -34,7 +34,7 @@ function watch(wick: number, wind: Wind, deed: Deed, of: (flame: Flame) => numbe
   for (let tick = 0; tick < 10 / TICK; tick++) {
     const seconds = tick * TICK;
     deed(flame, air, seconds);
-    air.advance(2 / TICK + tick, EYE, AT_REST);
+    air.advance(2 / TICK + tick, EYE, AT_REST, FOOT, AT_REST);
     flame.advance(FOOT, AT_REST, air, false, TICK);
     if (tick % 2 === 0) continue;
     for (const [i, wall] of WALLS.entries()) {

@@ -63,7 +63,7 @@ describe("carried", () => {
       foot[0] += speed * TICK;
       const motion: Vec3 = [speed, 0, 0];
       // In an open hand: nobody shelters it.
-      air.advance(tick + 1, EYE, AT_REST);
+      air.advance(tick + 1, EYE, AT_REST, EYE, AT_REST);
       flame.advance(foot, motion, air, false, TICK);
       leans.push(lean(flame, foot));
     }
@@ -99,7 +99,7 @@ test("in a draught the upper third is restless, and the lower one is not", () =>
   const swings = [0.2, 0.85].map((share) => ({ share, sum: 0, squares: 0 }));
   const ticks = 20 / TICK;
   for (let tick = 0; tick < ticks; tick++) {
-    air.advance(tick + 1, EYE, AT_REST);
+    air.advance(tick + 1, EYE, AT_REST, EYE, AT_REST);
     flame.advance([0, 1, 0], AT_REST, air, false, TICK);
     for (const swing of swings) {
       const x = sideways(flame, swing.share);
@@ -121,7 +121,7 @@ test("a walker's wake: a standing flame leans away from the passing body, and th
   // Past it at a walk, along x, 0.4 m to its side.
   const leans = Array.from({ length: 2 / TICK }, (_, tick) => {
     const eye: Vec3 = [1.4 * (tick * TICK - 1), 1.6, 0.4];
-    air.advance(tick + 1, eye, [1.4, 0, 0]);
+    air.advance(tick + 1, eye, [1.4, 0, 0], eye, AT_REST);
     flame.advance(foot, AT_REST, air, false, TICK);
     return lean(flame, foot);
   });
