@@ -33,7 +33,7 @@ export function carriedFlame(world: Pick<World, "interpolated" | "flame">): Root
 /** A good taper's flame, still: the candle that the candela was named after. */
 export const TAPER: FlameBody = flameBody(flameHeight(TAPER_RATE), flameRadius(TAPER_WICK, 1), 1);
 
-/** Ember at the wick's tip: its height, m, and its projected area, m². */
+/** Ember at the wick's tip: its height above the flame's root, m, and its projected area, m². */
 const EMBER_HEIGHT = 0.0066;
 const EMBER_AREA = 3e-6;
 
@@ -59,7 +59,12 @@ export function flameLight({ root, flame }: RootedFlame, body: FlameBody): Flame
   const part = (axis: 0 | 1 | 2) => (reach[axis] ?? 0) / Math.max(halfHeight, 1e-9);
   const channel = (i: 0 | 1 | 2) => soot[i] * sootIntensity + BLUE[i] * blueIntensity;
   return {
-    position: [x + (centre[0] ?? 0), y + (centre[1] ?? 0), z + (centre[2] ?? 0)],
+    // A dying flame withdraws to the wick's tip; at its foot the candle's rim would hide it from all that is lower.
+    position: [
+      x + (centre[0] ?? 0),
+      y + Math.max(centre[1] ?? 0, EMBER_HEIGHT),
+      z + (centre[2] ?? 0),
+    ],
     axis: [part(0), part(1), part(2)],
     halfHeight,
     radius: shape.radius * 0.8,

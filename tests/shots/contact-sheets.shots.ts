@@ -100,6 +100,8 @@ interface Stage {
   readonly seconds?: number;
   readonly isOut?: boolean;
   readonly exposure?: number;
+  /** Outside, lux. */
+  readonly moonlight?: number;
   /** What would outshine it, and is left out of both pictures. */
   readonly off?: readonly Feature[];
 }
@@ -137,6 +139,7 @@ const STAGES: Readonly<Partial<Record<Feature, Stage>>> = {
     seconds: 3,
     isOut: true,
     exposure: 3,
+    moonlight: 0.3,
   },
   sparks: { ...AT_THE_FLAME, seed: SPITS },
   // Over the table's shadow: one sees motes as they move, and hardly in a still.
@@ -153,8 +156,10 @@ const STAGES: Readonly<Partial<Record<Feature, Stage>>> = {
 };
 
 async function stage(room: RoomDriver, shown: Stage): Promise<void> {
-  const { candle, camera, seed = 1, seconds = 0.5, isOut = false, exposure = 0 } = shown;
-  await room.set({ exposure: String(exposure), "max-pixel-ratio": String(UNSEEN) });
+  const { candle, camera, seed = 1, seconds = 0.5, isOut = false } = shown;
+  const { exposure = 0, moonlight = 0 } = shown;
+  const light = { exposure: String(exposure), moonlight: String(moonlight) };
+  await room.set({ ...light, "max-pixel-ratio": String(UNSEEN) });
   await room.evaluate(
     (element, { candle, seed }) => {
       element.reset(seed);
@@ -229,8 +234,9 @@ test("shot: the physical look with and without each of its techniques", async ({
     const shown = STAGES[feature] ?? BESIDE;
     await stage(room, shown);
     const [whole, without] = await pair(room, feature, shown);
-    const { exposure = 0, off = [] } = shown;
-    const how = [exposure > 0 ? `+${exposure} EV` : "", ...off.map((name) => `no ${name}`)];
+    const { exposure = 0, moonlight = 0, off = [] } = shown;
+    const moon = moonlight > 0 ? "by the moon" : "";
+    const how = [moon, exposure > 0 ? `+${exposure} EV` : "", ...off.map((name) => `no ${name}`)];
     const name = [`with ${feature}`, ...how.filter(Boolean)].join(", ");
     tiles.push({ name, picture: whole }, { name: "and without", picture: without });
   }

@@ -173,17 +173,18 @@ test("shot: the flame, what moves it, out and in again", async ({ page }) => {
     for (let i = 0; i < 12 && element.lit; i++) element.step(0.1);
   });
   await studio.take("blown out", 1.2, 0.3);
+  await room.set({ moonlight: "0.3" });
   for (const [seconds, name] of [
     [0.2, "0.2 s"],
     [0.8, "1 s"],
     [2, "3 s"],
   ] as const) {
     await room.step(seconds);
-    await studio.take(`out for ${name}`, 1.2, 0.3);
+    await studio.take(`out for ${name}, by the moon`, 1.2, 0.3);
   }
   await room.set({ exposure: "3" });
   await studio.take("the same, 3 EV more", 1.2, 0.3);
-  await room.set({ exposure: "0" });
+  await room.set({ exposure: "0", moonlight: "0" });
   await room.evaluate((element) => element.light());
   await room.step(0.3);
   await studio.take("lit for 0.3 s", 1.2, 0.3);
@@ -192,8 +193,9 @@ test("shot: the flame, what moves it, out and in again", async ({ page }) => {
   await studio.look([-0.7, 0.35, -0.2], [0, 0.3, -0.05]);
   await room.evaluate((element) => element.extinguish());
   await room.step(3);
-  await room.set({ exposure: "3" });
+  await room.set({ exposure: "3", moonlight: "0.3" });
   await studio.take("smoke before the window, 3 EV more", 0.5, 0.2);
+  await room.set({ moonlight: "0" });
 
   await changeRoom(room, plainRoom(BARE, [SHELF], 0.3));
   await studio.begin(ABOVE_SHELF);

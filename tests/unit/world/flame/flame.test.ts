@@ -1,6 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { chromaticity } from "../../../../src/light/color.ts";
 import { carriedFlame, flameLight, flameReport, TAPER } from "../../../../src/light/flame-light.ts";
+import { CHAMBERSTICK } from "../../../../src/render/light-block.ts";
 import { advance } from "../../../../src/world/advance.ts";
 import { CALM } from "../../../../src/world/air/air.ts";
 import { Gusts } from "../../../../src/world/air/gusts.ts";
@@ -191,6 +192,17 @@ describe("out and in again", () => {
     advance(world, STILL, 0.5);
     expect(world.flame.isLit).toBe(true);
     expect(world.flame.fuel).toBeGreaterThan(0.9); // its vapour caught, so it grows at once
+  });
+
+  test("a dying flame shines from the wick's tip, over the candle's rim", () => {
+    const world = createWorld("physical", 1);
+    const rim = CHAMBERSTICK.rim - world.setup.wick[1];
+    world.flame.extinguish();
+    for (let i = 0; i < 1 / TICK; i++) {
+      expect(centre(world)[1], `after ${i} ticks`).toBeGreaterThan(rim + 0.004);
+      advance(world, STILL, TICK);
+    }
+    expect(world.flame.glow).toBe(0);
   });
 
   test("the ember fades, and vapour with it", () => {
