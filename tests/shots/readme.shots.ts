@@ -51,7 +51,8 @@ const SHOTS: readonly Shot[] = [
 
 for (const shot of SHOTS) {
   test(`shot: ${shot.name}`, async ({ page }) => {
-    const room = await new RoomDriver(page).open(shot.attributes, { width: 1280, height: 720 });
+    const opening = { width: 1280, height: 720, hasTextures: true };
+    const room = await new RoomDriver(page).open(shot.attributes, opening);
     const picture = await take(room, shot);
     mkdirSync("docs/shots", { recursive: true });
     await sharp(picture)
