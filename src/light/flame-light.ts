@@ -72,11 +72,13 @@ export function flameLight({ root, flame }: RootedFlame, body: FlameBody): Flame
   };
 }
 
+const fading = (temperature: number) => Math.exp((temperature - 1000) / 48);
+
 /** Radiance of the glowing wick, cd/m². */
 export function emberRadiance(temperature: number): Rgb {
   const glow = sootRadiance(Math.max(temperature, 1000));
-  // Below 1000 K light falls by e for every 48 K.
-  const fade = temperature > 1000 ? 1 : Math.exp((temperature - 1000) / 48);
+  // Below 1000 K light falls by e for every 48 K. From 700 K on no eye sees any, however dark the room.
+  const fade = temperature > 1000 ? 1 : Math.max(fading(temperature) - fading(700), 0);
   // No more blue for its green than the flame has: with more, an eye used to the flame would see pink.
   const blue = (glow[1] * TAPER.color[2]) / TAPER.color[1];
   return [glow[0] * fade, glow[1] * fade, Math.min(glow[2], blue) * fade];

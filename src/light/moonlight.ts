@@ -20,9 +20,9 @@ export function moonLuma(): Rgb {
 /** Radiance of a smoke's thread in a moonlit room for 1 lx outside, cd/m²: fitted, so that it shows against a black room. */
 const SMOKE = 0.02;
 
-/** Radiance of moonlight that smoke and dust scatter, cd/m², as above. */
-export function scatteredMoonlight(illuminance: number): Rgb {
-  return adaptedMoonlight(SMOKE * illuminance);
+/** Radiance, cd/m², that smoke and dust scatter in a room which moonlight enters, lx. */
+export function scatteredMoonlight([red, green, blue]: Readonly<Rgb>): Rgb {
+  return [SMOKE * red, SMOKE * green, SMOKE * blue];
 }
 
 /** Moonlight of some lux, before the adaptation to candlelight. */

@@ -230,7 +230,7 @@ export class PhysicalRenderer implements Renderer {
   *#composite(
     frame: FrameInput,
     layer: OpaqueLayer,
-    { irradiance }: Captures,
+    captures: Captures,
     regions: readonly Box[],
   ): Steps {
     if (!this.#radiance) throw new Error("The renderer has no size yet.");
@@ -238,7 +238,7 @@ export class PhysicalRenderer implements Renderer {
     if (flamePart(frame.settings.inspect)) this.#gpu.clear(target.target, [0, 0, 0, 1]);
     else for (const region of regions) this.#opaque.composite(frame, layer, target, region);
     yield;
-    this.#volumetric.render(frame, target, irradiance);
+    this.#volumetric.render(frame, target, captures);
   }
 
   #postIn(kind: GBufferKind, isShadowNew: boolean, canDefer: boolean) {

@@ -185,7 +185,7 @@ export function mixtures(seed: number, seconds: number) {
     passes.flame.render(target, frame, carriedWick(world), tierNamed("medium").physical.flameSteps),
   );
   const motes = (name: "dust" | "spark") =>
-    repeated(0.01, () => passes.motes.render(name, veil, world, frame, light, volume));
+    repeated(0.01, () => passes.motes.render(name, veil, world, frame, light, volume, [0, 0, 0]));
   const dust = motes("dust");
   const spark = motes("spark");
   world.flame.extinguish();

@@ -174,7 +174,7 @@ export async function breakPrograms(look: Look): Promise<Breakage[]> {
 export function complaintOf(vertex: ShaderSource, fragment: ShaderSource): string {
   const gpu = new Gpu(document.createElement("canvas"));
   try {
-    gpu.program("broken", vertex, fragment, { defines: { SAMPLES: 4, TAPS: 12 } }).finish();
+    gpu.program("broken", vertex, fragment, { defines: { SAMPLES: 4, CUTOUT: 0 } }).finish();
     return "";
   } catch (error) {
     return String(error);

@@ -118,7 +118,7 @@ for (const look of ["physical", "paper"] as const) {
 test("A mistake in an included file is reported by that file's own name and line", async () => {
   const line = "  float peak = max(max(linear.r, linear.g), linear.b);";
   const complaint = await complaintAbout(page, "lib/srgb.glsl", line, "  float peak = maxx(1);");
-  expect(complaint).toContain("ShaderError: broken SAMPLES=4 TAPS=12: ");
+  expect(complaint).toContain("ShaderError: broken SAMPLES=4 CUTOUT=0: ");
   expect(complaint).toContain(`shaders/lib/srgb.glsl:${lineNumber("lib/srgb.glsl", line)}: 'maxx'`);
 });
 
@@ -131,7 +131,7 @@ test("A mistake after the includes is reported by the shader's own name and line
 test("Stages that do not fit together are reported by the program's name", async () => {
   const line = "in vec2 vUv;";
   const complaint = await complaintAbout(page, "paper/room.frag", line, "flat in vec2 vUv;");
-  expect(complaint).toMatch(/^ShaderError: broken SAMPLES=4 TAPS=12: .*vUv/s);
+  expect(complaint).toMatch(/^ShaderError: broken SAMPLES=4 CUTOUT=0: .*vUv/s);
 });
 
 test("Relief finer than a pixel widens a highlight instead of making it sparkle", async () => {

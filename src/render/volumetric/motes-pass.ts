@@ -2,7 +2,7 @@ import dustVert from "../../../shaders/volumetric/dust.vert";
 import moteFrag from "../../../shaders/volumetric/mote.frag";
 import sparkVert from "../../../shaders/volumetric/spark.vert";
 import type { Gpu, Program, UniformBlock, UniformValue } from "../../gl/gpu.js";
-import { scatteredMoonlight } from "../../light/moonlight.js";
+import type { Rgb } from "../../light/color.js";
 import { sootRadiance } from "../../light/soot.js";
 import type { ParticleLayer } from "../../world/particles/particle-layer.js";
 import { layerKey } from "../../world/particles/particles.js";
@@ -52,6 +52,7 @@ export class MotesPass {
     frame: UniformBlock,
     light: UniformBlock,
     volume: IrradianceVolume,
+    moonlight: Rgb,
   ): void {
     const system = this.#systems.find(({ layer }) => layer.name === name);
     if (!system) return;
@@ -63,7 +64,7 @@ export class MotesPass {
       uExtrapolation: world.remainder,
     };
     const isDust = name === "dust";
-    if (isDust) uniforms.uMoonlight = scatteredMoonlight(world.moon?.illuminance ?? 0);
+    if (isDust) uniforms.uMoonlight = moonlight;
     else uniforms.uGlow = GLOW;
     system.draw(world.timeline, {
       program: isDust ? this.#dust : this.#spark,

@@ -9,8 +9,9 @@ import type { Flame } from "../../world/flame/flame.js";
 import type { Vec3 } from "../../world/geometry.js";
 import type { ParticleLayer } from "../../world/particles/particle-layer.js";
 import type { World } from "../../world/world.js";
+import { moonOf } from "../cached-light.js";
 import { AT_ORIGIN, type FrameInput, type Placement, type Size } from "../frame-input.js";
-import type { IrradianceVolume } from "../gi/irradiance-volume.js";
+import type { Captures } from "../gi/light-captures.js";
 import { CHAMBERSTICK } from "../light-block.js";
 import type { Mesh } from "../mesh/mesh.js";
 import type { FrameBlocks } from "../opaque/opaque-stage.js";
@@ -94,7 +95,7 @@ export class VolumetricStage {
   }
 
   /** Draws over the composited radiance, within its depth. */
-  render(frame: FrameInput, composited: CompositedFrame, irradiance: IrradianceVolume): void {
+  render(frame: FrameInput, composited: CompositedFrame, { irradiance, cached }: Captures): void {
     const { world, settings, clipFromWorld } = frame;
     const { target, tested } = composited;
     const { features, inspect, isStill } = settings;
@@ -117,19 +118,20 @@ export class VolumetricStage {
       }
     }
     if (isInspected) return;
+    const moonlight = scatteredMoonlight(moonOf(cached)?.intensity ?? [0, 0, 0]);
     if (features.dust && !isStill) {
-      this.#motes?.render("dust", composited, world, Frame, Light, irradiance);
+      this.#motes?.render("dust", composited, world, Frame, Light, irradiance, moonlight);
     }
     if (features.smoke) {
       this.#smoke.render(world, clipFromWorld, {
         target,
         textures: { uDepth: composited.depth, ...irradiance.textures },
-        uniforms: { uMoonlight: scatteredMoonlight(world.moon?.illuminance ?? 0) },
+        uniforms: { uMoonlight: moonlight },
         blocks: { Frame, Light, Volume: irradiance.block },
       });
     }
     if (features.sparks && !isStill) {
-      this.#motes?.render("spark", composited, world, Frame, Light, irradiance);
+      this.#motes?.render("spark", composited, world, Frame, Light, irradiance, moonlight);
     }
   }
 
