@@ -1,3 +1,4 @@
+import { vec3 } from "gl-matrix";
 import type { Vec3 } from "../../world/geometry.js";
 import { pcg } from "../../world/random.js";
 import type { CollisionMesh } from "../../world/room/collision-mesh.js";
@@ -11,6 +12,8 @@ import type { LitPoint } from "./virtual-lights.js";
 
 /** What is nearer to a surfel than this does not hide it, metres. */
 const NEAR = 0.03;
+/** Depth of what the light meets at a window, from its panes, metres: it goes back outdoors. */
+const SASH = 0.02;
 /** Probes in a step. */
 const PROBES = 12;
 
@@ -42,6 +45,9 @@ export function moonlitPoints(
     const hit = casters.raycast(start, direction, depth);
     if (!hit) return null;
     const position = pointOn(start, direction, up, hit.distance, 0);
+    if (panes && vec3.dot(vec3.subtract([0, 0, 0], position, panes.corner), panes.normal) < SASH) {
+      return null;
+    }
     return { position, normal: [...hit.normal], isPane: false };
   });
 }

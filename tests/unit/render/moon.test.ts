@@ -150,6 +150,18 @@ test("a probe sees the moonlit floor on its side of a wall, and not that behind 
   expect(seen(2, 1), "from above, beside the wall's shadow").toBeGreaterThan(0.9);
 });
 
+test("what the moon lights outside the panes does not shine indoors", () => {
+  const sash = upright("frame", 2.12, [0, 1.3, -0.4], [0, 1.35, 0.4]);
+  const floor = floorOf(4);
+  const frustum = moonFrustum([-0.6, -0.8, 0], BOUNDS, panesOf(ROOM));
+  const { indirect } = tierNamed("low").physical;
+  const heights = moonlitPoints(frustum, new CollisionMesh([floor, sash]), indirect).flatMap(
+    (point) => (point && !point.isPane ? point.position[1] : []),
+  );
+  expect(heights.length).toBeGreaterThan(100);
+  expect(Math.max(...heights)).toBeLessThan(0.01);
+});
+
 test("virtual lights stand for surfaces apart from each other, and for all points together", () => {
   const floor = Array.from({ length: 60 }, (_, i) => ({
     position: [(i % 10) * 0.1, 0, Math.floor(i / 10) * 0.1] as Vec3,
