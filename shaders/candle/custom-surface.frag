@@ -75,7 +75,7 @@ void main() {
   float metallic = packed.b * uSurface.y;
   vec3 normal = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
   if (frame.normalMaps > 0.5) {
-    normal = normalize(mix(normal, perturbedNormal(uNormal, vUv, normal, vTangentWorld), uSurface.z));
+    normal = perturbedNormal(texture(uNormal, vUv).xy, normal, vTangentWorld, uSurface.z);
   }
   vec3 view = normalize(frame.eyePosition - vPositionWorld);
   float NoV = max(abs(dot(normal, view)), 1e-3);

@@ -9,6 +9,7 @@
 #include "lib/normal-map-shading.glsl"
 
 #if !UNTEXTURED
+#include "lib/normal-map.glsl"
 uniform sampler2D uGamma2Albedo;
 uniform sampler2D uNormal;
 #endif
@@ -48,17 +49,14 @@ void main() {
 #endif
   float side = gl_FrontFacing ? 1.0 : -1.0;
   float shading = 1.0;
+#if !UNTEXTURED
   if (frame.normalMaps > 0.5) {
     vec3 L = vToLight * inversesqrt(dot(vToLight, vToLight));
     L.z *= side;
-#if UNTEXTURED
-    shading = normalMapShading(L.z, L.z, 0.0);
-#else
-    vec2 slope = texture(uNormal, vUvAndOcclusion.xy).xy * 2.0 - 1.0;
-    float up = sqrt(max(1.0 - dot(slope, slope), 0.0));
-    shading = normalMapShading(L.z, dot(slope, L.xy) + up * L.z, uSurface.z);
-#endif
+    vec3 normal = tangentNormal(texture(uNormal, vUvAndOcclusion.xy).xy, uSurface.z);
+    shading = normalMapShading(L.z, dot(normal, L));
   }
+#endif
   oAlbedo = vec4(root.rgb * uBaseColor.rgb * sqrt(shadedAlbedoScale(occlusion, shading)), uIsHeld * HELD);
   float material = uMaterial > 0.0 ? uMaterial : packed.b * uSurface.y * METAL;
   oSurface = encodeReducedSurface(vNormalWorld * side, packed.g * uSurface.x, material);

@@ -29,9 +29,9 @@ void main() {
   vec3 normal = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
   float shading = 1.0;
   if (frame.normalMaps > 0.5) {
-    vec3 mapped = perturbedNormal(uNormal, vUv, normal, vTangentWorld);
+    vec3 mapped = perturbedNormal(texture(uNormal, vUv).xy, normal, vTangentWorld, uSurface.z);
     vec3 L = normalize(uCaptureOrigin - vPositionWorld);
-    shading = normalMapShading(dot(normal, L), dot(mapped, L), uSurface.z);
+    shading = normalMapShading(dot(normal, L), dot(mapped, L));
   }
   float occlusion = mix(1.0, packed.r, uOcclusionStrength) * vColor.r;
   oAlbedo = vec4(sqrt(min(baseColor.rgb * shadedAlbedoScale(occlusion, shading), 1.0)), 0.0);

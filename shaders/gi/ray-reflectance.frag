@@ -3,6 +3,7 @@
 // normal map; and gloss.
 #include "lib/precision.glsl"
 #include "lib/reflectance.glsl"
+#include "lib/normal-map.glsl"
 #include "lib/relief.glsl"
 #include "lib/material.glsl"
 

@@ -57,7 +57,7 @@ float smoothstepIntegral(float x) {
 
 // Visible share of the capsule past a disc: the mean of its penumbra along the capsule.
 float discVisibility(vec3 position, float height, float radius) {
-  if (position.y >= height) return 1.0;
+  if (position.y >= height || radius <= 0.0) return 1.0;
   vec3 halfAxis = light.along * light.halfHeight;
   float low = discPenumbra(light.position - halfAxis, position, height, radius);
   float high = discPenumbra(light.position + halfAxis, position, height, radius);

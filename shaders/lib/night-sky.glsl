@@ -9,19 +9,21 @@ const float UNEVENNESS = 0.08;
 // Loss in a pane at normal incidence, beside its reflection.
 const float PANE_TRANSMITTANCE = 0.9;
 
-float treeNoise(float x, uint seed) {
+// `turn`: share of a turn; `cells`: in a turn.
+float treeNoise(float turn, float cells, uint seed) {
+  float x = fract(turn) * cells;
   float cell = floor(x);
   float share = x - cell;
-  float a = unit(pcg(uint(int(cell) + 32768) + seed));
-  float b = unit(pcg(uint(int(cell) + 32769) + seed));
+  float a = unit(pcg(uint(cell) + seed));
+  float b = unit(pcg(uint(mod(cell + 1.0, cells)) + seed));
   return mix(a, b, share * share * (3.0 - 2.0 * share));
 }
 
 // Luminance in a direction of length 1, cd/m², for 1 lx.
 float nightLuminance(vec3 direction) {
-  float azimuth = atan(direction.x, -direction.z);
+  float turn = atan(direction.x, -direction.z) / (2.0 * PI);
   float slope = direction.y / max(length(direction.xz), 1e-3);
-  float line = treeNoise(azimuth * 9.0, 1u) + 0.5 * treeNoise(azimuth * 31.0, 2u) + 0.25 * treeNoise(azimuth * 90.0, 3u);
+  float line = treeNoise(turn, 57.0, 1u) + 0.5 * treeNoise(turn, 195.0, 1000u) + 0.25 * treeNoise(turn, 565.0, 2000u);
   float edge = TREES + UNEVENNESS * (line / 1.75 - 0.5);
   float luminance = moon.sky * nightShare(slope, edge);
   float offAxis = length(cross(direction, moon.direction));

@@ -9,9 +9,9 @@ const float DIRECT_SHARE = 0.75;
 const float LEAST_COSINE = 0.25;
 
 // Ratio of N.L with the normal map to N.L without: 1 where the map is flat, and on the side without direct light.
-float normalMapShading(float surfaceNoL, float mappedNoL, float scale) {
+float normalMapShading(float surfaceNoL, float mappedNoL) {
   float lit = clamp(1.0 + surfaceNoL / LEAST_COSINE, 0.0, 1.0);
-  return clamp(1.0 + lit * scale * (mappedNoL - surfaceNoL) / max(surfaceNoL, LEAST_COSINE), 0.0, 1.6);
+  return clamp(1.0 + lit * (mappedNoL - surfaceNoL) / max(surfaceNoL, LEAST_COSINE), 0.0, 1.6);
 }
 
 // Factor on the albedo.

@@ -1,18 +1,17 @@
 // Normal mapping.
 
-// World normal of a texel, of which two channels are stored: the third follows from the length of 1.
-// Bitangent as in glTF: cross(normal, tangent), with the sign in tangent.w. The paper's code applies the inverse of
-// worldFromTangent.
-vec3 applyNormalMap(vec2 texel, vec3 normal, vec4 tangent) {
-  vec3 n = normalize(normal);
-  vec3 t = normalize(tangent.xyz - n * dot(n, tangent.xyz));
-  mat3 worldFromTangent = mat3(t, cross(n, t) * tangent.w, n);
+// Normal of a texel, of which two channels are stored: the third follows from the length of 1. glTF scales the two.
+vec3 tangentNormal(vec2 texel, float scale) {
   vec2 slope = texel * 2.0 - 1.0;
-  return worldFromTangent * vec3(slope, sqrt(max(1.0 - dot(slope, slope), 0.0)));
+  return normalize(vec3(scale * slope, sqrt(max(1.0 - dot(slope, slope), 1e-4))));
 }
 
-vec3 perturbedNormal(sampler2D normalMap, vec2 uv, vec3 normal, vec4 tangent) {
-  return applyNormalMap(texture(normalMap, uv).xy, normal, tangent);
+// World normal of a texel. Bitangent as in glTF: cross(normal, tangent), with the sign in tangent.w. The paper's code
+// applies the inverse of worldFromTangent.
+vec3 perturbedNormal(vec2 texel, vec3 normal, vec4 tangent, float scale) {
+  vec3 n = normalize(normal);
+  vec3 t = normalize(tangent.xyz - n * dot(n, tangent.xyz));
+  return mat3(t, cross(n, t) * tangent.w, n) * tangentNormal(texel, scale);
 }
 
 // Normal of the triangle, from screen-space derivatives.

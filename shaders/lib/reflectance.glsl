@@ -1,9 +1,9 @@
 // Reflectance of a surface as a whole.
 
 // Specular reflectance of a dielectric for light from all around: fitted to src/render/opaque/environment-brdf.ts for
-// roughness 0.3 to 1, within 0.003.
+// roughness 0.3 to 1, within 0.003. The smoothest reflect 0.084: the mean of Fresnel's equations over a hemisphere.
 float specularReflectance(float roughness) {
-  return 0.02 * exp(1.85 * (1.0 - roughness));
+  return min(0.02 * exp(1.85 * (1.0 - roughness)), 0.084);
 }
 
 // Reflectance for light from all around, and gloss: what its alpha of GGX leaves of 1; negative of a dielectric, whose

@@ -1,4 +1,5 @@
 // Self-occlusion of the relief that a normal map represents.
+// Needs lib/normal-map.glsl.
 
 // Visibility of a light past the relief, whose slope is that of `normal` against the surface.
 // Conty Estevez, Lecocq and Stein 2019, "A Microfacet-Based Shadowing Function to Solve the Bump Terminator Problem",
@@ -18,14 +19,12 @@ float skyVisibility(vec3 surface, vec3 normal) {
 
 // Mean sky visibility over a sixteenth of a normal map's width and height, from its finest level: coarser levels are
 // too flat.
-float meanSkyVisibility(sampler2D normalMap, vec2 uv, float strength) {
+float meanSkyVisibility(sampler2D normalMap, vec2 uv, float scale) {
   const vec3 FLAT = vec3(0.0, 0.0, 1.0);
   float sum = 0.0;
   for (int i = 0; i < 16; i++) {
     vec2 tap = uv + (vec2(i & 3, i >> 2) - 1.5) / 64.0;
-    vec2 slope = textureLod(normalMap, tap, 0.0).xy * 2.0 - 1.0;
-    vec3 normal = vec3(slope, sqrt(max(1.0 - dot(slope, slope), 0.0)));
-    sum += skyVisibility(FLAT, normalize(mix(FLAT, normal, strength)));
+    sum += skyVisibility(FLAT, tangentNormal(textureLod(normalMap, tap, 0.0).xy, scale));
   }
   return sum / 16.0;
 }

@@ -39,8 +39,7 @@ Material materialHere() {
 
 vec3 shadingNormal(vec3 surface) {
   if (frame.normalMaps < 0.5) return surface;
-  vec3 mapped = applyNormalMap(texture(uNormal, vUv, LOD_BIAS).xy, surface, vTangentWorld);
-  return normalize(mix(surface, mapped, uSurface.z));
+  return perturbedNormal(texture(uNormal, vUv, LOD_BIAS).xy, surface, vTangentWorld, uSurface.z);
 }
 
 vec2 minifiedVisibility() {

@@ -2,6 +2,7 @@
 // Mean self-occlusion of a normal map, by mip level: one texel a level.
 // Out: visibility of the sky and of a light at 45 degrees, over that which the mip level itself accounts for.
 #include "lib/precision.glsl"
+#include "lib/normal-map.glsl"
 #include "lib/relief.glsl"
 
 uniform sampler2D uNormal;
@@ -13,9 +14,7 @@ const vec3 FLAT = vec3(0.0, 0.0, 1.0);
 out vec4 oVisibility;
 
 vec2 visibilityAt(vec2 uv, float level) {
-  vec2 slope = textureLod(uNormal, uv, level).xy * 2.0 - 1.0;
-  vec3 relief = vec3(slope, sqrt(max(1.0 - dot(slope, slope), 0.0)));
-  vec3 normal = normalize(mix(FLAT, relief, uNormalScale));
+  vec3 normal = tangentNormal(textureLod(uNormal, uv, level).xy, uNormalScale);
   float direct = 0.0;
   for (int i = 0; i < 4; i++) {
     float sign = i < 2 ? 1.0 : -1.0;

@@ -30,7 +30,7 @@ vec3 surfaceNormal() {
 #if defined(FACETS)
   return facetNormal(vPositionWorld);
 #elif defined(NORMAL_MAPS)
-  return perturbedNormal(uNormal, vUv, normal, vTangentWorld);
+  return perturbedNormal(texture(uNormal, vUv).xy, normal, vTangentWorld, uSurface.z);
 #else
   return normal;
 #endif

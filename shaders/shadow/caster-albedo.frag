@@ -3,6 +3,7 @@
 // Out: reflectance for light from all around, less the self-occlusion of the normal map; gloss.
 #include "lib/precision.glsl"
 #include "lib/reflectance.glsl"
+#include "lib/normal-map.glsl"
 #include "lib/relief.glsl"
 #include "lib/caster-albedo.glsl"
 #include "lib/material.glsl"

@@ -48,6 +48,26 @@ test.describe("In the cabin", () => {
     expect(room.complaints).toEqual([]);
   });
 
+  test("a candle that is hidden casts no shadow below its flame", async () => {
+    const share = await room.evaluate((element) => {
+      const { camera } = element;
+      element.features.candle = false;
+      element.camera = { position: [0, 1.6, 1.2], yaw: 0, pitch: -1.3 };
+      const read = (shadows: boolean) => {
+        element.features.shadows = shadows;
+        element.step(0);
+        return element.readRadiance(44, 20, 16, 14);
+      };
+      const [lit, unshadowed] = [read(true), read(false)];
+      Object.assign(element.features, { candle: true, shadows: true });
+      element.camera = camera;
+      element.step(0);
+      const shares = Array.from(lit, (x, i) => x / (unshadowed[i] ?? 0));
+      return shares.reduce((a, b) => Math.min(a, b));
+    });
+    expect(share).toBeGreaterThan(0.9);
+  });
+
   test("each pass of the physical look can be looked at alone", async () => {
     const whole = await room.pixels();
     const seen = new Map<string, string>();
