@@ -165,6 +165,13 @@ test("Relief finer than a pixel widens a highlight instead of making it sparkle"
   expect(widened.mean / truth.mean).toBeLessThan(2);
 });
 
+test("A normal map's scale multiplies its slopes", async () => {
+  const cosines = await drawnBy(page, "tests/support/slopes.frag", 1);
+  for (const [i, slope] of [1, 2, 0.5].entries()) {
+    expect(cosines[i]).toBeCloseTo(Math.cos(Math.atan(slope)), 2);
+  }
+});
+
 test("Surfaces in light from all around give back all that they get: a white furnace", async () => {
   const size = 12;
   const found = await drawnBy(page, "tests/support/furnace.frag", size);
