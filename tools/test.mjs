@@ -36,7 +36,7 @@ const ENGINES = {
   count: () => passes(COUNTS),
 };
 /** One after the other; what stands side by side runs so, for few of these use both cores. */
-const STAGES = [[[LINT]], [[TYPES]], [[UNIT], [BUILD, PACKAGE]], [[BROWSER]], [[ENGINES]]];
+const STAGES = [[[LINT], [TYPES]], [[UNIT], [BUILD, PACKAGE]], [[BROWSER]], [[ENGINES]]];
 
 /** Runs a command, and gives its status and what it said, unless that is said at once. */
 function run({ command, env = {} }, isAloud) {

@@ -255,7 +255,7 @@ export async function interact(
   const verdicts: Verdict[] = [];
   for (const [name, run] of Object.entries(TRIALS)) {
     if (!filters.every((filter) => new RegExp(filter).test(name))) continue;
-    const faults = await tryOut(session, page, run);
+    const faults = await tryOut(session, page, run, name !== WHILE_LOADING);
     console.log(`  ${session.pair.name}: ${name}`);
     verdicts.push({ name, ready: null, difference: null, faults });
   }
@@ -266,13 +266,14 @@ async function tryOut(
   session: Session,
   page: string,
   run: (visitor: Visitor, page: string) => Promise<void>,
+  isOpened: boolean,
 ): Promise<string[]> {
   let faults: string[] = [];
   try {
     await session.use(async (visitor) => {
       faults = [];
       try {
-        await open(visitor, page);
+        if (isOpened) await open(visitor, page);
         await run(visitor, page);
       } catch (error) {
         if (error instanceof HungError) throw error;

@@ -7,6 +7,7 @@ import {
   INSPECTIONS,
   type Inspection,
 } from "../../src/settings.ts";
+import { drawOneSample } from "../support/one-sample.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
 
@@ -32,6 +33,7 @@ test.describe("In the cabin", () => {
   let room: RoomDriver;
   test.beforeAll(async ({ browser }) => {
     page = await browser.newPage();
+    await drawOneSample(page);
     room = await new RoomDriver(page).open({ look: "physical" }, { width: 96, height: 54 });
   });
   test.afterAll(() => page.close());

@@ -124,6 +124,15 @@ describe("in a wind", () => {
     expect(Math.abs(centre(world)[2])).toBeLessThan(0.001);
   });
 
+  test("at 90 degrees it blows to -X", () => {
+    const world = createWorld("physical", 1);
+    world.air.wind = { ...wind(0.5), direction: Math.PI / 2 };
+    advance(world, STILL, 1);
+    const [x, , z] = centre(world);
+    expect(x).toBeLessThan(-0.004);
+    expect(Math.abs(z)).toBeLessThan(0.001);
+  });
+
   test("it lives at 0.5 m/s for ten seconds, and is out within a second at 4 m/s", () => {
     expect(inWind(0.5, 10).flame.isLit).toBe(true);
     expect(inWind(4, 1).flame.isLit).toBe(false);
