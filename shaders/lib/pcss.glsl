@@ -50,6 +50,7 @@ struct ShadowTaps {
   vec2 corner;   // of the parallelogram that they fill, as shares of the tile
   vec2 right;    // its edges
   vec2 up;
+  vec2 toPoint;  // from its middle to the lit point
   vec2 origin;   // of the tile, texels
   vec3 plane;    // depth in a texel: dot(plane, vec3(texel, 1))
   float farthest;
@@ -72,6 +73,8 @@ ShadowTaps shadowTaps(ShadowReceiver r, float share, float tile) {
   ShadowTaps taps;
   taps.right = (across.xy - onFace * across.z) * halfSize.x;
   taps.up = (up.xy - onFace * up.z) * halfSize.y;
+  vec3 point = onShadowFace(r.position, axis);
+  taps.toPoint = (point.xy / point.z - onFace) * (0.5 / SHADOW_REACH);
   taps.corner = 0.5 + onFace * (0.5 / SHADOW_REACH) - 0.5 * (taps.right + taps.up);
   taps.origin = tileCenter - 0.5 * tile;
   // The plane's inverse depth, nearer by the bias.
@@ -85,9 +88,10 @@ ShadowTaps shadowTaps(ShadowReceiver r, float share, float tile) {
   return taps;
 }
 
-// Texel of a tap. `random`: from 0 to 1. `tile`: texels, less a hundredth, so that its end is within.
-vec2 tapTexel(ShadowTaps taps, vec2 random, float tile) {
-  vec2 place = clamp(taps.corner + taps.right * random.x + taps.up * random.y, 0.0, 1.0);
+// Texel of a tap. `random`: from 0 to 1. `nearness`: how far from the middle to the lit point, from 0 to 1. `tile`: texels,
+// less a hundredth, so that its end is within.
+vec2 tapTexel(ShadowTaps taps, vec2 random, float nearness, float tile) {
+  vec2 place = clamp(taps.corner + taps.right * random.x + taps.up * random.y + taps.toPoint * nearness, 0.0, 1.0);
   return floor(taps.origin + place * tile);
 }
 
@@ -121,27 +125,32 @@ vec2 flameVisibility(int searchTaps, int filterTaps, vec3 position, vec3 normal,
   vec2 seed = fract(SEED_STEP * (floor(pixel.x) + 7.0 * floor(pixel.y)));
   // Blocker search at a quarter of the way, where the penumbra is widest.
   ShadowTaps taps = shadowTaps(r, 0.25, tile);
-  // The least penumbra's share of it, whose corners are searched first: what is thin and near the point is there.
-  vec2 least = 1.0 / max(vec2(1.0), 3.0 * r.extent / r.least);
+  // The least penumbra's share of it, which is searched first: what is thin and near the point is there. The pixels of a
+  // quad have one of its corners each, and together a grid of 4 x 4.
+  vec2 least = (1.0 - mod(floor(pixel), 2.0) / 1.5) / max(vec2(1.0), 3.0 * r.extent / r.least);
   int corners = searchTaps > 8 ? 4 : 0;
   vec2 place = seed;
-  float inverseDepth = 0.0;
-  float blockers = 0.0;
+  vec2 found = vec2(0.0);  // sum of the blockers' inverse depths, and their number
   for (int i = 0; i < searchTaps; i++) {
-    // Denser towards the center, or they would miss what is thin and near the point.
-    float spread = (float(i) + 0.5) / float(searchTaps);
+    // Denser towards the point, or they would miss what is thin and near it. The flame may be beside the capture origin.
+    float spread = i < corners ? 0.0 : (float(i) + 0.5) / float(searchTaps);
     vec2 offset = i < corners ? least * (vec2(i & 1, i >> 1) - 0.5) : (fract(place) - 0.5) * spread;
-    vec2 texel = tapTexel(taps, 0.5 + offset, tile - 0.01);
+    vec2 texel = tapTexel(taps, 0.5 + offset, 1.0 - spread, tile - 0.01);
     place += R2;
     float caster = shadowDepth(texel);
     if (caster < min(planeDepth(taps, texel), taps.farthest)) {
-      inverseDepth += 1.0 - caster;
-      blockers += 1.0;
+      found += vec2(1.0 - caster, 1.0);
     }
   }
-  if (blockers == 0.0) return vec2(1.0);
+  // A pixel that found none takes those of its quad: from 0, a derivative is the neighbour's value. In an outer penumbra
+  // few taps find a blocker, and pixels without would be bright dots.
+  vec2 beside = abs(dFdx(found));
+  if (found.y == 0.0) found = beside;
+  vec2 above = abs(dFdy(found));
+  if (found.y == 0.0) found = above;
+  if (found.y == 0.0) return vec2(1.0);
   // Filter at the blockers' mean inverse distance, in which the penumbra's width is linear.
-  float share = clamp(SHADOW_NEAR * blockers / (inverseDepth * taps.receiver), 0.02, 0.98);
+  float share = clamp(SHADOW_NEAR * found.y / (found.x * taps.receiver), 0.02, 0.98);
   taps = shadowTaps(r, share, tile);
   // Inverse depth of the higher plane, as a multiple of the plane's own.
   float higher = -abs(r.offset) / min(rise - abs(r.offset), -1e-4);
@@ -149,7 +158,7 @@ vec2 flameVisibility(int searchTaps, int filterTaps, vec3 position, vec3 normal,
   vec2 visible = vec2(0.0);
   for (int i = 0; i < filterTaps; i += TAPS_AT_ONCE) {
     for (int j = 0; j < TAPS_AT_ONCE; j++) {
-      vec2 texel = tapTexel(taps, fract(place), tile - 0.01);
+      vec2 texel = tapTexel(taps, fract(place), 0.0, tile - 0.01);
       place += R2;
       float caster = shadowDepth(texel);
       float plane = planeDepth(taps, texel);
