@@ -8,6 +8,8 @@ import type { Wick } from "../world/standing-candle.js";
 const MIDDLE = 0.015;
 /** Of a flame's middle from the room's box, and from what it was inside of. Metres. */
 const MARGIN = 0.05;
+/** Of a flame above an open scene's box, whose highest thing a wick may be, metres. */
+const SURROUNDINGS = 0.1;
 const CLEARANCE = 0.03;
 
 /**
@@ -24,13 +26,14 @@ export function placeWicks(
   // Else all faces of the room point outwards, and backs tell nothing.
   const isEyeFree = freePlace(collision, eye, CLEARANCE, isSolid) === eye;
   const box = inset(collision.bounds, MARGIN);
+  const around = inset(collision.bounds, -SURROUNDINGS);
   let outside = 0;
   let enclosed = 0;
   const placed = wicks.map((wick): Wick => {
     const { position } = wick;
     const middle: Vec3 = [position[0], position[1] + MIDDLE, position[2]];
     const indoors: Vec3 = [...middle];
-    clampInside(indoors, collision.bounds);
+    clampInside(indoors, around);
     const isOutside = indoors.some((x, axis) => x !== middle[axis]);
     if (isOutside) clampInside(indoors, box);
     const free = isEyeFree ? freePlace(collision, indoors, CLEARANCE, isSolid) : indoors;

@@ -73,3 +73,12 @@ test("wicks in a room whose faces point outwards stay where they are", () => {
 test("wicks in a lantern of glass stay there", () => {
   expect(placed("blend", [0.4, 1, 0])).toEqual({ positions: [[0.4, 1, 0]], warnings: [] });
 });
+
+test("a wick that is the highest thing of an open scene stays where it is", () => {
+  const candle = box([-0.02, 0.86, -0.02], [0.02, 0.9, 0.02]);
+  const part = { ...box([-2, -0.01, -2], [2, 0, 2]), material: { alphaMode: "opaque" } };
+  const wax = { ...candle, material: { alphaMode: "opaque" } };
+  const wicks = [{ name: "wick", position: [0, 0.9, 0], wickDiameter: 1 }];
+  const model = { wicks, parts: [part, wax] } as unknown as Model;
+  expect(placeWicks(model, new CollisionMesh([part, wax]), EYE)).toEqual(wicks);
+});
