@@ -11,6 +11,7 @@ const LONGEST_SIDE = 4096;
 const SOURCES = ["EXT_texture_avif", "EXT_texture_webp"] as const;
 
 const KTX2_IDENTIFIER = [0xab, 0x4b, 0x54, 0x58, 0x20, 0x32, 0x30, 0xbb];
+const EXIF = [0x45, 0x78, 0x69, 0x66];
 
 /** Texture images of a file: each decoded once, and all of them closed if the model fails. */
 export class TextureImages {
@@ -109,7 +110,8 @@ export class TextureImages {
     if (KTX2_IDENTIFIER.every((byte, i) => bytes[i] === byte)) {
       return this.#sources.decoders.ktx2(bytes);
     }
-    const bitmap = await createImageBitmap(new Blob([bytes]), AS_STORED).catch((cause: unknown) => {
+    const stored = new Blob([withoutExif(bytes)]);
+    const bitmap = await createImageBitmap(stored, AS_STORED).catch((cause: unknown) => {
       throw new Flaw("is not a picture that can be read", { cause });
     });
     const { width, height } = bitmap;
@@ -127,4 +129,18 @@ export class TextureImages {
       bitmap.close();
     }
   }
+}
+
+/** A JPEG whose orientation is not known: glTF's uv is of the picture as stored, and browsers turn it. */
+export function withoutExif(bytes: Uint8Array<ArrayBuffer>): Uint8Array<ArrayBuffer> {
+  if (bytes[0] !== 0xff || bytes[1] !== 0xd8) return bytes;
+  const copy = bytes.slice();
+  // The segments before the scan: a marker of two bytes, and a length that counts its own two.
+  for (let at = 2; copy[at] === 0xff && copy[at + 1] !== 0xda; ) {
+    if (copy[at + 1] === 0xe1 && EXIF.every((byte, i) => copy[at + 4 + i] === byte)) {
+      copy.fill(0, at + 4, at + 8);
+    }
+    at += 2 + (copy[at + 2] ?? 0) * 256 + (copy[at + 3] ?? 0);
+  }
+  return copy;
 }
