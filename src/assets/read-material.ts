@@ -38,7 +38,7 @@ export async function readMaterial(
     }
     return found;
   };
-  const surface = readSurface(entry);
+  let surface = readSurface(entry);
   const albedo = use(surface.entry, surface.albedo);
   const metallicRoughness = use(surface.roughnessEntry, "metallicRoughnessTexture");
   const normal = use(entry, "normalTexture");
@@ -66,6 +66,8 @@ export async function readMaterial(
     pictureOf(normal, "normal"),
     pictureOf(metallicRoughness, "roughness"),
   ]);
+  // Of a factor alone, without the map that it multiplies, all would be metal.
+  if (metallicRoughness && !packedPicture) surface = { ...surface, metallic: 0 };
   const alpha = readAlpha(entry);
   return {
     material: {
@@ -93,21 +95,24 @@ const clamp01 = (value: number) => Math.min(1, Math.max(0, value));
 function readSurface(entry: JsonEntry) {
   const glossy = entry.extension("KHR_materials_pbrSpecularGlossiness");
   const plain = entry.entry("pbrMetallicRoughness");
+  const isUnlit = entry.extension("KHR_materials_unlit") !== undefined;
   // The factor is 1 where there is a map, which is not read.
   const glossiness = glossy?.has("specularGlossinessTexture") ? undefined : glossy;
   const factor = glossy?.numbers("diffuseFactor", 4) ?? plain?.numbers("baseColorFactor", 4);
   const [red = 1, green = 1, blue = 1, opacity = 1] = (factor ?? []).map(clamp01);
   return {
     entry: glossy ?? plain,
-    roughnessEntry: glossiness ? undefined : plain,
+    roughnessEntry: glossiness || isUnlit ? undefined : plain,
     albedo: glossy ? "diffuseTexture" : "baseColorTexture",
     baseColor: [red, green, blue, opacity] as const,
     roughness: clamp01(
       glossiness
         ? 1 - (glossiness.number("glossinessFactor") ?? 1)
-        : (plain?.number("roughnessFactor") ?? 1),
+        : isUnlit
+          ? 1
+          : (plain?.number("roughnessFactor") ?? 1),
     ),
-    metallic: glossy ? 0 : clamp01(plain?.number("metallicFactor") ?? 1),
+    metallic: glossy || isUnlit ? 0 : clamp01(plain?.number("metallicFactor") ?? 1),
   };
 }
 
@@ -125,7 +130,8 @@ function readAlpha(entry: JsonEntry): Pick<Material, "alphaMode" | "alphaCutoff"
   const mode = entry.string("alphaMode");
   return {
     alphaMode: mode === "MASK" ? "mask" : mode === "BLEND" ? "blend" : "opaque",
-    alphaCutoff: clamp01(entry.number("alphaCutoff") ?? 0.5),
+    // Above 1 nothing is left: specification, section 3.9.4.
+    alphaCutoff: Math.max(0, entry.number("alphaCutoff") ?? 0.5),
   };
 }
 
