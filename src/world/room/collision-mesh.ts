@@ -249,11 +249,14 @@ function largest({ soup, numbers }: Soup, most: number): Soup {
   const largestTriangles = new Float32Array(most * 9);
   const keptNumbers = new Uint32Array(most);
   let end = 0;
-  for (let i = 0; i < count && end < largestTriangles.length; i++) {
-    if (areas[i]! < least) continue;
-    largestTriangles.set(soup.subarray(i * 9, i * 9 + 9), end);
-    keptNumbers[end / 9] = numbers[i]!;
-    end += 9;
+  // Those as large as the least come last: there may be more of them than there is room for.
+  for (const isTie of [false, true]) {
+    for (let i = 0; i < count && end < largestTriangles.length; i++) {
+      if (isTie ? areas[i] !== least : areas[i]! <= least) continue;
+      largestTriangles.set(soup.subarray(i * 9, i * 9 + 9), end);
+      keptNumbers[end / 9] = numbers[i]!;
+      end += 9;
+    }
   }
-  return { soup: largestTriangles.slice(0, end), numbers: keptNumbers };
+  return { soup: largestTriangles, numbers: keptNumbers };
 }

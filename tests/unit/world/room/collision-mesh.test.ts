@@ -279,6 +279,13 @@ describe("a collision", { timeout: 30_000 }, () => {
     expect(collision.raycast([2, 1, 2], DOWN, 9)?.distance).toBeCloseTo(1, 6);
   });
 
+  test("too large for the memory keeps what is larger than many equal triangles", () => {
+    const { positions } = floorOf(0.1);
+    const equal = { positions, indices: new Uint16Array(3000).map((_, i) => i % 3) };
+    const collision = new CollisionMesh([equal, insideOf([-3, 0, -3], [3, 2, 3])], 500);
+    expect(collision.raycast([2, 1, 2], DOWN, 9)?.distance).toBeCloseTo(1, 6);
+  });
+
   test("of the cabin is closed: no ray escapes through a wall, the floor or the ceiling", () => {
     const cabin = modelRoom("cabin.glb");
     if (!cabin) throw new Error("cabin.glb is missing: make it with npm run assets.");
