@@ -9,7 +9,7 @@ const MIDDLE = 0.015;
 /** Of a flame's middle from the room's box, and from what it was inside of. Metres. */
 const MARGIN = 0.05;
 /** Of a flame above an open scene's box, whose highest thing a wick may be, metres. */
-const SURROUNDINGS = 0.1;
+const HEADROOM = 0.1;
 const CLEARANCE = 0.03;
 
 /**
@@ -26,7 +26,7 @@ export function placeWicks(
   // Else all faces of the room point outwards, and backs tell nothing.
   const isEyeFree = freePlace(collision, eye, CLEARANCE, isSolid) === eye;
   const box = inset(collision.bounds, MARGIN);
-  const around = inset(collision.bounds, -SURROUNDINGS);
+  const around = inset(collision.bounds, -HEADROOM);
   let outside = 0;
   let enclosed = 0;
   const placed = wicks.map((wick): Wick => {
