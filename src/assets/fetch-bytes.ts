@@ -12,18 +12,26 @@ export interface FetchOptions {
   /** Content types that the server may not answer with. */
   readonly isForeign?: (type: string) => boolean;
   readonly onProgress?: (progress: number) => void;
+  /** Called with the address that answered: another after a redirection. */
+  readonly onAddress?: (url: string) => void;
 }
 
 /** Fetches a file, or throws a `Flaw`, or the signal's reason. */
 export async function fetchBytes(
   url: URL,
-  { signal, onProgress = () => {}, isForeign = (type) => FOREIGN_TYPE.test(type) }: FetchOptions,
+  {
+    signal,
+    onProgress = () => {},
+    onAddress = () => {},
+    isForeign = (type) => FOREIGN_TYPE.test(type),
+  }: FetchOptions,
 ): Promise<Uint8Array<ArrayBuffer>> {
   if (url.protocol === "data:") return embeddedBytes(url.href);
   const response = await fetch(url, { signal }).catch((cause: unknown) => {
     signal.throwIfAborted();
     throw new Flaw("could not be fetched", { cause });
   });
+  if (response.url) onAddress(response.url);
   const total = Number(response.headers.get("content-length") ?? 0);
   try {
     checkResponse(response, total, isForeign);

@@ -45,10 +45,14 @@ export function readDocument(json: unknown) {
   const scenes = root.entries("scenes");
   const roots = rootsOf(root, scenes, nodes);
   checkTree(nodes, roots);
-  checkTriangles(nodes, meshes, accessors);
+  const shown = [...roots];
+  for (const index of shown) shown.push(...(nodes[index]?.children ?? []));
+  checkTriangles(shown, nodes, { meshes, accessors });
   return {
     /** Nodes of the scene shown that have no parent. */
     roots,
+    /** Those and all below them. */
+    shown,
     nodes,
     meshes,
     skins,
@@ -189,18 +193,21 @@ function checkDepths(count: number, parents: ReadonlyMap<number, number>): void 
 }
 
 function checkTriangles(
+  shown: readonly number[],
   nodes: readonly Node[],
-  meshes: readonly Mesh[],
-  accessors: readonly Accessor[],
+  { meshes, accessors }: Pick<Lists, "meshes" | "accessors">,
 ): void {
   const countOf = (accessor: number | undefined) => accessors[accessor ?? -1]?.count ?? 0;
   let triangles = 0;
   let vertices = 0;
-  for (const { mesh, instances } of nodes) {
+  for (const index of shown) {
+    const { mesh, instances } = nodes[index] ?? {};
     const copies = instances ? countOf(Object.values(instances)[0]) : 1;
     for (const primitive of meshes[mesh ?? -1]?.primitives ?? []) {
       triangles += primitive.triangles * copies;
-      vertices += countOf(primitive.attributes.POSITION) * copies;
+      // Many primitives may share the vertices of one accessor.
+      const used = Math.min(countOf(primitive.attributes.POSITION), 3 * primitive.triangles);
+      vertices += used * copies;
     }
   }
   checkTriangleCount(triangles);

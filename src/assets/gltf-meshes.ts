@@ -19,7 +19,7 @@ const ATTRIBUTE_TYPES: readonly (readonly [RegExp, readonly AccessorType[]])[] =
   [/^COLOR_0$/, ["VEC3", "VEC4"]],
 ];
 /** Of a morph target: all that is used of one. */
-const TARGET_TYPES: typeof ATTRIBUTE_TYPES = [[/^POSITION$/, ["VEC3"]]];
+const TARGET_TYPES: typeof ATTRIBUTE_TYPES = [[/^(POSITION|NORMAL)$/, ["VEC3"]]];
 const INDEX_COMPONENTS: readonly number[] = [5121, 5123, 5125];
 
 export function readMeshes(entries: readonly JsonEntry[], lists: Lists) {
@@ -57,8 +57,9 @@ function readPrimitive(entry: JsonEntry, { accessors, views, materials }: Lists)
   const targets = entry
     .entries("targets")
     .map((target) => readAttributes(target, accessors, TARGET_TYPES));
-  for (const { POSITION = attributes.POSITION } of targets) {
-    if (accessors[POSITION ?? -1]?.count !== accessors[attributes.POSITION ?? -1]?.count) {
+  for (const target of targets) {
+    const [index = attributes.POSITION] = Object.values(target);
+    if (accessors[index ?? -1]?.count !== accessors[attributes.POSITION ?? -1]?.count) {
       throw entry.wrong("targets", "has another count than the positions");
     }
   }

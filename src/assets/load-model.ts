@@ -4,7 +4,6 @@ import { Decoders } from "./decoders.js";
 import { fetchBytes } from "./fetch-bytes.js";
 import { openContainer } from "./glb.js";
 import { type GltfDocument, readDocument } from "./gltf-document.js";
-import type { Primitive } from "./gltf-meshes.js";
 import type { Model, TextureImage } from "./model.js";
 import { type PlacedMaterial, readMaterial } from "./read-material.js";
 import { readScene } from "./read-scene.js";
@@ -48,24 +47,29 @@ export async function loadModel(url: string, options: LoadOptions): Promise<Mode
 async function load(url: string, file: string, options: LoadOptions): Promise<Model> {
   const { signal, onProgress, isCandle = false, decoderBase } = options;
   const address = addressOf(url, window.location.href);
+  let base = address.href;
   const bytes = await fetchBytes(address, {
     signal,
+    onAddress: (answered) => {
+      base = answered;
+    },
     onProgress: (progress) => onProgress(progress * FILE_SHARE),
   });
   const { json, binary } = openContainer(bytes);
   const document = readDocument(json);
   const decoders = new Decoders(new URL(decoderBase));
-  const resolve = (uri: string) => addressOf(uri, address.href);
+  const resolve = (uri: string) => addressOf(uri, base);
   const shared = options.sharedImages ?? new Map();
   const sources = { file, binary, decoders, resolve, signal, shared };
   const readView = viewReader(document, sources);
   const images = new TextureImages(document, readView, sources);
-  const report = stages(document, onProgress);
+  const used = usedMaterials(document);
+  const report = stages(used.length, onProgress);
   try {
     const warnings = new Set(readWarnings(document, isCandle));
     const [materials, scene] = await orAborted(
       Promise.all([
-        readMaterials(document, images, warnings, report),
+        readMaterials(document, used, { images, warnings, report }),
         buildScene(document, readView, decoders).finally(report),
       ]),
       signal,
@@ -84,33 +88,31 @@ async function load(url: string, file: string, options: LoadOptions): Promise<Mo
 
 async function readMaterials(
   document: GltfDocument,
-  images: TextureImages,
-  warnings: Set<string>,
-  report: () => void,
+  used: readonly number[],
+  to: { images: TextureImages; warnings: Set<string>; report: () => void },
 ): Promise<Map<string, PlacedMaterial>> {
   const materials = new Map<string, PlacedMaterial>();
   const readOne = async (index: number) => {
     const entry = document.materials[index];
-    if (entry) materials.set(String(index), await readMaterial(document, entry, images, warnings));
-    report();
+    if (entry) {
+      materials.set(String(index), await readMaterial(document, entry, to.images, to.warnings));
+    }
+    to.report();
   };
-  await Promise.all(usedMaterials(document).map(readOne));
+  await Promise.all(used.map(readOne));
   return materials;
 }
 
 /** Those of the scene that is shown. */
-function usedMaterials({ meshes, nodes, roots }: GltfDocument): number[] {
-  const primitives = (index: number): readonly Primitive[] => {
-    const { mesh = -1, children = [] } = nodes[index] ?? {};
-    return [...(meshes[mesh]?.primitives ?? []), ...children.flatMap(primitives)];
-  };
-  const used = roots.flatMap(primitives).map(({ material }) => material);
-  return [...new Set(used)].filter((material) => material !== undefined);
+function usedMaterials({ meshes, nodes, shown }: GltfDocument): number[] {
+  const primitives = shown.flatMap((node) => meshes[nodes[node]?.mesh ?? -1]?.primitives ?? []);
+  const used = new Set(primitives.map(({ material }) => material));
+  return [...used].filter((material) => material !== undefined);
 }
 
 /** Progress after the file's share: a step for each material, and one for the geometry. */
-function stages(document: GltfDocument, onProgress: (progress: number) => void): () => void {
-  const count = usedMaterials(document).length + 2;
+function stages(materials: number, onProgress: (progress: number) => void): () => void {
+  const count = materials + 2;
   let done = 0;
   return () => {
     done++;

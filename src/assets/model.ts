@@ -1,7 +1,7 @@
 /** Model: a file's meshes as plain typed arrays in its own coordinates: metres, +Y up. */
 export interface Model {
   readonly parts: readonly Part[];
-  /** Named nodes without meshes below them, by name. */
+  /** The nodes `spawn` and `moon`, where no meshes are below them, by name. */
   readonly anchors: Readonly<Record<string, Anchor>>;
   /** Wicks, in the file's order. */
   readonly wicks: readonly Wick[];

@@ -1,6 +1,6 @@
 import {
-  type BufferAttribute,
-  type BufferGeometry,
+  BufferAttribute,
+  BufferGeometry,
   type InstancedMesh,
   type InterleavedBufferAttribute,
   Matrix4,
@@ -30,7 +30,7 @@ export function readPart(
   name: string,
   { material, placement }: PlacedMaterial,
 ): Part | null {
-  const geometry = withNormals(mesh.geometry);
+  const geometry = withNormals(morphed(mesh, withoutUnused(mesh.geometry)));
   const position = geometry.getAttribute("position");
   const indices = indicesOf(geometry, position.count);
   const moves = matricesOf(mesh, geometry);
@@ -40,7 +40,7 @@ export function readPart(
   const color = geometry.getAttribute("color");
   const vertices = transformed(
     {
-      positions: morphedPositions(mesh, geometry),
+      positions: floats(position),
       normals: floats(geometry.getAttribute("normal")),
       tangents: tangent ? floats(tangent) : null,
       uvs: uv ? placedUvs(floats(uv), placement) : null,
@@ -137,20 +137,55 @@ function colorsOf(attribute: Attribute): Float32Array {
   return colors;
 }
 
-function morphedPositions(mesh: Mesh, geometry: BufferGeometry): Float32Array {
-  const base = floats(geometry.getAttribute("position"));
-  const targets = geometry.morphAttributes.position ?? [];
-  if (targets.length === 0) return base;
-  const positions = base.slice();
-  for (const [t, target] of targets.entries()) {
-    const weight = mesh.morphTargetInfluences?.[t] ?? 0;
-    if (weight === 0) continue;
-    const offsets = floats(target);
-    for (let i = 0; i < positions.length; i++) {
-      positions[i] = (positions[i] ?? 0) + weight * (offsets[i] ?? 0);
+/** The geometry in its rest pose. */
+function morphed(mesh: Mesh, geometry: BufferGeometry): BufferGeometry {
+  const { position: positions = [], normal: normals = [] } = geometry.morphAttributes;
+  if (positions.length === 0) return geometry;
+  const posed = geometry.clone();
+  for (const [name, targets] of Object.entries({ position: positions, normal: normals })) {
+    if (targets.length === 0) continue;
+    const values = floats(geometry.getAttribute(name)).slice();
+    for (const [t, target] of targets.entries()) {
+      const weight = mesh.morphTargetInfluences?.[t] ?? 0;
+      if (weight === 0) continue;
+      for (const [i, offset] of floats(target).entries())
+        values[i] = (values[i] ?? 0) + weight * offset;
     }
+    posed.setAttribute(name, new BufferAttribute(values, 3));
   }
-  return positions;
+  return posed;
+}
+
+/** A geometry of the vertices that its triangles use: many may share the vertices of one accessor. */
+function withoutUnused(geometry: BufferGeometry): BufferGeometry {
+  const { count } = geometry.getAttribute("position");
+  // Lower levels of detail come from our own tools, which leave nothing unused.
+  if (!geometry.index || geometry.userData.reducedIndices !== undefined) return geometry;
+  const numbers = new Int32Array(count).fill(-1);
+  const used: number[] = [];
+  const indices = indicesOf(geometry, count);
+  for (const [i, vertex] of indices.entries()) {
+    if (numbers[vertex] === -1) numbers[vertex] = used.push(vertex) - 1;
+    indices[i] = numbers[vertex] ?? 0;
+  }
+  if (used.length === count) return geometry;
+  const pick = ({ array, itemSize, normalized }: Attribute) => {
+    const values = array.slice(0, used.length * itemSize);
+    for (const [i, vertex] of used.entries()) {
+      for (let k = 0; k < itemSize; k++)
+        values[i * itemSize + k] = array[vertex * itemSize + k] ?? 0;
+    }
+    return new BufferAttribute(values, itemSize, normalized);
+  };
+  const compact = new BufferGeometry().setIndex(new BufferAttribute(indices, 1));
+  for (const [name, attribute] of Object.entries(geometry.attributes)) {
+    compact.setAttribute(name, pick(attribute));
+  }
+  for (const name of ["position", "normal"] as const) {
+    const targets = geometry.morphAttributes[name];
+    if (targets) compact.morphAttributes[name] = targets.map(pick);
+  }
+  return compact;
 }
 
 /** Where a mesh stands: for each of its instances, or for each of its vertices if it has bones. */

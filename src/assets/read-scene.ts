@@ -6,6 +6,9 @@ import { DEFAULT_MATERIAL, type PlacedMaterial } from "./read-material.js";
 import { readPart } from "./read-part.js";
 import { readWicks } from "./read-wicks.js";
 
+/** Names of the nodes that are read. */
+const PLACES: ReadonlySet<unknown> = new Set(["spawn", "moon"]);
+
 const LARGEST = 10_000; // metres
 const SMALLEST = 0.001; // metres
 
@@ -23,7 +26,7 @@ export function readScene(
       const { name } = mesh.material as { readonly name: string };
       const part = readPart(mesh, nameOf(mesh), materials.get(name) ?? DEFAULT_MATERIAL);
       if (part) parts.push(part);
-    } else if (isPlace(node) && !anchors.has(nameOf(node))) {
+    } else if (PLACES.has(node.userData.name) && !anchors.has(nameOf(node)) && isPlace(node)) {
       anchors.set(nameOf(node), anchorAt(node));
     }
   });
@@ -38,9 +41,9 @@ function nameOf(object: Object3D): string {
   return typeof name === "string" ? name : object.name;
 }
 
-/** Named, with no mesh at or below it, and no bone. */
+/** With no mesh at or below it, and no bone. */
 function isPlace(node: Object3D): boolean {
-  if (typeof node.userData.name !== "string" || "isBone" in node) return false;
+  if ("isBone" in node) return false;
   let isEmpty = true;
   node.traverse((below) => {
     if (below.userData.isEmpty !== true) isEmpty = false;
@@ -51,6 +54,8 @@ function isPlace(node: Object3D): boolean {
 function anchorAt({ matrixWorld }: Object3D): Anchor {
   const position = new Vector3().setFromMatrixPosition(matrixWorld);
   const forward = new Vector3().setFromMatrixColumn(matrixWorld, 2).negate();
+  // That of a node that is not turned, for one of scale 0.
+  if (forward.length() === 0) forward.set(0, 0, -1);
   // Straight up or down it points nowhere on the floor.
   const isLevel = Math.hypot(forward.x, forward.z) > 1e-6 * forward.length();
   return {

@@ -11,9 +11,9 @@ const INSTANCING = "EXT_mesh_gpu_instancing";
 
 /**
  * Builds the scene's geometry by three's `GLTFLoader`. It is given nothing else (no textures, no animations), and
- * is given each accessor as a buffer view of its own. A mesh's material is named by its index, a node's
- * `userData` has its `order` in the file and says whether it has no mesh (`isEmpty`), and a geometry's `userData.reducedIndices` are those of
- * its lower level of detail.
+ * is given each accessor as a buffer view of its own. A mesh's material is named by its index, a node's `userData` has
+ * its `order` in the file, its `matrix`, and says whether it has no mesh (`isEmpty`), and a geometry's
+ * `userData.reducedIndices` are those of its lower level of detail.
  */
 export async function buildScene(
   document: GltfDocument,
@@ -34,7 +34,15 @@ export async function buildScene(
     loadBufferView,
     afterRoot: async ({ scene }) => {
       const meshes: Mesh[] = [];
-      scene.traverse((node) => void ("isMesh" in node && meshes.push(node as Mesh)));
+      scene.traverse((node) => {
+        if ("isMesh" in node) meshes.push(node as Mesh);
+        const { matrix } = node.userData;
+        if (!matrix) return;
+        // As it is: three would show one of scale 0 at full size, and one that shears without.
+        const [a, b, c, , d, e, f, , g, h, i, , x, y, z] = matrix;
+        node.matrix.set(a, d, g, x, b, e, h, y, c, f, i, z, 0, 0, 0, 1);
+        node.matrixAutoUpdate = false;
+      });
       for (const { geometry } of meshes) {
         const { userData } = geometry;
         if (typeof userData.reducedIndices !== "number") continue;
@@ -63,27 +71,32 @@ function gltfFor(document: GltfDocument, isDraco: boolean) {
     nodes: nodes.map((node, order) => nodeFor(node, order, posed)),
     meshes: meshes.map(({ name, primitives, weights }, index) => ({
       name,
-      primitives: primitives.map((primitive) => primitiveFor(primitive, posed.has(index))),
+      primitives: primitives.map((primitive) =>
+        primitiveFor(primitive, posed.has(index) ? accessors.length : 0),
+      ),
       weights: posed.has(index) ? weights : undefined,
     })),
     skins,
-    accessors: accessors.map(({ componentType, type, count, isNormalized }, index) => ({
-      bufferView: views.length + index,
-      componentType,
-      type,
-      count,
-      normalized: isNormalized,
-      // The loader warns where they are missing. They are not used.
-      min: [0, 0, 0],
-      max: [0, 0, 0],
-    })),
+    // Again without views, as zeros.
+    accessors: [...accessors, ...accessors].map(
+      ({ componentType, type, count, isNormalized }, index) => ({
+        bufferView: index < accessors.length ? views.length + index : undefined,
+        componentType,
+        type,
+        count,
+        normalized: isNormalized,
+        // The loader warns where they are missing. They are not used.
+        min: [0, 0, 0],
+        max: [0, 0, 0],
+      }),
+    ),
     bufferViews: [...views, ...accessors].map(() => ({})),
     materials: materials.map((_, index) => ({ name: String(index) })),
   };
 }
 
 function nodeFor(
-  { isEmpty, isMisplaced, wickDiameter, instances, ...node }: Node,
+  { isEmpty, isMisplaced, wickDiameter, instances, matrix, ...node }: Node,
   order: number,
   posed: ReadonlySet<number>,
 ) {
@@ -91,7 +104,7 @@ function nodeFor(
     ...node,
     name: node.name === "" ? undefined : node.name,
     weights: node.mesh !== undefined && posed.has(node.mesh) ? node.weights : undefined,
-    extras: { order, isEmpty, isMisplaced, wickDiameter },
+    extras: { order, isEmpty, isMisplaced, wickDiameter, matrix },
     extensions: instances && { [INSTANCING]: { attributes: instances } },
   };
 }
@@ -103,23 +116,27 @@ function posedMeshes({ meshes, nodes }: GltfDocument): ReadonlySet<number> {
     nodes.map(({ mesh, weights }) => (isPose(weights) ? mesh : undefined)),
   );
   const posed = meshes.flatMap(({ primitives, weights }, index) => {
-    const isMorphed = primitives.every(
-      ({ targets }) =>
-        targets.length > 0 && targets.every(({ POSITION }) => POSITION !== undefined),
-    );
+    const isMorphed = primitives.every(({ targets }) => targets.length > 0);
     return isMorphed && (isPose(weights) || posedByNode.has(index)) ? [index] : [];
   });
   return new Set(posed);
 }
 
-function primitiveFor(primitive: Primitive, isPosed: boolean) {
+/** @param zeros from an accessor to one of zeros; 0 where morph targets are not read */
+function primitiveFor(primitive: Primitive, zeros: number) {
   const { attributes, indices, reducedIndices, mode, material, targets, draco } = primitive;
+  // Three takes the base for what a target lacks.
+  const morphed = ["POSITION", "NORMAL"].filter((name) => name in attributes);
+  const targetFor = (target: Record<string, number>) =>
+    Object.fromEntries(
+      morphed.map((name) => [name, target[name] ?? (attributes[name] ?? 0) + zeros]),
+    );
   return {
     attributes,
     indices,
     mode,
     material,
-    targets: isPosed ? targets.map(({ POSITION }) => ({ POSITION })) : undefined,
+    targets: zeros > 0 ? targets.map(targetFor) : undefined,
     extras: { reducedIndices },
     extensions: draco && {
       [DRACO]: {

@@ -73,6 +73,8 @@ function flipWinding(indices: Uint32Array): void {
 }
 
 const UP = new Vector3(0, 1, 0);
+const across = new Vector3();
+const along = new Vector3();
 
 /** A matrix applied to positions, normals and tangents. */
 class VertexTransform {
@@ -83,8 +85,14 @@ class VertexTransform {
 
   set(matrix: Matrix4): void {
     this.#matrix.copy(matrix);
-    this.#normalMatrix.getNormalMatrix(matrix);
     this.isMirror = matrix.determinant() < 0;
+    // The cofactors: as the inverse's transpose, and also of a matrix with one axis of scale 0.
+    const sign = this.isMirror ? -1 : 1;
+    for (let i = 0; i < 3; i++) {
+      across.setFromMatrixColumn(matrix, (i + 1) % 3);
+      across.cross(along.setFromMatrixColumn(matrix, (i + 2) % 3)).multiplyScalar(sign);
+      across.toArray(this.#normalMatrix.elements, i * 3);
+    }
   }
 
   position(positions: Float32Array, vertex: number): void {

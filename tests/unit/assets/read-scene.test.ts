@@ -1,0 +1,96 @@
+import { expect, test } from "vitest";
+import type { Decoders } from "../../../src/assets/decoders.ts";
+import { readDocument } from "../../../src/assets/gltf-document.ts";
+import { readScene } from "../../../src/assets/read-scene.ts";
+import { buildScene } from "../../../src/assets/three-scene.ts";
+
+const CORNERS = [0, 0, 0, 1, 0, 0, 0, 1, 0, 9, 9, 9];
+const VALUES = Float32Array.from([
+  ...CORNERS,
+  ...[0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1],
+  ...[0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0],
+  ...[0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0],
+]);
+const INDICES = Uint8Array.from([0, 1, 2]);
+
+/** Four vertices, of which a triangle uses three; normals and offsets of both are accessors 1 to 3. */
+const accessor = (bufferView: number) => ({
+  bufferView,
+  componentType: 5126,
+  type: "VEC3",
+  count: 4,
+  min: [0, 0, 0],
+  max: [9, 9, 9],
+});
+const FILE = {
+  asset: { version: "2.0" },
+  buffers: [{ byteLength: 195 }],
+  bufferViews: [
+    ...[0, 48, 96, 144].map((byteOffset) => ({ buffer: 0, byteOffset, byteLength: 48 })),
+    { buffer: 0, byteOffset: 192, byteLength: 3 },
+  ],
+  accessors: [
+    ...[0, 1, 2, 3].map(accessor),
+    { bufferView: 4, componentType: 5121, type: "SCALAR", count: 3 },
+  ],
+};
+const TRIANGLE = { attributes: { POSITION: 0, NORMAL: 1 }, indices: 4 };
+
+async function read(file: object) {
+  const document = readDocument({ ...FILE, ...file });
+  const bytes = new Uint8Array([...new Uint8Array(VALUES.buffer), ...INDICES]);
+  const readView = async (index: number) => bytes.slice(index * 48, index * 48 + 48);
+  const scene = await buildScene(document, readView as never, {} as Decoders);
+  return readScene(scene, new Map(), new Set());
+}
+
+test("vertices that no triangle uses are left out", async () => {
+  const { parts } = await read({ nodes: [{ mesh: 0 }], meshes: [{ primitives: [TRIANGLE] }] });
+  expect([...(parts[0]?.positions ?? [])]).toEqual(CORNERS.slice(0, 9));
+  expect([...(parts[0]?.indices ?? [])]).toEqual([0, 1, 2]);
+});
+
+test("one vertex buffer of many primitives counts as what they use of it, and only where shown", () => {
+  const accessors = FILE.accessors.map((one, i) =>
+    i < 4 ? { ...one, bufferView: undefined, count: 1e6 } : one,
+  );
+  const primitives = Array.from({ length: 20 }, () => TRIANGLE);
+  const meshes = [{ primitives }, { primitives: [{ attributes: { POSITION: 0 } }] }];
+  const nodes = Array.from({ length: 20 }, (_, i) => ({ mesh: i > 0 ? 1 : 0 }));
+  const scenes = [{ nodes: [0] }, { nodes: [1] }];
+  expect(readDocument({ ...FILE, accessors, meshes, nodes, scenes }).shown).toEqual([0]);
+});
+
+test("morph targets move positions and normals, also beside one of normals alone", async () => {
+  const morphed = { ...TRIANGLE, targets: [{ NORMAL: 3 }, { POSITION: 2 }] };
+  const meshes = [{ primitives: [morphed], weights: [1, 0.5] }];
+  const { parts } = await read({ nodes: [{ mesh: 0 }], meshes });
+  expect([...(parts[0]?.positions ?? [])]).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0.5]);
+  const half = Math.fround(Math.SQRT1_2);
+  expect([...(parts[0]?.normals ?? [])]).toEqual([0, half, half, 0, half, half, 0, half, half]);
+});
+
+test("missing normals are those of the morphed triangles", async () => {
+  const morphed = { ...TRIANGLE, attributes: { POSITION: 0 }, targets: [{ POSITION: 2 }] };
+  const meshes = [{ primitives: [morphed], weights: [1] }];
+  const { parts } = await read({ nodes: [{ mesh: 0 }], meshes });
+  const half = Math.fround(Math.SQRT1_2);
+  for (const [i, x] of [0, -half, half].entries()) expect(parts[0]?.normals[i]).toBeCloseTo(x, 6);
+});
+
+test("one axis of scale 0 keeps the normals, and a matrix of it its size", async () => {
+  const meshes = [{ primitives: [TRIANGLE] }];
+  const flat = { mesh: 0, matrix: [2, 0, 0, 0, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 5, 1] };
+  const none = { mesh: 0, matrix: [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1] };
+  const { parts } = await read({ nodes: [flat, none], meshes });
+  expect([...(parts[0]?.positions ?? [])]).toEqual([0, 0, 5, 2, 0, 5, 0, 3, 5]);
+  expect([...(parts[0]?.normals ?? [])]).toEqual([0, 0, 1, 0, 0, 1, 0, 0, 1]);
+  expect(parts[1]?.positions.every((x) => x === 0)).toBe(true);
+});
+
+test("a moon of scale 0 has a direction", async () => {
+  const nodes = [{ mesh: 0 }, { name: "moon", scale: [0, 0, 0] }, { name: "else" }];
+  const { anchors } = await read({ nodes, meshes: [{ primitives: [TRIANGLE] }] });
+  expect(anchors).toMatchObject({ moon: { forward: [0, 0, -1] } });
+  expect(Object.keys(anchors)).toEqual(["moon"]);
+});
