@@ -25,9 +25,8 @@ vec3 fresnelSchlick(vec3 f0, float LoH) {
   return f0 + (1.0 - f0) * (m2 * m2 * m);
 }
 
-// BRDF without Fresnel's term, for a light whose extent widens the lobe, which keeps its energy. `tangent`: of the angle
-// that the light's radius covers, seen from the surface. Karis 2013, "Real Shading in Unreal Engine 4".
-float widenedLobe(float alpha, float tangent, float NoH, float NoV, float NoL) {
-  float widened = min(alpha + 0.5 * tangent, 1.0);
-  return distributionGgx(widened, max(NoH, 0.0)) * visibilitySmith(alpha, NoV, NoL) * (alpha * alpha) / (widened * widened);
+// Alpha of the distribution widened by a light's extent. `tangent`: of the angle that the light's radius covers, seen from
+// the surface. Karis 2013, "Real Shading in Unreal Engine 4".
+float widenedAlpha(float alpha, float tangent) {
+  return min(alpha + 0.5 * tangent, 1.0);
 }

@@ -12,7 +12,8 @@ float directMoonlight(Shading s, vec3 facet, vec3 diffuseColor, vec2 seen, vec2 
     float visibility = moonVisibility(vPositionWorld, faceforward(facet, moon.direction, facet), pixel, 0.0);
     float lit = NoL * mix(1.0, visibility, seen.x);
     vec3 H = normalize(L + s.view);
-    float lobe = widenedLobe(s.alpha, MOON_TANGENT, dot(s.normal, H), s.NoV, NoL);
+    float widened = widenedAlpha(s.alpha, MOON_TANGENT);
+    float lobe = distributionGgx(widened, max(dot(s.normal, H), 0.0)) * visibilitySmith(s.alpha, s.NoV, NoL);
     float specular = moonLuma(fresnelSchlick(s.f0, max(dot(L, H), 0.0))) * lobe * seen.y;
     sum = lit * (moonLuma(diffuseColor) / PI * normalMapVisibility(s.surface, s.normal, L) + specular);
   }

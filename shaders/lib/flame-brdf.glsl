@@ -1,31 +1,41 @@
-// Specular reflection of the flame.
-// Needs lib/flame-light.glsl.
+// Specular reflection of a flame.
 #include "lib/brdf.glsl"
 
 // Least distance of the flame for the inverse square law, metres.
 const float LEAST_DISTANCE = 0.01;
 // A pane reflects next to nothing diffusely: the irradiance up to which its albedo counts, lx for 1 cd.
 const float PANE_IRRADIANCE = 0.5;
+// Share by which a flame is thinner at its end than in its middle, and wider at its foot.
+const float TAPERING = 0.5;
 
 struct FlameSpecular {
   float lobe;  // D V / F, times the cosine to the representative point
   float SoH;   // cosine for Fresnel's term
 };
 
-// The flame as a capsule light, by its representative point: the one nearest to the reflected ray. `toLight`: from the
-// surface, m.
+// A flame as a capsule light, thinner above, by its representative point: the one nearest to the reflected ray. `toLight`:
+// from the surface, m. `halfAxis`: from the middle to an end, m.
 // Karis 2013, "Real Shading in Unreal Engine 4".
-FlameSpecular flameSpecular(vec3 toLight, vec3 normal, vec3 view, float NoV, float alpha) {
+FlameSpecular flameSpecular(vec3 toLight, vec3 halfAxis, float radius, vec3 normal, vec3 view, float NoV, float alpha) {
   vec3 reflected = reflect(-view, normal);
-  float along = dot(reflected, toLight);
-  float steepness = dot(reflected, light.along);
-  float offAxis = dot(toLight, light.along) - along * steepness;
-  float climb = clamp(-offAxis / max(1.0 - steepness * steepness, 1e-3), -light.halfHeight, light.halfHeight);
-  vec3 representative = toLight + light.along * climb;
+  float steepness = dot(reflected, halfAxis);
+  float offAxis = dot(toLight, halfAxis) - dot(reflected, toLight) * steepness;
+  float climb = clamp(-offAxis / max(dot(halfAxis, halfAxis) - steepness * steepness, 1e-7), -1.0, 1.0);
+  vec3 representative = toLight + halfAxis * climb;
+  vec3 aside = dot(reflected, representative) * reflected - representative;
+  representative += aside * min(radius * (1.0 - TAPERING * climb) / max(length(aside), 1e-5), 1.0);
+  float squared = max(dot(representative, representative), LEAST_DISTANCE * LEAST_DISTANCE);
   vec3 S = normalize(representative);
   vec3 H = normalize(S + view);
-  float tangent = light.radius / max(length(representative), LEAST_DISTANCE);
   float NoS = max(dot(normal, S), 0.0);
-  float lobe = widenedLobe(alpha, tangent, dot(normal, H), NoV, NoS);
-  return FlameSpecular(lobe * NoS, max(dot(S, H), 0.0));
+  float SoH = max(dot(S, H), 0.1);
+  // The capsule spreads the lobe's peak over a convex set of half vectors. That adds to the integral of GGX, which is 1,
+  // the perimeter over 4 alpha, and the area over PI alpha squared, by Steiner's formula: the energy is divided by it.
+  vec3 across = halfAxis - S * dot(S, halfAxis);
+  float quarter = (0.5 * length(cross(normal, across)) / SoH + 0.25 * PI * radius) * inversesqrt(squared);
+  float area = max(radius * (4.0 * length(across) + PI * radius), 1e-6);
+  float lobe = distributionGgx(alpha, max(dot(normal, H), 0.0)) * visibilitySmith(alpha, NoV, NoS) * NoS;
+  lobe /= 1.0 + (quarter + area / (4.0 * PI * squared * SoH * alpha)) / alpha;
+  // A mirror image is no brighter than the flame.
+  return FlameSpecular(min(lobe, squared / area), SoH);
 }

@@ -96,7 +96,7 @@ DirectLight directLight(Shading s, vec2 visibilities) {
   vec3 irradiance = perCosine * max(NoL * normalMapVisibility(s.surface, s.normal, L) * s.minified.y, wickCosine);
   if (uIsPane > 0.5) irradiance = min(irradiance, PANE_IRRADIANCE * light.intensity);
   vec3 sides = unshadowed * mix(1.0, max(visibilities.x, visibilities.y), uFeatures.x);
-  FlameSpecular flame = flameSpecular(toLight, s.normal, s.view, s.NoV, s.alpha);
+  FlameSpecular flame = flameSpecular(toLight, light.along * light.halfHeight, light.radius, s.normal, s.view, s.NoV, s.alpha);
   return DirectLight(irradiance, sides, fresnelSchlick(s.f0, flame.SoH) * flame.lobe * perCosine * uFeatures.z);
 }
 

@@ -42,7 +42,8 @@ vec2 moonLighting(LightingTexel texel, vec3 toEye, float NoV, vec2 seen) {
   float alpha = texel.roughness * texel.roughness;
   vec3 H = normalize(L + toEye);
   float fresnel = fresnelSchlick(vec3(0.04), max(dot(L, H), 0.0)).r;
-  float specular = widenedLobe(alpha, MOON_TANGENT, dot(normal, H), NoV, NoL) * perArea * seen.y;
+  float lobe = distributionGgx(widenedAlpha(alpha, MOON_TANGENT), max(dot(normal, H), 0.0)) * visibilitySmith(alpha, NoV, NoL);
+  float specular = lobe * perArea * seen.y;
   float factor = (1.0 - metallic) * (1.0 - fresnel) / PI * perArea + metallic * specular;
   return vec2(factor, (1.0 - metallic) * fresnel * specular);
 }

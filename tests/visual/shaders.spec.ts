@@ -188,3 +188,15 @@ test("Surfaces in light from all around give back all that they get: a white fur
   // Without what bounces between facets it would be a grey furnace.
   expect(errors.lost).toBeGreaterThan(0.3);
 });
+
+test("A rough mirror reflects all of a flame's light, however near, and no image brighter than it", async () => {
+  const found = await drawnBy(page, "tests/support/highlight.frag", 4);
+  expect(found.length).toBe(4 * 4 * 3);
+  const shares = found.filter((_, i) => i % 3 < 2);
+  const brightest = Math.max(...found.filter((_, i) => i % 3 === 2));
+  const [least, most] = [Math.min(...shares), Math.max(...shares)];
+  console.log(`highlight: ${JSON.stringify({ least, most, brightest })}`);
+  expect(least).toBeGreaterThan(0.92);
+  expect(most).toBeLessThan(1.1);
+  expect(brightest).toBeLessThan(1);
+});
