@@ -3,7 +3,7 @@
 // In:  base colour (sRGB), normal, occlusion/roughness/metallic maps.   Out: radiance, cd/m², premultiplied.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
-#include "lib/brdf.glsl"
+#include "lib/flame-brdf.glsl"
 #include "lib/normal-map.glsl"
 #include "lib/studio.glsl"
 #include "lib/ember.glsl"
@@ -19,8 +19,6 @@ uniform float uOpacity;           // 1: alpha counts, 0: it is opaque
 
 out vec4 oRadiance;
 
-// Least distance of a flame for the inverse square law, metres.
-const float LEAST_DISTANCE = 0.01;
 // Diffusion length of thick paraffin, m, and the share of the light on its top that leaves through the side.
 const vec3 DIFFUSION_LENGTH = vec3(0.014, 0.0105, 0.007);
 const float WAX_TRANSMITTANCE = 0.2;
@@ -31,25 +29,6 @@ const float LEAST_HEIGHT = 0.01;
 const float RIM_DEPTH = 0.0015;
 // Share by which coloured glass absorbs the complement of its colour.
 const float TINT = 0.6;
-
-// Specular lobe of a capsule, times the cosine; y: cosine for Fresnel's term.
-// Karis 2013, "Real Shading in Unreal Engine 4".
-vec2 capsuleLobe(int i, vec3 toLight, vec3 normal, vec3 view, float NoV, float alpha) {
-  vec3 along = flames.alongs[i].xyz;
-  vec3 reflected = reflect(-view, normal);
-  float steepness = dot(reflected, along);
-  float offAxis = dot(toLight, along) - dot(reflected, toLight) * steepness;
-  float halfHeight = flames.centres[i].w;
-  float climb = clamp(-offAxis / max(1.0 - steepness * steepness, 1e-3), -halfHeight, halfHeight);
-  vec3 representative = toLight + along * climb;
-  vec3 S = normalize(representative);
-  vec3 H = normalize(S + view);
-  float width = 0.25 * flames.alongs[i].w / max(length(representative), LEAST_DISTANCE);
-  float widened = clamp(alpha + width, 0.0, 1.0);
-  float NoS = max(dot(normal, S), 0.0);
-  float lobe = distributionGgx(widened, max(dot(normal, H), 0.0)) * visibilitySmith(alpha, NoV, NoS);
-  return vec2(lobe * NoS, max(dot(S, H), 0.0));
-}
 
 // Light of a flame that has entered the wax around its wick, as it leaves: radiance for an albedo of 1, cd/m².
 vec3 waxGlow(int i, vec3 position) {
@@ -90,15 +69,15 @@ void main() {
     vec3 toLight = flames.centres[i].xyz - vPositionWorld;
     float distanceSquared = max(dot(toLight, toLight), LEAST_DISTANCE * LEAST_DISTANCE);
     float NoL = max(dot(normal, toLight * inversesqrt(distanceSquared)), 0.0);
-    vec2 lobe = capsuleLobe(i, toLight, normal, view, NoV, alpha);
-    if (NoL + lobe.x <= 0.0) continue;
+    vec4 along = flames.alongs[i];
+    vec3 halfAxis = along.xyz * flames.centres[i].w;
+    FlameSpecular flame = flameSpecular(toLight, halfAxis, along.w, normal, view, NoV, alpha);
+    if (NoL + flame.lobe <= 0.0) continue;
     vec3 perArea = flames.intensities[i].rgb / distanceSquared;
     if (uTransmission < 0.5) perArea *= flameVisibility(i, vPositionWorld, normal);
-    vec3 fresnel = fresnelSchlick(f0, lobe.y);
+    vec3 fresnel = fresnelSchlick(f0, flame.SoH);
     diffuse += diffuseColor * (1.0 - fresnel) / PI * NoL * perArea;
-    // A mirror image is no brighter than the flame.
-    float area = 4.0 * flames.centres[i].w * flames.alongs[i].w;
-    specular += fresnel * min(lobe.x * perArea, flames.intensities[i].rgb / max(area, 1e-6));
+    specular += fresnel * flame.lobe * perArea;
   }
   vec3 reflected = environment(mix(reflect(-view, normal), normal, roughness * 0.7));
   vec3 mirrored = fresnelSchlick(f0, NoV);
