@@ -39,6 +39,8 @@ void main() {
   if (uIntensity2.r > 0.0) oRadiance.rgb += texelFetch(uRadiance2, pixel, 0).rgb * uIntensity2;
   if (uIntensity3.r > 0.0) oRadiance.rgb += texelFetch(uRadiance3, pixel, 0).rgb * uIntensity3;
 #endif
+  // Twice this is added to 3e4: the largest half float is 65504.
+  oRadiance.rgb = min(oRadiance.rgb, 1.5e4);
 #else
   vec3 radiance = perUnit.rgb * mix(vec3(1.0), light.intensity, uIsLight);
 #ifdef MOONLIT
