@@ -15,7 +15,7 @@ float directMoonlight(Shading s, vec3 facet, vec3 diffuseColor, vec2 seen, vec2 
     float widened = widenedAlpha(s.alpha, MOON_TANGENT);
     float lobe = distributionGgx(widened, max(dot(s.normal, H), 0.0)) * visibilitySmith(s.alpha, s.NoV, NoL);
     float specular = moonLuma(fresnelSchlick(s.f0, max(dot(L, H), 0.0))) * lobe * seen.y;
-    sum = lit * (moonLuma(diffuseColor) / PI * normalMapVisibility(s.surface, s.normal, L) + specular);
+    sum = lit * (moonLuma(diffuseColor) / PI * normalMapVisibility(s.surface, s.normal, L) * s.minified.y + specular);
   }
   return sum;
 }
