@@ -19,8 +19,10 @@ uniform float uOpacity;           // 1: alpha counts, 0: it is opaque
 
 out vec4 oRadiance;
 
-// Diffusion length of thick paraffin, m, and the share of the light on its top that leaves through the side.
+// Diffusion length of thick white paraffin, m, its reflectance, and the share of the light on its top that leaves through
+// the side.
 const vec3 DIFFUSION_LENGTH = vec3(0.014, 0.0105, 0.007);
+const vec3 WHITE_WAX = vec3(0.84, 0.78, 0.66);
 const float WAX_TRANSMITTANCE = 0.2;
 // Wax begins so far below the root of the flame; a flame's middle is never less above it. Metres.
 const float RIM = 0.003;
@@ -30,15 +32,22 @@ const float RIM_DEPTH = 0.0015;
 // Share by which coloured glass absorbs the complement of its colour.
 const float TINT = 0.6;
 
+// Diffusion length of wax, m: light ends sooner in dyed wax, with the root of its absorption, which follows from its
+// reflectance. Kubelka and Munk 1931, "Ein Beitrag zur Optik der Farbanstriche".
+vec3 diffusionLength(vec3 reflectance) {
+  vec3 absorption = (1.0 - reflectance) * inversesqrt(max(reflectance, 1e-3));
+  return DIFFUSION_LENGTH * min((1.0 - WHITE_WAX) * inversesqrt(WHITE_WAX) / max(absorption, 1e-3), 1.0);
+}
+
 // Light of a flame that has entered the wax around its wick, as it leaves: radiance for an albedo of 1, cd/m².
-vec3 waxGlow(int i, vec3 position) {
+vec3 waxGlow(int i, vec3 position, vec3 diffusionLength) {
   vec3 root = flames.roots[i].xyz;
   vec2 aside = position.xz - root.xz;
   float rim = root.y - RIM;
   float height = max(flames.centres[i].y - rim, LEAST_HEIGHT);
   float squared = dot(aside, aside) + height * height;
   vec3 onTop = flames.intensities[i].rgb * (height / (squared * sqrt(squared)));
-  return onTop * exp(-max(rim - position.y, 0.0) / DIFFUSION_LENGTH) * (WAX_TRANSMITTANCE / PI);
+  return onTop * exp(-max(rim - position.y, 0.0) / diffusionLength) * (WAX_TRANSMITTANCE / PI);
 }
 
 vec3 emberGlow(int i, vec3 position) {
@@ -64,8 +73,9 @@ void main() {
   vec3 diffuse = vec3(0.0);
   vec3 specular = vec3(0.0);
   vec3 glow = vec3(0.0);
+  vec3 diffusion = diffusionLength(baseColor.rgb);
   for (int i = 0; i < int(flames.count); i++) {
-    glow += baseColor.rgb * waxGlow(i, vPositionWorld) * uWax + emberGlow(i, vPositionWorld) * uWick;
+    glow += baseColor.rgb * waxGlow(i, vPositionWorld, diffusion) * uWax + emberGlow(i, vPositionWorld) * uWick;
     vec3 toLight = flames.centres[i].xyz - vPositionWorld;
     float distanceSquared = max(dot(toLight, toLight), LEAST_DISTANCE * LEAST_DISTANCE);
     float NoL = max(dot(normal, toLight * inversesqrt(distanceSquared)), 0.0);
