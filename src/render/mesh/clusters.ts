@@ -113,7 +113,8 @@ function clusterVertices({ positions, uvs, indices }: Mesh, detail: number): Mes
     vertexOf[i] = vertex;
   }
   const corners: number[] = [];
-  const unique = new Set<number>();
+  /** The largest corners of the triangles at a side of the two others. */
+  const unique = new Map<number, number[]>();
   for (let i = 0; i < indices.length; i += 3) {
     const a = vertexOf[indices[i] ?? 0] ?? 0;
     const b = vertexOf[indices[i + 1] ?? 0] ?? 0;
@@ -122,9 +123,11 @@ function clusterVertices({ positions, uvs, indices }: Mesh, detail: number): Mes
     // Two sides of a board that have merged are one triangle.
     const low = Math.min(a, b, c);
     const high = Math.max(a, b, c);
-    const key = (low * 0x1ffff + (a + b + c - low - high)) * 0x1ffff + high;
-    if (unique.has(key)) continue;
-    unique.add(key);
+    const side = low * members.length + (a + b + c - low - high);
+    const thirds = unique.get(side) ?? [];
+    if (thirds.includes(high)) continue;
+    thirds.push(high);
+    unique.set(side, thirds);
     corners.push(a, b, c);
   }
   return { ...mean, indices: corners };

@@ -145,3 +145,12 @@ test("a part's own triangles are all there in groups, each within its box", () =
     }
   }
 });
+
+test("no triangle of many vertices is taken for another of the same key in 17 bits", () => {
+  const base = 0x1ffff;
+  const positions = new Float32Array(3 * (base + 10));
+  for (let i = 0; i < base + 10; i++) positions.set([i % 1000, Math.floor(i / 1000), 0], i * 3);
+  const indices = [0, 1, base + 5, 0, 2, 5];
+  const part = { positions, uvs: new Float32Array(positions.length), indices } as unknown as Part;
+  expect(finish(clusterSteps([part], 0.5)).indices.length).toBe(6);
+});
