@@ -197,21 +197,11 @@ export const FLAWS: Readonly<Record<string, { served: Served; says: RegExp }>> =
         const triangles = 1_500_000;
         json.accessors.push({ componentType: 5126, type: "VEC3", count: triangles * 3 });
         json.meshes[0].primitives = [{ attributes: { POSITION: json.accessors.length - 1 } }];
-        json.nodes.push({ mesh: 0 }, { mesh: 0 }, { mesh: 0 });
-      }),
-    },
-    says: /has too many triangles: 6 million, where 5 million are the limit\.$/,
-  },
-  "ten triangles amid two million vertices, ten times": {
-    served: {
-      body: json((json) => {
-        json.accessors.push({ componentType: 5126, type: "VEC3", count: 2e6 });
-        json.meshes[0].primitives[0].attributes = { POSITION: json.accessors.length - 1 };
-        json.nodes = Array.from({ length: 10 }, () => ({ mesh: 0 }));
+        json.nodes = Array.from({ length: 4 }, () => ({ mesh: 0 }));
         json.scenes[0].nodes = [...json.nodes.keys()];
       }),
     },
-    says: /has too many vertices: 20 million, where 15 million are the limit\.$/,
+    says: /has too many triangles: 6 million, where 5 million are the limit\.$/,
   },
   "a billion positions of nothing": {
     served: {
