@@ -37,6 +37,7 @@ export function bindLadder(
     show(true, "");
     try {
       await element.ready;
+      signal.throwIfAborted();
       const rounds = roundsInput.valueAsNumber;
       const frames = await climb(element, rounds, signal, (fraction, medians) => {
         progress.value = fraction;
