@@ -7,7 +7,9 @@ export function tagOf(attributes: Readonly<Partial<Record<SettingName, string>>>
     if (text === undefined) return [];
     const setting = SETTINGS[name];
     if (setting.kind === "flag") return [name];
-    if (text === String(setting.default)) return [];
+    // With a model, these are "auto" by default.
+    const isOfModel = attributes.src && (name === "wick" || name === "moonlight");
+    if (!isOfModel && text === String(setting.default)) return [];
     return [`${name}="${text.replaceAll("&", "&amp;").replaceAll('"', "&quot;")}"`];
   });
   return `<${["candle-flame", ...words].join(" ")}></candle-flame>`;

@@ -12,3 +12,9 @@ test("a snippet is valid markup of its values, whatever is typed", () => {
     '<candle-flame alt="A &quot;light&quot; &amp; <more>"></candle-flame>',
   );
 });
+
+test("a snippet with a model has what the model would set by itself", () => {
+  expect(tagOf({ src: "room.glb", wick: "2", moonlight: "0.15", wind: "0.05" })).toBe(
+    '<candle-flame src="room.glb" wick="2" moonlight="0.15"></candle-flame>',
+  );
+});
