@@ -80,7 +80,8 @@ export async function openBrowser(path, patience) {
         how(value);
       };
       waiting.set(id, { resolve: settle(resolve), reject: settle(reject) });
-      if (child.exitCode !== null) waiting.get(id).reject(new Error(`${path} has ended.\n${said}`));
+      const hasEnded = child.exitCode !== null || child.signalCode !== null;
+      if (hasEnded) waiting.get(id).reject(new Error(`${path} has ended.\n${said}`));
       else toBrowser.write(`${JSON.stringify({ id, method, params, sessionId })}\0`);
     });
 

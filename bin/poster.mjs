@@ -88,6 +88,7 @@ function readNumber(name, text, least, most) {
 
 /** The attributes that there are, by the manifest that the package ships. */
 function checkAttributes(attributes) {
+  if (Object.keys(attributes).length === 0) return;
   const manifest = join(DIST, "custom-elements.json");
   if (!existsSync(manifest))
     throw new Refusal(`The package is not built: there is no ${manifest}.`);
@@ -213,7 +214,7 @@ async function draw(wanted) {
  * @param options those of `npx candle-flame poster`, as text, and `attributes` of the element
  */
 export async function makePoster(options) {
-  const { out = "poster.png", url, attributes = {}, selector = "candle-flame" } = options;
+  const { out, url, attributes = {}, selector = "candle-flame" } = options;
   const extension = extname(out).toLowerCase().replace(".jpeg", ".jpg");
   const type = TYPES[extension];
   if (!type) throw new Refusal(`A poster is .avif, .webp, .jpg or .png, not ${out}.`);
