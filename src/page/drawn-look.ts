@@ -2,8 +2,20 @@ import type { CandleFlameElement, Look } from "../candle-flame-element.js";
 
 let drawsFloats: boolean | null = null;
 
-/** Look that an element draws: the paper's in place of `physical` where targets cannot hold floats. */
-export function drawnLook({ look }: CandleFlameElement): Look {
+const looks = new WeakMap<CandleFlameElement, Look>();
+
+/** Notes the look at each `load` from now on: before anything that asks for it then. */
+export function followDrawnLook(element: CandleFlameElement): void {
+  element.addEventListener("load", () => looks.set(element, expectedLook(element)));
+}
+
+/** Look that an element draws, which is the one before while another is loading. */
+export function drawnLook(element: CandleFlameElement): Look {
+  return looks.get(element) ?? expectedLook(element);
+}
+
+/** Look that will be drawn: the paper's in place of `physical` where targets cannot hold floats. */
+export function expectedLook({ look }: CandleFlameElement): Look {
   if (look !== "physical") return look;
   drawsFloats ??= hasFloatTargets();
   return drawsFloats ? look : "paper";

@@ -1,7 +1,7 @@
 import type { Camera, CandleFlameElement } from "../candle-flame-element.js";
 import "../define.js";
 import { FIELDS_OF_VIEW, parseIndices } from "../settings.js";
-import { drawnLook } from "./drawn-look.js";
+import { expectedLook, followDrawnLook } from "./drawn-look.js";
 import { find } from "./find.js";
 import { followAttributes } from "./follow-attributes.js";
 import { nameKeys } from "./key-names.js";
@@ -24,6 +24,7 @@ const fullScreenButton = find(stage, ".full-screen-button", HTMLButtonElement);
 const notice = find(stage, ".notice", HTMLElement);
 const link = find(stage, ".link", HTMLInputElement);
 
+followDrawnLook(room);
 reflectWalking(room);
 void nameKeys(document.querySelectorAll<HTMLElement>(".with-keys kbd, .keyboard kbd"));
 enterButton.addEventListener("click", () => room.enter());
@@ -114,7 +115,7 @@ function applyView(view: View): void {
   }
   applyFlames(view);
   // Another room may be on its way: this one's walls are not its.
-  const look = room.flame ? drawnLook(room) : room.look;
+  const look = room.flame ? expectedLook(room) : room.look;
   const camera = view.camera && { fieldOfView: FIELDS_OF_VIEW[look], ...view.camera };
   if (camera) room.camera = camera;
   // Before there is a room, a camera alone decides how it opens.

@@ -19,7 +19,7 @@ export function addFeatureSwitches(element: CandleFlameElement, list: HTMLElemen
     label.append(box, name, meaning);
     return { name, box, label };
   });
-  followAttributes(element, ["look"], () => {
+  const refresh = () => {
     const { features } = element;
     for (const { name, box } of rows) box.checked = features[name];
     const labels = FEATURES_OF[drawnLook(element)].flatMap(
@@ -28,5 +28,7 @@ export function addFeatureSwitches(element: CandleFlameElement, list: HTMLElemen
     // Labels that stay keep the focus.
     const isSame = labels.every((label, i) => label === list.children[i]);
     if (!isSame || labels.length !== list.childElementCount) list.replaceChildren(...labels);
-  });
+  };
+  followAttributes(element, ["look"], refresh);
+  element.addEventListener("load", refresh);
 }

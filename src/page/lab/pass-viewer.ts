@@ -29,5 +29,6 @@ export function bindPassViewer(section: HTMLElement, room: CandleFlameElement): 
   };
   list.addEventListener("change", () => show(list.value as Inspection));
   followAttributes(room, ["look"], refresh);
+  room.addEventListener("load", refresh);
   return () => show("picture");
 }

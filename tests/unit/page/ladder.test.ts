@@ -1,5 +1,6 @@
 import { afterAll, beforeAll, expect, test, vi } from "vitest";
 import type { CandleFlameElement } from "../../../src/candle-flame-element.ts";
+import { followDrawnLook } from "../../../src/page/drawn-look.ts";
 import { climb, RUNGS } from "../../../src/page/lab/ladder.ts";
 import { allFeatures } from "../../../src/settings.ts";
 
@@ -68,6 +69,21 @@ test("from another look, nothing is measured before the paper's room is there", 
   expect(await climbing).toHaveLength(RUNGS.length);
   expect(room.drawn).toEqual(new Set(["paper"]));
   expect([room.look, room.paused]).toEqual(["physical", false]);
+});
+
+test("the look on show counts while another is loading", async () => {
+  const room = new Room();
+  followDrawnLook(room as unknown as CandleFlameElement);
+  room.arrive();
+  room.look = "paper";
+  const climbing = begin(room);
+  await new Promise((resolve) => setTimeout(resolve, 20));
+  expect(room.drawn).toEqual(new Set());
+  room.arrive();
+  await climbing;
+  expect(room.drawn).toEqual(new Set(["paper"]));
+  room.look = "physical"; // dropped by the climb, without an event
+  expect(await begin(room)).toHaveLength(RUNGS.length);
 });
 
 test("a climb that is stopped while the paper's room loads restores the look", async () => {
