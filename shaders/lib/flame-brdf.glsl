@@ -5,8 +5,10 @@
 const float LEAST_DISTANCE = 0.01;
 // A pane reflects next to nothing diffusely: the irradiance up to which its albedo counts, lx for 1 cd.
 const float PANE_IRRADIANCE = 0.5;
-// Share by which a flame is thinner at its end than in its middle, and wider at its foot.
+// Share by which a flame is thinner at its end than in its middle, and wider at its foot; widening of the lobe, as a share
+// of the flame's radius, by which the edge of its mirror image is as soft as its own. Both by eye.
 const float TAPERING = 0.5;
+const float SOFTNESS = 0.1;
 
 struct FlameSpecular {
   float lobe;  // D V / F, times the cosine to the representative point
@@ -25,6 +27,7 @@ FlameSpecular flameSpecular(vec3 toLight, vec3 halfAxis, float radius, vec3 norm
   vec3 aside = dot(reflected, representative) * reflected - representative;
   representative += aside * min(radius * (1.0 - TAPERING * climb) / max(length(aside), 1e-5), 1.0);
   float squared = max(dot(representative, representative), LEAST_DISTANCE * LEAST_DISTANCE);
+  alpha += SOFTNESS * radius * inversesqrt(squared);
   vec3 S = normalize(representative);
   vec3 H = normalize(S + view);
   float NoS = max(dot(normal, S), 0.0);
