@@ -125,9 +125,8 @@ vec2 flameVisibility(int searchTaps, int filterTaps, vec3 position, vec3 normal,
   vec2 seed = fract(SEED_STEP * (floor(pixel.x) + 7.0 * floor(pixel.y)));
   // Blocker search at a quarter of the way, where the penumbra is widest.
   ShadowTaps taps = shadowTaps(r, 0.25, tile);
-  // The least penumbra's share of it, which is searched first: what is thin and near the point is there. The pixels of a
-  // quad have one of its corners each, and together a grid of 4 x 4.
-  vec2 least = (1.0 - mod(floor(pixel), 2.0) / 1.5) / max(vec2(1.0), 3.0 * r.extent / r.least);
+  // The least penumbra's share of it, whose corners are searched first: what is thin and near the point is there.
+  vec2 least = 1.0 / max(vec2(1.0), 3.0 * r.extent / r.least);
   int corners = searchTaps > 8 ? 4 : 0;
   vec2 place = seed;
   vec2 found = vec2(0.0);  // sum of the blockers' inverse depths, and their number
@@ -142,12 +141,6 @@ vec2 flameVisibility(int searchTaps, int filterTaps, vec3 position, vec3 normal,
       found += vec2(1.0 - caster, 1.0);
     }
   }
-  // A pixel that found none takes those of its quad: from 0, a derivative is the neighbour's value. In an outer penumbra
-  // few taps find a blocker, and pixels without would be bright dots.
-  vec2 beside = abs(dFdx(found));
-  if (found.y == 0.0) found = beside;
-  vec2 above = abs(dFdy(found));
-  if (found.y == 0.0) found = above;
   if (found.y == 0.0) return vec2(1.0);
   // Filter at the blockers' mean inverse distance, in which the penumbra's width is linear.
   float share = clamp(SHADOW_NEAR * found.y / (found.x * taps.receiver), 0.02, 0.98);
