@@ -2,20 +2,26 @@ import type { CandleFlameElement, Look } from "../candle-flame-element.js";
 
 let drawsFloats: boolean | null = null;
 
+/** Asked for when the last `load` came. */
 const looks = new WeakMap<CandleFlameElement, Look>();
 
 /** Notes the look at each `load` from now on: before anything that asks for it then. */
 export function followDrawnLook(element: CandleFlameElement): void {
-  element.addEventListener("load", () => looks.set(element, expectedLook(element)));
+  element.addEventListener("load", () => looks.set(element, element.look));
 }
 
 /** Look that an element draws, which is the one before while another is loading. */
 export function drawnLook(element: CandleFlameElement): Look {
-  return looks.get(element) ?? expectedLook(element);
+  return drawnFor(looks.get(element) ?? element.look);
 }
 
-/** Look that will be drawn: the paper's in place of `physical` where targets cannot hold floats. */
+/** Look that will be drawn. */
 export function expectedLook({ look }: CandleFlameElement): Look {
+  return drawnFor(look);
+}
+
+/** The paper's in place of `physical` where targets cannot hold floats. */
+function drawnFor(look: Look): Look {
   if (look !== "physical") return look;
   drawsFloats ??= hasFloatTargets();
   return drawsFloats ? look : "paper";
