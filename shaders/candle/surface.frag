@@ -35,7 +35,8 @@ void main() {
   vec3 L = toLight * inversesqrt(distanceSquared);
   float NoL = max(dot(normal, L), 0.0);
   vec3 perArea = light.intensity * (candleVisibility(vPositionWorld) / distanceSquared);
-  FlameSpecular flame = flameSpecular(toLight, light.along * light.halfHeight, light.radius, normal, view, NoV, roughness * roughness);
+  vec3 halfAxis = light.along * light.halfHeight;
+  FlameSpecular flame = flameSpecular(toLight, halfAxis, light.radius, normal, view, NoV, roughness * roughness);
   vec3 f0 = mix(vec3(0.04), baseColor.rgb, metallic);
   vec3 fresnel = fresnelSchlick(f0, flame.SoH);
   vec3 specular = fresnel * flame.lobe * perArea;

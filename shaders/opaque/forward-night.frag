@@ -50,7 +50,8 @@ float virtualLuminance(Shading s, vec3 position, vec3 facet, vec3 diffuseColor, 
       vec3 R = representative(-v.d, reflected, v.extent);
       vec3 H = normalize(R + s.view);
       float shrunk = s.alpha / widenedAlpha(s.alpha, v.extent * inversesqrt(v.squared));
-      float lobe = distributionGgx(s.alpha, max(dot(s.normal, H), 0.0)) * visibilitySmith(s.alpha, s.NoV, NoL) * shrunk * shrunk;
+      float lobe = shrunk * shrunk * distributionGgx(s.alpha, max(dot(s.normal, H), 0.0));
+      lobe *= visibilitySmith(s.alpha, s.NoV, NoL);
       specular = fresnelSchlick(s.f0, max(dot(R, H), 0.0)) * lobe;
     }
     vec3 share = diffuseColor / PI * normalMapVisibility(s.surface, s.normal, v.L) * s.minified.y;

@@ -96,7 +96,8 @@ DirectLight directLight(Shading s, vec2 visibilities) {
   vec3 irradiance = perCosine * max(NoL * normalMapVisibility(s.surface, s.normal, L) * s.minified.y, wickCosine);
   if (uIsPane > 0.5) irradiance = min(irradiance, PANE_IRRADIANCE * light.intensity);
   vec3 sides = unshadowed * mix(1.0, max(visibilities.x, visibilities.y), uFeatures.x);
-  FlameSpecular flame = flameSpecular(toLight, light.along * light.halfHeight, light.radius, s.normal, s.view, s.NoV, s.alpha);
+  vec3 halfAxis = light.along * light.halfHeight;
+  FlameSpecular flame = flameSpecular(toLight, halfAxis, light.radius, s.normal, s.view, s.NoV, s.alpha);
   return DirectLight(irradiance, sides, fresnelSchlick(s.f0, flame.SoH) * flame.lobe * perCosine * uFeatures.z);
 }
 

@@ -72,7 +72,9 @@ vec4 flameLighting(LightingTexel texel, Viewing v) {
   float NoL = max(dot(normal, L), 0.0);
   float perArea = mix(1.0, visibility, uFeatures.x) / distanceSquared;
   float irradiance = isGlass(texel.material) ? min(NoL * perArea, PANE_IRRADIANCE) : NoL * perArea;
-  FlameSpecular flame = flameSpecular(toLight, light.along * light.halfHeight, light.radius, normal, v.view, v.NoV, texel.roughness * texel.roughness);
+  vec3 halfAxis = light.along * light.halfHeight;
+  float alpha = texel.roughness * texel.roughness;
+  FlameSpecular flame = flameSpecular(toLight, halfAxis, light.radius, normal, v.view, v.NoV, alpha);
   float fresnel = fresnelSchlick(vec3(0.04), flame.SoH).r;  // of a dielectric; a metal's is its albedo
   float specular = flame.lobe * perArea * uFeatures.z;
   vec3 perCandela = vec3((1.0 - metallic) * (1.0 - fresnel) / PI * irradiance + metallic * specular);
