@@ -19,8 +19,9 @@ interface Lists {
 /** Most levels of the node tree: recursion over more runs out of stack. */
 const MOST_DEPTH = 500;
 const MOST_NODES = 100_000;
-/** Each part keeps only the vertices of its triangles, so this limits those, too. */
 const MOST_TRIANGLES = 5e6;
+/** Most vertices: those of `MOST_TRIANGLES` without shared vertices, since a small file can ask for any number. */
+const MOST_VERTICES = 3 * MOST_TRIANGLES;
 
 export function readDocument(json: unknown) {
   const root = new JsonEntry(json, "");
@@ -198,14 +199,19 @@ function checkTriangles(
 ): void {
   const countOf = (accessor: number | undefined) => accessors[accessor ?? -1]?.count ?? 0;
   let triangles = 0;
+  // Each part keeps only the vertices of its triangles: an accessor that many share is read once.
+  const positions = new Set<number | undefined>();
   for (const index of shown) {
     const { mesh, instances } = nodes[index] ?? {};
     const copies = instances ? countOf(Object.values(instances)[0]) : 1;
     for (const primitive of meshes[mesh ?? -1]?.primitives ?? []) {
       triangles += primitive.triangles * copies;
+      positions.add(primitive.attributes.POSITION);
     }
   }
   checkTriangleCount(triangles);
+  const vertices = [...positions].reduce<number>((sum, accessor) => sum + countOf(accessor), 0);
+  checkCount("vertices", vertices, MOST_VERTICES);
 }
 
 export function checkTriangleCount(triangles: number): void {

@@ -203,6 +203,18 @@ export const FLAWS: Readonly<Record<string, { served: Served; says: RegExp }>> =
     },
     says: /has too many triangles: 6 million, where 5 million are the limit\.$/,
   },
+  "ten triangles, each amid two million vertices of its own": {
+    served: {
+      body: json((json) => {
+        const [primitive] = json.meshes[0].primitives;
+        json.meshes[0].primitives = Array.from({ length: 10 }, () => {
+          json.accessors.push({ componentType: 5126, type: "VEC3", count: 2e6 });
+          return { ...primitive, attributes: { POSITION: json.accessors.length - 1 } };
+        });
+      }),
+    },
+    says: /has too many vertices: 20 million, where 15 million are the limit\.$/,
+  },
   "a billion positions of nothing": {
     served: {
       body: json((json) => {
