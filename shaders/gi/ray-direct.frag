@@ -28,22 +28,26 @@ out vec4 oRadiance;
 #ifdef MOON
 uniform highp sampler2D uShadow;  // the moon's map
 
+// Most that a half float, as of a ray's reach, is off by: as a share.
+const float HALF_ROUNDING = 1.0 / 2048.0;
+
 // Compared with the lit plane at the texel's centre.
-bool isLit(vec3 position, vec3 normal, float NoL) {
+bool isLit(vec3 position, vec3 normal, float NoL, float bias) {
   vec3 place = onMoonMap(position);
   if (!isOnMap(place.xy) || !isInBeam(position)) return false;
   vec2 texels = vec2(textureSize(uShadow, 0));
   vec2 offset = (floor(place.xy * texels) + 0.5) / texels - place.xy;
   float slope = (dot(normal, moon.across) * offset.x + dot(normal, moon.up) * offset.y) / limitedCosine(NoL);
   float caster = texelFetch(uShadow, ivec2(place.xy * texels), 0).r * moon.depth;
-  return place.z + slope <= caster + MOON_BIAS;
+  return place.z + slope <= caster + bias;
 }
 
 // Radiance that a probe receives along a ray, by the weight of the ray; the sky's through panes.
 vec3 radianceAlong(ProbeRay ray, vec3 position) {
   bool isPane = isOnPane(position);
   float NoL = -dot(ray.normal, moon.direction);
-  if (!isPane && (NoL <= 0.0 || !isLit(position, ray.normal, NoL))) return vec3(0.0);
+  float bias = max(MOON_BIAS, ray.reach * HALF_ROUNDING);
+  if (!isPane && (NoL <= 0.0 || !isLit(position, ray.normal, NoL, bias))) return vec3(0.0);
   float columns = moon.surfelColumns;
   float area = isPane ? moon.paneArea / columns * float(uGroup) : float(uGroup * uGroup) * moon.surfelArea / limitedCosine(NoL);
   float fromProbe = max(dot(ray.normal, -ray.direction), 0.0) * area / (ray.reach * ray.reach);
