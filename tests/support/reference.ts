@@ -120,7 +120,7 @@ export function errorsBesideReference(
           const column = Math.floor(((x + 0.5) / width) * mine.width);
           const row = Math.floor(((y + 0.5) / height) * mine.height);
           means.ours += luma(colorOf(mine.radiance, row * mine.width + column));
-          means.theirs += Math.max(luma(colorOf(radiance, y * width + x)), 1e-5);
+          means.theirs += luma(colorOf(radiance, y * width + x));
         }
       }
       if (means.theirs === 0) continue;

@@ -191,7 +191,7 @@ test.describe("Beside a path tracer's picture of the same room", () => {
         high: quantile(errors, 0.9),
         mean: sum(0) / sum(1) - 1,
       };
-      console.log(name, measured);
+      console.log(name, measured, "of blocks of 6 x 6:", errorsBesideReference(view, ours, 6));
       for (const what of ["median", "high", "mean"] as const) {
         const grown = measured[what] - before[what];
         const limit = MARGIN_BY_SEVERAL_LIGHTS[what];
