@@ -38,8 +38,10 @@ export function floorLevel(collision: CollisionMesh, spawn: Readonly<Vec3> | nul
     const from: Vec3 = [spawn[0], spawn[1] + SPAWN_SLACK, spawn[2]];
     const below = collision.raycast(from, DOWN, Infinity);
     const under = below ? Math.floor((from[1] - below.distance) / layer + 0.5) - base : -1;
-    const top = Math.min(Math.floor(from[1] / layer + 0.5) - base, LAYERS - 1);
-    for (let i = top; i >= 0 && chosen < 0; i--) {
+    // On a slope all levels are large: the one that the spawn point stands on comes first.
+    const isNear = below !== null && below.distance <= 2 * SPAWN_SLACK;
+    const top = isNear ? under + 1 : Math.floor(from[1] / layer + 0.5) - base;
+    for (let i = Math.min(top, LAYERS - 1); i >= 0 && chosen < 0; i--) {
       const isUnder = Math.abs(i - under) <= 1 && level[i]! >= ROOM;
       if (isUnder || isLarge(level[i])) chosen = i;
     }
@@ -52,9 +54,10 @@ export function floorLevel(collision: CollisionMesh, spawn: Readonly<Vec3> | nul
     if (chosen < 0 || (chosen - lowest) * layer > STOREY) chosen = lowest;
   }
 
-  for (let i = chosen + 1; i <= chosen + COVERING / layer && i < LAYERS; i++) {
-    const isAsLarge = level[i]! >= level[chosen]! / 2;
-    const coversAsMuch = upward[i]! > 0 && upward[i]! >= upward[chosen]! / 2;
+  const ground = chosen;
+  for (let i = ground + 1; i <= ground + COVERING / layer && i < LAYERS; i++) {
+    const isAsLarge = level[i]! >= level[ground]! / 2;
+    const coversAsMuch = upward[i]! > 0 && upward[i]! >= upward[ground]! / 2;
     if (isAsLarge || coversAsMuch) chosen = i;
   }
   return height[chosen]!;

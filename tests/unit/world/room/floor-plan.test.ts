@@ -294,6 +294,28 @@ describe("the floor is", () => {
       3,
     );
   });
+
+  test("that under the spawn point of a slope and of terraces, not what they rise to", () => {
+    const rise = 0.2 * Math.tan(Math.PI / 90);
+    const slope = Array.from({ length: 100 }, (_, i) =>
+      quad(
+        [-4, rise * (i + 1), 0.2 * (i + 1)],
+        [4, rise * (i + 1), 0.2 * (i + 1)],
+        [4, rise * i, 0.2 * i],
+        [-4, rise * i, 0.2 * i],
+      ),
+    );
+    expect(planOf(slope, [0, 10 * rise, 2]).floor).toBeLessThan(10 * rise + 0.12);
+    const terraces = Array.from({ length: 6 }, (_, i) =>
+      quad(
+        [-4, i * 0.08, i * 3 + 3],
+        [4, i * 0.08, i * 3 + 3],
+        [4, i * 0.08, i * 3],
+        [-4, i * 0.08, i * 3],
+      ),
+    );
+    expect(planOf(terraces, [0, 0, 1]).floor).toBeLessThan(0.1);
+  });
 });
 
 describe("any room will do", () => {
