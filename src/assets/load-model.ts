@@ -74,7 +74,7 @@ async function load(url: string, file: string, options: LoadOptions): Promise<Mo
       ]),
       signal,
     );
-    const read = readScene(scene, materials, warnings);
+    const read = readScene(scene, materials, warnings, isCandle);
     onProgress(1);
     signal.throwIfAborted();
     return { ...read, warnings: [...warnings, ...images.warnings] };

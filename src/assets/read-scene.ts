@@ -1,7 +1,7 @@
 import { Box3, type Group, type Mesh, type Object3D, Vector3 } from "three";
 import { Flaw } from "./asset-error.js";
 import { checkTriangleCount } from "./gltf-document.js";
-import type { Anchor, Box, Part, Wick } from "./model.js";
+import type { Anchor, Box, Model, Part } from "./model.js";
 import { DEFAULT_MATERIAL, type PlacedMaterial } from "./read-material.js";
 import { readPart } from "./read-part.js";
 import { readWicks } from "./read-wicks.js";
@@ -11,13 +11,24 @@ const PLACES: ReadonlySet<unknown> = new Set(["spawn", "moon"]);
 
 const LARGEST = 10_000; // metres
 const SMALLEST = 0.001; // metres
+/** Size of candles alone, metres, beyond which another unit was meant. */
+const LARGEST_CANDLE = 10;
+/** Distance up to which a room is drawn, metres: the camera's far plane. */
+const SEEN = 60;
 
-/** The triangles of a scene and the places it names; sentences about what is wrong there are added. */
+type SceneContent = Pick<Model, "parts" | "anchors" | "wicks" | "bounds">;
+
+/**
+ * The triangles of a scene and the places it names; sentences about what is wrong there are added.
+ *
+ * @param isCandle whether it is to be a candle alone
+ */
 export function readScene(
   scene: Group,
   materials: ReadonlyMap<string, PlacedMaterial>,
   warnings: Set<string>,
-): { parts: Part[]; anchors: Record<string, Anchor>; wicks: Wick[]; bounds: Box } {
+  isCandle: boolean,
+): SceneContent {
   const parts: Part[] = [];
   const anchors = new Map<string, Anchor>();
   scene.traverse((node) => {
@@ -32,7 +43,26 @@ export function readScene(
   });
   checkTriangleCount(parts.reduce((sum, { indices }) => sum + indices.length / 3, 0));
   const wicks = readWicks(scene, warnings);
-  return { parts, anchors: Object.fromEntries(anchors), wicks, bounds: boundsOf(parts) };
+  const bounds = boundsOf(parts);
+  const content = { parts, anchors: Object.fromEntries(anchors), wicks, bounds };
+  const size = Math.max(...bounds.max.map((most, axis) => most - (bounds.min[axis] ?? 0)));
+  if (isCandle && size > LARGEST_CANDLE) {
+    const [unit, scale] = size > 1000 ? ["millimetres", 0.001] : ["centimetres", 0.01];
+    warnings.add(`A candle of ${size.toPrecision(3)} m is read as one in ${unit}.`);
+    return scaled(content, scale);
+  }
+  if (!isCandle && size > SEEN) warnings.add(`What is more than ${SEEN} m away is not drawn.`);
+  return content;
+}
+
+function scaled({ parts, anchors, wicks, bounds }: SceneContent, scale: number): SceneContent {
+  const move = ([x, y, z]: Anchor["position"]) => [x * scale, y * scale, z * scale] as const;
+  return {
+    parts: parts.map((part) => ({ ...part, positions: part.positions.map((x) => x * scale) })),
+    anchors,
+    wicks: wicks.map((wick) => ({ ...wick, position: move(wick.position) })),
+    bounds: { min: move(bounds.min), max: move(bounds.max) },
+  };
 }
 
 /** The node's name as the file has it, which three keeps beside the one it makes unique. */

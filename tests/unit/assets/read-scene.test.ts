@@ -36,18 +36,48 @@ const FILE = {
 };
 const TRIANGLE = { attributes: { POSITION: 0, NORMAL: 1 }, indices: 4 };
 
-async function read(file: object) {
+async function read(file: object, isCandle = false, warnings = new Set<string>()) {
   const document = readDocument({ ...FILE, ...file });
   const bytes = new Uint8Array([...new Uint8Array(VALUES.buffer), ...INDICES]);
   const readView = async (index: number) => bytes.slice(index * 48, index * 48 + 48);
   const scene = await buildScene(document, readView as never, {} as Decoders);
-  return readScene(scene, new Map(), new Set());
+  return readScene(scene, new Map(), warnings, isCandle);
 }
 
 test("vertices that no triangle uses are left out", async () => {
   const { parts } = await read({ nodes: [{ mesh: 0 }], meshes: [{ primitives: [TRIANGLE] }] });
   expect([...(parts[0]?.positions ?? [])]).toEqual(CORNERS.slice(0, 9));
   expect([...(parts[0]?.indices ?? [])]).toEqual([0, 1, 2]);
+});
+
+test("candles alone that are too large for metres are read in centimetres, with a warning", async () => {
+  const meshes = [{ primitives: [TRIANGLE] }];
+  const wick = { name: "wick", translation: [1, 0, 0] };
+  const file = (size: number) => ({
+    nodes: [{ scale: [size, size, size], children: [1, 2] }, { mesh: 0 }, wick],
+    scenes: [{ nodes: [0] }],
+    meshes,
+  });
+  const warnings = new Set<string>();
+  const { parts, wicks, bounds } = await read(file(20), true, warnings);
+  expect(parts[0]?.positions[3]).toBeCloseTo(0.2, 6);
+  expect(wicks[0]?.position[0]).toBeCloseTo(0.2, 6);
+  expect(bounds.max[1]).toBeCloseTo(0.2, 6);
+  expect([...warnings]).toEqual(["A candle of 20.0 m is read as one in centimetres."]);
+  expect((await read(file(20))).bounds.max[0]).toBe(20);
+  expect((await read(file(2000), true)).bounds.max[0]).toBeCloseTo(2, 6);
+});
+
+test("of rooms of more than 60 m a warning says that what is far is not drawn", async () => {
+  for (const [scale, sentences] of [
+    [60, 0],
+    [61, 1],
+  ] as const) {
+    const warnings = new Set<string>();
+    const nodes = [{ mesh: 0, scale: [scale, 1, 1] }];
+    await read({ nodes, meshes: [{ primitives: [TRIANGLE] }] }, false, warnings);
+    expect(warnings.size).toBe(sentences);
+  }
 });
 
 test("one vertex buffer of many primitives counts as what they use of it, and only where shown", () => {
