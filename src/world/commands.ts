@@ -126,22 +126,24 @@ export function blow(world: World, strength: number): void {
     blowAtAll(world, strength);
     return;
   }
-  const { air, player, emitter, flame, standing, room } = world;
+  const { air, player, emitter, candle, flame, standing, room } = world;
   const { position } = player;
   const gaze = gazeDirection(player);
-  const reachTo = (direction: Vec3) => room?.reachOfBreath(position, direction) ?? Infinity;
   const carried = targetOf(position, emitter, gaze);
-  const burning = standing.filter((candle) => candle.flame.isLit);
-  const targets = burning
-    .map(({ root }) => targetOf(position, root, gaze))
-    .filter(({ direction, distance }) => distance < reachTo(direction));
-  const meant = [...(flame.isLit || burning.length === 0 ? [carried] : []), ...targets]
-    .filter(({ distance, ahead }) => distance < BREATH_REACH && ahead > Math.cos(AIM))
-    .sort((a, b) => b.ahead - a.ahead)[0];
-  const { direction, distance } = meant ?? { ...carried, direction: gaze };
+  const burning = standing.filter((other) => other.flame.isLit);
+  const targets = burning.map(({ root }) => targetOf(position, root, gaze));
+  if (flame.isLit || burning.length === 0) targets.unshift(carried);
   // The hand may hold the candle against a wall.
-  const reach = meant === carried ? BREATH_REACH : reachTo(direction);
-  air.blow(position, direction, distance, strength, 0, reach);
+  const reachTo = (target: typeof carried) =>
+    target === carried && candle.isHeld
+      ? BREATH_REACH
+      : (room?.reachOfBreath(position, target.direction) ?? Infinity);
+  const meant = targets
+    .filter(({ distance, ahead }) => distance < BREATH_REACH && ahead > Math.cos(AIM))
+    .filter((target) => target.distance < reachTo(target))
+    .sort((a, b) => b.ahead - a.ahead)[0];
+  const target = meant ?? { ...carried, direction: gaze };
+  air.blow(position, target.direction, target.distance, strength, 0, reachTo(target));
 }
 
 /** Unit direction to a flame, its distance, and the cosine of its angle from the line of sight. */

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { advance } from "../../../src/world/advance.ts";
-import { blow, blowAt, moveCamera } from "../../../src/world/commands.ts";
+import { blow, blowAt, moveCamera, standCandle } from "../../../src/world/commands.ts";
 import { createWorld, type WorldOptions } from "../../../src/world/create-world.ts";
 import { litFlames, wickAtFlame } from "../../../src/world/flames.ts";
 import type { Vec3 } from "../../../src/world/geometry.ts";
@@ -177,6 +177,18 @@ describe("a breath", () => {
       [false, false, true],
       [false, true, false],
     ]);
+  });
+
+  test("is for the carried candle that stands there, unless it stands behind a wall", () => {
+    const lit = beforeWall().map((world) => {
+      standCandle(world, [0, 1.4, 0.1], 0);
+      world.flame.light();
+      advance(world, STILL, 2);
+      blow(world, 3);
+      advance(world, STILL, 1.5);
+      return litFlames(world);
+    });
+    expect(lit).toEqual([[false], [true]]);
   });
 
   test("along the gaze ends at a wall", () => {
