@@ -14,7 +14,12 @@ const CORE = 6.2;
 const SPREAD = 0.107;
 
 /** Breaths of one mouth that are under way at a time, a further one in place of the first. */
-const PUFFS = 4;
+const PUFFS = 12;
+/** One that begins this soon after the last, in its direction, is the same one: made stronger, if it is. Seconds. */
+const APART = 0.2;
+const SAME = 0.99; // cosine
+/** Age at which the weakest that a draught does not hide has passed the end of its reach, seconds. */
+const OLDEST = 15;
 
 interface Puff {
   readonly lips: Vec3;
@@ -57,6 +62,13 @@ export class Breath {
     strength: number,
     reach: number,
   ): void {
+    const last = this.#puffs[PUFFS - 1]!;
+    const [x, y, z] = last.towards;
+    const isSame = x * towards[0] + y * towards[1] + z * towards[2] > SAME;
+    if (isSame && this.time - last.began < APART) {
+      last.speed = Math.max(last.speed, BREATH_SPEED * strength);
+      return;
+    }
     const bent = Math.min(BENDING, distance / 2);
     const puff = this.#puffs.shift()!;
     this.#puffs.push(puff);
@@ -84,7 +96,7 @@ export class Breath {
     const { lips, towards, speed } = puff;
     puff.felt = 0;
     const age = this.time - puff.began;
-    if (age < 0 || age > BREATH + 1) return;
+    if (age < 0 || age > OLDEST) return;
     const dx = place[0] - lips[0];
     const dy = place[1] - lips[1];
     const dz = place[2] - lips[2];
