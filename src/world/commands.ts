@@ -38,7 +38,7 @@ export function moveCamera(
   if (Number.isFinite(yaw)) player.yaw = yaw;
   if (Number.isFinite(pitch)) player.pitch = Math.min(Math.max(pitch, -MAX_PITCH), MAX_PITCH);
   world.fieldOfView = fieldOfView === setup.fieldOfView ? null : fieldOfView;
-  calmHand(world.hand, player.yaw);
+  calmHand(world.hand, player);
   poseCandle(world, 0);
   const after = [...player.position, player.yaw, player.pitch, fieldOfViewOf(world)];
   if (after.some((value, i) => value !== before[i])) world.adaptation?.settle(world);
@@ -95,7 +95,7 @@ export function takeCandle(world: World): boolean {
   if (candle.isHeld || setup.stand !== null || !isNear) return false;
   candle.isHeld = true;
   room?.plan.setObstacle(null);
-  calmHand(world.hand, player.yaw);
+  calmHand(world.hand, player);
   poseCandle(world, 0);
   world.adaptation?.notice(world);
   interpolate(world);

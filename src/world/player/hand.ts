@@ -41,12 +41,13 @@ export function createHand(yaw: number) {
   };
 }
 
-/** Brings a hand to rest at once, as after a jump. */
-export function calmHand(hand: Hand, yaw: number): void {
+/** Brings a hand to rest beside the body at once, as after a jump. */
+export function calmHand(hand: Hand, { yaw, velocity }: Omit<Player, "pitch">): void {
   hand.lag = hand.turning = hand.daring = 0;
   hand.stretch = 1;
   hand.yaw = yaw;
-  for (const vector of [hand.sway, hand.swaying, hand.lean, hand.velocity]) vector.fill(0);
+  for (const vector of [hand.sway, hand.swaying, hand.lean]) vector.fill(0);
+  for (const axis of [0, 1, 2] as const) hand.velocity[axis] = velocity[axis];
 }
 
 /**

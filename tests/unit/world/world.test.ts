@@ -78,6 +78,18 @@ describe("placing and taking", () => {
     expect(world.candle.position[1]).toBeCloseTo(1.2, 9);
   });
 
+  test("while walking does not make the hand lurch", () => {
+    const world = createWorld("paper", 1);
+    placeCandle(world);
+    const [x, , z] = world.candle.position;
+    moveCamera(world, [x, 1.6, z + 1], 0, 0);
+    advance(world, { ...STILL, forward: 1 }, 0.4);
+    expect(Math.hypot(...world.player.velocity)).toBeGreaterThan(0.3);
+    expect(takeCandle(world)).toBe(true);
+    advance(world, { ...STILL, forward: 1 }, 0.05);
+    expect(Math.hypot(...world.hand.sway)).toBeLessThan(0.005);
+  });
+
   test("happens once for each wish, in turns", () => {
     const world = createWorld("paper", 1);
     const wish = { ...STILL, placesOrTakes: true };

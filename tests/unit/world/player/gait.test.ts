@@ -191,7 +191,7 @@ describe("the hand", () => {
       const ahead = -foot[0] * Math.sin(yaw) - foot[2] * Math.cos(yaw);
       expect(ahead).toBeGreaterThan(0.3);
     }
-    calmHand(hand, 1);
+    calmHand(hand, { ...AT_REST, yaw: 1 });
     expect([hand.lag, hand.turning, hand.sway, hand.swaying]).toEqual([0, 0, [0, 0, 0], [0, 0, 0]]);
   });
 
