@@ -44,7 +44,7 @@ export function flameLight({ root, flame }: RootedFlame, body: FlameBody): Flame
   const shape = shapeFlame(flame, body, scratch);
   const { centre, reach, sootIntensity, blueIntensity } = shape;
   const [x, y, z] = root;
-  if (!flame.isLit && flame.glow === 0) {
+  if (flame.glow === 0) {
     const glow = emberRadiance(flame.ember);
     return {
       position: [x, y + EMBER_HEIGHT, z],

@@ -227,6 +227,20 @@ describe("out and in again", () => {
     expect(flame.vapour).toBe(0);
   });
 
+  test("lit again, it is not darker than its ember was", () => {
+    const world = createWorld("physical", 1);
+    world.flame.extinguish();
+    advance(world, STILL, 3);
+    const { luminousIntensity } = flameReport(carriedFlame(world));
+    expect(luminousIntensity).toBeGreaterThan(0);
+    world.flame.light();
+    for (let i = 0; i < 10; i++) {
+      const relit = flameReport(carriedFlame(world)).luminousIntensity;
+      expect(relit, `after ${i} ticks`).toBeGreaterThan(0.9 * luminousIntensity);
+      advance(world, STILL, TICK);
+    }
+  });
+
   test("lit, it grows over about a second", () => {
     const world = createWorld("physical", 1, { isLit: false });
     expect(flameReport(carriedFlame(world)).luminousIntensity).toBeLessThan(1e-6);
