@@ -31,21 +31,21 @@ export function readWicks(scene: Object3D, warnings: Set<string>): Wick[] {
   });
   const wicks = found
     .toSorted((a, b) => a.userData.order - b.userData.order)
-    .flatMap((object) => readWick(object, flames, warnings) ?? [])
-    .map(numbered(warnings));
+    .flatMap((object) => readWick(object, flames, warnings) ?? []);
   if (wicks.length > MOST) warnings.add(`Of its ${wicks.length} wicks ${MOST} burn.`);
-  return wicks.slice(0, MOST);
+  return wicks.slice(0, MOST).map(numbered(warnings));
 }
 
 /** Gives wicks of one name a number each: light and events go by names. */
 function numbered(warnings: Set<string>): (wick: Wick) => Wick {
-  const counts = new Map<string, number>();
+  const names = new Set<string>();
   return (wick) => {
-    const count = (counts.get(wick.name) ?? 0) + 1;
-    counts.set(wick.name, count);
-    if (count === 1) return wick;
+    let { name } = wick;
+    for (let count = 2; names.has(name); count++) name = `${wick.name}#${count}`;
+    names.add(name);
+    if (name === wick.name) return wick;
     warnings.add("Wicks of one name are numbered.");
-    return { ...wick, name: `${wick.name}#${count}` };
+    return { ...wick, name };
   };
 }
 

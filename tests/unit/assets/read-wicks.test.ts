@@ -58,6 +58,11 @@ describe("wicks of a model", () => {
     expect([...warnings]).toEqual(["Wicks of one name are numbered."]);
   });
 
+  test("have a name each, whatever the file's are", () => {
+    const { wicks } = read(["wick", "wick", "wick#2", "wick"].map((name) => ({ name })));
+    expect(wicks.map(({ name }) => name)).toEqual(["wick", "wick#2", "wick#2#2", "wick#3"]);
+  });
+
   test("are its nodes named wick, with any suffix that does not continue the word", () => {
     expect(["wick", "wick.001", "wick-left", "wick_2", "wickLeft"].map(wickEnding)).toEqual([
       "",
