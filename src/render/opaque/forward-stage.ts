@@ -150,7 +150,7 @@ export class ForwardStage implements OpaqueStage {
       this.#gpu.clear(target, [0, 0, 0, this.#moon?.background ?? 1]);
       const lighting = {
         key: JSON.stringify([inspect, this.#moon?.key, isNight, candles.map(({ key }) => key)]),
-        isStill: isNight || !(this.#isOfAll || instances.some(({ isHeld }) => isHeld)),
+        isStill: isNight || !(this.#isOfAll || world.candle.isHeld),
         flame: this.#isOfAll ? 1 : luma(flameIntensity(world)),
         moon: luma(this.#moon?.intensity ?? [0, 0, 0]),
       };
