@@ -38,6 +38,8 @@ interface Prepared {
   readonly visibility: SurfelVisibility;
 }
 
+type Captured = Omit<CachedLight, "intensity" | "key">;
+
 /** The moon's map and irradiance volume, captured once for each direction of its light. */
 export class MoonCaptures {
   readonly #gpu: Gpu;
@@ -52,9 +54,9 @@ export class MoonCaptures {
   #virtual: VirtualLights | null = null;
   #capturing: Steps<VirtualLightTextures> | null = null;
   #key = "";
-  /** The direction to come. */
-  #next: { readonly key: string; readonly preparation: Steps<Prepared | null> } | null = null;
-  #light: Omit<CachedLight, "intensity"> | null = null;
+  /** The direction to come. A frame may go on with it where another was abandoned. */
+  #next: { readonly key: string; readonly steps: Steps<Captured | null> } | null = null;
+  #light: (Captured & Pick<CachedLight, "key">) | null = null;
 
   constructor(
     gpu: Gpu,
@@ -84,21 +86,20 @@ export class MoonCaptures {
     const key = JSON.stringify(direction);
     const isWaiting = isGradual && this.#key !== "";
     while (key !== this.#key) {
-      if (this.#next?.key !== key && !isWaiting) this.#next = null;
-      this.#next ??= { key, preparation: this.#prepare(direction) };
-      const next = this.#next;
-      const { done, value } = next.preparation.next();
-      if (done) {
-        // Before the capture's steps: a frame may be drawn between them.
+      if (this.#next?.key !== key && !isWaiting) {
+        this.#next?.steps.return(null);
         this.#next = null;
-        // It replaces the last direction's, and its steps may be abandoned.
-        this.#key = "";
-        this.#light = null;
-        const captured = value && (yield* this.#capture(value));
-        this.#light = captured && { ...captured, key: next.key };
+      }
+      this.#next ??= { key, steps: this.#steps(direction) };
+      const next = this.#next;
+      const { done, value } = next.steps.next();
+      if (done) {
+        this.#next = null;
+        this.#light = value && { ...value, key: next.key };
         this.#key = next.key;
       }
-      if (isWaiting) break;
+      // Once it is being captured, the last one is gone.
+      if (isWaiting && this.#key !== "") break;
       yield;
     }
     return this.#light && { ...this.#light, intensity: adaptedMoonlight(illuminance) };
@@ -121,6 +122,19 @@ export class MoonCaptures {
     }
   }
 
+  *#steps(direction: Vec3): Steps<Captured | null> {
+    const prepared = yield* this.#prepare(direction);
+    // It replaces the last direction's.
+    this.#key = "";
+    this.#light = null;
+    if (!prepared) return null;
+    try {
+      return yield* this.#capture(prepared);
+    } finally {
+      prepared.casters.dispose();
+    }
+  }
+
   /** What the script computes for a direction; null where its light does not reach the room. */
   *#prepare(direction: Vec3): Steps<Prepared | null> {
     const { model, surfaces, collision } = this.#scene;
@@ -137,12 +151,7 @@ export class MoonCaptures {
     return { frustum, casters, lit, visibility };
   }
 
-  *#capture({
-    frustum,
-    casters,
-    lit,
-    visibility,
-  }: Prepared): Steps<Omit<CachedLight, "intensity" | "key">> {
+  *#capture({ frustum, casters, lit, visibility }: Prepared): Steps<Captured> {
     this.#drawMap(frustum, casters);
     yield;
     this.#capturing = null;
@@ -151,7 +160,6 @@ export class MoonCaptures {
     const block = moonBlock(frustum, this.#surfels.detail);
     const shadow = { depth: this.#map, captureOrigin: frustum.corner };
     const irradiance = yield* this.#indirect.capture(casters, block, shadow);
-    casters.dispose();
     return {
       kind: "moon",
       name: "moon",
