@@ -5,7 +5,7 @@ import type { IrradianceVolume } from "./gi/irradiance-volume.js";
 import { type CaptureLight, flameIntensity } from "./light-block.js";
 import type { VirtualLightTextures } from "./moon/virtual-lights.js";
 
-/** Luminous intensity below which a flame's light is nothing beside the moon's, candela: of an ember at some 900 K. */
+/** Luminous intensity below which a flame's light is nothing beside the moon's, candela: of an ember at 726 K. */
 const DARK = 1e-8;
 
 /** A light beside the carried flame. Its shadow and irradiance are captured once, for 1 cd or 1 lx of it. */

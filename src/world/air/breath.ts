@@ -8,9 +8,12 @@ const BENDING = 0.25;
 /** How long a breath lasts, and how long it takes to swell and to end. Seconds. */
 const BREATH = 0.45;
 const SWELL = 0.08;
-/** A round jet keeps its speed for this many widths of the mouth; then it goes as 1/distance. */
+/**
+ * A round jet keeps its speed for this many widths of the mouth; then it goes as 1/distance: 7.0 sqrt(pi/4), after
+ * Fischer et al. 1979, "Mixing in Inland and Coastal Waters".
+ */
 const CORE = 6.2;
-/** Its half-width where the speed has fallen to 1/e, per metre of way. */
+/** Its half-width where the speed has fallen to 1/e, per metre of way: the same. */
 const SPREAD = 0.107;
 
 /** Breaths of one mouth that are under way at a time, a further one in place of the first. */
@@ -31,7 +34,7 @@ interface Puff {
   felt: number;
 }
 
-/** Breaths of one mouth: round jets. Pope 2000, "Turbulent Flows". Of several at a place the strongest is felt. */
+/** Breaths of one mouth: round jets. Of several at a place the strongest is felt. */
 export class Breath {
   readonly #puffs = Array.from(
     { length: PUFFS },

@@ -20,7 +20,7 @@ export const ROOM_TEMPERATURE = 293;
 const HEAT_CAPACITY = 1.2 * 1005;
 /** m/s² */
 const GRAVITY = 9.81;
-/** Kinematic viscosity of the room's air, m²/s. */
+/** Effective kinematic viscosity, m²/s: more than the 1.5e-5 of air at 293 K, for a grid as coarse as this. */
 const VISCOSITY = 4e-5;
 /** Prandtl number of air: viscosity over thermal diffusivity. */
 const PRANDTL = 0.7;
