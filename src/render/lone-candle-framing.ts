@@ -6,12 +6,11 @@ const HALF = { width: 0.088, height: 0.15 } as const;
 /** Height of the frame's centre above the candle's foot, metres. */
 const CENTRE = 0.119;
 /** Across the canvas's shorter side, radians: a portrait's, from about a metre. */
-const FIELD_OF_VIEW = 0.3;
+export const FIELD_OF_VIEW = 0.3;
 /** Pitch of the camera, radians: slightly downwards, into the pan. */
-const PITCH = -0.16;
-
+export const PITCH = -0.16;
 /** Largest height of a puffing flame, in mean heights. */
-const STRETCH = 1.25;
+export const STRETCH = 1.25;
 
 /**
  * Camera for which the candle at the origin fills a canvas of this aspect, uncropped.

@@ -1,17 +1,14 @@
 import { flameHeight, flameRadius, fuelRate } from "../../world/flame/burning.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import type { Wick } from "../../world/standing-candle.js";
+import { FIELD_OF_VIEW, PITCH, STRETCH } from "../lone-candle-framing.js";
 import type { LoneCamera } from "./lone-renderer.js";
 
-/** Across the canvas's shorter side, radians: a portrait's. */
-const FIELD_OF_VIEW = 0.3;
-/** Of the camera, radians: of a model as high as it is wide, and of a flat one. */
-const LEVEL = -0.16;
+/** Pitch of the camera for a flat model, radians; for one as high as it is wide it is `PITCH`. */
 const FROM_ABOVE = -0.42;
 /** Share of the canvas that the model fills, one way or the other. */
 const FILLING = 0.92;
-/** Largest height of a puffing flame, in mean heights; room to sway, metres. */
-const STRETCH = 1.25;
+/** Room to sway, metres. */
 const SWAY = 0.008;
 /** Height of the view of a taper alone, metres. */
 const TAPER_VIEW = 0.3;
@@ -41,7 +38,7 @@ export function boundsWithFlames({ min, max }: Bounds, wicks: readonly Wick[]): 
 export function frameBox({ min, max }: Bounds, aspect: number): CustomFraming {
   const width = Math.max(max[0] - min[0], max[2] - min[2]);
   const flatness = Math.min(Math.max(1 - (max[1] - min[1]) / width, 0), 1);
-  const pitch = LEVEL + (FROM_ABOVE - LEVEL) * flatness;
+  const pitch = PITCH + (FROM_ABOVE - PITCH) * flatness;
   const sin = Math.sin(pitch);
   const cos = Math.cos(pitch);
   const middle = [0, 1, 2].map((axis) => (min[axis]! + max[axis]!) / 2);

@@ -55,12 +55,6 @@ function meanOf(points: readonly (readonly number[])[]): number[] {
   return sum.map((x) => x / points.length);
 }
 
-/** Sum of the squared deviations along each coordinate. */
-function spreadOf(points: readonly (readonly number[])[]): number[] {
-  const mean = meanOf(points);
-  return mean.map((m, k) => points.reduce((sum, point) => sum + (point[k]! - m) ** 2, 0));
-}
-
 /**
  * Groups points by place and normal: the group that is spread widest is split in two, again and again.
  *
@@ -70,22 +64,23 @@ export function groupLitPoints(points: readonly (LitPoint | null)[], count: numb
   const all = points.flatMap((point, i) => (point ? [i] : []));
   const at = points.map((point) => point && coordinates(point));
   const describe = (members: readonly number[]) => {
-    const spread = spreadOf(members.map((i) => at[i]!));
-    return { members, spread, total: spread.reduce((sum, one) => sum + one, 0) };
+    const points = members.map((i) => at[i]!);
+    const mean = meanOf(points);
+    // Sums of the squared deviations along each coordinate.
+    const spread = mean.map((m, k) => points.reduce((sum, point) => sum + (point[k]! - m) ** 2, 0));
+    return { members, mean, spread, total: spread.reduce((sum, one) => sum + one, 0) };
   };
   const groups = all.length > 0 ? [describe(all)] : [];
   while (groups.length > 0 && groups.length < count) {
     groups.sort((a, b) => b.total - a.total);
-    const { members, spread, total } = groups[0]!;
+    const { members, mean, spread, total } = groups[0]!;
     if (total < 1e-9) break;
     const axis = spread.indexOf(Math.max(...spread));
-    const middle = meanOf(members.map((i) => at[i]!))[axis]!;
-    const isLow = (i: number) => at[i]![axis]! < middle;
+    const isLow = (i: number) => at[i]![axis]! < mean[axis]!;
     const [low, high] = [members.filter(isLow), members.filter((i) => !isLow(i))];
     groups.splice(0, 1, describe(low), describe(high));
   }
-  return groups.map(({ members, spread }) => {
-    const mean = meanOf(members.map((i) => at[i]!));
+  return groups.map(({ members, mean, spread }) => {
     const turned = mean.slice(3) as Vec3;
     const length = Math.hypot(...turned) || 1;
     const off = (i: number) => at[i]!.reduce((sum, x, k) => sum + (x - mean[k]!) ** 2, 0);
