@@ -36,6 +36,7 @@ export class FirstPersonInput {
   #isTouched = false;
   #wasLocked = false;
   #isFirstMove = false;
+  #wasFast = false;
   #unlockedAt = Number.NEGATIVE_INFINITY;
   #lockTimer = 0;
 
@@ -216,12 +217,12 @@ export class FirstPersonInput {
     const isDragging = this.#isIn && event.buttons !== 0;
     if (!this.#isLocked && !isDragging) return;
     // The first move after a lock can jump (three.js #16874), and so can mice that report faster than
-    // the screen redraws (a-frame #5177).
-    const isJump = Math.abs(event.movementX) > window.innerWidth / 3;
-    if (this.#isLocked && (this.#isFirstMove || isJump)) {
-      this.#isFirstMove = false;
-      return;
-    }
+    // the screen redraws (a-frame #5177): once, where a fast hand makes several long moves.
+    const isFast = Math.hypot(event.movementX, event.movementY) > screen.width / 3;
+    const isJump = this.#isFirstMove || (isFast && !this.#wasFast);
+    this.#isFirstMove = false;
+    this.#wasFast = isFast;
+    if (this.#isLocked && isJump) return;
     this.#yaw -= event.movementX * SENSITIVITY * this.sensitivity;
     this.#pitch -= event.movementY * SENSITIVITY * this.sensitivity;
   };

@@ -1,0 +1,60 @@
+import { beforeEach, expect, test, vi } from "vitest";
+import { FirstPersonInput } from "../../../src/input/first-person-input.ts";
+
+/** As much of a page as the input listens to. */
+function place() {
+  const root = { pointerLockElement: null as unknown, activeElement: null as unknown };
+  const ownerDocument = Object.assign(new EventTarget(), {
+    hasFocus: () => true,
+    exitPointerLock: () => {},
+  });
+  const host = Object.assign(new EventTarget(), {
+    ownerDocument,
+    isInert: false,
+    matches: () => root.activeElement === host,
+    getRootNode: () => root,
+    focus: () => {
+      if (!host.isInert) root.activeElement = host;
+    },
+  });
+  const canvas = Object.assign(new EventTarget(), { getRootNode: () => root });
+  const entered = vi.fn();
+  const input = new FirstPersonInput(
+    host as unknown as HTMLElement,
+    canvas as unknown as HTMLCanvasElement,
+    entered,
+  );
+  const lock = () => {
+    root.pointerLockElement = canvas;
+    ownerDocument.dispatchEvent(new Event("pointerlockchange"));
+  };
+  const move = (movementX: number, movementY: number) => {
+    const given = { pointerType: "mouse", buttons: 0, movementX, movementY };
+    canvas.dispatchEvent(Object.assign(new Event("pointermove"), given));
+  };
+  return { input, host, canvas, root, entered, lock, move };
+}
+
+beforeEach(() => {
+  vi.stubGlobal("window", { innerWidth: 300, setTimeout: () => 0 });
+  vi.stubGlobal("screen", { width: 1500 });
+  vi.stubGlobal("matchMedia", () => ({ matches: true }));
+  return () => vi.unstubAllGlobals();
+});
+
+test("a quick mouse turns the view in a narrow frame too, and one jump is dropped", () => {
+  const { input, host, lock, move } = place();
+  host.focus();
+  input.enter();
+  lock();
+  move(10, 0); // the first after a lock can jump
+  const turned = (...moves: [number, number][]) => {
+    for (const [x, y] of moves) move(x, y);
+    const { yaw, pitch } = input.read();
+    return [yaw, pitch].map((angle) => Math.round(angle / -0.0022) + 0);
+  };
+  expect(turned([300, 0], [0, 400])).toEqual([300, 400]);
+  expect(turned([0, -2000]), "a jump").toEqual([0, 0]);
+  expect(turned([20, 0])).toEqual([20, 0]);
+  expect(turned([900, 0], [900, 0], [900, 0]), "a fast hand").toEqual([1800, 0]);
+});
