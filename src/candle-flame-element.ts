@@ -211,7 +211,6 @@ export class CandleFlameElement extends ReflectedAttributes {
       candle.options = session.options;
       candle.step(length);
     });
-    this.#lifecycle.draws.drawn();
     if (this.#candle) this.#lifecycle.reporter.frame(this.#candle);
   }
 

@@ -34,8 +34,8 @@ export class DrawScheduler {
 
   draw(isRequired?: boolean): void {
     this.#isStale = false;
+    this.#cancel();
     this.#hooks.draw(isRequired);
-    this.drawn();
   }
 
   /** Draws now, or once the canvas is visible. */
@@ -60,7 +60,7 @@ export class DrawScheduler {
     if (this.#isStale && this.#hooks.isVisible()) this.draw();
   }
 
-  /** To be called after a frame was drawn. */
+  /** To be called when a frame was drawn: none is while a renderer is prepared, unless it is required. */
   drawn(): void {
     this.#cancel();
     this.#isFresh = true;

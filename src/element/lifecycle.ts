@@ -230,10 +230,8 @@ export class Lifecycle {
     const session = this.#session;
     this.applyPending(candle, this.#emitPlace);
     this.reporter.watch(candle);
-    candle.onFrame = () => {
-      this.draws.drawn();
-      this.reporter.frame(candle);
-    };
+    candle.view.onDrawn = () => this.draws.drawn();
+    candle.onFrame = () => this.reporter.frame(candle);
     session?.resize();
     this.draws.draw();
     if (!session?.candle) return; // it could not be drawn

@@ -11,10 +11,7 @@ import type { CanvasTarget } from "./canvas-target.js";
 import type { NextRenderer } from "./next-renderer.js";
 import type { Refinement } from "./refinement.js";
 import type { Scene } from "./scene.js";
-import { type ViewSettings, type ViewSubject, workOf } from "./view-subject.js";
-
-/** Settings of a frame, but for what the view knows itself. */
-type ViewFrame = Omit<FrameSettings, "gamut" | "inspect">;
+import { type ViewFrame, type ViewSettings, type ViewSubject, workOf } from "./view-subject.js";
 
 /**
  * View of a scene on a canvas: its renderer, at the tier and the resolution that `quality` asks for.
@@ -28,6 +25,8 @@ export class SceneView {
   isPlaying: boolean;
   /** Called when frames are of another tier or resolution than before. */
   onQualityChanged: () => void = () => {};
+  /** Called when a frame was drawn to the canvas, in the same task. */
+  onDrawn: () => void = () => {};
   /** Called when the driver refused what a renderer needs. */
   onRefused: (error: Error) => void = () => {};
   readonly #target: CanvasTarget;
@@ -214,6 +213,7 @@ export class SceneView {
       if (before !== this.#refinement?.shown) this.onQualityChanged();
       this.#shown.render(this.#subject.world, { ...settings, steps });
       target.present();
+      this.onDrawn();
     }
     gpu.endFrame();
     if (this.#isUnchecked) void this.#check();
@@ -302,7 +302,7 @@ export class SceneView {
   }
 
   /** Whether the image is refined while it rests: under `auto`, where pixels are those of a CPU. */
-  #refines({ isMoving, canDefer }: Pick<FrameSettings, "isMoving" | "canDefer">): boolean {
+  #refines({ isMoving, canDefer }: ViewFrame): boolean {
     const { quality, look } = this.#settings;
     if (quality !== "auto" || look !== "physical" || !this.#refinement) return false;
     if (isMoving || !canDefer || !this.isPlaying || this.inspect !== "picture") return false;

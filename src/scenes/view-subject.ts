@@ -1,4 +1,5 @@
 import { WORK, type Work } from "../render/auto-quality.js";
+import type { FrameSettings } from "../render/frame-settings.js";
 import type { Look, Quality } from "../settings.js";
 import type { MoonWish } from "../world/moon.js";
 import type { ParticleLayer } from "../world/particles/particle-layer.js";
@@ -16,6 +17,9 @@ export interface ViewSubject {
   readonly world: World;
   readonly layers: readonly ParticleLayer[];
 }
+
+/** Settings of a frame, but for what the view knows itself. */
+export type ViewFrame = Omit<FrameSettings, "gamut" | "inspect">;
 
 /** Work of a scene's frame, by which `auto` predicts its time. */
 export function workOf({ isModelAlone }: Scene, { look }: ViewSettings): Work {

@@ -3,16 +3,19 @@ import { DrawScheduler } from "../../../src/element/draw-scheduler.ts";
 
 /** Callbacks of the next animation frame. */
 let frame = new Map<number, () => void>();
-let page = { isVisible: true, isPlaying: false, draws: 0 };
+let page = { isVisible: true, isPlaying: false, isBusy: false, draws: 0 };
 
 function createScheduler(): DrawScheduler {
-  return new DrawScheduler({
+  const scheduler = new DrawScheduler({
     isVisible: () => page.isVisible,
     isPlaying: () => page.isPlaying,
-    draw: () => {
+    draw: (isRequired) => {
+      if (page.isBusy && !isRequired) return;
       page.draws++;
+      scheduler.drawn();
     },
   });
+  return scheduler;
 }
 
 function nextFrame(): void {
@@ -24,7 +27,7 @@ function nextFrame(): void {
 beforeEach(() => {
   let last = 0;
   frame = new Map();
-  page = { isVisible: true, isPlaying: false, draws: 0 };
+  page = { isVisible: true, isPlaying: false, isBusy: false, draws: 0 };
   vi.stubGlobal("requestAnimationFrame", (callback: () => void) => {
     frame.set(++last, callback);
     return last;
@@ -86,4 +89,13 @@ test("pixels are read as they were drawn in the same task, and drawn again after
   await Promise.resolve();
   scheduler.refresh();
   expect(page.draws, "after the task").toBe(3);
+});
+
+test("pixels are drawn to be read where a frame left the canvas as it was", () => {
+  const scheduler = createScheduler();
+  page.isBusy = true; // a renderer is prepared
+  scheduler.draw();
+  expect(page.draws).toBe(0);
+  scheduler.refresh();
+  expect(page.draws).toBe(1);
 });
