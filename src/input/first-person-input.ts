@@ -191,16 +191,17 @@ export class FirstPersonInput {
   }
 
   readonly #keyDown = (event: KeyboardEvent): void => {
-    if (event.target !== this.#host) return; // of a control in a slot
-    if (ENTER.has(event.code) && !this.#isIn) {
+    const { code, target, ctrlKey, metaKey, altKey } = event;
+    // Not of a control in a slot.
+    if (target !== this.#host || ctrlKey || metaKey || altKey) return;
+    if (this.#isIn) {
+      if (code === "Escape") this.leave();
+      else if (this.#keyboard.press(event)) event.preventDefault();
+    } else if (ENTER.has(code) && !event.repeat) {
       event.preventDefault();
       this.#isTouched = false;
       this.enter("keyboard");
-      return;
     }
-    if (!this.#isIn || event.ctrlKey || event.metaKey || event.altKey) return;
-    if (event.code === "Escape") this.leave();
-    else if (this.#keyboard.press(event)) event.preventDefault();
   };
 
   readonly #pointerDown = (event: PointerEvent): void => {

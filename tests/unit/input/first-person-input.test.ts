@@ -32,7 +32,11 @@ function place() {
     const given = { pointerType: "mouse", buttons: 0, movementX, movementY };
     canvas.dispatchEvent(Object.assign(new Event("pointermove"), given));
   };
-  return { input, host, canvas, root, entered, lock, move };
+  const press = (code: string, held: Partial<KeyboardEvent> = {}) => {
+    const given = { code, ctrlKey: false, metaKey: false, altKey: false, repeat: false, ...held };
+    return host.dispatchEvent(Object.assign(new Event("keydown", { cancelable: true }), given));
+  };
+  return { input, host, canvas, root, entered, lock, move, press };
 }
 
 beforeEach(() => {
@@ -57,4 +61,15 @@ test("a quick mouse turns the view in a narrow frame too, and one jump is droppe
   expect(turned([0, -2000]), "a jump").toEqual([0, 0]);
   expect(turned([20, 0])).toEqual([20, 0]);
   expect(turned([900, 0], [900, 0], [900, 0]), "a fast hand").toEqual([1800, 0]);
+});
+
+test("Enter walks in alone, and once: with a modifier it is the browser's, as all keys are", () => {
+  const { host, entered, press } = place();
+  host.focus();
+  for (const held of [{ ctrlKey: true }, { metaKey: true }, { altKey: true }, { repeat: true }]) {
+    expect(press("Enter", held)).toBe(true);
+  }
+  expect(entered).not.toHaveBeenCalled();
+  expect(press("Enter")).toBe(false);
+  expect(entered.mock.calls).toEqual([[true, "keyboard"]]);
 });
