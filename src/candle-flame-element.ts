@@ -5,6 +5,7 @@ import { emit } from "./element/events.js";
 import { featureSwitches } from "./element/feature-switches.js";
 import { boxWithin, lengthOfStep, strengthOfBreath } from "./element/legal-values.js";
 import { Lifecycle } from "./element/lifecycle.js";
+import { RENDERER_ATTRIBUTES, SCENE_ATTRIBUTES } from "./element/options.js";
 import type { PendingWorld } from "./element/pending-world.js";
 import { ReflectedAttributes } from "./element/reflected-attributes.js";
 import type { Session, SessionInput } from "./element/session.js";
@@ -35,9 +36,6 @@ export type { Feature, Look, Quality } from "./settings.js";
 export type { Features, FlameReport, Inspection, Stats };
 
 const NO_CANDLES: readonly Candle[] = Object.freeze([]);
-
-/** Attributes that decide which models are fetched. */
-const SCENE_ATTRIBUTES: readonly SettingName[] = ["scene", "look", "src", "asset-base"];
 
 /**
  * A candle in a dark room, or alone on the page.
@@ -120,7 +118,8 @@ export class CandleFlameElement extends ReflectedAttributes {
     if (name === "alt" || name === "controls") lifecycle.updateAccessibility();
     if (name === "max-pixel-ratio") lifecycle.session?.resize();
     if (name === "loading" && this.loading === "eager") lifecycle.stopWaiting();
-    if (SCENE_ATTRIBUTES.includes(name)) lifecycle.sceneChanged(before !== after);
+    if (RENDERER_ATTRIBUTES.includes(name) && before !== after) lifecycle.retry();
+    if (SCENE_ATTRIBUTES.includes(name)) lifecycle.sceneChanged();
     if (name === "seed") this.#pending.forgetTime();
     if (name === "lit-wicks" || name === "unlit") this.#pending.forgetFlames(this.#burnsAtFirst);
     lifecycle.apply();

@@ -100,13 +100,14 @@ export class Lifecycle {
   }
 
   /** An attribute was set that decides which models are fetched. */
-  sceneChanged(isOther: boolean): void {
-    const element = this.#element;
-    const isOtherScene = this.#states.has("alone") !== (element.scene === "candle");
-    // After a failure another scene may do better.
-    const mayDoBetter = this.#machine.current === "failed" && isOther && element.isConnected;
-    if (isOtherScene || mayDoBetter) this.#restart();
+  sceneChanged(): void {
+    if (this.#states.has("alone") !== (this.#element.scene === "candle")) this.#restart();
     this.#session?.follow();
+  }
+
+  /** After a failure, another value of an attribute may do better. */
+  retry(): void {
+    if (this.#machine.current === "failed" && this.#element.isConnected) this.#restart();
   }
 
   posterChanged(): void {

@@ -4,6 +4,11 @@ import { type Look, parseIndices, type SettingName } from "../settings.js";
 import { parseMoonPlace } from "../world/moon.js";
 import type { ReflectedAttributes } from "./reflected-attributes.js";
 
+/** Attributes that decide which models are fetched, and with others what the driver is asked for. */
+export const SCENE_ATTRIBUTES: readonly string[] = ["scene", "look", "src", "asset-base"];
+const COSTS = ["quality", "max-pixel-ratio", "particles"];
+export const RENDERER_ATTRIBUTES: readonly string[] = [...SCENE_ATTRIBUTES, ...COSTS];
+
 const LESS_MOTION = "(prefers-reduced-motion: reduce)";
 
 /** Options of the candle, in SI units, from the element's attributes; null leaves a value to the room. */

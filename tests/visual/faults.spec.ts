@@ -235,4 +235,25 @@ test.describe("Whatever fails is reported", () => {
       expect(uncaught).toEqual([]);
     });
   }
+
+  test("after what the driver refuses, another quality begins anew, and the same does not", async () => {
+    const shown = await page.evaluate(async () => {
+      const element = document.createElement("candle-flame");
+      Object.assign(element, { look: "paper", quality: "medium", paused: true });
+      element.style.cssText = "width: 64px; height: 36px; aspect-ratio: auto";
+      Object.assign(globalThis, { fault: "framebuffer" });
+      document.body.append(element);
+      await element.ready.catch(() => Object.assign(globalThis, { fault: null }));
+      const hasCanvas = () => element.shadowRoot?.querySelector("canvas") !== null;
+      const shown = [hasCanvas()];
+      for (const quality of ["medium", "low"] as const) {
+        element.quality = quality;
+        shown.push(hasCanvas());
+      }
+      await element.ready;
+      element.remove();
+      return shown;
+    });
+    expect(shown).toEqual([false, false, true]);
+  });
 });
