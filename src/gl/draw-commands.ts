@@ -1,4 +1,5 @@
 import type { Buffer } from "./buffer.js";
+import { noCounts } from "./frame-counts.js";
 import type { Program, UniformValue } from "./program.js";
 import type { RenderTarget } from "./render-target.js";
 import { Samplers, type Sampling } from "./samplers.js";
@@ -56,9 +57,8 @@ const MODES = { triangles: "TRIANGLES", strip: "TRIANGLE_STRIP", points: "POINTS
 
 /** Draw calls of a context, and the GL state between them: it alone touches that, and sets only what differs. */
 export class DrawCommands {
-  /** Of the frame. */
-  drawCalls = 0;
-  triangles = 0;
+  /** Of the frame that is drawn. */
+  counts = noCounts();
   readonly canvas: HTMLCanvasElement;
   protected readonly gl: WebGL2RenderingContext;
   readonly #samplers: Samplers;
@@ -116,8 +116,8 @@ export class DrawCommands {
     } else {
       gl.drawArrays(mode, first, count);
     }
-    this.drawCalls++;
-    if (primitive === "triangles") this.triangles += count / 3;
+    this.counts.drawCalls++;
+    if (primitive === "triangles") this.counts.triangles += count / 3;
   }
 
   transform(call: Transform): void {
@@ -127,7 +127,7 @@ export class DrawCommands {
     gl.enable(gl.RASTERIZER_DISCARD);
     this.#capture(call.into, call.count);
     gl.disable(gl.RASTERIZER_DISCARD);
-    this.drawCalls++;
+    this.counts.drawCalls++;
   }
 
   #switch(capability: GLenum, isOn: boolean): void {

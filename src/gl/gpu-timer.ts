@@ -1,16 +1,13 @@
+import type { FrameCounts } from "./frame-counts.js";
+
 /** Queries in flight: results come a few frames late. */
 const RING = 4;
 
-/**
- * GPU time of a frame, where the driver offers `EXT_disjoint_timer_query_webgl2`.
- *
- * Nothing waits: `seconds` are that of the newest frame whose result has arrived.
- */
+/** GPU time of frames, where the driver offers `EXT_disjoint_timer_query_webgl2`. Nothing waits. */
 export class GpuTimer {
-  seconds: number | null = null;
   readonly #gl: WebGL2RenderingContext;
   readonly #extension: { TIME_ELAPSED_EXT: number; GPU_DISJOINT_EXT: number } | null;
-  readonly #pending: WebGLQuery[] = [];
+  readonly #pending: { readonly query: WebGLQuery; readonly counts: FrameCounts }[] = [];
   #isRunning = false;
 
   constructor(gl: WebGL2RenderingContext) {
@@ -18,14 +15,15 @@ export class GpuTimer {
     this.#extension = gl.getExtension("EXT_disjoint_timer_query_webgl2");
   }
 
-  begin(): void {
+  /** @param counts of the frame's view: several may share the context */
+  begin(counts: FrameCounts): void {
     if (!this.#extension) return;
     this.#collect(this.#extension.GPU_DISJOINT_EXT);
     if (this.#pending.length >= RING) return;
     const query = this.#gl.createQuery();
     if (!query) return;
     this.#gl.beginQuery(this.#extension.TIME_ELAPSED_EXT, query);
-    this.#pending.push(query);
+    this.#pending.push({ query, counts });
     this.#isRunning = true;
   }
 
@@ -38,16 +36,16 @@ export class GpuTimer {
   #collect(disjointFlag: number): void {
     const gl = this.#gl;
     const oldest = this.#pending[0];
-    if (!oldest || !gl.getQueryParameter(oldest, gl.QUERY_RESULT_AVAILABLE)) return;
-    const nanoseconds = gl.getQueryParameter(oldest, gl.QUERY_RESULT) as number;
+    if (!oldest || !gl.getQueryParameter(oldest.query, gl.QUERY_RESULT_AVAILABLE)) return;
+    const nanoseconds = gl.getQueryParameter(oldest.query, gl.QUERY_RESULT) as number;
     // A disjoint clock (the GPU slept, or changed its frequency) makes the number meaningless.
-    if (!gl.getParameter(disjointFlag)) this.seconds = nanoseconds / 1e9;
-    gl.deleteQuery(oldest);
+    if (!gl.getParameter(disjointFlag)) oldest.counts.seconds = nanoseconds / 1e9;
+    gl.deleteQuery(oldest.query);
     this.#pending.shift();
   }
 
   dispose(): void {
-    for (const query of this.#pending) this.#gl.deleteQuery(query);
+    for (const { query } of this.#pending) this.#gl.deleteQuery(query);
     this.#pending.length = 0;
   }
 }

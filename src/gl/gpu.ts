@@ -1,6 +1,7 @@
 import fullscreenVert from "../../shaders/post/fullscreen.vert";
 import { Buffer } from "./buffer.js";
 import { type Box, type Draw, DrawCommands, type Surface } from "./draw-commands.js";
+import { type FrameCounts, noCounts } from "./frame-counts.js";
 import { type GpuContext, type GpuObject, incomplete, outOfMemory } from "./gpu-object.js";
 import { GpuTimer } from "./gpu-timer.js";
 import { laterTask, nextTask } from "./next-task.js";
@@ -46,7 +47,7 @@ export class Gpu extends DrawCommands {
   readonly drawsToHalfFloats: boolean;
   /** Whether textures of full floats can be read between their texels; those of half floats always can. */
   readonly filtersFloats: boolean;
-  readonly timer: GpuTimer;
+  readonly #timer: GpuTimer;
   readonly #context: GpuContext;
   readonly #alive = new Set<GpuObject>();
   /** Objects that one renderer leaves to the next, by what they were made from. */
@@ -92,7 +93,7 @@ export class Gpu extends DrawCommands {
       gl.getParameter(gl.MAX_TEXTURE_SIZE) as number,
       ...(gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array),
     );
-    this.timer = new GpuTimer(gl);
+    this.#timer = new GpuTimer(gl);
   }
 
   /** Sets the colour space of the canvas. Returns the one that it has: the browser may know sRGB alone. */
@@ -299,13 +300,15 @@ export class Gpu extends DrawCommands {
     gl.deleteSync(fence);
   }
 
-  beginFrame(): void {
-    this.drawCalls = this.triangles = 0;
-    this.timer.begin();
+  beginFrame(counts: FrameCounts): void {
+    counts.drawCalls = counts.triangles = 0;
+    this.counts = counts;
+    this.#timer.begin(counts);
   }
 
   endFrame(): void {
-    this.timer.end();
+    this.#timer.end();
+    this.counts = noCounts();
     this.#startPrograms(1);
   }
 
@@ -332,7 +335,7 @@ export class Gpu extends DrawCommands {
   /** Frees everything and gives the context back, so that the page's next one does not evict another. */
   override dispose(): void {
     this.clearObjects();
-    this.timer.dispose();
+    this.#timer.dispose();
     super.dispose();
     this.gl.getExtension("WEBGL_lose_context")?.loseContext();
   }

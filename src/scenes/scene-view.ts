@@ -1,3 +1,4 @@
+import { noCounts } from "../gl/frame-counts.js";
 import type { Box } from "../gl/gpu.js";
 import { AutoQuality } from "../render/auto-quality.js";
 import { canvasSize, longestSide } from "../render/canvas-size.js";
@@ -47,6 +48,7 @@ export class SceneView {
   #isUnchecked = false;
   /** The renderer whose first frame is drawn: meanwhile the animation loop draws nothing, and a query would block. */
   #busy: Renderer | null = null;
+  readonly #counts = noCounts();
   /** Settings of the last frame. */
   #last: ViewFrame | null = null;
 
@@ -88,8 +90,7 @@ export class SceneView {
   follow(subject: ViewSubject): void {
     this.#subject = subject;
     const { gpu } = this.#target;
-    // After a lost context, the renderer to come will.
-    if (gpu.isLost) return;
+    if (gpu.isLost) return; // the renderer to come will
     gpu.isAhead = false; // the next renderer's steps follow later
     this.#renderer.setLayers(subject.world, subject.layers);
     this.#refinement?.follow(subject);
@@ -98,9 +99,8 @@ export class SceneView {
 
   /** To be followed by `rebuild` if the quality or the models are others. */
   set settings(settings: ViewSettings) {
-    if (JSON.stringify(settings.moon) !== JSON.stringify(this.#settings.moon)) {
-      this.#refinement?.stop();
-    }
+    const isSameMoon = JSON.stringify(settings.moon) === JSON.stringify(this.#settings.moon);
+    if (!isSameMoon) this.#refinement?.stop();
     this.#settings = settings;
     this.#auto.work = workOf(this.#scene, settings);
   }
@@ -203,7 +203,7 @@ export class SceneView {
     if (!refining) this.#refinement?.stop(view.isMoving ? this.#renderer : null);
     if (!this.#chooseQuality(view) && !isRequired) return;
     const settings = this.#settingsOf(view);
-    gpu.beginFrame();
+    gpu.beginFrame(this.#counts);
     const size = this.#sizeAt(REFINED.resolutionScale);
     const steps =
       refining && !isRequired ? refining.advance(this.#subject, settings, this.#renderer, size) : 0;
@@ -225,7 +225,7 @@ export class SceneView {
     this.#refinement?.take(seconds);
     this.#renderer.refinedFade?.take(seconds);
     if (this.#refinement?.isBusy || this.#renderer.refinedFade?.isOn) return;
-    if (!this.#next?.isBusy) this.#auto.take(seconds, this.#target.gpu.timer.seconds);
+    if (!this.#next?.isBusy) this.#auto.take(seconds, this.#counts.seconds);
     const { wanted } = this.#auto;
     if (wanted && (this.#next?.proceed(wanted) ?? true)) this.#auto.accept();
   }
@@ -236,11 +236,11 @@ export class SceneView {
   }
 
   get stats() {
-    const { drawCalls, triangles, objectCount, bytes, timer } = this.#target.gpu;
+    const { objectCount, bytes } = this.#target.gpu;
+    const { seconds, ...counts } = this.#counts;
     return {
-      gpuMs: timer.seconds === null ? null : 1000 * timer.seconds,
-      drawCalls,
-      triangles,
+      gpuMs: seconds === null ? null : 1000 * seconds,
+      ...counts,
       particles: this.#shown.particles,
       // As chosen: after a change of the quality the canvas keeps its size until the next frame.
       ...this.#sizeAt(this.#resolutionScale),

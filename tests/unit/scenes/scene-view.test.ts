@@ -1,0 +1,75 @@
+import { expect, test } from "vitest";
+import type { FrameCounts } from "../../../src/gl/frame-counts.ts";
+import { AutoQuality, WORK } from "../../../src/render/auto-quality.ts";
+import type { Renderer } from "../../../src/render/renderer.ts";
+import type { CanvasTarget } from "../../../src/scenes/canvas-target.ts";
+import type { Scene } from "../../../src/scenes/scene.ts";
+import { SceneView } from "../../../src/scenes/scene-view.ts";
+import type { ViewFrame, ViewSettings, ViewSubject } from "../../../src/scenes/view-subject.ts";
+
+/** As much of a shared context as views of lone candles draw in. */
+function createGpu() {
+  const gpu = {
+    counts: null as FrameCounts | null,
+    isLost: false,
+    longestSide: 4096,
+    beginFrame: (counts: FrameCounts) => {
+      Object.assign(counts, { drawCalls: 0, triangles: 0 });
+      gpu.counts = counts;
+    },
+    endFrame: () => {},
+    whenIdle: () => Promise.resolve(),
+    whenCompiled: () => new Promise(() => {}),
+    check: () => {},
+    clearUnshared: () => {},
+  };
+  return gpu;
+}
+
+/** A view whose renderer draws in that many calls. */
+function createView(gpu: ReturnType<typeof createGpu>, calls: number): SceneView {
+  const renderer = {
+    particles: 0,
+    resize: () => {},
+    setLayers: () => {},
+    render: () => {
+      if (gpu.counts) gpu.counts.drawCalls += calls;
+    },
+  };
+  const canvas = { width: 1, height: 1 };
+  const target = { gpu, canvas, prepare: () => {}, present: () => {}, clearUnshared: () => {} };
+  const scene = { createRenderer: () => renderer as unknown as Renderer };
+  return new SceneView(
+    target as unknown as CanvasTarget,
+    scene as unknown as Scene,
+    { look: "paper", quality: "low" } as ViewSettings,
+    {} as ViewSubject,
+    true,
+    new AutoQuality(WORK.plain),
+  );
+}
+
+const FRAME = { isMoving: false, canDefer: true } as ViewFrame;
+
+test("statistics are of the view's own last frame, whoever else has drawn in the context", () => {
+  const gpu = createGpu();
+  const [one, other] = [createView(gpu, 6), createView(gpu, 181)];
+  one.render(FRAME);
+  other.render(FRAME);
+  expect([one.stats.drawCalls, other.stats.drawCalls]).toEqual([6, 181]);
+});
+
+test("a frame is reported where one was presented: not while another tier is prepared, unless it is required", () => {
+  const view = createView(createGpu(), 1);
+  let frames = 0;
+  view.onDrawn = () => {
+    frames++;
+  };
+  view.render(FRAME);
+  expect(frames).toBe(1);
+  view.settings = { look: "paper", quality: "high" } as ViewSettings;
+  view.render(FRAME);
+  expect(frames).toBe(1);
+  view.render(FRAME, true);
+  expect(frames).toBe(2);
+});
