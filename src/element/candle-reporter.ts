@@ -63,7 +63,7 @@ export class CandleReporter {
   /** The visitor has entered the room, or left it. */
   entered(candle: CandleFlame, isIn: boolean, device: Device): void {
     this.#states.toggle("walking", isIn);
-    if (isIn) this.#overlay.hint.tellControls(device);
+    if (isIn) this.#overlay.hint.tellControls(device, this.#states.has("alone"));
     else this.flame(candle);
     // Later: the canvas may be on its way out, and a listener may want another.
     queueMicrotask(() => emit(this.#element, isIn ? "enter" : "leave", null));

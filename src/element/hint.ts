@@ -13,6 +13,14 @@ const CONTROLS: Readonly<Record<Device, string>> = {
     "Left stick walks, right stick looks, [A] is for the flame, [X] for the candle, [B] leaves",
 };
 
+/** The same where there are only candles. */
+const FLAME_CONTROLS: typeof CONTROLS = {
+  mouse: "A click is for the flame, [B] blows, [Esc] leaves",
+  keyboard: "[E] is for the flame, [B] blows, [Esc] leaves",
+  touch: "Tap twice for the flame",
+  gamepad: "[A] is for the flame, [Y] blows, [B] leaves",
+};
+
 /**
  * Line of text over the canvas that is shown for a moment, then fades.
  *
@@ -47,11 +55,12 @@ export class Hint {
     this.element.append(this.#sentence);
   }
 
-  tellControls(device: Device): void {
+  tellControls(device: Device, isAlone: boolean): void {
     this.#clear();
+    const controls = isAlone ? FLAME_CONTROLS : CONTROLS;
     const line = document.createElement("p");
     line.className = "controls";
-    for (const [, key, words] of CONTROLS[device].matchAll(/\[(\w+)\]|([^[]+)/g)) {
+    for (const [, key, words] of controls[device].matchAll(/\[(\w+)\]|([^[]+)/g)) {
       line.append(key === undefined ? ` ${words?.trim()} ` : keyCap(key));
     }
     this.#controls.append(line);

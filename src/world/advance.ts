@@ -5,7 +5,7 @@ import { interpolate, interpolateTurn, poseCandle } from "./interpolate.js";
 import { emittingGroups } from "./particles/level-of-detail.js";
 import { advanceStride } from "./player/gait.js";
 import { advanceHand } from "./player/hand.js";
-import type { Intent } from "./player/intent.js";
+import { type Intent, STILL } from "./player/intent.js";
 import { turnHead, walk } from "./player/player.js";
 import { advanceSmoke, advanceStanding } from "./standing-candle.js";
 import { TICK } from "./timeline.js";
@@ -20,7 +20,10 @@ const SPARKING = 0.5;
 const STANDING: Vec3 = [0, 0, 0];
 
 /** Advances the world in whole ticks. The remainder is carried to the next call. */
-export function advance(world: World, intent: Intent, seconds: number): void {
+export function advance(world: World, wish: Intent, seconds: number): void {
+  const { togglesFlame, blows } = wish;
+  // The view of candles alone is fixed.
+  const intent = world.setup.isAlone ? { ...STILL, togglesFlame, blows } : wish;
   turnHead(world.player, intent);
   if (intent.placesOrTakes && world.candle.isHeld) placeCandle(world);
   else if (intent.placesOrTakes) takeCandle(world);

@@ -1,9 +1,21 @@
-import { expect, test } from "vitest";
+import { expect, test, vi } from "vitest";
 import type { CandleFlame } from "../../../src/candle-flame.ts";
 import { CandleReporter } from "../../../src/element/candle-reporter.ts";
 import type { CustomStates } from "../../../src/element/custom-states.ts";
 import type { Overlay } from "../../../src/element/overlay.ts";
 import type { ReflectedAttributes } from "../../../src/element/reflected-attributes.ts";
+
+test("entering a lone candle is told as such: the controls are fewer", () => {
+  const states = { toggle() {}, has: (name: string) => name === "alone" };
+  const hint = { tellControls: vi.fn() };
+  const reporter = new CandleReporter(
+    new EventTarget() as ReflectedAttributes,
+    states as unknown as CustomStates,
+    { hint } as unknown as Overlay,
+  );
+  reporter.entered({} as CandleFlame, true, "keyboard");
+  expect(hint.tellControls.mock.calls).toEqual([["keyboard", true]]);
+});
 
 test("entering and leaving are reported in their order, once what they interrupt is done", async () => {
   const element = new EventTarget() as ReflectedAttributes;

@@ -236,6 +236,14 @@ test.each([1, 4, 16])(
   },
 );
 
+test("around candles alone nobody walks or turns, whom no frame shows; their flames are in reach", () => {
+  const world = createWorld("physical", 1, { setup: LONE_CANDLE_SETUP });
+  const before = structuredClone(world.player);
+  advance(world, { ...E, forward: 1, turn: 1, yaw: 0.3, pitch: 0.1 }, 1);
+  expect(world.player).toEqual(before);
+  expect(litFlames(world)).toEqual([false]);
+});
+
 test("a snapshot has the state of every candle", () => {
   const wicks: Vec3[] = [
     [0, 1.2, 0],
