@@ -97,8 +97,11 @@ export class FirstPersonInput {
   #readGamepads(): Intent {
     // Of a window in the background, the focus is remembered.
     const hasFocus = this.#host.matches(":focus") && this.#host.ownerDocument.hasFocus();
-    const isMeant = this.#isIn || hasFocus;
-    const intent = this.#gamepads.read(isMeant ? connectedGamepads() : []);
+    if (!this.#isIn && !hasFocus) {
+      this.#gamepads.release();
+      return STILL;
+    }
+    const intent = this.#gamepads.read(connectedGamepads());
     const wasIn = this.#isIn;
     if (!wasIn && this.#gamepads.enters) this.#goIn("gamepad");
     if (wasIn && this.#gamepads.leaves) this.leave();

@@ -39,6 +39,12 @@ function place() {
   return { input, host, canvas, root, entered, lock, move, press };
 }
 
+const withButtons = (...pressed: number[]) => ({
+  mapping: "standard",
+  axes: [0, 0, 0, 0],
+  buttons: Array.from({ length: 17 }, (_, i) => ({ pressed: pressed.includes(i) })),
+});
+
 beforeEach(() => {
   vi.stubGlobal("window", { innerWidth: 300, setTimeout: () => 0 });
   vi.stubGlobal("screen", { width: 1500 });
@@ -72,4 +78,19 @@ test("Enter walks in alone, and once: with a modifier it is the browser's, as al
   expect(entered).not.toHaveBeenCalled();
   expect(press("Enter")).toBe(false);
   expect(entered.mock.calls).toEqual([[true, "keyboard"]]);
+});
+
+test("a gamepad's A walks in when it goes down, not when the focus finds it down", () => {
+  const { input, host, entered } = place();
+  const read = (...pressed: number[]) => {
+    vi.stubGlobal("navigator", { getGamepads: () => [withButtons(...pressed)] });
+    input.read();
+  };
+  read(0);
+  host.focus();
+  read(0);
+  expect(entered).not.toHaveBeenCalled();
+  read();
+  read(0);
+  expect(entered.mock.calls).toEqual([[true, "gamepad"]]);
 });
