@@ -111,7 +111,8 @@ export class Lifecycle {
   }
 
   posterChanged(): void {
-    if (this.#machine.current !== "running") this.#overlay.showPoster(this.#element);
+    const { current } = this.#machine;
+    if (current !== "running" && current !== "detached") this.#overlay.showPoster(this.#element);
   }
 
   /** Goes on without waiting for the viewport. */

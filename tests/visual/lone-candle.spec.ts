@@ -308,6 +308,8 @@ test("A lazy element fetches and asks for nothing until the visitor is near", as
   );
   const candle = page.locator("candle-flame");
   await page.evaluate(async () => {
+    const poster = "/textures/leather-albedo.avif";
+    Object.assign(document.createElement("candle-flame"), { poster, loading: "lazy" }); // not inserted
     for (let i = 0; i < 5; i++) await new Promise(requestAnimationFrame);
   });
   const early = fetched.filter((path) => /models|scene|textures/.test(path));
