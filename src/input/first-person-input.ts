@@ -121,7 +121,7 @@ export class FirstPersonInput {
   enter(device?: Device): void {
     const hasMouse = !this.#isTouched && matchMedia("(any-pointer: fine)").matches;
     this.#goIn(device ?? (hasMouse ? "mouse" : "touch"));
-    if (!hasMouse || this.#isLocked) return;
+    if (!this.#isIn || !hasMouse || this.#isLocked) return;
     const wait = Math.max(0, this.#unlockedAt + LOCK_COOL_DOWN - performance.now());
     clearTimeout(this.#lockTimer);
     this.#lockTimer = window.setTimeout(() => void this.#lock(), wait);
@@ -129,7 +129,9 @@ export class FirstPersonInput {
 
   #goIn(device: Device): void {
     this.#host.focus({ preventScroll: true });
-    if (this.#isIn) return;
+    // What is inert, or whose tabindex the page has removed, takes no focus, and would never lose it.
+    const { activeElement } = this.#host.getRootNode() as Document | ShadowRoot;
+    if (this.#isIn || activeElement !== this.#host) return;
     this.#isIn = true;
     this.#gamepads.release();
     this.#onEntered(true, device);

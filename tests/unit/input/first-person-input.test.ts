@@ -94,3 +94,16 @@ test("a gamepad's A walks in when it goes down, not when the focus finds it down
   read(0);
   expect(entered.mock.calls).toEqual([[true, "gamepad"]]);
 });
+
+test("without the focus nobody is in, and no lock is asked for", () => {
+  const { input, host, entered } = place();
+  const setTimeout = vi.fn();
+  vi.stubGlobal("window", { setTimeout });
+  host.isInert = true;
+  input.enter();
+  expect([entered.mock.calls, setTimeout.mock.calls]).toEqual([[], []]);
+  host.isInert = false;
+  input.enter();
+  expect(entered.mock.calls).toEqual([[true, "mouse"]]);
+  expect(setTimeout).toHaveBeenCalledOnce();
+});
