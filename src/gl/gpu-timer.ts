@@ -37,9 +37,13 @@ export class GpuTimer {
     const gl = this.#gl;
     const oldest = this.#pending[0];
     if (!oldest || !gl.getQueryParameter(oldest.query, gl.QUERY_RESULT_AVAILABLE)) return;
+    // A disjoint clock (the GPU slept, or changed its frequency) makes all numbers meaningless; it is told once.
+    if (gl.getParameter(disjointFlag)) {
+      this.dispose();
+      return;
+    }
     const nanoseconds = gl.getQueryParameter(oldest.query, gl.QUERY_RESULT) as number;
-    // A disjoint clock (the GPU slept, or changed its frequency) makes the number meaningless.
-    if (!gl.getParameter(disjointFlag)) oldest.counts.seconds = nanoseconds / 1e9;
+    oldest.counts.seconds = nanoseconds / 1e9;
     gl.deleteQuery(oldest.query);
     this.#pending.shift();
   }

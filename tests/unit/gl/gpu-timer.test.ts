@@ -36,3 +36,12 @@ test("the time of a frame is that of the view that drew it", () => {
   frame();
   expect([one.seconds, other.seconds]).toEqual([1e-9, 2e-9]);
 });
+
+test("a disjoint clock takes the times of all frames in flight", () => {
+  const { driver, frame } = place();
+  const frames = [frame(), frame(), frame()];
+  Object.assign(driver, { isReady: true, isDisjoint: true });
+  for (let i = 0; i < 3; i++) frame();
+  expect(frames.map(({ seconds }) => seconds)).toEqual([null, null, null]);
+  expect(driver.deleted).toBe(5);
+});
