@@ -37,7 +37,7 @@ export class GpuTimer {
     const gl = this.#gl;
     const oldest = this.#pending[0];
     if (!oldest || !gl.getQueryParameter(oldest.query, gl.QUERY_RESULT_AVAILABLE)) return;
-    // A disjoint clock (the GPU slept, or changed its frequency) makes all numbers meaningless; it is told once.
+    // A disjoint clock (the GPU slept, or changed its frequency) makes all numbers meaningless. Reading it resets it.
     if (gl.getParameter(disjointFlag)) {
       this.dispose();
       return;

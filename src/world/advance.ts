@@ -20,11 +20,8 @@ const SPARKING = 0.5;
 const STANDING: Vec3 = [0, 0, 0];
 
 /** Advances the world in whole ticks. The remainder is carried to the next call. */
-export function advance(world: World, wish: Intent, seconds: number): void {
-  const { togglesFlame, blows } = wish;
-  // The view of candles alone is fixed.
-  const intent = world.setup.isAlone ? { ...STILL, togglesFlame, blows } : wish;
-  turnHead(world.player, intent);
+export function advance(world: World, intent: Intent, seconds: number): void {
+  if (!world.setup.isAlone) turnHead(world.player, intent);
   if (intent.placesOrTakes && world.candle.isHeld) placeCandle(world);
   else if (intent.placesOrTakes) takeCandle(world);
   if (intent.togglesFlame) useFlame(world);
@@ -75,7 +72,8 @@ function movePlayer(world: World, intent: Intent): void {
   const { position } = player;
   const x = position[0];
   const z = position[2];
-  walk(player, intent, setup.gait, movementBounds, TICK);
+  // The view of candles alone is fixed.
+  walk(player, setup.isAlone ? STILL : intent, setup.gait, movementBounds, TICK);
   world.stride = advanceStride(world.stride, length2(position[0] - x, position[2] - z));
   advanceHand(hand, player, TICK);
   reachForWick(world, TICK);

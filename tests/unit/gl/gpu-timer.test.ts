@@ -15,7 +15,7 @@ function place() {
     getQueryParameter: (query: number, name: number) => (name === 1 ? driver.isReady : query),
     getParameter: () => {
       const { isDisjoint } = driver;
-      driver.isDisjoint = false; // it is told once
+      driver.isDisjoint = false; // reading it resets it
       return isDisjoint;
     },
   };
