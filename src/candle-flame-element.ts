@@ -112,6 +112,10 @@ export class CandleFlameElement extends ReflectedAttributes {
     });
   }
 
+  adoptedCallback(): void {
+    if (this.isConnected) this.#lifecycle.restart(); // listeners are the former document's
+  }
+
   attributeChangedCallback(name: SettingName, before: string | null, after: string | null): void {
     const lifecycle = this.#lifecycle;
     if (name === "poster") lifecycle.posterChanged();
@@ -294,11 +298,9 @@ export class CandleFlameElement extends ReflectedAttributes {
         reject(new Error("There is no picture yet: wait for `ready`."));
         return;
       }
-      session.canvas.toBlob(
-        (blob) => (blob ? resolve(blob) : reject(new Error(`No picture of type ${type}.`))),
-        type,
-        quality,
-      );
+      const done = (blob: Blob | null) =>
+        blob ? resolve(blob) : reject(new Error(`No picture of type ${type}.`));
+      session.canvas.toBlob(done, type, quality);
     });
   }
 

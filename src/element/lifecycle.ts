@@ -89,7 +89,7 @@ export class Lifecycle {
   }
 
   /** Like a removal and a new insertion, but the simulated time continues. */
-  #restart(): void {
+  restart(): void {
     if (!this.#machine.send("restart")) return;
     const { candle, shownRequest } = this.#session ?? {};
     const snapshot = candle && takeSnapshot(candle.world);
@@ -101,13 +101,13 @@ export class Lifecycle {
 
   /** An attribute was set that decides which models are fetched. */
   sceneChanged(): void {
-    if (this.#states.has("alone") !== (this.#element.scene === "candle")) this.#restart();
+    if (this.#states.has("alone") !== (this.#element.scene === "candle")) this.restart();
     this.#session?.follow();
   }
 
   /** After a failure, another value of an attribute may do better. */
   retry(): void {
-    if (this.#machine.current === "failed" && this.#element.isConnected) this.#restart();
+    if (this.#machine.current === "failed" && this.#element.isConnected) this.restart();
   }
 
   posterChanged(): void {
@@ -173,7 +173,7 @@ export class Lifecycle {
         this.#overlay.clearFailure();
         this.#load();
       },
-      release: () => this.#restart(),
+      release: () => this.restart(),
     };
     if (!contextPool.request(this.#client) && this.#client) this.#overlay.fail(FULL, "status");
   }
@@ -209,7 +209,7 @@ export class Lifecycle {
   }
 
   onMissing(error: Error): void {
-    if (this.#session?.shownRequest) {
+    if (this.#session?.shownRequest || this.#session?.isFetching) {
       this.onFetchDropped();
       this.#emitError(error);
     } else this.#fail(error);
@@ -328,7 +328,7 @@ export class Lifecycle {
 
   #offerReload(): void {
     this.#overlay.fail(LOST, "alert", () => {
-      this.#restart();
+      this.restart();
       // The focus would go with the button.
       if (this.#element.controls) this.#element.focus({ preventScroll: true });
     });

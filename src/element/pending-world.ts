@@ -28,6 +28,11 @@ export class PendingWorld {
     return structuredClone({ ...saved, ...this.#camera });
   }
 
+  /** Request of the scene that the snapshot was taken in. */
+  get request(): SceneRequest | null {
+    return this.#saved?.request ?? null;
+  }
+
   get currentTime(): number {
     return this.#saved ? timeOf(this.#saved.snapshot) : 0;
   }

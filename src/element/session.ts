@@ -3,7 +3,7 @@ import { createCandle, measureTarget } from "../create-candle.js";
 import { type Device, FirstPersonInput } from "../input/first-person-input.js";
 import { type CanvasTarget, createCanvasTarget } from "../scenes/canvas-target.js";
 import { areSame, loadScene, type Scene, type SceneRequest } from "../scenes/scene.js";
-import type { Features, Inspection, Look, SceneName } from "../settings.js";
+import type { Features, Inspection, Look } from "../settings.js";
 import { CandleList } from "./candle-list.js";
 import { watchContext } from "./context-watch.js";
 import { guessDevicePixels, observeDevicePixels, type Size } from "./device-pixels.js";
@@ -25,8 +25,6 @@ export interface SessionInput {
  */
 export class Session {
   readonly canvas: HTMLCanvasElement;
-  /** Scene that the canvas was made for. */
-  readonly sceneName: SceneName;
   readonly #input: SessionInput;
   readonly #owner: Lifecycle;
   readonly #signal: AbortSignal;
@@ -56,7 +54,6 @@ export class Session {
   ) {
     const { scene, quality } = input.attributes;
     this.canvas = canvas;
-    this.sceneName = scene;
     this.#input = input;
     this.#owner = owner;
     this.#signal = signal;
@@ -129,7 +126,7 @@ export class Session {
    * Fetches the scene asked for, and aborts the fetch before it. The shown scene stays until the new models have
    * loaded, and if they fail to load.
    */
-  async #fetch(): Promise<void> {
+  async #fetch(request = this.#request): Promise<void> {
     this.#loading?.abort();
     this.#loading = new AbortController();
     const { signal } = this.#loading;
@@ -140,7 +137,6 @@ export class Session {
       most = progress;
       this.#owner.onProgress(progress);
     };
-    const request = this.#request;
     this.#pendingRequest = request;
     let scene: Scene;
     try {
@@ -148,12 +144,15 @@ export class Session {
     } catch (error) {
       if (signal.aborted) return;
       this.#pendingRequest = null;
+      const last = this.#shownRequest ? null : this.#owner.pending.request;
+      // After a restart, what was shown because this had failed before.
+      if (last?.scene === request.scene && !areSame(last, request)) void this.#fetch(last);
       this.#owner.onMissing(error as Error);
       return;
     }
     if (signal.aborted) return scene.close();
     this.#pendingRequest = null;
-    this.#shownRequest = this.#request;
+    this.#shownRequest = areSame(request, this.#request) ? this.#request : request;
     this.#show(scene);
   }
 
