@@ -119,7 +119,7 @@ export class CandleFlame {
     this.world.moon = moonOver(this.#scene, options);
     air.wind = options.wind;
     flame.wick = wickOf(this.#scene, options);
-    if (options.look !== before.look) this.#changeLook();
+    if (options.look !== before.look && !this.#scene.isModelAlone) this.#changeLook();
     else if (options.seed !== before.seed) this.reset();
     else if (options.particles !== before.particles) this.view.follow(this.#subject);
     if (options.quality !== before.quality) this.view.rebuild();

@@ -1,0 +1,35 @@
+import { expect, test, vi } from "vitest";
+import { CandleFlame, type Options } from "../../src/candle-flame.ts";
+import type { CanvasTarget } from "../../src/scenes/canvas-target.ts";
+import type { Scene } from "../../src/scenes/scene.ts";
+import { allFeatures } from "../../src/settings.ts";
+
+const OPTIONS = {
+  look: "paper",
+  seed: 1,
+  quality: "low",
+  wind: { speed: 0, direction: 0, gustiness: 0 },
+  moon: { illuminance: null, direction: null },
+} as Options;
+
+/** A candle that draws nothing. */
+function create(isModelAlone: boolean): CandleFlame {
+  const createRenderer = () => ({ resize: () => {}, setLayers: () => {} });
+  const scene = { wicks: [], room: null, createPlume: null, isModelAlone, createRenderer };
+  const target = { gpu: { isLost: false, longestSide: 4096 } };
+  return new CandleFlame(
+    target as unknown as CanvasTarget,
+    scene as unknown as Scene,
+    allFeatures(),
+    OPTIONS,
+  );
+}
+
+test("a look, which lone candles have none of, leaves their world as it is", () => {
+  const candle = create(true);
+  const { world } = candle;
+  candle.onLookChanged = vi.fn();
+  candle.options = { ...OPTIONS, look: "original" };
+  expect(candle.world).toBe(world);
+  expect(candle.onLookChanged).not.toHaveBeenCalled();
+});
