@@ -23,12 +23,12 @@ import type { ViewSubject } from "./scenes/view-subject.js";
 import type { Features } from "./settings.js";
 import type { Stats } from "./stats.js";
 import { advance } from "./world/advance.js";
-import { moveCamera, standLike } from "./world/commands.js";
+import { moveCamera, standCandle, standLike } from "./world/commands.js";
 import type { WorldOptions } from "./world/create-world.js";
 import { candleCount, litFlames, rootedFlame, wickAtFlame } from "./world/flames.js";
 import { withCount } from "./world/particles/particle-layer.js";
 import { STILL } from "./world/player/intent.js";
-import { restoreSnapshot, type Snapshot } from "./world/snapshot.js";
+import { restoreSnapshot, type Snapshot, takeSnapshot } from "./world/snapshot.js";
 import { currentTime, type World } from "./world/world.js";
 
 export type { Options } from "./scene-world.js";
@@ -183,9 +183,12 @@ export class CandleFlame {
 
   /** Another look: the same time, and the camera in its place, or inside the new look's walls. */
   #changeLook(): void {
-    const { player } = this.world;
-    const world = this.#sameTimeAs(this.world, { areLit: litFlames(this.world).slice(1) });
-    moveCamera(world, player.position, player.yaw, player.pitch);
+    const { position, yaw, pitch, areLit, stand } = takeSnapshot(this.world);
+    const { setup, formerStand } = this.world;
+    const world = this.#sameTimeAs(this.world, { areLit: areLit ?? [] });
+    moveCamera(world, position, yaw, pitch);
+    world.formerStand = setup.stand === null ? stand : formerStand;
+    if (world.formerStand) standCandle(world, world.formerStand.position, world.formerStand.yaw);
     this.#replace(world);
     this.onLookChanged();
   }
@@ -204,12 +207,8 @@ export class CandleFlame {
   /** Continues from a snapshot; in another room, from that room's start. */
   resume(snapshot: Snapshot, isSameRoom: boolean): void {
     const { tick: age, isLit, areLit, fieldOfView } = snapshot;
-    this.world = this.#createWorld({
-      age,
-      isLit,
-      fieldOfView,
-      ...(isSameRoom && areLit && { areLit }),
-    });
+    const others = isSameRoom && areLit ? { areLit } : {};
+    this.world = this.#createWorld({ age, isLit, fieldOfView, ...others });
     this.world.remainder = snapshot.remainder;
     if (isSameRoom) restoreSnapshot(this.world, snapshot);
     this.view.follow(this.#subject);

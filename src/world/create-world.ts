@@ -93,6 +93,7 @@ export function* createWorldInSteps(
     sways: options.sways ?? true,
     refusal: null,
     moon: options.moon ?? null,
+    formerStand: null,
   };
   room?.plan.setObstacle(null);
   yield* warmUp(world, wind);

@@ -2,7 +2,7 @@ import { moveCamera, standCandle } from "./commands.js";
 import { litFlames } from "./flames.js";
 import type { Vec3 } from "./geometry.js";
 import { TICK } from "./timeline.js";
-import type { World } from "./world.js";
+import type { Stand, World } from "./world.js";
 
 /**
  * Snapshot of a world: its time, its camera, and the candle's place and flame.
@@ -18,8 +18,8 @@ export interface Snapshot {
   readonly pitch: number;
   /** Null: the setup's. */
   readonly fieldOfView: number | null;
-  /** Where the candle stands, and how it is turned; null while it is held. */
-  readonly stand: { readonly position: Readonly<Vec3>; readonly yaw: number } | null;
+  /** Null while the candle is held. */
+  readonly stand: Stand | null;
   readonly isLit: boolean;
   /** Whether each of the standing candles burns; null: as at first. */
   readonly areLit: readonly boolean[] | null;

@@ -63,6 +63,14 @@ export interface World {
   refusal: Refusal | null;
   /** Null where it does not shine. */
   moon: Moon | null;
+  /** Where the candle stood before a look that stands it elsewhere; null if it was held. */
+  formerStand: Stand | null;
+}
+
+/** Place of a candle that was put down, and how it is turned. */
+export interface Stand {
+  readonly position: Readonly<Vec3>;
+  readonly yaw: number;
 }
 
 /** Seconds simulated since the beginning. */

@@ -3,6 +3,7 @@ import { CandleFlame, type Options } from "../../src/candle-flame.ts";
 import type { CanvasTarget } from "../../src/scenes/canvas-target.ts";
 import type { Scene } from "../../src/scenes/scene.ts";
 import { allFeatures } from "../../src/settings.ts";
+import { placeCandle } from "../../src/world/commands.ts";
 
 const OPTIONS = {
   look: "paper",
@@ -32,4 +33,18 @@ test("a look, which lone candles have none of, leaves their world as it is", () 
   candle.options = { ...OPTIONS, look: "original" };
   expect(candle.world).toBe(world);
   expect(candle.onLookChanged).not.toHaveBeenCalled();
+});
+
+test("a candle that was put down stands there again after a look that has a place of its own for it", () => {
+  const candle = create(false);
+  placeCandle(candle.world);
+  const { position } = candle.world.candle;
+  candle.onCandleMoved = vi.fn();
+  for (const look of ["original", "paper"] as const) candle.options = { ...OPTIONS, look };
+  expect(candle.world.candle).toMatchObject({ isHeld: false, position: [...position] });
+  expect(candle.onCandleMoved).not.toHaveBeenCalled();
+  candle.options = { ...OPTIONS, look: "original" };
+  candle.reset();
+  candle.options = OPTIONS;
+  expect(candle.world.candle.isHeld, "as if new").toBe(true);
 });
