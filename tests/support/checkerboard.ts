@@ -56,7 +56,7 @@ export class CheckerboardScene {
    * @param held place of what is held
    * @returns by pixel, rows from the bottom: the place that is seen there, metres, and a number below 0 if it was kept
    */
-  draw(eye: Vec3, yaw: number, held: Vec3): number[] {
+  draw(eye: Vec3, yaw: number, held: Vec3): Float32Array {
     const gpu = this.#gpu;
     const clip = clipFromWorld(eye, yaw, 0, SIZE.width / SIZE.height);
     this.#frame.update({
@@ -105,7 +105,7 @@ export class CheckerboardScene {
     return this.#read(radiance);
   }
 
-  #read(texture: Texture): number[] {
+  #read(texture: Texture): Float32Array {
     const view = this.#gpu.textureView({ label: "read", textures: [texture], image: 0 });
     const { width, height } = SIZE;
     const texels = new Float32Array(width * height * 4);
@@ -114,7 +114,7 @@ export class CheckerboardScene {
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, texels);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     view.dispose();
-    return Array.from(texels, (value, i) => (i % 4 < 3 ? value - 8 : value));
+    return texels.map((value, i) => (i % 4 < 3 ? value - 8 : value));
   }
 
   /** Forgets the frames before. */

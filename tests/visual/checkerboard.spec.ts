@@ -1,4 +1,5 @@
 import type { Browser, Page } from "playwright/test";
+import { drawOneSample } from "../support/one-sample.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
 import { openSources } from "../support/sources.ts";
@@ -17,9 +18,9 @@ const STRIDE = { across: 0.012, away: 0.02, turned: 0.006 } as const;
 
 interface Frame {
   /** By pixel: place, and a number below 0 if it was kept. */
-  readonly kept: readonly number[];
+  readonly kept: Float32Array;
   /** The same of all pixels shaded. */
-  readonly shaded: readonly number[];
+  readonly shaded: Float32Array;
 }
 
 let page: Page;
@@ -53,7 +54,7 @@ function drawWalk(count: number, isStill: boolean) {
           scene.draw([x, 0, z], stride.turned * number, [x - 0.2, 0, z - 1]);
         const kept = draw(scene);
         whole.release();
-        return { kept, shaded: count - number <= last ? draw(whole) : [] };
+        return { kept, shaded: count - number <= last ? draw(whole) : new Float32Array() };
       });
       for (const drawn of [scene, whole]) drawn.dispose();
       const shares = frames.map(({ kept }) => {
@@ -153,10 +154,11 @@ test("In still light it is what was at the same place, too, and luminance for ea
   expect(errors.at(-1)).toBeLessThan(0.07);
   const onLeft = kept.filter((pixel) => last.shaded[4 * pixel]! < -0.1);
   expect(onLeft.length).toBeGreaterThan(20);
-  for (const pixel of onLeft) {
-    const alpha = last.shaded[4 * pixel + 3]!;
-    expect(Math.abs(luminancePerLux(last.kept[4 * pixel + 3]!) - alpha)).toBeLessThan(1e-6);
-  }
+  const wrong = onLeft.map((pixel) => {
+    const [kept = 0, shaded = 0] = [last.kept, last.shaded].map((frame) => frame[4 * pixel + 3]);
+    return Math.abs(luminancePerLux(kept) - shaded);
+  });
+  expect(Math.max(...wrong)).toBeLessThan(1e-6);
 });
 
 test("What is held is shaded in each frame", () => {
@@ -173,7 +175,7 @@ const SIZE = { width: 96, height: 54 };
 interface Walked {
   readonly drawCalls: number;
   readonly gpuBytes: number;
-  readonly radiance: readonly number[];
+  readonly radiance: Float32Array;
 }
 
 /**
@@ -183,6 +185,7 @@ interface Walked {
 async function walk(browser: Browser) {
   const page = await browser.newPage();
   await serveSmallTextures(page);
+  await drawOneSample(page);
   // All pixels are shaded where a processor draws.
   await page.addInitScript(() => {
     const { getParameter } = WebGL2RenderingContext.prototype;
@@ -205,8 +208,7 @@ async function walk(browser: Browser) {
     const draw = (): Walked => {
       element.step(0);
       const { width, height, drawCalls, gpuBytes } = element.stats;
-      const radiance = Array.from(element.readRadiance(0, 0, width, height));
-      return { drawCalls, gpuBytes, radiance };
+      return { drawCalls, gpuBytes, radiance: element.readRadiance(0, 0, width, height) };
     };
     const frames = (seconds: number) => {
       element.camera = view;
@@ -237,12 +239,12 @@ async function walk(browser: Browser) {
 let walked: ReturnType<typeof walk> | null = null;
 
 /** Relative errors of a frame's radiance: of all values from the least to the largest. */
-function errorsOf({ radiance }: Walked, whole: Walked): readonly number[] {
+function errorsOf({ radiance }: Walked, whole: Walked): Float32Array {
   return radiance
     .map((value, k) => Math.abs(value / Math.max(whole.radiance[k]!, 1e-9) - 1))
     .sort((a, b) => a - b);
 }
-const at = (errors: readonly number[], share: number) => errors[Math.floor(share * errors.length)];
+const at = (errors: Float32Array, share: number) => errors[Math.floor(share * errors.length)];
 
 test("A walk in the cabin shows what one sees who stops, in few draws, and frees what it took", async ({
   browser,
@@ -268,8 +270,8 @@ test("So does a walk by the moon alone, of which more is kept", async ({ browser
     const errors = errorsOf(frame, shaded[i]!);
     const [median, most] = [at(errors, 0.5), at(errors, 0.95)];
     console.log(`by the moon: median ${median}, 95th percentile ${most}`);
-    expect(at(errors, 0.9), "of what is kept").toBeGreaterThan(0);
     expect(median).toBeLessThan(0.02);
+    expect(most, "of what is kept").toBeGreaterThan(0);
     expect(most).toBeLessThan(0.15);
     expect(frame.gpuBytes - shaded[i]!.gpuBytes).toBe(SIZE.width * SIZE.height * 12);
   }
