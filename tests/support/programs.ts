@@ -28,11 +28,13 @@ function member(name: string): string {
   return name.replace(/\[0\]$/, "").replace(/\[\d+\]\./, "[].");
 }
 
-/** Draws a look for a few frames, and tells of each program that took part. Runs in the browser. */
+/**
+ * Draws a look for a few frames, and tells of each program that took part: the physical one in the cabin, from `medium` on
+ * first without the moon. Runs in the browser.
+ */
 export async function reportPrograms(
   look: Look,
   quality: Quality = "medium",
-  isMoonlit = false,
 ): Promise<ProgramReport[]> {
   const made: { program: Program; stages: string[]; set: Set<string> }[] = [];
   const members = new Map<string, Set<string>>();
@@ -65,11 +67,11 @@ export async function reportPrograms(
   };
   try {
     const canvas = document.createElement("canvas");
-    const scene = await loadRoom(isMoonlit ? "physical" : "paper");
+    const scene = await loadRoom(look);
     const screen = createCanvasTarget("room", canvas);
     // By its name a GPU, on which frames in motion have shaders of their own.
     if (quality !== "low") Object.assign(screen.gpu, { renderer: "A GPU" });
-    const candle = new CandleFlame(screen, scene, allFeatures(), {
+    const moonless = {
       look,
       seed: 1,
       quality,
@@ -79,9 +81,16 @@ export async function reportPrograms(
       unlit: false,
       litWicks: null,
       wick: 0.002,
-      moon: { illuminance: isMoonlit ? 0.15 : 0, direction: null },
+      moon: { illuminance: 0, direction: null },
       wind: { speed: 0, direction: 0, gustiness: 0 },
-    });
+    };
+    const moonlit = { ...moonless, moon: { illuminance: 0.15, direction: null } };
+    const candle = new CandleFlame(
+      screen,
+      scene,
+      allFeatures(),
+      quality === "low" ? moonlit : moonless,
+    );
     candle.view.resize(48, 27);
     for (let i = 0; i < 3; i++) candle.step(1 / 60);
     await screen.gpu.whenIdle();
@@ -100,18 +109,18 @@ export async function reportPrograms(
       candle.step(1 / 60);
       candle.view.resize(48, 27);
     }
-    candle.play();
-    for (let picture = 0; picture < 3; picture++) {
-      candle.world.player.yaw += 0.02;
-      candle.step(1 / 60);
+    moveAndPutOut(candle);
+    if (look === "physical") {
+      candle.options = moonlit;
+      candle.world.flame.light();
+      candle.step(0.1);
+      moveAndPutOut(candle);
+      candle.step(8); // the moon alone, when the ember is cold
     }
-    candle.pause();
-    candle.world.flame.extinguish(); // smoke has its own, too
-    candle.step(0.1);
-    if (isMoonlit) candle.step(8); // the moon alone, when the ember is cold
     candle.world.flame.light();
-    for (const inspect of ["radiance", "haze"] as const) {
-      candle.view.inspect = inspect; // made when it is first looked at
+    // Made when it is first looked at; at low all that is looked at is of another tier.
+    for (const inspect of quality === "low" ? [] : (["radiance", "haze"] as const)) {
+      candle.view.inspect = inspect;
       candle.step(0.1);
     }
     const gl = canvas.getContext("webgl2");
@@ -135,6 +144,18 @@ export async function reportPrograms(
     Program.prototype.set = original.set;
     UniformBlock.prototype.update = original.update;
   }
+}
+
+/** In motion there are programs of its own, and for smoke. */
+function moveAndPutOut(candle: CandleFlame): void {
+  candle.play();
+  for (let picture = 0; picture < 3; picture++) {
+    candle.world.player.yaw += 0.02;
+    candle.step(1 / 60);
+  }
+  candle.pause();
+  candle.world.flame.extinguish();
+  candle.step(0.1);
 }
 
 /** What a program says with a word too many at the end of either of its stages. */
@@ -183,7 +204,6 @@ export function complaintOf(vertex: ShaderSource, fragment: ShaderSource): strin
   }
 }
 
-/** The paper's room, which loads fast, or the cabin, which has a window. */
 function loadRoom(look: Look): Promise<Scene> {
   const assetRoot = new URL("/", location.href).href;
   const { signal } = new AbortController();
