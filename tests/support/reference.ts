@@ -71,19 +71,11 @@ function averaged(radiance: Float32Array, width: number, height: number) {
 /** Our radiance of a view and where the flame is. */
 export async function renderView(room: RoomDriver, view: Staging) {
   await room.evaluate(stageView, view);
-  const { text, ...rest } = await room.evaluate((element) => {
+  const { radiance, ...rest } = await room.evaluate((element) => {
     const { width, height } = element.stats;
-    const bytes = new Uint8Array(element.readRadiance(0, 0, width, height).buffer);
-    let text = "";
-    for (let i = 0; i < bytes.length; i += 4096) {
-      text += String.fromCharCode(...bytes.subarray(i, i + 4096));
-    }
-    return { text: btoa(text), width, height, position: element.flame?.position };
+    const radiance = element.readRadiance(0, 0, width, height);
+    return { radiance, width, height, position: element.flame?.position };
   });
-  const bytes = Buffer.from(text, "base64");
-  const radiance = new Float32Array(
-    bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength),
-  );
   return { ...rest, ...averaged(radiance, rest.width, rest.height) };
 }
 

@@ -208,7 +208,7 @@ export class RoomDriver {
 
   /** The picture as a PNG file. */
   async png(change: Change = {}): Promise<Buffer> {
-    const text = await this.evaluate(async (element, change) => {
+    const bytes = await this.evaluate(async (element, change) => {
       const {
         attributes = {},
         isReset,
@@ -238,10 +238,9 @@ export class RoomDriver {
         element.blow(breath);
       }
       if (seconds !== undefined) element.step(seconds);
-      const bytes = new Uint8Array(await (await element.toBlob()).arrayBuffer());
-      return bytes.reduce((text, byte) => text + String.fromCharCode(byte), "");
+      return new Uint8Array(await (await element.toBlob()).arrayBuffer());
     }, change);
-    return Buffer.from(text, "latin1");
+    return Buffer.from(bytes);
   }
 
   /** The picture's pixels, 8-bit RGBA, rows from the top. */

@@ -87,6 +87,7 @@ test.describe("Beside a path tracer's picture of the same room", () => {
 
   test("there are five views or more", () => {
     expect(views.length).toBeGreaterThanOrEqual(5);
+    expect(views.map(({ name }) => name).sort()).toEqual(Object.keys(MEASURED).sort());
   });
 
   test("and they are lit by the flame as it is now", () => {

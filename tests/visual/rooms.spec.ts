@@ -79,32 +79,43 @@ const views = tracedViews.filter(({ room }) => room !== undefined);
 
 test("There are rooms of several kinds", () => {
   expect(new Set(views.map(({ room }) => room)).size).toBeGreaterThanOrEqual(5);
+  const names = views.map(({ name }) => name).sort();
+  for (const tier of Object.values(MEASURED)) expect(Object.keys(tier).sort()).toEqual(names);
 });
 
-for (const quality of ["high", "low"] as const) {
-  for (const view of views.filter(({ name }) => name in MEASURED[quality])) {
-    const { name, room = "" } = view;
-    test(`At ${quality} the light of “${name}” is a path tracer's`, async () => {
-      const driver = await open(room, quality);
-      const mine = await renderView(driver, view);
-      for (const axis of [0, 1, 2] as const) {
-        expect(mine.position?.[axis]).toBeCloseTo(view.flame.position[axis], 3);
-      }
-      const measured = errorsBesideReference(view, mine, BLOCK[quality]);
-      const report = Object.entries(measured).map(([what, x]) => `${what}: ${x.toFixed(3)}`);
-      console.log(`${quality} "${name}": { ${report.join(", ")} },`);
-      const before = MEASURED[quality][name] ?? NONE;
-      const limits = LIMITS[HAVE_DOORS.test(name) ? "through doors" : quality];
-      expect.soft(measured.median).toBeLessThanOrEqual(limits.median);
-      expect.soft(measured.high).toBeLessThanOrEqual(limits.high);
-      expect.soft(Math.abs(measured.mean)).toBeLessThanOrEqual(limits.mean);
-      expect.soft(measured.median).toBeLessThanOrEqual(before.median + MARGIN.median);
-      expect.soft(measured.high).toBeLessThanOrEqual(before.high + MARGIN.high);
-      expect.soft(Math.abs(measured.mean - before.mean)).toBeLessThanOrEqual(MARGIN.mean);
-      expect(driver.complaints).toEqual([]);
-    });
-  }
+/** Each room is loaded once, at low, which prepares its light in a fraction of the time. */
+const inTurn = [...new Set(views.map(({ room }) => room))].flatMap((room) =>
+  (["low", "high"] as const).flatMap((quality) =>
+    views
+      .filter((view) => view.room === room && view.name in MEASURED[quality])
+      .map((view) => ({ quality, view })),
+  ),
+);
 
+for (const { quality, view } of inTurn) {
+  const { name, room = "" } = view;
+  test(`At ${quality} the light of “${name}” is a path tracer's`, async () => {
+    const driver = await open(room, quality);
+    const mine = await renderView(driver, view);
+    for (const axis of [0, 1, 2] as const) {
+      expect(mine.position?.[axis]).toBeCloseTo(view.flame.position[axis], 3);
+    }
+    const measured = errorsBesideReference(view, mine, BLOCK[quality]);
+    const report = Object.entries(measured).map(([what, x]) => `${what}: ${x.toFixed(3)}`);
+    console.log(`${quality} "${name}": { ${report.join(", ")} },`);
+    const before = MEASURED[quality][name] ?? NONE;
+    const limits = LIMITS[HAVE_DOORS.test(name) ? "through doors" : quality];
+    expect.soft(measured.median).toBeLessThanOrEqual(limits.median);
+    expect.soft(measured.high).toBeLessThanOrEqual(limits.high);
+    expect.soft(Math.abs(measured.mean)).toBeLessThanOrEqual(limits.mean);
+    expect.soft(measured.median).toBeLessThanOrEqual(before.median + MARGIN.median);
+    expect.soft(measured.high).toBeLessThanOrEqual(before.high + MARGIN.high);
+    expect.soft(Math.abs(measured.mean - before.mean)).toBeLessThanOrEqual(MARGIN.mean);
+    expect(driver.complaints).toEqual([]);
+  });
+}
+
+for (const quality of ["low", "high"] as const) {
   test(`At ${quality} a wall of 12 cm lets a thousandth of the light through at most`, async () => {
     const driver = await open("sealed", quality);
     const luminances = async (position: [number, number, number], yaw: number) => {
