@@ -8,7 +8,7 @@ import type {
   Look,
   Stats,
 } from "../../src/candle-flame-element.ts";
-import type { Inspection } from "../../src/settings.ts";
+import type { Inspection, Quality } from "../../src/settings.ts";
 import { ORIGINS } from "./browser.ts";
 import { serveSmallTextures } from "./small-textures.ts";
 
@@ -122,12 +122,12 @@ export class RoomDriver {
   }
 
   /** Brings an opened element back to how one opens, paused at time 0. */
-  async restore(): Promise<void> {
-    await this.change("paper");
-    await this.evaluate((element) => {
+  async restore(look: Look = "paper", quality?: Quality): Promise<void> {
+    await this.change(look);
+    await this.evaluate((element, quality) => {
       element.blur();
       element.paused = true;
-      element.quality = "medium";
+      if (quality) element.quality = quality;
       element.moonlight = 0;
       const kept = ["paused", "look", "quality", "moonlight"];
       for (const name of element.getAttributeNames()) {
@@ -137,7 +137,7 @@ export class RoomDriver {
         element.features[name] = true;
       }
       element.reset();
-    });
+    }, quality);
   }
 
   /** Runs a function on the element in the page. */

@@ -3,6 +3,7 @@ import type { Camera } from "../../src/candle-flame-element.ts";
 import { luma } from "../../src/light/color.ts";
 import { carriedFlame, flameLight, TAPER } from "../../src/light/flame-light.ts";
 import { createWorld } from "../../src/world/create-world.ts";
+import { drawOneSample } from "../support/one-sample.ts";
 import { plainRoom } from "../support/plain-room.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
@@ -115,6 +116,7 @@ function penumbra(places: readonly number[], values: readonly number[]): number 
 
 test.beforeAll(async ({ browser }) => {
   page = await browser.newPage();
+  await drawOneSample(page);
   room = await new RoomDriver(page).open(
     { look: "physical", quality: "high", motion: "reduced" },
     { ...SIZE, model: plainRoom(ROOM, [SLAB, WIRE], ALBEDO) },

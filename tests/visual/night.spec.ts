@@ -168,13 +168,10 @@ test.describe("The night", () => {
   });
 
   test("follows the moon in a running animation, after frames in which a part is prepared", async ({
-    page,
+    cabin: room,
   }) => {
-    await drawOneSample(page);
-    const room = await new RoomDriver(page).open(
-      { ...NIGHT, unlit: "", particles: "0" },
-      { width: 160, height: 90 },
-    );
+    await room.set({ ...NIGHT, unlit: "", particles: "0" });
+    await room.evaluate((element) => element.reset());
     const { before, frames, after, exact } = await room.evaluate((element, camera) => {
       const light = () => element.readRadiance(0, 0, 160, 90).reduce((sum, x) => sum + x, 0);
       const stepTo = (direction: string) => {
@@ -199,8 +196,7 @@ test.describe("The night", () => {
     expect(after).toBeCloseTo(exact, 6);
   });
 
-  test("is nothing to the paper's look", async ({ page }) => {
-    const room = await new RoomDriver(page).open({}, { width: 160, height: 90 });
+  test("is nothing to the paper's look", async ({ room }) => {
     const before = await room.pixels({ isReset: true, seconds: 0.1 });
     await room.set({ moonlight: "0.3" });
     expect(await room.pixels({ isReset: true, seconds: 0.1 })).toBe(before);

@@ -1,8 +1,6 @@
 import { SparkSchedule } from "../../src/world/particles/sparks.ts";
 import { TICK } from "../../src/world/timeline.ts";
-import { drawOneSample } from "../support/one-sample.ts";
-import { RoomDriver } from "../support/room-driver.ts";
-import { serveSmallTextures } from "../support/small-textures.ts";
+import type { RoomDriver } from "../support/room-driver.ts";
 import { openSources } from "../support/sources.ts";
 import { expect, test } from "../support/test.ts";
 
@@ -15,11 +13,8 @@ function soonest(): { seed: number; tick: number } {
   return spits.find(({ tick }) => tick > 0) ?? { seed: 0, tick: 0 };
 }
 
-test("A flame put out smokes for seconds, and no longer than twenty", async ({ page }) => {
-  await serveSmallTextures(page);
-  await drawOneSample(page);
-  const options = { look: "physical", controls: "", quality: "low" };
-  const room = await new RoomDriver(page).open(options, { width: 160, height: 90 });
+test("A flame put out smokes for seconds, and no longer than twenty", async ({ cabin: room }) => {
+  await room.set({ quality: "low", controls: "" });
   const withAndWithout = async () => {
     const whole = await room.pixels();
     await room.switchFeatures({ smoke: false });
@@ -48,7 +43,6 @@ test("A flame put out smokes for seconds, and no longer than twenty", async ({ p
   await room.step(18);
   const over = await withAndWithout();
   expect(over.whole, "all smoke has gone").toBe(over.without);
-  expect(room.complaints).toEqual([]);
 });
 
 /** Radiance that smoke adds in the upper half of the picture, at most, cd/m². */
@@ -65,17 +59,12 @@ function brightestSmoke(room: RoomDriver): Promise<number> {
 }
 
 test("Hot air refracts the background, dust drifts through the light, and the wick throws sparks", async ({
-  page,
+  cabin: room,
 }) => {
   const { seed, tick } = soonest();
-  await serveSmallTextures(page);
-  await drawOneSample(page);
-  const attributes = { look: "physical", quality: "medium", seed: String(seed), motion: "full" };
-  const size = { width: 192, height: 108 };
-  const room = await new RoomDriver(page).open(attributes, size);
+  await room.set({ quality: "medium", seed: String(seed), motion: "full" });
   await expectHaze(room);
   await expectMotes(room, tick);
-  expect(room.complaints).toEqual([]);
 });
 
 async function expectHaze(room: RoomDriver): Promise<void> {

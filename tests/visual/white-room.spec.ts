@@ -1,5 +1,6 @@
 import type { Page } from "playwright/test";
 import { luma } from "../../src/light/color.ts";
+import { drawOneSample } from "../support/one-sample.ts";
 import { plainRoom } from "../support/plain-room.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
@@ -17,6 +18,7 @@ let page: Page;
 
 test.beforeAll(async ({ browser }) => {
   page = await browser.newPage();
+  await drawOneSample(page);
 });
 test.afterAll(() => page.close());
 
