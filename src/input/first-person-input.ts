@@ -54,7 +54,7 @@ export class FirstPersonInput {
     host.addEventListener("keydown", this.#keyDown, { signal });
     host.addEventListener("keyup", (event) => this.#keyboard.lift(event), { signal });
     host.addEventListener("blur", () => this.leave(), { signal });
-    canvas.addEventListener("click", this.#click, { signal });
+    host.addEventListener("click", this.#click, { signal });
     canvas.addEventListener("pointerdown", this.#pointerDown, { signal });
     canvas.addEventListener("pointermove", this.#pointerMove, { signal });
     canvas.addEventListener("pointerup", this.#pointerUp, { signal });
@@ -165,7 +165,9 @@ export class FirstPersonInput {
   }
 
   /** The first click enters the room; with a locked pointer, further clicks are for the flame. */
-  readonly #click = (): void => {
+  readonly #click = (event: MouseEvent): void => {
+    const [target] = event.composedPath();
+    if (target !== this.#canvas && target !== this.#host) return; // of a control in a slot
     if (this.#isIn && this.#isLocked) this.#clicks = true;
     else if (!this.#isIn || !this.#isTouched) this.enter();
   };

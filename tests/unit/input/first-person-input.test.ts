@@ -95,6 +95,16 @@ test("a gamepad's A walks in when it goes down, not when the focus finds it down
   expect(entered.mock.calls).toEqual([[true, "gamepad"]]);
 });
 
+test("a click on the host walks in, as the page's own click() does; one on what it holds does not", () => {
+  const { host, entered } = place();
+  const click = (target: EventTarget) =>
+    host.dispatchEvent(Object.assign(new Event("click"), { composedPath: () => [target, host] }));
+  click(new EventTarget());
+  expect(entered).not.toHaveBeenCalled();
+  click(host);
+  expect(entered).toHaveBeenCalledOnce();
+});
+
 test("without the focus nobody is in, and no lock is asked for", () => {
   const { input, host, entered } = place();
   const setTimeout = vi.fn();
