@@ -1,3 +1,4 @@
+import { SETTINGS } from "../settings.js";
 import type { Overlay } from "./overlay.js";
 import type { ReflectedAttributes } from "./reflected-attributes.js";
 
@@ -37,7 +38,8 @@ export class Accessibility {
     const role = isFailing ? "group" : "application";
     this.#setSemantics({
       role: isImage ? null : role,
-      ariaLabel: isImage ? null : alt,
+      // What takes the focus has a name.
+      ariaLabel: isImage ? null : alt || SETTINGS.alt.default,
       ariaDescription:
         controls && !isFailing ? "Press Enter to walk in, and Escape to leave." : null,
     });

@@ -36,6 +36,13 @@ test("a failure in the room's place says nothing of walking in", () => {
   expect(internals).toMatchObject({ role: "group", ariaLabel: "A candle", ariaDescription: null });
 });
 
+test("an application has a name, even where the image would have none", () => {
+  const { accessibility, host, internals } = create(new Map());
+  host.alt = "";
+  accessibility.update(null);
+  expect(internals.ariaLabel).toBe("A burning candle");
+});
+
 test("without controls the focus goes, unless the page has asked for it", () => {
   const own = new Map<string, string>();
   const page = new Map([["tabindex", "0"]]);
