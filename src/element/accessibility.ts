@@ -20,7 +20,7 @@ export class Accessibility {
   readonly #internals: ElementInternals;
   readonly #overlay: Overlay;
   readonly #own: Partial<Record<Semantic, string | null>> = {};
-  #ownsTabIndex = false;
+  #hadControls = false;
 
   constructor(host: ReflectedAttributes, internals: ElementInternals, overlay: Overlay) {
     this.#host = host;
@@ -49,13 +49,10 @@ export class Accessibility {
     canvas?.setAttribute("role", isNamed ? "img" : "presentation");
     if (isNamed) canvas?.setAttribute("aria-label", alt);
     else canvas?.removeAttribute("aria-label");
-    if (controls && !host.hasAttribute("tabindex")) {
-      host.tabIndex = 0;
-      this.#ownsTabIndex = true;
-    } else if (!controls && this.#ownsTabIndex) {
-      host.removeAttribute("tabindex");
-      this.#ownsTabIndex = false;
-    }
+    const isOwn = host.getAttribute("tabindex") === "0"; // in copies of the element, too
+    if (controls && !host.hasAttribute("tabindex")) host.tabIndex = 0;
+    else if (!controls && this.#hadControls && isOwn) host.removeAttribute("tabindex");
+    this.#hadControls = controls;
   }
 
   /** `ElementInternals`, or in Firefox before 119 the attribute itself unless the page has set it. */

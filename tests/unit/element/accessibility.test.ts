@@ -3,10 +3,10 @@ import { Accessibility } from "../../../src/element/accessibility.ts";
 import type { Overlay } from "../../../src/element/overlay.ts";
 import type { ReflectedAttributes } from "../../../src/element/reflected-attributes.ts";
 
-function create(attributes: Map<string, string>) {
+function create(attributes: Map<string, string>, controls = true) {
   const host = {
     alt: "A candle",
-    controls: true,
+    controls,
     hasAttribute: (name: string) => attributes.has(name),
     getAttribute: (name: string) => attributes.get(name) ?? null,
     removeAttribute: (name: string) => attributes.delete(name),
@@ -43,14 +43,28 @@ test("an application has a name, even where the image would have none", () => {
   expect(internals.ariaLabel).toBe("A burning candle");
 });
 
-test("without controls the focus goes, unless the page has asked for it", () => {
+test("without controls the focus goes, from a copy too, unless the page has its own tabindex", () => {
   const own = new Map<string, string>();
-  const page = new Map([["tabindex", "0"]]);
-  for (const attributes of [own, page]) {
+  const copy = new Map([["tabindex", "0"]]);
+  const page = new Map([["tabindex", "-1"]]);
+  for (const attributes of [own, copy, page]) {
     const { accessibility, host } = create(attributes);
-    expect(attributes.get("tabindex")).toBe("0");
+    expect(attributes.get("tabindex")).toMatch(/0|-1/);
     host.controls = false;
     accessibility.update(null);
   }
-  expect([own.size, page.size]).toEqual([0, 1]);
+  const never = new Map([["tabindex", "0"]]);
+  create(never, false);
+  const later = new Map<string, string>();
+  const { accessibility, host } = create(later);
+  later.set("tabindex", "3");
+  host.controls = false;
+  accessibility.update(null);
+  expect([own, copy, page, never, later].map((one) => one.get("tabindex"))).toEqual([
+    undefined,
+    undefined,
+    "-1",
+    "0",
+    "3",
+  ]);
 });
