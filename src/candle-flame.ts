@@ -119,7 +119,7 @@ export class CandleFlame {
     this.world.moon = moonOver(this.#scene, options);
     air.wind = options.wind;
     flame.wick = wickOf(this.#scene, options);
-    if (options.look !== before.look && !this.#scene.isModelAlone) this.#changeLook();
+    if (options.look !== before.look) this.#changeLook();
     else if (options.seed !== before.seed) this.reset();
     else if (options.particles !== before.particles) this.view.follow(this.#subject);
     if (options.quality !== before.quality) this.view.rebuild();
@@ -183,6 +183,7 @@ export class CandleFlame {
 
   /** Another look: the same time, and the camera in its place, or inside the new look's walls. */
   #changeLook(): void {
+    if (this.#scene.isModelAlone) return this.onLookChanged();
     const { position, yaw, pitch, areLit, stand } = takeSnapshot(this.world);
     const { setup, formerStand } = this.world;
     const world = this.#sameTimeAs(this.world, { areLit: areLit ?? [] });

@@ -26,13 +26,13 @@ function create(isModelAlone: boolean): CandleFlame {
   );
 }
 
-test("a look, which lone candles have none of, leaves their world as it is", () => {
+test("a look, which lone candles have none of, leaves their world as it is, and is reported", () => {
   const candle = create(true);
   const { world } = candle;
   candle.onLookChanged = vi.fn();
   candle.options = { ...OPTIONS, look: "original" };
   expect(candle.world).toBe(world);
-  expect(candle.onLookChanged).not.toHaveBeenCalled();
+  expect(candle.onLookChanged).toHaveBeenCalledOnce();
 });
 
 test("a candle that was put down stands there again after a look that has a place of its own for it", () => {
