@@ -117,7 +117,7 @@ test("where drawing takes no time it rises to `high`: no frame has many draws, o
   await serveSmallTextures(page);
   const room = await new RoomDriver(page).open(
     { look: "physical", quality: "auto" },
-    { width: 1920, height: 1080, paused: false },
+    { width: 1280, height: 720, paused: false },
   );
   const { reached, draws, again } = await room.evaluate(async (element) => {
     const draws = Reflect.get(globalThis, "draws") as Record<"most" | "mostIdle", number>;

@@ -16,6 +16,12 @@ async function openControls(page: Page, opening: Opening = SMALL): Promise<RoomD
   return room;
 }
 
+/** Gives an open room controls. */
+async function addControls(room: RoomDriver): Promise<void> {
+  await room.set({ controls: "" });
+  await room.stand(LOOKS_ALONG);
+}
+
 async function enterByKeyboard(room: RoomDriver): Promise<void> {
   await room.evaluate((element) => element.focus());
   await room.page.keyboard.press("Enter");
@@ -250,27 +256,23 @@ test.describe("Walls", () => {
         expect(farthest, `${name}, steps of ${seconds} s`).toBe(4.5);
       }
     }
+    await page.keyboard.up("ShiftLeft");
+
+    await test.step("let a walker slide along them", async () => {
+      await room.stand({ position: [0, 1.6, -4.5], yaw: Math.PI / 4 });
+      await room.step(1 / 20, 20);
+      const [x, , z] = (await room.camera()).position;
+      expect(z).toBe(-4.5);
+      expect(x).toBeLessThan(-1);
+    });
+
+    await test.step("of the original are walked through", async () => {
+      await room.set({ look: "original" });
+      await room.stand({ position: [0, 1.6, 0], yaw: 0 });
+      await room.step(1 / 20, 100);
+      expect((await room.camera()).position[2]).toBeLessThan(-6);
+    });
     expect(room.complaints).toEqual([]);
-  });
-
-  test("let a walker slide along them", async ({ page }) => {
-    const room = await openControls(page, { width: 32, height: 18 });
-    await enterByKeyboard(room);
-    await room.stand({ position: [0, 1.6, -4.5], yaw: Math.PI / 4 });
-    await page.keyboard.down("KeyW");
-    await room.step(1 / 20, 20);
-    const [x, , z] = (await room.camera()).position;
-    expect(z).toBe(-4.5);
-    expect(x).toBeLessThan(-1);
-  });
-
-  test("of the original are walked through", async ({ page }) => {
-    const room = await openControls(page, { width: 32, height: 18 });
-    await room.set({ look: "original" });
-    await enterByKeyboard(room);
-    await page.keyboard.down("KeyW");
-    await room.step(1 / 20, 100);
-    expect((await room.camera()).position[2]).toBeLessThan(-6);
   });
 });
 
@@ -453,9 +455,10 @@ test.describe("The keyboard", () => {
 });
 
 test("What keys asked for while no frame ran is forgotten once the visitor leaves, or time begins anew", async ({
-  page,
+  room,
 }) => {
-  const room = await openControls(page);
+  const { page } = room;
+  await addControls(room);
   const isLit = () => room.evaluate((element) => element.lit);
   await enterByKeyboard(room);
   await page.keyboard.press("KeyE");
@@ -473,21 +476,24 @@ test("What keys asked for while no frame ran is forgotten once the visitor leave
   expect(await isLit()).toBe(false);
 });
 
-test("A control in a slot has its keys to itself", async ({ page }) => {
-  const room = await openControls(page);
+test("A control in a slot has its keys to itself", async ({ room }) => {
+  await addControls(room);
   const isPrevented = await room.evaluate((element) => {
     const button = document.createElement("button");
     button.slot = "error";
     element.append(button);
     const key = { code: "Enter", bubbles: true, composed: true, cancelable: true };
-    return !button.dispatchEvent(new KeyboardEvent("keydown", key));
+    const isPrevented = !button.dispatchEvent(new KeyboardEvent("keydown", key));
+    button.remove();
+    return isPrevented;
   });
   expect(isPrevented).toBe(false);
   expect(await room.isWalking()).toBe(false);
 });
 
-test("Either Enter walks in, and no other key", async ({ page }) => {
-  const room = await openControls(page);
+test("Either Enter walks in, and no other key", async ({ room }) => {
+  const { page } = room;
+  await addControls(room);
   await room.evaluate((element) => element.focus());
   await page.keyboard.press("KeyW");
   expect(await room.isWalking()).toBe(false);
@@ -497,7 +503,6 @@ test("Either Enter walks in, and no other key", async ({ page }) => {
     await comeBack(room);
     await room.evaluate((element) => element.focus());
   }
-  expect(room.complaints).toEqual([]);
 });
 
 test("Without controls nothing is captured: no key, no click, no focus", async ({ page }) => {
