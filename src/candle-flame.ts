@@ -119,9 +119,11 @@ export class CandleFlame {
     this.world.moon = moonOver(this.#scene, options);
     air.wind = options.wind;
     flame.wick = wickOf(this.#scene, options);
-    if (options.look !== before.look) this.#changeLook();
+    const isOtherLook = options.look !== before.look;
+    if (isOtherLook && !this.#scene.isModelAlone) this.#changeLook();
     else if (options.seed !== before.seed) this.reset();
     else if (options.particles !== before.particles) this.view.follow(this.#subject);
+    if (isOtherLook) this.onLookChanged();
     if (options.quality !== before.quality) this.view.rebuild();
     const burning = ({ unlit, litWicks }: Options) => `${unlit} ${litWicks}`;
     if (burning(options) === burning(before)) return;
@@ -183,7 +185,6 @@ export class CandleFlame {
 
   /** Another look: the same time, and the camera in its place, or inside the new look's walls. */
   #changeLook(): void {
-    if (this.#scene.isModelAlone) return this.onLookChanged();
     const { position, yaw, pitch, areLit, stand } = takeSnapshot(this.world);
     const { setup, formerStand } = this.world;
     const world = this.#sameTimeAs(this.world, { areLit: areLit ?? [] });
@@ -191,7 +192,6 @@ export class CandleFlame {
     world.formerStand = setup.stand === null ? stand : formerStand;
     if (world.formerStand) standCandle(world, world.formerStand.position, world.formerStand.yaw);
     this.#replace(world);
-    this.onLookChanged();
   }
 
   /** Takes over the time, the camera and the candle of another, as far as the room here allows. */
