@@ -15,7 +15,7 @@ function extremes(): unknown[] {
 test("No value of any attribute or property throws, takes long, or remains if it is illegal", async ({
   room,
 }) => {
-  // Those fetch other models, which a thousand rounds are about.
+  // Those fetch other models, which six hundred rounds are about.
   const settings = Object.keys(SETTINGS).filter(
     (name) => !["scene", "look", "src", "asset-base", "loading"].includes(name),
   );
