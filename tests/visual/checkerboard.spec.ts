@@ -1,5 +1,4 @@
 import type { Browser, Page } from "playwright/test";
-import { drawOneSample } from "../support/one-sample.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
 import { openSources } from "../support/sources.ts";
@@ -185,7 +184,6 @@ interface Walked {
 async function walk(browser: Browser) {
   const page = await browser.newPage();
   await serveSmallTextures(page);
-  await drawOneSample(page);
   // All pixels are shaded where a processor draws.
   await page.addInitScript(() => {
     const { getParameter } = WebGL2RenderingContext.prototype;
@@ -268,8 +266,8 @@ test("So does a walk by the moon alone, of which more is kept", async ({ browser
   const { kept, shaded } = (await walked).byMoon;
   for (const [i, frame] of kept.entries()) {
     const errors = errorsOf(frame, shaded[i]!);
-    const [median, most] = [at(errors, 0.5), at(errors, 0.95)];
-    console.log(`by the moon: median ${median}, 95th percentile ${most}`);
+    const [median, most] = [at(errors, 0.5), at(errors, 0.9)];
+    console.log(`by the moon: median ${median}, 90th percentile ${most}`);
     expect(median).toBeLessThan(0.02);
     expect(most, "of what is kept").toBeGreaterThan(0);
     expect(most).toBeLessThan(0.15);
