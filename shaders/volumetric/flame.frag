@@ -96,7 +96,9 @@ void main() {
     radiance += exp(-depth - 0.5 * absorbed) * stride * (soot + BLUE * (body.a * flame.blue));
     depth += absorbed;
   }
-  // The largest half float is 65504: a small flame comes near it, and clipping by channel would turn it green.
+  // The largest half float is 65504: a small flame comes near it, and clipping by channel would turn it green. Of a radiance
+  // r at most 1 - r / 6e4 of what is behind passes, so that flames behind one another stay below 6e4.
   float peak = max(radiance.r, max(radiance.g, radiance.b));
-  oRadiance = vec4(radiance * min(1.0, 3e4 / max(peak, 1e-6)), 1.0 - exp(-depth));
+  radiance *= min(1.0, 3e4 / max(peak, 1e-6));
+  oRadiance = vec4(radiance, max(1.0 - exp(-depth), min(peak, 3e4) / 6e4));
 }

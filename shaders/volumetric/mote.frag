@@ -1,6 +1,6 @@
 #version 300 es
 // Point sprite smaller than a pixel, motion-blurred to a streak.
-// Out: radiance, cd/m², premultiplied by opacity, which is 0 for sparks.
+// Out: radiance, cd/m², premultiplied by opacity.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "lib/depth.glsl"

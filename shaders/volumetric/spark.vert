@@ -26,7 +26,10 @@ void main() {
   float width = uSize * frame.projectionScale / max(head.w, 1e-3);
   // The droplet's light is spread over the area of its streak.
   float share = min(width * width / (WIDTH * (WIDTH + streak)), 1.0);
-  vLight = vec4(glow * share, 0.0);
+  // Below the largest half float, 65504, also before flames, as in flame.frag. Red is the largest.
+  vec3 light = glow * share;
+  light *= min(1.0, 3e4 / max(light.r, 1e-6));
+  vLight = vec4(light, light.r / 6e4);
   vExtent = vec2(WIDTH, streak + 2.0 * WIDTH + 1.0);
   gl_PointSize = vExtent.y;
   bool isVisible = remaining > uExtrapolation && head.w > 0.05 && tail.w > 0.05;

@@ -11,6 +11,10 @@ const MODELS: Readonly<Record<string, Buffer>> = {
   "custom-candles-4.glb": candlePlate(ringOf(4, 0.09, 0.07, 0.028), 0.14),
   "custom-candles-16.glb": candlePlate(ringOf(16, 0.085, 0.05, 0.004), 0.11),
   "custom-jar.glb": jarCandle(),
+  "custom-row.glb": candlePlate(
+    [0, 0.05, 0.1, 0.15].map((z) => ({ at: [0, z], height: 0.09, radius: 0.01 })),
+    0.2,
+  ),
   "no-wick.glb": plainRoom({ min: [0, 0, 0], max: [0.1, 0.1, 0.1] }, [], 0.5),
 };
 /** The same as goldens.spec.ts. */
@@ -136,6 +140,20 @@ test("one model after another leaves nothing on the GPU", async () => {
     gpuObjects: before.gpuObjects,
     gpuBytes: before.gpuBytes,
   });
+});
+
+test("four flames behind one another stay within half floats", async () => {
+  await show("custom-row.glb");
+  const { count, most } = await room.evaluate((element) => {
+    element.step(0.5);
+    const { width, height } = element.stats;
+    const radiance = element.readRadiance(0, 0, width, height);
+    const most = radiance.reduce((a, b) => Math.max(a, b));
+    return { count: radiance.filter(Number.isFinite).length, most };
+  });
+  console.log(`largest radiance ${most}`);
+  expect(count).toBe(3 * SIZE.width * SIZE.height);
+  expect(most, "more than a flame alone").toBeGreaterThan(30_000);
 });
 
 test("without their volume, flames are not seen", async () => {
