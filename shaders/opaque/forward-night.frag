@@ -45,6 +45,8 @@ float virtualLuminance(Shading s, vec3 position, vec3 facet, vec3 diffuseColor, 
     VirtualLight v = virtualLightAt(i, position);
     float NoL = dot(s.normal, v.L);
     if (min(v.facing, NoL) <= 0.0) continue;
+    float visibility = mix(1.0, virtualVisibility(v.d, facet, float(i)), uFeatures.x);
+    if (visibility <= 0.0) continue;
     vec3 specular = evenly;
     if (isMirroring) {
       vec3 R = representative(-v.d, reflected, v.extent);
@@ -56,7 +58,6 @@ float virtualLuminance(Shading s, vec3 position, vec3 facet, vec3 diffuseColor, 
     }
     vec3 share = diffuseColor / PI * normalMapVisibility(s.surface, s.normal, v.L) * s.minified.y;
     share += specular * uFeatures.z;
-    float visibility = mix(1.0, virtualVisibility(v.d, facet, float(i)), uFeatures.x);
     sum += moonLuma(virtualIrradiance(v, i, NoL) * share) * visibility;
   }
   return sum;

@@ -69,10 +69,10 @@ vec2 visibilitiesOf(int divisor, vec3 surface, vec3 normal, vec3 facet, bool isC
     vec3 toward = faceforward(facet, vPositionWorld - light.position, facet);
     float rise = isCrevice ? CREVICE_HEIGHT * dot(surface, toward) : 0.0;
     vec2 pixel = gl_FragCoord.xy + uOrigin;
-    visibilities = vec2(candleVisibility(vPositionWorld));
-    int search = int(uSamples.x) / divisor;
+    float candle = candleVisibility(vPositionWorld);
+    int search = candle > 0.0 ? int(uSamples.x) / divisor : 0;
     int taps = int(uSamples.y) / divisor;
-    visibilities *= flameVisibility(search, taps, vPositionWorld, facet, rise, pixel, footprint);
+    visibilities = candle * flameVisibility(search, taps, vPositionWorld, facet, rise, pixel, footprint);
   }
   return visibilities;
 }

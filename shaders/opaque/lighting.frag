@@ -63,7 +63,8 @@ vec4 flameLighting(LightingTexel texel, Viewing v) {
   if (dot(normal, light.position) > dot(normal, position)) {
     vec2 tile = mod(floor(gl_FragCoord.xy), 2.0);
     visibility = candleVisibility(position);
-    visibility *= flameVisibility(COUNT(SHADOW_SEARCH), COUNT(SHADOW_TAPS), position, normal, 0.0, tile, 1.0).x;
+    int search = visibility > 0.0 ? COUNT(SHADOW_SEARCH) : 0;
+    visibility *= flameVisibility(search, COUNT(SHADOW_TAPS), position, normal, 0.0, tile, 1.0).x;
   }
   float metallic = metallicOf(texel.material);
   vec3 toLight = light.position - position;
