@@ -18,3 +18,9 @@ export function assetError(file: string, cause: unknown): AssetError {
   const reason = cause instanceof Error && cause.message !== "" ? ` (${cause.message})` : "";
   return new AssetError(`${file} cannot be read${reason}.`, { cause });
 }
+
+/** Of a chunk that is not to be had: one message for all browsers, without its address. */
+export function missCode(cause: unknown): never {
+  const sentence = "A part of the program could not be fetched. Reload the page to try again.";
+  throw new AssetError(sentence, { cause });
+}

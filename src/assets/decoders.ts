@@ -31,7 +31,9 @@ export class Decoders {
 
   draco(): Promise<DRACOLoader> {
     this.#draco ??= this.#start(async () => {
-      const { DRACOLoader } = await import("three/examples/jsm/loaders/DRACOLoader.js");
+      const { DRACOLoader } = await import("three/examples/jsm/loaders/DRACOLoader.js").catch(
+        missed,
+      );
       const path = (file: string) => new URL(file, this.#base).href;
       const loader = new DRACOLoader(this.#manager).setWorkerLimit(1).setDecoderPath({
         js: path("draco_wasm_wrapper.js"),
@@ -50,7 +52,9 @@ export class Decoders {
     source: Uint8Array,
     { count, byteStride, mode, filter }: MeshoptCompression,
   ): Promise<Uint8Array<ArrayBuffer>> {
-    const { MeshoptDecoder } = await import("three/examples/jsm/libs/meshopt_decoder.module.js");
+    const { MeshoptDecoder } = await import(
+      "three/examples/jsm/libs/meshopt_decoder.module.js"
+    ).catch(missed);
     await MeshoptDecoder.ready.catch((cause: unknown) => {
       throw cannotRun(cause);
     });
@@ -67,7 +71,7 @@ export class Decoders {
   async ktx2(bytes: Uint8Array<ArrayBuffer>): Promise<TextureImage> {
     checkSize(bytes);
     this.#ktx2 ??= this.#start(async () => {
-      const { KTX2Loader } = await import("three/examples/jsm/loaders/KTX2Loader.js");
+      const { KTX2Loader } = await import("three/examples/jsm/loaders/KTX2Loader.js").catch(missed);
       const loader = new KTX2Loader(this.#manager).setWorkerLimit(1);
       loader.setTranscoderPath(this.#base.href);
       // Without compressed formats the transcoder returns RGBA.
@@ -133,6 +137,11 @@ export class Decoders {
 /** Why something was not decoded. */
 export function failure(reason: string, cause: unknown): Flaw {
   return cause instanceof Flaw ? cause : new Flaw(reason, { cause });
+}
+
+/** Of a decoder's own chunk. */
+function missed(cause: unknown): never {
+  throw new Flaw("needs a decoder that could not be fetched", { cause });
 }
 
 /** Of three's loader, which its types leave out. */

@@ -1,3 +1,4 @@
+import { missCode } from "../assets/asset-error.js";
 import { closeModel } from "../assets/model.js";
 import { CustomModelRenderer } from "../render/lone-candle/custom-model-renderer.js";
 import { clampInside, inset, type Vec3 } from "../world/geometry.js";
@@ -14,7 +15,7 @@ export async function loadCustomCandle(
   { src, assetRoot }: SceneRequest,
   { signal, onProgress }: Loading,
 ): Promise<Scene | null> {
-  const { loadModel } = await import("../assets/load-model.js");
+  const { loadModel } = await import("../assets/load-model.js").catch(missCode);
   const decoderBase = new URL("decoders/", assetRoot).href;
   const options = { signal, onProgress, decoderBase, isCandle: true };
   const model = await loadModel(addressOf(src), options);

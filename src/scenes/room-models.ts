@@ -1,4 +1,4 @@
-import { AssetError } from "../assets/asset-error.js";
+import { AssetError, missCode } from "../assets/asset-error.js";
 import { closeModel, type Model } from "../assets/model.js";
 import type { Models } from "../render/renderer.js";
 import type { Look } from "../settings.js";
@@ -33,7 +33,7 @@ export async function loadModels(
     room: src === "" ? builtIn("room") : addressOf(src),
     candle: builtIn("candle"),
   };
-  const { loadModel } = await import("../assets/load-model.js");
+  const { loadModel } = await import("../assets/load-model.js").catch(missCode);
   const progress = { room: 0, candle: 0 };
   const sharedImages = new Map();
   const load = (name: keyof Models): Promise<Model> =>

@@ -1,4 +1,4 @@
-import { AssetError } from "../assets/asset-error.js";
+import { missCode } from "../assets/asset-error.js";
 import type { Tier } from "../render/quality.js";
 import type { Renderer } from "../render/renderer.js";
 import type { Look, SceneName } from "../settings.js";
@@ -80,10 +80,4 @@ export async function loadScene(request: SceneRequest, loading: Loading): Promis
   }
   const { loadRoom } = await import("./room-scene.js").catch(missCode);
   return loadRoom(request, loading);
-}
-
-/** One message for all browsers, without the address of the chunk. */
-function missCode(cause: unknown): never {
-  const sentence = "A part of the program could not be fetched. Reload the page to try again.";
-  throw new AssetError(sentence, { cause });
 }
