@@ -18,14 +18,20 @@ export interface NextParts extends RefinementParts {
   readonly frame: FrameSettings | null;
 }
 
+/** A renderer of that tier, for frames of that size. */
+export interface PreparedRenderer {
+  readonly renderer: Renderer;
+  readonly tier: Tier["name"];
+  readonly size: Size;
+}
+
 /**
  * The renderer of another tier, made and prepared in tasks between the frames of the one before, which goes on: on many
  * drivers the first frame of a tier takes half a second.
  */
 export class NextRenderer {
   readonly #parts: () => NextParts;
-  #renderer: Renderer | null = null;
-  #tier: Tier["name"] | null = null;
+  #made: PreparedRenderer | null = null;
   #isPrepared = false;
   #error: unknown = null;
   /** What was made for it, as long as it is wanted. */
@@ -45,7 +51,7 @@ export class NextRenderer {
   follow({ world, layers }: ViewSubject): void {
     const { gpu } = this.#parts().target;
     gpu.isAhead = this.isBusy;
-    if (gpu.isAhead) this.#renderer?.setLayers(world, layers);
+    if (gpu.isAhead) this.#made?.renderer.setLayers(world, layers);
     gpu.isAhead = false;
   }
 
@@ -68,18 +74,18 @@ export class NextRenderer {
     const { scene, target, settings, subject, pixels, frame } = this.#parts();
     const { gpu } = target;
     const scale = tier.resolutionScale * share;
-    const { width, height } = canvasSize(pixels, scale, longestSide(gpu, tier));
+    const size = canvasSize(pixels, scale, longestSide(gpu, tier));
     this.#isPrepared = false;
-    this.#tier = tier.name;
     this.#objects = gpu.ahead;
     gpu.isAhead = true;
     const renderer = scene.createRenderer(target, tier, settings.look);
-    this.#renderer = renderer;
-    renderer.resize(width, height);
+    renderer.resize(size.width, size.height);
+    const made = { renderer, tier: tier.name, size };
+    this.#made = made;
     this.follow(subject);
     // Asked before each step, and what a step makes is this renderer's.
     const isOn = () => {
-      gpu.isAhead = this.isBusy && this.#renderer === renderer;
+      gpu.isAhead = this.isBusy && this.#made === made;
       return gpu.isAhead;
     };
     await gpu.whenCompiled();
@@ -92,8 +98,8 @@ export class NextRenderer {
   }
 
   /** The renderer of a tier, if it is prepared, to take over: all else that is not shared is then freed. */
-  take(tier: Tier["name"]): Renderer | null {
-    if (this.isBusy && this.#isPrepared && this.#tier === tier) return this.#renderer;
+  take(tier: Tier["name"]): PreparedRenderer | null {
+    if (this.isBusy && this.#isPrepared && this.#made?.tier === tier) return this.#made;
     this.#parts().target.gpu.clearUnshared(true);
     return null;
   }

@@ -9,7 +9,7 @@ import type { Renderer } from "../render/renderer.js";
 import type { Inspection } from "../settings.js";
 import { type AskedQuality, askedQuality } from "./asked-quality.js";
 import type { CanvasTarget } from "./canvas-target.js";
-import type { NextRenderer } from "./next-renderer.js";
+import type { NextRenderer, PreparedRenderer } from "./next-renderer.js";
 import type { Refinement } from "./refinement.js";
 import type { Scene } from "./scene.js";
 import { type ViewFrame, type ViewSettings, type ViewSubject, workOf } from "./view-subject.js";
@@ -123,15 +123,16 @@ export class SceneView {
   }
 
   /** @param next prepared for the tier to come; else it is made, and prepared while frames follow each other */
-  #replaceRenderer(next?: Renderer | null): void {
+  #replaceRenderer(next?: PreparedRenderer | null): void {
     const before = this.#quality;
     this.#quality = this.#asked;
     const { tier, share } = this.#quality;
     this.#target.clearUnshared();
     this.#refinement?.forget();
     this.#renderer.refinedFade?.end();
-    this.#renderer = next ?? this.#createRenderer();
-    this.#frameSize = this.#sizeAt(this.#ownScale);
+    this.#frameSize = next?.size ?? null;
+    this.#renderer = next?.renderer ?? this.#createRenderer();
+    if (this.#fitRenderer()) this.#isUnchecked = true;
     if (before.tier.name !== tier.name || before.share !== share) this.onQualityChanged();
     if (next || !this.isPlaying || !this.#last) return;
     this.prepareFrame(atRest(this.#last), () => true).catch(this.onRefused);
@@ -279,10 +280,9 @@ export class SceneView {
   #createRenderer(): Renderer {
     const { tier } = this.#quality;
     const renderer = this.#scene.createRenderer(this.#target, tier, this.#settings.look);
-    const { width, height } = this.#sizeAt(this.#ownScale);
-    renderer.resize(width, height);
     this.#isUnchecked = true;
     this.#renderer = renderer;
+    this.#fitRenderer();
     this.#busy = null;
     this.follow(this.#subject);
     return renderer;

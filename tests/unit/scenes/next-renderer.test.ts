@@ -5,7 +5,7 @@ import type { CanvasTarget } from "../../../src/scenes/canvas-target.ts";
 import { type NextParts, NextRenderer } from "../../../src/scenes/next-renderer.ts";
 import type { Scene } from "../../../src/scenes/scene.ts";
 import { SceneView } from "../../../src/scenes/scene-view.ts";
-import type { ViewSettings } from "../../../src/scenes/view-subject.ts";
+import type { ViewFrame, ViewSettings } from "../../../src/scenes/view-subject.ts";
 
 const MEDIUM: Rung = { tier: "medium", share: 0.6 };
 /** Until all promises of a preparation have been kept. */
@@ -66,7 +66,7 @@ test("a renderer is prepared once its parts are, at its rung's size, and taken b
   expect(next.proceed(MEDIUM)).toBe(true);
   expect(sizes).toEqual([[600, 300]]);
   expect(ahead, "what it makes is its own").toEqual([true, true, true, true]);
-  expect(next.take("medium")).toBe(renderer);
+  expect(next.take("medium")?.renderer).toBe(renderer);
 });
 
 test("particles made for another world while it is prepared are its own, and those of the one before are not", async () => {
@@ -83,6 +83,33 @@ test("particles made for another world while it is prepared are its own, and tho
   view.follow(subject);
   next.follow(subject);
   expect([...ahead, gpu.isAhead]).toEqual([false, true, false]);
+});
+
+test("one that is taken for a still frame, of a larger size than those in motion, gets that size", async () => {
+  const { parts, renderer, sizes, uploaded } = place();
+  const { scene, target, subject, auto } = parts;
+  uploaded();
+  const canvas = { width: 1, height: 1 };
+  const ignore = () => {};
+  Object.assign(scene, { createNext: (now: () => NextParts) => new NextRenderer(now) });
+  Object.assign(target, { canvas, clearUnshared: ignore, prepare: ignore, present: ignore });
+  Object.assign(target.gpu, { beginFrame: ignore, endFrame: ignore, whenIdle: settled });
+  Object.assign(renderer, { render: ignore });
+  const settings = { look: "physical", quality: "auto" } as ViewSettings;
+  const view = new SceneView(target, scene as Scene, settings, subject, true, auto);
+  view.resize(1920, 1080);
+  auto.pixel = 6e-9; // of a GPU that draws three quarters of `high` in time
+  const frame = { isMoving: false, canDefer: true } as ViewFrame;
+  for (let i = 0; i < 100 && !auto.wanted; i++) {
+    await settled();
+    view.render(frame, true);
+    view.measure(1 / 60);
+  }
+  await settled();
+  expect(sizes.at(-1)).toEqual([1440, 810]);
+  view.isPlaying = false;
+  view.render(frame, true);
+  expect([canvas, sizes.at(-1)]).toEqual([{ width: 1920, height: 1080 }, [1920, 1080]]);
 });
 
 test("another tier's is given up, and made again where it is wanted", async () => {
