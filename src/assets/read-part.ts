@@ -60,8 +60,10 @@ export function readPart(
 
 /** The triangles of the lower level of detail; null where the vertices are no longer those of the file. */
 function reducedOf({ geometry, matrixWorld }: Mesh, moves: VertexTransforms, count: number) {
-  const corners: unknown = geometry.userData.reducedIndices;
-  const isSame = geometry.getAttribute("normal") && moves.all[0] === matrixWorld;
+  const { userData, attributes } = geometry;
+  const corners: unknown = userData.reducedIndices;
+  const isWhole = attributes.position?.count === count && attributes.normal;
+  const isSame = isWhole && moves.all[0] === matrixWorld;
   if (!ArrayBuffer.isView(corners) || !isSame || matrixWorld.determinant() < 0) return null;
   const reduced = Uint32Array.from(corners as Uint16Array);
   for (const vertex of reduced) checkVertex(vertex, count);
@@ -156,18 +158,26 @@ function morphed(mesh: Mesh, geometry: BufferGeometry): BufferGeometry {
   return posed;
 }
 
+/** Numbers of vertices from 1, and 0 between two meshes: an array for each mesh takes long where many share vertices. */
+const numbersOf = new WeakMap<Attribute, Uint32Array>();
+
 /** A geometry of the vertices that its triangles use: many may share the vertices of one accessor. */
 function withoutUnused(geometry: BufferGeometry): BufferGeometry {
-  const { count } = geometry.getAttribute("position");
+  const { index, userData } = geometry;
+  const position = geometry.getAttribute("position");
+  const { count } = position;
   // Lower levels of detail come from our own tools, which leave nothing unused.
-  if (!geometry.index || geometry.userData.reducedIndices !== undefined) return geometry;
-  const numbers = new Int32Array(count).fill(-1);
-  const used: number[] = [];
+  const isOurs = userData.reducedIndices !== undefined && count <= (index?.count ?? 0);
+  if (!index || isOurs) return geometry;
   const indices = indicesOf(geometry, count);
+  const numbers = numbersOf.get(position) ?? new Uint32Array(count);
+  numbersOf.set(position, numbers);
+  const used: number[] = [];
   for (const [i, vertex] of indices.entries()) {
-    if (numbers[vertex] === -1) numbers[vertex] = used.push(vertex) - 1;
-    indices[i] = numbers[vertex] ?? 0;
+    numbers[vertex] ||= used.push(vertex);
+    indices[i] = (numbers[vertex] ?? 0) - 1;
   }
+  for (const vertex of used) numbers[vertex] = 0;
   if (used.length === count) return geometry;
   const pick = ({ array, itemSize, normalized }: Attribute) => {
     const values = array.slice(0, used.length * itemSize);

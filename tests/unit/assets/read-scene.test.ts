@@ -45,9 +45,17 @@ async function read(file: object, isCandle = false, warnings = new Set<string>()
 }
 
 test("vertices that no triangle uses are left out", async () => {
-  const { parts } = await read({ nodes: [{ mesh: 0 }], meshes: [{ primitives: [TRIANGLE] }] });
-  expect([...(parts[0]?.positions ?? [])]).toEqual(CORNERS.slice(0, 9));
-  expect([...(parts[0]?.indices ?? [])]).toEqual([0, 1, 2]);
+  const reduced = { ...TRIANGLE, extras: { reducedIndices: 4 } };
+  for (const primitive of [TRIANGLE, reduced]) {
+    const meshes = [{ primitives: [primitive, primitive] }];
+    const { parts } = await read({ nodes: [{ mesh: 0 }], meshes });
+    expect(parts).toHaveLength(2);
+    for (const { positions, indices, reducedIndices } of parts) {
+      expect([...positions]).toEqual(CORNERS.slice(0, 9));
+      expect([...indices]).toEqual([0, 1, 2]);
+      expect(reducedIndices).toBeUndefined();
+    }
+  }
 });
 
 test("candles alone that are too large for metres are read in centimetres, with a warning", async () => {
