@@ -13,14 +13,14 @@ export type MeshoptCompression = Readonly<ReturnType<typeof readMeshopt>>;
 export type Accessor = Readonly<ReturnType<typeof readAccessors>[number]>;
 type Sparse = NonNullable<ReturnType<typeof readSparse>>;
 
-/** Most elements of an accessor: five million triangles without shared vertices. */
-const MOST_ELEMENTS = 15e6;
-const MOST_DECODED_BYTES = 256e6;
+/** Most bytes that meshopt decodes, and of all accessors that are used, as floats: a small file can ask for any number. */
+export const MOST_BYTES = 512e6;
 
 export function readViews(
   entries: readonly JsonEntry[],
   buffers: readonly { readonly byteLength: number }[],
 ) {
+  let decoded = 0;
   return entries.map((entry) => {
     const meshopt =
       entry.extension("EXT_meshopt_compression") ?? entry.extension("KHR_meshopt_compression");
@@ -33,10 +33,13 @@ export function readViews(
       throw stretch.wrong("byteLength", "runs beyond its buffer");
     }
     const compression = meshopt && readMeshopt(meshopt, byteLength);
+    const decodedLength = compression ? compression.count * compression.byteStride : 0;
+    decoded += decodedLength;
+    if (decoded > MOST_BYTES) throw stretch.wrong("count", "is too large");
     return {
       buffer,
       byteOffset,
-      byteLength: compression ? compression.count * compression.byteStride : byteLength,
+      byteLength: compression ? decodedLength : byteLength,
       byteStride: entry.whole("byteStride"),
       /** EXT_meshopt_compression of the view; its lengths then mean the decoded bytes. */
       meshopt: compression,
@@ -47,7 +50,6 @@ export function readViews(
 function readMeshopt(entry: JsonEntry, byteLength: number) {
   const count = entry.whole("count") ?? 0;
   const byteStride = entry.whole("byteStride") ?? 0;
-  if (count * byteStride > MOST_DECODED_BYTES) throw entry.wrong("count", "is too large");
   const mode = entry.string("mode") ?? "";
   if (!["ATTRIBUTES", "TRIANGLES", "INDICES"].includes(mode)) {
     throw entry.wrong("mode", "is none that is known");
@@ -62,7 +64,6 @@ export function readAccessors(entries: readonly JsonEntry[], views: readonly Buf
     const type = oneOf(TYPE_SIZES, entry.string("type"));
     if (type === undefined) throw entry.wrong("type", "is none that is known");
     const count = entry.whole("count") ?? 0;
-    if (count > MOST_ELEMENTS) throw entry.wrong("count", "is too large");
     const accessor = {
       view: entry.index("bufferView", views.length),
       byteOffset: entry.whole("byteOffset") ?? 0,
@@ -82,6 +83,11 @@ function oneOf<Key extends string | number>(
   key: string | number | undefined,
 ): Key | undefined {
   return key !== undefined && Object.hasOwn(table, key) ? (key as Key) : undefined;
+}
+
+/** Of its elements as floats, as which they are read. */
+export function floatBytes({ type, count }: Accessor): number {
+  return 4 * TYPE_SIZES[type] * count;
 }
 
 function elementBytes({ componentType, type }: Accessor): number {

@@ -1,8 +1,9 @@
 import type { Group, Mesh } from "three";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
+import { Flaw } from "./asset-error.js";
 import type { ReadView } from "./buffer-bytes.js";
 import { type Decoders, failure } from "./decoders.js";
-import { denseBytes } from "./gltf-accessors.js";
+import { denseBytes, floatBytes, MOST_BYTES } from "./gltf-accessors.js";
 import type { GltfDocument, Node } from "./gltf-document.js";
 import type { Primitive } from "./gltf-meshes.js";
 
@@ -23,10 +24,13 @@ export async function buildScene(
   const loader = new GLTFLoader();
   const isDraco = document.meshes.some(({ primitives }) => primitives.some(({ draco }) => draco));
   if (isDraco) loader.setDRACOLoader(await decoders.draco());
+  let bytes = 0;
   const rawViews = document.views.length;
   const loadBufferView = async (index: number): Promise<ArrayBuffer> => {
     const accessor = document.accessors[index - rawViews];
     if (!accessor) return (await readView(index)).slice().buffer;
+    bytes += floatBytes(accessor);
+    if (bytes > MOST_BYTES) throw new Flaw(`has geometry of more than ${MOST_BYTES / 1e6} MB`);
     return (await denseBytes(accessor, document.views, readView)).buffer;
   };
   loader.register((parser) => ({

@@ -219,8 +219,9 @@ export const FLAWS: Readonly<Record<string, { served: Served; says: RegExp }>> =
     served: {
       body: json((json) => {
         json.accessors.push({ componentType: 5126, type: "VEC3", count: 1e9 });
+        json.meshes[0].primitives[0].attributes = { POSITION: json.accessors.length - 1 };
       }),
     },
-    says: /is broken: accessors\[5\]\.count is too large\.$/,
+    says: /has too many vertices: 1000 million, where 15 million are the limit\.$/,
   },
 };

@@ -99,6 +99,24 @@ test("one vertex buffer of many primitives counts as what they use of it, and on
   expect(readDocument({ ...FILE, accessors, meshes, nodes, scenes }).shown).toEqual([0]);
 });
 
+test("a small file cannot ask for much memory", async () => {
+  const zeros = (type: string, count: number) => ({ componentType: 5126, type, count });
+  const accessors = [...FILE.accessors, zeros("MAT4", 15e6)];
+  const skinned = {
+    accessors,
+    nodes: [{ mesh: 0, skin: 0 }],
+    skins: [{ joints: [0], inverseBindMatrices: 5 }],
+    meshes: [{ primitives: [TRIANGLE] }],
+  };
+  await expect(read(skinned)).rejects.toThrow("has geometry of more than 512 MB");
+  const meshopt = { count: 1e6, byteStride: 128, mode: "ATTRIBUTES", buffer: 0 };
+  const view = { extensions: { EXT_meshopt_compression: meshopt } };
+  const bufferViews = [...FILE.bufferViews, ...Array.from({ length: 5 }, () => view)];
+  await expect(read({ bufferViews })).rejects.toThrow(
+    "bufferViews[9].extensions.EXT_meshopt_compression.count is too large",
+  );
+});
+
 test("morph targets move positions and normals, also beside one of normals alone", async () => {
   const morphed = { ...TRIANGLE, targets: [{ NORMAL: 3 }, { POSITION: 2 }] };
   const meshes = [{ primitives: [morphed], weights: [1, 0.5] }];
