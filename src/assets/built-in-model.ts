@@ -2,9 +2,9 @@ import type { GLTF } from "@gltf-transform/core";
 import { assetError, Flaw } from "./asset-error.js";
 import { fetchBytes } from "./fetch-bytes.js";
 import { openContainer } from "./glb.js";
-import { memoized } from "./memoized.js";
 import {
   AS_STORED,
+  closeImage,
   isGlossy,
   type Material,
   type Model,
@@ -30,7 +30,7 @@ export async function readBuiltInModel(
   signal: AbortSignal,
   onProgress: (progress: number) => void,
 ): Promise<Model> {
-  const file = url.pathname.split("/").at(-1) ?? "";
+  const images: Promise<TextureImage>[] = [];
   try {
     const bytes = await fetchBytes(url, {
       signal,
@@ -39,17 +39,23 @@ export async function readBuiltInModel(
     const { json, binary } = openContainer(bytes);
     if (!binary) throw new Flaw("has no binary chunk");
     const document = json as GLTF.IGLTF;
-    const image = memoized((index: number) => readImage(document, index, url, signal));
+    const image = (index: number) => {
+      images[index] ??= readImage(document, index, url, signal);
+      return images[index];
+    };
     const materials = await Promise.all(
       document.materials?.map((material) => readMaterial(material, image)) ?? [],
     );
     onProgress(1);
     return modelOf(document, binary, materials);
   } catch (error) {
+    images.forEach((image) => void image.then(closeImage, () => {}));
     signal.throwIfAborted();
-    throw assetError(file, error);
+    throw assetError(nameOf(url), error);
   }
 }
+
+const nameOf = ({ pathname }: URL) => pathname.split("/").at(-1) ?? "";
 
 async function readImage(
   { textures, images }: GLTF.IGLTF,
@@ -59,10 +65,13 @@ async function readImage(
 ): Promise<TextureImage> {
   const texture = textures?.[index];
   const avif = texture?.extensions?.EXT_texture_avif as GLTF.ITexture | undefined;
-  const uri = images?.[avif?.source ?? texture?.source ?? -1]?.uri;
-  if (uri === undefined) throw new Flaw("names a picture that is missing");
-  const bytes = await fetchBytes(new URL(uri, base), { signal, isForeign: () => false });
-  return createImageBitmap(new Blob([bytes]), AS_STORED);
+  const uri = images?.[avif?.source ?? texture?.source ?? -1]?.uri ?? "";
+  try {
+    const bytes = await fetchBytes(new URL(uri, base), { signal, isForeign: () => false });
+    return await createImageBitmap(new Blob([bytes]), AS_STORED);
+  } catch (cause) {
+    throw assetError(`The texture ${uri} of ${nameOf(base)}`, cause);
+  }
 }
 
 async function readMaterial(
