@@ -4,6 +4,7 @@ import { uploadNextImage } from "../render/mesh/upload-steps.js";
 import { PaperRenderer } from "../render/paper-renderer.js";
 import { PhysicalRenderer } from "../render/physical-renderer.js";
 import { preparePhysicalRenderer } from "../render/prepare-physical-renderer.js";
+import type { Models } from "../render/renderer.js";
 import { createPlume } from "../world/air/plume.js";
 import type { Vec3 } from "../world/geometry.js";
 import { CABIN_MOON, moonOf } from "../world/moon.js";
@@ -17,8 +18,17 @@ import type { Loading, Scene, SceneRequest } from "./scene.js";
 
 /** The candle in a room to walk in. */
 export async function loadRoom(request: SceneRequest, loading: Loading): Promise<Scene> {
-  const { look, src } = request;
   const models = await loadModels(request, loading);
+  const close = () => [models.room, models.candle].forEach(closeModel);
+  try {
+    return { ...(await read(models, request)), close };
+  } catch (error) {
+    close();
+    throw error;
+  }
+}
+
+async function read(models: Models, { look, src }: SceneRequest): Promise<Omit<Scene, "close">> {
   const { parts, anchors } = models.room;
   await nextTask();
   const collision = new CollisionMesh(parts);
@@ -50,6 +60,5 @@ export async function loadRoom(request: SceneRequest, loading: Loading): Promise
         : new PaperRenderer(gpu, models, tier, look),
     createRefinement: (parts) => new Refinement(parts),
     createNext: (parts) => new NextRenderer(parts),
-    close: () => [models.room, models.candle].forEach(closeModel),
   };
 }
