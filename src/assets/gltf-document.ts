@@ -27,7 +27,7 @@ export function readDocument(json: unknown) {
   const root = new JsonEntry(json, "");
   const version = root.entry("asset")?.string("version");
   if (version === undefined) throw new Flaw("is no glTF: it does not say of which version it is");
-  if (!version.startsWith("2.")) throw new Flaw(`is glTF ${version}, and only glTF 2 can be read`);
+  if (!/^2(\.|$)/.test(version)) throw new Flaw(`is glTF ${version}, and only glTF 2 can be read`);
 
   const buffers = root.entries("buffers").map((buffer) => ({
     uri: buffer.string("uri"),
@@ -76,7 +76,7 @@ function readNode(entry: JsonEntry, count: number, { meshes, skins, accessors }:
   const isSeen = mesh !== undefined && mesh.primitives.length > 0;
   const name = entry.string("name") ?? "";
   const isCandle = /^(wick|flame)/.test(name);
-  const placement = isCandle ? readLeniently(entry) : readPlacement(entry);
+  const placement = isCandle && !mesh ? readLeniently(entry) : readPlacement(entry);
   return {
     name,
     children: entry.indices("children", count),

@@ -20,7 +20,7 @@ const REPEATED = 80;
 export function addressOf(src: string): string {
   const address = resolveUrl(src, document.baseURI);
   if (address !== null) return address;
-  throw new AssetError(`The room's address is none that can be read: ${src.slice(0, REPEATED)}`);
+  throw new AssetError(`The model's address is none that can be read: ${src.slice(0, REPEATED)}`);
 }
 
 /** Fetches and decodes a look's models. three.js comes with the first of them. */

@@ -169,7 +169,7 @@ test("A room from an address that is none, or gone, or no room gives a sentence 
     shown.step(1 / 60);
     return { ...failures, said, sentence, mended, stillThere: shown.stats.triangles > 0 };
   });
-  const none = "The room's address is none that can be read: http://[";
+  const none = "The model's address is none that can be read: http://[";
   expect(failures).toEqual({
     "http://[": `asset: ${none}`,
     "/gone.glb": expect.stringMatching(/^asset: gone\.glb could not be fetched: .* 404.*\.$/),

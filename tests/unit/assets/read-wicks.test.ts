@@ -135,12 +135,15 @@ describe("wicks of a model", () => {
 });
 
 test("a document with a wick in no place is read, and one with another such node is not", () => {
-  const document = (name: string) => ({
-    asset: { version: "2.0" },
-    nodes: [{ name, translation: [null, 0, 0], extras: { wickDiameter: [] } }],
+  const document = (name: string, mesh?: number) => ({
+    asset: { version: "2" },
+    meshes: [{}],
+    nodes: [{ name, mesh, translation: [null, 0, 0], extras: { wickDiameter: [] } }],
   });
   const [wick] = readDocument(document("wick")).nodes;
   expect(wick).toMatchObject({ isMisplaced: true, wickDiameter: [] });
   expect(wick?.translation).toBeUndefined();
-  expect(() => readDocument(document("chair"))).toThrow("holds what is not a number");
+  for (const other of [document("chair"), document("flamethrower", 0)]) {
+    expect(() => readDocument(other)).toThrow("holds what is not a number");
+  }
 });
