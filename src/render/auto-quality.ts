@@ -92,6 +92,8 @@ export class AutoQuality {
   work: Work;
   #index = START;
   #wanted: number | null = null;
+  /** Highest rung that the driver draws; and that may be fast enough. */
+  #best = BEST;
   #ceiling = BEST;
   #hasBeenSlow = false;
   #ignored = 0;
@@ -131,7 +133,10 @@ export class AutoQuality {
 
   get stillRung(): Rung {
     const best = LADDER.findLastIndex(
-      (rung, i) => i > this.#index && this.#predictedTime(rung, this.pixel) <= STILL_BUDGET,
+      (rung, i) =>
+        i > this.#index &&
+        i <= this.#best &&
+        this.#predictedTime(rung, this.pixel) <= STILL_BUDGET,
     );
     return LADDER[Math.max(best, this.#index)]!;
   }
@@ -201,9 +206,16 @@ export class AutoQuality {
 
   /** Allows rungs that were too slow again: for another size, room or session. */
   renew(): void {
-    this.#ceiling = BEST;
+    this.#ceiling = this.#best;
     this.#retries = 0;
     this.#measured = 0;
+    this.#goTo(this.#index);
+  }
+
+  /** The driver refuses a tier: it is not tried again. */
+  refuse(name: Tier["name"]): void {
+    this.#best = LADDER.findIndex(({ tier }) => tier === name) - 1;
+    this.#ceiling = Math.min(this.#ceiling, this.#best);
     this.#goTo(this.#index);
   }
 

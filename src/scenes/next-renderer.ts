@@ -33,7 +33,6 @@ export class NextRenderer {
   readonly #parts: () => NextParts;
   #made: PreparedRenderer | null = null;
   #isPrepared = false;
-  #error: unknown = null;
   /** What was made for it, as long as it is wanted. */
   #objects: Gpu["ahead"] | null = null;
 
@@ -55,16 +54,18 @@ export class NextRenderer {
     gpu.isAhead = false;
   }
 
-  /** Begins, or goes on. True once that rung's is prepared. Throws if the driver refuses what it needs. */
+  /** Begins, or goes on. True once that rung's is prepared. A tier that the driver refuses is given up, with a warning. */
   proceed(rung: Rung): boolean {
-    if (this.#error) throw this.#error;
     if (this.isBusy) return this.#isPrepared;
     const { scene, target, settings, auto } = this.#parts();
     const tier = tierOf(rung.tier, "auto", auto);
     if (scene.prepareRenderer(target, tier, settings)) {
       this.#prepare(tier, rung.share).catch((error: unknown) => {
         // Not of one that was given up, or that a lost context took.
-        if (this.isBusy) this.#error = error;
+        if (!this.isBusy) return;
+        console.warn(error);
+        auto.refuse(tier.name);
+        target.gpu.clearUnshared(true);
       });
     }
     return false;

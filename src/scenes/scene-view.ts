@@ -220,7 +220,7 @@ export class SceneView {
     if (this.#isUnchecked) void this.#check();
   }
 
-  /** Takes the time of a frame of the animation loop, by which `auto` goes. Seconds. Throws if a tier is refused. */
+  /** Takes the time of a frame of the animation loop, by which `auto` goes. Seconds. */
   measure(seconds: number): void {
     if (this.#settings.quality !== "auto" || this.isBusy) return;
     this.#refinement?.take(seconds);

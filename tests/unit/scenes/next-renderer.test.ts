@@ -1,4 +1,4 @@
-import { expect, test } from "vitest";
+import { expect, test, vi } from "vitest";
 import { AutoQuality, type Rung, WORK } from "../../../src/render/auto-quality.ts";
 import type { Renderer } from "../../../src/render/renderer.ts";
 import type { CanvasTarget } from "../../../src/scenes/canvas-target.ts";
@@ -131,12 +131,19 @@ test("one whose objects were freed meanwhile is no longer prepared", async () =>
   expect([next.isBusy, next.take("medium")]).toEqual([false, null]);
 });
 
-test("what the driver refuses is thrown in the next frame, but for what a lost context took", async () => {
-  const { next, uploaded } = place({ error: new Error("refused") });
+test("a tier that the driver refuses is given up with a warning, but not for a lost context", async () => {
+  const error = new Error("refused");
+  const warn = vi.spyOn(console, "warn").mockImplementation(() => {});
+  const { next, parts, gpu, uploaded } = place({ error });
+  const made = gpu.ahead;
+  parts.auto.pixel = 1e-12;
   uploaded();
   next.proceed(MEDIUM);
   await settled();
-  expect(() => next.proceed(MEDIUM)).toThrow("refused");
+  expect(warn.mock.calls).toEqual([[error]]);
+  expect([next.isBusy, gpu.ahead === made], "what was made is freed").toEqual([false, false]);
+  parts.auto.renew();
+  expect(parts.auto.stillRung).toEqual({ tier: "low", share: 1 });
 
   const lost = place();
   lost.gpu.whenCompiled = () => Promise.reject(new Error("lost"));
@@ -145,4 +152,6 @@ test("what the driver refuses is thrown in the next frame, but for what a lost c
   lost.gpu.isLost = true;
   await settled();
   expect(lost.next.proceed(MEDIUM)).toBe(false);
+  expect(warn).toHaveBeenCalledTimes(1);
+  warn.mockRestore();
 });
