@@ -5,10 +5,10 @@ import { Flaw } from "./asset-error.js";
 import { cannotRun, DecoderJobs } from "./decoder-jobs.js";
 import type { MeshoptCompression } from "./gltf-accessors.js";
 import type { TextureImage } from "./model.js";
+import { LONGEST_SIDE } from "./texture-images.js";
 
-/** Longest side of an image that is decoded, and of the mipmap level that is taken from it. Pixels. */
+/** Longest side of an image that is decoded, pixels: of its mipmap levels a smaller one is taken, where there is one. */
 const HUGE_SIDE = 8192;
-const LONGEST_SIDE = 4096;
 
 /** Decoders of one file, each imported and fetched when first needed. */
 export class Decoders {

@@ -5,7 +5,7 @@ import type { GltfDocument } from "./gltf-document.js";
 import { AS_STORED, closeImage, type TextureImage } from "./model.js";
 
 /** Longest side of an image, pixels: more than is visible by candlelight, and than some GPUs accept. */
-const LONGEST_SIDE = 4096;
+export const LONGEST_SIDE = 4096;
 
 /** Sources of a texture that the browser decodes itself, the smallest first. */
 const SOURCES = ["EXT_texture_avif", "EXT_texture_webp"] as const;
@@ -107,28 +107,32 @@ export class TextureImages {
   }
 
   async #decode(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<TextureImage> {
-    if (KTX2_IDENTIFIER.every((byte, i) => bytes[i] === byte)) {
-      return this.#sources.decoders.ktx2(bytes);
-    }
-    const stored = new Blob([withoutExif(bytes)]);
-    const bitmap = await createImageBitmap(stored, AS_STORED).catch((cause: unknown) => {
-      throw new Flaw("is not a picture that can be read", { cause });
-    });
-    const { width, height } = bitmap;
+    const isKtx2 = KTX2_IDENTIFIER.every((byte, i) => bytes[i] === byte);
+    const image = await (isKtx2 ? this.#sources.decoders.ktx2(bytes) : bitmapOf(bytes));
+    const { width, height } = image;
     const shrink = LONGEST_SIDE / Math.max(width, height);
-    if (shrink >= 1) return bitmap;
+    if (shrink >= 1) return image;
     this.warnings.add(`The texture ${name} is shrunk from ${width} x ${height} pixels.`);
     try {
-      return await createImageBitmap(bitmap, {
+      const whole =
+        "data" in image ? new ImageData(new Uint8ClampedArray(image.data), width, height) : image;
+      return await createImageBitmap(whole, {
         ...AS_STORED,
         resizeWidth: Math.max(1, Math.round(width * shrink)),
         resizeHeight: Math.max(1, Math.round(height * shrink)),
         resizeQuality: "high",
       });
     } finally {
-      bitmap.close();
+      closeImage(image);
     }
   }
+}
+
+function bitmapOf(bytes: Uint8Array<ArrayBuffer>): Promise<ImageBitmap> {
+  const stored = new Blob([withoutExif(bytes)]);
+  return createImageBitmap(stored, AS_STORED).catch((cause: unknown) => {
+    throw new Flaw("is not a picture that can be read", { cause });
+  });
 }
 
 /** A JPEG whose orientation is not known: glTF's uv is of the picture as stored, and browsers turn it. */
