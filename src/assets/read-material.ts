@@ -1,7 +1,7 @@
 import type { GltfDocument } from "./gltf-document.js";
 import type { JsonEntry } from "./json-entry.js";
-import { AS_STORED, isGlossy, type Material, PLAIN_MATERIAL, type TextureImage } from "./model.js";
-import type { TextureImages } from "./texture-images.js";
+import { isGlossy, type Material, PLAIN_MATERIAL, type TextureImage } from "./model.js";
+import { resized, type TextureImages } from "./texture-images.js";
 import { type Placement, readTextureUse, type TextureUse, UNTURNED } from "./texture-placement.js";
 
 /** A material and the placement of its maps. */
@@ -194,9 +194,7 @@ function meansOf(map: TextureImage): Promise<Means> {
 
 async function readMeans(map: TextureImage): Promise<Means> {
   const size = PARTS * TEXELS;
-  const source = "data" in map ? new ImageData(new Uint8ClampedArray(map.data), map.width) : map;
-  const resized = { resizeWidth: size, resizeHeight: size } as const;
-  const copy = await createImageBitmap(source, { ...AS_STORED, ...resized });
+  const copy = await resized(map, { resizeWidth: size, resizeHeight: size });
   const context = new OffscreenCanvas(size, size).getContext("2d", { willReadFrequently: true });
   context?.drawImage(copy, 0, 0);
   copy.close();

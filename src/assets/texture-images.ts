@@ -114,10 +114,7 @@ export class TextureImages {
     if (shrink >= 1) return image;
     this.warnings.add(`The texture ${name} is shrunk from ${width} x ${height} pixels.`);
     try {
-      const whole =
-        "data" in image ? new ImageData(new Uint8ClampedArray(image.data), width, height) : image;
-      return await createImageBitmap(whole, {
-        ...AS_STORED,
+      return await resized(image, {
         resizeWidth: Math.max(1, Math.round(width * shrink)),
         resizeHeight: Math.max(1, Math.round(height * shrink)),
         resizeQuality: "high",
@@ -126,6 +123,13 @@ export class TextureImages {
       closeImage(image);
     }
   }
+}
+
+/** A copy of an image in another size. */
+export function resized(image: TextureImage, options: ImageBitmapOptions): Promise<ImageBitmap> {
+  const { width } = image;
+  const source = "data" in image ? new ImageData(new Uint8ClampedArray(image.data), width) : image;
+  return createImageBitmap(source, { ...AS_STORED, ...options });
 }
 
 function bitmapOf(bytes: Uint8Array<ArrayBuffer>): Promise<ImageBitmap> {
