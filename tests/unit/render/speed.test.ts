@@ -51,3 +51,20 @@ test("a busy processor is still one, and is measured in two seconds", async () =
 test("a lost context ends it", async () => {
   expect(await secondsPerPixel(async () => Number.NaN)).toBeNaN();
 });
+
+test("a clock that stands still ends it before loads that take long without a GPU", async () => {
+  const { draw, loads } = machine(0, () => 0);
+  expect(await secondsPerPixel(draw)).toBeNaN();
+  expect(loads.reduce((sum, pixels) => sum + pixels, 0)).toBeLessThan(1.2e6);
+});
+
+test("a GPU that is faster than a coarse clock is no slow one", async () => {
+  let now = 0;
+  const pixel = 5e-11;
+  const draw = async (pixels: number) => {
+    const begin = now;
+    now += 0.0003 + pixel * pixels;
+    return (Math.floor(now / 0.001) - Math.floor(begin / 0.001)) * 0.001;
+  };
+  expect(await secondsPerPixel(draw)).toBeLessThan(1e-9);
+});
