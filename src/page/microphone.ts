@@ -20,7 +20,7 @@ export function bindMicrophone(room: CandleFlameElement, section: HTMLElement): 
   let stop: (() => void) | null = null;
 
   async function open(): Promise<void> {
-    button.disabled = true;
+    button.setAttribute("aria-busy", "true"); // a disabled one would lose the focus
     let stream: MediaStream | null = null;
     try {
       stream = await navigator.mediaDevices.getUserMedia({ audio: AUDIO });
@@ -35,7 +35,7 @@ export function bindMicrophone(room: CandleFlameElement, section: HTMLElement): 
       closeTracks(stream);
       status.textContent = sentenceOf(error as Error);
     }
-    button.disabled = false;
+    button.removeAttribute("aria-busy");
     button.setAttribute("aria-pressed", String(stop !== null));
   }
 
@@ -47,6 +47,7 @@ export function bindMicrophone(room: CandleFlameElement, section: HTMLElement): 
   }
 
   button.addEventListener("click", () => {
+    if (button.hasAttribute("aria-busy")) return;
     if (stop) close("");
     else void open();
   });

@@ -276,6 +276,7 @@ test("blowing at the microphone blows, while the visitor lets it", async ({ host
   // A rumble at 60 Hz is as low and as loud as a breath.
   await page.evaluate(() => {
     navigator.mediaDevices.getUserMedia = async () => {
+      await new Promise((resolve) => setTimeout(resolve, 100)); // the browser asks first
       const context = new AudioContext();
       const breath = new OscillatorNode(context, { frequency: 60 });
       const microphone = context.createMediaStreamDestination();
@@ -285,8 +286,9 @@ test("blowing at the microphone blows, while the visitor lets it", async ({ host
       return microphone.stream;
     };
   });
-  await button.click();
+  await button.press("Enter");
   await expect(button).toHaveAttribute("aria-pressed", "true");
+  await expect(button).toBeFocused();
   await expect.poll(async () => Math.max(...(await heard()))).toBe(1);
   const isOn = () =>
     page.evaluate(() => window.microphone.getTracks().some((track) => track.readyState === "live"));
@@ -522,9 +524,11 @@ test.describe("the ladder", () => {
 
   test("can be left half way, and the flame burns on as before", async ({ hosted }) => {
     const ladder = await hosted.openLab("What each technique costs");
-    await ladder.getByLabel("Rounds").fill("99");
-    await ladder.getByRole("button", { name: "Measure" }).click();
+    const rounds = ladder.getByLabel("Rounds");
+    await rounds.fill("99");
+    await rounds.press("Enter");
     await expect.poll(() => ladder.getByRole("progressbar").evaluate(shareOf)).toBeGreaterThan(0);
+    await expect(rounds).toBeFocused();
     expect(await hosted.evaluate((room) => room.paused)).toBe(true);
     await ladder.getByRole("button", { name: "Stop" }).click();
     await expect(ladder.getByRole("status")).toHaveText("Stopped before the end.");

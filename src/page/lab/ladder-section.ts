@@ -26,7 +26,7 @@ export function bindLadder(
   function show(isRunning: boolean, sentence: string): void {
     if (!isRunning) running = null;
     button.textContent = isRunning ? "Stop" : "Measure";
-    roundsInput.disabled = isRunning;
+    roundsInput.readOnly = isRunning; // disabled, it would lose the focus
     progress.hidden = !isRunning;
     progress.value = 0;
     status.textContent = sentence;
