@@ -539,6 +539,15 @@ test.describe("the ladder", () => {
       room.dispatchEvent(new CustomEvent("error", { detail }));
     });
     await expect(ladder.getByRole("status")).toHaveText("The models are gone.");
+    await hosted.evaluate((room) => {
+      Object.defineProperty(room, "ready", { configurable: true, value: new Promise(() => {}) });
+    });
+    await ladder.getByRole("button", { name: "Measure" }).click();
+    await ladder.getByRole("button", { name: "Stop" }).click();
+    await expect(ladder.getByRole("status"), "without a room").toHaveText(
+      "Stopped before the end.",
+    );
+    await hosted.evaluate((room) => void Reflect.deleteProperty(room, "ready"));
     const features = await hosted.evaluate((room) => ({ ...room.features }));
     expect(Object.values(features)).not.toContain(false);
   });

@@ -35,8 +35,11 @@ export function bindLadder(
 
   async function measure({ signal }: AbortController): Promise<void> {
     show(true, "");
+    const stopped = new Promise((_, reject) => {
+      signal.addEventListener("abort", () => reject(signal.reason));
+    });
     try {
-      await element.ready;
+      await Promise.race([element.ready, stopped]);
       signal.throwIfAborted();
       const rounds = roundsInput.valueAsNumber;
       const frames = await climb(element, rounds, signal, (fraction, medians) => {
