@@ -117,7 +117,10 @@ export class Comparison {
     this.#room.step(seconds);
     this.#copyCamera(second);
     this.#copyCandle(second);
-    if (second.lit !== this.#room.lit) second.lit = this.#room.lit;
+    for (const [i, { lit }] of this.#room.candles.entries()) {
+      const candle = second.candles[i];
+      if (candle && candle.lit !== lit) candle.lit = lit;
+    }
     second.step(seconds);
   }
 
