@@ -1,6 +1,7 @@
 import type { CandleFlameElement } from "../../candle-flame-element.js";
 import { drawnLook } from "../drawn-look.js";
 import { find } from "../find.js";
+import { isWalking } from "../walking.js";
 import { type Radiance, type Reading, readingOf } from "./colorimetry.js";
 import type { Comparison } from "./comparison.js";
 import { addRows, readWhileOpen } from "./readings.js";
@@ -45,6 +46,7 @@ export function bindSpotMeter(
   }
 
   function read(): void {
+    if (document.hidden || isWalking(room)) return; // nobody sees it
     const [x, y] = place;
     const seen = comparison.roomAt(x);
     const { width, height } = seen.stats;
