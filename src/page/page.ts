@@ -181,11 +181,9 @@ shareButton.addEventListener("click", async () => {
     if (text !== null && name !== "unlit" && name !== "lit-wicks") settings[name] = text;
   }
   Object.assign(settings, room.flame ? flameSettings(room) : room.lit ? {} : { unlit: "" });
-  history.replaceState(
-    null,
-    "",
-    writeShareLink({ camera: room.camera, candle: putDownFrom, settings }),
-  );
+  // Nobody put down the original's candle.
+  const candle = room.look === "original" ? null : putDownFrom;
+  history.replaceState(null, "", writeShareLink({ camera: room.camera, candle, settings }));
   link.hidden = true;
   try {
     await navigator.clipboard.writeText(location.href);

@@ -477,6 +477,20 @@ test.describe("what one sees", () => {
       await expect(fresh.enter).toBeVisible();
     });
 
+    await test.step("a link to the original says nothing of its candle, which nobody puts down", async () => {
+      await page.unroute("**/*.glb");
+      await fresh.evaluate((room) => {
+        room.look = "original";
+        return new Promise<unknown>((resolve) => {
+          room.addEventListener("load", resolve, { once: true });
+        });
+      });
+      await page.getByRole("button", { name: "Share" }).click();
+      await expect
+        .poll(() => page.evaluate(() => location.hash))
+        .toMatch(/^#camera=[-\d._]+&look=original&/);
+    });
+
     await test.step("the whole screen shows it", async () => {
       const button = page.getByRole("button", { name: "Full screen" });
       await button.click();
