@@ -35,7 +35,8 @@ find(stage, ".help-button", HTMLButtonElement).addEventListener("click", () => h
 room.addEventListener("progress", ({ detail }) => {
   // In quarters: a screen reader reads each change of this sentence aloud.
   const quarters = Math.floor(detail.totalProgress * 4);
-  status.textContent = `Loading the room: ${quarters * 25} %`;
+  const sentence = `Loading the room: ${quarters * 25} %`;
+  if (status.textContent !== sentence) status.textContent = sentence;
 });
 // A look that is chosen and taken back meanwhile ends its loading without an event.
 followAttributes(room, ["look"], () => {

@@ -446,7 +446,12 @@ test.describe("what one sees", () => {
     await test.step("a look that is chosen and taken back leaves no word of its loading", async () => {
       await fresh.evaluate((room) => {
         room.look = "physical";
-        room.dispatchEvent(new CustomEvent("progress", { detail: { totalProgress: 0.3 } }));
+        const region = document.querySelector(".threshold [role=status]");
+        const nodes = [0.3, 0.31].map((totalProgress) => {
+          room.dispatchEvent(new CustomEvent("progress", { detail: { totalProgress } }));
+          return region?.firstChild;
+        });
+        if (nodes[0] !== nodes[1]) throw new Error("One sentence is read aloud twice.");
       });
       await fresh.evaluate((room) => {
         room.look = "paper";

@@ -13,6 +13,7 @@ const STEP = 0.01;
 const LEAP = 0.1;
 /** Milliseconds between readings: each draws the frame once more. */
 const INTERVAL = 250;
+const NO_UNIT = "The paper's light has no unit.";
 
 const LIGHT: Readonly<Record<string, (reading: Reading) => string>> = {
   luminance: ({ luminance }) => `${figures(luminance)} cd/m²`,
@@ -58,8 +59,13 @@ export function bindSpotMeter(
     for (const [name, value] of values) {
       value.textContent = reading && hasUnits ? (LIGHT[name]?.(reading) ?? "") : "–";
     }
-    if (!hasUnits) status.textContent = "The paper's light has no unit.";
-    else if (status.textContent?.startsWith("The paper")) status.textContent = "";
+    if (!hasUnits) say(NO_UNIT);
+    else if (status.textContent === NO_UNIT) say("");
+  }
+
+  /** A sentence that is written again is read aloud again. */
+  function say(sentence: string): void {
+    if (status.textContent !== sentence) status.textContent = sentence;
   }
 
   spot.tabIndex = 0;
@@ -77,7 +83,7 @@ export function bindSpotMeter(
     moveTo(place[0] + way[0], place[1] + way[1]);
     read();
     // Read aloud, where the spot is moved by keys.
-    status.textContent = values.get("luminance")?.textContent ?? "";
+    if (status.textContent !== NO_UNIT) say(values.get("luminance")?.textContent ?? "");
   });
   stage.addEventListener("pointermove", ({ clientX, clientY }) => {
     if (!spot.isConnected) return;
