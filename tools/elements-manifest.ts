@@ -53,7 +53,7 @@ export async function manifest() {
     .map((member) =>
       member.name === "inspect" ? { ...member, type: { text: union(INSPECTIONS) } } : member,
     );
-  const path = "candle-flame-element.js";
+  const path = "dist/candle-flame-element.js";
   const declaration = { name: analyzedClass.name, module: path };
   return {
     schemaVersion: "1.0.0",
@@ -73,7 +73,7 @@ export async function manifest() {
       },
       {
         kind: "javascript-module",
-        path: "define.js",
+        path: "dist/define.js",
         exports: [{ kind: "custom-element-definition", name: "candle-flame", declaration }],
       },
     ],

@@ -9,9 +9,14 @@ const { modules } = await manifest();
 const [element] = modules.flatMap(({ declarations }) => declarations ?? []);
 const namesOf = (list: readonly { name: string }[] = []) => list.map(({ name }) => name).toSorted();
 
-test("package.json names the manifest where the package has it", () => {
+test("package.json names the manifest, and the manifest modules, where the package has them", () => {
   const { customElements, exports } = JSON.parse(readFileSync("package.json", "utf8"));
   expect(`./${customElements}`).toBe(exports["./custom-elements.json"]);
+  const [element, define] = [exports["."].default, exports["./define"].default];
+  expect(modules.map(({ path }) => `./${path}`)).toEqual([element, define]);
+  for (const { declaration } of modules.flatMap((module) => module.exports)) {
+    expect(`./${declaration.module}`).toBe(element);
+  }
 });
 
 test("the manifest names each attribute, its type and its default", () => {
