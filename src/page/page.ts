@@ -237,8 +237,8 @@ labButton.addEventListener("click", async () => {
   try {
     (await toggleLab)();
   } catch {
-    toggleLab = null; // another click tries again
-    tell("The lab cannot be fetched.");
+    toggleLab = null; // another click tries again, but some browsers keep what failed
+    tell("The lab cannot be fetched. Try again, or reload the page.");
   } finally {
     labButton.removeAttribute("aria-busy");
   }

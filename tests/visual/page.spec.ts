@@ -795,7 +795,9 @@ test.describe("without its models", () => {
     const lab = /\/lab-[^/]*\.js$/;
     await page.route(lab, (route) => route.fulfill({ status: 404 }));
     await page.getByRole("button", { name: "Lab", exact: true }).click();
-    await expect(page.getByText("The lab cannot be fetched.")).toBeVisible();
+    const notice = page.getByText("The lab cannot be fetched.");
+    await expect(notice).toBeVisible();
+    expect((await notice.boundingBox())?.x, "all of it in sight").toBeGreaterThanOrEqual(0);
     await page.unroute(lab);
     const ladder = await fresh.openLab("What each technique costs");
     await ladder.getByRole("button", { name: "Measure" }).click();
