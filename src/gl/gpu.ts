@@ -34,9 +34,7 @@ export class WebGLUnavailableError extends Error {
   override readonly name = "WebGLUnavailableError";
 }
 
-/**
- * A WebGL2 context: it draws, and creates all objects, so it can count and free them.
- */
+/** A WebGL2 context: it draws, and creates all objects, so it can count and free them. */
 export class Gpu extends DrawCommands {
   /** The driver's name of the renderer, for reports. */
   readonly renderer: string;
@@ -220,10 +218,12 @@ export class Gpu extends DrawCommands {
     return this.#unsent.size > 0 || [...this.#alive].some(isPending);
   }
 
-  /** Waits for all programs. Throws if one is refused. */
+  /** Waits for all programs. Throws if any is refused; each is refused once. */
   finishPrograms(): void {
     this.#startPrograms();
-    for (const object of this.#alive) if (object instanceof Program) object.finish();
+    const programs = [...this.#alive].filter((object) => object instanceof Program);
+    const [refusal] = programs.flatMap((program) => program.refusal() ?? []);
+    if (refusal) throw refusal;
   }
 
   /** Throws if since this was last asked the driver refused a target or ran out of memory. Waits for it. */

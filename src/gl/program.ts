@@ -160,10 +160,10 @@ export class Program extends GpuObject {
     return status !== false;
   }
 
-  /** Waits until it is linked. Throws the compiler's message if it cannot be, and disposes of it. */
-  finish(): void {
+  /** Waits until it is linked. If it cannot be, it is disposed of, and the compiler's message returned. */
+  refusal(): Error | null {
     this.start();
-    if (this.#stages.length === 0) return;
+    if (this.#stages.length === 0) return null;
     const gl = this.gl;
     const stages = this.#stages;
     this.#stages = [];
@@ -172,10 +172,17 @@ export class Program extends GpuObject {
     for (const { shader } of stages) gl.deleteShader(shader);
     if (!linked) {
       this.dispose();
-      if (gl.isContextLost()) throw new ContextLostError(`${this.label}: the context is lost.`);
-      throw new ShaderError(`${this.label}: ${log}`);
+      if (gl.isContextLost()) return new ContextLostError(`${this.label}: the context is lost.`);
+      return new ShaderError(`${this.label}: ${log}`);
     }
     this.#reflect();
+    return null;
+  }
+
+  /** The same; throws the message. */
+  finish(): void {
+    const refusal = this.refusal();
+    if (refusal) throw refusal;
   }
 
   get handle(): WebGLProgram {
