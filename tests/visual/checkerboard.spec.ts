@@ -68,6 +68,7 @@ function drawWalk(count: number, isStill: boolean) {
 
 const pixelsOf = () => Array.from({ length: size.width * size.height }, (_, pixel) => pixel);
 const isKept = ({ kept }: Frame, pixel: number) => kept[4 * pixel + 3]! < KEPT;
+const isShaded = (frame: Frame, pixel: number) => !isKept(frame, pixel);
 /** As in shaders/lib/kept-radiance.glsl, of a kept pixel. */
 const luminancePerLux = (alpha: number) => -alpha - 1 / 8192;
 /** Distance from the camera's first place along -Z, m, to a centimetre. */
@@ -106,28 +107,41 @@ test("Half of a board that is cut out is kept, too, and the wall behind its othe
 });
 
 test("A pixel that was kept is shaded in the next frame", () => {
-  // Within the wall a point moves by a pixel or two: its neighbours are of the same quad, or of the next.
   const [before, after] = frames.slice(-2) as [Frame, Frame];
-  const inside = innerPixels();
-  const shadedTwice = inside.filter(
-    (pixel) => !besides(pixel).some((beside) => isKept(before, beside) || isKept(after, beside)),
-  );
-  const keptTwice = inside.filter((pixel) =>
-    besides(pixel).every((beside) => isKept(before, beside) && isKept(after, beside)),
-  );
-  expect(keptTwice).toEqual([]);
-  expect(shadedTwice.length).toBeLessThan(0.1 * inside.length);
+  const [kept, shaded] = [shareOf([before, after], isKept), shareOf([before, after], isShaded)];
+  console.log(`kept twice: ${kept.toFixed(3)}, shaded twice: ${shaded.toFixed(3)}`);
+  expect(kept).toBeLessThan(0.1);
+  expect(shaded).toBeLessThan(0.2);
 });
 
-/** Pixels away from the image's edges, and a pixel's neighbours. */
-function innerPixels() {
-  return pixelsOf().filter((pixel) => {
+/** Share of pixels away from the image's edges whose place is such in each of the frames. */
+function shareOf(frames: readonly Frame[], isSuch: typeof isKept): number {
+  const inside = pixelsOf().filter((pixel) => {
     const [x, y] = [pixel % size.width, Math.floor(pixel / size.width)];
     return x > 8 && y > 8 && x < size.width - 8 && y < size.height - 8;
   });
+  const [last, ...earlier] = frames.toReversed() as [Frame, ...Frame[]];
+  const all = inside.filter((pixel) => {
+    let [seen, at] = [last, pixel];
+    if (!isSuch(seen, at)) return false;
+    return earlier.every((frame) => {
+      [seen, at] = [frame, pixelIn(frame, seen, at)];
+      return isSuch(seen, at);
+    });
+  });
+  return all.length / inside.length;
 }
-const besides = (pixel: number) =>
-  [-2, -1, 0, 1, 2].flatMap((y) => [-2, -1, 0, 1, 2].map((x) => pixel + y * size.width + x));
+
+/** The pixel that shows in one frame the place that a pixel shows in the next: it moves by a pixel or two. */
+function pixelIn({ shaded }: Frame, next: Frame, pixel: number): number {
+  const steps = [-2, -1, 0, 1, 2];
+  const besides = steps.flatMap((y) => steps.map((x) => pixel + y * size.width + x));
+  const distance = (beside: number) =>
+    Math.hypot(...[0, 1, 2].map((i) => shaded[4 * beside + i]! - next.shaded[4 * pixel + i]!));
+  return besides.reduce((nearest, beside) =>
+    distance(beside) < distance(nearest) ? beside : nearest,
+  );
+}
 
 test("In still light a pixel is kept for three frames, and not for four", () => {
   console.log(`kept in still light: ${stillShares.map((share) => share.toFixed(3)).join(" ")}`);
@@ -135,11 +149,10 @@ test("In still light a pixel is kept for three frames, and not for four", () => 
     expect(share).toBeGreaterThan(0.55);
     expect(share).toBeLessThan(0.85);
   }
-  const runs = (length: number) =>
-    innerPixels().filter((pixel) =>
-      still.slice(-length).every((frame) => besides(pixel).every((near) => isKept(frame, near))),
-    );
-  expect(runs(4)).toEqual([]);
+  const [three, four] = [shareOf(still.slice(-3), isKept), shareOf(still.slice(-4), isKept)];
+  console.log(`kept three times: ${three.toFixed(3)}, four times: ${four.toFixed(3)}`);
+  expect(three).toBeGreaterThan(0.2);
+  expect(four).toBeLessThan(0.1);
 });
 
 test("In still light it is what was at the same place, too, and luminance for each lux is kept, small as it is", () => {
