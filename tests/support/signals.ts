@@ -31,26 +31,3 @@ export function vowel(loudness: number, formants: readonly number[]): Float32Arr
     return sum;
   });
 }
-
-/** Seconds of sound as a file: 16 bits, one channel. */
-export function wav(seconds: readonly Float32Array[]): Buffer {
-  const samples = seconds.flatMap((second) => [...second]);
-  const file = Buffer.alloc(44 + samples.length * 2);
-  file.write("RIFF", 0);
-  file.writeUInt32LE(file.length - 8, 4);
-  file.write("WAVEfmt ", 8);
-  file.writeUInt32LE(16, 16);
-  file.writeUInt16LE(1, 20); // PCM
-  file.writeUInt16LE(1, 22);
-  file.writeUInt32LE(RATE, 24);
-  file.writeUInt32LE(RATE * 2, 28);
-  file.writeUInt16LE(2, 32);
-  file.writeUInt16LE(16, 34);
-  file.write("data", 36);
-  file.writeUInt32LE(samples.length * 2, 40);
-  samples.forEach((sample, i) => {
-    const level = Math.max(-1, Math.min(1, sample));
-    file.writeInt16LE(Math.round(level * 32_767), 44 + i * 2);
-  });
-  return file;
-}

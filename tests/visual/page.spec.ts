@@ -283,7 +283,8 @@ test("blowing at the microphone blows, while the visitor lets it", async ({ host
 
   // A rumble at 60 Hz is as low and as loud as a breath.
   await page.evaluate(() => {
-    navigator.mediaDevices.getUserMedia = async () => {
+    navigator.mediaDevices.getUserMedia = async ({ audio } = {}) => {
+      window.filters = audio;
       await new Promise((resolve) => setTimeout(resolve, 100)); // the browser asks first
       const context = new AudioContext();
       const breath = new OscillatorNode(context, { frequency: 60 });
@@ -297,6 +298,12 @@ test("blowing at the microphone blows, while the visitor lets it", async ({ host
   await button.press("Enter");
   await expect(button).toHaveAttribute("aria-pressed", "true");
   await expect(button).toBeFocused();
+  const filters = await page.evaluate(() => window.filters);
+  expect(filters, "wind is no noise here").toEqual({
+    echoCancellation: false,
+    noiseSuppression: false,
+    autoGainControl: false,
+  });
   await expect.poll(async () => Math.max(...(await heard()))).toBe(1);
   const isOn = () =>
     page.evaluate(() => window.microphone.getTracks().some((track) => track.readyState === "live"));
@@ -845,6 +852,8 @@ declare global {
   interface Window {
     /** Strengths of breaths. */
     heard: number[];
+    /** What is asked of the microphone. */
+    filters: MediaStreamConstraints["audio"];
     microphone: MediaStream;
   }
 }
