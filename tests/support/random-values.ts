@@ -1,4 +1,5 @@
 import { SETTINGS, type SettingName } from "../../src/settings.ts";
+import { pcg, unit } from "../../src/world/random.ts";
 
 /** Texts that no attribute is meant to have. */
 const NONSENSE: readonly string[] = [
@@ -38,28 +39,22 @@ interface Change {
   readonly value: string | null;
 }
 
-/** A number in [0, 1) that depends on its index alone. */
-function chance(index: number): number {
-  let hash = Math.imul(index ^ 0x9e3779b9, 0x85ebca6b);
-  hash = Math.imul(hash ^ (hash >>> 13), 0xc2b2ae35);
-  return ((hash ^ (hash >>> 16)) >>> 0) / 2 ** 32;
-}
-
 /** Changes of one to five attributes each, the same in every run: nonsense, legal values and numbers of any size. */
 export function attributeValues(count: number): readonly (readonly Change[])[] {
   let drawn = 0;
-  const pick = <T>(list: readonly T[]): T => list[Math.floor(chance(drawn++) * list.length)] as T;
+  const chance = () => unit(pcg(drawn++));
+  const pick = <T>(list: readonly T[]): T => list[Math.floor(chance() * list.length)] as T;
   const names = Object.keys(SETTINGS) as SettingName[];
   const textFor = (name: SettingName): string | null => {
-    const kind = chance(drawn++);
+    const kind = chance();
     const setting = SETTINGS[name];
     if (kind < 0.1) return null;
     if (kind < 0.25 && setting.kind === "choice") return pick<string>(setting.choices);
-    if (kind < 0.4) return String((chance(drawn++) - 0.5) * 10 ** (chance(drawn++) * 20));
+    if (kind < 0.4) return String((chance() - 0.5) * 10 ** (chance() * 20));
     return pick(NONSENSE);
   };
   return Array.from({ length: count }, () =>
-    Array.from({ length: 1 + Math.floor(chance(drawn++) * 5) }, () => {
+    Array.from({ length: 1 + Math.floor(chance() * 5) }, () => {
       const name = pick(names);
       return { name, value: textFor(name) };
     }),
