@@ -4,8 +4,8 @@ import { nextTask } from "../../src/gl/next-task.ts";
 import { Program, type ProgramOptions, type ShaderSource } from "../../src/gl/program.ts";
 import { UniformBlock } from "../../src/gl/uniform-block.ts";
 import { createCanvasTarget } from "../../src/scenes/canvas-target.ts";
-import { loadScene, type Scene } from "../../src/scenes/scene.ts";
-import { allFeatures, type Look, type Quality } from "../../src/settings.ts";
+import { loadScene } from "../../src/scenes/scene.ts";
+import { allFeatures, type Look, type Quality, type SceneName } from "../../src/settings.ts";
 
 /** What became of one program after some frames. */
 export interface ProgramReport {
@@ -28,14 +28,24 @@ function member(name: string): string {
   return name.replace(/\[0\]$/, "").replace(/\[\d+\]\./, "[].");
 }
 
+/** What is drawn: a look of the room, at `medium` if nothing else is said, or candles alone. */
+export interface Drawn {
+  readonly look?: Look;
+  readonly quality?: Quality;
+  readonly scene?: SceneName;
+  readonly src?: string;
+}
+
 /**
  * Draws a look for a few frames, and tells of each program that took part: the physical one in the cabin, from `medium` on
  * first without the moon. Runs in the browser.
  */
-export async function reportPrograms(
-  look: Look,
-  quality: Quality = "medium",
-): Promise<ProgramReport[]> {
+export async function reportPrograms({
+  look = "physical",
+  quality = "medium",
+  scene: name = "room",
+  src = "",
+}: Drawn): Promise<ProgramReport[]> {
   const made: { program: Program; stages: string[]; set: Set<string> }[] = [];
   const members = new Map<string, Set<string>>();
   const original = {
@@ -67,8 +77,11 @@ export async function reportPrograms(
   };
   try {
     const canvas = document.createElement("canvas");
-    const scene = await loadRoom(look);
-    const screen = createCanvasTarget("room", canvas);
+    const assetRoot = new URL("/", location.href).href;
+    const request = { scene: name, look, src, assetRoot, isStepped: true } as const;
+    const loading = { signal: new AbortController().signal, onProgress: () => {} };
+    const scene = await loadScene(request, loading);
+    const screen = createCanvasTarget(name, canvas);
     // By its name a GPU, on which frames in motion have shaders of their own.
     if (quality !== "low") Object.assign(screen.gpu, { renderer: "A GPU" });
     const moonless = {
@@ -110,11 +123,12 @@ export async function reportPrograms(
       candle.view.resize(48, 27);
     }
     moveAndPutOut(candle);
-    if (look === "physical") {
+    // At low the moon has shone from the first.
+    if (name === "room" && look === "physical" && quality !== "low") {
       candle.options = moonlit;
       candle.world.flame.light();
       candle.step(0.1);
-      moveAndPutOut(candle);
+      candle.world.flame.extinguish();
       candle.step(8); // the moon alone, when the ember is cold
     }
     candle.world.flame.light();
@@ -123,7 +137,7 @@ export async function reportPrograms(
       candle.view.inspect = inspect;
       candle.step(0.1);
     }
-    const gl = canvas.getContext("webgl2");
+    const gl = screen.source.getContext("webgl2");
     if (!gl) throw new Error("no WebGL 2");
     const reports = made.map(({ program, stages, set }) => {
       for (const name of program.samplers.keys()) set.add(name); // `Gpu.draw` insists on each
@@ -166,7 +180,7 @@ export interface Breakage {
 
 /** Breaks each stage that a look's programs have, one by one, each in one program. */
 export async function breakPrograms(look: Look): Promise<Breakage[]> {
-  if (!sources.has(look)) await reportPrograms(look);
+  if (!sources.has(look)) await reportPrograms({ look });
   const gpu = new Gpu(document.createElement("canvas"));
   const attempts = new Map<string, () => void>();
   for (const [vertex, fragment, options] of sources.get(look) ?? []) {
@@ -202,13 +216,6 @@ export function complaintOf(vertex: ShaderSource, fragment: ShaderSource): strin
   } finally {
     gpu.dispose();
   }
-}
-
-function loadRoom(look: Look): Promise<Scene> {
-  const assetRoot = new URL("/", location.href).href;
-  const { signal } = new AbortController();
-  const request = { scene: "room", look, src: "", assetRoot, isStepped: true } as const;
-  return loadScene(request, { signal, onProgress: () => {} });
 }
 
 /** Names of loose uniforms, and of members of blocks after the block's, whatever its instance is called. */

@@ -1,10 +1,10 @@
 import { readdirSync, readFileSync } from "node:fs";
-import { dirname, join } from "node:path";
+import { join } from "node:path";
 import type { Page } from "playwright/test";
-import { type Look, type Quality, SETTINGS } from "../../src/settings.ts";
+import { SETTINGS } from "../../src/settings.ts";
 import { resolveShader } from "../../tools/vite-glsl.ts";
 import { drawOneSample } from "../support/one-sample.ts";
-import type { ProgramReport } from "../support/programs.ts";
+import type { Drawn, ProgramReport } from "../support/programs.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
 import { openSources } from "../support/sources.ts";
 import { expect, test } from "../support/test.ts";
@@ -13,20 +13,20 @@ type Programs = typeof import("../support/programs.ts");
 const PROGRAMS = "/tests/support/programs.ts";
 const SHADERS = "shaders";
 
-/** Files that are a stage of their own, in these folders of `shaders/`. */
-function stagesIn(folders: ReadonlySet<string>): string[] {
+/** Files that are a stage of their own, but for those of a refined image and of `auto`, whose own specs draw them. */
+function stages(): string[] {
   return readdirSync(SHADERS, { recursive: true, encoding: "utf8" })
-    .filter((file) => /\.(vert|frag)$/.test(file) && folders.has(dirname(file)))
+    .filter((file) => /\.(vert|frag)$/.test(file) && !/^(refinement|speed)\//.test(file))
     .sort();
 }
 
-function reportPrograms(page: Page, look: Look, quality?: Quality) {
+function reportPrograms(page: Page, drawn: Drawn): Promise<ProgramReport[]> {
   return page.evaluate(
-    async ({ module, look, quality }) => {
+    async ({ module, drawn }) => {
       const { reportPrograms }: Programs = await import(module);
-      return reportPrograms(look, quality);
+      return reportPrograms(drawn);
     },
-    { module: PROGRAMS, look, quality },
+    { module: PROGRAMS, drawn },
   );
 }
 
@@ -80,19 +80,22 @@ test.beforeAll(async ({ browser }) => {
 test.afterAll(() => page.close());
 
 test("Every shader compiles and links without warnings, and each of its uniforms is set", async () => {
+  const views: readonly Drawn[] = [
+    ...SETTINGS.look.choices.map((look) => ({ look })),
+    { quality: "low" },
+    { scene: "candle" },
+    { scene: "candle", src: "/models/wreath.glb" },
+  ];
   const reports: ProgramReport[] = [];
-  for (const look of SETTINGS.look.choices) reports.push(...(await reportPrograms(page, look)));
-  reports.push(...(await reportPrograms(page, "physical", "low")));
-  // Those of a refined image are drawn in refinement.spec.ts.
+  for (const view of views) reports.push(...(await reportPrograms(page, view)));
+  // Made beforehand, but not drawn while nothing was refined.
   const drawn = reports.filter(({ label }) => !label.startsWith("refinement/"));
   for (const { label, log, unset, set } of drawn) {
     expect.soft({ label, log, unset }).toEqual({ label, log: "", unset: [] });
     expect.soft(set, label).toBeGreaterThan(0);
   }
-  const compiled = new Set(drawn.flatMap(({ stages }) => stages));
-  const folders = new Set([...compiled].map((file) => dirname(file)));
-  expect(folders).toContain("paper");
-  expect([...compiled].sort(), "no file lies idle").toEqual(stagesIn(folders));
+  const compiled = new Set(drawn.flatMap((report) => report.stages));
+  expect([...compiled].sort(), "no file lies idle").toEqual(stages());
 });
 
 for (const look of ["physical", "paper"] as const) {
