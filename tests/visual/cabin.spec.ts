@@ -263,6 +263,7 @@ test.describe("The cabin", () => {
   test("comes back in the very same pixels after a lost context, its candle on the table", async () => {
     await putDown();
     await room.stand({ position: [-0.85, 1.3, 1.1] });
+    await room.step(1 / 15, 2);
     const picture = await room.pixels();
     const { gpuObjects, gpuBytes } = await room.stats();
     await room.evaluate(async (element) => {
