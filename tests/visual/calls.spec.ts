@@ -401,17 +401,6 @@ for (const type of ["load", "play"] as const) {
   });
 }
 
-test("A wick that is no number is the model's own", async ({ room }) => {
-  const scene = { scene: "candle", src: "/models/jar.glb", paused: "" };
-  const heightOf = (element: CandleFlameElement) => {
-    element.step(1);
-    return element.flame?.height;
-  };
-  const own = await useAnother(room, scene, () => {}, heightOf);
-  const bad = await useAnother(room, { ...scene, wick: "thick" }, () => {}, heightOf);
-  expect(bad).toBe(own);
-});
-
 test("A lone candle that was paused before its first frame smokes alike each time", async ({
   room,
 }) => {

@@ -2,12 +2,23 @@ import { expect, test } from "vitest";
 import { optionsOf } from "../../../src/element/options.ts";
 import type { ReflectedAttributes } from "../../../src/element/reflected-attributes.ts";
 
+/** Options of an element that has these attributes. */
+function optionsWith(attributes: Readonly<Record<string, string>>, properties: object = {}) {
+  const defaults = { motion: "full", wick: 2, litWicks: "", moonDirection: "", gustiness: 0 };
+  const getAttribute = (name: string) => attributes[name] ?? null;
+  const element = { ...defaults, getAttribute, ...properties };
+  return optionsOf(element as unknown as ReflectedAttributes, "physical");
+}
+
 test("for visitors who want less motion the wind blows without gusts", () => {
-  const gustinessOf = (motion: "reduced" | "full") => {
-    const attributes = { motion, wind: 1, windDirection: 0, gustiness: 0.5, litWicks: "" };
-    const element = { ...attributes, moonDirection: "", getAttribute: () => null };
-    return optionsOf(element as unknown as ReflectedAttributes, "physical").wind.gustiness;
-  };
+  const gustinessOf = (motion: "reduced" | "full") =>
+    optionsWith({}, { motion, gustiness: 0.5 }).wind.gustiness;
   expect(gustinessOf("full")).toBe(0.5);
   expect(gustinessOf("reduced")).toBe(0);
+});
+
+test("a wick that is no number is the model's own", () => {
+  expect(optionsWith({ wick: "2" }).wick).toBe(0.002);
+  expect(optionsWith({ wick: "thick" }).wick).toBeNull();
+  expect(optionsWith({}).wick).toBeNull();
 });
