@@ -119,7 +119,6 @@ export const SCENES: readonly Scene[] = [
   ...byMoonAndCandles("low"),
   ...CABIN.map((view) => inCabin(view, "high")),
   inCabin(SPAWN, "high", { name: "cabin-moonlit-high", moonlight: "0.15" }),
-  inCabin(TABLE, "medium"),
   { ...inCabin(CLOSE, "medium", { name: "cabin-wind", wind: "0.8" }), seconds: 1.5 },
   {
     ...inCabin(CLOSE, "medium", { name: "cabin-smoke", wind: "0.05" }),
