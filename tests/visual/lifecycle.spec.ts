@@ -1,5 +1,6 @@
 import type { Page } from "playwright/test";
 import { graphicsErrors, lostContexts, recordContexts } from "../support/contexts.ts";
+import { QUICK_ROOM } from "../support/plain-room.ts";
 import { type Attributes, RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
 import { expect, test } from "../support/test.ts";
@@ -299,9 +300,9 @@ test("What is set while another look loads is done to the one on show", async ({
   });
   await page.route(/cabin\.glb$/, async (route) => {
     await released;
-    await route.continue();
+    await route.fulfill({ contentType: "model/gltf-binary", body: QUICK_ROOM });
   });
-  const room = await new RoomDriver(page).open({ exposure: "1" }, TINY);
+  const room = await new RoomDriver(page).open({ exposure: "1", quality: "low" }, TINY);
   const bright = await room.pixels();
   await room.set({ exposure: "0" });
   await room.set({ look: "physical", exposure: "1", seed: "1" });
