@@ -15,6 +15,13 @@ async function openControls(page: Page): Promise<RoomDriver> {
   return room;
 }
 
+/** Goes into a room that is open already. */
+const enter = (room: RoomDriver) =>
+  room.evaluate((element) => {
+    element.controls = true;
+    element.enter();
+  });
+
 const hintOf = (room: RoomDriver) =>
   room.evaluate((element) => {
     const hint = element.shadowRoot?.querySelector<HTMLElement>("[part=hint]");
@@ -200,10 +207,9 @@ test("The sensitivity is how far the mouse turns the view", async ({ page }) => 
 });
 
 test("The hint animates only while it fades: browsers composite the whole page meanwhile", async ({
-  page,
+  room,
 }) => {
-  const room = await openControls(page);
-  await room.evaluate((element) => element.enter());
+  await enter(room);
   const timings = await room.evaluate((element) => {
     const line = element.shadowRoot?.querySelector("[part=hint] p");
     return line?.getAnimations().map(({ effect }) => effect?.getComputedTiming());
@@ -213,9 +219,9 @@ test("The hint animates only while it fades: browsers composite the whole page m
   expect(timings?.[0]?.endTime).toBe(8000);
 });
 
-test("Contrast and forced colours reach the hint", async ({ page }) => {
-  const room = await openControls(page);
-  await room.evaluate((element) => element.enter());
+test("Contrast and forced colours reach the hint", async ({ room }) => {
+  const { page } = room;
+  await enter(room);
   const hint = () =>
     room.evaluate((element) => {
       const line = element.shadowRoot?.querySelector("[part=hint] p");
@@ -227,4 +233,5 @@ test("Contrast and forced colours reach the hint", async ({ page }) => {
   expect(await hint()).toEqual({ backgroundColor: "rgb(0, 0, 0)", outlineStyle: "solid" });
   await page.emulateMedia({ contrast: null, forcedColors: "active" });
   expect((await hint()).outlineStyle).toBe("solid");
+  await page.emulateMedia({ forcedColors: null });
 });
