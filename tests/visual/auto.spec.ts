@@ -1,5 +1,6 @@
 // `auto` on GPUs far slower than SwiftShader: every draw is made so many times over.
 import type { Page } from "playwright/test";
+import { QUICK_ROOM } from "../support/plain-room.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
 import { expect, test } from "../support/test.ts";
@@ -39,7 +40,7 @@ for (const { times, width, height } of [
     await serveSmallTextures(page);
     const room = await new RoomDriver(page).open(
       { look: "physical", quality: "auto", controls: "" },
-      { width, height },
+      { width, height, model: QUICK_ROOM },
     );
     // Who walks sees the coarse image; at rest it is refined, and its frames say nothing.
     await room.evaluate((element) => element.focus());
