@@ -218,6 +218,24 @@ export function complaintOf(vertex: ShaderSource, fragment: ShaderSource): strin
   }
 }
 
+/** What two waits for all programs throw, one after the other, if two of them are broken. */
+export function refusalsOf(vertex: ShaderSource, broken: ShaderSource): string[] {
+  const gpu = new Gpu(document.createElement("canvas"));
+  for (const SAMPLES of [1, 4]) {
+    gpu.program("broken", vertex, broken, { defines: { SAMPLES, CUTOUT: 0 } });
+  }
+  const refusals = [1, 2].map(() => {
+    try {
+      gpu.finishPrograms();
+      return "";
+    } catch (error) {
+      return String(error);
+    }
+  });
+  gpu.dispose();
+  return refusals;
+}
+
 /** Names of loose uniforms, and of members of blocks after the block's, whatever its instance is called. */
 function activeUniforms(gl: WebGL2RenderingContext, program: WebGLProgram): string[] {
   const count = gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS) as number;

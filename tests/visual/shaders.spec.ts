@@ -134,6 +134,20 @@ test("Stages that do not fit together are reported by the program's name", async
   expect(complaint).toMatch(/^ShaderError: broken SAMPLES=4 CUTOUT=0: .*vUv/s);
 });
 
+test("Of several broken programs the first is reported, once", async () => {
+  const vertex = resolveShader(join(SHADERS, "paper/mesh.vert"));
+  const fragment = resolveShader(join(SHADERS, "paper/room.frag"));
+  const broken = { ...fragment, source: `${fragment.source}surplus;` };
+  const refusals = await page.evaluate(
+    async ({ module, vertex, broken }) => {
+      const { refusalsOf }: Programs = await import(module);
+      return refusalsOf(vertex, broken);
+    },
+    { module: PROGRAMS, vertex, broken },
+  );
+  expect(refusals).toEqual([expect.stringContaining("broken SAMPLES=1 CUTOUT=0: "), ""]);
+});
+
 test("Relief finer than a pixel widens a highlight instead of making it sparkle", async () => {
   const [tiles, tile] = [4, 16];
   const size = tiles * tile;
