@@ -134,9 +134,7 @@ export class AutoQuality {
   get stillRung(): Rung {
     const best = LADDER.findLastIndex(
       (rung, i) =>
-        i > this.#index &&
-        i <= this.#best &&
-        this.#predictedTime(rung, this.pixel) <= STILL_BUDGET,
+        i > this.#index && i <= this.#best && this.#predictedTime(rung, this.pixel) <= STILL_BUDGET,
     );
     return LADDER[Math.max(best, this.#index)]!;
   }
