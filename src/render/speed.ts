@@ -1,5 +1,6 @@
 import loadFrag from "../../shaders/speed/load.frag";
 import type { Gpu } from "../gl/gpu.js";
+import { nextTask } from "../gl/next-task.js";
 
 /** A slower pixel of the load is that of a software renderer, seconds: on two cores one takes 4e-7, on an H200 6e-9. */
 export const SOFTWARE_PIXEL = 5e-8;
@@ -18,6 +19,8 @@ const LONG_TIME = 0.05;
 const CLOCK_NOISE = 0.001;
 /** Repetitions, of which the shortest counts: other work only adds time. */
 const TRIES = 3;
+/** Tasks that take longer, together, than the step of any browser's clock: some have a tenth of a second. */
+const TASKS = 20_000;
 /** Edge of the sampled texture, texels. */
 const TEXELS = 64;
 
@@ -49,8 +52,12 @@ async function measure(gpu: Gpu, clock: Clock): Promise<number | null> {
  * Seconds for a pixel, from the smallest load of a reliable time, else from the largest. NaN where no time passes.
  *
  * @param draw draws so many pixels, a square number, and gives the time it took, seconds
+ * @param wait waits longer than a step of the clock, and gives the time it took, seconds
  */
-export async function secondsPerPixel(draw: (pixels: number) => Promise<number>): Promise<number> {
+export async function secondsPerPixel(
+  draw: (pixels: number) => Promise<number>,
+  wait: () => Promise<number>,
+): Promise<number> {
   let total = 0;
   const shortest = async (pixels: number) => {
     let least = Infinity;
@@ -72,7 +79,8 @@ export async function secondsPerPixel(draw: (pixels: number) => Promise<number>)
     before = net;
     const isReliable = net > LONG_TIME || (net > LEAST_TIME && growth > 1);
     if (isReliable || !(pixels < MOST_PIXELS && time < Infinity)) return time / pixels;
-    if (total === 0 && pixels === EDGE ** 2) return Number.NaN; // a page's test has stopped the clock
+    // A page's test has stopped the clock.
+    if (total === 0 && pixels === EDGE ** 2 && (await wait()) === 0) return Number.NaN;
   }
 }
 
@@ -115,7 +123,12 @@ class Load {
   async pixel(): Promise<number> {
     await this.#gpu.whenCompiled();
     await this.#time(1); // drivers finish a program on its first draw
-    return secondsPerPixel((pixels) => this.#time(pixels));
+    const wait = async () => {
+      const begin = this.#clock();
+      for (let i = 0; i < TASKS; i++) await nextTask();
+      return this.#clock() - begin;
+    };
+    return secondsPerPixel((pixels) => this.#time(pixels), wait);
   }
 
   get #isGone(): boolean {
