@@ -60,9 +60,10 @@ export class NextRenderer {
     const { scene, target, settings, auto } = this.#parts();
     const tier = tierOf(rung.tier, "auto", auto);
     if (scene.prepareRenderer(target, tier, settings)) {
+      const objects = target.gpu.ahead;
       this.#prepare(tier, rung.share).catch((error: unknown) => {
         // Not of one that was given up, or that a lost context took.
-        if (!this.isBusy) return;
+        if (!this.isBusy || objects !== this.#objects) return;
         console.warn(error);
         auto.refuse(tier.name);
         target.gpu.clearUnshared(true);
@@ -94,7 +95,9 @@ export class NextRenderer {
     gpu.finishPrograms();
     gpu.check("picture");
     if (frame) await renderer.prepare?.(subject.world, frame, isOn);
-    this.#isPrepared ||= isOn();
+    if (!isOn()) return;
+    gpu.check("picture");
+    this.#isPrepared = true;
     gpu.isAhead = false;
   }
 
