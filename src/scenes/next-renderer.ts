@@ -95,6 +95,7 @@ export class NextRenderer {
     gpu.finishPrograms();
     gpu.check("picture");
     if (frame) await renderer.prepare?.(subject.world, frame, isOn);
+    await gpu.whenIdle();
     if (!isOn()) return;
     gpu.check("picture");
     this.#isPrepared = true;

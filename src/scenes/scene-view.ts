@@ -271,7 +271,7 @@ export class SceneView {
     if (share === this.#quality.share) return true;
     this.#quality = { ...this.#quality, share };
     this.#renderer.refinedFade?.end();
-    if (this.#fitRenderer()) this.#isUnchecked = true;
+    this.#fitRenderer();
     if (!this.#refinement?.shown) this.onQualityChanged();
     return true;
   }

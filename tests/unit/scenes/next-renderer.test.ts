@@ -19,6 +19,7 @@ function place({ error = null as Error | null } = {}) {
     ahead: new Set<object>(),
     longestSide: 4096,
     whenCompiled: () => Promise.resolve(),
+    whenIdle: () => Promise.resolve(),
     finishPrograms: () => {
       if (error) throw error;
     },
