@@ -11,6 +11,7 @@ import { IndirectPass, type IndirectScene } from "../gi/indirect-pass.js";
 import type { IndirectTargets } from "../gi/indirect-targets.js";
 import { type IndirectDetail, probeTraceOf } from "../gi/probe-rays.js";
 import type { PhysicalTier } from "../quality.js";
+import { SCHEDULE } from "../schedule.js";
 import { clustersOf, ShadowCasters } from "../shadow/shadow-casters.js";
 import { entersRoom } from "./entry.js";
 import {
@@ -145,7 +146,9 @@ export class MoonCaptures {
     const detail = { error: 0 };
     while (!clustersOf(before, detail).proceed()) yield;
     const lit = moonlitPoints(frustum, new CollisionMesh(parts), this.#detail);
-    const { positions } = probeTraceOf(collision, model, this.#detail).finish();
+    const trace = probeTraceOf(collision, model, this.#detail);
+    while (!trace.proceed(SCHEDULE.probesPerFrame)) yield;
+    const { positions } = trace.finish();
     const visibility = yield* traceSurfelVisibility(lit, collision, positions, this.#detail);
     const casters = new ShadowCasters(this.#gpu, before, surfaces, detail);
     return { frustum, casters, lit, visibility };
