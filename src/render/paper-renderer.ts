@@ -24,7 +24,7 @@ import type { FrameSettings } from "./frame-settings.js";
 import { type Mesh, surfaceSampling, uploadModel } from "./mesh/mesh.js";
 import type { Tier } from "./quality.js";
 import type { Models, Renderer } from "./renderer.js";
-import { FEEDBACK, ParticleSystem, particleProgram } from "./volumetric/particle-system.js";
+import { FEEDBACK, ParticleSystem } from "./volumetric/particle-system.js";
 
 /** The paper's light has no unit; this exposes its white wall at arm's length just below white. */
 const EXPOSURE = 0.62;
@@ -58,7 +58,6 @@ export class PaperRenderer implements Renderer {
   readonly #frame: UniformBlock;
   readonly #light: UniformBlock;
   readonly #programs = new Map<string, Program>();
-  readonly #updateProgram: Program;
   readonly #models: Readonly<Record<"room" | "candle", readonly Mesh[]>>;
   #systems: ParticleSystem[] = [];
   #target: RenderTarget | null = null;
@@ -75,7 +74,6 @@ export class PaperRenderer implements Renderer {
     this.#gpu = gpu;
     this.#tier = tier;
     const normals = { [look === "original" ? "FACETS" : "NORMAL_MAPS"]: 1 };
-    this.#updateProgram = particleProgram(gpu);
     this.#isFiltered = tier.name === "low";
     const defines = { EDGE_LEAST: CODE_DIFFERENCE, BY_CODE: 1 };
     this.#present = this.#isFiltered
@@ -103,7 +101,7 @@ export class PaperRenderer implements Renderer {
   setLayers({ seed }: World, layers: readonly ParticleLayer[]): void {
     for (const system of this.#systems) system.dispose();
     this.#systems = layers.map(
-      (layer, i) => new ParticleSystem(this.#gpu, this.#updateProgram, layer, layerKey(seed, i)),
+      (layer, i) => new ParticleSystem(this.#gpu, layer, layerKey(seed, i)),
     );
   }
 

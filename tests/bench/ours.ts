@@ -1,11 +1,7 @@
 import particleFrag from "../../shaders/paper/particle.frag";
 import particleVert from "../../shaders/paper/particle.vert";
 import { Gpu } from "../../src/gl/gpu.js";
-import {
-  FEEDBACK,
-  ParticleSystem,
-  particleProgram,
-} from "../../src/render/volumetric/particle-system.js";
+import { FEEDBACK, ParticleSystem } from "../../src/render/volumetric/particle-system.js";
 import { GROUPS, type ParticleLayer } from "../../src/world/particles/particle-layer.js";
 import { layerKey } from "../../src/world/particles/particles.js";
 import { HISTORY, TICK, Timeline } from "../../src/world/timeline.js";
@@ -25,7 +21,7 @@ function layerOf({ count, pixels }: Cell): ParticleLayer {
 export function ours(canvas: HTMLCanvasElement, cell: Cell): Peer {
   const gpu = new Gpu(canvas);
   const layer = layerOf(cell);
-  const system = new ParticleSystem(gpu, particleProgram(gpu), layer, layerKey(1, 0));
+  const system = new ParticleSystem(gpu, layer, layerKey(1, 0));
   const program = gpu.program("paper/particle", particleVert, particleFrag, {
     defines: { HAZE: 0, GRADIENT: 1 },
     feedback: FEEDBACK,

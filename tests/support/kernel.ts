@@ -1,5 +1,5 @@
 import { Gpu } from "../../src/gl/gpu.ts";
-import { ParticleSystem, particleProgram } from "../../src/render/volumetric/particle-system.ts";
+import { ParticleSystem } from "../../src/render/volumetric/particle-system.ts";
 import { advance } from "../../src/world/advance.ts";
 import { moveCamera, placeCandle } from "../../src/world/commands.ts";
 import { createWorld } from "../../src/world/create-world.ts";
@@ -92,7 +92,7 @@ export function compareTwins(course: Course): Difference {
   const { layer, ticks, pace } = course;
   const key = layerKey(7, 1);
   return withGpu((gpu) => {
-    const shader = new ParticleSystem(gpu, particleProgram(gpu), layer, key);
+    const shader = new ParticleSystem(gpu, layer, key);
     const twin = new Particles(layer, key);
     const timeline = new Timeline(0);
     const difference = { worst: 0, most: 0, fewest: Number.POSITIVE_INFINITY };
@@ -115,15 +115,14 @@ export function compareLatecomer(course: Course): Difference {
   const { layer, ticks, pace } = course;
   const key = layerKey(7, 0);
   return withGpu((gpu) => {
-    const program = particleProgram(gpu);
-    const witness = new ParticleSystem(gpu, program, layer, key);
+    const witness = new ParticleSystem(gpu, layer, key);
     const timeline = new Timeline(0);
     for (let stop = 0; timeline.tick < ticks; stop++) {
       const next = timeline.tick + (pace[stop % pace.length] ?? 1);
       while (timeline.tick < next) record(timeline, course);
       witness.follow(timeline);
     }
-    const latecomer = new ParticleSystem(gpu, program, layer, key);
+    const latecomer = new ParticleSystem(gpu, layer, key);
     latecomer.follow(timeline);
     const { worst, living } = compare(latecomer.read(), witness.read());
     return { worst, most: living, fewest: living };
@@ -137,9 +136,8 @@ export function compareLatecomer(course: Course): Difference {
 export function compareInRoom(framesPerSecond: number): Difference {
   const world = createWorld("paper", 3);
   return withGpu((gpu) => {
-    const program = particleProgram(gpu);
     const pairs = PAPER_LAYERS.map((layer, i) => ({
-      shader: new ParticleSystem(gpu, program, layer, layerKey(world.seed, i)),
+      shader: new ParticleSystem(gpu, layer, layerKey(world.seed, i)),
       twin: new Particles(layer, layerKey(world.seed, i)),
     }));
     const difference = { worst: 0, most: 0, fewest: Number.POSITIVE_INFINITY };

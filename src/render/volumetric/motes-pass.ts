@@ -8,7 +8,7 @@ import type { ParticleLayer } from "../../world/particles/particle-layer.js";
 import { layerKey } from "../../world/particles/particles.js";
 import type { World } from "../../world/world.js";
 import type { IrradianceVolume } from "../gi/irradiance-volume.js";
-import { FEEDBACK, ParticleSystem, particleProgram } from "./particle-system.js";
+import { FEEDBACK, ParticleSystem } from "./particle-system.js";
 import type { CompositedFrame } from "./volumetric-target.js";
 
 /** Kelvin of a droplet of burning wax, from birth to death. */
@@ -18,14 +18,12 @@ const GLOW = Float32Array.from(COOLING.flatMap((temperature) => [...sootRadiance
 /** Dust and sparks, as point sprites. */
 export class MotesPass {
   readonly #gpu: Gpu;
-  readonly #update: Program;
   readonly #dust: Program;
   readonly #spark: Program;
   #systems: ParticleSystem[] = [];
 
   constructor(gpu: Gpu) {
     this.#gpu = gpu;
-    this.#update = particleProgram(gpu);
     this.#dust = gpu.program("volumetric/dust", dustVert, moteFrag, { feedback: FEEDBACK });
     this.#spark = gpu.program("volumetric/spark", sparkVert, moteFrag, {
       defines: { GLOWS: COOLING.length },
@@ -40,7 +38,7 @@ export class MotesPass {
   setLayers({ seed }: World, layers: readonly ParticleLayer[]): void {
     for (const system of this.#systems) system.dispose();
     this.#systems = layers.map(
-      (layer, i) => new ParticleSystem(this.#gpu, this.#update, layer, layerKey(seed, i)),
+      (layer, i) => new ParticleSystem(this.#gpu, layer, layerKey(seed, i)),
     );
   }
 

@@ -26,11 +26,6 @@ interface Half {
 /** Varyings that a program with the kernel captures. */
 export const FEEDBACK: readonly string[] = ["vPositionLife", "vVelocitySpan"];
 
-/** Program that advances particles without drawing; shared by all layers of a context. */
-export function particleProgram(gpu: Gpu): Program {
-  return gpu.program("particles/update", updateVert, updateFrag, { feedback: FEEDBACK });
-}
-
 /**
  * One layer of particles on the GPU, moved by transform feedback.
  *
@@ -39,6 +34,7 @@ export function particleProgram(gpu: Gpu): Program {
 export class ParticleSystem {
   readonly layer: ParticleLayer;
   readonly #gpu: Gpu;
+  /** Advances particles without drawing; shared by all layers of a context. */
   readonly #program: Program;
   readonly #block: UniformBlock;
   readonly #key: number;
@@ -58,9 +54,9 @@ export class ParticleSystem {
   readonly #uniforms: Record<string, UniformValue>;
 
   /** @param key seed of this layer, see `layerKey` */
-  constructor(gpu: Gpu, program: Program, layer: ParticleLayer, key: number) {
+  constructor(gpu: Gpu, layer: ParticleLayer, key: number) {
     this.#gpu = gpu;
-    this.#program = program;
+    this.#program = gpu.program("particles/update", updateVert, updateFrag, { feedback: FEEDBACK });
     this.#key = key;
     this.layer = layer;
     this.#from = this.#half("a");
@@ -73,7 +69,7 @@ export class ParticleSystem {
       uDisplacement: this.#displacement,
       uWindVelocity: this.#windVelocity,
     };
-    this.#block = gpu.uniformBlock(program, "Layer");
+    this.#block = gpu.uniformBlock(this.#program, "Layer");
     this.#block.update({
       tick: TICK,
       interval: 1 / layer.rate,
