@@ -36,8 +36,6 @@ export interface PhysicalTier {
   readonly bloomLevels: number;
   /** Steps of the ray march through the flame. */
   readonly flameSteps: number;
-  /** Whether hot air refracts, and dust and sparks are drawn. */
-  readonly hasAir: boolean;
 }
 
 /** Indirect light of `low`, but for mirrors in motion, and of `medium`. */
@@ -69,7 +67,6 @@ const FORWARD = {
   mostCandles: 8,
   casterError: 0,
   bloomLevels: 6,
-  hasAir: true,
 } as const;
 
 const TIERS: Readonly<Record<Tier["name"], Tier>> = {
@@ -87,7 +84,6 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
       casterError: 0.03,
       bloomLevels: 3,
       flameSteps: 12,
-      hasAir: false,
     },
   },
   medium: {
@@ -142,7 +138,6 @@ export const REFINED: Tier = {
     opaque: "refined",
     indirect: { ...FINE_INDIRECT, isBanded: true },
     bloomLevels: 4,
-    hasAir: false,
   },
 };
 

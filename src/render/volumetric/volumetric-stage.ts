@@ -64,9 +64,10 @@ export class VolumetricStage {
     this.#quality = quality;
     this.#ember = gpu.program("volumetric/ember", meshVert, emberFrag);
     this.#flame = new FlamePass(gpu);
-    this.#haze = quality.hasAir ? new HazePass(gpu, format) : null;
+    const hasAir = quality.opaque === "forward"; // elsewhere a CPU draws
+    this.#haze = hasAir ? new HazePass(gpu, format) : null;
     this.#smoke = new SmokePass(gpu, false);
-    this.#motes = quality.hasAir ? new MotesPass(gpu) : null;
+    this.#motes = hasAir ? new MotesPass(gpu) : null;
   }
 
   resize({ width, height }: Size): void {
