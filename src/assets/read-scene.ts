@@ -98,13 +98,11 @@ function anchorAt({ matrixWorld }: Object3D): Anchor {
 function boundsOf(parts: readonly Part[]): Box {
   if (parts.length === 0) throw new Flaw("holds no geometry");
   const box = new Box3();
-  const vector = new Vector3();
   for (const { positions } of parts) {
-    for (let i = 0; i < positions.length; i += 3) {
-      box.expandByPoint(vector.fromArray(positions, i));
-    }
+    const { min, max } = new Box3().setFromArray(positions);
+    box.expandByPoint(min).expandByPoint(max);
   }
-  const size = Math.max(...box.getSize(vector));
+  const size = Math.max(...box.getSize(new Vector3()));
   const farthest = Math.max(...[...box.min, ...box.max].map(Math.abs));
   if (size > LARGEST) {
     throw new Flaw(`is ${(size / 1000).toPrecision(3)} km large; glTF counts in metres`);

@@ -54,18 +54,9 @@ export function uploadProbeRays(
     filter: "nearest",
   });
   const volume = { uProbePositions, uProbeDepth };
-  const rayProbes = gpu.renderTarget({
-    label: "gi/ray-probes",
-    ...size,
-    color: ["RGBA8"],
-    filter: "nearest",
-  });
-  const rayReflectance = gpu.renderTarget({
-    label: "gi/ray-reflectance",
-    ...size,
-    color: ["RGBA8"],
-    filter: "nearest",
-  });
+  const ofRays = { ...size, color: ["RGBA8"], filter: "nearest" } as const;
+  const rayProbes = gpu.renderTarget({ label: "gi/ray-probes", ...ofRays });
+  const rayReflectance = gpu.renderTarget({ label: "gi/ray-reflectance", ...ofRays });
   const roomReflectance = gpu.renderTarget({
     label: "gi/room-reflectance",
     width: 1,
@@ -80,7 +71,7 @@ export function uploadProbeRays(
   function* draw(): Steps {
     const ofProbes = gpu.pass("gi/ray-probes", rayProbesFrag);
     const ofRoom = gpu.pass("gi/room-reflectance", roomReflectanceFrag);
-    const ofRays = gpu.program("gi/ray-reflectance", rayReflectanceVert, rayReflectanceFrag);
+    const reflect = gpu.program("gi/ray-reflectance", rayReflectanceVert, rayReflectanceFrag);
     yield;
     yield* drawInBands(gpu, BANDS, {
       program: ofProbes,
@@ -89,7 +80,7 @@ export function uploadProbeRays(
       textures: { uRayHits, ...volume },
       blocks: { Volume: block },
     });
-    yield* drawRayReflectance(gpu, ofRays, traced, points.vertexArray, rayReflectance, surfaces);
+    yield* drawRayReflectance(gpu, reflect, traced, points.vertexArray, rayReflectance, surfaces);
     points.dispose();
     gpu.draw({
       program: ofRoom,

@@ -40,16 +40,15 @@ export class FlameShadows {
 
   /** @param roots of the flames, metres */
   render(roots: readonly Readonly<Vec3>[], casters: readonly Mesh[]): Texture {
-    const [texture] = this.#target.colors;
-    if (!texture) throw new Error("The shadow atlas has no texture.");
-    if (this.#isDrawn) return texture;
+    const { color } = this.#target;
+    if (this.#isDrawn) return color;
     this.#isDrawn = true;
     this.#gpu.clear(this.#target, NOTHING);
     for (const [tile, [x, y, z]] of roots.entries()) {
       const flame: Vec3 = [x, y + MIDDLE, z];
       for (const face of FACES.keys()) this.#drawFace(tile, face, flame, casters);
     }
-    return texture;
+    return color;
   }
 
   #drawFace(tile: number, face: number, uFlame: Vec3, casters: readonly Mesh[]): void {

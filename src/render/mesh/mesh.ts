@@ -16,7 +16,6 @@ export function surfaceSampling({ anisotropy }: { readonly anisotropy: boolean }
 
 /** A mesh on the GPU: a part of a model, of one material. */
 export interface Mesh {
-  readonly name: string;
   readonly part: Part;
   readonly vertexArray: VertexArray;
   /** Its triangles by place; empty if they were not grouped. */
@@ -89,7 +88,6 @@ export function uploadPart(gpu: Gpu, part: Part, group?: (part: Part) => Grouped
     const { white, flatNormal } = plainTextures(gpu);
     const { indices, clusters, area } = group?.(part) ?? { ...part, clusters: [], area: 0 };
     return {
-      name: part.name,
       part,
       vertexArray: uploadTriangles(gpu, { ...part, indices }),
       clusters,

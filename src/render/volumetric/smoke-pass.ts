@@ -1,8 +1,7 @@
 import type { mat4 } from "gl-matrix";
 import smokeFrag from "../../../shaders/volumetric/smoke.frag";
 import smokeVert from "../../../shaders/volumetric/smoke.vert";
-import type { Draw } from "../../gl/draw-commands.js";
-import type { Gpu, Program, Texture, UniformBlock, VertexArray } from "../../gl/gpu.js";
+import type { Draw, Gpu, Program, Texture, UniformBlock, VertexArray } from "../../gl/gpu.js";
 import { carriedFlame } from "../../light/flame-light.js";
 import { LINES, ROWS, SMOKE_FLOATS, type Smoke } from "../../world/particles/smoke.js";
 import type { World } from "../../world/world.js";

@@ -16,8 +16,9 @@ test.each([0, 1, -2.5, Math.PI])(
   "The carried candle's wick is below its flame, at yaw %d",
   (yaw) => {
     const foot = [1, 0.8, -2] as const;
-    const flame = WORLD_SETUPS.physical.wick.map((x, axis) => x + foot[axis]!);
-    const world = { candle: { yaw }, interpolated: { foot, flame } } as unknown as World;
+    const setup = WORLD_SETUPS.physical;
+    const flame = setup.wick.map((x, axis) => x + foot[axis]!);
+    const world = { candle: { yaw }, interpolated: { foot, flame }, setup } as unknown as World;
     const [x, y, z, turn] = carriedPlacement(world);
     // As in shaders/mesh/mesh.vert.
     const [sin, cos] = [Math.sin(turn), Math.cos(turn)];
