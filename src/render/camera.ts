@@ -32,7 +32,7 @@ type Plane = readonly [number, number, number, number];
 function frustumPlanes(clip: mat4): readonly Plane[] {
   const plane = (row: 0 | 1 | 2, sign: 1 | -1) =>
     [0, 1, 2, 3].map(
-      (column) => (clip[4 * column + 3] ?? 0) + sign * (clip[4 * column + row] ?? 0),
+      (column) => clip[4 * column + 3]! + sign * clip[4 * column + row]!,
     ) as unknown as Plane;
   return [plane(0, 1), plane(0, -1), plane(1, 1), plane(1, -1), plane(2, 1)];
 }

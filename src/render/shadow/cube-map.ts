@@ -55,7 +55,7 @@ export function clipFromShadowFace(
   const out = new Float32Array(16);
   for (const [row, [axis, scale]] of rows.entries()) {
     out[axis * 4 + row] = scale;
-    out[12 + row] = -scale * (origin[axis] ?? 0);
+    out[12 + row] = -scale * origin[axis]!;
   }
   out[14]! -= 2 * near;
   return out;
@@ -69,12 +69,11 @@ export function clipFromShadowFace(
 export function isInCubeFace(face: number, origin: Vec3, { min, max }: Bounds, reach = 1): boolean {
   const { axis, sign } = FACES[face]!;
   // Farthest extent of the box along the face's direction.
-  const ahead =
-    sign > 0 ? (max[axis] ?? 0) - (origin[axis] ?? 0) : (origin[axis] ?? 0) - (min[axis] ?? 0);
+  const ahead = sign > 0 ? max[axis]! - origin[axis]! : origin[axis]! - min[axis]!;
   for (let side = 0; side < 3; side++) {
     if (side === axis) continue;
-    const low = (min[side] ?? 0) - (origin[side] ?? 0);
-    const high = (max[side] ?? 0) - (origin[side] ?? 0);
+    const low = min[side]! - origin[side]!;
+    const high = max[side]! - origin[side]!;
     if (low > ahead * reach || -high > ahead * reach) return false;
   }
   return ahead > 0;

@@ -46,9 +46,7 @@ export class Gusts {
       power += amplitude ** 2 / 2;
     }
     const scale = Math.sqrt(3 / power);
-    for (let i = 0; i < this.#swings.length; i++) {
-      this.#swings[i] = (this.#swings[i] ?? 0) * scale;
-    }
+    for (let i = 0; i < this.#swings.length; i++) this.#swings[i]! *= scale;
   }
 
   /** Adds the gusts at a place to `velocity`, m/s. */
@@ -61,15 +59,11 @@ export class Gusts {
     const swings = this.#swings;
     for (let i = 0; i < WAVES; i++) {
       const w = i * 5;
-      const along =
-        (waves[w] ?? 0) * x +
-        (waves[w + 1] ?? 0) * y +
-        (waves[w + 2] ?? 0) * z +
-        (waves[w + 4] ?? 0);
-      const wave = strength * Math.cos(along - (waves[w + 3] ?? 0) * time);
-      velocity[0] += wave * (swings[i * 3] ?? 0);
-      velocity[1] += wave * (swings[i * 3 + 1] ?? 0);
-      velocity[2] += wave * (swings[i * 3 + 2] ?? 0);
+      const along = waves[w]! * x + waves[w + 1]! * y + waves[w + 2]! * z + waves[w + 4]!;
+      const wave = strength * Math.cos(along - waves[w + 3]! * time);
+      velocity[0] += wave * swings[i * 3]!;
+      velocity[1] += wave * swings[i * 3 + 1]!;
+      velocity[2] += wave * swings[i * 3 + 2]!;
     }
   }
 }
