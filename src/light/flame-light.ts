@@ -2,7 +2,7 @@ import { flameHeight, flameRadius, TAPER_RATE, TAPER_WICK } from "../world/flame
 import type { Flame } from "../world/flame/flame.js";
 import type { Vec3 } from "../world/geometry.js";
 import type { World } from "../world/world.js";
-import { chromaticity, luma, type Rgb } from "./color.js";
+import { adaptation, chromaticity, luma, type Rgb } from "./color.js";
 import { BLUE, type FlameBody, flameBody } from "./flame-body.js";
 import { createShape, shapeFlame } from "./flame-shape.js";
 import { sootRadiance } from "./soot.js";
@@ -32,6 +32,8 @@ export function carriedFlame(world: Pick<World, "interpolated" | "flame">): Root
 
 /** A good taper's flame, still: the candle that the candela was named after. */
 export const TAPER: FlameBody = flameBody(flameHeight(TAPER_RATE), flameRadius(TAPER_WICK, 1), 1);
+/** The eye's, to its light. */
+export const ADAPTATION = adaptation(TAPER.color);
 
 /** Ember at the wick's tip: its height above the flame's root, m, and its projected area, m². */
 const EMBER_HEIGHT = 0.0066;

@@ -1,7 +1,7 @@
 import type { mat4 } from "gl-matrix";
 import type { Box, Gpu, Program, RenderTarget, UniformBlock, UniformValue } from "../../gl/gpu.js";
-import { adaptation, adaptedWhite } from "../../light/color.js";
-import { TAPER } from "../../light/flame-light.js";
+import { adaptedWhite } from "../../light/color.js";
+import { ADAPTATION } from "../../light/flame-light.js";
 import { nightVision } from "../../light/night-vision.js";
 import type { Vec3 } from "../../world/geometry.js";
 import type { World } from "../../world/world.js";
@@ -11,7 +11,6 @@ import type { Tier } from "../quality.js";
 import type { Renderer } from "../renderer.js";
 import type { SmokePass } from "../volumetric/smoke-pass.js";
 
-const ADAPTATION = adaptation(TAPER.color);
 /** Vision of an eye that is adapted to candlelight. */
 const LIT = nightVision(0);
 

@@ -1,8 +1,8 @@
 import displayFrag from "../../../shaders/post/display.frag";
 import displayVert from "../../../shaders/post/display.vert";
 import type { Box, Gpu, Program, Surface, Texture, UniformBlock } from "../../gl/gpu.js";
-import { adaptation, adaptedWhite, P3_FROM_RGB, type Rgb, VIBRANCE } from "../../light/color.js";
-import { TAPER } from "../../light/flame-light.js";
+import { adaptedWhite, P3_FROM_RGB, type Rgb, VIBRANCE } from "../../light/color.js";
+import { ADAPTATION, TAPER } from "../../light/flame-light.js";
 import { nightVision } from "../../light/night-vision.js";
 import { EXPOSURE_LAW } from "../../world/player/exposure-adaptation.js";
 import type { FrameSettings } from "../frame-settings.js";
@@ -13,7 +13,6 @@ import { type DisplayLut, hueLut } from "./display-lut.js";
 const GLARE_SHARE = 0.0006;
 /** Exposure without metering: from cd/m² to the display's white. */
 const FIXED_EXPOSURE = 2 ** EXPOSURE_LAW.stops;
-const ADAPTATION = adaptation(TAPER.color);
 const UNADAPTED: Rgb = [1, 1, 1];
 const WHITE = adaptedWhite();
 /** From linear Rec. 709 to the primaries of the screen, by columns. */

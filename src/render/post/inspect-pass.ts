@@ -1,8 +1,7 @@
 import displayVert from "../../../shaders/post/display.vert";
 import inspectFrag from "../../../shaders/post/inspect.frag";
 import type { Gpu, Program, Texture, UniformBlock } from "../../gl/gpu.js";
-import { adaptation } from "../../light/color.js";
-import { TAPER } from "../../light/flame-light.js";
+import { ADAPTATION } from "../../light/flame-light.js";
 import type { Inspection } from "../../settings.js";
 import type { FrameSettings } from "../frame-settings.js";
 import type { IrradianceVolume } from "../gi/irradiance-volume.js";
@@ -23,8 +22,6 @@ const VIEWS: Readonly<Record<Exclude<Inspection, "picture">, number>> = {
 };
 /** Luminance shown as white in views of a part of the flame, cd/m². */
 const WHITE_LUMINANCE = { soot: 12_000, blue: 80 } as const;
-
-const ADAPTATION = adaptation(TAPER.color);
 
 /** Inspection: a pass's result in place of the frame. */
 export class InspectPass {
