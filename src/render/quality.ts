@@ -63,6 +63,7 @@ const FINE_INDIRECT: IndirectDetail = {
 
 /** What tiers of forward shading have in common, by the numbers of `high`. */
 const FORWARD = {
+  opaque: "forward",
   moonMap: 1024,
   mostCandles: 8,
   casterError: 0,
@@ -93,7 +94,6 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
     anisotropy: true,
     physical: {
       ...FORWARD,
-      opaque: "forward",
       shadow: { size: 512, search: 12, taps: 24, bias: 2.5 },
       indirect: COARSE_INDIRECT,
       casterError: 0.01,
@@ -108,7 +108,6 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
     anisotropy: true,
     physical: {
       ...FORWARD,
-      opaque: "forward",
       shadow: { size: 512, search: 16, taps: 32, bias: 2.5 },
       indirect: FINE_INDIRECT,
       flameSteps: 40,
@@ -121,7 +120,6 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
     anisotropy: true,
     physical: {
       ...FORWARD,
-      opaque: "forward",
       shadow: { size: 1024, search: 24, taps: 48, bias: 2.5 },
       indirect: FINE_INDIRECT,
       moonMap: 2048,

@@ -1,4 +1,4 @@
-import { mat4 } from "gl-matrix";
+import { mat4, vec4 } from "gl-matrix";
 import type { Features } from "../../settings.js";
 import { FAR, NEAR } from "../camera.js";
 import { AT_ORIGIN, type ModelInstance } from "../frame-input.js";
@@ -74,10 +74,7 @@ export function screenMotion(between: mat4, distance: number): number {
   let most = 0;
   for (let corner = 0; corner < 4; corner++) {
     const [x, y] = [corner & 1, corner >> 1];
-    const [u, v, , w] = [0, 1, 2, 3].map(
-      (row) =>
-        between[row]! * x + between[row + 4]! * y + between[row + 8]! * depth + between[row + 12]!,
-    ) as [number, number, number, number];
+    const [u = 0, v = 0, , w = 0] = vec4.transformMat4([0, 0, 0, 0], [x, y, depth, 1], between);
     if (!(w > 0)) return Number.POSITIVE_INFINITY;
     most = Math.max(most, Math.abs(u / w - x), Math.abs(v / w - y));
   }
