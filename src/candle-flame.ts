@@ -141,7 +141,6 @@ export class CandleFlame {
     return rootedFlame(this.world, index)?.flame.isLit ?? false;
   }
 
-  /** Lights a candle or puts it out, if it is not so already. */
   setLit(isLit: boolean, index = 0): void {
     const flame = rootedFlame(this.world, index)?.flame;
     if (isLit ? flame?.light() : flame?.extinguish()) this.onFlameChanged(index);

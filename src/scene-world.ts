@@ -31,7 +31,6 @@ export interface Options {
   readonly isStill: boolean;
 }
 
-/** Whether a candle burns at first. */
 export function burnsAtFirst(index: number, { isModelAlone }: Scene, options: Options): boolean {
   const { unlit, litWicks } = options;
   return !unlit && (litWicks?.includes(index) ?? (isModelAlone || index === 0));
@@ -78,7 +77,6 @@ export function wickOf({ first }: Scene, { wick }: Options): number {
   return wick ?? first?.wickDiameter ?? TAPER_WICK;
 }
 
-/** Names of the candles' wicks, the carried one's first. */
 export function candleNamesOf({ first, wicks }: Scene): readonly string[] {
   return [first?.name ?? CARRIED, ...wicks.map(({ name }) => name)];
 }

@@ -15,7 +15,6 @@ int casterLevelSize(int level) {
   return CASTER_TILE >> level;
 }
 
-// Row of a tile at which a level begins.
 int casterLevelRow(int level) {
   return 2 * (CASTER_TILE - casterLevelSize(level));
 }

@@ -49,7 +49,6 @@ float discPenumbra(vec3 from, vec3 to, float height, float radius) {
   return 0.5 + 0.5 * clearance / blur;
 }
 
-// Integral of smoothstep from 0 to x.
 float smoothstepIntegral(float x) {
   float t = clamp(x, 0.0, 1.0);
   return t * t * t * (1.0 - 0.5 * t) + max(x - 1.0, 0.0);

@@ -83,7 +83,6 @@ struct DirectLight {
   vec3 specular;    // cd/m², of single scattering
 };
 
-// Direct light of the flame.
 DirectLight directLight(Shading s, vec2 visibilities) {
   vec3 toLight = light.position - vPositionWorld;
   float distanceSquared = max(dot(toLight, toLight), LEAST_DISTANCE * LEAST_DISTANCE);
@@ -118,7 +117,6 @@ vec4 shade(vec3 facet) {
   bool isCrevice = occlusion < CREVICE;
   vec2 visibilities = visibilitiesOf(1, surface, normal, facet, isCrevice);
 
-  // Direct light.
   Shading s = shadingOf(material, surface, normal);
   DirectLight direct = directLight(s, visibilities);
   vec3 glow = waxGlow(vPositionWorld);
@@ -141,7 +139,6 @@ vec4 shade(vec3 facet) {
   carriedShare = luma(light.intensity) / (luma(light.intensity) + others);
 #endif
 
-  // Reflection.
   EnvironmentReflection environment = environmentReflection(uEnvironmentBrdf, s.f0, sqrt(s.alpha), s.NoV);
   vec3 specular = direct.specular * environment.boost;
   // Reflected light does not reach the diffuse layer below.
@@ -158,7 +155,6 @@ vec4 shade(vec3 facet) {
   float reflectance = moonLuma(diffuseColor) * skyVisibility(surface, normal) * s.minified.x + moonLuma(environment.share) * uFeatures.z;
 #endif
 
-  // Indirect light.
   vec3 reflected = reflect(-s.view, normal);
   IrradianceSample probes = irradianceAt(vPositionWorld + surface * 0.02, normal, normal, reflected);
   float near = 1.0 - occlusion;

@@ -23,7 +23,6 @@ const float NORMAL_TOLERANCE = 0.06;
 const float PANE_DIFFERENCE = 4.0;
 // Weight of other surfaces' texels up to which the lighting is interpolated all the same.
 const float NEGLIGIBLE = 0.04;
-// Weight of a sample on a pane.
 const float PANE_WEIGHT = 1e-3;
 
 float inverseDistance(ivec2 texel) {

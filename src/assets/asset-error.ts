@@ -11,7 +11,6 @@ export class Flaw extends Error {
   override readonly name = "Flaw";
 }
 
-/** Any error of a file as an `AssetError`. */
 export function assetError(file: string, cause: unknown): AssetError {
   if (cause instanceof AssetError) return cause;
   if (cause instanceof Flaw) return new AssetError(`${file} ${cause.message}.`, { cause });

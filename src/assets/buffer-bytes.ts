@@ -18,7 +18,6 @@ export interface Sources {
   readonly shared: Map<string, Promise<TextureImage>>;
 }
 
-/** Reads a document's buffer view. */
 export type ReadView = (index: number) => Promise<Uint8Array<ArrayBuffer>>;
 
 /** Reads buffer views: each is fetched and decompressed when first asked for, and kept. */

@@ -138,7 +138,6 @@ function addressOf(url: string, base: string): URL {
   }
 }
 
-/** File name of a URL, decoded. */
 function fileName(url: string): string {
   if (/^(data|blob):/.test(url)) return "The model";
   const path = url.split(/[?#]/)[0] ?? "";

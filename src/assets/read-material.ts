@@ -4,7 +4,6 @@ import { isGlossy, type Material, PLAIN_MATERIAL, type TextureImage } from "./mo
 import { resized, type TextureImages } from "./texture-images.js";
 import { type Placement, readTextureUse, type TextureUse, UNTURNED } from "./texture-placement.js";
 
-/** A material and the placement of its maps. */
 export interface PlacedMaterial {
   readonly material: Material;
   readonly placement: Placement;

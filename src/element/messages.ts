@@ -17,17 +17,14 @@ export const REFUSALS: Readonly<Record<Refusal, string>> = {
   "no room": "There is no room for the candle.",
 };
 
-/** Says that the candle is out, and how to light it if the visitor can. */
 export function outSentence(canLight: boolean): string {
   return canLight ? `The candle is out. ${toLight("it")}` : "The candle is out.";
 }
 
-/** Says which standing candle was lit or went out. */
 export function changeSentence(candle: CandleDetail, isLit: boolean): string {
   return `${upperFirst(spokenName(candle, ","))} ${isLit ? "burns" : "is out"}.`;
 }
 
-/** Says which candle the carried flame can light now. */
 export function reachedSentence(candle: CandleDetail): string {
   return toLight(spokenName(candle));
 }

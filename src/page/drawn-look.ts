@@ -15,7 +15,6 @@ export function drawnLook(element: CandleFlameElement): Look {
   return drawnFor(looks.get(element) ?? element.look);
 }
 
-/** Look that will be drawn. */
 export function expectedLook({ look }: CandleFlameElement): Look {
   return drawnFor(look);
 }

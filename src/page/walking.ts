@@ -4,7 +4,6 @@ import type { CandleFlameElement } from "../candle-flame-element.js";
 const WALKING = ":is(:state(walking), [state-walking])";
 const CHANGES = ["enter", "leave", "load", "error"] as const;
 
-/** Whether the visitor walks in this room. */
 export function isWalking(room: Element): boolean {
   return room.matches(WALKING);
 }

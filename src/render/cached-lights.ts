@@ -79,11 +79,6 @@ export class CachedLights {
     return lights;
   }
 
-  /**
-   * What the moon's light alone needs.
-   *
-   * @param casters of shadows
-   */
   *night(casters: ShadowCasters): Steps {
     if (this.#moon) yield* this.#moon.night(casters);
   }

@@ -138,7 +138,6 @@ export class SceneView {
     this.prepareFrame(atRest(this.#last), () => true).catch(this.onRefused);
   }
 
-  /** After the WebGL context was restored. */
   restore(): void {
     this.#target.renew();
     this.rebuild();
@@ -256,7 +255,6 @@ export class SceneView {
     this.#target.dispose();
   }
 
-  /** Tier and resolution of the next frame. */
   get #asked() {
     return askedQuality(this.#settings.quality, this.#auto, this.isPlaying, this.inspect);
   }

@@ -11,9 +11,7 @@ import { advanceSmoke, advanceStanding } from "./standing-candle.js";
 import { TICK } from "./timeline.js";
 import type { World } from "./world.js";
 
-/** Ticks of a step of the plume. */
 const PLUME_TICKS = 2;
-/** Ticks of a step of the eye's adaptation. */
 const ADAPTATION_TICKS = 2;
 /** A flame that burns less than this share of its fuel heats its wick too little to throw sparks. */
 const SPARKING = 0.5;
@@ -42,7 +40,6 @@ const flow: Vec3 = [0, 0, 0];
 const way: Vec3 = [0, 0, 0];
 const wind: Vec3 = [0, 0, 0];
 
-/** Advances the world by a tick. */
 export function tick(world: World, intent: Intent): void {
   const { player, emitter, timeline, air, flame } = world;
   for (let axis = 0; axis < 3; axis++) previousEmitter[axis] = emitter[axis]!;

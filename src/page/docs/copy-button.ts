@@ -1,6 +1,5 @@
 import { find } from "../find.js";
 
-/** Gives a snippet a button that copies it. */
 export function addCopyButton(snippet: HTMLElement): void {
   const code = find(snippet, "code", HTMLElement);
   const button = document.createElement("button");

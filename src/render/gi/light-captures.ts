@@ -24,13 +24,11 @@ const PENUMBRA = 0.05;
 /** Sway of the flame that captures may be held for, metres. */
 const SWAY = 0.006;
 
-/** Shadow cube and irradiance volume of the flame. */
 export interface FlameCaptures {
   readonly shadow: ShadowCube;
   readonly irradiance: IrradianceVolume;
 }
 
-/** Shadow cube and irradiance volume of the flame, and those of other lights. */
 export interface Captures extends FlameCaptures {
   /** The lights beside the carried flame. */
   readonly cached: readonly CachedLight[];
@@ -63,9 +61,7 @@ export class LightCaptures {
   /** Whether the moon's light alone has shadows of its first bounce. */
   readonly #hasNight: boolean;
 
-  /**
-   * @param isSimplified whether casters are simplified in motion, where the model allows
-   */
+  /** @param isSimplified whether casters are simplified in motion, where the model allows */
   constructor(gpu: Gpu, room: IndirectScene, tier: PhysicalTier, isSimplified: boolean) {
     const { shadow, casterError } = tier;
     const indirect = fitToRoom(tier.indirect, room.collision, room.model);

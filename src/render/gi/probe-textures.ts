@@ -104,7 +104,6 @@ export function uploadProbeRays(
   };
 }
 
-/** A point for each hit. */
 function pointsOf(gpu: Gpu, { hitUvs }: ProbeRays) {
   const buffer = gpu.buffer("gi/hit-uvs", hitUvs);
   const vertexArray = gpu.vertexArray("gi/hit-uvs", {

@@ -4,7 +4,6 @@ import type { Vec3 } from "../../world/geometry.js";
 
 type Triangles = Pick<Part, "positions" | "indices">;
 
-/** A vertex, by its place in the indices. */
 export function vertexAt({ positions, indices }: Triangles, index: number): Vec3 {
   const at = indices[index]! * 3;
   return [positions[at]!, positions[at + 1]!, positions[at + 2]!];

@@ -72,11 +72,6 @@ export class ShadowCasters {
     });
   }
 
-  /**
-   * Draws clusters of triangles.
-   *
-   * @param isVisible whether what lies in a box is drawn
-   */
   draw(pass: Omit<Draw, "vertexArray">, isVisible: (box: Bounds) => boolean): void {
     for (const run of runsOf(this.#clusters.clusters, isVisible, MOST_DRAWS)) {
       this.#gpu.draw({ ...pass, ...run, vertexArray: this.#vertexArray });

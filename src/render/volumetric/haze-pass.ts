@@ -127,7 +127,6 @@ export class HazePass {
     }
   }
 
-  /** Bounding spheres of the levels with visible deflection. */
   *boundingSpheres(source: HotAir): Generator<Sphere> {
     if (!this.#measure(source)) return;
     for (let level = 0; level < LEVELS; level++) {

@@ -74,12 +74,10 @@ export class VolumetricStage {
     this.#haze?.resize(width, height);
   }
 
-  /** Replaces the particles by those of a new world, or of other layers. */
   setLayers(world: World, layers: readonly ParticleLayer[]): void {
     this.#motes?.setLayers(world, layers);
   }
 
-  /** Particle slots in use in the last frame. */
   get particles(): number {
     return this.#motes?.particles ?? 0;
   }

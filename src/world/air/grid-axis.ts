@@ -14,9 +14,7 @@ export class GridAxis {
   readonly widths: Float64Array;
   /** From the middle of the cell below each edge to the middle of the one above it. */
   readonly spans: Float64Array;
-  /** Reciprocal of each width. */
   readonly perWidth: Float64Array;
-  /** Reciprocal of each span. */
   readonly perSpan: Float64Array;
   /** Of each cell, the weight of the one below it in a second derivative. */
   readonly lower: Float64Array;

@@ -44,7 +44,6 @@ export class PressureSolver {
     this.#pressure.set(other.#pressure);
   }
 
-  /** Removes the divergence of a flow. */
   project(velocities: readonly [Float64Array, Float64Array, Float64Array]): void {
     this.#diverge(velocities);
     for (let sweep = 0; sweep < SWEEPS; sweep++) {

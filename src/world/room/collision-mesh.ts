@@ -14,7 +14,6 @@ export interface RayHit {
   distance: number;
   /** Number of the triangle, as the parts list them, one part after the other. */
   triangle: number;
-  /** Whether it is on the back of the triangle. */
   isBack: boolean;
   /** Barycentric coordinates: weights of the triangle's second and third corner. */
   u: number;
