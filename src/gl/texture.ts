@@ -30,7 +30,7 @@ export interface TextureOptions {
   readonly format: TextureFormat;
   /** Pixels, or a size for a texture that a pass will draw. */
   readonly source: ImageBitmap | Pixels | { readonly width: number; readonly height: number };
-  /** A cube has six square faces; layers make it three-dimensional. Default: two-dimensional. */
+  /** A cube has six square faces; layers make it 3D; both take only a size. Default: 2D. */
   readonly shape?: "2d" | "cube" | { readonly layers: number };
   /** Trilinear, with mipmaps that `updateMipmaps` makes on the GPU. */
   readonly mipmaps?: boolean;
@@ -79,7 +79,7 @@ export class Texture extends GpuObject {
     } else {
       gl.texStorage2D(this.target, levels, gl[format], width, height);
     }
-    this.#upload(source, layers);
+    this.#upload(source);
     this.#sample(options);
     gl.bindTexture(this.target, null);
   }
@@ -93,7 +93,7 @@ export class Texture extends GpuObject {
     this.needsMipmaps = false;
   }
 
-  #upload(source: TextureOptions["source"], layers = 1): void {
+  #upload(source: TextureOptions["source"]): void {
     const gl = this.gl;
     const { upload, type: stored } = FORMATS[this.#format];
     const { width, height } = source;
@@ -104,9 +104,6 @@ export class Texture extends GpuObject {
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
     if ("close" in source) {
       gl.texSubImage2D(this.target, 0, 0, 0, gl[upload], gl[type], source);
-    } else if ("data" in source && this.target === gl.TEXTURE_3D) {
-      const { data } = source;
-      gl.texSubImage3D(this.target, 0, 0, 0, 0, width, height, layers, gl[upload], gl[type], data);
     } else if ("data" in source) {
       gl.texSubImage2D(this.target, 0, 0, 0, width, height, gl[upload], gl[type], source.data);
     }
