@@ -17,5 +17,5 @@ export default defineConfig({
     toHaveScreenshot: { animations: "disabled", threshold: 0.1, maxDiffPixelRatio: 0.002 },
   },
   use: browser,
-  webServer: [servers.page, servers.library, servers.sources],
+  webServer: servers.all,
 });

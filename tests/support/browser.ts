@@ -71,6 +71,12 @@ export const ORIGINS = onPorts((port) => `http://127.0.0.1:${port}/`);
 const on = onPorts((port) => `--port ${port} --strictPort`);
 
 export const servers = {
+  /** Page, library and sources. The sources answer last. */
+  all: {
+    command: `node tests/support/serve.mjs ${ports.slice(0, 3).join(" ")}`,
+    url: ORIGINS.sources,
+    reuseExistingServer: false,
+  },
   page: {
     command: `${vite} preview ${on.page}`,
     url: ORIGINS.page,
@@ -79,11 +85,6 @@ export const servers = {
   library: {
     command: `${vite} preview --outDir dist ${on.library}`,
     url: `${ORIGINS.library}define.js`,
-    reuseExistingServer: false,
-  },
-  sources: {
-    command: `${vite} ${on.sources}`,
-    url: ORIGINS.sources,
     reuseExistingServer: false,
   },
   bench: {
