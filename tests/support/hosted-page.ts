@@ -46,7 +46,11 @@ export class HostedPage {
     this.complaints = complaintsOf(page);
   }
 
-  /** @param address as a visitor has it, who may have it from any folder of a site */
+  /**
+   * Loads it, with small textures.
+   *
+   * @param address as a visitor has it, who may have it from any folder of a site
+   */
   async load(hash = QUICK, address: string = PAGE): Promise<void> {
     const served = address === PAGE ? PAGE : `${address}**`;
     await this.page.route(served, async (route) => {
@@ -56,6 +60,7 @@ export class HostedPage {
       const headers = { ...response.headers(), "content-security-policy": POLICY };
       await route.fulfill({ response, headers });
     });
+    await serveSmallTextures(this.page); // last: it comes before the address's own route
     const response = await this.page.goto(address + hash);
     expect(response?.headers()["content-security-policy"]).toBe(POLICY);
   }
@@ -163,7 +168,6 @@ export const test = base.extend<
         locale,
         timezoneId,
       });
-      await serveSmallTextures(page);
       const shared = await new HostedPage(page).open();
       await shared.evaluate((room) => room.pause());
       await use(shared);

@@ -4,7 +4,6 @@ import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
 import { FEATURE_MEANINGS, INSPECTION_MEANINGS } from "../../src/page/meanings.ts";
 import { FEATURES_OF, INSPECTIONS, SETTINGS } from "../../src/settings.ts";
 import { expect, PAGE, test } from "../support/hosted-page.ts";
-import { serveSmallTextures } from "../support/small-textures.ts";
 
 // Dear, and each for itself: whichever worker is free takes the next.
 test.describe.configure({ mode: "parallel" });
@@ -14,7 +13,6 @@ test("the page opens on a burning room, from any folder of a site", async ({ fre
   const folder = `${PAGE}some/folder/`;
   const requests: string[] = [];
   page.on("request", (request) => requests.push(request.url()));
-  await serveSmallTextures(page);
   await fresh.open("", folder);
 
   await test.step("with one title and one way in", async () => {
