@@ -29,18 +29,6 @@ async function pictureOf(seed: number): Promise<string> {
   return room.pixels();
 }
 
-for (const look of ["physical", "paper"] as const) {
-  test(`Half a second of the ${look} look ends in the same pixels at 30, 60 and 144 Hz`, async () => {
-    const quality = look === "physical" ? "low" : "medium";
-    const gusts = { wind: "0.4", gustiness: "0.6" };
-    const begin = await room.pixels({ attributes: { look, quality, ...gusts }, isReset: true });
-    const end = await endOfHalfSecond(30);
-    expect(end).not.toBe(begin);
-    expect(await endOfHalfSecond(60)).toBe(end);
-    expect(await endOfHalfSecond(144)).toBe(end);
-  });
-}
-
 for (const look of ["paper", "original"] as const) {
   test(`The same seed of the ${look} look is the same flame, another seed another`, async () => {
     await room.pixels({ attributes: { look, quality: "medium" } });
@@ -57,3 +45,16 @@ test("A long frame leaves the flame where many short ones would", async () => {
   await room.step(1 / 16, 32);
   expect(await room.pixels()).toBe(atOnce);
 });
+
+// The physical look at the end: others have the same models.
+for (const look of ["paper", "physical"] as const) {
+  test(`Half a second of the ${look} look ends in the same pixels at 30, 60 and 144 Hz`, async () => {
+    const quality = look === "physical" ? "low" : "medium";
+    const gusts = { wind: "0.4", gustiness: "0.6" };
+    const begin = await room.pixels({ attributes: { look, quality, ...gusts }, isReset: true });
+    const end = await endOfHalfSecond(30);
+    expect(end).not.toBe(begin);
+    expect(await endOfHalfSecond(60)).toBe(end);
+    expect(await endOfHalfSecond(144)).toBe(end);
+  });
+}
