@@ -4,6 +4,7 @@ import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
 import { FEATURE_MEANINGS, INSPECTION_MEANINGS } from "../../src/page/meanings.ts";
 import { FEATURES_OF, INSPECTIONS, SETTINGS } from "../../src/settings.ts";
 import { expect, PAGE, test } from "../support/hosted-page.ts";
+import { OPENING } from "../support/opening.ts";
 
 // Dear, and each for itself: whichever worker is free takes the next.
 test.describe.configure({ mode: "parallel" });
@@ -35,7 +36,12 @@ test("the page opens on a burning room, from any folder of a site", async ({ fre
     expect(view.held).toBe(false);
     await page.getByRole("button", { name: "Share" }).click();
     const hash = await page.evaluate(() => location.hash);
-    expect(hash).toMatch(/#camera=[-\d._]+&candle=[-\d._]+/);
+    // The view of its posters, and no setting but the test's own.
+    const { camera, candle } = OPENING;
+    const [from, at] = [camera, candle].map(({ position, yaw, pitch }) =>
+      [...position, yaw, pitch].join("_"),
+    );
+    expect(hash).toBe(`#camera=${from}&candle=${at}&quality=low`);
     await fresh.enter.click();
     await expect.poll(() => fresh.evaluate((room) => room.held)).toBe(true);
     await fresh.evaluate((room) => room.blur());

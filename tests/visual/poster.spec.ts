@@ -1,5 +1,5 @@
 import { execFile, spawnSync } from "node:child_process";
-import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync } from "node:fs";
+import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { createServer } from "node:http";
 import type { AddressInfo } from "node:net";
 import { tmpdir } from "node:os";
@@ -11,57 +11,6 @@ import { expect, PAGE, test } from "../support/hosted-page.ts";
 
 // Dear, and each for itself: whichever worker is free takes the next.
 test.describe.configure({ mode: "parallel" });
-
-const POSTERS = "src/page/posters";
-/** Where each is shown, as small as a comparison allows: the shapes are those of tools/poster.mjs. */
-const SHAPES = [
-  { name: "landscape", width: 240, height: 135 },
-  { name: "portrait", width: 108, height: 240 },
-] as const;
-/** Between those, and made by the same run of that script. */
-const OTHERS = ["wide", "short", "upright"] as const;
-
-test("The posters are what the page would open on today", async ({ page }) => {
-  test.setTimeout(240_000);
-  await page.setViewportSize(SHAPES[0]);
-  await page.goto(`${PAGE}#quality=high`);
-  const room = page.locator("candle-flame");
-  await room.evaluate((room: HTMLElementTagNameMap["candle-flame"]) => {
-    room.pause();
-    return room.ready;
-  });
-  for (const name of [...SHAPES.map(({ name }) => name), ...OTHERS]) {
-    expect(statSync(`${POSTERS}/${name}.avif`).size, name).toBeLessThanOrEqual(90_000);
-  }
-  for (const { name, width, height } of SHAPES) {
-    const file = `${POSTERS}/${name}.avif`;
-    await page.setViewportSize({ width, height });
-    const sizeOf = (room: HTMLElementTagNameMap["candle-flame"]) =>
-      [room.stats.width, room.stats.height].join(" x ");
-    await expect.poll(() => room.evaluate(sizeOf)).toBe(`${width} x ${height}`);
-    const { time, bytes } = await room.evaluate(
-      async (room: HTMLElementTagNameMap["candle-flame"]) => {
-        const picture = await room.toBlob();
-        return { time: room.currentTime, bytes: new Uint8Array(await picture.arrayBuffer()) };
-      },
-    );
-    expect(time, "still as it opened").toBeLessThan(0.5);
-    /** Mean difference of 255: of pixels, and of blocks, where sharpness makes none. */
-    const difference = async (size: number) => {
-      const [w, h] = [Math.round(width / size), Math.round(height / size)];
-      const bytesOf = (picture: Buffer) =>
-        sharp(picture).resize(w, h, { fit: "fill" }).removeAlpha().raw().toBuffer();
-      const [ours, theirs] = [await bytesOf(readFileSync(file)), await bytesOf(Buffer.from(bytes))];
-      return (
-        ours.reduce((sum, byte, i) => sum + Math.abs(byte - (theirs[i] ?? 0)), 0) / ours.length
-      );
-    };
-    const remedy = `${name}: if this is meant, npm run poster`;
-    expect(await difference(1), remedy).toBeLessThan(4.2);
-    // 1.2 by how small this is; light that is brighter or bluer by a twentieth makes it 2.
-    expect(await difference(10), remedy).toBeLessThan(1.6);
-  }
-});
 
 /** From the first byte of a page to a picture on the display, milliseconds. */
 interface Showing {
