@@ -1,7 +1,7 @@
 import type { Page } from "playwright/test";
 import { graphicsErrors, lostContexts, recordContexts } from "../support/contexts.ts";
 import { QUICK_ROOM } from "../support/plain-room.ts";
-import { type Attributes, RoomDriver } from "../support/room-driver.ts";
+import { type Attributes, type Opening, RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
 import { expect, test } from "../support/test.ts";
 
@@ -10,17 +10,21 @@ test.describe.configure({ mode: "parallel" });
 
 const TINY = { width: 32, height: 18 } as const;
 
-async function openRecorded(page: Page, attributes: Attributes = {}): Promise<RoomDriver> {
+async function openRecorded(
+  page: Page,
+  attributes: Attributes = {},
+  opening: Opening = {},
+): Promise<RoomDriver> {
   await recordContexts(page);
   await serveSmallTextures(page);
-  return new RoomDriver(page).open(attributes, TINY);
+  return new RoomDriver(page).open(attributes, { ...TINY, ...opening });
 }
 
 test("Taken out and put back seventeen times, an element leaves nothing behind", async ({
   page,
 }) => {
   const times = 17; // one more than a browser has contexts
-  const room = await openRecorded(page, { look: "original" }); // it has the fewest programs
+  const room = await openRecorded(page, { look: "original" }, { model: QUICK_ROOM }); // it has the fewest programs
   // A neighbour, whose context the others' must never evict.
   await page.evaluate(async () => {
     const neighbour = document.createElement("candle-flame");
