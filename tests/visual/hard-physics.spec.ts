@@ -5,8 +5,9 @@ import { carriedFlame, flameLight, TAPER } from "../../src/light/flame-light.ts"
 import { createWorld } from "../../src/world/create-world.ts";
 import { drawOneSample } from "../support/one-sample.ts";
 import { plainRoom } from "../support/plain-room.ts";
-import { RoomDriver } from "../support/room-driver.ts";
+import { LIBRARY, RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
+import { absorbedShare, SIZE as SQUARE, WHITE_ROOM } from "../support/white-room.ts";
 
 const SIZE = { width: 320, height: 180 };
 const FIELD_OF_VIEW = (56 * Math.PI) / 180;
@@ -249,3 +250,47 @@ test("The shadow of a wire close before a wall is one line", async () => {
   expect(darkest.size).toBeGreaterThan(100);
   expect(broken).toBe(0);
 });
+
+// At the end: of another room.
+for (const [quality, tolerance, albedo] of [
+  ["high", 0.05, 0.9],
+  ["low", 0.1, 0.8],
+] as const) {
+  test(`A closed room of albedo ${albedo} absorbs all that its flame sends out, at ${quality}`, async () => {
+    const src = `${LIBRARY}white-${albedo}.glb`;
+    await page.route(src, (route) =>
+      route.fulfill({
+        contentType: "model/gltf-binary",
+        body: plainRoom(WHITE_ROOM, [], albedo),
+      }),
+    );
+    await room.evaluate(
+      async (element, { src, quality, width, height }) => {
+        const loaded = new Promise((resolve) =>
+          element.addEventListener("load", resolve, { once: true }),
+        );
+        Object.assign(element.style, { width: `${width}px`, height: `${height}px` });
+        Object.assign(element, { src, quality });
+        await loaded;
+        element.reset();
+      },
+      { src, quality, ...SQUARE },
+    );
+    await expect.poll(async () => (await room.stats()).quality).toBe(quality);
+    await room.switchFeatures({
+      shadows: true,
+      indirect: true,
+      specular: true,
+      candle: false,
+      volume: false,
+      smoke: false,
+      haze: false,
+      dust: false,
+    });
+    const share = await absorbedShare(room, albedo);
+    console.log(
+      `${quality}, albedo ${albedo}: ${share.toFixed(3)} of the flame's flux is absorbed`,
+    );
+    expect(Math.abs(share - 1)).toBeLessThan(tolerance);
+  });
+}
