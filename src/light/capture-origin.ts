@@ -2,7 +2,7 @@ import type { Vec3 } from "../world/geometry.js";
 
 /** Spacing of the capture grid, metres. */
 const STEP = 0.004;
-/** The light sways this far from the foot of its flame before the capture origin follows, metres. */
+/** A small flame's light sways this far from its foot before the capture origin follows, metres. */
 const REACH = 0.04;
 
 /** Snaps a coordinate to the capture grid, metres. */
@@ -18,12 +18,14 @@ export function snapToGrid(place: number): number {
  *
  * @param foot of the flame, metres
  * @param light its middle, metres
+ * @param height of the flame in still air, metres: a tall one puffs, and sways as far
  */
-export function captureOrigin(foot: Readonly<Vec3>, light: Readonly<Vec3>): Vec3 {
+export function captureOrigin(foot: Readonly<Vec3>, light: Readonly<Vec3>, height: number): Vec3 {
+  const reach = Math.max(REACH, height);
   const sideways = (axis: 0 | 2) => {
-    const sway = Math.round((light[axis] - foot[axis]) / REACH) * REACH;
+    const sway = Math.round((light[axis] - foot[axis]) / reach) * reach;
     return snapToGrid(foot[axis] + sway);
   };
-  const above = (Math.floor((light[1] - foot[1]) / REACH) + 0.5) * REACH;
+  const above = (Math.floor((light[1] - foot[1]) / reach) + 0.5) * reach;
   return [sideways(0), snapToGrid(foot[1] + above), sideways(2)];
 }

@@ -1,6 +1,7 @@
 import { captureOrigin, snapToGrid } from "../light/capture-origin.js";
 import type { Rgb } from "../light/color.js";
 import { carriedFlame, flameLight, TAPER } from "../light/flame-light.js";
+import { flameHeight, fuelRate } from "../world/flame/burning.js";
 import type { Vec3 } from "../world/geometry.js";
 import type { World } from "../world/world.js";
 
@@ -14,11 +15,12 @@ export const CHAMBERSTICK = {
 
 /** Members of the shaders' `Light` block: the flame as a capsule. A hidden candle casts no shadow. */
 export function lightBlock(world: World, showsCandle: boolean) {
-  const { foot } = world.interpolated;
+  const { foot, flame } = world.interpolated;
+  const height = flameHeight(fuelRate(world.flame.wick));
   const { axis: along, ...light } = flameLight(carriedFlame(world), TAPER);
   return {
     ...light,
-    captureOrigin: captureOrigin(world.interpolated.flame, light.position),
+    captureOrigin: captureOrigin(flame, light.position, height),
     along,
     axis: [foot[0], foot[2]],
     rim: foot[1] + CHAMBERSTICK.rim,
