@@ -35,11 +35,11 @@ vec3 representative(vec3 toLight, vec3 ray, float radius) {
 }
 
 // Luminance that a surface reflects of the virtual lights, cd/m². `facet`: normal of the triangle. `mirrored`: share of
-// light from all directions that it mirrors.
-float virtualLuminance(Shading s, vec3 position, vec3 facet, vec3 diffuseColor, vec3 mirrored) {
+// light from all directions that it mirrors. A pane is so smooth that each light would be a disc on it.
+float virtualLuminance(Shading s, vec3 position, vec3 facet, vec3 diffuseColor, vec3 mirrored, bool isPane) {
   float sum = 0.0;
   vec3 reflected = reflect(-s.view, s.normal);
-  bool isMirroring = s.alpha < ROUGH_IN_MOTION || uFeatures.w < 0.5;
+  bool isMirroring = !isPane && (s.alpha < ROUGH_IN_MOTION || uFeatures.w < 0.5);
   vec3 evenly = isMirroring ? vec3(0.0) : mirrored / PI;
   for (int i = 0; i < VIRTUAL_LIGHTS; i++) {
     VirtualLight v = virtualLightAt(i, position);
@@ -75,7 +75,7 @@ float shade(vec3 facet) {
   bool isPane = material.roughness < PANE_ROUGHNESS && isOnPane(vPositionWorld);
   for (int i = isPane ? 1 : 0; i > 0; i--) luminance += nightThroughPane(-s.view, s.NoV);
   IrradianceSample probes = irradianceAt(vPositionWorld + surface * 0.02, normal, normal, reflect(-s.view, normal));
-  float firstBounce = virtualLuminance(s, vPositionWorld, facet, diffuseColor, environment.share);
+  float firstBounce = virtualLuminance(s, vPositionWorld, facet, diffuseColor, environment.share, isPane);
   float laterBounces = moonLuma(probes.alongNormal * diffuseColor) * skyVisibility(surface, normal) * s.minified.x;
   float mirrored = moonLuma(probes.alongReflection * environment.share) * uFeatures.z;
   float unoccluded = 1.0 - NEAR_OCCLUSION * (1.0 - material.occlusion);
