@@ -148,7 +148,12 @@ export class ParticleSystem {
     const { layer } = this;
     // Particles born before that are dead.
     const lifetime = Math.ceil(layer.life / TICK) + 1;
-    this.#tick = Math.max(this.#tick, timeline.tick - Math.min(HISTORY, lifetime));
+    const oldest = timeline.tick - Math.min(HISTORY, lifetime);
+    if (this.#tick < oldest) {
+      this.#tick = oldest;
+      // Both halves may hold particles that the ticks between would have aged.
+      this.#activate(GROUPS, oldest);
+    }
     if (this.#tick >= timeline.tick) return false;
     [this.#from, this.#to] = [this.#to, this.#from];
     const { first } = emissionOf(layer, this.#tick);
