@@ -86,6 +86,11 @@ export class MoonCaptures {
   *light({ direction, illuminance }: Moon, isGradual: boolean): Steps<CachedLight | null> {
     const key = JSON.stringify(direction);
     const isWaiting = isGradual && this.#key !== "";
+    // The direction to come was taken back.
+    if (key === this.#key && this.#next) {
+      this.#next.steps.return(null);
+      this.#next = null;
+    }
     while (key !== this.#key) {
       if (this.#next?.key !== key && !isWaiting) {
         this.#next?.steps.return(null);
