@@ -20,7 +20,10 @@ void main() {
   float width = uSize * (0.5 + unit(pcg(slot))) * frame.projectionScale / distance_;
   float opacity = min(width * width / (WIDTH * WIDTH), 1.0);
   opacity *= fade * smoothstep(NEAR_FADE.x, NEAR_FADE.y, distance_);
-  vLight = vec4(scatteredRadiance(positionWorld, frame.eyePosition), 1.0) * opacity;
+  // Below the largest half float, as in spark.vert.
+  vec3 light = scatteredRadiance(positionWorld, frame.eyePosition) * opacity;
+  light *= min(1.0, 3e4 / max(light.r, 1e-6));
+  vLight = vec4(light, max(opacity, light.r / 6e4));
   vStreak = vec2(0.0);
   vExtent = vec2(WIDTH, 2.0 * WIDTH + 1.0);
   gl_PointSize = vExtent.y;
