@@ -131,12 +131,15 @@ export class PhysicalRenderer implements Renderer {
   async prepare(world: World, settings: FrameSettings, isWanted: () => boolean): Promise<void> {
     const { width, height } = this.#gpu.canvas; // it keeps its image
     const screen = this.#gpu.renderTarget({ label: "screen", width, height, color: ["RGBA8"] });
-    for (const _ of this.#prepareInSteps({ ...this.#describe(world, settings), screen })) {
-      await this.#gpu.whenIdle();
-      await nextTask();
-      if (!isWanted()) break;
+    try {
+      for (const _ of this.#prepareInSteps({ ...this.#describe(world, settings), screen })) {
+        await this.#gpu.whenIdle();
+        await nextTask();
+        if (!isWanted()) break;
+      }
+    } finally {
+      screen.dispose();
     }
-    screen.dispose();
   }
 
   /** Many drivers compile a program at its first draw: where frames follow, a few are drawn in advance. */
