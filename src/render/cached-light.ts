@@ -46,7 +46,7 @@ export function isUnlit(world: World): boolean {
 }
 
 export function isMoonAlone(world: World, cached: readonly CachedLight[]): boolean {
-  return isDark(world) && candlesOf(cached).length === 0 && moonOf(cached) !== null;
+  return moonOf(cached) !== null && candlesOf(cached).length === 0 && isDark(world);
 }
 
 export function moonOf(cached: readonly CachedLight[]): CachedLight | null {
