@@ -41,7 +41,7 @@ export class Accessibility {
       // What takes the focus has a name.
       ariaLabel: isImage ? null : alt || SETTINGS.alt.default,
       ariaDescription:
-        controls && !isFailing ? "Press Enter to walk in, and Escape to leave." : null,
+        controls && !isFailing ? "Press Enter to take control, Escape to leave." : null,
     });
     this.#overlay.posterAlt = isImage ? alt : "";
     // An empty text is of an image without meaning.

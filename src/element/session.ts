@@ -180,6 +180,7 @@ export class Session {
   /** Keeps the frame fitted to the canvas from now on. */
   followSize(onResized: () => void): void {
     observeDevicePixels(this.canvas, this.#signal, (pixels) => {
+      if (pixels.width + pixels.height < 1) return; // hidden: what is drawn there keeps its size
       this.#pixels = pixels;
       // A correct guess is on show already.
       if (this.resize()) onResized();
@@ -224,19 +225,21 @@ export class Session {
     // Frees what another scene's creation made, which is no longer wanted.
     if (this.#creations++ > 0) target.clear();
     const { features } = this.#input;
-    const { options } = this;
+    const key = () => JSON.stringify([this.options, features]);
+    let known = key();
     try {
-      const created = await createCandle(target, scene, features, options, {
+      const created = await createCandle(target, scene, features, this.options, {
         plays: this.#owner.plays(),
         isWanted,
         rehearse: (candle) => {
           this.#setUp(candle);
           this.#fit(candle);
-          const isOther = JSON.stringify(this.options) !== JSON.stringify(options);
+          const isOther = known !== key();
+          known = key();
           return this.#owner.applyPending(candle) || isOther;
         },
       });
-      if (created) this.#begin(created);
+      if (created) this.#begin(created, known !== key());
     } catch (error) {
       if (isWanted()) this.#owner.onError(error);
     } finally {
@@ -251,10 +254,12 @@ export class Session {
     this.#pixels = guessDevicePixels(this.canvas);
   }
 
-  #begin(candle: CandleFlame): void {
+  /** @param isOther whether the page has changed what its world is made from */
+  #begin(candle: CandleFlame, isOther: boolean): void {
     this.#candle = candle;
     this.#retireCandles();
     this.#setUp(candle);
+    if (isOther) candle.reset();
     candle.onFailure = (error) => this.#owner.onError(error);
     this.use(() => this.#owner.onCandle(candle));
   }

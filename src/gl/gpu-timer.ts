@@ -18,6 +18,7 @@ export class GpuTimer {
   /** @param counts of the frame's view: several may share the context */
   begin(counts: FrameCounts): void {
     if (!this.#extension) return;
+    this.end(); // a frame that threw
     this.#collect(this.#extension.GPU_DISJOINT_EXT);
     if (this.#pending.length >= RING) return;
     const query = this.#gl.createQuery();

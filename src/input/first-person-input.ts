@@ -213,8 +213,8 @@ export class FirstPersonInput {
 
   readonly #pointerDown = (event: PointerEvent): void => {
     if (!this.#isIn || this.#isLocked) return;
-    this.#canvas.setPointerCapture(event.pointerId);
     if (this.#isTouched) this.#touch.down(event, this.#canvas.getBoundingClientRect());
+    this.#canvas.setPointerCapture(event.pointerId);
   };
 
   readonly #pointerMove = (event: PointerEvent): void => {
@@ -247,7 +247,12 @@ export class FirstPersonInput {
    * click may be on a button that enters; not on `pointerdown`, after which the page may hide that button.
    */
   readonly #clickAnywhere = (event: MouseEvent): void => {
-    if (!event.composedPath().includes(this.#host)) this.leave();
+    const path = event.composedPath();
+    if (path.includes(this.#host)) return;
+    // Of a click in a closed shadow tree only its host is known.
+    let { host } = this.#host.getRootNode() as ShadowRoot;
+    while (host && host !== path[0]) ({ host } = host.getRootNode() as ShadowRoot);
+    if (!host) this.leave();
   };
 
   dispose(): void {

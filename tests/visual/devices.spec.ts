@@ -184,7 +184,7 @@ test("The keyboard alone looks up and down and says what it can", async ({ page 
   const client = await page.context().newCDPSession(page);
   const { nodes } = await client.send("Accessibility.getFullAXTree");
   const application = nodes.find(({ role }) => role?.value === "application");
-  expect(application?.description?.value).toBe("Press Enter to walk in, and Escape to leave.");
+  expect(application?.description?.value).toBe("Press Enter to take control, Escape to leave.");
   const status = nodes.find(({ role }) => role?.value === "status");
   expect(status?.properties?.find(({ name }) => name === "live")?.value.value).toBe("polite");
   expect(room.complaints).toEqual([]);

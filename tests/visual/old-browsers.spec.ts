@@ -58,7 +58,7 @@ test("in an old browser the page opens, one walks in and out, and its dialogs op
   };
   expect(await states()).toEqual(["state-lit", "state-playing"]);
   await expect(page.getByRole("application", { name: "A burning candle" })).toHaveCount(1);
-  await expect(room).toHaveAttribute("aria-description", /Press Enter to walk in/);
+  await expect(room).toHaveAttribute("aria-description", /Press Enter to take control/);
 
   const title = page.getByRole("heading", { level: 1 });
   await expect(title).toBeVisible();

@@ -95,6 +95,24 @@ test("a gamepad's A walks in when it goes down, not when the focus finds it down
   expect(entered.mock.calls).toEqual([[true, "gamepad"]]);
 });
 
+test("a click elsewhere leaves, one in the host's closed shadow tree does not", () => {
+  const { input, host, root, entered } = place();
+  const outer = { getRootNode: () => host.ownerDocument };
+  const click = (...path: unknown[]) =>
+    host.ownerDocument.dispatchEvent(
+      Object.assign(new Event("click"), { composedPath: () => path }),
+    );
+  host.focus();
+  input.enter();
+  entered.mockClear();
+  click(host, outer);
+  Object.assign(root, { host: outer });
+  click(outer); // all that the document sees of it
+  expect(entered).not.toHaveBeenCalled();
+  click({}, outer);
+  expect(entered.mock.calls.map(([isIn]) => isIn)).toEqual([false]);
+});
+
 test("a click on the host walks in, as the page's own click() does; one on what it holds does not", () => {
   const { host, entered } = place();
   const click = (target: EventTarget) =>
