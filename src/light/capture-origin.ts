@@ -14,7 +14,7 @@ export function snapToGrid(place: number): number {
  * Capture origin of shadow maps and surfels: near the middle of the light, and still while the flame flickers.
  *
  * It lies on a grid, so that it depends on where the flame is now and not on when it last moved. The rest of
- * the way, millimetres, is corrected where the captures are used.
+ * the way, half the reach at most, is corrected where the captures are used.
  *
  * @param foot of the flame, metres
  * @param light its middle, metres

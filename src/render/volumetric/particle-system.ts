@@ -42,7 +42,7 @@ export class ParticleSystem {
   #from: Half;
   #to: Half;
   #tick = Number.NEGATIVE_INFINITY;
-  #groups = GROUPS;
+  #groups = 0;
   /** Tick until which each group is advanced: until no particle of it lives in either half. */
   readonly #activeUntil = new Float64Array(GROUPS);
   readonly #tickKeys = new Uint32Array(MAX_TICKS);
@@ -152,7 +152,7 @@ export class ParticleSystem {
     if (this.#tick < oldest) {
       this.#tick = oldest;
       // Both halves may hold particles that the ticks between would have aged.
-      this.#activate(GROUPS, oldest);
+      this.#activate(this.#groups, oldest);
     }
     if (this.#tick >= timeline.tick) return false;
     [this.#from, this.#to] = [this.#to, this.#from];

@@ -64,7 +64,7 @@ export class VolumetricStage {
     this.#quality = quality;
     this.#ember = gpu.program("volumetric/ember", meshVert, emberFrag);
     this.#flame = new FlamePass(gpu);
-    const hasAir = quality.opaque === "forward"; // elsewhere a CPU draws
+    const hasAir = quality.opaque === "forward"; // `low` and the refined image do without
     this.#haze = hasAir ? new HazePass(gpu, format) : null;
     this.#smoke = new SmokePass(gpu, false);
     this.#motes = hasAir ? new MotesPass(gpu) : null;
