@@ -4,6 +4,7 @@ import { FIELDS_OF_VIEW, parseIndices } from "../settings.js";
 import { expectedLook, followDrawnLook } from "./drawn-look.js";
 import { find } from "./find.js";
 import { followAttributes } from "./follow-attributes.js";
+import { holdPoster } from "./held-poster.js";
 import { nameKeys } from "./key-names.js";
 import { bindMicrophone } from "./microphone.js";
 import { addSettings } from "./settings-form.js";
@@ -43,6 +44,7 @@ followAttributes(room, ["look"], () => {
   status.textContent = "";
 });
 room.addEventListener("load", () => welcome(true));
+room.addEventListener("load", () => holdPoster(room), { once: true });
 // After a context that was given up; without a room, one is still to load.
 room.addEventListener("contextrestored", () => {
   if (room.flame) welcome(true);

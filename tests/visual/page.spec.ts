@@ -14,7 +14,20 @@ test("the page opens on a burning room, from any folder of a site", async ({ fre
   const folder = `${PAGE}some/folder/`;
   const requests: string[] = [];
   page.on("request", (request) => requests.push(request.url()));
-  await fresh.open("", folder);
+  await fresh.load("", folder);
+
+  await test.step("whose poster stays around the flame while the room is coarse, until one does something", async () => {
+    const isHeld = await fresh.evaluate(async (room) => {
+      await room.ready;
+      const held = document.querySelector(".held-poster");
+      const states = [room.stats.quality, held?.className];
+      dispatchEvent(new KeyboardEvent("keydown", { key: "Shift" }));
+      return [...states, held?.className];
+    });
+    expect(isHeld).toEqual(["low", "held-poster", "held-poster fading"]);
+    await expect(page.locator(".held-poster")).toHaveCount(0);
+  });
+  await fresh.settle();
 
   await test.step("with one title and one way in", async () => {
     await expect(page.getByRole("heading", { level: 1 })).toBeVisible();
