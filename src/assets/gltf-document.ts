@@ -73,10 +73,10 @@ export function readDocument(json: unknown) {
 function readNode(entry: JsonEntry, count: number, { meshes, skins, accessors }: Lists) {
   const index = entry.index("mesh", meshes.length);
   const mesh = index === undefined ? undefined : meshes[index];
-  const isSeen = mesh !== undefined && mesh.primitives.length > 0;
   const name = entry.string("name") ?? "";
-  const isCandle = /^(wick|flame)/.test(name);
-  const placement = isCandle && !mesh ? readLeniently(entry) : readPlacement(entry);
+  const isCandle = /^(wick|flame)(?![a-z])/.test(name);
+  const placement = isCandle ? readLeniently(entry) : readPlacement(entry);
+  const isSeen = mesh !== undefined && mesh.primitives.length > 0 && placement !== null;
   return {
     name,
     children: entry.indices("children", count),
@@ -104,7 +104,7 @@ function readPlacement(entry: JsonEntry) {
   };
 }
 
-/** Null for invalid numbers: a missing candle is no reason to refuse a model. */
+/** Null for invalid numbers: a missing candle, or its mesh, is no reason to refuse a model. */
 function readLeniently(entry: JsonEntry): ReturnType<typeof readPlacement> | null {
   try {
     return readPlacement(entry);

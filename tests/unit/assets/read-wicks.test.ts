@@ -137,12 +137,15 @@ describe("wicks of a model", () => {
 test("a document with a wick in no place is read, and one with another such node is not", () => {
   const document = (name: string, mesh?: number) => ({
     asset: { version: "2" },
-    meshes: [{}],
+    accessors: [{ componentType: 5126, type: "VEC3", count: 3 }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
     nodes: [{ name, mesh, translation: [null, 0, 0], extras: { wickDiameter: [] } }],
   });
-  const [wick] = readDocument(document("wick")).nodes;
-  expect(wick).toMatchObject({ isMisplaced: true, wickDiameter: [] });
-  expect(wick?.translation).toBeUndefined();
+  for (const mesh of [undefined, 0]) {
+    const [wick] = readDocument(document("wick", mesh)).nodes;
+    expect(wick).toMatchObject({ isMisplaced: true, wickDiameter: [] });
+    expect([wick?.translation, wick?.mesh]).toEqual([undefined, undefined]);
+  }
   for (const other of [document("chair"), document("flamethrower", 0)]) {
     expect(() => readDocument(other)).toThrow("holds what is not a number");
   }
