@@ -57,6 +57,8 @@ export class Refinement {
   #isPrepared = false;
   #hasBegun = false;
   #isShown = false;
+  /** Whether it has failed: it is tried again with another tier's renderer, or another context. */
+  #isGivenUp = false;
   /** What the image is of, beside places: its lights, and settings. */
   #key = "";
 
@@ -130,6 +132,15 @@ export class Refinement {
     this.#renderer = null;
     this.#isCompiled = false;
     this.#size = null;
+    this.#isGivenUp = false;
+  }
+
+  /** The coarser renderer goes on alone. */
+  #giveUp(error: unknown): void {
+    console.warn(error);
+    this.stop();
+    this.forget();
+    this.#isGivenUp = true;
   }
 
   /** Another world, or other particles. */
@@ -138,12 +149,23 @@ export class Refinement {
   }
 
   /**
-   * A frame at rest.
+   * A frame at rest. What the driver refuses is given up, with a warning.
    *
    * @param size of the canvas at its full resolution
    * @returns steps of the refinement that the frame does; null if it draws nothing else
    */
-  advance(subject: ViewSubject, view: FrameSettings, coarse: Renderer, size: Size): number | null {
+  advance(...frame: [ViewSubject, FrameSettings, coarse: Renderer, size: Size]): number | null {
+    if (this.#isGivenUp) return 0;
+    try {
+      return this.#advance(...frame);
+    } catch (error) {
+      if (this.#parts().target.gpu.isLost) throw error;
+      this.#giveUp(error);
+      return 0;
+    }
+  }
+
+  #advance(subject: ViewSubject, view: FrameSettings, coarse: Renderer, size: Size): number | null {
     const { world } = subject;
     const { features, exposure } = view;
     const key = JSON.stringify([this.lightsOf(world), features, exposure, world.flame.wick]);
@@ -200,12 +222,15 @@ export class Refinement {
     const renderer = scene.createRenderer(target, REFINED, settings.look);
     this.#renderer = renderer;
     this.follow(subject);
-    const proceed = () => {
-      if (this.#renderer === renderer) this.#isCompiled = true;
+    const isOn = () => this.#renderer === renderer && !gpu.isLost;
+    const finish = () => {
+      if (!isOn()) return;
+      gpu.finishPrograms(); // now: later each would wait for what is being drawn
+      this.#isCompiled = true;
     };
-    // Finished now: later each program would wait for what is being drawn. One that was refused is reported by the
-    // frame that draws with it.
-    const finish = () => gpu.finishPrograms();
-    void gpu.whenCompiled(3).then(finish).then(proceed, proceed);
+    gpu
+      .whenCompiled(3)
+      .then(finish)
+      .catch((error: unknown) => isOn() && this.#giveUp(error));
   }
 }

@@ -1,4 +1,4 @@
-import { expect, test } from "vitest";
+import { expect, test, vi } from "vitest";
 import type { AutoQuality } from "../../../src/render/auto-quality.ts";
 import type { FrameSettings } from "../../../src/render/frame-settings.js";
 import type { Renderer } from "../../../src/render/renderer.js";
@@ -164,4 +164,37 @@ test("frames that wait for the display are a reason to measure the machine again
   expect(remeasured).toBe(0);
   take(30, 1 / 60);
   expect(remeasured).toBe(1);
+});
+
+test("what the driver refuses is given up with a warning, until another tier's renderer is there", async () => {
+  const warn = vi.spyOn(console, "warn").mockImplementation(() => {});
+  const refusal = new Error("refused");
+  const refuse = () => {
+    throw refusal;
+  };
+  const renderer = { setLayers() {} } as unknown as Renderer;
+  const failing = [
+    partsOf(renderer, undefined, refuse),
+    partsOf({ setLayers: refuse } as unknown as Renderer),
+    partsOf(renderer, () => Promise.reject(refusal)),
+  ];
+  for (const parts of failing) {
+    const prepared = vi.fn(parts().scene.prepareRenderer);
+    const scene = { ...parts().scene, prepareRenderer: prepared };
+    const made = new Refinement(() => ({ ...parts(), scene }));
+    const frame = async () => {
+      made.take(FRAME);
+      expect(made.advance(SUBJECT, {} as FrameSettings, renderer, SIZE)).toBe(0);
+      await new Promise((resolve) => setTimeout(resolve));
+    };
+    await frame();
+    await frame();
+    expect(warn).toHaveBeenCalledExactlyOnceWith(refusal);
+    expect([prepared.mock.calls.length, made.shown, made.isBusy]).toEqual([1, null, false]);
+    made.forget();
+    await frame();
+    expect(prepared, "again").toHaveBeenCalledTimes(2);
+    warn.mockClear();
+  }
+  warn.mockRestore();
 });
