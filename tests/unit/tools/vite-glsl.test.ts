@@ -125,6 +125,8 @@ describe("importing a shader", () => {
       expect(released.source.length).toBeLessThan(written.source.length);
       expect(released.files).toEqual(written.files);
       const code = (text: string) => text.replace(/\/\/.*$/, "").trim();
+      const tokens = (text: string) =>
+        text.replaceAll(" ", "").replace(/\d+\.\d*|\.\d+/g, (literal) => `${Number(literal)}`);
       const placed = (shader: Shader) =>
         new Map(positions(shader).map(({ text, file, line }) => [`${file}:${line}`, text]));
       const lines = placed(released);
@@ -134,12 +136,18 @@ describe("importing a shader", () => {
         if (original.includes("*")) continue; // a product, or a comment of many lines
         const own = code(original);
         const text = lines.get(place) ?? "";
-        expect(text.replaceAll(" ", ""), place).toBe(own.replaceAll(" ", ""));
+        expect(tokens(text), place).toBe(tokens(own));
         if (own.startsWith("#")) expect(text).toBe(own);
         else expect(text).not.toMatch(/ [=({]|[;,] /);
       }
     },
   );
+
+  test("has the shortest of each number", () => {
+    const { source } = imported(resolve(ROOT, "candle/display.frag"), true);
+    expect(source).toMatch(/\d\.(?!\d)/);
+    expect(source.replace(/^#.*$/gm, "")).not.toMatch(/\b0\.\d|\d\.0\b/);
+  });
 
   test("keeps blanks that part two operators", () => {
     const { source } = imported(MAIN, true);
