@@ -51,10 +51,8 @@ function uniformOf(
     [gl.FLOAT_VEC4]: (value) => gl.uniform4fv(location, list(value)),
     [gl.FLOAT_MAT3]: (value) => gl.uniformMatrix3fv(location, false, list(value)),
     [gl.FLOAT_MAT4]: (value) => gl.uniformMatrix4fv(location, false, list(value)),
-    [gl.INT]: (value) =>
-      typeof value === "number" ? gl.uniform1i(location, value) : gl.uniform1iv(location, value),
-    [gl.UNSIGNED_INT]: (value) =>
-      typeof value === "number" ? gl.uniform1ui(location, value) : gl.uniform1uiv(location, value),
+    [gl.INT]: (value) => gl.uniform1iv(location, list(value)),
+    [gl.UNSIGNED_INT]: (value) => gl.uniform1uiv(location, list(value)),
   };
   return setters[type]!; // no shader here has another type
 }

@@ -29,21 +29,23 @@ export class Samplers {
   }
 
   #of(sampling: Sampling): WebGLSampler | null {
-    const taps = typeof sampling === "object" ? Math.min(sampling.anisotropy, this.#mostTaps) : 1;
-    const key = typeof sampling === "object" ? taps : sampling;
+    const hasTaps = typeof sampling === "object";
+    const taps = hasTaps ? Math.min(sampling.anisotropy, this.#mostTaps) : 1;
+    const key = hasTaps ? taps : sampling;
     const existing = this.#samplers.get(key);
     if (existing !== undefined) return existing;
     const gl = this.#gl;
     const sampler = gl.createSampler();
     this.#samplers.set(key, sampler);
     if (!sampler) return null; // a lost context: nothing will be drawn with it
-    const isSmooth = typeof sampling === "object" || sampling === "level";
-    const minification = {
-      nearest: gl.NEAREST,
-      texel: gl.NEAREST_MIPMAP_NEAREST,
-      level: gl.LINEAR_MIPMAP_NEAREST,
-      anisotropic: gl.LINEAR_MIPMAP_LINEAR,
-    }[typeof sampling === "object" ? "anisotropic" : sampling];
+    const isSmooth = hasTaps || sampling === "level";
+    const minification = hasTaps
+      ? gl.LINEAR_MIPMAP_LINEAR
+      : {
+          nearest: gl.NEAREST,
+          texel: gl.NEAREST_MIPMAP_NEAREST,
+          level: gl.LINEAR_MIPMAP_NEAREST,
+        }[sampling];
     const wrap = sampling === "nearest" ? gl.CLAMP_TO_EDGE : gl.REPEAT;
     gl.samplerParameteri(sampler, gl.TEXTURE_MIN_FILTER, minification);
     gl.samplerParameteri(sampler, gl.TEXTURE_MAG_FILTER, isSmooth ? gl.LINEAR : gl.NEAREST);
