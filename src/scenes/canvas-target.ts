@@ -62,12 +62,18 @@ class DedicatedContextTarget extends CanvasTarget {
   }
 }
 
+/** Frames of each lone candle that the shared canvas keeps its size for. */
+const KEPT = 60;
+
 /** The context that all lone candles share: a page may have many, and browsers allow sixteen contexts. */
 class SharedContext {
   readonly canvas = document.createElement("canvas");
   gpu = new Gpu(this.canvas, true);
   users = 0;
   #isStale = false;
+  /** Frames since the canvas was last fitted, and the largest size among them. */
+  #frames = 0;
+  readonly #largest = { width: 0, height: 0 };
 
   constructor() {
     this.canvas.addEventListener("webglcontextlost", () => {
@@ -82,10 +88,15 @@ class SharedContext {
     this.gpu = new Gpu(this.canvas, true);
   }
 
-  /** Grows the canvas to the largest target; smaller ones use its corner. */
-  fit(width: number, height: number): void {
-    if (this.canvas.width < width) this.canvas.width = width;
-    if (this.canvas.height < height) this.canvas.height = height;
+  /** Fits the canvas to the largest target that draws; smaller ones use its corner. It shrinks after a while. */
+  fit(target: HTMLCanvasElement): void {
+    const isDue = ++this.#frames > KEPT * this.users;
+    for (const side of ["width", "height"] as const) {
+      const most = Math.max(this.#largest[side], target[side]);
+      if (isDue ? this.canvas[side] !== most : this.canvas[side] < most) this.canvas[side] = most;
+      this.#largest[side] = isDue ? 0 : most;
+    }
+    if (isDue) this.#frames = 0;
   }
 }
 
@@ -133,7 +144,7 @@ class SharedContextTarget extends CanvasTarget {
   }
 
   override prepare(): void {
-    this.#shared.fit(this.canvas.width, this.canvas.height);
+    this.#shared.fit(this.canvas);
   }
 
   override present(): void {
