@@ -38,10 +38,14 @@ export class DrawScheduler {
     this.#hooks.draw(isRequired);
   }
 
-  /** Draws now, or once the canvas is visible. */
-  drawIfVisible(): void {
+  /**
+   * Draws now, or once the canvas is visible.
+   *
+   * @param appears whether it may be, before the browser says so
+   */
+  drawIfVisible(appears: boolean): void {
     this.#isFresh = false;
-    if (this.#hooks.isVisible()) this.draw();
+    if (appears || this.#hooks.isVisible()) this.draw();
     else this.#isStale = true;
   }
 

@@ -242,7 +242,7 @@ export class Lifecycle {
     this.#overlay.hidePoster();
     this.#states.toggle("loading", false);
     this.reporter.flame(candle);
-    session.followSize(() => this.draws.drawIfVisible());
+    session.followSize((appears) => this.draws.drawIfVisible(appears));
     observeLessMotion(this.#abort.signal, () => this.apply());
     this.#applyMotion();
     if (this.#session !== session) return; // a listener asked for another scene

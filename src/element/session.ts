@@ -177,13 +177,20 @@ export class Session {
     return candle.view.resize(Math.max(1, width * cap), Math.max(1, height * cap));
   }
 
-  /** Keeps the frame fitted to the canvas from now on. */
-  followSize(onResized: () => void): void {
+  /**
+   * Keeps the frame fitted to the canvas from now on.
+   *
+   * @param onResized called with whether the canvas had no box before
+   */
+  followSize(onResized: (appears: boolean) => void): void {
+    let wasHidden = false;
     observeDevicePixels(this.canvas, this.#signal, (pixels) => {
-      if (pixels.width + pixels.height < 1) return; // hidden: what is drawn there keeps its size
+      const appears = wasHidden;
+      wasHidden = pixels.width + pixels.height < 1;
+      if (wasHidden) return; // what is drawn there keeps its size
       this.#pixels = pixels;
       // A correct guess is on show already.
-      if (this.resize()) onResized();
+      if (this.resize()) onResized(appears);
     });
   }
 

@@ -83,6 +83,32 @@ test("A lone candle is uncropped in a box of any shape, on a transparent backgro
   expect(complaints).toEqual([]);
 });
 
+test("Hidden and shown again at another size, it is drawn before the page is painted", async ({
+  page,
+}) => {
+  const { complaints } = await open(
+    page,
+    `<candle-flame scene="candle" paused quality="low" style="width: 60px; height: 90px"></candle-flame>`,
+  );
+  const seen = await page.locator("candle-flame").evaluate(async (element: CandleFlameElement) => {
+    await element.ready;
+    element.hidden = true;
+    for (let frame = 0; frame < 3; frame++) {
+      await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+    }
+    const canvas = element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
+    element.hidden = false;
+    element.style.width = "90px";
+    // Made after the element's, so that it is called after it, and before the paint.
+    await new Promise((resolve) => new ResizeObserver(resolve).observe(canvas));
+    const { width, height } = canvas;
+    const data = canvas.getContext("2d")?.getImageData(0, 0, width, height).data ?? [];
+    return { width, height, isBlank: !data.some((value) => value > 0) };
+  });
+  expect(seen).toEqual({ width: 60, height: 60, isBlank: false });
+  expect(complaints).toEqual([]);
+});
+
 test("The first frame of a higher quality is whole", async ({ page }) => {
   const { complaints } = await open(
     page,

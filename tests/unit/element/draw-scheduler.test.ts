@@ -68,12 +68,22 @@ test("changes of an invisible canvas are drawn once it is visible", () => {
   const scheduler = createScheduler();
   page.isVisible = false;
   scheduler.request();
-  scheduler.drawIfVisible();
+  scheduler.drawIfVisible(false);
   scheduler.review();
   nextFrame();
   expect(page.draws).toBe(0);
   page.isVisible = true;
   scheduler.review();
+  scheduler.review();
+  expect(page.draws).toBe(1);
+});
+
+test("a canvas that appears is drawn at once, before the browser says that it is visible", () => {
+  const scheduler = createScheduler();
+  page.isVisible = false;
+  scheduler.drawIfVisible(true);
+  expect(page.draws).toBe(1);
+  page.isVisible = true;
   scheduler.review();
   expect(page.draws).toBe(1);
 });
