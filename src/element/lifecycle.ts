@@ -191,7 +191,7 @@ export class Lifecycle {
       this.#session = new Session(canvas, this.#input, signal, this);
     } catch (error) {
       // Later: a page that inserts it listens afterwards.
-      void nextTask().then(() => signal.aborted || this.onError(error));
+      void nextTask().then(() => signal.aborted || this.#fail(frameError(error)));
     }
   }
 

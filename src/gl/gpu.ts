@@ -2,7 +2,7 @@ import fullscreenVert from "../../shaders/post/fullscreen.vert";
 import { Buffer } from "./buffer.js";
 import { type Box, type Draw, DrawCommands, type Surface } from "./draw-commands.js";
 import { type FrameCounts, noCounts } from "./frame-counts.js";
-import { type GpuContext, type GpuObject, incomplete, outOfMemory } from "./gpu-object.js";
+import { created, type GpuContext, type GpuObject, incomplete, outOfMemory } from "./gpu-object.js";
 import { GpuTimer } from "./gpu-timer.js";
 import { laterTask, nextTask } from "./next-task.js";
 import { Program, type ProgramOptions, type ShaderSource, type UniformValue } from "./program.js";
@@ -77,19 +77,18 @@ export class Gpu extends DrawCommands {
     super(gl, canvas);
     this.#context = { gl, forget: (object) => this.#forget(object) };
     // Here, because extensions are lost with the context (KhronosGroup/WebGL #2942).
-    const full = gl.getExtension("EXT_color_buffer_float");
-    const half = gl.getExtension("EXT_color_buffer_half_float");
-    this.drawsToFloats = full !== null;
-    this.drawsToHalfFloats = full !== null || half !== null;
-    this.filtersFloats = gl.getExtension("OES_texture_float_linear") !== null;
+    const has = (extension: string) => gl.getExtension(extension) !== null;
+    this.drawsToFloats = has("EXT_color_buffer_float");
+    this.drawsToHalfFloats = has("EXT_color_buffer_half_float") || this.drawsToFloats;
+    this.filtersFloats = has("OES_texture_float_linear");
     // Blending into full floats, which Firefox allows with a warning unless it is asked for.
-    gl.getExtension("EXT_float_blend");
+    has("EXT_float_blend");
     this.renderer = rendererName(gl);
     this.#mostSamples = gl.getParameter(gl.MAX_SAMPLES) as number;
     this.longestSide = Math.min(
       gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) as number,
       gl.getParameter(gl.MAX_TEXTURE_SIZE) as number,
-      ...(gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array),
+      ...created<Int32Array>(gl, gl.getParameter(gl.MAX_VIEWPORT_DIMS), "canvas"),
     );
     this.#timer = new GpuTimer(gl);
   }

@@ -438,6 +438,41 @@ test("A context that is lost for good while its room loads rejects `ready`, and 
   expect(room.complaints).toEqual([]);
 });
 
+for (const scene of ["room", "candle"] as const) {
+  test(`A context that is lost when it is made ends in a button that starts again: ${scene}`, async ({
+    page,
+  }) => {
+    await page.addInitScript(() => {
+      const { getContext } = HTMLCanvasElement.prototype;
+      Object.assign(globalThis, { isLost: true });
+      HTMLCanvasElement.prototype.getContext = function (...asked: [string]) {
+        const context = getContext.apply(this, asked as never);
+        const isLost = asked[0] === "webgl2" && Reflect.get(globalThis, "isLost");
+        const gl = context as WebGL2RenderingContext | null;
+        if (isLost) gl?.getExtension("WEBGL_lose_context")?.loseContext();
+        return gl as never;
+      };
+    });
+    const box = "width: 320px; height: 180px";
+    const attributes = `scene="${scene}" look="paper" paused style="${box}"`;
+    await openPage(page, `<candle-flame ${attributes}></candle-flame>`);
+    const element = page.locator("candle-flame");
+    const reload = element.locator("[part~=reload]");
+    await expect(reload).toBeVisible();
+    const failed = await element.evaluate(({ ready }: CandleFlameElement) =>
+      ready.catch(({ name }: Error) => name),
+    );
+    expect(failed).toBe("ContextLostError");
+    await page.evaluate(() => Object.assign(globalThis, { isLost: false }));
+    await reload.click();
+    const drawn = await element.evaluate(async (element: CandleFlameElement) => {
+      await element.ready;
+      return element.stats.drawCalls;
+    });
+    expect(drawn).toBeGreaterThan(0);
+  });
+}
+
 test("More rooms than a browser has contexts wait with a sentence, and none in sight is evicted", async ({
   browser,
 }) => {
