@@ -214,7 +214,7 @@ export class FirstPersonInput {
   readonly #pointerDown = (event: PointerEvent): void => {
     if (!this.#isIn || this.#isLocked) return;
     if (this.#isTouched) this.#touch.down(event, this.#canvas.getBoundingClientRect());
-    this.#canvas.setPointerCapture(event.pointerId);
+    if (event.isTrusted) this.#canvas.setPointerCapture(event.pointerId); // a script may have made it
   };
 
   readonly #pointerMove = (event: PointerEvent): void => {

@@ -69,6 +69,25 @@ test("a quick mouse turns the view in a narrow frame too, and one jump is droppe
   expect(turned([900, 0], [900, 0], [900, 0]), "a fast hand").toEqual([1800, 0]);
 });
 
+test("a pointer that a script has made drags the view, and is not captured", () => {
+  const { input, host, canvas } = place();
+  host.focus();
+  input.enter();
+  const captured = vi.fn();
+  Object.assign(canvas, { setPointerCapture: captured });
+  const dispatch = (type: string, isTrusted: boolean) => {
+    const given = { pointerType: "mouse", pointerId: 7, buttons: 1, movementX: 9, movementY: 0 };
+    const event = Object.assign(new Event(type), given);
+    canvas.dispatchEvent(Object.defineProperty(event, "isTrusted", { value: isTrusted }));
+  };
+  dispatch("pointerdown", false);
+  dispatch("pointermove", false);
+  expect(input.read().yaw).toBeLessThan(0);
+  expect(captured).not.toHaveBeenCalled();
+  dispatch("pointerdown", true);
+  expect(captured.mock.calls).toEqual([[7]]);
+});
+
 test("Enter walks in alone, and once: with a modifier it is the browser's, as all keys are", () => {
   const { host, entered, press } = place();
   host.focus();
