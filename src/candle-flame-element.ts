@@ -118,12 +118,13 @@ export class CandleFlameElement extends ReflectedAttributes {
 
   attributeChangedCallback(name: SettingName, before: string | null, after: string | null): void {
     const lifecycle = this.#lifecycle;
+    if (SCENE_ATTRIBUTES.includes(name)) lifecycle.sceneChanged();
+    if (before === after) return;
     if (name === "poster") lifecycle.posterChanged();
     if (name === "alt" || name === "controls") lifecycle.updateAccessibility();
     if (name === "max-pixel-ratio") lifecycle.session?.resize();
     if (name === "loading" && this.loading === "eager") lifecycle.stopWaiting();
-    if (RENDERER_ATTRIBUTES.includes(name) && before !== after) lifecycle.retry();
-    if (SCENE_ATTRIBUTES.includes(name)) lifecycle.sceneChanged();
+    if (RENDERER_ATTRIBUTES.includes(name)) lifecycle.retry();
     if (name === "seed") this.#pending.forgetTime();
     if (name === "lit-wicks" || name === "unlit") this.#pending.forgetFlames(this.#burnsAtFirst);
     lifecycle.apply();
@@ -139,9 +140,8 @@ export class CandleFlameElement extends ReflectedAttributes {
     return this.#featureSwitches;
   }
   set features(value: Partial<Features>) {
-    for (const name of FEATURES) {
+    for (const name of FEATURES)
       if (value?.[name] !== undefined) this.#featureSwitches[name] = value[name];
-    }
   }
 
   /** What is displayed: the frame, or the output of one pass. */

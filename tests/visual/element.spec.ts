@@ -678,18 +678,21 @@ test("Before the first frame the candle is as its attributes and calls will have
     const later = made(paper);
     later.light();
     later.setAttribute("lit-wicks", "2");
-    const before = [called.lit, later.lit];
-    shown.after(called, later);
-    await Promise.all([called.ready, later.ready]);
-    const after = [called.lit, later.lit];
-    called.remove();
-    later.remove();
+    const same = made(paper);
+    same.light();
+    same.setAttribute("lit-wicks", "1");
+    const all = [called, later, same];
+    const before = all.map(({ lit }) => lit);
+    shown.after(...all);
+    await Promise.all(all.map(({ ready }) => ready));
+    const after = all.map(({ lit }) => lit);
+    for (const element of all) element.remove();
     return { held, lit, before, after };
   });
   expect(states).toEqual({
     held: [true, false, false],
     lit: [true, false, false, true],
-    before: [true, false],
-    after: [true, false],
+    before: [true, false, true],
+    after: [true, false, true],
   });
 });
