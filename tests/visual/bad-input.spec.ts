@@ -366,6 +366,12 @@ test.describe("Where floats are not to be had", () => {
     expect(await room.pixels()).toBe(picture);
     expect(room.complaints).toEqual([]);
   });
+
+  test("and a lone candle ends in a sentence and the poster", async ({ page }) => {
+    await withhold(page, ["EXT_color_buffer_float", "EXT_color_buffer_half_float"]);
+    const room = await new RoomDriver(page).load({ scene: "candle", poster: PIXEL }, TINY);
+    expectFailure(await failureOf(room), "graphics", /refuses a surface to draw on/);
+  });
 });
 
 test("Boxes of one pixel, of none and of great length draw without an error", async ({ page }) => {
