@@ -68,8 +68,9 @@ export class Overlay {
     this.#progressSlot.hidden = true;
   }
 
-  /** Nothing goes on: without progress and hint. */
+  /** Nothing goes on: without progress, hint and glow. */
   clear(): void {
+    this.glow.follow(0);
     this.hideProgress();
     this.hint.tell(null);
   }

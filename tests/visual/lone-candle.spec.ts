@@ -324,6 +324,13 @@ test("The candle's warm glow lies on the page if the page asks for it", async ({
   expect(await opacity("")).toBe(0);
   expect(await opacity("0.5")).toBeGreaterThan(0.3);
   expect(await opacity("7")).toBe(await opacity("1"));
+  const unlit = await page.locator("candle-flame").evaluate((element: CandleFlameElement) => {
+    const layer = element.shadowRoot?.querySelector("[part~=glow]");
+    element.scene = "room";
+    element.scene = "candle"; // anew: there is no flame yet
+    return Number(layer && getComputedStyle(layer).opacity);
+  });
+  expect(unlit).toBe(0);
 });
 
 test("A lazy element fetches and asks for nothing until the visitor is near", async ({ page }) => {
