@@ -58,7 +58,7 @@ export function moonlitPoints(
  * Its light comes from one place, so that a table's shadow is narrower than a few of a probe's own rays.
  *
  * @param lit what the moon lights
- * @param probes (x, y, z, 1) of each, metres
+ * @param probes (x, y, z, 1) of each, metres; the last is 0 for one inside a solid, which sees nothing
  */
 export function* traceSurfelVisibility(
   lit: readonly (LitPoint | null)[],
@@ -78,6 +78,7 @@ export function* traceSurfelVisibility(
   const end: Vec3 = [0, 0, 0];
   for (let tile = 0; tile < columns * rows * planes; tile++) {
     if (tile % PROBES === PROBES - 1) yield;
+    if (probes[4 * tile + 3] === 0) continue;
     const tileColumn = tile % columns;
     const tileRow = Math.floor(tile / columns);
     for (const axis of [0, 1, 2] as const) probe[axis] = probes[4 * tile + axis]!;

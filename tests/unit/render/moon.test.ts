@@ -125,15 +125,15 @@ test("a probe sees the moonlit floor on its side of a wall, and not that behind 
   const room = new CollisionMesh([floorOf(4), wall]);
   const bounds = { min: [-2, 0, -2], max: [2, 2.5, 2] } as const;
   const frustum = moonFrustum([0, -1, 0], bounds, null);
-  const probes = new Float32Array([-1, 0.3, 0, 1, 1, 0.3, 0, 1, 0, 2.4, 0, 1]);
-  const detail = { ...tierNamed("low").physical.indirect, probes: [3, 1, 1] } as const;
+  const probes = new Float32Array([-1, 0.3, 0, 1, 1, 0.3, 0, 1, 0, 2.4, 0, 1, -1, 0.3, 0, 0]);
+  const detail = { ...tierNamed("low").physical.indirect, probes: [4, 1, 1] } as const;
   const { width, height, data } = finish(
     traceSurfelVisibility(moonlitPoints(frustum, room, detail), room, probes, detail),
   );
   const { rays, surfels, surfelGroup: group } = detail;
   const groupColumns = (6 * surfels) / group;
   const groups = groupColumns * (surfels / group - 1);
-  expect([width, height]).toEqual([3 * rays, Math.ceil((groupColumns * surfels) / group / rays)]);
+  expect([width, height]).toEqual([4 * rays, Math.ceil((groupColumns * surfels) / group / rays)]);
   /** Share of the groups on a side, the sign of their x, that a probe sees. */
   const seen = (probe: number, side: number) => {
     const places = Array.from({ length: groups }, (_, i) => {
@@ -148,6 +148,7 @@ test("a probe sees the moonlit floor on its side of a wall, and not that behind 
   expect([seen(0, -1), seen(0, 1)]).toEqual([1, 0]);
   expect([seen(1, -1), seen(1, 1)]).toEqual([0, 1]);
   expect(seen(2, 1), "from above, beside the wall's shadow").toBeGreaterThan(0.9);
+  expect(seen(3, -1), "inside a solid").toBe(0);
 });
 
 test("what the moon lights outside the panes does not shine indoors", () => {
