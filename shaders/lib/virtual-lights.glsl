@@ -3,7 +3,7 @@
 #include "lib/shadow-tiles.glsl"
 #include "lib/glossy-lobe.glsl"
 
-uniform sampler2D uVirtualLights;  // a column each: position, m, and extent, m; normal, length 1, and area, m²
+uniform sampler2D uVirtualLights;  // a column each: position, m, and extent, m; normal, length 1
 uniform sampler2D uVirtualFlux;    // gi/virtual-flux.frag
 uniform highp sampler2D uVirtualShadow;
 
