@@ -16,7 +16,15 @@ const OPTIONS = {
 /** A candle that draws nothing. */
 function create(isModelAlone: boolean): CandleFlame {
   const createRenderer = () => ({ resize: () => {}, setLayers: () => {} });
-  const scene = { wicks: [], room: null, createPlume: null, isModelAlone, createRenderer };
+  const moonDirection = [0, -1, 0];
+  const scene = {
+    wicks: [],
+    room: null,
+    createPlume: null,
+    moonDirection,
+    isModelAlone,
+    createRenderer,
+  };
   const target = { gpu: { isLost: false, longestSide: 4096 } };
   return new CandleFlame(
     target as unknown as CanvasTarget,
@@ -47,4 +55,16 @@ test("a candle that was put down stands there again after a look that has a plac
   candle.reset();
   candle.options = OPTIONS;
   expect(candle.world.candle.isHeld, "as if new").toBe(true);
+});
+
+test("the moon shines from where the page wants it, and from its own place when that is taken back", () => {
+  const candle = create(false);
+  const moon = { illuminance: null, direction: null };
+  const own = { illuminance: 0.15, direction: [0, -1, 0] };
+  candle.options = { ...OPTIONS, look: "physical" };
+  expect(candle.world.moon).toEqual(own);
+  candle.options = { ...OPTIONS, look: "physical", moon: { ...moon, direction: [1, 0, 0] } };
+  expect(candle.world.moon).toEqual({ ...own, direction: [1, 0, 0] });
+  candle.options = { ...OPTIONS, look: "physical", moon };
+  expect(candle.world.moon).toEqual(own);
 });

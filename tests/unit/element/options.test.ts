@@ -22,3 +22,10 @@ test("a wick that is no number is the model's own", () => {
   expect(optionsWith({ wick: "thick" }).wick).toBeNull();
   expect(optionsWith({}).wick).toBeNull();
 });
+
+test("a moon without a direction, or one that cannot be read, stands where the model's own does", () => {
+  expect(optionsWith({}, { moonDirection: "0 90" }).moon.direction?.[1]).toBe(-1);
+  for (const moonDirection of ["", "east"]) {
+    expect(optionsWith({}, { moonDirection }).moon.direction).toBeNull();
+  }
+});
