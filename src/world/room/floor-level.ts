@@ -10,18 +10,18 @@ const LAYERS = 8192;
 const WALKABLE_SHARE = 0.3;
 /** A level this close above a floor and nearly as large is the floor: boards on the ground. Metres. */
 const COVERING = 0.1;
-/** Least area of a floor under the spawn point, m², however large the ground outside. */
+/** Least area of a floor under the spawn point, m², however large the ground outside; and of one in a low model. */
 const ROOM = 2;
 /** A spawn point may lie this far below the floor that it means, metres. */
 const SPAWN_SLACK = 0.2;
 const DOWN: Readonly<Vec3> = [0, -1, 0];
 
-/** Distance from a floor to a level above it that may be the roof, metres. */
+/** Distance from a floor to a level above it that may be the roof or a ceiling, metres. */
 const STOREY = 1.7;
 
 /**
  * Height of the floor: the large level area under the spawn point, or else the one at 0, where
- * glTF's authors put it, or else the lowest.
+ * glTF's authors put it unless that is a ceiling, or else the lowest.
  */
 export function floorLevel(collision: CollisionMesh, spawn: Readonly<Vec3> | null): number {
   const { min, max } = collision.bounds;
@@ -46,12 +46,15 @@ export function floorLevel(collision: CollisionMesh, spawn: Readonly<Vec3> | nul
       if (isUnder || isLarge(level[i])) chosen = i;
     }
   }
-  if (chosen < 0 && isLarge(level[-base])) chosen = -base;
+  // A thing to walk around, a table say, stands on the floor.
+  if (chosen < 0 && largest < ROOM && max[1] - min[1] < STOREY) return min[1];
   if (chosen < 0) {
     const lowest = level.findIndex(isLarge);
     chosen = upward.findIndex(isLarge);
     // A room modelled inside out has no upward face but its roof.
     if (chosen < 0 || (chosen - lowest) * layer > STOREY) chosen = lowest;
+    const isCeiling = !isLarge(upward[-base]) && (-base - chosen) * layer > STOREY;
+    if (isLarge(level[-base]) && !isCeiling) chosen = -base;
   }
 
   const ground = chosen;

@@ -14,6 +14,8 @@ import {
   PLAIN,
   quad,
   Rubble,
+  sphere,
+  table,
 } from "../rooms.ts";
 
 const RUN = 2.8;
@@ -273,6 +275,32 @@ describe("the floor is", () => {
     expect(planOf(house).floor).toBeCloseTo(0.4, 6);
     expect(planOf(house, [1, 3.5, 1]).floor).toBeCloseTo(3.4, 6);
     expect(planOf(house, [1, 2, 1]).floor).toBeCloseTo(0.4, 6);
+  });
+
+  test("not the ceiling, where that is at 0", () => {
+    for (const roof of [floorOf(4), box([-2, -0.1, -2], [2, 0, 2])]) {
+      expect(planOf([insideOf([-2, -2.6, -2], [2, 0, 2])]).floor).toBeCloseTo(-2.6, 6);
+      expect(planOf([floorOf(4, -2.6), roof]).floor, "a roof is walked on").toBe(0);
+    }
+  });
+
+  test("under a small thing, and under a low one with a spawn point before it", () => {
+    for (const y of [0, -0.375]) {
+      const things = table(0, 0).map(({ positions, indices }) => ({
+        positions: positions.map((x, i) => (i % 3 === 1 ? x + y : x)),
+        indices,
+      }));
+      for (const spawn of [null, [0, y, 2] as Vec3]) {
+        const plan = planOf(things, spawn);
+        expect(plan.floor).toBeCloseTo(y, 6);
+        expect(plan.isFree(0, 0)).toBe(false);
+      }
+    }
+    const ball = planOf([sphere([0, 0, 0], 0.5, 24)]);
+    expect(ball.floor).toBe(-0.5);
+    expect(ball.start[2]).toBeCloseTo(1.7, 6);
+    const board = [box([-0.6, -0.3, -0.6], [0.6, 0, 0.6])];
+    expect(planOf(board, [0, 0, 0]).floor, "where one is meant to stand on it").toBe(0);
   });
 
   test("not the table under the spawn point", () => {
