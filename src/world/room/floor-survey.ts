@@ -49,7 +49,9 @@ export function surveyFloor(
   markTouched(isFloor, grid, collision, floor - STEP_OVER, floor + STEP_OVER, 0.5);
   let floorArea = 0;
   for (let i = 0; i < isFloor.length; i++) floorArea += isFloor[i]!;
-  if (floorArea >= isFloor.length * FLOOR_SHARE && floorArea < isFloor.length) {
+  // One walks around a model that is too small on no floor of its.
+  const isInside = bounds === collision.bounds;
+  if (isInside && floorArea >= isFloor.length * FLOOR_SHARE && floorArea < isFloor.length) {
     const toFloor = distanceField(isFloor, columns, rows);
     for (let i = 0; i < isTaken.length; i++) if (toFloor[i]! * cell > CRACK) isTaken[i] = 1;
   }
@@ -88,7 +90,7 @@ export function surveyFloor(
     clearance,
     /** Squares whose middle can be walked to from the start. */
     isReachable,
-    hasFloor: floorArea > 0,
+    hasFloor: isInside && floorArea > 0,
     start,
   };
 }

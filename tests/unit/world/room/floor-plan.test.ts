@@ -402,6 +402,17 @@ describe("any room will do", () => {
     }
   });
 
+  test("a model of a town where nobody fits: one walks around it", () => {
+    const houses = Array.from({ length: 400 }, (_, i) => {
+      const [x, z] = [(i % 20) - 10, Math.floor(i / 20) - 10];
+      return box([x, 0, z], [x + 0.8, 1.8, z + 0.8]);
+    });
+    const plan = planOf([floorOf(20), ...houses]);
+    expect(plan.start[2]).toBeCloseTo(11.2, 6);
+    expect(plan.hasFloor, "a candle can be put down there").toBe(false);
+    expect(plan.isFree(-11, -11)).toBe(true);
+  });
+
   test("a kilometre of land with a wall in it", () => {
     const parts = [floorOf(1000), box([-20, 0, -5.05], [20, 3, -4.95])];
     const plan = planOf(parts, [0, 0, 0]);
