@@ -51,8 +51,7 @@ void main() {
   float shading = 1.0;
 #if !UNTEXTURED
   if (frame.normalMaps > 0.5) {
-    vec3 L = vToLight * inversesqrt(dot(vToLight, vToLight));
-    L.z *= side;
+    vec3 L = vToLight * (side * inversesqrt(dot(vToLight, vToLight)));
     vec3 normal = tangentNormal(texture(uNormal, vUvAndOcclusion.xy).xy, uSurface.z);
     shading = normalMapShading(L.z, dot(normal, L));
   }

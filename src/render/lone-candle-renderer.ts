@@ -83,7 +83,7 @@ export class LoneCandleRenderer extends LoneRenderer {
         },
         blocks: { Frame: frame, Light: light },
         depth: "test-and-write",
-        cull: surface.isDoubleSided ? "none" : "back",
+        cull: "back",
       });
     }
   }

@@ -1,0 +1,118 @@
+import sharp from "sharp";
+import type { Camera } from "../../src/candle-flame-element.ts";
+import { luma } from "../../src/light/color.ts";
+import { GlbBuilder } from "../../tools/models/glb-builder.mjs";
+import { roomModel } from "../../tools/reference/rooms.mjs";
+import { RoomDriver } from "../support/room-driver.ts";
+import { expect, test } from "../support/test.ts";
+
+const SIZE = { width: 160, height: 160 };
+/** Middles of two panels, on both sides of the origin, metres. */
+const AWAY = 2;
+
+/** Two panels above a floor, seen from +Z: one's back, and one's front that has the same relief from there. */
+async function panels(): Promise<Buffer> {
+  const builder = new GlbBuilder();
+  // A slope along the tangent of 0.6 in 0.8.
+  const texel = {
+    width: 1,
+    height: 1,
+    channels: 3,
+    background: { r: 204, g: 128, b: 230 },
+  } as const;
+  const bytes = await sharp({ create: texel }).png().toBuffer();
+  const image = builder.add("images", { bufferView: builder.view(bytes), mimeType: "image/png" });
+  const normalTexture = { index: builder.add("textures", { source: image }) };
+  const pbrMetallicRoughness = { metallicFactor: 0 };
+  const mapped = builder.add("materials", {
+    pbrMetallicRoughness,
+    normalTexture,
+    doubleSided: true,
+  });
+  const plain = builder.add("materials", { pbrMetallicRoughness });
+  const square = (corners: number[], normal: number[], tangent: number[], material: number) => ({
+    attributes: {
+      POSITION: builder.accessor(Float32Array.from(corners), 3),
+      NORMAL: builder.accessor(
+        Float32Array.from({ length: 12 }, (_, i) => normal[i % 3] ?? 0),
+        3,
+      ),
+      TANGENT: builder.accessor(
+        Float32Array.from({ length: 16 }, (_, i) => tangent[i % 4] ?? 0),
+        4,
+      ),
+      TEXCOORD_0: builder.accessor(new Float32Array(8), 2),
+    },
+    indices: builder.accessor(Uint16Array.of(0, 1, 2, 0, 2, 3), 1),
+    material,
+  });
+  const panel = (x: number, side: number) =>
+    square(
+      [-1, 1, 1, -1].flatMap((u, i) => [x + 0.5 * u * side, i < 2 ? 0.8 : 1.8, 0]),
+      [0, 0, side],
+      [-side, 0, 0, 1],
+      mapped,
+    );
+  const floor = [-4, 0, 4, 4, 0, 4, 4, 0, -4, -4, 0, -4];
+  const primitives = [
+    square(floor, [0, 1, 0], [1, 0, 0, 1], plain),
+    panel(-AWAY, -1),
+    panel(AWAY, 1),
+  ];
+  builder.root({ mesh: builder.add("meshes", { primitives }) });
+  return builder.glb();
+}
+
+/** Mean luminance around the middle of the view. */
+async function luminanceFrom(room: RoomDriver, camera: Camera): Promise<number> {
+  const radiance = await room.evaluate((element, camera) => {
+    element.camera = camera;
+    element.step(0);
+    return [...element.readRadiance(40, 70, 40, 20)];
+  }, camera);
+  let sum = 0;
+  for (let i = 0; i < radiance.length; i += 3) {
+    sum += luma([radiance[i] ?? 0, radiance[i + 1] ?? 0, radiance[i + 2] ?? 0]);
+  }
+  return sum / (radiance.length / 3);
+}
+
+test("Relief seen from behind is its own cast: bumps are dents", async ({ page }) => {
+  test.slow(); // three renderers
+  const room = new RoomDriver(page);
+  await room.open({ look: "paper", quality: "medium" }, { ...SIZE, model: await panels() });
+  for (const [look, quality] of [
+    ["paper", "medium"],
+    ["physical", "low"],
+    ["physical", "medium"],
+  ] as const) {
+    await room.set({ quality });
+    await room.change(look);
+    const luminanceAt = (x: number) =>
+      luminanceFrom(room, { position: [x, 1.4, 0.9], yaw: 0, pitch: 0 });
+    const [back, front] = [await luminanceAt(-AWAY), await luminanceAt(AWAY)];
+    expect(front).toBeGreaterThan(0);
+    expect(back / front, `${look} at ${quality}`).toBeGreaterThan(0.9);
+    expect(back / front, `${look} at ${quality}`).toBeLessThan(1.1);
+  }
+});
+
+test("In the paper's look a smooth wall without a roughness map has a highlight, and a rough one none", async ({
+  page,
+}) => {
+  const color = [0.3, 0.3, 0.3] as const;
+  const walls = { "-z": { color, roughness: 0.2 } };
+  const shell = {
+    min: [-2, 0, -2],
+    max: [2, 2.6, 2],
+    material: { color },
+    walls,
+    isShell: true,
+  } as const;
+  const room = new RoomDriver(page);
+  await room.open({ look: "paper" }, { ...SIZE, model: roomModel([shell]) });
+  const luminanceAt = (yaw: number) =>
+    luminanceFrom(room, { position: [0, 1.4, -1.2 * Math.cos(yaw)], yaw, pitch: 0 });
+  const [smooth, rough] = [await luminanceAt(0), await luminanceAt(Math.PI)];
+  expect(smooth / rough).toBeGreaterThan(1.1);
+});
