@@ -20,8 +20,8 @@ void main() {
   vec3 lightDirection = toLight / max(distance, 1e-3);  // the flame is over 1 mm thick
   vec3 halfway = normalize(lightDirection + normalize(frame.eyePosition - vPositionWorld));
   float diffuse = max(dot(normal, lightDirection), 0.0) * mix(1.0, occlusionRoughness.r, uOcclusionStrength);
-  // The paper's highlight is constant; here the roughness map attenuates it.
-  float gloss = 1.0 - occlusionRoughness.g;
+  // The paper's highlight is constant; here roughness attenuates it.
+  float gloss = 1.0 - occlusionRoughness.g * uSurface.x;
   float specular = SPECULAR * gloss * highlight(dot(normal, halfway)) * step(1e-3, diffuse);
   vec3 color = (albedo * diffuse + albedo * specular) * light.color * attenuation(distance);
   oColor = vec4(display(color * frame.exposure, gl_FragCoord.xy).rgb, edgeCode(0.0));
