@@ -132,7 +132,7 @@ export class SceneView {
     this.#renderer.refinedFade?.end();
     this.#frameSize = next?.size ?? null;
     this.#renderer = next?.renderer ?? this.#createRenderer();
-    if (this.#fitRenderer()) this.#isUnchecked = true;
+    this.#fitRenderer();
     if (before.tier.name !== tier.name || before.share !== share) this.onQualityChanged();
     if (next || !this.isPlaying || !this.#last) return;
     this.prepareFrame(atRest(this.#last), () => true).catch(this.onRefused);
@@ -158,7 +158,7 @@ export class SceneView {
     this.#renderer.refinedFade?.end();
     const { gpu } = this.#target;
     gpu.clearUnshared(true);
-    if (!gpu.isLost && this.#fitRenderer()) this.#isUnchecked = true;
+    if (!gpu.isLost) this.#fitRenderer();
     return this.#fitCanvas();
   }
 
@@ -278,7 +278,6 @@ export class SceneView {
   #createRenderer(): Renderer {
     const { tier } = this.#quality;
     const renderer = this.#scene.createRenderer(this.#target, tier, this.#settings.look);
-    this.#isUnchecked = true;
     this.#renderer = renderer;
     this.#fitRenderer();
     this.#busy = null;
@@ -286,13 +285,13 @@ export class SceneView {
     return renderer;
   }
 
-  /** Whether the renderer's frames are of another size now. The canvas has another one while a refined image is shown. */
-  #fitRenderer(): boolean {
+  /** Gives the renderer's frames their size. The canvas has another one while a refined image is shown. */
+  #fitRenderer(): void {
     const { width, height } = this.#sizeAt(this.#ownScale);
-    if (this.#frameSize?.width === width && this.#frameSize.height === height) return false;
+    if (this.#frameSize?.width === width && this.#frameSize.height === height) return;
     this.#renderer.resize(width, height);
     this.#frameSize = { width, height };
-    return true;
+    this.#isUnchecked = true;
   }
 
   get #shown(): Renderer {

@@ -20,14 +20,21 @@ function createGpu() {
     endFrame: () => {},
     whenIdle: () => Promise.resolve(),
     whenCompiled: () => new Promise(() => {}),
-    check: () => {},
+    checks: 0,
+    check: () => {
+      gpu.checks++;
+    },
     clearUnshared: () => {},
   };
   return gpu;
 }
 
 /** A view whose renderer draws in that many calls. */
-function createView(gpu: ReturnType<typeof createGpu>, calls: number): SceneView {
+function createView(
+  gpu: ReturnType<typeof createGpu>,
+  calls: number,
+  quality: ViewSettings["quality"] = "low",
+): SceneView {
   const renderer = {
     particles: 0,
     resize: () => {},
@@ -42,7 +49,7 @@ function createView(gpu: ReturnType<typeof createGpu>, calls: number): SceneView
   return new SceneView(
     target as unknown as CanvasTarget,
     scene as unknown as Scene,
-    { look: "paper", quality: "low" } as ViewSettings,
+    { look: "paper", quality } as ViewSettings,
     {} as ViewSubject,
     true,
     new AutoQuality(WORK.plain),
@@ -72,4 +79,22 @@ test("a frame is reported where one was presented: not while another tier is pre
   expect(frames).toBe(1);
   view.render(FRAME, true);
   expect(frames).toBe(2);
+});
+
+test("the driver is asked about the targets of another resolution of the same tier", async () => {
+  const gpu = createGpu();
+  const view = createView(gpu, 1, "auto");
+  const draw = () => {
+    view.render(FRAME);
+    return expect.poll(() => view.isBusy).toBe(false);
+  };
+  view.resize(640, 360);
+  await draw();
+  await draw();
+  expect(gpu.checks).toBe(1);
+  const { resolutionScale } = view.stats;
+  for (let frame = 0; frame < 20; frame++) view.measure(1);
+  await draw();
+  expect(view.stats.resolutionScale).toBeLessThan(resolutionScale);
+  expect(gpu.checks).toBe(2);
 });
