@@ -6,7 +6,7 @@ import { createShape, shapeFlame } from "../../light/flame-shape.js";
 import { scatteredMoonlight } from "../../light/moonlight.js";
 import type { Inspection } from "../../settings.js";
 import type { Flame } from "../../world/flame/flame.js";
-import type { Vec3 } from "../../world/geometry.js";
+import { type Bounds, inset, type Vec3 } from "../../world/geometry.js";
 import type { ParticleLayer } from "../../world/particles/particle-layer.js";
 import type { World } from "../../world/world.js";
 import { moonOf } from "../cached-light.js";
@@ -14,6 +14,7 @@ import { AT_ORIGIN, type FrameInput, type Placement, type Size } from "../frame-
 import type { Captures } from "../gi/light-captures.js";
 import { CHAMBERSTICK } from "../light-block.js";
 import type { Mesh } from "../mesh/mesh.js";
+import { visibleRuns } from "../mesh/visible-runs.js";
 import type { FrameBlocks } from "../opaque/opaque-stage.js";
 import type { PhysicalTier } from "../quality.js";
 import { mergeOverlapping, type Sphere, screenBounds } from "../screen-bounds.js";
@@ -155,16 +156,19 @@ export class VolumetricStage {
   ): void {
     const uEmber = emberRadiance(ember);
     if (uEmber[0] < FAINTEST_EMBER) return;
-    for (const { vertexArray } of wicks) {
-      this.#gpu.draw({
-        program: this.#ember,
-        target,
-        vertexArray,
-        textures: { uDepth: depth },
-        uniforms: { uPlacement, uRim, uEmber },
-        blocks: { Frame: this.#blocks.Frame },
-        blend: "premultiplied",
-      });
+    for (const mesh of wicks) {
+      for (const run of visibleRuns(mesh, uPlacement, (box) => mayGlow(box, uRim), 1)) {
+        this.#gpu.draw({
+          program: this.#ember,
+          target,
+          vertexArray: mesh.vertexArray,
+          ...run,
+          textures: { uDepth: depth },
+          uniforms: { uPlacement, uRim, uEmber },
+          blocks: { Frame: this.#blocks.Frame },
+          blend: "premultiplied",
+        });
+      }
     }
   }
 
@@ -199,6 +203,12 @@ export class VolumetricStage {
     if (!this.#haze || !settings.features.haze) return;
     for (const hotAir of this.#hotAir(world)) yield this.#haze.boundingSpheres(hotAir);
   }
+}
+
+/** Whether a box may have a part of the wick that glows over this rim. */
+function mayGlow(box: Bounds, rim: Vec3): boolean {
+  const { min, max } = inset(box, -EMBER_REACH);
+  return ([0, 2] as const).every((axis) => rim[axis] > min[axis] && rim[axis] < max[axis]);
 }
 
 /** The part of the flame that is inspected alone; null where the room is shown. */
