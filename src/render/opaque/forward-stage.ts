@@ -165,7 +165,8 @@ export class ForwardStage implements OpaqueStage {
       if (!near) this.#stale--;
       this.#drawBox(frame, light, captures, near ?? boxes[this.#turn++ % boxes.length]!);
     }
-    this.#key = key;
+    // Else the samples hold but a part of the frame.
+    this.#key = radiance === this.#resolved.color ? key : "";
     this.#lightKey = lightKey;
     return {
       kind: "full",
