@@ -91,7 +91,8 @@ export class CachedLighting {
     this.#block = Light;
   }
 
-  resize(): void {
+  /** Frees what it drew to, which is of the frame's size. */
+  release(): void {
     for (const { target } of this.#layers.values()) target.dispose();
     for (const sum of this.#sums ?? []) sum.dispose();
     this.#layers.clear();

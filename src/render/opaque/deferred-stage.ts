@@ -46,7 +46,7 @@ export class DeferredStage implements OpaqueStage {
   }
 
   resize(size: Size): void {
-    this.#cached.resize();
+    this.#cached.release();
     this.#gbufferPass.resize(size);
     this.#lighting.resize(size);
   }
@@ -63,6 +63,7 @@ export class DeferredStage implements OpaqueStage {
     const isAtRest = gbuffer.kind === "full";
     // Compiled while the camera rests.
     if (frame.settings.canDefer && isAtRest) this.#lighting.reducedProgram(cached);
+    if (cached.length === 0) this.#cached.release();
     const lit = yield* this.#lighting.render(frame, gbuffer, captures);
     const all =
       isAtRest && cached.length > 0

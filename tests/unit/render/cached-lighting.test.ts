@@ -10,7 +10,7 @@ import { REFINED } from "../../../src/render/quality.ts";
 import { createWorld } from "../../../src/world/create-world.ts";
 import { finish } from "../../../src/world/steps.ts";
 
-test("the lighting of a candle that is out is freed", () => {
+test("the lighting of a candle that is out is freed, and all of it on request", () => {
   const alive = new Set<string>();
   const gpu = {
     renderTarget({ label }: { label: string }) {
@@ -43,4 +43,6 @@ test("the lighting of a candle that is out is freed", () => {
   };
   expect(render("a", "b")).toEqual(["lighting/a", "lighting/b"]);
   expect(render("b", "c")).toEqual(["lighting/b", "lighting/c"]);
+  lighting.release();
+  expect([...alive]).toEqual([]);
 });
