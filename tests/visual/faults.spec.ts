@@ -1,5 +1,6 @@
 // Fault injection: whatever fails, wherever, ends in an event, a rejected promise, a sentence and the poster.
 import type { Page } from "playwright/test";
+import { QUICK_ROOM } from "../support/plain-room.ts";
 import { LIBRARY } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
 import { expect, test } from "../support/test.ts";
@@ -168,7 +169,7 @@ const outcome = (type: string, ready: Outcome["ready"]): Outcome => ({
 });
 
 const candle = { scene: "candle" };
-const physical = { look: "physical" };
+const physical = { look: "physical", src: "quick-room.glb" };
 const FIRST: readonly Case[] = [
   { fault: null, moment: "first", type: "asset", attributes: { src: "missing.glb" } },
   { fault: null, moment: "first", type: "asset", attributes: { src: "define.js" } },
@@ -217,6 +218,9 @@ test.describe("Whatever fails is reported", () => {
         contentType: "text/html",
         body: '<!doctype html><title>faults</title><script type="module" src="/define.js"></script>',
       }),
+    );
+    await page.route(`${LIBRARY}quick-room.glb`, (route) =>
+      route.fulfill({ contentType: "model/gltf-binary", body: QUICK_ROOM }),
     );
     await page.goto(`${LIBRARY}faults.html`);
     await page.evaluate(() => customElements.whenDefined("candle-flame"));

@@ -1,3 +1,4 @@
+import { QUICK_ROOM } from "../support/plain-room.ts";
 import type { RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
 
@@ -66,7 +67,12 @@ test("The field of view is the look's own until one is set, and that stays, in a
   // What is written as it was read leaves it to the look.
   await room.stand({ yaw: 1 });
   await room.set({ quality: "low" });
+  const cabin = /cabin\.glb$/;
+  await room.page.route(cabin, (route) =>
+    route.fulfill({ contentType: "model/gltf-binary", body: QUICK_ROOM }),
+  );
   await room.change("physical");
+  await room.page.unroute(cabin);
   expect(await fieldOfView(room)).toBeCloseTo(PHYSICAL, 12);
   await expectAcrossShorterSide(room, 144, [1]);
   await room.stand({ fieldOfView: PHYSICAL });
