@@ -128,17 +128,6 @@ const TIERS: Readonly<Record<Tier["name"], Tier>> = {
   },
 };
 
-/** Tier of refinement at rest without a GPU: surfaces, flame and indirect light of `high`. */
-export const REFINED: Tier = {
-  ...TIERS.high,
-  physical: {
-    ...TIERS.high.physical,
-    opaque: "refined",
-    indirect: { ...FINE_INDIRECT, isBanded: true },
-    bloomLevels: 4,
-  },
-};
-
 /** Errors of simplified casters while the camera moves, metres; by `low`'s shadows and surfels. */
 export const MOTION_ERROR = { shadow: 0.05, surfels: 0.12 } as const;
 

@@ -1,7 +1,7 @@
 import type { AutoQuality } from "../render/auto-quality.js";
 import type { Size } from "../render/frame-input.js";
 import type { FrameSettings } from "../render/frame-settings.js";
-import { REFINED } from "../render/quality.js";
+import { REFINED } from "../render/refinement/refined-tier.js";
 import { RefinementBudget } from "../render/refinement/refinement-budget.js";
 import type { InitialImage, Renderer, Surfaces } from "../render/renderer.js";
 import type { Steps } from "../world/steps.js";
@@ -38,6 +38,7 @@ export interface RefinementParts {
  * It is made while the camera first rests, a little in each frame, and kept.
  */
 export class Refinement {
+  readonly tier = REFINED;
   readonly #parts: () => RefinementParts;
   #budget = new RefinementBudget();
   #renderer: Renderer | null = null;

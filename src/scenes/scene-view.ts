@@ -4,7 +4,6 @@ import { AutoQuality } from "../render/auto-quality.js";
 import { canvasSize, longestSide } from "../render/canvas-size.js";
 import type { Size } from "../render/frame-input.js";
 import { atRest, type FrameSettings } from "../render/frame-settings.js";
-import { REFINED } from "../render/quality.js";
 import type { Renderer } from "../render/renderer.js";
 import type { Inspection } from "../settings.js";
 import { type AskedQuality, askedQuality } from "./asked-quality.js";
@@ -204,7 +203,7 @@ export class SceneView {
     if (!this.#chooseQuality(view) && !isRequired) return;
     const settings = this.#settingsOf(view);
     gpu.beginFrame(this.#counts);
-    const size = this.#sizeAt(REFINED.resolutionScale);
+    const size = this.#sizeAt(refining?.tier.resolutionScale ?? 1);
     const steps =
       refining && !isRequired ? refining.advance(this.#subject, settings, this.#renderer, size) : 0;
     if (steps !== null) {
@@ -245,7 +244,7 @@ export class SceneView {
       // As chosen: after a change of the quality the canvas keeps its size until the next frame.
       ...this.#sizeAt(this.#resolutionScale),
       resolutionScale: this.#resolutionScale,
-      quality: this.#refinement?.shown ? REFINED.name : this.#quality.tier.name,
+      quality: (this.#refinement?.shown ? this.#refinement : this.#quality).tier.name,
       gpuObjects: objectCount,
       gpuBytes: bytes,
     };
@@ -314,7 +313,7 @@ export class SceneView {
 
   get #resolutionScale(): number {
     const isRefined = this.#refinement?.shown || this.#renderer.refinedFade?.isOn;
-    return isRefined ? REFINED.resolutionScale : this.#ownScale;
+    return (isRefined && this.#refinement?.tier.resolutionScale) || this.#ownScale;
   }
 
   #sizeAt(scale: number): Size {

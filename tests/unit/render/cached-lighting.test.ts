@@ -6,7 +6,7 @@ import type { FrameInput } from "../../../src/render/frame-input.ts";
 import type { GBuffer } from "../../../src/render/gbuffer/gbuffer.ts";
 import { CachedLighting } from "../../../src/render/opaque/cached-lighting.ts";
 import type { FrameBlocks } from "../../../src/render/opaque/opaque-stage.ts";
-import { REFINED } from "../../../src/render/quality.ts";
+import { REFINED } from "../../../src/render/refinement/refined-tier.ts";
 import { createWorld } from "../../../src/world/create-world.ts";
 import { finish } from "../../../src/world/steps.ts";
 

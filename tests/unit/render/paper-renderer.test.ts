@@ -3,7 +3,7 @@ import { type Material, type Model, PLAIN_MATERIAL } from "../../../src/assets/m
 import type { Draw, Gpu } from "../../../src/gl/gpu.ts";
 import type { FrameSettings } from "../../../src/render/frame-settings.ts";
 import { PaperRenderer } from "../../../src/render/paper-renderer.ts";
-import { REFINED } from "../../../src/render/quality.ts";
+import { REFINED } from "../../../src/render/refinement/refined-tier.ts";
 import { allFeatures } from "../../../src/settings.ts";
 import { createWorld } from "../../../src/world/create-world.ts";
 import { floorOf } from "../world/rooms.ts";
