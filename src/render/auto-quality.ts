@@ -202,15 +202,16 @@ export class AutoQuality {
     if (!this.#hasBeenSlow && this.#index < BEST_LOW) this.#goTo(BEST_LOW);
   }
 
-  /** Allows rungs that were too slow again: for another size, room or session. */
-  renew(): void {
+  /** Allows rungs that were too slow again, for another size or room; in another context those that were refused, too. */
+  renew(isOtherContext?: boolean): void {
+    if (isOtherContext) this.#best = BEST;
     this.#ceiling = this.#best;
     this.#retries = 0;
     this.#measured = 0;
     this.#goTo(this.#index);
   }
 
-  /** The driver refuses a tier: it is not tried again. */
+  /** The driver refuses a tier: it is not tried again in this context. */
   refuse(name: Tier["name"]): void {
     this.#best = LADDER.findIndex(({ tier }) => tier === name) - 1;
     this.#ceiling = Math.min(this.#ceiling, this.#best);

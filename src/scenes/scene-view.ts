@@ -139,6 +139,7 @@ export class SceneView {
 
   restore(): void {
     this.#target.renew();
+    this.#auto.renew(true);
     this.rebuild();
   }
 

@@ -311,3 +311,13 @@ test("What was too slow is tried again after a change that could have helped, an
   run(auto, DESKTOP, 60);
   expect(auto.rung).toEqual({ tier: "high", share: 1 });
 });
+
+test("What the driver refuses is tried again in another context alone", () => {
+  const auto = autoOn(DESKTOP);
+  auto.refuse("medium");
+  for (const isOther of [false, true]) {
+    auto.renew(isOther);
+    run(auto, DESKTOP, 60);
+    expect(auto.rung).toEqual({ tier: isOther ? "high" : "low", share: 1 });
+  }
+});
