@@ -4,7 +4,7 @@ import type { FrameInput } from "../../../../src/render/frame-input.ts";
 import type { Captures } from "../../../../src/render/gi/light-captures.ts";
 import type { Mesh } from "../../../../src/render/mesh/mesh.ts";
 import type { FrameBlocks } from "../../../../src/render/opaque/opaque-stage.ts";
-import { REFINED } from "../../../../src/render/quality.ts";
+import { REFINED } from "../../../../src/render/refinement/refined-tier.ts";
 import { VolumetricStage } from "../../../../src/render/volumetric/volumetric-stage.ts";
 import type { CompositedFrame } from "../../../../src/render/volumetric/volumetric-target.ts";
 import { createWorld } from "../../../../src/world/create-world.ts";
