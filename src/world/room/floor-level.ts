@@ -75,11 +75,16 @@ function sumAreas({ triangles }: CollisionMesh, layer: number, base: number) {
   for (let at = 0; at < triangles.length; at += 9) {
     const area = normalOf(triangles, at, normal) / 2;
     if (Math.abs(normal[1]) < LEVEL) continue;
-    const y = (triangles[at + 1]! + triangles[at + 4]! + triangles[at + 7]!) / 3;
-    const index = Math.floor(y / layer + 0.5) - base;
-    if (normal[1] > 0) upward[index]! += area;
-    level[index]! += area;
-    height[index]! += y * area;
+    const [a, b, c] = [triangles[at + 1]!, triangles[at + 4]!, triangles[at + 7]!];
+    const first = Math.floor(Math.min(a, b, c) / layer + 0.5) - base;
+    const last = Math.floor(Math.max(a, b, c) / layer + 0.5) - base;
+    // A slope of a few triangles is in all layers that it rises through.
+    const share = area / (last - first + 1);
+    for (let i = first; i <= last; i++) {
+      if (normal[1] > 0) upward[i]! += share;
+      level[i]! += share;
+      height[i]! += (first === last ? (a + b + c) / 3 : (i + base) * layer) * share;
+    }
   }
   for (let i = 0; i < LAYERS; i++) height[i] = level[i]! > 0 ? height[i]! / level[i]! : 0;
   return { upward, level, height };

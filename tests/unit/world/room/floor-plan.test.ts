@@ -334,6 +334,8 @@ describe("the floor is", () => {
       ),
     );
     expect(planOf(slope, [0, 10 * rise, 2]).floor).toBeLessThan(10 * rise + 0.12);
+    const ramp = planOf([quad([-2, 0, 5], [2, 0, 5], [2, 2, -5], [-2, 2, -5])], [0, 1, 0]);
+    expect(Math.abs(ramp.floor - 1), "a slope of two triangles").toBeLessThan(0.13);
     const terraces = Array.from({ length: 6 }, (_, i) =>
       quad(
         [-4, i * 0.08, i * 3 + 3],
