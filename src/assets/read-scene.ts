@@ -84,8 +84,10 @@ function isPlace(node: Object3D): boolean {
 function anchorAt({ matrixWorld }: Object3D): Anchor {
   const position = new Vector3().setFromMatrixPosition(matrixWorld);
   const forward = new Vector3().setFromMatrixColumn(matrixWorld, 2).negate();
+  // Squares of huge and tiny numbers are none.
+  forward.divideScalar(Math.max(...forward.toArray().map(Math.abs)));
   // That of a node that is not turned, for one of scale 0.
-  if (forward.length() === 0) forward.set(0, 0, -1);
+  if (!(forward.length() > 0)) forward.set(0, 0, -1);
   // Straight up or down it points nowhere on the floor.
   const isLevel = Math.hypot(forward.x, forward.z) > 1e-6 * forward.length();
   return {

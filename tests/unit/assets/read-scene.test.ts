@@ -150,3 +150,14 @@ test("a moon of scale 0 has a direction", async () => {
   expect(anchors).toMatchObject({ moon: { forward: [0, 0, -1] } });
   expect(Object.keys(anchors)).toEqual(["moon"]);
 });
+
+test("a moon of a huge or a tiny scale shines where it is turned to", async () => {
+  for (const scale of [1e200, 1e-200]) {
+    const moon = { name: "moon", rotation: [-1, 0, 0, 1], scale: [scale, scale, scale] };
+    const { anchors } = await read({
+      nodes: [{ mesh: 0 }, moon],
+      meshes: [{ primitives: [TRIANGLE] }],
+    });
+    expect(anchors.moon?.forward[1]).toBeCloseTo(-1, 6);
+  }
+});
