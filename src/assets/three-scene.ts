@@ -1,4 +1,4 @@
-import type { Group, Mesh } from "three";
+import type { Group, Mesh, Object3D } from "three";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
 import { Flaw } from "./asset-error.js";
 import type { ReadView } from "./buffer-bytes.js";
@@ -33,6 +33,11 @@ export async function buildScene(
     if (bytes > MOST_BYTES) throw new Flaw(`has geometry of more than ${MOST_BYTES / 1e6} MB`);
     return (await denseBytes(accessor, document.views, readView)).buffer;
   };
+  // Three's instances have no weights of morph targets.
+  const weightsOf = ({ userData, parent }: Object3D) => {
+    const node = document.nodes[userData.order ?? parent?.userData.order];
+    return node?.weights ?? document.meshes[node?.mesh ?? -1]?.weights ?? [];
+  };
   loader.register((parser) => ({
     name: "checked views",
     loadBufferView,
@@ -47,8 +52,9 @@ export async function buildScene(
         node.matrix.set(a, d, g, x, b, e, h, y, c, f, i, z, 0, 0, 0, 1);
         node.matrixAutoUpdate = false;
       });
-      for (const { geometry } of meshes) {
-        const { userData } = geometry;
+      for (const mesh of meshes) {
+        if ("isInstancedMesh" in mesh) mesh.morphTargetInfluences = weightsOf(mesh);
+        const { userData } = mesh.geometry;
         if (typeof userData.reducedIndices !== "number") continue;
         const { array } = await parser.getDependency("accessor", userData.reducedIndices);
         userData.reducedIndices = array;

@@ -126,6 +126,18 @@ test("morph targets move positions and normals, also beside one of normals alone
   expect([...(parts[0]?.normals ?? [])]).toEqual([0, half, half, 0, half, half, 0, half, half]);
 });
 
+test("instances of a morphed mesh have its rest pose, or their node's", async () => {
+  const morphed = { ...TRIANGLE, targets: [{ POSITION: 2 }] };
+  const attributes = { TRANSLATION: 1 };
+  const instanced = { mesh: 0, extensions: { EXT_mesh_gpu_instancing: { attributes } } };
+  for (const primitives of [[morphed], [morphed, morphed]]) {
+    const nodes = [instanced, { ...instanced, weights: [0.25] }];
+    const { parts } = await read({ nodes, meshes: [{ primitives, weights: [0.5] }] });
+    const heights = parts.map(({ positions }) => positions[8]);
+    expect(heights).toEqual(primitives.map(() => 1.5).concat(primitives.map(() => 1.25)));
+  }
+});
+
 test("missing normals are those of the morphed triangles", async () => {
   const morphed = { ...TRIANGLE, attributes: { POSITION: 0 }, targets: [{ POSITION: 2 }] };
   const meshes = [{ primitives: [morphed], weights: [1] }];
