@@ -4,6 +4,7 @@ import { writeFile } from "node:fs/promises";
 import sharp from "sharp";
 import { makePoster } from "../bin/poster.mjs";
 import { serveBuilt } from "./built-site.mjs";
+import { chosenNames } from "./chosen-names.mjs";
 import { findBrowser } from "./find-browser.mjs";
 
 /**
@@ -34,11 +35,11 @@ async function compressed(picture) {
   throw new Error(`No quality makes it smaller than ${MOST} bytes.`);
 }
 
-const wanted = process.argv.slice(2);
+const wanted = chosenNames(POSTERS.map(({ name }) => name));
 const { path } = await findBrowser();
 const server = await serveBuilt();
 for (const { name, width, height } of POSTERS) {
-  if (wanted.length > 0 && !wanted.includes(name)) continue;
+  if (!wanted.includes(name)) continue;
   const picture = await makePoster({
     url: server.url,
     size: `${width}x${height}`,

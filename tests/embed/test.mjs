@@ -7,6 +7,7 @@ import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { launchSoftwareBrowser, serveBuilt } from "../../tools/built-site.mjs";
+import { chosenNames } from "../../tools/chosen-names.mjs";
 
 const VITE = JSON.parse(readFileSync("package.json", "utf8")).devDependencies.vite;
 // Checkers of templates need the JavaScript that TypeScript 7 no longer is.
@@ -54,7 +55,7 @@ const PROJECTS = [
   },
 ];
 
-const chosen = process.argv.slice(2);
+const chosen = chosenNames(PROJECTS.map(({ name }) => name));
 const folder = mkdtempSync(join(tmpdir(), "embed-"));
 const run = (command, cwd) =>
   execFileSync(command, { cwd, shell: true, stdio: ["ignore", "inherit", "inherit"] });
@@ -181,7 +182,7 @@ const browser = await launchSoftwareBrowser();
 let failed = 0;
 try {
   mkdirSync(join(folder, "pack"));
-  run(`npm pack --loglevel=error --pack-destination ${join(folder, "pack")}`, ".");
+  run(`npm pack --loglevel=error --pack-destination "${join(folder, "pack")}"`, ".");
   const [{ filename }] = JSON.parse(
     execFileSync("npm pack --dry-run --ignore-scripts --json --loglevel=error", {
       shell: true,
@@ -190,7 +191,7 @@ try {
   );
   const tarball = join(folder, "pack", filename);
   for (const project of PROJECTS) {
-    if (chosen.length > 0 && !chosen.includes(project.name)) continue;
+    if (!chosen.includes(project.name)) continue;
     let faults = [];
     try {
       const cwd = install(project, tarball);

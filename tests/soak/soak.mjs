@@ -6,6 +6,12 @@ const HALF_AN_HOUR = 1800;
 /** Growth that is noise of the collector's, bytes. */
 const SLACK = 1.5e6;
 
+const [chosen = ""] = process.argv.slice(2);
+const SCENES = ['look="paper"', 'scene="candle"', 'look="physical"'].filter((scene) =>
+  scene.includes(chosen),
+);
+if (SCENES.length === 0) throw new Error(`There is no ${chosen} to soak.`);
+
 const server = await serveBuilt("dist");
 const browser = await launchSoftwareBrowser();
 
@@ -126,10 +132,6 @@ async function soak(attributes) {
   return isFlat && complaints.length === 0;
 }
 
-const [chosen = ""] = process.argv.slice(2);
-const SCENES = ['look="paper"', 'scene="candle"', 'look="physical"'].filter((scene) =>
-  scene.includes(chosen),
-);
 const results = [];
 for (const attributes of SCENES) results.push(await soak(attributes));
 await browser.close();

@@ -1,11 +1,12 @@
 // npm run reference [names…]: the views as Blender Cycles sees them, into tests/fixtures/reference/ or REFERENCES.
 // Needs `npm run build`, and Python with tools/models/requirements.txt (PYTHON names it).
 import { spawnSync } from "node:child_process";
-import { mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import sharp from "sharp";
+import { chosenNames } from "../chosen-names.mjs";
 import { openGlb, packGlb } from "../models/glb-builder.mjs";
 import { FIXTURES, height, inEachRoom, readSource, views, width } from "./room.mjs";
 import { ROOMS, roomModel } from "./rooms.mjs";
@@ -18,8 +19,8 @@ const WICK = [0.0011, 0.2, 0.0003];
 /** Vertical, degrees. */
 const FIELD_OF_VIEW = 56;
 
-const names = process.argv.slice(2);
-const wanted = names.length > 0 ? views.filter(({ name }) => names.includes(name)) : views;
+const names = chosenNames(views.map(({ name }) => name));
+const wanted = views.filter(({ name }) => names.includes(name));
 
 const { Flame } = await readSource("/src/world/flame/flame.ts");
 const { TAPER_WICK } = await readSource("/src/world/flame/burning.ts");
@@ -81,6 +82,7 @@ const staged = await inEachRoom("low", wanted, async (views, evaluate) => {
 });
 
 const folder = mkdtempSync(join(tmpdir(), "reference-"));
+process.on("exit", () => rmSync(folder, { recursive: true, force: true }));
 for (const name of ["cabin", "chamberstick"]) await exportModel(name);
 for (const [name, parts] of Object.entries(ROOMS)) {
   writeFileSync(join(folder, `${name}.glb`), roomModel(parts));
