@@ -38,6 +38,7 @@ export interface Result extends Survey {
 export async function main({ isShort, only = "", cases = "", counts }: Options): Promise<boolean> {
   if (!isShort) Object.assign(process.env, COLD);
   const wanted = PAIRS.filter((name) => name.includes(only));
+  if (wanted.length === 0) throw new Error(`No pair's name has ${only}: ${PAIRS.join(", ")}.`);
   const { pairs, missing } = await findPairs(
     PAIRS.filter((name) => name === REFERENCE || wanted.includes(name)),
   );
@@ -86,7 +87,10 @@ export async function main({ isShort, only = "", cases = "", counts }: Options):
   const isWhole = !isShort && !only && !cases;
   if (isWhole) await writeReport(results, missing);
   console.log(`${passed} passed, ${failed} failed`);
-  return failed === 0;
+  // Beside what each pair is: nothing had the name that was asked for, or could be had.
+  const isIdle = results.every(({ verdicts }) => verdicts.length === 1);
+  if (isIdle) console.log("Nothing was tested.");
+  return failed === 0 && !isIdle;
 }
 
 async function surveyOf(session: Session, cases: readonly Case[], served: Served): Promise<Survey> {
@@ -104,7 +108,10 @@ async function surveyOf(session: Session, cases: readonly Case[], served: Served
     );
     return { pair, version, renderer, findings };
   } catch (error) {
-    return { pair, version: "", renderer: String(error), findings: [] };
+    const failure = String(error);
+    const nothing = { ready: null, complaints: [], failure, sight: null };
+    const findings = cases.map(({ name }) => ({ name, ...nothing }));
+    return { pair, version: "", renderer: failure, findings };
   }
 }
 

@@ -81,7 +81,8 @@ export class Session {
   }
 
   async close(): Promise<void> {
-    await (await this.#visitor)?.close();
+    const visitor = await this.#visitor?.catch(() => null); // it may not have come up
+    await visitor?.close();
     this.#visitor = null;
   }
 }
