@@ -40,20 +40,14 @@ export default class Report implements Reporter {
 
   #reportPasses(): void {
     if (this.#passes.length === 0) return;
-    writeFileSync(`${FOLDER}/passes.json`, `${JSON.stringify(this.#passes, null, 2)}\n`);
-    writeTables(passTable(this.#passes));
+    writeTables(passTable(update("passes.json", this.#passes, sceneOf)));
   }
 
-  /** Other GPUs' frames stay as they were. */
   #reportGpu(): void {
-    const [first] = this.#onGpu;
-    if (!first) return;
-    const file = `${FOLDER}/gpus.json`;
-    const before = JSON.parse(readFileSync(file, "utf8")) as Passes[];
-    const others = before.filter(({ renderer }) => renderer !== first.renderer);
-    const all = [...others, ...this.#onGpu];
-    writeFileSync(file, `${JSON.stringify(all, null, 2)}\n`);
-    writeTables(gpuTable(all));
+    if (this.#onGpu.length === 0) return;
+    writeTables(
+      gpuTable(update("gpus.json", this.#onGpu, (one) => [one.renderer, ...sceneOf(one)])),
+    );
   }
 
   /** What was not measured this time stays as it was. */
@@ -62,7 +56,7 @@ export default class Report implements Reporter {
     const file = `${FOLDER}/results.json`;
     const before = JSON.parse(readFileSync(file, "utf8")) as Results;
     const ladder = this.#ladder ?? before.ladder;
-    const scaling = this.#scaling.length > 0 ? this.#scaling : before.scaling;
+    const scaling = merged(before.scaling, this.#scaling, ({ count, pixels }) => [count, pixels]);
     const machine = {
       cores: cpus().length,
       model: cpus()[0]?.model,
@@ -95,6 +89,22 @@ export default class Report implements Reporter {
       }),
     );
   }
+}
+
+const sceneOf = ({ quality, doing, lights }: Passes) => [quality, doing, lights];
+
+/** What was measured, in its place among what was measured before. */
+function merged<T>(before: readonly T[], measured: readonly T[], keyOf: (one: T) => unknown[]) {
+  const all = [...before, ...measured].map((one) => [JSON.stringify(keyOf(one)), one] as const);
+  return [...new Map(all).values()];
+}
+
+/** Writes the frames that were measured; all others of the file stay as they were. */
+function update(name: string, measured: readonly Passes[], keyOf: (one: Passes) => unknown[]) {
+  const file = `${FOLDER}/${name}`;
+  const all = merged(JSON.parse(readFileSync(file, "utf8")) as Passes[], measured, keyOf);
+  writeFileSync(file, `${JSON.stringify(all, null, 2)}\n`);
+  return all;
 }
 
 function writeTables(...tables: readonly string[]): void {
