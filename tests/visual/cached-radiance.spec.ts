@@ -1,30 +1,15 @@
-import type { Page } from "playwright/test";
-import { drawOneSample } from "../support/one-sample.ts";
-import { RoomDriver } from "../support/room-driver.ts";
-import { serveSmallTextures } from "../support/small-textures.ts";
 import { expect, test } from "../support/test.ts";
 
-const SIZE = { width: 160, height: 90 };
 const FRAMES = 12;
 /** The pan of the standing candle: shares of the image, from its upper left. */
 const PAN = [0.36, 0.7, 0.41, 0.8] as const;
 
-let page: Page;
-let room: RoomDriver;
-test.beforeAll(async ({ browser }) => {
-  page = await browser.newPage();
-  await page.addInitScript(recordBounces);
-  await serveSmallTextures(page);
-  await drawOneSample(page);
-  room = await new RoomDriver(page).open({ look: "physical", quality: "high" }, SIZE);
-});
-test.afterEach(() => expect(room.complaints).toEqual([]));
-test.afterAll(() => page.close());
-
-test("At high surfaces are drawn again only when the light has moved, and follow it evenly", async () => {
+test("At high surfaces are drawn again only when the light has moved, and follow it evenly", async ({
+  cabin: room,
+}) => {
+  await room.set({ quality: "high" });
   const { pan, triangles, kept } = await room.evaluate(
     (element, { frames, box }) => {
-      element.reset();
       element.camera = { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 };
       element.place();
       element.camera = { position: [0, 1.08, 0.61], yaw: -0.7, pitch: -0.3 };
@@ -58,9 +43,11 @@ test("At high surfaces are drawn again only when the light has moved, and follow
   expect(kept).toBeLessThan(0.1 * Math.max(...triangles));
 });
 
-test("At high a frame in motion computes a part of the indirect light, and the first at rest all of it", async () => {
+test("At high a frame in motion computes a part of the indirect light, and the first at rest all of it", async ({
+  cabin: room,
+}) => {
+  await room.set({ quality: "high" });
   const { whole, moving, atRest, after, exact } = await room.evaluate((element) => {
-    element.reset();
     element.wind = 0;
     element.camera = { ...element.camera, pitch: 1.2 }; // few triangles are seen there
     element.step(0);
@@ -85,7 +72,6 @@ test("At high a frame in motion computes a part of the indirect light, and the f
     element.pause();
     element.step(0);
     const exact = picture();
-    element.removeAttribute("wind");
     return { whole, moving, atRest, after, exact };
   });
   // Faces of the surfel cube take most draws of an update, passes over the probes most of its time.
@@ -95,10 +81,12 @@ test("At high a frame in motion computes a part of the indirect light, and the f
   expect(differenceOf(after, exact)).toBeLessThan(1e-4);
 });
 
-test("At medium a frame in motion computes one bounce of the indirect light at most", async () => {
-  await room.set({ quality: "medium" }); // from here on: as at high, sooner
+test("At medium a frame in motion computes one bounce of the indirect light at most", async ({
+  cabin: room,
+}) => {
+  await room.set({ quality: "medium" });
+  await room.evaluate(recordBounces);
   const frames = await room.evaluate((element) => {
-    element.reset();
     element.camera = { ...element.camera, pitch: 1.2 };
     element.step(0);
     const [x, y, z] = element.camera.position;
@@ -119,9 +107,11 @@ test("At medium a frame in motion computes one bounce of the indirect light at m
   expect(frames.filter(({ length }) => length > 1)).toEqual([]);
 });
 
-test("At medium, at rest, surfaces follow the flame's sway in turns: those beside it, and a tile of the others", async () => {
+test("At medium, at rest, surfaces follow the flame's sway in turns: those beside it, and a tile of the others", async ({
+  cabin: room,
+}) => {
+  await room.set({ quality: "medium" });
   const { triangles, whole, follows, exact } = await room.evaluate((element, frames) => {
-    element.reset();
     element.camera = { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 };
     element.place();
     element.camera = { position: [-0.85, 1.3, 1.1], yaw: -0.8, pitch: -0.25 };
@@ -153,9 +143,11 @@ test("At medium, at rest, surfaces follow the flame's sway in turns: those besid
   expect(quantile(0.99)).toBeLessThan(0.03);
 });
 
-test("At medium four candles light a frame in motion as one at rest, for the surfaces of one", async () => {
+test("At medium four candles light a frame in motion as one at rest, for the surfaces of one", async ({
+  cabin: room,
+}) => {
+  await room.set({ quality: "medium" });
   const { one, all, errors, stopped } = await room.evaluate(async (element) => {
-    element.reset();
     element.wind = 0;
     element.camera = { position: [-1.55, 1.6, 1.3], yaw: -0.94, pitch: -0.08 };
     element.style.width = "120px";
@@ -196,6 +188,8 @@ test("At medium four candles light a frame in motion as one at rest, for the sur
     const moving = move(0);
     const afterwards = draw();
     element.pause();
+    element.removeAttribute("style");
+    await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
     const errorsOf = (blocks: number[]) => blocks.map((sum, i) => sum / (atRest[i] ?? 0) - 1);
     const errors = errorsOf(moving.blocks);
     return { one, all: moving.triangles, errors, stopped: errorsOf(afterwards.blocks) };
@@ -214,9 +208,11 @@ test("At medium four candles light a frame in motion as one at rest, for the sur
   expect(Math.max(...stopped.map(Math.abs))).toBeLessThan(0.01);
 });
 
-test("At medium, at rest in wind, a frame computes one bounce at most, and all of them in the end", async () => {
+test("At medium, at rest in wind, a frame computes one bounce at most, and all of them in the end", async ({
+  cabin: room,
+}) => {
+  await room.set({ quality: "medium" });
   const { frames, resumed, after, exact } = await room.evaluate((element) => {
-    element.reset();
     element.wind = 2;
     element.camera = { ...element.camera, pitch: 1.2 };
     element.step(0);
@@ -248,7 +244,6 @@ test("At medium, at rest in wind, a frame computes one bounce at most, and all o
     const resumed = frames.length;
     draw(12, 0);
     element.pause();
-    element.removeAttribute("wind");
     return { frames: frames.slice(0, 30), resumed: frames.slice(resumed).flat(), after, exact };
   });
   expect(frames.flat().slice(0, 3)).toEqual(["first", "further", "further"]);
@@ -264,26 +259,22 @@ function differenceOf(image: Float32Array, exact: Float32Array): number {
   return sum(image.map((value, i) => Math.abs(value - exact[i]!))) / sum(exact);
 }
 
-/** Records which bounce is drawn, in `bounces`. Runs in the browser. */
+/** Records from now on which bounce is drawn, in `bounces`. Runs in the browser. */
 function recordBounces(): void {
+  if (Reflect.has(globalThis, "bounces")) return;
   const bounces: string[] = [];
   Reflect.set(globalThis, "bounces", bounces);
-  const kinds = new Map<WebGLProgram | null, string>();
-  const { linkProgram, useProgram, drawArrays } = WebGL2RenderingContext.prototype;
+  const kinds = new Map<WebGLProgram | null, string>([[null, ""]]);
+  const { useProgram, drawArrays } = WebGL2RenderingContext.prototype;
   let current: WebGLProgram | null = null;
   Object.assign(WebGL2RenderingContext.prototype, {
-    linkProgram(this: WebGL2RenderingContext, program: WebGLProgram) {
-      const sources = this.getAttachedShaders(program)?.map((one) => this.getShaderSource(one));
-      const source = sources?.join("") ?? "";
-      if (/sampler2D uRadiosity;/.test(source) && /sampler2D uRayHits;/.test(source)) {
-        kinds.set(program, "first");
-      }
-      if (/sampler2D uRayProbes;/.test(source)) kinds.set(program, "further");
-      linkProgram.call(this, program);
-    },
     useProgram(this: WebGL2RenderingContext, program: WebGLProgram | null) {
       current = program;
       useProgram.call(this, program);
+      if (!program || kinds.has(program)) return;
+      const has = (name: string) => this.getUniformLocation(program, name) !== null;
+      const isFirst = has("uRadiosity") && has("uRayHits");
+      kinds.set(program, has("uRayProbes") ? "further" : isFirst ? "first" : "");
     },
     drawArrays(this: WebGL2RenderingContext, ...draw: [number, number, number]) {
       const kind = kinds.get(current);
