@@ -1,6 +1,5 @@
-import { spawn } from "node:child_process";
 import { existsSync } from "node:fs";
-import { killGroup } from "./paged-driver.ts";
+import { killGroup, spawnGroup } from "./paged-driver.ts";
 
 const XVFB = "/usr/bin/Xvfb";
 
@@ -12,13 +11,10 @@ export const hasDisplay = (): boolean =>
 export async function openDisplay(): Promise<{ readonly name?: string; close(): void }> {
   if (!existsSync(XVFB)) return { close: () => {} };
   // It takes whatever number is free, and says which.
-  const server = spawn(
+  const server = spawnGroup(
     XVFB,
     ["-displayfd", "3", "-screen", "0", "1280x800x24", "-nolisten", "tcp"],
-    {
-      stdio: ["ignore", "ignore", "ignore", "pipe"],
-      detached: true,
-    },
+    { stdio: ["ignore", "ignore", "ignore", "pipe"] },
   );
   const close = () => {
     if (server.pid) killGroup(server.pid);

@@ -1,3 +1,4 @@
+import { type SpawnOptions, spawn } from "node:child_process";
 import {
   type BrowserServer,
   chromium,
@@ -156,8 +157,20 @@ export async function launchFirefox({ path, env = {} }: Launch): Promise<Driver>
   return driver;
 }
 
+/** Leaders of groups that are to end with this process, which an interrupt may. */
+const groups = new Set<number>();
+process.once("exit", () => groups.forEach(killGroup));
+
+/** Starts a process that leads a group of its own. */
+export function spawnGroup(path: string, args: readonly string[], options: SpawnOptions) {
+  const child = spawn(path, args, { ...options, detached: true });
+  if (child.pid) groups.add(child.pid);
+  return child;
+}
+
 /** Ends a process that was started as the leader of its group, and all of that group. */
 export function killGroup(pid: number): void {
+  groups.delete(pid);
   try {
     process.kill(-pid, "SIGKILL");
   } catch {

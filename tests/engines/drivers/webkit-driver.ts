@@ -1,6 +1,6 @@
-import { type ChildProcess, spawn } from "node:child_process";
+import type { ChildProcess } from "node:child_process";
 import { freePorts } from "../../../tools/free-ports.mjs";
-import { environment, killGroup, type Launch } from "./paged-driver.ts";
+import { environment, killGroup, type Launch, spawnGroup } from "./paged-driver.ts";
 import type { Driver } from "./visitor.ts";
 
 /** What the protocol calls keys that type nothing. */
@@ -24,10 +24,9 @@ export class WebKitDriver implements Driver {
   /** @param browser the path of a MiniBrowser */
   static async launch({ path, env = {} }: Launch, browser: string): Promise<WebKitDriver> {
     const [port] = await freePorts(1);
-    const driver = spawn(path, [`--port=${port}`], {
+    const driver = spawnGroup(path, [`--port=${port}`], {
       env: environment({ ...env, WEBKIT_DISABLE_SANDBOX_THIS_IS_DANGEROUS: "1" }),
       stdio: "ignore",
-      detached: true,
     });
     try {
       const origin = `http://127.0.0.1:${port}`;
