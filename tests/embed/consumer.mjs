@@ -19,8 +19,9 @@ try {
   execFileSync("tar", ["-xzf", tarball, "-C", installed, "--strip-components", "1"]);
   const main = join(folder, "main.ts");
   writeFileSync(main, 'import "candle-flame/define";\nexport type * from "candle-flame";\n');
-  const compiler = resolve("node_modules/.bin/tsc");
-  execFileSync(compiler, [...OPTIONS, main], { cwd: folder, stdio: "inherit" });
+  const compiler = resolve("node_modules/typescript/bin/tsc");
+  const words = [compiler, ...OPTIONS, main];
+  execFileSync(process.execPath, words, { cwd: folder, stdio: "inherit" });
   await build({
     root: folder,
     configFile: false,
