@@ -4,6 +4,7 @@ import { CASE_LIMITS } from "./compare.ts";
 import type { Missing } from "./drivers/find.ts";
 import { type Verdict, written } from "./judge.ts";
 import type { Result } from "./main.ts";
+import { READY } from "./survey.ts";
 
 const TABLE = "docs/engines.md";
 const SHEET = "docs/shots/engines.jpg";
@@ -46,7 +47,7 @@ function markdown(results: readonly Result[], missing: readonly Missing[]): stri
     row(["---", "---", "---", "---"]),
     ...CASE_LIMITS.map(({ title, limits }) => limitsRow(title, limits)),
     "",
-    "Nothing may be on the console, no exception, and no wait longer than 30 s.",
+    `Nothing may be on the console, no exception, and no wait longer than ${READY} s.`,
     "",
     ...results.map(({ pair, version, renderer }) => `- ${pair.title}: ${version}, ${renderer}`),
     ...missing.map(({ name, why }) => `- not tested: ${name} (${why})`),
