@@ -17,14 +17,14 @@ test("the page opens on a burning room, from any folder of a site", async ({ fre
   await fresh.load("", folder);
 
   await test.step("whose poster stays around the flame while the room is coarse, until one does something", async () => {
-    const isHeld = await fresh.evaluate(async (room) => {
+    const found = await fresh.evaluate(async (room) => {
       await room.ready;
       const held = document.querySelector(".held-poster");
-      const states = [room.stats.quality, held?.className];
+      const before = [room.stats.quality, held?.className];
       dispatchEvent(new KeyboardEvent("keydown", { key: "Shift" }));
-      return [...states, held?.className];
+      return [...before, held?.className];
     });
-    expect(isHeld).toEqual(["low", "held-poster", "held-poster fading"]);
+    expect(found).toEqual(["low", "held-poster", "held-poster fading"]);
     await expect(page.locator(".held-poster")).toHaveCount(0);
   });
   await fresh.settle();
