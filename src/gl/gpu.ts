@@ -7,6 +7,7 @@ import { GpuTimer } from "./gpu-timer.js";
 import { laterTask, nextTask } from "./next-task.js";
 import { Program, type ProgramOptions, type ShaderSource, type UniformValue } from "./program.js";
 import { RenderTarget, type RenderTargetOptions } from "./render-target.js";
+import { rendererName } from "./renderer-name.js";
 import { Texture, type TextureFormat, type TextureOptions } from "./texture.js";
 import { TextureView, type TextureViewOptions } from "./texture-view.js";
 import { UniformBlock } from "./uniform-block.js";
@@ -48,8 +49,8 @@ export class Gpu extends DrawCommands {
   readonly #timer: GpuTimer;
   readonly #context: GpuContext;
   readonly #alive = new Set<GpuObject>();
-  /** Objects that one renderer leaves to the next, by what they were made from. */
   readonly #sources = new Map<ShaderSource, number>();
+  /** Objects that one renderer leaves to the next, by what they were made from. */
   readonly #shared = new Map<unknown, unknown>();
   readonly #sharedObjects = new Set<GpuObject>();
   #isSharing = false;
@@ -57,7 +58,9 @@ export class Gpu extends DrawCommands {
   isAhead = false;
   ahead = new Set<GpuObject>();
   /** Programs that anything was drawn with. */
-  readonly used = new Set<Program>();
+  readonly used = new Set<unknown>();
+  /** Of them, those that no renderer has asked for since all else was cleared. */
+  #idle = new Set<unknown>();
   readonly #mostSamples: number;
   /** Programs that the driver has not been sent. */
   readonly #unsent = new Set<Program>();
@@ -101,8 +104,9 @@ export class Gpu extends DrawCommands {
     return gl.drawingBufferColorSpace;
   }
 
+  /** Of the objects alive, without programs that were kept for a later renderer. */
   get objectCount(): number {
-    return this.#alive.size;
+    return this.#alive.size - this.#idle.size;
   }
 
   /** Memory of the objects alive and of the canvas, in bytes. */
@@ -118,7 +122,7 @@ export class Gpu extends DrawCommands {
   #forget(object: GpuObject): void {
     this.#alive.delete(object);
     this.#unsent.delete(object as Program);
-    this.used.delete(object as Program);
+    this.used.delete(object);
     this.#toCheck.delete(object as RenderTarget | TextureView);
     this.ahead.delete(object);
     if (!this.#sharedObjects.delete(object)) return;
@@ -136,18 +140,16 @@ export class Gpu extends DrawCommands {
     return this.#shared.has(key);
   }
 
-  /** An object that successive renderers share: made for the first, kept until everything is cleared. */
+  /** An object that successive renderers share: made for the first, kept until all is cleared. */
   share<T>(key: unknown, make: () => T): T {
-    if (this.#shared.has(key)) return this.#shared.get(key) as T;
     const wasSharing = this.#isSharing;
     this.#isSharing = true;
     try {
-      const made = make();
-      this.#shared.set(key, made);
-      return made;
+      if (!this.#shared.has(key)) this.#shared.set(key, make());
     } finally {
       this.#isSharing = wasSharing;
     }
+    return this.#shared.get(key) as T;
   }
 
   /** What `make` makes, and how to free it with all that it has shared; others on this context keep theirs. */
@@ -178,11 +180,13 @@ export class Gpu extends DrawCommands {
     options: ProgramOptions = {},
   ): Program {
     const key = JSON.stringify([label, this.#numberOf(vertex), this.#numberOf(fragment), options]);
-    return this.share(key, () => {
+    const program = this.share(key, () => {
       const program = new Program(this.#context, label, vertex, fragment, options);
       this.#unsent.add(program);
       return this.#keep(program);
     });
+    this.#idle.delete(program);
+    return program;
   }
 
   /** A program that draws to the whole of a target, without a vertex array. */
@@ -220,8 +224,10 @@ export class Gpu extends DrawCommands {
   /** Waits for all programs. Throws if any is refused; each is refused once. */
   finishPrograms(): void {
     this.#startPrograms();
-    const programs = [...this.#alive].filter((object) => object instanceof Program);
-    const [refusal] = programs.flatMap((program) => program.refusal() ?? []);
+    const refusals = [...this.#alive].map(
+      (object) => object instanceof Program && object.refusal(),
+    );
+    const refusal = refusals.find(Boolean);
     if (refusal) throw refusal;
   }
 
@@ -316,11 +322,12 @@ export class Gpu extends DrawCommands {
     this.used.add(program);
   }
 
-  /** Frees every object, and keeps the context for others. */
+  /** Frees every object, and keeps the context for others, with the programs that it has drawn with. */
   clearObjects(): void {
-    for (const object of this.#alive) object.dispose();
-    this.#shared.clear();
-    this.clearUnshared(); // none is left
+    for (const object of this.#alive) if (!this.used.has(object)) object.dispose();
+    for (const [key, made] of this.#shared) if (!this.used.has(made)) this.#shared.delete(key);
+    this.#idle = new Set(this.used);
+    this.clearUnshared(); // of which none is left
   }
 
   /** Frees what is not shared and was made ahead, or was not: the next renderer on this context takes the rest over. */
@@ -333,17 +340,10 @@ export class Gpu extends DrawCommands {
 
   /** Frees everything and gives the context back, so that the page's next one does not evict another. */
   override dispose(): void {
+    this.used.clear();
     this.clearObjects();
     this.#timer.dispose();
     super.dispose();
     this.gl.getExtension("WEBGL_lose_context")?.loseContext();
   }
-}
-
-/** The renderer's name. Firefox gives it and deprecates the extension; others give it by the extension alone. */
-function rendererName(gl: WebGL2RenderingContext): string {
-  const name = String(gl.getParameter(gl.RENDERER));
-  if (name !== "WebKit WebGL") return name;
-  const extension = gl.getExtension("WEBGL_debug_renderer_info");
-  return extension ? String(gl.getParameter(extension.UNMASKED_RENDERER_WEBGL)) : name;
 }

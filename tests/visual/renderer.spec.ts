@@ -85,3 +85,27 @@ test("What is made after the next renderer was given up is not its own", async (
   });
   expect(count).toBe(1);
 });
+
+test("A context that is cleared for another renderer keeps the programs that it has drawn with, and no other", async ({
+  page,
+}) => {
+  await openSources(page);
+  const kept = await page.evaluate(async () => {
+    const { Gpu } = await import(/* @vite-ignore */ `${location.origin}/src/gl/gpu.ts`);
+    const gpu = new Gpu(document.createElement("canvas"));
+    const fragment = {
+      source: "#version 300 es\nout mediump vec4 color; void main() { color = vec4(1); }",
+      files: ["white.frag"],
+    };
+    const make = () => ["drawn with", "idle"].map((label) => gpu.pass(label, fragment));
+    const before = make();
+    gpu.draw({ program: before[0], target: "canvas" });
+    gpu.buffer("of the renderer before", 16);
+    gpu.clearObjects();
+    const count = gpu.objectCount;
+    const same = make().map((program, i) => program === before[i]);
+    gpu.dispose();
+    return { count, same, left: gpu.objectCount };
+  });
+  expect(kept).toEqual({ count: 0, same: [true, false], left: 0 });
+});
