@@ -37,7 +37,7 @@ export interface Drawn {
 }
 
 /**
- * Draws a look for a few frames, and tells of each program that took part: the physical one in the cabin, from `medium` on
+ * Goes through a few frames of a look, without drawing a pixel, and tells of each program that took part: the physical one in the cabin, from `medium` on
  * first without the moon. Runs in the browser.
  */
 export async function reportPrograms({
@@ -53,6 +53,8 @@ export async function reportPrograms({
     set: Program.prototype.set,
     update: UniformBlock.prototype.update,
   };
+  const { drawArrays, drawElements } = WebGL2RenderingContext.prototype;
+  Object.assign(WebGL2RenderingContext.prototype, { drawArrays() {}, drawElements() {} });
   const known = sources.get(look) ?? [];
   sources.set(look, known);
   Gpu.prototype.program = function (label, vertex, fragment, options = {}) {
@@ -154,6 +156,7 @@ export async function reportPrograms({
     candle.dispose();
     return reports;
   } finally {
+    Object.assign(WebGL2RenderingContext.prototype, { drawArrays, drawElements });
     Gpu.prototype.program = original.program;
     Program.prototype.set = original.set;
     UniformBlock.prototype.update = original.update;

@@ -3,7 +3,6 @@ import { join } from "node:path";
 import type { Page } from "playwright/test";
 import { SETTINGS } from "../../src/settings.ts";
 import { resolveShader } from "../../tools/vite-glsl.ts";
-import { drawOneSample } from "../support/one-sample.ts";
 import type { Drawn, ProgramReport } from "../support/programs.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
 import { openSources } from "../support/sources.ts";
@@ -74,7 +73,6 @@ let page: Page;
 test.beforeAll(async ({ browser }) => {
   page = await browser.newPage();
   await serveSmallTextures(page);
-  await drawOneSample(page);
   await openSources(page);
 });
 test.afterAll(() => page.close());
