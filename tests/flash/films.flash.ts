@@ -125,10 +125,13 @@ for (const [look, attributes] of Object.entries(LOOKS)) {
         route.fulfill({ contentType: "model/gltf-binary", body: SIXTEEN }),
       );
       const room = await new RoomDriver(page).open({ ...attributes, motion: "full" }, SCREEN);
-      const { worst, isHarmful } = await film(room, scenario);
+      const { worst, moving, isHarmful } = await film(room, scenario);
       const shares = Object.entries(worst).map(([kind, share]) => `${kind} ${share.toFixed(3)}`);
       const took = ((Date.now() - begin) / 1000).toFixed(0);
-      console.log(`${look}, ${scenario.name}: ${shares.join(", ")} (${took} s)`);
+      console.log(
+        `${look}, ${scenario.name}: ${shares.join(", ")}, ${moving} frames move (${took} s)`,
+      );
+      expect(moving, "frames that are not the one before").toBeGreaterThan(10);
       expect(isHarmful).toBe(false);
       expect(room.complaints).toEqual([]);
     });

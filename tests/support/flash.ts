@@ -16,6 +16,8 @@
 export class FlashMeter {
   /** Largest share of any field that has flashed more than three times in a second; harmful above 1/4. */
   readonly worst = { general: 0, red: 0, redChromatic: 0 };
+  /** Frames in which a pixel had another colour than before. */
+  moving = 0;
   readonly #width: number;
   readonly #height: number;
   readonly #general: Reversals;
@@ -41,12 +43,14 @@ export class FlashMeter {
   /** Looks at the next frame: 8-bit sRGB with alpha, shown at this time in seconds. */
   look(rgba: ArrayLike<number>, seconds: number): void {
     const last = this.#last;
+    let isSameFrame = true;
     for (let i = 0; i < this.#width * this.#height; i++) {
       const isSame =
         rgba[i * 4] === last[i * 3] &&
         rgba[i * 4 + 1] === last[i * 3 + 1] &&
         rgba[i * 4 + 2] === last[i * 3 + 2];
       if (isSame) continue;
+      isSameFrame = false;
       for (let channel = 0; channel < 3; channel++) {
         last[i * 3 + channel] = rgba[i * 4 + channel] ?? 0;
       }
@@ -63,6 +67,7 @@ export class FlashMeter {
       this.#red.follow(i, excess, 20 + 1e-6, () => this.#red.wasNoted(i), seconds);
       this.#shift(i, red, green, blue, isRed, seconds);
     }
+    if (!this.#isFirst && !isSameFrame) this.moving++;
     this.#isFirst = false;
     const { worst } = this;
     worst.general = Math.max(worst.general, this.#share(this.#general, seconds));
