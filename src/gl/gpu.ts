@@ -140,7 +140,7 @@ export class Gpu extends DrawCommands {
     return this.#shared.has(key);
   }
 
-  /** An object that successive renderers share: made for the first, kept until all is cleared. */
+  /** An object that successive renderers share: made for the first, kept until `clearObjects` frees it. */
   share<T>(key: unknown, make: () => T): T {
     const wasSharing = this.#isSharing;
     this.#isSharing = true;
