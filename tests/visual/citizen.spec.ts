@@ -2,6 +2,7 @@ import type { Page } from "playwright/test";
 import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
 import { browser as settings } from "../support/browser.ts";
 import { lostContexts, recordContexts } from "../support/contexts.ts";
+import { drawNothing } from "../support/no-drawing.ts";
 import { complaintsOf, LIBRARY, RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
 import { expect, test } from "../support/test.ts";
@@ -44,6 +45,7 @@ test("Out of sight, in a hidden tab or paused, no frame is asked for and none is
       clear.call(this, mask);
     };
   });
+  await drawNothing(page);
   const room = await new RoomDriver(page).open(
     {},
     { width: 32, height: 18, paused: false, after: `<div style="height: 3000px"></div>` },
@@ -204,6 +206,7 @@ test.describe("The canvas has the device pixels of its box", () => {
     const unplayed: object = { viewport: null, deviceScaleFactor: undefined };
     const context = await dense.newContext(unplayed);
     const page = await context.newPage();
+    await drawNothing(page);
     await openPage(page, html);
     for (const zoom of [1, 1.5, 0.75]) {
       await page.evaluate((zoom) => {
@@ -235,6 +238,7 @@ test.describe("The canvas has the device pixels of its box", () => {
       Object.defineProperty(globalThis, "devicePixelRatio", { get: () => monitor.ratio });
       Object.assign(globalThis, { monitor });
     });
+    await drawNothing(page);
     await openPage(page, html);
     const room = new RoomDriver(page);
     await room.evaluate((element) => element.ready);
@@ -258,6 +262,7 @@ test.describe("The canvas has the device pixels of its box", () => {
 
   test("also where a tool plays a denser monitor", async ({ browser }) => {
     const page = await browser.newPage({ deviceScaleFactor: 2 });
+    await drawNothing(page);
     await openPage(page, html);
     await expect.poll(() => sizeOf(page)).toEqual([202, 116]);
     await page.close();
@@ -455,7 +460,8 @@ for (const scene of ["room", "candle"] as const) {
       };
     });
     const box = "width: 320px; height: 180px";
-    const attributes = `scene="${scene}" look="paper" paused style="${box}"`;
+    const attributes = `scene="${scene}" look="paper" quality="low" paused style="${box}"`;
+    await drawNothing(page);
     await openPage(page, `<candle-flame ${attributes}></candle-flame>`);
     const element = page.locator("candle-flame");
     const reload = element.locator("[part~=reload]");
@@ -486,6 +492,7 @@ test("More rooms than a browser has contexts wait with a sentence, and none in s
   const page = await context.newPage();
   const complaints = complaintsOf(page);
   const one = `<candle-flame look="original" quality="low" paused style="width: 90px; height: 90px; display: inline-block"></candle-flame>`;
+  await drawNothing(page);
   await openPage(page, `${one.repeat(9)}<div style="height: 2000px"></div>`);
   const rooms = page.locator("candle-flame");
   const opened = () =>

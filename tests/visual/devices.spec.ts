@@ -1,4 +1,5 @@
 import type { Page } from "playwright/test";
+import { drawNothing } from "../support/no-drawing.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
 import { expect, test } from "../support/test.ts";
@@ -7,6 +8,7 @@ const TALL = `<button>elsewhere</button><div style="height: 3000px"></div>`;
 const LOOKS_ALONG = { position: [0, 1.6, 3], yaw: 0, pitch: 0 } as const;
 
 async function openControls(page: Page): Promise<RoomDriver> {
+  await drawNothing(page);
   await serveSmallTextures(page);
   const opening = { width: 160, height: 90, after: TALL };
   const attributes = { look: "paper", quality: "low", controls: "" };

@@ -1,4 +1,5 @@
 import type { Page } from "playwright/test";
+import { drawNothing } from "../support/no-drawing.ts";
 import { type Opening, RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
 import { expect, test } from "../support/test.ts";
@@ -9,6 +10,7 @@ const TALL = `<div style="height: 3000px"></div>`;
 const LOOKS_ALONG = { position: [0, 1.6, 3], yaw: 0, pitch: 0 } as const;
 
 async function openControls(page: Page, opening: Opening = SMALL): Promise<RoomDriver> {
+  await drawNothing(page);
   await serveSmallTextures(page);
   const attributes = { look: "paper", quality: "low", controls: "" };
   const room = await new RoomDriver(page).open(attributes, opening);
@@ -506,6 +508,7 @@ test("Either Enter walks in, and no other key", async ({ room }) => {
 });
 
 test("Without controls nothing is captured: no key, no click, no focus", async ({ page }) => {
+  await drawNothing(page);
   const room = await new RoomDriver(page).open({ look: "paper" }, { ...SMALL, after: TALL });
   const before = await room.camera();
   await page.mouse.click(80, 45);

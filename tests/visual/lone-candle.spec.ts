@@ -2,6 +2,7 @@ import type { Page } from "playwright/test";
 import sharp from "sharp";
 import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
 import { lostContexts, recordContexts } from "../support/contexts.ts";
+import { drawNothing } from "../support/no-drawing.ts";
 import { complaintsOf, LIBRARY } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
 
@@ -223,6 +224,7 @@ test("Twenty-four candles share one context, and invisible ones draw no frames",
   page,
 }) => {
   const one = `<candle-flame scene="candle" quality="low" style="width: 40px; height: 40px; margin-bottom: 23px"></candle-flame>`;
+  await drawNothing(page);
   const { complaints, fetched } = await open(page, one.repeat(24));
   const frames = await page.evaluate(async () => {
     const elements = [...document.querySelectorAll("candle-flame")];
@@ -310,6 +312,7 @@ test("A shared context that is lost comes back for all, and the scene may change
 });
 
 test("The candle's warm glow lies on the page if the page asks for it", async ({ page }) => {
+  await drawNothing(page);
   await open(
     page,
     `<div style="padding: 100px"><candle-flame scene="candle" paused quality="low" style="width: 40px; height: 40px"></candle-flame></div>`,
@@ -334,6 +337,7 @@ test("The candle's warm glow lies on the page if the page asks for it", async ({
 });
 
 test("A lazy element fetches and asks for nothing until the visitor is near", async ({ page }) => {
+  await drawNothing(page);
   const { complaints, fetched } = await open(
     page,
     `<div style="height: 3000px"></div>
@@ -392,6 +396,7 @@ test("Blown out and stepped, it smokes over the page, in the same picture each t
 });
 
 test("One that plays fetches the code of its smoke only when it is blown out", async ({ page }) => {
+  await drawNothing(page);
   const { complaints, fetched } = await open(
     page,
     `<candle-flame scene="candle" quality="low" style="width: 120px; height: 120px"></candle-flame>`,
@@ -407,6 +412,7 @@ test("One that plays fetches the code of its smoke only when it is blown out", a
 test("It works under a policy that allows nothing from elsewhere and no code from text", async ({
   page,
 }) => {
+  await drawNothing(page);
   const complaints = complaintsOf(page);
   const origins = new Set<string>();
   page.on("request", (request) => origins.add(new URL(request.url()).origin));
