@@ -70,12 +70,16 @@ function averaged(radiance: Float32Array, width: number, height: number) {
 
 /** Our radiance of a view and where the flame is. */
 export async function renderView(room: RoomDriver, view: Staging) {
-  await room.evaluate(stageView, view);
-  const { radiance, ...rest } = await room.evaluate((element) => {
-    const { width, height } = element.stats;
-    const radiance = element.readRadiance(0, 0, width, height);
-    return { radiance, width, height, position: element.flame?.position };
-  });
+  const { radiance, ...rest } = await room.evaluate(
+    (element, { view, stage }) => {
+      // biome-ignore lint/security/noGlobalEval: a function of ours, as text; in a task of its own it would be drawn twice
+      globalThis.eval(`(${stage})`)(element, view);
+      const { width, height } = element.stats;
+      const radiance = element.readRadiance(0, 0, width, height);
+      return { radiance, width, height, position: element.flame?.position };
+    },
+    { view, stage: `${stageView}` },
+  );
   return { ...rest, ...averaged(radiance, rest.width, rest.height) };
 }
 

@@ -49,8 +49,8 @@ function html(attributes: Attributes, { width = 640, height = 360, after = "" }:
 
 /** What is done before a picture is taken, in this order and in one go: so it is drawn once. */
 export interface Change {
-  /** Where they name a look with other models, these are awaited. */
-  readonly attributes?: Attributes;
+  /** `null` takes one away. Where they name other models, these are awaited. */
+  readonly attributes?: Readonly<Record<string, string | null>>;
   /** Time 0, as if new. */
   readonly isReset?: boolean;
   /** Where the visitor puts the candle down. */
@@ -121,10 +121,12 @@ export class RoomDriver {
     return this;
   }
 
-  /** Brings an opened element back to how one opens, paused at time 0. */
+  /** Brings an opened element back to how one opens, paused at time 0. Draws nothing: a test draws what it looks at. */
   async restore(look: Look = "paper", quality?: Quality): Promise<void> {
     await this.change(look);
     await this.evaluate((element, quality) => {
+      const { requestAnimationFrame } = globalThis;
+      globalThis.requestAnimationFrame = () => 0;
       element.blur();
       element.paused = true;
       if (quality) element.quality = quality;
@@ -137,6 +139,7 @@ export class RoomDriver {
         element.features[name] = true;
       }
       element.reset();
+      globalThis.requestAnimationFrame = requestAnimationFrame;
     }, quality);
   }
 
@@ -219,12 +222,16 @@ export class RoomDriver {
         breath,
         seconds,
       } = change;
-      const before = element.look;
+      const modelsOf = () => `${element.look === "physical"} ${element.src}`;
+      const before = modelsOf();
       const loaded = new Promise((resolve) =>
         element.addEventListener("load", resolve, { once: true }),
       );
-      for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-      if ((before === "physical") !== (element.look === "physical")) await loaded;
+      for (const [name, value] of Object.entries(attributes)) {
+        if (value === null) element.removeAttribute(name);
+        else element.setAttribute(name, value);
+      }
+      if (modelsOf() !== before) await loaded;
       if (isReset) element.reset();
       if (place) {
         element.camera = place;

@@ -7,9 +7,9 @@ const PAN = [0.36, 0.7, 0.41, 0.8] as const;
 test("At high surfaces are drawn again only when the light has moved, and follow it evenly", async ({
   cabin: room,
 }) => {
-  await room.set({ quality: "high" });
   const { pan, triangles, kept } = await room.evaluate(
     (element, { frames, box }) => {
+      element.quality = "high";
       element.camera = { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 };
       element.place();
       element.camera = { position: [0, 1.08, 0.61], yaw: -0.7, pitch: -0.3 };
@@ -46,8 +46,8 @@ test("At high surfaces are drawn again only when the light has moved, and follow
 test("At high a frame in motion computes a part of the indirect light, and the first at rest all of it", async ({
   cabin: room,
 }) => {
-  await room.set({ quality: "high" });
   const { whole, moving, atRest, after, exact } = await room.evaluate((element) => {
+    element.quality = "high";
     element.wind = 0;
     element.camera = { ...element.camera, pitch: 1.2 }; // few triangles are seen there
     element.step(0);
@@ -84,9 +84,9 @@ test("At high a frame in motion computes a part of the indirect light, and the f
 test("At medium a frame in motion computes one bounce of the indirect light at most", async ({
   cabin: room,
 }) => {
-  await room.set({ quality: "medium" });
   await room.evaluate(recordBounces);
   const frames = await room.evaluate((element) => {
+    element.quality = "medium";
     element.camera = { ...element.camera, pitch: 1.2 };
     element.step(0);
     const [x, y, z] = element.camera.position;
@@ -110,8 +110,8 @@ test("At medium a frame in motion computes one bounce of the indirect light at m
 test("At medium, at rest, surfaces follow the flame's sway in turns: those beside it, and a tile of the others", async ({
   cabin: room,
 }) => {
-  await room.set({ quality: "medium" });
   const { triangles, whole, follows, exact } = await room.evaluate((element, frames) => {
+    element.quality = "medium";
     element.camera = { position: [-0.4, 1.6, 0.6], yaw: -0.94, pitch: -0.5 };
     element.place();
     element.camera = { position: [-0.85, 1.3, 1.1], yaw: -0.8, pitch: -0.25 };
@@ -146,8 +146,8 @@ test("At medium, at rest, surfaces follow the flame's sway in turns: those besid
 test("At medium four candles light a frame in motion as one at rest, for the surfaces of one", async ({
   cabin: room,
 }) => {
-  await room.set({ quality: "medium" });
   const { one, all, errors, stopped } = await room.evaluate(async (element) => {
+    element.quality = "medium";
     element.wind = 0;
     element.camera = { position: [-1.55, 1.6, 1.3], yaw: -0.94, pitch: -0.08 };
     element.style.width = "120px";
@@ -211,8 +211,9 @@ test("At medium four candles light a frame in motion as one at rest, for the sur
 test("At medium, at rest in wind, a frame computes one bounce at most, and all of them in the end", async ({
   cabin: room,
 }) => {
-  await room.set({ quality: "medium" });
+  await room.evaluate(recordBounces);
   const { frames, resumed, after, exact } = await room.evaluate((element) => {
+    element.quality = "medium";
     element.wind = 2;
     element.camera = { ...element.camera, pitch: 1.2 };
     element.step(0);

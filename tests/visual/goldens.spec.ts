@@ -39,12 +39,9 @@ test.describe("The picture", () => {
 
   for (const { name, attributes, isOut = false, ...change } of SCENES) {
     test(`of ${name} is as it was`, async () => {
-      await room.evaluate((element, isOut) => {
-        element.toggleAttribute("unlit", isOut);
-        element.removeAttribute("wind"); // of the scene before
-      }, isOut);
-      const moonless = { moonlight: "0", "lit-wicks": "0", ...attributes };
-      const picture = await room.png({ attributes: moonless, isReset: true, ...change });
+      const usual = { moonlight: "0", "lit-wicks": "0", wind: null, unlit: isOut ? "" : null };
+      const all = { ...usual, ...attributes };
+      const picture = await room.png({ attributes: all, isReset: true, ...change });
       expect(picture).toMatchSnapshot(`${name}.png`, TOLERANCE);
       const before = await means(test.info().snapshotPath(`${name}.png`));
       for (const [channel, mean] of (await means(picture)).entries()) {
@@ -59,10 +56,8 @@ test.describe("The picture", () => {
     for (const name of [...SHAPES.map(({ name }) => name), ...OTHERS]) {
       expect(statSync(`${POSTERS}/${name}.avif`).size, name).toBeLessThanOrEqual(90_000);
     }
-    await room.evaluate((element) => {
-      for (const name of ["seed", "moonlight", "lit-wicks"]) element.removeAttribute(name);
-    });
-    const attributes = { look: "physical", quality: "high" };
+    const own = { seed: null, moonlight: null, "lit-wicks": null };
+    const attributes = { look: "physical", quality: "high", ...own };
     for (const { name, width, height } of SHAPES) {
       await room.evaluate((element, size) => Object.assign(element.style, size), {
         width: `${width}px`,

@@ -93,13 +93,14 @@ test.describe("The night of the cabin", () => {
   test.afterAll(() => page.close());
 
   test("comes in twenty seconds: black, the window, the floor, at last the room", async () => {
-    await room.stand(SPAWN);
-    await room.step(0.5);
-    await room.evaluate((element) => element.extinguish());
+    await room.evaluate((element, camera) => {
+      element.camera = camera;
+      element.step(0.5);
+      element.extinguish();
+    }, SPAWN);
     const strip: Shown[] = [];
     for (const seconds of [1, 3, 5, 5, 6]) {
-      for (let i = 0; i < 4; i++) await room.step(seconds / 4);
-      strip.push(await Shown.of(await room.png()));
+      strip.push(await Shown.of(await room.png({ seconds })));
     }
     const medians = strip.map((picture) => picture.part(...WALL).quantile(0.5));
     expect(medians[0], "at first the wall is black").toBeLessThan(0.001);
@@ -127,10 +128,11 @@ test.describe("The night of the cabin", () => {
       element.reset();
       element.light();
     });
-    await room.step(6);
-    const lit = await Shown.of(await room.png({ camera: SPAWN }));
-    await room.evaluate((element) => element.reset());
-    await room.evaluate((element) => element.light());
+    const lit = await Shown.of(await room.png({ camera: SPAWN, seconds: 6 }));
+    await room.evaluate((element) => {
+      element.reset();
+      element.light();
+    });
     const settled = await Shown.of(await room.png({ camera: SPAWN, seconds: 12 }));
     expect(lit.quantile(0.5)).toBeGreaterThan(0.02);
     expect(Math.abs(lit.quantile(0.5) / settled.quantile(0.5) - 1)).toBeLessThan(0.1);
@@ -145,8 +147,7 @@ test.describe("The night of the cabin", () => {
     await expect.poll(async () => (await room.stats()).width).toBe(853);
     const change = { isReset: true, camera: SPAWN, seconds: 0.5 };
     const moonlit = await Shown.of(await room.png(change));
-    await room.set({ moonlight: "0" });
-    const moonless = await Shown.of(await room.png());
+    const moonless = await Shown.of(await room.png({ attributes: { moonlight: "0" } }));
     expect(moonlit.hueSpread).toBeGreaterThan(0.02);
     expect(moonlit.part(...WINDOW).blueness).toBeGreaterThan(
       moonless.part(...WINDOW).blueness + 0.1,
