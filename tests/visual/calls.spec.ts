@@ -16,7 +16,8 @@ function useAnother<Result>(
     async ({ attributes, before, after }) => {
       const element = document.createElement("candle-flame");
       element.style.cssText = "width: 32px; height: 18px";
-      for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+      for (const [name, value] of Object.entries({ quality: "low", ...attributes }))
+        element.setAttribute(name, value);
       // biome-ignore lint/security/noGlobalEval: functions of this file, as text
       const [first, then] = [before, after].map((text) => globalThis.eval(`(${text})`));
       first(element);

@@ -10,6 +10,7 @@ test("Loading is reported as it goes on, ends at 1, and ends with `load` and `re
     const bubbled: string[] = [];
     const element = document.createElement("candle-flame");
     element.look = "paper";
+    element.quality = "low";
     element.style.cssText = "width: 32px; height: 18px";
     for (const type of ["progress", "load", "error", "play", "pause", "camerachange"]) {
       element.addEventListener(type, () => order.push(type));
@@ -37,6 +38,7 @@ test("A bar shows how far loading is, and is gone afterwards", async ({ room }) 
   const { shown, left } = await room.page.evaluate(async () => {
     const element = document.createElement("candle-flame");
     element.look = "paper";
+    element.quality = "low";
     const bar = element.shadowRoot?.querySelector<HTMLElement>("[part~=progress]");
     const shown: number[] = [];
     element.addEventListener("progress", ({ detail }) => {
@@ -80,6 +82,7 @@ test("A removal while time passes is reported as a pause, once", async ({ room }
   const events = await room.page.evaluate(async () => {
     const element = document.createElement("candle-flame");
     element.look = "paper";
+    element.quality = "low";
     element.style.cssText = "width: 32px; height: 18px";
     document.body.append(element);
     await element.ready;
@@ -103,6 +106,7 @@ test("A candle put out before insertion stays out after a removal while it loads
   const lit = await room.page.evaluate(async () => {
     const element = document.createElement("candle-flame");
     element.look = "paper";
+    element.quality = "low";
     element.paused = true;
     element.style.cssText = "width: 32px; height: 18px";
     element.lit = false;
@@ -159,6 +163,7 @@ test("No event of the element bubbles", async ({ room }) => {
       document.addEventListener(type, () => left.push(type), { signal: stop.signal });
     }
     element.look = "paper";
+    element.quality = "low";
     element.play();
     element.pause();
     element.place();
@@ -230,6 +235,7 @@ test("A camera set while the models load is where the first frame is seen from",
   const camera = await room.page.evaluate(async () => {
     const element = document.createElement("candle-flame");
     element.look = "paper";
+    element.quality = "low";
     element.style.cssText = "width: 32px; height: 18px";
     element.paused = true;
     document.body.append(element);

@@ -30,6 +30,7 @@ test("Taken out and put back seventeen times, an element leaves nothing behind",
     const neighbour = document.createElement("candle-flame");
     neighbour.id = "neighbour";
     neighbour.look = "paper";
+    neighbour.quality = "low";
     neighbour.paused = true;
     neighbour.style.cssText = "width: 32px; height: 18px";
     document.body.append(neighbour);
