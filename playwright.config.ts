@@ -11,9 +11,9 @@ export default defineConfig({
   reporter: "list",
   snapshotPathTemplate: "{testDir}/goldens/{arg}{ext}",
   // What hangs, not what a busy machine takes: no test waits for the clock.
-  timeout: 180_000,
+  timeout: 400_000,
   expect: {
-    timeout: 30_000,
+    timeout: 120_000,
     toHaveScreenshot: { animations: "disabled", threshold: 0.1, maxDiffPixelRatio: 0.002 },
   },
   use: browser,

@@ -5,7 +5,7 @@ import type { Served } from "./drivers/serve.ts";
 import { HungError, type Visitor } from "./drivers/visitor.ts";
 
 /** Seconds to the first frame after which it is taken never to come: what a busy machine takes is no fault. */
-export const READY = 60;
+export const READY = 120;
 
 /** Seconds that all elements of a page may take, one after the other; each has `READY`. */
 const ALL_READY = 6 * READY;

@@ -70,7 +70,7 @@ async function framesUntil(
 ): Promise<Pick<Drive, "programs" | "points">> {
   const most = { programs: 0, points: 0 };
   let tiles = 0;
-  for (let i = 0; i < 400; i++) {
+  for (let i = 0; i < 4000; i++) {
     if (await isDone(tiles)) return most;
     [tiles = 0] = await frames(1, milliseconds);
     const { programs, points } = await room.evaluate(() => Reflect.get(window, "drive") as Drive);
