@@ -2,7 +2,7 @@ import type { Page } from "playwright/test";
 import { FlashMeter } from "../support/flash.ts";
 import { drawOneSample } from "../support/one-sample.ts";
 import { plainRoom } from "../support/plain-room.ts";
-import { RoomDriver } from "../support/room-driver.ts";
+import { type Attributes, RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
 
 const ROOM = { min: [-3, 0, -3], max: [3, 3, 3] } as const;
@@ -15,19 +15,22 @@ async function openPlain(
   page: Page,
   albedo: number,
   size: { width: number; height: number },
-  quality = "low",
+  attributes: Attributes = {},
 ) {
   await drawOneSample(page);
   const model = plainRoom(ROOM, [SHELF], albedo);
-  return new RoomDriver(page).open({ look: "physical", quality }, { ...size, model });
+  return new RoomDriver(page).open(
+    { look: "physical", quality: "low", ...attributes },
+    { ...size, model },
+  );
 }
 
 test("Light integrated over the picture is the flame's, from all sides, straight and leaning, far and near", async ({
   page,
 }) => {
   const size = { width: 160, height: 160 };
-  const room = await openPlain(page, 0, size, "medium");
-  await room.set({ wind: "0", gustiness: "0" });
+  const still = { quality: "medium", wind: "0", gustiness: "0" };
+  const room = await openPlain(page, 0, size, still);
   const dark = ["candle", "specular", "indirect", "shadows", "smoke", "haze", "bloom"] as const;
   await room.switchFeatures(Object.fromEntries(dark.map((name) => [name, false])));
   for (const wind of [0, 0.5]) {
