@@ -143,8 +143,8 @@ export class HostedPage {
 
 /**
  * Playwright's `test` with the hosted page: `hosted` is open already, in the paper's look, and shared, so
- * that nobody waits for shaders and textures twice; `fresh` is one's own, and still empty. A test fails
- * if its page complained of anything that it does not tolerate.
+ * that nobody waits for shaders and textures twice, and draws nothing any more; `fresh` is one's own, and still empty. A
+ * test fails if its page complained of anything that it does not tolerate.
  */
 export const test = base.extend<
   { tolerated: RegExp; fresh: HostedPage; hosted: HostedPage },
@@ -169,7 +169,10 @@ export const test = base.extend<
         timezoneId,
       });
       const shared = await new HostedPage(page).open();
-      await shared.evaluate((room) => room.pause());
+      await shared.evaluate((room) => {
+        room.pause();
+        Object.assign(WebGL2RenderingContext.prototype, { drawArrays() {}, drawElements() {} });
+      });
       await use(shared);
       await page.close();
     },
