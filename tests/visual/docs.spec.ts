@@ -2,6 +2,7 @@ import type { Locator, Page } from "playwright/test";
 import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
 import { SETTINGS } from "../../src/settings.ts";
 import { expect, type HostedPage, PAGE, test } from "../support/hosted-page.ts";
+import { drawNothing } from "../support/no-drawing.ts";
 
 // Dear, and each for itself: whichever worker is free takes the next.
 test.describe.configure({ mode: "parallel" });
@@ -13,6 +14,7 @@ test.use({
 
 /** Opens a page of the documentation, from a folder of a site, under the policy of the hosted page. */
 async function read(fresh: HostedPage, name: string): Promise<Page> {
+  await drawNothing(fresh.page);
   await fresh.load(name, `${PAGE}some/folder/`);
   return fresh.page;
 }

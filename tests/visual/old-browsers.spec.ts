@@ -1,4 +1,5 @@
 import { expect, test } from "../support/hosted-page.ts";
+import { drawNothing } from "../support/no-drawing.ts";
 import { LIBRARY, RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
 
@@ -51,7 +52,8 @@ test("in an old browser the page opens, one walks in and out, and its dialogs op
 }) => {
   const { page, room } = fresh;
   await page.addInitScript(removeNewerApis);
-  await fresh.open();
+  await drawNothing(page);
+  await fresh.open("#look=paper&quality=low");
   const states = async () => {
     const names = await fresh.evaluate((element) => element.getAttributeNames());
     return names.filter((name) => name.startsWith("state-")).sort();
@@ -95,6 +97,7 @@ test("a lone candle and the physical room open, and a failure shows a message", 
   page,
 }) => {
   await page.addInitScript(removeNewerApis);
+  await drawNothing(page);
   await serveSmallTextures(page);
   const size = { width: 64, height: 36 };
   const room = await new RoomDriver(page).open({ scene: "candle", alt: "A wee flame" }, size);
