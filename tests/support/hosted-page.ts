@@ -2,6 +2,7 @@ import { readFileSync } from "node:fs";
 import { test as base, expect, type Locator, type Page } from "playwright/test";
 import type { CandleFlameElement, Feature } from "../../src/candle-flame-element.ts";
 import { ORIGINS, browser as options } from "./browser.ts";
+import { stopDrawing } from "./no-drawing.ts";
 import { complaintsOf } from "./room-driver.ts";
 import { serveSmallTextures } from "./small-textures.ts";
 
@@ -169,10 +170,8 @@ export const test = base.extend<
         timezoneId,
       });
       const shared = await new HostedPage(page).open();
-      await shared.evaluate((room) => {
-        room.pause();
-        Object.assign(WebGL2RenderingContext.prototype, { drawArrays() {}, drawElements() {} });
-      });
+      await shared.evaluate((room) => room.pause());
+      await page.evaluate(stopDrawing);
       await use(shared);
       await page.close();
     },
