@@ -21,7 +21,7 @@ void main() {
   float total = 1e-12;
   for (int i = 0; i < 8; i++) {
     vec3 corner = cornerOf(i);
-    weights[i] = probeWeight(tileAt(cell.low + corner), shareOf(cell, corner), position, ray.normal);
+    weights[i] = probeWeight(tileAt(cell.low + corner), shareOf(cell, corner), position, ray.normal, 0.0);
     total += weights[i];
   }
   float first = 0.5 * total * fract(dot(vec2(ray.texel), R2));

@@ -20,7 +20,7 @@ void main() {
   oRadiosity = vec4(0.0, 0.0, 0.0, 1.0);
   if (surfel.distance <= 0.0) return;
   vec3 position = surfel.position + surfel.normal * NORMAL_OFFSET;
-  vec3 irradiance = irradianceAt(position, surfel.normal, surfel.normal, surfel.normal).alongNormal;
+  vec3 irradiance = irradianceAt(position, 0.0, surfel.normal, surfel.normal, surfel.normal).alongNormal;
   vec3 reflected = texelFetch(uSurfelReflectance, texel, 0).rgb * irradiance;
   // Of a surfel at a grazing angle, the area is limited and the flux is kept: its radiosity is not.
   float cosine = dot(surfel.normal, normalize(light.captureOrigin - surfel.position));

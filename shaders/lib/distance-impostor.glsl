@@ -1,6 +1,6 @@
 // Traced reflections: a mirrored ray, marched through the cube of distances from the flame, which holds every surface
 // that the flame lights. Szirmay-Kalos, Aszódi, Lazányi and Premecz 2005, "Approximate Ray-Tracing on the GPU with
-// Distance Impostors". Needs lib/photometry.glsl, lib/flame-light.glsl, lib/shadow-cube.glsl,
+// Distance Impostors". Needs lib/frame.glsl, lib/photometry.glsl, lib/flame-light.glsl, lib/shadow-cube.glsl,
 // lib/surfels.glsl.
 
 uniform sampler2D uTotalRadiosity;  // radiosity of the surfels in all light, lm/m²
@@ -29,40 +29,38 @@ float depthBehind(vec3 fromOrigin) {
 }
 
 // Radiosity at a point, from the capture origin, of the four surfels around its direction: those whose planes it lies in,
-// lm/m².
+// lm/m². By the axes of a face of their cube.
 vec3 radiosityAt(vec3 fromOrigin) {
-  int size = textureSize(uTotalRadiosity, 0).y;
-  vec3 uv = cubeFaceUv(fromOrigin);
-  vec2 at = clamp(uv.xy * float(size) - 0.5, vec2(0.0), vec2(float(size) - 1.0));
-  ivec2 corner = min(ivec2(at), size - 2);
-  vec2 share = at - vec2(corner);
-  corner.x += int(uv.z) * size;
+  float size = float(textureSize(uTotalRadiosity, 0).y);
+  int face = faceOf(fromOrigin);
+  vec3 point = onFace(fromOrigin, face);
+  vec2 at = clamp((0.5 + 0.5 * point.xy / point.z) * size - 0.5, 0.0, size - 1.001);
   vec3 sum = vec3(0.0);
   float total = 0.0;
   for (int i = 0; i < 4; i++) {
-    ivec2 offset = ivec2(i & 1, i >> 1);
-    Surfel surfel = surfelAt(corner + offset, size);
-    if (surfel.distance <= 0.0) continue;
-    vec2 shares = mix(1.0 - share, share, vec2(offset));
-    float outside = dot(surfel.normal, surfel.position - light.captureOrigin - fromOrigin) / PLANE_TOLERANCE;
+    vec2 place = floor(at) + vec2(i & 1, i >> 1);
+    ivec2 texel = ivec2(place + vec2(float(face) * size, 0.0));
+    vec4 normalDistance = texelFetch(uSurfelNormalDistance, texel, 0);
+    if (normalDistance.w <= 0.0) continue;
+    vec3 surfel = vec3((place + 0.5) / size * 2.0 - 1.0, 1.0);
+    surfel *= normalDistance.w * inversesqrt(dot(surfel, surfel));
+    float outside = dot(onFace(normalDistance.xyz, face), surfel - point) / PLANE_TOLERANCE;
+    vec2 shares = 1.0 - abs(place - at);
     float weight = (shares.x * shares.y + 1e-3) / (1.0 + outside * outside);
-    sum += weight * texelFetch(uTotalRadiosity, corner + offset, 0).rgb;
+    sum += weight * texelFetch(uTotalRadiosity, texel, 0).rgb;
     total += weight;
   }
   return sum / max(total, 1e-9);
 }
 
-// Light along a ray from surfaces that the flame lights, cd/m²; alpha: share of the ray that hits none.
-vec4 traceRadiance(vec3 position, vec3 ray) {
-  vec3 start = position - light.captureOrigin;
-  float near = NEAREST_STEP;
-  bool wasBehind = depthBehind(start + ray * near) > 0.0;
-  vec3 sum = vec3(0.0);
+// Adds the radiosity that a ray hits, lm/m², and the share of it that hits nothing. `start`: from the capture origin, m.
+void traceRay(vec3 start, vec3 ray, inout vec4 sum) {
+  bool wasBehind = depthBehind(start + ray * NEAREST_STEP) > 0.0;
   float transmittance = 1.0;
   for (float far = NEAREST_STEP * GROWTH; far < FARTHEST_STEP && transmittance > 0.01; far *= GROWTH) {
     bool isBehind = depthBehind(start + ray * far) > 0.0;
     if (isBehind != wasBehind) {
-      float low = near;
+      float low = far / GROWTH;
       float high = far;
       for (int i = 0; i < BISECTIONS; i++) {
         float middle = 0.5 * (low + high);
@@ -72,34 +70,32 @@ vec4 traceRadiance(vec3 position, vec3 ray) {
       vec3 hit = start + ray * (isBehind ? high : low);
       float opacity = transmittance * (1.0 - smoothstep(THICKNESS.x, THICKNESS.y, depthBehind(hit)));
       // A ray that leaves a shadow through its caster hits the caster's unlit side.
-      if (isBehind) sum += opacity * radiosityAt(hit);
+      if (isBehind) sum.rgb += opacity * radiosityAt(hit);
       transmittance -= opacity;
     }
     wasBehind = isBehind;
-    near = far;
   }
-  return vec4(sum / PI * light.intensity, transmittance);
+  sum.a += transmittance;
 }
 
 // Light from around a mirrored direction, cd/m², by rays over the microfacets of a rough surface.
 // `alpha`: GGX. `most`: rays for it. `beyond`: light along rays that hit nothing that the flame lights.
-vec3 traceReflection(vec3 position, vec3 normal, vec3 view, float alpha, int most, vec3 beyond) {
-  vec3 tangent = normalize(abs(normal.y) < 0.9 ? cross(normal, vec3(0.0, 1.0, 0.0)) : cross(normal, vec3(1.0, 0.0, 0.0)));
-  vec3 bitangent = cross(normal, tangent);
-  int rays = alpha < MIRROR_ALPHA ? 1 : most;
-  vec3 sum = vec3(0.0);
+vec3 traceReflection(vec3 position, vec3 normal, float alpha, int most, vec3 beyond) {
+  vec3 start = position - light.captureOrigin;
+  vec4 sum = vec4(0.0);
   float count = 0.0;
-  for (int i = 0; i < rays; i++) {
+  for (int i = 0; i < most && (i == 0 || alpha >= MIRROR_ALPHA); i++) {
     // Slopes of GGX microfacets: Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces".
-    float u = rays == 1 ? 0.0 : (float(i) + 0.5) / float(rays);
+    float u = alpha < MIRROR_ALPHA ? 0.0 : (float(i) + 0.5) / float(most);
     float slope = alpha * sqrt(u / (1.0 - u));
     float around = float(i) * GOLDEN_ANGLE;
-    vec3 facet = normalize(normal + slope * (cos(around) * tangent + sin(around) * bitangent));
-    vec3 ray = reflect(-view, facet);
+    vec3 tangent = normalize(abs(normal.y) < 0.9 ? cross(normal, vec3(0.0, 1.0, 0.0)) : cross(normal, vec3(1.0, 0.0, 0.0)));
+    vec3 facet = normalize(normal + slope * (cos(around) * tangent + sin(around) * cross(normal, tangent)));
+    vec3 eye = frame.eyePosition - light.captureOrigin;
+    vec3 ray = reflect(normalize(start - eye), facet);
     if (dot(ray, normal) <= 0.0) continue;
-    vec4 traced = traceRadiance(position, ray);
-    sum += traced.rgb + traced.a * beyond;
+    traceRay(start, ray, sum);
     count++;
   }
-  return sum / max(count, 1.0);
+  return (sum.rgb / PI * light.intensity + sum.a * beyond) / max(count, 1.0);
 }

@@ -88,9 +88,9 @@ VolumeCell volumeCellAt(vec3 position) {
 // in Topology". Neighbouring cells are mirror images, so that tetrahedra meet face to face. Half the taps of trilinear
 // interpolation, and as continuous.
 struct Tetrahedron {
-  vec3 start;   // corner of the cell that the diagonal starts from
-  vec3 ranks;   // of the axes, by the point's distance from there along each: its four corners follow them in turn
-  vec4 shares;  // barycentric coordinates
+  vec3 ranks;      // of the axes, by the point's distance along each from where the diagonal starts: the four corners follow
+                   // them in turn; negative for an axis along which it starts at 1
+  vec3 distances;  // the longest first
 };
 
 Tetrahedron tetrahedronAt(VolumeCell cell) {
@@ -101,21 +101,22 @@ Tetrahedron tetrahedronAt(VolumeCell cell) {
   ranks.z += s.z == s.y ? 1.0 : 0.0;
   float most = max(s.x, max(s.y, s.z));
   float least = min(s.x, min(s.y, s.z));
-  vec3 sorted = vec3(most, s.x + s.y + s.z - most - least, least);
-  return Tetrahedron(start, ranks, vec4(1.0, sorted) - vec4(sorted, 0.0));
+  return Tetrahedron(ranks * (1.0 - 2.0 * start), vec3(most, s.x + s.y + s.z - most - least, least));
 }
 
 // A corner, from the lowest one of its cell.
 vec3 cornerOf(Tetrahedron tetrahedron, int corner) {
-  return abs(tetrahedron.start - step(tetrahedron.ranks, vec3(corner)));
+  return abs(step(tetrahedron.ranks, vec3(0.0)) - step(abs(tetrahedron.ranks), vec3(corner)));
 }
 
 vec3 cornerOf(int corner) {
   return vec3(corner & 1, (corner >> 1) & 1, corner >> 2);
 }
 
+// Barycentric coordinate of a corner.
 float shareOf(Tetrahedron tetrahedron, int corner) {
-  return dot(tetrahedron.shares, vec4(equal(ivec4(corner), ivec4(0, 1, 2, 3))));
+  vec4 shares = vec4(1.0, tetrahedron.distances) - vec4(tetrahedron.distances, 0.0);
+  return dot(shares, vec4(equal(ivec4(corner), ivec4(0, 1, 2, 3))));
 }
 
 float shareOf(VolumeCell cell, vec3 corner) {
@@ -123,10 +124,11 @@ float shareOf(VolumeCell cell, vec3 corner) {
   return shares.x * shares.y * shares.z;
 }
 
-// Weight of a probe at a point. `share`: by place; `facing`: normal by which probes are weighted, or 0 in mid-air.
-float probeWeight(ivec2 tile, float share, vec3 position, vec3 facing) {
+// Weight of a probe at a point. `share`: by place; `facing`: normal by which probes are weighted, or 0 in mid-air;
+// `offset`: of the point along it, m.
+float probeWeight(ivec2 tile, float share, vec3 position, vec3 facing, float offset) {
   vec4 probe = texelFetch(uProbePositions, tile, 0);
-  vec3 fromProbe = position - probe.xyz;
+  vec3 fromProbe = position - probe.xyz + facing * offset;
   float reach = max(length(fromProbe), 1e-4);
   float wrapped = 0.5 - 0.5 * dot(fromProbe, facing) / reach;
   vec3 toBiased = fromProbe + facing * volume.bias;
@@ -136,9 +138,9 @@ float probeWeight(ivec2 tile, float share, vec3 position, vec3 facing) {
   return weight * probe.w * max(visibility * visibility * visibility, 1e-6);
 }
 
-// `facing`: normal by which probes are weighted, or 0 in mid-air.
-IrradianceSample irradianceAt(vec3 position, vec3 facing, vec3 normal, vec3 reflection) {
-  VolumeCell cell = volumeCellAt(position);
+// `facing`: normal by which probes are weighted, or 0 in mid-air; `offset`: of the point along it, m.
+IrradianceSample irradianceAt(vec3 position, float offset, vec3 facing, vec3 normal, vec3 reflection) {
+  VolumeCell cell = volumeCellAt(position + facing * offset);
   Tetrahedron tetrahedron = tetrahedronAt(cell);
   vec2 normalUv = octahedralEncode(normal);
   vec2 reflectionUv = octahedralEncode(reflection);
@@ -151,7 +153,7 @@ IrradianceSample irradianceAt(vec3 position, vec3 facing, vec3 normal, vec3 refl
     vec3 corner = i < 4 ? cornerOf(tetrahedron, i) : cornerOf(i - 4);
     float share = i < 4 ? shareOf(tetrahedron, i) : shareOfCell * shareOf(cell, corner);
     ivec2 tile = tileAt(cell.low + corner);
-    float weight = probeWeight(tile, share, position, facing);
+    float weight = probeWeight(tile, share, position, facing, offset);
     sum.alongReflection += weight * probeIrradiance(tile, reflectionUv);
     sum.alongNormal += weight * probeIrradiance(tile, normalUv);
 #ifdef MOONLIT

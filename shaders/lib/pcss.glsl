@@ -99,12 +99,11 @@ float planeDepth(ShadowTaps taps, vec2 texel) {
   return dot(taps.plane, vec3(texel, 1.0));
 }
 
-// Shares of the flame that are visible from a point, and from one higher than it by `rise` along the normal (m).
-// `normal`: of the triangle. `pixel`: seed of the taps' offset. `footprint`: of a pixel, m.
-vec2 flameVisibility(int searchTaps, int filterTaps, vec3 position, vec3 normal, float rise, vec2 pixel, float footprint) {
+// `normal`: of the triangle. `footprint`: of a pixel, m.
+ShadowReceiver shadowReceiver(vec3 position, vec3 normal, float footprint) {
   ShadowReceiver r;
   r.position = position - light.captureOrigin;
-  r.shift = light.position - light.captureOrigin;
+  r.shift = r.position + (light.position - position);
   r.normal = normal;
   r.distance = length(r.position);
   r.offset = dot(r.position, normal);
@@ -122,6 +121,14 @@ vec2 flameVisibility(int searchTaps, int filterTaps, vec3 position, vec3 normal,
   r.extent = vec2(light.radius, mix(light.radius, light.halfHeight, abs(dot(r.up, light.along))));
   float texelSize = r.distance / texels;
   r.least = texelSize * clamp(STEP_SHARE * texelSize / footprint, LEAST_PENUMBRA.x, LEAST_PENUMBRA.y);
+  return r;
+}
+
+// Shares of the flame that are visible from a point, and from one higher than it by `rise` along the normal (m).
+// `normal`: of the triangle. `pixel`: seed of the taps' offset. `footprint`: of a pixel, m.
+vec2 flameVisibility(int searchTaps, int filterTaps, vec3 position, vec3 normal, float rise, vec2 pixel, float footprint) {
+  ShadowReceiver r = shadowReceiver(position, normal, footprint);
+  float tile = shadowTileSize();
   vec2 seed = fract(SEED_STEP * (floor(pixel.x) + 7.0 * floor(pixel.y)));
   // Blocker search at a quarter of the way, where the penumbra is widest.
   ShadowTaps taps = shadowTaps(r, 0.25, tile);
@@ -144,6 +151,8 @@ vec2 flameVisibility(int searchTaps, int filterTaps, vec3 position, vec3 normal,
   if (found.y == 0.0) return vec2(1.0);
   // Filter at the blockers' mean inverse distance, in which the penumbra's width is linear.
   float share = clamp(SHADOW_NEAR * found.y / (found.x * taps.receiver), 0.02, 0.98);
+  // Computed anew: kept from above, it would need more registers than a Mali has. The term is 0, which no compiler knows.
+  r = shadowReceiver(position + min(found.y, 0.0), normal, footprint);
   taps = shadowTaps(r, share, tile);
   // Inverse depth of the higher plane, as a multiple of the plane's own.
   float higher = -abs(r.offset) / min(rise - abs(r.offset), -1e-4);

@@ -23,7 +23,7 @@ uniform vec3 uMoonlight;  // scattered by droplets, cd/m²
 
 // Mean of the irradiance from above and from below: a droplet has no normal.
 vec3 scatteredIndirect(vec3 position) {
-  IrradianceSample upDown = irradianceAt(position, vec3(0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, -1.0, 0.0));
+  IrradianceSample upDown = irradianceAt(position, 0.0, vec3(0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, -1.0, 0.0));
   return (upDown.alongNormal + upDown.alongReflection) * light.intensity / (2.0 * PI);
 }
 

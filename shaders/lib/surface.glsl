@@ -27,14 +27,22 @@ struct Shading {
 };
 
 // CUTOUT: discards what is cut out; depth is tested late in a program that discards.
-Material materialHere() {
-  vec4 baseColor = texture(uAlbedo, vUv, LOD_BIAS) * uBaseColor;
+void cutOut() {
 #ifdef CUTOUT
-  if (baseColor.a < uSurface.w) discard;
+  if (texture(uAlbedo, vUv, LOD_BIAS).a * uBaseColor.a < uSurface.w) discard;
 #endif
+}
+
+vec3 occlusionRoughnessMetallic() {
   vec3 packed = texture(uOcclusionRoughness, vUv, LOD_BIAS).rgb;
   float occlusion = mix(1.0, packed.r, uOcclusionStrength) * vColor.r;
-  return Material(baseColor.rgb, occlusion, clamp(packed.g * uSurface.x, 0.03, 1.0), packed.b * uSurface.y);
+  return vec3(occlusion, clamp(packed.g * uSurface.x, 0.03, 1.0), packed.b * uSurface.y);
+}
+
+Material materialOf(vec3 occlusionRoughnessMetallic) {
+  vec3 baseColor = (texture(uAlbedo, vUv, LOD_BIAS) * uBaseColor).rgb;
+  vec3 packed = occlusionRoughnessMetallic;
+  return Material(baseColor, packed.r, packed.g, packed.b);
 }
 
 vec3 shadingNormal(vec3 surface) {

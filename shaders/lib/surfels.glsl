@@ -26,13 +26,19 @@ vec3 faceDirection(int face, vec2 st) {
   return vec3(-st.x, -st.y, -1.0);
 }
 
-// Its inverse: uv on the face that a direction meets, and the index of that face.
-vec3 cubeFaceUv(vec3 d) {
+// Face that a direction meets.
+int faceOf(vec3 d) {
   vec3 size = abs(d);
   int axis = size.x >= max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
-  int face = 2 * axis + (d[axis] > 0.0 ? 0 : 1);
-  vec2 st = axis == 0 ? vec2(-d.z * sign(d.x), -d.y) : axis == 1 ? vec2(d.x, d.z * sign(d.y)) : vec2(d.x * sign(d.z), -d.y);
-  return vec3(0.5 + 0.5 * st / size[axis], float(face));
+  return 2 * axis + (d[axis] > 0.0 ? 0 : 1);
+}
+
+// A vector by the axes of a face: those of its edges, and its own.
+vec3 onFace(vec3 v, int face) {
+  float sense = 1.0 - 2.0 * float(face & 1);
+  if (face < 2) return vec3(-v.z * sense, -v.y, v.x * sense);
+  if (face < 4) return vec3(v.x, v.z * sense, v.y * sense);
+  return vec3(v.x * sense, -v.y, v.z * sense);
 }
 
 // Texel of a surfel by its number, row by row; beyond the last row there is none.

@@ -64,23 +64,26 @@ float virtualLuminance(Shading s, vec3 position, vec3 facet, vec3 diffuseColor, 
 }
 
 float shade(vec3 facet) {
-  Material material = materialHere();
+  cutOut();
   vec3 surface = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
+  // Visibility and probes first, to save registers.
+  float moonShare = visibilityOfMoon(surface, facet, uFeatures.x, gl_FragCoord.xy + uOrigin);
   vec3 normal = shadingNormal(surface);
+  vec3 reflected = reflect(normalize(vPositionWorld - frame.eyePosition), normal);
+  IrradianceSample probes = irradianceAt(vPositionWorld, 0.02, normal, normal, reflected);
+  Material material = materialOf(occlusionRoughnessMetallic());
   Shading s = shadingOf(material, surface, normal);
   EnvironmentReflection environment = environmentReflection(uEnvironmentBrdf, s.f0, sqrt(s.alpha), s.NoV);
   // Reflected light does not reach the diffuse layer below.
   vec3 diffuseColor = material.baseColor * (1.0 - material.metallic) * (1.0 - environment.share);
-  float luminance = directMoonlight(s, facet, diffuseColor, uFeatures.xz, gl_FragCoord.xy + uOrigin);
-  bool isPane = material.roughness < PANE_ROUGHNESS && isOnPane(vPositionWorld);
-  for (int i = isPane ? 1 : 0; i > 0; i--) luminance += nightThroughPane(-s.view, s.NoV);
-  IrradianceSample probes = irradianceAt(vPositionWorld + surface * 0.02, normal, normal, reflect(-s.view, normal));
-  float firstBounce = virtualLuminance(s, vPositionWorld, facet, diffuseColor, environment.share, isPane);
   float laterBounces = moonLuma(probes.alongNormal * diffuseColor) * skyVisibility(surface, normal) * s.minified.x;
   float mirrored = moonLuma(probes.alongReflection * environment.share) * uFeatures.z;
   float unoccluded = 1.0 - NEAR_OCCLUSION * (1.0 - material.occlusion);
-  float indirect = firstBounce + (laterBounces + mirrored) / PI * unoccluded;
-  return luminance + indirect * uFeatures.y;
+  float luminance = (laterBounces + mirrored) / PI * unoccluded * uFeatures.y;
+  luminance += directMoonlight(s, moonShare, diffuseColor, uFeatures.z);
+  bool isPane = material.roughness < PANE_ROUGHNESS && isOnPane(vPositionWorld);
+  for (int i = isPane ? 1 : 0; i > 0; i--) luminance += nightThroughPane(-s.view, s.NoV);
+  return luminance + virtualLuminance(s, vPositionWorld, facet, diffuseColor, environment.share, isPane) * uFeatures.y;
 }
 
 void main() {

@@ -63,9 +63,9 @@ float footprint;  // of the pixel on the surface, m
 
 // Visible share of the flame, past the room, the candle and its holder; and from a crevice's sides. Crevices are lit by
 // their sides, whatever their own normal. `divisor`: of the number of taps.
-vec2 visibilitiesOf(int divisor, vec3 surface, vec3 normal, vec3 facet, bool isCrevice) {
+vec2 visibilitiesOf(int divisor, vec3 surface, vec3 facet, bool isCrevice) {
   vec2 visibilities = vec2(0.0);
-  if (dot(normal, light.position) > dot(normal, vPositionWorld) || isCrevice) {
+  if (dot(surface, light.position) > dot(surface, vPositionWorld) || isCrevice) {
     vec3 toward = faceforward(facet, vPositionWorld - light.position, facet);
     float rise = isCrevice ? CREVICE_HEIGHT * dot(surface, toward) : 0.0;
     vec2 pixel = gl_FragCoord.xy + uOrigin;
@@ -101,32 +101,36 @@ DirectLight directLight(Shading s, vec2 visibilities) {
 }
 
 // Radiance of the fragment. `facet`: normal of the triangle.
+// Visibilities and probes come first, rays last: in between a GPU has too few registers for their loops.
 vec4 shade(vec3 facet) {
-  Material material = materialHere();
-  vec3 baseColor = material.baseColor;
-  float occlusion = material.occlusion;
-  float roughness = material.roughness;
-  float metallic = material.metallic;
+  cutOut();
   vec3 surface = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
-  vec3 normal = shadingNormal(surface);
-
+  vec3 packed = occlusionRoughnessMetallic();
+  bool isCrevice = packed.r < CREVICE;
 #ifdef CANDLES
   light = carried;
 #endif
-  // Computed first, to save registers.
-  bool isCrevice = occlusion < CREVICE;
-  vec2 visibilities = visibilitiesOf(1, surface, normal, facet, isCrevice);
+  vec2 visibilities = visibilitiesOf(1, surface, facet, isCrevice);
+#ifdef MOONLIT
+  float moonShare = visibilityOfMoon(surface, facet, uFeatures.x, gl_FragCoord.xy + uOrigin);
+#endif
 
+  vec3 normal = shadingNormal(surface);
+  vec3 reflected = reflect(normalize(vPositionWorld - frame.eyePosition), normal);
+  IrradianceSample probes = irradianceAt(vPositionWorld, 0.02, normal, normal, reflected);
+
+  Material material = materialOf(packed);
+  vec3 baseColor = material.baseColor;
   Shading s = shadingOf(material, surface, normal);
   DirectLight direct = directLight(s, visibilities);
-  vec3 glow = waxGlow(vPositionWorld);
+  vec3 glow = vec3(0.0);     // of the standing candles' wax
   float carriedShare = 1.0;  // of the irradiance volume's light
 #ifdef CANDLES
   float others = 1e-9;
   for (int i = 0; i < int(standing.count); i++) {
     isStanding = true;
     light = standing.candles[i];
-    visibilities = visibilitiesOf(2, surface, normal, facet, isCrevice);
+    visibilities = visibilitiesOf(2, surface, facet, isCrevice);
     DirectLight more = directLight(s, visibilities);
     direct.irradiance += more.irradiance;
     direct.sides += more.sides;
@@ -140,48 +144,47 @@ vec4 shade(vec3 facet) {
 #endif
 
   EnvironmentReflection environment = environmentReflection(uEnvironmentBrdf, s.f0, sqrt(s.alpha), s.NoV);
-  vec3 specular = direct.specular * environment.boost;
   // Reflected light does not reach the diffuse layer below.
-  vec3 diffuseColor = baseColor * (1.0 - metallic) * (1.0 - environment.share);
-  vec3 radiance = diffuseColor / PI * direct.irradiance + specular + baseColor * glow * uWax;
+  vec3 diffuseColor = baseColor * (1.0 - material.metallic) * (1.0 - environment.share);
+  vec3 radiance = diffuseColor / PI * direct.irradiance + direct.specular * environment.boost;
+  radiance += baseColor * (glow + waxGlow(vPositionWorld)) * uWax;
 
-#ifdef MOONLIT
-  // Before indirect light, to save registers.
-  float moonlight = directMoonlight(s, facet, diffuseColor, uFeatures.xz, gl_FragCoord.xy + uOrigin);
-#ifdef GLOSSY
-  bool isPane = roughness < PANE_ROUGHNESS && isOnPane(vPositionWorld);
-  for (int i = isPane ? 1 : 0; i > 0; i--) moonlight += nightThroughPane(-s.view, s.NoV);
-#endif
-  float reflectance = moonLuma(diffuseColor) * skyVisibility(surface, normal) * s.minified.x + moonLuma(environment.share) * uFeatures.z;
-#endif
-
-  vec3 reflected = reflect(-s.view, normal);
-  IrradianceSample probes = irradianceAt(vPositionWorld + surface * 0.02, normal, normal, reflected);
-  float near = 1.0 - occlusion;
+  float near = 1.0 - material.occlusion;
   float unoccluded = 1.0 - NEAR_OCCLUSION * near;
+  float sky = skyVisibility(surface, normal) * s.minified.x;
   // Nearby surfaces are taken to have this point's colour and distance from the flame.
   vec3 nearby = NEAR_REFLECTANCE * near * baseColor * direct.sides;
   nearby /= 1.0 + direct.sides / max(NEAR_LIMIT * probes.alongNormal, 1e-9);
-  vec3 indirect = (probes.alongNormal * unoccluded + nearby) * diffuseColor * (skyVisibility(surface, normal) * s.minified.x / PI);
+  radiance += (probes.alongNormal * unoccluded + nearby) * diffuseColor * (sky / PI * uFeatures.y);
   vec3 mirrored = (probes.alongReflection * unoccluded + nearby) / PI;
 #ifdef GLOSSY
-  float traced = 1.0 - smoothstep(TRACED_ROUGHNESS.x, TRACED_ROUGHNESS.y, roughness - metallic * TRACED_METAL);
+  float traced = 1.0 - smoothstep(TRACED_ROUGHNESS.x, TRACED_ROUGHNESS.y, material.roughness - material.metallic * TRACED_METAL);
+  mirrored = mix(mirrored, probes.alongReflection * ((1.0 - carriedShare) / PI), traced);
+#endif
+  vec3 mirroring = environment.share * (uFeatures.y * uFeatures.z);
+  radiance += mirrored * mirroring;
+
+#ifdef MOONLIT
+  float moonlight = directMoonlight(s, moonShare, diffuseColor, uFeatures.z);
+  float reflectance = moonLuma(diffuseColor) * sky + moonLuma(environment.share) * uFeatures.z;
+  moonlight += probes.moonlight * reflectance * unoccluded / PI * uFeatures.y;
+#ifdef GLOSSY
+  bool isPane = material.roughness < PANE_ROUGHNESS && isOnPane(vPositionWorld);
+  for (int i = isPane ? 1 : 0; i > 0; i--) moonlight += nightThroughPane(-s.view, s.NoV);
+#endif
+#endif
+#ifdef GLOSSY
   if (traced > 0.0) {
     // Rays hit what the carried flame lights; what others light is taken from the probes. They spread as the normals
     // within a pixel do: the rim of a dish would be dots.
+    vec3 factor = mirroring * traced;
     vec3 beyond = probes.alongReflection * (carriedShare * TRACED_INDIRECT / PI);
-    vec3 rays = traceReflection(vPositionWorld + surface * 0.01, normal, s.view, s.alpha, int(uSamples.z), beyond);
-    mirrored = mix(mirrored, rays + probes.alongReflection * ((1.0 - carriedShare) / PI), traced);
+    radiance += factor * traceReflection(vPositionWorld + surface * 0.01, normal, s.alpha, int(uSamples.z), beyond);
   }
 #endif
-  mirrored *= environment.share;
-  indirect = (indirect + mirrored * uFeatures.z) * uFeatures.y;
-
-  radiance += indirect;
   // The largest half float is 65504; a mirrored flame can be brighter.
   vec4 result = vec4(uFeatures.w > 0.5 ? 0.5 + 0.5 * normal : min(radiance, 3e4), 1.0);
 #ifdef MOONLIT
-  moonlight += probes.moonlight * reflectance * unoccluded / PI * uFeatures.y;
   result.a = min(moonlight, 3e4);
 #endif
   return result;

@@ -53,9 +53,21 @@ struct Viewing {
   vec2 factors;    // of the irradiance by the normal, and by the reflection
 };
 
+Viewing viewingOf(LightingTexel texel) {
+  float metallic = metallicOf(texel.material);
+  Viewing v;
+  v.view = normalize(frame.eyePosition - texel.position);
+  v.NoV = max(abs(dot(texel.normal, v.view)), 1e-3);
+  v.reflected = reflect(-v.view, texel.normal);
+  v.mirrored = dielectricShare(texel.roughness, v.NoV);
+  v.factors.x = (1.0 - metallic) * (1.0 - v.mirrored) / PI * uFeatures.y;
+  v.factors.y = (1.0 - 0.6 * texel.roughness) / PI * uFeatures.y * uFeatures.z;
+  return v;
+}
+
 // Lighting by one flame without the room's: its direct light, its support, and the wax that it shines through.
 // Factor of the albedo (rgb), and the part without albedo, cd/m².
-vec4 flameLighting(LightingTexel texel, Viewing v) {
+vec4 flameLighting(LightingTexel texel) {
   vec3 position = texel.position;
   vec3 normal = texel.normal;
   // Computed first, to save registers. Four rotations of the taps side by side, which the upsampling averages.
@@ -66,6 +78,7 @@ vec4 flameLighting(LightingTexel texel, Viewing v) {
     int search = visibility > 0.0 ? COUNT(SHADOW_SEARCH) : 0;
     visibility *= flameVisibility(search, COUNT(SHADOW_TAPS), position, normal, 0.0, tile, 1.0).x;
   }
+  Viewing v = viewingOf(texel);
   float metallic = metallicOf(texel.material);
   vec3 toLight = light.position - position;
   float distanceSquared = max(dot(toLight, toLight), LEAST_DISTANCE * LEAST_DISTANCE);
@@ -94,15 +107,6 @@ void main() {
 #if REDUCED
   oInverseDepth = vec4(inverseDepth(texel.depth), 0.0, 0.0, 1.0);
 #endif
-  vec3 normal = texel.normal;
-  float metallic = metallicOf(texel.material);
-  Viewing v;
-  v.view = normalize(frame.eyePosition - texel.position);
-  v.NoV = max(abs(dot(normal, v.view)), 1e-3);
-  v.reflected = reflect(-v.view, normal);
-  v.mirrored = dielectricShare(texel.roughness, v.NoV);
-  v.factors.x = (1.0 - metallic) * (1.0 - v.mirrored) / PI * uFeatures.y;
-  v.factors.y = (1.0 - 0.6 * texel.roughness) / PI * uFeatures.y * uFeatures.z;
 
 #ifdef CANDLES
   // In one loop, so that the function is compiled once.
@@ -111,29 +115,33 @@ void main() {
     isStanding = i >= 0;
     light = carried;
     if (isStanding) light = standing.candles[i];
-    lighting += flameLighting(texel, v);
+    lighting += flameLighting(texel);
   }
 #else
-  vec4 lighting = flameLighting(texel, v);
+  vec4 lighting = flameLighting(texel);
 #endif
 #ifdef WITH_MOON
   vec4 perLux = texelFetch(uMoonLighting, ivec2(gl_FragCoord.xy), 0);
   lighting += perLux * perLux * vec4(uMoonlight, luma(uMoonlight));
 #endif
 
-  IrradianceSample indirect = irradianceAt(texel.position + normal * 0.08, normal, normal, v.reflected);
+  vec3 normal = texel.normal;
+  float metallic = metallicOf(texel.material);
+  Viewing v = viewingOf(texel);
+  IrradianceSample indirect = irradianceAt(texel.position, 0.08, normal, normal, v.reflected);
+  lighting.rgb += indirect.alongNormal * v.factors.x;
+  vec4 perRoom = vec4(vec3(metallic), (1.0 - metallic) * v.mirrored);
   vec3 room = indirect.alongReflection * v.factors.y;
 #if !REDUCED
   // In motion texels are so large that reflections would be blotches.
   if (metallic > 0.5 || texel.roughness < TRACED_ROUGHNESS) {
     vec3 beyond = indirect.alongReflection * (TRACED_INDIRECT / PI);
     float alpha = texel.roughness * texel.roughness;
-    vec3 rays = traceReflection(texel.position, normal, v.view, alpha, REFLECTION_RAYS, beyond);
-    room = rays * ((1.0 - ROUGH_LOSS * texel.roughness) * uFeatures.y * uFeatures.z);
+    float kept = (1.0 - ROUGH_LOSS * texel.roughness) * uFeatures.y * uFeatures.z;
+    room = traceReflection(texel.position, normal, alpha, REFLECTION_RAYS, beyond) * kept;
   }
 #endif
-  lighting.rgb += indirect.alongNormal * v.factors.x + metallic * room;
-  lighting.a += (1.0 - metallic) * v.mirrored * luma(room);
+  lighting += vec4(room, luma(room)) * perRoom;
 #ifdef OF_ALL
   lighting.rgb /= uColor;
 #endif

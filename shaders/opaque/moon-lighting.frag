@@ -71,7 +71,7 @@ void main() {
   vec4 perLux = vec2(direct.x + nightLighting(texel, toEye, NoV), direct.y).xxxy;
 #if !REDUCED
   vec3 reflected = reflect(-toEye, normal);
-  IrradianceSample indirect = irradianceAt(texel.position + normal * 0.08, normal, normal, reflected);
+  IrradianceSample indirect = irradianceAt(texel.position, 0.08, normal, normal, reflected);
   float mirrored = dielectricShare(texel.roughness, NoV);
   perLux.rgb += indirect.alongNormal * ((1.0 - metallic) * (1.0 - mirrored) / PI * uFeatures.y);
   vec3 room = indirect.alongReflection / PI * ((1.0 - 0.6 * texel.roughness) * uFeatures.y * uFeatures.z);
