@@ -151,7 +151,8 @@ vec2 flameVisibility(int searchTaps, int filterTaps, vec3 position, vec3 normal,
   if (found.y == 0.0) return vec2(1.0);
   // Filter at the blockers' mean inverse distance, in which the penumbra's width is linear.
   float share = clamp(SHADOW_NEAR * found.y / (found.x * taps.receiver), 0.02, 0.98);
-  // Computed anew: kept from above, it would need more registers than a Mali has. The term is 0, which no compiler knows.
+  // Computed anew, the flame's shift included: kept from above, it would need more registers than a Mali has. The term is
+  // 0, which no compiler knows.
   r = shadowReceiver(position + min(found.y, 0.0), normal, footprint);
   taps = shadowTaps(r, share, tile);
   // Inverse depth of the higher plane, as a multiple of the plane's own.

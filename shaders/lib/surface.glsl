@@ -33,16 +33,15 @@ void cutOut() {
 #endif
 }
 
-vec3 occlusionRoughnessMetallic() {
+vec3 occlusionRoughnessMetallicHere() {
   vec3 packed = texture(uOcclusionRoughness, vUv, LOD_BIAS).rgb;
   float occlusion = mix(1.0, packed.r, uOcclusionStrength) * vColor.r;
   return vec3(occlusion, clamp(packed.g * uSurface.x, 0.03, 1.0), packed.b * uSurface.y);
 }
 
-Material materialOf(vec3 occlusionRoughnessMetallic) {
-  vec3 baseColor = (texture(uAlbedo, vUv, LOD_BIAS) * uBaseColor).rgb;
-  vec3 packed = occlusionRoughnessMetallic;
-  return Material(baseColor, packed.r, packed.g, packed.b);
+Material materialHere(vec3 occlusionRoughnessMetallic) {
+  vec3 baseColor = texture(uAlbedo, vUv, LOD_BIAS).rgb * uBaseColor.rgb;
+  return Material(baseColor, occlusionRoughnessMetallic.x, occlusionRoughnessMetallic.y, occlusionRoughnessMetallic.z);
 }
 
 vec3 shadingNormal(vec3 surface) {

@@ -71,7 +71,7 @@ float shade(vec3 facet) {
   vec3 normal = shadingNormal(surface);
   vec3 reflected = reflect(normalize(vPositionWorld - frame.eyePosition), normal);
   IrradianceSample probes = irradianceAt(vPositionWorld, 0.02, normal, normal, reflected);
-  Material material = materialOf(occlusionRoughnessMetallic());
+  Material material = materialHere(occlusionRoughnessMetallicHere());
   Shading s = shadingOf(material, surface, normal);
   EnvironmentReflection environment = environmentReflection(uEnvironmentBrdf, s.f0, sqrt(s.alpha), s.NoV);
   // Reflected light does not reach the diffuse layer below.

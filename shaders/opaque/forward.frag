@@ -105,8 +105,8 @@ DirectLight directLight(Shading s, vec2 visibilities) {
 vec4 shade(vec3 facet) {
   cutOut();
   vec3 surface = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
-  vec3 packed = occlusionRoughnessMetallic();
-  bool isCrevice = packed.r < CREVICE;
+  vec3 occlusionRoughnessMetallic = occlusionRoughnessMetallicHere();
+  bool isCrevice = occlusionRoughnessMetallic.x < CREVICE;
 #ifdef CANDLES
   light = carried;
 #endif
@@ -119,7 +119,7 @@ vec4 shade(vec3 facet) {
   vec3 reflected = reflect(normalize(vPositionWorld - frame.eyePosition), normal);
   IrradianceSample probes = irradianceAt(vPositionWorld, 0.02, normal, normal, reflected);
 
-  Material material = materialOf(packed);
+  Material material = materialHere(occlusionRoughnessMetallic);
   vec3 baseColor = material.baseColor;
   Shading s = shadingOf(material, surface, normal);
   DirectLight direct = directLight(s, visibilities);
