@@ -7,6 +7,7 @@
 #include "lib/moon.glsl"
 #else
 #include "lib/flame-light.glsl"
+#include "lib/pool-reflection.glsl"
 #endif
 #include "lib/surfels.glsl"
 
@@ -29,7 +30,9 @@ void main() {
   }
   vec3 irradiance = vec3(surfel.solidAngle / surfel.area);
 #else
-  vec3 irradiance = light.intensity * (surfel.solidAngle / surfel.area * candleVisibility(surfel.position));
+  vec3 toLight = light.captureOrigin - surfel.position;
+  float share = candleVisibility(surfel.position) * withPool(toLight, dot(toLight, toLight));
+  vec3 irradiance = light.intensity * (surfel.solidAngle / surfel.area * share);
 #endif
   vec4 reflectance = texelFetch(uSurfelReflectance, texel, 0);
   oRadiosity = vec4(reflectance.rgb * irradiance, reflectance.a);

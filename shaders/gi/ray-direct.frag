@@ -7,6 +7,7 @@
 #include "lib/moon.glsl"
 #else
 #include "lib/flame-light.glsl"
+#include "lib/pool-reflection.glsl"
 #endif
 #include "lib/surfels.glsl"
 #include "lib/glossy-lobe.glsl"
@@ -83,7 +84,7 @@ vec3 radianceAlong(ProbeRay ray, vec3 position) {
   // Of a group of surfels at the hit, from the probe.
   float area = float(uGroup * uGroup) * surfelSolidAngle(lightDirection) * distanceSquared / limitedCosine(NoL);
   float fromProbe = max(dot(ray.normal, -ray.direction), 0.0) * area / (ray.reach * ray.reach);
-  vec3 irradiance = light.intensity * (NoL / distanceSquared * candleVisibility(position));
+  vec3 irradiance = light.intensity * (NoL / distanceSquared * candleVisibility(position) * withPool(-fromLight, distanceSquared));
   vec4 reflectance = texelFetch(uRayReflectance, ray.texel, 0);
   vec3 radiance = reflectance.rgb * irradiance * glossyLobe(reflectance.a, ray.normal, -lightDirection, -ray.direction);
   return radiance * rayWeight(fromProbe, ray.solidAngle);

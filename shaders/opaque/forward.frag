@@ -11,6 +11,7 @@
 #include "lib/normal-map.glsl"
 #include "lib/relief.glsl"
 #include "lib/flame-light.glsl"
+#include "lib/pool-reflection.glsl"
 #include "lib/flame-brdf.glsl"
 #include "lib/environment-brdf.glsl"
 #include "lib/pcss.glsl"
@@ -92,9 +93,10 @@ DirectLight directLight(Shading s, vec2 visibilities) {
   float visibility = wickCosine > 0.0 ? 1.0 : visibilities.x;
   vec3 unshadowed = light.intensity / distanceSquared;
   vec3 perCosine = unshadowed * mix(1.0, visibility, uFeatures.x);
-  vec3 irradiance = perCosine * max(NoL * normalMapVisibility(s.surface, s.normal, L) * s.minified.y, wickCosine);
+  float pool = withPool(toLight, distanceSquared);
+  vec3 irradiance = perCosine * pool * max(NoL * normalMapVisibility(s.surface, s.normal, L) * s.minified.y, wickCosine);
   if (uIsPane > 0.5) irradiance = min(irradiance, PANE_IRRADIANCE * light.intensity);
-  vec3 sides = unshadowed * mix(1.0, max(visibilities.x, visibilities.y), uFeatures.x);
+  vec3 sides = unshadowed * pool * mix(1.0, max(visibilities.x, visibilities.y), uFeatures.x);
   vec3 halfAxis = light.along * light.halfHeight;
   FlameSpecular flame = flameSpecular(toLight, halfAxis, light.radius, s.normal, s.view, s.NoV, s.alpha);
   return DirectLight(irradiance, sides, fresnelSchlick(s.f0, flame.SoH) * flame.lobe * perCosine * uFeatures.z);

@@ -8,6 +8,7 @@
 #include "lib/compile-time.glsl"
 #include "lib/depth.glsl"
 #include "lib/flame-light.glsl"
+#include "lib/pool-reflection.glsl"
 #include "lib/flame-brdf.glsl"
 #include "lib/dielectric.glsl"
 #include "lib/pcss.glsl"
@@ -85,7 +86,8 @@ vec4 flameLighting(LightingTexel texel) {
   vec3 L = toLight * inversesqrt(distanceSquared);
   float NoL = max(dot(normal, L), 0.0);
   float perArea = mix(1.0, visibility, uFeatures.x) / distanceSquared;
-  float irradiance = isGlass(texel.material) ? min(NoL * perArea, PANE_IRRADIANCE) : NoL * perArea;
+  float irradiance = NoL * perArea * withPool(toLight, distanceSquared);
+  if (isGlass(texel.material)) irradiance = min(irradiance, PANE_IRRADIANCE);
   vec3 halfAxis = light.along * light.halfHeight;
   float alpha = texel.roughness * texel.roughness;
   FlameSpecular flame = flameSpecular(toLight, halfAxis, light.radius, normal, v.view, v.NoV, alpha);

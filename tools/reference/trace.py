@@ -28,8 +28,19 @@ PANE = 0.86
 SKY_ROWS = 4096
 # Materials of its window.
 PANES = {"pane", "night"}
+# Wax within this distance of the middle of a flame, metres, lies open to it: the pool, and the dish around the pool.
+DISH = 0.03
+WAX = {"reference-pool", "reference-wax"}
+# Name of its irradiance in a mesh.
+IRRADIANCE = "irradiance"
+# Share of light that wax mirrors at normal incidence.
+SPECULAR = 0.04
 # Pixels around candle and flame that are not compared: half of a filter's width, and a little.
 MARGIN = 2
+# Standard deviation of the blur over which denoised light is brought to the mean of the samples, pixels.
+SPREAD = 30
+# From a surface to where a ray from it begins, metres.
+NEAR = 1e-5
 
 
 def start():
@@ -210,7 +221,7 @@ def add_surround(scene, glass):
 
 def add_lamps(scene, position, lamp):
     peak = max(lamp["intensity"])
-    for i in range(LAMPS):
+    for up in lamp_heights(lamp):
         light = bpy.data.lights.new("flame", "POINT")
         light.color = [channel / peak for channel in lamp["intensity"]]
         light.energy = 4 * math.pi * peak / LAMPS
@@ -218,9 +229,107 @@ def add_lamps(scene, position, lamp):
         light.use_soft_falloff = False
         node = bpy.data.objects.new("flame", light)
         node.visible_camera = False
-        up = ((i + 0.5) / LAMPS * 2 - 1) * lamp["halfHeight"]
         node.location = ROOM_TO_BLENDER @ Vector((position[0], position[1] + up, position[2]))
         scene.collection.objects.link(node)
+
+
+def add_dishes(scene, flames, lamp):
+    """Dishes of wax as lamps: paths seldom find one by chance, and a denoiser takes those that do for noise.
+
+    A dish sheds what it reflects of its flame, and no flame lights it.
+    """
+    unlit = bpy.data.collections.new("dishes")
+    for node in [node for node in scene.objects if node.type == "MESH"]:
+        for flame in flames:
+            dish = cut_dish(node, ROOM_TO_BLENDER @ Vector(flame), lamp)
+            if dish:
+                scene.collection.objects.link(dish)
+                unlit.objects.link(dish)
+    for entry in unlit.collection_objects:
+        entry.light_linking.link_state = "EXCLUDE"
+    for node in scene.objects:
+        if node.type == "LIGHT" and node.data.type == "POINT":
+            node.light_linking.receiver_collection = unlit
+
+
+def cut_dish(node, flame, lamp):
+    """Takes the wax around a flame's foot out of a node: a node of its own, or None where there is none."""
+    wax = {i for i, slot in enumerate(node.material_slots) if slot.material.name.split(".")[0] in WAX}
+
+    def is_dish(face):
+        return face.material_index in wax and (node.matrix_world @ face.calc_center_median() - flame).length < DISH
+
+    dish = node.copy()
+    dish.data = node.data.copy()
+    keep_faces(dish.data, is_dish)
+    if not dish.data.polygons:
+        bpy.data.objects.remove(dish)
+        return None
+    lamps = [flame + Vector((0, 0, up)) for up in lamp_heights(lamp)]
+    shares = [irradiance(node.matrix_world, face, lamps) for face in dish.data.polygons]
+    dish.data.attributes.new(IRRADIANCE, "FLOAT", "FACE").data.foreach_set("value", shares)
+    keep_faces(node.data, lambda face: not is_dish(face))
+    for i in wax:
+        dish.data.materials[i] = shedding(dish.data.materials[i], lamp)
+    return dish
+
+
+def keep_faces(data, chosen):
+    mesh = bmesh.new()
+    mesh.from_mesh(data)
+    bmesh.ops.delete(mesh, geom=[face for face in mesh.faces if not chosen(face)], context="FACES")
+    mesh.to_mesh(data)
+    mesh.free()
+
+
+def irradiance(to_world, face, lamps):
+    """Of a face's middle, by lamps that share one candela: lux. Wick and lip hide some of them."""
+    at, normal = to_world @ face.center, (to_world.to_3x3() @ face.normal).normalized()
+    sum = 0
+    for lamp in lamps:
+        way = lamp - at
+        cosine = way.normalized().dot(normal)
+        if cosine > 0 and not is_hidden(at + NEAR * normal, lamp):
+            sum += cosine / way.length_squared / LAMPS
+    return sum
+
+
+def is_hidden(position, lamp):
+    scene, way = bpy.context.scene, lamp - position
+    return scene.ray_cast(bpy.context.evaluated_depsgraph_get(), position, way, distance=way.length)[0]
+
+
+def shedding(surface, lamp):
+    """The material, with an emission of what it reflects of a flame."""
+    made = surface.copy()
+    nodes, link = made.node_tree.nodes, made.node_tree.links.new
+
+    def times(value, factors, added=(0, 0, 0)):
+        node = nodes.new("ShaderNodeVectorMath")
+        node.operation = "MULTIPLY_ADD"
+        link(value, node.inputs[0])
+        node.inputs[1].default_value, node.inputs[2].default_value = factors, added
+        return node.outputs["Vector"]
+
+    shader = nodes["Principled BSDF"]
+    base = shader.inputs["Base Color"]
+    if base.links:
+        color = base.links[0].from_socket
+    else:
+        color = nodes.new("ShaderNodeRGB").outputs["Color"]
+        color.default_value = base.default_value
+    reflected = times(color, [1 - SPECULAR] * 3, [SPECULAR] * 3)
+    link(times(reflected, [x / math.pi for x in lamp["intensity"]]), shader.inputs["Emission Color"])
+    share = nodes.new("ShaderNodeAttribute")
+    share.attribute_name = IRRADIANCE
+    link(share.outputs["Fac"], shader.inputs["Emission Strength"])
+    made.cycles.emission_sampling = "FRONT"
+    return made
+
+
+def lamp_heights(lamp):
+    """Of a flame's lamps above its middle, metres."""
+    return [((i + 0.5) / LAMPS * 2 - 1) * lamp["halfHeight"] for i in range(LAMPS)]
 
 
 def add_camera(scene, view):
@@ -260,6 +369,24 @@ def render(scene):
 def colour(images, name, channels="RGB"):
     found = {key.rsplit(".", 2)[1] + "." + key[-1]: image for key, image in images.items()}
     return numpy.stack([found[f"{name}.{channel}"] for channel in channels], axis=-1)
+
+
+def blurred(image):
+    kernel = numpy.exp(-((numpy.arange(-3 * SPREAD, 3 * SPREAD + 1) / SPREAD) ** 2) / 2)
+    for axis in (0, 1):
+        rows = numpy.pad(image, [(3 * SPREAD, 3 * SPREAD) if axis == k else (0, 0) for k in (0, 1)])
+        image = numpy.apply_along_axis(numpy.convolve, axis, rows, kernel, "valid")
+    return image
+
+
+def undimmed(denoised, samples, is_compared):
+    """Denoised light, as much as there was: what the denoiser takes for noise is light, too.
+
+    Each pixel counts by its ratio to the denoised one, so that a bright one does not light its neighbours.
+    """
+    ratio = numpy.where(is_compared, samples @ LUMA / numpy.maximum(denoised @ LUMA, 1e-6), 0)
+    means = blurred(ratio) / numpy.maximum(blurred(is_compared.astype(float)), 1e-3)
+    return denoised * means[..., None]
 
 
 def left_out(view, index):
@@ -322,6 +449,7 @@ def main(view_path, folder):
         node.pass_index = 1
     for flame in view["flames"]:
         add_lamps(scene, flame, view["lamp"])
+    add_dishes(scene, view["flames"], view["lamp"])
     add_camera(scene, view)
     images = render(scene)
     radiance = colour(images, "Combined")
@@ -331,9 +459,11 @@ def main(view_path, folder):
             **{key.split(".", 1)[1]: image for key, image in images.items()},
         )
     index = next(image for key, image in images.items() if "Index" in key)
+    is_left_out = left_out(view, index)
+    radiance = undimmed(radiance, colour(images, "Noisy Image"), ~is_left_out)
     halves = radiance.clip(0, 65504).astype("<f2")
     # A negative sign of red marks what is not compared: candle, holder and flame.
-    halves[..., 0] = numpy.copysign(halves[..., 0], numpy.where(left_out(view, index), -1, 1))
+    halves[..., 0] = numpy.copysign(halves[..., 0], numpy.where(is_left_out, -1, 1))
     halves.tofile(os.path.join(folder, view["name"] + ".bin"))
     with open(os.path.join(folder, view["name"] + ".json"), "w") as file:
         file.write(json.dumps(view, indent=2) + "\n")
