@@ -121,9 +121,10 @@ export const SCENES: readonly Scene[] = [
   inCabin(SPAWN, "high", { name: "cabin-moonlit-high", moonlight: "0.15" }),
   { ...inCabin(CLOSE, "medium", { name: "cabin-wind", wind: "0.8" }), seconds: 1.5 },
   {
-    ...inCabin(CLOSE, "medium", { name: "cabin-smoke", wind: "0.05" }),
+    // Smoke shows by the light of the candles that still burn.
+    ...inCabin(CLOSE, "medium", { name: "cabin-smoke", wind: "0.05", "lit-wicks": "0 1 2 3" }),
     breath: 1,
-    seconds: 1.5,
+    seconds: 2,
   },
   ...byMoonAndCandles("medium"),
   inCabin(TABLE, "ultra"),
