@@ -236,7 +236,7 @@ def add_lamps(scene, position, lamp):
 def add_dishes(scene, flames, lamp):
     """Dishes of wax as lamps: paths seldom find one by chance, and a denoiser takes those that do for noise.
 
-    A dish sheds what it reflects of its flame, and no flame lights it.
+    A dish emits what it reflects of its flame, and no flame lights it.
     """
     unlit = bpy.data.collections.new("dishes")
     for node in [node for node in scene.objects if node.type == "MESH"]:
@@ -270,7 +270,7 @@ def cut_dish(node, flame, lamp):
     dish.data.attributes.new(IRRADIANCE, "FLOAT", "FACE").data.foreach_set("value", shares)
     keep_faces(node.data, lambda face: not is_dish(face))
     for i in wax:
-        dish.data.materials[i] = shedding(dish.data.materials[i], lamp)
+        dish.data.materials[i] = emitting(dish.data.materials[i], lamp)
     return dish
 
 
@@ -285,13 +285,13 @@ def keep_faces(data, chosen):
 def irradiance(to_world, face, lamps):
     """Of a face's middle, by lamps that share one candela: lux. Wick and lip hide some of them."""
     at, normal = to_world @ face.center, (to_world.to_3x3() @ face.normal).normalized()
-    sum = 0
+    total = 0
     for lamp in lamps:
         way = lamp - at
         cosine = way.normalized().dot(normal)
         if cosine > 0 and not is_hidden(at + NEAR * normal, lamp):
-            sum += cosine / way.length_squared / LAMPS
-    return sum
+            total += cosine / way.length_squared / LAMPS
+    return total
 
 
 def is_hidden(position, lamp):
@@ -299,7 +299,7 @@ def is_hidden(position, lamp):
     return scene.ray_cast(bpy.context.evaluated_depsgraph_get(), position, way, distance=way.length)[0]
 
 
-def shedding(surface, lamp):
+def emitting(surface, lamp):
     """The material, with an emission of what it reflects of a flame."""
     made = surface.copy()
     nodes, link = made.node_tree.nodes, made.node_tree.links.new
@@ -379,8 +379,8 @@ def blurred(image):
     return image
 
 
-def undimmed(denoised, samples, is_compared):
-    """Denoised light, as much as there was: what the denoiser takes for noise is light, too.
+def with_mean_of(samples, denoised, is_compared):
+    """Denoised radiance, scaled to the mean of the samples: what a denoiser takes for noise is light, too.
 
     Each pixel counts by its ratio to the denoised one, so that a bright one does not light its neighbours.
     """
@@ -460,7 +460,7 @@ def main(view_path, folder):
         )
     index = next(image for key, image in images.items() if "Index" in key)
     is_left_out = left_out(view, index)
-    radiance = undimmed(radiance, colour(images, "Noisy Image"), ~is_left_out)
+    radiance = with_mean_of(colour(images, "Noisy Image"), radiance, ~is_left_out)
     halves = radiance.clip(0, 65504).astype("<f2")
     # A negative sign of red marks what is not compared: candle, holder and flame.
     halves[..., 0] = numpy.copysign(halves[..., 0], numpy.where(is_left_out, -1, 1))
