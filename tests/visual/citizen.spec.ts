@@ -114,11 +114,21 @@ test("Out of sight, in a hidden tab or paused, no frame is asked for and none is
   });
   await room.set({ exposure: "-1" });
   expect(await frames()).toEqual(asleep);
+  // A canvas is empty once it has another size.
+  const canvasWidth = () =>
+    room.evaluate((element) => element.shadowRoot?.querySelector("canvas")?.width);
+  const width = await canvasWidth();
+  await room.evaluate((element) => {
+    element.style.width = `${element.clientWidth / 2}px`;
+  });
+  expect(await frames(), "resized out of sight").toEqual(asleep);
+  expect(await canvasWidth()).toBe(width);
   const drawn = () =>
     page.evaluate(() => (Reflect.get(globalThis, "counts") as { drawn: number }).drawn);
   const unseen = await drawn();
   await page.evaluate(() => scrollTo(0, 0));
   await expect.poll(drawn).toBeGreaterThan(unseen);
+  await expect.poll(canvasWidth).toBe(Math.round((width ?? 0) / 2));
   expect(room.complaints).toEqual([]);
 });
 

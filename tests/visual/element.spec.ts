@@ -496,17 +496,21 @@ test.describe("The picture", () => {
       { quality: "low" },
       { quality: "high" },
     ] as Attributes[]) {
-      const [chosen, drawn] = await room.evaluate((element, attributes) => {
+      const [chosen, drawn, kept] = await room.evaluate((element, attributes) => {
+        const canvas = element.shadowRoot?.querySelector("canvas");
+        const before = canvas?.width;
         const size = () => {
           const { width, height, resolutionScale } = element.stats;
           return [width, height, resolutionScale];
         };
         for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
         const chosen = size();
+        const isKept = canvas?.width === before;
         element.step(0);
-        return [chosen, size()];
+        return [chosen, size(), isKept] as const;
       }, attributes);
       expect(chosen).toEqual(drawn);
+      expect(kept, "the canvas keeps its image until it is drawn").toBe(true);
       sizes.push(drawn as number[]);
     }
     expect(sizes).toEqual([
