@@ -12,8 +12,11 @@ export const SCHEDULE = {
     /** Largest motion between two frames, as a share of the image's size. */
     motion: 0.08,
   },
-  /** Frames in motion after which forward shading shades a pixel again: by a flame that moves, and in still light. */
-  checkerboard: { turns: 2, stillTurns: 4 },
+  /**
+   * Frames in motion after which forward shading shades a pixel again: by a flame that moves, and in still light. Frames
+   * that it counts as motion from the last one in which the camera moved.
+   */
+  checkerboard: { turns: 2, stillTurns: 4, settlingFrames: 4 },
   /** Frames in motion after the first, or after one that draws with a new program, that make and compile nothing. */
   quietFrames: 3,
   /**

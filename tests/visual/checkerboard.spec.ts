@@ -237,10 +237,22 @@ async function walk(browser: Browser) {
       });
       return { kept: kept.slice(-2), shaded };
     };
+    /** The GPU's bytes after each frame of a turn that moves the camera in every other frame, and then not at all. */
+    const slowTurn = () => {
+      element.play();
+      const moves = [1, 0, 1, 0, 1, 0, 0, 0, 0, 0];
+      const bytes = moves.map((isMoved, number) => {
+        if (isMoved) element.camera = { ...view, yaw: view.yaw + 0.002 * number };
+        return draw().gpuBytes;
+      });
+      element.pause();
+      return bytes;
+    };
     element.wind = 0;
     const byCandle = frames();
+    const turned = slowTurn();
     element.unlit = true;
-    return { byCandle, byMoon: frames() };
+    return { byCandle, byMoon: frames(), turned };
   });
   expect(room.complaints).toEqual([]);
   await page.close();
@@ -272,6 +284,16 @@ test("A walk in the cabin shows what one sees who stops, in few draws, and frees
     // The previous frame: radiance and depth.
     expect(frame.gpuBytes - shaded[i]!.gpuBytes).toBe(SIZE.width * SIZE.height * 12);
   }
+});
+
+test("A slow turn, which moves the camera in every other frame, keeps what the frame before had, and soon frees it", async ({
+  browser,
+}) => {
+  walked ??= walk(browser);
+  const { turned } = await walked;
+  const kept = turned.map((bytes) => (bytes - turned.at(-1)!) / (SIZE.width * SIZE.height * 12));
+  // The first frame has none before it, and the second one shows what that one did.
+  expect(kept).toEqual([0, 0, 1, 1, 1, 1, 1, 1, 0, 0]);
 });
 
 test("So does a walk by the moon alone, of which more is kept", async ({ browser }) => {

@@ -10,6 +10,7 @@ import type {
 } from "../../gl/gpu.js";
 import { clipPosition } from "../camera.js";
 import type { FrameInput } from "../frame-input.js";
+import type { FrameSettings } from "../frame-settings.js";
 import {
   type ReprojectionSource,
   reprojectionBetween,
@@ -56,6 +57,8 @@ export class Checkerboard {
   #source: ReprojectionSource | null = null;
   /** Whether all of the previous frame was shaded. */
   #isFirst = true;
+  /** Frames that are still drawn as in motion. */
+  #settling = 0;
 
   /** @param frame block `Frame` of a program with the same vertex shader */
   constructor(gpu: Gpu, frame: UniformBlock) {
@@ -64,6 +67,14 @@ export class Checkerboard {
     this.#depthPass = new DepthPass(gpu, frame);
     this.#reproject = gpu.pass("opaque/checkerboard-reproject", reprojectFrag);
     this.#clamp = gpu.pass("opaque/checkerboard-clamp", clampFrag);
+  }
+
+  /** Settings of a frame: a few frames after motion are drawn as in it. In a slow turn the camera moves in some frames only. */
+  settle(settings: FrameSettings): FrameSettings {
+    const { isMoving, canDefer } = settings;
+    const remaining = canDefer ? Math.max(0, this.#settling - 1) : 0;
+    this.#settling = isMoving ? SCHEDULE.checkerboard.settlingFrames : remaining;
+    return { ...settings, isMoving: this.#settling > 0 };
   }
 
   release(): void {

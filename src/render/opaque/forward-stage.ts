@@ -116,9 +116,11 @@ export class ForwardStage implements OpaqueStage {
     return "full";
   }
 
-  *shade(frame: FrameInput, captures: Captures): Steps<OpaqueLayer> {
+  *shade(input: FrameInput, captures: Captures): Steps<OpaqueLayer> {
     if (!this.#resolved?.depth) throw new Error("The forward stage has no size yet.");
-    const { world, settings, instances } = frame;
+    const settings = this.#checkerboard?.settle(input.settings) ?? input.settings;
+    const frame = { ...input, settings };
+    const { world, instances } = frame;
     const { features, inspect } = settings;
     const light = {
       ...shadingLight(world, features.candle, SCHEDULE.lighting.forward),
@@ -130,7 +132,7 @@ export class ForwardStage implements OpaqueStage {
       [...frame.clipFromWorld],
       features,
       inspect === "normals",
-      samplesOf(this.#tier, frame.settings.isMoving),
+      samplesOf(this.#tier, settings.isMoving),
       instances.map(({ placement }) => placement),
     ]);
     this.#updateLayers(frame, frameKey);
