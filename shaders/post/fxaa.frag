@@ -1,9 +1,8 @@
 #version 300 es
-// Antialiasing of a frame of one sample a pixel: each pixel at an edge is mixed with its neighbours along the edge, whose
-// direction comes from the four nearest pixels.   In and out: display colour; alpha passes through, unless it is a code.
-// After Lottes 2009, "FXAA". Defines EDGE_LEAST, and BY_CODE: 1 if edges are changes of the code in alpha, 0 if of
-// green, which is most of the luma.
+// Antialiasing of a frame of one sample a pixel.   In and out: display colour; alpha passes through, unless it is a code.
+// Defines EDGE_LEAST, and BY_CODE: 1 if edges are changes of the code in alpha, 0 if of green, which is most of the luma.
 #include "lib/precision.glsl"
+#include "lib/fxaa.glsl"
 
 uniform sampler2D uSource;  // nearest texel
 uniform sampler2D uSmooth;  // the same, bilinear
@@ -14,8 +13,6 @@ out vec4 oColor;
 
 // Differences at which smoothing begins and is full.
 const vec2 EDGE = vec2(EDGE_LEAST, 2.0 * EDGE_LEAST);
-// Distance of the taps along the edge, pixels: each falls between two of them.
-const float TAP_DISTANCE = 1.5;
 
 float valueOf(vec4 texel) {
   return BY_CODE == 1 ? texel.a : texel.g;
@@ -31,15 +28,12 @@ void main() {
     valueOf(texture(uSource, vUv + vec2(0.0, pixel.y)))
   );
   vec4 differences = neighbours - valueOf(here);
-  vec2 gradient = vec2(abs(differences.x) + abs(differences.y), abs(differences.z) + abs(differences.w));
+  vec2 gradient = edgeGradient(differences);
   // Software renderers execute both sides of an `if`, but skip a loop that no pixel enters.
   for (; max(gradient.x, gradient.y) > EDGE.x; gradient = vec2(0.0)) {
-    // The edge is perpendicular to the gradient.
-    float side = (neighbours.y - neighbours.x) * (neighbours.w - neighbours.z) > 0.0 ? -1.0 : 1.0;
-    vec2 along = normalize(vec2(gradient.y, side * gradient.x));
-    vec2 offset = along * TAP_DISTANCE * pixel;
-    vec3 sum = textureLod(uSmooth, vUv + offset, 0.0).rgb + textureLod(uSmooth, vUv - offset, 0.0).rgb;
-    here.rgb = mix(here.rgb, sum * 0.5, 0.8 * smoothstep(EDGE.x, EDGE.y, max(gradient.x, gradient.y)));
+    vec2 tap = tapAlongEdge(differences, gradient) * pixel;
+    vec3 sum = textureLod(uSmooth, vUv + tap, 0.0).rgb + textureLod(uSmooth, vUv - tap, 0.0).rgb;
+    here.rgb = mix(here.rgb, sum * 0.5, shareOfTaps(gradient, EDGE));
   }
   oColor = vec4(here.rgb, BY_CODE == 1 ? 1.0 : here.a);
 }
