@@ -8,6 +8,7 @@ import type { FrameSettings } from "./frame-settings.js";
 import type { Captures } from "./gi/light-captures.js";
 import type { RefinedFade } from "./refinement/refined-fade.js";
 import type { RefinedStage } from "./refinement/refined-stage.js";
+import type { ShadowCube } from "./shadow/shadow-pass.js";
 
 export interface Models {
   readonly room: Model;
@@ -26,8 +27,8 @@ export interface Surfaces {
 export interface InitialImage {
   /** All that does not depend on the light. */
   readonly fill: Steps<unknown>;
-  /** After it: the surfaces in the light of that moment. */
-  shade(): Steps<Surfaces>;
+  /** After it: the surfaces in the light of that moment, with shadows by that cube. */
+  shade(shadow: ShadowCube): Steps<Surfaces>;
   release(): void;
 }
 

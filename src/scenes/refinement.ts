@@ -4,6 +4,7 @@ import type { FrameSettings } from "../render/frame-settings.js";
 import { REFINED } from "../render/refinement/refined-tier.js";
 import { RefinementBudget } from "../render/refinement/refinement-budget.js";
 import type { InitialImage, Renderer, Surfaces } from "../render/renderer.js";
+import type { ShadowCube } from "../render/shadow/shadow-pass.js";
 import type { Steps } from "../world/steps.js";
 import type { World } from "../world/world.js";
 import type { CanvasTarget } from "./canvas-target.js";
@@ -190,7 +191,7 @@ export class Refinement {
       this.#isFilled = fill.next().done === true;
     }
     const { refining } = this.#renderer;
-    if (!this.#isFilled || !this.#isReady || steps === 0 || !refining) return 0;
+    if (!this.#isFilled || steps === 0 || !refining) return 0;
     if (this.#isShown) {
       if (!this.#isPrepared) {
         this.#isPrepared = refining.prepare(world, { ...view, steps });
@@ -200,7 +201,7 @@ export class Refinement {
       return refining.remaining > 0 ? steps : 0;
     }
     if (!this.#hasBegun) {
-      this.#shading ??= this.#initial.shade();
+      this.#shading ??= this.#shade(this.#initial, refining.shadow(world, view));
       const { done, value } = this.#shading.next();
       if (!done) return 0;
       if (this.#size?.width !== size.width || this.#size.height !== size.height) {
@@ -215,6 +216,13 @@ export class Refinement {
     this.#isShown = refining.drawFirst(world, { ...view, steps: 0 });
     if (this.#isShown) this.#budget = new RefinementBudget(); // its own frames are dearer
     return 0;
+  }
+
+  /** Its shadows are captured while programs are compiled. */
+  *#shade(initial: InitialImage, shadow: Steps<ShadowCube>): Steps<Surfaces> {
+    const cube = yield* shadow;
+    while (!this.#isReady) yield;
+    return yield* initial.shade(cube);
   }
 
   #create(subject: ViewSubject): void {

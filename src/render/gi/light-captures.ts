@@ -107,7 +107,7 @@ export class LightCaptures {
     if (this.#held) return this.#held.captures;
     if (kind === "full") {
       const captureOrigin = captureLight.position;
-      const depth = this.#shadow.render(this.#casters, captureOrigin);
+      const depth = finish(this.#shadow.update(this.#casters, captureOrigin));
       if (settings.canDefer) this.#prepareLods();
       const shadow = { depth, captureOrigin, isNew: false };
       const update = [this.#casters, captureLight, shadow] as const;
@@ -172,10 +172,14 @@ export class LightCaptures {
     this.#held = { light: captureLight, captures: yield* this.#ofLight(captureLight) };
   }
 
+  /** Shadow cube of a light, a face in each step; none if it is captured. */
+  *shadow({ position: captureOrigin }: CaptureLight): Steps<ShadowCube> {
+    const depth = yield* this.#shadow.update(this.#casters, captureOrigin);
+    return { depth, captureOrigin, isNew: false };
+  }
+
   *#ofLight(light: CaptureLight): Steps<FlameCaptures> {
-    const captureOrigin = light.position;
-    const depth = yield* this.#shadow.steps(this.#casters, captureOrigin);
-    const shadow = { depth, captureOrigin, isNew: false };
+    const shadow = yield* this.shadow(light);
     const irradiance = yield* this.#indirect.capture(this.#casters, light, shadow);
     return { shadow, irradiance };
   }

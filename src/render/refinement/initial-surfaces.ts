@@ -38,7 +38,7 @@ export class InitialSurfaces {
     this.#resize(size);
     return {
       fill: this.#stage.fillGBuffer(describe()),
-      shade: () => this.#shade(describe(), captures(), size),
+      shade: (shadow) => this.#shade(describe(), { ...captures(), shadow }, size),
       release: () => this.#resize({ width: 1, height: 1 }),
     };
   }

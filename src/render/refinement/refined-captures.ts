@@ -6,6 +6,7 @@ import type { IndirectScene } from "../gi/indirect-pass.js";
 import { type Captures, LightCaptures } from "../gi/light-captures.js";
 import type { CaptureLight } from "../light-block.js";
 import type { PhysicalTier } from "../quality.js";
+import type { ShadowCube } from "../shadow/shadow-pass.js";
 
 /** Captures of the light that an image is refined in; until they are held, those of the renderer that it began with. */
 export class RefinedCaptures {
@@ -30,6 +31,11 @@ export class RefinedCaptures {
 
   steps(frame: FrameInput): Steps<Captures> {
     return this.#own.steps(frame);
+  }
+
+  /** Shadow cube of a frame's light, a face in each step: before the other captures, which go on from it. */
+  shadow({ captureLight }: FrameInput): Steps<ShadowCube> {
+    return this.#own.shadow(captureLight);
   }
 
   /** Continues captures of the image's light. True once they are held: see `LightCaptures`. */

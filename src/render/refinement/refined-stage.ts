@@ -22,6 +22,7 @@ import type { Tier } from "../quality.js";
 import type { Surfaces } from "../renderer.js";
 import { SCHEDULE } from "../schedule.js";
 import { clipOfBox } from "../screen-bounds.js";
+import type { ShadowCube } from "../shadow/shadow-pass.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
 import { DepthPrepass } from "./depth-prepass.js";
 import { ImageLight } from "./image-light.js";
@@ -108,6 +109,11 @@ export class RefinedStage implements OpaqueStage {
 
   get remaining(): number {
     return this.#tiles.length;
+  }
+
+  /** Shadow cube of the current light, in steps, for the surfaces that it begins with. */
+  shadow(world: World, settings: FrameSettings): Steps<ShadowCube> {
+    return this.captures.shadow(this.#frames.describe(world, settings));
   }
 
   /** Begins with the surfaces of a coarser renderer on the same `Gpu`, of the same view, and with the current light. */

@@ -72,10 +72,10 @@ export class ShadowPass {
     this.#slot = slot;
   }
 
-  /** Depth of the faces; drawn only if origin or casters have changed. */
-  render(casters: ShadowCasters, captureOrigin: Vec3): Texture {
+  /** Depth of the faces; drawn only if origin or casters have changed, a face in each step. */
+  *update(casters: ShadowCasters, captureOrigin: Vec3): Steps<Texture> {
     if (this.#distanceMoved(captureOrigin) > 0 || this.#allCasters !== casters) {
-      finish(this.steps(casters, captureOrigin));
+      yield* this.steps(casters, captureOrigin);
     }
     return this.#atlas.depth;
   }

@@ -12,15 +12,18 @@ const SUBJECT = {
 } as unknown as ViewSubject;
 const SIZE = { width: 8, height: 8 };
 const FRAME = 1 / 60;
+const CUBE = "a shadow cube";
 
 /**
  * A refinement whose captures take so many calls, and its first frame another number, with what they were told. Its
- * surfaces take six steps, and their light two.
+ * surfaces take six steps, as do their shadows, and their light two.
  */
 async function refinement(captures: number, passes: number) {
   const told = {
     captures: [] as number[],
     filled: 0,
+    faces: 0,
+    shadows: [] as unknown[],
     shaded: 0,
     released: 0,
     first: 0,
@@ -32,6 +35,10 @@ async function refinement(captures: number, passes: number) {
       return told.remaining;
     },
     prepare: (_: unknown, { steps = 0 }: FrameSettings) => told.captures.push(steps) > captures,
+    *shadow() {
+      for (let face = 0; face < 6; face++) yield told.faces++;
+      return CUBE;
+    },
     begin: () => told.begun++,
     drawFirst: () => ++told.first > passes,
     display: { image: () => null },
@@ -40,7 +47,8 @@ async function refinement(captures: number, passes: number) {
   function* fill() {
     for (let step = 0; step < 6; step++) yield told.filled++;
   }
-  function* shade() {
+  function* shade(shadow: unknown) {
+    told.shadows.push(shadow);
     for (let step = 0; step < 2; step++) yield told.shaded++;
     return {};
   }
@@ -75,10 +83,12 @@ test("a refinement begins with single steps, however fast the frames before it w
   expect(Math.max(...told.captures)).toBeLessThanOrEqual(2);
 });
 
-test("the surfaces that it begins with are drawn, then lit in the light of that moment, and freed", async () => {
+test("the surfaces that it begins with are drawn, then lit in the light of that moment and its own shadows, and freed", async () => {
   const { told, until } = await refinement(3, 2);
-  until(() => told.shaded > 0);
+  until(() => told.faces > 0);
   expect(told.filled, "all of them").toBe(6);
+  until(() => told.shaded > 0);
+  expect([told.faces, told.shadows]).toEqual([6, [CUBE]]);
   until(() => told.begun > 0);
   expect([told.shaded, told.released, told.captures.length]).toEqual([2, 1, 0]);
 });
