@@ -14,7 +14,7 @@ import bmesh  # comes with bpy
 from mathutils import Matrix, Vector
 
 ROOM_TO_BLENDER = Matrix(((1, 0, 0, 0), (0, 0, -1, 0), (0, 1, 0, 0), (0, 0, 0, 1)))
-SAMPLES = int(os.environ.get("SAMPLES", "128"))
+SAMPLES = int(os.environ.get("SAMPLES", "512"))
 # Spheres in the column that stands for the flame, which is optically thin: as bright from above as
 # from the side. An opaque ellipsoid would be four times too dim from above.
 LAMPS = 8
@@ -39,8 +39,33 @@ SPECULAR = 0.04
 MARGIN = 2
 # Standard deviation of the blur over which denoised light is brought to the mean of the samples, pixels.
 SPREAD = 30
+# Luminance below which nothing is scaled to the mean of the samples by its own: black, cd/m².
+LEAST = 1e-7
 # From a surface to where a ray from it begins, metres.
 NEAR = 1e-5
+
+
+def divided(view, white):
+    """The view with colours of its lights as multiples of a colour."""
+
+    def shares(color):
+        return [channel / part for channel, part in zip(color, white)]
+
+    made = {**view, "lamp": {**view["lamp"], "intensity": shares(view["lamp"]["intensity"])}}
+    if "moon" in view:
+        made["moon"] = {**view["moon"], **{key: shares(view["moon"][key]) for key in ("color", "sky")}}
+    return made
+
+
+def white_of(view):
+    """Colour of the light in a view: all flames' intensity, cd, and the moon's illuminance, lx, of luminance one.
+
+    Flames have almost no blue in Rec. 709. A denoiser looks for edges in what is bright, and takes the rest for noise.
+    """
+    color = len(view["flames"]) * numpy.array(view["lamp"]["intensity"])
+    if "moon" in view:
+        color = color + view["moon"]["color"]
+    return color / (color @ LUMA)
 
 
 def start():
@@ -384,8 +409,9 @@ def with_mean_of(samples, denoised, is_compared):
 
     Each pixel counts by its ratio to the denoised one, so that a bright one does not light its neighbours.
     """
-    ratio = numpy.where(is_compared, samples @ LUMA / numpy.maximum(denoised @ LUMA, 1e-6), 0)
-    means = blurred(ratio) / numpy.maximum(blurred(is_compared.astype(float)), 1e-3)
+    is_lit = is_compared & (denoised @ LUMA > LEAST)
+    ratio = numpy.where(is_lit, samples @ LUMA / numpy.maximum(denoised @ LUMA, LEAST), 0)
+    means = blurred(ratio) / numpy.maximum(blurred(is_lit.astype(float)), 1e-3)
     return denoised * means[..., None]
 
 
@@ -433,7 +459,9 @@ def hide_flame(mask, view, flame):
 
 def main(view_path, folder):
     with open(view_path) as file:
-        view = json.load(file)
+        given = json.load(file)
+    white = white_of(given)
+    view = divided(given, white)
     scene = start()
     models = os.path.dirname(view_path)
     room = load(os.path.join(models, view.get("room", "cabin") + ".glb"))
@@ -460,13 +488,13 @@ def main(view_path, folder):
         )
     index = next(image for key, image in images.items() if "Index" in key)
     is_left_out = left_out(view, index)
-    radiance = with_mean_of(colour(images, "Noisy Image"), radiance, ~is_left_out)
+    radiance = with_mean_of(colour(images, "Noisy Image") * white, radiance * white, ~is_left_out)
     halves = radiance.clip(0, 65504).astype("<f2")
     # A negative sign of red marks what is not compared: candle, holder and flame.
     halves[..., 0] = numpy.copysign(halves[..., 0], numpy.where(is_left_out, -1, 1))
     halves.tofile(os.path.join(folder, view["name"] + ".bin"))
     with open(os.path.join(folder, view["name"] + ".json"), "w") as file:
-        file.write(json.dumps(view, indent=2) + "\n")
+        file.write(json.dumps(given, indent=2) + "\n")
 
 
 if __name__ == "__main__":
