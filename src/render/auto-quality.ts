@@ -9,7 +9,7 @@ export interface Rung {
 }
 
 const SHARES = {
-  low: [0.3, 0.45, 0.6, 0.8, 1],
+  low: [0.3, 0.45, 0.6, 0.8, 1, 1.25, 1.5],
   medium: [0.6, 0.75, 0.87, 1],
   high: [0.75, 0.87, 1],
 } as const;
@@ -19,11 +19,14 @@ const LADDER: readonly Rung[] = (["low", "medium", "high"] as const).flatMap((ti
 );
 /** First rung, for any machine: a page that loads takes time from the measured load, which may seem 200 times slower. */
 const START = 2;
-const BEST_LOW = SHARES.low.length - 1;
+const WHOLE_LOW = SHARES.low.indexOf(1);
 const BEST = LADDER.length - 1;
 
-/** Frame budget, seconds: 60 Hz, and 24 Hz for `low`, where a coarser image saves little of a frame. */
-const budgetOf = ({ tier }: Rung) => 1 / (tier === "low" ? 24 : 60);
+/**
+ * Frame budget, seconds: 60 Hz, and 24 Hz for `low`, where a coarser image saves little of a frame. Above its own resolution,
+ * for processors of many cores, 40 Hz: there smooth motion is worth more.
+ */
+const budgetOf = ({ tier, share }: Rung) => 1 / (tier !== "low" ? 60 : share > 1 ? 40 : 24);
 /** Budget of a still frame, seconds. */
 const STILL_BUDGET = 0.25;
 /** Share of a budget that a predicted frame may fill. */
@@ -134,7 +137,10 @@ export class AutoQuality {
   get stillRung(): Rung {
     const best = LADDER.findLastIndex(
       (rung, i) =>
-        i > this.#index && i <= this.#best && this.#predictedTime(rung, this.pixel) <= STILL_BUDGET,
+        i > this.#index &&
+        i <= this.#best &&
+        (rung.tier !== "low" || i <= WHOLE_LOW) &&
+        this.#predictedTime(rung, this.pixel) <= STILL_BUDGET,
     );
     return LADDER[Math.max(best, this.#index)]!;
   }
@@ -195,11 +201,11 @@ export class AutoQuality {
   }
 
   /**
-   * While another renderer's image is shown: takes the highest resolution of `low` for the next motion, unless a rung was
-   * too slow before.
+   * While another renderer's image is shown: takes the whole resolution of `low` for the next motion, unless a rung was too
+   * slow before.
    */
   rise(): void {
-    if (!this.#hasBeenSlow && this.#index < BEST_LOW) this.#goTo(BEST_LOW);
+    if (!this.#hasBeenSlow && this.#index < WHOLE_LOW) this.#goTo(WHOLE_LOW);
   }
 
   /** Allows rungs that were too slow again, for another size or room; in another context those that were refused, too. */

@@ -150,8 +150,22 @@ test("Without a measured speed no tier is raised", () => {
   const auto = autoOn(DESKTOP);
   auto.pixel = null;
   run(auto, DESKTOP, 60);
-  expect(auto.rung).toEqual({ tier: "low", share: 1 });
+  expect(auto.rung).toEqual({ tier: "low", share: 1.5 });
   expect(auto.stillRung).toEqual(auto.rung);
+});
+
+test("Processors of many cores draw low at the canvas's resolution, or between, as long as it is fluent", () => {
+  for (const { low, share } of [
+    { low: 5e-8, share: 1 },
+    { low: 2e-8, share: 1.25 },
+    { low: 6e-9, share: 1.5 },
+  ]) {
+    const machine = { ...SOFTWARE, low };
+    const auto = autoOn(machine);
+    run(auto, machine, 60);
+    expect(auto.rung).toEqual({ tier: "low", share });
+    expect(workOn(machine, auto.rung)).toBeLessThan(1 / 40);
+  }
 });
 
 test("A GPU that was measured while it was busy is measured again, twice at most, once its frames are fast", async () => {
@@ -208,7 +222,7 @@ test("Anisotropic filtering is allowed where it was measured to be cheap", () =>
   expect(auto.allowsAnisotropy).toBe(false);
 });
 
-test("Unseen it takes the highest resolution of low, unless a rung was too slow; late frames lower it from there", () => {
+test("Unseen it takes the whole resolution of low, unless a rung was too slow; late frames lower it from there", () => {
   const auto = autoOn(SOFTWARE);
   auto.rise();
   expect(auto.rung).toEqual({ tier: "low", share: 1 });
@@ -318,6 +332,6 @@ test("What the driver refuses is tried again in another context alone", () => {
   for (const isOther of [false, true]) {
     auto.renew(isOther);
     run(auto, DESKTOP, 60);
-    expect(auto.rung).toEqual({ tier: isOther ? "high" : "low", share: 1 });
+    expect(auto.rung).toEqual(isOther ? { tier: "high", share: 1 } : { tier: "low", share: 1.5 });
   }
 });
