@@ -19,14 +19,15 @@ const LADDER: readonly Rung[] = (["low", "medium", "high"] as const).flatMap((ti
 );
 /** First rung, for any machine: a page that loads takes time from the measured load, which may seem 200 times slower. */
 const START = 2;
-const WHOLE_LOW = SHARES.low.indexOf(1);
+/** `low` at its own resolution. */
+const WHOLE_LOW = 4;
 const BEST = LADDER.length - 1;
 
 /**
  * Frame budget, seconds: 60 Hz, and 24 Hz for `low`, where a coarser image saves little of a frame. Above its own resolution,
  * for processors of many cores, 40 Hz: there smooth motion is worth more.
  */
-const budgetOf = ({ tier, share }: Rung) => 1 / (tier !== "low" ? 60 : share > 1 ? 40 : 24);
+const budgetOf = ({ tier, share }: Rung) => 1 / (share > 1 ? 40 : tier === "low" ? 24 : 60);
 /** Budget of a still frame, seconds. */
 const STILL_BUDGET = 0.25;
 /** Share of a budget that a predicted frame may fill. */
@@ -139,7 +140,7 @@ export class AutoQuality {
       (rung, i) =>
         i > this.#index &&
         i <= this.#best &&
-        (rung.tier !== "low" || i <= WHOLE_LOW) &&
+        rung.share <= 1 &&
         this.#predictedTime(rung, this.pixel) <= STILL_BUDGET,
     );
     return LADDER[Math.max(best, this.#index)]!;
@@ -152,7 +153,7 @@ export class AutoQuality {
 
   /** Whether pixels were measured to cost what they cost a CPU. */
   get isSoftware(): boolean {
-    return this.pixel !== null && this.pixel >= SOFTWARE_PIXEL;
+    return (this.pixel ?? 0) >= SOFTWARE_PIXEL;
   }
 
   /**
@@ -242,7 +243,7 @@ export class AutoQuality {
     const next = LADDER[this.#index + 1];
     if (!next) return false;
     const isRetry = this.#index >= this.#ceiling;
-    if (isRetry && !(this.#untroubled >= (RETRY_TIMES[this.#retries] ?? Infinity))) return false;
+    if (isRetry && this.#untroubled < (RETRY_TIMES[this.#retries] ?? Infinity)) return false;
     // From frames of a GPU where shading is most of them, else from the load.
     const pixel = isWork && this.rung.tier !== "low" ? seconds / this.#cost(this.rung) : this.pixel;
     const best = LADDER.findLastIndex(

@@ -146,7 +146,7 @@ export class SceneView {
   /**
    * Device pixels that the element covers. The canvas keeps its frame until the next one is drawn.
    *
-   * @returns whether that one has another size
+   * @returns whether that one may have another size
    */
   resize(width: number, height: number): boolean {
     if (width === this.#pixels.width && height === this.#pixels.height) return false;
@@ -159,7 +159,7 @@ export class SceneView {
     const { gpu } = this.#target;
     gpu.clearUnshared(true);
     if (!gpu.isLost) this.#fitRenderer();
-    return !this.#isCanvasFitted;
+    return true;
   }
 
   /** Whether the animation loop has nothing to draw with yet. */
@@ -321,15 +321,12 @@ export class SceneView {
     return canvasSize(this.#pixels, scale, longestSide(this.#target.gpu, this.#quality.tier));
   }
 
-  get #isCanvasFitted(): boolean {
+  #fitCanvas(): void {
     const { canvas } = this.#target;
     const { width, height } = this.#sizeAt(this.#resolutionScale);
-    return width === canvas.width && height === canvas.height;
-  }
-
-  #fitCanvas(): void {
-    if (!this.#isCanvasFitted)
-      Object.assign(this.#target.canvas, this.#sizeAt(this.#resolutionScale));
+    if (width === canvas.width && height === canvas.height) return;
+    canvas.width = width;
+    canvas.height = height;
   }
 
   /** Asks the driver whether it accepts what was made, once the GPU has drawn, so that nothing waits. */
