@@ -162,18 +162,25 @@ export class LightCaptures {
 
   *#holdingSteps({ world, captureLight }: FrameInput): Steps {
     yield* this.#lights(world);
-    const held = this.#held?.light;
-    // A hidden candle casts no shadow.
-    const hasSameCandle =
-      held?.rimRadius === captureLight.rimRadius && held?.panRadius === captureLight.panRadius;
-    const distance = held ? vec3.distance(captureLight.position, held.position) : Infinity;
-    if (hasSameCandle && distance <= SWAY) return;
-    this.#held = null;
+    if (this.#heldFor(captureLight)) return;
     this.#held = { light: captureLight, captures: yield* this.#ofLight(captureLight) };
   }
 
-  /** Shadow cube of a light, a face in each step; none if it is captured. */
-  *shadow({ position: captureOrigin }: CaptureLight): Steps<ShadowCube> {
+  /** Captures that are held, if they serve a light. */
+  #heldFor({ position, rimRadius, panRadius }: CaptureLight): FlameCaptures | null {
+    if (!this.#held) return null;
+    const { light, captures } = this.#held;
+    // A hidden candle casts no shadow.
+    const hasSameCandle = light.rimRadius === rimRadius && light.panRadius === panRadius;
+    return hasSameCandle && vec3.distance(position, light.position) <= SWAY ? captures : null;
+  }
+
+  /** Shadow cube of a light, a face in each step; the one that is held, if it serves, or else in its place. */
+  *shadow(light: CaptureLight): Steps<ShadowCube> {
+    const held = this.#heldFor(light);
+    if (held) return held.shadow;
+    this.#held = null;
+    const captureOrigin = light.position;
     const depth = yield* this.#shadow.update(this.#casters, captureOrigin);
     return { depth, captureOrigin, isNew: false };
   }
