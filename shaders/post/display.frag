@@ -62,12 +62,12 @@ vec3 antialiasedColor(vec2 uv) {
   vec4 luminances = vec4(luma(neighbors[0]), luma(neighbors[1]), luma(neighbors[2]), luma(neighbors[3]));
   luminances = max(luminances * exposure + luma(glare), 0.0);
   float difference = approximateLuma(most(luminances)) - approximateLuma(least(luminances));
-  // Software renderers execute both sides of an `if`, but skip a loop that no pixel enters.
-  int edges = difference < EDGE ? 0 : 1;
+  // Software renderers execute both sides of an `if`, but skip a loop that no pixel enters. Compilers move what does not
+  // depend on its variable out of it.
   vec3 around = here;
-  for (int i = 0; i < edges; i++) {
+  for (vec4 beside = difference < EDGE ? vec4(-1.0) : luminances; beside.x >= 0.0; beside = vec4(-1.0)) {
     // Averaged on the scale of the approximate luma, so that one display transform is enough for all four.
-    vec4 shares = 0.25 * inversesqrt(max(luminances * (luminances + 1.0), 1e-6));
+    vec4 shares = 0.25 * inversesqrt(max(beside * (beside + 1.0), 1e-6));
     vec3 mean = mat4x3(neighbors[0], neighbors[1], neighbors[2], neighbors[3]) * shares * exposure + glare * dot(shares, vec4(1.0));
     float meanLuma = luma(mean);
     around = fastDisplayColor(mean * (meanLuma / max(1.0 - meanLuma * meanLuma, 1e-3)));
