@@ -30,5 +30,5 @@ void main() {
 #endif
   vec3 exposed = max(radiance, 0.0) * uWhiteBalance * (vExposure / TONE_LUT_MAX);
   // The same dither for all channels.
-  oColor = vec4(lookUpTonePreservingHue(exposed) + dither(gl_FragCoord.xy).r, REDUCED == 1 ? albedo.a : 1.0);
+  oColor = vec4(lookUpTone(exposed) + dither(gl_FragCoord.xy).r, REDUCED == 1 ? albedo.a : 1.0);
 }

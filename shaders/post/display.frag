@@ -39,9 +39,9 @@ vec3 fastDisplayColor(vec3 light) {
   vec3 balanced = max(light, 0.0) * uWhiteBalance;
 #if TONE_LUT
   vec3 share = balanced / TONE_LUT_MAX;
-  float peak = max(max(share.r, share.g), share.b);
-  vec3 color = lookUpTone(min(share, 1.0));
-  int exact = peak > 1.0 ? 1 : 0;
+  vec3 color = lookUpTone(share);
+  float sum = share.r + share.g + share.b;
+  int exact = sum > 1.0 || min(min(share.r, share.g), share.b) < TONE_LUT_LEAST * sum ? 1 : 0;
   for (int i = 0; i < exact; i++) color = displayColor(light);
   return color;
 #else

@@ -34,7 +34,7 @@ float glareFade() {
 #endif
 
 vec3 shown(vec3 radiance) {
-  return lookUpTonePreservingHue(radiance * uWhiteBalance * (vExposure / TONE_LUT_MAX));
+  return lookUpTone(radiance * uWhiteBalance * (vExposure / TONE_LUT_MAX));
 }
 
 void main() {

@@ -58,6 +58,6 @@ void main() {
   exposed /= TONE_LUT_MAX;
   // The same dither for all channels, and for both.
   float dithering = dither(gl_FragCoord.xy).r;
-  oDimmer = vec4(lookUpTonePreservingHue(exposed) + dithering, 1.0);
-  oBrighter = vec4(lookUpTonePreservingHue(exposed * REFERENCE_RATIO) + dithering, 1.0);
+  oDimmer = vec4(lookUpTone(exposed) + dithering, 1.0);
+  oBrighter = vec4(lookUpTone(exposed * REFERENCE_RATIO) + dithering, 1.0);
 }

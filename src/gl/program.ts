@@ -200,7 +200,7 @@ export class Program extends GpuObject {
 
   #reflect(): void {
     const gl = this.gl;
-    const samplers: number[] = [gl.SAMPLER_2D, gl.SAMPLER_3D, gl.SAMPLER_CUBE];
+    const samplers: number[] = [gl.SAMPLER_2D, gl.SAMPLER_CUBE];
     gl.useProgram(this.#handle);
     const count = gl.getProgramParameter(this.#handle, gl.ACTIVE_UNIFORMS) as number;
     for (let i = 0; i < count; i++) {

@@ -1,17 +1,17 @@
 import { created, type GpuContext, GpuObject } from "./gpu-object.js";
 import type { Texture } from "./texture.js";
 
-/** Which image of each texture: a face of a cube, or a layer of a three-dimensional one. */
+/** Which image of each texture: a face of a cube. */
 export interface TextureViewOptions {
   readonly label: string;
   readonly textures: readonly Texture[];
-  /** Face 0-5 in GL's order (+X -X +Y -Y +Z -Z), or layer; a two-dimensional texture has only 0. */
+  /** Face 0-5 in GL's order (+X -X +Y -Y +Z -Z); a two-dimensional texture has only 0. */
   readonly image: number;
   /** A depth buffer of its own, or one shared with the views of the other images. Alone it is all that is drawn to. */
   readonly depth?: Texture;
 }
 
-/** Textures, or a face or a layer of them, to draw to. It does not own the textures. */
+/** Textures, or a face of each, to draw to. It does not own the textures. */
 export class TextureView extends GpuObject {
   readonly bytes = 0;
   readonly width: number;
@@ -47,13 +47,8 @@ export function attachTextures(
   image = 0,
 ): void {
   for (const [i, { target, handle }] of colors.entries()) {
-    const attachment = gl.COLOR_ATTACHMENT0 + i;
-    if (target === gl.TEXTURE_3D) {
-      gl.framebufferTextureLayer(gl.FRAMEBUFFER, attachment, handle, 0, image);
-    } else {
-      const face = target === gl.TEXTURE_2D ? target : gl.TEXTURE_CUBE_MAP_POSITIVE_X + image;
-      gl.framebufferTexture2D(gl.FRAMEBUFFER, attachment, face, handle, 0);
-    }
+    const face = target === gl.TEXTURE_2D ? target : gl.TEXTURE_CUBE_MAP_POSITIVE_X + image;
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0 + i, face, handle, 0);
   }
   if (depth) {
     gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.TEXTURE_2D, depth.handle, 0);

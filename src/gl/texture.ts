@@ -30,8 +30,8 @@ export interface TextureOptions {
   readonly format: TextureFormat;
   /** Pixels, or a size for a texture that a pass will draw. */
   readonly source: ImageBitmap | Pixels | { readonly width: number; readonly height: number };
-  /** A cube has six square faces; layers make it 3D; both take only a size. Default: 2D. */
-  readonly shape?: "2d" | "cube" | { readonly layers: number };
+  /** A cube has six square faces, and takes only a size. Default: 2D. */
+  readonly shape?: "2d" | "cube";
   /** Trilinear, with mipmaps that `updateMipmaps` makes on the GPU. */
   readonly mipmaps?: boolean;
   readonly filter?: "nearest" | "linear";
@@ -61,24 +61,14 @@ export class Texture extends GpuObject {
     this.height = height;
     this.hasMipmaps = mipmaps;
     this.needsMipmaps = mipmaps;
-    const layers = typeof shape === "object" ? shape.layers : shape === "cube" ? 6 : 1;
-    const texels = width * height * layers * (mipmaps ? 4 / 3 : 1);
+    const texels = width * height * (shape === "cube" ? 6 : 1) * (mipmaps ? 4 / 3 : 1);
     this.bytes = Math.ceil(texels * FORMATS[format].bytes);
     this.handle = created(gl, gl.createTexture(), label);
-    this.target =
-      typeof shape === "object"
-        ? gl.TEXTURE_3D
-        : shape === "cube"
-          ? gl.TEXTURE_CUBE_MAP
-          : gl.TEXTURE_2D;
+    this.target = shape === "cube" ? gl.TEXTURE_CUBE_MAP : gl.TEXTURE_2D;
     gl.activeTexture(gl.TEXTURE0);
     gl.bindTexture(this.target, this.handle);
     const levels = mipmaps ? Math.floor(Math.log2(Math.max(width, height))) + 1 : 1;
-    if (typeof shape === "object") {
-      gl.texStorage3D(this.target, levels, gl[format], width, height, layers);
-    } else {
-      gl.texStorage2D(this.target, levels, gl[format], width, height);
-    }
+    gl.texStorage2D(this.target, levels, gl[format], width, height);
     this.#upload(source);
     this.#sample(options);
     gl.bindTexture(this.target, null);
@@ -128,7 +118,6 @@ export class Texture extends GpuObject {
     const edge = wrap === "repeat" ? gl.REPEAT : gl.CLAMP_TO_EDGE;
     gl.texParameteri(target, gl.TEXTURE_WRAP_S, edge);
     gl.texParameteri(target, gl.TEXTURE_WRAP_T, edge);
-    gl.texParameteri(target, gl.TEXTURE_WRAP_R, edge);
   }
 
   protected free(): void {

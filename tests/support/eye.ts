@@ -3,6 +3,7 @@ import displayVert from "../../shaders/post/display.vert";
 import { Gpu } from "../../src/gl/gpu.ts";
 import type { Texture } from "../../src/gl/texture.ts";
 import { BloomPass } from "../../src/render/post/bloom-pass.ts";
+import { toneLut } from "../../src/render/post/display-lut.ts";
 import { DisplayPass, displayTransform } from "../../src/render/post/display-pass.ts";
 import { ExposurePass } from "../../src/render/post/exposure-pass.ts";
 import { allFeatures } from "../../src/settings.ts";
@@ -37,11 +38,14 @@ export class Eye {
     radianceAt: (x: number, y: number) => Radiance,
     stops: number,
     gamut: PredefinedColorSpace = "srgb",
+    usesToneLut = false,
   ): { own: number[]; seen: number[] } {
     const { width, height } = this.#canvas;
     const gpu = this.#gpu;
     const frame = gpu.uniformBlock(
-      gpu.program("frame", displayVert, displayFrag, { defines: { TONE_LUT: 0 } }),
+      gpu.program("frame", displayVert, displayFrag, {
+        defines: { TONE_LUT: Number(usesToneLut) },
+      }),
       "Frame",
     );
     frame.update({
@@ -55,10 +59,15 @@ export class Eye {
     const picture = this.#picture(radianceAt);
     const exposure = this.#texel(stops);
     const view = { features: { ...allFeatures(), bloom: false }, gamut };
-    const textures = { uRadiance: picture, uBloom: picture, uExposure: exposure };
     const bloom = { share: [1, 1], shift: [0, 0] } as const;
     const transform = displayTransform(gpu, view, 0);
-    new DisplayPass(gpu).render(textures, bloom, view, transform, frame);
+    const textures = {
+      uRadiance: picture,
+      uBloom: picture,
+      uExposure: exposure,
+      ...(usesToneLut && { uToneLut: toneLut(gpu)(transform) }),
+    };
+    new DisplayPass(gpu, usesToneLut).render(textures, bloom, view, transform, frame);
     const own = [...gpu.readCanvas([0, 0, width, height])];
     const paper = new OffscreenCanvas(width, height).getContext("2d", { colorSpace: "srgb" });
     paper?.drawImage(this.#canvas, 0, 0);
