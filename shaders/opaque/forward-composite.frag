@@ -1,6 +1,7 @@
 #version 300 es
 // Composite of the forward stage: radiance per candela times the flame's intensity; MOONLIT: and the moonlight. CANDLE:
-// of a standing candle, added to the rest. CANDLES: of two to four.
+// of a standing candle, added to the rest. CANDLES: of two to four. KEPT: in motion, by a light that moves: what the
+// previous frame had is clamped to what was shaded beside it.
 // In:  radiance per candela, or normals to inspect.   Out: radiance, cd/m².
 #include "lib/precision.glsl"
 #ifdef CANDLE
@@ -22,15 +23,39 @@ uniform sampler2D uRadiance;
 uniform float uIsLight;  // 0: normals, or radiance of all flames as they burn
 #endif
 
-#ifdef MOONLIT
+#if defined(MOONLIT) || defined(KEPT)
 #include "lib/kept-radiance.glsl"
+#endif
+#ifdef MOONLIT
 uniform vec3 uMoonlight;  // lx
 #endif
 
 out vec4 oRadiance;
 
+#ifdef KEPT
+// Radiance that was kept, clamped to pixels that were shaded: in its row and column, on each side of its quad.
+vec4 clampedToShaded(vec4 kept, ivec2 pixel) {
+  ivec2 quad = (pixel >> 1) << 1;
+  ivec2 low = max(quad - 1, 0);
+  ivec2 high = min(quad + 2, textureSize(uRadiance, 0) - 1);
+  ivec2 beside[4] = ivec2[4](ivec2(low.x, pixel.y), ivec2(high.x, pixel.y), ivec2(pixel.x, low.y), ivec2(pixel.x, high.y));
+  vec4 least = vec4(1e9);
+  vec4 most = vec4(-1.0);
+  for (int i = 0; i < 4; i++) {
+    vec4 shaded = texelFetch(uRadiance, beside[i], 0);
+    if (shaded.a < 0.0) continue;
+    least = min(least, shaded);
+    most = max(most, shaded);
+  }
+  return most.a < 0.0 ? kept : clamp(vec4(kept.rgb, luminancePerLux(kept.a)), least, most);
+}
+#endif
+
 void main() {
   vec4 perUnit = texelFetch(uRadiance, ivec2(gl_FragCoord.xy), 0);
+#ifdef KEPT
+  if (perUnit.a < 0.0) perUnit = clampedToShaded(perUnit, ivec2(gl_FragCoord.xy));
+#endif
 #ifdef CANDLE
   oRadiance = vec4(perUnit.rgb * uIntensity, 0.0);
 #ifdef CANDLES

@@ -80,7 +80,7 @@ export class CheckerboardScene {
     ];
     const frame = { clipFromWorld: clip, instances, settings: { features: allFeatures() } };
     gpu.clear(this.#samples, [0, 0, 0, 1]);
-    const radiance = this.#checkerboard.draw(
+    const drawn = this.#checkerboard.draw(
       frame as unknown as FrameInput,
       { key: "", flame: 1, moon: 1, isStill: this.#isStill },
       this.#samples,
@@ -102,7 +102,7 @@ export class CheckerboardScene {
         }
       },
     );
-    return this.#read(radiance);
+    return this.#read(drawn.radiance);
   }
 
   #read(texture: Texture): Float32Array {

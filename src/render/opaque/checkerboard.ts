@@ -1,4 +1,3 @@
-import clampFrag from "../../../shaders/opaque/checkerboard-clamp.frag";
 import reprojectFrag from "../../../shaders/opaque/checkerboard-reproject.frag";
 import type {
   Gpu,
@@ -20,6 +19,7 @@ import { DepthPass } from "../mesh/depth-pass.js";
 import { boundsOfTurned } from "../mesh/visible-runs.js";
 import { SCHEDULE } from "../schedule.js";
 import { screenBounds } from "../screen-bounds.js";
+import { forwardComposite } from "./forward-programs.js";
 
 /** Light of a frame: what its radiance is multiplied by, of the flame, cd, and of the moon, lx. */
 interface Lighting {
@@ -31,11 +31,11 @@ interface Lighting {
   readonly isStill: boolean;
 }
 
-/** The previous frame, its depth alone, and both parts of the current one. */
+/** The previous frame and the current one in turns, and their depths. */
 interface KeptTargets {
   readonly previous: RenderTarget;
   readonly previousDepth: TextureView;
-  readonly color: TextureView;
+  readonly colors: readonly TextureView[];
   readonly depth: TextureView;
 }
 
@@ -44,19 +44,20 @@ interface KeptTargets {
  * three quarters.
  *
  * A depth prepass tells where each surface was. What was not visible then, edges, and the held candle are shaded in each
- * frame. Source: El Mansouri 2016, "Rendering Rainbow Six Siege"; kept colours are clamped to those shaded beside them, as
- * in Karis 2014, "High Quality Temporal Supersampling".
+ * frame. Source: El Mansouri 2016, "Rendering Rainbow Six Siege"; the composite clamps kept colours to those shaded beside
+ * them, as in Karis 2014, "High Quality Temporal Supersampling".
  */
 export class Checkerboard {
   readonly #gpu: Gpu;
   readonly #depthPass: DepthPass;
   readonly #reproject: Program;
-  readonly #clamp: Program;
   /** While the camera moves. */
   #targets: KeptTargets | null = null;
   #source: ReprojectionSource | null = null;
   /** Whether all of the previous frame was shaded. */
   #isFirst = true;
+  /** Which of both colours the current frame is resolved to. */
+  #turn = 0;
   /** Frames that are still drawn as in motion. */
   #settling = 0;
 
@@ -66,7 +67,7 @@ export class Checkerboard {
     // Compiled before the first step.
     this.#depthPass = new DepthPass(gpu, frame);
     this.#reproject = gpu.pass("opaque/checkerboard-reproject", reprojectFrag);
-    this.#clamp = gpu.pass("opaque/checkerboard-clamp", clampFrag);
+    for (const isMoonlit of [false, true]) forwardComposite(gpu, isMoonlit, true);
   }
 
   /** Settings of a frame: a few frames after motion are drawn as in it. In a slow turn the camera moves in some frames only. */
@@ -78,7 +79,8 @@ export class Checkerboard {
   }
 
   release(): void {
-    for (const target of Object.values(this.#targets ?? {})) target.dispose();
+    const { colors, ...others } = this.#targets ?? { colors: [] };
+    for (const target of [...colors, ...Object.values(others)]) target.dispose();
     this.#targets = this.#source = null;
   }
 
@@ -88,7 +90,7 @@ export class Checkerboard {
    * @param samples what surfaces are shaded in
    * @param resolved what these are resolved to
    * @param shade draws the surfaces, tested against the depth of the samples
-   * @returns radiance of the frame
+   * @returns radiance of the frame, and whether a part of it was kept
    */
   draw(
     frame: FrameInput,
@@ -96,7 +98,7 @@ export class Checkerboard {
     samples: RenderTarget,
     resolved: RenderTarget,
     shade: () => void,
-  ): Texture {
+  ): { readonly radiance: Texture; readonly isKept: boolean } {
     const gpu = this.#gpu;
     const source = reprojectionSource(
       frame.instances,
@@ -110,11 +112,13 @@ export class Checkerboard {
       shade();
       gpu.resolve(samples, resolved);
       this.#isFirst = true;
-      return resolved.color;
+      return { radiance: resolved.color, isKept: false };
     }
     this.#targets ??= keptTargets(gpu, resolved);
-    const { previous, color, depth, previousDepth } = this.#targets;
+    const { previous, colors, depth, previousDepth } = this.#targets;
     gpu.resolve(resolved, this.#isFirst ? previous : previousDepth);
+    this.#turn = this.#isFirst ? 0 : 1 - this.#turn;
+    const both = [resolved.color, previous.color];
     this.#depthPass.draw(frame.instances, samples);
     gpu.resolve(samples, depth);
     gpu.draw({
@@ -122,7 +126,7 @@ export class Checkerboard {
       target: samples,
       textures: {
         uDepth: resolved.depth!,
-        uPreviousRadiance: previous.color,
+        uPreviousRadiance: both[1 - this.#turn]!,
         uPreviousDepth: previous.depth!,
       },
       uniforms: {
@@ -136,15 +140,9 @@ export class Checkerboard {
       depth: "test-and-write",
     });
     shade();
-    gpu.resolve(samples, color);
-    gpu.draw({
-      program: this.#clamp,
-      target: previous,
-      textures: { uRadiance: resolved.color },
-      uniforms: { uClamps: isStill ? 0 : 1 },
-    });
+    gpu.resolve(samples, colors[this.#turn]!);
     this.#isFirst = false;
-    return previous.color;
+    return { radiance: both[this.#turn]!, isKept: true };
   }
 }
 
@@ -158,10 +156,12 @@ function keptTargets(gpu: Gpu, { width, height, color, depth }: RenderTarget): K
   });
   const depthOf = (depth: Texture | null) =>
     gpu.textureView({ label: "checkerboard/depth", textures: [], image: 0, depth: depth! });
+  const colorOf = (color: Texture) =>
+    gpu.textureView({ label: "checkerboard", textures: [color], image: 0 });
   return {
     previous,
     previousDepth: depthOf(previous.depth),
-    color: gpu.textureView({ label: "checkerboard", textures: [color], image: 0 }),
+    colors: [colorOf(color), colorOf(previous.color)],
     depth: depthOf(depth),
   };
 }

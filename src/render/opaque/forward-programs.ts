@@ -67,10 +67,14 @@ export function areForwardProgramsCompiled(
   return Array.from(programs, ({ isCompiled }) => isCompiled).every(Boolean);
 }
 
-/** The program that multiplies radiance per candela by the light's intensity. */
-export function forwardComposite(gpu: Gpu, isMoonlit: boolean): Program {
-  const options = isMoonlit ? { defines: { MOONLIT: 1 } } : {};
-  return gpu.pass("opaque/forward-composite", compositeFrag, options);
+/**
+ * The program that multiplies radiance per candela by the light's intensity.
+ *
+ * @param isKept whether a part of it is clamped, as the previous frame had it and its light has moved
+ */
+export function forwardComposite(gpu: Gpu, isMoonlit: boolean, isKept: boolean): Program {
+  const defines = { ...(isMoonlit && { MOONLIT: 1 }), ...(isKept && { KEPT: 1 }) };
+  return gpu.pass("opaque/forward-composite", compositeFrag, { defines });
 }
 
 /** The program that shades all meshes of a tier for the moon alone. */

@@ -48,7 +48,6 @@ export class ForwardStage implements OpaqueStage {
   readonly #gpu: Gpu;
   readonly #tier: Tier;
   readonly #program: Program;
-  readonly #composite: Program;
   /** The flame that the radiance is of. */
   readonly #shadingLight: UniformBlock;
   readonly #environmentBrdf: Texture;
@@ -61,6 +60,8 @@ export class ForwardStage implements OpaqueStage {
   #candles: readonly CachedLight[] = [];
   #standing: MultiLightInputs | null = null;
   readonly #checkerboard: Checkerboard | null;
+  /** Whether a part of the last frame was kept in a light that has moved. */
+  #isClamped = false;
   /** Whether the radiance is of all flames as they burn: in motion, and until each candle has its layer. */
   #isOfAll = false;
   /** What the radiance depends on beside the flame's place, and that place. */
@@ -68,14 +69,13 @@ export class ForwardStage implements OpaqueStage {
   #lightKey = "";
   #stale = 0; // tiles that were shaded for an earlier place of the flame
   #turn = 0;
-  /** Whether it is the turn of what is near the flame. */
+  /** Whether it is the turn of what is near the flame, or of a tile elsewhere. */
   #isNearDue = true;
 
   constructor(gpu: Gpu, tier: Tier) {
     this.#gpu = gpu;
     this.#tier = tier;
     this.#program = forwardProgram(gpu, tier, { isMoonlit: false });
-    this.#composite = forwardComposite(gpu, false);
     this.#candleLayers = new CandleLayers(gpu);
     this.blocks = {
       Frame: gpu.uniformBlock(this.#program, "Frame"),
@@ -143,36 +143,37 @@ export class ForwardStage implements OpaqueStage {
     const hasMoved = lightKey !== this.#lightKey;
     const boxes = tiles(this.#resolved, SCHEDULE.lighting.restTiles);
     if (hasMoved) this.#stale = boxes.length;
-    let radiance = this.#resolved.color;
+    let drawn = { radiance: this.#resolved.color, isKept: false };
     const isWhole = key !== this.#key || (this.#stale > 0 && !settings.canDefer);
     if (isWhole) this.#stale = 0;
     const candles = this.#isOfAll ? this.#candles : [];
+    const isStill = isNight || !(this.#isOfAll || world.candle.isHeld);
     const target = this.#samples;
     if (isWhole && settings.isMoving && this.#checkerboard && target) {
       this.#gpu.clear(target, [0, 0, 0, this.#moon?.background ?? 1]);
       const lighting = {
         key: JSON.stringify([inspect, this.#moon?.key, isNight, candles.map(({ key }) => key)]),
-        isStill: isNight || !(this.#isOfAll || world.candle.isHeld),
+        isStill,
         flame: this.#isOfAll ? 1 : luma(flameIntensity(world)),
         moon: luma(this.#moon?.intensity ?? [0, 0, 0]),
       };
       const shade = () => this.draw(frame, light, captures, { target, candles });
-      radiance = this.#checkerboard.draw(frame, lighting, target, this.#resolved, shade);
+      drawn = this.#checkerboard.draw(frame, lighting, target, this.#resolved, shade);
     } else if (isWhole) {
       this.#drawBox(frame, light, captures, null);
     } else if (this.#stale > 0) {
-      // In turns: near the flame, and a tile elsewhere.
       const near = hasMoved && this.#isNearDue ? boundsNearFlame(frame, this.#resolved) : null;
       this.#isNearDue = !near;
       if (!near) this.#stale--;
       this.#drawBox(frame, light, captures, near ?? boxes[this.#turn++ % boxes.length]!);
     }
     // Else the samples hold but a part of the frame.
-    this.#key = radiance === this.#resolved.color ? key : "";
+    this.#key = drawn.isKept ? "" : key;
+    this.#isClamped = drawn.isKept && !isStill;
     this.#lightKey = lightKey;
     return {
       kind: "full",
-      textures: { uRadiance: radiance, uDepth: this.#resolved.depth },
+      textures: { uRadiance: drawn.radiance, uDepth: this.#resolved.depth },
       uniforms: {},
       blocks: this.blocks,
       depth: this.#resolved.depth,
@@ -334,7 +335,7 @@ export class ForwardStage implements OpaqueStage {
   ): void {
     const moon = this.#moon;
     this.#gpu.draw({
-      program: moon ? forwardComposite(this.#gpu, true) : this.#composite,
+      program: forwardComposite(this.#gpu, moon !== null, this.#isClamped),
       target,
       textures: { uRadiance: layer.textures.uRadiance! },
       uniforms: {
