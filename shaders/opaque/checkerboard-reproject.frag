@@ -1,5 +1,6 @@
 #version 300 es
-// Checkerboard rendering, before surfaces are shaded: pixels that keep what the previous frame had.
+// Checkerboard rendering, before surfaces are shaded: pixels that keep what the previous frame had. STILL: no light moves,
+// and what is kept is not clamped.
 // In:  depth of both frames, previous radiance.   Out: radiance, alpha below 0; depth 0, behind which all is hidden.
 #include "lib/precision.glsl"
 #include "lib/depth.glsl"
@@ -12,9 +13,10 @@ uniform mat4 uPreviousFromCurrent;    // of uv and depth, 0 to 1
 uniform vec4 uHeldBounds;             // of what moves with the camera, pixels: from, to
 uniform float uHeldDistance;          // of its farthest point along the view axis, m
 uniform float uIsFirst;               // 1 or 0: whether all of the previous frame was shaded
-uniform vec2 uIntensity;              // of the flame, cd, and the moon, lx
-uniform float uIsStill;               // 1 or 0: whether no light moves: what is kept is not clamped
 uniform float uTurns;                 // frames after which a quad is shaded again: 2 or 4
+#if STILL
+uniform vec2 uIntensity;              // of the flame, cd, and the moon, lx
+#endif
 
 // Depths on one surface differ by less, as a share of the distance.
 const float SAME_SURFACE = 0.005;
@@ -30,11 +32,11 @@ bool isHeldSurface(ivec2 pixel, float depth) {
 // Whether depth bends within two pixels: what multisampling mixes is shaded in each frame.
 bool isBesideEdge(highp sampler2D depths, ivec2 pixel, ivec2 end) {
   float depth = texelFetch(depths, pixel, 0).r;
-  vec2 beside = vec2(0.0);
-  for (int i = -1; i < 2; i += 2) {
-    beside.x += texelFetch(depths, clamp(pixel + i * ivec2(2, 1), ivec2(0), end), 0).r;
-    beside.y += texelFetch(depths, clamp(pixel + i * ivec2(-1, 2), ivec2(0), end), 0).r;
-  }
+  ivec2 inside = clamp(pixel, ivec2(2), end - 2);
+  vec2 beside = vec2(
+    texelFetchOffset(depths, inside, 0, ivec2(2, 1)).r + texelFetchOffset(depths, inside, 0, ivec2(-2, -1)).r,
+    texelFetchOffset(depths, inside, 0, ivec2(-1, 2)).r + texelFetchOffset(depths, inside, 0, ivec2(1, -2)).r
+  );
   vec2 bend = abs(0.5 * beside - depth);
   return max(bend.x, bend.y) > SAME_SURFACE * inverseDepth(depth);
 }
@@ -60,28 +62,28 @@ bool isKept(ivec2 pixel, out vec4 radiance, out int age) {
   if (age == 0 || isHeldSurface(pixel, depth)) return false;
   if (isBesideEdge(uDepth, pixel, size - 1)) return false;
   vec2 corner = previous.xy - 0.5;
-  if (any(lessThan(corner, vec2(0.0))) || any(greaterThan(corner, vec2(size - 1)))) return false;
+  if (any(lessThan(corner, vec2(0.0))) || any(greaterThanEqual(corner, vec2(size - 1)))) return false;
   ivec2 base = ivec2(corner);
   vec2 part = corner - vec2(base);
-  float before = 0.0;
-  float darkest = 1e9;
-  float brightest = 0.0;
+  vec4 weights = vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x) * vec4(1.0 - part.yy, part.yy);
+  vec4 kept[4] = vec4[4](
+    texelFetch(uPreviousRadiance, base, 0), texelFetchOffset(uPreviousRadiance, base, 0, ivec2(1, 0)),
+    texelFetchOffset(uPreviousRadiance, base, 0, ivec2(0, 1)), texelFetchOffset(uPreviousRadiance, base, 0, ivec2(1, 1)));
   for (int i = 0; i < 4; i++) {
-    ivec2 offset = ivec2(i & 1, i >> 1);
-    ivec2 texel = min(base + offset, size - 1);
-    vec2 weights = mix(1.0 - part, part, vec2(offset));
-    float weight = weights.x * weights.y;
-    vec4 kept = texelFetch(uPreviousRadiance, texel, 0);
-    kept.a = luminancePerLux(kept.a);
-    radiance += weight * kept;
-    float luminance = dot(vec2(luma(kept.rgb), kept.a), uIntensity);
-    darkest = min(darkest, luminance);
-    brightest = max(brightest, luminance);
-    before += weight * texelFetch(uPreviousDepth, texel, 0).r;
+    kept[i].a = luminancePerLux(kept[i].a);
+    radiance += weights[i] * kept[i];
   }
-  if (uIsStill > 0.5) {
-    if (brightest > MOST_CONTRAST * darkest || isBesideEdge(uPreviousDepth, ivec2(previous.xy), size - 1)) return false;
-  }
+#if STILL
+  vec4 luminances;
+  for (int i = 0; i < 4; i++) luminances[i] = dot(vec2(luma(kept[i].rgb), kept[i].a), uIntensity);
+  vec2 most = max(luminances.xy, luminances.zw);
+  vec2 least = min(luminances.xy, luminances.zw);
+  if (max(most.x, most.y) > MOST_CONTRAST * min(least.x, least.y)) return false;
+  if (isBesideEdge(uPreviousDepth, ivec2(previous.xy), size - 1)) return false;
+#endif
+  float before = dot(weights, vec4(
+    texelFetch(uPreviousDepth, base, 0).r, texelFetchOffset(uPreviousDepth, base, 0, ivec2(1, 0)).r,
+    texelFetchOffset(uPreviousDepth, base, 0, ivec2(0, 1)).r, texelFetchOffset(uPreviousDepth, base, 0, ivec2(1, 1)).r));
   // Linear across a plane: at an edge, and where something was uncovered, it differs.
   return abs(inverseDepth(before) / inverseDepth(previous.z) - 1.0) < SAME_SURFACE;
 }

@@ -50,7 +50,8 @@ interface KeptTargets {
 export class Checkerboard {
   readonly #gpu: Gpu;
   readonly #depthPass: DepthPass;
-  readonly #reproject: Program;
+  /** In light that moves, and in still light. */
+  readonly #reproject: readonly [Program, Program];
   /** While the camera moves. */
   #targets: KeptTargets | null = null;
   #source: ReprojectionSource | null = null;
@@ -66,7 +67,9 @@ export class Checkerboard {
     this.#gpu = gpu;
     // Compiled before the first step.
     this.#depthPass = new DepthPass(gpu, frame);
-    this.#reproject = gpu.pass("opaque/checkerboard-reproject", reprojectFrag);
+    const reproject = (STILL: 0 | 1) =>
+      gpu.pass("opaque/checkerboard-reproject", reprojectFrag, { defines: { STILL } });
+    this.#reproject = [reproject(0), reproject(1)];
     for (const isMoonlit of [false, true]) forwardComposite(gpu, isMoonlit, true);
   }
 
@@ -122,7 +125,7 @@ export class Checkerboard {
     this.#depthPass.draw(frame.instances, samples);
     gpu.resolve(samples, depth);
     gpu.draw({
-      program: this.#reproject,
+      program: this.#reproject[isStill ? 1 : 0],
       target: samples,
       textures: {
         uDepth: resolved.depth!,
@@ -132,8 +135,7 @@ export class Checkerboard {
       uniforms: {
         uPreviousFromCurrent: reprojection.room as Float32Array,
         uIsFirst: this.#isFirst ? 1 : 0,
-        uIntensity: [flame, moon],
-        uIsStill: isStill ? 1 : 0,
+        ...(isStill && { uIntensity: [flame, moon] }),
         uTurns: isStill ? SCHEDULE.checkerboard.stillTurns : SCHEDULE.checkerboard.turns,
         ...heldExtent(frame, resolved),
       },
