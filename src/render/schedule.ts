@@ -39,8 +39,12 @@ export const SCHEDULE = {
   lighting: {
     deferred: { distance: 0.0015, axis: 1 / 16 },
     forward: { distance: 0.0003, axis: 1 / 64 },
-    /** Where only the flame sways, forward shading follows it in one of these tiles every other frame. */
+    /**
+     * Where only the flame sways, forward shading follows it in one of these tiles every other frame; every fourth while
+     * the flame moves less than this far in between (m), as the default draught moves it.
+     */
     restTiles: { rows: 3, columns: 4 },
+    calm: 0.001,
   },
   /** Samples of forward shading in motion, as shares of those at rest: on GPUs they take half of a frame. */
   samplesInMotion: { shadow: 2 / 3, reflection: 1 / 2 },

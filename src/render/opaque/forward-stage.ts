@@ -12,7 +12,7 @@ import { normalMapVisibilityOf } from "../mesh/normal-map-visibility.js";
 import { visibleRuns } from "../mesh/visible-runs.js";
 import { isSoftware, type Tier } from "../quality.js";
 import { SCHEDULE } from "../schedule.js";
-import { boundsNearFlame, clipOfBox, tiles } from "../screen-bounds.js";
+import { boundsNearFlame, clipOfBox } from "../screen-bounds.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
 import { CandleLayers } from "./candle-layers.js";
 import { Checkerboard } from "./checkerboard.js";
@@ -27,6 +27,7 @@ import {
 import { type LightPass, lightPass, nightPass } from "./light-pass.js";
 import { MultiLightInputs } from "./multi-light-inputs.js";
 import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "./opaque-stage.js";
+import { RestTurns } from "./rest-turns.js";
 
 /** What surfaces are drawn to: a target, or a part of a larger frame that it holds. */
 interface SurfacePass
@@ -67,10 +68,7 @@ export class ForwardStage implements OpaqueStage {
   /** What the radiance depends on beside the flame's place, and that place. */
   #key = "";
   #lightKey = "";
-  #stale = 0; // tiles that were shaded for an earlier place of the flame
-  #turn = 0;
-  /** Whether it is the turn of what is near the flame, or of a tile elsewhere. */
-  #isNearDue = true;
+  readonly #turns = new RestTurns();
 
   constructor(gpu: Gpu, tier: Tier) {
     this.#gpu = gpu;
@@ -141,11 +139,10 @@ export class ForwardStage implements OpaqueStage {
     const key = JSON.stringify([frameKey, captures.irradiance.revision, this.#moon?.key, isNight]);
     const lightKey = JSON.stringify(light);
     const hasMoved = lightKey !== this.#lightKey;
-    const boxes = tiles(this.#resolved, SCHEDULE.lighting.restTiles);
-    if (hasMoved) this.#stale = boxes.length;
+    if (hasMoved) this.#turns.begin();
     let drawn = { radiance: this.#resolved.color, isKept: false };
-    const isWhole = key !== this.#key || (this.#stale > 0 && !settings.canDefer);
-    if (isWhole) this.#stale = 0;
+    const isWhole = key !== this.#key || (this.#turns.isStale && !settings.canDefer);
+    if (isWhole) this.#turns.end();
     const candles = this.#isOfAll ? this.#candles : [];
     const isStill = isNight || !(this.#isOfAll || world.candle.isHeld);
     const target = this.#samples;
@@ -161,11 +158,10 @@ export class ForwardStage implements OpaqueStage {
       drawn = this.#checkerboard.draw(frame, lighting, target, this.#resolved, shade);
     } else if (isWhole) {
       this.#drawBox(frame, light, captures, null);
-    } else if (this.#stale > 0) {
-      const near = hasMoved && this.#isNearDue ? boundsNearFlame(frame, this.#resolved) : null;
-      this.#isNearDue = !near;
-      if (!near) this.#stale--;
-      this.#drawBox(frame, light, captures, near ?? boxes[this.#turn++ % boxes.length]!);
+    } else {
+      const near = hasMoved ? boundsNearFlame(frame, this.#resolved) : null;
+      const box = this.#turns.next(near, light.position, this.#resolved);
+      if (box) this.#drawBox(frame, light, captures, box);
     }
     // Else the samples hold but a part of the frame.
     this.#key = drawn.isKept ? "" : key;
