@@ -15,6 +15,8 @@
 // side (Dodd and Ferrante 2014, "A fast pressure-correction method for incompressible two-fluid flows").
 // SI units; density is a share of the cold air's.
 
+import { EigenvalueDecomposition } from "ml-matrix";
+
 /** Mixture fraction at which fuel and air are used up together: paraffin in air. */
 const STOICHIOMETRIC = 0.063;
 
@@ -82,38 +84,6 @@ function gaps(centres, widths) {
   const last = widths.length - 1;
   const inner = centres.slice(1).map((centre, i) => centre - centres[i]);
   return Float64Array.from([widths[0], ...inner, widths[last]]);
-}
-
-/** Eigenvectors (rows) and eigenvalues of a symmetric matrix, by Jacobi's rotations. */
-function eigen(matrix) {
-  const size = matrix.length;
-  const a = matrix.map((row) => [...row]);
-  const vectors = a.map((_, i) => a.map((_, k) => (i === k ? 1 : 0)));
-  const rotate = (rows, p, q, c, s) => {
-    for (let k = 0; k < size; k++) {
-      const [x, y] = [rows[p][k], rows[q][k]];
-      rows[p][k] = c * x - s * y;
-      rows[q][k] = s * x + c * y;
-    }
-  };
-  for (let sweep = 0; sweep < 15; sweep++) {
-    for (let p = 0; p < size; p++) {
-      for (let q = p + 1; q < size; q++) {
-        if (Math.abs(a[p][q]) < 1e-30) continue;
-        const theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
-        const t = (theta < 0 ? -1 : 1) / (Math.abs(theta) + Math.sqrt(theta * theta + 1));
-        const c = 1 / Math.sqrt(t * t + 1);
-        for (const row of a) {
-          const [x, y] = [row[p], row[q]];
-          row[p] = c * x - t * c * y;
-          row[q] = t * c * x + c * y;
-        }
-        rotate(a, p, q, c, t * c);
-        rotate(vectors, p, q, c, t * c);
-      }
-    }
-  }
-  return { vectors, values: a.map((row, i) => row[i]) };
 }
 
 /** Value at a cell's face, carried from the cell at `from` on to the next: Koren's limiter. */
@@ -385,7 +355,7 @@ export class Fire {
 
   /** Makes the flow swell as it must, and by no more. */
   #project(dt, swelling) {
-    const { nr, nz, stride, rf, rc, dr, dz, gr, gz, u, w, kelvin, guess } = this;
+    const { nr, nz, stride, rf, rc, dr, dz, u, w, kelvin, guess } = this;
     let hottest = COLD;
     for (const value of kelvin) hottest = Math.max(hottest, value);
     // Everywhere as light as the lightest gas; the difference acts through the pressure as foreseen.
@@ -394,22 +364,7 @@ export class Fire {
     for (let q = 0; q < guess.length; q++) guess[q] = 2 * last[q] - next[q];
     for (let j = 0; j < nz; j++) guess[this.#at(nr, j)] = 0;
     for (let i = 0; i < nr; i++) guess[this.#at(i, nz)] = 0;
-    for (let j = 0; j < nz; j++) {
-      const row = this.#at(0, j);
-      for (let i = 1; i <= nr; i++) {
-        const q = row + i;
-        const excess = (0.5 * (kelvin[q] + kelvin[q - 1])) / COLD - light;
-        u[q] -= (dt * excess * (guess[q] - guess[q - 1])) / gr[i];
-      }
-    }
-    for (let j = 1; j <= nz; j++) {
-      const row = this.#at(0, j);
-      for (let i = 0; i < nr; i++) {
-        const q = row + i;
-        const excess = (0.5 * (kelvin[q] + kelvin[q - stride])) / COLD - light;
-        w[q] -= (dt * excess * (guess[q] - guess[q - stride])) / gz[j];
-      }
-    }
+    this.#push(guess, (q, step) => dt * ((0.5 * (kelvin[q] + kelvin[q - step])) / COLD - light));
     for (let j = 0; j < nz; j++) {
       const row = this.#at(0, j);
       for (let i = 0; i < nr; i++) {
@@ -420,22 +375,23 @@ export class Fire {
       }
     }
     this.#solve(next);
-    for (let j = 0; j < nz; j++) {
-      const row = this.#at(0, j);
-      for (let i = 1; i <= nr; i++) {
-        const q = row + i;
-        u[q] -= (dt * light * (next[q] - next[q - 1])) / gr[i];
-      }
-    }
-    for (let j = 1; j <= nz; j++) {
-      const row = this.#at(0, j);
-      for (let i = 0; i < nr; i++) {
-        const q = row + i;
-        w[q] -= (dt * light * (next[q] - next[q - stride])) / gz[j];
-      }
-    }
+    this.#push(next, () => dt * light);
     this.pressure = next;
     this.pressureBefore = last;
+  }
+
+  /** Pushes gas across faces. `share`: impulse for a gradient, between a cell and the one that is a step before it. */
+  #push(pressure, share) {
+    const { nr, nz, stride, gr, gz, u, w } = this;
+    for (let j = 0; j <= nz; j++) {
+      const row = this.#at(0, j);
+      for (let i = 0; i <= nr; i++) {
+        const q = row + i;
+        if (j < nz && i > 0) u[q] -= (share(q, 1) * (pressure[q] - pressure[q - 1])) / gr[i];
+        if (j > 0 && i < nr)
+          w[q] -= (share(q, stride) * (pressure[q] - pressure[q - stride])) / gz[j];
+      }
+    }
   }
 
   /** Pressure whose Laplacian is the right-hand side. */
@@ -478,7 +434,8 @@ export class Fire {
       matrix[i][i + 1] = outer / (weight[i] * weight[i + 1]);
       matrix[i + 1][i] = matrix[i][i + 1];
     }
-    const { vectors, values } = eigen(matrix);
+    const { eigenvectorMatrix, realEigenvalues: values } = new EigenvalueDecomposition(matrix);
+    const vectors = eigenvectorMatrix.transpose().to2DArray();
     this.toModes = new Float64Array(nr * nr);
     this.fromModes = new Float64Array(nr * nr);
     for (let k = 0; k < nr; k++) {
