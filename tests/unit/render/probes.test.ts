@@ -1,41 +1,12 @@
 import { describe, expect, test } from "vitest";
-import type { Model, Part } from "../../../src/assets/model.ts";
+import type { Model } from "../../../src/assets/model.ts";
 import { fitToRoom } from "../../../src/render/gi/fit-to-room.ts";
 import { interiorBounds } from "../../../src/render/gi/interior-bounds.ts";
 import { PROBE_DEPTH_EDGE, probeTraceOf } from "../../../src/render/gi/probe-rays.ts";
 import { octahedral, rayDirections } from "../../../src/render/gi/ray-directions.ts";
 import type { Vec3 } from "../../../src/world/geometry.ts";
 import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";
-
-/** A box; its faces look out, or into the room that it is. */
-function box([x0, y0, z0]: Vec3, [x1, y1, z1]: Vec3, looksOut: boolean): Part {
-  const corners: Vec3[] = [0, 1, 2, 3, 4, 5, 6, 7].map((n) => [
-    n & 1 ? x1 : x0,
-    n & 2 ? y1 : y0,
-    n & 4 ? z1 : z0,
-  ]);
-  const faces = [
-    [0, 4, 6, 2],
-    [1, 3, 7, 5],
-    [0, 1, 5, 4],
-    [2, 6, 7, 3],
-    [0, 2, 3, 1],
-    [4, 5, 7, 6],
-  ] as const;
-  const indices = faces.flatMap(([a, b, c, d]) =>
-    looksOut ? [a, b, c, a, c, d] : [a, c, b, a, d, c],
-  );
-  return {
-    positions: Float32Array.from(corners.flat()),
-    uvs: Float32Array.from(corners.flatMap((corner) => corner.slice(0, 2))),
-    indices: Uint32Array.from(indices),
-    material: { isDoubleSided: false },
-  } as Part;
-}
-
-function modelOf(...parts: Part[]): Model {
-  return { parts, bounds: { min: [0, 0, 0], max: [4, 2, 4] } } as unknown as Model;
-}
+import { box, modelOf } from "./boxes.ts";
 
 const DETAIL = { probes: [2, 2, 2], inset: 0.25, rays: 8 } as const;
 const ROOM = box([0, 0, 0], [4, 2, 4], false);
