@@ -185,7 +185,7 @@ export class PhysicalRenderer implements Renderer {
     if (regions.length > 0) yield* this.#composite(frame, layer, captures, regions);
     yield;
     this.#last = [frame, layer, captures];
-    const post = this.#postIn(kind, shadow.isNew, settings.canDefer);
+    const post = this.#postIn(kind, shadow.isNew, settings);
     if (post === "before display") yield* this.#updatePost(frame, layer, irradiance, regions);
     yield;
     if (settings.inspect !== "picture" && !this.#compositeDisplay) {
@@ -244,8 +244,9 @@ export class PhysicalRenderer implements Renderer {
     this.#volumetric.render(frame, target, captures);
   }
 
-  #postIn(kind: GBufferKind, isShadowNew: boolean, canDefer: boolean) {
-    const isDeferred = this.#compositeDisplay !== null && (kind !== "full" || canDefer);
+  #postIn(kind: GBufferKind, isShadowNew: boolean, { canDefer, isMoving }: FrameSettings) {
+    const isAtRest = canDefer && !isMoving;
+    const isDeferred = this.#compositeDisplay ? kind !== "full" || canDefer : isAtRest;
     const canSkip = isDeferred && this.#bloom.isDrawn;
     return this.#postTiming.of(kind, { canSkip, isShadowNew, images: this.#opaque.images });
   }

@@ -28,7 +28,7 @@ export const SCHEDULE = {
   shadow: { frames: 4, busyFrames: 6, distance: 0.25 },
   /** Surfels and probes: faces of the surfel cube or passes over the probes in a frame, frames of rest after an update. */
   indirect: { steps: 2, restFrames: 7 },
-  /** Bloom and exposure without a GPU: in motion in idle frames, or after this many; after so many at rest. */
+  /** Bloom and exposure: after so many frames at rest; in motion in each, without a GPU in idle ones, or after this many. */
   post: { frames: 5, restFrames: 1 },
   /** Steps in which normal-map shading of the G-buffer follows the light, metres. */
   normalMapShading: 0.05,

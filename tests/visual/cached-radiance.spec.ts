@@ -145,6 +145,37 @@ test("At medium, at rest, surfaces follow the flame's sway in turns: those besid
   expect(quantile(0.99)).toBeLessThan(0.03);
 });
 
+test("At medium, at rest, bloom and exposure follow in every other frame, and in each that is stepped", async ({
+  cabin: room,
+}) => {
+  const { followed, stepped } = await room.evaluate((element) => {
+    element.quality = "medium";
+    element.wind = 0;
+    element.place();
+    element.step(1);
+    const draws = (frames: number) =>
+      Array.from({ length: frames }, () => {
+        element.step(0);
+        return element.stats.drawCalls;
+      });
+    const stepped = draws(3);
+    element.play();
+    // The loop's own frames come between tasks: all of this is one.
+    draws(30);
+    const followed = draws(4);
+    element.pause();
+    return { followed, stepped };
+  });
+  console.log(`draws at rest ${followed}, stepped ${stepped}`);
+  const [most, least] = [Math.max(...followed), Math.min(...followed)];
+  expect(followed.map((draws) => draws === most)).toEqual(
+    followed[0] === most ? [true, false, true, false] : [false, true, false, true],
+  );
+  // Five levels down, four up, the meter and the exposure.
+  expect(most - least).toBe(11);
+  expect(new Set(stepped)).toEqual(new Set([most]));
+});
+
 test("At medium four candles light a frame in motion as one at rest, for the surfaces of one", async ({
   cabin: room,
 }) => {
