@@ -32,6 +32,7 @@ vec2 atlasUv(ivec2 tile, vec2 edge, vec2 uv) {
   return (vec2(tile) + 0.5 + (uv - 0.5) * (edge.y / edge.x)) / tiles;
 }
 
+// `direction`: of any length. A unit vector would keep the fetch waiting.
 vec2 probeDepth(ivec2 tile, vec3 direction) {
   return textureLod(uProbeDepth, atlasUv(tile, PROBE_DEPTH_EDGE, octahedralEncode(direction)), 0.0).rg;
 }
@@ -129,11 +130,10 @@ float shareOf(VolumeCell cell, vec3 corner) {
 float probeWeight(ivec2 tile, float share, vec3 position, vec3 facing, float offset) {
   vec4 probe = texelFetch(uProbePositions, tile, 0);
   vec3 fromProbe = position - probe.xyz + facing * offset;
-  float reach = max(length(fromProbe), 1e-4);
-  float wrapped = 0.5 - 0.5 * dot(fromProbe, facing) / reach;
+  float wrapped = 0.5 - 0.5 * dot(fromProbe, facing) * inversesqrt(max(dot(fromProbe, fromProbe), 1e-8));
   vec3 toBiased = fromProbe + facing * volume.bias;
   float biasedReach = max(length(toBiased), 1e-4);
-  float visibility = probeVisibility(probeDepth(tile, toBiased / biasedReach), biasedReach);
+  float visibility = probeVisibility(probeDepth(tile, toBiased), biasedReach);
   float weight = max(share, 1e-4) * (wrapped * wrapped + 0.04);
   return weight * probe.w * max(visibility * visibility * visibility, 1e-6);
 }
