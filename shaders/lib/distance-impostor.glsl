@@ -9,7 +9,7 @@ uniform sampler2D uTotalRadiosity;  // radiosity of the surfels in all light, lm
 const float NEAREST_STEP = 0.04;
 const float FARTHEST_STEP = 9.0;
 const float GROWTH = 1.7;
-const int BISECTIONS = 6;
+const int BISECTIONS = 4;
 const float IMPOSTOR_BIAS = 0.02;  // m
 // Depth behind a surface up to which a ray hits it for certain, and from which it passes behind. Metres.
 const vec2 THICKNESS = vec2(0.06, 0.25);
@@ -55,25 +55,26 @@ vec3 radiosityAt(vec3 fromOrigin) {
 
 // Adds the radiosity that a ray hits, lm/m², and the share of it that hits nothing. `start`: from the capture origin, m.
 void traceRay(vec3 start, vec3 ray, inout vec4 sum) {
-  bool wasBehind = depthBehind(start + ray * NEAREST_STEP) > 0.0;
+  float before = depthBehind(start + ray * NEAREST_STEP);
   float transmittance = 1.0;
   for (float far = NEAREST_STEP * GROWTH; far < FARTHEST_STEP && transmittance > 0.01; far *= GROWTH) {
-    bool isBehind = depthBehind(start + ray * far) > 0.0;
-    if (isBehind != wasBehind) {
-      float low = far / GROWTH;
-      float high = far;
+    float depth = depthBehind(start + ray * far);
+    bool isBehind = depth > 0.0;
+    if (isBehind != before > 0.0) {
+      vec2 low = vec2(far / GROWTH, before);  // distance along the ray, and depth
+      vec2 high = vec2(far, depth);
       for (int i = 0; i < BISECTIONS; i++) {
-        float middle = 0.5 * (low + high);
-        if (depthBehind(start + ray * middle) > 0.0 == isBehind) high = middle;
-        else low = middle;
+        float middle = 0.5 * (low.x + high.x);
+        vec2 between = vec2(middle, depthBehind(start + ray * middle));
+        if (between.y > 0.0 == isBehind) high = between;
+        else low = between;
       }
-      vec3 hit = start + ray * (isBehind ? high : low);
-      float opacity = transmittance * (1.0 - smoothstep(THICKNESS.x, THICKNESS.y, depthBehind(hit)));
+      float opacity = transmittance * (1.0 - smoothstep(THICKNESS.x, THICKNESS.y, max(low.y, high.y)));
       // A ray that leaves a shadow through its caster hits the caster's unlit side.
-      if (isBehind) sum.rgb += opacity * radiosityAt(hit);
+      if (isBehind) sum.rgb += opacity * radiosityAt(start + ray * mix(low.x, high.x, low.y / (low.y - high.y)));
       transmittance -= opacity;
     }
-    wasBehind = isBehind;
+    before = depth;
   }
   sum.a += transmittance;
 }
