@@ -124,14 +124,18 @@ export async function reportPrograms({
       candle.step(1 / 60);
       candle.view.resize(48, 27);
     }
-    moveAndPutOut(candle);
+    move(candle);
+    candle.world.flame.extinguish();
+    candle.step(0.1);
     // At low the moon has shone from the first.
     if (name === "room" && look === "physical" && quality !== "low") {
       candle.options = moonlit;
       candle.world.flame.light();
       candle.step(0.1);
+      move(candle);
       candle.world.flame.extinguish();
       candle.step(8); // the moon alone, when the ember is cold
+      move(candle);
     }
     candle.world.flame.light();
     // Made when it is first looked at; at low all that is looked at is of another tier.
@@ -163,16 +167,14 @@ export async function reportPrograms({
   }
 }
 
-/** In motion there are programs of its own, and for smoke. */
-function moveAndPutOut(candle: CandleFlame): void {
+/** In motion there are programs of its own. */
+function move(candle: CandleFlame): void {
   candle.play();
   for (let picture = 0; picture < 3; picture++) {
     candle.world.player.yaw += 0.02;
     candle.step(1 / 60);
   }
   candle.pause();
-  candle.world.flame.extinguish();
-  candle.step(0.1);
 }
 
 /** What a program says with a word too many at the end of either of its stages. */
