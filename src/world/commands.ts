@@ -157,7 +157,8 @@ function targetOf(eye: Readonly<Vec3>, root: Readonly<Vec3>, gaze: Readonly<Vec3
 }
 
 /**
- * A breath at one candle, level, from the side of the eye and from so near that its strength counts.
+ * A breath at one candle, level, from the side of the eye and from so near that its strength counts. What is between does not
+ * stop it, a wall behind the candle does.
  *
  * @param index of the candle: 0 is the carried one
  */
@@ -168,6 +169,9 @@ export function blowAt(world: World, index: number, strength: number): void {
   const away: Vec3 = [position[0] - root[0], 0, position[2] - root[2]];
   const length = Math.hypot(...away);
   const [x, z] = length > 1e-6 ? [away[0] / length, away[2] / length] : [0, 1];
-  const mouth: Vec3 = [root[0] + x * BESIDE, root[1] + HELD_AT, root[2] + z * BESIDE];
-  world.air.blow(mouth, [-x, 0, -z], BESIDE, strength, index + 1);
+  const target: Vec3 = [root[0], root[1] + HELD_AT, root[2]];
+  const mouth: Vec3 = [target[0] + x * BESIDE, target[1], target[2] + z * BESIDE];
+  const direction: Vec3 = [-x, 0, -z];
+  const beyond = world.room?.reachOfBreath(target, direction) ?? Infinity;
+  world.air.blow(mouth, direction, BESIDE, strength, index + 1, BESIDE + beyond);
 }

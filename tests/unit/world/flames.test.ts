@@ -201,6 +201,18 @@ describe("a breath", () => {
     expect(felt[1]).toBeLessThan(0.05);
   });
 
+  test("at one candle ends at the wall behind it", () => {
+    const lit = beforeWall([0, 1.6, 0.5], [0, 1.6, 0.1]).map((world) => {
+      blowAt(world, 1, 3);
+      advance(world, STILL, 1.5);
+      return litFlames(world);
+    });
+    expect(lit).toEqual([
+      [false, false, false],
+      [false, false, true],
+    ]);
+  });
+
   test("at one candle is for that one; several at a time blow out all of them", () => {
     const wicks: Vec3[] = [0, 1, 2].map((i) => [i - 1, 1.2, 0]);
     const world = worldWith(wicks, { areLit: [true, true, true] });
