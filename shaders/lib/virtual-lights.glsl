@@ -21,20 +21,22 @@ float virtualVisibility(vec3 d, vec3 facet, float slot) {
   float tile = float(textureSize(uVirtualShadow, 0).x / 3);
   float texels = 0.5 * tile / SHADOW_REACH;  // for a length of 1 on a face
   vec2 center = shadowTileCenter(axis, point.z, slot, tile);
-  vec2 place = center + clamp(point.xy / point.z * texels, 1.0 - 0.5 * tile, 0.5 * tile - 1.0) - 0.5;
+  vec2 onFace = point.xy / point.z;
+  vec2 place = center + clamp(onFace * texels, 1.0 - 0.5 * tile, 0.5 * tile - 1.0) - 0.5;
   vec2 low = floor(place);
   vec2 share = place - low;
-  float offset = dot(n, point / point.z);
-  float reach = abs(point.z);
-  float nearest = reach * (1.0 - VIRTUAL_BIAS.y) - VIRTUAL_BIAS.x;
-  vec4 lit;
-  for (int i = 0; i < 4; i++) {
-    vec2 texel = low + vec2(i & 1, i >> 1);
-    float plane = offset / dot(n, vec3((texel + 0.5 - center) / texels, 1.0));  // as a multiple of the point's distance
-    plane = plane > 0.0 ? min(plane, VIRTUAL_STEEPEST) : VIRTUAL_STEEPEST;
-    float caster = VIRTUAL_NEAR / max(1.0 - texelFetch(uVirtualShadow, ivec2(texel), 0).r, SHADOW_STEP);
-    lit[i] = caster < plane * nearest ? 0.0 : 1.0;
-  }
+  ivec2 texel = ivec2(low);
+  vec4 depths = vec4(
+    texelFetch(uVirtualShadow, texel, 0).r, texelFetchOffset(uVirtualShadow, texel, 0, ivec2(1, 0)).r,
+    texelFetchOffset(uVirtualShadow, texel, 0, ivec2(0, 1)).r, texelFetchOffset(uVirtualShadow, texel, 0, ivec2(1, 1)).r);
+  // Inverse distance of the lit plane, which is linear across texels, as a multiple of the point's.
+  vec3 scaled = n / dot(n, vec3(onFace, 1.0));
+  float here = dot(scaled, vec3((low + 0.5 - center) / texels, 1.0));
+  vec2 slope = scaled.xy / texels;
+  vec4 plane = max(here + vec4(0.0, slope.x, slope.y, slope.x + slope.y), 1.0 / VIRTUAL_STEEPEST);
+  float nearest = abs(point.z) * (1.0 - VIRTUAL_BIAS.y) - VIRTUAL_BIAS.x;
+  vec4 casters = max(1.0 - depths, SHADOW_STEP) * (nearest / VIRTUAL_NEAR);
+  vec4 lit = vec4(lessThanEqual(casters, plane));
   vec2 across = mix(lit.xz, lit.yw, share.x);
   return mix(across.x, across.y, share.y);
 }
@@ -64,8 +66,8 @@ VirtualLight virtualLightAt(int i, vec3 position) {
 // Towards the point, without its shadow, cd.
 vec3 virtualIntensity(VirtualLight v, int i) {
   vec3 intensity = texelFetch(uVirtualFlux, ivec2(i, 0), 0).rgb / PI;
+  vec2 incident = texelFetch(uVirtualFlux, ivec2(i, 1), 0).rg;
   if (i < VIRTUAL_LIGHTS - PANE_LIGHTS) {
-    vec2 incident = texelFetch(uVirtualFlux, ivec2(i, 1), 0).rg;
     vec3 toMoon = -moon.direction;
     float fresnel = fresnelSchlick(vec3(0.04), dot(-v.L, normalize(toMoon - v.L))).r;
     intensity += incident.r * fresnel * glossyLobe(incident.g, v.axis, toMoon, -v.L);
