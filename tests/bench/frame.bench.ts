@@ -78,6 +78,20 @@ for (const [quality, rounds] of Object.entries(PASS_ROUNDS) as [TierName, number
   });
 }
 
+/** Most milliseconds of the main thread that the script of a frame may take: 2 of 16.7. */
+const MOST_FRAME_SCRIPT = 2;
+
+test("the script of a frame leaves the main thread to the page", async ({ page }) => {
+  for (const quality of ["low", "medium", "high"] as const) {
+    await open(page);
+    const script = await page.evaluate((quality) => window.bench.measureScript(quality), quality);
+    const [atRest, inMotion] = [script.atRest.toFixed(2), script.inMotion.toFixed(2)];
+    console.log(`${quality}: script ${atRest} ms at rest, ${inMotion} ms in motion`);
+    expect.soft(script.atRest, quality).toBeLessThanOrEqual(MOST_FRAME_SCRIPT);
+    expect.soft(script.inMotion, quality).toBeLessThanOrEqual(MOST_FRAME_SCRIPT);
+  }
+});
+
 /** Most that each standing candle may add to a frame at medium, as shares of one without. */
 const MOST_OF_CANDLE = { atRest: 0.1, inMotion: 0.3 };
 

@@ -3,6 +3,7 @@ import { measureCandles } from "./candles.js";
 import { measureLadder } from "./ladder.js";
 import { measurePasses } from "./passes.js";
 import { measureScaling } from "./scaling.js";
+import { measureScript } from "./script.js";
 
 declare global {
   interface Window {
@@ -11,8 +12,9 @@ declare global {
       readonly measureLadder: typeof measureLadder;
       readonly measurePasses: typeof measurePasses;
       readonly measureScaling: typeof measureScaling;
+      readonly measureScript: typeof measureScript;
     };
   }
 }
 
-window.bench = { measureCandles, measureLadder, measurePasses, measureScaling };
+window.bench = { measureCandles, measureLadder, measurePasses, measureScaling, measureScript };
