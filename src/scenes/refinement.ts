@@ -179,7 +179,6 @@ export class Refinement {
       const prepare = () => scene.prepareRenderer(target, REFINED, settings);
       // Two parts in a frame, a few milliseconds each; one where drivers compile while the page waits.
       if (prepare() || (this.#frame <= SHORT && prepare())) this.#create(subject);
-      return 0;
     }
     if (this.#rest < REST) return 0;
     const steps = this.#budget.next();
@@ -190,8 +189,8 @@ export class Refinement {
     for (let step = 0; step < steps && !this.#isFilled; step++) {
       this.#isFilled = fill.next().done === true;
     }
-    const { refining } = this.#renderer;
-    if (!this.#isFilled || steps === 0 || !refining) return 0;
+    const refining = this.#renderer?.refining;
+    if (!this.#isFilled || steps === 0 || !this.#renderer || !refining) return 0;
     if (this.#isShown) {
       if (!this.#isPrepared) {
         this.#isPrepared = refining.prepare(world, { ...view, steps });

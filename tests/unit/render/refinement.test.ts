@@ -105,3 +105,20 @@ test("Frames beside which a refinement is prepared do not count for the coarse i
   await new Promise((resolve) => setTimeout(resolve));
   expect(rest(), "before it begins").toBe(false);
 });
+
+test("The surfaces that it begins with are drawn while its renderer is made, once the camera has rested", () => {
+  let bands = 0;
+  const fill = (function* () {
+    for (; bands < 3; bands++) yield;
+  })();
+  const coarse = { initialImage: () => ({ fill }) } as unknown as Renderer;
+  const refinement = new Refinement(partsOf(coarse, undefined, () => false));
+  const world = { flame: { glow: 1 }, standing: [], moon: null };
+  const bandsAfter = Array.from({ length: 20 }, () => {
+    refinement.take(0.05);
+    refinement.advance({ world } as unknown as ViewSubject, {} as FrameSettings, coarse, SIZE);
+    return bands;
+  });
+  expect(bandsAfter[0]).toBe(0);
+  expect(bandsAfter.at(-1)).toBe(3);
+});
