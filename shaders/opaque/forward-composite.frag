@@ -33,19 +33,20 @@ uniform vec3 uMoonlight;  // lx
 out vec4 oRadiance;
 
 #ifdef KEPT
-// Radiance that was kept, clamped to pixels that were shaded: in its row and column, on each side of its quad.
+// Radiance that was kept, clamped to the pixels beside its quad that were shaded: two on each side.
 vec4 clampedToShaded(vec4 kept, ivec2 pixel) {
-  ivec2 quad = (pixel >> 1) << 1;
-  ivec2 low = max(quad - 1, 0);
-  ivec2 high = min(quad + 2, textureSize(uRadiance, 0) - 1);
-  ivec2 beside[4] = ivec2[4](ivec2(low.x, pixel.y), ivec2(high.x, pixel.y), ivec2(pixel.x, low.y), ivec2(pixel.x, high.y));
+  ivec2 quad = clamp((pixel >> 1) << 1, ivec2(1), textureSize(uRadiance, 0) - 3);
+  vec4 beside[8] = vec4[8](
+    texelFetchOffset(uRadiance, quad, 0, ivec2(-1, 0)), texelFetchOffset(uRadiance, quad, 0, ivec2(-1, 1)),
+    texelFetchOffset(uRadiance, quad, 0, ivec2(2, 0)), texelFetchOffset(uRadiance, quad, 0, ivec2(2, 1)),
+    texelFetchOffset(uRadiance, quad, 0, ivec2(0, -1)), texelFetchOffset(uRadiance, quad, 0, ivec2(1, -1)),
+    texelFetchOffset(uRadiance, quad, 0, ivec2(0, 2)), texelFetchOffset(uRadiance, quad, 0, ivec2(1, 2)));
   vec4 least = vec4(1e9);
   vec4 most = vec4(-1.0);
-  for (int i = 0; i < 4; i++) {
-    vec4 shaded = texelFetch(uRadiance, beside[i], 0);
-    if (shaded.a < 0.0) continue;
-    least = min(least, shaded);
-    most = max(most, shaded);
+  for (int i = 0; i < 8; i++) {
+    if (beside[i].a < 0.0) continue;
+    least = min(least, beside[i]);
+    most = max(most, beside[i]);
   }
   return most.a < 0.0 ? kept : clamp(vec4(kept.rgb, luminancePerLux(kept.a)), least, most);
 }
