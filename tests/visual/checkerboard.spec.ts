@@ -281,6 +281,8 @@ test("A walk in the cabin shows what one sees who stops, in few draws, and frees
     expect(frame.drawCalls).toBeLessThanOrEqual(120);
     expect(median).toBeLessThan(0.02);
     expect(most).toBeLessThan(0.15);
+    // 0.24 and 0.23; 0.27 and 0.25, with dotted joints, where what is kept is clamped to four pixels, not eight.
+    expect(at(errors, 0.99)).toBeLessThan(0.26);
     // The previous frame: radiance and depth.
     expect(frame.gpuBytes - shaded[i]!.gpuBytes).toBe(SIZE.width * SIZE.height * 12);
   }
