@@ -35,7 +35,7 @@ void main() {
   const vec3 packed = vec3(1.0);
   float occlusion = vUvAndOcclusion.z;
 #else
-  vec4 root = texture(uGamma2Albedo, vUvAndOcclusion.xy);
+  vec4 root = texture(uGamma2Albedo, vUvAndOcclusion.xy, -1.0);
 #if BAKED
   vec3 packed = vec3(1.0, root.a, 0.0);
   float occlusion = vUvAndOcclusion.z;
@@ -52,7 +52,7 @@ void main() {
 #if !UNTEXTURED
   if (frame.normalMaps > 0.5) {
     vec3 L = vToLight * (side * inversesqrt(dot(vToLight, vToLight)));
-    vec3 normal = tangentNormal(texture(uNormal, vUvAndOcclusion.xy).xy, uSurface.z);
+    vec3 normal = tangentNormal(texture(uNormal, vUvAndOcclusion.xy, -1.0).xy, uSurface.z);
     shading = normalMapShading(L.z, dot(normal, L));
   }
 #endif

@@ -33,6 +33,11 @@ vec4 encodeReducedSurface(vec3 normal, float roughness, float material) {
 // Alpha of the reduced albedo for surfaces that move with the camera.
 const float HELD = 1.0 / 255.0;
 
+// 1 for such a surface, else 0. `stored`: that alpha.
+float isHeldSurface(float stored) {
+  return step(0.5 * HELD, stored);
+}
+
 // Steps of the upsample guide between two lighting texels.
 const float GUIDE_STEPS = 14.0;
 

@@ -4,11 +4,6 @@
 uniform mat4 uPreviousFromCurrentRoom;
 uniform mat4 uPreviousFromCurrentHeld;  // of what moves with the camera
 
-// 1 for a surface that moves with the camera, else 0. `stored`: alpha of the reduced albedo.
-float isHeldSurface(float stored) {
-  return step(0.5 * HELD, stored);
-}
-
 // Mirrored at the frame's edges: a surface that comes into view resembles its neighbours.
 vec2 previousUv(vec4 current, float isHeld) {
   vec4 previous = mix(uPreviousFromCurrentRoom * current, uPreviousFromCurrentHeld * current, isHeld);

@@ -1,6 +1,6 @@
 #version 300 es
 // Composite of the deferred stage and display transform in one, by the tone LUT.
-// In:  G-buffer, lighting; BLOOM: bloom.   Out: display colour; REDUCED: alpha tells what is held.
+// In:  G-buffer, lighting; BLOOM: bloom.   Out: display colour;
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "lib/compile-time.glsl"
@@ -30,5 +30,5 @@ void main() {
 #endif
   vec3 exposed = max(radiance, 0.0) * uWhiteBalance * (vExposure / TONE_LUT_MAX);
   // The same dither for all channels.
-  oColor = vec4(lookUpTone(exposed) + dither(gl_FragCoord.xy).r, REDUCED == 1 ? albedo.a : 1.0);
+  oColor = vec4(lookUpTone(exposed) + dither(gl_FragCoord.xy).r, 1.0);
 }

@@ -75,7 +75,7 @@ export class PaperRenderer implements Renderer {
     this.#tier = tier;
     const normals = { [look === "original" ? "FACETS" : "NORMAL_MAPS"]: 1 };
     this.#isFiltered = tier.name === "low";
-    const defines = { EDGE_LEAST: CODE_DIFFERENCE, BY_CODE: 1 };
+    const defines = { EDGE_LEAST: CODE_DIFFERENCE };
     this.#present = this.#isFiltered
       ? gpu.pass("post/fxaa", fxaaFrag, { defines })
       : gpu.pass("post/upscale", upscaleFrag);

@@ -52,8 +52,8 @@ test("the paper's features cost something, and all of them together less than th
 
 /** Rounds by tier: the dearer the frame, the fewer. */
 const PASS_ROUNDS: Readonly<Record<TierName, number>> = { low: 12, medium: 3, high: 2, ultra: 2 };
-/** Most copies that a frame at low may cost: 16 make 30 frames a second on two cores without a GPU. */
-const MOST_COPIES = { stands: 16, walks: 16, smokes: 16 };
+/** Most copies that a frame at low may cost: 24 make 24 frames a second on two cores without a GPU. */
+const MOST_COPIES = { stands: 16, walks: 24, smokes: 16 };
 /** Most copies of what burns and rises in it. */
 const MOST_FIRE = 4;
 const FIRE = ["volumetric/flame", "volumetric/haze", "volumetric/haze-copy", "volumetric/smoke"];

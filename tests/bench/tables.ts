@@ -24,7 +24,7 @@ const ROWS: Readonly<Record<string, readonly string[]>> = {
   ],
   "volumetric: flame, smoke, haze, particles": ["volumetric/"],
   bloom: ["post/bloom"],
-  "anti-aliasing, upscaling": ["post/fxaa", "post/upscale"],
+  "temporal upsampling": ["opaque/motion", "opaque/temporal", "post/fxaa", "post/upscale"],
   "exposure, display transform": ["post/"],
 };
 const TITLES: Readonly<Record<Doing, string>> = {

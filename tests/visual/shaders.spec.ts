@@ -81,6 +81,7 @@ test("Every shader compiles and links without warnings, and each of its uniforms
   const views: readonly Drawn[] = [
     ...SETTINGS.look.choices.map((look) => ({ look })),
     { quality: "low" },
+    { look: "paper", quality: "low" },
     { scene: "candle" },
     { scene: "candle", src: "/models/wreath.glb" },
   ];

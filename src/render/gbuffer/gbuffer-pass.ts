@@ -15,11 +15,8 @@ import { SCHEDULE } from "../schedule.js";
 import { bandOf, clipOfBox } from "../screen-bounds.js";
 import { AlbedoCache, isBaked } from "./albedo-cache.js";
 import type { FullGBuffer, GBuffer } from "./gbuffer.js";
-import {
-  type ReprojectionSource,
-  reprojectionBetween,
-  reprojectionSource,
-} from "./reprojection.js";
+import { reprojectionSource } from "./reprojection.js";
+import { SampleJitter } from "./sample-jitter.js";
 
 const NOTHING = [0, 0, 0, 0] as const;
 
@@ -53,6 +50,8 @@ interface Pass {
 export class GBufferPass {
   readonly #gpu: Gpu;
   readonly #frame: UniformBlock;
+  /** Of the reduced G-buffer, but for what is held: media that hide it are drawn in each frame. */
+  readonly #jittered: UniformBlock;
   readonly #guide: UpsampleGuidePass;
   readonly #full: FullGBuffer;
   /** By their defines. */
@@ -69,16 +68,23 @@ export class GBufferPass {
   #reducedFrameDepth: Texture | null = null;
   #reducedKey = "";
   #fullKey = "";
-  /** What the reduced G-buffer of the previous frame was drawn for. */
-  #previous: ReprojectionSource | null = null;
+  readonly #jitter = new SampleJitter();
   /** Progressive refinement: the full G-buffer in progress. */
   #refinement: { readonly key: string; readonly steps: Steps } | null = null;
   #wasReduced = false;
 
-  constructor(gpu: Gpu, frame: UniformBlock, lods: MeshLods, full: FullGBuffer) {
+  /** @param jittered another block `Frame` */
+  constructor(
+    gpu: Gpu,
+    frame: UniformBlock,
+    jittered: UniformBlock,
+    lods: MeshLods,
+    full: FullGBuffer,
+  ) {
     this.#gpu = gpu;
     this.#full = full;
     this.#frame = frame;
+    this.#jittered = jittered;
     this.#lods = lods;
     this.#albedos = new AlbedoCache(gpu);
     this.#guide = new UpsampleGuidePass(gpu, full.samples);
@@ -90,7 +96,7 @@ export class GBufferPass {
     this.#reducedFrameDepth = null;
     this.#reducedKey = "";
     this.#fullKey = "";
-    this.#previous = null;
+    this.#jitter.reset();
     this.#refinement = null;
     // The first frame of another size is reduced, too: a full one would take as long as ten.
     this.#wasReduced = this.#isReducedReady;
@@ -146,7 +152,7 @@ export class GBufferPass {
     }
     this.#wasReduced = isMoving || key !== this.#fullKey;
     if (this.#wasReduced) return yield* this.#renderReduced(frame, key);
-    this.#previous = null;
+    this.#jitter.reset();
     yield;
     if (canDefer) this.#prepareReduced(frame);
     return {
@@ -156,7 +162,8 @@ export class GBufferPass {
       frameDepth: this.#guide.resolved.depth!,
       representative: this.#guide.representative,
       key: `full ${key}`,
-      reprojection: null,
+      history: null,
+      sampleOffset: [0, 0],
     };
   }
 
@@ -170,17 +177,17 @@ export class GBufferPass {
     const target = this.#targetOf("reduced");
     const { clipFromWorld, instances, settings } = frame;
     const current = reprojectionSource(instances, clipFromWorld, settings.features);
-    const previous = this.#previous;
-    this.#previous = null;
-    const reprojection =
-      previous && settings.isMoving ? reprojectionBetween(current, previous) : null;
-    if (!reprojection && key !== this.#reducedKey) {
+    const { history, isReprojected } = this.#jitter.history(current, settings.isMoving);
+    if (!isReprojected && key !== this.#reducedKey) {
       this.#reducedKey = "";
       this.#gpu.clear(target, NOTHING);
+      this.#jittered.update({
+        clipFromWorld: this.#jitter.next(clipFromWorld, target),
+        normalMaps: settings.features.normalMaps ? 1 : 0,
+      });
       if (this.#quietFrames >= SCHEDULE.quietFrames) this.#updateIncrementally(instances);
       yield* this.#drawModels(target, frame, true);
       this.#reducedKey = key;
-      this.#previous = current;
     }
     this.#reducedFrameDepth ??= this.#gpu.texture({
       label: "gbuffer/reduced/frame depth",
@@ -189,12 +196,13 @@ export class GBufferPass {
       filter: "nearest",
     });
     return {
-      kind: reprojection ? "reprojected" : "reduced",
+      kind: isReprojected ? "reprojected" : "reduced",
       ...samplesOf(target),
       frameDepth: this.#reducedFrameDepth,
       representative: null,
       key: `reduced ${this.#reducedKey}`,
-      reprojection,
+      history,
+      sampleOffset: this.#jitter.offset,
     };
   }
 
@@ -306,7 +314,7 @@ export class GBufferPass {
           uRotation: [Math.cos(placement[3]), Math.sin(placement[3])],
         }),
       },
-      blocks: { Frame: this.#frame },
+      blocks: { Frame: isReduced && !isHeld ? this.#jittered : this.#frame },
       depth: "test-and-write",
       scissor,
       cull: mesh.isDoubleSided ? "none" : "back",

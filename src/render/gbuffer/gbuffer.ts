@@ -36,8 +36,10 @@ export interface GBuffer {
   readonly representative: Texture | null;
   /** Identifies the contents. */
   readonly key: string;
-  /** Null if the G-buffer is of the current frame. */
-  readonly reprojection: Reprojection | null;
+  /** From the current frame to the last one that was not reprojected; null if there is none. */
+  readonly history: Reprojection | null;
+  /** Of a reduced one: from the centers of its texels to their samples, uv. */
+  readonly sampleOffset: readonly [number, number];
 }
 
 /** A G-buffer at rest: samples along each edge of a pixel, and pixels that are filled in one step. */

@@ -46,11 +46,12 @@ export function reprojectionSource(
 export function reprojectionBetween(
   current: ReprojectionSource,
   previous: ReprojectionSource,
+  mostMotion: number = SCHEDULE.reprojection.motion,
 ): Reprojection | null {
   if (current.key !== previous.key) return null;
   const room = reprojectionMatrix(current.clipFromWorld, previous.clipFromWorld);
   const motion = screenMotion(room, SCHEDULE.reprojection.distance);
-  if (!(motion < SCHEDULE.reprojection.motion)) return null;
+  if (!(motion < mostMotion)) return null;
   return { room, held: reprojectionMatrix(current.clipFromHeld, previous.clipFromHeld), motion };
 }
 

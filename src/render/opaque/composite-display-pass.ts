@@ -1,7 +1,5 @@
 import compositeDisplayFrag from "../../../shaders/opaque/composite-display.frag";
-import reprojectFrag from "../../../shaders/opaque/reproject-color.frag";
 import displayVert from "../../../shaders/post/display.vert";
-import fxaaFrag from "../../../shaders/post/fxaa.frag";
 import upscaleFrag from "../../../shaders/post/upscale.frag";
 import type { Box, Gpu, Program, RenderTarget, Surface, Texture } from "../../gl/gpu.js";
 import type { Steps } from "../../world/steps.js";
@@ -11,6 +9,7 @@ import { type DisplayLut, toneLut } from "../post/display-lut.js";
 import { type DisplayTransform, whiteBalance } from "../post/display-pass.js";
 import { boxesBeside, scaleBox } from "../screen-bounds.js";
 import type { FrameBlocks, OpaqueLayer } from "./opaque-stage.js";
+import { TemporalUpsampling } from "./temporal-upsampling.js";
 
 export interface DisplayOptions {
   /** Share of the light that lens and eye scatter. */
@@ -28,21 +27,18 @@ export interface DisplayOptions {
 /**
  * Composite and display transform in one pass, by a tone LUT: albedo times lighting straight to the canvas.
  *
- * A reduced layer is composited at its own resolution, antialiased and upscaled; a reprojected one
- * reprojects the colours of the frame before, and only the bloom's part is drawn anew.
+ * A reduced layer is composited at its own resolution and upsampled; of a reprojected one only the bloom's part is.
  */
 export class CompositeDisplayPass {
   readonly #gpu: Gpu;
   /** Where the bloom is, and elsewhere; a reprojected layer has nothing else. */
   readonly #composite: Readonly<Record<GBufferKind, Program>>;
   readonly #withoutBloom: Readonly<Record<GBufferKind, Program | null>>;
-  readonly #reproject: Program;
-  readonly #fxaa: Program;
+  readonly #temporal: TemporalUpsampling;
   readonly #upscale: Program;
   readonly toneLut: DisplayLut;
-  #color: RenderTarget | null = null;
-  #antialiased: RenderTarget | null = null;
-  #reprojected: RenderTarget | null = null;
+  /** Only if the canvas is of another size. */
+  #upscaled: RenderTarget | null = null;
 
   constructor(gpu: Gpu) {
     this.#gpu = gpu;
@@ -54,10 +50,7 @@ export class CompositeDisplayPass {
     this.#withoutBloom = forEachGBufferKind((kind) =>
       kind.REPROJECTED ? null : composite(kind, 0),
     );
-    this.#reproject = gpu.pass("opaque/reproject-color", reprojectFrag);
-    this.#fxaa = gpu.pass("post/fxaa", fxaaFrag, {
-      defines: { EDGE_LEAST: 0.06, BY_CODE: 0 },
-    });
+    this.#temporal = new TemporalUpsampling(gpu);
     this.#upscale = gpu.pass("post/upscale", upscaleFrag);
     this.toneLut = toneLut(gpu);
   }
@@ -80,7 +73,6 @@ export class CompositeDisplayPass {
       },
       blocks: { ...blocks },
     };
-    const isReprojected = layer.kind === "reprojected";
     const composite = (target: Surface, size: Size): readonly Box[] => {
       const boxes = options.bloomBounds.map((box) => scaleBox(box, options.size, size));
       const { [layer.kind]: program } = this.#composite;
@@ -95,35 +87,8 @@ export class CompositeDisplayPass {
       this.#drawFull(composite, options);
       return;
     }
-    const { uGBufferAlbedo, uDepth } = layer.textures;
-    if (!uGBufferAlbedo || !uDepth) throw new Error("A layer of a G-buffer has albedo and depth.");
-    if (!isReprojected) this.#resize(uGBufferAlbedo);
-    const [color, antialiased, reprojected] = [this.#color, this.#antialiased, this.#reprojected];
-    if (!color || !antialiased || !reprojected) throw new Error("There is no previous frame.");
-    const target = isReprojected ? reprojected : antialiased;
-    if (isReprojected) {
-      this.#gpu.draw({
-        program: this.#reproject,
-        target,
-        textures: { uHistory: antialiased.color, uDepth },
-        uniforms: layer.uniforms,
-      });
-      yield;
-    }
-    const boxes = composite(color, color);
-    yield;
-    // The bloom does not move with the surfaces.
-    for (const scissor of isReprojected ? boxes : [undefined]) {
-      this.#gpu.draw({
-        program: this.#fxaa,
-        target,
-        textures: { uSource: color.color, uSmooth: color.color },
-        sampling: { uSource: "nearest" },
-        scissor,
-      });
-    }
-    const source = { textures: { uSource: target.color } };
-    this.#gpu.draw({ ...source, program: this.#upscale, target: options.screen });
+    const { screen, size } = options;
+    yield* this.#temporal.show(layer, (target) => composite(target, target), screen, size);
   }
 
   /** Straight to the canvas, unless that is still of another size. */
@@ -136,23 +101,22 @@ export class CompositeDisplayPass {
       composite(screen, size);
       return;
     }
-    this.#resize(size);
-    const uSource = this.#color!;
+    if (this.#upscaled?.width !== size.width || this.#upscaled.height !== size.height) {
+      this.#upscaled?.dispose();
+      const { width, height } = size;
+      this.#upscaled = this.#gpu.renderTarget({
+        label: "composite/upscaled",
+        width,
+        height,
+        color: ["RGBA8"],
+      });
+    }
+    const uSource = this.#upscaled;
     composite(uSource, size);
     this.#gpu.draw({
       program: this.#upscale,
       target: screen,
       textures: { uSource: uSource.color },
     });
-  }
-
-  #resize({ width, height }: Size): void {
-    if (this.#color?.width === width && this.#color.height === height) return;
-    for (const old of [this.#color, this.#antialiased, this.#reprojected]) old?.dispose();
-    const target = (name: string) =>
-      this.#gpu.renderTarget({ label: `composite/${name}`, width, height, color: ["RGBA8"] });
-    this.#color = target("color");
-    this.#antialiased = target("antialiased");
-    this.#reprojected = target("reprojected");
   }
 }

@@ -39,7 +39,8 @@ export class DeferredStage implements OpaqueStage {
     const summed = { ...this.blocks, Light: this.#lighting.newLightBlock() };
     const { full } = this.#lighting;
     this.#cached = new CachedLighting(gpu, tier.shadow, this.format, summed, full);
-    this.#gbufferPass = new GBufferPass(gpu, this.blocks.Frame, lods, atRest);
+    const jittered = this.#lighting.newFrameBlock();
+    this.#gbufferPass = new GBufferPass(gpu, this.blocks.Frame, jittered, lods, atRest);
     this.#composite = forEachGBufferKind((defines) =>
       gpu.pass("opaque/composite", compositeFrag, { defines }),
     );
@@ -80,7 +81,8 @@ export class DeferredStage implements OpaqueStage {
       uniforms: lit.uniforms,
       blocks: { ...this.blocks, Light: all?.Light ?? lit.Light },
       depth: gbuffer.frameDepth,
-      motion: gbuffer.reprojection?.motion ?? 0,
+      gbuffer,
+      motion: gbuffer.kind === "reprojected" ? (gbuffer.history?.motion ?? 0) : 0,
     };
   }
 
@@ -96,7 +98,10 @@ export class DeferredStage implements OpaqueStage {
       program: this.#composite[layer.kind],
       target: isReduced ? tested : target,
       textures: layer.textures,
-      uniforms: layer.uniforms,
+      uniforms: {
+        ...layer.uniforms,
+        ...(isReduced && { uSampleOffset: layer.gbuffer!.sampleOffset }),
+      },
       blocks: { Light: layer.blocks.Light },
       scissor: region,
       depth: isReduced ? "test-and-write" : "none",

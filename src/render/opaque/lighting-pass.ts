@@ -62,10 +62,14 @@ export class LightingPass {
     this.full = this.#program(tier.shadow, { REDUCED: 0 });
     this.#gather = gpu.pass("opaque/gather-inverse-depth", gatherFrag);
     this.format = floats(gpu, 4);
-    this.frame = gpu.uniformBlock(this.full, "Frame");
+    this.frame = this.newFrameBlock();
     this.light = this.newLightBlock();
     this.#shadingLight = this.newLightBlock();
     this.#representative = this.newLightBlock();
+  }
+
+  newFrameBlock(): UniformBlock {
+    return this.#gpu.uniformBlock(this.full, "Frame");
   }
 
   newLightBlock(): UniformBlock {
@@ -132,7 +136,8 @@ export class LightingPass {
     gbuffer: GBuffer,
     { shadow, irradiance, cached }: Captures,
   ): Steps<Lit> {
-    const { kind, reprojection } = gbuffer;
+    const { kind, history } = gbuffer;
+    const reprojection = kind === "reprojected" ? history : null;
     const isReduced = kind !== "full";
     const target = isReduced ? this.#reducedTarget : this.#fullTarget;
     if (!target || !this.#gathered) throw new Error("Lighting has no size yet.");

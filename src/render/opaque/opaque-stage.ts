@@ -1,7 +1,7 @@
 import type { Box, ProgramOptions, Texture, TextureFormat, UniformBlock } from "../../gl/gpu.js";
 import type { Steps } from "../../world/steps.js";
 import type { FrameInput, Size } from "../frame-input.js";
-import type { GBufferKind } from "../gbuffer/gbuffer.js";
+import type { GBuffer, GBufferKind } from "../gbuffer/gbuffer.js";
 import type { Captures } from "../gi/light-captures.js";
 import type { CompositedFrame } from "../volumetric/volumetric-target.js";
 
@@ -23,6 +23,8 @@ export interface OpaqueLayer {
   readonly depth: Texture;
   /** Motion in the image since the G-buffer was filled, as a share of its size. */
   readonly motion: number;
+  /** Of the deferred stage. */
+  readonly gbuffer?: GBuffer;
 }
 
 /**

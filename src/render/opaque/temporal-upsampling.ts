@@ -1,0 +1,135 @@
+import { mat4 } from "gl-matrix";
+import vectorsFrag from "../../../shaders/opaque/motion-vectors.frag";
+import reprojectFrag from "../../../shaders/opaque/reproject-color.frag";
+import upsampleFrag from "../../../shaders/opaque/temporal-upsample.frag";
+import upscaleFrag from "../../../shaders/post/upscale.frag";
+import type { Box, Gpu, Program, RenderTarget, Surface, TextureFormat } from "../../gl/gpu.js";
+import type { Steps } from "../../world/steps.js";
+import { floats } from "../float-format.js";
+import type { Size } from "../frame-input.js";
+import { scaleBox } from "../screen-bounds.js";
+import type { OpaqueLayer } from "./opaque-stage.js";
+
+/** Shares of the current frame in a pixel: between its samples, and at one of them; the same at edges. */
+const SHARES = { reduced: [0.2, 0.6, 0.3, 0.4], reprojected: [0.1, 0.1, 0.3, 0.3] } as const;
+const ALL = [1, 1, 1, 1] as const;
+
+const NO_MOTION = { room: mat4.create(), held: mat4.create() };
+
+interface Targets {
+  readonly size: Size;
+  /** Display colours of a frame, at the reduced resolution. */
+  readonly color: RenderTarget;
+  readonly motion: RenderTarget;
+  readonly history: readonly [latest: RenderTarget, next: RenderTarget];
+}
+
+/**
+ * Temporal upsampling: reduced frames, each of other samples, are accumulated in a history buffer of the canvas's size.
+ *
+ * Source: Karis 2014, "High Quality Temporal Supersampling".
+ */
+export class TemporalUpsampling {
+  readonly #gpu: Gpu;
+  readonly #vectors: Readonly<Record<"reduced" | "reprojected", Program>>;
+  readonly #upsample: Program;
+  readonly #reproject: Program;
+  readonly #present: Program;
+  #targets: Targets | null = null;
+
+  constructor(gpu: Gpu) {
+    this.#gpu = gpu;
+    const vectors = (REPROJECTED: 0 | 1) =>
+      gpu.pass("opaque/motion-vectors", vectorsFrag, { defines: { REPROJECTED } });
+    this.#vectors = { reduced: vectors(0), reprojected: vectors(1) };
+    this.#upsample = gpu.pass("opaque/temporal-upsample", upsampleFrag);
+    this.#reproject = gpu.pass("opaque/reproject-color", reprojectFrag);
+    this.#present = gpu.pass("post/upscale", upscaleFrag);
+  }
+
+  /**
+   * Shows a frame. A reprojected one reprojects the history, and only a part is composited anew.
+   *
+   * @param composite draws display colours at the reduced resolution, and returns the part of a reprojected frame
+   * @param size of the canvas
+   */
+  *show(
+    layer: OpaqueLayer,
+    composite: (target: RenderTarget) => readonly Box[],
+    screen: Surface,
+    size: Size,
+  ): Steps {
+    const { gbuffer } = layer;
+    if (!gbuffer) throw new Error("Temporal upsampling needs a G-buffer.");
+    const isReprojected = layer.kind === "reprojected";
+    this.#targets = isReprojected ? this.#targets : this.#targetsFor(gbuffer.albedo, size);
+    if (!this.#targets) throw new Error("There is no previous frame.");
+    const { color, motion, history } = this.#targets;
+    const [latest, next] = history;
+    const { room, held } = gbuffer.history ?? NO_MOTION;
+    this.#gpu.draw({
+      program: this.#vectors[isReprojected ? "reprojected" : "reduced"],
+      target: motion,
+      textures: { uDepth: gbuffer.depth, uGBufferAlbedo: gbuffer.albedo },
+      sampling: { uDepth: "nearest", ...(!isReprojected && { uGBufferAlbedo: "nearest" }) },
+      uniforms: {
+        uPreviousFromCurrentRoom: room as Float32Array,
+        uPreviousFromCurrentHeld: held as Float32Array,
+      },
+    });
+    yield;
+    const upsample = (target: Surface, uShares: readonly number[], scissor?: Box) =>
+      this.#gpu.draw({
+        program: this.#upsample,
+        target,
+        textures: {
+          uSource: color.color,
+          uSmooth: color.color,
+          uMotion: motion.color,
+          uHistory: latest.color,
+        },
+        sampling: { uSource: "nearest", uMotion: "nearest" },
+        uniforms: { uSampleOffset: gbuffer.sampleOffset, uShares },
+        scissor,
+      });
+    if (isReprojected) {
+      this.#gpu.draw({
+        program: this.#reproject,
+        target: screen,
+        textures: { uHistory: latest.color, uMotion: motion.color },
+        sampling: { uMotion: "nearest" },
+      });
+      yield;
+      const boxes = composite(color);
+      yield;
+      for (const box of boxes) upsample(screen, SHARES.reprojected, scaleBox(box, color, size));
+      return;
+    }
+    composite(color);
+    yield;
+    upsample(next, gbuffer.history ? SHARES.reduced : ALL);
+    this.#targets = { ...this.#targets, history: [next, latest] };
+    yield;
+    this.#gpu.draw({
+      program: this.#present,
+      target: screen,
+      textures: { uSource: next.color },
+      sampling: { uSource: "nearest" },
+    });
+  }
+
+  #targetsFor(reduced: Size, size: Size): Targets {
+    const old = this.#targets;
+    const { width, height } = size;
+    if (old?.size.width === width && old.size.height === height) return old;
+    for (const target of old ? [old.color, old.motion, ...old.history] : []) target.dispose();
+    const target = (name: string, { width, height }: Size, format: TextureFormat = "RGBA8") =>
+      this.#gpu.renderTarget({ label: `temporal/${name}`, width, height, color: [format] });
+    return {
+      size: { width, height },
+      color: target("color", reduced),
+      motion: target("motion", reduced, floats(this.#gpu, 4)),
+      history: [target("history", size), target("history", size)],
+    };
+  }
+}
