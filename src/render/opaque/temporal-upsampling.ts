@@ -125,11 +125,13 @@ export class TemporalUpsampling {
     for (const target of old ? [old.color, old.motion, ...old.history] : []) target.dispose();
     const target = (name: string, { width, height }: Size, format: TextureFormat = "RGBA8") =>
       this.#gpu.renderTarget({ label: `temporal/${name}`, width, height, color: [format] });
+    const latest = target("history", size);
+    this.#gpu.clear(latest, [0, 0, 0, 1]); // read before it is written: Firefox warns of that
     return {
       size: { width, height },
       color: target("color", reduced),
       motion: target("motion", reduced, floats(this.#gpu, 4)),
-      history: [target("history", size), target("history", size)],
+      history: [latest, target("history", size)],
     };
   }
 }
