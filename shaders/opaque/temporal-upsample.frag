@@ -25,7 +25,8 @@ void main() {
   vec4 motion = texture(uMotion, vUv);
   vec2 size = vec2(textureSize(uSource, 0));
   vec2 place = (vUv - uSampleOffset * (1.0 - motion.a)) * size - 0.5;
-  vec2 corner = floor(place);
+  // A pixel at a sample is in the same square of four on all drivers.
+  vec2 corner = floor(place + 0.01);
   vec2 part = place - corner;
   vec2 low = (corner + 0.5) / size;
   vec2 high = (corner + 1.5) / size;

@@ -86,7 +86,7 @@ function moonAlone(quality: Quality): ElementCase {
   return { ...room, name: `moon alone, ${quality}`, attributes };
 }
 
-/** Frames in motion, each from the one before, of which a GPU keeps a part. */
+/** Frames in motion, each from the ones before; from medium on a GPU keeps a part of them. */
 function inMotion(one: ElementCase): ElementCase {
   return {
     ...one,
@@ -120,6 +120,7 @@ export const LONG: readonly Case[] = [
   fourCandles("medium"),
   moonAlone("low"),
   moonAlone("medium"),
+  inMotion(inRoom("physical", "low")),
   inMotion(inRoom("physical", "medium")),
   inMotion(moonAlone("medium")),
   HOSTED,
