@@ -18,8 +18,9 @@ uniform float uTurns;                 // frames after which a quad is shaded aga
 uniform vec2 uIntensity;              // of the flame, cd, and the moon, lx
 #endif
 
-// Depths on one surface differ by less, as a share of the distance.
-const float SAME_SURFACE = 0.005;
+// Depths on one surface differ by less, as a share of the distance. Joints between logs are as shallow; STILL, their
+// contrast tells.
+const float SAME_SURFACE = STILL == 1 ? 0.005 : 0.001;
 // A larger ratio of luminances, interpolated, would be seen.
 const float MOST_CONTRAST = 2.0;
 

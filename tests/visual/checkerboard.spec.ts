@@ -277,12 +277,12 @@ test("A walk in the cabin shows what one sees who stops, in few draws, and frees
   for (const [i, frame] of kept.entries()) {
     const errors = errorsOf(frame, shaded[i]!);
     const [median, most] = [at(errors, 0.5), at(errors, 0.9)];
-    console.log(`frame: median ${median}, 90th percentile ${most}, ${frame.drawCalls} draws`);
+    console.log(`frame: median ${median}, 90th percentile ${most}, 99th ${at(errors, 0.99)}, ${frame.drawCalls} draws`);
     expect(frame.drawCalls).toBeLessThanOrEqual(120);
     expect(median).toBeLessThan(0.02);
     expect(most).toBeLessThan(0.15);
-    // 0.24 and 0.23; 0.27 and 0.25, with dotted joints, where what is kept is clamped to four pixels, not eight.
-    expect(at(errors, 0.99)).toBeLessThan(0.26);
+    // 0.09 and 0.07; 0.24 and 0.23, with dotted joints, where depths on one surface may differ by 0.5 %.
+    expect(at(errors, 0.99)).toBeLessThan(0.12);
     // The previous frame: radiance and depth.
     expect(frame.gpuBytes - shaded[i]!.gpuBytes).toBe(SIZE.width * SIZE.height * 12);
   }
