@@ -10,7 +10,7 @@ uniform sampler2D uSmooth;   // the same, bilinear
 uniform sampler2D uMotion;   // nearest texel
 uniform sampler2D uHistory;
 uniform vec2 uSampleOffset;  // from a texel's center to its sample, unless it is held, uv
-uniform vec4 uShares;        // of the frame in a pixel: between its samples, and at one; the same at edges
+uniform float uShare;        // of the frame in a pixel; 1 without a history
 
 in vec2 vUv;
 
@@ -37,7 +37,7 @@ void main() {
   vec3 current = mix(mix(a, b, part.x), mix(c, d, part.x), part.y);
   // Without other samples edges are smoothed: in a frame without a history, and of what is held, which has the same samples
   // in each. Software renderers execute both sides of an `if`, but skip a loop that no pixel enters.
-  for (float edge = max(motion.z * motion.a, step(1.0, uShares.x)); edge > 0.0; edge = 0.0) {
+  for (float edge = max(motion.z * motion.a, step(1.0, uShare)); edge > 0.0; edge = 0.0) {
     vec2 tap = TAP_DISTANCE / size;
     vec3 sum = textureLod(uSmooth, vUv + tap, 0.0).rgb + textureLod(uSmooth, vUv - tap, 0.0).rgb;
     tap.x = -tap.x;
@@ -46,10 +46,7 @@ void main() {
   }
   vec3 history = texture(uHistory, vUv + motion.xy).rgb;
   vec3 bounded = clamp(history, min(min(a, b), min(c, d)), max(max(a, b), max(c, d)));
-  vec2 distance = abs(part - floor(part + 0.5));
-  float atSample = (1.0 - 2.0 * distance.x) * (1.0 - 2.0 * distance.y);
-  vec2 share = mix(uShares.xy, uShares.zw, motion.z);
   // A colour that lies far outside was of another surface.
   float beyond = min(BEYOND * dot(abs(history - bounded), vec3(1.0)), 1.0);
-  oColor = vec4(mix(bounded, current, max(mix(share.x, share.y, atSample), beyond)), 1.0);
+  oColor = vec4(mix(bounded, current, max(uShare, beyond)), 1.0);
 }

@@ -10,9 +10,8 @@ import type { Size } from "../frame-input.js";
 import { scaleBox } from "../screen-bounds.js";
 import type { OpaqueLayer } from "./opaque-stage.js";
 
-/** Shares of the current frame in a pixel: between its samples, and at one of them; the same at edges. */
-const SHARES = { reduced: [0.2, 0.6, 0.3, 0.4], reprojected: [0.1, 0.1, 0.3, 0.3] } as const;
-const ALL = [1, 1, 1, 1] as const;
+/** Share of the current frame in a pixel. Were it larger at its samples, edges would be dotted. */
+const SHARE = { reduced: 0.3, reprojected: 0.1 } as const;
 
 const NO_MOTION = { room: mat4.create(), held: mat4.create() };
 
@@ -78,7 +77,7 @@ export class TemporalUpsampling {
       },
     });
     yield;
-    const upsample = (target: Surface, uShares: readonly number[], scissor?: Box) =>
+    const upsample = (target: Surface, uShare: number, scissor?: Box) =>
       this.#gpu.draw({
         program: this.#upsample,
         target,
@@ -89,7 +88,7 @@ export class TemporalUpsampling {
           uHistory: latest.color,
         },
         sampling: { uSource: "nearest", uMotion: "nearest" },
-        uniforms: { uSampleOffset: gbuffer.sampleOffset, uShares },
+        uniforms: { uSampleOffset: gbuffer.sampleOffset, uShare },
         scissor,
       });
     if (isReprojected) {
@@ -102,12 +101,12 @@ export class TemporalUpsampling {
       yield;
       const boxes = composite(color);
       yield;
-      for (const box of boxes) upsample(screen, SHARES.reprojected, scaleBox(box, color, size));
+      for (const box of boxes) upsample(screen, SHARE.reprojected, scaleBox(box, color, size));
       return;
     }
     composite(color);
     yield;
-    upsample(next, gbuffer.history ? SHARES.reduced : ALL);
+    upsample(next, gbuffer.history ? SHARE.reduced : 1);
     this.#targets = { ...this.#targets, history: [next, latest] };
     yield;
     this.#gpu.draw({
