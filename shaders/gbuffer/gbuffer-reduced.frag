@@ -29,13 +29,16 @@ in vec3 vUvAndOcclusion;
 layout(location = 0) out vec4 oAlbedo;
 layout(location = 1) out vec4 oSurface;
 
+// Bias of the level of detail: accumulated frames show the pixels of the canvas, two of which are a texel's edge.
+const float SHARPER = -1.0;
+
 void main() {
 #if UNTEXTURED
   const vec4 root = vec4(1.0);
   const vec3 packed = vec3(1.0);
   float occlusion = vUvAndOcclusion.z;
 #else
-  vec4 root = texture(uGamma2Albedo, vUvAndOcclusion.xy, -1.0);
+  vec4 root = texture(uGamma2Albedo, vUvAndOcclusion.xy, SHARPER);
 #if BAKED
   vec3 packed = vec3(1.0, root.a, 0.0);
   float occlusion = vUvAndOcclusion.z;
@@ -52,7 +55,7 @@ void main() {
 #if !UNTEXTURED
   if (frame.normalMaps > 0.5) {
     vec3 L = vToLight * (side * inversesqrt(dot(vToLight, vToLight)));
-    vec3 normal = tangentNormal(texture(uNormal, vUvAndOcclusion.xy, -1.0).xy, uSurface.z);
+    vec3 normal = tangentNormal(texture(uNormal, vUvAndOcclusion.xy, SHARPER).xy, uSurface.z);
     shading = normalMapShading(L.z, dot(normal, L));
   }
 #endif

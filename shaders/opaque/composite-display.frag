@@ -1,6 +1,6 @@
 #version 300 es
 // Composite of the deferred stage and display transform in one, by the tone LUT.
-// In:  G-buffer, lighting; BLOOM: bloom.   Out: display colour;
+// In:  G-buffer, lighting; BLOOM: bloom.   Out: display colour.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "lib/compile-time.glsl"

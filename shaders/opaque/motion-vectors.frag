@@ -1,8 +1,8 @@
 #version 300 es
 // Motion vectors of a reduced frame: from each texel to its surface in the history buffer.
 // In:  depth, albedo's alpha telling what is held.
-// Out: motion, uv; whether there is an edge, and whether the surface is held, unless REPROJECTED: of a frame that has the
-//      G-buffer of the one before.
+// Out: motion, uv; whether there is an outline of what is held, unless REPROJECTED: of a frame that has the G-buffer of
+//      the one before; whether the texel's own surface is held.
 #include "lib/precision.glsl"
 #include "lib/depth.glsl"
 #include "lib/gbuffer.glsl"
@@ -23,7 +23,7 @@ vec4 motionOf(vec2 uv, vec2 texel) {
   vec2 previous = previousUv(vec4(uv, depth, 1.0), isHeld);
   // A disocclusion has no colour in the history: it keeps the previous colour of the pixel.
   float isKept = 1.0 - isDisoccluded(isHeld, texture(uGBufferAlbedo, previous).a);
-  return vec4((previous - uv) * isKept, 0.0, 0.0);
+  return vec4((previous - uv) * isKept, 0.0, isHeldSurface(texture(uGBufferAlbedo, uv).a));
 }
 #else
 // Depth bends by more at an edge, as a share of the distance.
@@ -49,7 +49,8 @@ vec4 motionOf(vec2 uv, vec2 texel) {
   vec2 bend = abs(vec2(left.z + right.z, below.z + above.z) - 2.0 * center.z) / inverseDepth(closest.z);
   float edge = smoothstep(EDGE.x, EDGE.y, max(bend.x, bend.y));
   float isHeld = isHeldSurface(texture(uGBufferAlbedo, closest.xy).a);
-  return vec4(previousUv(vec4(uv, closest.z, 1.0), isHeld) - uv, edge, isHeld);
+  vec2 motion = previousUv(vec4(uv, closest.z, 1.0), isHeld) - uv;
+  return vec4(motion, edge * isHeld, isHeldSurface(texture(uGBufferAlbedo, uv).a));
 }
 #endif
 

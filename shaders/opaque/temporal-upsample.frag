@@ -18,7 +18,7 @@ out vec4 oColor;
 
 // Of the taps around a pixel at an edge, texels.
 const float TAP_DISTANCE = 0.5;
-// Share of the frame, by what the history differs from it.
+// Share of the frame for each unit of colour, summed over channels, that the history is outside its bounds.
 const float BEYOND = 2.0;
 
 void main() {
@@ -37,11 +37,12 @@ void main() {
   vec3 current = mix(mix(a, b, part.x), mix(c, d, part.x), part.y);
   // Without other samples edges are smoothed: in a frame without a history, and of what is held, which has the same samples
   // in each. Software renderers execute both sides of an `if`, but skip a loop that no pixel enters.
-  for (float edge = max(motion.z * motion.a, step(1.0, uShare)); edge > 0.0; edge = 0.0) {
+  for (float edge = max(motion.z, step(1.0, uShare)); edge > 0.0; edge = 0.0) {
+    vec2 at = (place + 0.5) / size;
     vec2 tap = TAP_DISTANCE / size;
-    vec3 sum = textureLod(uSmooth, vUv + tap, 0.0).rgb + textureLod(uSmooth, vUv - tap, 0.0).rgb;
+    vec3 sum = textureLod(uSmooth, at + tap, 0.0).rgb + textureLod(uSmooth, at - tap, 0.0).rgb;
     tap.x = -tap.x;
-    sum += textureLod(uSmooth, vUv + tap, 0.0).rgb + textureLod(uSmooth, vUv - tap, 0.0).rgb;
+    sum += textureLod(uSmooth, at + tap, 0.0).rgb + textureLod(uSmooth, at - tap, 0.0).rgb;
     current = mix(current, 0.25 * sum, edge);
   }
   vec3 history = texture(uHistory, vUv + motion.xy).rgb;

@@ -37,12 +37,19 @@ vec3 previousAt(vec2 uv) {
   return previous.xyz / previous.w;
 }
 
-// 1 where the refined image shows that surface, else 0.
+float refinedDepth(vec2 uv) {
+  return linearDepth(textureLod(uRefinedDepth, uv, 0.0).r);
+}
+
+// 1 where the refined image shows that surface, else 0: beside a closer one its colour is mixed with that one's.
 float showsSame(vec3 previous) {
   vec2 isInside = step(abs(previous.xy - 0.5), vec2(0.5));
   float expected = linearDepth(previous.z);
-  float found = linearDepth(textureLod(uRefinedDepth, previous.xy, 0.0).r);
-  return step(abs(found - expected), TOLERANCE.x * expected + TOLERANCE.y) * isInside.x * isInside.y;
+  float tolerance = TOLERANCE.x * expected + TOLERANCE.y;
+  vec2 texel = 1.0 / vec2(textureSize(uRefinedDepth, 0));
+  float closest = min(refinedDepth(previous.xy - texel), refinedDepth(previous.xy + texel));
+  float isSame = step(abs(refinedDepth(previous.xy) - expected), tolerance) * step(expected - closest, tolerance);
+  return isSame * isInside.x * isInside.y;
 }
 
 void main() {

@@ -66,13 +66,14 @@ export const CASE_LIMITS: readonly {
     limits: ULTRA_LIMITS,
   },
   {
-    cases: /^moon alone, medium, in motion$/,
-    title: "the moon alone in motion, where the window's moonlit edges are thinner still",
+    cases: /^(advent wreath|moon alone, medium, in motion)$/,
+    title:
+      "the advent wreath, of which a glint lies in the edge of a shadow, and the moon alone in motion, of the window's edges",
     limits: { ...THIN_LIMITS, block: 0.4 },
   },
   {
-    cases: /^(advent wreath$|moon alone)/,
-    title: "the advent wreath and the moon alone, where the samples of thin bright edges differ",
+    cases: /^moon alone/,
+    title: "the moon alone, where the samples of thin bright edges differ",
     limits: THIN_LIMITS,
   },
   { cases: /^/, title: "all others", limits: LIMITS },

@@ -277,7 +277,9 @@ test("A walk in the cabin shows what one sees who stops, in few draws, and frees
   for (const [i, frame] of kept.entries()) {
     const errors = errorsOf(frame, shaded[i]!);
     const [median, most] = [at(errors, 0.5), at(errors, 0.9)];
-    console.log(`frame: median ${median}, 90th percentile ${most}, 99th ${at(errors, 0.99)}, ${frame.drawCalls} draws`);
+    console.log(
+      `frame: median ${median}, 90th percentile ${most}, 99th ${at(errors, 0.99)}, ${frame.drawCalls} draws`,
+    );
     expect(frame.drawCalls).toBeLessThanOrEqual(120);
     expect(median).toBeLessThan(0.02);
     expect(most).toBeLessThan(0.15);

@@ -2,7 +2,7 @@ import gamma2Frag from "../../../shaders/gbuffer/gamma2-albedo.frag";
 import type { Gpu, Texture } from "../../gl/gpu.js";
 import type { Mesh } from "../mesh/mesh.js";
 
-/** Texels along the longer edge: a reduced G-buffer shows no more. */
+/** Texels along the longer edge: in motion more are seen from nearby alone. */
 const LONGEST_EDGE = 256;
 
 /** Whether roughness and occlusion are baked into the albedo: for what is neither metal nor cut out. */

@@ -50,7 +50,7 @@ interface Pass {
 export class GBufferPass {
   readonly #gpu: Gpu;
   readonly #frame: UniformBlock;
-  /** Of the reduced G-buffer, but for what is held: media that hide it are drawn in each frame. */
+  /** Of the reduced G-buffer, but for what is held: the flame before it is composited without a history. */
   readonly #jittered: UniformBlock;
   readonly #guide: UpsampleGuidePass;
   readonly #full: FullGBuffer;
@@ -177,7 +177,8 @@ export class GBufferPass {
     const target = this.#targetOf("reduced");
     const { clipFromWorld, instances, settings } = frame;
     const current = reprojectionSource(instances, clipFromWorld, settings.features);
-    const { history, isReprojected } = this.#jitter.history(current, settings.isMoving);
+    const history = this.#jitter.historyOf(current);
+    const isReprojected = this.#jitter.mayReproject(history) && settings.isMoving;
     if (!isReprojected && key !== this.#reducedKey) {
       this.#reducedKey = "";
       this.#gpu.clear(target, NOTHING);
@@ -188,6 +189,7 @@ export class GBufferPass {
       if (this.#quietFrames >= SCHEDULE.quietFrames) this.#updateIncrementally(instances);
       yield* this.#drawModels(target, frame, true);
       this.#reducedKey = key;
+      this.#jitter.drawn(current);
     }
     this.#reducedFrameDepth ??= this.#gpu.texture({
       label: "gbuffer/reduced/frame depth",

@@ -36,7 +36,7 @@ export interface GBuffer {
   readonly representative: Texture | null;
   /** Identifies the contents. */
   readonly key: string;
-  /** From the current frame to the last one that was not reprojected; null if there is none. */
+  /** From the current frame to the one before that was drawn for; null if there is none. */
   readonly history: Reprojection | null;
   /** Of a reduced one: from the centers of its texels to their samples, uv. */
   readonly sampleOffset: readonly [number, number];

@@ -8,7 +8,7 @@ import { SCHEDULE } from "../schedule.js";
 const PLACE_FROM_CLIP: mat4 = [0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0.5, 0.5, 0.5, 1];
 const CLIP_FROM_PLACE: mat4 = [2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, -1, -1, -1, 1];
 
-/** Matrices from the current frame to the previous one: uv and depth, 0 to 1. */
+/** Matrices from the current frame to an earlier one: uv and depth, 0 to 1. */
 export interface Reprojection {
   readonly room: mat4;
   readonly held: mat4;

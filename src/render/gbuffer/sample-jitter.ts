@@ -3,7 +3,7 @@ import type { Size } from "../frame-input.js";
 import { SCHEDULE } from "../schedule.js";
 import { type Reprojection, type ReprojectionSource, reprojectionBetween } from "./reprojection.js";
 
-/** Samples of successive frames: at the centers of a texel's four pixels, in texels from its own. */
+/** Samples of successive frames, one for each pixel that a texel covers: from the texel's center, in texels. */
 const OFFSETS = [
   [-0.25, -0.25],
   [0.25, 0.25],
@@ -19,42 +19,47 @@ const OFFSETS = [
  */
 export class SampleJitter {
   #turn = 0;
+  #offset: readonly [number, number] = [0, 0];
   #last: ReprojectionSource | null = null;
-  /** Whether the previous frame was drawn, so that this one may be reprojected from it. */
+  /** Whether the frame before has drawn the last G-buffer. */
   #isNew = false;
-  /** From texel centers to samples, uv. */
-  offset: readonly [number, number] = [0, 0];
 
-  /** The next frame begins anew. */
+  /** From the centers of texels to the samples of the last G-buffer, uv. */
+  get offset(): readonly [number, number] {
+    return this.#offset;
+  }
+
+  /** Without a history, as after frames at rest. */
   reset(): void {
     this.#last = null;
     this.#isNew = false;
   }
 
-  /**
-   * From the current frame to the last one that was not reprojected.
-   *
-   * @param isMoving whether it may be reprojected from that, if it is the previous one
-   */
-  history(
-    current: ReprojectionSource,
-    isMoving: boolean,
-  ): { readonly history: Reprojection | null; readonly isReprojected: boolean } {
-    const history = this.#last && reprojectionBetween(current, this.#last, 0.15);
-    const isNear = history !== null && history.motion < SCHEDULE.reprojection.motion;
-    const isReprojected = isMoving && this.#isNew && isNear;
-    this.#isNew = false;
-    if (!isReprojected) this.#last = current;
-    return { history, isReprojected };
+  /** From a frame to the one that the last G-buffer was drawn for; null if that has too little in common with it. */
+  historyOf(current: ReprojectionSource): Reprojection | null {
+    return this.#last && reprojectionBetween(current, this.#last, SCHEDULE.reprojection.history);
   }
 
-  /** Camera of a new G-buffer. */
+  /** Whether a frame in motion with this history may have the last G-buffer, of the frame before, in place of a new one. */
+  mayReproject(history: Reprojection | null): boolean {
+    const isNew = this.#isNew;
+    this.#isNew = false;
+    return isNew && history !== null && history.motion < SCHEDULE.reprojection.motion;
+  }
+
+  /** The camera of the next G-buffer. */
   next(clipFromWorld: mat4, { width, height }: Size): mat4 {
-    this.#isNew = true;
+    this.#last = null; // there is none while it is drawn
     this.#turn = (this.#turn + 1) % OFFSETS.length;
     const [x, y] = OFFSETS[this.#turn]!;
-    this.offset = [x / width, y / height];
+    this.#offset = [x / width, y / height];
     const shift = mat4.fromTranslation(mat4.create(), [(-2 * x) / width, (-2 * y) / height, 0]);
     return mat4.multiply(shift, shift, clipFromWorld);
+  }
+
+  /** A G-buffer was drawn, for a frame. */
+  drawn(source: ReprojectionSource): void {
+    this.#last = source;
+    this.#isNew = true;
   }
 }

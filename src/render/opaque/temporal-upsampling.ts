@@ -10,8 +10,11 @@ import type { Size } from "../frame-input.js";
 import { scaleBox } from "../screen-bounds.js";
 import type { OpaqueLayer } from "./opaque-stage.js";
 
-/** Share of the current frame in a pixel. Were it larger at its samples, edges would be dotted. */
-const SHARE = { reduced: 0.3, reprojected: 0.1 } as const;
+/**
+ * Share of the current frame in a pixel: of one with a new G-buffer, with the same again, and of a reprojected one. Were
+ * it larger at a frame's samples, edges would be dotted; the same samples again and again would replace all others.
+ */
+const SHARE = { new: 0.3, same: 0.02, reprojected: 0.1 } as const;
 
 const NO_MOTION = { room: mat4.create(), held: mat4.create() };
 
@@ -21,6 +24,8 @@ interface Targets {
   readonly color: RenderTarget;
   readonly motion: RenderTarget;
   readonly history: readonly [latest: RenderTarget, next: RenderTarget];
+  /** Of the G-buffer that was accumulated last; null while there is none. */
+  readonly key: string | null;
 }
 
 /**
@@ -61,9 +66,9 @@ export class TemporalUpsampling {
     const { gbuffer } = layer;
     if (!gbuffer) throw new Error("Temporal upsampling needs a G-buffer.");
     const isReprojected = layer.kind === "reprojected";
-    this.#targets = isReprojected ? this.#targets : this.#targetsFor(gbuffer.albedo, size);
-    if (!this.#targets) throw new Error("There is no previous frame.");
-    const { color, motion, history } = this.#targets;
+    this.#targets = this.#targetsFor(gbuffer.albedo, size);
+    const { color, motion, history, key } = this.#targets;
+    const { canvas } = this.#gpu; // it may still be of another size
     const [latest, next] = history;
     const { room, held } = gbuffer.history ?? NO_MOTION;
     this.#gpu.draw({
@@ -101,26 +106,27 @@ export class TemporalUpsampling {
       yield;
       const boxes = composite(color);
       yield;
-      for (const box of boxes) upsample(screen, SHARE.reprojected, scaleBox(box, color, size));
+      for (const box of boxes) upsample(screen, SHARE.reprojected, scaleBox(box, color, canvas));
       return;
     }
     composite(color);
     yield;
-    upsample(next, gbuffer.history ? SHARE.reduced : 1);
-    this.#targets = { ...this.#targets, history: [next, latest] };
+    const isFirst = !gbuffer.history || key === null;
+    upsample(next, isFirst ? 1 : key === gbuffer.key ? SHARE.same : SHARE.new);
+    this.#targets = { ...this.#targets, history: [next, latest], key: gbuffer.key };
     yield;
     this.#gpu.draw({
       program: this.#present,
       target: screen,
       textures: { uSource: next.color },
-      sampling: { uSource: "nearest" },
+      ...(isOfSize(canvas, size) && { sampling: { uSource: "nearest" } }),
     });
   }
 
   #targetsFor(reduced: Size, size: Size): Targets {
     const old = this.#targets;
     const { width, height } = size;
-    if (old?.size.width === width && old.size.height === height) return old;
+    if (old && isOfSize(old.size, size)) return old;
     for (const target of old ? [old.color, old.motion, ...old.history] : []) target.dispose();
     const target = (name: string, { width, height }: Size, format: TextureFormat = "RGBA8") =>
       this.#gpu.renderTarget({ label: `temporal/${name}`, width, height, color: [format] });
@@ -131,6 +137,11 @@ export class TemporalUpsampling {
       color: target("color", reduced),
       motion: target("motion", reduced, floats(this.#gpu, 4)),
       history: [latest, target("history", size)],
+      key: null,
     };
   }
+}
+
+function isOfSize(one: Size, { width, height }: Size): boolean {
+  return one.width === width && one.height === height;
 }
