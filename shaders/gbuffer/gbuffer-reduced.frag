@@ -29,7 +29,8 @@ in vec3 vUvAndOcclusion;
 layout(location = 0) out vec4 oAlbedo;
 layout(location = 1) out vec4 oSurface;
 
-// Bias of the level of detail: accumulated frames show the pixels of the canvas, two of which are a texel's edge.
+// Bias of the albedo's level of detail: accumulated frames show the pixels of the canvas, two of which are a texel's edge.
+// Normals, of which one texel is read, would dot joints.
 const float SHARPER = -1.0;
 
 void main() {
@@ -55,7 +56,7 @@ void main() {
 #if !UNTEXTURED
   if (frame.normalMaps > 0.5) {
     vec3 L = vToLight * (side * inversesqrt(dot(vToLight, vToLight)));
-    vec3 normal = tangentNormal(texture(uNormal, vUvAndOcclusion.xy, SHARPER).xy, uSurface.z);
+    vec3 normal = tangentNormal(texture(uNormal, vUvAndOcclusion.xy).xy, uSurface.z);
     shading = normalMapShading(L.z, dot(normal, L));
   }
 #endif
