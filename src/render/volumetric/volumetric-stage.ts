@@ -25,7 +25,7 @@ import { MotesPass } from "./motes-pass.js";
 import { SmokePass, smokeSpheres } from "./smoke-pass.js";
 import type { CompositedFrame } from "./volumetric-target.js";
 
-/** Pixels around the flame that bloom and antialiasing read. */
+/** Pixels around the flame that bloom and upsampling read. */
 const MARGIN = 3;
 /** The hull of the flame is drawn wider than its spheres by this factor. */
 const HULL = 1.4;
