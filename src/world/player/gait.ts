@@ -8,6 +8,8 @@ export const WALK = 1.4;
 export const RUN = 2.8;
 /** Rate at which the walker takes up the pace asked for, 1/s: 95 % within a quarter of a second. */
 const AGILITY = 12;
+/** A pace that differs by less is taken up at once, m/s: what is left of a stop's way is a tenth of a millimetre. */
+const STANDSTILL = 0.001;
 
 /** Way of two steps, metres. */
 const STRIDE = 1.6;
@@ -25,9 +27,9 @@ export function accelerate(
   seconds: number,
   way: Vec3,
 ): void {
-  const decay = Math.exp(-AGILITY * seconds);
   for (let axis = 0; axis < 3; axis += 2) {
     const excess = velocity[axis]! - wanted[axis]!;
+    const decay = Math.abs(excess) < STANDSTILL ? 0 : Math.exp(-AGILITY * seconds);
     velocity[axis] = wanted[axis]! + excess * decay;
     way[axis] = wanted[axis]! * seconds + (excess * (1 - decay)) / AGILITY;
   }

@@ -54,6 +54,22 @@ describe("the walker", () => {
     accelerate(velocity, [0, 0, 0], 0.5, way);
     expect(velocity[0]).toBeLessThan(0.01);
   });
+
+  test("stands still two thirds of a second after a stop, as far on as if that took for ever", () => {
+    const [velocity, stretch]: [Vec3, Vec3] = [
+      [WALK, 0, 0],
+      [0, 0, 0],
+    ];
+    const whole: Vec3 = [0, 0, 0];
+    accelerate([WALK, 0, 0], [0, 0, 0], 1e3, whole);
+    let way = 0;
+    for (let i = 0; i < 40; i++) {
+      accelerate(velocity, [0, 0, 0], 1 / 60, stretch);
+      way += stretch[0];
+    }
+    expect(velocity).toEqual([0, 0, 0]);
+    expect(way).toBeCloseTo(whole[0], 9);
+  });
 });
 
 describe("the head", () => {
