@@ -142,12 +142,15 @@ export const FEATURES = [
 ] as const;
 export type Feature = (typeof FEATURES)[number];
 
-/** The techniques of each look. */
-export const FEATURES_OF: Readonly<Record<Look, readonly Feature[]>> = {
-  physical: [...MODEL_FEATURES, ...PHYSICAL_FEATURES],
-  paper: [...PARTICLE_FEATURES, ...PAPER_FEATURES, ...MODEL_FEATURES],
-  original: [...PARTICLE_FEATURES, "candle"],
-};
+/** The techniques of a look. */
+export function featuresOf(look: Look): readonly Feature[] {
+  const features: Readonly<Record<Look, readonly Feature[]>> = {
+    physical: [...MODEL_FEATURES, ...PHYSICAL_FEATURES],
+    paper: [...PARTICLE_FEATURES, ...PAPER_FEATURES, ...MODEL_FEATURES],
+    original: [...PARTICLE_FEATURES, "candle"],
+  };
+  return features[look];
+}
 export type Features = Record<Feature, boolean>;
 
 export function allFeatures(): Features {

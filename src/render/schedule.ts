@@ -11,8 +11,6 @@ export const SCHEDULE = {
     distance: 2,
     /** Largest motion between two frames, as a share of the image's size. */
     motion: 0.08,
-    /** The same between two that are drawn, of which the one before is the other's history. */
-    history: 0.2,
   },
   /**
    * Frames in motion after which forward shading shades a pixel again: by a flame that moves, and in still light. Frames

@@ -3,7 +3,7 @@ import { readFileSync } from "node:fs";
 import { expect, test } from "playwright/test";
 import sharp from "sharp";
 import type { Camera } from "../../src/candle-flame-element.ts";
-import { allFeatures, FEATURES_OF, type Feature } from "../../src/settings.ts";
+import { allFeatures, type Feature, featuresOf } from "../../src/settings.ts";
 import { SparkSchedule } from "../../src/world/particles/sparks.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { type Tile, writeSheet } from "./sheet.ts";
@@ -230,7 +230,7 @@ test("shot: the physical look with and without each of its techniques", async ({
     SIZE,
   );
   const tiles: Tile[] = [];
-  for (const feature of FEATURES_OF.physical) {
+  for (const feature of featuresOf("physical")) {
     const shown = STAGES[feature] ?? BESIDE;
     await stage(room, shown);
     const [whole, without] = await pair(room, feature, shown);

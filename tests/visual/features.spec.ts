@@ -1,8 +1,8 @@
 import {
   allFeatures,
   FEATURES,
-  FEATURES_OF,
   type Feature,
+  featuresOf,
   INSPECTIONS,
   type Inspection,
 } from "../../src/settings.ts";
@@ -17,7 +17,7 @@ async function expectSwitch(room: RoomDriver, feature: Feature, whole: string): 
   expect(again, `with ${feature} again`).toBe(whole);
 }
 
-for (const feature of FEATURES_OF.paper) {
+for (const feature of featuresOf("paper")) {
   test(`Without ${feature} the paper's picture is another, and with it again the same`, async ({
     room,
   }) => {
@@ -33,7 +33,7 @@ test.describe("In the cabin", () => {
     cabin: room,
   }) => {
     const whole = await room.pixels();
-    for (const feature of FEATURES_OF.physical) {
+    for (const feature of featuresOf("physical")) {
       // At rest and at this size there is none of it to be seen: plume.spec.ts.
       if (feature === "smoke" || feature === "sparks" || feature === "dust") continue;
       const features = { ...allFeatures(), [feature]: false };
@@ -79,7 +79,7 @@ test.describe("In the cabin", () => {
 });
 
 test("Every feature is one that some look has", () => {
-  const known = new Set(Object.values(FEATURES_OF).flat());
+  const known = new Set(Object.values(featuresOf).flat());
   expect([...known].sort()).toEqual([...FEATURES].sort());
 });
 
@@ -110,10 +110,10 @@ test("Features are given as one object, or one by one, and unknown ones are refu
 test("The original has fewer techniques to switch, and says which", async ({ room }) => {
   await room.set({ look: "original" });
   await room.step(0.1);
-  for (const feature of FEATURES_OF.original)
+  for (const feature of featuresOf("original"))
     await expectSwitch(room, feature, await room.pixels());
   const whole = await room.pixels();
-  const others = FEATURES_OF.paper.filter((name) => !FEATURES_OF.original.includes(name));
+  const others = featuresOf("paper").filter((name) => !featuresOf("original").includes(name));
   await room.switchFeatures(Object.fromEntries(others.map((name) => [name, false])));
   expect(await room.pixels()).toBe(whole);
 });

@@ -2,7 +2,7 @@ import { readFile } from "node:fs/promises";
 import type { Locator, Page } from "playwright/test";
 import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
 import { FEATURE_MEANINGS, INSPECTION_MEANINGS } from "../../src/page/meanings.ts";
-import { FEATURES_OF, INSPECTIONS, SETTINGS } from "../../src/settings.ts";
+import { featuresOf, INSPECTIONS, SETTINGS } from "../../src/settings.ts";
 import { expect, PAGE, test } from "../support/hosted-page.ts";
 import { OPENING } from "../support/opening.ts";
 
@@ -723,7 +723,7 @@ test("techniques and settings change the room at once, and the numbers follow", 
     .evaluateAll((boxes: HTMLInputElement[]) =>
       boxes.map(({ name, labels }) => [name, labels?.[0]?.textContent]),
     );
-  const expected = FEATURES_OF.paper.map((name) => [name, `${name}${FEATURE_MEANINGS[name]}`]);
+  const expected = featuresOf("paper").map((name) => [name, `${name}${FEATURE_MEANINGS[name]}`]);
   expect(shown).toEqual(expected);
   const numbers = await hosted.openSection("The last frame");
   const particles = numbers.getByRole("definition").nth(6);

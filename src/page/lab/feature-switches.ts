@@ -1,5 +1,5 @@
 import type { CandleFlameElement } from "../../candle-flame-element.js";
-import { FEATURES, FEATURES_OF } from "../../settings.js";
+import { FEATURES, featuresOf } from "../../settings.js";
 import { drawnLook } from "../drawn-look.js";
 import { followAttributes } from "../follow-attributes.js";
 import { FEATURE_MEANINGS } from "../meanings.js";
@@ -22,7 +22,7 @@ export function addFeatureSwitches(element: CandleFlameElement, list: HTMLElemen
   const refresh = () => {
     const { features } = element;
     for (const { name, box } of rows) box.checked = features[name];
-    const labels = FEATURES_OF[drawnLook(element)].flatMap(
+    const labels = featuresOf(drawnLook(element)).flatMap(
       (name) => rows.find((row) => row.name === name)?.label ?? [],
     );
     // Labels that stay keep the focus.

@@ -11,6 +11,9 @@ const OFFSETS = [
   [-0.25, 0.25],
 ] as const;
 
+/** Largest motion between two G-buffers, as a share of the image's size: of two frames, and some more. */
+const MOST_MOTION = 2.5 * SCHEDULE.reprojection.motion;
+
 /**
  * Successive reduced G-buffers: each samples the image at other places, so that what several frames accumulate is as fine
  * as the canvas.
@@ -37,7 +40,7 @@ export class SampleJitter {
 
   /** From a frame to the one that the last G-buffer was drawn for; null if that has too little in common with it. */
   historyOf(current: ReprojectionSource): Reprojection | null {
-    return this.#last && reprojectionBetween(current, this.#last, SCHEDULE.reprojection.history);
+    return this.#last && reprojectionBetween(current, this.#last, MOST_MOTION);
   }
 
   /** Whether a frame in motion with this history may have the last G-buffer, of the frame before, in place of a new one. */
