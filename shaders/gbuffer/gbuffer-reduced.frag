@@ -29,9 +29,9 @@ in vec3 vUvAndOcclusion;
 layout(location = 0) out vec4 oAlbedo;
 layout(location = 1) out vec4 oSurface;
 
-// Bias of the albedo's level of detail: accumulated frames show the pixels of the canvas, two of which are a texel's edge.
+// Of the albedo: accumulated frames show the pixels of the canvas, two of which are a texel's edge.
 // Normals, of which one texel is read, would dot joints.
-const float SHARPER = -1.0;
+const float LOD_BIAS = -1.0;
 
 void main() {
 #if UNTEXTURED
@@ -39,7 +39,7 @@ void main() {
   const vec3 packed = vec3(1.0);
   float occlusion = vUvAndOcclusion.z;
 #else
-  vec4 root = texture(uGamma2Albedo, vUvAndOcclusion.xy, SHARPER);
+  vec4 root = texture(uGamma2Albedo, vUvAndOcclusion.xy, LOD_BIAS);
 #if BAKED
   vec3 packed = vec3(1.0, root.a, 0.0);
   float occlusion = vUvAndOcclusion.z;

@@ -19,7 +19,7 @@ out vec4 oColor;
 // Of the taps around a pixel at an edge, texels.
 const float TAP_DISTANCE = 0.5;
 // Share of the frame for each unit of colour, summed over channels, that the history is outside its bounds.
-const float BEYOND = 2.0;
+const float REJECTION = 2.0;
 
 void main() {
   vec4 motion = texture(uMotion, vUv);
@@ -48,6 +48,6 @@ void main() {
   vec3 history = texture(uHistory, vUv + motion.xy).rgb;
   vec3 bounded = clamp(history, min(min(a, b), min(c, d)), max(max(a, b), max(c, d)));
   // A colour that lies far outside was of another surface.
-  float beyond = min(BEYOND * dot(abs(history - bounded), vec3(1.0)), 1.0);
-  oColor = vec4(mix(bounded, current, max(uShare, beyond)), 1.0);
+  float rejected = min(REJECTION * dot(abs(history - bounded), vec3(1.0)), 1.0);
+  oColor = vec4(mix(bounded, current, max(uShare, rejected)), 1.0);
 }
