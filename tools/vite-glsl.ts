@@ -20,8 +20,8 @@ function minified(source: string): string {
     .replace(/^[ \t]+/gm, "")
     .replace(/^[^#\n].*$/gm, (line) =>
       line
-        .replace(/ ([+/-]) (?![+-])/g, "$1")
-        .replace(/ *([=(){},;*?:<>|&]) */g, "$1")
+        .replace(/ ([+/-]) (?![+-])| ([+/-]=)/g, "$1$2")
+        .replace(/ *([=(){},;*?:<>|&^]) */g, "$1")
         .replace(/\b(\d+\.)0\b|\b0(\.\d)/g, "$1$2"),
     )
     .replace(/(\n(#line \d+ \d+)?)+(?=\n#line )/g, "")
