@@ -38,8 +38,12 @@ export class Lifecycle {
   readonly #ready = new ReadyPromise();
   #abort = new AbortController();
   #visibility: Visibility | null = null;
-  #client: ContextClient | null = null;
   #session: Session | null = null;
+  readonly #client: ContextClient = {
+    isVisible: () => this.isVisible,
+    acquire: () => this.#load(),
+    release: () => this.restart(),
+  };
   readonly #emitPlace = () => emit(this.#element, "place", null);
 
   constructor(internals: ElementInternals, root: ShadowRoot, input: SessionInput) {
@@ -122,10 +126,7 @@ export class Lifecycle {
 
   /** Hands the attributes to the candle. */
   apply(): void {
-    const session = this.#session;
-    session?.use((candle) => {
-      candle.options = session.options;
-    });
+    this.#session?.applyOptions();
     this.#applyMotion();
     this.changed();
   }
@@ -163,23 +164,13 @@ export class Lifecycle {
   /** A room waits for a context; lone candles share one. */
   #queue(): void {
     this.#machine.send("approach");
-    if (this.#element.scene === "candle") {
-      this.#load();
-      return;
-    }
-    this.#client = {
-      isVisible: () => this.isVisible,
-      acquire: () => {
-        this.#overlay.clearFailure();
-        this.#load();
-      },
-      release: () => this.restart(),
-    };
-    if (!contextPool.request(this.#client) && this.#client) this.#overlay.fail(FULL, "status");
+    if (this.#element.scene === "candle") this.#load();
+    else if (!contextPool.request(this.#client)) this.#overlay.fail(FULL, "status");
   }
 
   #load(): void {
     this.#machine.send("admit");
+    this.#overlay.clearFailure();
     const { signal } = this.#abort;
     // A canvas cannot have another context after its own was released, so each session has its own canvas.
     const canvas = document.createElement("canvas");
@@ -205,6 +196,7 @@ export class Lifecycle {
     this.applyPending(candle, this.#emitPlace);
     this.#overlay.hideProgress();
     this.changed();
+    void this.#settle();
     emit(this.#element, "load", null);
   }
 
@@ -217,7 +209,10 @@ export class Lifecycle {
 
   /** The fetch was aborted: the attributes ask for the scene that is shown. */
   onFetchDropped(): void {
-    if (this.#session?.candle) this.pending.forgetPlaces();
+    if (this.#session?.candle) {
+      this.pending.forgetPlaces();
+      void this.#settle();
+    }
     this.#overlay.hideProgress();
   }
 
@@ -247,12 +242,16 @@ export class Lifecycle {
     this.#applyMotion();
     if (this.#session !== session) return; // a listener asked for another scene
     if (session.look !== this.#element.look) this.#overlay.hint.tell(NO_PHYSICAL_LOOK);
-    const { settle } = this.#ready;
-    const end = () => this.#session === session && settle();
-    // Steps must not depend on when code arrives.
-    if (this.#states.has("alone") && this.#element.paused) void fetchPageSmoke().then(end);
-    else settle();
+    void this.#settle();
     emit(this.#element, "load", null);
+  }
+
+  /** Resolves `ready`, unless another scene is on its way. */
+  async #settle(): Promise<void> {
+    const session = this.#session;
+    // Steps must not depend on when code arrives.
+    if (this.#states.has("alone") && this.#element.paused) await fetchPageSmoke();
+    if (this.#session === session && !session?.isFetching) this.#ready.settle();
   }
 
   onContextLost(): void {
@@ -343,8 +342,6 @@ export class Lifecycle {
     const emitPause = () => emit(this.#element, "pause", null);
     if (this.#states.has("playing")) queueMicrotask(emitPause); // all is free by then
     this.#states.clear();
-    const client = this.#client;
-    this.#client = null;
-    if (client) contextPool.free(client);
+    contextPool.free(this.#client);
   }
 }

@@ -166,6 +166,12 @@ export class Session {
     }
   }
 
+  applyOptions(): void {
+    this.use((candle) => {
+      candle.options = this.options;
+    });
+  }
+
   /** Fits the frame to the canvas. Returns whether it has to be drawn again. */
   resize(): boolean {
     return this.use((candle) => this.#fit(candle)) ?? false;

@@ -383,6 +383,64 @@ test("A model that fails while the first room is prepared leaves that room", asy
   expect(outcome).toEqual(["asset", undefined, 1]);
 });
 
+test("`ready` waits for the room that was asked for before the first frame", async ({ page }) => {
+  const room = await openRecorded(page, { look: "original" }, { model: QUICK_ROOM });
+  await page.route(/later\.glb$/, async (route) => {
+    await route.fulfill({ contentType: "model/gltf-binary", body: QUICK_ROOM });
+  });
+  const outcomes = await room.evaluate(async (shown) => {
+    const { fetch } = globalThis;
+    const outcomes: unknown[] = [];
+    for (const src of ["later.glb", "define.js", ""]) {
+      // The file arrives once the room before it is on show.
+      let release = () => {};
+      const released = new Promise<void>((resolve) => {
+        release = resolve;
+      });
+      globalThis.fetch = async (input, init) => {
+        const { url } = new Request(input);
+        if (/later\.glb|define\.js/.test(url)) await released;
+        return fetch(input, init);
+      };
+      const element = document.createElement("candle-flame");
+      Object.assign(element, { look: "paper", quality: "low", paused: true });
+      const events: string[] = [];
+      for (const type of ["load", "error"]) element.addEventListener(type, () => events.push(type));
+      const { linkProgram } = WebGL2RenderingContext.prototype;
+      const begun = new Promise<void>((resolve) => {
+        WebGL2RenderingContext.prototype.linkProgram = function (program) {
+          linkProgram.call(this, program);
+          resolve();
+        };
+      });
+      const first = new Promise((resolve) =>
+        element.addEventListener("load", resolve, { once: true }),
+      );
+      void element.ready.then(() => events.push("ready"));
+      shown.after(element);
+      await begun;
+      WebGL2RenderingContext.prototype.linkProgram = linkProgram;
+      element.src = src || "later.glb";
+      await first;
+      await new Promise((resolve) => setTimeout(resolve));
+      events.push("released");
+      if (src === "") element.src = "";
+      else release();
+      await element.ready;
+      await new Promise((resolve) => setTimeout(resolve));
+      outcomes.push(events);
+      element.remove();
+    }
+    Object.assign(globalThis, { fetch });
+    return outcomes;
+  });
+  expect(outcomes, "fetched, missing, and not asked for any more").toEqual([
+    ["load", "released", "load", "ready"],
+    ["load", "released", "error", "ready"],
+    ["load", "released", "ready"],
+  ]);
+});
+
 test("However much is set, one frame shows it", async ({ room }) => {
   const frames = await room.evaluate(async (element) => {
     let clears = 0;
