@@ -7,7 +7,8 @@
  */
 const STYLE = `
 :host {
-  display: block;
+  display: grid;
+  grid: auto / minmax(0, 300px);
   position: relative;
   aspect-ratio: 16 / 9;
   inline-size: 100%;
@@ -48,9 +49,7 @@ slot[name="poster"] {
 slot[name="poster"][hidden] {
   opacity: 0;
   pointer-events: none;
-  transition: opacity 0.4s ease-out, display 0.4s allow-discrete;
 }
-@media (prefers-reduced-motion: reduce) { slot[name="poster"][hidden] { transition: none; } }
 :host(:is(:state(loading), [state-loading])) canvas { visibility: hidden; }
 :host(:is(:state(walking), [state-walking])) canvas {
   touch-action: none;
@@ -97,6 +96,7 @@ slot[name="poster"][hidden] {
   font: 0.8em/1.6 system-ui, sans-serif;
 }
 @media (prefers-reduced-motion: no-preference) {
+  slot[name="poster"][hidden] { transition: opacity 0.4s ease-out, display 0.4s allow-discrete; }
   [part="progress"].full { animation: hint 1.2s ease-in-out infinite alternate; }
 }
 @keyframes hint { to { opacity: 0 } }

@@ -303,14 +303,37 @@ test("What is set before the tag is defined holds when it is, in a box that the 
       element.style.cssText = css;
       return `${element.offsetWidth} x ${element.offsetHeight}`;
     });
-    return [getComputedStyle(element).display, ...sizes];
+    return sizes;
   });
   expect(sizes, "a block of 16 to 9, unless the page wants another").toEqual([
-    "block",
     "320 x 180",
     "160 x 90",
     "320 x 90",
     "320 x 320",
+  ]);
+  // Boxes that are as wide as what is in them, and columns that are not.
+  const widths = await page.evaluate(() => {
+    const element = document.querySelector("candle-flame");
+    const frame = element?.parentElement;
+    if (!element || !frame) throw new Error("no element");
+    element.style.cssText = "";
+    const boxes = ["float: left", "display: inline-block", "position: absolute", "display: table"];
+    const columns = ["flex: 1", "flex: 1; display: flex", "flex: 1; display: grid"];
+    return [...boxes, ...columns].map((css) => {
+      const box = document.createElement("div");
+      box.style.cssText = css;
+      box.append(element);
+      frame.style.display = css.startsWith("flex") ? "flex" : "block";
+      frame.replaceChildren(
+        box,
+        ...(css.startsWith("flex") ? [1, 2, 3].map(() => box.cloneNode()) : []),
+      );
+      return `${element.offsetWidth} x ${element.offsetHeight}`;
+    });
+  });
+  expect(widths, "of 300 pixels, as a canvas is, but of less where there is less").toEqual([
+    ...Array(4).fill("300 x 169"),
+    ...Array(3).fill("80 x 45"),
   ]);
   expect(complaints).toEqual([]);
 });
