@@ -1,6 +1,7 @@
 import type { CandleFlame } from "../candle-flame.js";
 import { areSame, type SceneRequest } from "../scenes/scene.js";
 import { FIELDS_OF_VIEW, type Look } from "../settings.js";
+import { isWithinReach } from "../world/candle.js";
 import { placeCandle } from "../world/commands.js";
 import { type Snapshot, takeSnapshot, timeOf } from "../world/snapshot.js";
 import { cameraOf, setCamera } from "./camera.js";
@@ -88,11 +89,14 @@ export class PendingWorld {
     if (!this.#saved?.snapshot.stand) this.#placing = { ...this.#camera };
   }
 
-  /** Has the candle held. Returns whether it stands in the snapshot. */
+  /** Has the candle held. Returns whether it stands in the snapshot, within reach of the camera, and not fixed. */
   take(): boolean {
     this.#placing = null;
     if (!this.#saved?.snapshot.stand) return false;
     const { snapshot, request } = this.#saved;
+    const { scene, look } = request;
+    const isFixed = scene === "candle" || look === "original";
+    if (isFixed || !isWithinReach(this.#saved.snapshot.stand, this.cameraFor(look))) return false;
     this.save({ ...snapshot, stand: null }, request);
     return true;
   }

@@ -35,7 +35,11 @@ export function placeOnGround(candle: Candle, player: Player, setup: WorldSetup)
   candle.isHeld = false;
 }
 
-export function isWithinReach(candle: Candle, player: Player): boolean {
+interface Place {
+  readonly position: Readonly<Vec3>;
+}
+
+export function isWithinReach(candle: Place, player: Place): boolean {
   const dx = candle.position[0] - player.position[0];
   const dz = candle.position[2] - player.position[2];
   return Math.hypot(dx, dz) < GRASP;
