@@ -52,13 +52,14 @@ export function* worldInSteps(
   options: Options,
   birth: WorldOptions = {},
 ): Steps<World> {
-  const { room, wicks, createPlume, isModelAlone, first } = scene;
+  const { room, wicks, createPlume, createSample, isModelAlone, first } = scene;
   const { seed, isStill, wind } = options;
   // A model alone burns the same in any look.
   const look = isModelAlone ? "physical" : options.look;
   const alone = first ? { ...LONE_CANDLE_SETUP, wick: first.position } : LONE_CANDLE_SETUP;
   return yield* createWorldInSteps(look, seed, {
     createPlume,
+    createSample,
     room,
     setup: isModelAlone ? alone : null,
     wind,

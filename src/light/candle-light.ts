@@ -1,5 +1,6 @@
 import type { Features } from "../settings.js";
 import type { Vec3 } from "../world/geometry.js";
+import type { Particles } from "../world/particles/particles.js";
 import { currentTime, type World } from "../world/world.js";
 
 /** Point light: the flame of the paper's looks. */
@@ -26,6 +27,12 @@ const FLICKER = 0.04;
 /** rad/s */
 const FLICKER_RATE = 2 * Math.PI * 2.3;
 
+/** The particles that the light of a paper's look follows. */
+export function sampleOf({ sample }: World): Particles {
+  if (!sample) throw new Error("The paper's looks need a sample of particles.");
+  return sample;
+}
+
 /** The light of the paper's flame, at the centre of its glowing particles. */
 export function candleLight(world: World, features: Features, isStill: boolean): PointLight {
   const { setup } = world;
@@ -39,7 +46,7 @@ export function candleLight(world: World, features: Features, isStill: boolean):
       attenuates: false,
     };
   }
-  const centre = world.sample.centre([0, 0, 0]);
+  const centre = sampleOf(world).centre([0, 0, 0]);
   const varies = features.flicker && !isStill;
   const flicker =
     burning * (varies ? 1 + FLICKER * Math.sin(FLICKER_RATE * currentTime(world)) : 1);

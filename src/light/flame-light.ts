@@ -2,6 +2,7 @@ import { flameHeight, flameRadius, TAPER_RATE, TAPER_WICK } from "../world/flame
 import type { Flame } from "../world/flame/flame.js";
 import type { Vec3 } from "../world/geometry.js";
 import type { World } from "../world/world.js";
+import { sampleOf } from "./candle-light.js";
 import { adaptation, chromaticity, luma, type Rgb } from "./color.js";
 import { BLUE, type FlameBody, flameBody } from "./flame-body.js";
 import { createShape, shapeFlame } from "./flame-shape.js";
@@ -136,8 +137,8 @@ function correlatedTemperature(rgb: Rgb): number {
 
 /** The same of the paper's flame, which has no unit of light: its extent is that of its particles. */
 export function paperFlameReport(world: World, position: Vec3): FlameReport {
-  const { setup, interpolated, sample, flame } = world;
-  const { speed, buoyancy, life, size } = sample.layer;
+  const { setup, interpolated, flame } = world;
+  const { speed, buoyancy, life, size } = sampleOf(world).layer;
   const mean = (speed[0] + speed[1]) / 2;
   const burning = Math.min(flame.relativeLight, 1);
   return {

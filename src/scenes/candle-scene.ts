@@ -16,6 +16,7 @@ export async function loadLoneCandle(
     first: null,
     wicks: [],
     createPlume: createPageSmoke,
+    createSample: null,
     moonDirection: null,
     isModelAlone: true,
     prepareRenderer: () => true,

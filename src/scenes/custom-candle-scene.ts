@@ -41,6 +41,7 @@ export async function loadCustomCandle(
     first,
     wicks: others,
     createPlume: createPageSmoke,
+    createSample: null,
     moonDirection: null,
     isModelAlone: true,
     prepareRenderer: () => true,

@@ -8,6 +8,7 @@ import type { Models } from "../render/renderer.js";
 import { createPlume } from "../world/air/plume.js";
 import type { Vec3 } from "../world/geometry.js";
 import { CABIN_MOON, moonOf } from "../world/moon.js";
+import { createSample } from "../world/particles/particles.js";
 import { CollisionMesh } from "../world/room/collision-mesh.js";
 import { createRoom } from "../world/room/room.js";
 import { NextRenderer } from "./next-renderer.js";
@@ -44,6 +45,7 @@ async function read(models: Models, { look, src }: SceneRequest): Promise<Omit<S
     first: null,
     wicks: look === "physical" ? placeWicks(models.room, collision, room.start) : [],
     createPlume,
+    createSample,
     moonDirection,
     isModelAlone: false,
     prepareRenderer: ({ gpu }, tier, { look, moon }) =>

@@ -5,6 +5,7 @@ import type { Look, SceneName } from "../settings.js";
 import type { CreatePlume } from "../world/air/plume.js";
 import type { Vec3 } from "../world/geometry.js";
 import type { MoonWish } from "../world/moon.js";
+import type { CreateSample } from "../world/particles/particles.js";
 import type { Room } from "../world/room/room.js";
 import type { Wick } from "../world/standing-candle.js";
 import type { CanvasTarget } from "./canvas-target.js";
@@ -22,6 +23,8 @@ export interface Scene {
   readonly wicks: readonly Wick[];
   /** Makes hot air and smoke; null where they are not drawn. */
   readonly createPlume: CreatePlume | null;
+  /** Makes the particles that the light of the paper's looks follows; null where those are not drawn. */
+  readonly createSample: CreateSample | null;
   /** Direction in which the room's own moonlight goes, of length 1; null where it has none. */
   readonly moonDirection: Vec3 | null;
   /** Whether there is nothing but a model on the page's own background. */

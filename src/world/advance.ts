@@ -61,7 +61,7 @@ export function tick(world: World, intent: Intent): void {
     advanceSmoke(world);
   }
   record(world, isPhysical);
-  if (!isPhysical) world.sample.follow(timeline);
+  world.sample?.follow(timeline);
 }
 
 function movePlayer(world: World, intent: Intent): void {

@@ -5,14 +5,13 @@ import { TAPER_WICK } from "./flame/burning.js";
 import { Flame } from "./flame/flame.js";
 import { inset, type Vec3 } from "./geometry.js";
 import type { Moon } from "./moon.js";
-import { GROUPS } from "./particles/particle-layer.js";
-import { layerKey, Particles } from "./particles/particles.js";
+import type { CreateSample } from "./particles/particles.js";
 import { SparkSchedule } from "./particles/sparks.js";
 import { createHand } from "./player/hand.js";
 import { boxBounds, UNBOUNDED } from "./room/movement-bounds.js";
 import type { Room } from "./room/room.js";
 import { createStandingCandle, type Wick } from "./standing-candle.js";
-import { finish, type Steps } from "./steps.js";
+import type { Steps } from "./steps.js";
 import { HISTORY, Timeline } from "./timeline.js";
 import { warmUp } from "./warm-up.js";
 import type { World } from "./world.js";
@@ -27,6 +26,8 @@ export interface WorldOptions {
   readonly room?: Room | null;
   /** Makes hot air and smoke; without it there is none. */
   readonly createPlume?: CreatePlume | null;
+  /** Needed by the paper's looks. */
+  readonly createSample?: CreateSample | null;
   /** Default: the look's. */
   readonly setup?: WorldSetup | null;
   readonly wind?: Wind;
@@ -42,12 +43,7 @@ export interface WorldOptions {
   readonly sways?: boolean;
 }
 
-/** A new world, whose flame is fully developed. */
-export function createWorld(look: Look, seed: number, options: WorldOptions = {}): World {
-  return finish(createWorldInSteps(look, seed, options));
-}
-
-/** The same in steps of a few milliseconds. */
+/** A new world, whose flame is fully developed, in steps of a few milliseconds. */
 export function* createWorldInSteps(
   look: Look,
   seed: number,
@@ -55,9 +51,6 @@ export function* createWorldInSteps(
 ): Steps<World> {
   const { age = 0, room = null, wind = CALM, wick = TAPER_WICK, isLit = true } = options;
   const setup = options.setup ?? WORLD_SETUPS[look];
-  const brightest = setup.layers.length - 1;
-  const layer = setup.layers[brightest];
-  if (!layer) throw new Error(`The look “${look}” has no particle layers.`);
   const { yaw, start } = room ?? { yaw: setup.yaw, start: setup.spawn };
   const eye: Vec3 = [...start];
   const { pitch } = setup;
@@ -86,7 +79,7 @@ export function* createWorldInSteps(
     emitter: [0, 0, 0],
     interpolated: { eye: [0, 0, 0], foot: [0, 0, 0], flame: [0, 0, 0] },
     timeline: new Timeline(age - HISTORY),
-    sample: new Particles(layer, layerKey(seed, brightest), layer.capacity / GROUPS),
+    sample: isPhysical ? null : (options.createSample?.(setup.layers, seed) ?? null),
     remainder: 0,
     stride: 0,
     fieldOfView: options.fieldOfView ?? null,

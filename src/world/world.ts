@@ -49,8 +49,8 @@ export interface World {
   /** Positions at the moment of the frame, up to a tick after the state above. Metres. */
   readonly interpolated: { readonly eye: Vec3; readonly foot: Vec3; readonly flame: Vec3 };
   readonly timeline: Timeline;
-  /** Every fourth particle of the paper's brightest layer: their centre is that of the light. */
-  readonly sample: Particles;
+  /** Every fourth particle of the paper's brightest layer: their centre is that of the light. Null in the physical look. */
+  readonly sample: Particles | null;
   /** Time asked for and not yet simulated, seconds, less than a tick. */
   remainder: number;
   /** Phase of the stride, 0 to 1. */

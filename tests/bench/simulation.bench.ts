@@ -2,10 +2,10 @@ import { expect, test } from "playwright/test";
 import { advance } from "../../src/world/advance.ts";
 import { createPlume } from "../../src/world/air/plume.ts";
 import { blow } from "../../src/world/commands.ts";
-import { createWorld } from "../../src/world/create-world.ts";
 import { STILL } from "../../src/world/player/intent.ts";
 import type { World } from "../../src/world/world.ts";
 import { garbagePerTick, MOST_GARBAGE } from "../support/garbage.ts";
+import { createWorld } from "../support/world.ts";
 
 /** Most that a frame's world may take of one core, in milliseconds. */
 const MOST = 2;

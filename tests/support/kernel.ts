@@ -2,11 +2,11 @@ import { Gpu } from "../../src/gl/gpu.ts";
 import { ParticleSystem } from "../../src/render/volumetric/particle-system.ts";
 import { advance } from "../../src/world/advance.ts";
 import { moveCamera, placeCandle } from "../../src/world/commands.ts";
-import { createWorld } from "../../src/world/create-world.ts";
 import { PAPER_LAYERS, type ParticleLayer } from "../../src/world/particles/particle-layer.ts";
 import { layerKey, PARTICLE_FLOATS, Particles } from "../../src/world/particles/particles.ts";
 import { STILL } from "../../src/world/player/intent.ts";
 import { TICK, Timeline } from "../../src/world/timeline.ts";
+import { createWorld } from "./world.ts";
 
 /** What happens to a layer of particles, tick by tick, and how it is watched. */
 export interface Course {

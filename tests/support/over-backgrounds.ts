@@ -14,9 +14,9 @@ import { FEEDBACK } from "../../src/render/volumetric/particle-system.ts";
 import { SmokePass } from "../../src/render/volumetric/smoke-pass.ts";
 import { advance } from "../../src/world/advance.ts";
 import { createPlume } from "../../src/world/air/plume.ts";
-import { createWorld } from "../../src/world/create-world.ts";
 import type { Vec3 } from "../../src/world/geometry.ts";
 import { STILL } from "../../src/world/player/intent.ts";
+import { createWorld } from "./world.ts";
 
 const [WIDTH, HEIGHT] = [160, 90];
 /** Where the eye is, from the flame's foot, m, and its field of view. */

@@ -2,12 +2,12 @@ import type { Page } from "playwright/test";
 import type { Camera } from "../../src/candle-flame-element.ts";
 import { luma } from "../../src/light/color.ts";
 import { carriedFlame, flameLight, TAPER } from "../../src/light/flame-light.ts";
-import { createWorld } from "../../src/world/create-world.ts";
 import { drawOneSample } from "../support/one-sample.ts";
 import { plainRoom } from "../support/plain-room.ts";
 import { LIBRARY, RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
 import { absorbedShare, SIZE as SQUARE, WHITE_ROOM } from "../support/white-room.ts";
+import { createWorld } from "../support/world.ts";
 
 const SIZE = { width: 320, height: 180 };
 const FIELD_OF_VIEW = (56 * Math.PI) / 180;

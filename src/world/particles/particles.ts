@@ -132,3 +132,13 @@ export class Particles {
     state[i + 3] = layer.life - age;
   }
 }
+
+/** Creates what `World.sample` is, from the layers of a look. */
+export type CreateSample = (layers: readonly ParticleLayer[], seed: number) => Particles;
+
+export const createSample: CreateSample = (layers, seed) => {
+  const brightest = layers.length - 1;
+  const layer = layers[brightest];
+  if (!layer) throw new Error("A look of the paper has particle layers.");
+  return new Particles(layer, layerKey(seed, brightest), layer.capacity / GROUPS);
+};

@@ -1,11 +1,12 @@
 import { advance } from "../../../src/world/advance.ts";
 import { createPlume } from "../../../src/world/air/plume.ts";
-import { createWorld, type WorldOptions } from "../../../src/world/create-world.ts";
+import type { WorldOptions } from "../../../src/world/create-world.ts";
 import { type Intent, STILL } from "../../../src/world/player/intent.ts";
 import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";
 import { createRoom } from "../../../src/world/room/room.ts";
 import type { World } from "../../../src/world/world.ts";
 import { FURNISHED } from "../../unit/world/rooms.ts";
+import { createWorld } from "../world.ts";
 
 /** Frames of 1/60 s: until all is compiled, and in each of the stretches that are measured. */
 const WARM_UP = Number(process.argv[2]);

@@ -1,13 +1,13 @@
 import { describe, expect, test } from "vitest";
-import { candleLight, type PointLight } from "../../../src/light/candle-light.ts";
+import { candleLight, type PointLight, sampleOf } from "../../../src/light/candle-light.ts";
 import { allFeatures } from "../../../src/settings.ts";
 import { advance } from "../../../src/world/advance.ts";
 import { moveCamera } from "../../../src/world/commands.ts";
-import { createWorld } from "../../../src/world/create-world.ts";
 import { PARTICLE_FLOATS } from "../../../src/world/particles/particles.ts";
 import { STILL } from "../../../src/world/player/intent.ts";
 import { TICK } from "../../../src/world/timeline.ts";
 import type { World } from "../../../src/world/world.ts";
+import { createWorld } from "../../support/world.ts";
 
 const ALL = allFeatures();
 const lightOf = (world: World, isStill = false) => candleLight(world, ALL, isStill);
@@ -22,13 +22,15 @@ function lights(world: World, ticks: number, features = ALL, isStill = false): P
 }
 
 /** Box around the living particles of the sample, in the room. */
-function boxOfParticles({ sample, setup, interpolated }: World) {
+function boxOfParticles(world: World) {
+  const { setup, interpolated } = world;
+  const { state } = sampleOf(world);
   const min = [Infinity, Infinity, Infinity];
   const max = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < sample.state.length; i += PARTICLE_FLOATS) {
-    if (sample.state[i + 3]! <= 0) continue;
+  for (let i = 0; i < state.length; i += PARTICLE_FLOATS) {
+    if (state[i + 3]! <= 0) continue;
     for (const axis of [0, 1, 2] as const) {
-      const at = interpolated.flame[axis] + sample.state[i + axis]! * setup.flameScale;
+      const at = interpolated.flame[axis] + state[i + axis]! * setup.flameScale;
       min[axis] = Math.min(min[axis]!, at);
       max[axis] = Math.max(max[axis]!, at);
     }

@@ -2,8 +2,8 @@ import { expect, test } from "vitest";
 import { captureOrigin } from "../../../src/light/capture-origin.ts";
 import { captureLight } from "../../../src/render/light-block.ts";
 import { advance } from "../../../src/world/advance.ts";
-import { createWorld } from "../../../src/world/create-world.ts";
 import { STILL } from "../../../src/world/player/intent.ts";
+import { createWorld } from "../../support/world.ts";
 
 test("a flame that only flickers is captured from one place", () => {
   const places = Array.from({ length: 50 }, (_, i) => {

@@ -7,8 +7,8 @@ import type { GBuffer } from "../../../src/render/gbuffer/gbuffer.ts";
 import { CachedLighting } from "../../../src/render/opaque/cached-lighting.ts";
 import type { FrameBlocks } from "../../../src/render/opaque/opaque-stage.ts";
 import { REFINED } from "../../../src/render/refinement/refined-tier.ts";
-import { createWorld } from "../../../src/world/create-world.ts";
 import { finish } from "../../../src/world/steps.ts";
+import { createWorld } from "../../support/world.ts";
 
 test("the lighting of a candle that is out is freed, and all of it on request", () => {
   const alive = new Set<string>();

@@ -10,11 +10,11 @@ import {
 import { frameBlock } from "../../../src/render/frame-block.ts";
 import type { FrameSettings } from "../../../src/render/frame-settings.ts";
 import { reprojectionMatrix, screenMotion } from "../../../src/render/gbuffer/reprojection.ts";
-import { createWorld } from "../../../src/world/create-world.ts";
 import type { Vec3 } from "../../../src/world/geometry.ts";
 import { STILL } from "../../../src/world/player/intent.ts";
 import { type Player, walk } from "../../../src/world/player/player.ts";
 import { UNBOUNDED } from "../../../src/world/room/movement-bounds.ts";
+import { createWorld } from "../../support/world.ts";
 
 const EYE: Vec3 = [1, 1.6, -2];
 

@@ -6,8 +6,8 @@ import type { Captures } from "../../../src/render/gi/light-captures.ts";
 import { ForwardStage } from "../../../src/render/opaque/forward-stage.ts";
 import { tierNamed } from "../../../src/render/quality.ts";
 import type { CompositedFrame } from "../../../src/render/volumetric/volumetric-target.ts";
-import { createWorld } from "../../../src/world/create-world.ts";
 import { finish } from "../../../src/world/steps.ts";
+import { createWorld } from "../../support/world.ts";
 
 const SIZE = { width: 96, height: 54 };
 

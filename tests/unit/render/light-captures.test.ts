@@ -4,10 +4,10 @@ import type { FrameInput } from "../../../src/render/frame-input.ts";
 import { LightCaptures } from "../../../src/render/gi/light-captures.ts";
 import { captureLight } from "../../../src/render/light-block.ts";
 import { tierNamed } from "../../../src/render/quality.ts";
-import { createWorld } from "../../../src/world/create-world.ts";
 import type { Vec3 } from "../../../src/world/geometry.ts";
 import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";
 import { finish } from "../../../src/world/steps.ts";
+import { createWorld } from "../../support/world.ts";
 import { box, modelOf } from "./boxes.ts";
 
 /** As much of a GPU as draws nothing. What it makes has any property that it is asked for. */

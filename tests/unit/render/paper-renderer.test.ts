@@ -5,7 +5,7 @@ import type { FrameSettings } from "../../../src/render/frame-settings.ts";
 import { PaperRenderer } from "../../../src/render/paper-renderer.ts";
 import { REFINED } from "../../../src/render/refinement/refined-tier.ts";
 import { allFeatures } from "../../../src/settings.ts";
-import { createWorld } from "../../../src/world/create-world.ts";
+import { createWorld } from "../../support/world.ts";
 import { floorOf } from "../world/rooms.ts";
 
 /** How the paper's renderer draws floors of some materials. */

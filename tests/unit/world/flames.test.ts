@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { advance } from "../../../src/world/advance.ts";
 import { blow, blowAt, moveCamera, standCandle } from "../../../src/world/commands.ts";
-import { createWorld, type WorldOptions } from "../../../src/world/create-world.ts";
+import type { WorldOptions } from "../../../src/world/create-world.ts";
 import { litFlames, wickAtFlame } from "../../../src/world/flames.ts";
 import type { Vec3 } from "../../../src/world/geometry.ts";
 import { STILL } from "../../../src/world/player/intent.ts";
@@ -11,6 +11,7 @@ import { createRoom } from "../../../src/world/room/room.ts";
 import { restoreSnapshot, takeSnapshot } from "../../../src/world/snapshot.ts";
 import type { World } from "../../../src/world/world.ts";
 import { LONE_CANDLE_SETUP } from "../../../src/world/world-setup.ts";
+import { createWorld } from "../../support/world.ts";
 import { box, floorOf, modelRoom } from "./rooms.ts";
 
 const room = () =>

@@ -1,12 +1,12 @@
 import { expect, test } from "vitest";
 import { advance } from "../../../src/world/advance.ts";
 import { moveCamera, placeCandle } from "../../../src/world/commands.ts";
-import { createWorld } from "../../../src/world/create-world.ts";
 import { STILL } from "../../../src/world/player/intent.ts";
 import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";
 import { createRoom } from "../../../src/world/room/room.ts";
 import { restoreSnapshot, takeSnapshot, timeOf } from "../../../src/world/snapshot.ts";
 import { currentTime } from "../../../src/world/world.ts";
+import { createWorld } from "../../support/world.ts";
 import { box, floorOf } from "./rooms.ts";
 
 const room = () =>

@@ -2,12 +2,12 @@ import { describe, expect, test } from "vitest";
 import { flameReport } from "../../../src/light/flame-light.ts";
 import { advance } from "../../../src/world/advance.ts";
 import { createPlume } from "../../../src/world/air/plume.ts";
-import { createWorld } from "../../../src/world/create-world.ts";
 import type { Vec3 } from "../../../src/world/geometry.ts";
 import { STILL } from "../../../src/world/player/intent.ts";
 import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";
 import { freePlace } from "../../../src/world/room/enclosed.ts";
 import type { World } from "../../../src/world/world.ts";
+import { createWorld } from "../../support/world.ts";
 import { box, insideOf } from "./rooms.ts";
 
 const WIND = { speed: 0.25, direction: 0, gustiness: 1 };

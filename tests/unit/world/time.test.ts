@@ -1,9 +1,9 @@
 import { describe, expect, test, vi } from "vitest";
+import { sampleOf } from "../../../src/light/candle-light.ts";
 import { SETTINGS } from "../../../src/settings.ts";
 import { advance } from "../../../src/world/advance.ts";
 import { createPlume } from "../../../src/world/air/plume.ts";
 import { moveCamera } from "../../../src/world/commands.ts";
-import { createWorld } from "../../../src/world/create-world.ts";
 import { GROUPS } from "../../../src/world/particles/particle-layer.ts";
 import { PARTICLE_FLOATS } from "../../../src/world/particles/particles.ts";
 import { type Intent, STILL } from "../../../src/world/player/intent.ts";
@@ -12,6 +12,7 @@ import { createRoom } from "../../../src/world/room/room.ts";
 import { TICK } from "../../../src/world/timeline.ts";
 import { currentTime, type World } from "../../../src/world/world.ts";
 import { temperatureAt } from "../../support/plume.ts";
+import { createWorld } from "../../support/world.ts";
 import { chance } from "../chance.ts";
 import { FURNISHED } from "./rooms.ts";
 
@@ -31,7 +32,7 @@ function shownOf({ player, candle, emitter, interpolated, timeline, sample, rema
     emitter,
     interpolated,
     tick: timeline.tick,
-    particles: sample.state,
+    particles: sample?.state,
     remainder,
   };
 }
@@ -62,7 +63,7 @@ describe("time (P7)", () => {
     const whole = advanced(createWorld("paper", 5), 1, 1, WALKING);
     expect(world.timeline.tick).toBe(120);
     expect(world.player).toEqual(whole.player);
-    expect(world.sample.state).toEqual(whole.sample.state);
+    expect(sampleOf(world).state).toEqual(sampleOf(whole).state);
   });
 
   test.each([
@@ -137,9 +138,11 @@ describe("time (P7)", () => {
 
 describe("birth", () => {
   test.each(["paper", "original"] as const)("is of a flame already whole: %s", (look) => {
-    const { sample, setup } = createWorld(look, 1);
-    const living = sample.state.filter((value, i) => i % PARTICLE_FLOATS === 3 && value > 0).length;
-    const layer = setup.layers.at(-1)!;
+    const world = createWorld(look, 1);
+    const living = sampleOf(world).state.filter(
+      (value, i) => i % PARTICLE_FLOATS === 3 && value > 0,
+    ).length;
+    const layer = world.setup.layers.at(-1)!;
     expect(Math.abs(living - (layer.rate * layer.life) / GROUPS)).toBeLessThanOrEqual(1);
   });
 
@@ -157,7 +160,7 @@ describe("birth", () => {
   });
 
   test("of the same seed is of the same flame, of another seed of another", () => {
-    const flame = (seed: number) => advanced(createWorld("paper", seed), 0.5, 1).sample.state;
+    const flame = (seed: number) => sampleOf(advanced(createWorld("paper", seed), 0.5, 1)).state;
     expect(flame(3)).toEqual(flame(3));
     expect(flame(3)).not.toEqual(flame(4));
   });

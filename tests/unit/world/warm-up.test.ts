@@ -2,13 +2,10 @@ import { expect, test, vi } from "vitest";
 import { carriedFlame, flameReport } from "../../../src/light/flame-light.ts";
 import { advance } from "../../../src/world/advance.ts";
 import { createPlume, Plume } from "../../../src/world/air/plume.ts";
-import {
-  createWorld,
-  createWorldInSteps,
-  type WorldOptions,
-} from "../../../src/world/create-world.ts";
+import { createWorldInSteps, type WorldOptions } from "../../../src/world/create-world.ts";
 import { STILL } from "../../../src/world/player/intent.ts";
 import type { World } from "../../../src/world/world.ts";
+import { createWorld } from "../../support/world.ts";
 
 const WIND = { speed: 0.4, direction: 1, gustiness: 0.6 };
 

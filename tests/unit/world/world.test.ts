@@ -1,8 +1,8 @@
 import { describe, expect, test } from "vitest";
+import { sampleOf } from "../../../src/light/candle-light.ts";
 import { SETTINGS } from "../../../src/settings.ts";
 import { advance } from "../../../src/world/advance.ts";
 import { moveCamera, placeCandle, standLike, takeCandle } from "../../../src/world/commands.ts";
-import { createWorld } from "../../../src/world/create-world.ts";
 import { emittingGroups } from "../../../src/world/particles/level-of-detail.ts";
 import { GROUPS } from "../../../src/world/particles/particle-layer.ts";
 import { type Intent, STILL } from "../../../src/world/player/intent.ts";
@@ -10,6 +10,7 @@ import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";
 import { createRoom } from "../../../src/world/room/room.ts";
 import { TICK } from "../../../src/world/timeline.ts";
 import { WORLD_SETUPS } from "../../../src/world/world-setup.ts";
+import { createWorld } from "../../support/world.ts";
 import { box, floorOf } from "./rooms.ts";
 
 const LOOKS = SETTINGS.look.choices;
@@ -24,7 +25,7 @@ describe("the flame (L1)", () => {
       expect(emitter[axis] - candle.position[axis]).toBeCloseTo(wick, 9);
     }
     expect(emitter[1]).toBeGreaterThan(candle.position[1] + setup.candleScale);
-    const [x, y, z] = world.sample.centre([0, 0, 0]);
+    const [x, y, z] = sampleOf(world).centre([0, 0, 0]);
     expect(Math.hypot(x, z)).toBeLessThan(0.05);
     expect(y).toBeGreaterThan(0.1);
     expect(y).toBeLessThan(0.6);
@@ -33,7 +34,7 @@ describe("the flame (L1)", () => {
   test("leans back when carried, and is upright again when it stands", () => {
     const world = createWorld("paper", 1);
     moveCamera(world, [0, 1.6, 4], 0, 0);
-    const lean = () => world.sample.centre([0, 0, 0])[2];
+    const lean = () => sampleOf(world).centre([0, 0, 0])[2];
     advance(world, { ...STILL, forward: 1, runs: true }, 1.2);
     expect(lean()).toBeGreaterThan(0.1); // he walks along -Z
     advance(world, STILL, 3);
@@ -46,7 +47,7 @@ describe("the flame (L1)", () => {
     moveCamera(world, [-3, 1.6, -3], 2, 0);
     advance(world, STILL, 0.5);
     advance(still, STILL, 0.5);
-    expect(world.sample.state).toEqual(still.sample.state);
+    expect(sampleOf(world).state).toEqual(sampleOf(still).state);
   });
 });
 
@@ -106,7 +107,7 @@ describe("placing and taking", () => {
     placeCandle(world);
     advance(world, STILL, 0.5);
     advance(still, STILL, 0.5);
-    expect(world.sample.state).toEqual(still.sample.state);
+    expect(sampleOf(world).state).toEqual(sampleOf(still).state);
   });
 
   test("is no part of the original, whose candle stands", () => {
@@ -154,7 +155,7 @@ describe("level of detail (F4)", () => {
     placeCandle(world);
     world.player.position.splice(0, 3, -4.5, 1.6, -4.5);
     advance(world, STILL, 3);
-    expect(world.sample.centre([0, 0, 0])[1]).toBeGreaterThan(0.1);
+    expect(sampleOf(world).centre([0, 0, 0])[1]).toBeGreaterThan(0.1);
   });
 });
 

@@ -7,7 +7,7 @@ import type { FrameBlocks } from "../../../../src/render/opaque/opaque-stage.ts"
 import { REFINED } from "../../../../src/render/refinement/refined-tier.ts";
 import { VolumetricStage } from "../../../../src/render/volumetric/volumetric-stage.ts";
 import type { CompositedFrame } from "../../../../src/render/volumetric/volumetric-target.ts";
-import { createWorld } from "../../../../src/world/create-world.ts";
+import { createWorld } from "../../../support/world.ts";
 
 /** Indices of a wick's cluster. */
 const CLUSTER = 30;

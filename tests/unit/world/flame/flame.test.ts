@@ -6,13 +6,13 @@ import { advance } from "../../../../src/world/advance.ts";
 import { CALM } from "../../../../src/world/air/air.ts";
 import { Gusts } from "../../../../src/world/air/gusts.ts";
 import { blow } from "../../../../src/world/commands.ts";
-import { createWorld } from "../../../../src/world/create-world.ts";
 import { flameHeight, TAPER_RATE, TAPER_WICK } from "../../../../src/world/flame/burning.ts";
 import { Flame } from "../../../../src/world/flame/flame.ts";
 import { heightAfter } from "../../../../src/world/flame/spine.ts";
 import { type Intent, STILL } from "../../../../src/world/player/intent.ts";
 import { TICK } from "../../../../src/world/timeline.ts";
 import type { World } from "../../../../src/world/world.ts";
+import { createWorld } from "../../../support/world.ts";
 
 const DEGREE = Math.PI / 180;
 const wind = (speed: number, gustiness = 0) => ({ speed, direction: 0, gustiness });

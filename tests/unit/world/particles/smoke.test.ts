@@ -1,10 +1,10 @@
 import { beforeAll, describe, expect, test } from "vitest";
 import { advance } from "../../../../src/world/advance.ts";
 import { createPlume } from "../../../../src/world/air/plume.ts";
-import { createWorld } from "../../../../src/world/create-world.ts";
 import { LINES, ROWS, SMOKE_FLOATS, type Smoke } from "../../../../src/world/particles/smoke.ts";
 import { STILL } from "../../../../src/world/player/intent.ts";
 import type { World } from "../../../../src/world/world.ts";
+import { createWorld } from "../../../support/world.ts";
 
 /** A room where people live: 5 cm/s, moderately uneven. */
 const DRAUGHT = { speed: 0.05, direction: 1, gustiness: 0.5 };

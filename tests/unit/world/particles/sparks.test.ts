@@ -1,9 +1,9 @@
 import { describe, expect, test } from "vitest";
 import { advance } from "../../../../src/world/advance.ts";
-import { createWorld } from "../../../../src/world/create-world.ts";
 import { SparkSchedule } from "../../../../src/world/particles/sparks.ts";
 import { STILL } from "../../../../src/world/player/intent.ts";
 import { TICK } from "../../../../src/world/timeline.ts";
+import { createWorld } from "../../../support/world.ts";
 
 const HOUR = 3600 / TICK;
 

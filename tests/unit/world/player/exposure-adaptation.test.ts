@@ -1,7 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { advance } from "../../../../src/world/advance.ts";
 import { moveCamera, placeCandle } from "../../../../src/world/commands.ts";
-import { createWorld } from "../../../../src/world/create-world.ts";
 import type { Vec3 } from "../../../../src/world/geometry.ts";
 import {
   DARKEST,
@@ -13,6 +12,7 @@ import { STILL } from "../../../../src/world/player/intent.ts";
 import { CollisionMesh } from "../../../../src/world/room/collision-mesh.ts";
 import { createRoom } from "../../../../src/world/room/room.ts";
 import type { World } from "../../../../src/world/world.ts";
+import { createWorld } from "../../../support/world.ts";
 import { insideOf, table } from "../rooms.ts";
 
 const PARTS = [insideOf([-2, 0, -2], [2, 2.4, 2]), ...table(0, -0.6)];

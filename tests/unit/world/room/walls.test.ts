@@ -1,11 +1,11 @@
 import { describe, expect, test } from "vitest";
 import { advance } from "../../../../src/world/advance.ts";
 import { moveCamera } from "../../../../src/world/commands.ts";
-import { createWorld } from "../../../../src/world/create-world.ts";
 import { type Intent, STILL } from "../../../../src/world/player/intent.ts";
 import { MAX_PITCH } from "../../../../src/world/player/player.ts";
 import type { World } from "../../../../src/world/world.ts";
 import { WALL_MARGIN } from "../../../../src/world/world-setup.ts";
+import { createWorld } from "../../../support/world.ts";
 import { chance } from "../../chance.ts";
 
 const WALKING: Intent = { ...STILL, forward: 1, right: 0.3, turn: 0.4, runs: true };
@@ -59,7 +59,7 @@ describe("walls (I2)", () => {
       ...interpolated.eye,
       ...interpolated.foot,
       ...interpolated.flame,
-      ...sample.state,
+      ...(sample?.state ?? []),
     ].every(Number.isFinite);
 
   test.each(ABSURD)("hold against being put at %d, %d, %d", (...position) => {
