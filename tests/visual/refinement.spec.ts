@@ -239,6 +239,24 @@ test("is what `high` shows, and the first step nearer to it than `low` is", asyn
   expect(ofFirst).toBeLessThan(0.7 * ofLow);
 });
 
+test("is what `high` shows by candle and moonlight, too, whose bounce is resampled", async () => {
+  await room.set({ moonlight: "0.15" });
+  await room.evaluate((element, camera) => {
+    element.camera = camera;
+    element.play();
+  }, CAMERA);
+  await refine(50);
+  await complete();
+  const picture = await room.picture();
+  await room.evaluate((element) => element.pause());
+  const difference = meanFlip(await atHigh(CAMERA), picture);
+  await room.set({ moonlight: "0" });
+  const unlit = meanFlip(await atHigh(CAMERA), picture);
+  console.log(`mean FLIP ${difference.toFixed(4)}, without moonlight ${unlit.toFixed(4)}`);
+  expect(difference).toBeLessThan(0.02);
+  expect(unlit, "moonlight is in it").toBeGreaterThan(1.3 * difference);
+});
+
 test("is what `high` shows elsewhere, too, with the candle in the hand, whatever was begun on the way", async () => {
   const stand = (camera: Camera) =>
     room.evaluate((element, camera) => {
