@@ -78,11 +78,7 @@ const NO_CANDLES: readonly Candle[] = Object.freeze([]);
  */
 export class CandleFlameElement extends ReflectedAttributes {
   // Attributes are the table `SETTINGS`; what happens from insertion to the first frame is `Lifecycle`'s.
-  readonly #input: SessionInput = {
-    attributes: this,
-    features: allFeatures(),
-    inspect: "picture",
-  };
+  readonly #input: SessionInput = { attributes: this, features: allFeatures(), inspect: "picture" };
   readonly #featureSwitches: Features;
   readonly #lifecycle: Lifecycle;
 
@@ -251,6 +247,7 @@ export class CandleFlameElement extends ReflectedAttributes {
   take(): void {
     const isTaken = this.#isPending && this.#pending.take();
     if (isTaken || (this.#candle && takeCandle(this.#candle.world))) emit(this, "take", null);
+    this.#lifecycle.reporter.refusal(this.#candle);
     this.#requestDraw();
   }
 

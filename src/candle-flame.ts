@@ -235,7 +235,6 @@ export class CandleFlame {
   }
 
   #advance(seconds: number, draw: () => void): void {
-    const { isHeld } = this.world.candle;
     const intent = this.input?.read() ?? STILL;
     this.#reporting(() => {
       const begin = performance.now();
@@ -246,7 +245,7 @@ export class CandleFlame {
     const wick = this.input ? wickAtFlame(this.world) : 0;
     if (wick > 0 && wick !== this.#wick) this.onWickReached(wick);
     this.#wick = wick;
-    if (intent.placesOrTakes && isHeld) this.onRefused();
+    if (intent.placesOrTakes) this.onRefused();
   }
 
   /** Draws the current state; unless it is required, not while a renderer is prepared. */

@@ -69,8 +69,9 @@ export class CandleReporter {
     queueMicrotask(() => emit(this.#element, isIn ? "enter" : "leave", null));
   }
 
-  /** Shows why the candle could not be put down. */
-  refusal(candle: CandleFlame): void {
+  /** Shows why the candle could not be put down, or taken up. */
+  refusal(candle: CandleFlame | null): void {
+    if (!candle) return;
     const { refusal } = candle.world;
     this.flame(candle, refusal && REFUSALS[refusal]);
   }

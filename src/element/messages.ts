@@ -9,12 +9,13 @@ export const LOST = "The graphics driver was lost, and the browser has not resto
 export const FULL =
   "This page has as many rooms open as a browser can show. This one opens once there is a place.";
 
-/** Why the candle could not be put down. */
+/** Why the candle could not be put down, or taken up. */
 export const REFUSALS: Readonly<Record<Refusal, string>> = {
   "nothing within reach": "Nothing within reach can hold the candle.",
   "too steep": "That is too steep.",
   overhangs: "The candle would hang over the edge.",
   "no room": "There is no room for the candle.",
+  "out of reach": "The candle is out of reach.",
 };
 
 export function outSentence(canLight: boolean): string {

@@ -88,11 +88,13 @@ function putDown({ candle, room }: World, position: Readonly<Vec3>): void {
   room?.plan.setObstacle(position, CANDLE_CYLINDER.radius);
 }
 
-/** Takes the candle up. False if it is held, out of reach, or fixed by the scene. */
+/** Takes the candle up. False if it is held, fixed by the scene, or out of reach: see `refusal`. */
 export function takeCandle(world: World): boolean {
   const { candle, player, setup, room } = world;
+  if (candle.isHeld || setup.stand !== null) return false;
   const isNear = room ? room.canTake(player, candle.position) : isWithinReach(candle, player);
-  if (candle.isHeld || setup.stand !== null || !isNear) return false;
+  world.refusal = isNear ? null : "out of reach";
+  if (!isNear) return false;
   candle.isHeld = true;
   room?.plan.setObstacle(null);
   calmHand(world.hand, player);

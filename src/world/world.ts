@@ -59,7 +59,7 @@ export interface World {
   fieldOfView: number | null;
   /** Whether walking sways the head, and air the flame. */
   sways: boolean;
-  /** Why the candle could not be put down when it was last tried; null if it could. */
+  /** Why the candle could not be put down or taken up when that was last tried; null if it could. */
   refusal: Refusal | null;
   /** Null where it does not shine. */
   moon: Moon | null;

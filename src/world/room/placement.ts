@@ -4,7 +4,12 @@ import type { CollisionMesh, RayHit } from "./collision-mesh.js";
 import type { FloorPlan } from "./floor-plan.js";
 
 /** Why a candle cannot be put down. */
-export type Refusal = "nothing within reach" | "too steep" | "overhangs" | "no room";
+export type Refusal =
+  | "nothing within reach"
+  | "too steep"
+  | "overhangs"
+  | "no room"
+  | "out of reach";
 
 /** Bounding cylinder of a standing candle: upright, metres. */
 export interface Cylinder {
