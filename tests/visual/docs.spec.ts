@@ -75,9 +75,45 @@ test("“Use it” has snippets to copy, and every attribute to try", async ({ f
       new MutationObserver(() => lines.push(log.textContent)).observe(log, { childList: true });
       return lines;
     });
-    await page.getByRole("button", { name: "light()" }).click();
+    await form.getByLabel("unlit").uncheck();
     await expect.poll(() => reported.jsonValue()).toContain("event: light");
     expect(await candle.evaluate(({ lit }: CandleFlameElement) => lit)).toBe(true);
+    await form.getByLabel("wind", { exact: true }).fill("");
+    await page.keyboard.press("Tab");
+    await expect(bench.locator(".snippet code"), "its default").toHaveText(
+      '<candle-flame scene="candle"></candle-flame>',
+    );
+  });
+
+  await test.step("none of them is hidden by the candle, whatever takes the focus", async () => {
+    await page.emulateMedia({ reducedMotion: "reduce" }); // it scrolls at once
+    const inputs = page.locator(".attributes :is(select, input)");
+    for (const size of [
+      { width: 640, height: 360 },
+      { width: 390, height: 700 },
+    ]) {
+      await page.setViewportSize(size);
+      const hidden = await inputs.evaluateAll((all) => {
+        const isHidden = (input: Element) => {
+          (document.activeElement as HTMLElement).blur();
+          (input as HTMLElement).focus();
+          const { left, top, width, height } = input.getBoundingClientRect();
+          return document.elementFromPoint(left + width / 2, top + height / 2) !== input;
+        };
+        // Upwards, too, as Shift and Tab go.
+        return [...all, ...all.toReversed()].filter(isHidden).map(({ id }) => id);
+      });
+      expect(hidden).toEqual([]);
+    }
+  });
+
+  await test.step("and methods to call on a candle beside their buttons", async () => {
+    const figure = page.locator("#scripted");
+    await firstFrame(figure);
+    await figure.getByRole("button", { name: "extinguish()" }).click();
+    await expect(figure.locator("output")).toHaveText("out");
+    await figure.getByRole("button", { name: "light()" }).click();
+    await expect(figure.locator("output")).toHaveText("lit");
   });
 });
 

@@ -42,7 +42,7 @@ export function bindLiveFigure(figure: HTMLElement): void {
 /** The element follows the control from now on, and what a reload has left in it. */
 function bindControl(element: CandleFlameElement, control: Element): void {
   if (control instanceof HTMLButtonElement) {
-    const method = control.name as "light" | "extinguish";
+    const method = control.name as "blow" | "extinguish" | "light" | "pause" | "play" | "reset";
     control.addEventListener("click", () => element[method]());
   } else if (control instanceof HTMLInputElement && control.type === "checkbox") {
     const [name, number] = control.name.split(" ");

@@ -31,9 +31,11 @@ export function addTryOut(
 function addControl(element: CandleFlameElement, form: HTMLElement, name: SettingName): Control {
   const meaning = `${SETTING_MEANINGS[name]}${rangeOf(SETTINGS[name])}`;
   const control = addRow(form, name, name, meaning, "any");
+  const { kind } = SETTINGS[name];
   control.name = name;
   control.addEventListener("change", () => {
     if (isCheckbox(control)) element.toggleAttribute(name, control.checked);
+    else if (kind === "number" && control.value === "") element.removeAttribute(name);
     else element.setAttribute(name, control.value);
   });
   return control;

@@ -24,18 +24,13 @@ for (const type of EVENTS) {
   });
 }
 
-const state = find(document, "#deeds output", HTMLOutputElement);
-function showState(): void {
-  state.value = tried.lit ? "lit" : "out";
-}
-for (const button of document.querySelectorAll<HTMLButtonElement>("#deeds button")) {
-  const deed = button.name as "blow" | "extinguish" | "light" | "pause" | "play" | "reset";
-  button.addEventListener("click", () => {
-    tried[deed]();
-    showState();
+const scripted = find(document, "#scripted candle-flame", HTMLElement) as CandleFlameElement;
+const state = find(document, "#scripted output", HTMLOutputElement);
+for (const type of ["light", "extinguish"] as const) {
+  scripted.addEventListener(type, () => {
+    state.value = scripted.lit ? "lit" : "out";
   });
 }
-for (const type of ["light", "extinguish"] as const) tried.addEventListener(type, showState);
 
 const slider = find(document, ".glow", HTMLInputElement);
 const output = find(document, ".glow ~ output", HTMLOutputElement);
