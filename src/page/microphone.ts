@@ -29,14 +29,20 @@ export function bindMicrophone(room: CandleFlameElement, section: HTMLElement): 
         // Unplugged, or no longer allowed: the page itself ends tracks without this event.
         track.addEventListener("ended", () => close("The microphone was switched off."));
       }
-      status.textContent = "Blow at the microphone.";
+      tell("Blow at the microphone.");
       if (document.hidden) close("");
     } catch (error) {
       closeTracks(stream);
-      status.textContent = sentenceOf(error as Error);
+      tell(sentenceOf(error as Error));
     }
     button.removeAttribute("aria-busy");
     button.setAttribute("aria-pressed", String(stop !== null));
+  }
+
+  /** The end of a dialog hides what is added there. */
+  function tell(sentence: string): void {
+    status.textContent = sentence;
+    status.scrollIntoView({ block: "nearest" });
   }
 
   function close(sentence: string): void {

@@ -4,6 +4,7 @@ import { FIELDS_OF_VIEW, parseIndices } from "../settings.js";
 import { expectedLook, followDrawnLook } from "./drawn-look.js";
 import { find } from "./find.js";
 import { followAttributes } from "./follow-attributes.js";
+import { fullResolution } from "./full-resolution.js";
 import { holdPoster } from "./held-poster.js";
 import { nameKeys } from "./key-names.js";
 import { bindMicrophone } from "./microphone.js";
@@ -29,19 +30,30 @@ followDrawnLook(room);
 reflectWalking(room);
 void nameKeys(document.querySelectorAll<HTMLElement>(".with-keys kbd, .keyboard kbd"));
 enterButton.addEventListener("click", () => room.enter());
-// Where there are no keys there is no Esc; a room without the focus ends the walk.
-find(stage, ".leave", HTMLButtonElement).addEventListener("click", () => room.blur());
+// What is hidden while the visitor walks cannot take the focus.
+room.addEventListener("keydown", ({ key }) => {
+  if (key === "Tab") document.body.classList.remove("walking");
+});
+// Where there are no keys there is no Esc: a touch of this button takes the focus from the room, which ends the walk.
+const leave = find(stage, ".leave", HTMLButtonElement);
+room.addEventListener("leave", () =>
+  setTimeout(() => {
+    if ([document.body, leave].includes(document.activeElement as HTMLElement)) {
+      enterButton.focus({ preventScroll: true });
+    }
+  }),
+);
 find(stage, ".help-button", HTMLButtonElement).addEventListener("click", () => help.showModal());
 
-room.addEventListener("progress", ({ detail }) => {
+function showLoading(progress: number): void {
   // In quarters: a screen reader reads each change of this sentence aloud.
-  const quarters = Math.floor(detail.totalProgress * 4);
-  const sentence = `Loading the room: ${quarters * 25} %`;
+  const sentence = `Loading the room: ${Math.floor(progress * 4) * 25} %`;
   if (status.textContent !== sentence) status.textContent = sentence;
-});
+}
+room.addEventListener("progress", ({ detail }) => showLoading(detail.totalProgress));
 // A look that is chosen and taken back meanwhile ends its loading without an event.
 followAttributes(room, ["look"], () => {
-  status.textContent = "";
+  if (room.flame) status.textContent = "";
 });
 room.addEventListener("load", () => welcome(true));
 room.addEventListener("load", () => holdPoster(room), { once: true });
@@ -56,6 +68,9 @@ room.addEventListener("error", ({ detail }) => {
   tell(detail.message);
 });
 
+// The code of the scene comes before its files.
+if (!room.flame) showLoading(0);
+
 function welcome(isOpen: boolean): void {
   status.textContent = "";
   enterButton.disabled = !isOpen;
@@ -66,6 +81,10 @@ function welcome(isOpen: boolean): void {
 }
 
 photoButton.addEventListener("click", async () => {
+  if (photoButton.hasAttribute("aria-busy")) return;
+  photoButton.setAttribute("aria-busy", "true");
+  await fullResolution(room, () => tell("The photo waits until the image is sharp."));
+  photoButton.removeAttribute("aria-busy");
   const blob = await room.toBlob().catch(() => null);
   if (!blob) return tell("There is no image at the moment.");
   const url = URL.createObjectURL(blob);

@@ -196,6 +196,28 @@ test("walking hides everything but the room, until the visitor leaves it", async
   await page.keyboard.press("Escape");
   await expect.poll(() => hosted.isWalking()).toBe(false);
   await expect(hosted.enter).toBeVisible();
+  await hosted.enter.click();
+  await expect.poll(() => hosted.isWalking()).toBe(true);
+  await page.keyboard.press("Tab");
+  await expect.poll(() => hosted.isWalking()).toBe(false);
+  await expect(page.getByRole("button", { name: "Help" }), "the next control").toBeFocused();
+});
+
+test("a candle out of reach is said to be, if one would take it up", async ({ hosted }) => {
+  await hosted.evaluate((room) => {
+    room.place();
+    const [x, y, z] = room.flame?.position ?? [0, 0, 0];
+    room.camera = { position: [x < 0 ? x + 2.5 : x - 2.5, y, z] };
+    room.take();
+  });
+  await expect(hosted.page.getByText("The candle is out of reach.")).toBeVisible();
+});
+
+test("the page says that the room is loading as soon as it is", async ({ fresh }) => {
+  const { page } = fresh;
+  await page.route(/\.glb$/, () => {}); // on its way for ever
+  await fresh.load();
+  await expect(page.getByText("Loading the room: 0 %")).toBeVisible();
 });
 
 test("the page handles no key while the visitor walks, with the lab open", async ({ hosted }) => {
@@ -616,6 +638,10 @@ test("the comparison shows two looks from one place at one time, while it is ope
   await section.getByRole("button", { name: "Compare" }).click();
   const divider = page.getByRole("slider", { name: "Divider between the two looks" });
   await expect(divider).toBeVisible();
+  await divider.focus();
+  await page.keyboard.press("ArrowLeft");
+  await page.keyboard.press("ArrowRight");
+  await expect(divider, "nothing over the picture but its line").toHaveCSS("box-shadow", "none");
   // The candle of the original stands amid its room for good.
   const amid = "0.0 0.0";
   const both = () =>
@@ -758,6 +784,15 @@ test("on a wide screen the lab stands beside the room, and media are minded", as
   const room = await hosted.room.boundingBox();
   expect(room?.height).toBe(200);
   expect((room?.x ?? 0) + (room?.width ?? 0)).toBe(lab?.x);
+  const atLeft = await page.evaluate(async () => {
+    document.documentElement.dir = "rtl";
+    const [lab, room] = [".lab", "candle-flame"].map((one) =>
+      document.querySelector(one)?.getBoundingClientRect(),
+    );
+    document.documentElement.dir = "";
+    return [lab?.left, room?.left === lab?.right];
+  });
+  expect(atLeft, "where one reads from right to left").toEqual([0, true]);
   await page.emulateMedia({ reducedMotion: "reduce" });
   await expect(hosted.lab).toHaveCSS("transition-duration", /^0s(, 0s)*$/);
   // Forced colours are the system's, and let nothing through.
@@ -780,6 +815,7 @@ test.describe("on a phone", () => {
     await expect.poll(() => fresh.isWalking()).toBe(true);
     await page.getByRole("button", { name: "Come back" }).tap();
     await expect.poll(() => fresh.isWalking()).toBe(false);
+    await expect(fresh.enter).toBeFocused();
     await fresh.evaluate((room) => room.pause());
     await fresh.openLab("What each technique costs");
     const lab = await fresh.lab.boundingBox();
