@@ -18,6 +18,8 @@ import { carriedWick, FlamePass, HANDLE_TURN } from "./volumetric/flame-pass.js"
 /** From cd/m² to the display's scale. */
 const EXPOSURE = 5;
 const NO_EMBER = [0, 0, 0] as const;
+/** Width of candle and flame, and of glare that is more than half a step of a colour, in heights of the canvas. */
+const COLUMNS = 0.84;
 
 /** What all lone candles on one context share. */
 function share(gpu: Gpu, model: Model) {
@@ -60,7 +62,8 @@ export class LoneCandleRenderer extends LoneRenderer {
       Number(features.bloom),
     );
     const uniforms = { uVibrance: VIBRANCE, uGlare: glare };
-    this.display(displayProgram, uniforms, { Frame: frame });
+    const isSmoking = features.smoke && world.plume !== null;
+    this.display(displayProgram, uniforms, { Frame: frame }, isSmoking ? 1 : COLUMNS / this.aspect);
   }
 
   #drawCandle(target: RenderTarget, world: World): void {

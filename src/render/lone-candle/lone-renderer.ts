@@ -42,6 +42,8 @@ export abstract class LoneRenderer implements Renderer {
   #samples: RenderTarget | null = null;
   #radiance: RenderTarget | null = null;
   #size = { width: 1, height: 1 };
+  /** Columns of the last frame, pixels. */
+  #columns = 0;
 
   constructor(gpu: Gpu, tier: Tier, smokePass: SmokePassOf) {
     this.gpu = gpu;
@@ -110,18 +112,31 @@ export abstract class LoneRenderer implements Renderer {
     this.#smokePass(this.gpu)?.render(world, clip, draw);
   }
 
-  /** From the radiance to the canvas. */
+  /**
+   * From the radiance to the canvas.
+   *
+   * @param share of the columns in the middle that anything is drawn in: the others stay clear
+   */
   protected display(
     program: Program,
     uniforms: Readonly<Record<string, UniformValue>>,
     blocks: Readonly<Record<string, UniformBlock>>,
+    share = 1,
   ): void {
     const radiance = this.#radiance!;
-    if (this.#samples) this.gpu.resolve(this.#samples, radiance);
+    const { width, height } = radiance;
+    const left = Math.floor(Math.max(0.5 - 0.5 * share, 0) * width);
+    const columns = width - 2 * left;
+    const scissor: Box = [left, 0, columns, height];
+    if (columns < this.#columns) this.gpu.clear(radiance, [0, 0, 0, 0]);
+    this.#columns = columns;
+    if (this.#samples) this.gpu.resolve(this.#samples, radiance, scissor);
+    if (columns < width) this.gpu.clear("canvas", [0, 0, 0, 0], [0, 0, width, height]);
     this.gpu.draw({
       program,
       target: "canvas",
-      viewport: [0, 0, radiance.width, radiance.height],
+      viewport: [0, 0, width, height],
+      scissor,
       textures: { uRadiance: radiance.color },
       uniforms: {
         uAdaptation: ADAPTATION,
