@@ -7,7 +7,7 @@ const MOST = 16;
 const DIAMETER = { default: 0.002, least: 0.001, most: 0.05 } as const;
 /** Cosine of the lean from which a wick burns upright: 45 degrees. */
 const LEANING = Math.SQRT1_2;
-/** Scale of a node, or its reciprocal, beyond which the author probably meant the wick's diameter. */
+/** Scale of a wick's own node, or its reciprocal, beyond which the author probably meant its diameter. */
 const SCALED = 50;
 /** Farthest from the origin, metres. */
 const FARTHEST = 10_000;
@@ -70,7 +70,8 @@ function readWick(
     warnings.add("Wicks whose places are no numbers are left out.");
     return null;
   }
-  const scale = new Vector3().setFromMatrixScale(object.matrixWorld).length() / Math.sqrt(3);
+  // Its own: a whole model may be in centimetres.
+  const scale = object.scale.length() / Math.sqrt(3);
   if (!(scale < SCALED && scale > 1 / SCALED)) {
     warnings.add("The scale of a wick is ignored: its diameter is wickDiameter, in mm.");
   }

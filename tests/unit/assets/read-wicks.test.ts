@@ -13,8 +13,9 @@ interface Given {
 }
 
 /** The wicks of a scene of these nodes, and what is said about them. */
-function read(nodes: readonly Given[]) {
+function read(nodes: readonly Given[], unit = 1) {
   const scene = new Object3D();
+  scene.scale.setScalar(unit);
   for (const [order, given] of nodes.entries()) {
     const { name, position = [0, 1, 0], wickDiameter, turn = 0, scale = 1 } = given;
     const node = new Object3D();
@@ -121,6 +122,14 @@ describe("wicks of a model", () => {
     expect(wicks).toHaveLength(2);
     expect(wicks[0]?.wickDiameter).toBe(given.wickDiameter === 2000 ? 0.05 : 0.002);
     expect(warnings).toEqual([warning]);
+  });
+
+  test("of a model in centimetres or millimetres are not scaled themselves", () => {
+    for (const unit of [0.01, 0.001]) {
+      const { wicks, warnings } = read([{ name: "wick" }], unit);
+      expect(wicks).toMatchObject([{ position: [0, unit, 0], wickDiameter: 0.002 }]);
+      expect(warnings).toEqual([]);
+    }
   });
 
   test("are left out where their position is not finite", () => {
