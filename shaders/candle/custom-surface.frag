@@ -55,6 +55,7 @@ vec3 emberGlow(int i, vec3 position) {
 }
 
 void main() {
+  vec3 facet = facetNormal(vPositionWorld);
   vec4 baseColor = texture(uAlbedo, vUv) * uBaseColor * vColor;
   if (uOpacity < 0.5 && baseColor.a < uSurface.w) discard;
   vec3 packed = texture(uOcclusionRoughness, vUv).rgb;
@@ -65,6 +66,7 @@ void main() {
   if (frame.normalMaps > 0.5) {
     normal = perturbedNormal(texture(uNormal, vUv).xy, normal, vTangentWorld, uSurface.z);
   }
+  facet = faceforward(facet, -normal, facet);
   vec3 view = normalize(frame.eyePosition - vPositionWorld);
   float NoV = max(abs(dot(normal, view)), 1e-3);
   vec3 f0 = mix(vec3(0.04), baseColor.rgb, metallic);
@@ -84,7 +86,7 @@ void main() {
     FlameSpecular flame = flameSpecular(toLight, halfAxis, along.w, normal, view, NoV, alpha);
     if (NoL + flame.lobe <= 0.0) continue;
     vec3 perArea = flames.intensities[i].rgb / distanceSquared;
-    if (uTransmission < 0.5) perArea *= flameVisibility(i, vPositionWorld, normal);
+    if (uTransmission < 0.5) perArea *= flameVisibility(i, vPositionWorld, facet, gl_FragCoord.xy);
     vec3 fresnel = fresnelSchlick(f0, flame.SoH);
     diffuse += diffuseColor * (1.0 - fresnel) / PI * NoL * perArea;
     specular += fresnel * flame.lobe * perArea;

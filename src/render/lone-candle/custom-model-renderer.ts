@@ -26,9 +26,9 @@ const VIBRANCE = 0.4;
 /** A flame's stops above the display's white at the largest exposure. */
 const FLAME_STOPS = 15.5;
 /** Samples of a soft shadow of up to four flames, by tier; of more, each is a smaller part of the light. */
-const TAPS = { low: 6, medium: 14, high: 24, ultra: 24 } as const;
+const TAPS = { low: 8, medium: 16, high: 32, ultra: 48 } as const;
 /** Texels of a shadow cube's side, at the cheapest tier and at all others. */
-const FACE = { low: 64, others: 128 } as const;
+const FACE = { low: 128, others: 256 } as const;
 
 /** GPU objects of one model on a context that others draw on, too. */
 function createResources(gpu: Gpu, program: Program, model: Model, flames: number, face: number) {

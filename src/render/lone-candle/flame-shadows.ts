@@ -34,7 +34,7 @@ export class FlameShadows {
     this.#program = gpu.program("candle/custom-shadow", cubeFaceVert, shadowFrag);
     const [x, y] = this.tiles;
     const size = { width: x * 3 * face, height: y * 2 * face };
-    const format = { color: ["R16F"], depth: "buffer" } as const;
+    const format = { color: ["R16F"], depth: "buffer", filter: "nearest" } as const;
     this.#target = gpu.renderTarget({ label: "candle/shadow-atlas", ...size, ...format });
   }
 
