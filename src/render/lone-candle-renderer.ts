@@ -76,7 +76,7 @@ export class LoneCandleRenderer extends LoneRenderer {
         target,
         vertexArray: surface.vertexArray,
         textures: surface.textures,
-        sampling: surfaceSampling({ anisotropy: true }),
+        sampling: surfaceSampling(this.tier),
         uniforms: {
           ...surface.uniforms,
           uEnvironment: TAPER.color,

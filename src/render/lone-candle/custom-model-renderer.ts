@@ -139,7 +139,7 @@ export class CustomModelRenderer extends LoneRenderer {
         target,
         vertexArray: mesh.vertexArray,
         textures: { ...mesh.textures, uShadowAtlas: atlas },
-        sampling: surfaceSampling({ anisotropy: true }),
+        sampling: surfaceSampling(this.tier),
         uniforms: {
           ...uniforms,
           ...(translucency ? {} : { uWax: 0 }),
