@@ -246,8 +246,9 @@ export class CandleFlameElement extends ReflectedAttributes {
   /** Takes the candle up, where it is within reach. */
   take(): void {
     const isTaken = this.#isPending && this.#pending.take();
-    if (isTaken || (this.#candle && takeCandle(this.#candle.world))) emit(this, "take", null);
-    this.#lifecycle.reporter.refusal(this.#candle);
+    const candle = this.#candle;
+    if (isTaken || (candle && takeCandle(candle.world))) emit(this, "take", null);
+    else if (candle && !candle.world.candle.isHeld) this.#lifecycle.reporter.refusal(candle);
     this.#requestDraw();
   }
 

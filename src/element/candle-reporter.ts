@@ -70,8 +70,7 @@ export class CandleReporter {
   }
 
   /** Shows why the candle could not be put down, or taken up. */
-  refusal(candle: CandleFlame | null): void {
-    if (!candle) return;
+  refusal(candle: CandleFlame): void {
     const { refusal } = candle.world;
     this.flame(candle, refusal && REFUSALS[refusal]);
   }

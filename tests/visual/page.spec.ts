@@ -203,6 +203,16 @@ test("walking hides everything but the room, until the visitor leaves it", async
   await expect(page.getByRole("button", { name: "Help" }), "the next control").toBeFocused();
 });
 
+test("a candle that is taken up on entering leaves the controls in sight", async ({ hosted }) => {
+  await hosted.evaluate((room) => {
+    room.place();
+    room.addEventListener("enter", () => room.take(), { once: true });
+  });
+  await hosted.enter.click();
+  await expect.poll(() => hosted.evaluate(({ held }) => held)).toBe(true);
+  await expect(hosted.room.getByText("walk, the mouse looks")).toBeVisible();
+});
+
 test("a candle out of reach is said to be, if one would take it up", async ({ hosted }) => {
   await hosted.evaluate((room) => {
     room.place();
