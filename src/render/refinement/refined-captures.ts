@@ -69,8 +69,7 @@ export class RefinedCaptures {
   #withMoon(captures: Captures): Captures {
     if (!this.#moon) return captures;
     const { irradiance, cached } = captures;
-    this.#moonIrradiance.update(this.#moon.irradiance, irradiance);
-    const moon = { ...this.#moon, irradiance: this.#moonIrradiance.in(irradiance) };
-    return { ...captures, cached: [moon, ...cached] };
+    const resampled = this.#moonIrradiance.update(this.#moon.irradiance, irradiance);
+    return { ...captures, cached: [{ ...this.#moon, irradiance: resampled }, ...cached] };
   }
 }

@@ -22,23 +22,18 @@ export class ResampledIrradiance {
     });
   }
 
-  /** Resamples a volume, unless that was the last one. Returns whether it did. */
-  update(source: IrradianceVolume, finer: IrradianceVolume): boolean {
-    if (this.#source === source) return false;
-    this.#source = source;
+  /** The finer volume with the irradiance of a coarser one, which is resampled unless it was the last. */
+  update(source: IrradianceVolume, finer: IrradianceVolume): IrradianceVolume {
     this.#target ??= irradianceMaps(this.#gpu, this.#detail, "refinement/irradiance");
-    this.#gpu.draw({
-      program: this.#program,
-      target: this.#target,
-      textures: { ...source.textures, uFinePositions: finer.textures.uProbePositions },
-      blocks: { Volume: source.block },
-    });
-    return true;
-  }
-
-  /** The finer volume with the irradiance that was resampled. */
-  in(finer: IrradianceVolume): IrradianceVolume {
-    if (!this.#target) throw new Error("No irradiance was resampled.");
+    if (this.#source !== source) {
+      this.#source = source;
+      this.#gpu.draw({
+        program: this.#program,
+        target: this.#target,
+        textures: { ...source.textures, uFinePositions: finer.textures.uProbePositions },
+        blocks: { Volume: source.block },
+      });
+    }
     return { ...finer, textures: { ...finer.textures, uIrradiance: this.#target.color } };
   }
 }
