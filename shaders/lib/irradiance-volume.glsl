@@ -8,13 +8,14 @@
 #include "lib/octahedral.glsl"
 
 layout(std140) uniform Volume {
-  vec3 corner;    // of the room, m
+  vec3 corner;    // of the room, along its axes, m
   float planes;   // probes along z
   vec3 extent;    // of the room, m
   float columns;  // probes along x
   float rows;     // probes along y
   float inset;    // distance of the outermost probes from the bounds, cells
   float bias;     // of a surface's distance to the probes, along its normal, m
+  vec2 axis;      // cosine and sine of the angle from the world's axes to the room's
 } volume;
 
 uniform sampler2D uIrradiance;
@@ -81,6 +82,8 @@ struct VolumeCell {
 VolumeCell volumeCellAt(vec3 position) {
   vec3 count = vec3(volume.columns, volume.rows, volume.planes);
   vec3 cells = count - 1.0 + 2.0 * volume.inset;
+  mat2 toRoom = mat2(volume.axis.x, volume.axis.y, -volume.axis.y, volume.axis.x);
+  position.xz = toRoom * position.xz;
   vec3 place = clamp((position - volume.corner) / volume.extent * cells - volume.inset, vec3(0.0), count - 1.001);
   return VolumeCell(floor(place), fract(place));
 }

@@ -1,5 +1,7 @@
 import type { Page } from "playwright/test";
+import type { Camera } from "../../src/candle-flame-element.ts";
 import { luma } from "../../src/light/color.ts";
+import { openGlb, packGlb } from "../../tools/models/glb-builder.mjs";
 import { ROOMS, roomModel } from "../../tools/reference/rooms.mjs";
 import { colorOf } from "../support/display-transform.ts";
 import {
@@ -55,11 +57,11 @@ test.afterAll(() => page.close());
 async function open(
   name: string,
   quality: string,
-  parts: Parameters<typeof roomModel>[0] = ROOMS[name] ?? [],
+  model: Buffer = roomModel(ROOMS[name] ?? []),
 ): Promise<RoomDriver> {
   const src = `${LIBRARY}${name}.glb`;
   await page.route(src, (route) =>
-    route.fulfill({ contentType: "model/gltf-binary", body: roomModel(parts) }),
+    route.fulfill({ contentType: "model/gltf-binary", body: model }),
   );
   const attributes = { look: "physical", quality, wind: "0", src };
   if (!driver) driver = await new RoomDriver(page).open(attributes, SIZE);
@@ -115,6 +117,30 @@ for (const { quality, view } of inTurn) {
   });
 }
 
+test("A room that is turned about the vertical has the same light", async () => {
+  const yaw = Math.PI / 6;
+  const view = views.find(({ name }) => name === "two-rooms")!;
+  const turned = <Placed extends Camera>(camera: Placed): Placed => {
+    const [x, y, z] = camera.position;
+    const [cosine, sine] = [Math.cos(yaw), Math.sin(yaw)];
+    const position: [number, number, number] = [cosine * x + sine * z, y, cosine * z - sine * x];
+    return { ...camera, position, yaw: camera.yaw + yaw };
+  };
+  const { json, binary } = openGlb(roomModel(ROOMS["two-rooms"] ?? []));
+  const [scene] = json.scenes;
+  const rotation = [0, Math.sin(yaw / 2), 0, Math.cos(yaw / 2)];
+  scene.nodes = [json.nodes.push({ children: scene.nodes, rotation }) - 1];
+  const driver = await open("turned", "low", packGlb(json, binary));
+  const { camera, place } = view;
+  const staged = { ...view, camera: turned(camera), ...(place && { place: turned(place) }) };
+  const measured = errorsBesideReference(view, await renderView(driver, staged), BLOCK.low);
+  const before = MEASURED.low["two-rooms"] ?? NONE;
+  expect.soft(measured.median).toBeLessThanOrEqual(before.median + MARGIN.median);
+  expect.soft(measured.high).toBeLessThanOrEqual(before.high + MARGIN.high);
+  expect.soft(Math.abs(measured.mean - before.mean)).toBeLessThanOrEqual(MARGIN.mean);
+  expect(driver.complaints).toEqual([]);
+});
+
 for (const quality of ["low", "high"] as const) {
   test(`At ${quality} a wall of 12 cm lets a thousandth of the light through at most`, async () => {
     const driver = await open("sealed", quality);
@@ -150,9 +176,8 @@ test("In a white room plaster a metre from the candle is shown as white paper is
     [0.1, 0.005, 0.1],
   ] as const) {
     const material = { color: [albedo, albedo, albedo] as const, roughness: 1 };
-    const driver = await open(`plaster-${albedo}`, "low", [
-      { min: [0, 0, 0], max: [4, 2.6, 4], material, isShell: true },
-    ]);
+    const shell = { min: [0, 0, 0], max: [4, 2.6, 4], material, isShell: true } as const;
+    const driver = await open(`plaster-${albedo}`, "low", roomModel([shell]));
     // The candle in the hand is 0.55 m ahead: a metre from the wall.
     const position = [2, 1.4, 1.55] as const;
     const { data, width } = await driver.picture({

@@ -37,7 +37,7 @@ export function volumeBlock(
   { probes, inset }: ProbeDetail,
 ): UniformBlock {
   const [columns, rows, planes] = probes;
-  const { min, max } = interiorBounds(collision, model);
+  const { min, max, yaw } = interiorBounds(collision, model);
   const lengths = min.map((low, axis) => (max[axis] ?? low) - low);
   const members = {
     corner: min,
@@ -47,6 +47,7 @@ export function volumeBlock(
     rows,
     planes,
     inset,
+    axis: [Math.cos(yaw), Math.sin(yaw)],
     bias: NORMAL_BIAS * Math.min(...probes.map((count, axis) => lengths[axis]! / count)),
   };
   return gpu.share(`Volume ${JSON.stringify(members)}`, () => {

@@ -1,9 +1,9 @@
 import type { Model, Part } from "../../assets/model.js";
-import type { Bounds, Vec3 } from "../../world/geometry.js";
+import type { Vec3 } from "../../world/geometry.js";
 import type { CollisionMesh, RayHit } from "../../world/room/collision-mesh.js";
 import type { Steps } from "../../world/steps.js";
 import { type Task, type Tasks, taskOf } from "../task.js";
-import { interiorBounds } from "./interior-bounds.js";
+import { type InteriorBounds, interiorBounds, turned } from "./interior-bounds.js";
 import { octahedral, rayDirections } from "./ray-directions.js";
 
 export interface ProbeDetail {
@@ -138,15 +138,21 @@ function* trace(collision: CollisionMesh, model: Model, detail: ProbeDetail): St
 }
 
 /** Place of a probe in the grid, moved by an offset in cells. */
-function placeOf(cell: Vec3, offset: Vec3, { min, max }: Bounds, detail: ProbeDetail): Vec3 {
+function placeOf(
+  cell: Vec3,
+  offset: Vec3,
+  { min, max, yaw }: InteriorBounds,
+  detail: ProbeDetail,
+): Vec3 {
   const margin = 0.05;
-  return [0, 1, 2].map((axis) => {
+  const inRoom = [0, 1, 2].map((axis) => {
     const low = min[axis]!;
     const cells = detail.probes[axis]! - 1 + 2 * detail.inset;
     const place = cell[axis]! + detail.inset + offset[axis]!;
     const within = Math.min(Math.max(place, margin), cells - margin);
     return low + (within * (max[axis]! - low)) / cells;
   }) as Vec3;
+  return turned(inRoom, yaw);
 }
 
 /** Attributes of hits of the parts' triangles, which are numbered one part after the other. */

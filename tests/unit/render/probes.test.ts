@@ -1,10 +1,10 @@
 import { describe, expect, test } from "vitest";
-import type { Model } from "../../../src/assets/model.ts";
+import type { Model, Part } from "../../../src/assets/model.ts";
 import { fitToRoom } from "../../../src/render/gi/fit-to-room.ts";
-import { interiorBounds } from "../../../src/render/gi/interior-bounds.ts";
+import { interiorBounds, turned } from "../../../src/render/gi/interior-bounds.ts";
 import { PROBE_DEPTH_EDGE, probeTraceOf } from "../../../src/render/gi/probe-rays.ts";
 import { octahedral, rayDirections } from "../../../src/render/gi/ray-directions.ts";
-import type { Vec3 } from "../../../src/world/geometry.ts";
+import type { Bounds, Vec3 } from "../../../src/world/geometry.ts";
 import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";
 import { box, modelOf } from "./boxes.ts";
 
@@ -101,6 +101,15 @@ test("a probe without a place in the open says so", () => {
   expect(rays.runs).toEqual([]);
 });
 
+/** A part turned about the vertical through the origin. */
+function turnedPart(part: Part, yaw: number): Part {
+  const positions = part.positions.slice();
+  for (let at = 0; at < positions.length; at += 3) {
+    positions.set(turned([...positions.slice(at, at + 3)] as Vec3, yaw), at);
+  }
+  return { ...part, positions };
+}
+
 describe("Bounds of the irradiance volume", () => {
   const [low, high]: [Vec3, Vec3] = [
     [-0.3, -0.1, -0.4],
@@ -119,16 +128,40 @@ describe("Bounds of the irradiance volume", () => {
     }
   });
 
+  test("run along the walls of a room that is turned", () => {
+    for (const degrees of [10, 30, 45, -20]) {
+      const yaw = (degrees * Math.PI) / 180;
+      const room = turnedPart(ROOM, yaw);
+      const along = (axis: number) => [...room.positions].filter((_, at) => at % 3 === axis);
+      const ends = (most: -1 | 1) =>
+        [0, 1, 2].map((axis) => most * Math.max(...along(axis).map((x) => most * x))) as Vec3;
+      const bounds: Bounds = { min: ends(-1), max: ends(1) };
+      const inside = interiorBounds(new CollisionMesh([room]), { ...modelOf(room), bounds });
+      expect(inside.yaw).toBeCloseTo(yaw, 3);
+      for (const [at, axis] of inside.min.entries()) expect(axis, `${at}`).toBeCloseTo(0, 2);
+      expect(inside.max[0]).toBeCloseTo(4, 2);
+      expect(inside.max[2]).toBeCloseTo(4, 2);
+    }
+  });
+
+  test("run along x and z where walls run in all directions", () => {
+    const rooms = [0, 30, 60].map((degrees) => turnedPart(ROOM, (degrees * Math.PI) / 180));
+    expect(interiorBounds(new CollisionMesh(rooms), modelOf(...rooms)).yaw).toBe(0);
+  });
+
   test("are a model's own where only an alcove of it is closed", () => {
     const alcove = box([0, 0, 0], [1, 1, 1], false);
     const floor = box([0, -0.1, 0], [4, 0, 4], true);
     const parts = [alcove, floor];
     const own = modelOf(...parts);
-    expect(interiorBounds(new CollisionMesh(parts), own)).toBe(own.bounds);
+    expect(interiorBounds(new CollisionMesh(parts), own)).toEqual({ ...own.bounds, yaw: 0 });
   });
 
   test("are a model's own where it has no inside", () => {
-    expect(interiorBounds(new CollisionMesh([walls]), { ...modelOf(walls), bounds })).toBe(bounds);
+    expect(interiorBounds(new CollisionMesh([walls]), { ...modelOf(walls), bounds })).toEqual({
+      ...bounds,
+      yaw: 0,
+    });
   });
 });
 
