@@ -12,8 +12,10 @@ const DIRECTIONS: readonly Readonly<Vec3>[] = [-1, 0, 1].flatMap((x) =>
   ),
 );
 const REACH = 100;
-/** Share of the rays that meet a back first, inside a solid; and a front, inside a room. */
-const MOST = 0.75;
+/** Share of the rays that meet a back first, inside a solid: those that go down meet the floor that it stands on. */
+const MOST_BACKS = 0.6;
+/** Share of the rays that meet a front first, inside a room. */
+const MOST_FRONTS = 0.75;
 
 /**
  * Moves a place that lies inside a solid to the nearest one outside of it, in the room if there is one.
@@ -31,16 +33,16 @@ export function freePlace(
   isSolid: (triangle: number) => boolean,
 ): Readonly<Vec3> {
   const { backs } = lookAround(collision, place, isSolid);
-  if (backs.length < MOST * DIRECTIONS.length) return place;
+  if (backs.length < MOST_BACKS * DIRECTIONS.length) return place;
   const exits = backs
     .toSorted((a, b) => a.distance - b.distance)
     .map(({ distance, direction }) => {
       return vec3.scaleAndAdd([0, 0, 0], place, direction, distance + clearance) as Vec3;
     });
   const around = exits.map((exit) => lookAround(collision, exit, isSolid));
-  const isFree = around.map(({ backs }) => backs.length < MOST * DIRECTIONS.length);
+  const isFree = around.map(({ backs }) => backs.length < MOST_BACKS * DIRECTIONS.length);
   const indoors = around.findIndex(
-    ({ fronts }, i) => isFree[i] && fronts >= MOST * DIRECTIONS.length,
+    ({ fronts }, i) => isFree[i] && fronts >= MOST_FRONTS * DIRECTIONS.length,
   );
   return exits[indoors] ?? exits[isFree.indexOf(true)] ?? place;
 }

@@ -115,6 +115,14 @@ describe("a place for a flame", () => {
     expect([y, z]).toEqual([1, 0.5]);
   });
 
+  test("inside a box that stands on the floor is moved out of it", () => {
+    const standing = box([-0.5, 0, -0.5], [0.5, 1, 0.5]);
+    const collision = new CollisionMesh([insideOf([-2, 0, -2], [2, 3, 2]), standing]);
+    const [x, y, z] = freePlace(collision, [0.3, 0.4, 0], 0.03, solids);
+    expect(x).toBeCloseTo(0.53, 5);
+    expect([y, z]).toEqual([0.4, 0]);
+  });
+
   test("is not inside of what has two sides", () => {
     expect(freePlace(collision, [-1.65, 1, 0.5], 0.03, () => false)).toEqual([-1.65, 1, 0.5]);
   });
