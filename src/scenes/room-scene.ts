@@ -14,6 +14,7 @@ import { createRoom } from "../world/room/room.js";
 import { NextRenderer } from "./next-renderer.js";
 import { Refinement } from "./refinement.js";
 import { loadModels } from "./room-models.js";
+import { warnOfRoom } from "./room-warnings.js";
 import { placeWicks } from "./room-wicks.js";
 import type { Loading, Scene, SceneRequest } from "./scene.js";
 
@@ -35,6 +36,7 @@ async function read(models: Models, { look, src }: SceneRequest): Promise<Omit<S
   const collision = new CollisionMesh(parts);
   await nextTask();
   const room = createRoom(collision, anchors.spawn ?? null);
+  if (src !== "") warnOfRoom(models.room, collision, room);
   await nextTask();
   // The paper's looks have their box, unless the visitor brought a room.
   const isBox = look !== "physical" && src === "";

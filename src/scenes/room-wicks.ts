@@ -22,9 +22,8 @@ export function placeWicks(
   collision: CollisionMesh,
   eye: Readonly<Vec3>,
 ): readonly Wick[] {
-  const isSolid = (triangle: number) => isOpaque(parts, triangle);
   // Else all faces of the room point outwards, and backs tell nothing.
-  const isEyeFree = freePlace(collision, eye, CLEARANCE, isSolid) === eye;
+  const isEyeFree = !isEnclosed(parts, collision, eye);
   const box = inset(collision.bounds, MARGIN);
   const around = inset(collision.bounds, -HEADROOM);
   let outside = 0;
@@ -36,7 +35,7 @@ export function placeWicks(
     clampInside(indoors, around);
     const isOutside = indoors.some((x, axis) => x !== middle[axis]);
     if (isOutside) clampInside(indoors, box);
-    const free = isEyeFree ? freePlace(collision, indoors, CLEARANCE, isSolid) : indoors;
+    const free = isEyeFree ? freed(parts, collision, indoors) : indoors;
     const isEnclosed = free !== indoors;
     outside += isOutside ? 1 : 0;
     enclosed += isEnclosed ? 1 : 0;
@@ -48,8 +47,21 @@ export function placeWicks(
   return placed;
 }
 
+/** Whether a place is inside of a solid, or of a room whose faces point outwards. */
+export function isEnclosed(
+  parts: Model["parts"],
+  collision: CollisionMesh,
+  place: Readonly<Vec3>,
+): boolean {
+  return freed(parts, collision, place) !== place;
+}
+
+function freed(parts: Model["parts"], collision: CollisionMesh, place: Readonly<Vec3>) {
+  return freePlace(collision, place, CLEARANCE, (triangle) => isOpaque(parts, triangle));
+}
+
 /** Whether a triangle's back is never visible, as it is inside a solid. Triangles are numbered across the parts. */
-function isOpaque(parts: Model["parts"], triangle: number): boolean {
+export function isOpaque(parts: Model["parts"], triangle: number): boolean {
   let first = 0;
   for (const { indices, material } of parts) {
     const next = first + Math.floor(indices.length / 3);

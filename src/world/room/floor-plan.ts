@@ -26,6 +26,8 @@ export class FloorPlan {
   readonly floor: number;
   /** Whether there is anything to stand on. Rooms without a floor are walked in all the same. */
   readonly hasFloor: boolean;
+  /** Whether one can stand in the model, or else only beside it. */
+  readonly isInside: boolean;
   /** Start of the visitor: on the floor, free. Metres. */
   readonly start: Readonly<Vec3>;
   readonly #grid: FloorGrid;
@@ -50,7 +52,7 @@ export class FloorPlan {
     let target: readonly [number, number] = from ? [from[0], from[2]] : [x, z];
     let survey = surveyFloor(collision, bounds, this.floor, target, from !== null);
     // Too small to stand in: one walks around it.
-    const isExhibit = survey === null;
+    this.isInside = survey !== null;
     if (!survey) {
       target = from ? target : [x, bounds.max[2] + EXHIBIT_DISTANCE];
       // Only x and z of it are read.
@@ -63,7 +65,7 @@ export class FloorPlan {
     this.#isReachable = survey.isReachable;
     this.hasFloor = survey.hasFloor;
     const start: Vec3 = [target[0], this.floor, target[1]];
-    if (from || isExhibit) this.settle(start);
+    if (from || !this.isInside) this.settle(start);
     else [start[0], start[2]] = middleOf(survey.grid, survey.start);
     this.start = start;
   }
