@@ -124,7 +124,7 @@ function modelOf(
   const drawn = (scenes ?? []).flatMap((scene) => scene.nodes ?? []);
   const seen = drawn.flatMap((node) => meshes?.[nodes?.[node]?.mesh ?? -1] ?? []);
   const parts = seen.flatMap(({ name = "", primitives }) =>
-    primitives.map(({ attributes, indices, material }): Part => {
+    primitives.map(({ attributes, indices, material, extras }): Part => {
       const worn = materials[material ?? -1];
       if (!worn) throw new Flaw("lacks a material");
       return {
@@ -136,6 +136,7 @@ function modelOf(
         uvs: floats(attributes.TEXCOORD_0),
         colors: floats(attributes.COLOR_0),
         indices: Uint16Array.from(read(indices)),
+        reducedIndices: Uint16Array.from(read(extras?.reducedIndices as number)),
       };
     }),
   );

@@ -50,7 +50,7 @@ export interface Part {
   /** Three to a triangle. */
   readonly indices: Uint16Array | Uint32Array;
   /** Fewer triangles of the same vertices: the lower level of detail, where the file has one. */
-  readonly reducedIndices?: Uint32Array;
+  readonly reducedIndices?: Uint16Array | Uint32Array;
 }
 
 /** Rows from the top, red, green, blue and alpha of 8 bits where they are bytes; alpha is not multiplied in. */

@@ -32,6 +32,13 @@ function share(gpu: Gpu, model: Model) {
       light: gpu.uniformBlock(surfaceProgram, "Light"),
       flame: new FlamePass(gpu),
       candle: uploadModel(gpu, model),
+      reduced: uploadModel(gpu, {
+        ...model,
+        parts: model.parts.map((part) => ({
+          ...part,
+          indices: part.reducedIndices ?? part.indices,
+        })),
+      }),
     };
   });
 }
@@ -67,10 +74,11 @@ export class LoneCandleRenderer extends LoneRenderer {
   }
 
   #drawCandle(target: RenderTarget, world: World): void {
-    const { surfaceProgram, candle, frame, light } = this.#shared;
+    const { surfaceProgram, candle, reduced, frame, light } = this.#shared;
     const [x, y, z] = world.interpolated.foot;
     const ember = emberRadiance(world.flame.ember);
-    for (const surface of candle) {
+    // A CPU shades each triangle in squares of two by two pixels.
+    for (const surface of this.tier.name === "low" ? reduced : candle) {
       this.gpu.draw({
         program: surfaceProgram,
         target,

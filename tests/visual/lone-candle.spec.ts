@@ -2,6 +2,8 @@ import type { Page } from "playwright/test";
 import sharp from "sharp";
 import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
 import { lostContexts, recordContexts } from "../support/contexts.ts";
+import { decode } from "../support/flash.ts";
+import { flip } from "../support/flip.ts";
 import { drawNothing } from "../support/no-drawing.ts";
 import { complaintsOf, LIBRARY } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
@@ -128,6 +130,39 @@ test("The first frame of a higher quality is whole", async ({ page }) => {
       return [frame(), frame()];
     });
   expect(first).toBe(second);
+  expect(complaints).toEqual([]);
+});
+
+test("At low it has a fifth of the triangles, and looks the same", async ({ page }) => {
+  const { complaints } = await open(
+    page,
+    `<candle-flame scene="candle" paused quality="low" style="width: 360px; height: 480px">
+      </candle-flame>`,
+  );
+  const drawn = (quality: "low" | "high") =>
+    page.locator("candle-flame").evaluate(async (element: CandleFlameElement, quality) => {
+      await element.ready;
+      element.quality = quality;
+      element.step(0);
+      const { stats, shadowRoot } = element;
+      return { ...stats, url: shadowRoot?.querySelector("canvas")?.toDataURL() ?? "" };
+    }, quality);
+  const [low, high] = [await drawn("low"), await drawn("high")];
+  const shown = async ({ url }: { readonly url: string }) => {
+    const png = Buffer.from(url.split(",")[1] ?? "", "base64");
+    const { data, info } = await sharp(png)
+      .flatten({ background: "#111" })
+      .resize(360, 480)
+      .raw()
+      .toBuffer({ resolveWithObject: true });
+    const linear = Float32Array.from(data, decode);
+    return { width: info.width, height: info.height, linear };
+  };
+  const differences = flip(await shown(high), await shown(low));
+  const mean = differences.reduce((sum, value) => sum + value, 0) / differences.length;
+  console.log(`mean FLIP of low to high: ${mean.toFixed(4)}`);
+  expect(mean).toBeLessThan(0.03);
+  expect(low.triangles).toBeLessThan(high.triangles / 4);
   expect(complaints).toEqual([]);
 });
 
