@@ -23,11 +23,9 @@ const START = 2;
 const WHOLE_LOW = 4;
 const BEST = LADDER.length - 1;
 
-/**
- * Frame budget, seconds: 60 Hz, and 24 Hz for `low`, where a coarser image saves little of a frame. Above its own resolution,
- * for processors of many cores, 40 Hz: there smooth motion is worth more.
- */
-const budgetOf = ({ tier, share }: Rung) => 1 / (share > 1 ? 40 : tier === "low" ? 24 : 60);
+/** Frame budget, seconds: 60 Hz, and 24 Hz for `low`, where a coarser image saves little of a frame. */
+const budgetOf = ({ tier, share }: Rung, { fineLow }: Work) =>
+  1 / (share > 1 ? fineLow : tier === "low" ? 24 : 60);
 /** Budget of a still frame, seconds. */
 const STILL_BUDGET = 0.25;
 /** Share of a budget that a predicted frame may fill. */
@@ -67,18 +65,24 @@ export interface Work {
   readonly gpuPixel: Readonly<Record<Tier["name"], number>>;
   /** Independent of resolution, in pixels of the tier; of `low` four times as much. */
   readonly fixed: number;
+  /** Least frame rate of `low` above its own resolution, Hz. */
+  readonly fineLow: number;
 }
 
 const PLAIN_PIXEL = { low: 0.3, medium: 0.7, high: 1, ultra: 1.3 };
 
-/** For rooms in the physical look, and for all else. */
-export const WORK: Readonly<Record<"physical" | "plain", Work>> = {
+/**
+ * For rooms in the physical look, for those in others, and for candles alone. In rooms smooth motion is worth more than detail.
+ */
+export const WORK: Readonly<Record<"physical" | "plain" | "alone", Work>> = {
   physical: {
     pixel: { low: 0.1, medium: 13, high: 19, ultra: 25 },
     gpuPixel: { low: 0.1, medium: 1.2, high: 1.5, ultra: 2 },
     fixed: 100_000,
+    fineLow: 40,
   },
-  plain: { pixel: PLAIN_PIXEL, gpuPixel: PLAIN_PIXEL, fixed: 0 },
+  plain: { pixel: PLAIN_PIXEL, gpuPixel: PLAIN_PIXEL, fixed: 0, fineLow: 40 },
+  alone: { pixel: PLAIN_PIXEL, gpuPixel: PLAIN_PIXEL, fixed: 0, fineLow: 24 },
 };
 
 /**
@@ -179,7 +183,7 @@ export class AutoQuality {
     const typical = middleMean(this.#frames);
     const isWarmingUp =
       this.rung.tier === "low" && gpuSeconds === null && this.#measured < FIRST_TIME;
-    const isLate = typical > budgetOf(this.rung) * (isWarmingUp ? FIRST_LATE : LATE);
+    const isLate = typical > budgetOf(this.rung, this.work) * (isWarmingUp ? FIRST_LATE : LATE);
     // Early late frames may include the cost of the change.
     if (isLate && !areVeryLate && this.#elapsed < MEASURE_TIME) return false;
     this.#steady += this.#elapsed;
@@ -194,7 +198,7 @@ export class AutoQuality {
       this.#untroubled = 0;
       this.#wanted = null;
       // A GPU that was idle half of the time did not cause the delay.
-      const isGpuBound = work === null || work > budgetOf(this.rung) / 2;
+      const isGpuBound = work === null || work > budgetOf(this.rung, this.work) / 2;
       return isGpuBound && this.#lower(typical);
     }
     const steadyTime = this.#hasBeenSlow ? RAISE_TIME : FIRST_RAISE_TIME;
@@ -230,7 +234,7 @@ export class AutoQuality {
     this.#hasBeenSlow = true;
     this.#ceiling = this.#index - 1;
     // A frame may have waited for one refresh of the display.
-    const budget = budgetOf(this.rung);
+    const budget = budgetOf(this.rung, this.work);
     const affordable = (this.#cost(this.rung) * budget) / Math.max(typical - REFRESH, budget);
     let next = this.#ceiling;
     while (next > 0 && this.#cost(LADDER[next]!) > affordable) next--;
@@ -250,7 +254,7 @@ export class AutoQuality {
       (rung, i) =>
         i <= this.#ceiling &&
         rung.tier !== this.rung.tier &&
-        this.#predictedTime(rung, pixel) <= budgetOf(rung) * MARGIN,
+        this.#predictedTime(rung, pixel) <= budgetOf(rung, this.work) * MARGIN,
     );
     if (best > this.#index && !isRetry) {
       this.#wanted = best;
@@ -261,7 +265,7 @@ export class AutoQuality {
     // A frame limited by the display gives no estimate: the next rung is tried.
     const isDisplayBound = !isWork && seconds <= REFRESH * 1.05;
     const expected = (seconds * this.#cost(next)) / this.#cost(this.rung);
-    if ((isRetry || !isDisplayBound) && expected > budgetOf(next)) return false;
+    if ((isRetry || !isDisplayBound) && expected > budgetOf(next, this.work)) return false;
     if (isRetry) {
       this.#retries++;
       this.#ceiling = this.#index + 1;

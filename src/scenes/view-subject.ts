@@ -23,5 +23,5 @@ export type ViewFrame = Omit<FrameSettings, "gamut" | "inspect">;
 
 /** Work of a scene's frame, by which `auto` predicts its time. */
 export function workOf({ isModelAlone }: Scene, { look }: ViewSettings): Work {
-  return look === "physical" && !isModelAlone ? WORK.physical : WORK.plain;
+  return isModelAlone ? WORK.alone : look === "physical" ? WORK.physical : WORK.plain;
 }

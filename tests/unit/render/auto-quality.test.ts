@@ -168,6 +168,17 @@ test("Processors of many cores draw low at the canvas's resolution, or between, 
   }
 });
 
+test("A candle alone has the canvas's resolution at 24 frames a second, where a room has 40 of a coarser image", () => {
+  const shares = (["plain", "alone"] as const).map((kind) => {
+    const auto = new AutoQuality(WORK[kind]);
+    auto.pixels = PIXELS;
+    auto.pixel = SOFTWARE.pixel;
+    run(auto, { ...SOFTWARE, low: 3.6e-8, waits: false }, 60);
+    return auto.rung.share;
+  });
+  expect(shares).toEqual([1.25, 1.5]);
+});
+
 test("A GPU that was measured while it was busy is measured again, twice at most, once its frames are fast", async () => {
   for (const fails of [0, 1, 2]) {
     let measurements = 0;
