@@ -1,5 +1,6 @@
 #version 300 es
 // Surface of a visitor's own candles, in the light of all their flames and of a studio environment.
+// SHADOW_TAPS: samples of soft shadows; without them there are none, as on what transmits most of the light.
 // In:  base colour (sRGB), normal, occlusion/roughness/metallic maps.   Out: radiance, cd/m², premultiplied.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
@@ -8,7 +9,9 @@
 #include "lib/studio.glsl"
 #include "lib/ember.glsl"
 #include "lib/candle-flames.glsl"
+#ifdef SHADOW_TAPS
 #include "lib/flame-shadows.glsl"
+#endif
 #include "lib/mesh-fragment.glsl"
 
 uniform vec3 uBounce;             // radiance of the model around, cd/m²
@@ -55,7 +58,9 @@ vec3 emberGlow(int i, vec3 position) {
 }
 
 void main() {
+#ifdef SHADOW_TAPS
   vec3 facet = facetNormal(vPositionWorld);
+#endif
   vec4 baseColor = texture(uAlbedo, vUv) * uBaseColor * vColor;
   if (uOpacity < 0.5 && baseColor.a < uSurface.w) discard;
   vec3 packed = texture(uOcclusionRoughness, vUv).rgb;
@@ -66,7 +71,9 @@ void main() {
   if (frame.normalMaps > 0.5) {
     normal = perturbedNormal(texture(uNormal, vUv).xy, normal, vTangentWorld, uSurface.z);
   }
+#ifdef SHADOW_TAPS
   facet = faceforward(facet, -normal, facet);
+#endif
   vec3 view = normalize(frame.eyePosition - vPositionWorld);
   float NoV = max(abs(dot(normal, view)), 1e-3);
   vec3 f0 = mix(vec3(0.04), baseColor.rgb, metallic);
@@ -86,7 +93,9 @@ void main() {
     FlameSpecular flame = flameSpecular(toLight, halfAxis, along.w, normal, view, NoV, alpha);
     if (NoL + flame.lobe <= 0.0) continue;
     vec3 perArea = flames.intensities[i].rgb / distanceSquared;
-    if (uTransmission < 0.5) perArea *= flameVisibility(i, vPositionWorld, facet, gl_FragCoord.xy);
+#ifdef SHADOW_TAPS
+    perArea *= flameVisibility(i, vPositionWorld, facet, gl_FragCoord.xy);
+#endif
     vec3 fresnel = fresnelSchlick(f0, flame.SoH);
     diffuse += diffuseColor * (1.0 - fresnel) / PI * NoL * perArea;
     specular += fresnel * flame.lobe * perArea;

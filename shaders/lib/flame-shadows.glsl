@@ -1,10 +1,6 @@
 // Soft shadows of several flames, from an atlas of cubes, by SHADOW_TAPS samples. Needs lib/candle-flames.glsl.
 // As in lib/pcss.glsl a texel is compared with the plane of the lit surface, in the direction of the texel's center.
 
-#ifndef SHADOW_TAPS
-#define SHADOW_TAPS 14
-#endif
-
 uniform sampler2D uShadowAtlas;  // distance from the flame, m; nearest texel of tiles of 3 x 2 faces
 uniform vec2 uShadowTiles;       // across and down
 uniform float uShadowFace;       // texels of a face's side

@@ -80,8 +80,16 @@ export class DrawCommands {
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
   }
 
-  /** @param scissor the part to clear. Default: all of it. */
-  clear(target: Surface, color: readonly [number, number, number, number], scissor?: Box): void {
+  /**
+   * @param scissor the part to clear. Default: all of it.
+   * @param keepsDepth whether colours alone are cleared
+   */
+  clear(
+    target: Surface,
+    color: readonly [number, number, number, number],
+    scissor?: Box,
+    keepsDepth?: boolean,
+  ): void {
     const gl = this.gl;
     this.#bind(target);
     this.#writeDepth(true);
@@ -89,7 +97,7 @@ export class DrawCommands {
     this.#switch(gl.SCISSOR_TEST, scissor !== undefined);
     if (scissor) gl.scissor(...scissor);
     gl.clearColor(...color);
-    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    gl.clear(gl.COLOR_BUFFER_BIT | (keepsDepth ? 0 : gl.DEPTH_BUFFER_BIT));
   }
 
   draw(call: Draw): void {

@@ -36,6 +36,8 @@ export interface InitialImage {
 export interface Renderer {
   /** Of an image at rest; null if each of its frames is complete. */
   readonly refining?: RefinedStage | null;
+  /** Whether the last frame drew what later ones keep, so that it took longer than they will. */
+  readonly isCatchingUp?: boolean;
   /** Particle slots in use in the last frame. */
   readonly particles: number;
   /** Surfaces at another size than the canvas's; absent where there are none to begin a refinement with. */

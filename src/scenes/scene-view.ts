@@ -224,7 +224,8 @@ export class SceneView {
     if (this.#settings.quality !== "auto" || this.isBusy) return;
     this.#refinement?.take(seconds);
     this.#renderer.refinedFade?.take(seconds);
-    if (this.#refinement?.isBusy || this.#renderer.refinedFade?.isOn) return;
+    const { refinedFade, isCatchingUp } = this.#renderer;
+    if (this.#refinement?.isBusy || refinedFade?.isOn || isCatchingUp) return;
     if (!this.#next?.isBusy) this.#auto.take(seconds, this.#counts.seconds);
     const { wanted } = this.#auto;
     if (wanted && (this.#next?.proceed(wanted) ?? true)) this.#auto.accept();

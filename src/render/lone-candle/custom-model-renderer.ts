@@ -2,8 +2,10 @@ import displayFrag from "../../../shaders/candle/custom-display.frag";
 import surfaceFrag from "../../../shaders/candle/custom-surface.frag";
 import surfaceVert from "../../../shaders/mesh/mesh.vert";
 import type { Model } from "../../assets/model.js";
-import type { Gpu, Program, RenderTarget, Texture } from "../../gl/gpu.js";
+import type { Box, Gpu, Program, RenderTarget, Texture, UniformBlock } from "../../gl/gpu.js";
+import { nextTask } from "../../gl/next-task.js";
 import { carriedFlame, type RootedFlame, TAPER } from "../../light/flame-light.js";
+import type { Features } from "../../settings.js";
 import type { Bounds } from "../../world/geometry.js";
 import type { Wick } from "../../world/standing-candle.js";
 import type { World } from "../../world/world.js";
@@ -11,11 +13,14 @@ import type { FrameSettings } from "../frame-settings.js";
 import { type Mesh, plainTextures, surfaceSampling, uploadModel } from "../mesh/mesh.js";
 import type { Tier } from "../quality.js";
 import { FlamePass, standingWick } from "../volumetric/flame-pass.js";
+import type { DrawInLight } from "./cached-surfaces.js";
 import { boundsWithFlames, frameBox } from "./custom-framing.js";
 import { FlameLights } from "./flame-lights.js";
 import { FlameShadows } from "./flame-shadows.js";
+import { BOUNCE_LIGHT, STUDIO_LIGHT } from "./light-groups.js";
 import { LightMeter, MOST_EXPOSURE } from "./light-meter.js";
-import { LoneRenderer, type SmokePassOf } from "./lone-renderer.js";
+import { type LoneCamera, LoneRenderer, type SmokePassOf } from "./lone-renderer.js";
+import { SummedSurfaces } from "./summed-surfaces.js";
 
 /** Share of the hemisphere that the model itself fills, as seen from its points. */
 const BOUNCE = 0.1;
@@ -30,6 +35,9 @@ const TAPS = { low: 8, medium: 16, high: 32, ultra: 48 } as const;
 /** Texels of a shadow cube's side, at the cheapest tier and at all others. */
 const FACE = { low: 128, others: 256 } as const;
 
+const NONE = [0, 0, 0] as const;
+const PLACEMENT = [0, 0, 0, 0] as const;
+
 /** GPU objects of one model on a context that others draw on, too. */
 function createResources(gpu: Gpu, program: Program, model: Model, flames: number, face: number) {
   return {
@@ -37,17 +45,19 @@ function createResources(gpu: Gpu, program: Program, model: Model, flames: numbe
     shadows: new FlameShadows(gpu, flames, face),
     frame: gpu.uniformBlock(program, "Frame"),
     flames: gpu.uniformBlock(program, "Flames"),
+    /** Of one light alone. */
+    alone: gpu.uniformBlock(program, "Flames"),
     flame: new FlamePass(gpu),
   };
 }
 
-/** Light of a frame, beside its flames. */
+/** Light of a frame. */
 interface Illumination {
+  readonly flames: UniformBlock;
   readonly atlas: Texture;
-  /** Luminance of the model's middle tones, cd/m². */
-  readonly key: number;
-  /** Factor on the studio's light. */
-  readonly studio: number;
+  /** Radiance of the studio, and of the model around, cd/m². */
+  readonly environment: readonly number[];
+  readonly bounce: readonly number[];
   /** Whether wax glows. */
   readonly translucency: boolean;
 }
@@ -56,27 +66,56 @@ interface Illumination {
 interface Surface {
   readonly mesh: Mesh;
   readonly isClear: boolean;
+  /** Whether most of the light passes: it receives no shadows. */
+  readonly isTransmissive: boolean;
   readonly uniforms: Readonly<Record<string, number | readonly number[]>>;
 }
 
-/** A visitor's own candles over the page's background: one to sixteen flames on a model. */
+/** What a frame is drawn by. */
+interface View {
+  readonly rooted: readonly RootedFlame[];
+  readonly camera: LoneCamera;
+  readonly magnification: number;
+  /** Luminance of the model's middle tones, cd/m². */
+  readonly key: number;
+  readonly exposure: number;
+  readonly atlas: Texture;
+  /** Factor on the studio's light. */
+  readonly studio: number;
+}
+
+/**
+ * A visitor's own candles over the page's background: one to sixteen flames on a model.
+ *
+ * Where frames follow each other at `low`, the surfaces are the sum of images that are kept, one for each light, as of flames at
+ * rest; else they are drawn in each frame.
+ */
 export class CustomModelRenderer extends LoneRenderer {
+  isCatchingUp = false;
   readonly #surfaceProgram: Program;
   readonly #displayProgram: Program;
   readonly #resources: ReturnType<typeof createResources>;
   readonly #release: () => void;
-  readonly #surfaces: readonly Surface[];
+  readonly #wicks: readonly Surface[];
+  readonly #opaque: readonly Surface[];
+  readonly #clear: readonly Surface[];
   readonly #casters: readonly Mesh[];
   readonly #bounds: Bounds;
   readonly #meter: LightMeter;
   readonly #lights = new FlameLights();
+  /** Of the opaque ones, at `low`. */
+  readonly #summed: SummedSurfaces | null;
+  /** View and settings of the frame that is drawn. */
+  #current: { readonly view: View; readonly features: Features } | null = null;
+  /** The last frame, if it was a sum of images. */
+  #lastSum: { readonly world: World; readonly settings: FrameSettings } | null = null;
+  /** Whether the target's depth is that of the opaque surfaces. */
+  #hasDepth = false;
 
   constructor(gpu: Gpu, model: Model, wicks: readonly Wick[], tier: Tier, smokePass: SmokePassOf) {
     super(gpu, tier, smokePass);
     this.#bounds = boundsWithFlames(model.bounds, wicks);
-    this.#surfaceProgram = gpu.program("candle/custom-surface", surfaceVert, surfaceFrag, {
-      defines: { SHADOW_TAPS: tapsOf(tier, wicks.length) },
-    });
+    this.#surfaceProgram = this.#programOf({ SHADOW_TAPS: tapsOf(tier, wicks.length) });
     this.#displayProgram = gpu.pass("candle/custom-display", displayFrag);
     const face = tier.name === "low" ? FACE.low : FACE.others;
     plainTextures(gpu); // outlive the model
@@ -85,84 +124,178 @@ export class CustomModelRenderer extends LoneRenderer {
     );
     this.#resources = made;
     this.#release = release;
-    this.#surfaces = made.meshes.map(surfaceOf);
-    this.#casters = this.#surfaces.filter(castsShadow).map(({ mesh }) => mesh);
+    const surfaces = made.meshes.map(surfaceOf);
+    if (surfaces.some(({ isTransmissive }) => isTransmissive)) this.#programOf({});
+    this.#clear = surfaces.filter(({ isClear }) => isClear);
+    this.#wicks = surfaces.filter(({ isClear, uniforms }) => !isClear && uniforms.uWick === 1);
+    // Wicks stand in their own flames, and clear surfaces transmit light: these cast shadows.
+    this.#opaque = surfaces.filter(({ isClear, uniforms }) => !isClear && uniforms.uWick === 0);
+    this.#casters = this.#opaque.map(({ mesh }) => mesh);
     this.#meter = new LightMeter(
       this.#casters.map(({ part }) => part),
       wicks.map(({ position }) => position),
     );
+    const draw: DrawInLight = (light, target, part) => this.#drawInLight(light, target, part);
+    this.#summed = tier.name === "low" ? new SummedSurfaces(gpu, wicks.length, draw) : null;
+  }
+
+  #programOf(defines: { readonly SHADOW_TAPS?: number }): Program {
+    return this.gpu.program("candle/custom-surface", surfaceVert, surfaceFrag, { defines });
+  }
+
+  override resize(width: number, height: number): void {
+    super.resize(width, height);
+    this.#hasDepth = false;
+    this.#summed?.fit({ width, height });
+  }
+
+  /** Draws the images of the surfaces that the first frame is a sum of. */
+  async prepare(world: World, settings: FrameSettings, isWanted: () => boolean): Promise<void> {
+    const summed = this.#summedIn(settings);
+    if (!summed) return;
+    const view = this.#viewOf(world);
+    this.begin(this.#resources.frame, view.camera, view.exposure, settings);
+    while (isWanted() && !this.#proceed(summed, view, settings)) {
+      await this.gpu.whenIdle();
+      await nextTask();
+    }
   }
 
   protected drawFrame(world: World, settings: FrameSettings): void {
-    const { frame, flames, flame, shadows } = this.#resources;
+    const { frame, flames, flame } = this.#resources;
     const { features } = settings;
-    const { magnification, ...camera } = frameBox(this.#bounds, this.aspect);
-    const rooted: readonly RootedFlame[] = [carriedFlame(world), ...world.standing];
-    const { key, exposure } = this.#meter.measure(rooted);
-    const drawn = this.begin(frame, camera, exposure, settings);
+    const view = this.#viewOf(world);
+    const { rooted, camera, key, exposure, studio, atlas } = view;
+    const summed = this.#summedIn(settings);
+    const shown = summed?.areShown ? summed : null;
+    const behind = this.#hasDepth ? "kept" : "none";
+    const drawn = this.begin(frame, camera, exposure, settings, shown ? behind : undefined);
     const { target, clip } = drawn;
     const glare = features.bloom ? Math.sqrt(exposure / MOST_EXPOSURE) : 0;
     flames.update(this.#lights.members(rooted, clip, features.shadows, glare));
-    const roots = rooted.map(({ root }) => root);
-    const atlas = shadows.render(roots, this.#casters);
-    // The page around has the same brightness for one flame and for sixteen.
-    const studio = (STUDIO * MOST_EXPOSURE) / exposure;
-    const scene = { atlas, key, studio, translucency: features.translucency };
-    if (features.candle) this.#drawSurfaces(target, scene, false);
+    const light: Illumination = {
+      flames,
+      atlas,
+      environment: scaled(TAPER.color, studio),
+      bounce: scaled(TAPER.color, key * BOUNCE),
+      translucency: features.translucency,
+    };
+    this.isCatchingUp = summed !== null && !this.#proceed(summed, view, settings);
+    if (!shown && features.candle) this.#drawSurfaces(this.#opaque, target, light);
+    if (!this.#hasDepth) shown?.drawDepth(target, frame, this.#casters);
+    this.#hasDepth = shown !== null;
+    const isDepthKept = shown !== null;
+    if (features.candle) this.#drawSurfaces(this.#wicks, target, light, { isDepthKept });
     for (const one of features.volume ? rooted : []) {
       flame.render(target, frame, standingWick(one), this.tier.physical.flameSteps);
     }
-    if (features.smoke) {
-      const environment = TAPER.color.map((channel) => channel * studio);
-      this.drawSmoke(world, drawn, frame, environment);
-    }
-    if (features.candle) this.#drawSurfaces(target, scene, true);
+    if (features.smoke) this.drawSmoke(world, drawn, frame, light.environment);
+    if (features.candle) this.#drawSurfaces(this.#clear, target, light);
+    this.#display(view, shown);
+    this.#lastSum = shown && { world, settings };
+  }
+
+  #display(
+    { rooted, magnification, key, exposure, studio }: View,
+    summed: SummedSurfaces | null,
+  ): void {
+    const { frame, flames } = this.#resources;
     const uniforms = {
       uVibrance: VIBRANCE,
       uMagnification: magnification,
       uHighlights: FLAME_STOPS / (FLAME_STOPS + Math.log2(exposure / MOST_EXPOSURE)),
+      ...(summed && { uScales: summed.groups.scales(rooted, studio, key * BOUNCE) }),
     };
-    this.display(this.#displayProgram, uniforms, { Frame: frame, Flames: flames });
+    const program = summed?.program ?? this.#displayProgram;
+    this.display(program, uniforms, { Frame: frame, Flames: flames }, 1, summed?.textures);
   }
 
-  /** Draws what is opaque, or what is clear, over flames and all. */
+  /** The sum that a frame's surfaces are, or will be. */
+  #summedIn({ canDefer, features }: FrameSettings): SummedSurfaces | null {
+    return canDefer && features.candle ? this.#summed : null;
+  }
+
+  #viewOf(world: World): View {
+    const { magnification, ...camera } = frameBox(this.#bounds, this.aspect);
+    const rooted: readonly RootedFlame[] = [carriedFlame(world), ...world.standing];
+    const { key, exposure } = this.#meter.measure(rooted);
+    const roots = rooted.map(({ root }) => root);
+    const atlas = this.#resources.shadows.render(roots, this.#casters);
+    // The page around has the same brightness for one flame and for sixteen.
+    const studio = (STUDIO * MOST_EXPOSURE) / exposure;
+    return { rooted, camera, magnification, key, exposure, atlas, studio };
+  }
+
+  /** Continues the images of a sum. True when all are drawn. */
+  #proceed(summed: SummedSurfaces, view: View, { features }: FrameSettings): boolean {
+    this.#current = { view, features };
+    const { shadows, translucency, normalMaps } = features;
+    return summed.proceed(this.size, view.rooted, [shadows, translucency, normalMaps]);
+  }
+
+  #drawInLight(light: number, target: RenderTarget, part: Box): void {
+    const { view, features } = this.#current!;
+    const { alone } = this.#resources;
+    const flames = this.#summed!.groups.flamesOf(view.rooted)[light]!;
+    alone.update(this.#lights.tapers(view.rooted, flames, features.shadows));
+    const illumination = {
+      flames: alone,
+      atlas: view.atlas,
+      environment: light === STUDIO_LIGHT ? TAPER.color : NONE,
+      bounce: light === BOUNCE_LIGHT ? TAPER.color : NONE,
+      translucency: features.translucency,
+    };
+    this.#drawSurfaces(this.#opaque, target, illumination, { scissor: part });
+  }
+
   #drawSurfaces(
+    surfaces: readonly Surface[],
     target: RenderTarget,
-    { atlas, key, studio, translucency }: Illumination,
-    isClear: boolean,
+    { flames, atlas, environment, bounce, translucency }: Illumination,
+    { scissor, isDepthKept }: { readonly scissor?: Box; readonly isDepthKept?: boolean } = {},
   ): void {
-    const { frame, flames, shadows } = this.#resources;
-    for (const { mesh, uniforms, isClear: isThis } of this.#surfaces) {
-      if (isThis !== isClear) continue;
+    const { frame, shadows } = this.#resources;
+    for (const { mesh, uniforms, isClear, isTransmissive } of surfaces) {
       this.gpu.draw({
-        program: this.#surfaceProgram,
+        program: isTransmissive ? this.#programOf({}) : this.#surfaceProgram,
         target,
+        scissor,
         vertexArray: mesh.vertexArray,
         textures: { ...mesh.textures, uShadowAtlas: atlas },
         sampling: surfaceSampling(this.tier),
         uniforms: {
           ...uniforms,
           ...(translucency ? {} : { uWax: 0 }),
-          uEnvironment: TAPER.color.map((channel) => channel * studio),
-          uBounce: TAPER.color.map((channel) => channel * key * BOUNCE),
-          uPlacement: [0, 0, 0, 0],
-          uShadowTiles: shadows.tiles,
-          uShadowFace: shadows.face,
+          uEnvironment: environment,
+          uBounce: bounce,
+          uPlacement: PLACEMENT,
+          ...(isTransmissive ? {} : { uShadowTiles: shadows.tiles, uShadowFace: shadows.face }),
         },
         blocks: { Frame: frame, Flames: flames },
         blend: isClear ? "premultiplied" : "replace",
-        depth: isClear ? "test" : "test-and-write",
+        depth: isClear || isDepthKept ? "test" : "test-and-write",
         cull: isClear || mesh.isDoubleSided ? "none" : "back",
       });
     }
   }
 
+  /** Of a frame that is a sum it draws the surfaces first. */
+  override readRadiance(box: Box): Float32Array {
+    const sum = this.#lastSum;
+    if (sum) this.drawFrame(sum.world, { ...sum.settings, canDefer: false });
+    return super.readRadiance(box);
+  }
+
   /** Frees all but the programs, which are shared. */
   override dispose(): void {
     super.dispose();
+    this.#summed?.dispose();
     this.#release();
   }
 }
+
+const scaled = (color: readonly number[], factor: number) =>
+  color.map((channel) => channel * factor);
 
 function tapsOf({ name }: Tier, flames: number): number {
   return Math.max(Math.round((TAPS[name] * 4) / Math.max(flames, 4)), 4);
@@ -174,6 +307,7 @@ function surfaceOf(mesh: Mesh): Surface {
   return {
     mesh,
     isClear,
+    isTransmissive: material.transmission >= 0.5,
     uniforms: {
       ...mesh.uniforms,
       uWax: material.isWax ? 1 : 0,
@@ -182,9 +316,4 @@ function surfaceOf(mesh: Mesh): Surface {
       uOpacity: isClear ? 1 : 0,
     },
   };
-}
-
-/** Wicks stand in their own flames, and clear surfaces transmit light. */
-function castsShadow({ isClear, uniforms }: Surface): boolean {
-  return !isClear && uniforms.uWick === 0;
 }

@@ -1,9 +1,18 @@
 import type { mat4 } from "gl-matrix";
-import { emberRadiance, flameLight, type RootedFlame, TAPER } from "../../light/flame-light.js";
+import {
+  emberRadiance,
+  type FlameLight,
+  flameLight,
+  type RootedFlame,
+  TAPER,
+} from "../../light/flame-light.js";
 import { glareOf } from "./glare.js";
 
 /** Most flames of the shaders' `Flames` block. */
 export const MOST_FLAMES = 16;
+
+/** Half height of a taper's light as a capsule, as a share of its flame's height. */
+const HALF_HEIGHT = 0.3;
 
 const vectors = () => new Float32Array(MOST_FLAMES * 4);
 
@@ -33,14 +42,45 @@ export class FlameLights {
     for (const [i, rooted] of flames.entries()) {
       const at = i * 4;
       const light = flameLight(rooted, TAPER);
-      const { position, axis, halfHeight, radius, intensity } = light;
-      all["centres[0]"].set([...position, halfHeight], at);
-      all["alongs[0]"].set([...axis, radius], at);
-      all["intensities[0]"].set([...intensity, hasShadows ? i : -1], at);
-      all["roots[0]"].set(rooted.root, at);
+      this.#setLight(i, rooted, light, hasShadows ? i : -1);
       all["embers[0]"].set(emberRadiance(rooted.flame.ember), at);
       all["glares[0]"].set(glareOf(light, clip, glare), at);
     }
     return { ...all, count: flames.length };
+  }
+
+  /**
+   * The same of some flames alone, upright, each as bright as a taper: for light that is kept.
+   *
+   * @param places of them in the list of all, and in the shadow atlas
+   */
+  tapers(
+    flames: readonly RootedFlame[],
+    places: readonly number[],
+    hasShadows: boolean,
+  ): Record<string, Float32Array | number> {
+    for (const [i, place] of places.entries()) {
+      const rooted = flames[place]!;
+      const { root, flame } = rooted;
+      const taper: FlameLight = {
+        position: [root[0], root[1] + TAPER.centre, root[2]],
+        axis: [0, 1, 0],
+        halfHeight: HALF_HEIGHT * TAPER.height,
+        radius: 0.8 * Math.max(flame.radius, TAPER.radius),
+        intensity: [...TAPER.color],
+      };
+      this.#setLight(i, rooted, taper, hasShadows ? place : -1);
+    }
+    return { ...this.#members, count: places.length };
+  }
+
+  #setLight(i: number, { root }: RootedFlame, light: FlameLight, tile: number): void {
+    const { position, axis, halfHeight, radius, intensity } = light;
+    const all = this.#members;
+    const at = i * 4;
+    all["centres[0]"].set([...position, halfHeight], at);
+    all["alongs[0]"].set([...axis, radius], at);
+    all["intensities[0]"].set([...intensity, tile], at);
+    all["roots[0]"].set(root, at);
   }
 }

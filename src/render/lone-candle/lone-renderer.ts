@@ -1,11 +1,20 @@
 import type { mat4 } from "gl-matrix";
-import type { Box, Gpu, Program, RenderTarget, UniformBlock, UniformValue } from "../../gl/gpu.js";
+import type {
+  Box,
+  Gpu,
+  Program,
+  RenderTarget,
+  Texture,
+  UniformBlock,
+  UniformValue,
+} from "../../gl/gpu.js";
 import { adaptedWhite } from "../../light/color.js";
 import { ADAPTATION } from "../../light/flame-light.js";
 import { nightVision } from "../../light/night-vision.js";
 import type { Vec3 } from "../../world/geometry.js";
 import type { World } from "../../world/world.js";
 import { clipFromWorld, projectionScale } from "../camera.js";
+import type { Size } from "../frame-input.js";
 import type { FrameSettings } from "../frame-settings.js";
 import type { Tier } from "../quality.js";
 import type { Renderer } from "../renderer.js";
@@ -41,6 +50,8 @@ export abstract class LoneRenderer implements Renderer {
   readonly #smokePass: SmokePassOf;
   #samples: RenderTarget | null = null;
   #radiance: RenderTarget | null = null;
+  /** Of the two, the one that the last frame was drawn to. */
+  #target: RenderTarget | null = null;
   #size = { width: 1, height: 1 };
   /** Columns of the last frame, pixels. */
   #columns = 0;
@@ -72,6 +83,11 @@ export abstract class LoneRenderer implements Renderer {
   /** Its flames have no particles. */
   setLayers(): void {}
 
+  /** Of the canvas, pixels. */
+  protected get size(): Size {
+    return this.#size;
+  }
+
   protected get aspect(): number {
     return this.#size.width / this.#size.height;
   }
@@ -80,14 +96,17 @@ export abstract class LoneRenderer implements Renderer {
    * Writes camera and exposure to the block of the frame, and clears the target.
    *
    * @param factor from cd/m² to the display's scale, before the visitor's exposure
+   * @param behind depth of what is drawn behind it: the frame has a sample for each pixel then. `kept`: of the last such frame
    */
   protected begin(
     frame: UniformBlock,
     { eye, pitch, fieldOfView }: LoneCamera,
     factor: number,
     { features, exposure }: FrameSettings,
+    behind?: "none" | "kept",
   ): LoneFrame {
-    const target = (this.#samples ?? this.#radiance)!;
+    const target = ((!behind && this.#samples) || this.#radiance)!;
+    this.#target = target;
     const { width, height } = this.#size;
     const clip = clipFromWorld(eye, 0, pitch, this.aspect, fieldOfView);
     frame.update({
@@ -98,7 +117,7 @@ export abstract class LoneRenderer implements Renderer {
       projectionScale: projectionScale(Math.min(width, height), fieldOfView),
       normalMaps: features.normalMaps ? 1 : 0,
     });
-    this.gpu.clear(target, [0, 0, 0, 0]);
+    this.gpu.clear(target, [0, 0, 0, 0], undefined, behind === "kept");
     return { target, clip };
   }
 
@@ -116,12 +135,14 @@ export abstract class LoneRenderer implements Renderer {
    * From the radiance to the canvas.
    *
    * @param share of the columns in the middle that anything is drawn in: the others stay clear
+   * @param textures of the program, beside the radiance
    */
   protected display(
     program: Program,
     uniforms: Readonly<Record<string, UniformValue>>,
     blocks: Readonly<Record<string, UniformBlock>>,
     share = 1,
+    textures: Readonly<Record<string, Texture>> = {},
   ): void {
     const radiance = this.#radiance!;
     const { width, height } = radiance;
@@ -130,14 +151,15 @@ export abstract class LoneRenderer implements Renderer {
     const scissor: Box = [left, 0, columns, height];
     if (columns < this.#columns) this.gpu.clear(radiance, [0, 0, 0, 0]);
     this.#columns = columns;
-    if (this.#samples) this.gpu.resolve(this.#samples, radiance, scissor);
+    if (this.#target && this.#target !== radiance)
+      this.gpu.resolve(this.#target, radiance, scissor);
     if (columns < width) this.gpu.clear("canvas", [0, 0, 0, 0], [0, 0, width, height]);
     this.gpu.draw({
       program,
       target: "canvas",
       viewport: [0, 0, width, height],
       scissor,
-      textures: { uRadiance: radiance.color },
+      textures: { uRadiance: radiance.color, ...textures },
       uniforms: {
         uAdaptation: ADAPTATION,
         uWhite: adaptedWhite(),

@@ -1,0 +1,78 @@
+import displayFrag from "../../../shaders/candle/custom-display.frag";
+import depthFrag from "../../../shaders/mesh/depth.frag";
+import meshVert from "../../../shaders/mesh/mesh.vert";
+import type { Gpu, Program, RenderTarget, UniformBlock } from "../../gl/gpu.js";
+import type { RootedFlame } from "../../light/flame-light.js";
+import type { Size } from "../frame-input.js";
+import type { Mesh } from "../mesh/mesh.js";
+import { CachedSurfaces, type DrawInLight } from "./cached-surfaces.js";
+import { LightGroups } from "./light-groups.js";
+
+/** Opaque surfaces of a model as a sum of images that are kept, one for each light. */
+export class SummedSurfaces {
+  readonly groups: LightGroups;
+  /** Of the display: the sum is behind what is drawn in a frame. */
+  readonly program: Program;
+  readonly #gpu: Gpu;
+  readonly #cached: CachedSurfaces;
+
+  constructor(gpu: Gpu, flames: number, draw: DrawInLight) {
+    this.#gpu = gpu;
+    this.groups = new LightGroups(flames);
+    const { count } = this.groups;
+    this.#cached = new CachedSurfaces(gpu, count, draw);
+    this.program = gpu.pass("candle/custom-display", displayFrag, { defines: { LIGHTS: count } });
+    this.#depthProgram(true);
+  }
+
+  /** Gives up images of another shape than a frame of that size. */
+  fit(size: Size): void {
+    this.#cached.fit(size);
+  }
+
+  /** Whether there are images to show. */
+  get areShown(): boolean {
+    return this.#cached.images.length > 0;
+  }
+
+  /** Of `program`. */
+  get textures() {
+    return Object.fromEntries(this.#cached.images.map((image, i) => [`uLight${i}`, image]));
+  }
+
+  /**
+   * Continues the images of a size. True when none is missing.
+   *
+   * @param detail all that they depend on, beside the flames
+   */
+  proceed(size: Size, rooted: readonly RootedFlame[], detail: readonly boolean[]): boolean {
+    return this.#cached.proceed(size, [detail, this.groups.flamesOf(rooted)]);
+  }
+
+  /** Draws the depth of the surfaces alone. */
+  drawDepth(target: RenderTarget, frame: UniformBlock, meshes: readonly Mesh[]): void {
+    for (const { vertexArray, textures, uniforms, isDoubleSided } of meshes) {
+      const isWhole = uniforms.uSurface[3] === 0;
+      this.#gpu.draw({
+        program: this.#depthProgram(isWhole),
+        target,
+        vertexArray,
+        textures,
+        uniforms: { ...(isWhole ? {} : uniforms), uPlacement: [0, 0, 0, 0] },
+        blocks: { Frame: frame },
+        depth: "test-and-write",
+        writesColor: false,
+        cull: isDoubleSided ? "none" : "back",
+      });
+    }
+  }
+
+  #depthProgram(isWhole: boolean): Program {
+    const defines = isWhole ? {} : { CUTOUT: 1 };
+    return this.#gpu.program("mesh/depth", meshVert, depthFrag, { defines });
+  }
+
+  dispose(): void {
+    this.#cached.dispose();
+  }
+}
