@@ -73,6 +73,14 @@ const WREATH: ElementCase = {
   attributes: { ...LONE.attributes, src: "models/wreath.glb" },
 };
 
+/** In frames that follow each other, until its surfaces are a sum of images. */
+const PLAYING_WREATH: ElementCase = {
+  ...WREATH,
+  name: "advent wreath, playing",
+  steps: Array.from({ length: 40 }, () => 1 / 60),
+  stride: [0, 0, 0],
+};
+
 function fourCandles(quality: Quality): ElementCase {
   const room = inRoom("physical", quality);
   const attributes = { ...room.attributes, "lit-wicks": "0 1 2 3" };
@@ -115,6 +123,7 @@ const TIERS: readonly Quality[] = ["low", "medium", "high", "ultra"];
 export const LONG: readonly Case[] = [
   LONE,
   WREATH,
+  PLAYING_WREATH,
   ...LOOKS.flatMap((look) => TIERS.map((quality) => inRoom(look, quality))),
   fourCandles("low"),
   fourCandles("medium"),

@@ -66,7 +66,7 @@ export const CASE_LIMITS: readonly {
     limits: ULTRA_LIMITS,
   },
   {
-    cases: /^(advent wreath|moon alone, medium, in motion)$/,
+    cases: /^(advent wreath(, playing)?|moon alone, medium, in motion)$/,
     title:
       "the advent wreath, of which a glint lies in the edge of a shadow, and the moon alone in motion, of the window's edges",
     limits: { ...THIN_LIMITS, block: 0.4 },
