@@ -116,3 +116,71 @@ test("In the paper's look a smooth wall without a roughness map has a highlight,
   const [smooth, rough] = [await luminanceAt(0), await luminanceAt(Math.PI)];
   expect(smooth / rough).toBeGreaterThan(1.1);
 });
+
+/** A screen between a wall and the room, of which a texture cuts out the right half. */
+async function screen(): Promise<Buffer> {
+  const builder = new GlbBuilder();
+  const half = { width: 8, height: 16, channels: 4, background: "#fff" } as const;
+  const bytes = await sharp({ create: half })
+    .extend({ right: 8, background: { r: 255, g: 255, b: 255, alpha: 0 } })
+    .png()
+    .toBuffer();
+  const image = builder.add("images", { bufferView: builder.view(bytes), mimeType: "image/png" });
+  const baseColorTexture = { index: builder.add("textures", { source: image }) };
+  const cut = builder.add("materials", {
+    pbrMetallicRoughness: { baseColorTexture, metallicFactor: 0 },
+    alphaMode: "MASK",
+    doubleSided: true,
+  });
+  const plain = builder.add("materials", {
+    pbrMetallicRoughness: { baseColorFactor: [0.3, 0.3, 0.3, 1], metallicFactor: 0 },
+  });
+  const square = (corners: readonly number[], material: number) => ({
+    attributes: {
+      POSITION: builder.accessor(Float32Array.from(corners), 3),
+      TEXCOORD_0: builder.accessor(Float32Array.of(0, 1, 1, 1, 1, 0, 0, 0), 2),
+    },
+    indices: builder.accessor(Uint16Array.of(0, 1, 2, 0, 2, 3), 1),
+    material,
+  });
+  const upright = (z: number, x: number, top: number) => [-x, 0, z, x, 0, z, x, top, z, -x, top, z];
+  const primitives = [
+    square([-4, 0, 4, 4, 0, 4, 4, 0, -4, -4, 0, -4], plain),
+    square(upright(-2, 4, 2.6), plain),
+    square(upright(-1, 1, 2), cut),
+  ];
+  builder.root({ mesh: builder.add("meshes", { primitives }) });
+  return builder.glb();
+}
+
+for (const quality of ["low", "medium"] as const) {
+  test(`At ${quality} what a mask cuts out lets light through, and the rest casts its shadow`, async ({
+    page,
+  }) => {
+    const room = new RoomDriver(page);
+    await room.open({ look: "physical", quality }, { ...SIZE, model: await screen() });
+    const [left, right] = await room.evaluate((element) => {
+      element.camera = { position: [0, 1.6, 1], yaw: 0, pitch: -1 };
+      element.place();
+      if (element.held) throw new Error("The candle cannot be put down.");
+      // Between the screen and the wall, which it looks at.
+      element.camera = { position: [0, 1.6, -1.4], yaw: 0, pitch: -0.6 };
+      element.step(0);
+      const { width, height } = element.stats;
+      const meanOf = (from: number) => {
+        const radiance = element.readRadiance(
+          Math.floor(from * width),
+          Math.floor(0.3 * height),
+          Math.floor(0.25 * width),
+          Math.floor(0.4 * height),
+        );
+        return radiance.reduce((sum, value) => sum + value, 0) / radiance.length;
+      };
+      return [meanOf(0.1), meanOf(0.65)];
+    });
+    console.log(`${quality}: ${left} behind what is left, ${right} behind the hole`);
+    expect(right).toBeGreaterThan(0);
+    expect((left ?? 1) / (right ?? 0)).toBeLessThan(0.2);
+    expect(room.complaints).toEqual([]);
+  });
+}

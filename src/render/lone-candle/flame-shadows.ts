@@ -22,7 +22,6 @@ export class FlameShadows {
   /** Texels of a face's side. */
   readonly face: number;
   readonly #gpu: Gpu;
-  readonly #program: Program;
   readonly #target: RenderTarget;
   #isDrawn = false;
 
@@ -31,7 +30,6 @@ export class FlameShadows {
     this.face = face;
     const across = Math.min(flames, 4);
     this.tiles = [across, Math.ceil(flames / across)];
-    this.#program = gpu.program("candle/custom-shadow", cubeFaceVert, shadowFrag);
     const [x, y] = this.tiles;
     const size = { width: x * 3 * face, height: y * 2 * face };
     const format = { color: ["R16F"], depth: "buffer", filter: "nearest" } as const;
@@ -51,19 +49,25 @@ export class FlameShadows {
     return color;
   }
 
+  #programOf(isCutOut: boolean): Program {
+    const defines = isCutOut ? { CUTOUT: 1 } : {};
+    return this.#gpu.program("candle/custom-shadow", cubeFaceVert, shadowFrag, { defines });
+  }
+
   #drawFace(tile: number, face: number, uFlame: Vec3, casters: readonly Mesh[]): void {
     const uClipFromWorld = clipFromFace(face, uFlame, 1, NEAR, FAR);
     const across = this.tiles[0];
     const side = this.face;
     const column = (tile % across) * 3 + (face % 3);
     const row = Math.floor(tile / across) * 2 + Math.floor(face / 3);
-    for (const { vertexArray } of casters) {
+    for (const { vertexArray, textures, uniforms, isCutOut } of casters) {
       this.#gpu.draw({
-        program: this.#program,
+        program: this.#programOf(isCutOut),
         target: this.#target,
         vertexArray,
+        textures,
         viewport: [column * side, row * side, side, side],
-        uniforms: { uClipFromWorld, uFlame },
+        uniforms: { ...(isCutOut ? uniforms : {}), uClipFromWorld, uFlame },
         depth: "test-and-write",
         cull: "none",
       });

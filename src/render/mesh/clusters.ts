@@ -26,7 +26,10 @@ export interface Clusters {
   /** `VERTEX_SIZE` numbers each. */
   readonly vertices: Float32Array;
   readonly indices: Uint32Array;
+  /** Those of parts with holes are the last. */
   readonly clusters: readonly Cluster[];
+  /** How many are of parts without holes. */
+  readonly wholeCount: number;
 }
 
 /**
@@ -47,20 +50,28 @@ export function* clusterSteps(
   const vertices: number[] = [];
   const indices: number[] = [];
   const clusters: Cluster[] = [];
-  for (const [i, part] of parts.entries()) {
-    const source = levelOf(part);
+  let wholeCount = 0;
+  const order = [...parts.keys()].sort(
+    (a, b) => Number(hasHoles(parts[a]!)) - Number(hasHoles(parts[b]!)),
+  );
+  for (const i of order) {
+    const source = levelOf(parts[i]!);
     const mesh = detail > 0 ? clusterVertices(source, detail) : source;
     appendInOrder(mesh, i, { vertices, indices, clusters });
+    if (!hasHoles(parts[i]!)) wholeCount = clusters.length;
     yield;
   }
-  return { vertices: Float32Array.from(vertices), ...sortByPlace(indices, clusters) };
+  const sorted = [clusters.slice(0, wholeCount), clusters.slice(wholeCount)].flatMap(byPlace);
+  return { vertices: Float32Array.from(vertices), wholeCount, ...inSequence(indices, sorted) };
 }
 
-/** Clusters of all parts in one Morton order, so that those of one side of a room are few runs. */
-function sortByPlace(
-  indices: readonly number[],
-  clusters: readonly Cluster[],
-): Pick<Clusters, "indices" | "clusters"> {
+/** Whether some of a part may be cut out by its opacity. */
+function hasHoles({ material }: Part): boolean {
+  return material.alphaMode !== "opaque";
+}
+
+/** Clusters in Morton order, so that those of one side of a room are few runs. */
+function byPlace(clusters: readonly Cluster[]): Cluster[] {
   const centers = clusters.flatMap(({ min, max }) => [
     (min[0] + max[0]) / 2,
     (min[1] + max[1]) / 2,
@@ -68,11 +79,19 @@ function sortByPlace(
   ]);
   // A triangle of one corner stands for a cluster.
   const corners = Uint32Array.from({ length: 3 * clusters.length }, (_, i) => Math.floor(i / 3));
+  const order = orderByPlace({ positions: centers, uvs: [], indices: corners });
+  return [...order].map((i) => clusters[i]!);
+}
+
+/** Clusters with their indices one after another. */
+function inSequence(
+  indices: readonly number[],
+  clusters: readonly Cluster[],
+): Pick<Clusters, "indices" | "clusters"> {
   const sorted: Cluster[] = [];
   const out = new Uint32Array(indices.length);
   let first = 0;
-  for (const i of orderByPlace({ positions: centers, uvs: [], indices: corners })) {
-    const cluster = clusters[i]!;
+  for (const cluster of clusters) {
     for (let k = 0; k < cluster.count; k++) out[first + k] = indices[cluster.first + k] ?? 0;
     sorted.push({ ...cluster, first });
     first += cluster.count;

@@ -1,5 +1,3 @@
-import cubeFaceVert from "../../../shaders/shadow/cube-face.vert";
-import shadowFrag from "../../../shaders/shadow/shadow.frag";
 import type { Gpu, Texture } from "../../gl/gpu.js";
 import { adaptedMoonlight } from "../../light/moonlight.js";
 import type { Vec3 } from "../../world/geometry.js";
@@ -189,16 +187,7 @@ export class MoonCaptures {
       depth: this.#map,
     });
     this.#gpu.clear(target, [0, 0, 0, 0]);
-    casters.draw(
-      {
-        program: this.#gpu.program("shadow/shadow", cubeFaceVert, shadowFrag),
-        target,
-        uniforms: { uClipFromWorld: clipFromFrustum(frustum) },
-        depth: "test-and-write",
-        cull: "none",
-      },
-      () => true,
-    );
+    casters.drawDepth({ target, uClipFromWorld: clipFromFrustum(frustum) }, () => true);
     target.dispose();
   }
 }

@@ -1,5 +1,7 @@
+import cubeFaceVert from "../../../shaders/shadow/cube-face.vert";
+import shadowFrag from "../../../shaders/shadow/shadow.frag";
 import type { Model, Part } from "../../assets/model.js";
-import type { Buffer, Draw, Gpu, VertexArray } from "../../gl/gpu.js";
+import type { Buffer, Draw, Gpu, Program, VertexArray } from "../../gl/gpu.js";
 import type { Bounds } from "../../world/geometry.js";
 import { finish, type Steps } from "../../world/steps.js";
 import { type Clusters, clusterSteps, runsOf, VERTEX_SIZE } from "../mesh/clusters.js";
@@ -43,6 +45,16 @@ function isMostlyClear({ material }: Part): boolean {
   return material.baseColor[3] * material.mapOpacity < cutoffOf(material);
 }
 
+/** Where depth is drawn, and by which projection. */
+export interface DepthDraw extends Pick<Draw, "target" | "viewport"> {
+  readonly uClipFromWorld: Float32Array;
+}
+
+/** Program of the casters' depth. */
+export function depthProgram(gpu: Gpu, defines: { readonly CUTOUT?: 1 } = {}): Program {
+  return gpu.program("shadow/shadow", cubeFaceVert, shadowFrag, { defines });
+}
+
 /** The room's clusters of triangles, culled by face of a cube: casters of shadows and of indirect light. */
 export class ShadowCasters {
   readonly #gpu: Gpu;
@@ -50,12 +62,18 @@ export class ShadowCasters {
   readonly #surfaces: readonly Mesh[];
   readonly #vertexArray: VertexArray;
   readonly #buffers: readonly Buffer[];
+  /** Surfaces with holes, which are drawn by their own triangles. */
+  readonly #perforated: readonly Mesh[];
 
   /** @param surfaces of the same model, in the order of its parts */
   constructor(gpu: Gpu, model: Model, surfaces: readonly Mesh[], detail: CasterDetail) {
     this.#gpu = gpu;
     this.#surfaces = surfaces;
     this.#clusters = clustersOf(model, detail).finish();
+    this.#perforated = surfaces.filter(
+      ({ isCutOut }, i) => isCutOut && model.parts[i]!.indices.length > 0,
+    );
+    if (this.#perforated.length > 0) depthProgram(gpu, { CUTOUT: 1 }); // to be compiled before it is drawn with
     const { vertices, indices } = this.#clusters;
     const buffer = gpu.buffer("casters/vertices", vertices);
     const indexBuffer = gpu.buffer("casters/indices", indices, "index");
@@ -72,9 +90,27 @@ export class ShadowCasters {
     });
   }
 
-  draw(pass: Omit<Draw, "vertexArray">, isVisible: (box: Bounds) => boolean): void {
-    for (const run of runsOf(this.#clusters.clusters, isVisible, MOST_DRAWS)) {
-      this.#gpu.draw({ ...pass, ...run, vertexArray: this.#vertexArray });
+  /** Draws the depth of all, of those with holes without these. By `shadow/cube-face.vert`. */
+  drawDepth(
+    { target, viewport, uClipFromWorld }: DepthDraw,
+    isVisible: (box: Bounds) => boolean,
+  ): void {
+    const { clusters: all, wholeCount } = this.#clusters;
+    const pass = { target, depth: "test-and-write", cull: "none" } as const;
+    const draw = (call: Pick<Draw, "program" | "vertexArray"> & Partial<Draw>) =>
+      this.#gpu.draw({
+        ...pass,
+        ...(viewport && { viewport }),
+        ...call,
+        uniforms: { ...call.uniforms, uClipFromWorld },
+      });
+    const program = depthProgram(this.#gpu);
+    for (const run of runsOf(all.slice(0, wholeCount), isVisible, MOST_DRAWS)) {
+      draw({ ...run, program, vertexArray: this.#vertexArray });
+    }
+    for (const { clusters, vertexArray, textures, uniforms } of this.#perforated) {
+      if (clusters.length > 0 && !clusters.some(isVisible)) continue;
+      draw({ program: depthProgram(this.#gpu, { CUTOUT: 1 }), vertexArray, textures, uniforms });
     }
   }
 
@@ -87,8 +123,10 @@ export class ShadowCasters {
     pass: Omit<Draw, "vertexArray" | "textures">,
     isVisible: (box: Bounds) => boolean,
   ): void {
-    const uCasterAlbedo = finish(casterAlbedoOf(this.#gpu, this.#surfaces));
-    this.draw({ ...pass, textures: { uCasterAlbedo } }, isVisible);
+    const textures = { uCasterAlbedo: finish(casterAlbedoOf(this.#gpu, this.#surfaces)) };
+    for (const run of runsOf(this.#clusters.clusters, isVisible, MOST_DRAWS)) {
+      this.#gpu.draw({ ...pass, ...run, textures, vertexArray: this.#vertexArray });
+    }
   }
 
   dispose(): void {

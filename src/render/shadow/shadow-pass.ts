@@ -1,12 +1,10 @@
 import { vec3 } from "gl-matrix";
-import cubeFaceVert from "../../../shaders/shadow/cube-face.vert";
-import shadowFrag from "../../../shaders/shadow/shadow.frag";
-import type { Gpu, Program, Texture } from "../../gl/gpu.js";
+import type { Gpu, Texture } from "../../gl/gpu.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import { finish, type Steps } from "../../world/steps.js";
 import { SCHEDULE } from "../schedule.js";
 import { clipFromShadowFace, FACES, isInCubeFace, NEAR } from "./cube-map.js";
-import type { ShadowCasters } from "./shadow-casters.js";
+import { depthProgram, type ShadowCasters } from "./shadow-casters.js";
 
 /** Width of a face's tile as a share of the face's: `SHADOW_REACH` of `shaders/lib/shadow-tiles.glsl`. */
 const REACH = 1.125;
@@ -56,7 +54,6 @@ export interface ShadowCube {
  */
 export class ShadowPass {
   readonly #gpu: Gpu;
-  readonly #program: Program;
   readonly #atlas: ShadowAtlas;
   readonly #slot: number;
   #lastOrigin: Vec3 = [Number.NaN, 0, 0];
@@ -67,7 +64,7 @@ export class ShadowPass {
   /** @param slot in the texture, which other lights may share */
   constructor(gpu: Gpu, atlas: ShadowAtlas, slot = 0) {
     this.#gpu = gpu;
-    this.#program = gpu.program("shadow/shadow", cubeFaceVert, shadowFrag);
+    depthProgram(gpu); // to be compiled before it is drawn with
     this.#atlas = atlas;
     this.#slot = slot;
   }
@@ -124,14 +121,11 @@ export class ShadowPass {
     const { target, tile, near, depth } = this.#atlas;
     this.#gpu.clear(target, [0, 0, 0, 0], [0, 2 * tile * this.#slot, 3 * tile, 2 * tile]);
     for (const face of FACES.keys()) {
-      casters.draw(
+      casters.drawDepth(
         {
-          program: this.#program,
           target,
           viewport: [(face >> 1) * tile, ((face % 2) + 2 * this.#slot) * tile, tile, tile],
-          uniforms: { uClipFromWorld: clipFromShadowFace(face, captureOrigin, REACH, near) },
-          depth: "test-and-write",
-          cull: "none",
+          uClipFromWorld: clipFromShadowFace(face, captureOrigin, REACH, near),
         },
         (box) => isInCubeFace(face, captureOrigin, box, REACH) && (isNeeded?.(box) ?? true),
       );

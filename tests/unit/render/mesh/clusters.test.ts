@@ -1,6 +1,6 @@
 import { vec4 } from "gl-matrix";
 import { expect, test } from "vitest";
-import type { Part } from "../../../../src/assets/model.ts";
+import { type Part, PLAIN_MATERIAL } from "../../../../src/assets/model.ts";
 import {
   type Clusters,
   clusterSteps,
@@ -31,6 +31,7 @@ function floor(cells: number, size: number, height = 0): Part {
     positions: Float32Array.from(positions),
     uvs: Float32Array.from(uvs),
     indices: Uint32Array.from(indices),
+    material: PLAIN_MATERIAL,
   } as Part;
 }
 
@@ -97,6 +98,22 @@ test("a face of the cube leaves out only what does not show in it", () => {
   expect(drawn).toBeLessThan(3 * clusters.length);
 });
 
+test("parts with holes come last, and each vertex tells its part", () => {
+  const perforated = { ...PLAIN_MATERIAL, alphaMode: "mask" } as const;
+  const parts = [{ ...floor(20, 4), material: perforated }, floor(3, 1, 0.7)];
+  const { clusters, indices, vertices, wholeCount } = finish(clusterSteps(parts, 0));
+  expect(wholeCount).toBe(1);
+  const partsIn = (some: typeof clusters) => [
+    ...new Set(
+      some.flatMap(({ first, count }) =>
+        [...indices.subarray(first, first + count)].map((i) => vertices[i * VERTEX_SIZE + 5]),
+      ),
+    ),
+  ];
+  expect(partsIn(clusters.slice(0, wholeCount))).toEqual([1]);
+  expect(partsIn(clusters.slice(wholeCount))).toEqual([0]);
+});
+
 test("neighbours in the order are drawn as one run", () => {
   const { clusters, indices } = finish(clusterSteps([floor(20, 4), floor(20, 4, 1)], 0));
   expect(runsOf(clusters, () => true)).toEqual([{ first: 0, count: indices.length }]);
@@ -151,6 +168,7 @@ test("no triangle of many vertices is taken for another of the same key in 17 bi
   const positions = new Float32Array(3 * (base + 10));
   for (let i = 0; i < base + 10; i++) positions.set([i % 1000, Math.floor(i / 1000), 0], i * 3);
   const indices = [0, 1, base + 5, 0, 2, 5];
-  const part = { positions, uvs: new Float32Array(positions.length), indices } as unknown as Part;
+  const uvs = new Float32Array(positions.length);
+  const part = { positions, uvs, indices, material: PLAIN_MATERIAL } as unknown as Part;
   expect(finish(clusterSteps([part], 0.5)).indices.length).toBe(6);
 });

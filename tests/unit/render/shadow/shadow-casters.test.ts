@@ -3,7 +3,7 @@ import { type Material, type Model, PLAIN_MATERIAL } from "../../../../src/asset
 import { clustersOf } from "../../../../src/render/shadow/shadow-casters.ts";
 import { floorOf } from "../../world/rooms.ts";
 
-/** Number of triangles that a square of a material casts its shadow with. */
+/** Number of triangles that a square of a material stops light with. */
 function casts(material: Partial<Material>): number {
   const part = { ...floorOf(1), uvs: new Float32Array(8) };
   const model = { parts: [{ ...part, material: { ...PLAIN_MATERIAL, ...material } }] };
@@ -11,7 +11,7 @@ function casts(material: Partial<Material>): number {
   return task.finish().indices.length / 3;
 }
 
-test("what is mixed or masked casts a shadow where it is drawn: from half of the opacity on, or from the cutoff", () => {
+test("what is mixed or masked stops light where most of it is drawn: from half of the opacity on, or from the cutoff", () => {
   const blend = { alphaMode: "blend" } as const;
   const baseColor = [1, 1, 1, 0.3] as const;
   expect(casts({ ...blend, baseColor })).toBe(0);
