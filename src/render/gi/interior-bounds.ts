@@ -26,6 +26,12 @@ export interface InteriorBounds extends Bounds {
   readonly yaw: number;
 }
 
+/** Where a ray meets a surface, and the surface's normal. */
+interface Hit {
+  readonly place: Vec3;
+  readonly normal: Vec3;
+}
+
 const known = new WeakMap<CollisionMesh, InteriorBounds>();
 
 /**
@@ -35,22 +41,22 @@ const known = new WeakMap<CollisionMesh, InteriorBounds>();
 export function interiorBounds(collision: CollisionMesh, { bounds }: Model): InteriorBounds {
   const before = known.get(collision);
   if (before) return before;
-  const hits: Vec3[] = [];
-  const normals: Vec3[] = [];
+  const hits: Hit[] = [];
   let pointsInside = 0;
   for (const point of pointsIn(bounds, POINTS)) {
-    const inFront = DIRECTIONS.flatMap((direction): Vec3[] => {
+    const inFront = DIRECTIONS.flatMap((direction) => {
       const hit = collision.raycast(point, direction, Infinity);
       if (!hit || hit.isBack) return [];
-      normals.push(hit.normal);
-      return [[0, 1, 2].map((axis) => point[axis]! + direction[axis]! * hit.distance) as Vec3];
+      const place = vec3.scaleAndAdd([0, 0, 0], point, direction, hit.distance) as Vec3;
+      // The next ray overwrites the hit.
+      return [{ place, normal: [...hit.normal] as Vec3 }];
     });
     if (inFront.length < INSIDE_SHARE * DIRECTIONS.length) continue;
     pointsInside++;
     hits.push(...inFront);
   }
   const isRoom = pointsInside >= LEAST_INSIDE * POINTS[0] * POINTS[1] * POINTS[2];
-  const inside = isRoom ? boundsOf(hits, yawOf(normals)) : { ...bounds, yaw: 0 };
+  const inside = isRoom ? boundsOf(hits) : { ...bounds, yaw: 0 };
   known.set(collision, inside);
   return inside;
 }
@@ -61,9 +67,11 @@ export function turned(point: Vec3, yaw: number): Vec3 {
 }
 
 /** Angle of the axes that most walls run along: the mean of four times their angles, which is one for all four sides. */
-function yawOf(normals: readonly Vec3[]): number {
+function yawOf(hits: readonly Hit[]): number {
   let [cosine, sine, total] = [0, 0, 0];
-  for (const [x, , z] of normals) {
+  for (const {
+    normal: [x, , z],
+  } of hits) {
     const weight = x * x + z * z;
     const angle = 4 * Math.atan2(-z, x);
     cosine += weight * Math.cos(angle);
@@ -75,11 +83,12 @@ function yawOf(normals: readonly Vec3[]): number {
   return isAligned && Math.abs(yaw) >= LEAST_YAW ? yaw : 0;
 }
 
-function boundsOf(points: readonly Vec3[], yaw: number): InteriorBounds {
-  const hits = points.map((point) => turned(point, -yaw));
+function boundsOf(hits: readonly Hit[]): InteriorBounds {
+  const yaw = yawOf(hits);
+  const places = hits.map(({ place }) => turned(place, -yaw));
   const at = (share: number) =>
     [0, 1, 2].map((axis) => {
-      const sorted = hits.map((hit) => hit[axis]!).sort((a, b) => a - b);
+      const sorted = places.map((place) => place[axis]!).sort((a, b) => a - b);
       return sorted[Math.round(share * (sorted.length - 1))]!;
     }) as Vec3;
   return { min: at(OUTSIDE_SHARE), max: at(1 - OUTSIDE_SHARE), yaw };

@@ -110,6 +110,14 @@ function turnedPart(part: Part, yaw: number): Part {
   return { ...part, positions };
 }
 
+function boundsOf(...parts: Part[]): Bounds {
+  const along = (axis: number) =>
+    parts.flatMap(({ positions }) => [...positions].filter((_, at) => at % 3 === axis));
+  const ends = (most: -1 | 1) =>
+    [0, 1, 2].map((axis) => most * Math.max(...along(axis).map((x) => most * x))) as Vec3;
+  return { min: ends(-1), max: ends(1) };
+}
+
 describe("Bounds of the irradiance volume", () => {
   const [low, high]: [Vec3, Vec3] = [
     [-0.3, -0.1, -0.4],
@@ -132,16 +140,42 @@ describe("Bounds of the irradiance volume", () => {
     for (const degrees of [10, 30, 45, -20]) {
       const yaw = (degrees * Math.PI) / 180;
       const room = turnedPart(ROOM, yaw);
-      const along = (axis: number) => [...room.positions].filter((_, at) => at % 3 === axis);
-      const ends = (most: -1 | 1) =>
-        [0, 1, 2].map((axis) => most * Math.max(...along(axis).map((x) => most * x))) as Vec3;
-      const bounds: Bounds = { min: ends(-1), max: ends(1) };
-      const inside = interiorBounds(new CollisionMesh([room]), { ...modelOf(room), bounds });
+      const model = { ...modelOf(room), bounds: boundsOf(room) };
+      const inside = interiorBounds(new CollisionMesh([room]), model);
       expect(inside.yaw).toBeCloseTo(yaw, 3);
       for (const [at, axis] of inside.min.entries()) expect(axis, `${at}`).toBeCloseTo(0, 2);
       expect(inside.max[0]).toBeCloseTo(4, 2);
       expect(inside.max[2]).toBeCloseTo(4, 2);
     }
+  });
+
+  test("run along the walls, whatever stands in a corner", () => {
+    for (const yaw of [0.35, 0]) {
+      const cupboard = turnedPart(box([-0.4, 0, -0.4], [0.4, 1.9, 0.4], true), yaw - 0.35);
+      for (let at = 0; at < cupboard.positions.length; at += 3) {
+        cupboard.positions[at]! += 3.3;
+        cupboard.positions[at + 2]! += 3.3;
+      }
+      const parts = [ROOM, cupboard].map((part) => turnedPart(part, yaw));
+      const inside = interiorBounds(new CollisionMesh(parts), {
+        ...modelOf(...parts),
+        bounds: boundsOf(...parts),
+      });
+      expect(inside.yaw).toBeCloseTo(yaw, 1);
+    }
+  });
+
+  test("run along x and z in a round room", () => {
+    const sides = [0, 20, 40, 60, 80, 100, 120, 140, 160].map((degrees) => {
+      const yaw = (degrees * Math.PI) / 180;
+      return turnedPart(box([-2, 0, -2.5], [2, 2, -2.4], true), yaw);
+    });
+    const floor = box([-2.5, -0.1, -2.5], [2.5, 0, 2.5], true);
+    const parts = [...sides, ...sides.map((side) => turnedPart(side, Math.PI)), floor];
+    const ceiling = box([-2.5, 2, -2.5], [2.5, 2.1, 2.5], true);
+    const all = [...parts, ceiling];
+    const model = { ...modelOf(...all), bounds: boundsOf(...all) };
+    expect(interiorBounds(new CollisionMesh(all), model).yaw).toBe(0);
   });
 
   test("run along x and z where walls run in all directions", () => {
