@@ -12,10 +12,12 @@ const DIRECTIONS: readonly Readonly<Vec3>[] = [-1, 0, 1].flatMap((x) =>
   ),
 );
 const REACH = 100;
-/** Share of the rays that meet a back first, inside a solid: those that go down meet the floor that it stands on. */
-const MOST_BACKS = 0.6;
-/** Share of the rays that meet a front first, inside a room. */
-const MOST_FRONTS = 0.75;
+/**
+ * Share of the rays that meet a back first, inside a solid, of those that do not go down: these may meet the floor that it
+ * stands on. And share of all that meet a front first, inside a room.
+ */
+const MOST = 0.75;
+const MOST_BACKS = MOST * DIRECTIONS.filter(([, y]) => y >= 0).length;
 
 /**
  * Moves a place that lies inside a solid to the nearest one outside of it, in the room if there is one.
@@ -32,19 +34,18 @@ export function freePlace(
   clearance: number,
   isSolid: (triangle: number) => boolean,
 ): Readonly<Vec3> {
-  const { backs } = lookAround(collision, place, isSolid);
-  if (backs.length < MOST_BACKS * DIRECTIONS.length) return place;
+  const { backs, isInSolid } = lookAround(collision, place, isSolid);
+  if (!isInSolid) return place;
   const exits = backs
     .toSorted((a, b) => a.distance - b.distance)
     .map(({ distance, direction }) => {
       return vec3.scaleAndAdd([0, 0, 0], place, direction, distance + clearance) as Vec3;
     });
   const around = exits.map((exit) => lookAround(collision, exit, isSolid));
-  const isFree = around.map(({ backs }) => backs.length < MOST_BACKS * DIRECTIONS.length);
   const indoors = around.findIndex(
-    ({ fronts }, i) => isFree[i] && fronts >= MOST_FRONTS * DIRECTIONS.length,
+    ({ fronts, isInSolid }) => !isInSolid && fronts >= MOST * DIRECTIONS.length,
   );
-  return exits[indoors] ?? exits[isFree.indexOf(true)] ?? place;
+  return exits[indoors] ?? exits[around.findIndex(({ isInSolid }) => !isInSolid)] ?? place;
 }
 
 /** What the rays from a place meet first. */
@@ -62,5 +63,6 @@ function lookAround(
     if (hit.isBack && isSolid(triangle)) backs.push({ distance, direction });
     else fronts++;
   }
-  return { backs, fronts };
+  const isInSolid = backs.filter(({ direction }) => direction[1] >= 0).length >= MOST_BACKS;
+  return { backs, fronts, isInSolid };
 }

@@ -123,6 +123,21 @@ describe("a place for a flame", () => {
     expect([y, z]).toEqual([0.4, 0]);
   });
 
+  test("near the rim of a cup without a top is left alone", () => {
+    const cup = box([-0.05, 0, -0.05], [0.05, 0.2, 0.05]);
+    // Its top: of the faces across Y the one above.
+    const isTop = (at: number) =>
+      [1, 4, 7].every(
+        (y) => Math.abs(cup.positions[cup.indices[at + Math.floor(y / 3)]! * 3 + 1]! - 0.2) < 1e-6,
+      );
+    const indices = [...cup.indices].filter((_, i) => !isTop(3 * Math.floor(i / 3)));
+    const open = { ...cup, indices: Uint16Array.from(indices) };
+    expect(indices.length).toBe(cup.indices.length - 6);
+    const collision = new CollisionMesh([insideOf([-2, -0.1, -2], [2, 3, 2]), open]);
+    const place = [0, 0.17, 0] as const;
+    expect(freePlace(collision, [...place], 0.03, solids)).toEqual(place);
+  });
+
   test("is not inside of what has two sides", () => {
     expect(freePlace(collision, [-1.65, 1, 0.5], 0.03, () => false)).toEqual([-1.65, 1, 0.5]);
   });
