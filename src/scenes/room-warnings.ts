@@ -1,8 +1,9 @@
 import type { Model } from "../assets/model.js";
 import { length3 } from "../world/geometry.js";
 import type { CollisionMesh } from "../world/room/collision-mesh.js";
+import { freePlace } from "../world/room/enclosed.js";
 import type { Room } from "../world/room/room.js";
-import { isEnclosed, isOpaque } from "./room-wicks.js";
+import { materialOf } from "./room-wicks.js";
 
 /** Size of a model below which its unit is doubted, metres. */
 const SMALLEST = 0.05;
@@ -22,8 +23,10 @@ export function warnOfRoom(
     const millimetres = +(size * 1000).toPrecision(2);
     console.warn(`The model is ${millimetres} mm wide: the unit of a glTF file is a metre.`);
   }
+  const isInvisibleFromBehind = (triangle: number) => !materialOf(parts, triangle)?.isDoubleSided;
   if (plan.isInside) {
-    if (isEnclosed(parts, collision, start)) {
+    // The place itself where it is not inside of anything.
+    if (freePlace(collision, start, 0, isInvisibleFromBehind) !== start) {
       console.warn("The room's faces point away from its visitor and are invisible.");
     }
     return;
@@ -35,7 +38,7 @@ export function warnOfRoom(
   ];
   const distance = length3(x, y, z);
   const hit = collision.raycast(start, [x / distance, y / distance, z / distance], distance);
-  if (hit?.isBack && isOpaque(parts, hit.triangle)) {
+  if (hit?.isBack && isInvisibleFromBehind(hit.triangle)) {
     console.warn(
       "Nowhere in the model can one stand, and its faces point away from where its visitor starts, beside it.",
     );

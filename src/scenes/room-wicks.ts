@@ -1,4 +1,4 @@
-import type { Model } from "../assets/model.js";
+import type { Material, Model } from "../assets/model.js";
 import { clampInside, inset, type Vec3 } from "../world/geometry.js";
 import type { CollisionMesh } from "../world/room/collision-mesh.js";
 import { freePlace } from "../world/room/enclosed.js";
@@ -48,7 +48,7 @@ export function placeWicks(
 }
 
 /** Whether a place is inside of a solid, or of a room whose faces point outwards. */
-export function isEnclosed(
+function isEnclosed(
   parts: Model["parts"],
   collision: CollisionMesh,
   place: Readonly<Vec3>,
@@ -60,13 +60,17 @@ function freed(parts: Model["parts"], collision: CollisionMesh, place: Readonly<
   return freePlace(collision, place, CLEARANCE, (triangle) => isOpaque(parts, triangle));
 }
 
-/** Whether a triangle's back is never visible, as it is inside a solid. Triangles are numbered across the parts. */
-export function isOpaque(parts: Model["parts"], triangle: number): boolean {
+/** Whether no light passes a triangle. */
+function isOpaque(parts: Model["parts"], triangle: number): boolean {
+  return materialOf(parts, triangle)?.alphaMode !== "blend";
+}
+
+/** Of a triangle; these are numbered across the parts. */
+export function materialOf(parts: Model["parts"], triangle: number): Material | undefined {
   let first = 0;
   for (const { indices, material } of parts) {
-    const next = first + Math.floor(indices.length / 3);
-    if (triangle < next) return material.alphaMode !== "blend";
-    first = next;
+    first += Math.floor(indices.length / 3);
+    if (triangle < first) return material;
   }
-  return true;
+  return undefined;
 }

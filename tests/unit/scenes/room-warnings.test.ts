@@ -12,9 +12,13 @@ const INSIDE_OUT = "The room's faces point away from its visitor and are invisib
 const BESIDE =
   "Nowhere in the model can one stand, and its faces point away from where its visitor starts, beside it.";
 
-function warningsOf(make: (min: Vec3, max: Vec3) => Triangles, max: Vec3): string[] {
+function warningsOf(
+  make: (min: Vec3, max: Vec3) => Triangles,
+  max: Vec3,
+  isDoubleSided = false,
+): string[] {
   const warn = vi.spyOn(console, "warn").mockImplementation(() => {});
-  const part = { ...make([0, 0, 0], max), material: { alphaMode: "opaque" } };
+  const part = { ...make([0, 0, 0], max), material: { alphaMode: "opaque", isDoubleSided } };
   const collision = new CollisionMesh([part]);
   const model = { parts: [part], bounds: collision.bounds } as unknown as Model;
   warnOfRoom(model, collision, createRoom(collision, null));
@@ -28,6 +32,11 @@ test("a room, and a thing that one walks around, are as they should be", () => {
 
 test("a room that is turned inside out is invisible from within", () => {
   expect(warningsOf(box, [4, 2.6, 4])).toEqual([INSIDE_OUT]);
+});
+
+test("of double-sided faces it does not matter where they point", () => {
+  expect(warningsOf(box, [4, 2.6, 4], true)).toEqual([]);
+  expect(warningsOf(insideOf, [4, 1.3, 4], true)).toEqual([]);
 });
 
 test("a room that is too low to stand in is invisible from beside it", () => {
