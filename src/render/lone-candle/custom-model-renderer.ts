@@ -146,7 +146,6 @@ export class CustomModelRenderer extends LoneRenderer {
   override resize(width: number, height: number): void {
     super.resize(width, height);
     this.#hasDepth = false;
-    this.#summed?.fit({ width, height });
   }
 
   /** Draws the images of the surfaces that the first frame is a sum of. */
@@ -167,9 +166,8 @@ export class CustomModelRenderer extends LoneRenderer {
     const view = this.#viewOf(world);
     const { rooted, camera, key, exposure, studio, atlas } = view;
     const summed = this.#summedIn(settings);
-    const shown = summed?.areShown ? summed : null;
     const behind = this.#hasDepth ? "kept" : "none";
-    const drawn = this.begin(frame, camera, exposure, settings, shown ? behind : undefined);
+    const drawn = this.begin(frame, camera, exposure, settings, summed ? behind : undefined);
     const { target, clip } = drawn;
     const glare = features.bloom ? Math.sqrt(exposure / MOST_EXPOSURE) : 0;
     flames.update(this.#lights.members(rooted, clip, features.shadows, glare));
@@ -181,18 +179,20 @@ export class CustomModelRenderer extends LoneRenderer {
       translucency: features.translucency,
     };
     this.isCatchingUp = summed !== null && !this.#proceed(summed, view, settings);
-    if (!shown && features.candle) this.#drawSurfaces(this.#opaque, target, light);
-    if (!this.#hasDepth) shown?.drawDepth(target, frame, this.#casters);
-    this.#hasDepth = shown !== null;
-    const isDepthKept = shown !== null;
+    // All at once where none was prepared: frames between would take longer.
+    while (summed && !summed.areShown) this.#proceed(summed, view, settings);
+    if (!summed && features.candle) this.#drawSurfaces(this.#opaque, target, light);
+    if (!this.#hasDepth) summed?.drawDepth(target, frame, this.#casters);
+    const isDepthKept = summed !== null;
+    this.#hasDepth = isDepthKept;
     if (features.candle) this.#drawSurfaces(this.#wicks, target, light, { isDepthKept });
     for (const one of features.volume ? rooted : []) {
       flame.render(target, frame, standingWick(one), this.tier.physical.flameSteps);
     }
     if (features.smoke) this.drawSmoke(world, drawn, frame, light.environment);
     if (features.candle) this.#drawSurfaces(this.#clear, target, light);
-    this.#display(view, shown);
-    this.#lastSum = shown && { world, settings };
+    this.#display(view, summed);
+    this.#lastSum = summed && { world, settings };
   }
 
   #display(
@@ -204,7 +204,7 @@ export class CustomModelRenderer extends LoneRenderer {
       uVibrance: VIBRANCE,
       uMagnification: magnification,
       uHighlights: FLAME_STOPS / (FLAME_STOPS + Math.log2(exposure / MOST_EXPOSURE)),
-      ...(summed && { uScales: summed.groups.scales(rooted, studio, key * BOUNCE) }),
+      ...(summed && { uScales: summed.scales(rooted, { studio, bounce: key * BOUNCE }) }),
     };
     const program = summed?.program ?? this.#displayProgram;
     this.display(program, uniforms, { Frame: frame, Flames: flames }, 1, summed?.textures);
@@ -237,7 +237,7 @@ export class CustomModelRenderer extends LoneRenderer {
     const { view, features } = this.#current!;
     const { alone } = this.#resources;
     const flames = this.#summed!.groups.flamesOf(view.rooted)[light]!;
-    alone.update(this.#lights.tapers(view.rooted, flames, features.shadows));
+    alone.update(this.#lights.atRest(view.rooted, flames, features.shadows));
     const illumination = {
       flames: alone,
       atlas: view.atlas,

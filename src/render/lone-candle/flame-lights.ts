@@ -6,13 +6,14 @@ import {
   type RootedFlame,
   TAPER,
 } from "../../light/flame-light.js";
+import { flameHeight, flameRadius, fuelRate } from "../../world/flame/burning.js";
 import { glareOf } from "./glare.js";
 
 /** Most flames of the shaders' `Flames` block. */
 export const MOST_FLAMES = 16;
 
-/** Half height of a taper's light as a capsule, as a share of its flame's height. */
-const HALF_HEIGHT = 0.3;
+/** Half height of a flame's light as a capsule, as a share of its height. */
+const HALF_HEIGHT = 0.36;
 
 const vectors = () => new Float32Array(MOST_FLAMES * 4);
 
@@ -50,26 +51,18 @@ export class FlameLights {
   }
 
   /**
-   * The same of some flames alone, upright, each as bright as a taper: for light that is kept.
+   * The same of some flames alone, each upright and of 1 cd: for light that is kept.
    *
    * @param places of them in the list of all, and in the shadow atlas
    */
-  tapers(
+  atRest(
     flames: readonly RootedFlame[],
     places: readonly number[],
     hasShadows: boolean,
   ): Record<string, Float32Array | number> {
     for (const [i, place] of places.entries()) {
       const rooted = flames[place]!;
-      const { root, flame } = rooted;
-      const taper: FlameLight = {
-        position: [root[0], root[1] + TAPER.centre, root[2]],
-        axis: [0, 1, 0],
-        halfHeight: HALF_HEIGHT * TAPER.height,
-        radius: 0.8 * Math.max(flame.radius, TAPER.radius),
-        intensity: [...TAPER.color],
-      };
-      this.#setLight(i, rooted, taper, hasShadows ? place : -1);
+      this.#setLight(i, rooted, lightAtRest(rooted), hasShadows ? place : -1);
     }
     return { ...this.#members, count: places.length };
   }
@@ -83,4 +76,17 @@ export class FlameLights {
     all["intensities[0]"].set([...intensity, tile], at);
     all["roots[0]"].set(root, at);
   }
+}
+
+/** A flame on its wick in still air, of 1 cd. */
+function lightAtRest({ root, flame }: RootedFlame): FlameLight {
+  const height = flameHeight(fuelRate(flame.wick));
+  const [x, y, z] = root;
+  return {
+    position: [x, y + (height / TAPER.height) * TAPER.centre, z],
+    axis: [0, 1, 0],
+    halfHeight: HALF_HEIGHT * height,
+    radius: 0.8 * flameRadius(flame.wick, 1),
+    intensity: [...TAPER.color],
+  };
 }

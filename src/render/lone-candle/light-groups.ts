@@ -34,15 +34,22 @@ export class LightGroups {
     return [[], [], ...burning];
   }
 
-  /** Factors on the images, which are of tapers and of lights of luminance 1, by light and channel. */
-  scales(rooted: readonly RootedFlame[], studio: number, bounce: number): Float32Array {
-    const flames = this.flamesOf(rooted);
+  /**
+   * Factors on the images, which are of flames of 1 cd and of lights of luminance 1, by light and channel.
+   *
+   * @param flames that the images are of
+   */
+  scales(
+    rooted: readonly RootedFlame[],
+    flames: readonly (readonly number[])[],
+    { studio, bounce }: { readonly studio: number; readonly bounce: number },
+  ): Float32Array {
     this.#set(STUDIO_LIGHT, [studio, studio, studio]);
     this.#set(BOUNCE_LIGHT, [bounce, bounce, bounce]);
     for (const [i, group] of this.#groups.entries()) {
       const light = FIRST_FLAMES + i;
       const all = group.map((one) => tapersOf(rooted[one]!));
-      const share = 1 / Math.max(flames[light]!.length, 1);
+      const share = 1 / Math.max(flames[light]?.length ?? 0, 1);
       const sum = (channel: 0 | 1 | 2) => all.reduce((sum, one) => sum + one[channel], 0) * share;
       this.#set(light, [sum(0), sum(1), sum(2)]);
     }

@@ -15,19 +15,16 @@ export class SummedSurfaces {
   readonly program: Program;
   readonly #gpu: Gpu;
   readonly #cached: CachedSurfaces;
+  /** Those that the images are of. */
+  #flames: readonly (readonly number[])[] = [];
 
   constructor(gpu: Gpu, flames: number, draw: DrawInLight) {
     this.#gpu = gpu;
     this.groups = new LightGroups(flames);
     const { count } = this.groups;
-    this.#cached = new CachedSurfaces(gpu, count, draw);
+    this.#cached = new CachedSurfaces(gpu, draw);
     this.program = gpu.pass("candle/custom-display", displayFrag, { defines: { LIGHTS: count } });
     this.#depthProgram(true);
-  }
-
-  /** Gives up images of another shape than a frame of that size. */
-  fit(size: Size): void {
-    this.#cached.fit(size);
   }
 
   /** Whether there are images to show. */
@@ -40,13 +37,25 @@ export class SummedSurfaces {
     return Object.fromEntries(this.#cached.images.map((image, i) => [`uLight${i}`, image]));
   }
 
+  /** Of `program`: factors on the images. Lights of luminance 1 are the studio and the bounce. */
+  scales(rooted: readonly RootedFlame[], light: Parameters<LightGroups["scales"]>[2]) {
+    return this.groups.scales(rooted, this.#flames, light);
+  }
+
   /**
    * Continues the images of a size. True when none is missing.
    *
    * @param detail all that they depend on, beside the flames
    */
   proceed(size: Size, rooted: readonly RootedFlame[], detail: readonly boolean[]): boolean {
-    return this.#cached.proceed(size, [detail, this.groups.flamesOf(rooted)]);
+    const flames = this.groups.flamesOf(rooted);
+    const details = flames.map((group) => [
+      detail,
+      group.map((one) => [one, rooted[one]!.flame.wick]),
+    ]);
+    const areDrawn = this.#cached.proceed(size, details);
+    if (areDrawn) this.#flames = flames;
+    return areDrawn;
   }
 
   /** Draws the depth of the surfaces alone. */
@@ -68,7 +77,7 @@ export class SummedSurfaces {
   }
 
   #depthProgram(isWhole: boolean): Program {
-    const defines = isWhole ? {} : { CUTOUT: 1 };
+    const defines = isWhole ? {} : { CUTOUT: 1, COLORED: 1 };
     return this.#gpu.program("mesh/depth", meshVert, depthFrag, { defines });
   }
 
