@@ -67,22 +67,26 @@ export interface Work {
   readonly fixed: number;
   /** Least frame rate of `low` above its own resolution, Hz. */
   readonly fineLow: number;
+  /** Whether frames of a CPU stay at `low`, which alone is drawn in another way, however few pixels there are. */
+  readonly staysLow?: boolean;
 }
 
 const PLAIN_PIXEL = { low: 0.3, medium: 0.7, high: 1, ultra: 1.3 };
 
-/**
- * For rooms in the physical look, for those in others, and for candles alone. In rooms smooth motion is worth more than detail.
- */
-export const WORK: Readonly<Record<"physical" | "plain" | "alone", Work>> = {
+/** Of a scene with a camera at rest. In rooms smooth motion is worth more than detail. */
+const ALONE: Work = { pixel: PLAIN_PIXEL, gpuPixel: PLAIN_PIXEL, fixed: 0, fineLow: 24 };
+
+/** For rooms in the physical look, for those in others, for our candle alone, and for a visitor's. */
+export const WORK: Readonly<Record<"physical" | "plain" | "alone" | "own", Work>> = {
   physical: {
     pixel: { low: 0.1, medium: 13, high: 19, ultra: 25 },
     gpuPixel: { low: 0.1, medium: 1.2, high: 1.5, ultra: 2 },
     fixed: 100_000,
     fineLow: 40,
   },
-  plain: { pixel: PLAIN_PIXEL, gpuPixel: PLAIN_PIXEL, fixed: 0, fineLow: 40 },
-  alone: { pixel: PLAIN_PIXEL, gpuPixel: PLAIN_PIXEL, fixed: 0, fineLow: 24 },
+  plain: { ...ALONE, fineLow: 40 },
+  alone: ALONE,
+  own: { ...ALONE, staysLow: true },
 };
 
 /**
@@ -250,9 +254,11 @@ export class AutoQuality {
     if (isRetry && this.#untroubled < (RETRY_TIMES[this.#retries] ?? Infinity)) return false;
     // From frames of a GPU where shading is most of them, else from the load.
     const pixel = isWork && this.rung.tier !== "low" ? seconds / this.#cost(this.rung) : this.pixel;
+    const staysLow = this.isSoftware && this.work.staysLow;
     const best = LADDER.findLastIndex(
       (rung, i) =>
         i <= this.#ceiling &&
+        !staysLow &&
         rung.tier !== this.rung.tier &&
         this.#predictedTime(rung, pixel) <= budgetOf(rung, this.work) * MARGIN,
     );

@@ -22,6 +22,7 @@ export interface ViewSubject {
 export type ViewFrame = Omit<FrameSettings, "gamut" | "inspect">;
 
 /** Work of a scene's frame, by which `auto` predicts its time. */
-export function workOf({ isModelAlone }: Scene, { look }: ViewSettings): Work {
-  return isModelAlone ? WORK.alone : look === "physical" ? WORK.physical : WORK.plain;
+export function workOf({ isModelAlone, first }: Scene, { look }: ViewSettings): Work {
+  if (isModelAlone) return first ? WORK.own : WORK.alone;
+  return look === "physical" ? WORK.physical : WORK.plain;
 }

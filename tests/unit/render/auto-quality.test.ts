@@ -179,6 +179,23 @@ test("A candle alone has the canvas's resolution at 24 frames a second, where a 
   expect(shares).toEqual([1.25, 1.5]);
 });
 
+test("However small, own candles stay at low on a CPU, and others do not", () => {
+  const tiers = (["own", "alone"] as const).map((kind) => {
+    const auto = new AutoQuality(WORK[kind]);
+    auto.pixels = 200 * 150;
+    auto.pixel = SOFTWARE.pixel;
+    for (let i = 0; i < 600; i++) {
+      auto.take(1 / 60);
+      if (auto.wanted) auto.accept();
+    }
+    return [auto.rung.tier, auto.stillRung.tier];
+  });
+  expect(tiers).toEqual([
+    ["low", "high"],
+    ["high", "high"],
+  ]);
+});
+
 test("A GPU that was measured while it was busy is measured again, twice at most, once its frames are fast", async () => {
   for (const fails of [0, 1, 2]) {
     let measurements = 0;
