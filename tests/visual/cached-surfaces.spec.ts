@@ -130,7 +130,19 @@ test("light of a wide wick comes from as high as its flame", async () => {
   }
 });
 
-test("in a box of another shape the images are drawn anew", async () => {
+/** Draws a frame, and counts its pixels that are as bright as a flame: the only ones with much blue. */
+const drawnFlames = () =>
+  room.evaluate((element, milliseconds) => {
+    (Reflect.get(window, "drive") as Drive).tick(milliseconds);
+    const canvas = element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
+    const { width, height } = canvas;
+    const copy = new OffscreenCanvas(width, height).getContext("2d")!;
+    copy.drawImage(canvas, 0, 0); // in the same task: afterwards it is empty
+    const { data } = copy.getImageData(0, 0, width, height);
+    return data.filter((value, i) => i % 4 === 2 && value > 150).length;
+  }, FRAME);
+
+test("in a box of another shape the images are drawn anew, and no frame lacks its flames", async () => {
   await play("cached-4.glb");
   const resize = (width: number) =>
     room.evaluate((element, width) => {
@@ -145,6 +157,9 @@ test("in a box of another shape the images are drawn anew", async () => {
     }, width);
   for (const width of [120, SIZE.width, SIZE.width - 4]) {
     await resize(width);
+    const [first, second] = [await drawnFlames(), await drawnFlames()] as const;
+    expect.soft(first).toBeGreaterThan(0.9 * second);
+    expect.soft(second).toBeGreaterThan(50);
     await drawFrames(room, 60, FRAME);
     expect(await room.evaluate(({ clientWidth }) => clientWidth)).toBe(width);
     const { mean, high } = await bothWays();

@@ -74,6 +74,7 @@ export abstract class LoneRenderer implements Renderer {
     const { samples } = this.tier;
     this.#disposeTargets();
     this.#size = { width, height };
+    this.#columns = 0;
     const size = { width, height, color: ["RGBA16F"] as const, depth: "buffer" as const };
     this.#samples =
       samples > 1 ? this.gpu.renderTarget({ label: "candle/samples", ...size, samples }) : null;
