@@ -17,5 +17,6 @@ export function nextTask(): Promise<void> {
  * without one where the browser has none but timers, which pause for longer.
  */
 export function laterTask(): Promise<unknown> {
-  return globalThis.scheduler?.postTask(() => {}, { delay: 1 }) ?? nextTask();
+  // A page may have a `scheduler` of its own.
+  return globalThis.scheduler?.postTask?.(() => {}, { delay: 1 }) ?? nextTask();
 }
