@@ -192,6 +192,8 @@ export class Lifecycle {
     emit(this.#element, "progress", { totalProgress });
   }
 
+  readonly onFetch = () => this.#ready.renew(); // another scene is on its way
+
   onScene(candle: CandleFlame): void {
     this.applyPending(candle, this.#emitPlace);
     this.#overlay.hideProgress();

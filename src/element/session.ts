@@ -118,6 +118,7 @@ export class Session {
       this.#shownRequest = request;
       this.#owner.onFetchDropped();
     } else if (!areSame(request, this.#pendingRequest)) {
+      this.#owner.onFetch();
       void this.#fetch();
     }
   }

@@ -402,6 +402,28 @@ for (const type of ["load", "play"] as const) {
   });
 }
 
+test("`ready` waits for another `src`, and for one that is missing as long as it takes to know", async ({
+  room,
+}) => {
+  const found = await useAnother(
+    room,
+    { scene: "candle", src: WREATH, paused: "" },
+    () => {},
+    async (element) => {
+      const candles = [element.candles.length];
+      for (const src of ["/models/jar.glb", "define.js"]) {
+        const { ready } = element;
+        element.src = src;
+        if (element.ready === ready) throw new Error("It has resolved already.");
+        await element.ready;
+        candles.push(element.candles.length);
+      }
+      return candles;
+    },
+  );
+  expect(found).toEqual([4, 1, 1]);
+});
+
 test("A lone candle that was paused before its first frame smokes alike each time", async ({
   room,
 }) => {
