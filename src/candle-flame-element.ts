@@ -108,10 +108,6 @@ export class CandleFlameElement extends ReflectedAttributes {
     });
   }
 
-  adoptedCallback(): void {
-    if (this.isConnected) this.#lifecycle.restart(); // listeners are the former document's
-  }
-
   attributeChangedCallback(name: SettingName, before: string | null, after: string | null): void {
     const lifecycle = this.#lifecycle;
     if (SCENE_ATTRIBUTES.includes(name)) lifecycle.sceneChanged();

@@ -83,6 +83,7 @@ export class Lifecycle {
   connect(): void {
     this.updateAccessibility();
     if (this.#machine.send("connect")) this.#begin();
+    else if (this.#visibility?.isElsewhere) this.restart();
   }
 
   disconnect(): void {

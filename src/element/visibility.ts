@@ -1,6 +1,7 @@
 /** Visibility of an element: whether it is in the viewport, of a page that is not hidden. */
 export class Visibility {
   readonly #element: Element;
+  readonly #document: Document;
   readonly #signal: AbortSignal;
   #isInViewport: boolean;
   #approach: (() => void) | null = null;
@@ -17,6 +18,7 @@ export class Visibility {
   ) {
     this.#isInViewport = before ? before.#isInViewport : true;
     this.#element = element;
+    this.#document = element.ownerDocument;
     this.#signal = signal;
     const viewport = new IntersectionObserver((entries) => {
       this.#isInViewport = entries.at(-1)?.isIntersecting ?? true;
@@ -24,11 +26,16 @@ export class Visibility {
     });
     viewport.observe(element);
     signal.addEventListener("abort", () => viewport.disconnect());
-    element.ownerDocument.addEventListener("visibilitychange", onChange, { signal });
+    this.#document.addEventListener("visibilitychange", onChange, { signal });
   }
 
   get isVisible(): boolean {
     return this.#isInViewport && this.#element.ownerDocument.visibilityState === "visible";
+  }
+
+  /** Whether another document has taken the element in: listeners are the former one's. */
+  get isElsewhere(): boolean {
+    return this.#document !== this.#element.ownerDocument;
   }
 
   /** Calls back once the viewport is a screen away, or at `stopWaiting`. */

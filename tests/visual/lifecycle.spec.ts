@@ -267,37 +267,40 @@ test("In a shadow tree, in another document, and home again, an element draws in
   expect(room.complaints).toEqual([]);
 });
 
-test("Moved to another document at once, an element goes on there, in the room that it showed", async ({
-  room,
-}) => {
-  const outcome = await room.page.evaluate(async () => {
-    const element = document.createElement("candle-flame");
-    Object.assign(element, { look: "paper", paused: true, quality: "low" });
-    element.style.cssText = "width: 64px; height: 36px";
-    const frame = document.createElement("iframe");
-    document.body.append(frame, element);
-    const errors: string[] = [];
-    element.addEventListener("error", ({ detail }) => errors.push(detail.type));
-    await element.ready;
-    const { ready } = element;
-    element.step(0.5);
-    element.src = "define.js"; // no model
-    await new Promise((resolve) => element.addEventListener("error", resolve, { once: true }));
-    frame.contentDocument?.body.append(element);
-    const isNew = element.ready !== ready;
-    await element.ready;
-    const outcome = {
-      isNew,
-      errors,
-      time: element.currentTime,
-      drawn: element.stats.triangles > 0,
-    };
-    for (const one of [element, frame]) one.remove();
-    return outcome;
+for (const isAdopted of [false, true]) {
+  test(`${isAdopted ? "Adopted by" : "Moved to"} another document at once, an element goes on there, in the room that it showed`, async ({
+    room,
+  }) => {
+    const outcome = await room.page.evaluate(async (isAdopted) => {
+      const element = document.createElement("candle-flame");
+      Object.assign(element, { look: "paper", paused: true, quality: "low" });
+      element.style.cssText = "width: 64px; height: 36px";
+      const frame = document.createElement("iframe");
+      document.body.append(frame, element);
+      const errors: string[] = [];
+      element.addEventListener("error", ({ detail }) => errors.push(detail.type));
+      await element.ready;
+      element.step(0.5);
+      element.src = "define.js"; // no model
+      await new Promise((resolve) => element.addEventListener("error", resolve, { once: true }));
+      const { ready } = element;
+      if (isAdopted) frame.contentDocument?.adoptNode(element);
+      frame.contentDocument?.body.append(element);
+      const isNew = element.ready !== ready;
+      await element.ready;
+      const outcome = {
+        isNew,
+        errors,
+        time: element.currentTime,
+        drawn: element.stats.triangles > 0,
+      };
+      for (const one of [element, frame]) one.remove();
+      return outcome;
+    }, isAdopted);
+    const errors = ["asset", "asset"];
+    expect(outcome).toEqual({ isNew: true, errors, time: expect.closeTo(0.5), drawn: true });
   });
-  const errors = ["asset", "asset"];
-  expect(outcome).toEqual({ isNew: true, errors, time: expect.closeTo(0.5), drawn: true });
-});
+}
 
 test("What is set while another look loads is done to the one on show", async ({ page }) => {
   await serveSmallTextures(page);
