@@ -257,6 +257,25 @@ test("is what `high` shows by candle and moonlight, too, whose bounce is resampl
   expect(unlit, "moonlight is in it").toBeGreaterThan(1.3 * difference);
 });
 
+test("is what `high` shows where a candle stood that is hidden now", async () => {
+  const showCandle = (isShown: boolean) =>
+    room.evaluate((_, isShown) => {
+      const rooms = document.querySelectorAll<CandleFlameElement>("candle-flame");
+      for (const { features } of rooms) features.candle = isShown;
+    }, isShown);
+  await room.evaluate((element) => element.play());
+  await refine(50);
+  await complete();
+  await showCandle(false);
+  await frames(1, 50);
+  await refine(50);
+  await complete();
+  const picture = await room.picture();
+  await room.evaluate((element) => element.pause());
+  expect(dark(picture, await atHigh(CAMERA)), "where it stood").toBeLessThan(4);
+  await showCandle(true);
+});
+
 test("is what `high` shows elsewhere, too, with the candle in the hand, whatever was begun on the way", async () => {
   const stand = (camera: Camera) =>
     room.evaluate((element, camera) => {

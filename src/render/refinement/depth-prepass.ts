@@ -38,7 +38,9 @@ export class DepthPrepass {
   depthAround([x, y]: Box, frame: FrameInput): Texture {
     const target = this.#target;
     if (!target?.depth) throw new Error("The depth prepass has no size yet.");
-    const view = JSON.stringify([[...frame.clipFromWorld], frame.candlePlacement]);
+    // A hidden candle hides nothing.
+    const placements = frame.instances.map(({ placement }) => placement);
+    const view = JSON.stringify([[...frame.clipFromWorld], placements]);
     if (view !== this.#view) {
       this.#view = view;
       this.#drawn.clear();
