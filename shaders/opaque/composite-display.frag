@@ -11,7 +11,7 @@
 
 #if BLOOM
 uniform sampler2D uBloom;
-uniform vec2 uGlareOffset;   // from uv of the frame to uv of the bloom
+uniform vec4 uBloomTransform;  // from uv of the frame to uv of the bloom: scale, offset
 uniform float uGlareShare;   // share of the light that lens and eye scatter
 #endif
 uniform vec3 uWhiteBalance;  // makes candlelight white
@@ -26,7 +26,7 @@ void main() {
   vec4 albedo = texelFetch(uGBufferAlbedo, ivec2(gl_FragCoord.xy), 0);
   vec3 radiance = compositeRadiance(albedo, vUv);
 #if BLOOM
-  radiance += texture(uBloom, vUv + uGlareOffset).rgb * uGlareShare;
+  radiance += texture(uBloom, vUv * uBloomTransform.xy + uBloomTransform.zw).rgb * uGlareShare;
 #endif
   vec3 exposed = max(radiance, 0.0) * uWhiteBalance * (vExposure / TONE_LUT_MAX);
   // The same dither for all channels.

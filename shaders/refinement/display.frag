@@ -8,7 +8,7 @@
 
 uniform sampler2D uRadiance;
 uniform sampler2D uBloom;
-uniform vec2 uGlareOffset;   // from uv of the frame to uv of the bloom
+uniform vec4 uBloomTransform;  // from uv of the frame to uv of the bloom: scale, offset
 uniform vec3 uWhiteBalance;  // makes candlelight white
 uniform float uGlareShare;   // share of the light that lens and eye scatter
 #if KEPT
@@ -39,7 +39,7 @@ vec3 shown(vec3 radiance) {
 
 void main() {
   vec3 radiance = texture(uRadiance, vUv).rgb * light.intensity;
-  vec3 glare = texture(uBloom, vUv + uGlareOffset).rgb * uGlareShare;
+  vec3 glare = texture(uBloom, vUv * uBloomTransform.xy + uBloomTransform.zw).rgb * uGlareShare;
 #if KEPT
   glare *= glareFade();
   vec3 kept = mix(texture(uDimmer, vUv), texture(uBrighter, vUv), vShare).rgb;

@@ -289,7 +289,7 @@ export class PhysicalRenderer implements Renderer {
       const options = {
         screen,
         glareShare: glareShareOf(settings),
-        bloomOffset: bloom.shift,
+        bloomTransform: bloom,
         autoExposure: settings.features.autoExposure,
         transform,
         bloomBounds: expandBoxes(regions, BLOOM_REACH + layer.motion * size.width, size),

@@ -59,7 +59,7 @@ export class Eye {
     const picture = this.#picture(radianceAt);
     const exposure = this.#texel(stops);
     const view = { features: { ...allFeatures(), bloom: false }, gamut };
-    const bloom = { share: [1, 1], shift: [0, 0] } as const;
+    const bloom = [1, 1, 0, 0] as const;
     const transform = displayTransform(gpu, view, 0);
     const textures = {
       uRadiance: picture,

@@ -5,6 +5,7 @@ import type { Box, Gpu, Program, RenderTarget, Surface, Texture } from "../../gl
 import type { Steps } from "../../world/steps.js";
 import type { Size } from "../frame-input.js";
 import { forEachGBufferKind, type GBufferKind } from "../gbuffer/gbuffer.js";
+import type { BloomTransform } from "../post/bloom-pass.js";
 import { type DisplayLut, toneLut } from "../post/display-lut.js";
 import { type DisplayTransform, whiteBalance } from "../post/display-pass.js";
 import { boxesBeside, scaleBox } from "../screen-bounds.js";
@@ -14,8 +15,7 @@ import { TemporalUpsampling } from "./temporal-upsampling.js";
 export interface DisplayOptions {
   /** Share of the light that lens and eye scatter. */
   readonly glareShare: number;
-  /** From uv of the frame to uv of the bloom. */
-  readonly bloomOffset: readonly [number, number];
+  readonly bloomTransform: BloomTransform;
   readonly autoExposure: boolean;
   readonly transform: DisplayTransform;
   /** Where the bloom is, in pixels of a canvas of `size`. */
@@ -68,7 +68,7 @@ export class CompositeDisplayPass {
         ...layer.uniforms,
         uWhiteBalance: whiteBalance(options.transform),
         uGlareShare: options.glareShare,
-        uGlareOffset: options.bloomOffset,
+        uBloomTransform: options.bloomTransform,
         uAutoExposure: options.autoExposure ? 1 : 0,
       },
       blocks: { ...blocks },

@@ -16,6 +16,9 @@ const FARTHEST = 2 * BLOOM_REACH;
 /** A point of the frame, uv. */
 type Uv = readonly [number, number];
 
+/** From uv on a frame to uv on its bloom: scale, offset. */
+export type BloomTransform = readonly [number, number, number, number];
+
 /**
  * Bloom: veiling glare of lens and eye, as a pyramid of ever wider blurs, mixed from the widest up.
  *
@@ -78,12 +81,14 @@ export class BloomPass {
     return this.#latest;
   }
 
-  /** From uv on a frame, with the flame at a place, to uv on `latest`: share of it that the frame fills, offset. */
-  transform([x, y]: Uv): Readonly<Record<"share" | "shift", Uv>> {
-    if (this.#prefilter) return { share: [1, 1], shift: [this.#flame[0] - x, this.#flame[1] - y] };
-    const { width, height } = this.latest; // half the size, rounded up
-    const share = [this.#size.width / (2 * width), this.#size.height / (2 * height)] as const;
-    return { share, shift: [0, 0] };
+  /** From uv on a frame with the flame at a place to uv on `latest`. */
+  transform([x, y]: Uv): BloomTransform {
+    const { width, height } = this.latest; // rounded up
+    const scale = this.#prefilter ? BLOOM_SCALE : 2;
+    const across = this.#size.width / (scale * width);
+    const up = this.#size.height / (scale * height);
+    if (!this.#prefilter) return [across, up, 0, 0];
+    return [across, up, across * (this.#flame[0] - x), up * (this.#flame[1] - y)];
   }
 
   /**

@@ -6,7 +6,7 @@ import { ADAPTATION, TAPER } from "../../light/flame-light.js";
 import { nightVision } from "../../light/night-vision.js";
 import { EXPOSURE_LAW } from "../../world/player/exposure-adaptation.js";
 import type { FrameSettings } from "../frame-settings.js";
-import type { BloomPass } from "./bloom-pass.js";
+import type { BloomTransform } from "./bloom-pass.js";
 import { type DisplayLut, hueLut } from "./display-lut.js";
 
 /** Share of the light that eye and lens scatter. */
@@ -81,7 +81,7 @@ export class DisplayPass {
     textures: Readonly<Record<"uRadiance" | "uBloom" | "uExposure", Texture>> & {
       readonly uToneLut?: Texture;
     },
-    { share, shift }: ReturnType<BloomPass["transform"]>,
+    uBloomTransform: BloomTransform,
     view: Pick<FrameSettings, "features">,
     transform: DisplayTransform,
     frame: UniformBlock,
@@ -96,7 +96,7 @@ export class DisplayPass {
         ...transform,
         uWhiteBalance: whiteBalance(transform),
         uAutoExposure: view.features.autoExposure ? 1 : 0,
-        uBloomTransform: [...share, share[0] * shift[0], share[1] * shift[1]],
+        uBloomTransform,
         uGlareShare: glareShareOf(view),
       },
       blocks: { Frame: frame },

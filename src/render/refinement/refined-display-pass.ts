@@ -144,7 +144,7 @@ export class RefinedDisplayPass {
         uniforms: {
           uWhiteBalance: whiteBalance(transform),
           uGlareShare: options.glareShare,
-          uGlareOffset: options.bloomOffset,
+          uBloomTransform: options.bloomTransform,
           uAutoExposure,
           ...(scissor && { uGlareBounds: glareBounds(scissor, size) }),
         },
