@@ -17,3 +17,13 @@ layout(std140) uniform Flame {
   vec4 nodes[NODES];  // evenly spaced in height: x, z (m), share of the length, factor on the radius
   vec4 spheres[SPHERES];  // bounding spheres: centre, radius, m
 } flame;
+
+// Size of a pixel at the flame, m. `eye`: from its foot, m.
+float pixelAtFlame(vec3 eye) {
+  return length(eye) / frame.projectionScale;
+}
+
+// Rays of a pixel: one where the flame is several pixels wide, so many where it falls between two.
+float flameRays(vec3 eye) {
+  return clamp(ceil(2.0 * pixelAtFlame(eye) / flame.radius), 1.0, 8.0);
+}

@@ -75,30 +75,45 @@ float intersectWick(vec3 eye, vec3 direction) {
   return height > 0.0 && height < squared ? distance : 1e9;
 }
 
-void main() {
-  vec3 eye = frame.eyePosition - flame.base;
-  vec3 direction = normalize(vPosition - eye);
+// Adds what a ray meets, as a share of the pixel: radiance, cd/m², and transmittance.
+void march(vec3 eye, vec3 direction, float share, inout vec4 sum) {
   vec2 span = intersectSpheres(eye, direction);
   float begin = max(span.x, 0.0);
   float end = min(span.y, intersectWick(eye, direction));
-  if (end <= begin) discard;
-  float stride = (end - begin) / flame.steps;
-  vec3 radiance = vec3(0.0);
   float depth = 0.0;  // optical
-  for (float i = 0.5; i < flame.steps; i++) {
-    vec2 uv = bodyUv(eye + direction * (begin + i * stride));
-    if (uv.x >= 1.0 || uv.y <= 0.0 || uv.y >= 1.0) continue;
-    vec4 body = texture(uBody, uv);
-    float absorbed = body.b * flame.soot * stride;
-    float warmth = min(body.g / max(WARM_GREEN * body.r, 1e-6), 1.0);
-    float cubed = warmth * warmth * warmth;
-    vec3 soot = vec3(body.rg, SOOT_BLUE * cubed * cubed * body.r) * flame.soot;
-    radiance += exp(-depth - 0.5 * absorbed) * stride * (soot + BLUE * (body.a * flame.blue));
-    depth += absorbed;
+  if (end > begin) {
+    float stride = (end - begin) / flame.steps;
+    for (float i = 0.5; i < flame.steps; i++) {
+      vec2 uv = bodyUv(eye + direction * (begin + i * stride));
+      if (uv.x >= 1.0 || uv.y <= 0.0 || uv.y >= 1.0) continue;
+      vec4 body = texture(uBody, uv);
+      float absorbed = body.b * flame.soot * stride;
+      float warmth = min(body.g / max(WARM_GREEN * body.r, 1e-6), 1.0);
+      float cubed = warmth * warmth * warmth;
+      vec3 soot = vec3(body.rg, SOOT_BLUE * cubed * cubed * body.r) * flame.soot;
+      sum.rgb += exp(-depth - 0.5 * absorbed) * stride * share * (soot + BLUE * (body.a * flame.blue));
+      depth += absorbed;
+    }
   }
+  sum.a += exp(-depth) * share;
+}
+
+void main() {
+  vec3 eye = frame.eyePosition - flame.base;
+  vec3 direction = normalize(vPosition - eye);
+  vec3 across = dFdx(direction);
+  vec3 up = dFdy(direction);
+  float rays = flameRays(eye);
+  vec4 sum = vec4(0.0);
+  for (float i = 0.5; i < rays; i++) {
+    // One in each column, in rows by the golden ratio.
+    vec2 offset = rays > 1.0 ? vec2(i / rays, fract(i * 0.618034)) - 0.5 : vec2(0.0);
+    march(eye, normalize(direction + across * offset.x + up * offset.y), 1.0 / rays, sum);
+  }
+  vec3 radiance = sum.rgb;
   // The largest half float is 65504: a small flame comes near it, and clipping by channel would turn it green. Of a radiance
   // r at most 1 - r / 6e4 of what is behind passes, so that flames behind one another stay below 6e4.
   float peak = max(radiance.r, max(radiance.g, radiance.b));
   radiance *= min(1.0, 3e4 / max(peak, 1e-6));
-  oRadiance = vec4(radiance, max(1.0 - exp(-depth), min(peak, 3e4) / 6e4));
+  oRadiance = vec4(radiance, max(1.0 - sum.a, min(peak, 3e4) / 6e4));
 }
