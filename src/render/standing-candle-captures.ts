@@ -1,5 +1,6 @@
 import type { Gpu, UniformBlock } from "../gl/gpu.js";
 import { flameLight, TAPER } from "../light/flame-light.js";
+import { flameRadius, fuelRate, TAPER_RATE, TAPER_WICK } from "../world/flame/burning.js";
 import type { Vec3 } from "../world/geometry.js";
 import type { StandingCandle } from "../world/standing-candle.js";
 import type { Steps } from "../world/steps.js";
@@ -12,21 +13,22 @@ import type { CaptureLight } from "./light-block.js";
 import type { ShadowCasters } from "./shadow/shadow-casters.js";
 import { type ShadowAtlas, ShadowPass } from "./shadow/shadow-pass.js";
 
-/** A still flame over its root: height of its middle, half its height and its radius as a light, metres. */
+/** A taper's still flame over its root: height of its middle, half its height and its radius as a light, metres. */
 const STILL = { middle: 0.02, halfHeight: 0.0095, radius: 0.0035 } as const;
 /** Top of the candle: its height above the flame's root, which stands in the pool, and its radius, metres. */
 export const RIM = { height: 0.0015, radius: 0.0101 } as const;
 
 /** The flame of a standing candle, still, 1 cd strong: members of the shaders' `Light` block. */
-function stillLight([x, y, z]: Readonly<Vec3>, shadowSlot: number): CaptureLight {
-  const position: Vec3 = [x, y + STILL.middle, z];
+function stillLight({ root: [x, y, z], flame }: StandingCandle, shadowSlot: number): CaptureLight {
+  const times = fuelRate(flame.wick) / TAPER_RATE; // as high
+  const position: Vec3 = [x, y + STILL.middle * times, z];
   const rim = y + RIM.height;
   return {
     position,
     captureOrigin: position,
-    halfHeight: STILL.halfHeight,
+    halfHeight: STILL.halfHeight * times,
     intensity: [1, 1, 1],
-    radius: STILL.radius,
+    radius: (STILL.radius * flameRadius(flame.wick, 1)) / flameRadius(TAPER_WICK, 1),
     along: [0, 1, 0],
     axis: [x, z],
     rim,
@@ -49,6 +51,8 @@ export class StandingCandleCaptures {
   readonly #indirect: IndirectPass;
   readonly #block: UniformBlock;
   #light: Omit<CachedLight, "intensity"> | null = null;
+  /** Of its flame, m. */
+  #wick = 0;
 
   constructor(
     gpu: Gpu,
@@ -70,18 +74,18 @@ export class StandingCandleCaptures {
   }
 
   *light(candle: StandingCandle, casters: ShadowCasters): Steps<CachedLight> {
-    if (this.name !== candle.name || !this.#light) {
+    const { wick } = candle.flame;
+    if (this.name !== candle.name || this.#wick !== wick || !this.#light) {
       this.#light = null; // the steps may be abandoned
+      this.#wick = wick;
       this.#light = yield* this.#capture(candle, casters);
     }
     return { ...this.#light, intensity: flameLight(candle, TAPER).intensity };
   }
 
-  *#capture(
-    { name, root }: StandingCandle,
-    casters: ShadowCasters,
-  ): Steps<Omit<CachedLight, "intensity">> {
-    const light = stillLight(root, this.#slot);
+  *#capture(candle: StandingCandle, casters: ShadowCasters): Steps<Omit<CachedLight, "intensity">> {
+    const { name, root, flame } = candle;
+    const light = stillLight(candle, this.#slot);
     const { position: captureOrigin } = light;
     const shadow = { depth: yield* this.#shadow.steps(casters, captureOrigin), captureOrigin };
     return {
@@ -93,7 +97,7 @@ export class StandingCandleCaptures {
       shadow: shadow.depth,
       irradiance: yield* this.#indirect.capture(casters, light, shadow),
       background: 0,
-      key: JSON.stringify(root),
+      key: JSON.stringify([root, flame.wick]),
     };
   }
 }
