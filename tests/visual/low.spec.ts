@@ -360,6 +360,40 @@ test.describe("In a small box", () => {
     expect(await room.pixels()).toBe(rested);
   });
 
+  test("At low the first picture after a cut is exposed for what it shows", async () => {
+    const shares = await room.evaluate((element) => {
+      const canvas = element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
+      const copy = new OffscreenCanvas(64, 36).getContext("2d")!;
+      const brightness = () => {
+        copy.drawImage(canvas, 0, 0, 64, 36); // in the task that drew it
+        const { data } = copy.getImageData(0, 0, 64, 36);
+        return data.reduce((sum, x, i) => sum + (i % 4 === 1 ? x : 0), 0);
+      };
+      const { camera } = element;
+      const bright = { position: [-0.45, 1.2, 0.75], yaw: -0.805, pitch: -0.5 } as const;
+      element.play();
+      // Bloom and exposure are drawn in one of a few frames.
+      const shares = [0, 1, 2, 3, 4, 5].map((phase) => {
+        for (let frame = 0; frame < 20 + phase; frame++) {
+          element.camera = { ...bright, yaw: bright.yaw + 0.002 * frame };
+          element.step(0);
+        }
+        element.camera = { position: [1.2, 1.6, 1.2], yaw: 2.4, pitch: -0.3 };
+        element.step(0);
+        const first = brightness();
+        for (let frame = 0; frame < 20; frame++) element.step(0);
+        return first / brightness();
+      });
+      element.pause();
+      element.camera = camera;
+      return shares;
+    });
+    console.log(
+      `after a cut: ${shares.map((share) => share.toFixed(3))} of the settled brightness`,
+    );
+    for (const share of shares) expect(Math.abs(share - 1)).toBeLessThan(0.015);
+  });
+
   test("At low a view that is left before its G-buffer was full leaves no trace in the next frame", async () => {
     const picture = await room.pixels();
     await room.evaluate((element) => {

@@ -30,6 +30,8 @@ export class DeferredStage implements OpaqueStage {
   readonly #cached: CachedLighting;
   readonly #composite: Readonly<Record<GBufferKind, Program>>;
   #gbuffer: GBuffer | null = null;
+  /** Views in motion, each of which has nothing in common with the one before. */
+  images = 0;
 
   constructor(gpu: Gpu, tier: PhysicalTier, lods: MeshLods, atRest = SUPERSAMPLED) {
     this.#gpu = gpu;
@@ -53,8 +55,10 @@ export class DeferredStage implements OpaqueStage {
   }
 
   *fillGBuffer(frame: FrameInput): Steps<GBufferKind> {
-    this.#gbuffer = yield* this.#gbufferPass.render(frame, this.#lighting.size);
-    return this.#gbuffer.kind;
+    const gbuffer = yield* this.#gbufferPass.render(frame, this.#lighting.size);
+    if (gbuffer.kind === "reduced" && !gbuffer.history) this.images++;
+    this.#gbuffer = gbuffer;
+    return gbuffer.kind;
   }
 
   *shade(frame: FrameInput, captures: Captures): Steps<OpaqueLayer> {
