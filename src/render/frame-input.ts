@@ -33,6 +33,6 @@ export interface FrameInput {
   readonly instances: readonly ModelInstance[];
   /** Of the candle, whether it is drawn or not. */
   readonly candlePlacement: Placement;
-  /** Root of the flame in the frame: shares of its width and height. The centre for a flame behind the camera. */
-  readonly flameUv: readonly [number, number];
+  /** Roots of the flames in the frame, the carried one's first: shares of its width and height; its centre behind the camera. */
+  readonly flameUvs: readonly (readonly [number, number])[];
 }

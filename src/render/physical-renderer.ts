@@ -1,5 +1,6 @@
 import type { Box, Gpu, Texture } from "../gl/gpu.js";
 import { nextTask } from "../gl/next-task.js";
+import { litFlames } from "../world/flames.js";
 import type { ParticleLayer } from "../world/particles/particle-layer.js";
 import type { CollisionMesh } from "../world/room/collision-mesh.js";
 import { finish, type Steps } from "../world/steps.js";
@@ -207,7 +208,7 @@ export class PhysicalRenderer implements Renderer {
     Frame.update(block);
     const clip = block.clipFromWorld;
     const candlePlacement = carriedPlacement(world);
-    const [flameX, flameY, flameW] = clipPosition(clip, ...interpolated.flame);
+    const roots = [interpolated.flame, ...world.standing.map(({ root }) => root)];
     return {
       screen: "canvas",
       world,
@@ -218,8 +219,10 @@ export class PhysicalRenderer implements Renderer {
         ? []
         : this.#instances(features.candle ? candle : null, candlePlacement),
       candlePlacement,
-      flameUv:
-        flameW > 0.01 ? [0.5 + (0.5 * flameX) / flameW, 0.5 + (0.5 * flameY) / flameW] : [0.5, 0.5],
+      flameUvs: roots.map((root) => {
+        const [x, y, w] = clipPosition(clip, ...root);
+        return w > 0.01 ? [0.5 + (0.5 * x) / w, 0.5 + (0.5 * y) / w] : [0.5, 0.5];
+      }),
     };
   }
 
@@ -252,13 +255,18 @@ export class PhysicalRenderer implements Renderer {
   }
 
   *#updatePost(
-    { flameUv, world }: FrameInput,
+    { flameUvs, world }: FrameInput,
     { textures, blocks }: OpaqueLayer,
     { roomReflectance }: IrradianceVolume,
     regions: readonly Box[],
   ): Steps {
     const { color } = this.#radiance!.whole;
-    this.#bloom.render(color, regions, flameUv);
+    const lit = litFlames(world);
+    this.#bloom.render(
+      color,
+      regions,
+      flameUvs.map((uv, i) => (lit[i] ? uv : null)),
+    );
     yield;
     this.#exposure.render(
       this.#compositeDisplay ? textures : { uRadiance: color },
@@ -270,10 +278,10 @@ export class PhysicalRenderer implements Renderer {
 
   /** To the screen: the regions of the media from the radiance, the rest straight from the opaque layer. */
   *#present(frame: FrameInput, layer: OpaqueLayer, regions: readonly Box[]): Steps {
-    const { screen, settings, flameUv, world } = frame;
+    const { screen, settings, flameUvs, world } = frame;
     const size = this.#size;
     const { blocks } = this.#opaque;
-    const bloom = this.#bloom.transform(flameUv);
+    const bloom = this.#bloom.transform(flameUvs);
     const inputs = { uBloom: this.#bloom.latest, uExposure: this.#exposure.latest };
     const uRadiance = this.#radiance!.whole.color;
     const transform = displayTransform(this.#gpu, settings, world.adaptation?.darkness ?? 0);

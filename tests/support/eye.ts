@@ -86,7 +86,7 @@ export class Eye {
     const gpu = this.#gpu;
     const pass = new BloomPass(gpu, levels, "RGBA16F", isFrugal);
     pass.resize(width, height);
-    const scattered = pass.render(this.#picture(radianceAt), [[0, 0, width, height]], [0, 0]);
+    const scattered = pass.render(this.#picture(radianceAt), [[0, 0, width, height]], []);
     const target = gpu.textureView({ label: "scattered", textures: [scattered], image: 0 });
     const after = gpu
       .readFloats(target, [0, 0, target.width, target.height])
@@ -98,6 +98,24 @@ export class Eye {
     }
     gpu.clearObjects();
     return [before, after];
+  }
+
+  /** How far an earlier frame's bloom is shifted, uv, with flames that were here and are there now. */
+  shift(
+    before: Parameters<BloomPass["render"]>[2],
+    now: Parameters<BloomPass["transform"]>[0],
+  ): readonly number[] {
+    const { width, height } = this.#canvas;
+    const pass = new BloomPass(this.#gpu, 3, "RGBA16F", true);
+    pass.resize(width, height);
+    pass.render(
+      this.#picture(() => [0, 0, 0]),
+      [[0, 0, width, height]],
+      before,
+    );
+    const [, , ...shift] = pass.transform(now);
+    this.#gpu.clearObjects();
+    return shift;
   }
 
   /** Metered exposure in a room of the cabin's reflectance, stops. */

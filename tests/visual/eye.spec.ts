@@ -189,9 +189,10 @@ test("Scattered light is as much as there was, wherever a flame stands in the pi
   const shares = await page.evaluate(async () => {
     const { Eye }: Eye = await import("/tests/support/eye.ts" as string);
     const shares: number[] = [];
-    for (const [width, height, levels, isFrugal] of [
-      [320, 180, 5, false],
-      [852, 468, 3, true],
+    for (const [width, height, levels, isFrugal, size] of [
+      [320, 180, 5, false, 4],
+      [852, 468, 3, true, 4],
+      [853, 478, 3, true, 0.6], // of a pixel or two, between the texels of a quarter
     ] as const) {
       const eye = new Eye(width, height);
       for (const [fx, fy] of [
@@ -200,7 +201,7 @@ test("Scattered light is as much as there was, wherever a flame stands in the pi
         [0.3, 0.7],
       ] as const) {
         const isFlame = (x: number, y: number) =>
-          Math.abs(x - fx * width) < 4 && Math.abs(y - fy * height) < 10;
+          Math.abs(x - fx * width) < size && Math.abs(y - fy * height) < 2.5 * size;
         const [before, after] = eye.scatter(
           (x, y) => (isFlame(x, y) ? [9000, 4000, 300] : [0.02, 0.01, 0.002]),
           levels,
@@ -215,6 +216,31 @@ test("Scattered light is as much as there was, wherever a flame stands in the pi
   console.log(`scattered: ${shares.map((share) => share.toFixed(4))}`);
   // What falls on the picture's edge is reflected, not lost, but not to the last bit.
   for (const share of shares) expect(Math.abs(share - 1)).toBeLessThan(0.02);
+});
+
+test("An earlier frame's glare moves with the first flame that burns in the frame, and else with none", async () => {
+  const shifts = await page.evaluate(async () => {
+    const { Eye }: Eye = await import("/tests/support/eye.ts" as string);
+    const eye = new Eye(320, 180);
+    const [aside, fartherAside] = [
+      [-3, 0.5],
+      [-9, 0.5],
+    ] as const;
+    const [middle, beside] = [
+      [0.4, 0.5],
+      [0.42, 0.45],
+    ] as const;
+    const shifts = [
+      eye.shift([middle, aside], [beside, fartherAside]),
+      eye.shift([aside, middle], [fartherAside, beside]),
+      eye.shift([null, middle], [middle, beside]),
+      eye.shift([aside, null], [fartherAside, beside]),
+    ];
+    eye.dispose();
+    return shifts;
+  });
+  const moved = [expect.closeTo(-0.02), expect.closeTo(0.05)];
+  expect(shifts).toEqual([moved, moved, moved, [0, 0]]);
 });
 
 test("The meter takes no notice of the flame, lags as set, and keeps to its limits", async () => {

@@ -40,8 +40,8 @@ export class BloomPass {
   #pyramid: RenderTarget[] = [];
   #size = { width: 1, height: 1 };
   #latest: Texture | null = null;
-  /** Position of the flame in the frame that the bloom is of. */
-  #flame: Uv = [0, 0];
+  /** The first flame that was in the frame that the bloom is of, in the list of all, and where. */
+  #flame: { readonly index: number; readonly uv: Uv } | null = null;
 
   constructor(gpu: Gpu, levels: number, format: TextureFormat, isFrugal: boolean) {
     this.#format = format;
@@ -81,21 +81,23 @@ export class BloomPass {
     return this.#latest;
   }
 
-  /** From uv on a frame with the flame at a place to uv on `latest`. */
-  transform([x, y]: Uv): BloomTransform {
+  /** From uv on a frame with the flames at these places to uv on `latest`. */
+  transform(flames: readonly Uv[]): BloomTransform {
     const { width, height } = this.latest; // rounded up
     const scale = this.#prefilter ? BLOOM_SCALE : 2;
     const across = this.#size.width / (scale * width);
     const up = this.#size.height / (scale * height);
-    if (!this.#prefilter) return [across, up, 0, 0];
-    return [across, up, across * (this.#flame[0] - x), up * (this.#flame[1] - y)];
+    const now = this.#flame && flames[this.#flame.index];
+    if (!this.#prefilter || !this.#flame || !now) return [across, up, 0, 0];
+    const { uv } = this.#flame;
+    return [across, up, across * (uv[0] - now[0]), up * (uv[1] - now[1])];
   }
 
   /**
    * @param boxes of the radiance that were drawn; all flames in the frame are in them
-   * @param flame position of the carried flame
+   * @param flames their positions; null for those that do not burn
    */
-  render(radiance: Texture, boxes: readonly Box[], flame: Uv): Texture {
+  render(radiance: Texture, boxes: readonly Box[], flames: readonly (Uv | null)[]): Texture {
     // At low resolution, texels of half the size would be visible: the last level up is the prefiltered target.
     const full = this.#prefiltered;
     const region = full && this.#drawPrefiltered(full, radiance, boxes);
@@ -121,7 +123,9 @@ export class BloomPass {
       source = target.color;
     }
     this.#latest = source;
-    this.#flame = flame;
+    const index = flames.findIndex((uv) => uv?.every((x) => x >= 0 && x <= 1));
+    const uv = flames[index];
+    this.#flame = uv ? { index, uv } : null;
     return source;
   }
 
