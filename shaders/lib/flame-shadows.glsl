@@ -18,8 +18,6 @@ const float STEEPEST = 1.1;
 const float NEAREST_BLOCKER = 0.02;
 // Least half-width of a penumbra, texels.
 const float LEAST_PENUMBRA = 0.8;
-// Their origin above the root of the flame, m.
-const float ORIGIN = 0.016;
 const int SEARCH_TAPS = min(SHADOW_TAPS, 16);
 const float GOLDEN_ANGLE = 2.39996;
 
@@ -61,7 +59,8 @@ float planeDistance(vec3 direction, vec3 from, vec3 facet, float way) {
 float flameVisibility(int i, vec3 position, vec3 facet, vec2 pixel) {
   int tile = int(flames.intensities[i].w);
   if (tile < 0) return 1.0;
-  vec3 from = position - flames.roots[i].xyz - vec3(0.0, ORIGIN, 0.0);
+  vec4 root = flames.roots[i];
+  vec3 from = position - root.xyz - vec3(0.0, root.w, 0.0);
   float way = length(from);
   vec3 direction = from / way;
   vec3 up = flames.alongs[i].xyz - direction * dot(flames.alongs[i].xyz, direction);

@@ -8,6 +8,7 @@ import { expect, test } from "../support/test.ts";
 
 const MODELS: Readonly<Record<string, Buffer>> = {
   "custom-candle.glb": candlePlate([{ at: [0, 0], height: 0.09, radius: 0.03 }], 0.06),
+  "custom-plate.glb": candlePlate([{ at: [0, 0], height: 0.09, radius: 0.03 }], 0.2),
   "custom-candles-4.glb": candlePlate(ringOf(4, 0.09, 0.07, 0.028), 0.14),
   "custom-candles-16.glb": candlePlate(ringOf(16, 0.085, 0.05, 0.004), 0.11),
   "custom-jar.glb": jarCandle(),
@@ -111,6 +112,33 @@ test("flames that go out leave light to the others, and wax glows below a burnin
   });
   expect(three).toBeLessThan(0.9 * (all ?? 0));
   expect(none).toBeLessThan(0.5 * (three ?? 0));
+});
+
+test("the flame of a wide wick looks over the candle's rim onto the plate", async () => {
+  await show("custom-plate.glb");
+  const shares: number[] = [];
+  for (const wick of ["2", "10"]) {
+    await room.set({ wick });
+    const [shadowed = 0, whole = 1] = await room.evaluate((element) =>
+      [true, false].map((shadows) => {
+        element.features.shadows = shadows;
+        element.reset();
+        element.step(0.5);
+        const { width, height } = element.stats;
+        const radiance = element.readRadiance(0, 0, width, height);
+        // Of what is lit, not of the flame.
+        return radiance.reduce((sum, x, i) => (i % 3 === 0 && x < 40 ? sum + x : sum), 0);
+      }),
+    );
+    shares.push(shadowed / whole);
+  }
+  await room.evaluate((element) => {
+    element.removeAttribute("wick");
+    element.features.shadows = true;
+  });
+  console.log(`light beside shadows: ${shares.map((share) => share.toFixed(2))}`);
+  expect(shares[0]).toBeLessThan(0.4);
+  expect(shares[1], "0.43 from a taper's height").toBeGreaterThan(0.8);
 });
 
 test("a breath blows all of them out, and the events say which", async () => {

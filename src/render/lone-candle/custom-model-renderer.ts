@@ -219,8 +219,7 @@ export class CustomModelRenderer extends LoneRenderer {
     const { magnification, ...camera } = frameBox(this.#bounds, this.aspect);
     const rooted: readonly RootedFlame[] = [carriedFlame(world), ...world.standing];
     const { key, exposure } = this.#meter.measure(rooted);
-    const roots = rooted.map(({ root }) => root);
-    const atlas = this.#resources.shadows.render(roots, this.#casters);
+    const atlas = this.#resources.shadows.render(rooted, this.#casters);
     // The page around has the same brightness for one flame and for sixteen.
     const studio = (STUDIO * MOST_EXPOSURE) / exposure;
     return { rooted, camera, magnification, key, exposure, atlas, studio };

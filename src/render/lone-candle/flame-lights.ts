@@ -7,6 +7,7 @@ import {
   TAPER,
 } from "../../light/flame-light.js";
 import { flameHeight, flameRadius, fuelRate } from "../../world/flame/burning.js";
+import { shadowHeight } from "./flame-shadows.js";
 import { glareOf } from "./glare.js";
 
 /** Most flames of the shaders' `Flames` block. */
@@ -67,14 +68,14 @@ export class FlameLights {
     return { ...this.#members, count: places.length };
   }
 
-  #setLight(i: number, { root }: RootedFlame, light: FlameLight, tile: number): void {
+  #setLight(i: number, { root, flame }: RootedFlame, light: FlameLight, tile: number): void {
     const { position, axis, halfHeight, radius, intensity } = light;
     const all = this.#members;
     const at = i * 4;
     all["centres[0]"].set([...position, halfHeight], at);
     all["alongs[0]"].set([...axis, radius], at);
     all["intensities[0]"].set([...intensity, tile], at);
-    all["roots[0]"].set(root, at);
+    all["roots[0]"].set([...root, shadowHeight(flame)], at);
   }
 }
 

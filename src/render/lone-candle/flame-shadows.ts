@@ -1,6 +1,9 @@
 import shadowFrag from "../../../shaders/candle/custom-shadow.frag";
 import cubeFaceVert from "../../../shaders/shadow/cube-face.vert";
 import type { Gpu, Program, RenderTarget, Texture } from "../../gl/gpu.js";
+import type { RootedFlame } from "../../light/flame-light.js";
+import { fuelRate, TAPER_RATE } from "../../world/flame/burning.js";
+import type { Flame } from "../../world/flame/flame.js";
 import type { Vec3 } from "../../world/geometry.js";
 import type { Mesh } from "../mesh/mesh.js";
 import { clipFromFace, FACES } from "../shadow/cube-map.js";
@@ -9,12 +12,15 @@ const NEAR = 0.003;
 const FAR = 20;
 /** Nothing is farther, metres. */
 const NOTHING = [1e3, 0, 0, 1] as const;
-/** A flame's middle above its root, metres: where its shadows are seen from. */
+/** A taper's middle above its root, metres. */
 const MIDDLE = 0.016;
+
+/** Height above a flame's root from which its shadows are seen, metres: its middle at rest. */
+export const shadowHeight = ({ wick }: Flame) => (MIDDLE * fuelRate(wick)) / TAPER_RATE;
 
 /**
  * Shadow cubes of all flames of a model in one atlas: distances from each flame's middle at rest. Model and
- * flames stand, so they are drawn once. The tiles of a cube are in the order of `FACES`, which is that of
+ * flames stand, so they are drawn once for each width of the wicks. The tiles of a cube are in the order of `FACES`, which is that of
  * `shaders/lib/flame-shadows.glsl`.
  */
 export class FlameShadows {
@@ -23,7 +29,8 @@ export class FlameShadows {
   readonly face: number;
   readonly #gpu: Gpu;
   readonly #target: RenderTarget;
-  #isDrawn = false;
+  /** Heights of the flames that it is drawn for. */
+  #drawn = "";
 
   constructor(gpu: Gpu, flames: number, face: number) {
     this.#gpu = gpu;
@@ -36,14 +43,15 @@ export class FlameShadows {
     this.#target = gpu.renderTarget({ label: "candle/shadow-atlas", ...size, ...format });
   }
 
-  /** @param roots of the flames, metres */
-  render(roots: readonly Readonly<Vec3>[], casters: readonly Mesh[]): Texture {
+  render(flames: readonly RootedFlame[], casters: readonly Mesh[]): Texture {
     const { color } = this.#target;
-    if (this.#isDrawn) return color;
-    this.#isDrawn = true;
+    const heights = flames.map(({ flame }) => shadowHeight(flame));
+    if (this.#drawn === `${heights}`) return color;
+    this.#drawn = `${heights}`;
     this.#gpu.clear(this.#target, NOTHING);
-    for (const [tile, [x, y, z]] of roots.entries()) {
-      const flame: Vec3 = [x, y + MIDDLE, z];
+    for (const [tile, { root }] of flames.entries()) {
+      const [x, y, z] = root;
+      const flame: Vec3 = [x, y + heights[tile]!, z];
       for (const face of FACES.keys()) this.#drawFace(tile, face, flame, casters);
     }
     return color;
