@@ -22,8 +22,3 @@ layout(std140) uniform Flame {
 float pixelAtFlame(vec3 eye) {
   return length(eye) / frame.projectionScale;
 }
-
-// Rays of a pixel: one where the flame is several pixels wide, so many where it falls between two.
-float flameRays(vec3 eye) {
-  return clamp(ceil(2.0 * pixelAtFlame(eye) / flame.radius), 1.0, 8.0);
-}

@@ -75,14 +75,23 @@ float intersectWick(vec3 eye, vec3 direction) {
   return height > 0.0 && height < squared ? distance : 1e9;
 }
 
-// Adds what a ray meets, as a share of the pixel: radiance, cd/m², and transmittance.
-void march(vec3 eye, vec3 direction, float share, inout vec4 sum) {
-  vec2 span = intersectSpheres(eye, direction);
-  float begin = max(span.x, 0.0);
-  float end = min(span.y, intersectWick(eye, direction));
-  float depth = 0.0;  // optical
-  if (end > begin) {
-    float stride = (end - begin) / flame.steps;
+void main() {
+  vec3 eye = frame.eyePosition - flame.base;
+  vec3 axis = normalize(vPosition - eye);
+  vec3 across = dFdx(axis);
+  vec3 up = dFdy(axis);
+  // One where the flame is several pixels wide, eight where it falls between two.
+  float rays = clamp(ceil(2.0 * pixelAtFlame(eye) / flame.radius), 1.0, 8.0);
+  vec3 radiance = vec3(0.0);
+  float transmittance = 0.0;
+  for (float ray = 0.5; ray < rays; ray++) {
+    // One in each column, in rows by the golden ratio; a single one in the middle.
+    vec2 offset = vec2(ray / rays, fract(ray * 0.618034 + 0.190983)) - 0.5;
+    vec3 direction = axis + across * offset.x + up * offset.y;
+    vec2 span = intersectSpheres(eye, direction);
+    float begin = max(span.x, 0.0);
+    float stride = max(min(span.y, intersectWick(eye, direction)) - begin, 0.0) / flame.steps;
+    float depth = 0.0;  // optical
     for (float i = 0.5; i < flame.steps; i++) {
       vec2 uv = bodyUv(eye + direction * (begin + i * stride));
       if (uv.x >= 1.0 || uv.y <= 0.0 || uv.y >= 1.0) continue;
@@ -91,29 +100,15 @@ void march(vec3 eye, vec3 direction, float share, inout vec4 sum) {
       float warmth = min(body.g / max(WARM_GREEN * body.r, 1e-6), 1.0);
       float cubed = warmth * warmth * warmth;
       vec3 soot = vec3(body.rg, SOOT_BLUE * cubed * cubed * body.r) * flame.soot;
-      sum.rgb += exp(-depth - 0.5 * absorbed) * stride * share * (soot + BLUE * (body.a * flame.blue));
+      radiance += exp(-depth - 0.5 * absorbed) * stride * (soot + BLUE * (body.a * flame.blue));
       depth += absorbed;
     }
+    transmittance += exp(-depth);
   }
-  sum.a += exp(-depth) * share;
-}
-
-void main() {
-  vec3 eye = frame.eyePosition - flame.base;
-  vec3 direction = normalize(vPosition - eye);
-  vec3 across = dFdx(direction);
-  vec3 up = dFdy(direction);
-  float rays = flameRays(eye);
-  vec4 sum = vec4(0.0);
-  for (float i = 0.5; i < rays; i++) {
-    // One in each column, in rows by the golden ratio.
-    vec2 offset = rays > 1.0 ? vec2(i / rays, fract(i * 0.618034)) - 0.5 : vec2(0.0);
-    march(eye, normalize(direction + across * offset.x + up * offset.y), 1.0 / rays, sum);
-  }
-  vec3 radiance = sum.rgb;
+  radiance /= rays;
   // The largest half float is 65504: a small flame comes near it, and clipping by channel would turn it green. Of a radiance
   // r at most 1 - r / 6e4 of what is behind passes, so that flames behind one another stay below 6e4.
   float peak = max(radiance.r, max(radiance.g, radiance.b));
   radiance *= min(1.0, 3e4 / max(peak, 1e-6));
-  oRadiance = vec4(radiance, max(1.0 - sum.a, min(peak, 3e4) / 6e4));
+  oRadiance = vec4(radiance, max(1.0 - transmittance / rays, min(peak, 3e4) / 6e4));
 }
