@@ -1,16 +1,21 @@
 /** Weight of the newest frame in the running mean of frame times. */
 const SMOOTHING = 0.1;
 
-/** Animation loop: calls back in each frame of the display, with the milliseconds since the last one. */
+/**
+ * Animation loop: calls back in each frame of the window that shows a canvas, with the milliseconds since the last one.
+ * It may be another window than the script's, which may be hidden.
+ */
 export class AnimationLoop {
   /** Running mean of the time from frame to frame, milliseconds; NaN before the second frame. */
   frameMs = Number.NaN;
   readonly #onFrame: (elapsed: number) => void;
+  readonly #window: Window;
   #request = 0;
   #last = Number.NaN;
 
-  constructor(onFrame: (elapsed: number) => void) {
+  constructor(onFrame: (elapsed: number) => void, canvas: HTMLCanvasElement) {
     this.#onFrame = onFrame;
+    this.#window = canvas.ownerDocument.defaultView ?? window;
   }
 
   get isRunning(): boolean {
@@ -20,16 +25,16 @@ export class AnimationLoop {
   start(): void {
     if (this.isRunning) return;
     this.#last = Number.NaN;
-    this.#request = requestAnimationFrame(this.#frame);
+    this.#request = this.#window.requestAnimationFrame(this.#frame);
   }
 
   stop(): void {
-    cancelAnimationFrame(this.#request);
+    this.#window.cancelAnimationFrame(this.#request);
     this.#request = 0;
   }
 
   readonly #frame = (milliseconds: DOMHighResTimeStamp): void => {
-    this.#request = requestAnimationFrame(this.#frame);
+    this.#request = this.#window.requestAnimationFrame(this.#frame);
     const elapsed = milliseconds - this.#last;
     this.#last = milliseconds;
     if (elapsed > 0) {

@@ -62,7 +62,7 @@ export class CandleFlame {
   readonly #features: Features;
   #options: Options;
   readonly view: SceneView;
-  readonly #loop = new AnimationLoop((elapsed) => this.#frame(elapsed));
+  readonly #loop: AnimationLoop;
   /** Places of camera and candle in the last frame. */
   #pose = "";
   #cpuMs = 0;
@@ -83,6 +83,7 @@ export class CandleFlame {
     plays = false,
     prepared?: { readonly auto: AutoQuality; readonly world: World },
   ) {
+    this.#loop = new AnimationLoop((elapsed) => this.#frame(elapsed), target.canvas);
     this.#scene = scene;
     this.#features = features;
     this.#options = options;

@@ -14,13 +14,17 @@ interface Hooks {
  * them.
  */
 export class DrawScheduler {
+  readonly #element: Element;
   readonly #hooks: Hooks;
   #request = 0;
+  /** Of the request: that of the element's document, which may change. */
+  #window: Window | null = null;
   #isFresh = false;
   /** Whether something changed while the canvas was invisible. */
   #isStale = false;
 
-  constructor(hooks: Hooks) {
+  constructor(element: Element, hooks: Hooks) {
+    this.#element = element;
     this.#hooks = hooks;
   }
 
@@ -28,8 +32,9 @@ export class DrawScheduler {
   request(): void {
     this.#isFresh = false;
     if (this.#hooks.isPlaying() || this.#request !== 0) return;
-    if (this.#hooks.isVisible()) this.#request = requestAnimationFrame(() => this.draw());
-    else this.#isStale = true;
+    this.#window = this.#element.ownerDocument.defaultView;
+    if (!this.#window || !this.#hooks.isVisible()) this.#isStale = true;
+    else this.#request = this.#window.requestAnimationFrame(() => this.draw());
   }
 
   draw(isRequired?: boolean): void {
@@ -80,7 +85,7 @@ export class DrawScheduler {
   }
 
   #cancel(): void {
-    cancelAnimationFrame(this.#request);
+    this.#window?.cancelAnimationFrame(this.#request);
     this.#request = 0;
   }
 }

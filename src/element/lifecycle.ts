@@ -55,7 +55,7 @@ export class Lifecycle {
     this.#accessibility = new Accessibility(element, internals, this.#overlay);
     this.#overlay.onFailureChange = () => this.updateAccessibility();
     this.reporter = new CandleReporter(element, this.#states, this.#overlay);
-    this.draws = new DrawScheduler({
+    this.draws = new DrawScheduler(element, {
       isVisible: () => this.isVisible,
       isPlaying: () => this.#states.has("playing"),
       draw: (isRequired) => {

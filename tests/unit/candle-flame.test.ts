@@ -25,7 +25,8 @@ function create(isModelAlone: boolean): CandleFlame {
     isModelAlone,
     createRenderer,
   };
-  const target = { gpu: { isLost: false, longestSide: 4096 } };
+  const canvas = { ownerDocument: { defaultView: globalThis } };
+  const target = { canvas, gpu: { isLost: false, longestSide: 4096 } };
   return new CandleFlame(
     target as unknown as CanvasTarget,
     scene as unknown as Scene,

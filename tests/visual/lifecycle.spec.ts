@@ -302,6 +302,47 @@ for (const isAdopted of [false, true]) {
   });
 }
 
+test("In another window an element has that window's frames, playing and paused", async ({
+  room,
+}) => {
+  const outcome = await room.page.evaluate(async () => {
+    const frame = document.createElement("iframe");
+    document.body.append(frame);
+    const element = document.createElement("candle-flame");
+    Object.assign(element, { look: "paper", quality: "low" });
+    element.style.cssText = "width: 64px; height: 36px";
+    frame.contentDocument?.body.append(element);
+    await element.ready;
+    // As in a popup or a picture in picture, of which the opener is hidden.
+    const request = window.requestAnimationFrame;
+    window.requestAnimationFrame = () => 0;
+    const framesUntil = async (isDone: () => boolean) => {
+      for (let i = 0; i < 300 && !isDone(); i++)
+        await new Promise((resolve) => frame.contentWindow?.requestAnimationFrame(resolve));
+      return isDone();
+    };
+    element.pause();
+    const time = element.currentTime;
+    element.play();
+    const plays = await framesUntil(() => element.currentTime > time);
+    element.pause();
+    const drawn = new Promise((resolve) => {
+      const { clear } = WebGL2RenderingContext.prototype;
+      WebGL2RenderingContext.prototype.clear = function (mask) {
+        WebGL2RenderingContext.prototype.clear = clear;
+        clear.call(this, mask);
+        resolve(true);
+      };
+    });
+    element.exposure = 1;
+    const draws = await Promise.race([drawn, framesUntil(() => false)]);
+    window.requestAnimationFrame = request;
+    for (const one of [element, frame]) one.remove();
+    return { plays, draws };
+  });
+  expect(outcome).toEqual({ plays: true, draws: true });
+});
+
 test("What is set while another look loads is done to the one on show", async ({ page }) => {
   await serveSmallTextures(page);
   let release = () => {};

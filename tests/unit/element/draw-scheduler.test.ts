@@ -6,7 +6,8 @@ let frame = new Map<number, () => void>();
 let page = { isVisible: true, isPlaying: false, isBusy: false, draws: 0 };
 
 function createScheduler(): DrawScheduler {
-  const scheduler = new DrawScheduler({
+  const element = { ownerDocument: { defaultView: globalThis } } as unknown as Element;
+  const scheduler = new DrawScheduler(element, {
     isVisible: () => page.isVisible,
     isPlaying: () => page.isPlaying,
     draw: (isRequired) => {
