@@ -34,6 +34,8 @@ export class FirstPersonInput {
   #clicks = false;
   #isIn = false;
   #isTouched = false;
+  /** Whether a key was the last input to the page. */
+  #isByKey = false;
   #wasLocked = false;
   #isFirstMove = false;
   #wasFast = false;
@@ -61,10 +63,15 @@ export class FirstPersonInput {
     canvas.addEventListener("pointercancel", this.#pointerUp, { signal });
     canvas.addEventListener("contextmenu", this.#contextMenu, { signal });
     // Of a button that enters, too.
-    const noteTouch = ({ pointerType }: PointerEvent) => {
+    const notePointer = ({ pointerType }: PointerEvent) => {
       this.#isTouched = pointerType === "touch";
+      this.#isByKey = false;
     };
-    ownerDocument.addEventListener("pointerdown", noteTouch, { signal, capture: true });
+    const noteKey = () => {
+      this.#isByKey = true;
+    };
+    ownerDocument.addEventListener("pointerdown", notePointer, { signal, capture: true });
+    ownerDocument.addEventListener("keydown", noteKey, { signal, capture: true });
     ownerDocument.addEventListener("click", this.#clickAnywhere, { signal, capture: true });
     ownerDocument.addEventListener("pointerlockchange", this.#lockChange, { signal });
     ownerDocument.addEventListener("visibilitychange", () => this.#release(), { signal });
@@ -116,11 +123,12 @@ export class FirstPersonInput {
   /**
    * Enters the room, and locks the pointer of a mouse.
    *
-   * @param device in hand. Default: the one that there is
+   * @param device in hand. Default: the one that was used last
    */
   enter(device?: Device): void {
     const hasMouse = !this.#isTouched && matchMedia("(any-pointer: fine)").matches;
-    this.#goIn(device ?? (hasMouse ? "mouse" : "touch"));
+    const pointer = hasMouse ? "mouse" : "touch";
+    this.#goIn(device ?? (this.#isByKey ? "keyboard" : pointer));
     if (!this.#isIn || !hasMouse || this.#isLocked) return;
     const wait = Math.max(0, this.#unlockedAt + LOCK_COOL_DOWN - performance.now());
     clearTimeout(this.#lockTimer);

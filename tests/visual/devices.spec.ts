@@ -192,6 +192,25 @@ test("The keyboard alone looks up and down and says what it can", async ({ page 
   expect(room.complaints).toEqual([]);
 });
 
+test("By a button of the page that a key presses, too, the controls are those of the keyboard", async ({
+  page,
+}) => {
+  const after = `<button onclick="document.querySelector('candle-flame').enter()">Walk in</button>`;
+  const room = await new RoomDriver(page).open(
+    { look: "paper", controls: "" },
+    { width: 320, height: 180, after },
+  );
+  const button = page.getByRole("button", { name: "Walk in" });
+  await button.focus();
+  await page.keyboard.press("Enter");
+  expect(await hintOf(room)).toMatch(/PgUp/);
+  await page.keyboard.press("Escape");
+  await expect.poll(() => room.isWalking()).toBe(false);
+  await button.click();
+  expect(await hintOf(room)).toMatch(/the mouse looks/);
+  expect(room.complaints).toEqual([]);
+});
+
 test("The sensitivity is how far the mouse turns the view", async ({ page }) => {
   await page.addInitScript(() => {
     Element.prototype.requestPointerLock = () =>
