@@ -17,8 +17,3 @@ layout(std140) uniform Flame {
   vec4 nodes[NODES];  // evenly spaced in height: x, z (m), share of the length, factor on the radius
   vec4 spheres[SPHERES];  // bounding spheres: centre, radius, m
 } flame;
-
-// Size of a pixel at the flame, m. `eye`: from its foot, m.
-float pixelAtFlame(vec3 eye) {
-  return length(eye) / frame.projectionScale;
-}

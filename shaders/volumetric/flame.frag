@@ -81,7 +81,7 @@ void main() {
   vec3 across = dFdx(axis);
   vec3 up = dFdy(axis);
   // One where the flame is several pixels wide, eight where it falls between two.
-  float rays = clamp(ceil(2.0 * pixelAtFlame(eye) / flame.radius), 1.0, 8.0);
+  float rays = clamp(ceil(2.0 * length(eye) / frame.projectionScale / flame.radius), 1.0, 8.0);
   vec3 radiance = vec3(0.0);
   float transmittance = 0.0;
   for (float ray = 0.5; ray < rays; ray++) {

@@ -6,8 +6,7 @@ export const NO_PHYSICAL_LOOK =
 
 export const LOST = "The graphics driver was lost, and the browser has not restored it.";
 
-export const FULL =
-  "This page has as many rooms open as a browser can show. This one opens once there is a place.";
+export const FULL = "A browser can show no more rooms. This one opens once there is a place.";
 
 /** Why the candle could not be put down, or taken up. */
 export const REFUSALS: Readonly<Record<Refusal, string>> = {
