@@ -48,7 +48,8 @@ for (const name of SETTING_NAMES) {
       return setting.kind === "choice" ? parseChoice(setting, text) : (text ?? setting.default);
     },
     set(this: Element, value: unknown) {
-      if (setting.kind === "flag") this.toggleAttribute(name, Boolean(value));
+      // In templates, which set properties, `controls=""` means what it does in HTML.
+      if (setting.kind === "flag") this.toggleAttribute(name, value === "" || !!value);
       else if (value == null) this.removeAttribute(name);
       else this.setAttribute(name, String(value));
     },

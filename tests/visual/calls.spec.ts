@@ -67,6 +67,19 @@ test("A property that is set to nothing takes the attribute away", async ({ room
   for (const name of ["alt", "wick", "src", "poster"]) expect(found[2]).not.toContain(name);
 });
 
+test("A flag that a template sets to the text of an attribute is on, and off where it is nothing", async ({
+  room,
+}) => {
+  const found = await room.evaluate((element) =>
+    ["", false, true, null, "true", undefined].map((value) => {
+      Object.assign(element, { paused: value });
+      return [element.paused, element.hasAttribute("paused")];
+    }),
+  );
+  await room.evaluate((element) => element.pause());
+  expect(found).toEqual([true, false, true, false, true, false].map((isOn) => [isOn, isOn]));
+});
+
 test("Before the first frame the first candle alone is lit and put out, and no attribute changes", async ({
   room,
 }) => {
