@@ -77,38 +77,28 @@ float intersectWick(vec3 eye, vec3 direction) {
 
 void main() {
   vec3 eye = frame.eyePosition - flame.base;
-  vec3 axis = normalize(vPosition - eye);
-  vec3 across = dFdx(axis);
-  vec3 up = dFdy(axis);
-  // One where the flame is several pixels wide, eight where it falls between two.
-  float rays = clamp(ceil(2.0 * length(eye) / frame.projectionScale / flame.radius), 1.0, 8.0);
+  vec3 direction = normalize(vPosition - eye);
+  vec2 span = intersectSpheres(eye, direction);
+  float begin = max(span.x, 0.0);
+  float end = min(span.y, intersectWick(eye, direction));
+  if (end <= begin) discard;
+  float stride = (end - begin) / flame.steps;
   vec3 radiance = vec3(0.0);
-  float transmittance = 0.0;
-  for (float ray = 0.5; ray < rays; ray++) {
-    // One in each column, in rows by the golden ratio; a single one in the middle.
-    vec2 offset = vec2(ray / rays, fract(ray * 0.618034 + 0.190983)) - 0.5;
-    vec3 direction = axis + across * offset.x + up * offset.y;
-    vec2 span = intersectSpheres(eye, direction);
-    float begin = max(span.x, 0.0);
-    float stride = max(min(span.y, intersectWick(eye, direction)) - begin, 0.0) / flame.steps;
-    float depth = 0.0;  // optical
-    for (float i = 0.5; i < flame.steps; i++) {
-      vec2 uv = bodyUv(eye + direction * (begin + i * stride));
-      if (uv.x >= 1.0 || uv.y <= 0.0 || uv.y >= 1.0) continue;
-      vec4 body = texture(uBody, uv);
-      float absorbed = body.b * flame.soot * stride;
-      float warmth = min(body.g / max(WARM_GREEN * body.r, 1e-6), 1.0);
-      float cubed = warmth * warmth * warmth;
-      vec3 soot = vec3(body.rg, SOOT_BLUE * cubed * cubed * body.r) * flame.soot;
-      radiance += exp(-depth - 0.5 * absorbed) * stride * (soot + BLUE * (body.a * flame.blue));
-      depth += absorbed;
-    }
-    transmittance += exp(-depth);
+  float depth = 0.0;  // optical
+  for (float i = 0.5; i < flame.steps; i++) {
+    vec2 uv = bodyUv(eye + direction * (begin + i * stride));
+    if (uv.x >= 1.0 || uv.y <= 0.0 || uv.y >= 1.0) continue;
+    vec4 body = texture(uBody, uv);
+    float absorbed = body.b * flame.soot * stride;
+    float warmth = min(body.g / max(WARM_GREEN * body.r, 1e-6), 1.0);
+    float cubed = warmth * warmth * warmth;
+    vec3 soot = vec3(body.rg, SOOT_BLUE * cubed * cubed * body.r) * flame.soot;
+    radiance += exp(-depth - 0.5 * absorbed) * stride * (soot + BLUE * (body.a * flame.blue));
+    depth += absorbed;
   }
-  radiance /= rays;
   // The largest half float is 65504: a small flame comes near it, and clipping by channel would turn it green. Of a radiance
   // r at most 1 - r / 6e4 of what is behind passes, so that flames behind one another stay below 6e4.
   float peak = max(radiance.r, max(radiance.g, radiance.b));
   radiance *= min(1.0, 3e4 / max(peak, 1e-6));
-  oRadiance = vec4(radiance, max(1.0 - transmittance / rays, min(peak, 3e4) / 6e4));
+  oRadiance = vec4(radiance, max(1.0 - exp(-depth), min(peak, 3e4) / 6e4));
 }

@@ -20,6 +20,6 @@ export function assetError(file: string, cause: unknown): AssetError {
 
 /** Of a chunk that is not to be had: one message for all browsers, without its address. */
 export function missCode(cause: unknown): never {
-  const sentence = "A part of the program could not be fetched. Reload the page.";
+  const sentence = "A part of the program could not be fetched. Reload the page to try again.";
   throw new AssetError(sentence, { cause });
 }

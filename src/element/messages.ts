@@ -2,11 +2,12 @@ import type { Refusal } from "../world/room/placement.js";
 import type { CandleDetail } from "./events.js";
 
 export const NO_PHYSICAL_LOOK =
-  "This graphics driver has no floating-point render targets: this is the paper's look.";
+  "This graphics driver has no floating-point render targets, so the room is drawn in the paper's look.";
 
 export const LOST = "The graphics driver was lost, and the browser has not restored it.";
 
-export const FULL = "A browser can show no more rooms. This one opens once there is a place.";
+export const FULL =
+  "This page has as many rooms open as a browser can show. This one opens once there is a place.";
 
 /** Why the candle could not be put down, or taken up. */
 export const REFUSALS: Readonly<Record<Refusal, string>> = {

@@ -29,7 +29,7 @@ const FLICKER_RATE = 2 * Math.PI * 2.3;
 
 /** The particles that the light of a paper's look follows. */
 export function sampleOf({ sample }: World): Particles {
-  if (!sample) throw new Error("There is no sample.");
+  if (!sample) throw new Error("The paper's looks need a sample of particles.");
   return sample;
 }
 

@@ -113,7 +113,7 @@ class SharedContextTarget extends CanvasTarget {
 
   constructor(canvas: HTMLCanvasElement) {
     const copy = canvas.getContext("2d");
-    if (!copy) throw new Error("There is no canvas.");
+    if (!copy) throw new Error("There is no canvas to draw on.");
     super(canvas);
     this.#copy = copy;
     if (!sharedContext || sharedContext.gpu.isLost) sharedContext = new SharedContext();

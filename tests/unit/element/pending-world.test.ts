@@ -10,7 +10,6 @@ const REQUEST: SceneRequest = {
   look: "physical",
   src: "",
   assetRoot: "",
-  baseURI: "",
   isStepped: true,
 };
 
