@@ -16,10 +16,9 @@ interface Hooks {
 export class DrawScheduler {
   readonly #element: Element;
   readonly #hooks: Hooks;
-  #request = 0;
-  /** Of the request: that of the element's document, which may change. */
-  #window: Window | null = null;
+  #isRequested = false;
   #isFresh = false;
+  #afterwards: (() => void) | null = null;
   /** Whether something changed while the canvas was invisible. */
   #isStale = false;
 
@@ -31,15 +30,16 @@ export class DrawScheduler {
   /** Draws at the next frame, or once the canvas is visible. */
   request(): void {
     this.#isFresh = false;
-    if (this.#hooks.isPlaying() || this.#request !== 0) return;
-    this.#window = this.#element.ownerDocument.defaultView;
-    if (!this.#window || !this.#hooks.isVisible()) this.#isStale = true;
-    else this.#request = this.#window.requestAnimationFrame(() => this.draw());
+    if (this.#hooks.isPlaying() || this.#isRequested) return;
+    const view = this.#element.ownerDocument.defaultView;
+    this.#isRequested = this.#hooks.isVisible();
+    if (this.#isRequested) view?.requestAnimationFrame(() => this.#isRequested && this.draw());
+    else this.#isStale = true;
   }
 
   draw(isRequired?: boolean): void {
     this.#isStale = false;
-    this.#cancel();
+    this.#isRequested = false;
     this.#hooks.draw(isRequired);
   }
 
@@ -54,6 +54,12 @@ export class DrawScheduler {
     else this.#isStale = true;
   }
 
+  /** Calls back after the next frame: one that is drawn now, unless the animation loop draws. */
+  afterNext(callback: () => void): void {
+    this.#afterwards = callback;
+    this.review();
+  }
+
   /** Draws unless the canvas holds the current frame. */
   refresh(): void {
     if (!this.#isFresh) this.draw(true);
@@ -64,28 +70,27 @@ export class DrawScheduler {
     this.#isFresh = false;
   }
 
-  /** To be called when the canvas may have become visible. */
+  /** To be called when the canvas may have become visible, or the animation loop may have stopped. */
   review(): void {
-    if (this.#isStale && this.#hooks.isVisible()) this.draw();
+    if (this.#afterwards && !this.#hooks.isPlaying()) this.draw(true);
+    else if (this.#isStale && this.#hooks.isVisible()) this.draw();
   }
 
   /** To be called when a frame was drawn: none is while a renderer is prepared, unless it is required. */
   drawn(): void {
-    this.#cancel();
+    this.#isRequested = false;
     this.#isFresh = true;
+    this.#afterwards?.();
+    this.#afterwards = null;
     queueMicrotask(() => {
       this.#isFresh = false;
     });
   }
 
   reset(): void {
-    this.#cancel();
+    this.#isRequested = false;
     this.#isFresh = false;
     this.#isStale = false;
-  }
-
-  #cancel(): void {
-    this.#window?.cancelAnimationFrame(this.#request);
-    this.#request = 0;
+    this.#afterwards = null;
   }
 }

@@ -199,8 +199,8 @@ export class Lifecycle {
     this.applyPending(candle, this.#emitPlace);
     this.#overlay.hideProgress();
     this.changed();
-    void this.#settle();
     emit(this.#element, "load", null);
+    this.draws.afterNext(() => void this.#settle());
   }
 
   onMissing(error: Error): void {

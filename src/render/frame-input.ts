@@ -33,6 +33,6 @@ export interface FrameInput {
   readonly instances: readonly ModelInstance[];
   /** Of the candle, whether it is drawn or not. */
   readonly candlePlacement: Placement;
-  /** Roots of the flames in the frame, the carried one's first: shares of its width and height; its centre behind the camera. */
-  readonly flameUvs: readonly (readonly [number, number])[];
+  /** Roots of the flames in the frame, the carried one's first: shares of its width and height; null behind the camera. */
+  readonly flameUvs: readonly (readonly [number, number] | null)[];
 }

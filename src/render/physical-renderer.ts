@@ -221,7 +221,7 @@ export class PhysicalRenderer implements Renderer {
       candlePlacement,
       flameUvs: roots.map((root) => {
         const [x, y, w] = clipPosition(clip, ...root);
-        return w > 0.01 ? [0.5 + (0.5 * x) / w, 0.5 + (0.5 * y) / w] : [0.5, 0.5];
+        return w > 0.01 ? [0.5 + (0.5 * x) / w, 0.5 + (0.5 * y) / w] : null;
       }),
     };
   }

@@ -1,6 +1,7 @@
 // Calls in an unusual order: from listeners, before the first frame, with nothing for a value.
 import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
-import type { RoomDriver } from "../support/room-driver.ts";
+import { plainRoom } from "../support/plain-room.ts";
+import { LIBRARY, type RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
 
 const WREATH = "/models/wreath.glb";
@@ -435,6 +436,36 @@ test("`ready` waits for another `src`, and for one that is missing as long as it
     },
   );
   expect(found).toEqual([4, 1, 1]);
+});
+
+test("`ready` of another room that plays waits until that room is drawn", async ({ room }) => {
+  const walls = { min: [-2, 0, -2], max: [2, 2.6, 2] } as const;
+  const boxes = [0, 1, 2, 3].map((i) => {
+    const x = 0.4 * i - 1;
+    return { min: [x, 0, -1.5], max: [x + 0.2, 1, -1.3] } as const;
+  });
+  for (const [name, inside] of [
+    ["bare", []],
+    ["full", boxes],
+  ] as const) {
+    const body = plainRoom(walls, inside, 0.5);
+    await room.page.route(`${LIBRARY}${name}.glb`, (route) =>
+      route.fulfill({ contentType: "model/gltf-binary", body }),
+    );
+  }
+  const { before, after } = await useAnother(
+    room,
+    { look: "physical", src: "bare.glb", quality: "medium" },
+    () => {},
+    async (element) => {
+      const before = element.stats.triangles;
+      element.src = "full.glb";
+      await element.ready;
+      const after = element.stats.triangles;
+      return { before, after };
+    },
+  );
+  expect(after).toBeGreaterThan(before);
 });
 
 test("A lone candle that was paused before its first frame smokes alike each time", async ({

@@ -235,12 +235,13 @@ test("An earlier frame's glare moves with the first flame that burns in the fram
       eye.shift([aside, middle], [fartherAside, beside]),
       eye.shift([null, middle], [middle, beside]),
       eye.shift([aside, null], [fartherAside, beside]),
+      eye.shift([middle], [null]),
     ];
     eye.dispose();
     return shifts;
   });
   const moved = [expect.closeTo(-0.02), expect.closeTo(0.05)];
-  expect(shifts).toEqual([moved, moved, moved, [0, 0]]);
+  expect(shifts).toEqual([moved, moved, moved, [0, 0], [0, 0]]);
 });
 
 test("The meter takes no notice of the flame, lags as set, and keeps to its limits", async () => {

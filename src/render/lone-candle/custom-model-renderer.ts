@@ -133,7 +133,7 @@ export class CustomModelRenderer extends LoneRenderer {
     this.#casters = this.#opaque.map(({ mesh }) => mesh);
     this.#meter = new LightMeter(
       this.#casters.map(({ part }) => part),
-      wicks.map(({ position }) => position),
+      wicks.length,
     );
     const draw: DrawInLight = (light, target, part) => this.#drawInLight(light, target, part);
     this.#summed = tier.name === "low" ? new SummedSurfaces(gpu, wicks.length, draw) : null;

@@ -20,7 +20,7 @@ export const shadowHeight = ({ wick }: Flame) => (MIDDLE * fuelRate(wick)) / TAP
 
 /**
  * Shadow cubes of all flames of a model in one atlas: distances from each flame's middle at rest. Model and
- * flames stand, so they are drawn once for each width of the wicks. The tiles of a cube are in the order of `FACES`, which is that of
+ * flames stand, so each is drawn once, and again for a wick of another width. The tiles of a cube are in the order of `FACES`, which is that of
  * `shaders/lib/flame-shadows.glsl`.
  */
 export class FlameShadows {
@@ -29,8 +29,8 @@ export class FlameShadows {
   readonly face: number;
   readonly #gpu: Gpu;
   readonly #target: RenderTarget;
-  /** Heights of the flames that it is drawn for. */
-  #drawn = "";
+  /** Heights of the flames that their tiles are drawn for, metres. */
+  readonly #drawn: number[] = [];
 
   constructor(gpu: Gpu, flames: number, face: number) {
     this.#gpu = gpu;
@@ -44,17 +44,22 @@ export class FlameShadows {
   }
 
   render(flames: readonly RootedFlame[], casters: readonly Mesh[]): Texture {
-    const { color } = this.#target;
-    const heights = flames.map(({ flame }) => shadowHeight(flame));
-    if (this.#drawn === `${heights}`) return color;
-    this.#drawn = `${heights}`;
-    this.#gpu.clear(this.#target, NOTHING);
-    for (const [tile, { root }] of flames.entries()) {
+    for (const [tile, { root, flame }] of flames.entries()) {
+      const height = shadowHeight(flame);
+      if (this.#drawn[tile] === height) continue;
+      this.#drawn[tile] = height;
       const [x, y, z] = root;
-      const flame: Vec3 = [x, y + heights[tile]!, z];
-      for (const face of FACES.keys()) this.#drawFace(tile, face, flame, casters);
+      const [column, row] = this.#placeOf(tile);
+      this.#gpu.clear(this.#target, NOTHING, [column, row, 3 * this.face, 2 * this.face]);
+      for (const face of FACES.keys()) this.#drawFace(tile, face, [x, y + height, z], casters);
     }
-    return color;
+    return this.#target.color;
+  }
+
+  /** Its lower left corner in the atlas, texels. */
+  #placeOf(tile: number): readonly [number, number] {
+    const across = this.tiles[0];
+    return [(tile % across) * 3 * this.face, Math.floor(tile / across) * 2 * this.face];
   }
 
   #programOf(isCutOut: boolean): Program {
@@ -64,17 +69,16 @@ export class FlameShadows {
 
   #drawFace(tile: number, face: number, uFlame: Vec3, casters: readonly Mesh[]): void {
     const uClipFromWorld = clipFromFace(face, uFlame, 1, NEAR, FAR);
-    const across = this.tiles[0];
     const side = this.face;
-    const column = (tile % across) * 3 + (face % 3);
-    const row = Math.floor(tile / across) * 2 + Math.floor(face / 3);
+    const [left, bottom] = this.#placeOf(tile);
+    const [column, row] = [left + (face % 3) * side, bottom + Math.floor(face / 3) * side];
     for (const { vertexArray, textures, uniforms, isCutOut } of casters) {
       this.#gpu.draw({
         program: this.#programOf(isCutOut),
         target: this.#target,
         vertexArray,
         textures,
-        viewport: [column * side, row * side, side, side],
+        viewport: [column, row, side, side],
         uniforms: { ...(isCutOut ? uniforms : {}), uClipFromWorld, uFlame },
         depth: "test-and-write",
         cull: "none",

@@ -1,5 +1,6 @@
 import type { Part } from "../../assets/model.js";
 import { type RootedFlame, TAPER } from "../../light/flame-light.js";
+import { fuelRate, TAPER_RATE } from "../../world/flame/burning.js";
 import type { Vec3 } from "../../world/geometry.js";
 import { CollisionMesh } from "../../world/room/collision-mesh.js";
 import { crossOf, verticesOf } from "../mesh/triangles.js";
@@ -30,25 +31,34 @@ export class LightMeter {
   /** Of each point and flame: luminance for each candela, cd/m². */
   readonly #perCandela: Float64Array;
   readonly #luminances: Float64Array;
-  readonly #flames: number;
+  readonly #collision: CollisionMesh;
+  readonly #points: readonly Point[];
+  /** Of each flame, metres; 0 before it is metered. */
+  readonly #wicks: Float64Array;
 
-  /** @param parts without what light passes, and without wicks */
-  constructor(parts: readonly Part[], roots: readonly Readonly<Vec3>[]) {
-    const collision = new CollisionMesh(parts);
-    const points = spreadPoints(parts);
-    this.#flames = roots.length;
-    this.#perCandela = new Float64Array(points.length * roots.length);
-    this.#luminances = new Float64Array(points.length);
-    for (const [i, point] of points.entries()) {
-      for (const [j, root] of roots.entries()) {
-        this.#perCandela[i * roots.length + j] = luminanceOf(point, root, collision);
-      }
-    }
+  /**
+   * @param parts without what light passes, and without wicks
+   * @param flames how many
+   */
+  constructor(parts: readonly Part[], flames: number) {
+    this.#collision = new CollisionMesh(parts);
+    this.#points = spreadPoints(parts);
+    this.#wicks = new Float64Array(flames);
+    this.#perCandela = new Float64Array(this.#points.length * flames);
+    this.#luminances = new Float64Array(this.#points.length);
   }
 
   /** Luminance of the key, cd/m², and the exposure: from cd/m² to the display's scale. */
   measure(flames: readonly RootedFlame[]): { readonly key: number; readonly exposure: number } {
-    const count = this.#flames;
+    const count = this.#wicks.length;
+    for (const [j, { root, flame }] of flames.entries()) {
+      if (flame.wick === this.#wicks[j]) continue;
+      this.#wicks[j] = flame.wick;
+      const height = (TAPER.centre * fuelRate(flame.wick)) / TAPER_RATE;
+      for (const [i, point] of this.#points.entries()) {
+        this.#perCandela[i * count + j] = luminanceOf(point, root, height, this.#collision);
+      }
+    }
     for (let i = 0; i < this.#luminances.length; i++) {
       let sum = 0;
       for (let j = 0; j < count; j++) {
@@ -62,13 +72,14 @@ export class LightMeter {
   }
 }
 
-/** Luminance of a point by a flame of 1 cd, cd/m². */
+/** Luminance of a point by a flame of 1 cd with its middle so high over its root (m), cd/m². */
 function luminanceOf(
   { position, normal, isWax }: Point,
   [x, y, z]: Readonly<Vec3>,
+  height: number,
   collision: CollisionMesh,
 ): number {
-  const flame: Vec3 = [x, y + TAPER.centre, z];
+  const flame: Vec3 = [x, y + height, z];
   const from = position.map((value, axis) => value + normal[axis]! * CLEARANCE) as Vec3;
   const way = flame.map((value, axis) => value - from[axis]!) as Vec3;
   const distance = Math.max(Math.hypot(...way), NEAREST);
@@ -76,7 +87,7 @@ function luminanceOf(
   const isLit = cosine > 0 && collision.isClear(from, flame);
   const lit = isLit ? cosine / distance ** 2 : 0;
   const aside = (position[0] - x) ** 2 + (position[2] - z) ** 2;
-  const onTop = TAPER.centre / (aside + TAPER.centre ** 2) ** 1.5;
+  const onTop = height / (aside + height ** 2) ** 1.5;
   const depth = Math.max(y - position[1], 0);
   const glow = isWax ? WAX_TRANSMITTANCE * onTop * Math.exp(-depth / DIFFUSION_LENGTH) : 0;
   return (ALBEDO / Math.PI) * (lit + glow);

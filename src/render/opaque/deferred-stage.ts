@@ -30,7 +30,7 @@ export class DeferredStage implements OpaqueStage {
   readonly #cached: CachedLighting;
   readonly #composite: Readonly<Record<GBufferKind, Program>>;
   #gbuffer: GBuffer | null = null;
-  /** Views in motion, each of which has nothing in common with the one before. */
+  /** G-buffers in motion without a history: the first after rest, and after a view that has little in common with it. */
   images = 0;
 
   constructor(gpu: Gpu, tier: PhysicalTier, lods: MeshLods, atRest = SUPERSAMPLED) {

@@ -82,7 +82,7 @@ export class BloomPass {
   }
 
   /** From uv on a frame with the flames at these places to uv on `latest`. */
-  transform(flames: readonly Uv[]): BloomTransform {
+  transform(flames: readonly (Uv | null)[]): BloomTransform {
     const { width, height } = this.latest; // rounded up
     const scale = this.#prefilter ? BLOOM_SCALE : 2;
     const across = this.#size.width / (scale * width);

@@ -155,7 +155,7 @@ export class RefinedStage implements OpaqueStage {
     const lights = { isMoonlit: moonOf(held.cached) !== null, hasCandles };
     if (hasCandles) areForwardProgramsCompiled(this.#gpu, this.#tier, lights, meshesOf(frame));
     if (this.#gpu.isCompiling || !this.#hasDrawn(frame, held)) return false;
-    this.#tiles = tilesAround(this.#whole, frame.flameUvs[0]!);
+    this.#tiles = tilesAround(this.#whole, frame.flameUvs[0] ?? [0.5, 0.5]);
     return true;
   }
 

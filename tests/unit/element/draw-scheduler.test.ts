@@ -110,3 +110,16 @@ test("pixels are drawn to be read where a frame left the canvas as it was", () =
   scheduler.refresh();
   expect(page.draws).toBe(1);
 });
+
+test("a call after the next frame draws one now, or waits for the animation loop's", () => {
+  const scheduler = createScheduler();
+  const called: string[] = [];
+  scheduler.afterNext(() => called.push("now"));
+  expect([page.draws, called]).toEqual([1, ["now"]]);
+  page.isPlaying = true;
+  scheduler.afterNext(() => called.push("later"));
+  expect([page.draws, called]).toEqual([1, ["now"]]);
+  scheduler.draw();
+  scheduler.draw();
+  expect(called).toEqual(["now", "later"]);
+});

@@ -46,7 +46,7 @@ describe("the exposure of a model alone", () => {
   const plate = { ...floorOf(0.3), material: { isWax: false } } as unknown as Part;
   const roots: Vec3[] = [0, 1, 2, 3].map((i) => [0.04 * i - 0.06, 0.1, 0]);
   const exposureOf = (...areLit: boolean[]) =>
-    new LightMeter([plate], roots).measure(
+    new LightMeter([plate], roots.length).measure(
       areLit.map((isLit, i) => ({ root: roots[i] ?? [0, 0, 0], flame: flame(isLit) })),
     ).exposure;
 
@@ -54,6 +54,18 @@ describe("the exposure of a model alone", () => {
     const [one, four] = [exposureOf(true, false, false, false), exposureOf(true, true, true, true)];
     expect(four).toBeLessThan(0.6 * one);
     expect(four).toBeGreaterThan(0.2 * one);
+  });
+
+  test("is that of flames as high as their wicks are wide, and follows them", () => {
+    const meter = new LightMeter([plate], 1);
+    const exposures = [0.002, 0.01, 0.002].map((wick) => {
+      const wide = flame(true);
+      wide.wick = wick;
+      return meter.measure([{ root: [0, 0.01, 0], flame: wide }]).exposure;
+    });
+    // From higher up more of the plate is lit by more than a grazing light.
+    expect(exposures[1]).toBeLessThan(0.9 * exposures[0]!);
+    expect(exposures[2]).toBe(exposures[0]);
   });
 
   test("is bounded where all are out", () => {
