@@ -8,8 +8,6 @@
 uniform sampler2D uBody;     // soot's red and green, cd/m² per m; absorption, 1/m; blue bands, cd/m² per m
 uniform sampler2D uOutline;  // red: radius over height, share of the largest
 
-in vec3 vPosition;
-
 out vec4 oRadiance;
 
 // The CH* and C2* bands, luma 1. Their linear Rec. 709 is (0.2, 1.05, 2.9), but adaptation to candlelight by channel
@@ -77,7 +75,10 @@ float intersectWick(vec3 eye, vec3 direction) {
 
 void main() {
   vec3 eye = frame.eyePosition - flame.base;
-  vec3 direction = normalize(vPosition - eye);
+  // Not from an interpolated position: that is off by what the driver rounds vertices to, a sixteenth of a pixel in some.
+  mat4 rows = transpose(frame.clipFromWorld);
+  vec2 ndc = 2.0 * gl_FragCoord.xy / frame.viewport - 1.0;
+  vec3 direction = normalize(cross((rows[1] - ndc.y * rows[3]).xyz, (rows[0] - ndc.x * rows[3]).xyz));
   vec2 span = intersectSpheres(eye, direction);
   float begin = max(span.x, 0.0);
   float end = min(span.y, intersectWick(eye, direction));

@@ -4,8 +4,6 @@
 #include "lib/frame.glsl"
 #include "lib/flame-body.glsl"
 
-out vec3 vPosition;  // m, from the foot of the flame
-
 const int SIDES = 6;
 
 // Vertex of a ring around a bounding sphere; the first and the last ring are points and close the tube.
@@ -25,9 +23,8 @@ vec3 hullVertex(int ring, int side) {
 void main() {
   // Two triangles for each side between two rings.
   int quad = gl_VertexID / 6;
-  int point = int[6](0, 1, 2, 2, 1, 3)[gl_VertexID - quad * 6];
+  int point = int[6](0, 1, 2, 2, 1, 3)[gl_VertexID % 6];
   int ring = quad / SIDES + (point >> 1);
-  int side = quad - (quad / SIDES) * SIDES + (point & 1);
-  vPosition = hullVertex(ring, side);
-  gl_Position = frame.clipFromWorld * vec4(flame.base + vPosition, 1.0);
+  int side = quad % SIDES + (point & 1);
+  gl_Position = frame.clipFromWorld * vec4(flame.base + hullVertex(ring, side), 1.0);
 }

@@ -43,9 +43,19 @@ export function createShape() {
 const PIECES = 64;
 const path = new Float64Array((PIECES + 1) * 3);
 
-/** Bends, stretches and dims a body as the flame has it, into `shape`. Nothing is allocated. */
-export function shapeFlame(flame: Flame, body: FlameBody, shape: FlameShape): FlameShape {
-  const { height: length, radius, glow, effectiveStrain, presence } = flame;
+/**
+ * Bends, stretches and dims a body as the flame has it, into `shape`. Nothing is allocated.
+ *
+ * @param leastRadius to which it is widened, metres; its light stays
+ */
+export function shapeFlame(
+  flame: Flame,
+  body: FlameBody,
+  shape: FlameShape,
+  leastRadius = 0,
+): FlameShape {
+  const { height: length, glow, effectiveStrain, presence } = flame;
+  const radius = Math.max(flame.radius, leastRadius);
   shape.length = length;
   shape.radius = radius;
   tracePath(flame.spine.positions, length);
@@ -55,7 +65,8 @@ export function shapeFlame(flame: Flame, body: FlameBody, shape: FlameShape): Fl
   // However its volume swings, the light is the limiter's, on the canvas and in the room.
   shape.soot = volume > 0 ? glow / (volume * bulging(body)) : 0;
   // The blue sheet is as thick and as bright on any flame: its light goes as its area.
-  shape.blue = glow > 0 ? (body.radius / radius) * (1 + BLUENESS * effectiveStrain) * presence : 0;
+  const sheet = (body.radius * flame.radius) / radius ** 2;
+  shape.blue = glow > 0 ? sheet * (1 + BLUENESS * effectiveStrain) * presence : 0;
   gatherLight(body, shape, volume);
   placeBalls(shape);
   return shape;

@@ -1,5 +1,6 @@
 import { mat4 } from "gl-matrix";
 import type { Box } from "../gl/gpu.js";
+import type { Vec3 } from "../world/geometry.js";
 import { clipPosition } from "./camera.js";
 import type { FrameInput, Size } from "./frame-input.js";
 
@@ -8,6 +9,12 @@ export type Sphere = readonly [number, number, number, number];
 
 /** Points nearer than this along the view axis may project anywhere, metres. */
 const NEAREST = 0.01;
+
+/** Height that a pixel has at a point's distance along the view axis, metres. */
+export function pixelSize([x, y, z]: Readonly<Vec3>, clip: mat4, { height }: Size): number {
+  const [, , w] = clipPosition(clip, x, y, z);
+  return (2 * Math.max(w, NEAREST)) / (Math.hypot(clip[1], clip[5], clip[9]) * height);
+}
 
 /** Edges of the projected cubes around spheres, pixels; null where they are unbounded. */
 export function projectedExtent(spheres: Iterable<Sphere>, clip: mat4, { width, height }: Size) {

@@ -451,6 +451,32 @@ test.describe("In a small box", () => {
     expect(Math.max(...bends)).toBeLessThan(9);
   });
 
+  test("At low the halo is as bright wherever the flame falls among the pixels", async () => {
+    const resize = async (width: number) => {
+      await room.evaluate((element, width) => {
+        element.style.width = `${width}px`;
+      }, width);
+      await expect.poll(async () => (await room.stats()).width).toBe((width * 2) / 3);
+    };
+    await resize(501); // 334 pixels, no multiple of the bloom's four
+    const halos: number[] = [];
+    for (let turn = 0; turn < 8; turn++) {
+      await room.stand({ ...CAMERA, yaw: CAMERA.yaw + 0.0034 * turn }); // half a pixel
+      const glowing = await room.picture();
+      await room.switchFeatures({ bloom: false });
+      const { data } = await room.picture();
+      await room.switchFeatures({ bloom: true });
+      halos.push(glowing.data.reduce((sum, light, i) => sum + light - (data[i] ?? 0), 0));
+    }
+    await resize(BOX.width);
+    await room.stand(CAMERA);
+    const mean = halos.reduce((sum, halo) => sum + halo, 0) / halos.length;
+    const shares = halos.map((halo) => halo / mean);
+    console.log(`halo: ${shares.map((share) => share.toFixed(2))} of its mean`);
+    expect(Math.min(...shares)).toBeGreaterThan(0.93);
+    expect(Math.max(...shares)).toBeLessThan(1.07);
+  });
+
   test("At low each technique is seen, and can be switched off", async () => {
     const lit: readonly Feature[] = [
       "volume",

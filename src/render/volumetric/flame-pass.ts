@@ -69,15 +69,20 @@ export class FlamePass {
     this.#hull = gpu.vertexArray("flame/hull", { attributes: {}, count: HULL_VERTICES });
   }
 
-  /** Adds radiance to the target, with its depth test. */
+  /**
+   * Adds radiance to the target, with its depth test.
+   *
+   * @param leastRadius to which the flame is widened, metres; its light stays
+   */
   render(
     target: RenderTarget | TextureView,
     frame: UniformBlock,
     { root, flame, tip }: BurningWick,
     steps: number,
     part: FlamePart = "all",
+    leastRadius?: number,
   ): void {
-    const shape = shapeFlame(flame, TAPER, this.#shape);
+    const shape = shapeFlame(flame, TAPER, this.#shape, leastRadius);
     if (!(shape.soot + shape.blue > 0)) return;
     this.#flame.update({
       base: root,

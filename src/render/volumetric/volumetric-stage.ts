@@ -17,7 +17,7 @@ import type { Mesh } from "../mesh/mesh.js";
 import { visibleRuns } from "../mesh/visible-runs.js";
 import type { FrameBlocks } from "../opaque/opaque-stage.js";
 import type { PhysicalTier } from "../quality.js";
-import { mergeOverlapping, type Sphere, screenBounds } from "../screen-bounds.js";
+import { mergeOverlapping, pixelSize, type Sphere, screenBounds } from "../screen-bounds.js";
 import { RIM } from "../standing-candle-captures.js";
 import { carriedWick, type FlamePart, FlamePass, standingWick } from "./flame-pass.js";
 import { HazePass, type HotAir } from "./haze-pass.js";
@@ -31,6 +31,8 @@ const MARGIN = 3;
 const HULL = 1.4;
 /** Least radiance of an ember that is drawn, cd/m². */
 const FAINTEST_EMBER = 1e-5;
+/** Least radius of a flame: one ray a pixel meets a thinner one twice, or not at all. Pixels. */
+const LEAST_RADIUS = 1.5;
 /** Radius around the flame's root within which the wick glows, metres. */
 const EMBER_REACH = 0.01;
 /** Colour of a haze that refracts nothing, as `inspect` shows it. */
@@ -87,7 +89,7 @@ export class VolumetricStage {
   bounds(frame: FrameInput, size: Size, cell: number): Box[] {
     const fit = { margin: MARGIN, cell };
     const boxes: Box[] = [];
-    for (const spheres of this.#spheres(frame)) {
+    for (const spheres of this.#spheres(frame, size)) {
       const box = screenBounds(spheres, frame.clipFromWorld, size, fit);
       if (box) boxes.push(box);
     }
@@ -105,7 +107,9 @@ export class VolumetricStage {
     if (!part) this.#drawEmbers(frame, composited);
     if (features.volume) {
       for (const wick of [carriedWick(world), ...world.standing.map(standingWick)]) {
-        this.#flame.render(tested, Frame, wick, this.#quality.flameSteps, part ?? "all");
+        const leastRadius = LEAST_RADIUS * pixelSize(wick.root, clipFromWorld, tested);
+        const { flameSteps } = this.#quality;
+        this.#flame.render(tested, Frame, wick, flameSteps, part ?? "all", leastRadius);
       }
     }
     const { plume } = world;
@@ -183,18 +187,23 @@ export class VolumetricStage {
     }
   }
 
-  *#flameSpheres({ root: [x, y, z], flame }: RootedFlame): Generator<Sphere> {
-    const { balls } = shapeFlame(flame, TAPER, this.#shape);
+  *#flameSpheres({ root, flame }: RootedFlame, pixel: number): Generator<Sphere> {
+    const { balls } = shapeFlame(flame, TAPER, this.#shape, LEAST_RADIUS * pixel);
+    const [x, y, z] = root;
     for (let at = 0; at < balls.length; at += 4) {
       yield [x + balls[at]!, y + balls[at + 1]!, z + balls[at + 2]!, balls[at + 3]! * HULL];
     }
   }
 
   /** Spheres around each flame, each candle's smoke, and the hot air over each flame. */
-  *#spheres({ world, settings }: FrameInput): Generator<Iterable<Sphere>> {
+  *#spheres(
+    { world, settings, clipFromWorld }: FrameInput,
+    size: Size,
+  ): Generator<Iterable<Sphere>> {
     for (const candle of [carriedFlame(world), ...world.standing]) {
       const [x, y, z] = candle.root;
-      if (candle.flame.glow > 0) yield this.#flameSpheres(candle);
+      const pixel = pixelSize(candle.root, clipFromWorld, size);
+      if (candle.flame.glow > 0) yield this.#flameSpheres(candle, pixel);
       else if (emberRadiance(candle.flame.ember)[0] >= FAINTEST_EMBER)
         yield [[x, y, z, EMBER_REACH]];
     }

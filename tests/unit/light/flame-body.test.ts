@@ -2,6 +2,8 @@ import { expect, test } from "vitest";
 import { luma, sootBlue } from "../../../src/light/color.ts";
 import { BLUE, BODY_REACH, BODY_SIZE, outline } from "../../../src/light/flame-body.ts";
 import { TAPER } from "../../../src/light/flame-light.ts";
+import { createShape, shapeFlame } from "../../../src/light/flame-shape.ts";
+import { createWorld } from "../../support/world.ts";
 
 const { width, height: rows } = BODY_SIZE;
 
@@ -94,4 +96,16 @@ test("one can see through it", () => {
   const transmittance = Math.exp(-look(0.5, 0).depth);
   expect(transmittance).toBeGreaterThan(0.75);
   expect(transmittance).toBeLessThan(0.97);
+});
+
+test("it is drawn wider, and has as much light, of the same colour", () => {
+  const { flame } = createWorld("physical", 1);
+  const [own, wide] = [0, 3 * flame.radius].map((radius) =>
+    shapeFlame(flame, TAPER, createShape(), radius),
+  );
+  if (!own || !wide) throw new Error("There are two.");
+  expect(wide.radius).toBeCloseTo(3 * own.radius, 9);
+  expect(wide.sootIntensity).toBeCloseTo(own.sootIntensity, 9);
+  expect(wide.blueIntensity).toBeCloseTo(own.blueIntensity, 9);
+  expect(wide.balls[3]).toBeGreaterThan(own.balls[3] ?? 0);
 });
