@@ -1,3 +1,4 @@
+import { missCode } from "./assets/asset-error.js";
 import { CandleFlame, type Options } from "./candle-flame.js";
 import { nextTask } from "./gl/next-task.js";
 import { AutoQuality } from "./render/auto-quality.js";
@@ -16,6 +17,20 @@ interface Creation {
   readonly isWanted: () => boolean;
   /** Makes a candle what it will be in its first frame. Whether it is no longer as new thereby. */
   readonly rehearse: (candle: CandleFlame) => boolean;
+}
+
+type Controls = typeof import("./input/first-person-input.js").FirstPersonInput;
+let fetched: Controls | null = null;
+
+/** Fetches the code of the controls: a lone candle does without. */
+export async function fetchControls(): Promise<void> {
+  const code = await import("./input/first-person-input.js").catch(missCode);
+  fetched = code.FirstPersonInput;
+}
+
+/** The controls, once they were fetched. */
+export function fetchedControls(): Controls | null {
+  return fetched;
 }
 
 /** Time of a pixel of the benchmark load on a target, seconds, for `auto`; measured once, or `again`. */

@@ -1,6 +1,6 @@
 import type { CandleFlame, Options } from "../candle-flame.js";
-import { createCandle, measureTarget } from "../create-candle.js";
-import { type Device, FirstPersonInput } from "../input/first-person-input.js";
+import { createCandle, fetchControls, fetchedControls, measureTarget } from "../create-candle.js";
+import type { Device } from "../input/first-person-input.js";
 import { type CanvasTarget, createCanvasTarget } from "../scenes/canvas-target.js";
 import { areSame, loadScene, type Scene, type SceneRequest } from "../scenes/scene.js";
 import type { Features, Inspection, Look } from "../settings.js";
@@ -129,8 +129,9 @@ export class Session {
    */
   async #fetch(request = this.#request): Promise<void> {
     this.#loading?.abort();
-    this.#loading = new AbortController();
-    const { signal } = this.#loading;
+    const loading = new AbortController();
+    this.#loading = loading;
+    const { signal } = loading;
     let most = 0;
     // Files may still arrive after an abort; and after a model without a wick comes the built-in candle.
     const onProgress = (progress: number) => {
@@ -139,10 +140,16 @@ export class Session {
       this.#owner.onProgress(progress);
     };
     this.#pendingRequest = request;
-    let scene: Scene;
+    let scene: Scene | undefined;
     try {
+      // A room may get controls at any time.
+      const needsControls = request.scene === "room" || this.#input.attributes.controls;
+      const controls = needsControls ? fetchControls() : null;
+      controls?.catch(() => {}); // it throws below
       scene = await loadScene(request, { signal, onProgress });
+      await controls;
     } catch (error) {
+      scene?.close();
       if (signal.aborted) return;
       this.#pendingRequest = null;
       const last = this.#shownRequest ? null : this.#owner.pending.request;
@@ -176,6 +183,13 @@ export class Session {
   /** Fits the frame to the canvas. Returns whether it has to be drawn again. */
   resize(): boolean {
     return this.use((candle) => this.#fit(candle)) ?? false;
+  /** Measures what `auto` goes by, if it was not asked for when the candle was made. */
+  async #measure({ view: { auto } }: CandleFlame): Promise<void> {
+    if (this.options.quality !== "auto" || auto.pixel !== null) return;
+    auto.pixel = await measureTarget(this.#target);
+    this.#owner.changed();
+  }
+
   }
 
   #fit(candle: CandleFlame): boolean {
