@@ -7,15 +7,9 @@ import {
   flameReport,
   paperFlameReport,
 } from "./light/flame-light.js";
+import { NextWorld } from "./next-world.js";
 import type { AutoQuality } from "./render/auto-quality.js";
-import {
-  burnsAtFirst,
-  candleNamesOf,
-  moonOver,
-  type Options,
-  wickOf,
-  worldOf,
-} from "./scene-world.js";
+import { burnsAtFirst, candleNamesOf, moonOver, type Options, wickOf } from "./scene-world.js";
 import type { CanvasTarget } from "./scenes/canvas-target.js";
 import type { Scene } from "./scenes/scene.js";
 import { SceneView } from "./scenes/scene-view.js";
@@ -23,12 +17,10 @@ import type { ViewSubject } from "./scenes/view-subject.js";
 import type { Features } from "./settings.js";
 import type { Stats } from "./stats.js";
 import { advance } from "./world/advance.js";
-import { moveCamera, standCandle, standLike } from "./world/commands.js";
-import type { WorldOptions } from "./world/create-world.js";
 import { candleCount, litFlames, rootedFlame, wickAtFlame } from "./world/flames.js";
 import { withCount } from "./world/particles/particle-layer.js";
 import { STILL } from "./world/player/intent.js";
-import { restoreSnapshot, type Snapshot, takeSnapshot } from "./world/snapshot.js";
+import type { Snapshot } from "./world/snapshot.js";
 import { currentTime, type World } from "./world/world.js";
 
 export type { Options } from "./scene-world.js";
@@ -87,7 +79,7 @@ export class CandleFlame {
     this.#scene = scene;
     this.#features = features;
     this.#options = options;
-    this.world = prepared?.world ?? worldOf(scene, options);
+    this.world = prepared?.world ?? this.#next.first();
     this.view = new SceneView(target, scene, options, this.#subject, plays, prepared?.auto);
     this.view.onRefused = (error) => this.#fail(error);
   }
@@ -102,13 +94,13 @@ export class CandleFlame {
 
   /** After a lost context was restored: the same world, drawn by a new GPU, in small tasks where time passes. */
   async restore(plays: boolean, isWanted: () => boolean): Promise<void> {
-    this.view.restore();
+    this.view.restore(plays);
     if (plays) await this.prepareFrame(plays, isWanted);
     else this.draw();
   }
 
-  #createWorld(birth: WorldOptions = {}): World {
-    return worldOf(this.#scene, this.#options, birth);
+  get #next(): NextWorld {
+    return new NextWorld(this.#scene, this.#options);
   }
 
   set options(options: Options) {
@@ -121,7 +113,7 @@ export class CandleFlame {
     air.wind = options.wind;
     flame.wick = wickOf(this.#scene, options);
     const isOtherLook = options.look !== before.look;
-    if (isOtherLook && !this.#scene.isModelAlone) this.#changeLook();
+    if (isOtherLook && !this.#scene.isModelAlone) this.#replace(this.#next.inLook(this.world));
     else if (options.seed !== before.seed) this.reset();
     else if (options.particles !== before.particles) this.view.follow(this.#subject);
     if (isOtherLook) this.onLookChanged();
@@ -165,53 +157,29 @@ export class CandleFlame {
     });
   }
 
-  /** Another scene on the same canvas, and its options. The old one is no longer used. */
-  show(scene: Scene, options: Options): void {
+  /**
+   * Another scene on the same canvas, and its options. The old one is no longer used.
+   *
+   * @param isSameModel whether it is of the same model, for another look
+   */
+  show(scene: Scene, options: Options, isSameModel: boolean): void {
     this.#scene = scene;
     this.#options = options;
-    const { isHeld } = this.world.candle;
-    this.world = this.#sameTimeAs(this.world);
+    const { candle, flame } = this.world;
+    this.world = this.#next.inScene(this.world, isSameModel);
     this.view.show(scene, options, this.#subject);
-    if (this.world.candle.isHeld !== isHeld) this.onCandleMoved();
+    if (this.world.flame.isLit !== flame.isLit) this.onFlameChanged(0);
+    if (this.world.candle.isHeld !== candle.isHeld) this.onCandleMoved();
   }
 
-  /** A new world at another's time, with the camera at its start. */
-  #sameTimeAs({ timeline, remainder, flame, fieldOfView }: World, birth: WorldOptions = {}): World {
-    const { isLit } = flame;
-    const world = this.#createWorld({ age: timeline.tick, isLit, fieldOfView, ...birth });
-    world.remainder = remainder;
-    return world;
-  }
-
-  /** Another look: the same time, and the camera in its place, or inside the new look's walls. */
-  #changeLook(): void {
-    const { position, yaw, pitch, areLit, stand } = takeSnapshot(this.world);
-    const { setup, formerStand } = this.world;
-    const world = this.#sameTimeAs(this.world, { areLit: areLit ?? [] });
-    moveCamera(world, position, yaw, pitch);
-    world.formerStand = setup.stand === null ? stand : formerStand;
-    if (world.formerStand) standCandle(world, world.formerStand.position, world.formerStand.yaw);
-    this.#replace(world);
-  }
-
-  /** Takes over the time, the camera and the candle of another, as far as the room here allows. */
-  mirror({ world: other }: CandleFlame): void {
-    const { player } = other;
-    const lit = litFlames(other);
-    const areLit = litFlames(this.world).map((isLit, candle) => lit[candle] ?? isLit);
-    const world = this.#sameTimeAs(other, { areLit: areLit.slice(1) });
-    moveCamera(world, player.position, player.yaw, player.pitch);
-    standLike(world, other);
-    this.#replace(world);
+  /** Takes over the time, the camera and the candles of another, as far as the room here allows. */
+  mirror({ world }: CandleFlame): void {
+    this.#replace(this.#next.mirror(world, this.world));
   }
 
   /** Continues from a snapshot; in another room, from that room's start. */
   resume(snapshot: Snapshot, isSameRoom: boolean): void {
-    const { tick: age, isLit, areLit, fieldOfView } = snapshot;
-    const others = isSameRoom && areLit ? { areLit } : {};
-    this.world = this.#createWorld({ age, isLit, fieldOfView, ...others });
-    this.world.remainder = snapshot.remainder;
-    if (isSameRoom) restoreSnapshot(this.world, snapshot);
+    this.world = this.#next.resume(snapshot, isSameRoom);
     this.view.follow(this.#subject);
   }
 
@@ -227,7 +195,7 @@ export class CandleFlame {
   /** Time 0, as if new: without what keys have asked for. */
   reset(): void {
     this.input?.read();
-    this.#replace(this.#createWorld());
+    this.#replace(this.#next.first());
   }
 
   /** One frame. Tests and the bench come here. */
@@ -243,7 +211,7 @@ export class CandleFlame {
       draw();
       this.#cpuMs = performance.now() - begin;
     });
-    const wick = this.input ? wickAtFlame(this.world) : 0;
+    const wick = this.input?.isIn ? wickAtFlame(this.world) : 0;
     if (wick > 0 && wick !== this.#wick) this.onWickReached(wick);
     this.#wick = wick;
     if (intent.placesOrTakes) this.onRefused();

@@ -151,6 +151,7 @@ export class Session {
     } catch (error) {
       scene?.close();
       if (signal.aborted) return;
+      loading.abort(); // what else is on its way
       this.#pendingRequest = null;
       const last = this.#shownRequest ? null : this.#owner.pending.request;
       // After a restart, what was shown because this had failed before.
@@ -160,8 +161,9 @@ export class Session {
     }
     if (signal.aborted) return scene.close();
     this.#pendingRequest = null;
+    const isSameModel = this.#shownRequest?.src === request.src;
     this.#shownRequest = areSame(request, this.#request) ? this.#request : request;
-    this.#show(scene);
+    this.#show(scene, isSameModel);
   }
 
   /** Calls an action with the candle, if there is one. Exceptions go to `onError`. */
@@ -177,12 +179,10 @@ export class Session {
   applyOptions(): void {
     this.use((candle) => {
       candle.options = this.options;
+      void this.#measure(candle);
     });
   }
 
-  /** Fits the frame to the canvas. Returns whether it has to be drawn again. */
-  resize(): boolean {
-    return this.use((candle) => this.#fit(candle)) ?? false;
   /** Measures what `auto` goes by, if it was not asked for when the candle was made. */
   async #measure({ view: { auto } }: CandleFlame): Promise<void> {
     if (this.options.quality !== "auto" || auto.pixel !== null) return;
@@ -190,6 +190,9 @@ export class Session {
     this.#owner.changed();
   }
 
+  /** Fits the frame to the canvas. Returns whether it has to be drawn again. */
+  resize(): boolean {
+    return this.use((candle) => this.#fit(candle)) ?? false;
   }
 
   #fit(candle: CandleFlame): boolean {
@@ -219,8 +222,12 @@ export class Session {
   applyControls(onEntered: (isIn: boolean, device: Device) => void): void {
     const { attributes } = this.#input;
     const candle = this.#candle;
-    if (candle && attributes.controls) {
-      candle.input ??= new FirstPersonInput(attributes, this.canvas, onEntered);
+    const Controls = fetchedControls();
+    if (candle && attributes.controls && !Controls) {
+      const apply = () => this.#signal.aborted || this.applyControls(onEntered);
+      fetchControls().then(apply, (error) => this.#owner.onMissing(error));
+    } else if (candle && attributes.controls && Controls) {
+      candle.input ??= new Controls(attributes, this.canvas, onEntered);
       candle.input.sensitivity = attributes.sensitivity;
     } else if (candle?.input) {
       candle.input.dispose();
@@ -233,13 +240,13 @@ export class Session {
     this.#candles = null;
   }
 
-  #show(scene: Scene): void {
+  #show(scene: Scene, isSameModel: boolean): void {
     const previous = this.#scene;
     const candle = this.#candle;
     this.#scene = scene;
     this.use((candle) => {
       this.#retireCandles(); // before the events of what is shown
-      candle.show(scene, this.options);
+      candle.show(scene, this.options, isSameModel);
       this.#owner.onScene(candle);
     });
     previous?.close();
@@ -287,6 +294,8 @@ export class Session {
     this.#candle = candle;
     this.#retireCandles();
     this.#setUp(candle);
+    candle.view.isPlaying = this.#owner.plays();
+    void this.#measure(candle);
     if (isOther) candle.reset();
     candle.onFailure = (error) => this.#owner.onError(error);
     this.use(() => this.#owner.onCandle(candle));

@@ -77,6 +77,11 @@ export class FirstPersonInput {
     ownerDocument.addEventListener("visibilitychange", () => this.#release(), { signal });
   }
 
+  /** Whether the visitor is in the room. */
+  get isIn(): boolean {
+    return this.#isIn;
+  }
+
   /** Intent since the last call. */
   read(): Intent {
     const intents = [this.#readGamepads(), this.#keyboard.read(), this.#touch.read()];

@@ -33,7 +33,8 @@ export class SceneView {
   #scene: Scene;
   #settings: ViewSettings;
   #subject: ViewSubject;
-  readonly #auto: AutoQuality;
+  /** Of the quality `auto`. */
+  readonly auto: AutoQuality;
   #quality: AskedQuality;
   #renderer: Renderer;
   /** Of what `auto` shows of a room at rest on machines without a GPU. */
@@ -65,7 +66,7 @@ export class SceneView {
     this.#settings = settings;
     this.#subject = subject;
     this.isPlaying = plays;
-    this.#auto = auto;
+    this.auto = auto;
     this.#quality = this.#asked;
     this.#createFollowing();
     this.#renderer = this.#createRenderer();
@@ -78,7 +79,7 @@ export class SceneView {
       settings: this.#settings,
       subject: this.#subject,
       pixels: this.#pixels,
-      auto: this.#auto,
+      auto: this.auto,
       frame: this.#last && this.#settingsOf(atRest(this.#last)),
     });
     this.#refinement = this.#scene.createRefinement?.(parts) ?? null;
@@ -101,7 +102,7 @@ export class SceneView {
     const isSameMoon = JSON.stringify(settings.moon) === JSON.stringify(this.#settings.moon);
     if (!isSameMoon) this.#refinement?.stop();
     this.#settings = settings;
-    this.#auto.work = workOf(this.#scene, settings);
+    this.auto.work = workOf(this.#scene, settings);
   }
 
   /** Another scene on the same canvas. */
@@ -109,12 +110,11 @@ export class SceneView {
     this.#scene = scene;
     this.#createFollowing();
     this.settings = settings;
-    this.#auto.renew();
+    this.auto.renew();
     this.#subject = subject;
     this.rebuild();
   }
 
-  /** Creates a new renderer. */
   rebuild(): void {
     if (this.#target.gpu.isLost) return; // it is rebuilt once the context is restored
     this.#target.clear();
@@ -137,9 +137,12 @@ export class SceneView {
     this.prepareFrame(atRest(this.#last), () => true).catch(this.onRefused);
   }
 
-  restore(): void {
+  /** The first frame is to be prepared, if time will pass. */
+  restore(plays: boolean): void {
+    this.isPlaying = plays;
+    this.#last = null;
     this.#target.renew();
-    this.#auto.renew(true);
+    this.auto.renew(true);
     this.rebuild();
   }
 
@@ -152,8 +155,8 @@ export class SceneView {
     if (width === this.#pixels.width && height === this.#pixels.height) return false;
     this.#busy = null;
     this.#pixels = { width, height };
-    this.#auto.pixels = width * height;
-    this.#auto.renew();
+    this.auto.pixels = width * height;
+    this.auto.renew();
     this.#refinement?.stop();
     this.#renderer.refinedFade?.end();
     const { gpu } = this.#target;
@@ -226,9 +229,9 @@ export class SceneView {
     this.#renderer.refinedFade?.take(seconds);
     const { refinedFade, isCatchingUp } = this.#renderer;
     if (this.#refinement?.isBusy || refinedFade?.isOn || isCatchingUp) return;
-    if (!this.#next?.isBusy) this.#auto.take(seconds, this.#counts.seconds);
-    const { wanted } = this.#auto;
-    if (wanted && (this.#next?.proceed(wanted) ?? true)) this.#auto.accept();
+    if (!this.#next?.isBusy) this.auto.take(seconds, this.#counts.seconds);
+    const { wanted } = this.auto;
+    if (wanted && (this.#next?.proceed(wanted) ?? true)) this.auto.accept();
   }
 
   /** Linear RGB of the last frame before exposure and tone mapping; rows from the top. Waits for the GPU. */
@@ -257,7 +260,7 @@ export class SceneView {
   }
 
   get #asked() {
-    return askedQuality(this.#settings.quality, this.#auto, this.isPlaying, this.inspect);
+    return askedQuality(this.#settings.quality, this.auto, this.isPlaying, this.inspect);
   }
 
   /** Changes to the tier and the resolution of the next frame. Whether it is drawn now: preparing a tier takes time. */
@@ -305,7 +308,7 @@ export class SceneView {
     if (quality !== "auto" || look !== "physical" || !this.#refinement) return false;
     if (isMoving || !canDefer || !this.isPlaying || this.inspect !== "picture") return false;
     if (!this.#refinement.lightsOf(this.#subject.world)) return false;
-    return this.#auto.isSoftware && this.#quality.tier.name === "low";
+    return this.auto.isSoftware && this.#quality.tier.name === "low";
   }
 
   /** Of the renderer that is not the refinement's. */

@@ -1,10 +1,15 @@
 // Calls in an unusual order: from listeners, before the first frame, with nothing for a value.
 import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
 import { plainRoom } from "../support/plain-room.ts";
-import { LIBRARY, type RoomDriver } from "../support/room-driver.ts";
+import { LIBRARY, RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
 
 const WREATH = "/models/wreath.glb";
+/** A transparent one. */
+const PIXEL = Buffer.from(
+  "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAQAAAC1HAwCAAAAC0lEQVR42mNkYAAAAAYAAjCB0C8AAAAASUVORK5CYII=",
+  "base64",
+);
 
 /** Uses an element of its own beside the test's, before its first frame and after it. */
 function useAnother<Result>(
@@ -264,6 +269,128 @@ test("A fetch that was given up reports no progress", async ({ room }) => {
   expect({ after, isHidden }).toEqual({ after: 0, isHidden: true });
 });
 
+test("After a `src` that failed nothing more is fetched, and no progress reported", async ({
+  room,
+}) => {
+  const late: (() => void)[] = [];
+  await room.page.route(`${LIBRARY}half.gltf`, (route) => {
+    const images = ["gone.png", "late.png"].map((uri) => ({ uri }));
+    const materials = images.map((_, index) => ({
+      pbrMetallicRoughness: { baseColorTexture: { index } },
+    }));
+    const primitives = materials.map((_, material) => ({ attributes: { POSITION: 0 }, material }));
+    const json = {
+      asset: { version: "2.0" },
+      scenes: [{ nodes: [0] }],
+      nodes: [{ mesh: 0 }],
+      meshes: [{ primitives }],
+      materials,
+      textures: images.map((_, source) => ({ source })),
+      images,
+      accessors: [{ componentType: 5126, count: 3, type: "VEC3", min: [0, 0, 0], max: [1, 1, 1] }],
+    };
+    return route.fulfill({ contentType: "model/gltf+json", body: JSON.stringify(json) });
+  });
+  await room.page.route(`${LIBRARY}gone.png`, (route) =>
+    route.fulfill({ contentType: "image/png", body: "no image" }),
+  );
+  await room.page.route(`${LIBRARY}late.png`, async (route) => {
+    await new Promise<void>((resolve) => late.push(resolve));
+    await route.fulfill({ contentType: "image/png", body: PIXEL }).catch(() => {});
+  });
+  await room.page.exposeFunction("answer", () => late.pop()?.());
+  const { events, isHidden } = await useAnother(
+    room,
+    { scene: "candle", src: WREATH, paused: "" },
+    () => {},
+    async (element) => {
+      const events: string[] = [];
+      for (const type of ["progress", "error"] as const)
+        element.addEventListener(type, () => events.push(type));
+      element.src = "half.gltf";
+      await new Promise((resolve) => element.addEventListener("error", resolve, { once: true }));
+      await (Reflect.get(globalThis, "answer") as () => Promise<void>)();
+      for (let frame = 0; frame < 30; frame++) await new Promise(requestAnimationFrame);
+      const slot = element.shadowRoot?.querySelector<HTMLElement>("slot[name=progress]");
+      return { events, isHidden: slot?.hidden };
+    },
+  );
+  expect(events.at(-1)).toBe("error");
+  expect(isHidden).toBe(true);
+});
+
+test("A lone candle has no code of controls before it is to have them", async ({ browser }) => {
+  const page = await browser.newPage();
+  const requests: string[] = [];
+  page.on("request", (request) => requests.push(request.url()));
+  const code = () => requests.filter((url) => url.includes("first-person-input"));
+  const alone = await new RoomDriver(page).open({ scene: "candle", paused: "" });
+  expect(code()).toEqual([]);
+  await alone.set({ controls: "" });
+  await expect
+    .poll(() =>
+      alone.evaluate((element) => {
+        element.enter();
+        return element.matches(":state(walking)");
+      }),
+    )
+    .toBe(true);
+  expect(code()).toHaveLength(1);
+  await page.close();
+});
+
+test("Another model alone has its own flames, whatever became of those before", async ({
+  room,
+}) => {
+  const { lit, events } = await useAnother(
+    room,
+    { scene: "candle", src: "/models/jar.glb", paused: "" },
+    () => {},
+    async (element) => {
+      element.extinguish();
+      element.step(1);
+      const events: string[] = [];
+      element.addEventListener("light", ({ detail }) => events.push(detail.name));
+      element.src = "/models/wreath.glb";
+      await element.ready;
+      return {
+        lit: [
+          element.lit,
+          element.matches(":state(lit)"),
+          ...element.candles.map((one) => one.lit),
+        ],
+        events,
+      };
+    },
+  );
+  expect(lit).toEqual(Array(6).fill(true));
+  expect(events).toHaveLength(1);
+});
+
+test("Paused while its first frame is prepared, an element rests as sharp as it can be", async ({
+  room,
+}) => {
+  const quality = await useAnother(
+    room,
+    { look: "paper", quality: "auto" },
+    (element) => {
+      const prototype = WebGL2RenderingContext.prototype;
+      const { linkProgram } = prototype;
+      const pause = () => {
+        prototype.linkProgram = function (program) {
+          prototype.linkProgram = linkProgram;
+          element.paused = true;
+          linkProgram.call(this, program);
+        };
+      };
+      // Its code and models are there; the renderer's programs come now.
+      element.addEventListener("progress", ({ detail }) => detail.totalProgress === 1 && pause());
+    },
+    (element) => element.stats.quality,
+  );
+  expect(quality).toBe("high");
+});
+
 test("A lone candle burns the same in any look", async ({ room }) => {
   const flameIn = (look: string) =>
     useAnother(
@@ -440,9 +567,10 @@ test("`ready` waits for another `src`, and for one that is missing as long as it
 
 test("`ready` of another room that plays waits until that room is drawn", async ({ room }) => {
   const walls = { min: [-2, 0, -2], max: [2, 2.6, 2] } as const;
-  const boxes = [0, 1, 2, 3].map((i) => {
-    const x = 0.4 * i - 1;
-    return { min: [x, 0, -1.5], max: [x + 0.2, 1, -1.3] } as const;
+  // So many that frames that draw shadows as well have fewer triangles.
+  const boxes = Array.from({ length: 144 }, (_, i) => {
+    const [x, y] = [0.1 * (i % 12) - 0.6, 0.1 * Math.floor(i / 12) + 0.8];
+    return { min: [x, y, -1.5], max: [x + 0.05, y + 0.05, -1.45] } as const;
   });
   for (const [name, inside] of [
     ["bare", []],

@@ -201,12 +201,15 @@ test("the keyboard alone lights a candle: E at its wick, B at its flame", async 
     element.focus();
     element.camera = { position: [0, 1.6, 1.3], yaw: 0, pitch: 0 };
   });
+  const hint = async () => {
+    await room.step(1.5);
+    return room.evaluate(
+      (element) => element.shadowRoot?.querySelector("[part=hint] p")?.textContent,
+    );
+  };
+  expect(await hint(), "outside keys do nothing").not.toContain("Press E");
   await page.keyboard.press("Enter");
-  await room.step(1.5);
-  const hint = await room.evaluate(
-    (element) => element.shadowRoot?.querySelector("[part=hint] p")?.textContent,
-  );
-  expect(hint, "a hint that is announced").toBe("Press E to light candle 2.");
+  expect(await hint(), "a hint that is announced").toBe("Press E to light candle 2.");
   const press = async (key: string, seconds: number) => {
     await page.keyboard.press(key);
     await room.step(seconds);
@@ -248,6 +251,40 @@ test("another element mirrors them, and a lost context keeps them", async () => 
   });
   expect(mirrored).toEqual([true, false, true]);
   expect(kept).toEqual([true, false, true]);
+});
+
+test("in another look of the same model all stays where it is", async () => {
+  const found = await room.evaluate(async (element) => {
+    const events: string[] = [];
+    for (const type of ["take", "place", "camerachange"] as const)
+      element.addEventListener(type, () => events.push(type));
+    element.reset();
+    element.camera = { position: [1, 1.6, 1], yaw: 0.4, pitch: -0.6 };
+    element.place();
+    element.candles[2]?.light();
+    element.step(0.5);
+    const state = () => {
+      const { camera, held, flame, candles } = element;
+      const lit = candles.map((candle) => candle.lit);
+      const at = [...camera.position, camera.yaw, camera.pitch, ...(flame?.position ?? [])];
+      return { lit, held, at: at.map((value) => value.toFixed(3)).slice(0, 5) };
+    };
+    const before = state();
+    events.length = 0;
+    element.look = "paper";
+    await element.ready;
+    const paper = state();
+    element.look = "physical";
+    await element.ready;
+    const after = state();
+    element.camera = { position: [0, 1.6, 1.3], yaw: 0, pitch: 0 };
+    element.reset();
+    return { before, paper, after, events: events.slice(0, 1) };
+  });
+  expect(found.before).toMatchObject({ held: false, lit: [true, false, true] });
+  expect(found.paper).toEqual({ ...found.before, lit: found.paper.lit });
+  expect(found.after).toEqual({ ...found.before, lit: found.after.lit });
+  expect(found.events).not.toContain("take");
 });
 
 test("another room has other candles, and the old ones do nothing", async () => {

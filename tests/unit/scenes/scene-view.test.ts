@@ -44,7 +44,9 @@ function createView(
     },
   };
   const canvas = { width: 1, height: 1 };
-  const target = { gpu, canvas, prepare: () => {}, present: () => {}, clearUnshared: () => {} };
+  const noop = () => {};
+  const drawing = { prepare: noop, present: noop };
+  const target = { gpu, canvas, ...drawing, clear: noop, clearUnshared: noop, renew: noop };
   const scene = { createRenderer: () => renderer as unknown as Renderer };
   return new SceneView(
     target as unknown as CanvasTarget,
@@ -79,6 +81,18 @@ test("a frame is reported where one was presented: not while another tier is pre
   expect(frames).toBe(1);
   view.render(FRAME, true);
   expect(frames).toBe(2);
+});
+
+test("a view whose context comes back begins with the tier that plays, not with that of a still image", () => {
+  const view = createView(createGpu(), 1, "auto");
+  view.auto.pixel = 1e-9;
+  view.resize(640, 360);
+  view.isPlaying = false;
+  view.render({ ...FRAME, canDefer: false });
+  expect(view.stats.quality).toBe("high");
+  view.restore(true);
+  expect(view.stats.quality).toBe("low");
+  expect(view.isBusy, "the caller prepares the first frame").toBe(false);
 });
 
 test("the driver is asked about the targets of another resolution of the same tier", async () => {

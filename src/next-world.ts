@@ -1,0 +1,82 @@
+import { burnsAtFirst, type Options, worldOf } from "./scene-world.js";
+import type { Scene } from "./scenes/scene.js";
+import { moveCamera, standCandle, standLike } from "./world/commands.js";
+import type { WorldOptions } from "./world/create-world.js";
+import { litFlames } from "./world/flames.js";
+import { restoreSnapshot, type Snapshot, takeSnapshot } from "./world/snapshot.js";
+import type { World } from "./world/world.js";
+
+/** New worlds of a scene, which take over what another one had. */
+export class NextWorld {
+  readonly #scene: Scene;
+  readonly #options: Options;
+
+  constructor(scene: Scene, options: Options) {
+    this.#scene = scene;
+    this.#options = options;
+  }
+
+  /** At time 0. */
+  first(birth: WorldOptions = {}): World {
+    return worldOf(this.#scene, this.#options, birth);
+  }
+
+  /** At another's time, with the camera at its start. */
+  #sameTimeAs({ timeline, remainder, flame, fieldOfView }: World, birth: WorldOptions = {}): World {
+    const { isLit } = flame;
+    const world = this.first({ age: timeline.tick, isLit, fieldOfView, ...birth });
+    world.remainder = remainder;
+    return world;
+  }
+
+  /**
+   * After another scene's: in the same room all stays where it is.
+   *
+   * @param isSameModel whether both have the same model: looks differ in the rooms that are built in
+   */
+  inScene(before: World, isSameModel: boolean): World {
+    const { room, isModelAlone } = this.#scene;
+    if (isSameModel && room && before.room?.isSame(room)) return this.inLook(before);
+    // A model alone has candles of its own.
+    const isLit = burnsAtFirst(0, this.#scene, this.#options);
+    return this.#sameTimeAs(before, isModelAlone ? { isLit } : {});
+  }
+
+  /** In another look: the same time, and the camera in its place, or inside the new look's walls. */
+  inLook(before: World): World {
+    const { position, yaw, pitch, stand } = takeSnapshot(before);
+    const { setup, formerStand } = before;
+    const world = this.#sameTimeAs(before, { areLit: this.#areLit(before) });
+    moveCamera(world, position, yaw, pitch);
+    world.formerStand = setup.stand === null ? stand : formerStand;
+    if (world.formerStand) standCandle(world, world.formerStand.position, world.formerStand.yaw);
+    return world;
+  }
+
+  /** Which standing candles burn: those of the worlds before, the first of them that has such a candle. */
+  #areLit(...before: readonly World[]): boolean[] {
+    const lit = before.map(litFlames);
+    return this.#scene.wicks.map((_, i) => {
+      const known = lit.find((flames) => flames.length > i + 1);
+      return known?.[i + 1] ?? burnsAtFirst(i + 1, this.#scene, this.#options);
+    });
+  }
+
+  /** With the time, the camera and the candles of another, as far as the room allows. */
+  mirror(other: World, before: World): World {
+    const { position, yaw, pitch } = other.player;
+    const world = this.#sameTimeAs(other, { areLit: this.#areLit(other, before) });
+    moveCamera(world, position, yaw, pitch);
+    standLike(world, other);
+    return world;
+  }
+
+  /** As a snapshot has it; in another room, at that room's start. */
+  resume(snapshot: Snapshot, isSameRoom: boolean): World {
+    const { tick: age, isLit, areLit, fieldOfView, remainder } = snapshot;
+    const world = this.first({ age, isLit, fieldOfView, ...(isSameRoom && areLit && { areLit }) });
+    world.remainder = remainder;
+    if (isSameRoom) restoreSnapshot(world, snapshot);
+    return world;
+  }
+}
