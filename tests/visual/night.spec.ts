@@ -1,6 +1,7 @@
 import type { Page } from "playwright/test";
 import sharp from "sharp";
 import { chromaticity, luma, type Rgb } from "../../src/light/color.ts";
+import { type Drive, drawFrames, driveFrames } from "../support/driven-frames.ts";
 import { drawOneSample } from "../support/one-sample.ts";
 import { QUICK_ROOM } from "../support/plain-room.ts";
 import { RoomDriver } from "../support/room-driver.ts";
@@ -166,6 +167,31 @@ test.describe("The night", () => {
       const shown = await Shown.of(await room.png({ camera, seconds: 0.1 }));
       expect(shown.quantile(1), `dither alone, at ${yaw}`).toBeLessThan(linear(2));
     }
+  });
+
+  test("does not enter it in a refined image, nor does the light of the flame that is out", async ({
+    page,
+  }) => {
+    await driveFrames(page);
+    const size = { width: 160, height: 90 };
+    const room = await new RoomDriver(page).open(
+      { ...NIGHT, quality: "auto", unlit: "", "moon-direction": "-70 35" },
+      { ...size, model: QUICK_ROOM },
+    );
+    await room.evaluate((element) => {
+      element.camera = { position: [0, 1.5, 0], yaw: 0, pitch: -0.2 };
+      (Reflect.get(window, "drive") as Drive).isOn = true;
+      element.play();
+    });
+    let tiles = 0;
+    for (let frames = 0; tiles < 6; frames++) {
+      expect(frames, "it is refined").toBeLessThan(2000);
+      tiles += (await drawFrames(room, 1, 50))[0]!;
+    }
+    await drawFrames(room, 20, 50); // first draws to a target of the size are counted, too
+    expect((await room.stats()).width).toBe(size.width);
+    const shown = await Shown.of(await room.png());
+    expect(shown.quantile(1), "dither alone").toBeLessThan(linear(2));
   });
 
   test("follows the moon in a running animation, after frames in which a part is prepared", async ({

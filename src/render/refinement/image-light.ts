@@ -14,6 +14,8 @@ export class ImageLight {
   readonly block: UniformBlock;
   /** Whether that is the flame. */
   isOfFlame = true;
+  /** Whether all flames were out at the beginning. */
+  isUnlit = false;
   /** Colour of the flame, luma 1, as it was at the beginning. */
   flameColor: Rgb = TAPER.color;
   /** Of the carried flame then, candela. */
@@ -34,6 +36,7 @@ export class ImageLight {
     const { world } = frame;
     this.#candles = null;
     this.carried = flameIntensity(world);
+    this.isUnlit = isUnlit(world);
     const total = this.#total(world);
     this.#unit = hasStandingFlames(world) ? total : WHITE;
     this.update(frame);

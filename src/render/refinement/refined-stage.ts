@@ -263,6 +263,8 @@ export class RefinedStage implements OpaqueStage {
       textures: { uRadiance: this.#resolved.color, uDepth: this.#resolved.depth! },
       uniforms: {
         uOrigin: [x, y],
+        // Where no moonlight enters the room, or by another program than the night's, it is shaded for a flame of 1 cd.
+        uFlamelight: this.imageLight.isUnlit ? 0 : 1,
         uMoonlight: moon ? this.imageLight.perCandela(moon.intensity) : NOTHING,
       },
       depth: "test-and-write",
