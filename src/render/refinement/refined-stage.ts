@@ -4,7 +4,7 @@ import type { Box, Gpu, Program, RenderTarget } from "../../gl/gpu.js";
 import type { Vec3 } from "../../world/geometry.js";
 import type { Steps } from "../../world/steps.js";
 import type { World } from "../../world/world.js";
-import { candlesOf, moonOf } from "../cached-light.js";
+import { candlesOf, isMoonAlone, moonOf } from "../cached-light.js";
 import { frustumTest } from "../camera.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { FrameSettings } from "../frame-settings.js";
@@ -15,7 +15,7 @@ import {
   normalMapVisibilityOf,
   normalMapVisibilityProgram,
 } from "../mesh/normal-map-visibility.js";
-import { areForwardProgramsCompiled } from "../opaque/forward-programs.js";
+import { areForwardProgramsCompiled, nightProgram } from "../opaque/forward-programs.js";
 import { ForwardStage } from "../opaque/forward-stage.js";
 import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "../opaque/opaque-stage.js";
 import type { Tier } from "../quality.js";
@@ -153,7 +153,9 @@ export class RefinedStage implements OpaqueStage {
     const held = this.captures.update(frame, "full");
     const hasCandles = candlesOf(held.cached).length > 0;
     const lights = { isMoonlit: moonOf(held.cached) !== null, hasCandles };
+    // Begun before it is asked what is being compiled.
     if (hasCandles) areForwardProgramsCompiled(this.#gpu, this.#tier, lights, meshesOf(frame));
+    if (isMoonAlone(frame.world, held.cached)) nightProgram(this.#gpu, this.#tier);
     if (this.#gpu.isCompiling || !this.#hasDrawn(frame, held)) return false;
     this.#tiles = tilesAround(this.#whole, frame.flameUvs[0] ?? [0.5, 0.5]);
     return true;
