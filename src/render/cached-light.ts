@@ -1,5 +1,6 @@
 import type { Texture, UniformBlock } from "../gl/gpu.js";
 import { luma, type Rgb } from "../light/color.js";
+import type { Vec3 } from "../world/geometry.js";
 import type { World } from "../world/world.js";
 import type { IrradianceVolume } from "./gi/irradiance-volume.js";
 import { type CaptureLight, flameIntensity } from "./light-block.js";
@@ -47,6 +48,17 @@ export function isUnlit(world: World): boolean {
 
 export function isMoonAlone(world: World, cached: readonly CachedLight[]): boolean {
   return moonOf(cached) !== null && candlesOf(cached).length === 0 && isDark(world);
+}
+
+/** `CachedLight.key` of a moon whose light goes in a direction. */
+export function moonKey(direction: Vec3): string {
+  return JSON.stringify(direction);
+}
+
+/** Whether the moon among the lights is still that of another direction: a new one is prepared over many frames. */
+export function isMoonOutdated({ moon }: World, cached: readonly CachedLight[]): boolean {
+  const captured = moonOf(cached);
+  return moon !== null && captured !== null && captured.key !== moonKey(moon.direction);
 }
 
 export function moonOf(cached: readonly CachedLight[]): CachedLight | null {

@@ -27,6 +27,8 @@ export interface Surfaces {
 export interface InitialImage {
   /** All that does not depend on the light. */
   readonly fill: Steps<unknown>;
+  /** Whether the coarser renderer's moon is not the world's yet. Its frames go on with that. */
+  readonly isMoonOutdated: boolean;
   /** After it: the surfaces in the light of that moment, with shadows by that cube. */
   shade(shadow: ShadowCube): Steps<Surfaces>;
   release(): void;

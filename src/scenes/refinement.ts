@@ -217,10 +217,10 @@ export class Refinement {
     return 0;
   }
 
-  /** Its shadows are captured while programs are compiled. */
+  /** Its shadows are captured while programs are compiled. Beside a flame it keeps the coarser one's moon. */
   *#shade(initial: InitialImage, shadow: Steps<ShadowCube>): Steps<Surfaces> {
     const cube = yield* shadow;
-    while (!this.#isReady) yield;
+    while (!this.#isReady || initial.isMoonOutdated) yield;
     return yield* initial.shade(cube);
   }
 

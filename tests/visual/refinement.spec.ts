@@ -147,6 +147,7 @@ async function atHigh(camera: Camera): Promise<Picture> {
   await room.evaluate((element, camera) => {
     const high = document.getElementById("high") as CandleFlameElement;
     high.moonlight = element.moonlight;
+    high.moonDirection = element.moonDirection;
     high.mirror(element);
     high.camera = camera;
   }, camera);
@@ -255,6 +256,27 @@ test("is what `high` shows by candle and moonlight, too, whose bounce is resampl
   console.log(`mean FLIP ${difference.toFixed(4)}, without moonlight ${unlit.toFixed(4)}`);
   expect(difference).toBeLessThan(0.02);
   expect(unlit, "moonlight is in it").toBeGreaterThan(1.3 * difference);
+});
+
+test("is what `high` shows by a moon that has moved, beside the candle", async () => {
+  await room.set({ moonlight: "0.3", "moon-direction": "-98 27" });
+  await room.evaluate((element, camera) => {
+    element.camera = camera;
+    element.play();
+  }, CAMERA);
+  await frames(1, 50); // of `low`, which captures it at once
+  await room.set({ "moon-direction": "-98 60" });
+  await refine(50);
+  await complete();
+  const picture = await room.picture();
+  await room.evaluate((element) => element.pause());
+  const difference = meanFlip(await atHigh(CAMERA), picture);
+  await room.set({ "moon-direction": "-98 27" });
+  const former = meanFlip(await atHigh(CAMERA), picture);
+  await room.set({ moonlight: "0" });
+  console.log(`mean FLIP ${difference.toFixed(4)}, by the moon where it was ${former.toFixed(4)}`);
+  expect(difference).toBeLessThan(0.02);
+  expect(former).toBeGreaterThan(2 * difference);
 });
 
 test("is what `high` shows where a candle stood that is hidden now", async () => {

@@ -4,7 +4,7 @@ import type { Vec3 } from "../../world/geometry.js";
 import type { Moon } from "../../world/moon.js";
 import { CollisionMesh } from "../../world/room/collision-mesh.js";
 import type { Steps } from "../../world/steps.js";
-import type { CachedLight } from "../cached-light.js";
+import { type CachedLight, moonKey } from "../cached-light.js";
 import { IndirectPass, type IndirectScene } from "../gi/indirect-pass.js";
 import type { IndirectTargets } from "../gi/indirect-targets.js";
 import { type IndirectDetail, probeTraceOf } from "../gi/probe-rays.js";
@@ -82,7 +82,7 @@ export class MoonCaptures {
    * @param isGradual whether a new direction is prepared a little in each call, and the last one shines until then
    */
   *light({ direction, illuminance }: Moon, isGradual: boolean): Steps<CachedLight | null> {
-    const key = JSON.stringify(direction);
+    const key = moonKey(direction);
     const isWaiting = isGradual && this.#key !== "";
     // The direction to come was taken back.
     if (key === this.#key && this.#next) {

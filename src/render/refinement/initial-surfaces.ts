@@ -1,5 +1,6 @@
 import type { Gpu } from "../../gl/gpu.js";
 import type { Steps } from "../../world/steps.js";
+import { isMoonOutdated } from "../cached-light.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import type { Captures } from "../gi/light-captures.js";
 import { lightBlock } from "../light-block.js";
@@ -38,6 +39,9 @@ export class InitialSurfaces {
     this.#resize(size);
     return {
       fill: this.#stage.fillGBuffer(describe()),
+      get isMoonOutdated() {
+        return isMoonOutdated(describe().world, captures().cached);
+      },
       shade: (shadow) => this.#shade(describe(), { ...captures(), shadow }, size),
       release: () => this.#resize({ width: 1, height: 1 }),
     };

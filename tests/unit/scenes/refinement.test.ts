@@ -29,6 +29,7 @@ async function refinement(captures: number, passes: number) {
     first: 0,
     begun: 0,
     remaining: 1,
+    isMoonOutdated: false,
   };
   const refining = {
     get remaining() {
@@ -52,7 +53,14 @@ async function refinement(captures: number, passes: number) {
     for (let step = 0; step < 2; step++) yield told.shaded++;
     return {};
   }
-  const initialImage = () => ({ fill: fill(), shade, release: () => told.released++ });
+  const initialImage = () => ({
+    fill: fill(),
+    get isMoonOutdated() {
+      return told.isMoonOutdated;
+    },
+    shade,
+    release: () => told.released++,
+  });
   const coarse = { initialImage } as unknown as Renderer;
   const made = new Refinement(partsOf(renderer));
   const frame = (settings = {} as FrameSettings) => {
@@ -91,6 +99,16 @@ test("the surfaces that it begins with are drawn, then lit in the light of that 
   expect([told.faces, told.shadows]).toEqual([6, [CUBE]]);
   until(() => told.begun > 0);
   expect([told.shaded, told.released, told.captures.length]).toEqual([2, 1, 0]);
+});
+
+test("a moon that has moved is waited for, before the surfaces are lit", async () => {
+  const { told, frame, until } = await refinement(1, 0);
+  told.isMoonOutdated = true;
+  until(() => told.faces === 6);
+  for (let i = 0; i < 60; i++) expect(frame(), "the coarser one goes on").toBe(0);
+  expect([told.shaded, told.begun]).toEqual([0, 0]);
+  told.isMoonOutdated = false;
+  until(() => told.begun > 0);
 });
 
 test("its first frame is drawn off the screen, a pass in each frame, before it is shown and tiles are", async () => {
