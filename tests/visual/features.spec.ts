@@ -77,6 +77,27 @@ test.describe("In the cabin", () => {
     expect(await room.pixels({ inspect: "nonsense" as Inspection })).toBe(whole);
     expect(await room.evaluate((element) => element.inspect)).toBe("picture");
   });
+
+  test("a pass is looked at in the primaries that it has, on a Display P3 screen, too", async ({
+    cabin: room,
+  }) => {
+    const client = await room.page.context().newCDPSession(room.page);
+    const emulate = (features: { name: string; value: string }[]) =>
+      client.send("Emulation.setEmulatedMedia", { features });
+    await emulate([{ name: "color-gamut", value: "p3" }]);
+    const spaces = await room.evaluate((element) => {
+      const canvas = element.shadowRoot?.querySelector("canvas");
+      const views = ["picture", "radiance", "picture"] as const;
+      return views.map((view) => {
+        element.inspect = view;
+        element.step(0);
+        return canvas?.getContext("webgl2")?.drawingBufferColorSpace;
+      });
+    });
+    await emulate([]);
+    await client.detach();
+    expect(spaces).toEqual(["display-p3", "srgb", "display-p3"]);
+  });
 });
 
 test("Every feature is one that some look has", () => {

@@ -23,7 +23,7 @@ const VIEWS: Readonly<Record<Exclude<Inspection, "picture">, number>> = {
 /** Luminance shown as white in views of a part of the flame, cd/m². */
 const WHITE_LUMINANCE = { soot: 12_000, blue: 80 } as const;
 
-/** Inspection: a pass's result in place of the frame. */
+/** Inspection: a pass's result in place of the frame, on a canvas in sRGB. */
 export class InspectPass {
   readonly #gpu: Gpu;
   readonly #program: Program;
@@ -40,6 +40,7 @@ export class InspectPass {
     blocks: Readonly<Record<"Frame" | "Light", UniformBlock>>,
   ): void {
     if (inspect === "picture") return;
+    this.#gpu.setColorSpace("srgb");
     this.#gpu.draw({
       program: this.#program,
       target: "canvas",
