@@ -141,6 +141,25 @@ test("the flame of a wide wick looks over the candle's rim onto the plate", asyn
   expect(shares[1], "0.43 from a taper's height").toBeGreaterThan(0.8);
 });
 
+test("the flame of a wider wick stays within the canvas", async () => {
+  await show("custom-candle.glb");
+  const shares: number[] = [];
+  for (const wick of ["2", "10", "50"]) {
+    await room.set({ wick });
+    const [top = 0, all = 1] = await room.evaluate((element) => {
+      element.reset();
+      element.step(0.5);
+      const { width, height } = element.stats;
+      const brightest = (rows: number) =>
+        element.readRadiance(0, 0, width, rows).reduce((a, b) => Math.max(a, b));
+      return [brightest(2), brightest(height)];
+    });
+    shares.push(top / all);
+  }
+  await room.evaluate((element) => element.removeAttribute("wick"));
+  expect(Math.max(...shares)).toBeLessThan(0.01);
+});
+
 test("a breath blows all of them out, and the events say which", async () => {
   await show("custom-candles-4.glb");
   const { events, out } = await room.evaluate((element) => {

@@ -132,9 +132,10 @@ export class CachedSurfaces {
     this.#steps = null;
   }
 
+  /** Frees all images; others may follow. */
   dispose(): void {
     this.#abandon();
-    this.#shown = [];
+    this.#next = this.#shown = [];
     this.#keep([]);
   }
 }

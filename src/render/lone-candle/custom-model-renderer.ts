@@ -100,7 +100,10 @@ export class CustomModelRenderer extends LoneRenderer {
   readonly #opaque: readonly Surface[];
   readonly #clear: readonly Surface[];
   readonly #casters: readonly Mesh[];
-  readonly #bounds: Bounds;
+  readonly #boundsWith: (firstWick: number) => Bounds;
+  /** Diameter of the first wick that the camera looks at all flames for, metres. */
+  #firstWick = Number.NaN;
+  #bounds: Bounds;
   readonly #meter: LightMeter;
   readonly #lights = new FlameLights();
   /** Of the opaque ones, at `low`. */
@@ -114,7 +117,12 @@ export class CustomModelRenderer extends LoneRenderer {
 
   constructor(gpu: Gpu, model: Model, wicks: readonly Wick[], tier: Tier, smokePass: SmokePassOf) {
     super(gpu, tier, smokePass);
-    this.#bounds = boundsWithFlames(model.bounds, wicks);
+    this.#boundsWith = (wickDiameter) =>
+      boundsWithFlames(
+        model.bounds,
+        wicks.map((wick, i) => (i === 0 ? { ...wick, wickDiameter } : wick)),
+      );
+    this.#bounds = model.bounds;
     this.#surfaceProgram = this.#programOf({ SHADOW_TAPS: tapsOf(tier, wicks.length) });
     this.#displayProgram = gpu.pass("candle/custom-display", displayFrag);
     const face = tier.name === "low" ? FACE.low : FACE.others;
@@ -215,7 +223,17 @@ export class CustomModelRenderer extends LoneRenderer {
     return canDefer && features.candle ? this.#summed : null;
   }
 
+  /** Looks at all flames: the first wick's may have become higher. */
+  #frameFlames({ wick }: World["flame"]): void {
+    if (wick === this.#firstWick) return;
+    this.#firstWick = wick;
+    this.#bounds = this.#boundsWith(wick);
+    this.#hasDepth = false;
+    this.#summed?.dispose(); // its images are of another camera
+  }
+
   #viewOf(world: World): View {
+    this.#frameFlames(world.flame);
     const { magnification, ...camera } = frameBox(this.#bounds, this.aspect);
     const rooted: readonly RootedFlame[] = [carriedFlame(world), ...world.standing];
     const { key, exposure } = this.#meter.measure(rooted);

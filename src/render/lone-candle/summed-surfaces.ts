@@ -81,6 +81,7 @@ export class SummedSurfaces {
     return this.#gpu.program("mesh/depth", meshVert, depthFrag, { defines });
   }
 
+  /** Frees the images; others may follow. */
   dispose(): void {
     this.#cached.dispose();
   }
