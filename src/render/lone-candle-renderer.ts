@@ -8,7 +8,7 @@ import { carriedFlame, emberRadiance, flameLight, TAPER } from "../light/flame-l
 import type { World } from "../world/world.js";
 import type { FrameSettings } from "./frame-settings.js";
 import { lightBlock } from "./light-block.js";
-import { glareOf } from "./lone-candle/glare.js";
+import { glareFactor, glareOf } from "./lone-candle/glare.js";
 import { LoneRenderer, type SmokePassOf } from "./lone-candle/lone-renderer.js";
 import { frameCandle } from "./lone-candle-framing.js";
 import { surfaceSampling, uploadModel } from "./mesh/mesh.js";
@@ -66,7 +66,7 @@ export class LoneCandleRenderer extends LoneRenderer {
     const glare = glareOf(
       flameLight(carriedFlame(world), TAPER),
       drawn.clip,
-      Number(features.bloom),
+      glareFactor(settings),
     );
     const uniforms = { uVibrance: VIBRANCE, uGlare: glare };
     const isSmoking = features.smoke && world.plume !== null;

@@ -193,6 +193,40 @@ test("On white its glow fades smoothly into the page, without a ring", async ({ 
   expect(complaints).toEqual([]);
 });
 
+test("Its halo goes with the exposure, as all light does", async ({ page }) => {
+  await open(
+    page,
+    `<candle-flame scene="candle" paused quality="low" style="width: 150px; height: 200px"></candle-flame>`,
+  );
+  const halos = await page.locator("candle-flame").evaluate(async (element: CandleFlameElement) => {
+    await element.ready;
+    const opacity = async () => {
+      element.step(0);
+      const bitmap = await createImageBitmap(await element.toBlob());
+      const { width, height } = bitmap;
+      const context = new OffscreenCanvas(width, height).getContext("2d");
+      context?.drawImage(bitmap, 0, 0);
+      const pixels = context?.getImageData(0, 0, width, height).data ?? new Uint8ClampedArray();
+      return pixels.reduce((sum, value, i) => sum + (i % 4 === 3 ? value : 0), 0);
+    };
+    const halos: number[] = [];
+    for (const exposure of [-4, 0, 1]) {
+      element.exposure = exposure;
+      element.features.bloom = true;
+      const glowing = await opacity();
+      element.features.bloom = false;
+      halos.push(glowing - (await opacity()));
+    }
+    return halos;
+  });
+  const shares = halos.map((halo) => halo / (halos[1] ?? 1));
+  console.log(`halo at -4, 0 and 1 EV: ${shares.map((share) => share.toFixed(2))}`);
+  const [dark = 0, , bright = 0] = shares;
+  expect(dark).toBeGreaterThan(0.1);
+  expect(dark).toBeLessThan(0.4);
+  expect(bright).toBeGreaterThan(1.1);
+});
+
 test("Over black, white or a photograph the candle is the same, and its light only adds to the page", async ({
   page,
 }) => {

@@ -17,6 +17,7 @@ import type { DrawInLight } from "./cached-surfaces.js";
 import { boundsWithFlames, frameBox } from "./custom-framing.js";
 import { FlameLights } from "./flame-lights.js";
 import { FlameShadows } from "./flame-shadows.js";
+import { glareFactor } from "./glare.js";
 import { BOUNCE_LIGHT, STUDIO_LIGHT } from "./light-groups.js";
 import { LightMeter, MOST_EXPOSURE } from "./light-meter.js";
 import { type LoneCamera, LoneRenderer, type SmokePassOf } from "./lone-renderer.js";
@@ -177,7 +178,7 @@ export class CustomModelRenderer extends LoneRenderer {
     const behind = this.#hasDepth ? "kept" : "none";
     const drawn = this.begin(frame, camera, exposure, settings, summed ? behind : undefined);
     const { target, clip } = drawn;
-    const glare = features.bloom ? Math.sqrt(exposure / MOST_EXPOSURE) : 0;
+    const glare = glareFactor(settings, exposure / MOST_EXPOSURE);
     flames.update(this.#lights.members(rooted, clip, features.shadows, glare));
     const light: Illumination = {
       flames,
