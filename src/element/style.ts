@@ -7,8 +7,7 @@
  */
 const STYLE = `
 :host {
-  display: grid;
-  grid: auto / minmax(0, 300px);
+  display: block;
   position: relative;
   aspect-ratio: 16 / 9;
   inline-size: 100%;
@@ -17,6 +16,8 @@ const STYLE = `
   color: #f3e7d3;
   font: 1rem/1.5 system-ui, sans-serif;
 }
+/* An intrinsic width. */
+:host::before { content: ""; display: grid; grid: auto / minmax(0, 300px); }
 :host(:is(:state(alone), [state-alone])) { overflow: visible; background: none; isolation: isolate; }
 [part="glow"] { display: none; }
 :host(:is(:state(alone), [state-alone])) [part="glow"] {

@@ -311,6 +311,8 @@ test("What is set before the tag is defined holds when it is, in a box that the 
     "320 x 90",
     "320 x 320",
   ]);
+  const display = () => getComputedStyle(document.querySelector("candle-flame") as Element).display;
+  expect(await page.evaluate(display)).toBe("block");
   // Boxes that are as wide as what is in them, and columns that are not.
   const widths = await page.evaluate(() => {
     const element = document.querySelector("candle-flame");
