@@ -28,7 +28,8 @@ export class CandleReporter {
     candle.onLookChanged = () => queueMicrotask(() => emit(element, "load", null));
     candle.onRefused = () => this.refusal(candle);
     const detailOf = (index: number) => ({ index, name: candle.candleNames[index] ?? "" });
-    candle.onWickReached = (index) => this.#overlay.hint.tell(reachedSentence(detailOf(index)));
+    const { hint } = this.#overlay;
+    candle.onWickReached = (index) => hint.tell(reachedSentence(detailOf(index), hint.lighting));
     candle.view.onQualityChanged = () => emit(element, "qualitychange", null);
     candle.onFlameChanged = (index) => {
       const isLit = candle.isLit(index);

@@ -1,4 +1,5 @@
 import type { Device } from "../input/first-person-input.js";
+import { type KeyName, nameKeys } from "../key-names.js";
 import { outSentence } from "./messages.js";
 
 /** Controls of each device; keys are in brackets. */
@@ -31,6 +32,8 @@ export class Hint {
   readonly element = document.createElement("div");
   readonly #controls = document.createElement("slot");
   readonly #sentence = document.createElement("p");
+  #device: Device = "keyboard";
+  #nameOf: KeyName = (key) => key;
 
   constructor() {
     this.element.part.add("hint");
@@ -40,9 +43,16 @@ export class Hint {
     this.element.append(this.#controls);
   }
 
+  /** What the visitor does to light a candle, by the device in hand. */
+  get lighting(): string {
+    if (this.#device === "touch") return "Tap twice";
+    return `Press ${this.#device === "gamepad" ? "A" : this.#nameOf("E")}`;
+  }
+
   /** Tells news, if there are any, and that the carried candle is out, if it is, and how to light it. */
   tellFlame(isLit: boolean, canLight: boolean, news: string | null = null): void {
-    const sentences = [news, isLit ? null : outSentence(canLight)].filter(Boolean);
+    const out = outSentence(canLight ? this.lighting : null);
+    const sentences = [news, isLit ? null : out].filter(Boolean);
     this.tell(sentences.join(" ") || null, canLight && !isLit);
   }
 
@@ -57,6 +67,7 @@ export class Hint {
 
   tellControls(device: Device, isAlone: boolean): void {
     this.#clear();
+    this.#device = device;
     const controls = isAlone ? FLAME_CONTROLS : CONTROLS;
     const line = document.createElement("p");
     line.className = "controls";
@@ -65,6 +76,11 @@ export class Hint {
     }
     this.#controls.append(line);
     this.#controls.hidden = false;
+    if (device !== "gamepad") void this.#nameKeys(line);
+  }
+
+  async #nameKeys(line: HTMLElement): Promise<void> {
+    this.#nameOf = await nameKeys(line.querySelectorAll("kbd"));
   }
 
   #clear(): void {

@@ -18,16 +18,17 @@ export const REFUSALS: Readonly<Record<Refusal, string>> = {
   "out of reach": "The candle is out of reach.",
 };
 
-export function outSentence(canLight: boolean): string {
-  return canLight ? `The candle is out. ${toLight("it")}` : "The candle is out.";
+/** @param lighting what the visitor does to light it; null if there is nothing */
+export function outSentence(lighting: string | null): string {
+  return `The candle is out.${lighting ? ` ${lighting} to light it.` : ""}`;
 }
 
 export function changeSentence(candle: CandleDetail, isLit: boolean): string {
   return `${upperFirst(spokenName(candle, ","))} ${isLit ? "burns" : "is out"}.`;
 }
 
-export function reachedSentence(candle: CandleDetail): string {
-  return toLight(spokenName(candle));
+export function reachedSentence(candle: CandleDetail, lighting: string): string {
+  return `${lighting} to light ${spokenName(candle)}.`;
 }
 
 /** Name of a candle in a sentence: its number, and the words of its wick's name: `wick-mantel-left`. */
@@ -40,6 +41,3 @@ function spokenName({ index, name }: CandleDetail, end = ""): string {
 }
 
 const upperFirst = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
-
-const toLight = (name: string) =>
-  `${matchMedia("(hover: none)").matches ? "Tap twice" : "Press E"} to light ${name}.`;

@@ -1,12 +1,12 @@
 import type { Camera, CandleFlameElement } from "../candle-flame-element.js";
 import "../define.js";
+import { nameKeys } from "../key-names.js";
 import { FIELDS_OF_VIEW, parseIndices } from "../settings.js";
 import { expectedLook, followDrawnLook } from "./drawn-look.js";
 import { find } from "./find.js";
 import { followAttributes } from "./follow-attributes.js";
 import { fullResolution } from "./full-resolution.js";
 import { holdPoster } from "./held-poster.js";
-import { nameKeys } from "./key-names.js";
 import { bindMicrophone } from "./microphone.js";
 import { addSettings } from "./settings-form.js";
 import { readShareLink, SHARED, type Shared, type View, writeShareLink } from "./share-link.js";

@@ -211,6 +211,35 @@ test("By a button of the page that a key presses, too, the controls are those of
   expect(room.complaints).toEqual([]);
 });
 
+test("Hints name keys as the visitor's own keyboard does, and what is in his hand", async ({
+  page,
+}) => {
+  await page.addInitScript(() => {
+    const names = { KeyW: "z", KeyA: "q", KeyQ: "a", KeyE: "." };
+    const keyboard = { getLayoutMap: async () => new Map(Object.entries(names)) };
+    Object.defineProperty(navigator, "keyboard", { value: keyboard });
+  });
+  const room = await openControls(page);
+  await room.evaluate((element) => element.focus());
+  await page.keyboard.press("Enter");
+  await expect.poll(() => hintOf(room)).toMatch(/^Z ?Q ?S ?D walk, A ?R turn/);
+  const out = () =>
+    room.evaluate((element) => {
+      element.light();
+      element.extinguish();
+    });
+  await out();
+  expect(await hintOf(room)).toBe("The candle is out. Press . to light it.");
+  await page.keyboard.press("Escape");
+  await page.evaluate(() => {
+    const touch = { pointerType: "touch", bubbles: true };
+    document.body.dispatchEvent(new PointerEvent("pointerdown", touch));
+  });
+  await enter(room);
+  await out();
+  expect(await hintOf(room)).toBe("The candle is out. Tap twice to light it.");
+});
+
 test("The sensitivity is how far the mouse turns the view", async ({ page }) => {
   await page.addInitScript(() => {
     Element.prototype.requestPointerLock = () =>

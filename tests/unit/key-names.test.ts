@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { nameKeys } from "../../../src/page/key-names.ts";
+import { fetchKeyNames, nameKeys } from "../../src/key-names.ts";
 
 const AZERTY = new Map([
   ["KeyW", "z"],
@@ -7,9 +7,9 @@ const AZERTY = new Map([
   ["KeyE", "e"],
 ]);
 
-async function named(navigator: Parameters<typeof nameKeys>[1]): Promise<(string | null)[]> {
+async function named(navigator: Parameters<typeof fetchKeyNames>[0]): Promise<(string | null)[]> {
   const caps = ["W", "A", "E", "Esc"].map((textContent) => ({ textContent }));
-  await nameKeys(caps, navigator);
+  await nameKeys(caps, fetchKeyNames(navigator));
   return caps.map(({ textContent }) => textContent);
 }
 
