@@ -605,6 +605,48 @@ test.describe("the ladder", () => {
     expect(await state()).toEqual(before);
   });
 
+  test("leaves a room with other models, its visitor and its candles where they were", async ({
+    hosted,
+  }) => {
+    await hosted.evaluate(async (room) => {
+      room.look = "physical";
+      await room.ready;
+      room.pause();
+      room.step(1);
+      room.place();
+      room.camera = { position: [0.4, 1.5, 0.9], yaw: 0.8, pitch: -0.2, fieldOfView: 1 };
+      for (const candle of room.candles) candle.lit = !candle.lit;
+      document.body.dataset.loads = "0";
+      room.addEventListener("load", () => {
+        document.body.dataset.loads = "more";
+      });
+    });
+    const state = () =>
+      hosted.evaluate(({ look, camera, held, flame, candles, currentTime, paused }) => {
+        const lit = candles.map((candle) => candle.lit);
+        const { loads } = document.body.dataset;
+        return { look, camera, held, place: flame?.position, lit, currentTime, paused, loads };
+      });
+    const before = await state();
+    expect([before.held, before.lit.includes(false)]).toEqual([false, true]);
+    const ladder = await hosted.openLab("What each technique costs");
+    const rounds = ladder.getByLabel("Rounds");
+    await rounds.fill("1");
+    await rounds.press("Enter");
+    await expect(ladder.getByRole("status")).toContainText("1 round of");
+    expect(await state()).toEqual(before);
+
+    await test.step("also when it is stopped as one walks in", async () => {
+      await rounds.fill("99");
+      await rounds.press("Enter");
+      await expect(hosted.page.locator("candle-flame")).toHaveCount(2);
+      await hosted.evaluate((room) => void room.dispatchEvent(new CustomEvent("enter")));
+      await expect(ladder.getByRole("status")).toHaveText("Stopped before the end.");
+      await expect(hosted.page.locator("candle-flame")).toHaveCount(1);
+      expect(await state()).toEqual(before);
+    });
+  });
+
   test("can be left half way, and the flame burns on as before", async ({ hosted }) => {
     const ladder = await hosted.openLab("What each technique costs");
     const rounds = ladder.getByLabel("Rounds");

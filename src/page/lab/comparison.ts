@@ -1,11 +1,8 @@
 import type { CandleFlameElement, Look } from "../../candle-flame-element.js";
-import { SETTING_NAMES, type SettingName } from "../../settings.js";
+import { copyShared, createSecondRoom, SHARED } from "./second-room.js";
 
 /** Longest time step of a frame, seconds: a tab that was hidden does not fast-forward. */
 const MAX_FRAME = 1 / 20;
-/** Attributes that the two rooms do not share. */
-const OWN: readonly SettingName[] = ["look", "controls", "paused", "alt"];
-const SHARED = SETTING_NAMES.filter((name) => !OWN.includes(name));
 
 /**
  * A second room over the first, in another look, with the same camera at the same time.
@@ -54,14 +51,10 @@ export class Comparison {
 
   open(look: Look): void {
     if (this.#second) return;
-    const second = document.createElement("candle-flame");
+    const second = createSecondRoom(this.#room, look);
+    second.classList.add("beside");
     this.#second = second;
     this.#state = "loading";
-    this.#copyAttributes();
-    second.look = look;
-    second.paused = true;
-    second.className = "second";
-    second.setAttribute("aria-hidden", "true"); // the same room once more: the divider says what is where
     this.#open = new AbortController();
     const { signal } = this.#open;
     const loaded = () => {
@@ -125,12 +118,7 @@ export class Comparison {
   }
 
   #copyAttributes(): void {
-    for (const name of SHARED) {
-      const value = this.#room.getAttribute(name);
-      if (value === this.#second?.getAttribute(name)) continue;
-      if (value === null) this.#second?.removeAttribute(name);
-      else this.#second?.setAttribute(name, value);
-    }
+    if (this.#second) copyShared(this.#room, this.#second);
   }
 
   // Not by `camerachange`, which a reset does not fire.

@@ -56,7 +56,7 @@ export function addLab(
     bindSpotMeter(section("meter"), spot, room, stage, comparison),
     bindFlamePlot(section("flame-plot"), room),
   ];
-  const stopLadder = bindLadder(section("ladder"), room, (isRunning) => {
+  const stopLadder = bindLadder(section("ladder"), room, stage, (isRunning) => {
     // What is being measured must not change meanwhile.
     if (isRunning) comparison.close();
     for (const controls of [techniques, settings]) controls.disabled = isRunning;

@@ -1,18 +1,21 @@
 import type { CandleFlameElement } from "../../candle-flame-element.js";
 import { find } from "../find.js";
-import { isWalking } from "../walking.js";
 import { climb } from "./ladder.js";
 import { addLadderChart } from "./ladder-chart.js";
+import { createSecondRoom } from "./second-room.js";
 
 /**
  * Binds Table 1, live: the button that measures, the progress and the results.
+ *
+ * What is measured is a second room over the first, which waits, untouched, until the second is removed.
  *
  * @param onChange called when a climb begins and when it has ended
  * @returns what stops a climb
  */
 export function bindLadder(
   section: HTMLElement,
-  element: CandleFlameElement,
+  room: CandleFlameElement,
+  stage: HTMLElement,
   onChange: (isRunning: boolean) => void,
 ): () => void {
   const showMedians = addLadderChart(find(section, "tbody", HTMLTableSectionElement));
@@ -39,24 +42,43 @@ export function bindLadder(
       signal.addEventListener("abort", () => reject(signal.reason));
     });
     try {
-      await Promise.race([element.ready, stopped]);
-      signal.throwIfAborted();
-      const rounds = roundsInput.valueAsNumber;
-      const frames = await climb(element, rounds, signal, (fraction, medians) => {
-        progress.value = fraction;
-        showMedians(medians);
-        // Walking changes the view, and with it what is measured.
-        if (isWalking(element)) stop();
-      });
-      const { width, height, quality } = element.stats;
-      show(
-        false,
-        `Measured at ${width} × ${height}, quality ${quality}: medians of ${rounds} ` +
-          `${rounds === 1 ? "round" : "rounds"} of ${frames} frames.`,
-      );
+      await Promise.race([room.ready, stopped]);
+      show(false, await measureSecondRoom(signal, stopped));
     } catch (error) {
       show(false, (error as Error).message);
     }
+  }
+
+  /** Gives the sentence that says what was measured. */
+  async function measureSecondRoom(signal: AbortSignal, stopped: Promise<unknown>) {
+    const wasPaused = room.paused;
+    room.pause();
+    const second = createSecondRoom(room, "paper");
+    stopAtFailure(second);
+    stage.append(second);
+    try {
+      await Promise.race([second.ready, stopped]);
+      second.mirror(room);
+      second.features = room.features;
+      const rounds = roundsInput.valueAsNumber;
+      const frames = await climb(second, rounds, signal, (fraction, medians) => {
+        progress.value = fraction;
+        showMedians(medians);
+      });
+      const { width, height, quality } = second.stats;
+      return (
+        `Measured at ${width} × ${height}, quality ${quality}: medians of ${rounds} ` +
+        `${rounds === 1 ? "round" : "rounds"} of ${frames} frames.`
+      );
+    } finally {
+      second.remove();
+      room.paused = wasPaused;
+    }
+  }
+
+  function stopAtFailure(one: CandleFlameElement): void {
+    one.addEventListener("error", ({ detail }) => stop(detail.message));
+    one.addEventListener("contextlost", () => stop());
   }
 
   find(section, "form", HTMLFormElement).addEventListener("submit", (event) => {
@@ -65,7 +87,7 @@ export function bindLadder(
     running = new AbortController();
     void measure(running);
   });
-  element.addEventListener("error", ({ detail }) => stop(detail.message));
-  element.addEventListener("contextlost", () => stop());
+  stopAtFailure(room);
+  room.addEventListener("enter", () => stop()); // one walks in the room that waits
   return stop;
 }

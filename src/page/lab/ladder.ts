@@ -1,5 +1,4 @@
-import type { CandleFlameElement, Feature, Features } from "../../candle-flame-element.js";
-import { drawnLook } from "../drawn-look.js";
+import type { CandleFlameElement, Feature } from "../../candle-flame-element.js";
 
 /** A step of the paper's Table 1: what it adds, and what a frame cost there. */
 interface Rung {
@@ -30,10 +29,10 @@ const FEWEST_FRAMES = 4;
 const MOST_FRAMES = 120;
 
 /**
- * Measures the frame time on each rung, in the paper's look.
+ * Measures the frame time of a paused element in the paper's look on each rung, which its features then are.
  *
  * Rounds go up and down the ladder in turn, so that a machine that warms up or slows down favours no
- * rung. Rejects when the signal aborts. Either way the element is left as it was found.
+ * rung. Rejects when the signal aborts.
  *
  * @param onProgress called after each burst, with each rung's median frame time so far, milliseconds
  * @returns frames in one burst
@@ -44,57 +43,19 @@ export async function climb(
   signal: AbortSignal,
   onProgress: (fraction: number, medians: readonly number[]) => void,
 ): Promise<number> {
-  const restore = remember(element);
-  try {
-    element.pause();
-    await turnToPaper(element, signal);
-    await nextFrame(signal);
-    const frames = framesThatFit(element);
-    const times: number[][] = RUNGS.map(() => []);
-    for (let round = 0; round < rounds; round++) {
-      for (let i = 0; i < RUNGS.length; i++) {
-        const rung = round % 2 === 0 ? i : RUNGS.length - 1 - i;
-        await nextFrame(signal);
-        standOn(element, rung);
-        times[rung]?.push(burst(element, frames));
-        onProgress((round * RUNGS.length + i + 1) / (rounds * RUNGS.length), times.map(median));
-      }
+  await nextFrame(signal);
+  const frames = framesThatFit(element);
+  const times: number[][] = RUNGS.map(() => []);
+  for (let round = 0; round < rounds; round++) {
+    for (let i = 0; i < RUNGS.length; i++) {
+      const rung = round % 2 === 0 ? i : RUNGS.length - 1 - i;
+      await nextFrame(signal);
+      standOn(element, rung);
+      times[rung]?.push(burst(element, frames));
+      onProgress((round * RUNGS.length + i + 1) / (rounds * RUNGS.length), times.map(median));
     }
-    return frames;
-  } finally {
-    restore();
   }
-}
-
-/** Shows the paper's look, and waits for the models of its room. */
-async function turnToPaper(element: CandleFlameElement, signal: AbortSignal): Promise<void> {
-  const hasOtherModels = drawnLook(element) === "physical";
-  const stop = new AbortController();
-  const loaded = new Promise<void>((resolve, reject) => {
-    const options = { signal: stop.signal };
-    element.addEventListener("load", () => resolve(), options);
-    element.addEventListener("error", ({ detail }) => reject(new Error(detail.message)), options);
-    signal.addEventListener("abort", () => reject(signal.reason), options);
-  });
-  try {
-    element.look = "paper";
-    if (hasOtherModels) await loaded;
-  } finally {
-    stop.abort();
-  }
-}
-
-function remember(element: CandleFlameElement): () => void {
-  const features: Features = { ...element.features };
-  const look = element.getAttribute("look");
-  const wasPaused = element.paused;
-  return () => {
-    Object.assign(element.features, features);
-    // After the features: the page's switches follow this attribute.
-    if (look === null) element.removeAttribute("look");
-    else element.setAttribute("look", look);
-    element.paused = wasPaused;
-  };
+  return frames;
 }
 
 function standOn({ features }: CandleFlameElement, rung: number): void {
