@@ -85,6 +85,27 @@ test("“Use it” has snippets to copy, and every attribute to try", async ({ f
     );
   });
 
+  await test.step("time that stops out of sight is not logged, as scrolling would be read aloud", async () => {
+    const candle = page.locator("#tried");
+    await candle.scrollIntoViewIfNeeded();
+    const isPlaying = () => candle.evaluate((candle) => candle.matches(":state(playing)"));
+    await expect.poll(isPlaying).toBe(true);
+    const lines = await candle.evaluate((candle: CandleFlameElement) => {
+      const log = document.querySelector("[role=log]") as HTMLElement;
+      const lineAfter = (change: () => void) => {
+        log.textContent = "";
+        change();
+        return log.textContent;
+      };
+      return [
+        ...["pause", "play"].map((type) => lineAfter(() => candle.dispatchEvent(new Event(type)))),
+        lineAfter(() => candle.pause()),
+        lineAfter(() => candle.play()),
+      ];
+    });
+    expect(lines).toEqual(["", "", "event: pause", "event: play"]);
+  });
+
   await test.step("none of them is hidden by the candle, whatever takes the focus", async () => {
     await page.emulateMedia({ reducedMotion: "reduce" }); // it scrolls at once
     const inputs = page.locator(".attributes :is(select, input)");

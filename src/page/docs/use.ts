@@ -18,8 +18,14 @@ addTryOut(
 
 const log = find(document, ".events", HTMLElement);
 const EVENTS = ["load", "error", "play", "pause", "light", "extinguish", "place", "take"] as const;
+/** As of the last event: time also stops while the candle is out of sight, which is not logged. */
+let isPaused = false;
 for (const type of EVENTS) {
   tried.addEventListener(type, () => {
+    if (type === "pause" || type === "play") {
+      if (tried.paused === isPaused) return;
+      isPaused = tried.paused;
+    }
     log.textContent = `event: ${type}`;
   });
 }
