@@ -110,6 +110,7 @@ test("the page opens on a burning room, from any folder of a site", async ({ fre
     await spot.focus();
     await page.keyboard.press("ArrowRight");
     await page.keyboard.press("Shift+ArrowDown");
+    expect(await shortcutsTaken(spot)).toEqual([]);
     await expect(spot).toHaveAttribute("style", /left: 26%; top: 60%/);
     // Paused, the picture is the same: the meter must show what the element says of that spot.
     const luminance = await fresh.evaluate((room) => {
@@ -729,6 +730,7 @@ test("the comparison shows two looks from one place at one time, while it is ope
   await test.step("with a divider for keys and pointer", async () => {
     await divider.focus();
     await page.keyboard.press("ArrowLeft");
+    expect(await shortcutsTaken(divider)).toEqual([]);
     await expect(divider).toHaveAttribute("aria-valuenow", "48");
     await page.keyboard.press("End");
     await expect(divider).toHaveAttribute("aria-valuenow", "100");
@@ -947,6 +949,16 @@ function tooSmall(page: Page): Promise<string[]> {
       return isLarge ? [] : [`${control.tagName} ${control.textContent} ${width} x ${height}`];
     });
   });
+}
+
+/** Arrow keys with a modifier, which mean something to the browser, that a control keeps from it. */
+function shortcutsTaken(control: Locator): Promise<string[]> {
+  return control.evaluate((control) =>
+    ["ctrlKey", "metaKey", "altKey"].filter((modifier) => {
+      const init = { key: "ArrowLeft", [modifier]: true, bubbles: true, cancelable: true };
+      return !control.dispatchEvent(new KeyboardEvent("keydown", init));
+    }),
+  );
 }
 
 function shareOf(progress: HTMLElement | SVGElement): number {

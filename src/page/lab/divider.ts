@@ -35,6 +35,7 @@ export function bindDivider(line: HTMLElement, stage: HTMLElement, onEscape: () 
     move(((clientX - left) / width) * 100);
   });
   line.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return; // shortcuts of the browser
     const step = STEPS[event.key];
     if (event.key === "Escape") onEscape();
     else if (step === undefined) return;

@@ -70,6 +70,7 @@ export function bindSpotMeter(
 
   spot.tabIndex = 0;
   spot.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return; // shortcuts of the browser
     const step = event.shiftKey ? LEAP : STEP;
     const ways: Readonly<Record<string, readonly [number, number]>> = {
       ArrowLeft: [-step, 0],
