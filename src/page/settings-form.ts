@@ -2,6 +2,7 @@ import type { CandleFlameElement } from "../candle-flame-element.js";
 import { camelCase, SETTINGS, type Setting, type SettingName } from "../settings.js";
 import { followAttributes } from "./follow-attributes.js";
 import { SETTING_MEANINGS } from "./meanings.js";
+import { showValue } from "./show-value.js";
 
 export type Control = HTMLInputElement | HTMLSelectElement;
 
@@ -42,12 +43,15 @@ function addSetting(element: CandleFlameElement, form: HTMLElement, name: Settin
     output.htmlFor.add(control.id);
     control.after(output);
   }
-  const unit = isSlider ? setting.unit : "";
   followAttributes(element, [name], () => {
     const text = String(element[camelCase(name)]);
     control.value = text;
-    output.value = `${text}${unit === "degrees" ? "°" : ` ${unit}`}`.trim();
+    if (isSlider) showValue(control, output, withUnit(text, setting.unit));
   });
+}
+
+function withUnit(text: string, unit: string): string {
+  return `${text}${unit === "degrees" ? "°" : ` ${unit}`}`.trim();
 }
 
 /**

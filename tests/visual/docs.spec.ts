@@ -128,6 +128,13 @@ test("“Use it” has snippets to copy, and every attribute to try", async ({ f
     }
   });
 
+  await test.step("a slider's number is said once", async () => {
+    const slider = page.getByRole("slider", { name: "--candle-flame-glow", exact: true });
+    await slider.fill("0.35");
+    await expect(slider).toHaveAttribute("aria-valuetext", "0.35");
+    await expect(page.getByText("0.35", { exact: true })).toHaveAttribute("aria-live", "off");
+  });
+
   await test.step("and methods to call on a candle beside their buttons", async () => {
     const figure = page.locator("#scripted");
     await firstFrame(figure);
@@ -174,8 +181,12 @@ test("“How it works” has figures that are computed, and switches that act", 
       return candle.flame?.height ?? 0;
     });
   const before = await height();
-  await figure("body").getByRole("slider", { name: "wick" }).fill("4");
+  // Screen readers have the unit as the slider's own, and hear it once.
+  const wick = figure("body").getByRole("slider", { name: "wick", exact: true });
+  await wick.fill("4");
+  await expect(wick).toHaveAttribute("aria-valuetext", "4 mm");
   await expect(figure("body").getByText("4 mm")).toBeVisible();
+  await expect(figure("body").getByText("4 mm")).toHaveAttribute("aria-live", "off");
   expect(await height()).toBeGreaterThan(before * 1.2);
 
   await test.step("candles are chosen while there is no room, too", async () => {

@@ -436,6 +436,9 @@ test.describe("what one sees", () => {
       await settings.getByLabel("gustiness").fill("0.8");
       await settings.getByLabel("wick").fill("10");
       await expect(settings.getByText("10 mm")).toBeVisible();
+      await expect(settings.getByText("10 mm")).toHaveAttribute("aria-live", "off");
+      await expect(settings.getByLabel("wick")).toHaveAttribute("aria-valuetext", "10 mm");
+      await expect(settings.getByLabel("wind direction")).toHaveAttribute("aria-valuetext", "-90°");
       expect(
         await fresh.evaluate(({ exposure, motion, sensitivity, quality }) => {
           return { exposure, motion, sensitivity, quality };

@@ -1,6 +1,7 @@
 import type { Camera, CandleFlameElement, Feature } from "../../candle-flame-element.js";
 import { parseIndices, SETTINGS } from "../../settings.js";
 import { find } from "../find.js";
+import { showValue } from "../show-value.js";
 
 /** A room this many screens away is removed, and inserted again when it is near. */
 const FAR = "150%";
@@ -56,7 +57,7 @@ function bindControl(element: CandleFlameElement, control: Element): void {
     const output = control.parentElement?.querySelector("output");
     const act = () => {
       element.setAttribute(control.name, control.value);
-      if (output) output.value = `${control.value} ${unitOf(control.name)}`;
+      if (output) showValue(control, output, `${control.value} ${unitOf(control.name)}`.trim());
     };
     control.addEventListener("input", act);
     act();

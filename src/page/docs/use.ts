@@ -1,6 +1,7 @@
 import type { CandleFlameElement } from "../../candle-flame-element.js";
 import "../../define.js";
 import { find } from "../find.js";
+import { showValue } from "../show-value.js";
 import { addCopyButton } from "./copy-button.js";
 import { bindLiveFigure } from "./live-figure.js";
 import { addTryOut } from "./try-out.js";
@@ -42,7 +43,7 @@ const slider = find(document, ".glow", HTMLInputElement);
 const output = find(document, ".glow ~ output", HTMLOutputElement);
 const shine = () => {
   glowing.style.setProperty("--candle-flame-glow", slider.value);
-  output.value = slider.value;
+  showValue(slider, output, slider.value);
 };
 slider.addEventListener("input", shine);
 shine();
