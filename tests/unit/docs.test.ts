@@ -60,6 +60,15 @@ test.each(PAGES)("%s links to what there is", (page) => {
   }
 });
 
+test.each(["docs/embedding.md", "docs/testing.md"])(
+  "%s says that a removal rejects `ready`",
+  (page) => {
+    expect(read(page).replaceAll(/\s+/g, " ")).toMatch(
+      /`ready`[^|]* rejects with an `AbortError`[^.]*, without (an `error`|that) event/,
+    );
+  },
+);
+
 /** Words of our own for what has a name, and words for people that mean none. */
 const PRIVATE_WORDS =
   /\b(who walks|what is seen|who plays|pictures?|(re)?paint(s|ed|ing)?|told|guessed|glimpses?|echo(es)?)\b/gi;
