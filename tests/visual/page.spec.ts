@@ -204,6 +204,32 @@ test("walking hides everything but the room, until the visitor leaves it", async
   await expect(page.getByRole("button", { name: "Help" }), "the next control").toBeFocused();
 });
 
+test("a finger on a machine with a mouse taps to come back", async ({ hosted }) => {
+  const { page } = hosted;
+  expect(await page.evaluate(() => matchMedia("(hover: hover)").matches)).toBe(true);
+  const devtools = await page.context().newCDPSession(page);
+  const tap = async (button: Locator) => {
+    await expect(button).toBeVisible();
+    const box = await button.boundingBox();
+    if (!box) throw new Error("nothing to tap");
+    const touchPoints = [{ x: box.x + box.width / 2, y: box.y + box.height / 2 }];
+    await devtools.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints });
+    await devtools.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  };
+  const leave = page.getByRole("button", { name: "Come back" });
+  await tap(hosted.enter);
+  await expect.poll(() => hosted.isWalking()).toBe(true);
+  await tap(leave);
+  await expect.poll(() => hosted.isWalking()).toBe(false);
+  await expect(hosted.enter).toBeFocused();
+  await hosted.enter.click();
+  await expect.poll(() => hosted.isWalking()).toBe(true);
+  await expect(leave, "a mouse is locked").toBeHidden();
+  await page.keyboard.press("Escape");
+  await expect.poll(() => hosted.isWalking()).toBe(false);
+  await devtools.detach();
+});
+
 test("a candle that is taken up on entering leaves the controls in sight", async ({ hosted }) => {
   await hosted.evaluate((room) => {
     room.place();
