@@ -20,8 +20,6 @@ const STANDING: Vec3 = [0, 0, 0];
 /** Advances the world in whole ticks. The remainder is carried to the next call. */
 export function advance(world: World, intent: Intent, seconds: number): void {
   if (!world.setup.isAlone) turnHead(world.player, intent);
-  if (intent.placesOrTakes && world.candle.isHeld) placeCandle(world);
-  else if (intent.placesOrTakes) takeCandle(world);
   if (intent.togglesFlame) useFlame(world);
   if (intent.blows) blow(world, 1);
   // 144 x 1/144 must be one second: the error of a sum is far below a millionth of a tick.
@@ -29,6 +27,9 @@ export function advance(world: World, intent: Intent, seconds: number): void {
   world.remainder = Math.max(0, world.remainder + seconds - ticks * TICK);
   if (ticks > 0 && world.remainder < TICK * 1e-6) world.remainder = 0;
   for (let i = 0; i < ticks; i++) tick(world, intent);
+  // Last: from where one stands when it is reported.
+  if (intent.placesOrTakes && world.candle.isHeld) placeCandle(world);
+  else if (intent.placesOrTakes) takeCandle(world);
   if (ticks > 0) interpolate(world);
   else interpolateTurn(world);
 }

@@ -101,6 +101,19 @@ describe("placing and taking", () => {
     expect(held).toEqual([false, true, false]);
   });
 
+  test("is done from where one stands after the frame: a link gives that place", () => {
+    const world = createWorld("paper", 1);
+    advance(world, WALKING, 0.5);
+    advance(world, { ...WALKING, placesOrTakes: true }, 1 / 20);
+    const { position, yaw, pitch } = world.player;
+    const other = createWorld("paper", 1);
+    moveCamera(other, position, yaw, pitch);
+    expect(placeCandle(other)).toBe(true);
+    for (const axis of [0, 1, 2] as const) {
+      expect(other.candle.position[axis]).toBeCloseTo(world.candle.position[axis], 9);
+    }
+  });
+
   test("does not tear the flame off its wick", () => {
     const world = createWorld("paper", 1);
     const still = createWorld("paper", 1);
