@@ -33,10 +33,8 @@ export function observeLessMotion(signal: AbortSignal, onChange: () => void): vo
 }
 
 /** URL of the folder of the built-in models: `asset-base`, or the one that this module lies in. */
-export function assetRootOf({ assetBase }: ReflectedAttributes): string {
+export function assetRootOf({ assetBase, baseURI }: ReflectedAttributes): string {
   const module = new URL(".", import.meta.url).href;
   if (assetBase === "") return module;
-  return (
-    resolveUrl(assetBase.endsWith("/") ? assetBase : `${assetBase}/`, document.baseURI) ?? module
-  );
+  return resolveUrl(assetBase.endsWith("/") ? assetBase : `${assetBase}/`, baseURI) ?? module;
 }

@@ -105,8 +105,8 @@ export class Session {
 
   get #request(): SceneRequest {
     const { attributes } = this.#input;
-    const { scene, src, paused: isStepped } = attributes;
-    return { scene, look: this.look, src, assetRoot: assetRootOf(attributes), isStepped };
+    const { scene, src, paused: isStepped, baseURI } = attributes;
+    return { scene, look: this.look, src, baseURI, assetRoot: assetRootOf(attributes), isStepped };
   }
 
   /** To be called when an attribute that selects a scene has changed. */

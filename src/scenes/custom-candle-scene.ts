@@ -12,13 +12,13 @@ const BESIDE = 0.1;
 
 /** A visitor's own candles alone; null where the model has no wick. */
 export async function loadCustomCandle(
-  { src, assetRoot }: SceneRequest,
+  request: SceneRequest,
   { signal, onProgress }: Loading,
 ): Promise<Scene | null> {
   const { loadModel } = await import("../assets/load-model.js").catch(missCode);
-  const decoderBase = new URL("decoders/", assetRoot).href;
+  const decoderBase = new URL("decoders/", request.assetRoot).href;
   const options = { signal, onProgress, decoderBase, isCandle: true };
-  const model = await loadModel(addressOf(src), options);
+  const model = await loadModel(addressOf(request), options);
   let isMoved = false;
   const box = inset(model.bounds, -BESIDE);
   const wicks = model.wicks.map((wick): Wick => {

@@ -17,20 +17,21 @@ const BUILT_IN: Readonly<Record<Look, Readonly<Record<keyof Models, string>>>> =
 const REPEATED = 80;
 
 /** The absolute address of a visitor's model. */
-export function addressOf(src: string): string {
-  const address = resolveUrl(src, document.baseURI);
+export function addressOf({ src, baseURI }: SceneRequest): string {
+  const address = resolveUrl(src, baseURI);
   if (address !== null) return address;
   throw new AssetError(`The model's address is none that can be read: ${src.slice(0, REPEATED)}`);
 }
 
 /** Fetches and decodes a look's models. three.js comes with the first of them. */
 export async function loadModels(
-  { look, src, assetRoot }: SceneRequest,
+  request: SceneRequest,
   { signal, onProgress }: Loading,
 ): Promise<Models> {
+  const { look, src, assetRoot } = request;
   const builtIn = (name: keyof Models) => new URL(BUILT_IN[look][name], assetRoot).href;
   const sources = {
-    room: src === "" ? builtIn("room") : addressOf(src),
+    room: src === "" ? builtIn("room") : addressOf(request),
     candle: builtIn("candle"),
   };
   const { loadModel } = await import("../assets/load-model.js").catch(missCode);

@@ -50,6 +50,8 @@ export interface SceneRequest {
   readonly look: Look;
   /** URL of the visitor's own room or candle, or empty for the built-in one. */
   readonly src: string;
+  /** URL that `src` is relative to. */
+  readonly baseURI: string;
   /** URL of the folder that built-in models lie in. */
   readonly assetRoot: string;
   /** Whether only steps advance time: their images must not depend on when code arrives. */

@@ -80,7 +80,14 @@ export async function reportPrograms({
   try {
     const canvas = document.createElement("canvas");
     const assetRoot = new URL("/", location.href).href;
-    const request = { scene: name, look, src, assetRoot, isStepped: true } as const;
+    const request = {
+      scene: name,
+      look,
+      src,
+      assetRoot,
+      baseURI: location.href,
+      isStepped: true,
+    } as const;
     const loading = { signal: new AbortController().signal, onProgress: () => {} };
     const scene = await loadScene(request, loading);
     const screen = createCanvasTarget(name, canvas);

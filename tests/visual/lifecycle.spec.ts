@@ -343,6 +343,32 @@ test("In another window an element has that window's frames, playing and paused"
   expect(outcome).toEqual({ plays: true, draws: true });
 });
 
+test("In another document a model's address is relative to that document", async ({ room }) => {
+  const { page } = room;
+  await page.route("**/nested/room.glb", (route) =>
+    route.fulfill({ contentType: "model/gltf-binary", body: QUICK_ROOM }),
+  );
+  const errors = await page.evaluate(async () => {
+    const frame = document.createElement("iframe");
+    document.body.append(frame);
+    const { contentDocument } = frame;
+    const base = contentDocument?.createElement("base");
+    if (!contentDocument || !base) throw new Error("The frame has no document.");
+    base.href = "/nested/";
+    contentDocument.head.append(base);
+    const element = document.createElement("candle-flame");
+    Object.assign(element, { look: "physical", quality: "low", paused: true, src: "room.glb" });
+    element.style.cssText = "width: 64px; height: 36px";
+    const errors: string[] = [];
+    element.addEventListener("error", ({ detail }) => errors.push(detail.message));
+    contentDocument.body.append(element);
+    await element.ready.catch(() => {});
+    for (const one of [element, frame]) one.remove();
+    return errors;
+  });
+  expect(errors).toEqual([]);
+});
+
 test("What is set while another look loads is done to the one on show", async ({ page }) => {
   await serveSmallTextures(page);
   let release = () => {};

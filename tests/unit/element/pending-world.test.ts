@@ -10,6 +10,7 @@ const REQUEST: SceneRequest = {
   look: "physical",
   src: "",
   assetRoot: "",
+  baseURI: "",
   isStepped: true,
 };
 
