@@ -46,7 +46,7 @@ const path = new Float64Array((PIECES + 1) * 3);
 /**
  * Bends, stretches and dims a body as the flame has it, into `shape`. Nothing is allocated.
  *
- * @param leastRadius to which it is widened, metres; its light stays
+ * @param leastRadius to which it is widened, and lengthened to twice of it, metres; its light stays
  */
 export function shapeFlame(
   flame: Flame,
@@ -54,7 +54,8 @@ export function shapeFlame(
   shape: FlameShape,
   leastRadius = 0,
 ): FlameShape {
-  const { height: length, glow, effectiveStrain, presence } = flame;
+  const { glow, effectiveStrain, presence } = flame;
+  const length = Math.max(flame.height, 2 * leastRadius);
   const radius = Math.max(flame.radius, leastRadius);
   shape.length = length;
   shape.radius = radius;
@@ -65,7 +66,7 @@ export function shapeFlame(
   // However its volume swings, the light is the limiter's, on the canvas and in the room.
   shape.soot = volume > 0 ? glow / (volume * bulging(body)) : 0;
   // The blue sheet is as thick and as bright on any flame: its light goes as its area.
-  const sheet = (body.radius * flame.radius) / radius ** 2;
+  const sheet = (body.radius * flame.radius * flame.height) / (radius ** 2 * length);
   shape.blue = glow > 0 ? sheet * (1 + BLUENESS * effectiveStrain) * presence : 0;
   gatherLight(body, shape, volume);
   placeBalls(shape);

@@ -72,7 +72,7 @@ export class FlamePass {
   /**
    * Adds radiance to the target, with its depth test.
    *
-   * @param leastRadius to which the flame is widened, metres; its light stays
+   * @param leastRadius to which the flame is widened, and lengthened to twice of it, metres; its light stays
    */
   render(
     target: RenderTarget | TextureView,

@@ -31,7 +31,7 @@ const MARGIN = 3;
 const HULL = 1.4;
 /** Least radiance of an ember that is drawn, cd/m². */
 const FAINTEST_EMBER = 1e-5;
-/** Least radius of a flame: one ray a pixel meets a thinner one twice, or not at all. Pixels. */
+/** Least radius and half height of a flame: one ray a pixel meets a smaller one twice, or not at all. Pixels. */
 const LEAST_RADIUS = 1.5;
 /** Radius around the flame's root within which the wick glows, metres. */
 const EMBER_REACH = 0.01;
