@@ -268,7 +268,8 @@ export class CandleFlameElement extends ReflectedAttributes {
   }
 
   #setLit(isLit: boolean): void {
-    if (!this.#candle) this.#pending.setLit(isLit);
+    const isReplaced = this.#isPending && this.scene === "candle";
+    if (!this.#candle || isReplaced) this.#pending.setLit(isLit);
     this.#candle?.setLit(isLit);
     this.#requestDraw();
   }
@@ -280,7 +281,7 @@ export class CandleFlameElement extends ReflectedAttributes {
 
   /** Enters the room, as a click does: takes the focus and locks the pointer. Needs `controls`. */
   enter(): void {
-    this.#candle?.input?.enter();
+    this.#lifecycle.session?.controls.enter();
   }
 
   /** The current frame as an image file. */

@@ -160,16 +160,22 @@ export class CandleFlame {
   /**
    * Another scene on the same canvas, and its options. The old one is no longer used.
    *
-   * @param isSameModel whether it is of the same model, for another look
+   * @param isSameSource whether it is of the same `src`, for another look
+   * @param isLit whether the first candle is to burn, if the page has said so since
+   * @returns whether it is of the same room, and all has stayed where it was
    */
-  show(scene: Scene, options: Options, isSameModel: boolean): void {
+  show(scene: Scene, options: Options, isSameSource: boolean, isLit: boolean | null): boolean {
     this.#scene = scene;
     this.#options = options;
     const { candle, flame } = this.world;
-    this.world = this.#next.inScene(this.world, isSameModel);
+    const next = this.#next;
+    const isKept = isSameSource && next.isRoomOf(this.world);
+    const burns = isLit ?? (isSameSource ? flame.isLit : null);
+    this.world = isKept ? next.inLook(this.world) : next.inScene(this.world, burns);
     this.view.show(scene, options, this.#subject);
     if (this.world.flame.isLit !== flame.isLit) this.onFlameChanged(0);
     if (this.world.candle.isHeld !== candle.isHeld) this.onCandleMoved();
+    return isKept;
   }
 
   /** Takes over the time, the camera and the candles of another, as far as the room here allows. */
@@ -211,9 +217,11 @@ export class CandleFlame {
       draw();
       this.#cpuMs = performance.now() - begin;
     });
-    const wick = this.input?.isIn ? wickAtFlame(this.world) : 0;
-    if (wick > 0 && wick !== this.#wick) this.onWickReached(wick);
-    this.#wick = wick;
+    if (this.input?.isIn) {
+      const wick = wickAtFlame(this.world);
+      if (wick > 0 && wick !== this.#wick) this.onWickReached(wick);
+      this.#wick = wick;
+    }
     if (intent.placesOrTakes) this.onRefused();
   }
 

@@ -21,6 +21,9 @@ export async function nameKeys(
   names = fetchKeyNames(),
 ): Promise<KeyName> {
   const nameOf = await names;
-  for (const cap of caps) cap.textContent = nameOf(cap.textContent ?? "");
+  for (const cap of caps) {
+    const name = nameOf(cap.textContent ?? "");
+    if (name !== cap.textContent) cap.textContent = name; // a change may be announced
+  }
   return nameOf;
 }

@@ -16,7 +16,7 @@ export class NextWorld {
     this.#options = options;
   }
 
-  /** At time 0. */
+  /** A new one. */
   first(birth: WorldOptions = {}): World {
     return worldOf(this.#scene, this.#options, birth);
   }
@@ -30,16 +30,20 @@ export class NextWorld {
   }
 
   /**
-   * After another scene's: in the same room all stays where it is.
+   * After another scene's.
    *
-   * @param isSameModel whether both have the same model: looks differ in the rooms that are built in
+   * @param isLit whether the first candle burns; null: as before, or, of a model alone, as the attributes say
    */
-  inScene(before: World, isSameModel: boolean): World {
-    const { room, isModelAlone } = this.#scene;
-    if (isSameModel && room && before.room?.isSame(room)) return this.inLook(before);
-    // A model alone has candles of its own.
-    const isLit = burnsAtFirst(0, this.#scene, this.#options);
-    return this.#sameTimeAs(before, isModelAlone ? { isLit } : {});
+  inScene(before: World, isLit: boolean | null): World {
+    const { isModelAlone } = this.#scene;
+    const burns = isModelAlone ? burnsAtFirst(0, this.#scene, this.#options) : before.flame.isLit;
+    return this.#sameTimeAs(before, { isLit: isLit ?? burns });
+  }
+
+  /** Whether a world has the same room as the scene. */
+  isRoomOf(before: World): boolean {
+    const { room } = this.#scene;
+    return room !== null && before.room?.isSame(room) === true;
   }
 
   /** In another look: the same time, and the camera in its place, or inside the new look's walls. */
@@ -47,6 +51,7 @@ export class NextWorld {
     const { position, yaw, pitch, stand } = takeSnapshot(before);
     const { setup, formerStand } = before;
     const world = this.#sameTimeAs(before, { areLit: this.#areLit(before) });
+    world.formerLit = before.standing.length > 0 ? litFlames(before).slice(1) : before.formerLit;
     moveCamera(world, position, yaw, pitch);
     world.formerStand = setup.stand === null ? stand : formerStand;
     if (world.formerStand) standCandle(world, world.formerStand.position, world.formerStand.yaw);
@@ -55,10 +60,10 @@ export class NextWorld {
 
   /** Which standing candles burn: those of the worlds before, the first of them that has such a candle. */
   #areLit(...before: readonly World[]): boolean[] {
-    const lit = before.map(litFlames);
+    const lit = before.flatMap((world) => [litFlames(world).slice(1), world.formerLit]);
     return this.#scene.wicks.map((_, i) => {
-      const known = lit.find((flames) => flames.length > i + 1);
-      return known?.[i + 1] ?? burnsAtFirst(i + 1, this.#scene, this.#options);
+      const known = lit.find((flames) => flames.length > i);
+      return known?.[i] ?? burnsAtFirst(i + 1, this.#scene, this.#options);
     });
   }
 

@@ -2,7 +2,6 @@ import type { CandleFlame } from "../candle-flame.js";
 import { ContextLostError } from "../gl/gpu-object.js";
 import { nextTask } from "../gl/next-task.js";
 import { type ContextClient, contextPool } from "../scenes/context-pool.js";
-import { fetchPageSmoke } from "../scenes/page-smoke.js";
 import { takeSnapshot } from "../world/snapshot.js";
 import { Accessibility } from "./accessibility.js";
 import { CandleReporter } from "./candle-reporter.js";
@@ -206,7 +205,7 @@ export class Lifecycle {
   onMissing(error: Error): void {
     if (this.#session?.shownRequest || this.#session?.isFetching) {
       this.onFetchDropped();
-      this.#emitError(error);
+      this.emitError(error);
     } else this.#fail(error);
   }
 
@@ -252,8 +251,8 @@ export class Lifecycle {
   /** Resolves `ready`, unless another scene is on its way. */
   async #settle(): Promise<void> {
     const session = this.#session;
-    // Steps must not depend on when code arrives.
-    if (this.#states.has("alone") && this.#element.paused) await fetchPageSmoke();
+    const completion = session?.completion;
+    if (completion) await completion;
     if (this.#session === session && !session?.isFetching) this.#ready.settle();
   }
 
@@ -292,7 +291,7 @@ export class Lifecycle {
     const plays = this.plays() && this.#machine.current === "running";
     if (plays) candle.play();
     else candle.pause();
-    session.applyControls((...entering) => this.reporter.entered(candle, ...entering));
+    session.controls.apply(candle, (...entering) => this.reporter.entered(candle, ...entering));
     if (plays === this.#states.has("playing")) return;
     this.#states.toggle("playing", plays);
     // Last: a listener may have it otherwise.
@@ -321,10 +320,10 @@ export class Lifecycle {
   /** `ready` rejects with it, if it is pending. */
   #report(error: Error): void {
     this.#ready.settle(error);
-    this.#emitError(error);
+    this.emitError(error);
   }
 
-  #emitError(error: Error): void {
+  emitError(error: Error): void {
     emit(this.#element, "error", { type: typeOf(error), message: error.message, cause: error });
   }
 

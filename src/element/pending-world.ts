@@ -101,9 +101,9 @@ export class PendingWorld {
     return true;
   }
 
-  /** Drops camera and placing: no other world follows. */
+  /** Drops camera, placing and flame: no other world follows, or it has them already. */
   forgetPlaces(): void {
-    this.#camera = this.#placing = null;
+    this.#camera = this.#placing = this.#isLit = null;
   }
 
   /**

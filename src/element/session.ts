@@ -1,11 +1,12 @@
 import type { CandleFlame, Options } from "../candle-flame.js";
-import { createCandle, fetchControls, fetchedControls, measureTarget } from "../create-candle.js";
-import type { Device } from "../input/first-person-input.js";
+import { createCandle, fetchControls, measureTarget } from "../create-candle.js";
 import { type CanvasTarget, createCanvasTarget } from "../scenes/canvas-target.js";
+import { fetchPageSmoke } from "../scenes/page-smoke.js";
 import { areSame, loadScene, type Scene, type SceneRequest } from "../scenes/scene.js";
 import type { Features, Inspection, Look } from "../settings.js";
 import { CandleList } from "./candle-list.js";
 import { watchContext } from "./context-watch.js";
+import { Controls } from "./controls.js";
 import { guessDevicePixels, observeDevicePixels, type Size } from "./device-pixels.js";
 import type { Lifecycle } from "./lifecycle.js";
 import { assetRootOf, optionsOf } from "./options.js";
@@ -25,6 +26,7 @@ export interface SessionInput {
  */
 export class Session {
   readonly canvas: HTMLCanvasElement;
+  readonly controls: Controls;
   readonly #input: SessionInput;
   readonly #owner: Lifecycle;
   readonly #signal: AbortSignal;
@@ -57,6 +59,9 @@ export class Session {
     this.#input = input;
     this.#owner = owner;
     this.#signal = signal;
+    this.controls = new Controls(input.attributes, canvas, signal, (error) =>
+      owner.emitError(error),
+    );
     this.#target = createCanvasTarget(scene, canvas);
     if (quality === "auto") void measureTarget(this.#target); // while the files are on their way
     watchContext(this.#target.source, signal, {
@@ -161,9 +166,9 @@ export class Session {
     }
     if (signal.aborted) return scene.close();
     this.#pendingRequest = null;
-    const isSameModel = this.#shownRequest?.src === request.src;
+    const isSameSource = this.#shownRequest?.src === request.src;
     this.#shownRequest = areSame(request, this.#request) ? this.#request : request;
-    this.#show(scene, isSameModel);
+    this.#show(scene, isSameSource);
   }
 
   /** Calls an action with the candle, if there is one. Exceptions go to `onError`. */
@@ -218,21 +223,11 @@ export class Session {
     });
   }
 
-  /** Gives the visitor the controls, or takes them, as the attributes say. */
-  applyControls(onEntered: (isIn: boolean, device: Device) => void): void {
-    const { attributes } = this.#input;
-    const candle = this.#candle;
-    const Controls = fetchedControls();
-    if (candle && attributes.controls && !Controls) {
-      const apply = () => this.#signal.aborted || this.applyControls(onEntered);
-      fetchControls().then(apply, (error) => this.#owner.onMissing(error));
-    } else if (candle && attributes.controls && Controls) {
-      candle.input ??= new Controls(attributes, this.canvas, onEntered);
-      candle.input.sensitivity = attributes.sensitivity;
-    } else if (candle?.input) {
-      candle.input.dispose();
-      candle.input = null;
-    }
+  /** Resolves when the code is there that calls and steps depend on; null where there is none to wait for. */
+  get completion(): Promise<unknown> | null {
+    const { scene, paused } = this.#input.attributes;
+    const { settled } = this.controls;
+    return scene === "candle" && paused ? Promise.all([fetchPageSmoke(), settled]) : settled;
   }
 
   #retireCandles(): void {
@@ -240,13 +235,17 @@ export class Session {
     this.#candles = null;
   }
 
-  #show(scene: Scene, isSameModel: boolean): void {
+  #show(scene: Scene, isSameSource: boolean): void {
     const previous = this.#scene;
     const candle = this.#candle;
     this.#scene = scene;
     this.use((candle) => {
       this.#retireCandles(); // before the events of what is shown
-      candle.show(scene, this.options, isSameModel);
+      const { pending } = this.#owner;
+      const isKept = candle.show(scene, this.options, isSameSource, pending.isLit);
+      if (this.#signal.aborted) return; // a listener asked for another scene
+      if (isKept) pending.forgetPlaces(); // they were done in the world before
+      void this.#measure(candle);
       this.#owner.onScene(candle);
     });
     previous?.close();
@@ -294,7 +293,7 @@ export class Session {
     this.#candle = candle;
     this.#retireCandles();
     this.#setUp(candle);
-    candle.view.isPlaying = this.#owner.plays();
+    if (this.#input.attributes.paused) candle.view.isPlaying = false;
     void this.#measure(candle);
     if (isOther) candle.reset();
     candle.onFailure = (error) => this.#owner.onError(error);
@@ -305,6 +304,7 @@ export class Session {
     const isWanted = () => !this.#signal.aborted && !this.#target.gpu.isLost;
     try {
       if (this.#candle) {
+        void this.#measure(this.#candle);
         await this.#candle.restore(this.#owner.plays(), isWanted);
         if (!isWanted()) return;
       } else {

@@ -18,7 +18,7 @@ import { carriedWick, FlamePass, HANDLE_TURN } from "./volumetric/flame-pass.js"
 /** From cd/m² to the display's scale. */
 const EXPOSURE = 5;
 const NO_EMBER = [0, 0, 0] as const;
-/** Width of candle and flame, and of glare that is more than half a step of a colour, in heights of the canvas. */
+/** Width of candle and flame, and of glare that is more than half a step of a colour up to 7 EV, in heights of the canvas. */
 const COLUMNS = 0.84;
 
 /** What all lone candles on one context share. */

@@ -41,7 +41,9 @@ export function measureSpeed(gpu: Gpu, clock: Clock, again = false): Promise<num
 
 async function measure(gpu: Gpu, clock: Clock): Promise<number | null> {
   try {
-    const pixel = await gpu.share(KEY, () => new Load(gpu, clock)).pixel();
+    const load = gpu.share(KEY, () => new Load(gpu, clock));
+    const pixel = await load.pixel();
+    if (load.isGone) measured.delete(gpu); // another renderer has taken its place meanwhile
     return Number.isNaN(pixel) ? null : pixel;
   } catch {
     return null; // the renderer reports the error
@@ -131,12 +133,12 @@ class Load {
     return secondsPerPixel((pixels) => this.#time(pixels), wait);
   }
 
-  get #isGone(): boolean {
+  get isGone(): boolean {
     return this.#gpu.isLost || !this.#gpu.isShared(KEY);
   }
 
   async #time(pixels: number): Promise<number> {
-    if (this.#isGone) return Number.NaN;
+    if (this.isGone) return Number.NaN;
     const edge = Math.min(Math.sqrt(pixels), EDGE);
     const begin = this.#clock();
     for (let left = pixels; left > 0; left -= edge ** 2) {
@@ -148,6 +150,6 @@ class Load {
       });
     }
     await this.#gpu.whenIdle(Number.POSITIVE_INFINITY);
-    return this.#isGone ? Number.NaN : this.#clock() - begin;
+    return this.isGone ? Number.NaN : this.#clock() - begin;
   }
 }

@@ -87,6 +87,7 @@ export function* createWorldInSteps(
     refusal: null,
     moon: options.moon ?? null,
     formerStand: null,
+    formerLit: [],
   };
   room?.plan.setObstacle(null);
   yield* warmUp(world, wind);

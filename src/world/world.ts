@@ -65,6 +65,8 @@ export interface World {
   moon: Moon | null;
   /** Where the candle stood before a look that stands it elsewhere; null if it was held. */
   formerStand: Stand | null;
+  /** Which standing candles burned before a look that has none. */
+  formerLit: readonly boolean[];
 }
 
 /** Place of a candle that was put down, and how it is turned. */

@@ -326,15 +326,11 @@ test("A lone candle has no code of controls before it is to have them", async ({
   const code = () => requests.filter((url) => url.includes("first-person-input"));
   const alone = await new RoomDriver(page).open({ scene: "candle", paused: "" });
   expect(code()).toEqual([]);
-  await alone.set({ controls: "" });
-  await expect
-    .poll(() =>
-      alone.evaluate((element) => {
-        element.enter();
-        return element.matches(":state(walking)");
-      }),
-    )
-    .toBe(true);
+  await alone.evaluate((element) => {
+    element.controls = true;
+    element.enter(); // once it is there
+  });
+  await expect.poll(() => alone.isWalking()).toBe(true);
   expect(code()).toHaveLength(1);
   await page.close();
 });
@@ -365,6 +361,25 @@ test("Another model alone has its own flames, whatever became of those before", 
   );
   expect(lit).toEqual(Array(6).fill(true));
   expect(events).toHaveLength(1);
+});
+
+test("A flame put out while another model alone is on its way stays out", async ({ room }) => {
+  const { lit, events } = await useAnother(
+    room,
+    { scene: "candle", src: "/models/jar.glb", paused: "" },
+    () => {},
+    async (element) => {
+      const events: string[] = [];
+      for (const type of ["light", "extinguish"] as const)
+        element.addEventListener(type, () => events.push(type));
+      element.src = "/models/wreath.glb";
+      element.extinguish();
+      await element.ready;
+      return { lit: element.candles.map((candle) => candle.lit), events };
+    },
+  );
+  expect(lit).toEqual([false, true, true, true]);
+  expect(events).toEqual(["extinguish"]);
 });
 
 test("Paused while its first frame is prepared, an element rests as sharp as it can be", async ({

@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
-import { SOFTWARE_PIXEL, secondsPerPixel } from "../../../src/render/speed.ts";
+import type { Gpu } from "../../../src/gl/gpu.ts";
+import { measureSpeed, SOFTWARE_PIXEL, secondsPerPixel } from "../../../src/render/speed.ts";
 import { chance } from "../chance.ts";
 
 /** What a load takes: its pixels, and other tasks. Seconds. */
@@ -73,3 +74,15 @@ test.each([0.001, 1 / 60, 0.1])(
     }
   },
 );
+
+test("a machine is measured again where the load was cleared meanwhile, and else once", async () => {
+  let times = 0;
+  const load = { isGone: true, pixel: async () => (times++ === 0 ? Number.NaN : 2e-7) };
+  const gpu = { share: () => load } as unknown as Gpu;
+  const measure = () => measureSpeed(gpu, () => 0);
+  expect(await measure()).toBeNull();
+  load.isGone = false;
+  expect(await measure()).toBe(2e-7);
+  expect(await measure()).toBe(2e-7);
+  expect(times).toBe(2);
+});
