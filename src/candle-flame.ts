@@ -120,6 +120,7 @@ export class CandleFlame {
     if (options.quality !== before.quality) this.view.rebuild();
     const burning = ({ unlit, litWicks }: Options) => `${unlit} ${litWicks}`;
     if (burning(options) === burning(before)) return;
+    this.world.formerLit = [];
     for (let index = 0; index < candleCount(this.world); index++) {
       this.setLit(burnsAtFirst(index, this.#scene, options), index);
     }

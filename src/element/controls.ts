@@ -14,6 +14,7 @@ export class Controls {
   #candle: CandleFlame | null = null;
   /** Their code, as it was asked for since the attribute was set. */
   #fetching: Promise<void> | null = null;
+  #fetches = 0;
   /** Whether the page enters once it is there. */
   #entersSoon = false;
 
@@ -54,17 +55,20 @@ export class Controls {
   }
 
   async #fetch(candle: CandleFlame, onEntered: OnEntered): Promise<void> {
+    const fetches = ++this.#fetches;
+    const isWanted = () =>
+      !this.#signal.aborted && this.#attributes.controls && fetches === this.#fetches;
     try {
       await fetchControls();
-      if (this.#signal.aborted) return;
+      if (!isWanted()) return;
       this.apply(candle, onEntered);
       if (this.#entersSoon) candle.input?.enter();
     } catch (error) {
-      if (!this.#signal.aborted) this.#onMissing(error as Error);
+      if (isWanted()) this.#onMissing(error as Error);
     }
   }
 
-  /** Enters the room, at once or when the code is there. */
+  /** Enters the room of a candle, at once or when the code is there. */
   enter(): void {
     this.#entersSoon = this.#fetching !== null && !fetchedControls();
     this.#candle?.input?.enter();

@@ -137,7 +137,7 @@ export class PendingWorld {
     if (this.#camera) setCamera(candle, this.#camera);
     if (!onPlaced) return isAny;
     this.forgetTime();
-    this.#isLit = null;
+    if (shownRequest?.scene !== "candle") this.#isLit = null; // the next room's is as this one's
     if (!isFollowed) this.forgetPlaces();
     return isAny;
   }

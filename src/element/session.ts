@@ -191,7 +191,10 @@ export class Session {
   /** Measures what `auto` goes by, if it was not asked for when the candle was made. */
   async #measure({ view: { auto } }: CandleFlame): Promise<void> {
     if (this.options.quality !== "auto" || auto.pixel !== null) return;
-    auto.pixel = await measureTarget(this.#target);
+    const { gpu } = this.#target;
+    const pixel = await measureTarget(this.#target);
+    if (gpu !== this.#target.gpu) return; // of a context that was lost
+    auto.pixel = pixel;
     this.#owner.changed();
   }
 
@@ -242,9 +245,10 @@ export class Session {
     this.use((candle) => {
       this.#retireCandles(); // before the events of what is shown
       const { pending } = this.#owner;
+      const wasFixed = candle.world.setup.stand !== null;
       const isKept = candle.show(scene, this.options, isSameSource, pending.isLit);
       if (this.#signal.aborted) return; // a listener asked for another scene
-      if (isKept) pending.forgetPlaces(); // they were done in the world before
+      if (isKept && !wasFixed) pending.forgetPlaces(); // they were done in the world before
       void this.#measure(candle);
       this.#owner.onScene(candle);
     });
@@ -304,9 +308,9 @@ export class Session {
     const isWanted = () => !this.#signal.aborted && !this.#target.gpu.isLost;
     try {
       if (this.#candle) {
-        void this.#measure(this.#candle);
         await this.#candle.restore(this.#owner.plays(), isWanted);
         if (!isWanted()) return;
+        void this.#measure(this.#candle);
       } else {
         this.#target.renew();
         if (this.#scene) void this.#create(this.#scene);

@@ -43,7 +43,8 @@ async function measure(gpu: Gpu, clock: Clock): Promise<number | null> {
   try {
     const load = gpu.share(KEY, () => new Load(gpu, clock));
     const pixel = await load.pixel();
-    if (load.isGone) measured.delete(gpu); // another renderer has taken its place meanwhile
+    if (gpu.isLost) measured.delete(gpu);
+    else if (load.isGone) return measure(gpu, clock); // cleared for another renderer meanwhile
     return Number.isNaN(pixel) ? null : pixel;
   } catch {
     return null; // the renderer reports the error

@@ -34,9 +34,6 @@ export const REDUCED_LIMITS: Limits = { ...LIMITS, flip: 0.065 };
 /** As from medium on, at ultra, where a block of which the wick's tip gives nearly all light has other samples of it. */
 export const ULTRA_LIMITS: Limits = { ...ANISOTROPIC_LIMITS, block: 0.2 };
 
-/** As from medium on; of a sill one pixel high, close below a flame, drivers keep samples of other surfaces. */
-export const SILL_LIMITS: Limits = { ...ANISOTROPIC_LIMITS, block: 0.2 };
-
 /** Thin edges in strong light, needles of the wreath or a moonlit sill: which samples they cover is the driver's choice. */
 export const THIN_LIMITS: Limits = { ...LIMITS, block: 0.3 };
 
@@ -58,16 +55,10 @@ export const CASE_LIMITS: readonly {
     limits: REDUCED_LIMITS,
   },
   {
-    cases: /^physical, (medium|high)(, in motion)?$/,
+    cases: /^(physical|four candles), (medium|high)(, in motion)?$/,
     title:
-      "`physical` at `medium` and `high`, where llvmpipe's anisotropic filter leaves wrong texels",
+      "`physical` and four candles at `medium` and `high`, where llvmpipe's anisotropic filter leaves wrong texels",
     limits: ANISOTROPIC_LIMITS,
-  },
-  {
-    cases: /^four candles, medium$/,
-    title:
-      "four candles at `medium`, where the samples of a bright sill, one pixel high, differ too",
-    limits: SILL_LIMITS,
   },
   {
     cases: /^physical, ultra$/,
