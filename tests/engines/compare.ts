@@ -34,7 +34,7 @@ export const REDUCED_LIMITS: Limits = { ...LIMITS, flip: 0.065 };
 /** As from medium on, at ultra, where a block of which the wick's tip gives nearly all light has other samples of it. */
 export const ULTRA_LIMITS: Limits = { ...ANISOTROPIC_LIMITS, block: 0.2 };
 
-/** Thin edges in strong light, needles of the wreath or a moonlit sill: which samples they cover is the driver's choice. */
+/** Thin edges in strong light, of a moonlit sill: which samples they cover is the driver's choice. */
 export const THIN_LIMITS: Limits = { ...LIMITS, block: 0.3 };
 
 /** What passes, by the names of cases: the first that matches. */
@@ -66,9 +66,8 @@ export const CASE_LIMITS: readonly {
     limits: ULTRA_LIMITS,
   },
   {
-    cases: /^(advent wreath(, playing)?|moon alone, medium, in motion)$/,
-    title:
-      "the advent wreath, of which a glint lies in the edge of a shadow, and the moon alone in motion, of the window's edges",
+    cases: /^moon alone, medium, in motion$/,
+    title: "the moon alone in motion, of the window's edges",
     limits: { ...THIN_LIMITS, block: 0.4 },
   },
   {
