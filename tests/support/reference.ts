@@ -68,17 +68,22 @@ function averaged(radiance: Float32Array, width: number, height: number) {
   return { radiance: means, ...size };
 }
 
-/** Our radiance of a view and where the flame is. */
-export async function renderView(room: RoomDriver, view: Staging) {
+/**
+ * Our radiance of a view and where the flame is.
+ *
+ * @param hasFlame whether it is drawn: in a coarser frame it covers pixels that show none in the reference
+ */
+export async function renderView(room: RoomDriver, view: Staging, hasFlame = true) {
   const { radiance, ...rest } = await room.evaluate(
-    (element, { view, stage }) => {
+    (element, { view, stage, hasFlame }) => {
+      element.features.volume = hasFlame;
       // biome-ignore lint/security/noGlobalEval: a function of ours, as text; in a task of its own it would be drawn twice
       globalThis.eval(`(${stage})`)(element, view);
       const { width, height } = element.stats;
       const radiance = element.readRadiance(0, 0, width, height);
       return { radiance, width, height, position: element.flame?.position };
     },
-    { view, stage: `${stageView}` },
+    { view, stage: `${stageView}`, hasFlame },
   );
   return { ...rest, ...averaged(radiance, rest.width, rest.height) };
 }

@@ -220,7 +220,7 @@ test.describe("Beside a path tracer's picture of the same room", () => {
     }, box);
     const all: Errors[] = [];
     for (const view of views) {
-      const errors = errorsBesideReference(view, await renderView(room, view), 6);
+      const errors = errorsBesideReference(view, await renderView(room, view, false), 6);
       const report = Object.entries(errors).map(([what, x]) => `${what} ${x.toFixed(3)}`);
       console.log(`low, ${view.name}: ${report.join(", ")}`);
       all.push(errors);
