@@ -19,17 +19,17 @@ interface Creation {
   readonly rehearse: (candle: CandleFlame) => boolean;
 }
 
-type Controls = typeof import("./input/first-person-input.js").FirstPersonInput;
-let fetched: Controls | null = null;
+type InputClass = typeof import("./input/first-person-input.js").FirstPersonInput;
+let fetched: InputClass | null = null;
 
-/** Fetches the code of the controls: a lone candle does without. */
-export async function fetchControls(): Promise<void> {
+/** Fetches the code of a visitor's input: a lone candle does without. */
+export async function fetchInput(): Promise<void> {
   const code = await import("./input/first-person-input.js").catch(missCode);
   fetched = code.FirstPersonInput;
 }
 
-/** The controls, once they were fetched. */
-export function fetchedControls(): Controls | null {
+/** The class of the input, once it was fetched. */
+export function fetchedInput(): InputClass | null {
   return fetched;
 }
 

@@ -1,5 +1,5 @@
 import type { CandleFlame } from "../candle-flame.js";
-import { fetchControls, fetchedControls } from "../create-candle.js";
+import { fetchedInput, fetchInput } from "../create-candle.js";
 import type { Device } from "../input/first-person-input.js";
 import type { ReflectedAttributes } from "./reflected-attributes.js";
 
@@ -14,6 +14,7 @@ export class Controls {
   #candle: CandleFlame | null = null;
   /** Their code, as it was asked for since the attribute was set. */
   #fetching: Promise<void> | null = null;
+  /** So many times. */
   #fetches = 0;
   /** Whether the page enters once it is there. */
   #entersSoon = false;
@@ -39,7 +40,7 @@ export class Controls {
   /** Gives the visitor the controls, or takes them, as the attributes say. */
   apply(candle: CandleFlame, onEntered: OnEntered): void {
     const { controls, sensitivity } = this.#attributes;
-    const Input = fetchedControls();
+    const Input = fetchedInput();
     this.#candle = candle;
     if (!controls) {
       this.#fetching = null;
@@ -59,7 +60,7 @@ export class Controls {
     const isWanted = () =>
       !this.#signal.aborted && this.#attributes.controls && fetches === this.#fetches;
     try {
-      await fetchControls();
+      await fetchInput();
       if (!isWanted()) return;
       this.apply(candle, onEntered);
       if (this.#entersSoon) candle.input?.enter();
@@ -70,7 +71,7 @@ export class Controls {
 
   /** Enters the room of a candle, at once or when the code is there. */
   enter(): void {
-    this.#entersSoon = this.#fetching !== null && !fetchedControls();
+    this.#entersSoon = this.#fetching !== null && !fetchedInput();
     this.#candle?.input?.enter();
   }
 }

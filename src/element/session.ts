@@ -1,5 +1,5 @@
 import type { CandleFlame, Options } from "../candle-flame.js";
-import { createCandle, fetchControls, measureTarget } from "../create-candle.js";
+import { createCandle, fetchInput, measureTarget } from "../create-candle.js";
 import { type CanvasTarget, createCanvasTarget } from "../scenes/canvas-target.js";
 import { fetchPageSmoke } from "../scenes/page-smoke.js";
 import { areSame, loadScene, type Scene, type SceneRequest } from "../scenes/scene.js";
@@ -149,7 +149,7 @@ export class Session {
     try {
       // A room may get controls at any time.
       const needsControls = request.scene === "room" || this.#input.attributes.controls;
-      const controls = needsControls ? fetchControls() : null;
+      const controls = needsControls ? fetchInput() : null;
       controls?.catch(() => {}); // it throws below
       scene = await loadScene(request, { signal, onProgress });
       await controls;

@@ -290,6 +290,26 @@ test("in another look of the same model all stays where it is", async () => {
   expect(found.events).not.toContain("take");
 });
 
+test("on the way to another look attributes decide which candles burn, and the candle is put down there", async () => {
+  const found = await room.evaluate(async (element) => {
+    element.reset();
+    element.candles[2]?.light();
+    element.look = "original";
+    await element.ready;
+    element.litWicks = "0 1";
+    element.look = "physical";
+    element.camera = { position: [1, 1.6, 1], yaw: 0.4, pitch: -0.6 };
+    element.place(); // the original's candle stands already
+    await element.ready;
+    const found = { held: element.held, lit: element.candles.map(({ lit }) => lit) };
+    element.removeAttribute("lit-wicks");
+    element.camera = { position: [0, 1.6, 1.3], yaw: 0, pitch: 0 };
+    element.reset();
+    return found;
+  });
+  expect(found).toEqual({ held: false, lit: [true, true, false] });
+});
+
 test("another room has other candles, and the old ones do nothing", async () => {
   const result = await room.evaluate(async (element) => {
     const old = element.candles;
