@@ -1,4 +1,4 @@
-import { flameHeight, flameRadius, TAPER_RATE, TAPER_WICK } from "../world/flame/burning.js";
+import { flameRadius, fullHeight, TAPER_WICK } from "../world/flame/burning.js";
 import type { Flame } from "../world/flame/flame.js";
 import type { Vec3 } from "../world/geometry.js";
 import type { World } from "../world/world.js";
@@ -32,7 +32,7 @@ export function carriedFlame(world: Pick<World, "interpolated" | "flame">): Root
 }
 
 /** A good taper's flame, still: the candle that the candela was named after. */
-export const TAPER: FlameBody = flameBody(flameHeight(TAPER_RATE), flameRadius(TAPER_WICK, 1), 1);
+export const TAPER: FlameBody = flameBody(fullHeight(TAPER_WICK), flameRadius(TAPER_WICK, 1), 1);
 /** The eye's, to its light. */
 export const ADAPTATION = adaptation(TAPER.color);
 

@@ -1,7 +1,7 @@
 import { captureOrigin, snapToGrid } from "../light/capture-origin.js";
 import type { Rgb } from "../light/color.js";
 import { carriedFlame, flameLight, TAPER } from "../light/flame-light.js";
-import { flameHeight, fuelRate } from "../world/flame/burning.js";
+import { fullHeight } from "../world/flame/burning.js";
 import type { Vec3 } from "../world/geometry.js";
 import type { World } from "../world/world.js";
 
@@ -16,7 +16,7 @@ export const CHAMBERSTICK = {
 /** Members of the shaders' `Light` block: the flame as a capsule. A hidden candle casts no shadow. */
 export function lightBlock(world: World, showsCandle: boolean) {
   const { foot, flame } = world.interpolated;
-  const height = flameHeight(fuelRate(world.flame.wick));
+  const height = fullHeight(world.flame.wick);
   const { axis: along, ...light } = flameLight(carriedFlame(world), TAPER);
   return {
     ...light,

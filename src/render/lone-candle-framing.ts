@@ -1,4 +1,4 @@
-import { flameHeight, fuelRate, TAPER_RATE } from "../world/flame/burning.js";
+import { fullHeight, TAPER_WICK } from "../world/flame/burning.js";
 import type { Vec3 } from "../world/geometry.js";
 
 /** Half the width and half the height of a taper and its flame, with room to sway. Metres. */
@@ -18,7 +18,7 @@ export const STRETCH = 1.25;
  * @param wick its diameter, metres: wide wicks have tall flames
  */
 export function frameCandle(aspect: number, wick: number) {
-  const taller = STRETCH * Math.max(0, flameHeight(fuelRate(wick)) - flameHeight(TAPER_RATE));
+  const taller = STRETCH * Math.max(0, fullHeight(wick) - fullHeight(TAPER_WICK));
   const height = HALF.height + taller / 2;
   const half =
     aspect >= 1 ? Math.max(height, HALF.width / aspect) : Math.max(HALF.width, height * aspect);

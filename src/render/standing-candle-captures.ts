@@ -1,6 +1,6 @@
 import type { Gpu, UniformBlock } from "../gl/gpu.js";
 import { flameLight, TAPER } from "../light/flame-light.js";
-import { flameRadius, fuelRate, TAPER_RATE, TAPER_WICK } from "../world/flame/burning.js";
+import { flameRadius, heightInTapers, TAPER_WICK } from "../world/flame/burning.js";
 import type { Vec3 } from "../world/geometry.js";
 import type { StandingCandle } from "../world/standing-candle.js";
 import type { Steps } from "../world/steps.js";
@@ -20,7 +20,7 @@ export const RIM = { height: 0.0015, radius: 0.0101 } as const;
 
 /** The flame of a standing candle, still, 1 cd strong: members of the shaders' `Light` block. */
 function stillLight({ root: [x, y, z], flame }: StandingCandle, shadowSlot: number): CaptureLight {
-  const times = fuelRate(flame.wick) / TAPER_RATE; // as high
+  const times = heightInTapers(flame.wick);
   const position: Vec3 = [x, y + STILL.middle * times, z];
   const rim = y + RIM.height;
   return {

@@ -1,4 +1,4 @@
-import { flameHeight, flameRadius, fuelRate } from "../../world/flame/burning.js";
+import { flameRadius, fullHeight } from "../../world/flame/burning.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import type { Wick } from "../../world/standing-candle.js";
 import { FIELD_OF_VIEW, PITCH, STRETCH } from "../lone-candle-framing.js";
@@ -23,7 +23,7 @@ export function boundsWithFlames({ min, max }: Bounds, wicks: readonly Wick[]): 
   const low: Vec3 = [...min];
   const high: Vec3 = [...max];
   for (const { position, wickDiameter } of wicks) {
-    const top = STRETCH * flameHeight(fuelRate(wickDiameter));
+    const top = STRETCH * fullHeight(wickDiameter);
     const side = flameRadius(wickDiameter, 1) + SWAY;
     for (const axis of [0, 1, 2] as const) {
       const [below, above] = axis === 1 ? [0, top] : [side, side];

@@ -6,7 +6,7 @@ import {
   type RootedFlame,
   TAPER,
 } from "../../light/flame-light.js";
-import { flameHeight, flameRadius, fuelRate } from "../../world/flame/burning.js";
+import { flameRadius, fullHeight } from "../../world/flame/burning.js";
 import { shadowHeight } from "./flame-shadows.js";
 import { glareOf } from "./glare.js";
 
@@ -81,7 +81,7 @@ export class FlameLights {
 
 /** A flame on its wick in still air, of 1 cd. */
 function lightAtRest({ root, flame }: RootedFlame): FlameLight {
-  const height = flameHeight(fuelRate(flame.wick));
+  const height = fullHeight(flame.wick);
   const [x, y, z] = root;
   return {
     position: [x, y + (height / TAPER.height) * TAPER.centre, z],

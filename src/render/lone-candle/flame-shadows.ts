@@ -2,7 +2,7 @@ import shadowFrag from "../../../shaders/candle/custom-shadow.frag";
 import cubeFaceVert from "../../../shaders/shadow/cube-face.vert";
 import type { Gpu, Program, RenderTarget, Texture } from "../../gl/gpu.js";
 import type { RootedFlame } from "../../light/flame-light.js";
-import { fuelRate, TAPER_RATE } from "../../world/flame/burning.js";
+import { heightInTapers } from "../../world/flame/burning.js";
 import type { Flame } from "../../world/flame/flame.js";
 import type { Vec3 } from "../../world/geometry.js";
 import type { Mesh } from "../mesh/mesh.js";
@@ -16,7 +16,7 @@ const NOTHING = [1e3, 0, 0, 1] as const;
 const MIDDLE = 0.016;
 
 /** Height above a flame's root from which its shadows are seen, metres: its middle at rest. */
-export const shadowHeight = ({ wick }: Flame) => (MIDDLE * fuelRate(wick)) / TAPER_RATE;
+export const shadowHeight = ({ wick }: Flame) => MIDDLE * heightInTapers(wick);
 
 /**
  * Shadow cubes of all flames of a model in one atlas: distances from each flame's middle at rest. Model and

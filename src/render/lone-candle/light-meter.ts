@@ -1,6 +1,6 @@
 import type { Part } from "../../assets/model.js";
 import { type RootedFlame, TAPER } from "../../light/flame-light.js";
-import { fuelRate, TAPER_RATE } from "../../world/flame/burning.js";
+import { heightInTapers } from "../../world/flame/burning.js";
 import type { Vec3 } from "../../world/geometry.js";
 import { CollisionMesh } from "../../world/room/collision-mesh.js";
 import { crossOf, verticesOf } from "../mesh/triangles.js";
@@ -54,7 +54,7 @@ export class LightMeter {
     for (const [j, { root, flame }] of flames.entries()) {
       if (flame.wick === this.#wicks[j]) continue;
       this.#wicks[j] = flame.wick;
-      const height = (TAPER.centre * fuelRate(flame.wick)) / TAPER_RATE;
+      const height = TAPER.centre * heightInTapers(flame.wick);
       for (const [i, point] of this.#points.entries()) {
         this.#perCandela[i * count + j] = luminanceOf(point, root, height, this.#collision);
       }

@@ -27,6 +27,16 @@ export function flameHeight(rate: number): number {
   return HEIGHT_PER_RATE * rate;
 }
 
+/** Height of the full flame of a wick of this diameter (m) in still air, m. */
+export function fullHeight(wick: number): number {
+  return flameHeight(fuelRate(wick));
+}
+
+/** The same as a multiple of a taper's. */
+export function heightInTapers(wick: number): number {
+  return fuelRate(wick) / TAPER_RATE;
+}
+
 /** Largest radius of the luminous flame, m. `fuel` is the share of what its wick can burn. */
 export function flameRadius(wick: number, fuel: number): number {
   return wick / 2 + SHEATH * fuel ** 0.4;
@@ -37,7 +47,7 @@ const SOOT_LENGTH = 0.015;
 /** Loss of soot by strain: a factor e for a third of the strain that puts the flame out. */
 const SOOT_LOSS = 3;
 
-const TAPER_SOOT = TAPER_RATE * grownSoot(flameHeight(TAPER_RATE));
+const TAPER_SOOT = TAPER_RATE * grownSoot(fullHeight(TAPER_WICK));
 
 /** How much of its fuel a flame of this length (m) turns to glowing soot where no air passes. */
 function grownSoot(length: number): number {
