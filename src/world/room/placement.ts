@@ -31,6 +31,11 @@ const REACH_DOWN = 0.3;
 const GRASP = 1.5;
 /** Distance of the spot where the line of sight meets no surface, metres. */
 const AHEAD = 0.8;
+/** From there, how far apart surfaces are looked for, nearer and farther, and how often. Metres. */
+const STRIDE = 0.1;
+const STRIDES = 4;
+/** What is higher than something else by this is taken instead of it, metres. */
+const FURNITURE = 0.1;
 /** Cosine of 18 degrees: steeper surfaces are refused before their heights are measured. */
 const LEVEL = 0.95;
 /** Largest difference of height under the foot, metres: 2.2 degrees on a plane. */
@@ -64,6 +69,7 @@ export interface PlacementQuery {
 
 const from: Vec3 = [0, 0, 0];
 const direction: Vec3 = [0, 0, 0];
+const other: Vec3 = [0, 0, 0];
 
 /** Finds the spot along the line of sight, or ahead if that is out of reach. Null, or why there is none. */
 export function findSpot(query: PlacementQuery, spot: Vec3): Refusal | null {
@@ -93,7 +99,8 @@ export function findAimedSpot(reach: PlacementQuery, spot: Vec3): Refusal | null
 }
 
 /**
- * Finds the spot on the nearest surface ahead, below the line of sight; before a wall if one is near.
+ * Finds the spot ahead, below the line of sight; before a wall if one is near. Where a table or shelf is within reach on
+ * the way, it is there, not on the floor before it.
  *
  * @returns null, or why there is no such spot
  */
@@ -102,10 +109,25 @@ export function findSpotAhead(reach: PlacementQuery, spot: Vec3): Refusal | null
   const level = Math.hypot(direction[0], direction[2]);
   const hit = collision.raycast(eye, direction, Infinity);
   const clearance = (hit ? hit.distance * level : Infinity) - cylinder.radius - NUDGE;
-  const distance = Math.min(AHEAD, clearance);
-  if (distance < WALKER_RADIUS + cylinder.radius + ELBOW_ROOM) return "no room";
-  const y = eye[1] + Math.min(REACH_UP, (direction[1] / level) * distance);
-  return fitAround(reach, distance, y, spot);
+  const nearest = WALKER_RADIUS + cylinder.radius + ELBOW_ROOM;
+  const usual = Math.min(AHEAD, clearance);
+  if (usual < nearest) return "no room";
+  const fitAt = (distance: number, spot: Vec3) => {
+    const y = eye[1] + Math.min(REACH_UP, (direction[1] / level) * distance);
+    return fitAround(reach, distance, y, spot);
+  };
+  const refusal = fitAt(usual, spot);
+  let highest = refusal === null ? spot[1] : Number.NEGATIVE_INFINITY;
+  for (let i = 1; i <= STRIDES; i++) {
+    for (const distance of [usual + i * STRIDE, usual - i * STRIDE]) {
+      if (distance > Math.min(REACH, clearance) || distance < nearest) continue;
+      if (fitAt(distance, other) === null && other[1] > highest + FURNITURE) {
+        for (const axis of [0, 1, 2] as const) spot[axis] = other[axis];
+        highest = spot[1];
+      }
+    }
+  }
+  return highest > Number.NEGATIVE_INFINITY ? null : refusal;
 }
 
 /** Whether a candle that stands can be taken up: it is near, and some of it in sight. */

@@ -7,10 +7,12 @@ import {
   type Cylinder,
   canTake,
   findAimedSpot,
+  findSpot,
   findSpotAhead,
   REACH,
   type Refusal,
 } from "../../../../src/world/room/placement.ts";
+import { OPENING } from "../../../support/opening.ts";
 import { chance } from "../../chance.ts";
 import { box, floorOf, insideOf, modelRoom, quad, Rubble, table } from "../rooms.ts";
 
@@ -174,6 +176,22 @@ describe("with a level gaze, a candle is put down", () => {
     expectSpot(ahead([ROOM, ...table(0, -0.9)], [0, 0, -1]), [0, 0.75, -0.8]);
   });
 
+  test("on a table that begins beyond, or ends before, rather than on the floor", () => {
+    const [far, near] = [
+      box([-0.6, 0.7, -2], [0.6, 0.75, -0.95]),
+      box([-0.6, 0.4, -0.72], [0.6, 0.45, -0.4]),
+    ];
+    const beyond = ahead([ROOM, far], [0, 0, -1]);
+    expect(beyond.spot[1]).toBeCloseTo(0.75, 5);
+    expect(beyond.spot[2]).toBeLessThanOrEqual(-0.95 - STAND.radius + 0.001);
+    expect(beyond.spot[2]).toBeGreaterThan(-REACH);
+    expect(ahead([ROOM, near], [0, 0, -1]).spot[1]).toBeCloseTo(0.45, 5);
+    const rug = box([-0.6, 0, -2], [0.6, 0.02, -0.95]);
+    expectSpot(ahead([ROOM, rug], [0, 0, -1]), [0, 0, -0.8]);
+    const outOfReach = box([-0.6, 0.7, -2], [0.6, 0.75, -1.2]);
+    expectSpot(ahead([ROOM, outOfReach], [0, 0, -1]), [0, 0, -0.8]);
+  });
+
   test("before a wall that is nearer", () => {
     const { refusal, spot } = ahead([ROOM], [0, 0, -1], [0, 1.6, -1.4]);
     expect(refusal).toBeNull();
@@ -187,6 +205,19 @@ describe("with a level gaze, a candle is put down", () => {
 });
 
 describe("wherever it is put down in the cabin", { timeout: 30_000 }, () => {
+  test("it stands on the table as seen from where the page opens", () => {
+    const cabin = modelRoom("cabin.glb");
+    if (!cabin) throw new Error("cabin.glb is missing: make it with npm run assets.");
+    const collision = new CollisionMesh(cabin.parts);
+    const plan = new FloorPlan(collision, cabin.spawn);
+    const { yaw, pitch, position: eye } = OPENING.camera;
+    const level = Math.cos(pitch);
+    const direction: Vec3 = [-Math.sin(yaw) * level, Math.sin(pitch), -Math.cos(yaw) * level];
+    const spot: Vec3 = [0, 0, 0];
+    expect(findSpot({ collision, plan, eye, direction, cylinder: STAND }, spot)).toBeNull();
+    expect(spot[1] - plan.floor).toBeGreaterThan(0.7);
+  });
+
   test("it stands on something, all of it, within reach, and touches nothing", () => {
     const cabin = modelRoom("cabin.glb");
     if (!cabin) throw new Error("cabin.glb is missing: make it with npm run assets.");
