@@ -24,38 +24,57 @@ export function beyondDeadZone(x: number, y: number, exponent = 1): [x: number, 
   return [(x / length) * deflection, (y / length) * deflection];
 }
 
-/** The first standard gamepad, as an intent: left stick walks, right stick looks, buttons act once. */
+/** @param before the buttons that were down; where nothing is known, all were */
+function readPad({ axes, buttons }: Pad, before: readonly boolean[] = []) {
+  const axis = (index: number) => axes[index] ?? 0;
+  const walk = beyondDeadZone(axis(AXES.right), axis(AXES.back));
+  const look = beyondDeadZone(axis(AXES.turnRight), axis(AXES.down), LOOK_CURVE);
+  const pressed = buttons.map(({ pressed }) => pressed);
+  const goesDown = pressed.map((isDown, button) => isDown && before[button] === false);
+  const isUsed = [...pressed, ...walk, ...look].some(Boolean);
+  return { walk, look, pressed, goesDown, isUsed };
+}
+
+/** The standard gamepad in the hand, as an intent: left stick walks, right stick looks, buttons act once. */
 export class Gamepads {
-  #pressed: readonly boolean[] = [];
+  /** Buttons that were down, of each pad by its place. */
+  #pressed: readonly (readonly boolean[] | undefined)[] = [];
+  /** Place of the pad that was used last. */
+  #place = 0;
   /** Whether the button to go in, or to leave, went down since the last reading. */
   enters = false;
   leaves = false;
 
   /** Ignores buttons that are down until they are released. */
   release(): void {
-    this.#pressed = Array<boolean>(BUTTONS.leftStick + 1).fill(true);
+    this.#pressed = [];
   }
 
   read(pads: readonly (Pad | null)[]): Intent {
-    const pad = pads.find((pad) => pad?.mapping === "standard");
-    this.enters = false;
-    this.leaves = false;
-    if (!pad) return STILL;
-    const previous = this.#pressed;
-    this.#pressed = pad.buttons.map(({ pressed }) => pressed);
-    const goesDown = (button: number) => this.#pressed[button] === true && !previous[button];
+    const readings = pads.map((pad, place) =>
+      pad?.mapping === "standard" ? readPad(pad, this.#pressed[place]) : undefined,
+    );
+    this.#pressed = readings.map((reading) => reading?.pressed);
+    // Others may be idle, drift, or be made by a program.
+    const places = [this.#place, ...readings.keys()].filter((place) => readings[place]);
+    this.#place =
+      places.find((place) => readings[place]?.goesDown.some(Boolean)) ??
+      places.find((place) => readings[place]?.isUsed) ??
+      places[0] ??
+      this.#place;
+    const reading = readings[this.#place];
+    const goesDown = (button: number) => reading?.goesDown[button] === true;
     this.enters = goesDown(BUTTONS.a);
     this.leaves = goesDown(BUTTONS.b);
-    const axis = (index: number) => pad.axes[index] ?? 0;
-    const [right, back] = beyondDeadZone(axis(AXES.right), axis(AXES.back));
-    const [turn, down] = beyondDeadZone(axis(AXES.turnRight), axis(AXES.down), LOOK_CURVE);
+    if (!reading) return STILL;
+    const { walk, look, pressed } = reading;
     return {
       ...STILL,
-      forward: -back,
-      right,
-      turn: -turn,
-      tilt: -down,
-      runs: [BUTTONS.leftStick, BUTTONS.rightTrigger].some((button) => this.#pressed[button]),
+      forward: -walk[1],
+      right: walk[0],
+      turn: -look[0],
+      tilt: -look[1],
+      runs: [BUTTONS.leftStick, BUTTONS.rightTrigger].some((button) => pressed[button]),
       togglesFlame: goesDown(BUTTONS.a),
       placesOrTakes: goesDown(BUTTONS.x),
       blows: goesDown(BUTTONS.y),

@@ -102,6 +102,38 @@ describe("the gamepad", () => {
     expect(gamepads.read([withA]).togglesFlame).toBe(true);
   });
 
+  test("is the one in the hand, whichever place it has, and stays so while it rests", () => {
+    const idle = pad([0.1, 0, 0, 0]);
+    const walking = pad([0, -1, 0, 0]);
+    gamepads.read([idle, null, idle]);
+    expect(gamepads.read([idle, null, pad([0, 0, 0, 0], [0])]).togglesFlame).toBe(true);
+    expect(gamepads.enters).toBe(true);
+    expect(gamepads.read([idle, null, walking]).forward).toBe(1);
+    expect(gamepads.read([idle, null, idle])).toMatchObject({ forward: -0, runs: false });
+    expect(gamepads.read([walking, null, idle]).forward, "another is taken up").toBe(1);
+    expect(gamepads.read([walking, null, pad([0, 0, 1, 0])]).turn, "and drifts").toBeCloseTo(0);
+    expect(gamepads.read([walking, null, pad([0, 0, 1, 0], [2])])).toMatchObject({
+      turn: -1,
+      placesOrTakes: true,
+    });
+  });
+
+  test("acts once for a press, though another is taken up meanwhile", () => {
+    const idle = pad([0, 0, 0, 0]);
+    const withX = pad([0, 0, 0, 0], [2]);
+    gamepads.read([idle, idle]);
+    expect(gamepads.read([withX, idle]).placesOrTakes).toBe(true);
+    expect(gamepads.read([withX, withX]).placesOrTakes).toBe(true);
+    // Both are held from now on, or lost and found.
+    const held = [
+      [withX, withX],
+      [withX, idle],
+      [withX, null],
+      [withX, withX],
+    ];
+    for (const pads of held) expect(gamepads.read(pads).placesOrTakes).toBe(false);
+  });
+
   test("of an unknown layout is nobody's", () => {
     expect(gamepads.read([pad([1, 1, 1, 1], [0], "")])).toEqual(STILL);
     expect(gamepads.read([])).toEqual(STILL);
