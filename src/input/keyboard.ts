@@ -27,33 +27,45 @@ const ACTIONS: Readonly<Record<string, Action>> = {
   KeyF: "placesOrTakes",
 };
 
-/** The keys that are down, as an intent. Keyboard alone reaches everything. */
+/** The keys that are down, or were since the last reading, as an intent. Keyboard alone reaches everything. */
 export class Keyboard {
   readonly #down = new Set<string>();
+  /** Pressed since the last reading: between two slow frames a key may go down and up. */
+  readonly #tapped = new Set<string>();
   #actions: Partial<Record<Action, true>> = {};
 
   /** Whether the key is one of ours. */
   press({ code, repeat }: KeyboardEvent): boolean {
     const action = ACTIONS[code];
     if (action && !repeat) this.#actions[action] = true;
-    if (EFFECTS[code]) this.#down.add(code);
+    if (EFFECTS[code]) {
+      this.#down.add(code);
+      if (!repeat) this.#tapped.add(code);
+    }
     return action !== undefined || EFFECTS[code] !== undefined;
   }
 
   lift({ code, key }: KeyboardEvent): void {
     // macOS reports no key that is released while Command is down.
-    if (key === "Meta") this.#down.clear();
+    if (key === "Meta") this.#releaseKeys();
     this.#down.delete(code);
   }
 
   /** Forgets keys that are down, and actions that no frame has read. */
   release(): void {
-    this.#down.clear();
+    this.#releaseKeys();
     this.#actions = {};
   }
 
+  #releaseKeys(): void {
+    this.#down.clear();
+    this.#tapped.clear();
+  }
+
   read(): Intent {
-    const effects = [...this.#down].map((code) => EFFECTS[code] ?? STILL);
+    const codes = new Set([...this.#down, ...this.#tapped]);
+    this.#tapped.clear();
+    const effects = [...codes].map((code) => EFFECTS[code] ?? STILL);
     // Two keys for the same way are no faster than one.
     const way = (axis: "forward" | "right" | "turn" | "tilt") =>
       Math.sign(effects.reduce((sum, effect) => sum + (effect[axis] ?? 0), 0));

@@ -25,6 +25,28 @@ describe("the keyboard", () => {
     expect(keyboard.read()).toEqual(STILL);
   });
 
+  test("has a key that went down and up between two frames act in one, and no other", () => {
+    const keyboard = new Keyboard();
+    press(keyboard, "KeyQ");
+    lift(keyboard, "KeyQ");
+    press(keyboard, "KeyQ");
+    lift(keyboard, "KeyQ");
+    expect(keyboard.read()).toEqual({ ...STILL, turn: 1 });
+    expect(keyboard.read()).toEqual(STILL);
+
+    // Held for a frame, in which it repeats.
+    press(keyboard, "KeyW");
+    expect(keyboard.read()).toEqual({ ...STILL, forward: 1 });
+    press(keyboard, "KeyW", true);
+    lift(keyboard, "KeyW");
+    expect(keyboard.read()).toEqual(STILL);
+
+    press(keyboard, "KeyW");
+    lift(keyboard, "KeyW");
+    keyboard.release();
+    expect(keyboard.read()).toEqual(STILL);
+  });
+
   test("forgets what is down when Command is lifted, since macOS reports no key lifted before that", () => {
     const keyboard = new Keyboard();
     press(keyboard, "KeyW");
