@@ -61,11 +61,13 @@ export class CandleReporter {
     this.#overlay.hint.tellFlame(flame.isLit, this.#states.has("walking"), news);
   }
 
-  /** The visitor has entered the room, or left it. */
+  /** The visitor has entered the room, or left it; or the device in his hand proves to be another. */
   entered(candle: CandleFlame, isIn: boolean, device: Device): void {
+    const isOtherDevice = isIn && this.#states.has("walking");
     this.#states.toggle("walking", isIn);
     if (isIn) this.#overlay.hint.tellControls(device, this.#states.has("alone"));
     else this.flame(candle);
+    if (isOtherDevice) return;
     // Later: the canvas may be on its way out, and a listener may want another.
     queueMicrotask(() => emit(this.#element, isIn ? "enter" : "leave", null));
   }

@@ -6,6 +6,7 @@ import { outSentence } from "./messages.js";
 const CONTROLS: Readonly<Record<Device, string>> = {
   mouse:
     "[W][A][S][D] walk, the mouse looks, a click is for the flame, [F] for the candle, [Esc] leaves",
+  drag: "[W][A][S][D] walk, drag to look, [E] is for the flame, [F] for the candle, [Esc] leaves",
   keyboard:
     "[W][A][S][D] walk, [Q][R] turn, [PgUp][PgDn] look, [E] is for the flame, [F] for the candle, [Esc] leaves",
   touch:
@@ -17,6 +18,7 @@ const CONTROLS: Readonly<Record<Device, string>> = {
 /** The same where there are only candles. */
 const FLAME_CONTROLS: typeof CONTROLS = {
   mouse: "A click is for the flame, [B] blows, [Esc] leaves",
+  drag: "[E] is for the flame, [B] blows, [Esc] leaves",
   keyboard: "[E] is for the flame, [B] blows, [Esc] leaves",
   touch: "Tap twice for the flame",
   gamepad: "[A] is for the flame, [Y] blows, [B] leaves",

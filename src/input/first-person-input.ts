@@ -10,7 +10,8 @@ const ENTER: ReadonlySet<string> = new Set(["Enter", "NumpadEnter"]);
 /** Browsers refuse to lock the pointer again for about this long after Esc, in milliseconds. */
 const LOCK_COOL_DOWN = 1300;
 
-export type Device = "mouse" | "keyboard" | "touch" | "gamepad";
+/** In hand; a mouse drags where the browser refuses to lock its pointer. */
+export type Device = "mouse" | "drag" | "keyboard" | "touch" | "gamepad";
 
 /**
  * Keyboard, mouse, touch and gamepad, as an intent per frame.
@@ -36,13 +37,21 @@ export class FirstPersonInput {
   #isTouched = false;
   /** Whether a key was the last input to the page. */
   #isByKey = false;
+  /** What a mouse is, by the browser's last answer to a request for the lock. */
+  #mouse: "mouse" | "drag" = "mouse";
+  /** Whether the visitor went in by mouse. */
+  #isByMouse = false;
+  /** Whether an event is to answer such a request, in browsers that return no promise. */
+  #awaitsLock = false;
+  /** Whether the next click within asks once more. */
+  #asksAgain = false;
   #wasLocked = false;
   #isFirstMove = false;
   #wasFast = false;
   #unlockedAt = Number.NEGATIVE_INFINITY;
   #lockTimer = 0;
 
-  /** @param onEntered called when the visitor goes in, by which device, and on leaving */
+  /** @param onEntered called when the visitor goes in, by which device, if that proves to be another, and on leaving */
   constructor(
     host: HTMLElement,
     canvas: HTMLCanvasElement,
@@ -74,6 +83,7 @@ export class FirstPersonInput {
     ownerDocument.addEventListener("keydown", noteKey, { signal, capture: true });
     ownerDocument.addEventListener("click", this.#clickAnywhere, { signal, capture: true });
     ownerDocument.addEventListener("pointerlockchange", this.#lockChange, { signal });
+    ownerDocument.addEventListener("pointerlockerror", this.#lockError, { signal });
     ownerDocument.addEventListener("visibilitychange", () => this.#release(), { signal });
   }
 
@@ -132,7 +142,7 @@ export class FirstPersonInput {
    */
   enter(device?: Device): void {
     const hasMouse = !this.#isTouched && matchMedia("(any-pointer: fine)").matches;
-    const pointer = hasMouse ? "mouse" : "touch";
+    const pointer = hasMouse ? this.#mouse : "touch";
     this.#goIn(device ?? (this.#isByKey ? "keyboard" : pointer));
     if (!this.#isIn || !hasMouse || this.#isLocked) return;
     const wait = Math.max(0, this.#unlockedAt + LOCK_COOL_DOWN - performance.now());
@@ -146,6 +156,8 @@ export class FirstPersonInput {
     const { activeElement } = this.#host.getRootNode() as Document | ShadowRoot;
     if (this.#isIn || activeElement !== this.#host) return;
     this.#isIn = true;
+    this.#isByMouse = device === this.#mouse;
+    this.#asksAgain = true;
     this.#gamepads.release();
     this.#onEntered(true, device);
   }
@@ -168,25 +180,53 @@ export class FirstPersonInput {
   async #lock(): Promise<void> {
     if (!this.#isIn) return;
     try {
-      await this.#canvas.requestPointerLock({ unadjustedMovement: true });
+      const answer: unknown = this.#canvas.requestPointerLock({ unadjustedMovement: true });
+      this.#awaitsLock = !answer;
+      await answer;
     } catch (error) {
-      if (!(error instanceof DOMException) || error.name !== "NotSupportedError") return;
+      if (!(error instanceof DOMException) || error.name !== "NotSupportedError") {
+        this.#becomes("drag");
+        return;
+      }
       if (!this.#isIn) return;
-      await Promise.resolve(this.#canvas.requestPointerLock()).catch(() => {});
+      await Promise.resolve(this.#canvas.requestPointerLock()).catch(() => this.#becomes("drag"));
     }
     this.#freeOutside();
   }
 
-  /** The first click enters the room; with a locked pointer, further clicks are for the flame. */
+  /** The mouse proves to be locked, or to drag. An answer to a visitor who has left says nothing. */
+  #becomes(mouse: "mouse" | "drag"): void {
+    if (!this.#isIn || this.#isLocked !== (mouse === "mouse")) return;
+    const isOther = mouse !== this.#mouse;
+    this.#mouse = mouse;
+    if (isOther && this.#isByMouse) this.#onEntered(true, mouse);
+  }
+
+  /**
+   * The first click enters the room; with a locked pointer, further clicks are for the flame. Without, the next one
+   * asks for it again: browsers want a gesture, which a page that entered may have lacked. No further one does, since
+   * each click ends a drag, and browsers write each refusal to the console.
+   */
   readonly #click = (event: MouseEvent): void => {
     const [target] = event.composedPath();
     if (target !== this.#canvas && target !== this.#host) return; // of a control in a slot
     if (this.#isIn && this.#isLocked) this.#clicks = true;
-    else if (!this.#isIn || !this.#isTouched) this.enter();
+    else if (!this.#isIn) this.enter();
+    else if (this.#asksAgain && !this.#isTouched) {
+      this.#asksAgain = false;
+      this.enter();
+    }
+  };
+
+  readonly #lockError = (): void => {
+    if (this.#awaitsLock) this.#becomes("drag");
+    this.#awaitsLock = false;
   };
 
   readonly #lockChange = (): void => {
     if (this.#isLocked) {
+      this.#awaitsLock = false;
+      this.#becomes("mouse");
       this.#isFirstMove = true;
       this.#wasLocked = true;
       this.#freeOutside();

@@ -240,7 +240,9 @@ test("Hints name keys as the visitor's own keyboard does, and what is in his han
   expect(await hintOf(room)).toBe("The candle is out. Tap twice to light it.");
 });
 
-test("The sensitivity is how far the mouse turns the view", async ({ page }) => {
+test("Where the lock is refused, the hint says to drag, and the sensitivity is how far that turns the view", async ({
+  page,
+}) => {
   await page.addInitScript(() => {
     Element.prototype.requestPointerLock = () =>
       Promise.reject(new DOMException("refused", "SecurityError"));
@@ -248,6 +250,8 @@ test("The sensitivity is how far the mouse turns the view", async ({ page }) => 
   const room = await openControls(page);
   await room.set({ sensitivity: "3" });
   await page.mouse.click(80, 45);
+  const walking = "WASD walk, drag to look, E is for the flame, F for the candle, Esc leaves";
+  await expect.poll(() => hintOf(room)).toBe(walking);
   expect(await room.isWalking()).toBe(true);
   await page.mouse.down();
   await page.mouse.move(90, 45);

@@ -17,6 +17,28 @@ test("entering a lone candle is told as such: the controls are fewer", () => {
   expect(hint.tellControls.mock.calls).toEqual([["keyboard", true]]);
 });
 
+test("a device that proves to be another has its controls told, and nobody enters again", async () => {
+  const element = new EventTarget() as ReflectedAttributes;
+  const has = new Set<string>();
+  const states = {
+    toggle: (name: string, isOn: boolean) => (isOn ? has.add(name) : has.delete(name)),
+    has: (name: string) => has.has(name),
+  };
+  const hint = { tellControls: vi.fn() };
+  const reporter = new CandleReporter(
+    element,
+    states as unknown as CustomStates,
+    { hint } as unknown as Overlay,
+  );
+  const events: string[] = [];
+  element.addEventListener("enter", () => events.push("enter"));
+  reporter.entered({} as CandleFlame, true, "mouse");
+  reporter.entered({} as CandleFlame, true, "drag");
+  await Promise.resolve();
+  expect(hint.tellControls.mock.calls.map(([device]) => device)).toEqual(["mouse", "drag"]);
+  expect(events).toEqual(["enter"]);
+});
+
 test("entering and leaving are reported in their order, once what they interrupt is done", async () => {
   const element = new EventTarget() as ReflectedAttributes;
   const states = { toggle() {}, has: () => false } as unknown as CustomStates;

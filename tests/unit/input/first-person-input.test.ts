@@ -142,6 +142,89 @@ test("a click on the host walks in, as the page's own click() does; one on what 
   expect(entered).toHaveBeenCalledOnce();
 });
 
+/** A place whose pointer lock is asked for at once; the browser answers as it is told to. */
+function placeWithLock(answer: () => Promise<void> | undefined) {
+  vi.stubGlobal("window", { setTimeout: (action: () => void) => action() });
+  const request = vi.fn(answer);
+  const { canvas, host, ...rest } = place();
+  Object.assign(canvas, { requestPointerLock: request });
+  const click = async () => {
+    const path = { composedPath: () => [canvas, host] };
+    host.dispatchEvent(Object.assign(new Event("click"), path));
+    await Promise.resolve();
+    await Promise.resolve();
+  };
+  const answerBy = (type: "change" | "error") =>
+    host.ownerDocument.dispatchEvent(new Event(`pointerlock${type}`));
+  return { ...rest, host, request, click, answerBy };
+}
+
+const refusal = () => Promise.reject(new DOMException("refused", "SecurityError"));
+
+test("a mouse whose lock is refused drags, which is told once, and asked for by one click more in a visit", async () => {
+  const { input, entered, request, click } = placeWithLock(refusal);
+  for (let i = 0; i < 4; i++) await click();
+  expect(entered.mock.calls).toEqual([
+    [true, "mouse"],
+    [true, "drag"],
+  ]);
+  expect(request).toHaveBeenCalledTimes(2);
+  expect(input.read().togglesFlame).toBe(false);
+  input.leave();
+  entered.mockClear();
+  for (let i = 0; i < 4; i++) await click();
+  expect(entered.mock.calls).toEqual([[true, "drag"]]);
+  expect(request).toHaveBeenCalledTimes(4);
+});
+
+test("a click gets the lock that was refused to a page that entered, and the mouse looks", async () => {
+  const { input, entered, request, click, lock } = placeWithLock(refusal);
+  input.enter();
+  await Promise.resolve();
+  await Promise.resolve();
+  request.mockImplementation(() => Promise.resolve(lock()));
+  await click();
+  await click();
+  expect(entered.mock.calls.map(([, device]) => device)).toEqual(["mouse", "drag", "mouse"]);
+  expect(input.read().togglesFlame).toBe(true);
+});
+
+test("a refusal by an event alone is heard, unless the visitor has left", async () => {
+  const { input, entered, click, answerBy } = placeWithLock(() => undefined);
+  await click();
+  input.leave();
+  answerBy("error");
+  entered.mockClear();
+  await click();
+  answerBy("change"); // of another's lock
+  answerBy("error");
+  expect(entered.mock.calls).toEqual([
+    [true, "mouse"],
+    [true, "drag"],
+  ]);
+});
+
+test("a mouse that can be locked with its speed adjusted alone is none that drags", async () => {
+  const { entered, request, click, lock, answerBy } = placeWithLock(() => Promise.resolve(lock()));
+  request.mockImplementationOnce(() => {
+    answerBy("error");
+    return Promise.reject(new DOMException("raw", "NotSupportedError"));
+  });
+  await click();
+  expect(request).toHaveBeenCalledTimes(2);
+  expect(entered.mock.calls).toEqual([[true, "mouse"]]);
+});
+
+test("a refused lock changes nothing for who came in by keyboard", async () => {
+  const { host, entered, request, press } = placeWithLock(refusal);
+  host.focus();
+  press("Enter");
+  await Promise.resolve();
+  await Promise.resolve();
+  expect(request).toHaveBeenCalledOnce();
+  expect(entered.mock.calls).toEqual([[true, "keyboard"]]);
+});
+
 test("without the focus nobody is in, and no lock is asked for", () => {
   const { input, host, entered } = place();
   const setTimeout = vi.fn();
