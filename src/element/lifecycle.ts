@@ -267,9 +267,10 @@ export class Lifecycle {
   onContextRestored(): void {
     if (!this.#machine.send("restore")) return;
     this.#overlay.clearFailure();
+    const wasRejected = this.#ready.renewRejected(); // a first frame is to come after all
     if (this.#machine.current === "running") this.#overlay.hidePoster();
-    else this.#ready.renew();
     this.#applyMotion();
+    if (wasRejected) this.draws.afterNext(() => void this.#settle());
     emit(this.#element, "contextrestored", null);
   }
 

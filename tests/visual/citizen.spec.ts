@@ -3,6 +3,7 @@ import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
 import { browser as settings } from "../support/browser.ts";
 import { lostContexts, recordContexts } from "../support/contexts.ts";
 import { drawNothing } from "../support/no-drawing.ts";
+import { plainRoom } from "../support/plain-room.ts";
 import { complaintsOf, LIBRARY, RoomDriver } from "../support/room-driver.ts";
 import { serveSmallTextures } from "../support/small-textures.ts";
 import { expect, test } from "../support/test.ts";
@@ -413,6 +414,38 @@ test.describe("A lost context", () => {
   });
 });
 
+/** Whether the element's `ready` has resolved, or what it was rejected with. */
+const outcomeOf = (room: RoomDriver) =>
+  room.evaluate((element) =>
+    Promise.race([
+      element.ready.then(
+        () => "resolved",
+        (error: Error) => error.message,
+      ),
+      Promise.resolve().then(() => "pending"),
+    ]),
+  );
+
+const loseContext = (room: RoomDriver) =>
+  room.evaluate(async (element) => {
+    const lost = new Promise((resolve) =>
+      element.addEventListener("contextlost", resolve, { once: true }),
+    );
+    const extension = contexts[0]?.getExtension("WEBGL_lose_context");
+    Object.assign(globalThis, { extension });
+    extension?.loseContext();
+    await lost;
+  });
+
+const restoreContext = (room: RoomDriver) =>
+  room.evaluate(async (element) => {
+    const restored = new Promise((resolve) =>
+      element.addEventListener("contextrestored", resolve, { once: true }),
+    );
+    (Reflect.get(globalThis, "extension") as WEBGL_lose_context).restoreContext();
+    await restored;
+  });
+
 test("A context that is lost for good while its room loads rejects `ready`, and comes back late all the same", async ({
   page,
 }) => {
@@ -422,35 +455,75 @@ test("A context that is lost for good while its room loads rejects `ready`, and 
   const release = await holdModels(page);
   const room = await new RoomDriver(page).load({ look: "original" }, { width: 32, height: 18 });
   await page.clock.pauseAt(3_600_000);
-  const outcome = () =>
-    room.evaluate((element) =>
-      Promise.race([
-        element.ready.then(
-          () => "resolved",
-          (error: Error) => error.message,
-        ),
-        Promise.resolve().then(() => "pending"),
-      ]),
-    );
-  await room.evaluate(async (element) => {
-    const lost = new Promise((resolve) => element.addEventListener("contextlost", resolve));
-    const extension = contexts[0]?.getExtension("WEBGL_lose_context");
-    Object.assign(globalThis, { extension });
-    extension?.loseContext();
-    await lost;
-  });
+  await loseContext(room);
   await page.clock.runFor(4900);
-  expect(await outcome()).toBe("pending");
+  expect(await outcomeOf(room)).toBe("pending");
   await page.clock.runFor(200);
-  expect(await outcome()).toMatch(/has not restored it/);
+  expect(await outcomeOf(room)).toMatch(/has not restored it/);
   release();
-  await room.evaluate(async (element) => {
-    const restored = new Promise((resolve) => element.addEventListener("contextrestored", resolve));
-    (Reflect.get(globalThis, "extension") as WEBGL_lose_context).restoreContext();
-    await restored;
-    await element.ready;
-  });
+  await restoreContext(room);
+  await room.evaluate((element) => element.ready);
   expect((await room.stats()).drawCalls).toBeGreaterThan(0);
+  expect(room.complaints).toEqual([]);
+});
+
+test("A context that is lost for good while another room is fetched rejects `ready`, and comes back to wait for that room", async ({
+  page,
+}) => {
+  await page.clock.install({ time: 0 });
+  await recordContexts(page);
+  const room = await new RoomDriver(page).open({}, { width: 32, height: 18 });
+  await page.clock.pauseAt(3_600_000);
+  const body = plainRoom({ min: [-2, 0, -2], max: [2, 2.6, 2] }, [], 0.5);
+  /** Asks for another room, whose file is on its way as the context is lost, for more than five seconds. */
+  const loseWhileFetching = async (name: string) => {
+    const url = `${LIBRARY}${name}.glb`;
+    const request = new Promise<() => Promise<void>>((resolve) => {
+      void page.route(url, (route) =>
+        resolve(() => route.fulfill({ contentType: "model/gltf-binary", body })),
+      );
+    });
+    await room.evaluate((element, src) => {
+      element.src = src;
+    }, url);
+    const answer = await request;
+    await loseContext(room);
+    await page.clock.runFor(5100);
+    expect(await outcomeOf(room), name).toMatch(/has not restored it/);
+    return answer;
+  };
+  const ready = () => room.evaluate((element) => element.ready);
+
+  await test.step("which comes after it", async () => {
+    const answer = await loseWhileFetching("later");
+    await restoreContext(room);
+    expect(await outcomeOf(room)).toBe("pending");
+    await answer();
+    await ready();
+  });
+
+  await test.step("which came before it", async () => {
+    const answer = await loseWhileFetching("sooner");
+    await room.evaluate((element) => {
+      const load = new Promise<void>((resolve) =>
+        element.addEventListener("load", () => resolve(), { once: true }),
+      );
+      Object.assign(globalThis, { load });
+    });
+    await answer();
+    await page.evaluate(() => Reflect.get(globalThis, "load"));
+    await restoreContext(room);
+    await ready();
+  });
+
+  await test.step("which is not wanted any more", async () => {
+    await loseWhileFetching("dropped");
+    await room.evaluate((element) => {
+      element.src = new URL("sooner.glb", document.baseURI).href;
+    });
+    await restoreContext(room);
+    await ready();
+  });
   expect(room.complaints).toEqual([]);
 });
 
