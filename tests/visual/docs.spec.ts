@@ -104,6 +104,25 @@ test("“Use it” has snippets to copy, and every attribute to try", async ({ f
       ];
     });
     expect(lines).toEqual(["", "", "event: pause", "event: play"]);
+    const unseen = await candle.evaluate(async (candle: CandleFlameElement) => {
+      const log = document.querySelector("[role=log]") as HTMLElement;
+      const show = (visibilityState: "hidden" | "visible") => {
+        Object.defineProperty(document, "visibilityState", {
+          value: visibilityState,
+          configurable: true,
+        });
+        document.dispatchEvent(new Event("visibilitychange"));
+      };
+      log.textContent = "";
+      show("hidden");
+      candle.pause();
+      await Promise.resolve();
+      show("visible");
+      const before = log.textContent;
+      candle.play();
+      return [before, log.textContent];
+    });
+    expect(unseen, "what began out of sight").toEqual(["", "event: play"]);
   });
 
   await test.step("none of them is hidden by the candle, whatever takes the focus", async () => {

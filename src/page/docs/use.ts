@@ -1,6 +1,7 @@
 import type { CandleFlameElement } from "../../candle-flame-element.js";
 import "../../define.js";
 import { find } from "../find.js";
+import { followAttributes } from "../follow-attributes.js";
 import { showValue } from "../show-value.js";
 import { addCopyButton } from "./copy-button.js";
 import { bindLiveFigure } from "./live-figure.js";
@@ -19,8 +20,12 @@ addTryOut(
 
 const log = find(document, ".events", HTMLElement);
 const EVENTS = ["load", "error", "play", "pause", "light", "extinguish", "place", "take"] as const;
-/** As of the last event: time also stops while the candle is out of sight, which is not logged. */
+/** Before the event: time also stops while the candle is out of sight, which is not logged. */
 let isPaused = false;
+// Out of sight there is no event: time stands already.
+followAttributes(tried, ["paused"], () => {
+  isPaused = tried.paused;
+});
 for (const type of EVENTS) {
   tried.addEventListener(type, () => {
     if (type === "pause" || type === "play") {
