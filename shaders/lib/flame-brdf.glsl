@@ -5,9 +5,13 @@
 const float LEAST_DISTANCE = 0.01;
 // A pane reflects next to nothing diffusely: the irradiance up to which its albedo counts, lx for 1 cd.
 const float PANE_IRRADIANCE = 0.5;
-// Share by which a flame is thinner at its end than in its middle, and wider at its foot; widening of the lobe, as a share
-// of the flame's radius, by which the edge of its mirror image is as soft as its own. Both by eye.
-const float TAPERING = 0.5;
+// Length of a flame's luminous body beside that of the capsule that lights. Share by which the body is thinner above, and
+// wider below, than an ellipsoid. Widening of the lobe, as a share of the flame's radius, by which the edge of its mirror
+// image is as soft as its own. These by eye; the perimeter beside an ellipsoid's is fitted, by the energy that a mirror
+// reflects.
+const float BODY_LENGTH = 1.5;
+const float TAPERING = 0.3;
+const float PERIMETER = 0.87;
 const float SOFTNESS = 0.1;
 
 struct FlameSpecular {
@@ -15,28 +19,30 @@ struct FlameSpecular {
   float SoH;   // cosine for Fresnel's term
 };
 
-// A flame as a capsule light, thinner above, by its representative point: the one nearest to the reflected ray. `toLight`:
-// from the surface, m. `halfAxis`: from the middle to an end, m.
+// A flame as an ellipsoid, thinner above, by its representative point: the one nearest to the reflected ray. `toLight`:
+// from the surface, m. `halfAxis`: from the middle to an end of the capsule, m.
 // Karis 2013, "Real Shading in Unreal Engine 4".
 FlameSpecular flameSpecular(vec3 toLight, vec3 halfAxis, float radius, vec3 normal, vec3 view, float NoV, float alpha) {
+  halfAxis *= BODY_LENGTH;
   vec3 reflected = reflect(-view, normal);
   float steepness = dot(reflected, halfAxis);
   float offAxis = dot(toLight, halfAxis) - dot(reflected, toLight) * steepness;
   float climb = clamp(-offAxis / max(dot(halfAxis, halfAxis) - steepness * steepness, 1e-7), -1.0, 1.0);
   vec3 representative = toLight + halfAxis * climb;
   vec3 aside = dot(reflected, representative) * reflected - representative;
-  representative += aside * min(radius * (1.0 - TAPERING * climb) / max(length(aside), 1e-5), 1.0);
+  representative += aside * min(radius * sqrt(1.0 - climb * climb) * (1.0 - TAPERING * climb) / max(length(aside), 1e-5), 1.0);
   float squared = max(dot(representative, representative), LEAST_DISTANCE * LEAST_DISTANCE);
   alpha += SOFTNESS * radius * inversesqrt(squared);
   vec3 S = normalize(representative);
   vec3 H = normalize(S + view);
   float NoS = max(dot(normal, S), 0.0);
   float SoH = max(dot(S, H), 0.1);
-  // The capsule spreads the lobe's peak over a convex set of half vectors. That adds to the integral of GGX, which is 1,
+  // The ellipsoid spreads the lobe's peak over a convex set of half vectors. That adds to the integral of GGX, which is 1,
   // the perimeter over 4 alpha, and the area over PI alpha squared, by Steiner's formula: the energy is divided by it.
   vec3 across = halfAxis - S * dot(S, halfAxis);
-  float quarter = (0.5 * length(cross(normal, across)) / SoH + 0.25 * PI * radius) * inversesqrt(squared);
-  float area = max(radius * (4.0 * length(across) + PI * radius), 1e-6);
+  float quarter = PERIMETER * length(vec2(0.5 * length(cross(normal, across)) / SoH, 0.25 * PI * radius)) * inversesqrt(squared);
+  float end = dot(S, normalize(halfAxis)) * radius;
+  float area = max(PI * radius * sqrt(dot(across, across) + end * end), 1e-6);
   float lobe = distributionGgx(alpha, max(dot(normal, H), 0.0)) * visibilitySmith(alpha, NoV, NoS) * NoS;
   lobe /= 1.0 + (quarter + area / (4.0 * PI * squared * SoH * alpha)) / alpha;
   // A mirror image is no brighter than the flame.
