@@ -49,6 +49,8 @@ export class Breath {
   );
   /** Current time, seconds. A field, since V8 boxes numbers that are passed. */
   time = 0;
+  /** When the last of them began, seconds. */
+  #latest = Number.NEGATIVE_INFINITY;
 
   /**
    * Begins another at `time`.
@@ -80,12 +82,14 @@ export class Breath {
       puff.towards[axis] = towards[axis];
     }
     puff.began = this.time;
+    this.#latest = Math.max(this.#latest, this.time);
     puff.speed = BREATH_SPEED * strength;
     puff.reach = reach - bent;
   }
 
   /** Adds its velocity at a place to `out`, m/s. */
   add(place: Readonly<Vec3>, out: Vec3): void {
+    if (this.time - this.#latest > OLDEST) return; // all are over
     let strongest = this.#puffs[0]!;
     for (let i = 0; i < PUFFS; i++) {
       const puff = this.#puffs[i]!;

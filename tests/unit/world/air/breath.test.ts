@@ -45,3 +45,15 @@ test("a stronger one that follows at once counts", () => {
   breath.add([0, 0, -0.6], out);
   expect(-out[2]).toBeCloseTo(Math.max(...speeds(0.6, 1, once)), 6);
 });
+
+test("those that are over, and those that never began, leave the air alone", () => {
+  const breath = new Breath();
+  const addAt = (time: number) => () => {
+    breath.time = time;
+    breath.add([0, 0, -1], Object.freeze([0, 0, 0]) as unknown as Vec3); // throws if it is written to
+  };
+  expect(addAt(3)).not.toThrow();
+  breath.begin(EYE, AHEAD, 0.6, 1, Infinity);
+  expect(addAt(18)).toThrow();
+  expect(addAt(18.1)).not.toThrow();
+});
