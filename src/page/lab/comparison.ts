@@ -121,7 +121,7 @@ export class Comparison {
     if (this.#second) copyShared(this.#room, this.#second);
   }
 
-  // Not by `camerachange`, which a reset does not fire.
+  // Only one that differs: setting it brings the hand to rest.
   #copyCamera(second: CandleFlameElement): void {
     const { camera } = this.#room;
     if (JSON.stringify(camera) !== JSON.stringify(second.camera)) second.camera = camera;

@@ -44,7 +44,7 @@ const STRAINED_AT = 0.25;
 /** The wick's tip in the flame, and the room, kelvin. */
 export const GLOWING = 1120;
 export const ROOM = 293;
-/** Rates of heating and of cooling, 1/s: dark (798 K, Draper) after five seconds. */
+/** Time constants of the tip's heating and cooling, seconds: dark (798 K, Draper) after five seconds. */
 const HEATING = 0.3;
 const FADING = 10;
 /** Invisible remainder of light, as a share of a taper's. */
