@@ -19,22 +19,37 @@ const STANDING: Vec3 = [0, 0, 0];
 
 /** Advances the world in whole ticks. The remainder is carried to the next call. */
 export function advance(world: World, intent: Intent, seconds: number): void {
-  if (!world.setup.isAlone) turnHead(world.player, intent);
   if (intent.togglesFlame) useFlame(world);
   if (intent.blows) blow(world, 1);
   // 144 x 1/144 must be one second: the error of a sum is far below a millionth of a tick.
-  const ticks = Math.floor((world.remainder + seconds) / TICK + 1e-6);
-  world.remainder = Math.max(0, world.remainder + seconds - ticks * TICK);
+  const due = world.remainder + seconds;
+  const ticks = Math.floor(due / TICK + 1e-6);
+  world.remainder = Math.max(0, due - ticks * TICK);
   if (ticks > 0 && world.remainder < TICK * 1e-6) world.remainder = 0;
-  for (let i = 0; i < ticks; i++) tick(world, intent);
+  // Each tick has the pointer's motion of its own time, or the flame would feel a whole frame's at once.
+  let left = 1;
+  for (let i = 1; i <= ticks; i++) {
+    const before = left;
+    const rest = i < ticks ? due - i * TICK : world.remainder;
+    left = rest > 0 ? Math.min(rest / seconds, 1) : 0;
+    turn.yaw = intent.yaw * (before - left);
+    turn.pitch = intent.pitch * (before - left);
+    if (!world.setup.isAlone) turnHead(world.player, turn);
+    tick(world, intent);
+  }
+  // What is left the view shows at once; the hand follows it in the next tick.
+  turn.yaw = intent.yaw * left;
+  turn.pitch = intent.pitch * left;
+  if (!world.setup.isAlone) turnHead(world.player, turn);
   // Last: from where one stands when it is reported.
   if (intent.placesOrTakes && world.candle.isHeld) placeCandle(world);
   else if (intent.placesOrTakes) takeCandle(world);
-  if (ticks > 0) interpolate(world);
-  else interpolateTurn(world);
+  if (left > 0) interpolateTurn(world);
+  else interpolate(world);
 }
 
-/** Values of the current tick, allocated once: the emitter before it, and what `tick` computes. */
+/** Values of the current tick, allocated once: the pointer's motion, the emitter before it, and what `tick` computes. */
+const turn = { yaw: 0, pitch: 0 };
 const previousEmitter: Vec3 = [0, 0, 0];
 const motion: Vec3 = [0, 0, 0];
 const flow: Vec3 = [0, 0, 0];

@@ -33,8 +33,8 @@ export function gazeDirection({ yaw, pitch }: Player): Vec3 {
   return [-Math.sin(yaw) * level, Math.sin(pitch), -Math.cos(yaw) * level];
 }
 
-/** Turns the head by the pointer's motion since the last frame. */
-export function turnHead(player: Player, { yaw, pitch }: Intent): void {
+/** Turns the head by so much of the pointer's motion. */
+export function turnHead(player: Player, { yaw, pitch }: Pick<Intent, "yaw" | "pitch">): void {
   player.yaw += yaw;
   player.pitch += pitch;
   straighten(player);

@@ -24,6 +24,8 @@ function advanced(world: World, seconds: number, times: number, intent = STILL):
   return world;
 }
 
+const furnished = () => createRoom(new CollisionMesh(FURNISHED.parts), null);
+
 /** Everything of a world that is drawn. */
 function shownOf({ player, candle, emitter, interpolated, timeline, sample, remainder }: World) {
   return {
@@ -107,6 +109,43 @@ describe("time (P7)", () => {
     });
     expect(ways[0]).toBeGreaterThan(0.1);
     expect(ways[1]! / ways[0]!).toBeCloseTo(1, 2);
+  });
+
+  test("a turn of the head is seen in its own frame, and felt in as many ticks as it took", () => {
+    const world = createWorld("physical", 1, { room: furnished() });
+    const { player, hand } = world;
+    const { yaw } = player;
+    const turning = { ...STILL, yaw: 0.012, pitch: 0.004 };
+    advance(world, turning, TICK / 4); // no tick
+    expect(player.yaw - yaw).toBeCloseTo(0.012, 12);
+    expect(hand.yaw).toBe(yaw);
+    const felt: number[] = [];
+    const spy = vi.spyOn(world.flame, "advance").mockImplementation(() => felt.push(hand.yaw));
+    advance(world, turning, 3 * TICK);
+    spy.mockRestore();
+    expect(player.yaw - yaw).toBeCloseTo(0.024, 12);
+    expect(player.pitch - world.setup.pitch).toBeCloseTo(0.008, 12);
+    // The first tick has the frame before, and three quarters of a tick of this one.
+    [0.015, 0.019, 0.023].forEach((turned, i) => {
+      expect((felt[i] ?? Number.NaN) - yaw).toBeCloseTo(turned, 12);
+    });
+    advance(world, STILL, TICK);
+    expect(hand.yaw).toBe(player.yaw);
+  });
+
+  test("a brisk turn of the head costs the flame as much at any frame rate", () => {
+    const leasts = [10, 20, 30, 60, 120, 144, 240].map((rate) => {
+      const world = createWorld("physical", 1, { room: furnished() });
+      let least = 1;
+      for (let frame = 0; frame < 1.5 * rate; frame++) {
+        const yaw = frame < 0.5 * rate ? (2 * Math.PI) / rate : 0; // half a turn in half a second
+        advance(world, { ...STILL, yaw }, 1 / rate);
+        least = Math.min(least, world.flame.fuel);
+      }
+      return least;
+    });
+    expect(leasts[0]).toBeGreaterThan(0.5);
+    expect(Math.max(...leasts) - Math.min(...leasts)).toBeLessThan(0.05);
   });
 
   test("shows a walker between the ticks where he will be", () => {
