@@ -250,11 +250,12 @@ export class CandleFlame {
 
   /** Whether camera or candle have moved since the last call; a hand comes to rest within a tenth of a millimetre. */
   #hasMoved(): boolean {
-    const { player, candle, interpolated, fieldOfView } = this.world;
+    const { interpolated, fieldOfView } = this.world;
+    const { eye, yaw, pitch, candleYaw } = interpolated;
     const foot = interpolated.foot.map((x) => x.toFixed(4));
-    const camera = [...interpolated.eye, player.yaw, player.pitch, fieldOfView];
+    const camera = [...eye, yaw, pitch, fieldOfView];
     const before = this.#pose;
-    this.#pose = `${[...camera, ...foot, candle.yaw]}`;
+    this.#pose = `${[...camera, ...foot, candleYaw]}`;
     return this.#pose !== before;
   }
 

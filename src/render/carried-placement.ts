@@ -3,9 +3,9 @@ import type { Placement } from "./frame-input.js";
 import { HANDLE_TURN } from "./volumetric/flame-pass.js";
 
 /** Where the carried candle is drawn: its wick is below the flame, whose place does not turn with the model. */
-export function carriedPlacement({ candle, interpolated, setup }: World): Placement {
-  const { foot, flame } = interpolated;
-  const yaw = candle.yaw + HANDLE_TURN;
+export function carriedPlacement({ interpolated, setup }: World): Placement {
+  const { foot, flame, candleYaw } = interpolated;
+  const yaw = candleYaw + HANDLE_TURN;
   const [sin, cos] = [Math.sin(yaw), Math.cos(yaw)];
   const [wickX, , wickZ] = setup.wick;
   const x = flame[0] - (cos * wickX + sin * wickZ);

@@ -11,13 +11,13 @@ export function frameBlock(
   { width, height }: Size,
   exposure: number,
 ) {
-  const { player, interpolated } = world;
+  const { interpolated } = world;
   const fieldOfView = fieldOfViewOf(world);
   return {
     clipFromWorld: clipFromWorld(
       interpolated.eye,
-      player.yaw,
-      player.pitch,
+      interpolated.yaw,
+      interpolated.pitch,
       width / height,
       fieldOfView,
     ),

@@ -6,7 +6,7 @@ import { emittingGroups } from "./particles/level-of-detail.js";
 import { advanceStride } from "./player/gait.js";
 import { advanceHand } from "./player/hand.js";
 import { type Intent, STILL } from "./player/intent.js";
-import { turnHead, walk } from "./player/player.js";
+import { followKeys, turnHead, walk } from "./player/player.js";
 import { advanceSmoke, advanceStanding } from "./standing-candle.js";
 import { TICK } from "./timeline.js";
 import type { World } from "./world.js";
@@ -22,10 +22,13 @@ export function advance(world: World, intent: Intent, seconds: number): void {
   if (intent.togglesFlame) useFlame(world);
   if (intent.blows) blow(world, 1);
   // 144 x 1/144 must be one second: the error of a sum is far below a millionth of a tick.
-  const due = world.remainder + seconds;
+  const begun = world.remainder;
+  const due = begun + seconds;
   const ticks = Math.floor(due / TICK + 1e-6);
   world.remainder = Math.max(0, due - ticks * TICK);
   if (ticks > 0 && world.remainder < TICK * 1e-6) world.remainder = 0;
+  const { player, lead, setup } = world;
+  if (!setup.isAlone) followKeys(player, lead, intent, begun, ticks > 0 ? null : world.remainder);
   // Each tick has the pointer's motion of its own time, or the flame would feel a whole frame's at once.
   let left = 1;
   for (let i = 1; i <= ticks; i++) {
@@ -34,13 +37,13 @@ export function advance(world: World, intent: Intent, seconds: number): void {
     left = rest > 0 ? Math.min(rest / seconds, 1) : 0;
     turn.yaw = intent.yaw * (before - left);
     turn.pitch = intent.pitch * (before - left);
-    if (!world.setup.isAlone) turnHead(world.player, turn);
+    if (!setup.isAlone) turnHead(player, turn);
     tick(world, intent);
   }
   // What is left the view shows at once; the hand follows it in the next tick.
   turn.yaw = intent.yaw * left;
   turn.pitch = intent.pitch * left;
-  if (!world.setup.isAlone) turnHead(world.player, turn);
+  if (!setup.isAlone) turnHead(player, turn);
   // Last: from where one stands when it is reported.
   if (intent.placesOrTakes && world.candle.isHeld) placeCandle(world);
   else if (intent.placesOrTakes) takeCandle(world);

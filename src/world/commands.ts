@@ -38,6 +38,8 @@ export function moveCamera(
   if (Number.isFinite(yaw)) player.yaw = yaw;
   if (Number.isFinite(pitch)) player.pitch = Math.min(Math.max(pitch, -MAX_PITCH), MAX_PITCH);
   world.fieldOfView = fieldOfView === setup.fieldOfView ? null : fieldOfView;
+  // The camera is where it was put, whatever keys are held; who only moves goes on turning.
+  if (player.yaw !== before[3] || player.pitch !== before[4]) world.lead.turn = world.lead.tilt = 0;
   calmHand(world.hand, player);
   poseCandle(world, 0);
   const after = [...player.position, player.yaw, player.pitch, fieldOfViewOf(world)];
@@ -54,6 +56,7 @@ export function placeCandle(world: World): boolean {
   if (world.refusal !== null) return false;
   if (room) putDown(world, spot);
   else placeOnGround(candle, player, setup);
+  candle.yaw = player.yaw;
   poseCandle(world, 0);
   interpolate(world);
   return true;

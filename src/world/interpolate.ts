@@ -2,6 +2,7 @@ import { CANDLE_CYLINDER, holdCandle } from "./candle.js";
 import type { Vec3 } from "./geometry.js";
 import { headBob } from "./player/gait.js";
 import { holdOut } from "./player/hand.js";
+import { lookAhead } from "./player/player.js";
 import type { World } from "./world.js";
 
 const way: Vec3 = [0, 0, 0];
@@ -12,6 +13,8 @@ export function interpolate(world: World): void {
   const { player, candle, emitter, interpolated, remainder, room } = world;
   const { position, velocity } = player;
   const { eye, foot, flame } = interpolated;
+  lookAhead(player, world.lead, remainder, interpolated);
+  interpolated.candleYaw = candle.isHeld ? interpolated.yaw : candle.yaw;
   for (let axis = 0; axis < 3; axis++) {
     eye[axis] = position[axis]!;
     way[axis] = velocity[axis]! * remainder;

@@ -9,7 +9,7 @@ import type { Particles } from "./particles/particles.js";
 import type { SparkSchedule } from "./particles/sparks.js";
 import type { ExposureAdaptation } from "./player/exposure-adaptation.js";
 import type { Hand } from "./player/hand.js";
-import type { Player } from "./player/player.js";
+import type { Lead, Player } from "./player/player.js";
 import type { MovementBounds } from "./room/movement-bounds.js";
 import type { Refusal } from "./room/placement.js";
 import type { Room } from "./room/room.js";
@@ -46,8 +46,10 @@ export interface World {
   readonly adaptation: ExposureAdaptation | null;
   /** Foot of the flame, metres. */
   readonly emitter: Vec3;
-  /** Positions at the moment of the frame, up to a tick after the state above. Metres. */
-  readonly interpolated: { readonly eye: Vec3; readonly foot: Vec3; readonly flame: Vec3 };
+  /** What is drawn: the moment of the frame, up to a tick after the state above. */
+  readonly interpolated: Interpolated;
+  /** Turning by keys or stick since the last tick, which the view shows and no tick has had yet. */
+  readonly lead: Lead;
   readonly timeline: Timeline;
   /** Every fourth particle of the paper's brightest layer: their centre is that of the light. Null in the physical look. */
   readonly sample: Particles | null;
@@ -67,6 +69,17 @@ export interface World {
   formerStand: Stand | null;
   /** Which standing candles burned before a look that has none. */
   formerLit: readonly boolean[];
+}
+
+/** Metres and radians. */
+export interface Interpolated {
+  readonly eye: Vec3;
+  yaw: number;
+  pitch: number;
+  /** Of the carried candle, and the way it is turned. */
+  readonly foot: Vec3;
+  readonly flame: Vec3;
+  candleYaw: number;
 }
 
 /** Place of a candle that was put down, and how it is turned. */

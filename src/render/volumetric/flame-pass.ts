@@ -111,8 +111,8 @@ export class FlamePass {
 /** The carried candle's flame; its wick turns with the candle. */
 export function carriedWick(world: World): BurningWick {
   const [x, y, z] = WICK_TIP;
-  const sin = Math.sin(world.candle.yaw + HANDLE_TURN);
-  const cos = Math.cos(world.candle.yaw + HANDLE_TURN);
+  const sin = Math.sin(world.interpolated.candleYaw + HANDLE_TURN);
+  const cos = Math.cos(world.interpolated.candleYaw + HANDLE_TURN);
   return { ...carriedFlame(world), tip: [cos * x + sin * z, y, cos * z - sin * x] };
 }
 

@@ -40,11 +40,52 @@ export function turnHead(player: Player, { yaw, pitch }: Pick<Intent, "yaw" | "p
   straighten(player);
 }
 
+/** Turning by keys or stick since the last tick: its mean, as `Intent` has it. */
+export type Lead = { -readonly [name in keyof Pick<Intent, "turn" | "tilt">]: number };
+
+/**
+ * Takes up how a frame turns by keys or stick, before its ticks.
+ *
+ * @param begun seconds between the last tick and the frame before
+ * @param remainder seconds between the last tick and this frame, if it has none of its own
+ */
+export function followKeys(
+  player: Player,
+  lead: Lead,
+  { turn, tilt }: Intent,
+  begun: number,
+  remainder: number | null,
+): void {
+  if (remainder === null) {
+    // The first tick turns as if the keys had been held since the last one.
+    player.yaw += (lead.turn - turn) * TURN_SPEED * begun;
+    player.pitch += (lead.tilt - tilt) * TILT_SPEED * begun;
+  }
+  const former = remainder ? begun / remainder : 0;
+  lead.turn = turn + (lead.turn - turn) * former;
+  lead.tilt = tilt + (lead.tilt - tilt) * former;
+}
+
+/** Writes the direction of view so many seconds after the last tick. */
+export function lookAhead(
+  { yaw, pitch }: Player,
+  { turn, tilt }: Lead,
+  seconds: number,
+  view: { yaw: number; pitch: number },
+): void {
+  view.yaw = yaw + turn * TURN_SPEED * seconds;
+  view.pitch = clampPitch(pitch + tilt * TILT_SPEED * seconds);
+}
+
+function clampPitch(pitch: number): number {
+  return Math.min(Math.max(pitch, -MAX_PITCH), MAX_PITCH);
+}
+
 /** Keeps yaw within a turn, and pitch between feet and crown. */
 function straighten(player: Player): void {
   const turn = 2 * Math.PI;
   player.yaw -= turn * Math.round(player.yaw / turn);
-  player.pitch = Math.min(Math.max(player.pitch, -MAX_PITCH), MAX_PITCH);
+  player.pitch = clampPitch(player.pitch);
 }
 
 /** Walks for so many seconds, as far as there is space; see `accelerate`. */

@@ -18,7 +18,7 @@ test.each([0, 1, -2.5, Math.PI])(
     const foot = [1, 0.8, -2] as const;
     const setup = WORLD_SETUPS.physical;
     const flame = setup.wick.map((x, axis) => x + foot[axis]!);
-    const world = { candle: { yaw }, interpolated: { foot, flame }, setup } as unknown as World;
+    const world = { interpolated: { foot, flame, candleYaw: yaw }, setup } as unknown as World;
     const [x, y, z, turn] = carriedPlacement(world);
     // As in shaders/mesh/mesh.vert.
     const [sin, cos] = [Math.sin(turn), Math.cos(turn)];
