@@ -1,7 +1,7 @@
 import { blow, placeCandle, takeCandle } from "./commands.js";
 import { reachForWick, useFlame } from "./flames.js";
 import { length2, type Vec3 } from "./geometry.js";
-import { interpolate, interpolateTurn, poseCandle } from "./interpolate.js";
+import { interpolate, poseCandle } from "./interpolate.js";
 import { emittingGroups } from "./particles/level-of-detail.js";
 import { advanceStride } from "./player/gait.js";
 import { advanceHand } from "./player/hand.js";
@@ -47,8 +47,7 @@ export function advance(world: World, intent: Intent, seconds: number): void {
   // Last: from where one stands when it is reported.
   if (intent.placesOrTakes && world.candle.isHeld) placeCandle(world);
   else if (intent.placesOrTakes) takeCandle(world);
-  if (left > 0) interpolateTurn(world);
-  else interpolate(world);
+  interpolate(world);
 }
 
 /** Values of the current tick, allocated once: the pointer's motion, the emitter before it, and what `tick` computes. */

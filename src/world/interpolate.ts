@@ -1,16 +1,20 @@
-import { CANDLE_CYLINDER, holdCandle } from "./candle.js";
+import { CANDLE_CYLINDER, type Candle, holdCandle } from "./candle.js";
 import type { Vec3 } from "./geometry.js";
 import { headBob } from "./player/gait.js";
-import { holdOut } from "./player/hand.js";
-import { lookAhead } from "./player/player.js";
+import { advanceHand, copyHand, createHand, holdOut } from "./player/hand.js";
+import { lookAhead, type Player } from "./player/player.js";
 import type { World } from "./world.js";
 
 const way: Vec3 = [0, 0, 0];
 const bob: Vec3 = [0, 0, 0];
+/** Visitor, hand and candle at the moment of the frame. */
+const body: Player = { position: [0, 0, 0], velocity: [0, 0, 0], yaw: 0, pitch: 0 };
+const shownHand = createHand(0);
+const shownCandle: Candle = { position: [0, 0, 0], yaw: 0, isHeld: true };
 
-/** Extrapolates the frame's positions from the last tick by the time left over, so that motion is smooth. */
+/** Extrapolates what is drawn from the last tick by the time left over, so that motion is smooth. */
 export function interpolate(world: World): void {
-  const { player, candle, emitter, interpolated, remainder, room } = world;
+  const { player, candle, emitter, interpolated, remainder, room, hand } = world;
   const { position, velocity } = player;
   const { eye, foot, flame } = interpolated;
   lookAhead(player, world.lead, remainder, interpolated);
@@ -20,25 +24,33 @@ export function interpolate(world: World): void {
     way[axis] = velocity[axis]! * remainder;
   }
   world.movementBounds.move(eye, way, way);
-  const heldWeight = candle.isHeld ? 1 : 0;
+  const isAhead = candle.isHeld && (remainder > 0 || interpolated.yaw !== hand.yaw);
+  if (isAhead) holdAhead(world);
   for (let axis = 0; axis < 3; axis++) {
-    const carried = (eye[axis]! - position[axis]!) * heldWeight;
-    foot[axis] = candle.position[axis]! + carried;
-    flame[axis] = emitter[axis]! + carried;
+    if (!isAhead) foot[axis] = candle.position[axis]!;
+    flame[axis] = emitter[axis]! + (foot[axis]! - candle.position[axis]!);
   }
   if (!room || !world.sways) return;
   headBob(world, bob);
   for (let axis = 0; axis < 3; axis++) eye[axis]! += bob[axis]!;
 }
 
-/** Between ticks, a turn of the head shows the candle where it leads; the motion itself is the next tick's. */
-export function interpolateTurn(world: World): void {
-  const { candle, emitter } = world;
-  const [foot, root] = [[...candle.position], [...emitter]];
-  poseCandle(world, 0);
-  interpolate(world);
-  Object.assign(candle.position, foot);
-  Object.assign(emitter, root);
+/** Has the candle follow the drawn view as it will: the hand moves on from the last tick, and is left as it is. */
+function holdAhead({ player, hand, interpolated, remainder, room, setup }: World): void {
+  const { eye, foot } = interpolated;
+  for (let axis = 0; axis < 3; axis++) {
+    body.position[axis] = eye[axis]!;
+    body.velocity[axis] = player.velocity[axis]!;
+  }
+  body.yaw = interpolated.yaw;
+  if (room) {
+    copyHand(hand, shownHand);
+    advanceHand(shownHand, body, remainder);
+    holdOut(shownHand, body, setup.hold, room.collision, CANDLE_CYLINDER, remainder, foot);
+    return;
+  }
+  holdCandle(shownCandle, body, setup);
+  for (let axis = 0; axis < 3; axis++) foot[axis] = shownCandle.position[axis]!;
 }
 
 /** Moves candle and flame with the hand, after some seconds; 0 leaves the hand unchanged. */

@@ -41,6 +41,21 @@ export function createHand(yaw: number) {
   };
 }
 
+/** Makes a hand as another is. */
+export function copyHand(from: Hand, to: Hand): void {
+  to.lag = from.lag;
+  to.turning = from.turning;
+  to.daring = from.daring;
+  to.stretch = from.stretch;
+  to.yaw = from.yaw;
+  for (let axis = 0; axis < 3; axis++) {
+    to.sway[axis] = from.sway[axis]!;
+    to.swaying[axis] = from.swaying[axis]!;
+    to.lean[axis] = from.lean[axis]!;
+    to.velocity[axis] = from.velocity[axis]!;
+  }
+}
+
 /** Brings a hand to rest beside the body at once, as after a jump. */
 export function calmHand(hand: Hand, { yaw, velocity }: Omit<Player, "pitch">): void {
   hand.lag = hand.turning = hand.daring = 0;
