@@ -22,14 +22,18 @@ const float LEAST_WIDTH = 0.55;
 uniform sampler2D uParcels;  // position, m; extinction's cross-section per metre, m | standard deviation, m
 uniform int uNewest;         // row of the youngest
 uniform int uCount;          // rows
+uniform vec3 uMoved;         // way of the wick since the youngest were born, m
 
 out vec3 vRadiance;
 out float vOpticalDepth;  // through the centre of the line
 out float vAcross;        // from the centre, in standard deviations
 
 vec4 parcel(int age, int line) {
-  int row = (uNewest - clamp(age, 0, uCount - 1) + ROWS) % ROWS;
-  return texelFetch(uParcels, ivec2(2 * line, row), 0);
+  int young = clamp(age, 0, uCount - 1);
+  vec4 texel = texelFetch(uParcels, ivec2(2 * line, (uNewest - young + ROWS) % ROWS), 0);
+  // The thread begins at the wick, which has moved on since the air's last step.
+  texel.xyz += uMoved * max(0.0, 1.0 - float(young) / float(LED_ROWS));
+  return texel;
 }
 
 // Radiance of optically thick smoke in the light of all flames, cd/m².

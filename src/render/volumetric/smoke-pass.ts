@@ -3,6 +3,8 @@ import smokeFrag from "../../../shaders/volumetric/smoke.frag";
 import smokeVert from "../../../shaders/volumetric/smoke.vert";
 import type { Draw, Gpu, Program, Texture, UniformBlock, VertexArray } from "../../gl/gpu.js";
 import { carriedFlame } from "../../light/flame-light.js";
+import { rootedFlame } from "../../world/flames.js";
+import type { Vec3 } from "../../world/geometry.js";
 import { LINES, ROWS, SMOKE_FLOATS, type Smoke } from "../../world/particles/smoke.js";
 import type { World } from "../../world/world.js";
 import { FlameLights, MOST_FLAMES } from "../lone-candle/flame-lights.js";
@@ -10,6 +12,9 @@ import type { Sphere } from "../screen-bounds.js";
 
 /** Half width of a ribbon, in standard deviations: `REACH` of the shader. */
 const REACH = 2.4;
+
+/** Youngest rows that follow the wick between steps of the air. */
+const LED_ROWS = 8;
 
 /** Light of the place that smoke scatters, beside that of standing flames, and what it is drawn with. */
 type SmokeDraw = Pick<Draw, "target" | "textures" | "uniforms" | "blocks">;
@@ -29,7 +34,7 @@ export class SmokePass {
     this.#gpu = gpu;
     this.#isAlone = isAlone;
     this.#program = gpu.program("volumetric/smoke", smokeVert, smokeFrag, {
-      defines: { LINES, ROWS, ...(isAlone ? { ALONE: 1 } : {}) },
+      defines: { LINES, ROWS, LED_ROWS, ...(isAlone ? { ALONE: 1 } : {}) },
     });
     this.#flames = gpu.uniformBlock(this.#program, "Flames");
     this.#parcels = gpu.texture({
@@ -52,7 +57,7 @@ export class SmokePass {
     const flames = [...(this.#isAlone ? [carriedFlame(world)] : []), ...world.standing];
     const burning = flames.filter(({ flame }) => flame.glow > 0).slice(0, MOST_FLAMES);
     this.#flames.update(this.#lights.members(burning, clip, false, 0));
-    for (const smoke of smokes) {
+    for (const { smoke, moved } of smokes) {
       this.#parcels.update(smoke.parcels);
       this.#gpu.draw({
         ...draw,
@@ -60,7 +65,7 @@ export class SmokePass {
         vertexArray: this.#ribbons,
         count: (smoke.count - 1) * LINES * 6,
         textures: { uParcels: this.#parcels, ...draw.textures },
-        uniforms: { uNewest: smoke.newest, uCount: smoke.count, ...draw.uniforms },
+        uniforms: { uNewest: smoke.newest, uCount: smoke.count, uMoved: moved, ...draw.uniforms },
         blocks: { Flames: this.#flames, ...draw.blocks },
         blend: "premultiplied",
         depth: this.#isAlone ? "test" : "none",
@@ -70,9 +75,17 @@ export class SmokePass {
   }
 }
 
-function* visibleSmokes({ plume, standing }: World): Generator<Smoke> {
-  for (const { plume: own } of [{ plume }, ...standing]) {
-    if (own && own.smoke.count >= 2) yield own.smoke;
+interface VisibleSmoke {
+  readonly smoke: Smoke;
+  /** Way of its wick since the youngest parcels were born, metres. */
+  readonly moved: Vec3;
+}
+
+function* visibleSmokes(world: World): Generator<VisibleSmoke> {
+  for (const [index, { plume }] of [world, ...world.standing].entries()) {
+    const root = rootedFlame(world, index)?.root;
+    if (!root || !plume || plume.smoke.count < 2) continue;
+    yield { smoke: plume.smoke, moved: plume.wayTo(root) };
   }
 }
 
@@ -81,7 +94,7 @@ export function* smokeSpheres(world: World): Generator<Iterable<Sphere>> {
 }
 
 /** One for each row of parcels. */
-function* spheresOf({ parcels, newest, count }: Smoke): Generator<Sphere> {
+function* spheresOf({ smoke: { parcels, newest, count }, moved }: VisibleSmoke): Generator<Sphere> {
   for (let age = 0; age < count; age++) {
     const first = ((newest - age + ROWS) % ROWS) * LINES * SMOKE_FLOATS;
     const end = first + LINES * SMOKE_FLOATS;
@@ -95,7 +108,8 @@ function* spheresOf({ parcels, newest, count }: Smoke): Generator<Sphere> {
       const distance = Math.hypot(parcels[at]! - x, parcels[at + 1]! - y, parcels[at + 2]! - z);
       radius = Math.max(radius, distance + REACH * parcels[at + 4]!);
     }
-    yield [x, y, z, radius];
+    const share = Math.max(0, 1 - age / LED_ROWS);
+    yield [x + moved[0] * share, y + moved[1] * share, z + moved[2] * share, radius];
   }
 }
 

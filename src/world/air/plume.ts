@@ -76,6 +76,13 @@ export class Plume {
     smoke.step(this.solver, wick);
   }
 
+  /** How far a wick has come since the last step, metres; none if it has jumped, and its smoke stays behind. */
+  wayTo(foot: Readonly<Vec3>): Vec3 {
+    const [x, y, z] = this.solver.origin;
+    const way: Vec3 = [foot[0] - x, foot[1] - y, foot[2] - z];
+    return Math.hypot(...way) > JUMP ? [0, 0, 0] : way;
+  }
+
   /** Sets the heat and the smoke that the wick gives off now. */
   #updateHeater(flame: Flame, { rate, height, smoking }: Readonly<FlameMeasures>): void {
     const { smoke } = this;
