@@ -234,7 +234,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     if (this.#isPending) this.#pending.place();
     const candle = this.#candle;
     if (!candle?.world.candle.isHeld) return;
-    if (placeCandle(candle.world)) emit(this, "place", null);
+    if (placeCandle(candle.world)) candle.reports.tell(() => emit(this, "place", null));
     this.#lifecycle.reporter.refusal(candle);
     this.#requestDraw();
   }
@@ -243,7 +243,9 @@ export class CandleFlameElement extends ReflectedAttributes {
   take(): void {
     const isTaken = this.#isPending && this.#pending.take();
     const candle = this.#candle;
-    if (isTaken || (candle && takeCandle(candle.world))) emit(this, "take", null);
+    const emitTake = () => emit(this, "take", null);
+    if (isTaken) emitTake();
+    else if (candle && takeCandle(candle.world)) candle.reports.tell(emitTake);
     else if (candle && !candle.world.candle.isHeld) this.#lifecycle.reporter.refusal(candle);
     this.#requestDraw();
   }

@@ -9,6 +9,7 @@ import {
 } from "./light/flame-light.js";
 import { NextWorld } from "./next-world.js";
 import type { AutoQuality } from "./render/auto-quality.js";
+import { Reports } from "./reports.js";
 import { burnsAtFirst, candleNamesOf, moonOver, type Options, wickOf } from "./scene-world.js";
 import type { CanvasTarget } from "./scenes/canvas-target.js";
 import type { Scene } from "./scenes/scene.js";
@@ -41,15 +42,17 @@ export class CandleFlame {
   /** Called when a frame of the animation loop could not be drawn, or not be held, which ends the loop. */
   onFailure: (error: Error) => void = () => {};
   /** Called when the candle was put down or taken up, by the visitor or with a new world. */
-  onCandleMoved: () => void = () => {};
-  /** Called when a candle was lit or went out, for any reason; 0 is the carried one. */
-  onFlameChanged: (index: number) => void = () => {};
+  onCandleMoved: (isHeld: boolean) => void = () => {};
+  /** Called when a candle was lit or went out, for any reason; 0 is the carried one. By now it may be otherwise. */
+  onFlameChanged: (index: number, isLit: boolean) => void = () => {};
   /** Called when the carried flame was brought to the wick of another candle, which E would light now. */
   onWickReached: (index: number) => void = () => {};
   /** Called when the candle could not be put down where the visitor asked. */
   onRefused: () => void = () => {};
   /** Called when another look is drawn, of the same scene. */
   onLookChanged: () => void = () => {};
+  /** Of candles that were lit, went out or moved. */
+  readonly reports = new Reports();
   #scene: Scene;
   readonly #features: Features;
   #options: Options;
@@ -137,25 +140,30 @@ export class CandleFlame {
 
   setLit(isLit: boolean, index = 0): void {
     const flame = rootedFlame(this.world, index)?.flame;
-    if (isLit ? flame?.light() : flame?.extinguish()) this.onFlameChanged(index);
+    if (isLit ? flame?.light() : flame?.extinguish()) {
+      this.reports.tell(() => this.onFlameChanged(index, isLit));
+    }
   }
 
-  /** Makes a change, and reports each candle that was lit or went out, and whether the first was put down or taken up. */
-  #reporting(change: () => void): void {
+  /** Makes a change, and notes each candle that was lit or went out, and whether the first was put down or taken up. */
+  #noting(change: () => void): void {
     const before = litFlames(this.world);
-    const { isHeld } = this.world.candle;
+    const wasHeld = this.world.candle.isHeld;
     change();
     for (const [index, isLit] of litFlames(this.world).entries()) {
-      if (isLit !== (before[index] ?? false)) this.onFlameChanged(index);
+      if (isLit === (before[index] ?? false)) continue;
+      this.reports.note(() => this.onFlameChanged(index, isLit));
     }
-    if (this.world.candle.isHeld !== isHeld) this.onCandleMoved();
+    const { isHeld } = this.world.candle;
+    if (isHeld !== wasHeld) this.reports.note(() => this.onCandleMoved(isHeld));
   }
 
   #replace(world: World): void {
-    this.#reporting(() => {
+    this.#noting(() => {
       this.world = world;
       this.view.follow(this.#subject);
     });
+    this.reports.tell();
   }
 
   /**
@@ -174,8 +182,11 @@ export class CandleFlame {
     const burns = isLit ?? (isSameSource ? flame.isLit : null);
     this.world = isKept ? next.inLook(this.world) : next.inScene(this.world, burns);
     this.view.show(scene, options, this.#subject);
-    if (this.world.flame.isLit !== flame.isLit) this.onFlameChanged(0);
-    if (this.world.candle.isHeld !== candle.isHeld) this.onCandleMoved();
+    const { isLit: burnsNow } = this.world.flame;
+    const { isHeld } = this.world.candle;
+    if (burnsNow !== flame.isLit) this.reports.note(() => this.onFlameChanged(0, burnsNow));
+    if (isHeld !== candle.isHeld) this.reports.note(() => this.onCandleMoved(isHeld));
+    this.reports.tell();
     return isKept;
   }
 
@@ -212,12 +223,11 @@ export class CandleFlame {
 
   #advance(seconds: number, draw: () => void): void {
     const intent = this.input?.read() ?? STILL;
-    this.#reporting(() => {
-      const begin = performance.now();
-      advance(this.world, intent, seconds);
-      draw();
-      this.#cpuMs = performance.now() - begin;
-    });
+    const begin = performance.now();
+    this.#noting(() => advance(this.world, intent, seconds));
+    draw();
+    this.#cpuMs = performance.now() - begin;
+    this.reports.tell();
     if (this.input?.isIn) {
       const wick = wickAtFlame(this.world);
       if (wick > 0 && wick !== this.#wick) this.onWickReached(wick);

@@ -12,6 +12,8 @@ export class CandleReporter {
   readonly #element: ReflectedAttributes;
   readonly #states: CustomStates;
   readonly #overlay: Overlay;
+  /** The one that is watched. */
+  #candle: CandleFlame | null = null;
   #camera = "";
 
   constructor(element: ReflectedAttributes, states: CustomStates, overlay: Overlay) {
@@ -23,7 +25,8 @@ export class CandleReporter {
   /** Reports from now on what happens in a new candle's frames. */
   watch(candle: CandleFlame): void {
     const element = this.#element;
-    candle.onCandleMoved = () => emit(element, candle.world.candle.isHeld ? "take" : "place", null);
+    this.#candle = candle;
+    candle.onCandleMoved = (isHeld) => emit(element, isHeld ? "take" : "place", null);
     // Later: a page that sets the look listens afterwards.
     candle.onLookChanged = () => queueMicrotask(() => emit(element, "load", null));
     candle.onRefused = () => this.refusal(candle);
@@ -31,12 +34,17 @@ export class CandleReporter {
     const { hint } = this.#overlay;
     candle.onWickReached = (index) => hint.tell(reachedSentence(detailOf(index), hint.lighting));
     candle.view.onQualityChanged = () => emit(element, "qualitychange", null);
-    candle.onFlameChanged = (index) => {
-      const isLit = candle.isLit(index);
+    candle.onFlameChanged = (index, isLit) => {
       this.flame(candle, index > 0 ? changeSentence(detailOf(index), isLit) : null);
       emit(element, isLit ? "light" : "extinguish", detailOf(index));
     };
     this.#camera = keyOf(candle);
+  }
+
+  /** The candle's session has ended. What it still reports is no longer shown. */
+  stop(): void {
+    this.#candle = null;
+    this.#states.clear();
   }
 
   frame(candle: CandleFlame): void {
@@ -55,7 +63,9 @@ export class CandleReporter {
     if (this.#states.has("alone")) this.#overlay.glow.follow(candle.luminousIntensity);
   }
 
-  flame({ world: { flame } }: CandleFlame, news: string | null = null): void {
+  flame(candle: CandleFlame, news: string | null = null): void {
+    if (candle !== this.#candle) return;
+    const { flame } = candle.world;
     this.#states.toggle("lit", flame.isLit);
     // Keys and gestures reach the candle while the visitor walks.
     this.#overlay.hint.tellFlame(flame.isLit, this.#states.has("walking"), news);

@@ -344,7 +344,7 @@ export class Lifecycle {
     this.draws.reset();
     const emitPause = () => emit(this.#element, "pause", null);
     if (this.#states.has("playing")) queueMicrotask(emitPause); // all is free by then
-    this.#states.clear();
+    this.reporter.stop();
     contextPool.free(this.#client);
   }
 }

@@ -3,7 +3,9 @@ import { CandleFlame, type Options } from "../../src/candle-flame.ts";
 import type { CanvasTarget } from "../../src/scenes/canvas-target.ts";
 import type { Scene } from "../../src/scenes/scene.ts";
 import { allFeatures } from "../../src/settings.ts";
-import { placeCandle } from "../../src/world/commands.ts";
+import { blow, placeCandle } from "../../src/world/commands.ts";
+import { litFlames } from "../../src/world/flames.ts";
+import type { Wick } from "../../src/world/standing-candle.ts";
 
 const OPTIONS = {
   look: "paper",
@@ -13,12 +15,18 @@ const OPTIONS = {
   moon: { illuminance: null, direction: null },
 } as Options;
 
+const WICKS: readonly Wick[] = [1, 2].map((x) => ({
+  name: `wick.00${x}`,
+  position: [0.1 * x, 0, 0],
+  wickDiameter: 0.002,
+}));
+
 /** A candle that draws nothing. */
-function create(isModelAlone: boolean): CandleFlame {
+function create(isModelAlone: boolean, wicks: readonly Wick[] = []): CandleFlame {
   const createRenderer = () => ({ resize: () => {}, setLayers: () => {} });
   const moonDirection = [0, -1, 0];
   const scene = {
-    wicks: [],
+    wicks,
     room: null,
     createPlume: null,
     moonDirection,
@@ -68,4 +76,33 @@ test("the moon shines from where the page wants it, and from its own place when 
   expect(candle.world.moon).toEqual({ ...own, direction: [1, 0, 0] });
   candle.options = { ...OPTIONS, look: "physical", moon };
   expect(candle.world.moon).toEqual(own);
+});
+
+test("candles that go out at once are each reported so, and what a listener does to them afterwards", () => {
+  const candle = create(true, WICKS);
+  candle.draw = () => {};
+  const reports: string[] = [];
+  candle.onFlameChanged = (index, isLit) => {
+    reports.push(`${index} ${isLit ? "burns" : "is out"}`);
+    if (reports.length === 1) candle.reset();
+  };
+  blow(candle.world, 10);
+  candle.step(1);
+  const out = ["0 is out", "1 is out", "2 is out"];
+  expect(reports).toEqual([...out, "0 burns", "1 burns", "2 burns"]);
+  expect(litFlames(candle.world)).toEqual([true, true, true]);
+});
+
+test("a candle that a listener puts down is reported once, after what had happened before", () => {
+  const candle = create(false);
+  placeCandle(candle.world);
+  candle.setLit(false);
+  const reports: string[] = [];
+  candle.onFlameChanged = () => {
+    reports.push("light");
+    candle.options = { ...OPTIONS, look: "original" };
+  };
+  candle.onCandleMoved = (isHeld) => reports.push(isHeld ? "take" : "place");
+  candle.reset();
+  expect(reports).toEqual(["light", "take", "place"]);
 });

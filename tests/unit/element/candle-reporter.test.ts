@@ -39,6 +39,36 @@ test("a device that proves to be another has its controls told, and nobody enter
   expect(events).toEqual(["enter"]);
 });
 
+/** A candle with nothing but its carried flame, which is out by now. */
+function createCandle(): CandleFlame {
+  const world = { player: { position: [0, 0, 0] }, fieldOfView: 1, flame: { isLit: false } };
+  return { world, view: {}, candleNames: ["wick", "wick.001"] } as unknown as CandleFlame;
+}
+
+test("a flame's event names what it did then, and is sent when another candle is shown already", () => {
+  const element = new EventTarget() as ReflectedAttributes;
+  const states = { toggle: vi.fn(), has: () => false, clear() {} };
+  const hint = { tellFlame: vi.fn() };
+  const reporter = new CandleReporter(
+    element,
+    states as unknown as CustomStates,
+    { hint } as unknown as Overlay,
+  );
+  const events: string[] = [];
+  for (const type of ["light", "extinguish"] as const) {
+    element.addEventListener(type, ({ detail }) => events.push(`${type} ${detail.name}`));
+  }
+  const candle = createCandle();
+  reporter.watch(candle);
+  candle.onFlameChanged(1, true);
+  expect(hint.tellFlame).toHaveBeenLastCalledWith(false, false, "Candle 2 burns.");
+  reporter.stop();
+  candle.onFlameChanged(0, false);
+  expect(events).toEqual(["light wick.001", "extinguish wick"]);
+  expect(hint.tellFlame).toHaveBeenCalledOnce();
+  expect(states.toggle).toHaveBeenCalledOnce();
+});
+
 test("entering and leaving are reported in their order, once what they interrupt is done", async () => {
   const element = new EventTarget() as ReflectedAttributes;
   const states = { toggle() {}, has: () => false } as unknown as CustomStates;
