@@ -117,15 +117,22 @@ export class CandleFlame {
     flame.wick = wickOf(this.#scene, options);
     const isOtherLook = options.look !== before.look;
     if (isOtherLook && !this.#scene.isModelAlone) this.#replace(this.#next.inLook(this.world));
-    else if (options.seed !== before.seed) this.reset();
+    else if (options.seed !== before.seed) this.#restart();
     else if (options.particles !== before.particles) this.view.follow(this.#subject);
+    const burning = ({ unlit, litWicks }: Options) => `${unlit} ${litWicks}`;
+    if (burning(options) !== burning(before)) this.#noting(() => this.#burnAsAtFirst());
+    // Last what calls listeners: they may set other options.
     if (isOtherLook) this.onLookChanged();
     if (options.quality !== before.quality) this.view.rebuild();
-    const burning = ({ unlit, litWicks }: Options) => `${unlit} ${litWicks}`;
-    if (burning(options) === burning(before)) return;
+    this.reports.tell();
+  }
+
+  #burnAsAtFirst(): void {
     this.world.formerLit = [];
     for (let index = 0; index < candleCount(this.world); index++) {
-      this.setLit(burnsAtFirst(index, this.#scene, options), index);
+      const flame = rootedFlame(this.world, index)?.flame;
+      if (burnsAtFirst(index, this.#scene, this.#options)) flame?.light();
+      else flame?.extinguish();
     }
   }
 
@@ -158,12 +165,12 @@ export class CandleFlame {
     if (isHeld !== wasHeld) this.reports.note(() => this.onCandleMoved(isHeld));
   }
 
+  /** To be followed by `reports.tell`. */
   #replace(world: World): void {
     this.#noting(() => {
       this.world = world;
       this.view.follow(this.#subject);
     });
-    this.reports.tell();
   }
 
   /**
@@ -193,6 +200,7 @@ export class CandleFlame {
   /** Takes over the time, the camera and the candles of another, as far as the room here allows. */
   mirror({ world }: CandleFlame): void {
     this.#replace(this.#next.mirror(world, this.world));
+    this.reports.tell();
   }
 
   /** Continues from a snapshot; in another room, from that room's start. */
@@ -212,6 +220,11 @@ export class CandleFlame {
 
   /** Time 0, as if new: without what keys have asked for. */
   reset(): void {
+    this.#restart();
+    this.reports.tell();
+  }
+
+  #restart(): void {
     this.input?.read();
     this.#replace(this.#next.first());
   }

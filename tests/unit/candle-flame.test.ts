@@ -106,3 +106,15 @@ test("a candle that a listener puts down is reported once, after what had happen
   candle.reset();
   expect(reports).toEqual(["light", "take", "place"]);
 });
+
+test("of options that a listener sets while others are applied, the last ones hold", () => {
+  const candle = create(true, WICKS);
+  const reports: string[] = [];
+  candle.onFlameChanged = (index, isLit) => {
+    reports.push(`${index} ${isLit ? "burns" : "is out"}`);
+    if (reports.length === 1) candle.options = { ...OPTIONS, litWicks: [0, 2] };
+  };
+  candle.options = { ...OPTIONS, litWicks: [1] };
+  expect(litFlames(candle.world)).toEqual([true, false, true]);
+  expect(reports).toEqual(["0 is out", "2 is out", "0 burns", "1 is out", "2 burns"]);
+});
