@@ -32,9 +32,17 @@ export function observeLessMotion(signal: AbortSignal, onChange: () => void): vo
   matchMedia(LESS_MOTION).addEventListener("change", onChange, { signal });
 }
 
-/** URL of the folder of the built-in models: `asset-base`, or the one that this module lies in. */
-export function assetRootOf({ assetBase, baseURI }: ReflectedAttributes): string {
-  const module = new URL(".", import.meta.url).href;
-  if (assetBase === "") return module;
-  return resolveUrl(assetBase.endsWith("/") ? assetBase : `${assetBase}/`, baseURI) ?? module;
+/**
+ * URL of the folder of the built-in models: `asset-base`, or the one that this module lies in; empty where neither is
+ * known.
+ *
+ * @param module address of this module; a bundler may leave none, and nothing lies beside that of a blob
+ */
+export function assetRootOf(
+  { assetBase, baseURI }: ReflectedAttributes,
+  module: string = import.meta.url,
+): string {
+  const folder = assetBase.endsWith("/") ? assetBase : `${assetBase}/`;
+  const own = assetBase === "" ? null : resolveUrl(folder, baseURI);
+  return own ?? resolveUrl(".", module) ?? "";
 }

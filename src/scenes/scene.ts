@@ -1,4 +1,4 @@
-import { missCode } from "../assets/asset-error.js";
+import { AssetError, missCode } from "../assets/asset-error.js";
 import type { Tier } from "../render/quality.js";
 import type { Renderer } from "../render/renderer.js";
 import type { Look, SceneName } from "../settings.js";
@@ -52,7 +52,7 @@ export interface SceneRequest {
   readonly src: string;
   /** URL that `src` is relative to. */
   readonly baseURI: string;
-  /** URL of the folder that built-in models lie in. */
+  /** URL of the folder that built-in models lie in; empty where it is not known. */
   readonly assetRoot: string;
   /** Whether only steps advance time: their images must not depend on when code arrives. */
   readonly isStepped: boolean;
@@ -71,8 +71,12 @@ export interface Loading {
   readonly onProgress: (progress: number) => void;
 }
 
+const NO_ASSETS =
+  "This code does not know where its models and textures are. Set the attribute asset-base to their folder.";
+
 /** Fetches a scene, and first the code that it needs: each scene is a chunk of its own. */
 export async function loadScene(request: SceneRequest, loading: Loading): Promise<Scene> {
+  if (request.assetRoot === "") throw new AssetError(NO_ASSETS);
   if (request.scene === "candle") {
     if (request.isStepped) await fetchPageSmoke();
     if (request.src !== "") {

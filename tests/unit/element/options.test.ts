@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { optionsOf } from "../../../src/element/options.ts";
+import { assetRootOf, optionsOf } from "../../../src/element/options.ts";
 import type { ReflectedAttributes } from "../../../src/element/reflected-attributes.ts";
 
 /** Options of an element that has these attributes. */
@@ -28,4 +28,16 @@ test("a moon without a direction, or one that cannot be read, stands where the m
   for (const moonDirection of ["", "east"]) {
     expect(optionsWith({}, { moonDirection }).moon.direction).toBeNull();
   }
+});
+
+test("the built-in models lie where the page says, else beside the module, if that has a folder", () => {
+  const rootOf = (assetBase: string, module: string) =>
+    assetRootOf({ assetBase, baseURI: "https://a.example/b/" } as ReflectedAttributes, module);
+  const module = "https://cdn.example/dist/define.js";
+  expect(rootOf("", module)).toBe("https://cdn.example/dist/");
+  expect(rootOf("https://", module), "no address").toBe("https://cdn.example/dist/");
+  for (const address of [module, "", "blob:https://a.example/1"]) {
+    expect(rootOf("assets", address)).toBe("https://a.example/b/assets/");
+  }
+  expect(rootOf("", "blob:https://a.example/1")).toBe("");
 });
