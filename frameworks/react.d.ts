@@ -2,6 +2,7 @@
 import type {
   CandleFlameAttributes,
   CandleFlameElement,
+  CandleFlameEventMap,
   CandleFlameListeners,
   CandleFlameProperties,
 } from "candle-flame";
@@ -10,10 +11,13 @@ import type { ClassAttributes, HTMLAttributes } from "react";
 /** React 18 writes attributes only and hears no events; React 19 sets properties and listens. */
 type Own = CandleFlameAttributes & CandleFlameProperties & CandleFlameListeners;
 
+/** React's own `onLoad`, `onPlay` and others, which it calls for no custom element. It does call `onload`. */
+type NeverCalled = `on${Capitalize<keyof CandleFlameEventMap>}`;
+
 declare module "react" {
   namespace JSX {
     interface IntrinsicElements {
-      "candle-flame": Omit<HTMLAttributes<CandleFlameElement>, keyof Own> &
+      "candle-flame": Omit<HTMLAttributes<CandleFlameElement>, keyof Own | NeverCalled> &
         ClassAttributes<CandleFlameElement> &
         Own & { class?: string | undefined };
     }

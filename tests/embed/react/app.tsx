@@ -1,6 +1,6 @@
 import type { CandleFlameElement } from "candle-flame";
 import type {} from "candle-flame/react";
-import { useRef } from "react";
+import { type JSX, useRef } from "react";
 
 export function App({ onLoad }: { onLoad?: (height: number) => void }) {
   const candle = useRef<CandleFlameElement>(null);
@@ -20,3 +20,12 @@ export function App({ onLoad }: { onLoad?: (height: number) => void }) {
 
 // @ts-expect-error: no such quality
 export const wrong = <candle-flame quality="best" />;
+
+// React calls none of these for a custom element, but the same in the capture phase.
+type Listeners = Extract<keyof JSX.IntrinsicElements["candle-flame"], `on${string}`>;
+type NeverCalled = Extract<Listeners, "onLoad" | "onError" | "onPlay" | "onPause" | "onProgress">;
+export const isEveryListenerCalled: [NeverCalled] extends [never] ? true : false = true;
+
+export const called = (
+  <candle-flame onpause={() => {}} onLoadCapture={() => {}} onClick={() => {}} />
+);
