@@ -15,6 +15,8 @@ export class CandleReporter {
   /** The one that is watched. */
   #candle: CandleFlame | null = null;
   #camera = "";
+  /** Device of a visitor who has entered while time stands: controls do nothing then, and are not shown. */
+  #enteredBy: Device | null = null;
 
   constructor(element: ReflectedAttributes, states: CustomStates, overlay: Overlay) {
     this.#element = element;
@@ -32,7 +34,10 @@ export class CandleReporter {
     candle.onRefused = () => this.refusal(candle);
     const detailOf = (index: number) => ({ index, name: candle.candleNames[index] ?? "" });
     const { hint } = this.#overlay;
-    candle.onWickReached = (index) => hint.tell(reachedSentence(detailOf(index), hint.lighting));
+    candle.onWickReached = (index) => {
+      this.#tellControls();
+      hint.tell(reachedSentence(detailOf(index), hint.lighting));
+    };
     candle.view.onQualityChanged = () => emit(element, "qualitychange", null);
     candle.onFlameChanged = (index, isLit) => {
       this.flame(candle, index > 0 ? changeSentence(detailOf(index), isLit) : null);
@@ -47,7 +52,9 @@ export class CandleReporter {
     this.#states.clear();
   }
 
+  /** Time has passed, or was stepped. */
   frame(candle: CandleFlame): void {
+    this.#tellControls();
     this.camera(candle);
     this.glow(candle);
   }
@@ -68,18 +75,26 @@ export class CandleReporter {
     const { flame } = candle.world;
     this.#states.toggle("lit", flame.isLit);
     // Keys and gestures reach the candle while the visitor walks.
-    this.#overlay.hint.tellFlame(flame.isLit, this.#states.has("walking"), news);
+    const canLight = this.#states.has("walking") && !this.#enteredBy;
+    this.#overlay.hint.tellFlame(flame.isLit, canLight, news);
   }
 
   /** The visitor has entered the room, or left it; or the device in his hand proves to be another. */
   entered(candle: CandleFlame, isIn: boolean, device: Device): void {
     const isOtherDevice = isIn && this.#states.has("walking");
     this.#states.toggle("walking", isIn);
-    if (isIn) this.#overlay.hint.tellControls(device, this.#states.has("alone"));
-    else this.flame(candle);
+    this.#enteredBy = isIn ? device : null;
+    if (!isIn) this.flame(candle);
+    else if (this.#states.has("playing")) this.#tellControls();
     if (isOtherDevice) return;
     // Later: the canvas may be on its way out, and a listener may want another.
     queueMicrotask(() => emit(this.#element, isIn ? "enter" : "leave", null));
+  }
+
+  #tellControls(): void {
+    if (!this.#enteredBy) return;
+    this.#overlay.hint.tellControls(this.#enteredBy, this.#states.has("alone"));
+    this.#enteredBy = null;
   }
 
   /** Shows why the candle could not be put down, or taken up. */

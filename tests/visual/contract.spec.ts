@@ -135,6 +135,8 @@ test("What the page puts into slots is shown in place of what the element has", 
     for (const fade of element.shadowRoot?.getAnimations() ?? []) fade.finish();
     const loaded = { shown: shown(), own: own() };
     element.enter();
+    const standing = shown();
+    element.step(0);
     const walking = shown();
     element.blur();
     const left = shown();
@@ -147,12 +149,13 @@ test("What the page puts into slots is shown in place of what the element has", 
     const sentence = broken.element.shadowRoot?.querySelector("[part~=error] p");
     const isReplaced = sentence?.checkVisibility() === false;
     broken.element.remove();
-    return { loading, width, loaded, walking, left, failed, isReplaced };
+    return { loading, width, loaded, standing, walking, left, failed, isReplaced };
   }, PIXEL);
   expect(seen).toEqual({
     loading: { shown: ["poster", "progress"], own: [] },
     width: 320,
     loaded: { shown: [], own: [] },
+    standing: [],
     walking: ["hint"],
     left: [],
     failed: { shown: ["poster", "error"], own: [] },

@@ -17,15 +17,17 @@ async function openControls(page: Page): Promise<RoomDriver> {
   return room;
 }
 
-/** Goes into a room that is open already. */
+/** Goes into a room that is open already, and has the controls shown, which wait for time. */
 const enter = (room: RoomDriver) =>
   room.evaluate((element) => {
     element.controls = true;
     element.enter();
+    element.step(0);
   });
 
 const hintOf = (room: RoomDriver) =>
   room.evaluate((element) => {
+    element.step(0);
     const hint = element.shadowRoot?.querySelector<HTMLElement>("[part=hint]");
     return hint?.textContent?.replaceAll(/\s+/g, " ").trim();
   });

@@ -344,6 +344,7 @@ test("What the hint says is read aloud, from a picture too", async ({ room }) =>
   await room.evaluate((element) => {
     element.light();
     element.enter();
+    element.step(0);
     element.extinguish();
   });
   await expect.poll(sentences).toEqual(["The candle is out. Press E to light it."]);

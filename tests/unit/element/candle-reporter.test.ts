@@ -6,7 +6,7 @@ import type { Overlay } from "../../../src/element/overlay.ts";
 import type { ReflectedAttributes } from "../../../src/element/reflected-attributes.ts";
 
 test("entering a lone candle is told as such: the controls are fewer", () => {
-  const states = { toggle() {}, has: (name: string) => name === "alone" };
+  const states = { toggle() {}, has: (name: string) => name !== "walking" };
   const hint = { tellControls: vi.fn() };
   const reporter = new CandleReporter(
     new EventTarget() as ReflectedAttributes,
@@ -19,7 +19,7 @@ test("entering a lone candle is told as such: the controls are fewer", () => {
 
 test("a device that proves to be another has its controls told, and nobody enters again", async () => {
   const element = new EventTarget() as ReflectedAttributes;
-  const has = new Set<string>();
+  const has = new Set(["playing"]);
   const states = {
     toggle: (name: string, isOn: boolean) => (isOn ? has.add(name) : has.delete(name)),
     has: (name: string) => has.has(name),
@@ -67,6 +67,27 @@ test("a flame's event names what it did then, and is sent when another candle is
   expect(events).toEqual(["light wick.001", "extinguish wick"]);
   expect(hint.tellFlame).toHaveBeenCalledOnce();
   expect(states.toggle).toHaveBeenCalledOnce();
+});
+
+test("who enters while time stands is shown the controls once it passes", () => {
+  const states = { toggle() {}, has: (name: string) => name === "walking" };
+  const hint = { tellControls: vi.fn(), tellFlame: vi.fn() };
+  const reporter = new CandleReporter(
+    new EventTarget() as ReflectedAttributes,
+    states as unknown as CustomStates,
+    { hint } as unknown as Overlay,
+  );
+  const candle = createCandle();
+  reporter.watch(candle);
+  reporter.entered(candle, true, "keyboard");
+  reporter.flame(candle);
+  expect(hint.tellControls).not.toHaveBeenCalled();
+  expect(hint.tellFlame).toHaveBeenLastCalledWith(false, false, null);
+  reporter.frame(candle);
+  reporter.frame(candle);
+  reporter.flame(candle);
+  expect(hint.tellControls.mock.calls).toEqual([["keyboard", false]]);
+  expect(hint.tellFlame).toHaveBeenLastCalledWith(false, true, null);
 });
 
 test("entering and leaving are reported in their order, once what they interrupt is done", async () => {
