@@ -302,7 +302,14 @@ test("What is set before the tag is defined holds when it is, in a box that the 
     frame.style.cssText = "width: 320px; position: absolute; top: 5000px";
     frame.append(element);
     document.body.append(frame);
-    const sizes = ["", "width: 160px", "height: 90px", "aspect-ratio: 1"].map((css) => {
+    const sizes = [
+      "",
+      "width: 160px",
+      "height: 90px",
+      "aspect-ratio: 1",
+      "width: auto; height: 90px",
+      "width: auto; height: 90px; aspect-ratio: 1",
+    ].map((css) => {
       element.style.cssText = css;
       return `${element.offsetWidth} x ${element.offsetHeight}`;
     });
@@ -313,6 +320,8 @@ test("What is set before the tag is defined holds when it is, in a box that the 
     "160 x 90",
     "320 x 90",
     "320 x 320",
+    "160 x 90",
+    "90 x 90",
   ]);
   const display = () => getComputedStyle(document.querySelector("candle-flame") as Element).display;
   expect(await page.evaluate(display)).toBe("block");
