@@ -4,10 +4,14 @@ export interface Size {
 }
 
 /** Device pixels of an element's content box, near enough where the browser does not report them. */
-export function guessDevicePixels({ clientWidth, clientHeight }: Element): Size {
-  const ratio = devicePixelRatio;
+export function guessDevicePixels(element: Element): Size {
+  const { clientWidth, clientHeight } = element;
+  const ratio = devicePixelRatio * zoomOf(element);
   return { width: Math.round(clientWidth * ratio), height: Math.round(clientHeight * ratio) };
 }
+
+/** The page's `zoom` of an element, by which its box has more pixels; older browsers do not tell. */
+const zoomOf = (element: Element): number => element.currentCSSZoom ?? 1;
 
 /**
  * Observes an element's content box in device pixels, to the pixel: now, and whenever the element, the
@@ -48,8 +52,11 @@ export function observeDevicePixels(
 }
 
 /** Chromium 156 reports CSS pixels where a tool emulates a monitor of another density (DevTools, test runners). */
-function isEmulated(reported: Size, { clientWidth, clientHeight }: Element): boolean {
+function isEmulated(reported: Size, element: Element): boolean {
   if (devicePixelRatio === 1) return false;
-  const { width, height } = reported;
-  return Math.abs(width - clientWidth) <= 1 && Math.abs(height - clientHeight) <= 1;
+  const { clientWidth, clientHeight } = element;
+  const zoom = zoomOf(element);
+  const isNear = (pixels: number, length: number) =>
+    Math.abs(pixels - length * zoom) <= Math.max(1, zoom);
+  return isNear(reported.width, clientWidth) && isNear(reported.height, clientHeight);
 }

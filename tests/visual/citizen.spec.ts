@@ -204,6 +204,10 @@ test.describe("The canvas has the device pixels of its box", () => {
   /** Where the browser puts the box's edges on the screen. */
   const snapped = (from: number, length: number, ratio: number) =>
     Math.round((from + length) * ratio) - Math.round(from * ratio);
+  const setZoom = (page: Page, zoom: number) =>
+    page.evaluate((zoom) => {
+      document.documentElement.style.zoom = String(zoom);
+    }, zoom);
   const sizeOf = (page: Page) =>
     new RoomDriver(page).evaluate(({ stats }) => [stats.width, stats.height]);
 
@@ -219,10 +223,9 @@ test.describe("The canvas has the device pixels of its box", () => {
     const page = await context.newPage();
     await drawNothing(page);
     await openPage(page, html);
-    for (const zoom of [1, 1.5, 0.75]) {
-      await page.evaluate((zoom) => {
-        document.documentElement.style.zoom = String(zoom);
-      }, zoom);
+    // The last makes up for the density.
+    for (const zoom of [1, 1.5, 0.75, 0.8]) {
+      await setZoom(page, zoom);
       const ratio = 1.25 * zoom;
       await expect
         .poll(() => sizeOf(page), `at ${zoom}`)
@@ -276,6 +279,8 @@ test.describe("The canvas has the device pixels of its box", () => {
     await drawNothing(page);
     await openPage(page, html);
     await expect.poll(() => sizeOf(page)).toEqual([202, 116]);
+    await setZoom(page, 0.5);
+    await expect.poll(() => sizeOf(page)).toEqual([101, 58]);
     await page.close();
   });
 });
