@@ -2,6 +2,9 @@
  * The poster that is hidden fades over a complete canvas. Where nothing is rendered, or a browser knows no discrete
  * transition, it is gone at once.
  *
+ * A popover is hidden until it is open, and then lies where browsers put any. Browsers without popovers drop these rules,
+ * which are apart from the others for that reason.
+ *
  * The hint's animation begins after a delay, which is no part of it: while one runs, software compositors draw the page
  * 60 times a second.
  */
@@ -33,6 +36,8 @@ const STYLE = `
   box-shadow: 0 0 120px 60px rgb(255 176 84 / 0.5), 0 0 320px 160px rgb(255 150 60 / 0.35);
 }
 :host([hidden]) { display: none; }
+:host([popover]:not(:popover-open)) { display: none; }
+:host(:popover-open) { position: fixed; }
 :host(:focus-visible), [part="reload"]:focus-visible { outline: 2px solid #f3c98b; outline-offset: 2px; }
 canvas, [part="poster"], ::slotted([slot="poster"]) {
   position: absolute;

@@ -325,6 +325,24 @@ test("What is set before the tag is defined holds when it is, in a box that the 
   ]);
   const display = () => getComputedStyle(document.querySelector("candle-flame") as Element).display;
   expect(await page.evaluate(display)).toBe("block");
+  const popovers = await page.evaluate(() => {
+    const element = document.createElement("candle-flame");
+    Object.assign(element, { loading: "lazy", popover: "manual" });
+    element.style.cssText = "width: 160px; margin: auto";
+    document.body.append(element);
+    const closed = element.offsetWidth;
+    element.showPopover();
+    const { position } = getComputedStyle(element);
+    const { left, right, top, bottom } = element.getBoundingClientRect();
+    element.remove(); // before it is seen
+    return {
+      closed,
+      position,
+      aside: left + right - innerWidth,
+      below: top + bottom - innerHeight,
+    };
+  });
+  expect(popovers).toEqual({ closed: 0, position: "fixed", aside: 0, below: 0 });
   // Boxes that are as wide as what is in them, and columns that are not.
   const widths = await page.evaluate(() => {
     const element = document.querySelector("candle-flame");

@@ -16,6 +16,7 @@ const STYLE_EXCEPTIONS: Readonly<Record<string, string>> = {
   "scrollbar-width": "the scroll bar is the system's",
   "forced-color-adjust": "Safari has no forced colours",
   cursor: "a phone has no pointer",
+  ":popover-open": "rules of their own, for popovers that the browser does not have",
   "accent-color": "Safari does not adapt the tick's colour to it",
   ":marker": "Safari has only colour and font of it, which is all that is set",
   "overscroll-behavior": "lacks only where nothing can be scrolled",
