@@ -61,7 +61,7 @@ export class Overlay {
   showProgress(totalProgress: number): void {
     this.#progressSlot.hidden = false;
     this.#progress.style.transform = `scaleX(${totalProgress})`;
-    this.#progress.classList.toggle("full", totalProgress === 1); // shaders are compiled next
+    this.#progress.classList.toggle("full", totalProgress === 1); // what comes next has no measure
   }
 
   hideProgress(): void {

@@ -103,7 +103,11 @@ slot[name="poster"][hidden] {
 }
 @media (prefers-reduced-motion: no-preference) {
   slot[name="poster"][hidden] { transition: opacity 0.4s ease-out, display 0.4s allow-discrete; }
-  [part="progress"].full { animation: hint 1.2s ease-in-out infinite alternate; }
+  [part="progress"].full { animation: wait 1.6s ease-in-out infinite alternate; }
+}
+@keyframes wait {
+  from { transform: scaleX(0.2); }
+  to { transform: translateX(80%) scaleX(0.2); }
 }
 @keyframes hint { to { opacity: 0 } }
 @keyframes dim { to { opacity: 0.8 } }

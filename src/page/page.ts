@@ -46,8 +46,9 @@ room.addEventListener("leave", () =>
 find(stage, ".help-button", HTMLButtonElement).addEventListener("click", () => help.showModal());
 
 function showLoading(progress: number): void {
-  // In quarters: a screen reader reads each change of this sentence aloud.
-  const sentence = `Loading the room: ${Math.floor(progress * 4) * 25} %`;
+  // In quarters: a screen reader reads each change of this sentence aloud. What comes last cannot be counted.
+  const sentence =
+    progress < 1 ? `Loading the room: ${Math.floor(progress * 4) * 25} %` : "Preparing the light…";
   if (status.textContent !== sentence) status.textContent = sentence;
 }
 room.addEventListener("progress", ({ detail }) => showLoading(detail.totalProgress));

@@ -14,6 +14,14 @@ test("the page opens on a burning room, from any folder of a site", async ({ fre
   const folder = `${PAGE}some/folder/`;
   const requests: string[] = [];
   page.on("request", (request) => requests.push(request.url()));
+  await page.addInitScript(() => {
+    window.told = [];
+    const note = () => {
+      const sentence = document.querySelector(".threshold [role=status]")?.textContent ?? "";
+      if (sentence !== window.told.at(-1)) window.told.push(sentence);
+    };
+    new MutationObserver(note).observe(document, { childList: true, subtree: true });
+  });
   await fresh.load("", folder);
 
   await test.step("whose poster stays around the flame while the room is coarse, until one does something", async () => {
@@ -28,6 +36,13 @@ test("the page opens on a burning room, from any folder of a site", async ({ fre
     await expect(page.locator(".held-poster")).toHaveCount(0);
   });
   await fresh.settle();
+
+  await test.step("which says how much is there, then that it is being prepared", async () => {
+    const told = await page.evaluate(() => window.told);
+    expect(told.slice(0, 2)).toEqual(["", "Loading the room: 0 %"]);
+    expect(told.slice(-2)).toEqual(["Preparing the light…", ""]);
+    expect(told).not.toContain("Loading the room: 100 %");
+  });
 
   await test.step("with one title and one way in", async () => {
     await expect(page.getByRole("heading", { level: 1 })).toBeVisible();
@@ -1001,5 +1016,7 @@ declare global {
     /** What is asked of the microphone. */
     filters: MediaStreamConstraints["audio"];
     microphone: MediaStream;
+    /** Sentences of the page on its room, from the first. */
+    told: string[];
   }
 }
