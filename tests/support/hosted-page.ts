@@ -31,6 +31,13 @@ export async function findingsOf(page: Page): Promise<string[]> {
   });
 }
 
+/** Sets the size of a page's type, as a share of the usual; 1 is as the page has it. */
+export function scaleType(page: Page, scale: number): Promise<void> {
+  return page.evaluate((scale) => {
+    document.documentElement.style.fontSize = scale === 1 ? "" : `${scale * 100}%`;
+  }, scale);
+}
+
 /** The hosted page, under a policy that allows nothing inline and nothing from elsewhere. */
 export class HostedPage {
   readonly page: Page;

@@ -1,7 +1,7 @@
 import type { Locator, Page } from "playwright/test";
 import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
 import { SETTINGS } from "../../src/settings.ts";
-import { expect, type HostedPage, PAGE, test } from "../support/hosted-page.ts";
+import { expect, type HostedPage, PAGE, scaleType, test } from "../support/hosted-page.ts";
 import { drawNothing } from "../support/no-drawing.ts";
 
 // Dear, and each for itself: whichever worker is free takes the next.
@@ -37,6 +37,9 @@ test("“Use it” has snippets to copy, and every attribute to try", async ({ f
   const page = await read(fresh, "use.html");
   expect(await fresh.axe()).toEqual([]);
   expect(await widthOf(page)).toBe(390);
+  await scaleType(page, 2);
+  expect(await widthOf(page), "with large type").toBe(390);
+  await scaleType(page, 1);
 
   await test.step("snippets copy", async () => {
     const snippets = page.locator(".snippet");

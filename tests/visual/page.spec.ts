@@ -3,7 +3,7 @@ import type { Locator, Page } from "playwright/test";
 import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
 import { FEATURE_MEANINGS, INSPECTION_MEANINGS } from "../../src/page/meanings.ts";
 import { featuresOf, INSPECTIONS, SETTINGS } from "../../src/settings.ts";
-import { expect, PAGE, test } from "../support/hosted-page.ts";
+import { expect, PAGE, scaleType, test } from "../support/hosted-page.ts";
 import { OPENING } from "../support/opening.ts";
 
 // Dear, and each for itself: whichever worker is free takes the next.
@@ -934,6 +934,9 @@ test.describe("on a phone", () => {
       const dialog = await page.getByRole("dialog").boundingBox();
       const { height = 0 } = (await fresh.room.boundingBox()) ?? {};
       expect(height, "the flame stays in sight while it is set").toBe(dialog?.y);
+      await scaleType(page, 2);
+      expect(await overflowOf(page.getByRole("dialog")), "with large type").toBe(0);
+      await scaleType(page, 1);
     });
   });
 });
