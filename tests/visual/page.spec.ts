@@ -896,6 +896,41 @@ test("on a wide screen the lab stands beside the room, and media are minded", as
   // Forced colours are the system's, and let nothing through.
   await page.emulateMedia({ forcedColors: "active" });
   await expect(hosted.enter).toHaveCSS("background-color", /^rgb\(/);
+  await page.emulateMedia({ forcedColors: null });
+
+  await test.step("where the hint can be read over the brightest picture, however large the type", async () => {
+    await hosted.lab.getByRole("button", { name: "Close the lab" }).click();
+    const hint = page.locator(".threshold .hint");
+    const setBackdrop = (color: string) =>
+      page.evaluate((color) => {
+        const { style } = document.querySelector<HTMLElement>(".stage") as HTMLElement;
+        style.background = color;
+        for (const name of ["candle-flame", ".threshold > .hint > *"]) {
+          for (const one of document.querySelectorAll<HTMLElement>(name)) {
+            one.style.visibility = color && "hidden";
+          }
+        }
+      }, color);
+    for (const [width, height, scale] of [
+      [800, 600, 1],
+      [1280, 720, 2],
+    ] as const) {
+      await page.setViewportSize({ width, height });
+      await scaleType(page, scale);
+      await setBackdrop("#fff");
+      const color = await hint.evaluate((hint) => getComputedStyle(hint).color);
+      const [text = 0] = await luminances(page, color);
+      const box = await hint.boundingBox();
+      if (!box) throw new Error("no hint");
+      // Without its edge, which may go through pixels.
+      const [x, y] = [Math.ceil(box.x) + 1, Math.ceil(box.y) + 1];
+      const clip = { x, y, width: Math.floor(box.width) - 3, height: Math.floor(box.height) - 3 };
+      const shade = await luminances(page, await page.screenshot({ clip }));
+      expect((text + 0.05) / (Math.max(...shade) + 0.05)).toBeGreaterThan(4.5);
+    }
+    await setBackdrop("");
+    await scaleType(page, 1);
+  });
 });
 
 test.describe("on a phone", () => {
@@ -996,6 +1031,37 @@ function tooSmall(page: Page): Promise<string[]> {
       return isLarge ? [] : [`${control.tagName} ${control.textContent} ${width} x ${height}`];
     });
   });
+}
+
+/** Relative luminances, as WCAG has them, of a colour or of a picture's pixels. */
+function luminances(page: Page, of: string | Buffer): Promise<number[]> {
+  const source = typeof of === "string" ? of : of.toString("base64");
+  return page.evaluate(
+    async ([source, isColor]) => {
+      const canvas = document.createElement("canvas");
+      const context = canvas.getContext("2d") as CanvasRenderingContext2D;
+      if (isColor) {
+        canvas.width = canvas.height = 1;
+        context.fillStyle = source;
+        context.fillRect(0, 0, 1, 1);
+      } else {
+        const bytes = Uint8Array.from(atob(source), (character) => character.charCodeAt(0));
+        const image = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
+        canvas.width = image.width;
+        canvas.height = image.height;
+        context.drawImage(image, 0, 0);
+      }
+      const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+      const linear = [...Array(256)].map((_, byte) =>
+        byte <= 10 ? byte / 3294 : ((byte / 255 + 0.055) / 1.055) ** 2.4,
+      );
+      const at = (i: number) => linear[data[i] ?? 0] ?? 0;
+      return [...Array(data.length / 4)].map(
+        (_, i) => 0.2126 * at(4 * i) + 0.7152 * at(4 * i + 1) + 0.0722 * at(4 * i + 2),
+      );
+    },
+    [source, typeof of === "string"] as const,
+  );
 }
 
 /** Arrow keys with a modifier, which mean something to the browser, that a control keeps from it. */
