@@ -116,7 +116,7 @@ slot[name="poster"][hidden] {
   :host(:focus-visible) { outline-width: 4px; outline-color: #fff; }
 }
 @media (forced-colors: active) {
-  [part="hint"] p, [part="error"] p { outline: 1px solid; }
+  [part="hint"] p, [part="error"] p { background: Canvas; outline: 1px solid; }
   [part="progress"] { background: Highlight; }
 }
 [part="error"] {

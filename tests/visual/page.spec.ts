@@ -895,7 +895,10 @@ test("on a wide screen the lab stands beside the room, and media are minded", as
   await expect(hosted.lab).toHaveCSS("transition-duration", /^0s(, 0s)*$/);
   // Forced colours are the system's, and let nothing through.
   await page.emulateMedia({ forcedColors: "active" });
-  await expect(hosted.enter).toHaveCSS("background-color", /^rgb\(/);
+  const key = page.locator(".threshold kbd").first();
+  for (const one of [hosted.enter, key, page.locator(".threshold .hint")]) {
+    await expect(one).toHaveCSS("background-color", /^rgb\(/);
+  }
   await page.emulateMedia({ forcedColors: null });
 
   await test.step("where the hint can be read over the brightest picture, however large the type", async () => {
