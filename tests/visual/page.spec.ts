@@ -962,6 +962,17 @@ test.describe("on a phone", () => {
       locator.evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth);
     expect(await overflowOf(fresh.lab.locator(".sections"))).toBe(0);
 
+    await test.step("above which there is a place for the flame, also with large type", async () => {
+      await page.setViewportSize({ width: 390, height: 844 });
+      await scaleType(page, 2);
+      const buttons = await page.locator(".corner > button:not([hidden])").evaluateAll((all) => {
+        return all.map((button) => button.getBoundingClientRect().bottom);
+      });
+      expect(Math.max(...buttons)).toBeLessThan((await fresh.enter.boundingBox())?.y ?? 0);
+      await scaleType(page, 1);
+      await page.setViewportSize({ width: 390, height: 600 });
+    });
+
     await test.step("and whatever is to be touched is as large as a fingertip", async () => {
       for (const title of ["Techniques", "Settings"]) await fresh.openSection(title);
       expect(await tooSmall(page)).toEqual([]);
