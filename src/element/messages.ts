@@ -11,11 +11,11 @@ export const FULL =
 
 /** Why the candle could not be put down, or taken up. */
 export const REFUSALS: Readonly<Record<Refusal, string>> = {
-  "nothing within reach": "Nothing within reach can hold the candle.",
-  "too steep": "That is too steep.",
-  overhangs: "The candle would hang over the edge.",
-  "no room": "There is no room for the candle.",
-  "out of reach": "The candle is out of reach.",
+  "nothing within reach": "The candle cannot stand there: nothing is within reach.",
+  "too steep": "The candle cannot stand there: it is too steep.",
+  overhangs: "The candle cannot stand there: it would hang over the edge.",
+  "no room": "The candle cannot stand there: there is no room for it.",
+  "out of reach": "The candle cannot be taken up: it is out of reach.",
 };
 
 /** @param lighting what the visitor does to light it; null if there is nothing */

@@ -180,7 +180,7 @@ test("the page opens on a burning room, from any folder of a site", async ({ fre
       room.place();
     });
     await expect(page.getByText("The candle is out.")).toHaveText(
-      /^Nothing within reach can hold the candle\. The candle is out/,
+      /^The candle cannot stand there: nothing is within reach\. The candle is out/,
     );
   });
 
@@ -262,7 +262,9 @@ test("a candle out of reach is said to be, if one would take it up", async ({ ho
     room.camera = { position: [x < 0 ? x + 2.5 : x - 2.5, y, z] };
     room.take();
   });
-  await expect(hosted.page.getByText("The candle is out of reach.")).toBeVisible();
+  await expect(
+    hosted.page.getByText("The candle cannot be taken up: it is out of reach."),
+  ).toBeVisible();
 });
 
 test("the page says that the room is loading as soon as it is", async ({ fresh }) => {
