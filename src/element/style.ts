@@ -91,7 +91,7 @@ slot[name="poster"][hidden] {
   animation: hint 0.5s ease-in 4.5s forwards;
 }
 [part="hint"] .controls, ::slotted([slot="hint"]) { animation: hint 0.5s ease-in 7.5s forwards; }
-[part="hint"] .lasting { animation-name: dim; }
+[part="hint"] .lasting { animation-delay: 19.5s; }
 [part="hint"] kbd {
   display: inline-block;
   min-inline-size: 1.7em;
@@ -110,7 +110,6 @@ slot[name="poster"][hidden] {
   to { transform: translateX(80%) scaleX(0.2); }
 }
 @keyframes hint { to { opacity: 0 } }
-@keyframes dim { to { opacity: 0.8 } }
 @media (prefers-contrast: more) {
   [part="hint"] p, [part="error"] p { background: #000; color: #fff; outline: 1px solid; }
   :host(:focus-visible) { outline-width: 4px; outline-color: #fff; }
