@@ -41,6 +41,18 @@ test("“Use it” has snippets to copy, and every attribute to try", async ({ f
   expect(await widthOf(page), "with large type").toBe(390);
   await scaleType(page, 1);
 
+  await test.step("a figure says that it is to come, unless it never will", async () => {
+    const figure = page.locator("#style figure"); // far below
+    await expect(figure.getByText("The figure is being prepared…")).toBeVisible();
+    const left = await figure.locator("candle-flame").evaluate((candle) => {
+      return ["error", "progress"].map((type) => {
+        candle.dispatchEvent(new CustomEvent(type));
+        return candle.textContent;
+      });
+    });
+    expect(left).toEqual(["", "The figure is being prepared…"]);
+  });
+
   await test.step("snippets copy", async () => {
     const snippets = page.locator(".snippet");
     const first = snippets.first();
@@ -160,6 +172,7 @@ test("“Use it” has snippets to copy, and every attribute to try", async ({ f
   await test.step("and methods to call on a candle beside their buttons", async () => {
     const figure = page.locator("#scripted");
     await firstFrame(figure);
+    await expect(figure.getByText("The figure is being prepared…")).toBeHidden();
     await figure.getByRole("button", { name: "extinguish()" }).click();
     await expect(figure.locator("output")).toHaveText("out");
     await figure.getByRole("button", { name: "light()" }).click();

@@ -12,6 +12,7 @@ const FAR = "150%";
  */
 export function bindLiveFigure(figure: HTMLElement): void {
   const element = find(figure, "candle-flame", HTMLElement) as CandleFlameElement;
+  addSentence(element);
   const { camera, place } = figure.dataset;
   const moveCamera = () => {
     if (camera) element.camera = cameraOf(camera);
@@ -38,6 +39,16 @@ export function bindLiveFigure(figure: HTMLElement): void {
     { rootMargin: FAR },
   );
   nearness.observe(figure);
+}
+
+/** Until its first frame, which may take long without a GPU, the element shows that there will be one. */
+function addSentence(element: CandleFlameElement): void {
+  const sentence = document.createElement("p");
+  sentence.slot = "poster";
+  sentence.textContent = "The figure is being prepared…";
+  element.append(sentence);
+  element.addEventListener("error", () => sentence.remove());
+  element.addEventListener("progress", () => element.append(sentence));
 }
 
 /** The element follows the control from now on, and what a reload has left in it. */
