@@ -2,26 +2,26 @@ import type { Device } from "../input/first-person-input.js";
 import { type KeyName, nameKeys } from "../key-names.js";
 import { outSentence } from "./messages.js";
 
+const FLAME = "puts the flame out or lights it";
+const CANDLE = "[F] puts the candle down";
+
 /** Controls of each device; keys are in brackets. */
 const CONTROLS: Readonly<Record<Device, string>> = {
-  mouse:
-    "[W][A][S][D] walk, the mouse looks, a click is for the flame, [F] for the candle, [Esc] leaves",
-  drag: "[W][A][S][D] walk, drag to look, [E] is for the flame, [F] for the candle, [Esc] leaves",
-  keyboard:
-    "[W][A][S][D] walk, [Q][R] turn, [PgUp][PgDn] look, [E] is for the flame, [F] for the candle, [Esc] leaves",
+  mouse: `[W][A][S][D] walk, the mouse looks, a click ${FLAME}, ${CANDLE}, [Esc] leaves`,
+  drag: `[W][A][S][D] walk, drag to look, [E] ${FLAME}, ${CANDLE}, [Esc] leaves`,
+  keyboard: `[W][A][S][D] walk, [Q][R] turn, [PgUp][PgDn] look, [E] ${FLAME}, ${CANDLE}, [Esc] leaves`,
   touch:
-    "Walk with the left thumb, look with the right. Tap twice for the flame, hold for the candle",
-  gamepad:
-    "Left stick walks, right stick looks, [A] is for the flame, [X] for the candle, [B] leaves",
+    "Walk with the left thumb, look with the right. Tap twice to put the flame out or light it, hold to put the candle down",
+  gamepad: `Left stick walks, right stick looks, [A] ${FLAME}, [X] puts the candle down, [B] leaves`,
 };
 
 /** The same where there are only candles. */
 const FLAME_CONTROLS: typeof CONTROLS = {
-  mouse: "A click is for the flame, [B] blows, [Esc] leaves",
-  drag: "[E] is for the flame, [B] blows, [Esc] leaves",
-  keyboard: "[E] is for the flame, [B] blows, [Esc] leaves",
-  touch: "Tap twice for the flame",
-  gamepad: "[A] is for the flame, [Y] blows, [B] leaves",
+  mouse: `A click ${FLAME}, [B] blows, [Esc] leaves`,
+  drag: `[E] ${FLAME}, [B] blows, [Esc] leaves`,
+  keyboard: `[E] ${FLAME}, [B] blows, [Esc] leaves`,
+  touch: "Tap twice to put the flame out or light it",
+  gamepad: `[A] ${FLAME}, [Y] blows, [B] leaves`,
 };
 
 /**
@@ -58,7 +58,7 @@ export class Hint {
     this.tell(sentences.join(" ") || null, canLight && !isLit);
   }
 
-  /** Shows a sentence, or none. One that lasts becomes fainter, and stays until the next. */
+  /** Shows a sentence, or none. One that lasts becomes fainter first, and goes later. */
   tell(sentence: string | null, lasts = false): void {
     this.#clear();
     if (sentence === null) return;

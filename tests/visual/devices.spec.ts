@@ -178,7 +178,7 @@ test("The keyboard alone looks up and down and says what it can", async ({ page 
   await page.keyboard.press("Enter");
   expect(await room.isWalking()).toBe(true);
   expect(await hintOf(room)).toBe(
-    "WASD walk, QR turn, PgUpPgDn look, E is for the flame, F for the candle, Esc leaves",
+    "WASD walk, QR turn, PgUpPgDn look, E puts the flame out or lights it, F puts the candle down, Esc leaves",
   );
   await page.keyboard.down("PageDown");
   await room.step(0.5);
@@ -252,7 +252,8 @@ test("Where the lock is refused, the hint says to drag, and the sensitivity is h
   const room = await openControls(page);
   await room.set({ sensitivity: "3" });
   await page.mouse.click(80, 45);
-  const walking = "WASD walk, drag to look, E is for the flame, F for the candle, Esc leaves";
+  const walking =
+    "WASD walk, drag to look, E puts the flame out or lights it, F puts the candle down, Esc leaves";
   await expect.poll(() => hintOf(room)).toBe(walking);
   expect(await room.isWalking()).toBe(true);
   await page.mouse.down();
