@@ -4,6 +4,7 @@ import type { CollisionMesh, RayHit } from "../../world/room/collision-mesh.js";
 import type { Steps } from "../../world/steps.js";
 import { type Task, type Tasks, taskOf } from "../task.js";
 import { type InteriorBounds, interiorBounds, turned } from "./interior-bounds.js";
+import { lightRays } from "./light-rays.js";
 import { octahedral, rayDirections } from "./ray-directions.js";
 
 export interface ProbeDetail {
@@ -83,11 +84,12 @@ function* trace(collision: CollisionMesh, model: Model, detail: ProbeDetail): St
   const { probes, rays } = detail;
   const { isInside, partOf, uvOf } = hitsOn(model.parts);
   const bounds = interiorBounds(collision, model);
+  const light = lightRays(collision, model.parts);
   const insideTestDirections = octahedral(INSIDE_TEST_RAYS, INSIDE_TEST_RAYS, 0);
   const isOutside = (position: Vec3) => {
     let backFaces = 0;
     for (const direction of insideTestDirections) {
-      const hit = collision.raycast(position, direction, Infinity);
+      const hit = light.raycast(position, direction, Infinity);
       if (hit && isInside(hit)) backFaces++;
     }
     return backFaces < INSIDE_SHARE * insideTestDirections.length;
@@ -116,7 +118,7 @@ function* trace(collision: CollisionMesh, model: Model, detail: ProbeDetail): St
     positions.set([...position, 1], tile * 4);
     const rayDepths = new Float32Array(directions.length);
     for (const [ray, direction] of directions.entries()) {
-      const hit = collision.raycast(position, direction, Infinity);
+      const hit = light.raycast(position, direction, Infinity);
       rayDepths[ray] = hit ? Math.min(hit.distance, FARTHEST) : FARTHEST;
       if (!hit || isInside(hit)) continue;
       const x = column * rays + (ray % rays);

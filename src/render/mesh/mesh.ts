@@ -173,6 +173,12 @@ export function cutoffOf({ alphaMode, alphaCutoff }: Material): number {
   return alphaMode === "opaque" ? 0 : alphaMode === "mask" ? alphaCutoff : 0.5;
 }
 
+/** Whether nothing or little of a part is drawn, as of glass. */
+export function isMostlyClear({ material }: Pick<Part, "material">): boolean {
+  const { alphaMode, baseColor, mapOpacity } = material;
+  return alphaMode !== "opaque" && baseColor[3] * mapOpacity < cutoffOf(material);
+}
+
 /** Vertices and triangles of a part, in the layout of mesh/mesh.vert. */
 export function uploadTriangles(gpu: Gpu, part: Part): VertexArray {
   const { name, positions, normals, tangents, uvs, indices } = part;

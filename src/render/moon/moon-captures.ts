@@ -7,6 +7,7 @@ import type { Steps } from "../../world/steps.js";
 import { type CachedLight, moonKey } from "../cached-light.js";
 import { IndirectPass, type IndirectScene } from "../gi/indirect-pass.js";
 import type { IndirectTargets } from "../gi/indirect-targets.js";
+import { lightRays } from "../gi/light-rays.js";
 import { type IndirectDetail, probeTraceOf } from "../gi/probe-rays.js";
 import type { PhysicalTier } from "../quality.js";
 import { SCHEDULE } from "../schedule.js";
@@ -152,7 +153,8 @@ export class MoonCaptures {
     const trace = probeTraceOf(collision, model, this.#detail);
     while (!trace.proceed(SCHEDULE.probesPerFrame)) yield;
     const { positions } = trace.finish();
-    const visibility = yield* traceSurfelVisibility(lit, collision, positions, this.#detail);
+    const light = lightRays(collision, model.parts);
+    const visibility = yield* traceSurfelVisibility(lit, light, positions, this.#detail);
     const casters = new ShadowCasters(this.#gpu, before, surfaces, detail);
     return { frustum, casters, lit, visibility };
   }

@@ -4,6 +4,7 @@ import { pcg } from "../../world/random.js";
 import type { CollisionMesh } from "../../world/room/collision-mesh.js";
 import type { Steps } from "../../world/steps.js";
 import { surfelRowsOf } from "../gi/indirect-targets.js";
+import type { LightRays } from "../gi/light-rays.js";
 import type { IndirectDetail } from "../gi/probe-rays.js";
 import { pointOn } from "../points.js";
 import { FACES } from "../shadow/cube-map.js";
@@ -62,7 +63,7 @@ export function moonlitPoints(
  */
 export function* traceSurfelVisibility(
   lit: readonly (LitPoint | null)[],
-  room: CollisionMesh,
+  light: Pick<LightRays, "isClear">,
   probes: Float32Array,
   detail: IndirectDetail,
 ): Steps<SurfelVisibility> {
@@ -97,7 +98,7 @@ export function* traceSurfelVisibility(
       for (const axis of [0, 1, 2] as const) {
         end[axis] = probe[axis] + share * (surfel.position[axis] - probe[axis]);
       }
-      if (!room.isClear(probe, end)) continue;
+      if (!light.isClear(probe, end)) continue;
       const line = tileRow * surfelRows + Math.floor(i / rays);
       data[line * width + tileColumn * rays + (i % rays)] = 255;
     }

@@ -5,7 +5,7 @@ import type { Buffer, Draw, Gpu, Program, VertexArray } from "../../gl/gpu.js";
 import type { Bounds } from "../../world/geometry.js";
 import { finish, type Steps } from "../../world/steps.js";
 import { type Clusters, clusterSteps, runsOf, VERTEX_SIZE } from "../mesh/clusters.js";
-import { cutoffOf, type Mesh } from "../mesh/mesh.js";
+import { isMostlyClear, type Mesh } from "../mesh/mesh.js";
 import { reducedPart } from "../mesh/mesh-lods.js";
 import { type Task, type Tasks, taskOf } from "../task.js";
 import { casterAlbedoOf } from "./caster-albedo.js";
@@ -39,11 +39,6 @@ export function clustersOf(
 }
 
 const NONE = new Float32Array();
-
-/** Glass and the like, of which nothing or little is drawn. */
-function isMostlyClear({ material }: Part): boolean {
-  return material.baseColor[3] * material.mapOpacity < cutoffOf(material);
-}
 
 /** Where depth is drawn, and by which projection. */
 export interface DepthDraw extends Pick<Draw, "target" | "viewport"> {

@@ -82,13 +82,15 @@ export class CollisionMesh {
    * Nearest hit along a ray, from either side. The next ray overwrites it.
    *
    * @param direction unit
+   * @param ignored by number, 1 for triangles that do not count
    */
   raycast(
     origin: Readonly<Vec3>,
     direction: Readonly<Vec3>,
     maxDistance: number,
+    ignored: Uint8Array | null = null,
   ): Readonly<RayHit> | null {
-    const found = this.#rays.cast(origin, direction, maxDistance);
+    const found = this.#rays.cast(origin, direction, maxDistance, ignored);
     if (found < 0) return null;
     const hit = this.#hit;
     hit.distance = this.#rays.distance;
@@ -104,10 +106,10 @@ export class CollisionMesh {
   }
 
   /** Whether nothing lies between two places. */
-  isClear(from: Readonly<Vec3>, to: Readonly<Vec3>): boolean {
+  isClear(from: Readonly<Vec3>, to: Readonly<Vec3>, ignored: Uint8Array | null = null): boolean {
     const between = this.#between;
     for (let axis = 0; axis < 3; axis++) between[axis] = to[axis]! - from[axis]!;
-    return this.#rays.cast(from, between, 1) < 0;
+    return this.#rays.cast(from, between, 1, ignored) < 0;
   }
 
   /** Whether anything is nearer than `radius` to an upright axis, or in between. */

@@ -38,8 +38,17 @@ export class RayCaster {
     this.#numbers = numbers;
   }
 
-  /** Where the coordinates of the triangle begin that a ray meets first; -1 if it meets none. */
-  cast(origin: Readonly<Vec3>, direction: Readonly<Vec3>, farthest: number): number {
+  /**
+   * Where the coordinates of the triangle begin that a ray meets first; -1 if it meets none.
+   *
+   * @param ignored by number, 1 for triangles that do not count
+   */
+  cast(
+    origin: Readonly<Vec3>,
+    direction: Readonly<Vec3>,
+    farthest: number,
+    ignored: Uint8Array | null = null,
+  ): number {
     // Read from a Float64Array, so that V8 treats them as doubles: a quarter faster.
     const ray = this.#ray;
     for (let axis = 0; axis < 3; axis++) {
@@ -164,6 +173,7 @@ export class RayCaster {
         const distance = (fx * qx + fy * qy + fz * qz) / determinant;
         if (!(distance >= 0 && distance <= nearest)) continue;
         if (distance === nearest && found >= 0 && numbers[at / 9]! > numbers[found / 9]!) continue;
+        if (ignored !== null && ignored[numbers[at / 9]!] === 1) continue;
         nearest = distance;
         found = at;
         foundU = u;

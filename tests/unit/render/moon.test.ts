@@ -1,5 +1,6 @@
 import { describe, expect, test } from "vitest";
 import type { Model, Part } from "../../../src/assets/model.ts";
+import { lightRays } from "../../../src/render/gi/light-rays.ts";
 import { entersRoom } from "../../../src/render/moon/entry.ts";
 import {
   clipFromFrustum,
@@ -123,30 +124,37 @@ test("a map's edges are at right angles to the light, also near the zenith", () 
 test("a probe sees the moonlit floor on its side of a wall, and not that behind it", () => {
   const wall = box([-0.05, 0, -2], [0.05, 2, 2]);
   const room = new CollisionMesh([floorOf(4), wall]);
+  const pane = { alphaMode: "blend", baseColor: [1, 1, 1, 0.1], mapOpacity: 1 };
+  const glazed = [
+    { ...floorOf(4), material: { alphaMode: "opaque" } },
+    { ...wall, material: pane },
+  ] as Part[];
   const bounds = { min: [-2, 0, -2], max: [2, 2.5, 2] } as const;
   const frustum = moonFrustum([0, -1, 0], bounds, null);
   const probes = new Float32Array([-1, 0.3, 0, 1, 1, 0.3, 0, 1, 0, 2.4, 0, 1, -1, 0.3, 0, 0]);
   const detail = { ...tierNamed("low").physical.indirect, probes: [4, 1, 1] } as const;
-  const { width, height, data } = finish(
-    traceSurfelVisibility(moonlitPoints(frustum, room, detail), room, probes, detail),
-  );
+  const lit = moonlitPoints(frustum, room, detail);
+  const { width, height, data } = finish(traceSurfelVisibility(lit, room, probes, detail));
+  const throughPane = lightRays(room, glazed);
+  const glazedData = finish(traceSurfelVisibility(lit, throughPane, probes, detail)).data;
   const { rays, surfels, surfelGroup: group } = detail;
   const groupColumns = (6 * surfels) / group;
   const groups = groupColumns * (surfels / group - 1);
   expect([width, height]).toEqual([4 * rays, Math.ceil((groupColumns * surfels) / group / rays)]);
   /** Share of the groups on a side, the sign of their x, that a probe sees. */
-  const seen = (probe: number, side: number) => {
+  const seen = (probe: number, side: number, visible = data) => {
     const places = Array.from({ length: groups }, (_, i) => {
       const column = (i % groupColumns) + 0.5;
       const x = frustum.corner[0] + (frustum.across[0] * column) / groupColumns;
       const texel = Math.floor(i / rays) * width + probe * rays + (i % rays);
-      return { x: x * side, isSeen: data[texel] === 255 };
+      return { x: x * side, isSeen: visible[texel] === 255 };
     }).filter(({ x }) => x > 0.2 && x < 1.9);
     expect(places.length).toBeGreaterThan(50);
     return places.filter(({ isSeen }) => isSeen).length / places.length;
   };
   expect([seen(0, -1), seen(0, 1)]).toEqual([1, 0]);
   expect([seen(1, -1), seen(1, 1)]).toEqual([0, 1]);
+  expect([seen(0, 1, glazedData), seen(1, -1, glazedData)], "through a pane").toEqual([1, 1]);
   expect(seen(2, 1), "from above, beside the wall's shadow").toBeGreaterThan(0.9);
   expect(seen(3, -1), "inside a solid").toBe(0);
 });

@@ -94,6 +94,16 @@ test("a probe in a block of stone moves out of it, and none sees the block's ins
   for (let i = 3; i < rays.hits.length; i += 4) expect(rays.hits[i]).toBeGreaterThan(0);
 });
 
+test("no ray of a probe meets what is mostly clear", () => {
+  const opaque = box([1.9, 0, 0], [2.1, 2, 4], true);
+  const material = { ...opaque.material, alphaMode: "blend", baseColor: [1, 1, 1, 0.1] } as const;
+  const traced = (...parts: Part[]) =>
+    probeTraceOf(new CollisionMesh(parts), modelOf(...parts), DETAIL).finish();
+  const [empty, glazed] = [traced(ROOM), traced(ROOM, { ...opaque, material })];
+  expect(glazed).toEqual(empty);
+  expect(traced(ROOM, opaque).runs.length).toBe(2);
+});
+
 test("a probe without a place in the open says so", () => {
   const stone = box([0, 0, 0], [4, 2, 4], true);
   const rays = probeTraceOf(new CollisionMesh([stone]), modelOf(stone), DETAIL).finish();
