@@ -1,6 +1,7 @@
 import { vec3 } from "gl-matrix";
 import type { Model, Part } from "../../assets/model.js";
 import type { Vec3 } from "../../world/geometry.js";
+import { isMostlyClear } from "../mesh/mesh.js";
 import { crossOf, verticesOf } from "../mesh/triangles.js";
 import { rangeAlong } from "../points.js";
 
@@ -102,10 +103,10 @@ export function panesOf(model: Model): Panes | null {
   return windows.toSorted((a, b) => areaOf(b) - areaOf(a))[0] ?? null;
 }
 
-/** Whether a triangle blocks moonlight: panes and the backdrop behind them do not. */
+/** Whether a triangle blocks moonlight: panes, the backdrop behind them and what is mostly clear do not. */
 export function stopsMoonlight(part: Part, triangle: number, panes: Panes | null): boolean {
-  const { name, alphaMode } = part.material;
-  if (alphaMode === "blend") return false;
+  const { name } = part.material;
+  if (isMostlyClear(part)) return false;
   if (!panes || (name !== PANE && name !== NIGHT)) return true;
   const { corner: origin, normal } = panes;
   const depths = verticesOf(part, triangle).map(

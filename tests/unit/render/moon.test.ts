@@ -7,7 +7,7 @@ import {
   moonCasters,
   moonFrustum,
 } from "../../../src/render/moon/moon-frustum.ts";
-import { panesOf } from "../../../src/render/moon/panes.ts";
+import { panesOf, stopsMoonlight } from "../../../src/render/moon/panes.ts";
 import {
   moonlitPoints,
   traceSurfelVisibility,
@@ -57,6 +57,15 @@ describe("the panes of a window", () => {
     expect(panesOf({ ...ROOM, parts: [GLASS] })).toBeNull();
     expect(panesOf({ ...ROOM, parts: [NIGHT, FAR_GLASS] })).toBeNull();
   });
+});
+
+test("what is blended stops moonlight as it does that of flames: where most of it is drawn", () => {
+  const stops = (opacity: number, mapOpacity: number) => {
+    const material = { alphaMode: "blend", baseColor: [1, 1, 1, opacity], mapOpacity };
+    return stopsMoonlight({ ...GLASS, material } as unknown as Part, 0, null);
+  };
+  expect([stops(1, 1), stops(0.9, 0.7)]).toEqual([true, true]);
+  expect([stops(0.1, 1), stops(0.9, 0.3)]).toEqual([false, false]);
 });
 
 describe("the moon's map", () => {
