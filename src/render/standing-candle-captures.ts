@@ -18,10 +18,16 @@ const STILL = { middle: 0.02, halfHeight: 0.0095, radius: 0.0035 } as const;
 /** Top of the candle: its height above the flame's root, which stands in the pool, and its radius, metres. */
 export const RIM = { height: 0.0015, radius: 0.0101 } as const;
 
+export function middleOfStillFlame({ root: [x, y, z], flame }: StandingCandle): Vec3 {
+  return [x, y + STILL.middle * heightInTapers(flame.wick), z];
+}
+
 /** The flame of a standing candle, still, 1 cd strong: members of the shaders' `Light` block. */
-function stillLight({ root: [x, y, z], flame }: StandingCandle, shadowSlot: number): CaptureLight {
+function stillLight(candle: StandingCandle, shadowSlot: number): CaptureLight {
+  const { root, flame } = candle;
+  const [x, y, z] = root;
   const times = heightInTapers(flame.wick);
-  const position: Vec3 = [x, y + STILL.middle * times, z];
+  const position = middleOfStillFlame(candle);
   const rim = y + RIM.height;
   return {
     position,

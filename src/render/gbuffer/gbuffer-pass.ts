@@ -3,7 +3,7 @@ import reducedFrag from "../../../shaders/gbuffer/gbuffer-reduced.frag";
 import reducedVert from "../../../shaders/gbuffer/gbuffer-reduced.vert";
 import meshVert from "../../../shaders/mesh/mesh.vert";
 import type { Box, Draw, Gpu, Program, RenderTarget, Texture, UniformBlock } from "../../gl/gpu.js";
-import type { Bounds } from "../../world/geometry.js";
+import type { Bounds, Vec3 } from "../../world/geometry.js";
 import type { Steps } from "../../world/steps.js";
 import { frustumTest } from "../camera.js";
 import type { FrameInput, ModelInstance, Size } from "../frame-input.js";
@@ -72,6 +72,7 @@ export class GBufferPass {
   /** Progressive refinement: the full G-buffer in progress. */
   #refinement: { readonly key: string; readonly steps: Steps } | null = null;
   #wasReduced = false;
+  #shadingOrigin: Vec3 = [0, 0, 0];
 
   /** @param jittered another block `Frame` */
   constructor(
@@ -118,8 +119,12 @@ export class GBufferPass {
     return this.#targets[kind];
   }
 
-  /** @param lightingSize of the full lighting, which the guide leads to */
-  *render(frame: FrameInput, lightingSize: Size): Steps<GBuffer> {
+  /**
+   * @param lightingSize of the full lighting, which the guide leads to
+   * @param origin where normal-map shading takes the light to be, metres
+   */
+  *render(frame: FrameInput, lightingSize: Size, origin: Vec3): Steps<GBuffer> {
+    this.#shadingOrigin = origin;
     const { isMoving, canDefer, features } = frame.settings;
     const { size } = this.#rehearsed;
     this.#quietFrames =
@@ -127,7 +132,7 @@ export class GBufferPass {
     this.#rehearsedBefore = size;
     const key = JSON.stringify([
       [...frame.clipFromWorld],
-      features.normalMaps && this.#shadingOrigin(frame),
+      features.normalMaps && origin,
       features.translucency,
       lightingSize,
       frame.instances.map(({ placement }) => placement),
@@ -165,12 +170,6 @@ export class GBufferPass {
       history: null,
       sampleOffset: [0, 0],
     };
-  }
-
-  /** Where normal-map shading takes the light to be, metres. */
-  #shadingOrigin({ captureLight }: FrameInput): readonly number[] {
-    const step = SCHEDULE.normalMapShading;
-    return captureLight.position.map((x) => Math.round(x / step) * step);
   }
 
   *#renderReduced(frame: FrameInput, key: string): Steps<GBuffer> {
@@ -309,7 +308,7 @@ export class GBufferPass {
         ...mesh.uniforms,
         uPlacement: placement,
         uMaterial: mesh.isPane ? MATERIAL.glass : mesh.isWax && translucency ? MATERIAL.wax : 0,
-        uCaptureOrigin: this.#shadingOrigin(frame),
+        uCaptureOrigin: this.#shadingOrigin,
         uIsHeld: isHeld ? 1 : 0,
         ...(cached && {
           uBaseColor: gamma2(mesh.uniforms.uBaseColor),

@@ -1,6 +1,8 @@
 import compositeFrag from "../../../shaders/opaque/composite.frag";
 import type { Box, Gpu, Program, TextureFormat } from "../../gl/gpu.js";
+import type { Vec3 } from "../../world/geometry.js";
 import type { Steps } from "../../world/steps.js";
+import { isMoonOutdated } from "../cached-light.js";
 import type { FrameInput, Size } from "../frame-input.js";
 import {
   type FullGBuffer,
@@ -9,6 +11,7 @@ import {
   type GBufferKind,
 } from "../gbuffer/gbuffer.js";
 import { GBufferPass } from "../gbuffer/gbuffer-pass.js";
+import { shadingOrigin } from "../gbuffer/shading-origin.js";
 import type { Captures } from "../gi/light-captures.js";
 import type { MeshLods } from "../mesh/mesh-lods.js";
 import type { PhysicalTier } from "../quality.js";
@@ -30,6 +33,8 @@ export class DeferredStage implements OpaqueStage {
   readonly #cached: CachedLighting;
   readonly #composite: Readonly<Record<GBufferKind, Program>>;
   #gbuffer: GBuffer | null = null;
+  /** Of the moon that the last frame was lit by: in a running animation it stays until another is captured. */
+  #moonDirection: Vec3 | null = null;
   /** G-buffers in motion without a history: the first after rest, and after a view that has little in common with it. */
   images = 0;
 
@@ -55,7 +60,10 @@ export class DeferredStage implements OpaqueStage {
   }
 
   *fillGBuffer(frame: FrameInput): Steps<GBufferKind> {
-    const gbuffer = yield* this.#gbufferPass.render(frame, this.#lighting.size);
+    const direction = frame.world.moon?.direction ?? null;
+    const shown = frame.settings.canDefer && direction ? this.#moonDirection : null;
+    const origin = shadingOrigin(frame, shown ?? direction);
+    const gbuffer = yield* this.#gbufferPass.render(frame, this.#lighting.size, origin);
     if (gbuffer.kind === "reduced" && !gbuffer.history) this.images++;
     this.#gbuffer = gbuffer;
     return gbuffer.kind;
@@ -66,6 +74,8 @@ export class DeferredStage implements OpaqueStage {
     if (!gbuffer) throw new Error("Shading needs a G-buffer.");
     const { cached } = captures;
     const isAtRest = gbuffer.kind === "full";
+    const { moon } = frame.world;
+    if (!isMoonOutdated(frame.world, cached)) this.#moonDirection = moon?.direction ?? null;
     // Compiled while the camera rests.
     if (frame.settings.canDefer && isAtRest) this.#lighting.reducedProgram(cached);
     if (cached.length === 0) this.#cached.release();
