@@ -147,5 +147,6 @@ void main() {
 #ifdef OF_ALL
   lighting.rgb /= uColor;
 #endif
-  oLighting = sqrt(clamp(lighting, 0.0, 3e4));
+  // The background is no surface: without a normal and a roughness it would be a mirror.
+  oLighting = texel.depth < 1.0 ? sqrt(clamp(lighting, 0.0, 3e4)) : vec4(0.0);
 }

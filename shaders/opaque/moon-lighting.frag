@@ -78,5 +78,6 @@ void main() {
   perLux.rgb += metallic * room;
   perLux.a += (1.0 - metallic) * mirrored * luma(room);
 #endif
-  oLighting = sqrt(clamp(perLux, 0.0, REDUCED == 1 ? 1e9 : 3e4));
+  // The background is no surface: without a normal and a roughness it would be a mirror.
+  oLighting = texel.depth < 1.0 ? sqrt(clamp(perLux, 0.0, REDUCED == 1 ? 1e9 : 3e4)) : vec4(0.0);
 }

@@ -159,7 +159,7 @@ for (const quality of ["low", "medium"] as const) {
   }) => {
     const room = new RoomDriver(page);
     await room.open({ look: "physical", quality }, { ...SIZE, model: await screen() });
-    const [left, right] = await room.evaluate((element) => {
+    const [left, right, sky] = await room.evaluate((element) => {
       element.camera = { position: [0, 1.6, 1], yaw: 0, pitch: -1 };
       element.place();
       if (element.held) throw new Error("The candle cannot be put down.");
@@ -176,11 +176,15 @@ for (const quality of ["low", "medium"] as const) {
         );
         return radiance.reduce((sum, value) => sum + value, 0) / radiance.length;
       };
-      return [meanOf(0.1), meanOf(0.65)];
+      const sides = [meanOf(0.1), meanOf(0.65)];
+      element.camera = { position: [0, 1.6, 1], yaw: Math.PI, pitch: 1 };
+      element.step(0);
+      return [...sides, element.readRadiance(0, 0, width, height).reduce((sum, x) => sum + x, 0)];
     });
     console.log(`${quality}: ${left} behind what is left, ${right} behind the hole`);
     expect(right).toBeGreaterThan(0);
     expect((left ?? 1) / (right ?? 0)).toBeLessThan(0.2);
+    expect(sky, "where there is no surface").toBe(0);
     expect(room.complaints).toEqual([]);
   });
 }
