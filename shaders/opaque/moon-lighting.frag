@@ -37,7 +37,8 @@ vec2 moonLighting(LightingTexel texel, vec3 toEye, float NoV, vec2 seen) {
   vec2 tile = mod(floor(gl_FragCoord.xy), 2.0);
   float footprint = max(length(dFdx(texel.position)), length(dFdy(texel.position)));
   float visibility = NoL > 0.0 ? moonVisibility(texel.position, normal, tile, min(footprint, WIDEST)) : 0.0;
-  float perArea = NoL * mix(1.0, visibility, seen.x);
+  // Without shadows its light goes through walls, but no other way than through the panes.
+  float perArea = isInBeam(texel.position) ? NoL * mix(1.0, visibility, seen.x) : 0.0;
   float metallic = metallicOf(texel.material);
   float alpha = texel.roughness * texel.roughness;
   vec3 H = normalize(L + toEye);

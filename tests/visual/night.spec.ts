@@ -199,7 +199,7 @@ test.describe("The night", () => {
   }) => {
     await room.set({ ...NIGHT, unlit: "", particles: "0" });
     await room.evaluate((element) => element.reset());
-    const { before, frames, after, exact } = await room.evaluate((element, camera) => {
+    const { before, frames, after, exact, shadowless } = await room.evaluate((element, camera) => {
       const light = () => element.readRadiance(0, 0, 160, 90).reduce((sum, x) => sum + x, 0);
       const stepTo = (direction: string) => {
         element.moonDirection = direction;
@@ -215,12 +215,19 @@ test.describe("The night", () => {
       element.pause();
       const after = stepTo("-98 40");
       stepTo("-98 30");
-      return { before, frames, after, exact: stepTo("-98 40") };
+      const exact = stepTo("-98 40");
+      element.features.shadows = false;
+      element.step(0);
+      const shadowless = light();
+      element.features.shadows = true;
+      return { before, frames, after, exact, shadowless };
     }, SPAWN);
     expect(Math.abs(exact / before - 1), "another light").toBeGreaterThan(0.02);
     expect(frames.slice(0, 10).every((sum) => Math.abs(sum / before - 1) < 1e-3)).toBe(true);
     expect(Math.abs(frames.at(-1)! / exact - 1)).toBeLessThan(0.02);
     expect(after).toBeCloseTo(exact, 6);
+    console.log(`without shadows ${(shadowless / exact).toFixed(2)} times the light`);
+    expect(shadowless / exact, "its beam alone, also without shadows").toBeLessThan(2);
   });
 
   test("is nothing to the paper's look", async ({ room }) => {
