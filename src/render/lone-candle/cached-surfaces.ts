@@ -10,6 +10,8 @@ const FIRST_PIXELS = 40_000;
 const PIXELS = 20_000;
 /** Edge of images that replace smaller ones, as a multiple of what is asked for: soon more may be. */
 const AHEAD = 1.25;
+/** Edge of images at most, as a multiple of what is asked for: those that are larger would shimmer. */
+const LARGEST = 2;
 /** Most pixels of an image. */
 const MOST_PIXELS = 1_000_000;
 const SAMPLES = 4;
@@ -68,12 +70,13 @@ export class CachedSurfaces {
     return this.#steps === null;
   }
 
-  /** Whether images are as large as a frame, and of its shape but for rounding. */
+  /** Whether images are as large as a frame, not much larger, and of its shape but for rounding. */
   #fits(size: Size): boolean {
     const { width, height } = this.#size;
     const { width: least } = limited(size);
     const stretch = Math.abs(size.width * height - size.height * width);
-    return width >= least && stretch <= Math.max(width, height, size.width, size.height);
+    const isSimilar = width >= least && width <= LARGEST * least;
+    return isSimilar && stretch <= Math.max(width, height, size.width, size.height);
   }
 
   #sizeFor(size: Size): Size {
