@@ -22,6 +22,8 @@ export class DepthPass {
   readonly #gpu: Gpu;
   readonly #frame: UniformBlock;
   readonly #program: Program;
+  /** Of meshes with holes, once there are any. */
+  #cutOutProgram: Program | null = null;
   readonly #merged = new Map<readonly Mesh[], Merged>();
 
   /** @param frame block `Frame` of a program with the same vertex shader */
@@ -36,7 +38,14 @@ export class DepthPass {
     return this.#gpu.program("mesh/depth", meshVert, depthFrag, { defines });
   }
 
+  /** Asks for the programs that models will be drawn with, so that they are compiled by then. */
+  prepare(instances: readonly ModelInstance[]): void {
+    if (this.#cutOutProgram || instances.every(({ meshes }) => meshes.every(isWhole))) return;
+    this.#cutOutProgram = this.#programOf({ CUTOUT: 1 });
+  }
+
   draw(instances: readonly ModelInstance[], target: Draw["target"]): void {
+    this.prepare(instances);
     for (const { meshes, placement } of instances) {
       const { oneSided, doubleSided, cutOut } = this.#mergedOf(meshes);
       const draw = (call: Pick<Draw, "program" | "cull" | "textures"> & Partial<Draw>) =>
@@ -53,7 +62,7 @@ export class DepthPass {
       if (doubleSided.count > 0) draw({ program, vertexArray: doubleSided, cull: "none" });
       for (const { vertexArray, textures, uniforms, isDoubleSided } of cutOut) {
         const cull = isDoubleSided ? "none" : "back";
-        draw({ program: this.#programOf({ CUTOUT: 1 }), vertexArray, textures, uniforms, cull });
+        draw({ program: this.#cutOutProgram!, vertexArray, textures, uniforms, cull });
       }
     }
   }
@@ -61,7 +70,6 @@ export class DepthPass {
   #mergedOf(meshes: readonly Mesh[]): Merged {
     const known = this.#merged.get(meshes);
     if (known) return known;
-    const isWhole = ({ uniforms }: Mesh) => !(uniforms.uSurface[3] > 0);
     const whole = meshes.filter(isWhole);
     const merged = {
       oneSided: mergedTriangles(
@@ -77,6 +85,10 @@ export class DepthPass {
     this.#merged.set(meshes, merged);
     return merged;
   }
+}
+
+function isWhole({ uniforms }: Mesh): boolean {
+  return !(uniforms.uSurface[3] > 0);
 }
 
 function mergedTriangles(gpu: Gpu, meshes: readonly Mesh[]): VertexArray {

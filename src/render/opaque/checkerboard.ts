@@ -73,6 +73,11 @@ export class Checkerboard {
     for (const isMoonlit of [false, true]) forwardComposite(gpu, isMoonlit, true);
   }
 
+  /** Compiles what models will be drawn with in motion. */
+  prepare(instances: FrameInput["instances"]): void {
+    this.#depthPass.prepare(instances);
+  }
+
   /** Settings of a frame: a few frames after motion are drawn as in it. In a slow turn the camera moves in some frames only. */
   settle(settings: FrameSettings): FrameSettings {
     const { isMoving, canDefer } = settings;

@@ -120,6 +120,7 @@ export class ForwardStage implements OpaqueStage {
     const frame = { ...input, settings };
     const { world, instances } = frame;
     const { features, inspect } = settings;
+    this.#checkerboard?.prepare(instances);
     const light = {
       ...shadingLight(world, features.candle, SCHEDULE.lighting.forward),
       captureOrigin: captures.shadow.captureOrigin,
