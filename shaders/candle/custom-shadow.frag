@@ -1,10 +1,11 @@
 #version 300 es
-// Distance from a flame. CUTOUT: without what is cut out.   Out: m.
+// Distance from a flame. COLORED: without what is cut out, by the vertices' opacity, too.   Out: m.
 #include "lib/precision.glsl"
-#ifdef CUTOUT
+#ifdef COLORED
 #include "lib/material.glsl"
 
 in vec2 vUv;
+in float vOpacity;
 #endif
 
 uniform vec3 uFlame;  // m
@@ -14,8 +15,8 @@ in vec3 vPositionWorld;
 out vec4 oDistance;
 
 void main() {
-#ifdef CUTOUT
-  if (texture(uAlbedo, vUv).a * uBaseColor.a < uSurface.w) discard;
+#ifdef COLORED
+  if (texture(uAlbedo, vUv).a * uBaseColor.a * vOpacity < uSurface.w) discard;
 #endif
   oDistance = vec4(distance(vPositionWorld, uFlame), 0.0, 0.0, 1.0);
 }

@@ -1,10 +1,38 @@
 import type { Page } from "playwright/test";
 import sharp from "sharp";
 import type { CandleFlameElement } from "../../src/candle-flame-element.ts";
+import { GlbBuilder } from "../../tools/models/glb-builder.mjs";
 import { candlePlate, jarCandle, ringOf } from "../support/candle-model.ts";
 import { plainRoom } from "../support/plain-room.ts";
 import { LIBRARY, RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
+
+/** A wick between two screens, each of which is cut out by its vertices' opacity times its material's. */
+function screenedWick(ofVertices: number, ofMaterial: number): Buffer {
+  const builder = new GlbBuilder();
+  const cut = { baseColorFactor: [1, 1, 1, ofMaterial], metallicFactor: 0 };
+  const plain = builder.add("materials", { pbrMetallicRoughness: { metallicFactor: 0 } });
+  const screen = builder.add("materials", { pbrMetallicRoughness: cut, alphaMode: "MASK" });
+  const square = (corners: readonly number[], material: number, opacity: number) => ({
+    attributes: {
+      POSITION: builder.accessor(Float32Array.from(corners), 3),
+      COLOR_0: builder.accessor(
+        Float32Array.from({ length: 16 }, (_, i) => (i % 4 === 3 ? opacity : 1)),
+        4,
+      ),
+    },
+    indices: builder.accessor(Uint16Array.of(0, 1, 2, 0, 2, 3), 1),
+    material,
+  });
+  const upright = (x: number) => [x, 0, 0.05, x, 0, -0.05, x, 0.1, -0.05, x, 0.1, 0.05];
+  const primitives = [
+    square([-0.1, 0, 0.1, 0.1, 0, 0.1, 0.1, 0, -0.1, -0.1, 0, -0.1], plain, 1),
+    ...[-0.04, 0.04].map((x) => square(upright(x), screen, ofVertices)),
+  ];
+  builder.root({ mesh: builder.add("meshes", { primitives }) });
+  builder.root({ name: "wick", translation: [0, 0.03, 0] });
+  return builder.glb();
+}
 
 const MODELS: Readonly<Record<string, Buffer>> = {
   "custom-candle.glb": candlePlate([{ at: [0, 0], height: 0.09, radius: 0.03 }], 0.06),
@@ -16,6 +44,8 @@ const MODELS: Readonly<Record<string, Buffer>> = {
     [0, 0.05, 0.1, 0.15].map((z) => ({ at: [0, z], height: 0.09, radius: 0.01 })),
     0.2,
   ),
+  "custom-clear-vertices.glb": screenedWick(0, 1),
+  "custom-clear-material.glb": screenedWick(1, 0),
   "no-wick.glb": plainRoom({ min: [0, 0, 0], max: [0.1, 0.1, 0.1] }, [], 0.5),
 };
 /** The same as goldens.spec.ts. */
@@ -185,6 +215,25 @@ test("one model after another leaves nothing on the GPU", async () => {
     gpuObjects: before.gpuObjects,
     gpuBytes: before.gpuBytes,
   });
+});
+
+test("what its vertices' opacity cuts out casts no shadow", async () => {
+  const shown: number[][] = [];
+  for (const src of ["custom-clear-vertices.glb", "custom-clear-material.glb"]) {
+    await show(src);
+    shown.push(
+      await room.evaluate((element) => {
+        const { width, height } = element.stats;
+        const high = Math.floor(height / 5);
+        const sum = (y: number) =>
+          element.readRadiance(0, y, width, high).reduce((total, x) => total + x, 0);
+        return [0, 1, 2, 3].map((band) => sum(band * high));
+      }),
+    );
+  }
+  console.log(`light in bands: ${shown.map((bands) => bands.map(Math.round))}`);
+  expect(shown[0]?.some((light) => light > 0)).toBe(true);
+  expect(shown[0]).toEqual(shown[1]);
 });
 
 test("four flames behind one another stay within half floats", async () => {

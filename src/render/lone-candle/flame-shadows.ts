@@ -63,7 +63,7 @@ export class FlameShadows {
   }
 
   #programOf(isCutOut: boolean): Program {
-    const defines = isCutOut ? { CUTOUT: 1 } : {};
+    const defines = isCutOut ? { COLORED: 1 } : {};
     return this.#gpu.program("candle/custom-shadow", cubeFaceVert, shadowFrag, { defines });
   }
 
