@@ -2,7 +2,8 @@
 // Light of an upright flame that a rough mirror reflects, over that of the flame's points: by distance along x, from 5 cm
 // to 2.5 m, roughness along y, from 0.05 to 0.45.
 // Out: the share by a floor, the flame 45 degrees high; by a wall, the flame 60 degrees aside; the brightest mirror image
-// of both, over the flame.
+// of both, over the flame. In every other row the flame is 8 and 20 degrees beside the floor's normal, and the last is how
+// bright the image of a flame without length is.
 #include "lib/precision.glsl"
 #include "lib/flame-brdf.glsl"
 
@@ -49,14 +50,22 @@ vec2 energy(vec3 normal, vec3 L, float reach, float alpha) {
     }
     sums += weight * vec2(lobe, exact / float(POINTS.x * POINTS.y));
   }
-  return vec2(sums.x / sums.y, brightest * 4.0 * HALF_AXIS.y * RADIUS);
+  return vec2(sums.x / sums.y, brightest * 4.0 * length(cross(HALF_AXIS, L)) * RADIUS);
 }
 
 void main() {
   float reach = 0.05 * pow(50.0, vUv.x);
   float roughness = 0.05 + 0.4 * vUv.y;
   float alpha = roughness * roughness;
-  vec2 onFloor = energy(vec3(0.0, 1.0, 0.0), normalize(vec3(1.0, 1.0, 0.0)), reach, alpha);
+  const vec3 UP = vec3(0.0, 1.0, 0.0);
+  if (int(gl_FragCoord.y) % 2 == 1) {
+    vec2 above = energy(UP, vec3(0.139, 0.99, 0.0), reach, alpha);
+    vec2 aside = energy(UP, vec3(0.342, 0.94, 0.0), reach, alpha);
+    float small = flameSpecular(vec3(reach, reach, 0.0), vec3(0.0), RADIUS, UP, vec3(-0.707, 0.707, 0.0), 0.707, alpha).lobe;
+    oShares = vec4(above.x, aside.x, small * RADIUS * RADIUS / (reach * reach), 1.0);
+    return;
+  }
+  vec2 onFloor = energy(UP, normalize(vec3(1.0, 1.0, 0.0)), reach, alpha);
   vec2 onWall = energy(vec3(0.0, 0.0, 1.0), vec3(0.866, 0.0, 0.5), reach, alpha);
   oShares = vec4(onFloor.x, onWall.x, max(onFloor.y, onWall.y), 1.0);
 }
