@@ -34,7 +34,7 @@ const AHEAD = 0.8;
 /** From there, how far apart surfaces are looked for, nearer and farther, and how often. Metres. */
 const STRIDE = 0.1;
 const STRIDES = 4;
-/** What is higher than something else by this is taken instead of it, metres. */
+/** What is higher than the floor by this is furniture, metres. */
 const FURNITURE = 0.1;
 /** Cosine of 18 degrees: steeper surfaces are refused before their heights are measured. */
 const LEVEL = 0.95;
@@ -105,7 +105,7 @@ export function findAimedSpot(reach: PlacementQuery, spot: Vec3): Refusal | null
  * @returns null, or why there is no such spot
  */
 export function findSpotAhead(reach: PlacementQuery, spot: Vec3): Refusal | null {
-  const { collision, eye, direction, cylinder } = reach;
+  const { collision, plan, eye, direction, cylinder } = reach;
   const level = Math.hypot(direction[0], direction[2]);
   const hit = collision.raycast(eye, direction, Infinity);
   const clearance = (hit ? hit.distance * level : Infinity) - cylinder.radius - NUDGE;
@@ -116,18 +116,20 @@ export function findSpotAhead(reach: PlacementQuery, spot: Vec3): Refusal | null
     const y = eye[1] + Math.min(REACH_UP, (direction[1] / level) * distance);
     return fitAround(reach, distance, y, spot);
   };
-  const refusal = fitAt(usual, spot);
-  let highest = refusal === null ? spot[1] : Number.NEGATIVE_INFINITY;
+  const isFurniture = ([, y]: Readonly<Vec3>) => y > plan.floor + FURNITURE;
+  let refusal = fitAt(usual, spot);
+  if (refusal === null && isFurniture(spot)) return null;
   for (let i = 1; i <= STRIDES; i++) {
     for (const distance of [usual + i * STRIDE, usual - i * STRIDE]) {
       if (distance > Math.min(REACH, clearance) || distance < nearest) continue;
-      if (fitAt(distance, other) === null && other[1] > highest + FURNITURE) {
-        for (const axis of [0, 1, 2] as const) spot[axis] = other[axis];
-        highest = spot[1];
-      }
+      if (fitAt(distance, other) !== null) continue;
+      if (refusal === null && !isFurniture(other)) continue;
+      for (const axis of [0, 1, 2] as const) spot[axis] = other[axis];
+      if (isFurniture(spot)) return null;
+      refusal = null;
     }
   }
-  return highest > Number.NEGATIVE_INFINITY ? null : refusal;
+  return refusal;
 }
 
 /** Whether a candle that stands can be taken up: it is near, and some of it in sight. */

@@ -188,6 +188,11 @@ describe("with a level gaze, a candle is put down", () => {
     expect(ahead([ROOM, near], [0, 0, -1]).spot[1]).toBeCloseTo(0.45, 5);
     const rug = box([-0.6, 0, -2], [0.6, 0.02, -0.95]);
     expectSpot(ahead([ROOM, rug], [0, 0, -1]), [0, 0, -0.8]);
+    const [bench, shelf] = [
+      box([-0.6, 0.4, -0.95], [0.6, 0.45, -0.6]),
+      box([-0.6, 1, -2], [0.6, 1.05, -0.95]),
+    ];
+    expectSpot(ahead([ROOM, bench, shelf], [0, 0, -1]), [0, 0.45, -0.8]);
     const outOfReach = box([-0.6, 0.7, -2], [0.6, 0.75, -1.2]);
     expectSpot(ahead([ROOM, outOfReach], [0, 0, -1]), [0, 0, -0.8]);
   });
