@@ -58,7 +58,7 @@ export class Hint {
     this.tell(sentences.join(" ") || null, canLight && !isLit);
   }
 
-  /** Shows a sentence, or none. One that lasts becomes fainter first, and goes later. */
+  /** Shows a sentence, or none. One that lasts goes later. */
   tell(sentence: string | null, lasts = false): void {
     this.#clear();
     if (sentence === null) return;

@@ -30,7 +30,7 @@ export const SCHEDULE = {
   indirect: { steps: 2, restFrames: 7 },
   /** Bloom and exposure: after so many frames at rest; in motion in each, without a GPU in idle ones, or after this many. */
   post: { frames: 5, restFrames: 1 },
-  /** Steps in which normal-map shading of the G-buffer follows the light, metres. */
+  /** Steps in which normal-map shading of the G-buffer follows the light, metres; of the moon's direction. */
   normalMapShading: 0.05,
   /**
    * Steps in which shading follows the light: of its position (metres), and of its axis. Those of the deferred stage

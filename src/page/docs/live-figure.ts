@@ -48,7 +48,11 @@ function addSentence(element: CandleFlameElement): void {
   sentence.textContent = "The figure is being prepared…";
   element.append(sentence);
   element.addEventListener("error", () => sentence.remove());
-  element.addEventListener("progress", () => element.append(sentence));
+  // A poster that is tried takes its place.
+  element.addEventListener("progress", () => {
+    if (element.poster) sentence.remove();
+    else element.append(sentence);
+  });
 }
 
 /** The element follows the control from now on, and what a reload has left in it. */

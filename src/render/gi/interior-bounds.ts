@@ -3,7 +3,6 @@ import type { Model } from "../../assets/model.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import type { CollisionMesh } from "../../world/room/collision-mesh.js";
 import { pointsIn } from "../points.js";
-import { lightRays } from "./light-rays.js";
 import { octahedral } from "./ray-directions.js";
 
 /** Points along each axis that rays start from, and the rays' directions. */
@@ -37,17 +36,16 @@ const known = new WeakMap<CollisionMesh, InteriorBounds>();
 
 /**
  * Bounds of a room's inner surfaces along its walls, m: without the thickness of its walls, and what stands outside. Of
- * a model without an inside, its own.
+ * a model without an inside, its own. Panes bound it, however clear: probes outdoors are of no use.
  */
-export function interiorBounds(collision: CollisionMesh, { bounds, parts }: Model): InteriorBounds {
+export function interiorBounds(collision: CollisionMesh, { bounds }: Model): InteriorBounds {
   const before = known.get(collision);
   if (before) return before;
-  const rays = lightRays(collision, parts);
   const hits: Hit[] = [];
   let pointsInside = 0;
   for (const point of pointsIn(bounds, POINTS)) {
     const inFront = DIRECTIONS.flatMap((direction) => {
-      const hit = rays.raycast(point, direction, Infinity);
+      const hit = collision.raycast(point, direction, Infinity);
       if (!hit || hit.isBack) return [];
       const place = vec3.scaleAndAdd([0, 0, 0], point, direction, hit.distance) as Vec3;
       // The next ray overwrites the hit.

@@ -75,7 +75,7 @@ export class DeferredStage implements OpaqueStage {
     const { cached } = captures;
     const isAtRest = gbuffer.kind === "full";
     const { moon } = frame.world;
-    if (!isMoonOutdated(frame.world, cached)) this.#moonDirection = moon?.direction ?? null;
+    if (moon && !isMoonOutdated(frame.world, cached)) this.#moonDirection = moon.direction;
     // Compiled while the camera rests.
     if (frame.settings.canDefer && isAtRest) this.#lighting.reducedProgram(cached);
     if (cached.length === 0) this.#cached.release();
