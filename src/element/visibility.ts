@@ -38,16 +38,13 @@ export class Visibility {
     return this.#document !== this.#element.ownerDocument;
   }
 
-  /**
-   * Calls back once the viewport is a screen away, or at `stopWaiting`. Of a scroller within the page, it is the
-   * scroller's height, in browsers that look ahead there.
-   */
+  /** Calls back once the viewport is a screen away, or at `stopWaiting`. */
   awaitApproach(onApproach: () => void): void {
     const nearby = new IntersectionObserver(
       (entries) => {
         if (entries.some(({ isIntersecting }) => isIntersecting)) this.stopWaiting();
       },
-      { rootMargin: "100%", scrollMargin: "100%" },
+      { rootMargin: "100%" },
     );
     this.#approach = () => {
       this.#approach = null;

@@ -426,16 +426,6 @@ test("A lazy element fetches and asks for nothing until the visitor is near", as
   expect(fetched).toContain("/models/chamberstick.glb");
   expect(fetched).toContain("/textures/leather-albedo.avif");
   expect(await lostContexts(page)).toEqual([false]);
-  // Within the page, the visitor may be near in a scroller.
-  await candle.evaluate((element) => {
-    const other = element.cloneNode() as CandleFlameElement;
-    const scroller = document.createElement("div");
-    scroller.style.cssText = "position: fixed; top: 0; height: 100px; overflow: auto";
-    scroller.innerHTML = `<div style="height: 150px"></div>`;
-    scroller.append(other);
-    document.body.append(scroller);
-    return other.ready;
-  });
   expect(complaints).toEqual([]);
 });
 
