@@ -34,14 +34,19 @@ test("Loading is reported as it goes on, ends at 1, and ends with `load` and `re
   expect(bubbled).toEqual([]);
 });
 
-test("A bar shows how far loading is, and is gone afterwards", async ({ room }) => {
-  const { shown, left } = await room.page.evaluate(async () => {
+test("A bar shows how far loading is, moves while the first frame is prepared, and is gone afterwards", async ({
+  room,
+}) => {
+  const { shown, moves, left } = await room.page.evaluate(async () => {
     const element = document.createElement("candle-flame");
     element.look = "paper";
     element.quality = "low";
     const bar = element.shadowRoot?.querySelector<HTMLElement>("[part~=progress]");
     const shown: number[] = [];
+    const moves: boolean[] = [];
     element.addEventListener("progress", ({ detail }) => {
+      moves.push(bar?.getAnimations().length === 1);
+      if (detail.totalProgress === 1) return;
       const width = bar?.getBoundingClientRect().width ?? Number.NaN;
       shown.push(bar?.checkVisibility() ? Math.abs(width / 200 - detail.totalProgress) : 1);
     });
@@ -51,9 +56,11 @@ test("A bar shows how far loading is, and is gone afterwards", async ({ room }) 
     await element.ready;
     const left = bar?.checkVisibility();
     element.remove();
-    return { shown, left };
+    return { shown, moves, left };
   });
-  expect(shown.length).toBeGreaterThan(2);
+  expect(shown.length).toBeGreaterThan(1);
+  expect(moves.indexOf(true), "once everything is fetched").toBe(shown.length);
+  expect(moves.lastIndexOf(false)).toBe(shown.length - 1);
   expect(Math.max(...shown), "width beside progress").toBeLessThan(0.01);
   expect(left).toBe(false);
 });
