@@ -302,8 +302,8 @@ export class Lifecycle {
   /** Ends the session after an error in drawing or in preparing to draw. */
   onError(cause: unknown): void {
     const error = frameError(cause);
-    // The event of a lost context follows, and the frame comes back with it.
-    if (typeOf(error) !== "context-lost") this.#fail(error);
+    // The event of a lost context follows, and the frame comes back with it. Queries of a lost context end in any error.
+    if (typeOf(error) !== "context-lost" && !this.#session?.isLost) this.#fail(error);
   }
 
   /** Shows an error message in place of frames, over the poster. Does not throw. */

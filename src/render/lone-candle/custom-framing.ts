@@ -47,7 +47,7 @@ export function frameBox({ min, max }: Bounds, aspect: number): CustomFraming {
     const [x = 0, y = 0, z = 0] = [0, 1, 2].map(
       (axis) => (corner & (1 << axis) ? max : min)[axis]! - middle[axis]!,
     );
-    return [x, y * cos - z * sin, z * cos + y * -sin] as const;
+    return [x, y * cos + z * sin, z * cos - y * sin] as const;
   });
   const up = (FILLING * Math.tan(FIELD_OF_VIEW / 2)) / Math.min(aspect, 1);
   const side = up * aspect;
