@@ -15,7 +15,7 @@ vec3 hullVertex(int ring, int side) {
   if (ring == SPHERES + 1) return sphere.xyz + along * sphere.w * 1.1;
   vec3 across = normalize(vec3(along.y, -along.x, 0.0) + vec3(1e-5, 0.0, 0.0));
   float angle = 6.2831853 * float(side) / float(SIDES);
-  // Wider than the sphere, so that the flat sides contain it.
+  // Wider than the sphere, so that the flat sides contain it: HULL of src/render/volumetric/volumetric-stage.ts.
   float width = sphere.w * 1.2;
   return sphere.xyz + (across * cos(angle) + cross(along, across) * sin(angle)) * width;
 }

@@ -27,8 +27,8 @@ import type { CompositedFrame } from "./volumetric-target.js";
 
 /** Pixels around the flame that bloom and upsampling read. */
 const MARGIN = 3;
-/** The hull of the flame is drawn wider than its spheres by this factor. */
-const HULL = 1.4;
+/** The hull of the flame is wider than its spheres by this factor at most: `hullVertex` in volumetric/flame.vert. */
+const HULL = 1.2;
 /** Least radiance of an ember that is drawn, cd/m². */
 const FAINTEST_EMBER = 1e-5;
 /** Least radius and half height of a flame: one ray a pixel meets a smaller one twice, or not at all. Pixels. */
