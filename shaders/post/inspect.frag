@@ -19,7 +19,6 @@ const int SHADOW_CUBE = 4;
 const int VOLUME = 5;
 const int FLAME = 6;
 const int TEMPERATURE = 7;
-const int UNTEXTURED = 8;
 
 const float FARTHEST = 10.0;  // m
 const float MIDDLE_GREY = 0.18;

@@ -27,7 +27,7 @@ vec3 radianceAt(vec2 uv) {
 
 // Taps along an edge of a cell.
 const int TAPS = 4;
-const float DARKEST = 1e-4;  // cd/m²
+const float DARKEST = 1e-4;  // cd/m²: as in src/world/player/exposure-adaptation.ts
 // Logarithms of luminance between which the weight falls to 0: only the flame and its mirror images are beyond.
 const float SURFACE = 3.0;
 const float FLAME = 6.0;

@@ -5,8 +5,8 @@ import type { Texture } from "./texture.js";
 export interface TextureViewOptions {
   readonly label: string;
   readonly textures: readonly Texture[];
-  /** Face 0-5 in GL's order (+X -X +Y -Y +Z -Z); a two-dimensional texture has only 0. */
-  readonly image: number;
+  /** Face 0-5 in GL's order (+X -X +Y -Y +Z -Z); default: 0, which alone a two-dimensional texture has. */
+  readonly image?: number;
   /** A depth buffer of its own, or one shared with the views of the other images. Alone it is all that is drawn to. */
   readonly depth?: Texture;
 }

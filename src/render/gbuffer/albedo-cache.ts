@@ -63,7 +63,7 @@ export class AlbedoCache {
       mipmaps: true,
       wrap: "repeat",
     });
-    const target = this.#gpu.textureView({ label: texture.label, textures: [texture], image: 0 });
+    const target = this.#gpu.textureView({ label: texture.label, textures: [texture] });
     this.#gpu.draw({
       program: this.#gpu.pass("gbuffer/gamma2-albedo", gamma2Frag, {
         defines: { BAKED },

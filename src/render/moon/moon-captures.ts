@@ -185,7 +185,6 @@ export class MoonCaptures {
     const target = this.#gpu.textureView({
       label: "moon/map",
       textures: [],
-      image: 0,
       depth: this.#map,
     });
     this.#gpu.clear(target, [0, 0, 0, 0]);

@@ -162,9 +162,8 @@ function keptTargets(gpu: Gpu, { width, height, color, depth }: RenderTarget): K
     depth: "texture",
   });
   const depthOf = (depth: Texture | null) =>
-    gpu.textureView({ label: "checkerboard/depth", textures: [], image: 0, depth: depth! });
-  const colorOf = (color: Texture) =>
-    gpu.textureView({ label: "checkerboard", textures: [color], image: 0 });
+    gpu.textureView({ label: "checkerboard/depth", textures: [], depth: depth! });
+  const colorOf = (color: Texture) => gpu.textureView({ label: "checkerboard", textures: [color] });
   return {
     previous,
     previousDepth: depthOf(previous.depth),

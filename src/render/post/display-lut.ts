@@ -19,8 +19,7 @@ export function hueLut(gpu: Gpu): DisplayLut {
     gpu.pass("post/hue-lut", hueLutFrag),
     gpu.renderTarget({ label: "hue LUT", ...size }),
   );
-  return ({ uWhite, uVibrance, uRods }) =>
-    fill({ uWhite, uVibrance, uRods, uAdaptation: [1, 1, 1] });
+  return ({ uWhite, uVibrance, uRods }) => fill({ uWhite, uVibrance, uRods });
 }
 
 export function toneLut(gpu: Gpu): DisplayLut {

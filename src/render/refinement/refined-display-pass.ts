@@ -213,7 +213,7 @@ export class RefinedDisplayPass {
     const color = ["RGBA8", "RGBA8"] as const;
     this.#kept = this.#gpu.renderTarget({ label: "refinement/kept", width, height, color });
     this.#views = this.#kept.colors.map((texture) =>
-      this.#gpu.textureView({ label: "refinement/kept", textures: [texture], image: 0 }),
+      this.#gpu.textureView({ label: "refinement/kept", textures: [texture] }),
     );
   }
 }

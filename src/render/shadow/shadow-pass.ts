@@ -27,7 +27,7 @@ export function shadowAtlas(gpu: Gpu, size: number, slots: number, near = NEAR) 
     // Depths must not be filtered: the mean of a caster and its background is neither.
     filter: "nearest",
   });
-  const target = gpu.textureView({ label: "shadow", textures: [], image: 0, depth });
+  const target = gpu.textureView({ label: "shadow", textures: [], depth });
   return {
     depth,
     target,

@@ -29,7 +29,7 @@ export class RadianceTarget {
     const { color } = this.whole;
     let tested = this.#tested.get(depth);
     if (!tested) {
-      const view = { label: "radiance and depth", textures: [color], image: 0, depth };
+      const view = { label: "radiance and depth", textures: [color], depth };
       tested = this.#gpu.textureView(view);
       this.#tested.set(depth, tested);
     }
