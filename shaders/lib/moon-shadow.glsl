@@ -1,5 +1,5 @@
 // Soft shadow of the moon (PCSS): share of its disc that is visible from a point.
-// Needs lib/moon.glsl; defines SHADOW_SEARCH and SHADOW_TAPS (taps).
+// Needs lib/moon.glsl, and SHADOW_SEARCH and SHADOW_TAPS (taps) defined.
 // After Fernando 2005, "Percentage-Closer Soft Shadows".
 #include "lib/random.glsl"
 

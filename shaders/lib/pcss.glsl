@@ -1,5 +1,5 @@
 // Soft shadow of the flame (PCSS): share of the flame that is visible from a point, past the room.
-// Needs lib/flame-light.glsl; defines SHADOW_BIAS (texels).
+// Needs lib/flame-light.glsl, and SHADOW_BIAS (texels) defined.
 // After Fernando 2005, "Percentage-Closer Soft Shadows"; here each tap is a point of the flame, so that the penumbra
 // has the flame's width and height.
 //

@@ -1,5 +1,5 @@
 // Single scattering by fine droplets.
-// Needs lib/photometry.glsl; but where ALONE is defined, also lib/flame-light.glsl and lib/irradiance-volume.glsl.
+// Needs lib/photometry.glsl; unless ALONE is defined, also lib/flame-light.glsl and lib/irradiance-volume.glsl.
 
 // Albedo of droplets smaller than a wavelength: more of blue than of red.
 const vec3 DROPLET_ALBEDO = vec3(0.95, 1.0, 1.1);

@@ -1,6 +1,6 @@
 // Material maps and shading normal of a surface in the paper's lighting.
-// Defines FACETS or NORMAL_MAPS for normals of triangles or of the map, else they are the vertices'; CUTOUT: discards what
-// is cut out.
+// With FACETS or NORMAL_MAPS defined, normals are the triangles' or the map's, else the vertices'; with CUTOUT, what is cut
+// out is discarded.
 #include "lib/normal-map.glsl"
 #include "lib/material.glsl"
 

@@ -6,7 +6,7 @@ export type ParticleSource = "flame" | "spark" | "room";
 /**
  * One row of the particle system: emission, motion, size and life of a kind of particle.
  *
- * Lengths are in the emitter's own unit (`Stage.flameScale` metres), times in seconds.
+ * Lengths are in the emitter's own unit (`WorldSetup.flameScale` metres), times in seconds.
  */
 export interface ParticleLayer {
   readonly name: "core" | "haze" | "dust" | "spark";
