@@ -624,3 +624,37 @@ test("A context lost again while it is restored is reported lost once and restor
   expect(events).toEqual(["contextlost", "contextrestored"]);
   expect(room.complaints).toEqual([]);
 });
+
+test("A context lost while the driver answers about a program comes back", async ({ page }) => {
+  // A GPU that is reset does so at a program's first draw, when its uniforms and blocks are asked for.
+  await page.addInitScript(() => {
+    const prototype = WebGL2RenderingContext.prototype;
+    const ask = prototype.getActiveUniform;
+    let questions = 0;
+    prototype.getActiveUniform = function (...question) {
+      questions++;
+      if (questions === 3) {
+        const extension = this.getExtension("WEBGL_lose_context");
+        extension?.loseContext();
+        // The browser learns that it is wanted back only after the event's task.
+        this.canvas.addEventListener(
+          "webglcontextlost",
+          () => setTimeout(() => extension?.restoreContext()),
+          { once: true },
+        );
+      }
+      return ask.apply(this, question);
+    };
+  });
+  const room = await new RoomDriver(page).load({}, TINY);
+  const event = await room.evaluate(
+    (element) =>
+      new Promise((resolve) => {
+        for (const type of ["load", "error"]) {
+          element.addEventListener(type, () => resolve(type), { once: true });
+        }
+      }),
+  );
+  expect(event).toBe("load");
+  expect(room.complaints).toEqual([]);
+});
