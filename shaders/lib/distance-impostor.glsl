@@ -9,7 +9,8 @@ uniform sampler2D uTotalRadiosity;  // radiosity of the surfels in all light, lm
 const float NEAREST_STEP = 0.04;
 const float FARTHEST_STEP = 9.0;
 const float GROWTH = 1.7;
-const int BISECTIONS = 4;
+// Until the hit is known to less than THICKNESS, 9 m away as well: else a wall is taken for its edge, in rings.
+const int BISECTIONS = 7;
 const float IMPOSTOR_BIAS = 0.02;  // m
 // Depth behind a surface up to which a ray hits it for certain, and from which it passes behind. Metres.
 const vec2 THICKNESS = vec2(0.06, 0.25);

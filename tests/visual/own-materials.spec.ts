@@ -117,6 +117,24 @@ test("In the paper's look a smooth wall without a roughness map has a highlight,
   expect(smooth / rough).toBeGreaterThan(1.1);
 });
 
+test("A mirror shows a plain wall without rings", async ({ page }) => {
+  const material = { color: [0.5, 0.5, 0.5] } as const;
+  const walls = { "-z": { color: [0.9, 0.9, 0.9], roughness: 0, metallic: 1 } } as const;
+  const shell = { min: [-3, 0, -2], max: [3, 3, 3], material, walls, isShell: true } as const;
+  const room = new RoomDriver(page);
+  await room.open({ look: "physical", quality: "high" }, { ...SIZE, model: roomModel([shell]) });
+  const steps = await room.evaluate((element) => {
+    element.camera = { position: [0, 1.5, 0], yaw: 0, pitch: 0 };
+    element.step(0);
+    // Above the eye, between the mirrored corner and the flame's image.
+    const radiance = element.readRadiance(16, 90, 44, 1);
+    const green = Array.from({ length: 44 }, (_, i) => radiance[3 * i + 1] ?? 0);
+    return green.slice(1).map((here, i) => Math.abs(here / (green[i] ?? 0) - 1));
+  });
+  expect(steps).toHaveLength(43);
+  expect(Math.max(...steps)).toBeLessThan(0.04);
+});
+
 /** A screen between a wall and the room, of which a texture cuts out the right half. */
 async function screen(): Promise<Buffer> {
   const builder = new GlbBuilder();
