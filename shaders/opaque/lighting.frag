@@ -11,6 +11,7 @@
 #include "lib/pool-reflection.glsl"
 #include "lib/flame-brdf.glsl"
 #include "lib/dielectric.glsl"
+#include "lib/environment-brdf.glsl"
 #include "lib/pcss.glsl"
 #define VOLUME_TAPS COUNT(12)
 #include "lib/irradiance-volume.glsl"
@@ -43,6 +44,8 @@ layout(location = 1) out vec4 oInverseDepth;
 // Roughness of dielectrics up to which reflections are traced.
 const float TRACED_ROUGHNESS = 0.3;
 const int REFLECTION_RAYS = 10;
+// Alpha from which normals differ by an edge, rather than by curvature.
+const float EDGE_ALPHA = 0.25;
 // Share of light from all around that single scattering in a rough metal loses, for a roughness of 1.
 const float ROUGH_LOSS = 0.25;
 
@@ -50,6 +53,7 @@ struct Viewing {
   vec3 view;
   float NoV;
   vec3 reflected;
+  float alpha;     // of GGX
   float mirrored;  // share of light from all around that a dielectric mirrors
   vec2 factors;    // of the irradiance by the normal, and by the reflection
 };
@@ -60,6 +64,10 @@ Viewing viewingOf(LightingTexel texel) {
   v.view = normalize(frame.eyePosition - texel.position);
   v.NoV = max(abs(dot(texel.normal, v.view)), 1e-3);
   v.reflected = reflect(-v.view, texel.normal);
+  // What is round has many normals within a texel: with one of them highlights would be beads.
+  float alpha = texel.roughness * texel.roughness;
+  float widened = specularAntialiasing(alpha, texel.normal);
+  v.alpha = widened < EDGE_ALPHA ? widened : alpha;
   v.mirrored = dielectricShare(texel.roughness, v.NoV);
   v.factors.x = (1.0 - metallic) * (1.0 - v.mirrored) / PI * uFeatures.y;
   v.factors.y = (1.0 - 0.6 * texel.roughness) / PI * uFeatures.y * uFeatures.z;
@@ -89,8 +97,7 @@ vec4 flameLighting(LightingTexel texel) {
   float irradiance = NoL * perArea * withPool(toLight, distanceSquared);
   if (isGlass(texel.material)) irradiance = min(irradiance, PANE_IRRADIANCE);
   vec3 halfAxis = light.along * light.halfHeight;
-  float alpha = texel.roughness * texel.roughness;
-  FlameSpecular flame = flameSpecular(toLight, halfAxis, light.radius, normal, v.view, v.NoV, alpha);
+  FlameSpecular flame = flameSpecular(toLight, halfAxis, light.radius, normal, v.view, v.NoV, v.alpha);
   float fresnel = fresnelSchlick(vec3(0.04), flame.SoH).r;  // of a dielectric; a metal's is its albedo
   float specular = flame.lobe * perArea * uFeatures.z;
   vec3 perCandela = vec3((1.0 - metallic) * (1.0 - fresnel) / PI * irradiance + metallic * specular);
@@ -138,9 +145,8 @@ void main() {
   // In motion texels are so large that reflections would be blotches.
   if (metallic > 0.5 || texel.roughness < TRACED_ROUGHNESS) {
     vec3 beyond = indirect.alongReflection * (TRACED_INDIRECT / PI);
-    float alpha = texel.roughness * texel.roughness;
     float kept = (1.0 - ROUGH_LOSS * texel.roughness) * uFeatures.y * uFeatures.z;
-    room = traceReflection(texel.position, normal, alpha, REFLECTION_RAYS, beyond) * kept;
+    room = traceReflection(texel.position, normal, v.alpha, REFLECTION_RAYS, beyond) * kept;
   }
 #endif
   lighting += vec4(room, luma(room)) * perRoom;

@@ -135,6 +135,30 @@ test("A mirror shows a plain wall without rings", async ({ page }) => {
   expect(Math.max(...steps)).toBeLessThan(0.04);
 });
 
+test("At low a dark ball mirrors the flame as bright wherever its texels are", async ({ page }) => {
+  const material = { color: [0.02, 0.02, 0.02] } as const;
+  const shell = { min: [-2, 0, -2], max: [2, 2.6, 2], material, isShell: true } as const;
+  const glaze = { ...material, roughness: 0.05 } as const;
+  const ball = { centre: [-0.25, 1.5, -0.8], radius: 0.15, material: glaze } as const;
+  const room = new RoomDriver(page);
+  await room.open(
+    { look: "physical", quality: "low" },
+    { ...SIZE, model: roomModel([shell, ball]) },
+  );
+  const sums = await room.evaluate((element) => {
+    element.features = { indirect: false };
+    return Array.from({ length: 12 }, (_, turn) => {
+      element.camera = { position: [0, 1.5, 0], yaw: 0.004 * turn, pitch: 0 };
+      element.step(0);
+      const { width, height } = element.stats;
+      const [columns, bottom, rows] = [0.45 * width, 0.25 * height, 0.45 * height];
+      const box = [0, bottom, columns, rows].map(Math.round) as [number, number, number, number];
+      return element.readRadiance(...box).reduce((sum, one) => sum + one);
+    });
+  });
+  expect(Math.max(...sums) / Math.min(...sums)).toBeLessThan(1.2);
+});
+
 /** A screen between a wall and the room, of which a texture cuts out the right half. */
 async function screen(): Promise<Buffer> {
   const builder = new GlbBuilder();
