@@ -28,6 +28,8 @@ const MIME = {
 const PATIENCE = 900_000;
 /** Longest that a page may take to define the element and to insert it, milliseconds. */
 const ARRIVAL = 30_000;
+/** Longest that it may then keep it hidden, milliseconds. */
+const APPEARANCE = 5_000;
 
 /** Packages of the calling project: this package depends on nothing. */
 async function own(name) {
@@ -132,28 +134,54 @@ async function servePackage(folder) {
 
 /** Runs in the page. It draws once, in the frame in which the room is there. */
 async function draw(wanted) {
-  const { selector, arrival, attributes, camera, candle, seconds, type, compression } = wanted;
+  const { selector, arrival, appearance, attributes, camera, candle, seconds } = wanted;
+  const { type, compression } = wanted;
+  const until = async (find, patience, reason) => {
+    const latest = performance.now() + patience;
+    for (let found = find(); ; found = find()) {
+      if (found) return found;
+      if (performance.now() > latest) throw new Error(reason());
+      await new Promise((resolve) => setTimeout(resolve, 20));
+    }
+  };
   const find = () => {
     const found = document.querySelector(selector);
     const Element = customElements.get("candle-flame");
     return Element && found instanceof Element ? found : null;
   };
   // Frameworks insert it after the page has loaded.
-  const latest = performance.now() + arrival;
-  let element = find();
-  for (; !element; element = find()) {
-    if (performance.now() > latest) {
-      const isDefined = customElements.get("candle-flame");
-      if (!isDefined) throw new Error("The page does not define <candle-flame>.");
-      throw new Error(`The page has no <candle-flame> that is ${selector}.`);
-    }
-    await new Promise((resolve) => setTimeout(resolve, 20));
-  }
+  const element = await until(find, arrival, () =>
+    customElements.get("candle-flame")
+      ? `The page has no <candle-flame> that is ${selector}.`
+      : "The page does not define <candle-flame>.",
+  );
   element.pause();
-  // However large the page has it.
-  const box =
-    "position: fixed; inset: 0; width: 100vw; height: 100vh; aspect-ratio: auto; margin: 0";
-  for (const rule of box.split("; ")) element.style.setProperty(...rule.split(": "), "important");
+  // Whatever box the page gives it, or none, as it does to a closed popover.
+  const box = {
+    display: "block",
+    "content-visibility": "visible",
+    position: "fixed",
+    inset: "0",
+    width: "100vw",
+    height: "100vh",
+    "min-width": "0",
+    "min-height": "0",
+    "max-width": "none",
+    "max-height": "none",
+    "aspect-ratio": "auto",
+    margin: "0",
+    border: "0",
+    padding: "0",
+    zoom: "1",
+    transition: "none",
+  };
+  for (const [name, value] of Object.entries(box))
+    element.style.setProperty(name, value, "important");
+  await until(
+    () => element.checkVisibility(),
+    appearance,
+    () => `The page hides the <candle-flame> that is ${selector}, by an element around it.`,
+  );
   const sceneOf = ({ scene, look, src, assetBase }) =>
     `${[scene, look === "physical", src, assetBase]}`;
   const before = sceneOf(element);
@@ -222,6 +250,7 @@ export async function makePoster(options) {
   const wanted = {
     selector,
     arrival: ARRIVAL,
+    appearance: APPEARANCE,
     camera: readCamera("camera", options.camera),
     candle: readCamera("candle", options.candle),
     seconds: readNumber("seconds", options.seconds ?? "0", 0, 60),

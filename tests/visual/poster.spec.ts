@@ -208,6 +208,15 @@ test.describe("npx candle-flame poster", () => {
         body.innerHTML = '<candle-flame scene="candle" quality="low"></candle-flame>';
         const [one] = body.children;
         one.ready.then(() => { one.id = "shown"; })`,
+      "/closed": `${define}
+        body.innerHTML = "<dialog><candle-flame></candle-flame></dialog>"`,
+      "/plain": `${define}
+        body.innerHTML = '<candle-flame scene="candle" quality="low"></candle-flame>'`,
+      // A box of a page, which is not the poster's, and none, since the popover is closed.
+      "/styled": `${define}
+        body.innerHTML = '<candle-flame scene="candle" quality="low" popover></candle-flame>';
+        document.head.append(Object.assign(document.createElement("style"), { textContent:
+          "candle-flame { max-height: 10px; min-width: 90px !important; padding: 5px; border: 5px solid; zoom: 2 }" }))`,
     };
     const server = createServer(({ url = "" }, response) => {
       const script = pages[url];
@@ -240,6 +249,11 @@ test.describe("npx candle-flame poster", () => {
     expect(failed).toMatch(/none.* could not be fetched/);
     const other = await take("/shown", "--selector", "#shown", "--src", "/none.glb", "--out", out);
     expect(other, "not what the page has shown before").toMatch(/none.* could not be fetched/);
+    expect(await take("/closed", "--out", out)).toMatch(/hides the .*candle-flame.*around it\.$/m);
+    const [plain, styled] = [`${FOLDER}/plain.png`, `${FOLDER}/styled.png`];
+    expect(await take("/plain", "--out", plain)).toMatch(/plain\.png: /);
+    expect(await take("/styled", "--out", styled)).toMatch(/styled\.png: /);
+    expect(readFileSync(styled), "of another box").toEqual(readFileSync(plain));
     server.close();
   });
 
