@@ -24,6 +24,8 @@ const MIME = {
   ".json": "application/json",
   ".wasm": "application/wasm",
 };
+/** Longest side that the renderer on the CPU draws: a larger one would be enlarged. Pixels. */
+const LARGEST = 8192;
 /** Longest that a picture may take: a CPU draws a large one in a minute or two. Milliseconds. */
 const PATIENCE = 900_000;
 /** Longest that a page may take to define the element and to insert it, milliseconds. */
@@ -60,6 +62,8 @@ function readSize(text) {
   const [, width, height] = /^(\d{1,5})x(\d{1,5})$/.exec(text) ?? [];
   if (!(width > 0 && height > 0))
     throw new Refusal(`--size is like 1600x900, not ${text || "empty"}.`);
+  if (Math.max(width, height) > LARGEST)
+    throw new Refusal(`--size is at most ${LARGEST}x${LARGEST}, not ${text}.`);
   return { width: Number(width), height: Number(height) };
 }
 
