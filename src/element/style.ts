@@ -14,6 +14,7 @@ const STYLE = `
   position: relative;
   aspect-ratio: 16 / 9;
   inline-size: 100%;
+  box-sizing: border-box;
   overflow: hidden;
   background: #050302;
   color: #f3e7d3;

@@ -309,6 +309,9 @@ test("What is set before the tag is defined holds when it is, in a box that the 
       "aspect-ratio: 1",
       "width: auto; height: 90px",
       "width: auto; height: 90px; aspect-ratio: 1",
+      "border: 10px solid; padding: 5px",
+      "width: 160px; padding: 5px; box-sizing: content-box",
+      "width: auto; margin: 0 20px",
     ].map((css) => {
       element.style.cssText = css;
       return `${element.offsetWidth} x ${element.offsetHeight}`;
@@ -322,6 +325,9 @@ test("What is set before the tag is defined holds when it is, in a box that the 
     "320 x 320",
     "160 x 90",
     "90 x 90",
+    "320 x 180",
+    "170 x 100",
+    "280 x 158",
   ]);
   const display = () => getComputedStyle(document.querySelector("candle-flame") as Element).display;
   expect(await page.evaluate(display)).toBe("block");
@@ -334,15 +340,19 @@ test("What is set before the tag is defined holds when it is, in a box that the 
     element.showPopover();
     const { position } = getComputedStyle(element);
     const { left, right, top, bottom } = element.getBoundingClientRect();
+    element.style.cssText = "";
+    const widest = element.offsetWidth;
     element.remove(); // before it is seen
     return {
       closed,
       position,
       aside: left + right - innerWidth,
       below: top + bottom - innerHeight,
+      overflow: widest - innerWidth,
     };
   });
-  expect(popovers).toEqual({ closed: 0, position: "fixed", aside: 0, below: 0 });
+  const within = { aside: 0, below: 0, overflow: 0 };
+  expect(popovers).toEqual({ closed: 0, position: "fixed", ...within });
   // Boxes that are as wide as what is in them, and columns that are not.
   const widths = await page.evaluate(() => {
     const element = document.querySelector("candle-flame");
