@@ -1,4 +1,4 @@
-import { describe, expect, test } from "vitest";
+import { describe, expect, test, vi } from "vitest";
 import { SETTINGS } from "../../src/settings.ts";
 
 describe("on a server, where there is no page", () => {
@@ -19,4 +19,21 @@ describe("on a server, where there is no page", () => {
     await expect(import("../../src/define.ts")).resolves.toBeDefined();
     expect(globalThis).not.toHaveProperty("customElements");
   });
+});
+
+test.each([
+  ["jsdom", ["attachInternals"], []],
+  ["happy-dom", ["part"], []],
+  ["browsers", ["attachInternals", "part"], ["candle-flame"]],
+])("in the DOM of %s what is there decides whether the tag is defined", async (_, names, tags) => {
+  const defined: string[] = [];
+  const define = (name: string) => defined.push(name);
+  vi.resetModules();
+  vi.stubGlobal("customElements", { get: () => undefined, define });
+  const HTMLElement = class {};
+  for (const name of names) Object.assign(HTMLElement.prototype, { [name]: {} });
+  vi.stubGlobal("HTMLElement", HTMLElement);
+  await import("../../src/define.ts");
+  vi.unstubAllGlobals();
+  expect(defined).toEqual(tags);
 });
