@@ -256,7 +256,7 @@ export class CandleFlameElement extends ReflectedAttributes {
   }
   set lit(value: boolean) {
     if (value) this.light();
-    else this.extinguish();
+    else if (value != null) this.extinguish(); // templates hand over what is unset
   }
 
   /** Lights the candle: the flame grows. */

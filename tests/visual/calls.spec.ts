@@ -86,6 +86,17 @@ test("A flag that a template sets to the text of an attribute is on, and off whe
   expect(found).toEqual([true, false, true, false, true, false].map((isOn) => [isOn, isOn]));
 });
 
+test("`lit` that is set to nothing stays as it is", async ({ room }) => {
+  const found = await room.evaluate((element) =>
+    [undefined, true, null, false, undefined].map((value) => {
+      Object.assign(element, { lit: value });
+      return element.lit;
+    }),
+  );
+  await room.evaluate((element) => element.light());
+  expect(found).toEqual([true, true, true, false, false]);
+});
+
 test("Before the first frame the first candle alone is lit and put out, and no attribute changes", async ({
   room,
 }) => {
