@@ -2,11 +2,12 @@ import type { CandleFlameElement } from "candle-flame";
 import type {} from "candle-flame/react";
 import { useEffect, useRef } from "react";
 
-/** React 19 hears no `on…` of a tag that a server has written, so the effect listens. */
+/** Of a tag that a server has written React 19 hears no `on…`, and sets no property: the effect does. */
 export function App({ onLoad }: { onLoad?: () => void }) {
   const candle = useRef<CandleFlameElement>(null);
   useEffect(() => {
     const stop = new AbortController();
+    if (candle.current) candle.current.camera = { fieldOfView: 1 };
     candle.current?.addEventListener("load", () => onLoad?.(), { signal: stop.signal });
     return () => stop.abort();
   }, [onLoad]);
