@@ -65,7 +65,7 @@ vec3 raisedHighlights(vec3 radiance) {
 }
 
 void main() {
-  vec4 light = texture(uRadiance, vUv);
+  vec4 light = texelFetch(uRadiance, ivec2(gl_FragCoord.xy), 0);
 #ifdef LIGHTS
   light += surfaces(vUv) * (1.0 - light.a);
 #endif

@@ -13,7 +13,7 @@ in vec2 vUv;
 out vec4 oColor;
 
 void main() {
-  vec4 light = texture(uRadiance, vUv);
+  vec4 light = texelFetch(uRadiance, ivec2(gl_FragCoord.xy), 0);
   vec3 color = displayedColor(light);
   color += uGlareColor * glare(vUv, uGlare, 1.0) * (1.0 - color);
   oColor = overPage(color, light.a, gl_FragCoord.xy);
