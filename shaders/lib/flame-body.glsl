@@ -17,3 +17,10 @@ layout(std140) uniform Flame {
   vec4 nodes[NODES];  // evenly spaced in height: x, z (m), share of the length, factor on the radius
   vec4 spheres[SPHERES];  // bounding spheres: centre, radius, m
 } flame;
+
+// Over a page the outline is drawn half a pixel farther out, m, and fades across a whole one.
+#ifdef ALONE
+#define MARGIN (0.5 * length(frame.eyePosition - flame.base) / frame.projectionScale)
+#else
+#define MARGIN 0.0
+#endif

@@ -18,6 +18,10 @@ const float SOOT_BLUE = 0.004;
 const float WARM_GREEN = 0.2;
 const float WICK_RADIUS = 0.0009;  // m
 
+// What the body covers of a pixel's width, and half of that width, m.
+float covered = 0.0;
+float margin;
+
 // Table coordinates of a point: radius and height, as shares. Outside of 0 to 1 the body is empty.
 vec2 bodyUv(vec3 position) {
   float last = float(NODES - 1);
@@ -40,6 +44,10 @@ vec2 bodyUv(vec3 position) {
   float share = here.z + along / flame.extent;
   float outer = flame.radius * here.w * texture(uOutline, vec2(share, 0.5)).r;
   float distance = sqrt(max(dot(offset, offset) - along * along, 0.0));
+#ifdef ALONE
+  covered = max(covered, min(outer - distance, margin) + min(outer + distance, margin));
+  outer += margin;
+#endif
   return vec2(distance / (max(outer, 1e-5) * BODY_REACH), share);
 }
 
@@ -50,7 +58,8 @@ vec2 intersectSpheres(vec3 eye, vec3 direction) {
     vec3 fromSphere = eye - flame.spheres[i].xyz;
     float b = dot(fromSphere, direction);
     vec3 perpendicular = fromSphere - b * direction;
-    float squaredHalfChord = flame.spheres[i].w * flame.spheres[i].w - dot(perpendicular, perpendicular);
+    float radius = flame.spheres[i].w + margin;
+    float squaredHalfChord = radius * radius - dot(perpendicular, perpendicular);
     if (squaredHalfChord <= 0.0) continue;
     float halfChord = sqrt(squaredHalfChord);
     span = vec2(min(span.x, -b - halfChord), max(span.y, -b + halfChord));
@@ -74,6 +83,7 @@ float intersectWick(vec3 eye, vec3 direction) {
 }
 
 void main() {
+  margin = MARGIN;
   vec3 eye = frame.eyePosition - flame.base;
   // Not from an interpolated position: that is off by what the driver rounds vertices to, a sixteenth of a pixel in some.
   mat4 rows = transpose(frame.clipFromWorld);
@@ -97,6 +107,16 @@ void main() {
     radiance += exp(-depth - 0.5 * absorbed) * stride * (soot + BLUE * (body.a * flame.blue));
     depth += absorbed;
   }
+#ifdef ALONE
+  // Antialiasing: the pixel is displayed with as large a share of the flame's colour as is covered, while that share of its
+  // light would still be white. 2.5 and the hue, which bleaches like the flame's, are by the display's curves. In front of
+  // the wick the ray ends before it has met the most of the body.
+  float share = end < span.y ? 1.0 : 0.5 * covered / margin;
+  float shown = share / (share + 2.5 * radiance.r * frame.exposure * (1.0 - share) + 1e-6);
+  // Bleached like the flame within.
+  radiance *= share < 1.0 ? shown * vec3(1.0, 1.15, 1.3) : vec3(1.0);
+  depth *= share;
+#endif
   // The largest half float is 65504: a small flame comes near it, and clipping by channel would turn it green. Of a radiance
   // r at most 1 - r / 6e4 of what is behind passes, so that flames behind one another stay below 6e4.
   float peak = max(radiance.r, max(radiance.g, radiance.b));

@@ -10,6 +10,7 @@ const int SIDES = 6;
 vec3 hullVertex(int ring, int side) {
   int i = clamp(ring - 1, 0, SPHERES - 1);
   vec4 sphere = flame.spheres[i];
+  sphere.w += MARGIN;
   vec3 along = normalize(flame.spheres[min(i + 1, SPHERES - 1)].xyz - flame.spheres[max(i - 1, 0)].xyz);
   if (ring == 0) return sphere.xyz - along * sphere.w * 1.1;
   if (ring == SPHERES + 1) return sphere.xyz + along * sphere.w * 1.1;

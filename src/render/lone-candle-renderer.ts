@@ -30,7 +30,7 @@ function share(gpu: Gpu, model: Model) {
       displayProgram: gpu.pass("candle/display", displayFrag),
       frame: gpu.uniformBlock(surfaceProgram, "Frame"),
       light: gpu.uniformBlock(surfaceProgram, "Light"),
-      flame: new FlamePass(gpu),
+      flame: new FlamePass(gpu, true),
       candle: uploadModel(gpu, model),
       reduced: uploadModel(gpu, {
         ...model,

@@ -193,6 +193,41 @@ test("On white its glow fades smoothly into the page, without a ring", async ({ 
   expect(complaints).toEqual([]);
 });
 
+test("The flame's outline is antialiased, and its tip tapers", async ({ page }) => {
+  const { complaints } = await open(
+    page,
+    `<candle-flame scene="candle" paused quality="high" style="width: 300px; height: 400px"></candle-flame>`,
+  );
+  const widths = await page
+    .locator("candle-flame")
+    .evaluate(async (element: CandleFlameElement) => {
+      await element.ready;
+      element.features.bloom = false;
+      element.features.candle = false;
+      element.step(1);
+      const canvas = element.shadowRoot?.querySelector("canvas");
+      const { width = 0, height = 0 } = canvas ?? {};
+      const { data } = canvas?.getContext("2d")?.getImageData(0, 0, width, height) ?? { data: [] };
+      return Array.from({ length: height }, (_, y) => {
+        let sum = 0;
+        for (let x = 0; x < width; x++) sum += data[(y * width + x) * 4 + 3] ?? 0;
+        return sum / 255;
+      });
+    });
+  // In pixels, of each row from the tip to where the flame is widest.
+  const upper = widths.slice(
+    widths.findIndex((width) => width > 0.05),
+    widths.indexOf(Math.max(...widths)),
+  );
+  const growth = upper.slice(1).map((width, i) => width - (upper[i] ?? 0));
+  console.log(`width, pixels: ${upper.map((width) => width.toFixed(1))}`);
+  expect(upper.length).toBeGreaterThan(20);
+  expect(upper[0], "the tip").toBeLessThan(0.9);
+  expect(Math.max(...growth), "from row to row").toBeLessThan(0.9);
+  expect(Math.min(...growth), "from row to row").toBeGreaterThan(-0.2);
+  expect(complaints).toEqual([]);
+});
+
 test("Its halo goes with the exposure, as all light does", async ({ page }) => {
   await open(
     page,

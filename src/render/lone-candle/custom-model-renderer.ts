@@ -48,7 +48,7 @@ function createResources(gpu: Gpu, program: Program, model: Model, flames: numbe
     flames: gpu.uniformBlock(program, "Flames"),
     /** Of one light alone. */
     alone: gpu.uniformBlock(program, "Flames"),
-    flame: new FlamePass(gpu),
+    flame: new FlamePass(gpu, true),
   };
 }
 

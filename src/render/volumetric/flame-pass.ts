@@ -45,9 +45,11 @@ export class FlamePass {
   /** From the table's values to radiance. */
   readonly #scale: number;
 
-  constructor(gpu: Gpu) {
+  /** @param isAlone over a page's background: its outline is antialiased for the display */
+  constructor(gpu: Gpu, isAlone = false) {
     this.#gpu = gpu;
-    this.#program = gpu.program("volumetric/flame", flameVert, flameFrag);
+    const defines = isAlone ? { ALONE: 1 } : {};
+    this.#program = gpu.program("volumetric/flame", flameVert, flameFrag, { defines });
     this.#flame = gpu.uniformBlock(this.#program, "Flame");
     this.#scale = gpu.filtersFloats ? 1 : HALF_FLOAT_SCALE;
     this.#body = gpu.texture({
