@@ -14,6 +14,15 @@ const RIM = 0.0011;
 /** Breadth (standard deviation) of a line at birth, metres, and how it spreads: m²/s. */
 const BREADTH = 0.0005;
 const SPREADING = 1.1e-6;
+/**
+ * Of a breath, a turbulent jet: growth of the breadth per metre of way, and the speed from which it counts, m/s. What a
+ * round jet carries is wide as 0.127 of its way at 1/e (Fischer et al. 1979, "Mixing in Inland and Coastal Waters"); the
+ * speed is fitted: neither a plume nor a visitor is as fast.
+ */
+const STIRRING = 0.127 / Math.SQRT2;
+const BREATH_SPEED = 2.5;
+/** Time in which eddies that it leaves at the wick decay by a factor e, seconds: about their size over their speed. */
+const CALMING = 0.1;
 /** Extinction's cross-section of all smoke of a step at full strength, m². */
 const THICKNESS = 7e-6;
 /** Seconds over which an old parcel dissolves. */
@@ -39,7 +48,11 @@ export class Smoke {
   isFed = false;
   readonly #velocities = new Float32Array(LINES * ROWS * 3);
   readonly #amounts = new Float32Array(LINES * ROWS);
+  /** Breadth that a breath has given each parcel, metres. */
+  readonly #stirred = new Float32Array(LINES * ROWS);
   readonly #key: number;
+  /** What a breath stirs at the wick, or has left of its eddies: its speed above `BREATH_SPEED`, m/s. */
+  #unrest = 0;
   #step = 0;
   readonly #place: Vec3 = [0, 0, 0];
   readonly #flow: Vec3 = [0, 0, 0];
@@ -53,6 +66,7 @@ export class Smoke {
     this.parcels.set(other.parcels);
     this.#velocities.set(other.#velocities);
     this.#amounts.set(other.#amounts);
+    this.#unrest = other.#unrest;
     this.#step = other.#step;
     this.newest = other.newest;
     this.count = other.count;
@@ -68,9 +82,16 @@ export class Smoke {
   step(air: PlumeSolver, wick: Readonly<Vec3>): void {
     this.#step++;
     if (this.count === 0 && !this.isFed) return;
+    this.#stir(air, wick);
     this.#advect(air);
     this.#emit(air, wick);
     this.#dilute();
+  }
+
+  #stir(air: PlumeSolver, wick: Readonly<Vec3>): void {
+    const flow = air.velocity(wick, this.#flow);
+    const speed = length3(flow[0], flow[1], flow[2]) - BREATH_SPEED;
+    this.#unrest = Math.max(speed, this.#unrest * Math.exp(-PLUME_STEP / CALMING));
   }
 
   #advect(air: PlumeSolver): void {
@@ -91,13 +112,17 @@ export class Smoke {
           parcels[p + axis]! += PLUME_STEP * (1.5 * flow[axis]! - 0.5 * before);
           velocities[v + axis] = flow[axis]!;
         }
+        const speed = length3(flow[0], flow[1], flow[2]);
+        this.#stirred[at]! += STIRRING * PLUME_STEP * Math.max(speed - BREATH_SPEED, 0);
       }
     }
   }
 
   #emit(air: PlumeSolver, wick: Readonly<Vec3>): void {
     const { parcels } = this;
-    const strength = this.isFed ? this.strength : 0;
+    // Vapour that is diluted before it condenses becomes finer droplets, which scatter less: fitted by eye.
+    const share = 1 / (1 + this.#unrest * this.#unrest);
+    const strength = this.isFed ? this.strength * share : 0;
     this.newest = (this.newest + 1) % ROWS;
     this.count = Math.min(this.count + 1, ROWS);
     const place = this.#place;
@@ -115,6 +140,7 @@ export class Smoke {
         this.#velocities[at * 3 + axis] = flow[axis]!;
       }
       const grain = 1 + GRAIN * this.#grain(n);
+      this.#stirred[at] = 0;
       this.#amounts[at] = (strength * grain * THICKNESS) / LINES;
     }
     // Rows that have dissolved are dropped from the old end.
@@ -160,7 +186,10 @@ export class Smoke {
         const after = (row * LINES + ((i + 1) % LINES)) * SMOKE_FLOATS;
         const gap = 0.5 * (apart(parcels, p, before) + apart(parcels, p, after));
         parcels[p + 3] = (this.#amounts[at]! * fades) / length;
-        parcels[p + 4] = Math.sqrt(BREADTH * BREADTH + 2 * SPREADING * seconds + 0.12 * gap * gap);
+        const stirred = this.#stirred[at]!;
+        parcels[p + 4] = Math.sqrt(
+          BREADTH * BREADTH + 2 * SPREADING * seconds + 0.12 * gap * gap + stirred * stirred,
+        );
       }
     }
   }

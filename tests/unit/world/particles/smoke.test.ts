@@ -1,9 +1,11 @@
 import { beforeAll, describe, expect, test } from "vitest";
 import { advance } from "../../../../src/world/advance.ts";
 import { createPlume } from "../../../../src/world/air/plume.ts";
+import { blow } from "../../../../src/world/commands.ts";
 import { LINES, ROWS, SMOKE_FLOATS, type Smoke } from "../../../../src/world/particles/smoke.ts";
 import { STILL } from "../../../../src/world/player/intent.ts";
 import type { World } from "../../../../src/world/world.ts";
+import { LONE_CANDLE_SETUP } from "../../../../src/world/world-setup.ts";
 import { createWorld } from "../../../support/world.ts";
 
 /** A room where people live: 5 cm/s, moderately uneven. */
@@ -121,6 +123,31 @@ describe("smoke after the flame is out", () => {
     expect(later.left).toBe(0);
     expect(atOnce.seconds).toBeLessThan(0.8 * later.seconds);
     expect(later.seconds).toBeLessThan(1.5);
+  });
+
+  test("spreads in a breath as what a turbulent jet carries does, and hardly shows before it is over", () => {
+    const blown = createWorld("physical", 1, { setup: LONE_CANDLE_SETUP, createPlume });
+    blow(blown, 1);
+    advance(blown, STILL, 0.4);
+    const { parcels, newest } = smokeOf(blown);
+    const way = Math.hypot(...[0, 1, 2].map((axis) => middle(blown, 3)[axis] ?? 0));
+    const breadth = parcels[((newest - 3 + ROWS) % ROWS) * LINES * SMOKE_FLOATS + 4] ?? 0;
+    expect(way).toBeGreaterThan(0.2);
+    expect(breadth / way).toBeGreaterThan(0.04);
+    expect(breadth / way).toBeLessThan(0.09);
+    const during = amount(blown);
+    advance(blown, STILL, 0.6);
+    expect(amount(blown)).toBeGreaterThan(10 * during);
+  });
+
+  test("is the same in a copy, which goes on alike", () => {
+    const again = createWorld("physical", 1, { wind: DRAUGHT, createPlume });
+    again.flame.extinguish();
+    advance(again, STILL, 0.5);
+    const other = again.plume?.clone();
+    expect(other?.smoke).toEqual(again.plume?.smoke);
+    for (const plume of [again.plume, other]) plume?.step(again.flame, again.emitter, again.air);
+    expect(other?.smoke.parcels).toEqual(again.plume?.smoke.parcels);
   });
 
   test("is the same for the same seed, whatever the frame rate", () => {
