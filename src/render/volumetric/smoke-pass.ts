@@ -4,14 +4,17 @@ import smokeVert from "../../../shaders/volumetric/smoke.vert";
 import type { Draw, Gpu, Program, Texture, UniformBlock, VertexArray } from "../../gl/gpu.js";
 import { carriedFlame } from "../../light/flame-light.js";
 import { rootedFlame } from "../../world/flames.js";
-import type { Vec3 } from "../../world/geometry.js";
+import { length3, type Vec3 } from "../../world/geometry.js";
 import { LINES, ROWS, SMOKE_FLOATS, type Smoke } from "../../world/particles/smoke.js";
 import type { World } from "../../world/world.js";
 import { FlameLights, MOST_FLAMES } from "../lone-candle/flame-lights.js";
 import type { Sphere } from "../screen-bounds.js";
+import { FAINT, MOST_SECTIONS, opticalDepth, setSections } from "./smoke-sections.js";
 
-/** Half width of a ribbon, in standard deviations: `REACH` of the shader. */
+/** Most half width of a ribbon, in standard deviations: `REACH` of the shader. */
 const REACH = 2.4;
+/** Most by which a line leaves the straight way between two rows, as a share of it. */
+const BULGE = 0.25;
 
 /** Youngest rows that follow the wick between steps of the air. */
 const LED_ROWS = 8;
@@ -27,6 +30,8 @@ export class SmokePass {
   readonly #flames: UniformBlock;
   readonly #lights = new FlameLights();
   readonly #parcels: Texture;
+  readonly #sections: Texture;
+  readonly #ends = new Float32Array(MOST_SECTIONS);
   readonly #ribbons: VertexArray;
 
   /** @param isAlone over a page, in place of a room */
@@ -41,6 +46,12 @@ export class SmokePass {
       label: "smoke/parcels",
       format: "RGBA32F",
       source: { width: (LINES * SMOKE_FLOATS) / 4, height: ROWS },
+      filter: "nearest",
+    });
+    this.#sections = gpu.texture({
+      label: "smoke/sections",
+      format: "R32F",
+      source: { width: MOST_SECTIONS, height: 1 },
       filter: "nearest",
     });
     const indices = ribbonIndices();
@@ -59,13 +70,20 @@ export class SmokePass {
     this.#flames.update(this.#lights.members(burning, clip, false, 0));
     for (const { smoke, moved } of smokes) {
       this.#parcels.update(smoke.parcels);
+      const pieces = setSections(this.#ends, smoke);
+      this.#sections.update(this.#ends);
       this.#gpu.draw({
         ...draw,
         program: this.#program,
         vertexArray: this.#ribbons,
-        count: (smoke.count - 1) * LINES * 6,
-        textures: { uParcels: this.#parcels, ...draw.textures },
-        uniforms: { uNewest: smoke.newest, uCount: smoke.count, uMoved: moved, ...draw.uniforms },
+        count: pieces * LINES * 6,
+        textures: { uParcels: this.#parcels, uSections: this.#sections, ...draw.textures },
+        uniforms: {
+          uNewest: smoke.newest,
+          uCount: smoke.count,
+          uMoved: moved,
+          ...draw.uniforms,
+        },
         blocks: { Flames: this.#flames, ...draw.blocks },
         blend: "premultiplied",
         depth: this.#isAlone ? "test" : "none",
@@ -93,30 +111,46 @@ export function* smokeSpheres(world: World): Generator<Iterable<Sphere>> {
   for (const smoke of visibleSmokes(world)) yield spheresOf(smoke);
 }
 
-/** One for each row of parcels. */
-function* spheresOf({ smoke: { parcels, newest, count }, moved }: VisibleSmoke): Generator<Sphere> {
-  for (let age = 0; age < count; age++) {
-    const first = ((newest - age + ROWS) % ROWS) * LINES * SMOKE_FLOATS;
-    const end = first + LINES * SMOKE_FLOATS;
-    let [x, y, z, radius] = [0, 0, 0, 0];
-    for (let at = first; at < end; at += SMOKE_FLOATS) {
-      x += parcels[at]! / LINES;
-      y += parcels[at + 1]! / LINES;
-      z += parcels[at + 2]! / LINES;
-    }
-    for (let at = first; at < end; at += SMOKE_FLOATS) {
-      const distance = Math.hypot(parcels[at]! - x, parcels[at + 1]! - y, parcels[at + 2]! - z);
-      radius = Math.max(radius, distance + REACH * parcels[at + 4]!);
-    }
-    const share = Math.max(0, 1 - age / LED_ROWS);
-    yield [x + moved[0] * share, y + moved[1] * share, z + moved[2] * share, radius];
+/** One for each row of parcels that is seen, or next to one that is. */
+function* spheresOf(visible: VisibleSmoke): Generator<Sphere> {
+  const rows = Array.from({ length: visible.smoke.count }, (_, age) => sphereOf(visible, age));
+  for (const [age, { middle, radius }] of rows.entries()) {
+    const around = rows.slice(Math.max(age - 1, 0), age + 2);
+    if (!around.some(({ isSeen }) => isSeen)) continue;
+    const [x, y, z] = middle;
+    const apart = around.map(({ middle: [a, b, c] }) => length3(a - x, b - y, c - z));
+    yield [x, y, z, radius + BULGE * Math.max(...apart)];
   }
 }
 
-/** Two triangles for each piece, between a parcel and the next older one on its line; the youngest first. */
+/** A row's parcels and the breadth of their lines, from the youngest. */
+function sphereOf({ smoke: { parcels, newest }, moved }: VisibleSmoke, age: number) {
+  const first = ((newest - age + ROWS) % ROWS) * LINES * SMOKE_FLOATS;
+  const end = first + LINES * SMOKE_FLOATS;
+  let [x, y, z, radius, isSeen] = [0, 0, 0, 0, false];
+  for (let at = first; at < end; at += SMOKE_FLOATS) {
+    x += parcels[at]! / LINES;
+    y += parcels[at + 1]! / LINES;
+    z += parcels[at + 2]! / LINES;
+  }
+  for (let at = first; at < end; at += SMOKE_FLOATS) {
+    const distance = Math.hypot(parcels[at]! - x, parcels[at + 1]! - y, parcels[at + 2]! - z);
+    const breadth = parcels[at + 4]!;
+    const excess = opticalDepth(parcels, at) / FAINT;
+    isSeen ||= excess > 1;
+    const reach = Math.sqrt(2 * Math.log(Math.max(excess, 1)));
+    radius = Math.max(radius, distance + Math.min(reach, REACH) * breadth);
+  }
+  const share = Math.max(0, 1 - age / LED_ROWS);
+  const middle: Vec3 = [x + moved[0] * share, y + moved[1] * share, z + moved[2] * share];
+  return { middle, radius, isSeen };
+}
+
+/** Two triangles for each piece of each line; the youngest first. */
 function ribbonIndices(): Uint16Array {
-  const indices = new Uint16Array((ROWS - 1) * LINES * 6);
-  for (let n = 0; n < (ROWS - 1) * LINES; n++) {
+  const pieces = (MOST_SECTIONS - 1) * LINES;
+  const indices = new Uint16Array(pieces * 6);
+  for (let n = 0; n < pieces; n++) {
     const corners = [0, 1, 2, 2, 1, 3].map((corner) => 4 * n + corner);
     indices.set(corners, n * 6);
   }
