@@ -27,9 +27,9 @@ vec3 scatteredIndirect(vec3 position) {
   return (upDown.alongNormal + upDown.alongReflection) * light.intensity / (2.0 * PI);
 }
 
-// Radiance of optically thick smoke, cd/m².
-vec3 scatteredRadiance(vec3 position, vec3 eye) {
-  vec3 direct = scatteredDirect(light.intensity, light.position - position, eye - position);
+// Radiance of optically thick smoke, cd/m², with a share of the flame's direct light.
+vec3 scatteredRadiance(vec3 position, vec3 eye, float share) {
+  vec3 direct = scatteredDirect(share * light.intensity, light.position - position, eye - position);
   return DROPLET_ALBEDO * (direct * candleVisibility(position) + scatteredIndirect(position) + uMoonlight);
 }
 #endif

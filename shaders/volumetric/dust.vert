@@ -21,7 +21,7 @@ void main() {
   float opacity = min(width * width / (WIDTH * WIDTH), 1.0);
   opacity *= fade * smoothstep(NEAR_FADE.x, NEAR_FADE.y, distance_);
   // Below the largest half float, as in spark.vert.
-  vec3 light = scatteredRadiance(positionWorld, frame.eyePosition) * opacity;
+  vec3 light = scatteredRadiance(positionWorld, frame.eyePosition, 1.0) * opacity;
   light *= min(1.0, 3e4 / max(light.r, 1e-6));
   vLight = vec4(light, max(opacity, light.r / 6e4));
   vStreak = vec2(0.0);

@@ -26,6 +26,9 @@ uniform sampler2D uSections;  // ends of the pieces of each line: rows from the 
 uniform int uNewest;          // row of the youngest
 uniform int uCount;           // rows
 uniform vec3 uMoved;          // way of the wick since the youngest were born, m
+#ifndef ALONE
+uniform float uShare;         // of the carried flame's light
+#endif
 
 out vec3 vRadiance;
 out float vOpticalDepth;  // through the centre of the line
@@ -86,7 +89,7 @@ vec3 smokeRadiance(vec3 position) {
   vec3 ambient = 0.5 * (environment(vec3(0.0, 1.0, 0.0)) + environment(vec3(0.0, -1.0, 0.0)));
   return DROPLET_ALBEDO * (direct + ambient);
 #else
-  return DROPLET_ALBEDO * direct + scatteredRadiance(position, frame.eyePosition);
+  return DROPLET_ALBEDO * direct + scatteredRadiance(position, frame.eyePosition, uShare);
 #endif
 }
 

@@ -48,13 +48,12 @@ export function flameLight({ root, flame }: RootedFlame, body: FlameBody): Flame
   const { centre, reach, sootIntensity, blueIntensity } = shape;
   const [x, y, z] = root;
   if (flame.glow === 0) {
-    const glow = emberRadiance(flame.ember);
     return {
       position: [x, y + EMBER_HEIGHT, z],
       axis: [0, 1, 0],
       halfHeight: 0.0005,
       radius: 0.001,
-      intensity: [glow[0] * EMBER_AREA, glow[1] * EMBER_AREA, glow[2] * EMBER_AREA],
+      intensity: [...emberIntensity(flame)],
     };
   }
   const soot = body.sootColor;
@@ -85,6 +84,12 @@ export function emberRadiance(temperature: number): Rgb {
   // No more blue for its green than the flame has: with more, an eye used to the flame would see pink.
   const blue = (glow[1] * TAPER.color[2]) / TAPER.color[1];
   return [glow[0] * fade, glow[1] * fade, Math.min(glow[2], blue) * fade];
+}
+
+/** Light of the ember, candela. */
+export function emberIntensity({ ember }: Flame): Rgb {
+  const [red, green, blue] = emberRadiance(ember);
+  return [red * EMBER_AREA, green * EMBER_AREA, blue * EMBER_AREA];
 }
 
 /** State of the flame, as the property `flame` reports it: metres, candela, kelvin, radians. */

@@ -34,12 +34,7 @@ export class FlameLights {
    * @param hasShadows whether the shadow atlas has a tile for each
    * @param glare factor on the light that the eye scatters
    */
-  members(
-    flames: readonly RootedFlame[],
-    clip: mat4,
-    hasShadows: boolean,
-    glare: number,
-  ): Record<string, Float32Array | number> {
+  members(flames: readonly RootedFlame[], clip: mat4, hasShadows: boolean, glare: number) {
     const all = this.#members;
     for (const [i, rooted] of flames.entries()) {
       const at = i * 4;

@@ -2,7 +2,9 @@ import type { mat4 } from "gl-matrix";
 import smokeFrag from "../../../shaders/volumetric/smoke.frag";
 import smokeVert from "../../../shaders/volumetric/smoke.vert";
 import type { Draw, Gpu, Program, Texture, UniformBlock, VertexArray } from "../../gl/gpu.js";
-import { carriedFlame } from "../../light/flame-light.js";
+import { luma } from "../../light/color.js";
+import { carriedFlame, emberIntensity } from "../../light/flame-light.js";
+import type { Flame } from "../../world/flame/flame.js";
 import { rootedFlame } from "../../world/flames.js";
 import { length3, type Vec3 } from "../../world/geometry.js";
 import { LINES, ROWS, SMOKE_FLOATS, type Smoke } from "../../world/particles/smoke.js";
@@ -67,7 +69,13 @@ export class SmokePass {
     if (smokes.length === 0) return;
     const flames = [...(this.#isAlone ? [carriedFlame(world)] : []), ...world.standing];
     const burning = flames.filter(({ flame }) => flame.glow > 0).slice(0, MOST_FLAMES);
-    this.#flames.update(this.#lights.members(burning, clip, false, 0));
+    const members = this.#lights.members(burning, clip, false, 0);
+    const intensities = members["intensities[0]"];
+    for (const [i, { flame }] of burning.entries()) {
+      for (let at = 4 * i; at < 4 * i + 3; at++) intensities[at]! *= lightShare(flame);
+    }
+    this.#flames.update(members);
+    const uShare = this.#isAlone ? {} : { uShare: carriedShare(world.flame) };
     for (const { smoke, moved } of smokes) {
       this.#parcels.update(smoke.parcels);
       const pieces = setSections(this.#ends, smoke);
@@ -82,6 +90,7 @@ export class SmokePass {
           uNewest: smoke.newest,
           uCount: smoke.count,
           uMoved: moved,
+          ...uShare,
           ...draw.uniforms,
         },
         blocks: { Flames: this.#flames, ...draw.blocks },
@@ -91,6 +100,18 @@ export class SmokePass {
       });
     }
   }
+}
+
+/**
+ * Share of a flame's light that reaches smoke. The light of one that is out lingers only lest it flash, and comes from the
+ * wick's tip: it would be a lamp beside the smoke.
+ */
+const lightShare = ({ presence }: Flame) => presence * presence;
+
+/** The same of the carried flame, whose light is at last its ember's. */
+function carriedShare(flame: Flame): number {
+  if (flame.glow === 0) return 1;
+  return Math.max(lightShare(flame), Math.min(luma(emberIntensity(flame)) / flame.glow, 1));
 }
 
 interface VisibleSmoke {
