@@ -30,8 +30,6 @@ const float WAX_TRANSMITTANCE = 0.2;
 // Wax begins so far below the root of the flame; a flame's middle is never less above it. Metres.
 const float RIM = 0.003;
 const float LEAST_HEIGHT = 0.01;
-// The candle's rim is so far below the root of its flame, m.
-const float RIM_DEPTH = 0.0015;
 // Share by which coloured glass absorbs the complement of its colour.
 const float TINT = 0.6;
 
@@ -54,7 +52,8 @@ vec3 waxGlow(int i, vec3 position, vec3 diffusionLength) {
 }
 
 vec3 emberGlow(int i, vec3 position) {
-  return flames.embers[i].rgb * emberShare(position - flames.roots[i].xyz + vec3(0.0, RIM_DEPTH, 0.0));
+  vec4 ember = flames.embers[i];
+  return ember.rgb * emberShare(position - flames.roots[i].xyz + vec3(0.0, WICK_END - ember.w, 0.0));
 }
 
 void main() {

@@ -36,14 +36,25 @@ export const TAPER: FlameBody = flameBody(fullHeight(TAPER_WICK), flameRadius(TA
 /** The eye's, to its light. */
 export const ADAPTATION = adaptation(TAPER.color);
 
-/** Ember at the wick's tip: its height above the flame's root, m, and its projected area, m². */
+/**
+ * Ember at the wick's tip: its height above the flame's root, m, and the area, m², that would give its light if all of it
+ * glowed as the tip does: a wick of 1.8 mm by the profile of lib/ember.glsl.
+ */
 const EMBER_HEIGHT = 0.0066;
-const EMBER_AREA = 3e-6;
+const EMBER_AREA = 1.5e-6;
 
 const scratch = createShape();
 
-/** Light of the flame that is drawn from the same body, or of its ember. */
-export function flameLight({ root, flame }: RootedFlame, body: FlameBody): FlameLight {
+/**
+ * Light of the flame that is drawn from the same body, or of its ember.
+ *
+ * @param emberFactor on the latter
+ */
+export function flameLight(
+  { root, flame }: RootedFlame,
+  body: FlameBody,
+  emberFactor = 1,
+): FlameLight {
   const shape = shapeFlame(flame, body, scratch);
   const { centre, reach, sootIntensity, blueIntensity } = shape;
   const [x, y, z] = root;
@@ -53,7 +64,7 @@ export function flameLight({ root, flame }: RootedFlame, body: FlameBody): Flame
       axis: [0, 1, 0],
       halfHeight: 0.0005,
       radius: 0.001,
-      intensity: [...emberIntensity(flame)],
+      intensity: emberIntensity(flame, emberFactor),
     };
   }
   const soot = body.sootColor;
@@ -76,20 +87,31 @@ export function flameLight({ root, flame }: RootedFlame, body: FlameBody): Flame
 
 const fading = (temperature: number) => Math.exp((temperature - 1000) / 48);
 
-/** Radiance of the glowing wick, cd/m². */
-export function emberRadiance(temperature: number): Rgb {
+/** Luminance of a page's white beside an ember, cd/m²: a sheet of paper in 40 lx, by lamplight. */
+const PAGE_WHITE = 10;
+
+/**
+ * Factor on an ember over a page, whose white has far less luminance than the page that it stands for.
+ *
+ * @param exposure from cd/m² to the display's scale
+ */
+export const emberOverPage = (exposure: number): number => 1 / (PAGE_WHITE * exposure);
+
+/** Radiance of the glowing wick, cd/m², times a factor. */
+export function emberRadiance(temperature: number, factor = 1): Rgb {
   const glow = sootRadiance(Math.max(temperature, 1000));
   // Below 1000 K light falls by e for every 48 K. From 700 K on no eye sees any, however dark the room.
   const fade = temperature > 1000 ? 1 : Math.max(fading(temperature) - fading(700), 0);
+  const scale = fade * factor;
   // No more blue for its green than the flame has: with more, an eye used to the flame would see pink.
   const blue = (glow[1] * TAPER.color[2]) / TAPER.color[1];
-  return [glow[0] * fade, glow[1] * fade, Math.min(glow[2], blue) * fade];
+  return [glow[0] * scale, glow[1] * scale, Math.min(glow[2], blue) * scale];
 }
 
 /** Light of the ember, candela. */
-export function emberIntensity({ ember }: Flame): Rgb {
-  const [red, green, blue] = emberRadiance(ember);
-  return [red * EMBER_AREA, green * EMBER_AREA, blue * EMBER_AREA];
+export function emberIntensity({ ember }: Flame, factor = 1): Vec3 {
+  const [red, green, blue] = emberRadiance(ember, EMBER_AREA * factor);
+  return [red, green, blue];
 }
 
 /** State of the flame, as the property `flame` reports it: metres, candela, kelvin, radians. */

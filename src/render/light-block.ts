@@ -13,11 +13,15 @@ export const CHAMBERSTICK = {
   panRadius: 0.066,
 } as const;
 
-/** Members of the shaders' `Light` block: the flame as a capsule. A hidden candle casts no shadow. */
-export function lightBlock(world: World, showsCandle: boolean) {
+/**
+ * Members of the shaders' `Light` block: the flame as a capsule. A hidden candle casts no shadow.
+ *
+ * @param emberFactor on an ember's light
+ */
+export function lightBlock(world: World, showsCandle: boolean, emberFactor?: number) {
   const { foot, flame } = world.interpolated;
   const height = fullHeight(world.flame.wick);
-  const { axis: along, ...light } = flameLight(carriedFlame(world), TAPER);
+  const { axis: along, ...light } = flameLight(carriedFlame(world), TAPER, emberFactor);
   return {
     ...light,
     captureOrigin: captureOrigin(flame, light.position, height),

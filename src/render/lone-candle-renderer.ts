@@ -4,7 +4,13 @@ import surfaceVert from "../../shaders/mesh/mesh.vert";
 import type { Model } from "../assets/model.js";
 import type { Gpu, RenderTarget } from "../gl/gpu.js";
 import { VIBRANCE } from "../light/color.js";
-import { carriedFlame, emberRadiance, flameLight, TAPER } from "../light/flame-light.js";
+import {
+  carriedFlame,
+  emberOverPage,
+  emberRadiance,
+  flameLight,
+  TAPER,
+} from "../light/flame-light.js";
 import type { World } from "../world/world.js";
 import type { FrameSettings } from "./frame-settings.js";
 import { lightBlock } from "./light-block.js";
@@ -17,6 +23,7 @@ import { carriedWick, FlamePass, HANDLE_TURN } from "./volumetric/flame-pass.js"
 
 /** From cd/m² to the display's scale. */
 const EXPOSURE = 5;
+const EMBER = emberOverPage(EXPOSURE);
 const NO_EMBER = [0, 0, 0] as const;
 /** Width of candle and flame, and of glare that is more than half a step of a colour up to 7 EV, in heights of the canvas. */
 const COLUMNS = 0.84;
@@ -57,14 +64,14 @@ export class LoneCandleRenderer extends LoneRenderer {
     const { features } = settings;
     const camera = frameCandle(this.aspect, world.flame.wick);
     const drawn = this.begin(frame, camera, EXPOSURE, settings);
-    light.update(lightBlock(world, features.candle));
+    light.update(lightBlock(world, features.candle, EMBER));
     if (features.candle) this.#drawCandle(drawn.target, world);
     if (features.volume) {
       flame.render(drawn.target, frame, carriedWick(world), this.tier.physical.flameSteps);
     }
     if (features.smoke) this.drawSmoke(world, drawn, frame, TAPER.color);
     const glare = glareOf(
-      flameLight(carriedFlame(world), TAPER),
+      flameLight(carriedFlame(world), TAPER, EMBER),
       drawn.clip,
       glareFactor(settings),
     );
@@ -76,7 +83,7 @@ export class LoneCandleRenderer extends LoneRenderer {
   #drawCandle(target: RenderTarget, world: World): void {
     const { surfaceProgram, candle, reduced, frame, light } = this.#shared;
     const [x, y, z] = world.interpolated.foot;
-    const ember = emberRadiance(world.flame.ember);
+    const ember = emberRadiance(world.flame.ember, EMBER);
     // A CPU shades each triangle in squares of two by two pixels.
     for (const surface of this.tier.name === "low" ? reduced : candle) {
       this.gpu.draw({

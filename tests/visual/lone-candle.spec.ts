@@ -499,6 +499,50 @@ test("Blown out and stepped, it smokes over the page, in the same picture each t
   expect(complaints).toEqual([]);
 });
 
+test("Blown out, it throws no rod of light, and a speck of its wick glows", async ({ page }) => {
+  const { complaints } = await open(
+    page,
+    `<candle-flame scene="candle" paused quality="high" style="width: 640px; height: 480px"></candle-flame>`,
+  );
+  const found = await page.locator("candle-flame").evaluate(async (element: CandleFlameElement) => {
+    await element.ready;
+    const pixels = async () => {
+      const image = await createImageBitmap(await element.toBlob());
+      const copy = new OffscreenCanvas(image.width, image.height).getContext("2d");
+      if (!copy) throw new Error("There is no 2D context.");
+      copy.fillRect(0, 0, image.width, image.height);
+      copy.drawImage(image, 0, 0);
+      return copy.getImageData(0, 0, image.width, image.height).data;
+    };
+    element.step(1);
+    element.blow(1);
+    element.step(0.3);
+    const smoke: number[] = [];
+    for (let i = 0; i < 3; i++) {
+      element.step(0.1);
+      element.features.smoke = true;
+      const whole = await pixels();
+      element.features.smoke = false;
+      const without = await pixels();
+      smoke.push(whole.reduce((most, value, at) => Math.max(most, value - (without[at] ?? 0)), 0));
+    }
+    const image = await pixels();
+    let red = 0;
+    for (let at = 0; at < image.length; at += 4) {
+      const [r = 0, g = 0, b = 0] = image.subarray(at, at + 3);
+      if (r > 120 && g < 0.45 * r && b < 0.45 * r) red++;
+    }
+    return { smoke, red };
+  });
+  const [during = 255, ...after] = found.smoke;
+  expect(during, "in the breath, over black").toBeLessThan(40);
+  expect(Math.max(...after), "it is gray").toBeLessThan(180);
+  expect(Math.max(...after)).toBeGreaterThan(60);
+  expect(found.red, "pixels of 0.4 mm").toBeGreaterThan(0);
+  expect(found.red).toBeLessThan(16);
+  expect(complaints).toEqual([]);
+});
+
 test("One that plays fetches the code of its smoke only when it is blown out", async ({ page }) => {
   await drawNothing(page);
   const { complaints, fetched } = await open(

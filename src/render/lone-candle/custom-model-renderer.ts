@@ -4,7 +4,7 @@ import surfaceVert from "../../../shaders/mesh/mesh.vert";
 import type { Model } from "../../assets/model.js";
 import type { Box, Gpu, Program, RenderTarget, Texture, UniformBlock } from "../../gl/gpu.js";
 import { nextTask } from "../../gl/next-task.js";
-import { carriedFlame, type RootedFlame, TAPER } from "../../light/flame-light.js";
+import { carriedFlame, emberOverPage, type RootedFlame, TAPER } from "../../light/flame-light.js";
 import type { Features } from "../../settings.js";
 import type { Bounds } from "../../world/geometry.js";
 import type { Wick } from "../../world/standing-candle.js";
@@ -22,6 +22,7 @@ import { BOUNCE_LIGHT, STUDIO_LIGHT } from "./light-groups.js";
 import { LightMeter, MOST_EXPOSURE } from "./light-meter.js";
 import { type LoneCamera, LoneRenderer, type SmokePassOf } from "./lone-renderer.js";
 import { SummedSurfaces } from "./summed-surfaces.js";
+import { wickEnd } from "./wick-end.js";
 
 /** Share of the hemisphere that the model itself fills, as seen from its points. */
 const BOUNCE = 0.1;
@@ -106,7 +107,7 @@ export class CustomModelRenderer extends LoneRenderer {
   #firstWick = Number.NaN;
   #bounds: Bounds;
   readonly #meter: LightMeter;
-  readonly #lights = new FlameLights();
+  readonly #lights: FlameLights;
   /** Of the opaque ones, at `low`. */
   readonly #summed: SummedSurfaces | null;
   /** View and settings of the frame that is drawn. */
@@ -133,6 +134,8 @@ export class CustomModelRenderer extends LoneRenderer {
     );
     this.#resources = made;
     this.#release = release;
+    const wickParts = made.meshes.filter(({ isWick }) => isWick).map(({ part }) => part);
+    this.#lights = new FlameLights(wicks.map(({ position }) => wickEnd(position, wickParts)));
     const surfaces = made.meshes.map(surfaceOf);
     if (surfaces.some(({ isTransmissive }) => isTransmissive)) this.#programOf({});
     this.#clear = surfaces.filter(({ isClear }) => isClear);
@@ -179,7 +182,8 @@ export class CustomModelRenderer extends LoneRenderer {
     const drawn = this.begin(frame, camera, exposure, settings, summed ? behind : undefined);
     const { target, clip } = drawn;
     const glare = glareFactor(settings, exposure / MOST_EXPOSURE);
-    flames.update(this.#lights.members(rooted, clip, features.shadows, glare));
+    const ember = emberOverPage(exposure);
+    flames.update(this.#lights.members(rooted, clip, features.shadows, glare, ember));
     const light: Illumination = {
       flames,
       atlas,
@@ -213,7 +217,13 @@ export class CustomModelRenderer extends LoneRenderer {
       uVibrance: VIBRANCE,
       uMagnification: magnification,
       uHighlights: FLAME_STOPS / (FLAME_STOPS + Math.log2(exposure / MOST_EXPOSURE)),
-      ...(summed && { uScales: summed.scales(rooted, { studio, bounce: key * BOUNCE }) }),
+      ...(summed && {
+        uScales: summed.scales(rooted, {
+          studio,
+          bounce: key * BOUNCE,
+          ember: emberOverPage(exposure),
+        }),
+      }),
     };
     const program = summed?.program ?? this.#displayProgram;
     this.display(program, uniforms, { Frame: frame, Flames: flames }, 1, summed?.textures);

@@ -28,19 +28,33 @@ export class FlameLights {
     "embers[0]": vectors(),
     "glares[0]": vectors(),
   };
+  readonly #wickEnds: readonly number[];
+
+  /** @param wickEnds heights of the wicks' ends above the flames' roots, metres; needed where wicks are drawn */
+  constructor(wickEnds: readonly number[] = []) {
+    this.#wickEnds = wickEnds;
+  }
 
   /**
    * @param clip clip space from world space
    * @param hasShadows whether the shadow atlas has a tile for each
    * @param glare factor on the light that the eye scatters
+   * @param emberFactor on embers and their light
    */
-  members(flames: readonly RootedFlame[], clip: mat4, hasShadows: boolean, glare: number) {
+  members(
+    flames: readonly RootedFlame[],
+    clip: mat4,
+    hasShadows: boolean,
+    glare: number,
+    emberFactor = 1,
+  ) {
     const all = this.#members;
     for (const [i, rooted] of flames.entries()) {
       const at = i * 4;
-      const light = flameLight(rooted, TAPER);
+      const light = flameLight(rooted, TAPER, emberFactor);
       this.#setLight(i, rooted, light, hasShadows ? i : -1);
-      all["embers[0]"].set(emberRadiance(rooted.flame.ember), at);
+      all["embers[0]"].set(emberRadiance(rooted.flame.ember, emberFactor), at);
+      all["embers[0]"][at + 3] = this.#wickEnds[i] ?? 0;
       all["glares[0]"].set(glareOf(light, clip, glare), at);
     }
     return { ...all, count: flames.length };

@@ -38,17 +38,18 @@ export class LightGroups {
    * Factors on the images, which are of flames of 1 cd and of lights of luminance 1, by light and channel.
    *
    * @param flames that the images are of
+   * @param lights luminance of the studio and of the bounce, and the factor on embers
    */
   scales(
     rooted: readonly RootedFlame[],
     flames: readonly (readonly number[])[],
-    { studio, bounce }: { readonly studio: number; readonly bounce: number },
+    { studio, bounce, ember }: Readonly<Record<"studio" | "bounce" | "ember", number>>,
   ): Float32Array {
     this.#set(STUDIO_LIGHT, [studio, studio, studio]);
     this.#set(BOUNCE_LIGHT, [bounce, bounce, bounce]);
     for (const [i, group] of this.#groups.entries()) {
       const light = FIRST_FLAMES + i;
-      const all = group.map((one) => tapersOf(rooted[one]!));
+      const all = group.map((one) => tapersOf(rooted[one]!, ember));
       const share = 1 / Math.max(flames[light]?.length ?? 0, 1);
       const sum = (channel: 0 | 1 | 2) => all.reduce((sum, one) => sum + one[channel], 0) * share;
       this.#set(light, [sum(0), sum(1), sum(2)]);
@@ -62,8 +63,8 @@ export class LightGroups {
 }
 
 /** Light of a flame as a multiple of a taper's, by channel. */
-function tapersOf(rooted: RootedFlame): Vec3 {
-  const { intensity } = flameLight(rooted, TAPER);
+function tapersOf(rooted: RootedFlame, emberFactor: number): Vec3 {
+  const { intensity } = flameLight(rooted, TAPER, emberFactor);
   const { color } = TAPER;
   return [intensity[0] / color[0], intensity[1] / color[1], intensity[2] / color[2]];
 }

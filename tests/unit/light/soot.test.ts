@@ -1,7 +1,8 @@
 import { expect, test } from "vitest";
 import { chromaticity, LEAST_BLUE, luma, type Rgb } from "../../../src/light/color.js";
-import { emberRadiance, TAPER } from "../../../src/light/flame-light.js";
+import { emberOverPage, emberRadiance, flameLight, TAPER } from "../../../src/light/flame-light.js";
 import { sootRadiance } from "../../../src/light/soot.js";
+import { Flame } from "../../../src/world/flame/flame.js";
 
 /** CIE 1931, 2°: x, y and z, each times 10,000, every 10 nm from 380 nm to 780 nm. CIE 15:2004, table T.4. */
 const OBSERVER = [
@@ -97,4 +98,19 @@ test("a glowing wick has the colour of soot at 900 to 1150 K, but for what a scr
 
 test("the flame's light has the colour of candles, 1780 to 1980 K", () => {
   expect(away(chromaticity(TAPER.color), [0.3159, 0.5398])).toBeLessThan(0.01);
+});
+
+test("an ember over a page is as much darker as the page's white is, and its light with it", () => {
+  // As large an exposure as a lone candle's.
+  const factor = emberOverPage(5);
+  const [red] = emberRadiance(1120, factor);
+  expect(red * 5, "as a multiple of white").toBeGreaterThan(2);
+  expect(red * 5).toBeLessThan(20);
+  const [later] = emberRadiance(293 + (1120 - 293) * Math.exp(-0.3), factor);
+  expect(later * 5, "after three seconds").toBeLessThan(0.2);
+  const flame = new Flame(0.002, false);
+  flame.ember = 1120;
+  const rooted = { root: [0, 0, 0], flame } as const;
+  const [whole] = flameLight(rooted, TAPER).intensity;
+  expect(flameLight(rooted, TAPER, factor).intensity[0]).toBeCloseTo(whole * factor, 12);
 });
