@@ -13,6 +13,8 @@ export interface Stats {
   readonly height: number;
   readonly resolutionScale: number;
   readonly quality: Tier["name"];
+  /** Whether frames wait for a renderer that is being prepared; what reads the image then compiles it at once. */
+  readonly preparing: boolean;
   readonly gpuObjects: number;
   readonly gpuBytes: number;
 }
@@ -30,6 +32,7 @@ export const NO_STATS: Stats = {
   height: 0,
   resolutionScale: 1,
   quality: "low",
+  preparing: true,
   gpuObjects: 0,
   gpuBytes: 0,
 };

@@ -250,6 +250,7 @@ export class SceneView {
       ...this.#sizeAt(this.#resolutionScale),
       resolutionScale: this.#resolutionScale,
       quality: (this.#refinement?.shown ? this.#refinement : this.#quality).tier.name,
+      preparing: this.isBusy || this.#asked.tier.name !== this.#quality.tier.name,
       gpuObjects: objectCount,
       gpuBytes: bytes,
     };
@@ -281,12 +282,11 @@ export class SceneView {
   /** The canvas keeps its frame until the next one is drawn, which may be of another size. */
   #createRenderer(): Renderer {
     const { tier } = this.#quality;
-    const renderer = this.#scene.createRenderer(this.#target, tier, this.#settings.look);
-    this.#renderer = renderer;
+    this.#renderer = this.#scene.createRenderer(this.#target, tier, this.#settings.look);
     this.#fitRenderer();
     this.#busy = null;
     this.follow(this.#subject);
-    return renderer;
+    return this.#renderer;
   }
 
   /** Gives the renderer's frames their size. The canvas has another one while a refined image is shown. */

@@ -141,6 +141,21 @@ test("the page opens on a burning room, from any folder of a site", async ({ fre
     await meter.getByLabel("albedo").fill("1");
     const lux = Number.parseFloat((await value("illuminance").innerText()).replace(",", ""));
     expect(Math.abs(lux / (Math.PI * luminance) - 1)).toBeLessThan(0.01);
+    const setPreparing = (preparing: boolean) =>
+      fresh.room.evaluate((room: CandleFlameElement, preparing) => {
+        const { stats } = room;
+        if (preparing) Object.defineProperty(room, "stats", { get, configurable: true });
+        else Reflect.deleteProperty(room, "stats");
+        function get() {
+          return { ...stats, preparing };
+        }
+      }, preparing);
+    await setPreparing(true);
+    await expect(value("luminance"), "nothing that would have to be compiled first").toHaveText(
+      "–",
+    );
+    await setPreparing(false);
+    await expect(value("luminance")).toHaveText(/cd/);
     await expect(value("chromaticity")).toHaveText(/^x 0\.\d{3}, y 0\.\d{3}$/);
     await expect(value("temperature")).toHaveText(/^1\d{3} K$/);
     await meter.locator("summary").click();

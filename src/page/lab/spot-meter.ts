@@ -13,6 +13,8 @@ const STEP = 0.01;
 const LEAP = 0.1;
 /** Milliseconds between readings: each draws the frame once more. */
 const INTERVAL = 250;
+/** Of the time that a reading takes, how long the next one waits at least: a slow machine has the rest for the room. */
+const REST = 4;
 const NO_UNIT = "The paper's light has no unit.";
 
 const LIGHT: Readonly<Record<string, (reading: Reading) => string>> = {
@@ -50,17 +52,29 @@ export function bindSpotMeter(
     if (document.hidden || isWalking(room)) return; // nobody sees it
     const [x, y] = place;
     const seen = comparison.roomAt(x);
-    const { width, height } = seen.stats;
+    const { width, height, preparing } = seen.stats;
     const corner = (position: number, length: number) =>
       Math.round(Math.min(Math.max(position * length - SPOT / 2, 0), Math.max(length - SPOT, 0)));
-    const light = seen.readRadiance(corner(x, width), corner(y, height), SPOT, SPOT);
-    const reading = readingOf(meanOf(light), Number(albedo.value) || 0.5);
+    // It would compile a renderer that is being prepared at once, for seconds.
+    const light = preparing
+      ? null
+      : seen.readRadiance(corner(x, width), corner(y, height), SPOT, SPOT);
+    const reading = light && readingOf(meanOf(light), Number(albedo.value) || 0.5);
     const hasUnits = drawnLook(seen) === "physical";
     for (const [name, value] of values) {
       value.textContent = reading && hasUnits ? (LIGHT[name]?.(reading) ?? "") : "–";
     }
     if (!hasUnits) say(NO_UNIT);
     else if (status.textContent === NO_UNIT) say("");
+  }
+
+  let restUntil = 0;
+  function readAtLeisure(): void {
+    const begin = performance.now();
+    if (begin < restUntil) return;
+    read();
+    const end = performance.now();
+    restUntil = end + REST * (end - begin);
   }
 
   /** A sentence that is written again is read aloud again. */
@@ -93,7 +107,7 @@ export function bindSpotMeter(
   });
   albedo.addEventListener("input", read);
   moveTo(...place);
-  return readWhileOpen(section, INTERVAL, read, (isOpen) => {
+  return readWhileOpen(section, INTERVAL, readAtLeisure, (isOpen) => {
     if (isOpen) stage.append(spot);
     else spot.remove();
   });

@@ -68,7 +68,7 @@ test("statistics are of the view's own last frame, whoever else has drawn in the
   expect([one.stats.drawCalls, other.stats.drawCalls]).toEqual([6, 181]);
 });
 
-test("a frame is reported where one was presented: not while another tier is prepared, unless it is required", () => {
+test("a frame is reported where one was presented: not while another tier is prepared, unless it is required", async () => {
   const view = createView(createGpu(), 1);
   let frames = 0;
   view.onDrawn = () => {
@@ -76,9 +76,12 @@ test("a frame is reported where one was presented: not while another tier is pre
   };
   view.render(FRAME);
   expect(frames).toBe(1);
+  await expect.poll(() => view.stats.preparing).toBe(false);
   view.settings = { look: "paper", quality: "high" } as ViewSettings;
+  expect(view.stats.preparing, "from the moment it is asked for").toBe(true);
   view.render(FRAME);
   expect(frames).toBe(1);
+  expect(view.stats.preparing).toBe(true);
   view.render(FRAME, true);
   expect(frames).toBe(2);
 });
