@@ -16,7 +16,11 @@ export async function fullResolution(room: CandleFlameElement, onWait: () => voi
   const { clientWidth, maxPixelRatio } = room;
   const width = clientWidth * Math.min(devicePixelRatio, maxPixelRatio);
   const isCoarse = () =>
-    room.quality === "auto" && !room.paused && !isWalking(room) && room.stats.width < width - 1;
+    room.quality === "auto" &&
+    room.inspect === "picture" &&
+    !room.paused &&
+    !isWalking(room) &&
+    room.stats.width < width - 1;
   if (isCoarse()) onWait();
   for (let waited = 0; isCoarse() && waited < LONGEST; waited += INTERVAL) {
     await new Promise((resolve) => setTimeout(resolve, INTERVAL));

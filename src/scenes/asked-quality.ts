@@ -2,7 +2,10 @@ import type { AutoQuality, Rung } from "../render/auto-quality.js";
 import { type Tier, tierNamed } from "../render/quality.js";
 import type { Inspection, Quality } from "../settings.js";
 
+/** Where `low` would draw. */
 const INSPECTION_RUNG: Rung = { tier: "medium", share: 1 };
+/** The same while frames of a CPU follow each other, each of which would take a second. */
+const QUICK_INSPECTION_RUNG: Rung = { tier: "medium", share: 0.35 };
 
 /** How frames are drawn. */
 export interface AskedQuality {
@@ -28,6 +31,7 @@ export function askedQuality(
   const chosen: Rung = quality === "auto" ? automatic : { tier: quality, share: 1 };
   // `low` has no separate passes to inspect.
   const isLow = (quality === "auto" ? auto.rung.tier : quality) === "low";
-  const { tier, share } = isLow && inspect !== "picture" ? INSPECTION_RUNG : chosen;
+  const inspecting = isPlaying && auto.isSoftware ? QUICK_INSPECTION_RUNG : INSPECTION_RUNG;
+  const { tier, share } = isLow && inspect !== "picture" ? inspecting : chosen;
   return { tier: tierOf(tier, quality, auto), share };
 }

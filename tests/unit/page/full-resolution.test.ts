@@ -7,6 +7,7 @@ const room = (width: number, others = {}) =>
     clientWidth: 1280,
     maxPixelRatio: 2,
     quality: "auto",
+    inspect: "picture",
     paused: false,
     matches: () => false,
     stats: { width },
@@ -45,6 +46,7 @@ test("not for long where that never comes", async () => {
 test.each([
   ["it has them", 1280, {}],
   ["the page chose its tier", 512, { quality: "low" }],
+  ["a pass is inspected", 512, { inspect: "depth" }],
   ["nothing is drawn", 512, { paused: true }],
   ["one walks", 512, { matches: () => true }],
 ])("and not at all where %s", async (_, width, others) => {
