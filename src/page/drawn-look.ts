@@ -10,9 +10,14 @@ export function followDrawnLook(element: CandleFlameElement): void {
   element.addEventListener("load", () => looks.set(element, element.look));
 }
 
+/** Look that was asked for when the room came that an element draws. */
+export function loadedLook(element: CandleFlameElement): Look {
+  return looks.get(element) ?? element.look;
+}
+
 /** Look that an element draws, which is the one before while another is loading. */
 export function drawnLook(element: CandleFlameElement): Look {
-  return drawnFor(looks.get(element) ?? element.look);
+  return drawnFor(loadedLook(element));
 }
 
 export function expectedLook({ look }: CandleFlameElement): Look {

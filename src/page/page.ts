@@ -2,7 +2,7 @@ import type { Camera, CandleFlameElement } from "../candle-flame-element.js";
 import "../define.js";
 import { nameKeys } from "../key-names.js";
 import { FIELDS_OF_VIEW, parseIndices } from "../settings.js";
-import { expectedLook, followDrawnLook } from "./drawn-look.js";
+import { expectedLook, followDrawnLook, loadedLook } from "./drawn-look.js";
 import { find } from "./find.js";
 import { followAttributes } from "./follow-attributes.js";
 import { fullResolution } from "./full-resolution.js";
@@ -66,7 +66,9 @@ room.addEventListener("error", ({ detail }) => {
   // The element itself says what is missing, unless the room before it goes on.
   if (detail.type !== "asset" || !room.flame) return welcome(false);
   status.textContent = "";
-  tell(detail.message);
+  const look = loadedLook(room);
+  tell(room.look === look ? detail.message : `${detail.message} The look stays ${look}.`);
+  room.look = look; // so that controls and links have what is drawn, and the other can be chosen again
 });
 
 // The code of the scene comes before its files.

@@ -577,17 +577,26 @@ test.describe("what one sees", () => {
       await expect(status).toHaveText("");
     });
 
-    await test.step("and one that cannot be fetched leaves the room as it is", async () => {
-      await page.route("**/*.glb", (route) => route.fulfill({ body: "no model" }));
-      await fresh.evaluate((room) => {
-        room.look = "physical";
+    await test.step("and one that cannot be fetched leaves the room as it is, and can be chosen again", async () => {
+      let requests = 0;
+      await page.route("**/*.glb", (route) => {
+        if (route.request().url().endsWith("cabin.glb")) requests++;
+        return route.fulfill({ body: "no model" });
       });
-      await expect(page.locator(".notice")).toContainText("cabin.glb");
+      const settings = await fresh.openLab("Settings");
+      const look = settings.getByLabel("look");
+      const notice = page.locator(".notice");
+      for (const attempt of [1, 2]) {
+        await look.selectOption("physical");
+        await expect(notice).toHaveText(/cabin\.glb.*\. The look stays paper\.$/);
+        await expect(look, "what is drawn").toHaveValue("paper");
+        expect(await fresh.evaluate((room) => room.look)).toBe("paper");
+        expect(requests).toBe(attempt);
+        await notice.evaluate((notice) => notice.replaceChildren());
+      }
       await expect(fresh.enter).toBeVisible();
       await expect(status).toHaveText("");
-      await fresh.evaluate((room) => {
-        room.look = "paper";
-      });
+      await fresh.lab.getByRole("button", { name: "Close the lab" }).click();
     });
 
     await test.step("a context that comes back late opens the room again", async () => {
