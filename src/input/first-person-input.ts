@@ -1,5 +1,5 @@
 import { type Action, type Intent, STILL } from "../world/player/intent.js";
-import { Gamepads, type Pad } from "./gamepads.js";
+import { Gamepads, hasEntering, type Pad } from "./gamepads.js";
 import { Keyboard } from "./keyboard.js";
 import { Touch } from "./touch.js";
 
@@ -141,6 +141,11 @@ export class FirstPersonInput {
    * @param device in hand. Default: the one that was used last
    */
   enter(device?: Device): void {
+    // A page may mind gamepads, too. Their buttons are no gestures by which browsers lock the pointer.
+    if (!device && hasEntering(connectedGamepads())) {
+      this.#goIn("gamepad");
+      return;
+    }
     const hasMouse = !this.#isTouched && matchMedia("(any-pointer: fine)").matches;
     const pointer = hasMouse ? this.#mouse : "touch";
     this.#goIn(device ?? (this.#isByKey ? "keyboard" : pointer));

@@ -16,6 +16,11 @@ export interface Pad {
   readonly buttons: readonly { readonly pressed: boolean }[];
 }
 
+/** Whether the button to go in is down. */
+export function hasEntering(pads: readonly (Pad | null)[]): boolean {
+  return pads.some((pad) => pad?.mapping === "standard" && pad.buttons[BUTTONS.a]?.pressed);
+}
+
 /** Applies a radial dead zone: the rim stays at length 1 in every direction. */
 export function beyondDeadZone(x: number, y: number, exponent = 1): [x: number, y: number] {
   const length = Math.hypot(x, y);

@@ -6,6 +6,7 @@ import { expectedLook, followDrawnLook, loadedLook } from "./drawn-look.js";
 import { find } from "./find.js";
 import { followAttributes } from "./follow-attributes.js";
 import { fullResolution } from "./full-resolution.js";
+import { followGamepads } from "./gamepad-entry.js";
 import { holdPoster } from "./held-poster.js";
 import { bindMicrophone } from "./microphone.js";
 import { addSettings } from "./settings-form.js";
@@ -30,6 +31,7 @@ followDrawnLook(room);
 reflectWalking(room);
 void nameKeys(document.querySelectorAll<HTMLElement>(".with-keys kbd, .keyboard kbd"));
 enterButton.addEventListener("click", () => room.enter());
+followGamepads(room, enterButton);
 // What is hidden while the visitor walks cannot take the focus.
 room.addEventListener("keydown", ({ key }) => {
   if (key === "Tab") document.body.classList.remove("walking");

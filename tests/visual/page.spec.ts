@@ -260,6 +260,37 @@ test("a finger on a machine with a mouse taps to come back", async ({ hosted }) 
   await devtools.detach();
 });
 
+test("a gamepad's A walks in, wherever the focus is on the way in", async ({ hosted }) => {
+  const { page } = hosted;
+  const hold = (button: number | null) =>
+    page.evaluate((button) => {
+      const buttons = Array.from({ length: 17 }, (_, i) => ({ pressed: i === button }));
+      const pad = { mapping: "standard", axes: [0, 0, 0, 0], buttons };
+      navigator.getGamepads = () => [pad] as unknown as Gamepad[];
+      dispatchEvent(new Event("gamepadconnected"));
+    }, button);
+  const [a, b] = [0, 1];
+  for (const focus of ["on the page", "on the button"]) {
+    await hosted.evaluate((room) => room.blur());
+    if (focus === "on the button") await hosted.enter.focus();
+    await hold(a);
+    await expect.poll(() => hosted.isWalking(), focus).toBe(true);
+    await expect(hosted.room.getByText("Left stick walks")).toBeVisible();
+    await hold(null);
+    await page.evaluate(() => new Promise(requestAnimationFrame));
+    await hold(b);
+    await expect.poll(() => hosted.isWalking()).toBe(false);
+  }
+  await hosted.evaluate((room) => room.blur());
+  await page.getByRole("button", { name: "Share" }).focus();
+  await hold(a);
+  for (let frame = 0; frame < 3; frame++) {
+    await page.evaluate(() => new Promise(requestAnimationFrame));
+  }
+  expect(await hosted.isWalking(), "that is another control's").toBe(false);
+  await page.evaluate(() => void Reflect.deleteProperty(navigator, "getGamepads"));
+});
+
 test("a candle that is taken up on entering leaves the controls in sight", async ({ hosted }) => {
   await hosted.evaluate((room) => {
     room.place();

@@ -114,6 +114,17 @@ test("a gamepad's A walks in when it goes down, not when the focus finds it down
   expect(entered.mock.calls).toEqual([[true, "gamepad"]]);
 });
 
+test("a page that enters while a gamepad's A is down enters by gamepad, and locks no pointer", () => {
+  const { input, entered } = place();
+  const timers = vi.fn();
+  vi.stubGlobal("window", { setTimeout: timers });
+  vi.stubGlobal("navigator", { getGamepads: () => [null, withButtons(0)] });
+  input.enter();
+  expect(entered.mock.calls).toEqual([[true, "gamepad"]]);
+  expect(timers).not.toHaveBeenCalled();
+  expect(input.read().togglesFlame, "by the same press").toBe(false);
+});
+
 test("a click elsewhere leaves, one in the host's closed shadow tree does not", () => {
   const { input, host, root, entered } = place();
   const outer = { getRootNode: () => host.ownerDocument };
