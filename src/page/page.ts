@@ -185,7 +185,7 @@ function followAddress(): void {
 followAddress();
 window.addEventListener("hashchange", () => {
   room.querySelector(".poster")?.remove(); // of the first view
-  link.hidden = true; // to the view before
+  hideLink(); // to the view before
   followAddress();
 });
 
@@ -201,6 +201,32 @@ function tell(sentence: string): void {
   }, NOTICE);
 }
 
+const COPY = "Copy this link.";
+
+/** Where the clipboard is refused, until the visitor turns to something else. */
+function showLink(): void {
+  clearTimeout(noticeTimer);
+  notice.textContent = COPY;
+  link.value = location.href;
+  link.hidden = false;
+  link.focus();
+  link.select();
+}
+
+function hideLink(): void {
+  link.hidden = true;
+  if (notice.textContent === COPY) notice.textContent = "";
+}
+
+link.addEventListener("blur", () => {
+  // It may be pasted in another window, and copied once more.
+  if (document.activeElement !== link) hideLink();
+});
+link.addEventListener("keydown", ({ key }) => {
+  if (key === "Escape") shareButton.focus();
+});
+room.addEventListener("enter", hideLink);
+
 shareButton.addEventListener("click", async () => {
   const settings: Partial<Record<Shared, string>> = {};
   for (const name of SHARED) {
@@ -211,16 +237,13 @@ shareButton.addEventListener("click", async () => {
   // Nobody put down the original's candle.
   const candle = room.look === "original" ? null : putDownFrom;
   history.replaceState(null, "", writeShareLink({ camera: room.camera, candle, settings }));
-  link.hidden = true;
+  hideLink();
   try {
     await navigator.clipboard.writeText(location.href);
     tell("The link is copied.");
   } catch {
     // No clipboard without a secure origin and the visitor's leave.
-    tell("Copy this link.");
-    link.value = location.href;
-    link.hidden = false;
-    link.select();
+    showLink();
   }
 });
 

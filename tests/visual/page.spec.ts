@@ -565,9 +565,24 @@ test.describe("what one sees", () => {
       await page.evaluate(() => {
         navigator.clipboard.writeText = () => Promise.reject(new Error("refused"));
       });
+      const link = page.getByLabel("Link to what you see");
+      const label = page.getByRole("status").getByText("Copy this link.");
+      const leave = [
+        () => page.keyboard.press("Escape"),
+        () => page.getByRole("button", { name: "Lab", exact: true }).focus(),
+        () => fresh.evaluate((room) => room.focus()),
+      ];
+      for (const go of leave) {
+        await share.click();
+        await expect(link).toHaveValue(href);
+        await expect(link).toBeFocused();
+        await expect(label).toBeVisible();
+        await go();
+        await expect(link, "until one turns to something else").toBeHidden();
+        await expect(label).toBeHidden();
+      }
       await share.click();
-      await expect(page.getByLabel("Link to what you see")).toHaveValue(href);
-      await expect(page.getByRole("status").getByText("Copy this link.")).toBeVisible();
+      await expect(link).toBeVisible();
     });
 
     await test.step("another link in the same tab is followed", async () => {
