@@ -353,6 +353,10 @@ test("help lists the controls, and opens and closes by keyboard", async ({ hoste
   await page.keyboard.press("Enter");
   const help = page.getByRole("dialog", { name: "In the room" });
   await expect(help).toBeVisible();
+  const title = help.getByRole("heading", { level: 2 });
+  await expect(title).toBeFocused();
+  await expect(title, "which is no control").toHaveCSS("outline-style", "none");
+  await expect(title).toHaveCSS("box-shadow", "none");
   await expect(help.getByRole("heading", { level: 3 })).toHaveText([
     "Keyboard",
     "Mouse",
