@@ -45,7 +45,13 @@ room.addEventListener("leave", () =>
     }
   }),
 );
-find(stage, ".help-button", HTMLButtonElement).addEventListener("click", () => help.showModal());
+find(stage, ".help-button", HTMLButtonElement).addEventListener("click", () => show(help));
+
+/** At its top, wherever it was left. */
+function show(dialog: HTMLDialogElement): void {
+  dialog.showModal();
+  dialog.scrollTop = 0;
+}
 
 function showLoading(progress: number): void {
   // In quarters: a screen reader reads each change of this sentence aloud. What comes last cannot be counted.
@@ -271,7 +277,7 @@ addSettings(room, find(settings, "fieldset", HTMLFieldSetElement), [
   "motion",
 ]);
 find(stage, ".settings-button", HTMLButtonElement).addEventListener("click", () => {
-  settings.showModal();
+  show(settings);
   document.body.classList.add("settings-open");
 });
 settings.addEventListener("close", () => document.body.classList.remove("settings-open"));

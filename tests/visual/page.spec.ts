@@ -374,6 +374,28 @@ test("help lists the controls, and opens and closes by keyboard", async ({ hoste
   await expect(button).toBeFocused();
 });
 
+test("dialogs open at their top in low windows too, wherever they were left", async ({
+  hosted,
+}) => {
+  const { page } = hosted;
+  for (const [width, height] of [
+    [480, 270],
+    [320, 256],
+    [640, 360],
+  ] as const) {
+    await page.setViewportSize({ width, height });
+    for (const name of ["Help", "Settings"]) {
+      await page.getByRole("button", { name }).click();
+      const dialog = page.getByRole("dialog");
+      await expect(dialog.getByRole("heading", { level: 2 })).toBeFocused();
+      expect(await dialog.evaluate(({ scrollTop }) => scrollTop), `${name}, ${width}`).toBe(0);
+      await dialog.evaluate((dialog) => dialog.scrollBy(0, 200));
+      await page.keyboard.press("Escape");
+      await expect(dialog).toBeHidden();
+    }
+  }
+});
+
 test("axe finds nothing, wherever the visitor is", async ({ hosted }) => {
   const { page } = hosted;
   const dialogs = [
