@@ -251,3 +251,41 @@ test("“How it works” has figures that are computed, and switches that act", 
     ).toEqual([false, false]);
   });
 });
+
+test("on paper both are dark text on white, without gaps where nothing is drawn", async ({
+  fresh,
+}) => {
+  for (const name of ["how.html", "use.html"]) {
+    const page = await read(fresh, name);
+    await page.emulateMedia({ media: "print" });
+    const pale = await page.evaluate(() => {
+      const luminance = (color: string) => {
+        const channels = (color.match(/[\d.]+/g) ?? []).slice(0, 3).map(Number);
+        const [r = 0, g = 0, b = 0] = channels.map((byte) => {
+          const share = byte / 255;
+          return share <= 0.04045 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4;
+        });
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+      };
+      const contrast = (element: Element) =>
+        1.05 / (luminance(getComputedStyle(element).color) + 0.05);
+      const all = [...document.querySelectorAll("body, body *")];
+      return all
+        .filter((one) => one.checkVisibility() && contrast(one) < 4.5)
+        .map((one) => one.outerHTML.slice(0, 80));
+    });
+    expect(pale, name).toEqual([]);
+    const windows = page.locator("figure .window");
+    const empty = await windows.evaluateAll(
+      (all) =>
+        all.filter((window) => {
+          const isDrawn = window.querySelector("candle-flame:not(:state(loading))") !== null;
+          return !isDrawn && window.getBoundingClientRect().height > 0;
+        }).length,
+    );
+    expect(empty, name).toBe(0);
+    await expect(page.getByRole("button").first()).toBeHidden();
+    await page.emulateMedia({ media: "screen" });
+    await page.unrouteAll({ behavior: "ignoreErrors" });
+  }
+});

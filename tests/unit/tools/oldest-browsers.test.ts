@@ -15,6 +15,8 @@ const STYLE_EXCEPTIONS: Readonly<Record<string, string>> = {
   "scrollbar-color": "the scroll bar has the system's colour",
   "scrollbar-width": "the scroll bar is the system's",
   "forced-color-adjust": "Safari has no forced colours",
+  "@page": "the margins are those of the dialog that prints",
+  "break-after": "a page may end with a heading",
   cursor: "a phone has no pointer",
   ":popover-open": "rules of their own, for popovers that the browser does not have",
   "accent-color": "Safari does not adapt the tick's colour to it",
