@@ -9,6 +9,7 @@ import { fullResolution } from "./full-resolution.js";
 import { followGamepads } from "./gamepad-entry.js";
 import { holdPoster } from "./held-poster.js";
 import { bindMicrophone } from "./microphone.js";
+import { photograph } from "./photo.js";
 import { addSettings } from "./settings-form.js";
 import { readShareLink, SHARED, type Shared, type View, writeShareLink } from "./share-link.js";
 import { reflectWalking } from "./walking.js";
@@ -96,7 +97,7 @@ photoButton.addEventListener("click", async () => {
   photoButton.setAttribute("aria-busy", "true");
   await fullResolution(room, () => tell("The photo waits until the image is sharp."));
   photoButton.removeAttribute("aria-busy");
-  const blob = await room.toBlob().catch(() => null);
+  const blob = await photograph(room, stage).catch(() => null);
   if (!blob) return tell("There is no image at the moment.");
   const url = URL.createObjectURL(blob);
   const download = document.createElement("a");

@@ -917,6 +917,39 @@ test("the comparison shows two looks from one place at one time, while it is ope
     await meter.locator("summary").click();
   });
 
+  await test.step("and a photo of both, cut where they are", async () => {
+    await page.locator("candle-flame").evaluateAll((rooms: CandleFlameElement[]) => {
+      for (const room of rooms) {
+        const color = room.look === "original" ? "red" : "blue";
+        room.toBlob = () => {
+          const canvas = new OffscreenCanvas(room.stats.width, room.stats.height);
+          const context = canvas.getContext("2d");
+          if (context) context.fillStyle = color;
+          context?.fillRect(0, 0, canvas.width, canvas.height);
+          return canvas.convertToBlob();
+        };
+      }
+    });
+    const downloading = page.waitForEvent("download");
+    await page.getByRole("button", { name: "Photo" }).evaluate((one: HTMLElement) => one.click());
+    const file = await readFile(await (await downloading).path());
+    const seen = await page.evaluate(async (source) => {
+      const bytes = Uint8Array.from(atob(source), (character) => character.charCodeAt(0));
+      const image = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
+      const canvas = new OffscreenCanvas(image.width, image.height);
+      const context = canvas.getContext("2d");
+      context?.drawImage(image, 0, 0);
+      const at = (share: number) => {
+        const [x, y] = [share * image.width, image.height - 1].map(Math.floor);
+        return [...(context?.getImageData(x ?? 0, y ?? 0, 1, 1).data ?? [])].join();
+      };
+      return [at(0), at(0.73), at(0.77), at(0.99)];
+    }, file.toString("base64"));
+    const [red, blue] = ["255,0,0,255", "0,0,255,255"];
+    expect(seen).toEqual([red, red, blue, blue]);
+    await hosted.evaluate((room) => void Reflect.deleteProperty(room, "toBlob"));
+  });
+
   await test.step("to the end, also if the second room loads other models meanwhile", async () => {
     await page.locator("candle-flame.second").dispatchEvent("load");
     await hosted.lab.getByRole("button", { name: "Close the lab" }).click();
