@@ -35,7 +35,7 @@ export class CandleReporter {
     const detailOf = (index: number) => ({ index, name: candle.candleNames[index] ?? "" });
     const { hint } = this.#overlay;
     candle.onWickReached = (index) => {
-      this.#tellControls();
+      this.#tellControls(candle);
       hint.tell(reachedSentence(detailOf(index), hint.lighting));
     };
     candle.view.onQualityChanged = () => emit(element, "qualitychange", null);
@@ -54,7 +54,7 @@ export class CandleReporter {
 
   /** Time has passed, or was stepped. */
   frame(candle: CandleFlame): void {
-    this.#tellControls();
+    this.#tellControls(candle);
     this.camera(candle);
     this.glow(candle);
   }
@@ -85,16 +85,17 @@ export class CandleReporter {
     this.#states.toggle("walking", isIn);
     this.#enteredBy = isIn ? device : null;
     if (!isIn) this.flame(candle);
-    else if (this.#states.has("playing")) this.#tellControls();
+    else if (this.#states.has("playing")) this.#tellControls(candle);
     if (isOtherDevice) return;
     // Later: the canvas may be on its way out, and a listener may want another.
     queueMicrotask(() => emit(this.#element, isIn ? "enter" : "leave", null));
   }
 
-  #tellControls(): void {
-    if (!this.#enteredBy) return;
-    this.#overlay.hint.tellControls(this.#enteredBy, this.#states.has("alone"));
+  #tellControls({ input }: CandleFlame): void {
+    const device = this.#enteredBy;
     this.#enteredBy = null;
+    const line = device && input?.describe(device, this.#states.has("alone"));
+    if (device && line) this.#overlay.hint.tellControls(device, line);
   }
 
   /** Shows why the candle could not be put down, or taken up. */

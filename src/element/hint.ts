@@ -2,28 +2,6 @@ import type { Device } from "../input/first-person-input.js";
 import { type KeyName, nameKeys } from "../key-names.js";
 import { outSentence } from "./messages.js";
 
-const FLAME = "puts the flame out or lights it";
-const CANDLE = "[F] puts the candle down";
-
-/** Controls of each device; keys are in brackets. */
-const CONTROLS: Readonly<Record<Device, string>> = {
-  mouse: `[W][A][S][D] walk, the mouse looks, a click ${FLAME}, ${CANDLE}, [Esc] leaves`,
-  drag: `[W][A][S][D] walk, drag to look, [E] ${FLAME}, ${CANDLE}, [Esc] leaves`,
-  keyboard: `[W][A][S][D] walk, [Q][R] turn, [PgUp][PgDn] look, [E] ${FLAME}, ${CANDLE}, [Esc] leaves`,
-  touch:
-    "Walk with the left thumb, look with the right. Tap twice to put the flame out or light it, hold to put the candle down",
-  gamepad: `Left stick walks, right stick looks, [A] ${FLAME}, [X] puts the candle down, [B] leaves`,
-};
-
-/** The same where there are only candles. */
-const FLAME_CONTROLS: typeof CONTROLS = {
-  mouse: `A click ${FLAME}, [B] blows, [Esc] leaves`,
-  drag: `[E] ${FLAME}, [B] blows, [Esc] leaves`,
-  keyboard: `[E] ${FLAME}, [B] blows, [Esc] leaves`,
-  touch: "Tap twice to put the flame out or light it",
-  gamepad: `[A] ${FLAME}, [Y] blows, [B] leaves`,
-};
-
 /**
  * Line of text over the canvas that is shown for a moment, then fades.
  *
@@ -67,13 +45,13 @@ export class Hint {
     this.element.append(this.#sentence);
   }
 
-  tellControls(device: Device, isAlone: boolean): void {
+  /** @param controls what the device does; keys are in brackets */
+  tellControls(device: Device, controls: string): void {
     this.#clear();
     this.#device = device;
-    const controls = isAlone ? FLAME_CONTROLS : CONTROLS;
     const line = document.createElement("p");
     line.className = "controls";
-    for (const [, key, words] of controls[device].matchAll(/\[(\w+)\]|([^[]+)/g)) {
+    for (const [, key, words] of controls.matchAll(/\[(\w+)\]|([^[]+)/g)) {
       line.append(key === undefined ? ` ${words?.trim()} ` : keyCap(key));
     }
     this.#controls.append(line);

@@ -1,4 +1,5 @@
 import { type Action, type Intent, STILL } from "../world/player/intent.js";
+import { describeControls } from "./describe-controls.js";
 import { Gamepads, hasEntering, type Pad } from "./gamepads.js";
 import { Keyboard } from "./keyboard.js";
 import { Touch } from "./touch.js";
@@ -23,6 +24,7 @@ export type Device = "mouse" | "drag" | "keyboard" | "touch" | "gamepad";
 export class FirstPersonInput {
   /** Factor to how far mouse and fingers turn the view. */
   sensitivity = 1;
+  readonly describe = describeControls;
   readonly #host: HTMLElement;
   readonly #canvas: HTMLCanvasElement;
   readonly #listening = new AbortController();

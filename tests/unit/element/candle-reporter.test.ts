@@ -4,6 +4,9 @@ import { CandleReporter } from "../../../src/element/candle-reporter.ts";
 import type { CustomStates } from "../../../src/element/custom-states.ts";
 import type { Overlay } from "../../../src/element/overlay.ts";
 import type { ReflectedAttributes } from "../../../src/element/reflected-attributes.ts";
+import { describeControls } from "../../../src/input/describe-controls.ts";
+
+const VISITED = { input: { describe: describeControls } } as CandleFlame;
 
 test("entering a lone candle is told as such: the controls are fewer", () => {
   const states = { toggle() {}, has: (name: string) => name !== "walking" };
@@ -13,8 +16,9 @@ test("entering a lone candle is told as such: the controls are fewer", () => {
     states as unknown as CustomStates,
     { hint } as unknown as Overlay,
   );
-  reporter.entered({} as CandleFlame, true, "keyboard");
-  expect(hint.tellControls.mock.calls).toEqual([["keyboard", true]]);
+  reporter.entered(VISITED, true, "keyboard");
+  const controls = expect.stringMatching(/^\[E\] .*\[B\] blows/) as string;
+  expect(hint.tellControls.mock.calls).toEqual([["keyboard", controls]]);
 });
 
 test("a device that proves to be another has its controls told, and nobody enters again", async () => {
@@ -32,8 +36,8 @@ test("a device that proves to be another has its controls told, and nobody enter
   );
   const events: string[] = [];
   element.addEventListener("enter", () => events.push("enter"));
-  reporter.entered({} as CandleFlame, true, "mouse");
-  reporter.entered({} as CandleFlame, true, "drag");
+  reporter.entered(VISITED, true, "mouse");
+  reporter.entered(VISITED, true, "drag");
   await Promise.resolve();
   expect(hint.tellControls.mock.calls.map(([device]) => device)).toEqual(["mouse", "drag"]);
   expect(events).toEqual(["enter"]);
@@ -77,7 +81,7 @@ test("who enters while time stands is shown the controls once it passes", () => 
     states as unknown as CustomStates,
     { hint } as unknown as Overlay,
   );
-  const candle = createCandle();
+  const candle = Object.assign(createCandle(), VISITED);
   reporter.watch(candle);
   reporter.entered(candle, true, "keyboard");
   reporter.flame(candle);
@@ -86,7 +90,8 @@ test("who enters while time stands is shown the controls once it passes", () => 
   reporter.frame(candle);
   reporter.frame(candle);
   reporter.flame(candle);
-  expect(hint.tellControls.mock.calls).toEqual([["keyboard", false]]);
+  const controls = expect.stringContaining("walk") as string;
+  expect(hint.tellControls.mock.calls).toEqual([["keyboard", controls]]);
   expect(hint.tellFlame).toHaveBeenLastCalledWith(false, true, null);
 });
 
