@@ -45,7 +45,7 @@ layout(location = 1) out vec4 oInverseDepth;
 const float TRACED_ROUGHNESS = 0.3;
 const int REFLECTION_RAYS = 10;
 // Alpha from which normals differ by an edge, rather than by curvature.
-const float EDGE_ALPHA = 0.25;
+const float EDGE_ALPHA = 0.2;
 // Share of light from all around that single scattering in a rough metal loses, for a roughness of 1.
 const float ROUGH_LOSS = 0.25;
 
@@ -64,10 +64,10 @@ Viewing viewingOf(LightingTexel texel) {
   v.view = normalize(frame.eyePosition - texel.position);
   v.NoV = max(abs(dot(texel.normal, v.view)), 1e-3);
   v.reflected = reflect(-v.view, texel.normal);
-  // What is round has many normals within a texel: with one of them highlights would be beads.
+  // What is round has many normals within a texel: with one of them highlights would be beads. Panes are flat.
   float alpha = texel.roughness * texel.roughness;
   float widened = specularAntialiasing(alpha, texel.normal);
-  v.alpha = widened < EDGE_ALPHA ? widened : alpha;
+  v.alpha = widened < EDGE_ALPHA && !isGlass(texel.material) ? widened : alpha;
   v.mirrored = dielectricShare(texel.roughness, v.NoV);
   v.factors.x = (1.0 - metallic) * (1.0 - v.mirrored) / PI * uFeatures.y;
   v.factors.y = (1.0 - 0.6 * texel.roughness) / PI * uFeatures.y * uFeatures.z;
