@@ -111,10 +111,10 @@ void main() {
   // Antialiasing: the pixel is displayed with as large a share of the flame's colour as is covered, while that share of its
   // light would still be white. 2.5 and the hue, which bleaches like the flame's, are by the display's curves. In front of
   // the wick the ray ends before it has met the most of the body.
-  float share = end < span.y ? 1.0 : 0.5 * covered / margin;
+  bool isWhole = end < span.y || covered > 1.999 * margin;
+  float share = isWhole ? 1.0 : 0.5 * covered / margin;
   float shown = share / (share + 2.5 * radiance.r * frame.exposure * (1.0 - share) + 1e-6);
-  // Bleached like the flame within.
-  radiance *= share < 1.0 ? shown * vec3(1.0, 1.15, 1.3) : vec3(1.0);
+  radiance *= isWhole ? vec3(1.0) : shown * vec3(1.0, 1.15, 1.3);
   depth *= share;
 #endif
   // The largest half float is 65504: a small flame comes near it, and clipping by channel would turn it green. Of a radiance

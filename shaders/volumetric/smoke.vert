@@ -1,5 +1,7 @@
 #version 300 es
 // Smoke as streaklines: each a camera-facing ribbon, as wide as the line has diffused.
+// REACH: half width of a ribbon, in standard deviations; less where the line is faint at its centre, down to an optical depth
+// of FAINT, which nobody sees. LEAST_SINE: of the angle to the view ray.
 // ALONE: over a page, where there is no room, and the smoke ends before the edges of the canvas.
 // In:  parcels, a row for each moment of their birth, two texels each.
 #include "lib/precision.glsl"
@@ -14,10 +16,6 @@
 #endif
 #include "lib/scattering.glsl"
 
-// Half width of the ribbon, in standard deviations of the line; less where the line is faint at its centre.
-const float REACH = 2.4;
-// Optical depth that nobody sees.
-const float FAINT = 1e-5;
 // Least standard deviation, pixels: a narrower line is drawn fainter instead.
 const float LEAST_WIDTH = 0.55;
 
@@ -118,7 +116,7 @@ void main() {
   float width = mix(breadth(age, line), breadth(age + 1, line), t);
   float drawnWidth = max(width, LEAST_WIDTH * distance / frame.projectionScale);
   // A line nearly parallel to the view ray has a longer path through it.
-  vOpticalDepth = mix(young.w, old.w, t) / (drawnWidth * sqrt(2.0 * PI) * max(sine, 0.3));
+  vOpticalDepth = mix(young.w, old.w, t) / (drawnWidth * sqrt(2.0 * PI) * max(sine, LEAST_SINE));
   vRadiance = smokeRadiance(here);
   float reach = min(sqrt(2.0 * log(max(vOpticalDepth / FAINT, 1.0))), REACH);
   vAcross = (float(side) * 2.0 - 1.0) * reach;

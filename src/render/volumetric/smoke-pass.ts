@@ -11,9 +11,9 @@ import { LINES, ROWS, SMOKE_FLOATS, type Smoke } from "../../world/particles/smo
 import type { World } from "../../world/world.js";
 import { FlameLights, MOST_FLAMES } from "../lone-candle/flame-lights.js";
 import type { Sphere } from "../screen-bounds.js";
-import { FAINT, MOST_SECTIONS, opticalDepth, setSections } from "./smoke-sections.js";
+import { FAINT, LEAST_SINE, MOST_SECTIONS, opticalDepth, setSections } from "./smoke-sections.js";
 
-/** Most half width of a ribbon, in standard deviations: `REACH` of the shader. */
+/** Most half width of a ribbon, in standard deviations. */
 const REACH = 2.4;
 /** Most by which a line leaves the straight way between two rows, as a share of it. */
 const BULGE = 0.25;
@@ -41,7 +41,15 @@ export class SmokePass {
     this.#gpu = gpu;
     this.#isAlone = isAlone;
     this.#program = gpu.program("volumetric/smoke", smokeVert, smokeFrag, {
-      defines: { LINES, ROWS, LED_ROWS, ...(isAlone ? { ALONE: 1 } : {}) },
+      defines: {
+        LINES,
+        ROWS,
+        LED_ROWS,
+        REACH,
+        FAINT,
+        LEAST_SINE,
+        ...(isAlone ? { ALONE: 1 } : {}),
+      },
     });
     this.#flames = gpu.uniformBlock(this.#program, "Flames");
     this.#parcels = gpu.texture({

@@ -3,10 +3,12 @@ import { LINES, ROWS, SMOKE_FLOATS, type Smoke } from "../../world/particles/smo
 
 /** Most ends of pieces along a line of smoke. */
 export const MOST_SECTIONS = 2 * ROWS;
-/** Optical depth that nobody sees: as in the shader. */
+/** Optical depth that nobody sees. */
 export const FAINT = 1e-5;
-/** Breadth over the optical depth of a cross-section of 1 m: of a line seen as nearly along itself as the shader allows. */
-const LENGTHENED = 0.3 * Math.sqrt(2 * Math.PI);
+/** Least sine between a line and the view ray: a line seen along itself has a longer path through it, up to this. */
+export const LEAST_SINE = 0.3;
+/** Cross-section over breadth and optical depth, of a line seen at `LEAST_SINE`. */
+const LENGTHENED = LEAST_SINE * Math.sqrt(2 * Math.PI);
 /** Longest piece, metres, and most that its line turns: the distance between directions of length 1. */
 const LONGEST = 0.012;
 const MOST_BEND = 0.3;

@@ -66,6 +66,7 @@ export class Smoke {
     this.parcels.set(other.parcels);
     this.#velocities.set(other.#velocities);
     this.#amounts.set(other.#amounts);
+    this.#stirred.set(other.#stirred);
     this.#unrest = other.#unrest;
     this.#step = other.#step;
     this.newest = other.newest;
