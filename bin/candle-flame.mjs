@@ -8,7 +8,7 @@ import { makePoster, Refusal } from "./poster.mjs";
 const USAGE = `npx candle-flame poster [options] [attributes]
 
   --out file        .avif (needs the package sharp), .webp, .jpg or .png; poster.webp unless said otherwise
-  --size 1600x900   pixels, at most 8192x8192
+  --size 1600x900   pixels, at most 8192 a side and 16.7 million
   --camera "x y z yaw pitch"   metres and radians, as the property camera has them; a sixth number is the
                     field of view
   --candle "x y z yaw pitch"   from where the candle is put down; without it, it is held

@@ -24,8 +24,9 @@ const MIME = {
   ".json": "application/json",
   ".wasm": "application/wasm",
 };
-/** Longest side that the renderer on the CPU draws: a larger one would be enlarged. Pixels. */
+/** Longest side that is drawn on the CPU, and most pixels: a larger picture would be enlarged. */
 const LARGEST = 8192;
+const MOST_PIXELS = 4096 ** 2;
 /** Longest that a picture may take: a CPU draws a large one in a minute or two. Milliseconds. */
 const PATIENCE = 900_000;
 /** Longest that a page may take to define the element and to insert it, milliseconds. */
@@ -62,8 +63,8 @@ function readSize(text) {
   const [, width, height] = /^(\d{1,5})x(\d{1,5})$/.exec(text) ?? [];
   if (!(width > 0 && height > 0))
     throw new Refusal(`--size is like 1600x900, not ${text || "empty"}.`);
-  if (Math.max(width, height) > LARGEST)
-    throw new Refusal(`--size is at most ${LARGEST}x${LARGEST}, not ${text}.`);
+  if (Math.max(width, height) > LARGEST || width * height > MOST_PIXELS)
+    throw new Refusal(`--size is at most ${LARGEST} a side and 16.7 megapixels, not ${text}.`);
   return { width: Number(width), height: Number(height) };
 }
 

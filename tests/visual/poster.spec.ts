@@ -260,7 +260,8 @@ test.describe("npx candle-flame poster", () => {
   for (const { words, answer } of [
     { words: ["--colour", "red"], answer: /no option or attribute colour/ },
     { words: ["--size", "large"], answer: /--size is like 1600x900, not large/ },
-    { words: ["--size", "99999x90"], answer: /--size is at most 8192x8192, not 99999x90/ },
+    { words: ["--size", "99999x90"], answer: /--size is at most 8192 a side and 16.7 megapixels/ },
+    { words: ["--size", "8192x4320"], answer: /16.7 megapixels, not 8192x4320/ },
     { words: ["--camera", "0 0"], answer: /--camera is five numbers/ },
     { words: ["--out", "poster.gif"], answer: /\.avif, \.webp, \.jpg or \.png, not poster\.gif/ },
     { words: ["--out", "/nowhere/poster.webp"], answer: /no folder \/nowhere/ },
