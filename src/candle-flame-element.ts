@@ -281,7 +281,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     if (this.#candle) blow(this.#candle.world, strengthOfBreath(strength));
   }
 
-  /** Enters the room, as a click does: takes the focus and locks the pointer. Needs `controls`. */
+  /** Enters the room: takes the focus, and locks the pointer unless a gamepad's A is down. Needs `controls`. */
   enter(): void {
     this.#lifecycle.session?.controls.enter();
   }

@@ -32,7 +32,7 @@ export const NO_STATS: Stats = {
   height: 0,
   resolutionScale: 1,
   quality: "low",
-  preparing: true,
+  preparing: false,
   gpuObjects: 0,
   gpuBytes: 0,
 };

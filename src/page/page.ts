@@ -61,8 +61,11 @@ function showLoading(progress: number): void {
   if (status.textContent !== sentence) status.textContent = sentence;
 }
 room.addEventListener("progress", ({ detail }) => showLoading(detail.totalProgress));
-// A look that is chosen and taken back meanwhile ends its loading without an event.
+// The look that is asked for, and the one before.
+let looks = [room.look, room.look] as const;
 followAttributes(room, ["look"], () => {
+  if (room.look !== looks[0]) looks = [room.look, looks[0]];
+  // A look that is chosen and taken back meanwhile ends its loading without an event.
   if (room.flame) status.textContent = "";
 });
 room.addEventListener("load", () => welcome(true));
@@ -72,10 +75,11 @@ room.addEventListener("contextrestored", () => {
   if (room.flame) welcome(true);
 });
 room.addEventListener("error", ({ detail }) => {
-  // The element itself says what is missing, unless the room before it goes on.
-  if (detail.type !== "asset" || !room.flame) return welcome(false);
-  status.textContent = "";
-  const look = loadedLook(room);
+  // The element itself says what is missing, unless the room before it goes on, drawn or still being prepared.
+  const goesOn = room.flame || room.matches(":is(:state(loading), [state-loading])");
+  if (detail.type !== "asset" || !goesOn) return welcome(false);
+  if (room.flame) status.textContent = "";
+  const look = room.flame ? loadedLook(room) : looks[1];
   tell(room.look === look ? detail.message : `${detail.message} The look stays ${look}.`);
   room.look = look; // so that controls and links have what is drawn, and the other can be chosen again
 });

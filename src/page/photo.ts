@@ -19,10 +19,12 @@ export async function photograph(room: CandleFlameElement, stage: HTMLElement): 
   canvas.height = height;
   const isWide = matchMedia("(color-gamut: p3)").matches;
   const context = canvas.getContext("2d", { colorSpace: isWide ? "display-p3" : "srgb" });
-  context?.drawImage(right, 0, 0);
+  if (!context) throw new Error("There is no 2D context.");
+  context.drawImage(right, 0, 0);
   const cut = Math.round(share * width);
   if (cut > 0)
-    context?.drawImage(left, 0, 0, (left.width * cut) / width, left.height, 0, 0, cut, height);
+    context.drawImage(left, 0, 0, (left.width * cut) / width, left.height, 0, 0, cut, height);
+  for (const image of [right, left]) image.close();
   return new Promise((resolve, reject) =>
     canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("It is too large.")))),
   );

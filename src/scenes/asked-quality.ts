@@ -31,7 +31,8 @@ export function askedQuality(
   const chosen: Rung = quality === "auto" ? automatic : { tier: quality, share: 1 };
   // `low` has no separate passes to inspect.
   const isLow = (quality === "auto" ? auto.rung.tier : quality) === "low";
-  const inspecting = isPlaying && auto.isSoftware ? QUICK_INSPECTION_RUNG : INSPECTION_RUNG;
+  const isQuick = quality === "auto" && isPlaying && auto.isSoftware;
+  const inspecting = isQuick ? QUICK_INSPECTION_RUNG : INSPECTION_RUNG;
   const { tier, share } = isLow && inspect !== "picture" ? inspecting : chosen;
   return { tier: tierOf(tier, quality, auto), share };
 }

@@ -64,7 +64,10 @@ export function bindComparison(
     else comparison.close();
   });
   comparison.onChange = show;
-  followAttributes(room, ["look"], () => show(""));
+  // The look goes back after a failure, of which the sentence stays.
+  followAttributes(room, ["look"], () =>
+    show(comparison.state === "closed" ? (status.textContent ?? "") : ""),
+  );
   return (isDisabled) => {
     for (const control of [left, right, button]) control.disabled = isDisabled;
   };
