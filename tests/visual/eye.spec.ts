@@ -101,7 +101,10 @@ test("The tests' display transform equals the renderer's, and that by a table ne
 test("Embers are shown red at any exposure, and never pink", async () => {
   const temperatures = [900, 950, 1000, 1050, 1100, 1150, 1200];
   for (const stops of [BRIGHT, most]) {
-    const { own } = await show(temperatures.map(emberRadiance), stops);
+    const { own } = await show(
+      temperatures.map((temperature) => emberRadiance(temperature)),
+      stops,
+    );
     for (const [i, shown] of own.entries()) {
       const { hue, chroma } = hueOf(shown);
       console.log(`${temperatures[i]} K: ${shown.map(Math.round)}, hue ${hue.toFixed(0)}`);
