@@ -111,11 +111,11 @@ void main() {
   // Antialiasing: the pixel is displayed with as large a share of the flame's colour as is covered, while that share of its
   // light would still be white. 2.5 and the hue, which bleaches like the flame's, are by the display's curves. In front of
   // the wick the ray ends before it has met the most of the body.
-  bool isWhole = end < span.y || covered > 1.999 * margin;
-  float share = isWhole ? 1.0 : 0.5 * covered / margin;
-  float shown = share / (share + 2.5 * radiance.r * frame.exposure * (1.0 - share) + 1e-6);
-  radiance *= isWhole ? vec3(1.0) : shown * vec3(1.0, 1.15, 1.3);
-  depth *= share;
+  bool isCovered = end < span.y || covered > 1.999 * margin;
+  float coverage = isCovered ? 1.0 : 0.5 * covered / margin;
+  float shown = coverage / (coverage + 2.5 * radiance.r * frame.exposure * (1.0 - coverage) + 1e-6);
+  radiance *= isCovered ? vec3(1.0) : shown * vec3(1.0, 1.15, 1.3);
+  depth *= coverage;
 #endif
   // The largest half float is 65504: a small flame comes near it, and clipping by channel would turn it green. Of a radiance
   // r at most 1 - r / 6e4 of what is behind passes, so that flames behind one another stay below 6e4.

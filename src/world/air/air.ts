@@ -40,10 +40,10 @@ const SHELTERED = 0.12;
 export class Air {
   #wind = CALM;
   /** Target mean velocity and turbulence, m/s. Of one shape, or V8 would box the numbers. */
-  readonly #target = { x: Number.NaN, z: Number.NaN, unrest: Number.NaN };
+  readonly #target = { x: Number.NaN, z: Number.NaN, turbulence: Number.NaN };
   readonly #gusts: Gusts;
   readonly #mean: Vec3 = [0, 0, 0];
-  #unrest = 0;
+  #turbulence = 0;
   /** Ticks, and seconds, since the beginning. */
   #tick = 0;
   #time = 0;
@@ -73,7 +73,7 @@ export class Air {
     this.#wind = wind;
     this.#target.x = -speed * Math.sin(direction);
     this.#target.z = -speed * Math.cos(direction);
-    this.#target.unrest = speed * gustiness * TURBULENCE;
+    this.#target.turbulence = speed * gustiness * TURBULENCE;
   }
 
   /**
@@ -107,10 +107,10 @@ export class Air {
 
   #veer(ticks: number): void {
     const blend = 1 - Math.exp(-VEERING * TICK * Math.max(0, ticks));
-    const { x, z, unrest } = this.#target;
+    const { x, z, turbulence } = this.#target;
     this.#mean[0] += (x - this.#mean[0]) * blend;
     this.#mean[2] += (z - this.#mean[2]) * blend;
-    this.#unrest += (unrest - this.#unrest) * blend;
+    this.#turbulence += (turbulence - this.#turbulence) * blend;
   }
 
   /**
@@ -144,8 +144,8 @@ export class Air {
     out[0] = this.#mean[0];
     out[1] = this.#mean[1];
     out[2] = this.#mean[2];
-    if (this.#unrest > 0) {
-      this.#gusts.strength = this.#unrest;
+    if (this.#turbulence > 0) {
+      this.#gusts.strength = this.#turbulence;
       this.#gusts.time = this.#time;
       const gusty = this.#gusty;
       gusty[0] = place[0] + aside[0];

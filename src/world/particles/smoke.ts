@@ -19,10 +19,10 @@ const SPREADING = 1.1e-6;
  * round jet carries is wide as 0.127 of its way at 1/e (Fischer et al. 1979, "Mixing in Inland and Coastal Waters"); the
  * speed is fitted: neither a plume nor a visitor is as fast.
  */
-const STIRRING = 0.127 / Math.SQRT2;
-const BREATH_SPEED = 2.5;
+const JET_SPREADING = 0.127 / Math.SQRT2;
+const JET_SPEED = 2.5;
 /** Time in which eddies that it leaves at the wick decay by a factor e, seconds: about their size over their speed. */
-const CALMING = 0.1;
+const TURBULENCE_DECAY = 0.1;
 /** Extinction's cross-section of all smoke of a step at full strength, m². */
 const THICKNESS = 7e-6;
 /** Seconds over which an old parcel dissolves. */
@@ -49,10 +49,10 @@ export class Smoke {
   readonly #velocities = new Float32Array(LINES * ROWS * 3);
   readonly #amounts = new Float32Array(LINES * ROWS);
   /** Breadth that a breath has given each parcel, metres. */
-  readonly #stirred = new Float32Array(LINES * ROWS);
+  readonly #jetBreadth = new Float32Array(LINES * ROWS);
   readonly #key: number;
-  /** What a breath stirs at the wick, or has left of its eddies: its speed above `BREATH_SPEED`, m/s. */
-  #unrest = 0;
+  /** Of a breath at the wick, or what is left of it: its speed above `JET_SPEED`, m/s. */
+  #turbulence = 0;
   #step = 0;
   readonly #place: Vec3 = [0, 0, 0];
   readonly #flow: Vec3 = [0, 0, 0];
@@ -66,8 +66,8 @@ export class Smoke {
     this.parcels.set(other.parcels);
     this.#velocities.set(other.#velocities);
     this.#amounts.set(other.#amounts);
-    this.#stirred.set(other.#stirred);
-    this.#unrest = other.#unrest;
+    this.#jetBreadth.set(other.#jetBreadth);
+    this.#turbulence = other.#turbulence;
     this.#step = other.#step;
     this.newest = other.newest;
     this.count = other.count;
@@ -83,16 +83,16 @@ export class Smoke {
   step(air: PlumeSolver, wick: Readonly<Vec3>): void {
     this.#step++;
     if (this.count === 0 && !this.isFed) return;
-    this.#stir(air, wick);
+    this.#followTurbulence(air, wick);
     this.#advect(air);
     this.#emit(air, wick);
     this.#dilute();
   }
 
-  #stir(air: PlumeSolver, wick: Readonly<Vec3>): void {
+  #followTurbulence(air: PlumeSolver, wick: Readonly<Vec3>): void {
     const flow = air.velocity(wick, this.#flow);
-    const speed = length3(flow[0], flow[1], flow[2]) - BREATH_SPEED;
-    this.#unrest = Math.max(speed, this.#unrest * Math.exp(-PLUME_STEP / CALMING));
+    const speed = length3(flow[0], flow[1], flow[2]) - JET_SPEED;
+    this.#turbulence = Math.max(speed, this.#turbulence * Math.exp(-PLUME_STEP / TURBULENCE_DECAY));
   }
 
   #advect(air: PlumeSolver): void {
@@ -114,7 +114,7 @@ export class Smoke {
           velocities[v + axis] = flow[axis]!;
         }
         const speed = length3(flow[0], flow[1], flow[2]);
-        this.#stirred[at]! += STIRRING * PLUME_STEP * Math.max(speed - BREATH_SPEED, 0);
+        this.#jetBreadth[at]! += JET_SPREADING * PLUME_STEP * Math.max(speed - JET_SPEED, 0);
       }
     }
   }
@@ -122,7 +122,7 @@ export class Smoke {
   #emit(air: PlumeSolver, wick: Readonly<Vec3>): void {
     const { parcels } = this;
     // Vapour that is diluted before it condenses becomes finer droplets, which scatter less: fitted by eye.
-    const share = 1 / (1 + this.#unrest * this.#unrest);
+    const share = 1 / (1 + this.#turbulence * this.#turbulence);
     const strength = this.isFed ? this.strength * share : 0;
     this.newest = (this.newest + 1) % ROWS;
     this.count = Math.min(this.count + 1, ROWS);
@@ -141,7 +141,7 @@ export class Smoke {
         this.#velocities[at * 3 + axis] = flow[axis]!;
       }
       const grain = 1 + GRAIN * this.#grain(n);
-      this.#stirred[at] = 0;
+      this.#jetBreadth[at] = 0;
       this.#amounts[at] = (strength * grain * THICKNESS) / LINES;
     }
     // Rows that have dissolved are dropped from the old end.
@@ -187,9 +187,9 @@ export class Smoke {
         const after = (row * LINES + ((i + 1) % LINES)) * SMOKE_FLOATS;
         const gap = 0.5 * (apart(parcels, p, before) + apart(parcels, p, after));
         parcels[p + 3] = (this.#amounts[at]! * fades) / length;
-        const stirred = this.#stirred[at]!;
+        const jet = this.#jetBreadth[at]!;
         parcels[p + 4] = Math.sqrt(
-          BREADTH * BREADTH + 2 * SPREADING * seconds + 0.12 * gap * gap + stirred * stirred,
+          BREADTH * BREADTH + 2 * SPREADING * seconds + 0.12 * gap * gap + jet * jet,
         );
       }
     }
