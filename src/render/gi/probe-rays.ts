@@ -56,8 +56,11 @@ export const PROBE_DEPTH_EDGE = 18;
 export const IRRADIANCE_TEXELS = 7;
 /** Largest depth, metres. */
 const FARTHEST = 60;
-/** Exponent of the cosine lobe that depths are averaged over, for each ray: so wide that it always has several. */
-const LOBE_EXPONENT = 1.2;
+/**
+ * Exponent of the cosine lobe that depths are averaged over: 7 degrees to half of its height. In narrower ones a depth
+ * comes from a ray or two, and the visibility of a probe past an edge changes within centimetres of a wall.
+ */
+const LOBE_EXPONENT = 86;
 /** Edge of the map of rays that test whether a point is inside a solid. */
 const INSIDE_TEST_RAYS = 4;
 /** A point is inside a solid if this share of those rays hits back faces. */
@@ -188,9 +191,8 @@ function hitsOn(parts: readonly Part[]) {
 type Lobes = readonly { readonly rays: Uint16Array; readonly weights: Float32Array }[];
 
 function lobesOf(directions: readonly Vec3[]): Lobes {
-  const exponent = LOBE_EXPONENT * directions.length;
   // Of rays beyond, a thousandth of the lobe at most.
-  const leastCosine = 1e-4 ** (1 / exponent);
+  const leastCosine = 1e-4 ** (1 / LOBE_EXPONENT);
   return octahedral(PROBE_DEPTH_EDGE, PROBE_DEPTH_EDGE - 2, 1).map((texel) => {
     const rays: number[] = [];
     const weights: number[] = [];
@@ -199,7 +201,7 @@ function lobesOf(directions: readonly Vec3[]): Lobes {
       const direction = directions[ray]!;
       const cosine = texel[0] * direction[0] + texel[1] * direction[1] + texel[2] * direction[2];
       if (cosine < leastCosine) continue;
-      const weight = cosine ** exponent;
+      const weight = cosine ** LOBE_EXPONENT;
       rays.push(ray);
       weights.push(weight);
       sum += weight;

@@ -81,6 +81,25 @@ describe("Probes of an empty room", () => {
   });
 });
 
+test("a probe's depths deviate around an edge, not at it alone, so that its light ends softly there", () => {
+  // Seen from the first probe it ends along +X, 2.5 m before the wall behind it.
+  const board = box([1.5, 0, 2 / 3], [1.6, 2, 4], true);
+  const detail = { ...DETAIL, rays: 16 };
+  const { depths } = probeTraceOf(
+    new CollisionMesh([ROOM, board]),
+    modelOf(ROOM, board),
+    detail,
+  ).finish();
+  const deviations: number[] = [];
+  for (const [texel, [x, y, z]] of octahedral(PROBE_DEPTH_EDGE, 16, 1).entries()) {
+    if (x < 0.8 || Math.abs(y) > 0.4 || Math.abs(z) > Math.sin(Math.PI / 15)) continue;
+    const row = Math.floor(texel / PROBE_DEPTH_EDGE) * 2 * PROBE_DEPTH_EDGE;
+    deviations.push(depths[(row + (texel % PROBE_DEPTH_EDGE)) * 2 + 1]!);
+  }
+  expect(deviations.length).toBeGreaterThan(5);
+  expect(Math.min(...deviations)).toBeGreaterThan(0.15);
+});
+
 test("a probe in a block of stone moves out of it, and none sees the block's inside", () => {
   const block = box([0.4, 0, 0.37], [1.3, 0.95, 1.28], true);
   const rays = probeTraceOf(
