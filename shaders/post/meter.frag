@@ -29,8 +29,8 @@ vec3 radianceAt(vec2 uv) {
 const int TAPS = 4;
 const float DARKEST = 1e-4;  // cd/m²: as in src/world/player/exposure-adaptation.ts
 // Logarithms of luminance between which the weight falls to 0: only the flame and its mirror images are beyond.
-const float SURFACE = 3.0;
-const float FLAME = 6.0;
+const float SURFACE = 6.0;
+const float FLAME = 9.0;
 
 // Mean of weighted log2 luminance, and of the weight. `cells`: number of cells.
 vec2 meterCell(vec2 cell, vec2 cells) {

@@ -259,6 +259,8 @@ test("The meter takes no notice of the flame, lags as set, and keeps to its limi
     const stops = {
       plain: eye.meter(wall(0.02)),
       withFlame: eye.meter(withFlame),
+      // Cloth beside a flame.
+      withCloth: eye.meter((x) => wall(x < 64 ? 0.02 : 30)()),
       bright: eye.meter(wall(0.08)),
       lagging: eye.meter(wall(0.08), 0.5),
       dark: eye.meter(wall(0.001)),
@@ -269,6 +271,7 @@ test("The meter takes no notice of the flame, lags as set, and keeps to its limi
   });
   expect(stops.plain).toBeCloseTo(exposureOf(Math.log2(0.02)), 2);
   expect(stops.withFlame).toBeCloseTo(stops.plain, 2);
+  expect(stops.withCloth).toBeCloseTo(exposureOf(0.5 * Math.log2(0.02 * 30)), 2);
   expect(stops.bright).toBeCloseTo(exposureOf(Math.log2(0.08)), 2);
   expect(stops.lagging).toBeCloseTo(stops.bright + 0.5, 2);
   expect(stops.dark).toBeCloseTo(most, 2);
