@@ -46,7 +46,7 @@ Material materialHere(vec3 occlusionRoughnessMetallic) {
 
 vec3 shadingNormal(vec3 surface) {
   if (frame.normalMaps < 0.5) return surface;
-  return perturbedNormal(texture(uNormal, vUv, LOD_BIAS).xy, surface, vTangentWorld, uSurface.z);
+  return perturbedNormal(texture(uNormal, vUv).xy, surface, vTangentWorld, uSurface.z);
 }
 
 vec2 minifiedVisibility() {

@@ -117,6 +117,69 @@ test("In the paper's look a smooth wall without a roughness map has a highlight,
   expect(smooth / rough).toBeGreaterThan(1.1);
 });
 
+/** A floor whose threads are 6 mm wide and 2.5 texels: of woven cloth, from above. */
+async function wovenFloor(): Promise<Buffer> {
+  const builder = new GlbBuilder();
+  const size = 64;
+  const texels = Buffer.alloc(size * size * 3);
+  for (let i = 0; i < size * size; i++) {
+    // Slopes of one in one, along both axes.
+    const [u, v] = [(i % size) * 0.4, Math.floor(i / size) * 0.4].map((turns) =>
+      Math.sin(2 * Math.PI * turns),
+    ) as [number, number];
+    const length = Math.hypot(u, v, 1);
+    texels.set(
+      [u, v, 1].map((x) => Math.round(127.5 + (127.5 * x) / length)),
+      i * 3,
+    );
+  }
+  const raw = { width: size, height: size, channels: 3 } as const;
+  const png = await sharp(texels, { raw }).png().toBuffer();
+  const image = builder.add("images", { bufferView: builder.view(png), mimeType: "image/png" });
+  const sampler = builder.add("samplers", { magFilter: 9729, minFilter: 9987 });
+  const normalTexture = { index: builder.add("textures", { source: image, sampler }) };
+  const material = builder.add("materials", {
+    pbrMetallicRoughness: { metallicFactor: 0 },
+    normalTexture,
+  });
+  const corners = [-4, 0, 4, 4, 0, 4, 4, 0, -4, -4, 0, -4];
+  const repeats = 8 / (0.006 * (size / 2.5));
+  const attributes = {
+    POSITION: builder.accessor(Float32Array.from(corners), 3),
+    NORMAL: builder.accessor(
+      Float32Array.from({ length: 12 }, (_, i) => (i % 3) & 1),
+      3,
+    ),
+    TANGENT: builder.accessor(
+      Float32Array.from({ length: 16 }, (_, i) => Number(i % 4 === 0 || i % 4 === 3)),
+      4,
+    ),
+    TEXCOORD_0: builder.accessor(
+      Float32Array.from([0, 0, 1, 0, 1, 1, 0, 1], (x) => x * repeats),
+      2,
+    ),
+  };
+  const indices = builder.accessor(Uint16Array.of(0, 1, 2, 0, 2, 3), 1);
+  const primitives = [{ attributes, indices, material }];
+  builder.root({ mesh: builder.add("meshes", { primitives }) });
+  return builder.glb();
+}
+
+test("Cloth of one thread a pixel is not peppered", async ({ page }) => {
+  const room = new RoomDriver(page);
+  await room.open({ look: "physical", quality: "high" }, { ...SIZE, model: await wovenFloor() });
+  const contrast = await room.evaluate((element) => {
+    element.camera = { position: [0, 0.9, 0], yaw: 0, pitch: -0.6 };
+    element.step(0);
+    const radiance = element.readRadiance(20, 20, 40, 40);
+    const green = Array.from({ length: 1600 }, (_, i) => radiance[3 * i + 1] ?? 0);
+    const steps = green.slice(1).map((here, i) => Math.abs(here - (green[i] ?? 0)));
+    const sum = (values: number[]) => values.reduce((sum, value) => sum + value, 0);
+    return sum(steps) / sum(green);
+  });
+  expect(contrast).toBeLessThan(0.07);
+});
+
 test("A mirror shows a plain wall without rings", async ({ page }) => {
   const material = { color: [0.5, 0.5, 0.5] } as const;
   const walls = { "-z": { color: [0.9, 0.9, 0.9], roughness: 0, metallic: 1 } } as const;
