@@ -59,9 +59,9 @@ export function advanceSmoke(world: World): void {
     const candle = i === 0 ? world : standing[i - 1]!;
     const { flame, plume } = candle;
     const root = i === 0 ? emitter : standing[i - 1]!.root;
-    const smokes = !flame.isLit && flame.measure().smoking > 0;
     if (!plume) continue;
     plume.step(flame, root, sways ? air : null);
+    const smokes = !flame.isLit && flame.measure().smoking > 0;
     if (!smokes && plume.smoke.count === 0) candle.plume = null;
     else plumes++;
   }
