@@ -1,17 +1,17 @@
-import { RUNGS } from "./ladder.js";
+import { LADDER_STEPS } from "./ladder.js";
 
-const PAPER_MULTIPLES = multiplesOf(RUNGS.map(({ milliseconds }) => milliseconds));
+const PAPER_MULTIPLES = multiplesOf(LADDER_STEPS.map(({ milliseconds }) => milliseconds));
 
 /**
- * Table 1: each rung's cost here and in the paper, as numbers and as bars in multiples of the first.
+ * Table 1: each step's cost here and in the paper, as numbers and as bars in multiples of the first.
  *
  * @param body the table's, empty; its columns are name, then ms, fps and multiple, twice
- * @returns what shows the median frame time of each rung, milliseconds; `NaN` or missing where there is none yet
+ * @returns what shows the median frame time of each step, milliseconds; `NaN` or missing where there is none yet
  */
 export function addLadderChart(
   body: HTMLTableSectionElement,
 ): (medians: readonly number[]) => void {
-  const rows = RUNGS.map(({ name, milliseconds, perSecond }, i) => {
+  const rows = LADDER_STEPS.map(({ name, milliseconds, perSecond }, i) => {
     const texts = [milliseconds.toFixed(1), perSecond, formatMultiple(PAPER_MULTIPLES[i])];
     const paperCells = texts.map((text) => `<td class="of-paper">${text}</td>`).join("");
     const numbers = body.insertRow();

@@ -1,7 +1,7 @@
 import type { CandleFlameElement, Feature } from "../../candle-flame-element.js";
 
 /** A step of the paper's Table 1: what it adds, and what a frame cost there. */
-interface Rung {
+interface LadderStep {
   readonly name: string;
   readonly adds: readonly Feature[];
   readonly milliseconds: number;
@@ -9,7 +9,7 @@ interface Rung {
 }
 
 /** "Dynamic Fire Effects Using OpenGL Rasterization Techniques", Table 1. */
-export const RUNGS: readonly Rung[] = [
+export const LADDER_STEPS: readonly LadderStep[] = [
   { name: "no particles", adds: [], milliseconds: 2.1, perSecond: 475 },
   {
     name: "+ basic emission",
@@ -29,12 +29,12 @@ const FEWEST_FRAMES = 4;
 const MOST_FRAMES = 120;
 
 /**
- * Measures the frame time of a paused element in the paper's look on each rung, which its features then are.
+ * Measures the frame time of a paused element in the paper's look at each step of the ladder, which its features then are.
  *
  * Rounds go up and down the ladder in turn, so that a machine that warms up or slows down favours no
- * rung. Rejects when the signal aborts.
+ * step. Rejects when the signal aborts.
  *
- * @param onProgress called after each burst, with each rung's median frame time so far, milliseconds
+ * @param onProgress called after each burst, with each step's median frame time so far, milliseconds
  * @returns frames in one burst
  */
 export async function climb(
@@ -45,27 +45,30 @@ export async function climb(
 ): Promise<number> {
   await nextFrame(signal);
   const frames = framesThatFit(element);
-  const times: number[][] = RUNGS.map(() => []);
+  const times: number[][] = LADDER_STEPS.map(() => []);
   for (let round = 0; round < rounds; round++) {
-    for (let i = 0; i < RUNGS.length; i++) {
-      const rung = round % 2 === 0 ? i : RUNGS.length - 1 - i;
+    for (let i = 0; i < LADDER_STEPS.length; i++) {
+      const step = round % 2 === 0 ? i : LADDER_STEPS.length - 1 - i;
       await nextFrame(signal);
-      standOn(element, rung);
-      times[rung]?.push(burst(element, frames));
-      onProgress((round * RUNGS.length + i + 1) / (rounds * RUNGS.length), times.map(median));
+      standOn(element, step);
+      times[step]?.push(burst(element, frames));
+      onProgress(
+        (round * LADDER_STEPS.length + i + 1) / (rounds * LADDER_STEPS.length),
+        times.map(median),
+      );
     }
   }
   return frames;
 }
 
-function standOn({ features }: CandleFlameElement, rung: number): void {
-  RUNGS.forEach(({ adds }, i) => {
-    for (const feature of adds) features[feature] = i <= rung;
+function standOn({ features }: CandleFlameElement, step: number): void {
+  LADDER_STEPS.forEach(({ adds }, i) => {
+    for (const feature of adds) features[feature] = i <= step;
   });
 }
 
 function framesThatFit(element: CandleFlameElement): number {
-  standOn(element, RUNGS.length - 1);
+  standOn(element, LADDER_STEPS.length - 1);
   const frames = Math.round(BURST / burst(element, FEWEST_FRAMES));
   return Math.min(Math.max(frames, FEWEST_FRAMES), MOST_FRAMES);
 }

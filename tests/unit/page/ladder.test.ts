@@ -1,19 +1,19 @@
 import { afterAll, beforeAll, expect, test, vi } from "vitest";
 import type { CandleFlameElement, Feature } from "../../../src/candle-flame-element.ts";
-import { climb, RUNGS } from "../../../src/page/lab/ladder.ts";
+import { climb, LADDER_STEPS } from "../../../src/page/lab/ladder.ts";
 import { allFeatures } from "../../../src/settings.ts";
 
 /** As much of the element as is measured. */
 class Room {
   readonly features = allFeatures();
-  /** Rungs on which frames were drawn, in their order. */
+  /** Steps at which frames were drawn, in their order. */
   readonly drawn: number[] = [];
 
   step(): void {
     const isOn = ({ adds }: { adds: readonly Feature[] }) =>
       adds.every((one) => this.features[one]);
-    const rung = RUNGS.findLastIndex(isOn);
-    if (this.drawn.at(-1) !== rung) this.drawn.push(rung);
+    const step = LADDER_STEPS.findLastIndex(isOn);
+    if (this.drawn.at(-1) !== step) this.drawn.push(step);
   }
   readRadiance(): void {}
 }
@@ -33,11 +33,11 @@ test("rounds go up and down the ladder in turn, after frames that say how many f
     last = medians;
   });
   expect(frames).toBeGreaterThan(0);
-  expect(last).toHaveLength(RUNGS.length);
+  expect(last).toHaveLength(LADDER_STEPS.length);
   expect(room.drawn).toEqual([4, 0, 1, 2, 3, 4, 3, 2, 1, 0]);
 });
 
-test("a climb that is stopped on a rung draws no frame of the next", async () => {
+test("a climb that is stopped at a step draws no frame of the next", async () => {
   const room = new Room();
   const stop = new AbortController();
   const climbing = climbIn(room, stop.signal, () => stop.abort(new Error("enough")));
