@@ -23,7 +23,8 @@ export const SETTING_MEANINGS: Readonly<Record<SettingName, string>> = {
   "moon-direction":
     "Where the moon stands, such as “120 30”: azimuth (0 is −Z, counter-clockwise from above) and elevation, degrees.",
   exposure: "Exposure compensation.",
-  particles: "Particles that the flame keeps alive; 0 is the look's own count.",
+  particles:
+    "Particles alive at once: the flame's in the paper's looks, dust and sparks in the physical one; 0 is the look's own count.",
   "max-pixel-ratio": "Cap on device pixels per CSS pixel.",
   "asset-base": "URL that models and textures are fetched from.",
   loading: "Lazy: nothing is fetched or compiled until the element is near the viewport.",
