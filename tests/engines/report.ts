@@ -47,7 +47,7 @@ function markdown(results: readonly Result[], missing: readonly Missing[]): stri
     row(["---", "---", "---", "---"]),
     ...CASE_LIMITS.map(({ title, limits }) => limitsRow(title, limits)),
     "",
-    `Nothing may be on the console, no exception, and no wait longer than ${READY} s.`,
+    `The console must be empty, no exception may be thrown, and no wait may be longer than ${READY} s.`,
     "",
     ...results.map(({ pair, version, renderer }) => `- ${pair.title}: ${version}, ${renderer}`),
     ...missing.map(({ name, why }) => `- not tested: ${name} (${why})`),
