@@ -188,7 +188,7 @@ function hunt([lightness, a, b]: Triple): Triple {
   return [lightness, 0.01 * lightness * a, 0.01 * lightness * b];
 }
 
-/** Abasi, Tehran and Fairchild 2020, "Distance metrics for very large color differences". */
+/** Abasi, Amani Tehran and Fairchild 2020, "Distance metrics for very large color differences". */
 function hyab(p: Triple, q: Triple): number {
   return Math.abs(p[0] - q[0]) + Math.hypot(p[1] - q[1], p[2] - q[2]);
 }

@@ -144,7 +144,7 @@ export class RayCaster {
           continue;
         }
       }
-      // Möller and Trumbore 1997, "Fast, Minimum Storage Ray/Triangle Intersection".
+      // Möller and Trumbore 1997, "Fast, Minimum Storage Ray-Triangle Intersection".
       const begin = link[node]! * 9;
       for (let at = begin, end = begin + items * 9; at < end; at += 9) {
         const ax = t[at]!;
