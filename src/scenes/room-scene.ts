@@ -10,7 +10,7 @@ import type { Vec3 } from "../world/geometry.js";
 import { CABIN_MOON, moonOf } from "../world/moon.js";
 import { createSample } from "../world/particles/particles.js";
 import { CollisionMesh } from "../world/room/collision-mesh.js";
-import { createRoom, type Room } from "../world/room/room.js";
+import { createRoom } from "../world/room/room.js";
 import { NextRenderer } from "./next-renderer.js";
 import { Refinement } from "./refinement.js";
 import { loadModels } from "./room-models.js";
@@ -31,18 +31,21 @@ export async function loadRoom(request: SceneRequest, loading: Loading): Promise
 }
 
 async function read(models: Models, { look, src }: SceneRequest): Promise<Omit<Scene, "close">> {
-  const { moon: anchor } = models.room.anchors;
+  const { parts, anchors } = models.room;
+  await nextTask();
+  const collision = new CollisionMesh(parts);
+  await nextTask();
+  const room = createRoom(collision, anchors.spawn ?? null);
+  if (src !== "") warnOfRoom(models.room, collision, room);
+  await nextTask();
   // The paper's looks have their box, unless the visitor brought a room.
   const isBox = look !== "physical" && src === "";
-  const room = isBox ? null : await readRoom(models.room);
-  if (room && src !== "") warnOfRoom(models.room, room.collision, room);
-  await nextTask();
-  const moon: Vec3 | null = anchor ? [...anchor.forward] : null;
+  const moon: Vec3 | null = anchors.moon ? [...anchors.moon.forward] : null;
   const moonDirection = look === "physical" && src === "" ? (moon ?? CABIN_MOON) : moon;
   return {
-    room,
+    room: isBox ? null : room,
     first: null,
-    wicks: room && look === "physical" ? placeWicks(models.room, room.collision, room.start) : [],
+    wicks: look === "physical" ? placeWicks(models.room, collision, room.start) : [],
     createPlume,
     createSample,
     moonDirection,
@@ -50,24 +53,16 @@ async function read(models: Models, { look, src }: SceneRequest): Promise<Omit<S
     prepareRenderer: ({ gpu }, tier, { look, moon }) =>
       uploadNextImage(gpu, models.room) &&
       uploadNextImage(gpu, models.candle) &&
-      (!room ||
-        look !== "physical" ||
-        preparePhysicalRenderer(gpu, models, room.collision, {
+      (look !== "physical" ||
+        preparePhysicalRenderer(gpu, models, collision, {
           tier,
           isMoonlit: moonOf(moon, moonDirection) !== null,
         })),
     createRenderer: ({ gpu }, tier, look) =>
-      room && look === "physical"
-        ? new PhysicalRenderer(gpu, models, room.collision, tier)
+      look === "physical"
+        ? new PhysicalRenderer(gpu, models, collision, tier)
         : new PaperRenderer(gpu, models, tier, look),
     createRefinement: (parts) => new Refinement(parts),
     createNext: (parts) => new NextRenderer(parts),
   };
-}
-
-async function readRoom({ parts, anchors }: Models["room"]): Promise<Room> {
-  await nextTask();
-  const collision = new CollisionMesh(parts);
-  await nextTask();
-  return createRoom(collision, anchors.spawn ?? null);
 }
