@@ -1,7 +1,7 @@
 // Traced reflections: a mirrored ray, marched through the cube of distances from the flame, which holds every surface
 // that the flame lights. Szirmay-Kalos, Aszódi, Lazányi and Premecz 2005, "Approximate Ray-Tracing on the GPU with
-// Distance Impostors". Needs lib/frame.glsl, lib/photometry.glsl, lib/flame-light.glsl, lib/shadow-cube.glsl,
-// lib/surfels.glsl.
+// Distance Impostors". The candle, which the cube leaves out, is a cylinder on a disc. Needs lib/frame.glsl,
+// lib/photometry.glsl, lib/flame-light.glsl, lib/wax.glsl, lib/shadow-cube.glsl, lib/surfels.glsl.
 
 uniform sampler2D uTotalRadiosity;  // radiosity of the surfels in all light, lm/m²
 
@@ -19,6 +19,11 @@ const float PLANE_TOLERANCE = 0.01;
 
 // Light along a ray that hits nothing that the flame lights, as a share of the mean around it: the irradiance sample / PI.
 const float TRACED_INDIRECT = 0.3;
+
+// Albedo of wax and brass. Height of the pan's side, m. Nearer than that to the ray's start, m, is the candle itself.
+const float CANDLE_ALBEDO = 0.7;
+const float PAN_HEIGHT = 0.01;
+const float NEAREST_CANDLE = 0.01;
 
 // A surface as smooth as this is a mirror, by its alpha of GGX, and takes one ray.
 const float MIRROR_ALPHA = 0.01;
@@ -54,15 +59,31 @@ vec3 radiosityAt(vec3 fromOrigin) {
   return sum / max(total, 1e-9);
 }
 
+// Distance along a ray to a solid cylinder around the candle's axis, m.
+float cylinderDistance(vec3 from, vec3 ray, float radius, vec2 heights) {
+  vec2 offset = from.xz - light.axis;
+  vec3 quadratic = vec3(dot(ray.xz, ray.xz) + 1e-9, dot(offset, ray.xz), dot(offset, offset) - radius * radius);
+  float root = sqrt(max(quadratic.y * quadratic.y - quadratic.x * quadratic.z, 0.0));
+  vec2 side = (vec2(-root, root) - quadratic.y) / quadratic.x;
+  vec2 ends = (heights - from.y) / (abs(ray.y) < 1e-6 ? 1e-6 : ray.y);
+  float enters = max(side.x, min(ends.x, ends.y));
+  return enters > NEAREST_CANDLE && enters < min(side.y, max(ends.x, ends.y)) ? enters : FARTHEST_STEP;
+}
+
 // Adds the radiosity that a ray hits, lm/m², and the share of it that hits nothing. `start`: from the capture origin, m.
-void traceRay(vec3 start, vec3 ray, inout vec4 sum) {
+// `isMirrored`: by a mirror, in which wax glows; elsewhere each ray would be a spot, and the flame's highlight outshines it.
+void traceRay(vec3 start, vec3 ray, bool isMirrored, inout vec4 sum) {
   float before = depthBehind(start + ray * NEAREST_STEP);
   float transmittance = 1.0;
-  for (float far = NEAREST_STEP * GROWTH; far < FARTHEST_STEP && transmittance > 0.01; far *= GROWTH) {
+  vec3 from = start + light.captureOrigin;
+  float candle = cylinderDistance(from, ray, light.rimRadius, vec2(light.pan, light.rim));
+  candle = min(candle, cylinderDistance(from, ray, light.panRadius, vec2(light.pan - PAN_HEIGHT, light.pan)));
+  for (float near = NEAREST_STEP; near * GROWTH < FARTHEST_STEP && near < candle && transmittance > 0.01; near *= GROWTH) {
+    float far = min(near * GROWTH, candle);
     float depth = depthBehind(start + ray * far);
     bool isBehind = depth > 0.0;
     if (isBehind != before > 0.0) {
-      vec2 low = vec2(far / GROWTH, before);  // distance along the ray, and depth
+      vec2 low = vec2(near, before);  // distance along the ray, and depth
       vec2 high = vec2(far, depth);
       for (int i = 0; i < BISECTIONS; i++) {
         float middle = 0.5 * (low.x + high.x);
@@ -77,7 +98,10 @@ void traceRay(vec3 start, vec3 ray, inout vec4 sum) {
     }
     before = depth;
   }
-  sum.a += transmittance;
+  // On the candle falls the mean light.
+  bool isCandle = candle < FARTHEST_STEP;
+  if (isCandle && isMirrored) sum.rgb += transmittance * CANDLE_ALBEDO * waxTransmission(from + ray * candle);
+  sum.a += transmittance * (isCandle ? CANDLE_ALBEDO / TRACED_INDIRECT : 1.0);
 }
 
 // Light from around a mirrored direction, cd/m², by rays over the microfacets of a rough surface.
@@ -96,7 +120,7 @@ vec3 traceReflection(vec3 position, vec3 normal, float alpha, int most, vec3 bey
     vec3 eye = frame.eyePosition - light.captureOrigin;
     vec3 ray = reflect(normalize(start - eye), facet);
     if (dot(ray, normal) <= 0.0) continue;
-    traceRay(start, ray, sum);
+    traceRay(start, ray, alpha < MIRROR_ALPHA, sum);
     count++;
   }
   return (sum.rgb / PI * light.intensity + sum.a * beyond) / max(count, 1.0);

@@ -11,11 +11,15 @@ const float LEAST_HEIGHT = 0.01;
 // Wax of other candles than the flame's own begins farther from its axis, m.
 const float WAX_REACH = 0.06;
 
+// Radiosity of wax of an albedo of 1, for 1 cd, lm/m².
+vec3 waxTransmission(vec3 position) {
+  float depth = max(light.rim - position.y, 0.0);
+  float height = max(light.position.y - light.rim, LEAST_HEIGHT);
+  return exp(-depth / DIFFUSION_LENGTH) * (WAX_TRANSMITTANCE / (height * height + 1e-4));
+}
+
 // Radiance for an albedo of 1, cd/m².
 vec3 waxGlow(vec3 position) {
   if (distance(position.xz, light.axis) > WAX_REACH) return vec3(0.0);
-  float depth = max(light.rim - position.y, 0.0);
-  float height = max(light.position.y - light.rim, LEAST_HEIGHT);
-  vec3 onTop = light.intensity / (height * height + 1e-4);
-  return onTop * exp(-depth / DIFFUSION_LENGTH) * (WAX_TRANSMITTANCE / PI);
+  return light.intensity / PI * waxTransmission(position);
 }

@@ -15,6 +15,7 @@
 #include "lib/flame-brdf.glsl"
 #include "lib/environment-brdf.glsl"
 #include "lib/pcss.glsl"
+#include "lib/wax.glsl"
 #ifdef GLOSSY
 #include "lib/surfels.glsl"
 #include "lib/distance-impostor.glsl"
@@ -23,7 +24,6 @@
 #include "lib/moon.glsl"
 #endif
 #include "lib/irradiance-volume.glsl"
-#include "lib/wax.glsl"
 
 // Occlusion below which a point lies in a crevice.
 const float CREVICE = 0.9;

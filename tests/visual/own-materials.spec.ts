@@ -198,6 +198,33 @@ test("A mirror shows a plain wall without rings", async ({ page }) => {
   expect(Math.max(...steps)).toBeLessThan(0.04);
 });
 
+for (const quality of ["high", "low"] as const) {
+  test(`At ${quality} a mirror shows the candle below its flame`, async ({ page }) => {
+    const material = { color: [0.1, 0.1, 0.1] } as const;
+    const walls = { "-z": { color: [0.9, 0.9, 0.9], roughness: 0, metallic: 1 } } as const;
+    const shell = { min: [-3, 0, -2], max: [3, 3, 3], material, walls, isShell: true } as const;
+    const room = new RoomDriver(page);
+    await room.open({ look: "physical", quality }, { ...SIZE, model: roomModel([shell]) });
+    const [bare, wax] = await room.evaluate((element) =>
+      [false, true].map((candle) => {
+        element.features = { candle };
+        element.camera = { position: [0, 1.5, -1], yaw: 0, pitch: 0, fieldOfView: 1 };
+        element.step(0);
+        const [x = 0, y = 0, z = 0] = element.candles[0]?.position ?? [];
+        // Four centimetres below the wick's foot, and mirrored behind z = -2.
+        const offset = [x, 1.5 - y + 0.04].map((d) => d / (z + 3));
+        const { width, height } = element.stats;
+        const pixels = height / 2 / Math.tan(0.5);
+        const [column = 0, row = 0] = [width / 2, height / 2].map((middle, i) =>
+          Math.floor(middle + pixels * (offset[i] ?? 0)),
+        );
+        return element.readRadiance(column, row, 1, 1)[0] ?? 0;
+      }),
+    );
+    expect(wax).toBeGreaterThan(2 * (bare ?? 0));
+  });
+}
+
 test("At low a dark ball mirrors the flame as bright wherever its texels are", async ({ page }) => {
   const material = { color: [0.02, 0.02, 0.02] } as const;
   const shell = { min: [-2, 0, -2], max: [2, 2.6, 2], material, isShell: true } as const;
