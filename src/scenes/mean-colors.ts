@@ -1,4 +1,5 @@
 import type { Model, Part } from "../assets/model.js";
+import { crossOf, verticesOf } from "../render/mesh/triangles.js";
 
 /** Deviation of a vertex colour from the mean that is visible, linear. */
 const VISIBLE = 0.02;
@@ -13,9 +14,11 @@ export function withMeanColors(model: Model): Model {
   const parts = model.parts.map((part): Part => {
     const { colors, material } = part;
     if (!colors) return part;
+    const areas = areasOf(part);
+    const whole = areas.reduce((sum, area) => sum + area, 0);
     const channel = (i: number) => colors.filter((_, at) => at % 4 === i);
     const tint = (i: 0 | 1 | 2 | 3) => {
-      const mean = channel(i).reduce((sum, x) => sum + x, 0) / (colors.length / 4);
+      const mean = channel(i).reduce((sum, x, vertex) => sum + x * (areas[vertex] ?? 0), 0) / whole;
       differ ||= channel(i).some((x) => Math.abs(x - mean) > VISIBLE);
       return material.baseColor[i] * mean;
     };
@@ -24,4 +27,15 @@ export function withMeanColors(model: Model): Model {
   });
   if (differ) console.warn("Vertex colours count in their mean, for each mesh and material.");
   return { ...model, parts };
+}
+
+/** Area of the triangles around each vertex, times 2: its colour counts by that. All are equal where there is none. */
+function areasOf(part: Part): Float64Array {
+  const areas = new Float64Array(part.positions.length / 3);
+  for (let i = 0; i < part.indices.length; i += 3) {
+    const area = Math.hypot(...crossOf(verticesOf(part, i / 3)));
+    for (const corner of part.indices.subarray(i, i + 3))
+      areas[corner] = (areas[corner] ?? 0) + area;
+  }
+  return areas.some((area) => area > 0) ? areas : areas.fill(1);
 }
