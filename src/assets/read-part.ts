@@ -10,7 +10,7 @@ import {
 import { Flaw } from "./asset-error.js";
 import type { Part } from "./model.js";
 import type { PlacedMaterial } from "./read-material.js";
-import { anyTangents, replaceBadTangents, tangentsOf } from "./tangents.js";
+import { anyTangents, replaceBadTangents, splitAtMirrors, tangentsOf } from "./tangents.js";
 import { placedUvs } from "./texture-placement.js";
 import {
   blendBones,
@@ -72,7 +72,9 @@ function reducedOf({ geometry, matrixWorld }: Mesh, moves: VertexTransforms, cou
 
 const uvName = (set: number) => (set === 0 ? "uv" : set < 4 ? `uv${set}` : `texcoord_${set}`);
 
-function finished(vertices: Vertices, hasRelief: boolean) {
+function finished(read: Vertices, hasRelief: boolean) {
+  const hasFrames = hasRelief && read.uvs && !read.tangents;
+  const vertices = hasFrames ? splitAtMirrors(read, read.uvs) : read;
   const { positions, normals, tangents, uvs, indices } = vertices;
   const count = positions.length / 3;
   const made = () => (hasRelief && uvs ? tangentsOf(vertices, uvs) : anyTangents(normals));
