@@ -9,6 +9,7 @@ uniform sampler2D uTotalRadiosity;  // radiosity of the surfels in all light, lm
 const float NEAREST_STEP = 0.04;
 const float FARTHEST_STEP = 9.0;
 const float GROWTH = 1.7;
+const float LEAST_COSINE = 0.05;  // of a mirrored ray, to the surface
 // Until the hit is known to less than THICKNESS, 9 m away as well: else a wall is taken for its edge, in rings.
 const int BISECTIONS = 7;
 const float IMPOSTOR_BIAS = 0.02;  // m
@@ -70,15 +71,16 @@ float cylinderDistance(vec3 from, vec3 ray, float radius, vec2 heights) {
   return enters > NEAREST_CANDLE && enters < min(side.y, max(ends.x, ends.y)) ? enters : FARTHEST_STEP;
 }
 
-// Adds the radiosity that a ray hits, lm/m², and the share of it that hits nothing. `start`: from the capture origin, m.
+// Adds the radiosity that a ray hits, lm/m², and the share of it that hits nothing. `start`: from the capture origin, m;
+// `nearest`: distance of the first step.
 // `isMirrored`: by a mirror, in which wax glows; elsewhere each ray would be a spot, and the flame's highlight outshines it.
-void traceRay(vec3 start, vec3 ray, bool isMirrored, inout vec4 sum) {
-  float before = depthBehind(start + ray * NEAREST_STEP);
+void traceRay(vec3 start, vec3 ray, float nearest, bool isMirrored, inout vec4 sum) {
+  float before = depthBehind(start + ray * nearest);
   float transmittance = 1.0;
   vec3 from = start + light.captureOrigin;
   float candle = cylinderDistance(from, ray, light.rimRadius, vec2(light.pan, light.rim));
   candle = min(candle, cylinderDistance(from, ray, light.panRadius, vec2(light.pan - PAN_HEIGHT, light.pan)));
-  for (float near = NEAREST_STEP; near * GROWTH < FARTHEST_STEP && near < candle && transmittance > 0.01; near *= GROWTH) {
+  for (float near = nearest; near * GROWTH < FARTHEST_STEP && near < candle && transmittance > 0.01; near *= GROWTH) {
     float far = min(near * GROWTH, candle);
     float depth = depthBehind(start + ray * far);
     bool isBehind = depth > 0.0;
@@ -110,6 +112,10 @@ vec3 traceReflection(vec3 position, vec3 normal, float alpha, int most, vec3 bey
   vec3 start = position - light.captureOrigin;
   vec4 sum = vec4(0.0);
   float count = 0.0;
+  // Relief that is turned away would mirror nothing.
+  vec3 toEye = normalize(frame.eyePosition - position);
+  normal = normalize(normal + max(LEAST_COSINE - dot(normal, toEye), 0.0) * toEye);
+  float halfTexel = SHADOW_REACH / shadowTileSize();
   for (int i = 0; i < most && (i == 0 || alpha >= MIRROR_ALPHA); i++) {
     // Slopes of GGX microfacets: Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces".
     float u = alpha < MIRROR_ALPHA ? 0.0 : (float(i) + 0.5) / float(most);
@@ -117,10 +123,11 @@ vec3 traceReflection(vec3 position, vec3 normal, float alpha, int most, vec3 bey
     float around = float(i) * GOLDEN_ANGLE;
     vec3 tangent = normalize(abs(normal.y) < 0.9 ? cross(normal, vec3(0.0, 1.0, 0.0)) : cross(normal, vec3(1.0, 0.0, 0.0)));
     vec3 facet = normalize(normal + slope * (cos(around) * tangent + sin(around) * cross(normal, tangent)));
-    vec3 eye = frame.eyePosition - light.captureOrigin;
-    vec3 ray = reflect(normalize(start - eye), facet);
+    vec3 ray = reflect(-toEye, facet);
     if (dot(ray, normal) <= 0.0) continue;
-    traceRay(start, ray, alpha < MIRROR_ALPHA, sum);
+    // Above the steps between texels of distance, of which a ray takes the nearest.
+    float nearest = max(NEAREST_STEP, halfTexel * length(start) / max(dot(ray, normal), LEAST_COSINE));
+    traceRay(start, ray, nearest, alpha < MIRROR_ALPHA, sum);
     count++;
   }
   return (sum.rgb / PI * light.intensity + sum.a * beyond) / max(count, 1.0);

@@ -225,6 +225,30 @@ for (const quality of ["high", "low"] as const) {
   });
 }
 
+test("At low a glossy floor has no stripes far from the flame", async ({ page }) => {
+  const material = { color: [0.5, 0.5, 0.5] } as const;
+  const walls = { "-y": { color: [0.2, 0.2, 0.2], roughness: 0.15 } } as const;
+  const shell = { min: [-6, 0, -7], max: [6, 4, 7], material, walls, isShell: true } as const;
+  const room = new RoomDriver(page);
+  const model = roomModel([shell]);
+  await room.open({ look: "physical", quality: "low" }, { width: 480, height: 270, model });
+  const rows = await room.evaluate((element) => {
+    element.camera = { position: [0, 1.6, 3], yaw: 0, pitch: 0 };
+    element.step(0);
+    const { width, height } = element.stats;
+    // Of the floor 3 to 9 m ahead.
+    return Array.from({ length: Math.floor(0.25 * height) }, (_, row) => {
+      const y = Math.floor(0.68 * height) + row;
+      return element.readRadiance(Math.floor(0.3 * width), y, 1, 1)[1] ?? 0;
+    });
+  });
+  const bends = rows.slice(2).map((_, i) => {
+    const [above = 0, here = 0, below = 0] = rows.slice(i, i + 3);
+    return Math.abs(above + below - 2 * here) / here;
+  });
+  expect(Math.max(...bends)).toBeLessThan(0.05);
+});
+
 test("At low a dark ball mirrors the flame as bright wherever its texels are", async ({ page }) => {
   const material = { color: [0.02, 0.02, 0.02] } as const;
   const shell = { min: [-2, 0, -2], max: [2, 2.6, 2], material, isShell: true } as const;
