@@ -11,7 +11,14 @@ import { holdPoster } from "./held-poster.js";
 import { bindMicrophone } from "./microphone.js";
 import { photograph } from "./photo.js";
 import { addSettings } from "./settings-form.js";
-import { readShareLink, SHARED, type Shared, type View, writeShareLink } from "./share-link.js";
+import {
+  readShareLink,
+  SHARED,
+  SHOWN,
+  type Shared,
+  type View,
+  writeShareLink,
+} from "./share-link.js";
 import { reflectWalking } from "./walking.js";
 
 const stage = find(document, ".stage", HTMLElement);
@@ -269,18 +276,8 @@ document.addEventListener("fullscreenchange", () => {
   fullScreenButton.setAttribute("aria-pressed", String(document.fullscreenElement !== null));
 });
 
-addSettings(room, find(settings, "fieldset", HTMLFieldSetElement), [
-  "quality",
-  "exposure",
-  "wind",
-  "wind-direction",
-  "gustiness",
-  "wick",
-  "moonlight",
-  "moon-direction",
-  "sensitivity",
-  "motion",
-]);
+const fields = find(settings, "fieldset", HTMLFieldSetElement);
+addSettings(room, fields, [...SHOWN, "sensitivity", "motion"]);
 find(stage, ".settings-button", HTMLButtonElement).addEventListener("click", () => {
   show(settings);
   document.body.classList.add("settings-open");

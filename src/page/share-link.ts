@@ -8,22 +8,19 @@ import {
   type Setting,
 } from "../settings.js";
 
-/** Settings that a link carries beside the camera. */
-export const SHARED = [
-  "look",
-  "seed",
-  "exposure",
+/** Settings that a link carries and the page's dialog shows. */
+export const SHOWN = [
   "quality",
+  "exposure",
   "wind",
   "wind-direction",
   "gustiness",
   "wick",
   "moonlight",
   "moon-direction",
-  "particles",
-  "unlit",
-  "lit-wicks",
 ] as const;
+/** Settings that a link carries beside the camera. */
+export const SHARED = ["look", "seed", ...SHOWN, "particles", "unlit", "lit-wicks"] as const;
 export type Shared = (typeof SHARED)[number];
 
 /** A view: camera, candle, and the attributes that are not at their defaults. */

@@ -585,7 +585,7 @@ test.describe("what one sees", () => {
       await expect(page.getByText("The link is copied.")).toBeVisible();
       const { href, hash } = await page.evaluate(() => ({ ...location }));
       expect(hash).toMatch(
-        /^#camera=[-\d._]+&candle=[-\d._]+&look=paper&seed=7&exposure=-1\.5&quality=low&/,
+        /^#camera=[-\d._]+&candle=[-\d._]+&look=paper&seed=7&quality=low&exposure=-1\.5&/,
       );
       expect(hash).toMatch(/&wind=0\.35&wind-direction=-90&gustiness=0\.8&wick=10&unlit=$/);
       await page.evaluate(() => {
