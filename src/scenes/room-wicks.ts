@@ -23,7 +23,7 @@ export function placeWicks(
   eye: Readonly<Vec3>,
 ): readonly Wick[] {
   // Else all faces of the room point outwards, and backs tell nothing.
-  const isEyeFree = !isEnclosed(parts, collision, eye);
+  const isEyeFree = freed(parts, collision, eye) === eye;
   const box = inset(collision.bounds, MARGIN);
   const around = inset(collision.bounds, -HEADROOM);
   let outside = 0;
@@ -47,22 +47,10 @@ export function placeWicks(
   return placed;
 }
 
-/** Whether a place is inside of a solid, or of a room whose faces point outwards. */
-function isEnclosed(
-  parts: Model["parts"],
-  collision: CollisionMesh,
-  place: Readonly<Vec3>,
-): boolean {
-  return freed(parts, collision, place) !== place;
-}
-
+/** The place itself, if it is not inside of a solid. */
 function freed(parts: Model["parts"], collision: CollisionMesh, place: Readonly<Vec3>) {
-  return freePlace(collision, place, CLEARANCE, (triangle) => isOpaque(parts, triangle));
-}
-
-/** Whether no light passes a triangle. */
-function isOpaque(parts: Model["parts"], triangle: number): boolean {
-  return materialOf(parts, triangle)?.alphaMode !== "blend";
+  const isOpaque = (triangle: number) => materialOf(parts, triangle)?.alphaMode !== "blend";
+  return freePlace(collision, place, CLEARANCE, isOpaque);
 }
 
 /** Of a triangle; these are numbered across the parts. */
