@@ -1,3 +1,4 @@
+import { vec3 } from "gl-matrix";
 import type { Vec3 } from "../geometry.js";
 import { WALKER_RADIUS } from "../player/player.js";
 import type { CollisionMesh, RayHit } from "./collision-mesh.js";
@@ -68,7 +69,6 @@ export interface PlacementQuery {
 }
 
 const from: Vec3 = [0, 0, 0];
-const direction: Vec3 = [0, 0, 0];
 const other: Vec3 = [0, 0, 0];
 
 /** Finds the spot along the line of sight, or ahead if that is out of reach. Null, or why there is none. */
@@ -124,7 +124,7 @@ export function findSpotAhead(reach: PlacementQuery, spot: Vec3): Refusal | null
       if (distance > Math.min(REACH, clearance) || distance < nearest) continue;
       if (fitAt(distance, other) !== null) continue;
       if (refusal === null && !isFurniture(other)) continue;
-      for (const axis of [0, 1, 2] as const) spot[axis] = other[axis];
+      vec3.copy(spot, other);
       if (isFurniture(spot)) return null;
       refusal = null;
     }
@@ -141,7 +141,7 @@ export function canTake(
 ): boolean {
   const isNear = Math.hypot(x - eye[0], z - eye[2]) <= GRASP && y <= eye[1] + REACH_UP;
   return (
-    isNear && [0.1, 0.5, 1].some((share) => isInSight(collision, eye, [x, y + share * height, z]))
+    isNear && [0.1, 0.5, 1].some((share) => collision.isClear(eye, [x, y + share * height, z]))
   );
 }
 
@@ -190,16 +190,12 @@ function fit(reach: PlacementQuery, x: number, y: number, z: number, spot: Vec3)
     if (Number.isNaN(highest)) return slope < COS_TILT ? "too steep" : "overhangs";
     top = highest;
   }
-  from[0] = x;
-  from[1] = top + UNEVENNESS;
-  from[2] = z;
+  vec3.set(from, x, top + UNEVENNESS, z);
   if (collision.overlapsCylinder(from, cylinder.radius, cylinder.height - UNEVENNESS))
     return "no room";
   from[1] = top + cylinder.height / 2;
-  if (!isInSight(collision, eye, from)) return "no room";
-  spot[0] = x;
-  spot[1] = top;
-  spot[2] = z;
+  if (!collision.isClear(eye, from)) return "no room";
+  vec3.set(spot, x, top, z);
   return null;
 }
 
@@ -248,14 +244,6 @@ function castDown(
   z: number,
   distance: number,
 ): RayHit | null {
-  from[0] = x;
-  from[1] = y;
-  from[2] = z;
+  vec3.set(from, x, y, z);
   return collision.raycast(from, DOWN, distance);
-}
-
-function isInSight(collision: CollisionMesh, eye: Readonly<Vec3>, point: Readonly<Vec3>): boolean {
-  const distance = Math.hypot(point[0] - eye[0], point[1] - eye[1], point[2] - eye[2]);
-  for (const axis of [0, 1, 2] as const) direction[axis] = (point[axis] - eye[axis]) / distance;
-  return collision.raycast(eye, direction, distance) === null;
 }
