@@ -67,7 +67,7 @@ export class CandleReporter {
   }
 
   glow(candle: CandleFlame): void {
-    if (this.#states.has("alone")) this.#overlay.glow.follow(candle.luminousIntensity);
+    if (this.#states.has("alone")) this.#overlay.glow(candle.luminousIntensity);
   }
 
   flame(candle: CandleFlame, news: string | null = null): void {

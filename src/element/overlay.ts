@@ -1,4 +1,3 @@
-import { Glow } from "./glow.js";
 import { Hint } from "./hint.js";
 import type { ReflectedAttributes } from "./reflected-attributes.js";
 
@@ -8,8 +7,9 @@ import type { ReflectedAttributes } from "./reflected-attributes.js";
  */
 export class Overlay {
   readonly hint = new Hint();
-  readonly glow = new Glow();
   onFailureChange: () => void = () => {};
+  readonly #glow = part("glow");
+  #intensity = "";
   readonly #posterSlot = slot("poster");
   readonly #poster = document.createElement("img");
   readonly #progressSlot = slot("progress");
@@ -33,8 +33,7 @@ export class Overlay {
     }
     this.#failure.append(errorSlot);
     this.#failure.hidden = true;
-    const { hint, glow } = this;
-    root.append(glow.element, this.#posterSlot, this.#progressSlot, this.#failure, hint.element);
+    root.append(this.#glow, this.#posterSlot, this.#progressSlot, this.#failure, this.hint.element);
   }
 
   /** Whether an error message is shown in place of frames. */
@@ -68,9 +67,21 @@ export class Overlay {
     this.#progressSlot.hidden = true;
   }
 
+  /**
+   * Shows the warm light of a lone candle on the page around it, in proportion to the flame's intensity.
+   *
+   * @param luminousIntensity candela; followed in steps too small to see
+   */
+  glow(luminousIntensity: number): void {
+    const intensity = (Math.round(Math.min(luminousIntensity, 1) * 64) / 64).toString();
+    if (intensity === this.#intensity) return;
+    this.#intensity = intensity;
+    this.#glow.style.setProperty("--intensity", intensity);
+  }
+
   /** Nothing goes on: without progress, hint and glow. */
   clear(): void {
-    this.glow.follow(0);
+    this.glow(0);
     this.hideProgress();
     this.hint.tell(null);
   }
