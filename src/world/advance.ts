@@ -3,6 +3,7 @@ import { reachForWick, useFlame } from "./flames.js";
 import { length2, type Vec3 } from "./geometry.js";
 import { interpolate, poseCandle } from "./interpolate.js";
 import { emittingGroups } from "./particles/level-of-detail.js";
+import { hasSparks } from "./particles/sparks.js";
 import { advanceStride } from "./player/gait.js";
 import { advanceHand } from "./player/hand.js";
 import { type Intent, STILL } from "./player/intent.js";
@@ -105,6 +106,6 @@ function record(world: World, isPhysical: boolean): void {
     wind[axis] = flow[axis]! / setup.flameScale - way[axis]! / TICK;
   }
   const burnsWell = world.sways && flame.isLit && flame.fuel > SPARKING;
-  const hasSparks = burnsWell && world.sparks.isAt(timeline.tick);
-  timeline.record(way, wind, flame.isLit ? emittingGroups(world) : 0, hasSparks);
+  const throwsSparks = burnsWell && hasSparks(world.seed, timeline.tick);
+  timeline.record(way, wind, flame.isLit ? emittingGroups(world) : 0, throwsSparks);
 }

@@ -6,7 +6,6 @@ import { Flame } from "./flame/flame.js";
 import { inset, type Vec3 } from "./geometry.js";
 import type { Moon } from "./moon.js";
 import type { CreateSample } from "./particles/particles.js";
-import { SparkSchedule } from "./particles/sparks.js";
 import { createHand } from "./player/hand.js";
 import { boxBounds, UNBOUNDED } from "./room/movement-bounds.js";
 import type { Room } from "./room/room.js";
@@ -70,7 +69,6 @@ export function* createWorldInSteps(
     hand: createHand(yaw),
     candle: { position: [...(setup.stand ?? eye)], yaw, isHeld: setup.stand === null },
     standing,
-    sparks: new SparkSchedule(seed),
     air: new Air(seed, { ...wind, speed: Math.min(wind.speed, LIGHTABLE) }),
     flame: new Flame(wick, isLit),
     plume: null,

@@ -6,7 +6,6 @@ import type { Flame } from "./flame/flame.js";
 import type { Vec3 } from "./geometry.js";
 import type { Moon } from "./moon.js";
 import type { Particles } from "./particles/particles.js";
-import type { SparkSchedule } from "./particles/sparks.js";
 import type { ExposureAdaptation } from "./player/exposure-adaptation.js";
 import type { Hand } from "./player/hand.js";
 import type { Lead, Player } from "./player/player.js";
@@ -37,7 +36,6 @@ export interface World {
   readonly standing: readonly StandingCandle[];
   readonly air: Air;
   readonly flame: Flame;
-  readonly sparks: SparkSchedule;
   /** Hot air and smoke; null where `createPlume` is, and on a page unless there is smoke. */
   plume: Plume | null;
   /** Null where neither is drawn: the paper's flame heats nothing. */
@@ -86,6 +84,11 @@ export interface Interpolated {
 export interface Stand {
   readonly position: Readonly<Vec3>;
   readonly yaw: number;
+}
+
+/** Field of view across the frame's shorter side, radians. */
+export function fieldOfViewOf({ fieldOfView, setup }: World): number {
+  return fieldOfView ?? setup.fieldOfView;
 }
 
 /** Seconds simulated since the beginning. */

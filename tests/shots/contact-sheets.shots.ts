@@ -4,7 +4,7 @@ import { expect, test } from "playwright/test";
 import sharp from "sharp";
 import type { Camera } from "../../src/candle-flame-element.ts";
 import { allFeatures, type Feature, featuresOf } from "../../src/settings.ts";
-import { SparkSchedule } from "../../src/world/particles/sparks.ts";
+import { hasSparks } from "../../src/world/particles/sparks.ts";
 import { RoomDriver } from "../support/room-driver.ts";
 import { type Tile, writeSheet } from "./sheet.ts";
 import { lookingAt, onScreen, type Point, type Shot, take } from "./shot.ts";
@@ -116,7 +116,7 @@ const UNSEEN = 0.1;
 /** Where the picture is shown whole, and where a part of it is. */
 const [WHOLE, NEAR] = [0.5, 1];
 /** Its wick spits soon after the start. */
-const SPITS = [...Array(1000).keys()].find((seed) => new SparkSchedule(seed).isAt(54)) ?? 1;
+const SPITS = [...Array(1000).keys()].find((seed) => hasSparks(seed, 54)) ?? 1;
 
 const STAGES: Readonly<Partial<Record<Feature, Stage>>> = {
   volume: AT_THE_FLAME,

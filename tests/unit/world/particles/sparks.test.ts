@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { advance } from "../../../../src/world/advance.ts";
-import { SparkSchedule } from "../../../../src/world/particles/sparks.ts";
+import { hasSparks } from "../../../../src/world/particles/sparks.ts";
 import { STILL } from "../../../../src/world/player/intent.ts";
 import { TICK } from "../../../../src/world/timeline.ts";
 import { createWorld } from "../../../support/world.ts";
@@ -10,11 +10,10 @@ const HOUR = 3600 / TICK;
 /** First tick and length of every spit within a number of ticks. */
 function spitsOf(seed: number, ticks = HOUR): { readonly tick: number; readonly lasts: number }[] {
   const spits = [];
-  const chance = new SparkSchedule(seed);
   for (let tick = 0; tick < ticks; tick++) {
-    if (!chance.isAt(tick)) continue;
+    if (!hasSparks(seed, tick)) continue;
     let lasts = 1;
-    while (chance.isAt(tick + lasts)) lasts++;
+    while (hasSparks(seed, tick + lasts)) lasts++;
     spits.push({ tick, lasts });
     tick += lasts;
   }
