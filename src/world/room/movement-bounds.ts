@@ -19,10 +19,7 @@ export function boxBounds(bounds: Bounds): MovementBounds {
   };
 }
 
-export const UNBOUNDED: MovementBounds = {
-  move(position, way) {
-    position[0] += way[0];
-    position[2] += way[2];
-  },
-  clamp() {},
-};
+export const UNBOUNDED = boxBounds({
+  min: [-Infinity, -Infinity, -Infinity],
+  max: [Infinity, Infinity, Infinity],
+});
