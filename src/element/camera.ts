@@ -1,8 +1,12 @@
 import type { CandleFlame } from "../candle-flame.js";
 import { FARTHEST, moveCamera } from "../world/commands.js";
-import { fieldOfViewOf, legalFieldOfView } from "../world/player/field-of-view.js";
 import { MAX_PITCH } from "../world/player/player.js";
+import { fieldOfViewOf } from "../world/world.js";
 import type { Camera } from "./element-types.js";
+
+/** Fields of view, radians. */
+const NARROWEST = 0.3;
+const WIDEST = 2.1;
 
 /**
  * The members of a value written to `camera`, in the range that is legal in any room: those that are missing or not
@@ -19,6 +23,12 @@ export function changeOf(camera: Partial<Camera>, before: Camera): Partial<Camer
     ...(isNumber(pitch) && { pitch: within(MAX_PITCH, pitch) }),
     ...(!isSame && { fieldOfView: legal }),
   };
+}
+
+/** The nearest legal field of view, radians; null where the value is no number. */
+function legalFieldOfView(value: unknown): number | null {
+  if (typeof value !== "number" || Number.isNaN(value)) return null;
+  return Math.min(Math.max(value, NARROWEST), WIDEST);
 }
 
 const isNumber = (value: unknown) => Number.isFinite(Number(value ?? Number.NaN));

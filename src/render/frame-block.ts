@@ -1,5 +1,4 @@
-import { fieldOfViewOf } from "../world/player/field-of-view.js";
-import type { World } from "../world/world.js";
+import { fieldOfViewOf, type World } from "../world/world.js";
 import { clipFromWorld, projectionScale } from "./camera.js";
 import type { Size } from "./frame-input.js";
 import type { FrameSettings } from "./frame-settings.js";

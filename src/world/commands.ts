@@ -2,10 +2,9 @@ import { CANDLE_CYLINDER, isWithinReach, placeOnGround } from "./candle.js";
 import { candleCount, rootedFlame } from "./flames.js";
 import type { Vec3 } from "./geometry.js";
 import { interpolate, poseCandle } from "./interpolate.js";
-import { fieldOfViewOf } from "./player/field-of-view.js";
 import { calmHand } from "./player/hand.js";
 import { gazeDirection, MAX_PITCH } from "./player/player.js";
-import type { World } from "./world.js";
+import { fieldOfViewOf, type World } from "./world.js";
 
 /** Largest coordinate of a camera, metres. */
 export const FARTHEST = 1e4;

@@ -4,12 +4,12 @@ import { frameBlock } from "../../../src/render/frame-block.ts";
 import type { FrameSettings } from "../../../src/render/frame-settings.ts";
 import { advance } from "../../../src/world/advance.ts";
 import { moveCamera } from "../../../src/world/commands.ts";
-import { fieldOfViewOf } from "../../../src/world/player/field-of-view.ts";
 import { STILL } from "../../../src/world/player/intent.ts";
 import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";
 import { createRoom } from "../../../src/world/room/room.ts";
 import { TICK } from "../../../src/world/timeline.ts";
 import type { World } from "../../../src/world/world.ts";
+import { fieldOfViewOf } from "../../../src/world/world.ts";
 import { createWorld } from "../../support/world.ts";
 import { insideOf } from "./rooms.ts";
 
