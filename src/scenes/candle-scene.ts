@@ -20,11 +20,8 @@ export async function loadLoneCandle(
     moonDirection: null,
     isModelAlone: true,
     prepareRenderer: () => true,
-    createRenderer: (screen, tier) => {
-      const renderer = new LoneCandleRenderer(screen.gpu, model, tier, pageSmokePass);
-      screen.own(renderer);
-      return renderer;
-    },
+    createRenderer: (screen, tier) =>
+      screen.own(new LoneCandleRenderer(screen.gpu, model, tier, pageSmokePass)),
     close: () => closeModel(model),
   };
 }

@@ -15,7 +15,9 @@ export abstract class CanvasTarget {
   }
 
   /** Takes ownership of an object on `gpu`, to free it with the rest. */
-  own(_object: { dispose(): void }): void {}
+  own<Owned extends { dispose(): void }>(object: Owned): Owned {
+    return object;
+  }
   /** Frees what the renderer made on `gpu`; the context stays. */
   abstract clear(): void;
   /** The same, except what the next renderer of the same scene can take over. */
@@ -129,8 +131,9 @@ class SharedContextTarget extends CanvasTarget {
     return this.#shared.canvas;
   }
 
-  override own(object: { dispose(): void }): void {
+  override own<Owned extends { dispose(): void }>(object: Owned): Owned {
     this.#owned.add(object);
+    return object;
   }
 
   clear(): void {

@@ -45,11 +45,8 @@ export async function loadCustomCandle(
     moonDirection: null,
     isModelAlone: true,
     prepareRenderer: () => true,
-    createRenderer: (screen, tier) => {
-      const renderer = new CustomModelRenderer(screen.gpu, model, wicks, tier, pageSmokePass);
-      screen.own(renderer);
-      return renderer;
-    },
+    createRenderer: (screen, tier) =>
+      screen.own(new CustomModelRenderer(screen.gpu, model, wicks, tier, pageSmokePass)),
     close: () => closeModel(model),
   };
 }
