@@ -36,7 +36,11 @@ export class ContextPool {
 
   /** To be called when a client's visibility has changed. */
   review(): void {
-    for (const client of this.#byPriority()) {
+    // Visible clients first, then by the order of their requests.
+    const clients = [...this.#waiting].sort(
+      (a, b) => Number(b.isVisible()) - Number(a.isVisible()),
+    );
+    for (const client of clients) {
       if (!this.#waiting.has(client)) continue; // an `acquire` or `release` above has changed it
       if (this.#holders.size >= this.#limit() && client.isVisible()) this.#evictInvisible();
       if (this.#holders.size >= this.#limit()) return;
@@ -44,11 +48,6 @@ export class ContextPool {
       this.#holders.add(client);
       client.acquire();
     }
-  }
-
-  /** Visible clients first, then by the order of their requests. */
-  #byPriority(): readonly ContextClient[] {
-    return [...this.#waiting].sort((a, b) => Number(b.isVisible()) - Number(a.isVisible()));
   }
 
   #evictInvisible(): void {
