@@ -9,35 +9,25 @@ import type { Stand, World } from "./world.js";
  *
  * Another world of the same room goes on from it, once this one is gone.
  */
-export interface Snapshot {
-  readonly tick: number;
-  /** Seconds after that tick. */
-  readonly remainder: number;
-  readonly position: Readonly<Vec3>;
-  readonly yaw: number;
-  readonly pitch: number;
-  /** Null: the setup's. */
-  readonly fieldOfView: number | null;
-  /** Null while the candle is held. */
-  readonly stand: Stand | null;
-  readonly isLit: boolean;
-  /** Whether each of the standing candles burns; null: as at first. */
-  readonly areLit: readonly boolean[] | null;
-}
+export type Snapshot = Readonly<ReturnType<typeof takeSnapshot>>;
 
-export function takeSnapshot(world: World): Snapshot {
+export function takeSnapshot(world: World) {
   const { timeline, remainder, player, candle, flame, fieldOfView } = world;
   const { position, yaw, pitch } = player;
   return {
     tick: timeline.tick,
+    /** Seconds after that tick. */
     remainder,
-    position: [...position],
+    position: [...position] as Readonly<Vec3>,
     yaw,
     pitch,
+    /** Null: the setup's. */
     fieldOfView,
-    stand: candle.isHeld ? null : { position: [...candle.position], yaw: candle.yaw },
+    /** Null while the candle is held. */
+    stand: candle.isHeld ? null : ({ position: [...candle.position], yaw: candle.yaw } as Stand),
     isLit: flame.isLit,
-    areLit: litFlames(world).slice(1),
+    /** Whether each of the standing candles burns; null: as at first. */
+    areLit: litFlames(world).slice(1) as readonly boolean[] | null,
   };
 }
 

@@ -24,29 +24,21 @@ const SAME = 0.99; // cosine
 /** Age at which the weakest that a draught does not hide has passed the end of its reach, seconds. */
 const OLDEST = 15;
 
-interface Puff {
-  readonly lips: Vec3;
-  readonly towards: Vec3;
-  began: number;
-  speed: number;
-  reach: number;
+type Puff = ReturnType<typeof createPuff>;
+
+const createPuff = () => ({
+  lips: [0, 0, 0] as Vec3,
+  towards: [0, 0, -1] as Vec3,
+  began: Number.NEGATIVE_INFINITY,
+  speed: Number.NaN,
+  reach: Number.NaN,
   /** At the place asked for, m/s. */
-  felt: number;
-}
+  felt: Number.NaN,
+});
 
 /** Breaths of one mouth: round jets. Of several at a place the strongest is felt. */
 export class Breath {
-  readonly #puffs = Array.from(
-    { length: PUFFS },
-    (): Puff => ({
-      lips: [0, 0, 0],
-      towards: [0, 0, -1],
-      began: Number.NEGATIVE_INFINITY,
-      speed: Number.NaN,
-      reach: Number.NaN,
-      felt: Number.NaN,
-    }),
-  );
+  readonly #puffs = Array.from({ length: PUFFS }, createPuff);
   /** Current time, seconds. A field, since V8 boxes numbers that are passed. */
   time = 0;
   /** When the last of them began, seconds. */

@@ -13,31 +13,13 @@ import { findWayToWick } from "./wick-reach.js";
 /** The eye keeps this far from floor and ceiling, metres. */
 const HEADROOM = 0.15;
 
-export interface Room {
-  readonly collision: CollisionMesh;
-  readonly plan: FloorPlan;
-  readonly movementBounds: MovementBounds;
-  createAdaptation(): ExposureAdaptation;
-  /** Initial eye position, metres, and yaw. */
-  readonly start: Vec3;
-  readonly yaw: number;
-  /** Whether another one is of the same model: each element loads its own. */
-  isSame(other: Room): boolean;
-  /** Finds a place for the candle, and writes its foot's to `spot`. Null, or why there is none. */
-  findSpot(player: Player, spot: Vec3): Refusal | null;
-  /** Whether a candle that stands at a place can be taken up. */
-  canTake(player: Player, foot: Readonly<Vec3>): boolean;
-  /** Finds the hand's way to a wick. False if there is none in reach. */
-  findWayToWick(world: World, way: Vec3): boolean;
-  /** Distance that a breath reaches: to what it meets first, and the flame of a candle that it meets. Metres. */
-  reachOfBreath(mouth: Readonly<Vec3>, direction: Readonly<Vec3>): number;
-}
+export type Room = Readonly<ReturnType<typeof createRoom>>;
 
 /** @param spawn where to start and which way to face, if the room says so */
 export function createRoom(
   collision: CollisionMesh,
   spawn: { readonly position: readonly [number, number, number]; readonly yaw: number } | null,
-): Room {
+) {
   const plan = new FloorPlan(collision, spawn ? [...spawn.position] : null);
   const { min, max } = collision.bounds;
   const lowest = Math.min(min[1], plan.floor) + HEADROOM;
@@ -55,20 +37,27 @@ export function createRoom(
     plan,
     movementBounds,
     createAdaptation: () => new ExposureAdaptation(collision),
-    start: [x, y + EYE_HEIGHT, z],
+    /** Initial eye position, metres, and yaw. */
+    start: [x, y + EYE_HEIGHT, z] as Readonly<Vec3>,
     yaw: spawn?.yaw ?? 0,
-    isSame({ collision: { triangles } }) {
+    /** Whether another one is of the same model: each element loads its own. */
+    isSame({ collision: { triangles } }: { readonly collision: CollisionMesh }): boolean {
       const mine = collision.triangles;
       return mine.length === triangles.length && mine.every((x, i) => x === triangles[i]);
     },
-    findSpot(player, spot) {
+    /** Finds a place for the candle, and writes its foot's to `spot`. Null, or why there is none. */
+    findSpot(player: Player, spot: Vec3): Refusal | null {
       const { position: eye } = player;
       const direction = gazeDirection(player);
       return findSpot({ collision, plan, eye, direction, cylinder: CANDLE_CYLINDER }, spot);
     },
-    canTake: ({ position }, foot) => canTake(collision, position, foot, CANDLE_CYLINDER),
-    findWayToWick: (world, way) => findWayToWick(world, way, collision),
-    reachOfBreath(mouth, direction) {
+    /** Whether a candle that stands at a place can be taken up. */
+    canTake: ({ position }: Player, foot: Readonly<Vec3>): boolean =>
+      canTake(collision, position, foot, CANDLE_CYLINDER),
+    /** Finds the hand's way to a wick. False if there is none in reach. */
+    findWayToWick: (world: World, way: Vec3): boolean => findWayToWick(world, way, collision),
+    /** Distance that a breath reaches: to what it meets first, and the flame of a candle that it meets. Metres. */
+    reachOfBreath(mouth: Readonly<Vec3>, direction: Readonly<Vec3>): number {
       const wall = collision.raycast(mouth, direction, Infinity)?.distance ?? Infinity;
       return wall + CANDLE_CYLINDER.radius;
     },
