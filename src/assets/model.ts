@@ -58,58 +58,41 @@ export type TextureImage =
   | ImageBitmap
   | { readonly width: number; readonly height: number; readonly data: Uint8Array };
 
-export interface Material {
-  readonly name: string;
-  /** Linear Rec. 709 and opacity; multiplies the albedo map. */
-  readonly baseColor: readonly [number, number, number, number];
-  /** Multiplies the map's green. */
-  readonly roughness: number;
-  /** Multiplies the map's blue. */
-  readonly metallic: number;
-  /** Multiplies x and y of the normal map. */
-  readonly normalScale: number;
-  /** How much of the occlusion counts, 0 to 1; 0 where the material has none, whatever a map's red holds. */
-  readonly occlusionStrength: number;
-  /** Whether back faces are drawn, too. */
-  readonly isDoubleSided: boolean;
-  /** Whether light that enters it leaves elsewhere, as of wax. */
-  readonly isWax: boolean;
-  /** Whether it mirrors what is around it: metal, or smooth somewhere. */
-  readonly isGlossy: boolean;
-  /** Share of the light that passes through it, as through glass, 0 to 1. */
-  readonly transmission: number;
-  /** Opacity: ignored, all or nothing at `alphaCutoff`, or mixed. */
-  readonly alphaMode: "opaque" | "mask" | "blend";
-  /** Opacity below which a mask leaves a hole. */
-  readonly alphaCutoff: number;
-  /** Opacity of the albedo map: its mean where it is mixed, that of its most opaque part under a mask; else 1. */
-  readonly mapOpacity: number;
-  /** sRGB and opacity. */
-  readonly albedo: TextureImage | null;
-  /** Tangent space, +Y up in the image, as glTF has it. */
-  readonly normal: TextureImage | null;
-  /** Red: occlusion, green: roughness, blue: metallic. */
-  readonly occlusionRoughnessMetallic: TextureImage | null;
-}
+export type Material = Readonly<typeof PLAIN_MATERIAL>;
 
 /** White and rough: what a material is where nothing is said of it. */
-export const PLAIN_MATERIAL: Material = {
+export const PLAIN_MATERIAL = {
   name: "",
-  baseColor: [1, 1, 1, 1],
+  /** Linear Rec. 709 and opacity; multiplies the albedo map. */
+  baseColor: [1, 1, 1, 1] as readonly [number, number, number, number],
+  /** Multiplies the map's green. */
   roughness: 1,
+  /** Multiplies the map's blue. */
   metallic: 0,
+  /** Multiplies x and y of the normal map. */
   normalScale: 1,
+  /** How much of the occlusion counts, 0 to 1; 0 where the material has none, whatever a map's red holds. */
   occlusionStrength: 0,
+  /** Whether back faces are drawn, too. */
   isDoubleSided: false,
+  /** Whether light that enters it leaves elsewhere, as of wax. */
   isWax: false,
+  /** Whether it mirrors what is around it: metal, or smooth somewhere. */
   isGlossy: false,
+  /** Share of the light that passes through it, as through glass, 0 to 1. */
   transmission: 0,
-  alphaMode: "opaque",
+  /** Opacity: ignored, all or nothing at `alphaCutoff`, or mixed. */
+  alphaMode: "opaque" as "opaque" | "mask" | "blend",
+  /** Opacity below which a mask leaves a hole. */
   alphaCutoff: 0.5,
+  /** Opacity of the albedo map: its mean where it is mixed, that of its most opaque part under a mask; else 1. */
   mapOpacity: 1,
-  albedo: null,
-  normal: null,
-  occlusionRoughnessMetallic: null,
+  /** sRGB and opacity. */
+  albedo: null as TextureImage | null,
+  /** Tangent space, +Y up in the image, as glTF has it. */
+  normal: null as TextureImage | null,
+  /** Red: occlusion, green: roughness, blue: metallic. */
+  occlusionRoughnessMetallic: null as TextureImage | null,
 };
 
 /** Whether a surface mirrors what is around it: the limits of `shaders/opaque/forward.frag`. */
