@@ -1,10 +1,5 @@
 /** Loudness and pitch of a moment's sound. */
-export interface Sound {
-  /** Root mean square of the signal, whose full scale is 1. */
-  readonly loudness: number;
-  /** Share of its power that lies below `LOW`. */
-  readonly lowShare: number;
-}
+export type Sound = Readonly<ReturnType<typeof soundOf>>;
 
 /**
  * Blowing at a microphone is wind: turbulence whose power falls with the square of frequency, half of it
@@ -20,7 +15,7 @@ const ONSET = 0.1;
 const REPEAT = 0.3;
 
 /** @param samples of -1 to 1, `rate` a second */
-export function soundOf(samples: ArrayLike<number>, rate: number): Sound {
+export function soundOf(samples: ArrayLike<number>, rate: number) {
   const { length } = samples;
   let mean = 0;
   for (let i = 0; i < length; i++) mean += (samples[i] ?? 0) / length;
@@ -38,7 +33,9 @@ export function soundOf(samples: ArrayLike<number>, rate: number): Sound {
     lowPower += secondPole * secondPole;
   }
   return {
+    /** Root mean square of the signal, whose full scale is 1. */
     loudness: Math.sqrt(power / Math.max(length, 1)),
+    /** Share of its power that lies below `LOW`. */
     lowShare: power > 0 ? lowPower / power : 0,
   };
 }

@@ -1,17 +1,7 @@
 /** Linear Rec. 709 whose luma is cd/m², as `readRadiance` gives it. */
 export type Radiance = readonly [red: number, green: number, blue: number];
 
-export interface Reading {
-  /** cd/m² */
-  readonly luminance: number;
-  /** Light on a matt surface that would look like this, lx. */
-  readonly illuminance: number;
-  /** CIE 1931. */
-  readonly x: number;
-  readonly y: number;
-  /** Correlated colour temperature, kelvin; null where the colour is no white at all. */
-  readonly temperature: number | null;
-}
+export type Reading = Readonly<NonNullable<ReturnType<typeof readingOf>>>;
 
 /** Farther than this from the Planckian locus, in u'v', a colour has no temperature (CIE 15). */
 const FARTHEST = 0.05;
@@ -32,7 +22,7 @@ function planckian(kelvin: number): Uv {
   return [u, 1.5 * v]; // his are of 1960
 }
 
-/** Temperature of the black body whose colour is nearest, kelvin. */
+/** Temperature of the black body whose colour is nearest, kelvin; null where the colour is no white at all. */
 function temperatureOf([u, v]: Uv): number | null {
   const distance = (logarithm: number) => {
     const [x, y] = planckian(Math.exp(logarithm));
@@ -51,7 +41,7 @@ function temperatureOf([u, v]: Uv): number | null {
 }
 
 /** @param albedo share of the light that the matt surface is taken to send back */
-export function readingOf([red, green, blue]: Radiance, albedo: number): Reading | null {
+export function readingOf([red, green, blue]: Radiance, albedo: number) {
   // IEC 61966-2-1, D65.
   const X = 0.4124564 * red + 0.3575761 * green + 0.1804375 * blue;
   const Y = 0.2126729 * red + 0.7151522 * green + 0.072175 * blue;
@@ -60,10 +50,14 @@ export function readingOf([red, green, blue]: Radiance, albedo: number): Reading
   const sum = X + Y + Z;
   const prime = X + 15 * Y + 3 * Z;
   return {
+    /** cd/m² */
     luminance: Y,
+    /** Light on a matt surface that would look like this, lx. */
     illuminance: (Math.PI * Y) / albedo,
+    /** CIE 1931. */
     x: X / sum,
     y: Y / sum,
+    /** Correlated colour temperature. */
     temperature: temperatureOf([(4 * X) / prime, (9 * Y) / prime]),
   };
 }
