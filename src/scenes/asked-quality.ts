@@ -8,11 +8,7 @@ const INSPECTION_RUNG: Rung = { tier: "medium", share: 1 };
 const QUICK_INSPECTION_RUNG: Rung = { tier: "medium", share: 0.35 };
 
 /** How frames are drawn. */
-export interface AskedQuality {
-  readonly tier: Tier;
-  /** Of the tier's resolution. */
-  readonly share: number;
-}
+export type AskedQuality = Readonly<ReturnType<typeof askedQuality>>;
 
 /** Settings of a tier; `auto` filters anisotropically only where that was measured to be cheap. */
 export function tierOf(name: Tier["name"], quality: Quality, auto: AutoQuality): Tier {
@@ -20,13 +16,13 @@ export function tierOf(name: Tier["name"], quality: Quality, auto: AutoQuality):
   return { ...rest, anisotropy: anisotropy && (quality !== "auto" || auto.allowsAnisotropy) };
 }
 
-/** Tier and resolution of the next frame. */
+/** Tier of the next frame, and share of the tier's resolution. */
 export function askedQuality(
   quality: Quality,
   auto: AutoQuality,
   isPlaying: boolean,
   inspect: Inspection,
-): AskedQuality {
+) {
   const automatic = isPlaying ? auto.rung : auto.stillRung;
   const chosen: Rung = quality === "auto" ? automatic : { tier: quality, share: 1 };
   // `low` has no separate passes to inspect.
