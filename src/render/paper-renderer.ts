@@ -111,8 +111,7 @@ export class PaperRenderer implements Renderer {
 
   render(world: World, view: FrameSettings): void {
     const gpu = this.#gpu;
-    const target = this.#target;
-    if (!target) throw new Error("The paper's renderer has no size yet.");
+    const target = this.#target!;
     const { features } = view;
     const frame = this.#updateBlocks(world, view);
     gpu.setColorSpace("srgb");

@@ -239,8 +239,7 @@ export class PhysicalRenderer implements Renderer {
     captures: Captures,
     regions: readonly Box[],
   ): Steps {
-    if (!this.#radiance) throw new Error("The renderer has no size yet.");
-    const target = this.#radiance.with(layer.depth);
+    const target = this.#radiance!.with(layer.depth);
     if (flamePart(frame.settings.inspect)) this.#gpu.clear(target.target, [0, 0, 0, 1]);
     else for (const region of regions) this.#opaque.composite(frame, layer, target, region);
     yield;

@@ -331,8 +331,7 @@ export class GBufferPass {
 const REHEARSAL = { isReduced: true, isVisible: () => true, scissor: [0, 0, 1, 1] } as const;
 
 function samplesOf({ colors: [albedo, surface], depth }: RenderTarget): GBufferSamples {
-  if (!albedo || !surface || !depth) throw new Error("A G-buffer has three textures.");
-  return { albedo, surface, depth };
+  return { albedo: albedo!, surface: surface!, depth: depth! };
 }
 
 function gamma2([red, green, blue, opacity]: Mesh["uniforms"]["uBaseColor"]) {

@@ -62,8 +62,7 @@ export function reprojectionBetween(
  * @param to of the other
  */
 export function reprojectionMatrix(from: mat4, to: mat4): mat4 {
-  const worldFromClip = mat4.invert(mat4.create(), from);
-  if (!worldFromClip) throw new Error("The camera's matrix has no inverse.");
+  const worldFromClip = mat4.invert(mat4.create(), from)!;
   const between = mat4.multiply(mat4.create(), to, worldFromClip);
   mat4.multiply(between, PLACE_FROM_CLIP, between);
   return mat4.multiply(between, between, CLIP_FROM_PLACE);

@@ -26,12 +26,11 @@ export class BounceLimit {
 
   /** Irradiance after all bounces, extrapolated from four sums of the series in a row. */
   render([first, before, previous, last]: readonly RenderTarget[], target: RenderTarget): void {
-    if (!first || !before || !previous || !last) throw new Error("A limit takes four sums.");
-    const textures = { uLast: last.color, uPrevious: previous.color, uBefore: before.color };
+    const textures = { uLast: last!.color, uPrevious: previous!.color, uBefore: before!.color };
     this.#gpu.draw({
       program: this.#weightsProgram,
       target: this.#weights,
-      textures: { ...textures, uFirst: first.color },
+      textures: { ...textures, uFirst: first!.color },
     });
     const [uPreviousWeight, uBeforeWeight] = this.#weights.colors;
     this.#gpu.draw({

@@ -280,8 +280,7 @@ export class IndirectPass {
       target: surfelSum!,
       textures: { uRadiance: uRadiance!, uDirection: uDirection! },
     });
-    const { shadow } = this;
-    if (!shadow) throw new Error("Rays are lit past a shadow map.");
+    const shadow = this.shadow!;
     yield* drawInBands(this.#gpu, this.#bands.rayDirect, {
       blocks: this.#surfels.blocks,
       program: this.#rayDirectProgram,

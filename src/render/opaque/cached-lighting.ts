@@ -39,8 +39,7 @@ export function lightingInputs(
   { surface, depth, albedo, representative }: GBuffer,
   { width, height }: Size,
 ) {
-  const worldFromClip = mat4.invert(mat4.create(), clipFromWorld);
-  if (!worldFromClip) throw new Error("The camera's matrix has no inverse.");
+  const worldFromClip = mat4.invert(mat4.create(), clipFromWorld)!;
   const { shadows, indirect, specular } = settings.features;
   return {
     textures: {

@@ -70,8 +70,7 @@ export class DeferredStage implements OpaqueStage {
   }
 
   *shade(frame: FrameInput, captures: Captures): Steps<OpaqueLayer> {
-    const gbuffer = this.#gbuffer;
-    if (!gbuffer) throw new Error("Shading needs a G-buffer.");
+    const gbuffer = this.#gbuffer!;
     const { cached } = captures;
     const isAtRest = gbuffer.kind === "full";
     const { moon } = frame.world;

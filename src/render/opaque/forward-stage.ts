@@ -223,12 +223,11 @@ export class ForwardStage implements OpaqueStage {
   }
 
   #shadeCandle(frame: FrameInput, { light, shadow, irradiance }: CachedLight): RenderTarget {
-    const resolved = this.#resolved;
-    if (!resolved || !light) throw new Error("A candle is shaded as a flame, in a frame.");
+    const resolved = this.#resolved!;
     const target = this.#samples ?? resolved;
     this.#gpu.clear(target, [0, 0, 0, 1]);
-    const captured = { depth: shadow, captureOrigin: light.position, isNew: false };
-    this.draw(frame, light, { shadow: captured, irradiance, cached: [] }, { target });
+    const captured = { depth: shadow, captureOrigin: light!.position, isNew: false };
+    this.draw(frame, light!, { shadow: captured, irradiance, cached: [] }, { target });
     if (this.#samples) this.#gpu.resolve(this.#samples, resolved);
     return resolved;
   }

@@ -139,14 +139,13 @@ export class LightingPass {
     const { kind, history } = gbuffer;
     const reprojection = kind === "reprojected" ? history : null;
     const isReduced = kind !== "full";
-    const target = isReduced ? this.#reducedTarget : this.#fullTarget;
-    if (!target || !this.#gathered) throw new Error("Lighting has no size yet.");
+    const target = (isReduced ? this.#reducedTarget : this.#fullTarget)!;
     // A reprojected frame has the lighting of the frame that it was lit in.
     if (!reprojection) this.#isOfAll = isReduced && cached.length > 0;
     const lit = {
       textures: {
         uLighting: target.color,
-        ...(isReduced && { uInverseDepthGather: this.#gathered.color }),
+        ...(isReduced && { uInverseDepthGather: this.#gathered!.color }),
       },
       uniforms: {},
       Light: this.#isOfAll ? this.#representative : this.light,
@@ -207,7 +206,11 @@ export class LightingPass {
       },
     });
     yield;
-    if (isReduced) this.#gatherInverseDepth(target, this.#gathered);
+    if (isReduced) {
+      const uInverseDepth = target.colors[1]!;
+      const gathered = this.#gathered!;
+      this.#gpu.draw({ program: this.#gather, target: gathered, textures: { uInverseDepth } });
+    }
     this.#key = key;
     return lit;
   }
@@ -240,15 +243,6 @@ export class LightingPass {
       uniforms: { uColor, ...(moon && { uMoonlight: moon.intensity }) },
       blocks,
     };
-  }
-
-  #gatherInverseDepth({ colors: [, uInverseDepth] }: RenderTarget, target: RenderTarget): void {
-    if (!uInverseDepth) throw new Error("Reduced lighting has a texture of inverse depth.");
-    this.#gpu.draw({
-      program: this.#gather,
-      target,
-      textures: { uInverseDepth },
-    });
   }
 }
 

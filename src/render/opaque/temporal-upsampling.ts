@@ -63,8 +63,7 @@ export class TemporalUpsampling {
     screen: Surface,
     size: Size,
   ): Steps {
-    const { gbuffer } = layer;
-    if (!gbuffer) throw new Error("Temporal upsampling needs a G-buffer.");
+    const gbuffer = layer.gbuffer!;
     const isReprojected = layer.kind === "reprojected";
     this.#targets = this.#targetsFor(gbuffer.albedo, size);
     const { color, motion, history, key } = this.#targets;

@@ -39,13 +39,11 @@ export class UpsampleGuidePass {
 
   /** The resolved G-buffer: albedo with the guide in alpha, and depth. */
   get resolved(): RenderTarget {
-    if (!this.#resolved) throw new Error("The G-buffer has no size yet.");
-    return this.#resolved;
+    return this.#resolved!;
   }
 
   get representative(): Texture {
-    if (!this.#representative) throw new Error("No representative samples are chosen yet.");
-    return this.#representative.color;
+    return this.#representative!.color;
   }
 
   chooseRepresentatives({ surface, depth }: GBufferSamples, { width, height }: Size): void {

@@ -77,8 +77,7 @@ export class BloomPass {
   }
 
   get latest(): Texture {
-    if (!this.#latest) throw new Error("There is no bloom yet.");
-    return this.#latest;
+    return this.#latest!;
   }
 
   /** From uv on a frame with the flames at these places to uv on `latest`. */

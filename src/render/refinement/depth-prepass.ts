@@ -36,8 +36,7 @@ export class DepthPrepass {
 
   /** Depth of all blocks drawn for this view, that around a tile among them. */
   depthAround([x, y]: Box, frame: FrameInput): Texture {
-    const target = this.#target;
-    if (!target?.depth) throw new Error("The depth prepass has no size yet.");
+    const target = this.#target!;
     // A hidden candle hides nothing.
     const placements = frame.instances.map(({ placement }) => placement);
     const view = JSON.stringify([[...frame.clipFromWorld], placements]);
@@ -49,7 +48,7 @@ export class DepthPrepass {
     const corner = [Math.floor(x / BLOCK) * BLOCK, Math.floor(y / BLOCK) * BLOCK] as const;
     if (!this.#drawn.has(`${corner}`)) this.#draw(frame, target, [...corner, BLOCK, BLOCK]);
     this.#drawn.add(`${corner}`);
-    return target.depth;
+    return target.depth!;
   }
 
   #draw({ instances, clipFromWorld }: FrameInput, target: RenderTarget, scissor: Box): void {

@@ -178,8 +178,7 @@ export class RefinedStage implements OpaqueStage {
   }
 
   *shade(frame: FrameInput, captures: Captures): Steps<OpaqueLayer> {
-    if (!this.#light) throw new Error("The refined image has not begun yet.");
-    const light = { ...this.#light, captureOrigin: captures.shadow.captureOrigin };
+    const light = { ...this.#light!, captureOrigin: captures.shadow.captureOrigin };
     const { instances, clipFromWorld, settings } = frame;
     this.source = reprojectionSource(instances, clipFromWorld, settings.features);
     this.flame = [...frame.world.interpolated.flame];
@@ -190,11 +189,10 @@ export class RefinedStage implements OpaqueStage {
     }
     yield;
     const { color: uRadiance, depth } = this.#whole;
-    if (!depth) throw new Error("The refined image keeps its depth.");
     this.imageLight.update(frame);
     const blocks = { ...this.blocks, Light: this.imageLight.block };
-    const textures = { uRadiance, uDepth: depth };
-    return { kind: "full", textures, uniforms: {}, blocks, depth, motion: 0 };
+    const textures = { uRadiance, uDepth: depth! };
+    return { kind: "full", textures, uniforms: {}, blocks, depth: depth!, motion: 0 };
   }
 
   /** Goes on with the first draws to a tile's target. */
@@ -275,8 +273,7 @@ export class RefinedStage implements OpaqueStage {
   }
 
   get #whole(): RenderTarget {
-    if (!this.#image) throw new Error("The refined image has no size yet.");
-    return this.#image;
+    return this.#image!;
   }
 
   composite(frame: FrameInput, layer: OpaqueLayer, target: CompositedFrame, region: Box): void {
