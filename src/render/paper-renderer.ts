@@ -57,7 +57,6 @@ export class PaperRenderer implements Renderer {
   readonly #tier: Tier;
   readonly #frame: UniformBlock;
   readonly #light: UniformBlock;
-  readonly #programs = new Map<string, Program>();
   readonly #models: Readonly<Record<"room" | "candle", readonly Mesh[]>>;
   #systems: ParticleSystem[] = [];
   #target: RenderTarget | null = null;
@@ -146,13 +145,8 @@ export class PaperRenderer implements Renderer {
 
   /** Programs of their own, since a software renderer executes both sides of an `if`. Compiled on first use. */
   #program(name: keyof typeof SHADERS, defines: Readonly<Record<string, number>>): Program {
-    const key = JSON.stringify([name, defines]);
     const feedback = name === "particle" ? FEEDBACK : [];
-    const program =
-      this.#programs.get(key) ??
-      this.#gpu.program(`paper/${name}`, ...SHADERS[name], { defines, feedback });
-    this.#programs.set(key, program);
-    return program;
+    return this.#gpu.program(`paper/${name}`, ...SHADERS[name], { defines, feedback });
   }
 
   #surfaceProgram(name: "room" | "candle", normals: Normals, { isCutOut }: Mesh): Program {

@@ -54,8 +54,6 @@ export class GBufferPass {
   readonly #jittered: UniformBlock;
   readonly #guide: UpsampleGuidePass;
   readonly #full: FullGBuffer;
-  /** By their defines. */
-  readonly #programs = new Map<string, Program>();
   readonly #lods: MeshLods;
   readonly #albedos: AlbedoCache;
   /** Programs that were drawn with, whether these are all of the reduced G-buffer, and frames that have added none. */
@@ -272,14 +270,9 @@ export class GBufferPass {
     const UNTEXTURED = BAKED && mesh.isUntextured ? 1 : 0;
     const detail = isCached ? { BAKED, UNTEXTURED } : { REDUCED: isReduced ? 1 : 0 };
     const defines = { ALPHA_TESTED, ...detail };
-    const key = JSON.stringify(defines);
-    const program =
-      this.#programs.get(key) ??
-      (isCached
-        ? this.#gpu.program("gbuffer/gbuffer-reduced", reducedVert, reducedFrag, { defines })
-        : this.#gpu.program("gbuffer/gbuffer", meshVert, gbufferFrag, { defines }));
-    this.#programs.set(key, program);
-    return program;
+    return isCached
+      ? this.#gpu.program("gbuffer/gbuffer-reduced", reducedVert, reducedFrag, { defines })
+      : this.#gpu.program("gbuffer/gbuffer", meshVert, gbufferFrag, { defines });
   }
 
   /** In motion one frame in a few draws with a new program; until then a mesh is drawn without its cached albedo. */
