@@ -3,15 +3,11 @@
 // In:  base colour (sRGB), occlusion/roughness map.
 // Out: square root of the albedo; in alpha the opacity, or BAKED: the roughness, with the occlusion in the albedo.
 #include "lib/precision.glsl"
+#include "lib/material.glsl"
 #if BAKED
 #include "lib/gbuffer.glsl"
 #include "lib/normal-map-shading.glsl"
-
-uniform sampler2D uOcclusionRoughness;
-uniform float uOcclusionStrength;
 #endif
-
-uniform sampler2D uAlbedo;
 
 in vec2 vUv;
 

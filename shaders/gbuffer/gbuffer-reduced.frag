@@ -1,26 +1,20 @@
 #version 300 es
 // Reduced G-buffer, for frames in motion: what gbuffer/gbuffer.frag writes at half of the cost.
-// In:  gamma-2 albedo, normal map; unless occlusion and roughness are BAKED into the albedo, their map. What is
+// In:  gamma-2 albedo and base colour, normal map; unless occlusion and roughness are BAKED into the albedo, their map. What is
 //      UNTEXTURED, and so BAKED, has no maps.
 // Out: gamma-2 albedo times normal-map shading; normal, roughness, material.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
 #include "lib/gbuffer.glsl"
 #include "lib/normal-map-shading.glsl"
-
+#include "lib/material.glsl"
 #if !UNTEXTURED
 #include "lib/normal-map.glsl"
+#endif
+
 uniform sampler2D uGamma2Albedo;
-uniform sampler2D uNormal;
-#endif
-uniform vec4 uBaseColor;   // gamma 2
-uniform float uMaterial;   // wax or glass; 0: what the maps say
-uniform float uIsHeld;  // 1 or 0
-uniform vec4 uSurface;     // roughness, metallic, normal scale, alpha cutoff
-#if !BAKED
-uniform sampler2D uOcclusionRoughness;
-uniform float uOcclusionStrength;
-#endif
+uniform float uMaterial;  // wax or glass; 0: what the maps say
+uniform float uIsHeld;    // 1 or 0
 
 in vec3 vNormalWorld;
 in vec3 vToLight;
