@@ -1,12 +1,12 @@
 #version 300 es
-// Captures surfels: the surfaces that the flame lights; PARALLEL: that parallel light meets.
+// Captures surfels: the surfaces that the flame lights; MOON: that the moon's does.
 // Out: reflectance, less the self-occlusion of the normal map, and gloss; normal and distance from the capture origin (m, 0 where
 // there is no surface).
 #include "lib/precision.glsl"
 #include "lib/caster-albedo.glsl"
 
-uniform vec3 uCaptureOrigin;  // m; PARALLEL: a point of the plane that distances are from
-#ifdef PARALLEL
+uniform vec3 uCaptureOrigin;  // m; MOON: a point of the plane that distances are from
+#ifdef MOON
 uniform vec3 uDirection;  // of the light, length 1
 #endif
 uniform sampler2D uCasterAlbedo;
@@ -44,7 +44,7 @@ vec4 reflectanceAt(vec2 uv) {
 
 void main() {
   vec3 fromOrigin = vPositionWorld - uCaptureOrigin;
-#ifdef PARALLEL
+#ifdef MOON
   fromOrigin = uDirection * dot(fromOrigin, uDirection);
 #endif
   vec3 normal = cross(dFdx(vPositionWorld), dFdy(vPositionWorld));

@@ -16,15 +16,13 @@ import type { CaptureLight } from "../light-block.js";
 import { FACES } from "../shadow/cube-map.js";
 import type { ShadowCasters } from "../shadow/shadow-casters.js";
 
-type Defines = Readonly<Record<string, number>>;
-
 /** Surfels, captured and lit by a flame or by the moon, which has neither a support nor reflections of all its light. */
 export abstract class Surfels {
   /** Of the light, and by its name. */
   readonly block: UniformBlock;
   readonly blocks: Readonly<Record<string, UniformBlock>>;
-  /** Of shaders that read the surfels. */
-  readonly defines: Defines;
+  /** Of shaders that write or read the surfels. */
+  readonly defines: Readonly<Record<string, number>>;
   protected readonly gpu: Gpu;
   protected readonly size: number;
   readonly #captureProgram: Program;
@@ -35,20 +33,13 @@ export abstract class Surfels {
   /**
    * @param size rows of surfels; there are as many columns as six times that
    * @param light name of its block
-   * @param defines of shaders that capture surfels, and of those that read them. Default: none
    */
-  constructor(
-    gpu: Gpu,
-    size: number,
-    light: "Light" | "Moon",
-    { capture = {}, read = {} }: Partial<Readonly<Record<"capture" | "read", Defines>>> = {},
-  ) {
+  constructor(gpu: Gpu, size: number, light: "Light" | "Moon") {
     this.gpu = gpu;
     this.size = size;
-    this.defines = read;
-    const captureOptions = { defines: capture };
-    this.#captureProgram = gpu.program("gi/surfel", cubeFaceVert, surfelFrag, captureOptions);
-    const options = { defines: read };
+    this.defines = light === "Moon" ? { MOON: 1 } : {};
+    const options = { defines: this.defines };
+    this.#captureProgram = gpu.program("gi/surfel", cubeFaceVert, surfelFrag, options);
     this.#radiosityProgram = gpu.pass("gi/radiosity", radiosityFrag, options);
     this.block = gpu.uniformBlock(this.#radiosityProgram, light);
     this.blocks = { [light]: this.block };

@@ -13,7 +13,7 @@ export class MoonSurfels extends Surfels {
 
   /** @param group rows of those on the panes */
   constructor(gpu: Gpu, size: number, group: number) {
-    super(gpu, size, "Moon", { capture: { PARALLEL: 1 }, read: { MOON: 1 } });
+    super(gpu, size, "Moon");
     this.#rows = size - group;
   }
 
