@@ -56,10 +56,16 @@ export function lightingInputs(
   };
 }
 
+/** Program of lighting by the moon. */
+export function moonLighting(gpu: Gpu, { search, taps }: ShadowQuality, REDUCED: 0 | 1): Program {
+  const defines = { SHADOW_SEARCH: search, SHADOW_TAPS: taps, REDUCED };
+  return gpu.pass("opaque/moon-lighting", moonFrag, { defines });
+}
+
 /** Deferred lighting at rest by cached lights, each in a texture of its own, and their sum with the flame's. */
 export class CachedLighting {
   readonly #gpu: Gpu;
-  readonly #shadowQuality: ShadowQuality;
+  readonly #moonShadow: ShadowQuality;
   readonly #format: TextureFormat;
   /** By the light's name. */
   readonly #layers = new Map<string, { readonly target: RenderTarget; key: string }>();
@@ -84,7 +90,8 @@ export class CachedLighting {
   ) {
     this.#flameProgram = flameProgram;
     this.#gpu = gpu;
-    this.#shadowQuality = quality;
+    // It is lit once, and its penumbra is next to black.
+    this.#moonShadow = { ...quality, search: 3 * quality.search, taps: 3 * quality.taps };
     this.#format = format;
     this.#frame = Frame;
     this.#block = Light;
@@ -154,7 +161,7 @@ export class CachedLighting {
     const { textures, uniforms } = lightingInputs(frame, gbuffer, size);
     const isMoon = light.kind === "moon";
     this.#gpu.draw({
-      program: isMoon ? this.#moonProgram : this.#flameProgram,
+      program: isMoon ? moonLighting(this.#gpu, this.#moonShadow, 0) : this.#flameProgram,
       target: layer.target,
       textures: {
         ...textures,
@@ -172,12 +179,5 @@ export class CachedLighting {
     });
     yield;
     return layer.target.color;
-  }
-
-  get #moonProgram(): Program {
-    // It is lit once, and its penumbra is next to black.
-    const { search, taps } = this.#shadowQuality;
-    const defines = { SHADOW_SEARCH: 3 * search, SHADOW_TAPS: 3 * taps, REDUCED: 0 };
-    return this.#gpu.pass("opaque/moon-lighting", moonFrag, { defines });
   }
 }

@@ -1,6 +1,5 @@
 import gatherFrag from "../../../shaders/opaque/gather-inverse-depth.frag";
 import lightingFrag from "../../../shaders/opaque/lighting.frag";
-import moonFrag from "../../../shaders/opaque/moon-lighting.frag";
 import type {
   Draw,
   Gpu,
@@ -19,7 +18,7 @@ import type { Captures } from "../gi/light-captures.js";
 import { type CaptureLight, lightBlock, shadingLight } from "../light-block.js";
 import type { PhysicalTier, ShadowQuality } from "../quality.js";
 import { SCHEDULE } from "../schedule.js";
-import { lightingInputs, representativeColor } from "./cached-lighting.js";
+import { lightingInputs, moonLighting, representativeColor } from "./cached-lighting.js";
 import { MultiLightInputs } from "./multi-light-inputs.js";
 import type { OpaqueLayer } from "./opaque-stage.js";
 
@@ -98,12 +97,6 @@ export class LightingPass {
     return { ...shadow, search, taps };
   }
 
-  get #reducedMoonProgram(): Program {
-    const { search, taps } = this.#reducedShadow;
-    const defines = { SHADOW_SEARCH: search, SHADOW_TAPS: taps, REDUCED: 1 };
-    return this.#gpu.pass("opaque/moon-lighting", moonFrag, { defines });
-  }
-
   resize({ width, height }: Size): void {
     const targets = [this.#reducedTarget, this.#reducedMoon, this.#fullTarget, this.#gathered];
     for (const old of targets) old?.dispose();
@@ -177,7 +170,7 @@ export class LightingPass {
     const uMoonLighting = this.#reducedMoon;
     if (moon && uMoonLighting) {
       this.#gpu.draw({
-        program: this.#reducedMoonProgram,
+        program: moonLighting(this.#gpu, this.#reducedShadow, 1),
         target: uMoonLighting,
         textures: { ...textures, uMoonMap: moon.shadow },
         uniforms,
