@@ -25,8 +25,8 @@ import { BLOOM_REACH, BLOOM_SCALE, BloomPass } from "./post/bloom-pass.js";
 import {
   DisplayPass,
   displayTransform,
+  displayUniforms,
   exposureFactor,
-  glareShareOf,
 } from "./post/display-pass.js";
 import { ExposurePass } from "./post/exposure-pass.js";
 import { InspectPass } from "./post/inspect-pass.js";
@@ -280,13 +280,13 @@ export class PhysicalRenderer implements Renderer {
     const { screen, settings, flameUvs, world } = frame;
     const size = this.#size;
     const { blocks } = this.#opaque;
-    const bloom = this.#bloom.transform(flameUvs);
     const inputs = { uBloom: this.#bloom.latest, uExposure: this.#exposure.latest };
     const uRadiance = this.#radiance!.whole.color;
     const transform = displayTransform(this.#gpu, settings, world.adaptation?.darkness ?? 0);
+    const uniforms = displayUniforms(transform, settings, this.#bloom.transform(flameUvs));
     const show = (textures: typeof inputs, scissor?: Box) => {
       const all = { ...textures, uRadiance };
-      this.#display.render(all, bloom, settings, transform, blocks.Frame, scissor, screen);
+      this.#display.render(all, uniforms, transform, blocks.Frame, scissor, screen);
     };
     if (!this.#compositeDisplay) return show(inputs);
     const textures = { ...inputs, uToneLut: this.#compositeDisplay.toneLut(transform) };
@@ -295,9 +295,7 @@ export class PhysicalRenderer implements Renderer {
     if (layer.kind !== "full" || !isFilled) {
       const options = {
         screen,
-        glareShare: glareShareOf(settings),
-        bloomTransform: bloom,
-        autoExposure: settings.features.autoExposure,
+        uniforms,
         transform,
         bloomBounds: expandBoxes(regions, BLOOM_REACH + layer.motion * size.width, size),
         size,

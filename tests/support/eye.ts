@@ -4,7 +4,11 @@ import { Gpu } from "../../src/gl/gpu.ts";
 import type { Texture } from "../../src/gl/texture.ts";
 import { BloomPass } from "../../src/render/post/bloom-pass.ts";
 import { toneLut } from "../../src/render/post/display-lut.ts";
-import { DisplayPass, displayTransform } from "../../src/render/post/display-pass.ts";
+import {
+  DisplayPass,
+  displayTransform,
+  displayUniforms,
+} from "../../src/render/post/display-pass.ts";
 import { ExposurePass } from "../../src/render/post/exposure-pass.ts";
 import { allFeatures } from "../../src/settings.ts";
 import { EXPOSURE_LAW } from "../../src/world/player/exposure-adaptation.ts";
@@ -59,15 +63,15 @@ export class Eye {
     const picture = this.#picture(radianceAt);
     const exposure = this.#texel(stops);
     const view = { features: { ...allFeatures(), bloom: false }, gamut };
-    const bloom = [1, 1, 0, 0] as const;
     const transform = displayTransform(gpu, view, 0);
+    const uniforms = displayUniforms(transform, view, [1, 1, 0, 0]);
     const textures = {
       uRadiance: picture,
       uBloom: picture,
       uExposure: exposure,
       ...(usesToneLut && { uToneLut: toneLut(gpu)(transform) }),
     };
-    new DisplayPass(gpu, usesToneLut).render(textures, bloom, view, transform, frame);
+    new DisplayPass(gpu, usesToneLut).render(textures, uniforms, transform, frame);
     const own = [...gpu.readCanvas([0, 0, width, height])];
     const paper = new OffscreenCanvas(width, height).getContext("2d", { colorSpace: "srgb" });
     paper?.drawImage(this.#canvas, 0, 0);

@@ -5,18 +5,14 @@ import type { Box, Gpu, Program, RenderTarget, Surface, Texture } from "../../gl
 import type { Steps } from "../../world/steps.js";
 import type { Size } from "../frame-input.js";
 import { forEachGBufferKind, type GBufferKind } from "../gbuffer/gbuffer.js";
-import type { BloomTransform } from "../post/bloom-pass.js";
 import { type DisplayLut, toneLut } from "../post/display-lut.js";
-import { type DisplayTransform, whiteBalance } from "../post/display-pass.js";
+import type { DisplayTransform, DisplayUniforms } from "../post/display-pass.js";
 import { boxesBeside, scaleBox } from "../screen-bounds.js";
 import type { FrameBlocks, OpaqueLayer } from "./opaque-stage.js";
 import { TemporalUpsampling } from "./temporal-upsampling.js";
 
 export interface DisplayOptions {
-  /** Share of the light that lens and eye scatter. */
-  readonly glareShare: number;
-  readonly bloomTransform: BloomTransform;
-  readonly autoExposure: boolean;
+  readonly uniforms: DisplayUniforms;
   readonly transform: DisplayTransform;
   /** Where the bloom is, in pixels of a canvas of `size`. */
   readonly bloomBounds: readonly Box[];
@@ -64,13 +60,7 @@ export class CompositeDisplayPass {
   ): Steps {
     const draw = {
       textures: { ...layer.textures, ...textures },
-      uniforms: {
-        ...layer.uniforms,
-        uWhiteBalance: whiteBalance(options.transform),
-        uGlareShare: options.glareShare,
-        uBloomTransform: options.bloomTransform,
-        uAutoExposure: options.autoExposure ? 1 : 0,
-      },
+      uniforms: { ...layer.uniforms, ...options.uniforms },
       blocks: { ...blocks },
     };
     const composite = (target: Surface, size: Size): readonly Box[] => {

@@ -21,11 +21,6 @@ const GAMUT: Readonly<Record<PredefinedColorSpace, readonly number[]>> = {
   "display-p3": [0, 1, 2].flatMap((column) => P3_FROM_RGB.map((row) => row[column] ?? 0)),
 };
 
-/** Share of the light that is scattered, 0 without bloom. */
-export function glareShareOf({ features }: Pick<FrameSettings, "features">): number {
-  return features.bloom ? GLARE_SHARE : 0;
-}
-
 /** `Frame.exposure`: the factor on top of the metered exposure, or in its place. */
 export function exposureFactor({ features, exposure }: FrameSettings): number {
   return 2 ** exposure * (features.autoExposure ? 1 : FIXED_EXPOSURE);
@@ -61,6 +56,22 @@ export function whiteBalance({ uAdaptation, uWhite }: DisplayTransform): Rgb {
   return [gain(0), gain(1), gain(2)];
 }
 
+/** Uniforms of what displays: with the bloom, and by the exposure. */
+export function displayUniforms(
+  transform: DisplayTransform,
+  { features }: Pick<FrameSettings, "features">,
+  uBloomTransform: BloomTransform,
+) {
+  return {
+    uWhiteBalance: whiteBalance(transform),
+    uAutoExposure: features.autoExposure ? 1 : 0,
+    uBloomTransform,
+    uGlareShare: features.bloom ? GLARE_SHARE : 0,
+  };
+}
+
+export type DisplayUniforms = ReturnType<typeof displayUniforms>;
+
 /** Exposure, bloom and display transform: from cd/m² to the canvas. */
 export class DisplayPass {
   readonly #gpu: Gpu;
@@ -81,8 +92,7 @@ export class DisplayPass {
     textures: Readonly<Record<"uRadiance" | "uBloom" | "uExposure", Texture>> & {
       readonly uToneLut?: Texture;
     },
-    uBloomTransform: BloomTransform,
-    view: Pick<FrameSettings, "features">,
+    uniforms: DisplayUniforms,
     transform: DisplayTransform,
     frame: UniformBlock,
     scissor?: Box,
@@ -92,13 +102,7 @@ export class DisplayPass {
       program: this.#program,
       target: screen,
       textures: { ...textures, ...(this.#hueLut && { uHueLut: this.#hueLut(transform) }) },
-      uniforms: {
-        ...transform,
-        uWhiteBalance: whiteBalance(transform),
-        uAutoExposure: view.features.autoExposure ? 1 : 0,
-        uBloomTransform,
-        uGlareShare: glareShareOf(view),
-      },
+      uniforms: { ...transform, ...uniforms },
       blocks: { Frame: frame },
       scissor,
     });

@@ -96,9 +96,9 @@ export class RefinedDisplayPass {
     options: DisplayOptions,
     blocks: FrameBlocks,
   ): Steps {
-    const { transform, size, autoExposure } = options;
+    const { transform, size } = options;
+    const { uAutoExposure } = options.uniforms;
     this.#depth = layer.depth;
-    const uAutoExposure = autoExposure ? 1 : 0;
     const key = JSON.stringify([transform, size, this.#stage.images]);
     if (key !== this.#key) {
       this.#key = key;
@@ -142,10 +142,7 @@ export class RefinedDisplayPass {
         ...pass,
         program: isKept ? this.#glare : this.#display,
         uniforms: {
-          uWhiteBalance: whiteBalance(transform),
-          uGlareShare: options.glareShare,
-          uBloomTransform: options.bloomTransform,
-          uAutoExposure,
+          ...options.uniforms,
           ...(scissor && { uGlareBounds: glareBounds(scissor, size) }),
         },
         scissor,
