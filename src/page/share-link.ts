@@ -39,12 +39,12 @@ const NUMBER = /^-?\d{1,5}(\.\d{1,9})?$/;
 /** The view as a location's hash. */
 export function writeShareLink({ camera, candle, settings }: View): string {
   const words = new URLSearchParams();
+  const usual = FIELDS_OF_VIEW[parseChoice(SETTINGS.look, settings.look ?? null)];
   for (const [name, stand] of Object.entries({ camera, candle })) {
     if (!stand) continue;
     const numbers = [...stand.position, stand.yaw, stand.pitch];
     const { fieldOfView } = stand;
-    if (name === "camera" && fieldOfView && !isDefault(fieldOfView, settings))
-      numbers.push(fieldOfView);
+    if (name === "camera" && fieldOfView && fieldOfView !== usual) numbers.push(fieldOfView);
     words.set(name, numbers.map((value) => Number(value.toFixed(DIGITS))).join("_"));
   }
   for (const name of SHARED) {
@@ -52,10 +52,6 @@ export function writeShareLink({ camera, candle, settings }: View): string {
     if (text !== null) words.set(name, text);
   }
   return `#${words}`;
-}
-
-function isDefault(fieldOfView: number, { look }: View["settings"]): boolean {
-  return fieldOfView === FIELDS_OF_VIEW[parseChoice(SETTINGS.look, look ?? null)];
 }
 
 /** The view of a location's hash. It is untrusted input: illegal values are left out. */
