@@ -9,12 +9,13 @@ layout(std140) uniform Flame {
   vec3 base;      // its foot in the room, m
   float steps;    // of the march
   vec3 wick;      // tip of the wick, m
-  float top;      // height of the last node, m
   float extent;   // luminous length along the spine, m
+  vec3 tip;       // end of the spine, m
   float radius;   // m
   float soot;     // factors on the table
   float blue;
-  vec4 nodes[NODES];  // evenly spaced in height: x, z (m), share of the length, factor on the radius
+  vec4 nodes[NODES];  // evenly spaced on the way to the tip: x, y, z (m), share of the length
+  vec4 necks[NODES];  // of each node: factor on the radius
   vec4 spheres[SPHERES];  // bounding spheres: centre, radius, m
 } flame;
 

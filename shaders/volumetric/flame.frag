@@ -25,7 +25,7 @@ float margin;
 // Table coordinates of a point: radius and height, as shares. Outside of 0 to 1 the body is empty.
 vec2 bodyUv(vec3 position) {
   float last = float(NODES - 1);
-  float height = position.y / flame.top * last;
+  float height = dot(position, flame.tip) / dot(flame.tip, flame.tip) * last;
   float inside = clamp(height, 0.0, last);
   int node = int(clamp(floor(inside + 0.5), 1.0, last - 1.0));
   float f = inside - float(node);
@@ -37,12 +37,13 @@ vec2 bodyUv(vec3 position) {
   vec4 c = flame.nodes[node + 1];
   vec4 derivative = a * slope.x + b * slope.y + c * slope.z;
   vec4 here = a * weight.x + b * weight.y + c * weight.z + derivative * (height - inside);
-  vec3 tangent = normalize(vec3(derivative.x, flame.top / last, derivative.y));
-  // The cross-section is round perpendicular to the spine, not to the vertical.
-  vec2 offset = position.xz - here.xy;
-  float along = dot(offset, tangent.xz);
-  float share = here.z + along / flame.extent;
-  float outer = flame.radius * here.w * texture(uOutline, vec2(share, 0.5)).r;
+  vec3 tangent = normalize(derivative.xyz);
+  // The cross-section is round perpendicular to the spine.
+  vec3 offset = position - here.xyz;
+  float along = dot(offset, tangent);
+  float share = here.w + along / flame.extent;
+  float neck = dot(weight, vec3(flame.necks[node - 1].x, flame.necks[node].x, flame.necks[node + 1].x));
+  float outer = flame.radius * neck * texture(uOutline, vec2(share, 0.5)).r;
   float distance = sqrt(max(dot(offset, offset) - along * along, 0.0));
 #ifdef ALONE
   covered = max(covered, min(outer - distance, margin) + min(outer + distance, margin));

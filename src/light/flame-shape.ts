@@ -1,8 +1,9 @@
 import type { Flame } from "../world/flame/flame.js";
 import { PARCELS } from "../world/flame/spine.js";
+import type { Vec3 } from "../world/geometry.js";
 import { BODY_REACH, BODY_SIZE, type FlameBody, outline } from "./flame-body.js";
 
-/** Sections along the spine, evenly spaced in height. */
+/** Sections along the spine, evenly spaced along the way from the foot to the tip. */
 const NODES = 16;
 /** Bounding spheres of the body: rays are marched inside of them only. */
 export const BALLS = 8;
@@ -21,13 +22,15 @@ export function createShape() {
     /** Luminous length along the spine, and largest radius. */
     length: 0,
     radius: 0,
-    /** Height above the foot of the last node. */
-    top: 0,
+    /** From the foot. */
+    tip: [0, 0, 0] as Vec3,
     /** Factors on the table's soot and blue. */
     soot: 0,
     blue: 0,
-    /** Of each node: x, z, share of the length, factor on the radius. */
+    /** Of each node: x, y, z, share of the length. */
     nodes: new Float32Array(NODES * 4),
+    /** Of each node, in every fourth: factor on the radius. */
+    necks: new Float32Array(NODES * 4),
     /** Of each ball: x, y, z, radius. */
     balls: new Float32Array(BALLS * 4),
     /** Candela: of soot and of the blue bands. */
@@ -42,6 +45,8 @@ export function createShape() {
 /** Pieces of the spine, for integrals along it. */
 const PIECES = 64;
 const path = new Float64Array((PIECES + 1) * 3);
+/** How far along the way from the foot to the tip each of its points is, share. */
+const ways = new Float64Array(PIECES + 1);
 
 /**
  * Bends, stretches and dims a body as the flame has it, into `shape`. Nothing is allocated.
@@ -117,34 +122,39 @@ function tracePath(spine: Float64Array, length: number): void {
   }
 }
 
-function placeNodes(shape: FlameShape, flame: Flame): void {
-  const top = Math.max(path[PIECES * 3 + 1] ?? 0, 1e-5);
-  shape.top = top;
+function placeNodes({ tip, nodes, necks }: FlameShape, flame: Flame): void {
+  for (let axis = 0; axis < 3; axis++) tip[axis] = path[PIECES * 3 + axis] ?? 0;
+  const squared = tip[0] * tip[0] + tip[1] * tip[1] + tip[2] * tip[2] + 1e-12;
+  for (let piece = 0, at = 0; piece <= PIECES; piece++, at += 3) {
+    const along = (path[at] ?? 0) * tip[0] + (path[at + 1] ?? 0) * tip[1];
+    ways[piece] = (along + (path[at + 2] ?? 0) * tip[2]) / squared;
+  }
   let piece = 0;
   for (let node = 0; node < NODES; node++) {
-    const height = (top * node) / (NODES - 1);
-    while (piece < PIECES - 1 && (path[(piece + 1) * 3 + 1] ?? 0) < height) piece++;
-    const low = path[piece * 3 + 1] ?? 0;
-    const high = path[piece * 3 + 4] ?? 0;
-    const t = Math.min(Math.max((height - low) / Math.max(high - low, 1e-9), 0), 1);
+    const way = node / (NODES - 1);
+    while (piece < PIECES - 1 && (ways[piece + 1] ?? 0) < way) piece++;
+    const low = ways[piece] ?? 0;
+    const high = ways[piece + 1] ?? 0;
+    const t = Math.min(Math.max((way - low) / Math.max(high - low, 1e-9), 0), 1);
     const at = piece * 3;
-    shape.nodes[node * 4] = mix(path[at] ?? 0, path[at + 3] ?? 0, t);
-    shape.nodes[node * 4 + 1] = mix(path[at + 2] ?? 0, path[at + 5] ?? 0, t);
-    shape.nodes[node * 4 + 2] = (piece + t) / PIECES;
-    shape.nodes[node * 4 + 3] = flame.neck(height);
+    for (let axis = 0; axis < 3; axis++) {
+      nodes[node * 4 + axis] = mix(path[at + axis] ?? 0, path[at + 3 + axis] ?? 0, t);
+    }
+    nodes[node * 4 + 3] = (piece + t) / PIECES;
+    necks[node * 4] = flame.neck(nodes[node * 4 + 1] ?? 0);
   }
 }
 
 /** Factor on the section of the body at each row, as it puffs. */
 const sections = new Float64Array(BODY_SIZE.height);
 
-function measureSections({ nodes, top }: FlameShape): void {
+function measureSections({ necks }: FlameShape): void {
   for (let row = 0; row < sections.length; row++) {
     const piece = Math.floor(((row + 0.5) / BODY_SIZE.height) * PIECES);
-    const place = Math.max(((path[piece * 3 + 1] ?? 0) / top) * (NODES - 1), 0);
+    const place = Math.max((ways[piece] ?? 0) * (NODES - 1), 0);
     const node = Math.min(Math.floor(place), NODES - 2);
-    const low = nodes[node * 4 + 3] ?? 1;
-    const high = nodes[node * 4 + 7] ?? 1;
+    const low = necks[node * 4] ?? 1;
+    const high = necks[node * 4 + 4] ?? 1;
     const neck = mix(low, high, Math.min(place - node, 1));
     sections[row] = neck * neck;
   }
@@ -199,7 +209,7 @@ function placeBalls(shape: FlameShape): void {
   const stride = PIECES / BALLS;
   let widest = 1;
   for (let node = 0; node < NODES; node++) {
-    widest = Math.max(widest, shape.nodes[node * 4 + 3] ?? 1);
+    widest = Math.max(widest, shape.necks[node * 4] ?? 1);
   }
   for (let ball = 0; ball < BALLS; ball++) {
     const first = ball * stride;

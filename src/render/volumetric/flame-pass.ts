@@ -90,12 +90,13 @@ export class FlamePass {
       base: root,
       steps,
       wick: tip,
-      top: shape.top,
+      tip: shape.tip,
       extent: shape.length,
       radius: shape.radius,
       soot: part === "blue" ? 0 : shape.soot * this.#scale,
       blue: part === "soot" ? 0 : shape.blue * this.#scale,
       "nodes[0]": shape.nodes,
+      "necks[0]": shape.necks,
       "spheres[0]": shape.balls,
     });
     this.#gpu.draw({
