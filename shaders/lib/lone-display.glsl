@@ -22,11 +22,11 @@ float glare(vec2 uv, vec4 source, float magnification) {
 // Light of a flame, as a multiple of white; no surface has as much.
 const vec2 FLAME_LIGHT = vec2(16.0, 64.0);
 
-// Display colour of a texel, premultiplied, before glare. A flame covers all of a texel, surfaces may not.
+// Display colour of a texel, premultiplied, before glare. A flame covers all of a texel, surfaces and smoke may not.
 vec3 displayedColor(vec4 light) {
-  vec3 solid = light.a > 0.0 ? displayColor(light.rgb / light.a) * light.a : vec3(0.0);
-  float flame = smoothstep(FLAME_LIGHT.x, FLAME_LIGHT.y, light.r * frame.exposure);
-  return mix(displayColor(light.rgb), solid, smoothstep(0.3, 0.6, light.a) * (1.0 - flame));
+  vec3 straight = light.rgb / max(light.a, 1e-4);
+  float flame = smoothstep(FLAME_LIGHT.x, FLAME_LIGHT.y, straight.r * frame.exposure);
+  return mix(displayColor(straight) * light.a, displayColor(light.rgb), flame);
 }
 
 // Alpha is at least the largest channel, so that every compositor gives the same result.

@@ -228,6 +228,34 @@ test("The flame's outline is antialiased, and its tip tapers", async ({ page }) 
   expect(complaints).toEqual([]);
 });
 
+test("Thin smoke has the colour of dense smoke", async ({ page }) => {
+  const { complaints } = await open(
+    page,
+    `<candle-flame scene="candle" paused quality="low" style="width: 300px; height: 400px"></candle-flame>`,
+  );
+  const reds = await page.locator("candle-flame").evaluate(async (element: CandleFlameElement) => {
+    await element.ready;
+    element.features.candle = false;
+    element.extinguish();
+    element.step(1.2);
+    const canvas = element.shadowRoot?.querySelector("canvas");
+    const { width = 0, height = 0 } = canvas ?? {};
+    const { data } = canvas?.getContext("2d")?.getImageData(0, 0, width, height) ?? { data: [] };
+    const reds = { thin: [] as number[], dense: [] as number[] };
+    for (let i = 0; i < data.length; i += 4) {
+      const alpha = data[i + 3] ?? 0;
+      if (alpha > 20 && alpha < 60) reds.thin.push(data[i] ?? 0);
+      else if (alpha > 90) reds.dense.push(data[i] ?? 0);
+    }
+    return reds;
+  });
+  const [thin, dense] = [reds.thin, reds.dense].map((some) => some.sort((a, b) => a - b));
+  const median = (sorted: readonly number[] = []) => sorted[sorted.length >> 1] ?? Number.NaN;
+  console.log(`red of ${thin?.length} and ${dense?.length}: ${median(thin)}, ${median(dense)}`);
+  expect(Math.abs(median(thin) - median(dense))).toBeLessThan(30);
+  expect(complaints).toEqual([]);
+});
+
 test("Its halo goes with the exposure, as all light does", async ({ page }) => {
   await open(
     page,
