@@ -33,11 +33,16 @@ export function sampleOf({ sample }: World): Particles {
   return sample;
 }
 
+/** Light of the paper's flame as a share of its most: while particles of a flame that is out live on, they give it. */
+export function shareOfLight(world: World): number {
+  return Math.min(Math.max(world.flame.relativeLight, sampleOf(world).abundance), 1);
+}
+
 /** The light of the paper's flame, at the centre of its glowing particles. */
 export function candleLight(world: World, features: Features, isStill: boolean): PointLight {
   const { setup } = world;
   const { flame } = world.interpolated;
-  const burning = Math.min(world.flame.relativeLight, 1);
+  const burning = shareOfLight(world);
   if (world.look === "original") {
     const [x, y, z] = flame;
     return {

@@ -2,7 +2,7 @@ import { flameRadius, fullHeight, TAPER_WICK } from "../world/flame/burning.js";
 import type { Flame } from "../world/flame/flame.js";
 import type { Vec3 } from "../world/geometry.js";
 import type { World } from "../world/world.js";
-import { sampleOf } from "./candle-light.js";
+import { sampleOf, shareOfLight } from "./candle-light.js";
 import { adaptation, chromaticity, luma, type Rgb } from "./color.js";
 import { BLUE, type FlameBody, flameBody } from "./flame-body.js";
 import { createShape, shapeFlame } from "./flame-shape.js";
@@ -167,13 +167,12 @@ export function paperFlameReport(world: World, position: Vec3): FlameReport {
   const { setup, interpolated, flame } = world;
   const { speed, buoyancy, life, size } = sampleOf(world).layer;
   const mean = (speed[0] + speed[1]) / 2;
-  const burning = Math.min(flame.relativeLight, 1);
   return {
     lit: flame.isLit,
     position,
     height: flame.isLit ? (mean * life + 0.5 * buoyancy * life * life) * setup.flameScale : 0,
     width: flame.isLit ? size * setup.flameScale : 0,
-    luminousIntensity: burning,
+    luminousIntensity: shareOfLight(world),
     blueIntensity: 0,
     colorTemperature: COLOR_TEMPERATURE,
     tilt: flame.isLit ? tiltOf(interpolated.flame, position) : 0,

@@ -73,6 +73,15 @@ export class Particles {
     return out;
   }
 
+  /** Sum of the alphas of the particles alive, as a share of what it is of a flame that burns on. */
+  get abundance(): number {
+    const { state, layer } = this;
+    let seconds = 0;
+    for (let i = 3; i < state.length; i += PARTICLE_FLOATS) seconds += Math.max(0, state[i] ?? 0);
+    const births = (layer.rate * state.length) / (PARTICLE_FLOATS * layer.capacity);
+    return seconds / (0.5 * births * layer.life * layer.life);
+  }
+
   #step(timeline: Timeline, tick: number): void {
     const { layer, state } = this;
     const { first, count, age: eldest } = emissionOf(layer, tick, this.#births);
