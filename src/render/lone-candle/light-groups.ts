@@ -8,7 +8,7 @@ const MOST_LIGHTS = 8;
 
 /**
  * A model's lights as images are kept of them. Of up to six flames each has its own; of more, those of a group have one
- * together, as those that burn.
+ * together, as those that glow.
  */
 export class LightGroups {
   /** How many lights there are. */
@@ -26,12 +26,12 @@ export class LightGroups {
     this.#scales = new Float32Array(3 * this.count);
   }
 
-  /** Flames that an image is of, by light: a single one is in its own, burning or not. */
+  /** Flames that an image is of, by light: a single one is in its own, glowing or not. */
   flamesOf(rooted: readonly RootedFlame[]): readonly (readonly number[])[] {
-    const burning = this.#groups.map((group) =>
-      group.length > 1 ? group.filter((one) => rooted[one]!.flame.isLit) : group,
+    const glowing = this.#groups.map((group) =>
+      group.length > 1 ? group.filter((one) => rooted[one]!.flame.glow > 0) : group,
     );
-    return [[], [], ...burning];
+    return [[], [], ...glowing];
   }
 
   /**
