@@ -143,12 +143,14 @@ export class CustomModelRenderer extends LoneRenderer {
     // Wicks stand in their own flames, and clear surfaces transmit light: these cast shadows.
     this.#opaque = surfaces.filter(({ isClear, uniforms }) => !isClear && uniforms.uWick === 0);
     this.#casters = this.#opaque.map(({ mesh }) => mesh);
+    made.shadows.request(this.#casters);
     this.#meter = new LightMeter(
       this.#casters.map(({ part }) => part),
       wicks.length,
     );
     const draw: DrawInLight = (light, target, part) => this.#drawInLight(light, target, part);
-    this.#summed = tier.name === "low" ? new SummedSurfaces(gpu, wicks.length, draw) : null;
+    const isSummed = tier.name === "low";
+    this.#summed = isSummed ? new SummedSurfaces(gpu, wicks.length, this.#casters, draw) : null;
   }
 
   #programOf(defines: { readonly SHADOW_TAPS?: number }): Program {

@@ -43,6 +43,11 @@ export class FlameShadows {
     this.#target = gpu.renderTarget({ label: "candle/shadow-atlas", ...size, ...format });
   }
 
+  /** Requests the programs of some casters, which compile while others do. */
+  request(casters: readonly Mesh[]): void {
+    for (const { isCutOut } of casters) this.#programOf(isCutOut);
+  }
+
   render(flames: readonly RootedFlame[], casters: readonly Mesh[]): Texture {
     for (const [tile, { root, flame }] of flames.entries()) {
       const height = shadowHeight(flame);

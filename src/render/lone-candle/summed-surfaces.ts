@@ -18,13 +18,13 @@ export class SummedSurfaces {
   /** Those that the images are of. */
   #flames: readonly (readonly number[])[] = [];
 
-  constructor(gpu: Gpu, flames: number, draw: DrawInLight) {
+  constructor(gpu: Gpu, flames: number, surfaces: readonly Mesh[], draw: DrawInLight) {
     this.#gpu = gpu;
     this.groups = new LightGroups(flames);
     const { count } = this.groups;
     this.#cached = new CachedSurfaces(gpu, draw);
     this.program = gpu.pass("candle/custom-display", displayFrag, { defines: { LIGHTS: count } });
-    this.#depthProgram(true);
+    for (const mesh of surfaces) this.#depthProgram(mesh); // requested, to compile while others do
   }
 
   /** Whether there are images to show. */
@@ -60,14 +60,14 @@ export class SummedSurfaces {
 
   /** Draws the depth of the surfaces alone. */
   drawDepth(target: RenderTarget, frame: UniformBlock, meshes: readonly Mesh[]): void {
-    for (const { vertexArray, textures, uniforms, isDoubleSided } of meshes) {
-      const isWhole = uniforms.uSurface[3] === 0;
+    for (const mesh of meshes) {
+      const { vertexArray, textures, uniforms, isDoubleSided } = mesh;
       this.#gpu.draw({
-        program: this.#depthProgram(isWhole),
+        program: this.#depthProgram(mesh),
         target,
         vertexArray,
         textures,
-        uniforms: { ...(isWhole ? {} : uniforms), uPlacement: [0, 0, 0, 0] },
+        uniforms: { ...(isWhole(mesh) ? {} : uniforms), uPlacement: [0, 0, 0, 0] },
         blocks: { Frame: frame },
         depth: "test-and-write",
         writesColor: false,
@@ -76,8 +76,8 @@ export class SummedSurfaces {
     }
   }
 
-  #depthProgram(isWhole: boolean): Program {
-    const defines = isWhole ? {} : { CUTOUT: 1, COLORED: 1 };
+  #depthProgram(mesh: Mesh): Program {
+    const defines = isWhole(mesh) ? {} : { CUTOUT: 1, COLORED: 1 };
     return this.#gpu.program("mesh/depth", meshVert, depthFrag, { defines });
   }
 
@@ -86,3 +86,5 @@ export class SummedSurfaces {
     this.#cached.dispose();
   }
 }
+
+const isWhole = ({ uniforms }: Mesh) => uniforms.uSurface[3] === 0;
