@@ -11,10 +11,15 @@ vec3 hullVertex(int ring, int side) {
   int i = clamp(ring - 1, 0, SPHERES - 1);
   vec4 sphere = flame.spheres[i];
   sphere.w += MARGIN;
-  vec3 along = normalize(flame.spheres[min(i + 1, SPHERES - 1)].xyz - flame.spheres[max(i - 1, 0)].xyz);
+  // Both directions are steadied by the whole spine's: rings that turned against their neighbours, or crossed them where the
+  // flame is shorter than wide, would show parts of the hull twice.
+  vec3 lean = normalize(flame.tip);
+  vec3 along = flame.spheres[min(i + 1, SPHERES - 1)].xyz - flame.spheres[max(i - 1, 0)].xyz;
+  along = normalize(along + lean * sphere.w);
   if (ring == 0) return sphere.xyz - along * sphere.w * 1.1;
   if (ring == SPHERES + 1) return sphere.xyz + along * sphere.w * 1.1;
-  vec3 across = normalize(vec3(along.y, -along.x, 0.0) + vec3(1e-5, 0.0, 0.0));
+  vec3 aside = vec3(lean.z + 1e-5, 0.0, -lean.x);
+  vec3 across = normalize(aside - along * dot(aside, along));
   float angle = 6.2831853 * float(side) / float(SIDES);
   // Wider than the sphere, so that the flat sides contain it: HULL of src/render/volumetric/volumetric-stage.ts.
   float width = sphere.w * 1.2;

@@ -3,6 +3,7 @@ import { FlashMeter } from "../support/flash.ts";
 import { drawOneSample } from "../support/one-sample.ts";
 import { plainRoom } from "../support/plain-room.ts";
 import { type Attributes, RoomDriver } from "../support/room-driver.ts";
+import { openSources } from "../support/sources.ts";
 import { expect, test } from "../support/test.ts";
 
 const ROOM = { min: [-3, 0, -3], max: [3, 3, 3] } as const;
@@ -92,6 +93,22 @@ test("Light integrated over the picture is the flame's, from all sides, straight
     }
   }
   expect(room.complaints).toEqual([]);
+});
+
+test("A flame that a gust blows over is drawn once in each pixel", async ({ page }) => {
+  await openSources(page);
+  for (const degrees of [0, 90, 190]) {
+    const shares = await page.evaluate(
+      async ({ module, direction }) => {
+        const { drawnTwice }: typeof import("../support/flame-hull.ts") = await import(module);
+        return drawnTwice(direction, 0.3);
+      },
+      { module: "/tests/support/flame-hull.ts", direction: (degrees * Math.PI) / 180 },
+    );
+    const found = `${degrees}°: ${shares.map((share) => share.toFixed(3)).join(" ")}`;
+    console.log(`drawn twice, ${found}`);
+    expect(Math.max(...shares), found).toBeLessThan(0.15);
+  }
 });
 
 /** Frames of seconds at 60 Hz, at half of the size and averaged; `deed` is done before each. */
