@@ -24,7 +24,7 @@ void main() {
   float occlusion = mix(1.0, packed.r, uOcclusionStrength) * vColor.r;
   float roughness = clamp(packed.g * uSurface.x, 0.03, 1.0);
   float metallic = packed.b * uSurface.y;
-  vec3 normal = normalize(vNormalWorld);
+  vec3 normal = directionOf(vNormalWorld);
   if (frame.normalMaps > 0.5) {
     normal = perturbedNormal(texture(uNormal, vUv).xy, normal, vTangentWorld, uSurface.z);
   }

@@ -26,7 +26,7 @@ void main() {
   if (baseColor.a < uSurface.w) discard;
 #endif
   vec3 packed = texture(uOcclusionRoughness, vUv).rgb;
-  vec3 normal = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
+  vec3 normal = directionOf(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
   float shading = 1.0;
   if (frame.normalMaps > 0.5) {
     vec3 mapped = perturbedNormal(texture(uNormal, vUv).xy, normal, vTangentWorld, uSurface.z);

@@ -6,11 +6,16 @@ vec3 tangentNormal(vec2 texel, float scale) {
   return normalize(vec3(scale * slope, sqrt(max(1.0 - dot(slope, slope), 1e-4))));
 }
 
+// Of length 1. What vertices interpolate is zero where theirs are opposed, and no number once divided by its length.
+vec3 directionOf(vec3 interpolated) {
+  return normalize(interpolated + vec3(0.0, 1e-12, 0.0));
+}
+
 // World normal of a texel, on the side of `normal`, which is the visible one: from behind, bumps are dents. Bitangent as
 // in glTF: cross(normal, tangent), with the sign in tangent.w. The paper's code applies the inverse of worldFromTangent.
 vec3 perturbedNormal(vec2 texel, vec3 normal, vec4 tangent, float scale) {
-  vec3 n = normalize(normal);
-  vec3 t = normalize(tangent.xyz - n * dot(n, tangent.xyz));
+  vec3 n = directionOf(normal);
+  vec3 t = directionOf(tangent.xyz - n * dot(n, tangent.xyz));
   return mat3(gl_FrontFacing ? t : -t, cross(n, t) * tangent.w, n) * tangentNormal(texel, scale);
 }
 

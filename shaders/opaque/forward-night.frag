@@ -65,7 +65,7 @@ float virtualLuminance(Shading s, vec3 position, vec3 facet, vec3 diffuseColor, 
 
 float shade(vec3 facet) {
   cutOut();
-  vec3 surface = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
+  vec3 surface = directionOf(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
   // Visibility and probes first, to save registers.
   float moonShare = visibilityOfMoon(surface, facet, uFeatures.x, gl_FragCoord.xy + uOrigin);
   vec3 normal = shadingNormal(surface);

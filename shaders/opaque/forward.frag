@@ -106,7 +106,7 @@ DirectLight directLight(Shading s, vec2 visibilities) {
 // Visibilities and probes come first, rays last: in between a GPU has too few registers for their loops.
 vec4 shade(vec3 facet) {
   cutOut();
-  vec3 surface = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
+  vec3 surface = directionOf(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
   vec3 occlusionRoughnessMetallic = occlusionRoughnessMetallicHere();
   bool isCrevice = occlusionRoughnessMetallic.x < CREVICE;
 #ifdef CANDLES

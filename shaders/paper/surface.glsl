@@ -26,7 +26,7 @@ vec3 albedoHere() {
 }
 
 vec3 surfaceNormal() {
-  vec3 normal = normalize(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
+  vec3 normal = directionOf(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
 #if defined(FACETS)
   return facetNormal(vPositionWorld);
 #elif defined(NORMAL_MAPS)

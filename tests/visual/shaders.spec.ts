@@ -179,6 +179,12 @@ test("Relief finer than a pixel widens a highlight instead of making it sparkle"
   expect(widened.mean / truth.mean).toBeLessThan(2);
 });
 
+test("Where normals and tangents cancel there is a normal still", async () => {
+  const [up = 0, length = 0] = await drawnBy(page, "tests/support/cancelled.frag", 1);
+  expect(up).toBe(1);
+  expect(length).toBeGreaterThan(0.5);
+});
+
 test("A normal map's scale multiplies its slopes", async () => {
   const cosines = await drawnBy(page, "tests/support/slopes.frag", 1);
   for (const [i, slope] of [1, 2, 0.5].entries()) {
