@@ -21,10 +21,9 @@ const float PLANE_TOLERANCE = 0.01;
 // Light along a ray that hits nothing that the flame lights, as a share of the mean around it: the irradiance sample / PI.
 const float TRACED_INDIRECT = 0.3;
 
-// Albedo of wax and brass. Height of the pan's side, m. Nearer than that to the ray's start, m, is the candle itself.
+// Albedo of wax and brass. Height of the pan's side, m.
 const float CANDLE_ALBEDO = 0.7;
 const float PAN_HEIGHT = 0.01;
-const float NEAREST_CANDLE = 0.01;
 
 // A surface as smooth as this is a mirror, by its alpha of GGX, and takes one ray.
 const float MIRROR_ALPHA = 0.01;
@@ -60,7 +59,7 @@ vec3 radiosityAt(vec3 fromOrigin) {
   return sum / max(total, 1e-9);
 }
 
-// Distance along a ray to a solid cylinder around the candle's axis, m.
+// Distance along a ray to a solid cylinder around the candle's axis, m. The holder, which is not as simple, has no image of it.
 float cylinderDistance(vec3 from, vec3 ray, float radius, vec2 heights) {
   vec2 offset = from.xz - light.axis;
   vec3 quadratic = vec3(dot(ray.xz, ray.xz) + 1e-9, dot(offset, ray.xz), dot(offset, offset) - radius * radius);
@@ -68,7 +67,8 @@ float cylinderDistance(vec3 from, vec3 ray, float radius, vec2 heights) {
   vec2 side = (vec2(-root, root) - quadratic.y) / quadratic.x;
   vec2 ends = (heights - from.y) / (abs(ray.y) < 1e-6 ? 1e-6 : ray.y);
   float enters = max(side.x, min(ends.x, ends.y));
-  return enters > NEAREST_CANDLE && enters < min(side.y, max(ends.x, ends.y)) ? enters : FARTHEST_STEP;
+  bool isOutside = enters > 0.0 && dot(offset, offset) > light.panRadius * light.panRadius;
+  return isOutside && enters < min(side.y, max(ends.x, ends.y)) ? enters : FARTHEST_STEP;
 }
 
 // Adds the radiosity that a ray hits, lm/m², and the share of it that hits nothing. `start`: from the capture origin, m;
