@@ -33,9 +33,9 @@ export function sampleOf({ sample }: World): Particles {
   return sample;
 }
 
-/** Light of the paper's flame as a share of its most: while particles of a flame that is out live on, they give it. */
+/** Light of the paper's flame as a share of its most. Particles give it as well: of a flame that is out they live on. */
 export function shareOfLight(world: World): number {
-  return Math.min(Math.max(world.flame.relativeLight, sampleOf(world).abundance), 1);
+  return Math.min(Math.max(world.flame.relativeLight, sampleOf(world).light), 1);
 }
 
 /** The light of the paper's flame, at the centre of its glowing particles. */

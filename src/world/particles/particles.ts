@@ -1,3 +1,4 @@
+import { Limiter } from "../flame/limiter.js";
 import type { Vec3 } from "../geometry.js";
 import { pcg, signedHigh, signedLow, unit } from "../random.js";
 import { HISTORY, TICK, type Timeline } from "../timeline.js";
@@ -44,6 +45,7 @@ export class Particles {
   readonly state: Float32Array;
   readonly #key: number;
   #tick: number;
+  readonly #limiter = new Limiter();
   readonly #births: Emission = { first: 0, count: 0, age: 0 };
 
   constructor(layer: ParticleLayer, key: number, slots = layer.capacity) {
@@ -56,7 +58,11 @@ export class Particles {
   /** Catches up with the timeline. */
   follow(timeline: Timeline): void {
     this.#tick = Math.max(this.#tick, timeline.tick - HISTORY);
-    for (; this.#tick < timeline.tick; this.#tick++) this.#step(timeline, this.#tick);
+    for (; this.#tick < timeline.tick; this.#tick++) {
+      this.#step(timeline, this.#tick);
+      this.#limiter.target = this.#abundance();
+      this.#limiter.advance(TICK);
+    }
   }
 
   /** Centre of the particles alive, weighted by their alpha: from the emitter, in its unit. */
@@ -73,8 +79,13 @@ export class Particles {
     return out;
   }
 
+  /** Light of the particles alive, as a share of what it is of a flame that burns on; without flashes. */
+  get light(): number {
+    return this.#limiter.light;
+  }
+
   /** Sum of the alphas of the particles alive, as a share of what it is of a flame that burns on. */
-  get abundance(): number {
+  #abundance(): number {
     const { state, layer } = this;
     let seconds = 0;
     for (let i = 3; i < state.length; i += PARTICLE_FLOATS) seconds += Math.max(0, state[i] ?? 0);
