@@ -116,7 +116,7 @@ void main() {
   float coverage = isCovered ? 1.0 : 0.5 * covered / margin;
   float shown = coverage / (coverage + 2.5 * radiance.r * frame.exposure * (1.0 - coverage) + 1e-6);
   radiance *= isCovered ? vec3(1.0) : shown * vec3(1.0, 1.15, 1.3);
-  depth *= coverage;
+  depth *= shown;  // so that light for each alpha stays a flame's: displayedColor of lib/lone-display.glsl
 #endif
   // The largest half float is 65504: a small flame comes near it, and clipping by channel would turn it green. Of a radiance
   // r at most 1 - r / 6e4 of what is behind passes, so that flames behind one another stay below 6e4.

@@ -228,6 +228,40 @@ test("The flame's outline is antialiased, and its tip tapers", async ({ page }) 
   expect(complaints).toEqual([]);
 });
 
+test("A flame two pixels wide covers as much of the page as a large one", async ({ page }) => {
+  const sizes = [48, 192];
+  await open(
+    page,
+    sizes
+      .map(
+        (size) =>
+          `<candle-flame scene="candle" paused quality="high" style="width: ${size}px; height: ${size}px"></candle-flame>`,
+      )
+      .join(""),
+  );
+  const [small = 0, large = 0] = await page
+    .locator("candle-flame")
+    .evaluateAll(async (elements: CandleFlameElement[]) => {
+      const shares: number[] = [];
+      for (const element of elements) {
+        await element.ready;
+        element.features.bloom = false;
+        element.features.candle = false;
+        element.step(1);
+        const canvas = element.shadowRoot?.querySelector("canvas");
+        const { width = 0, height = 0 } = canvas ?? {};
+        const pixels = canvas?.getContext("2d")?.getImageData(0, 0, width, height);
+        let sum = 0;
+        for (let i = 3; i < 4 * width * height; i += 4) sum += pixels?.data[i] ?? 0;
+        shares.push(sum / (255 * width * height));
+      }
+      return shares;
+    });
+  console.log(`covered: ${small} and ${large}`);
+  expect(small / large).toBeGreaterThan(0.8);
+  expect(small / large).toBeLessThan(1.3);
+});
+
 test("Thin smoke has the colour of dense smoke", async ({ page }) => {
   const { complaints } = await open(
     page,
