@@ -9,7 +9,7 @@ uniform sampler2D uTotalRadiosity;  // radiosity of the surfels in all light, lm
 const float NEAREST_STEP = 0.04;
 const float FARTHEST_STEP = 9.0;
 const float GROWTH = 1.7;
-const float LEAST_COSINE = 0.05;  // of a mirrored ray, to the surface
+const float LEAST_COSINE = 0.05;  // between a surface's normal and what it mirrors, or is seen from
 // Until the hit is known to less than THICKNESS, 9 m away as well: else a wall is taken for its edge, in rings.
 const int BISECTIONS = 7;
 const float IMPOSTOR_BIAS = 0.02;  // m
@@ -21,7 +21,7 @@ const float PLANE_TOLERANCE = 0.01;
 // Light along a ray that hits nothing that the flame lights, as a share of the mean around it: the irradiance sample / PI.
 const float TRACED_INDIRECT = 0.3;
 
-// Albedo of wax and brass. Height of the pan's side, m.
+// Albedo of wax and brass, about that of both. Height of the pan's side, m: public/models/chamberstick.glb.
 const float CANDLE_ALBEDO = 0.7;
 const float PAN_HEIGHT = 0.01;
 
@@ -67,7 +67,7 @@ float cylinderDistance(vec3 from, vec3 ray, float radius, vec2 heights) {
   vec2 side = (vec2(-root, root) - quadratic.y) / quadratic.x;
   vec2 ends = (heights - from.y) / (abs(ray.y) < 1e-6 ? 1e-6 : ray.y);
   float enters = max(side.x, min(ends.x, ends.y));
-  bool isOutside = enters > 0.0 && dot(offset, offset) > light.panRadius * light.panRadius;
+  bool isOutside = radius > 0.0 && enters > 0.0 && dot(offset, offset) > light.panRadius * light.panRadius;
   return isOutside && enters < min(side.y, max(ends.x, ends.y)) ? enters : FARTHEST_STEP;
 }
 
