@@ -6,6 +6,8 @@ import { GROUPS, type ParticleLayer } from "./particle-layer.js";
 
 /** Floats per particle: position, remaining life, velocity, life at birth. */
 export const PARTICLE_FLOATS = 8;
+/** Invisible remainder of light, as a share. A second after the flame went out there is less. */
+const UNSEEN = 2e-3;
 
 export function layerKey(seed: number, layer: number): number {
   return pcg((seed + pcg(layer)) >>> 0);
@@ -81,7 +83,7 @@ export class Particles {
 
   /** Light of the particles alive, as a share of what it is of a flame that burns on; without flashes. */
   get light(): number {
-    return this.#limiter.light;
+    return this.#limiter.light > UNSEEN ? this.#limiter.light : 0;
   }
 
   /** Sum of the alphas of the particles alive, as a share of what it is of a flame that burns on. */
