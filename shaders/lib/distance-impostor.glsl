@@ -21,7 +21,7 @@ const float PLANE_TOLERANCE = 0.01;
 // Light along a ray that hits nothing that the flame lights, as a share of the mean around it: the irradiance sample / PI.
 const float TRACED_INDIRECT = 0.3;
 
-// Albedo of wax and brass, about that of both. Height of the pan's side, m: public/models/chamberstick.glb.
+// Albedo of wax, and about that of brass. Height of the pan's side, m.
 const float CANDLE_ALBEDO = 0.7;
 const float PAN_HEIGHT = 0.01;
 
@@ -59,7 +59,8 @@ vec3 radiosityAt(vec3 fromOrigin) {
   return sum / max(total, 1e-9);
 }
 
-// Distance along a ray to a solid cylinder around the candle's axis, m. The holder, which is not as simple, has no image of it.
+// Distance along a ray to a solid cylinder around the candle's axis, m; none for rays from above the pan: the holder's own
+// reflections would be mottled.
 float cylinderDistance(vec3 from, vec3 ray, float radius, vec2 heights) {
   vec2 offset = from.xz - light.axis;
   vec3 quadratic = vec3(dot(ray.xz, ray.xz) + 1e-9, dot(offset, ray.xz), dot(offset, offset) - radius * radius);
@@ -72,8 +73,7 @@ float cylinderDistance(vec3 from, vec3 ray, float radius, vec2 heights) {
 }
 
 // Adds the radiosity that a ray hits, lm/m², and the share of it that hits nothing. `start`: from the capture origin, m;
-// `nearest`: distance of the first step.
-// `isMirrored`: by a mirror, in which wax glows; elsewhere each ray would be a spot, and the flame's highlight outshines it.
+// `nearest`: first step, m; `isMirrored`: by a mirror, in which wax glows. On a rough surface each ray would be a spot.
 void traceRay(vec3 start, vec3 ray, float nearest, bool isMirrored, inout vec4 sum) {
   float before = depthBehind(start + ray * nearest);
   float transmittance = 1.0;
